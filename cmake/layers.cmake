@@ -1,0 +1,59 @@
+# The few kinds of target: a layer, an engine build, a program, a test suite, a benchmark.
+include(GoogleTest)
+enable_testing()
+
+# layer(name FOLDER folder USES libraries…): every source of a folder (programs' main.cc left out).
+function(layer name)
+  cmake_parse_arguments(ARG "" "FOLDER" "USES" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${ARG_FOLDER}/*.cc)
+  list(FILTER sources EXCLUDE REGEX "/main[.]cc$")
+  add_library(${name} STATIC ${sources})
+  target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name} PUBLIC ${ARG_USES} PRIVATE warnings)
+endfunction()
+
+# simulator(build SOURCE adapter USES engine): library sim_<build> and executable cylon-worker-<build>.
+function(simulator build)
+  cmake_parse_arguments(ARG "" "SOURCE" "USES" ${ARGN})
+  string(REPLACE "-" "_" library sim_${build})
+  add_library(${library} STATIC ${ARG_SOURCE})
+  target_link_libraries(${library} PUBLIC core PRIVATE ${ARG_USES} warnings)
+  add_executable(cylon-worker-${build} reference/workers/main.cc)
+  target_link_libraries(cylon-worker-${build} PRIVATE process ${library} warnings)
+  set_property(GLOBAL APPEND PROPERTY cylon_workers cylon-worker-${build})
+endfunction()
+
+function(program name)
+  cmake_parse_arguments(ARG "" "SOURCE" "USES" ${ARGN})
+  get_property(workers GLOBAL PROPERTY cylon_workers)
+  add_executable(${name} ${ARG_SOURCE})
+  target_link_libraries(${name} PRIVATE ${ARG_USES} warnings)
+  add_dependencies(${name} ${workers})
+endfunction()
+
+# test_suite(folder USES libraries…): one executable for all of tests/<folder>/*_test.cc.
+function(test_suite folder)
+  cmake_parse_arguments(ARG "" "" "USES" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS tests/${folder}/*_test.cc)
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(${folder}_tests ${sources})
+  target_compile_definitions(${folder}_tests PRIVATE
+    CYLON_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CYLON_BINARY_DIR="${PROJECT_BINARY_DIR}")
+  target_link_libraries(${folder}_tests PRIVATE ${ARG_USES} GTest::gtest_main warnings)
+  gtest_discover_tests(${folder}_tests TEST_PREFIX "${folder}/" DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${folder})
+endfunction()
+
+function(layering_test)
+  add_test(NAME layering COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR} -P ${PROJECT_SOURCE_DIR}/tests/layering_test.cmake)
+endfunction()
+
+function(bench name)
+  cmake_parse_arguments(ARG "" "" "USES" ${ARGN})
+  if(NOT EXISTS ${PROJECT_SOURCE_DIR}/bench/${name}.cc)
+    return()
+  endif()
+  add_executable(${name} bench/${name}.cc)
+  target_link_libraries(${name} PRIVATE ${ARG_USES} benchmark::benchmark warnings)
+endfunction()

@@ -1,0 +1,51 @@
+// What a scenario says must hold, and how well.
+#pragma once
+
+#include "harness/core/observable.h"
+#include "harness/core/truth.h"
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace cylon::core {
+
+/// allowed = absolute + relative S; or, where `order` is set, constant dt^p T with p the order that the
+/// simulator declares, the observed order being checked as well.  Without a reason there is no tolerance.
+struct Tolerance {
+  double absolute = 0;  ///< In the observable's unit.
+  double relative = 0;
+  bool order = false;
+  double constant = 0;  ///< [unit / s^(p+1)]
+  std::string reason;
+};
+
+/// How a recording becomes one number.
+enum class Reduction {
+  max,          ///< Largest deviation over the samples.
+  end,          ///< Deviation at the end.
+  mean_square,  ///< Mean over time of the squared deviation, each sample weighted by the step after it.
+  order,        ///< Observed order of convergence of the largest deviation under halving of the step.
+  rate          ///< Slope of the deviation against time, least squares.
+};
+
+struct Claim {
+  std::string label;                 ///< Unique in its scenario: "axis follows heavy_top", "energy".
+  Observable observable;
+  std::string follows;               ///< Name of the truth; empty: the observable keeps its initial value.
+  std::optional<Truth> truth;        ///< Present exactly when `follows` is not empty.
+  double truth_error = 0;            ///< Its bound in the observable's unit.
+  Reduction reduction = Reduction::max;
+  double until = std::numeric_limits<double>::infinity();  ///< Horizon [s].
+  std::optional<double> sample;      ///< Time between samples [s]; 0: every step; absent: the default rule.
+  Tolerance tolerance;
+};
+
+std::string_view name(Reduction);
+
+/// Bound on a truth's error in the observable's own unit, from its bound on the state by the triangle
+/// inequality (first order), at the states that the truth takes over [0, until].
+double truth_error(const Observable&, const Scene&, const Truth&, double until);
+
+}  // namespace cylon::core

@@ -1,0 +1,68 @@
+// Physical quantities as functions of Scene and State, computed here and never asked of an engine.
+#pragma once
+
+#include "harness/core/event.h"
+#include "harness/core/scene.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cylon::core {
+
+enum class Quantity {
+  position,          ///< Of each body [m].
+  velocity,          ///< Of each body [m/s].
+  orientation,       ///< Of each body; distance 4 asin(|q - q'|/2) after the sign fix, in [0, pi] [rad].
+  axis,              ///< Symmetry axis of each body in world axes; distance is the angle [rad].
+  angular_velocity,  ///< Of each body, world axes [rad/s].
+  linear_momentum,   ///< Total, or of one body [kg m/s].
+  angular_momentum,  ///< Total, or of one body, about `about` [kg m^2/s].
+  energy,            ///< Kinetic plus potential of the scene's forces [J].
+  kinetic_energy,    ///< Total, or of one body [J].
+  normal_gap,        ///< min(0, gap) of each touching pair: 0 while apart, minus the depth inside [m].
+  joint_gap,         ///< Distance between the two anchors of each joint, less its length [m].
+  event              ///< Time, speed or height of one event.
+};
+
+enum class Component { all, x, y, z, horizontal };
+enum class EventQuantity { time, height, speed };
+
+struct Observable {
+  Quantity quantity = Quantity::position;
+  std::optional<int> body;                ///< Absent: all bodies; the worst counts (momenta, energies: the sum).
+  Component component = Component::all;   ///< Of vectors; horizontal drops y.
+  Vector3 about = Vector3::Zero();        ///< Angular momentum only [m].
+  EventKind event = EventKind::bounce;
+  int index = 1;
+  EventQuantity event_quantity = EventQuantity::time;
+};
+
+/// The words of the scenario file: "position", "linear_momentum", …
+std::string_view name(Quantity);
+std::string_view unit(const Observable&);
+
+/// A scene may have no such quantity: no joints, no body with a symmetry axis, no touching pair, a
+/// shape whose gap is not computed.  The reason, or nothing when it has.
+std::optional<std::string> undefined_in(const Observable&, const Scene&);
+
+/// One entry per body, pair or joint (one in all for totals); four numbers each: a vector (w = 0), a
+/// scalar (in x), or a quaternion.  Not for events.
+using Values = std::vector<Eigen::Vector4d>;
+void evaluate(const Observable&, const Scene&, const State&, Values&);
+
+/// The worst entry's distance between two values, in the observable's unit.  NaN where either is.
+double distance(const Observable&, const Values&, const Values&);
+
+/// The worst entry's size, for relative tolerances.  Angles have none: 0.
+double magnitude(const Observable&, const Values&);
+
+/// Size that a drift of an energy is compared with: kinetic energy plus the magnitudes of the potential terms [J].
+double energy_scale(const Scene&, const State&);
+
+/// Gap between the surfaces of a pair, negative inside [m].  Spheres and points against planes and
+/// spheres; boxes, cylinders, capsules, cones, discs, rods and hulls against planes.
+double gap(const Scene&, const Pair&, const State&);
+
+}  // namespace cylon::core

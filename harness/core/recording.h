@@ -1,0 +1,36 @@
+// What a run leaves behind.  Everything downstream reads a Recording, never a Simulator.
+#pragma once
+
+#include "harness/core/event.h"
+#include "harness/core/scene.h"
+#include "harness/core/simulator.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace cylon::core {
+
+/// Number of whole steps in a duration; throws std::invalid_argument, naming the nearest step that
+/// fits, unless duration/dt is whole within 1e-9.
+std::int64_t whole_steps(double duration, double dt);
+
+/// Steps between recorded states: 1 while bodies x steps <= 10^6, else the least stride that gives
+/// at most 200 evenly spaced samples plus start and end.  `sample` in [s] (a multiple of dt) or 0 for this rule.
+std::int64_t sampling_stride(std::size_t bodies, std::int64_t steps, double dt, double sample);
+
+/// States at t = step * dt: the start, multiples of the stride, and the end.
+struct Recording {
+  double dt = 0;                          ///< [s]
+  std::vector<std::int64_t> steps;        ///< Ascending, from 0.
+  std::vector<State> states;              ///< One per step kept.
+  std::vector<Event> events;
+  Engine engine;                          ///< Who ran it; paths and schemes left out.
+  Terms terms;                            ///< With what settings.
+  double cpu_seconds = 0;                 ///< Thread CPU time of the steps alone.
+  std::string complaints;                 ///< The end of what the engine wrote to stderr.
+
+  double time(std::size_t sample) const { return static_cast<double>(steps[sample]) * dt; }
+};
+
+}  // namespace cylon::core

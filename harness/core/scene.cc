@@ -1,0 +1,96 @@
+#include "harness/core/scene.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <array>
+#include <cmath>
+
+namespace cylon::core {
+namespace {
+
+bool collides(const Body& body) {
+  return body.collide && !std::holds_alternative<std::monostate>(body.shape);
+}
+
+// How exactly a pattern names a surface: 0 not at all, 1 by "*", 2 by name.
+int match(const std::string& pattern, const std::string& name) {
+  return pattern == name ? 2 : pattern == "*" ? 1 : 0;
+}
+
+int match(const Material& material, const std::string& a, const std::string& b) {
+  const auto both = [&](int i, int j) {
+    const int first = match(material.between[i], a), second = match(material.between[j], b);
+    return first && second ? first + second : 0;
+  };
+  return std::max(both(0, 1), both(1, 0));
+}
+
+}  // namespace
+
+State initial_state(const Scene& scene) {
+  State state;
+  state.reserve(scene.bodies.size());
+  for (const Body& body : scene.bodies) state.push_back(body.initial);
+  return state;
+}
+
+std::vector<Pair> touching_pairs(const Scene& scene) {
+  std::vector<Pair> pairs;
+  const int bodies = static_cast<int>(scene.bodies.size());
+  const int planes = static_cast<int>(scene.planes.size());
+  for (int a = 0; a < bodies; ++a) {
+    const Body& body = scene.bodies[static_cast<std::size_t>(a)];
+    if (!collides(body)) continue;
+    for (int b = a + 1; b < bodies; ++b) {
+      const Body& other = scene.bodies[static_cast<std::size_t>(b)];
+      if (collides(other) && !(body.locked && other.locked)) pairs.push_back({a, b, -1});
+    }
+    if (body.locked) continue;
+    for (int p = 0; p < planes; ++p) pairs.push_back({a, world, p});
+  }
+  return pairs;
+}
+
+std::optional<Material> material_of(const Scene& scene, const Pair& pair) {
+  const std::string& a = scene.bodies[static_cast<std::size_t>(pair.body)].name;
+  const std::string& b = pair.plane >= 0 ? scene.planes[static_cast<std::size_t>(pair.plane)].name
+                                         : scene.bodies[static_cast<std::size_t>(pair.other)].name;
+  const Material* best = nullptr;
+  int best_match = 0;
+  for (const Material& material : scene.materials) {
+    const int m = match(material, a, b);
+    if (m > best_match) best = &material, best_match = m;
+  }
+  return best ? std::optional(*best) : std::nullopt;
+}
+
+Matrix3 world_inertia(const Body& body, const Quaternion& orientation) {
+  const Matrix3 r = orientation.toRotationMatrix();
+  return r * body.inertia * r.transpose();
+}
+
+PrincipalAxes principal_axes(const Matrix3& inertia) {
+  if (inertia.isDiagonal(0.0)) return {inertia.diagonal(), Quaternion::Identity()};
+  const Eigen::SelfAdjointEigenSolver<Matrix3> solver(inertia);
+  // Order the eigenvectors by the body axis that each lies closest to, and make them right-handed.
+  std::array<int, 3> order = {0, 1, 2};
+  double best = -1;
+  for (std::array<int, 3> p : {std::array{0, 1, 2}, std::array{0, 2, 1}, std::array{1, 0, 2},
+                               std::array{1, 2, 0}, std::array{2, 0, 1}, std::array{2, 1, 0}}) {
+    double along = 0;
+    for (int i = 0; i < 3; ++i) along += std::abs(solver.eigenvectors()(i, p[static_cast<std::size_t>(i)]));
+    if (along > best) best = along, order = p;
+  }
+  PrincipalAxes result;
+  Matrix3 axes;
+  for (int i = 0; i < 3; ++i) {
+    const int k = order[static_cast<std::size_t>(i)];
+    result.moments[i] = solver.eigenvalues()[k];
+    axes.col(i) = solver.eigenvectors().col(k) * (solver.eigenvectors()(i, k) < 0 ? -1 : 1);
+  }
+  if (axes.determinant() < 0) axes.col(2) = -axes.col(2);
+  result.rotation = Quaternion(axes).normalized();
+  return result;
+}
+
+}  // namespace cylon::core

@@ -1,0 +1,234 @@
+// The physical situation as plain data: what every simulator gets, and all that it gets.
+// Knows nothing of files, engines, claims or time steps.
+//
+// Conventions, fixed here once.  SI units; right-handed axes; y up.  The body frame sits at the
+// centre of mass.  A quaternion is unit, (w, x, y, z), active, body to world.  Velocities are of
+// the centre of mass, angular velocity in world axes.  Angular momentum is about the world origin.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace cylon::core {
+
+using Vector3 = Eigen::Vector3d;
+using Matrix3 = Eigen::Matrix3d;
+using Quaternion = Eigen::Quaterniond;
+
+/// Index of the fixed world where a body is asked for: the other end of a joint or a spring.
+inline constexpr int world = -1;
+
+/// Motion of one rigid body at one instant.
+struct BodyState {
+  Vector3 position = Vector3::Zero();              ///< Centre of mass [m].
+  Quaternion orientation = Quaternion::Identity();  ///< Body to world, unit norm.
+  Vector3 velocity = Vector3::Zero();              ///< Of the centre of mass [m/s].
+  Vector3 angular_velocity = Vector3::Zero();      ///< World axes [rad/s].
+};
+
+/// One BodyState per body, in the order of Scene::bodies.
+using State = std::vector<BodyState>;
+
+// ---- Shapes: body frame, centred on the centre of mass, axis of revolution along body y. --------
+
+struct Sphere {
+  double radius = 0;  ///< [m]
+};
+struct Box {
+  Vector3 half_extents = Vector3::Zero();  ///< [m]
+};
+struct Capsule {
+  double radius = 0, length = 0;  ///< [m]; length of the cylindrical part.
+};
+struct Cylinder {
+  double radius = 0, length = 0;  ///< [m]
+};
+struct Cone {
+  double radius = 0, length = 0;  ///< [m]; tip towards +y; centre of mass length/4 above the base.
+};
+struct Rod {
+  double length = 0;  ///< [m]; no thickness.
+};
+struct Disc {
+  double radius = 0;  ///< [m]; no thickness.
+};
+struct Hull {
+  std::vector<Vector3> vertices;  ///< [m]; the convex hull of these points.
+};
+struct Mesh {
+  std::vector<Vector3> vertices;                 ///< [m]
+  std::vector<std::array<std::int32_t, 3>> faces;  ///< Counter-clockwise seen from outside.
+};
+
+/// monostate: a point, or a bare rigid body that nothing can touch.
+using Primitive = std::variant<std::monostate, Sphere, Box, Capsule, Cylinder, Cone, Rod, Disc, Hull, Mesh>;
+
+struct Part {
+  Primitive shape;
+  double mass = 0;                                  ///< [kg]
+  Vector3 position = Vector3::Zero();               ///< In the body frame [m].
+  Quaternion orientation = Quaternion::Identity();  ///< Part to body.
+};
+struct Compound {
+  std::vector<Part> parts;
+};
+
+using Shape = std::variant<std::monostate, Sphere, Box, Capsule, Cylinder, Cone, Rod, Disc, Hull, Mesh, Compound>;
+
+// ---- Bodies, forces, constraints ---------------------------------------------------------------
+
+struct Body {
+  std::string name;
+  double mass = 1;                         ///< [kg], > 0.
+  Matrix3 inertia = Matrix3::Identity();   ///< About the centre of mass, body axes [kg m^2].
+  BodyState initial;
+  Shape shape;
+  bool locked = false;                     ///< Does not move, whatever acts on it.
+  bool collide = false;                    ///< Takes part in contacts; needs a shape.
+  std::string color;                       ///< For viewers, "#rrggbb" or empty.
+};
+
+/// F = m a on every body.
+struct UniformGravity {
+  Vector3 acceleration = {0, -9.81, 0};    ///< [m/s^2]
+};
+
+/// F = (stiffness (|d| - rest_length) + damping d(|d|)/dt) d/|d| on `body`, -F on `to`, with d from
+/// the anchor on `body` to the anchor on `to`.  At |d| = 0 with rest_length = 0 the force is zero.
+struct Spring {
+  int body = 0;
+  Vector3 anchor = Vector3::Zero();        ///< Body axes [m].
+  int to = world;
+  Vector3 to_anchor = Vector3::Zero();     ///< Axes of `to`; of the world when `to` is the world [m].
+  double stiffness = 0;                    ///< [N/m], >= 0.
+  double rest_length = 0;                  ///< [m], >= 0.
+  double damping = 0;                      ///< [N s/m], >= 0.
+};
+
+/// F = -linear v; torque = -angular w - momentum L_spin.
+struct Drag {
+  int body = 0;
+  double linear = 0;                       ///< [kg/s], >= 0.
+  double angular = 0;                      ///< [kg m^2/s], >= 0.
+  double momentum = 0;                     ///< [1/s], >= 0.
+};
+
+/// Constant force in body axes, or a changing mass: dm/dt = mass_rate, the mass entering or leaving
+/// with `exhaust_velocity` relative to the body (body axes) or with `exchanged_velocity` (world axes).
+struct Thrust {
+  int body = 0;
+  Vector3 force = Vector3::Zero();                 ///< Body axes [N].
+  double mass_rate = 0;                            ///< [kg/s]; < 0 is a rocket.
+  std::optional<Vector3> exhaust_velocity;         ///< Relative to the body, body axes [m/s].
+  std::optional<Vector3> exchanged_velocity;       ///< World axes [m/s].
+};
+
+/// F = force cos(frequency t), world axes, at the centre of mass.
+struct Drive {
+  int body = 0;
+  Vector3 force = Vector3::Zero();         ///< [N]
+  double frequency = 0;                    ///< [rad/s]
+};
+
+/// F = strength m_a m_b d/|d|^3 on `body`, -F on `to`, with d from `body` to `to`.
+struct Attraction {
+  int body = 0;
+  int to = world;                          ///< A body; the world is not allowed here.
+  double strength = 0;                     ///< [m^3/(kg s^2)]
+};
+
+/// A water surface y = level + wave sin(x - speed t).
+struct Water {
+  double level = 0;                        ///< [m]
+  double wave = 0;                         ///< Amplitude [m].
+  double speed = 0;                        ///< Of the wave's phase [rad/s].
+  double buoyancy = 0;                     ///< mode step: force [N]; mode volume: density [kg/m^3].
+  double drag = 0;                         ///< [kg/s]
+  std::string mode = "volume";             ///< "volume" (Archimedes) or "step" (constant lift below the surface).
+};
+
+/// Closed on purpose: an adapter that misses a force does not compile.
+using Force = std::variant<UniformGravity, Spring, Drag, Thrust, Drive, Attraction, Water>;
+
+enum class JointType { ball, hinge, distance, fixed };
+
+struct Joint {
+  JointType type = JointType::ball;
+  int body = 0;
+  int to = world;
+  Vector3 point = Vector3::Zero();         ///< World coordinates at t = 0 [m]; unused by distance between two bodies.
+  Vector3 axis = Vector3::UnitY();         ///< Of a hinge, world axes at t = 0, unit.
+  double length = 0;                       ///< Of a distance joint [m].
+};
+
+/// Solid where normal . x < offset.
+struct Plane {
+  std::string name;
+  Vector3 normal = Vector3::UnitY();       ///< Unit.
+  double offset = 0;                       ///< [m]
+};
+
+/// Physics of a *pair* of surfaces; what an engine multiplies or averages to get there is its adapter's affair.
+struct Material {
+  std::string between[2];                  ///< Names of bodies or planes; "*" matches all, an exact pair wins.
+  double restitution = 0;                  ///< [0, 1]
+  double friction = 0;                     ///< Coulomb, static = kinetic, >= 0.
+};
+
+/// The frame in which the initial state is given, as seen from the inertial frame.
+struct Frame {
+  Vector3 velocity = Vector3::Zero();          ///< [m/s]
+  Vector3 angular_velocity = Vector3::Zero();  ///< [rad/s]
+};
+
+/// How several impacts at one instant resolve.
+enum class Impacts { sequential, simultaneous };
+
+struct Scene {
+  std::vector<Body> bodies;
+  std::vector<Force> forces;
+  std::vector<Joint> joints;
+  std::vector<Plane> planes;
+  std::vector<Material> materials;
+  std::optional<Frame> frame;
+  Impacts impacts = Impacts::sequential;
+};
+
+/// A body and a plane (other = world), or two bodies (plane < 0), that may touch.
+struct Pair {
+  int body = 0;
+  int other = world;
+  int plane = -1;
+  friend bool operator==(const Pair&, const Pair&) = default;
+};
+
+/// The motion at t = 0, in the order of Scene::bodies.
+State initial_state(const Scene&);
+
+/// Every pair that may touch: colliding bodies of which at least one moves, and colliding bodies
+/// with planes; bodies first by index, then planes.
+std::vector<Pair> touching_pairs(const Scene&);
+
+/// The material of a pair: an exact match of both names, else one name with "*", else "*" with "*";
+/// nothing when the scene states none.
+std::optional<Material> material_of(const Scene&, const Pair&);
+
+/// World-axes inertia R I R^T of a body in a given orientation [kg m^2].
+Matrix3 world_inertia(const Body&, const Quaternion& orientation);
+
+/// I = A diag(moments) A^T: principal moments in ascending-index order of the closest body axes and
+/// the rotation A from principal to body axes.  A diagonal inertia gives the identity exactly.
+struct PrincipalAxes {
+  Vector3 moments;
+  Quaternion rotation;
+};
+PrincipalAxes principal_axes(const Matrix3& inertia);
+
+}  // namespace cylon::core

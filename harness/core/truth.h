@@ -1,0 +1,38 @@
+// The state that the laws of mechanics require, independent of any simulator.
+#pragma once
+
+#include "harness/core/event.h"
+#include "harness/core/scene.h"
+
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace cylon::core {
+
+/// A bound on the error of every body's state, at any time up to the horizon asked for.
+struct StateError {
+  double position = 0;          ///< [m]
+  double velocity = 0;          ///< [m/s]
+  double orientation = 0;       ///< [rad]
+  double angular_velocity = 0;  ///< [rad/s]
+  double time = 0;              ///< Of events [s].
+};
+
+struct Truth {
+  std::function<State(double t)> state;  ///< t in [s], 0 <= t <= horizon.
+  std::vector<Event> events;             ///< Up to the horizon, in order of time; empty where none are defined.
+  StateError error;                      ///< Bound on this truth's own error.
+  std::string source;                    ///< Where the formula or the data come from.
+  double horizon = std::numeric_limits<double>::infinity();  ///< [s]
+  std::vector<double> times;             ///< Recorded data: the only times at which it is known.  Empty: any.
+};
+
+/// A truth was asked for a scene outside its domain; the message says which condition failed.
+struct OutOfDomain : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
+
+}  // namespace cylon::core
