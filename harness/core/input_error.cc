@@ -1,0 +1,47 @@
+#include "harness/core/input_error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace cylon::core {
+namespace {
+
+// Levenshtein distance, two rows.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t substitute = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substitute});
+    }
+  }
+  return row[b.size()];
+}
+
+std::string place(const std::string& file, unsigned line, unsigned column) {
+  if (line == 0) return file.empty() ? "" : file + ": ";
+  return fmt::format("{}:{}:{}: ", file, line, column);
+}
+
+}  // namespace
+
+InputError::InputError(const std::string& file, unsigned line, unsigned column, const std::string& message)
+    : std::runtime_error(place(file, line, column) + message) {}
+
+std::string did_you_mean(std::string_view word, std::span<const std::string> candidates) {
+  const std::string* best = nullptr;
+  std::size_t least = 0;
+  for (const std::string& candidate : candidates) {
+    const std::size_t distance = edit_distance(word, candidate);
+    const std::size_t reach = std::max<std::size_t>(2, std::max(word.size(), candidate.size()) / 3);
+    if (distance <= reach && (!best || distance < least)) best = &candidate, least = distance;
+  }
+  return best ? fmt::format(", did you mean '{}'?", *best) : "";
+}
+
+}  // namespace cylon::core

@@ -1,0 +1,22 @@
+// What a user gets for input that cannot be: the place, the key, the valid range, the nearest valid name.
+#pragma once
+
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cylon::core {
+
+/// what() reads "file:line:column: message"; line 0 leaves the place out.  Programs exit with 2.
+struct InputError : std::runtime_error {
+  explicit InputError(const std::string& message) : std::runtime_error(message) {}
+  InputError(const std::string& file, unsigned line, unsigned column, const std::string& message);
+};
+
+/// ", did you mean 'x'?" for the candidate with the least edit distance, at most a third of the
+/// longer word away (two letters at least); else "".
+std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);
+
+}  // namespace cylon::core
