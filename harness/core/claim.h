@@ -31,14 +31,14 @@ enum class Reduction {
 };
 
 struct Claim {
-  std::string label;                 ///< Unique in its scenario: "axis follows heavy_top", "energy".
+  std::string label;  ///< Unique in its scenario: "axis follows heavy_top", "energy".
   Observable observable;
-  std::string follows;               ///< Name of the truth; empty: the observable keeps its initial value.
-  std::optional<Truth> truth;        ///< Present exactly when `follows` is not empty.
-  double truth_error = 0;            ///< Its bound in the observable's unit.
+  std::string follows;         ///< Name of the truth; empty: the observable keeps its initial value.
+  std::optional<Truth> truth;  ///< Present exactly when `follows` is not empty.
+  double truth_error = 0;      ///< Its bound in the observable's unit.
   Reduction reduction = Reduction::max;
   double until = std::numeric_limits<double>::infinity();  ///< Horizon [s].
-  std::optional<double> sample;      ///< Time between samples [s]; 0: every step; absent: the default rule.
+  std::optional<double> sample;  ///< Time between samples [s]; 0: every step; absent: the default rule.
   Tolerance tolerance;
 };
 

@@ -32,11 +32,12 @@ class EventWatch {
   };
   struct Track {
     Pair pair;
-    Sample last[4];       // newest last
-    int kept = 0;
+    Sample last[4];  ///< Newest last.
+    int kept = 0;    ///< How many of them are there.
     int bounces = 0;
-    bool pending = false;  // a bounce waits for the second state after it
+    int since_bounce = 2;  ///< Steps since the last bounce was found.
     bool apex_seen = false;
+    double fastest = 0;  ///< Largest |rate| so far [m/s].
   };
   void detect(Track&, std::int64_t step);
 

@@ -31,9 +31,9 @@ enum class EventQuantity { time, height, speed };
 
 struct Observable {
   Quantity quantity = Quantity::position;
-  std::optional<int> body;                ///< Absent: all bodies; the worst counts (momenta, energies: the sum).
-  Component component = Component::all;   ///< Of vectors; horizontal drops y.
-  Vector3 about = Vector3::Zero();        ///< Angular momentum only [m].
+  std::optional<int> body;  ///< Absent: all bodies; the worst counts (momenta, energies: the sum).
+  Component component = Component::all;  ///< Of vectors; horizontal drops y.
+  Vector3 about = Vector3::Zero();       ///< Angular momentum only [m].
   EventKind event = EventKind::bounce;
   int index = 1;
   EventQuantity event_quantity = EventQuantity::time;
@@ -58,11 +58,19 @@ double distance(const Observable&, const Values&, const Values&);
 /// The worst entry's size, for relative tolerances.  Angles have none: 0.
 double magnitude(const Observable&, const Values&);
 
-/// Size that a drift of an energy is compared with: kinetic energy plus the magnitudes of the potential terms [J].
+/// Size that a drift of an energy is compared with: kinetic energy plus the magnitudes of the potential terms
+/// [J].
 double energy_scale(const Scene&, const State&);
 
 /// Gap between the surfaces of a pair, negative inside [m].  Spheres and points against planes and
 /// spheres; boxes, cylinders, capsules, cones, discs, rods and hulls against planes.
 double gap(const Scene&, const Pair&, const State&);
+
+/// Why gap() does not serve a pair, or nothing when it does.
+std::optional<std::string> gap_undefined(const Scene&, const Pair&);
+
+/// The body axis (0, 1, 2 of its principal axes, as a unit vector in the body frame) about which the
+/// inertia is symmetric within 1e-9; nothing for three equal or three different moments.
+std::optional<Vector3> symmetry_axis(const Body&);
 
 }  // namespace cylon::core

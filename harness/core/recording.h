@@ -16,19 +16,20 @@ namespace cylon::core {
 std::int64_t whole_steps(double duration, double dt);
 
 /// Steps between recorded states: 1 while bodies x steps <= 10^6, else the least stride that gives
-/// at most 200 evenly spaced samples plus start and end.  `sample` in [s] (a multiple of dt) or 0 for this rule.
+/// at most 200 evenly spaced samples plus start and end.  `sample` in [s] (a multiple of dt) or 0 for this
+/// rule.
 std::int64_t sampling_stride(std::size_t bodies, std::int64_t steps, double dt, double sample);
 
 /// States at t = step * dt: the start, multiples of the stride, and the end.
 struct Recording {
-  double dt = 0;                          ///< [s]
-  std::vector<std::int64_t> steps;        ///< Ascending, from 0.
-  std::vector<State> states;              ///< One per step kept.
+  double dt = 0;                    ///< [s]
+  std::vector<std::int64_t> steps;  ///< Ascending, from 0.
+  std::vector<State> states;        ///< One per step kept.
   std::vector<Event> events;
-  Engine engine;                          ///< Who ran it; paths and schemes left out.
-  Terms terms;                            ///< With what settings.
-  double cpu_seconds = 0;                 ///< Thread CPU time of the steps alone.
-  std::string complaints;                 ///< The end of what the engine wrote to stderr.
+  Engine engine;           ///< Who ran it; paths and schemes left out.
+  Terms terms;             ///< With what settings.
+  double cpu_seconds = 0;  ///< Thread CPU time of the steps alone.
+  std::string complaints;  ///< The end of what the engine wrote to stderr.
 
   double time(std::size_t sample) const { return static_cast<double>(steps[sample]) * dt; }
 };

@@ -27,10 +27,10 @@ inline constexpr int world = -1;
 
 /// Motion of one rigid body at one instant.
 struct BodyState {
-  Vector3 position = Vector3::Zero();              ///< Centre of mass [m].
+  Vector3 position = Vector3::Zero();               ///< Centre of mass [m].
   Quaternion orientation = Quaternion::Identity();  ///< Body to world, unit norm.
-  Vector3 velocity = Vector3::Zero();              ///< Of the centre of mass [m/s].
-  Vector3 angular_velocity = Vector3::Zero();      ///< World axes [rad/s].
+  Vector3 velocity = Vector3::Zero();               ///< Of the centre of mass [m/s].
+  Vector3 angular_velocity = Vector3::Zero();       ///< World axes [rad/s].
 };
 
 /// One BodyState per body, in the order of Scene::bodies.
@@ -63,7 +63,7 @@ struct Hull {
   std::vector<Vector3> vertices;  ///< [m]; the convex hull of these points.
 };
 struct Mesh {
-  std::vector<Vector3> vertices;                 ///< [m]
+  std::vector<Vector3> vertices;                   ///< [m]
   std::vector<std::array<std::int32_t, 3>> faces;  ///< Counter-clockwise seen from outside.
 };
 
@@ -80,78 +80,79 @@ struct Compound {
   std::vector<Part> parts;
 };
 
-using Shape = std::variant<std::monostate, Sphere, Box, Capsule, Cylinder, Cone, Rod, Disc, Hull, Mesh, Compound>;
+using Shape =
+    std::variant<std::monostate, Sphere, Box, Capsule, Cylinder, Cone, Rod, Disc, Hull, Mesh, Compound>;
 
 // ---- Bodies, forces, constraints ---------------------------------------------------------------
 
 struct Body {
   std::string name;
-  double mass = 1;                         ///< [kg], > 0.
-  Matrix3 inertia = Matrix3::Identity();   ///< About the centre of mass, body axes [kg m^2].
+  double mass = 1;                        ///< [kg], > 0.
+  Matrix3 inertia = Matrix3::Identity();  ///< About the centre of mass, body axes [kg m^2].
   BodyState initial;
   Shape shape;
-  bool locked = false;                     ///< Does not move, whatever acts on it.
-  bool collide = false;                    ///< Takes part in contacts; needs a shape.
-  std::string color;                       ///< For viewers, "#rrggbb" or empty.
+  bool locked = false;   ///< Does not move, whatever acts on it.
+  bool collide = false;  ///< Takes part in contacts; needs a shape.
+  std::string color;     ///< For viewers, "#rrggbb" or empty.
 };
 
 /// F = m a on every body.
 struct UniformGravity {
-  Vector3 acceleration = {0, -9.81, 0};    ///< [m/s^2]
+  Vector3 acceleration = {0, -9.81, 0};  ///< [m/s^2]
 };
 
 /// F = (stiffness (|d| - rest_length) + damping d(|d|)/dt) d/|d| on `body`, -F on `to`, with d from
 /// the anchor on `body` to the anchor on `to`.  At |d| = 0 with rest_length = 0 the force is zero.
 struct Spring {
   int body = 0;
-  Vector3 anchor = Vector3::Zero();        ///< Body axes [m].
+  Vector3 anchor = Vector3::Zero();  ///< Body axes [m].
   int to = world;
-  Vector3 to_anchor = Vector3::Zero();     ///< Axes of `to`; of the world when `to` is the world [m].
-  double stiffness = 0;                    ///< [N/m], >= 0.
-  double rest_length = 0;                  ///< [m], >= 0.
-  double damping = 0;                      ///< [N s/m], >= 0.
+  Vector3 to_anchor = Vector3::Zero();  ///< Axes of `to`; of the world when `to` is the world [m].
+  double stiffness = 0;                 ///< [N/m], >= 0.
+  double rest_length = 0;               ///< [m], >= 0.
+  double damping = 0;                   ///< [N s/m], >= 0.
 };
 
 /// F = -linear v; torque = -angular w - momentum L_spin.
 struct Drag {
   int body = 0;
-  double linear = 0;                       ///< [kg/s], >= 0.
-  double angular = 0;                      ///< [kg m^2/s], >= 0.
-  double momentum = 0;                     ///< [1/s], >= 0.
+  double linear = 0;    ///< [kg/s], >= 0.
+  double angular = 0;   ///< [kg m^2/s], >= 0.
+  double momentum = 0;  ///< [1/s], >= 0.
 };
 
 /// Constant force in body axes, or a changing mass: dm/dt = mass_rate, the mass entering or leaving
 /// with `exhaust_velocity` relative to the body (body axes) or with `exchanged_velocity` (world axes).
 struct Thrust {
   int body = 0;
-  Vector3 force = Vector3::Zero();                 ///< Body axes [N].
-  double mass_rate = 0;                            ///< [kg/s]; < 0 is a rocket.
-  std::optional<Vector3> exhaust_velocity;         ///< Relative to the body, body axes [m/s].
-  std::optional<Vector3> exchanged_velocity;       ///< World axes [m/s].
+  Vector3 force = Vector3::Zero();            ///< Body axes [N].
+  double mass_rate = 0;                       ///< [kg/s]; < 0 is a rocket.
+  std::optional<Vector3> exhaust_velocity;    ///< Relative to the body, body axes [m/s].
+  std::optional<Vector3> exchanged_velocity;  ///< World axes [m/s].
 };
 
 /// F = force cos(frequency t), world axes, at the centre of mass.
 struct Drive {
   int body = 0;
-  Vector3 force = Vector3::Zero();         ///< [N]
-  double frequency = 0;                    ///< [rad/s]
+  Vector3 force = Vector3::Zero();  ///< [N]
+  double frequency = 0;             ///< [rad/s]
 };
 
 /// F = strength m_a m_b d/|d|^3 on `body`, -F on `to`, with d from `body` to `to`.
 struct Attraction {
   int body = 0;
-  int to = world;                          ///< A body; the world is not allowed here.
-  double strength = 0;                     ///< [m^3/(kg s^2)]
+  int to = world;       ///< A body; the world is not allowed here.
+  double strength = 0;  ///< [m^3/(kg s^2)]
 };
 
 /// A water surface y = level + wave sin(x - speed t).
 struct Water {
-  double level = 0;                        ///< [m]
-  double wave = 0;                         ///< Amplitude [m].
-  double speed = 0;                        ///< Of the wave's phase [rad/s].
-  double buoyancy = 0;                     ///< mode step: force [N]; mode volume: density [kg/m^3].
-  double drag = 0;                         ///< [kg/s]
-  std::string mode = "volume";             ///< "volume" (Archimedes) or "step" (constant lift below the surface).
+  double level = 0;             ///< [m]
+  double wave = 0;              ///< Amplitude [m].
+  double speed = 0;             ///< Of the wave's phase [rad/s].
+  double buoyancy = 0;          ///< mode step: force [N]; mode volume: density [kg/m^3].
+  double drag = 0;              ///< [kg/s]
+  std::string mode = "volume";  ///< "volume" (Archimedes) or "step" (constant lift below the surface).
 };
 
 /// Closed on purpose: an adapter that misses a force does not compile.
@@ -163,23 +164,25 @@ struct Joint {
   JointType type = JointType::ball;
   int body = 0;
   int to = world;
-  Vector3 point = Vector3::Zero();         ///< World coordinates at t = 0 [m]; unused by distance between two bodies.
-  Vector3 axis = Vector3::UnitY();         ///< Of a hinge, world axes at t = 0, unit.
-  double length = 0;                       ///< Of a distance joint [m].
+  Vector3 point =
+      Vector3::Zero();  ///< World coordinates at t = 0 [m]; unused by distance between two bodies.
+  Vector3 axis = Vector3::UnitY();  ///< Of a hinge, world axes at t = 0, unit.
+  double length = 0;                ///< Of a distance joint [m].
 };
 
 /// Solid where normal . x < offset.
 struct Plane {
   std::string name;
-  Vector3 normal = Vector3::UnitY();       ///< Unit.
-  double offset = 0;                       ///< [m]
+  Vector3 normal = Vector3::UnitY();  ///< Unit.
+  double offset = 0;                  ///< [m]
 };
 
-/// Physics of a *pair* of surfaces; what an engine multiplies or averages to get there is its adapter's affair.
+/// Physics of a *pair* of surfaces; what an engine multiplies or averages to get there is its adapter's
+/// affair.
 struct Material {
-  std::string between[2];                  ///< Names of bodies or planes; "*" matches all, an exact pair wins.
-  double restitution = 0;                  ///< [0, 1]
-  double friction = 0;                     ///< Coulomb, static = kinetic, >= 0.
+  std::string between[2];  ///< Names of bodies or planes; "*" matches all, an exact pair wins.
+  double restitution = 0;  ///< [0, 1]
+  double friction = 0;     ///< Coulomb, static = kinetic, >= 0.
 };
 
 /// The frame in which the initial state is given, as seen from the inertial frame.

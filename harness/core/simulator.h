@@ -19,52 +19,52 @@ struct Setting {
 
 /// A named, complete table of an engine's settings, and a row of its own in every report.
 struct Path {
-  std::string name;                       ///< "rigid", "rigid-bounce", "multibody", "step", …
+  std::string name;  ///< "rigid", "rigid-bounce", "multibody", "step", …
   std::string summary;
-  std::vector<Setting> settings;          ///< Everything that is forced.
-  std::vector<std::string> unforceable;   ///< What the engine does all the same, one sentence each.
+  std::vector<Setting> settings;         ///< Everything that is forced.
+  std::vector<std::string> unforceable;  ///< What the engine does all the same, one sentence each.
 };
 
 /// A time-stepping scheme that an engine offers.
 struct Scheme {
   std::string name;
-  int order = 1;                          ///< Of the global error in smooth motion.
-  std::string conserves;                  ///< In words; "" for nothing in particular.
+  int order = 1;          ///< Of the global error in smooth motion.
+  std::string conserves;  ///< In words; "" for nothing in particular.
 };
 
 /// A knob that a variant may turn: `bullet/gyro=none`.
 struct Option {
   std::string name;
-  std::vector<std::string> values;        ///< Allowed; empty: a number.
+  std::vector<std::string> values;  ///< Allowed; empty: a number.
   std::string engine_default;
   std::string meaning;
 };
 
 /// What an engine says of itself before it has seen a scene.
 struct Engine {
-  std::string name;                       ///< "in-house", "bullet", "ode".
-  std::string version;                    ///< "3.24"
-  std::string precision;                  ///< "double" or "float".
-  std::vector<Path> paths;                ///< The first is the default where default_path says nothing else.
-  std::string default_path_rule;          ///< How the default path follows from the Scene, in words.
-  std::vector<Scheme> schemes;            ///< The first is the default.
+  std::string name;               ///< "in-house", "bullet", "ode".
+  std::string version;            ///< "3.24"
+  std::string precision;          ///< "double" or "float".
+  std::vector<Path> paths;        ///< The first is the default where default_path says nothing else.
+  std::string default_path_rule;  ///< How the default path follows from the Scene, in words.
+  std::vector<Scheme> schemes;    ///< The first is the default.
   std::vector<Option> options;
 };
 
 /// What a run asks of a simulator.
 struct Setup {
-  double dt = 0;                                   ///< [s], > 0.
-  std::string path;                                ///< "": a published function of the Scene alone.
-  std::string integrator;                          ///< "": the engine's default.
-  std::map<std::string, std::string> options;      ///< Settings overridden by a variant or a suite.
+  double dt = 0;                               ///< [s], > 0.
+  std::string path;                            ///< "": a published function of the Scene alone.
+  std::string integrator;                      ///< "": the engine's default.
+  std::map<std::string, std::string> options;  ///< Settings overridden by a variant or a suite.
 };
 
 /// What a run was really made with; stored with each verdict.
 struct Terms {
   std::string path;
   std::string integrator;
-  int order = 1;                                   ///< Of the integrator, in smooth motion.
-  std::string gyroscopic;                          ///< "exact", "implicit", "explicit", "none", …
+  int order = 1;           ///< Of the integrator, in smooth motion.
+  std::string gyroscopic;  ///< "exact", "implicit", "explicit", "none", …
   std::vector<Setting> settings;
   std::vector<std::string> unforceable;
 };

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -27,13 +27,13 @@ double digits(double measured, double allowed);
 struct Verdict {
   std::string scenario;
   std::string scenario_hash;
-  std::string engine;                ///< The id asked for: "bullet/gyro=none".
+  std::string engine;  ///< The id asked for: "bullet/gyro=none".
   std::string version, precision, path, gyroscopic, integrator;
   std::vector<std::pair<std::string, std::string>> settings;
   std::vector<std::string> unforceable;
-  double dt = 0;                     ///< [s]
-  std::string dt_text;               ///< As given: "1/60" or "0.001".
-  std::string sampling;              ///< "every step" or "every 0.1 s".
+  double dt = 0;         ///< [s]
+  std::string dt_text;   ///< As given: "1/60" or "0.001".
+  std::string sampling;  ///< "every step" or "every 0.1 s".
   std::string claim, observable, unit;
   double measured = std::numeric_limits<double>::quiet_NaN();
   std::optional<std::int64_t> first_bad_step;  ///< Of a non-finite run.
@@ -41,14 +41,14 @@ struct Verdict {
   double truth_error = 0;
   Status status = Status::fail;
   std::string tolerance_reason;
-  std::string detail;                ///< Why unsupported, how it crashed, what went wrong.
-  std::string complaints;            ///< The end of the engine's stderr.
-  Status expected = Status::pass;    ///< What expected.toml says; pass where it says nothing.
+  std::string detail;              ///< Why unsupported, how it crashed, what went wrong.
+  std::string complaints;          ///< The end of the engine's stderr.
+  Status expected = Status::pass;  ///< What expected.toml says; pass where it says nothing.
   std::string expected_reason;
-  bool version_listed = true;        ///< Whether expected.toml knows this engine version.
+  bool version_listed = true;  ///< Whether expected.toml knows this engine version.
   double cpu_seconds = 0;
   std::int64_t body_steps = 0;
-  std::string reproduce;             ///< The command that gives this row again.
+  std::string reproduce;  ///< The command that gives this row again.
 
   bool as_expected() const { return status == expected; }
 };

@@ -1,0 +1,45 @@
+// Recording -> number.  Reads Scene and Recording; knows no engine.
+#pragma once
+
+#include "harness/core/claim.h"
+#include "harness/core/recording.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace cylon::core {
+
+/// A claim's deviation at each of its samples.
+struct Series {
+  std::vector<double> time;       ///< [s]
+  std::vector<double> deviation;  ///< |Q(t) - Q*(t)| or |Q(t) - Q(0)|, in the observable's unit.
+};
+
+/// The samples that the claim asks for (its `sample`, its `until`, its truth's own times).
+Series deviation(const Claim&, const Scene&, const Recording&);
+
+/// Slope of log(error) against log(dt), least squares.
+double observed_order(std::span<const double> dt, std::span<const double> error);
+
+/// What a tolerance's `relative` is a fraction of: the largest |truth| at 257 even times over the
+/// horizon, or the initial value; never taken from a run.
+double scale(const Claim&, const Scene&, double duration);
+
+struct Measured {
+  double value = 0;  ///< In the observable's unit (order: a number; rate: unit/s).
+  double allowed = 0;
+  std::optional<std::int64_t> first_bad_step;  ///< Of the first state that is not finite.
+  std::string detail;   ///< What the number alone does not say: a missing event, a lost order.
+  bool broken = false;  ///< `detail` is a failure, whatever the number.
+};
+
+/// How many runs, each at half the step of the one before, the claim needs: 1 or 3.
+int runs_needed(const Claim&);
+
+/// Recordings at dt, dt/2, … as runs_needed says; `duration` is the scenario's [s].
+Measured measure(const Claim&, const Scene&, std::span<const Recording>, double duration);
+
+}  // namespace cylon::core
