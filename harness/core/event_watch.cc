@@ -26,7 +26,7 @@ double nearest_root(double g, double u, double a) {
   return denominator == 0 ? 0 : -2 * g / denominator;
 }
 
-// A reversal this much smaller than the fastest approach is rest, not a bounce.
+// A separation this much slower than the fastest approach is rest, not a bounce.
 constexpr double rest = 1e-6;
 
 }  // namespace
@@ -41,6 +41,7 @@ void EventWatch::observe(std::int64_t step, const State& state) {
     std::move(std::begin(track.last) + 1, std::end(track.last), std::begin(track.last));
     track.last[3] = {gap(scene_, track.pair, state), gap_rate(scene_, track.pair, state)};
     track.fastest = std::max(track.fastest, std::abs(track.last[3].rate));
+    track.rising = track.rising || (track.bounces == 0 && track.last[3].rate > rest * track.fastest);
     track.kept = std::min(track.kept + 1, 4);
     detect(track, step);
   }
@@ -58,7 +59,7 @@ void EventWatch::detect(Track& track, std::int64_t step) {
     // Free flight would change the rate by a dt; an impact changes it by more than twice that.
     const bool fresh = track.since_bounce >= 2;  // s0 and s1 lie on one arc
     const double before = fresh ? (s1.rate - s0.rate) / dt_ : 0;
-    const bool impact = jump - before * dt_ > 0.5 * jump && jump > rest * track.fastest;
+    const bool impact = jump - before * dt_ > 0.5 * jump && s2.rate > rest * track.fastest;
     if (impact) {
       const bool hit_again = s3.rate - s2.rate > 0.5 * jump;
       const double after = hit_again ? before : (s3.rate - s2.rate) / dt_;
@@ -70,9 +71,9 @@ void EventWatch::detect(Track& track, std::int64_t step) {
                         .time = 0.5 * (in + t2 + root),
                         .speed = s2.rate + after * root});
       track.since_bounce = 0;
-      track.apex_seen = false;
+      track.rising = true;
     }
-  } else if (s1.rate > 0 && s2.rate <= 0 && !track.apex_seen) {
+  } else if (s1.rate > 0 && s2.rate <= 0 && track.rising) {
     // Vertex of the arc through both states.
     const double a = jump / dt_, s = -s1.rate / a;
     found_.push_back({.kind = EventKind::apex,
@@ -80,7 +81,7 @@ void EventWatch::detect(Track& track, std::int64_t step) {
                       .index = track.bounces,
                       .time = t1 + s,
                       .height = s1.gap + 0.5 * s1.rate * s});
-    track.apex_seen = true;
+    track.rising = false;
   }
   ++track.since_bounce;
 }

@@ -36,8 +36,8 @@ class EventWatch {
     int kept = 0;    ///< How many of them are there.
     int bounces = 0;
     int since_bounce = 2;  ///< Steps since the last bounce was found.
-    bool apex_seen = false;
-    double fastest = 0;  ///< Largest |rate| so far [m/s].
+    bool rising = false;   ///< Has separated, and its apex is still to come.
+    double fastest = 0;    ///< Largest |rate| so far [m/s].
   };
   void detect(Track&, std::int64_t step);
 
