@@ -18,10 +18,11 @@ function(layer name)
   target_link_libraries(${name} PUBLIC ${ARG_USES} PRIVATE warnings)
 endfunction()
 
-# simulator(build SOURCE adapter USES engine): library sim_<build> and executable cylon-worker-<build>.
+# simulator(build SOURCE adapter sources… USES engine): library sim_<build> and executable cylon-worker-<build>.
 function(simulator build)
-  cmake_parse_arguments(ARG "" "SOURCE" "USES" ${ARGN})
-  if(NOT EXISTS ${PROJECT_SOURCE_DIR}/${ARG_SOURCE} OR NOT EXISTS ${PROJECT_SOURCE_DIR}/reference/workers/main.cc)
+  cmake_parse_arguments(ARG "" "" "SOURCE;USES" ${ARGN})
+  list(GET ARG_SOURCE 0 adapter)
+  if(NOT EXISTS ${PROJECT_SOURCE_DIR}/${adapter} OR NOT EXISTS ${PROJECT_SOURCE_DIR}/reference/workers/main.cc)
     return()
   endif()
   string(REPLACE "-" "_" library sim_${build})

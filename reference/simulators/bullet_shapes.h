@@ -1,0 +1,28 @@
+// Scene shapes as Bullet's collision shapes.
+#pragma once
+
+#include "harness/core/scene.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+class btCollisionShape;
+
+namespace cylon::simulators {
+
+/// Owns shapes; a compound refers to its children.
+using Shapes = std::vector<std::unique_ptr<btCollisionShape>>;
+
+/// Why a shape cannot touch anything in Bullet, or nothing.
+std::optional<std::string> untouchable(const core::Shape&);
+
+/// The shape in a frame that is turned by `rotation` (frame to body axes) from the body's.
+/// Requires untouchable(shape) to be empty; what nothing can touch becomes an empty shape.
+btCollisionShape* make_shape(const core::Shape&, const core::Quaternion& rotation, Shapes&);
+
+/// A static half-space.
+btCollisionShape* make_shape(const core::Plane&, Shapes&);
+
+}  // namespace cylon::simulators
