@@ -1,0 +1,139 @@
+#include "engine/constraint.h"
+
+#include <algorithm>
+
+namespace cylon::engine {
+
+namespace {
+
+// A pivot below this part of its diagonal is rounding: the row follows from the rows before it.
+constexpr Real dependent = 1e-12;
+
+std::size_t at(int body) { return static_cast<std::size_t>(body); }
+
+// Entry of J M^-1 J^T: what a unit multiplier on one row does to the other.
+Real coupling(const Row& i, const Row& j, const std::vector<Body>& bodies) {
+  const auto through = [&](int body, const Vector3& lever, Real sign) {
+    Real sum = 0;
+    const Real w = bodies[at(body)].inverse_mass * i.direction.dot(j.direction);
+    if (body == j.body) sum += sign * (w + lever.dot(j.spin));
+    if (body == j.to) sum -= sign * (w + lever.dot(j.to_spin));
+    return sum;
+  };
+  Real sum = through(i.body, i.lever, 1);
+  if (i.to != fixed_world) sum += through(i.to, i.to_lever, -1);
+  return sum;
+}
+
+}  // namespace
+
+// Fills the spins and the matrix A = J M^-1 J^T.
+void Rows::measure(const std::vector<Body>& bodies, const std::vector<Motion>& motion) {
+  for (Row& row : rows) {
+    row.active = true;
+    row.spin = inverse_inertia_times(bodies[at(row.body)], motion[at(row.body)].orientation, row.lever);
+    if (row.to != fixed_world) {
+      row.to_spin = inverse_inertia_times(bodies[at(row.to)], motion[at(row.to)].orientation, row.to_lever);
+    }
+  }
+  const std::size_t n = rows.size();
+  matrix_.resize(n * n);
+  factor_.resize(n * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j <= i; ++j) matrix_[i * n + j] = coupling(rows[i], rows[j], bodies);
+  }
+}
+
+// A lambda = -residual over the active rows by A = L D L^T; D_i = 0 for rows that are inactive or dependent.
+void Rows::solve() {
+  const std::size_t n = rows.size();
+  const auto l = [&](std::size_t i, std::size_t j) -> Real& { return factor_[i * n + j]; };
+  for (std::size_t i = 0; i < n; ++i) {
+    Real d = matrix_[i * n + i];
+    Real y = -rows[i].residual;
+    for (std::size_t j = 0; j < i; ++j) {
+      Real sum = matrix_[i * n + j];
+      for (std::size_t k = 0; k < j; ++k) sum -= l(i, k) * l(k, k) * l(j, k);
+      l(i, j) = l(j, j) > 0 ? sum / l(j, j) : 0;
+      d -= l(i, j) * l(i, j) * l(j, j);
+      y -= l(i, j) * rows[j].lambda;
+    }
+    l(i, i) = rows[i].active && d > dependent * matrix_[i * n + i] ? d : 0;
+    rows[i].lambda = l(i, i) > 0 ? y : 0;
+  }
+  for (std::size_t i = n; i-- > 0;) {
+    if (!(l(i, i) > 0)) continue;
+    rows[i].lambda /= l(i, i);
+    for (std::size_t j = i + 1; j < n; ++j) rows[i].lambda -= l(j, i) * rows[j].lambda;
+  }
+}
+
+void Rows::constrain_accelerations(const std::vector<Body>& bodies, const std::vector<Motion>& motion,
+                                   std::vector<Rate>& rate) {
+  measure(bodies, motion);
+  // a = F/m,  s.alpha = (I^-1 s).(torque - w x L)
+  const auto acceleration = [&](int body, const Vector3& direction, const Vector3& spin) {
+    const Rate& r = rate[at(body)];
+    const Vector3 gyroscopic = r.angular_velocity.cross(motion[at(body)].angular_momentum);
+    return bodies[at(body)].inverse_mass * direction.dot(r.force) + spin.dot(r.torque - gyroscopic);
+  };
+  for (Row& row : rows) {
+    row.residual = row.bias + acceleration(row.body, row.direction, row.spin);
+    if (row.to != fixed_world) row.residual -= acceleration(row.to, row.direction, row.to_spin);
+  }
+
+  // Contacts that would pull are let go one at a time, the strongest first.
+  for (;;) {
+    solve();
+    const auto worst = std::min_element(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
+      return (a.pushes_only ? a.lambda : 0) < (b.pushes_only ? b.lambda : 0);
+    });
+    if (worst == rows.end() || !worst->pushes_only || !(worst->lambda < 0)) break;
+    worst->active = false;
+  }
+
+  for (const Row& row : rows) {
+    rate[at(row.body)].force += row.lambda * row.direction;
+    rate[at(row.body)].torque += row.lambda * row.lever;
+    if (row.to == fixed_world) continue;
+    rate[at(row.to)].force -= row.lambda * row.direction;
+    rate[at(row.to)].torque -= row.lambda * row.to_lever;
+  }
+}
+
+void Rows::project_positions(const std::vector<Body>& bodies, std::vector<Motion>& motion) {
+  measure(bodies, motion);
+  for (Row& row : rows) row.residual = row.offset;
+  solve();
+  const auto move = [&](int body, const Vector3& direction, const Vector3& spin, Real lambda) {
+    Motion& m = motion[at(body)];
+    m.position += lambda * bodies[at(body)].inverse_mass * direction;
+    m.orientation = turned(m.orientation, lambda * spin);
+  };
+  for (const Row& row : rows) {
+    move(row.body, row.direction, row.spin, row.lambda);
+    if (row.to != fixed_world) move(row.to, row.direction, row.to_spin, -row.lambda);
+  }
+}
+
+void Rows::project_velocities(const std::vector<Body>& bodies, std::vector<Motion>& motion) {
+  measure(bodies, motion);
+  const auto speed = [&](int body, const Vector3& direction, const Vector3& spin) {
+    return direction.dot(velocity(bodies[at(body)], motion[at(body)])) +
+           spin.dot(motion[at(body)].angular_momentum);
+  };
+  for (Row& row : rows) {
+    row.residual = speed(row.body, row.direction, row.spin);
+    if (row.to != fixed_world) row.residual -= speed(row.to, row.direction, row.to_spin);
+  }
+  solve();
+  for (const Row& row : rows) {
+    motion[at(row.body)].momentum += row.lambda * row.direction;
+    motion[at(row.body)].angular_momentum += row.lambda * row.lever;
+    if (row.to == fixed_world) continue;
+    motion[at(row.to)].momentum -= row.lambda * row.direction;
+    motion[at(row.to)].angular_momentum -= row.lambda * row.to_lever;
+  }
+}
+
+}  // namespace cylon::engine
