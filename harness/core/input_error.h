@@ -13,6 +13,9 @@ namespace cylon::core {
 struct InputError : std::runtime_error {
   explicit InputError(const std::string& message) : std::runtime_error(message) {}
   InputError(const std::string& file, unsigned line, unsigned column, const std::string& message);
+
+  std::string file;               ///< Empty where no file is at fault.
+  unsigned line = 0, column = 0;  ///< From 1; 0: the file as a whole.
 };
 
 /// ", did you mean 'x'?" for the candidate with the least edit distance, at most a third of the

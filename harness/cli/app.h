@@ -1,0 +1,34 @@
+// The command `cylon`: a table of subcommands, one source each.
+#pragma once
+
+#include "harness/cli/context.h"
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace cylon::cli {
+
+/// Adds a subcommand's options to `app` and returns what runs it.
+using Command = std::function<int()>;
+Command add_list(CLI::App&, const Context&);
+Command add_engines(CLI::App&, const Context&);
+Command add_validate(CLI::App&, const Context&);
+Command add_simulate(CLI::App&, const Context&);
+Command add_run(CLI::App&, const Context&);
+Command add_new(CLI::App&, const Context&);
+Command add_doctor(CLI::App&, const Context&);
+Command add_completion(CLI::App&, const Context&);
+
+/// `--worker NAME=COMMAND`: an engine of the user's own behind the worker protocol.
+void add_worker_option(CLI::App&, std::vector<std::string>& workers);
+
+/// The context's engines and those rows; throws core::InputError for a row without '=' or an empty command.
+std::vector<process::EngineRow> with_workers(const Context&, const std::vector<std::string>& workers);
+
+/// The whole program, errors turned into messages on stderr and exit codes.
+int main(int argc, char** argv);
+
+}  // namespace cylon::cli

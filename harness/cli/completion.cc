@@ -1,0 +1,91 @@
+// cylon completion: walks the program's own tree of commands, so that it cannot fall behind.
+#include "harness/cli/app.h"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+namespace cylon::cli {
+namespace {
+
+struct Words {
+  std::string command;
+  std::vector<std::string> options;
+};
+
+std::vector<Words> tree(const CLI::App& root) {
+  std::vector<Words> words;
+  for (const CLI::App* command : root.get_subcommands([](const CLI::App*) { return true; })) {
+    Words row{command->get_name(), {}};
+    for (const CLI::Option* option : command->get_options()) {
+      for (const std::string& name : option->get_lnames()) row.options.push_back("--" + name);
+      for (const std::string& name : option->get_snames()) row.options.push_back("-" + name);
+    }
+    words.push_back(row);
+  }
+  return words;
+}
+
+// What an argument that is no option may be.
+std::string arguments(const std::string& command) {
+  if (command == "engines") return "$(cylon engines --names 2>/dev/null)";
+  if (command == "completion") return "bash zsh fish";
+  if (command == "new" || command == "doctor") return "";
+  return "$(cylon list --names 2>/dev/null)";
+}
+
+std::string bash(const std::vector<Words>& words) {
+  std::string names, cases;
+  for (const Words& row : words) {
+    names += row.command + ' ';
+    cases += fmt::format("    {}) words=\"{} {}\" ;;\n", row.command, fmt::join(row.options, " "), arguments(row.command));
+  }
+  return fmt::format(R"(_cylon() {{
+  local word=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD-1]}} words
+  if [ "$COMP_CWORD" -eq 1 ]; then
+    COMPREPLY=($(compgen -W "{}--help --version" -- "$word"))
+    return
+  fi
+  if [ "$previous" = --engine ]; then
+    COMPREPLY=($(compgen -W "$(cylon engines --names 2>/dev/null)" -- "$word"))
+    return
+  fi
+  case ${{COMP_WORDS[1]}} in
+{}  esac
+  COMPREPLY=($(compgen -f -W "$words" -- "$word"))
+}}
+complete -F _cylon cylon
+)",
+                     names, cases);
+}
+
+std::string fish(const std::vector<Words>& words) {
+  std::string text;
+  for (const Words& row : words) {
+    text += fmt::format("complete -c cylon -n __fish_use_subcommand -f -a {}\n", row.command);
+    for (const std::string& option : row.options)
+      text += fmt::format("complete -c cylon -n '__fish_seen_subcommand_from {}' {} {}\n", row.command, option.starts_with("--") ? "-l" : "-s",
+                          option.substr(option.starts_with("--") ? 2 : 1));
+    const std::string values = arguments(row.command);
+    if (!values.empty())
+      text += fmt::format("complete -c cylon -n '__fish_seen_subcommand_from {}' -a '{}'\n", row.command,
+                          values.starts_with("$") ? values.substr(1) : values);
+  }
+  return text;
+}
+
+}  // namespace
+
+Command add_completion(CLI::App& app, const Context&) {
+  const auto shell = std::make_shared<std::string>();
+  app.add_option("shell", *shell, "bash, zsh or fish")->required()->check(CLI::IsMember({"bash", "zsh", "fish"}));
+  app.footer("bash: source <(cylon completion bash)");
+  return [shell, &app] {
+    const std::vector<Words> words = tree(*app.get_parent());
+    if (*shell == "zsh") std::cout << "autoload -U +X bashcompinit && bashcompinit\n";
+    std::cout << (*shell == "fish" ? fish(words) : bash(words));
+    return ok;
+  };
+}
+
+}  // namespace cylon::cli

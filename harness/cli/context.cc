@@ -1,0 +1,74 @@
+#include "harness/cli/context.h"
+
+#include "harness/core/input_error.h"
+
+#include <fmt/format.h>
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <clocale>
+#include <cstdlib>
+#include <langinfo.h>
+
+namespace cylon::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value ? value : "";
+}
+
+int terminal_width() {
+  winsize size{};
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col >= 40) return size.ws_col;
+  const int columns = std::atoi(environment("COLUMNS").c_str());
+  return columns >= 40 ? columns : isatty(STDOUT_FILENO) ? 80 : 160;
+}
+
+}  // namespace
+
+Context make_context() {
+  Context context;
+  std::error_code ignored;
+  const fs::path executable = fs::read_symlink("/proc/self/exe", ignored);
+  const std::string scenarios = environment("CYLON_SCENARIOS"), workers = environment("CYLON_WORKERS");
+  context.scenarios = scenarios.empty() ? executable.parent_path() / ".." / ".." / "scenarios" : fs::path(scenarios);
+  context.scenarios = context.scenarios.lexically_normal();
+  context.workers = workers.empty() ? executable.parent_path() : fs::path(workers);
+  context.engines = process::default_engines(context.workers);
+  std::setlocale(LC_CTYPE, "");
+  // The C locale of a bare container says ASCII though every terminal of today shows UTF-8; only a locale that
+  // somebody chose is believed.
+  const bool chosen = !environment("LC_ALL").empty() || !environment("LC_CTYPE").empty() || !environment("LANG").empty();
+  context.utf8 = !chosen || std::string(nl_langinfo(CODESET)) == "UTF-8";
+  context.colour = isatty(STDOUT_FILENO) && environment("NO_COLOR").empty();
+  context.progress = isatty(STDERR_FILENO) && environment("CI").empty();
+  context.width = terminal_width();
+  return context;
+}
+
+std::vector<fs::path> scenario_files(const Context& context) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(context.scenarios, error))
+    if (entry.path().extension() == ".toml" && entry.path().filename() != "expected.toml") files.push_back(entry.path());
+  if (error) throw core::InputError(fmt::format("{}: no scenarios here: {}", context.scenarios.string(), error.message()));
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+fs::path find_scenario(const Context& context, const std::string& name) {
+  if (name.find('/') != std::string::npos || name.ends_with(".toml") || fs::exists(name)) return name;
+  std::vector<std::string> names;
+  for (const fs::path& file : scenario_files(context)) {
+    names.push_back(file.stem().string());
+    if (names.back() == name) return file;
+  }
+  throw core::InputError(fmt::format("no scenario '{}' in {}{}", name, context.scenarios.string(), core::did_you_mean(name, names)));
+}
+
+}  // namespace cylon::cli

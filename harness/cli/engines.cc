@@ -1,0 +1,92 @@
+// cylon engines
+#include "harness/cli/app.h"
+
+#include "harness/process/client.h"
+#include "scenarios/glob.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iostream>
+
+namespace cylon::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct Options {
+  std::vector<std::string> globs, workers;
+  bool json = false, names = false;
+};
+
+ordered_json row(const process::EngineRow& row, const core::Engine& engine) {
+  ordered_json paths = ordered_json::array(), schemes = ordered_json::array(), knobs = ordered_json::array();
+  for (const core::Path& path : engine.paths) {
+    ordered_json settings = ordered_json::array();
+    for (const core::Setting& s : path.settings)
+      settings.push_back({{"name", s.name}, {"value", s.value}, {"engine_default", s.engine_default}, {"reason", s.reason}});
+    paths.push_back({{"name", path.name}, {"summary", path.summary}, {"settings", settings}, {"unforceable", path.unforceable}});
+  }
+  for (const core::Scheme& s : engine.schemes) schemes.push_back({{"name", s.name}, {"order", s.order}, {"conserves", s.conserves}});
+  for (const core::Option& o : engine.options)
+    knobs.push_back({{"name", o.name}, {"values", o.values}, {"engine_default", o.engine_default}, {"meaning", o.meaning}});
+  return {{"id", row.id},       {"engine", engine.name}, {"version", engine.version},
+          {"precision", engine.precision}, {"path", row.path},      {"default_path_rule", engine.default_path_rule},
+          {"paths", paths},     {"schemes", schemes},    {"options", knobs}};
+}
+
+void print(const process::EngineRow& row, const core::Engine& engine) {
+  std::cout << fmt::format("{}: {} {}, {} precision\n", row.id, engine.name, engine.version, engine.precision);
+  if (row.path.empty() && !engine.default_path_rule.empty()) std::cout << "  path: " << engine.default_path_rule << '\n';
+  for (const core::Path& path : engine.paths) {
+    if (!row.path.empty() && path.name != row.path) continue;
+    std::cout << fmt::format("  path {}: {}\n", path.name, path.summary);
+    for (const core::Setting& s : path.settings)
+      std::cout << fmt::format("    {} = {} (engine's own: {}): {}\n", s.name, s.value, s.engine_default, s.reason);
+    for (const std::string& text : path.unforceable) std::cout << "    not to be switched off: " << text << '\n';
+  }
+  for (const core::Scheme& s : engine.schemes)
+    std::cout << fmt::format("  integrator {}: order {}{}{}\n", s.name, s.order, s.conserves.empty() ? "" : "; ", s.conserves);
+  for (const core::Option& o : engine.options)
+    std::cout << fmt::format("  option {}={} (engine's own: {}): {}\n", o.name, o.values.empty() ? "NUMBER" : fmt::format("{}", fmt::join(o.values, "|")),
+                             o.engine_default, o.meaning);
+  std::cout << '\n';
+}
+
+int engines(const Context& context, const Options& options) {
+  int found = 0, broken = 0;
+  ordered_json rows = ordered_json::array();
+  for (const process::EngineRow& engine : with_workers(context, options.workers)) {
+    const auto matches = [&](const std::string& glob) { return scenarios::glob_match(glob, engine.id); };
+    if (!options.globs.empty() && std::none_of(options.globs.begin(), options.globs.end(), matches)) continue;
+    ++found;
+    if (options.names) {
+      std::cout << engine.id << '\n';
+      continue;
+    }
+    try {
+      const core::Engine description = process::describe(process::parse_engine(engine.id, {engine}), {});
+      if (options.json) rows.push_back(row(engine, description));
+      else print(engine, description);
+    } catch (const process::Failure& failure) {
+      ++broken;
+      std::cerr << fmt::format("{}: {}\n", engine.id, failure.what());
+    }
+  }
+  if (options.json) std::cout << rows.dump(2) << '\n';
+  return broken ? harness_failure : found ? ok : nothing_selected;
+}
+
+}  // namespace
+
+Command add_engines(CLI::App& app, const Context& context) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("globs", options->globs, "Only these engines")->type_name("GLOB");
+  app.add_flag("--json", options->json, "As JSON");
+  app.add_flag("--names", options->names, "Ids alone");
+  add_worker_option(app, options->workers);
+  return [=, &context] { return engines(context, *options); };
+}
+
+}  // namespace cylon::cli

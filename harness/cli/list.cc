@@ -1,0 +1,80 @@
+// cylon list
+#include "harness/cli/app.h"
+
+#include "harness/core/claim.h"
+#include "scenarios/glob.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iostream>
+
+namespace cylon::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> globs, tags;
+  bool json = false, names = false;
+};
+
+bool selected(const scenarios::Scenario& scenario, const Options& options) {
+  const auto matches = [&](const std::string& glob) { return scenarios::glob_match(glob, scenario.name); };
+  const auto tagged = [&](const std::string& tag) {
+    return std::find(scenario.tags.begin(), scenario.tags.end(), tag) != scenario.tags.end();
+  };
+  return (options.globs.empty() || std::any_of(options.globs.begin(), options.globs.end(), matches)) &&
+         std::all_of(options.tags.begin(), options.tags.end(), tagged);
+}
+
+nlohmann::ordered_json row(const scenarios::Scenario& scenario) {
+  nlohmann::ordered_json claims = nlohmann::ordered_json::array();
+  for (const core::Claim& claim : scenario.claims)
+    claims.push_back({{"claim", claim.label},
+                      {"observable", core::name(claim.observable.quantity)},
+                      {"follows", claim.follows},
+                      {"truth_source", claim.truth ? claim.truth->source : ""},
+                      {"truth_error", claim.truth_error},
+                      {"absolute", claim.tolerance.absolute},
+                      {"relative", claim.tolerance.relative},
+                      {"reason", claim.tolerance.reason}});
+  return {{"name", scenario.name},   {"title", scenario.title},      {"story", scenario.story},
+          {"tags", scenario.tags},   {"duration", scenario.duration}, {"step", scenario.step},
+          {"bodies", scenario.scene.bodies.size()}, {"claims", claims}};
+}
+
+int list(const Context& context, const Options& options) {
+  std::vector<scenarios::Scenario> found;
+  for (const auto& file : scenario_files(context)) {
+    scenarios::Scenario scenario = scenarios::load(file);
+    if (selected(scenario, options)) found.push_back(std::move(scenario));
+  }
+  if (options.json) {
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    for (const auto& scenario : found) rows.push_back(row(scenario));
+    std::cout << rows.dump(2) << '\n';
+  } else if (options.names) {
+    for (const auto& scenario : found) std::cout << scenario.name << '\n';
+  } else {
+    std::size_t width = 0;
+    for (const auto& scenario : found) width = std::max(width, scenario.name.size());
+    for (const auto& scenario : found) {
+      std::cout << fmt::format("{:<{}}  {:>5g} s at {:<6} {:>2} claims  {}  [{}]\n", scenario.name, width, scenario.duration,
+                               scenario.step_text, scenario.claims.size(), scenario.title, fmt::join(scenario.tags, ", "));
+    }
+  }
+  return found.empty() ? nothing_selected : ok;
+}
+
+}  // namespace
+
+Command add_list(CLI::App& app, const Context& context) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("globs", options->globs, "Only these scenarios")->type_name("GLOB");
+  app.add_option("--tag", options->tags, "Only scenarios with this tag");
+  app.add_flag("--json", options->json, "As JSON, with claims and tolerances");
+  app.add_flag("--names", options->names, "Names alone");
+  return [=, &context] { return list(context, *options); };
+}
+
+}  // namespace cylon::cli

@@ -1,0 +1,44 @@
+#include "harness/cli/published.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cylon::cli {
+namespace {
+
+// Digits of the mantissa from the first that is not zero: 6 for "185.027", "1.20178e6" and ".00185027".
+int significant_digits(const std::string& text) {
+  int digits = 0;
+  for (const char c : text.substr(0, text.find_first_of("eE")))
+    if (c >= '0' && c <= '9' && (digits > 0 || c != '0')) ++digits;
+  return digits;
+}
+
+std::string rounded(double value, int digits) { return fmt::format("{:.{}e}", value, std::max(0, digits - 1)); }
+
+}  // namespace
+
+bool same_digits(double measured, const std::string& published) {
+  const int digits = significant_digits(published);
+  return std::isfinite(measured) && rounded(measured, digits) == rounded(std::stod(published), digits);
+}
+
+Reproduction reproduce(const scenarios::Suite& suite, const std::vector<core::Verdict>& rows) {
+  Reproduction result;
+  result.text = fmt::format("{:<28} {:>6}  {:>14}  {:>14}\n", "published numbers", "dt", "published", "here");
+  for (const auto& published : suite.published) {
+    const auto row = std::find_if(rows.begin(), rows.end(), [&](const core::Verdict& r) {
+      return r.engine == published.engine && r.dt_text == published.step && (published.claim.empty() || r.claim == published.claim);
+    });
+    if (row == rows.end()) continue;
+    const bool same = same_digits(row->measured, published.value);
+    result.complete = result.complete && same;
+    result.text += fmt::format("{:<28} {:>6}  {:>14}  {:>14.{}g}  {}\n", published.engine, published.step, published.value, row->measured,
+                               std::max(6, significant_digits(published.value)), same ? "every digit" : "DIFFERS");
+  }
+  return result;
+}
+
+}  // namespace cylon::cli

@@ -1,0 +1,151 @@
+#include "harness/study/cell.h"
+
+#include "harness/core/input_error.h"
+#include "harness/core/measure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+namespace cylon::study {
+namespace {
+
+using core::Claim;
+using core::Verdict;
+using scenarios::Scenario;
+
+std::int64_t steps_of(const Scenario& scenario, double time, double dt, const std::string& what) {
+  try {
+    return core::whole_steps(time, dt);
+  } catch (const std::invalid_argument& error) {
+    throw core::InputError(fmt::format("{}: {}: {}", scenario.name, what, error.what()));
+  }
+}
+
+// The pairs whose events some claim asks for.
+std::vector<core::Pair> watched(const Scenario& scenario) {
+  std::vector<core::Pair> pairs;
+  const auto asked = [&](const core::Pair& pair) {
+    return std::any_of(scenario.claims.begin(), scenario.claims.end(), [&](const Claim& claim) {
+      const core::Observable& q = claim.observable;
+      return q.quantity == core::Quantity::event && (!q.body || *q.body == pair.body || *q.body == pair.other);
+    });
+  };
+  for (const core::Pair& pair : core::touching_pairs(scenario.scene))
+    if (asked(pair)) pairs.push_back(pair);
+  return pairs;
+}
+
+// Quotes an argument for the shell where it needs that.
+std::string quoted(const std::string& word) {
+  return word.find_first_of("*?[]()$&;|<>'\" \\") == std::string::npos ? word : "'" + word + "'";
+}
+
+Verdict blank(const Cell& cell, const Claim& claim, const Sampling& plan, const scenarios::Expectations& expectations) {
+  const Scenario& scenario = *cell.scenario;
+  Verdict row;
+  row.scenario = scenario.name;
+  row.scenario_hash = scenario.hash;
+  row.engine = cell.engine.id;
+  row.dt = cell.dt;
+  row.dt_text = cell.dt_text;
+  row.sampling = claim.sample && *claim.sample > 0 ? fmt::format("every {} s", *claim.sample) : plan.text;
+  row.claim = claim.label;
+  row.observable = core::name(claim.observable.quantity);
+  row.unit = core::unit(claim.observable);
+  row.truth_error = claim.truth_error;
+  row.tolerance_reason = claim.tolerance.reason;
+  row.body_steps = static_cast<std::int64_t>(scenario.scene.bodies.size()) * plan.steps;
+  row.reproduce = fmt::format("cylon run {} --engine {} --dt {}", quoted(scenario.name), quoted(cell.engine.id), cell.dt_text);
+  const auto expected = expectations.find(scenario.name, cell.engine.id, cell.engine.integrator, cell.dt, claim.label);
+  row.expected = expected.status;
+  row.expected_reason = expected.reason;
+  return row;
+}
+
+void sign(Verdict& row, const core::Engine& engine, const core::Terms& terms, const scenarios::Expectations& expectations) {
+  row.version = engine.version;
+  row.precision = engine.precision;
+  row.path = terms.path;
+  row.gyroscopic = terms.gyroscopic;
+  row.integrator = terms.integrator;
+  for (const core::Setting& setting : terms.settings) row.settings.emplace_back(setting.name, setting.value);
+  row.unforceable = terms.unforceable;
+  row.version_listed = engine.version.empty() || expectations.version_listed(engine.name, engine.version);
+}
+
+void judge(Verdict& row, const Claim& claim, const Scenario& scenario, std::span<const core::Recording> recordings) {
+  const core::Measured measured = core::measure(claim, scenario.scene, recordings, scenario.duration);
+  row.measured = measured.value;
+  row.allowed = measured.allowed;
+  row.first_bad_step = measured.first_bad_step;
+  row.detail = measured.detail;
+  row.status = core::judge(measured.value, measured.allowed);
+  if (measured.broken && row.status != core::Status::non_finite) row.status = core::Status::fail;
+  // An event that never came because the run broke is a broken run.
+  if (measured.broken && measured.first_bad_step) row.status = core::Status::non_finite;
+}
+
+}  // namespace
+
+Sampling sampling(const Scenario& scenario, double dt) {
+  Sampling plan;
+  plan.steps = steps_of(scenario, scenario.duration, dt, "the duration");
+  plan.watch = watched(scenario);
+  std::int64_t every = 0;  // gcd of what the claims ask for
+  std::set<std::int64_t> at;
+  for (const Claim& claim : scenario.claims) {
+    if (claim.truth && !claim.truth->times.empty()) {
+      for (const double t : claim.truth->times)
+        if (t > 0 && t <= std::min(claim.until, scenario.duration)) at.insert(steps_of(scenario, t, dt, "a time of the recorded truth"));
+      continue;
+    }
+    if (claim.observable.quantity == core::Quantity::event) continue;
+    const std::int64_t stride =
+        !claim.sample        ? core::sampling_stride(scenario.scene.bodies.size(), plan.steps, dt, 0)
+        : *claim.sample == 0 ? 1
+                             : steps_of(scenario, *claim.sample, dt, "a claim's sampling");
+    every = std::gcd(every, stride);
+  }
+  plan.every = every > 0 ? every : std::max<std::int64_t>(1, plan.steps);
+  plan.at.assign(at.begin(), at.end());
+  plan.text = plan.every == 1 ? "every step" : fmt::format("every {} steps", plan.every);
+  return plan;
+}
+
+std::vector<Verdict> run(const Cell& cell, const process::Limits& limits, const scenarios::Expectations& expectations) {
+  const Scenario& scenario = *cell.scenario;
+  const Sampling plan = sampling(scenario, cell.dt);
+  std::vector<Verdict> rows;
+  for (const Claim& claim : scenario.claims) rows.push_back(blank(cell, claim, plan, expectations));
+
+  int runs = 1;
+  for (const Claim& claim : scenario.claims) runs = std::max(runs, core::runs_needed(claim));
+  std::vector<core::Recording> recordings;
+  for (int i = 0; i < runs; ++i) {
+    const double dt = std::ldexp(cell.dt, -i);
+    const Sampling samples = i == 0 ? plan : sampling(scenario, dt);
+    process::RunRequest request;
+    request.scene = &scenario.scene;
+    request.setup.dt = dt;
+    request.steps = samples.steps, request.every = samples.every, request.at = samples.at, request.watch = samples.watch;
+    process::RunOutcome outcome = process::run(cell.engine, request, limits);
+    for (Verdict& row : rows) {
+      if (i == 0) {
+        sign(row, outcome.engine, outcome.terms, expectations);
+        if (outcome.recording) row.cpu_seconds = outcome.recording->cpu_seconds;
+      }
+      row.complaints = outcome.stderr_tail;
+      if (outcome.status != core::Status::pass) row.status = outcome.status, row.detail = outcome.reason;
+    }
+    if (outcome.status != core::Status::pass || !outcome.recording) return rows;
+    recordings.push_back(std::move(*outcome.recording));
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i) judge(rows[i], scenario.claims[i], scenario, recordings);
+  return rows;
+}
+
+}  // namespace cylon::study

@@ -1,0 +1,38 @@
+// One scenario on one engine at one step: record, measure, judge.  The unit of every study.
+#pragma once
+
+#include "harness/core/verdict.h"
+#include "harness/process/client.h"
+#include "harness/process/engines.h"
+#include "scenarios/expected.h"
+#include "scenarios/scenario.h"
+
+#include <string>
+#include <vector>
+
+namespace cylon::study {
+
+struct Cell {
+  const scenarios::Scenario* scenario = nullptr;
+  process::EngineChoice engine;
+  double dt = 0;        ///< [s]
+  std::string dt_text;  ///< As given: "1/60".
+};
+
+/// The steps at which a cell is recorded, and the pairs that are watched: what its claims need, no more.
+struct Sampling {
+  std::int64_t steps = 0;
+  std::int64_t every = 1;
+  std::vector<std::int64_t> at;     ///< Times of recorded truths, in steps.
+  std::vector<core::Pair> watch;
+  std::string text;                 ///< "every step", "every 25 steps"
+};
+
+/// Throws core::InputError where the step does not fit the duration, a claim's sampling, or a truth's times.
+Sampling sampling(const scenarios::Scenario&, double dt);
+
+/// Runs the cell and gives a verdict for each claim of the scenario.  An engine's failure is a verdict;
+/// a wrong request (a step that does not fit, an unknown option) throws core::InputError.
+std::vector<core::Verdict> run(const Cell&, const process::Limits&, const scenarios::Expectations&);
+
+}  // namespace cylon::study
