@@ -9,9 +9,9 @@
 namespace cylon::exact {
 
 struct Solution {
-  std::string_view name;                                       ///< As in `follows = "..."`.
-  core::Truth (*make)(const core::Scene&, double horizon);     ///< Throws core::OutOfDomain.
-  std::string_view domain;                                     ///< One line: which scenes it serves.
+  std::string_view name;                                    ///< As in `follows = "..."`.
+  core::Truth (*make)(const core::Scene&, double horizon);  ///< Throws core::OutOfDomain.
+  std::string_view domain;                                  ///< One line: which scenes it serves.
 };
 
 /// All solutions, by name.

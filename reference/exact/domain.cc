@@ -1,0 +1,117 @@
+#include "reference/exact/domain.h"
+
+#include <cmath>
+#include <type_traits>
+
+namespace cylon::exact {
+namespace {
+
+// The table's word of the scenario file, and the body that the force acts on (world: all).
+struct ForceName {
+  const char* kind;
+  int body;
+};
+
+ForceName name_of(const core::Force& force) {
+  return std::visit(
+      [](const auto& f) -> ForceName {
+        using F = std::decay_t<decltype(f)>;
+        if constexpr (std::is_same_v<F, core::UniformGravity>)
+          return {"gravity", core::world};
+        else if constexpr (std::is_same_v<F, core::Spring>)
+          return {"spring", f.body};
+        else if constexpr (std::is_same_v<F, core::Drag>)
+          return {"drag", f.body};
+        else if constexpr (std::is_same_v<F, core::Thrust>)
+          return {"thrust", f.body};
+        else if constexpr (std::is_same_v<F, core::Drive>)
+          return {"drive", f.body};
+        else if constexpr (std::is_same_v<F, core::Attraction>)
+          return {"attraction", f.body};
+        else {
+          static_assert(std::is_same_v<F, core::Water>);
+          return {"water", core::world};
+        }
+      },
+      force);
+}
+
+}  // namespace
+
+void refuse(std::string_view solution, const std::string& condition) {
+  throw core::OutOfDomain(std::string(solution) + ": " + condition);
+}
+
+std::string named(const core::Scene& scene, int body) {
+  return "body '" + scene.bodies.at(static_cast<std::size_t>(body)).name + "'";
+}
+
+void check_bodies(std::string_view solution, const core::Scene& scene, double horizon) {
+  if (!(horizon > 0) || !std::isfinite(horizon)) refuse(solution, "the horizon must be positive and finite");
+  if (scene.bodies.empty()) refuse(solution, "the scene has no body");
+  if (scene.frame) refuse(solution, "the initial state is given in a moving frame");
+  for (const core::Body& body : scene.bodies) {
+    if (body.locked) refuse(solution, "body '" + body.name + "' is locked");
+    if (!(body.mass > 0)) refuse(solution, "body '" + body.name + "' has no positive mass");
+  }
+}
+
+void check_no_contacts(std::string_view solution, const core::Scene& scene) {
+  const auto pairs = core::touching_pairs(scene);
+  if (pairs.empty()) return;
+  const core::Pair& pair = pairs.front();
+  const std::string other = pair.plane >= 0
+                                ? "plane '" + scene.planes.at(static_cast<std::size_t>(pair.plane)).name + "'"
+                                : named(scene, pair.other);
+  refuse(solution, named(scene, pair.body) + " may touch " + other);
+}
+
+void check_no_joints(std::string_view solution, const core::Scene& scene) {
+  if (!scene.joints.empty()) refuse(solution, named(scene, scene.joints.front().body) + " has a joint");
+}
+
+void check_forces(std::string_view solution, const core::Scene& scene, bool springs) {
+  for (const core::Force& force : scene.forces) {
+    if (std::holds_alternative<core::UniformGravity>(force)) continue;
+    if (springs && std::holds_alternative<core::Spring>(force)) continue;
+    const ForceName f = name_of(force);
+    refuse(solution, std::string("a force that it does not know: ") + f.kind +
+                         (f.body == core::world ? "" : " on " + named(scene, f.body)));
+  }
+}
+
+void check_springs(std::string_view solution, const core::Scene& scene) {
+  std::vector<bool> held(scene.bodies.size(), false);
+  for (const core::Force& force : scene.forces) {
+    const auto* spring = std::get_if<core::Spring>(&force);
+    if (!spring) continue;
+    const std::string of = "the spring of " + named(scene, spring->body);
+    if (spring->to != core::world) refuse(solution, of + " ends on another body");
+    if (!spring->anchor.isZero(0.0)) refuse(solution, of + " is not anchored at the centre of mass");
+    if (spring->damping != 0) refuse(solution, of + " is damped");
+    if (!(spring->stiffness > 0)) refuse(solution, of + " has no stiffness");
+    held[static_cast<std::size_t>(spring->body)] = true;
+  }
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    if (!held[i]) refuse(solution, named(scene, static_cast<int>(i)) + " has no spring");
+  }
+}
+
+void check_steady_spin(std::string_view solution, const core::Scene& scene, int index) {
+  const core::Body& body = scene.bodies.at(static_cast<std::size_t>(index));
+  const core::Vector3 w = body.initial.orientation.conjugate() * body.initial.angular_velocity;
+  const core::Vector3 spin = body.inertia * w;
+  if (w.cross(spin).norm() > 1e-14 * w.norm() * spin.norm()) {
+    refuse(solution, named(scene, index) + " does not turn about a principal axis");
+  }
+}
+
+core::Vector3 gravity(const core::Scene& scene) {
+  core::Vector3 sum = core::Vector3::Zero();
+  for (const core::Force& force : scene.forces) {
+    if (const auto* g = std::get_if<core::UniformGravity>(&force)) sum += g->acceleration;
+  }
+  return sum;
+}
+
+}  // namespace cylon::exact

@@ -1,0 +1,37 @@
+// The conditions that several solutions share.  Each throws core::OutOfDomain, naming the solution,
+// the body or force, and the condition that failed.
+#pragma once
+
+#include "harness/core/scene.h"
+#include "harness/core/truth.h"
+
+#include <string_view>
+
+namespace cylon::exact {
+
+[[noreturn]] void refuse(std::string_view solution, const std::string& condition);
+
+/// "body 'ball'".
+std::string named(const core::Scene&, int body);
+
+/// At least one body, none locked, positive masses, no moving frame, finite positive horizon.
+void check_bodies(std::string_view solution, const core::Scene&, double horizon);
+
+/// No pair of the scene may touch.
+void check_no_contacts(std::string_view solution, const core::Scene&);
+
+void check_no_joints(std::string_view solution, const core::Scene&);
+
+/// No force but uniform gravity and, if `springs`, springs.
+void check_forces(std::string_view solution, const core::Scene&, bool springs);
+
+/// Every spring ties the centre of a body to the world without damping and every body has one at least.
+void check_springs(std::string_view solution, const core::Scene&);
+
+/// The body turns about a fixed axis when no torque acts: |w x I w| <= 1e-14 |w| |I w|.
+void check_steady_spin(std::string_view solution, const core::Scene&, int body);
+
+/// Sum of the uniform gravities [m/s^2].
+core::Vector3 gravity(const core::Scene&);
+
+}  // namespace cylon::exact

@@ -1,0 +1,67 @@
+#include "reference/exact/elliptic.h"
+
+#include <boost/math/special_functions/ellint_rf.hpp>
+#include <boost/math/special_functions/ellint_rj.hpp>
+
+#include <cassert>
+#include <limits>
+#include <numbers>
+
+namespace cylon::exact {
+namespace {
+
+constexpr Wide pi = std::numbers::pi_v<Wide>;
+
+// phi = half_turns pi + rest, |rest| <= pi/2.
+struct Folded {
+  Wide half_turns, s, c;
+};
+
+Folded fold(Wide phi) {
+  const Wide half_turns = std::round(phi / pi);
+  const Wide rest = phi - half_turns * pi;
+  return {half_turns, std::sin(rest), std::cos(rest)};
+}
+
+}  // namespace
+
+Elliptic::Elliptic(Wide m, Wide m1) : m1_(m1) {
+  assert(m >= 0 && m1 > 0);
+  // a' = (a + b)/2, b' = sqrt(a b), c' = (a - b)/2, from 1, sqrt(m1), sqrt(m).
+  a_[0] = 1, b_[0] = std::sqrt(m1), c_[0] = std::sqrt(m);
+  while (c_[static_cast<std::size_t>(levels_)] > std::numeric_limits<Wide>::epsilon() / 4 && levels_ < most) {
+    const auto i = static_cast<std::size_t>(levels_++);
+    a_[i + 1] = (a_[i] + b_[i]) / 2;
+    b_[i + 1] = std::sqrt(a_[i] * b_[i]);
+    c_[i + 1] = (a_[i] - b_[i]) / 2;
+  }
+  quarter_ = pi / (2 * a_[static_cast<std::size_t>(levels_)]);
+}
+
+Amplitude Elliptic::at(Wide u) const {
+  // phi_N = 2^N a_N u;  sin(2 phi_{n-1} - phi_n) = (c_n/a_n) sin phi_n, with a^2 - c^2 = b^2 under the root.
+  Wide phi = std::ldexp(a_[static_cast<std::size_t>(levels_)] * u, levels_);
+  for (int n = levels_; n > 0; --n) {
+    const auto i = static_cast<std::size_t>(n);
+    phi = (phi + std::atan2(c_[i] * std::sin(phi), std::hypot(b_[i], c_[i] * std::cos(phi)))) / 2;
+  }
+  const Wide sn = std::sin(phi), cn = std::cos(phi);
+  return {phi, sn, cn, std::sqrt(cn * cn + m1_ * sn * sn)};
+}
+
+Wide Elliptic::first(Wide phi) const {
+  const auto [half_turns, s, c] = fold(phi);
+  return 2 * half_turns * quarter_ + s * boost::math::ellint_rf(c * c, c * c + m1_ * s * s, Wide(1));
+}
+
+Wide Elliptic::third(Wide n1, Wide phi) const {
+  const auto [half_turns, s, c] = fold(phi);
+  const auto part = [&](Wide sine, Wide cosine) {
+    const Wide x = cosine * cosine, y = x + m1_ * sine * sine, p = x + n1 * sine * sine;
+    return sine * boost::math::ellint_rf(x, y, Wide(1)) +
+           (1 - n1) / 3 * sine * sine * sine * boost::math::ellint_rj(x, y, Wide(1), p);
+  };
+  return (half_turns == 0 ? 0 : 2 * half_turns * part(1, 0)) + part(s, c);
+}
+
+}  // namespace cylon::exact

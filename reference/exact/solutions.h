@@ -1,0 +1,17 @@
+// One function per file of this folder; what each serves stands in its file's head and in catalogue.cc.
+#pragma once
+
+#include "harness/core/truth.h"
+
+namespace cylon::exact {
+
+core::Truth projectile(const core::Scene&, double horizon);
+core::Truth bouncing_sphere(const core::Scene&, double horizon);
+core::Truth two_sphere_oblique(const core::Scene&, double horizon);
+core::Truth spring_zero_length(const core::Scene&, double horizon);
+core::Truth spring_orbit(const core::Scene&, double horizon);
+core::Truth free_symmetric_top(const core::Scene&, double horizon);
+core::Truth free_asymmetric_top(const core::Scene&, double horizon);
+core::Truth heavy_top(const core::Scene&, double horizon);
+
+}  // namespace cylon::exact
