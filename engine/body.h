@@ -16,6 +16,7 @@ struct Body {
   Vector3 inverse_moments = Vector3::Ones();  ///< Principal, in ascending order of the moments.
   Quaternion principal_axes = Quaternion::Identity();  ///< Principal axes to body axes.
   bool locked = false;                                 ///< Infinite mass: does not move, whatever acts on it.
+  bool turns = true;  ///< false: without spin, and nothing ever turns it; its orientation is left alone.
 };
 
 /// The state of one body.

@@ -1,6 +1,7 @@
 #include "engine/constraint.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cylon::engine {
 
@@ -99,6 +100,10 @@ void Rows::constrain_accelerations(const std::vector<Body>& bodies, const std::v
     rate[at(row.to)].force -= row.lambda * row.direction;
     rate[at(row.to)].torque -= row.lambda * row.to_lever;
   }
+}
+
+bool Rows::closed() const {
+  return std::all_of(rows.begin(), rows.end(), [](const Row& row) { return std::abs(row.offset) < 1e-15; });
 }
 
 void Rows::project_positions(const std::vector<Body>& bodies, std::vector<Motion>& motion) {

@@ -40,6 +40,9 @@ class Rows {
   /// out.
   void constrain_accelerations(const std::vector<Body>&, const std::vector<Motion>&, std::vector<Rate>&);
 
+  /// Whether every |c| is below 1e-15 m, which no further sweep betters for lengths of a metre.
+  bool closed() const;
+
   /// c -> 0 to first order, by the shortest way in the metric of the masses: p += lambda n/m, R turned by
   /// I^-1 s lambda.
   void project_positions(const std::vector<Body>&, std::vector<Motion>&);

@@ -5,7 +5,7 @@
 
 namespace cylon::engine {
 
-Dynamics::Dynamics(Model model)
+Dynamics::Dynamics(Model model, const std::vector<Motion>& motion)
     : bodies(std::move(model.bodies)),
       forces(std::move(model.forces)),
       joints(std::move(model.joints)),
@@ -14,12 +14,31 @@ Dynamics::Dynamics(Model model)
       constrained_(!joints.empty() || !contacts.empty()),
       pressed_(contacts.size(), 0) {
   rows_.rows.reserve(3 * joints.size() + contacts.size());
+  find_turning(motion);
+}
+
+// A body turns if it has spin, or if an off-centre spring or a joint can give it some; drag takes it and
+// impacts between frictionless spheres leave it.
+void Dynamics::find_turning(const std::vector<Motion>& motion) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) bodies[i].turns = !motion[i].angular_momentum.isZero(0);
+  const auto held_at = [&](int body, const Vector3& anchor) {
+    if (body != fixed_world && !anchor.isZero(0)) bodies[static_cast<std::size_t>(body)].turns = true;
+  };
+  for (const Spring& spring : forces.springs) {
+    held_at(spring.body, spring.anchor);
+    held_at(spring.to, spring.to_anchor);
+  }
+  for (const BallJoint& joint : joints) {
+    held_at(joint.body, joint.anchor);
+    held_at(joint.to, joint.to_anchor);
+  }
 }
 
 void Dynamics::rates(Real time, const std::vector<Motion>& motion, std::vector<Rate>& rate) {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     rate[i].velocity = velocity(bodies[i], motion[i]);
-    rate[i].angular_velocity = angular_velocity(bodies[i], motion[i]);
+    rate[i].angular_velocity =
+        bodies[i].turns ? angular_velocity(bodies[i], motion[i]) : Vector3(Vector3::Zero());
   }
   apply(forces, time, bodies, motion, rate);
   if (constrained_) constrain(motion, rate);
@@ -40,14 +59,13 @@ void Dynamics::constrain(const std::vector<Motion>& motion, std::vector<Rate>& r
 
 void Dynamics::project(std::vector<Motion>& motion) {
   if (!constrained_) return;
-  constexpr int sweeps = 2;  // Newton's method: the first leaves the square of a drift that is small already
+  constexpr int sweeps = 3;  // of Newton's method: each leaves the square of a drift that is small already
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     gather(motion, true);
-    if (rows_.rows.empty()) return;
+    if (rows_.closed()) break;
     rows_.project_positions(bodies, motion);
   }
-  gather(motion, true);
-  rows_.project_velocities(bodies, motion);
+  if (!rows_.rows.empty()) rows_.project_velocities(bodies, motion);
 }
 
 void Dynamics::gather(const std::vector<Motion>& motion, bool pressed_only) {

@@ -20,7 +20,8 @@ struct Model {
 
 class Dynamics {
  public:
-  explicit Dynamics(Model);
+  /// The motion at t = 0 decides, with the model, which bodies can ever turn.
+  Dynamics(Model, const std::vector<Motion>&);
 
   /// dp/dt = v, dK/dt = F, dR/dt = w x R, dL/dt = torque (seed eq. 57-60, 72), the forces of joints and
   /// resting contacts included.  Time in [s].
@@ -41,6 +42,7 @@ class Dynamics {
  private:
   void gather(const std::vector<Motion>&, bool pressed_only);
 
+  void find_turning(const std::vector<Motion>&);
   void constrain(const std::vector<Motion>&, std::vector<Rate>&);
 
   bool any_locked_ = false;

@@ -7,13 +7,12 @@ namespace cylon::engine {
 namespace {
 
 // The motion after a straight step h with constant rates: p + h v, K + h F, exp(h w) R, L + h torque.
-Motion moved(const Motion& from, Real h, const Rate& rate) {
-  Motion to;
+void move(const Body& body, const Motion& from, Real h, const Rate& rate, Motion& to) {
   to.position = from.position + h * rate.velocity;
   to.momentum = from.momentum + h * rate.force;
+  if (!body.turns) return;  // its orientation is the same in all stages
   to.orientation = turned(from.orientation, h * rate.angular_velocity);
   to.angular_momentum = from.angular_momentum + h * rate.torque;
-  return to;
 }
 
 // Explicit Euler, as the seed has it (eq. 57-64; R_{t+dt} = R(w_t dt) R_t by errata 12), p and R with the old
@@ -23,11 +22,11 @@ Motion moved(const Motion& from, Real h, const Rate& rate) {
 void explicit_euler(Dynamics& dynamics, Real time, Real h, std::vector<Motion>& motion, Workspace& work) {
   std::vector<Rate>& rate = work.rate[0];
   dynamics.rates(time, motion, rate);
-  for (std::size_t i = 0; i < motion.size(); ++i) motion[i] = moved(motion[i], h, rate[i]);
+  for (std::size_t i = 0; i < motion.size(); ++i) move(dynamics.bodies[i], motion[i], h, rate[i], motion[i]);
 }
 
 // Symplectic Euler: the momenta first, then p and R with the new velocities (errata 13).
-//   K' = K + h F,  L' = L + h torque,  p' = p + h K'/m,  R' = exp(h w(R, L')) R
+//   K' = K + h F,  L' = L + h torque,  p' = p + h K'/m,  R' = the free rotation over h with L'
 // Order 1.
 void symplectic_euler(Dynamics& dynamics, Real time, Real h, std::vector<Motion>& motion, Workspace& work) {
   std::vector<Rate>& rate = work.rate[0];
@@ -36,9 +35,10 @@ void symplectic_euler(Dynamics& dynamics, Real time, Real h, std::vector<Motion>
     Motion& m = motion[i];
     const Body& body = dynamics.bodies[i];
     m.momentum += h * rate[i].force;
-    m.angular_momentum += h * rate[i].torque;
     m.position += h * velocity(body, m);
-    m.orientation = turned(m.orientation, h * angular_velocity(body, m));
+    if (!body.turns) continue;
+    m.angular_momentum += h * rate[i].torque;
+    m.orientation = free_rotation(body, m.orientation, m.angular_momentum, h, Splitting::lie);
   }
 }
 
@@ -56,9 +56,10 @@ void velocity_verlet(Dynamics& dynamics, Real time, Real h, std::vector<Motion>&
     Motion& m = motion[i];
     const Body& body = dynamics.bodies[i];
     m.momentum += h / 2 * rate[i].force;
-    m.angular_momentum += h / 2 * rate[i].torque;
     m.position += h * velocity(body, m);
-    m.orientation = free_rotation(body, m.orientation, m.angular_momentum, h);
+    m.angular_momentum += h / 2 * rate[i].torque;
+    if (body.turns)
+      m.orientation = free_rotation(body, m.orientation, m.angular_momentum, h, Splitting::strang);
     work.stage[i] = m;
     work.stage[i].momentum += h / 2 * rate[i].force;
     work.stage[i].angular_momentum += h / 2 * rate[i].torque;
@@ -79,11 +80,13 @@ void velocity_verlet(Dynamics& dynamics, Real time, Real h, std::vector<Motion>&
 // O(h^5) a step.
 void rk4(Dynamics& dynamics, Real time, Real h, std::vector<Motion>& motion, Workspace& work) {
   auto& [k1, k2, k3, k4] = work.rate;
+  const std::vector<Body>& bodies = dynamics.bodies;
   const auto stage = [&](Real dt, const std::vector<Rate>& from, std::vector<Rate>& to) {
-    for (std::size_t i = 0; i < motion.size(); ++i) work.stage[i] = moved(motion[i], dt, from[i]);
+    for (std::size_t i = 0; i < motion.size(); ++i) move(bodies[i], motion[i], dt, from[i], work.stage[i]);
     dynamics.rates(time + dt, work.stage, to);
     for (std::size_t i = 0; i < motion.size(); ++i) {
-      to[i].angular_velocity = inverse_dexp(dt * from[i].angular_velocity, to[i].angular_velocity);
+      if (bodies[i].turns)
+        to[i].angular_velocity = inverse_dexp(dt * from[i].angular_velocity, to[i].angular_velocity);
     }
   };
   dynamics.rates(time, motion, k1);
@@ -100,7 +103,7 @@ void rk4(Dynamics& dynamics, Real time, Real h, std::vector<Motion>& motion, Wor
         mean(k1[i].force, k2[i].force, k3[i].force, k4[i].force),
         mean(k1[i].angular_velocity, k2[i].angular_velocity, k3[i].angular_velocity, k4[i].angular_velocity),
         mean(k1[i].torque, k2[i].torque, k3[i].torque, k4[i].torque)};
-    motion[i] = moved(motion[i], h, k);
+    move(bodies[i], motion[i], h, k, motion[i]);
   }
 }
 
@@ -111,8 +114,7 @@ constexpr Integrator table[] = {
      "impacts",
      velocity_verlet},
     {"symplectic-euler", 1,
-     "linear and angular momentum to rounding; energy bounded (symplectic) where nothing turns, without "
-     "damping and "
+     "linear and angular momentum to rounding; energy bounded (symplectic) without damping, joints and "
      "impacts",
      symplectic_euler},
     {"explicit-euler", 1, "linear momentum to rounding; energy grows", explicit_euler},
@@ -120,8 +122,8 @@ constexpr Integrator table[] = {
 
 }  // namespace
 
-Workspace::Workspace(std::size_t bodies) : stage(bodies) {
-  for (auto& k : rate) k.resize(bodies);
+Workspace::Workspace(const std::vector<Motion>& start) : stage(start) {
+  for (auto& k : rate) k.resize(start.size());
 }
 
 std::span<const Integrator> integrators() { return table; }

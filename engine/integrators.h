@@ -12,7 +12,7 @@ namespace cylon::engine {
 
 /// Memory that a scheme needs within a step, kept between steps.
 struct Workspace {
-  explicit Workspace(std::size_t bodies);
+  explicit Workspace(const std::vector<Motion>& start);
   std::vector<Motion> stage;
   std::array<std::vector<Rate>, 4> rate;
 };

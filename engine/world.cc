@@ -23,12 +23,12 @@ constexpr int contact_limit = 1200;
 }  // namespace
 
 World::World(Model model, std::vector<Motion> motion, const Integrator& integrator, Real step)
-    : dynamics_(std::move(model)),
+    : dynamics_(std::move(model), motion),
       integrate_(integrator.advance),
       step_(step),
       motion_(std::move(motion)),
       start_(motion_),
-      work_(motion_.size()),
+      work_(motion_),
       hits_(dynamics_.contacts.size(), 0),
       rest_speed_(dynamics_.contacts.size(), 0) {
   assert(step > 0 && motion_.size() == dynamics_.bodies.size());
