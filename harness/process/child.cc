@@ -1,0 +1,221 @@
+#include "harness/process/child.h"
+
+#include "harness/process/spawn.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+
+namespace cylon::process {
+namespace {
+
+constexpr std::size_t chunk = std::size_t{256} << 10;       // per read [bytes]
+constexpr std::size_t errors_kept = std::size_t{64} << 10;  // of stderr [bytes]
+constexpr std::size_t errors_chunk = std::size_t{16} << 10;
+constexpr std::size_t errors_reported = std::size_t{4} << 10;
+constexpr int tick_ms = 20;              // between two looks at memory, deadline and interruption
+constexpr double goodbye_seconds = 0.5;  // from the end of output to the exit
+
+// A year stands for "no limit": the clock's range is finite.
+std::chrono::steady_clock::duration in_seconds(double seconds) {
+  return std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+      std::chrono::duration<double>(std::clamp(seconds, 0.0, 3.2e7)));
+}
+
+void close_fd(int& fd) {
+  if (fd >= 0) ::close(fd);
+  fd = -1;
+}
+
+std::string signal_name(int number) {
+  const char* name = sigabbrev_np(number);
+  return name ? fmt::format("SIG{}", name) : fmt::format("signal {}", number);
+}
+
+/// Resident size [bytes], 0 when it is gone.
+std::size_t resident(pid_t pid) {
+  std::ifstream file(fmt::format("/proc/{}/statm", pid));
+  std::size_t total = 0, pages = 0;
+  file >> total >> pages;
+  return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
+std::string last_line(std::string_view text) {
+  while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.remove_suffix(1);
+  const std::size_t end = text.rfind('\n');
+  std::string_view line = end == std::string_view::npos ? text : text.substr(end + 1);
+  return std::string(line.substr(0, 300));
+}
+
+}  // namespace
+
+std::atomic<bool>& interrupted() {
+  static std::atomic<bool> flag{false};
+  return flag;
+}
+
+Child::Child(const std::vector<std::string>& command, std::size_t memory_bytes)
+    : command_(command), memory_bytes_(memory_bytes) {
+  const Spawned child = spawn(command, memory_bytes);
+  pid_ = child.pid, in_ = child.in, out_ = child.out, err_ = child.err;
+}
+
+Child::~Child() {
+  kill();
+  close_fd(in_), close_fd(out_), close_fd(err_);
+}
+
+void Child::set_deadline(double seconds, std::string task) {
+  deadline_ = Clock::now() + in_seconds(seconds);
+  deadline_seconds_ = seconds;
+  task_ = std::move(task);
+}
+
+void Child::check_limits() {
+  if (interrupted()) throw Interrupted();
+  const Clock::time_point now = Clock::now();
+  if (now >= deadline_)
+    throw Failure(core::Status::timeout,
+                  fmt::format("no end of '{}' within {:g} s", task_, deadline_seconds_));
+  if (now < next_check_) return;
+  next_check_ = now + std::chrono::milliseconds(tick_ms);
+  if (memory_bytes_ == 0) return;
+  if (const std::size_t size = resident(pid_); size > memory_bytes_)
+    throw Failure(core::Status::crash, fmt::format("memory limit: {} MiB resident, {} MiB allowed",
+                                                   size >> 20, memory_bytes_ >> 20));
+}
+
+bool Child::receive() {
+  output_.erase(0, std::exchange(consumed_, 0));
+  const std::size_t before = output_.size();
+  while (!output_ended_ && output_.size() == before) {
+    check_limits();
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline_ - Clock::now()).count();
+    const bool gone = has_exited();  // asked first: what it wrote before is in the pipe by now
+    poll_once(gone ? 0 : static_cast<int>(std::clamp<std::int64_t>(left, 0, tick_ms)));
+    if (gone && output_.size() == before) output_ended_ = true;
+  }
+  return output_.size() > before;
+}
+
+void Child::poll_once(int timeout_ms) {
+  // A negative descriptor is skipped by poll.
+  const bool writing = sent_ < unsent_.size();
+  pollfd fds[3] = {
+      {writing ? in_ : -1, POLLOUT, 0}, {output_ended_ ? -1 : out_, POLLIN, 0}, {err_, POLLIN, 0}};
+  if (::poll(fds, 3, timeout_ms) <= 0) return;
+  if (fds[0].revents) write_some();
+  if (fds[1].revents) read_output();
+  if (fds[2].revents) read_errors();
+}
+
+void Child::write_some() {
+  const ssize_t n = ::write(in_, unsent_.data() + sent_, unsent_.size() - sent_);
+  if (n < 0 && (errno == EAGAIN || errno == EINTR)) return;
+  // It closed its stdin: what it says, or how it ends, is the news.
+  sent_ = n < 0 ? unsent_.size() : sent_ + static_cast<std::size_t>(n);
+  if (sent_ == unsent_.size()) unsent_.clear(), unsent_.shrink_to_fit(), sent_ = 0;
+}
+
+void Child::read_output() {
+  const std::size_t size = output_.size();
+  output_.resize(size + chunk);
+  const ssize_t n = ::read(out_, output_.data() + size, chunk);
+  output_.resize(size + static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
+  if (n == 0 || (n < 0 && errno != EAGAIN && errno != EINTR)) output_ended_ = true;
+}
+
+void Child::read_errors() {
+  char bytes[errors_chunk];
+  const ssize_t n = ::read(err_, bytes, sizeof bytes);
+  if (n < 0 && (errno == EAGAIN || errno == EINTR)) return;
+  if (n <= 0) return close_fd(err_);
+  errors_.append(bytes, static_cast<std::size_t>(n));
+  if (errors_.size() > 2 * errors_kept) errors_.erase(0, errors_.size() - errors_kept);
+}
+
+// It stays a zombie until kill(), so that its id, and its group's, cannot be taken by another.
+bool Child::has_exited() {
+  siginfo_t info = {};
+  if (::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) != 0) return false;
+  if (info.si_pid != pid_) return false;
+  signal_ = info.si_code == CLD_EXITED ? 0 : info.si_status;
+  code_ = info.si_code == CLD_EXITED ? info.si_status : 0;
+  return true;
+}
+
+bool Child::exited_within(double seconds) {
+  const Clock::time_point end = Clock::now() + in_seconds(seconds);
+  for (;;) {
+    if (has_exited()) {
+      drain_errors();
+      return true;
+    }
+    if (interrupted()) throw Interrupted();
+    if (Clock::now() >= end) return false;
+    poll_once(1);  // a full pipe would keep it alive
+    if (output_ended_ && err_ < 0) ::usleep(1000);
+    output_.clear(), consumed_ = 0;  // nothing that it still says counts
+  }
+}
+
+// What is still in the pipe, and no waiting: a grandchild may hold the other end open.
+void Child::drain_errors() {
+  for (std::size_t i = 0; i < 2 * errors_kept / errors_chunk && err_ >= 0; ++i) {
+    pollfd fd = {err_, POLLIN, 0};
+    if (::poll(&fd, 1, 0) <= 0) return;
+    read_errors();
+  }
+}
+
+Failure Child::ending() {
+  if (!exited_within(goodbye_seconds))
+    return {core::Status::protocol, "closed its output before the end and kept running"};
+  const std::string said = last_line(complaints());
+  const std::string last_words = said.empty() ? "" : ": " + said;
+  // SIGKILL is not ours here: the kernel's out-of-memory killer, or someone at a shell.
+  if (signal_) return {core::Status::crash, fmt::format("killed by {}{}", signal_name(signal_), last_words)};
+  // 126 and 127 are how shells and env say that there was nothing to run.
+  if ((code_ == 126 || code_ == 127) && task_ == "hello")
+    return {core::Status::unsupported, fmt::format("cannot start '{}'{}", command_.front(), last_words)};
+  return {core::Status::crash, fmt::format("exited {} before done{}", code_, last_words)};
+}
+
+std::string Child::finish(double seconds) {
+  const Clock::time_point end = Clock::now() + in_seconds(seconds);
+  while (sent_ < unsent_.size() && !output_ended_ && Clock::now() < end) poll_once(tick_ms);
+  unsent_.clear(), sent_ = 0;
+  close_fd(in_);
+  output_.clear(), consumed_ = 0;
+  const std::string ended = exited_within(seconds) && signal_ ? signal_name(signal_) : "";
+  kill();
+  return ended;
+}
+
+void Child::kill() {
+  if (pid_ < 0) return;
+  // Its own children, too.
+  ::kill(-pid_, SIGKILL);
+  while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
+  }
+  pid_ = -1;
+  drain_errors();
+}
+
+std::string Child::complaints() const {
+  if (errors_.size() <= errors_reported) return errors_;
+  const std::size_t start = errors_.size() - errors_reported;
+  const std::size_t line = errors_.find('\n', start);
+  return errors_.substr(line == std::string::npos || line + 1 >= errors_.size() ? start : line + 1);
+}
+
+}  // namespace cylon::process

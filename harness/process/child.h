@@ -1,0 +1,96 @@
+// One child process at arm's length: spawned, fed, drained, limited, and always reaped.  Knows no protocol.
+#pragma once
+
+#include "harness/core/verdict.h"
+
+#include <sys/types.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cylon::process {
+
+/// Set it (a signal handler may) and every call that waits for a child kills it and throws Interrupted.
+std::atomic<bool>& interrupted();
+
+struct Interrupted : std::runtime_error {
+  Interrupted() : std::runtime_error("interrupted") {}
+};
+
+/// The child failed in a way that is a verdict: unsupported (it cannot start), crash, timeout or protocol.
+struct Failure : std::runtime_error {
+  Failure(core::Status s, const std::string& reason) : std::runtime_error(reason), status(s) {}
+  core::Status status;
+};
+
+/// A process in a group of its own, with its stdin, stdout and stderr on pipes.  It dies with this object, or
+/// with the thread that made it.  One object belongs to one thread; several threads may each have theirs.
+class Child {
+ public:
+  /// `command` is looked up in PATH; `memory_bytes` limits the resident size, 0: no limit.
+  /// Throws Failure(unsupported, "cannot start …") where exec fails.
+  Child(const std::vector<std::string>& command, std::size_t memory_bytes);
+  ~Child();
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  /// From now on, waiting for more than `seconds` throws Failure(timeout) that names `task`.
+  void set_deadline(double seconds, std::string task);
+  /// The same deadline, for another task.
+  void set_task(std::string task) { task_ = std::move(task); }
+
+  /// Queues bytes for its stdin; receive() writes them as the child takes them.
+  void send(std::string_view bytes) { unsent_ += bytes; }
+
+  /// Waits for output, writing what is queued and draining stderr meanwhile; false at the end of its output,
+  /// or when it has exited and nothing is left to read, whoever else holds the pipe. Throws Failure on
+  /// deadline or memory limit, Interrupted.
+  bool receive();
+
+  /// What was received and not consumed yet.  Valid until the next receive().
+  std::string_view output() const { return std::string_view(output_).substr(consumed_); }
+  void consume(std::size_t bytes) { consumed_ += bytes; }
+
+  /// After receive() gave false: waits a little for the exit and tells it as a Failure: crash with the signal
+  /// or the exit code and the last line of stderr; protocol where it closed its output but lives on.
+  Failure ending();
+
+  /// Closes its stdin and gives it `seconds` to exit by itself.  Returns "", or "SIGSEGV" when it died of a
+  /// signal.
+  std::string finish(double seconds);
+
+  /// SIGKILL to its group, and reaps it.
+  void kill();
+
+  /// The last bytes that it wrote to stderr, at most 4 KiB, from the start of a line where possible.
+  std::string complaints() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void check_limits();
+  void poll_once(int timeout_ms);
+  void write_some();
+  void read_output();
+  void read_errors();
+  void drain_errors();
+  bool has_exited();
+  bool exited_within(double seconds);
+
+  std::vector<std::string> command_;
+  pid_t pid_ = -1;
+  int signal_ = 0, code_ = 0;          // how it ended
+  int in_ = -1, out_ = -1, err_ = -1;  // our ends
+  std::string unsent_, output_, errors_;
+  std::size_t sent_ = 0, consumed_ = 0, memory_bytes_;
+  bool output_ended_ = false;
+  Clock::time_point deadline_ = Clock::time_point::max(), next_check_ = Clock::time_point::min();
+  double deadline_seconds_ = 0;
+  std::string task_;
+};
+
+}  // namespace cylon::process

@@ -1,0 +1,223 @@
+#include "harness/process/client.h"
+
+#include "harness/core/event_watch.h"
+#include "harness/core/input_error.h"
+#include "harness/process/conversation.h"
+#include "harness/process/json_fields.h"
+#include "harness/process/messages.h"
+#include "harness/process/read_back.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace cylon::process {
+namespace {
+
+using nlohmann::json;
+
+[[noreturn]] void broken(const std::string& reason) { throw Failure(core::Status::protocol, reason); }
+
+/// The text of an answer {"unsupported": …} or {"error": …}, or nothing when it is another message.
+std::optional<std::string> text_of(const json& answer, const char* key) {
+  if (!answer.contains(key)) return std::nullopt;
+  Fields fields(answer, "");
+  std::string text = fields.text(key);
+  fields.finish();
+  return text;
+}
+
+void require_ok(const json& answer, const char* what) {
+  const auto ok = answer.find("ok");
+  if (ok == answer.end() || *ok != what) broken(fmt::format("expected {{\"ok\":\"{}\"}}", what));
+}
+
+Hello introduce(Conversation& worker, const Limits& limits) {
+  worker.ask({{"cmd", "hello"}, {"protocol", protocol_version}}, limits.hello_seconds);
+  const json answer = worker.next_line();
+  if (const auto reason = text_of(answer, "unsupported")) throw Failure(core::Status::unsupported, *reason);
+  if (const auto reason = text_of(answer, "error")) broken("hello was refused: " + *reason);
+  require_ok(answer, "hello");
+  return hello_from_json(answer);
+}
+
+core::Setup merged(const EngineChoice& choice, core::Setup setup) {
+  if (!choice.path.empty()) setup.path = choice.path;
+  if (!choice.integrator.empty()) setup.integrator = choice.integrator;
+  for (const auto& [name, value] : choice.options) setup.options[name] = value;
+  return setup;
+}
+
+core::Terms load(Conversation& worker, const EngineChoice& choice, const RunRequest& request,
+                 const Limits& limits) {
+  worker.ask(load_request(*request.scene, merged(choice, request.setup)), limits.run_seconds);
+  const json answer = worker.next_line();
+  if (const auto reason = text_of(answer, "unsupported")) throw Failure(core::Status::unsupported, *reason);
+  if (const auto reason = text_of(answer, "error"))
+    throw core::InputError(fmt::format("engine '{}': {}", choice.id, *reason));
+  require_ok(answer, "load");
+  worker.expect_bodies(request.scene->bodies.size());
+  return terms_from_json(answer);
+}
+
+core::State read_start(Conversation& worker, std::size_t bodies) {
+  const Frame frame = worker.next_frame();
+  if (frame.header.states != 1 || frame.header.first_step != 0)
+    broken("the first frame must hold step 0 alone");
+  core::State state(bodies);
+  unpack_state(frame.payload.data(), state);
+  return state;
+}
+
+Run requested(const RunRequest& request) {
+  if (!request.scene) throw std::invalid_argument("a run needs a scene");
+  if (request.steps < 0 || request.every < 1)
+    throw std::invalid_argument("a run needs steps >= 0 and every >= 1");
+  Run run{request.steps, request.every, request.at, request.watch};
+  std::sort(run.at.begin(), run.at.end());
+  run.at.erase(std::unique(run.at.begin(), run.at.end()), run.at.end());
+  if (!run.at.empty() && (run.at.front() < 0 || run.at.back() > run.steps))
+    throw std::invalid_argument("a step to keep lies outside the run");
+  if (!run.at.empty() && run.at.front() == 0) run.at.erase(run.at.begin());
+  return run;
+}
+
+/// Asks for the run and collects it.  A worker that cannot watch is asked for every step instead, and the
+/// harness watches and keeps what was wanted.
+class Recorder {
+ public:
+  Recorder(const core::Scene& scene, const Run& wanted, bool worker_watches, double dt, core::State start)
+      : wanted_(wanted),
+        asked_(wanted),
+        here_(!wanted.watch.empty() && !worker_watches),
+        watch_(scene, here_ ? wanted.watch : std::vector<core::Pair>{}, dt),
+        state_(start.size()) {
+    if (here_) asked_ = {wanted.steps, 1, {}, {}};
+    if (here_) watch_.observe(0, start);
+    recording_.dt = dt;
+    recording_.steps.push_back(0);
+    recording_.states.push_back(std::move(start));
+  }
+
+  core::Recording record(Conversation& worker) {
+    worker.ask(run_request(asked_));
+    for (;;) {
+      const std::variant<json, Frame> message = worker.next();
+      if (const Frame* frame = std::get_if<Frame>(&message)) {
+        add(*frame);
+        continue;
+      }
+      const json& answer = std::get<json>(message);
+      if (answer.contains("event")) {
+        add(event_from_json(answer));
+      } else if (const auto reason = text_of(answer, "error")) {
+        throw Failure(core::Status::crash, fmt::format("gave up after step {}: {}", last_, *reason));
+      } else {
+        require_ok(answer, "run");
+        finish(done_from_json(answer));
+        return std::move(recording_);
+      }
+    }
+  }
+
+ private:
+  void add(const Frame& frame) {
+    ++frames_;
+    const char* bytes = frame.payload.data();
+    for (std::uint64_t i = 0; i < frame.header.states; ++i, bytes += state_.size() * bytes_per_body) {
+      const std::uint64_t step = frame.header.first_step + i * frame.header.stride;
+      const std::int64_t due = next_sample(asked_, last_);
+      if (last_ >= asked_.steps) broken(fmt::format("a state of step {} after the last one", step));
+      if (step != static_cast<std::uint64_t>(due))
+        broken(fmt::format("a state of step {} where step {} was due", step, due));
+      unpack_state(bytes, state_);
+      last_ = due;
+      if (here_) watch_.observe(due, state_);
+      if (due != next_sample(wanted_, recording_.steps.back())) continue;
+      recording_.steps.push_back(due);
+      recording_.states.push_back(state_);
+    }
+  }
+
+  void add(const core::Event& event) {
+    if (std::find(asked_.watch.begin(), asked_.watch.end(), event.pair) == asked_.watch.end())
+      broken("an event of a pair that was not to be watched");
+    recording_.events.push_back(event);
+  }
+
+  void finish(const Done& done) {
+    if (last_ != asked_.steps || done.steps != asked_.steps)
+      broken(fmt::format("done after step {} of {}", std::min(last_, done.steps), asked_.steps));
+    if (done.frames != frames_)
+      broken(fmt::format("{} frames came, {} were announced", frames_, done.frames));
+    if (here_) recording_.events = watch_.take();
+    recording_.cpu_seconds = 1e-9 * done.step_ns;
+  }
+
+  Run wanted_, asked_;
+  bool here_;  // whether the harness watches
+  core::EventWatch watch_;
+  core::State state_;
+  core::Recording recording_;
+  std::int64_t last_ = 0, frames_ = 0;
+};
+
+/// Does `task`, turning its failures into the outcome's status and reason.
+template <class Task>
+void attempt(RunOutcome& outcome, Task task) try {
+  task();
+} catch (const Failure& failure) {
+  outcome.status = failure.status;
+  outcome.reason = failure.what();
+} catch (const MalformedMessage& error) {
+  outcome.status = core::Status::protocol;
+  outcome.reason = error.what();
+}
+
+}  // namespace
+
+RunOutcome run(const EngineChoice& choice, const RunRequest& request, const Limits& limits) {
+  const Run wanted = requested(request);
+  const core::Scene& scene = *request.scene;
+  RunOutcome outcome;
+  std::optional<Conversation> worker;
+  std::string death;
+  attempt(outcome, [&] {
+    worker.emplace(choice.row.command, limits.memory_bytes);
+    const Hello hello = introduce(*worker, limits);
+    outcome.engine = hello.engine;
+    outcome.terms = load(*worker, choice, request, limits);
+    core::State start = read_start(*worker, scene.bodies.size());
+    if (const auto difference = read_back_difference(scene, start, hello.engine.precision))
+      throw Failure(core::Status::fail, "initial state read back differs: " + *difference);
+    Recorder recorder(scene, wanted, hello.events, request.setup.dt, std::move(start));
+    outcome.recording = recorder.record(*worker);
+    death = worker->finish();
+  });
+  if (!worker) return outcome;
+  worker->kill();
+  outcome.stderr_tail = worker->complaints();
+  if (!death.empty()) outcome.stderr_tail += fmt::format("killed by {} after the run\n", death);
+  if (outcome.recording) {
+    core::Recording& recording = *outcome.recording;
+    recording.engine.name = outcome.engine.name;
+    recording.engine.version = outcome.engine.version;
+    recording.engine.precision = outcome.engine.precision;
+    recording.terms = outcome.terms;
+    recording.complaints = outcome.stderr_tail;
+  }
+  return outcome;
+}
+
+core::Engine describe(const EngineChoice& choice, const Limits& limits) try {
+  Conversation worker(choice.row.command, limits.memory_bytes);
+  core::Engine engine = introduce(worker, limits).engine;
+  worker.finish();
+  return engine;
+} catch (const MalformedMessage& error) {
+  throw Failure(core::Status::protocol, error.what());
+}
+
+}  // namespace cylon::process

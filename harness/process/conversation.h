@@ -1,0 +1,56 @@
+// A child that speaks the protocol: whole messages instead of bytes.  Garbage ends the conversation at once.
+#pragma once
+
+#include "harness/process/child.h"
+#include "harness/process/frame.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace cylon::process {
+
+struct Frame {
+  FrameHeader header;
+  std::string_view payload;  ///< Valid until the next message.
+};
+
+class Conversation {
+ public:
+  Conversation(const std::vector<std::string>& command, std::size_t memory_bytes)
+      : child_(command, memory_bytes) {}
+
+  /// Sends a command and sets the deadline for everything that follows it.
+  void ask(const nlohmann::json& command, double seconds);
+  /// The same under the deadline that is set.
+  void ask(const nlohmann::json& command);
+
+  /// Frames are refused until the number of bodies is known.
+  void expect_bodies(std::size_t bodies) { bodies_ = bodies, frames_expected_ = true; }
+
+  /// The next message.  Throws Failure: protocol for anything that is neither a JSON object on a line of at
+  /// most 16 MiB nor a frame whose sizes agree; crash, timeout, unsupported as the child does.
+  std::variant<nlohmann::json, Frame> next();
+  /// The next message, which must be of that kind.
+  nlohmann::json next_line();
+  Frame next_frame();
+
+  /// Says quit, waits a moment; "" or the signal that it died of.
+  std::string finish();
+  void kill() { child_.kill(); }
+  std::string complaints() const { return child_.complaints(); }
+
+ private:
+  bool complete_line(std::string_view output);
+  bool complete_frame(std::string_view output);
+
+  Child child_;
+  std::size_t bodies_ = 0, taken_ = 0, searched_ = 0;
+  bool frames_expected_ = false;
+};
+
+}  // namespace cylon::process

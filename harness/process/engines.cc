@@ -1,0 +1,62 @@
+#include "harness/process/engines.h"
+
+#include "harness/core/input_error.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace cylon::process {
+
+std::vector<EngineRow> default_engines(const std::filesystem::path& worker_dir) {
+  struct {
+    const char *id, *build, *path;
+  } const table[] = {
+      {"in-house", "in-house", ""},
+      {"bullet", "bullet-f64", ""},
+      {"bullet-float", "bullet-f32", ""},
+      {"bullet-multibody", "bullet-f64", "multibody"},
+      {"bullet-multibody-float", "bullet-f32", "multibody"},
+      {"ode", "ode", "step"},
+      {"ode-quick", "ode", "quick"},
+  };
+  std::vector<EngineRow> rows;
+  // Absolute, so that a worker is never looked up in PATH.
+  const std::filesystem::path folder = std::filesystem::absolute(worker_dir);
+  for (const auto& [id, build, path] : table)
+    rows.push_back({id, {(folder / fmt::format("cylon-worker-{}", build)).string()}, path});
+  return rows;
+}
+
+EngineChoice parse_engine(std::string_view text, std::span<const EngineRow> rows) {
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  const std::string id(text.substr(0, slash));
+  const auto row = std::find_if(rows.begin(), rows.end(), [&](const EngineRow& r) { return r.id == id; });
+  if (row == rows.end()) {
+    std::vector<std::string> ids;
+    for (const EngineRow& r : rows) ids.push_back(r.id);
+    throw core::InputError(fmt::format("unknown engine '{}'{} (engines: {})", id, core::did_you_mean(id, ids),
+                                       fmt::join(ids, ", ")));
+  }
+  EngineChoice choice{std::string(text), *row, "", "", {}};
+  std::map<std::string, std::string> pairs;
+  for (std::size_t at = slash; at < text.size();) {  // at a slash or a comma, with a pair behind it
+    const std::size_t end = std::min(text.find(',', at + 1), text.size());
+    const std::string_view pair = text.substr(at + 1, end - at - 1);
+    const std::size_t equals = pair.find('=');
+    if (equals == std::string_view::npos || equals == 0 || equals + 1 == pair.size())
+      throw core::InputError(fmt::format("engine '{}': expected key=value, got '{}'", text, pair));
+    const std::string key(pair.substr(0, equals));
+    if (!pairs.emplace(key, pair.substr(equals + 1)).second)
+      throw core::InputError(fmt::format("engine '{}': '{}' is given twice", text, key));
+    at = end;
+  }
+  if (auto path = pairs.extract("path")) choice.path = path.mapped();
+  if (auto integrator = pairs.extract("integrator")) choice.integrator = integrator.mapped();
+  if (choice.path.empty()) choice.path = row->path;
+  choice.options = std::move(pairs);
+  return choice;
+}
+
+}  // namespace cylon::process

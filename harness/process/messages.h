@@ -1,0 +1,59 @@
+// The JSON lines of protocol version 1, one function per message and direction; docs/protocol.md is the text.
+#pragma once
+
+#include "harness/core/event.h"
+#include "harness/core/simulator.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cylon::process {
+
+inline constexpr int protocol_version = 1;
+
+/// What a worker answers to hello.
+struct Hello {
+  core::Engine engine;
+  bool events = false;  ///< It watches pairs itself; else the harness does, from every step.
+};
+nlohmann::json hello_json(const Hello&);
+Hello hello_from_json(const nlohmann::json&);
+
+nlohmann::json load_request(const core::Scene&, const core::Setup&);
+core::Setup setup_from_json(const nlohmann::json& load_request);
+nlohmann::json terms_json(const core::Terms&);
+core::Terms terms_from_json(const nlohmann::json&);
+
+/// Which steps to record, and which pairs to watch.
+struct Run {
+  std::int64_t steps = 0;        ///< >= 0
+  std::int64_t every = 1;        ///< >= 1
+  std::vector<std::int64_t> at;  ///< Ascending, in 1..steps.
+  std::vector<core::Pair> watch;
+};
+nlohmann::json run_request(const Run&);
+/// Throws MalformedMessage for steps out of range, too.
+Run run_from_json(const nlohmann::json&);
+
+/// The first step after `step` that is a multiple of `every`, stands in `at`, or is the last one.
+std::int64_t next_sample(const Run&, std::int64_t step);
+
+nlohmann::json event_json(const core::Event&);
+core::Event event_from_json(const nlohmann::json& line);
+
+/// The end of a run.
+struct Done {
+  std::int64_t steps = 0, frames = 0;
+  double step_ns = 0;  ///< Thread CPU time of all steps together, recording and watching left out [ns].
+};
+nlohmann::json done_json(const Done&);
+Done done_from_json(const nlohmann::json&);
+
+/// One line with its end; text that is not UTF-8 is repaired, numbers that are not finite become null.
+std::string line(const nlohmann::json&);
+
+}  // namespace cylon::process

@@ -1,0 +1,25 @@
+// Starting a program with its standard streams on pipes.
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace cylon::process {
+
+/// Our ends of the pipes are non-blocking and close on exec; the caller closes them, and reaps the process.
+struct Spawned {
+  pid_t pid = -1;
+  int in = -1, out = -1, err = -1;
+};
+
+/// Runs `command` (looked up in PATH) as leader of a new process group, with default signal dispositions, no
+/// core dumps, killed by the kernel should the calling thread die.  RLIMIT_DATA is twice `memory_bytes`, the
+/// backstop against growth faster than polling sees; not under AddressSanitizer, whose shadow is larger.
+/// SIGPIPE is ignored in this process from the first call on.
+/// Throws Failure(unsupported, "cannot start …: reason") where exec fails, std::system_error where fork does.
+Spawned spawn(const std::vector<std::string>& command, std::size_t memory_bytes);
+
+}  // namespace cylon::process
