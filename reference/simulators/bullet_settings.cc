@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -46,14 +47,19 @@ struct Forced {
   double value;
   const char* reason;
 };
-constexpr std::array<Forced, 3> bounce_rigid = {{
-    {"restitution-threshold", 0, "slow impacts bounce too"},
-    {"contact-threshold", 0, "a contact solved before it touches shortens or kills the bounce by gap/dt"},
-    {"split-threshold", 0, "Baumgarte correction of shallow penetration adds energy to every bounce"},
+constexpr Forced all_bounce = {"restitution-threshold", 0, "slow impacts bounce too"};
+constexpr Forced no_early_contact = {
+    "contact-threshold", 0, "a contact solved before it touches shortens or kills the bounce by gap/dt"};
+constexpr std::array<Forced, 4> bounce_rigid = {{
+    all_bounce,
+    no_early_contact,
+    {"erp2", 0,
+     "correcting penetration adds energy to every bounce: as speed (Baumgarte) or as height (split)"},
+    {"split-threshold", 0, "where a run asks for erp2 again, the correction stays out of the velocity"},
 }};
 constexpr std::array<Forced, 3> bounce_multibody = {{
-    {"restitution-threshold", 0, "slow impacts bounce too"},
-    {"contact-threshold", 0, "a contact solved before it touches shortens or kills the bounce by gap/dt"},
+    all_bounce,
+    no_early_contact,
     {"erp2", 0, "multibody contacts have no split impulse, so any correction adds energy to a bounce"},
 }};
 
@@ -91,7 +97,7 @@ std::vector<core::Setting> always_multibody() {
   return settings;
 }
 
-std::vector<core::Setting> with(std::vector<core::Setting> settings, const std::array<Forced, 3>& forced) {
+std::vector<core::Setting> with(std::vector<core::Setting> settings, std::span<const Forced> forced) {
   for (const Forced& f : forced) settings.push_back(setting(f));
   return settings;
 }
