@@ -17,9 +17,20 @@ endif()
 # Warnings are errors in our own code; foreign headers are SYSTEM.
 add_library(warnings INTERFACE)
 target_compile_options(warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
-  -Wno-missing-field-initializers)  # designated initialisers leave the defaults to the struct, as they should
+  -Wno-missing-field-initializers# designated initialisers leave the defaults to the struct, as they should
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized>)  # false alarms of gcc 12 at -O3: bugs 105329, 105593
 
 find_program(CCACHE ccache)
 if(CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+# What a report says of its build.
+add_compile_definitions(CYLON_VERSION="${PROJECT_VERSION}")
+execute_process(COMMAND git describe --always --dirty WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
+                OUTPUT_VARIABLE revision OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+set_source_files_properties(reports/provenance.cc PROPERTIES COMPILE_DEFINITIONS
+  "CYLON_REVISION=\"${revision}\";CYLON_FLAGS=\"${CMAKE_BUILD_TYPE} -march=${CYLON_MARCH} -ffp-contract=off\"")
+if(EXISTS ${PROJECT_SOURCE_DIR}/.git/logs/HEAD)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/.git/logs/HEAD)
 endif()

@@ -1,5 +1,7 @@
 #include "harness/cli/published.h"
 
+#include "scenarios/glob.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,12 +32,12 @@ Reproduction reproduce(const scenarios::Suite& suite, const std::vector<core::Ve
   result.text = fmt::format("{:<28} {:>6}  {:>14}  {:>14}\n", "published numbers", "dt", "published", "here");
   for (const auto& published : suite.published) {
     const auto row = std::find_if(rows.begin(), rows.end(), [&](const core::Verdict& r) {
-      return r.engine == published.engine && r.dt_text == published.step && (published.claim.empty() || r.claim == published.claim);
+      return r.engine == published.engine && r.dt_text == published.dt && scenarios::glob_match(suite.claim, r.claim);
     });
     if (row == rows.end()) continue;
     const bool same = same_digits(row->measured, published.value);
     result.complete = result.complete && same;
-    result.text += fmt::format("{:<28} {:>6}  {:>14}  {:>14.{}g}  {}\n", published.engine, published.step, published.value, row->measured,
+    result.text += fmt::format("{:<28} {:>6}  {:>14}  {:>14.{}g}  {}\n", published.engine, published.dt, published.value, row->measured,
                                std::max(6, significant_digits(published.value)), same ? "every digit" : "DIFFERS");
   }
   return result;

@@ -15,6 +15,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
+fs::path find_suite(const Context& context, const std::string& name) {
+  const fs::path folder = context.scenarios / "suites";
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+  if (std::find(names.begin(), names.end(), name) == names.end())
+    throw core::InputError(fmt::format("--suite '{}': no such suite in {}{}", name, folder.string(), core::did_you_mean(name, names)));
+  return folder / (name + ".toml");
+}
+
 // "bounce*:-*/ode": a list of globs, those with '-' excluded; each SCENARIO or SCENARIO/ENGINE.
 struct Pattern {
   std::string scenario, engine = "*";
@@ -113,7 +124,7 @@ std::vector<process::EngineChoice> with_integrators(const process::EngineChoice&
 
 Selection select(const Context& context, const std::vector<process::EngineRow>& rows, const Request& request) {
   Selection selection;
-  selection.suite = scenarios::load_suite(context.scenarios / "suites", request.suite.empty() ? "conformance" : request.suite);
+  selection.suite = scenarios::load_suite(find_suite(context, request.suite.empty() ? "conformance" : request.suite));
   const scenarios::Suite& suite = *selection.suite;
   const std::vector<Pattern> patterns = parse(request.patterns);
 
