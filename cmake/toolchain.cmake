@@ -17,7 +17,7 @@ endif()
 # Warnings are errors in our own code; foreign headers are SYSTEM.
 add_library(warnings INTERFACE)
 target_compile_options(warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
-  -Wno-missing-field-initializers# designated initialisers leave the defaults to the struct, as they should
+  -Wno-missing-field-initializers  # designated initialisers leave the defaults to the struct, as they should
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized>)  # false alarms of gcc 12 at -O3: bugs 105329, 105593
 
 find_program(CCACHE ccache)
