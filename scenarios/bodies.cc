@@ -26,7 +26,8 @@ std::string read_name(const Table& table) {
 double read_mass(const Table& table, const core::Shape& shape) {
   const auto* compound = std::get_if<core::Compound>(&shape);
   if (!compound) {
-    if (!table.has("mass") && !table.boolean("locked")) table.fail(fmt::format("{} needs 'mass'", table.label()));
+    if (!table.has("mass") && !table.boolean("locked"))
+      table.fail(fmt::format("{} needs 'mass'", table.label()));
     return table.number("mass", 1);
   }
   double sum = 0;
@@ -47,17 +48,22 @@ core::Matrix3 read_inertia(const Table& table) {
     inertia << v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8];
     const core::Matrix3 skew = inertia - inertia.transpose();
     if (skew.cwiseAbs().maxCoeff() > 1e-12 * inertia.cwiseAbs().maxCoeff())
-      table.fail("inertia", fmt::format("inertia: nine numbers must be symmetric, but {} against {}, {} against {}, {} against {}",
-                                        v[1], v[3], v[2], v[6], v[5], v[7]));
+      table.fail(
+          "inertia",
+          fmt::format(
+              "inertia: nine numbers must be symmetric, but {} against {}, {} against {}, {} against {}",
+              v[1], v[3], v[2], v[6], v[5], v[7]));
     inertia = (inertia + inertia.transpose()).eval() / 2;
   }
   const double least = core::principal_axes(inertia).moments.minCoeff();
-  if (!(least > 0)) table.fail("inertia", fmt::format("inertia has the principal moment {}, but must be > 0 kg m^2", least));
+  if (!(least > 0))
+    table.fail("inertia", fmt::format("inertia has the principal moment {}, but must be > 0 kg m^2", least));
   if (const auto why = impossible(inertia)) table.fail("inertia", "inertia: " + *why);
   return inertia;
 }
 
-// Without `inertia` the shape's own, and the origin of hulls, meshes and compounds moves to their centre of mass.
+// Without `inertia` the shape's own, and the origin of hulls, meshes and compounds moves to their centre of
+// mass.
 core::Matrix3 inertia_of_shape(const Table& table, core::Shape& shape, double mass) {
   try {
     const MassProperties p = mass_properties(shape, mass);
@@ -89,7 +95,8 @@ core::Body read_body(const Table& table, Draft& draft) {
                   table.vector("angular_velocity")};
   body.locked = table.boolean("locked");
   for (const char* key : {"velocity", "angular_velocity"})
-    if (body.locked && !table.vector(key).isZero(0)) table.fail(key, fmt::format("{}: a locked body does not move", key));
+    if (body.locked && !table.vector(key).isZero(0))
+      table.fail(key, fmt::format("{}: a locked body does not move", key));
   body.collide = table.boolean("collide", has_shape);
   if (body.collide && !has_shape) table.fail("collide", "collide = true, but the body has no shape");
   body.color = table.text("color");

@@ -62,7 +62,8 @@ struct Checker {
     unknown_word(key.name, text->get(), key.choices, node.source());
   }
 
-  [[noreturn]] void unknown_word(std::string_view key, const std::string& word, const std::vector<std::string>& valid,
+  [[noreturn]] void unknown_word(std::string_view key, const std::string& word,
+                                 const std::vector<std::string>& valid,
                                  const toml::source_region& where) const {
     fail(where, fmt::format("{} = '{}' is unknown{}; valid: {}", key, word, core::did_you_mean(word, valid),
                             fmt::join(valid, ", ")));
@@ -85,8 +86,8 @@ struct Checker {
 
   // An array of `size` (0: any number of) entries, each checked by `entry`.
   template <class Entry>
-  void array(const Key& key, const toml::node& node, std::initializer_list<std::size_t> sizes, std::string_view expected,
-             Entry entry) const {
+  void array(const Key& key, const toml::node& node, std::initializer_list<std::size_t> sizes,
+             std::string_view expected, Entry entry) const {
     const auto* values = node.as_array();
     if (!values || (sizes.size() && std::ranges::find(sizes, values->size()) == sizes.end()))
       wrong_type(key, node, expected);
@@ -107,16 +108,23 @@ struct Checker {
 
   void value(const Key& key, const toml::node& node) const {
     switch (key.kind) {
-      case Kind::text: return word(key, node);
-      case Kind::number: return void(number(key, node, "a number"));
-      case Kind::whole: return whole(key, node, "a whole number");
+      case Kind::text:
+        return word(key, node);
+      case Kind::number:
+        return void(number(key, node, "a number"));
+      case Kind::whole:
+        return whole(key, node, "a whole number");
       case Kind::boolean:
         if (!node.is_boolean()) wrong_type(key, node, "true or false");
         return;
-      case Kind::vector: return numbers(key, node, {3}, "three numbers [x, y, z]");
-      case Kind::counts: return wholes(key, node, "three whole numbers");
-      case Kind::quaternion: return numbers(key, node, {4}, "four numbers [w, x, y, z]");
-      case Kind::moments: return numbers(key, node, {3, 9}, "three principal moments or nine numbers");
+      case Kind::vector:
+        return numbers(key, node, {3}, "three numbers [x, y, z]");
+      case Kind::counts:
+        return wholes(key, node, "three whole numbers");
+      case Kind::quaternion:
+        return numbers(key, node, {4}, "four numbers [w, x, y, z]");
+      case Kind::moments:
+        return numbers(key, node, {3, 9}, "three principal moments or nine numbers");
       case Kind::points: {
         constexpr std::string_view expected = "an array of points [[x, y, z], …]";
         return array(key, node, {}, expected, [&](const toml::node& p) { numbers(key, p, {3}, expected); });
@@ -125,11 +133,15 @@ struct Checker {
         constexpr std::string_view expected = "an array of triangles [[0, 1, 2], …]";
         return array(key, node, {}, expected, [&](const toml::node& t) { wholes(key, t, expected); });
       }
-      case Kind::texts: return texts(key, node, {}, "an array of strings");
-      case Kind::pair: return texts(key, node, {2}, "two names [\"a\", \"b\"]");
-      case Kind::step: return step(key, node);
+      case Kind::texts:
+        return texts(key, node, {}, "an array of strings");
+      case Kind::pair:
+        return texts(key, node, {2}, "two names [\"a\", \"b\"]");
+      case Kind::step:
+        return step(key, node);
       case Kind::steps:
-        return array(key, node, {}, "an array of steps [0.001, \"1/60\"]", [&](const toml::node& s) { step(key, s); });
+        return array(key, node, {}, "an array of steps [0.001, \"1/60\"]",
+                     [&](const toml::node& s) { step(key, s); });
       case Kind::sample: {
         Key positive = key;
         positive.choices = {"step"};
@@ -193,6 +205,8 @@ struct Checker {
 
 }  // namespace
 
-void check(const toml::table& table, const Spec& spec, const std::string& file) { Checker{file}.table(table, spec); }
+void check(const toml::table& table, const Spec& spec, const std::string& file) {
+  Checker{file}.table(table, spec);
+}
 
 }  // namespace cylon::scenarios

@@ -53,17 +53,21 @@ void refuse(const Table& t, std::initializer_list<const char*> keys, bool when, 
 Observable read_observable(const Table& t, const Draft& draft) {
   if (t.has("follows") == t.has("conserves"))
     t.fail("[[claim]] needs either 'follows' (with 'observable') or 'conserves'");
-  if (t.has("conserves") && t.has("observable")) t.fail("observable", "observable: 'conserves' names it already");
-  if (t.has("follows") && !t.has("observable")) t.fail("follows", "a claim that follows a truth needs 'observable'");
+  if (t.has("conserves") && t.has("observable"))
+    t.fail("observable", "observable: 'conserves' names it already");
+  if (t.has("follows") && !t.has("observable"))
+    t.fail("follows", "a claim that follows a truth needs 'observable'");
   const char* key = t.has("conserves") ? "conserves" : "observable";
   Observable q;
   q.quantity = quantity_of(t, key);
   const bool event = q.quantity == Quantity::event;
   if (event && t.has("conserves")) t.fail(key, "conserves: an event keeps no value; use 'follows'");
-  refuse(t, {"component"}, !is_vector(q.quantity), fmt::format("belongs to vectors, and {} is none", core::name(q.quantity)));
+  refuse(t, {"component"}, !is_vector(q.quantity),
+         fmt::format("belongs to vectors, and {} is none", core::name(q.quantity)));
   refuse(t, {"about"}, q.quantity != Quantity::angular_momentum, "belongs to angular_momentum");
   refuse(t, {"event", "index", "quantity"}, !event, "belongs to observable = \"event\"");
-  refuse(t, {"body"}, q.quantity == Quantity::energy, "does not go with energy, which is the scene's; use kinetic_energy");
+  refuse(t, {"body"}, q.quantity == Quantity::energy,
+         "does not go with energy, which is the scene's; use kinetic_energy");
   if (event && !t.has("event")) t.fail("observable", "observable = \"event\" needs 'event'");
 
   if (t.has("body")) q.body = draft.body(t, "body");
@@ -72,7 +76,8 @@ Observable read_observable(const Table& t, const Draft& draft) {
   q.event = t.choice("event", events, core::EventKind::bounce);
   q.index = static_cast<int>(t.whole("index", 1));
   q.event_quantity = t.choice("quantity", event_quantities, core::EventQuantity::time);
-  if (event && q.event == core::EventKind::bounce && q.index < 1) t.fail("index", "index = 0, but bounces count from 1");
+  if (event && q.event == core::EventKind::bounce && q.index < 1)
+    t.fail("index", "index = 0, but bounces count from 1");
   if (event && q.event == core::EventKind::bounce && q.event_quantity == core::EventQuantity::height)
     t.fail("quantity", "quantity = 'height', but a bounce has none; valid: time, speed");
   if (event && q.event == core::EventKind::apex && q.event_quantity == core::EventQuantity::speed)
@@ -82,8 +87,10 @@ Observable read_observable(const Table& t, const Draft& draft) {
   bool only_points = q.body && point(static_cast<std::size_t>(*q.body));
   if (!q.body) only_points = std::ranges::all_of(draft.point, [](bool p) { return p; });
   if (turns(q.quantity) && only_points)
-    t.fail(key, fmt::format("{}: a point (a body without shape and inertia) has none", core::name(q.quantity)));
-  if (const auto why = core::undefined_in(q, draft.scene)) t.fail(key, fmt::format("{}: {}", core::name(q.quantity), *why));
+    t.fail(key,
+           fmt::format("{}: a point (a body without shape and inertia) has none", core::name(q.quantity)));
+  if (const auto why = core::undefined_in(q, draft.scene))
+    t.fail(key, fmt::format("{}: {}", core::name(q.quantity), *why));
   return q;
 }
 
@@ -105,10 +112,11 @@ std::string label_of(const Table& t, const Claim& claim) {
 }
 
 core::Tolerance read_tolerance(const Table& t, const Claim& claim) {
-  const core::Tolerance result{t.number("absolute"), t.number("relative"), t.boolean("order"), t.number("constant"),
-                               t.text("reason")};
+  const core::Tolerance result{t.number("absolute"), t.number("relative"), t.boolean("order"),
+                               t.number("constant"), t.text("reason")};
   if (result.order != t.has("constant"))
-    t.fail(t.has("constant") ? "constant" : "order", "order = true and constant belong together: the bound is constant dt^p T");
+    t.fail(t.has("constant") ? "constant" : "order",
+           "order = true and constant belong together: the bound is constant dt^p T");
   if (result.order && (t.has("absolute") || t.has("relative")))
     t.fail("order", "order = true sets the bound constant dt^p T; absolute and relative do not go with it");
   if (result.order && claim.reduction == Reduction::order)
@@ -116,10 +124,12 @@ core::Tolerance read_tolerance(const Table& t, const Claim& claim) {
   if (!result.order && !t.has("absolute") && !t.has("relative"))
     t.fail("tolerance needs 'absolute', 'relative', or 'order' with 'constant'");
   if (t.has("relative") && is_angle(claim.observable.quantity))
-    t.fail("relative", fmt::format("relative: {} is an angle and has no scale; use absolute [rad]", core::name(claim.observable.quantity)));
+    t.fail("relative", fmt::format("relative: {} is an angle and has no scale; use absolute [rad]",
+                                   core::name(claim.observable.quantity)));
   if (t.has("relative") && claim.reduction != Reduction::max && claim.reduction != Reduction::end)
-    t.fail("relative", fmt::format("relative does not go with measure = \"{}\", whose unit is another; use absolute",
-                                   core::name(claim.reduction)));
+    t.fail("relative",
+           fmt::format("relative does not go with measure = \"{}\", whose unit is another; use absolute",
+                       core::name(claim.reduction)));
   return result;
 }
 
@@ -151,11 +161,12 @@ class Truths {
       try {
         return solution.make(draft_.scene, horizon);
       } catch (const core::OutOfDomain& error) {
-        t.fail("follows", fmt::format("follows = '{}' does not serve this scene: {} (it serves: {})", name, error.what(), solution.domain));
+        t.fail("follows", fmt::format("follows = '{}' does not serve this scene: {} (it serves: {})", name,
+                                      error.what(), solution.domain));
       }
     }
-    t.fail("follows", fmt::format("follows = '{}' is no exact solution{}; valid: {}", name, core::did_you_mean(name, names),
-                                  fmt::join(names, ", ")));
+    t.fail("follows", fmt::format("follows = '{}' is no exact solution{}; valid: {}", name,
+                                  core::did_you_mean(name, names), fmt::join(names, ", ")));
   }
 
   // Data beyond the horizon is no concern of the claim.
@@ -172,7 +183,8 @@ class Truths {
 
 bool has_event(const core::Truth& truth, const Observable& q) {
   return std::ranges::any_of(truth.events, [&](const core::Event& e) {
-    return e.kind == q.event && e.index == q.index && (!q.body || e.pair.body == *q.body || e.pair.other == *q.body);
+    return e.kind == q.event && e.index == q.index &&
+           (!q.body || e.pair.body == *q.body || e.pair.other == *q.body);
   });
 }
 
@@ -180,20 +192,28 @@ bool has_event(const core::Truth& truth, const Observable& q) {
 void weigh(const Table& t, const Table& tolerance, Claim& claim, const core::Scene& scene, double duration) {
   const double size = claim.tolerance.relative > 0 ? core::scale(claim, scene, duration) : 0;
   if (claim.tolerance.relative > 0 && !(size > 0))
-    tolerance.fail("relative", fmt::format("relative = {}: the {} is zero over the whole horizon, so nothing would be allowed; use absolute",
-                                           claim.tolerance.relative, core::name(claim.observable.quantity)));
+    tolerance.fail(
+        "relative",
+        fmt::format(
+            "relative = {}: the {} is zero over the whole horizon, so nothing would be allowed; use absolute",
+            claim.tolerance.relative, core::name(claim.observable.quantity)));
   if (!claim.truth) return;
   if (claim.observable.quantity == Quantity::event && !has_event(*claim.truth, claim.observable))
-    t.fail(t.has("index") ? "index" : "event", fmt::format("'{}' has no {} {} up to {} s", claim.follows, t.text("event"),
-                                                           claim.observable.index, std::min(claim.until, duration)));
-  claim.truth_error = core::truth_error(claim.observable, scene, *claim.truth, std::min(claim.until, duration));
-  if (claim.tolerance.order || claim.reduction == Reduction::order) return;  // their bound depends on the run's scheme
+    t.fail(t.has("index") ? "index" : "event",
+           fmt::format("'{}' has no {} {} up to {} s", claim.follows, t.text("event"), claim.observable.index,
+                       std::min(claim.until, duration)));
+  claim.truth_error =
+      core::truth_error(claim.observable, scene, *claim.truth, std::min(claim.until, duration));
+  if (claim.tolerance.order || claim.reduction == Reduction::order)
+    return;  // their bound depends on the run's scheme
   const double allowed = claim.tolerance.absolute + claim.tolerance.relative * size;
-  const double error = claim.reduction == Reduction::mean_square ? claim.truth_error * claim.truth_error : claim.truth_error;
+  const double error =
+      claim.reduction == Reduction::mean_square ? claim.truth_error * claim.truth_error : claim.truth_error;
   if (!(error <= allowed / 10))
-    tolerance.fail(fmt::format("tolerance: '{}' is itself only good to {:.3g} {}, but a tenth of the {:.3g} allowed is needed; "
-                               "valid: {:.3g} or more",
-                               claim.follows, error, core::unit(claim.observable), allowed, 10 * error));
+    tolerance.fail(fmt::format(
+        "tolerance: '{}' is itself only good to {:.3g} {}, but a tenth of the {:.3g} allowed is needed; "
+        "valid: {:.3g} or more",
+        claim.follows, error, core::unit(claim.observable), allowed, 10 * error));
 }
 
 Claim read_claim(const Table& t, Draft& draft, Truths& truths, double duration, double step) {

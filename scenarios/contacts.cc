@@ -22,32 +22,36 @@ std::vector<std::string> resolve(const Table& t, const Draft& draft, const std::
   if (name == "*") return {name};
   std::vector<std::string> names;
   if (const auto group = draft.groups.find(name); group != draft.groups.end()) {
-    for (const int body : group->second) names.push_back(draft.scene.bodies[static_cast<std::size_t>(body)].name);
+    for (const int body : group->second)
+      names.push_back(draft.scene.bodies[static_cast<std::size_t>(body)].name);
     return names;
   }
   for (const core::Body& body : draft.scene.bodies) names.push_back(body.name);
   for (const core::Plane& plane : draft.scene.planes) names.push_back(plane.name);
   for (const auto& [group, bodies] : draft.groups) names.push_back(group);
   if (std::ranges::find(names, name) != names.end()) return {name};
-  t.fail("between", fmt::format("between: no body, plane or generator is called '{}'{}", name, core::did_you_mean(name, names)));
+  t.fail("between", fmt::format("between: no body, plane or generator is called '{}'{}", name,
+                                core::did_you_mean(name, names)));
 }
 
 void require_materials(const Table& root, const Draft& draft) {
   const core::Scene& scene = draft.scene;
-  const bool all = std::ranges::any_of(scene.materials,
-                                       [](const auto& m) { return m.between[0] == "*" && m.between[1] == "*"; });
+  const bool all = std::ranges::any_of(
+      scene.materials, [](const auto& m) { return m.between[0] == "*" && m.between[1] == "*"; });
   if (all) return;
   constexpr std::ptrdiff_t most = 2000;  // pairs grow with the square
   if (std::ranges::count_if(scene.bodies, [](const auto& body) { return body.collide; }) > most)
-    root.fail(fmt::format("more than {} bodies may touch: add a [[material]] with between = [\"*\", \"*\"]", most));
+    root.fail(
+        fmt::format("more than {} bodies may touch: add a [[material]] with between = [\"*\", \"*\"]", most));
   for (const core::Pair& pair : core::touching_pairs(scene)) {
     if (core::material_of(scene, pair)) continue;
     const auto body = static_cast<std::size_t>(pair.body);
     const std::string& other = pair.plane >= 0 ? scene.planes[static_cast<std::size_t>(pair.plane)].name
                                                : scene.bodies[static_cast<std::size_t>(pair.other)].name;
-    draft.origin[body].fail(fmt::format(
-        "'{0}' and '{1}' may touch, but no [[material]] says how; add between = [\"{0}\", \"{1}\"], or collide = false",
-        scene.bodies[body].name, other));
+    draft.origin[body].fail(
+        fmt::format("'{0}' and '{1}' may touch, but no [[material]] says how; add between = [\"{0}\", "
+                    "\"{1}\"], or collide = false",
+                    scene.bodies[body].name, other));
   }
 }
 
@@ -73,8 +77,10 @@ void refuse_overlapping_spheres(const Draft& draft) {
       const double gap = d.norm() - a->radius - b->radius;
       if (gap < -overlap_allowed * size_of(one.initial.position))
         draft.origin[std::max(a->body, b->body)].fail(
-            "position", fmt::format("'{}' and '{}' overlap by {} m at the start; valid: {} m apart or more, or collide = false",
-                                    one.name, other.name, -gap, a->radius + b->radius));
+            "position",
+            fmt::format(
+                "'{}' and '{}' overlap by {} m at the start; valid: {} m apart or more, or collide = false",
+                one.name, other.name, -gap, a->radius + b->radius));
     }
 }
 
@@ -85,11 +91,13 @@ void read_planes(const Table& root, Draft& draft) {
   for (const Table& t : root.tables("plane")) {
     core::Plane plane{t.text("name"), t.vector("normal", Vector3::UnitY()), t.number("offset")};
     if (plane.name == "*") t.fail("name", "name: \"*\" stands for all names in a material");
-    if (!names.insert(plane.name).second) t.fail("name", fmt::format("name '{}' is taken by another plane", plane.name));
+    if (!names.insert(plane.name).second)
+      t.fail("name", fmt::format("name '{}' is taken by another plane", plane.name));
     const double norm = plane.normal.norm();
     if (!(std::abs(norm - 1) <= 1e-9))
-      t.fail("normal", fmt::format("normal = {} has the norm {}, but must be a unit vector within 1e-9{}", written(plane.normal),
-                                   norm, norm > 0 ? "; normalised: " + written(plane.normal / norm) : ""));
+      t.fail("normal", fmt::format("normal = {} has the norm {}, but must be a unit vector within 1e-9{}",
+                                   written(plane.normal), norm,
+                                   norm > 0 ? "; normalised: " + written(plane.normal / norm) : ""));
     plane.normal.normalize();
     draft.scene.planes.push_back(plane);
   }
@@ -106,8 +114,9 @@ void read_materials(const Table& root, Draft& draft) {
     const auto first = resolve(t, draft, between[0]), second = resolve(t, draft, between[1]);
     constexpr std::size_t most = 10'000;
     if (first.size() * second.size() > most)
-      t.fail("between", fmt::format("between = [\"{}\", \"{}\"] makes {} pairs, but at most {} are listed; use \"*\"", between[0],
-                                    between[1], first.size() * second.size(), most));
+      t.fail("between",
+             fmt::format("between = [\"{}\", \"{}\"] makes {} pairs, but at most {} are listed; use \"*\"",
+                         between[0], between[1], first.size() * second.size(), most));
     for (const std::string& a : first)
       for (const std::string& b : second) {
         if (!stated.insert(std::minmax(a, b)).second) {
@@ -129,8 +138,10 @@ void refuse_overlaps(const Draft& draft) {
     for (std::size_t p = 0; p < scene.planes.size(); ++p) {
       const double gap = core::gap(scene, {static_cast<int>(i), core::world, static_cast<int>(p)}, state);
       if (gap < -overlap_allowed * size_of(scene.bodies[i].initial.position))
-        draft.origin[i].fail("position", fmt::format("'{}' reaches {} m into plane '{}' at the start; move it out by that much",
-                                                     scene.bodies[i].name, -gap, scene.planes[p].name));
+        draft.origin[i].fail(
+            "position",
+            fmt::format("'{}' reaches {} m into plane '{}' at the start; move it out by that much",
+                        scene.bodies[i].name, -gap, scene.planes[p].name));
     }
   }
 }

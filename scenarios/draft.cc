@@ -25,7 +25,8 @@ int Draft::body(const Table& table, std::string_view key) const {
   if (const auto found = index_.find(name); found != index_.end()) return found->second;
   std::vector<std::string> names;
   for (const core::Body& body : scene.bodies) names.push_back(body.name);
-  table.fail(key, fmt::format("{} = '{}': no body has that name{}", key, name, core::did_you_mean(name, names)));
+  table.fail(key,
+             fmt::format("{} = '{}': no body has that name{}", key, name, core::did_you_mean(name, names)));
 }
 
 std::string Draft::read(const Table& table, std::string_view key) {

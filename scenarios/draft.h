@@ -52,7 +52,8 @@ void read_joints(const Table& root, Draft&);
 void read_planes(const Table& root, Draft&);
 void read_materials(const Table& root, Draft&);
 
-/// Every body read so far, and no other: fails where two spheres, or a body and a plane, overlap by more than 1e-9 m.
+/// Every body read so far, and no other: fails where two spheres, or a body and a plane, overlap by more than
+/// 1e-9 m.
 void refuse_overlaps(const Draft&);
 
 /// `shape` of a body, or of a part.

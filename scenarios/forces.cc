@@ -13,8 +13,10 @@ Vector3 world_point(const core::Body& body, const Vector3& local) {
 }
 
 core::Spring read_spring(const Table& t, const Draft& draft) {
-  if (t.has("to") == t.has("pin")) t.fail("[[spring]] needs either 'to' (a body) or 'pin' (a point of the world)");
-  if (t.has("pin") && t.has("to_anchor")) t.fail("to_anchor", "to_anchor belongs to 'to'; a pin is a point by itself");
+  if (t.has("to") == t.has("pin"))
+    t.fail("[[spring]] needs either 'to' (a body) or 'pin' (a point of the world)");
+  if (t.has("pin") && t.has("to_anchor"))
+    t.fail("to_anchor", "to_anchor belongs to 'to'; a pin is a point by itself");
   core::Spring spring{.body = draft.body(t, "body"),
                       .anchor = t.vector("anchor"),
                       .to = t.has("to") ? draft.body(t, "to") : core::world,
@@ -29,8 +31,11 @@ core::Spring read_spring(const Table& t, const Draft& draft) {
                           ? spring.to_anchor
                           : world_point(bodies[static_cast<std::size_t>(spring.to)], spring.to_anchor);
   if (spring.rest_length > 0 && (end - from).norm() == 0)
-    t.fail("rest_length", fmt::format("rest_length = {}: both ends start at {}, so the force has no direction; valid: 0, or ends apart",
-                                      spring.rest_length, written(from)));
+    t.fail(
+        "rest_length",
+        fmt::format(
+            "rest_length = {}: both ends start at {}, so the force has no direction; valid: 0, or ends apart",
+            spring.rest_length, written(from)));
   return spring;
 }
 
@@ -48,9 +53,11 @@ core::Thrust read_thrust(const Table& t, const Draft& draft) {
   if (t.has("force") == t.has("mass_rate")) t.fail("[[thrust]] needs either 'force' or 'mass_rate'");
   const bool exhaust = t.has("exhaust_velocity"), exchanged = t.has("exchanged_velocity");
   if (t.has("force") && (exhaust || exchanged))
-    t.fail(exhaust ? "exhaust_velocity" : "exchanged_velocity", "a velocity of the mass belongs to 'mass_rate', not to 'force'");
+    t.fail(exhaust ? "exhaust_velocity" : "exchanged_velocity",
+           "a velocity of the mass belongs to 'mass_rate', not to 'force'");
   if (t.has("mass_rate") && exhaust == exchanged)
-    t.fail("mass_rate", "mass_rate needs either 'exhaust_velocity' (body axes) or 'exchanged_velocity' (world axes)");
+    t.fail("mass_rate",
+           "mass_rate needs either 'exhaust_velocity' (body axes) or 'exchanged_velocity' (world axes)");
   if (exhaust) thrust.exhaust_velocity = t.vector("exhaust_velocity");
   if (exchanged) thrust.exchanged_velocity = t.vector("exchanged_velocity");
   return thrust;
@@ -60,7 +67,8 @@ core::Attraction read_attraction(const Table& t, const Draft& draft) {
   core::Attraction pull{draft.body(t, "body"), draft.body(t, "to"), t.number("strength")};
   const auto& bodies = draft.scene.bodies;
   if (pull.to == pull.body) t.fail("to", "an attraction joins two different bodies");
-  if (bodies[static_cast<std::size_t>(pull.to)].initial.position == bodies[static_cast<std::size_t>(pull.body)].initial.position)
+  if (bodies[static_cast<std::size_t>(pull.to)].initial.position ==
+      bodies[static_cast<std::size_t>(pull.body)].initial.position)
     t.fail("to", "the two bodies start at one point, where the attraction is infinite");
   return pull;
 }

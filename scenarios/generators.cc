@@ -1,5 +1,5 @@
-// Many bodies from one template.  The same file gives the same bodies on every platform: integer arithmetic and
-// correctly rounded operations (+ - * / sqrt) only.
+// Many bodies from one template.  The same file gives the same bodies on every platform: integer arithmetic
+// and correctly rounded operations (+ - * / sqrt) only.
 #include "scenarios/draft.h"
 #include "scenarios/inertia.h"
 
@@ -74,7 +74,8 @@ class Packing {
   using Cell = std::array<std::int64_t, 3>;
   Cell cell(const Vector3& p) const {
     Cell c;
-    for (int i = 0; i < 3; ++i) c[static_cast<std::size_t>(i)] = static_cast<std::int64_t>(std::floor(p[i] / diameter_));
+    for (int i = 0; i < 3; ++i)
+      c[static_cast<std::size_t>(i)] = static_cast<std::int64_t>(std::floor(p[i] / diameter_));
     return c;
   }
   double diameter_;
@@ -85,7 +86,8 @@ bool clear_of(const core::Scene& others, const Vector3& p, double radius) {
   for (const core::Plane& plane : others.planes)
     if (plane.normal.dot(p) - plane.offset < radius) return false;
   for (const core::Body& body : others.bodies)
-    if (body.collide && (p - body.initial.position).norm() < radius + bounding_radius(body.shape)) return false;
+    if (body.collide && (p - body.initial.position).norm() < radius + bounding_radius(body.shape))
+      return false;
   return true;
 }
 
@@ -128,9 +130,11 @@ std::vector<core::Body> cloud(const Table& table, const core::Body& pattern, con
     Vector3 place = random.in_box(low, high);
     while (!packing.fits(place) || (radius > 0 && !clear_of(others, place, radius))) {
       if (++tries == most_tries)
-        table.fail("count", fmt::format("count = {}: only {} of radius {} m found a place that overlaps nothing; take fewer "
-                                        "or a larger box",
-                                        count, bodies.size(), radius));
+        table.fail(
+            "count",
+            fmt::format("count = {}: only {} of radius {} m found a place that overlaps nothing; take fewer "
+                        "or a larger box",
+                        count, bodies.size(), radius));
       place = random.in_box(low, high);
     }
     packing.add(place);

@@ -26,8 +26,8 @@ Vector3 moments(const core::Cylinder& s) {
   return {across, r2 / 2, across};
 }
 
-// A cylinder of length h between two half spheres, shared by volume; a half sphere's centre lies 3 r/8 off its
-// flat face, so about the capsule's centre each has 2/5 r^2 + h^2/4 + 3/8 h r per mass.
+// A cylinder of length h between two half spheres, shared by volume; a half sphere's centre lies 3 r/8 off
+// its flat face, so about the capsule's centre each has 2/5 r^2 + h^2/4 + 3/8 h r per mass.
 Vector3 moments(const core::Capsule& s) {
   const double r = s.radius, h = s.length;
   const double barrel = h / (h + 4 * r / 3), caps = 1 - barrel;
@@ -61,7 +61,9 @@ MassProperties properties(const Simple& shape, double mass) {
 MassProperties properties(const Solid& solid, double mass) {
   return {mass, solid.centre, mass / solid.volume * solid.inertia};
 }
-MassProperties properties(const core::Mesh& mesh, double mass) { return properties(solid(mesh.vertices, mesh.faces), mass); }
+MassProperties properties(const core::Mesh& mesh, double mass) {
+  return properties(solid(mesh.vertices, mesh.faces), mass);
+}
 MassProperties properties(const core::Hull& hull, double mass) {
   return properties(solid(hull.vertices, convex_hull(hull.vertices)), mass);
 }
@@ -71,7 +73,8 @@ MassProperties properties(const core::Compound& compound, double) {
   MassProperties whole;
   std::vector<MassProperties> parts;
   for (const core::Part& part : compound.parts) {
-    MassProperties p = std::visit([&](const auto& shape) { return properties(shape, part.mass); }, part.shape);
+    MassProperties p =
+        std::visit([&](const auto& shape) { return properties(shape, part.mass); }, part.shape);
     const Matrix3 r = part.orientation.toRotationMatrix();
     p.inertia = r * p.inertia * r.transpose();
     p.centre = part.position + r * p.centre;
@@ -106,7 +109,8 @@ double reach(const core::Mesh& s) { return farthest(s.vertices); }
 double reach(const core::Compound& s) {
   double result = 0;
   for (const core::Part& part : s.parts)
-    result = std::max(result, part.position.norm() + std::visit([](const auto& p) { return reach(p); }, part.shape));
+    result = std::max(result,
+                      part.position.norm() + std::visit([](const auto& p) { return reach(p); }, part.shape));
   return result;
 }
 
@@ -135,8 +139,8 @@ std::optional<std::string> impossible(const Matrix3& inertia) {
   const auto listed = [&] { return fmt::format("principal moments {}, {}, {} kg m^2", m[0], m[1], m[2]); };
   if (!(m[0] >= 0) || !(m[1] > 0)) return listed() + ": they must be > 0";
   if (m[0] + m[1] < m[2] * (1 - 1e-12))
-    return fmt::format("{}: no body has them, since {} + {} < {}; the largest must be <= {}", listed(), m[0], m[1], m[2],
-                       m[0] + m[1]);
+    return fmt::format("{}: no body has them, since {} + {} < {}; the largest must be <= {}", listed(), m[0],
+                       m[1], m[2], m[0] + m[1]);
   return std::nullopt;
 }
 

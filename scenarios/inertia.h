@@ -8,17 +8,18 @@
 namespace cylon::scenarios {
 
 struct MassProperties {
-  double mass = 0;                                 ///< [kg]
-  core::Vector3 centre = core::Vector3::Zero();    ///< In the shape's own coordinates [m].
-  core::Matrix3 inertia = core::Matrix3::Zero();   ///< About the centre, the shape's axes [kg m^2].
+  double mass = 0;                                ///< [kg]
+  core::Vector3 centre = core::Vector3::Zero();   ///< In the shape's own coordinates [m].
+  core::Matrix3 inertia = core::Matrix3::Zero();  ///< About the centre, the shape's axes [kg m^2].
 };
 
-/// Of a solid of the given mass [kg] and uniform density; a point has mass x 1 m^2 about every axis, because it has
-/// no orientation and any positive inertia serves.  A compound's parts carry their own masses.
-/// Throws std::invalid_argument for a mesh that is not closed or a hull without volume.
+/// Of a solid of the given mass [kg] and uniform density; a point has mass x 1 m^2 about every axis, because
+/// it has no orientation and any positive inertia serves.  A compound's parts carry their own masses. Throws
+/// std::invalid_argument for a mesh that is not closed or a hull without volume.
 MassProperties mass_properties(const core::Shape&, double mass);
 
-/// The shape moved by `offset` in its own coordinates: hulls, meshes and compounds; others stay where they are.
+/// The shape moved by `offset` in its own coordinates: hulls, meshes and compounds; others stay where they
+/// are.
 void move(core::Shape&, const core::Vector3& offset);
 
 /// Distance from the origin of the farthest point [m]; 0 without a shape.

@@ -21,18 +21,22 @@ Vector3 velocity_at(const core::Scene& scene, int body, const Vector3& point) {
 }
 
 Vector3 spin_of(const core::Scene& scene, int body) {
-  return body == core::world ? Vector3::Zero() : scene.bodies[static_cast<std::size_t>(body)].initial.angular_velocity;
+  return body == core::world ? Vector3::Zero()
+                             : scene.bodies[static_cast<std::size_t>(body)].initial.angular_velocity;
 }
 
-// The part of the velocity difference that the joint forbids: all of it, or for a distance that along the line.
-Vector3 forbidden(const core::Scene& scene, const core::Joint& joint, const Vector3& from, const Vector3& end) {
+// The part of the velocity difference that the joint forbids: all of it, or for a distance that along the
+// line.
+Vector3 forbidden(const core::Scene& scene, const core::Joint& joint, const Vector3& from,
+                  const Vector3& end) {
   const Vector3 difference = velocity_at(scene, joint.body, from) - velocity_at(scene, joint.to, end);
   if (joint.type != core::JointType::distance) return difference;
   const Vector3 line = (end - from).normalized();
   return line * line.dot(difference);
 }
 
-void check_velocity(const Table& t, Draft& draft, const core::Joint& joint, const Vector3& from, const Vector3& end) {
+void check_velocity(const Table& t, Draft& draft, const core::Joint& joint, const Vector3& from,
+                    const Vector3& end) {
   core::BodyState& s = draft.scene.bodies[static_cast<std::size_t>(joint.body)].initial;
   const Table& origin = draft.origin[static_cast<std::size_t>(joint.body)];
   const Vector3 excess = forbidden(draft.scene, joint, from, end);
@@ -40,15 +44,17 @@ void check_velocity(const Table& t, Draft& draft, const core::Joint& joint, cons
                         velocity_at(draft.scene, joint.to, end).norm();
   const Vector3 consistent = s.velocity - excess;
   if (excess.norm() > typed * speeds)
-    origin.fail("velocity", fmt::format("velocity = {} breaks the {} joint of '{}' by {} m/s; consistent: {}", written(s.velocity),
-                                        t.text("type"), t.text("body"), excess.norm(), written(consistent)));
+    origin.fail("velocity", fmt::format("velocity = {} breaks the {} joint of '{}' by {} m/s; consistent: {}",
+                                        written(s.velocity), t.text("type"), t.text("body"), excess.norm(),
+                                        written(consistent)));
   // Digits that were not typed: the joint of one body with the world decides them.
   if (joint.to == core::world && excess.norm() > 1e-12 * speeds) s.velocity = consistent;
 
   const Vector3 turning = s.angular_velocity - spin_of(draft.scene, joint.to);
-  const Vector3 twist = joint.type == core::JointType::fixed   ? turning
-                        : joint.type == core::JointType::hinge ? Vector3(turning - joint.axis * joint.axis.dot(turning))
-                                                               : Vector3::Zero();
+  const Vector3 twist = joint.type == core::JointType::fixed ? turning
+                        : joint.type == core::JointType::hinge
+                            ? Vector3(turning - joint.axis * joint.axis.dot(turning))
+                            : Vector3::Zero();
   if (twist.norm() > typed * (s.angular_velocity.norm() + spin_of(draft.scene, joint.to).norm()))
     origin.fail("angular_velocity",
                 fmt::format("angular_velocity = {} breaks the {} joint of '{}' by {} rad/s; consistent: {}",
@@ -63,8 +69,10 @@ core::Joint read_joint(const Table& t, Draft& draft) {
   if (t.has("to")) joint.to = draft.body(t, "to");
   if (joint.to == joint.body) t.fail("to", "a joint joins two different bodies, or one with the world");
   const bool distance = joint.type == core::JointType::distance;
-  if (distance && t.has("point") && t.has("to")) t.fail("point", "point: a distance between two bodies joins their centres");
-  if (distance && !t.has("point") && !t.has("to")) t.fail("a distance joint needs 'to' (a body) or 'point' (of the world)");
+  if (distance && t.has("point") && t.has("to"))
+    t.fail("point", "point: a distance between two bodies joins their centres");
+  if (distance && !t.has("point") && !t.has("to"))
+    t.fail("a distance joint needs 'to' (a body) or 'point' (of the world)");
   joint.point = t.vector("point");
   if (joint.type == core::JointType::hinge) {
     joint.axis = t.vector("axis");

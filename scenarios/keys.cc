@@ -28,13 +28,21 @@ Key plain(std::string name, Kind kind, std::string meaning) {
   return {.name = std::move(name), .kind = kind, .meaning = std::move(meaning)};
 }
 Key real(std::string name, std::string unit, std::string meaning, Range range = any) {
-  return {.name = std::move(name), .kind = number, .meaning = std::move(meaning), .unit = std::move(unit), .range = range};
+  return {.name = std::move(name),
+          .kind = number,
+          .meaning = std::move(meaning),
+          .unit = std::move(unit),
+          .range = range};
 }
 Key integer(std::string name, std::string meaning, Range range) {
   return {.name = std::move(name), .kind = whole, .meaning = std::move(meaning), .range = range};
 }
 Key arrow(std::string name, std::string unit, std::string meaning, Range range = any) {
-  return {.name = std::move(name), .kind = vector, .meaning = std::move(meaning), .unit = std::move(unit), .range = range};
+  return {.name = std::move(name),
+          .kind = vector,
+          .meaning = std::move(meaning),
+          .unit = std::move(unit),
+          .range = range};
 }
 Key nested(std::string name, Kind kind, const Spec* (*spec)(), std::string meaning) {
   return {.name = std::move(name), .kind = kind, .meaning = std::move(meaning), .spec = spec};
@@ -61,7 +69,8 @@ std::vector<std::string> words(Enum last) {
 
 std::vector<Spec::Variant> primitives() {
   const Key radius = required(real("radius", "m", "Radius.", positive));
-  const Key length = required(real("length", "m", "Length along body y; of a capsule, of its cylinder.", positive));
+  const Key length =
+      required(real("length", "m", "Length along body y; of a capsule, of its cylinder.", positive));
   return {{"sphere", {radius}},
           {"box", {required(arrow("half_extents", "m", "Half the edges along body x, y, z.", positive))}},
           {"capsule", {radius, length}},
@@ -82,7 +91,8 @@ const Spec* part_keys() {
       .label = "a part of a compound",
       .keys = {required(word("type", "Kind of shape.")),
                required(real("mass", "kg", "Mass of the part.", positive)),
-               arrow("position", "m", "Centre of mass of the part; the origin is moved to the common centre."),
+               arrow("position", "m",
+                     "Centre of mass of the part; the origin is moved to the common centre."),
                plain("orientation", quaternion, "(w, x, y, z), part to body.")},
       .tag = "type",
       .variants = primitives()};
@@ -91,28 +101,33 @@ const Spec* part_keys() {
 
 const Spec* shape_keys() {
   static const Spec spec = [] {
-    Spec s{.label = "shape", .keys = {required(word("type", "Kind of shape; its axis lies along body y."))}, .tag = "type",
+    Spec s{.label = "shape",
+           .keys = {required(word("type", "Kind of shape; its axis lies along body y."))},
+           .tag = "type",
            .variants = primitives()};
-    s.variants.push_back({"compound", {required(nested("parts", tables, part_keys, "Rigidly joined parts."))}});
+    s.variants.push_back(
+        {"compound", {required(nested("parts", tables, part_keys, "Rigidly joined parts."))}});
     return s;
   }();
   return &spec;
 }
 
 std::vector<Key> body_keys() {
-  return {required(word("name", "Unique; forces, joints, materials and claims refer to it.")),
-          real("mass", "kg", "Required, unless locked or a compound.", positive),
-          plain("inertia", moments,
-                "Principal moments about the centre of mass in body axes, or nine numbers by rows [kg m^2]; absent: from "
-                "the shape; without a shape, mass x 1 m^2 about every axis, since a point has no orientation."),
-          arrow("position", "m", "Of the centre of mass, world axes."),
-          plain("orientation", quaternion, "Unit (w, x, y, z), body to world."),
-          arrow("velocity", "m/s", "Of the centre of mass, world axes; must fit the joints."),
-          arrow("angular_velocity", "rad/s", "World axes."),
-          nested("shape", table, shape_keys, "Absent: a point or bare rigid body."),
-          plain("locked", boolean, "Does not move, whatever acts on it."),
-          plain("collide", boolean, "Takes part in contacts; absent: true where there is a shape."),
-          word("color", "For viewers: \"#rrggbb\".")};
+  return {
+      required(word("name", "Unique; forces, joints, materials and claims refer to it.")),
+      real("mass", "kg", "Required, unless locked or a compound.", positive),
+      plain("inertia", moments,
+            "Principal moments about the centre of mass in body axes, or nine numbers by rows [kg m^2]; "
+            "absent: from "
+            "the shape; without a shape, mass x 1 m^2 about every axis, since a point has no orientation."),
+      arrow("position", "m", "Of the centre of mass, world axes."),
+      plain("orientation", quaternion, "Unit (w, x, y, z), body to world."),
+      arrow("velocity", "m/s", "Of the centre of mass, world axes; must fit the joints."),
+      arrow("angular_velocity", "rad/s", "World axes."),
+      nested("shape", table, shape_keys, "Absent: a point or bare rigid body."),
+      plain("locked", boolean, "Does not move, whatever acts on it."),
+      plain("collide", boolean, "Takes part in contacts; absent: true where there is a shape."),
+      word("color", "For viewers: \"#rrggbb\".")};
 }
 
 const Spec* body_spec() {
@@ -123,23 +138,28 @@ const Spec* body_spec() {
 const Spec* lattice_spec() {
   static const Spec spec{
       .label = "[[lattice]]",
-      .keys = body_keys() + std::vector<Key>{{.name = "count", .kind = counts, .meaning = "Bodies along x, y, z.",
-                                              .required = true, .range = {.low = 1}},
-                                             required(arrow("spacing", "m", "Between neighbours along x, y, z; "
-                                                                            "`position` is the first one's."))}};
+      .keys = body_keys() + std::vector<Key>{{.name = "count",
+                                              .kind = counts,
+                                              .meaning = "Bodies along x, y, z.",
+                                              .required = true,
+                                              .range = {.low = 1}},
+                                             required(arrow("spacing", "m",
+                                                            "Between neighbours along x, y, z; "
+                                                            "`position` is the first one's."))}};
   return &spec;
 }
 
 const Spec* cloud_spec() {
   static const Spec spec{
       .label = "[[cloud]]",
-      .keys = body_keys() + std::vector<Key>{required(integer("count", "Number of bodies.", {.low = 1})),
-                                             required(arrow("low", "m", "Least corner for the centres.")),
-                                             required(arrow("high", "m", "Greatest corner for the centres.")),
-                                             real("speed", "m/s", "Of each, in a random direction, on top of `velocity`.",
-                                                  not_negative),
-                                             integer("seed", "Same seed, same cloud, everywhere.",
-                                                     {.low = 0, .high = 9007199254740992.0})}};
+      .keys =
+          body_keys() +
+          std::vector<Key>{
+              required(integer("count", "Number of bodies.", {.low = 1})),
+              required(arrow("low", "m", "Least corner for the centres.")),
+              required(arrow("high", "m", "Greatest corner for the centres.")),
+              real("speed", "m/s", "Of each, in a random direction, on top of `velocity`.", not_negative),
+              integer("seed", "Same seed, same cloud, everywhere.", {.low = 0, .high = 9007199254740992.0})}};
   return &spec;
 }
 
@@ -150,10 +170,12 @@ const Key on_body = required(word("body", "Name of the body."));
 const Spec* spring_spec() {
   static const Spec spec{
       .label = "[[spring]]",
-      .keys = {on_body, arrow("anchor", "m", "On the body, body axes."), word("to", "Name of the other body; or `pin`."),
-               arrow("pin", "m", "A point of the world."), arrow("to_anchor", "m", "On the other body, its axes."),
+      .keys = {on_body, arrow("anchor", "m", "On the body, body axes."),
+               word("to", "Name of the other body; or `pin`."), arrow("pin", "m", "A point of the world."),
+               arrow("to_anchor", "m", "On the other body, its axes."),
                required(real("stiffness", "N/m", "F = stiffness (|d| - rest_length) along d.", not_negative)),
-               real("rest_length", "m", "", not_negative), real("damping", "N s/m", "Along d.", not_negative)}};
+               real("rest_length", "m", "", not_negative),
+               real("damping", "N s/m", "Along d.", not_negative)}};
   return &spec;
 }
 const Spec* drag_spec() {
@@ -173,23 +195,26 @@ const Spec* thrust_spec() {
   return &spec;
 }
 const Spec* drive_spec() {
-  static const Spec spec{.label = "[[drive]]",
-                         .keys = {on_body, required(arrow("force", "N", "Amplitude of F cos(frequency t), world axes.")),
-                                  required(real("frequency", "rad/s", "Angular frequency.", not_negative))}};
+  static const Spec spec{
+      .label = "[[drive]]",
+      .keys = {on_body, required(arrow("force", "N", "Amplitude of F cos(frequency t), world axes.")),
+               required(real("frequency", "rad/s", "Angular frequency.", not_negative))}};
   return &spec;
 }
 const Spec* attraction_spec() {
-  static const Spec spec{.label = "[[attraction]]",
-                         .keys = {on_body, required(word("to", "Name of the other body.")),
-                                  required(real("strength", "m^3/(kg s^2)", "F = strength m m' / d^2; < 0 repels."))}};
+  static const Spec spec{
+      .label = "[[attraction]]",
+      .keys = {on_body, required(word("to", "Name of the other body.")),
+               required(real("strength", "m^3/(kg s^2)", "F = strength m m' / d^2; < 0 repels."))}};
   return &spec;
 }
 const Spec* water_spec() {
   static const Spec spec{
       .label = "[[water]]",
-      .keys = {real("level", "m", "Surface at y = level + wave sin(x - speed t)."), real("wave", "m", "Amplitude.", not_negative),
-               real("speed", "rad/s", "Of the wave's phase."),
-               required(real("buoyancy", "N or kg/m^3", "Mode step: the lift; mode volume: the density.", not_negative)),
+      .keys = {real("level", "m", "Surface at y = level + wave sin(x - speed t)."),
+               real("wave", "m", "Amplitude.", not_negative), real("speed", "rad/s", "Of the wave's phase."),
+               required(real("buoyancy", "N or kg/m^3", "Mode step: the lift; mode volume: the density.",
+                             not_negative)),
                real("drag", "kg/s", "Below the surface.", not_negative),
                word("mode", "Archimedes, or a constant lift below the surface.", {"volume", "step"})}};
   return &spec;
@@ -201,14 +226,16 @@ const Spec* joint_spec() {
   const Key point = required(arrow("point", "m", "World coordinates at t = 0."));
   static const Spec spec{
       .label = "[[joint]]",
-      .keys = {required(word("type", "Kind of joint.")), on_body, word("to", "The other body; absent: the world.")},
+      .keys = {required(word("type", "Kind of joint.")), on_body,
+               word("to", "The other body; absent: the world.")},
       .tag = "type",
-      .variants = {{"ball", {point}},
-                   {"hinge", {point, required(arrow("axis", "", "World axes at t = 0, any length but zero."))}},
-                   {"distance",
-                    {arrow("point", "m", "Of the world, where `to` is absent; else it joins the centres."),
-                     real("length", "m", "Absent: the distance at t = 0.", positive)}},
-                   {"fixed", {point}}}};
+      .variants = {
+          {"ball", {point}},
+          {"hinge", {point, required(arrow("axis", "", "World axes at t = 0, any length but zero."))}},
+          {"distance",
+           {arrow("point", "m", "Of the world, where `to` is absent; else it joins the centres."),
+            real("length", "m", "Absent: the distance at t = 0.", positive)}},
+          {"fixed", {point}}}};
   return &spec;
 }
 const Spec* plane_spec() {
@@ -221,9 +248,11 @@ const Spec* plane_spec() {
 const Spec* material_spec() {
   static const Spec spec{
       .label = "[[material]]",
-      .keys = {required(plain("between", pair, "Two names of bodies, planes or generators; \"*\" is all, an exact pair wins.")),
-               required(real("restitution", "", "Of the pair.", unit_interval)),
-               required(real("friction", "", "Coulomb's, of the pair.", not_negative))}};
+      .keys = {
+          required(plain("between", pair,
+                         "Two names of bodies, planes or generators; \"*\" is all, an exact pair wins.")),
+          required(real("restitution", "", "Of the pair.", unit_interval)),
+          required(real("friction", "", "Coulomb's, of the pair.", not_negative))}};
   return &spec;
 }
 const Spec* frame_spec() {
@@ -236,55 +265,62 @@ const Spec* frame_spec() {
 // ---- Claims --------------------------------------------------------------------------------------
 
 const Spec* follows_spec() {
-  static const Spec spec{.label = "follows",
-                         .keys = {required(word("file", "Recorded data in the format truth/1, beside the scenario."))}};
+  static const Spec spec{
+      .label = "follows",
+      .keys = {required(word("file", "Recorded data in the format truth/1, beside the scenario."))}};
   return &spec;
 }
 const Spec* tolerance_spec() {
   static const Spec spec{
       .label = "tolerance",
-      .keys = {real("absolute", "", "In the observable's unit.", not_negative),
-               real("relative", "", "Times the largest |truth| over the horizon; of a drift, the initial value.", not_negative),
-               plain("order", boolean, "The bound is constant dt^p T, with p the scheme's order, which is checked too."),
-               real("constant", "unit/s^(p+1)", "Of that bound.", positive),
-               required(word("reason", "Rounding, truncation, convention or measured, and how the number follows."))}};
+      .keys = {
+          real("absolute", "", "In the observable's unit.", not_negative),
+          real("relative", "", "Times the largest |truth| over the horizon; of a drift, the initial value.",
+               not_negative),
+          plain("order", boolean,
+                "The bound is constant dt^p T, with p the scheme's order, which is checked too."),
+          real("constant", "unit/s^(p+1)", "Of that bound.", positive),
+          required(
+              word("reason", "Rounding, truncation, convention or measured, and how the number follows."))}};
   return &spec;
 }
 const Spec* claim_spec() {
   static const Spec spec{
       .label = "[[claim]]",
-      .keys = {nested("follows", text_or_table, follows_spec, "An exact solution by name, or { file = … }."),
-               word("conserves", "The observable that keeps its initial value.", words(core::Quantity::event)),
-               word("observable", "What follows.", words(core::Quantity::event)),
-               word("body", "Absent: all; the worst counts, momenta and energies are totals."),
-               word("component", "Of a vector.", {"x", "y", "z", "horizontal"}),
-               arrow("about", "m", "Of angular_momentum; absent: the origin."),
-               real("until", "s", "Horizon; absent: the duration.", positive),
-               plain("sample", Kind::sample, "Time between samples, or \"step\" for every step."),
-               word("measure", "How the deviations become one number; absent: max.", words(core::Reduction::rate)),
-               word("event", "Of observable = \"event\".", {"bounce", "apex"}),
-               integer("index", "Of the event, counted per pair; absent: 1.", {.low = 0, .high = 1e9}),
-               word("quantity", "Of the event; absent: time.", {"time", "height", "speed"}),
-               required(nested("tolerance", table, tolerance_spec, "How well it must hold, and why."))}};
+      .keys = {
+          nested("follows", text_or_table, follows_spec, "An exact solution by name, or { file = … }."),
+          word("conserves", "The observable that keeps its initial value.", words(core::Quantity::event)),
+          word("observable", "What follows.", words(core::Quantity::event)),
+          word("body", "Absent: all; the worst counts, momenta and energies are totals."),
+          word("component", "Of a vector.", {"x", "y", "z", "horizontal"}),
+          arrow("about", "m", "Of angular_momentum; absent: the origin."),
+          real("until", "s", "Horizon; absent: the duration.", positive),
+          plain("sample", Kind::sample, "Time between samples, or \"step\" for every step."),
+          word("measure", "How the deviations become one number; absent: max.", words(core::Reduction::rate)),
+          word("event", "Of observable = \"event\".", {"bounce", "apex"}),
+          integer("index", "Of the event, counted per pair; absent: 1.", {.low = 0, .high = 1e9}),
+          word("quantity", "Of the event; absent: time.", {"time", "height", "speed"}),
+          required(nested("tolerance", table, tolerance_spec, "How well it must hold, and why."))}};
   return &spec;
 }
 
 // ---- Expectations and suites ---------------------------------------------------------------------
 
 const Spec* row_spec() {
-  static const Spec spec{.label = "[[row]]",
-                         .keys = {required(word("engine", "Glob over engine ids.")), word("scenario", "Glob; absent: all."),
-                                  word("claim", "Glob over claim labels; absent: all."),
-                                  word("integrator", "Glob; absent: all."), plain("dt", steps, "Steps; absent: all."),
-                                  required(word("status", "What the verdict will be.", words(core::Status::protocol))),
-                                  required(word("reason", "Why.")), word("link", "Where it is discussed.")}};
+  static const Spec spec{
+      .label = "[[row]]",
+      .keys = {required(word("engine", "Glob over engine ids.")), word("scenario", "Glob; absent: all."),
+               word("claim", "Glob over claim labels; absent: all."),
+               word("integrator", "Glob; absent: all."), plain("dt", steps, "Steps; absent: all."),
+               required(word("status", "What the verdict will be.", words(core::Status::protocol))),
+               required(word("reason", "Why.")), word("link", "Where it is discussed.")}};
   return &spec;
 }
 const Spec* published_spec() {
-  static const Spec spec{.label = "[[published]]",
-                         .keys = {required(word("engine", "Id as in `engines`.")),
-                                  required(plain("dt", step, "Step.")), required(word("value", "As published.")),
-                                  required(word("source", "Where."))}};
+  static const Spec spec{
+      .label = "[[published]]",
+      .keys = {required(word("engine", "Id as in `engines`.")), required(plain("dt", step, "Step.")),
+               required(word("value", "As published.")), required(word("source", "Where."))}};
   return &spec;
 }
 
@@ -293,7 +329,8 @@ const Spec* published_spec() {
 std::string describe(const Range& range, const std::string& unit) {
   const bool low = std::isfinite(range.low), high = std::isfinite(range.high);
   const std::string suffix = unit.empty() ? "" : " " + unit;
-  if (low && high) return fmt::format("in {}{:g}, {:g}]{}", range.open ? '(' : '[', range.low, range.high, suffix);
+  if (low && high)
+    return fmt::format("in {}{:g}, {:g}]{}", range.open ? '(' : '[', range.low, range.high, suffix);
   if (low) return fmt::format("{} {:g}{}", range.open ? ">" : ">=", range.low, suffix);
   if (high) return fmt::format("<= {:g}{}", range.high, suffix);
   return "finite" + suffix;
@@ -302,45 +339,50 @@ std::string describe(const Range& range, const std::string& unit) {
 const Spec& scenario_keys() {
   static const Spec spec{
       .label = "a scenario",
-      .keys = {word("title", "One line for people."), word("story", "Two to four sentences for people."),
-               plain("tags", texts, "For selection."),
-               required(real("duration", "s", "A whole number of steps.", positive)),
-               required(plain("step", step, "Nominal step [s]: a number, or text like \"1/60\".")),
-               arrow("gravity", "m/s^2", "Absent: none."),
-               word("impacts", "How several impacts at one instant resolve.", {"sequential", "simultaneous"}),
-               nested("body", tables, body_spec, "A rigid body."),
-               nested("lattice", tables, lattice_spec, "Equal bodies on a grid: name[0], name[1], …, x fastest."),
-               nested("cloud", tables, cloud_spec, "Equal bodies at random places that do not overlap: name[0], …"),
-               nested("spring", tables, spring_spec, "A spring with damping."),
-               nested("drag", tables, drag_spec, "Resistance of a medium."),
-               nested("thrust", tables, thrust_spec, "A motor, a rocket or accretion."),
-               nested("drive", tables, drive_spec, "A harmonic force."),
-               nested("attraction", tables, attraction_spec, "Gravity between two bodies."),
-               nested("water", tables, water_spec, "A water surface."),
-               nested("joint", tables, joint_spec, "A joint."),
-               nested("plane", tables, plane_spec, "A fixed half-space."),
-               nested("material", tables, material_spec, "What happens where a pair touches."),
-               nested("frame", table, frame_spec, "The frame in which the initial state is given."),
-               nested("claim", tables, claim_spec, "What must hold, and how well.")}};
+      .keys = {
+          word("title", "One line for people."),
+          word("story", "Two to four sentences for people."),
+          plain("tags", texts, "For selection."),
+          required(real("duration", "s", "A whole number of steps.", positive)),
+          required(plain("step", step, "Nominal step [s]: a number, or text like \"1/60\".")),
+          arrow("gravity", "m/s^2", "Absent: none."),
+          word("impacts", "How several impacts at one instant resolve.", {"sequential", "simultaneous"}),
+          nested("body", tables, body_spec, "A rigid body."),
+          nested("lattice", tables, lattice_spec, "Equal bodies on a grid: name[0], name[1], …, x fastest."),
+          nested("cloud", tables, cloud_spec,
+                 "Equal bodies at random places that do not overlap: name[0], …"),
+          nested("spring", tables, spring_spec, "A spring with damping."),
+          nested("drag", tables, drag_spec, "Resistance of a medium."),
+          nested("thrust", tables, thrust_spec, "A motor, a rocket or accretion."),
+          nested("drive", tables, drive_spec, "A harmonic force."),
+          nested("attraction", tables, attraction_spec, "Gravity between two bodies."),
+          nested("water", tables, water_spec, "A water surface."),
+          nested("joint", tables, joint_spec, "A joint."),
+          nested("plane", tables, plane_spec, "A fixed half-space."),
+          nested("material", tables, material_spec, "What happens where a pair touches."),
+          nested("frame", table, frame_spec, "The frame in which the initial state is given."),
+          nested("claim", tables, claim_spec, "What must hold, and how well.")}};
   return spec;
 }
 
 const Spec& expected_keys() {
-  static const Spec spec{.label = "expected.toml",
-                         .keys = {{.name = "versions", .kind = table, .meaning = "Engine glob = list of version globs."},
-                                  nested("row", tables, row_spec, "One expectation; the last row that matches wins.")}};
+  static const Spec spec{
+      .label = "expected.toml",
+      .keys = {{.name = "versions", .kind = table, .meaning = "Engine glob = list of version globs."},
+               nested("row", tables, row_spec, "One expectation; the last row that matches wins.")}};
   return spec;
 }
 
 const Spec& suite_keys() {
   static const Spec spec{
       .label = "a suite",
-      .keys = {word("title", "One line."), word("story", "What the suite reproduces."),
-               word("claim", "Glob over the claim labels that `published` speaks of; absent: all."),
-               required(plain("scenarios", texts, "Globs over scenario names.")),
-               required(plain("engines", texts, "Engine ids, with options: \"ode/erp=0,cfm=0\".")),
-               required(plain("steps", steps, "Numbers, or texts like \"1/60\".")),
-               nested("published", tables, published_spec, "A published value.")}};
+      .keys = {
+          word("title", "One line."), word("story", "What the suite reproduces."),
+          word("claim", "Glob over the claim labels that `published` speaks of; absent: all."),
+          required(plain("scenarios", texts, "Globs over scenario names.")),
+          required(plain("engines", texts, "Engine ids, with options: \"ode/erp=0,cfm=0\".")),
+          plain("steps", steps, "Numbers, or texts like \"1/60\"; absent: each scenario's nominal step."),
+          nested("published", tables, published_spec, "A published value.")}};
   return spec;
 }
 

@@ -42,12 +42,12 @@ struct Spec;
 struct Key {
   std::string name;
   Kind kind = Kind::text;
-  std::string meaning = {};                 ///< For people: the schema's description.
+  std::string meaning = {};  ///< For people: the schema's description.
   std::string unit = {};
   bool required = false;
   Range range = {};
   std::vector<std::string> choices = {};
-  const Spec* (*spec)() = nullptr;          ///< Of a table.
+  const Spec* (*spec)() = nullptr;  ///< Of a table.
 };
 
 /// The keys of one table.  Where `tag` is set, its value selects one of the variants, whose keys come on top.

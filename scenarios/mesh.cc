@@ -29,7 +29,8 @@ core::Mesh parse_obj(const std::string& text) {
   for (const auto& shape : reader.GetShapes()) {
     const auto& indices = shape.mesh.indices;
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
-      mesh.faces.push_back({indices[i].vertex_index, indices[i + 1].vertex_index, indices[i + 2].vertex_index});
+      mesh.faces.push_back(
+          {indices[i].vertex_index, indices[i + 1].vertex_index, indices[i + 2].vertex_index});
   }
   if (mesh.faces.empty()) throw std::invalid_argument("no OBJ: it holds no face");
   return mesh;

@@ -28,7 +28,8 @@ void require_closed(std::size_t vertices, const std::vector<Triangle>& faces) {
     const auto back = edges.find({edge.second, edge.first});
     if (count != 1 || back == edges.end())
       throw std::invalid_argument(
-          fmt::format("the mesh is not closed: edge {}-{} is not shared by two faces of one sense", edge.first, edge.second));
+          fmt::format("the mesh is not closed: edge {}-{} is not shared by two faces of one sense",
+                      edge.first, edge.second));
   }
 }
 
@@ -86,9 +87,10 @@ Solid solid(const std::vector<Vector3>& vertices, const std::vector<Triangle>& f
     second += v / 20 * (s * s.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
   }
   if (!(volume > 0) || !std::isfinite(volume))
-    throw std::invalid_argument(fmt::format("the mesh has the volume {} m^3; its faces must be counter-clockwise "
-                                            "seen from outside",
-                                            volume));
+    throw std::invalid_argument(
+        fmt::format("the mesh has the volume {} m^3; its faces must be counter-clockwise "
+                    "seen from outside",
+                    volume));
   const Vector3 offset = first / volume;
   second -= volume * offset * offset.transpose();
   return {volume, mean + offset, second.trace() * Matrix3::Identity() - second};
@@ -104,7 +106,8 @@ std::vector<Triangle> convex_hull(const std::vector<Vector3>& p) {
     if (i == a || i == b || i == c || i == d) continue;
     const auto sees = [&](const Triangle& t) {
       const Vector3 n = normal(p, t);
-      return n.dot(p[static_cast<std::size_t>(i)] - p[static_cast<std::size_t>(t[0])]) > 1e-12 * size * n.norm();
+      return n.dot(p[static_cast<std::size_t>(i)] - p[static_cast<std::size_t>(t[0])]) >
+             1e-12 * size * n.norm();
     };
     std::set<Edge> rim;
     std::vector<Triangle> kept;

@@ -13,9 +13,9 @@ using Triangle = std::array<std::int32_t, 3>;
 
 /// A solid of density 1.
 struct Solid {
-  double volume = 0;                                ///< [m^3]
-  core::Vector3 centre = core::Vector3::Zero();     ///< [m]
-  core::Matrix3 inertia = core::Matrix3::Zero();    ///< About the centre [m^5].
+  double volume = 0;                              ///< [m^3]
+  core::Vector3 centre = core::Vector3::Zero();   ///< [m]
+  core::Matrix3 inertia = core::Matrix3::Zero();  ///< About the centre [m^5].
 };
 
 /// Integrals over the inside of a closed mesh with outward (counter-clockwise) faces.

@@ -75,7 +75,8 @@ double parse_step(std::string_view text) {
   const auto bottom = slash == std::string_view::npos ? std::optional(1.0) : real(text.substr(slash + 1));
   const double step = top && bottom ? *top / *bottom : std::nan("");
   if (!(step > 0) || !std::isfinite(step))
-    throw core::InputError(fmt::format("'{}' is no step; valid: a number > 0 of seconds, or a fraction like 1/60", text));
+    throw core::InputError(
+        fmt::format("'{}' is no step; valid: a number > 0 of seconds, or a fraction like 1/60", text));
   return step;
 }
 
@@ -154,14 +155,16 @@ void Table::fail(const std::string& message) const { fail("", message); }
 Document::Document(std::string_view text, const std::string& file, const Spec& spec)
     : file_(std::make_unique<std::string>(file)), label_(spec.label), lines_(split_lines(text)) {
   if (text.size() > largest_input)
-    throw core::InputError(fmt::format("{}: {} bytes, but at most {} (16 MB) are read", file, text.size(), largest_input));
+    throw core::InputError(
+        fmt::format("{}: {} bytes, but at most {} (16 MB) are read", file, text.size(), largest_input));
   try {
     table_ = std::make_unique<toml::table>(toml::parse(text, std::string_view(*file_)));
   } catch (const toml::parse_error& error) {
     const toml::source_position where = error.source().begin;
     throw core::InputError(file, where.line, where.column, std::string(error.description()));
   }
-  if (table_->empty()) throw core::InputError(file, 1, 1, fmt::format("the file is empty, but {} is expected", spec.label));
+  if (table_->empty())
+    throw core::InputError(file, 1, 1, fmt::format("the file is empty, but {} is expected", spec.label));
   check(*table_, spec, file);
 }
 

@@ -40,7 +40,7 @@ class Table {
   std::string text(std::string_view key, std::string absent = "") const;
   core::Vector3 vector(std::string_view key, const core::Vector3& absent = core::Vector3::Zero()) const;
   std::vector<double> numbers(std::string_view key) const;
-  std::vector<std::string> texts(std::string_view key) const;         ///< Texts; numbers as they stand in TOML.
+  std::vector<std::string> texts(std::string_view key) const;  ///< Texts; numbers as they stand in TOML.
   std::vector<std::vector<double>> rows(std::string_view key) const;  ///< Of points or triangles.
   std::optional<Table> table(std::string_view key, std::string label = "") const;
   std::vector<Table> tables(std::string_view key, std::string label = "") const;

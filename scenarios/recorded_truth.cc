@@ -30,7 +30,8 @@ struct Reader {
       const auto& text = value.get_ref<const std::string&>();
       const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
       // Beyond double's smallest number from_chars reports a range error; such a decimal is zero here.
-      if (error == std::errc::result_out_of_range) x = text.find("e-") != std::string::npos ? 0.0 : std::nan("");
+      if (error == std::errc::result_out_of_range)
+        x = text.find("e-") != std::string::npos ? 0.0 : std::nan("");
       if (end != text.data() + text.size() || error == std::errc::invalid_argument) x = std::nan("");
     }
     if (!std::isfinite(x)) fail(fmt::format("{} holds {}, which is no finite number", where, value.dump()));
@@ -50,11 +51,12 @@ struct Reader {
   }
 
   // One column of a trajectory, a row of `width` numbers per time; empty where the file has none.
-  std::vector<std::vector<double>> column(const Json& body, const char* key, std::size_t times, std::size_t width,
-                                          const std::string& where) const {
+  std::vector<std::vector<double>> column(const Json& body, const char* key, std::size_t times,
+                                          std::size_t width, const std::string& where) const {
     if (!body.contains(key)) return {};
     const std::string name = where + "." + key;
-    if (!body[key].is_array() || body[key].size() != times) fail(fmt::format("{} must hold {} rows, one per time", name, times));
+    if (!body[key].is_array() || body[key].size() != times)
+      fail(fmt::format("{} must hold {} rows, one per time", name, times));
     std::vector<std::vector<double>> rows;
     for (const Json& row : body[key]) rows.push_back(numbers(row, width, name));
     return rows;
@@ -74,7 +76,8 @@ std::vector<double> read_times(const Reader& reader, const Json& root) {
 }
 
 // Index of the scene's body that an id of the file means.
-std::size_t find_body(const Reader& reader, const core::Scene& scene, const std::string& id, std::size_t ids) {
+std::size_t find_body(const Reader& reader, const core::Scene& scene, const std::string& id,
+                      std::size_t ids) {
   if (scene.bodies.size() == 1 && ids == 1) return 0;
   std::vector<std::string> names;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -84,10 +87,13 @@ std::size_t find_body(const Reader& reader, const core::Scene& scene, const std:
   reader.fail(fmt::format("body '{}' is not in the scene{}", id, core::did_you_mean(id, names)));
 }
 
-void read_body(const Reader& reader, const Json& rows, const std::string& where, std::size_t body, std::vector<core::State>& states) {
+void read_body(const Reader& reader, const Json& rows, const std::string& where, std::size_t body,
+               std::vector<core::State>& states) {
   const std::size_t n = states.size();
-  const auto p = reader.column(rows, "position", n, 3, where), v = reader.column(rows, "velocity", n, 3, where);
-  const auto q = reader.column(rows, "orientation", n, 4, where), w = reader.column(rows, "angular_velocity", n, 3, where);
+  const auto p = reader.column(rows, "position", n, 3, where),
+             v = reader.column(rows, "velocity", n, 3, where);
+  const auto q = reader.column(rows, "orientation", n, 4, where),
+             w = reader.column(rows, "angular_velocity", n, 3, where);
   if (p.empty()) reader.fail(where + " needs 'position'");
   for (std::size_t i = 0; i < n; ++i) {
     core::BodyState& s = states[i][body];
@@ -96,18 +102,20 @@ void read_body(const Reader& reader, const Json& rows, const std::string& where,
     if (!w.empty()) s.angular_velocity = {w[i][0], w[i][1], w[i][2]};
     if (q.empty()) continue;
     s.orientation = {q[i][0], q[i][1], q[i][2], q[i][3]};
-    if (!(std::abs(s.orientation.norm() - 1) < 1e-6)) reader.fail(fmt::format("{}.orientation: row {} is no unit quaternion", where, i));
+    if (!(std::abs(s.orientation.norm() - 1) < 1e-6))
+      reader.fail(fmt::format("{}.orientation: row {} is no unit quaternion", where, i));
     s.orientation.normalize();
   }
 }
 
-// Each component is off by at most `difference` plus double's rounding; a vector has three, a quaternion four, and an
-// orientation's angle is twice its quaternion's distance.
+// Each component is off by at most `difference` plus double's rounding; a vector has three, a quaternion
+// four, and an orientation's angle is twice its quaternion's distance.
 core::StateError error_of(const std::vector<core::State>& states, double difference) {
   core::Vector3 largest = core::Vector3::Zero();  // position, velocity, angular velocity
   for (const core::State& state : states)
     for (const core::BodyState& s : state)
-      largest = largest.cwiseMax(core::Vector3(s.position.norm(), s.velocity.norm(), s.angular_velocity.norm()));
+      largest =
+          largest.cwiseMax(core::Vector3(s.position.norm(), s.velocity.norm(), s.angular_velocity.norm()));
   constexpr double half_ulp = 0x1p-53;
   const auto vector = [&](double size) { return std::sqrt(3.0) * difference + half_ulp * size; };
   return {vector(largest[0]), vector(largest[1]), 2 * (2 * difference + 4 * half_ulp), vector(largest[2]), 0};
@@ -133,14 +141,17 @@ core::Truth parse_truth(std::string_view json, const std::string& file, const co
     if (!id.is_string()) reader.fail("each 'id' must be a string");
     const std::string name = id.get<std::string>();
     const std::size_t body = find_body(reader, scene, name, bodies.size());
-    read_body(reader, reader.member(trajectory, name.c_str(), "trajectory"), "trajectory." + name, body, *states);
+    read_body(reader, reader.member(trajectory, name.c_str(), "trajectory"), "trajectory." + name, body,
+              *states);
     known[body] = true;
   }
   for (std::size_t i = 0; i < known.size(); ++i)
-    if (!known[i] && !scene.bodies[i].locked) reader.fail(fmt::format("has no trajectory of body '{}'", scene.bodies[i].name));
+    if (!known[i] && !scene.bodies[i].locked)
+      reader.fail(fmt::format("has no trajectory of body '{}'", scene.bodies[i].name));
 
   double difference = 0;
-  if (root.contains("agreement") && root["agreement"].is_object() && root["agreement"].contains("max_abs_diff"))
+  if (root.contains("agreement") && root["agreement"].is_object() &&
+      root["agreement"].contains("max_abs_diff"))
     difference = std::abs(reader.number(root["agreement"]["max_abs_diff"], "agreement.max_abs_diff"));
 
   core::Truth truth;

@@ -12,13 +12,13 @@ namespace cylon::scenarios {
 /// Reads truth/1: UTF-8 JSON; numbers of physics as decimal strings (or JSON numbers).
 ///
 ///     "t": [t_0, …]            [s], ascending from >= 0
-///     "bodies": [{"id": …}]    ids are names of bodies in the scene; one body in both needs no agreement of names
-///     "trajectory": {id: {"position": [[x, y, z], …], "velocity": …, "orientation": [[w, x, y, z], …],
+///     "bodies": [{"id": …}]    ids are names of bodies in the scene; one body in both needs no agreement of
+///     names "trajectory": {id: {"position": [[x, y, z], …], "velocity": …, "orientation": [[w, x, y, z], …],
 ///                         "angular_velocity": …}}     world axes; the last two only where the body turns
 ///     "agreement": {"max_abs_diff": …}     optional bound on every component, on top of double's rounding
 ///
-/// The truth is known at the times of the file alone, and state(t) throws std::invalid_argument at others.  Bodies that
-/// the file leaves out must be locked.  Throws core::InputError, led by `file`.
+/// The truth is known at the times of the file alone, and state(t) throws std::invalid_argument at others.
+/// Bodies that the file leaves out must be locked.  Throws core::InputError, led by `file`.
 core::Truth parse_truth(std::string_view json, const std::string& file, const core::Scene&);
 
 }  // namespace cylon::scenarios

@@ -44,7 +44,8 @@ Scenario parse(std::string_view text, const std::string& file_name) {
   Draft draft;
   draft.folder = path.parent_path();
   draft.fingerprint.add(text);
-  draft.scene.impacts = root.text("impacts") == "simultaneous" ? core::Impacts::simultaneous : core::Impacts::sequential;
+  draft.scene.impacts =
+      root.text("impacts") == "simultaneous" ? core::Impacts::simultaneous : core::Impacts::sequential;
   if (const auto frame = root.table("frame"))
     draft.scene.frame = core::Frame{frame->vector("velocity"), frame->vector("angular_velocity")};
   read_planes(root, draft);  // before the bodies: clouds keep clear of them

@@ -13,20 +13,21 @@
 namespace cylon::scenarios {
 
 struct Scenario {
-  std::string name;                 ///< The file's name without its ending.
-  std::string file;                 ///< As given.
+  std::string name;  ///< The file's name without its ending.
+  std::string file;  ///< As given.
   std::string title, story;
   std::vector<std::string> tags;
-  double duration = 0;              ///< [s]
-  double step = 0;                  ///< Nominal [s].
-  std::string step_text;            ///< As written: "1/60" or "0.001".
+  double duration = 0;    ///< [s]
+  double step = 0;        ///< Nominal [s].
+  std::string step_text;  ///< As written: "1/60" or "0.001".
   core::Scene scene;
   std::vector<core::Claim> claims;
-  std::string hash;                 ///< FNV-1a 64 of the file and of every file that it names, as 16 hex digits.
+  std::string hash;  ///< FNV-1a 64 of the file and of every file that it names, as 16 hex digits.
 };
 
-/// Reads a scenario file.  Throws core::InputError "file:line:column: …" for all that cannot be: a file that is missing,
-/// a folder, empty or over 16 MB; bad TOML; unknown keys, with the nearest valid one; impossible values, with the valid range.
+/// Reads a scenario file.  Throws core::InputError "file:line:column: …" for all that cannot be: a file that
+/// is missing, a folder, empty or over 16 MB; bad TOML; unknown keys, with the nearest valid one; impossible
+/// values, with the valid range.
 Scenario load(const std::filesystem::path&);
 
 /// The same from text; files that it names are looked for beside `file_name`.

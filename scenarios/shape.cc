@@ -34,7 +34,8 @@ core::Mesh mesh(const Table& table, Draft& draft) {
     for (const auto& row : table.rows("faces")) {
       for (const double i : row)
         if (!(i >= 0 && i < static_cast<double>(result.vertices.size())))
-          table.fail("faces", fmt::format("faces: index {} is outside 0 … {}", i, result.vertices.size() - 1));
+          table.fail("faces",
+                     fmt::format("faces: index {} is outside 0 … {}", i, result.vertices.size() - 1));
       result.faces.push_back({static_cast<std::int32_t>(row[0]), static_cast<std::int32_t>(row[1]),
                               static_cast<std::int32_t>(row[2])});
     }
@@ -52,9 +53,18 @@ core::Primitive primitive(const Table& t, Draft& draft) {
   static const std::map<std::string, Make> rows = {
       {"sphere", [=](const Table& s, Draft&) { return core::Sphere{radius(s)}; }},
       {"box", [=](const Table& s, Draft&) { return core::Box{s.vector("half_extents")}; }},
-      {"capsule", [=](const Table& s, Draft&) { return core::Capsule{radius(s), length(s)}; }},
-      {"cylinder", [=](const Table& s, Draft&) { return core::Cylinder{radius(s), length(s)}; }},
-      {"cone", [=](const Table& s, Draft&) { return core::Cone{radius(s), length(s)}; }},
+      {"capsule",
+       [=](const Table& s, Draft&) {
+         return core::Capsule{radius(s), length(s)};
+       }},
+      {"cylinder",
+       [=](const Table& s, Draft&) {
+         return core::Cylinder{radius(s), length(s)};
+       }},
+      {"cone",
+       [=](const Table& s, Draft&) {
+         return core::Cone{radius(s), length(s)};
+       }},
       {"rod", [=](const Table& s, Draft&) { return core::Rod{length(s)}; }},
       {"disc", [=](const Table& s, Draft&) { return core::Disc{radius(s)}; }},
       {"hull", [=](const Table& s, Draft&) { return core::Hull{points(s)}; }},
@@ -82,7 +92,8 @@ core::Quaternion read_orientation(const Table& table, std::string_view key) {
   const core::Quaternion q(v[0], v[1], v[2], v[3]);
   if (std::abs(q.norm() - 1) <= 1e-9) return q.normalized();
   if (!(q.norm() > 0) || !std::isfinite(q.norm()))
-    table.fail(key, fmt::format("{} has the norm {}, but must be a unit quaternion (w, x, y, z)", key, q.norm()));
+    table.fail(key,
+               fmt::format("{} has the norm {}, but must be a unit quaternion (w, x, y, z)", key, q.norm()));
   const core::Quaternion u(q.coeffs() / q.norm());
   table.fail(key, fmt::format("{} has the norm {}, but must be a unit quaternion (w, x, y, z) within 1e-9; "
                               "normalised: [{}, {}, {}, {}]",
