@@ -1,0 +1,50 @@
+// How an engine is asked for by name.
+#include "harness/core/input_error.h"
+#include "harness/process/engines.h"
+
+#include <gtest/gtest.h>
+
+namespace cylon::process {
+namespace {
+
+const std::vector<EngineRow> rows = default_engines("/opt/cylon");
+
+std::string complaint(std::string_view text) {
+  try {
+    parse_engine(text, rows);
+  } catch (const core::InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Engines, AnIdIsAWorkerAndAPath) {
+  const EngineChoice choice = parse_engine("bullet-multibody-float", rows);
+  EXPECT_EQ(choice.row.command, std::vector<std::string>{"/opt/cylon/cylon-worker-bullet-f32"});
+  EXPECT_EQ(choice.path, "multibody");
+  EXPECT_TRUE(choice.options.empty());
+}
+
+TEST(Engines, AVariantSetsOptionsPathAndIntegrator) {
+  const EngineChoice choice = parse_engine("bullet/gyro=none,erp=0,path=multibody,integrator=x=y", rows);
+  EXPECT_EQ(choice.id, "bullet/gyro=none,erp=0,path=multibody,integrator=x=y");
+  EXPECT_EQ(choice.row.id, "bullet");
+  EXPECT_EQ(choice.path, "multibody");
+  EXPECT_EQ(choice.integrator, "x=y");
+  EXPECT_EQ(choice.options, (std::map<std::string, std::string>{{"erp", "0"}, {"gyro", "none"}}));
+  EXPECT_EQ(parse_engine("ode/path=quick", rows).path, "quick");
+  EXPECT_EQ(parse_engine("ode", rows).path, "step");
+}
+
+TEST(Engines, MistakesAreNamed) {
+  EXPECT_NE(complaint("bulet").find("unknown engine 'bulet', did you mean 'bullet'?"), std::string::npos);
+  EXPECT_NE(complaint("").find("unknown engine ''"), std::string::npos);
+  EXPECT_EQ(complaint("ode/gyro"), "engine 'ode/gyro': expected key=value, got 'gyro'");
+  EXPECT_EQ(complaint("ode/"), "engine 'ode/': expected key=value, got ''");
+  EXPECT_EQ(complaint("ode/=1"), "engine 'ode/=1': expected key=value, got '=1'");
+  EXPECT_EQ(complaint("ode/a=1,"), "engine 'ode/a=1,': expected key=value, got ''");
+  EXPECT_EQ(complaint("ode/a=1,a=2"), "engine 'ode/a=1,a=2': 'a' is given twice");
+}
+
+}  // namespace
+}  // namespace cylon::process

@@ -1,0 +1,152 @@
+#!/usr/bin/env python3
+"""An engine that misbehaves in the one way named by its first argument; bodies move uniformly.
+Every other part of the conversation is as docs/protocol.md says."""
+import json
+import os
+import signal
+import struct
+import sys
+import time
+
+MODE = sys.argv[1]
+out = sys.stdout.buffer
+
+
+def say(message):
+    out.write(json.dumps(message).encode() + b"\n")
+    out.flush()
+
+
+def send(step, states, stride=1, magic=b"CYLF", count=None, cut=None):
+    payload = b"".join(states)
+    frame = struct.pack("<4sIQQQ", magic, count or len(states), step, stride, len(payload)) + payload
+    out.write(frame[:cut])
+    out.flush()
+
+
+def state(bodies, t, junk=False):
+    rows = []
+    for b in bodies:
+        x = [p + v * t for p, v in zip(b["position"], b["velocity"])]
+        if junk:
+            x = [float("nan"), float("inf"), x[2]]
+        rows.append(struct.pack("<13d", *x, *b["orientation"], *b["velocity"], *b["angular_velocity"]))
+    return b"".join(rows)
+
+
+def forever():
+    while True:
+        pass
+
+
+def misbehave(at):
+    """What happens at one point of the conversation: hello, load, run."""
+    if MODE == f"abort_in_{at}":
+        print("Assertion 'mass > 0' failed", file=sys.stderr, flush=True)
+        os.abort()
+    if MODE == f"exit_0_in_{at}":
+        os._exit(0)
+    if MODE == f"exit_7_in_{at}":
+        os._exit(7)
+    if MODE == f"loop_in_{at}":
+        forever()
+    if MODE == f"ignore_terminate_in_{at}":
+        signal.signal(signal.SIGTERM, signal.SIG_IGN)
+        forever()
+    if MODE == f"garbage_in_{at}":
+        print("Warning: friction too high", flush=True)
+        forever()
+    if MODE == f"not_json_in_{at}":
+        print("{'ok': 'hello'}", flush=True)
+        forever()
+    if MODE == f"close_stdout_in_{at}":
+        os.close(1)
+        forever()
+    if MODE == f"huge_line_in_{at}":
+        out.write(b"{" + b" " * (40 << 20))
+        out.flush()
+        forever()
+    if MODE == f"memory_in_{at}":
+        hog = []
+        while True:
+            hog.append(bytearray(os.urandom(1)) * (1 << 20))
+    if MODE == f"chatter_in_{at}":
+        sys.stderr.write("solver complains\n" * 60000 + "last complaint\n")
+        sys.stderr.flush()
+    if MODE == f"orphan_in_{at}":
+        if os.fork() == 0:
+            forever()
+        os._exit(3)
+    if MODE == f"slow_{at}":
+        time.sleep(30)
+
+
+def run(bodies, dt, request):
+    steps, every, at = request["steps"], request["every"], set(request["at"])
+    frames = 0
+    for step in range(1, steps + 1):
+        if step == steps // 2:
+            misbehave("run")
+        if not (step % every == 0 or step == steps or step in at):
+            continue
+        now = [state(bodies, step * dt, MODE == "nan" and step > steps // 2)]
+        frames += 1
+        if step <= steps // 2:
+            send(step, now)
+        elif MODE == "bad_magic":
+            send(step, now, magic=b"CYLG")
+        elif MODE == "wrong_bodies":
+            send(step, [now[0] + now[0][:104]])
+        elif MODE == "wrong_count":
+            send(step, now, count=1000)
+        elif MODE == "torn_frame":
+            send(step, now, cut=40)
+            os._exit(0)
+        elif MODE == "garbage_in_frame":
+            send(step, now, cut=40)
+            say({"event": {}})
+            send(step, now)
+        elif MODE == "backward":
+            send(step - 2, now)
+        elif MODE == "unwatched_event":
+            send(step, now)
+            say({"event": {"kind": "bounce", "body": 0, "other": -1, "plane": 5, "index": 1, "time": 0.5,
+                           "speed": 1, "height": 0}})
+        elif MODE == "error_in_run":
+            say({"error": "Jacobian is singular"})
+        else:
+            send(step, now)
+    done = {"ok": "run", "steps": steps, "frames": frames, "step_ns": 1000 * steps}
+    if MODE == "miscounts":
+        done["frames"] += 1
+    if MODE == "misspells":
+        done["setp_ns"] = done.pop("step_ns")
+    say(done)
+
+
+bodies, dt = [], 0
+for text in sys.stdin:
+    request = json.loads(text)
+    cmd = request["cmd"]
+    if cmd == "hello":
+        misbehave("hello")
+        say({"ok": "hello", "protocol": 2 if MODE == "protocol_2" else 1, "engine": "scripted", "version": MODE,
+             "precision": "double", "events": False})
+    elif cmd == "load":
+        misbehave("load")
+        bodies, dt = request["scene"]["body"], request["dt"]
+        if MODE == "unsupported":
+            say({"unsupported": "no bodies at all"})
+        elif request["options"]:
+            say({"error": f"unknown option '{list(request['options'])[0]}'"})
+        else:
+            say({"ok": "load", "integrator": "uniform", "order": 1})
+            send(0, [state(bodies, 1e-9 if MODE == "wrong_start" else 0)])
+    elif cmd == "run":
+        run(bodies, dt, request)
+    elif cmd == "quit":
+        if MODE == "crash_at_quit":
+            os.kill(os.getpid(), signal.SIGSEGV)
+        if MODE == "stay_at_quit":
+            forever()
+        break
