@@ -160,8 +160,8 @@ core::Engine describe() {
   path.name = "default";
   path.summary = "Joints and resting contacts at acceleration level, impacts located inside the step.";
   path.unforceable = {"After each step the state is projected onto its joints and resting contacts.",
-                      "A bounce that would return within a millionth of a step, or after a thousand in one "
-                      "step, comes to rest.",
+                      "A bounce that would return within a millionth of a step, or comes after a thousand in "
+                      "one step, ends in rest.",
                       "A thin body does not turn about an axis without inertia."};
   engine.paths = {path};
   engine.default_path_rule = "There is one path.";
