@@ -1,0 +1,234 @@
+#include "reports/json.h"
+
+#include "harness/core/input_error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace cylon::reports {
+namespace {
+
+using core::Verdict;
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+std::string text(const Json& json) {
+  return json.dump(-1, ' ', /*ensure_ascii=*/true, Json::error_handler_t::replace);
+}
+
+Json to_object(const Provenance& p) {
+  return {{"cylon", p.cylon}, {"revision", p.revision},        {"compiler", p.compiler},
+          {"flags", p.flags}, {"machine", p.machine},          {"os", p.os},
+          {"date", p.date},   {"command_line", p.command_line}};
+}
+
+// A member of a row that must exist, read as T; the row and the key stand in every error.
+struct Row {
+  const Json& json;
+  std::string place;
+
+  [[noreturn]] void refuse(const char* key, const std::string& why) const {
+    throw core::InputError(fmt::format("{}: \"{}\": {}", place, key, why));
+  }
+
+  const Json& at(const char* key) const {
+    const auto found = json.find(key);
+    if (found == json.end()) refuse(key, "is missing");
+    return *found;
+  }
+
+  std::string string(const char* key) const {
+    const Json& value = at(key);
+    if (!value.is_string()) refuse(key, fmt::format("must be a string, not {}", value.type_name()));
+    return value.get<std::string>();
+  }
+
+  double real(const char* key) const {
+    const Json& value = at(key);
+    if (value.is_null()) return std::numeric_limits<double>::quiet_NaN();
+    if (!value.is_number()) refuse(key, fmt::format("must be a number or null, not {}", value.type_name()));
+    return value.get<double>();
+  }
+
+  std::int64_t integer(const char* key) const {
+    const Json& value = at(key);
+    const bool fits = value.is_number_integer() &&
+                      (!value.is_number_unsigned() || value.get<std::uint64_t>() <= std::uint64_t{INT64_MAX});
+    if (!fits) refuse(key, "must be a whole number of 64 bits");
+    return value.get<std::int64_t>();
+  }
+
+  bool boolean(const char* key) const {
+    const Json& value = at(key);
+    if (!value.is_boolean()) refuse(key, fmt::format("must be true or false, not {}", value.type_name()));
+    return value.get<bool>();
+  }
+
+  core::Status status(const char* key) const {
+    const std::string word = string(key);
+    const auto status = core::status_from(word);
+    if (!status) refuse(key, fmt::format("'{}' is no status", word));
+    return *status;
+  }
+
+  std::vector<std::string> strings(const char* key) const {
+    const Json& value = at(key);
+    if (!value.is_array()) refuse(key, fmt::format("must be an array, not {}", value.type_name()));
+    std::vector<std::string> list;
+    for (const Json& item : value) {
+      if (!item.is_string()) refuse(key, "must hold strings only");
+      list.push_back(item.get<std::string>());
+    }
+    return list;
+  }
+
+  std::vector<std::pair<std::string, std::string>> pairs(const char* key) const {
+    const Json& value = at(key);
+    if (!value.is_object()) refuse(key, fmt::format("must be an object, not {}", value.type_name()));
+    std::vector<std::pair<std::string, std::string>> list;
+    for (const auto& [name, setting] : value.items()) {
+      if (!setting.is_string()) refuse(key, "must hold strings only");
+      list.emplace_back(name, setting.get<std::string>());
+    }
+    return list;
+  }
+};
+
+Verdict from_row(const Json& json, const std::string& place) {
+  if (!json.is_object()) throw core::InputError(place + ": a verdict must be an object");
+  const Row row{json, place};
+  Verdict v;
+  v.scenario = row.string("scenario");
+  v.scenario_hash = row.string("scenario_hash");
+  v.engine = row.string("engine");
+  v.version = row.string("version");
+  v.version_listed = row.boolean("version_listed");
+  v.precision = row.string("precision");
+  v.path = row.string("path");
+  v.gyroscopic = row.string("gyroscopic");
+  v.settings = row.pairs("settings");
+  v.unforceable = row.strings("unforceable");
+  v.integrator = row.string("integrator");
+  v.dt = row.real("dt");
+  v.dt_text = row.string("dt_text");
+  v.sampling = row.string("sampling");
+  v.claim = row.string("claim");
+  v.observable = row.string("observable");
+  v.measured = row.real("measured");
+  if (!row.at("first_bad_step").is_null()) v.first_bad_step = row.integer("first_bad_step");
+  v.allowed = row.real("allowed");
+  v.unit = row.string("unit");
+  v.truth_error = row.real("truth_error");
+  v.status = row.status("status");
+  v.expected = row.status("expected");
+  v.expected_reason = row.string("expected_reason");
+  v.tolerance_reason = row.string("reason");
+  v.detail = row.string("detail");
+  v.complaints = row.string("stderr");
+  v.reproduce = row.string("reproduce");
+  v.cpu_seconds = row.real("cpu_seconds");
+  v.body_steps = row.integer("body_steps");
+  return v;
+}
+
+// nlohmann says "[json.exception.parse_error.101] parse error at line 2, column 3: …"; the place goes in
+// front.
+Json parse(std::string_view document, const std::string& file, unsigned first_line) {
+  try {
+    return Json::parse(document);
+  } catch (const Json::parse_error& error) {
+    const std::size_t at = std::min(error.byte == 0 ? 0 : error.byte - 1, document.size());
+    const std::string_view before = document.substr(0, at);
+    const auto lines = static_cast<unsigned>(std::count(before.begin(), before.end(), '\n'));
+    const std::size_t line_start = lines == 0 ? 0 : before.rfind('\n') + 1;
+    throw core::InputError(file, first_line + lines, static_cast<unsigned>(at - line_start + 1),
+                           "this is not JSON");
+  } catch (const Json::exception& error) {  // a number beyond the range of a double
+    throw core::InputError(file, first_line, 1, error.what());
+  }
+}
+
+}  // namespace
+
+Json row(const Verdict& v) {
+  Json settings = Json::object();
+  for (const auto& [name, value] : v.settings) settings[name] = value;
+  return {{"scenario", v.scenario},
+          {"scenario_hash", v.scenario_hash},
+          {"engine", v.engine},
+          {"version", v.version},
+          {"version_listed", v.version_listed},
+          {"precision", v.precision},
+          {"path", v.path},
+          {"gyroscopic", v.gyroscopic},
+          {"settings", std::move(settings)},
+          {"unforceable", Json(v.unforceable)},
+          {"integrator", v.integrator},
+          {"dt", number(v.dt)},
+          {"dt_text", v.dt_text},
+          {"sampling", v.sampling},
+          {"claim", v.claim},
+          {"observable", v.observable},
+          {"measured", number(v.measured)},
+          {"first_bad_step", v.first_bad_step ? Json(*v.first_bad_step) : Json(nullptr)},
+          {"allowed", number(v.allowed)},
+          {"unit", v.unit},
+          {"truth_error", number(v.truth_error)},
+          {"status", core::name(v.status)},
+          {"expected", core::name(v.expected)},
+          {"expected_reason", v.expected_reason},
+          {"reason", v.tolerance_reason},
+          {"detail", v.detail},
+          {"stderr", v.complaints},
+          {"reproduce", v.reproduce},
+          {"cpu_seconds", number(v.cpu_seconds)},
+          {"body_steps", v.body_steps}};
+}
+
+std::string to_json(const std::vector<Verdict>& verdicts, const Provenance& provenance) {
+  std::string out = fmt::format("{{\"schema\": {},\n\"provenance\": {},\n\"verdicts\": [", schema,
+                                text(to_object(provenance)));
+  for (std::size_t i = 0; i < verdicts.size(); ++i)
+    (out += i == 0 ? "\n" : ",\n") += to_json_line(verdicts[i]);
+  return out + (verdicts.empty() ? "]}\n" : "\n]}\n");
+}
+
+std::vector<Verdict> read_json(std::string_view document, const std::string& file) {
+  const Json json = parse(document, file, 1);
+  if (!json.is_object() || !json.contains("schema") || !json.contains("verdicts"))
+    throw core::InputError(file, 0, 0, "not a report: it needs \"schema\" and \"verdicts\"");
+  if (json["schema"] != schema)
+    throw core::InputError(
+        file, 0, 0, fmt::format("schema {}, but this program reads schema {}", text(json["schema"]), schema));
+  if (!json["verdicts"].is_array()) throw core::InputError(file, 0, 0, "\"verdicts\" must be an array");
+
+  std::vector<Verdict> verdicts;
+  verdicts.reserve(json["verdicts"].size());
+  for (const Json& item : json["verdicts"])
+    verdicts.push_back(from_row(item, fmt::format("{}: verdict {}", file, verdicts.size() + 1)));
+  return verdicts;
+}
+
+std::string to_json_line(const Verdict& verdict) { return text(row(verdict)); }
+
+Verdict from_json_line(std::string_view line, const std::string& file, unsigned line_number) {
+  return from_row(parse(line, file, line_number), fmt::format("{}:{}", file, line_number));
+}
+
+std::vector<Verdict> read_journal(std::string_view journal, const std::string& file) {
+  std::vector<Verdict> verdicts;
+  unsigned line_number = 1;
+  for (std::size_t end; (end = journal.find('\n')) != std::string_view::npos; ++line_number) {
+    verdicts.push_back(from_json_line(journal.substr(0, end), file, line_number));
+    journal.remove_prefix(end + 1);
+  }
+  return verdicts;
+}
+
+}  // namespace cylon::reports

@@ -1,0 +1,132 @@
+#include "reports/junit.h"
+
+#include "reports/sentence.h"
+#include "reports/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace cylon::reports {
+namespace {
+
+using core::Status;
+using core::Verdict;
+
+// XML 1.0, section 2.2, production Char; and nothing that a terminal would obey.
+bool allowed_in_xml(char32_t code) {
+  return code == '\t' || code == '\n' || code == '\r' || is_printable(code);
+}
+
+std::string xml(std::string_view text) {
+  std::string out;
+  for (const char c : escaped(text, allowed_in_xml)) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\t':
+        out += "&#9;";
+        break;  // else an attribute would turn them into spaces
+      case '\n':
+        out += "&#10;";
+        break;
+      case '\r':
+        out += "&#13;";
+        break;
+      default:
+        out += c;
+    }
+  }
+  return out;
+}
+
+enum class Outcome { passed, noted, skipped, failed, broken };
+
+Outcome outcome(const Verdict& v) {
+  if (v.as_expected())
+    return v.status == Status::pass          ? Outcome::passed
+           : v.status == Status::unsupported ? Outcome::skipped
+                                             : Outcome::noted;
+  const bool harness =
+      v.status == Status::crash || v.status == Status::timeout || v.status == Status::protocol;
+  return harness ? Outcome::broken : Outcome::failed;
+}
+
+std::string element(const Verdict& v) {
+  const std::string reason = xml(sentence(v));
+  const std::string with_command = v.reproduce.empty() ? reason : reason + "\n" + xml(v.reproduce);
+  const auto bad = [&](const char* tag) {
+    return fmt::format("<{0} type=\"{1}\" message=\"{2}\">{3}</{0}>", tag, core::name(v.status), reason,
+                       with_command);
+  };
+  switch (outcome(v)) {
+    case Outcome::passed:
+      return "";
+    case Outcome::noted:
+      return fmt::format("<system-out>{}</system-out>", reason);
+    case Outcome::skipped:
+      return fmt::format("<skipped message=\"{0}\">{0}</skipped>", reason);
+    case Outcome::failed:
+      return bad("failure");
+    case Outcome::broken:
+      return bad("error");
+  }
+  return "";
+}
+
+std::string testcase(const Verdict& v) {
+  const std::string scheme = v.integrator.empty() ? "" : ", " + v.integrator;
+  const std::string errors =
+      v.complaints.empty() ? "" : fmt::format("<system-err>{}</system-err>", xml(v.complaints));
+  return fmt::format(
+      "    <testcase classname=\"{}.{}\" name=\"{} [dt {}{}]\" time=\"{:.6f}\">{}{}</testcase>\n",
+      xml(v.scenario), xml(v.engine), xml(v.claim), xml(v.dt_text), xml(scheme),
+      std::isfinite(v.cpu_seconds) ? v.cpu_seconds : 0, element(v), errors);
+}
+
+using Rows = std::vector<const Verdict*>;
+
+std::string counts(const Rows& rows) {
+  const auto count = [&](Outcome wanted) {
+    return std::count_if(rows.begin(), rows.end(), [&](const Verdict* v) { return outcome(*v) == wanted; });
+  };
+  return fmt::format("tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\"", rows.size(),
+                     count(Outcome::failed), count(Outcome::broken), count(Outcome::skipped));
+}
+
+}  // namespace
+
+std::string to_junit(const std::vector<Verdict>& verdicts) {
+  Rows all;
+  std::vector<std::pair<std::string, Rows>> suites;  // in order of first appearance
+  std::map<std::string, std::size_t> index;
+  for (const Verdict& v : verdicts) {
+    const auto [at, fresh] = index.try_emplace(v.scenario, suites.size());
+    if (fresh) suites.emplace_back(v.scenario, Rows{});
+    suites[at->second].second.push_back(&v);
+    all.push_back(&v);
+  }
+
+  std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+  out += fmt::format("<testsuites name=\"cylon\" {}>\n", counts(all));
+  for (const auto& [scenario, rows] : suites) {
+    out += fmt::format("  <testsuite name=\"{}\" {}>\n", xml(scenario), counts(rows));
+    for (const Verdict* v : rows) out += testcase(*v);
+    out += "  </testsuite>\n";
+  }
+  return out + "</testsuites>\n";
+}
+
+}  // namespace cylon::reports

@@ -1,0 +1,179 @@
+#include "reports/matrix.h"
+
+#include "reports/sentence.h"
+#include "reports/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace cylon::reports {
+namespace {
+
+using core::Status;
+using core::Verdict;
+
+struct Meaning {
+  Status status;
+  std::string_view words;
+};
+
+// From best to worst.
+constexpr std::array meanings = {
+    Meaning{Status::pass, "within tolerance"},
+    Meaning{Status::unsupported, "the engine cannot express the scene"},
+    Meaning{Status::low_quality, "within ten times the tolerance"},
+    Meaning{Status::fail, "beyond that"},
+    Meaning{Status::non_finite, "NaN or infinite"},
+    Meaning{Status::timeout, "no end before the deadline"},
+    Meaning{Status::crash, "the worker died"},
+    Meaning{Status::protocol, "the worker sent garbage"},
+};
+
+std::size_t severity(Status status) {
+  const auto is = [&](const Meaning& m) { return m.status == status; };
+  return static_cast<std::size_t>(std::find_if(meanings.begin(), meanings.end(), is) - meanings.begin());
+}
+
+// Labels in order of first appearance; the second word only where a first word has several.
+class Labels {
+ public:
+  void add(const std::string& first, const std::string& second) {
+    if (seen_.emplace(first, second).second) order_.emplace_back(first, second), ++count_[first];
+  }
+
+  std::size_t size() const { return order_.size(); }
+
+  std::vector<std::string> text() const {
+    std::vector<std::string> labels;
+    for (const auto& [first, second] : order_)
+      labels.push_back(count_.at(first) > 1 ? fmt::format("{} {}", first, second) : first);
+    return labels;
+  }
+
+  std::map<std::pair<std::string, std::string>, std::size_t> index() const {
+    std::map<std::pair<std::string, std::string>, std::size_t> index;
+    for (std::size_t i = 0; i < order_.size(); ++i) index[order_[i]] = i;
+    return index;
+  }
+
+ private:
+  std::vector<std::pair<std::string, std::string>> order_;
+  std::set<std::pair<std::string, std::string>> seen_;
+  std::map<std::string, int> count_;
+};
+
+void join(Cell& cell, const Verdict& v) {
+  if (cell.empty || severity(v.status) > severity(cell.worst)) cell.worst = v.status;
+  if (is_measured(v.status)) cell.digits = std::min(cell.digits, core::digits(v.measured, v.allowed));
+  cell.differs |= !v.as_expected();
+  cell.empty = false;
+}
+
+std::string text(const Cell& cell, const Terminal& terminal) {
+  if (cell.empty) return "";
+  std::string text(glyph(cell.worst, terminal));
+  if (is_measured(cell.worst)) text += fmt::format(" {:+.1f}", cell.digits);
+  return cell.differs ? text + " !" : text;
+}
+
+std::vector<std::string> all_shown(const std::vector<std::string>& texts, const Terminal& terminal) {
+  std::vector<std::string> out;
+  for (const std::string& text : texts) out.push_back(shown(text, terminal));
+  return out;
+}
+
+int widest(const std::vector<std::string>& texts) {
+  int width = 0;
+  for (const std::string& text : texts) width = std::max(width, display_width(text));
+  return width;
+}
+
+void end_line(std::string& out) {
+  out.erase(out.find_last_not_of(' ') + 1);
+  out += '\n';
+}
+
+}  // namespace
+
+Matrix fold(const std::vector<Verdict>& verdicts) {
+  Labels scenarios, engines;
+  for (const Verdict& v : verdicts) {
+    scenarios.add(v.scenario, v.dt_text);
+    engines.add(v.engine, v.integrator);
+  }
+  Matrix matrix{scenarios.text(), engines.text(), {}};
+  matrix.cells.assign(scenarios.size(), std::vector<Cell>(engines.size()));
+  const auto row = scenarios.index(), column = engines.index();
+  for (const Verdict& v : verdicts)
+    join(matrix.cells[row.at({v.scenario, v.dt_text})][column.at({v.engine, v.integrator})], v);
+  return matrix;
+}
+
+std::string draw(const Matrix& matrix, const Terminal& terminal) {
+  constexpr int gap = 2;
+  const int total = std::max(40, terminal.width);
+  const std::string_view ellipsis = terminal.utf8 ? "…" : "..";
+  const std::vector<std::string> rows = all_shown(matrix.scenarios, terminal);
+  const std::vector<std::string> heads = all_shown(matrix.engines, terminal);
+
+  // Widths: the labels at most two fifths of the line, an engine at most what is left.
+  const int label = std::min(widest(rows), total * 2 / 5);
+  std::vector<int> widths;
+  for (std::size_t j = 0; j < heads.size(); ++j) {
+    int width = display_width(heads[j]);
+    for (const auto& row : matrix.cells) width = std::max(width, display_width(text(row[j], terminal)));
+    widths.push_back(std::min(width, total - label - gap));
+  }
+
+  std::string out;
+  for (std::size_t begin = 0, end; begin < heads.size(); begin = end) {
+    int used = label;
+    for (end = begin; end < heads.size() && (end == begin || used + gap + widths[end] <= total); ++end)
+      used += gap + widths[end];
+
+    if (begin > 0) out += '\n';
+    out += fitted("", label, ellipsis);
+    for (std::size_t j = begin; j < end; ++j)
+      out += std::string(gap, ' ') + fitted(heads[j], widths[j], ellipsis);
+    end_line(out);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      out += fitted(rows[i], label, ellipsis);
+      for (std::size_t j = begin; j < end; ++j) {
+        const Cell& cell = matrix.cells[i][j];
+        const std::string content = fitted(text(cell, terminal), widths[j], ellipsis);
+        out += std::string(gap, ' ') + (cell.empty ? content : painted(content, cell.worst, terminal));
+      }
+      end_line(out);
+    }
+  }
+  return out;
+}
+
+std::string legend(const Matrix& matrix, const Terminal& terminal) {
+  std::set<Status> present;
+  bool differs = false, measured = false;
+  for (const auto& row : matrix.cells) {
+    for (const Cell& cell : row) {
+      if (cell.empty) continue;
+      present.insert(cell.worst);
+      differs |= cell.differs;
+      measured |= is_measured(cell.worst);
+    }
+  }
+  std::string out;
+  const auto add = [&](std::string_view sign, std::string_view words) {
+    out += fmt::format("{}{} {}", out.empty() ? "" : "; ", sign, words);
+  };
+  for (const auto& [status, words] : meanings)
+    if (present.count(status)) add(glyph(status, terminal), words);
+  if (measured) add("+1.0:", "digits won (+) or lost (-) by the worst claim, log10(allowed / measured)");
+  if (differs) add("!", "not as expected.toml says");
+  return out.empty() ? "" : out + "\n";
+}
+
+}  // namespace cylon::reports

@@ -1,0 +1,36 @@
+// Scenario x engine: the rows folded into one cell each.
+#pragma once
+
+#include "harness/core/verdict.h"
+#include "reports/terminal.h"
+
+#include <string>
+#include <vector>
+
+namespace cylon::reports {
+
+/// All claims of one scenario at one step by one engine and scheme.
+struct Cell {
+  /// By pass < unsupported < low-quality < fail < non-finite < timeout < crash < protocol.
+  core::Status worst = core::Status::pass;
+  double digits = 99;    ///< Least over the measured claims.
+  bool differs = false;  ///< Some claim is not as expected.
+  bool empty = true;
+};
+
+/// A row per scenario (and step, where a scenario was run at several), a column per engine (and integrator,
+/// where an engine ran several), both in order of first appearance.
+struct Matrix {
+  std::vector<std::string> scenarios, engines;
+  std::vector<std::vector<Cell>> cells;  ///< [scenario][engine]
+};
+
+Matrix fold(const std::vector<core::Verdict>&);
+
+/// The matrix as text; where the terminal is too narrow for all engines, in blocks of columns.
+std::string draw(const Matrix&, const Terminal&);
+
+/// What the glyphs in this matrix mean.
+std::string legend(const Matrix&, const Terminal&);
+
+}  // namespace cylon::reports

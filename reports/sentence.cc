@@ -1,0 +1,42 @@
+#include "reports/sentence.h"
+
+#include "reports/text.h"
+
+#include <fmt/format.h>
+
+namespace cylon::reports {
+namespace {
+
+constexpr std::size_t longest = 400;  // bytes of a foreign text in a one-line reason
+
+std::string quoted(const std::string& text) { return escaped(head(text, longest), is_printable); }
+
+std::string what_happened(const core::Verdict& v) {
+  std::string text;
+  if (is_measured(v.status)) {
+    const std::string unit = quoted(v.unit);
+    const char* space = unit.empty() ? "" : " ";
+    text = fmt::format(": measured {:.4g}{}{}, allowed {:.4g}{}{}, {:+.1f} digits", v.measured, space, unit,
+                       v.allowed, space, unit, core::digits(v.measured, v.allowed));
+  } else if (v.first_bad_step) {
+    text = fmt::format(": not finite from step {}", *v.first_bad_step);
+  }
+  if (!v.detail.empty()) text += (text.empty() ? ": " : "; ") + quoted(v.detail);
+  return text;
+}
+
+}  // namespace
+
+bool is_measured(core::Status status) {
+  return status == core::Status::pass || status == core::Status::low_quality || status == core::Status::fail;
+}
+
+std::string sentence(const core::Verdict& v) {
+  const std::string expectation = v.as_expected() ? v.status == core::Status::pass ? "" : " (as expected)"
+                                                  : fmt::format(" (expected {})", core::name(v.expected));
+  std::string line = fmt::format("{}{}{}", core::name(v.status), expectation, what_happened(v));
+  if (!v.expected_reason.empty()) line += fmt::format("; expected.toml: {}", quoted(v.expected_reason));
+  return line;
+}
+
+}  // namespace cylon::reports
