@@ -46,7 +46,8 @@ struct Library {
 
   static void enter() {
     static const Library library;
-    dAllocateODEDataForThread(dAllocateMaskAll);  // once per thread; later calls cost nothing
+    dAllocateODEDataForThread(
+        static_cast<unsigned>(dAllocateMaskAll));  // once per thread; later calls cost nothing
   }
 };
 
@@ -221,8 +222,8 @@ void Ode::step() {
 void Ode::collide(dGeomID a, dGeomID b) {
   dBodyID first = dGeomGetBody(a), second = dGeomGetBody(b);
   if (first == second) return;  // both fixed, or two parts of one body
-  std::array<dContactGeom, ode_contacts_per_pair> found;
-  const int n = dCollide(a, b, ode_contacts_per_pair, found.data(), sizeof(dContactGeom));
+  std::array<dContactGeom, ode_most_contacts> found;
+  const int n = dCollide(a, b, settings_.contacts, found.data(), sizeof(dContactGeom));
   if (n == 0) return;
   const Surface& s = surface(*static_cast<Owner*>(dGeomGetData(a)), *static_cast<Owner*>(dGeomGetData(b)));
   dContact contact{};

@@ -7,9 +7,10 @@
 #include <algorithm>
 #include <charconv>
 #include <limits>
-#include <span>
 #include <stdexcept>
 #include <system_error>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace cylon::simulators {
@@ -38,7 +39,7 @@ std::vector<Setting> table(const OdeSettings& run) {
       {"bounce_vel", "0", caller, "no approach speed below which restitution is dropped"},
       {"contact_surface_layer", "0", "0", "no depth at which contacts rest"},
       {"contact_max_correcting_vel", "inf", "inf", "the engine's own"},
-      {"contacts_per_pair", text(ode_contacts_per_pair), caller, "a box on a box has eight"},
+      {"contacts", text(run.contacts), caller, "a box's face on a box's has eight corners at most"},
       {"broad_phase", "dHashSpace", caller, "the engine's own for many bodies"},
       {"threading", "self-threaded, one per world", "one shared by all worlds",
        "two worlds that share one abort the process when two threads step them"},
@@ -85,6 +86,7 @@ core::Path path(bool quick) {
 template <class Named>
 std::vector<std::string> names(const std::vector<Named>& all) {
   std::vector<std::string> result;
+  result.reserve(all.size());
   for (const Named& one : all) result.push_back(one.name);
   return result;
 }
@@ -99,13 +101,15 @@ std::size_t choice(const std::string& kind, const std::string& word, const std::
   return static_cast<std::size_t>(found - valid.begin());
 }
 
-double number(const std::string& option, const std::string& given, double least, double most) {
-  double x = 0;
+template <class Number>
+Number number(const std::string& option, const std::string& given, Number least, Number most) {
+  Number x = 0;
   const char* const end = given.data() + given.size();
   const auto [stop, error] = std::from_chars(given.data(), end, x);
   if (error != std::errc() || stop != end || !(x >= least && x <= most))
-    throw std::invalid_argument(
-        fmt::format("ode: option {} = '{}' is not a number in [{}, {}]", option, given, least, most));
+    throw std::invalid_argument(fmt::format("ode: option {} = '{}' is not {} in [{}, {}]", option, given,
+                                            std::is_integral_v<Number> ? "a whole number" : "a number", least,
+                                            most));
   return x;
 }
 
@@ -122,6 +126,7 @@ core::Engine ode_engine(std::string version) {
            {"rotation", {"finite", "infinitesimal"}, "infinitesimal", "how far w turns a body within dt"},
            {"erp", {}, "0.2", "share of a constraint's error corrected per step, in [0, 1]"},
            {"cfm", {}, "1e-10", "softness of a constraint [s/kg]"},
+           {"contacts", {}, "none", "contacts per pair of shapes, from 1 to 8"},
            {"iterations", {}, "20", "sweeps per step, of path 'quick'"}}};
 }
 
@@ -134,11 +139,12 @@ OdeSettings ode_settings(const core::Engine& engine, const core::Setup& setup) {
     const bool first = option.values.empty() || choice("value of option " + name, value, option.values) == 0;
     if (option.name == "gyro") run.gyro = first;
     if (option.name == "rotation") run.finite_rotation = first;
-    if (option.name == "erp") run.erp = number(name, value, 0, 1);
-    if (option.name == "cfm") run.cfm = number(name, value, 0, std::numeric_limits<double>::max());
+    if (option.name == "erp") run.erp = number(name, value, 0.0, 1.0);
+    if (option.name == "cfm") run.cfm = number(name, value, 0.0, std::numeric_limits<double>::max());
+    if (option.name == "contacts") run.contacts = number(name, value, 1, ode_most_contacts);
     if (option.name == "iterations") {
       if (!run.quick) throw std::invalid_argument("ode: option iterations belongs to path 'quick'");
-      run.iterations = static_cast<int>(number(name, value, 1, 1e9));
+      run.iterations = number(name, value, 1, 1000000000);
     }
   }
   return run;

@@ -7,8 +7,8 @@
 
 namespace cylon::simulators {
 
-/// Contacts asked for per pair of shapes: a box's face on a box's face has eight corners at most.
-inline constexpr int ode_contacts_per_pair = 8;
+/// Contacts per pair of shapes at most: a box's face on a box's face has eight corners.
+inline constexpr int ode_most_contacts = 8;
 
 /// Over-relaxation of QuickStep's sweeps; ODE's own default.
 inline constexpr double ode_over_relaxation = 1.3;
@@ -21,6 +21,7 @@ struct OdeSettings {
   double erp = 0.2;             ///< Share of a constraint's error corrected per step, in [0, 1].
   double cfm = 1e-10;           ///< Softness of a constraint, >= 0 [s/kg].
   int iterations = 20;          ///< Sweeps of QuickStep, >= 1.
+  int contacts = ode_most_contacts;  ///< Asked for per pair of shapes, from 1.
 };
 
 /// What ODE says of itself.
