@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -153,6 +154,9 @@ class Recorder {
     if (done.frames != frames_)
       broken(fmt::format("{} frames came, {} were announced", frames_, done.frames));
     if (here_) recording_.events = watch_.take();
+    const auto key = [](const core::Event& e) { return std::isnan(e.time) ? HUGE_VAL : e.time; };
+    std::stable_sort(recording_.events.begin(), recording_.events.end(),
+                     [&](const core::Event& a, const core::Event& b) { return key(a) < key(b); });
     recording_.cpu_seconds = 1e-9 * done.step_ns;
   }
 

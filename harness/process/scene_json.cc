@@ -54,7 +54,7 @@ class Writer {
     json& bodies = out_["body"] = json::array();
     for (const core::Body& body : scene_.bodies) bodies.push_back(body_json(body));
     for (const core::Force& force : scene_.forces) std::visit([&](const auto& f) { add(f); }, force);
-    out_["gravity"] = vector_json(gravity_);
+    out_["gravity"] = vector_json(gravity_.value_or(Vector3::Zero()));
     json& joints = out_["joint"] = json::array();
     for (const core::Joint& joint : scene_.joints) {
       joints.push_back({{"type", joint_types[static_cast<std::size_t>(joint.type)]},
@@ -83,7 +83,9 @@ class Writer {
  private:
   const std::string& name(int body) const { return scene_.bodies.at(static_cast<std::size_t>(body)).name; }
 
-  void add(const core::UniformGravity& force) { gravity_ += force.acceleration; }
+  void add(const core::UniformGravity& force) {
+    gravity_ = gravity_ ? Vector3(*gravity_ + force.acceleration) : force.acceleration;
+  }
 
   void add(const core::Spring& s) {
     json row = {{"body", name(s.body)},
@@ -133,7 +135,7 @@ class Writer {
 
   const Scene& scene_;
   json out_ = json::object();
-  Vector3 gravity_ = Vector3::Zero();
+  std::optional<Vector3> gravity_;  // no sum with zero: -0 stays -0
 };
 
 // ---- JSON to Scene ------------------------------------------------------------------------------
