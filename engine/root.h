@@ -3,6 +3,7 @@
 
 #include "engine/vector.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
