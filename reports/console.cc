@@ -20,27 +20,27 @@ using core::Verdict;
 constexpr std::size_t last_words = 1000;  // bytes of an engine's stderr
 
 // "heavy_top × bullet 3.24 (double), dt 1/60, rk4"
-std::string heading(const Verdict& v, const Terminal& terminal) {
-  std::string text = fmt::format("{} {} {}", v.scenario, terminal.utf8 ? "×" : "x", v.engine);
+std::string heading(const Verdict& v, const ConsoleOptions& options) {
+  std::string text = fmt::format("{} {} {}", v.scenario, options.utf8 ? "×" : "x", v.engine);
   if (!v.version.empty()) text += fmt::format(" {}", v.version);
   if (!v.precision.empty()) text += fmt::format(" ({})", v.precision);
   if (!v.dt_text.empty()) text += fmt::format(", dt {}", v.dt_text);
   if (!v.integrator.empty()) text += fmt::format(", {}", v.integrator);
-  return shown(text, terminal);
+  return shown(text, options);
 }
 
-void add_line(std::string& out, std::string_view key, std::string_view value, const Terminal& terminal) {
-  if (!value.empty()) out += fmt::format("  {}: {}\n", key, shown(value, terminal));
+void add_line(std::string& out, std::string_view key, std::string_view value, const ConsoleOptions& options) {
+  if (!value.empty()) out += fmt::format("  {}: {}\n", key, shown(value, options));
 }
 
 // The end of what an engine printed, a line each, none of which can leave its place.
-std::string complaints(const Verdict& v, const Terminal& terminal) {
+std::string complaints(const Verdict& v, const ConsoleOptions& options) {
   if (v.complaints.empty()) return "";
   std::string out = "  stderr:\n";
   const std::string text = tail(v.complaints, last_words);
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
-    out += "    | " + shown(std::string_view(text).substr(begin, end - begin), terminal) + "\n";
+    out += "    | " + shown(std::string_view(text).substr(begin, end - begin), options) + "\n";
     begin = end + 1;
   }
   return out;
@@ -54,14 +54,14 @@ std::string list(const std::vector<std::pair<std::string, std::string>>& setting
   return out;
 }
 
-std::string run_facts(const Verdict& v, const Terminal& terminal) {
+std::string run_facts(const Verdict& v, const ConsoleOptions& options) {
   std::string out;
-  add_line(out, "path", v.path, terminal);
-  add_line(out, "gyroscopic", v.gyroscopic, terminal);
-  add_line(out, "settings", list(v.settings), terminal);
+  add_line(out, "path", v.path, options);
+  add_line(out, "gyroscopic", v.gyroscopic, options);
+  add_line(out, "settings", list(v.settings), options);
   for (const std::string& sentence : v.unforceable)
-    add_line(out, "cannot be switched off", sentence, terminal);
-  add_line(out, "sampling", v.sampling, terminal);
+    add_line(out, "cannot be switched off", sentence, options);
+  add_line(out, "sampling", v.sampling, options);
   if (v.body_steps > 0)
     out += fmt::format("  cost: {:.3g} s of CPU, {} body steps, {:.0f} ns each\n", v.cpu_seconds,
                        v.body_steps, v.cpu_seconds / static_cast<double>(v.body_steps) * 1e9);
@@ -70,25 +70,25 @@ std::string run_facts(const Verdict& v, const Terminal& terminal) {
 
 using Line = std::array<std::string, 6>;
 
-Line claim_line(const Verdict& v, const Terminal& terminal) {
+Line claim_line(const Verdict& v, const ConsoleOptions& options) {
   const bool measured = is_measured(v.status);
   const auto with_unit = [&](double value) {
-    return fmt::format("{:.4g} {}", value, shown(v.unit, terminal));
+    return fmt::format("{:.4g} {}", value, shown(v.unit, options));
   };
   std::string status(core::name(v.status));
   if (!v.as_expected()) status += fmt::format(" (expected {}) !", core::name(v.expected));
   const std::string& why = v.detail.empty() ? v.tolerance_reason : v.detail;
-  return {shown(v.claim, terminal),
+  return {shown(v.claim, options),
           measured ? with_unit(v.measured) : "",
           with_unit(v.allowed),
           measured ? fmt::format("{:+.1f}", core::digits(v.measured, v.allowed)) : "",
           status,
-          shown(head(why, 400), terminal)};
+          shown(head(why, 400), options)};
 }
 
-std::string claim_table(const std::vector<const Verdict*>& rows, const Terminal& terminal) {
+std::string claim_table(const std::vector<const Verdict*>& rows, const ConsoleOptions& options) {
   std::vector<Line> lines = {{"claim", "measured", "allowed", "digits", "status", "reason"}};
-  for (const Verdict* v : rows) lines.push_back(claim_line(*v, terminal));
+  for (const Verdict* v : rows) lines.push_back(claim_line(*v, options));
 
   std::string out;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -97,7 +97,7 @@ std::string claim_table(const std::vector<const Verdict*>& rows, const Terminal&
       int width = 0;
       for (const Line& line : lines) width = std::max(width, display_width(line[column]));
       const std::string field = fitted(lines[i][column], width, "");
-      out += (column == 4 && i > 0 ? painted(field, rows[i - 1]->status, terminal) : field) + "  ";
+      out += (column == 4 && i > 0 ? painted(field, rows[i - 1]->status, options) : field) + "  ";
     }
     out += lines[i].back() + "\n";
   }
@@ -137,11 +137,11 @@ std::string summary(const std::vector<Verdict>& verdicts) {
                      passed, group(expected, "as expected"), group(differing, one ? "differs" : "differ"));
 }
 
-std::string unlisted(const std::vector<Verdict>& verdicts, const Terminal& terminal) {
+std::string unlisted(const std::vector<Verdict>& verdicts, const ConsoleOptions& options) {
   std::set<std::string> lines;
   for (const Verdict& v : verdicts) {
     if (v.version_listed) continue;
-    const std::string who = shown(fmt::format("{} {}", v.engine, v.version), terminal);
+    const std::string who = shown(fmt::format("{} {}", v.engine, v.version), options);
     lines.insert(fmt::format("warning: unlisted: expected.toml knows no {}\n", who));
   }
   std::string out;
@@ -149,45 +149,45 @@ std::string unlisted(const std::vector<Verdict>& verdicts, const Terminal& termi
   return out;
 }
 
-std::string difference(const Verdict& v, const Terminal& terminal) {
-  std::string out = fmt::format("{}: {}\n", heading(v, terminal), shown(v.claim, terminal));
-  out += fmt::format("  {}\n", painted(shown(sentence(v), terminal), v.status, terminal));
-  add_line(out, "tolerance", v.tolerance_reason, terminal);
-  out += complaints(v, terminal);
-  add_line(out, "again", v.reproduce, terminal);
+std::string difference(const Verdict& v, const ConsoleOptions& options) {
+  std::string out = fmt::format("{}: {}\n", heading(v, options), shown(v.claim, options));
+  out += fmt::format("  {}\n", painted(shown(sentence(v), options), v.status, options));
+  add_line(out, "tolerance", v.tolerance_reason, options);
+  out += complaints(v, options);
+  add_line(out, "again", v.reproduce, options);
   return out;
 }
 
-std::string details(const std::vector<Verdict>& verdicts, const Terminal& terminal) {
+std::string console_details(const std::vector<Verdict>& verdicts, const ConsoleOptions& options) {
   std::vector<std::string> order;
   std::map<std::string, std::vector<const Verdict*>> runs;
   for (const Verdict& v : verdicts) {
-    auto& rows = runs[heading(v, terminal)];
-    if (rows.empty()) order.push_back(heading(v, terminal));
+    auto& rows = runs[heading(v, options)];
+    if (rows.empty()) order.push_back(heading(v, options));
     rows.push_back(&v);
   }
   std::string out;
   for (const std::string& run : order) {
     const auto& rows = runs[run];
     if (!out.empty()) out += '\n';
-    out += run + "\n" + run_facts(*rows.front(), terminal) + claim_table(rows, terminal) +
-           complaints(*rows.front(), terminal);
+    out += run + "\n" + run_facts(*rows.front(), options) + claim_table(rows, options) +
+           complaints(*rows.front(), options);
   }
   return out;
 }
 
-std::string console(const std::vector<Verdict>& verdicts, const Terminal& terminal) {
+std::string console_matrix(const std::vector<Verdict>& verdicts, const ConsoleOptions& options) {
   const Matrix matrix = fold(verdicts);
-  std::string out = draw(matrix, terminal);
+  std::string out = draw(matrix, options);
   if (!out.empty()) out += '\n';
-  out += legend(matrix, terminal);
+  out += legend(matrix, options);
 
   const auto differs = [](const Verdict& v) { return !v.as_expected(); };
   if (std::any_of(verdicts.begin(), verdicts.end(), differs)) out += "\nNot as expected:\n";
   for (const Verdict& v : verdicts)
-    if (differs(v)) out += difference(v, terminal);
+    if (differs(v)) out += difference(v, options);
 
-  const std::string warnings = unlisted(verdicts, terminal);
+  const std::string warnings = unlisted(verdicts, options);
   if (!out.empty()) out += '\n';
   return out + warnings + summary(verdicts);
 }

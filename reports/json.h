@@ -19,7 +19,7 @@ inline constexpr int schema = 1;
 nlohmann::ordered_json row(const core::Verdict&);
 
 /// {"schema": 1, "provenance": {…}, "verdicts": […]}, one row per line, ASCII only (all else as \uNNNN, so
-/// that it is harmless on a terminal), doubles with the digits that give the same bits back (17 at most).
+/// that it is harmless on a options), doubles with the digits that give the same bits back (17 at most).
 /// Bytes that are no UTF-8 become U+FFFD.
 std::string to_json(const std::vector<core::Verdict>&, const Provenance&);
 
@@ -29,7 +29,8 @@ std::vector<core::Verdict> read_json(std::string_view document, const std::strin
 
 /// A line of a journal, without the line feed.
 std::string to_json_line(const core::Verdict&);
-core::Verdict from_json_line(std::string_view line, const std::string& file, unsigned line_number = 1);
+core::Verdict from_json_line(std::string_view line, const std::string& file = "journal",
+                             unsigned line_number = 1);
 
 /// All rows of a journal.  A last line without a line feed is what an interrupted write leaves: it is
 /// dropped.

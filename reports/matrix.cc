@@ -74,16 +74,16 @@ void join(Cell& cell, const Verdict& v) {
   cell.empty = false;
 }
 
-std::string text(const Cell& cell, const Terminal& terminal) {
+std::string text(const Cell& cell, const ConsoleOptions& options) {
   if (cell.empty) return "";
-  std::string text(glyph(cell.worst, terminal));
+  std::string text(glyph(cell.worst, options));
   if (is_measured(cell.worst)) text += fmt::format(" {:+.1f}", cell.digits);
   return cell.differs ? text + " !" : text;
 }
 
-std::vector<std::string> all_shown(const std::vector<std::string>& texts, const Terminal& terminal) {
+std::vector<std::string> all_shown(const std::vector<std::string>& texts, const ConsoleOptions& options) {
   std::vector<std::string> out;
-  for (const std::string& text : texts) out.push_back(shown(text, terminal));
+  for (const std::string& text : texts) out.push_back(shown(text, options));
   return out;
 }
 
@@ -114,19 +114,19 @@ Matrix fold(const std::vector<Verdict>& verdicts) {
   return matrix;
 }
 
-std::string draw(const Matrix& matrix, const Terminal& terminal) {
+std::string draw(const Matrix& matrix, const ConsoleOptions& options) {
   constexpr int gap = 2;
-  const int total = std::max(40, terminal.width);
-  const std::string_view ellipsis = terminal.utf8 ? "…" : "..";
-  const std::vector<std::string> rows = all_shown(matrix.scenarios, terminal);
-  const std::vector<std::string> heads = all_shown(matrix.engines, terminal);
+  const int total = std::max(40, options.width);
+  const std::string_view ellipsis = options.utf8 ? "…" : "..";
+  const std::vector<std::string> rows = all_shown(matrix.scenarios, options);
+  const std::vector<std::string> heads = all_shown(matrix.engines, options);
 
   // Widths: the labels at most two fifths of the line, an engine at most what is left.
   const int label = std::min(widest(rows), total * 2 / 5);
   std::vector<int> widths;
   for (std::size_t j = 0; j < heads.size(); ++j) {
     int width = display_width(heads[j]);
-    for (const auto& row : matrix.cells) width = std::max(width, display_width(text(row[j], terminal)));
+    for (const auto& row : matrix.cells) width = std::max(width, display_width(text(row[j], options)));
     widths.push_back(std::min(width, total - label - gap));
   }
 
@@ -145,8 +145,8 @@ std::string draw(const Matrix& matrix, const Terminal& terminal) {
       out += fitted(rows[i], label, ellipsis);
       for (std::size_t j = begin; j < end; ++j) {
         const Cell& cell = matrix.cells[i][j];
-        const std::string content = fitted(text(cell, terminal), widths[j], ellipsis);
-        out += std::string(gap, ' ') + (cell.empty ? content : painted(content, cell.worst, terminal));
+        const std::string content = fitted(text(cell, options), widths[j], ellipsis);
+        out += std::string(gap, ' ') + (cell.empty ? content : painted(content, cell.worst, options));
       }
       end_line(out);
     }
@@ -154,7 +154,7 @@ std::string draw(const Matrix& matrix, const Terminal& terminal) {
   return out;
 }
 
-std::string legend(const Matrix& matrix, const Terminal& terminal) {
+std::string legend(const Matrix& matrix, const ConsoleOptions& options) {
   std::set<Status> present;
   bool differs = false, measured = false;
   for (const auto& row : matrix.cells) {
@@ -170,7 +170,7 @@ std::string legend(const Matrix& matrix, const Terminal& terminal) {
     out += fmt::format("{}{} {}", out.empty() ? "" : "; ", sign, words);
   };
   for (const auto& [status, words] : meanings)
-    if (present.count(status)) add(glyph(status, terminal), words);
+    if (present.count(status)) add(glyph(status, options), words);
   if (measured) add("+1.0:", "digits won (+) or lost (-) by the worst claim, log10(allowed / measured)");
   if (differs) add("!", "not as expected.toml says");
   return out.empty() ? "" : out + "\n";

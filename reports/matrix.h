@@ -2,7 +2,7 @@
 #pragma once
 
 #include "harness/core/verdict.h"
-#include "reports/terminal.h"
+#include "reports/console_options.h"
 
 #include <string>
 #include <vector>
@@ -28,9 +28,9 @@ struct Matrix {
 Matrix fold(const std::vector<core::Verdict>&);
 
 /// The matrix as text; where the terminal is too narrow for all engines, in blocks of columns.
-std::string draw(const Matrix&, const Terminal&);
+std::string draw(const Matrix&, const ConsoleOptions&);
 
 /// What the glyphs in this matrix mean.
-std::string legend(const Matrix&, const Terminal&);
+std::string legend(const Matrix&, const ConsoleOptions&);
 
 }  // namespace cylon::reports

@@ -4,11 +4,9 @@
 #include "reports/text.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <sstream>
 
 namespace cylon::reports {
@@ -17,8 +15,8 @@ namespace {
 using core::Status;
 using core::Verdict;
 
-const Terminal plain{.width = 100, .utf8 = true, .color = false};
-const Terminal ascii{.width = 100, .utf8 = false, .color = false};
+const ConsoleOptions plain{.width = 100, .utf8 = true, .colour = false};
+const ConsoleOptions ascii{.width = 100, .utf8 = false, .colour = false};
 
 Verdict make(const std::string& scenario, const std::string& engine, Status status, double measured = 1) {
   Verdict v;
@@ -105,7 +103,7 @@ TEST(Matrix, NeverWiderThanTheTerminalAndLosesNoEngine) {
                               static_cast<Status>((engine + scenario) % 8)));
   for (const int width : {40, 57, 80, 120, 1000}) {
     for (const bool utf8 : {true, false}) {
-      const std::string text = draw(fold(verdicts), {.width = width, .utf8 = utf8, .color = false});
+      const std::string text = draw(fold(verdicts), {.width = width, .utf8 = utf8, .colour = false});
       for (const std::string& line : lines(text)) EXPECT_LE(display_width(line), width) << line;
       for (int engine = 0; engine < 12; ++engine)
         EXPECT_TRUE(contains(text, "engine-" + std::to_string(engine) + "/gyro=none"));
@@ -115,12 +113,12 @@ TEST(Matrix, NeverWiderThanTheTerminalAndLosesNoEngine) {
 
 TEST(Console, ColourOnlyWhereAskedAndNeverAlone) {
   const std::vector<Verdict> verdicts = {make("top", "bullet", Status::fail)};
-  EXPECT_FALSE(contains(console(verdicts, plain), "\x1b"));
-  std::string colored = console(verdicts, {.width = 100, .utf8 = true, .color = true});
+  EXPECT_FALSE(contains(console_matrix(verdicts, plain), "\x1b"));
+  std::string colored = console_matrix(verdicts, {.width = 100, .utf8 = true, .colour = true});
   EXPECT_TRUE(contains(colored, "\x1b[31m"));
   for (const std::string code : {"\x1b[31m", "\x1b[0m"})
     for (std::size_t at; (at = colored.find(code)) != std::string::npos;) colored.erase(at, code.size());
-  EXPECT_EQ(colored, console(verdicts, plain));
+  EXPECT_EQ(colored, console_matrix(verdicts, plain));
 }
 
 TEST(Console, SummaryGroupsAddUp) {
@@ -138,7 +136,7 @@ TEST(Console, ADifferenceSaysWhoWhatHowMuchAndHowToRepeatIt) {
   v.expected = Status::low_quality;
   v.expected_reason = "first order";
   v.tolerance_reason = "truncation: RK4";
-  const std::string text = console({v, make("top", "ode", Status::pass)}, plain);
+  const std::string text = console_matrix({v, make("top", "ode", Status::pass)}, plain);
   for (const char* part :
        {"top × bullet 3.24, dt 1/60: energy", "measured 2.5 J, allowed 0.01 J, -2.4 digits",
         "fail (expected low-quality)", "expected.toml: first order", "tolerance: truncation: RK4",
@@ -154,7 +152,7 @@ TEST(Console, WarnsOncePerUnlistedVersion) {
   const std::string text = unlisted({v, v, make("top", "ode", Status::pass)}, plain);
   EXPECT_EQ(lines(text).size(), 1u);
   EXPECT_TRUE(contains(text, "unlisted") && contains(text, "bullet 3.99"));
-  EXPECT_TRUE(contains(console({v}, plain), text));
+  EXPECT_TRUE(contains(console_matrix({v}, plain), text));
 }
 
 TEST(Console, DetailsListEveryClaimUnderItsRun) {
@@ -165,12 +163,12 @@ TEST(Console, DetailsListEveryClaimUnderItsRun) {
   a.path = "rigid";
   a.settings = {{"erp2", "0"}};
   a.unforceable = {"the angle per step is clamped"};
-  const std::string text = details({a, b}, plain);
+  const std::string text = console_details({a, b}, plain);
   for (const char* part : {"path: rigid", "settings: erp2 = 0", "cannot be switched off: the angle",
                            "0.0001 J", "+2.0", "axis", "non-finite", "not finite from step 12"})
     EXPECT_TRUE(contains(text, part)) << part << "\n" << text;
   EXPECT_FALSE(contains(text, "nan"));
-  EXPECT_EQ(details({}, plain), "");
+  EXPECT_EQ(console_details({}, plain), "");
 }
 
 TEST(Console, HostileTextsCannotCommandTheTerminal) {
@@ -195,13 +193,13 @@ TEST(Console, HostileTextsCannotCommandTheTerminal) {
       *field = text;
     v.settings = {{text, text}};
     v.unforceable = {text};
-    for (const Terminal& terminal : {plain, ascii}) {
-      std::string out = console({v}, terminal) + details({v}, terminal);
+    for (const ConsoleOptions& options : {plain, ascii}) {
+      std::string out = console_matrix({v}, options) + console_details({v}, options);
       std::string_view rest = out;
       while (!rest.empty()) {
         const Symbol symbol = take_symbol(rest);
         EXPECT_TRUE(symbol.valid);
-        EXPECT_TRUE(symbol.code == '\n' || (terminal.utf8 ? is_printable : is_printable_ascii)(symbol.code));
+        EXPECT_TRUE(symbol.code == '\n' || (options.utf8 ? is_printable : is_printable_ascii)(symbol.code));
       }
     }
   }
@@ -218,7 +216,7 @@ TEST(Console, MegabytesOfStderrStayShortAndKeepTheirEnd) {
 }
 
 TEST(Console, NothingToShowIsSaid) {
-  EXPECT_EQ(console({}, plain), "0 verdicts: 0 pass, 0 as expected, 0 differ\n");
+  EXPECT_EQ(console_matrix({}, plain), "0 verdicts: 0 pass, 0 as expected, 0 differ\n");
 }
 
 TEST(Text, Utf8IsReadAsTheStandardSays) {
@@ -243,41 +241,6 @@ TEST(Text, WidthsAndCuts) {
   EXPECT_EQ(head("日本語", 4), "日 [6 more bytes]");
   EXPECT_EQ(tail("日本語", 4), "[6 bytes before] 語");
   EXPECT_EQ(head("ab", 2), "ab");
-}
-
-class Environment : public testing::Test {
- protected:
-  void SetUp() override {
-    for (const char* name : {"LC_ALL", "LC_CTYPE", "LANG", "COLUMNS"}) {
-      const char* value = std::getenv(name);
-      saved_.emplace_back(name, value ? std::optional<std::string>(value) : std::nullopt);
-      unsetenv(name);
-    }
-    ASSERT_EQ(pipe(pipe_), 0);
-  }
-  void TearDown() override {
-    for (const auto& [name, value] : saved_)
-      value ? setenv(name.c_str(), value->c_str(), 1) : unsetenv(name.c_str());
-    close(pipe_[0]), close(pipe_[1]);
-  }
-  int pipe_[2] = {};
-
- private:
-  std::vector<std::pair<std::string, std::optional<std::string>>> saved_;
-};
-
-TEST_F(Environment, DecidesTheTerminal) {
-  EXPECT_FALSE(terminal_of(pipe_[1]).color);  // no terminal, no colour
-  EXPECT_FALSE(terminal_of(pipe_[1]).utf8);
-  EXPECT_EQ(terminal_of(pipe_[1]).width, 100);
-  setenv("LANG", "de_DE.utf8", 1);
-  setenv("COLUMNS", "132", 1);
-  EXPECT_TRUE(terminal_of(pipe_[1]).utf8);
-  EXPECT_EQ(terminal_of(pipe_[1]).width, 132);
-  setenv("LC_ALL", "C", 1);  // wins over LANG
-  setenv("COLUMNS", "-5", 1);
-  EXPECT_FALSE(terminal_of(pipe_[1]).utf8);
-  EXPECT_EQ(terminal_of(pipe_[1]).width, 100);
 }
 
 }  // namespace

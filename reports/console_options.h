@@ -8,25 +8,20 @@
 
 namespace cylon::reports {
 
-struct Terminal {
+struct ConsoleOptions {
   int width = 100;   ///< [columns]; at least 40 is used.
   bool utf8 = true;  ///< false: ASCII only.
-  bool color = false;
+  bool colour = false;
 };
 
-/// Of a file descriptor.  Width: of the terminal, else $COLUMNS, else 100.  UTF-8: as the first of LC_ALL,
-/// LC_CTYPE, LANG that is set says.  Colour: on a terminal, unless NO_COLOR is set and not empty or TERM is
-/// "dumb".
-Terminal terminal_of(int file_descriptor);
-
 /// A foreign text that the terminal can show and that cannot command it.
-std::string shown(std::string_view text, const Terminal&);
+std::string shown(std::string_view text, const ConsoleOptions&);
 
 /// "✓", "~", "✗", "–", "☠ crash", "⌛ timeout", "∞ non-finite", "‽ protocol"; in ASCII "ok", "~", "X", "-",
 /// and the words alone.
-std::string_view glyph(core::Status, const Terminal&);
+std::string_view glyph(core::Status, const ConsoleOptions&);
 
 /// The text in the status's colour, or as it is on a terminal without colour.
-std::string painted(std::string_view text, core::Status, const Terminal&);
+std::string painted(std::string_view text, core::Status, const ConsoleOptions&);
 
 }  // namespace cylon::reports
