@@ -217,6 +217,7 @@ std::optional<std::string> unsupported_multibody(const core::Scene& scene) {
 
 class Bullet final : public core::Simulator {
  public:
+  // Bullet's combination callbacks are global; the surfaces they read hang on each collision object.
   Bullet() : engine_(bullet_engine(version(), sizeof(btScalar) == sizeof(double) ? "double" : "float")) {
     gCalculateCombinedRestitutionCallback = restitution;
     gCalculateCombinedFrictionCallback = friction;
