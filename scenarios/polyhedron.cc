@@ -96,18 +96,24 @@ Solid solid(const std::vector<Vector3>& vertices, const std::vector<Triangle>& f
   return {volume, mean + offset, second.trace() * Matrix3::Identity() - second};
 }
 
-// Point by point: the faces that see the new point go, and their rim is joined to it.
+// Point by point: the faces that see the new point go, and their rim is joined to it.  Points within 1e-9 of
+// the size of one before, or of the surface, add nothing; slivers between them would have no normal.
 std::vector<Triangle> convex_hull(const std::vector<Vector3>& p) {
   const auto [a, b, c, d] = first_tetrahedron(p);
   std::vector<Triangle> faces = {{a, b, c}, {a, c, d}, {a, d, b}, {b, d, c}};
+  std::vector<std::int32_t> kept_points = {a, b, c, d};
   double size = 0;
   for (const Vector3& x : p) size = std::max(size, (x - p[0]).norm());
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(p.size()); ++i) {
-    if (i == a || i == b || i == c || i == d) continue;
+    const auto known = [&](std::int32_t j) {
+      return (p[static_cast<std::size_t>(i)] - p[static_cast<std::size_t>(j)]).norm() <= 1e-9 * size;
+    };
+    if (std::ranges::any_of(kept_points, known)) continue;
+    kept_points.push_back(i);
     const auto sees = [&](const Triangle& t) {
       const Vector3 n = normal(p, t);
       return n.dot(p[static_cast<std::size_t>(i)] - p[static_cast<std::size_t>(t[0])]) >
-             1e-12 * size * n.norm();
+             1e-9 * size * n.norm();
     };
     std::set<Edge> rim;
     std::vector<Triangle> kept;
