@@ -106,9 +106,8 @@ std::vector<core::Setting> with(std::vector<core::Setting> settings, std::span<c
 const std::vector<std::string> unforceable_everywhere = {
     "A rotation of more than pi/4 per step is cut: the body turns 2 atan(w dt/(pi/4) tan(pi/8)).",
     "Every scheme but semi-implicit Euler is missing: motion is first order in dt.",
-    "On rigid-bounce and multibody an impact is answered in the step after the bodies overlap, up to dt "
-    "late; on "
-    "rigid a contact is made up to 0.02 m ahead and may be answered early.",
+    "Where pairs bounce, an impact is answered in the step after the bodies overlap, up to dt late; where "
+    "none does, a contact is made up to 0.02 m ahead and may be answered early.",
     "Several contacts are solved by a fixed number of sweeps; simultaneous impacts come out neither as a "
     "sequence nor as one simultaneous impact.",
     "Friction acts along one direction per contact, that of sliding, chosen anew each step.",
