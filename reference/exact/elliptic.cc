@@ -56,12 +56,21 @@ Wide Elliptic::first(Wide phi) const {
 
 Wide Elliptic::third(Wide n1, Wide phi) const {
   const auto [half_turns, s, c] = fold(phi);
-  const auto part = [&](Wide sine, Wide cosine) {
-    const Wide x = cosine * cosine, y = x + m1_ * sine * sine, p = x + n1 * sine * sine;
-    return sine * boost::math::ellint_rf(x, y, Wide(1)) +
-           (1 - n1) / 3 * sine * sine * sine * boost::math::ellint_rj(x, y, Wide(1), p);
-  };
-  return (half_turns == 0 ? 0 : 2 * half_turns * part(1, 0)) + part(s, c);
+  return (half_turns == 0 ? 0 : 2 * half_turns * third_folded(n1, 1, 0)) + third_folded(n1, s, c);
+}
+
+Wide Elliptic::third_folded(Wide n1, Wide s, Wide c) const {
+  const Wide x = c * c, y = x + m1_ * s * s, f = s * boost::math::ellint_rf(x, y, Wide(1));
+  if (n1 <= 2) {
+    return f + (1 - n1) / 3 * s * s * s * boost::math::ellint_rj(x, y, Wide(1), x + n1 * s * s);
+  }
+  // n < -1, where the two terms above would cancel; with 1 - N = m1/n1 all terms have one sign (DLMF 19.7.9):
+  // Pi(n) = m1 n/((n - 1)(m - n)) Pi(N) + m/(m - n) F
+  //         + sqrt(n/((n - 1)(m - n))) atan(sqrt(-n N) sin(phi) cos(phi)/sqrt(1 - m sin^2 phi))
+  const Wide m_less_n = n1 - m1_, share = (n1 - 1) / (n1 * m_less_n);
+  const Wide p = std::sqrt((n1 - 1) * m_less_n / n1);
+  return m1_ * share * third_folded(m1_ / n1, s, c) + (1 - m1_) / m_less_n * f +
+         std::sqrt(share) * std::atan(p * s * c / std::sqrt(y));
 }
 
 }  // namespace cylon::exact

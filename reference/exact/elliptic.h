@@ -26,7 +26,7 @@ class Elliptic {
   Wide first(Wide phi) const;
 
   /// Pi(n; phi|m) = int_0^phi dx / ((1 - n sin^2 x) sqrt(1 - m sin^2 x)) with n1 = 1 - n > 0 given; any phi.
-  /// DLMF 19.25.14.
+  /// DLMF 19.25.14 and 19.7.9.
   Wide third(Wide n1, Wide phi) const;
 
   /// K(m), a quarter period.
@@ -34,6 +34,9 @@ class Elliptic {
 
  private:
   static constexpr int most = 32;  // the mean doubles its digits: m1 = 1e-4900 needs 20
+  // Pi at an amplitude within a quarter turn, by its sine and cosine.
+  Wide third_folded(Wide n1, Wide s, Wide c) const;
+
   Wide m1_, quarter_;
   int levels_ = 0;
   std::array<Wide, most + 1> a_{}, b_{}, c_{};

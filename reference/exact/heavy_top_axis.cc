@@ -26,7 +26,11 @@ Wide polish(Wide x, Wide v, Wide beta, Wide c, Wide a) {
 }  // namespace
 
 HeavyTopAxis::HeavyTopAxis(const AxisStart& s) : a_(s.a) {
-  find_turning_points(s, s.up.dot(s.rate), s.up.dot(s.direction.cross(s.rate)));
+  // With e = d - up or d + up, whichever is short: u0' = up.d' and up.(d x d') without the digits that
+  // cancel.
+  const Wide side = s.up.dot(s.direction) > 0 ? -1 : 1;
+  const WideVector e = side * s.direction + s.up;
+  find_turning_points(s, e.dot(s.rate), e.dot(s.direction.cross(s.rate)));
 }
 
 // tilt = u0', turn = sin^2(theta0) phi0' = b - a u0.
@@ -68,8 +72,9 @@ void HeavyTopAxis::find_turning_points(const AxisStart& s, Wide tilt, Wide turn)
   // sn^2 : cn^2 = u0 - u1 : u2 - u0, and u' has the sign of sn cn.
   const Wide am = width == 0 ? 0 : std::copysign(std::atan2(std::sqrt(-down), std::sqrt(up)), tilt);
   start_ = elliptic_->first(am);
-  start_minus_ = integral(above_, am);
-  start_plus_ = integral(below_, am);
+  const Wide am0 = elliptic_->at(start_).am;  // am to the last bit: next to a pole the integrals feel it
+  start_minus_ = integral(above_, am0);
+  start_plus_ = integral(below_, am0);
 }
 
 // sum/2 int dt/(first cn^2 + second sn^2) = sum/(2 lam first) Pi(n; am), 1 - n = second/first.

@@ -19,7 +19,7 @@ TEST(Elliptic, agrees_with_boost) {
     for (Wide phi : {0.3L, 1.5L, 4.0L, -7.0L, 40.0L}) {
       const Wide f = boost::math::ellint_1(std::sqrt(m), phi);
       EXPECT_LE(std::abs(e.first(phi) - f), 1e-17L * std::abs(f));
-      for (Wide n : {-5.0L, -0.3L, 0.4L, 0.95L}) {
+      for (Wide n : {-1e6L, -5.0L, -0.3L, 0.4L, 0.95L}) {
         const Wide third = boost::math::ellint_3(std::sqrt(m), n, phi);
         EXPECT_LE(std::abs(e.third(1 - n, phi) - third), 1e-16L * std::abs(third))
             << "n " << n << " phi " << phi;
