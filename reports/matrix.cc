@@ -166,8 +166,12 @@ std::string legend(const Matrix& matrix, const ConsoleOptions& options) {
     }
   }
   std::string out;
+  int used = 0;  // columns of the last line
   const auto add = [&](std::string_view sign, std::string_view words) {
-    out += fmt::format("{}{} {}", out.empty() ? "" : "; ", sign, words);
+    const std::string entry = fmt::format("{} {}", sign, words);
+    const bool fits = used + 2 + display_width(entry) <= std::max(40, options.width);
+    out += (out.empty() ? "" : fits ? "; " : "\n") + entry;
+    used = display_width(entry) + (fits ? used + 2 : 0);
   };
   for (const auto& [status, words] : meanings)
     if (present.count(status)) add(glyph(status, options), words);
