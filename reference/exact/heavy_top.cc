@@ -139,7 +139,7 @@ void check_top(const core::Scene& scene, int index) {
     refuse(name, "the initial velocity of " + of + " breaks its joint");
   }
   if (!top.periodic())
-    refuse(name, of + " is on the separatrix: its axis comes to rest upright after infinite time");
+    refuse(name, of + " is on the separatrix or too near it: its axis comes to rest upright");
 }
 
 }  // namespace

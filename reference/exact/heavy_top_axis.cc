@@ -66,7 +66,9 @@ void HeavyTopAxis::find_turning_points(const AxisStart& s, Wide tilt, Wide turn)
   }
 
   const Wide width = up - down, m1 = (top - up) / (top - down);
-  if (!(m1 > 1e-24L)) return;
+  // A near-double root far from the start (by `up`) keeps 1e-19 (up/m1)^2 of its separation: refused where
+  // that would outgrow the rounding of the scene's own numbers.
+  if (!(m1 > std::max(1e-24L, 1e-4L * up))) return;
   elliptic_.emplace(width / (top - down), m1);
   rate_ = std::sqrt(beta * (top - down)) / 2;
   // sn^2 : cn^2 = u0 - u1 : u2 - u0, and u' has the sign of sn cn.

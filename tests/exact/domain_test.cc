@@ -15,13 +15,16 @@ core::Truth make(std::string_view name, const core::Scene& scene, double horizon
   throw std::runtime_error("no solution " + std::string(name));
 }
 
-void expect_refused(std::string_view name, const core::Scene& scene, const std::string& reason, double horizon = 1) {
+void expect_refused(std::string_view name, const core::Scene& scene, const std::string& reason,
+                    double horizon = 1) {
   try {
     make(name, scene, horizon);
     ADD_FAILURE() << name << " accepted a scene with: " << reason;
   } catch (const core::OutOfDomain& refusal) {
     EXPECT_NE(std::string(refusal.what()).find(reason), std::string::npos) << refusal.what();
-    EXPECT_EQ(std::string(refusal.what()).find(name == "dzhanibekov" ? "free_asymmetric_top" : std::string(name)), 0u);
+    EXPECT_EQ(
+        std::string(refusal.what()).find(name == "dzhanibekov" ? "free_asymmetric_top" : std::string(name)),
+        0u);
   }
 }
 
@@ -57,15 +60,23 @@ TEST(Domain, common_conditions) {
     expect_refused(name, with([](core::Scene& s) { s.bodies[0].locked = true; }), body + " is locked");
     expect_refused(name, with([](core::Scene& s) { s.bodies[0].mass = 0; }), body + " has no positive mass");
     expect_refused(name, with([](core::Scene& s) { s.frame = core::Frame{}; }), "moving frame");
-    expect_refused(name, with([](core::Scene& s) { s.forces.emplace_back(core::Drag{0, 1, 0, 0}); }), "drag on " + body);
-    expect_refused(name, with([](core::Scene& s) { s.forces.emplace_back(core::Thrust{}); }), "thrust on " + body);
-    expect_refused(name, with([](core::Scene& s) { s.forces.emplace_back(core::Drive{}); }), "drive on " + body);
-    expect_refused(name, with([](core::Scene& s) { s.forces.emplace_back(core::Attraction{}); }), "attraction");
+    expect_refused(name, with([](core::Scene& s) {
+                     s.forces.emplace_back(core::Drag{0, 1, 0, 0});
+                   }),
+                   "drag on " + body);
+    expect_refused(name, with([](core::Scene& s) { s.forces.emplace_back(core::Thrust{}); }),
+                   "thrust on " + body);
+    expect_refused(name, with([](core::Scene& s) { s.forces.emplace_back(core::Drive{}); }),
+                   "drive on " + body);
+    expect_refused(name, with([](core::Scene& s) { s.forces.emplace_back(core::Attraction{}); }),
+                   "attraction");
     expect_refused(name, with([](core::Scene& s) { s.forces.emplace_back(core::Water{}); }), "water");
     if (!name.starts_with("spring")) {
-      expect_refused(name, with([](core::Scene& s) { s.forces.emplace_back(core::Spring{}); }), "spring on " + body);
+      expect_refused(name, with([](core::Scene& s) { s.forces.emplace_back(core::Spring{}); }),
+                     "spring on " + body);
     }
-    if (name != "heavy_top") expect_refused(name, with([](core::Scene& s) { s.joints.emplace_back(); }), "joint");
+    if (name != "heavy_top")
+      expect_refused(name, with([](core::Scene& s) { s.joints.emplace_back(); }), "joint");
     if (name != "bouncing_sphere" && name != "two_sphere_oblique") {
       expect_refused(name, with([](core::Scene& s) {
                        s.bodies[0].shape = core::Sphere{0.1};
@@ -120,7 +131,7 @@ TEST(Domain, springs) {
   radial.bodies[0].initial.velocity = {2, 0, 0};
   expect_refused("spring_orbit", radial, "moves through the pin");
   core::Scene near = stretched;
-  near.bodies[0].initial.velocity = {2, 1e-5, 0};
+  near.bodies[0].initial.velocity = {20, 1e-5, 0};
   expect_refused("spring_orbit", near, "too near the pin");
   core::Scene two = stretched;
   two.forces.push_back(two.forces[0]);
@@ -129,19 +140,18 @@ TEST(Domain, springs) {
 
 TEST(Domain, free_tops) {
   expect_refused("free_symmetric_top", valid("free_asymmetric_top"), "no two equal principal moments");
-  core::Scene separatrix = ReferenceFile("dzhanibekov").scene;  // |L|^2 = 2 E I2: I1 (I2 - I1) w1^2 = I3 (I3 - I2) w3^2
-  separatrix.bodies[0].inertia = core::Vector3(1, 2, 4).asDiagonal();
-  separatrix.bodies[0].initial.angular_velocity = {4, 3, std::sqrt(2.0)};
-  separatrix.bodies[0].inertia = core::Vector3(1, 3, 4).asDiagonal();  // 2 w1^2 = 4 w3^2, made exact:
+  core::Scene separatrix =
+      ReferenceFile("dzhanibekov").scene;  // |L|^2 = 2 E I2: I1 (I2 - I1) w1^2 = I3 (I3 - I2) w3^2
   separatrix.bodies[0].inertia = core::Vector3(2, 3, 4).asDiagonal();
   separatrix.bodies[0].initial.angular_velocity = {0, 3, 0};
-  EXPECT_NO_THROW(make("free_asymmetric_top", separatrix));  // on the unstable axis, for ever
+  EXPECT_NO_THROW(make("free_asymmetric_top", separatrix));               // on the unstable axis, for ever
   separatrix.bodies[0].inertia = core::Vector3(1, 2, 2.25).asDiagonal();  // 1 w1^2 = 0.5625 w3^2
   separatrix.bodies[0].initial.angular_velocity = {3, 1, 4};
   expect_refused("dzhanibekov", separatrix, "separatrix");
   core::Scene flat = valid("free_asymmetric_top");
   flat.bodies[0].inertia = core::Vector3(0, 1, 1).asDiagonal();
   expect_refused("free_asymmetric_top", flat, "not positive");
+  flat.bodies[0].inertia = core::Vector3(-1, 1, 1).asDiagonal();
   expect_refused("free_symmetric_top", flat, "not positive");
 }
 
@@ -156,14 +166,17 @@ TEST(Domain, heavy_top) {
   using S = core::Scene;
   expect_refused("heavy_top", with([](S& s, B&) { s.forces.clear(); }), "no gravity");
   expect_refused("heavy_top", with([](S& s, B&) { s.joints.clear(); }), "exactly one joint");
-  expect_refused("heavy_top", with([](S& s, B&) { s.joints[0].type = core::JointType::hinge; }), "not a ball joint");
+  expect_refused("heavy_top", with([](S& s, B&) { s.joints[0].type = core::JointType::hinge; }),
+                 "not a ball joint");
   expect_refused("heavy_top", with([](S& s, B& b) {
                    b.initial.position = {0, 0, 0};
                    s.joints[0].point = {0, 0, 0};
                  }),
                  "at its pivot");
-  expect_refused("heavy_top", with([](S&, B& b) { b.inertia(0, 0) *= 1.01; }), "no two equal principal moments");
-  expect_refused("heavy_top", with([](S& s, B&) { s.joints[0].point.x() += 1e-6; }), "not on its symmetry axis");
+  expect_refused("heavy_top", with([](S&, B& b) { b.inertia(0, 0) *= 1.01; }),
+                 "no two equal principal moments");
+  expect_refused("heavy_top", with([](S& s, B&) { s.joints[0].point.x() += 1e-6; }),
+                 "not on its symmetry axis");
   expect_refused("heavy_top", with([](S&, B& b) { b.initial.velocity.x() += 1e-6; }), "breaks its joint");
   expect_refused("heavy_top", with([](S& s, B& b) {  // whirls up to rest upright: v^2/2 = 2 g l exactly
                    b.inertia.setZero();
