@@ -6,12 +6,6 @@
 
 namespace cylon::scenarios {
 
-void Fingerprint::add(std::string_view bytes) {
-  for (const char c : bytes) value_ = (value_ ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-}
-
-std::string Fingerprint::hex() const { return fmt::format("{:016x}", value_); }
-
 void Draft::add(const core::Body& body, const Table& table, bool is_point) {
   const auto [place, is_new] = index_.emplace(body.name, static_cast<int>(scene.bodies.size()));
   if (!is_new) table.fail("name", fmt::format("name '{}' is taken by another body", body.name));

@@ -1,6 +1,7 @@
 // A scene while it is read: where each body was written, which names a generator gave, which files were used.
 #pragma once
 
+#include "harness/core/fingerprint.h"
 #include "harness/core/scene.h"
 #include "scenarios/reader.h"
 
@@ -14,23 +15,13 @@
 
 namespace cylon::scenarios {
 
-/// FNV-1a, 64 bit: the content hash of a scenario and of all files that it names.
-class Fingerprint {
- public:
-  void add(std::string_view bytes);
-  std::string hex() const;
-
- private:
-  std::uint64_t value_ = 0xcbf29ce484222325u;
-};
-
 struct Draft {
   core::Scene scene;
   std::vector<Table> origin;                       ///< One per body: where it was written.
   std::vector<bool> point;                         ///< One per body: no shape and no inertia.
   std::map<std::string, std::vector<int>> groups;  ///< Bodies of each generator, by its name.
   std::filesystem::path folder;                    ///< Files are named relative to it.
-  Fingerprint fingerprint;
+  core::Fingerprint fingerprint;
 
   /// Adds a body; fails at its `name` where that is taken.
   void add(const core::Body&, const Table&, bool is_point);

@@ -1,5 +1,6 @@
 #include "scenarios/expected.h"
 
+#include "harness/core/fingerprint.h"
 #include "scenarios/glob.h"
 #include "scenarios/reader.h"
 
@@ -23,6 +24,9 @@ Expectations Expectations::parse(std::string_view text, const std::string& file_
   const Document document(text, file_name, expected_keys());
   const Table root = document.root();
   Expectations result;
+  core::Fingerprint fingerprint;
+  fingerprint.add(text);
+  result.hash_ = fingerprint.hex();
   if (const auto versions = root.table("versions"))
     for (auto&& [engine, list] : versions->raw()) {
       auto& known = result.versions_[std::string(engine.str())];
@@ -38,13 +42,13 @@ Expectations Expectations::parse(std::string_view text, const std::string& file_
       }
     }
   for (const Table& t : root.tables("row")) {
-    Row row{.place = fmt::format("{}:{}", file_name, t.raw().source().begin.line),
-            .engine = t.text("engine"),
+    Row row{.engine = t.text("engine"),
             .scenario = t.text("scenario", "*"),
             .claim = t.text("claim", "*"),
             .integrator = t.text("integrator", "*"),
             .steps = {},
-            .expected = {*core::status_from(t.text("status")), t.text("reason"), t.text("link")}};
+            .expected = {*core::status_from(t.text("status")), t.text("reason"), t.text("link"),
+                         fmt::format("{}:{}", file_name, t.raw().source().begin.line)}};
     for (const std::string& step : t.texts("dt")) row.steps.push_back(parse_step(step));
     result.rows_.push_back(std::move(row));
   }
@@ -52,7 +56,7 @@ Expectations Expectations::parse(std::string_view text, const std::string& file_
 }
 
 Expected Expectations::find(std::string_view scenario, std::string_view engine, std::string_view integrator,
-                            double dt, std::string_view claim) {
+                            double dt, std::string_view claim) const {
   const auto matches = [&](const Row& row) {
     return glob_match(row.engine, engine) && glob_match(row.scenario, scenario) &&
            glob_match(row.claim, claim) && glob_match(row.integrator, integrator) &&
@@ -60,9 +64,7 @@ Expected Expectations::find(std::string_view scenario, std::string_view engine, 
             std::ranges::any_of(row.steps, [&](double step) { return same_step(step, dt); }));
   };
   const auto row = std::find_if(rows_.rbegin(), rows_.rend(), matches);
-  if (row == rows_.rend()) return {};
-  row->used = true;
-  return row->expected;
+  return row == rows_.rend() ? Expected{} : row->expected;
 }
 
 bool Expectations::version_listed(std::string_view engine, std::string_view version) const {
@@ -74,11 +76,11 @@ bool Expectations::version_listed(std::string_view engine, std::string_view vers
   });
 }
 
-std::vector<std::string> Expectations::unused() const {
+std::vector<std::string> Expectations::unused(const std::set<std::string>& decided) const {
   std::vector<std::string> result;
   for (const Row& row : rows_)
-    if (!row.used)
-      result.push_back(fmt::format("{}: engine '{}', scenario '{}', claim '{}'", row.place, row.engine,
+    if (!decided.contains(row.expected.place))
+      result.push_back(fmt::format("{}: engine '{}', scenario '{}', claim '{}'", row.expected.place, row.engine,
                                    row.scenario, row.claim));
   return result;
 }

@@ -40,7 +40,7 @@ std::string bash(const std::vector<Words>& words) {
     names += row.command + ' ';
     cases += fmt::format("    {}) words=\"{} {}\" ;;\n", row.command, fmt::join(row.options, " "), arguments(row.command));
   }
-  return fmt::format(R"(_cylon() {{
+  return fmt::format(R"sh(_cylon() {{
   local word=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD-1]}} words
   if [ "$COMP_CWORD" -eq 1 ]; then
     COMPREPLY=($(compgen -W "{}--help --version" -- "$word"))
@@ -55,7 +55,7 @@ std::string bash(const std::vector<Words>& words) {
   COMPREPLY=($(compgen -f -W "$words" -- "$word"))
 }}
 complete -F _cylon cylon
-)",
+)sh",
                      names, cases);
 }
 

@@ -38,7 +38,7 @@ Command add_doctor(CLI::App&, const Context& context) {
     });
     for (const process::EngineRow& row : context.engines)
       check("engine " + row.id, [&] {
-        const core::Engine engine = process::describe(process::parse_engine(row.id, {row}), {});
+        const core::Engine engine = process::describe(process::parse_engine(row.id, context.engines), {});
         const bool listed = expectations && expectations->version_listed(engine.name, engine.version);
         return fmt::format("{} {}, {}{}", engine.name, engine.version, engine.precision,
                            listed ? "" : " (unlisted: expected.toml does not know this version, its verdicts may differ)");

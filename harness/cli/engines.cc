@@ -57,7 +57,8 @@ void print(const process::EngineRow& row, const core::Engine& engine) {
 int engines(const Context& context, const Options& options) {
   int found = 0, broken = 0;
   ordered_json rows = ordered_json::array();
-  for (const process::EngineRow& engine : with_workers(context, options.workers)) {
+  const auto table = with_workers(context, options.workers);
+  for (const process::EngineRow& engine : table) {
     const auto matches = [&](const std::string& glob) { return scenarios::glob_match(glob, engine.id); };
     if (!options.globs.empty() && std::none_of(options.globs.begin(), options.globs.end(), matches)) continue;
     ++found;
@@ -66,7 +67,7 @@ int engines(const Context& context, const Options& options) {
       continue;
     }
     try {
-      const core::Engine description = process::describe(process::parse_engine(engine.id, {engine}), {});
+      const core::Engine description = process::describe(process::parse_engine(engine.id, table), {});
       if (options.json) rows.push_back(row(engine, description));
       else print(engine, description);
     } catch (const process::Failure& failure) {

@@ -1,5 +1,6 @@
 #include "harness/cli/journal.h"
 
+#include "harness/core/fingerprint.h"
 #include "reports/json.h"
 
 #include <fmt/format.h>
@@ -12,34 +13,28 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// FNV-1a, 64 bits: http://www.isthe.com/chongo/tech/comp/fnv/
-std::uint64_t fnv(std::string_view bytes, std::uint64_t hash = 0xcbf29ce484222325u) {
-  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  return hash;
-}
-
-// Of the worker's content, or of its command where it is no file of ours.
-std::uint64_t worker_hash(const std::vector<std::string>& command) {
-  static std::map<std::string, std::uint64_t> known;
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const std::string& word : command) {
-    hash = fnv(word, hash);
-    std::error_code ignored;
-    if (!fs::is_regular_file(word, ignored)) continue;
-    const auto [found, fresh] = known.try_emplace(word, 0);
-    if (fresh) {
+// Of the worker's command, and of the content of each word of it that is a file.
+std::string worker_hash(const std::vector<std::string>& command) {
+  static std::map<std::vector<std::string>, std::string> known;
+  const auto [found, fresh] = known.try_emplace(command);
+  if (fresh) {
+    core::Fingerprint fingerprint;
+    for (const std::string& word : command) {
+      fingerprint.add(word);
+      std::error_code ignored;
+      if (!fs::is_regular_file(word, ignored)) continue;
       std::ifstream in(word, std::ios::binary);
-      found->second = fnv(std::string(std::istreambuf_iterator<char>(in), {}));
+      fingerprint.add(std::string(std::istreambuf_iterator<char>(in), {}));
     }
-    hash ^= found->second;
+    found->second = fingerprint.hex();
   }
-  return hash;
+  return found->second;
 }
 
 }  // namespace
 
 std::string cell_key(const study::Cell& cell, const std::string& expectations_hash) {
-  return fmt::format("{}/{}/{}/{:016x}/{}/{}", cell.scenario->name, cell.scenario->hash, cell.engine.id, worker_hash(cell.engine.row.command),
+  return fmt::format("{}/{}/{}/{}/{}/{}", cell.scenario->name, cell.scenario->hash, cell.engine.id, worker_hash(cell.engine.row.command),
                      cell.dt_text, expectations_hash);
 }
 

@@ -1,0 +1,24 @@
+// FNV-1a, 64 bits: the hash by which content is known again.  Not for secrets.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace cylon::core {
+
+/// Of all bytes added, in order (http://www.isthe.com/chongo/tech/comp/fnv/).
+class Fingerprint {
+ public:
+  void add(std::string_view bytes) {
+    for (const char c : bytes) value_ = (value_ ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+  }
+
+  /// 16 hex digits.
+  std::string hex() const;
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325u;
+};
+
+}  // namespace cylon::core
