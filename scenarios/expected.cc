@@ -58,8 +58,8 @@ Expectations Expectations::parse(std::string_view text, const std::string& file_
 Expected Expectations::find(std::string_view scenario, std::string_view engine, std::string_view integrator,
                             double dt, std::string_view claim) const {
   const auto matches = [&](const Row& row) {
-    return glob_match(row.engine, engine) && glob_match(row.scenario, scenario) &&
-           glob_match(row.claim, claim) && glob_match(row.integrator, integrator) &&
+    return any_glob_match(row.engine, engine) && any_glob_match(row.scenario, scenario) &&
+           any_glob_match(row.claim, claim) && any_glob_match(row.integrator, integrator) &&
            (row.steps.empty() ||
             std::ranges::any_of(row.steps, [&](double step) { return same_step(step, dt); }));
   };
@@ -80,8 +80,8 @@ std::vector<std::string> Expectations::unused(const std::set<std::string>& decid
   std::vector<std::string> result;
   for (const Row& row : rows_)
     if (!decided.contains(row.expected.place))
-      result.push_back(fmt::format("{}: engine '{}', scenario '{}', claim '{}'", row.expected.place, row.engine,
-                                   row.scenario, row.claim));
+      result.push_back(fmt::format("{}: engine '{}', scenario '{}', claim '{}'", row.expected.place,
+                                   row.engine, row.scenario, row.claim));
   return result;
 }
 

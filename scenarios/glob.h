@@ -26,4 +26,14 @@ constexpr bool glob_match(std::string_view pattern, std::string_view text) {
   return p == pattern.size();
 }
 
+/// Whether one of the patterns, separated by ':', matches.
+constexpr bool any_glob_match(std::string_view patterns, std::string_view text) {
+  while (true) {
+    const std::size_t colon = patterns.find(':');
+    if (glob_match(patterns.substr(0, colon), text)) return true;
+    if (colon == std::string_view::npos) return false;
+    patterns.remove_prefix(colon + 1);
+  }
+}
+
 }  // namespace cylon::scenarios
