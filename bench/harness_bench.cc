@@ -1,7 +1,7 @@
 // What the harness itself costs beside the engine that it records: everything that is not the engine's own
-// stepping (spawn, scene, recording, frames, measuring, judging), as a share of it.  Target: under 5 % of ODE's
-// stepping for 1000 free bodies over 5000 steps at the default sampling.  CPU time of this process and its
-// worker, so that a loaded machine does not matter; the error beside it says that the run was a real one.
+// stepping (spawn, scene, recording, frames, measuring, judging), as a share of it.  Target: under 5 % of
+// ODE's stepping for 1000 free bodies over 5000 steps at the default sampling.  CPU time of this process and
+// its worker, so that a loaded machine does not matter; the error beside it says that the run was a real one.
 #include "harness/cli/context.h"
 #include "harness/study/cell.h"
 
@@ -19,7 +19,9 @@ using namespace cylon;
 double cpu_seconds(int who) {
   rusage usage{};
   getrusage(who, &usage);
-  const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
@@ -59,8 +61,10 @@ tolerance = {{ relative = 1e-2, reason = "truncation" }}
 
 void harness_cost(benchmark::State& state, const char* engine) {
   const cli::Context context = cli::make_context();
-  const scenarios::Scenario scenario = scenarios::parse(free_bodies(state.range(0), state.range(1)), "free_bodies.toml");
-  const study::Cell cell{&scenario, process::parse_engine(engine, context.engines), scenario.step, scenario.step_text};
+  const scenarios::Scenario scenario =
+      scenarios::parse(free_bodies(state.range(0), state.range(1)), "free_bodies.toml");
+  const study::Cell cell{&scenario, process::parse_engine(engine, context.engines), scenario.step,
+                         scenario.step_text};
   double stepping = 0, harness = 0, least = std::numeric_limits<double>::infinity(), error = 0;
   for (auto _ : state) {
     const double start = cpu_seconds();
@@ -81,9 +85,22 @@ void harness_cost(benchmark::State& state, const char* engine) {
   state.counters["energy_error_of_allowed"] = error;
 }
 
-BENCHMARK_CAPTURE(harness_cost, ode, "ode")->Args({1000, 5000})->Args({1000, 20000})->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(3);
-BENCHMARK_CAPTURE(harness_cost, bullet, "bullet")->Args({1000, 5000})->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(1);
-BENCHMARK_CAPTURE(harness_cost, in_house, "in-house")->Args({1000, 5000})->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(3);
+BENCHMARK_CAPTURE(harness_cost, ode, "ode")
+    ->Args({1000, 5000})
+    ->Args({1000, 20000})
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(3);
+BENCHMARK_CAPTURE(harness_cost, bullet, "bullet")
+    ->Args({1000, 5000})
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
+BENCHMARK_CAPTURE(harness_cost, in_house, "in-house")
+    ->Args({1000, 5000})
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(3);
 
 }  // namespace
 

@@ -16,7 +16,7 @@ struct Expected {
   core::Status status = core::Status::pass;
   std::string reason;  ///< Empty where nothing is said.
   std::string link;
-  std::string place;   ///< "expected.toml:12" of the row that decided; empty where none did.
+  std::string place;  ///< "expected.toml:12" of the row that decided; empty where none did.
 };
 
 /// The rows of expected.toml.  Of the rows that match a cell the last one wins: general rows first,
@@ -38,7 +38,8 @@ class Expectations {
   /// engine.
   bool version_listed(std::string_view engine, std::string_view version) const;
 
-  /// "expected.toml:12: engine 'ode', scenario '*', claim 'energy*'" for each row whose place is not among `decided`.
+  /// "expected.toml:12: engine 'ode', scenario '*', claim 'energy*'" for each row whose place is not among
+  /// `decided`.
   std::vector<std::string> unused(const std::set<std::string>& decided) const;
 
   /// Of the content, as 16 hex digits; empty without a file.

@@ -30,8 +30,12 @@ std::string place(const std::string& file, unsigned line, unsigned column) {
 
 }  // namespace
 
-InputError::InputError(const std::string& in, unsigned at_line, unsigned at_column, const std::string& message)
-    : std::runtime_error(place(in, at_line, at_column) + message), file(in), line(at_line), column(at_column) {}
+InputError::InputError(const std::string& in, unsigned at_line, unsigned at_column,
+                       const std::string& message)
+    : std::runtime_error(place(in, at_line, at_column) + message),
+      file(in),
+      line(at_line),
+      column(at_column) {}
 
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates) {
   const std::string* best = nullptr;

@@ -9,7 +9,8 @@
 namespace cylon::study {
 
 std::vector<std::vector<core::Verdict>> run(const std::vector<Cell>& cells, const Pool& pool,
-                                            const scenarios::Expectations& expectations, const CellDone& done) {
+                                            const scenarios::Expectations& expectations,
+                                            const CellDone& done) {
   std::vector<std::vector<core::Verdict>> rows(cells.size());
   std::vector<std::exception_ptr> errors(cells.size());
   std::atomic<std::size_t> next = 0;

@@ -9,7 +9,7 @@
 namespace cylon::study {
 
 struct Pool {
-  int workers = 1;           ///< Cells that run at one time.
+  int workers = 1;  ///< Cells that run at one time.
   process::Limits limits;
 };
 
@@ -19,7 +19,7 @@ using CellDone = std::function<void(std::size_t index, const std::vector<core::V
 /// Runs all cells; rows[i] are those of cells[i], the same for any number of workers.  The first
 /// core::InputError of the lowest index is thrown once the cells under way have ended; process::Interrupted
 /// as soon as the children are gone.
-std::vector<std::vector<core::Verdict>> run(const std::vector<Cell>& cells, const Pool&, const scenarios::Expectations&,
-                                            const CellDone& done);
+std::vector<std::vector<core::Verdict>> run(const std::vector<Cell>& cells, const Pool&,
+                                            const scenarios::Expectations&, const CellDone& done);
 
 }  // namespace cylon::study
