@@ -1,0 +1,115 @@
+// What the adapters' tests share: every engine as a row, runs through its real worker, general scenes.
+// CYLON_RESIDUALS=1 in the environment prints each measured number beside what is allowed.
+#pragma once
+
+#include "harness/process/client.h"
+#include "harness/process/engines.h"
+#include "tests/exact/random_scenes.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+
+namespace cylon::conformance {
+
+using core::Quaternion;
+using core::Vector3;
+
+/// Room for a debug build with sanitizers on a machine under load.
+inline const process::Limits limits = {60, 120, std::size_t{4} << 30};
+
+/// An engine under test, and what may be expected of its arithmetic and of its scheme.
+struct Subject {
+  const char* id;
+  bool single = false;     ///< State in single precision.
+  int order = 1;           ///< Of the scheme in smooth motion.
+  bool reduced = false;    ///< Joints by reduced coordinates: no gap by construction.
+  bool iterative = false;  ///< Joints by sweeps that stop before they have converged.
+  int start_units = 8;     ///< Roundings, in units, of a state on its way in and out.
+
+  /// Unit roundoff: half the distance between 1 and the next number.
+  double unit() const { return single ? 0x1p-24 : 0x1p-53; }
+  process::EngineChoice choice() const {
+    return process::parse_engine(id, process::default_engines(CYLON_BINARY_DIR));
+  }
+};
+
+inline const Subject subjects[] = {
+    {.id = "in-house", .order = 4, .start_units = 32},  // w from L by an inverse inertia of eigenvectors
+    {.id = "bullet", .iterative = true},
+    {.id = "bullet-float", .single = true, .iterative = true},
+    {.id = "bullet-multibody", .reduced = true},
+    {.id = "bullet-multibody-float", .single = true, .reduced = true},
+    {.id = "ode"},
+    {.id = "ode-quick", .iterative = true},
+};
+
+inline void PrintTo(const Subject& subject, std::ostream* out) { *out << subject.id; }
+
+inline std::string test_name(const testing::TestParamInfo<Subject>& info) {
+  std::string name = info.param.id;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+class EveryEngine : public testing::TestWithParam<Subject> {
+ protected:
+  const Subject& subject() const { return GetParam(); }
+};
+
+/// A run of `steps` steps, every `every`-th kept; whatever keeps it from its end fails the test.
+inline core::Recording play(const process::EngineChoice& engine, const core::Scene& scene, double dt,
+                            std::int64_t steps, std::int64_t every = 1) {
+  process::RunRequest request;
+  request.scene = &scene;
+  request.setup.dt = dt;
+  request.steps = steps;
+  request.every = every;
+  process::RunOutcome outcome = process::run(engine, request, limits);
+  if (!outcome.recording)
+    throw std::runtime_error(
+        fmt::format("{}: {}: {}", engine.id, core::name(outcome.status), outcome.reason));
+  return *outcome.recording;
+}
+
+/// The state after `steps` steps.
+inline core::State last(const process::EngineChoice& engine, const core::Scene& scene, double dt,
+                        std::int64_t steps) {
+  return play(engine, scene, dt, steps, std::max<std::int64_t>(1, steps)).states.back();
+}
+
+/// EXPECT_LE that tells its number when asked to.
+inline void expect_within(const std::string& what, double measured, double allowed) {
+  if (std::getenv("CYLON_RESIDUALS")) fmt::print("{:<60} {:9.2e} of {:9.2e}\n", what, measured, allowed);
+  EXPECT_LE(measured, allowed) << what;
+}
+
+/// The largest difference between two states over all bodies: metres, radians, m/s and rad/s alike.
+inline double difference(const core::State& a, const core::State& b) {
+  double worst = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double sign = a[i].orientation.dot(b[i].orientation) < 0 ? -1 : 1;
+    worst = std::max({worst, (a[i].position - b[i].position).norm(),
+                      2 * (a[i].orientation.coeffs() - sign * b[i].orientation.coeffs()).norm(),
+                      (a[i].velocity - b[i].velocity).norm(),
+                      (a[i].angular_velocity - b[i].angular_velocity).norm()});
+  }
+  return worst;
+}
+
+/// Bodies "a", "b", "c" with full inertia tensors, turned, spinning and moving in general directions.
+inline core::Scene three_bodies(unsigned seed) {
+  exact::RandomScenes random(seed);
+  core::Scene scene;
+  for (const char* name : {"a", "b", "c"}) {
+    scene.bodies.push_back(
+        random.body({random.between(0.3, 0.5), random.between(0.5, 0.7), random.between(0.7, 0.8)}));
+    scene.bodies.back().name = name;
+  }
+  return scene;
+}
+
+}  // namespace cylon::conformance

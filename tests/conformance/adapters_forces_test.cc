@@ -1,0 +1,205 @@
+// The forces of a scene, each against F = m a and torque by hand in the first instant, and against what they
+// keep.
+#include "tests/conformance/adapters_fixture.h"
+
+#include <array>
+#include <cmath>
+#include <functional>
+
+namespace cylon::conformance {
+namespace {
+
+class Forces : public EveryEngine {};
+INSTANTIATE_TEST_SUITE_P(Adapters, Forces, testing::ValuesIn(subjects), test_name);
+
+// ---- The first instant
+// -----------------------------------------------------------------------------------------
+
+struct Wrench {
+  Vector3 force = Vector3::Zero(), torque = Vector3::Zero();  // about the centre of mass
+};
+using Wrenches = std::array<Wrench, 3>;
+
+// A force on body "a" (0), and on "b" (1) if it has another end, and what it is by hand at t = 0.
+struct Row {
+  const char* name;
+  core::Force force;
+  std::function<Wrenches(const core::Scene&)> by_hand;
+  bool in_house = true;  // whether the in-house engine models it
+};
+
+const Vector3 anchor(0.21, -0.13, 0.34), to_anchor(-0.17, 0.28, 0.09), pin(0.8, -1.4, 0.5);
+const Vector3 push(2.3, -1.1, 3.7);
+
+Vector3 velocity_at(const core::BodyState& s, const Vector3& arm) {
+  return s.velocity + s.angular_velocity.cross(arm);
+}
+
+Wrenches spring_by_hand(const core::Scene& scene, bool pinned) {
+  const core::BodyState &a = scene.bodies[0].initial, &b = scene.bodies[1].initial;
+  const Vector3 arm = a.orientation * anchor, to_arm = b.orientation * to_anchor;
+  const Vector3 end = pinned ? pin : b.position + to_arm;
+  const Vector3 end_velocity = pinned ? Vector3::Zero() : velocity_at(b, to_arm);
+  const Vector3 d = end - (a.position + arm), along = d.normalized();
+  const double stretching = along.dot(end_velocity - velocity_at(a, arm));
+  const Vector3 f = (17.0 * (d.norm() - 0.4) + 1.9 * stretching) * along;
+  Wrenches result;
+  result[0] = {f, arm.cross(f)};
+  if (!pinned) result[1] = {-f, to_arm.cross(-f)};
+  return result;
+}
+
+Wrenches on_a(const Vector3& force, const Vector3& torque) {
+  Wrenches result;
+  result[0] = {force, torque};
+  return result;
+}
+
+core::Matrix3 inertia_of(const core::Body& body) {
+  return core::world_inertia(body, body.initial.orientation);
+}
+
+const Row rows[] = {
+    {"gravity", core::UniformGravity{{3.3, -8.1, 4.6}},
+     [](const core::Scene& scene) {
+       Wrenches result;
+       for (std::size_t i = 0; i < 3; ++i) result[i].force = scene.bodies[i].mass * Vector3(3.3, -8.1, 4.6);
+       return result;
+     }},
+    {"spring between two", core::Spring{0, anchor, 1, to_anchor, 17.0, 0.4, 1.9},
+     [](const core::Scene& scene) { return spring_by_hand(scene, false); }},
+    {"spring to a pin", core::Spring{0, anchor, core::world, pin, 17.0, 0.4, 1.9},
+     [](const core::Scene& scene) { return spring_by_hand(scene, true); }},
+    {"linear drag", core::Drag{0, 1.7, 0, 0},
+     [](const core::Scene& scene) { return on_a(-1.7 * scene.bodies[0].initial.velocity, Vector3::Zero()); }},
+    {"angular drag", core::Drag{0, 0, 2.6, 0},
+     [](const core::Scene& scene) {
+       return on_a(Vector3::Zero(), -2.6 * scene.bodies[0].initial.angular_velocity);
+     }},
+    {"momentum drag", core::Drag{0, 0, 0, 3.1},
+     [](const core::Scene& scene) {
+       return on_a(Vector3::Zero(),
+                   -3.1 * (inertia_of(scene.bodies[0]) * scene.bodies[0].initial.angular_velocity));
+     }},
+    {"drive", core::Drive{0, push, 5.3}, [](const core::Scene&) { return on_a(push, Vector3::Zero()); }},
+    {"thrust", core::Thrust{.body = 0, .force = push},
+     [](const core::Scene& scene) {
+       return on_a(scene.bodies[0].initial.orientation * push, Vector3::Zero());
+     },
+     false},
+    {"attraction", core::Attraction{0, 1, 4.2},
+     [](const core::Scene& scene) {
+       const Vector3 d = scene.bodies[1].initial.position - scene.bodies[0].initial.position;
+       const Vector3 f = 4.2 * scene.bodies[0].mass * scene.bodies[1].mass / std::pow(d.norm(), 3) * d;
+       Wrenches result;
+       result[0].force = f, result[1].force = -f;
+       return result;
+     },
+     false},
+};
+
+// (v_1 - v_0)/dt = F/m + O(dt), (w_1 - w_0)/dt = I^-1 (tau - w x I w) + O(dt), relative to the largest of
+// each in the scene.  The step balances O(dt) against rounding v/dt: 1e-6 s in double, 3e-4 s in single
+// precision.
+TEST_P(Forces, FirstInstantIsAsByHand) {
+  const double h = subject().single ? 3e-4 : 1e-6;
+  for (const Row& row : rows) {
+    if (std::string_view(subject().id) == "in-house" && !row.in_house) continue;
+    core::Scene scene = three_bodies(51);
+    scene.forces = {row.force};
+    const core::State before = core::initial_state(scene), after = last(subject().choice(), scene, h, 1);
+    const Wrenches wrenches = row.by_hand(scene);
+    double error = 0, size = 0, turning_error = 0, turning_size = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const core::Matrix3 inertia = inertia_of(scene.bodies[i]);
+      const Vector3& w = before[i].angular_velocity;
+      const Vector3 a = wrenches[i].force / scene.bodies[i].mass;
+      const Vector3 turning = inertia.inverse() * (wrenches[i].torque - w.cross(inertia * w));
+      error = std::max(error, ((after[i].velocity - before[i].velocity) / h - a).norm());
+      turning_error = std::max(turning_error, ((after[i].angular_velocity - w) / h - turning).norm());
+      size = std::max(size, a.norm());
+      turning_size = std::max(turning_size, turning.norm());
+    }
+    const double allowed = subject().single ? 1e-2 : 3e-5;  // 30 h/s, h/s being O(dt) for rates of 30/s
+    expect_within(fmt::format("acceleration by {}, {}", row.name, subject().id), error,
+                  allowed * std::max(1.0, size));
+    expect_within(fmt::format("angular acceleration by {}, {}", row.name, subject().id), turning_error,
+                  allowed * std::max(1.0, turning_size));
+  }
+}
+
+// ---- Over time
+// -------------------------------------------------------------------------------------------------
+
+// x = x_0 + v_0 t + F/m (1 - cos f t)/f^2: the drive's time is the engine's.
+TEST_P(Forces, TheDriveKeepsTime) {
+  const double f = 5.3, t = 0.8;
+  const auto error = [&](std::int64_t steps) {
+    core::Scene scene = three_bodies(52);
+    scene.forces = {core::Drive{1, push, f}};
+    const core::BodyState& b = scene.bodies[1].initial;
+    const Vector3 exact =
+        b.position + b.velocity * t + push / scene.bodies[1].mass * (1 - std::cos(f * t)) / (f * f);
+    return (last(subject().choice(), scene, t / static_cast<double>(steps), steps)[1].position - exact)
+        .norm();
+  };
+  const double coarse = error(80), fine = error(800);
+  expect_within(fmt::format("drive, {}", subject().id), fine,
+                1.25 * coarse / std::pow(10, subject().order) + 800 * subject().unit());
+}
+
+// Springs between bodies: forces are equal and opposite, so momentum stays to a hundred roundings; and on one
+// line, so angular momentum stays as well as the scheme keeps it.
+TEST_P(Forces, SpringsKeepBothMomenta) {
+  core::Scene scene = three_bodies(53);
+  scene.forces = {core::Spring{0, anchor, 1, to_anchor, 17.0, 0.4, 1.9},
+                  core::Spring{2, to_anchor, 0, anchor, 11.0, 0.1, 0.3}};
+  const auto momenta = [&](const core::State& state) {
+    std::pair<Vector3, Vector3> sum = {Vector3::Zero(), Vector3::Zero()};
+    for (std::size_t i = 0; i < state.size(); ++i) {
+      const core::Body& body = scene.bodies[i];
+      const core::BodyState& s = state[i];
+      sum.first += body.mass * s.velocity;
+      sum.second += body.mass * s.position.cross(s.velocity) +
+                    core::world_inertia(body, s.orientation) * s.angular_velocity;
+    }
+    return sum;
+  };
+  const auto [p, l] = momenta(core::initial_state(scene));
+  const auto drift = [&](std::int64_t steps) {
+    const auto [p1, l1] = momenta(last(subject().choice(), scene, 1.0 / static_cast<double>(steps), steps));
+    expect_within(fmt::format("momentum, {} steps, {}", steps, subject().id), (p1 - p).norm() / p.norm(),
+                  100 * subject().unit());
+    return (l1 - l).norm() / l.norm();
+  };
+  const double coarse = drift(100), fine = drift(1000);
+  expect_within(fmt::format("angular momentum, {}", subject().id), fine,
+                1.25 * coarse / std::pow(10, subject().order) + 2000 * subject().unit());
+}
+
+// ---- Locked bodies
+// ---------------------------------------------------------------------------------------------
+
+// Whatever acts on it, a locked body stays to the last bit; and a spring hangs from it as from a pin in the
+// same place.
+TEST_P(Forces, LockedBodiesStayAndHold) {
+  core::Scene scene = three_bodies(54);
+  core::Body& wall = scene.bodies[1];
+  wall.locked = true;
+  wall.initial.velocity = wall.initial.angular_velocity = Vector3::Zero();
+  scene.forces = {core::UniformGravity{{2, -9, 1}}, core::Spring{0, anchor, 1, to_anchor, 17.0, 0.4, 1.9},
+                  core::Drive{1, 100 * push, 3}, core::Drag{1, 5, 5, 5}};
+  const core::Recording recording = play(subject().choice(), scene, 1e-3, 500, 50);
+  for (const core::State& state : recording.states)
+    EXPECT_EQ(difference({state[1]}, {recording.states[0][1]}), 0);
+
+  core::Scene pinned = scene;
+  pinned.forces[1] = core::Spring{
+      0, anchor, core::world, wall.initial.position + wall.initial.orientation * to_anchor, 17.0, 0.4, 1.9};
+  expect_within(fmt::format("a spring from a locked body as from a pin, {}", subject().id),
+                difference(last(subject().choice(), pinned, 1e-3, 500), recording.states.back()),
+                2000 * subject().unit());
+}
+
+}  // namespace
+}  // namespace cylon::conformance
