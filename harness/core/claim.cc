@@ -80,6 +80,20 @@ double propagate(const Observable& q, const Scene& scene, const State& state, co
 
 std::string_view name(Reduction reduction) { return reductions[static_cast<std::size_t>(reduction)]; }
 
+std::string unit(const Claim& claim) {
+  const std::string base(unit(claim.observable));
+  switch (claim.reduction) {
+    case Reduction::mean_square:
+      return base.find(' ') == std::string::npos ? base + "^2" : "(" + base + ")^2";
+    case Reduction::rate:
+      return base + "/s";
+    case Reduction::order:
+      return "";
+    default:
+      return base;
+  }
+}
+
 double truth_error(const Observable& q, const Scene& scene, const Truth& truth, double until) {
   if (q.quantity == Quantity::event) {
     switch (q.event_quantity) {

@@ -44,6 +44,9 @@ struct Claim {
 
 std::string_view name(Reduction);
 
+/// Of the measured number: the observable's, squared for mean_square, per second for rate, none for order.
+std::string unit(const Claim&);
+
 /// Bound on a truth's error in the observable's own unit, from its bound on the state by the triangle
 /// inequality (first order), at the states that the truth takes over [0, until].
 double truth_error(const Observable&, const Scene&, const Truth&, double until);

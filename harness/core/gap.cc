@@ -1,5 +1,6 @@
 // Signed distances between surfaces, by support functions: how far a shape reaches in a direction.
 #include "harness/core/observable.h"
+#include "harness/core/overloaded.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,13 +8,6 @@
 
 namespace cylon::core {
 namespace {
-
-template <class... Ts>
-struct Overloaded : Ts... {
-  using Ts::operator()...;
-};
-template <class... Ts>
-Overloaded(Ts...) -> Overloaded<Ts...>;
 
 // h(d) = max over the shape of d . x, with d a unit vector in the body frame [m].
 double support(const Primitive& shape, const Vector3& d) {

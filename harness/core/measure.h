@@ -31,10 +31,12 @@ double scale(const Claim&, const Scene&, double duration);
 struct Measured {
   double value = 0;  ///< In the observable's unit (order: a number; rate: unit/s).
   double allowed = 0;
-  std::optional<std::int64_t> first_bad_step;  ///< Of the first state that is not finite.
   std::string detail;   ///< What the number alone does not say: a missing event, a lost order.
   bool broken = false;  ///< `detail` is a failure, whatever the number.
 };
+
+/// The step of the first recorded state with a number that is not finite; nothing where all are.
+std::optional<std::int64_t> first_bad_step(const Recording&);
 
 /// How many runs, each at half the step of the one before, the claim needs: 1 or 3.
 int runs_needed(const Claim&);

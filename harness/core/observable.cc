@@ -57,8 +57,10 @@ Vector3 spin(const Body& body, const BodyState& s) {
   return s.orientation * (body.inertia * (s.orientation.conjugate() * s.angular_velocity));
 }
 
+// m v^2/2 + w.I0 w/2, the second in body axes.
 double kinetic(const Body& body, const BodyState& s) {
-  return 0.5 * body.mass * s.velocity.squaredNorm() + 0.5 * s.angular_velocity.dot(spin(body, s));
+  const Vector3 w = s.orientation.conjugate() * s.angular_velocity;
+  return 0.5 * body.mass * s.velocity.squaredNorm() + 0.5 * w.dot(body.inertia * w);
 }
 
 Vector3 anchor(const State& state, int body, const Vector3& local) {

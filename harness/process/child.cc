@@ -95,7 +95,6 @@ void Child::check_limits() {
 }
 
 bool Child::receive() {
-  output_.erase(0, std::exchange(consumed_, 0));
   const std::size_t before = output_.size();
   while (!output_ended_ && output_.size() == before) {
     check_limits();
@@ -127,10 +126,8 @@ void Child::write_some() {
 }
 
 void Child::read_output() {
-  const std::size_t size = output_.size();
-  output_.resize(size + chunk);
-  const ssize_t n = ::read(out_, output_.data() + size, chunk);
-  output_.resize(size + static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
+  const ssize_t n = ::read(out_, output_.room(chunk), chunk);
+  output_.added(static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
   if (n == 0 || (n < 0 && errno != EAGAIN && errno != EINTR)) output_ended_ = true;
 }
 
@@ -164,7 +161,7 @@ bool Child::exited_within(double seconds) {
     if (Clock::now() >= end) return false;
     poll_once(1);  // a full pipe would keep it alive
     if (output_ended_ && err_ < 0) ::usleep(1000);
-    output_.clear(), consumed_ = 0;  // nothing that it still says counts
+    output_.clear();  // nothing that it still says counts
   }
 }
 
@@ -195,7 +192,7 @@ std::string Child::finish(double seconds) {
   while (sent_ < unsent_.size() && !output_ended_ && Clock::now() < end) poll_once(tick_ms);
   unsent_.clear(), sent_ = 0;
   close_fd(in_);
-  output_.clear(), consumed_ = 0;
+  output_.clear();
   const std::string ended = exited_within(seconds) && signal_ ? signal_name(signal_) : "";
   kill();
   return ended;

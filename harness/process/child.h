@@ -2,6 +2,7 @@
 #pragma once
 
 #include "harness/core/verdict.h"
+#include "harness/process/byte_queue.h"
 
 #include <sys/types.h>
 
@@ -53,8 +54,8 @@ class Child {
   bool receive();
 
   /// What was received and not consumed yet.  Valid until the next receive().
-  std::string_view output() const { return std::string_view(output_).substr(consumed_); }
-  void consume(std::size_t bytes) { consumed_ += bytes; }
+  std::string_view output() const { return output_.view(); }
+  void consume(std::size_t bytes) { output_.consume(bytes); }
 
   /// After receive() gave false: waits a little for the exit and tells it as a Failure: crash with the signal
   /// or the exit code and the last line of stderr; protocol where it closed its output but lives on.
@@ -85,8 +86,9 @@ class Child {
   pid_t pid_ = -1;
   int signal_ = 0, code_ = 0;          // how it ended
   int in_ = -1, out_ = -1, err_ = -1;  // our ends
-  std::string unsent_, output_, errors_;
-  std::size_t sent_ = 0, consumed_ = 0, memory_bytes_;
+  std::string unsent_, errors_;
+  ByteQueue output_;
+  std::size_t sent_ = 0, memory_bytes_;
   bool output_ended_ = false;
   Clock::time_point deadline_ = Clock::time_point::max(), next_check_ = Clock::time_point::min();
   double deadline_seconds_ = 0;

@@ -31,7 +31,8 @@ std::vector<core::Pair> watched(const Scenario& scenario) {
   const auto asked = [&](const core::Pair& pair) {
     return std::any_of(scenario.claims.begin(), scenario.claims.end(), [&](const Claim& claim) {
       const core::Observable& q = claim.observable;
-      return q.quantity == core::Quantity::event && (!q.body || *q.body == pair.body || *q.body == pair.other);
+      return q.quantity == core::Quantity::event &&
+             (!q.body || *q.body == pair.body || *q.body == pair.other);
     });
   };
   for (const core::Pair& pair : core::touching_pairs(scenario.scene))
@@ -39,12 +40,8 @@ std::vector<core::Pair> watched(const Scenario& scenario) {
   return pairs;
 }
 
-// Quotes an argument for the shell where it needs that.
-std::string quoted(const std::string& word) {
-  return word.find_first_of("*?[]()$&;|<>'\" \\") == std::string::npos ? word : "'" + word + "'";
-}
-
-Verdict blank(const Cell& cell, const Claim& claim, const Sampling& plan, const scenarios::Expectations& expectations) {
+Verdict blank(const Cell& cell, const Claim& claim, const Sampling& plan,
+              const scenarios::Expectations& expectations) {
   const Scenario& scenario = *cell.scenario;
   Verdict row;
   row.scenario = scenario.name;
@@ -55,18 +52,20 @@ Verdict blank(const Cell& cell, const Claim& claim, const Sampling& plan, const 
   row.sampling = claim.sample && *claim.sample > 0 ? fmt::format("every {} s", *claim.sample) : plan.text;
   row.claim = claim.label;
   row.observable = core::name(claim.observable.quantity);
-  row.unit = core::unit(claim.observable);
+  row.unit = core::unit(claim);
   row.truth_error = claim.truth_error;
   row.tolerance_reason = claim.tolerance.reason;
   row.body_steps = static_cast<std::int64_t>(scenario.scene.bodies.size()) * plan.steps;
-  row.reproduce = fmt::format("cylon run {} --engine {} --dt {}", quoted(scenario.name), quoted(cell.engine.id), cell.dt_text);
-  const auto expected = expectations.find(scenario.name, cell.engine.id, cell.engine.integrator, cell.dt, claim.label);
+  row.reproduce = cell.reproduce;
+  const auto expected =
+      expectations.find(cell.known_as.empty() ? scenario.name : cell.known_as, cell.engine.id, cell.engine.integrator, cell.dt, claim.label);
   row.expected = expected.status;
   row.expected_reason = expected.reason;
   return row;
 }
 
-void sign(Verdict& row, const core::Engine& engine, const core::Terms& terms, const scenarios::Expectations& expectations) {
+void sign(Verdict& row, const core::Engine& engine, const core::Terms& terms,
+          const scenarios::Expectations& expectations) {
   row.version = engine.version;
   row.precision = engine.precision;
   row.path = terms.path;
@@ -77,16 +76,17 @@ void sign(Verdict& row, const core::Engine& engine, const core::Terms& terms, co
   row.version_listed = engine.version.empty() || expectations.version_listed(engine.name, engine.version);
 }
 
-void judge(Verdict& row, const Claim& claim, const Scenario& scenario, std::span<const core::Recording> recordings) {
+void judge(Verdict& row, const Claim& claim, const Scenario& scenario,
+           std::span<const core::Recording> recordings, std::optional<std::int64_t> first_bad_step) {
   const core::Measured measured = core::measure(claim, scenario.scene, recordings, scenario.duration);
   row.measured = measured.value;
   row.allowed = measured.allowed;
-  row.first_bad_step = measured.first_bad_step;
+  row.first_bad_step = first_bad_step;
   row.detail = measured.detail;
   row.status = core::judge(measured.value, measured.allowed);
   if (measured.broken && row.status != core::Status::non_finite) row.status = core::Status::fail;
   // An event that never came because the run broke is a broken run.
-  if (measured.broken && measured.first_bad_step) row.status = core::Status::non_finite;
+  if (measured.broken && first_bad_step) row.status = core::Status::non_finite;
 }
 
 }  // namespace
@@ -100,7 +100,8 @@ Sampling sampling(const Scenario& scenario, double dt) {
   for (const Claim& claim : scenario.claims) {
     if (claim.truth && !claim.truth->times.empty()) {
       for (const double t : claim.truth->times)
-        if (t > 0 && t <= std::min(claim.until, scenario.duration)) at.insert(steps_of(scenario, t, dt, "a time of the recorded truth"));
+        if (t > 0 && t <= std::min(claim.until, scenario.duration))
+          at.insert(steps_of(scenario, t, dt, "a time of the recorded truth"));
       continue;
     }
     if (claim.observable.quantity == core::Quantity::event) continue;
@@ -116,7 +117,8 @@ Sampling sampling(const Scenario& scenario, double dt) {
   return plan;
 }
 
-std::vector<Verdict> run(const Cell& cell, const process::Limits& limits, const scenarios::Expectations& expectations) {
+std::vector<Verdict> run(const Cell& cell, const process::Limits& limits,
+                         const scenarios::Expectations& expectations) {
   const Scenario& scenario = *cell.scenario;
   const Sampling plan = sampling(scenario, cell.dt);
   std::vector<Verdict> rows;
@@ -131,7 +133,8 @@ std::vector<Verdict> run(const Cell& cell, const process::Limits& limits, const 
     process::RunRequest request;
     request.scene = &scenario.scene;
     request.setup.dt = dt;
-    request.steps = samples.steps, request.every = samples.every, request.at = samples.at, request.watch = samples.watch;
+    request.steps = samples.steps, request.every = samples.every, request.at = samples.at,
+    request.watch = samples.watch;
     process::RunOutcome outcome = process::run(cell.engine, request, limits);
     for (Verdict& row : rows) {
       if (i == 0) {
@@ -144,7 +147,8 @@ std::vector<Verdict> run(const Cell& cell, const process::Limits& limits, const 
     if (outcome.status != core::Status::pass || !outcome.recording) return rows;
     recordings.push_back(std::move(*outcome.recording));
   }
-  for (std::size_t i = 0; i < rows.size(); ++i) judge(rows[i], scenario.claims[i], scenario, recordings);
+  const auto bad = core::first_bad_step(recordings.front());
+  for (std::size_t i = 0; i < rows.size(); ++i) judge(rows[i], scenario.claims[i], scenario, recordings, bad);
   return rows;
 }
 

@@ -17,6 +17,8 @@ struct Cell {
   process::EngineChoice engine;
   double dt = 0;        ///< [s]
   std::string dt_text;  ///< As given: "1/60".
+  std::string known_as = "";   ///< The scenario's name in expected.toml; empty: its own.
+  std::string reproduce = "";  ///< The command that gives these rows again.
 };
 
 /// The steps at which a cell is recorded, and the pairs that are watched: what its claims need, no more.

@@ -206,11 +206,15 @@ TEST(Measure, AllowsAbsolutePlusRelativeOfTheInitialValue) {
 
 TEST(Measure, SaysWhereARunBrokeAndDoesNotLoseTheNaN) {
   Parabola p;
+  EXPECT_EQ(first_bad_step(p.recording), std::nullopt);
+  p.recording.states[3][0].position.x() = 1e308;  // large is not broken
+  p.recording.states[3][0].position.y() = 1e308;
+  EXPECT_EQ(first_bad_step(p.recording), std::nullopt);
   p.recording.states[2][0].velocity.y() = nan;
-  EXPECT_EQ(p.measured().first_bad_step, 2);
-  EXPECT_NEAR(p.measured().value, 4, 1e-15);  // the position is still finite
+  EXPECT_EQ(first_bad_step(p.recording), 2);
+  p.recording.states[1][0].orientation.z() = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(first_bad_step(p.recording), 1);
   p.recording.states[1][0].position.y() = nan;
-  EXPECT_EQ(p.measured().first_bad_step, 1);
   EXPECT_TRUE(std::isnan(p.measured().value));
   EXPECT_EQ(judge(p.measured().value, 1), Status::non_finite);
 }
