@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+"""Writes the generated tables of README.md from what the program says, or checks that they are current.
+
+    docs/update.py [--check] [--cylon build/release/cylon]
+
+Only numbers that are the same on every run stand in generated tables: verdicts, never times.
+"""
+import argparse
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+root = pathlib.Path(__file__).resolve().parent.parent
+
+
+def output(*command):
+    """What a command prints; its exit code is its own affair (1: a verdict differs)."""
+    done = subprocess.run(command, cwd=root, capture_output=True, text=True)
+    if done.returncode not in (0, 1):
+        sys.exit(f"{' '.join(command)} ended with {done.returncode}:\n{done.stderr}")
+    return done.stdout
+
+
+def digits(verdict):
+    """log10(allowed / measured), as the console shows it."""
+    import math
+    if verdict["measured"] is None:
+        return -99.0
+    if verdict["measured"] == 0:
+        return 99.0
+    return math.log10(verdict["allowed"] / verdict["measured"]) if verdict["allowed"] else -99.0
+
+
+MARKS = {"pass": "✓", "low-quality": "~", "fail": "✗", "unsupported": "–"}
+
+
+def matrix(cylon):
+    verdicts = json.loads(output(cylon, "run", "--json", "-"))["verdicts"]
+    engines = list(dict.fromkeys(v["engine"] for v in verdicts))
+    lines = ["| scenario | " + " | ".join(e.replace("in-house/integrator=", "in-house, ") for e in engines) + " |",
+             "|---" * (len(engines) + 1) + "|"]
+    for scenario in dict.fromkeys(v["scenario"] for v in verdicts):
+        cells = []
+        for engine in engines:
+            worst = min((v for v in verdicts if v["scenario"] == scenario and v["engine"] == engine), key=digits)
+            cells.append(f"{MARKS.get(worst['status'], worst['status'])} {max(-99, digits(worst)):+.1f}")
+        lines.append(f"| {scenario} | " + " | ".join(cells) + " |")
+    return "\n".join(lines)
+
+
+def scenarios(cylon):
+    lines = ["| scenario | what happens | truth | its error | claims |", "|---|---|---|---|---|"]
+    for row in json.loads(output(cylon, "list", "--json")):
+        followed = [c for c in row["claims"] if c["follows"]]
+        truth = followed[0]["follows"] if followed else "–"
+        error = f"{max(c['truth_error'] for c in followed):.0e}" if followed else "–"
+        observables = ", ".join(dict.fromkeys(c["observable"] for c in row["claims"]))
+        lines.append(f"| {row['name']} | {row['title']} | {truth} | {error} | {observables} |")
+    return "\n".join(lines)
+
+
+def published(cylon):
+    text = output(cylon, "run", "--suite", "simbenchmark")
+    table = text[text.index("published numbers"):]
+    return "```\n" + table.rstrip() + "\n```"
+
+
+def commands(cylon):
+    text = output(cylon, "--help")
+    return "```\n" + text[text.index("Subcommands:"):].rstrip() + "\n```"
+
+
+BLOCKS = {"matrix": matrix, "scenarios": scenarios, "published": published, "commands": commands}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--check", action="store_true", help="change nothing; fail where a table is not current")
+    parser.add_argument("--cylon", default="build/release/cylon", help="the program to ask")
+    options = parser.parse_args()
+    readme = root / "README.md"
+    old = new = readme.read_text()
+    for name, make in BLOCKS.items():
+        new, count = re.subn(rf"(<!-- {name} -->\n).*?(\n<!-- /{name} -->)",
+                             lambda m: m[1] + make(options.cylon) + m[2], new, flags=re.S)
+        if count != 1:
+            sys.exit(f"README.md: needs one block '<!-- {name} --> … <!-- /{name} -->'")
+    if options.check and new != old:
+        import difflib
+        sys.stdout.writelines(difflib.unified_diff(old.splitlines(True), new.splitlines(True), "README.md", "current"))
+        sys.exit("README.md is not current: run docs/update.py")
+    if not options.check:
+        readme.write_text(new)
+
+
+main()
