@@ -128,14 +128,6 @@ core::StateError bound(const Bounces& b, const core::Body& body, const core::Pla
   return error;
 }
 
-double radius(const core::Scene& scene, int index) {
-  const core::Body& body = scene.bodies[static_cast<std::size_t>(index)];
-  const auto* sphere = std::get_if<core::Sphere>(&body.shape);
-  if (!sphere) refuse(name, named(scene, index) + " is not a sphere");
-  if (!body.collide) refuse(name, named(scene, index) + " does not collide");
-  return sphere->radius;
-}
-
 // Two spheres keep off each other when their paths along the plane do: gravity moves both alike, so the
 // distance is that of two points in uniform motion.
 void check_apart(const core::Scene& scene, const core::Vector3& normal, int i, int j, double horizon) {
@@ -144,7 +136,7 @@ void check_apart(const core::Scene& scene, const core::Vector3& normal, int i, i
   const auto along = [&](const core::Vector3& x) -> core::Vector3 { return x - normal * normal.dot(x); };
   const core::Vector3 d = along(b.position - a.position), w = along(b.velocity - a.velocity);
   const double closest = w.isZero(0.0) ? 0 : std::clamp(-d.dot(w) / w.squaredNorm(), 0.0, horizon);
-  if ((d + w * closest).norm() <= radius(scene, i) + radius(scene, j)) {
+  if ((d + w * closest).norm() <= colliding_radius(name, scene, i) + colliding_radius(name, scene, j)) {
     refuse(name, named(scene, i) + " may touch " + named(scene, j));
   }
 }
@@ -166,7 +158,7 @@ core::Truth bouncing_sphere(const core::Scene& scene, double horizon) {
   std::vector<Sphere> spheres;
   for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) {
     const core::Body& body = scene.bodies[static_cast<std::size_t>(i)];
-    const double r = radius(scene, i);
+    const double r = colliding_radius(name, scene, i);
     check_steady_spin(name, scene, i);
     for (int j = 0; j < i; ++j) check_apart(scene, plane.normal, j, i, horizon);
     const auto material = core::material_of(scene, {i, core::world, 0});

@@ -1,7 +1,8 @@
 #include "reference/exact/domain.h"
 
+#include "harness/core/overloaded.h"
+
 #include <cmath>
-#include <type_traits>
 
 namespace cylon::exact {
 namespace {
@@ -13,27 +14,30 @@ struct ForceName {
 };
 
 ForceName name_of(const core::Force& force) {
-  return std::visit(
-      [](const auto& f) -> ForceName {
-        using F = std::decay_t<decltype(f)>;
-        if constexpr (std::is_same_v<F, core::UniformGravity>)
-          return {"gravity", core::world};
-        else if constexpr (std::is_same_v<F, core::Spring>)
-          return {"spring", f.body};
-        else if constexpr (std::is_same_v<F, core::Drag>)
-          return {"drag", f.body};
-        else if constexpr (std::is_same_v<F, core::Thrust>)
-          return {"thrust", f.body};
-        else if constexpr (std::is_same_v<F, core::Drive>)
-          return {"drive", f.body};
-        else if constexpr (std::is_same_v<F, core::Attraction>)
-          return {"attraction", f.body};
-        else {
-          static_assert(std::is_same_v<F, core::Water>);
-          return {"water", core::world};
-        }
-      },
-      force);
+  return std::visit(core::Overloaded{
+                        [](const core::UniformGravity&) {
+                          return ForceName{"gravity", core::world};
+                        },
+                        [](const core::Spring& f) {
+                          return ForceName{"spring", f.body};
+                        },
+                        [](const core::Drag& f) {
+                          return ForceName{"drag", f.body};
+                        },
+                        [](const core::Thrust& f) {
+                          return ForceName{"thrust", f.body};
+                        },
+                        [](const core::Drive& f) {
+                          return ForceName{"drive", f.body};
+                        },
+                        [](const core::Attraction& f) {
+                          return ForceName{"attraction", f.body};
+                        },
+                        [](const core::Water&) {
+                          return ForceName{"water", core::world};
+                        },
+                    },
+                    force);
 }
 
 }  // namespace
@@ -104,6 +108,14 @@ void check_steady_spin(std::string_view solution, const core::Scene& scene, int 
   if (w.cross(spin).norm() > 1e-14 * w.norm() * spin.norm()) {
     refuse(solution, named(scene, index) + " does not turn about a principal axis");
   }
+}
+
+double colliding_radius(std::string_view solution, const core::Scene& scene, int index) {
+  const core::Body& body = scene.bodies.at(static_cast<std::size_t>(index));
+  const auto* sphere = std::get_if<core::Sphere>(&body.shape);
+  if (!sphere) refuse(solution, named(scene, index) + " is not a sphere");
+  if (!body.collide) refuse(solution, named(scene, index) + " does not collide");
+  return sphere->radius;
 }
 
 core::Vector3 gravity(const core::Scene& scene) {

@@ -31,6 +31,9 @@ void check_springs(std::string_view solution, const core::Scene&);
 /// The body turns about a fixed axis when no torque acts: |w x I w| <= 1e-14 |w| |I w|.
 void check_steady_spin(std::string_view solution, const core::Scene&, int body);
 
+/// The body is a sphere that collides.  Its radius [m].
+double colliding_radius(std::string_view solution, const core::Scene&, int body);
+
 /// Sum of the uniform gravities [m/s^2].
 core::Vector3 gravity(const core::Scene&);
 

@@ -138,11 +138,9 @@ core::Truth free_asymmetric_top(const core::Scene& scene, double horizon) {
   }
   return {
       .state = solve_scene(scene),
-      .events = {},
       .error = rounding_error(scene, solve_scene, horizon),
       .source = "Landau & Lifshitz, Mechanics, section 37; the angle about L by Legendre's third integral",
-      .horizon = horizon,
-      .times = {}};
+      .horizon = horizon};
 }
 
 }  // namespace cylon::exact

@@ -52,11 +52,9 @@ core::Truth free_symmetric_top(const core::Scene& scene, double horizon) {
   check_no_contacts(name, scene);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) check_symmetric(name, scene, static_cast<int>(i));
   return {.state = solve(scene),
-          .events = {},
           .error = rounding_error(scene, solve, horizon),
           .source = "Landau & Lifshitz, Mechanics, section 33: regular precession",
-          .horizon = horizon,
-          .times = {}};
+          .horizon = horizon};
 }
 
 }  // namespace cylon::exact

@@ -154,13 +154,11 @@ core::Truth heavy_top(const core::Scene& scene, double horizon) {
     check_top(scene, i);
   }
   return {.state = solve(scene),
-          .events = {},
           .error = rounding_error(scene, solve, horizon),
           .source =
               "Goldstein, Classical Mechanics, section 5.7; Whittaker, Analytical Dynamics, section 72 "
               "(Cayley-Klein)",
-          .horizon = horizon,
-          .times = {}};
+          .horizon = horizon};
 }
 
 }  // namespace cylon::exact

@@ -197,11 +197,9 @@ core::Truth spring_orbit(const core::Scene& scene, double horizon) {
   for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) check_steady_spin(name, scene, i);
   check_orbits(scene);
   return {.state = solve(scene),
-          .events = {},
           .error = rounding_error(scene, solve, horizon),
           .source = "Landau & Lifshitz, Mechanics, section 14: motion in a central field, by quadrature",
-          .horizon = horizon,
-          .times = {}};
+          .horizon = horizon};
 }
 
 }  // namespace cylon::exact

@@ -63,11 +63,9 @@ core::Truth spring_zero_length(const core::Scene& scene, double horizon) {
     }
   }
   return {.state = solve(scene),
-          .events = {},
           .error = rounding_error(scene, solve, horizon),
           .source = "Landau & Lifshitz, Mechanics, section 23: the space oscillator",
-          .horizon = horizon,
-          .times = {}};
+          .horizon = horizon};
 }
 
 }  // namespace cylon::exact

@@ -61,14 +61,6 @@ struct Smooth {
   }
 };
 
-double radius(const core::Scene& scene, int index) {
-  const core::Body& body = scene.bodies[static_cast<std::size_t>(index)];
-  const auto* sphere = std::get_if<core::Sphere>(&body.shape);
-  if (!sphere) refuse(name, named(scene, index) + " is not a sphere");
-  if (!body.collide) refuse(name, named(scene, index) + " does not collide");
-  return sphere->radius;
-}
-
 }  // namespace
 
 core::Truth two_sphere_oblique(const core::Scene& scene, double horizon) {
@@ -77,7 +69,7 @@ core::Truth two_sphere_oblique(const core::Scene& scene, double horizon) {
   check_no_joints(name, scene);
   if (scene.bodies.size() != 2) refuse(name, "the scene must have two bodies");
   if (!scene.planes.empty()) refuse(name, "the scene has a plane, '" + scene.planes.front().name + "'");
-  const Wide radii = Wide(radius(scene, 0)) + Wide(radius(scene, 1));
+  const Wide radii = Wide(colliding_radius(name, scene, 0)) + Wide(colliding_radius(name, scene, 1));
   for (int i : {0, 1}) check_steady_spin(name, scene, i);
   const core::Pair pair = {0, 1, -1};
   const auto material = core::material_of(scene, pair);

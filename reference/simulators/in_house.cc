@@ -2,6 +2,7 @@
 // a Setup.
 #include "engine/world.h"
 #include "harness/core/input_error.h"
+#include "harness/core/overloaded.h"
 #include "harness/core/simulator.h"
 
 #include <fmt/format.h>
@@ -15,15 +16,10 @@ namespace cylon::simulators {
 
 namespace {
 
+using core::Overloaded;
 using Reason = std::optional<std::string>;
 
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-
-// ---- What the engine cannot express
-// ------------------------------------------------------------------------------
+// ---- What the engine cannot express -------------------------------------------------------------
 
 Reason missing(const core::Force& force) {
   return std::visit(Overloaded{[](const core::Thrust&) -> Reason {
@@ -91,8 +87,7 @@ Reason missing(const core::Scene& scene) {
   return std::nullopt;
 }
 
-// ---- Scene to model
-// ----------------------------------------------------------------------------------------------
+// ---- Scene to model -----------------------------------------------------------------------------
 
 void add(const core::Force& force, engine::Forces& forces) {
   std::visit(Overloaded{[&](const core::UniformGravity& g) { forces.gravity += g.acceleration; },
@@ -148,8 +143,7 @@ engine::Model model_of(const core::Scene& scene) {
   return model;
 }
 
-// ---- The simulator
-// -----------------------------------------------------------------------------------------------
+// ---- The simulator ------------------------------------------------------------------------------
 
 core::Engine describe() {
   core::Engine engine;

@@ -1,6 +1,6 @@
 #include "reference/simulators/ode_limits.h"
 
-#include "reference/simulators/ode_overloaded.h"
+#include "harness/core/overloaded.h"
 
 #include <fmt/format.h>
 
@@ -9,6 +9,7 @@
 namespace cylon::simulators {
 namespace {
 
+using core::Overloaded;
 using core::Scene;
 using Reason = std::optional<std::string>;
 

@@ -1,6 +1,6 @@
 #include "reference/simulators/ode_shapes.h"
 
-#include "reference/simulators/ode_overloaded.h"
+#include "harness/core/overloaded.h"
 
 #include <ode/ode.h>
 
@@ -9,6 +9,7 @@
 namespace cylon::simulators {
 namespace {
 
+using core::Overloaded;
 using core::Quaternion;
 using core::Vector3;
 

@@ -155,15 +155,20 @@ TEST(Domain, free_tops) {
   expect_refused("free_symmetric_top", flat, "not positive");
 }
 
-TEST(Domain, heavy_top) {
-  const core::Scene good = ReferenceFile("heavy_top_nutating").scene;
-  const auto with = [&](auto&& change) {
-    core::Scene scene = good;
+using B = core::Body;
+using S = core::Scene;
+
+// with(change): the scene after change(scene, its first body).
+auto variations_of(const core::Scene& good) {
+  return [good](void (*change)(S&, B&)) {
+    S scene = good;
     change(scene, scene.bodies[0]);
     return scene;
   };
-  using B = core::Body;
-  using S = core::Scene;
+}
+
+TEST(Domain, heavy_top) {
+  const auto with = variations_of(ReferenceFile("heavy_top_nutating").scene);
   expect_refused("heavy_top", with([](S& s, B&) { s.forces.clear(); }), "no gravity");
   expect_refused("heavy_top", with([](S& s, B&) { s.joints.clear(); }), "exactly one joint");
   expect_refused("heavy_top", with([](S& s, B&) { s.joints[0].type = core::JointType::hinge; }),
@@ -187,14 +192,7 @@ TEST(Domain, heavy_top) {
 }
 
 TEST(Domain, bouncing_sphere) {
-  const core::Scene good = valid("bouncing_sphere");
-  const auto with = [&](auto&& change) {
-    core::Scene scene = good;
-    change(scene, scene.bodies[0]);
-    return scene;
-  };
-  using B = core::Body;
-  using S = core::Scene;
+  const auto with = variations_of(valid("bouncing_sphere"));
   const char* name = "bouncing_sphere";
   expect_refused(name, with([](S& s, B&) { s.planes.clear(); }), "one plane");
   expect_refused(name, with([](S& s, B&) { s.forces.clear(); }), "gravity does not point into plane 'floor'");
@@ -213,14 +211,7 @@ TEST(Domain, bouncing_sphere) {
 }
 
 TEST(Domain, two_sphere_oblique) {
-  const core::Scene good = valid("two_sphere_oblique");
-  const auto with = [&](auto&& change) {
-    core::Scene scene = good;
-    change(scene, scene.bodies[0]);
-    return scene;
-  };
-  using B = core::Body;
-  using S = core::Scene;
+  const auto with = variations_of(valid("two_sphere_oblique"));
   const char* name = "two_sphere_oblique";
   expect_refused(name, with([](S& s, B&) { s.bodies.pop_back(); }), "two bodies");
   expect_refused(name, with([](S& s, B&) { s.planes.emplace_back(); }), "plane");
