@@ -1,0 +1,102 @@
+// A setup that cannot be is the user's mistake: an error that says what was wrong and what was meant.
+#include "harness/core/input_error.h"
+#include "tests/conformance/adapters_fixture.h"
+
+#include <cmath>
+
+namespace cylon::conformance {
+namespace {
+
+struct Mistake {
+  const char* engine;
+  std::vector<const char*> says;  // fragments of the message
+};
+
+const Mistake mistakes[] = {
+    {"in-house/path=defualt", {"path 'defualt'", "did you mean 'default'?"}},
+    {"in-house/integrator=rk5", {"integrator 'rk5'", "did you mean 'rk4'?", "symplectic-euler"}},
+    {"in-house/integrator=velocity-verlt", {"did you mean 'velocity-verlet'?"}},
+    {"in-house/erp=0", {"option 'erp'", "there are no options"}},
+    {"bullet/path=multi-body", {"path 'multi-body'", "did you mean 'multibody'?"}},
+    {"bullet/integrator=semi-implicit-eular", {"integrator", "did you mean 'semi-implicit-euler'?"}},
+    {"bullet/gyroo=none", {"option 'gyroo'", "did you mean 'gyro'?"}},
+    {"bullet/gyro=non", {"'non'", "did you mean 'none'?"}},
+    {"bullet/solver=dantsig", {"'dantsig'", "did you mean 'dantzig'?"}},
+    {"bullet/erp=two", {"erp = 'two'", "[0, 1]"}},
+    {"bullet/erp=1.5", {"erp = '1.5'", "[0, 1]"}},
+    {"bullet/erp=nan", {"erp = 'nan'", "[0, 1]"}},
+    {"bullet/iterations=2.5", {"iterations = '2.5'", "whole"}},
+    {"bullet-float/gyro=expliict", {"did you mean 'explicit'?"}},
+    {"bullet-multibody/gyro=implicit-body", {"on path multibody", "explicit, none"}},
+    {"bullet-multibody/solver=dantzig", {"on path multibody", "sequential-impulse"}},
+    {"bullet-multibody-float/erpp2=0", {"option 'erpp2'", "did you mean 'erp2'?"}},
+    {"ode/path=stepp", {"path 'stepp'", "did you mean 'step'?"}},
+    {"ode/integrator=semi-implicit-euller", {"did you mean 'semi-implicit-euler'?"}},
+    {"ode/gyro=offf", {"'offf'", "did you mean 'off'?"}},
+    {"ode/rotation=infinite", {"'infinite'", "did you mean 'finite'?"}},
+    {"ode/efp=0", {"option 'efp'", "did you mean 'erp'?"}},
+    {"ode/erp=-0.1", {"erp = '-0.1'", "[0, 1]"}},
+    {"ode/cfm=1e-3x", {"cfm = '1e-3x'"}},
+    {"ode/contacts=9", {"contacts = '9'", "[1, 8]"}},
+    {"ode/iterations=30", {"belongs to path 'quick'"}},
+    {"ode-quick/iterations=0", {"iterations = '0'"}},
+};
+
+TEST(Setup, EveryMistakeIsNamed) {
+  const core::Scene scene = three_bodies(71);
+  for (const Mistake& mistake : mistakes) {
+    const auto engine = process::parse_engine(mistake.engine, process::default_engines(CYLON_BINARY_DIR));
+    try {
+      last(engine, scene, 1e-3, 1);
+      ADD_FAILURE() << mistake.engine << " was taken";
+    } catch (const core::InputError& error) {
+      const std::string message = error.what();
+      EXPECT_NE(message.find(fmt::format("engine '{}'", mistake.engine)), std::string::npos) << message;
+      for (const char* fragment : mistake.says)
+        EXPECT_NE(message.find(fragment), std::string::npos)
+            << mistake.engine << ": '" << fragment << "' is not in '" << message << "'";
+    }
+  }
+}
+
+TEST(Setup, TimeRunsForward) {
+  const core::Scene scene = three_bodies(73);
+  for (const Subject& subject : subjects)
+    for (const double dt : {0.0, -1e-3, std::nan("")})
+      EXPECT_THROW(last(subject.choice(), scene, dt, 1), core::InputError) << subject.id << ", dt = " << dt;
+}
+
+// What an engine offers it also takes: every path, scheme and option of every worker, with each of its
+// values.
+TEST(Setup, EverythingOfferedIsTaken) {
+  const core::Scene scene = three_bodies(72);
+  for (const Subject& subject : subjects) {
+    const process::EngineChoice plain = subject.choice();
+    const core::Engine engine = process::describe(plain, limits);
+    EXPECT_EQ(engine.precision, subject.single ? "float" : "double") << subject.id;
+    const auto takes = [&](process::EngineChoice choice, const std::string& what) {
+      EXPECT_NO_THROW(last(choice, scene, 1e-3, 1)) << subject.id << ": " << what;
+    };
+    for (const core::Path& path : engine.paths) {
+      process::EngineChoice choice = plain;
+      choice.path = path.name;
+      takes(choice, path.name);
+    }
+    for (const core::Scheme& scheme : engine.schemes) {
+      process::EngineChoice choice = plain;
+      choice.integrator = scheme.name;
+      takes(choice, scheme.name);
+    }
+    for (const core::Option& option : engine.options)
+      for (const std::string& value : option.values) {
+        process::EngineChoice choice = plain;
+        if (engine.name == "bullet" && subject.reduced)
+          choice.path = "rigid";  // multibody takes fewer, and says so
+        choice.options[option.name] = value;
+        takes(choice, option.name + "=" + value);
+      }
+  }
+}
+
+}  // namespace
+}  // namespace cylon::conformance

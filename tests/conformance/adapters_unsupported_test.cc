@@ -1,0 +1,176 @@
+// Every reason for which an adapter refuses a scene, provoked once: an honest sentence instead of an
+// approximation.
+#include "tests/conformance/adapters_fixture.h"
+
+#include <functional>
+
+namespace cylon::conformance {
+namespace {
+
+// Body "a" over plane "floor" with a material, both able to touch; "b" touches nothing.
+core::Scene resting(const core::Shape& shape = core::Sphere{0.2}) {
+  core::Scene scene = three_bodies(81);
+  scene.bodies.pop_back();
+  scene.bodies[0].shape = shape;
+  scene.bodies[0].collide = true;
+  scene.planes = {{"floor", Vector3(1, 3, -2).normalized(), -50}};
+  scene.materials = {{{"a", "floor"}, 0.4, 0}};
+  return scene;
+}
+
+core::Scene jointed(core::JointType type, int body, int to) {
+  core::Scene scene = three_bodies(82);
+  for (core::Body& one : scene.bodies) one.initial.velocity = one.initial.angular_velocity = Vector3::Zero();
+  core::Joint joint;
+  joint.type = type;
+  joint.body = body, joint.to = to;
+  joint.point = {0.3, -0.4, 0.6};
+  joint.axis = Vector3(1, 2, 3).normalized();
+  joint.length = to < 0 ? (scene.bodies[static_cast<std::size_t>(body)].initial.position - joint.point).norm()
+                        : (scene.bodies[static_cast<std::size_t>(body)].initial.position -
+                           scene.bodies[static_cast<std::size_t>(to)].initial.position)
+                              .norm();
+  scene.joints = {joint};
+  return scene;
+}
+
+core::Scene pushed(const core::Force& force) {
+  core::Scene scene = three_bodies(83);
+  scene.forces = {force};
+  return scene;
+}
+
+template <class Change>
+core::Scene with(core::Scene scene, Change change) {
+  change(scene);
+  return scene;
+}
+
+core::Compound compound_of(const core::Primitive& shape) {
+  return {{core::Part{shape, 1, {0.1, 0.2, 0}, {1, 0, 0, 0}}}};
+}
+
+const core::Mesh tetrahedron = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+
+struct Refusal {
+  const char* engine;
+  const char* reason;  // a part of it
+  core::Scene scene;
+};
+
+std::vector<Refusal> refusals() {
+  const core::Scene frame = with(three_bodies(84), [](core::Scene& s) {
+    s.frame = core::Frame{{1, 2, 3}, {0, 0, 0}};
+  });
+  const core::Thrust rocket = {.body = 0, .mass_rate = -0.1, .exhaust_velocity = Vector3(0, -3, 0)};
+  const core::Water water = {.level = 1, .buoyancy = 1000};
+  const core::Scene unstated = with(resting(), [](core::Scene& s) { s.materials.clear(); });
+  const core::Scene half_stated = with(resting(), [](core::Scene& s) {  // two planes, a material for one
+    s.planes.push_back({"wall", Vector3::UnitZ(), -60});
+  });
+  const core::Scene both_locked = with(jointed(core::JointType::ball, 0, 1), [](core::Scene& s) {
+    s.bodies[0].locked = s.bodies[1].locked = true;
+  });
+  const core::Scene two_joints = with(jointed(core::JointType::ball, 0, core::world),
+                                      [](core::Scene& s) { s.joints.push_back(s.joints[0]); });
+  const core::Hull hull = {tetrahedron.vertices};
+  return {
+      {"in-house", "moving frames are not modelled", frame},
+      {"in-house", "thrust is not modelled", pushed(core::Thrust{.body = 1, .force = {1, 2, 3}})},
+      {"in-house", "thrust is not modelled", pushed(rocket)},
+      {"in-house", "attraction between bodies is not modelled", pushed(core::Attraction{0, 1, 2})},
+      {"in-house", "water is not modelled", pushed(water)},
+      {"in-house", "hinge joints are not modelled", jointed(core::JointType::hinge, 0, core::world)},
+      {"in-house", "distance joints are not modelled", jointed(core::JointType::distance, 0, 1)},
+      {"in-house", "fixed joints are not modelled", jointed(core::JointType::fixed, 0, 1)},
+      {"in-house", "simultaneous impacts are not modelled",
+       with(resting(), [](core::Scene& s) { s.impacts = core::Impacts::simultaneous; })},
+      {"in-house", "body 'a' may touch and is no sphere", resting(core::Box{{0.1, 0.2, 0.3}})},
+      {"in-house", "body 'a' may touch and is no sphere", resting(compound_of(core::Sphere{0.1}))},
+      {"in-house", "'a' and 'floor' may touch and the scene states no material", unstated},
+      {"in-house", "'a' and 'wall' may touch and the scene states no material", half_stated},
+      {"in-house", "friction between 'a' and 'floor' is not modelled",
+       with(resting(), [](core::Scene& s) { s.materials[0].friction = 0.3; })},
+
+      {"bullet", "Bullet has no moving frame of reference.", frame},
+      {"bullet", "Bullet has no changing mass", pushed(rocket)},
+      {"bullet-float", "Bullet has no water.", pushed(water)},
+      {"bullet", "Body 'a': Bullet has no disc without thickness.", resting(core::Disc{0.2})},
+      {"bullet-float", "Body 'a': Bullet has no disc", resting(compound_of(core::Disc{0.2}))},
+      {"bullet", "Body 'a': Bullet's moving meshes collide by another algorithm", resting(tetrahedron)},
+      {"bullet", "Bullet has no rigid distance joint.", jointed(core::JointType::distance, 0, 1)},
+      {"bullet", "A joint between two things that cannot move.", both_locked},
+      {"bullet", "A pair that may touch has no material.", unstated},
+      {"bullet-float", "A pair that may touch has no material.", half_stated},
+      {"bullet-multibody", "takes one ball or hinge joint per body, to the world",
+       jointed(core::JointType::ball, 0, 1)},
+      {"bullet-multibody", "takes one ball or hinge joint per body",
+       jointed(core::JointType::fixed, 0, core::world)},
+      {"bullet-multibody-float", "takes one ball or hinge joint per body", two_joints},
+
+      {"ode", "ODE's world is an inertial frame", frame},
+      {"ode", "ODE has no body of changing mass, which 'a' is.", pushed(rocket)},
+      {"ode-quick", "ODE has no water.", pushed(water)},
+      {"ode", "ODE needs a mass above zero; 'a' has 0 kg.",
+       with(three_bodies(85), [](core::Scene& s) { s.bodies[0].mass = 0; })},
+      {"ode", "ODE needs principal moments above zero; 'b' has one of 0 kg m^2.",
+       with(three_bodies(86),
+            [](core::Scene& s) { s.bodies[1].inertia = Vector3(0.2, 0, 0.2).asDiagonal(); })},
+      {"ode", "ODE cannot collide a cone, as 'a' is.", resting(core::Cone{0.1, 0.3})},
+      {"ode", "ODE cannot collide a rod", resting(core::Rod{0.3})},
+      {"ode", "ODE cannot collide a disc", resting(core::Disc{0.3})},
+      {"ode", "ODE cannot collide a hull", resting(hull)},
+      {"ode", "ODE cannot collide a mesh", resting(tetrahedron)},
+      {"ode-quick", "ODE cannot collide a cone", resting(compound_of(core::Cone{0.1, 0.3}))},
+      {"ode", "'a' may touch 'floor', and the scene states no material", unstated},
+      {"ode", "'a' may touch 'wall', and the scene states no material", half_stated},
+  };
+}
+
+TEST(Unsupported, EveryReasonIsASentence) {
+  for (const Refusal& refusal : refusals()) {
+    process::RunRequest request;
+    request.scene = &refusal.scene;
+    request.setup.dt = 1e-3;
+    request.steps = 5;
+    const auto engine = process::parse_engine(refusal.engine, process::default_engines(CYLON_BINARY_DIR));
+    const process::RunOutcome outcome = process::run(engine, request, limits);
+    EXPECT_EQ(core::name(outcome.status), "unsupported")
+        << refusal.engine << " should say: " << refusal.reason << "\n"
+        << outcome.reason;
+    EXPECT_NE(outcome.reason.find(refusal.reason), std::string::npos)
+        << refusal.engine << ": " << outcome.reason;
+    EXPECT_FALSE(outcome.recording) << refusal.engine;
+  }
+}
+
+// The other side: what is refused only where it matters is taken where it does not.
+TEST(Unsupported, WhatCannotMatterIsNoReason) {
+  const core::Scene untouched = with(resting(core::Box{{0.1, 0.2, 0.3}}), [](core::Scene& s) {
+    s.bodies[0].collide = false;    // a box that touches nothing
+    s.materials[0].friction = 0.3;  // of a pair that never is
+    s.impacts = core::Impacts::simultaneous;
+  });
+  for (const Subject& subject : subjects)
+    EXPECT_NO_THROW(last(subject.choice(), untouched, 1e-3, 5)) << subject.id;
+
+  const core::Scene flat = with(three_bodies(88), [](core::Scene& s) {
+    s.bodies[0].locked = true;  // a body without inertia that cannot turn
+    s.bodies[0].inertia.setZero();
+    s.bodies[0].initial.velocity = s.bodies[0].initial.angular_velocity = Vector3::Zero();
+  });
+  for (const Subject& subject : subjects)
+    EXPECT_NO_THROW(last(subject.choice(), flat, 1e-3, 5)) << subject.id;
+
+  const core::Scene both_locked = with(jointed(core::JointType::ball, 0, 1), [](core::Scene& s) {
+    s.bodies[0].locked = s.bodies[1].locked = true;
+  });
+  for (const char* id : {"in-house", "ode", "ode-quick"}) {
+    const auto engine = process::parse_engine(id, process::default_engines(CYLON_BINARY_DIR));
+    EXPECT_TRUE(last(engine, both_locked, 1e-3, 5)[2].position.allFinite()) << id;
+  }
+}
+
+}  // namespace
+}  // namespace cylon::conformance
