@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <set>
 
@@ -85,8 +86,10 @@ void judge(Verdict& row, const Claim& claim, const Scenario& scenario,
   row.detail = measured.detail;
   row.status = core::judge(measured.value, measured.allowed);
   if (measured.broken && row.status != core::Status::non_finite) row.status = core::Status::fail;
-  // An event that never came because the run broke is a broken run.
-  if (measured.broken && first_bad_step) row.status = core::Status::non_finite;
+  // A run that broke within the claim's horizon proves nothing, whatever the claim reads of its states.
+  if (!first_bad_step || static_cast<double>(*first_bad_step) * row.dt > claim.until) return;
+  row.status = core::Status::non_finite;
+  row.measured = std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace

@@ -24,12 +24,14 @@ def send(step, states, stride=1, magic=b"CYLF", count=None, cut=None):
     out.flush()
 
 
-def state(bodies, t, junk=False):
+def state(bodies, t, junk=""):
     rows = []
     for b in bodies:
         x = [p + v * t for p, v in zip(b["position"], b["velocity"])]
-        if junk:
+        if junk == "nan":
             x = [float("nan"), float("inf"), x[2]]
+        if junk == "nonsense":  # finite, and nowhere
+            x = [1e30, -1e30, 1e30]
         rows.append(struct.pack("<13d", *x, *b["orientation"], *b["velocity"], *b["angular_velocity"]))
     return b"".join(rows)
 
@@ -89,7 +91,7 @@ def run(bodies, dt, request):
             misbehave("run")
         if not (step % every == 0 or step == steps or step in at):
             continue
-        now = [state(bodies, step * dt, MODE == "nan" and step > steps // 2)]
+        now = [state(bodies, step * dt, MODE if step > steps // 2 else "")]
         frames += 1
         if step <= steps // 2:
             send(step, now)

@@ -1,0 +1,46 @@
+// An engine whose positions turned to NaN after step 50 passed "linear_momentum conserved", because that
+// claim reads velocities alone and they stayed finite; its row said pass and first_bad_step at once.  A run
+// that breaks within a claim's horizon now is non-finite for it, whatever the claim reads; a claim whose
+// horizon ends before is judged as ever.
+#include "harness/study/cell.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace cylon::study {
+namespace {
+
+TEST(BrokenRun, KeepsNoClaimWithinItsHorizon) {
+  const scenarios::Scenario scenario = scenarios::parse(R"(
+title    = "Nothing acts"
+story    = "A body drifts."
+duration = 1.0
+step     = 0.01
+[[body]]
+name     = "rock"
+mass     = 1.7
+inertia  = [0.3, 0.3, 0.3]
+position = [0.3, -1.2, 2.5]
+velocity = [1.25, -0.5, 0.7]
+[[claim]]
+conserves = "linear_momentum"
+tolerance = { absolute = 1e-9, reason = "rounding" }
+[[claim]]
+conserves = "energy"
+until     = 0.5
+tolerance = { absolute = 1e-9, reason = "rounding" }
+)",
+                                                        "drifting.toml");
+  const std::string script = std::string(CYLON_SOURCE_DIR) + "/tests/harness/scripted_worker.py";
+  const process::EngineChoice engine = {"mine", {"mine", {"python3", script, "nan"}, ""}, "", "", {}};
+  const auto rows = run({&scenario, engine, 0.01, "0.01"}, {60, 60, 0}, {});
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(core::name(rows[0].status), "non-finite") << rows[0].claim;
+  EXPECT_EQ(rows[0].first_bad_step, 51);
+  EXPECT_TRUE(std::isnan(rows[0].measured));
+  EXPECT_EQ(core::name(rows[1].status), "pass") << rows[1].claim;
+}
+
+}  // namespace
+}  // namespace cylon::study
