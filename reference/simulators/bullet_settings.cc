@@ -83,7 +83,7 @@ std::vector<core::Setting> always() {
       {"activation state", "DISABLE_DEACTIVATION", "ACTIVE_TAG", "no body falls asleep"},
       {"combined restitution and friction", "of the pair", "product of the bodies'",
        "only the pair's value is physics"},
-      {"margin of hulls, cones and rods", "0", "0.04 m", "the shape ends where the scene says"},
+      {"margin of all but spheres and capsules", "0", "0.04 m", "edges as sharp as the scene says"},
       {"springs, drag, drive, thrust, attraction", "force of the state before the step", "none",
        "Bullet has no such forces; held over the step"},
   };

@@ -15,7 +15,7 @@ Shape* add(Shapes& shapes, Arguments... arguments) {
   return raw;
 }
 
-// Bullet grows hulls and cones by a margin; its boxes and cylinders keep the margin inside.
+// Bullet grows hulls and cones by a margin of 0.04 m, and rounds the edges of boxes and cylinders with it.
 btCollisionShape* without_margin(btCollisionShape* shape) {
   shape->setMargin(0);
   return shape;
@@ -29,14 +29,14 @@ struct Make {
     return add<btSphereShape>(shapes, to_bullet(s.radius));
   }
   btCollisionShape* operator()(const core::Box& s) const {
-    return add<btBoxShape>(shapes, to_bullet(s.half_extents));
+    return without_margin(add<btBoxShape>(shapes, to_bullet(s.half_extents)));
   }
   btCollisionShape* operator()(const core::Capsule& s) const {
     return add<btCapsuleShape>(shapes, to_bullet(s.radius), to_bullet(s.length));
   }
   btCollisionShape* operator()(const core::Cylinder& s) const {
-    return add<btCylinderShape>(shapes,
-                                btVector3(to_bullet(s.radius), to_bullet(s.length / 2), to_bullet(s.radius)));
+    return without_margin(add<btCylinderShape>(
+        shapes, btVector3(to_bullet(s.radius), to_bullet(s.length / 2), to_bullet(s.radius))));
   }
   btCollisionShape* operator()(const core::Cone& s) const {
     return without_margin(add<btConeShape>(shapes, to_bullet(s.radius), to_bullet(s.length)));

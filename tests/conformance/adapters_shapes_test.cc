@@ -1,0 +1,106 @@
+// A shape ends where the scene says, turned as the scene says: moving at a plane, it is hit in the step after
+// its gap closes, by the harness's own gap.  A wrong axis, half-length, centre or margin is hit early or
+// late.
+#include "harness/core/observable.h"
+#include "tests/conformance/adapters_fixture.h"
+
+#include <string_view>
+
+namespace cylon::conformance {
+namespace {
+
+struct Row {
+  const char* name;
+  core::Shape shape;
+  bool ode = true;  // whether ODE has it
+};
+
+const core::Hull wedge = {
+    {{0.31, -0.1, 0.02}, {-0.2, -0.15, 0.1}, {0.05, 0.33, -0.07}, {0.02, -0.1, -0.29}, {0.1, 0.1, 0.2}}};
+const core::Compound hammer = {{
+    {core::Sphere{0.11}, 0.5, {0.1, 0.3, -0.05}, Quaternion::Identity()},
+    {core::Capsule{0.05, 0.4}, 0.4, {-0.05, -0.1, 0.02}, Quaternion(0.8, 0.2, -0.4, 0.4).normalized()},
+    {core::Box{{0.2, 0.07, 0.1}}, 0.6, {0.02, 0.1, 0.25}, Quaternion(0.3, -0.5, 0.7, 0.4).normalized()},
+}};
+
+const Row rows[] = {
+    {"sphere", core::Sphere{0.27}},
+    {"box", core::Box{{0.13, 0.31, 0.22}}},
+    {"capsule", core::Capsule{0.11, 0.53}},
+    {"cylinder", core::Cylinder{0.17, 0.43}},
+    {"compound", hammer},
+    {"cone", core::Cone{0.19, 0.61}, false},
+    {"rod", core::Rod{0.57}, false},
+    {"hull", wedge, false},
+};
+
+class Shapes : public EveryEngine {};
+INSTANTIATE_TEST_SUITE_P(Adapters, Shapes,
+                         testing::Values(subjects[1], subjects[2], subjects[3], subjects[4], subjects[5],
+                                         subjects[6]),
+                         test_name);
+
+// The gap of the last state with the first velocity: in (-u dt, 0] when the shapes are where they should be.
+double gap_when_hit(const Subject& subject, const core::Shape& shape, unsigned seed, double speed,
+                    double dt) {
+  core::Scene scene = three_bodies(seed);
+  scene.bodies.resize(1);
+  const Vector3 normal = exact::RandomScenes(seed + 100).vector(1).normalized();
+  scene.planes = {{"floor", normal, -0.6}};
+  scene.materials = {{{"*", "*"}, 1, 0}};
+  core::Body& body = scene.bodies[0];
+  body.shape = shape, body.collide = true;
+  body.initial.velocity = -speed * normal;
+  body.initial.angular_velocity = Vector3::Zero();
+  body.initial.position += (0.2 + 0.37 * dt - normal.dot(body.initial.position)) * normal;  // 0.8 m above
+  const core::Pair pair = {0, core::world, 0};
+  const core::Recording run = play(subject.choice(), scene, dt, 1000);
+  for (std::size_t i = 1; i < run.states.size(); ++i)
+    if ((run.states[i][0].velocity - body.initial.velocity).norm() > 1e-3 * speed)
+      return core::gap(scene, pair, run.states[i - 1]);
+  ADD_FAILURE() << "never hit";
+  return 0;
+}
+
+TEST_P(Shapes, EndWhereTheSceneSays) {
+  constexpr double speed = 1, dt = 1e-3;
+  // Rounding of coordinates of a metre or two.
+  const double slack = 64 * subject().unit();
+  for (const Row& row : rows) {
+    if (std::string_view(subject().id).starts_with("ode") && !row.ode) continue;
+    for (unsigned seed = 91; seed <= 93; ++seed) {
+      const double gap = gap_when_hit(subject(), row.shape, seed, speed, dt);
+      const std::string what = fmt::format("{} {} when hit, {}", row.name, seed, subject().id);
+      expect_within(what + ": gap", gap, slack);
+      expect_within(what + ": depth", -gap, speed * dt + slack);
+    }
+  }
+}
+
+// A ball flies at a corner of a locked box along its diagonal: nothing is nearer than the corner itself.
+TEST_P(Shapes, ACornerIsSharp) {
+  constexpr double speed = 1, dt = 1e-3, radius = 0.15;
+  const Vector3 half(0.4, 0.3, 0.5);
+  core::Scene scene = three_bodies(94);
+  scene.bodies.resize(2);
+  core::Body &wall = scene.bodies[0], &ball = scene.bodies[1];
+  wall.locked = wall.collide = ball.collide = true;
+  wall.shape = core::Box{half}, ball.shape = core::Sphere{radius};
+  wall.initial.velocity = wall.initial.angular_velocity = ball.initial.angular_velocity = Vector3::Zero();
+  const Vector3 corner = wall.initial.position + wall.initial.orientation * half;
+  const Vector3 diagonal = (wall.initial.orientation * half).normalized();
+  ball.initial.position = corner + (radius + 0.2 + 0.37 * dt) * diagonal;
+  ball.initial.velocity = -speed * diagonal;
+  scene.materials = {{{"*", "*"}, 1, 0}};
+  const core::Recording run = play(subject().choice(), scene, dt, 300);
+  std::size_t hit = 1;
+  while (hit < run.states.size() && run.states[hit][1].velocity.dot(diagonal) < 0) ++hit;
+  ASSERT_LT(hit, run.states.size()) << "never hit";
+  const double gap = diagonal.dot(run.states[hit - 1][1].position - corner) - radius;
+  const double slack = 64 * subject().unit();
+  expect_within(fmt::format("corner when hit, {}: gap", subject().id), gap, slack);
+  expect_within(fmt::format("corner when hit, {}: depth", subject().id), -gap, speed * dt + slack);
+}
+
+}  // namespace
+}  // namespace cylon::conformance
