@@ -1,11 +1,16 @@
 #include "harness/cli/app.h"
 
-#include "harness/core/input_error.h"
+#include "harness/cli/command_line.h"
 #include "harness/process/child.h"
+#include "reports/text.h"
 
 #include <fmt/format.h>
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -30,8 +35,53 @@ constexpr Row commands[] = {
     {"completion", "Print the completion script of a shell", add_completion},
 };
 
-// The offending line with a caret under the column, where the file can be read again.
-void show_place(const core::InputError& error) {
+// Whether a shell would find the program.
+bool is_program(const std::string& word) {
+  if (word.find('/') != std::string::npos) return access(word.c_str(), X_OK) == 0;
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path ? path : "/usr/bin:/bin");
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (access((folder.empty() ? word : folder + '/' + word).c_str(), X_OK) == 0) return true;
+  return false;
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+// "cylon rnu": the library would only say that a command is required.
+void refuse_unknown_command(const std::string& word) {
+  std::vector<std::string> names;
+  for (const Row& row : commands) names.emplace_back(row.name);
+  if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
+  throw core::InputError(fmt::format("unknown command '{}'{} (commands: {})", word,
+                                     core::did_you_mean(word, names), fmt::join(names, ", ")));
+}
+
+// What the library says of a command line that it cannot take, with the nearest option.
+int refuse(const CLI::App& app, const CLI::ParseError& error) {
+  const auto chosen = app.get_subcommands();
+  const CLI::App& command = chosen.empty() ? app : *chosen.front();
+  const std::string name = chosen.empty() ? "cylon" : "cylon " + command.get_name();
+  std::string message = error.what();
+  if (const auto extra = app.remaining(true); !extra.empty()) {
+    const std::string word = extra.front().substr(0, extra.front().find('='));
+    message = fmt::format("{}: unexpected '{}'{}", name, extra.front(),
+                          core::did_you_mean(word, option_names(command)));
+  }
+  std::cerr << fmt::format("error: {}\n`{} --help` shows what is valid\n", plain(message), name);
+  return bad_input;
+}
+
+void interrupt(int) { process::interrupted() = true; }
+
+}  // namespace
+
+void show(const core::InputError& error) {
+  std::cerr << "error: " << plain(error.what()) << '\n';
   if (error.line == 0) return;
   std::ifstream file(error.file);
   std::string line;
@@ -39,24 +89,37 @@ void show_place(const core::InputError& error) {
     if (!std::getline(file, line)) return;
   if (line.size() > 160) return;
   std::string margin;
-  for (std::size_t i = 0; i + 1 < error.column && i < line.size(); ++i) margin += line[i] == '\t' ? '\t' : ' ';
+  for (std::size_t i = 0; i + 1 < error.column && i < line.size(); ++i)
+    margin += line[i] == '\t' ? '\t' : ' ';
   for (char& c : line)
     if (static_cast<unsigned char>(c) < 32 && c != '\t') c = '?';
-  std::cerr << "  " << line << "\n  " << margin << "^\n";
+  std::cerr << fmt::format(
+      "  {}\n  {}^\n",
+      reports::escaped(line, [](char32_t c) { return c == U'\t' || reports::is_printable(c); }), margin);
 }
 
-void interrupt(int) { process::interrupted() = true; }
-
-}  // namespace
+CLI::Validator positive(double most) {
+  return {[most](std::string& text) {
+            double value = 0;
+            const bool number = CLI::detail::lexical_cast(text, value);
+            return number && value > 0 && value <= most
+                       ? std::string()
+                       : fmt::format("'{}' must be a number > 0, at most {:g}", text, most);
+          },
+          ""};
+}
 
 void add_worker_option(CLI::App& app, std::vector<std::string>& workers) {
-  app.add_option("--worker", workers, "Add an engine behind the worker protocol (docs/protocol.md), its command's words separated by spaces")
+  app.add_option("--worker", workers,
+                 "Add an engine behind the worker protocol (docs/protocol.md), its command's words separated "
+                 "by spaces")
       ->type_name("NAME=COMMAND")
       ->expected(1)
       ->take_all();
 }
 
-std::vector<process::EngineRow> with_workers(const Context& context, const std::vector<std::string>& workers) {
+std::vector<process::EngineRow> with_workers(const Context& context,
+                                             const std::vector<std::string>& workers) {
   std::vector<process::EngineRow> rows = context.engines;
   for (const std::string& text : workers) {
     const std::size_t equals = text.find('=');
@@ -65,7 +128,11 @@ std::vector<process::EngineRow> with_workers(const Context& context, const std::
     row.id = text.substr(0, equals);
     for (std::string word; words >> word;) row.command.push_back(word);
     if (row.id.empty() || row.command.empty() || row.id.find_first_of("/*? ") != std::string::npos)
-      throw core::InputError(fmt::format("--worker '{}': must be NAME=COMMAND, the name without '/', '*', '?' or spaces", text));
+      throw core::InputError(
+          fmt::format("--worker '{}': must be NAME=COMMAND, the name without '/', '*', '?' or spaces", text));
+    if (!is_program(row.command.front()))
+      throw core::InputError(
+          fmt::format("--worker '{}': there is no program '{}'", text, row.command.front()));
     std::erase_if(rows, [&](const process::EngineRow& other) { return other.id == row.id; });
     rows.push_back(row);
   }
@@ -79,30 +146,36 @@ int main(int argc, char** argv) {
   CLI::App app{"Cylon: the same scenes on every physics engine, judged against exact mechanics.", "cylon"};
   app.set_version_flag("--version", "cylon " CYLON_VERSION);
   app.require_subcommand(1);
-  app.footer("Exit codes: 0 all as expected, 1 a verdict differs, 2 bad input, 4 nothing selected, 5 harness failure, 130 interrupted.");
-  const Context context = make_context();
+  app.footer(
+      "Exit codes: 0 all as expected, 1 a verdict differs, 2 bad input, 4 nothing selected, 5 harness "
+      "failure, 130 interrupted.");
+  Context context = make_context();
+  context.command_line = shell_command(std::vector<std::string>(argv, argv + argc));
   Command chosen;
   for (const Row& row : commands) {
     CLI::App& command = *app.add_subcommand(row.name, row.summary);
     command.parse_complete_callback([&chosen, run = row.add(command, context)] { chosen = run; });
   }
   try {
+    if (argc > 1) refuse_unknown_command(argv[1]);
     app.parse(argc, argv);
     const int code = chosen();
     std::cout.flush();
     return code;
+  } catch (const CLI::Success& success) {
+    return app.exit(success);  // --help and --version
   } catch (const CLI::ParseError& error) {
-    const int code = app.exit(error);
-    return code == 0 ? ok : bad_input;
+    if (argc > 1) return refuse(app, error);
+    std::cerr << app.help();
+    return bad_input;
   } catch (const core::InputError& error) {
-    std::cerr << "error: " << error.what() << '\n';
-    show_place(error);
+    show(error);
     return bad_input;
   } catch (const process::Interrupted&) {
     std::cerr << "interrupted\n";
     return interrupted;
   } catch (const std::exception& error) {
-    std::cerr << "internal error: " << error.what() << '\n';
+    std::cerr << "internal error: " << plain(error.what()) << '\n';
     return harness_failure;
   }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "harness/cli/context.h"
+#include "harness/core/input_error.h"
 
 #include <CLI/CLI.hpp>
 
@@ -22,10 +23,17 @@ Command add_new(CLI::App&, const Context&);
 Command add_doctor(CLI::App&, const Context&);
 Command add_completion(CLI::App&, const Context&);
 
+/// A number > 0 and at most `most`, NaN refused.
+CLI::Validator positive(double most);
+
+/// Writes the message, the offending line where there is one, and a caret under the column to stderr.
+void show(const core::InputError&);
+
 /// `--worker NAME=COMMAND`: an engine of the user's own behind the worker protocol.
 void add_worker_option(CLI::App&, std::vector<std::string>& workers);
 
-/// The context's engines and those rows; throws core::InputError for a row without '=' or an empty command.
+/// The context's engines and those rows; throws core::InputError for a row without '=', an empty
+/// command, or one whose program is not there.
 std::vector<process::EngineRow> with_workers(const Context&, const std::vector<std::string>& workers);
 
 /// The whole program, errors turned into messages on stderr and exit codes.

@@ -26,28 +26,34 @@ std::vector<Words> tree(const CLI::App& root) {
   return words;
 }
 
-// What an argument that is no option may be.
-std::string arguments(const std::string& command) {
-  if (command == "engines") return "$(cylon engines --names 2>/dev/null)";
-  if (command == "completion") return "bash zsh fish";
-  if (command == "new" || command == "doctor") return "";
-  return "$(cylon list --names 2>/dev/null)";
+// What an argument that is no option may be: a command of cylon that prints it, or words.
+struct Arguments {
+  std::string query, words;
+};
+
+Arguments arguments(const std::string& command) {
+  if (command == "engines") return {"engines --names", ""};
+  if (command == "completion") return {"", "bash zsh fish"};
+  if (command == "new" || command == "doctor") return {"", ""};
+  return {"list --names", ""};
 }
 
 std::string bash(const std::vector<Words>& words) {
   std::string names, cases;
   for (const Words& row : words) {
+    const auto [query, fixed] = arguments(row.command);
     names += row.command + ' ';
-    cases += fmt::format("    {}) words=\"{} {}\" ;;\n", row.command, fmt::join(row.options, " "), arguments(row.command));
+    cases += fmt::format("    {}) words=\"{} {}{}\" ;;\n", row.command, fmt::join(row.options, " "), fixed,
+                         query.empty() ? "" : fmt::format("$(\"$cylon\" {} 2>/dev/null)", query));
   }
   return fmt::format(R"sh(_cylon() {{
-  local word=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD-1]}} words
+  local cylon=${{COMP_WORDS[0]}} word=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD-1]}} words=
   if [ "$COMP_CWORD" -eq 1 ]; then
     COMPREPLY=($(compgen -W "{}--help --version" -- "$word"))
     return
   fi
   if [ "$previous" = --engine ]; then
-    COMPREPLY=($(compgen -W "$(cylon engines --names 2>/dev/null)" -- "$word"))
+    COMPREPLY=($(compgen -W "$("$cylon" engines --names 2>/dev/null)" -- "$word"))
     return
   fi
   case ${{COMP_WORDS[1]}} in
@@ -64,12 +70,14 @@ std::string fish(const std::vector<Words>& words) {
   for (const Words& row : words) {
     text += fmt::format("complete -c cylon -n __fish_use_subcommand -f -a {}\n", row.command);
     for (const std::string& option : row.options)
-      text += fmt::format("complete -c cylon -n '__fish_seen_subcommand_from {}' {} {}\n", row.command, option.starts_with("--") ? "-l" : "-s",
+      text += fmt::format("complete -c cylon -n '__fish_seen_subcommand_from {}' {} {}\n", row.command,
+                          option.starts_with("--") ? "-l" : "-s",
                           option.substr(option.starts_with("--") ? 2 : 1));
-    const std::string values = arguments(row.command);
+    const auto [query, fixed] = arguments(row.command);
+    const std::string values = query.empty() ? fixed : fmt::format("(cylon {} 2>/dev/null)", query);
     if (!values.empty())
-      text += fmt::format("complete -c cylon -n '__fish_seen_subcommand_from {}' -a '{}'\n", row.command,
-                          values.starts_with("$") ? values.substr(1) : values);
+      text +=
+          fmt::format("complete -c cylon -n '__fish_seen_subcommand_from {}' -a '{}'\n", row.command, values);
   }
   return text;
 }
@@ -78,7 +86,9 @@ std::string fish(const std::vector<Words>& words) {
 
 Command add_completion(CLI::App& app, const Context&) {
   const auto shell = std::make_shared<std::string>();
-  app.add_option("shell", *shell, "bash, zsh or fish")->required()->check(CLI::IsMember({"bash", "zsh", "fish"}));
+  app.add_option("shell", *shell, "bash, zsh or fish")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
   app.footer("bash: source <(cylon completion bash)");
   return [shell, &app] {
     const std::vector<Words> words = tree(*app.get_parent());

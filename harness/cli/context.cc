@@ -7,10 +7,10 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <langinfo.h>
 #include <algorithm>
 #include <clocale>
 #include <cstdlib>
-#include <langinfo.h>
 
 namespace cylon::cli {
 namespace {
@@ -36,14 +36,16 @@ Context make_context() {
   std::error_code ignored;
   const fs::path executable = fs::read_symlink("/proc/self/exe", ignored);
   const std::string scenarios = environment("CYLON_SCENARIOS"), workers = environment("CYLON_WORKERS");
-  context.scenarios = scenarios.empty() ? executable.parent_path() / ".." / ".." / "scenarios" : fs::path(scenarios);
+  context.scenarios =
+      scenarios.empty() ? executable.parent_path() / ".." / ".." / "scenarios" : fs::path(scenarios);
   context.scenarios = context.scenarios.lexically_normal();
   context.workers = workers.empty() ? executable.parent_path() : fs::path(workers);
   context.engines = process::default_engines(context.workers);
   std::setlocale(LC_CTYPE, "");
-  // The C locale of a bare container says ASCII though every terminal of today shows UTF-8; only a locale that
-  // somebody chose is believed.
-  const bool chosen = !environment("LC_ALL").empty() || !environment("LC_CTYPE").empty() || !environment("LANG").empty();
+  // The C locale of a bare container says ASCII though every terminal of today shows UTF-8; only a locale
+  // that somebody chose is believed.
+  const bool chosen =
+      !environment("LC_ALL").empty() || !environment("LC_CTYPE").empty() || !environment("LANG").empty();
   context.utf8 = !chosen || std::string(nl_langinfo(CODESET)) == "UTF-8";
   context.colour = isatty(STDOUT_FILENO) && environment("NO_COLOR").empty();
   context.progress = isatty(STDERR_FILENO) && environment("CI").empty();
@@ -55,20 +57,32 @@ std::vector<fs::path> scenario_files(const Context& context) {
   std::vector<fs::path> files;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(context.scenarios, error))
-    if (entry.path().extension() == ".toml" && entry.path().filename() != "expected.toml") files.push_back(entry.path());
-  if (error) throw core::InputError(fmt::format("{}: no scenarios here: {}", context.scenarios.string(), error.message()));
+    if (entry.path().extension() == ".toml" && entry.path().filename() != "expected.toml")
+      files.push_back(entry.path());
+  if (error)
+    throw core::InputError(
+        fmt::format("{}: no scenarios here: {}", context.scenarios.string(), error.message()));
   std::sort(files.begin(), files.end());
   return files;
 }
 
-fs::path find_scenario(const Context& context, const std::string& name) {
-  if (name.find('/') != std::string::npos || name.ends_with(".toml") || fs::exists(name)) return name;
+bool is_path(const std::string& word) { return word.ends_with(".toml"); }
+
+core::InputError unknown_scenario(const Context& context, const std::string& name) {
   std::vector<std::string> names;
-  for (const fs::path& file : scenario_files(context)) {
-    names.push_back(file.stem().string());
-    if (names.back() == name) return file;
-  }
-  throw core::InputError(fmt::format("no scenario '{}' in {}{}", name, context.scenarios.string(), core::did_you_mean(name, names)));
+  for (const fs::path& file : scenario_files(context)) names.push_back(file.stem().string());
+  return core::InputError(
+      fmt::format("no scenario '{}' in {}{} (`cylon list` shows all; a file's name ends in .toml)", name,
+                  context.scenarios.string(), core::did_you_mean(name, names)));
+}
+
+fs::path find_scenario(const Context& context, const std::string& name) {
+  if (is_path(name) || name.find('/') != std::string::npos) return name;
+  for (const fs::path& file : scenario_files(context))
+    if (file.stem() == name) return file;
+  std::error_code ignored;
+  if (fs::is_regular_file(name, ignored)) return name;
+  throw unknown_scenario(context, name);
 }
 
 }  // namespace cylon::cli

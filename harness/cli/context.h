@@ -1,6 +1,7 @@
 // Where things are on this machine, and what the console can show.
 #pragma once
 
+#include "harness/core/input_error.h"
 #include "harness/process/engines.h"
 #include "scenarios/scenario.h"
 
@@ -11,16 +12,25 @@
 namespace cylon::cli {
 
 /// The exit codes; where several apply, the first of 2, 130, 5, 1, 3, 4.
-enum Exit { ok = 0, differs = 1, bad_input = 2, inconclusive = 3, nothing_selected = 4, harness_failure = 5, interrupted = 130 };
+enum Exit {
+  ok = 0,
+  differs = 1,
+  bad_input = 2,
+  inconclusive = 3,
+  nothing_selected = 4,
+  harness_failure = 5,
+  interrupted = 130
+};
 
 struct Context {
-  std::filesystem::path scenarios;            ///< The folder with *.toml, expected.toml and suites/.
-  std::filesystem::path workers;              ///< The folder with the worker executables.
-  std::vector<process::EngineRow> engines;    ///< Built in, and what the user adds.
+  std::filesystem::path scenarios;          ///< The folder with *.toml, expected.toml and suites/.
+  std::filesystem::path workers;            ///< The folder with the worker executables.
+  std::vector<process::EngineRow> engines;  ///< Built in, and what the user adds.
+  std::string command_line;                 ///< As it was typed.
   bool utf8 = true;
-  bool colour = false;                        ///< On stdout: a terminal, and NO_COLOR is not set.
-  bool progress = false;                      ///< On stderr: a terminal, and CI is not set.
-  int width = 100;                            ///< Of the terminal [columns].
+  bool colour = false;    ///< On stdout: a terminal, and NO_COLOR is not set.
+  bool progress = false;  ///< On stderr: a terminal, and CI is not set.
+  int width = 100;        ///< Of the terminal [columns].
 };
 
 /// From the place of this executable (build/<preset>/cylon), CYLON_SCENARIOS and CYLON_WORKERS.
@@ -29,7 +39,14 @@ Context make_context();
 /// Every scenario file of the folder, by name.
 std::vector<std::filesystem::path> scenario_files(const Context&);
 
-/// A file by its path, or a scenario of the folder by its name; throws core::InputError with the nearest name.
+/// Whether a word names a file (it ends in .toml) rather than a scenario of the folder.
+bool is_path(const std::string& word);
+
+/// "no scenario 'x' in …, did you mean 'y'?"
+core::InputError unknown_scenario(const Context&, const std::string& name);
+
+/// A file by its path, or a scenario of the folder by its name; throws core::InputError with the nearest
+/// name.
 std::filesystem::path find_scenario(const Context&, const std::string& name_or_path);
 
 }  // namespace cylon::cli

@@ -1,5 +1,6 @@
 // cylon doctor
 #include "harness/cli/app.h"
+#include "harness/cli/command_line.h"
 
 #include "harness/core/input_error.h"
 #include "harness/process/client.h"
@@ -18,10 +19,10 @@ Command add_doctor(CLI::App&, const Context& context) {
     bool sound = true;
     const auto check = [&](const std::string& what, const std::function<std::string()>& test) {
       try {
-        std::cout << fmt::format("ok    {}: {}\n", what, test());
+        std::cout << plain(fmt::format("ok    {}: {}\n", what, test()));
       } catch (const std::exception& error) {
         sound = false;
-        std::cout << fmt::format("FAIL  {}: {}\n", what, error.what());
+        std::cout << plain(fmt::format("FAIL  {}: {}\n", what, error.what()));
       }
     };
     check("version", [] { return std::string("cylon " CYLON_VERSION); });
@@ -40,10 +41,12 @@ Command add_doctor(CLI::App&, const Context& context) {
       check("engine " + row.id, [&] {
         const core::Engine engine = process::describe(process::parse_engine(row.id, context.engines), {});
         const bool listed = expectations && expectations->version_listed(engine.name, engine.version);
-        return fmt::format("{} {}, {}{}", engine.name, engine.version, engine.precision,
-                           listed ? "" : " (unlisted: expected.toml does not know this version, its verdicts may differ)");
+        return fmt::format(
+            "{} {}, {}{}", engine.name, engine.version, engine.precision,
+            listed ? "" : " (unlisted: expected.toml does not know this version, its verdicts may differ)");
       });
-    std::cout << (sound ? "Everything needed is here.\n" : "Something is missing; see FAIL above. ./run builds what this checkout needs.\n");
+    std::cout << (sound ? "Everything needed is here.\n"
+                        : "Something is missing; see FAIL above. ./run builds what this checkout needs.\n");
     return sound ? ok : harness_failure;
   };
 }

@@ -1,5 +1,6 @@
 // cylon engines
 #include "harness/cli/app.h"
+#include "harness/cli/command_line.h"
 
 #include "harness/process/client.h"
 #include "scenarios/glob.h"
@@ -25,33 +26,53 @@ ordered_json row(const process::EngineRow& row, const core::Engine& engine) {
   for (const core::Path& path : engine.paths) {
     ordered_json settings = ordered_json::array();
     for (const core::Setting& s : path.settings)
-      settings.push_back({{"name", s.name}, {"value", s.value}, {"engine_default", s.engine_default}, {"reason", s.reason}});
-    paths.push_back({{"name", path.name}, {"summary", path.summary}, {"settings", settings}, {"unforceable", path.unforceable}});
-  }
-  for (const core::Scheme& s : engine.schemes) schemes.push_back({{"name", s.name}, {"order", s.order}, {"conserves", s.conserves}});
-  for (const core::Option& o : engine.options)
-    knobs.push_back({{"name", o.name}, {"values", o.values}, {"engine_default", o.engine_default}, {"meaning", o.meaning}});
-  return {{"id", row.id},       {"engine", engine.name}, {"version", engine.version},
-          {"precision", engine.precision}, {"path", row.path},      {"default_path_rule", engine.default_path_rule},
-          {"paths", paths},     {"schemes", schemes},    {"options", knobs}};
-}
-
-void print(const process::EngineRow& row, const core::Engine& engine) {
-  std::cout << fmt::format("{}: {} {}, {} precision\n", row.id, engine.name, engine.version, engine.precision);
-  if (row.path.empty() && !engine.default_path_rule.empty()) std::cout << "  path: " << engine.default_path_rule << '\n';
-  for (const core::Path& path : engine.paths) {
-    if (!row.path.empty() && path.name != row.path) continue;
-    std::cout << fmt::format("  path {}: {}\n", path.name, path.summary);
-    for (const core::Setting& s : path.settings)
-      std::cout << fmt::format("    {} = {} (engine's own: {}): {}\n", s.name, s.value, s.engine_default, s.reason);
-    for (const std::string& text : path.unforceable) std::cout << "    not to be switched off: " << text << '\n';
+      settings.push_back(
+          {{"name", s.name}, {"value", s.value}, {"engine_default", s.engine_default}, {"reason", s.reason}});
+    paths.push_back({{"name", path.name},
+                     {"summary", path.summary},
+                     {"settings", settings},
+                     {"unforceable", path.unforceable}});
   }
   for (const core::Scheme& s : engine.schemes)
-    std::cout << fmt::format("  integrator {}: order {}{}{}\n", s.name, s.order, s.conserves.empty() ? "" : "; ", s.conserves);
+    schemes.push_back({{"name", s.name}, {"order", s.order}, {"conserves", s.conserves}});
   for (const core::Option& o : engine.options)
-    std::cout << fmt::format("  option {}={} (engine's own: {}): {}\n", o.name, o.values.empty() ? "NUMBER" : fmt::format("{}", fmt::join(o.values, "|")),
-                             o.engine_default, o.meaning);
-  std::cout << '\n';
+    knobs.push_back({{"name", o.name},
+                     {"values", o.values},
+                     {"engine_default", o.engine_default},
+                     {"meaning", o.meaning}});
+  return {{"id", row.id},
+          {"engine", engine.name},
+          {"version", engine.version},
+          {"precision", engine.precision},
+          {"path", row.path},
+          {"default_path_rule", engine.default_path_rule},
+          {"paths", paths},
+          {"schemes", schemes},
+          {"options", knobs}};
+}
+
+std::string text(const process::EngineRow& row, const core::Engine& engine) {
+  std::string out =
+      fmt::format("{}: {} {}, {} precision\n", row.id, engine.name, engine.version, engine.precision);
+  if (row.path.empty() && !engine.default_path_rule.empty())
+    out += fmt::format("  path: {}\n", engine.default_path_rule);
+  for (const core::Path& path : engine.paths) {
+    if (!row.path.empty() && path.name != row.path) continue;
+    out += fmt::format("  path {}: {}\n", path.name, path.summary);
+    for (const core::Setting& s : path.settings)
+      out += fmt::format("    {} = {} (engine's own: {}): {}\n", s.name, s.value, s.engine_default, s.reason);
+    for (const std::string& sentence : path.unforceable)
+      out += fmt::format("    not to be switched off: {}\n", sentence);
+  }
+  for (const core::Scheme& s : engine.schemes)
+    out += fmt::format("  integrator {}: order {}{}{}\n", s.name, s.order,
+                       s.conserves.empty() ? "" : "; conserves ", s.conserves);
+  for (const core::Option& o : engine.options) {
+    const std::string values = o.values.empty() ? "NUMBER" : fmt::format("{}", fmt::join(o.values, "|"));
+    out +=
+        fmt::format("  option {}={} (engine's own: {}): {}\n", o.name, values, o.engine_default, o.meaning);
+  }
+  return out + '\n';
 }
 
 int engines(const Context& context, const Options& options) {
@@ -68,14 +89,23 @@ int engines(const Context& context, const Options& options) {
     }
     try {
       const core::Engine description = process::describe(process::parse_engine(engine.id, table), {});
-      if (options.json) rows.push_back(row(engine, description));
-      else print(engine, description);
+      if (options.json)
+        rows.push_back(row(engine, description));
+      else
+        std::cout << plain(text(engine, description));
     } catch (const process::Failure& failure) {
       ++broken;
-      std::cerr << fmt::format("{}: {}\n", engine.id, failure.what());
+      std::cerr << plain(fmt::format("{}: {}\n", engine.id, failure.what()));
     }
   }
-  if (options.json) std::cout << rows.dump(2) << '\n';
+  if (!found) {
+    std::vector<std::string> ids;
+    for (const process::EngineRow& engine : table) ids.push_back(engine.id);
+    std::cerr << plain(fmt::format("nothing selected: no engine '{}'{} (engines: {})\n",
+                                   fmt::join(options.globs, "', '"),
+                                   core::did_you_mean(options.globs.front(), ids), fmt::join(ids, ", ")));
+  }
+  if (options.json) std::cout << rows.dump(2, ' ', true) << '\n';
   return broken ? harness_failure : found ? ok : nothing_selected;
 }
 

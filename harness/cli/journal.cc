@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <iterator>
 
 namespace cylon::cli {
@@ -31,41 +32,74 @@ std::string worker_hash(const std::vector<std::string>& command) {
   return found->second;
 }
 
+nlohmann::json to_json(const Request& r) {
+  return {{"patterns", r.patterns},       {"engines", r.engines}, {"steps", r.steps},
+          {"integrators", r.integrators}, {"workers", r.workers}, {"suite", r.suite}};
+}
+
+Request from_json(const nlohmann::json& j) {
+  return {j.at("patterns"),    j.at("engines"), j.at("steps"),
+          j.at("integrators"), j.at("workers"), j.at("suite")};
+}
+
 }  // namespace
 
 std::string cell_key(const study::Cell& cell, const std::string& expectations_hash) {
-  return fmt::format("{}/{}/{}/{}/{}/{}", cell.scenario->name, cell.scenario->hash, cell.engine.id, worker_hash(cell.engine.row.command),
-                     cell.dt_text, expectations_hash);
+  return fmt::format("{}/{}/{}/{}", cell_name(cell), cell.scenario->hash,
+                     worker_hash(cell.engine.row.command), expectations_hash);
 }
 
-std::map<std::string, std::vector<core::Verdict>> Journal::read() const {
-  std::map<std::string, std::vector<core::Verdict>> cells;
+std::string cell_name(const study::Cell& cell) {
+  return fmt::format("{} {} {}", cell.scenario->file, cell.engine.id, cell.dt_text);
+}
+
+Journal::Content Journal::read() const {
+  Content content;
   std::ifstream in(file_);
   for (std::string line; std::getline(in, line);) {
     try {
       const nlohmann::json row = nlohmann::json::parse(line);
-      std::vector<core::Verdict>& verdicts = cells[row.at("key").get<std::string>()];
-      verdicts.clear();
-      for (const auto& verdict : row.at("verdicts")) verdicts.push_back(reports::from_json_line(verdict.get<std::string>()));
+      if (row.contains("request")) {
+        content.request = from_json(row.at("request"));
+        continue;
+      }
+      std::vector<core::Verdict> verdicts;
+      for (const auto& verdict : row.at("verdicts"))
+        verdicts.push_back(reports::from_json_line(verdict.get<std::string>()));
+      if (verdicts.empty()) continue;
+      const std::string cell = row.at("cell");
+      if (std::all_of(verdicts.begin(), verdicts.end(),
+                      [](const core::Verdict& v) { return v.as_expected(); })) {
+        content.differing.erase(cell);
+      } else {
+        content.differing.insert(cell);
+      }
+      content.cells[row.at("key").get<std::string>()] = std::move(verdicts);
     } catch (const std::exception&) {
       continue;
     }
   }
-  std::erase_if(cells, [](const auto& cell) { return cell.second.empty(); });
-  return cells;
+  return content;
 }
 
-void Journal::open(bool append) {
+void Journal::open(const Request& request, bool append) {
   std::error_code ignored;
   fs::create_directories(file_.parent_path(), ignored);
-  out_.open(file_, append ? std::ios::app : std::ios::trunc);
+  if (!append) std::ofstream(file_, std::ios::trunc);
+  out_.open(file_, std::ios::app);
   if (append) out_ << '\n';  // ends a line that a crash has cut off
+  out_ << nlohmann::json{{"request", to_json(request)}}.dump(-1, ' ', true,
+                                                             nlohmann::json::error_handler_t::replace)
+       << '\n'
+       << std::flush;
 }
 
-void Journal::add(const std::string& key, const std::vector<core::Verdict>& verdicts) {
+void Journal::add(const std::string& key, const study::Cell& cell,
+                  const std::vector<core::Verdict>& verdicts) {
   nlohmann::json lines = nlohmann::json::array();
   for (const core::Verdict& verdict : verdicts) lines.push_back(reports::to_json_line(verdict));
-  out_ << nlohmann::json{{"key", key}, {"verdicts", lines}}.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << '\n' << std::flush;
+  const nlohmann::json line = {{"key", key}, {"cell", cell_name(cell)}, {"verdicts", lines}};
+  out_ << line.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) << '\n' << std::flush;
 }
 
 }  // namespace cylon::cli

@@ -1,12 +1,16 @@
 // What a run has finished, cell by cell, so that it can be resumed after an interruption and its
-// differing cells run again.  One JSON line per cell in .cylon/journal.jsonl of the working folder.
+// differing cells run again.  A JSON line with what was asked for, then one per cell, in .cylon/journal.jsonl
+// of the working folder.
 #pragma once
 
+#include "harness/cli/selection.h"
 #include "harness/study/cell.h"
 
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,18 +20,27 @@ namespace cylon::cli {
 /// the engine's id and its worker's content, and the step.
 std::string cell_key(const study::Cell&, const std::string& expectations_hash);
 
+/// Scenario, engine and step as the user names them: the same cell, whatever its files hold by now.
+std::string cell_name(const study::Cell&);
+
 class Journal {
  public:
   explicit Journal(std::filesystem::path file) : file_(std::move(file)) {}
 
-  /// Cells of the last run by key; a line cut off by a crash is left out.
-  std::map<std::string, std::vector<core::Verdict>> read() const;
+  struct Content {
+    std::optional<Request> request;                           ///< Absent: there was no run.
+    std::map<std::string, std::vector<core::Verdict>> cells;  ///< By key.
+    std::set<std::string> differing;                          ///< Names of cells that were not as expected.
+  };
+
+  /// The last run; a line cut off by a crash is left out.
+  Content read() const;
 
   /// Starts afresh, or goes on after what is there.
-  void open(bool append);
+  void open(const Request&, bool append);
 
   /// Adds a finished cell and flushes it; a journal that cannot be written is silently none.
-  void add(const std::string& key, const std::vector<core::Verdict>&);
+  void add(const std::string& key, const study::Cell&, const std::vector<core::Verdict>&);
 
  private:
   std::filesystem::path file_;

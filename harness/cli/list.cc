@@ -1,5 +1,6 @@
 // cylon list
 #include "harness/cli/app.h"
+#include "harness/cli/command_line.h"
 
 #include "harness/core/claim.h"
 #include "scenarios/glob.h"
@@ -38,29 +39,56 @@ nlohmann::ordered_json row(const scenarios::Scenario& scenario) {
                       {"absolute", claim.tolerance.absolute},
                       {"relative", claim.tolerance.relative},
                       {"reason", claim.tolerance.reason}});
-  return {{"name", scenario.name},   {"title", scenario.title},      {"story", scenario.story},
-          {"tags", scenario.tags},   {"duration", scenario.duration}, {"step", scenario.step},
-          {"bodies", scenario.scene.bodies.size()}, {"claims", claims}};
+  return {{"name", scenario.name},
+          {"title", scenario.title},
+          {"story", scenario.story},
+          {"tags", scenario.tags},
+          {"duration", scenario.duration},
+          {"step", scenario.step},
+          {"bodies", scenario.scene.bodies.size()},
+          {"claims", claims}};
+}
+
+std::string nothing_found(const Options& options, const std::vector<std::string>& names,
+                          const std::vector<std::string>& tags) {
+  std::string text = "nothing selected";
+  for (const std::string& glob : options.globs)
+    if (std::none_of(names.begin(), names.end(),
+                     [&](const std::string& name) { return scenarios::glob_match(glob, name); }))
+      text += fmt::format("; no scenario '{}'{}", glob, core::did_you_mean(glob, names));
+  for (const std::string& tag : options.tags)
+    if (std::find(tags.begin(), tags.end(), tag) == tags.end())
+      text += fmt::format("; no tag '{}'{} (tags: {})", tag, core::did_you_mean(tag, tags),
+                          fmt::join(tags, ", "));
+  return plain(text);
 }
 
 int list(const Context& context, const Options& options) {
   std::vector<scenarios::Scenario> found;
+  std::vector<std::string> names, tags;
   for (const auto& file : scenario_files(context)) {
     scenarios::Scenario scenario = scenarios::load(file);
+    names.push_back(scenario.name);
+    for (const std::string& tag : scenario.tags)
+      if (std::find(tags.begin(), tags.end(), tag) == tags.end()) tags.push_back(tag);
     if (selected(scenario, options)) found.push_back(std::move(scenario));
   }
+  if (found.empty()) std::cerr << nothing_found(options, names, tags) << '\n';
   if (options.json) {
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     for (const auto& scenario : found) rows.push_back(row(scenario));
-    std::cout << rows.dump(2) << '\n';
+    std::cout << rows.dump(2, ' ', true) << '\n';
   } else if (options.names) {
     for (const auto& scenario : found) std::cout << scenario.name << '\n';
   } else {
     std::size_t width = 0;
     for (const auto& scenario : found) width = std::max(width, scenario.name.size());
     for (const auto& scenario : found) {
-      std::cout << fmt::format("{:<{}}  {:>5g} s at {:<6} {:>2} claims  {}  [{}]\n", scenario.name, width, scenario.duration,
-                               scenario.step_text, scenario.claims.size(), scenario.title, fmt::join(scenario.tags, ", "));
+      std::cout << plain_line(fmt::format("{:<{}}  {:>5g} s at {:<6} {:>2} claims  {}  [{}]", scenario.name,
+                                          width, scenario.duration, scenario.step_text,
+                                          scenario.claims.size(), scenario.title,
+                                          fmt::join(scenario.tags, ", ")))
+                << '\n';
     }
   }
   return found.empty() ? nothing_selected : ok;

@@ -1,11 +1,13 @@
 // cylon new
 #include "harness/cli/app.h"
+#include "harness/cli/command_line.h"
+#include "harness/cli/output.h"
 
 #include "harness/core/input_error.h"
 
 #include <fmt/format.h>
 
-#include <fstream>
+#include <filesystem>
 #include <iostream>
 
 namespace cylon::cli {
@@ -15,17 +17,25 @@ Command add_new(CLI::App& app, const Context&) {
     std::string name, folder = ".";
   };
   const auto options = std::make_shared<Options>();
-  app.add_option("name", options->name, "Name of the scenario: letters, digits, '_' and '-'")->required();
-  app.add_option("--dir", options->folder, "Where to write NAME.toml")->capture_default_str();
+  app.add_option("name", options->name, "Name of the scenario: letters, digits, '_' and '-'")
+      ->required()
+      ->type_name("NAME");
+  app.add_option("--dir", options->folder, "Where to write NAME.toml")
+      ->type_name("FOLDER")
+      ->capture_default_str();
   return [=] {
-    if (options->name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") != std::string::npos || options->name.empty())
-      throw core::InputError(fmt::format("'{}' is no name for a scenario: use letters, digits, '_' and '-'", options->name));
-    const std::filesystem::path file = std::filesystem::path(options->folder) / (options->name + ".toml");
-    if (std::filesystem::exists(file)) throw core::InputError(fmt::format("{} exists already; it is left as it is", file.string()));
-    std::ofstream out(file);
-    out << scenarios::template_toml(options->name);
-    if (!out.flush()) throw core::InputError(fmt::format("{} cannot be written", file.string()));
-    std::cout << fmt::format("{}: written. Next:\n  cylon validate {}\n  cylon run {}\n", file.string(), file.string(), file.string());
+    if (options->name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") !=
+            std::string::npos ||
+        options->name.empty())
+      throw core::InputError(
+          fmt::format("'{}' is no name for a scenario: use letters, digits, '_' and '-'", options->name));
+    const std::filesystem::path file =
+        (std::filesystem::path(options->folder) / (options->name + ".toml")).lexically_normal();
+    if (std::filesystem::exists(file))
+      throw core::InputError(fmt::format("{} exists already; it is left as it is", file.string()));
+    write_whole(file.string(), scenarios::template_toml(options->name));
+    std::cout << fmt::format("{}: written. Next:\n  cylon validate {}\n  cylon run {}\n",
+                             plain(file.string()), shell_word(file.string()), shell_word(file.string()));
     return ok;
   };
 }

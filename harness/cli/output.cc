@@ -9,17 +9,50 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <set>
 
 namespace cylon::cli {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+bool is_special(const fs::path& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+// Where a symbolic link leads, so that the link stays one.
+fs::path followed(const std::string& path) {
+  std::error_code error;
+  const fs::path target = fs::weakly_canonical(fs::absolute(path), error);
+  return error ? fs::path(path) : target;
+}
+
+}  // namespace
+
 void require_writable(const std::string& path) {
-  if (path.empty() || path == "-") return;
-  const fs::path folder = fs::absolute(path).parent_path();
-  if (fs::is_directory(path)) throw core::InputError(fmt::format("{}: is a directory, a file is needed", path));
-  if (!fs::is_directory(folder)) throw core::InputError(fmt::format("{}: the folder {} is not there", path, folder.string()));
-  if (access(folder.c_str(), W_OK) != 0) throw core::InputError(fmt::format("{}: the folder {} cannot be written", path, folder.string()));
+  if (path.empty() || path == "-" || is_special(path)) return;
+  const auto refuse = [&](const std::string& why) {
+    return core::InputError(fmt::format("{}: {}", path, why));
+  };
+  if (fs::is_directory(path)) throw refuse("is a directory, a file is needed");
+  const fs::path folder = followed(path).parent_path();
+  if (!fs::is_directory(folder)) throw refuse(fmt::format("the folder {} is not there", folder.string()));
+  if (access(folder.c_str(), W_OK) != 0)
+    throw refuse(fmt::format("the folder {} cannot be written", folder.string()));
+}
+
+void require_writable(std::span<const std::string> paths) {
+  std::set<fs::path> seen;
+  for (const std::string& path : paths) {
+    require_writable(path);
+    if (path.empty() || (is_special(path) && path != "-")) continue;
+    if (!seen.insert(path == "-" ? fs::path(path) : followed(path)).second)
+      throw core::InputError(path == "-" ? "stdout can take one report only: '-' is given twice"
+                                         : fmt::format("{}: two reports cannot go into one file", path));
+  }
 }
 
 void write_whole(const std::string& path, std::string_view text) {
@@ -28,14 +61,17 @@ void write_whole(const std::string& path, std::string_view text) {
     return;
   }
   require_writable(path);
-  const std::string partial = fmt::format("{}.{}.partial", path, getpid());
+  const bool special = is_special(path);
+  const fs::path target = followed(path);
+  const fs::path partial =
+      special ? fs::path(path) : fs::path(fmt::format("{}.{}.partial", target.string(), getpid()));
   std::ofstream out(partial, std::ios::binary);
   out << text;
   out.close();
   std::error_code error;
-  if (out) fs::rename(partial, path, error);
+  if (out && !special) fs::rename(partial, target, error);
   if (!out || error) {
-    fs::remove(partial, error);
+    if (!special) fs::remove(partial, error);
     throw core::InputError(fmt::format("{}: cannot be written", path));
   }
 }

@@ -1,16 +1,22 @@
 // Files written whole or not at all.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
 namespace cylon::cli {
 
-/// Writes to a file beside `path` and renames it, so that a reader never sees half of it; "-" is stdout.
-/// Throws core::InputError where that cannot be.
+/// Writes to a file beside `path` and renames it, so that a reader never sees half of it.  A symbolic link is
+/// followed; a device or a pipe is written as it stands; "-" is stdout.  Throws core::InputError where that
+/// cannot be.
 void write_whole(const std::string& path, std::string_view text);
 
-/// Throws core::InputError now where write_whole could not write later: a missing folder, a directory in the way.
+/// Throws core::InputError now where write_whole could not write later: a missing folder, a directory in the
+/// way.
 void require_writable(const std::string& path);
+
+/// The same for several files, of which no two may be one; an empty path is none.
+void require_writable(std::span<const std::string> paths);
 
 }  // namespace cylon::cli

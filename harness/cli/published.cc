@@ -1,6 +1,7 @@
 #include "harness/cli/published.h"
 
 #include "scenarios/glob.h"
+#include "scenarios/reader.h"
 
 #include <fmt/format.h>
 
@@ -18,7 +19,9 @@ int significant_digits(const std::string& text) {
   return digits;
 }
 
-std::string rounded(double value, int digits) { return fmt::format("{:.{}e}", value, std::max(0, digits - 1)); }
+std::string rounded(double value, int digits) {
+  return fmt::format("{:.{}e}", value, std::max(0, digits - 1));
+}
 
 }  // namespace
 
@@ -29,17 +32,22 @@ bool same_digits(double measured, const std::string& published) {
 
 Reproduction reproduce(const scenarios::Suite& suite, const std::vector<core::Verdict>& rows) {
   Reproduction result;
-  result.text = fmt::format("{:<28} {:>6}  {:>14}  {:>14}\n", "published numbers", "dt", "published", "here");
   for (const auto& published : suite.published) {
     const auto row = std::find_if(rows.begin(), rows.end(), [&](const core::Verdict& r) {
-      return r.engine == published.engine && r.dt_text == published.dt && scenarios::glob_match(suite.claim, r.claim);
+      return r.engine == published.engine && r.dt == scenarios::parse_step(published.dt) &&
+             scenarios::glob_match(suite.claim, r.claim);
     });
     if (row == rows.end()) continue;
     const bool same = same_digits(row->measured, published.value);
     result.complete = result.complete && same;
-    result.text += fmt::format("{:<28} {:>6}  {:>14}  {:>14.{}g}  {}\n", published.engine, published.dt, published.value, row->measured,
-                               std::max(6, significant_digits(published.value)), same ? "every digit" : "DIFFERS");
+    result.text += fmt::format(
+        "{:<28} {:>6}  {:>14}  {:>14.{}g}  {}\n", published.engine, published.dt, published.value,
+        row->measured, std::max(6, significant_digits(published.value)), same ? "every digit" : "DIFFERS");
   }
+  if (!result.text.empty())
+    result.text =
+        fmt::format("\n{:<28} {:>6}  {:>14}  {:>14}\n", "published numbers", "dt", "published", "here") +
+        result.text;
   return result;
 }
 

@@ -13,7 +13,8 @@ namespace cylon::cli {
 bool same_digits(double measured, const std::string& published);
 
 struct Reproduction {
-  std::string text;      ///< A table: engine, step, published, here, whether every digit agrees.
+  std::string
+      text;  ///< A table: engine, step, published, here, whether every digit agrees; "" without a row.
   bool complete = true;  ///< All rows that were run agree.
 };
 

@@ -1,160 +1,244 @@
 #include "harness/cli/selection.h"
 
-#include "harness/core/input_error.h"
+#include "harness/cli/app.h"
+#include "harness/cli/command_line.h"
+#include "harness/cli/patterns.h"
 #include "harness/process/client.h"
 #include "scenarios/glob.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <sstream>
+#include <set>
 
 namespace cylon::cli {
 namespace {
 
 namespace fs = std::filesystem;
+using process::EngineChoice;
+using process::EngineRow;
 
-fs::path find_suite(const Context& context, const std::string& name) {
+bool contains(const std::vector<std::string>& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+bool any_match(const std::vector<std::string>& globs, const std::string& word) {
+  return std::any_of(globs.begin(), globs.end(),
+                     [&](const std::string& g) { return scenarios::glob_match(g, word); });
+}
+
+std::vector<std::string> names_of(const std::vector<fs::path>& files) {
+  std::vector<std::string> names;
+  for (const fs::path& file : files) names.push_back(file.stem().string());
+  return names;
+}
+
+// The suite of that name; a folder of scenarios without a suite `conformance` runs all it has on all engines.
+scenarios::Suite find_suite(const Context& context, const std::vector<EngineRow>& rows,
+                            const std::string& asked) {
+  const std::string name = asked.empty() ? "conformance" : asked;
   const fs::path folder = context.scenarios / "suites";
   std::vector<std::string> names;
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder, ignored))
     if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-  if (std::find(names.begin(), names.end(), name) == names.end())
-    throw core::InputError(fmt::format("--suite '{}': no such suite in {}{}", name, folder.string(), core::did_you_mean(name, names)));
-  return folder / (name + ".toml");
+  std::sort(names.begin(), names.end());
+  if (contains(names, name)) return scenarios::load_suite(folder / (name + ".toml"));
+  if (!asked.empty())
+    throw core::InputError(fmt::format("--suite '{}': no such suite in {}{} (suites: {})", name,
+                                       folder.string(), core::did_you_mean(name, names),
+                                       fmt::join(names, ", ")));
+  scenarios::Suite all;
+  all.scenarios = {"*"};
+  for (const EngineRow& row : rows) all.engines.push_back(row.id);
+  return all;
 }
 
-// "bounce*:-*/ode": a list of globs, those with '-' excluded; each SCENARIO or SCENARIO/ENGINE.
-struct Pattern {
-  std::string scenario, engine = "*";
-  bool exclude = false;
-};
-
-bool is_file(const std::string& word) {
-  std::error_code ignored;
-  return word.ends_with(".toml") && fs::exists(word, ignored);
+// An option that takes several words also takes the scenario behind them.
+[[noreturn]] void refuse_word(const char* option, const std::string& word,
+                              const std::vector<std::string>& names, const core::InputError& error) {
+  if (!is_path(word) && !contains(names, word))
+    throw core::InputError(fmt::format("{}: {}", option, error.what()));
+  throw core::InputError(fmt::format(
+      "{} takes every word that follows it, and '{}' is a scenario: put scenarios first", option, word));
 }
 
-std::vector<Pattern> parse(const std::vector<std::string>& words) {
-  std::vector<Pattern> patterns;
-  for (const std::string& word : words) {
-    std::istringstream parts(word);
-    for (std::string part; std::getline(parts, part, ':');) {
-      Pattern pattern;
-      if (part.starts_with('-')) pattern.exclude = true, part.erase(0, 1);
-      if (is_file(part)) {
-        pattern.scenario = part;
-      } else {
-        const std::size_t slash = part.find('/');
-        pattern.scenario = part.substr(0, slash);
-        if (slash != std::string::npos) pattern.engine = part.substr(slash + 1);
-      }
-      if (pattern.scenario.ends_with(".toml") && !is_file(pattern.scenario))
-        throw core::InputError(fmt::format("{}: there is no such file", pattern.scenario));
-      patterns.push_back(pattern);
-    }
-  }
-  return patterns;
-}
-
-bool is_glob(const std::string& word) { return word.find_first_of("*?") != std::string::npos; }
-
-// Whether the patterns take a scenario (by name or file) on an engine; with no including pattern, all are taken.
-bool taken(const std::vector<Pattern>& patterns, const std::string& name, const std::string& file, const std::string& engine) {
-  bool any = false, in = false;
-  for (const Pattern& p : patterns) {
-    const bool hit = (p.scenario == file || scenarios::glob_match(p.scenario, name)) && scenarios::glob_match(p.engine, engine);
-    if (p.exclude && hit) return false;
-    if (!p.exclude) any = true, in = in || hit;
-  }
-  return !any || in;
-}
-
-bool may_be_taken(const std::vector<Pattern>& patterns, const std::string& name, const std::string& file) {
-  const bool none = std::all_of(patterns.begin(), patterns.end(), [](const Pattern& p) { return p.exclude; });
-  return none || std::any_of(patterns.begin(), patterns.end(), [&](const Pattern& p) {
-           return !p.exclude && (p.scenario == file || scenarios::glob_match(p.scenario, name));
-         });
-}
-
-std::vector<std::string> engine_ids(const Context& context, const std::vector<process::EngineRow>& rows, const Request& request, const std::vector<Pattern>& patterns,
+// What is asked for, else what the suite lists, engines that the user adds, and variants that a pattern
+// spells out.
+std::vector<std::string> engine_ids(const Context& context, const std::vector<EngineRow>& rows,
+                                    const Request& request, const std::vector<Pattern>& patterns,
                                     const scenarios::Suite& suite) {
-  std::vector<std::string> known = suite.engines;
-  for (const process::EngineRow& row : rows)
-    if (std::find(known.begin(), known.end(), row.id) == known.end()) known.push_back(row.id);
-  if (request.engines.empty()) {
-    // What the suite lists, engines that the user adds, and variants that a pattern spells out.
-    std::vector<std::string> ids = suite.engines;
-    for (const process::EngineRow& row : rows)
-      if (std::none_of(context.engines.begin(), context.engines.end(), [&](const auto& own) { return own.id == row.id; }))
-        ids.push_back(row.id);
-    for (const Pattern& p : patterns)
-      if (!p.exclude && !is_glob(p.engine) && std::find(ids.begin(), ids.end(), p.engine) == ids.end()) ids.push_back(p.engine);
-    return ids;
-  }
   std::vector<std::string> ids;
   const auto add = [&](const std::string& id) {
-    if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
+    if (!contains(ids, id)) ids.push_back(id);
   };
+  if (request.engines.empty()) {
+    for (const std::string& id : suite.engines) add(id);
+    for (const EngineRow& row : rows)
+      if (std::none_of(context.engines.begin(), context.engines.end(),
+                       [&](const EngineRow& own) { return own.id == row.id; }))
+        add(row.id);
+    for (const Pattern& p : patterns)
+      if (!p.exclude && !is_glob(p.engine)) add(p.engine);
+    return ids;
+  }
   for (const std::string& word : request.engines) {
-    if (is_glob(word)) {
-      for (const std::string& id : known)
-        if (scenarios::glob_match(word, id)) add(id);
-    } else {
+    if (!is_glob(word)) {
       add(word);
+      continue;
     }
+    for (const std::string& id : suite.engines)
+      if (scenarios::glob_match(word, id)) add(id);
+    for (const EngineRow& row : rows)
+      if (scenarios::glob_match(word, row.id)) add(row.id);
   }
   return ids;
 }
 
-// The choice itself, or a variant of it for each scheme that the globs match.
-std::vector<process::EngineChoice> with_integrators(const process::EngineChoice& choice, const std::vector<process::EngineRow>& rows,
-                                                    const std::vector<std::string>& globs) {
+// The choice itself, or a variant of it for each scheme that the globs match; one that states its scheme
+// keeps it. What the engine has is added to `schemes`.
+std::vector<EngineChoice> with_integrators(const EngineChoice& choice, const std::vector<EngineRow>& rows,
+                                           const std::vector<std::string>& globs,
+                                           std::vector<std::string>& schemes) try {
   if (globs.empty()) return {choice};
-  std::vector<process::EngineChoice> choices;
-  for (const core::Scheme& scheme : process::describe(choice, {}).schemes)
-    if (std::any_of(globs.begin(), globs.end(), [&](const std::string& glob) { return scenarios::glob_match(glob, scheme.name); }))
-      choices.push_back(process::parse_engine(choice.id + (choice.id.find('/') == std::string::npos ? '/' : ',') + ("integrator=" + scheme.name), rows));
+  std::vector<EngineChoice> choices;
+  for (const core::Scheme& scheme : process::describe(choice).schemes) {
+    if (!contains(schemes, scheme.name)) schemes.push_back(scheme.name);
+    if (!any_match(globs, scheme.name) || (!choice.integrator.empty() && choice.integrator != scheme.name))
+      continue;
+    const char* joint = choice.id.find('/') == std::string::npos ? "/" : ",";
+    choices.push_back(choice.integrator.empty()
+                          ? process::parse_engine(choice.id + joint + "integrator=" + scheme.name, rows)
+                          : choice);
+  }
   return choices;
+} catch (const process::Failure&) {
+  return {choice};  // its failure is a verdict of the run
+}
+
+bool same(const EngineChoice& a, const EngineChoice& b) {
+  return a.row.id == b.row.id && a.path == b.path && a.integrator == b.integrator && a.options == b.options;
+}
+
+std::vector<EngineChoice> choose_engines(const Context& context, const std::vector<EngineRow>& rows,
+                                         const Request& request, const std::vector<Pattern>& patterns,
+                                         const scenarios::Suite& suite,
+                                         const std::vector<std::string>& scenario_names) {
+  std::vector<EngineChoice> engines;
+  std::vector<std::string> schemes;
+  for (const std::string& id : engine_ids(context, rows, request, patterns, suite)) {
+    EngineChoice choice;
+    try {
+      choice = process::parse_engine(id, rows);
+    } catch (const core::InputError& error) {
+      refuse_word("--engine", id, scenario_names, error);
+    }
+    for (EngineChoice& variant : with_integrators(choice, rows, request.integrators, schemes))
+      if (std::none_of(engines.begin(), engines.end(),
+                       [&](const EngineChoice& other) { return same(other, variant); }))
+        engines.push_back(std::move(variant));
+  }
+  for (const std::string& word : request.integrators)
+    if (!is_glob(word) && !contains(schemes, word) && !schemes.empty())
+      throw core::InputError(fmt::format("--integrator '{}': none of these engines has it{} (schemes: {})",
+                                         word, core::did_you_mean(word, schemes), fmt::join(schemes, ", ")));
+  return engines;
+}
+
+struct Step {
+  std::string text;
+  double dt;
+};
+
+std::vector<Step> parse_steps(const std::vector<std::string>& words,
+                              const std::vector<std::string>& scenario_names) {
+  std::vector<Step> steps;
+  for (const std::string& word : words) try {
+      const double dt = scenarios::parse_step(word);
+      if (std::none_of(steps.begin(), steps.end(), [&](const Step& other) { return other.dt == dt; }))
+        steps.push_back({word, dt});
+    } catch (const core::InputError& error) {
+      refuse_word("--dt", word, scenario_names, error);
+    }
+  return steps;
+}
+
+// A scenario as the user names it: a file by its path, one of the folder by its name.
+struct Candidate {
+  std::string given;
+  fs::path file;
+};
+
+std::vector<Candidate> candidates(const Context& context, const Request& request,
+                                  const std::vector<Pattern>& patterns, const scenarios::Suite& suite) {
+  std::vector<Candidate> found;
+  for (const Pattern& p : patterns)
+    if (!p.exclude && is_path(p.scenario) &&
+        std::none_of(found.begin(), found.end(), [&](const Candidate& c) { return c.given == p.scenario; }))
+      found.push_back({p.scenario, p.scenario});
+  const std::vector<fs::path> files = scenario_files(context);
+  const std::vector<std::string> names = names_of(files);
+  for (const Pattern& p : patterns)
+    if (!is_path(p.scenario) && !is_glob(p.scenario) && !contains(names, p.scenario))
+      throw unknown_scenario(context, p.scenario);
+  for (const fs::path& file : files) {
+    const std::string name = file.stem().string();
+    // Patterns choose among all scenarios; a suite asked for by name, and no pattern at all, keep to the
+    // suite.
+    const bool in_suite = any_match(suite.scenarios, name);
+    if (in_suite || (!patterns.empty() && request.suite.empty())) found.push_back({name, file});
+  }
+  std::erase_if(found, [&](const Candidate& c) { return !may_be_taken(patterns, c.given); });
+  return found;
+}
+
+// expected.toml speaks of the folder's own scenarios: a file elsewhere that borrows a name is another
+// scenario.
+bool is_stranger(const Context& context, const scenarios::Scenario& scenario) {
+  const fs::path own = context.scenarios / (scenario.name + ".toml");
+  std::error_code ignored;
+  if (!fs::exists(own, ignored) || fs::equivalent(own, scenario.file, ignored)) return false;
+  return scenarios::load(own).hash != scenario.hash;
+}
+
+// `cylon run SCENARIO --engine ID --dt S`, with the worker of an engine that is not built in.
+std::string command_for(const Context& context, const std::string& given, const EngineChoice& engine,
+                        const std::string& step) {
+  std::vector<std::string> words = {"cylon", "run", given, "--engine", engine.id, "--dt", step};
+  if (std::none_of(context.engines.begin(), context.engines.end(), [&](const EngineRow& own) {
+        return own.id == engine.row.id && own.command == engine.row.command;
+      })) {
+    words.push_back("--worker");
+    words.push_back(fmt::format("{}={}", engine.row.id, fmt::join(engine.row.command, " ")));
+  }
+  return shell_command(words);
 }
 
 }  // namespace
 
-Selection select(const Context& context, const std::vector<process::EngineRow>& rows, const Request& request) {
+Selection select(const Context& context, const Request& request) {
+  const std::vector<EngineRow> rows = with_workers(context, request.workers);
+  const std::vector<Pattern> patterns = parse_patterns(request.patterns);
+  const std::vector<std::string> names = names_of(scenario_files(context));
   Selection selection;
-  selection.suite = scenarios::load_suite(find_suite(context, request.suite.empty() ? "conformance" : request.suite));
-  const scenarios::Suite& suite = *selection.suite;
-  const std::vector<Pattern> patterns = parse(request.patterns);
+  selection.suite = find_suite(context, rows, request.suite);
+  const std::vector<Candidate> chosen = candidates(context, request, patterns, selection.suite);
+  const auto engines = choose_engines(context, rows, request, patterns, selection.suite, names);
+  const auto steps = parse_steps(request.steps.empty() ? selection.suite.steps : request.steps, names);
 
-  std::vector<process::EngineChoice> engines;
-  for (const std::string& id : engine_ids(context, rows, request, patterns, suite))
-    for (process::EngineChoice& choice : with_integrators(process::parse_engine(id, rows), rows, request.integrators))
-      engines.push_back(std::move(choice));
-
-  std::vector<std::pair<std::string, fs::path>> files;  // name or path as given, file
-  for (const Pattern& p : patterns)
-    if (is_file(p.scenario)) files.emplace_back(p.scenario, p.scenario);
-  for (const fs::path& file : scenario_files(context)) {
-    const std::string name = file.stem().string();
-    const bool in_suite = std::any_of(suite.scenarios.begin(), suite.scenarios.end(),
-                                      [&](const std::string& glob) { return scenarios::glob_match(glob, name); });
-    // Patterns choose among all scenarios; a suite asked for by name, and no pattern at all, keep to the suite.
-    if ((patterns.empty() || !request.suite.empty()) && !in_suite) continue;
-    files.emplace_back(name, file);
-  }
-
-  const std::vector<std::string>& steps = request.steps.empty() ? suite.steps : request.steps;
-  for (const auto& [given, file] : files) {
-    if (!patterns.empty() && !may_be_taken(patterns, file.stem().string(), given)) continue;
+  std::set<std::string> labels;
+  for (const auto& [given, file] : chosen) {
     auto scenario = std::make_unique<scenarios::Scenario>(scenarios::load(file));
+    const std::string known_as = is_stranger(context, *scenario) ? given : scenario->name;
+    if (!labels.insert(scenario->name).second) scenario->name = given;  // two of one name in one report
+    const std::vector<Step> nominal = {{scenario->step_text, scenario->step}};
     bool used = false;
-    for (const process::EngineChoice& engine : engines) {
-      if (!patterns.empty() && !taken(patterns, scenario->name, given, engine.id)) continue;
+    for (const EngineChoice& engine : engines) {
+      if (!taken(patterns, given, engine.id)) continue;
       used = true;
-      if (steps.empty()) selection.cells.push_back({scenario.get(), engine, scenario->step, scenario->step_text});
-      for (const std::string& text : steps) selection.cells.push_back({scenario.get(), engine, scenarios::parse_step(text), text});
+      for (const auto& [text, dt] : steps.empty() ? nominal : steps)
+        selection.cells.push_back(
+            {scenario.get(), engine, dt, text, known_as, command_for(context, given, engine, text)});
     }
     if (used) selection.scenarios.push_back(std::move(scenario));
   }

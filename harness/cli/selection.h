@@ -6,27 +6,32 @@
 #include "scenarios/suite.h"
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace cylon::cli {
 
+/// What a user asks for.
 struct Request {
-  std::vector<std::string> patterns;     ///< SCENARIO[/ENGINE] globs; "a:b:-c" joins and excludes. None: the suite.
-  std::vector<std::string> engines;      ///< Globs over the suite's engines and the registry, or ids of variants.
-  std::vector<std::string> steps;        ///< None: the suite's, else each scenario's nominal step.
+  std::vector<std::string>
+      patterns;  ///< SCENARIO[/ENGINE] globs; "a:b:-c" joins and excludes. None: the suite.
+  std::vector<std::string> engines;  ///< Globs over the suite's engines and the registry, or ids of variants.
+  std::vector<std::string> steps;    ///< None: the suite's, else each scenario's nominal step.
   std::vector<std::string> integrators;  ///< Globs over each engine's schemes. None: its default.
+  std::vector<std::string> workers;      ///< NAME=COMMAND, engines of the user's own.
   std::string suite;                     ///< "": conformance.
+
+  bool operator==(const Request&) const = default;
 };
 
 struct Selection {
-  std::optional<scenarios::Suite> suite;                            ///< The one asked for by name, or by default.
-  std::vector<std::unique_ptr<scenarios::Scenario>> scenarios;      ///< Cells point here.
-  std::vector<study::Cell> cells;                                   ///< Scenario by scenario, engine by engine, step by step.
+  scenarios::Suite suite;                                       ///< The one asked for by name, or by default.
+  std::vector<std::unique_ptr<scenarios::Scenario>> scenarios;  ///< Cells point here.
+  std::vector<study::Cell> cells;  ///< Scenario by scenario, engine by engine, step by step; none twice.
 };
 
-/// Throws core::InputError for an unknown suite, engine or scenario file, or a step that is none.
-Selection select(const Context&, const std::vector<process::EngineRow>&, const Request&);
+/// Throws core::InputError for an unknown suite, scenario, engine or integrator, with the nearest name, and
+/// for a step that is none; a glob that matches nothing selects nothing.
+Selection select(const Context&, const Request&);
 
 }  // namespace cylon::cli

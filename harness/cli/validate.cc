@@ -1,5 +1,6 @@
 // cylon validate
 #include "harness/cli/app.h"
+#include "harness/cli/command_line.h"
 
 #include "harness/core/input_error.h"
 
@@ -15,29 +16,35 @@ Command add_validate(CLI::App& app, const Context& context) {
     bool schema = false;
   };
   const auto options = std::make_shared<Options>();
-  app.add_option("files", options->files, "Scenario files, or names of shipped scenarios; none: all shipped ones")->type_name("FILE");
+  app.add_option("files", options->files,
+                 "Scenario files, or names of shipped scenarios; none: all shipped ones")
+      ->type_name("FILE");
   app.add_flag("--schema", options->schema, "Print the JSON Schema of the format instead");
   return [=, &context] {
     if (options->schema) {
       std::cout << scenarios::schema_json();
       return ok;
     }
-    std::vector<std::filesystem::path> files;
-    for (const std::string& name : options->files) files.push_back(find_scenario(context, name));
-    if (options->files.empty()) files = scenario_files(context);
     bool good = true;
-    std::optional<core::InputError> last;
-    for (const auto& file : files) {
+    const auto check = [&](const std::filesystem::path& file) {
+      const scenarios::Scenario scenario = scenarios::load(file);
+      std::cout << plain(fmt::format("{}: ok: {} {}, {} {}", file.string(), scenario.scene.bodies.size(),
+                                     scenario.scene.bodies.size() == 1 ? "body" : "bodies",
+                                     scenario.claims.size(),
+                                     scenario.claims.size() == 1 ? "claim" : "claims"))
+                << std::endl;
+    };
+    const auto attempt = [&](const auto& task) {
       try {
-        const scenarios::Scenario scenario = scenarios::load(file);
-        std::cout << fmt::format("{}: ok: {} bodies, {} claims\n", file.string(), scenario.scene.bodies.size(), scenario.claims.size());
+        task();
       } catch (const core::InputError& error) {
-        if (last) std::cerr << "error: " << last->what() << '\n';
-        last = error;
+        show(error);
         good = false;
       }
-    }
-    if (last) throw *last;  // the program shows it with its place, and ends with 2
+    };
+    for (const std::string& name : options->files) attempt([&] { check(find_scenario(context, name)); });
+    if (options->files.empty())
+      for (const auto& file : scenario_files(context)) attempt([&] { check(file); });
     return good ? ok : bad_input;
   };
 }
