@@ -184,6 +184,9 @@ std::string console_matrix(const std::vector<Verdict>& verdicts, const ConsoleOp
 
   const auto differs = [](const Verdict& v) { return !v.as_expected(); };
   if (std::any_of(verdicts.begin(), verdicts.end(), differs)) out += "\nNot as expected:\n";
+  const auto unforeseen = [&](const Verdict& v) { return differs(v) && v.expected_reason.empty(); };
+  if (std::any_of(verdicts.begin(), verdicts.end(), unforeseen))
+    out += "(where expected.toml says nothing of a scenario, engine or step, a pass is expected)\n";
   for (const Verdict& v : verdicts)
     if (differs(v)) out += difference(v, options);
 

@@ -1,0 +1,83 @@
+// Runs the real binary in a folder of its own and keeps what it printed.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace cylon::cli {
+
+struct Ran {
+  int code = -1;  ///< Exit code; 128 + signal where one killed it.
+  std::string out, err;
+};
+
+class CommandLine : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (std::filesystem::temp_directory_path() / "cylon-cli-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(name.data()), nullptr);
+    folder = name;
+  }
+  void TearDown() override { std::filesystem::remove_all(folder); }
+
+  void write(const std::string& file, const std::string& text) const {
+    std::ofstream(folder / file, std::ios::binary) << text;
+  }
+  std::string read(const std::filesystem::path& file) const {
+    std::ostringstream text;
+    text << std::ifstream(file.is_absolute() ? file : folder / file).rdbuf();
+    return text.str();
+  }
+  std::string shipped(const std::string& name) const {
+    return read(std::filesystem::path(CYLON_SOURCE_DIR) / "scenarios" / (name + ".toml"));
+  }
+
+  /// A shell line in the folder, with `cylon` in PATH and no terminal; SIGINT after `interrupt_after`
+  /// seconds, 0: never.
+  Ran shell(const std::string& line, double interrupt_after = 0) const {
+    const std::string script =
+        "cd '" + folder.string() + "' && export PATH='" CYLON_BINARY_DIR "':\"$PATH\" && " + line;
+    const std::string out = (folder / ".out").string(), err = (folder / ".err").string();
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    const char* argv[] = {"bash", "-c", script.c_str(), nullptr};
+    pid_t pid = -1;
+    EXPECT_EQ(posix_spawnp(&pid, "bash", &actions, nullptr, const_cast<char**>(argv), environ), 0);
+    posix_spawn_file_actions_destroy(&actions);
+    if (interrupt_after > 0) {
+      std::this_thread::sleep_for(std::chrono::duration<double>(interrupt_after));
+      ::kill(pid, SIGINT);
+    }
+    int status = 0;
+    ::waitpid(pid, &status, 0);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read(out), read(err)};
+  }
+
+  Ran cylon(const std::string& arguments) const { return shell("exec cylon " + arguments); }
+
+  std::filesystem::path folder;
+};
+
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+}  // namespace cylon::cli
