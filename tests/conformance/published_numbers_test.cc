@@ -1,0 +1,95 @@
+// Numbers that an earlier, independent measurement of Bullet and ODE printed come out again, from the adapters,
+// the exact solutions and the measures of this repository: tests/data/published/engines_s1_s8.json.
+//
+// A row of the data that has `here` differs from what was printed, and says `why`; the test then asserts that it
+// still differs and still has our value, so that no explanation outlives its discrepancy.
+#include "tests/conformance/fixture.h"
+
+#include "harness/cli/published.h"
+#include "harness/core/observable.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <ostream>
+#include <vector>
+
+namespace cylon::conformance {
+namespace {
+
+using nlohmann::json;
+
+struct Number {
+  std::string scenario, observable, body, reduction;
+  double sample = 0;  // [s]; 0: every step
+  std::string engine, dt, stated, here, why;
+  std::string name;  // of the test
+};
+void PrintTo(const Number& n, std::ostream* out) {
+  *out << n.observable << " of " << n.scenario << " on " << n.engine << " at " << n.dt;
+}
+
+std::vector<Number> published() {
+  std::ifstream file(source("tests/data/published/engines_s1_s8.json"));
+  const json data = json::parse(file);
+  std::vector<Number> numbers;
+  for (const json& table : data.at("tables"))
+    for (const json& row : table.at("rows")) {
+      Number n{.scenario = table.at("scenario"),
+               .observable = table.at("observable"),
+               .body = table.value("body", ""),
+               .reduction = table.at("measure"),
+               .sample = table.at("sample"),
+               .engine = row.at("engine"),
+               .dt = row.at("dt"),
+               .stated = row.at("stated"),
+               .here = row.value("here", ""),
+               .why = row.value("why", "")};
+      n.name = std::to_string(numbers.size()) + "_" + n.scenario + "_" + n.engine + "_" + n.dt;
+      std::replace_if(n.name.begin(), n.name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+      numbers.push_back(n);
+    }
+  return numbers;
+}
+
+core::Quantity quantity(const std::string& word) {
+  for (const auto q : {core::Quantity::position, core::Quantity::velocity, core::Quantity::orientation, core::Quantity::axis})
+    if (core::name(q) == word) return q;
+  throw std::invalid_argument("no observable '" + word + "' here");
+}
+
+double measured(const Number& n) {
+  scenarios::Scenario scenario = shipped(n.scenario);
+  const bool end = n.reduction == "end";
+  core::Claim claim = follows(scenario, quantity(n.observable), end ? core::Reduction::end : core::Reduction::max,
+                              end ? scenario.duration : n.sample);
+  for (std::size_t i = 0; i < scenario.scene.bodies.size(); ++i)
+    if (scenario.scene.bodies[i].name == n.body) claim.observable.body = static_cast<int>(i);
+  scenario.claims = {claim};
+  const core::Verdict row = verdict(scenario, n.engine, scenarios::parse_step(n.dt));
+  EXPECT_TRUE(row.detail.empty()) << row.detail;
+  return row.measured;
+}
+
+class Published : public testing::TestWithParam<Number> {};
+
+TEST_P(Published, ComesOutAgain) {
+  const Number& n = GetParam();
+  const double value = measured(n);
+  RecordProperty("here", fmt::format("{:.5g}", value));
+  if (n.here.empty()) {
+    EXPECT_TRUE(cli::same_digits(value, n.stated)) << value << " here, " << n.stated << " stated";
+  } else {
+    EXPECT_FALSE(n.why.empty()) << "a discrepancy without a reason";
+    EXPECT_TRUE(cli::same_digits(value, n.here)) << value << " now, " << n.here << " when explained: " << n.why;
+    EXPECT_FALSE(cli::same_digits(value, n.stated)) << "agrees by now; the explanation is out of date: " << n.why;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(EnginesOnS1ToS8, Published, testing::ValuesIn(published()),
+                         [](const auto& number) { return number.param.name; });
+
+}  // namespace
+}  // namespace cylon::conformance

@@ -1,0 +1,139 @@
+// The suites as `cylon run` runs them, in process: what the conformance suite says of every engine, that it says
+// the same again, and that the published table comes out digit by digit.
+#include "tests/conformance/fixture.h"
+
+#include "harness/cli/published.h"
+#include "harness/study/matrix.h"
+#include "reports/json.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <set>
+#include <vector>
+
+namespace cylon::conformance {
+namespace {
+
+using core::Verdict;
+
+// A suite's cells; they point to its scenarios.
+struct Cells {
+  std::vector<std::unique_ptr<scenarios::Scenario>> scenarios;
+  std::vector<study::Cell> cells;
+};
+
+Cells cells_of(const scenarios::Suite& suite) {
+  Cells all;
+  for (const std::string& name : suite.scenarios) {
+    all.scenarios.push_back(std::make_unique<scenarios::Scenario>(shipped(name)));
+    const scenarios::Scenario& scenario = *all.scenarios.back();
+    for (const std::string& id : suite.engines) {
+      if (suite.steps.empty()) all.cells.push_back({&scenario, engine(id), scenario.step, scenario.step_text});
+      for (const std::string& step : suite.steps)
+        all.cells.push_back({&scenario, engine(id), scenarios::parse_step(step), step});
+    }
+  }
+  return all;
+}
+
+std::vector<Verdict> run(const Cells& all, int workers, const scenarios::Expectations& expectations) {
+  std::vector<Verdict> rows;
+  for (auto& cell : study::run(all.cells, {.workers = workers, .limits = {}}, expectations, {}))
+    rows.insert(rows.end(), cell.begin(), cell.end());
+  return rows;
+}
+
+scenarios::Suite suite(const std::string& name) {
+  return scenarios::load_suite(source("scenarios/suites/" + name + ".toml"));
+}
+
+std::string place(const Verdict& row) {
+  return fmt::format("{} of {} on {}: {} {:.17g}, allowed {:.17g}; {}", row.claim, row.scenario, row.engine,
+                     core::name(row.status), row.measured, row.allowed, row.detail);
+}
+
+// Every field but the time that it took, doubles to the last bit.
+std::string content(std::vector<Verdict> rows) {
+  for (Verdict& row : rows) row.cpu_seconds = 0;
+  return reports::to_json(rows, {});
+}
+
+class Conformance : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    expectations_ = scenarios::Expectations::load(source("scenarios/expected.toml"));
+    cells_ = cells_of(suite("conformance"));
+    rows_ = run(cells_, 2, expectations_);
+  }
+  static inline scenarios::Expectations expectations_;
+  static inline Cells cells_;
+  static inline std::vector<Verdict> rows_;
+};
+
+TEST_F(Conformance, EveryVerdictIsAsExpected) {
+  ASSERT_EQ(cells_.cells.size(), 80u) << "eight scenes on ten engines";
+  for (const Verdict& row : rows_) {
+    EXPECT_TRUE(row.as_expected()) << place(row);
+    EXPECT_TRUE(row.version_listed) << place(row);
+  }
+}
+
+TEST_F(Conformance, TheInHouseDefaultPassesEveryClaim) {
+  int claims = 0;
+  for (const Verdict& row : rows_) {
+    if (row.engine != "in-house") continue;
+    EXPECT_EQ(row.status, core::Status::pass) << place(row);
+    ++claims;
+  }
+  EXPECT_GT(claims, 0);
+}
+
+TEST_F(Conformance, EveryExpectationDecidesSomething) {
+  std::set<std::string> decided;
+  for (const study::Cell& cell : cells_.cells)
+    for (const core::Claim& claim : cell.scenario->claims)
+      decided.insert(expectations_.find(cell.scenario->name, cell.engine.id, cell.engine.integrator, cell.dt, claim.label).place);
+  for (const std::string& row : expectations_.unused(decided)) ADD_FAILURE() << row;
+}
+
+TEST_F(Conformance, RowsAreTheSameForAnyNumberOfWorkersAndAgain) {
+  const std::string first = content(rows_);
+  EXPECT_EQ(content(run(cells_, 1, expectations_)), first) << "one worker";
+  EXPECT_EQ(content(run(cells_, 2, expectations_)), first) << "again";
+}
+
+TEST_F(Conformance, EveryTruthIsTenTimesFinerThanItsTolerance) {
+  int truths = 0;
+  for (const Verdict& row : rows_) {
+    if (row.claim.find("conserved") != std::string::npos) continue;
+    EXPECT_LT(row.truth_error, row.allowed / 10) << place(row);
+    EXPECT_GT(row.truth_error, 0) << place(row);
+    ++truths;
+  }
+  EXPECT_GT(truths, 0);
+}
+
+TEST(SimBenchmark, EveryPublishedDigitComesOutAgain) {
+  const scenarios::Suite table = suite("simbenchmark");
+  ASSERT_EQ(table.published.size(), 10u);
+  const auto rows = run(cells_of(table), 2, {});
+  ASSERT_EQ(rows.size(), 10u) << "each published number has a row";
+  const cli::Reproduction result = cli::reproduce(table, rows);
+  EXPECT_TRUE(result.complete) << result.text;
+}
+
+// The table's factor of four hundred is no engine's but a solver path's: Bullet's other path has ODE's digits.
+TEST(SimBenchmark, BulletsRigidBodiesGiveOdesDigits) {
+  const scenarios::Suite table = suite("simbenchmark");
+  const auto ode = std::find_if(table.published.begin(), table.published.end(), [](const auto& number) {
+    return number.engine.starts_with("ode") && number.dt == "0.001";
+  });
+  ASSERT_NE(ode, table.published.end());
+  const double measured = verdict(shipped("simbenchmark_bouncing"), "bullet", 0.001).measured;
+  EXPECT_TRUE(cli::same_digits(measured, ode->value)) << measured << " here, " << ode->value << " published of ODE";
+}
+
+}  // namespace
+}  // namespace cylon::conformance
