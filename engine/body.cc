@@ -25,7 +25,7 @@ Body make_body(Real mass, const Matrix3& inertia, bool locked) {
   if (axes.determinant() < 0) axes.col(2) = -axes.col(2);
   body.principal_axes = Quaternion(axes).normalized();
 
-  const Vector3 moments = principal.eigenvalues();
+  const Vector3& moments = principal.eigenvalues();
   for (int i = 0; i < 3; ++i) {
     const bool turns = !locked && moments[i] > no_moment * moments[2];
     body.inverse_moments[i] = turns ? 1 / moments[i] : 0;

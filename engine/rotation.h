@@ -14,7 +14,7 @@ namespace cylon::engine {
 /// rotation is too small to count (errata 45).
 inline Quaternion exponential(const Vector3& b) {
   const Real xx = b.squaredNorm() / 4;  // x = |b|/2
-  Real cosine, sinc;
+  Real cosine = 1, sinc = 1;
   if (xx < 0.01) {  // first term left out: x^10/10! < 3e-17
     cosine = 1 - xx / 2 * (1 - xx / 12 * (1 - xx / 30 * (1 - xx / 56)));
     sinc = 1 - xx / 6 * (1 - xx / 20 * (1 - xx / 42 * (1 - xx / 72)));

@@ -47,7 +47,7 @@ void Fields::fail(std::string_view key, std::string_view problem) const {
 const json* Fields::find(const char* key) {
   const auto found = object_.find(key);
   if (found == object_.end()) return nullptr;
-  if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) asked_.push_back(key);
+  if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) asked_.emplace_back(key);
   return &*found;
 }
 

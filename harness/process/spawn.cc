@@ -20,8 +20,10 @@ namespace {
 
 constexpr int pipe_bytes = 1 << 20;  // room for some frames while the parent is elsewhere
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(__SANITIZE_ADDRESS__)  // gcc
 constexpr bool limit_data = false;
+#elif defined(__has_feature)  // clang
+constexpr bool limit_data = !__has_feature(address_sanitizer);
 #else
 constexpr bool limit_data = true;
 #endif
@@ -31,6 +33,8 @@ class Fd {
  public:
   explicit Fd(int fd = -1) : fd_(fd) {}
   Fd(Fd&& other) noexcept : fd_(other.release()) {}
+  Fd(const Fd&) = delete;
+  Fd& operator=(const Fd&) = delete;
   Fd& operator=(Fd&&) = delete;
   ~Fd() {
     if (fd_ >= 0) ::close(fd_);
@@ -92,7 +96,9 @@ Spawned spawn(const std::vector<std::string>& command, std::size_t memory_bytes)
   std::call_once(once, [] { ::signal(SIGPIPE, SIG_IGN); });
 
   std::vector<char*> argv;
-  for (const std::string& word : command) argv.push_back(const_cast<char*>(word.c_str()));
+  argv.reserve(command.size() + 1);
+  for (const std::string& word : command)
+    argv.push_back(const_cast<char*>(word.c_str()));  // NOLINT(*-const-cast): POSIX says exec reads only
   argv.push_back(nullptr);
   Pipe in = make_pipe(), out = make_pipe(), err = make_pipe(), failed = make_pipe();
   ::fcntl(out.read.get(), F_SETPIPE_SZ, pipe_bytes);

@@ -15,10 +15,10 @@ namespace cylon::study {
 struct Cell {
   const scenarios::Scenario* scenario = nullptr;
   process::EngineChoice engine;
-  double dt = 0;        ///< [s]
-  std::string dt_text;  ///< As given: "1/60".
-  std::string known_as = "";   ///< The scenario's name in expected.toml; empty: its own.
-  std::string reproduce = "";  ///< The command that gives these rows again.
+  double dt = 0;          ///< [s]
+  std::string dt_text;    ///< As given: "1/60".
+  std::string known_as;   ///< The scenario's name in expected.toml; empty: its own.
+  std::string reproduce;  ///< The command that gives these rows again.
 };
 
 /// The steps at which a cell is recorded, and the pairs that are watched: what its claims need, no more.

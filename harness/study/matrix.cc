@@ -18,7 +18,7 @@ std::vector<std::vector<core::Verdict>> run(const std::vector<Cell>& cells, cons
   std::mutex reporting;
 
   const auto work = [&] {
-    for (std::size_t i; !stop && (i = next++) < cells.size();) {
+    for (std::size_t i = 0; !stop && (i = next++) < cells.size();) {
       try {
         rows[i] = run(cells[i], pool.limits, expectations);
         const std::scoped_lock lock(reporting);
