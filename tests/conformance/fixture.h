@@ -1,5 +1,5 @@
-// What the conformance tests share: the shipped scenarios and suites, the engines of this build, and one claim
-// of a scenario on one engine.  Everything runs through the workers, as `cylon run` does.
+// What the conformance tests share: the shipped scenarios and suites, the engines of this build, and one
+// claim of a scenario on one engine.  Everything runs through the workers, as `cylon run` does.
 #pragma once
 
 #include "harness/process/engines.h"
@@ -30,8 +30,8 @@ inline process::EngineChoice engine(const std::string& id) {
 
 /// A claim of the scenario's own scene and truth: the quantity, unjudged, over [0, duration].
 /// Throws std::invalid_argument where no claim of the shipped file follows a truth.
-inline core::Claim follows(const scenarios::Scenario& scenario, core::Quantity quantity, core::Reduction reduction,
-                           double sample) {
+inline core::Claim follows(const scenarios::Scenario& scenario, core::Quantity quantity,
+                           core::Reduction reduction, double sample) {
   const auto exact = std::find_if(scenario.claims.begin(), scenario.claims.end(),
                                   [](const core::Claim& claim) { return claim.truth.has_value(); });
   if (exact == scenario.claims.end()) throw std::invalid_argument(scenario.name + " follows no truth");

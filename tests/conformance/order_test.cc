@@ -1,6 +1,6 @@
-// The observed order of the in-house engine's schemes on scenes with exact solutions, over the worker path: the
-// slope of log(error) over log(dt) at dt, dt/2, dt/4.  Horizons and steps are such that the leading term of the
-// error outweighs the next by thirty times or more and the smallest error stands above rounding.
+// The observed order of the in-house engine's schemes on scenes with exact solutions, over the worker path:
+// the slope of log(error) over log(dt) at dt, dt/2, dt/4.  Horizons and steps are such that the leading term
+// of the error outweighs the next by thirty times or more and the smallest error stands above rounding.
 #include "tests/conformance/fixture.h"
 
 #include "harness/core/measure.h"
@@ -34,7 +34,8 @@ std::string test_name(const std::string& scenario, const std::string& scheme) {
   return name;
 }
 
-scenarios::Scenario cut(const std::string& name, core::Quantity quantity, core::Reduction reduction, double horizon) {
+scenarios::Scenario cut(const std::string& name, core::Quantity quantity, core::Reduction reduction,
+                        double horizon) {
   scenarios::Scenario scenario = shipped(name);
   scenario.duration = horizon;
   scenario.claims = {follows(scenario, quantity, reduction, 0)};
@@ -90,8 +91,8 @@ struct Exact {
   core::Quantity quantity;
   double horizon;  // [s]
   const char* scheme;
-  double dt;       // [s]
-  double rounding; // [unit]
+  double dt;        // [s]
+  double rounding;  // [unit]
 };
 void PrintTo(const Exact& row, std::ostream* out) { *out << row.scenario << " by " << row.scheme; }
 

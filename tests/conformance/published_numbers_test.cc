@@ -1,8 +1,8 @@
-// Numbers that an earlier, independent measurement of Bullet and ODE printed come out again, from the adapters,
-// the exact solutions and the measures of this repository: tests/data/published/engines_s1_s8.json.
+// Numbers that an earlier, independent measurement of Bullet and ODE printed come out again, from the
+// adapters, the exact solutions and the measures of this repository: tests/data/published/engines_s1_s8.json.
 //
-// A row of the data that has `here` differs from what was printed, and says `why`; the test then asserts that it
-// still differs and still has our value, so that no explanation outlives its discrepancy.
+// A row of the data that has `here` differs from what was printed, and says `why`; the test then asserts that
+// it still differs and still has our value, so that no explanation outlives its discrepancy.
 #include "tests/conformance/fixture.h"
 
 #include "harness/cli/published.h"
@@ -48,14 +48,17 @@ std::vector<Number> published() {
                .here = row.value("here", ""),
                .why = row.value("why", "")};
       n.name = std::to_string(numbers.size()) + "_" + n.scenario + "_" + n.engine + "_" + n.dt;
-      std::replace_if(n.name.begin(), n.name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+      std::replace_if(
+          n.name.begin(), n.name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); },
+          '_');
       numbers.push_back(n);
     }
   return numbers;
 }
 
 core::Quantity quantity(const std::string& word) {
-  for (const auto q : {core::Quantity::position, core::Quantity::velocity, core::Quantity::orientation, core::Quantity::axis})
+  for (const auto q : {core::Quantity::position, core::Quantity::velocity, core::Quantity::orientation,
+                       core::Quantity::axis})
     if (core::name(q) == word) return q;
   throw std::invalid_argument("no observable '" + word + "' here");
 }
@@ -63,8 +66,9 @@ core::Quantity quantity(const std::string& word) {
 double measured(const Number& n) {
   scenarios::Scenario scenario = shipped(n.scenario);
   const bool end = n.reduction == "end";
-  core::Claim claim = follows(scenario, quantity(n.observable), end ? core::Reduction::end : core::Reduction::max,
-                              end ? scenario.duration : n.sample);
+  core::Claim claim =
+      follows(scenario, quantity(n.observable), end ? core::Reduction::end : core::Reduction::max,
+              end ? scenario.duration : n.sample);
   for (std::size_t i = 0; i < scenario.scene.bodies.size(); ++i)
     if (scenario.scene.bodies[i].name == n.body) claim.observable.body = static_cast<int>(i);
   scenario.claims = {claim};
@@ -83,8 +87,10 @@ TEST_P(Published, ComesOutAgain) {
     EXPECT_TRUE(cli::same_digits(value, n.stated)) << value << " here, " << n.stated << " stated";
   } else {
     EXPECT_FALSE(n.why.empty()) << "a discrepancy without a reason";
-    EXPECT_TRUE(cli::same_digits(value, n.here)) << value << " now, " << n.here << " when explained: " << n.why;
-    EXPECT_FALSE(cli::same_digits(value, n.stated)) << "agrees by now; the explanation is out of date: " << n.why;
+    EXPECT_TRUE(cli::same_digits(value, n.here))
+        << value << " now, " << n.here << " when explained: " << n.why;
+    EXPECT_FALSE(cli::same_digits(value, n.stated))
+        << "agrees by now; the explanation is out of date: " << n.why;
   }
 }
 

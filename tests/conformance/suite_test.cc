@@ -1,5 +1,5 @@
-// The suites as `cylon run` runs them, in process: what the conformance suite says of every engine, that it says
-// the same again, and that the published table comes out digit by digit.
+// The suites as `cylon run` runs them, in process: what the conformance suite says of every engine, that it
+// says the same again, and that the published table comes out digit by digit.
 #include "tests/conformance/fixture.h"
 
 #include "harness/cli/published.h"
@@ -30,7 +30,8 @@ Cells cells_of(const scenarios::Suite& suite) {
     all.scenarios.push_back(std::make_unique<scenarios::Scenario>(shipped(name)));
     const scenarios::Scenario& scenario = *all.scenarios.back();
     for (const std::string& id : suite.engines) {
-      if (suite.steps.empty()) all.cells.push_back({&scenario, engine(id), scenario.step, scenario.step_text});
+      if (suite.steps.empty())
+        all.cells.push_back({&scenario, engine(id), scenario.step, scenario.step_text});
       for (const std::string& step : suite.steps)
         all.cells.push_back({&scenario, engine(id), scenarios::parse_step(step), step});
     }
@@ -133,7 +134,8 @@ TEST(SimBenchmark, EveryPublishedDigitComesOutAgain) {
   EXPECT_TRUE(result.complete) << result.text;
 }
 
-// The table's factor of four hundred is no engine's but a solver path's: Bullet's other path has ODE's digits.
+// The table's factor of four hundred is no engine's but a solver path's: Bullet's other path has ODE's
+// digits.
 TEST(SimBenchmark, BulletsRigidBodiesGiveOdesDigits) {
   const scenarios::Suite table = suite("simbenchmark");
   const auto ode = std::find_if(table.published.begin(), table.published.end(), [](const auto& number) {
@@ -141,7 +143,8 @@ TEST(SimBenchmark, BulletsRigidBodiesGiveOdesDigits) {
   });
   ASSERT_NE(ode, table.published.end());
   const double measured = verdict(shipped("simbenchmark_bouncing"), "bullet", 0.001).measured;
-  EXPECT_TRUE(cli::same_digits(measured, ode->value)) << measured << " here, " << ode->value << " published of ODE";
+  EXPECT_TRUE(cli::same_digits(measured, ode->value))
+      << measured << " here, " << ode->value << " published of ODE";
 }
 
 }  // namespace
