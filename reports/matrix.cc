@@ -131,7 +131,7 @@ std::string draw(const Matrix& matrix, const ConsoleOptions& options) {
   }
 
   std::string out;
-  for (std::size_t begin = 0, end; begin < heads.size(); begin = end) {
+  for (std::size_t begin = 0, end = 0; begin < heads.size(); begin = end) {
     int used = label;
     for (end = begin; end < heads.size() && (end == begin || used + gap + widths[end] <= total); ++end)
       used += gap + widths[end];

@@ -86,14 +86,14 @@ core::Water read_water(const Table& t) {
 
 void read_forces(const Table& root, Draft& draft) {
   auto& forces = draft.scene.forces;
-  if (root.has("gravity")) forces.push_back(core::UniformGravity{root.vector("gravity")});
-  for (const Table& t : root.tables("spring")) forces.push_back(read_spring(t, draft));
-  for (const Table& t : root.tables("drag")) forces.push_back(read_drag(t, draft));
-  for (const Table& t : root.tables("thrust")) forces.push_back(read_thrust(t, draft));
+  if (root.has("gravity")) forces.emplace_back(core::UniformGravity{root.vector("gravity")});
+  for (const Table& t : root.tables("spring")) forces.emplace_back(read_spring(t, draft));
+  for (const Table& t : root.tables("drag")) forces.emplace_back(read_drag(t, draft));
+  for (const Table& t : root.tables("thrust")) forces.emplace_back(read_thrust(t, draft));
   for (const Table& t : root.tables("drive"))
-    forces.push_back(core::Drive{draft.body(t, "body"), t.vector("force"), t.number("frequency")});
-  for (const Table& t : root.tables("attraction")) forces.push_back(read_attraction(t, draft));
-  for (const Table& t : root.tables("water")) forces.push_back(read_water(t));
+    forces.emplace_back(core::Drive{draft.body(t, "body"), t.vector("force"), t.number("frequency")});
+  for (const Table& t : root.tables("attraction")) forces.emplace_back(read_attraction(t, draft));
+  for (const Table& t : root.tables("water")) forces.emplace_back(read_water(t));
 }
 
 }  // namespace cylon::scenarios

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -85,10 +86,9 @@ class Packing {
 bool clear_of(const core::Scene& others, const Vector3& p, double radius) {
   for (const core::Plane& plane : others.planes)
     if (plane.normal.dot(p) - plane.offset < radius) return false;
-  for (const core::Body& body : others.bodies)
-    if (body.collide && (p - body.initial.position).norm() < radius + bounding_radius(body.shape))
-      return false;
-  return true;
+  return std::none_of(others.bodies.begin(), others.bodies.end(), [&](const core::Body& body) {
+    return body.collide && (p - body.initial.position).norm() < radius + bounding_radius(body.shape);
+  });
 }
 
 std::string indexed(const std::string& name, std::size_t i) { return fmt::format("{}[{}]", name, i); }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 namespace cylon::scenarios {
 namespace {
@@ -97,7 +98,7 @@ bool Table::boolean(std::string_view key, bool absent) const {
 
 std::string Table::text(std::string_view key, std::string absent) const {
   const toml::node* node = table_->get(key);
-  return node ? as_text(*node) : absent;
+  return node ? as_text(*node) : std::move(absent);
 }
 
 core::Vector3 Table::vector(std::string_view key, const core::Vector3& absent) const {

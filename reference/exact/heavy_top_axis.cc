@@ -98,7 +98,7 @@ AxisState HeavyTopAxis::at(Wide t) const {
   const Wide tilt = 2 * width * rate_ * sn * cn * dn;  // u'
 
   // S^2 = (1 - u)/2, C^2 = (1 + u)/2, and S', C' from them.
-  Wide sine_rate, cosine_rate;
+  Wide sine_rate = 0, cosine_rate = 0;
   if (above_.sum == 0 && above_.at_second == 0) {
     const Wide first = std::sqrt(above_.at_first / 2);
     s.sine = first * cn, sine_rate = -first * rate_ * sn * dn;

@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace cylon::simulators {
@@ -102,8 +103,8 @@ void apply(const BulletSettings& settings, btContactSolverInfo& info) {
 // Everything of one run.  Members are destroyed from the last: the world before what stands in it.
 class Run {
  public:
-  Run(const core::Scene& scene, const BulletSettings& settings, double dt)
-      : scene_(scene),
+  Run(core::Scene scene, const BulletSettings& settings, double dt)
+      : scene_(std::move(scene)),
         dt_(dt),
         applied_(has_applied_forces(scene_)),
         surfaces_(scene_),

@@ -166,7 +166,8 @@ class Multibody final : public BulletBody {
 }  // namespace
 
 void prepare(btCollisionObject& object, const Placing& placing, const BulletSettings& settings) {
-  object.setUserPointer(const_cast<Surfaces*>(placing.surfaces));  // read by the combination callbacks
+  // Read by the combination callbacks.
+  object.setUserPointer(const_cast<Surfaces*>(placing.surfaces));  // NOLINT(*-const-cast): only read
   object.setUserIndex(placing.surface);
   object.setActivationState(DISABLE_DEACTIVATION);
   const double threshold = settings.number.at("contact-threshold");

@@ -117,10 +117,10 @@ const std::vector<std::string> unforceable_everywhere = {
 
 std::vector<std::string> unforceable_multibody() {
   std::vector<std::string> sentences = unforceable_everywhere;
-  sentences.push_back(
+  sentences.emplace_back(
       "A bounce aims at e times the approach speed after the step's gravity: it gains |g| dt.");
-  sentences.push_back("The gyroscopic term is explicit or absent; an implicit one is not offered.");
-  sentences.push_back("Penetration is corrected through the velocity only; split impulses are ignored.");
+  sentences.emplace_back("The gyroscopic term is explicit or absent; an implicit one is not offered.");
+  sentences.emplace_back("Penetration is corrected through the velocity only; split impulses are ignored.");
   return sentences;
 }
 

@@ -12,6 +12,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -45,9 +46,9 @@ class CommandLine : public testing::Test {
     return read(std::filesystem::path(CYLON_SOURCE_DIR) / "scenarios" / (name + ".toml"));
   }
 
-  /// A shell line in the folder, with `cylon` in PATH and no terminal; SIGINT after `interrupt_after`
-  /// seconds, 0: never.
-  Ran shell(const std::string& line, double interrupt_after = 0) const {
+  /// A shell line in the folder, with `cylon` in PATH and no terminal; SIGINT as soon as `interrupt_when`
+  /// says.
+  Ran shell(const std::string& line, const std::function<bool()>& interrupt_when = {}) const {
     const std::string script =
         "cd '" + folder.string() + "' && export PATH='" CYLON_BINARY_DIR "':\"$PATH\" && " + line;
     const std::string out = (folder / ".out").string(), err = (folder / ".err").string();
@@ -60,12 +61,12 @@ class CommandLine : public testing::Test {
     pid_t pid = -1;
     EXPECT_EQ(posix_spawnp(&pid, "bash", &actions, nullptr, const_cast<char**>(argv), environ), 0);
     posix_spawn_file_actions_destroy(&actions);
-    if (interrupt_after > 0) {
-      std::this_thread::sleep_for(std::chrono::duration<double>(interrupt_after));
-      ::kill(pid, SIGINT);
-    }
     int status = 0;
-    ::waitpid(pid, &status, 0);
+    bool ended = false;
+    while (interrupt_when && !interrupt_when() && !(ended = ::waitpid(pid, &status, WNOHANG) == pid))
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    if (interrupt_when && !ended) ::kill(pid, SIGINT);
+    if (!ended) ::waitpid(pid, &status, 0);
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read(out), read(err)};
   }
 

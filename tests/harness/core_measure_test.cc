@@ -123,14 +123,14 @@ TEST(Gap, OfEveryShapeAgainstATiltedPlane) {
     return reach;
   };
   std::vector<Vector3> box, cylinder, cone;
-  for (int i = 0; i < 8; ++i) box.push_back({i & 1 ? 0.3 : -0.3, i & 2 ? 0.5 : -0.5, i & 4 ? 0.2 : -0.2});
+  for (int i = 0; i < 8; ++i) box.emplace_back(i & 1 ? 0.3 : -0.3, i & 2 ? 0.5 : -0.5, i & 4 ? 0.2 : -0.2);
   for (int i = 0; i < 20000; ++i) {
     const double t = i * 2 * M_PI / 20000, c = std::cos(t), s = std::sin(t);
-    cylinder.push_back({0.4 * c, 0.6, 0.4 * s});
-    cylinder.push_back({0.4 * c, -0.6, 0.4 * s});
-    cone.push_back({0.4 * c, -0.3, 0.4 * s});
+    cylinder.emplace_back(0.4 * c, 0.6, 0.4 * s);
+    cylinder.emplace_back(0.4 * c, -0.6, 0.4 * s);
+    cone.emplace_back(0.4 * c, -0.3, 0.4 * s);
   }
-  cone.push_back({0, 0.9, 0});
+  cone.emplace_back(0, 0.9, 0);
   const std::vector<Row> rows = {
       {"sphere", Sphere{0.7}, 0.7},
       {"box", Box{{0.3, 0.5, 0.2}}, brute(box)},

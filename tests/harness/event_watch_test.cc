@@ -35,7 +35,7 @@ std::vector<Event> watch(const Scene& scene, double dt, int steps,
 
 // Exact bouncing: dropped from gap h with restitution e.
 void bounce(double h, double e, double t, BodyState& s) {
-  double u = std::sqrt(2 * g * h), start = u / g, y, v;
+  double u = std::sqrt(2 * g * h), start = u / g, y = 0, v = 0;
   if (t < start) {
     y = h - g * t * t / 2, v = -g * t;
   } else {

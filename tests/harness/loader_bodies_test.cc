@@ -7,13 +7,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 #include <string>
 
 namespace {
 
-namespace fs = std::filesystem;
 using namespace cylon;
 using core::Vector3;
 using scenarios::parse;

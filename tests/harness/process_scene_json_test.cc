@@ -124,7 +124,7 @@ class Dice {
     if (int_below(16) == 0) return -0.0;
     for (;;) {
       const std::uint64_t word = bits_();
-      double value;
+      double value = 0;
       std::memcpy(&value, &word, sizeof value);
       if (std::isfinite(value)) return value;
     }

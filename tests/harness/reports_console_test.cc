@@ -117,7 +117,7 @@ TEST(Console, ColourOnlyWhereAskedAndNeverAlone) {
   std::string colored = console_matrix(verdicts, {.width = 100, .utf8 = true, .colour = true});
   EXPECT_TRUE(contains(colored, "\x1b[31m"));
   for (const std::string code : {"\x1b[31m", "\x1b[0m"})
-    for (std::size_t at; (at = colored.find(code)) != std::string::npos;) colored.erase(at, code.size());
+    for (std::size_t at = 0; (at = colored.find(code)) != std::string::npos;) colored.erase(at, code.size());
   EXPECT_EQ(colored, console_matrix(verdicts, plain));
 }
 
