@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -41,7 +42,7 @@ bool is_program(const std::string& word) {
   const char* path = std::getenv("PATH");
   std::istringstream folders(path ? path : "/usr/bin:/bin");
   for (std::string folder; std::getline(folders, folder, ':');)
-    if (access((folder.empty() ? word : folder + '/' + word).c_str(), X_OK) == 0) return true;
+    if (access((std::filesystem::path(folder) / word).c_str(), X_OK) == 0) return true;
   return false;
 }
 

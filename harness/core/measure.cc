@@ -1,5 +1,7 @@
 #include "harness/core/measure.h"
 
+#include "harness/core/worst.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,8 +10,6 @@
 
 namespace cylon::core {
 namespace {
-
-double worst(double a, double b) { return std::isnan(a) || a > b ? a : b; }  // keeps NaN
 
 double horizon(const Claim& claim, double duration) { return std::min(claim.until, duration); }
 

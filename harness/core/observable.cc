@@ -1,5 +1,7 @@
 #include "harness/core/observable.h"
 
+#include "harness/core/worst.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -30,9 +32,6 @@ static_assert([] {
     if (static_cast<std::size_t>(rows[i].quantity) != i) return false;
   return true;
 }());
-
-// Keeps NaN: std::max would silently drop it and a blown-up run would pass.
-double worst(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 
 Eigen::Vector4d vector(const Vector3& v, Component component) {
   switch (component) {

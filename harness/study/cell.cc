@@ -58,8 +58,8 @@ Verdict blank(const Cell& cell, const Claim& claim, const Sampling& plan,
   row.tolerance_reason = claim.tolerance.reason;
   row.body_steps = static_cast<std::int64_t>(scenario.scene.bodies.size()) * plan.steps;
   row.reproduce = cell.reproduce;
-  const auto expected =
-      expectations.find(cell.known_as.empty() ? scenario.name : cell.known_as, cell.engine.id, cell.engine.integrator, cell.dt, claim.label);
+  const auto expected = expectations.find(cell.known_as.empty() ? scenario.name : cell.known_as,
+                                          cell.engine.id, cell.engine.integrator, cell.dt, claim.label);
   row.expected = expected.status;
   row.expected_reason = expected.reason;
   return row;

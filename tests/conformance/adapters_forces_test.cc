@@ -165,7 +165,8 @@ TEST_P(Forces, SpringsKeepBothMomenta) {
     }
     return sum;
   };
-  const auto [p, l] = momenta(core::initial_state(scene));
+  const auto start = momenta(core::initial_state(scene));
+  const Vector3 &p = start.first, &l = start.second;  // clang 14 captures no structured binding
   const auto drift = [&](std::int64_t steps) {
     const auto [p1, l1] = momenta(last(subject().choice(), scene, 1.0 / static_cast<double>(steps), steps));
     expect_within(fmt::format("momentum, {} steps, {}", steps, subject().id), (p1 - p).norm() / p.norm(),

@@ -74,7 +74,7 @@ TEST(Setup, EverythingOfferedIsTaken) {
     const process::EngineChoice plain = subject.choice();
     const core::Engine engine = process::describe(plain, limits);
     EXPECT_EQ(engine.precision, subject.single ? "float" : "double") << subject.id;
-    const auto takes = [&](process::EngineChoice choice, const std::string& what) {
+    const auto takes = [&](const process::EngineChoice& choice, const std::string& what) {
       EXPECT_NO_THROW(last(choice, scene, 1e-3, 1)) << subject.id << ": " << what;
     };
     for (const core::Path& path : engine.paths) {

@@ -59,7 +59,8 @@ class CommandLine : public testing::Test {
     posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     const char* argv[] = {"bash", "-c", script.c_str(), nullptr};
     pid_t pid = -1;
-    EXPECT_EQ(posix_spawnp(&pid, "bash", &actions, nullptr, const_cast<char**>(argv), environ), 0);
+    char* const* const words = const_cast<char**>(argv);  // NOLINT(*-const-cast): POSIX says only read
+    EXPECT_EQ(posix_spawnp(&pid, "bash", &actions, nullptr, words, environ), 0);
     posix_spawn_file_actions_destroy(&actions);
     int status = 0;
     bool ended = false;
