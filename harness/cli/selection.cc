@@ -208,7 +208,7 @@ std::string command_for(const Context& context, const std::string& given, const 
   if (std::none_of(context.engines.begin(), context.engines.end(), [&](const EngineRow& own) {
         return own.id == engine.row.id && own.command == engine.row.command;
       })) {
-    words.push_back("--worker");
+    words.emplace_back("--worker");
     words.push_back(fmt::format("{}={}", engine.row.id, fmt::join(engine.row.command, " ")));
   }
   return shell_command(words);
