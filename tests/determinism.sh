@@ -3,7 +3,7 @@
 # scenario with each, and compares the CSV (17 digits of every state).  Not part of ctest: it wants clang and
 # builds for minutes.  Exit codes: 0 the same bits, 1 they differ, 2 something is missing.
 #
-#   tests/determinism.sh [SCHEME…]      the engine's default scheme, or those named: tests/determinism.sh rk4 verlet
+#   tests/determinism.sh [SCHEME…]      the engine's default scheme, or those named: tests/determinism.sh rk4 velocity-verlet
 #
 # The harness is build/release/cylon; the environment variable CYLON_WORKERS tells it where the workers stand.
 set -euo pipefail
@@ -34,12 +34,15 @@ for file in scenarios/*.toml; do
       CYLON_WORKERS="$PWD/build/determinism/$build" \
         $cylon simulate "$file" --engine in-house ${scheme:+--integrator "$scheme"} --out "$out/$build.csv" || exit 2
     done
+    states=$(($(wc -l <"$out/gcc-O2.csv") - 1))
     for build in gcc-O3 clang-O2; do
-      cmp -s "$out/gcc-O2.csv" "$out/$build.csv" && continue
-      echo "DIFFERS: $file $scheme: gcc-O2 against $build: $(cmp "$out/gcc-O2.csv" "$out/$build.csv")"
-      differ=1
+      if where=$(cmp "$out/gcc-O2.csv" "$out/$build.csv"); then
+        echo "same bits: $file $scheme gcc-O2 $build ($states states)"
+      else
+        echo "DIFFERS: $file $scheme gcc-O2 $build: $where"
+        differ=1
+      fi
     done
-    [ $differ -ne 0 ] || echo "same bits: $file $scheme ($(($(wc -l <"$out/gcc-O2.csv") - 1)) states)"
   done
 done
 exit $differ
