@@ -83,8 +83,8 @@ def main():
     readme = root / "README.md"
     old = new = readme.read_text()
     for name, make in BLOCKS.items():
-        new, count = re.subn(rf"(<!-- {name} -->\n).*?(\n<!-- /{name} -->)",
-                             lambda m: m[1] + make(options.cylon) + m[2], new, flags=re.S)
+        new, count = re.subn(rf"(<!-- {name} -->\n).*?(<!-- /{name} -->)",
+                             lambda m: m[1] + make(options.cylon) + "\n" + m[2], new, flags=re.S)
         if count != 1:
             sys.exit(f"README.md: needs one block '<!-- {name} --> … <!-- /{name} -->'")
     if options.check and new != old:
