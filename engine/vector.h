@@ -1,5 +1,5 @@
 // The engine's number type and its vectors.  Everything is SI, right-handed; world axes unless said
-// otherwise.
+// otherwise.  The same sources are built twice: with CYLON_ENGINE_FLOAT the number type is float.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,10 +7,16 @@
 
 namespace cylon::engine {
 
+#ifdef CYLON_ENGINE_FLOAT
+using Real = float;
+#else
 using Real = double;
+#endif
+using Time = double;  ///< Instants and steps [s], in both builds: t_n = n dt would lose its digits in float.
+
 using Vector3 = Eigen::Matrix<Real, 3, 1>;
 using Matrix3 = Eigen::Matrix<Real, 3, 3>;
-using Quaternion = Eigen::Quaternion<Real>;
+using Quaternion = Eigen::Quaternion<Real, Eigen::DontAlign>;  ///< Packs into a Motion without gaps.
 
 /// Index of the world where a body is asked for: the other end of a spring, a joint or a contact.
 inline constexpr int fixed_world = -1;

@@ -1,0 +1,72 @@
+// What is simulated, as plain data: bodies, their motion at t = 0, and all that acts on them.
+#pragma once
+
+#include "engine/body.h"
+#include "engine/forces.h"
+#include "engine/shape.h"
+
+#include <optional>
+#include <vector>
+
+namespace cylon::engine {
+
+/// Holds two bodies together, or one to the world.  Anchors and axes in body axes; world coordinates where
+/// `to` is the world.
+struct Joint {
+  enum class Type {
+    ball,      ///< The anchors coincide.
+    hinge,     ///< The anchors coincide and so do the axes.
+    distance,  ///< The anchors keep a distance.
+    fixed      ///< The anchors coincide and the bodies do not turn against each other.
+  };
+  Type type = Type::ball;
+  int body = 0;
+  Vector3 anchor = Vector3::Zero();  ///< [m]
+  int to = fixed_world;
+  Vector3 to_anchor = Vector3::Zero();           ///< [m]
+  Vector3 axis = Vector3::UnitY();               ///< Hinge: unit.
+  Vector3 to_axis = Vector3::UnitY();            ///< Hinge: unit.
+  Quaternion relative = Quaternion::Identity();  ///< Fixed: body to `to`, R_to^T R_body.
+  Real length = 0;                               ///< Distance: [m], > 0.
+};
+
+/// Physics of a pair of surfaces.
+struct Material {
+  Real restitution = 0;  ///< Newton's, [0, 1].
+  Real friction = 0;     ///< Coulomb's, static = kinetic, >= 0.
+};
+
+/// How several impacts at one instant resolve: one after another (Newton's cradle), or all at once.  The
+/// points of one pair of bodies always act at once.
+enum class Impacts { sequential, simultaneous };
+
+/// The scene is given, and computed, in a frame that turns about the origin of the inertial frame.  A frame
+/// that only moves changes nothing (Galilei): gravity, springs and drag are those of the frame.
+struct RotatingFrame {
+  Vector3 angular_velocity = Vector3::Zero();  ///< Of the frame [rad/s].
+};
+
+inline constexpr int no_surface = -1;
+
+struct Model {
+  std::vector<Body> bodies;
+  std::vector<Motion> motions;  ///< At t = 0, one per body.
+  Forces forces;
+  std::vector<Joint> joints;
+
+  std::vector<Shape> shapes;  ///< One per body.
+  std::vector<int> surfaces;  ///< One per body: its surface, or no_surface where it never touches.
+  std::vector<Plane> planes;
+  std::vector<int> plane_surfaces;  ///< One per plane.
+  std::vector<Material> materials;  ///< surface_count x surface_count, symmetric.
+  int surface_count = 0;
+  Impacts impacts = Impacts::sequential;
+
+  std::optional<RotatingFrame> frame;
+
+  const Material& material(int surface, int other) const {
+    return materials[static_cast<std::size_t>(surface * surface_count + other)];
+  }
+};
+
+}  // namespace cylon::engine

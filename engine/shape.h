@@ -1,0 +1,40 @@
+// The shapes that collide, as data.  Body axes; the reference point of the body is the origin.
+#pragma once
+
+#include "engine/vector.h"
+
+#include <variant>
+#include <vector>
+
+namespace cylon::engine {
+
+struct Sphere {
+  Real radius = 0;  ///< [m], >= 0; 0 is a point.
+};
+
+struct Box {
+  Vector3 half_extents = Vector3::Zero();  ///< [m], > 0.
+};
+
+/// All points within `radius` of the segment from (0, -half_length, 0) to (0, half_length, 0).
+struct Capsule {
+  Real radius = 0;       ///< [m], >= 0; 0 is a rod.
+  Real half_length = 0;  ///< [m]
+};
+
+/// A convex polyhedron.  Made by make_hull.
+struct Hull {
+  std::vector<Vector3> vertices;        ///< [m]
+  std::vector<std::vector<int>> faces;  ///< Plane polygons, counter-clockwise seen from outside.
+};
+
+/// monostate: nothing can touch it.
+using Shape = std::variant<std::monostate, Sphere, Box, Capsule, Hull>;
+
+/// A half-space, solid where normal . x < offset.
+struct Plane {
+  Vector3 normal = Vector3::UnitY();  ///< Unit.
+  Real offset = 0;                    ///< [m]
+};
+
+}  // namespace cylon::engine

@@ -1,0 +1,38 @@
+// One way to carry a model through time.  World holds the one that the plan chose.
+#pragma once
+
+#include "engine/body.h"
+
+#include <string>
+#include <vector>
+
+namespace cylon::engine {
+
+/// One impact.
+struct Impact {
+  Time time = 0;            ///< [s]
+  int body = 0;             ///< The first body.
+  int other = fixed_world;  ///< The second; the world where it is a plane.
+  int plane = -1;           ///< Index in Model::planes, or -1.
+  Real approach = 0;        ///< Speed at which the surfaces met [m/s], >= 0.
+  Real separation = 0;      ///< Speed at which they part [m/s], >= 0.
+};
+
+class Stepper {
+ public:
+  virtual ~Stepper() = default;
+
+  /// Advances from t_n = n dt to t_{n+1}.
+  virtual void step() = 0;
+
+  /// The motion now, one per body of the model; resizes.
+  virtual void read(std::vector<Motion>&) const = 0;
+
+  /// The impacts of the last step, in order of time.
+  virtual const std::vector<Impact>& impacts() const = 0;
+
+  /// What a user must know of the run so far: a tolerance that could not be kept, and why.  Empty: nothing.
+  virtual std::vector<std::string> remarks() const { return {}; }
+};
+
+}  // namespace cylon::engine
