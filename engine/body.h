@@ -4,35 +4,51 @@
 #include "engine/rotation.h"
 #include "engine/vector.h"
 
+#include <cstddef>
+
 namespace cylon::engine {
 
-/// Constants of a rigid body.  Made by make_body, which keeps the inverses in step.
+/// Constants of a rigid body.  Made by make_body, which keeps the inverses in step.  Its reference point is
+/// its centre of mass; of a body that is pinned to the world (engine/reduce.h) it is the pivot.
 struct Body {
   Real mass = 1;                          ///< [kg], > 0.
-  Matrix3 inertia = Matrix3::Identity();  ///< About the centre of mass, body axes [kg m^2].
-  Real inverse_mass = 1;                  ///< [1/kg]; 0 when locked.
+  Matrix3 inertia = Matrix3::Identity();  ///< About the reference point, body axes [kg m^2].
+  Real inverse_mass = 1;                  ///< [1/kg]; 0 when locked or pinned.
   Matrix3 inverse_inertia =
       Matrix3::Identity();                    ///< Body axes; 0 when locked and about an axis without inertia.
   Vector3 inverse_moments = Vector3::Ones();  ///< Principal, in ascending order of the moments.
   Quaternion principal_axes = Quaternion::Identity();  ///< Principal axes to body axes.
-  bool locked = false;                                 ///< Infinite mass: does not move, whatever acts on it.
+  Vector3 centre = Vector3::Zero();  ///< Centre of mass from the reference point, body axes [m].
+  Real mass_rate = 0;                ///< dm/dt [kg/s]; what enters or leaves does so at the centre of mass.
+  bool locked = false;               ///< Infinite mass: does not move, whatever acts on it.
+  bool pinned = false;               ///< Its reference point stays where it is; it only turns,
+  bool hinged = false;               ///< and that only about `axis`,
+  Vector3 axis = Vector3::Zero();    ///< body axes, unit.
   bool turns = true;  ///< false: without spin, and nothing ever turns it; its orientation is left alone.
 };
 
-/// The state of one body.
+/// The state of one body: 13 Reals without gaps.
 struct Motion {
-  Vector3 position = Vector3::Zero();               ///< p: centre of mass [m].
-  Vector3 momentum = Vector3::Zero();               ///< K = m v [kg m/s]; seed eq. 11.
+  Vector3 position = Vector3::Zero();               ///< p: reference point [m].
+  Vector3 momentum = Vector3::Zero();               ///< K = m v [kg m/s]; seed eq. 11.  0 when pinned.
   Quaternion orientation = Quaternion::Identity();  ///< R: body to world, unit.
-  Vector3 angular_momentum = Vector3::Zero();  ///< L = I w about the centre of mass, world axes [kg m^2/s].
+  Vector3 angular_momentum = Vector3::Zero();  ///< L = I w about the reference point, world axes [kg m^2/s].
 };
 
-/// The time derivative of a Motion.
-struct Rate {
-  Vector3 velocity;          ///< [m/s]
-  Vector3 force;             ///< [N]
+inline constexpr std::size_t motion_size = 13;
+static_assert(sizeof(Motion) == motion_size * sizeof(Real));
+
+/// What follows from a Motion and is used many times.
+struct Kinematics {
+  Matrix3 rotation;          ///< R, body to world.
+  Vector3 velocity;          ///< Of the reference point [m/s].
   Vector3 angular_velocity;  ///< World axes [rad/s].
-  Vector3 torque;            ///< About the centre of mass, world axes [N m].
+};
+
+/// The sum of what acts on one body.
+struct Load {
+  Vector3 force = Vector3::Zero();   ///< [N]
+  Vector3 torque = Vector3::Zero();  ///< About the reference point, world axes [N m].
 };
 
 /// A body with its inverses.  Requires mass > 0 and a symmetric, positive semidefinite inertia; about an axis

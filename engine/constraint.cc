@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cylon::engine {
 
 namespace {
 
 // A pivot below this part of its diagonal is rounding: the row follows from the rows before it.
-constexpr Real dependent = 1e-12;
+constexpr Real dependent = 4096 * std::numeric_limits<Real>::epsilon();
 
 std::size_t at(int body) { return static_cast<std::size_t>(body); }
 
@@ -26,12 +27,24 @@ Real coupling(const Row& i, const Row& j, const std::vector<Body>& bodies) {
   return sum;
 }
 
+void push(const Row& row, int body, Real sign, const Vector3& lever, const std::vector<Body>& bodies,
+          Motion* motion) {
+  const Body& b = bodies[at(body)];
+  if (b.locked) return;
+  if (!b.pinned) motion[at(body)].momentum += sign * row.lambda * row.direction;
+  motion[at(body)].angular_momentum += sign * row.lambda * lever;
+}
+
+void push(const Row& row, const std::vector<Body>& bodies, Motion* motion) {
+  push(row, row.body, 1, row.lever, bodies, motion);
+  if (row.to != fixed_world) push(row, row.to, -1, row.to_lever, bodies, motion);
+}
+
 }  // namespace
 
-// Fills the spins and the matrix A = J M^-1 J^T.
-void Rows::measure(const std::vector<Body>& bodies, const std::vector<Motion>& motion) {
+// Fills the spins and factors A = J M^-1 J^T.
+void Rows::measure(const std::vector<Body>& bodies, const Motion* motion) {
   for (Row& row : rows) {
-    row.active = true;
     row.spin = inverse_inertia_times(bodies[at(row.body)], motion[at(row.body)].orientation, row.lever);
     if (row.to != fixed_world) {
       row.to_spin = inverse_inertia_times(bodies[at(row.to)], motion[at(row.to)].orientation, row.to_lever);
@@ -43,23 +56,32 @@ void Rows::measure(const std::vector<Body>& bodies, const std::vector<Motion>& m
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j <= i; ++j) matrix_[i * n + j] = coupling(rows[i], rows[j], bodies);
   }
+  factor();
 }
 
-// A lambda = -residual over the active rows by A = L D L^T; D_i = 0 for rows that are inactive or dependent.
-void Rows::solve() {
+// A = L D L^T; D_i = 0 for rows that depend on those before.
+void Rows::factor() {
   const std::size_t n = rows.size();
   const auto l = [&](std::size_t i, std::size_t j) -> Real& { return factor_[i * n + j]; };
   for (std::size_t i = 0; i < n; ++i) {
     Real d = matrix_[i * n + i];
-    Real y = -rows[i].residual;
     for (std::size_t j = 0; j < i; ++j) {
       Real sum = matrix_[i * n + j];
       for (std::size_t k = 0; k < j; ++k) sum -= l(i, k) * l(k, k) * l(j, k);
       l(i, j) = l(j, j) > 0 ? sum / l(j, j) : 0;
       d -= l(i, j) * l(i, j) * l(j, j);
-      y -= l(i, j) * rows[j].lambda;
     }
-    l(i, i) = rows[i].active && d > dependent * matrix_[i * n + i] ? d : 0;
+    l(i, i) = d > dependent * matrix_[i * n + i] ? d : 0;
+  }
+}
+
+// A lambda = -residual, lambda = 0 for dependent rows.
+void Rows::solve() {
+  const std::size_t n = rows.size();
+  const auto l = [&](std::size_t i, std::size_t j) { return factor_[i * n + j]; };
+  for (std::size_t i = 0; i < n; ++i) {
+    Real y = -rows[i].residual;
+    for (std::size_t j = 0; j < i; ++j) y -= l(i, j) * rows[j].lambda;
     rows[i].lambda = l(i, i) > 0 ? y : 0;
   }
   for (std::size_t i = n; i-- > 0;) {
@@ -69,44 +91,35 @@ void Rows::solve() {
   }
 }
 
-void Rows::constrain_accelerations(const std::vector<Body>& bodies, const std::vector<Motion>& motion,
-                                   std::vector<Rate>& rate) {
+void Rows::constrain_accelerations(const std::vector<Body>& bodies, const Motion* motion,
+                                   const Kinematics* kinematics, Load* load) {
   measure(bodies, motion);
   // a = F/m,  s.alpha = (I^-1 s).(torque - w x L)
   const auto acceleration = [&](int body, const Vector3& direction, const Vector3& spin) {
-    const Rate& r = rate[at(body)];
-    const Vector3 gyroscopic = r.angular_velocity.cross(motion[at(body)].angular_momentum);
-    return bodies[at(body)].inverse_mass * direction.dot(r.force) + spin.dot(r.torque - gyroscopic);
+    const std::size_t i = at(body);
+    const Vector3 gyroscopic = kinematics[i].angular_velocity.cross(motion[i].angular_momentum);
+    return bodies[i].inverse_mass * direction.dot(load[i].force) + spin.dot(load[i].torque - gyroscopic);
   };
   for (Row& row : rows) {
     row.residual = row.bias + acceleration(row.body, row.direction, row.spin);
     if (row.to != fixed_world) row.residual -= acceleration(row.to, row.direction, row.to_spin);
   }
-
-  // Contacts that would pull are let go one at a time, the strongest first.
-  for (;;) {
-    solve();
-    const auto worst = std::min_element(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
-      return (a.pushes_only ? a.lambda : 0) < (b.pushes_only ? b.lambda : 0);
-    });
-    if (worst == rows.end() || !worst->pushes_only || !(worst->lambda < 0)) break;
-    worst->active = false;
-  }
-
+  solve();
   for (const Row& row : rows) {
-    rate[at(row.body)].force += row.lambda * row.direction;
-    rate[at(row.body)].torque += row.lambda * row.lever;
+    load[at(row.body)].force += row.lambda * row.direction;
+    load[at(row.body)].torque += row.lambda * row.lever;
     if (row.to == fixed_world) continue;
-    rate[at(row.to)].force -= row.lambda * row.direction;
-    rate[at(row.to)].torque -= row.lambda * row.to_lever;
+    load[at(row.to)].force -= row.lambda * row.direction;
+    load[at(row.to)].torque -= row.lambda * row.to_lever;
   }
 }
 
 bool Rows::closed() const {
-  return std::all_of(rows.begin(), rows.end(), [](const Row& row) { return std::abs(row.offset) < 1e-15; });
+  return std::all_of(rows.begin(), rows.end(),
+                     [](const Row& row) { return std::abs(row.offset) <= row.rounding; });
 }
 
-void Rows::project_positions(const std::vector<Body>& bodies, std::vector<Motion>& motion) {
+void Rows::project_positions(const std::vector<Body>& bodies, Motion* motion) {
   measure(bodies, motion);
   for (Row& row : rows) row.residual = row.offset;
   solve();
@@ -121,7 +134,7 @@ void Rows::project_positions(const std::vector<Body>& bodies, std::vector<Motion
   }
 }
 
-void Rows::project_velocities(const std::vector<Body>& bodies, std::vector<Motion>& motion) {
+void Rows::project_velocities(const std::vector<Body>& bodies, Motion* motion) {
   measure(bodies, motion);
   const auto speed = [&](int body, const Vector3& direction, const Vector3& spin) {
     return direction.dot(velocity(bodies[at(body)], motion[at(body)])) +
@@ -132,13 +145,13 @@ void Rows::project_velocities(const std::vector<Body>& bodies, std::vector<Motio
     if (row.to != fixed_world) row.residual -= speed(row.to, row.direction, row.to_spin);
   }
   solve();
-  for (const Row& row : rows) {
-    motion[at(row.body)].momentum += row.lambda * row.direction;
-    motion[at(row.body)].angular_momentum += row.lambda * row.lever;
-    if (row.to == fixed_world) continue;
-    motion[at(row.to)].momentum -= row.lambda * row.direction;
-    motion[at(row.to)].angular_momentum -= row.lambda * row.to_lever;
-  }
+  for (const Row& row : rows) engine::push(row, bodies, motion);
+}
+
+void Rows::push(const std::vector<Real>& change, Real h, const std::vector<Body>& bodies, Motion* motion) {
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].residual = change[i] / h;
+  solve();
+  for (const Row& row : rows) engine::push(row, bodies, motion);
 }
 
 }  // namespace cylon::engine

@@ -1,5 +1,5 @@
 // Constraints in their common form: one row per scalar condition c(state) = 0 on one body, or between two.
-// Every kind of joint or contact writes its rows; solving them is the same for all.
+// Every kind of joint writes its rows; solving them is the same for all.
 #pragma once
 
 #include "engine/body.h"
@@ -9,49 +9,53 @@
 namespace cylon::engine {
 
 /// One scalar condition.  Its rate is  c' = n.(v_a - v_b) + s_a.w_a - s_b.w_b  and
-/// c'' = n.(a_a - a_b) + s_a.alpha_a - s_b.alpha_b + bias, with n the direction and s = r x n the lever.
+/// c'' = n.(a_a - a_b) + s_a.alpha_a - s_b.alpha_b + bias,  with v and a of the reference points.  A
+/// condition on points has s = r x n; one on orientations has n = 0.
 struct Row {
   int body = 0;
   int to = fixed_world;
   Vector3 direction =
-      Vector3::UnitY();                ///< n, world axes; the force on `body` is lambda n, on `to` -lambda n.
+      Vector3::Zero();                 ///< n, world axes; the force on `body` is lambda n, on `to` -lambda n.
   Vector3 lever = Vector3::Zero();     ///< s_a [m]; the torque on `body` is lambda s_a.
-  Vector3 to_lever = Vector3::Zero();  ///< s_b [m]
+  Vector3 to_lever = Vector3::Zero();  ///< s_b [m]; the torque on `to` is -lambda s_b.
   Real bias = 0;                       ///< The part of c'' that the velocities alone make [m/s^2].
-  Real offset = 0;                     ///< c [m].
-  bool pushes_only = false;            ///< lambda >= 0: a contact.
+  Real offset = 0;                     ///< c [m, rad].
+  Real rounding = 0;                   ///< |c| below this is closed.
 
   // Filled by the solver.
   Vector3 spin = Vector3::Zero();     ///< I_a^-1 s_a, world axes.
   Vector3 to_spin = Vector3::Zero();  ///< I_b^-1 s_b
   Real residual = 0;                  ///< What lambda has to cancel.
   Real lambda = 0;                    ///< The multiplier found.
-  bool active = true;                 ///< false: a contact that would have to pull.
 };
 
 /// Rows and the linear system (J M^-1 J^T) lambda = -residual that they share.  Dense: its work grows with
 /// the cube of the number of rows.  Rows that follow from others (two ball joints on one axis) get lambda =
-/// 0.
+/// 0.  Arrays of motion, kinematics and loads have one entry per body.
 class Rows {
  public:
   std::vector<Row> rows;
 
-  /// Makes c'' = 0: adds the constraint forces and torques to the rates.  Contacts that would pull are left
-  /// out.
-  void constrain_accelerations(const std::vector<Body>&, const std::vector<Motion>&, std::vector<Rate>&);
+  /// Makes c'' = 0: adds the constraint forces and torques to the loads.
+  void constrain_accelerations(const std::vector<Body>&, const Motion*, const Kinematics*, Load*);
 
-  /// Whether every |c| is below 1e-15 m, which no further sweep betters for lengths of a metre.
+  /// Whether every |c| is below its rounding.
   bool closed() const;
 
   /// c -> 0 to first order, by the shortest way in the metric of the masses: p += lambda n/m, R turned by
   /// I^-1 s lambda.
-  void project_positions(const std::vector<Body>&, std::vector<Motion>&);
+  void project_positions(const std::vector<Body>&, Motion*);
 
   /// Makes c' = 0 by impulses at the constraint; seed eq. 88, 89 and 94-97 (errata 25, 33).
-  void project_velocities(const std::vector<Body>&, std::vector<Motion>&);
+  void project_velocities(const std::vector<Body>&, Motion*);
+
+  /// Finds the impulses that change each c by -change (to first order after a time h) and adds them to the
+  /// momenta of `motion`, at which the rows were written and measured: a step of SHAKE's iteration.
+  void measure(const std::vector<Body>&, const Motion*);
+  void push(const std::vector<Real>& change, Real h, const std::vector<Body>&, Motion*);
 
  private:
-  void measure(const std::vector<Body>&, const std::vector<Motion>&);
+  void factor();
   void solve();
 
   std::vector<Real> matrix_, factor_;  // lower triangles, row-major

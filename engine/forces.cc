@@ -1,36 +1,57 @@
 #include "engine/forces.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cylon::engine {
 
 namespace {
 
-// A body's anchor: its arm from the centre of mass, where it is, and how fast it moves; seed eq. 65, 66 with
-// the arm rotated (errata 14).
-struct End {
-  Vector3 arm = Vector3::Zero(), place, velocity = Vector3::Zero();
+std::size_t at(int body) { return static_cast<std::size_t>(body); }
+
+// The bodies as the forces see them, and where their pushes go.
+struct Scene {
+  const std::vector<Body>& bodies;
+  const Motion* motion;
+  const Kinematics* kinematics;
+  Load* load;
+  Real power = 0;  // of the force at work [W]
+
+  // A force at an arm from the reference point.
+  void push(int body, const Vector3& arm, const Vector3& force) {
+    if (body == fixed_world) return;
+    load[at(body)].force += force;
+    twist(body, arm.cross(force));
+    power += force.dot(kinematics[at(body)].velocity);
+  }
+  void twist(int body, const Vector3& torque) {
+    load[at(body)].torque += torque;
+    power += torque.dot(kinematics[at(body)].angular_velocity);
+  }
+  // The centre of mass from the reference point, world axes.
+  Vector3 centre(std::size_t i) const {
+    return bodies[i].pinned ? Vector3(kinematics[i].rotation * bodies[i].centre) : Vector3(Vector3::Zero());
+  }
 };
 
-End end_of(int body, const Vector3& anchor, const std::vector<Motion>& motion,
-           const std::vector<Rate>& rate) {
-  if (body == fixed_world) return {.place = anchor};
-  const auto i = static_cast<std::size_t>(body);
-  if (anchor.isZero(0)) return {.place = motion[i].position, .velocity = rate[i].velocity};
-  const Vector3 r = motion[i].orientation * anchor;
-  return {r, motion[i].position + r, rate[i].velocity + rate[i].angular_velocity.cross(r)};
+// A body's anchor: its arm from the reference point, where it is, and how fast it moves; seed eq. 65, 66 with
+// the arm rotated (errata 8, 14).
+struct End {
+  Vector3 arm, place, velocity;
+};
+
+End end_of(const Scene& scene, int body, const Vector3& anchor) {
+  if (body == fixed_world) return {Vector3::Zero(), anchor, Vector3::Zero()};
+  const std::size_t i = at(body);
+  const Kinematics& k = scene.kinematics[i];
+  if (anchor.isZero(0)) return {Vector3::Zero(), scene.motion[i].position, k.velocity};
+  const Vector3 arm = k.rotation * anchor;
+  return {arm, scene.motion[i].position + arm, k.velocity + k.angular_velocity.cross(arm)};
 }
 
-void push(int body, const Vector3& arm, const Vector3& force, std::vector<Rate>& rate) {
-  if (body == fixed_world) return;
-  rate[static_cast<std::size_t>(body)].force += force;
-  rate[static_cast<std::size_t>(body)].torque += arm.cross(force);
-}
-
-void apply(const Spring& spring, const std::vector<Motion>& motion, std::vector<Rate>& rate) {
-  const End a = end_of(spring.body, spring.anchor, motion, rate);
-  const End b = end_of(spring.to, spring.to_anchor, motion, rate);
-
+void apply(const Spring& spring, Scene& scene) {
+  const End a = end_of(scene, spring.body, spring.anchor);
+  const End b = end_of(scene, spring.to, spring.to_anchor);
   const Vector3 d = b.place - a.place;
   Vector3 force = spring.stiffness * d;  // all of it where the rest length and the damping are zero
   if (spring.rest_length != 0 || spring.damping != 0) {
@@ -41,31 +62,108 @@ void apply(const Spring& spring, const std::vector<Motion>& motion, std::vector<
         (spring.stiffness * (length - spring.rest_length) + spring.damping * u.dot(b.velocity - a.velocity)) *
         u;
   }
-  push(spring.body, a.arm, force, rate);
-  push(spring.to, b.arm, -force, rate);
+  scene.push(spring.body, a.arm, force);
+  scene.push(spring.to, b.arm, -force);
 }
 
-void apply(const Drag& drag, const std::vector<Motion>& motion, std::vector<Rate>& rate) {
-  const auto i = static_cast<std::size_t>(drag.body);
-  rate[i].force -= drag.linear * rate[i].velocity;
-  rate[i].torque -= drag.angular * rate[i].angular_velocity + drag.momentum * motion[i].angular_momentum;
+void apply(const Drag& drag, Scene& scene) {
+  const std::size_t i = at(drag.body);
+  const Kinematics& k = scene.kinematics[i];
+  const Vector3 arm = scene.centre(i);
+  if (drag.linear != 0) {
+    scene.push(drag.body, arm, -drag.linear * (k.velocity + k.angular_velocity.cross(arm)));
+  }
+  if (drag.angular == 0 && drag.momentum == 0) return;
+  // L_spin = L - r x m v, where the reference point is the pivot v = w x r
+  const Vector3 spin =
+      scene.motion[i].angular_momentum - arm.cross(scene.bodies[i].mass * k.angular_velocity.cross(arm));
+  scene.twist(drag.body, -drag.angular * k.angular_velocity - drag.momentum * spin);
 }
 
-void apply(const Drive& drive, Real time, std::vector<Rate>& rate) {
-  rate[static_cast<std::size_t>(drive.body)].force += drive.force * std::cos(drive.frequency * time);
+void apply(const Thrust& thrust, Scene& scene) {
+  const std::size_t i = at(thrust.body);
+  const Kinematics& k = scene.kinematics[i];
+  const Vector3 arm = scene.centre(i);
+  Vector3 force = k.rotation * thrust.force;
+  if (thrust.mass_rate != 0) {
+    const Vector3 exchanged =
+        thrust.relative ? Vector3(k.velocity + k.angular_velocity.cross(arm) + k.rotation * thrust.exchanged)
+                        : thrust.exchanged;
+    force += thrust.mass_rate * exchanged;
+  }
+  scene.push(thrust.body, arm, force);
+}
+
+void apply(const Drive& drive, Time time, Scene& scene) {
+  const Real phase = static_cast<Real>(std::fmod(static_cast<double>(drive.frequency) * time, 2 * M_PI));
+  scene.push(drive.body, scene.centre(at(drive.body)), drive.force * std::cos(phase));
+}
+
+void apply(const Attraction& pull, Scene& scene) {
+  const std::size_t a = at(pull.body), b = at(pull.to);
+  const Vector3 arm_a = scene.centre(a), arm_b = scene.centre(b);
+  const Vector3 d = scene.motion[b].position + arm_b - scene.motion[a].position - arm_a;
+  const Real distance = d.norm();
+  if (distance == 0) return;
+  const Vector3 force =
+      pull.strength * scene.bodies[a].mass * scene.bodies[b].mass / (distance * distance * distance) * d;
+  scene.push(pull.body, arm_a, force);
+  scene.push(pull.to, arm_b, -force);
+}
+
+void apply(const Water& water, const Vector3& gravity, Time time, Scene& scene) {
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    if (scene.bodies[i].locked) continue;
+    const int body = static_cast<int>(i);
+    const Kinematics& k = scene.kinematics[i];
+    const Vector3 arm = scene.centre(i), centre = scene.motion[i].position + arm;
+    const Vector3 velocity = k.velocity + k.angular_velocity.cross(arm);
+    if (water.mode == WaterMode::step) {
+      if (!water.under(i, time, centre)) continue;
+      scene.push(body, arm, water.buoyancy * Vector3::UnitY() - water.drag * velocity);
+      scene.twist(body, -scene.motion[i].angular_momentum);
+      continue;
+    }
+    const Submerged part =
+        submerged(water.shapes[i], scene.motion[i].position, k.rotation, water.surface(time, centre));
+    if (part.volume <= 0) continue;
+    scene.push(body, part.centroid - scene.motion[i].position, -water.buoyancy * part.volume * gravity);
+    scene.push(body, arm, -water.drag * part.volume / part.whole * velocity);
+  }
 }
 
 }  // namespace
 
-void apply(const Forces& forces, Real time, const std::vector<Body>& bodies,
-           const std::vector<Motion>& motion, std::vector<Rate>& rate) {
+bool Forces::read_velocities() const {
+  const auto damped = [](const Spring& spring) { return spring.damping != 0; };
+  const auto open = [](const Thrust& thrust) { return thrust.mass_rate != 0 && thrust.relative; };
+  const auto viscous = [](const Water& water) { return water.drag != 0 || water.mode == WaterMode::step; };
+  return !drags.empty() || std::any_of(springs.begin(), springs.end(), damped) ||
+         std::any_of(thrusts.begin(), thrusts.end(), open) ||
+         std::any_of(waters.begin(), waters.end(), viscous);
+}
+
+void apply(const Forces& forces, Time time, const std::vector<Body>& bodies, const Motion* motion,
+           const Kinematics* kinematics, Load* load, Real* powers) {
+  Scene scene{bodies, motion, kinematics, load};
+  const auto account = [&] {
+    if (powers) *powers++ = scene.power;
+    scene.power = 0;
+  };
+  const bool weight = !forces.gravity.isZero(0);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    rate[i].force = bodies[i].mass * forces.gravity;
-    rate[i].torque.setZero();
+    load[i] = {};
+    if (weight && !bodies[i].locked) {
+      scene.push(static_cast<int>(i), scene.centre(i), bodies[i].mass * forces.gravity);
+    }
   }
-  for (const Spring& spring : forces.springs) apply(spring, motion, rate);
-  for (const Drag& drag : forces.drags) apply(drag, motion, rate);
-  for (const Drive& drive : forces.drives) apply(drive, time, rate);
+  account();
+  for (const Spring& spring : forces.springs) apply(spring, scene), account();
+  for (const Drag& drag : forces.drags) apply(drag, scene), account();
+  for (const Thrust& thrust : forces.thrusts) apply(thrust, scene), account();
+  for (const Drive& drive : forces.drives) apply(drive, time, scene), account();
+  for (const Attraction& pull : forces.attractions) apply(pull, scene), account();
+  for (const Water& water : forces.waters) apply(water, forces.gravity, time, scene), account();
 }
 
 }  // namespace cylon::engine

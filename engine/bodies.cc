@@ -1,0 +1,315 @@
+#include "engine/bodies.h"
+
+#include "engine/free_rotation.h"
+#include "engine/joint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace cylon::engine {
+
+Bodies::Bodies(Model model, bool account) : model_(std::move(model)), account_(account) {
+  const std::size_t n = model_.bodies.size();
+  for (const Body& body : model_.bodies) {
+    mass_.push_back(body.mass);
+    varies_ = varies_ || body.mass_rate != 0;
+  }
+  size_ = motion_size * n + (account_ ? model_.forces.count() : 0) + (varies_ ? 1 : 0);
+  kinematics_.resize(n);
+  loads_.resize(n);
+  first_.resize(n);
+  before_.resize(n);
+  powers_.resize(model_.forces.count());
+  reads_velocities_ = model_.forces.read_velocities();
+  int rows = 0;
+  for (const Joint& joint : model_.joints) rows += row_count(joint.type);
+  rows_.rows.reserve(static_cast<std::size_t>(rows));
+  change_.resize(static_cast<std::size_t>(rows));
+  find_turning();
+}
+
+std::vector<Real> Bodies::initial() const {
+  std::vector<Real> y(size_, 0);
+  std::copy(model_.motions.begin(), model_.motions.end(), motions(y.data()));
+  return y;
+}
+
+// A body turns if it has spin, or if a force with an arm, a joint or a touch can give it some; drag only
+// takes it.
+void Bodies::find_turning() {
+  for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
+    const bool touches = !model_.surfaces.empty() && model_.surfaces[i] != no_surface;
+    Body& body = model_.bodies[i];
+    body.turns = !body.locked && (body.pinned || touches || !model_.motions[i].angular_momentum.isZero(0));
+  }
+  const auto held_at = [&](int body, const Vector3& anchor) {
+    if (body == fixed_world || anchor.isZero(0)) return;
+    Body& held = model_.bodies[static_cast<std::size_t>(body)];
+    held.turns = !held.locked;
+  };
+  for (const Spring& s : model_.forces.springs) held_at(s.body, s.anchor), held_at(s.to, s.to_anchor);
+  for (const Joint& j : model_.joints) {
+    const bool turns = j.type == Joint::Type::hinge || j.type == Joint::Type::fixed;
+    held_at(j.body, turns ? Vector3(Vector3::Ones()) : j.anchor);
+    held_at(j.to, turns ? Vector3(Vector3::Ones()) : j.to_anchor);
+  }
+  const bool floating = std::any_of(model_.forces.waters.begin(), model_.forces.waters.end(),
+                                    [](const Water& w) { return w.mode == WaterMode::volume; });
+  if (!floating && !model_.frame) return;
+  for (Body& body : model_.bodies) body.turns = !body.locked;
+}
+
+// m(t) = m_0 + t dm/dt
+void Bodies::weigh(Time t) {
+  if (!varies_) return;
+  for (std::size_t i = 0; i < mass_.size(); ++i) {
+    Body& body = model_.bodies[i];
+    if (body.mass_rate == 0) continue;
+    body.mass = mass_[i] + static_cast<Real>(t) * body.mass_rate;
+    if (!body.locked && !body.pinned) body.inverse_mass = 1 / body.mass;
+  }
+}
+
+void Bodies::find_kinematics(const Motion* motion) {
+  for (std::size_t i = 0; i < kinematics_.size(); ++i) {
+    const Body& body = model_.bodies[i];
+    Kinematics& k = kinematics_[i];
+    k.velocity = velocity(body, motion[i]);
+    k.rotation = motion[i].orientation.toRotationMatrix();
+    if (body.turns) {
+      k.angular_velocity =
+          k.rotation * (body.inverse_inertia * (k.rotation.transpose() * motion[i].angular_momentum));
+    } else {
+      k.angular_velocity.setZero();
+    }
+  }
+}
+
+// The forces, and of hinged bodies only what turns them about their axis.
+void Bodies::find_loads(Time t, const Motion* motion, Real* powers) {
+  apply(model_.forces, t, model_.bodies, motion, kinematics_.data(), loads_.data(), powers);
+  for (std::size_t i = 0; i < loads_.size(); ++i) {
+    if (!model_.bodies[i].hinged) continue;
+    const Vector3 axis = kinematics_[i].rotation * model_.bodies[i].axis;
+    loads_[i].torque = axis.dot(loads_[i].torque) * axis;
+  }
+}
+
+void Bodies::load(Time t, const Real* y) {
+  weigh(t);
+  find_kinematics(motions(y));
+  find_loads(t, motions(y), nullptr);
+}
+
+void Bodies::gather(const Motion* motion) {
+  rows_.rows.clear();
+  for (const Joint& joint : model_.joints) add_rows(joint, model_.bodies, motion, rows_.rows);
+}
+
+void Bodies::rates(Time t, const Real* y, Real* rate) {
+  const Motion* motion = motions(y);
+  weigh(t);
+  find_kinematics(motion);
+  Real* powers = account_ ? rate + motion_size * kinematics_.size() : nullptr;
+  find_loads(t, motion, powers);
+  if (holder_) {
+    holder_->hold(t, model_.bodies, motion, kinematics_.data(), loads_.data());
+  } else if (jointed()) {
+    gather(motion);
+    rows_.constrain_accelerations(model_.bodies, motion, kinematics_.data(), loads_.data());
+  }
+  const bool turning = model_.frame.has_value();
+  const Vector3 frame = turning ? model_.frame->angular_velocity : Vector3(Vector3::Zero());
+  for (std::size_t i = 0; i < kinematics_.size(); ++i, rate += motion_size) {
+    Eigen::Map<Vector3> dp(rate), dk(rate + 3), dl(rate + 10);
+    Eigen::Map<Eigen::Matrix<Real, 4, 1>> dq(rate + 6);
+    const Body& body = model_.bodies[i];
+    if (body.locked) {
+      dp.setZero(), dk.setZero(), dq.setZero(), dl.setZero();
+      continue;
+    }
+    const Kinematics& k = kinematics_[i];
+    dp = k.velocity;
+    dk = body.pinned ? Vector3(Vector3::Zero()) : loads_[i].force;
+    dq.setZero(), dl.setZero();
+    if (body.turns) {
+      const Vector3 half = (k.angular_velocity - frame) / 2;
+      dq = (Quaternion(0, half.x(), half.y(), half.z()) * motion[i].orientation).coeffs();
+      dl = loads_[i].torque;
+    }
+    if (turning) {
+      dp -= frame.cross(motion[i].position);
+      dk -= frame.cross(motion[i].momentum);
+      dl -= frame.cross(motion[i].angular_momentum);
+    }
+  }
+  if (varies_) rate[account_ ? model_.forces.count() : 0] = 1;
+}
+
+// K' = F, L' = torque with the configuration frozen.  Forces are affine in the momenta z,  z' = A z + b,  so
+//   z(h) = z + sum_k h^(k+1)/(k+1)! A^k f,   A u = f(z + u) - f(z),
+// the exact flow; without forces that read velocities the first term is all.
+void Bodies::kick(Time t, Real h, Real* y) {
+  Motion* motion = motions(y);
+  const std::size_t n = kinematics_.size();
+  constexpr int terms = 12;
+  const Real tiny = std::numeric_limits<Real>::epsilon() / 4;
+  Real* works = y + motion_size * n;
+  weigh(t);
+  find_kinematics(motion);
+  find_loads(t, motion, account_ ? powers_.data() : nullptr);
+  const auto account = [&] {
+    if (!account_) return;
+    for (std::size_t i = 0; i < powers_.size(); ++i) works[i] += h / 2 * powers_[i];
+  };
+  account();
+  const auto add = [&](Real factor, const std::vector<Load>& loads) {
+    for (std::size_t i = 0; i < n; ++i) {
+      const Body& body = model_.bodies[i];
+      if (body.locked) continue;
+      if (!body.pinned) motion[i].momentum += factor * loads[i].force;
+      if (body.turns) motion[i].angular_momentum += factor * loads[i].torque;
+    }
+  };
+  if (!reads_velocities_) {
+    add(h, loads_);
+  } else {
+    first_ = loads_;   // f(z)
+    before_ = loads_;  // A^k f
+    start_.assign(y, y + size_);
+    probe_ = start_;
+    Real factor = h;
+    Real largest = 0;
+    for (const Load& l : loads_)
+      largest = std::max({largest, l.force.lpNorm<Eigen::Infinity>(), l.torque.lpNorm<Eigen::Infinity>()});
+    add(factor, before_);
+    for (int k = 1; k < terms; ++k) {
+      factor *= h / static_cast<Real>(k + 1);
+      Motion* probe = motions(probe_.data());
+      const Motion* start = motions(start_.data());
+      for (std::size_t i = 0; i < n; ++i) {
+        probe[i].momentum =
+            start[i].momentum + (model_.bodies[i].pinned ? Vector3(Vector3::Zero()) : before_[i].force);
+        probe[i].angular_momentum = start[i].angular_momentum + before_[i].torque;
+      }
+      find_kinematics(probe);
+      find_loads(t, probe, nullptr);
+      Real size = 0;
+      for (std::size_t i = 0; i < n; ++i) {
+        before_[i].force = loads_[i].force - first_[i].force;
+        before_[i].torque = loads_[i].torque - first_[i].torque;
+        size = std::max(
+            {size, before_[i].force.lpNorm<Eigen::Infinity>(), before_[i].torque.lpNorm<Eigen::Infinity>()});
+      }
+      add(factor, before_);
+      if (std::abs(factor) * size <= tiny * std::abs(h) * largest) break;
+    }
+  }
+  if (account_) {  // trapezoid: exact for forces that do not read velocities
+    find_kinematics(motion);
+    find_loads(t, motion, powers_.data());
+    account();
+  }
+}
+
+// Free motion: p along a line, R by the free rotation; seen from the turning frame, turned back.
+void Bodies::free_drift(Real h, Real* y) {
+  Motion* motion = motions(y);
+  const std::size_t n = kinematics_.size();
+  Real* clock = varies_ ? y + size_ - 1 : nullptr;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Body& body = model_.bodies[i];
+    Motion& m = motion[i];
+    if (body.mass_rate != 0) {  // p' = K/m(t):  the integral of 1/m is ln(m_1/m_0)/m'
+      const Real m0 = mass_[i] + *clock * body.mass_rate;
+      m.position += std::log1p(h * body.mass_rate / m0) / body.mass_rate * m.momentum;
+    } else {
+      m.position += h * velocity(body, m);
+    }
+    if (body.turns)
+      m.orientation = free_rotation(body, m.orientation, m.angular_momentum, h, Splitting::strang);
+  }
+  if (varies_) *clock += h;
+  if (model_.frame) turn_frame(h, motion);
+}
+
+void Bodies::turn_frame(Real h, Motion* motion) {
+  const Quaternion back = exponential(-h * model_.frame->angular_velocity);
+  for (std::size_t i = 0; i < kinematics_.size(); ++i) {
+    if (model_.bodies[i].locked) continue;
+    Motion& m = motion[i];
+    m.position = back * m.position;
+    m.momentum = back * m.momentum;
+    m.angular_momentum = back * m.angular_momentum;
+    m.orientation = renormalised(back * m.orientation);
+  }
+}
+
+// With joints: SHAKE.  The momenta get impulses along the constraints at the start such that the drift ends
+// on them,  c(q(h)) = 0;  Newton's method with the matrix of the start.  J.-P. Ryckaert, G. Ciccotti, H.
+// Berendsen, J. Comput. Phys. 23 (1977) 327; H. Andersen, J. Comput. Phys. 52 (1983) 24 (RATTLE).
+void Bodies::drift(Real h, Real* y) {
+  if (!jointed() || h == 0) return free_drift(h, y);
+  constexpr int most = 60;
+  std::vector<Real>& before = start_;
+  before.assign(y, y + size_);
+  gather(motions(before.data()));
+  rows_.measure(model_.bodies, motions(before.data()));
+  Rows reached;
+  reached.rows.reserve(rows_.rows.size());
+  for (int i = 0; i < most; ++i) {
+    std::copy(before.begin(), before.end(), y);
+    free_drift(h, y);
+    reached.rows.clear();
+    for (const Joint& joint : model_.joints) add_rows(joint, model_.bodies, motions(y), reached.rows);
+    if (reached.closed()) break;
+    for (std::size_t k = 0; k < change_.size(); ++k) change_[k] = reached.rows[k].offset;
+    rows_.push(change_, h, model_.bodies, motions(before.data()));
+  }
+}
+
+void Bodies::settle(Real* y) {
+  Motion* motion = motions(y);
+  for (std::size_t i = 0; i < kinematics_.size(); ++i) {
+    if (!model_.bodies[i].turns) continue;
+    Quaternion& q = motion[i].orientation;
+    const Real error = q.squaredNorm() - 1;
+    q = std::abs(error) < Real(1e-8) ? renormalised(q) : Quaternion(q.normalized());
+  }
+  if (holder_) return holder_->project(model_.bodies, motion);
+  if (!jointed()) return;
+  constexpr int sweeps = 4;  // of Newton's method: each leaves the square of a drift that is small already
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    gather(motion);
+    if (rows_.closed()) break;
+    rows_.project_positions(model_.bodies, motion);
+  }
+  gather(motion);
+  rows_.project_velocities(model_.bodies, motion);
+}
+
+// Positions against the largest distance between or from the origin, momenta of a body against its mass times
+// the largest speed, quaternions against 1, spins against the body's inertia times the largest rate of turn.
+void Bodies::scales(const Real* y, Real* scale) const {
+  const Motion* motion = motions(y);
+  const std::size_t n = kinematics_.size();
+  Real length = 0, speed = 0, turn = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Body& body = model_.bodies[i];
+    length = std::max({length, motion[i].position.norm(), body.centre.norm()});
+    speed = std::max(speed, velocity(body, motion[i]).norm());
+    if (body.turns) turn = std::max(turn, angular_velocity(body, motion[i]).norm());
+  }
+  for (std::size_t i = 0; i < n; ++i, scale += motion_size) {
+    const Body& body = model_.bodies[i];
+    std::fill(scale, scale + 3, length);
+    std::fill(scale + 3, scale + 6, body.mass * speed);
+    std::fill(scale + 6, scale + 10, Real(1));
+    std::fill(scale + 10, scale + 13, body.inertia.diagonal().maxCoeff() * turn);
+  }
+  std::fill(scale, scale + (size_ - motion_size * n), std::numeric_limits<Real>::infinity());
+}
+
+}  // namespace cylon::engine

@@ -1,0 +1,82 @@
+// The general system of differential equations: rigid bodies under forces, joints and lasting contacts.
+#pragma once
+
+#include "engine/constraint.h"
+#include "engine/model.h"
+#include "engine/system.h"
+
+#include <vector>
+
+namespace cylon::engine {
+
+/// What holds bodies besides joints: contacts that last.  Solves joints and contacts as one.
+class Holder {
+ public:
+  virtual ~Holder() = default;
+
+  /// Adds the forces of joints and contacts to the loads.
+  virtual void hold(Time, const std::vector<Body>&, const Motion*, const Kinematics*, Load*) = 0;
+
+  /// Moves positions, then velocities, back onto joints and contacts.
+  virtual void project(const std::vector<Body>&, Motion*) = 0;
+};
+
+/// y = one Motion per body, then the work done by each force where it is accounted, then the clock where a
+/// mass changes.
+///   dp/dt = v - W x p,  dK/dt = F - W x K,  dq/dt = (w - W) q/2,  dL/dt = torque - W x L
+/// (seed eq. 57-60, 72; W the angular velocity of the frame: momenta are those of the inertial frame in the
+/// axes of the rotating one, which holds all fictitious forces), the forces of joints and contacts included.
+class Bodies {
+ public:
+  /// `account`: integrate the work of each force, seed eq. 84.
+  explicit Bodies(Model, bool account = false);
+
+  std::size_t size() const { return size_; }
+  /// The state at t = 0.
+  std::vector<Real> initial() const;
+
+  void rates(Time, const Real* y, Real* rate);
+  void kick(Time, Real h, Real* y);
+  void drift(Real h, Real* y);
+  void settle(Real* y);
+  /// For error control: the size of each component's kind over all bodies.
+  void scales(const Real* y, Real* scale) const;
+
+  const Model& model() const { return model_; }
+  Model& model() { return model_; }
+  static Motion* motions(Real* y) { return reinterpret_cast<Motion*>(y); }
+  static const Motion* motions(const Real* y) { return reinterpret_cast<const Motion*>(y); }
+  /// Work done by each force since t = 0 [J], in the order of apply().  Requires accounting.
+  const Real* works(const Real* y) const { return y + motion_size * model_.bodies.size(); }
+
+  /// Who adds the forces of joints and contacts; null: the joints alone.
+  void set_holder(Holder* holder) { holder_ = holder; }
+  /// Forces without those of joints and contacts, and the kinematics that they were computed from.
+  void load(Time, const Real* y);
+  const std::vector<Load>& loads() const { return loads_; }
+  const std::vector<Kinematics>& kinematics() const { return kinematics_; }
+
+ private:
+  bool jointed() const { return !model_.joints.empty(); }
+  void weigh(Time);
+  void find_kinematics(const Motion*);
+  void find_turning();
+  void find_loads(Time, const Motion*, Real* powers);
+  void free_drift(Real h, Real* y);
+  void gather(const Motion*);
+  void turn_frame(Real h, Motion*);
+
+  Model model_;
+  bool account_ = false, varies_ = false, reads_velocities_ = false;
+  std::size_t size_ = 0;
+  std::vector<Real> mass_;  // at t = 0
+  std::vector<Kinematics> kinematics_;
+  std::vector<Load> loads_, first_, before_;
+  std::vector<Real> powers_, change_, start_, probe_;
+  Rows rows_;
+  Holder* holder_ = nullptr;
+};
+
+static_assert(System<Bodies>);
+
+}  // namespace cylon::engine

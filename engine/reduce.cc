@@ -1,0 +1,143 @@
+#include "engine/reduce.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace cylon::engine {
+
+namespace {
+
+std::size_t at(int body) { return static_cast<std::size_t>(body); }
+
+bool floats(const Model& model) {
+  return std::any_of(model.forces.waters.begin(), model.forces.waters.end(),
+                     [](const Water& water) { return water.mode == WaterMode::volume; });
+}
+
+// Whether nothing but a force through the centre of mass ever acts on a body that does not spin.
+bool is_point(const Model& model, int body) {
+  const auto off_centre = [&](int end, const Vector3& anchor) { return end == body && !anchor.isZero(0); };
+  return model.motions[at(body)].angular_momentum.isZero(0) &&
+         std::none_of(model.forces.springs.begin(), model.forces.springs.end(),
+                      [&](const Spring& s) {
+                        return off_centre(s.body, s.anchor) || off_centre(s.to, s.to_anchor);
+                      }) &&
+         std::none_of(model.forces.thrusts.begin(), model.forces.thrusts.end(),
+                      [&](const Thrust& t) { return t.body == body; }) &&
+         std::all_of(model.joints.begin(), model.joints.end(), [&](const Joint& j) {
+           return (j.body != body && j.to != body) || j.type == Joint::Type::distance;
+         });
+}
+
+// The inertia about a point from which the centre of mass lies at c; seed eq. 70, 71.
+Matrix3 shifted(const Matrix3& inertia, Real mass, const Vector3& c) {
+  return inertia + mass * (c.squaredNorm() * Matrix3::Identity() - c * c.transpose());
+}
+
+Body pinned_body(const Body& body, const Matrix3& inertia, const Vector3& centre) {
+  Body pinned = make_body(body.mass, inertia, false);
+  pinned.inverse_mass = 0;
+  pinned.centre = centre;
+  pinned.mass_rate = body.mass_rate;
+  pinned.pinned = true;
+  return pinned;
+}
+
+// Turns only about h:  I^-1 = h h^T / (h^T I h).
+Body hinged_body(const Body& body, const Matrix3& inertia, const Vector3& centre, const Vector3& h) {
+  Body hinged = pinned_body(body, inertia, centre);
+  const Real inverse = 1 / h.dot(inertia * h);
+  hinged.hinged = true;
+  hinged.axis = h;
+  hinged.inverse_inertia = inverse * h * h.transpose();
+  hinged.inverse_moments = {inverse, 0, 0};
+  hinged.principal_axes = Quaternion::FromTwoVectors(Vector3::UnitX(), h);
+  return hinged;
+}
+
+// Moves the reference point of a body by `shift` (body axes) in everything that is fastened to it.
+void shift_anchors(Model& model, int body, const Vector3& shift) {
+  const auto move = [&](int end, Vector3& anchor) {
+    if (end == body) anchor -= shift;
+  };
+  for (Spring& s : model.forces.springs) move(s.body, s.anchor), move(s.to, s.to_anchor);
+  for (Joint& j : model.joints) move(j.body, j.anchor), move(j.to, j.to_anchor);
+}
+
+bool pin(Reduced& reduced, const Joint& joint) {
+  Model& model = reduced.model;
+  const int i = joint.to == fixed_world ? joint.body : joint.to;
+  const bool first = i == joint.body;
+  Body& body = model.bodies[at(i)];
+  Motion& motion = model.motions[at(i)];
+  const Vector3 anchor = first ? joint.anchor : joint.to_anchor;
+  const Vector3 place = first ? joint.to_anchor : joint.anchor;
+  if (body.locked || body.pinned) return false;
+
+  Vector3 shift = anchor;  // the new reference point from the old, body axes
+  if (joint.type == Joint::Type::distance) {
+    if (!anchor.isZero(0) || !is_point(model, i)) return false;
+    // A rod without mass from the pivot to the point: c = R^T (p - x),  I = m (|c|^2 1 - c c^T).
+    const Vector3 c = motion.orientation.conjugate() * (motion.position - place);
+    reduced.readings[at(i)] = {true, true, motion.orientation, body.inertia};
+    body = pinned_body(body, shifted(Matrix3::Zero(), body.mass, c), c);
+    shift = -c;
+  } else {
+    const Matrix3 inertia = shifted(body.inertia, body.mass, -anchor);
+    reduced.readings[at(i)] = {true, false, {}, body.inertia};
+    body = joint.type == Joint::Type::ball
+               ? pinned_body(body, inertia, -anchor)
+               : hinged_body(body, inertia, -anchor, first ? joint.axis : joint.to_axis);
+  }
+  shift_anchors(model, i, shift);
+
+  // L about the pivot = L + r x K;  the pivot itself rests.
+  const Vector3 r = motion.orientation * body.centre;
+  motion.angular_momentum += r.cross(motion.momentum);
+  motion.momentum.setZero();
+  motion.position = place;
+  return true;
+}
+
+}  // namespace
+
+Reduced reduce(Model model) {
+  Reduced reduced{std::move(model), {}, {}};
+  Model& m = reduced.model;
+  reduced.readings.resize(m.bodies.size());
+  constexpr const char* names[] = {"ball joint", "hinge", "distance joint", "fixed joint"};
+  for (std::size_t k = 0; k < m.joints.size();) {
+    const Joint joint = m.joints[k];
+    const int i = joint.to == fixed_world ? joint.body : joint.to;
+    const bool to_world = (joint.to == fixed_world) != (joint.body == fixed_world);
+    const bool touches = i != fixed_world && !m.surfaces.empty() && m.surfaces[at(i)] != no_surface;
+    if (to_world && joint.type != Joint::Type::fixed && !touches && !floats(m) && !m.frame &&
+        m.bodies[at(i)].mass_rate == 0 && pin(reduced, joint)) {
+      reduced.pinned.push_back("body " + std::to_string(i) + ": " +
+                               names[static_cast<std::size_t>(joint.type)]);
+      m.joints.erase(m.joints.begin() + static_cast<std::ptrdiff_t>(k));
+    } else {
+      ++k;
+    }
+  }
+  return reduced;
+}
+
+Motion read(const Body& body, const Reading& reading, const Motion& motion) {
+  if (!reading.pinned) return motion;
+  // p = x + R c,  K = m w x R c,  L_spin = R I R^T w
+  const Matrix3 r = motion.orientation.toRotationMatrix();
+  const Vector3 arm = r * body.centre, w = angular_velocity(body, motion);
+  Motion out;
+  out.position = motion.position + arm;
+  out.momentum = body.mass * w.cross(arm);
+  out.orientation = motion.orientation;
+  out.angular_momentum = r * (reading.inertia * (r.transpose() * w));
+  if (reading.keeps_orientation) {
+    out.orientation = reading.orientation;
+    out.angular_momentum.setZero();
+  }
+  return out;
+}
+
+}  // namespace cylon::engine

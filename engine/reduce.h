@@ -1,0 +1,37 @@
+// Reduced coordinates: a body that a joint holds to the world needs none for what the joint forbids.
+#pragma once
+
+#include "engine/model.h"
+
+#include <string>
+#include <vector>
+
+namespace cylon::engine {
+
+/// How a body of a reduced model relates to the body that was given.
+struct Reading {
+  bool pinned = false;  ///< Its motion is that of the pivot.
+  bool keeps_orientation =
+      false;  ///< The rod that replaces a point on a distance joint turns; the point does not.
+  Quaternion orientation = Quaternion::Identity();  ///< The one that it keeps.
+  Matrix3 inertia = Matrix3::Zero();                ///< About the centre of mass, body axes [kg m^2].
+};
+
+struct Reduced {
+  Model model;
+  std::vector<Reading> readings;    ///< One per body.
+  std::vector<std::string> pinned;  ///< For the plan: "body 0: ball joint", …
+};
+
+/// Puts each body that a ball joint, a hinge, or a distance joint of a point holds to the world in
+/// coordinates in which that joint cannot open; the joint goes.  The reference point becomes the pivot, the
+/// inertia
+///   I_p = I + m (|c|^2 1 - c c^T)   (seed eq. 70, 71; errata 15),
+/// about the hinge's axis h alone  h^T I_p h,  for a point on a rod  m l^2 (1 - n n^T).  Left as they are:
+/// bodies that can touch something or float, and second joints of a body.
+Reduced reduce(Model);
+
+/// The motion of the centre of mass.
+Motion read(const Body&, const Reading&, const Motion&);
+
+}  // namespace cylon::engine

@@ -1,0 +1,122 @@
+#include "engine/water.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace cylon::engine {
+
+namespace {
+
+constexpr Real pi = std::numbers::pi_v<Real>;
+
+// A cap of depth d of a sphere:  V = pi d^2 (3r - d)/3,  centroid (3/4) (2r - d)^2/(3r - d) below the centre.
+Submerged below(const Sphere& sphere, const Vector3& position, Real height) {
+  const Real r = sphere.radius, d = std::clamp(height - (position.y() - r), Real(0), 2 * r);
+  Submerged result{pi * d * d * (3 * r - d) / 3, 4 * pi / 3 * r * r * r, position};
+  if (d > 0) result.centroid.y() -= Real(0.75) * (2 * r - d) * (2 * r - d) / (3 * r - d);
+  return result;
+}
+
+// Sums signed tetrahedra from a point of the surface to the faces.  The face that the cut opens lies in the
+// surface with that point, so it adds nothing and need not be known.
+class Cut {
+ public:
+  explicit Cut(const Vector3& apex) : apex_(apex) {}
+
+  // One plane polygon, counter-clockwise seen from outside, of which only what lies below the surface counts.
+  template <class Vertex>
+  void face(std::size_t n, Vertex&& vertex) {
+    Vector3 first;
+    Vector3 previous;
+    int kept = 0;
+    const auto keep = [&](const Vector3& p) {
+      if (kept == 0)
+        first = p;
+      else if (kept >= 2)
+        tetrahedron(first, previous, p);
+      previous = p;
+      ++kept;
+    };
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vector3 a = vertex(i), b = vertex((i + 1) % n);
+      const Real a_height = a.y() - apex_.y(), b_height = b.y() - apex_.y();
+      if (a_height <= 0) keep(a);
+      if ((a_height < 0 && b_height > 0) || (a_height > 0 && b_height < 0)) {
+        keep(a + a_height / (a_height - b_height) * (b - a));
+      }
+    }
+  }
+
+  Submerged result(Real whole) const {
+    return {volume_, whole, volume_ > 0 ? Vector3(apex_ + moment_ / volume_) : apex_};
+  }
+
+ private:
+  //  V = (a x b).c/6,  centroid (a + b + c)/4, corners from the apex
+  void tetrahedron(const Vector3& p, const Vector3& q, const Vector3& s) {
+    const Vector3 a = p - apex_, b = q - apex_, c = s - apex_;
+    const Real v = a.cross(b).dot(c) / 6;
+    volume_ += v;
+    moment_ += v / 4 * (a + b + c);
+  }
+
+  Vector3 apex_;
+  Real volume_ = 0;
+  Vector3 moment_ = Vector3::Zero();
+};
+
+constexpr std::array<std::array<int, 4>, 6> box_faces = {
+    {{1, 3, 7, 5}, {0, 4, 6, 2}, {2, 6, 7, 3}, {0, 1, 5, 4}, {4, 5, 7, 6}, {0, 2, 3, 1}}};
+
+Submerged below(const Box& box, const Vector3& position, const Matrix3& rotation, Real height) {
+  const Vector3& h = box.half_extents;
+  Cut cut(Vector3(position.x(), height, position.z()));
+  for (const auto& face : box_faces) {
+    cut.face(4, [&](std::size_t i) -> Vector3 {
+      const int corner = face[i];  // bit k: the upper side along axis k
+      const Vector3 local((corner & 1) ? h.x() : -h.x(), (corner & 2) ? h.y() : -h.y(),
+                          (corner & 4) ? h.z() : -h.z());
+      return position + rotation * local;
+    });
+  }
+  return cut.result(8 * h.prod());
+}
+
+Submerged below(const Hull& hull, const Vector3& position, const Matrix3& rotation, Real height) {
+  const auto corner = [&](const std::vector<int>& face, std::size_t i) -> Vector3 {
+    return position + rotation * hull.vertices[static_cast<std::size_t>(face[i])];
+  };
+  Cut cut(Vector3(position.x(), height, position.z()));
+  Real highest = position.y();
+  for (const auto& face : hull.faces) {
+    for (std::size_t i = 0; i < face.size(); ++i) highest = std::max(highest, corner(face, i).y());
+  }
+  Cut whole(Vector3(position.x(), highest, position.z()));
+  for (const auto& face : hull.faces) {
+    cut.face(face.size(), [&](std::size_t i) { return corner(face, i); });
+    whole.face(face.size(), [&](std::size_t i) { return corner(face, i); });
+  }
+  return cut.result(whole.result(0).volume);
+}
+
+}  // namespace
+
+Real Water::surface(Time time, const Vector3& point) const {
+  const Real t = static_cast<Real>(time);
+  if (mode == WaterMode::volume) return level + wave * std::sin(point.x() - speed * t);
+  constexpr Real origin = 5, cell = Real(0.25);
+  const auto index = [&](Real x) { return std::clamp(std::trunc((x + origin) / cell), Real(0), Real(40)); };
+  const Real i = index(point.x()), j = index(point.z());
+  return level + wave / 2 * std::sin(speed * t + i) + wave / 2 * std::sin(i * j / 2);
+}
+
+Submerged submerged(const Shape& shape, const Vector3& position, const Matrix3& rotation, Real height) {
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) return below(*sphere, position, height);
+  if (const auto* box = std::get_if<Box>(&shape)) return below(*box, position, rotation, height);
+  if (const auto* hull = std::get_if<Hull>(&shape)) return below(*hull, position, rotation, height);
+  return {0, 0, position};
+}
+
+}  // namespace cylon::engine
