@@ -3,6 +3,7 @@
 
 #include "engine/vector.h"
 
+#include <array>
 #include <variant>
 #include <vector>
 
@@ -24,8 +25,10 @@ struct Capsule {
 
 /// A convex polyhedron.  Made by make_hull.
 struct Hull {
-  std::vector<Vector3> vertices;        ///< [m]
-  std::vector<std::vector<int>> faces;  ///< Plane polygons, counter-clockwise seen from outside.
+  std::vector<Vector3> vertices;          ///< [m]
+  std::vector<std::vector<int>> faces;    ///< Plane polygons, counter-clockwise seen from outside.
+  std::vector<Vector3> normals;           ///< Outward, unit; one per face.
+  std::vector<std::array<int, 4>> edges;  ///< From vertex, to vertex, face on its left, face on its right.
 };
 
 /// monostate: nothing can touch it.

@@ -1,0 +1,33 @@
+// All the places where two shapes touch, or soon may.
+#pragma once
+
+#include "engine/geometry/separation.h"
+
+#include <array>
+#include <cstdint>
+
+namespace cylon::engine {
+
+struct ContactPoint {
+  Vector3 position;           ///< Midway between the surfaces, world axes [m].
+  Real gap = 0;               ///< Along the manifold's normal [m].
+  std::uint32_t feature = 0;  ///< The same place keeps its number from step to step: for warm starts.
+};
+
+struct Manifold {
+  static constexpr int capacity = 8;
+
+  Vector3 normal;  ///< Unit, world axes, from `other` to `body`.
+  int count = 0;
+  std::array<ContactPoint, capacity> points;
+};
+
+/// The points with gap < margin [m], where faces meet faces the corners of the common area; at least one
+/// where separation().gap < margin.  More than the capacity are thinned: the deepest and the outermost stay.
+/// An edge that crosses an edge gives one point; where a face is within a tenth of the margin of being the
+/// separating plane, it is taken in its place (so boxes that rest on one another do not lose corners to
+/// rounding).
+Manifold manifold(const Shape& body, const Pose&, const Shape& other, const Pose& other_pose, Real margin);
+Manifold manifold(const Shape& body, const Pose&, const Plane& other, Real margin);
+
+}  // namespace cylon::engine
