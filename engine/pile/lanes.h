@@ -1,0 +1,112 @@
+// A few numbers side by side: arithmetic on 32 bytes, and rows of four numbers read into and out of lanes.
+// Correctly rounded operations alone, so that every way of compiling gives the same bits.
+#pragma once
+
+#include "engine/vector.h"
+
+#include <cmath>
+
+#if defined(__AVX__)
+#include <immintrin.h>
+#endif
+
+namespace cylon::engine::pile {
+
+inline constexpr int lane_count = 32 / sizeof(Real);
+
+using Lanes = Real __attribute__((vector_size(32)));
+
+struct Lanes3 {
+  Lanes x, y, z;
+};
+
+inline Lanes spread(Real value) { return Lanes{} + value; }
+inline Lanes larger(Lanes a, Lanes b) { return a > b ? a : b; }
+inline Lanes smaller(Lanes a, Lanes b) { return a < b ? a : b; }
+
+inline Lanes dot(const Lanes3& a, const Lanes3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Lanes3 cross(const Lanes3& a, const Lanes3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline Lanes3 operator+(const Lanes3& a, const Lanes3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline Lanes3 operator-(const Lanes3& a, const Lanes3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Lanes3 operator*(const Lanes& s, const Lanes3& a) { return {s * a.x, s * a.y, s * a.z}; }
+
+#if defined(__AVX__) && !defined(CYLON_ENGINE_FLOAT)
+
+inline Lanes root(Lanes a) { return _mm256_sqrt_pd(a); }
+
+/// Numbers 4 k .. 4 k + 3 of a row of `stride`, of the rows named, one row a lane.
+inline void load(const Real* rows, const int* row, int stride, Lanes& a, Lanes& b, Lanes& c, Lanes& d) {
+  const __m256d r0 = _mm256_load_pd(rows + stride * row[0]), r1 = _mm256_load_pd(rows + stride * row[1]),
+                r2 = _mm256_load_pd(rows + stride * row[2]), r3 = _mm256_load_pd(rows + stride * row[3]);
+  const __m256d t0 = _mm256_unpacklo_pd(r0, r1), t1 = _mm256_unpackhi_pd(r0, r1),
+                t2 = _mm256_unpacklo_pd(r2, r3), t3 = _mm256_unpackhi_pd(r2, r3);
+  a = _mm256_permute2f128_pd(t0, t2, 0x20), b = _mm256_permute2f128_pd(t1, t3, 0x20);
+  c = _mm256_permute2f128_pd(t0, t2, 0x31), d = _mm256_permute2f128_pd(t1, t3, 0x31);
+}
+
+inline void store(Real* rows, const int* row, int stride, Lanes a, Lanes b, Lanes c, Lanes d) {
+  const __m256d t0 = _mm256_unpacklo_pd(a, b), t1 = _mm256_unpackhi_pd(a, b), t2 = _mm256_unpacklo_pd(c, d),
+                t3 = _mm256_unpackhi_pd(c, d);
+  _mm256_store_pd(rows + stride * row[0], _mm256_permute2f128_pd(t0, t2, 0x20));
+  _mm256_store_pd(rows + stride * row[1], _mm256_permute2f128_pd(t1, t3, 0x20));
+  _mm256_store_pd(rows + stride * row[2], _mm256_permute2f128_pd(t0, t2, 0x31));
+  _mm256_store_pd(rows + stride * row[3], _mm256_permute2f128_pd(t1, t3, 0x31));
+}
+
+#elif defined(__AVX__)
+
+inline Lanes root(Lanes a) { return _mm256_sqrt_ps(a); }
+
+inline __m256 two_rows(const Real* low, const Real* high) {
+  return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_load_ps(low)), _mm_load_ps(high), 1);
+}
+
+/// Numbers 4 k .. 4 k + 3 of a row of `stride`, of the rows named, one row a lane.
+inline void load(const Real* rows, const int* row, int stride, Lanes& a, Lanes& b, Lanes& c, Lanes& d) {
+  const auto at = [&](int lane) { return rows + stride * row[lane]; };
+  const __m256 r0 = two_rows(at(0), at(4)), r1 = two_rows(at(1), at(5)), r2 = two_rows(at(2), at(6)),
+               r3 = two_rows(at(3), at(7));
+  const __m256 t0 = _mm256_unpacklo_ps(r0, r1), t1 = _mm256_unpackhi_ps(r0, r1),
+               t2 = _mm256_unpacklo_ps(r2, r3), t3 = _mm256_unpackhi_ps(r2, r3);
+  a = _mm256_shuffle_ps(t0, t2, 0x44), b = _mm256_shuffle_ps(t0, t2, 0xee);
+  c = _mm256_shuffle_ps(t1, t3, 0x44), d = _mm256_shuffle_ps(t1, t3, 0xee);
+}
+
+inline void store(Real* rows, const int* row, int stride, Lanes a, Lanes b, Lanes c, Lanes d) {
+  const __m256 t0 = _mm256_unpacklo_ps(a, b), t1 = _mm256_unpackhi_ps(a, b), t2 = _mm256_unpacklo_ps(c, d),
+               t3 = _mm256_unpackhi_ps(c, d);
+  const auto put = [&](int lane, __m256 value) {
+    _mm_store_ps(rows + stride * row[lane], _mm256_castps256_ps128(value));
+    _mm_store_ps(rows + stride * row[lane + 4], _mm256_extractf128_ps(value, 1));
+  };
+  put(0, _mm256_shuffle_ps(t0, t2, 0x44)), put(1, _mm256_shuffle_ps(t0, t2, 0xee));
+  put(2, _mm256_shuffle_ps(t1, t3, 0x44)), put(3, _mm256_shuffle_ps(t1, t3, 0xee));
+}
+
+#else
+
+inline Lanes root(Lanes a) {
+  for (int i = 0; i < lane_count; ++i) a[i] = std::sqrt(a[i]);
+  return a;
+}
+
+/// Numbers 4 k .. 4 k + 3 of a row of `stride`, of the rows named, one row a lane.
+inline void load(const Real* rows, const int* row, int stride, Lanes& a, Lanes& b, Lanes& c, Lanes& d) {
+  for (int i = 0; i < lane_count; ++i) {
+    const Real* from = rows + stride * row[i];
+    a[i] = from[0], b[i] = from[1], c[i] = from[2], d[i] = from[3];
+  }
+}
+
+inline void store(Real* rows, const int* row, int stride, Lanes a, Lanes b, Lanes c, Lanes d) {
+  for (int i = 0; i < lane_count; ++i) {
+    Real* to = rows + stride * row[i];
+    to[0] = a[i], to[1] = b[i], to[2] = c[i], to[3] = d[i];
+  }
+}
+
+#endif
+
+}  // namespace cylon::engine::pile

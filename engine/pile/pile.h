@@ -1,0 +1,17 @@
+// Many bodies, or bodies in stacks: fixed steps, contacts by sequential impulses, joints as further rows.
+#pragma once
+
+#include "engine/model.h"
+#include "engine/pile/settings.h"
+#include "engine/stepper.h"
+
+#include <memory>
+
+namespace cylon::engine {
+
+/// A stepper for any model.  Spheres and planes without joints take a path of their own, structure of arrays
+/// and eight contacts at once.  First order in dt; nothing passes through anything as long as no body moves
+/// farther than half its smallest half-width in dt / 16.
+std::unique_ptr<Stepper> make_pile(const Model&, Time dt, const PileSettings& = {});
+
+}  // namespace cylon::engine

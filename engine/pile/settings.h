@@ -1,0 +1,31 @@
+// How the pile stepper trades cost for accuracy.
+#pragma once
+
+#include "engine/vector.h"
+
+namespace cylon::engine {
+
+struct PileSettings {
+  /// Parts of a step, each with one sweep over all contacts: the iterations of other engines.  Small parts
+  /// with one sweep converge faster than one part with many sweeps (M. Macklin et al., Small steps in physics
+  /// simulation, SCA 2019).
+  int substeps = 10;
+
+  /// 0: as many as the machine has.  The result does not depend on it, bit for bit.
+  int threads = 1;
+
+  /// Share of the overlap that a step takes away, by moving bodies apart without touching their velocities.
+  Real relaxation = Real(0.2);
+
+  /// Overlap that is left alone, relative to the smaller radius or half-extent, so that resting contacts last.
+  Real slop = Real(2e-4);
+
+  /// Scenes of at most this many contact points are solved to `residual` by a direct method; larger ones by
+  /// sweeps alone.
+  int direct_points = 512;
+
+  /// Relative speed that a direct solution may leave at a contact [m/s].
+  Real residual = sizeof(Real) == 8 ? Real(1e-11) : Real(1e-5);
+};
+
+}  // namespace cylon::engine

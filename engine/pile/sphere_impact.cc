@@ -1,0 +1,83 @@
+#include "engine/pile/sphere_impact.h"
+
+#include <cmath>
+#include <limits>
+
+namespace cylon::engine::pile {
+
+Real time_of_contact(const Vector3& d, const Vector3& v, Real reach) {
+  // (v.v) t^2 + 2 (d.v) t + c = 0, c = d.d - reach^2 in the form that does not cancel
+  const Real b = d.dot(v), length = d.norm(), c = (length - reach) * (length + reach);
+  const Real root = b * b - v.squaredNorm() * c;
+  if (b >= 0 || root < 0) return -1;
+  return c <= 0 ? 0 : c / (std::sqrt(root) - b);
+}
+
+bool SphereImpacts::strike(const Approaching& pair, Spheres& spheres, Time now, Time span,
+                           std::vector<Impact>& impacts) const {
+  using Row = Eigen::Map<Vector3>;
+  const bool plane = pair.b >= spheres.count;
+  Real *va = spheres.v(pair.a), *pa = spheres.p(pair.a);
+  Real* vb = plane ? nullptr : spheres.v(pair.b);
+  const Vector3 zero = Vector3::Zero();
+  const Vector3 v_b = plane ? zero : Vector3(Row(vb)), s_b = plane ? zero : Vector3(Row(vb + 4));
+  const Vector3 v = Row(va) - v_b;
+  const Real ima = va[3], imb = plane ? 0 : vb[3], ka = va[7], kb = plane ? 0 : vb[7];
+  Vector3 n;
+  Real t = 0;
+  if (plane) {
+    const Plane& ground = planes_[static_cast<std::size_t>(pair.b - spheres.count)];
+    n = ground.normal;
+    const Real gap = n.dot(Row(pa)) - ground.offset - pa[3], approach = -n.dot(v);
+    if (approach <= 0) return false;
+    t = gap > 0 ? gap / approach : 0;
+  } else {
+    const Vector3 d = Row(pa) - Row(spheres.p(pair.b));
+    t = time_of_contact(d, v, pa[3] + spheres.p(pair.b)[3]);
+    n = d + t * v;
+    const Real length = n.norm();
+    if (!(length > 0)) return false;  // centres on each other: no direction to part in
+    n /= length;
+  }
+  if (!(t >= 0 && t <= static_cast<Real>(span))) return false;
+
+  const Vector3 u = v - (Vector3(Row(va + 4)) + s_b).cross(n);
+  const Real u_n = n.dot(v);
+  // slower than the rounding of the velocities is rest
+  if (u_n >= -16 * std::numeric_limits<Real>::epsilon() * (Row(va).norm() + v_b.norm())) return false;
+  const Real inverse = ima + imb;
+  if (inverse <= 0) return false;
+  const Real normal = -(1 + pair.material.restitution) * u_n / inverse;
+  Vector3 tangential = -(u - u_n * n) / (inverse + ka + kb);
+  const Real limit = pair.material.friction * normal, length = tangential.norm();
+  if (length > limit) tangential *= limit / length;
+  const Vector3 impulse = normal * n + tangential, turn = n.cross(tangential);
+
+  Row(va) += ima * impulse, Row(va + 4) -= ka * turn;
+  Row(pa) -= t * ima * impulse;
+  if (!plane) {
+    Row(vb) -= imb * impulse, Row(vb + 4) -= kb * turn;
+    Row(spheres.p(pair.b)) += t * imb * impulse;
+  }
+  Impact impact;
+  impact.time = now + static_cast<Time>(t);
+  impact.body = spheres.id[static_cast<std::size_t>(pair.a)];
+  if (plane)
+    impact.plane = pair.b - spheres.count;
+  else
+    impact.other = spheres.id[static_cast<std::size_t>(pair.b)];
+  impact.approach = -u_n, impact.separation = -pair.material.restitution * u_n;
+  impacts.push_back(impact);
+  return true;
+}
+
+void SphereImpacts::resolve(const std::vector<Approaching>& pairs, Spheres& spheres, Time now, Time span,
+                            std::vector<Impact>& impacts) {
+  for (int sweep = 0; sweep < 64; ++sweep) {
+    bool any = false;
+    for (const Approaching& pair : pairs) any |= strike(pair, spheres, now, span, impacts);
+    if (!any) return;
+  }
+}
+
+}  // namespace cylon::engine::pile

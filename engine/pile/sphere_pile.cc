@@ -1,0 +1,129 @@
+#include "engine/pile/sphere_pile.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cylon::engine::pile {
+namespace {
+
+constexpr int steps_between_orders = 32, most_parts = 16;
+
+int blocks_of(const Model& model) {
+  return static_cast<int>(model.bodies.size()) / SphereContacts::block_size + 1;
+}
+
+}  // namespace
+
+SpherePile::SpherePile(const Model& model, Time dt, const PileSettings& settings)
+    : model_(model),
+      dt_(dt),
+      settings_(settings),
+      threads_(settings.threads),
+      spheres_(model, blocks_of(model)),
+      contacts_(model_, threads_),
+      impacts_found_(model) {
+  for (int i = 0; i < spheres_.count; ++i) {
+    const Real r = spheres_.p(i)[3];
+    if (r > 0) smallest_ = smallest_ > 0 ? std::min(smallest_, r) : r;
+    largest_ = std::max(largest_, r);
+  }
+}
+
+std::vector<std::string> SpherePile::remarks() const {
+  if (!too_fast_) return {};
+  return {"bodies moved farther than half the smallest radius in a sixteenth of a step: they may have passed "
+          "through each other"};
+}
+
+void SpherePile::order_bodies() {
+  const std::vector<int> order = order_in_space(spheres_, largest_ > 0 ? 2 * largest_ : 1);
+  spheres_.reorder(order);
+  std::vector<int> position(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) position[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+  contacts_.reorder(position);
+}
+
+// v += g h for what can move.
+void SpherePile::set_kick(Time, Time h) {
+  for (int i = 0; i < spheres_.count; ++i) {
+    Real* kick = spheres_.kick.data() + velocity_stride * i;
+    for (int c = 0; c < 3; ++c)
+      kick[c] = spheres_.v(i)[3] > 0 ? model_.forces.gravity[c] * static_cast<Real>(h) : 0;
+  }
+}
+
+// So many that no body moves farther than half the smallest radius in a part.
+int SpherePile::parts_of_step() const {
+  Real fastest = 0;
+  for (int i = 0; i < spheres_.count; ++i) {
+    const Real* v = spheres_.v(i);
+    fastest = std::max(fastest, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  }
+  if (smallest_ == 0) return 1;
+  const Real parts = std::ceil(2 * std::sqrt(fastest) * static_cast<Real>(dt_) / smallest_);
+  return static_cast<int>(std::min(std::max(parts, Real(1)), Real(most_parts + 1)));
+}
+
+void SpherePile::step() {
+  if (steps_ % steps_between_orders == 0) order_bodies();
+  impacts_.clear();
+  int parts = parts_of_step();
+  if (parts > most_parts) parts = most_parts, too_fast_ = true;
+  for (int k = 0; k < parts; ++k)
+    advance(static_cast<Time>(steps_) * dt_ + k * dt_ / parts, dt_ / parts);
+  std::stable_sort(impacts_.begin(), impacts_.end(),
+                   [](const Impact& a, const Impact& b) { return a.time < b.time; });
+  ++steps_;
+}
+
+void SpherePile::advance(Time now, Time span) {
+  const int n = settings_.substeps;
+  const Time h = span / n;
+  set_kick(now, h);
+  contacts_.find(spheres_, span, model_.forces.gravity.norm());
+  impacts_found_.resolve(contacts_.approaching(), spheres_, now, span, impacts_);
+
+  Real* const velocity = spheres_.velocity.data();
+  Real* const before = spheres_.before.data();
+  Real* const place = spheres_.place.data();
+  const Real* const kick = spheres_.kick.data();
+  const std::size_t numbers = static_cast<std::size_t>(velocity_stride * spheres_.count);
+  const Lanes inverse_h = spread(static_cast<Real>(1 / h));
+  const Real hr = static_cast<Real>(h);
+
+  std::copy_n(velocity, spheres_.velocity.size(), before);
+  for (std::size_t k = 0; k < numbers; ++k) velocity[k] += kick[k];
+  contacts_.sweep([&](const auto& batch) { warm_start(batch, velocity); });
+  for (int part = 0; part < n; ++part) {
+    // The forces and last part's impulses again: v + (v - v_before).
+    if (part > 0) {
+      for (std::size_t k = 0; k < numbers; ++k) {
+        const Real now_v = velocity[k];
+        velocity[k] = now_v + (now_v - before[k]);
+        before[k] = now_v;
+      }
+    }
+    contacts_.sweep([&](auto& batch) { solve(batch, velocity, place, inverse_h); });
+    for (std::size_t i = 0; i < static_cast<std::size_t>(spheres_.count); ++i)
+      for (std::size_t c = 0; c < 3; ++c) place[place_stride * i + c] += hr * velocity[velocity_stride * i + c];
+  }
+  const Lanes share = spread(settings_.relaxation), slop = spread(settings_.slop * smallest_);
+  contacts_.sweep([&](auto& batch) { separate(batch, velocity, place, share, slop); });
+  contacts_.remember();
+  turn(span);
+}
+
+void SpherePile::turn(Time span) {
+  const Real h = static_cast<Real>(span);
+  for (int i = 0; i < spheres_.count; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const Real* s = spheres_.v(i) + 4;
+    const Vector3 spin = Vector3(s[0], s[1], s[2]) * spheres_.inverse_radius[k] + spheres_.free_spin[k];
+    if (spin.isZero(0)) continue;
+    Real* q = spheres_.orientation.data() + place_stride * i;
+    const Quaternion next = turned(Quaternion(q[0], q[1], q[2], q[3]), h * spin);
+    q[0] = next.w(), q[1] = next.x(), q[2] = next.y(), q[3] = next.z();
+  }
+}
+
+}  // namespace cylon::engine::pile

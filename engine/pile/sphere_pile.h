@@ -1,0 +1,43 @@
+// The stepper of a pile of spheres.
+#pragma once
+
+#include "engine/pile/settings.h"
+#include "engine/pile/sphere_contacts.h"
+#include "engine/stepper.h"
+
+namespace cylon::engine::pile {
+
+class SpherePile : public Stepper {
+ public:
+  /// Requires only_spheres(model).
+  SpherePile(const Model&, Time dt, const PileSettings&);
+
+  void step() override;
+  void read(std::vector<Motion>& motions) const override { spheres_.read(model_.bodies, motions); }
+  const std::vector<Impact>& impacts() const override { return impacts_; }
+  std::vector<std::string> remarks() const override;
+
+  /// Pairs within reach of each other in the last step.
+  std::size_t pairs() const { return contacts_.pairs(); }
+
+ private:
+  void order_bodies();
+  void set_kick(Time now, Time h);
+  int parts_of_step() const;
+  void advance(Time now, Time span);
+  void turn(Time span);
+
+  Model model_;
+  Time dt_;
+  PileSettings settings_;
+  Threads threads_;
+  Spheres spheres_;
+  SphereContacts contacts_;
+  SphereImpacts impacts_found_;
+  std::vector<Impact> impacts_;
+  long steps_ = 0;
+  Real smallest_ = 0, largest_ = 0;  // radius
+  bool too_fast_ = false;
+};
+
+}  // namespace cylon::engine::pile
