@@ -116,7 +116,7 @@ void Bodies::rates(Time t, const Real* y, Real* rate) {
   find_loads(t, motion, powers);
   if (holder_) {
     holder_->hold(t, model_.bodies, motion, kinematics_.data(), loads_.data());
-  } else if (jointed()) {
+  } else if (constrained()) {
     gather(motion);
     rows_.constrain_accelerations(model_.bodies, motion, kinematics_.data(), loads_.data());
   }
@@ -173,7 +173,10 @@ void Bodies::kick(Time t, Real h, Real* y) {
       if (body.turns) motion[i].angular_momentum += factor * loads[i].torque;
     }
   };
-  if (!reads_velocities_) {
+  if (holder_) {
+    holder_->hold(t, model_.bodies, motion, kinematics_.data(), loads_.data());
+    add(h, loads_);
+  } else if (!reads_velocities_) {
     add(h, loads_);
   } else {
     first_ = loads_;   // f(z)
@@ -251,7 +254,7 @@ void Bodies::turn_frame(Real h, Motion* motion) {
 // on them,  c(q(h)) = 0;  Newton's method with the matrix of the start.  J.-P. Ryckaert, G. Ciccotti, H.
 // Berendsen, J. Comput. Phys. 23 (1977) 327; H. Andersen, J. Comput. Phys. 52 (1983) 24 (RATTLE).
 void Bodies::drift(Real h, Real* y) {
-  if (!jointed() || h == 0) return free_drift(h, y);
+  if (!constrained() || holder_ || h == 0) return free_drift(h, y);
   constexpr int most = 60;
   std::vector<Real>& before = start_;
   before.assign(y, y + size_);
@@ -279,7 +282,7 @@ void Bodies::settle(Real* y) {
     q = std::abs(error) < Real(1e-8) ? renormalised(q) : Quaternion(q.normalized());
   }
   if (holder_) return holder_->project(model_.bodies, motion);
-  if (!jointed()) return;
+  if (!constrained()) return;
   constexpr int sweeps = 4;  // of Newton's method: each leaves the square of a drift that is small already
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     gather(motion);

@@ -42,6 +42,9 @@ class Bodies {
   /// For error control: the size of each component's kind over all bodies.
   void scales(const Real* y, Real* scale) const;
 
+  /// Whether joints are kept as constraints.
+  bool constrained() const { return !model_.joints.empty(); }
+
   const Model& model() const { return model_; }
   Model& model() { return model_; }
   static Motion* motions(Real* y) { return reinterpret_cast<Motion*>(y); }
@@ -57,7 +60,6 @@ class Bodies {
   const std::vector<Kinematics>& kinematics() const { return kinematics_; }
 
  private:
-  bool jointed() const { return !model_.joints.empty(); }
   void weigh(Time);
   void find_kinematics(const Motion*);
   void find_turning();

@@ -31,6 +31,10 @@ class Stepper {
   /// The impacts of the last step, in order of time.
   virtual const std::vector<Impact>& impacts() const = 0;
 
+  /// The work done by each force since t = 0 [J], gravity first (engine/forces.h); null where it is not
+  /// accounted.
+  virtual const Real* works() const { return nullptr; }
+
   /// What a user must know of the run so far: a tolerance that could not be kept, and why.  Empty: nothing.
   virtual std::vector<std::string> remarks() const { return {}; }
 };

@@ -1,0 +1,227 @@
+#include "engine/plan.h"
+
+#include "engine/ballistic/ballistic.h"
+#include "engine/points.h"
+#include "engine/reduce.h"
+
+#include <algorithm>
+
+namespace cylon::engine {
+
+namespace {
+
+// More bodies than this that can touch are stepped, not followed event by event.
+constexpr std::size_t most_followed = 8;
+
+std::size_t at(int body) { return static_cast<std::size_t>(body); }
+
+template <class Range, class Predicate>
+bool any(const Range& range, Predicate predicate) {
+  return std::any_of(range.begin(), range.end(), predicate);
+}
+
+bool touches(const Model& model, std::size_t body) {
+  return !model.surfaces.empty() && model.surfaces[body] != no_surface;
+}
+
+std::size_t touching_bodies(const Model& model) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) count += touches(model, i) && !model.bodies[i].locked;
+  return count;
+}
+
+// Whether every body moves as if it were alone in uniform gravity.
+bool moves_freely(const Model& model) {
+  return !can_touch(model) && model.forces.only_gravity() && model.joints.empty() && !model.frame &&
+         !any(model.bodies, [](const Body& body) { return body.mass_rate != 0; });
+}
+
+bool has_friction(const Model& model) {
+  return any(model.materials, [](const Material& m) { return m.friction > 0; });
+}
+
+bool floats(const Model& model) {
+  return any(model.forces.waters, [](const Water& w) { return w.mode == WaterMode::volume; });
+}
+
+Method method_of(const Model& model, const Options& options) {
+  const bool chosen = options.scheme != "auto";
+  if (can_touch(model) || (options.full && options.method.empty())) {
+    if (options.method == "stepping") return Method::stepping;
+    if (!chosen && !options.full && options.method.empty() && ballistic_applies(model))
+      return Method::ballistic;
+    if (options.method == "events" || touching_bodies(model) <= most_followed) return Method::events;
+    return Method::stepping;
+  }
+  if (options.full) return Method::bodies;
+  if (!chosen && !options.account && moves_freely(model)) return Method::exact;
+  if (!options.account && not_points(model).empty()) return Method::points;
+  return Method::bodies;
+}
+
+// The stages of a model, a line each.
+class Stages {
+ public:
+  Stages(const Model& model, const Options& options, const Plan& plan)
+      : model_(model), options_(options), plan_(plan) {}
+
+  std::vector<Stage> list() {
+    const Forces& f = model_.forces;
+    const bool contact = can_touch(model_);
+    freedom();
+    rotation();
+    add("gravity", !f.gravity.isZero(0), "uniform gravity acts", "no uniform gravity");
+    count("springs", f.springs.size());
+    count("drag", f.drags.size());
+    count("thrust", f.thrusts.size());
+    count("drive", f.drives.size());
+    count("attraction", f.attractions.size());
+    count("water", f.waters.size());
+    add("variable mass", any(model_.bodies, [](const Body& b) { return b.mass_rate != 0; }),
+        "a body gains or loses mass", "all masses are constant");
+    add("turning frame", model_.frame.has_value(), "the scene is given in a turning frame",
+        "the frame is inertial");
+    joints();
+    add("broad phase", broad(), "many bodies may touch: pairs come from a grid",
+        contact ? "few bodies may touch" : nothing);
+    add("detection", contact || options_.full, contact ? "surfaces may touch" : "asked for: model full",
+        nothing);
+    add("impacts", contact, "surfaces may meet", nothing);
+    add("friction", contact && has_friction(model_), "a pair of surfaces has friction",
+        contact ? "no pair of surfaces has friction" : nothing);
+    add("contact solving", contact, "contacts may last", nothing);
+    add("event location", plan_.method == Method::events || plan_.method == Method::ballistic,
+        "impacts and changes of contact are found in time, not at the end of a step",
+        plan_.method == Method::stepping ? "contacts are resolved over whole steps" : nothing);
+    add("integration", plan_.scheme != nullptr,
+        plan_.scheme ? "scheme " + std::string(plan_.scheme->name) : std::string(),
+        plan_.method == Method::stepping ? "the stepping of contacts has its own scheme"
+                                         : "the motion is in closed form");
+    add("closed form", plan_.method == Method::exact || plan_.method == Method::ballistic,
+        plan_.method == Method::exact ? "every body moves freely" : "spheres fly freely between impacts",
+        "forces, joints, contacts or the chosen scheme ask for integration");
+    add("error control", plan_.adaptive, "two runs must agree within the tolerance",
+        plan_.method == Method::stepping ? "stepping has a fixed step: its error is not bounded"
+        : plan_.scheme                   ? "the scheme has a fixed step"
+                                         : "a closed form errs by rounding");
+    return std::move(stages_);
+  }
+
+ private:
+  static constexpr const char* nothing = "nothing may touch";
+
+  void add(const char* name, bool in, const std::string& why_in, const std::string& why_out) {
+    stages_.push_back({name, in, in ? why_in : why_out});
+  }
+  void count(const char* name, std::size_t n) {
+    add(name, n > 0, std::to_string(n) + (n == 1 ? " acts" : " act"), "none in the scene");
+  }
+  bool broad() const {
+    return plan_.method == Method::stepping || (can_touch(model_) && touching_bodies(model_) > most_followed);
+  }
+
+  // 6 n - m; a locked body has none, a point 3.
+  void freedom() {
+    constexpr int taken[] = {3, 5, 1, 6};
+    int freedom = 0, points = 0, locked = 0;
+    for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
+      const bool point = model_.bodies[i].inertia.isZero(0);
+      freedom += model_.bodies[i].locked ? 0 : point ? 3 : 6;
+      points += point;
+      locked += model_.bodies[i].locked;
+    }
+    int m = 0;
+    for (const Joint& j : model_.joints) m += taken[static_cast<std::size_t>(j.type)];
+    std::string reason = std::to_string(freedom - m) + " = " + std::to_string(freedom) + " of " +
+                         std::to_string(model_.bodies.size()) + " bodies - " + std::to_string(m) +
+                         " by joints";
+    if (points > 0) reason += "; points: " + std::to_string(points);
+    if (locked > 0) reason += "; locked: " + std::to_string(locked);
+    add("degrees of freedom", true, reason, "");
+  }
+
+  void rotation() {
+    const bool turns =
+        plan_.method != Method::points &&
+        (options_.full || can_touch(model_) || !not_points(model_).empty() || model_.frame || floats(model_));
+    add("rotation", turns, options_.full ? "asked for: model full" : "bodies spin or may be turned",
+        "nothing spins and nothing turns a body");
+  }
+
+  void joints() {
+    if (model_.joints.empty()) {
+      add("reduced coordinates", false, "", "no joints");
+      add("joint constraints", false, "", "no joints");
+      return;
+    }
+    const Reduced reduced = reduce(model_);
+    std::string pinned;
+    for (const std::string& line : reduced.pinned) pinned += (pinned.empty() ? "" : ", ") + line;
+    add("reduced coordinates", !reduced.pinned.empty(), pinned, "no joint holds a body to the world alone");
+    const std::size_t kept = reduced.model.joints.size();
+    add("joint constraints", kept > 0, std::to_string(kept) + (kept == 1 ? " joint" : " joints"),
+        "reduced coordinates hold all of them");
+  }
+
+  const Model& model_;
+  const Options& options_;
+  const Plan& plan_;
+  std::vector<Stage> stages_;
+};
+
+}  // namespace
+
+const char* const method_rule =
+    "events: impacts and changes of contact are located in time, where at most 8 moving bodies can touch "
+    "anything, or where only spheres in uniform gravity move; stepping: fixed steps with impulses, where "
+    "more "
+    "can.";
+
+Real default_tolerance() { return sizeof(Real) == 8 ? Real(1e-10) : Real(1e-4); }
+
+bool can_touch(const Model& model) {
+  std::size_t moving = 0, all = 0;
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+    if (!touches(model, i)) continue;
+    ++all;
+    moving += !model.bodies[i].locked;
+  }
+  return moving > 0 && (all > 1 || !model.planes.empty());
+}
+
+std::string unsupported(const Model& model, const Options& options) {
+  const Scheme* scheme = find_scheme(options.scheme);
+  if (options.scheme != "auto" && !scheme) return "there is no scheme '" + options.scheme + "'";
+  if (options.method != "" && options.method != "events" && options.method != "stepping")
+    return "there is no method '" + options.method + "'";
+  if (scheme && !scheme->constraints && scheme->kind == Kind::splitting && !model.joints.empty() &&
+      !reduce(model).model.joints.empty()) {
+    return std::string(scheme->name) +
+           " cannot keep joints: kicks and drifts that are no composition of RATTLE steps leave them";
+  }
+  const bool stepping = can_touch(model) && method_of(model, options) == Method::stepping;
+  if (stepping && options.scheme != "auto")
+    return "stepping has its own scheme: " + options.scheme + " is for the method events";
+  if (model.frame && can_touch(model)) return "contacts in a turning frame are not modelled";
+  for (const Water& water : model.forces.waters) {
+    if (water.mode != WaterMode::volume) continue;
+    for (std::size_t i = 0; i < water.shapes.size(); ++i) {
+      if (std::holds_alternative<Capsule>(water.shapes[i]) && !model.bodies[i].locked)
+        return "the volume of a capsule below a water surface is not modelled";
+    }
+  }
+  return "";
+}
+
+Plan make_plan(const Model& model, const Options& options) {
+  Plan plan;
+  plan.method = method_of(model, options);
+  const bool closed =
+      plan.method == Method::exact || plan.method == Method::ballistic || plan.method == Method::stepping;
+  plan.adaptive = !closed && options.scheme == "auto";
+  if (!closed) plan.scheme = find_scheme(plan.adaptive ? "dop853" : options.scheme);
+  plan.stages = Stages(model, options, plan).list();
+  return plan;
+}
+
+}  // namespace cylon::engine

@@ -1,0 +1,62 @@
+// Model only what a scene requires: which stages a model needs, and why.
+#pragma once
+
+#include "engine/model.h"
+#include "engine/schemes/scheme.h"
+
+#include <string>
+#include <vector>
+
+namespace cylon::engine {
+
+/// What a run is asked to be.
+struct Options {
+  std::string scheme = "auto";  ///< A row of schemes(), or auto.
+  Time dt = 0;                  ///< Step, and grid of the samples [s], > 0.
+  Real tolerance =
+      0;  ///< auto: bound on the global error, of the scales of the motion; 0: default_tolerance.
+  std::string method;    ///< "events" or "stepping"; "": by the plan's rule.
+  bool full = false;     ///< Run every stage, needed or not.
+  bool account = false;  ///< Integrate the work of each force.
+};
+
+/// What auto promises where nobody asks: 1e-10 in double, 1e-4 in float.
+Real default_tolerance();
+
+/// How a model is carried through time.
+enum class Method {
+  exact,      ///< Every body moves freely: closed form from t = 0.
+  points,     ///< Points that nothing turns.
+  bodies,     ///< Rigid bodies without contacts.
+  ballistic,  ///< Spheres in free flight, event by event.
+  events,     ///< Contacts located in time, smooth motion between.
+  stepping    ///< Contacts by impulses over fixed steps.
+};
+
+/// One thing that an engine can do, and whether this model needs it.
+struct Stage {
+  std::string name;
+  bool in = false;
+  std::string reason;
+};
+
+struct Plan {
+  Method method = Method::bodies;
+  bool adaptive = false;           ///< Error-controlled, by two runs that must agree.
+  const Scheme* scheme = nullptr;  ///< Null where the motion is in closed form or the method has its own.
+  std::vector<Stage> stages;
+};
+
+/// In words, the rule by which `method` follows from the model.
+extern const char* const method_rule;
+
+/// Whether anything in the model can touch.
+bool can_touch(const Model&);
+
+/// Why the options do not fit the model, or "".
+std::string unsupported(const Model&, const Options&);
+
+/// Requires unsupported() to be empty.
+Plan make_plan(const Model&, const Options&);
+
+}  // namespace cylon::engine

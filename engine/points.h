@@ -1,0 +1,183 @@
+// The system of equations of points that nothing turns: positions and momenta, each component in an array of
+// its own.
+#pragma once
+
+#include "engine/model.h"
+#include "engine/system.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace cylon::engine {
+
+/// Why a model is not one of points under gravity, undamped springs between centres, drives and attraction;
+/// empty where it is.
+std::string not_points(const Model&);
+
+/// y = x, y, z of all positions, then of all momenta: 6 N Reals.  N = 0: as many as the model has; N = 1 lets
+/// the compiler unroll everything.
+template <std::size_t N>
+class Points {
+ public:
+  /// Requires not_points(model) to be empty, and N bodies where N > 0.
+  explicit Points(const Model& model) : gravity_(model.forces.gravity) {
+    const auto pin = [&](int body) { return body == fixed_world || model.bodies[at(body)].locked; };
+    const auto place = [&](int body, const Vector3& anchor) {
+      return body == fixed_world ? anchor : model.motions[at(body)].position;
+    };
+    for (const Body& body : model.bodies) {
+      mass_.push_back(body.locked ? 0 : body.mass);
+      inverse_mass_.push_back(body.inverse_mass);
+    }
+    for (const Spring& s : model.forces.springs) {
+      if (pin(s.body) && pin(s.to)) continue;
+      if (pin(s.to))
+        pins_.push_back({at(s.body), place(s.to, s.to_anchor), s.stiffness, s.rest_length});
+      else if (pin(s.body))
+        pins_.push_back({at(s.to), place(s.body, s.anchor), s.stiffness, s.rest_length});
+      else
+        links_.push_back({at(s.body), at(s.to), s.stiffness, s.rest_length});
+    }
+    for (const Drive& d : model.forces.drives) {
+      if (!pin(d.body)) drives_.push_back(d);
+    }
+    for (const Attraction& a : model.forces.attractions) {
+      const Real product = model.bodies[at(a.body)].mass * model.bodies[at(a.to)].mass;
+      pulls_.push_back({at(a.body), at(a.to), a.strength * product});
+    }
+    weight_ = !gravity_.isZero(0);
+  }
+
+  std::size_t size() const { return 6 * count(); }
+  std::size_t count() const { return N > 0 ? N : mass_.size(); }
+
+  void rates(Time t, const Real* y, Real* rate) {
+    const std::size_t n = count();
+    for (int c = 0; c < 3; ++c) {
+      const Real* k = y + (3 + c) * n;
+      Real* v = rate + c * n;
+      for (std::size_t i = 0; i < n; ++i) v[i] = inverse_mass_[i] * k[i];
+    }
+    std::fill(rate + 3 * n, rate + 6 * n, Real(0));
+    push(t, 1, y, rate + 3 * n);
+  }
+
+  void kick(Time t, Real h, Real* y) { push(t, h, y, y + 3 * count()); }
+
+  void drift(Real h, Real* y) {
+    const std::size_t n = count();
+    for (int c = 0; c < 3; ++c) {
+      Real* __restrict p = y + c * n;
+      const Real* __restrict k = y + (3 + c) * n;
+      for (std::size_t i = 0; i < n; ++i) p[i] += h * (inverse_mass_[i] * k[i]);
+    }
+  }
+
+  void settle(Real*) {}
+
+  void scales(const Real* y, Real* scale) const {
+    const std::size_t n = count();
+    Real length = 0, speed = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      length = std::max(length, point(y, n, i).norm());
+      speed = std::max(speed, inverse_mass_[i] * point(y + 3 * n, n, i).norm());
+    }
+    std::fill(scale, scale + 3 * n, length);
+    for (std::size_t i = 0; i < 3 * n; ++i) scale[3 * n + i] = mass_[i % n] * speed;
+  }
+
+  std::vector<Real> initial(const std::vector<Motion>& motions) const {
+    const std::size_t n = count();
+    std::vector<Real> y(size());
+    for (std::size_t i = 0; i < n; ++i) {
+      for (int c = 0; c < 3; ++c) {
+        y[static_cast<std::size_t>(c) * n + i] = motions[i].position[c];
+        y[static_cast<std::size_t>(3 + c) * n + i] = motions[i].momentum[c];
+      }
+    }
+    return y;
+  }
+
+  /// Overwrites positions and momenta.
+  void read(const Real* y, std::vector<Motion>& motions) const {
+    const std::size_t n = count();
+    for (std::size_t i = 0; i < n; ++i) {
+      motions[i].position = point(y, n, i);
+      motions[i].momentum = point(y + 3 * n, n, i);
+    }
+  }
+
+ private:
+  struct Pin {
+    std::size_t body;
+    Vector3 place;
+    Real stiffness, rest_length;
+  };
+  struct Link {
+    std::size_t body, to;
+    Real stiffness, rest_length;
+  };
+  struct Pull {
+    std::size_t body, to;
+    Real strength;  // G m_a m_b
+  };
+
+  static std::size_t at(int body) { return static_cast<std::size_t>(body); }
+  static Vector3 point(const Real* p, std::size_t n, std::size_t i) { return {p[i], p[n + i], p[2 * n + i]}; }
+  static void add(const Vector3& f, Real* k, std::size_t n, std::size_t i) {
+    k[i] += f.x(), k[n + i] += f.y(), k[2 * n + i] += f.z();
+  }
+
+  //  F = k (|d| - L) d/|d|
+  static Vector3 pull(const Vector3& d, Real stiffness, Real rest_length) {
+    if (rest_length == 0) return stiffness * d;
+    const Real length = d.norm();
+    return length > 0 ? Vector3(stiffness * (1 - rest_length / length) * d) : Vector3(Vector3::Zero());
+  }
+
+  // k += h F(t, p)
+  void push(Time t, Real h, const Real* y, Real* k) {
+    const std::size_t n = count();
+    if (weight_) {
+      for (int c = 0; c < 3; ++c) {
+        const Real g = h * gravity_[c];
+        for (std::size_t i = 0; i < n; ++i) k[static_cast<std::size_t>(c) * n + i] += g * mass_[i];
+      }
+    }
+    for (const Pin& s : pins_) {
+      add(h * pull(s.place - point(y, n, s.body), s.stiffness, s.rest_length), k, n, s.body);
+    }
+    for (const Link& s : links_) {
+      const Vector3 f = h * pull(point(y, n, s.to) - point(y, n, s.body), s.stiffness, s.rest_length);
+      add(f, k, n, s.body);
+      add(-f, k, n, s.to);
+    }
+    for (const Pull& s : pulls_) {
+      const Vector3 d = point(y, n, s.to) - point(y, n, s.body);
+      const Real square = d.squaredNorm();
+      if (square == 0) continue;
+      const Vector3 f = h * s.strength / (square * std::sqrt(square)) * d;
+      add(f, k, n, s.body);
+      add(-f, k, n, s.to);
+    }
+    for (const Drive& d : drives_) {
+      add(h * static_cast<Real>(std::cos(static_cast<double>(d.frequency) * t)) * d.force, k, n, at(d.body));
+    }
+  }
+
+  Vector3 gravity_;
+  bool weight_ = false;
+  std::vector<Real> mass_, inverse_mass_;
+  std::vector<Pin> pins_;
+  std::vector<Link> links_;
+  std::vector<Pull> pulls_;
+  std::vector<Drive> drives_;
+};
+
+static_assert(System<Points<0>> && System<Points<1>>);
+
+}  // namespace cylon::engine

@@ -1,0 +1,101 @@
+#include "engine/verified_stepper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <utility>
+
+namespace cylon::engine {
+
+namespace {
+
+// Below this a local tolerance is rounding.
+constexpr Real least = 100 * std::numeric_limits<Real>::epsilon();
+constexpr Real first = Real(0.1);  // of the bound: errors of single steps add up
+
+// The angle between two orientations.
+Real angle(const Quaternion& a, const Quaternion& b) {
+  const Real minus = (a.coeffs() - b.coeffs()).norm(), plus = (a.coeffs() + b.coeffs()).norm();
+  return 4 * std::asin(std::min(Real(1), std::min(minus, plus) / 2));
+}
+
+Real share(Real difference, Real scale) { return difference == 0 ? 0 : difference / scale; }
+
+}  // namespace
+
+VerifiedStepper::VerifiedStepper(MakeRun make, Real bound, const std::vector<Body>& bodies)
+    : make_(std::move(make)),
+      bound_(bound),
+      tolerance_(std::max(bound * first / 10, least)),
+      bodies_(bodies) {
+  coarse_ = make_(10 * tolerance_);
+  fine_ = make_(tolerance_);
+  fine_->read(fine_motion_);
+}
+
+void VerifiedStepper::step() {
+  coarse_->step();
+  fine_->step();
+  ++steps_;
+  for (;;) {
+    const Real error = parted();
+    const bool struck = !coarse_->impacts().empty() || !fine_->impacts().empty();
+    if (error <= bound_ || (struck && !waiting_)) {
+      waiting_ = error > bound_;
+      return;
+    }
+    if (tolerance_ <= least || missed_at_ >= 0) {
+      if (missed_at_ < 0) missed_at_ = steps_;
+      worst_ = std::max(worst_, error);
+      return;
+    }
+    tighten();
+  }
+}
+
+// The largest difference between both runs, in parts of the scales of the motion so far; NaN counts as
+// infinite.
+Real VerifiedStepper::parted() {
+  coarse_->read(coarse_motion_);
+  fine_->read(fine_motion_);
+  Real position = 0, turn = 0, speed = 0, spin = 0;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const Motion &a = fine_motion_[i], &b = coarse_motion_[i];
+    const Vector3 v_a = velocity(bodies_[i], a), v_b = velocity(bodies_[i], b);
+    const Vector3 w_a = angular_velocity(bodies_[i], a), w_b = angular_velocity(bodies_[i], b);
+    length_ = std::max(length_, a.position.norm());
+    speed_ = std::max(speed_, v_a.norm());
+    turn_ = std::max(turn_, w_a.norm());
+    position = std::max(position, (a.position - b.position).norm());
+    turn = std::max(turn, angle(a.orientation, b.orientation));
+    speed = std::max(speed, (v_a - v_b).norm());
+    spin = std::max(spin, (w_a - w_b).norm());
+  }
+  const Real error = std::max({share(position, length_), turn, share(speed, speed_), share(spin, turn_)});
+  return std::isfinite(error) ? error : std::numeric_limits<Real>::infinity();
+}
+
+// The finer run becomes the coarser one; another starts from t = 0 at a tenth of its tolerance.
+void VerifiedStepper::tighten() {
+  tolerance_ = std::max(tolerance_ / 10, least);
+  coarse_ = std::move(fine_);
+  fine_ = make_(tolerance_);
+  for (std::int64_t i = 0; i < steps_; ++i) fine_->step();
+}
+
+std::vector<std::string> VerifiedStepper::remarks() const {
+  std::vector<std::string> remarks = fine_->remarks();
+  if (missed_at_ >= 0) {
+    char text[256];
+    std::snprintf(text, sizeof text,
+                  "auto: from sample %lld on the tolerance %.1e is not reached: runs at the finest local "
+                  "tolerances part by up to %.1e of the motion's scales (chaos or conditioning)",
+                  static_cast<long long>(missed_at_), static_cast<double>(bound_),
+                  static_cast<double>(worst_));
+    remarks.emplace_back(text);
+  }
+  return remarks;
+}
+
+}  // namespace cylon::engine
