@@ -1,0 +1,94 @@
+#include "engine/ballistic/cells.h"
+
+#include <cmath>
+
+namespace cylon::engine::ballistic {
+
+namespace {
+
+constexpr std::size_t too_few = 24;   // below this a grid costs more than all pairs
+constexpr Real usual = 4;             // times the median radius: larger spheres are kept apart
+constexpr int most_cells = 160;       // along an axis
+constexpr Real margin = Real(1.001);  // cells are wider than spheres by more than rounding
+
+Real median_radius(const std::vector<Flight>& flights, const std::vector<char>& collides) {
+  std::vector<Real> radii;
+  for (std::size_t i = 0; i < flights.size(); ++i)
+    if (collides[i]) radii.push_back(flights[i].radius);
+  if (radii.empty()) return 0;
+  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+  std::nth_element(radii.begin(), middle, radii.end());
+  return *middle;
+}
+
+}  // namespace
+
+void Cells::choose_size(const std::vector<Flight>& flights, const std::vector<char>& collides, Time t) {
+  const Real largest = usual * median_radius(flights, collides);
+  Vector3 high = Vector3::Constant(-infinity);
+  low_ = -high;
+  Real radius = 0;
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < flights.size(); ++i) {
+    if (!collides[i]) continue;
+    held_[i] = flights[i].radius <= largest;
+    if (!held_[i]) {
+      large_.push_back(i);
+      continue;
+    }
+    const Vector3 p = flights[i].position_at(t);
+    low_ = low_.cwiseMin(p);
+    high = high.cwiseMax(p);
+    radius = std::max(radius, flights[i].radius);
+    ++number;
+  }
+  count_ = {1, 1, 1};
+  size_ = 1;
+  if (number < too_few) {
+    low_.setZero();
+    return;
+  }
+  const Vector3 extent = high - low_;
+  const Real least = 2 * margin * radius;
+  const Vector3 filled = extent.cwiseMax(std::max(least, extent.maxCoeff() / most_cells));
+  size_ = std::max(least, std::cbrt(filled.prod() / static_cast<Real>(number)));
+  size_ = std::max(size_, extent.maxCoeff() / most_cells);
+  if (!(size_ > 0)) size_ = 1;
+  for (std::size_t k = 0; k < 3; ++k)
+    count_[k] = static_cast<int>(std::floor(extent[static_cast<int>(k)] / size_)) + 1;
+}
+
+void Cells::build(const std::vector<Flight>& flights, const std::vector<char>& collides, Time t) {
+  cells_.assign(flights.size(), Cell{0, 0, 0});
+  held_.assign(flights.size(), 0);
+  next_.assign(flights.size(), -1);
+  previous_.assign(flights.size(), -1);
+  large_.clear();
+  choose_size(flights, collides, t);
+  heads_.assign(static_cast<std::size_t>(count_[0] * count_[1] * count_[2]), -1);
+  for (std::size_t i = 0; i < flights.size(); ++i) {
+    if (!held_[i]) continue;
+    const Vector3 p = (flights[i].position_at(t) - low_) / size_;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Real last = static_cast<Real>(count_[k] - 1);
+      cells_[i][k] = static_cast<int>(std::clamp(std::floor(p[static_cast<int>(k)]), Real(0), last));
+    }
+    link(i);
+  }
+}
+
+void Cells::link(std::size_t body) {
+  int& head = heads_[index(cells_[body])];
+  next_[body] = head;
+  previous_[body] = -1;
+  if (head >= 0) previous_[static_cast<std::size_t>(head)] = static_cast<int>(body);
+  head = static_cast<int>(body);
+}
+
+void Cells::unlink(std::size_t body) {
+  const int before = previous_[body], after = next_[body];
+  if (after >= 0) previous_[static_cast<std::size_t>(after)] = before;
+  (before >= 0 ? next_[static_cast<std::size_t>(before)] : heads_[index(cells_[body])]) = after;
+}
+
+}  // namespace cylon::engine::ballistic

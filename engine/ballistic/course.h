@@ -1,0 +1,115 @@
+// The ballistic stepper: a queue with the next event of every body, and what each event does.
+#pragma once
+
+#include "engine/ballistic/ballistic.h"
+#include "engine/ballistic/cells.h"
+#include "engine/ballistic/cluster.h"
+#include "engine/ballistic/tournament.h"
+
+#include <cstdint>
+
+namespace cylon::engine::ballistic {
+
+class Course final : public Ballistic {
+ public:
+  Course(const Model&, Time dt);
+
+  void step() override;
+  void read(std::vector<Motion>&) const override;
+  const std::vector<Impact>& impacts() const override { return impacts_; }
+  std::vector<std::string> remarks() const override;
+  const std::optional<Handover>& handover() const override { return handover_; }
+
+ private:
+  // The next thing that happens to a body: with a partner (>= 0), to its slip, or at a plane.
+  struct Next {
+    Time time;
+    int partner = nothing;
+    unsigned changes = 0;  // of the partner when this was foreseen: else it is no longer true
+  };
+  static constexpr int nothing = -1, slip_ends = -2, first_plane = -3;  // plane k: first_plane - k
+
+  struct Crossing {
+    Time time;
+    std::uint8_t axis = 0;
+    std::int8_t step = 0;
+  };
+
+  struct Burst {  // impacts of a body at one instant
+    Time time = -1;
+    std::size_t impacts = 0;
+  };
+
+  // Foreseeing: predict.cc
+  void foresee_all();
+  void foresee(std::size_t body);
+  void foresee_crossing(std::size_t body);
+  void consider(std::size_t body, std::size_t other);
+  void consider(std::size_t body, Time time, int partner, unsigned changes);
+  void enqueue(std::size_t body);
+  void cross(std::size_t body);
+  void renew_cells();
+
+  // Events: course.cc
+  void settle_at_start();
+  void run_until(Time);
+  void meet_plane(std::size_t body, std::size_t plane);
+  void meet(std::size_t a, std::size_t b);
+  void end_slip(std::size_t body);
+  void renewed(std::size_t body);
+
+  // Several contacts at one instant: at_once.cc
+  bool strike_all(std::size_t a, std::size_t b);
+  int join(std::size_t body);
+  void gather(std::size_t body);
+  void gather_plane(std::size_t body, std::size_t plane);
+  void gather_pair(std::size_t body, std::size_t other);
+
+  // What an event does to a body: settle.cc
+  Side side(std::size_t body) const;
+  void take(std::size_t body, const Side&, Real speed);
+  void rest_on(std::size_t body, std::size_t plane, bool slips);
+  void fly(std::size_t body);
+  bool collapses(Real separation, Real restitution, Real pressing) const;
+  bool hit_without_end(std::size_t body);
+  void record(std::size_t body, int other, int plane, Real approach, Real separation);
+  void hand_over(const std::string& reason);
+  void read_at(Time, std::vector<Motion>&) const;
+
+  Time shortest() const;
+  const Material& material(std::size_t a, std::size_t b) const {
+    return model_.material(surfaces_[a], surfaces_[b]);
+  }
+  const Material& plane_material(std::size_t body, std::size_t plane) const {
+    return model_.material(surfaces_[body], model_.plane_surfaces[plane]);
+  }
+
+  Model model_;
+  Time dt_, now_ = 0;
+  std::int64_t steps_ = 0;
+  bool starting_ = true;
+
+  std::vector<int> surfaces_;
+  std::vector<char> collides_;
+  std::vector<Flight> flights_;
+  std::vector<Turning> turnings_;
+  std::vector<Time> slip_ends_;
+  std::vector<Next> next_;
+  std::vector<Crossing> crossings_;
+  std::vector<Burst> bursts_;
+  std::vector<int> last_partner_;
+  std::size_t crossed_ = 0;
+  bool gridded_ = false;
+  Cells cells_;
+  Tournament queue_;
+
+  std::vector<Touch> touches_;  // of the cluster at hand
+  std::vector<Side> sides_;
+  std::vector<std::size_t> members_;
+  std::vector<int> place_in_cluster_;
+
+  std::vector<Impact> impacts_;
+  std::optional<Handover> handover_;
+};
+
+}  // namespace cylon::engine::ballistic

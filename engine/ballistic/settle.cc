@@ -1,0 +1,102 @@
+// What an event leaves behind: the new motion of a body, its record, or the end of what is known here.
+#include "engine/ballistic/course.h"
+#include "engine/ballistic/encounter.h"
+#include "engine/ballistic/support.h"
+
+namespace cylon::engine::ballistic {
+
+namespace {
+
+constexpr Time ulp = std::numeric_limits<Time>::epsilon();
+
+}  // namespace
+
+Side Course::side(std::size_t body) const {
+  const Body& b = model_.bodies[body];
+  Side result;
+  if (b.locked) return result;
+  result.inverse_mass = b.inverse_mass;
+  result.inverse_inertia = b.inverse_moments[1];
+  result.radius = result.inverse_inertia > 0 ? flights_[body].radius : 0;
+  result.velocity = flights_[body].velocity;
+  result.angular_momentum = turnings_[body].angular_momentum_at(now_);
+  return result;
+}
+
+void Course::take(std::size_t body, const Side& side, Real speed) {
+  if (model_.bodies[body].locked) return;
+  Flight& flight = flights_[body];
+  flight.velocity = side.velocity;
+  ++flight.changes;
+  Turning& turning = turnings_[body];
+  if (side.angular_momentum != turning.angular_momentum || !turning.torque.isZero(0)) {
+    advance(model_.bodies[body], turning, now_);
+    turning.angular_momentum = side.angular_momentum;
+  }
+  if (flight.support == in_flight) return;
+  const Real away = model_.planes[static_cast<std::size_t>(flight.support)].normal.dot(flight.velocity);
+  if (std::abs(away) <= 4 * rounding * speed)
+    rest_on(body, static_cast<std::size_t>(flight.support), true);
+  else
+    fly(body);
+}
+
+void Course::fly(std::size_t body) {
+  flights_[body].support = in_flight;
+  flights_[body].acceleration = model_.forces.gravity;
+  turnings_[body].torque.setZero();
+}
+
+void Course::rest_on(std::size_t body, std::size_t k, bool slips) {
+  Flight& flight = flights_[body];
+  Turning& turning = turnings_[body];
+  const Plane& plane = model_.planes[k];
+  advance(model_.bodies[body], turning, now_);
+  flight.velocity -= plane.normal.dot(flight.velocity) * plane.normal;
+  flight.position -= gap(flight, plane) * plane.normal;
+  flight.support = static_cast<int>(k);
+  ++flight.changes;
+  const Supported motion = on_plane(side(body), model_.bodies[body].mass, plane.normal, model_.forces.gravity,
+                                    plane_material(body, k).friction, slips);
+  flight.acceleration = motion.acceleration;
+  turning.torque = motion.torque;
+  slip_ends_[body] = now_ + motion.slip_ends;
+  if (!motion.straight)
+    hand_over("body " + std::to_string(body) + " slides with friction across the slope of plane " +
+              std::to_string(k));
+}
+
+// Further bounces last 2 s (1 + e + e^2 + ...) / a = 2 s / (a (1 - e)) after a separation speed s.
+bool Course::collapses(Real separation, Real restitution, Real pressing) const {
+  if (pressing <= 0) return false;
+  return static_cast<Time>(2 * separation) <= shortest() * static_cast<Time>(pressing * (1 - restitution));
+}
+
+Time Course::shortest() const { return std::max(1e-9 * dt_, 16 * ulp * now_); }
+
+bool Course::hit_without_end(std::size_t body) {
+  Burst& burst = bursts_[body];
+  if (!(now_ - burst.time <= 16 * ulp * now_)) burst = {now_, 0};
+  if (++burst.impacts <= 1000 + flights_.size()) return false;
+  hand_over("body " + std::to_string(body) + " is hit without end at one instant");
+  return true;
+}
+
+void Course::record(std::size_t body, int other, int plane, Real approach, Real separation) {
+  impacts_.push_back({now_, static_cast<int>(body), other, plane, approach, separation});
+}
+
+void Course::hand_over(const std::string& reason) {
+  if (handover_) return;
+  handover_.emplace();
+  handover_->time = now_;
+  handover_->reason = reason;
+}
+
+std::vector<std::string> Course::remarks() const {
+  if (!handover_) return {};
+  return {"event-by-event motion ended at t = " + std::to_string(handover_->time) +
+          " s: " + handover_->reason};
+}
+
+}  // namespace cylon::engine::ballistic
