@@ -232,7 +232,7 @@ void Bodies::free_drift(Real h, Real* y) {
       m.position += h * velocity(body, m);
     }
     if (body.turns)
-      m.orientation = free_rotation(body, m.orientation, m.angular_momentum, h, Splitting::strang);
+      m.orientation = free_flow(body, m.orientation, m.angular_momentum, h);
   }
   if (varies_) *clock += h;
   if (model_.frame) turn_frame(h, motion);

@@ -13,8 +13,6 @@ namespace {
 // More bodies than this that can touch are stepped, not followed event by event.
 constexpr std::size_t most_followed = 8;
 
-std::size_t at(int body) { return static_cast<std::size_t>(body); }
-
 template <class Range, class Predicate>
 bool any(const Range& range, Predicate predicate) {
   return std::any_of(range.begin(), range.end(), predicate);

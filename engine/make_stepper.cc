@@ -1,0 +1,70 @@
+#include "engine/make_stepper.h"
+
+#include "engine/ballistic/ballistic.h"
+#include "engine/bodies.h"
+#include "engine/free_stepper.h"
+#include "engine/pile/pile.h"
+#include "engine/points.h"
+#include "engine/reduce.h"
+#include "engine/smooth_stepper.h"
+
+#include <utility>
+
+namespace cylon::engine {
+
+namespace {
+
+// Smooth motion of a System by a scheme, fixed or adaptive with a local tolerance.
+template <class S, class Read>
+std::unique_ptr<Stepper> smooth(const S& system, const std::vector<Real>& initial, const Plan& plan,
+                                const Options& options, Read read, const Model& model) {
+  static_cast<void>(model);
+  const Scheme& scheme = plan.adaptive ? *find_scheme("rk8") : *plan.scheme;
+  return std::make_unique<SmoothStepper<S, Read>>(system, initial, scheme, options.dt, read);
+}
+
+template <std::size_t N>
+std::unique_ptr<Stepper> make_points(const Model& model, const Plan& plan, const Options& options) {
+  const Points<N> system(model);
+  const auto read = [start = model.motions](const Points<N>& s, const Real* y, std::vector<Motion>& motions) {
+    motions = start;
+    s.read(y, motions);
+  };
+  return smooth(system, system.initial(model.motions), plan, options, read, model);
+}
+
+std::unique_ptr<Stepper> make_bodies(const Model& model, const Plan& plan, const Options& options) {
+  Reduced reduced = reduce(model);
+  const Bodies system(std::move(reduced.model), options.account);
+  const auto read = [readings = std::move(reduced.readings)](const Bodies& s, const Real* y,
+                                                             std::vector<Motion>& motions) {
+    motions.resize(readings.size());
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+      motions[i] = engine::read(s.model().bodies[i], readings[i], Bodies::motions(y)[i]);
+    }
+  };
+  return smooth(system, system.initial(), plan, options, read, model);
+}
+
+}  // namespace
+
+std::unique_ptr<Stepper> make_stepper(const Model& model, const Options& options, const Plan& plan, Time) {
+  switch (plan.method) {
+    case Method::exact:
+      return std::make_unique<FreeStepper>(model, options.dt);
+    case Method::points:
+      return model.bodies.size() == 1 ? make_points<1>(model, plan, options)
+                                      : make_points<0>(model, plan, options);
+    case Method::bodies:
+      return make_bodies(model, plan, options);
+    case Method::ballistic:
+      return make_ballistic(model, options.dt);
+    case Method::events:
+      return make_events(model, options, plan, start);
+    case Method::stepping:
+      return make_pile(model, options.dt);
+  }
+  return nullptr;
+}
+
+}  // namespace cylon::engine

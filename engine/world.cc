@@ -1,0 +1,54 @@
+#include "engine/world.h"
+
+#include "engine/ballistic/ballistic.h"
+#include "engine/make_stepper.h"
+
+#include <cassert>
+#include <utility>
+
+namespace cylon::engine {
+
+World::World(Model model, const Options& options)
+    : model_(std::move(model)), options_(options), plan_(make_plan(model_, options_)) {
+  assert(options_.dt > 0 && unsupported(model_, options_).empty());
+  stepper_ = make_stepper(model_, options_, plan_);
+  if (plan_.method == Method::ballistic) {
+    ballistic_ = static_cast<Ballistic*>(stepper_.get());
+    if (ballistic_->handover()) hand_over();
+  }
+  motions_ = model_.motions;
+}
+
+World::~World() = default;
+
+void World::step() {
+  stepper_->step();
+  if (ballistic_ && ballistic_->handover()) {
+    hand_over();
+    stepper_->step();
+  }
+  ++steps_;
+  stepper_->read(motions_);
+}
+
+// What spheres in free flight cannot express goes on event by event, from the instant at which it begins.
+void World::hand_over() {
+  const Handover from = *ballistic_->handover();
+  ballistic_ = nullptr;
+  Model model = model_;
+  model.motions = from.motions;
+  Options options = options_;
+  options.method = "events";
+  const Plan plan = make_plan(model, options);
+  stepper_ = make_stepper(model, options, plan, from.time);
+  remarks_.push_back("closed form until t = " + std::to_string(from.time) +
+                     " s, then by events: " + from.reason);
+}
+
+std::vector<std::string> World::remarks() const {
+  std::vector<std::string> all = remarks_;
+  for (std::string& remark : stepper_->remarks()) all.push_back(std::move(remark));
+  return all;
+}
+
+}  // namespace cylon::engine
