@@ -33,6 +33,12 @@ std::size_t length(const S& s) {
     return static_cast<std::size_t>(s.size());
 }
 
+/// Small systems whose length the compiler knows are written into each scheme whole.
+template <System S>
+inline constexpr bool is_small = requires {
+  S::fixed_size;
+};
+
 /// Steps by row `Row` of the table.  Each is written out by the compiler with its coefficients as constants.
 template <System S, std::size_t Row>
 struct Steps {
@@ -139,6 +145,12 @@ struct Steps {
   }
 };
 
+/// `function` with all that it calls written out in one, so that a small state stays in registers.
+template <class S, auto function>
+[[gnu::flatten]] void flat(S& s, Time t, Time h, Real* y, std::size_t steps, Real* work) {
+  function(s, t, h, y, steps, work);
+}
+
 /// Carries the state of a System over fixed steps.  Holds the memory that its scheme needs.
 template <System S>
 class Advance {
@@ -167,12 +179,16 @@ class Advance {
     Function free = nullptr, constrained = nullptr;
   };
 
+  template <auto function>
+  static constexpr Function chosen = is_small<S> ? &flat<S, function> : function;
+
   template <std::size_t Row>
   static constexpr Pair pair() {
+    using Step = Steps<S, Row>;
     if constexpr (scheme_table[Row].kind == Kind::runge_kutta)
-      return {&Steps<S, Row>::runge_kutta, &Steps<S, Row>::runge_kutta};
+      return {chosen<&Step::runge_kutta>, chosen<&Step::runge_kutta>};
     else if constexpr (scheme_table[Row].kind == Kind::splitting)
-      return {&Steps<S, Row>::splitting, &Steps<S, Row>::rattle};
+      return {chosen<&Step::splitting>, &Step::rattle};
     else
       return {};
   }
