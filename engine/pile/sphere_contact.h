@@ -15,22 +15,26 @@ namespace cylon::engine::pile {
 inline constexpr int velocity_stride = 8, place_stride = 4;
 
 struct PairBatch {
+  static constexpr bool plane = false;
   Lanes3 normal;
   Lanes mass, tangent_mass, friction;
   Lanes impulse;     ///< Along the normal, of one part of the step [N s].
   Lanes3 tangential;  ///< [N s]
   int a[lane_count], b[lane_count];
-  int pair[lane_count];  ///< Where its impulses are kept for the next step.
+  int pair[lane_count];  ///< Row where its impulses are kept for the next step.
+  int old[lane_count];   ///< Row where those of the step before are; 0: none.
 };
 
 struct PlaneBatch {
+  static constexpr bool plane = true;
   Lanes3 normal;
   Lanes offset;  ///< Of the plane [m].
   Lanes mass, tangent_mass, friction;
   Lanes impulse;
   Lanes3 tangential;
-  int a[lane_count];
+  int a[lane_count], b[lane_count];  ///< b: index of the plane.
   int pair[lane_count];
+  int old[lane_count];
 };
 
 /// One body a lane.
@@ -40,11 +44,11 @@ struct Movers {
   Lanes3 s;
   Lanes inverse_inertia;
 
-  void load(const Real* rows, const int* row) {
+  [[gnu::always_inline]] void load(const Real* rows, const int* row) {
     pile::load(rows, row, velocity_stride, v.x, v.y, v.z, inverse_mass);
     pile::load(rows + 4, row, velocity_stride, s.x, s.y, s.z, inverse_inertia);
   }
-  void store(Real* rows, const int* row) const {
+  [[gnu::always_inline]] void store(Real* rows, const int* row) const {
     pile::store(rows, row, velocity_stride, v.x, v.y, v.z, inverse_mass);
     pile::store(rows + 4, row, velocity_stride, s.x, s.y, s.z, inverse_inertia);
   }
@@ -54,7 +58,7 @@ struct Places {
   Lanes3 p;
   Lanes radius;
 
-  void load(const Real* rows, const int* row) {
+  [[gnu::always_inline]] void load(const Real* rows, const int* row) {
     pile::load(rows, row, place_stride, p.x, p.y, p.z, radius);
   }
 };
@@ -62,7 +66,7 @@ struct Places {
 /// The impulse that ends the approach: normal part >= 0, tangential part within the cone |J_t| <= friction J_n.
 ///   u_n >= -max(gap, 0)/h: a gap may close within the part of the step, h, but not more.
 template <class Batch>
-Lanes3 impulse_change(Batch& c, const Lanes3& u, Lanes gap, Lanes inverse_h) {
+[[gnu::always_inline]] inline Lanes3 impulse_change(Batch& c, const Lanes3& u, Lanes gap, Lanes inverse_h) {
   const Lanes zero{};
   const Lanes u_n = dot(c.normal, u);
   const Lanes normal = larger(c.impulse - c.mass * (u_n + larger(gap, zero) * inverse_h), zero);
@@ -77,31 +81,31 @@ Lanes3 impulse_change(Batch& c, const Lanes3& u, Lanes gap, Lanes inverse_h) {
   return result;
 }
 
-inline void push(Movers& a, Movers& b, const Lanes3& n, const Lanes3& j) {
+[[gnu::always_inline]] inline void push(Movers& a, Movers& b, const Lanes3& n, const Lanes3& j) {
   const Lanes3 turn = cross(n, j);
   a.v = a.v + a.inverse_mass * j, a.s = a.s - a.inverse_inertia * turn;
   b.v = b.v - b.inverse_mass * j, b.s = b.s - b.inverse_inertia * turn;
 }
 
-inline void push(Movers& a, const Lanes3& n, const Lanes3& j) {
+[[gnu::always_inline]] inline void push(Movers& a, const Lanes3& n, const Lanes3& j) {
   a.v = a.v + a.inverse_mass * j, a.s = a.s - a.inverse_inertia * cross(n, j);
 }
 
-inline void warm_start(const PairBatch& c, Real* velocities) {
+[[gnu::always_inline]] inline void warm_start(const PairBatch& c, Real* velocities) {
   Movers a, b;
   a.load(velocities, c.a), b.load(velocities, c.b);
   push(a, b, c.normal, c.impulse * c.normal + c.tangential);
   a.store(velocities, c.a), b.store(velocities, c.b);
 }
 
-inline void warm_start(const PlaneBatch& c, Real* velocities) {
+[[gnu::always_inline]] inline void warm_start(const PlaneBatch& c, Real* velocities) {
   Movers a;
   a.load(velocities, c.a);
   push(a, c.normal, c.impulse * c.normal + c.tangential);
   a.store(velocities, c.a);
 }
 
-inline void solve(PairBatch& c, Real* velocities, const Real* places, Lanes inverse_h) {
+[[gnu::always_inline]] inline void solve(PairBatch& c, Real* velocities, const Real* places, Lanes inverse_h) {
   Movers a, b;
   Places at, bt;
   a.load(velocities, c.a), b.load(velocities, c.b);
@@ -112,7 +116,7 @@ inline void solve(PairBatch& c, Real* velocities, const Real* places, Lanes inve
   a.store(velocities, c.a), b.store(velocities, c.b);
 }
 
-inline void solve(PlaneBatch& c, Real* velocities, const Real* places, Lanes inverse_h) {
+[[gnu::always_inline]] inline void solve(PlaneBatch& c, Real* velocities, const Real* places, Lanes inverse_h) {
   Movers a;
   Places at;
   a.load(velocities, c.a), at.load(places, c.a);
@@ -124,7 +128,7 @@ inline void solve(PlaneBatch& c, Real* velocities, const Real* places, Lanes inv
 
 /// Moves overlapping bodies apart by a share of what exceeds `slop`, the lighter one farther; the common
 /// centre of mass stays, velocities too.
-inline void separate(const PairBatch& c, const Real* velocities, Real* places, Lanes share, Lanes slop) {
+[[gnu::always_inline]] inline void separate(const PairBatch& c, const Real* velocities, Real* places, Lanes share, Lanes slop) {
   Movers a, b;
   Places at, bt;
   at.load(places, c.a), bt.load(places, c.b);
@@ -138,7 +142,7 @@ inline void separate(const PairBatch& c, const Real* velocities, Real* places, L
   store(places, c.b, place_stride, bt.p.x, bt.p.y, bt.p.z, bt.radius);
 }
 
-inline void separate(const PlaneBatch& c, const Real*, Real* places, Lanes share, Lanes slop) {
+[[gnu::always_inline]] inline void separate(const PlaneBatch& c, const Real*, Real* places, Lanes share, Lanes slop) {
   Places at;
   at.load(places, c.a);
   const Lanes depth = at.radius + c.offset - dot(c.normal, at.p) - slop;

@@ -13,18 +13,16 @@ void set_lane(Lanes3& lanes, int lane, const Vector3& value) {
   lanes.x[lane] = value[0], lanes.y[lane] = value[1], lanes.z[lane] = value[2];
 }
 
-// Lanes without a contact act on a row of zeros, one for each block.
 template <class Batch>
-void pad(Batch& batch, int used, int spare) {
-  for (int lane = used; lane < lane_count; ++lane) {
-    set_lane(batch.normal, lane, Vector3::Zero()), set_lane(batch.tangential, lane, Vector3::Zero());
-    batch.mass[lane] = batch.tangent_mass[lane] = batch.friction[lane] = batch.impulse[lane] = 0;
-    batch.a[lane] = spare, batch.pair[lane] = 0;
-    if constexpr (requires { batch.b; })
-      batch.b[lane] = spare;
-    else
-      batch.offset[lane] = 0;
-  }
+void put(Batch& batch, int lane, int a, int b, int pair, int old) {
+  batch.a[lane] = a, batch.b[lane] = b, batch.pair[lane] = pair, batch.old[lane] = old;
+}
+
+template <class Mask>
+bool any(const Mask& mask) {
+  std::int64_t parts[sizeof(Mask) / 8];
+  __builtin_memcpy(parts, &mask, sizeof mask);
+  return (parts[0] | parts[1] | parts[2] | parts[3]) != 0;
 }
 
 }  // namespace
@@ -40,6 +38,9 @@ SphereContacts::SphereContacts(const Model& model, Threads& threads) : model_(mo
     block.start.assign(static_cast<std::size_t>(block.last - block.first + 1), 0);
     block.old_start = block.start;
   }
+  for (const Plane& plane : model.planes)
+    planes_.insert(planes_.end(), {plane.normal[0], plane.normal[1], plane.normal[2], plane.offset});
+  impulses_.assign(4, 0), old_impulses_.assign(4, 0);  // row 0: none
   for (const Material& material : model.materials) bounces_ |= material.restitution > 0;
 }
 
@@ -58,10 +59,10 @@ void SphereContacts::find(const Spheres& spheres, Time span, Real gravity) {
   grid_.build(spheres, reach_);
   threads_.for_each(blocks_.size(), 1, [&](std::size_t k) { find_pairs(spheres, blocks_[k]); });
   std::swap(impulses_, old_impulses_);
-  int total = 0;
+  int total = 1 + static_cast<int>(blocks_.size());
   for (Block& block : blocks_) {
     block.base = total;
-    total += static_cast<int>(block.other.size());
+    total += block.start.back();
   }
   impulses_.resize(4 * static_cast<std::size_t>(total));
   threads_.for_each(blocks_.size(), 1, [&](std::size_t k) { pack(spheres, blocks_[k]); });
@@ -74,102 +75,129 @@ void SphereContacts::find(const Spheres& spheres, Time span, Real gravity) {
 void SphereContacts::find_pairs(const Spheres& spheres, Block& block) {
   std::swap(block.start, block.old_start), std::swap(block.other, block.old_other);
   block.old_base = block.base;
-  block.other.clear();
+  std::size_t found = 0;
   for (int i = block.first; i < block.last; ++i) {
-    block.start[static_cast<std::size_t>(i - block.first)] = static_cast<int>(block.other.size());
+    block.start[static_cast<std::size_t>(i - block.first)] = static_cast<int>(found);
     const Real* p = spheres.p(i);
     const Real reach = reach_[static_cast<std::size_t>(i)];
     if (reach < 0) continue;
-    grid_.near(i, p, reach, [&](int j) { block.other.push_back(j); });
+    const std::size_t room = found + static_cast<std::size_t>(grid_.most()) + model_.planes.size();
+    if (block.other.size() < room) block.other.resize(2 * room);
+    found += static_cast<std::size_t>(grid_.near(i, p, reach, block.other.data() + found));
     for (std::size_t k = 0; k < model_.planes.size(); ++k) {
-      const Plane& plane = model_.planes[k];
-      if (plane.normal.dot(Row(p)) - plane.offset < reach && model_.plane_surfaces[k] != no_surface)
-        block.other.push_back(spheres.count + static_cast<int>(k));
+      const Real* plane = planes_.data() + 4 * k;
+      block.other[found] = spheres.count + static_cast<int>(k);
+      found += plane[0] * p[0] + plane[1] * p[1] + plane[2] * p[2] - plane[3] < reach &&
+               model_.plane_surfaces[k] != no_surface;
     }
   }
-  block.start.back() = static_cast<int>(block.other.size());
+  block.start.back() = static_cast<int>(found);
 }
 
-const Real* SphereContacts::old_impulse(const Block& block, int a, int b) const {
-  const auto k = static_cast<std::size_t>(a - block.first);
-  for (int pair = block.old_start[k]; pair < block.old_start[k + 1]; ++pair)
-    if (block.old_other[static_cast<std::size_t>(pair)] == b)
-      return old_impulses_.data() + 4 * (block.old_base + pair);
-  return nullptr;
+const Material& SphereContacts::material(const Spheres& spheres, int a, int b, bool plane) const {
+  const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
+  return model_.material(spheres.surface[i], plane ? model_.plane_surfaces[j] : spheres.surface[j]);
 }
 
+// Normals, masses and impulses of a batch whose bodies are known.  Lanes without a contact act on a row of
+// zeros, one for each block.
 template <class Batch>
-void SphereContacts::set(const Spheres& spheres, const Block& block, const Found& found, Batch& batch, int lane,
-                         std::vector<Approaching>& approaching) {
-  constexpr bool plane = !requires { batch.b; };
-  const Real *va = spheres.v(found.a), *pa = spheres.p(found.a);
+void SphereContacts::prepare(const Spheres& spheres, Batch& batch, int used, int spare,
+                             std::vector<Approaching>& approaching) {
+  for (int lane = used; lane < lane_count; ++lane) 
+    put(batch, lane, spare, Batch::plane ? 0 : spare, 1 + spare - spheres.count, 0);
   const Real h = static_cast<Real>(span_);
-  const int surface = spheres.surface[static_cast<std::size_t>(found.a)];
-  Vector3 n, v = Row(va);
-  Real gap, inverse = va[3], spin_inverse = va[7];
-  const Material* material;
-  if constexpr (plane) {
-    const auto k = static_cast<std::size_t>(found.b - spheres.count);
-    n = model_.planes[k].normal;
-    gap = n.dot(Row(pa)) - model_.planes[k].offset - pa[3];
-    batch.offset[lane] = model_.planes[k].offset;
-    material = &model_.material(surface, model_.plane_surfaces[k]);
+  const Lanes zero{};
+  Movers a, b{};
+  Places at, bt{};
+  Lanes gap, reach;
+  a.load(spheres.velocity.data(), batch.a), at.load(spheres.place.data(), batch.a);
+  Lanes3 d{};
+  if constexpr (Batch::plane) {
+    pile::load(planes_.data(), batch.b, 4, batch.normal.x, batch.normal.y, batch.normal.z, batch.offset);
+    gap = dot(batch.normal, at.p) - batch.offset - at.radius;
+    reach = at.radius;
   } else {
-    const Real *vb = spheres.v(found.b), *pb = spheres.p(found.b);
-    v -= Row(vb);
-    inverse += vb[3], spin_inverse += vb[7];
-    const Vector3 d = Row(pa) - Row(pb);
-    const Real length = d.norm(), reach = pa[3] + pb[3];
+    b.load(spheres.velocity.data(), batch.b), bt.load(spheres.place.data(), batch.b);
+    d = at.p - bt.p;
+    const Lanes length = root(dot(d, d));
+    reach = at.radius + bt.radius;
     gap = length - reach;
-    n = length > 0 ? Vector3(d / length) : Vector3(Real(0.36), Real(0.8), Real(0.48));  // any unit vector
-    // The direction in which they will touch, or pass each other, where they move far within the step.
-    if (gap > 0 && v.squaredNorm() * h * h > reach * reach / 4096) {
-      Real t = time_of_contact(d, v, reach);
-      if (t < 0) t = std::max(Real(0), -d.dot(v) / v.squaredNorm());
-      n = (d + std::min(t, h) * v).normalized();
-    }
-    material = &model_.material(surface, spheres.surface[static_cast<std::size_t>(found.b)]);
-    batch.b[lane] = found.b;
+    const auto apart = length > zero;  // else any unit vector
+    batch.normal = {apart ? d.x / length : spread(Real(0.36)), apart ? d.y / length : spread(Real(0.8)),
+                    apart ? d.z / length : spread(Real(0.48))};
   }
-  const Real u_n = n.dot(v), e = material->restitution;
-  if ((bounces_ && e > 0) || (gap > 0 && gap + u_n * h < 0 && u_n < -2 * gravity_ * h))
-    approaching.push_back({found.a, found.b, *material});
+  const Lanes3 v = a.v - b.v;
+  const Lanes inverse = a.inverse_mass + b.inverse_mass,
+              all = inverse + (a.inverse_inertia + b.inverse_inertia);
+  batch.mass = inverse > zero ? 1 / inverse : zero;
+  batch.tangent_mass = all > zero ? 1 / all : zero;
 
-  batch.a[lane] = found.a;
-  batch.pair[lane] = block.base + found.pair;
-  batch.mass[lane] = inverse > 0 ? 1 / inverse : 0;
-  batch.tangent_mass[lane] = inverse + spin_inverse > 0 ? 1 / (inverse + spin_inverse) : 0;
-  batch.friction[lane] = material->friction;
-  const Real* old = old_impulse(block, found.a, found.b);
-  batch.impulse[lane] = old ? old[0] : 0;
-  Vector3 tangential = old ? Vector3(Row(old + 1)) : Vector3(Vector3::Zero());
-  tangential -= n.dot(tangential) * n;
-  set_lane(batch.normal, lane, n), set_lane(batch.tangential, lane, tangential);
-  set_lane(batch.normal, lane, n);
+  if constexpr (!Batch::plane) {
+    // The direction in which they will touch, or pass each other, where they move far within the step.
+    const auto moving = (gap > zero) & (dot(v, v) * (h * h) > reach * reach * Real(1. / 4096));
+    if (any(moving))
+      for (int lane = 0; lane < used; ++lane) {
+        if (!moving[lane]) continue;
+        const Vector3 from(d.x[lane], d.y[lane], d.z[lane]), by(v.x[lane], v.y[lane], v.z[lane]);
+        Real t = time_of_contact(from, by, reach[lane]);
+        if (t < 0) t = std::max(Real(0), -from.dot(by) / by.squaredNorm());
+        set_lane(batch.normal, lane, (from + std::min(t, h) * by).normalized());
+      }
+  }
+  const Lanes u_n = dot(batch.normal, v);
+  const auto near = (gap > zero) & (gap + u_n * h < zero) & (u_n < spread(-2 * gravity_ * h));
+  if (bounces_ || any(near))
+    for (int lane = 0; lane < used; ++lane) {
+      const Material& pair = material(spheres, batch.a[lane], batch.b[lane], Batch::plane);
+      if (near[lane] || pair.restitution > 0)
+        approaching.push_back({batch.a[lane], batch.b[lane] + (Batch::plane ? spheres.count : 0), pair});
+    }
+
+  if (model_.surface_count == 1)
+    batch.friction = spread(model_.materials[0].friction);
+  else
+    for (int lane = 0; lane < lane_count; ++lane)
+      batch.friction[lane] =
+          lane < used ? material(spheres, batch.a[lane], batch.b[lane], Batch::plane).friction : 0;
+  Lanes3 t;
+  pile::load(old_impulses_.data(), batch.old, 4, batch.impulse, t.x, t.y, t.z);
+  batch.tangential = t - dot(batch.normal, t) * batch.normal;
 }
 
 void SphereContacts::pack(const Spheres& spheres, Block& block) {
   thread_local Window<PairBatch> pairs;
   thread_local Window<PlaneBatch> planes;
   block.pairs.clear(), block.planes.clear(), block.border.clear(), block.approaching.clear();
-  const int size = block.last - block.first, spare = spheres.count + static_cast<int>(&block - blocks_.data());
-  pairs.start(static_cast<std::size_t>(size)), planes.start(static_cast<std::size_t>(size));
+  const int spare = spheres.count + static_cast<int>(&block - blocks_.data());
   const auto finish = [&](auto& to) {
-    return [&to, spare](auto& batch, int used) { pad(batch, used, spare), to.push_back(batch); };
+    return [&](auto& batch, int used) {
+      prepare(spheres, batch, used, spare, block.approaching);
+      to.push_back(batch);
+    };
   };
+  pairs.start(static_cast<std::size_t>(block.last - block.first));
+  planes.start(static_cast<std::size_t>(block.last - block.first));
   for (int i = block.first; i < block.last; ++i) {
     const auto k = static_cast<std::size_t>(i - block.first);
+    const int old_first = block.old_start[k], old_last = block.old_start[k + 1];
+    int old = old_first;  // pairs mostly come in the order of the step before
     for (int pair = block.start[k]; pair < block.start[k + 1]; ++pair) {
-      const Found found{i, block.other[static_cast<std::size_t>(pair)], pair};
-      const auto fill = [&](auto& batch, int lane) {
-        set(spheres, block, found, batch, lane, block.approaching);
-      };
-      if (found.b >= spheres.count)
-        planes.add(i - block.first, -1, fill, finish(block.planes));
-      else if (spheres.v(i)[3] + spheres.v(found.b)[3] == 0)
-        continue;
-      else if (found.b < block.last)
-        pairs.add(i - block.first, found.b - block.first, fill, finish(block.pairs));
+      const int other = block.other[static_cast<std::size_t>(pair)];
+      int row = 0;
+      for (int tries = old_last - old_first; tries > 0 && row == 0; --tries) {
+        if (block.old_other[static_cast<std::size_t>(old)] == other) row = block.old_base + old;
+        if (++old == old_last) old = old_first;
+      }
+      const Found found{i, other, block.base + pair, row};
+      if (other >= spheres.count)
+        planes.add(i - block.first, -1,
+                   [&](auto& batch, int lane) { put(batch, lane, i, other - spheres.count, found.pair, row); },
+                   finish(block.planes));
+      else if (other < block.last)
+        pairs.add(i - block.first, other - block.first,
+                  [&](auto& batch, int lane) { put(batch, lane, i, other, found.pair, row); },
+                  finish(block.pairs));
       else
         block.border.push_back(found);
     }
@@ -184,13 +212,17 @@ void SphereContacts::pack_border(const Spheres& spheres) {
   std::array<int, 64> used{};  // lanes in use in the last batch of each colour
   for (auto& colour : colours_) colour.clear();
   rest_.clear();
-  const auto finish = [&](PairBatch& batch, int lanes) { pad(batch, lanes, spare), rest_.push_back(batch); };
+  std::vector<Approaching>& approaching = blocks_[0].approaching;
+  const auto finish = [&](PairBatch& batch, int lanes) {
+    prepare(spheres, batch, lanes, spare, approaching);
+    rest_.push_back(batch);
+  };
   for (Block& block : blocks_)
     for (const Found& found : block.border) {
       const auto a = static_cast<std::size_t>(found.a), b = static_cast<std::size_t>(found.b);
       const auto colour = static_cast<std::size_t>(std::countr_one(colours_of_[a] | colours_of_[b]));
       const auto fill = [&](PairBatch& batch, int lane) {
-        set(spheres, block, found, batch, lane, block.approaching);
+        put(batch, lane, found.a, found.b, found.pair, found.old);
       };
       if (colour == 64) {
         rest_window_.add(found.a, found.b, fill, finish);
@@ -199,20 +231,20 @@ void SphereContacts::pack_border(const Spheres& spheres) {
       colours_of_[a] |= std::uint64_t{1} << colour, colours_of_[b] |= std::uint64_t{1} << colour;
       if (used[colour] == 0) colours_[colour].emplace_back();
       fill(colours_[colour].back(), used[colour]);
-      used[colour] = (used[colour] + 1) % lane_count;
+      if (++used[colour] == lane_count) {
+        prepare(spheres, colours_[colour].back(), lane_count, spare, approaching);
+        used[colour] = 0;
+      }
     }
   for (std::size_t colour = 0; colour < 64; ++colour)
-    if (used[colour] > 0) pad(colours_[colour].back(), used[colour], spare);
+    if (used[colour] > 0) prepare(spheres, colours_[colour].back(), used[colour], spare, approaching);
   rest_window_.flush(finish);
 }
 
 void SphereContacts::remember() {
   sweep([&](const auto& batch) {
-    for (int lane = 0; lane < lane_count && batch.mass[lane] > 0; ++lane) {
-      Real* to = impulses_.data() + 4 * batch.pair[lane];
-      to[0] = batch.impulse[lane], to[1] = batch.tangential.x[lane];
-      to[2] = batch.tangential.y[lane], to[3] = batch.tangential.z[lane];
-    }
+    store(impulses_.data(), batch.pair, 4, batch.impulse, batch.tangential.x, batch.tangential.y,
+          batch.tangential.z);
   });
 }
 
@@ -238,15 +270,16 @@ void SphereContacts::reorder(const std::vector<int>& position) {
       }
   std::stable_sort(kept.begin(), kept.end(), [](const Kept& x, const Kept& y) { return x.a < y.a; });
   std::size_t next = 0;
+  const int first_row = 1 + static_cast<int>(blocks_.size());
   for (Block& block : blocks_) {
-    block.base = static_cast<int>(next);
+    block.base = first_row + static_cast<int>(next);
     block.other.clear();
     for (int i = block.first; i < block.last; ++i) {
       block.start[static_cast<std::size_t>(i - block.first)] = static_cast<int>(block.other.size());
       for (; next < kept.size() && kept[next].a == i; ++next) {
         block.other.push_back(kept[next].b);
         std::copy(kept[next].impulse.begin(), kept[next].impulse.end(),
-                  impulses_.begin() + 4 * static_cast<std::ptrdiff_t>(next));
+                  impulses_.begin() + 4 * (first_row + static_cast<std::ptrdiff_t>(next)));
       }
     }
     block.start.back() = static_cast<int>(block.other.size());

@@ -44,15 +44,17 @@ class SphereContacts {
   /// The bodies were put in another order; position[i]: where body i went.
   void reorder(const std::vector<int>& position);
 
-  std::size_t pairs() const { return impulses_.size() / 4; }
+  std::size_t pairs() const { return impulses_.size() / 4 - 1 - blocks_.size(); }
 
  private:
   struct Found {
-    int a, b, pair;
+    int a, b;
+    int pair, old;  // rows of the impulses, of this step and of the one before
   };
   struct Block {
     int first = 0, last = 0, base = 0;
-    std::vector<int> start, other;          // the pairs of body i: other[start[i - first]] ...
+    // The pairs of body i: other[start[i - first]] ...; planes come after the last body.
+    std::vector<int> start, other;
     std::vector<int> old_start, old_other;  // of the step before
     int old_base = 0;
     std::vector<PairBatch> pairs;
@@ -65,10 +67,11 @@ class SphereContacts {
   void pack(const Spheres&, Block&);
   void pack_border(const Spheres&);
   template <class Batch>
-  void set(const Spheres&, const Block&, const Found&, Batch&, int lane, std::vector<Approaching>&);
-  const Real* old_impulse(const Block&, int a, int b) const;
+  void prepare(const Spheres&, Batch&, int used, int spare, std::vector<Approaching>&);
+  const Material& material(const Spheres&, int a, int b, bool plane) const;
 
   const Model& model_;
+  Aligned<Real> planes_;  // rows (normal, offset)
   Threads& threads_;
   Time span_ = 0;
   Real gravity_ = 0;
@@ -80,7 +83,7 @@ class SphereContacts {
   std::vector<PairBatch> rest_;  // of bodies with more than 64 contacts across blocks
   std::vector<std::uint64_t> colours_of_;
   Window<PairBatch> rest_window_;
-  Aligned<Real> impulses_, old_impulses_;  // rows (normal, tangential)
+  Aligned<Real> impulses_, old_impulses_;  // rows (normal, tangential); none, empty lanes, pairs
   std::vector<Approaching> approaching_;
 };
 

@@ -36,7 +36,7 @@ void SphereGrid::build(const Spheres& spheres, const std::vector<Real>& reach) {
   for (int c = 0; c < 3; ++c) size_[c] = std::max(1, static_cast<int>(cells[c]));
 
   start_.assign(static_cast<std::size_t>(size_[0] * size_[1] * size_[2] + 1), 0);
-  cell_.resize(count), index_.resize(count);
+  cell_.resize(count), index_.resize(count + lane_count);
   for (Aligned<Real>* values : {&x_, &y_, &z_, &reach_}) values->resize(count + lane_count);
   for (int i = 0; i < n; ++i) {
     const auto k = static_cast<std::size_t>(i);
@@ -45,6 +45,7 @@ void SphereGrid::build(const Spheres& spheres, const std::vector<Real>& reach) {
     cell_[k] = (cell(2, p[2]) * size_[1] + cell(1, p[1])) * size_[0] + cell(0, p[0]);
     ++start_[static_cast<std::size_t>(cell_[k])];
   }
+  fullest_ = *std::max_element(start_.begin(), start_.end());
   int total = 0;
   for (int& start : start_) start = std::exchange(total, total + start);
   for (int i = 0; i < n; ++i) {

@@ -15,19 +15,24 @@ class SphereGrid {
   /// never near.
   void build(const Spheres&, const std::vector<Real>& reach);
 
-  /// Calls f(j) for every j > i that is near i, in an order that only the positions decide.
-  template <class F>
-  void near(int i, const Real* place, Real reach, F&& f) const {
-    if (reach < 0) return;
+  /// Writes every j > i that is near i to `found`, which must have room for most() of them; returns their
+  /// number.  The order is that of the cells.
+  int near(int i, const Real* place, Real reach, int* found) const {
+    if (reach < 0) return 0;
     const int x = cell(0, place[0]), y = cell(1, place[1]), z = cell(2, place[2]);
     const int x_low = std::max(x - 1, 0), x_high = std::min(x + 1, size_[0] - 1);
+    int n = 0;
     for (int k = std::max(z - 1, 0); k <= std::min(z + 1, size_[2] - 1); ++k)
       for (int j = std::max(y - 1, 0); j <= std::min(y + 1, size_[1] - 1); ++j) {
         const int row = (k * size_[1] + j) * size_[0];
-        row_of_cells(i, place, reach, start_[static_cast<std::size_t>(row + x_low)],
-                     start_[static_cast<std::size_t>(row + x_high + 1)], f);
+        n += row_of_cells(i, place, reach, start_[static_cast<std::size_t>(row + x_low)],
+                          start_[static_cast<std::size_t>(row + x_high + 1)], found + n);
       }
+    return n;
   }
+
+  /// Room that near() may need: as it writes first and counts then, a little more than it finds.
+  int most() const { return 27 * fullest_ + lane_count; }
 
  private:
   int cell(int axis, Real at) const {
@@ -35,8 +40,9 @@ class SphereGrid {
     return k > 0 ? static_cast<int>(std::min(k, static_cast<Real>(size_[axis] - 1))) : 0;
   }
 
-  template <class F>
-  void row_of_cells(int i, const Real* place, Real reach, int from, int to, F&& f) const {
+  // Writes without branching: which of the candidates are near is anybody's guess.
+  int row_of_cells(int i, const Real* place, Real reach, int from, int to, int* found) const {
+    int n = 0;
     for (int k = from; k < to; k += lane_count) {
       const auto at = [&](const Aligned<Real>& values) {
         Lanes lanes;
@@ -44,25 +50,16 @@ class SphereGrid {
         return lanes;
       };
       const Lanes x = at(x_) - place[0], y = at(y_) - place[1], z = at(z_) - place[2], r = at(reach_) + reach;
-      const Lanes excess = x * x + y * y + z * z - r * r;
-#if defined(__AVX__) && defined(CYLON_ENGINE_FLOAT)
-      unsigned bits = static_cast<unsigned>(_mm256_movemask_ps(excess));
-#elif defined(__AVX__)
-      unsigned bits = static_cast<unsigned>(_mm256_movemask_pd(excess));
-#else
-      unsigned bits = 0;
-      for (int lane = 0; lane < lane_count; ++lane) bits |= static_cast<unsigned>(excess[lane] < 0) << lane;
-#endif
-      bits &= to - k < lane_count ? (1u << (to - k)) - 1 : ~0u;
-      for (; bits != 0; bits &= bits - 1) {
-        const int j = index_[static_cast<std::size_t>(k + __builtin_ctz(bits))];
-        if (j > i) f(j);
-      }
+      const auto near = x * x + y * y + z * z < r * r;
+      const int left = std::min(to - k, lane_count);
+      n += take_later(signs(near) & ((1u << left) - 1), index_.data() + k, i, found + n);
     }
+    return n;
   }
 
   Real low_[3] = {}, inverse_size_ = 1;
   int size_[3] = {1, 1, 1};
+  int fullest_ = 0;  // bodies in the fullest cell
   std::vector<int> start_, cell_, index_;
   Aligned<Real> x_, y_, z_, reach_;
 };

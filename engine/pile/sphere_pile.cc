@@ -27,6 +27,7 @@ SpherePile::SpherePile(const Model& model, Time dt, const PileSettings& settings
     if (r > 0) smallest_ = smallest_ > 0 ? std::min(smallest_, r) : r;
     largest_ = std::max(largest_, r);
   }
+  set_kick();
 }
 
 std::vector<std::string> SpherePile::remarks() const {
@@ -43,13 +44,12 @@ void SpherePile::order_bodies() {
   contacts_.reorder(position);
 }
 
-// v += g h for what can move.
-void SpherePile::set_kick(Time, Time h) {
-  for (int i = 0; i < spheres_.count; ++i) {
-    Real* kick = spheres_.kick.data() + velocity_stride * i;
+// g for what can move.
+void SpherePile::set_kick() {
+  for (int i = 0; i < spheres_.count; ++i)
     for (int c = 0; c < 3; ++c)
-      kick[c] = spheres_.v(i)[3] > 0 ? model_.forces.gravity[c] * static_cast<Real>(h) : 0;
-  }
+      spheres_.kick[static_cast<std::size_t>(velocity_stride * i + c)] =
+          spheres_.v(i)[3] > 0 ? model_.forces.gravity[c] : 0;
 }
 
 // So many that no body moves farther than half the smallest radius in a part.
@@ -79,7 +79,6 @@ void SpherePile::step() {
 void SpherePile::advance(Time now, Time span) {
   const int n = settings_.substeps;
   const Time h = span / n;
-  set_kick(now, h);
   contacts_.find(spheres_, span, model_.forces.gravity.norm());
   impacts_found_.resolve(contacts_.approaching(), spheres_, now, span, impacts_);
 
@@ -92,25 +91,33 @@ void SpherePile::advance(Time now, Time span) {
   const Real hr = static_cast<Real>(h);
 
   std::copy_n(velocity, spheres_.velocity.size(), before);
-  for (std::size_t k = 0; k < numbers; ++k) velocity[k] += kick[k];
+  for (std::size_t k = 0; k < numbers; ++k) velocity[k] += hr * kick[k];
   contacts_.sweep([&](const auto& batch) { warm_start(batch, velocity); });
   for (int part = 0; part < n; ++part) {
-    // The forces and last part's impulses again: v + (v - v_before).
-    if (part > 0) {
-      for (std::size_t k = 0; k < numbers; ++k) {
-        const Real now_v = velocity[k];
-        velocity[k] = now_v + (now_v - before[k]);
-        before[k] = now_v;
-      }
-    }
     contacts_.sweep([&](auto& batch) { solve(batch, velocity, place, inverse_h); });
-    for (std::size_t i = 0; i < static_cast<std::size_t>(spheres_.count); ++i)
-      for (std::size_t c = 0; c < 3; ++c) place[place_stride * i + c] += hr * velocity[velocity_stride * i + c];
+    drift(hr, part + 1 < n);
   }
   const Lanes share = spread(settings_.relaxation), slop = spread(settings_.slop * smallest_);
   contacts_.sweep([&](auto& batch) { separate(batch, velocity, place, share, slop); });
   contacts_.remember();
   turn(span);
+}
+
+// p += h v; then, for the next part, the forces and this part's impulses again: v += v - v_before.
+void SpherePile::drift(Real h, bool again) {
+  using Row = Real __attribute__((vector_size(4 * sizeof(Real))));
+  auto* const place = reinterpret_cast<Row*>(spheres_.place.data());
+  auto* const velocity = reinterpret_cast<Row*>(spheres_.velocity.data());
+  auto* const before = reinterpret_cast<Row*>(spheres_.before.data());
+  const Row hs = {h, h, h, 0};
+  const auto count = static_cast<std::size_t>(spheres_.count);
+  for (std::size_t i = 0; i < count; ++i) place[i] += hs * velocity[2 * i];
+  if (!again) return;
+  for (std::size_t k = 0; k < 2 * count; ++k) {
+    const Row now = velocity[k];
+    velocity[k] = now + (now - before[k]);
+    before[k] = now;
+  }
 }
 
 void SpherePile::turn(Time span) {

@@ -22,9 +22,10 @@ class SpherePile : public Stepper {
 
  private:
   void order_bodies();
-  void set_kick(Time now, Time h);
+  void set_kick();
   int parts_of_step() const;
   void advance(Time now, Time span);
+  void drift(Real h, bool again);
   void turn(Time span);
 
   Model model_;

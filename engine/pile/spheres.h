@@ -17,7 +17,7 @@ struct Spheres {
   int count = 0;
   Aligned<Real> velocity;     ///< (v, 1/m, r w, r^2/I), and `spare` rows of zeros for empty lanes.
   Aligned<Real> before;       ///< The velocities at the start of the part of the step, the same rows.
-  Aligned<Real> kick;         ///< What the forces add to a velocity row within a part of the step.
+  Aligned<Real> kick;         ///< What the forces add to a velocity row, per second.
   Aligned<Real> place;        ///< (p, r)
   Aligned<Real> orientation;  ///< (w, x, y, z)
   std::vector<Real> inverse_radius;
