@@ -1,0 +1,326 @@
+#include "engine/contact/coulomb.h"
+
+#include "engine/contact/coulomb_point.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cylon::engine {
+
+namespace {
+
+constexpr Real ulp = std::numeric_limits<Real>::epsilon();
+
+Eigen::Index at(std::size_t point) { return 3 * static_cast<Eigen::Index>(point); }
+
+// A pivot below this part of the largest follows from the others: 1e-11 in double, 1e-5 in float, which is
+// rounding times the condition of a well-posed contact (redundant ones stay at rounding itself).
+Real dependent() { return std::pow(ulp, Real(0.7)); }
+
+// Rounding of f and u: the largest of each point's terms, with room for the sums over all points.
+struct Rounding {
+  VectorX force, rate;  // per point
+};
+
+Rounding rounding(const CoulombProblem& p, const VectorX& f) {
+  const std::size_t k = p.friction.size();
+  Rounding r{VectorX::Zero(static_cast<Eigen::Index>(k)), VectorX::Zero(static_cast<Eigen::Index>(k))};
+  const Real scale = 512 * ulp;
+  Real largest = 0;
+  for (std::size_t i = 0; i < k; ++i) {
+    const auto rows = p.response.middleRows<3>(at(i));
+    const Real u = rows.cwiseAbs().rowwise().sum().maxCoeff() * (f.size() ? f.cwiseAbs().maxCoeff() : 0) +
+                   p.offset.segment<3>(at(i)).norm();
+    r.rate[static_cast<Eigen::Index>(i)] = scale * u;
+    const Real a = p.response.diagonal().segment<3>(at(i)).maxCoeff();
+    if (a > 0) largest = std::max({largest, p.offset.segment<3>(at(i)).norm() / a, f.segment<3>(at(i)).norm()});
+  }
+  r.force.setConstant(scale * largest);
+  return r;
+}
+
+// One scale per pair, so that bodies of very unlike masses meet the same thresholds: f = S f^, A^ = S A S.
+VectorX scales(const CoulombProblem& p) {
+  const std::size_t k = p.friction.size();
+  VectorX s = VectorX::Ones(3 * static_cast<Eigen::Index>(k));
+  for (std::size_t i = 0; i < k; ++i) {
+    Real sum = 0;
+    int count = 0;
+    for (std::size_t j = 0; j < k; ++j) {
+      if (p.pair[j] != p.pair[i]) continue;
+      sum += p.response.diagonal().segment<3>(at(j)).mean();
+      ++count;
+    }
+    if (sum > 0) s.segment<3>(at(i)).setConstant(1 / std::sqrt(sum / static_cast<Real>(count)));
+  }
+  return s;
+}
+
+// f = B x with the equations E (A f + q) = 0, one per unknown; least |x| when the tangential unknowns of point
+// i are measured in units of share_i.
+VectorX least_norm(const CoulombProblem& p, const std::vector<Hold>& hold, const VectorX& share) {
+  const Eigen::Index size = p.offset.size();
+  Eigen::Index unknowns = 0;
+  for (const Hold& h : hold) unknowns += h.grip == Grip::sticks ? 3 : h.grip == Grip::slides ? 1 : 0;
+  VectorX force = VectorX::Zero(size);
+  if (unknowns == 0) return force;
+  MatrixX basis = MatrixX::Zero(size, unknowns), equations = MatrixX::Zero(unknowns, size);
+  Eigen::Index column = 0;
+  for (std::size_t i = 0; i < hold.size(); ++i) {
+    if (hold[i].grip == Grip::parts) continue;
+    basis(at(i), column) = 1;
+    equations(column, at(i)) = 1;
+    if (hold[i].grip == Grip::slides) {
+      basis.col(column).segment<2>(at(i) + 1) = -p.friction[i] * hold[i].slip;
+      ++column;
+      continue;
+    }
+    for (Eigen::Index t = 1; t < 3; ++t) {
+      basis(at(i) + t, column + t) = share[static_cast<Eigen::Index>(i)];
+      equations(column + t, at(i) + t) = 1;
+    }
+    column += 3;
+  }
+  const MatrixX system = equations * p.response * basis;
+  const VectorX wanted = -(equations * p.offset);
+  Eigen::CompleteOrthogonalDecomposition<MatrixX> decomposition;
+  decomposition.setThreshold(dependent());
+  decomposition.compute(system);
+  VectorX x = decomposition.solve(wanted);
+  x += decomposition.solve(VectorX(wanted - system * x));  // one refinement: rounding only is left
+  return basis * x;
+}
+
+Vector2 direction(const Vector2& u) {
+  const Real length = u.norm();
+  return length > 0 ? Vector2(u / length) : Vector2(Vector2::Zero());
+}
+
+// For points that slide in a direction that is sought, f_t + mu f_n u_t/|u_t| = 0 is solved together with the
+// rest by Newton's method, J = d(residual)/df; f is improved in place, and the directions with it.
+bool polish(const CoulombProblem& p, std::vector<Hold>& hold, VectorX& f) {
+  const Eigen::Index size = p.offset.size();
+  bool sought = false;
+  for (std::size_t i = 0; i < hold.size(); ++i) {
+    sought = sought || (hold[i].grip == Grip::slides && !hold[i].given && p.friction[i] > 0);
+  }
+  if (!sought) return true;
+  for (int iteration = 0; iteration < 20; ++iteration) {
+    const VectorX u = p.response * f + p.offset;
+    VectorX residual = VectorX::Zero(size);
+    MatrixX jacobian = MatrixX::Zero(size, size);
+    for (std::size_t i = 0; i < hold.size(); ++i) {
+      const Eigen::Index n = at(i);
+      Hold& h = hold[i];
+      if (h.grip == Grip::parts) {
+        residual.segment<3>(n) = f.segment<3>(n);
+        jacobian.block<3, 3>(n, n).setIdentity();
+        continue;
+      }
+      residual[n] = u[n];
+      jacobian.row(n) = p.response.row(n);
+      if (h.grip == Grip::sticks) {
+        residual.segment<2>(n + 1) = u.segment<2>(n + 1);
+        jacobian.middleRows<2>(n + 1) = p.response.middleRows<2>(n + 1);
+        continue;
+      }
+      const Vector2 slip = u.segment<2>(n + 1);
+      const Real speed = slip.norm();
+      if (!h.given && p.friction[i] > 0) {
+        if (!(speed > 0)) return false;
+        h.slip = slip / speed;
+        const Eigen::Matrix<Real, 2, 2> turn =
+            (Eigen::Matrix<Real, 2, 2>::Identity() - h.slip * h.slip.transpose()) / speed;
+        jacobian.middleRows<2>(n + 1) = p.friction[i] * f[n] * turn * p.response.middleRows<2>(n + 1);
+      }
+      residual.segment<2>(n + 1) = f.segment<2>(n + 1) + p.friction[i] * f[n] * h.slip;
+      jacobian.block<2, 1>(n + 1, n) += p.friction[i] * h.slip;
+      jacobian.block<2, 2>(n + 1, n + 1) += Eigen::Matrix<Real, 2, 2>::Identity();
+    }
+    Eigen::CompleteOrthogonalDecomposition<MatrixX> decomposition;
+    decomposition.setThreshold(dependent());
+    decomposition.compute(jacobian);
+    const VectorX change = decomposition.solve(residual);
+    f -= change;
+    if (!(change.norm() <= 16 * ulp * f.norm())) continue;
+    return true;
+  }
+  return false;
+}
+
+// Takes back, one by one, points that would pull; takes in those that would be entered.  Ends after a fixed
+// number of changes.
+bool choose_pressed(const CoulombProblem& p, std::vector<Hold>& hold, VectorX& f) {
+  const std::vector<Hold> wanted = hold;
+  for (std::size_t change = 0; change < 8 * hold.size() + 8; ++change) {
+    f = held_force(p, hold);
+    const Rounding r = rounding(p, f);
+    std::size_t worst = hold.size();
+    Real most = 0;
+    for (std::size_t i = 0; i < hold.size(); ++i) {
+      if (hold[i].grip == Grip::parts) continue;
+      const Real pull = -f[at(i)] - r.force[static_cast<Eigen::Index>(i)];
+      if (pull > most) most = pull, worst = i;
+    }
+    if (worst < hold.size()) {
+      hold[worst].grip = Grip::parts;
+      continue;
+    }
+    const VectorX u = p.response * f + p.offset;
+    for (std::size_t i = 0; i < hold.size(); ++i) {
+      if (hold[i].grip != Grip::parts) continue;
+      const Real enters = -u[at(i)] - r.rate[static_cast<Eigen::Index>(i)];
+      if (enters > most) most = enters, worst = i;
+    }
+    if (worst == hold.size()) return true;
+    hold[worst] = wanted[worst];
+  }
+  return false;
+}
+
+// Gauss-Seidel over the points, each solved exactly with the others' forces as they are.
+bool sweep(const CoulombProblem& p, int sweeps, VectorX& f, std::vector<Hold>& hold) {
+  for (int n = 0; n < sweeps; ++n) {
+    Real change = 0;
+    for (std::size_t i = 0; i < hold.size(); ++i) {
+      const Matrix3 a = p.response.block<3, 3>(at(i), at(i));
+      const Vector3 old = f.segment<3>(at(i));
+      const Vector3 q = p.response.middleRows<3>(at(i)) * f - a * old + p.offset.segment<3>(at(i));
+      const PointForce now = solve_point(a, q, p.friction[i], hold[i].given ? p.hold[i] : Hold{});
+      f.segment<3>(at(i)) = now.force;
+      hold[i] = now.hold;
+      change = std::max(change, (now.force - old).norm());
+    }
+    if (change <= 4 * ulp * f.norm()) return true;
+  }
+  return false;
+}
+
+// What the forces and velocities of an iteration that has not ended say about the holds.
+std::vector<Hold> read_holds(const CoulombProblem& p, const VectorX& f, Real nearly, bool press_when_in_doubt) {
+  const VectorX u = p.response * f + p.offset;
+  const Real f_scale = f.norm(), u_scale = p.offset.norm();
+  std::vector<Hold> hold(p.friction.size());
+  for (std::size_t i = 0; i < hold.size(); ++i) {
+    hold[i].given = p.hold[i].given;
+    const Real f_n = f[at(i)];
+    const bool presses = press_when_in_doubt ? u[at(i)] <= nearly * u_scale : f_n > nearly * f_scale;
+    if (!presses) {
+      hold[i].grip = Grip::parts;
+    } else if (hold[i].given) {
+      hold[i].grip = Grip::slides;
+      hold[i].slip = p.hold[i].slip;
+    } else if (p.friction[i] == 0) {
+      hold[i].grip = Grip::slides;
+    } else {
+      const Vector2 slip = u.segment<2>(at(i) + 1);
+      hold[i].grip = slip.norm() > nearly * u_scale ? Grip::slides : Grip::sticks;
+      if (hold[i].grip == Grip::slides) hold[i].slip = direction(slip);
+    }
+  }
+  return hold;
+}
+
+bool try_holds(const CoulombProblem& p, std::vector<Hold> hold, VectorX f, CoulombSolution& solution) {
+  if (!polish(p, hold, f)) return false;
+  const VectorX even = held_force(p, hold);
+  const bool even_obeys = obeys(p, hold, even);
+  if (!even_obeys && !obeys(p, hold, f)) return false;
+  solution.force = even_obeys ? even : f;
+  solution.hold = hold;
+  return true;
+}
+
+CoulombSolution solve_scaled(const CoulombProblem& p) {
+  CoulombSolution solution;
+  solution.hold = p.hold;
+  for (std::size_t i = 0; i < p.hold.size(); ++i) {
+    if (!p.hold[i].given) solution.hold[i] = Hold{p.friction[i] > 0 ? Grip::sticks : Grip::slides};
+  }
+  // First guess: all that touches holds.
+  std::vector<Hold> hold = solution.hold;
+  VectorX f;
+  solution.exact = choose_pressed(p, hold, f) && obeys(p, hold, f);
+  if (solution.exact) {
+    solution.force = f;
+    solution.hold = hold;
+    return solution;
+  }
+  VectorX swept = VectorX::Zero(p.offset.size());
+  for (const int sweeps : {40, 200, 1000, 4000}) {
+    const bool settled = sweep(p, sweeps, swept, solution.hold);
+    for (const Real nearly : {Real(1e-3), Real(1e-5), std::sqrt(ulp), std::pow(ulp, Real(0.75))}) {
+      for (const bool press : {true, false}) {
+        solution.exact = try_holds(p, read_holds(p, swept, nearly, press), swept, solution);
+        if (solution.exact) return solution;
+      }
+    }
+    if (settled) break;
+  }
+  solution.force = swept;
+  solution.exact = obeys(p, solution.hold, swept);
+  return solution;
+}
+
+}  // namespace
+
+VectorX held_force(const CoulombProblem& p, const std::vector<Hold>& hold) {
+  const Eigen::Index k = static_cast<Eigen::Index>(hold.size());
+  VectorX share = VectorX::Ones(k);
+  VectorX f = least_norm(p, hold, share);
+  const bool sticks = std::any_of(hold.begin(), hold.end(), [](const Hold& h) { return h.grip == Grip::sticks; });
+  for (int pass = 0; sticks && k > 1 && pass < 3; ++pass) {
+    Real mean = 0;
+    for (Eigen::Index i = 0; i < k; ++i) mean += std::max<Real>(0, f[3 * i]) / static_cast<Real>(k);
+    if (!(mean > 0)) break;
+    for (Eigen::Index i = 0; i < k; ++i) {
+      share[i] = std::sqrt(std::clamp<Real>(f[3 * i] / mean, Real(1e-4), Real(1e4)));
+    }
+    f = least_norm(p, hold, share);
+  }
+  return f;
+}
+
+bool obeys(const CoulombProblem& p, const std::vector<Hold>& hold, const VectorX& f) {
+  if (!f.allFinite()) return false;
+  const VectorX u = p.response * f + p.offset;
+  const Rounding r = rounding(p, f);
+  for (std::size_t i = 0; i < hold.size(); ++i) {
+    const Real f_n = f[at(i)], u_n = u[at(i)];
+    const Real f_small = r.force[static_cast<Eigen::Index>(i)], u_small = r.rate[static_cast<Eigen::Index>(i)];
+    const Vector2 f_t = f.segment<2>(at(i) + 1), u_t = u.segment<2>(at(i) + 1);
+    const Real edge = p.friction[i] * f_n;
+    if (f_n < -f_small || u_n < -u_small) return false;
+    switch (hold[i].grip) {
+      case Grip::parts:
+        if (f.segment<3>(at(i)).norm() > f_small) return false;
+        break;
+      case Grip::sticks:
+        if (std::abs(u_n) > u_small || u_t.norm() > u_small || f_t.norm() > edge + f_small) return false;
+        break;
+      case Grip::slides: {
+        if (std::abs(u_n) > u_small || (f_t + edge * hold[i].slip).norm() > (1 + p.friction[i]) * f_small) {
+          return false;
+        }
+        const bool against = (u_t - u_t.norm() * hold[i].slip).norm() <= 2 * u_small;
+        if (!hold[i].given && p.friction[i] > 0 && !against) return false;
+        break;
+      }
+    }
+  }
+  return true;
+}
+
+CoulombSolution solve(const CoulombProblem& p) {
+  const VectorX s = scales(p);
+  CoulombProblem scaled = p;
+  scaled.response = s.asDiagonal() * p.response * s.asDiagonal();
+  scaled.offset = s.cwiseProduct(p.offset);
+  CoulombSolution solution = solve_scaled(scaled);
+  solution.force = s.cwiseProduct(solution.force);
+  solution.rate = p.response * solution.force + p.offset;
+  return solution;
+}
+
+}  // namespace cylon::engine

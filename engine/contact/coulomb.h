@@ -1,0 +1,66 @@
+// Unilateral contact with Coulomb's law at several points at once, as algebra: forces and accelerations, or
+// impulses and velocities.  Knows nothing of bodies.
+//
+// Each point has three coordinates: normal n, and tangents s, t.  With u = A f + q, A symmetric and positive
+// semidefinite, Coulomb's law in the cone (not a pyramid) reads, point by point,
+//   f_n >= 0,  u_n >= 0,  f_n u_n = 0,
+//   |f_t| <= mu f_n,  and  f_t = -mu f_n u_t/|u_t|  where u_t does not vanish.
+// Signorini's and Coulomb's conditions as in J. J. Moreau, Unilateral contact and dry friction in finite
+// freedom dynamics (1988), section 6-9.
+#pragma once
+
+#include "engine/vector.h"
+
+#include <Eigen/Dense>
+
+#include <vector>
+
+namespace cylon::engine {
+
+using MatrixX = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+using VectorX = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+using Vector2 = Eigen::Matrix<Real, 2, 1>;
+
+enum class Grip {
+  parts,   ///< No force.
+  slides,  ///< f_t = -mu f_n d, d the unit direction of slip.
+  sticks   ///< u_t = 0.
+};
+
+/// What holds at one point: how, and for a point that slides, where to.
+struct Hold {
+  Grip grip = Grip::sticks;
+  Vector2 slip = Vector2::Zero();  ///< d in tangent coordinates, unit, where it slides.
+  bool given = false;              ///< It slides already: d is data and not sought.
+};
+
+struct CoulombProblem {
+  MatrixX response;            ///< A, 3 k x 3 k.
+  VectorX offset;              ///< q, 3 k.
+  std::vector<Real> friction;  ///< mu, k.
+  std::vector<int> pair;       ///< k; points of one pair share redundant forces evenly.
+  std::vector<Hold> hold;      ///< k; only the holds that are given count.
+};
+
+struct CoulombSolution {
+  VectorX force;           ///< f; of all that obey the law and that differ only by redundancy, an even one.
+  VectorX rate;            ///< u
+  std::vector<Hold> hold;  ///< What was found.
+  bool exact = false;      ///< Obeys the law to rounding; otherwise as near as the iteration came.
+};
+
+/// The force for holds that are decided: u = 0 where it sticks, u_n = 0 and f_t = -mu f_n d where it slides;
+/// of several the one of least norm.  f_n may come out negative: who decides again when it does is the caller.
+/// Sticking forces are shared in proportion to the normal forces, so that all points come to the edge of their
+/// cones together where that is possible.
+VectorX held_force(const CoulombProblem&, const std::vector<Hold>&);
+
+/// Solves the problem.  First all points hold and those that would pull, or leave the cone, are changed one by
+/// one; if that does not end, Gauss-Seidel over the points, each solved exactly, finds the holds, and Newton's
+/// method the forces for them.  Always ends; deterministic.
+CoulombSolution solve(const CoulombProblem&);
+
+/// Whether the force obeys the law for these holds, to rounding.
+bool obeys(const CoulombProblem&, const std::vector<Hold>&, const VectorX& force);
+
+}  // namespace cylon::engine

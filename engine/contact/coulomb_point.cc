@@ -1,0 +1,113 @@
+#include "engine/contact/coulomb_point.h"
+
+#include "engine/root.h"
+
+#include <numbers>
+
+namespace cylon::engine {
+
+namespace {
+
+// Directions tried before a root is refined.  d x u_t is a trigonometric polynomial of degree two over a
+// positive denominator: four roots at most, which this many sectors tell apart unless two nearly coincide.
+constexpr int sectors = 48;
+
+struct Sliding {
+  const Matrix3& a;
+  const Vector3& q;
+  Real mu;
+
+  Real normal(const Vector2& d) const {
+    const Real stiff = a(0, 0) - mu * (a(0, 1) * d.x() + a(0, 2) * d.y());
+    return stiff > std::numeric_limits<Real>::epsilon() * a(0, 0) ? -q[0] / stiff : Real(-1);
+  }
+  Vector3 force(const Vector2& d) const { return normal(d) * Vector3(1, -mu * d.x(), -mu * d.y()); }
+  Vector2 slip(const Vector2& d) const { return (a * force(d) + q).tail<2>(); }
+};
+
+Vector2 turned_by(const Vector2& d, Real angle) {
+  const Real c = std::cos(angle), s = std::sin(angle);
+  return {c * d.x() - s * d.y(), s * d.x() + c * d.y()};
+}
+
+Real cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+}  // namespace
+
+PointForce solve_point(const Matrix3& a, const Vector3& q, Real mu, const Hold& hold) {
+  PointForce result;
+  result.hold = hold;
+  result.hold.grip = Grip::parts;
+  if (!(q[0] < 0) || !(a(0, 0) > 0)) return result;
+
+  const Vector3 frictionless(-q[0] / a(0, 0), 0, 0);
+  if (mu == 0) {
+    result.force = frictionless;
+    result.hold.grip = Grip::slides;
+    return result;
+  }
+  const Sliding sliding{a, q, mu};
+  if (hold.given) {
+    result.found = sliding.normal(hold.slip) >= 0;
+    result.force = result.found ? sliding.force(hold.slip) : frictionless;
+    result.hold.grip = Grip::slides;
+    return result;
+  }
+
+  const VectorX wanted = -q;  // dynamic: gcc 12 misreads the bounds of fixed sizes here
+  const Vector3 stick = MatrixX(a).completeOrthogonalDecomposition().solve(wanted);
+  const bool stops = (a * stick + q).norm() <= 64 * std::numeric_limits<Real>::epsilon() * q.norm();
+  if (stops && stick[0] >= 0 && stick.tail<2>().norm() <= mu * stick[0]) {
+    result.force = stick;
+    result.hold.grip = Grip::sticks;
+    result.hold.slip.setZero();
+    return result;
+  }
+
+  result.hold.grip = Grip::slides;
+  // The first direction is one that the data turn with, so that no axis is preferred.
+  Vector2 first = stops ? Vector2(-stick.tail<2>()) : Vector2(q.tail<2>());
+  if (!(first.norm() > 0)) first = q.tail<2>();
+  first = first.norm() > 0 ? Vector2(first.normalized()) : Vector2(1, 0);
+  const auto miss = [&](Real angle) {
+    const Vector2 d = turned_by(first, angle);
+    return cross(d, sliding.slip(d));
+  };
+  const auto possible = [&](Real angle) { return sliding.normal(turned_by(first, angle)) >= 0; };
+
+  bool any = false;
+  Real best = 0;
+  const auto offer = [&](Real angle) {
+    const Vector2 d = turned_by(first, angle);
+    const Vector3 f = sliding.force(d);
+    if (f[0] < 0 || sliding.slip(d).dot(d) < 0) return;
+    const Real energy = f.dot(q + a * f / 2);
+    if (any && !(energy < best)) return;
+    any = true;
+    best = energy;
+    result.force = f;
+    result.hold.slip = d;
+  };
+  const Real sector = 2 * std::numbers::pi_v<Real> / sectors;
+  for (int i = 0; i < sectors; ++i) {
+    const Real low = (static_cast<Real>(i) - Real(0.5)) * sector, high = low + sector;
+    if (!possible(low) || !possible(high)) continue;
+    const Real m_low = miss(low), m_high = miss(high), middle = low + sector / 2;
+    if (i == 0 && miss(0) == 0) offer(0);
+    if (m_low * m_high <= 0) offer(root(miss, low, m_low, high, m_high));
+    if (i == 0 && possible(middle)) {
+      if (m_low * miss(0) < 0 && miss(0) * m_high < 0) {  // two more roots in the sector of the first guess
+        offer(root(miss, low, m_low, Real(0), miss(0)));
+        offer(root(miss, Real(0), miss(0), high, m_high));
+      }
+    }
+  }
+  if (!any) {
+    result.found = false;
+    result.force = frictionless;
+    result.hold.slip = first;
+  }
+  return result;
+}
+
+}  // namespace cylon::engine

@@ -1,0 +1,143 @@
+#include "engine/contact/impact.h"
+
+#include "engine/contact/response.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace cylon::engine {
+
+namespace {
+
+constexpr Real ulp = std::numeric_limits<Real>::epsilon();
+constexpr int most_rounds = 200;
+
+// Energy made by P: P.u- + P.A P/2.
+Real energy_made(const MatrixX& a, const VectorX& before, const VectorX& p) { return p.dot(before + a * p / 2); }
+
+// The largest theta in [0, 1] for which P_0 + theta D makes no energy: root of c + b theta + a theta^2.
+Real harmless_part(const MatrixX& response, const VectorX& before, const VectorX& plastic, const VectorX& d) {
+  const Real c = energy_made(response, before, plastic);
+  const Real b = d.dot(before + response * plastic), a = d.dot(response * d) / 2;
+  if (!(a > 0)) return b > 0 ? std::clamp<Real>(-c / b, 0, 1) : Real(1);
+  const Real root = std::max<Real>(0, b * b - 4 * a * c);
+  return std::clamp<Real>((std::sqrt(root) - b) / (2 * a), 0, 1);
+}
+
+}  // namespace
+
+Real speed_rounding(const Touch& touch, const std::vector<Body>& bodies, const Motion* motion) {
+  const auto size = [&](int body) {
+    const Body& b = bodies[index(body)];
+    const Motion& m = motion[index(body)];
+    Real v = velocity(b, m).norm();
+    if (rotates(b)) v += angular_velocity(b, m).norm() * (touch.position - m.position).norm();
+    return v;
+  };
+  Real sum = size(touch.body);
+  if (touch.other != fixed_world) sum += size(touch.other);
+  return 32 * ulp * sum;
+}
+
+ImpactOutcome strike_at_once(std::span<const Touch> touches, std::span<const Row> joints,
+                             const std::vector<Body>& bodies, Motion* motion) {
+  ImpactOutcome outcome;
+  outcome.impulse.assign(touches.size(), Vector3::Zero());
+  outcome.approach.assign(touches.size(), 0);
+  const Response response(touches, joints, bodies, motion);
+  const std::size_t n = response.rows().size();
+  VectorX free(static_cast<Eigen::Index>(n));
+  for (std::size_t i = 0; i < n; ++i) {
+    free[static_cast<Eigen::Index>(i)] = row_speed(response.rows()[i], bodies, motion);
+  }
+  // Joints keep the rate that they have (zero, but for rounding): what they must not do is change.
+  free.tail(static_cast<Eigen::Index>(n) - response.contact_rows()).setZero();
+
+  const VectorX before = response.offset(free);
+  VectorX wanted = before;
+  bool bounces = false;
+  for (std::size_t i = 0; i < touches.size(); ++i) {
+    const Eigen::Index row = 3 * static_cast<Eigen::Index>(i);
+    outcome.approach[i] = std::max<Real>(0, -before[row]);
+    if (!(before[row] < 0)) continue;
+    wanted[row] = (1 + touches[i].restitution) * before[row];
+    bounces = bounces || touches[i].restitution > 0;
+  }
+  const CoulombProblem problem = coulomb_problem(response, touches, wanted);
+  const CoulombSolution solution = solve(problem);
+  VectorX impulse = solution.force;
+  outcome.exact = solution.exact;
+  outcome.rounds = 1;
+  const Real terms = impulse.cwiseAbs().dot(before.cwiseAbs() + (response.matrix() * impulse).cwiseAbs());
+  if (bounces && energy_made(response.matrix(), before, impulse) > 64 * ulp * terms) {
+    CoulombProblem without = problem;
+    without.offset = before;
+    const CoulombSolution plastic = solve(without);
+    outcome.exact = outcome.exact && plastic.exact;
+    const VectorX difference = impulse - plastic.force;
+    impulse = plastic.force + harmless_part(response.matrix(), before, plastic.force, difference) * difference;
+  }
+  const VectorX lambda = response.multipliers(free, impulse);
+  apply_impulses(response.rows(), lambda, bodies, motion);
+  for (std::size_t i = 0; i < touches.size(); ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      outcome.impulse[i] += lambda[static_cast<Eigen::Index>(3 * i + axis)] * response.rows()[3 * i + axis].direction;
+    }
+  }
+  return outcome;
+}
+
+ImpactOutcome strike(std::span<const Touch> touches, Impacts impacts, std::span<const Row> joints,
+                     const std::vector<Body>& bodies, Motion* motion) {
+  const auto approaches = [&](const Touch& t) {
+    return t.normal.dot(relative_velocity(t, bodies, motion)) < -speed_rounding(t, bodies, motion);
+  };
+  if (impacts == Impacts::simultaneous) return strike_at_once(touches, joints, bodies, motion);
+
+  ImpactOutcome outcome;
+  outcome.impulse.assign(touches.size(), Vector3::Zero());
+  outcome.approach.assign(touches.size(), 0);
+  std::vector<int> pairs;
+  for (const Touch& t : touches) pairs.push_back(t.pair);
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+
+  const auto solve_group = [&](const std::vector<std::size_t>& members, Real restitution_factor) {
+    std::vector<Touch> group;
+    for (const std::size_t i : members) {
+      group.push_back(touches[i]);
+      group.back().restitution *= restitution_factor;
+    }
+    const ImpactOutcome part = strike_at_once(group, joints, bodies, motion);
+    for (std::size_t g = 0; g < members.size(); ++g) {
+      outcome.impulse[members[g]] += part.impulse[g];
+      outcome.approach[members[g]] = std::max(outcome.approach[members[g]], part.approach[g]);
+    }
+    outcome.exact = outcome.exact && part.exact;
+    ++outcome.rounds;
+  };
+
+  std::vector<std::size_t> members;
+  for (int round = 0; round < most_rounds; ++round) {
+    bool any = false;
+    for (const int pair : pairs) {
+      members.clear();
+      bool struck = false;
+      for (std::size_t i = 0; i < touches.size(); ++i) {
+        if (touches[i].pair != pair) continue;
+        members.push_back(i);
+        struck = struck || approaches(touches[i]);
+      }
+      if (!struck) continue;
+      any = true;
+      solve_group(members, 1);
+    }
+    if (!any) return outcome;
+  }
+  members.resize(touches.size());
+  for (std::size_t i = 0; i < members.size(); ++i) members[i] = i;
+  solve_group(members, 0);
+  return outcome;
+}
+
+}  // namespace cylon::engine

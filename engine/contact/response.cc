@@ -1,0 +1,146 @@
+#include "engine/contact/response.h"
+
+#include <cmath>
+
+namespace cylon::engine {
+
+namespace {
+
+// I^-1 s for the body at one end of a row.
+Vector3 spin_from(int body, const Vector3& lever, const std::vector<Body>& bodies,
+                  const Motion* motion) {
+  const std::size_t i = index(body);
+  if (!rotates(bodies[i])) return Vector3::Zero();
+  return inverse_inertia_times(bodies[i], motion[i].orientation, lever);
+}
+
+void fill_spins(Row& row, const std::vector<Body>& bodies, const Motion* motion) {
+  row.spin = spin_from(row.body, row.lever, bodies, motion);
+  if (row.to != fixed_world) row.to_spin = spin_from(row.to, row.to_lever, bodies, motion);
+}
+
+// Entry of J M^-1 J^T.
+Real coupling(const Row& i, const Row& j, const std::vector<Body>& bodies) {
+  const auto through = [&](int body, const Vector3& lever) {
+    Real sum = 0;
+    const Real w = bodies[index(body)].inverse_mass * i.direction.dot(j.direction);
+    if (body == j.body) sum += w + lever.dot(j.spin);
+    if (body == j.to) sum -= w + lever.dot(j.to_spin);
+    return sum;
+  };
+  Real sum = through(i.body, i.lever);
+  if (i.to != fixed_world) sum -= through(i.to, i.to_lever);
+  return sum;
+}
+
+}  // namespace
+
+Matrix3 contact_frame(const Vector3& normal) {
+  Matrix3 frame;
+  frame.col(0) = normal;
+  frame.col(1) = normal.unitOrthogonal();
+  frame.col(2) = normal.cross(frame.col(1));
+  return frame;
+}
+
+void append_rows(const Touch& touch, const std::vector<Body>& bodies, const Motion* motion,
+                 std::vector<Row>& rows) {
+  const Matrix3 frame = contact_frame(touch.normal);
+  const Vector3 arm = touch.position - motion[index(touch.body)].position;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    Row row;
+    row.body = touch.body;
+    row.to = touch.other;
+    row.direction = frame.col(axis);
+    row.lever = arm.cross(row.direction);
+    if (touch.other != fixed_world) {
+      row.to_lever = (touch.position - motion[index(touch.other)].position).cross(row.direction);
+    }
+    fill_spins(row, bodies, motion);
+    rows.push_back(row);
+  }
+}
+
+Response::Response(std::span<const Touch> touches, std::span<const Row> joints,
+                   const std::vector<Body>& bodies, const Motion* motion) {
+  rows_.reserve(3 * touches.size() + joints.size());
+  for (const Touch& touch : touches) append_rows(touch, bodies, motion, rows_);
+  contacts_ = static_cast<Eigen::Index>(rows_.size());
+  for (const Row& joint : joints) {
+    rows_.push_back(joint);
+    fill_spins(rows_.back(), bodies, motion);
+  }
+  const Eigen::Index n = static_cast<Eigen::Index>(rows_.size()), m = n - contacts_;
+  MatrixX g(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = 0; j <= i; ++j) {
+      g(i, j) = coupling(rows_[static_cast<std::size_t>(i)], rows_[static_cast<std::size_t>(j)], bodies);
+      g(j, i) = g(i, j);
+    }
+  }
+  matrix_ = g.topLeftCorner(contacts_, contacts_);
+  if (m == 0) return;
+  cross_ = g.topRightCorner(contacts_, m);
+  joint_inverse_ = g.bottomRightCorner(m, m).completeOrthogonalDecomposition().pseudoInverse();
+  matrix_ -= cross_ * joint_inverse_ * cross_.transpose();
+}
+
+VectorX Response::offset(const VectorX& free) const {
+  const Eigen::Index m = free.size() - contacts_;
+  if (m == 0) return free;
+  return free.head(contacts_) - cross_ * (joint_inverse_ * free.tail(m));
+}
+
+VectorX Response::multipliers(const VectorX& free, const VectorX& contact_force) const {
+  const Eigen::Index m = free.size() - contacts_;
+  VectorX lambda(free.size());
+  lambda.head(contacts_) = contact_force;
+  if (m > 0) {
+    lambda.tail(m) = -(joint_inverse_ * (free.tail(m) + cross_.transpose() * contact_force));
+  }
+  return lambda;
+}
+
+Real row_speed(const Row& row, const std::vector<Body>& bodies, const Motion* motion) {
+  const auto side = [&](int body, const Vector3& lever) {
+    const Body& b = bodies[index(body)];
+    const Motion& m = motion[index(body)];
+    Real u = row.direction.dot(velocity(b, m));
+    if (rotates(b)) u += lever.dot(angular_velocity(b, m));
+    return u;
+  };
+  Real u = side(row.body, row.lever);
+  if (row.to != fixed_world) u -= side(row.to, row.to_lever);
+  return u;
+}
+
+void apply_impulses(std::span<const Row> rows, const VectorX& lambda, const std::vector<Body>& bodies,
+                    Motion* motion) {
+  const auto give = [&](int body, const Vector3& direction, const Vector3& lever) {
+    const Body& b = bodies[index(body)];
+    Motion& m = motion[index(body)];
+    if (translates(b)) m.momentum += direction;
+    if (rotates(b)) m.angular_momentum += lever;
+  };
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Real l = lambda[static_cast<Eigen::Index>(i)];
+    if (l == 0) continue;
+    const Row& row = rows[i];
+    give(row.body, l * row.direction, l * row.lever);
+    if (row.to != fixed_world) give(row.to, -l * row.direction, -l * row.to_lever);
+  }
+}
+
+CoulombProblem coulomb_problem(const Response& response, std::span<const Touch> touches, VectorX offset) {
+  CoulombProblem problem;
+  problem.response = response.matrix();
+  problem.offset = std::move(offset);
+  for (const Touch& touch : touches) {
+    problem.friction.push_back(touch.friction);
+    problem.pair.push_back(touch.pair);
+    problem.hold.emplace_back();
+  }
+  return problem;
+}
+
+}  // namespace cylon::engine
