@@ -2,6 +2,7 @@
 #include "scenarios/draft.h"
 
 #include "harness/core/observable.h"
+#include "harness/core/surfaces.h"
 
 #include <fmt/format.h>
 
@@ -34,25 +35,17 @@ std::vector<std::string> resolve(const Table& t, const Draft& draft, const std::
                                 core::did_you_mean(name, names)));
 }
 
-void require_materials(const Table& root, const Draft& draft) {
+void require_materials(const Draft& draft) {
   const core::Scene& scene = draft.scene;
-  const bool all = std::ranges::any_of(
-      scene.materials, [](const auto& m) { return m.between[0] == "*" && m.between[1] == "*"; });
-  if (all) return;
-  constexpr std::ptrdiff_t most = 2000;  // pairs grow with the square
-  if (std::ranges::count_if(scene.bodies, [](const auto& body) { return body.collide; }) > most)
-    root.fail(
-        fmt::format("more than {} bodies may touch: add a [[material]] with between = [\"*\", \"*\"]", most));
-  for (const core::Pair& pair : core::touching_pairs(scene)) {
-    if (core::material_of(scene, pair)) continue;
-    const auto body = static_cast<std::size_t>(pair.body);
-    const std::string& other = pair.plane >= 0 ? scene.planes[static_cast<std::size_t>(pair.plane)].name
-                                               : scene.bodies[static_cast<std::size_t>(pair.other)].name;
-    draft.origin[body].fail(
-        fmt::format("'{0}' and '{1}' may touch, but no [[material]] says how; add between = [\"{0}\", "
-                    "\"{1}\"], or collide = false",
-                    scene.bodies[body].name, other));
-  }
+  const std::optional<core::Pair> pair = core::pair_without_material(scene);
+  if (!pair) return;
+  const auto body = static_cast<std::size_t>(pair->body);
+  const std::string& other = pair->plane >= 0 ? scene.planes[static_cast<std::size_t>(pair->plane)].name
+                                              : scene.bodies[static_cast<std::size_t>(pair->other)].name;
+  draft.origin[body].fail(
+      fmt::format("'{0}' and '{1}' may touch, but no [[material]] says how; add between = [\"{0}\", "
+                  "\"{1}\"], or collide = false",
+                  scene.bodies[body].name, other));
 }
 
 double size_of(const Vector3& p) { return std::max(1.0, p.cwiseAbs().maxCoeff()); }
@@ -126,7 +119,7 @@ void read_materials(const Table& root, Draft& draft) {
         draft.scene.materials.push_back({{a, b}, t.number("restitution"), t.number("friction")});
       }
   }
-  require_materials(root, draft);
+  require_materials(draft);
 }
 
 void refuse_overlaps(const Draft& draft) {

@@ -29,6 +29,7 @@ constexpr Row commands[] = {
     {"list", "Scenarios, with what each claims", add_list},
     {"engines", "Engines, with every forced setting and what could not be switched off", add_engines},
     {"validate", "Check scenario files without running them", add_validate},
+    {"plan", "What an engine does for a scenario and what it leaves out, with reasons", add_plan},
     {"simulate", "Run one engine on one scenario and print its states as CSV", add_simulate},
     {"run", "Run scenarios on engines and judge every claim", add_run},
     {"new", "Write a commented scenario to start from", add_new},

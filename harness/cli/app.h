@@ -17,6 +17,7 @@ using Command = std::function<int()>;
 Command add_list(CLI::App&, const Context&);
 Command add_engines(CLI::App&, const Context&);
 Command add_validate(CLI::App&, const Context&);
+Command add_plan(CLI::App&, const Context&);
 Command add_simulate(CLI::App&, const Context&);
 Command add_run(CLI::App&, const Context&);
 Command add_new(CLI::App&, const Context&);

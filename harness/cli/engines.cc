@@ -34,7 +34,8 @@ ordered_json row(const process::EngineRow& row, const core::Engine& engine) {
                      {"unforceable", path.unforceable}});
   }
   for (const core::Scheme& s : engine.schemes)
-    schemes.push_back({{"name", s.name}, {"order", s.order}, {"conserves", s.conserves}});
+    schemes.push_back(
+        {{"name", s.name}, {"order", s.order}, {"conserves", s.conserves}, {"adaptive", s.adaptive}});
   for (const core::Option& o : engine.options)
     knobs.push_back({{"name", o.name},
                      {"values", o.values},
@@ -65,8 +66,9 @@ std::string text(const process::EngineRow& row, const core::Engine& engine) {
       out += fmt::format("    not to be switched off: {}\n", sentence);
   }
   for (const core::Scheme& s : engine.schemes)
-    out += fmt::format("  integrator {}: order {}{}{}\n", s.name, s.order,
-                       s.conserves.empty() ? "" : "; conserves ", s.conserves);
+    out += fmt::format("  integrator {}: order {}{}{}{}\n", s.name, s.order,
+                       s.conserves.empty() ? "" : "; conserves ", s.conserves,
+                       s.adaptive ? "; takes a tolerance" : "");
   for (const core::Option& o : engine.options) {
     const std::string values = o.values.empty() ? "NUMBER" : fmt::format("{}", fmt::join(o.values, "|"));
     out +=

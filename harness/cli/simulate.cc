@@ -1,9 +1,11 @@
 // cylon simulate
 #include "harness/cli/app.h"
+#include "harness/cli/asked.h"
 #include "harness/cli/command_line.h"
 #include "harness/cli/output.h"
 
 #include "harness/core/input_error.h"
+#include "harness/core/measure.h"
 #include "harness/core/recording.h"
 #include "harness/process/client.h"
 
@@ -12,17 +14,18 @@
 #include <cmath>
 #include <iostream>
 #include <iterator>
+#include <numeric>
 #include <set>
 
 namespace cylon::cli {
 namespace {
 
 struct Options {
-  std::string file, engine = "in-house", integrator, dt, out = "-";
+  Asked asked;
+  std::string dt, out = "-";
   std::vector<double> at;
-  double every = 0, timeout = 60, tolerance = 0;
+  double every = 0, timeout = 60;
   bool nearest = false;
-  std::vector<std::string> workers;
 };
 
 // The step at time t [s]; off the grid only where --nearest allows it.
@@ -66,25 +69,44 @@ std::int64_t stride(const Options& options, double dt) {
   return static_cast<std::int64_t>(std::min(steps, 9e15));
 }
 
+// The grid of the printed times.  An error-controlled scheme needs no step: without --dt the times that are
+// asked for make the grid, their greatest common divisor in nanoseconds.
+double grid(const Options& options, const scenarios::Scenario& scenario) {
+  if (!options.dt.empty()) return scenarios::parse_step(options.dt);
+  if (options.asked.tolerance == 0) return scenario.step;
+  if (options.every > 0) return options.every;
+  std::int64_t divisor = 0;  // [ns]
+  for (const double t : options.at) {
+    const double ns = std::round(1e9 * t);
+    if (!(t >= 0) || t > scenario.duration || std::abs(1e9 * t - ns) > 1e-6 * std::max(1.0, ns))
+      return scenario.step;
+    divisor = std::gcd(divisor, static_cast<std::int64_t>(ns));
+  }
+  if (divisor == 0) return scenario.step;
+  const double dt = 1e-9 * static_cast<double>(divisor);
+  constexpr double most = 1e6;  // samples
+  if (scenario.duration / dt > most)
+    throw core::InputError(
+        fmt::format("--at: the times have no common grid coarser than {} s; say --dt, or round them",
+                    scenario.duration / most));
+  return dt;
+}
+
 int simulate(const Context& context, const Options& options) {
-  if (options.tolerance != 0)
-    throw core::InputError(
-        "--tolerance: no engine here has an error-controlled scheme yet; give a step with --dt");
   require_writable(options.out);
-  const scenarios::Scenario scenario = scenarios::load(find_scenario(context, options.file));
-  const double dt = options.dt.empty() ? scenario.step : scenarios::parse_step(options.dt);
-  process::EngineChoice engine =
-      process::parse_engine(options.engine, with_workers(context, options.workers));
-  if (!options.integrator.empty() && !engine.integrator.empty() && engine.integrator != options.integrator)
-    throw core::InputError(
-        fmt::format("--integrator {}: --engine {} states another", options.integrator, options.engine));
-  if (!options.integrator.empty()) engine.integrator = options.integrator;
+  const scenarios::Scenario scenario = scenarios::load(find_scenario(context, options.asked.file));
+  const process::EngineChoice engine = choose(context, options.asked);
+  const double dt = grid(options, scenario);
+  const bool own_grid = options.dt.empty() && dt != scenario.step;
 
   process::RunRequest request;
   request.scene = &scenario.scene;
   request.setup.dt = dt;
+  request.setup.tolerance = options.asked.tolerance;
   try {
-    request.steps = core::whole_steps(scenario.duration, dt);
+    // A grid that the times made need not meet the end of the scenario.
+    request.steps = own_grid ? static_cast<std::int64_t>(std::floor(scenario.duration / dt * (1 + 1e-12)))
+                             : core::whole_steps(scenario.duration, dt);
   } catch (const std::invalid_argument& error) {
     throw core::InputError(fmt::format("{}: the duration: {}", scenario.name, error.what()));
   }
@@ -99,34 +121,30 @@ int simulate(const Context& context, const Options& options) {
       if (step > 0) request.at.push_back(step);
   }
   const process::RunOutcome outcome = process::run(engine, request, {.run_seconds = options.timeout});
-  if (outcome.recording) write_whole(options.out, csv(scenario.scene, *outcome.recording, wanted));
+  if (outcome.recording) {
+    write_whole(options.out, csv(scenario.scene, *outcome.recording, wanted));
+    for (const std::string& remark : outcome.recording->remarks)
+      std::cerr << plain(fmt::format("{}: {}\n", options.asked.engine, remark));
+  }
   if (!outcome.stderr_tail.empty())
     std::cerr << plain(outcome.stderr_tail) << (outcome.stderr_tail.ends_with('\n') ? "" : "\n");
-  if (outcome.status == core::Status::pass) return ok;
-  std::cerr << plain(fmt::format("{}: {}: {}\n", options.engine, core::name(outcome.status), outcome.reason));
-  // An engine that is there and says that it cannot do this was asked for the wrong thing.
-  return outcome.status == core::Status::unsupported && !outcome.engine.version.empty() ? bad_input
-                                                                                        : harness_failure;
+  if (outcome.status != core::Status::pass) return report_failure(options.asked.engine, outcome);
+  const auto bad = core::first_bad_step(*outcome.recording);
+  if (!bad) return ok;
+  std::cerr << plain(
+      fmt::format("{}: non-finite: from {} s on states are NaN or infinite; a smaller step, or another "
+                  "scheme, may help\n",
+                  options.asked.engine, static_cast<double>(*bad) * dt));
+  return differs;
 }
 
 }  // namespace
 
 Command add_simulate(CLI::App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
-  app.add_option("file", options->file, "A scenario file, or the name of a shipped scenario")
-      ->type_name("FILE")
-      ->required();
-  app.add_option("--engine", options->engine, "Engine id, with a variant after '/': bullet/gyro=none")
-      ->type_name("ID")
-      ->capture_default_str();
-  app.add_option("--integrator", options->integrator,
-                 "One of the engine's schemes, as `cylon engines` names them")
-      ->type_name("NAME");
+  add_asked(app, options->asked);
   app.add_option("--dt", options->dt, "Step [s], 0.001 or 1/60; the scenario's nominal step otherwise")
       ->type_name("S");
-  app.add_option("--tolerance", options->tolerance,
-                 "Error bound in place of a step, for error-controlled schemes")
-      ->type_name("T");
   auto* at = app.add_option("--at", options->at, "Times to print [s], separated by commas: 0,0.5,1")
                  ->type_name("S")
                  ->delimiter(',');
@@ -142,7 +160,6 @@ Command add_simulate(CLI::App& app, const Context& context) {
       ->type_name("S")
       ->capture_default_str()
       ->check(positive(1e6));
-  add_worker_option(app, options->workers);
   return [=, &context] { return simulate(context, *options); };
 }
 

@@ -173,8 +173,7 @@ std::optional<std::string> undefined_in(const Observable& q, const Scene& scene)
     case Quantity::normal_gap:
     case Quantity::event: {
       bool any = false;
-      for (const Pair& pair : touching_pairs(scene)) {
-        if (!concerns(q, pair.body, pair.other)) continue;
+      for (const Pair& pair : q.body ? touching_pairs(scene, *q.body) : touching_pairs(scene)) {
         any = true;
         if (auto why = gap_undefined(scene, pair)) return why;
         const Body& body = scene.bodies[static_cast<std::size_t>(pair.body)];
@@ -228,8 +227,7 @@ void evaluate(const Observable& q, const Scene& scene, const State& state, Value
       return values.push_back(
           scalar(kinetic_total(scene, state) + potential_total(scene, state, [](double x) { return x; })));
     case Quantity::normal_gap:
-      for (const Pair& pair : touching_pairs(scene)) {
-        if (!concerns(q, pair.body, pair.other)) continue;
+      for (const Pair& pair : q.body ? touching_pairs(scene, *q.body) : touching_pairs(scene)) {
         const double g = gap(scene, pair, state);
         values.push_back(scalar(g >= 0 ? 0.0 : g));  // NaN stays NaN
       }

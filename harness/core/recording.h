@@ -26,10 +26,11 @@ struct Recording {
   std::vector<std::int64_t> steps;  ///< Ascending, from 0.
   std::vector<State> states;        ///< One per step kept.
   std::vector<Event> events;
-  Engine engine;           ///< Who ran it; paths and schemes left out.
-  Terms terms;             ///< With what settings.
-  double cpu_seconds = 0;  ///< Thread CPU time of the steps alone.
-  std::string complaints;  ///< The end of what the engine wrote to stderr.
+  Engine engine;                     ///< Who ran it; paths and schemes left out.
+  Terms terms;                       ///< With what settings.
+  double cpu_seconds = 0;            ///< Thread CPU time of the steps alone.
+  std::vector<std::string> remarks;  ///< What the engine says that a user must know of the run.
+  std::string complaints;            ///< The end of what the engine wrote to stderr.
 
   double time(std::size_t sample) const { return static_cast<double>(steps[sample]) * dt; }
 };

@@ -2,8 +2,10 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace cylon::core {
 namespace {
@@ -34,20 +36,40 @@ State initial_state(const Scene& scene) {
   return state;
 }
 
+bool any_touching_pair(const Scene& scene, const std::function<bool(const Pair&)>& found) {
+  std::vector<int> solid;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    if (collides(scene.bodies[i])) solid.push_back(static_cast<int>(i));
+  const auto locked = [&](int i) { return scene.bodies[static_cast<std::size_t>(i)].locked; };
+  for (auto a = solid.begin(); a != solid.end(); ++a) {
+    for (auto b = std::next(a); b != solid.end(); ++b)
+      if (!(locked(*a) && locked(*b)) && found({*a, *b, -1})) return true;
+    for (int p = 0; !locked(*a) && p < static_cast<int>(scene.planes.size()); ++p)
+      if (found({*a, world, p})) return true;
+  }
+  return false;
+}
+
 std::vector<Pair> touching_pairs(const Scene& scene) {
   std::vector<Pair> pairs;
-  const int bodies = static_cast<int>(scene.bodies.size());
-  const int planes = static_cast<int>(scene.planes.size());
-  for (int a = 0; a < bodies; ++a) {
-    const Body& body = scene.bodies[static_cast<std::size_t>(a)];
-    if (!collides(body)) continue;
-    for (int b = a + 1; b < bodies; ++b) {
-      const Body& other = scene.bodies[static_cast<std::size_t>(b)];
-      if (collides(other) && !(body.locked && other.locked)) pairs.push_back({a, b, -1});
-    }
-    if (body.locked) continue;
-    for (int p = 0; p < planes; ++p) pairs.push_back({a, world, p});
+  any_touching_pair(scene, [&](const Pair& pair) {
+    pairs.push_back(pair);
+    return false;
+  });
+  return pairs;
+}
+
+std::vector<Pair> touching_pairs(const Scene& scene, int body) {
+  std::vector<Pair> pairs;
+  const Body& own = scene.bodies[static_cast<std::size_t>(body)];
+  if (!collides(own)) return pairs;
+  for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) {
+    const Body& other = scene.bodies[static_cast<std::size_t>(i)];
+    if (i != body && collides(other) && !(own.locked && other.locked))
+      pairs.push_back({std::min(i, body), std::max(i, body), -1});
   }
+  for (int p = 0; !own.locked && p < static_cast<int>(scene.planes.size()); ++p)
+    pairs.push_back({body, world, p});
   return pairs;
 }
 

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <variant>
@@ -185,7 +186,12 @@ struct Material {
   double friction = 0;     ///< Coulomb, static = kinetic, >= 0.
 };
 
-/// The frame in which the initial state is given, as seen from the inertial frame.
+/// The frame in which the whole scene is given, as seen from the inertial frame: initial state, pins, planes,
+/// gravity and the results are all expressed in it.  Its origin moves with `velocity` and it turns about that
+/// origin; the axes agree with the inertial ones at t = 0.  A turning frame has fictitious forces,
+///   F = -m (2 w x v + w x (w x r)),   torque = (I w_body) x w + …, the same law for each mass element;
+/// one that only moves has none (Galilei): gravity, springs and drag are those of the frame, and `velocity`
+/// changes nothing in the results.
 struct Frame {
   Vector3 velocity = Vector3::Zero();          ///< [m/s]
   Vector3 angular_velocity = Vector3::Zero();  ///< [rad/s]
@@ -218,6 +224,12 @@ State initial_state(const Scene&);
 /// Every pair that may touch: colliding bodies of which at least one moves, and colliding bodies
 /// with planes; bodies first by index, then planes.
 std::vector<Pair> touching_pairs(const Scene&);
+
+/// Those of touching_pairs that `body` is in, in the same order; O(bodies).
+std::vector<Pair> touching_pairs(const Scene&, int body);
+
+/// Shows the pairs of touching_pairs, in the same order, until `found` says true; whether it did.
+bool any_touching_pair(const Scene&, const std::function<bool(const Pair&)>& found);
 
 /// The material of a pair: an exact match of both names, else one name with "*", else "*" with "*";
 /// nothing when the scene states none.

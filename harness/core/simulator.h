@@ -30,6 +30,7 @@ struct Scheme {
   std::string name;
   int order = 1;          ///< Of the global error in smooth motion.
   std::string conserves;  ///< In words; "" for nothing in particular.
+  bool adaptive = false;  ///< Chooses its own steps; takes a tolerance, and dt is then the sample grid alone.
 };
 
 /// A knob that a variant may turn: `bullet/gyro=none`.
@@ -53,10 +54,20 @@ struct Engine {
 
 /// What a run asks of a simulator.
 struct Setup {
-  double dt = 0;                               ///< [s], > 0.
+  double dt = 0;                               ///< Step; of an adaptive scheme the sample grid [s], > 0.
   std::string path;                            ///< "": a published function of the Scene alone.
   std::string integrator;                      ///< "": the engine's default.
   std::map<std::string, std::string> options;  ///< Settings overridden by a variant or a suite.
+  /// Of an adaptive scheme: bound on the global error at the samples, relative to the scales of the motion,
+  /// > 0; 0: the engine's own.
+  double tolerance = 0;
+};
+
+/// A part of an engine's work on a scene, and why it is done or left out.
+struct Stage {
+  std::string name;    ///< "rotation", "broad phase", …
+  bool in = false;     ///< Whether it is done.
+  std::string reason;  ///< What in the scene decides it, one sentence.
 };
 
 /// What a run was really made with; stored with each verdict.
@@ -67,6 +78,7 @@ struct Terms {
   std::string gyroscopic;  ///< "exact", "implicit", "explicit", "none", …
   std::vector<Setting> settings;
   std::vector<std::string> unforceable;
+  std::vector<Stage> plan;  ///< What the engine does for this scene, in its order; empty: it does not tell.
 };
 
 /// A machine that advances a Scene in fixed steps.
@@ -88,6 +100,10 @@ class Simulator {
 
   /// Current motion, read from the engine's own state, into one BodyState per body of the scene.
   virtual void read(State&) const = 0;
+
+  /// What a user must know of the run so far, a sentence each: a tolerance that could not be kept, and the
+  /// best that was reached.  Empty: nothing.
+  virtual std::vector<std::string> remarks() const { return {}; }
 };
 
 /// The engine build that is linked into this executable; each sim_* library defines it once.

@@ -8,6 +8,7 @@
 #include "harness/process/read_back.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,9 +52,30 @@ core::Setup merged(const EngineChoice& choice, core::Setup setup) {
   return setup;
 }
 
+/// A worker that knows no tolerance would run without one and say nothing.
+void require_adaptive(const core::Engine& engine, const std::string& id, const core::Setup& setup) {
+  if (setup.tolerance == 0) return;
+  std::vector<std::string> adaptive;
+  for (const core::Scheme& scheme : engine.schemes) {
+    if (!scheme.adaptive) continue;
+    const bool is_default = setup.integrator.empty() && &scheme == &engine.schemes.front();
+    if (is_default || scheme.name == setup.integrator) return;
+    adaptive.push_back(scheme.name);
+  }
+  if (adaptive.empty())
+    throw core::InputError(
+        fmt::format("engine '{}' has no error-controlled scheme, so it takes a step and no tolerance", id));
+  throw core::InputError(fmt::format(
+      "engine '{}': {} does not control its error, so it takes a step and no tolerance (schemes that do: {})",
+      id, setup.integrator.empty() ? "its default scheme" : fmt::format("scheme '{}'", setup.integrator),
+      fmt::join(adaptive, ", ")));
+}
+
 core::Terms load(Conversation& worker, const EngineChoice& choice, const RunRequest& request,
-                 const Limits& limits) {
-  worker.ask(load_request(*request.scene, merged(choice, request.setup)), limits.run_seconds);
+                 const core::Engine& engine, const Limits& limits) {
+  const core::Setup setup = merged(choice, request.setup);
+  require_adaptive(engine, choice.id, setup);
+  worker.ask(load_request(*request.scene, setup), limits.run_seconds);
   const json answer = worker.next_line();
   if (const auto reason = text_of(answer, "unsupported")) throw Failure(core::Status::unsupported, *reason);
   if (const auto reason = text_of(answer, "error"))
@@ -76,6 +98,8 @@ Run requested(const RunRequest& request) {
   if (!request.scene) throw std::invalid_argument("a run needs a scene");
   if (request.steps < 0 || request.every < 1)
     throw std::invalid_argument("a run needs steps >= 0 and every >= 1");
+  if (!(request.setup.tolerance >= 0) || !std::isfinite(request.setup.tolerance))
+    throw std::invalid_argument("a tolerance must be finite and not negative");
   Run run{request.steps, request.every, request.at, request.watch};
   std::sort(run.at.begin(), run.at.end());
   run.at.erase(std::unique(run.at.begin(), run.at.end()), run.at.end());
@@ -158,6 +182,7 @@ class Recorder {
     std::stable_sort(recording_.events.begin(), recording_.events.end(),
                      [&](const core::Event& a, const core::Event& b) { return key(a) < key(b); });
     recording_.cpu_seconds = 1e-9 * done.step_ns;
+    recording_.remarks = done.remarks;
   }
 
   Run wanted_, asked_;
@@ -192,7 +217,7 @@ RunOutcome run(const EngineChoice& choice, const RunRequest& request, const Limi
     worker.emplace(choice.row.command, limits.memory_bytes);
     const Hello hello = introduce(*worker, limits);
     outcome.engine = hello.engine;
-    outcome.terms = load(*worker, choice, request, limits);
+    outcome.terms = load(*worker, choice, request, hello.engine, limits);
     core::State start = read_start(*worker, scene.bodies.size());
     if (const auto difference = read_back_difference(scene, start, hello.engine.precision))
       throw Failure(core::Status::fail, "initial state read back differs: " + *difference);

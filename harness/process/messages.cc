@@ -83,7 +83,8 @@ json hello_json(const Hello& hello) {
                      {"unforceable", p.unforceable}});
   json& schemes = result["schemes"] = json::array();
   for (const core::Scheme& s : engine.schemes)
-    schemes.push_back({{"name", s.name}, {"order", s.order}, {"conserves", s.conserves}});
+    schemes.push_back(
+        {{"name", s.name}, {"order", s.order}, {"conserves", s.conserves}, {"adaptive", s.adaptive}});
   json& options = result["options"] = json::array();
   for (const core::Option& o : engine.options)
     options.push_back({{"name", o.name},
@@ -112,7 +113,8 @@ Hello hello_from_json(const json& value) {
   });
   engine.default_path_rule = text_if(f, "default_path_rule");
   each_if(f, "schemes", [&](Fields& s) {
-    engine.schemes.push_back({s.text("name"), order_if(s), text_if(s, "conserves")});
+    engine.schemes.push_back(
+        {s.text("name"), order_if(s), text_if(s, "conserves"), s.find("adaptive") && s.flag("adaptive")});
   });
   each_if(f, "options", [&](Fields& o) {
     engine.options.push_back(
@@ -125,8 +127,11 @@ Hello hello_from_json(const json& value) {
 // ---- load ---------------------------------------------------------------------------------------
 
 json load_request(const core::Scene& scene, const core::Setup& setup) {
-  return {{"cmd", "load"},      {"scene", to_json(scene)},        {"dt", setup.dt},
-          {"path", setup.path}, {"integrator", setup.integrator}, {"options", setup.options}};
+  json request = {{"cmd", "load"},      {"scene", to_json(scene)},        {"dt", setup.dt},
+                  {"path", setup.path}, {"integrator", setup.integrator}, {"options", setup.options}};
+  // Left out where nobody asks for it: workers that are older than the key go on working.
+  if (setup.tolerance > 0) request["tolerance"] = setup.tolerance;
+  return request;
 }
 
 core::Setup setup_from_json(const json& value) {
@@ -143,25 +148,36 @@ core::Setup setup_from_json(const json& value) {
     if (!option.is_string()) f.fail("options." + name, "expected a string");
     setup.options[name] = option.get<std::string>();
   }
+  if (f.find("tolerance")) {
+    setup.tolerance = f.number("tolerance");
+    if (!(setup.tolerance > 0)) f.fail("tolerance", "must be positive");
+  }
   f.finish();
   return setup;
 }
 
 json terms_json(const core::Terms& terms) {
+  json plan = json::array();
+  for (const core::Stage& s : terms.plan)
+    plan.push_back({{"name", s.name}, {"in", s.in}, {"reason", s.reason}});
   return {{"ok", "load"},
           {"path", terms.path},
           {"integrator", terms.integrator},
           {"order", terms.order},
           {"gyroscopic", terms.gyroscopic},
           {"settings", settings_json(terms.settings)},
-          {"unforceable", terms.unforceable}};
+          {"unforceable", terms.unforceable},
+          {"plan", std::move(plan)}};
 }
 
 core::Terms terms_from_json(const json& value) {
   Fields f(value, "");
   f.at("ok");
-  core::Terms terms{text_if(f, "path"),       text_if(f, "integrator"), order_if(f),
-                    text_if(f, "gyroscopic"), settings_if(f),           texts_if(f, "unforceable")};
+  core::Terms terms{text_if(f, "path"), text_if(f, "integrator"),   order_if(f), text_if(f, "gyroscopic"),
+                    settings_if(f),     texts_if(f, "unforceable"), {}};
+  each_if(f, "plan", [&](Fields& s) {
+    terms.plan.push_back({s.text("name"), s.flag("in"), text_if(s, "reason")});
+  });
   f.finish();
   return terms;
 }
@@ -240,13 +256,17 @@ core::Event event_from_json(const json& value) {
 }
 
 json done_json(const Done& done) {
-  return {{"ok", "run"}, {"steps", done.steps}, {"frames", done.frames}, {"step_ns", done.step_ns}};
+  return {{"ok", "run"},
+          {"steps", done.steps},
+          {"frames", done.frames},
+          {"step_ns", done.step_ns},
+          {"remarks", done.remarks}};
 }
 
 Done done_from_json(const json& value) {
   Fields f(value, "");
   f.at("ok");
-  const Done done{f.integer("steps"), f.integer("frames"), f.number("step_ns")};
+  const Done done{f.integer("steps"), f.integer("frames"), f.number("step_ns"), texts_if(f, "remarks")};
   if (!(done.step_ns >= 0)) f.fail("step_ns", "must not be negative");
   f.finish();
   return done;

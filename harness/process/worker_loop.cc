@@ -155,7 +155,7 @@ class Session {
     if (watching) watch.observe(0, state_);
     FramePacker frame(state_.size());
     StepTimer timer;
-    Done done{run.steps, 0, 0};
+    Done done{run.steps, 0, 0, {}};
     const auto send = [&] {
       timer.end_batch();
       pipes_.write(frame.take());
@@ -183,6 +183,7 @@ class Session {
     }
     if (!frame.empty()) send();
     done.step_ns = timer.total_ns();
+    done.remarks = simulator_.remarks();
     pipes_.write(done_json(done));
   }
 

@@ -10,6 +10,7 @@
 #include <limits>
 #include <numeric>
 #include <set>
+#include <tuple>
 
 namespace cylon::study {
 namespace {
@@ -26,18 +27,20 @@ std::int64_t steps_of(const Scenario& scenario, double time, double dt, const st
   }
 }
 
-// The pairs whose events some claim asks for.
+// The pairs whose events some claim asks for, in the order of touching_pairs; no claim, no search.
 std::vector<core::Pair> watched(const Scenario& scenario) {
   std::vector<core::Pair> pairs;
-  const auto asked = [&](const core::Pair& pair) {
-    return std::any_of(scenario.claims.begin(), scenario.claims.end(), [&](const Claim& claim) {
-      const core::Observable& q = claim.observable;
-      return q.quantity == core::Quantity::event &&
-             (!q.body || *q.body == pair.body || *q.body == pair.other);
-    });
-  };
-  for (const core::Pair& pair : core::touching_pairs(scenario.scene))
-    if (asked(pair)) pairs.push_back(pair);
+  for (const Claim& claim : scenario.claims) {
+    const core::Observable& q = claim.observable;
+    if (q.quantity != core::Quantity::event) continue;
+    if (!q.body) return core::touching_pairs(scenario.scene);
+    const auto of_body = core::touching_pairs(scenario.scene, *q.body);
+    pairs.insert(pairs.end(), of_body.begin(), of_body.end());
+  }
+  std::sort(pairs.begin(), pairs.end(), [](const core::Pair& a, const core::Pair& b) {
+    return std::tuple(a.body, a.plane, a.other) < std::tuple(b.body, b.plane, b.other);
+  });
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
 }
 
@@ -84,6 +87,8 @@ void judge(Verdict& row, const Claim& claim, const Scenario& scenario,
   row.allowed = measured.allowed;
   row.first_bad_step = first_bad_step;
   row.detail = measured.detail;
+  for (const std::string& remark : recordings.front().remarks)
+    row.detail += fmt::format("{}{}", row.detail.empty() ? "" : "; ", remark);
   row.status = core::judge(measured.value, measured.allowed);
   if (measured.broken && row.status != core::Status::non_finite) row.status = core::Status::fail;
   // A run that broke within the claim's horizon proves nothing, whatever the claim reads of its states.

@@ -3,6 +3,7 @@
 #include "harness/core/overloaded.h"
 
 #include <cmath>
+#include <optional>
 
 namespace cylon::exact {
 namespace {
@@ -61,9 +62,10 @@ void check_bodies(std::string_view solution, const core::Scene& scene, double ho
 }
 
 void check_no_contacts(std::string_view solution, const core::Scene& scene) {
-  const auto pairs = core::touching_pairs(scene);
-  if (pairs.empty()) return;
-  const core::Pair& pair = pairs.front();
+  std::optional<core::Pair> first;
+  core::any_touching_pair(scene, [&](const core::Pair& pair) { return first = pair, true; });
+  if (!first) return;
+  const core::Pair& pair = *first;
   const std::string other = pair.plane >= 0
                                 ? "plane '" + scene.planes.at(static_cast<std::size_t>(pair.plane)).name + "'"
                                 : named(scene, pair.other);

@@ -186,12 +186,12 @@ TEST_F(CommandLine, AnInterruptedRunGoesOn) {
 
 TEST_F(CommandLine, CompletionScriptCompletes) {
   const Ran ran = shell(
-      "cylon completion bash > c.sh && bash -n c.sh && . ./c.sh && COMP_WORDS=(cylon run hea) COMP_CWORD=2 "
+      "cylon completion bash > c.sh && bash -n c.sh && . ./c.sh && COMP_WORDS=(cylon run dzh) COMP_CWORD=2 "
       "&& _cylon && "
       "echo ${COMPREPLY[@]} && COMP_WORDS=(cylon run --engine od) COMP_CWORD=3 && _cylon && echo "
       "${COMPREPLY[@]}");
   EXPECT_EQ(ran.code, 0) << ran.err;
-  EXPECT_EQ(ran.out, "heavy_top\node ode-quick\n");
+  EXPECT_EQ(ran.out, "dzhanibekov\node ode-quick\n");
 }
 
 TEST_F(CommandLine, ANewScenarioRuns) {

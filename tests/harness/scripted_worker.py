@@ -121,28 +121,35 @@ def run(bodies, dt, request):
     done = {"ok": "run", "steps": steps, "frames": frames, "step_ns": 1000 * steps}
     if MODE == "miscounts":
         done["frames"] += 1
+    if MODE == "adaptive":
+        done["remarks"] = [f"tolerance {tolerance:g} was not reached: 0.5 was"]
     if MODE == "misspells":
         done["setp_ns"] = done.pop("step_ns")
     say(done)
 
 
-bodies, dt = [], 0
+bodies, dt, tolerance = [], 0, 0
 for text in sys.stdin:
     request = json.loads(text)
     cmd = request["cmd"]
     if cmd == "hello":
         misbehave("hello")
         say({"ok": "hello", "protocol": 2 if MODE == "protocol_2" else 1, "engine": "scripted", "version": MODE,
-             "precision": "double", "events": False})
+             "precision": "double", "events": False,
+             **({"schemes": [{"name": "stiff"}, {"name": "controlled", "order": 5, "adaptive": True}]}
+                if MODE == "adaptive" else {})})
     elif cmd == "load":
         misbehave("load")
-        bodies, dt = request["scene"]["body"], request["dt"]
+        bodies, dt, tolerance = request["scene"]["body"], request["dt"], request.get("tolerance", 0)
         if MODE == "unsupported":
             say({"unsupported": "no bodies at all"})
         elif request["options"]:
             say({"error": f"unknown option '{list(request['options'])[0]}'"})
         else:
-            say({"ok": "load", "integrator": "uniform", "order": 1})
+            say({"ok": "load", "integrator": "uniform", "order": 1,
+                 **({"plan": [{"name": "flight", "in": True, "reason": "bodies move"},
+                              {"name": "far too \x1b[31mred", "in": False, "reason": "nothing is"}]}
+                    if MODE == "adaptive" else {})})
             send(0, [state(bodies, 1e-9 if MODE == "wrong_start" else 0)])
     elif cmd == "run":
         run(bodies, dt, request)

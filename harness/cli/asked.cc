@@ -1,0 +1,55 @@
+#include "harness/cli/asked.h"
+
+#include "harness/cli/app.h"
+#include "harness/cli/command_line.h"
+
+#include "harness/core/input_error.h"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+namespace cylon::cli {
+
+void add_asked(CLI::App& app, Asked& asked) {
+  app.add_option("file", asked.file, "A scenario file, or the name of a shipped scenario")
+      ->type_name("FILE")
+      ->required();
+  app.add_option("--engine", asked.engine, "Engine id, with a variant after '/': bullet/gyro=none")
+      ->type_name("ID")
+      ->capture_default_str();
+  app.add_option("--integrator", asked.integrator,
+                 "One of the engine's schemes, as `cylon engines` names them")
+      ->type_name("NAME");
+  app.add_option("--tolerance", asked.tolerance,
+                 "For error-controlled schemes: bound on the error at the printed times, relative to the "
+                 "scales of the motion; --dt is then the grid of these times alone")
+      ->type_name("T")
+      ->check(positive(1));
+  app.add_option("--model", asked.model,
+                 "planned: only what the scene requires; full: every stage (in-house engine)")
+      ->type_name("NAME");
+  add_worker_option(app, asked.workers);
+}
+
+process::EngineChoice choose(const Context& context, const Asked& asked) {
+  process::EngineChoice engine = process::parse_engine(asked.engine, with_workers(context, asked.workers));
+  const auto state = [&](const char* option, const std::string& value, std::string& place) {
+    if (value.empty()) return;
+    if (!place.empty() && place != value)
+      throw core::InputError(fmt::format("{} {}: --engine {} states another", option, value, asked.engine));
+    place = value;
+  };
+  state("--integrator", asked.integrator, engine.integrator);
+  if (!asked.model.empty()) state("--model", asked.model, engine.options["model"]);
+  return engine;
+}
+
+int report_failure(const std::string& engine, const process::RunOutcome& outcome) {
+  std::cerr << plain(fmt::format("{}: {}: {}\n", engine, core::name(outcome.status), outcome.reason));
+  // An engine that is there and says that it cannot do this was asked for the wrong thing.
+  return outcome.status == core::Status::unsupported && !outcome.engine.version.empty() ? bad_input
+                                                                                        : harness_failure;
+}
+
+}  // namespace cylon::cli

@@ -1,0 +1,30 @@
+// One scenario and one engine as a user asks for them: what `simulate` and `plan` have in common.
+#pragma once
+
+#include "harness/cli/context.h"
+#include "harness/process/client.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+namespace cylon::cli {
+
+struct Asked {
+  std::string file, engine = "in-house", integrator, model;
+  double tolerance = 0;  ///< 0: none given.
+  std::vector<std::string> workers;
+};
+
+/// FILE, --engine, --integrator, --tolerance, --model and --worker.
+void add_asked(CLI::App&, Asked&);
+
+/// The engine with integrator and model as options state them; throws core::InputError where the engine's
+/// variant states others.
+process::EngineChoice choose(const Context&, const Asked&);
+
+/// Says on stderr why a run came to nothing; returns the exit code.
+int report_failure(const std::string& engine, const process::RunOutcome&);
+
+}  // namespace cylon::cli

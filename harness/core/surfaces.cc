@@ -1,0 +1,129 @@
+#include "harness/core/surfaces.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+
+namespace cylon::core {
+namespace {
+
+// A row of the materials as one of its two names sees it: the partner, the row.
+using Partners = std::vector<std::pair<std::string, int>>;
+
+// What each name meets, in the order of the partners' names; of several rows for one pair the first counts.
+std::map<std::string, Partners> partners(const Scene& scene) {
+  std::map<std::string, Partners> result;
+  for (std::size_t row = 0; row < scene.materials.size(); ++row) {
+    const auto& [a, b] = scene.materials[row].between;
+    result[a].emplace_back(b, static_cast<int>(row));
+    if (a != b) result[b].emplace_back(a, static_cast<int>(row));
+  }
+  for (auto& [name, list] : result) {
+    std::stable_sort(list.begin(), list.end(),
+                     [](const auto& x, const auto& y) { return x.first < y.first; });
+    const auto same = [](const auto& x, const auto& y) { return x.first == y.first; };
+    list.erase(std::unique(list.begin(), list.end(), same), list.end());
+  }
+  return result;
+}
+
+int find(const Partners& list, const std::string& name) {
+  const auto at = std::lower_bound(list.begin(), list.end(), name,
+                                   [](const auto& entry, const std::string& n) { return entry.first < n; });
+  return at != list.end() && at->first == name ? at->second : -1;
+}
+
+// Of two rows the one that stands first; -1 is none.
+int first_of(int a, int b) { return a < 0 ? b : b < 0 ? a : std::min(a, b); }
+
+// Partners with numbers in place of rows: equal for names that are of one class.  The row with "*" stays a
+// row, because the first of two such rows decides.
+using Signature = std::vector<std::tuple<std::string, double, double, int>>;
+
+Signature signature(const Scene& scene, const Partners& list) {
+  Signature result;
+  for (const auto& [name, row] : list) {
+    const Material& m = scene.materials[static_cast<std::size_t>(row)];
+    result.emplace_back(name, m.restitution, m.friction, name == "*" ? row : 0);
+  }
+  return result;
+}
+
+bool collides(const Body& body) {
+  return body.collide && !std::holds_alternative<std::monostate>(body.shape);
+}
+
+}  // namespace
+
+Surfaces surfaces(const Scene& scene) {
+  const std::map<std::string, Partners> known = partners(scene);
+  static const Partners nobody;
+  const auto partners_of = [&](const std::string& name) -> const Partners& {
+    const auto found = known.find(name);
+    return found == known.end() ? nobody : found->second;
+  };
+  Surfaces result;
+  std::map<Signature, int> classes;
+  std::map<std::string, int> seen;           // class of each name that a material mentions
+  std::vector<std::string> representatives;  // one name of each class
+  const auto class_of = [&](const std::string& name) {
+    if (const auto found = seen.find(name); found != seen.end()) return found->second;
+    const auto [at, fresh] =
+        classes.emplace(signature(scene, partners_of(name)), static_cast<int>(representatives.size()));
+    if (fresh) representatives.push_back(name);
+    if (known.contains(name)) seen.emplace(name, at->second);
+    return at->second;
+  };
+  for (const Body& body : scene.bodies) result.of_body.push_back(class_of(body.name));
+  for (const Plane& plane : scene.planes) result.of_plane.push_back(class_of(plane.name));
+  result.count = static_cast<int>(representatives.size());
+
+  const int fallback = find(partners_of("*"), "*");
+  const auto row_of = [&](const std::string& a, const std::string& b) {
+    const Partners &of_a = partners_of(a), &of_b = partners_of(b);
+    if (const int exact = find(of_a, b); exact >= 0) return exact;
+    if (const int half = first_of(find(of_a, "*"), find(of_b, "*")); half >= 0) return half;
+    return fallback;
+  };
+  result.table.resize(representatives.size() * representatives.size());
+  for (std::size_t a = 0; a < representatives.size(); ++a)
+    for (std::size_t b = 0; b <= a; ++b)
+      result.table[a * representatives.size() + b] = result.table[b * representatives.size() + a] =
+          row_of(representatives[a], representatives[b]);
+  return result;
+}
+
+std::optional<Pair> pair_without_material(const Scene& scene) {
+  const Surfaces classes = surfaces(scene);
+  const auto at = [](const std::vector<int>& list, std::size_t i) {
+    return static_cast<std::size_t>(list[i]);
+  };
+  std::vector<int> moving(static_cast<std::size_t>(classes.count)), all = moving, planes = moving;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    if (!collides(scene.bodies[i])) continue;
+    ++all[at(classes.of_body, i)];
+    if (!scene.bodies[i].locked) ++moving[at(classes.of_body, i)];
+  }
+  for (std::size_t i = 0; i < scene.planes.size(); ++i) ++planes[at(classes.of_plane, i)];
+  bool missing = false;
+  for (int a = 0; a < classes.count; ++a)
+    for (int b = 0; b < classes.count; ++b) {
+      if (moving[static_cast<std::size_t>(a)] == 0 || classes.material(a, b) >= 0) continue;
+      const int others = all[static_cast<std::size_t>(b)] - (a == b ? 1 : 0);
+      missing = missing || others > 0 || planes[static_cast<std::size_t>(b)] > 0;
+    }
+  if (!missing) return std::nullopt;
+  std::optional<Pair> found;
+  any_touching_pair(scene, [&](const Pair& pair) {
+    const int one = classes.of_body[static_cast<std::size_t>(pair.body)];
+    const int other = pair.plane >= 0 ? classes.of_plane[static_cast<std::size_t>(pair.plane)]
+                                      : classes.of_body[static_cast<std::size_t>(pair.other)];
+    if (classes.material(one, other) < 0) found = pair;
+    return found.has_value();
+  });
+  return found;
+}
+
+}  // namespace cylon::core

@@ -1,0 +1,30 @@
+// Which surface meets which with what material, without asking pair by pair: a scene may have 10^5 bodies.
+#pragma once
+
+#include "harness/core/scene.h"
+
+#include <optional>
+#include <vector>
+
+namespace cylon::core {
+
+/// Bodies and planes in classes that no material of the scene tells apart, and one table over the classes.
+struct Surfaces {
+  std::vector<int> of_body;   ///< One per body: its class.
+  std::vector<int> of_plane;  ///< One per plane.
+  int count = 0;
+  std::vector<int> table;  ///< count x count, symmetric: index into Scene::materials, or -1.
+
+  /// What material_of says of any pair of these classes: an index into Scene::materials, or -1 for none.
+  int material(int one, int other) const { return table[static_cast<std::size_t>(one * count + other)]; }
+};
+
+/// Two names are of one class when they stand in materials with the same partners and the same numbers; names
+/// that no material mentions are one class.  O(bodies + materials + classes^2).
+Surfaces surfaces(const Scene&);
+
+/// The first pair of touching_pairs for which the scene states no material, or nothing.  O(bodies + planes +
+/// classes^2) where there is none.
+std::optional<Pair> pair_without_material(const Scene&);
+
+}  // namespace cylon::core

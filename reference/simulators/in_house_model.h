@@ -1,0 +1,21 @@
+// A scene in the in-house engine's terms.
+#pragma once
+
+#include "engine/model.h"
+#include "harness/core/scene.h"
+
+#include <optional>
+#include <string>
+
+namespace cylon::simulators {
+
+/// What came of it: a model, or the reason why the engine has no words for the scene.
+struct InHouseModel {
+  engine::Model model;
+  std::optional<std::string> missing;
+};
+
+/// O(bodies): which surface meets which is told by classes, never pair by pair.
+InHouseModel in_house_model(const core::Scene&);
+
+}  // namespace cylon::simulators
