@@ -231,8 +231,7 @@ void Bodies::free_drift(Real h, Real* y) {
     } else {
       m.position += h * velocity(body, m);
     }
-    if (body.turns)
-      m.orientation = free_flow(body, m.orientation, m.angular_momentum, h);
+    if (body.turns) m.orientation = free_flow(body, m.orientation, m.angular_momentum, h);
   }
   if (varies_) *clock += h;
   if (model_.frame) turn_frame(h, motion);

@@ -60,7 +60,7 @@ std::unique_ptr<Stepper> make_stepper(const Model& model, const Options& options
     case Method::ballistic:
       return make_ballistic(model, options.dt);
     case Method::events:
-      return make_events(model, options, plan, start);
+      return make_bodies(model, plan, options);
     case Method::stepping:
       return make_pile(model, options.dt);
   }

@@ -73,7 +73,7 @@ class Points {
     for (int c = 0; c < 3; ++c) {
       Real* __restrict p = y + c * n;
       const Real* __restrict k = y + (3 + c) * n;
-      for (std::size_t i = 0; i < n; ++i) p[i] += h * (inverse_mass_[i] * k[i]);
+      for (std::size_t i = 0; i < n; ++i) p[i] += (h * inverse_mass_[i]) * k[i];
     }
   }
 
@@ -132,11 +132,12 @@ class Points {
     k[i] += f.x(), k[n + i] += f.y(), k[2 * n + i] += f.z();
   }
 
-  //  F = k (|d| - L) d/|d|
+  //  F = k (|d| - L) d/|d| = k (1 - L/|d|) d
   static Vector3 pull(const Vector3& d, Real stiffness, Real rest_length) {
     if (rest_length == 0) return stiffness * d;
-    const Real length = d.norm();
-    return length > 0 ? Vector3(stiffness * (1 - rest_length / length) * d) : Vector3(Vector3::Zero());
+    const Real length = std::sqrt(d.x() * d.x() + d.y() * d.y() + d.z() * d.z());
+    return length > 0 ? Vector3((stiffness - stiffness * rest_length / length) * d)
+                      : Vector3(Vector3::Zero());
   }
 
   // k += h F(t, p)
@@ -149,10 +150,10 @@ class Points {
       }
     }
     for (const Pin& s : pins_) {
-      add(h * pull(s.place - point(y, n, s.body), s.stiffness, s.rest_length), k, n, s.body);
+      add(pull(s.place - point(y, n, s.body), h * s.stiffness, s.rest_length), k, n, s.body);
     }
     for (const Link& s : links_) {
-      const Vector3 f = h * pull(point(y, n, s.to) - point(y, n, s.body), s.stiffness, s.rest_length);
+      const Vector3 f = pull(point(y, n, s.to) - point(y, n, s.body), h * s.stiffness, s.rest_length);
       add(f, k, n, s.body);
       add(-f, k, n, s.to);
     }
