@@ -13,8 +13,8 @@ Real relax(Touch& c, Side& a, Side& b) {
   const Real normal = std::max(Real(0), c.normal - (u - c.wanted) / inverse_mass);
   const Real change = normal - c.normal;
   c.normal = normal;
-  a.push(change * c.n, c.n);
-  b.push(-change * c.n, -c.n);
+  a.push(change * c.n);
+  b.push(-change * c.n);
   Real moved = std::abs(change) * inverse_mass;
   if (c.material.friction > 0) {
     const Real k = a.tangential() + b.tangential();
@@ -22,8 +22,8 @@ Real relax(Touch& c, Side& a, Side& b) {
     const Vector3 tangential = friction_impulse(drive, c.n, k, c.material.friction, c.normal);
     const Vector3 step = tangential - c.tangential;
     c.tangential = tangential;
-    a.push(step, c.n);
-    b.push(-step, -c.n);
+    a.rub(step, c.n);
+    b.rub(-step, -c.n);
     moved += step.norm() * k;
   }
   return moved;

@@ -67,7 +67,7 @@ class Course final : public Ballistic {
 
   // What an event does to a body: settle.cc
   Side side(std::size_t body) const;
-  void take(std::size_t body, const Side&, Real speed);
+  void take(std::size_t body, const Side&, Real speed);  // speed: of all that went into the new velocity
   void rest_on(std::size_t body, std::size_t plane, bool slips);
   void fly(std::size_t body);
   bool collapses(Real separation, Real restitution, Real pressing) const;

@@ -17,10 +17,11 @@ struct Side {
   Real tangential() const { return inverse_mass + inverse_inertia * radius * radius; }
   /// r w
   Vector3 rim() const { return radius * inverse_inertia * angular_momentum; }
-  /// An impulse J at the point -r n (towards > 0) or r n.
-  void push(const Vector3& impulse, const Vector3& towards) {
-    velocity += inverse_mass * impulse;
-    angular_momentum -= radius * towards.cross(impulse);
+  void push(const Vector3& impulse) { velocity += inverse_mass * impulse; }
+  /// The same where the sphere is touched at -r n; it turns by the tangential part alone.
+  void rub(const Vector3& tangential, const Vector3& n) {
+    push(tangential);
+    angular_momentum -= radius * n.cross(tangential);
   }
 };
 
@@ -47,13 +48,14 @@ inline Vector3 friction_impulse(const Vector3& slip, const Vector3& n, Real k, R
 inline void strike(Side& a, Side& b, const Vector3& n, const Material& material) {
   const Real normal =
       -(1 + material.restitution) * n.dot(a.velocity - b.velocity) / (a.inverse_mass + b.inverse_mass);
-  Vector3 impulse = normal * n;
+  a.push(normal * n);
+  b.push(-normal * n);
   if (material.friction > 0) {
     const Real k = a.tangential() + b.tangential();
-    impulse += friction_impulse(slip(a, b, n), n, k, material.friction, normal);
+    const Vector3 tangential = friction_impulse(slip(a, b, n), n, k, material.friction, normal);
+    a.rub(tangential, n);
+    b.rub(-tangential, -n);
   }
-  a.push(impulse, n);
-  b.push(-impulse, -n);
 }
 
 }  // namespace cylon::engine::ballistic

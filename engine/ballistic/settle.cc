@@ -27,6 +27,8 @@ void Course::take(std::size_t body, const Side& side, Real speed) {
   if (model_.bodies[body].locked) return;
   Flight& flight = flights_[body];
   flight.velocity = side.velocity;
+  const bool stops = size(side.velocity) <= rounding * speed;  // what is left is rounding
+  if (stops) flight.velocity.setZero();
   ++flight.changes;
   Turning& turning = turnings_[body];
   if (side.angular_momentum != turning.angular_momentum || !turning.torque.isZero(0)) {
@@ -77,7 +79,7 @@ Time Course::shortest() const { return std::max(1e-9 * dt_, 16 * ulp * now_); }
 bool Course::hit_without_end(std::size_t body) {
   Burst& burst = bursts_[body];
   if (!(now_ - burst.time <= 16 * ulp * now_)) burst = {now_, 0};
-  if (++burst.impacts <= 1000 + flights_.size()) return false;
+  if (++burst.impacts <= 128 + flights_.size()) return false;
   hand_over("body " + std::to_string(body) + " is hit without end at one instant");
   return true;
 }
