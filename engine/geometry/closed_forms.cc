@@ -1,0 +1,89 @@
+#include "engine/geometry/closed_forms.h"
+
+#include "engine/geometry/segments.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cylon::engine {
+namespace {
+
+constexpr Real eps = std::numeric_limits<Real>::epsilon();
+
+Vector3 any_across(const Vector3& x) {
+  int least = 0;
+  x.cwiseAbs().minCoeff(&least);
+  return x.cross(Vector3::Unit(least));
+}
+
+}  // namespace
+
+// d = a - b, n = d/|d|, gap = |d| - r_a - r_b.
+Separation between_points(const Vector3& a, Real radius_a, const Vector3& b, Real radius_b,
+                          const Vector3& across, Real size) {
+  const Vector3 d = a - b;
+  const Real distance = d.norm();
+  Separation result;
+  if (distance > 4 * eps * size) {
+    result.normal = d / distance;
+  } else {
+    result.normal = across.normalized();
+    if (result.normal.dot(d) < 0) result.normal = -result.normal;
+  }
+  result.gap = distance - radius_a - radius_b;
+  result.point = a - radius_a * result.normal;
+  result.other_point = b + radius_b * result.normal;
+  return result;
+}
+
+Separation sphere_sphere(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose) {
+  return between_points(pose.position, std::get<Sphere>(body).radius, other_pose.position,
+                        std::get<Sphere>(other).radius, Vector3::UnitY(), 0);
+}
+
+Separation sphere_capsule(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose) {
+  const auto& capsule = std::get<Capsule>(other);
+  const Vector3 along = other_pose.rotation.col(1);
+  const Vector3 d = pose.position - other_pose.position;
+  const Real t = std::clamp(along.dot(d), -capsule.half_length, capsule.half_length);
+  return between_points(pose.position, std::get<Sphere>(body).radius, other_pose.position + t * along,
+                        capsule.radius, any_across(along), capsule.half_length);
+}
+
+Separation capsule_capsule(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose) {
+  const auto &a = std::get<Capsule>(body), &b = std::get<Capsule>(other);
+  const Vector3 u = pose.rotation.col(1), w = other_pose.rotation.col(1);
+  const SegmentPoints x = nearest_on_segments(Vector3::Zero(), u, a.half_length,
+                                              other_pose.position - pose.position, w, b.half_length);
+  Vector3 across = u.cross(w);
+  if (x.parallel) across = any_across(u);
+  return between_points(pose.position + x.s * u, a.radius, other_pose.position + x.t * w, b.radius, across,
+                        a.half_length + b.half_length);
+}
+
+// p: the centre in the box's axes, q: the point of the box nearest to it.  Outside gap = |p - q| - r along
+// p - q; inside gap = -(least way out) - r along that face's normal.
+Separation sphere_box(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose) {
+  const Real radius = std::get<Sphere>(body).radius;
+  const Vector3& half = std::get<Box>(other).half_extents;
+  const Vector3 p = other_pose.rotation.transpose() * (pose.position - other_pose.position);
+  Vector3 q = p.cwiseMax(-half).cwiseMin(half), n = p - q;
+  Real distance = n.norm();
+  if (distance > 0) {
+    n /= distance;
+  } else {
+    int face = 0;
+    distance = -(half - p.cwiseAbs()).minCoeff(&face);
+    n = (p[face] < 0 ? Real(-1) : Real(1)) * Vector3::Unit(face);
+    q -= distance * n;
+  }
+  Separation result;
+  result.gap = distance - radius;
+  result.normal = other_pose.rotation * n;
+  result.other_point = other_pose.position + other_pose.rotation * q;
+  result.point = pose.position - radius * result.normal;
+  return result;
+}
+
+}  // namespace cylon::engine

@@ -1,0 +1,133 @@
+#include "engine/geometry/nearest.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace cylon::engine {
+namespace {
+
+constexpr Real eps = std::numeric_limits<Real>::epsilon();
+
+struct Vertex {
+  Vector3 w;         // of the difference a - b
+  int a = 0, b = 0;  // of which vertices
+  Real weight = 0;   // barycentric, in the simplex
+};
+
+// Up to four vertices; v is its point nearest to the origin, of which all weights are positive.
+struct Simplex {
+  std::array<Vertex, 4> vertex;
+  int count = 0;
+  Vector3 v;
+  bool contains_origin = false;
+};
+
+Simplex point(const Vertex& p) {
+  Simplex s;
+  s.count = 1;
+  s.vertex[0] = p;
+  s.vertex[0].weight = 1;
+  s.v = p.w;
+  return s;
+}
+
+Simplex segment(const Vertex& p, const Vertex& q) {
+  const Vector3 d = q.w - p.w;
+  const Real t = -p.w.dot(d), u = q.w.dot(d);
+  if (!(t > 0)) return point(p);
+  if (!(u > 0)) return point(q);
+  Simplex s;
+  s.count = 2;
+  s.vertex[0] = p, s.vertex[1] = q;
+  s.vertex[0].weight = u / (t + u), s.vertex[1].weight = t / (t + u);
+  s.v = s.vertex[0].weight * p.w + s.vertex[1].weight * q.w;
+  return s;
+}
+
+const Simplex& nearer(const Simplex& s, const Simplex& t) {
+  return s.v.squaredNorm() <= t.v.squaredNorm() ? s : t;
+}
+
+// v = n (n.x)/n^2 is the origin's foot on the plane.  Inside where it is on the inner side of all three
+// edges, with differences from the foot and not from the origin, which may be far; else the nearest of the
+// edges.
+Simplex triangle(const Vertex& p, const Vertex& q, const Vertex& r) {
+  const Vector3 n = (q.w - p.w).cross(r.w - p.w);
+  const Vector3 v = n * (n.dot((p.w + q.w + r.w) / 3) / n.squaredNorm());
+  const Vector3 vp = p.w - v, vq = q.w - v, vr = r.w - v;
+  const Real wp = n.dot(vq.cross(vr)), wq = n.dot(vr.cross(vp)), wr = n.dot(vp.cross(vq));
+  if (wp > 0 && wq > 0 && wr > 0) {  // false where n = 0: NaN
+    const Real sum = wp + wq + wr;
+    Simplex s;
+    s.count = 3;
+    s.vertex[0] = p, s.vertex[1] = q, s.vertex[2] = r;
+    s.vertex[0].weight = wp / sum, s.vertex[1].weight = wq / sum, s.vertex[2].weight = wr / sum;
+    s.v = v;
+    return s;
+  }
+  return nearer(nearer(segment(p, q), segment(q, r)), segment(r, p));
+}
+
+Simplex tetrahedron(const std::array<Vertex, 4>& x, Real size) {
+  Simplex best;
+  bool outside = false;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Vertex &p = x[k], &q = x[(k + 1) % 4], &r = x[(k + 2) % 4], &opposite = x[(k + 3) % 4];
+    const Vector3 n = (q.w - p.w).cross(r.w - p.w);
+    const Real origin = -n.dot(p.w), height = n.dot(opposite.w - p.w);
+    const bool flat = std::abs(height) <= 16 * eps * size * n.norm();
+    if (!flat && origin * height > 0) continue;
+    const Simplex s = triangle(p, q, r);
+    if (!outside || s.v.squaredNorm() < best.v.squaredNorm()) best = s;
+    outside = true;
+  }
+  if (outside) return best;
+  best.contains_origin = true;
+  return best;
+}
+
+}  // namespace
+
+Nearest nearest(const Couple& couple) {
+  const auto vertex = [&](const Vector3& direction) {
+    Vertex x;
+    x.a = couple.support_a(direction), x.b = couple.support_b(-direction);
+    x.w = couple.vertex_a(x.a) - couple.vertex_b(x.b);
+    return x;
+  };
+
+  Simplex s = point(vertex(couple.shift));
+  const Real rounding = 4 * eps * couple.size;
+  const int most_steps = 64 + couple.a.vertex_count + couple.b.vertex_count;
+  for (int step = 0; step < most_steps; ++step) {
+    if (s.v.squaredNorm() <= rounding * rounding) return {};
+    const Vertex next = vertex(-s.v);
+    bool known = false;
+    for (int k = 0; k < s.count; ++k) {
+      const Vertex& old = s.vertex[static_cast<std::size_t>(k)];
+      known = known || (old.a == next.a && old.b == next.b);
+    }
+    if (known || next.w.dot(s.v) >= s.v.squaredNorm()) break;
+    const auto& x = s.vertex;
+    const Simplex wider = s.count == 1   ? segment(x[0], next)
+                          : s.count == 2 ? triangle(x[0], x[1], next)
+                                         : tetrahedron({x[0], x[1], x[2], next}, couple.size);
+    if (wider.contains_origin) return {};
+    if (!(wider.v.squaredNorm() < s.v.squaredNorm())) break;
+    s = wider;
+  }
+
+  Nearest result;
+  result.a.setZero(), result.b.setZero();
+  for (int k = 0; k < s.count; ++k) {
+    const Vertex& x = s.vertex[static_cast<std::size_t>(k)];
+    result.a += x.weight * couple.vertex_a(x.a);
+    result.b += x.weight * couple.vertex_b(x.b);
+  }
+  result.distance = s.v.norm();
+  result.normal = s.v / result.distance;
+  return result;
+}
+
+}  // namespace cylon::engine

@@ -1,0 +1,78 @@
+#include "engine/geometry/touch.h"
+
+#include "engine/geometry/clip.h"
+#include "engine/geometry/nearest.h"
+#include "engine/geometry/segments.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace cylon::engine {
+namespace {
+
+constexpr Real eps = std::numeric_limits<Real>::epsilon();
+constexpr Real near = eps < Real(1e-10) ? Real(1.5e-8) : Real(3.5e-4);  // sqrt(eps)
+
+// The middle of the deepest corners of what lies over the face; the deepest vertex itself where rounding
+// leaves nothing over it.
+Vector3 deepest_over(const Couple& couple, const Axis& axis) {
+  const bool on_a = axis.kind == Axis::Kind::face_a;
+  Patch patch;
+  clip(couple, on_a, on_a ? axis.a : axis.b, patch);
+  Real least = std::numeric_limits<Real>::infinity();
+  for (int k = 0; k < patch.count; ++k)
+    least = std::min(least, patch.corners[static_cast<std::size_t>(k)].gap);
+  const Real same = 64 * eps * couple.size;
+  if (!(least <= axis.gap + same))
+    return on_a ? couple.vertex_b(couple.support_b(axis.normal))
+                : couple.vertex_a(couple.support_a(-axis.normal));
+  Vector3 sum = Vector3::Zero();
+  int count = 0;
+  for (int k = 0; k < patch.count; ++k) {
+    const Corner& corner = patch.corners[static_cast<std::size_t>(k)];
+    if (corner.gap <= least + same) sum += corner.x, ++count;
+  }
+  return sum / static_cast<Real>(count);
+}
+
+void place_on_edges(const Couple& couple, const Axis& axis, Touch& result) {
+  const Edge &e = couple.a.edges[axis.a], &f = couple.b.edges[axis.b];
+  const Vector3 p = couple.vertex_a(e[0]), q = couple.vertex_b(f[0]);
+  Vector3 u = couple.vertex_a(e[1]) - p, w = couple.vertex_b(f[1]) - q;
+  const Real a = u.norm() / 2, b = w.norm() / 2;
+  const Vector3 middle_a = p + u / 2, middle_b = q + w / 2;
+  u /= 2 * a, w /= 2 * b;
+  const SegmentPoints where = nearest_on_segments(middle_a, u, a, middle_b, w, b);
+  result.a = middle_a + where.s * u;
+  result.b = middle_b + where.t * w;
+}
+
+Touch from_axis(const Couple& couple, const Axis& axis) {
+  Touch result{axis.gap, axis.normal, Vector3::Zero(), Vector3::Zero(), axis.kind, axis.a, axis.b};
+  if (axis.kind == Axis::Kind::face_a) {
+    result.b = deepest_over(couple, axis);
+    result.a = result.b + axis.gap * axis.normal;
+  } else if (axis.kind == Axis::Kind::face_b) {
+    result.a = deepest_over(couple, axis);
+    result.b = result.a - axis.gap * axis.normal;
+  } else {
+    place_on_edges(couple, axis, result);
+  }
+  return result;
+}
+
+}  // namespace
+
+// Apart by more than the square root of rounding, nearest() has the normal to that square root at worst (a
+// corner against a corner) and to rounding where a face or two edges decide.  Nearer than that the axes
+// decide, unless they miss the distance: corners and edges against corners.
+Touch touch(const Couple& couple) {
+  const Nearest apart = nearest(couple);
+  if (!(apart.distance > near * couple.size)) {
+    const Axis axis = widest_axis(couple, apart.distance);
+    if (!(apart.distance > axis.gap + 8 * eps * couple.size)) return from_axis(couple, axis);
+  }
+  return {apart.distance, apart.normal, apart.a, apart.b};
+}
+
+}  // namespace cylon::engine

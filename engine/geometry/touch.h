@@ -1,0 +1,20 @@
+// Where two cores are nearest, or deepest in one another: the general algorithm behind every pair that has no
+// formula of its own.
+#pragma once
+
+#include "engine/geometry/axis.h"
+
+namespace cylon::engine {
+
+/// In a's axes; without the rounding radii.
+struct Touch {
+  Real gap = 0;                        ///< [m]
+  Vector3 normal;                      ///< Unit, from b to a.
+  Vector3 a, b;                        ///< a - b = gap normal, to rounding [m].
+  Axis::Kind kind = Axis::Kind::none;  ///< Of the axis that it follows from; none: from nearest().
+  int feature_a = -1, feature_b = -1;  ///< As in Axis.
+};
+
+Touch touch(const Couple&);
+
+}  // namespace cylon::engine
