@@ -45,6 +45,7 @@ TEST_P(Truths, TheEngineFollowsTheFile) {
   for (const TruthScene& truth : truth_scenes(GetParam())) {
     SCOPED_TRACE(truth.name);
     ASSERT_FALSE(truth.samples.empty());
+    setup.dt = grids(truth.samples).front().spacing;
     const auto reason = simulator->unsupported(truth.scene, setup);
     if (reason) {
       ADD_FAILURE() << "the engine cannot express it: " << *reason;
