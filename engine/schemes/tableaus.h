@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 namespace cylon::engine {
 
@@ -146,6 +147,11 @@ inline constexpr std::array<double, 12> embedded3 = {
     0,                                    //
     0.220588235294117647058823529412e-1,  //
 };
+inline constexpr auto error3 = [] {
+  std::array<double, 12> difference{};
+  for (std::size_t i = 0; i < 12; ++i) difference[i] = weights[i] - embedded3[i];
+  return difference;
+}();
 
 // Dense output: stages 13 to 15 (stage 12 is f at the end of the step), and the polynomial's coefficients
 // d_4i to d_7i.
