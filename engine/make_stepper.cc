@@ -1,5 +1,6 @@
 #include "engine/make_stepper.h"
 
+#include "engine/adaptive_stepper.h"
 #include "engine/ballistic/ballistic.h"
 #include "engine/bodies.h"
 #include "engine/free_stepper.h"
@@ -7,6 +8,7 @@
 #include "engine/points.h"
 #include "engine/reduce.h"
 #include "engine/smooth_stepper.h"
+#include "engine/verified_stepper.h"
 
 #include <utility>
 
@@ -18,9 +20,13 @@ namespace {
 template <class S, class Read>
 std::unique_ptr<Stepper> smooth(const S& system, const std::vector<Real>& initial, const Plan& plan,
                                 const Options& options, Read read, const Model& model) {
-  static_cast<void>(model);
-  const Scheme& scheme = plan.adaptive ? *find_scheme("rk8") : *plan.scheme;
-  return std::make_unique<SmoothStepper<S, Read>>(system, initial, scheme, options.dt, read);
+  if (!plan.adaptive)
+    return std::make_unique<SmoothStepper<S, Read>>(system, initial, *plan.scheme, options.dt, read);
+  const auto run = [=](Real tolerance) -> std::unique_ptr<Stepper> {
+    return std::make_unique<AdaptiveStepper<S, Read>>(system, initial, tolerance, options.dt, read);
+  };
+  const Real bound = options.tolerance > 0 ? options.tolerance : default_tolerance();
+  return std::make_unique<VerifiedStepper>(run, bound, model.bodies);
 }
 
 template <std::size_t N>

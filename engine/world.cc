@@ -17,6 +17,7 @@ World::World(Model model, const Options& options)
     if (ballistic_->handover()) hand_over();
   }
   motions_ = model_.motions;
+  for (const Body& body : model_.bodies) masses_.push_back(body.mass);
 }
 
 World::~World() = default;
@@ -29,6 +30,17 @@ void World::step() {
   }
   ++steps_;
   stepper_->read(motions_);
+  weigh();
+}
+
+// The bodies' masses now, where they change.
+void World::weigh() {
+  for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
+    Body& body = model_.bodies[i];
+    if (body.mass_rate == 0) continue;
+    body.mass = masses_[i] + static_cast<Real>(time()) * body.mass_rate;
+    if (!body.locked) body.inverse_mass = 1 / body.mass;
+  }
 }
 
 // What spheres in free flight cannot express goes on event by event, from the instant at which it begins.

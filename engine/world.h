@@ -25,7 +25,8 @@ class World {
   Time time() const { return static_cast<Time>(steps_) * options_.dt; }
   const Plan& plan() const { return plan_; }
 
-  /// The bodies as given; velocity() and angular_velocity() of a motion that was read need them.
+  /// The bodies as given, with their masses now; velocity() and angular_velocity() of a motion that was read
+  /// need them.
   const std::vector<Body>& bodies() const { return model_.bodies; }
 
   /// The motion now, of centres of mass.
@@ -43,6 +44,7 @@ class World {
 
  private:
   void hand_over();
+  void weigh();
 
   Model model_;
   Options options_;
@@ -51,6 +53,7 @@ class World {
   Ballistic* ballistic_ = nullptr;  // stepper_, while it is one
   std::vector<std::string> remarks_;
   std::vector<Motion> motions_;
+  std::vector<Real> masses_;  // at t = 0
   std::int64_t steps_ = 0;
 };
 
