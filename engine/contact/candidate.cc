@@ -1,0 +1,195 @@
+#include "engine/contact/candidate.h"
+
+#include "engine/geometry/manifold.h"
+
+#include <algorithm>
+#include <array>
+
+namespace cylon::engine {
+
+namespace {
+
+// Balls whose hull is the shape: what can touch a plane.
+std::vector<std::pair<Vector3, Real>> corners(const Shape& shape) {
+  std::vector<std::pair<Vector3, Real>> result;
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) {
+    result.emplace_back(Vector3::Zero(), sphere->radius);
+  } else if (const auto* box = std::get_if<Box>(&shape)) {
+    for (const Real x : {-1, 1}) {
+      for (const Real y : {-1, 1}) {
+        for (const Real z : {-1, 1}) result.emplace_back(box->half_extents.cwiseProduct(Vector3(x, y, z)), Real(0));
+      }
+    }
+  } else if (const auto* capsule = std::get_if<Capsule>(&shape)) {
+    for (const Real y : {-1, 1}) result.emplace_back(Vector3(0, y * capsule->half_length, 0), capsule->radius);
+  } else if (const auto* hull = std::get_if<Hull>(&shape)) {
+    for (const Vector3& v : hull->vertices) result.emplace_back(v, Real(0));
+  }
+  return result;
+}
+
+bool is_sphere(const Shape& s) { return std::holds_alternative<Sphere>(s); }
+bool has_round_core(const Shape& s) {
+  return is_sphere(s) || std::holds_alternative<Box>(s) || std::holds_alternative<Capsule>(s);
+}
+
+// The core of a shape (a point, a segment, a box) and the radius around it: the point of the core nearest to x,
+// body axes, and which axes it is free to slide along.
+struct Foot {
+  Vector3 point;
+  Vector3 free;  // 1 along a free axis, else 0
+  Real radius;
+};
+
+Foot foot_of(const Shape& shape, const Vector3& x) {
+  Foot foot{Vector3::Zero(), Vector3::Zero(), 0};
+  Vector3 half = Vector3::Zero();
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) foot.radius = sphere->radius;
+  if (const auto* box = std::get_if<Box>(&shape)) half = box->half_extents;
+  if (const auto* capsule = std::get_if<Capsule>(&shape)) {
+    foot.radius = capsule->radius;
+    half.y() = capsule->half_length;
+  }
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    foot.point[i] = std::clamp(x[i], -half[i], half[i]);
+    foot.free[i] = std::abs(x[i]) < half[i] ? Real(1) : Real(0);
+  }
+  return foot;
+}
+
+Vector3 spin_of(const Body& body, const Motion& motion) {
+  return rotates(body) ? angular_velocity(body, motion) : Vector3(Vector3::Zero());
+}
+
+Touch corner_touch(const Candidate& c, const Model& model, const Motion* motion) {
+  const Plane& plane = model.planes[index(c.plane)];
+  const Motion& m = motion[index(c.body)];
+  const Body& body = model.bodies[index(c.body)];
+  Touch touch;
+  const Vector3 arm = m.orientation.toRotationMatrix() * c.centre;
+  const Vector3 w = spin_of(body, m);
+  touch.normal = plane.normal;
+  touch.gap = plane.normal.dot(m.position + arm) - plane.offset - c.radius;
+  touch.position = m.position + arm - (c.radius + touch.gap / 2) * plane.normal;
+  touch.path = velocity(body, m) + w.cross(arm);
+  touch.curvature = plane.normal.dot(w.cross(w.cross(arm)));
+  return touch;
+}
+
+Touch round_touch(const Candidate& c, const Model& model, const Motion* motion) {
+  const Motion &a = motion[index(c.body)], &b = motion[index(c.other)];
+  const Body &body = model.bodies[index(c.body)], &other = model.bodies[index(c.other)];
+  const Matrix3 rotation = b.orientation.toRotationMatrix();
+  const Foot foot = foot_of(model.shapes[index(c.other)], rotation.transpose() * (a.position - b.position));
+  const Vector3 arm = rotation * foot.point;
+  const Vector3 d = a.position - b.position - arm;
+  const Real s = d.norm();
+  const Vector3 w = spin_of(other, b);
+  Touch touch;
+  touch.normal = s > 0 ? Vector3(d / s) : Vector3(Vector3::UnitY());
+  touch.gap = s - c.radius - foot.radius;
+  touch.position = a.position - (c.radius + touch.gap / 2) * touch.normal;
+  const Vector3 v = velocity(body, a) - velocity(other, b) - w.cross(arm);
+  // n' = W x n + what the nearest point's freedom leaves of v across n, over s
+  Vector3 across = rotation * (Vector3::Ones() - foot.free).cwiseProduct(rotation.transpose() * v);
+  across -= touch.normal.dot(across) * touch.normal;
+  touch.turning = w.cross(touch.normal);
+  if (s > 0) touch.turning += across / s;
+  touch.path = velocity(body, a) - c.radius * touch.turning;
+  touch.curvature = -touch.normal.dot(w.cross(w.cross(arm))) + 2 * touch.turning.dot(v) -
+                    s * touch.turning.squaredNorm();
+  return touch;
+}
+
+}  // namespace
+
+std::vector<Candidate> find_candidates(const Model& model) {
+  std::vector<Candidate> result;
+  const auto touchable = [&](std::size_t i) {
+    return i < model.surfaces.size() && model.surfaces[i] != no_surface &&
+           !std::holds_alternative<std::monostate>(model.shapes[i]);
+  };
+  int pair = 0;
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+    if (!touchable(i)) continue;
+    for (std::size_t p = 0; p < model.planes.size() && !model.bodies[i].locked; ++p) {
+      for (const auto& [centre, radius] : corners(model.shapes[i])) {
+        Candidate c;
+        c.body = static_cast<int>(i);
+        c.plane = static_cast<int>(p);
+        c.pair = pair;
+        c.centre = centre;
+        c.radius = radius;
+        c.reach = bounding_radius(model.shapes[i]);
+        c.material = model.material(model.surfaces[i], model.plane_surfaces[p]);
+        result.push_back(c);
+      }
+      ++pair;
+    }
+    for (std::size_t j = i + 1; j < model.bodies.size(); ++j) {
+      if (!touchable(j) || (model.bodies[i].locked && model.bodies[j].locked)) continue;
+      Candidate c;
+      const bool swap = !is_sphere(model.shapes[i]) && is_sphere(model.shapes[j]);
+      const std::size_t a = swap ? j : i, b = swap ? i : j;
+      c.kind = is_sphere(model.shapes[a]) && has_round_core(model.shapes[b]) ? Candidate::Kind::round
+                                                                             : Candidate::Kind::general;
+      c.body = static_cast<int>(a);
+      c.other = static_cast<int>(b);
+      c.pair = pair++;
+      if (c.kind == Candidate::Kind::round) c.radius = std::get<Sphere>(model.shapes[a]).radius;
+      c.reach = bounding_radius(model.shapes[a]);
+      c.other_reach = bounding_radius(model.shapes[b]);
+      c.material = model.material(model.surfaces[a], model.surfaces[b]);
+      result.push_back(c);
+    }
+  }
+  return result;
+}
+
+Touch touch_at(const Candidate& c, const Model& model, const Motion* motion) {
+  Touch touch = c.kind == Candidate::Kind::corner ? corner_touch(c, model, motion) : round_touch(c, model, motion);
+  touch.body = c.body;
+  touch.other = c.other;
+  touch.pair = c.pair;
+  touch.restitution = c.material.restitution;
+  touch.friction = c.material.friction;
+  return touch;
+}
+
+Real gap_of(const Candidate& c, const Model& model, const Motion* motion) {
+  if (c.kind != Candidate::Kind::general) return touch_at(c, model, motion).gap;
+  return separation(model.shapes[index(c.body)], pose(motion[index(c.body)]), model.shapes[index(c.other)],
+                    pose(motion[index(c.other)]))
+      .gap;
+}
+
+void touches_of(const Candidate& c, const Model& model, const Motion* motion, Real margin,
+                std::vector<Touch>& touches) {
+  const Motion &a = motion[index(c.body)], &b = motion[index(c.other)];
+  const Manifold found =
+      manifold(model.shapes[index(c.body)], pose(a), model.shapes[index(c.other)], pose(b), margin);
+  const Vector3 w = spin_of(model.bodies[index(c.other)], b);
+  for (int i = 0; i < found.count; ++i) {
+    const ContactPoint& point = found.points[static_cast<std::size_t>(i)];
+    Touch touch;
+    touch.body = c.body;
+    touch.other = c.other;
+    touch.pair = c.pair;
+    touch.restitution = c.material.restitution;
+    touch.friction = c.material.friction;
+    touch.position = point.position;
+    touch.normal = found.normal;
+    touch.gap = point.gap;
+    touch.turning = w.cross(found.normal);  // as a face of `other` under a point of `body`
+    touch.path = matter_velocity(model.bodies[index(c.body)], a, point.position);
+    touches.push_back(touch);
+  }
+}
+
+Real gap_scale(const Candidate& c, const Model& model, const Motion* motion) {
+  Real scale = motion[index(c.body)].position.norm() + c.reach;
+  if (c.other != fixed_world) return scale + motion[index(c.other)].position.norm() + c.other_reach;
+  return scale + std::abs(model.planes[index(c.plane)].offset);
+}
+
+}  // namespace cylon::engine

@@ -1,0 +1,48 @@
+// Where the bodies of a model may touch: every corner of a shape against every plane, every pair of bodies.
+#pragma once
+
+#include "engine/contact/touch.h"
+
+namespace cylon::engine {
+
+/// One place, or one pair of bodies, that may touch.
+struct Candidate {
+  enum class Kind {
+    corner,  ///< A ball (radius 0: a point) fixed in `body`, against a plane.
+    round,   ///< A sphere against a sphere, a capsule or a box: one point.
+    general  ///< Any other pair: engine/geometry finds its points.
+  };
+  Kind kind = Kind::corner;
+  int body = 0;
+  int other = fixed_world;
+  int plane = -1;
+  int pair = 0;                       ///< Points of one pair act at once.
+  Vector3 centre = Vector3::Zero();   ///< Of the ball, body axes [m].
+  Real radius = 0;                    ///< Of the ball [m].
+  Real reach = 0, other_reach = 0;    ///< Farthest point of the shapes from their reference points [m].
+  Material material;
+};
+
+/// All candidates of a model, body by body, planes first.  A pair of which neither moves is none.
+std::vector<Candidate> find_candidates(const Model&);
+
+/// The touch of a corner or round candidate, whatever its gap, with its rates.  Centres c_a, c_b of the round
+/// parts, s = |c_a - c_b|, W the angular velocity of what carries the normal:
+///   g'' = n.(c_a'' - c_b'') + 2 n'.(c_a' - c_b') - s |n'|^2,   x' = c_a' - r_a n'.
+Touch touch_at(const Candidate&, const Model&, const Motion*);
+
+/// Gap of any candidate [m].
+Real gap_of(const Candidate&, const Model&, const Motion*);
+
+/// The points of a general pair nearer than margin.
+void touches_of(const Candidate&, const Model&, const Motion*, Real margin, std::vector<Touch>&);
+
+/// dg/dt at a touch [m/s].
+inline Real gap_rate(const Touch& touch, const std::vector<Body>& bodies, const Motion* motion) {
+  return touch.normal.dot(relative_velocity(touch, bodies, motion));
+}
+
+/// Lengths that the gap is computed from: its rounding is a few ulps of them [m].
+Real gap_scale(const Candidate&, const Model&, const Motion*);
+
+}  // namespace cylon::engine

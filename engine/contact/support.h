@@ -1,0 +1,60 @@
+// Contacts that last: the forces with which surfaces that touch and do not approach press, rub and hold.
+//
+// At the level of accelerations, per point:  N >= 0, g'' >= 0, N g'' = 0;  a point that slips, u_t != 0, has
+// the force -mu N u_t/|u_t|;  one that does not has |T| <= mu N, and T = -mu N a_t/|a_t| where it starts to
+// slip.  P. Loetstedt, SIAM J. Appl. Math. 42 (1982) 281; J. J. Moreau (1988), section 8.
+#pragma once
+
+#include "engine/contact/coulomb.h"
+#include "engine/contact/touch.h"
+#include "engine/constraint.h"
+
+#include <span>
+
+namespace cylon::engine {
+
+/// How a point that touches is held: what a smooth piece of the motion keeps.
+struct Holding {
+  Grip grip = Grip::sticks;
+  Vector3 slip = Vector3::Zero();  ///< Unit direction of slip where it slides, world axes.
+};
+
+/// What a point does and how far it is from doing something else.
+struct SupportPoint {
+  Holding holding;
+  Vector3 force = Vector3::Zero();  ///< On `body`, world axes [N].
+  Real normal = 0;                  ///< N [N]; < 0: it ought to part.
+  Real reserve = 0;                 ///< mu N - |T| where it sticks [N]; < 0: it ought to slip.
+  Real slip_speed = 0;              ///< u.d where it slides [m/s]; < 0: it ought to stick or to turn round.
+  Real parting = 0;                 ///< g'' with all forces [m/s^2].
+};
+
+struct Support {
+  std::vector<SupportPoint> points;
+  VectorX multipliers;     ///< Of all rows, contacts first.
+  std::vector<Row> rows;
+  bool exact = true;
+};
+
+/// The bodies at an instant: loads without contact and joint forces.
+struct Instant {
+  const std::vector<Body>& bodies;
+  const Motion* motion;
+  const Kinematics* kinematics;
+  const Load* loads;
+};
+
+/// Decides how every point is held.  Points that move slower than `slow` [m/s] across the surface count as not
+/// slipping.
+Support find_support(std::span<const Touch>, std::span<const Row> joints, const Instant&, Real slow);
+
+/// The forces when that is decided: smooth functions of the state.  A sliding point that has come to move
+/// backwards keeps its force, so that slip goes through zero smoothly and its end can be found.
+Support hold_support(std::span<const Touch>, std::span<const Holding>, std::span<const Row> joints,
+                     const Instant&, Real slow);
+
+/// Adds the forces to the loads; what is left of a sum that cancels to rounding is made exactly zero, so that
+/// what rests stays.
+void add_forces(const Support&, Load*, std::size_t bodies);
+
+}  // namespace cylon::engine

@@ -1,0 +1,309 @@
+// What EventStepper does at an instant: who touches, what strikes, what is held; and how held points press.
+#include "engine/event_stepper.h"
+
+#include "engine/contact/response.h"
+#include "engine/geometry/pose.h"
+#include "engine/joint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cylon::engine {
+
+namespace {
+
+constexpr Real ulp = std::numeric_limits<Real>::epsilon();
+constexpr bool wide = sizeof(Real) == 8;
+// Slower than this, in ulps of the speeds around, is not moving.
+constexpr Real slow_ulps = wide ? 1024 : 64;
+
+// A bounce that would return within this part of a step is the end of a Zeno sequence: the contact rests.
+// What is cut off has the height a (1e-6 h)^2 / 8, 1e-18 m for a = g and h = 1 ms.
+constexpr Time zeno_return = wide ? 1e-6 : 1e-3;
+
+// Impacts of one pair in one step; beyond, they are plastic, which ends every sequence that restitution keeps
+// alive.
+constexpr int elastic_limit = 1000;
+
+// Whether n is normal to a face of the shape, to a part in 1e8.
+bool has_face(const Shape& shape, const Vector3& n) {
+  const Real nearly = 1 - Real(8) * std::sqrt(ulp) * std::sqrt(ulp) - Real(1e-8);
+  if (std::holds_alternative<Box>(shape)) return n.cwiseAbs().maxCoeff() > nearly;
+  if (const auto* hull = std::get_if<Hull>(&shape)) {
+    return std::any_of(hull->normals.begin(), hull->normals.end(),
+                       [&](const Vector3& face) { return std::abs(face.dot(n)) > nearly; });
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<Row> EventStepper::joint_rows(const Motion* motion) const {
+  std::vector<Row> rows;
+  for (const Joint& joint : system_.model().joints) add_rows(joint, system_.model().bodies, motion, rows);
+  return rows;
+}
+
+// The touch of a held point as it is now.
+Touch EventStepper::touch_of(const HeldPoint& held, const Motion* motion) const {
+  const Candidate& c = candidates_[held.candidate];
+  const Model& model = system_.model();
+  if (!held.general) return touch_at(c, model, motion);
+  const Motion &a = motion[index(c.body)], &b = motion[index(c.other)];
+  const Body &body = model.bodies[index(c.body)], &other = model.bodies[index(c.other)];
+  const Vector3 arm_a = a.orientation * held.on_body, arm_b = b.orientation * held.on_other;
+  const Vector3 x_a = a.position + arm_a, x_b = b.position + arm_b;
+  const auto spin = [](const Body& which, const Motion& m) -> Vector3 {
+    return rotates(which) ? angular_velocity(which, m) : Vector3(Vector3::Zero());
+  };
+  const Vector3 w_a = spin(body, a), w_b = spin(other, b);
+  Touch touch;
+  touch.body = c.body;
+  touch.other = c.other;
+  touch.pair = c.pair;
+  touch.restitution = c.material.restitution;
+  touch.friction = c.material.friction;
+  touch.normal = (held.face_of_body ? a.orientation : b.orientation) * held.normal;
+  touch.gap = touch.normal.dot(x_a - x_b);
+  touch.turning = (held.face_of_body ? w_a : w_b).cross(touch.normal);
+  touch.position = held.face_of_body ? x_b : x_a;
+  touch.path = held.face_of_body ? matter_velocity(other, b, x_b) : matter_velocity(body, a, x_a);
+  const Vector3 v = velocity(body, a) + w_a.cross(arm_a) - velocity(other, b) - w_b.cross(arm_b);
+  touch.curvature = touch.normal.dot(w_a.cross(w_a.cross(arm_a)) - w_b.cross(w_b.cross(arm_b))) +
+                    2 * touch.turning.dot(v);
+  return touch;
+}
+
+void EventStepper::hold(Time, const std::vector<Body>& bodies, const Motion* motion, const Kinematics* kinematics,
+                        Load* loads) {
+  touches_.clear();
+  holdings_.clear();
+  for (const HeldPoint& h : held_) {
+    touches_.push_back(touch_of(h, motion));
+    holdings_.push_back(h.holding);
+  }
+  const std::vector<Row> joints = joint_rows(motion);
+  add_forces(hold_support(touches_, holdings_, joints, {bodies, motion, kinematics, loads}, rest_speed_), loads,
+             bodies.size());
+}
+
+Support EventStepper::support(Time t, const Real* y) {
+  system_.load(t, y);
+  const Motion* motion = Bodies::motions(y);
+  touches_.clear();
+  holdings_.clear();
+  for (const HeldPoint& h : held_) {
+    touches_.push_back(touch_of(h, motion));
+    holdings_.push_back(h.holding);
+  }
+  const Instant now{system_.model().bodies, motion, system_.kinematics().data(), system_.loads().data()};
+  return hold_support(touches_, holdings_, joint_rows(motion), now, rest_speed_);
+}
+
+// Gaps of held points and joints to zero by the shortest way; then velocities into held surfaces, and all
+// velocity at points that stick.  What is closed to rounding is left alone: rest does not creep.
+void EventStepper::project(const std::vector<Body>& bodies, Motion* motion) {
+  constexpr int sweeps = 4;  // of Newton's method: each leaves the square of what is small already
+  const auto gather = [&](bool speeds) {
+    rows_.rows = joint_rows(motion);
+    bool closed = rows_.closed();
+    std::vector<Row> three;
+    for (const HeldPoint& h : held_) {
+      const Touch touch = touch_of(h, motion);
+      three.clear();
+      append_rows(touch, bodies, motion, three);
+      three[0].offset = touch.gap;
+      three[0].rounding = 16 * ulp * gap_scale(candidates_[h.candidate], system_.model(), motion);
+      closed = closed && std::abs(touch.gap) <= three[0].rounding;
+      const std::size_t count = speeds && h.holding.grip == Grip::sticks ? 3 : 1;
+      rows_.rows.insert(rows_.rows.end(), three.begin(), three.begin() + static_cast<std::ptrdiff_t>(count));
+    }
+    return closed;
+  };
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    if (gather(false)) break;
+    rows_.project_positions(bodies, motion);
+  }
+  gather(true);
+  rows_.project_velocities(bodies, motion);
+
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    bool sticks = false, slides = false;
+    Real reach = 0;
+    for (const HeldPoint& h : held_) {
+      const Candidate& c = candidates_[h.candidate];
+      if (index(c.body) != i && (c.other == fixed_world || index(c.other) != i)) continue;
+      (h.holding.grip == Grip::sticks ? sticks : slides) = true;
+      reach = std::max({reach, c.reach, c.other_reach});
+    }
+    if (!sticks || slides) continue;
+    Motion& m = motion[i];
+    if (velocity(bodies[i], m).norm() + reach * angular_velocity(bodies[i], m).norm() > rest_speed_) continue;
+    m.momentum.setZero();
+    m.angular_momentum.setZero();
+  }
+}
+
+// All points that touch now.
+std::vector<EventStepper::Spot> EventStepper::spots() {
+  const Model& model = system_.model();
+  const Motion* motion = Bodies::motions(y_.data());
+  std::vector<Spot> result;
+  std::vector<Touch> found;
+  for (std::size_t i = 0; i < candidates_.size(); ++i) {
+    const Candidate& c = candidates_[i];
+    const Real margin = touch_margin(c, motion);
+    Spot spot;
+    spot.held.candidate = i;
+    if (c.kind != Candidate::Kind::general) {
+      spot.touch = touch_at(c, model, motion);
+      if (spot.touch.gap <= margin) result.push_back(spot);
+      continue;
+    }
+    found.clear();
+    touches_of(c, model, motion, holds(i) ? 128 * margin : margin, found);
+    const Motion &a = motion[index(c.body)], &b = motion[index(c.other)];
+    for (const Touch& touch : found) {
+      spot.held.general = true;
+      const Vector3 x_a = touch.position + touch.gap / 2 * touch.normal;
+      const Vector3 x_b = touch.position - touch.gap / 2 * touch.normal;
+      spot.held.on_body = a.orientation.conjugate() * (x_a - a.position);
+      spot.held.on_other = b.orientation.conjugate() * (x_b - b.position);
+      spot.held.face_of_body =
+          !has_face(model.shapes[index(c.other)], b.orientation.conjugate() * touch.normal) &&
+          has_face(model.shapes[index(c.body)], a.orientation.conjugate() * touch.normal);
+      spot.held.normal = (spot.held.face_of_body ? a : b).orientation.conjugate() * touch.normal;
+      spot.touch = touch_of(spot.held, motion);
+      result.push_back(spot);
+    }
+  }
+  return result;
+}
+
+// Impacts of this instant, then which contacts last.
+void EventStepper::resolve(Time now) {
+  std::vector<Spot> touching = spots();
+  if (touching.empty()) {
+    held_.clear();
+    return;
+  }
+  strike_spots(now, touching);
+  hold_spots(now, touching);
+}
+
+// Impacts.  A point whose bounce would return too soon to be followed is struck again without restitution,
+// from the same momenta.
+void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
+  const Model& model = system_.model();
+  const std::vector<Body>& bodies = model.bodies;
+  Motion* motion = Bodies::motions(y_.data());
+  const auto rate_now = [&](const Touch& t) { return gap_rate(t, bodies, motion); };
+  const bool approaching = std::any_of(touching.begin(), touching.end(), [&](const Spot& s) {
+    return rate_now(s.touch) < -std::max(rest_speed_, speed_rounding(s.touch, bodies, motion));
+  });
+  if (!approaching) return;
+
+  system_.load(now, y_.data());
+  std::vector<Touch> touches;
+  std::vector<Real> pulls;  // -g'' of the loads alone
+  for (const Spot& spot : touching) {
+    Touch touch = spot.touch;
+    const auto pair = static_cast<std::size_t>(touch.pair);
+    if (hits_[pair] >= elastic_limit) touch.restitution = 0;
+    touches.push_back(touch);
+    std::vector<Row> rows;
+    append_rows(touch, bodies, motion, rows);
+    const auto side = [&](int body, const Vector3& spin) {
+      const std::size_t i = index(body);
+      const Vector3 gyroscopic = system_.kinematics()[i].angular_velocity.cross(motion[i].angular_momentum);
+      return bodies[i].inverse_mass * rows[0].direction.dot(system_.loads()[i].force) +
+             spin.dot(system_.loads()[i].torque - gyroscopic);
+    };
+    Real parting = touch.curvature + side(touch.body, rows[0].spin);
+    if (touch.other != fixed_world) parting -= side(touch.other, rows[0].to_spin);
+    pulls.push_back(-parting);
+  }
+  const std::vector<Real> before = y_;
+  const std::vector<Row> joints = joint_rows(motion);
+  ImpactOutcome outcome;
+  for (std::size_t pass = 0; pass <= touches.size(); ++pass) {
+    std::copy(before.begin(), before.end(), y_.begin());
+    outcome = strike(touches, model.impacts, joints, bodies, motion);
+    bool again = false;
+    for (std::size_t i = 0; i < touches.size(); ++i) {
+      const Real u = rate_now(touches[i]);
+      const bool soon = pulls[i] > 0 && 2 * u < static_cast<Real>(zeno_return * dt_) * pulls[i];
+      if (touches[i].restitution == 0 || outcome.approach[i] == 0 || !soon) continue;
+      touches[i].restitution = 0;
+      again = true;
+    }
+    if (!again) break;
+  }
+  if (!outcome.exact) ++inexact_;
+
+  // One record per pair that met: its fastest point.
+  for (std::size_t i = 0; i < touches.size(); ++i) {
+    const bool first_of_pair = i == 0 || touches[i].pair != touches[i - 1].pair;
+    if (!first_of_pair) continue;
+    std::size_t fastest = i;
+    for (std::size_t j = i; j < touches.size() && touches[j].pair == touches[i].pair; ++j) {
+      if (outcome.approach[j] > outcome.approach[fastest]) fastest = j;
+    }
+    const Touch& touch = touches[fastest];
+    if (outcome.approach[fastest] <= std::max(rest_speed_, speed_rounding(touch, bodies, motion))) continue;
+    ++hits_[static_cast<std::size_t>(touch.pair)];
+    Impact impact;
+    impact.time = now;
+    impact.body = touch.body;
+    impact.other = touch.other;
+    impact.plane = candidates_[touching[fastest].held.candidate].plane;
+    impact.approach = outcome.approach[fastest];
+    impact.separation = std::max<Real>(0, rate_now(touch));
+    impacts_.push_back(impact);
+  }
+}
+
+// Contacts that do not part last: held points and how they are held.
+void EventStepper::hold_spots(Time now, const std::vector<Spot>& touching) {
+  const std::vector<Body>& bodies = system_.model().bodies;
+  Motion* motion = Bodies::motions(y_.data());
+  system_.load(now, y_.data());
+  Real speed = 0, push = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (bodies[i].locked) continue;
+    speed = std::max(speed, velocity(bodies[i], motion[i]).norm());
+    push = std::max(push, bodies[i].inverse_mass * system_.loads()[i].force.norm());
+  }
+  for (const Spot& s : touching) speed = std::max(speed, relative_velocity(s.touch, bodies, motion).norm());
+  const Real slow = slow_ulps * ulp * (speed + push * static_cast<Real>(dt_));
+  rest_speed_ = Real(0.25) * slow_ulps * ulp * push * static_cast<Real>(dt_);
+
+  std::vector<Touch> touches;
+  std::vector<std::size_t> which;
+  for (std::size_t i = 0; i < touching.size(); ++i) {
+    Touch touch = touching[i].touch.pair >= 0 ? touching[i].touch : Touch{};
+    if (gap_rate(touch, bodies, motion) > slow) continue;
+    // velocities have changed since the touch was measured
+    touch = touching[i].held.general ? touch_of(touching[i].held, motion)
+                                     : touch_at(candidates_[touching[i].held.candidate], system_.model(), motion);
+    touches.push_back(touch);
+    which.push_back(i);
+  }
+  held_.clear();
+  if (touches.empty()) return;
+  const Instant instant{bodies, motion, system_.kinematics().data(), system_.loads().data()};
+  const Support support = find_support(touches, joint_rows(motion), instant, std::max(slow, left_slip_));
+  if (!support.exact) ++inexact_;
+  for (std::size_t i = 0; i < touches.size(); ++i) {
+    if (support.points[i].holding.grip == Grip::parts) continue;
+    HeldPoint held = touching[which[i]].held;
+    held.holding = support.points[i].holding;
+    held_.push_back(held);
+  }
+  if (held_.empty()) return;
+  system_.set_holder(this);
+  system_.settle(y_.data());
+}
+
+}  // namespace cylon::engine

@@ -1,0 +1,238 @@
+#include "engine/event_stepper.h"
+
+#include "engine/joint.h"
+#include "engine/root.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cylon::engine {
+
+namespace {
+
+constexpr Real ulp = std::numeric_limits<Real>::epsilon();
+constexpr bool wide = sizeof(Real) == 8;
+
+// Points nearer than this many ulps of the lengths around them touch, and at one instant: 3e-12 m at 3 m in
+// double, which at 1 m/s is 3e-12 s.
+constexpr Real touch_ulps = wide ? 4096 : 64;
+// A margin has changed its sign when it is this far on the other side, in ulps of its terms; more than the
+// rounding with which laws are judged, so that the change is then seen.
+constexpr Real change_ulps = 8192;
+// Events in one step, and such in a row as take no time; beyond, the rest of the step is one smooth piece.
+constexpr int event_limit = 4000, idle_limit = 24;
+
+const Scheme& fixed_scheme(const Scheme& scheme) {
+  return scheme.kind == Kind::adaptive ? *find_scheme("rk8") : scheme;
+}
+
+const Scheme& lasting_scheme(const Scheme& scheme) {
+  return scheme.kind == Kind::runge_kutta ? scheme : *find_scheme("rk8");
+}
+
+}  // namespace
+
+EventStepper::EventStepper(const Model& model, const Scheme& scheme, Time dt, Real tolerance, bool account,
+                           Time start)
+    : EventStepper(reduce(model), scheme, dt, tolerance, account, start) {}
+
+EventStepper::EventStepper(Reduced reduced, const Scheme& scheme, Time dt, Real tolerance, bool account, Time start)
+    : system_(std::move(reduced.model), account),
+      readings_(std::move(reduced.readings)),
+      candidates_(find_candidates(system_.model())),
+      account_(account),
+      adaptive_(scheme.kind == Kind::adaptive),
+      splits_(scheme.kind == Kind::splitting),
+      dt_(dt),
+      start_time_(start),
+      steps_(static_cast<std::int64_t>(std::floor(start / dt * (1 + 4e-16)))),
+      y_(system_.initial()),
+      start_(y_),
+      rate_(y_.size()),
+      fixed_(fixed_scheme(scheme), y_.size()),
+      lasting_(lasting_scheme(scheme), y_.size()),
+      controlled_(y_.size(), tolerance),
+      hits_(candidates_.size() + 1, 0) {
+  system_.settle(y_.data());
+  resolve(start);
+  impacts_.clear();
+}
+
+void EventStepper::step() {
+  Time now = std::max(start_time_, static_cast<Time>(steps_) * dt_);
+  const Time end = static_cast<Time>(steps_ + 1) * dt_;
+  impacts_.clear();
+  std::fill(hits_.begin(), hits_.end(), 0);
+  idle_ = 0;
+  for (int events = 0; now < end; ++events) {
+    if (events == event_limit) ++crowded_;
+    bool event = false;
+    if (events >= event_limit) idle_ = idle_limit;
+    const Time after = advance(now, end - now, event);
+    if (!event) break;
+    idle_ = after > 1e-9 * dt_ ? 0 : idle_ + 1;
+    now = std::min(end, now + after);
+    resolve(now);
+  }
+  ++steps_;
+  if (std::any_of(held_.begin(), held_.end(), [](const HeldPoint& h) { return h.general; })) resolve(end);
+}
+
+// Goes on from y_ to the first event or over the span; says how far.
+Time EventStepper::advance(Time from, Time span, bool& event) {
+  start_ = y_;
+  const bool watches = !held_.empty();
+  Support before;
+  if (watches) before = support(from, start_.data());
+  flow(from, span);
+  const Real width = static_cast<Real>(span);
+  course_.set(system_.model().bodies, Bodies::motions(start_.data()), Bodies::motions(y_.data()), width);
+  std::optional<Real> first;
+  bool looked = false;
+  if (watches && idle_ < idle_limit) {
+    first = change_time(from, width, before);
+    looked = first.has_value();
+  }
+  const Real slip = left_slip_;
+  if (const auto hit = contact_time(from, first.value_or(width))) {
+    first = hit;
+    looked = true;
+    left_slip_ = 0;
+  } else {
+    left_slip_ = first ? slip : 0;
+  }
+  event = first.has_value();
+  if (!event) {
+    if (looked) {
+      y_ = start_;
+      flow(from, span);
+    }
+    return span;
+  }
+  y_ = start_;
+  const Time after = std::min(span, static_cast<Time>(*first));
+  if (after > 0) flow(from, after);
+  return after;
+}
+
+// The scheme over a span, from y_.
+void EventStepper::flow(Time from, Time span) {
+  if (held_.empty()) {
+    system_.set_holder(nullptr);
+  } else {
+    system_.set_holder(this);
+    if (at_rest(from) && at_rest(from + span)) return;
+  }
+  if (adaptive_) {
+    if (controlled_.advance(system_, from, from + span, y_.data()) != Outcome::done) ++failed_;
+    if (account_) system_.load(from + span, y_.data());
+  } else {
+    (held_.empty() ? fixed_ : lasting_)(system_, from, span, y_.data());
+  }
+}
+
+bool EventStepper::at_rest(Time t) {
+  system_.rates(t, y_.data(), rate_.data());
+  return std::all_of(rate_.begin(), rate_.end(), [](Real r) { return r == 0; });
+}
+
+Real EventStepper::touch_margin(const Candidate& c, const Motion* motion) const {
+  return touch_ulps * ulp * gap_scale(c, system_.model(), motion);
+}
+
+bool EventStepper::holds(std::size_t candidate) const {
+  return std::any_of(held_.begin(), held_.end(), [&](const HeldPoint& h) { return h.candidate == candidate; });
+}
+
+// The first time within the span at which surfaces meet that are apart.
+std::optional<Real> EventStepper::contact_time(Time from, Real span) {
+  const Model& model = system_.model();
+  std::optional<Real> first;
+  std::vector<Real> end_state = y_;
+  const Motion* begin = Bodies::motions(start_.data());
+  for (std::size_t i = 0; i < candidates_.size(); ++i) {
+    const Candidate& c = candidates_[i];
+    const bool held = holds(i), general = c.kind == Candidate::Kind::general;
+    if (held && !general) continue;
+    const Real margin = touch_margin(c, begin);
+    // Of a pair that is held a corner that comes down shows as depth; so deep counts.
+    const Real depth = held ? 64 * margin : margin / 4;
+    const Real rate = general ? Real(0) : gap_rate(touch_at(c, model, begin), model.bodies, begin);
+    const auto bracket = first_closing(c, model, course_, rate, depth, scratch_);
+    if (!bracket || bracket->open > first.value_or(span)) continue;
+    const auto gap_after = [&](Real s) {
+      y_ = start_;
+      if (s > 0) flow(from, static_cast<Time>(s));
+      return gap_of(c, model, Bodies::motions(y_.data())) + (held ? depth : Real(0));
+    };
+    const Real high = std::min(bracket->closed, course_.span());
+    const Real g_low = gap_after(bracket->open), g_high = gap_after(high);
+    if (!(g_high < 0)) continue;  // grazes
+    const Real hit = g_low > 0 ? root(gap_after, bracket->open, g_low, high, g_high) : bracket->open;
+    if (hit <= first.value_or(span)) first = hit;
+  }
+  y_ = std::move(end_state);
+  return first;
+}
+
+// The first time within the span at which a held point would pull, slip or stop slipping.
+std::optional<Real> EventStepper::change_time(Time from, Real span, const Support& before) {
+  std::vector<Real> end_state = y_;
+  const Support after = support(from + static_cast<Time>(span), y_.data());
+  Real force = 0, speed = 0;
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    force = std::max({force, before.points[i].force.norm(), after.points[i].force.norm()});
+    speed = std::max({speed, std::abs(before.points[i].slip_speed), std::abs(after.points[i].slip_speed)});
+  }
+  enum class What { presses, reserve, slip };
+  std::optional<Real> first;
+  left_slip_ = 0;
+  const auto look = [&](std::size_t i, What what, Real least) {
+    const auto margin = [&, i, what, least](const Support& s) {
+      const SupportPoint& p = s.points[i];
+      return least + (what == What::presses ? p.normal : what == What::reserve ? p.reserve : p.slip_speed);
+    };
+    const Real m0 = margin(before), m1 = margin(after);
+    if (!(m1 < 0)) return;
+    const auto margin_after = [&](Real s) {
+      y_ = start_;
+      if (s > 0) flow(from, static_cast<Time>(s));
+      return margin(support(from + static_cast<Time>(s), y_.data()));
+    };
+    const Real t = m0 > 0 ? root(margin_after, Real(0), m0, span, m1) : Real(0);
+    if (first && t >= *first) return;
+    first = t;
+    left_slip_ = what == What::slip ? Real(1e4) * ulp * speed : Real(0);
+  };
+  const Real least = change_ulps * ulp * force;
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    const bool rough = candidates_[held_[i].candidate].material.friction > 0;
+    look(i, What::presses, least);
+    if (held_[i].holding.grip == Grip::sticks) look(i, What::reserve, 2 * least);
+    if (held_[i].holding.grip == Grip::slides && rough) look(i, What::slip, before.points[i].slip_speed > 0 ? 0 : rest_speed_);
+  }
+  y_ = std::move(end_state);
+  return first;
+}
+
+void EventStepper::read(std::vector<Motion>& motions) const {
+  motions.resize(readings_.size());
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    motions[i] = engine::read(system_.model().bodies[i], readings_[i], Bodies::motions(y_.data())[i]);
+  }
+}
+
+std::vector<std::string> EventStepper::remarks() const {
+  std::vector<std::string> result;
+  if (inexact_ > 0) {
+    result.push_back(std::to_string(inexact_) + " contact problems were solved by iteration, not to rounding");
+  }
+  if (failed_ > 0) result.push_back(std::to_string(failed_) + " pieces of motion did not keep the tolerance");
+  if (crowded_ > 0) {
+    result.push_back(std::to_string(crowded_) + " steps had more than " + std::to_string(event_limit) + " events");
+  }
+  return result;
+}
+
+}  // namespace cylon::engine

@@ -1,0 +1,96 @@
+// A small system of any shapes, followed event by event: smooth motion by a scheme, and between the smooth
+// pieces impacts, ends of slip, onsets of slip and partings, each located in time.
+#pragma once
+
+#include "engine/bodies.h"
+#include "engine/contact/candidate.h"
+#include "engine/contact/course.h"
+#include "engine/contact/impact.h"
+#include "engine/contact/support.h"
+#include "engine/reduce.h"
+#include "engine/schemes/advance.h"
+#include "engine/schemes/dop853.h"
+#include "engine/stepper.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace cylon::engine {
+
+/// A point that is held by a lasting contact.  Of a general pair its places on both bodies are kept for as
+/// long as the smooth piece lasts: a point of one on a face of the other.
+struct HeldPoint {
+  std::size_t candidate = 0;
+  Holding holding;
+  bool general = false, face_of_body = false;
+  Vector3 on_body = Vector3::Zero(), on_other = Vector3::Zero();  ///< Body axes [m].
+  Vector3 normal = Vector3::UnitY();                              ///< Axes of the body with the face.
+};
+
+class EventStepper final : public Stepper, private Holder {
+ public:
+  /// `tolerance`: per step, for adaptive schemes.  Splittings move what is free; while a contact lasts the
+  /// Runge-Kutta scheme rk8 does, for friction belongs to neither of their parts.
+  EventStepper(const Model&, const Scheme&, Time dt, Real tolerance, bool account = false, Time start = 0);
+  EventStepper(Reduced, const Scheme&, Time dt, Real tolerance, bool account, Time start);
+  EventStepper(const EventStepper&) = delete;
+  EventStepper& operator=(const EventStepper&) = delete;
+
+  void step() override;
+  void read(std::vector<Motion>&) const override;
+  const std::vector<Impact>& impacts() const override { return impacts_; }
+  const Real* works() const override { return account_ ? system_.works(y_.data()) : nullptr; }
+  std::vector<std::string> remarks() const override;
+
+  /// What is held now.
+  const std::vector<HeldPoint>& held() const { return held_; }
+
+ private:
+  struct Spot {
+    Touch touch;
+    HeldPoint held;
+    bool struck = false;
+  };
+
+  void hold(Time, const std::vector<Body>&, const Motion*, const Kinematics*, Load*) override;
+  void project(const std::vector<Body>&, Motion*) override;
+
+  void flow(Time from, Time span);
+  bool at_rest(Time);
+  Time advance(Time from, Time span, bool& event);
+  std::optional<Real> contact_time(Time from, Real span);
+  std::optional<Real> change_time(Time from, Real span, const Support& before);
+  void resolve(Time now);
+  std::vector<Spot> spots();
+  void strike_spots(Time now, std::vector<Spot>&);
+  void hold_spots(Time now, const std::vector<Spot>&);
+  Touch touch_of(const HeldPoint&, const Motion*) const;
+  Support support(Time, const Real* y);
+  std::vector<Row> joint_rows(const Motion*) const;
+  Real touch_margin(const Candidate&, const Motion*) const;
+  bool holds(std::size_t candidate) const;
+
+  Bodies system_;
+  std::vector<Reading> readings_;
+  std::vector<Candidate> candidates_;
+  bool account_, adaptive_, splits_;
+  Time dt_, start_time_;
+  std::int64_t steps_ = 0;
+  std::vector<Real> y_, start_, rate_;
+  Advance<Bodies> fixed_, lasting_;
+  Dop853<Bodies> controlled_;
+  Course course_;
+  std::vector<HeldPoint> held_;
+  std::vector<Motion> scratch_;
+  std::vector<Impact> impacts_;
+  std::vector<int> hits_;  // of each pair in this step
+  Real rest_speed_ = 0;    // what sticks on all points and is slower than this does not move [m/s]
+  Real left_slip_ = 0;     // slip that the last event left over [m/s]
+  int idle_ = 0;           // changes in a row that took no time
+  long inexact_ = 0, failed_ = 0, crowded_ = 0;
+  std::vector<Touch> touches_;
+  std::vector<Holding> holdings_;
+  Rows rows_;
+};
+
+}  // namespace cylon::engine
