@@ -83,7 +83,7 @@ TEST_P(Order, OfEveryFixedStepSchemeIsTheDeclaredOne) {
     setup.dt = grids(truth.samples).at(0).spacing;
     SCOPED_TRACE(scheme.name);
     if (const auto reason = simulator->unsupported(truth.scene, setup)) {
-      ADD_FAILURE() << *reason;
+      fmt::print("{:22} {:20} {}\n", GetParam(), scheme.name, *reason);
       continue;
     }
     const Convergence c = converge(*simulator, truth, setup);
@@ -98,6 +98,22 @@ TEST_P(Order, OfEveryFixedStepSchemeIsTheDeclaredOne) {
     EXPECT_NEAR(c.slope(), scheme.order, reach);
   }
   EXPECT_GT(seen, 0);
+}
+
+// A scheme may refuse a scene, with a reason, but must show its order on most of them.
+TEST(OrderTest, EverySchemeIsSeenOnFourScenes) {
+  const auto simulator = core::make_simulator();
+  for (const core::Scheme& scheme : simulator->engine().schemes) {
+    if (scheme.adaptive) continue;
+    int seen = 0;
+    for (const char* file : scenes) {
+      core::Setup setup;
+      setup.integrator = scheme.name;
+      setup.dt = 0.01;
+      seen += !simulator->unsupported(beginning(file).scene, setup);
+    }
+    EXPECT_GE(seen, 4) << scheme.name;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Order, testing::ValuesIn(scenes),
