@@ -1,11 +1,13 @@
 #include "engine/pile/pile.h"
 
+#include "engine/pile/body_pile.h"
 #include "engine/pile/sphere_pile.h"
 
 namespace cylon::engine {
 
 std::unique_ptr<Stepper> make_pile(const Model& model, Time dt, const PileSettings& settings) {
-  return std::make_unique<pile::SpherePile>(model, dt, settings);
+  if (pile::only_spheres(model)) return std::make_unique<pile::SpherePile>(model, dt, settings);
+  return std::make_unique<pile::BodyPile>(model, dt, settings);
 }
 
 }  // namespace cylon::engine

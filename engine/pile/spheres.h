@@ -38,7 +38,8 @@ struct Spheres {
   const Real* p(int i) const { return place.data() + place_stride * i; }
 };
 
-/// Whether all bodies are balls or points whose inertia is the same about all axes, free of joints.
+/// Whether all bodies are balls or points whose inertia is the same about all axes, free of joints, under
+/// gravity alone.
 bool only_spheres(const Model&);
 
 /// The rows in the order of a space-filling curve (Z order of cells of the given size).

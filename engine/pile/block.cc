@@ -1,0 +1,64 @@
+#include "engine/pile/block.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+
+namespace cylon::engine::pile {
+namespace {
+
+Matrix3 skew(const Vector3& r) {
+  Matrix3 m;
+  m << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
+  return m;
+}
+
+}  // namespace
+
+void weigh(Block& block, const std::vector<Mover>& movers) {
+  Matrix3 k = Matrix3::Zero();
+  const auto add = [&](int body, const Vector3& arm) {
+    if (body == fixed_world) return;
+    const Mover& m = movers[static_cast<std::size_t>(body)];
+    if (block.kind == Block::Kind::align) {
+      k += m.inverse_inertia;
+      return;
+    }
+    const Matrix3 r = skew(arm);
+    k += m.inverse_mass * Matrix3::Identity() - r * m.inverse_inertia * r;
+  };
+  add(block.a, block.arm), add(block.b, block.to_arm);
+  Matrix3 space = block.space;
+  if (block.kind == Block::Kind::contact) {
+    const Real along = block.normal.dot(k * block.normal);
+    block.mass = along > 0 ? 1 / along : 0;
+    space = Matrix3::Identity() - block.normal * block.normal.transpose();
+  }
+  // The complement gets a weight of the size of K, so that the inverse is as well conditioned as K is.
+  const Real size = k.trace() > 0 ? k.trace() : 1;
+  const Matrix3 whole = space * k * space + size * (Matrix3::Identity() - space);
+  block.block_mass = k.trace() > 0 ? Matrix3(space * whole.inverse() * space) : Matrix3(Matrix3::Zero());
+}
+
+void relax(Block& block, std::vector<Mover>& movers) {
+  const Vector3 before = block.impulse;
+  if (block.kind == Block::Kind::contact) {
+    const Vector3& n = block.normal;
+    const Real u_n = n.dot(relative_velocity(block, movers)), j_n = n.dot(before);
+    const Real normal = std::max(j_n + block.mass * (block.target - u_n), Real(0));
+    push(block, (normal - j_n) * n, movers);
+    const Vector3 across = before - j_n * n;
+    Vector3 t = across - block.block_mass * relative_velocity(block, movers);
+    t -= n.dot(t) * n;
+    const Real limit = block.friction * normal, length = t.norm();
+    if (length > limit) t *= limit / length;
+    push(block, t - across, movers);
+    block.impulse = normal * n + t;
+  } else {
+    const Vector3 change = -(block.block_mass * relative_velocity(block, movers));
+    push(block, change, movers);
+    block.impulse += change;
+  }
+}
+
+}  // namespace cylon::engine::pile

@@ -1,0 +1,77 @@
+// Constraints between bodies of any shape: one block of up to three rows for each contact point or part of a
+// joint, all solved alike.
+#pragma once
+
+#include "engine/model.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace cylon::engine::pile {
+
+/// What an impulse does to a body.
+struct Mover {
+  Vector3 v = Vector3::Zero(), w = Vector3::Zero();
+  Real inverse_mass = 0;
+  Matrix3 inverse_inertia = Matrix3::Zero();  ///< World axes.
+};
+
+/// With u the velocity of a's point against b's (align: the angular velocity of a against b's) and J the
+/// impulse (align: angular impulse) on a, -J on b:
+///   contact     u_n >= target, J_n >= 0, complementary; |J_t| <= friction J_n against u_t  (Coulomb)
+///   hold, align space u = 0, J in the image of `space`, a projection
+struct Block {
+  enum class Kind { contact, hold, align };
+  Kind kind = Kind::contact;
+  int a = 0;
+  int b = fixed_world;
+  Vector3 arm = Vector3::Zero(), to_arm = Vector3::Zero();  ///< From the reference points, world axes [m].
+  Vector3 normal = Vector3::UnitY();                        ///< From b to a.
+  Matrix3 space = Matrix3::Identity();
+  Real friction = 0, target = 0;
+  Vector3 impulse = Vector3::Zero();
+
+  Real gap = 0;                      ///< When the contact was found [m].
+  Vector3 anchor, to_anchor;         ///< The point, body axes; world axes where b is the world.
+  Real restitution = 0;
+  int plane = -1;                    ///< Index of the plane that b is.
+  std::uint32_t feature = 0;
+  bool impact = false;               ///< Meets within this part of the step.
+  Real approach = 0;                 ///< Speed before the step's forces [m/s].
+
+  Real mass = 0;                     ///< Along the normal.
+  Matrix3 block_mass;                ///< In `space`; contact: across the normal.
+};
+
+inline Vector3 relative_velocity(const Block& block, const std::vector<Mover>& movers) {
+  const Mover& a = movers[static_cast<std::size_t>(block.a)];
+  Vector3 u = block.kind == Block::Kind::align ? a.w : Vector3(a.v + a.w.cross(block.arm));
+  if (block.b != fixed_world) {
+    const Mover& b = movers[static_cast<std::size_t>(block.b)];
+    u -= block.kind == Block::Kind::align ? b.w : Vector3(b.v + b.w.cross(block.to_arm));
+  }
+  return u;
+}
+
+inline void push(const Block& block, const Vector3& impulse, std::vector<Mover>& movers) {
+  const auto one = [&](int body, const Vector3& arm, const Vector3& j) {
+    Mover& m = movers[static_cast<std::size_t>(body)];
+    if (block.kind == Block::Kind::align) {
+      m.w += m.inverse_inertia * j;
+    } else {
+      m.v += m.inverse_mass * j;
+      m.w += m.inverse_inertia * arm.cross(j);
+    }
+  };
+  one(block.a, block.arm, impulse);
+  if (block.b != fixed_world) one(block.b, block.to_arm, -impulse);
+}
+
+/// Fills mass and block_mass.  K = (1/m_a + 1/m_b) 1 - [r_a] I_a^-1 [r_a] - [r_b] I_b^-1 [r_b];  mass = 1/(n.K
+/// n),  block_mass = P (P K P + 1 - P)^-1 P.
+void weigh(Block&, const std::vector<Mover>&);
+
+/// One sweep of projected Gauss-Seidel over one block: ends its own error, keeps J in the cone.
+void relax(Block&, std::vector<Mover>&);
+
+}  // namespace cylon::engine::pile

@@ -1,0 +1,186 @@
+#include "engine/pile/body_contacts.h"
+
+#include "engine/geometry/manifold.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cylon::engine::pile {
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+// The least half-width: what a body may not jump over.
+Real half_width(const Shape& shape) {
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;
+  if (const auto* box = std::get_if<Box>(&shape)) return box->half_extents.minCoeff();
+  if (const auto* capsule = std::get_if<Capsule>(&shape)) return capsule->radius;
+  if (const auto* hull = std::get_if<Hull>(&shape)) {
+    Real least = std::numeric_limits<Real>::max();
+    for (const auto& face : hull->faces) {
+      const Vector3 &p = hull->vertices[index(face[0])], &q = hull->vertices[index(face[1])],
+                    &r = hull->vertices[index(face[2])];
+      const Vector3 n = (q - p).cross(r - p).normalized();
+      Real depth = 0;
+      for (const Vector3& v : hull->vertices) depth = std::max(depth, n.dot(p - v));
+      least = std::min(least, depth / 2);
+    }
+    return least;
+  }
+  return 0;
+}
+
+Vector3 point(const Vector3& anchor, int body, const std::vector<Motion>& motions) {
+  if (body == fixed_world) return anchor;
+  return motions[index(body)].position + motions[index(body)].orientation * anchor;
+}
+
+}  // namespace
+
+BodyContacts::BodyContacts(const Model& model) : model_(model) {
+  for (const Shape& shape : model.shapes) {
+    radius_.push_back(bounding_radius(shape));
+    const Real half = half_width(shape);
+    if (half > 0) smallest_ = smallest_ > 0 ? std::min(smallest_, half) : half;
+  }
+  margin_.resize(model.bodies.size());
+}
+
+Vector3 offset(const Block& block, const std::vector<Motion>& motions) {
+  return point(block.anchor, block.a, motions) - point(block.to_anchor, block.b, motions);
+}
+
+// Sweep along the axis on which the bodies spread most.  Pairs in ascending order.
+void BodyContacts::find_pairs(const std::vector<Motion>& motions) {
+  Vector3 mean = Vector3::Zero(), spread = Vector3::Zero();
+  for (const Motion& motion : motions) mean += motion.position / static_cast<Real>(motions.size());
+  for (const Motion& motion : motions) spread += (motion.position - mean).cwiseAbs2();
+  Eigen::Index axis = 0;
+  spread.maxCoeff(&axis);
+  intervals_.clear();
+  for (int i = 0; i < static_cast<int>(motions.size()); ++i) {
+    if (radius_[index(i)] == 0 && !std::holds_alternative<Sphere>(model_.shapes[index(i)])) continue;
+    if (model_.surfaces[index(i)] == no_surface) continue;
+    const Real reach = radius_[index(i)] + margin_[index(i)], at = motions[index(i)].position[axis];
+    intervals_.push_back({at - reach, at + reach, i});
+  }
+  std::sort(intervals_.begin(), intervals_.end(), [](const Interval& x, const Interval& y) {
+    return x.low < y.low || (x.low == y.low && x.body < y.body);
+  });
+  pairs_.clear();
+  for (std::size_t i = 0; i < intervals_.size(); ++i)
+    for (std::size_t j = i + 1; j < intervals_.size() && intervals_[j].low <= intervals_[i].high; ++j) {
+      const int a = std::min(intervals_[i].body, intervals_[j].body),
+                b = std::max(intervals_[i].body, intervals_[j].body);
+      const Real reach = radius_[index(a)] + margin_[index(a)] + radius_[index(b)] + margin_[index(b)];
+      if ((motions[index(a)].position - motions[index(b)].position).squaredNorm() <= reach * reach)
+        pairs_.emplace_back(a, b);
+    }
+  std::sort(pairs_.begin(), pairs_.end());
+}
+
+void BodyContacts::touch(const std::vector<Motion>& motions, int a, int b, int plane, Real margin,
+                         const std::vector<Block>& old, std::size_t& next, std::vector<Block>& blocks) {
+  const Pose pose_a = pose(motions[index(a)]);
+  const Shape& shape = model_.shapes[index(a)];
+  const Manifold found =
+      b == fixed_world
+          ? manifold(shape, pose_a, model_.planes[index(plane)], margin)
+          : manifold(shape, pose_a, model_.shapes[index(b)], pose(motions[index(b)]), margin);
+  // The old blocks are in the same order; planes come after bodies.
+  const auto before = [&](const Block& x) {
+    const int kind = x.b == fixed_world ? 1 : 0, mine = b == fixed_world ? 1 : 0;
+    if (kind != mine) return kind < mine;
+    return kind == 0 ? std::pair(x.a, x.b) < std::pair(a, b) : std::pair(x.a, x.plane) < std::pair(a, plane);
+  };
+  while (next < old.size() && old[next].kind == Block::Kind::contact && before(old[next])) ++next;
+  const Material& material =
+      model_.material(model_.surfaces[index(a)],
+                      b == fixed_world ? model_.plane_surfaces[index(plane)] : model_.surfaces[index(b)]);
+  for (int k = 0; k < found.count; ++k) {
+    const ContactPoint& contact = found.points[index(k)];
+    Block block;
+    block.a = a, block.b = b, block.plane = plane;
+    block.normal = found.normal, block.gap = contact.gap, block.feature = contact.feature;
+    block.friction = material.friction, block.restitution = material.restitution;
+    block.arm = contact.position - motions[index(a)].position;
+    block.anchor = motions[index(a)].orientation.conjugate() * block.arm;
+    block.to_anchor = contact.position;
+    if (b != fixed_world) {
+      block.to_arm = contact.position - motions[index(b)].position;
+      block.to_anchor = motions[index(b)].orientation.conjugate() * block.to_arm;
+    }
+    for (std::size_t m = next; m < old.size() && old[m].a == a && old[m].b == b && old[m].plane == plane; ++m)
+      if (old[m].feature == block.feature && old[m].kind == Block::Kind::contact) {
+        const Vector3& j = old[m].impulse;
+        const Real along = block.normal.dot(j);
+        block.impulse = j - along * block.normal + std::max(along, Real(0)) * block.normal;
+        break;
+      }
+    blocks.push_back(block);
+  }
+}
+
+// ball, hinge, fixed: the anchors coincide; hinge, fixed: no turning across the axis, or at all; distance: along
+// the line between the anchors.
+void BodyContacts::add_joints(const std::vector<Motion>& motions, const std::vector<Block>& old,
+                              std::vector<Block>& blocks) const {
+  std::size_t next = 0;
+  while (next < old.size() && old[next].kind == Block::Kind::contact) ++next;
+  const auto add = [&](Block block) {
+    if (next < old.size()) block.impulse = old[next++].impulse;
+    blocks.push_back(block);
+  };
+  for (const Joint& joint : model_.joints) {
+    Block block;
+    block.kind = Block::Kind::hold;
+    block.a = joint.body, block.b = joint.to;
+    block.anchor = joint.anchor, block.to_anchor = joint.to_anchor;
+    block.arm = point(joint.anchor, joint.body, motions) - motions[index(joint.body)].position;
+    if (joint.to != fixed_world)
+      block.to_arm = point(joint.to_anchor, joint.to, motions) - motions[index(joint.to)].position;
+    if (joint.type == Joint::Type::distance) {
+      const Vector3 d = offset(block, motions).normalized();
+      block.space = d * d.transpose();
+      block.gap = joint.length;
+    }
+    add(block);
+    if (joint.type == Joint::Type::ball || joint.type == Joint::Type::distance) continue;
+    block.kind = Block::Kind::align;
+    block.gap = 0;
+    const Quaternion& turn = motions[index(joint.body)].orientation;
+    if (joint.type == Joint::Type::hinge) {
+      const Vector3 axis = turn * joint.axis;
+      block.space = Matrix3::Identity() - axis * axis.transpose();
+    }
+    add(block);
+  }
+}
+
+void BodyContacts::find(const std::vector<Motion>& motions, const std::vector<Mover>& movers, Time span,
+                        std::vector<Block>& blocks) {
+  const Real h = static_cast<Real>(span), fall = model_.forces.gravity.norm() * h * h;
+  for (std::size_t i = 0; i < motions.size(); ++i)
+    margin_[i] = (movers[i].v.norm() + radius_[i] * movers[i].w.norm()) * h + fall + radius_[i] / 256;
+  std::swap(blocks, old_);
+  blocks.clear();
+  find_pairs(motions);
+  std::size_t next = 0;
+  for (const auto& [a, b] : pairs_)
+    if (movers[index(a)].inverse_mass > 0 || movers[index(b)].inverse_mass > 0 ||
+        !movers[index(a)].inverse_inertia.isZero(0) || !movers[index(b)].inverse_inertia.isZero(0))
+      touch(motions, a, b, -1, margin_[index(a)] + margin_[index(b)], old_, next, blocks);
+  for (int i = 0; i < static_cast<int>(motions.size()); ++i) {
+    if (model_.surfaces[index(i)] == no_surface || model_.bodies[index(i)].locked) continue;
+    for (int k = 0; k < static_cast<int>(model_.planes.size()); ++k) {
+      const Plane& plane = model_.planes[index(k)];
+      if (model_.plane_surfaces[index(k)] == no_surface) continue;
+      if (plane.normal.dot(motions[index(i)].position) - plane.offset > radius_[index(i)] + margin_[index(i)])
+        continue;
+      touch(motions, i, fixed_world, k, margin_[index(i)], old_, next, blocks);
+    }
+  }
+  add_joints(motions, old_, blocks);
+}
+
+}  // namespace cylon::engine::pile

@@ -1,0 +1,272 @@
+#include "engine/pile/body_pile.h"
+
+#include "engine/free_rotation.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace cylon::engine::pile {
+namespace {
+
+constexpr int most_parts = 16, separations = 4;
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings)
+    : model_(model),
+      dt_(dt),
+      settings_(settings),
+      threads_(settings.threads),
+      motions_(model.motions),
+      movers_(model.bodies.size()),
+      contacts_(model_),
+      other_forces_(!model.forces.only_gravity()) {
+  set_kinematics();
+}
+
+std::vector<std::string> BodyPile::remarks() const {
+  std::vector<std::string> remarks;
+  if (too_fast_)
+    remarks.push_back(
+        "bodies moved farther than half the smallest half-width in a sixteenth of a step: they may have passed "
+        "through each other");
+  if (unsolved_) remarks.push_back("contact and joint laws were met only to " + std::to_string(residual_) + " m/s");
+  return remarks;
+}
+
+void BodyPile::set_kinematics() {
+  for (std::size_t i = 0; i < movers_.size(); ++i) {
+    const Body& body = model_.bodies[i];
+    const Matrix3 r = motions_[i].orientation.toRotationMatrix();
+    movers_[i].inverse_mass = body.inverse_mass;
+    movers_[i].inverse_inertia = r * body.inverse_inertia * r.transpose();
+    movers_[i].v = velocity(body, motions_[i]);
+    movers_[i].w = movers_[i].inverse_inertia * motions_[i].angular_momentum;
+  }
+}
+
+// K += F h, L += torque h; gravity alone needs no loads.
+void BodyPile::kick(Time now, Real h) {
+  if (other_forces_) {
+    kinematics_.resize(motions_.size()), loads_.resize(motions_.size());
+    for (std::size_t i = 0; i < motions_.size(); ++i)
+      kinematics_[i] = {motions_[i].orientation.toRotationMatrix(), movers_[i].v, movers_[i].w};
+    apply(model_.forces, now, model_.bodies, motions_.data(), kinematics_.data(), loads_.data());
+  }
+  for (std::size_t i = 0; i < motions_.size(); ++i) {
+    const Body& body = model_.bodies[i];
+    if (body.locked) continue;
+    const Vector3 force = other_forces_ ? loads_[i].force : Vector3(body.mass * model_.forces.gravity);
+    const Vector3 torque = other_forces_ ? loads_[i].torque : Vector3(Vector3::Zero());
+    if (body.inverse_mass > 0) motions_[i].momentum += h * force;
+    motions_[i].angular_momentum += h * torque;
+    movers_[i].v = velocity(body, motions_[i]);
+    movers_[i].w = movers_[i].inverse_inertia * motions_[i].angular_momentum;
+  }
+}
+
+// Newton's restitution against the velocity before the forces of the step; a gap may close, but not more.
+//   u_n >= -e u_n(before) where the points meet within h;  else u_n >= -max(gap, 0)/h
+void BodyPile::set_targets(Time now, Real h) {
+  const Real slow = 4 * model_.forces.gravity.norm() * h + std::numeric_limits<Real>::min();
+  for (std::size_t k = 0; k < blocks_.size(); ++k) {
+    Block& block = blocks_[k];
+    if (block.kind != Block::Kind::contact) continue;
+    const Real gap = block.gap + block.normal.dot(offset(block, motions_));
+    const Real u = block.normal.dot(relative_velocity(block, movers_));
+    const bool meets = u < 0 && gap + u * h <= 0;
+    block.approach = meets ? -u : 0;
+    block.target = meets && block.restitution > 0 ? -block.restitution * u : -std::max(gap, Real(0)) / h;
+    block.impact = meets && -u > slow;
+    if (!block.impact) continue;
+    if (!impacts_.empty() && k > 0 && blocks_[k - 1].impact && blocks_[k - 1].a == block.a &&
+        blocks_[k - 1].b == block.b && blocks_[k - 1].plane == block.plane)
+      continue;  // points of one pair are one impact
+    impacts_.push_back({now + static_cast<Time>(gap > 0 ? gap / -u : 0), block.a, block.b, block.plane, -u,
+                        -block.restitution * u});
+  }
+}
+
+// Runs of blocks of the same two bodies, in colours that share no body that moves.
+void BodyPile::colour() {
+  std::vector<std::uint64_t> used(movers_.size(), 0);
+  colours_.assign(64, {});
+  for (std::size_t from = 0, to = 0; from < blocks_.size(); from = to) {
+    const int a = blocks_[from].a, b = blocks_[from].b;
+    while (to < blocks_.size() && blocks_[to].a == a && blocks_[to].b == b) ++to;
+    const bool two = b != fixed_world && movers_[index(b)].inverse_mass > 0;
+    const std::uint64_t taken = used[index(a)] | (two ? used[index(b)] : 0);
+    const int colour = std::min(std::countr_one(taken), 63);  // the last colour is swept by one thread
+    used[index(a)] |= std::uint64_t{1} << colour;
+    if (two) used[index(b)] |= std::uint64_t{1} << colour;
+    colours_[index(colour)].emplace_back(from, to);
+  }
+}
+
+void BodyPile::sweep(bool warm) {
+  for (std::size_t c = 0; c < colours_.size(); ++c) {
+    const auto run = [&](std::size_t k) {
+      for (std::size_t i = colours_[c][k].first; i < colours_[c][k].second; ++i) {
+        if (warm)
+          push(blocks_[i], blocks_[i].impulse, movers_);
+        else
+          relax(blocks_[i], movers_);
+      }
+    };
+    threads_.for_each(colours_[c].size(), c == 63 ? colours_[c].size() : 16, run);
+  }
+}
+
+// K += J, L += r x J: sums of opposite impulses at one point, so both momenta are kept to rounding.
+void BodyPile::carry_impulses() {
+  for (const Block& block : blocks_) {
+    const auto one = [&](int body, const Vector3& arm, const Vector3& j) {
+      Motion& motion = motions_[index(body)];
+      if (block.kind == Block::Kind::align) {
+        motion.angular_momentum += j;
+        return;
+      }
+      if (model_.bodies[index(body)].inverse_mass > 0) motion.momentum += j;
+      motion.angular_momentum += arm.cross(j);
+    };
+    if (!model_.bodies[index(block.a)].locked) one(block.a, block.arm, block.impulse);
+    if (block.b != fixed_world && !model_.bodies[index(block.b)].locked)
+      one(block.b, block.to_arm, -block.impulse);
+  }
+}
+
+// p += h v with the velocity that met the contacts' laws; the rotation is that of a free body, which keeps |L|
+// and bounds the energy.
+void BodyPile::drift(Real h) {
+  for (std::size_t i = 0; i < motions_.size(); ++i) {
+    if (model_.bodies[i].locked) continue;
+    motions_[i].position += h * movers_[i].v;
+    if (movers_[i].w.isZero(0)) continue;
+    motions_[i].orientation = free_rotation(model_.bodies[i], motions_[i].orientation,
+                                            motions_[i].angular_momentum, h, Splitting::lie);
+  }
+}
+
+int BodyPile::parts_of_step() const {
+  if (contacts_.smallest() == 0) return 1;
+  Real fastest = 0;
+  for (const Mover& mover : movers_) fastest = std::max(fastest, mover.v.squaredNorm());
+  const Real parts = std::ceil(2 * std::sqrt(fastest) * static_cast<Real>(dt_) / contacts_.smallest());
+  return static_cast<int>(std::min(std::max(parts, Real(1)), Real(most_parts + 1)));
+}
+
+void BodyPile::step() {
+  impacts_.clear();
+  int parts = parts_of_step();
+  if (parts > most_parts) parts = most_parts, too_fast_ = true;
+  for (int k = 0; k < parts; ++k) advance(static_cast<Time>(steps_) * dt_ + k * dt_ / parts, dt_ / parts);
+  std::stable_sort(impacts_.begin(), impacts_.end(),
+                   [](const Impact& a, const Impact& b) { return a.time < b.time; });
+  ++steps_;
+}
+
+void BodyPile::advance(Time now, Time span) {
+  contacts_.find(motions_, movers_, span, blocks_);
+  const bool direct = static_cast<int>(blocks_.size()) <= settings_.direct_points;
+  const int parts = direct ? 1 : settings_.substeps;
+  if (!direct) colour();
+  for (int k = 0; k < parts; ++k) advance_part(now + k * span / parts, span / parts, direct);
+  separate();
+  close_joints();
+  set_kinematics();
+}
+
+void BodyPile::advance_part(Time now, Time h, bool direct) {
+  set_kinematics();
+  set_targets(now, static_cast<Real>(h));
+  kick(now, static_cast<Real>(h));
+  if (direct) {
+    if (!blocks_.empty()) {
+      unsolved_ |= !direct_.solve(blocks_, model_.bodies, movers_);
+      residual_ = std::max(residual_, direct_.residual());
+    }
+  } else {
+    for (Block& block : blocks_) weigh(block, movers_);
+    sweep(true);
+    sweep(false);
+  }
+  carry_impulses();
+  drift(static_cast<Real>(h));
+}
+
+// Overlap beyond the slop goes, a share each step, by moving and turning bodies without their velocities.
+void BodyPile::separate() {
+  const Real slop = settings_.slop * contacts_.smallest();
+  for (int round = 0; round < separations; ++round) {
+    bool any = false;
+    for (Block& block : blocks_) {
+      if (block.kind != Block::Kind::contact) continue;
+      const Real depth = -(block.gap + block.normal.dot(offset(block, motions_))) - slop;
+      if (depth <= 0) continue;
+      any = true;
+      weigh(block, movers_);
+      const Vector3 shift = settings_.relaxation * depth * block.mass * block.normal;
+      const auto move = [&](int body, const Vector3& arm, const Vector3& by) {
+        const Mover& m = movers_[index(body)];
+        motions_[index(body)].position += m.inverse_mass * by;
+        const Vector3 turn = m.inverse_inertia * arm.cross(by);
+        if (!turn.isZero(0)) motions_[index(body)].orientation = turned(motions_[index(body)].orientation, turn);
+      };
+      move(block.a, block.arm, shift);
+      if (block.b != fixed_world) move(block.b, block.to_arm, -shift);
+    }
+    if (!any) return;
+  }
+}
+
+// The drift of joints goes in the same way, all of it.
+void BodyPile::close_joints() {
+  if (model_.joints.empty()) return;
+  for (int round = 0; round < 4 * separations; ++round) {
+    std::size_t k = 0;
+    while (k < blocks_.size() && blocks_[k].kind == Block::Kind::contact) ++k;
+    for (const Joint& joint : model_.joints)
+      for (bool more = true; more && k < blocks_.size(); ++k) {
+        Block& block = blocks_[k];
+        const bool align = block.kind == Block::Kind::align;
+        more = !align && (joint.type == Joint::Type::hinge || joint.type == Joint::Type::fixed);
+        const Quaternion& q_a = motions_[index(block.a)].orientation;
+        const Quaternion q_b =
+            block.b == fixed_world ? Quaternion(Quaternion::Identity()) : motions_[index(block.b)].orientation;
+        Vector3 error;
+        if (!align) {
+          block.arm = q_a * block.anchor;
+          if (block.b != fixed_world) block.to_arm = q_b * block.to_anchor;
+          error = offset(block, motions_);
+          if (joint.type == Joint::Type::distance) {
+            const Vector3 d = error.normalized();
+            block.space = d * d.transpose();
+            error -= joint.length * d;
+          }
+        } else if (joint.type == Joint::Type::hinge) {
+          error = (q_b * joint.to_axis).cross(q_a * joint.axis);
+          const Vector3 axis = q_a * joint.axis;
+          block.space = Matrix3::Identity() - axis * axis.transpose();
+        } else {
+          const Quaternion apart = q_a * (q_b * joint.relative).conjugate();
+          error = (apart.w() < 0 ? -2 : 2) * apart.vec();
+        }
+        weigh(block, movers_);
+        const Vector3 shift = -(block.block_mass * error);
+        const auto move = [&](int body, const Vector3& arm, const Vector3& by) {
+          const Mover& m = movers_[index(body)];
+          if (!align) motions_[index(body)].position += m.inverse_mass * by;
+          const Vector3 turn = m.inverse_inertia * (align ? by : Vector3(arm.cross(by)));
+          if (!turn.isZero(0))
+            motions_[index(body)].orientation = turned(motions_[index(body)].orientation, turn);
+        };
+        move(block.a, block.arm, shift);
+        if (block.b != fixed_world) move(block.b, block.to_arm, -shift);
+      }
+  }
+}
+
+}  // namespace cylon::engine::pile

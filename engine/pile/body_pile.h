@@ -1,0 +1,56 @@
+// The stepper of a pile of bodies of any shape, and of jointed ones.
+#pragma once
+
+#include "engine/pile/body_contacts.h"
+#include "engine/pile/direct.h"
+#include "engine/pile/settings.h"
+#include "engine/pile/threads.h"
+#include "engine/stepper.h"
+
+namespace cylon::engine::pile {
+
+class BodyPile : public Stepper {
+ public:
+  BodyPile(const Model&, Time dt, const PileSettings&);
+
+  void step() override;
+  void read(std::vector<Motion>& motions) const override { motions = motions_; }
+  const std::vector<Impact>& impacts() const override { return impacts_; }
+  std::vector<std::string> remarks() const override;
+
+  /// Largest violation of the contact and joint laws that a direct solution has left [m/s].
+  double residual() const { return residual_; }
+
+ private:
+  int parts_of_step() const;
+  void advance(Time now, Time span);
+  void advance_part(Time now, Time h, bool direct);
+  void set_kinematics();
+  void kick(Time now, Real h);
+  void set_targets(Time now, Real h);
+  void sweep(bool warm);
+  void carry_impulses();
+  void drift(Real h);
+  void separate();
+  void close_joints();
+  void colour();
+
+  Model model_;
+  Time dt_;
+  PileSettings settings_;
+  Threads threads_;
+  std::vector<Motion> motions_;
+  std::vector<Mover> movers_;
+  BodyContacts contacts_;
+  std::vector<Block> blocks_;
+  std::vector<std::vector<std::pair<std::size_t, std::size_t>>> colours_;  // runs of blocks of one pair
+  Direct direct_;
+  std::vector<Kinematics> kinematics_;
+  std::vector<Load> loads_;
+  std::vector<Impact> impacts_;
+  long steps_ = 0;
+  double residual_ = 0;
+  bool too_fast_ = false, unsolved_ = false, other_forces_ = false;
+};
+
+}  // namespace cylon::engine::pile

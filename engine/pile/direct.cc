@@ -1,0 +1,280 @@
+#include "engine/pile/direct.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <limits>
+
+namespace cylon::engine::pile {
+namespace {
+
+constexpr int most_rounds = 60, most_newton_steps = 12;
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+Eigen::Matrix3d skew(const Eigen::Vector3d& r) {
+  Eigen::Matrix3d m;
+  m << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
+  return m;
+}
+
+bool moves(const Mover& m) { return m.inverse_mass > 0 || !m.inverse_inertia.isZero(0); }
+
+// The inverse of a matrix that may be singular: what it cannot move becomes very heavy.  Only a preconditioner;
+// the velocities are always those that the impulses give.
+Eigen::Matrix3d heavy_inverse(const Eigen::Matrix3d& inverse) {
+  const double size = inverse.cwiseAbs().maxCoeff();
+  if (size == 0) return Eigen::Matrix3d::Identity() * 1e9;
+  return Eigen::Matrix3d(inverse + 1e-9 * size * Eigen::Matrix3d::Identity()).inverse();
+}
+
+}  // namespace
+
+// Neighbours near each other, so that the envelope is narrow: E. Cuthill, J. McKee, ACM '69, 157.
+void Direct::order(const std::vector<Block>& blocks, const std::vector<Mover>& movers) {
+  const int n = static_cast<int>(movers.size());
+  std::vector<std::vector<int>> next(movers.size());
+  for (const Block& block : blocks) {
+    if (block.b == fixed_world || !moves(movers[index(block.a)]) || !moves(movers[index(block.b)])) continue;
+    next[index(block.a)].push_back(block.b), next[index(block.b)].push_back(block.a);
+  }
+  for (auto& list : next) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+  place_.assign(movers.size(), -1);
+  bodies_.clear();
+  std::vector<int> starts;
+  for (int i = 0; i < n; ++i)
+    if (moves(movers[index(i)])) starts.push_back(i);
+  std::stable_sort(starts.begin(), starts.end(),
+                   [&](int i, int j) { return next[index(i)].size() < next[index(j)].size(); });
+  for (int start : starts) {
+    if (place_[index(start)] >= 0) continue;
+    std::size_t front = bodies_.size();
+    place_[index(start)] = 0, bodies_.push_back(start);
+    for (; front < bodies_.size(); ++front)
+      for (int other : next[index(bodies_[front])])
+        if (place_[index(other)] < 0) place_[index(other)] = 0, bodies_.push_back(other);
+  }
+  for (std::size_t k = 0; k < bodies_.size(); ++k) place_[index(bodies_[k])] = 6 * static_cast<int>(k);
+}
+
+void Direct::set_up(std::vector<Block>& blocks, const std::vector<Body>& bodies,
+                    const std::vector<Mover>& movers) {
+  order(blocks, movers);
+  const auto count = static_cast<Eigen::Index>(6 * bodies_.size());
+  free_.resize(count), v_.resize(count), gradient_.resize(count), trial_.resize(count), push_.resize(count);
+  masses_.assign(bodies_.size(), Eigen::Matrix<double, 6, 6>::Zero());
+  inverses_ = masses_;
+  double mass = 0;
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    const Mover& m = movers[index(bodies_[k])];
+    mass += bodies[index(bodies_[k])].mass;
+    inverses_[k].topLeftCorner<3, 3>() = M3::Identity() * static_cast<double>(m.inverse_mass);
+    inverses_[k].bottomRightCorner<3, 3>() = m.inverse_inertia.cast<double>();
+    masses_[k].bottomRightCorner<3, 3>() = heavy_inverse(m.inverse_inertia.cast<double>());
+    free_.segment<3>(static_cast<Eigen::Index>(6 * k)) = m.v.cast<double>();
+    free_.segment<3>(static_cast<Eigen::Index>(6 * k + 3)) = m.w.cast<double>();
+  }
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    const Mover& m = movers[index(bodies_[k])];
+    masses_[k].topLeftCorner<3, 3>() =
+        M3::Identity() * (m.inverse_mass > 0 ? 1 / static_cast<double>(m.inverse_mass) : 1e6 * mass);
+  }
+  std::vector<int> first(index(static_cast<int>(count)));
+  for (std::size_t i = 0; i < first.size(); ++i) first[i] = static_cast<int>(i / 6 * 6);
+  rows_.clear();
+  for (Block& block : blocks) {
+    Row row;
+    row.block = &block;
+    row.a = place_[index(block.a)];
+    row.b = block.b == fixed_world ? -1 : place_[index(block.b)];
+    if (row.a < 0 && row.b < 0) continue;
+    row.arm = block.arm.cast<double>(), row.to_arm = block.to_arm.cast<double>();
+    row.n = block.normal.cast<double>();
+    row.space = block.space.cast<double>();
+    row.lambda = block.impulse.cast<double>();
+    row.target = static_cast<double>(block.target);
+    // An angular row's mass is an inertia: that of the masses at the length of the bodies' own.
+    double scale = 1;
+    if (block.kind == Block::Kind::align) {
+      const auto inertia = [&](int body) {
+        return body == fixed_world ? 0. : static_cast<double>(bodies[index(body)].inertia.trace());
+      };
+      scale = std::max(inertia(block.a), inertia(block.b)) / mass;
+    }
+    row.stiffness = 100 * mass * scale;
+    rows_.push_back(row);
+    if (row.a >= 0 && row.b >= 0) {
+      const int low = std::min(row.a, row.b), high = std::max(row.a, row.b);
+      for (int i = high; i < high + 6; ++i) first[index(i)] = std::min(first[index(i)], low);
+    }
+  }
+  matrix_.resize(first);
+}
+
+Direct::V3 Direct::velocity(const Row& row, const Vector& v) const {
+  V3 u = V3::Zero();
+  const bool align = row.block->kind == Block::Kind::align;
+  if (row.a >= 0)
+    u += align ? V3(v.segment<3>(row.a + 3))
+               : V3(v.segment<3>(row.a) + V3(v.segment<3>(row.a + 3)).cross(row.arm));
+  if (row.b >= 0)
+    u -= align ? V3(v.segment<3>(row.b + 3))
+               : V3(v.segment<3>(row.b) + V3(v.segment<3>(row.b + 3)).cross(row.to_arm));
+  return u;
+}
+
+void Direct::add_impulse(const Row& row, const V3& j, Vector& to) const {
+  const bool align = row.block->kind == Block::Kind::align;
+  if (row.a >= 0) {
+    if (!align) to.segment<3>(row.a) += j;
+    to.segment<3>(row.a + 3) += align ? j : V3(row.arm.cross(j));
+  }
+  if (row.b >= 0) {
+    if (!align) to.segment<3>(row.b) -= j;
+    to.segment<3>(row.b + 3) -= align ? j : V3(row.to_arm.cross(j));
+  }
+}
+
+// f and, if asked, its slopes; returns the sum of psi.
+double Direct::forces(const Vector& v, bool slopes) {
+  double sum = 0;
+  for (Row& row : rows_) {
+    const V3 u = velocity(row, v);
+    const double d = row.stiffness;
+    if (row.block->kind != Block::Kind::contact) {
+      row.f = row.space * (row.lambda - d * u);
+      sum += row.f.squaredNorm() / (2 * d);
+      if (slopes) row.slope = d * row.space;
+      continue;
+    }
+    const V3& n = row.n;
+    const V3 y = row.lambda - d * u;
+    const double y_n = n.dot(y) + d * row.target, normal = std::max(y_n, 0.);
+    const V3 y_t = y - n.dot(y) * n;
+    const double length = y_t.norm();
+    const bool slips = length > row.limit;
+    row.f = normal * n + (slips ? V3(row.limit / length * y_t) : y_t);
+    sum += normal * normal / (2 * d) +
+           (slips ? row.limit * (length - row.limit / 2) : length * length / 2) / d;
+    if (!slopes) continue;
+    const M3 nn = n * n.transpose();
+    row.slope = M3::Zero();
+    if (y_n > 0) row.slope += d * nn;
+    if (!slips)
+      row.slope += d * (M3::Identity() - nn);
+    else if (row.limit > 0)
+      row.slope += d * row.limit / length * (M3::Identity() - nn - y_t * y_t.transpose() / (length * length));
+  }
+  return sum;
+}
+
+void Direct::velocities_of_impulses() {
+  push_.setZero();
+  for (const Row& row : rows_) add_impulse(row, row.lambda, push_);
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    const auto at = static_cast<Eigen::Index>(6 * k);
+    v_.segment<6>(at) = free_.segment<6>(at) + inverses_[k] * push_.segment<6>(at);
+  }
+}
+
+// Newton's method with the step halved until the function falls.
+void Direct::minimise() {
+  const auto kinetic = [&](const Vector& v) {
+    double sum = 0;
+    for (std::size_t k = 0; k < bodies_.size(); ++k) {
+      const auto at = static_cast<Eigen::Index>(6 * k);
+      const Eigen::Matrix<double, 6, 1> dv = v.segment<6>(at) - free_.segment<6>(at);
+      sum += dv.dot(masses_[k] * dv) / 2;
+    }
+    return sum;
+  };
+  for (int step = 0; step < most_newton_steps; ++step) {
+    const double value = kinetic(v_) + forces(v_, true);
+    gradient_.setZero();
+    for (const Row& row : rows_) add_impulse(row, -row.f, gradient_);
+    for (std::size_t k = 0; k < bodies_.size(); ++k) {
+      const auto at = static_cast<Eigen::Index>(6 * k);
+      gradient_.segment<6>(at) += masses_[k] * (v_.segment<6>(at) - free_.segment<6>(at));
+    }
+    matrix_.clear();
+    for (std::size_t k = 0; k < bodies_.size(); ++k)
+      for (int i = 0; i < 6; ++i)
+        for (int j = 0; j <= i; ++j)
+          matrix_.at(6 * static_cast<int>(k) + i, 6 * static_cast<int>(k) + j) += masses_[k](i, j);
+    for (const Row& row : rows_) {
+      Eigen::Matrix<double, 3, 6> to_a = Eigen::Matrix<double, 3, 6>::Zero(), to_b = to_a;
+      if (row.block->kind == Block::Kind::align) {
+        to_a.rightCols<3>() = M3::Identity(), to_b.rightCols<3>() = -M3::Identity();
+      } else {
+        to_a << M3::Identity(), -skew(row.arm);
+        to_b << -M3::Identity(), skew(row.to_arm);
+      }
+      const auto add = [&](int at, const auto& j, int other, const auto& other_j) {
+        if (at < 0 || other < 0 || other > at) return;
+        const Eigen::Matrix<double, 6, 6> part = j.transpose() * row.slope * other_j;
+        for (int r = 0; r < 6; ++r)
+          for (int c = 0; c < 6 && other + c <= at + r; ++c) matrix_.at(at + r, other + c) += part(r, c);
+      };
+      add(row.a, to_a, row.a, to_a), add(row.b, to_b, row.b, to_b);
+      add(row.a, to_a, row.b, to_b), add(row.b, to_b, row.a, to_a);
+    }
+    matrix_.factor();
+    matrix_.solve(gradient_);
+    double share = 1;
+    for (int halving = 0; halving < 10; ++halving, share /= 2) {
+      trial_ = v_ - share * gradient_;
+      if (kinetic(trial_) + forces(trial_, false) <= value * (1 + 1e-12)) break;
+    }
+    v_ = trial_;
+    // below this the next step would be rounding
+    if (gradient_.cwiseAbs().maxCoeff() <= 1e-10 * v_.cwiseAbs().maxCoeff() && share == 1) break;
+  }
+  forces(v_, false);
+}
+
+bool Direct::solve(std::vector<Block>& blocks, const std::vector<Body>& bodies, std::vector<Mover>& movers) {
+  set_up(blocks, bodies, movers);
+  for (Row& row : rows_)
+    row.limit = static_cast<double>(row.block->friction) * std::max(row.n.dot(row.lambda), 0.);
+  double allowed = 0;
+  for (int round = 0;; ++round) {
+    velocities_of_impulses();
+    forces(v_, false);
+    // What rounding leaves of V* + M^-1 J^T lambda.
+    double fastest = free_.size() > 0 ? free_.cwiseAbs().maxCoeff() : 0;
+    for (std::size_t k = 0; k < bodies_.size(); ++k) {
+      const auto at = static_cast<Eigen::Index>(6 * k);
+      const Eigen::Matrix<double, 6, 1> size =
+          inverses_[k].cwiseAbs() * push_.segment<6>(at).cwiseAbs();
+      fastest = std::max(fastest, size.maxCoeff());
+    }
+    allowed = 256 * std::max(epsilon, static_cast<double>(std::numeric_limits<Real>::epsilon()) / 64) * fastest;
+    residual_ = 0;
+    for (const Row& row : rows_) {
+      const V3 u = velocity(row, v_);
+      // the violation, as the velocity that it takes to end it
+      residual_ = std::max(residual_, ((row.f - row.lambda) / row.stiffness).norm());
+      if (row.block->kind == Block::Kind::contact && row.f.dot(row.n) > 0)
+        residual_ = std::max(residual_, row.target - row.n.dot(u));
+    }
+    if (residual_ <= allowed || round == most_rounds) break;
+    minimise();
+    for (Row& row : rows_) {
+      row.lambda = row.f;
+      row.limit = static_cast<double>(row.block->friction) * std::max(row.n.dot(row.lambda), 0.);
+    }
+  }
+  for (Row& row : rows_) row.block->impulse = row.lambda.cast<Real>();
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    Mover& m = movers[index(bodies_[k])];
+    m.v = v_.segment<3>(static_cast<Eigen::Index>(6 * k)).cast<Real>();
+    m.w = v_.segment<3>(static_cast<Eigen::Index>(6 * k + 3)).cast<Real>();
+  }
+  return residual_ <= 1000 * allowed;
+}
+
+}  // namespace cylon::engine::pile
