@@ -6,6 +6,9 @@ std::string not_points(const Model& model) {
   const Forces& forces = model.forces;
   if (!model.joints.empty()) return "joints hold bodies";
   if (model.frame) return "the frame turns";
+  for (const Body& body : model.bodies) {
+    if (body.mass_rate != 0) return "a body gains or loses mass";
+  }
   if (!forces.drags.empty()) return "drag acts";
   if (!forces.thrusts.empty()) return "thrust acts";
   if (!forces.waters.empty()) return "water acts";

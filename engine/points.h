@@ -162,8 +162,8 @@ class Points {
       const Real square = d.squaredNorm();
       if (square == 0) continue;
       const Vector3 f = h * s.strength / (square * std::sqrt(square)) * d;
-      add(f, k, n, s.body);
-      add(-f, k, n, s.to);
+      if (mass_[s.body] != 0) add(f, k, n, s.body);  // locked bodies have none here
+      if (mass_[s.to] != 0) add(-f, k, n, s.to);
     }
     for (const Drive& d : drives_) {
       add(h * static_cast<Real>(std::cos(static_cast<double>(d.frequency) * t)) * d.force, k, n, at(d.body));
