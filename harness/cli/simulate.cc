@@ -92,6 +92,19 @@ double grid(const Options& options, const scenarios::Scenario& scenario) {
   return dt;
 }
 
+// What no law of motion gives, or "".
+std::string nonsense(const core::Recording& recording) {
+  if (const auto bad = core::first_bad_step(recording))
+    return fmt::format("non-finite: states are NaN or infinite from {} s on",
+                       static_cast<double>(*bad) * recording.dt);
+  constexpr double light = 299'792'458;  // [m/s]
+  for (std::size_t i = 0; i < recording.states.size(); ++i)
+    for (const core::BodyState& body : recording.states[i])
+      if (body.velocity.norm() > light)
+        return fmt::format("unstable: a body is faster than light at {} s", recording.time(i));
+  return "";
+}
+
 int simulate(const Context& context, const Options& options) {
   require_writable(options.out);
   const scenarios::Scenario scenario = scenarios::load(find_scenario(context, options.asked.file));
@@ -129,12 +142,10 @@ int simulate(const Context& context, const Options& options) {
   if (!outcome.stderr_tail.empty())
     std::cerr << plain(outcome.stderr_tail) << (outcome.stderr_tail.ends_with('\n') ? "" : "\n");
   if (outcome.status != core::Status::pass) return report_failure(options.asked.engine, outcome);
-  const auto bad = core::first_bad_step(*outcome.recording);
-  if (!bad) return ok;
+  const std::string finding = nonsense(*outcome.recording);
+  if (finding.empty()) return ok;
   std::cerr << plain(
-      fmt::format("{}: non-finite: from {} s on states are NaN or infinite; a smaller step, or another "
-                  "scheme, may help\n",
-                  options.asked.engine, static_cast<double>(*bad) * dt));
+      fmt::format("{}: {}; a smaller step, or another scheme, may help\n", options.asked.engine, finding));
   return differs;
 }
 

@@ -20,7 +20,7 @@ TEST_F(CommandLine, PlanPrintsEveryStageWithItsReason) {
   ASSERT_EQ(ran.code, 0) << ran.err;
   EXPECT_EQ(ran.out,
             "projectile on mine, integrator uniform\n"
-            "  in   flight                 bodies move\n"
+            "  in   flight               bodies move\n"
             "  out  far too \\x1b[31mred  nothing is\n");
 }
 
@@ -86,6 +86,71 @@ TEST_F(CommandLine, RemarksReachTheRows) {
   ASSERT_FALSE(verdicts.empty());
   for (const json& row : verdicts)
     EXPECT_NE(row.at("detail").get<std::string>().find("tolerance 0 was not reached"), std::string::npos);
+}
+
+// The in-house engine behind the same door: its plan, its model option, and a tolerance that it takes.
+TEST_F(CommandLine, InHousePlansAndTakesATolerance) {
+  const auto stage = [](const json& plan, const std::string& name) {
+    for (const json& row : plan.at("plan"))
+      if (row.at("name") == name) return row;
+    ADD_FAILURE() << "no stage " << name;
+    return json();
+  };
+  const json planned = json::parse(cylon("plan spring_zero_length --json").out);
+  const json full = json::parse(cylon("plan spring_zero_length --model full --json").out);
+  EXPECT_FALSE(stage(planned, "rotation").at("in").get<bool>());
+  EXPECT_TRUE(stage(full, "rotation").at("in").get<bool>());
+  EXPECT_TRUE(stage(planned, "springs").at("in").get<bool>());
+  EXPECT_FALSE(stage(planned, "detection").at("reason").get<std::string>().empty());
+  EXPECT_EQ(cylon("simulate spring_zero_length --tolerance 1e-6 --at 0.7654").code, 0);
+  EXPECT_NE(cylon("simulate spring_zero_length --tolerance 1e-6 --integrator rk4")
+                .err.find("schemes that do: auto"),
+            std::string::npos);
+  EXPECT_NE(cylon("plan projectile --model ful").err.find("did you mean 'full'?"), std::string::npos);
+  EXPECT_NE(cylon("engines in-house").out.find("takes a tolerance"), std::string::npos);
+}
+
+// Galilei: a frame that only moves changes nothing; one that turns does.
+TEST_F(CommandLine, AFrameThatOnlyMovesChangesNothing) {
+  const std::string whole = shipped("spring_orbit");
+  const std::string scene = whole.substr(0, whole.find("[[claim]]"));
+  const auto run = [&](const std::string& frame) {
+    write("mine.toml", scene + frame);
+    const Ran ran = cylon("simulate mine.toml --integrator rk4 --at 1");
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    return ran.out;
+  };
+  const std::string rest = run("");
+  EXPECT_EQ(run("\n[frame]\nvelocity = [3, -2, 0.5]\n"), rest);
+  EXPECT_NE(run("\n[frame]\nangular_velocity = [0.1, 0.2, -0.3]\n"), rest);
+}
+
+// Input that no motion follows from is an error before the run, or a message after it, never silence.
+TEST_F(CommandLine, WhatCannotBeFollowedSaysSo) {
+  const std::string head = "title = 'x'\nstory = 'x'\nduration = 1.0\nstep = 0.01\n";
+  const std::string ball = "[[body]]\nname = 'a'\nmass = 1\nposition = [1, 0, 0]\n";
+  const struct {
+    std::string text, options;
+    int code;
+    const char* says;
+  } cases[] = {
+      {ball + "[[spring]]\nbody = 'a'\npin = [0, 0, 0]\nstiffness = 1e6\n", "--integrator velocity-verlet", 1,
+       "faster than light"},
+      {ball + "[[spring]]\nbody = 'a'\npin = [0, 0, 0]\nstiffness = 1e6\n", "--dt 0", 2, "'0' is no step"},
+      {ball + "[[body]]\nname = 'b'\nmass = 1\nposition = [2, 0, 0]\n[[attraction]]\nbody = 'a'\nto = 'b'\n"
+              "strength = 4\n",
+       "", 1, "non-finite"},
+      {ball + "collide = true\nshape = { type = 'cone', radius = 0.1, length = 0.2 }\n[[plane]]\nname = "
+              "'floor'\n"
+              "normal = [1, 0, 0]\n[[material]]\nbetween = ['*', '*']\nrestitution = 0\nfriction = 0\n",
+       "", 2, "unsupported: body 'a' may touch and is a cone"},
+  };
+  for (const auto& c : cases) {
+    write("mine.toml", head + c.text);
+    const Ran ran = cylon("simulate mine.toml --at 1 " + c.options);
+    EXPECT_EQ(ran.code, c.code) << c.text << ran.err;
+    EXPECT_NE(ran.err.find(c.says), std::string::npos) << c.text << ran.err;
+  }
 }
 
 }  // namespace
