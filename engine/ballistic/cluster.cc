@@ -32,14 +32,14 @@ Real relax(Touch& c, Side& a, Side& b) {
 }  // namespace
 
 bool strike_at_once(std::vector<Touch>& touches, std::vector<Side>& sides) {
-  constexpr int most_sweeps = 100000;
+  constexpr int most_sweeps = 20000;
   Real scale = 0;
   for (const Touch& c : touches) {
     const auto& [a, b] = std::pair(c.a, c.b);
     scale = std::max(scale, sides[static_cast<std::size_t>(a)].velocity.norm() +
                                 sides[static_cast<std::size_t>(b)].velocity.norm());
   }
-  const Real settled = std::numeric_limits<Real>::epsilon() * scale;
+  const Real settled = 8 * std::numeric_limits<Real>::epsilon() * scale;
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     Real moved = 0;
     for (Touch& c : touches)

@@ -61,7 +61,7 @@ inline Meeting contact(const Flight& one, const Flight& other) {
   const Real reach = one.radius + other.radius, c = d.squaredNorm() - reach * reach;
   Real b = d.dot(w);
   const Vector3 a = one.acceleration - other.acceleration;
-  const bool alike = size(a) <= rounding * (size(one.acceleration) + size(other.acceleration));
+  const bool alike = a.isZero(0) || size(a) <= rounding * (size(one.acceleration) + size(other.acceleration));
   if (alike && b >= 0 && c > 0) return {std::numeric_limits<Time>::infinity(), false};
 
   const Real touch_gap = rounding * (size(pa) + size(pb) + reach);

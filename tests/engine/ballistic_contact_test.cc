@@ -158,7 +158,9 @@ TEST(BallisticContact, OrientationWhileSlipping) {
     errors[level] = angle_between(q, motions[0].orientation);
   }
   EXPECT_LT(errors[1], 1e-5);
-  if constexpr (sizeof(Real) == 8) EXPECT_NEAR(std::log2(errors[0] / errors[1]), 2, 0.05);
+  if constexpr (sizeof(Real) == 8) {
+    EXPECT_NEAR(std::log2(errors[0] / errors[1]), 2, 0.05);
+  }
   const Outcome once = run(model, end, 1), often = run(model, end / 1024, 1024);
   EXPECT_LE(angle_between(once.motions[0].orientation, often.motions[0].orientation), 10 * rounding);
 }
@@ -311,8 +313,9 @@ TEST(BallisticContact, HandsOverWhatItCannotExpress) {
       for (; steps < 640 && !stepper->handover(); ++steps) stepper->step();
       ASSERT_TRUE(stepper->handover()) << limit.name;
       const Handover& handover = *stepper->handover();
-      if (impacts == Impacts::sequential)
+      if (impacts == Impacts::sequential) {
         EXPECT_NE(handover.reason.find(limit.reason), std::string::npos) << handover.reason;
+      }
       EXPECT_LE(handover.time, steps / 64.0);
       EXPECT_GE(handover.time, std::max(0, steps - 1) / 64.0);
       ASSERT_EQ(handover.motions.size(), model.bodies.size());
