@@ -1,15 +1,29 @@
 // Smooth motion by error-controlled steps, sampled between them by dense output.
 #pragma once
 
+#include "engine/root.h"
 #include "engine/schemes/dop853.h"
 #include "engine/stepper.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace cylon::engine {
+
+/// Whether forces of a System switch on and off; each switch is an end of smooth motion and is located in
+/// time.
+template <class S>
+concept Switching = requires(S& s, const S& c, Time t, const Real* y) {
+  { c.switch_count() } -> std::convertible_to<std::size_t>;
+  { c.switch_value(std::size_t(), t, y) } -> std::convertible_to<Real>;
+  s.flip(std::size_t());
+  s.watch(t, y);
+  s.unwatch();
+};
 
 /// `Read` copies the state into motions:  void(const S&, const Real* y, std::vector<Motion>&).  Where no step
 /// meets the tolerance any more (a collision of attracting points) the motion ends: all later states are not
@@ -23,19 +37,30 @@ class AdaptiveStepper final : public Stepper {
         scheme_(y_.size(), tolerance),
         dt_(dt),
         read_(std::move(read)) {
+    if constexpr (Switching<S>) {
+      watching_ = system_.switch_count() > 0;
+      if (watching_) system_.watch(0, y_.data());
+    }
     scheme_.start(system_, 0, y_.data());
   }
 
   void step() override {
     const Time now = static_cast<Time>(++steps_) * dt_;
-    while (going_ && scheme_.end() < now) {
-      going_ = scheme_.step(system_, scheme_.end() + farthest * dt_) == Outcome::done;
+    flips_ = 0;
+    while (going_ && reached() < now) {
+      if (turn_) {
+        take_turn();
+      } else {
+        going_ = scheme_.step(system_, scheme_.end() + farthest * dt_) == Outcome::done;
+        if (going_ && watching_) turn_ = first_turn();
+      }
     }
     if (going_)
       scheme_.at(system_, now, y_.data());
     else
       std::fill(y_.begin(), y_.end(), std::numeric_limits<Real>::quiet_NaN());
   }
+
   void read(std::vector<Motion>& motions) const override { read_(system_, y_.data(), motions); }
   const std::vector<Impact>& impacts() const override { return none_; }
   const Real* works() const override {
@@ -44,16 +69,82 @@ class AdaptiveStepper final : public Stepper {
     else
       return nullptr;
   }
+
   std::vector<std::string> remarks() const override {
-    if (going_) return {};
-    char text[120];
-    std::snprintf(text, sizeof text,
-                  "the motion cannot be followed beyond t = %.17g s: no step is short enough", scheme_.end());
-    return {text};
+    std::vector<std::string> remarks;
+    char text[160];
+    if (!going_) {
+      std::snprintf(text, sizeof text,
+                    "the motion cannot be followed beyond t = %.17g s: no step is short enough",
+                    scheme_.end());
+      remarks.emplace_back(text);
+    }
+    if (slides_at_ > 0) {
+      std::snprintf(
+          text, sizeof text,
+          "from t = %.6g s on a force switches on and off without end: its switches are not located",
+          slides_at_);
+      remarks.emplace_back(text);
+    }
+    return remarks;
   }
 
  private:
   static constexpr Time farthest = 1e6;  // steps of dt that one step of the scheme may span
+  static constexpr int looks = 8;        // for a change of sign within a step of the scheme
+  static constexpr int most_flips =
+      200;  // in a step of dt; more is a force that pushes its switch back at once
+
+  struct Turn {
+    Time time;
+    std::size_t which;
+  };
+
+  Time reached() const { return turn_ ? turn_->time : scheme_.end(); }
+
+  // The first switch in the last step of the scheme.
+  std::optional<Turn> first_turn() {
+    std::optional<Turn> first;
+    if constexpr (Switching<S>) {
+      const Time begin = scheme_.begin(), span = scheme_.end() - begin;
+      const auto value = [&](std::size_t k, Real part) {
+        const Time t = part < 1 ? begin + static_cast<Time>(part) * span : scheme_.end();
+        scheme_.at(system_, t, y_.data());
+        return system_.switch_value(k, t, y_.data());
+      };
+      for (std::size_t k = 0; k < system_.switch_count(); ++k) {
+        Real low = 0, low_value = value(k, 0);
+        if (k == last_turn_ && begin == last_turn_time_) low_value = 0;  // it has just been here
+        for (int i = 1; i <= looks; ++i) {
+          const Real high = static_cast<Real>(i) / looks, high_value = value(k, high);
+          if ((low_value < 0 && high_value > 0) || (low_value > 0 && high_value < 0)) {
+            const Real part = root([&](Real x) { return value(k, x); }, low, low_value, high, high_value);
+            const Time t = begin + static_cast<Time>(part) * span;
+            if (!first || t < first->time) first = Turn{t, k};
+            break;
+          }
+          low = high, low_value = high_value;
+        }
+      }
+    }
+    return first;
+  }
+
+  void take_turn() {
+    if constexpr (Switching<S>) {
+      const Turn turn = *std::exchange(turn_, std::nullopt);
+      scheme_.at(system_, turn.time, y_.data());
+      if (++flips_ > most_flips) {
+        system_.unwatch();
+        watching_ = false;
+        slides_at_ = turn.time;
+      } else {
+        system_.flip(turn.which);
+      }
+      last_turn_ = turn.which, last_turn_time_ = turn.time;
+      scheme_.start(system_, turn.time, y_.data(), true);
+    }
+  }
 
   S system_;
   std::vector<Real> y_;
@@ -61,7 +152,11 @@ class AdaptiveStepper final : public Stepper {
   Time dt_;
   Read read_;
   std::int64_t steps_ = 0;
-  bool going_ = true;
+  bool going_ = true, watching_ = false;
+  std::optional<Turn> turn_;  // the next, within the last step of the scheme
+  int flips_ = 0;
+  std::size_t last_turn_ = 0;
+  Time last_turn_time_ = -1, slides_at_ = 0;
   std::vector<Impact> none_;
 };
 

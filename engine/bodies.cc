@@ -28,6 +28,36 @@ Bodies::Bodies(Model model, bool account) : model_(std::move(model)), account_(a
   rows_.rows.reserve(static_cast<std::size_t>(rows));
   change_.resize(static_cast<std::size_t>(rows));
   find_turning();
+  for (std::size_t w = 0; w < model_.forces.waters.size(); ++w) {
+    if (model_.forces.waters[w].mode != WaterMode::step) continue;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!model_.bodies[i].locked) switches_.push_back({w, i});
+    }
+  }
+}
+
+// Height of a body's centre above a water surface.
+Real Bodies::switch_value(std::size_t k, Time t, const Real* y) const {
+  const Motion& motion = motions(y)[switches_[k].body];
+  const Vector3 centre = motion.position + motion.orientation * model_.bodies[switches_[k].body].centre;
+  return centre.y() - model_.forces.waters[switches_[k].water].surface(t, centre);
+}
+
+void Bodies::flip(std::size_t k) {
+  char& inside = model_.forces.waters[switches_[k].water].inside[switches_[k].body];
+  inside = inside ? 0 : 1;
+}
+
+void Bodies::watch(Time t, const Real* y) {
+  for (std::size_t k = 0; k < switches_.size(); ++k) {
+    std::vector<char>& inside = model_.forces.waters[switches_[k].water].inside;
+    inside.resize(model_.bodies.size(), 0);
+    inside[switches_[k].body] = switch_value(k, t, y) < 0;
+  }
+}
+
+void Bodies::unwatch() {
+  for (Water& water : model_.forces.waters) water.inside.clear();
 }
 
 std::vector<Real> Bodies::initial() const {

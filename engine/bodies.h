@@ -52,6 +52,16 @@ class Bodies {
   /// Work done by each force since t = 0 [J], in the order of apply().  Requires accounting.
   const Real* works(const Real* y) const { return y + motion_size * model_.bodies.size(); }
 
+  /// Forces that switch on and off (the seed's water on a body): each is on or off until flip(), and wants to
+  /// be flipped where switch_value() has changed its sign since; watch() sets them all to what the state
+  /// says.
+  std::size_t switch_count() const { return switches_.size(); }
+  Real switch_value(std::size_t, Time, const Real* y) const;
+  void flip(std::size_t);
+  void watch(Time, const Real* y);
+  /// Every force follows the state by itself again.
+  void unwatch();
+
   /// Who adds the forces of joints and contacts; null: the joints alone.
   void set_holder(Holder* holder) { holder_ = holder; }
   /// Forces without those of joints and contacts, and the kinematics that they were computed from.
@@ -68,7 +78,12 @@ class Bodies {
   void gather(const Motion*);
   void turn_frame(Real h, Motion*);
 
+  struct Switch {
+    std::size_t water, body;
+  };
+
   Model model_;
+  std::vector<Switch> switches_;
   bool account_ = false, varies_ = false, reads_velocities_ = false;
   std::size_t size_ = 0;
   std::vector<Real> mass_;  // at t = 0

@@ -3,6 +3,7 @@
 #include "engine/adaptive_stepper.h"
 #include "engine/ballistic/ballistic.h"
 #include "engine/bodies.h"
+#include "engine/event_stepper.h"
 #include "engine/free_stepper.h"
 #include "engine/pile/pile.h"
 #include "engine/points.h"
@@ -16,6 +17,8 @@ namespace cylon::engine {
 
 namespace {
 
+Real bound(const Options& options) { return options.tolerance > 0 ? options.tolerance : default_tolerance(); }
+
 // Smooth motion of a System by a scheme, fixed or adaptive with a local tolerance.
 template <class S, class Read>
 std::unique_ptr<Stepper> smooth(const S& system, const std::vector<Real>& initial, const Plan& plan,
@@ -25,8 +28,7 @@ std::unique_ptr<Stepper> smooth(const S& system, const std::vector<Real>& initia
   const auto run = [=](Real tolerance) -> std::unique_ptr<Stepper> {
     return std::make_unique<AdaptiveStepper<S, Read>>(system, initial, tolerance, options.dt, read);
   };
-  const Real bound = options.tolerance > 0 ? options.tolerance : default_tolerance();
-  return std::make_unique<VerifiedStepper>(run, bound, model.bodies);
+  return std::make_unique<VerifiedStepper>(run, bound(options), model.bodies);
 }
 
 template <std::size_t N>
@@ -52,9 +54,19 @@ std::unique_ptr<Stepper> make_bodies(const Model& model, const Plan& plan, const
   return smooth(system, system.initial(), plan, options, read, model);
 }
 
+std::unique_ptr<Stepper> make_events(const Model& model, const Plan& plan, const Options& options,
+                                     Time start) {
+  const auto run = [=, scheme = plan.scheme](Real tolerance) -> std::unique_ptr<Stepper> {
+    return std::make_unique<EventStepper>(model, *scheme, options.dt, tolerance, options.account, start);
+  };
+  if (!plan.adaptive) return run(0);
+  return std::make_unique<VerifiedStepper>(run, bound(options), model.bodies);
+}
+
 }  // namespace
 
-std::unique_ptr<Stepper> make_stepper(const Model& model, const Options& options, const Plan& plan, Time) {
+std::unique_ptr<Stepper> make_stepper(const Model& model, const Options& options, const Plan& plan,
+                                      Time start) {
   switch (plan.method) {
     case Method::exact:
       return std::make_unique<FreeStepper>(model, options.dt);
@@ -66,7 +78,7 @@ std::unique_ptr<Stepper> make_stepper(const Model& model, const Options& options
     case Method::ballistic:
       return make_ballistic(model, options.dt);
     case Method::events:
-      return make_bodies(model, plan, options);
+      return make_events(model, plan, options, start);
     case Method::stepping:
       return make_pile(model, options.dt);
   }
