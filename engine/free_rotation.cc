@@ -81,17 +81,21 @@ struct Nodes<8> {
       0.18134189168918099148,  0.15685332293894364367, 0.11119051722668723527, 0.050614268145188129576};
 };
 
-// One more coefficient of the series of l' = l x (X l); d holds h (x_{i+2} - x_{i+1}).
+// One more coefficient of the series of l' = l x (X l); d holds h (x_{i+2} - x_{i+1}).  Written out: as a
+// loop it would be vectorised along m, across what was just stored.
 template <int n, int N>
-inline void extend(double (&a)[3][N + 1], const double (&d)[3]) {
-  double s[3] = {}, s_odd[3] = {};  // two chains of additions
-  for (int m = 0; m <= n; ++m) {
-    double* const sum = m % 2 == 0 ? s : s_odd;
-    sum[0] += a[1][m] * a[2][n - m];
-    sum[1] += a[2][m] * a[0][n - m];
-    sum[2] += a[0][m] * a[1][n - m];
+inline void extend(double (&a)[N + 1][3], const double (&d)[3]) {
+  double even[3] = {}, odd[3] = {};  // two chains of additions
+  [&]<int... m>(std::integer_sequence<int, m...>) {
+    const auto add = [&](double(&sum)[3], int k) {
+      sum[0] += a[k][1] * a[n - k][2];
+      sum[1] += a[k][2] * a[n - k][0];
+      sum[2] += a[k][0] * a[n - k][1];
+    };
+    (add(m % 2 == 0 ? even : odd, m), ...);
   }
-  for (int i = 0; i < 3; ++i) a[i][n + 1] = (1.0 / (n + 1)) * d[i] * (s[i] + s_odd[i]);
+  (std::make_integer_sequence<int, n + 1>{});
+  for (int i = 0; i < 3; ++i) a[n + 1][i] = (1.0 / (n + 1)) * d[i] * (even[i] + odd[i]);
 }
 
 // The turn of the principal axes over h, seen from where they start; not of unit length.  l by its Taylor
@@ -105,15 +109,15 @@ inline void extend(double (&a)[3][N + 1], const double (&d)[3]) {
 //   S^2 = (G^2 - l_p^2)(G^2 - e_p^2)
 template <int N, int M>
 Rotation short_turn(const Vector& x, const Vector& l, double h) {
-  double a[3][N + 1];
-  for (int i = 0; i < 3; ++i) a[i][0] = l[i];
+  double a[N + 1][3];
+  for (int i = 0; i < 3; ++i) a[0][i] = l[i];
   const double d[3] = {h * (x[2] - x[1]), h * (x[0] - x[2]), h * (x[1] - x[0])};
   [&]<int... n>(std::integer_sequence<int, n...>) { (extend<n, N>(a, d), ...); }
   (std::make_integer_sequence<int, N>{});
   Vector change;  // e - l
   for (int i = 0; i < 3; ++i) {
-    change[i] = a[i][N];
-    for (int n = N - 1; n > 0; --n) change[i] += a[i][n];
+    change[i] = a[N][i];
+    for (int n = N - 1; n > 0; --n) change[i] += a[n][i];
   }
   const Vector e = l + change;
 
@@ -122,13 +126,13 @@ Rotation short_turn(const Vector& x, const Vector& l, double h) {
   const int q = (p + 1) % 3, r = (p + 2) % 3;
   const double gg = l.squaredNorm();
   const double excess = (x[q] - x[p]) * l[q] * l[q] + (x[r] - x[p]) * l[r] * l[r];
-  std::array<double, M> value{};
-  for (std::size_t m = 0; m < M; ++m) value[m] = a[p][N];
-  for (int n = N; n-- > 0;) {
-    for (std::size_t m = 0; m < M; ++m) value[m] = value[m] * Nodes<M>::at[m] + a[p][n];
-  }
   double mean = 0;
-  for (std::size_t m = 0; m < M; ++m) mean += Nodes<M>::weight[m] / (gg - value[m] * value[m]);
+  [&]<std::size_t... m>(std::index_sequence<m...>) {
+    double value[] = {(static_cast<void>(m), a[N][p])...};
+    for (int n = N; n-- > 0;) ((value[m] = value[m] * Nodes<M>::at[m] + a[n][p]), ...);
+    ((mean += Nodes<M>::weight[m] / (gg - value[m] * value[m])), ...);
+  }
+  (std::make_index_sequence<M>{});
   const double g = std::sqrt(gg), phi = h * g * (x[p] + excess * mean);
 
   const double le = l.dot(e), lp = l[p], ep = e[p];
@@ -158,7 +162,9 @@ Quaternion asymmetric_free_flow(const Body& body, const Quaternion& orientation,
   const double reach = std::abs(h) * l.norm() * spread * (2 / 3.14159265358979323846);
   if (reach == 0) return turned(orientation, h * body.inverse_moments[1] * angular_momentum);
   Rotation turn;
-  if (reach < 0.0128)
+  if (reach < 1.4e-3)
+    turn = short_turn<5, 4>(x, l, h);
+  else if (reach < 0.0128)
     turn = short_turn<8, 4>(x, l, h);
   else if (reach < 0.049)
     turn = short_turn<12, 6>(x, l, h);
