@@ -62,7 +62,11 @@ inline Meeting contact(const Flight& one, const Flight& other) {
   Real b = d.dot(w);
   const Vector3 a = one.acceleration - other.acceleration;
   const bool alike = a.isZero(0) || size(a) <= rounding * (size(one.acceleration) + size(other.acceleration));
-  if (alike && b >= 0 && c > 0) return {std::numeric_limits<Time>::infinity(), false};
+  Real disc = 0;
+  if (alike && c > 0) {  // most pairs part, or pass each other
+    if (b < 0) disc = reach * reach * w.squaredNorm() - d.cross(w).squaredNorm();
+    if (b >= 0 || disc < 0) return {std::numeric_limits<Time>::infinity(), false};
+  }
 
   const Real touch_gap = rounding * (size(pa) + size(pb) + reach);
   const bool touch = c <= 2 * reach * touch_gap;
@@ -71,11 +75,7 @@ inline Meeting contact(const Flight& one, const Flight& other) {
   if (!alike) {
     t = contact_accelerated(d, w, a, c, b, touch);
   } else if (b < 0) {
-    if (touch) {
-      t = 0;
-    } else if (const Real disc = reach * reach * w.squaredNorm() - d.cross(w).squaredNorm(); disc >= 0) {
-      t = c / (-b + std::sqrt(disc));
-    }
+    t = touch ? Real(0) : c / (-b + std::sqrt(disc));
   }
   return {base + static_cast<Time>(t), c < -16 * reach * touch_gap};
 }
