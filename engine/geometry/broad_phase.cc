@@ -22,6 +22,9 @@ std::uint64_t key_of(int level, const Cell& cell) {
   return ((part(level) << bits | part(cell.z)) << bits | part(cell.y)) << bits | part(cell.x);
 }
 
+constexpr double room =
+    1 + 1e-6;  // cells over bodies: more than rounding of the cell's number, for float too
+
 struct Lattice {
   Vector3 origin;
   double largest = 0;  // cell of level 0 [m]
@@ -39,7 +42,7 @@ struct Lattice {
   int level_of(const Bounds& box) const {
     const auto extent = static_cast<double>((box.high - box.low).maxCoeff());
     int level = 0;
-    while (level + 1 < levels && extent <= cell(level + 1)) ++level;
+    while (level + 1 < levels && extent * room <= cell(level + 1)) ++level;
     return level;
   }
 };
@@ -79,7 +82,7 @@ const std::vector<BroadPhase::Pair>& BroadPhase::pairs(const std::vector<Bounds>
   }
   const double width = any ? static_cast<double>((high - lattice.origin).maxCoeff()) : 0;
   const double narrowest = std::max(width / static_cast<double>(most_cells - 2), least);
-  lattice.largest = std::max({lattice.largest, narrowest, 1e-30});
+  lattice.largest = room * std::max({lattice.largest, narrowest, 1e-30});
   while (lattice.levels < most_levels && lattice.cell(lattice.levels) >= narrowest) ++lattice.levels;
 
   for (Entry& entry : entries_) {

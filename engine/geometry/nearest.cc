@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace cylon::engine {
 namespace {
@@ -49,21 +50,36 @@ const Simplex& nearer(const Simplex& s, const Simplex& t) {
   return s.v.squaredNorm() <= t.v.squaredNorm() ? s : t;
 }
 
-// v = n (n.x)/n^2 is the origin's foot on the plane.  Inside where it is on the inner side of all three
-// edges, with differences from the foot and not from the origin, which may be far; else the nearest of the
-// edges.
-Simplex triangle(const Vertex& p, const Vertex& q, const Vertex& r) {
-  const Vector3 n = (q.w - p.w).cross(r.w - p.w);
-  const Vector3 v = n * (n.dot((p.w + q.w + r.w) / 3) / n.squaredNorm());
-  const Vector3 vp = p.w - v, vq = q.w - v, vr = r.w - v;
-  const Real wp = n.dot(vq.cross(vr)), wq = n.dot(vr.cross(vp)), wr = n.dot(vp.cross(vq));
-  if (wp > 0 && wq > 0 && wr > 0) {  // false where n = 0: NaN
-    const Real sum = wp + wq + wr;
+// With u along the longest edge and w across it in the plane (orthogonalised twice), the origin's foot is
+// v = x - u (u.x) - w (w.x) of any corner x; inside where it is on the inner side of all three edges, in the
+// coordinates (u.x, w.x).  A normal by the cross product of the edges would be worthless for a triangle like
+// a needle, which edges that are nearly parallel make; of this one only the turn about u is.  The weights of
+// a needle are poor along it, where one step of refinement restores them.
+Simplex triangle(Vertex p, Vertex q, Vertex r) {
+  const Real a = (q.w - p.w).squaredNorm(), b = (r.w - q.w).squaredNorm(), c = (p.w - r.w).squaredNorm();
+  if (b > a && b >= c) {
+    std::swap(p, q), std::swap(q, r);  // q r p
+  } else if (c > a) {
+    std::swap(p, r), std::swap(q, r);  // r p q
+  }
+  const Vector3 pq = q.w - p.w;
+  const Real length = pq.norm();
+  const Vector3 u = pq / length;
+  Vector3 w = r.w - p.w;
+  for (int pass = 0; pass < 2; ++pass) w = (w - u * u.dot(w)).normalized();
+  const auto cross = [&](const Vertex& x, const Vertex& y) {
+    return u.dot(x.w) * w.dot(y.w) - w.dot(x.w) * u.dot(y.w);
+  };
+  const Real wp = cross(q, r), wq = cross(r, p), wr = cross(p, q), sum = wp + wq + wr;
+  if (wp * sum > 0 && wq * sum > 0 && wr * sum > 0) {  // false where the three are on a line: NaN
     Simplex s;
     s.count = 3;
+    s.v = p.w - u * u.dot(p.w);
+    s.v -= w * w.dot(s.v);
+    s.v -= u * u.dot(s.v);
+    const Real excess = u.dot(wp / sum * p.w + wq / sum * q.w + wr / sum * r.w) / length;
+    p.weight = wp / sum + excess, q.weight = wq / sum - excess, r.weight = wr / sum;
     s.vertex[0] = p, s.vertex[1] = q, s.vertex[2] = r;
-    s.vertex[0].weight = wp / sum, s.vertex[1].weight = wq / sum, s.vertex[2].weight = wr / sum;
-    s.v = v;
     return s;
   }
   return nearer(nearer(segment(p, q), segment(q, r)), segment(r, p));
@@ -126,7 +142,7 @@ Nearest nearest(const Couple& couple) {
     result.b += x.weight * couple.vertex_b(x.b);
   }
   result.distance = s.v.norm();
-  result.normal = s.v / result.distance;
+  result.normal = s.v.normalized();
   return result;
 }
 

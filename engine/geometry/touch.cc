@@ -5,6 +5,7 @@
 #include "engine/geometry/segments.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace cylon::engine {
@@ -15,7 +16,7 @@ constexpr Real near = eps < Real(1e-10) ? Real(1.5e-8) : Real(3.5e-4);  // sqrt(
 
 // The middle of the deepest corners of what lies over the face; the deepest vertex itself where rounding
 // leaves nothing over it.
-Vector3 deepest_over(const Couple& couple, const Axis& axis) {
+Vector3 deepest_over(const Couple& couple, const Axis& axis, bool& reached) {
   const bool on_a = axis.kind == Axis::Kind::face_a;
   Patch patch;
   clip(couple, on_a, on_a ? axis.a : axis.b, patch);
@@ -23,7 +24,8 @@ Vector3 deepest_over(const Couple& couple, const Axis& axis) {
   for (int k = 0; k < patch.count; ++k)
     least = std::min(least, patch.corners[static_cast<std::size_t>(k)].gap);
   const Real same = 64 * eps * couple.size;
-  if (!(least <= axis.gap + same))
+  reached = least <= axis.gap + same;
+  if (!reached)
     return on_a ? couple.vertex_b(couple.support_b(axis.normal))
                 : couple.vertex_a(couple.support_a(-axis.normal));
   Vector3 sum = Vector3::Zero();
@@ -35,8 +37,8 @@ Vector3 deepest_over(const Couple& couple, const Axis& axis) {
   return sum / static_cast<Real>(count);
 }
 
-void place_on_edges(const Couple& couple, const Axis& axis, Touch& result) {
-  const Edge &e = couple.a.edges[axis.a], &f = couple.b.edges[axis.b];
+void place_on_edges(const Couple& couple, int edge_a, int edge_b, Touch& result) {
+  const Edge &e = couple.a.edges[edge_a], &f = couple.b.edges[edge_b];
   const Vector3 p = couple.vertex_a(e[0]), q = couple.vertex_b(f[0]);
   Vector3 u = couple.vertex_a(e[1]) - p, w = couple.vertex_b(f[1]) - q;
   const Real a = u.norm() / 2, b = w.norm() / 2;
@@ -47,16 +49,32 @@ void place_on_edges(const Couple& couple, const Axis& axis, Touch& result) {
   result.b = middle_b + where.t * w;
 }
 
+// The nearest of all pairs of edges, ends included, where it is nearer than `known`.  Slow and without a way
+// to fail: for needles.
+void ask_all_edges(const Couple& couple, Touch& known) {
+  for (int i = 0; i < couple.a.edge_count; ++i)
+    for (int j = 0; j < couple.b.edge_count; ++j) {
+      Touch pair;
+      place_on_edges(couple, i, j, pair);
+      const Vector3 d = pair.a - pair.b;
+      pair.gap = d.norm();
+      if (!(pair.gap < known.gap) || pair.gap == 0) continue;
+      pair.normal = d / pair.gap;
+      known = pair;
+    }
+}
+
 Touch from_axis(const Couple& couple, const Axis& axis) {
   Touch result{axis.gap, axis.normal, Vector3::Zero(), Vector3::Zero(), axis.kind, axis.a, axis.b};
   if (axis.kind == Axis::Kind::face_a) {
-    result.b = deepest_over(couple, axis);
+    result.b = deepest_over(couple, axis, result.reached);
     result.a = result.b + axis.gap * axis.normal;
   } else if (axis.kind == Axis::Kind::face_b) {
-    result.a = deepest_over(couple, axis);
+    result.a = deepest_over(couple, axis, result.reached);
     result.b = result.a - axis.gap * axis.normal;
   } else {
-    place_on_edges(couple, axis, result);
+    place_on_edges(couple, axis.a, axis.b, result);
+    result.reached = (result.a - result.b).norm() <= std::abs(axis.gap) + 64 * eps * couple.size;
   }
   return result;
 }
@@ -65,12 +83,21 @@ Touch from_axis(const Couple& couple, const Axis& axis) {
 
 // Apart by more than the square root of rounding, nearest() has the normal to that square root at worst (a
 // corner against a corner) and to rounding where a face or two edges decide.  Nearer than that the axes
-// decide, unless they miss the distance: corners and edges against corners.
+// decide, and wherever the plane between the nearest points is not clear of both by their distance: simplices
+// like needles, of nearly parallel edges, can stop it early.  An axis is a lower bound; where points of both
+// shapes are that far apart along it, it is the distance.  Where none are (corners and edges against
+// corners), it is nearest()'s.
 Touch touch(const Couple& couple) {
   const Nearest apart = nearest(couple);
-  if (!(apart.distance > near * couple.size)) {
-    const Axis axis = widest_axis(couple, apart.distance);
-    if (!(apart.distance > axis.gap + 8 * eps * couple.size)) return from_axis(couple, axis);
+  const Real rounding = eps * couple.size;
+  const bool close = !(apart.distance > near * couple.size);
+  if (close || couple.between(apart.normal) < apart.distance - 4 * rounding) {
+    const Axis axis = widest_axis(couple, apart.distance + 16 * rounding);
+    const Touch found = from_axis(couple, axis);
+    if (found.reached || apart.distance == 0 || axis.gap >= apart.distance - 16 * rounding) return found;
+    Touch least{apart.distance, apart.normal, apart.a, apart.b};
+    ask_all_edges(couple, least);
+    return least;
   }
   return {apart.distance, apart.normal, apart.a, apart.b};
 }

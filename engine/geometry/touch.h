@@ -13,6 +13,7 @@ struct Touch {
   Vector3 a, b;                        ///< a - b = gap normal, to rounding [m].
   Axis::Kind kind = Axis::Kind::none;  ///< Of the axis that it follows from; none: from nearest().
   int feature_a = -1, feature_b = -1;  ///< As in Axis.
+  bool reached = false;                ///< By an axis, and points of both are `gap` apart along it.
 };
 
 Touch touch(const Couple&);
