@@ -180,7 +180,9 @@ void Bodies::rates(Time t, const Real* y, Real* rate) {
 
 // K' = F, L' = torque with the configuration frozen.  Forces are affine in the momenta z,  z' = A z + b,  so
 //   z(h) = z + sum_k h^(k+1)/(k+1)! A^k f,   A u = f(z + u) - f(z),
-// the exact flow; without forces that read velocities the first term is all.
+// the exact flow; without forces that read velocities the first term is all.  With joints f is what they
+// leave of the forces, P f:  the momenta that drag reads then never leave the joints.  (Forces that read none
+// may push against them; the drift takes that back.)
 void Bodies::kick(Time t, Real h, Real* y) {
   Motion* motion = motions(y);
   const std::size_t n = kinematics_.size();
@@ -209,6 +211,14 @@ void Bodies::kick(Time t, Real h, Real* y) {
   } else if (!reads_velocities_) {
     add(h, loads_);
   } else {
+    const auto project = [&] {
+      if (constrained()) rows_.project_loads(model_.bodies, loads_.data());
+    };
+    if (constrained()) {
+      gather(motion);
+      rows_.measure(model_.bodies, motion);
+      project();
+    }
     first_ = loads_;   // f(z)
     before_ = loads_;  // A^k f
     start_.assign(y, y + size_);
@@ -229,6 +239,7 @@ void Bodies::kick(Time t, Real h, Real* y) {
       }
       find_kinematics(probe);
       find_loads(t, probe, nullptr);
+      project();
       Real size = 0;
       for (std::size_t i = 0; i < n; ++i) {
         before_[i].force = loads_[i].force - first_[i].force;
@@ -300,6 +311,9 @@ void Bodies::drift(Real h, Real* y) {
     for (std::size_t k = 0; k < change_.size(); ++k) change_[k] = reached.rows[k].offset;
     rows_.push(change_, h, model_.bodies, motions(before.data()));
   }
+  if (!reads_velocities_) return;  // else the kick must find momenta that the joints allow
+  gather(motions(y));
+  rows_.project_velocities(model_.bodies, motions(y));
 }
 
 void Bodies::settle(Real* y) {

@@ -105,6 +105,23 @@ void Rows::constrain_accelerations(const std::vector<Body>& bodies, const Motion
     if (row.to != fixed_world) row.residual -= acceleration(row.to, row.direction, row.to_spin);
   }
   solve();
+  add_forces(load);
+}
+
+void Rows::project_loads(const std::vector<Body>& bodies, Load* load) {
+  const auto change = [&](int body, const Vector3& direction, const Vector3& spin) {
+    const Load& l = load[at(body)];
+    return bodies[at(body)].inverse_mass * direction.dot(l.force) + spin.dot(l.torque);
+  };
+  for (Row& row : rows) {
+    row.residual = change(row.body, row.direction, row.spin);
+    if (row.to != fixed_world) row.residual -= change(row.to, row.direction, row.to_spin);
+  }
+  solve();
+  add_forces(load);
+}
+
+void Rows::add_forces(Load* load) const {
   for (const Row& row : rows) {
     load[at(row.body)].force += row.lambda * row.direction;
     load[at(row.body)].torque += row.lambda * row.lever;

@@ -54,9 +54,14 @@ class Rows {
   void measure(const std::vector<Body>&, const Motion*);
   void push(const std::vector<Real>& change, Real h, const std::vector<Body>&, Motion*);
 
+  /// Takes from the loads what would change c' at once: J M^-1 load = 0.  Linear in the loads.  The rows must
+  /// have been measured.
+  void project_loads(const std::vector<Body>&, Load*);
+
  private:
   void factor();
   void solve();
+  void add_forces(Load*) const;
 
   std::vector<Real> matrix_, factor_;  // lower triangles, row-major
 };
