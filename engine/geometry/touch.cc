@@ -91,7 +91,7 @@ Touch touch(const Couple& couple) {
   const Nearest apart = nearest(couple);
   const Real rounding = eps * couple.size;
   const bool close = !(apart.distance > near * couple.size);
-  if (close || couple.between(apart.normal) < apart.distance - 4 * rounding) {
+  if (close || couple.between(apart.normal) < apart.distance - 8 * rounding) {
     const Axis axis = widest_axis(couple, apart.distance + 16 * rounding);
     const Touch found = from_axis(couple, axis);
     if (found.reached || apart.distance == 0 || axis.gap >= apart.distance - 16 * rounding) return found;

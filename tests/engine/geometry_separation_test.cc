@@ -11,7 +11,7 @@ namespace {
 using namespace geometry_test;
 
 // Positions to about 1, shapes to about 1: sums of some ten products of numbers of the size of the pair, of
-// which rounding is a random walk.  Worst found: 9 eps.
+// which rounding is a random walk.  Worst found: 6 eps.
 Real rounding(const Shape& a, const Shape& b, const Pose& p, const Pose& q) {
   return 32 * eps * (bounding_radius(a) + bounding_radius(b) + (p.position - q.position).norm());
 }
