@@ -46,7 +46,7 @@ std::vector<Row> EventStepper::joint_rows(const Motion* motion) const {
 }
 
 // The touch of a held point as it is now.
-Touch EventStepper::touch_of(const HeldPoint& held, const Motion* motion) const {
+TouchPoint EventStepper::touch_of(const HeldPoint& held, const Motion* motion) const {
   const Candidate& c = candidates_[held.candidate];
   const Model& model = system_.model();
   if (!held.general) return touch_at(c, model, motion);
@@ -58,7 +58,7 @@ Touch EventStepper::touch_of(const HeldPoint& held, const Motion* motion) const 
     return rotates(which) ? angular_velocity(which, m) : Vector3(Vector3::Zero());
   };
   const Vector3 w_a = spin(body, a), w_b = spin(other, b);
-  Touch touch;
+  TouchPoint touch;
   touch.body = c.body;
   touch.other = c.other;
   touch.pair = c.pair;
@@ -70,13 +70,13 @@ Touch EventStepper::touch_of(const HeldPoint& held, const Motion* motion) const 
   touch.position = held.face_of_body ? x_b : x_a;
   touch.path = held.face_of_body ? matter_velocity(other, b, x_b) : matter_velocity(body, a, x_a);
   const Vector3 v = velocity(body, a) + w_a.cross(arm_a) - velocity(other, b) - w_b.cross(arm_b);
-  touch.curvature = touch.normal.dot(w_a.cross(w_a.cross(arm_a)) - w_b.cross(w_b.cross(arm_b))) +
-                    2 * touch.turning.dot(v);
+  touch.curvature =
+      touch.normal.dot(w_a.cross(w_a.cross(arm_a)) - w_b.cross(w_b.cross(arm_b))) + 2 * touch.turning.dot(v);
   return touch;
 }
 
-void EventStepper::hold(Time, const std::vector<Body>& bodies, const Motion* motion, const Kinematics* kinematics,
-                        Load* loads) {
+void EventStepper::hold(Time, const std::vector<Body>& bodies, const Motion* motion,
+                        const Kinematics* kinematics, Load* loads) {
   touches_.clear();
   holdings_.clear();
   for (const HeldPoint& h : held_) {
@@ -84,8 +84,8 @@ void EventStepper::hold(Time, const std::vector<Body>& bodies, const Motion* mot
     holdings_.push_back(h.holding);
   }
   const std::vector<Row> joints = joint_rows(motion);
-  add_forces(hold_support(touches_, holdings_, joints, {bodies, motion, kinematics, loads}, rest_speed_), loads,
-             bodies.size());
+  add_forces(hold_support(touches_, holdings_, joints, {bodies, motion, kinematics, loads}, rest_speed_),
+             loads, bodies.size());
 }
 
 Support EventStepper::support(Time t, const Real* y) {
@@ -110,7 +110,7 @@ void EventStepper::project(const std::vector<Body>& bodies, Motion* motion) {
     bool closed = rows_.closed();
     std::vector<Row> three;
     for (const HeldPoint& h : held_) {
-      const Touch touch = touch_of(h, motion);
+      const TouchPoint touch = touch_of(h, motion);
       three.clear();
       append_rows(touch, bodies, motion, three);
       three[0].offset = touch.gap;
@@ -150,7 +150,7 @@ std::vector<EventStepper::Spot> EventStepper::spots() {
   const Model& model = system_.model();
   const Motion* motion = Bodies::motions(y_.data());
   std::vector<Spot> result;
-  std::vector<Touch> found;
+  std::vector<TouchPoint> found;
   for (std::size_t i = 0; i < candidates_.size(); ++i) {
     const Candidate& c = candidates_[i];
     const Real margin = touch_margin(c, motion);
@@ -164,7 +164,7 @@ std::vector<EventStepper::Spot> EventStepper::spots() {
     found.clear();
     touches_of(c, model, motion, holds(i) ? 128 * margin : margin, found);
     const Motion &a = motion[index(c.body)], &b = motion[index(c.other)];
-    for (const Touch& touch : found) {
+    for (const TouchPoint& touch : found) {
       spot.held.general = true;
       const Vector3 x_a = touch.position + touch.gap / 2 * touch.normal;
       const Vector3 x_b = touch.position - touch.gap / 2 * touch.normal;
@@ -198,17 +198,17 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
   const Model& model = system_.model();
   const std::vector<Body>& bodies = model.bodies;
   Motion* motion = Bodies::motions(y_.data());
-  const auto rate_now = [&](const Touch& t) { return gap_rate(t, bodies, motion); };
+  const auto rate_now = [&](const TouchPoint& t) { return gap_rate(t, bodies, motion); };
   const bool approaching = std::any_of(touching.begin(), touching.end(), [&](const Spot& s) {
     return rate_now(s.touch) < -std::max(rest_speed_, speed_rounding(s.touch, bodies, motion));
   });
   if (!approaching) return;
 
   system_.load(now, y_.data());
-  std::vector<Touch> touches;
+  std::vector<TouchPoint> touches;
   std::vector<Real> pulls;  // -g'' of the loads alone
   for (const Spot& spot : touching) {
-    Touch touch = spot.touch;
+    TouchPoint touch = spot.touch;
     const auto pair = static_cast<std::size_t>(touch.pair);
     if (hits_[pair] >= elastic_limit) touch.restitution = 0;
     touches.push_back(touch);
@@ -250,7 +250,7 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
     for (std::size_t j = i; j < touches.size() && touches[j].pair == touches[i].pair; ++j) {
       if (outcome.approach[j] > outcome.approach[fastest]) fastest = j;
     }
-    const Touch& touch = touches[fastest];
+    const TouchPoint& touch = touches[fastest];
     if (outcome.approach[fastest] <= std::max(rest_speed_, speed_rounding(touch, bodies, motion))) continue;
     ++hits_[static_cast<std::size_t>(touch.pair)];
     Impact impact;
@@ -279,14 +279,15 @@ void EventStepper::hold_spots(Time now, const std::vector<Spot>& touching) {
   const Real slow = slow_ulps * ulp * (speed + push * static_cast<Real>(dt_));
   rest_speed_ = Real(0.25) * slow_ulps * ulp * push * static_cast<Real>(dt_);
 
-  std::vector<Touch> touches;
+  std::vector<TouchPoint> touches;
   std::vector<std::size_t> which;
   for (std::size_t i = 0; i < touching.size(); ++i) {
-    Touch touch = touching[i].touch.pair >= 0 ? touching[i].touch : Touch{};
+    TouchPoint touch = touching[i].touch.pair >= 0 ? touching[i].touch : TouchPoint{};
     if (gap_rate(touch, bodies, motion) > slow) continue;
     // velocities have changed since the touch was measured
-    touch = touching[i].held.general ? touch_of(touching[i].held, motion)
-                                     : touch_at(candidates_[touching[i].held.candidate], system_.model(), motion);
+    touch = touching[i].held.general
+                ? touch_of(touching[i].held, motion)
+                : touch_at(candidates_[touching[i].held.candidate], system_.model(), motion);
     touches.push_back(touch);
     which.push_back(i);
   }

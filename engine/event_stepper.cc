@@ -31,13 +31,45 @@ const Scheme& lasting_scheme(const Scheme& scheme) {
   return scheme.kind == Kind::runge_kutta ? scheme : *find_scheme("rk8");
 }
 
+Real largest_reach(const std::vector<Candidate>& candidates) {
+  Real reach = 0;
+  for (const Candidate& c : candidates) reach = std::max({reach, c.reach, c.other_reach});
+  return reach > 0 ? reach : Real(1);
+}
+
+Real least_speed(const Model& model, Real reach, Time dt) {
+  const Real h = static_cast<Real>(dt);
+  return std::max(model.forces.gravity.norm() * h, reach / 100 / h);
+}
+
 }  // namespace
+
+void ScaledBodies::scales(const Real* y, Real* scale) const {
+  const std::vector<Body>& bodies = bodies_.model().bodies;
+  const Motion* motion = Bodies::motions(y);
+  Real length = reach_, speed = least_speed_, turn = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    length = std::max(length, motion[i].position.norm());
+    speed = std::max(speed, velocity(bodies[i], motion[i]).norm());
+    if (rotates(bodies[i])) turn = std::max(turn, angular_velocity(bodies[i], motion[i]).norm());
+  }
+  turn = std::max(turn, speed / reach_);
+  std::fill(scale, scale + bodies_.size(), Real(1e30));  // works and the clock are not controlled
+  for (std::size_t i = 0; i < bodies.size(); ++i, scale += motion_size) {
+    std::fill(scale, scale + 3, length);
+    std::fill(scale + 3, scale + 6, bodies[i].mass * speed);
+    std::fill(scale + 6, scale + 10, Real(1));
+    const Real inertia = bodies[i].inertia.diagonal().maxCoeff();
+    std::fill(scale + 10, scale + 13, inertia > 0 ? inertia * turn : Real(1));
+  }
+}
 
 EventStepper::EventStepper(const Model& model, const Scheme& scheme, Time dt, Real tolerance, bool account,
                            Time start)
     : EventStepper(reduce(model), scheme, dt, tolerance, account, start) {}
 
-EventStepper::EventStepper(Reduced reduced, const Scheme& scheme, Time dt, Real tolerance, bool account, Time start)
+EventStepper::EventStepper(Reduced reduced, const Scheme& scheme, Time dt, Real tolerance, bool account,
+                           Time start)
     : system_(std::move(reduced.model), account),
       readings_(std::move(reduced.readings)),
       candidates_(find_candidates(system_.model())),
@@ -52,6 +84,8 @@ EventStepper::EventStepper(Reduced reduced, const Scheme& scheme, Time dt, Real 
       rate_(y_.size()),
       fixed_(fixed_scheme(scheme), y_.size()),
       lasting_(lasting_scheme(scheme), y_.size()),
+      scaled_(system_, largest_reach(candidates_),
+              least_speed(system_.model(), largest_reach(candidates_), dt)),
       controlled_(y_.size(), tolerance),
       hits_(candidates_.size() + 1, 0) {
   system_.settle(y_.data());
@@ -87,7 +121,7 @@ Time EventStepper::advance(Time from, Time span, bool& event) {
   if (watches) before = support(from, start_.data());
   flow(from, span);
   const Real width = static_cast<Real>(span);
-  course_.set(system_.model().bodies, Bodies::motions(start_.data()), Bodies::motions(y_.data()), width);
+  passage_.set(system_.model().bodies, Bodies::motions(start_.data()), Bodies::motions(y_.data()), width);
   std::optional<Real> first;
   bool looked = false;
   if (watches && idle_ < idle_limit) {
@@ -125,7 +159,7 @@ void EventStepper::flow(Time from, Time span) {
     if (at_rest(from) && at_rest(from + span)) return;
   }
   if (adaptive_) {
-    if (controlled_.advance(system_, from, from + span, y_.data()) != Outcome::done) ++failed_;
+    if (controlled_.advance(scaled_, from, from + span, y_.data()) != Outcome::done) ++failed_;
     if (account_) system_.load(from + span, y_.data());
   } else {
     (held_.empty() ? fixed_ : lasting_)(system_, from, span, y_.data());
@@ -142,7 +176,8 @@ Real EventStepper::touch_margin(const Candidate& c, const Motion* motion) const 
 }
 
 bool EventStepper::holds(std::size_t candidate) const {
-  return std::any_of(held_.begin(), held_.end(), [&](const HeldPoint& h) { return h.candidate == candidate; });
+  return std::any_of(held_.begin(), held_.end(),
+                     [&](const HeldPoint& h) { return h.candidate == candidate; });
 }
 
 // The first time within the span at which surfaces meet that are apart.
@@ -159,14 +194,14 @@ std::optional<Real> EventStepper::contact_time(Time from, Real span) {
     // Of a pair that is held a corner that comes down shows as depth; so deep counts.
     const Real depth = held ? 64 * margin : margin / 4;
     const Real rate = general ? Real(0) : gap_rate(touch_at(c, model, begin), model.bodies, begin);
-    const auto bracket = first_closing(c, model, course_, rate, depth, scratch_);
+    const auto bracket = first_closing(c, model, passage_, rate, depth, scratch_);
     if (!bracket || bracket->open > first.value_or(span)) continue;
     const auto gap_after = [&](Real s) {
       y_ = start_;
       if (s > 0) flow(from, static_cast<Time>(s));
       return gap_of(c, model, Bodies::motions(y_.data())) + (held ? depth : Real(0));
     };
-    const Real high = std::min(bracket->closed, course_.span());
+    const Real high = std::min(bracket->closed, passage_.span());
     const Real g_low = gap_after(bracket->open), g_high = gap_after(high);
     if (!(g_high < 0)) continue;  // grazes
     const Real hit = g_low > 0 ? root(gap_after, bracket->open, g_low, high, g_high) : bracket->open;
@@ -210,7 +245,8 @@ std::optional<Real> EventStepper::change_time(Time from, Real span, const Suppor
     const bool rough = candidates_[held_[i].candidate].material.friction > 0;
     look(i, What::presses, least);
     if (held_[i].holding.grip == Grip::sticks) look(i, What::reserve, 2 * least);
-    if (held_[i].holding.grip == Grip::slides && rough) look(i, What::slip, before.points[i].slip_speed > 0 ? 0 : rest_speed_);
+    if (held_[i].holding.grip == Grip::slides && rough)
+      look(i, What::slip, before.points[i].slip_speed > 0 ? 0 : rest_speed_);
   }
   y_ = std::move(end_state);
   return first;
@@ -226,11 +262,13 @@ void EventStepper::read(std::vector<Motion>& motions) const {
 std::vector<std::string> EventStepper::remarks() const {
   std::vector<std::string> result;
   if (inexact_ > 0) {
-    result.push_back(std::to_string(inexact_) + " contact problems were solved by iteration, not to rounding");
+    result.push_back(std::to_string(inexact_) +
+                     " contact problems were solved by iteration, not to rounding");
   }
   if (failed_ > 0) result.push_back(std::to_string(failed_) + " pieces of motion did not keep the tolerance");
   if (crowded_ > 0) {
-    result.push_back(std::to_string(crowded_) + " steps had more than " + std::to_string(event_limit) + " events");
+    result.push_back(std::to_string(crowded_) + " steps had more than " + std::to_string(event_limit) +
+                     " events");
   }
   return result;
 }

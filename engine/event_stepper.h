@@ -4,8 +4,8 @@
 
 #include "engine/bodies.h"
 #include "engine/contact/candidate.h"
-#include "engine/contact/course.h"
 #include "engine/contact/impact.h"
+#include "engine/contact/passage.h"
 #include "engine/contact/support.h"
 #include "engine/reduce.h"
 #include "engine/schemes/advance.h"
@@ -25,6 +25,24 @@ struct HeldPoint {
   bool general = false, face_of_body = false;
   Vector3 on_body = Vector3::Zero(), on_other = Vector3::Zero();  ///< Body axes [m].
   Vector3 normal = Vector3::UnitY();                              ///< Axes of the body with the face.
+};
+
+/// Bodies with scales of error control that nothing at rest makes zero: lengths at least the reach of the
+/// shapes, speeds at least what gravity gives in a step and a hundredth of the reach in a step.
+class ScaledBodies {
+ public:
+  ScaledBodies(Bodies& bodies, Real reach, Real least_speed)
+      : bodies_(bodies), reach_(reach), least_speed_(least_speed) {}
+  std::size_t size() const { return bodies_.size(); }
+  void rates(Time t, const Real* y, Real* rate) { bodies_.rates(t, y, rate); }
+  void kick(Time t, Real h, Real* y) { bodies_.kick(t, h, y); }
+  void drift(Real h, Real* y) { bodies_.drift(h, y); }
+  void settle(Real* y) { bodies_.settle(y); }
+  void scales(const Real* y, Real* scale) const;
+
+ private:
+  Bodies& bodies_;
+  Real reach_, least_speed_;
 };
 
 class EventStepper final : public Stepper, private Holder {
@@ -47,7 +65,7 @@ class EventStepper final : public Stepper, private Holder {
 
  private:
   struct Spot {
-    Touch touch;
+    TouchPoint touch;
     HeldPoint held;
     bool struck = false;
   };
@@ -64,7 +82,7 @@ class EventStepper final : public Stepper, private Holder {
   std::vector<Spot> spots();
   void strike_spots(Time now, std::vector<Spot>&);
   void hold_spots(Time now, const std::vector<Spot>&);
-  Touch touch_of(const HeldPoint&, const Motion*) const;
+  TouchPoint touch_of(const HeldPoint&, const Motion*) const;
   Support support(Time, const Real* y);
   std::vector<Row> joint_rows(const Motion*) const;
   Real touch_margin(const Candidate&, const Motion*) const;
@@ -78,8 +96,9 @@ class EventStepper final : public Stepper, private Holder {
   std::int64_t steps_ = 0;
   std::vector<Real> y_, start_, rate_;
   Advance<Bodies> fixed_, lasting_;
-  Dop853<Bodies> controlled_;
-  Course course_;
+  ScaledBodies scaled_;
+  Dop853<ScaledBodies> controlled_;
+  Passage passage_;
   std::vector<HeldPoint> held_;
   std::vector<Motion> scratch_;
   std::vector<Impact> impacts_;
@@ -88,7 +107,7 @@ class EventStepper final : public Stepper, private Holder {
   Real left_slip_ = 0;     // slip that the last event left over [m/s]
   int idle_ = 0;           // changes in a row that took no time
   long inexact_ = 0, failed_ = 0, crowded_ = 0;
-  std::vector<Touch> touches_;
+  std::vector<TouchPoint> touches_;
   std::vector<Holding> holdings_;
   Rows rows_;
 };

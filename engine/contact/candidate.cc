@@ -17,11 +17,13 @@ std::vector<std::pair<Vector3, Real>> corners(const Shape& shape) {
   } else if (const auto* box = std::get_if<Box>(&shape)) {
     for (const Real x : {-1, 1}) {
       for (const Real y : {-1, 1}) {
-        for (const Real z : {-1, 1}) result.emplace_back(box->half_extents.cwiseProduct(Vector3(x, y, z)), Real(0));
+        for (const Real z : {-1, 1})
+          result.emplace_back(box->half_extents.cwiseProduct(Vector3(x, y, z)), Real(0));
       }
     }
   } else if (const auto* capsule = std::get_if<Capsule>(&shape)) {
-    for (const Real y : {-1, 1}) result.emplace_back(Vector3(0, y * capsule->half_length, 0), capsule->radius);
+    for (const Real y : {-1, 1})
+      result.emplace_back(Vector3(0, y * capsule->half_length, 0), capsule->radius);
   } else if (const auto* hull = std::get_if<Hull>(&shape)) {
     for (const Vector3& v : hull->vertices) result.emplace_back(v, Real(0));
   }
@@ -33,8 +35,8 @@ bool has_round_core(const Shape& s) {
   return is_sphere(s) || std::holds_alternative<Box>(s) || std::holds_alternative<Capsule>(s);
 }
 
-// The core of a shape (a point, a segment, a box) and the radius around it: the point of the core nearest to x,
-// body axes, and which axes it is free to slide along.
+// The core of a shape (a point, a segment, a box) and the radius around it: the point of the core nearest to
+// x, body axes, and which axes it is free to slide along.
 struct Foot {
   Vector3 point;
   Vector3 free;  // 1 along a free axis, else 0
@@ -61,11 +63,11 @@ Vector3 spin_of(const Body& body, const Motion& motion) {
   return rotates(body) ? angular_velocity(body, motion) : Vector3(Vector3::Zero());
 }
 
-Touch corner_touch(const Candidate& c, const Model& model, const Motion* motion) {
+TouchPoint corner_touch(const Candidate& c, const Model& model, const Motion* motion) {
   const Plane& plane = model.planes[index(c.plane)];
   const Motion& m = motion[index(c.body)];
   const Body& body = model.bodies[index(c.body)];
-  Touch touch;
+  TouchPoint touch;
   const Vector3 arm = m.orientation.toRotationMatrix() * c.centre;
   const Vector3 w = spin_of(body, m);
   touch.normal = plane.normal;
@@ -76,7 +78,7 @@ Touch corner_touch(const Candidate& c, const Model& model, const Motion* motion)
   return touch;
 }
 
-Touch round_touch(const Candidate& c, const Model& model, const Motion* motion) {
+TouchPoint round_touch(const Candidate& c, const Model& model, const Motion* motion) {
   const Motion &a = motion[index(c.body)], &b = motion[index(c.other)];
   const Body &body = model.bodies[index(c.body)], &other = model.bodies[index(c.other)];
   const Matrix3 rotation = b.orientation.toRotationMatrix();
@@ -85,7 +87,7 @@ Touch round_touch(const Candidate& c, const Model& model, const Motion* motion) 
   const Vector3 d = a.position - b.position - arm;
   const Real s = d.norm();
   const Vector3 w = spin_of(other, b);
-  Touch touch;
+  TouchPoint touch;
   touch.normal = s > 0 ? Vector3(d / s) : Vector3(Vector3::UnitY());
   touch.gap = s - c.radius - foot.radius;
   touch.position = a.position - (c.radius + touch.gap / 2) * touch.normal;
@@ -96,8 +98,8 @@ Touch round_touch(const Candidate& c, const Model& model, const Motion* motion) 
   touch.turning = w.cross(touch.normal);
   if (s > 0) touch.turning += across / s;
   touch.path = velocity(body, a) - c.radius * touch.turning;
-  touch.curvature = -touch.normal.dot(w.cross(w.cross(arm))) + 2 * touch.turning.dot(v) -
-                    s * touch.turning.squaredNorm();
+  touch.curvature =
+      -touch.normal.dot(w.cross(w.cross(arm))) + 2 * touch.turning.dot(v) - s * touch.turning.squaredNorm();
   return touch;
 }
 
@@ -146,8 +148,9 @@ std::vector<Candidate> find_candidates(const Model& model) {
   return result;
 }
 
-Touch touch_at(const Candidate& c, const Model& model, const Motion* motion) {
-  Touch touch = c.kind == Candidate::Kind::corner ? corner_touch(c, model, motion) : round_touch(c, model, motion);
+TouchPoint touch_at(const Candidate& c, const Model& model, const Motion* motion) {
+  TouchPoint touch =
+      c.kind == Candidate::Kind::corner ? corner_touch(c, model, motion) : round_touch(c, model, motion);
   touch.body = c.body;
   touch.other = c.other;
   touch.pair = c.pair;
@@ -164,14 +167,14 @@ Real gap_of(const Candidate& c, const Model& model, const Motion* motion) {
 }
 
 void touches_of(const Candidate& c, const Model& model, const Motion* motion, Real margin,
-                std::vector<Touch>& touches) {
+                std::vector<TouchPoint>& touches) {
   const Motion &a = motion[index(c.body)], &b = motion[index(c.other)];
   const Manifold found =
       manifold(model.shapes[index(c.body)], pose(a), model.shapes[index(c.other)], pose(b), margin);
   const Vector3 w = spin_of(model.bodies[index(c.other)], b);
   for (int i = 0; i < found.count; ++i) {
     const ContactPoint& point = found.points[static_cast<std::size_t>(i)];
-    Touch touch;
+    TouchPoint touch;
     touch.body = c.body;
     touch.other = c.other;
     touch.pair = c.pair;

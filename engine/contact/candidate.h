@@ -16,10 +16,10 @@ struct Candidate {
   int body = 0;
   int other = fixed_world;
   int plane = -1;
-  int pair = 0;                       ///< Points of one pair act at once.
-  Vector3 centre = Vector3::Zero();   ///< Of the ball, body axes [m].
-  Real radius = 0;                    ///< Of the ball [m].
-  Real reach = 0, other_reach = 0;    ///< Farthest point of the shapes from their reference points [m].
+  int pair = 0;                      ///< Points of one pair act at once.
+  Vector3 centre = Vector3::Zero();  ///< Of the ball, body axes [m].
+  Real radius = 0;                   ///< Of the ball [m].
+  Real reach = 0, other_reach = 0;   ///< Farthest point of the shapes from their reference points [m].
   Material material;
 };
 
@@ -29,16 +29,16 @@ std::vector<Candidate> find_candidates(const Model&);
 /// The touch of a corner or round candidate, whatever its gap, with its rates.  Centres c_a, c_b of the round
 /// parts, s = |c_a - c_b|, W the angular velocity of what carries the normal:
 ///   g'' = n.(c_a'' - c_b'') + 2 n'.(c_a' - c_b') - s |n'|^2,   x' = c_a' - r_a n'.
-Touch touch_at(const Candidate&, const Model&, const Motion*);
+TouchPoint touch_at(const Candidate&, const Model&, const Motion*);
 
 /// Gap of any candidate [m].
 Real gap_of(const Candidate&, const Model&, const Motion*);
 
 /// The points of a general pair nearer than margin.
-void touches_of(const Candidate&, const Model&, const Motion*, Real margin, std::vector<Touch>&);
+void touches_of(const Candidate&, const Model&, const Motion*, Real margin, std::vector<TouchPoint>&);
 
 /// dg/dt at a touch [m/s].
-inline Real gap_rate(const Touch& touch, const std::vector<Body>& bodies, const Motion* motion) {
+inline Real gap_rate(const TouchPoint& touch, const std::vector<Body>& bodies, const Motion* motion) {
   return touch.normal.dot(relative_velocity(touch, bodies, motion));
 }
 

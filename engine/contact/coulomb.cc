@@ -34,7 +34,8 @@ Rounding rounding(const CoulombProblem& p, const VectorX& f) {
                    p.offset.segment<3>(at(i)).norm();
     r.rate[static_cast<Eigen::Index>(i)] = scale * u;
     const Real a = p.response.diagonal().segment<3>(at(i)).maxCoeff();
-    if (a > 0) largest = std::max({largest, p.offset.segment<3>(at(i)).norm() / a, f.segment<3>(at(i)).norm()});
+    if (a > 0)
+      largest = std::max({largest, p.offset.segment<3>(at(i)).norm() / a, f.segment<3>(at(i)).norm()});
   }
   r.force.setConstant(scale * largest);
   return r;
@@ -57,8 +58,8 @@ VectorX scales(const CoulombProblem& p) {
   return s;
 }
 
-// f = B x with the equations E (A f + q) = 0, one per unknown; least |x| when the tangential unknowns of point
-// i are measured in units of share_i.
+// f = B x with the equations E (A f + q) = 0, one per unknown; least |x| when the tangential unknowns of
+// point i are measured in units of share_i.
 VectorX least_norm(const CoulombProblem& p, const std::vector<Hold>& hold, const VectorX& share) {
   const Eigen::Index size = p.offset.size();
   Eigen::Index unknowns = 0;
@@ -198,7 +199,8 @@ bool sweep(const CoulombProblem& p, int sweeps, VectorX& f, std::vector<Hold>& h
 }
 
 // What the forces and velocities of an iteration that has not ended say about the holds.
-std::vector<Hold> read_holds(const CoulombProblem& p, const VectorX& f, Real nearly, bool press_when_in_doubt) {
+std::vector<Hold> read_holds(const CoulombProblem& p, const VectorX& f, Real nearly,
+                             bool press_when_in_doubt) {
   const VectorX u = p.response * f + p.offset;
   const Real f_scale = f.norm(), u_scale = p.offset.norm();
   std::vector<Hold> hold(p.friction.size());
@@ -269,7 +271,8 @@ VectorX held_force(const CoulombProblem& p, const std::vector<Hold>& hold) {
   const Eigen::Index k = static_cast<Eigen::Index>(hold.size());
   VectorX share = VectorX::Ones(k);
   VectorX f = least_norm(p, hold, share);
-  const bool sticks = std::any_of(hold.begin(), hold.end(), [](const Hold& h) { return h.grip == Grip::sticks; });
+  const bool sticks =
+      std::any_of(hold.begin(), hold.end(), [](const Hold& h) { return h.grip == Grip::sticks; });
   for (int pass = 0; sticks && k > 1 && pass < 3; ++pass) {
     Real mean = 0;
     for (Eigen::Index i = 0; i < k; ++i) mean += std::max<Real>(0, f[3 * i]) / static_cast<Real>(k);
@@ -288,7 +291,8 @@ bool obeys(const CoulombProblem& p, const std::vector<Hold>& hold, const VectorX
   const Rounding r = rounding(p, f);
   for (std::size_t i = 0; i < hold.size(); ++i) {
     const Real f_n = f[at(i)], u_n = u[at(i)];
-    const Real f_small = r.force[static_cast<Eigen::Index>(i)], u_small = r.rate[static_cast<Eigen::Index>(i)];
+    const Real f_small = r.force[static_cast<Eigen::Index>(i)],
+               u_small = r.rate[static_cast<Eigen::Index>(i)];
     const Vector2 f_t = f.segment<2>(at(i) + 1), u_t = u.segment<2>(at(i) + 1);
     const Real edge = p.friction[i] * f_n;
     if (f_n < -f_small || u_n < -u_small) return false;

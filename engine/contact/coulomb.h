@@ -50,14 +50,14 @@ struct CoulombSolution {
 };
 
 /// The force for holds that are decided: u = 0 where it sticks, u_n = 0 and f_t = -mu f_n d where it slides;
-/// of several the one of least norm.  f_n may come out negative: who decides again when it does is the caller.
-/// Sticking forces are shared in proportion to the normal forces, so that all points come to the edge of their
-/// cones together where that is possible.
+/// of several the one of least norm.  f_n may come out negative: who decides again when it does is the
+/// caller. Sticking forces are shared in proportion to the normal forces, so that all points come to the edge
+/// of their cones together where that is possible.
 VectorX held_force(const CoulombProblem&, const std::vector<Hold>&);
 
-/// Solves the problem.  First all points hold and those that would pull, or leave the cone, are changed one by
-/// one; if that does not end, Gauss-Seidel over the points, each solved exactly, finds the holds, and Newton's
-/// method the forces for them.  Always ends; deterministic.
+/// Solves the problem.  First all points hold and those that would pull, or leave the cone, are changed one
+/// by one; if that does not end, Gauss-Seidel over the points, each solved exactly, finds the holds, and
+/// Newton's method the forces for them.  Always ends; deterministic.
 CoulombSolution solve(const CoulombProblem&);
 
 /// Whether the force obeys the law for these holds, to rounding.

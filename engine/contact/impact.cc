@@ -13,7 +13,9 @@ constexpr Real ulp = std::numeric_limits<Real>::epsilon();
 constexpr int most_rounds = 200;
 
 // Energy made by P: P.u- + P.A P/2.
-Real energy_made(const MatrixX& a, const VectorX& before, const VectorX& p) { return p.dot(before + a * p / 2); }
+Real energy_made(const MatrixX& a, const VectorX& before, const VectorX& p) {
+  return p.dot(before + a * p / 2);
+}
 
 // The largest theta in [0, 1] for which P_0 + theta D makes no energy: root of c + b theta + a theta^2.
 Real harmless_part(const MatrixX& response, const VectorX& before, const VectorX& plastic, const VectorX& d) {
@@ -26,7 +28,7 @@ Real harmless_part(const MatrixX& response, const VectorX& before, const VectorX
 
 }  // namespace
 
-Real speed_rounding(const Touch& touch, const std::vector<Body>& bodies, const Motion* motion) {
+Real speed_rounding(const TouchPoint& touch, const std::vector<Body>& bodies, const Motion* motion) {
   const auto size = [&](int body) {
     const Body& b = bodies[index(body)];
     const Motion& m = motion[index(body)];
@@ -39,7 +41,7 @@ Real speed_rounding(const Touch& touch, const std::vector<Body>& bodies, const M
   return 32 * ulp * sum;
 }
 
-ImpactOutcome strike_at_once(std::span<const Touch> touches, std::span<const Row> joints,
+ImpactOutcome strike_at_once(std::span<const TouchPoint> touches, std::span<const Row> joints,
                              const std::vector<Body>& bodies, Motion* motion) {
   ImpactOutcome outcome;
   outcome.impulse.assign(touches.size(), Vector3::Zero());
@@ -75,21 +77,23 @@ ImpactOutcome strike_at_once(std::span<const Touch> touches, std::span<const Row
     const CoulombSolution plastic = solve(without);
     outcome.exact = outcome.exact && plastic.exact;
     const VectorX difference = impulse - plastic.force;
-    impulse = plastic.force + harmless_part(response.matrix(), before, plastic.force, difference) * difference;
+    impulse =
+        plastic.force + harmless_part(response.matrix(), before, plastic.force, difference) * difference;
   }
   const VectorX lambda = response.multipliers(free, impulse);
   apply_impulses(response.rows(), lambda, bodies, motion);
   for (std::size_t i = 0; i < touches.size(); ++i) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      outcome.impulse[i] += lambda[static_cast<Eigen::Index>(3 * i + axis)] * response.rows()[3 * i + axis].direction;
+      outcome.impulse[i] +=
+          lambda[static_cast<Eigen::Index>(3 * i + axis)] * response.rows()[3 * i + axis].direction;
     }
   }
   return outcome;
 }
 
-ImpactOutcome strike(std::span<const Touch> touches, Impacts impacts, std::span<const Row> joints,
+ImpactOutcome strike(std::span<const TouchPoint> touches, Impacts impacts, std::span<const Row> joints,
                      const std::vector<Body>& bodies, Motion* motion) {
-  const auto approaches = [&](const Touch& t) {
+  const auto approaches = [&](const TouchPoint& t) {
     return t.normal.dot(relative_velocity(t, bodies, motion)) < -speed_rounding(t, bodies, motion);
   };
   if (impacts == Impacts::simultaneous) return strike_at_once(touches, joints, bodies, motion);
@@ -98,12 +102,12 @@ ImpactOutcome strike(std::span<const Touch> touches, Impacts impacts, std::span<
   outcome.impulse.assign(touches.size(), Vector3::Zero());
   outcome.approach.assign(touches.size(), 0);
   std::vector<int> pairs;
-  for (const Touch& t : touches) pairs.push_back(t.pair);
+  for (const TouchPoint& t : touches) pairs.push_back(t.pair);
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 
   const auto solve_group = [&](const std::vector<std::size_t>& members, Real restitution_factor) {
-    std::vector<Touch> group;
+    std::vector<TouchPoint> group;
     for (const std::size_t i : members) {
       group.push_back(touches[i]);
       group.back().restitution *= restitution_factor;

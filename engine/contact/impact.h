@@ -4,11 +4,11 @@
 //   normal:     P_n >= 0,  u_n+ + e u_n- >= 0,  P_n (u_n+ + e u_n-) = 0;  e counts where u_n- < 0.  Newton.
 //   tangential: |P_t| <= mu P_n, and P_t = -mu P_n u_t+/|u_t+| where slip remains.  Coulomb, on impulses.
 // Friction is against the slip that the impact leaves, which in three dimensions need not be along the slip
-// that it found; both are one where the slip only slows (a sphere, a plane problem).  All points at once, with
-// the full contact matrix, normal and tangents coupled (errata 30-32).  J. J. Moreau (1988), section 9-11.
-// Newton's law with friction can create energy (T. R. Kane, Stanford Mech. Alumni Newsletter (1983)); there
-// the restitution is lowered as far as it takes to create none: P = P_0 + theta (P_e - P_0), P_0 the plastic
-// impact, the largest theta in [0, 1] that does not.
+// that it found; both are one where the slip only slows (a sphere, a plane problem).  All points at once,
+// with the full contact matrix, normal and tangents coupled (errata 30-32).  J. J. Moreau (1988), section
+// 9-11. Newton's law with friction can create energy (T. R. Kane, Stanford Mech. Alumni Newsletter (1983));
+// there the restitution is lowered as far as it takes to create none: P = P_0 + theta (P_e - P_0), P_0 the
+// plastic impact, the largest theta in [0, 1] that does not.
 #pragma once
 
 #include "engine/constraint.h"
@@ -20,22 +20,22 @@ namespace cylon::engine {
 
 struct ImpactOutcome {
   std::vector<Vector3> impulse;  ///< On `body` of each point, sum over the instant, world axes [N s].
-  std::vector<Real> approach;    ///< Of each point: the largest -u_n that it was struck with [m/s]; 0 if never.
-  int rounds = 0;                ///< Groups that were solved.
-  bool exact = true;             ///< Every group obeys the law to rounding.
+  std::vector<Real> approach;  ///< Of each point: the largest -u_n that it was struck with [m/s]; 0 if never.
+  int rounds = 0;              ///< Groups that were solved.
+  bool exact = true;           ///< Every group obeys the law to rounding.
 };
 
 /// All the points at once.  `joints` keep their rates through the impact.
-ImpactOutcome strike_at_once(std::span<const Touch>, std::span<const Row> joints, const std::vector<Body>&,
-                             Motion*);
+ImpactOutcome strike_at_once(std::span<const TouchPoint>, std::span<const Row> joints,
+                             const std::vector<Body>&, Motion*);
 
 /// The points of one instant.  Simultaneous: all at once.  Sequential: pair by pair in the order of their
-/// numbers, again and again until nothing approaches faster than rounding; after 200 rounds over the pairs, all
-/// at once and plastic, so that it ends.
-ImpactOutcome strike(std::span<const Touch>, Impacts, std::span<const Row> joints, const std::vector<Body>&,
-                     Motion*);
+/// numbers, again and again until nothing approaches faster than rounding; after 200 rounds over the pairs,
+/// all at once and plastic, so that it ends.
+ImpactOutcome strike(std::span<const TouchPoint>, Impacts, std::span<const Row> joints,
+                     const std::vector<Body>&, Motion*);
 
 /// Normal speeds below this are rounding [m/s].
-Real speed_rounding(const Touch&, const std::vector<Body>&, const Motion*);
+Real speed_rounding(const TouchPoint&, const std::vector<Body>&, const Motion*);
 
 }  // namespace cylon::engine

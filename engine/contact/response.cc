@@ -7,8 +7,7 @@ namespace cylon::engine {
 namespace {
 
 // I^-1 s for the body at one end of a row.
-Vector3 spin_from(int body, const Vector3& lever, const std::vector<Body>& bodies,
-                  const Motion* motion) {
+Vector3 spin_from(int body, const Vector3& lever, const std::vector<Body>& bodies, const Motion* motion) {
   const std::size_t i = index(body);
   if (!rotates(bodies[i])) return Vector3::Zero();
   return inverse_inertia_times(bodies[i], motion[i].orientation, lever);
@@ -43,7 +42,7 @@ Matrix3 contact_frame(const Vector3& normal) {
   return frame;
 }
 
-void append_rows(const Touch& touch, const std::vector<Body>& bodies, const Motion* motion,
+void append_rows(const TouchPoint& touch, const std::vector<Body>& bodies, const Motion* motion,
                  std::vector<Row>& rows) {
   const Matrix3 frame = contact_frame(touch.normal);
   const Vector3 arm = touch.position - motion[index(touch.body)].position;
@@ -61,10 +60,10 @@ void append_rows(const Touch& touch, const std::vector<Body>& bodies, const Moti
   }
 }
 
-Response::Response(std::span<const Touch> touches, std::span<const Row> joints,
+Response::Response(std::span<const TouchPoint> touches, std::span<const Row> joints,
                    const std::vector<Body>& bodies, const Motion* motion) {
   rows_.reserve(3 * touches.size() + joints.size());
-  for (const Touch& touch : touches) append_rows(touch, bodies, motion, rows_);
+  for (const TouchPoint& touch : touches) append_rows(touch, bodies, motion, rows_);
   contacts_ = static_cast<Eigen::Index>(rows_.size());
   for (const Row& joint : joints) {
     rows_.push_back(joint);
@@ -131,11 +130,12 @@ void apply_impulses(std::span<const Row> rows, const VectorX& lambda, const std:
   }
 }
 
-CoulombProblem coulomb_problem(const Response& response, std::span<const Touch> touches, VectorX offset) {
+CoulombProblem coulomb_problem(const Response& response, std::span<const TouchPoint> touches,
+                               VectorX offset) {
   CoulombProblem problem;
   problem.response = response.matrix();
   problem.offset = std::move(offset);
-  for (const Touch& touch : touches) {
+  for (const TouchPoint& touch : touches) {
     problem.friction.push_back(touch.friction);
     problem.pair.push_back(touch.pair);
     problem.hold.emplace_back();

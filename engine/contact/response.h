@@ -14,7 +14,7 @@ namespace cylon::engine {
 Matrix3 contact_frame(const Vector3& normal);
 
 /// Rows n, s, t of the point: directions, levers about the reference points and the spins they cause.
-void append_rows(const Touch&, const std::vector<Body>&, const Motion*, std::vector<Row>&);
+void append_rows(const TouchPoint&, const std::vector<Body>&, const Motion*, std::vector<Row>&);
 
 /// Rows of contacts, three per point, and of joints after them.  Joints pull and push as they must, so they
 /// are eliminated: with G = J M^-1 J^T in blocks c (contacts) and j (joints),
@@ -22,8 +22,7 @@ void append_rows(const Touch&, const std::vector<Body>&, const Motion*, std::vec
 class Response {
  public:
   /// `joints`: rows with their directions and levers; biases are the caller's.
-  Response(std::span<const Touch>, std::span<const Row> joints, const std::vector<Body>&,
-           const Motion*);
+  Response(std::span<const TouchPoint>, std::span<const Row> joints, const std::vector<Body>&, const Motion*);
 
   const std::vector<Row>& rows() const { return rows_; }
   Eigen::Index contact_rows() const { return contacts_; }
@@ -47,10 +46,9 @@ class Response {
 Real row_speed(const Row&, const std::vector<Body>&, const Motion*);
 
 /// Momenta change by lambda times each row.  K_a += lambda n, L_a += lambda s_a, and the opposite on `to`.
-void apply_impulses(std::span<const Row>, const VectorX& lambda, const std::vector<Body>&,
-                    Motion*);
+void apply_impulses(std::span<const Row>, const VectorX& lambda, const std::vector<Body>&, Motion*);
 
 /// The problem of Coulomb's law at these points, holds not given.
-CoulombProblem coulomb_problem(const Response&, std::span<const Touch>, VectorX offset);
+CoulombProblem coulomb_problem(const Response&, std::span<const TouchPoint>, VectorX offset);
 
 }  // namespace cylon::engine

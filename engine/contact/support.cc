@@ -28,7 +28,7 @@ Real free_acceleration(const Row& row, const Instant& now) {
 }
 
 // The part of du/dt that the velocities alone make: w_a x (x' - v_a) - w_b x (x' - v_b).
-Vector3 drift_of_slip(const Touch& touch, const Instant& now) {
+Vector3 drift_of_slip(const TouchPoint& touch, const Instant& now) {
   const auto side = [&](int body) -> Vector3 {
     const std::size_t i = index(body);
     if (!rotates(now.bodies[i])) return Vector3::Zero();
@@ -48,7 +48,7 @@ struct Assembly {
   std::vector<Vector3> slips;  // tangential velocity, world axes
 };
 
-Assembly assemble(std::span<const Touch> touches, std::span<const Row> joints, const Instant& now) {
+Assembly assemble(std::span<const TouchPoint> touches, std::span<const Row> joints, const Instant& now) {
   Assembly a{Response(touches, joints, now.bodies, now.motion), {}, {}, {}, {}};
   const std::vector<Row>& rows = a.response.rows();
   a.free.resize(static_cast<Eigen::Index>(rows.size()));
@@ -71,7 +71,7 @@ Assembly assemble(std::span<const Touch> touches, std::span<const Row> joints, c
 
 Vector2 tangent(const Matrix3& frame, const Vector3& v) { return {frame.col(1).dot(v), frame.col(2).dot(v)}; }
 
-Support report(const Assembly& a, std::span<const Touch> touches, const std::vector<Hold>& holds,
+Support report(const Assembly& a, std::span<const TouchPoint> touches, const std::vector<Hold>& holds,
                const VectorX& force) {
   Support support;
   support.multipliers = a.response.multipliers(a.free, force);
@@ -94,7 +94,8 @@ Support report(const Assembly& a, std::span<const Touch> touches, const std::vec
 
 }  // namespace
 
-Support find_support(std::span<const Touch> touches, std::span<const Row> joints, const Instant& now, Real slow) {
+Support find_support(std::span<const TouchPoint> touches, std::span<const Row> joints, const Instant& now,
+                     Real slow) {
   Assembly a = assemble(touches, joints, now);
   for (std::size_t i = 0; i < touches.size(); ++i) {
     Hold& hold = a.problem.hold[i];
@@ -109,8 +110,8 @@ Support find_support(std::span<const Touch> touches, std::span<const Row> joints
   return support;
 }
 
-Support hold_support(std::span<const Touch> touches, std::span<const Holding> holdings, std::span<const Row> joints,
-                     const Instant& now, Real slow) {
+Support hold_support(std::span<const TouchPoint> touches, std::span<const Holding> holdings,
+                     std::span<const Row> joints, const Instant& now, Real slow) {
   const Assembly a = assemble(touches, joints, now);
   std::vector<Hold> holds(touches.size());
   for (std::size_t i = 0; i < touches.size(); ++i) {
@@ -121,7 +122,8 @@ Support hold_support(std::span<const Touch> touches, std::span<const Holding> ho
     holds[i].slip = tangent(a.frames[i], d);
   }
   Support support = report(a, touches, holds, held_force(a.problem, holds));
-  for (std::size_t i = 0; i < touches.size(); ++i) support.points[i].slip_speed = a.slips[i].dot(holdings[i].slip);
+  for (std::size_t i = 0; i < touches.size(); ++i)
+    support.points[i].slip_speed = a.slips[i].dot(holdings[i].slip);
   return support;
 }
 

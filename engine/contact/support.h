@@ -5,9 +5,9 @@
 // slip.  P. Loetstedt, SIAM J. Appl. Math. 42 (1982) 281; J. J. Moreau (1988), section 8.
 #pragma once
 
+#include "engine/constraint.h"
 #include "engine/contact/coulomb.h"
 #include "engine/contact/touch.h"
-#include "engine/constraint.h"
 
 #include <span>
 
@@ -31,7 +31,7 @@ struct SupportPoint {
 
 struct Support {
   std::vector<SupportPoint> points;
-  VectorX multipliers;     ///< Of all rows, contacts first.
+  VectorX multipliers;  ///< Of all rows, contacts first.
   std::vector<Row> rows;
   bool exact = true;
 };
@@ -44,13 +44,13 @@ struct Instant {
   const Load* loads;
 };
 
-/// Decides how every point is held.  Points that move slower than `slow` [m/s] across the surface count as not
-/// slipping.
-Support find_support(std::span<const Touch>, std::span<const Row> joints, const Instant&, Real slow);
+/// Decides how every point is held.  Points that move slower than `slow` [m/s] across the surface count as
+/// not slipping.
+Support find_support(std::span<const TouchPoint>, std::span<const Row> joints, const Instant&, Real slow);
 
 /// The forces when that is decided: smooth functions of the state.  A sliding point that has come to move
 /// backwards keeps its force, so that slip goes through zero smoothly and its end can be found.
-Support hold_support(std::span<const Touch>, std::span<const Holding>, std::span<const Row> joints,
+Support hold_support(std::span<const TouchPoint>, std::span<const Holding>, std::span<const Row> joints,
                      const Instant&, Real slow);
 
 /// Adds the forces to the loads; what is left of a sum that cancels to rounding is made exactly zero, so that

@@ -9,24 +9,24 @@
 namespace cylon::engine {
 
 /// A point of contact of `body` with `other`, or with the world.
-struct Touch {
+struct TouchPoint {
   int body = 0;
   int other = fixed_world;
-  Vector3 position = Vector3::Zero();   ///< World axes [m].
-  Vector3 normal = Vector3::UnitY();    ///< n, unit, from `other` to `body`.
-  Real restitution = 0;                 ///< Newton's, [0, 1].
-  Real friction = 0;                    ///< Coulomb's, >= 0.
-  int pair = 0;                         ///< Points with the same number act at once.
-  Real gap = 0;                         ///< g [m]; negative inside.
-  Vector3 path = Vector3::Zero();       ///< dx/dt of the point itself, which need not be that of matter [m/s].
-  Vector3 turning = Vector3::Zero();    ///< dn/dt [1/s].
-  Real curvature = 0;                   ///< The part of d^2g/dt^2 that the velocities alone make [m/s^2].
+  Vector3 position = Vector3::Zero();  ///< World axes [m].
+  Vector3 normal = Vector3::UnitY();   ///< n, unit, from `other` to `body`.
+  Real restitution = 0;                ///< Newton's, [0, 1].
+  Real friction = 0;                   ///< Coulomb's, >= 0.
+  int pair = 0;                        ///< Points with the same number act at once.
+  Real gap = 0;                        ///< g [m]; negative inside.
+  Vector3 path = Vector3::Zero();      ///< dx/dt of the point itself, which need not be that of matter [m/s].
+  Vector3 turning = Vector3::Zero();   ///< dn/dt [1/s].
+  Real curvature = 0;                  ///< The part of d^2g/dt^2 that the velocities alone make [m/s^2].
 };
 
 inline std::size_t index(int body) { return static_cast<std::size_t>(body); }
 
-/// Whether an impulse changes the body's momentum: not where it is locked, or pinned (its reference point is a
-/// pivot; only its angular momentum about that changes).
+/// Whether an impulse changes the body's momentum: not where it is locked, or pinned (its reference point is
+/// a pivot; only its angular momentum about that changes).
 inline bool translates(const Body& body) { return !body.locked && body.inverse_mass > 0; }
 
 /// Whether an impulse turns the body.
@@ -39,7 +39,7 @@ inline Vector3 matter_velocity(const Body& body, const Motion& motion, const Vec
 }
 
 /// Velocity of the matter of `body` against that of `other` at the point [m/s].
-inline Vector3 relative_velocity(const Touch& touch, const std::vector<Body>& bodies,
+inline Vector3 relative_velocity(const TouchPoint& touch, const std::vector<Body>& bodies,
                                  const Motion* motion) {
   const std::size_t a = index(touch.body);
   Vector3 u = matter_velocity(bodies[a], motion[a], touch.position);
@@ -57,7 +57,7 @@ inline void push(const Body& body, Motion& motion, const Vector3& point, const V
 }
 
 /// Gives the impulse J to `body` and -J to `other`.
-inline void push(const Touch& touch, const Vector3& impulse, const std::vector<Body>& bodies,
+inline void push(const TouchPoint& touch, const Vector3& impulse, const std::vector<Body>& bodies,
                  Motion* motion) {
   push(bodies[index(touch.body)], motion[index(touch.body)], touch.position, impulse);
   if (touch.other == fixed_world) return;

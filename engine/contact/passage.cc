@@ -1,4 +1,4 @@
-#include "engine/contact/course.h"
+#include "engine/contact/passage.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ V cubic(const V& p0, const V& v0, const V& p1, const V& v1, Real h, Real x) {
 
 }  // namespace
 
-void Course::set(const std::vector<Body>& bodies, const Motion* start, const Motion* end, Real span) {
+void Passage::set(const std::vector<Body>& bodies, const Motion* start, const Motion* end, Real span) {
   span_ = span;
   legs_.resize(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -57,7 +57,7 @@ void Course::set(const std::vector<Body>& bodies, const Motion* start, const Mot
   }
 }
 
-void Course::at(Real s, std::vector<Motion>& motion) const {
+void Passage::at(Real s, std::vector<Motion>& motion) const {
   motion.resize(legs_.size());
   const Real x = span_ > 0 ? s / span_ : 0;
   for (std::size_t i = 0; i < legs_.size(); ++i) {
@@ -73,7 +73,7 @@ void Course::at(Real s, std::vector<Motion>& motion) const {
   }
 }
 
-Real Course::speed_bound(const Candidate& c) const {
+Real Passage::speed_bound(const Candidate& c) const {
   const Leg& a = legs_[index(c.body)];
   Vector3 v0 = a.v0, v1 = a.v1, chord = a.p1 - a.p0;
   Real turning = std::max(a.w0.norm(), a.w1.norm()) * c.reach;
@@ -85,7 +85,7 @@ Real Course::speed_bound(const Candidate& c) const {
   return Real(1.5) * (std::max({v0.norm(), v1.norm(), chord.norm() / span_}) + turning);
 }
 
-Real Course::change_bound(const Candidate& c) const {
+Real Passage::change_bound(const Candidate& c) const {
   const auto part = [&](const Leg& leg, Real reach) {
     const Real w = std::max(leg.w0.norm(), leg.w1.norm());
     return (leg.v1 - leg.v0).norm() / span_ + reach * (w * w + (leg.w1 - leg.w0).norm() / span_);
@@ -100,16 +100,16 @@ Real Course::change_bound(const Candidate& c) const {
   return 2 * sum;
 }
 
-std::optional<Bracket> first_closing(const Candidate& c, const Model& model, const Course& course, Real start_rate,
-                                     Real margin, std::vector<Motion>& scratch) {
-  const Real span = course.span();
+std::optional<Bracket> first_closing(const Candidate& c, const Model& model, const Passage& passage,
+                                     Real start_rate, Real margin, std::vector<Motion>& scratch) {
+  const Real span = passage.span();
   const auto gap = [&](Real s) {
-    course.at(s, scratch);
+    passage.at(s, scratch);
     return gap_of(c, model, scratch.data());
   };
-  const Real v = course.speed_bound(c);
+  const Real v = passage.speed_bound(c);
   const bool smooth = c.kind != Candidate::Kind::general;
-  const Real b = smooth ? course.change_bound(c) : 0;
+  const Real b = smooth ? passage.change_bound(c) : 0;
   Real from = 0, g_from = gap(0);
   const Real g_end = gap(span);
   if (g_from + g_end - v * span > 0) return std::nullopt;
@@ -128,10 +128,11 @@ std::optional<Bracket> first_closing(const Candidate& c, const Model& model, con
     const Part p = todo.back();
     todo.pop_back();
     const Real w = p.b - p.a;
-    const bool apart = p.g_a + p.g_b - v * w > 0 ||
-                       (smooth && std::min(p.g_a, p.g_b) - b * w * w / 8 > -margin);
+    const bool apart =
+        p.g_a + p.g_b - v * w > 0 || (smooth && std::min(p.g_a, p.g_b) - b * w * w / 8 > -margin);
     if (apart) continue;
-    if (p.g_a >= -margin && p.g_b < -margin && (w < span / 16 || looks > most_looks / 2)) return Bracket{p.a, p.b};
+    if (p.g_a >= -margin && p.g_b < -margin && (w < span / 16 || looks > most_looks / 2))
+      return Bracket{p.a, p.b};
     if (w < span * 64 * std::numeric_limits<Real>::epsilon()) continue;
     const Real middle = p.a + w / 2, g = gap(middle);
     todo.push_back({middle, g, p.b, p.g_b});

@@ -10,12 +10,13 @@ namespace cylon::engine {
 
 /// Cubic in time through two states and their velocities; orientations by the rotation between the two.
 /// O(h^4).  Serves to find out where to look; what is found is then computed by the scheme itself.
-class Course {
+class Passage {
  public:
   /// Over a span [s] from `start` to `end`.
   void set(const std::vector<Body>&, const Motion* start, const Motion* end, Real span);
 
-  /// Positions, momenta and orientations after s, 0 <= s <= span; angular momenta are those of the nearer end.
+  /// Positions, momenta and orientations after s, 0 <= s <= span; angular momenta are those of the nearer
+  /// end.
   void at(Real s, std::vector<Motion>&) const;
 
   Real span() const { return span_; }
@@ -37,11 +38,11 @@ struct Bracket {
   Real open = 0, closed = 0;  ///< g > 0 at the one, g < 0 at the other.
 };
 
-/// The first time at which a candidate's gap falls below -margin, bracketed, or nothing.  Parts of the span are
-/// left out only where the gap cannot close: in them it lies above
+/// The first time at which a candidate's gap falls below -margin, bracketed, or nothing.  Parts of the span
+/// are left out only where the gap cannot close: in them it lies above
 ///   (g_a + g_b - V w)/2   and, for one smooth point,   min(g_a, g_b) - B w^2/8,
 /// V and B the bounds on the gap's rate and its change, w the width.
-std::optional<Bracket> first_closing(const Candidate&, const Model&, const Course&, Real start_rate, Real margin,
-                                     std::vector<Motion>& scratch);
+std::optional<Bracket> first_closing(const Candidate&, const Model&, const Passage&, Real start_rate,
+                                     Real margin, std::vector<Motion>& scratch);
 
 }  // namespace cylon::engine
