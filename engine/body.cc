@@ -8,7 +8,7 @@ namespace cylon::engine {
 namespace {
 
 // A moment below this part of the largest is none: 1e-12 is what a flat or thin shape's sum rounds to.
-constexpr Real no_moment = 1e-12;
+constexpr Real no_moment = static_cast<Real>(1e-12);
 
 }  // namespace
 
