@@ -2,6 +2,7 @@
 
 #include "engine/free_rotation.h"
 #include "engine/joint.h"
+#include "engine/turning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +28,8 @@ Bodies::Bodies(Model model, bool account) : model_(std::move(model)), account_(a
   for (const Joint& joint : model_.joints) rows += row_count(joint.type);
   rows_.rows.reserve(static_cast<std::size_t>(rows));
   change_.resize(static_cast<std::size_t>(rows));
-  find_turning();
+  const std::vector<char> turning = bodies_that_turn(model_);
+  for (std::size_t i = 0; i < n; ++i) model_.bodies[i].turns = turning[i] != 0;
   for (std::size_t w = 0; w < model_.forces.waters.size(); ++w) {
     if (model_.forces.waters[w].mode != WaterMode::step) continue;
     for (std::size_t i = 0; i < n; ++i) {
@@ -64,31 +66,6 @@ std::vector<Real> Bodies::initial() const {
   std::vector<Real> y(size_, 0);
   std::copy(model_.motions.begin(), model_.motions.end(), motions(y.data()));
   return y;
-}
-
-// A body turns if it has spin, or if a force with an arm, a joint or a touch can give it some; drag only
-// takes it.
-void Bodies::find_turning() {
-  for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
-    const bool touches = !model_.surfaces.empty() && model_.surfaces[i] != no_surface;
-    Body& body = model_.bodies[i];
-    body.turns = !body.locked && (body.pinned || touches || !model_.motions[i].angular_momentum.isZero(0));
-  }
-  const auto held_at = [&](int body, const Vector3& anchor) {
-    if (body == fixed_world || anchor.isZero(0)) return;
-    Body& held = model_.bodies[static_cast<std::size_t>(body)];
-    held.turns = !held.locked;
-  };
-  for (const Spring& s : model_.forces.springs) held_at(s.body, s.anchor), held_at(s.to, s.to_anchor);
-  for (const Joint& j : model_.joints) {
-    const bool turns = j.type == Joint::Type::hinge || j.type == Joint::Type::fixed;
-    held_at(j.body, turns ? Vector3(Vector3::Ones()) : j.anchor);
-    held_at(j.to, turns ? Vector3(Vector3::Ones()) : j.to_anchor);
-  }
-  const bool floating = std::any_of(model_.forces.waters.begin(), model_.forces.waters.end(),
-                                    [](const Water& w) { return w.mode == WaterMode::volume; });
-  if (!floating && !model_.frame) return;
-  for (Body& body : model_.bodies) body.turns = !body.locked;
 }
 
 // m(t) = m_0 + t dm/dt

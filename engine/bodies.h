@@ -72,7 +72,6 @@ class Bodies {
  private:
   void weigh(Time);
   void find_kinematics(const Motion*);
-  void find_turning();
   void find_loads(Time, const Motion*, Real* powers);
   void free_drift(Real h, Real* y);
   void gather(const Motion*);

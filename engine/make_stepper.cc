@@ -23,11 +23,12 @@ Real bound(const Options& options) { return options.tolerance > 0 ? options.tole
 template <class S, class Read>
 std::unique_ptr<Stepper> smooth(const S& system, const std::vector<Real>& initial, const Plan& plan,
                                 const Options& options, Read read, const Model& model) {
-  if (!plan.adaptive)
+  if (plan.scheme->kind != Kind::adaptive)
     return std::make_unique<SmoothStepper<S, Read>>(system, initial, *plan.scheme, options.dt, read);
   const auto run = [=](Real tolerance) -> std::unique_ptr<Stepper> {
     return std::make_unique<AdaptiveStepper<S, Read>>(system, initial, tolerance, options.dt, read);
   };
+  if (!plan.verified) return run(bound(options));
   return std::make_unique<VerifiedStepper>(run, bound(options), model.bodies);
 }
 
@@ -59,7 +60,7 @@ std::unique_ptr<Stepper> make_events(const Model& model, const Plan& plan, const
   const auto run = [=, scheme = plan.scheme](Real tolerance) -> std::unique_ptr<Stepper> {
     return std::make_unique<EventStepper>(model, *scheme, options.dt, tolerance, options.account, start);
   };
-  if (!plan.adaptive) return run(0);
+  if (!plan.verified) return run(bound(options));
   return std::make_unique<VerifiedStepper>(run, bound(options), model.bodies);
 }
 

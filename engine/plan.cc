@@ -3,6 +3,7 @@
 #include "engine/ballistic/ballistic.h"
 #include "engine/points.h"
 #include "engine/reduce.h"
+#include "engine/turning.h"
 
 #include <algorithm>
 
@@ -98,10 +99,12 @@ class Stages {
     add("closed form", plan_.method == Method::exact || plan_.method == Method::ballistic,
         plan_.method == Method::exact ? "every body moves freely" : "spheres fly freely between impacts",
         "forces, joints, contacts or the chosen scheme ask for integration");
-    add("error control", plan_.adaptive, "two runs must agree within the tolerance",
+    add("error control", plan_.verified, "two runs must agree within the tolerance",
         plan_.method == Method::stepping ? "stepping has a fixed step: its error is not bounded"
-        : plan_.scheme                   ? "the scheme has a fixed step"
-                                         : "a closed form errs by rounding");
+        : plan_.scheme && plan_.scheme->kind == Kind::adaptive
+            ? "the scheme controls the error of each step only"
+        : plan_.scheme ? "the scheme has a fixed step"
+                       : "a closed form errs by rounding");
     return std::move(stages_);
   }
 
@@ -122,10 +125,11 @@ class Stages {
   void freedom() {
     constexpr int taken[] = {3, 5, 1, 6};
     int freedom = 0, points = 0, locked = 0;
+    const std::vector<char> turns = bodies_that_turn(model_);
     for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
-      const bool point = model_.bodies[i].inertia.isZero(0);
+      const bool point = !turns[i];
       freedom += model_.bodies[i].locked ? 0 : point ? 3 : 6;
-      points += point;
+      points += point && !model_.bodies[i].locked;
       locked += model_.bodies[i].locked;
     }
     int m = 0;
@@ -139,9 +143,8 @@ class Stages {
   }
 
   void rotation() {
-    const bool turns =
-        plan_.method != Method::points &&
-        (options_.full || can_touch(model_) || !not_points(model_).empty() || model_.frame || floats(model_));
+    const std::vector<char> turning = bodies_that_turn(model_);
+    const bool turns = options_.full || any(turning, [](char turns_too) { return turns_too != 0; });
     add("rotation", turns, options_.full ? "asked for: model full" : "bodies spin or may be turned",
         "nothing spins and nothing turns a body");
   }
@@ -216,8 +219,8 @@ Plan make_plan(const Model& model, const Options& options) {
   plan.method = method_of(model, options);
   const bool closed =
       plan.method == Method::exact || plan.method == Method::ballistic || plan.method == Method::stepping;
-  plan.adaptive = !closed && options.scheme == "auto";
-  if (!closed) plan.scheme = find_scheme(plan.adaptive ? "dop853" : options.scheme);
+  plan.verified = !closed && options.scheme == "auto";
+  if (!closed) plan.scheme = find_scheme(plan.verified ? "dop853" : options.scheme);
   plan.stages = Stages(model, options, plan).list();
   return plan;
 }

@@ -13,10 +13,10 @@ namespace cylon::engine {
 struct Options {
   std::string scheme = "auto";  ///< A row of schemes(), or auto.
   Time dt = 0;                  ///< Step, and grid of the samples [s], > 0.
-  Real tolerance =
-      0;  ///< auto: bound on the global error, of the scales of the motion; 0: default_tolerance.
-  std::string method;    ///< "events" or "stepping"; "": by the plan's rule.
-  bool full = false;     ///< Run every stage, needed or not.
+  Real tolerance = 0;  ///< Of the scales of the motion; auto: bound on the global error; dop853: on the error
+                       ///< of each step; 0: default_tolerance.
+  std::string method;  ///< "events" or "stepping"; "": by the plan's rule.
+  bool full = false;   ///< Run every stage, needed or not.
   bool account = false;  ///< Integrate the work of each force.
 };
 
@@ -42,7 +42,7 @@ struct Stage {
 
 struct Plan {
   Method method = Method::bodies;
-  bool adaptive = false;           ///< Error-controlled, by two runs that must agree.
+  bool verified = false;           ///< Error-controlled, by two runs that must agree.
   const Scheme* scheme = nullptr;  ///< Null where the motion is in closed form or the method has its own.
   std::vector<Stage> stages;
 };

@@ -49,7 +49,8 @@ core::Engine describe() {
   engine.schemes.push_back({"auto", closed_form_order,
                             "what the motion conserves, to the tolerance; closed forms to rounding", true});
   for (const engine::Scheme& row : engine::schemes())
-    engine.schemes.push_back({std::string(row.name), row.order, std::string(row.conserves)});
+    engine.schemes.push_back(
+        {std::string(row.name), row.order, std::string(row.conserves), row.kind == engine::Kind::adaptive});
   engine.options.push_back({"model",
                             {"planned", "full"},
                             "planned",
@@ -135,11 +136,13 @@ class InHouse final : public core::Simulator {
     terms.integrator = options.scheme;
     terms.order = stepping ? 1 : plan.scheme ? plan.scheme->order : closed_form_order;
     terms.gyroscopic = "exact";
-    if (plan.adaptive) {
+    if (plan.scheme && plan.scheme->kind == engine::Kind::adaptive) {
       const double own = engine::default_tolerance();
       const double used = options.tolerance > 0 ? static_cast<double>(options.tolerance) : own;
       terms.settings.push_back({"tolerance", fmt::format("{:g}", used), fmt::format("{:g}", own),
-                                "bound on the error at the samples, of the scales of the motion"});
+                                plan.verified
+                                    ? "bound on the error at the samples, of the scales of the motion"
+                                    : "bound on the error of each step, of the scales of the motion"});
     }
     if (options.full)
       terms.settings.push_back({"model", "full", "planned", "every stage runs, needed or not"});

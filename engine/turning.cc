@@ -1,0 +1,31 @@
+#include "engine/turning.h"
+
+#include <algorithm>
+
+namespace cylon::engine {
+
+std::vector<char> bodies_that_turn(const Model& model) {
+  const bool floating = std::any_of(model.forces.waters.begin(), model.forces.waters.end(),
+                                    [](const Water& w) { return w.mode == WaterMode::volume; });
+  std::vector<char> turns(model.bodies.size());
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    const bool touches = !model.surfaces.empty() && model.surfaces[i] != no_surface;
+    turns[i] = model.bodies[i].pinned || touches || floating || model.frame.has_value() ||
+               !model.motions[i].angular_momentum.isZero(0);
+  }
+  const auto held_at = [&](int body, const Vector3& anchor) {
+    if (body != fixed_world && !anchor.isZero(0)) turns[static_cast<std::size_t>(body)] = 1;
+  };
+  for (const Spring& s : model.forces.springs) held_at(s.body, s.anchor), held_at(s.to, s.to_anchor);
+  for (const Joint& j : model.joints) {
+    const bool twists = j.type == Joint::Type::hinge || j.type == Joint::Type::fixed;
+    held_at(j.body, twists ? Vector3(Vector3::Ones()) : j.anchor);
+    held_at(j.to, twists ? Vector3(Vector3::Ones()) : j.to_anchor);
+  }
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    if (model.bodies[i].locked) turns[i] = 0;
+  }
+  return turns;
+}
+
+}  // namespace cylon::engine
