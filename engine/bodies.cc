@@ -313,24 +313,25 @@ void Bodies::settle(Real* y) {
   rows_.project_velocities(model_.bodies, motion);
 }
 
-// Positions against the largest distance between or from the origin, momenta of a body against its mass times
-// the largest speed, quaternions against 1, spins against the body's inertia times the largest rate of turn.
-void Bodies::scales(const Real* y, Real* scale) const {
+// Positions against the largest distance from the origin so far, momenta of a body against its mass times the
+// largest speed so far, quaternions against 1, spins against the body's inertia times the largest rate of
+// turn so far; what has been zero always, against 1.
+void Bodies::scales(const Real* y, Real* scale) {
   const Motion* motion = motions(y);
   const std::size_t n = kinematics_.size();
-  Real length = 0, speed = 0, turn = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const Body& body = model_.bodies[i];
-    length = std::max({length, motion[i].position.norm(), body.centre.norm()});
-    speed = std::max(speed, velocity(body, motion[i]).norm());
-    if (body.turns) turn = std::max(turn, angular_velocity(body, motion[i]).norm());
+    length_ = std::max({length_, motion[i].position.norm(), body.centre.norm()});
+    speed_ = std::max(speed_, velocity(body, motion[i]).norm());
+    if (body.turns) turn_ = std::max(turn_, angular_velocity(body, motion[i]).norm());
   }
+  const auto or_one = [](Real x) { return x > 0 ? x : Real(1); };
   for (std::size_t i = 0; i < n; ++i, scale += motion_size) {
     const Body& body = model_.bodies[i];
-    std::fill(scale, scale + 3, length);
-    std::fill(scale + 3, scale + 6, body.mass * speed);
+    std::fill(scale, scale + 3, or_one(length_));
+    std::fill(scale + 3, scale + 6, or_one(body.mass * speed_));
     std::fill(scale + 6, scale + 10, Real(1));
-    std::fill(scale + 10, scale + 13, body.inertia.diagonal().maxCoeff() * turn);
+    std::fill(scale + 10, scale + 13, or_one(body.inertia.diagonal().maxCoeff() * turn_));
   }
   std::fill(scale, scale + (size_ - motion_size * n), Real(1e30));  // works and the clock are not controlled
 }

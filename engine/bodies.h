@@ -39,8 +39,8 @@ class Bodies {
   void kick(Time, Real h, Real* y);
   void drift(Real h, Real* y);
   void settle(Real* y);
-  /// For error control: the size of each component's kind over all bodies.
-  void scales(const Real* y, Real* scale) const;
+  /// For error control: the largest size so far of each component's kind over all bodies.
+  void scales(const Real* y, Real* scale);
 
   /// Whether joints are kept as constraints.
   bool constrained() const { return !model_.joints.empty(); }
@@ -89,6 +89,7 @@ class Bodies {
   std::vector<Kinematics> kinematics_;
   std::vector<Load> loads_, first_, before_;
   std::vector<Real> powers_, change_, start_, probe_;
+  Real length_ = 0, speed_ = 0, turn_ = 0;  // the largest that scales() has seen
   Rows rows_;
   Holder* holder_ = nullptr;
 };

@@ -39,10 +39,6 @@ bool has_friction(const Model& model) {
   return any(model.materials, [](const Material& m) { return m.friction > 0; });
 }
 
-bool floats(const Model& model) {
-  return any(model.forces.waters, [](const Water& w) { return w.mode == WaterMode::volume; });
-}
-
 Method method_of(const Model& model, const Options& options) {
   const bool chosen = options.scheme != "auto";
   if (can_touch(model) || (options.full && options.method.empty())) {

@@ -79,15 +79,17 @@ class Points {
 
   void settle(Real*) {}
 
-  void scales(const Real* y, Real* scale) const {
+  /// For error control: positions against the largest distance from the origin so far, momenta against the
+  /// mass times the largest speed so far; what has been zero always, against 1.
+  void scales(const Real* y, Real* scale) {
     const std::size_t n = count();
-    Real length = 0, speed = 0;
     for (std::size_t i = 0; i < n; ++i) {
-      length = std::max(length, point(y, n, i).norm());
-      speed = std::max(speed, inverse_mass_[i] * point(y + 3 * n, n, i).norm());
+      length_ = std::max(length_, point(y, n, i).norm());
+      speed_ = std::max(speed_, inverse_mass_[i] * point(y + 3 * n, n, i).norm());
     }
-    std::fill(scale, scale + 3 * n, length);
-    for (std::size_t i = 0; i < 3 * n; ++i) scale[3 * n + i] = mass_[i % n] * speed;
+    const auto or_one = [](Real x) { return x > 0 ? x : Real(1); };
+    std::fill(scale, scale + 3 * n, or_one(length_));
+    for (std::size_t i = 0; i < 3 * n; ++i) scale[3 * n + i] = or_one(mass_[i % n] * speed_);
   }
 
   std::vector<Real> initial(const std::vector<Motion>& motions) const {
@@ -172,6 +174,7 @@ class Points {
 
   Vector3 gravity_;
   bool weight_ = false;
+  Real length_ = 0, speed_ = 0;  // the largest that scales() has seen
   std::vector<Real> mass_, inverse_mass_;
   std::vector<Pin> pins_;
   std::vector<Link> links_;
