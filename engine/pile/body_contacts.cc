@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cylon::engine::pile {
 namespace {
@@ -110,13 +111,19 @@ void BodyContacts::touch(const std::vector<Motion>& motions, int a, int b, int p
       block.to_arm = contact.position - motions[index(b)].position;
       block.to_anchor = motions[index(b)].orientation.conjugate() * block.to_arm;
     }
-    for (std::size_t m = next; m < old.size() && old[m].a == a && old[m].b == b && old[m].plane == plane; ++m)
-      if (old[m].feature == block.feature && old[m].kind == Block::Kind::contact) {
-        const Vector3& j = old[m].impulse;
-        const Real along = block.normal.dot(j);
-        block.impulse = j - along * block.normal + std::max(along, Real(0)) * block.normal;
-        break;
-      }
+    // The same feature, or else the nearest point: corners that coincide take turns in naming a place.
+    const Block* same = nullptr;
+    Real nearest = radius_[index(a)] / 16;
+    for (std::size_t m = next; m < old.size() && old[m].a == a && old[m].b == b && old[m].plane == plane; ++m) {
+      if (old[m].kind != Block::Kind::contact) break;
+      const Real distance =
+          old[m].feature == block.feature ? Real(-1) : (old[m].anchor - block.anchor).norm();
+      if (distance < nearest) same = &old[m], nearest = distance;
+    }
+    if (same) {
+      const Real along = block.normal.dot(same->impulse);
+      block.impulse = same->impulse + (std::max(along, Real(0)) - along) * block.normal;
+    }
     blocks.push_back(block);
   }
 }

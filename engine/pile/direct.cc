@@ -8,7 +8,7 @@
 namespace cylon::engine::pile {
 namespace {
 
-constexpr int most_rounds = 60, most_newton_steps = 12;
+constexpr int most_rounds = 60, most_newton_steps = 60, patience = 6;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
@@ -225,10 +225,13 @@ void Direct::minimise() {
     matrix_.factor();
     matrix_.solve(gradient_);
     double share = 1;
-    for (int halving = 0; halving < 10; ++halving, share /= 2) {
+    bool falls = false;
+    for (int halving = 0; halving < 30 && !falls; ++halving) {
+      if (halving > 0) share /= 2;
       trial_ = v_ - share * gradient_;
-      if (kinetic(trial_) + forces(trial_, false) <= value * (1 + 1e-12)) break;
+      falls = kinetic(trial_) + forces(trial_, false) <= value * (1 + 1e-13);
     }
+    if (!falls) break;
     v_ = trial_;
     // below this the next step would be rounding
     if (gradient_.cwiseAbs().maxCoeff() <= 1e-10 * v_.cwiseAbs().maxCoeff() && share == 1) break;
@@ -240,7 +243,8 @@ bool Direct::solve(std::vector<Block>& blocks, const std::vector<Body>& bodies, 
   set_up(blocks, bodies, movers);
   for (Row& row : rows_)
     row.limit = static_cast<double>(row.block->friction) * std::max(row.n.dot(row.lambda), 0.);
-  double allowed = 0;
+  double allowed = 0, best = std::numeric_limits<double>::infinity();
+  int best_round = 0;
   for (int round = 0;; ++round) {
     velocities_of_impulses();
     forces(v_, false);
@@ -261,12 +265,29 @@ bool Direct::solve(std::vector<Block>& blocks, const std::vector<Body>& bodies, 
       if (row.block->kind == Block::Kind::contact && row.f.dot(row.n) > 0)
         residual_ = std::max(residual_, row.target - row.n.dot(u));
     }
-    if (residual_ <= allowed || round == most_rounds) break;
+    if (round == 0 && residual_ > 4 * (free_.size() > 0 ? free_.cwiseAbs().maxCoeff() : 0)) {
+      for (Row& row : rows_) row.lambda.setZero(), row.limit = 0;  // worse than nothing: the contacts have changed
+      continue;
+    }
+    const bool helps = residual_ < best / 2;
+    if (residual_ < best) {
+      best = residual_, best_round = round;
+      for (Row& row : rows_) row.best = row.lambda;
+    }
+    // Where rounds no longer help, what is left is rounding, or friction that has no solution.
+    if (residual_ <= allowed || round == most_rounds || !(round < best_round + patience) ||
+        (!helps && residual_ <= 100 * allowed))
+      break;
     minimise();
     for (Row& row : rows_) {
       row.lambda = row.f;
       row.limit = static_cast<double>(row.block->friction) * std::max(row.n.dot(row.lambda), 0.);
     }
+  }
+  if (residual_ > best || !(residual_ >= 0)) {
+    for (Row& row : rows_) row.lambda = row.best;
+    velocities_of_impulses();
+    residual_ = best;
   }
   for (Row& row : rows_) row.block->impulse = row.lambda.cast<Real>();
   for (std::size_t k = 0; k < bodies_.size(); ++k) {

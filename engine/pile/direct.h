@@ -33,7 +33,7 @@ class Direct {
   struct Row {
     Block* block;
     int a, b;  // where their six velocities begin, or -1
-    V3 arm, to_arm, n, lambda, f;
+    V3 arm, to_arm, n, lambda, best, f;
     M3 space;
     double stiffness, limit, target;
     M3 slope;  // -df/du

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -33,8 +34,9 @@ class Envelope {
     for (int i = 0; i < size(); ++i)
       for (int j = first_[index(i)]; j <= i; ++j) {
         const int from = std::max(first_[index(i)], first_[index(j)]);
-        const double rest = at(i, j) - dot(i, j, from, j);
-        at(i, j) = j < i ? rest / at(j, j) : std::sqrt(std::max(rest, 1e-300));
+        const double whole = at(i, j), rest = whole - dot(i, j, from, j);
+        // A pivot below the rounding of its row is rounding: a matrix a little stiffer is solved.
+        at(i, j) = j < i ? rest / at(j, j) : std::sqrt(std::max(rest, 1e-14 * whole));
       }
   }
 
