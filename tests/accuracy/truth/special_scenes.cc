@@ -304,27 +304,22 @@ std::vector<TruthScene> box_drop_edge(const std::string& name, const json& file)
   return {one};
 }
 
-// ---- The seed's water: level + wave/2 sin(speed t + i) + wave/2 sin(i j / 2) over its cell (i, j)
-// ----------- The scene's is level + wave sin(x - speed t).  The body stays over one cell and nothing else
-// depends on x, so that x = i less whole turns, a speed of the other sign and half the wave, with the
-// constant part in the level, are the same.
+// ---- The seed's water: level + wave/2 sin(speed t + i) + wave/2 sin(i j / 2) over its cell (i, j) -------
 
 std::vector<TruthScene> water_step_force(const std::string& name, const json& file) {
   TruthScene one{name, {}, {}};
   const json& p = file["params"];
-  const int i = p["cell_i"].get<int>(), j = p["cell_j"].get<int>();
-  const double half_wave = number(p["wave"]) / 2, x = std::remainder(i, 2 * std::numbers::pi);
   core::Body body;
   body.name = "body";
   body.mass = number(p["m"]);
-  body.initial.position = Vector3(x, number(p["y0"]), number(p["z"]));
+  body.initial.position = Vector3(number(p["x"]), number(p["y0"]), number(p["z"]));
   one.scene.bodies = {body};
   one.scene.forces.emplace_back(gravity(file));
-  one.scene.forces.emplace_back(core::Water{number(p["level"]) + half_wave * std::sin(0.5 * i * j), half_wave,
-                                            -number(p["speed"]), number(p["b"]), number(p["gamma"]), "step"});
+  one.scene.forces.emplace_back(core::Water{number(p["level"]), number(p["wave"]), number(p["speed"]),
+                                            number(p["b"]), number(p["gamma"]), "step"});
   for (std::size_t k = 0; k < file["t"].size(); ++k) {
     Expected e;
-    e.position = Vector3(x, number(file["y"][k]), number(p["z"]));
+    e.position = Vector3(number(p["x"]), number(file["y"][k]), number(p["z"]));
     e.velocity = Vector3(0, number(file["vy"][k]), 0);
     one.samples.push_back({number(file["t"][k]), {e}});
   }
