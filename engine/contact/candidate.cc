@@ -93,7 +93,8 @@ TouchPoint round_touch(const Candidate& c, const Model& model, const Motion* mot
   touch.position = a.position - (c.radius + touch.gap / 2) * touch.normal;
   const Vector3 v = velocity(body, a) - velocity(other, b) - w.cross(arm);
   // n' = W x n + what the nearest point's freedom leaves of v across n, over s
-  Vector3 across = rotation * (Vector3::Ones() - foot.free).cwiseProduct(rotation.transpose() * v);
+  const Vector3 seen = rotation.transpose() * (v - w.cross(d));  // of a's centre, from b that turns
+  Vector3 across = rotation * (Vector3::Ones() - foot.free).cwiseProduct(seen);
   across -= touch.normal.dot(across) * touch.normal;
   touch.turning = w.cross(touch.normal);
   if (s > 0) touch.turning += across / s;
