@@ -49,8 +49,10 @@ class Bodies {
   Model& model() { return model_; }
   static Motion* motions(Real* y) { return reinterpret_cast<Motion*>(y); }
   static const Motion* motions(const Real* y) { return reinterpret_cast<const Motion*>(y); }
-  /// Work done by each force since t = 0 [J], in the order of apply().  Requires accounting.
-  const Real* works(const Real* y) const { return y + motion_size * model_.bodies.size(); }
+  /// Work done by each force since t = 0 [J], in the order of apply(); null where it is not accounted.
+  const Real* works(const Real* y) const {
+    return account_ ? y + motion_size * model_.bodies.size() : nullptr;
+  }
 
   /// Forces that switch on and off (the seed's water on a body): each is on or off until flip(), and wants to
   /// be flipped where switch_value() has changed its sign since; watch() sets them all to what the state
@@ -89,7 +91,8 @@ class Bodies {
   std::vector<Kinematics> kinematics_;
   std::vector<Load> loads_, first_, before_;
   std::vector<Real> powers_, change_, start_, probe_;
-  Real length_ = 0, speed_ = 0, turn_ = 0;  // the largest that scales() has seen
+  Real length_ = 0, speed_ = 0, turn_ = 0;  // the largest that scales() has seen, as are
+  std::vector<Real> spin_;                  // |L| of each body
   Rows rows_;
   Holder* holder_ = nullptr;
 };

@@ -1,0 +1,123 @@
+// The scheme auto: its bound holds against closed forms, and where it cannot it says so.
+#include "tests/engine/fixtures.h"
+
+namespace cylon::engine {
+namespace {
+
+Options automatic(Real tolerance, Time dt) { return {.scheme = "auto", .dt = dt, .tolerance = tolerance}; }
+
+Model spring() {
+  Model model;
+  add_body(model, make_body(1.3, Matrix3::Zero()), {1.2, 0.7, 0.1}, {0, 0, 0}, {-0.3, 1.1, 0.7}, {0, 0, 0});
+  model.forces.springs.push_back({0, {0, 0, 0}, fixed_world, {0, 0, 0}, 17.0, 0, 0});
+  return model;
+}
+
+// A spinning body with drag on its spin alone: L = L0 e^-ct, and a turn that is the free one at another time.
+Model dragged_top() {
+  Model model = free_top();
+  model.forces.drags.push_back({0, 0, 0, 0.7});
+  return model;
+}
+
+class Bound : public testing::TestWithParam<double> {};
+
+TEST_P(Bound, IsKeptOnASpring) {
+  const Real tolerance = GetParam(), w = std::sqrt(17.0 / 1.3);
+  const Vector3 p0 = {1.2, 0.7, 0.1}, v0 = {-0.3, 1.1, 0.7};
+  const Real length = p0.norm(), speed = length * w;  // the scales, which the motion reaches and passes
+  Real worst = 0;
+  const Outcome end = run(spring(), automatic(tolerance, 0.1), 200, [&](const World& world) {
+    const Real t = world.time();
+    const Vector3 p = p0 * std::cos(w * t) + v0 / w * std::sin(w * t),
+                  v = v0 * std::cos(w * t) - w * p0 * std::sin(w * t);
+    const Motion& m = world.motions()[0];
+    worst = std::max({worst, (m.position - p).norm() / length, (m.momentum / 1.3 - v).norm() / speed});
+  });
+  // 20 s are 72 rad: rounding alone makes 72 x 1e-16 x a few dozen steps
+  EXPECT_LT(worst, std::max(tolerance, 2e-13));
+  // a step of 2e-14, the finest, a hundred times over is what 1e-12 may not always bear
+  EXPECT_TRUE(end.remarks.empty() || tolerance < 1e-11);
+}
+
+TEST_P(Bound, IsKeptOnATopWhoseSpinDecays) {
+  const Real tolerance = GetParam();
+  const Model model = dragged_top();
+  Real worst = 0;
+  run(model, automatic(tolerance, 0.1), 40, [&](const World& world) {
+    const Real t = world.time(), s = (1 - std::exp(-0.7 * t)) / 0.7;  // the free top's time
+    const auto free = run(free_top(), with("auto", s), 1).motions[0];
+    worst = std::max(
+        {worst, angle(free.orientation, world.motions()[0].orientation),
+         (world.motions()[0].angular_momentum - std::exp(-0.7 * t) * model.motions[0].angular_momentum)
+                 .norm() /
+             model.motions[0].angular_momentum.norm()});
+  });
+  EXPECT_LT(worst, std::max(tolerance, 1e-13));
+}
+
+INSTANTIATE_TEST_SUITE_P(Tolerances, Bound, testing::Values(1e-4, 1e-6, 1e-8, 1e-10, 1e-12));
+
+// At what scheme and step the samples are taken changes nothing beyond the tolerance.
+TEST(Auto, DoesNotDependOnTheSampleGrid) {
+  for (const Model& model : {forced_bodies(), linked_bodies(true), heavy_top()}) {
+    const auto coarse = run(model, automatic(1e-9, 0.5), 2).motions,
+               fine = run(model, automatic(1e-9, 0.01), 100).motions;
+    // both within 1e-9 of their scales: places 3, momenta 10, spins 30
+    EXPECT_LT(distance(coarse, fine), 2 * 30 * 1e-9);
+    EXPECT_LT(distance(fine, run(model, "rk8", 1, 4000).motions), 30 * 1e-9);
+  }
+}
+
+// A tighter bound is a better motion.
+TEST(Auto, TightensWithTheTolerance) {
+  const Model model = forced_bodies();
+  const auto exact = run(model, "rk8", 2, 8000).motions;
+  Real before = 1;
+  for (const Real tolerance : {1e-4, 1e-7, 1e-10}) {
+    const Real error = distance(run(model, automatic(tolerance, 0.1), 20).motions, exact);
+    EXPECT_LT(error, 30 * tolerance);
+    EXPECT_LT(error, before);
+    before = error;
+  }
+}
+
+// Chaos parts any two runs: in the end no tolerance holds, and a remark says from where on.
+TEST(Auto, SaysWhenChaosWins) {
+  Model model = linked_bodies(true);
+  Options options = automatic(1e-10, 0.1);
+  const Outcome early = run(model, options, 10), late = run(model, options, 1200);
+  EXPECT_TRUE(early.remarks.empty());
+  ASSERT_EQ(late.remarks.size(), 1u);
+  EXPECT_NE(late.remarks[0].find("tolerance"), std::string::npos);
+  for (const Motion& m : late.motions) EXPECT_TRUE(m.position.allFinite());
+}
+
+TEST(Auto, SaysWhenTheToleranceIsBelowRounding) {
+  const Outcome end = run(forced_bodies(), automatic(1e-17, 0.1), 50);
+  ASSERT_FALSE(end.remarks.empty());
+  const auto exact = run(forced_bodies(), "rk8", 5, 20000).motions;
+  EXPECT_LT(distance(end.motions, exact), 1e-9);  // and goes on at its best
+}
+
+TEST(Auto, GivesTheSameBitsTwice) {
+  for (const Model& model : {forced_bodies(), linked_bodies(false), ball_over_plane(0.5, 0.8)}) {
+    const auto a = run(model, automatic(1e-9, 0.05), 40).motions,
+               b = run(model, automatic(1e-9, 0.05), 40).motions;
+    for (std::size_t i = 0; i < a.size(); ++i) EXPECT_TRUE(same_bits(a[i], b[i]));
+  }
+}
+
+// A body that is locked, or at rest for ever, has no scale of its own and must not stop the others.
+TEST(Auto, BearsBodiesThatDoNotMove) {
+  Model model = spring();
+  add_body(model, make_body(2, Matrix3::Identity(), true), {5, 5, 5}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0});
+  add_body(model, make_body(2, Matrix3::Identity()), {-5, 5, 5}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0});
+  model.forces.attractions.push_back({1, 0, 1e-3});
+  const Outcome end = run(model, automatic(1e-9, 0.1), 20);
+  EXPECT_TRUE(end.remarks.empty());
+  EXPECT_LT(distance(end.motions, run(model, "rk8", 2, 2000).motions), 1e-8);
+}
+
+}  // namespace
+}  // namespace cylon::engine

@@ -1,0 +1,238 @@
+// The plan runs what a model needs and says why; running more changes nothing.
+#include "engine/plan.h"
+
+#include "tests/engine/fixtures.h"
+
+#include <functional>
+#include <map>
+
+namespace cylon::engine {
+namespace {
+
+const Stage& stage(const Plan& plan, std::string_view name) {
+  for (const Stage& s : plan.stages) {
+    if (s.name == name) return s;
+  }
+  ADD_FAILURE() << "no stage " << name;
+  return plan.stages.front();
+}
+
+Options automatic() { return {.dt = 0.01}; }
+
+Model point(const Vector3& spin = Vector3::Zero()) {
+  Model model;
+  const Matrix3 inertia = spin.isZero(0) ? Matrix3(Matrix3::Zero()) : general_inertia(0.2, 0.3, 0.4);
+  add_body(model, make_body(1.3, inertia), {0.3, 0.9, -0.2}, {0.1, 0.2, 0.3}, {0.4, 1, 0.2}, spin);
+  return model;
+}
+
+struct Case {
+  const char* name;
+  std::function<Model()> model;
+  Method method;
+  std::vector<const char*> in;  // besides degrees of freedom and integration or closed form
+};
+
+const std::vector<const char*> optional_stages = {"rotation",
+                                                  "gravity",
+                                                  "springs",
+                                                  "drag",
+                                                  "thrust",
+                                                  "drive",
+                                                  "attraction",
+                                                  "water",
+                                                  "variable mass",
+                                                  "turning frame",
+                                                  "reduced coordinates",
+                                                  "joint constraints",
+                                                  "broad phase",
+                                                  "detection",
+                                                  "impacts",
+                                                  "friction",
+                                                  "contact solving",
+                                                  "event location"};
+
+std::vector<Case> cases() {
+  const auto added = [](Model m, const std::function<void(Model&)>& change) {
+    change(m);
+    return m;
+  };
+  return {
+      {"free point", [] { return point(); }, Method::exact, {}},
+      {"falling point",
+       [=] { return added(point(), [](Model& m) {
+               m.forces.gravity = {0, -9.81, 0};
+             }); },
+       Method::exact,
+       {"gravity"}},
+      {"free top", [] { return free_top(); }, Method::exact, {"rotation"}},
+      {"point on a spring",
+       [=] {
+         return added(point(), [](Model& m) { m.forces.springs.push_back({.body = 0, .stiffness = 3}); });
+       },
+       Method::points,
+       {"springs"}},
+      {"point with a drive",
+       [=] { return added(point(), [](Model& m) {
+               m.forces.drives.push_back({0, {1, 2, 3}, 4});
+             }); },
+       Method::points,
+       {"drive"}},
+      {"dragged point",
+       [=] { return added(point(), [](Model& m) {
+               m.forces.drags.push_back({0, 0.3, 0, 0});
+             }); },
+       Method::bodies,
+       {"drag"}},
+      {"off-centre spring", [] { return coupled_bodies(); }, Method::bodies, {"rotation", "springs"}},
+      {"every force",
+       [] { return forced_bodies(); },
+       Method::bodies,
+       {"rotation", "gravity", "springs", "drag", "drive"}},
+      {"rocket",
+       [=] {
+         return added(point(), [](Model& m) {
+           m.bodies[0].mass_rate = -0.1;
+           m.forces.thrusts.push_back(
+               {.body = 0, .mass_rate = -0.1, .relative = true, .exchanged = {0, -9, 0}});
+         });
+       },
+       Method::bodies,
+       {"thrust", "variable mass"}},
+      {"heavy top",
+       [] { return heavy_top(); },
+       Method::bodies,
+       {"rotation", "gravity", "reduced coordinates"}},
+      {"joint between free bodies",
+       [] { return linked_bodies(false); },
+       Method::bodies,
+       {"rotation", "joint constraints"}},
+      {"double pendulum",
+       [] { return linked_bodies(true); },
+       Method::bodies,
+       {"rotation", "gravity", "reduced coordinates", "joint constraints"}},
+      {"turning frame",
+       [=] { return added(free_top(), [](Model& m) {
+               m.frame = RotatingFrame{{0.1, 0.2, 0.3}};
+             }); },
+       Method::bodies,
+       {"rotation", "turning frame"}},
+      {"ball over a plane",
+       [] { return ball_over_plane(0.5, 0.5); },
+       Method::ballistic,
+       {"rotation", "gravity", "detection", "impacts", "contact solving", "event location"}},
+      {"rough ball",
+       [=] { return added(ball_over_plane(0.5, 0.5), [](Model& m) { make_touchable(m, 0.5, 0.3); }); },
+       Method::ballistic,
+       {"rotation", "gravity", "detection", "impacts", "friction", "contact solving", "event location"}},
+      {"ball on a spring over a plane",
+       [=] {
+         return added(ball_over_plane(0.5, 0.5),
+                      [](Model& m) { m.forces.springs.push_back({.body = 0, .stiffness = 3}); });
+       },
+       Method::events,
+       {"rotation", "gravity", "springs", "detection", "impacts", "contact solving", "event location"}},
+      {"many boxes on a plane",
+       [] {
+         Model m;
+         for (int i = 0; i < 12; ++i) {
+           add_body(m, make_body(1, Matrix3::Identity()), {1.5 * i, 0.4, 0.3}, {0, 0, 0}, {0, 0, 0},
+                    {0, 0, 0}, Box{{0.5, 0.4, 0.3}});
+         }
+         m.planes.push_back({});
+         m.forces.gravity = {0, -9.81, 0};
+         make_touchable(m, 0, 0.4);
+         return m;
+       },
+       Method::stepping,
+       {"rotation", "gravity", "broad phase", "detection", "impacts", "friction", "contact solving"}},
+  };
+}
+
+TEST(Plan, EachStageIsInOrOutForAReason) {
+  for (const Case& c : cases()) {
+    const Plan plan = make_plan(c.model(), automatic());
+    EXPECT_EQ(plan.method, c.method) << c.name;
+    for (const char* name : optional_stages) {
+      const bool expected = std::find_if(c.in.begin(), c.in.end(), [&](const char* n) {
+                              return std::string_view(n) == name;
+                            }) != c.in.end();
+      EXPECT_EQ(stage(plan, name).in, expected) << c.name << ": " << name;
+    }
+    for (const Stage& s : plan.stages) EXPECT_FALSE(s.reason.empty() && s.in) << c.name << ": " << s.name;
+    for (const Stage& s : plan.stages) EXPECT_FALSE(s.reason.empty()) << c.name << ": " << s.name;
+    const bool closed = c.method == Method::exact || c.method == Method::ballistic;
+    EXPECT_EQ(stage(plan, "closed form").in, closed) << c.name;
+    EXPECT_EQ(stage(plan, "integration").in, !closed && c.method != Method::stepping) << c.name;
+    EXPECT_EQ(stage(plan, "error control").in, plan.verified) << c.name;
+  }
+}
+
+// 6 n - m; points have 3, locked bodies none.
+TEST(Plan, CountsDegreesOfFreedom) {
+  const auto freedom = [](const Model& model) {
+    return std::stoi(stage(make_plan(model, automatic()), "degrees of freedom").reason);
+  };
+  EXPECT_EQ(freedom(point()), 3);
+  EXPECT_EQ(freedom(free_top()), 6);
+  EXPECT_EQ(freedom(coupled_bodies()), 12);
+  EXPECT_EQ(freedom(heavy_top()), 3);
+  EXPECT_EQ(freedom(linked_bodies(true)), 6);
+  EXPECT_EQ(freedom(linked_bodies(false)), 9);
+  const std::map<Joint::Type, int> left = {
+      {Joint::Type::ball, 9}, {Joint::Type::hinge, 7}, {Joint::Type::distance, 11}, {Joint::Type::fixed, 6}};
+  for (const auto& [type, expected] : left) {
+    Model model = linked_bodies(false);
+    model.joints[0].type = type;
+    EXPECT_EQ(freedom(model), expected);
+  }
+  Model rock = free_top();
+  add_body(rock, make_body(1, Matrix3::Identity(), true), {5, 5, 5}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0});
+  EXPECT_EQ(freedom(rock), 6);
+  EXPECT_NE(stage(make_plan(rock, automatic()), "degrees of freedom").reason.find("locked: 1"),
+            std::string::npos);
+}
+
+// A chosen scheme is never replaced by a closed form: it is what is looked at.
+TEST(Plan, AChosenSchemeIsUsed) {
+  for (const Case& c : cases()) {
+    if (c.method == Method::stepping) continue;
+    const Plan plan = make_plan(c.model(), with("velocity-verlet", 0.01));
+    ASSERT_NE(plan.scheme, nullptr) << c.name;
+    EXPECT_EQ(plan.scheme->name, "velocity-verlet");
+    EXPECT_FALSE(plan.verified);
+  }
+}
+
+// What is left out changes nothing: everything on gives the same motion, to the rounding of sums in other
+// order.
+TEST(Plan, FullIsTheSameMotion) {
+  for (const Case& c : cases()) {
+    if (c.method == Method::stepping || c.method == Method::ballistic) continue;
+    for (const char* scheme : {"rk4", "rk8", "velocity-verlet", "yoshida6"}) {
+      const Model model = c.model();
+      Options lean = with(scheme, 0.01), full = lean;
+      full.full = true;
+      if (!unsupported(model, full).empty()) continue;  // contacts in a turning frame
+      const Real apart = distance(run(model, lean, 100).motions, run(model, full, 100).motions);
+      EXPECT_LT(apart, 1e-11) << c.name << ' ' << scheme;
+    }
+  }
+}
+
+TEST(Unsupported, SaysWhy) {
+  const auto reason = [](const Model& model, const Options& options) { return unsupported(model, options); };
+  EXPECT_NE(reason(free_top(), with("leapfrog", 0.01)).find("leapfrog"), std::string::npos);
+  Options method = automatic();
+  method.method = "magic";
+  EXPECT_NE(reason(free_top(), method).find("magic"), std::string::npos);
+  EXPECT_NE(reason(linked_bodies(false), with("bm4", 0.01)).find("bm4"), std::string::npos);
+  EXPECT_EQ(reason(heavy_top(), with("bm4", 0.01)), "");  // its joint is reduced
+  EXPECT_EQ(reason(linked_bodies(false), automatic()), "");
+  Options stepping = with("rk4", 0.01);
+  stepping.method = "stepping";
+  EXPECT_NE(reason(ball_over_plane(1, 0.5), stepping).find("stepping"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace cylon::engine
