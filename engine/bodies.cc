@@ -22,6 +22,7 @@ Bodies::Bodies(Model model, bool account) : model_(std::move(model)), account_(a
   loads_.resize(n);
   first_.resize(n);
   before_.resize(n);
+  spin_.resize(n, 0);
   powers_.resize(model_.forces.count());
   reads_velocities_ = model_.forces.read_velocities();
   int rows = 0;
@@ -324,6 +325,7 @@ void Bodies::scales(const Real* y, Real* scale) {
     length_ = std::max({length_, motion[i].position.norm(), body.centre.norm()});
     speed_ = std::max(speed_, velocity(body, motion[i]).norm());
     if (body.turns) turn_ = std::max(turn_, angular_velocity(body, motion[i]).norm());
+    spin_[i] = std::max(spin_[i], motion[i].angular_momentum.norm());
   }
   const auto or_one = [](Real x) { return x > 0 ? x : Real(1); };
   for (std::size_t i = 0; i < n; ++i, scale += motion_size) {
@@ -331,7 +333,8 @@ void Bodies::scales(const Real* y, Real* scale) {
     std::fill(scale, scale + 3, or_one(length_));
     std::fill(scale + 3, scale + 6, or_one(body.mass * speed_));
     std::fill(scale + 6, scale + 10, Real(1));
-    std::fill(scale + 10, scale + 13, or_one(body.inertia.diagonal().maxCoeff() * turn_));
+    const Real spin = spin_[i] > 0 ? spin_[i] : body.inertia.diagonal().maxCoeff() * turn_;
+    std::fill(scale + 10, scale + 13, or_one(spin));
   }
   std::fill(scale, scale + (size_ - motion_size * n), Real(1e30));  // works and the clock are not controlled
 }

@@ -29,7 +29,7 @@ std::unique_ptr<Stepper> smooth(const S& system, const std::vector<Real>& initia
     return std::make_unique<AdaptiveStepper<S, Read>>(system, initial, tolerance, options.dt, read);
   };
   if (!plan.verified) return run(bound(options));
-  return std::make_unique<VerifiedStepper>(run, bound(options), model.bodies);
+  return std::make_unique<VerifiedStepper>(run, bound(options), options.dt, model.bodies);
 }
 
 template <std::size_t N>
@@ -61,7 +61,7 @@ std::unique_ptr<Stepper> make_events(const Model& model, const Plan& plan, const
     return std::make_unique<EventStepper>(model, *scheme, options.dt, tolerance, options.account, start);
   };
   if (!plan.verified) return run(bound(options));
-  return std::make_unique<VerifiedStepper>(run, bound(options), model.bodies);
+  return std::make_unique<VerifiedStepper>(run, bound(options), options.dt, model.bodies);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace cylon::engine {
 namespace {
 
 // Below this a local tolerance is rounding.
-constexpr Real least = 100 * std::numeric_limits<Real>::epsilon();
+constexpr Real least = std::numeric_limits<Real>::epsilon() / 2;
 constexpr Real first = Real(0.1);  // of the bound: errors of single steps add up
 
 // The angle between two orientations.
@@ -24,9 +24,10 @@ Real share(Real difference, Real scale) { return difference == 0 ? 0 : differenc
 
 }  // namespace
 
-VerifiedStepper::VerifiedStepper(MakeRun make, Real bound, const std::vector<Body>& bodies)
+VerifiedStepper::VerifiedStepper(MakeRun make, Real bound, Time dt, const std::vector<Body>& bodies)
     : make_(std::move(make)),
       bound_(bound),
+      dt_(dt),
       tolerance_(std::max(bound * first / 10, least)),
       bodies_(bodies) {
   coarse_ = make_(10 * tolerance_);
@@ -72,7 +73,10 @@ Real VerifiedStepper::parted() {
     speed = std::max(speed, (v_a - v_b).norm());
     spin = std::max(spin, (w_a - w_b).norm());
   }
-  const Real error = std::max({share(position, length_), turn, share(speed, speed_), share(spin, turn_)});
+  // What hardly moves is measured by what would take it across its own size in the time so far.
+  const Real span = static_cast<Real>(static_cast<Time>(steps_) * dt_);
+  const Real error = std::max({share(position, length_), turn, share(speed, std::max(speed_, length_ / span)),
+                               share(spin, std::max(turn_, 1 / span))});
   return std::isfinite(error) ? error : std::numeric_limits<Real>::infinity();
 }
 

@@ -20,7 +20,7 @@ using MakeRun = std::function<std::unique_ptr<Stepper>(Real local_tolerance)>;
 /// step later.
 class VerifiedStepper final : public Stepper {
  public:
-  VerifiedStepper(MakeRun, Real bound, const std::vector<Body>& bodies);
+  VerifiedStepper(MakeRun, Real bound, Time dt, const std::vector<Body>& bodies);
 
   void step() override;
   void read(std::vector<Motion>& motions) const override { motions = fine_motion_; }
@@ -33,7 +33,9 @@ class VerifiedStepper final : public Stepper {
   void tighten();
 
   MakeRun make_;
-  Real bound_, tolerance_;  // of the finer run
+  Real bound_;
+  Time dt_;
+  Real tolerance_;  // of the finer run
   std::vector<Body> bodies_;
   std::unique_ptr<Stepper> coarse_, fine_;
   std::vector<Motion> coarse_motion_, fine_motion_;

@@ -36,10 +36,11 @@ enum class Outcome : unsigned char {
 template <System S>
 class Dop853 {
  public:
-  /// tolerance: relative to the scales, per step; at least 16 epsilon, less counts as that.
+  /// tolerance: relative to the scales, per step; at least epsilon/2, less counts as that; the compensated
+  /// sums make that worth asking for.
   Dop853(std::size_t size, Real tolerance)
       : n_(size),
-        tolerance_(std::max(tolerance, 16 * std::numeric_limits<Real>::epsilon())),
+        tolerance_(std::max(tolerance, std::numeric_limits<Real>::epsilon() / 2)),
         memory_((stages + 6 + 8) * size) {
     Real* at = memory_.data();
     const auto take = [&](std::size_t vectors) { return std::exchange(at, at + vectors * n_); };
