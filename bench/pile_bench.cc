@@ -1,9 +1,10 @@
-// A pile of equal spheres dropped as a lattice into an open box (radius 0.5 m, friction 0.5, no restitution, steps
-// of 1/60 s for 5 s, 10 iterations): this engine in float, Bullet in float and ODE's QuickStep, one thread each, in
-// one run.  A time never travels without its error: every row says how deep the settled pile overlaps.
+// A pile of equal spheres dropped as a lattice into an open box (radius 0.5 m, friction 0.5, no restitution,
+// steps of 1/60 s for 5 s, 10 iterations): this engine in float, Bullet in float and ODE's QuickStep, one
+// thread each, in one run.  A time never travels without its error: every row says how deep the settled pile
+// overlaps.
 //   pile_bench [--huge]     10^5 spheres too, which takes minutes in the other engines
-// Bullet: no damping, no sleeping, one step per call; else as it comes.  ODE: sweep and prune, approximate friction
-// cone, ERP and CFM as they come.
+// Bullet: no damping, no sleeping, one step per call; else as it comes.  ODE: sweep and prune, approximate
+// friction cone, ERP and CFM as they come.
 #include "engine/pile/pile.h"
 
 #include <benchmark/benchmark.h>
@@ -41,7 +42,8 @@ Pile make_pile(int count) {
   const int side = count <= 1000 ? 10 : count <= 10000 ? 20 : 46;
   const double half = 0.55 * side + 0.1;
   Pile pile;
-  pile.planes = {{{0, 1, 0}, 0}, {{1, 0, 0}, -half}, {{-1, 0, 0}, -half}, {{0, 0, 1}, -half}, {{0, 0, -1}, -half}};
+  pile.planes = {
+      {{0, 1, 0}, 0}, {{1, 0, 0}, -half}, {{-1, 0, 0}, -half}, {{0, 0, 1}, -half}, {{0, 0, -1}, -half}};
   for (int i = 0; i < count; ++i) {
     const int x = i % side, z = i / side % side, y = i / side / side;
     pile.centres.emplace_back(1.1 * x - half + 0.65 + 0.01 * (i * 7 % 11), 0.6 + 1.1 * y,
@@ -166,7 +168,8 @@ struct OdePile {
     dRandSetSeed(0);
     dWorldSetGravity(world, 0, -gravity, 0);
     dWorldSetQuickStepNumIterations(world, iterations);
-    for (const Plane& p : pile.planes) dCreatePlane(space, p.normal.x(), p.normal.y(), p.normal.z(), p.offset);
+    for (const Plane& p : pile.planes)
+      dCreatePlane(space, p.normal.x(), p.normal.y(), p.normal.z(), p.offset);
     for (const Point& p : pile.centres) {
       bodies.push_back(dBodyCreate(world));
       dMass m;
@@ -186,7 +189,8 @@ struct OdePile {
     for (int i = 0; i < n; ++i) {
       contact[i].surface.mode = dContactApprox1;
       contact[i].surface.mu = friction;
-      dJointAttach(dJointCreateContact(self->world, self->group, contact + i), dGeomGetBody(a), dGeomGetBody(b));
+      dJointAttach(dJointCreateContact(self->world, self->group, contact + i), dGeomGetBody(a),
+                   dGeomGetBody(b));
     }
   }
   void advance() {

@@ -31,16 +31,16 @@ struct Block {
   Real friction = 0, target = 0;
   Vector3 impulse = Vector3::Zero();
 
-  Real gap = 0;                      ///< When the contact was found [m].
-  Vector3 anchor, to_anchor;         ///< The point, body axes; world axes where b is the world.
+  Real gap = 0;               ///< When the contact was found [m].
+  Vector3 anchor, to_anchor;  ///< The point, body axes; world axes where b is the world.
   Real restitution = 0;
-  int plane = -1;                    ///< Index of the plane that b is.
+  int plane = -1;  ///< Index of the plane that b is.
   std::uint32_t feature = 0;
-  bool impact = false;               ///< Meets within this part of the step.
-  Real approach = 0;                 ///< Speed before the step's forces [m/s].
+  bool impact = false;  ///< Meets within this part of the step.
+  Real approach = 0;    ///< Speed before the step's forces [m/s].
 
-  Real mass = 0;                     ///< Along the normal.
-  Matrix3 block_mass;                ///< In `space`; contact: across the normal.
+  Real mass = 0;       ///< Along the normal.
+  Matrix3 block_mass;  ///< In `space`; contact: across the normal.
 };
 
 inline Vector3 relative_velocity(const Block& block, const std::vector<Mover>& movers) {
@@ -67,8 +67,8 @@ inline void push(const Block& block, const Vector3& impulse, std::vector<Mover>&
   if (block.b != fixed_world) one(block.b, block.to_arm, -impulse);
 }
 
-/// Fills mass and block_mass.  K = (1/m_a + 1/m_b) 1 - [r_a] I_a^-1 [r_a] - [r_b] I_b^-1 [r_b];  mass = 1/(n.K
-/// n),  block_mass = P (P K P + 1 - P)^-1 P.
+/// Fills mass and block_mass.  K = (1/m_a + 1/m_b) 1 - [r_a] I_a^-1 [r_a] - [r_b] I_b^-1 [r_b];  mass =
+/// 1/(n.K n),  block_mass = P (P K P + 1 - P)^-1 P.
 void weigh(Block&, const std::vector<Mover>&);
 
 /// One sweep of projected Gauss-Seidel over one block: ends its own error, keeps J in the cone.

@@ -85,9 +85,8 @@ void BodyContacts::touch(const std::vector<Motion>& motions, int a, int b, int p
   const Pose pose_a = pose(motions[index(a)]);
   const Shape& shape = model_.shapes[index(a)];
   const Manifold found =
-      b == fixed_world
-          ? manifold(shape, pose_a, model_.planes[index(plane)], margin)
-          : manifold(shape, pose_a, model_.shapes[index(b)], pose(motions[index(b)]), margin);
+      b == fixed_world ? manifold(shape, pose_a, model_.planes[index(plane)], margin)
+                       : manifold(shape, pose_a, model_.shapes[index(b)], pose(motions[index(b)]), margin);
   // The old blocks are in the same order; planes come after bodies.
   const auto before = [&](const Block& x) {
     const int kind = x.b == fixed_world ? 1 : 0, mine = b == fixed_world ? 1 : 0;
@@ -114,7 +113,8 @@ void BodyContacts::touch(const std::vector<Motion>& motions, int a, int b, int p
     // The same feature, or else the nearest point: corners that coincide take turns in naming a place.
     const Block* same = nullptr;
     Real nearest = radius_[index(a)] / 16;
-    for (std::size_t m = next; m < old.size() && old[m].a == a && old[m].b == b && old[m].plane == plane; ++m) {
+    for (std::size_t m = next; m < old.size() && old[m].a == a && old[m].b == b && old[m].plane == plane;
+         ++m) {
       if (old[m].kind != Block::Kind::contact) break;
       const Real distance =
           old[m].feature == block.feature ? Real(-1) : (old[m].anchor - block.anchor).norm();
@@ -128,8 +128,8 @@ void BodyContacts::touch(const std::vector<Motion>& motions, int a, int b, int p
   }
 }
 
-// ball, hinge, fixed: the anchors coincide; hinge, fixed: no turning across the axis, or at all; distance: along
-// the line between the anchors.
+// ball, hinge, fixed: the anchors coincide; hinge, fixed: no turning across the axis, or at all; distance:
+// along the line between the anchors.
 void BodyContacts::add_joints(const std::vector<Motion>& motions, const std::vector<Block>& old,
                               std::vector<Block>& blocks) const {
   std::size_t next = 0;

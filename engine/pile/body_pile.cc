@@ -31,9 +31,11 @@ std::vector<std::string> BodyPile::remarks() const {
   std::vector<std::string> remarks;
   if (too_fast_)
     remarks.push_back(
-        "bodies moved farther than half the smallest half-width in a sixteenth of a step: they may have passed "
+        "bodies moved farther than half the smallest half-width in a sixteenth of a step: they may have "
+        "passed "
         "through each other");
-  if (unsolved_) remarks.push_back("contact and joint laws were met only to " + std::to_string(residual_) + " m/s");
+  if (unsolved_)
+    remarks.push_back("contact and joint laws were met only to " + std::to_string(residual_) + " m/s");
   return remarks;
 }
 
@@ -138,8 +140,8 @@ void BodyPile::carry_impulses() {
   }
 }
 
-// p += h v with the velocity that met the contacts' laws; the rotation is that of a free body, which keeps |L|
-// and bounds the energy.
+// p += h v with the velocity that met the contacts' laws; the rotation is that of a free body, which keeps
+// |L| and bounds the energy.
 void BodyPile::drift(Real h) {
   for (std::size_t i = 0; i < motions_.size(); ++i) {
     if (model_.bodies[i].locked) continue;
@@ -213,7 +215,8 @@ void BodyPile::separate() {
         const Mover& m = movers_[index(body)];
         motions_[index(body)].position += m.inverse_mass * by;
         const Vector3 turn = m.inverse_inertia * arm.cross(by);
-        if (!turn.isZero(0)) motions_[index(body)].orientation = turned(motions_[index(body)].orientation, turn);
+        if (!turn.isZero(0))
+          motions_[index(body)].orientation = turned(motions_[index(body)].orientation, turn);
       };
       move(block.a, block.arm, shift);
       if (block.b != fixed_world) move(block.b, block.to_arm, -shift);
@@ -234,8 +237,8 @@ void BodyPile::close_joints() {
         const bool align = block.kind == Block::Kind::align;
         more = !align && (joint.type == Joint::Type::hinge || joint.type == Joint::Type::fixed);
         const Quaternion& q_a = motions_[index(block.a)].orientation;
-        const Quaternion q_b =
-            block.b == fixed_world ? Quaternion(Quaternion::Identity()) : motions_[index(block.b)].orientation;
+        const Quaternion q_b = block.b == fixed_world ? Quaternion(Quaternion::Identity())
+                                                      : motions_[index(block.b)].orientation;
         Vector3 error;
         if (!align) {
           block.arm = q_a * block.anchor;

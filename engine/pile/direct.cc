@@ -21,8 +21,8 @@ Eigen::Matrix3d skew(const Eigen::Vector3d& r) {
 
 bool moves(const Mover& m) { return m.inverse_mass > 0 || !m.inverse_inertia.isZero(0); }
 
-// The inverse of a matrix that may be singular: what it cannot move becomes very heavy.  Only a preconditioner;
-// the velocities are always those that the impulses give.
+// The inverse of a matrix that may be singular: what it cannot move becomes very heavy.  Only a
+// preconditioner; the velocities are always those that the impulses give.
 Eigen::Matrix3d heavy_inverse(const Eigen::Matrix3d& inverse) {
   const double size = inverse.cwiseAbs().maxCoeff();
   if (size == 0) return Eigen::Matrix3d::Identity() * 1e9;
@@ -158,8 +158,8 @@ double Direct::forces(const Vector& v, bool slopes) {
     const double length = y_t.norm();
     const bool slips = length > row.limit;
     row.f = normal * n + (slips ? V3(row.limit / length * y_t) : y_t);
-    sum += normal * normal / (2 * d) +
-           (slips ? row.limit * (length - row.limit / 2) : length * length / 2) / d;
+    sum +=
+        normal * normal / (2 * d) + (slips ? row.limit * (length - row.limit / 2) : length * length / 2) / d;
     if (!slopes) continue;
     const M3 nn = n * n.transpose();
     row.slope = M3::Zero();
@@ -252,11 +252,11 @@ bool Direct::solve(std::vector<Block>& blocks, const std::vector<Body>& bodies, 
     double fastest = free_.size() > 0 ? free_.cwiseAbs().maxCoeff() : 0;
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
       const auto at = static_cast<Eigen::Index>(6 * k);
-      const Eigen::Matrix<double, 6, 1> size =
-          inverses_[k].cwiseAbs() * push_.segment<6>(at).cwiseAbs();
+      const Eigen::Matrix<double, 6, 1> size = inverses_[k].cwiseAbs() * push_.segment<6>(at).cwiseAbs();
       fastest = std::max(fastest, size.maxCoeff());
     }
-    allowed = 256 * std::max(epsilon, static_cast<double>(std::numeric_limits<Real>::epsilon()) / 64) * fastest;
+    allowed =
+        256 * std::max(epsilon, static_cast<double>(std::numeric_limits<Real>::epsilon()) / 64) * fastest;
     residual_ = 0;
     for (const Row& row : rows_) {
       const V3 u = velocity(row, v_);
@@ -266,7 +266,8 @@ bool Direct::solve(std::vector<Block>& blocks, const std::vector<Body>& bodies, 
         residual_ = std::max(residual_, row.target - row.n.dot(u));
     }
     if (round == 0 && residual_ > 4 * (free_.size() > 0 ? free_.cwiseAbs().maxCoeff() : 0)) {
-      for (Row& row : rows_) row.lambda.setZero(), row.limit = 0;  // worse than nothing: the contacts have changed
+      for (Row& row : rows_)
+        row.lambda.setZero(), row.limit = 0;  // worse than nothing: the contacts have changed
       continue;
     }
     const bool helps = residual_ < best / 2;

@@ -12,7 +12,8 @@ namespace cylon::engine::pile {
 /// friction lambda_n:
 ///   y = lambda - D (J V - b),  f = (max(y_n, 0), y_t shortened to s)   (joints: f = P y)
 ///   V minimises (V - V*)^T M (V - V*)/2 + sum psi(y): smooth and convex, f = -d psi/d(J V);  Newton's method
-///   lambda <- f,  V <- V* + M^-1 J^T lambda, until f = lambda: then all of Coulomb's and Signorini's laws hold
+///   lambda <- f,  V <- V* + M^-1 J^T lambda, until f = lambda: then all of Coulomb's and Signorini's laws
+///   hold
 /// As D exceeds the masses the error falls by orders of magnitude in every round, and rows that say the same
 /// twice (four corners of a face) do no harm.  J. C. Simo, T. A. Laursen, Comput. Struct. 42 (1992) 97; the
 /// limits taken from the round before: A. Curnier.  Double in both builds: with masses of 1 : 10^6 the matrix

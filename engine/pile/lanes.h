@@ -25,20 +25,29 @@ struct Lanes3 {
 [[gnu::always_inline]] inline Lanes larger(Lanes a, Lanes b) { return a > b ? a : b; }
 [[gnu::always_inline]] inline Lanes smaller(Lanes a, Lanes b) { return a < b ? a : b; }
 
-[[gnu::always_inline]] inline Lanes dot(const Lanes3& a, const Lanes3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+[[gnu::always_inline]] inline Lanes dot(const Lanes3& a, const Lanes3& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 [[gnu::always_inline]] inline Lanes3 cross(const Lanes3& a, const Lanes3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-[[gnu::always_inline]] inline Lanes3 operator+(const Lanes3& a, const Lanes3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-[[gnu::always_inline]] inline Lanes3 operator-(const Lanes3& a, const Lanes3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-[[gnu::always_inline]] inline Lanes3 operator*(const Lanes& s, const Lanes3& a) { return {s * a.x, s * a.y, s * a.z}; }
+[[gnu::always_inline]] inline Lanes3 operator+(const Lanes3& a, const Lanes3& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+[[gnu::always_inline]] inline Lanes3 operator-(const Lanes3& a, const Lanes3& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+[[gnu::always_inline]] inline Lanes3 operator*(const Lanes& s, const Lanes3& a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
 
 #if defined(__AVX__) && !defined(CYLON_ENGINE_FLOAT)
 
 [[gnu::always_inline]] inline Lanes root(Lanes a) { return _mm256_sqrt_pd(a); }
 
 /// Numbers 4 k .. 4 k + 3 of a row of `stride`, of the rows named, one row a lane.
-[[gnu::always_inline]] inline void load(const Real* rows, const int* row, int stride, Lanes& a, Lanes& b, Lanes& c, Lanes& d) {
+[[gnu::always_inline]] inline void load(const Real* rows, const int* row, int stride, Lanes& a, Lanes& b,
+                                        Lanes& c, Lanes& d) {
   const __m256d r0 = _mm256_load_pd(rows + stride * row[0]), r1 = _mm256_load_pd(rows + stride * row[1]),
                 r2 = _mm256_load_pd(rows + stride * row[2]), r3 = _mm256_load_pd(rows + stride * row[3]);
   const __m256d t0 = _mm256_unpacklo_pd(r0, r1), t1 = _mm256_unpackhi_pd(r0, r1),
@@ -47,7 +56,8 @@ struct Lanes3 {
   c = _mm256_permute2f128_pd(t0, t2, 0x31), d = _mm256_permute2f128_pd(t1, t3, 0x31);
 }
 
-[[gnu::always_inline]] inline void store(Real* rows, const int* row, int stride, Lanes a, Lanes b, Lanes c, Lanes d) {
+[[gnu::always_inline]] inline void store(Real* rows, const int* row, int stride, Lanes a, Lanes b, Lanes c,
+                                         Lanes d) {
   const __m256d t0 = _mm256_unpacklo_pd(a, b), t1 = _mm256_unpackhi_pd(a, b), t2 = _mm256_unpacklo_pd(c, d),
                 t3 = _mm256_unpackhi_pd(c, d);
   _mm256_store_pd(rows + stride * row[0], _mm256_permute2f128_pd(t0, t2, 0x20));
@@ -65,7 +75,8 @@ struct Lanes3 {
 }
 
 /// Numbers 4 k .. 4 k + 3 of a row of `stride`, of the rows named, one row a lane.
-[[gnu::always_inline]] inline void load(const Real* rows, const int* row, int stride, Lanes& a, Lanes& b, Lanes& c, Lanes& d) {
+[[gnu::always_inline]] inline void load(const Real* rows, const int* row, int stride, Lanes& a, Lanes& b,
+                                        Lanes& c, Lanes& d) {
   const auto at = [&](int lane) { return rows + stride * row[lane]; };
   const __m256 r0 = two_rows(at(0), at(4)), r1 = two_rows(at(1), at(5)), r2 = two_rows(at(2), at(6)),
                r3 = two_rows(at(3), at(7));
@@ -75,7 +86,8 @@ struct Lanes3 {
   c = _mm256_shuffle_ps(t1, t3, 0x44), d = _mm256_shuffle_ps(t1, t3, 0xee);
 }
 
-[[gnu::always_inline]] inline void store(Real* rows, const int* row, int stride, Lanes a, Lanes b, Lanes c, Lanes d) {
+[[gnu::always_inline]] inline void store(Real* rows, const int* row, int stride, Lanes a, Lanes b, Lanes c,
+                                         Lanes d) {
   const __m256 t0 = _mm256_unpacklo_ps(a, b), t1 = _mm256_unpackhi_ps(a, b), t2 = _mm256_unpacklo_ps(c, d),
                t3 = _mm256_unpackhi_ps(c, d);
   const auto put = [&](int lane, __m256 value) {
@@ -94,14 +106,16 @@ struct Lanes3 {
 }
 
 /// Numbers 4 k .. 4 k + 3 of a row of `stride`, of the rows named, one row a lane.
-[[gnu::always_inline]] inline void load(const Real* rows, const int* row, int stride, Lanes& a, Lanes& b, Lanes& c, Lanes& d) {
+[[gnu::always_inline]] inline void load(const Real* rows, const int* row, int stride, Lanes& a, Lanes& b,
+                                        Lanes& c, Lanes& d) {
   for (int i = 0; i < lane_count; ++i) {
     const Real* from = rows + stride * row[i];
     a[i] = from[0], b[i] = from[1], c[i] = from[2], d[i] = from[3];
   }
 }
 
-[[gnu::always_inline]] inline void store(Real* rows, const int* row, int stride, Lanes a, Lanes b, Lanes c, Lanes d) {
+[[gnu::always_inline]] inline void store(Real* rows, const int* row, int stride, Lanes a, Lanes b, Lanes c,
+                                         Lanes d) {
   for (int i = 0; i < lane_count; ++i) {
     Real* to = rows + stride * row[i];
     to[0] = a[i], to[1] = b[i], to[2] = c[i], to[3] = d[i];
@@ -135,8 +149,8 @@ struct Selection {
 };
 inline constexpr Selection selection;
 
-/// Writes those of `values` whose bit is set and that are greater than `least` to `to`, without branching, and
-/// returns their number; writes lane_count numbers.
+/// Writes those of `values` whose bit is set and that are greater than `least` to `to`, without branching,
+/// and returns their number; writes lane_count numbers.
 [[gnu::always_inline]] inline int take_later(unsigned bits, const int* values, int least, int* to) {
 #if defined(__AVX2__) && defined(CYLON_ENGINE_FLOAT)
   const __m256i all = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(values));

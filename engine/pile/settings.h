@@ -17,15 +17,13 @@ struct PileSettings {
   /// Share of the overlap that a step takes away, by moving bodies apart without touching their velocities.
   Real relaxation = Real(0.2);
 
-  /// Overlap that is left alone, relative to the smaller radius or half-extent, so that resting contacts last.
+  /// Overlap that is left alone, relative to the smaller radius or half-extent, so that resting contacts
+  /// last.
   Real slop = Real(2e-4);
 
-  /// Scenes of at most this many contact points are solved to `residual` by a direct method; larger ones by
-  /// sweeps alone.
+  /// Scenes of at most this many contact points and parts of joints are solved to rounding by a direct
+  /// method, in one part a step; larger ones by sweeps alone.
   int direct_points = 512;
-
-  /// Relative speed that a direct solution may leave at a contact [m/s].
-  Real residual = sizeof(Real) == 8 ? Real(1e-11) : Real(1e-5);
 };
 
 }  // namespace cylon::engine

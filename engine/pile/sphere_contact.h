@@ -1,7 +1,7 @@
 // Contacts of spheres with spheres and planes, some at once: one for each lane, no body twice.
 //
-// A sphere of radius r is a row (v, 1/m, s, r^2/I) with s = r w, and a row (p, r).  At a contact with normal n
-// from b to a the surfaces move against each other with
+// A sphere of radius r is a row (v, 1/m, s, r^2/I) with s = r w, and a row (p, r).  At a contact with normal
+// n from b to a the surfaces move against each other with
 //   u = v_a - v_b - (s_a + s_b) x n
 // and an impulse J on a changes  v_a by J/m_a,  s_a by -(r_a^2/I_a) n x J,  v_b by -J/m_b,  s_b by
 // -(r_b^2/I_b) n x J.  So the tangential mass 1/(1/m_a + 1/m_b + r_a^2/I_a + r_b^2/I_b) is the same in all
@@ -18,7 +18,7 @@ struct PairBatch {
   static constexpr bool plane = false;
   Lanes3 normal;
   Lanes mass, tangent_mass, friction;
-  Lanes impulse;     ///< Along the normal, of one part of the step [N s].
+  Lanes impulse;      ///< Along the normal, of one part of the step [N s].
   Lanes3 tangential;  ///< [N s]
   int a[lane_count], b[lane_count];
   int pair[lane_count];  ///< Row where its impulses are kept for the next step.
@@ -63,7 +63,8 @@ struct Places {
   }
 };
 
-/// The impulse that ends the approach: normal part >= 0, tangential part within the cone |J_t| <= friction J_n.
+/// The impulse that ends the approach: normal part >= 0, tangential part within the cone |J_t| <= friction
+/// J_n.
 ///   u_n >= -max(gap, 0)/h: a gap may close within the part of the step, h, but not more.
 template <class Batch>
 [[gnu::always_inline]] inline Lanes3 impulse_change(Batch& c, const Lanes3& u, Lanes gap, Lanes inverse_h) {
@@ -105,7 +106,8 @@ template <class Batch>
   a.store(velocities, c.a);
 }
 
-[[gnu::always_inline]] inline void solve(PairBatch& c, Real* velocities, const Real* places, Lanes inverse_h) {
+[[gnu::always_inline]] inline void solve(PairBatch& c, Real* velocities, const Real* places,
+                                         Lanes inverse_h) {
   Movers a, b;
   Places at, bt;
   a.load(velocities, c.a), b.load(velocities, c.b);
@@ -116,7 +118,8 @@ template <class Batch>
   a.store(velocities, c.a), b.store(velocities, c.b);
 }
 
-[[gnu::always_inline]] inline void solve(PlaneBatch& c, Real* velocities, const Real* places, Lanes inverse_h) {
+[[gnu::always_inline]] inline void solve(PlaneBatch& c, Real* velocities, const Real* places,
+                                         Lanes inverse_h) {
   Movers a;
   Places at;
   a.load(velocities, c.a), at.load(places, c.a);
@@ -128,7 +131,8 @@ template <class Batch>
 
 /// Moves overlapping bodies apart by a share of what exceeds `slop`, the lighter one farther; the common
 /// centre of mass stays, velocities too.
-[[gnu::always_inline]] inline void separate(const PairBatch& c, const Real* velocities, Real* places, Lanes share, Lanes slop) {
+[[gnu::always_inline]] inline void separate(const PairBatch& c, const Real* velocities, Real* places,
+                                            Lanes share, Lanes slop) {
   Movers a, b;
   Places at, bt;
   at.load(places, c.a), bt.load(places, c.b);
@@ -142,7 +146,8 @@ template <class Batch>
   store(places, c.b, place_stride, bt.p.x, bt.p.y, bt.p.z, bt.radius);
 }
 
-[[gnu::always_inline]] inline void separate(const PlaneBatch& c, const Real*, Real* places, Lanes share, Lanes slop) {
+[[gnu::always_inline]] inline void separate(const PlaneBatch& c, const Real*, Real* places, Lanes share,
+                                            Lanes slop) {
   Places at;
   at.load(places, c.a);
   const Lanes depth = at.radius + c.offset - dot(c.normal, at.p) - slop;

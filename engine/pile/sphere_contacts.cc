@@ -51,10 +51,10 @@ void SphereContacts::find(const Spheres& spheres, Time span, Real gravity) {
     const Real* v = spheres.v(i);
     const Real r = spheres.p(i)[3];
     // how far a body gets in a step, twice for what may strike it, and a little more
-    reach_[static_cast<std::size_t>(i)] = spheres.surface[static_cast<std::size_t>(i)] == no_surface
-                                              ? -1
-                                              : r + h * (std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) +
-                                                         gravity * h) + r / 256;
+    reach_[static_cast<std::size_t>(i)] =
+        spheres.surface[static_cast<std::size_t>(i)] == no_surface
+            ? -1
+            : r + h * (std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) + gravity * h) + r / 256;
   }
   grid_.build(spheres, reach_);
   threads_.for_each(blocks_.size(), 1, [&](std::size_t k) { find_pairs(spheres, blocks_[k]); });
@@ -104,7 +104,7 @@ const Material& SphereContacts::material(const Spheres& spheres, int a, int b, b
 template <class Batch>
 void SphereContacts::prepare(const Spheres& spheres, Batch& batch, int used, int spare,
                              std::vector<Approaching>& approaching) {
-  for (int lane = used; lane < lane_count; ++lane) 
+  for (int lane = used; lane < lane_count; ++lane)
     put(batch, lane, spare, Batch::plane ? 0 : spare, 1 + spare - spheres.count, 0);
   const Real h = static_cast<Real>(span_);
   const Lanes zero{};
@@ -191,13 +191,14 @@ void SphereContacts::pack(const Spheres& spheres, Block& block) {
       }
       const Found found{i, other, block.base + pair, row};
       if (other >= spheres.count)
-        planes.add(i - block.first, -1,
-                   [&](auto& batch, int lane) { put(batch, lane, i, other - spheres.count, found.pair, row); },
-                   finish(block.planes));
+        planes.add(
+            i - block.first, -1,
+            [&](auto& batch, int lane) { put(batch, lane, i, other - spheres.count, found.pair, row); },
+            finish(block.planes));
       else if (other < block.last)
-        pairs.add(i - block.first, other - block.first,
-                  [&](auto& batch, int lane) { put(batch, lane, i, other, found.pair, row); },
-                  finish(block.pairs));
+        pairs.add(
+            i - block.first, other - block.first,
+            [&](auto& batch, int lane) { put(batch, lane, i, other, found.pair, row); }, finish(block.pairs));
       else
         block.border.push_back(found);
     }

@@ -33,8 +33,7 @@ class SphereContacts {
       for (PairBatch& batch : blocks_[k].pairs) f(batch);
       for (PlaneBatch& batch : blocks_[k].planes) f(batch);
     });
-    for (auto& colour : colours_)
-      threads_.for_each(colour.size(), 64, [&](std::size_t k) { f(colour[k]); });
+    for (auto& colour : colours_) threads_.for_each(colour.size(), 64, [&](std::size_t k) { f(colour[k]); });
     for (PairBatch& batch : rest_) f(batch);
   }
 

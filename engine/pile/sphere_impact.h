@@ -16,7 +16,7 @@ struct Approaching {
 
 class SphereImpacts {
  public:
-  explicit SphereImpacts(const Model& model) : planes_(model.planes) {}
+  explicit SphereImpacts(const Model& model) : planes_(model.planes), gravity_(model.forces.gravity.norm()) {}
 
   /// Newton's restitution and Coulomb's friction at the instant of contact, for all pairs that meet within
   /// `span` of now; velocities are those before the forces of the step.
@@ -28,6 +28,7 @@ class SphereImpacts {
   bool strike(const Approaching&, Spheres&, Time now, Time span, std::vector<Impact>&) const;
 
   std::vector<Plane> planes_;
+  Real gravity_;  // [m/s^2]
 };
 
 /// When two spheres meet: the smaller root t >= 0 of |d + v t| = reach; negative when they do not.

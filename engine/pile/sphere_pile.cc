@@ -32,15 +32,17 @@ SpherePile::SpherePile(const Model& model, Time dt, const PileSettings& settings
 
 std::vector<std::string> SpherePile::remarks() const {
   if (!too_fast_) return {};
-  return {"bodies moved farther than half the smallest radius in a sixteenth of a step: they may have passed "
-          "through each other"};
+  return {
+      "bodies moved farther than half the smallest radius in a sixteenth of a step: they may have passed "
+      "through each other"};
 }
 
 void SpherePile::order_bodies() {
   const std::vector<int> order = order_in_space(spheres_, largest_ > 0 ? 2 * largest_ : 1);
   spheres_.reorder(order);
   std::vector<int> position(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) position[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+  for (std::size_t k = 0; k < order.size(); ++k)
+    position[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
   contacts_.reorder(position);
 }
 
@@ -69,8 +71,7 @@ void SpherePile::step() {
   impacts_.clear();
   int parts = parts_of_step();
   if (parts > most_parts) parts = most_parts, too_fast_ = true;
-  for (int k = 0; k < parts; ++k)
-    advance(static_cast<Time>(steps_) * dt_ + k * dt_ / parts, dt_ / parts);
+  for (int k = 0; k < parts; ++k) advance(static_cast<Time>(steps_) * dt_ + k * dt_ / parts, dt_ / parts);
   std::stable_sort(impacts_.begin(), impacts_.end(),
                    [](const Impact& a, const Impact& b) { return a.time < b.time; });
   ++steps_;

@@ -116,8 +116,7 @@ std::vector<int> order_in_space(const Spheres& spheres, Real cell) {
     }
     keys[static_cast<std::size_t>(i)] = {key, i};
   }
-  std::stable_sort(keys.begin(), keys.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::stable_sort(keys.begin(), keys.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<int> order(keys.size());
   std::transform(keys.begin(), keys.end(), order.begin(), [](const auto& key) { return key.second; });
   return order;

@@ -15,7 +15,8 @@ class Threads {
   /// 0: as many as the machine has.
   explicit Threads(int count)
       : arena_(count == 1 ? nullptr
-                          : std::make_unique<tbb::task_arena>(count == 0 ? int{tbb::task_arena::automatic} : count)) {}
+                          : std::make_unique<tbb::task_arena>(count == 0 ? int{tbb::task_arena::automatic}
+                                                                         : count)) {}
 
   template <class Part>
   void for_each(std::size_t parts, std::size_t grain, const Part& part) {

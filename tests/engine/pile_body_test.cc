@@ -54,7 +54,7 @@ TEST(PileBody, StacksCreepLessThanANanometre) {
     const auto start = after(*stepper, 1000);
     const int steps = 20000;
     // 1e-9 m in 10^6 steps, a fiftieth of it here; in float a micrometre, an ulp of 10 m
-    const Real allowed = sizeof(Real) == 8 ? Real(1e-9) * steps / 1000000 : Real(1e-6);
+    const Real allowed = sizeof(Real) == 8 ? Real(1e-9 * steps / 1000000) : Real(1e-6);
     EXPECT_LT(farthest(start, after(*stepper, steps), true), allowed) << cubes;
   }
 }
@@ -94,7 +94,8 @@ TEST(PileBody, BoxOnAnIncline) {
 TEST(PileBody, CubeReleasedAtRestStays) {
   Model model = pile_model(0, Real(0.5));
   add_box(model, 1, Vector3::Constant(Real(0.5)), Vector3(Real(0.7), Real(0.5), Real(0.2)));
-  EXPECT_LT(farthest(model.motions, after(*make_pile(model, 1. / 60), 600)), 32 * eps);
+  // ten seconds at the speed that the solver takes for rounding, 256 eps g dt; in float eps/64 is double's
+  EXPECT_LT(farthest(model.motions, after(*make_pile(model, 1. / 60), 600)), 10 * 256 * eps * g / 60);
 }
 
 // Two boxes meet askew, without gravity: both momenta stay; energy does not grow.
@@ -102,10 +103,10 @@ TEST(PileBody, CollisionsKeepBothMomenta) {
   for (const Real e : {Real(0), Real(0.5), Real(1)}) {
     Model model = pile_model(e, Real(0.4), false);
     model.forces.gravity.setZero();
-    add_box(model, Real(1.3), Vector3(Real(0.5), Real(0.3), Real(0.4)), Vector3(-2, Real(0.2), Real(0.1)), Vector3(3, 0, Real(0.1)),
-            Vector3(Real(0.3), 1, Real(-0.4)));
-    add_box(model, Real(2.1), Vector3(Real(0.4), Real(0.6), Real(0.2)), Vector3(Real(0.3), 0, 0), Vector3(Real(-0.2), 0, 0),
-            Vector3(Real(-0.5), Real(0.2), 1));
+    add_box(model, Real(1.3), Vector3(Real(0.5), Real(0.3), Real(0.4)), Vector3(-2, Real(0.2), Real(0.1)),
+            Vector3(3, 0, Real(0.1)), Vector3(Real(0.3), 1, Real(-0.4)));
+    add_box(model, Real(2.1), Vector3(Real(0.4), Real(0.6), Real(0.2)), Vector3(Real(0.3), 0, 0),
+            Vector3(Real(-0.2), 0, 0), Vector3(Real(-0.5), Real(0.2), 1));
     const auto end = after(*make_pile(model, 1. / 240), 480);
     EXPECT_GT((end[0].momentum - model.motions[0].momentum).norm(), Real(0.5));
     EXPECT_LT((momentum(end) - momentum(model.motions)).norm(), 1000 * eps);
@@ -118,10 +119,12 @@ TEST(PileBody, CollisionsKeepBothMomenta) {
 TEST(PileBody, SpinningBoxKeepsAngularMomentumAndEnergy) {
   Model model = pile_model(0, Real(0.5), false);
   model.forces.gravity.setZero();
-  add_box(model, 2, Vector3(Real(0.1), Real(0.2), Real(0.3)), Vector3::Zero(), Vector3::Zero(), Vector3(Real(0.1), 5, Real(0.1)));
+  add_box(model, 2, Vector3(Real(0.1), Real(0.2), Real(0.3)), Vector3::Zero(), Vector3::Zero(),
+          Vector3(Real(0.1), 5, Real(0.1)));
   const auto end = after(*make_pile(model, 1. / 60), 6000);
   EXPECT_LT((end[0].angular_momentum - model.motions[0].angular_momentum).norm(), 1000 * eps);
-  EXPECT_NEAR(energy(model, end) / energy(model, model.motions), 1, 0.02);  // bounded: symplectic, first order
+  EXPECT_NEAR(energy(model, end) / energy(model, model.motions), 1,
+              0.02);  // bounded: symplectic, first order
 }
 
 TEST(PileBody, DominoesFallInARow) {
@@ -130,7 +133,8 @@ TEST(PileBody, DominoesFallInARow) {
   for (int i = 0; i < count; ++i)
     add_box(model, 1, Vector3(Real(0.05), Real(0.5), Real(0.25)),
             Vector3(Real(0.5) * static_cast<Real>(i), Real(0.5), 0),
-            i == 0 ? Vector3(Real(0.5), 0, 0) : Vector3(0, 0, 0), i == 0 ? Vector3(0, 0, Real(-1)) : Vector3(0, 0, 0));
+            i == 0 ? Vector3(Real(0.5), 0, 0) : Vector3(0, 0, 0),
+            i == 0 ? Vector3(0, 0, Real(-1)) : Vector3(0, 0, 0));
   const auto end = after(*make_pile(model, 1. / 240), 960);
   for (int i = 0; i < count; ++i)
     EXPECT_LT((end[static_cast<std::size_t>(i)].orientation * Vector3::UnitY()).y(), Real(0.6)) << i;
@@ -161,7 +165,8 @@ TEST(PileBody, JointsHold) {
   Model model = pile_model(0, 0, false);
   model.surface_count = 1;
   for (int i = 0; i < 3; ++i) {
-    add_box(model, Real(1) + static_cast<Real>(i), Vector3(Real(0.5), Real(0.1), Real(0.1)), Vector3(Real(0.5) + static_cast<Real>(i), 0, 0));
+    add_box(model, Real(1) + static_cast<Real>(i), Vector3(Real(0.5), Real(0.1), Real(0.1)),
+            Vector3(Real(0.5) + static_cast<Real>(i), 0, 0));
     model.surfaces.back() = no_surface;
   }
   const Vector3 left(Real(-0.5), 0, 0), right(Real(0.5), 0, 0);
@@ -173,15 +178,18 @@ TEST(PileBody, JointsHold) {
   const auto stepper = make_pile(model, 1. / 240);
   std::vector<Motion> m;
   const double start = energy(model, model.motions);
+  Real lowest = 0;
   for (int k = 0; k < 480; ++k) {
     stepper->step();
     stepper->read(m);
     EXPECT_LT((m[0].position + m[0].orientation * left).norm(), Real(1e-4));
-    EXPECT_LT((m[1].position + m[1].orientation * left - m[0].position - m[0].orientation * right).norm(), Real(1e-4));
+    EXPECT_LT((m[1].position + m[1].orientation * left - m[0].position - m[0].orientation * right).norm(),
+              Real(1e-4));
     EXPECT_LT(m[2].orientation.angularDistance(m[1].orientation), Real(1e-3));
     EXPECT_LT(energy(model, m), start + 1.);  // of 6 kg falling about 1 m: 60 J
+    lowest = std::min(lowest, m[2].position.y());
   }
-  EXPECT_LT(m[2].position.y(), Real(-0.5));
+  EXPECT_LT(lowest, Real(-1));
 }
 
 TEST(PileBody, ThreadsDoNotMatterToTheLastBit) {

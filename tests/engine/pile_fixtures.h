@@ -87,9 +87,11 @@ inline Model ball_pile(int side, int layers, Real restitution, Real friction) {
   for (int i = 0; i < side * side * layers; ++i) {
     const int x = i % side, z = i / side % side, y = i / side / side;
     add_ball(model, 1, Real(0.5),
-             Vector3(Real(1.1) * static_cast<Real>(x) - half + Real(0.65) + Real(0.01) * static_cast<Real>(i * 7 % 11),
+             Vector3(Real(1.1) * static_cast<Real>(x) - half + Real(0.65) +
+                         Real(0.01) * static_cast<Real>(i * 7 % 11),
                      Real(0.6) + Real(1.1) * static_cast<Real>(y),
-                     Real(1.1) * static_cast<Real>(z) - half + Real(0.65) + Real(0.01) * static_cast<Real>(i * 5 % 13)));
+                     Real(1.1) * static_cast<Real>(z) - half + Real(0.65) +
+                         Real(0.01) * static_cast<Real>(i * 5 % 13)));
   }
   return model;
 }

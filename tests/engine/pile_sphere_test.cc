@@ -63,7 +63,9 @@ TEST(PileSphere, ObliqueImpactDoesNotDependOnTheStep) {
   EXPECT_LT((momenta[1] - momenta[2]).norm(), 4000 * eps);
 }
 
-// First order: the bounce's height against the closed form, halving the step.
+// First order.  An impact takes the velocity before the step's gravity and then all of that gravity, where it
+// is due only after the impact: the speed of the bounce is short of at most (1 + e) g dt, the height after a
+// flight of about 1 s of that times 1 s; the fall before it adds g dt t/2.
 TEST(PileSphere, BouncesConvergeWithTheStep) {
   const auto error = [](double dt) {
     Model model = pile_model(Real(0.8), 0);
@@ -76,12 +78,13 @@ TEST(PileSphere, BouncesConvergeWithTheStep) {
       stepper->read(motions);
       const double t = k * dt, gd = 9.81, t1 = std::sqrt(4 / gd), up = 0.8 * gd * t1;
       const double y = t < t1 ? 2.5 - gd * t * t / 2 : 0.5 + up * (t - t1) - gd * (t - t1) * (t - t1) / 2;
-      if (t < t1 + 2 * up / gd) worst = std::max(worst, std::abs(static_cast<double>(motions[0].position.y()) - y));
+      if (t < t1 + 2 * up / gd)
+        worst = std::max(worst, std::abs(static_cast<double>(motions[0].position.y()) - y));
     }
     return worst;
   };
-  EXPECT_LT(error(1. / 60), 0.1);
-  EXPECT_LT(error(1. / 960), 0.1 / 8);
+  for (const double dt : {1. / 60, 1. / 240, 1. / 960, 1. / 4000})
+    EXPECT_LT(error(dt), (1.8 * 1.03 + 0.64) * 9.81 * dt);
 }
 
 // Coulomb's cone is round: a ball that slides stops slipping after the same way in all directions.
@@ -97,9 +100,11 @@ TEST(PileSphere, FrictionIsIsotropic) {
     ways.push_back(static_cast<double>(along.dot(end.position)));
     // Rolling: v = 5/7 v0 for a solid ball, whatever the friction; v = w r.
     EXPECT_NEAR(static_cast<double>(along.dot(end.momentum)), 25. / 7, 1e-3);
-    EXPECT_LT(std::abs(static_cast<double>(end.position.cross(along).y())), 1e-9 + 100 * static_cast<double>(eps));
+    EXPECT_LT(std::abs(static_cast<double>(end.position.cross(along).y())),
+              1e-9 + 100 * static_cast<double>(eps));
   }
-  for (const double way : ways) EXPECT_NEAR(way, ways[0], 4000 * static_cast<double>(eps));
+  // 480 steps of ten parts, each a rounding of up to 7.5 m
+  for (const double way : ways) EXPECT_NEAR(way, ways[0], 4800 * 7.5 * static_cast<double>(eps));
   // S9: 2 v0/(7 mu g) of slipping, then 5/7 v0; first order in the step
   const double slip = 2 * 5 / (7 * 0.3 * 9.81);
   EXPECT_NEAR(ways[0], 5 * slip - 0.3 * 9.81 * slip * slip / 2 + 25. / 7 * (2 - slip), 0.01);
@@ -123,32 +128,38 @@ TEST(PileSphere, RestsOnOthersWithinTheSlop) {
   for (const Motion& m : end) EXPECT_LT(m.momentum.norm(), Real(0.05));
 }
 
-// Dissipative but for the work of lifting what overlaps: per step at most m g times the overlap of each ball.
+// Nothing feeds energy in but rounding, lifting what overlaps, and impulses of the part before that one sweep
+// does not take back at once: all a thousandth of the energy of the fall.
 TEST(PileSphere, LosesEnergy) {
   const Model model = ball_pile(4, 4, 0, Real(0.5));
   const auto stepper = make_pile(model, 1. / 120);
   std::vector<Motion> motions;
-  double before = energy(model, model.motions);
-  for (int k = 0; k < 600; ++k) {
+  const double start = energy(model, model.motions);
+  double lowest = start, worst = 0, worst_settled = 0;
+  for (int k = 0; k < 1200; ++k) {
     stepper->step();
     stepper->read(motions);
     const double now = energy(model, motions);
-    // The kick of a falling body is first order: (g dt)^2/2 for each ball.
-    const double kick = 64 * 9.81 * 9.81 / 120 / 120;
-    EXPECT_LT(now, before + kick) << k;
-    before = now;
+    worst = std::max(worst, now - lowest);
+    if (k >= 600) worst_settled = std::max(worst_settled, now - lowest);
+    lowest = std::min(lowest, now);
   }
-  EXPECT_LT(before, energy(model, model.motions) - 1);
+  RecordProperty("worst", std::to_string(worst));
+  RecordProperty("worst_settled", std::to_string(worst_settled));
+  EXPECT_LT(worst, 1e-3 * start);
+  EXPECT_LT(worst_settled, 1e-5 * start);
+  EXPECT_LT(lowest, 0.9 * start);
 }
 
 TEST(PileSphere, ElasticGasKeepsItsEnergy) {
   Model model = pile_model(1, 0, false);
   model.forces.gravity.setZero();
-  for (const Vector3& n : {Vector3(1, 0, 0), Vector3(-1, 0, 0), Vector3(0, 1, 0), Vector3(0, -1, 0), Vector3(0, 0, 1),
-                           Vector3(0, 0, -1)})
+  for (const Vector3& n : {Vector3(1, 0, 0), Vector3(-1, 0, 0), Vector3(0, 1, 0), Vector3(0, -1, 0),
+                           Vector3(0, 0, 1), Vector3(0, 0, -1)})
     model.planes.push_back({n, -1}), model.plane_surfaces.push_back(0);
   for (int i = 0; i < 125; ++i)
-    add_ball(model, 1, Real(0.05), Vector3(Real(i % 5) - 2, Real(i / 5 % 5) - 2, Real(i / 25) - 2) * Real(0.4),
+    add_ball(model, 1, Real(0.05),
+             Vector3(Real(i % 5) - 2, Real(i / 5 % 5) - 2, Real(i / 25) - 2) * Real(0.4),
              Vector3(Real(std::sin(i)), Real(std::cos(3 * i)), Real(std::sin(7 * i + 1))));
   const auto stepper = make_pile(model, 1. / 240);
   const double start = energy(model, model.motions), end = energy(model, after(*stepper, 1200));
@@ -161,7 +172,8 @@ TEST(PileSphere, CradlePassesTheBlowOn) {
   add_ball(model, 1, Real(0.5), Vector3(Real(-1.6), 0, 0), Vector3(1, 0, 0));
   for (int i = 0; i < 4; ++i) add_ball(model, 1, Real(0.5), Vector3(Real(i), 0, 0));
   const auto end = after(*make_pile(model, 1. / 60), 60);
-  for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(static_cast<double>(end[i].momentum.x()), i == 4 ? 1 : 0, 1e-5);
+  for (std::size_t i = 0; i < 5; ++i)
+    EXPECT_NEAR(static_cast<double>(end[i].momentum.x()), i == 4 ? 1 : 0, 1e-5);
 }
 
 std::vector<Motion> run(const Model& model, int threads, int steps) {
@@ -180,8 +192,8 @@ TEST(PileSphere, ThreadsDoNotMatterToTheLastBit) {
   EXPECT_NE(std::memcmp(one.data(), other.data(), one.size() * sizeof(Motion)), 0);
 }
 
-// Contacts are swept one after another, so another order of the bodies is another, equally good solution; bodies
-// that touch nothing keep their bits.
+// Contacts are swept one after another, so another order of the bodies is another, equally good solution;
+// bodies that touch nothing keep their bits.
 TEST(PileSphere, OrderOfBodiesChangesOnlyWhatTouches) {
   Model model = ball_pile(3, 3, 0, Real(0.5));
   add_ball(model, 2, Real(0.3), Vector3(0, 50, 0), Vector3(Real(0.1), 3, Real(-0.2)));
@@ -213,8 +225,8 @@ TEST(PileSphere, OverlapsAndCoincidentCentresComeApartQuietly) {
   EXPECT_LT(deepest(model, motions), Real(0.02));
 }
 
-// 20 m/s and 1/4 s: 5 m a step, against a ball of 0.1 m; sixteen parts of 0.31 m would be too long without the
-// look along the path.
+// 20 m/s and 1/4 s: 5 m a step, against a ball of 0.1 m; sixteen parts of 0.31 m would be too long without
+// the look along the path.
 TEST(PileSphere, FastBallsMeet) {
   Model model = pile_model(1, 0, false);
   model.forces.gravity.setZero();
