@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <sstream>
 
 namespace cylon::engine::pile {
 namespace {
@@ -34,8 +35,11 @@ std::vector<std::string> BodyPile::remarks() const {
         "bodies moved farther than half the smallest half-width in a sixteenth of a step: they may have "
         "passed "
         "through each other");
-  if (unsolved_)
-    remarks.push_back("contact and joint laws were met only to " + std::to_string(residual_) + " m/s");
+  if (unsolved_) {
+    std::ostringstream text;
+    text << "contact and joint laws were met only to " << residual_ << " m/s";
+    remarks.push_back(text.str());
+  }
   return remarks;
 }
 

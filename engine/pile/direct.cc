@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace cylon::engine::pile {
@@ -95,7 +96,7 @@ void Direct::set_up(std::vector<Block>& blocks, const std::vector<Body>& bodies,
     row.arm = block.arm.cast<double>(), row.to_arm = block.to_arm.cast<double>();
     row.n = block.normal.cast<double>();
     row.space = block.space.cast<double>();
-    row.lambda = block.impulse.cast<double>();
+    row.lambda = block.impulse.cast<double>(), row.best = V3::Zero();
     row.target = static_cast<double>(block.target);
     // An angular row's mass is an inertia: that of the masses at the length of the bodies' own.
     double scale = 1;
@@ -265,6 +266,7 @@ bool Direct::solve(std::vector<Block>& blocks, const std::vector<Body>& bodies, 
       if (row.block->kind == Block::Kind::contact && row.f.dot(row.n) > 0)
         residual_ = std::max(residual_, row.target - row.n.dot(u));
     }
+    if (!v_.allFinite()) residual_ = std::numeric_limits<double>::infinity();
     if (round == 0 && residual_ > 4 * (free_.size() > 0 ? free_.cwiseAbs().maxCoeff() : 0)) {
       for (Row& row : rows_)
         row.lambda.setZero(), row.limit = 0;  // worse than nothing: the contacts have changed
@@ -285,7 +287,7 @@ bool Direct::solve(std::vector<Block>& blocks, const std::vector<Body>& bodies, 
       row.limit = static_cast<double>(row.block->friction) * std::max(row.n.dot(row.lambda), 0.);
     }
   }
-  if (residual_ > best || !(residual_ >= 0)) {
+  if (!(residual_ <= best) || !std::isfinite(residual_)) {
     for (Row& row : rows_) row.lambda = row.best;
     velocities_of_impulses();
     residual_ = best;

@@ -86,7 +86,9 @@ TEST(PileBody, BoxOnAnIncline) {
   for (const double dt : {1. / 60, 1. / 120, 1. / 240}) {
     const double error = way(Real(0.3), dt, 2) - a * 4 / 2;
     EXPECT_NEAR(error, a * 2 * dt / 2, sizeof(Real) == 8 ? 1e-4 : 1e-3);  // symplectic Euler: a t dt/2
-    if (before > 0) EXPECT_NEAR(before / error, 2, 0.2);
+    if (before > 0) {
+      EXPECT_NEAR(before / error, 2, 0.2);
+    }
     before = error;
   }
 }
