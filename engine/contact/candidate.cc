@@ -15,14 +15,14 @@ std::vector<std::pair<Vector3, Real>> corners(const Shape& shape) {
   if (const auto* sphere = std::get_if<Sphere>(&shape)) {
     result.emplace_back(Vector3::Zero(), sphere->radius);
   } else if (const auto* box = std::get_if<Box>(&shape)) {
-    for (const Real x : {-1, 1}) {
-      for (const Real y : {-1, 1}) {
-        for (const Real z : {-1, 1})
+    for (const Real x : {Real(-1), Real(1)}) {
+      for (const Real y : {Real(-1), Real(1)}) {
+        for (const Real z : {Real(-1), Real(1)})
           result.emplace_back(box->half_extents.cwiseProduct(Vector3(x, y, z)), Real(0));
       }
     }
   } else if (const auto* capsule = std::get_if<Capsule>(&shape)) {
-    for (const Real y : {-1, 1})
+    for (const Real y : {Real(-1), Real(1)})
       result.emplace_back(Vector3(0, y * capsule->half_length, 0), capsule->radius);
   } else if (const auto* hull = std::get_if<Hull>(&shape)) {
     for (const Vector3& v : hull->vertices) result.emplace_back(v, Real(0));

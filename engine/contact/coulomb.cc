@@ -225,6 +225,12 @@ std::vector<Hold> read_holds(const CoulombProblem& p, const VectorX& f, Real nea
 }
 
 bool try_holds(const CoulombProblem& p, std::vector<Hold> hold, VectorX f, CoulombSolution& solution) {
+  const VectorX first = held_force(p, hold);
+  if (obeys(p, hold, first)) {  // Newton's method cannot better directions of slips that are all but zero
+    solution.force = first;
+    solution.hold = hold;
+    return true;
+  }
   if (!polish(p, hold, f)) return false;
   const VectorX even = held_force(p, hold);
   const bool even_obeys = obeys(p, hold, even);
@@ -248,6 +254,29 @@ CoulombSolution solve_scaled(const CoulombProblem& p) {
     solution.force = f;
     solution.hold = hold;
     return solution;
+  }
+  // Second: those beyond their cones slide, or all do, against the friction that would have held them.
+  for (const bool all : {false, true}) {
+    std::vector<Hold> loose = hold;
+    VectorX force = f;
+    for (std::size_t i = 0; i < loose.size(); ++i) {
+      const Vector2 pull = f.segment<2>(at(i) + 1);
+      const bool beyond = pull.norm() > p.friction[i] * f[at(i)];
+      if (loose[i].grip != Grip::sticks || !(all || beyond) || !(pull.norm() > 0)) continue;
+      loose[i].grip = Grip::slides;
+      loose[i].slip = -direction(pull);
+    }
+    for (int turn = 0; turn < 8; ++turn) {
+      if (!choose_pressed(p, loose, force)) break;
+      solution.exact = try_holds(p, loose, force, solution);
+      if (solution.exact) return solution;
+      const VectorX u = p.response * force + p.offset;
+      for (std::size_t i = 0; i < loose.size(); ++i) {
+        const Vector2 slip = u.segment<2>(at(i) + 1);
+        if (loose[i].grip != Grip::slides || loose[i].given || !(slip.norm() > 0)) continue;
+        loose[i].slip = direction(slip);
+      }
+    }
   }
   VectorX swept = VectorX::Zero(p.offset.size());
   for (const int sweeps : {40, 200, 1000, 4000}) {

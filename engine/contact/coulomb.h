@@ -56,8 +56,8 @@ struct CoulombSolution {
 VectorX held_force(const CoulombProblem&, const std::vector<Hold>&);
 
 /// Solves the problem.  First all points hold and those that would pull, or leave the cone, are changed one
-/// by one; if that does not end, Gauss-Seidel over the points, each solved exactly, finds the holds, and
-/// Newton's method the forces for them.  Always ends; deterministic.
+/// by one; then those outside their cones slide; if neither ends, Gauss-Seidel over the points, each solved
+/// exactly, finds the holds, and Newton's method the forces for them.  Always ends; deterministic.
 CoulombSolution solve(const CoulombProblem&);
 
 /// Whether the force obeys the law for these holds, to rounding.
