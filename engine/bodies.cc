@@ -5,6 +5,7 @@
 #include "engine/turning.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -157,7 +158,7 @@ void Bodies::rates(Time t, const Real* y, Real* rate) {
 }
 
 // K' = F, L' = torque with the configuration frozen.  Forces are affine in the momenta z,  z' = A z + b,  so
-//   z(h) = z + sum_k h^(k+1)/(k+1)! A^k f,   A u = f(z + u) - f(z),
+//   z(h) = z + sum_k h/(k+1)! (h A)^k f,   A u = f(z + u) - f(z),
 // the exact flow; without forces that read velocities the first term is all.  With joints f is what they
 // leave of the forces, P f:  the momenta that drag reads then never leave the joints.  (Forces that read none
 // may push against them; the drift takes that back.)
@@ -198,35 +199,42 @@ void Bodies::kick(Time t, Real h, Real* y) {
       project();
     }
     first_ = loads_;   // f(z)
-    before_ = loads_;  // A^k f
+    before_ = loads_;  // (h A)^k f
     start_.assign(y, y + size_);
     probe_ = start_;
     Real factor = h;
-    Real largest = 0;
-    for (const Load& l : loads_)
-      largest = std::max({largest, l.force.lpNorm<Eigen::Infinity>(), l.torque.lpNorm<Eigen::Infinity>()});
+    // Forces and torques each against their own kind: in no unit is one of them small beside the other.
+    const auto sizes = [](const std::vector<Load>& loads) {
+      std::array<Real, 2> largest = {0, 0};
+      for (const Load& l : loads) {
+        largest[0] = std::max(largest[0], l.force.lpNorm<Eigen::Infinity>());
+        largest[1] = std::max(largest[1], l.torque.lpNorm<Eigen::Infinity>());
+      }
+      return largest;
+    };
+    const std::array<Real, 2> whole = sizes(loads_);
     add(factor, before_);
     for (int k = 1; k < terms; ++k) {
-      factor *= h / static_cast<Real>(k + 1);
+      factor /= static_cast<Real>(k + 1);
       Motion* probe = motions(probe_.data());
       const Motion* start = motions(start_.data());
       for (std::size_t i = 0; i < n; ++i) {
-        probe[i].momentum =
-            start[i].momentum + (model_.bodies[i].pinned ? Vector3(Vector3::Zero()) : before_[i].force);
-        probe[i].angular_momentum = start[i].angular_momentum + before_[i].torque;
+        if (!model_.bodies[i].pinned) probe[i].momentum = start[i].momentum + h * before_[i].force;
+        probe[i].angular_momentum = start[i].angular_momentum + h * before_[i].torque;
       }
       find_kinematics(probe);
       find_loads(t, probe, nullptr);
       project();
-      Real size = 0;
       for (std::size_t i = 0; i < n; ++i) {
         before_[i].force = loads_[i].force - first_[i].force;
         before_[i].torque = loads_[i].torque - first_[i].torque;
-        size = std::max(
-            {size, before_[i].force.lpNorm<Eigen::Infinity>(), before_[i].torque.lpNorm<Eigen::Infinity>()});
       }
       add(factor, before_);
-      if (std::abs(factor) * size <= tiny * std::abs(h) * largest) break;
+      const std::array<Real, 2> term = sizes(before_);
+      const auto negligible = [&](std::size_t kind) {
+        return std::abs(factor) * term[kind] <= tiny * std::abs(h) * whole[kind];
+      };
+      if (negligible(0) && negligible(1)) break;
     }
   }
   if (account_) {  // trapezoid: exact for forces that do not read velocities
