@@ -33,11 +33,12 @@ function(program name)
   add_dependencies(${name} ${workers})
 endfunction()
 
-# test_suite(folder USES libraries…): one executable for all of tests/<folder>/*_test.cc.
+# test_suite(folder USES libraries… SHARES files…): one executable for all of tests/<folder>/*_test.cc, and for files
+# of another suite that hold of this one's libraries too.
 function(test_suite folder)
-  cmake_parse_arguments(ARG "" "" "USES" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "USES;SHARES" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS tests/${folder}/*_test.cc)
-  add_executable(${folder}_tests ${sources})
+  add_executable(${folder}_tests ${sources} ${ARG_SHARES})
   target_compile_definitions(${folder}_tests PRIVATE
     CYLON_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CYLON_BINARY_DIR="${PROJECT_BINARY_DIR}")
   target_link_libraries(${folder}_tests PRIVATE ${ARG_USES} GTest::gtest_main warnings)

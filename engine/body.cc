@@ -1,14 +1,31 @@
 #include "engine/body.h"
 
-#include <Eigen/Eigenvalues>
+#include "engine/eigen3.h"
+
+#include <algorithm>
 #include <cassert>
+#include <limits>
 
 namespace cylon::engine {
 
 namespace {
 
-// A moment below this part of the largest is none: 1e-12 is what a flat or thin shape's sum rounds to.
-constexpr Real no_moment = static_cast<Real>(1e-12);
+// A moment below this part of the largest is none: 1e-12 is what a flat or thin shape's sum rounds to, and
+// the rounding of a turned tensor is 16 epsilon at most.
+constexpr Real no_moment = std::max(static_cast<Real>(1e-12), 16 * std::numeric_limits<Real>::epsilon());
+
+// R D R^T, symmetric to the bit; written out, so that every compiler sums in the same order.
+Matrix3 in_axes(const Matrix3& r, const Vector3& d) {
+  Matrix3 result;
+  for (int i = 0; i < 3; ++i) {
+    for (int k = i; k < 3; ++k) {
+      const Real sum = r(i, 0) * d[0] * r(k, 0) + r(i, 1) * d[1] * r(k, 1) + r(i, 2) * d[2] * r(k, 2);
+      result(i, k) = sum;
+      result(k, i) = sum;
+    }
+  }
+  return result;
+}
 
 }  // namespace
 
@@ -20,12 +37,8 @@ Body make_body(Real mass, const Matrix3& inertia, bool locked) {
   body.locked = locked;
   body.inverse_mass = locked ? 0 : 1 / mass;
 
-  const Eigen::SelfAdjointEigenSolver<Matrix3> principal(inertia);
-  Matrix3 axes = principal.eigenvectors();
-  if (axes.determinant() < 0) axes.col(2) = -axes.col(2);
+  const auto [moments, axes] = principal(inertia);
   body.principal_axes = Quaternion(axes).normalized();
-
-  const Vector3& moments = principal.eigenvalues();
   for (int i = 0; i < 3; ++i) {
     const bool turns = !locked && moments[i] > no_moment * moments[2];
     body.inverse_moments[i] = turns ? 1 / moments[i] : 0;
@@ -37,7 +50,7 @@ Body make_body(Real mass, const Matrix3& inertia, bool locked) {
       body.inverse_inertia(i, i) = turns ? 1 / inertia(i, i) : 0;
     }
   } else {
-    body.inverse_inertia = axes * body.inverse_moments.asDiagonal() * axes.transpose();
+    body.inverse_inertia = in_axes(axes, body.inverse_moments);
   }
   return body;
 }

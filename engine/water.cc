@@ -28,8 +28,8 @@ class Cut {
   // One plane polygon, counter-clockwise seen from outside, of which only what lies below the surface counts.
   template <class Vertex>
   void face(std::size_t n, Vertex&& vertex) {
-    Vector3 first;
-    Vector3 previous;
+    Vector3 first = Vector3::Zero();
+    Vector3 previous = Vector3::Zero();
     int kept = 0;
     const auto keep = [&](const Vector3& p) {
       if (kept == 0)

@@ -14,6 +14,7 @@ std::vector<EngineRow> default_engines(const std::filesystem::path& worker_dir) 
     const char *id, *build, *path;
   } const table[] = {
       {"in-house", "in-house", ""},
+      {"in-house-float", "in-house-f32", ""},
       {"bullet", "bullet-f64", ""},
       {"bullet-float", "bullet-f32", ""},
       {"bullet-multibody", "bullet-f64", "multibody"},
