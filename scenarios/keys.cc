@@ -211,7 +211,7 @@ const Spec* attraction_spec() {
 const Spec* water_spec() {
   static const Spec spec{
       .label = "[[water]]",
-      .keys = {real("level", "m", "Surface at y = level + wave sin(x - speed t)."),
+      .keys = {real("level", "m", "Of the surface at rest; its waves: docs/engines.md."),
                real("wave", "m", "Amplitude.", not_negative), real("speed", "rad/s", "Of the wave's phase."),
                required(real("buoyancy", "N or kg/m^3", "Mode step: the lift; mode volume: the density.",
                              not_negative)),
