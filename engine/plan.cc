@@ -1,6 +1,7 @@
 #include "engine/plan.h"
 
 #include "engine/ballistic/ballistic.h"
+#include "engine/free_bodies.h"
 #include "engine/points.h"
 #include "engine/reduce.h"
 #include "engine/turning.h"
@@ -13,6 +14,9 @@ namespace {
 
 // More bodies than this that can touch are stepped, not followed event by event.
 constexpr std::size_t most_followed = 8;
+
+// More bodies than this that move freely are stepped side by side.
+constexpr std::size_t many_free = 64;
 
 template <class Range, class Predicate>
 bool any(const Range& range, Predicate predicate) {
@@ -50,6 +54,9 @@ Method method_of(const Model& model, const Options& options) {
   }
   if (options.full) return Method::bodies;
   if (!chosen && !options.account && moves_freely(model)) return Method::exact;
+  if (chosen && !options.account && model.bodies.size() > many_free &&
+      FreeBodies::not_free(model, *find_scheme(options.scheme)).empty())
+    return Method::free;
   if (!options.account && not_points(model).empty()) return Method::points;
   return Method::bodies;
 }

@@ -26,6 +26,7 @@ Real default_tolerance();
 /// How a model is carried through time.
 enum class Method {
   exact,      ///< Every body moves freely: closed form from t = 0.
+  free,       ///< Many bodies that move freely, by fixed steps of a splitting.
   points,     ///< Points that nothing turns.
   bodies,     ///< Rigid bodies without contacts.
   ballistic,  ///< Spheres in free flight, event by event.

@@ -24,6 +24,10 @@ class SmoothStepper final : public Stepper {
     advance_(system_, static_cast<Time>(steps_) * dt_, dt_, y_.data());
     ++steps_;
   }
+  void advance(std::int64_t n) override {
+    advance_.run(system_, static_cast<Time>(steps_) * dt_, dt_, y_.data(), static_cast<std::size_t>(n));
+    steps_ += n;
+  }
   void read(std::vector<Motion>& motions) const override { read_(system_, y_.data(), motions); }
   const std::vector<Impact>& impacts() const override { return none_; }
   const Real* works() const override {

@@ -3,6 +3,7 @@
 
 #include "engine/body.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,12 @@ class Stepper {
 
   /// Advances from t_n = n dt to t_{n+1}.
   virtual void step() = 0;
+
+  /// Advances by n steps, n >= 1, none of which is looked at: the same motion, where a stepper can for less.
+  /// Impacts are those of the last step.
+  virtual void advance(std::int64_t n) {
+    while (n-- > 0) step();
+  }
 
   /// The motion now, one per body of the model; resizes.
   virtual void read(std::vector<Motion>&) const = 0;
