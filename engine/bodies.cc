@@ -86,7 +86,7 @@ void Bodies::find_kinematics(const Motion* motion) {
     const Body& body = model_.bodies[i];
     Kinematics& k = kinematics_[i];
     k.velocity = velocity(body, motion[i]);
-    k.rotation = motion[i].orientation.toRotationMatrix();
+    k.rotation = renormalised(motion[i].orientation).toRotationMatrix();  // stages leave the unit sphere
     if (body.turns) {
       k.angular_velocity =
           k.rotation * (body.inverse_inertia * (k.rotation.transpose() * motion[i].angular_momentum));

@@ -41,7 +41,8 @@ struct Material {
 enum class Impacts { sequential, simultaneous };
 
 /// The scene is given, and computed, in a frame that turns about the origin of the inertial frame.  A frame
-/// that only moves changes nothing (Galilei): gravity, springs and drag are those of the frame.
+/// that only moves changes nothing (Galilei). Momenta are those of the inertial frame, in the axes of this
+/// one.
 struct RotatingFrame {
   Vector3 angular_velocity = Vector3::Zero();  ///< Of the frame [rad/s].
 };

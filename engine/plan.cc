@@ -12,8 +12,8 @@ namespace cylon::engine {
 
 namespace {
 
-// More bodies than this that can touch are stepped, not followed event by event.
-constexpr std::size_t most_followed = 8;
+// More moving bodies than this that can touch are stepped, not followed event by event: spheres, and others.
+constexpr std::size_t most_followed = 8, most_followed_others = 2;
 
 // More bodies than this that move freely are stepped side by side.
 constexpr std::size_t many_free = 64;
@@ -33,6 +33,14 @@ std::size_t touching_bodies(const Model& model) {
   return count;
 }
 
+bool few_touch(const Model& model) {
+  std::size_t others = 0;
+  for (std::size_t i = 0; i < model.bodies.size(); ++i)
+    others +=
+        touches(model, i) && !model.bodies[i].locked && !std::holds_alternative<Sphere>(model.shapes[i]);
+  return touching_bodies(model) <= most_followed && others <= most_followed_others;
+}
+
 // Whether every body moves as if it were alone in uniform gravity.
 bool moves_freely(const Model& model) {
   return !can_touch(model) && model.forces.only_gravity() && model.joints.empty() && !model.frame &&
@@ -45,11 +53,11 @@ bool has_friction(const Model& model) {
 
 Method method_of(const Model& model, const Options& options) {
   const bool chosen = options.scheme != "auto";
-  if (can_touch(model) || (options.full && options.method.empty())) {
+  if (can_touch(model) || (options.full && options.method.empty() && !model.frame)) {
     if (options.method == "stepping") return Method::stepping;
     if (!chosen && !options.full && options.method.empty() && ballistic_applies(model))
       return Method::ballistic;
-    if (options.method == "events" || touching_bodies(model) <= most_followed) return Method::events;
+    if (options.method == "events" || few_touch(model)) return Method::events;
     return Method::stepping;
   }
   if (options.full) return Method::bodies;
@@ -59,6 +67,19 @@ Method method_of(const Model& model, const Options& options) {
     return Method::free;
   if (!options.account && not_points(model).empty()) return Method::points;
   return Method::bodies;
+}
+
+// What would have to know that the world turns; null: nothing.
+const char* not_in_a_turning_frame(const Model& model) {
+  if (!model.frame) return nullptr;
+  const auto& f = model.forces;
+  if (can_touch(model)) return "contacts in a turning frame are not modelled";
+  if (any(model.joints, [](const Joint& j) { return j.body == fixed_world || j.to == fixed_world; }))
+    return "joints to the world of a turning frame are not modelled";
+  if (any(f.springs, [](const Spring& s) { return s.damping != 0 && s.to == fixed_world; }) ||
+      !f.drags.empty() || !f.waters.empty())
+    return "drag against a turning frame is not modelled";
+  return nullptr;
 }
 
 // The stages of a model, a line each.
@@ -120,9 +141,7 @@ class Stages {
   void count(const char* name, std::size_t n) {
     add(name, n > 0, std::to_string(n) + (n == 1 ? " acts" : " act"), "none in the scene");
   }
-  bool broad() const {
-    return plan_.method == Method::stepping || (can_touch(model_) && touching_bodies(model_) > most_followed);
-  }
+  bool broad() const { return plan_.method == Method::stepping || (can_touch(model_) && !few_touch(model_)); }
 
   // 6 n - m; a locked body has none, a point 3.
   void freedom() {
@@ -177,9 +196,8 @@ class Stages {
 
 const char* const method_rule =
     "events: impacts and changes of contact are located in time, where at most 8 moving bodies can touch "
-    "anything, or where only spheres in uniform gravity move; stepping: fixed steps with impulses, where "
-    "more "
-    "can.";
+    "anything, at most 2 of them no spheres, or where only spheres in uniform gravity move; stepping: fixed "
+    "steps with impulses, where more can.";
 
 Real default_tolerance() { return sizeof(Real) == 8 ? Real(1e-10) : Real(1e-4); }
 
@@ -206,7 +224,7 @@ std::string unsupported(const Model& model, const Options& options) {
   const bool stepping = can_touch(model) && method_of(model, options) == Method::stepping;
   if (stepping && options.scheme != "auto")
     return "stepping has its own scheme: " + options.scheme + " is for the method events";
-  if (model.frame && can_touch(model)) return "contacts in a turning frame are not modelled";
+  if (const char* reason = not_in_a_turning_frame(model)) return reason;
   for (const Water& water : model.forces.waters) {
     if (water.mode != WaterMode::volume) continue;
     for (std::size_t i = 0; i < water.shapes.size(); ++i) {
@@ -224,6 +242,8 @@ Plan make_plan(const Model& model, const Options& options) {
       plan.method == Method::exact || plan.method == Method::ballistic || plan.method == Method::stepping;
   plan.verified = !closed && options.scheme == "auto";
   if (!closed) plan.scheme = find_scheme(plan.verified ? "dop853" : options.scheme);
+  const bool drags = model.forces.read_velocities();
+  if (plan.scheme) plan.order = drags ? plan.scheme->drag_order : plan.scheme->order;
   plan.stages = Stages(model, options, plan).list();
   return plan;
 }

@@ -45,6 +45,7 @@ struct Plan {
   Method method = Method::bodies;
   bool verified = false;           ///< Error-controlled, by two runs that must agree.
   const Scheme* scheme = nullptr;  ///< Null where the motion is in closed form or the method has its own.
+  int order = 0;                   ///< Of the scheme, for this model's forces.
   std::vector<Stage> stages;
 };
 

@@ -24,9 +24,11 @@ World::~World() = default;
 
 void World::step() {
   stepper_->step();
+  impacts_ = stepper_->impacts();
   if (ballistic_ && ballistic_->handover()) {
     hand_over();
     stepper_->step();
+    impacts_.insert(impacts_.end(), stepper_->impacts().begin(), stepper_->impacts().end());
   }
   ++steps_;
   stepper_->read(motions_);

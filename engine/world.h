@@ -33,7 +33,7 @@ class World {
   const std::vector<Motion>& motions() const { return motions_; }
 
   /// The impacts of the last step, in order of time.
-  const std::vector<Impact>& impacts() const { return stepper_->impacts(); }
+  const std::vector<Impact>& impacts() const { return impacts_; }
 
   /// The work done by each force since t = 0 [J], gravity first, in the order of Forces; null where not
   /// accounted.
@@ -53,6 +53,7 @@ class World {
   Ballistic* ballistic_ = nullptr;  // stepper_, while it is one
   std::vector<std::string> remarks_;
   std::vector<Motion> motions_;
+  std::vector<Impact> impacts_;
   std::vector<Real> masses_;  // at t = 0
   std::int64_t steps_ = 0;
 };

@@ -69,7 +69,7 @@ Quaternion orientation_at(const Body& body, const Turning& turning, Time t) {
                        static_cast<Real>(t - whole.oriented));
 }
 
-void advance(const Body& body, Turning& turning, Time t) {
+void turn_on(const Body& body, Turning& turning, Time t) {
   turning.orientation = orientation_at(body, turning, t);
   turning.angular_momentum = turning.angular_momentum_at(t);
   turning.since = turning.oriented = t;

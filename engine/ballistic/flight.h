@@ -53,6 +53,6 @@ Quaternion orientation_at(const Body&, const Turning&, Time t);
 void follow(const Body&, Turning&, Time t);
 
 /// Makes t the time from which everything counts.
-void advance(const Body&, Turning&, Time t);
+void turn_on(const Body&, Turning&, Time t);
 
 }  // namespace cylon::engine::ballistic

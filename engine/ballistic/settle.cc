@@ -32,7 +32,7 @@ void Course::take(std::size_t body, const Side& side, Real speed) {
   ++flight.changes;
   Turning& turning = turnings_[body];
   if (side.angular_momentum != turning.angular_momentum || !turning.torque.isZero(0)) {
-    advance(model_.bodies[body], turning, now_);
+    turn_on(model_.bodies[body], turning, now_);
     turning.angular_momentum = side.angular_momentum;
   }
   if (flight.support == in_flight) return;
@@ -53,7 +53,7 @@ void Course::rest_on(std::size_t body, std::size_t k, bool slips) {
   Flight& flight = flights_[body];
   Turning& turning = turnings_[body];
   const Plane& plane = model_.planes[k];
-  advance(model_.bodies[body], turning, now_);
+  turn_on(model_.bodies[body], turning, now_);
   flight.velocity -= plane.normal.dot(flight.velocity) * plane.normal;
   flight.position -= gap(flight, plane) * plane.normal;
   flight.support = static_cast<int>(k);

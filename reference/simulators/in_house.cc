@@ -110,6 +110,7 @@ class InHouse final : public core::Simulator {
   core::Terms load(const core::Scene& scene, const core::Setup& setup) override {
     const engine::Options options = options_of(engine(), setup);
     world_.emplace(in_house_model(scene).model, options);
+    frame_ = scene.frame ? scene.frame->angular_velocity : core::Vector3(core::Vector3::Zero());
     return terms(world_->plan(), options);
   }
 
@@ -119,10 +120,14 @@ class InHouse final : public core::Simulator {
     const auto& bodies = world_->bodies();
     const auto& motions = world_->motions();
     state.resize(bodies.size());
-    for (std::size_t i = 0; i < bodies.size(); ++i)
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
       state[i] = {motions[i].position.cast<double>(), motions[i].orientation.cast<double>(),
                   engine::velocity(bodies[i], motions[i]).cast<double>(),
                   engine::angular_velocity(bodies[i], motions[i]).cast<double>()};
+      if (bodies[i].locked || frame_.isZero(0)) continue;
+      state[i].velocity -= frame_.cross(state[i].position);  // as the turning frame sees them
+      state[i].angular_velocity -= frame_;
+    }
   }
 
   std::vector<std::string> remarks() const override { return world_->remarks(); }
@@ -134,7 +139,7 @@ class InHouse final : public core::Simulator {
     core::Terms terms;
     terms.path = path.name;
     terms.integrator = options.scheme;
-    terms.order = stepping ? 1 : plan.scheme ? plan.scheme->order : closed_form_order;
+    terms.order = stepping ? 1 : plan.scheme ? plan.order : closed_form_order;
     terms.gyroscopic = "exact";
     if (plan.scheme && plan.scheme->kind == engine::Kind::adaptive) {
       const double own = engine::default_tolerance();
@@ -152,6 +157,7 @@ class InHouse final : public core::Simulator {
   }
 
   std::optional<engine::World> world_;
+  core::Vector3 frame_ = core::Vector3::Zero();  // how fast the scene's frame turns
 };
 
 }  // namespace

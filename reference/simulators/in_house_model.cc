@@ -185,9 +185,18 @@ InHouseModel in_house_model(const Scene& scene) {
   if (result.missing) return result;
   for (const core::Joint& joint : scene.joints) model.joints.push_back(joint_of(scene, joint));
   result.missing = add_contacts(scene, model);
-  // A frame that only moves changes nothing (Galilei).
-  if (scene.frame && !scene.frame->angular_velocity.isZero(0))
-    model.frame = engine::RotatingFrame{real(scene.frame->angular_velocity)};
+  // A frame that only moves changes nothing (Galilei); in one that turns, v + W x p and w + W are the
+  // inertial ones.
+  if (scene.frame && !scene.frame->angular_velocity.isZero(0)) {
+    const engine::Vector3 w = real(scene.frame->angular_velocity);
+    model.frame = engine::RotatingFrame{w};
+    for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+      const core::BodyState& s = scene.bodies[i].initial;
+      model.motions[i] =
+          engine::make_motion(model.bodies[i], real(s.position), real(s.orientation),
+                              real(s.velocity) + w.cross(real(s.position)), real(s.angular_velocity) + w);
+    }
+  }
   return result;
 }
 
