@@ -4,13 +4,28 @@
 
 namespace cylon::engine {
 
+namespace {
+
+// A touch without friction goes through the centre of a sphere.
+bool a_touch_turns(const Model& model, std::size_t body) {
+  const int surface = model.surfaces.empty() ? no_surface : model.surfaces[body];
+  if (surface == no_surface) return false;
+  if (!std::holds_alternative<Sphere>(model.shapes[body]) || !model.bodies[body].centre.isZero(0))
+    return true;
+  for (int other = 0; other < model.surface_count; ++other) {
+    if (model.material(surface, other).friction > 0) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 std::vector<char> bodies_that_turn(const Model& model) {
   const bool floating = std::any_of(model.forces.waters.begin(), model.forces.waters.end(),
                                     [](const Water& w) { return w.mode == WaterMode::volume; });
   std::vector<char> turns(model.bodies.size());
   for (std::size_t i = 0; i < turns.size(); ++i) {
-    const bool touches = !model.surfaces.empty() && model.surfaces[i] != no_surface;
-    turns[i] = model.bodies[i].pinned || touches || floating || model.frame.has_value() ||
+    turns[i] = model.bodies[i].pinned || a_touch_turns(model, i) || floating || model.frame.has_value() ||
                !model.motions[i].angular_momentum.isZero(0);
   }
   const auto held_at = [&](int body, const Vector3& anchor) {
