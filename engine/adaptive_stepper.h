@@ -51,7 +51,7 @@ class AdaptiveStepper final : public Stepper {
       if (turn_) {
         take_turn();
       } else {
-        going_ = scheme_.step(system_, scheme_.end() + farthest * dt_) == Outcome::done;
+        going_ = scheme_.step(system_, scheme_.end() + farthest * dt_) == Ending::done;
         if (going_ && watching_) turn_ = first_turn();
       }
     }

@@ -4,12 +4,12 @@
 
 namespace cylon::engine {
 
-Part merge(std::span<const Part> parts) {
+CompoundPart merge(std::span<const CompoundPart> parts) {
   assert(!parts.empty());
   Real mass = 0;
   Vector3 moment = Vector3::Zero(), momentum = Vector3::Zero();
   bool locked = false;
-  for (const Part& part : parts) {
+  for (const CompoundPart& part : parts) {
     assert(!part.body.pinned);
     mass += part.body.mass;
     moment += part.body.mass * part.motion.position;
@@ -20,7 +20,7 @@ Part merge(std::span<const Part> parts) {
 
   Matrix3 inertia = Matrix3::Zero();  // world axes, about the centre
   Vector3 angular_momentum = Vector3::Zero();
-  for (const Part& part : parts) {
+  for (const CompoundPart& part : parts) {
     const Matrix3 r = part.motion.orientation.toRotationMatrix();
     const Vector3 d = part.motion.position - centre;
     inertia += r * part.body.inertia * r.transpose() +
@@ -32,7 +32,7 @@ Part merge(std::span<const Part> parts) {
   Matrix3 own = r.transpose() * inertia * r;
   own = (own + own.transpose().eval()) / 2;
 
-  Part whole;
+  CompoundPart whole;
   whole.body = make_body(mass, own, locked);
   whole.motion = {centre, momentum, axes, angular_momentum};
   return whole;

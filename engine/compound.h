@@ -7,7 +7,7 @@
 
 namespace cylon::engine {
 
-struct Part {
+struct CompoundPart {
   Body body;
   Motion motion;
 };
@@ -20,6 +20,6 @@ struct Part {
 /// Seed eq. 68-72 with p_cm and each part's tensor rotated (errata 15), and its program's sum of bodies put
 /// right (errata 41, 59-61).  Locked where a part is; there p and K keep their meaning and nothing moves.
 /// Requires at least one part, none pinned.
-Part merge(std::span<const Part> parts);
+CompoundPart merge(std::span<const CompoundPart> parts);
 
 }  // namespace cylon::engine

@@ -183,6 +183,7 @@ std::vector<EventStepper::Spot> EventStepper::spots() {
 
 // Impacts of this instant, then which contacts last.
 void EventStepper::resolve(Time now) {
+  resting_ = false;
   std::vector<Spot> touching = spots();
   if (touching.empty()) {
     held_.clear();
@@ -279,8 +280,41 @@ void EventStepper::hold_spots(Time now, const std::vector<Spot>& touching) {
   const Real slow = slow_ulps * ulp * (speed + push * static_cast<Real>(dt_));
   rest_speed_ = Real(0.25) * slow_ulps * ulp * push * static_cast<Real>(dt_);
 
-  std::vector<TouchPoint> touches;
   std::vector<std::size_t> which;
+  const Support support = find_holds(touching, slow, which);
+  if (!support.exact) ++inexact_;
+  held_.clear();
+  for (std::size_t i = 0; i < which.size(); ++i) {
+    if (support.points[i].holding.grip == Grip::parts) continue;
+    HeldPoint held = touching[which[i]].held;
+    held.holding = support.points[i].holding;
+    held_.push_back(held);
+  }
+  if (held_.empty()) return;
+  system_.set_holder(this);
+  system_.settle(y_.data());
+  resting_ = support.exact && nothing_moves(support);
+}
+
+// Nothing moves, nothing pushes, and no force will come with time: what is so stays so.
+bool EventStepper::nothing_moves(const Support& support) const {
+  const Model& model = system_.model();
+  const Motion* motion = Bodies::motions(y_.data());
+  if (!model.forces.drives.empty() || model.frame) return false;
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+    if (model.bodies[i].mass_rate != 0) return false;
+    if (!motion[i].momentum.isZero(0) || !motion[i].angular_momentum.isZero(0)) return false;
+  }
+  return balanced(support, {model.bodies, motion, system_.kinematics().data(), system_.loads().data()});
+}
+
+// How the points are held that do not part, and which they are.
+Support EventStepper::find_holds(const std::vector<Spot>& touching, Real slow,
+                                 std::vector<std::size_t>& which) {
+  const std::vector<Body>& bodies = system_.model().bodies;
+  const Motion* motion = Bodies::motions(y_.data());
+  std::vector<TouchPoint> touches;
+  std::vector<Holding> guess;
   for (std::size_t i = 0; i < touching.size(); ++i) {
     TouchPoint touch = touching[i].touch.pair >= 0 ? touching[i].touch : TouchPoint{};
     if (gap_rate(touch, bodies, motion) > slow) continue;
@@ -290,21 +324,21 @@ void EventStepper::hold_spots(Time now, const std::vector<Spot>& touching) {
                 : touch_at(candidates_[touching[i].held.candidate], system_.model(), motion);
     touches.push_back(touch);
     which.push_back(i);
+    // As it was held before: a point of the same candidate, of several the nearest.
+    Holding before{Grip::parts};
+    Real nearest = std::numeric_limits<Real>::infinity();
+    for (const HeldPoint& held : held_) {
+      const Real far = (held.on_body - touching[i].held.on_body).norm();
+      if (held.candidate != touching[i].held.candidate || !(far < nearest)) continue;
+      nearest = far;
+      before = held.holding;
+    }
+    guess.push_back(before);
   }
-  held_.clear();
-  if (touches.empty()) return;
+  if (touches.empty()) return {};
+  if (held_.empty()) guess.clear();
   const Instant instant{bodies, motion, system_.kinematics().data(), system_.loads().data()};
-  const Support support = find_support(touches, joint_rows(motion), instant, std::max(slow, left_slip_));
-  if (!support.exact) ++inexact_;
-  for (std::size_t i = 0; i < touches.size(); ++i) {
-    if (support.points[i].holding.grip == Grip::parts) continue;
-    HeldPoint held = touching[which[i]].held;
-    held.holding = support.points[i].holding;
-    held_.push_back(held);
-  }
-  if (held_.empty()) return;
-  system_.set_holder(this);
-  system_.settle(y_.data());
+  return find_support(touches, joint_rows(motion), instant, std::max(slow, left_slip_), guess);
 }
 
 }  // namespace cylon::engine

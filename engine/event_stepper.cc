@@ -97,13 +97,17 @@ void EventStepper::step() {
   Time now = std::max(start_time_, static_cast<Time>(steps_) * dt_);
   const Time end = static_cast<Time>(steps_ + 1) * dt_;
   impacts_.clear();
+  if (resting_) {
+    ++steps_;
+    return;
+  }
   std::fill(hits_.begin(), hits_.end(), 0);
   idle_ = 0;
   for (int events = 0; now < end; ++events) {
     if (events == event_limit) ++crowded_;
     bool event = false;
     if (events >= event_limit) idle_ = idle_limit;
-    const Time after = advance(now, end - now, event);
+    const Time after = go_on(now, end - now, event);
     if (!event) break;
     idle_ = after > 1e-9 * dt_ ? 0 : idle_ + 1;
     now = std::min(end, now + after);
@@ -114,7 +118,7 @@ void EventStepper::step() {
 }
 
 // Goes on from y_ to the first event or over the span; says how far.
-Time EventStepper::advance(Time from, Time span, bool& event) {
+Time EventStepper::go_on(Time from, Time span, bool& event) {
   start_ = y_;
   const bool watches = !held_.empty();
   Support before;
@@ -159,7 +163,7 @@ void EventStepper::flow(Time from, Time span) {
     if (at_rest(from) && at_rest(from + span)) return;
   }
   if (adaptive_) {
-    if (controlled_.advance(scaled_, from, from + span, y_.data()) != Outcome::done) ++failed_;
+    if (controlled_.advance(scaled_, from, from + span, y_.data()) != Ending::done) ++failed_;
     if (account_) system_.load(from + span, y_.data());
   } else {
     (held_.empty() ? fixed_ : lasting_)(system_, from, span, y_.data());

@@ -75,13 +75,15 @@ class EventStepper final : public Stepper, private Holder {
 
   void flow(Time from, Time span);
   bool at_rest(Time);
-  Time advance(Time from, Time span, bool& event);
+  Time go_on(Time from, Time span, bool& event);
   std::optional<Real> contact_time(Time from, Real span);
   std::optional<Real> change_time(Time from, Real span, const Support& before);
   void resolve(Time now);
   std::vector<Spot> spots();
   void strike_spots(Time now, std::vector<Spot>&);
   void hold_spots(Time now, const std::vector<Spot>&);
+  Support find_holds(const std::vector<Spot>&, Real slow, std::vector<std::size_t>& which);
+  bool nothing_moves(const Support&) const;
   TouchPoint touch_of(const HeldPoint&, const Motion*) const;
   Support support(Time, const Real* y);
   std::vector<Row> joint_rows(const Motion*) const;
@@ -106,6 +108,7 @@ class EventStepper final : public Stepper, private Holder {
   Real rest_speed_ = 0;    // what sticks on all points and is slower than this does not move [m/s]
   Real left_slip_ = 0;     // slip that the last event left over [m/s]
   int idle_ = 0;           // changes in a row that took no time
+  bool resting_ = false;   // nothing moves, and no force depends on time
   long inexact_ = 0, failed_ = 0, crowded_ = 0;
   std::vector<TouchPoint> touches_;
   std::vector<Holding> holdings_;

@@ -59,8 +59,10 @@ VectorX scales(const CoulombProblem& p) {
 }
 
 // f = B x with the equations E (A f + q) = 0, one per unknown; least |x| when the tangential unknowns of
-// point i are measured in units of share_i.
-VectorX least_norm(const CoulombProblem& p, const std::vector<Hold>& hold, const VectorX& share) {
+// point i are measured in units of share_i; `start`: of all f = start' + B x instead, where start' is the
+// start with what the holds forbid left out.
+VectorX least_norm(const CoulombProblem& p, const std::vector<Hold>& hold, const VectorX& share,
+                   const VectorX& start = {}) {
   const Eigen::Index size = p.offset.size();
   Eigen::Index unknowns = 0;
   for (const Hold& h : hold) unknowns += h.grip == Grip::sticks ? 3 : h.grip == Grip::slides ? 1 : 0;
@@ -83,14 +85,21 @@ VectorX least_norm(const CoulombProblem& p, const std::vector<Hold>& hold, const
     }
     column += 3;
   }
+  VectorX from = VectorX::Zero(size);
+  for (std::size_t i = 0; start.size() > 0 && i < hold.size(); ++i) {
+    if (hold[i].grip == Grip::parts) continue;
+    from.segment<3>(at(i)) = start.segment<3>(at(i));
+    if (hold[i].grip == Grip::slides)
+      from.segment<2>(at(i) + 1) = -p.friction[i] * from[at(i)] * hold[i].slip;
+  }
   const MatrixX system = equations * p.response * basis;
-  const VectorX wanted = -(equations * p.offset);
+  const VectorX wanted = -(equations * (p.offset + p.response * from));
   Eigen::CompleteOrthogonalDecomposition<MatrixX> decomposition;
   decomposition.setThreshold(dependent());
   decomposition.compute(system);
   VectorX x = decomposition.solve(wanted);
   x += decomposition.solve(VectorX(wanted - system * x));  // one refinement: rounding only is left
-  return basis * x;
+  return from + basis * x;
 }
 
 Vector2 direction(const Vector2& u) {
@@ -297,6 +306,8 @@ CoulombSolution solve_scaled(const CoulombProblem& p) {
 }  // namespace
 
 VectorX held_force(const CoulombProblem& p, const std::vector<Hold>& hold) {
+  if (p.start.size() > 0)
+    return least_norm(p, hold, VectorX::Ones(static_cast<Eigen::Index>(hold.size())), p.start);
   const Eigen::Index k = static_cast<Eigen::Index>(hold.size());
   VectorX share = VectorX::Ones(k);
   VectorX f = least_norm(p, hold, share);
@@ -350,6 +361,22 @@ CoulombSolution solve(const CoulombProblem& p) {
   CoulombProblem scaled = p;
   scaled.response = s.asDiagonal() * p.response * s.asDiagonal();
   scaled.offset = s.cwiseProduct(p.offset);
+  scaled.start.resize(0);
+  if (!p.guess.empty()) {
+    CoulombSolution guessed;
+    for (const bool from_start : {false, true}) {
+      if (from_start && p.start.size() == 0) break;
+      if (from_start) scaled.start = p.start.cwiseQuotient(s);
+      const VectorX force = held_force(scaled, p.guess);
+      if (!obeys(scaled, p.guess, force)) continue;
+      guessed.hold = p.guess;
+      guessed.exact = true;
+      guessed.force = s.cwiseProduct(force);
+      guessed.rate = p.response * guessed.force + p.offset;
+      return guessed;
+    }
+    scaled.start.resize(0);
+  }
   CoulombSolution solution = solve_scaled(scaled);
   solution.force = s.cwiseProduct(solution.force);
   solution.rate = p.response * solution.force + p.offset;

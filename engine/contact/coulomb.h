@@ -40,6 +40,8 @@ struct CoulombProblem {
   std::vector<Real> friction;  ///< mu, k.
   std::vector<int> pair;       ///< k; points of one pair share redundant forces evenly.
   std::vector<Hold> hold;      ///< k; only the holds that are given count.
+  std::vector<Hold> guess;     ///< k or none: tried before anything else.
+  VectorX start;               ///< 3 k or none: held_force() departs from it as little as it can.
 };
 
 struct CoulombSolution {
@@ -50,9 +52,9 @@ struct CoulombSolution {
 };
 
 /// The force for holds that are decided: u = 0 where it sticks, u_n = 0 and f_t = -mu f_n d where it slides;
-/// of several the one of least norm.  f_n may come out negative: who decides again when it does is the
-/// caller. Sticking forces are shared in proportion to the normal forces, so that all points come to the edge
-/// of their cones together where that is possible.
+/// of several the one of least norm, or, where a start is given, the one nearest to it.  f_n may come out
+/// negative: who decides again when it does is the caller. Sticking forces are shared in proportion to the
+/// normal forces, so that all points come to the edge of their cones together where that is possible.
 VectorX held_force(const CoulombProblem&, const std::vector<Hold>&);
 
 /// Solves the problem.  First all points hold and those that would pull, or leave the cone, are changed one

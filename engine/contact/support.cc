@@ -92,10 +92,48 @@ Support report(const Assembly& a, std::span<const TouchPoint> touches, const std
   return support;
 }
 
+// The shares of the holdings as the start of the problem's forces, if there are any.
+void start_from(CoulombProblem& problem, const std::vector<Matrix3>& frames,
+                std::span<const Holding> holdings) {
+  if (std::all_of(holdings.begin(), holdings.end(), [](const Holding& h) { return h.share.isZero(0); }))
+    return;
+  problem.start.resize(problem.offset.size());
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    problem.start.segment<3>(3 * static_cast<Eigen::Index>(i)) = frames[i].transpose() * holdings[i].share;
+}
+
+struct Sums {
+  std::vector<Load> loads, sizes;  // sums, and sums of the absolute values of their terms
+  std::vector<char> touched;
+};
+
+Sums sum_forces(const Support& support, const Load* loads, std::size_t bodies) {
+  Sums sums{{loads, loads + bodies}, std::vector<Load>(bodies), std::vector<char>(bodies, 0)};
+  for (std::size_t i = 0; i < bodies; ++i) {
+    sums.sizes[i].force = loads[i].force.cwiseAbs();
+    sums.sizes[i].torque = loads[i].torque.cwiseAbs();
+  }
+  const auto add = [&](int body, const Vector3& force, const Vector3& torque) {
+    const std::size_t i = index(body);
+    sums.touched[i] = 1;
+    sums.loads[i].force += force;
+    sums.loads[i].torque += torque;
+    sums.sizes[i].force += force.cwiseAbs();
+    sums.sizes[i].torque += torque.cwiseAbs();
+  };
+  for (std::size_t i = 0; i < support.rows.size(); ++i) {
+    const Real l = support.multipliers[static_cast<Eigen::Index>(i)];
+    const Row& row = support.rows[i];
+    add(row.body, l * row.direction, l * row.lever);
+    if (row.to != fixed_world) add(row.to, -l * row.direction, -l * row.to_lever);
+  }
+  return sums;
+}
+
 }  // namespace
 
 Support find_support(std::span<const TouchPoint> touches, std::span<const Row> joints, const Instant& now,
-                     Real slow) {
+                     Real slow, std::span<const Holding> guess) {
   Assembly a = assemble(touches, joints, now);
   for (std::size_t i = 0; i < touches.size(); ++i) {
     Hold& hold = a.problem.hold[i];
@@ -104,15 +142,29 @@ Support find_support(std::span<const TouchPoint> touches, std::span<const Row> j
     hold.grip = Grip::slides;
     hold.slip = tangent(a.frames[i], a.slips[i]).normalized();
   }
+  for (std::size_t i = 0; i < guess.size(); ++i) {
+    a.problem.guess.push_back(a.problem.hold[i]);
+    if (a.problem.hold[i].given) continue;
+    a.problem.guess.back().grip = touches[i].friction > 0 && guess[i].grip != Grip::parts ? Grip::sticks
+                                  : guess[i].grip == Grip::parts                          ? Grip::parts
+                                                                                          : Grip::slides;
+  }
+  start_from(a.problem, a.frames, guess);
   const CoulombSolution solution = solve(a.problem);
   Support support = report(a, touches, solution.hold, solution.force);
   support.exact = solution.exact;
+  // What an even sharing would leave outside a cone is remembered as it was found.
+  a.problem.start.resize(0);
+  if (!solution.exact || obeys(a.problem, solution.hold, held_force(a.problem, solution.hold)))
+    return support;
+  for (SupportPoint& point : support.points) point.holding.share = point.force;
   return support;
 }
 
 Support hold_support(std::span<const TouchPoint> touches, std::span<const Holding> holdings,
                      std::span<const Row> joints, const Instant& now, Real slow) {
-  const Assembly a = assemble(touches, joints, now);
+  Assembly a = assemble(touches, joints, now);
+  start_from(a.problem, a.frames, holdings);
   std::vector<Hold> holds(touches.size());
   for (std::size_t i = 0; i < touches.size(); ++i) {
     holds[i].grip = holdings[i].grip;
@@ -127,34 +179,29 @@ Support hold_support(std::span<const TouchPoint> touches, std::span<const Holdin
   return support;
 }
 
-void add_forces(const Support& support, Load* loads, std::size_t bodies) {
-  std::vector<Load> sizes(bodies);
-  for (std::size_t i = 0; i < bodies; ++i) {
-    sizes[i].force = loads[i].force.cwiseAbs();
-    sizes[i].torque = loads[i].torque.cwiseAbs();
-  }
-  std::vector<char> touched(bodies, 0);
-  const auto add = [&](int body, const Vector3& force, const Vector3& torque) {
-    const std::size_t i = index(body);
-    touched[i] = 1;
-    loads[i].force += force;
-    loads[i].torque += torque;
-    sizes[i].force += force.cwiseAbs();
-    sizes[i].torque += torque.cwiseAbs();
+bool balanced(const Support& support, const Instant& now) {
+  const Sums sums = sum_forces(support, now.loads, now.bodies.size());
+  const auto vanishes = [](const Vector3& sum, const Vector3& size) {
+    return sum.cwiseAbs().maxCoeff() <= 1024 * ulp * size.maxCoeff();
   };
-  for (std::size_t i = 0; i < support.rows.size(); ++i) {
-    const Real l = support.multipliers[static_cast<Eigen::Index>(i)];
-    const Row& row = support.rows[i];
-    add(row.body, l * row.direction, l * row.lever);
-    if (row.to != fixed_world) add(row.to, -l * row.direction, -l * row.to_lever);
+  for (std::size_t i = 0; i < now.bodies.size(); ++i) {
+    const Body& body = now.bodies[i];
+    if (translates(body) && !vanishes(sums.loads[i].force, sums.sizes[i].force)) return false;
+    if (rotates(body) && !vanishes(sums.loads[i].torque, sums.sizes[i].torque)) return false;
   }
+  return true;
+}
+
+void add_forces(const Support& support, Load* loads, std::size_t bodies) {
+  const Sums sums = sum_forces(support, loads, bodies);
+  const auto cleared = [](Vector3 sum, const Vector3& size) {
+    const Real rounding = 64 * ulp * size.maxCoeff();
+    return Vector3(sum.unaryExpr([rounding](Real x) { return std::abs(x) <= rounding ? Real(0) : x; }));
+  };
   for (std::size_t i = 0; i < bodies; ++i) {
-    if (!touched[i]) continue;
-    const Real force = 64 * ulp * sizes[i].force.maxCoeff(), torque = 64 * ulp * sizes[i].torque.maxCoeff();
-    for (Eigen::Index k = 0; k < 3; ++k) {
-      if (std::abs(loads[i].force[k]) <= force) loads[i].force[k] = 0;
-      if (std::abs(loads[i].torque[k]) <= torque) loads[i].torque[k] = 0;
-    }
+    if (!sums.touched[i]) continue;
+    loads[i].force = cleared(sums.loads[i].force, sums.sizes[i].force);
+    loads[i].torque = cleared(sums.loads[i].torque, sums.sizes[i].torque);
   }
 }
 

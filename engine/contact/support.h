@@ -17,6 +17,9 @@ namespace cylon::engine {
 struct Holding {
   Grip grip = Grip::sticks;
   Vector3 slip = Vector3::Zero();  ///< Unit direction of slip where it slides, world axes.
+  /// Where the force could be shared with other points in many ways: the force, world axes, that the sharing
+  /// stays near to [N]; zero at all points: shared evenly.
+  Vector3 share = Vector3::Zero();
 };
 
 /// What a point does and how far it is from doing something else.
@@ -45,13 +48,18 @@ struct Instant {
 };
 
 /// Decides how every point is held.  Points that move slower than `slow` [m/s] across the surface count as
-/// not slipping.
-Support find_support(std::span<const TouchPoint>, std::span<const Row> joints, const Instant&, Real slow);
+/// not slipping.  `guess`, one per point or none: how they were held before, which is kept if it still obeys.
+/// The shares of the result are such that hold_support() finds the same forces.
+Support find_support(std::span<const TouchPoint>, std::span<const Row> joints, const Instant&, Real slow,
+                     std::span<const Holding> guess = {});
 
 /// The forces when that is decided: smooth functions of the state.  A sliding point that has come to move
 /// backwards keeps its force, so that slip goes through zero smoothly and its end can be found.
 Support hold_support(std::span<const TouchPoint>, std::span<const Holding>, std::span<const Row> joints,
                      const Instant&, Real slow);
+
+/// Whether loads and support leave every body that can move without force and torque, to rounding.
+bool balanced(const Support&, const Instant&);
 
 /// Adds the forces to the loads; what is left of a sum that cancels to rounding is made exactly zero, so that
 /// what rests stays.

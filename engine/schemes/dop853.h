@@ -16,7 +16,7 @@
 namespace cylon::engine {
 
 /// How an error-controlled run stands.
-enum class Outcome : unsigned char {
+enum class Ending : unsigned char {
   done,
   step_too_small,  ///< The tolerance cannot be kept: no step above rounding of the time meets it.
   non_finite       ///< The rates are not finite, however short the step.
@@ -66,7 +66,7 @@ class Dop853 {
   }
 
   /// One accepted step forward, at most to `limit`, which it meets exactly.  Requires start(), limit > end().
-  Outcome step(S& s, Time limit) {
+  Ending step(S& s, Time limit) {
     assert(limit > end_);
     if (h_ == 0) h_ = first_step(s, limit - end_);
     bool rejected = false;
@@ -75,7 +75,7 @@ class Dop853 {
       const Time t = last ? limit : end_ + h_, h = t - end_;  // the step that the time will show
       if (h <= smallest(limit)) {
         // An interval as short as rounding is crossed all the same; a step that had to become so is not.
-        if (rejected) return finite_ ? Outcome::step_too_small : Outcome::non_finite;
+        if (rejected) return finite_ ? Ending::step_too_small : Ending::non_finite;
       }
       take_stages(s, h);
       const double error = error_norm(s, h);
@@ -89,7 +89,7 @@ class Dop853 {
         h_ = rejected ? std::min(wish, h) : last ? std::max(wish, std::min(h_, 6 * h)) : wish;
         previous_error_ = std::max(error, 1e-4);
         accept(s, h, t);
-        return Outcome::done;
+        return Ending::done;
       }
       ++rejected_;
       rejected = true;
@@ -99,17 +99,17 @@ class Dop853 {
 
   /// From t0 to t1 > t0 exactly, in as many steps as it takes.  Goes on where the last call ended if t0 and y
   /// are what it left, else starts anew with the step that it had.
-  Outcome advance(S& s, Time t0, Time t1, Real* y) {
-    if (t1 == t0) return Outcome::done;
+  Ending advance(S& s, Time t0, Time t1, Real* y) {
+    if (t1 == t0) return Ending::done;
     if (!(accepted_ > 0 && t0 == end_ && std::equal(y, y + n_, y_))) start(s, t0, y, h_);
     while (end_ < t1) {
-      if (const Outcome outcome = step(s, t1); outcome != Outcome::done) {
+      if (const Ending outcome = step(s, t1); outcome != Ending::done) {
         std::copy_n(y_, n_, y);
         return outcome;
       }
     }
     std::copy_n(y_, n_, y);
-    return Outcome::done;
+    return Ending::done;
   }
 
   Time begin() const { return begin_; }     ///< Of the last accepted step [s].

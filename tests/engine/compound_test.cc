@@ -10,11 +10,11 @@
 namespace cylon::engine {
 namespace {
 
-std::vector<Part> three_parts() {
+std::vector<CompoundPart> three_parts() {
   const auto part = [](Real mass, const Vector3& moments, const Vector3& p, const Vector3& turn,
                        const Vector3& v, const Vector3& w) {
     const Body body = make_body(mass, moments.asDiagonal());
-    return Part{body, make_motion(body, p, exponential(turn), v, w)};
+    return CompoundPart{body, make_motion(body, p, exponential(turn), v, w)};
   };
   return {
       part(1.3, {0.5, 0.7, 1.0}, {0.4, -0.2, 0.9}, {0.5, 1.1, -0.6}, {0.3, 0.8, -0.5}, {1.2, -0.7, 0.9}),
@@ -28,11 +28,11 @@ Vector3 angular_momentum_about_origin(const Motion& m) {
 
 // Errata 59, 60: the centre of mass is the mean weighted by mass, spins and arms both count.
 TEST(Compound, MergingKeepsMassMomentumAndAngularMomentum) {
-  const std::vector<Part> parts = three_parts();
-  const Part whole = merge(parts);
+  const std::vector<CompoundPart> parts = three_parts();
+  const CompoundPart whole = merge(parts);
   Real mass = 0;
   Vector3 k = Vector3::Zero(), l = Vector3::Zero(), p = Vector3::Zero();
-  for (const Part& part : parts) {
+  for (const CompoundPart& part : parts) {
     mass += part.body.mass;
     p += part.body.mass * part.motion.position;
     k += part.motion.momentum;
@@ -56,7 +56,7 @@ TEST(Compound, PiecesOfABoxMakeTheBox) {
   const Quaternion turn = exponential({0.4, -1.1, 0.7});
   const std::array<Vector3, 2> quarter_turns = {Vector3(0, 0, 0),
                                                 Vector3(0, std::numbers::pi_v<Real> / 2, 0)};
-  std::vector<Part> parts;
+  std::vector<CompoundPart> parts;
   for (int corner = 0; corner < 8; ++corner) {
     const Vector3 place((corner & 1) ? 0.15 : -0.15, (corner & 2) ? 0.25 : -0.25,
                         (corner & 4) ? 0.45 : -0.45);
@@ -68,36 +68,36 @@ TEST(Compound, PiecesOfABoxMakeTheBox) {
     parts.push_back({body, make_motion(body, Vector3(1, 2, 3) + turn * place, turn * own, Vector3::Zero(),
                                        Vector3::Zero())});
   }
-  const Part whole = merge(parts);
+  const CompoundPart whole = merge(parts);
   EXPECT_LT((whole.body.inertia - Matrix3(moments(mass, half).asDiagonal())).norm(), 1e-14);
   EXPECT_LT((whole.motion.position - Vector3(1, 2, 3)).norm(), 1e-15);
 }
 
 // Parts that move as one rigid body lose nothing; any others do.
 TEST(Compound, EnergyIsKeptOnlyByPartsThatMoveAsOne) {
-  const auto energy = [](const Part& p) {
+  const auto energy = [](const CompoundPart& p) {
     return velocity(p.body, p.motion).dot(p.motion.momentum) / 2 +
            angular_velocity(p.body, p.motion).dot(p.motion.angular_momentum) / 2;
   };
-  std::vector<Part> parts = three_parts();
+  std::vector<CompoundPart> parts = three_parts();
   Real before = 0;
-  for (const Part& part : parts) before += energy(part);
+  for (const CompoundPart& part : parts) before += energy(part);
   EXPECT_LT(energy(merge(parts)), 0.9 * before);
 
   const Vector3 w(0.3, -0.8, 0.5), v(0.2, 0.1, -0.4), origin(0.3, 0.2, 0.1);
   before = 0;
-  for (Part& part : parts) {
+  for (CompoundPart& part : parts) {
     const Vector3 p = part.motion.position;
     part.motion = make_motion(part.body, p, part.motion.orientation, v + w.cross(p - origin), w);
     before += energy(part);
   }
-  const Part whole = merge(parts);
+  const CompoundPart whole = merge(parts);
   EXPECT_NEAR(energy(whole), before, 1e-14 * before);
   EXPECT_LT((angular_velocity(whole.body, whole.motion) - w).norm(), 1e-14);
 }
 
 TEST(Compound, IsLockedWhereAPartIs) {
-  std::vector<Part> parts = three_parts();
+  std::vector<CompoundPart> parts = three_parts();
   parts[1].body = make_body(parts[1].body.mass, parts[1].body.inertia, true);
   EXPECT_TRUE(merge(parts).body.locked);
 }

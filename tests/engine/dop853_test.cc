@@ -62,7 +62,7 @@ struct Result {
 template <System S>
 Result<S> solve(S system, std::vector<Real> y, double tolerance, double duration) {
   Dop853<S> scheme(y.size(), tolerance);
-  EXPECT_EQ(scheme.advance(system, 0, duration, y.data()), Outcome::done);
+  EXPECT_EQ(scheme.advance(system, 0, duration, y.data()), Ending::done);
   EXPECT_EQ(scheme.end(), duration);
   EXPECT_EQ(scheme.evaluations(), 2 + 12 * scheme.accepted() + 11 * scheme.rejected());
   return {y, scheme.evaluations()};
@@ -122,7 +122,7 @@ TEST(Dop853, DenseOutputHasOrderSeven) {
   const auto error = [&](double h, double place) {
     Dop853<Oscillators> scheme(6, Real(1e3));  // whatever h is, it is accepted
     scheme.start(system, 0, system.exact(0).data(), h);
-    EXPECT_EQ(scheme.step(system, h), Outcome::done);
+    EXPECT_EQ(scheme.step(system, h), Ending::done);
     EXPECT_EQ(scheme.end(), h);
     std::vector<Real> y(6);
     scheme.at(system, place * h, y.data());
@@ -142,7 +142,7 @@ TEST(Dop853, DenseOutputJoinsItsSteps) {
   Advance<SpringPoint> fine(*find_scheme("rk8"), 6);
   double time = 0;
   while (scheme.end() < 3) {
-    ASSERT_EQ(scheme.step(system, 1e9), Outcome::done);
+    ASSERT_EQ(scheme.step(system, 1e9), Ending::done);
     scheme.at(system, scheme.begin(), y.data());
     EXPECT_LT(distance(y, before), 1e-15);
     scheme.at(system, scheme.end(), y.data());
@@ -164,7 +164,7 @@ TEST(Dop853, AsManyCallsAsOneAndEachEndsExactly) {
   Dop853<SpringPoint> scheme(6, 1e-10);
   std::vector<Real> y = SpringPoint::start();
   for (int i = 0; i < 100; ++i) {
-    ASSERT_EQ(scheme.advance(system, i * 0.1, (i + 1) * 0.1, y.data()), Outcome::done);
+    ASSERT_EQ(scheme.advance(system, i * 0.1, (i + 1) * 0.1, y.data()), Ending::done);
     EXPECT_EQ(scheme.end(), (i + 1) * 0.1);
   }
   EXPECT_LT(distance(y, solve(SpringPoint{}, SpringPoint::start(), 1e-10, 10).y), 1e-8);
@@ -174,7 +174,7 @@ TEST(Dop853, AsManyCallsAsOneAndEachEndsExactly) {
 
   y[3] = -y[3];  // an impact: starts anew, with the step that it had
   const long evaluations = scheme.evaluations(), attempts = scheme.accepted() + scheme.rejected();
-  ASSERT_EQ(scheme.advance(system, 100 * 0.1, 10.05, y.data()), Outcome::done);
+  ASSERT_EQ(scheme.advance(system, 100 * 0.1, 10.05, y.data()), Ending::done);
   EXPECT_LE(scheme.evaluations() - evaluations, 1 + 12 * (scheme.accepted() + scheme.rejected() - attempts));
 }
 
@@ -182,8 +182,8 @@ TEST(Dop853, SaysSoWhereNoStepIsShortEnough) {
   Single explosion{[](Time, Real y) { return y * y; }};  // 1/(1 - t)
   Dop853<decltype(explosion)> scheme(1, 1e-10);
   Real y = 1;
-  const Outcome outcome = scheme.advance(explosion, 0, 2, &y);
-  EXPECT_NE(outcome, Outcome::done);
+  const Ending outcome = scheme.advance(explosion, 0, 2, &y);
+  EXPECT_NE(outcome, Ending::done);
   EXPECT_NEAR(scheme.end(), 1, 1e-6);
   EXPECT_LT(scheme.evaluations(), 100000);
 }
@@ -192,20 +192,20 @@ TEST(Dop853, SaysSoWhereTheRatesAreNone) {
   Single hole{[](Time t, Real) { return t > 1 ? std::numeric_limits<Real>::quiet_NaN() : Real(1); }};
   Dop853<decltype(hole)> scheme(1, 1e-10);
   Real y = 0;
-  EXPECT_EQ(scheme.advance(hole, 0, 2, &y), Outcome::non_finite);
+  EXPECT_EQ(scheme.advance(hole, 0, 2, &y), Ending::non_finite);
   EXPECT_NEAR(scheme.end(), 1, 1e-10);
   EXPECT_NEAR(y, scheme.end(), 1e-15);
 
   Single nothing{[](Time, Real) { return std::numeric_limits<Real>::quiet_NaN(); }};
   Dop853<decltype(nothing)> never(1, 1e-10);
-  EXPECT_EQ(never.advance(nothing, 0, 2, &y), Outcome::non_finite);
+  EXPECT_EQ(never.advance(nothing, 0, 2, &y), Ending::non_finite);
 }
 
 TEST(Dop853, RestIsOneStep) {
   Single rest{[](Time, Real) { return Real(0); }};
   Dop853<decltype(rest)> scheme(1, 1e-10);
   Real y = 3;
-  EXPECT_EQ(scheme.advance(rest, 0, 1e6, &y), Outcome::done);
+  EXPECT_EQ(scheme.advance(rest, 0, 1e6, &y), Ending::done);
   EXPECT_EQ(y, 3);
   EXPECT_EQ(scheme.accepted(), 1);
 }
@@ -215,7 +215,7 @@ TEST(Dop853, FindsAJump) {
   Single jump{[](Time t, Real) { return t < 0.37 ? Real(1) : Real(-2); }};
   Dop853<decltype(jump)> scheme(1, 1e-9);
   Real y = 0.1;
-  EXPECT_EQ(scheme.advance(jump, 0, 1, &y), Outcome::done);
+  EXPECT_EQ(scheme.advance(jump, 0, 1, &y), Ending::done);
   EXPECT_NEAR(y, 0.1 + 0.37 - 2 * 0.63, 1e-7);
   EXPECT_GT(scheme.rejected(), 3);
 }

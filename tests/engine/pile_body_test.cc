@@ -112,7 +112,7 @@ TEST(PileBody, CollisionsKeepBothMomenta) {
     const auto end = after(*make_pile(model, 1. / 240), 480);
     EXPECT_GT((end[0].momentum - model.motions[0].momentum).norm(), Real(0.5));
     EXPECT_LT((momentum(end) - momentum(model.motions)).norm(), 1000 * eps);
-    EXPECT_LT(energy(model, end), energy(model, model.motions) * (1 + 1e-2));
+    EXPECT_LT(mechanical_energy(model, end), mechanical_energy(model, model.motions) * (1 + 1e-2));
     // Overlap taken away by moving bodies turns p x K a little: at most its depth times the momentum.
     EXPECT_LT((angular_momentum(end) - angular_momentum(model.motions)).norm(), Real(1e-3));
   }
@@ -125,7 +125,7 @@ TEST(PileBody, SpinningBoxKeepsAngularMomentumAndEnergy) {
           Vector3(Real(0.1), 5, Real(0.1)));
   const auto end = after(*make_pile(model, 1. / 60), 6000);
   EXPECT_LT((end[0].angular_momentum - model.motions[0].angular_momentum).norm(), 1000 * eps);
-  EXPECT_NEAR(energy(model, end) / energy(model, model.motions), 1,
+  EXPECT_NEAR(mechanical_energy(model, end) / mechanical_energy(model, model.motions), 1,
               0.02);  // bounded: symplectic, first order
 }
 
@@ -179,7 +179,7 @@ TEST(PileBody, JointsHold) {
   model.joints.push_back({Joint::Type::fixed, 2, left, 1, right});
   const auto stepper = make_pile(model, 1. / 240);
   std::vector<Motion> m;
-  const double start = energy(model, model.motions);
+  const double start = mechanical_energy(model, model.motions);
   Real lowest = 0;
   for (int k = 0; k < 480; ++k) {
     stepper->step();
@@ -188,7 +188,7 @@ TEST(PileBody, JointsHold) {
     EXPECT_LT((m[1].position + m[1].orientation * left - m[0].position - m[0].orientation * right).norm(),
               Real(1e-4));
     EXPECT_LT(m[2].orientation.angularDistance(m[1].orientation), Real(1e-3));
-    EXPECT_LT(energy(model, m), start + 1.);  // of 6 kg falling about 1 m: 60 J
+    EXPECT_LT(mechanical_energy(model, m), start + 1.);  // of 6 kg falling about 1 m: 60 J
     lowest = std::min(lowest, m[2].position.y());
   }
   EXPECT_LT(lowest, Real(-1));

@@ -67,7 +67,7 @@ inline Vector3 angular_momentum(const std::vector<Motion>& motions) {
 }
 
 /// Kinetic and potential energy [J].
-inline double energy(const Model& model, const std::vector<Motion>& motions) {
+inline double mechanical_energy(const Model& model, const std::vector<Motion>& motions) {
   double sum = 0;
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const Motion& m = motions[i];

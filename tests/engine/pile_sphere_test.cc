@@ -43,7 +43,7 @@ TEST_P(PileRestitution, IsNewtonsAndKeepsBothMomenta) {
     // Without friction the energy lost is exactly (1 - e^2) mu_r u^2/2, mu_r the reduced mass.
     if (friction > 0) continue;
     const double reduced = 1.3 * 3.1 / 4.4;
-    EXPECT_NEAR(energy(model, motions) - energy(model, model.motions),
+    EXPECT_NEAR(mechanical_energy(model, motions) - mechanical_energy(model, model.motions),
                 -(1 - GetParam() * GetParam()) * reduced * approach * approach / 2,
                 1000 * static_cast<double>(eps));
   }
@@ -134,12 +134,12 @@ TEST(PileSphere, LosesEnergy) {
   const Model model = ball_pile(4, 4, 0, Real(0.5));
   const auto stepper = make_pile(model, 1. / 120);
   std::vector<Motion> motions;
-  const double start = energy(model, model.motions);
+  const double start = mechanical_energy(model, model.motions);
   double lowest = start, worst = 0, worst_settled = 0;
   for (int k = 0; k < 1200; ++k) {
     stepper->step();
     stepper->read(motions);
-    const double now = energy(model, motions);
+    const double now = mechanical_energy(model, motions);
     worst = std::max(worst, now - lowest);
     if (k >= 600) worst_settled = std::max(worst_settled, now - lowest);
     lowest = std::min(lowest, now);
@@ -162,7 +162,8 @@ TEST(PileSphere, ElasticGasKeepsItsEnergy) {
              Vector3(Real(i % 5) - 2, Real(i / 5 % 5) - 2, Real(i / 25) - 2) * Real(0.4),
              Vector3(Real(std::sin(i)), Real(std::cos(3 * i)), Real(std::sin(7 * i + 1))));
   const auto stepper = make_pile(model, 1. / 240);
-  const double start = energy(model, model.motions), end = energy(model, after(*stepper, 1200));
+  const double start = mechanical_energy(model, model.motions),
+               end = mechanical_energy(model, after(*stepper, 1200));
   EXPECT_NEAR(end / start, 1, 1e-2);
 }
 
