@@ -51,7 +51,7 @@ TEST_P(Balance, HoldsToTruncationWithDrag) {
     return;
   }
   const int order = splitting ? 2 : GetParam().order;
-  const int n = order == 4 ? 128 : order == 2 ? 1024 : 16384;
+  const int n = order == 4 ? 256 : order == 2 ? 1024 : 16384;
   const Real coarse = missing(model, GetParam().name, 1, n), fine = missing(model, GetParam().name, 1, 2 * n);
   EXPECT_NEAR(std::log2(std::abs(coarse / fine)), order, 0.2);
 }

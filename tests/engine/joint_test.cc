@@ -204,8 +204,11 @@ TEST_P(Chains, HaveTheOrderOfTheScheme) {
   const Real coarse = distance(run(model, GetParam().name, 0.5, n).motions, exact);
   const Real fine = distance(run(model, GetParam().name, 0.5, 2 * n).motions, exact);
   EXPECT_GT(fine, 1e-12);
-  // Order 8 has only steps of 1/8 and 1/16 s between the coarse and rounding.
-  EXPECT_NEAR(std::log2(coarse / fine), order, order >= 8 ? 1 : order > 4 ? 0.5 : 0.12);
+  if (order >= 8) {  // only steps of 1/16 and 1/32 s lie between the coarse and rounding: too few for its slope
+    EXPECT_GT(std::log2(coarse / fine), order - 0.5);
+  } else {
+    EXPECT_NEAR(std::log2(coarse / fine), order, order > 4 ? 0.5 : 0.12);
+  }
 }
 
 TEST_P(Chains, StayClosed) {
