@@ -82,6 +82,11 @@ double own_share(const Composition& splitting) {
   result[2] = add(x, ty, take(y, tx, take(w, tz, l[2])));
 }
 
+// Asks for memory that is read soon; any address may be asked for.
+[[gnu::always_inline]] inline void fetch(const char* from, std::size_t bytes) {
+  for (std::size_t i = 0; i < bytes; i += 64) __builtin_prefetch(from + i, 1);
+}
+
 template <bool is_fast>
 [[gnu::always_inline]] inline wide::Turn half(Lanes x) {
   if constexpr (is_fast)
@@ -267,11 +272,13 @@ void FreeBodies::run(Kind kind, std::size_t begin, std::size_t end, std::int64_t
   }
   // a few blocks together, so that a run of steps finds them near and has several to work on at once
   constexpr std::size_t few = 16;
+  constexpr std::size_t ahead = 8 * sizeof(Spin);  // further than the machine looks by itself: over pages
   const auto each = [&](const auto& rotate) {
     for (std::size_t first = begin; first < end; first += few) {
       for (std::int64_t n = 0; n < steps; ++n) {
         for (std::size_t b = first; b < std::min(end, first + few); ++b) {
           Spin& spin = spins_[kind][b];
+          if (steps == 1) fetch(reinterpret_cast<const char*>(&spin) + ahead, sizeof(Spin));
           for (int c = 0; c < 3; ++c) {
             spin.flight.p[c] += spin.flight.s[c];
             if (falls[c]) spin.flight.s[c] += wide::spread(gain[c]);

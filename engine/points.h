@@ -18,10 +18,18 @@ namespace cylon::engine {
 /// empty where it is.
 std::string not_points(const Model&);
 
+/// What tells the schemes that the length of the state is a constant, where it is one.
+template <std::size_t N>
+struct PointsSize {
+  static constexpr std::size_t fixed_size = 6 * N;
+};
+template <>
+struct PointsSize<0> {};
+
 /// y = x, y, z of all positions, then of all momenta: 6 N Reals.  N = 0: as many as the model has; N = 1 lets
 /// the compiler unroll everything.
 template <std::size_t N>
-class Points {
+class Points : public PointsSize<N> {
  public:
   /// Requires not_points(model) to be empty, and N bodies where N > 0.
   explicit Points(const Model& model) : gravity_(model.forces.gravity) {
