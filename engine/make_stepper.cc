@@ -10,6 +10,7 @@
 #include "engine/points.h"
 #include "engine/reduce.h"
 #include "engine/smooth_stepper.h"
+#include "engine/tops.h"
 #include "engine/verified_stepper.h"
 
 #include <utility>
@@ -45,6 +46,14 @@ std::unique_ptr<Stepper> make_points(const Model& model, const Plan& plan, const
 
 std::unique_ptr<Stepper> make_bodies(const Model& model, const Plan& plan, const Options& options) {
   Reduced reduced = reduce(model);
+  if (!options.account && !options.full && Top::applies(reduced.model)) {
+    const Top top(reduced.model);
+    const auto read = [reading = reduced.readings[0]](const Top& t, const Real* y,
+                                                      std::vector<Motion>& motions) {
+      motions.assign(1, engine::read(t.body(), reading, t.motion(y)));
+    };
+    return smooth(top, top.initial(), plan, options, read, model);
+  }
   const Bodies system(std::move(reduced.model), options.account);
   const auto read = [readings = std::move(reduced.readings)](const Bodies& s, const Real* y,
                                                              std::vector<Motion>& motions) {
