@@ -24,7 +24,7 @@ constexpr Time zeno_return = wide ? 1e-6 : 1e-3;
 
 // Impacts of one pair in one step; beyond, they are plastic, which ends every sequence that restitution keeps
 // alive.
-constexpr int elastic_limit = 1000;
+constexpr int elastic_limit = 200;
 
 // Whether n is normal to a face of the shape, to a part in 1e8.
 bool has_face(const Shape& shape, const Vector3& n) {
@@ -49,7 +49,11 @@ std::vector<Row> EventStepper::joint_rows(const Motion* motion) const {
 TouchPoint EventStepper::touch_of(const HeldPoint& held, const Motion* motion) const {
   const Candidate& c = candidates_[held.candidate];
   const Model& model = system_.model();
-  if (!held.general) return touch_at(c, model, motion);
+  if (!held.general) {
+    TouchPoint touch = touch_at(c, model, motion);
+    if (loose_[held.candidate]) touch.friction = 0;
+    return touch;
+  }
   const Motion &a = motion[index(c.body)], &b = motion[index(c.other)];
   const Body &body = model.bodies[index(c.body)], &other = model.bodies[index(c.other)];
   const Vector3 arm_a = a.orientation * held.on_body, arm_b = b.orientation * held.on_other;
@@ -63,7 +67,7 @@ TouchPoint EventStepper::touch_of(const HeldPoint& held, const Motion* motion) c
   touch.other = c.other;
   touch.pair = c.pair;
   touch.restitution = c.material.restitution;
-  touch.friction = c.material.friction;
+  touch.friction = loose_[held.candidate] ? 0 : c.material.friction;
   touch.normal = (held.face_of_body ? a.orientation : b.orientation) * held.normal;
   touch.gap = touch.normal.dot(x_a - x_b);
   touch.turning = (held.face_of_body ? w_a : w_b).cross(touch.normal);
@@ -157,7 +161,7 @@ std::vector<EventStepper::Spot> EventStepper::spots() {
     Spot spot;
     spot.held.candidate = i;
     if (c.kind != Candidate::Kind::general) {
-      spot.touch = touch_at(c, model, motion);
+      spot.touch = touch_of(spot.held, motion);
       if (spot.touch.gap <= margin) result.push_back(spot);
       continue;
     }
@@ -281,8 +285,12 @@ void EventStepper::hold_spots(Time now, const std::vector<Spot>& touching) {
   rest_speed_ = Real(0.25) * slow_ulps * ulp * push * static_cast<Real>(dt_);
 
   std::vector<std::size_t> which;
-  const Support support = find_holds(touching, slow, which);
-  if (!support.exact) ++inexact_;
+  Support support = find_holds(touching, slow, which);
+  if (!support.exact) {  // jams: see loosen()
+    for (const std::size_t i : which) restless_[touching[i].held.candidate] = 1;
+    if (loosen()) support = find_holds(touching, slow, which);
+    if (!support.exact) ++inexact_;
+  }
   held_.clear();
   for (std::size_t i = 0; i < which.size(); ++i) {
     if (support.points[i].holding.grip == Grip::parts) continue;
@@ -294,6 +302,24 @@ void EventStepper::hold_spots(Time now, const std::vector<Spot>& touching) {
   system_.set_holder(this);
   system_.settle(y_.data());
   resting_ = support.exact && nothing_moves(support);
+}
+
+// Leaves out the friction of what changes without end, else of all; false where none was left.  Without
+// friction there is always one motion, and a contact that does not rub gives no energy; a law that has no
+// solution (Painleve's, where friction presses what it brakes) or infinitely many changes of its mind is
+// left for the rest of a step only, and said in the remarks.
+bool EventStepper::loosen() {
+  bool any = false;
+  for (const bool all : {false, true}) {
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+      if (loose_[i] || !(all || restless_[i]) || !(candidates_[i].material.friction > 0)) continue;
+      loose_[i] = 1;
+      any = true;
+    }
+    if (any) break;
+  }
+  if (any) ++loosened_;
+  return any;
 }
 
 // Nothing moves, nothing pushes, and no force will come with time: what is so stays so.
@@ -315,13 +341,12 @@ Support EventStepper::find_holds(const std::vector<Spot>& touching, Real slow,
   const Motion* motion = Bodies::motions(y_.data());
   std::vector<TouchPoint> touches;
   std::vector<Holding> guess;
+  which.clear();
   for (std::size_t i = 0; i < touching.size(); ++i) {
     TouchPoint touch = touching[i].touch.pair >= 0 ? touching[i].touch : TouchPoint{};
     if (gap_rate(touch, bodies, motion) > slow) continue;
     // velocities have changed since the touch was measured
-    touch = touching[i].held.general
-                ? touch_of(touching[i].held, motion)
-                : touch_at(candidates_[touching[i].held.candidate], system_.model(), motion);
+    touch = touch_of(touching[i].held, motion);
     touches.push_back(touch);
     which.push_back(i);
     // As it was held before: a point of the same candidate, of several the nearest.

@@ -73,7 +73,7 @@ class EventStepper final : public Stepper, private Holder {
   void hold(Time, const std::vector<Body>&, const Motion*, const Kinematics*, Load*) override;
   void project(const std::vector<Body>&, Motion*) override;
 
-  void flow(Time from, Time span);
+  bool flow(Time from, Time span);
   bool at_rest(Time);
   Time go_on(Time from, Time span, bool& event);
   std::optional<Real> contact_time(Time from, Real span);
@@ -84,6 +84,7 @@ class EventStepper final : public Stepper, private Holder {
   void hold_spots(Time now, const std::vector<Spot>&);
   Support find_holds(const std::vector<Spot>&, Real slow, std::vector<std::size_t>& which);
   bool nothing_moves(const Support&) const;
+  bool loosen();
   TouchPoint touch_of(const HeldPoint&, const Motion*) const;
   Support support(Time, const Real* y);
   std::vector<Row> joint_rows(const Motion*) const;
@@ -104,12 +105,14 @@ class EventStepper final : public Stepper, private Holder {
   std::vector<HeldPoint> held_;
   std::vector<Motion> scratch_;
   std::vector<Impact> impacts_;
-  std::vector<int> hits_;  // of each pair in this step
-  Real rest_speed_ = 0;    // what sticks on all points and is slower than this does not move [m/s]
-  Real left_slip_ = 0;     // slip that the last event left over [m/s]
-  int idle_ = 0;           // changes in a row that took no time
-  bool resting_ = false;   // nothing moves, and no force depends on time
-  long inexact_ = 0, failed_ = 0, crowded_ = 0;
+  std::vector<int> hits_;       // of each pair in this step
+  Real rest_speed_ = 0;         // what sticks on all points and is slower than this does not move [m/s]
+  Real left_slip_ = 0;          // slip that the last event left over [m/s]
+  int idle_ = 0;                // changes in a row that took no time
+  std::vector<char> loose_;     // per candidate: without friction for the rest of this step
+  std::vector<char> restless_;  // per candidate: what changed in the idle changes
+  bool resting_ = false;        // nothing moves, and no force depends on time
+  long inexact_ = 0, failed_ = 0, crowded_ = 0, loosened_ = 0;
   std::vector<TouchPoint> touches_;
   std::vector<Holding> holdings_;
   Rows rows_;

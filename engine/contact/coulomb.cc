@@ -289,6 +289,7 @@ CoulombSolution solve_scaled(const CoulombProblem& p) {
   }
   VectorX swept = VectorX::Zero(p.offset.size());
   for (const int sweeps : {40, 200, 1000, 4000}) {
+    if (sweeps > p.most_sweeps) break;
     const bool settled = sweep(p, sweeps, swept, solution.hold);
     for (const Real nearly : {Real(1e-3), Real(1e-5), std::sqrt(ulp), std::pow(ulp, Real(0.75))}) {
       for (const bool press : {true, false}) {

@@ -41,6 +41,7 @@ struct CoulombProblem {
   std::vector<int> pair;       ///< k; points of one pair share redundant forces evenly.
   std::vector<Hold> hold;      ///< k; only the holds that are given count.
   std::vector<Hold> guess;     ///< k or none: tried before anything else.
+  int most_sweeps = 4000;      ///< Rounds of the iteration, the last resort.
   VectorX start;               ///< 3 k or none: held_force() departs from it as little as it can.
 };
 

@@ -150,6 +150,7 @@ Support find_support(std::span<const TouchPoint> touches, std::span<const Row> j
                                                                                           : Grip::slides;
   }
   start_from(a.problem, a.frames, guess);
+  a.problem.most_sweeps = 200;
   const CoulombSolution solution = solve(a.problem);
   Support support = report(a, touches, solution.hold, solution.force);
   support.exact = solution.exact;
@@ -173,7 +174,17 @@ Support hold_support(std::span<const TouchPoint> touches, std::span<const Holdin
     const Vector3 d = speed > slow ? Vector3(a.slips[i] * ((sense < 0 ? -1 : 1) / speed)) : holdings[i].slip;
     holds[i].slip = tangent(a.frames[i], d);
   }
-  Support support = report(a, touches, holds, held_force(a.problem, holds));
+  // Beyond the end of a contact, where only trials go, what pulls does not rub: friction that grew with the
+  // pull would run away before the end is found.
+  VectorX force = held_force(a.problem, holds);
+  bool pulls = false;
+  for (std::size_t i = 0; i < touches.size(); ++i) {
+    if (holds[i].grip != Grip::slides || !(force[3 * static_cast<Eigen::Index>(i)] < 0)) continue;
+    pulls = pulls || a.problem.friction[i] > 0;
+    a.problem.friction[i] = 0;
+  }
+  if (pulls) force = held_force(a.problem, holds);
+  Support support = report(a, touches, holds, force);
   for (std::size_t i = 0; i < touches.size(); ++i)
     support.points[i].slip_speed = a.slips[i].dot(holdings[i].slip);
   return support;
