@@ -45,6 +45,13 @@ function(test_suite folder)
   gtest_discover_tests(${folder}_tests TEST_PREFIX "${folder}/" DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${folder})
 endfunction()
 
+# tool(name SOURCE file USES libraries…): an executable that a script builds when it needs it.
+function(tool name)
+  cmake_parse_arguments(ARG "" "SOURCE" "USES" ${ARGN})
+  add_executable(${name} EXCLUDE_FROM_ALL ${ARG_SOURCE})
+  target_link_libraries(${name} PRIVATE ${ARG_USES} warnings)
+endfunction()
+
 function(layering_test)
   add_test(NAME layering COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR} -P ${PROJECT_SOURCE_DIR}/tests/layering_test.cmake)
   set_tests_properties(layering PROPERTIES LABELS layering)
