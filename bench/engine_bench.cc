@@ -52,6 +52,7 @@ struct Case {
   Error error;
   std::vector<std::string> bullets;
   std::vector<Target> targets;
+  double budget = 2;  ///< CPU of a reference's run [s].
 };
 
 double place_error(const core::State& a, const core::State& b) {
@@ -163,7 +164,7 @@ point = [0, 0, 0]
       {"3 chain of 10",
        "m",
        chain_text(),
-       20,
+       60,
        "chain",
        place_error,
        rigid,
@@ -191,7 +192,8 @@ point = [0, 0, 0]
        "heavy_top",
        axis_error,
        {"bullet-multibody", "bullet-multibody-float", "bullet"},
-       {{1e-2, 400, 0}, {1e-4, 4500, 0}, {1e-8, 0, 0}}},
+       {{1e-2, 400, 0}, {1e-4, 4500, 0}, {1e-8, 0, 0}},
+       2.2},
   };
 }
 
@@ -306,7 +308,7 @@ struct References {
   const core::Scene& scene;
   double duration;
   const Subject& subject;
-  double budget = 2;  // CPU of one run [s]
+  double budget;
   mutable std::map<std::pair<std::string, std::int64_t>, Run> seen;
 
   Run run(const process::EngineChoice& choice, std::int64_t steps) const {
@@ -372,7 +374,7 @@ void compare(const Case& c, const std::vector<process::EngineRow>& rows) {
     if (s.name == c.solution) truth = s.make(scenario.scene, c.duration).state;
   Subject subject{simulators::in_house_model(scenario.scene).model, c.duration, truth, c.error, {}};
   for (int k = 1; k <= samples; ++k) subject.truths.push_back(truth(c.duration * k / samples));
-  const References references{scenario.scene, c.duration, subject, 2, {}};
+  const References references{scenario.scene, c.duration, subject, c.budget, {}};
 
   fmt::print("\n{}, {:g} s\n", c.name, c.duration);
   fmt::print("    {:<9} {:<22} {:<14} {:>9} {:>13}\n", "", "method", "step [s]", "error [" + c.unit + "]",
