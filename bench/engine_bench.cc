@@ -453,7 +453,7 @@ int main(int argc, char** argv) {
     if (wanted) compare(c, rows);
   }
   fmt::print(
-      "\nS8: Bullet is btMultiBody as its adapter runs it; its own RK4 integrator is no path of the adapter "
-      "and is not "
-      "measured here.\n");
+      "\nS8: Bullet is the cheaper of btMultiBody and of a btRigidBody on a ball joint, as the adapter runs "
+      "them; "
+      "btMultiBody's own RK4 is no path of the adapter and is not measured.\n");
 }
