@@ -24,6 +24,7 @@ Bodies::Bodies(Model model, bool account) : model_(std::move(model)), account_(a
   first_.resize(n);
   before_.resize(n);
   spin_.resize(n, 0);
+  upright_.resize(n);
   powers_.resize(model_.forces.count());
   reads_velocities_ = model_.forces.read_velocities();
   int rows = 0;
@@ -117,8 +118,18 @@ void Bodies::gather(const Motion* motion) {
   for (const Joint& joint : model_.joints) add_rows(joint, model_.bodies, motion, rows_.rows);
 }
 
+// The same with unit quaternions: the stages of a scheme leave them, and the rows of joints take them as
+// such.
+const Motion* Bodies::upright(const Motion* motion) {
+  for (std::size_t i = 0; i < upright_.size(); ++i) {
+    upright_[i] = motion[i];
+    upright_[i].orientation = renormalised(motion[i].orientation);
+  }
+  return upright_.data();
+}
+
 void Bodies::rates(Time t, const Real* y, Real* rate) {
-  const Motion* motion = motions(y);
+  const Motion* motion = holder_ || constrained() ? upright(motions(y)) : motions(y);
   weigh(t);
   find_kinematics(motion);
   Real* powers = account_ ? rate + motion_size * kinematics_.size() : nullptr;

@@ -77,6 +77,7 @@ class Bodies {
   void find_loads(Time, const Motion*, Real* powers);
   void free_drift(Real h, Real* y);
   void gather(const Motion*);
+  const Motion* upright(const Motion*);
   void turn_frame(Real h, Motion*);
 
   struct Switch {
@@ -89,6 +90,7 @@ class Bodies {
   std::size_t size_ = 0;
   std::vector<Real> mass_;  // at t = 0
   std::vector<Kinematics> kinematics_;
+  std::vector<Motion> upright_;
   std::vector<Load> loads_, first_, before_;
   std::vector<Real> powers_, change_, start_, probe_;
   Real length_ = 0, speed_ = 0, turn_ = 0;  // the largest that scales() has seen, as are

@@ -74,6 +74,12 @@ std::unique_ptr<Stepper> make_events(const Model& model, const Plan& plan, const
   return std::make_unique<VerifiedStepper>(run, bound(options), options.dt, model.bodies);
 }
 
+PileSettings pile_settings(const Options& options) {
+  PileSettings settings;
+  if (options.sweeps > 0) settings.substeps = options.sweeps;
+  return settings;
+}
+
 }  // namespace
 
 std::unique_ptr<Stepper> make_stepper(const Model& model, const Options& options, const Plan& plan,
@@ -93,7 +99,7 @@ std::unique_ptr<Stepper> make_stepper(const Model& model, const Options& options
     case Method::events:
       return make_events(model, plan, options, start);
     case Method::stepping:
-      return make_pile(model, options.dt);
+      return make_pile(model, options.dt, pile_settings(options));
   }
   return nullptr;
 }

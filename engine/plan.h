@@ -16,6 +16,7 @@ struct Options {
   Real tolerance = 0;  ///< Of the scales of the motion; auto: bound on the global error; dop853: on the error
                        ///< of each step; 0: default_tolerance.
   std::string method;  ///< "events" or "stepping"; "": by the plan's rule.
+  int sweeps = 0;      ///< stepping: sweeps over the contacts in a step; 0: PileSettings' own.
   bool full = false;   ///< Run every stage, needed or not.
   bool account = false;  ///< Integrate the work of each force.
 };

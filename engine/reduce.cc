@@ -64,6 +64,27 @@ void shift_anchors(Model& model, int body, const Vector3& shift) {
   for (Joint& j : model.joints) move(j.body, j.anchor), move(j.to, j.to_anchor);
 }
 
+// A locked body holds like the world: its end of a joint is a place of the world.
+void fasten(const Model& model, Joint& joint) {
+  const auto locked = [&](int body) { return body != fixed_world && model.bodies[at(body)].locked; };
+  const auto place = [&](int body, const Vector3& anchor) -> Vector3 {
+    return model.motions[at(body)].position + model.motions[at(body)].orientation * anchor;
+  };
+  if (joint.type == Joint::Type::fixed || locked(joint.to) == locked(joint.body)) return;
+  if (locked(joint.to)) {
+    joint.to_anchor = place(joint.to, joint.to_anchor);
+    joint.to_axis = model.motions[at(joint.to)].orientation * joint.to_axis;
+    joint.to = fixed_world;
+  } else if (joint.to != fixed_world) {
+    joint.anchor = place(joint.body, joint.anchor);
+    joint.axis = model.motions[at(joint.body)].orientation * joint.axis;
+    std::swap(joint.body, joint.to);
+    std::swap(joint.anchor, joint.to_anchor);
+    std::swap(joint.axis, joint.to_axis);
+    joint.to = fixed_world;
+  }
+}
+
 bool pin(Reduced& reduced, const Joint& joint) {
   Model& model = reduced.model;
   const int i = joint.to == fixed_world ? joint.body : joint.to;
@@ -105,6 +126,7 @@ Reduced reduce(Model model) {
   Reduced reduced{std::move(model), {}, {}};
   Model& m = reduced.model;
   reduced.readings.resize(m.bodies.size());
+  for (Joint& joint : m.joints) fasten(m, joint);
   constexpr const char* names[] = {"ball joint", "hinge", "distance joint", "fixed joint"};
   for (std::size_t k = 0; k < m.joints.size();) {
     const Joint joint = m.joints[k];

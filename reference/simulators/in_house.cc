@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -55,6 +56,8 @@ core::Engine describe() {
                             {"planned", "full"},
                             "planned",
                             "planned: only the stages that the scene requires; full: all of them"});
+  engine.options.push_back(
+      {"sweeps", {}, "10", "path stepping: sweeps over the contacts in a step, 1 to 1000"});
   return engine;
 }
 
@@ -74,12 +77,25 @@ std::vector<std::string> names(const Rows& rows) {
   return result;
 }
 
+int sweeps_of(const std::string& value) {
+  int sweeps = 0;
+  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), sweeps);
+  if (error != std::errc{} || end != value.data() + value.size() || sweeps < 1 || sweeps > 1000)
+    throw std::invalid_argument(
+        fmt::format("in-house: sweeps = '{}' is no whole number in [1, 1000]", value));
+  return sweeps;
+}
+
 engine::Options options_of(const core::Engine& engine, const core::Setup& setup) {
   engine::Options options;
   if (!setup.path.empty()) require("path", setup.path, names(engine.paths));
   if (!setup.integrator.empty()) require("integrator", setup.integrator, names(engine.schemes));
   for (const auto& [name, value] : setup.options) {
     require("option", name, names(engine.options));
+    if (name == "sweeps") {
+      options.sweeps = sweeps_of(value);
+      continue;
+    }
     require("model", value, engine.options.front().values);
     options.full = value == "full";
   }
@@ -149,6 +165,8 @@ class InHouse final : public core::Simulator {
                                     ? "bound on the error at the samples, of the scales of the motion"
                                     : "bound on the error of each step, of the scales of the motion"});
     }
+    if (options.sweeps > 0)
+      terms.settings.push_back({"sweeps", fmt::format("{}", options.sweeps), "10", "asked for"});
     if (options.full)
       terms.settings.push_back({"model", "full", "planned", "every stage runs, needed or not"});
     terms.unforceable = path.unforceable;

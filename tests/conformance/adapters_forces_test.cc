@@ -25,7 +25,6 @@ struct Row {
   const char* name;
   core::Force force;
   std::function<Wrenches(const core::Scene&)> by_hand;
-  bool in_house = true;  // whether the in-house engine models it
 };
 
 const Vector3 anchor(0.21, -0.13, 0.34), to_anchor(-0.17, 0.28, 0.09), pin(0.8, -1.4, 0.5);
@@ -85,8 +84,7 @@ const Row rows[] = {
     {"thrust", core::Thrust{.body = 0, .force = push},
      [](const core::Scene& scene) {
        return on_a(scene.bodies[0].initial.orientation * push, Vector3::Zero());
-     },
-     false},
+     }},
     {"attraction", core::Attraction{0, 1, 4.2},
      [](const core::Scene& scene) {
        const Vector3 d = scene.bodies[1].initial.position - scene.bodies[0].initial.position;
@@ -94,8 +92,7 @@ const Row rows[] = {
        Wrenches result;
        result[0].force = f, result[1].force = -f;
        return result;
-     },
-     false},
+     }},
 };
 
 // (v_1 - v_0)/dt = F/m + O(dt), (w_1 - w_0)/dt = I^-1 (tau - w x I w) + O(dt), relative to the largest of
@@ -104,7 +101,6 @@ const Row rows[] = {
 TEST_P(Forces, FirstInstantIsAsByHand) {
   const double h = subject().single ? 3e-4 : 1e-6;
   for (const Row& row : rows) {
-    if (std::string_view(subject().id) == "in-house" && !row.in_house) continue;
     core::Scene scene = three_bodies(51);
     scene.forces = {row.force};
     const core::State before = core::initial_state(scene), after = last(subject().choice(), scene, h, 1);

@@ -13,10 +13,11 @@ struct Mistake {
 };
 
 const Mistake mistakes[] = {
-    {"in-house/path=defualt", {"path 'defualt'", "did you mean 'default'?"}},
+    {"in-house/path=event", {"path 'event'", "did you mean 'events'?"}},
     {"in-house/integrator=rk5", {"integrator 'rk5'", "did you mean 'rk4'?", "symplectic-euler"}},
     {"in-house/integrator=velocity-verlt", {"did you mean 'velocity-verlet'?"}},
-    {"in-house/erp=0", {"option 'erp'", "there are no options"}},
+    {"in-house/erp=0", {"option 'erp'", "valid: model"}},
+    {"in-house-float/model=ful", {"model 'ful'", "did you mean 'full'?"}},
     {"bullet/path=multi-body", {"path 'multi-body'", "did you mean 'multibody'?"}},
     {"bullet/integrator=semi-implicit-eular", {"integrator", "did you mean 'semi-implicit-euler'?"}},
     {"bullet/gyroo=none", {"option 'gyroo'", "did you mean 'gyro'?"}},
