@@ -87,7 +87,7 @@ void Bodies::find_kinematics(const Motion* motion) {
     const Body& body = model_.bodies[i];
     Kinematics& k = kinematics_[i];
     k.velocity = velocity(body, motion[i]);
-    k.rotation = renormalised(motion[i].orientation).toRotationMatrix();  // stages leave the unit sphere
+    k.rotation = rotation_matrix(motion[i].orientation);
     if (body.turns) {
       k.angular_velocity =
           k.rotation * (body.inverse_inertia * (k.rotation.transpose() * motion[i].angular_momentum));
@@ -123,7 +123,7 @@ void Bodies::gather(const Motion* motion) {
 const Motion* Bodies::upright(const Motion* motion) {
   for (std::size_t i = 0; i < upright_.size(); ++i) {
     upright_[i] = motion[i];
-    upright_[i].orientation = renormalised(motion[i].orientation);
+    upright_[i].orientation = motion[i].orientation.normalized();
   }
   return upright_.data();
 }

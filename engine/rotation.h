@@ -27,6 +27,18 @@ inline Quaternion exponential(const Vector3& b) {
   return {cosine, v.x(), v.y(), v.z()};
 }
 
+/// The matrix of the rotation by q/|q|, of any length above 0: exactly the same for all multiples of q, as
+/// the stages of a scheme make them.  Seed eq. 74 (errata 16-18) with 2/|q|^2 in place of 2.
+inline Matrix3 rotation_matrix(const Quaternion& q) {
+  const Real s = 2 / q.squaredNorm();
+  const Real w = q.w(), x = q.x(), y = q.y(), z = q.z();
+  Matrix3 r;
+  r << 1 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y),  //
+      s * (x * y + w * z), 1 - s * (x * x + z * z), s * (y * z - w * x),   //
+      s * (x * z - w * y), s * (y * z + w * x), 1 - s * (x * x + y * y);
+  return r;
+}
+
 /// The unit quaternion next to q.  q (3 - |q|^2)/2, one Newton step for q/|q|.
 /// Exact to rounding for | |q| - 1 | < 1e-8, which is where a product of unit quaternions is (errata 21, 46).
 inline Quaternion renormalised(const Quaternion& q) {
