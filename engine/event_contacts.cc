@@ -238,7 +238,9 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
     bool again = false;
     for (std::size_t i = 0; i < touches.size(); ++i) {
       const Real u = rate_now(touches[i]);
-      const bool soon = pulls[i] > 0 && 2 * u < static_cast<Real>(zeno_return * dt_) * pulls[i];
+      // A pull that is rounding (of gyroscopic terms that cancel) brings nothing back.
+      const bool pulled = static_cast<Real>(dt_) * pulls[i] > speed_rounding(touches[i], bodies, motion);
+      const bool soon = pulled && 2 * u < static_cast<Real>(zeno_return * dt_) * pulls[i];
       if (touches[i].restitution == 0 || outcome.approach[i] == 0 || !soon) continue;
       touches[i].restitution = 0;
       again = true;

@@ -54,6 +54,7 @@ struct Model {
   std::vector<Motion> motions;  ///< At t = 0, one per body.
   Forces forces;
   std::vector<Joint> joints;
+  bool reduce_joints = true;  ///< Joints to the world in reduced coordinates where the scene allows it.
 
   std::vector<Shape> shapes;  ///< One per body.
   std::vector<int> surfaces;  ///< One per body: its surface, or no_surface where it never touches.

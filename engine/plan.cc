@@ -211,7 +211,9 @@ bool can_touch(const Model& model) {
   return moving > 0 && (all > 1 || !model.planes.empty());
 }
 
-std::string unsupported(const Model& model, const Options& options) {
+std::string unsupported(const Model& given, const Options& options) {
+  Model model = given;
+  model.reduce_joints = model.reduce_joints && !options.constraints;
   const Scheme* scheme = find_scheme(options.scheme);
   if (options.scheme != "auto" && !scheme) return "there is no scheme '" + options.scheme + "'";
   if (options.method != "" && options.method != "events" && options.method != "stepping")

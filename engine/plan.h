@@ -17,8 +17,9 @@ struct Options {
                        ///< of each step; 0: default_tolerance.
   std::string method;  ///< "events" or "stepping"; "": by the plan's rule.
   int sweeps = 0;      ///< stepping: sweeps over the contacts in a step; 0: PileSettings' own.
-  bool full = false;   ///< Run every stage, needed or not.
-  bool account = false;  ///< Integrate the work of each force.
+  bool constraints = false;  ///< Keep all joints as constraints, in no reduced coordinates.
+  bool full = false;         ///< Run every stage, needed or not.
+  bool account = false;      ///< Integrate the work of each force.
 };
 
 /// What auto promises where nobody asks: 1e-10 in double, 1e-4 in float.

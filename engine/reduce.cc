@@ -126,6 +126,7 @@ Reduced reduce(Model model) {
   Reduced reduced{std::move(model), {}, {}};
   Model& m = reduced.model;
   reduced.readings.resize(m.bodies.size());
+  if (!m.reduce_joints) return reduced;
   for (Joint& joint : m.joints) fasten(m, joint);
   constexpr const char* names[] = {"ball joint", "hinge", "distance joint", "fixed joint"};
   for (std::size_t k = 0; k < m.joints.size();) {

@@ -8,8 +8,17 @@
 
 namespace cylon::engine {
 
+namespace {
+
+Model with(Model model, const Options& options) {
+  if (options.constraints) model.reduce_joints = false;
+  return model;
+}
+
+}  // namespace
+
 World::World(Model model, const Options& options)
-    : model_(std::move(model)), options_(options), plan_(make_plan(model_, options_)) {
+    : model_(with(std::move(model), options)), options_(options), plan_(make_plan(model_, options_)) {
   assert(options_.dt > 0 && unsupported(model_, options_).empty());
   stepper_ = make_stepper(model_, options_, plan_);
   if (plan_.method == Method::ballistic) {

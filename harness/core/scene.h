@@ -146,11 +146,11 @@ struct Attraction {
   double strength = 0;  ///< [m^3/(kg s^2)]
 };
 
-/// Water below a surface.  Mode "volume": the surface is y = level + wave sin(x - speed t), level over the width of a
-/// body; the displaced weight acts at the centroid of the submerged part, drag (V_sub/V) v against the motion.  Mode
-/// "step": the surface is a table of 41 x 41 cells of 0.25 m around the origin, i = trunc((x + 5)/0.25), j from z,
-/// y = level + wave/2 sin(speed t + i) + wave/2 sin(i j/2); on a body whose centre is below it act a constant lift,
-/// -drag v and the torque -L.
+/// Water below a surface.  Mode "volume": the surface is y = level + wave sin(x - speed t), level over the
+/// width of a body; the displaced weight acts at the centroid of the submerged part, drag (V_sub/V) v against
+/// the motion.  Mode "step": the surface is a table of 41 x 41 cells of 0.25 m around the origin, i =
+/// trunc((x + 5)/0.25), j from z, y = level + wave/2 sin(speed t + i) + wave/2 sin(i j/2); on a body whose
+/// centre is below it act a constant lift, -drag v and the torque -L.
 struct Water {
   double level = 0;             ///< [m]
   double wave = 0;              ///< Amplitude [m].

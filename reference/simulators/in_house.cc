@@ -96,8 +96,12 @@ engine::Options options_of(const core::Engine& engine, const core::Setup& setup)
       options.sweeps = sweeps_of(value);
       continue;
     }
-    require("model", value, engine.options.front().values);
-    options.full = value == "full";
+    const auto option =
+        std::find_if(engine.options.begin(), engine.options.end(),
+                     [&, wanted = name](const core::Option& row) { return row.name == wanted; });
+    require(name, value, option->values);
+    if (name == "model") options.full = value == "full";
+    if (name == "joints") options.constraints = value == "constraints";
   }
   options.method = setup.path;
   if (!setup.integrator.empty()) options.scheme = setup.integrator;
@@ -167,6 +171,7 @@ class InHouse final : public core::Simulator {
     }
     if (options.sweeps > 0)
       terms.settings.push_back({"sweeps", fmt::format("{}", options.sweeps), "10", "asked for"});
+    if (options.constraints) terms.settings.push_back({"joints", "constraints", "reduced", "asked for"});
     if (options.full)
       terms.settings.push_back({"model", "full", "planned", "every stage runs, needed or not"});
     terms.unforceable = path.unforceable;

@@ -204,7 +204,8 @@ TEST_P(Chains, HaveTheOrderOfTheScheme) {
   const Real coarse = distance(run(model, GetParam().name, 0.5, n).motions, exact);
   const Real fine = distance(run(model, GetParam().name, 0.5, 2 * n).motions, exact);
   EXPECT_GT(fine, 1e-12);
-  if (order >= 8) {  // only steps of 1/16 and 1/32 s lie between the coarse and rounding: too few for its slope
+  if (order >=
+      8) {  // only steps of 1/16 and 1/32 s lie between the coarse and rounding: too few for its slope
     EXPECT_GT(std::log2(coarse / fine), order - 0.5);
   } else {
     EXPECT_NEAR(std::log2(coarse / fine), order, order > 4 ? 0.5 : 0.12);
