@@ -2,6 +2,7 @@
 
 #include "harness/core/overloaded.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -10,7 +11,7 @@ namespace {
 
 // The table's word of the scenario file, and the body that the force acts on (world: all).
 struct ForceName {
-  const char* kind;
+  std::string_view kind;
   int body;
 };
 
@@ -76,13 +77,26 @@ void check_no_joints(std::string_view solution, const core::Scene& scene) {
   if (!scene.joints.empty()) refuse(solution, named(scene, scene.joints.front().body) + " has a joint");
 }
 
-void check_forces(std::string_view solution, const core::Scene& scene, bool springs) {
+void check_forces(std::string_view solution, const core::Scene& scene,
+                  std::initializer_list<std::string_view> kinds) {
   for (const core::Force& force : scene.forces) {
-    if (std::holds_alternative<core::UniformGravity>(force)) continue;
-    if (springs && std::holds_alternative<core::Spring>(force)) continue;
     const ForceName f = name_of(force);
-    refuse(solution, std::string("a force that it does not know: ") + f.kind +
+    if (std::ranges::find(kinds, f.kind) != kinds.end()) continue;
+    refuse(solution, std::string("a force that it does not know: ") + std::string(f.kind) +
                          (f.body == core::world ? "" : " on " + named(scene, f.body)));
+  }
+}
+
+void check_forces(std::string_view solution, const core::Scene& scene, bool springs) {
+  springs ? check_forces(solution, scene, {"gravity", "spring"}) : check_forces(solution, scene, {"gravity"});
+}
+
+void check_no_rest_length(std::string_view solution, const core::Scene& scene) {
+  for (const core::Force& force : scene.forces) {
+    const auto* spring = std::get_if<core::Spring>(&force);
+    if (spring && spring->rest_length != 0) {
+      refuse(solution, "the spring of " + named(scene, spring->body) + " has a rest length");
+    }
   }
 }
 
@@ -118,6 +132,16 @@ double colliding_radius(std::string_view solution, const core::Scene& scene, int
   if (!sphere) refuse(solution, named(scene, index) + " is not a sphere");
   if (!body.collide) refuse(solution, named(scene, index) + " does not collide");
   return sphere->radius;
+}
+
+void check_smooth(std::string_view solution, const core::Scene& scene, const core::Pair& pair) {
+  const auto material = core::material_of(scene, pair);
+  const std::string both =
+      named(scene, pair.body) + " and " +
+      (pair.plane >= 0 ? "plane '" + scene.planes.at(static_cast<std::size_t>(pair.plane)).name + "'"
+                       : named(scene, pair.other));
+  if (!material) refuse(solution, "no material is given for " + both);
+  if (material->friction != 0) refuse(solution, "friction of " + both + " is not zero");
 }
 
 core::Vector3 gravity(const core::Scene& scene) {

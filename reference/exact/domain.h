@@ -5,6 +5,7 @@
 #include "harness/core/scene.h"
 #include "harness/core/truth.h"
 
+#include <initializer_list>
 #include <string_view>
 
 namespace cylon::exact {
@@ -25,14 +26,24 @@ void check_no_joints(std::string_view solution, const core::Scene&);
 /// No force but uniform gravity and, if `springs`, springs.
 void check_forces(std::string_view solution, const core::Scene&, bool springs);
 
+/// No force but those of the given kinds, in the words of a scenario file: "gravity", "spring", "drag", ….
+void check_forces(std::string_view solution, const core::Scene&,
+                  std::initializer_list<std::string_view> kinds);
+
 /// Every spring ties the centre of a body to the world without damping and every body has one at least.
 void check_springs(std::string_view solution, const core::Scene&);
+
+/// No spring has a rest length.
+void check_no_rest_length(std::string_view solution, const core::Scene&);
 
 /// The body turns about a fixed axis when no torque acts: |w x I w| <= 1e-14 |w| |I w|.
 void check_steady_spin(std::string_view solution, const core::Scene&, int body);
 
 /// The body is a sphere that collides.  Its radius [m].
 double colliding_radius(std::string_view solution, const core::Scene&, int body);
+
+/// The pair has a material, and no friction.
+void check_smooth(std::string_view solution, const core::Scene&, const core::Pair&);
 
 /// Sum of the uniform gravities [m/s^2].
 core::Vector3 gravity(const core::Scene&);

@@ -12,10 +12,19 @@ class Nudges {
     for (std::size_t f = 0; f < scene.forces.size(); ++f) force(f);
     for (std::size_t j = 0; j < scene.joints.size(); ++j) {
       vector([j](core::Scene & s) -> auto& { return s.joints[j].point; });
+      if (scene.joints[j].type == core::JointType::hinge) {
+        vector([j](core::Scene & s) -> auto& { return s.joints[j].axis; });
+      } else if (scene.joints[j].type == core::JointType::distance) {
+        number([j](core::Scene & s) -> auto& { return s.joints[j].length; });
+      }
     }
     for (std::size_t p = 0; p < scene.planes.size(); ++p) {
       vector([p](core::Scene & s) -> auto& { return s.planes[p].normal; });
       number([p](core::Scene & s) -> auto& { return s.planes[p].offset; });
+    }
+    if (scene.frame) {
+      vector([](core::Scene & s) -> auto& { return s.frame->velocity; });
+      vector([](core::Scene & s) -> auto& { return s.frame->angular_velocity; });
     }
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
       number([m](core::Scene & s) -> auto& { return s.materials[m].restitution; });
@@ -71,16 +80,47 @@ class Nudges {
     }
   }
 
+  template <class Force, class Field>
+  void number_of(std::size_t f, Field field) {
+    number([=](core::Scene & s) -> auto& { return std::get<Force>(s.forces[f]).*field; });
+  }
+
+  template <class Force, class Field>
+  void vector_of(std::size_t f, Field field) {
+    vector([=](core::Scene & s) -> auto& { return std::get<Force>(s.forces[f]).*field; });
+  }
+
   void force(std::size_t f) {
-    if (std::holds_alternative<core::UniformGravity>(scene_.forces[f])) {
-      vector([f](core::Scene & s) -> auto& {
-        return std::get<core::UniformGravity>(s.forces[f]).acceleration;
-      });
-    } else if (std::holds_alternative<core::Spring>(scene_.forces[f])) {
-      const auto spring = [f](core::Scene & s) -> auto& { return std::get<core::Spring>(s.forces[f]); };
-      vector([=](core::Scene & s) -> auto& { return spring(s).to_anchor; });
-      number([=](core::Scene & s) -> auto& { return spring(s).stiffness; });
-      number([=](core::Scene & s) -> auto& { return spring(s).rest_length; });
+    using namespace core;
+    const core::Force& force = scene_.forces[f];
+    if (std::holds_alternative<UniformGravity>(force)) {
+      vector_of<UniformGravity>(f, &UniformGravity::acceleration);
+    } else if (std::holds_alternative<Spring>(force)) {
+      for (auto field : {&Spring::anchor, &Spring::to_anchor}) vector_of<Spring>(f, field);
+      for (auto field : {&Spring::stiffness, &Spring::rest_length, &Spring::damping})
+        number_of<Spring>(f, field);
+    } else if (std::holds_alternative<Drag>(force)) {
+      for (auto field : {&Drag::linear, &Drag::angular, &Drag::momentum}) number_of<Drag>(f, field);
+    } else if (std::holds_alternative<Thrust>(force)) {
+      thrust(f);
+    } else if (std::holds_alternative<Drive>(force)) {
+      vector_of<Drive>(f, &Drive::force);
+      number_of<Drive>(f, &Drive::frequency);
+    } else if (std::holds_alternative<Attraction>(force)) {
+      number_of<Attraction>(f, &Attraction::strength);
+    } else if (std::holds_alternative<Water>(force)) {
+      for (auto field : {&Water::level, &Water::wave, &Water::speed, &Water::buoyancy, &Water::drag})
+        number_of<Water>(f, field);
+    }
+  }
+
+  void thrust(std::size_t f) {
+    const auto& own = std::get<core::Thrust>(scene_.forces[f]);
+    vector_of<core::Thrust>(f, &core::Thrust::force);
+    number_of<core::Thrust>(f, &core::Thrust::mass_rate);
+    for (auto field : {&core::Thrust::exhaust_velocity, &core::Thrust::exchanged_velocity}) {
+      if (!(own.*field)) continue;
+      vector([=](core::Scene & s) -> auto& { return *(std::get<core::Thrust>(s.forces[f]).*field); });
     }
   }
 

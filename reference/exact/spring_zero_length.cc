@@ -56,12 +56,7 @@ core::Truth spring_zero_length(const core::Scene& scene, double horizon) {
   check_no_joints(name, scene);
   check_no_contacts(name, scene);
   for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) check_steady_spin(name, scene, i);
-  for (const core::Force& force : scene.forces) {
-    const auto* spring = std::get_if<core::Spring>(&force);
-    if (spring && spring->rest_length != 0) {
-      refuse(name, "the spring of " + named(scene, spring->body) + " has a rest length");
-    }
-  }
+  check_no_rest_length(name, scene);
   return {.state = solve(scene),
           .error = rounding_error(scene, solve, horizon),
           .source = "Landau & Lifshitz, Mechanics, section 23: the space oscillator",
