@@ -116,8 +116,7 @@ void add_worker_option(CLI::App& app, std::vector<std::string>& workers) {
                  "Add an engine behind the worker protocol (docs/protocol.md), its command's words separated "
                  "by spaces")
       ->type_name("NAME=COMMAND")
-      ->expected(1)
-      ->take_all();
+      ->allow_extra_args(false);
 }
 
 std::vector<process::EngineRow> with_workers(const Context& context,

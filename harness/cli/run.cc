@@ -202,14 +202,20 @@ Command add_run(CLI::App& app, const Context& context) {
                  "None: the suite")
       ->type_name("GLOB");
   app.add_option("--engine", request.engines,
-                 "Engine ids or globs; a variant follows '/': bullet/gyro=none. None: those of the suite")
-      ->type_name("GLOB");
-  app.add_option("--dt", request.steps, "Steps [s], 0.001 or 1/60; each scenario's nominal step otherwise")
+                 "An engine's id or a glob; a variant follows '/': bullet/gyro=none. May be given again; "
+                 "those of the suite otherwise")
+      ->type_name("GLOB")
+      ->allow_extra_args(false);
+  app.add_option("--dt", request.steps,
+                 "Step [s], 0.001 or 1/60. May be given again; each scenario's nominal step otherwise")
       ->type_name("S")
-      ->delimiter(',');
-  app.add_option("--integrator", request.integrators,
-                 "Schemes of the engines, as `cylon engines` names them; each engine's default otherwise")
-      ->type_name("GLOB");
+      ->allow_extra_args(false);
+  app.add_option(
+         "--integrator", request.integrators,
+         "A scheme of the engines, as `cylon engines` names them, or a glob. May be given again; each "
+         "engine's default otherwise")
+      ->type_name("GLOB")
+      ->allow_extra_args(false);
   app.add_option("--suite", request.suite,
                  "A suite of scenarios/suites/: its scenarios, engines, steps and published numbers; "
                  "conformance otherwise")

@@ -54,15 +54,6 @@ scenarios::Suite find_suite(const Context& context, const std::vector<EngineRow>
   return all;
 }
 
-// An option that takes several words also takes the scenario behind them.
-[[noreturn]] void refuse_word(const char* option, const std::string& word,
-                              const std::vector<std::string>& names, const core::InputError& error) {
-  if (!is_path(word) && !contains(names, word))
-    throw core::InputError(fmt::format("{}: {}", option, error.what()));
-  throw core::InputError(fmt::format(
-      "{} takes every word that follows it, and '{}' is a scenario: put scenarios first", option, word));
-}
-
 // What is asked for, else what the suite lists, engines that the user adds, and variants that a pattern
 // spells out.
 std::vector<std::string> engine_ids(const Context& context, const std::vector<EngineRow>& rows,
@@ -122,8 +113,7 @@ bool same(const EngineChoice& a, const EngineChoice& b) {
 
 std::vector<EngineChoice> choose_engines(const Context& context, const std::vector<EngineRow>& rows,
                                          const Request& request, const std::vector<Pattern>& patterns,
-                                         const scenarios::Suite& suite,
-                                         const std::vector<std::string>& scenario_names) {
+                                         const scenarios::Suite& suite) {
   std::vector<EngineChoice> engines;
   std::vector<std::string> schemes;
   for (const std::string& id : engine_ids(context, rows, request, patterns, suite)) {
@@ -131,7 +121,7 @@ std::vector<EngineChoice> choose_engines(const Context& context, const std::vect
     try {
       choice = process::parse_engine(id, rows);
     } catch (const core::InputError& error) {
-      refuse_word("--engine", id, scenario_names, error);
+      throw core::InputError(fmt::format("--engine: {}", error.what()));
     }
     for (EngineChoice& variant : with_integrators(choice, rows, request.integrators, schemes))
       if (std::none_of(engines.begin(), engines.end(),
@@ -150,17 +140,25 @@ struct Step {
   double dt;
 };
 
-std::vector<Step> parse_steps(const std::vector<std::string>& words,
-                              const std::vector<std::string>& scenario_names) {
+std::vector<Step> parse_steps(const std::vector<std::string>& words) {
   std::vector<Step> steps;
   for (const std::string& word : words) try {
       const double dt = scenarios::parse_step(word);
       if (std::none_of(steps.begin(), steps.end(), [&](const Step& other) { return other.dt == dt; }))
         steps.push_back({word, dt});
     } catch (const core::InputError& error) {
-      refuse_word("--dt", word, scenario_names, error);
+      throw core::InputError(fmt::format("--dt: {}", error.what()));
     }
   return steps;
+}
+
+// A scenario that is not there; where an engine has that name, its option was left out.
+core::InputError no_scenario(const Context& context, const std::vector<EngineRow>& rows,
+                             const std::string& word) {
+  if (std::none_of(rows.begin(), rows.end(), [&](const EngineRow& row) { return row.id == word; }))
+    return unknown_scenario(context, word);
+  return core::InputError(fmt::format(
+      "no scenario '{0}', but an engine: an option takes one value each time, so say --engine {0}", word));
 }
 
 // A scenario as the user names it: a file by its path, one of the folder by its name.
@@ -169,8 +167,9 @@ struct Candidate {
   fs::path file;
 };
 
-std::vector<Candidate> candidates(const Context& context, const Request& request,
-                                  const std::vector<Pattern>& patterns, const scenarios::Suite& suite) {
+std::vector<Candidate> candidates(const Context& context, const std::vector<EngineRow>& rows,
+                                  const Request& request, const std::vector<Pattern>& patterns,
+                                  const scenarios::Suite& suite) {
   std::vector<Candidate> found;
   for (const Pattern& p : patterns)
     if (!p.exclude && is_path(p.scenario) &&
@@ -180,7 +179,7 @@ std::vector<Candidate> candidates(const Context& context, const Request& request
   const std::vector<std::string> names = names_of(files);
   for (const Pattern& p : patterns)
     if (!is_path(p.scenario) && !is_glob(p.scenario) && !contains(names, p.scenario))
-      throw unknown_scenario(context, p.scenario);
+      throw no_scenario(context, rows, p.scenario);
   for (const fs::path& file : files) {
     const std::string name = file.stem().string();
     // Patterns choose among all scenarios; a suite asked for by name, and no pattern at all, keep to the
@@ -219,12 +218,11 @@ std::string command_for(const Context& context, const std::string& given, const 
 Selection select(const Context& context, const Request& request) {
   const std::vector<EngineRow> rows = with_workers(context, request.workers);
   const std::vector<Pattern> patterns = parse_patterns(request.patterns);
-  const std::vector<std::string> names = names_of(scenario_files(context));
   Selection selection;
   selection.suite = find_suite(context, rows, request.suite);
-  const std::vector<Candidate> chosen = candidates(context, request, patterns, selection.suite);
-  const auto engines = choose_engines(context, rows, request, patterns, selection.suite, names);
-  const auto steps = parse_steps(request.steps.empty() ? selection.suite.steps : request.steps, names);
+  const std::vector<Candidate> chosen = candidates(context, rows, request, patterns, selection.suite);
+  const auto engines = choose_engines(context, rows, request, patterns, selection.suite);
+  const auto steps = parse_steps(request.steps.empty() ? selection.suite.steps : request.steps);
 
   std::set<std::string> labels;
   for (const auto& [given, file] : chosen) {

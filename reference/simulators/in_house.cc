@@ -56,6 +56,10 @@ core::Engine describe() {
                             {"planned", "full"},
                             "planned",
                             "planned: only the stages that the scene requires; full: all of them"});
+  engine.options.push_back({"joints",
+                            {"reduced", "constraints"},
+                            "reduced",
+                            "reduced: joints to the world leave coordinates out; constraints: all are kept"});
   engine.options.push_back(
       {"sweeps", {}, "10", "path stepping: sweeps over the contacts in a step, 1 to 1000"});
   return engine;

@@ -38,7 +38,7 @@ TEST_F(CommandLine, ExitCodesAndMessages) {
       {"run projectle", 2, "no scenario 'projectle'"},
       {"run 'zzz*'", 4, "nothing selected"},
       {"run projectile --engine bulet", 2, "did you mean 'bullet'?"},
-      {"run --engine in-house projectile", 2, "'projectile' is a scenario: put scenarios first"},
+      {"run projectile --engine in-house ode", 2, "no scenario 'ode', but an engine"},
       {"run projectile --integrator rk44", 2, "did you mean 'rk4'?"},
       {"run --suite simbenchmar", 2, "did you mean 'simbenchmark'?"},
       {"run projectile --dt 0.3", 2, "the nearest step that fits is 0.26666666666666666 s"},
@@ -60,6 +60,31 @@ TEST_F(CommandLine, ExitCodesAndMessages) {
     EXPECT_EQ((ran.out + ran.err).find('\x1b'), std::string::npos)
         << "colour in a pipe: cylon " << c.arguments;
   }
+}
+
+// An option takes the one word behind it, wherever it stands, and no scenario after that.
+TEST_F(CommandLine, OptionsLeaveTheWordsAfterTheirValueAlone) {
+  const auto commands = [&](const std::string& arguments) {
+    const Ran ran = cylon("run " + arguments + " --json -");
+    EXPECT_TRUE(ran.code == 0 || ran.code == 1) << arguments << ran.err;
+    const json report = json::parse(ran.out);
+    std::vector<std::string> rows;
+    for (const json& row : report.at("verdicts")) rows.push_back(row.at("reproduce"));
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    return rows;
+  };
+  const std::vector<std::string> expected = {"cylon run free_symmetric_top --engine in-house --dt 1/60",
+                                             "cylon run free_symmetric_top --engine ode --dt 1/60",
+                                             "cylon run projectile --engine in-house --dt 1/60",
+                                             "cylon run projectile --engine ode --dt 1/60"};
+  for (const char* arguments : {"projectile free_symmetric_top --engine in-house --engine ode --dt 1/60",
+                                "--engine in-house --engine ode --dt 1/60 projectile free_symmetric_top",
+                                "--engine in-house projectile --engine ode free_symmetric_top --dt 1/60",
+                                "--dt 1/60 projectile 'free_symm*' --engine 'in-house' --engine od?"})
+    EXPECT_EQ(commands(arguments), expected) << arguments;
+  const Ran listed = cylon("list --names --tag spring --tag chaos 'spring*'");
+  EXPECT_EQ(listed.out, "spring_pendulum\n") << listed.err;
 }
 
 TEST_F(CommandLine, BadInputLeavesTheOldReportAlone) {
@@ -127,7 +152,7 @@ TEST_F(CommandLine, TheCommandOfARowGivesItAgain) {
   write("projectile.toml",
         replaced(shipped("projectile"), "velocity = [3, 4, 0.5]", "velocity = [3, 5, 0.5]"));
   const std::string cases[] = {
-      "projectile --engine ode bullet/gyro=none --dt 0.1", "mine.toml --engine ode --dt 1/50",
+      "projectile --engine ode --engine bullet/gyro=none --dt 0.1", "mine.toml --engine ode --dt 1/50",
       "./projectile.toml projectile --engine ode", "projectile --engine mine " + foreign,
       "projectile --integrator 'sym*' --engine in-house"};
   for (const std::string& arguments : cases) {
@@ -156,7 +181,7 @@ TEST_F(CommandLine, AForeignFileBorrowsNoExpectations) {
 
 TEST_F(CommandLine, RerunFailedAndResumeRememberTheRequest) {
   EXPECT_EQ(cylon("run --rerun-failed").code, 4);
-  EXPECT_EQ(cylon("run projectile --engine ode in-house --dt 0.1").code, 1);
+  EXPECT_EQ(cylon("run projectile --engine ode --engine in-house --dt 0.1").code, 1);
   const Ran again = cylon("run --rerun-failed --json -");
   EXPECT_EQ(again.code, 1) << again.err;
   const json verdicts = json::parse(again.out).at("verdicts");
@@ -174,8 +199,9 @@ TEST_F(CommandLine, AnInterruptedRunGoesOn) {
   // going.
   write("engine.sh", "[ -e hang ] && exec sleep 100\nexec " CYLON_BINARY_DIR "/cylon-worker-in-house\n");
   write("hang", "");
-  const Ran cut = shell("exec cylon run projectile -j 1 --worker 'slow=sh engine.sh' --engine in-house slow",
-                        one_cell_is_done);
+  const Ran cut =
+      shell("exec cylon run projectile -j 1 --worker 'slow=sh engine.sh' --engine in-house --engine slow",
+            one_cell_is_done);
   EXPECT_EQ(cut.code, 130) << cut.err;
   ASSERT_EQ(shell("rm hang").code, 0);
   EXPECT_NE(cut.err.find("cylon run --resume"), std::string::npos);

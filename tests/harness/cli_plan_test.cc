@@ -102,6 +102,11 @@ TEST_F(CommandLine, InHousePlansAndTakesATolerance) {
   EXPECT_TRUE(stage(full, "rotation").at("in").get<bool>());
   EXPECT_TRUE(stage(planned, "springs").at("in").get<bool>());
   EXPECT_FALSE(stage(planned, "detection").at("reason").get<std::string>().empty());
+  for (const auto& [joints, kept] : {std::pair{"reduced", false}, std::pair{"constraints", true}}) {
+    const std::string engine = std::string(" --engine in-house/joints=") + joints;
+    const json plan = json::parse(cylon("plan heavy_top --json" + engine).out);
+    EXPECT_EQ(stage(plan, "joint constraints").at("in").get<bool>(), kept) << joints;
+  }
   EXPECT_EQ(cylon("simulate spring_zero_length --tolerance 1e-6 --at 0.7654").code, 0);
   EXPECT_NE(cylon("simulate spring_zero_length --tolerance 1e-6 --integrator rk4")
                 .err.find("schemes that do: auto"),
