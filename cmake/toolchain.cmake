@@ -10,7 +10,10 @@ set(CYLON_MARCH "x86-64-v3" CACHE STRING "-march of every target")
 
 add_compile_options(-march=${CYLON_MARCH} -ffp-contract=off)
 if(CYLON_SANITIZE)
-  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  # Left out, as they double the time to compile (22.5 to 12.5 s for engine/contact/coulomb_point.cc): null and
+  # object-size, whose accesses AddressSanitizer sees itself, alignment and vptr.
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize=null,object-size,alignment,vptr
+                      -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
 endif()
 

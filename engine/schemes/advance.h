@@ -145,11 +145,19 @@ struct Steps {
   }
 };
 
+// Not under a sanitizer, whose checks, written out in every scheme, take a compiler minutes.
+#ifdef __SANITIZE_ADDRESS__
+#define CYLON_FLATTEN
+#else
+#define CYLON_FLATTEN [[gnu::flatten]]
+#endif
+
 /// `function` with all that it calls written out in one, so that a small state stays in registers.
 template <class S, auto function>
-[[gnu::flatten]] void flat(S& s, Time t, Time h, Real* y, std::size_t steps, Real* work) {
+CYLON_FLATTEN void flat(S& s, Time t, Time h, Real* y, std::size_t steps, Real* work) {
   function(s, t, h, y, steps, work);
 }
+#undef CYLON_FLATTEN
 
 /// Carries the state of a System over fixed steps.  Holds the memory that its scheme needs.
 template <System S>
