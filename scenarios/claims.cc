@@ -1,5 +1,6 @@
 #include "scenarios/claims.h"
 
+#include "harness/core/event_find.h"
 #include "harness/core/measure.h"
 #include "harness/core/recording.h"
 #include "reference/exact/catalogue.h"
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <map>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 namespace cylon::scenarios {
@@ -23,8 +25,16 @@ using core::Quantity;
 using core::Reduction;
 
 const std::vector<std::string> components = {"", "x", "y", "z", "horizontal"};
-const std::vector<std::string> events = {"bounce", "apex"};
-const std::vector<std::string> event_quantities = {"time", "height", "speed"};
+
+// The words of an enumeration of core, in its own order.
+template <class Enum>
+std::vector<std::string> words(Enum last) {
+  std::vector<std::string> result;
+  for (int i = 0; i <= static_cast<int>(last); ++i) result.emplace_back(core::name(static_cast<Enum>(i)));
+  return result;
+}
+const std::vector<std::string> event_kinds = words(core::EventKind::crossing);
+const std::vector<std::string> event_quantities = words(core::EventQuantity::order);
 
 bool is_vector(Quantity q) {
   return q == Quantity::position || q == Quantity::velocity || q == Quantity::angular_velocity ||
@@ -50,6 +60,32 @@ void refuse(const Table& t, std::initializer_list<const char*> keys, bool when, 
     if (when && t.has(key)) t.fail(key, fmt::format("{} {}", key, why));
 }
 
+// Which event, and which of its numbers.
+void read_event(const Table& t, const Draft& draft, Observable& q) {
+  q.event = t.choice("event", event_kinds, core::EventKind::bounce);
+  const core::EventType& type = core::event_type(q.event);
+  q.index = static_cast<int>(t.whole("index", std::max(1, type.first_index)));
+  q.event_quantity = t.choice("quantity", event_quantities, core::EventQuantity::time);
+  if (t.has("to")) q.to = draft.body(t, "to");
+  refuse(t, {"to", "about"}, q.event != core::EventKind::apsis, "belongs to event = \"apsis\"");
+  refuse(t, {"about"}, q.to.has_value(), "does not go with 'to'");
+  refuse(t, {"index"}, q.event_quantity == core::EventQuantity::order,
+         "does not go with quantity = \"order\", which is that of all");
+  if (q.index < type.first_index)
+    t.fail("index", fmt::format("index = {}, but the events of kind '{}' count from {}", q.index, type.name,
+                                type.first_index));
+  if (std::ranges::find(type.quantities, q.event_quantity) == type.quantities.end()) {
+    std::vector<std::string_view> valid;
+    for (const core::EventQuantity which : type.quantities) valid.push_back(core::name(which));
+    t.fail("quantity", fmt::format("quantity = '{}', but event = '{}' has none; valid: {}",
+                                   core::name(q.event_quantity), type.name, fmt::join(valid, ", ")));
+  }
+  if (core::over_periods(q.event, q.event_quantity) && (q.index < 3 || q.index % 2 == 0))
+    t.fail(t.has("index") ? "index" : "quantity",
+           fmt::format("index = {}: the {} is a mean over whole periods of two, from event 1 to 3, 5, …",
+                       q.index, core::name(q.event_quantity)));
+}
+
 Observable read_observable(const Table& t, const Draft& draft) {
   if (t.has("follows") == t.has("conserves"))
     t.fail("[[claim]] needs either 'follows' (with 'observable') or 'conserves'");
@@ -64,8 +100,9 @@ Observable read_observable(const Table& t, const Draft& draft) {
   if (event && t.has("conserves")) t.fail(key, "conserves: an event keeps no value; use 'follows'");
   refuse(t, {"component"}, !is_vector(q.quantity),
          fmt::format("belongs to vectors, and {} is none", core::name(q.quantity)));
-  refuse(t, {"about"}, q.quantity != Quantity::angular_momentum, "belongs to angular_momentum");
-  refuse(t, {"event", "index", "quantity"}, !event, "belongs to observable = \"event\"");
+  refuse(t, {"about"}, q.quantity != Quantity::angular_momentum && !event,
+         "belongs to angular_momentum and to event = \"apsis\"");
+  refuse(t, {"event", "index", "quantity", "to"}, !event, "belongs to observable = \"event\"");
   refuse(t, {"body"}, q.quantity == Quantity::energy,
          "does not go with energy, which is the scene's; use kinetic_energy");
   if (event && !t.has("event")) t.fail("observable", "observable = \"event\" needs 'event'");
@@ -73,15 +110,7 @@ Observable read_observable(const Table& t, const Draft& draft) {
   if (t.has("body")) q.body = draft.body(t, "body");
   q.component = t.choice("component", components, core::Component::all);
   q.about = t.vector("about");
-  q.event = t.choice("event", events, core::EventKind::bounce);
-  q.index = static_cast<int>(t.whole("index", 1));
-  q.event_quantity = t.choice("quantity", event_quantities, core::EventQuantity::time);
-  if (event && q.event == core::EventKind::bounce && q.index < 1)
-    t.fail("index", "index = 0, but bounces count from 1");
-  if (event && q.event == core::EventKind::bounce && q.event_quantity == core::EventQuantity::height)
-    t.fail("quantity", "quantity = 'height', but a bounce has none; valid: time, speed");
-  if (event && q.event == core::EventKind::apex && q.event_quantity == core::EventQuantity::speed)
-    t.fail("quantity", "quantity = 'speed', but an apex has none; valid: time, height");
+  if (event) read_event(t, draft, q);
 
   const auto point = [&](std::size_t i) { return draft.point[i]; };
   bool only_points = q.body && point(static_cast<std::size_t>(*q.body));
@@ -100,9 +129,11 @@ std::string label_of(const Table& t, const Claim& claim) {
   std::string label(core::name(q.quantity));
   label += claim.follows.empty() ? " conserved" : " follows " + claim.follows;
   if (q.quantity == Quantity::event)
-    label += fmt::format(", {} {} {}", events[static_cast<std::size_t>(q.event)], q.index,
-                         event_quantities[static_cast<std::size_t>(q.event_quantity)]);
+    label += fmt::format(", {}{} {}", core::name(q.event),
+                         q.event_quantity == core::EventQuantity::order ? "" : fmt::format(" {}", q.index),
+                         core::name(q.event_quantity));
   if (t.has("body")) label += ", " + t.text("body");
+  if (t.has("to")) label += ", to " + t.text("to");
   if (q.component != core::Component::all) label += ", " + t.text("component");
   if (t.has("about")) label += fmt::format(", about {} {} {}", q.about.x(), q.about.y(), q.about.z());
   if (t.has("until")) label += fmt::format(", until {}", claim.until);
@@ -112,13 +143,19 @@ std::string label_of(const Table& t, const Claim& claim) {
 }
 
 core::Tolerance read_tolerance(const Table& t, const Claim& claim) {
-  const core::Tolerance result{t.number("absolute"), t.number("relative"), t.boolean("order"),
-                               t.number("constant"), t.text("reason")};
-  if (result.order != t.has("constant"))
-    t.fail(t.has("constant") ? "constant" : "order",
-           "order = true and constant belong together: the bound is constant dt^p T");
+  core::Tolerance result{t.number("absolute"), t.number("relative"), t.boolean("order"),
+                         t.number("constant"), t.text("reason"),     {}};
+  if (const auto constants = t.table("constants"))
+    for (int p = 1; p <= highest_order; ++p)
+      if (constants->has(std::to_string(p))) result.constants[p] = constants->number(std::to_string(p));
+  const char* given = t.has("constants") ? "constants" : "constant";
+  if (result.order != t.has(given) || (t.has("constant") && t.has("constants")))
+    t.fail(t.has(given) ? given : "order",
+           "order = true and either constant or constants belong together: the bound is C dt^p T");
+  if (t.has("constants") && result.constants.empty())
+    t.fail("constants", "constants = {}: say one for some order at least, { 1 = 4.9, 4 = 0.2 }");
   if (result.order && (t.has("absolute") || t.has("relative")))
-    t.fail("order", "order = true sets the bound constant dt^p T; absolute and relative do not go with it");
+    t.fail("order", "order = true sets the bound C dt^p T; absolute and relative do not go with it");
   if (result.order && claim.reduction == Reduction::order)
     t.fail("order", "order = true checks the order already; measure = \"order\" takes absolute");
   if (!result.order && !t.has("absolute") && !t.has("relative"))
@@ -136,7 +173,7 @@ core::Tolerance read_tolerance(const Table& t, const Claim& claim) {
 // Exact solutions by name, recorded data by file; each is made once per horizon.
 class Truths {
  public:
-  Truths(Draft& draft, double duration) : draft_(draft), duration_(duration) {}
+  Truths(Draft& draft, double duration, double step) : draft_(draft), duration_(duration), step_(step) {}
 
   void attach(const Table& t, Claim& claim) {
     const double horizon = std::min(claim.until, duration_);
@@ -150,6 +187,13 @@ class Truths {
     auto& known = truths_[{claim.follows, horizon}];
     if (!known) known = make(t, claim.follows, horizon);
     claim.truth = *known;
+    if (claim.observable.quantity != Quantity::event) return;
+    const Observable& q = claim.observable;
+    auto& located = events_[{claim.follows, horizon,
+                             fmt::format("{} {} {} {}", core::name(q.event), q.to.value_or(-1),
+                                         written(q.about), q.body.value_or(-1))}];
+    if (!located) located = core::with_events(q, draft_.scene, *known, horizon, step_);
+    claim.truth = *located;
   }
 
  private:
@@ -177,14 +221,17 @@ class Truths {
   }
 
   Draft& draft_;
-  double duration_;
+  double duration_, step_;
   std::map<std::pair<std::string, double>, std::optional<core::Truth>> truths_;
+  std::map<std::tuple<std::string, double, std::string>, std::optional<core::Truth>>
+      events_;  ///< By what is asked.
 };
 
 bool has_event(const core::Truth& truth, const Observable& q) {
   return std::ranges::any_of(truth.events, [&](const core::Event& e) {
-    return e.kind == q.event && e.index == q.index &&
-           (!q.body || e.pair.body == *q.body || e.pair.other == *q.body);
+    if (e.kind != q.event || (q.body && e.pair.body != *q.body && e.pair.other != *q.body)) return false;
+    if (q.event_quantity == core::EventQuantity::order) return true;
+    return e.index == q.index && core::quantity(truth.events, e, q.event_quantity).has_value();
   });
 }
 
@@ -200,7 +247,8 @@ void weigh(const Table& t, const Table& tolerance, Claim& claim, const core::Sce
   if (!claim.truth) return;
   if (claim.observable.quantity == Quantity::event && !has_event(*claim.truth, claim.observable))
     t.fail(t.has("index") ? "index" : "event",
-           fmt::format("'{}' has no {} {} up to {} s", claim.follows, t.text("event"), claim.observable.index,
+           fmt::format("'{}' has no {} {} with a {} up to {} s", claim.follows, t.text("event"),
+                       claim.observable.index, core::name(claim.observable.event_quantity),
                        std::min(claim.until, duration)));
   claim.truth_error =
       core::truth_error(claim.observable, scene, *claim.truth, std::min(claim.until, duration));
@@ -243,7 +291,7 @@ Claim read_claim(const Table& t, Draft& draft, Truths& truths, double duration, 
 }  // namespace
 
 std::vector<Claim> read_claims(const Table& root, Draft& draft, double duration, double step) {
-  Truths truths(draft, duration);
+  Truths truths(draft, duration, step);
   std::vector<Claim> claims;
   for (const Table& t : root.tables("claim")) {
     Claim claim = read_claim(t, draft, truths, duration, step);

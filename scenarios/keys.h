@@ -68,6 +68,9 @@ std::string describe(const Range&, const std::string& unit);
 /// The whole scenario file; all else hangs from it.
 const Spec& scenario_keys();
 
+/// Of `tolerance.constants`: 1 to this.
+inline constexpr int highest_order = 12;
+
 /// scenarios/expected.toml and scenarios/suites/*.toml.
 const Spec& expected_keys();
 const Spec& suite_keys();

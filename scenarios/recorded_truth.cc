@@ -3,6 +3,7 @@
 #include "harness/core/input_error.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -108,6 +109,64 @@ void read_body(const Reader& reader, const Json& rows, const std::string& where,
   }
 }
 
+// Index of the body or plane that a word of an event names.
+int find_named(const Reader& reader, const core::Scene& scene, const Json& word, bool plane,
+               const std::string& where) {
+  if (!word.is_string()) reader.fail(where + " must name a body");
+  const std::string name = word.get<std::string>();
+  std::vector<std::string> names;
+  if (plane)
+    for (const core::Plane& p : scene.planes) names.push_back(p.name);
+  else
+    for (const core::Body& b : scene.bodies) names.push_back(b.name);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
+    reader.fail(fmt::format("{} = '{}' is not in the scene{}", where, name, core::did_you_mean(name, names)));
+  return static_cast<int>(found - names.begin());
+}
+
+core::Event read_event(const Reader& reader, const Json& row, const core::Scene& scene) {
+  const auto types = core::event_types();
+  const Json& kind = reader.member(row, "kind", "each of 'events'");
+  const auto type = std::find_if(types.begin(), types.end(),
+                                 [&](const core::EventType& one) { return kind == std::string(one.name); });
+  if (type == types.end()) {
+    std::vector<std::string> names;
+    for (const core::EventType& one : types) names.emplace_back(one.name);
+    reader.fail(fmt::format("events: kind = {}, valid: {}", kind.dump(), fmt::join(names, ", ")));
+  }
+  core::Event event;
+  event.kind = type->kind;
+  event.pair.body =
+      find_named(reader, scene, reader.member(row, "body", "each of 'events'"), false, "events.body");
+  if (row.contains("to")) event.pair.other = find_named(reader, scene, row["to"], false, "events.to");
+  if (row.contains("plane")) event.pair.plane = find_named(reader, scene, row["plane"], true, "events.plane");
+  event.time = reader.number(reader.member(row, "time", "each of 'events'"), "events.time");
+  const auto optional = [&](const char* key) {
+    return row.contains(key) ? reader.number(row[key], fmt::format("events.{}", key)) : std::nan("");
+  };
+  event.speed = optional("speed"), event.height = optional("height"), event.distance = optional("distance");
+  event.angle = optional("angle"), event.azimuth = optional("azimuth");
+  return event;
+}
+
+// Counted per kind and pair, in order of time.
+std::vector<core::Event> read_events(const Reader& reader, const Json& root, const core::Scene& scene) {
+  std::vector<core::Event> events;
+  if (!root.contains("events")) return events;
+  if (!root["events"].is_array()) reader.fail("'events' must be an array");
+  for (const Json& row : root["events"]) {
+    core::Event event = read_event(reader, row, scene);
+    if (!events.empty() && event.time < events.back().time)
+      reader.fail(fmt::format("events: time = {} comes after {}", event.time, events.back().time));
+    event.index = core::event_type(event.kind).first_index;
+    for (const core::Event& earlier : events)
+      if (earlier.kind == event.kind && earlier.pair == event.pair) ++event.index;
+    events.push_back(event);
+  }
+  return events;
+}
+
 // Each component is off by at most `difference` plus double's rounding; a vector has three, a quaternion
 // four, and an orientation's angle is twice its quaternion's distance.
 core::StateError error_of(const std::vector<core::State>& states, double difference) {
@@ -159,6 +218,8 @@ core::Truth parse_truth(std::string_view json, const std::string& file, const co
   truth.horizon = times->back();
   truth.error = error_of(*states, difference);
   truth.source = "recorded: " + file;
+  truth.events = read_events(reader, root, scene);
+  truth.error.time = difference + 0x1p-53 * truth.horizon;
   truth.state = [times, states](double t) {
     const auto next = std::lower_bound(times->begin(), times->end(), t - 1e-9 * (1 + std::abs(t)));
     if (next == times->end() || std::abs(*next - t) > 1e-9 * (1 + std::abs(t)))

@@ -15,6 +15,9 @@ namespace cylon::scenarios {
 ///     "bodies": [{"id": …}]    ids are names of bodies in the scene; one body in both needs no agreement of
 ///     names "trajectory": {id: {"position": [[x, y, z], …], "velocity": …, "orientation": [[w, x, y, z], …],
 ///                         "angular_velocity": …}}     world axes; the last two only where the body turns
+///     "events": [{"kind": "turn", "body": …, "time": …}, …]     optional, in order of time: the kinds of
+///                         harness/core/event.h, all of a kind that is named; "to" or "plane": the other of a
+///                         pair; "speed", "height", "distance", "angle", "azimuth" where they are known
 ///     "agreement": {"max_abs_diff": …}     optional bound on every component, on top of double's rounding
 ///
 /// The truth is known at the times of the file alone, and state(t) throws std::invalid_argument at others.

@@ -76,6 +76,42 @@ double propagate(const Observable& q, const Scene& scene, const State& state, co
   return 0;
 }
 
+// Of an event's number, first order: a turning point's height and distance do not feel the error of its time.
+double event_error(const Observable& q, const Truth& truth) {
+  const StateError& e = truth.error;
+  switch (q.event_quantity) {
+    case EventQuantity::time:
+      return e.time;
+    case EventQuantity::height:
+      return e.position;
+    case EventQuantity::speed:
+      return e.velocity;
+    case EventQuantity::distance:
+      return q.to ? 2 * e.position : e.position;
+    case EventQuantity::angle:
+      return e.orientation;
+    case EventQuantity::period:
+      return 4 * e.time / (q.index - 1);
+    case EventQuantity::rate: {  // (azimuth - azimuth_1)/(t - t_1); the axis' lever about its pole is
+                                 // sin(angle)
+      double bound = 0, since = 0, lever = 1;
+      for (const Event& event : truth.events) {
+        if (event.kind != q.event) continue;
+        lever = std::min(lever, std::sin(event.angle));
+        if (event.index == 1 && q.event == EventKind::nutation) since = event.time;
+        const auto rate = quantity(truth.events, event, q.event_quantity);
+        if (event.index == q.index && rate)
+          bound = std::max(bound,
+                           (2 * e.orientation / lever + 2 * std::abs(*rate) * e.time) / (event.time - since));
+      }
+      return bound;
+    }
+    case EventQuantity::order:
+      break;
+  }
+  return 0;
+}
+
 }  // namespace
 
 std::string_view name(Reduction reduction) { return reductions[static_cast<std::size_t>(reduction)]; }
@@ -95,16 +131,7 @@ std::string unit(const Claim& claim) {
 }
 
 double truth_error(const Observable& q, const Scene& scene, const Truth& truth, double until) {
-  if (q.quantity == Quantity::event) {
-    switch (q.event_quantity) {
-      case EventQuantity::time:
-        return truth.error.time;
-      case EventQuantity::height:
-        return truth.error.position;
-      case EventQuantity::speed:
-        return truth.error.velocity;
-    }
-  }
+  if (q.quantity == Quantity::event) return event_error(q, truth);
   double bound = 0;
   if (!truth.times.empty()) {
     for (const double t : truth.times)

@@ -1,5 +1,6 @@
 #include "harness/core/measure.h"
 
+#include "harness/core/event_find.h"
 #include "harness/core/worst.h"
 
 #include <fmt/format.h>
@@ -64,40 +65,116 @@ double reduce(Reduction reduction, const Series& series) {
   return result;
 }
 
-double quantity(const Event& event, EventQuantity which) {
-  switch (which) {
-    case EventQuantity::time:
-      return event.time;
-    case EventQuantity::height:
-      return event.height;
-    case EventQuantity::speed:
-      return event.speed;
-  }
-  return 0;
-}
-
 bool asked_for(const Observable& q, const Event& event) {
-  return event.kind == q.event && event.index == q.index &&
-         (!q.body || *q.body == event.pair.body || *q.body == event.pair.other);
+  return event.kind == q.event && (q.event_quantity == EventQuantity::order || event.index == q.index) &&
+         (!q.body || *q.body == event.pair.body || *q.body == event.pair.other) &&
+         (q.event != EventKind::apsis || event.pair.other == q.to.value_or(world));
 }
 
-void measure_event(const Claim& claim, const Recording& recording, Measured& result) {
+std::vector<Event> asked_for(const Claim& claim, const std::vector<Event>& events) {
+  std::vector<Event> chosen;
+  for (const Event& event : events)
+    if (asked_for(claim.observable, event) && !(event.time > claim.until)) chosen.push_back(event);
+  return chosen;
+}
+
+std::string pair_name(const Scene& scene, const Pair& pair) {
+  const auto body = [&](int i) { return scene.bodies[static_cast<std::size_t>(i)].name; };
+  return fmt::format(
+      "{} and {}", body(pair.body),
+      pair.plane >= 0 ? scene.planes[static_cast<std::size_t>(pair.plane)].name : body(pair.other));
+}
+
+// How many of the two sequences of pairs are not at the same place.
+void measure_order(const Claim& claim, const Scene& scene, const Recording& recording, Measured& result) {
+  const std::vector<Event> want = asked_for(claim, claim.truth->events),
+                           got = asked_for(claim, recording.events);
+  const std::size_t most = std::max(want.size(), got.size());
+  for (std::size_t i = 0; i < most; ++i) {
+    if (i < want.size() && i < got.size() && want[i].pair == got[i].pair) continue;
+    if (result.value++ > 0) continue;
+    const auto what = [&](const std::vector<Event>& events) {
+      return i < events.size() ? pair_name(scene, events[i].pair) : "nothing";
+    };
+    result.detail = fmt::format("collision {} is of {} where {} is due", i + 1, what(got), what(want));
+  }
+}
+
+void measure_event(const Claim& claim, const Scene& scene, const Recording& recording, Measured& result) {
   const Observable& q = claim.observable;
-  for (const Event& want : claim.truth->events) {
-    if (!asked_for(q, want) || want.time > claim.until) continue;
-    const auto got = std::find_if(recording.events.begin(), recording.events.end(), [&](const Event& event) {
-      return event.kind == want.kind && event.index == want.index && event.pair == want.pair;
+  if (q.event_quantity == EventQuantity::order) return measure_order(claim, scene, recording, result);
+  const std::vector<Event> found = find_events(q, scene, recording);
+  for (const Event& want : asked_for(claim, claim.truth->events)) {
+    const double due = quantity(claim.truth->events, want, q.event_quantity).value_or(0);
+    const auto event = std::find_if(found.begin(), found.end(), [&](const Event& e) {
+      return e.kind == want.kind && e.index == want.index && e.pair == want.pair;
     });
-    if (got == recording.events.end()) {
+    const auto came = event == found.end() ? std::nullopt : quantity(found, *event, q.event_quantity);
+    if (!came) {
       result.broken = true;
-      result.detail = fmt::format("the {} number {} never came",
-                                  q.event == EventKind::bounce ? "bounce" : "apex", q.index);
-      result.value = std::abs(quantity(want, q.event_quantity));  // all of it is missing
+      result.detail = fmt::format("the {} number {} never came", name(q.event), q.index);
+      result.value = std::abs(due);  // all of it is missing
       return;
     }
-    result.value =
-        worst(std::abs(quantity(*got, q.event_quantity) - quantity(want, q.event_quantity)), result.value);
+    result.value = worst(std::abs(*came - due), result.value);
   }
+}
+
+// The highest order up to `declared` that has a constant, and that constant.
+std::optional<std::pair<int, double>> constant_of(const Tolerance& tolerance, int declared) {
+  if (tolerance.constants.empty()) return std::pair(declared, tolerance.constant);
+  const auto above = tolerance.constants.upper_bound(declared);
+  if (above == tolerance.constants.begin()) return std::nullopt;
+  return *std::prev(above);
+}
+
+// Whether the run chose its own steps.
+bool controls_its_error(const Recording& recording) {
+  return std::any_of(recording.engine.schemes.begin(), recording.engine.schemes.end(), [&](const Scheme& s) {
+    return s.name == recording.terms.integrator && s.adaptive && s.order == recording.terms.order;
+  });
+}
+
+// What rounding alone makes of n steps: 64 eps sqrt(n) S.
+double rounding(const Recording& recording, double size, double horizon) {
+  const double epsilon = recording.engine.precision == "float" ? 0x1p-23 : 0x1p-52;
+  return 64 * epsilon * std::sqrt(std::max(1.0, horizon / recording.dt)) * (size > 0 ? size : 1);
+}
+
+// Of the runs at dt, dt/2, dt/4: value, bound C_p dt^p T + rounding, and the order itself, which must not
+// fall 0.1 below p.
+void measure_order_of_scheme(const Claim& claim, const Scene& scene, std::span<const Recording> recordings,
+                             double duration, Measured& result) {
+  const Recording& coarsest = recordings.front();
+  const double span = horizon(claim, duration);
+  const double floor = rounding(recordings.back(), scale(claim, scene, duration), span);
+  const bool adaptive = controls_its_error(coarsest);
+  const int declared = coarsest.terms.order;
+  std::vector<double> steps, errors;
+  for (const Recording& run : recordings) {
+    steps.push_back(run.dt);
+    errors.push_back(reduce(Reduction::max, deviation(claim, scene, run)));
+  }
+  const bool at_floor = *std::min_element(errors.begin(), errors.end()) <= floor;
+  const bool meaningless = adaptive || at_floor;
+  const double order = meaningless ? declared : observed_order(steps, errors);
+  result.detail = adaptive   ? "order not measured: the scheme chooses its own steps"
+                  : at_floor ? "order not measured: the error is at the rounding floor"
+                             : fmt::format("observed order {:.2f}, declared {}", order, declared);
+  if (claim.reduction == Reduction::order) {
+    result.value = std::abs(order - declared);
+    return;
+  }
+  const auto constant = constant_of(claim.tolerance, declared);
+  if (!constant) {
+    result.broken = true;
+    result.detail += fmt::format("; the claim has no constant for order {} or less", declared);
+    return;
+  }
+  const auto [p, c] = *constant;
+  if (p != declared) result.detail += fmt::format(", held to order {}", p);
+  result.allowed = c * std::pow(coarsest.dt, p) * span + floor;
+  if (!meaningless && !(order >= p - 0.1)) result.broken = true;
 }
 
 }  // namespace
@@ -145,7 +222,8 @@ double scale(const Claim& claim, const Scene& scene, double duration) {
     double size = 0;
     if (claim.truth)
       for (const Event& event : claim.truth->events)
-        if (asked_for(q, event)) size = worst(std::abs(quantity(event, q.event_quantity)), size);
+        if (asked_for(q, event))
+          size = worst(std::abs(quantity(claim.truth->events, event, q.event_quantity).value_or(0)), size);
     return size;
   }
   Values values;
@@ -183,30 +261,13 @@ Measured measure(const Claim& claim, const Scene& scene, std::span<const Recordi
   if (tolerance.relative > 0) result.allowed += tolerance.relative * scale(claim, scene, duration);
 
   if (claim.observable.quantity == Quantity::event) {
-    measure_event(claim, recording, result);
+    measure_event(claim, scene, recording, result);
     return result;
   }
   result.value = reduce(claim.reduction, deviation(claim, scene, recording));
-  if (runs_needed(claim) == 1 || !std::isfinite(result.value)) return result;
-
-  // C dt^p T, and the order itself: the slope over dt, dt/2, dt/4 must not fall 0.1 below p.
-  const int declared = recording.terms.order;
-  std::vector<double> steps, errors;
-  for (const Recording& run : recordings.first(static_cast<std::size_t>(runs_needed(claim)))) {
-    steps.push_back(run.dt);
-    errors.push_back(reduce(Reduction::max, deviation(claim, scene, run)));
-  }
-  const double floor = 1e-12 * std::max(1.0, scale(claim, scene, duration));
-  const bool rounding = *std::min_element(errors.begin(), errors.end()) < floor;
-  const double order = rounding ? declared : observed_order(steps, errors);
-  result.detail = rounding ? "order not measured: the error is at the rounding floor"
-                           : fmt::format("observed order {:.2f}, declared {}", order, declared);
-  if (claim.reduction == Reduction::order) {
-    result.value = std::abs(order - declared);
-    return result;
-  }
-  result.allowed = tolerance.constant * std::pow(recording.dt, declared) * horizon(claim, duration);
-  if (!(order >= declared - 0.1)) result.broken = true;
+  const int runs = runs_needed(claim);
+  if (runs > 1 && std::isfinite(result.value))
+    measure_order_of_scheme(claim, scene, recordings.first(static_cast<std::size_t>(runs)), duration, result);
   return result;
 }
 

@@ -1,5 +1,6 @@
 #include "harness/core/observable.h"
 
+#include "harness/core/event_signal.h"
 #include "harness/core/worst.h"
 
 #include <algorithm>
@@ -136,15 +137,7 @@ std::string_view name(Quantity quantity) { return rows[static_cast<std::size_t>(
 
 std::string_view unit(const Observable& q) {
   if (q.quantity != Quantity::event) return rows[static_cast<std::size_t>(q.quantity)].unit;
-  switch (q.event_quantity) {
-    case EventQuantity::time:
-      return "s";
-    case EventQuantity::height:
-      return "m";
-    case EventQuantity::speed:
-      return "m/s";
-  }
-  return "";
+  return unit(q.event_quantity);
 }
 
 std::optional<Vector3> symmetry_axis(const Body& body) {
@@ -170,15 +163,13 @@ std::optional<std::string> undefined_in(const Observable& q, const Scene& scene)
     case Quantity::joint_gap:
       if (scene.joints.empty()) return "the scene has no joint";
       return std::nullopt;
-    case Quantity::normal_gap:
-    case Quantity::event: {
+    case Quantity::event:
+      return event_undefined(q, scene);
+    case Quantity::normal_gap: {
       bool any = false;
       for (const Pair& pair : q.body ? touching_pairs(scene, *q.body) : touching_pairs(scene)) {
         any = true;
         if (auto why = gap_undefined(scene, pair)) return why;
-        const Body& body = scene.bodies[static_cast<std::size_t>(pair.body)];
-        if (q.quantity == Quantity::event && !std::holds_alternative<Sphere>(body.shape))
-          return "events are watched on spheres; '" + body.name + "' is none";
       }
       if (!any) return "no two things in the scene may touch";
       return std::nullopt;

@@ -23,17 +23,17 @@ enum class Quantity {
   kinetic_energy,    ///< Total, or of one body [J].
   normal_gap,        ///< min(0, gap) of each touching pair: 0 while apart, minus the depth inside [m].
   joint_gap,         ///< Distance between the two anchors of each joint, less its length [m].
-  event              ///< Time, speed or height of one event.
+  event              ///< A number of one event: event.h.
 };
 
 enum class Component { all, x, y, z, horizontal };
-enum class EventQuantity { time, height, speed };
 
 struct Observable {
   Quantity quantity = Quantity::position;
   std::optional<int> body;  ///< Absent: all bodies; the worst counts (momenta, energies: the sum).
   Component component = Component::all;  ///< Of vectors; horizontal drops y.
-  Vector3 about = Vector3::Zero();       ///< Angular momentum only [m].
+  Vector3 about = Vector3::Zero();       ///< Angular momentum and apsides [m].
+  std::optional<int> to;                 ///< Apsides: the other body, in place of `about`.
   EventKind event = EventKind::bounce;
   int index = 1;
   EventQuantity event_quantity = EventQuantity::time;

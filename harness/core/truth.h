@@ -23,9 +23,11 @@ struct StateError {
 
 struct Truth {
   std::function<State(double t)> state;  ///< t in [s], 0 <= t <= horizon.
-  std::vector<Event> events;  ///< Up to the horizon, in order of time; empty where none are defined.
-  StateError error;           ///< Bound on this truth's own error.
-  std::string source;         ///< Where the formula or the data come from.
+  /// Up to the horizon, in order of time.  Of a kind either all, with all that it has, or none: those are
+  /// then found in the states (with_events), so that only closed forms need to stand here.
+  std::vector<Event> events;
+  StateError error;                                          ///< Bound on this truth's own error.
+  std::string source;                                        ///< Where the formula or the data come from.
   double horizon = std::numeric_limits<double>::infinity();  ///< [s]
   std::vector<double> times;  ///< Recorded data: the only times at which it is known.  Empty: any.
 };

@@ -38,6 +38,9 @@ struct Verdict {
   double measured = std::numeric_limits<double>::quiet_NaN();
   std::optional<std::int64_t> first_bad_step;  ///< Of a non-finite run.
   double allowed = 0;
+  double tolerance_scale = 1;    ///< By which `allowed` was multiplied; 1: a plain run.
+  std::optional<double> spread;  ///< How far runs that start one ulp apart end from each other, in the
+                                 ///< observable's unit; absent: not measured.
   double truth_error = 0;
   Status status = Status::fail;
   std::string tolerance_reason;

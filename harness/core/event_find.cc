@@ -1,0 +1,278 @@
+#include "harness/core/event_find.h"
+
+#include "harness/core/event_signal.h"
+#include "harness/core/event_watch.h"
+#include "harness/core/worst.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+namespace cylon::core {
+namespace {
+
+using Reading = EventSignal::Reading;
+constexpr double whole_turn = 2 * std::numbers::pi;
+constexpr double rest = 1e-6;                   // of the largest signal: less is noise about zero
+constexpr double sliding = 1e-2, stuck = 1e-3;  // of the largest slip speed
+
+// Readings at even times, azimuths unwrapped and counted from the first.
+using Series = std::vector<Reading>;
+
+void append(Series& series, double start, Reading reading) {
+  const double last = series.empty() ? 0 : series.back().azimuth;
+  reading.azimuth = last + std::remainder(reading.azimuth - start - last, whole_turn);
+  series.push_back(reading);
+}
+
+double largest(const Series& series) {
+  double size = 0;
+  for (const Reading& r : series)
+    if (!std::isnan(r.x)) size = std::max(size, std::abs(r.x));
+  return size;
+}
+
+// Indices of the samples before each event.
+std::vector<std::size_t> sign_changes(const Series& series, double threshold) {
+  std::vector<std::size_t> found;
+  double side = 0;  // the sign that was certain last
+  for (std::size_t n = 0; n < series.size(); ++n) {
+    const double x = series[n].x;
+    if (std::isnan(x) || std::abs(x) < threshold || x == 0) continue;
+    if (side * x < 0) {
+      std::size_t before = n - 1;
+      while (side * series[before].x < 0) --before;
+      found.push_back(before);
+    }
+    side = x;
+  }
+  return found;
+}
+
+std::vector<std::size_t> whole_turns(const Series& series) {
+  std::vector<std::size_t> found;
+  for (std::size_t n = 1; n < series.size(); ++n)
+    if (std::abs(series[n].azimuth) >= whole_turn * static_cast<double>(found.size() + 1))
+      found.push_back(n - 1);
+  return found;
+}
+
+std::vector<std::size_t> ends_of_slip(const Series& series) {
+  std::vector<std::size_t> found;
+  const double size = largest(series);
+  bool slides = false;
+  for (std::size_t n = 0; n < series.size(); ++n) {
+    const double x = series[n].x;
+    if (std::isnan(x)) slides = false;
+    if (x > sliding * size) slides = true;
+    if (!slides || !(x <= stuck * size)) continue;
+    found.push_back(n - 1);
+    slides = false;
+  }
+  return found;
+}
+
+// Signals below `noise` have no sign.
+std::vector<std::size_t> brackets(EventKind kind, const Series& series, double noise) {
+  if (kind == EventKind::roll) return ends_of_slip(series);
+  if (kind == EventKind::precession) return whole_turns(series);
+  return sign_changes(series, std::max(rest * largest(series), noise));
+}
+
+// The polynomial through up to four readings, s counted in steps from sample `before`.
+class Arc {
+ public:
+  Arc(const Series& series, std::size_t before, bool behind) {
+    const auto count = std::min<std::size_t>(4, series.size());
+    const std::size_t back = behind ? count - 1 : 1;
+    const std::size_t first = std::min(before - std::min(before, back), series.size() - count);
+    for (std::size_t i = 0; i < count; ++i) {
+      node_.push_back(static_cast<double>(first + i) - static_cast<double>(before));
+      reading_.push_back(series[first + i]);
+    }
+  }
+  double at(double s, double Reading::*what) const {  // Lagrange
+    double sum = 0;
+    for (std::size_t i = 0; i < node_.size(); ++i) {
+      double weight = 1;
+      for (std::size_t j = 0; j < node_.size(); ++j)
+        if (j != i) weight *= (s - node_[j]) / (node_[i] - node_[j]);
+      sum += weight * (reading_[i].*what);
+    }
+    return sum;
+  }
+
+ private:
+  std::vector<double> node_;
+  std::vector<Reading> reading_;
+};
+
+// Where f has its root in [a, b]; b where it has the same sign at both.
+double bisect(const std::function<double(double)>& f, double a, double b) {
+  const bool negative = f(a) < 0;
+  if (f(a) == 0) return a;
+  for (;;) {
+    const double middle = a + (b - a) / 2;
+    if (middle <= a || middle >= b) return b;
+    ((f(middle) < 0) == negative && f(middle) != 0 ? a : b) = middle;
+  }
+}
+
+// Steps from sample `before` until the slip speed is zero: x + u s + a s^2/2 through the last three samples;
+// the step after where the arc has no zero within ten steps.
+double slip_root(const Series& series, std::size_t before) {
+  const double x = series[before].x;
+  if (before == 0 || std::isnan(series[before - 1].x)) return 1;
+  double u = x - series[before - 1].x, a = 0;
+  if (before >= 2 && !std::isnan(series[before - 2].x)) {
+    a = x - 2 * series[before - 1].x + series[before - 2].x;
+    u += a / 2;
+  }
+  const double discriminant = u * u - 2 * a * x;
+  if (u >= 0 || discriminant < 0) return 1;
+  const double root = 2 * x / (-u + std::sqrt(discriminant));
+  return root <= 10 ? root : 1;
+}
+
+Event event_of(EventKind kind, const Pair& pair, int index, double time, double value, double azimuth) {
+  Event event{.kind = kind, .pair = pair, .index = index, .time = time};
+  if (kind == EventKind::apsis) event.distance = value;
+  if (kind == EventKind::turn) event.height = value;
+  if (kind == EventKind::nutation || kind == EventKind::precession)
+    event.angle = value, event.azimuth = azimuth;
+  return event;
+}
+
+double whole_turns_at(const Series& series, std::size_t before, std::size_t count) {
+  return std::copysign(whole_turn * static_cast<double>(count), series[before + 1].azimuth);
+}
+
+void sort_by_time(std::vector<Event>& events) {
+  std::stable_sort(events.begin(), events.end(),
+                   [](const Event& a, const Event& b) { return a.time < b.time; });
+}
+
+std::vector<Event> find_on_arcs(EventKind kind, const Pair& pair, const Series& series, double dt) {
+  std::vector<Event> events;
+  for (const std::size_t before : brackets(kind, series, 0)) {
+    const int index = static_cast<int>(events.size()) + 1;
+    const Arc arc(series, before, kind == EventKind::crossing);
+    const double start = static_cast<double>(before);
+    if (kind == EventKind::roll) {
+      events.push_back(event_of(kind, pair, index, (start + slip_root(series, before)) * dt, 0, 0));
+      continue;
+    }
+    const bool turns = kind == EventKind::precession;
+    const double goal = turns ? whole_turns_at(series, before, events.size() + 1) : 0;
+    double Reading::*const what = turns ? &Reading::azimuth : &Reading::x;
+    const double s = bisect([&](double x) { return arc.at(x, what) - goal; }, 0, 1);
+    events.push_back(event_of(kind, pair, index, (start + s) * dt, arc.at(s, &Reading::value),
+                              turns ? goal : arc.at(s, &Reading::azimuth)));
+  }
+  return events;
+}
+
+// ---- Truths --------------------------------------------------------------------------------------
+
+struct Located {
+  std::vector<Event> events;
+  double error = 0;  ///< Of their times [s].
+};
+
+Located locate(const Observable& q, const Scene& scene, const Truth& truth, const Pair& pair, double horizon,
+               double step) {
+  const EventSignal signal(q, scene, pair);
+  const auto read = [&](double t) { return signal(truth.state(t), t); };
+  const auto count = static_cast<std::size_t>(std::clamp(std::ceil(horizon / step), 64.0, 4096.0));
+  const double dt = horizon / static_cast<double>(count);
+  const double start = read(0).azimuth;
+  Series series;
+  for (std::size_t n = 0; n <= count; ++n)
+    append(series, start, read(n == count ? horizon : static_cast<double>(n) * dt));
+
+  Located located;
+  const double still = 1e-9 * largest(series);
+  const double noise = 10 * signal.error(truth.state(0), truth.error).x;
+  for (const std::size_t before : brackets(q.event, series, noise)) {
+    const double a = static_cast<double>(before) * dt, b = std::min(a + dt, horizon);
+    const bool turns = q.event == EventKind::precession;
+    const double goal = turns ? whole_turns_at(series, before, located.events.size() + 1) : 0;
+    const auto unwrapped = [&](double t) {
+      const double near = series[before].azimuth;
+      return near + std::remainder(read(t).azimuth - start - near, whole_turn);
+    };
+    const std::function<double(double)> zero = [&](double t) {
+      if (turns) return unwrapped(t) - goal;
+      return q.event == EventKind::roll ? read(t).x - still : read(t).x;
+    };
+    const double t = bisect(zero, a, b);
+    located.events.push_back(event_of(q.event, pair, static_cast<int>(located.events.size()) + 1, t,
+                                      read(t).value, turns ? goal : unwrapped(t)));
+    // |dt| <= |dx| / |slope|, the slope from before the event, where nothing has jumped yet.
+    const State state = truth.state(t);
+    const EventSignal::Error error = signal.error(state, truth.error);
+    const double earlier = std::max(0.0, t - dt / 8);
+    const double slope = std::abs(zero(t) - zero(earlier)) / (t - earlier);
+    const double ulp = 4 * (std::nextafter(t, HUGE_VAL) - t);
+    const double size = (turns ? error.azimuth : error.x) + (q.event == EventKind::roll ? still : 0);
+    located.error = worst(size / slope + ulp, located.error);
+  }
+  return located;
+}
+
+std::vector<Event> watch(const Observable& q, const Scene& scene, const Truth& truth, double horizon,
+                         std::int64_t steps) {
+  const double dt = horizon / static_cast<double>(steps);
+  EventWatch watch(scene, event_subjects(q, scene), dt);
+  for (std::int64_t n = 0; n <= steps; ++n)
+    watch.observe(n, truth.state(n == steps ? horizon : static_cast<double>(n) * dt));
+  return watch.take();
+}
+
+}  // namespace
+
+bool watched(EventKind kind) { return kind == EventKind::bounce || kind == EventKind::apex; }
+
+std::vector<Event> find_events(const Observable& q, const Scene& scene, const Recording& recording) {
+  if (watched(q.event)) return recording.events;
+  std::vector<Event> events;
+  if (recording.states.empty()) return events;
+  for (const Pair& pair : event_subjects(q, scene)) {
+    const EventSignal signal(q, scene, pair);
+    Series series;
+    const double start = signal(recording.states[0], 0).azimuth;
+    for (std::size_t i = 0; i < recording.states.size(); ++i)
+      append(series, start, signal(recording.states[i], recording.time(i)));
+    const auto found = find_on_arcs(q.event, pair, series, recording.dt);
+    events.insert(events.end(), found.begin(), found.end());
+  }
+  sort_by_time(events);
+  return events;
+}
+
+Truth with_events(const Observable& q, const Scene& scene, const Truth& truth, double horizon, double step) {
+  const auto stated = [&](const Event& event) { return event.kind == q.event; };
+  if (!truth.times.empty() || std::any_of(truth.events.begin(), truth.events.end(), stated)) return truth;
+  Truth result = truth;
+  if (watched(q.event)) {
+    const auto steps = static_cast<std::int64_t>(std::clamp(std::ceil(horizon / step), 64.0, 1e6));
+    const std::vector<Event> coarse = watch(q, scene, truth, horizon, steps);
+    result.events = watch(q, scene, truth, horizon, 2 * steps);
+    for (std::size_t i = 0; i < std::min(coarse.size(), result.events.size()); ++i)
+      result.error.time = worst(std::abs(coarse[i].time - result.events[i].time), result.error.time);
+    if (coarse.size() != result.events.size()) result.error.time = horizon;  // nothing is certain
+    return result;
+  }
+  result.events.clear();
+  for (const Pair& pair : event_subjects(q, scene)) {
+    const Located located = locate(q, scene, truth, pair, horizon, step);
+    result.events.insert(result.events.end(), located.events.begin(), located.events.end());
+    result.error.time = worst(located.error, result.error.time);
+  }
+  sort_by_time(result.events);
+  return result;
+}
+
+}  // namespace cylon::core
