@@ -18,13 +18,14 @@ constexpr bool wide = sizeof(Real) == 8;
 // Slower than this, in ulps of the speeds around, is not moving.
 constexpr Real slow_ulps = wide ? 1024 : 64;
 
+// Slip slower than this part of what gravity gives in a step is turned by friction less than it should be. Of
+// slip that begins at an angle to its later course, that leaves an error of this part times the angle turned
+// meanwhile, some 1e-3.
+constexpr Real turning_part = wide ? Real(1e-5) : Real(1e-3);
+
 // A bounce that would return within this part of a step is the end of a Zeno sequence: the contact rests.
 // What is cut off has the height a (1e-6 h)^2 / 8, 1e-18 m for a = g and h = 1 ms.
 constexpr Time zeno_return = wide ? 1e-6 : 1e-3;
-
-// Impacts of one pair in one step; beyond, they are plastic, which ends every sequence that restitution keeps
-// alive.
-constexpr int elastic_limit = 200;
 
 // Whether n is normal to a face of the shape, to a part in 1e8.
 bool has_face(const Shape& shape, const Vector3& n) {
@@ -88,7 +89,7 @@ void EventStepper::hold(Time, const std::vector<Body>& bodies, const Motion* mot
     holdings_.push_back(h.holding);
   }
   const std::vector<Row> joints = joint_rows(motion);
-  add_forces(hold_support(touches_, holdings_, joints, {bodies, motion, kinematics, loads}, rest_speed_),
+  add_forces(hold_support(touches_, holdings_, joints, {bodies, motion, kinematics, loads}, slow_slip_),
              loads, bodies.size());
 }
 
@@ -102,7 +103,24 @@ Support EventStepper::support(Time t, const Real* y) {
     holdings_.push_back(h.holding);
   }
   const Instant now{system_.model().bodies, motion, system_.kinematics().data(), system_.loads().data()};
-  return hold_support(touches_, holdings_, joint_rows(motion), now, rest_speed_);
+  return hold_support(touches_, holdings_, joint_rows(motion), now, slow_slip_);
+}
+
+// The directions that slip has now.
+void EventStepper::turn_slips() {
+  const std::vector<Body>& bodies = system_.model().bodies;
+  const Motion* motion = Bodies::motions(y_.data());
+  for (HeldPoint& h : held_) {
+    if (h.holding.grip != Grip::slides || h.holding.slip.isZero(0)) continue;
+    const TouchPoint touch = touch_of(h, motion);
+    Vector3 u = relative_velocity(touch, bodies, motion);
+    u -= touch.normal.dot(u) * touch.normal;
+    const Real speed = u.norm();
+    if (!(speed > slow_slip_)) continue;
+    u /= speed;
+    fresh_ = fresh_ || u != h.holding.slip;
+    h.holding.slip = u;
+  }
 }
 
 // Gaps of held points and joints to zero by the shortest way; then velocities into held surfaces, and all
@@ -188,6 +206,7 @@ std::vector<EventStepper::Spot> EventStepper::spots() {
 // Impacts of this instant, then which contacts last.
 void EventStepper::resolve(Time now) {
   resting_ = false;
+  fresh_ = instant_ = true;
   std::vector<Spot> touching = spots();
   if (touching.empty()) {
     held_.clear();
@@ -214,8 +233,7 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
   std::vector<Real> pulls;  // -g'' of the loads alone
   for (const Spot& spot : touching) {
     TouchPoint touch = spot.touch;
-    const auto pair = static_cast<std::size_t>(touch.pair);
-    if (hits_[pair] >= elastic_limit) touch.restitution = 0;
+    if (plastic_) touch.restitution = 0;
     touches.push_back(touch);
     std::vector<Row> rows;
     append_rows(touch, bodies, motion, rows);
@@ -259,7 +277,6 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
     }
     const TouchPoint& touch = touches[fastest];
     if (outcome.approach[fastest] <= std::max(rest_speed_, speed_rounding(touch, bodies, motion))) continue;
-    ++hits_[static_cast<std::size_t>(touch.pair)];
     Impact impact;
     impact.time = now;
     impact.body = touch.body;
@@ -284,6 +301,7 @@ void EventStepper::hold_spots(Time now, const std::vector<Spot>& touching) {
   }
   for (const Spot& s : touching) speed = std::max(speed, relative_velocity(s.touch, bodies, motion).norm());
   const Real slow = slow_ulps * ulp * (speed + push * static_cast<Real>(dt_));
+  slow_slip_ = turning_part * push * static_cast<Real>(dt_);
   rest_speed_ = Real(0.25) * slow_ulps * ulp * push * static_cast<Real>(dt_);
 
   std::vector<std::size_t> which;

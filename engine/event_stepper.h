@@ -64,6 +64,8 @@ class EventStepper final : public Stepper, private Holder {
   const std::vector<HeldPoint>& held() const { return held_; }
 
  private:
+  static constexpr Time no_time = 1e-9;  ///< An event after less than this part of a step took no time.
+
   struct Spot {
     TouchPoint touch;
     HeldPoint held;
@@ -73,11 +75,15 @@ class EventStepper final : public Stepper, private Holder {
   void hold(Time, const std::vector<Body>&, const Motion*, const Kinematics*, Load*) override;
   void project(const std::vector<Body>&, Motion*) override;
 
-  bool flow(Time from, Time span);
-  bool at_rest(Time);
   Time go_on(Time from, Time span, bool& event);
-  std::optional<Real> contact_time(Time from, Real span);
-  std::optional<Real> change_time(Time from, Real span, const Support& before);
+  Time piece(Time from, Time span);
+  void fixed_step(Time from, Time span);
+  void part(Time from, Real s);
+  bool at_rest(Time);
+  void turn_slips();
+  std::optional<Real> contact_time(Time from, Real span, const std::vector<Real>& end);
+  std::optional<Real> meeting_time(const Candidate&, bool held, Time from, Real span, const Motion* end);
+  std::optional<Real> change_time(Time from, Real span, const Support& before, const std::vector<Real>& end);
   void resolve(Time now);
   std::vector<Spot> spots();
   void strike_spots(Time now, std::vector<Spot>&);
@@ -85,6 +91,8 @@ class EventStepper final : public Stepper, private Holder {
   Support find_holds(const std::vector<Spot>&, Real slow, std::vector<std::size_t>& which);
   bool nothing_moves(const Support&) const;
   bool loosen();
+  void calm();
+  int idle_limit() const;
   TouchPoint touch_of(const HeldPoint&, const Motion*) const;
   Support support(Time, const Real* y);
   std::vector<Row> joint_rows(const Motion*) const;
@@ -100,19 +108,25 @@ class EventStepper final : public Stepper, private Holder {
   std::vector<Real> y_, start_, rate_;
   Advance<Bodies> fixed_, lasting_;
   ScaledBodies scaled_;
-  Dop853<ScaledBodies> controlled_;
+  Dop853<ScaledBodies> controlled_, probe_;  // along the motion; over parts of its last step
   Passage passage_;
   std::vector<HeldPoint> held_;
   std::vector<Motion> scratch_;
   std::vector<Impact> impacts_;
-  std::vector<int> hits_;       // of each pair in this step
+  Real slow_slip_ = 0;          // slip slower than this does not turn as fast as it should [m/s]
   Real rest_speed_ = 0;         // what sticks on all points and is slower than this does not move [m/s]
   Real left_slip_ = 0;          // slip that the last event left over [m/s]
-  int idle_ = 0;                // changes in a row that took no time
+  int idle_ = 0;                // events in a row that took no time
+  int rough_ = 0;               // pieces in a row that error control could not take
+  bool fresh_ = true;           // the state or what is held has changed since controlled_'s last step
+  bool by_rows_ = false;        // the last piece was a fixed step
+  bool instant_ = false;        // all events of this instant are resolved
+  bool plastic_ = false;        // for the rest of this step
+  bool blind_ = false;          // events are not looked for in the rest of this step
   std::vector<char> loose_;     // per candidate: without friction for the rest of this step
   std::vector<char> restless_;  // per candidate: what changed in the idle changes
   bool resting_ = false;        // nothing moves, and no force depends on time
-  long inexact_ = 0, failed_ = 0, crowded_ = 0, loosened_ = 0;
+  long inexact_ = 0, failed_ = 0, crowded_ = 0, calmed_ = 0, loosened_ = 0;
   std::vector<TouchPoint> touches_;
   std::vector<Holding> holdings_;
   Rows rows_;

@@ -101,7 +101,7 @@ Real Passage::change_bound(const Candidate& c) const {
 }
 
 std::optional<Bracket> first_closing(const Candidate& c, const Model& model, const Passage& passage,
-                                     Real start_rate, Real margin, std::vector<Motion>& scratch) {
+                                     Real from, Real start_rate, Real margin, std::vector<Motion>& scratch) {
   const Real span = passage.span();
   const auto gap = [&](Real s) {
     passage.at(s, scratch);
@@ -110,14 +110,13 @@ std::optional<Bracket> first_closing(const Candidate& c, const Model& model, con
   const Real v = passage.speed_bound(c);
   const bool smooth = c.kind != Candidate::Kind::general;
   const Real b = smooth ? passage.change_bound(c) : 0;
-  Real from = 0, g_from = gap(0);
+  Real g_from = gap(from);
   const Real g_end = gap(span);
-  if (g_from + g_end - v * span > 0) return std::nullopt;
-  if (smooth && g_from <= 2 * margin && start_rate > 0) {  // just parted: not back before this
+  if (g_from + g_end - v * (span - from) > 0) return std::nullopt;
+  if (from == 0 && smooth && g_from <= 2 * margin && start_rate > 0) {  // just parted: not back before this
     from = b > 0 ? std::min(span, Real(1.9) * start_rate / b) : span;
-    if (from >= span && g_end >= -margin) return std::nullopt;
+    if (from >= span) return g_end < -margin ? std::optional(Bracket{span, span}) : std::nullopt;
     g_from = std::max(gap(from), Real(0));
-    if (from >= span) return Bracket{0, span};
   }
 
   struct Part {
@@ -131,8 +130,9 @@ std::optional<Bracket> first_closing(const Candidate& c, const Model& model, con
     const bool apart =
         p.g_a + p.g_b - v * w > 0 || (smooth && std::min(p.g_a, p.g_b) - b * w * w / 8 > -margin);
     if (apart) continue;
-    if (p.g_a >= -margin && p.g_b < -margin && (w < span / 16 || looks > most_looks / 2))
-      return Bracket{p.a, p.b};
+    const bool narrow = w < span / 16 || looks > most_looks / 2;
+    if (narrow && p.g_a >= -margin && p.g_b < -margin) return Bracket{p.a, p.b};
+    if (narrow && p.g_a < -margin && p.g_b < -margin) continue;
     if (w < span * 64 * std::numeric_limits<Real>::epsilon()) continue;
     const Real middle = p.a + w / 2, g = gap(middle);
     todo.push_back({middle, g, p.b, p.g_b});

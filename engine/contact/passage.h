@@ -38,11 +38,12 @@ struct Bracket {
   Real open = 0, closed = 0;  ///< g > 0 at the one, g < 0 at the other.
 };
 
-/// The first time at which a candidate's gap falls below -margin, bracketed, or nothing.  Parts of the span
-/// are left out only where the gap cannot close: in them it lies above
+/// The first time from `from` on at which a candidate's gap falls below -margin, bracketed, or nothing. Parts
+/// of the span are left out only where the gap cannot close: in them it lies above
 ///   (g_a + g_b - V w)/2   and, for one smooth point,   min(g_a, g_b) - B w^2/8,
-/// V and B the bounds on the gap's rate and its change, w the width.
-std::optional<Bracket> first_closing(const Candidate&, const Model&, const Passage&, Real start_rate,
-                                     Real margin, std::vector<Motion>& scratch);
+/// V and B the bounds on the gap's rate and its change, w the width; and where it is closed at both ends of a
+/// short part.  `start_rate`: the gap's rate at 0 [m/s].
+std::optional<Bracket> first_closing(const Candidate&, const Model&, const Passage&, Real from,
+                                     Real start_rate, Real margin, std::vector<Motion>& scratch);
 
 }  // namespace cylon::engine

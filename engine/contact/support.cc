@@ -3,6 +3,7 @@
 #include "engine/contact/response.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace cylon::engine {
@@ -170,8 +171,10 @@ Support hold_support(std::span<const TouchPoint> touches, std::span<const Holdin
   for (std::size_t i = 0; i < touches.size(); ++i) {
     holds[i].grip = holdings[i].grip;
     if (holds[i].grip != Grip::slides || touches[i].friction == 0) continue;
-    const Real speed = a.slips[i].norm(), sense = a.slips[i].dot(holdings[i].slip);
-    const Vector3 d = speed > slow ? Vector3(a.slips[i] * ((sense < 0 ? -1 : 1) / speed)) : holdings[i].slip;
+    // d = w/|w|,  w = u - s d_0 + sqrt(s^2 + slow^2) d_0,  s = u.d_0
+    const Vector3& d_0 = holdings[i].slip;
+    const Real s = a.slips[i].dot(d_0);
+    const Vector3 d = (a.slips[i] + (std::hypot(s, slow) - s) * d_0).normalized();
     holds[i].slip = tangent(a.frames[i], d);
   }
   // Beyond the end of a contact, where only trials go, what pulls does not rub: friction that grew with the

@@ -54,7 +54,11 @@ Support find_support(std::span<const TouchPoint>, std::span<const Row> joints, c
                      std::span<const Holding> guess = {});
 
 /// The forces when that is decided: smooth functions of the state.  A sliding point that has come to move
-/// backwards keeps its force, so that slip goes through zero smoothly and its end can be found.
+/// backwards keeps its force, so that slip goes through zero smoothly and its end can be found.  `slow` > 0
+/// [m/s]: slip u slower than that turns the force less than it should,
+///   d = w/|w|,  w = u_p + sqrt(s^2 + slow^2) d_0,  s = u.d_0,  u_p = u - s d_0,  d_0 the slip of the
+///   holding:
+/// the rate at which friction turns slip grows with 1/|u|, and so does the work to follow it.
 Support hold_support(std::span<const TouchPoint>, std::span<const Holding>, std::span<const Row> joints,
                      const Instant&, Real slow);
 

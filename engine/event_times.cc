@@ -1,0 +1,151 @@
+// When EventStepper's smooth piece ends: surfaces meet, or a point that is held is to be held otherwise.
+#include "engine/event_stepper.h"
+#include "engine/root.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cylon::engine {
+
+namespace {
+
+constexpr Real ulp = std::numeric_limits<Real>::epsilon();
+constexpr bool wide = sizeof(Real) == 8;
+
+// Points nearer than this many ulps of the lengths around them touch, and at one instant: 3e-12 m at 3 m in
+// double, which at 1 m/s is 3e-12 s.
+constexpr Real touch_ulps = wide ? 4096 : 64;
+// A margin has changed its sign when it is this far on the other side, in ulps of its terms; more than the
+// rounding with which laws are judged, so that the change is then seen.
+constexpr Real change_ulps = 8192;
+// Places at which the passage sees surfaces meet and the scheme itself does not.
+constexpr int most_grazes = 8;
+
+// Whether surfaces that are inside each other approach still.
+bool approaches(const Candidate& c, const Model& model, const Motion* motion) {
+  std::vector<TouchPoint> touches;
+  if (c.kind == Candidate::Kind::general)
+    touches_of(c, model, motion, 0, touches);
+  else
+    touches.push_back(touch_at(c, model, motion));
+  return std::any_of(touches.begin(), touches.end(), [&](const TouchPoint& t) {
+    return gap_rate(t, model.bodies, motion) < -speed_rounding(t, model.bodies, motion);
+  });
+}
+
+}  // namespace
+
+Real EventStepper::touch_margin(const Candidate& c, const Motion* motion) const {
+  return touch_ulps * ulp * gap_scale(c, system_.model(), motion);
+}
+
+bool EventStepper::holds(std::size_t candidate) const {
+  return std::any_of(held_.begin(), held_.end(),
+                     [&](const HeldPoint& h) { return h.candidate == candidate; });
+}
+
+// The first time within the piece at which surfaces meet that are apart.
+std::optional<Real> EventStepper::contact_time(Time from, Real span, const std::vector<Real>& end) {
+  std::optional<Real> first;
+  for (std::size_t i = 0; i < candidates_.size(); ++i) {
+    const bool held = holds(i);
+    if (held && candidates_[i].kind != Candidate::Kind::general) continue;
+    const auto hit =
+        meeting_time(candidates_[i], held, from, first.value_or(span), Bodies::motions(end.data()));
+    if (hit && *hit <= first.value_or(span)) first = hit;
+  }
+  return first;
+}
+
+// Surfaces that are inside each other although they ought not to be (they began so, or a piece was not
+// watched) meet where they approach: at once, or, lest what has just been resolved be resolved again, at the
+// piece's end.
+std::optional<Real> EventStepper::meeting_time(const Candidate& c, bool held, Time from, Real span,
+                                               const Motion* end) {
+  const Model& model = system_.model();
+  const Motion* begin = Bodies::motions(start_.data());
+  const Real margin = touch_margin(c, begin);
+  // Of a pair that is held a corner that comes down shows as depth; so deep counts.
+  const Real depth = held ? 64 * margin : margin / 4, level = held ? depth : Real(0);
+  const Real g_start = gap_of(c, model, begin) + level, g_end = gap_of(c, model, end) + level;
+  const bool ends_inside = g_end < level - depth;
+  if (g_start < level - depth) {
+    if (!instant_ && approaches(c, model, begin)) return Real(0);
+    if (ends_inside && passage_.span() <= span && approaches(c, model, end)) return span;
+    return std::nullopt;
+  }
+  const bool smooth = c.kind != Candidate::Kind::general;
+  const auto gap_after = [&](Real s) {
+    part(from, s);
+    return gap_of(c, model, Bodies::motions(y_.data())) + level;
+  };
+  const auto rate_after = [&](Real s) {
+    part(from, s);
+    const Motion* motion = Bodies::motions(y_.data());
+    return gap_rate(touch_at(c, model, motion), model.bodies, motion);
+  };
+  // Where the gap goes through zero upwards, it is rounding, of a flight that has just begun: it ends where
+  // it falls again, if that is inside still.
+  const auto meeting = [&](Real low, Real g_low, Real high, Real g_high) {
+    const Real hit = g_low > 0 ? root(gap_after, low, g_low, high, g_high) : low;
+    if (!smooth) return hit;
+    const Real u_hit = rate_after(hit), u_high = rate_after(high);
+    return u_hit > 0 && u_high < 0 ? root(rate_after, hit, u_hit, high, u_high) : hit;
+  };
+  const Real rate = smooth ? gap_rate(touch_at(c, model, begin), model.bodies, begin) : Real(0);
+  Real low = 0, g_low = g_start;
+  for (int i = 0; i < most_grazes; ++i) {
+    const auto bracket = first_closing(c, model, passage_, low, rate, depth, scratch_);
+    if (!bracket || bracket->open > span) break;
+    const Real g_open = gap_after(bracket->open), g_closed = gap_after(bracket->closed);
+    if (g_open > 0) low = bracket->open, g_low = g_open;
+    if (g_closed < 0) return meeting(low, g_low, bracket->closed, g_closed);
+    low = bracket->closed;
+    g_low = g_closed;
+  }
+  if (!ends_inside || span < passage_.span()) return std::nullopt;
+  return meeting(low, g_low, passage_.span(), g_end);
+}
+
+// The first time within the piece at which a held point would pull, slip or stop slipping.
+std::optional<Real> EventStepper::change_time(Time from, Real span, const Support& before,
+                                              const std::vector<Real>& end) {
+  const Support after = support(from + static_cast<Time>(span), end.data());
+  Real force = 0, speed = 0;
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    force = std::max({force, before.points[i].force.norm(), after.points[i].force.norm()});
+    speed = std::max({speed, std::abs(before.points[i].slip_speed), std::abs(after.points[i].slip_speed)});
+  }
+  enum class What { presses, reserve, slip };
+  std::optional<Real> first;
+  left_slip_ = 0;
+  const auto look = [&](std::size_t i, What what, Real least) {
+    const auto margin = [&, i, what, least](const Support& s) {
+      const SupportPoint& p = s.points[i];
+      return least + (what == What::presses ? p.normal : what == What::reserve ? p.reserve : p.slip_speed);
+    };
+    const Real m0 = margin(before), m1 = margin(after);
+    if (!(m1 < 0)) return;
+    const auto margin_after = [&](Real s) {
+      part(from, s);
+      return margin(support(from + static_cast<Time>(s), y_.data()));
+    };
+    const Real t = m0 > 0 ? root(margin_after, Real(0), m0, span, m1) : Real(0);
+    if (t <= static_cast<Real>(no_time * dt_)) restless_[held_[i].candidate] = 1;
+    if (first && t >= *first) return;
+    first = t;
+    left_slip_ = what == What::slip ? Real(1e4) * ulp * speed : Real(0);
+  };
+  const Real least = change_ulps * ulp * force;
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    const bool rough = candidates_[held_[i].candidate].material.friction > 0 && !loose_[held_[i].candidate];
+    look(i, What::presses, least);
+    if (held_[i].holding.grip == Grip::sticks) look(i, What::reserve, 2 * least);
+    if (held_[i].holding.grip == Grip::slides && rough)
+      look(i, What::slip, before.points[i].slip_speed > 0 ? 0 : rest_speed_);
+  }
+  return first;
+}
+
+}  // namespace cylon::engine
