@@ -34,12 +34,18 @@ std::string worker_hash(const std::vector<std::string>& command) {
 
 nlohmann::json to_json(const Request& r) {
   return {{"patterns", r.patterns},       {"engines", r.engines}, {"steps", r.steps},
-          {"integrators", r.integrators}, {"workers", r.workers}, {"suite", r.suite}};
+          {"integrators", r.integrators}, {"workers", r.workers}, {"suite", r.suite},
+          {"metamorphic", r.metamorphic}};
 }
 
 Request from_json(const nlohmann::json& j) {
-  return {j.at("patterns"),    j.at("engines"), j.at("steps"),
-          j.at("integrators"), j.at("workers"), j.at("suite")};
+  return {j.at("patterns"),
+          j.at("engines"),
+          j.at("steps"),
+          j.at("integrators"),
+          j.at("workers"),
+          j.at("suite"),
+          j.value("metamorphic", false)};
 }
 
 }  // namespace
@@ -50,7 +56,8 @@ std::string cell_key(const study::Cell& cell, const std::string& expectations_ha
 }
 
 std::string cell_name(const study::Cell& cell) {
-  return fmt::format("{} {} {}", cell.scenario->file, cell.engine.id, cell.dt_text);
+  return fmt::format("{} {} {}{}", cell.scenario->file, cell.engine.id, cell.dt_text,
+                     cell.exam == study::Exam::relations ? " --metamorphic" : "");
 }
 
 Journal::Content Journal::read() const {

@@ -220,6 +220,11 @@ Command add_run(CLI::App& app, const Context& context) {
                  "A suite of scenarios/suites/: its scenarios, engines, steps and published numbers; "
                  "conformance otherwise")
       ->type_name("NAME");
+  app.add_flag(
+      "--metamorphic", request.metamorphic,
+      "In place of the claims, what mechanics requires of any two runs of one engine: the moved, turned, "
+      "mirrored, boosted, rescaled scene moves likewise, the film runs backwards; needs no truth, so it "
+      "serves any scene");
   app.add_option("--json", options->json, "Write the rows as JSON; - is stdout")->type_name("FILE");
   app.add_option("--junit", options->junit, "Write the rows as JUnit XML; - is stdout")->type_name("FILE");
   app.add_option("--csv", options->csv, "Write the rows as CSV; - is stdout")->type_name("FILE");

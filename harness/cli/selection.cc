@@ -236,7 +236,9 @@ Selection select(const Context& context, const Request& request) {
       used = true;
       for (const auto& [text, dt] : steps.empty() ? nominal : steps)
         selection.cells.push_back(
-            {scenario.get(), engine, dt, text, known_as, command_for(context, given, engine, text)});
+            {scenario.get(), engine, dt, text, known_as,
+             command_for(context, given, engine, text) + (request.metamorphic ? " --metamorphic" : ""),
+             request.metamorphic ? study::Exam::relations : study::Exam::claims});
     }
     if (used) selection.scenarios.push_back(std::move(scenario));
   }

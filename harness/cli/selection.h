@@ -20,6 +20,7 @@ struct Request {
   std::vector<std::string> integrators;  ///< Globs over each engine's schemes. None: its default.
   std::vector<std::string> workers;      ///< NAME=COMMAND, engines of the user's own.
   std::string suite;                     ///< "": conformance.
+  bool metamorphic = false;              ///< The relations of mechanics in place of the claims.
 
   bool operator==(const Request&) const = default;
 };

@@ -1,7 +1,9 @@
 #include "harness/study/cell.h"
 
+#include "harness/core/event_find.h"
 #include "harness/core/input_error.h"
 #include "harness/core/measure.h"
+#include "harness/study/row.h"
 
 #include <fmt/format.h>
 
@@ -32,7 +34,7 @@ std::vector<core::Pair> watched(const Scenario& scenario) {
   std::vector<core::Pair> pairs;
   for (const Claim& claim : scenario.claims) {
     const core::Observable& q = claim.observable;
-    if (q.quantity != core::Quantity::event) continue;
+    if (q.quantity != core::Quantity::event || !core::watched(q.event)) continue;
     if (!q.body) return core::touching_pairs(scenario.scene);
     const auto of_body = core::touching_pairs(scenario.scene, *q.body);
     pairs.insert(pairs.end(), of_body.begin(), of_body.end());
@@ -46,38 +48,14 @@ std::vector<core::Pair> watched(const Scenario& scenario) {
 
 Verdict blank(const Cell& cell, const Claim& claim, const Sampling& plan,
               const scenarios::Expectations& expectations) {
-  const Scenario& scenario = *cell.scenario;
-  Verdict row;
-  row.scenario = scenario.name;
-  row.scenario_hash = scenario.hash;
-  row.engine = cell.engine.id;
-  row.dt = cell.dt;
-  row.dt_text = cell.dt_text;
+  Verdict row = open_row(cell, claim.label, expectations);
   row.sampling = claim.sample && *claim.sample > 0 ? fmt::format("every {} s", *claim.sample) : plan.text;
-  row.claim = claim.label;
   row.observable = core::name(claim.observable.quantity);
   row.unit = core::unit(claim);
   row.truth_error = claim.truth_error;
   row.tolerance_reason = claim.tolerance.reason;
-  row.body_steps = static_cast<std::int64_t>(scenario.scene.bodies.size()) * plan.steps;
-  row.reproduce = cell.reproduce;
-  const auto expected = expectations.find(cell.known_as.empty() ? scenario.name : cell.known_as,
-                                          cell.engine.id, cell.engine.integrator, cell.dt, claim.label);
-  row.expected = expected.status;
-  row.expected_reason = expected.reason;
+  row.body_steps = static_cast<std::int64_t>(cell.scenario->scene.bodies.size()) * plan.steps;
   return row;
-}
-
-void sign(Verdict& row, const core::Engine& engine, const core::Terms& terms,
-          const scenarios::Expectations& expectations) {
-  row.version = engine.version;
-  row.precision = engine.precision;
-  row.path = terms.path;
-  row.gyroscopic = terms.gyroscopic;
-  row.integrator = terms.integrator;
-  for (const core::Setting& setting : terms.settings) row.settings.emplace_back(setting.name, setting.value);
-  row.unforceable = terms.unforceable;
-  row.version_listed = engine.version.empty() || expectations.version_listed(engine.name, engine.version);
 }
 
 void judge(Verdict& row, const Claim& claim, const Scenario& scenario,
@@ -106,13 +84,16 @@ Sampling sampling(const Scenario& scenario, double dt) {
   std::int64_t every = 0;  // gcd of what the claims ask for
   std::set<std::int64_t> at;
   for (const Claim& claim : scenario.claims) {
+    if (claim.observable.quantity == core::Quantity::event) {
+      if (!core::watched(claim.observable.event)) every = 1;  // found in the states of every step
+      continue;
+    }
     if (claim.truth && !claim.truth->times.empty()) {
       for (const double t : claim.truth->times)
         if (t > 0 && t <= std::min(claim.until, scenario.duration))
           at.insert(steps_of(scenario, t, dt, "a time of the recorded truth"));
       continue;
     }
-    if (claim.observable.quantity == core::Quantity::event) continue;
     const std::int64_t stride =
         !claim.sample        ? core::sampling_stride(scenario.scene.bodies.size(), plan.steps, dt, 0)
         : *claim.sample == 0 ? 1

@@ -12,6 +12,9 @@
 
 namespace cylon::study {
 
+/// What a cell is asked: what its scenario claims, or what mechanics requires of any two runs.
+enum class Exam { claims, relations };
+
 struct Cell {
   const scenarios::Scenario* scenario = nullptr;
   process::EngineChoice engine;
@@ -19,6 +22,9 @@ struct Cell {
   std::string dt_text;    ///< As given: "1/60".
   std::string known_as;   ///< The scenario's name in expected.toml; empty: its own.
   std::string reproduce;  ///< The command that gives these rows again.
+  Exam exam = Exam::claims;
+  double tolerance_scale = 1;  ///< Multiplies all that is allowed, >= 0; 0: nothing passes, all residuals show.
+  int copies = 0;              ///< Runs that start one ulp apart, to see how far they spread.
 };
 
 /// The steps at which a cell is recorded, and the pairs that are watched: what its claims need, no more.

@@ -1,0 +1,100 @@
+#include "harness/study/metamorphic.h"
+
+#include "harness/core/measure.h"
+#include "harness/core/recording.h"
+#include "harness/study/relations.h"
+#include "harness/study/row.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace cylon::study {
+namespace {
+
+using core::Verdict;
+
+// A worker's failure in one of the runs that a relation needs.
+struct Failed {
+  process::RunOutcome outcome;
+};
+
+// At most 200 samples, a divisor of the steps where there is one, so that samples meet when time runs back.
+std::int64_t stride(std::int64_t steps) {
+  const std::int64_t least = std::max<std::int64_t>(1, (steps + 199) / 200);
+  for (std::int64_t every = least; every <= 10 * least; ++every)
+    if (steps % every == 0) return every;
+  return least;
+}
+
+double horizon(const scenarios::Scenario& scenario) {
+  double until = scenario.duration;
+  for (const core::Claim& claim : scenario.claims)
+    if (claim.truth) until = std::min(until, claim.until);
+  return until;
+}
+
+void fail(Verdict& row, const process::RunOutcome& outcome) {
+  row.status = outcome.status, row.detail = outcome.reason, row.complaints = outcome.stderr_tail;
+}
+
+}  // namespace
+
+std::vector<Verdict> relate(const Cell& cell, const process::Limits& limits,
+                            const scenarios::Expectations& expectations) {
+  const scenarios::Scenario& scenario = *cell.scenario;
+  const std::int64_t steps = sampling(scenario, cell.dt).steps, every = stride(steps);
+  process::RunOutcome last;
+  const Runner run = [&](const core::Scene& scene, double dt, std::int64_t count, std::int64_t each) {
+    process::RunRequest request;
+    request.scene = &scene;
+    request.setup.dt = dt, request.steps = count, request.every = each;
+    last = process::run(cell.engine, request, limits);
+    if (last.status != core::Status::pass || !last.recording) throw Failed{last};
+    return std::move(*last.recording);
+  };
+
+  std::vector<const Relation*> asked;
+  std::vector<Verdict> rows;
+  for (const Relation& relation : relations()) {
+    if (relation.undefined_in(scenario.scene)) continue;
+    asked.push_back(&relation);
+    Verdict row = open_row(cell, fmt::format("relation: {}", relation.name), expectations);
+    row.observable = "state", row.unit = "1";
+    row.sampling = every == 1 ? "every step" : fmt::format("every {} steps", every);
+    row.allowed = relation.exact ? 0 : 1e-3;
+    row.tolerance_reason =
+        relation.exact ? fmt::format("{}: exact in any arithmetic", relation.says)
+                       : fmt::format("{}: convention, a thousandth of the scene's own scales", relation.says);
+    row.body_steps = static_cast<std::int64_t>(scenario.scene.bodies.size()) * steps;
+    rows.push_back(std::move(row));
+  }
+
+  core::Recording plain;
+  try {
+    plain = run(scenario.scene, cell.dt, steps, every);
+  } catch (const Failed& failed) {
+    for (Verdict& row : rows) sign(row, last.engine, last.terms, expectations), fail(row, failed.outcome);
+    return rows;
+  }
+  for (Verdict& row : rows) sign(row, last.engine, last.terms, expectations);
+  const Subject subject{scenario.scene, plain, every, scales(scenario.scene, scenario.duration),
+                        horizon(scenario)};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    try {
+      rows[i].measured = asked[i]->deviation(subject, run);
+      rows[i].cpu_seconds = plain.cpu_seconds;
+      rows[i].complaints = last.stderr_tail;
+      rows[i].status = core::judge(rows[i].measured, rows[i].allowed);
+      rows[i].first_bad_step = core::first_bad_step(plain);
+    } catch (const Failed& failed) {
+      fail(rows[i], failed.outcome);
+      rows[i].detail = "in the run that must follow: " + rows[i].detail;
+    }
+  }
+  return rows;
+}
+
+}  // namespace cylon::study

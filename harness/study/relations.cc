@@ -1,0 +1,357 @@
+#include "harness/study/relations.h"
+
+#include "harness/core/overloaded.h"
+#include "harness/study/restate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <utility>
+
+namespace cylon::study {
+namespace {
+
+using core::Body;
+using core::BodyState;
+using core::Force;
+using core::Matrix3;
+using core::Recording;
+using core::Scene;
+using core::State;
+using core::Vector3;
+using Reason = std::optional<std::string>;
+
+// ---- What scenes hold -----------------------------------------------------------------------------
+
+template <class F>
+bool any(const Scene& scene) {
+  return std::any_of(scene.forces.begin(), scene.forces.end(),
+                     [](const Force& f) { return std::holds_alternative<F>(f); });
+}
+
+bool pinned(const Force& f) {
+  const auto* spring = std::get_if<core::Spring>(&f);
+  return spring && spring->to == core::world;
+}
+
+bool joined_to_world(const Scene& scene) {
+  return std::any_of(scene.joints.begin(), scene.joints.end(),
+                     [](const core::Joint& j) { return j.to == core::world; });
+}
+
+bool locked(const Scene& scene) {
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& b) { return b.locked; });
+}
+
+bool touching(const Scene& scene) {
+  return core::any_touching_pair(scene, [](const core::Pair&) { return true; });
+}
+
+Reason water(const Scene& scene) {
+  if (any<core::Water>(scene)) return "water has a place and axes of its own";
+  return {};
+}
+
+// What holds the scene to the world, other than uniform gravity.
+Reason anything_outside(const Scene& scene) {
+  if (const Reason why = water(scene)) return why;
+  if (scene.frame) return "the frame turns or moves";
+  if (std::any_of(scene.forces.begin(), scene.forces.end(), pinned)) return "a spring ends at the world";
+  if (joined_to_world(scene)) return "a joint ends at the world";
+  if (locked(scene)) return "a body is locked";
+  if (!scene.planes.empty()) return "planes are at rest";
+  if (any<core::Drag>(scene)) return "drag is against a medium at rest";
+  return {};
+}
+
+Reason clocks(const Scene& scene) {
+  if (any<core::Drive>(scene)) return "a drive has a phase";
+  for (const Force& f : scene.forces)
+    if (const auto* t = std::get_if<core::Thrust>(&f); t && t->mass_rate != 0) return "a mass changes";
+  if (any<core::Water>(scene)) return "waves have a phase";
+  if (scene.frame) return "the frame turns";
+  return {};
+}
+
+Reason never(const Scene&) { return {}; }
+
+// ---- Comparing -------------------------------------------------------------------------------------
+
+// The other run's state at each sample against what the plain one requires there.
+double worst(const Subject& s, const Recording& other,
+             const std::function<State(const State&, double)>& required) {
+  std::map<std::int64_t, const State*> at;
+  for (std::size_t i = 0; i < other.steps.size(); ++i) at[other.steps[i]] = &other.states[i];
+  double result = 0;
+  for (std::size_t i = 0; i < s.plain.steps.size(); ++i) {
+    const auto found = at.find(s.plain.steps[i]);
+    if (found == at.end() || s.plain.time(i) > s.until * (1 + 1e-12)) continue;
+    const double d = apart(required(s.plain.states[i], s.plain.time(i)), *found->second, s.scales);
+    if (!(d <= result)) result = d;
+    if (std::isnan(result)) break;
+  }
+  return result;
+}
+
+Recording again(const Subject& s, const Runner& run, const Scene& scene, double time = 1) {
+  return run(scene, time * s.plain.dt, s.plain.steps.back(), s.every);
+}
+
+// The run of the restated scene, told in the plain words again.
+double restated(const Subject& s, const Runner& run, const Restatement& change) {
+  Subject in_new_units = s;
+  in_new_units.scales.length *= change.length;
+  in_new_units.scales.speed *= change.length / change.time;
+  in_new_units.scales.angular_velocity /= change.time;
+  return worst(in_new_units, again(s, run, change(s.scene), change.time),
+               [&](const State& plain, double) { return change(plain); });
+}
+
+// The scene from another state on.  A joint's point goes where its first body takes it; the world's stays.
+Scene from(Scene scene, const State& start) {
+  for (core::Joint& j : scene.joints) {
+    if (j.to == core::world) continue;
+    const BodyState &a = scene.bodies[static_cast<std::size_t>(j.body)].initial,
+                    &b = start[static_cast<std::size_t>(j.body)];
+    const core::Quaternion turn = b.orientation * a.orientation.conjugate();
+    j.point = b.position + turn * (j.point - a.position);
+    j.axis = turn * j.axis;
+  }
+  for (std::size_t i = 0; i < start.size(); ++i) scene.bodies[i].initial = start[i];
+  return scene;
+}
+
+State turned_round(State state) {
+  for (BodyState& b : state) b.velocity = -b.velocity, b.angular_velocity = -b.angular_velocity;
+  return state;
+}
+
+Matrix3 rotation(double angle, const Vector3& axis) {
+  return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
+}
+
+// ---- The relations -----------------------------------------------------------------------------------
+
+// General values: no axis, no round number, nothing that an engine's grid could fit.
+const Vector3 along(0.73, -1.31, 0.47);
+
+double translation(const Subject& s, const Runner& run) {
+  Restatement change;
+  change.move = s.scales.length * along;
+  return restated(s, run, change);
+}
+
+double turning(const Subject& s, const Runner& run) {
+  Restatement change;
+  change.turn = rotation(0.9, {-0.2, 0.5, 0.3});
+  return restated(s, run, change);
+}
+
+double mirror(const Subject& s, const Runner& run) {
+  Restatement change;
+  change.turn = change.own = Vector3(-1, 1, 1).asDiagonal();
+  return restated(s, run, change);
+}
+
+double units(const Subject& s, const Runner& run) {
+  Restatement change;
+  change.length = 4, change.mass = 0.5, change.time = 2;
+  return restated(s, run, change);
+}
+
+double heavier(const Subject& s, const Runner& run) {
+  Restatement change;
+  change.mass = 3.7;
+  return restated(s, run, change);
+}
+
+// Axes in a body are a name; only where no shape has axes.
+Reason shaped(const Scene& scene) {
+  for (const Body& b : scene.bodies)
+    if (!std::holds_alternative<std::monostate>(b.shape) && !std::holds_alternative<core::Sphere>(b.shape) &&
+        !std::holds_alternative<core::Hull>(b.shape) && !std::holds_alternative<core::Mesh>(b.shape))
+      return fmt::format("the shape of '{}' has axes", b.name);
+  return {};
+}
+
+double body_axes(const Subject& s, const Runner& run) {
+  Restatement change;
+  change.own = rotation(1.1, {0.6, -0.3, 0.5});
+  return restated(s, run, change);
+}
+
+// p + u t, v + u, the same turns.
+double boost(const Subject& s, const Runner& run) {
+  const Vector3 u = s.scales.speed * along;
+  Scene scene = s.scene;
+  for (Body& b : scene.bodies) b.initial.velocity += u;
+  for (Force& f : scene.forces)
+    if (auto* t = std::get_if<core::Thrust>(&f); t && t->exchanged_velocity) *t->exchanged_velocity += u;
+  return worst(s, again(s, run, scene), [&](State plain, double t) {
+    for (BodyState& b : plain) b.position += t * u, b.velocity += u;
+    return plain;
+  });
+}
+
+// Mass that comes in at a velocity of its own does not fall with the bodies.
+Reason fed(const Scene& scene) {
+  for (const Force& f : scene.forces)
+    if (const auto* t = std::get_if<core::Thrust>(&f); t && t->exchanged_velocity)
+      return "mass is exchanged with something that does not fall";
+  return anything_outside(scene);
+}
+
+// In uniform gravity an isolated system only falls: p + g t^2/2, v + g t.
+double free_fall(const Subject& s, const Runner& run) {
+  const double duration = s.plain.time(s.plain.steps.size() - 1);
+  const Vector3 g = s.scales.speed / duration * along;
+  Scene scene = s.scene;
+  scene.forces.emplace_back(core::UniformGravity{g});
+  return worst(s, again(s, run, scene), [&](State plain, double t) {
+    for (BodyState& b : plain) b.position += t * t / 2 * g, b.velocity += t * g;
+    return plain;
+  });
+}
+
+// Conservative and smooth: the film runs backwards.
+Reason irreversible(const Scene& scene) {
+  if (const Reason why = clocks(scene)) return why;
+  if (any<core::Drag>(scene)) return "drag loses energy";
+  for (const Force& f : scene.forces)
+    if (const auto* k = std::get_if<core::Spring>(&f); k && k->damping > 0) return "a spring is damped";
+  if (touching(scene)) return "bodies touch";
+  return {};
+}
+
+double reversal(const Subject& s, const Runner& run) {
+  const std::int64_t steps = s.plain.steps.back();
+  const Recording back = again(s, run, from(s.scene, turned_round(s.plain.states.back())));
+  Recording home = back;
+  for (std::int64_t& step : home.steps) step = steps - step;
+  for (State& state : home.states) state = turned_round(state);
+  return worst(s, home, [](const State& plain, double) { return plain; });
+}
+
+// A run that stops half-way goes on from what was read.
+double split(const Subject& s, const Runner& run) {
+  const std::size_t half = s.plain.steps.size() / 2;
+  const std::int64_t first = s.plain.steps[half];
+  Recording rest =
+      run(from(s.scene, s.plain.states[half]), s.plain.dt, s.plain.steps.back() - first, s.every);
+  for (std::int64_t& step : rest.steps) step += first;
+  return worst(s, rest, [](const State& plain, double) { return plain; });
+}
+
+Reason alone(const Scene& scene) {
+  if (scene.bodies.size() < 2) return "there is one body";
+  return {};
+}
+
+double order(const Subject& s, const Runner& run) {
+  Scene scene = s.scene;
+  const int n = static_cast<int>(scene.bodies.size());
+  std::reverse(scene.bodies.begin(), scene.bodies.end());
+  const auto move = [&](int& body) { body = body == core::world ? body : n - 1 - body; };
+  for (Force& f : scene.forces)
+    std::visit(core::Overloaded{[](core::UniformGravity&) {}, [](core::Water&) {},
+                                [&](core::Spring& k) { move(k.body), move(k.to); },
+                                [&](core::Attraction& a) { move(a.body), move(a.to); },
+                                [&](auto& acts) { move(acts.body); }},
+               f);
+  for (core::Joint& j : scene.joints) move(j.body), move(j.to);
+  return worst(s, again(s, run, scene), [](State plain, double) {
+    std::reverse(plain.begin(), plain.end());
+    return plain;
+  });
+}
+
+// One more body, far away, at rest, that touches and pulls nothing.
+double far_body(const Subject& s, const Runner& run) {
+  Scene scene = s.scene;
+  Body far;
+  far.name = "far away";
+  far.inertia = Matrix3::Identity();
+  far.initial.position = 1000 * s.scales.length * Vector3(0.6, 0.5, -0.4);
+  scene.bodies.push_back(far);
+  Recording other = again(s, run, scene);
+  for (State& state : other.states) state.pop_back();
+  return worst(s, other, [](const State& plain, double) { return plain; });
+}
+
+double repetition(const Subject& s, const Runner& run) {
+  return worst(s, again(s, run, s.scene), [](const State& plain, double) { return plain; });
+}
+
+// Springs without rest length, damped or not, and linear drag: motions about the equilibrium add up.
+Reason not_linear(const Scene& scene) {
+  if (const Reason why = clocks(scene)) return why;
+  if (!any<core::Spring>(scene)) return "there is no spring";
+  if (any<core::Attraction>(scene)) return "attraction is not linear";
+  if (!scene.joints.empty()) return "joints are not linear";
+  if (touching(scene)) return "bodies touch";
+  for (const Force& f : scene.forces)
+    if (const auto* k = std::get_if<core::Spring>(&f))
+      if (k->rest_length > 0 || k->damping > 0 || !k->anchor.isZero() ||
+          (k->to != core::world && !k->to_anchor.isZero()))
+        return "a spring has a length, a damper or an arm";
+  return {};
+}
+
+// The flow of places and velocities is affine: half-way between two starts it stays half-way.
+double superposition(const Subject& s, const Runner& run) {
+  Scene other = s.scene, between = s.scene;
+  for (std::size_t i = 0; i < other.bodies.size(); ++i) {
+    const double sign = i % 2 == 0 ? 1 : -1;
+    other.bodies[i].initial.position += sign * s.scales.length * along;
+    other.bodies[i].initial.velocity -= sign * s.scales.speed * along;
+    BodyState& mean = between.bodies[i].initial;
+    mean.position = (mean.position + other.bodies[i].initial.position) / 2;
+    mean.velocity = (mean.velocity + other.bodies[i].initial.velocity) / 2;
+  }
+  const Recording a = again(s, run, other), b = again(s, run, between);
+  Subject first = s;
+  Recording half = s.plain;
+  for (std::size_t k = 0; k < half.states.size() && k < a.states.size(); ++k)
+    for (std::size_t i = 0; i < half.states[k].size(); ++i) {
+      BodyState& mean = half.states[k][i];
+      mean.position = (mean.position + a.states[k][i].position) / 2;
+      mean.velocity = (mean.velocity + a.states[k][i].velocity) / 2;
+    }
+  return worst({first.scene, half, first.every, first.scales, first.until}, b,
+               [](const State& plain, double) { return plain; });
+}
+
+Reason fixed_place(const Scene& scene) {
+  if (const Reason why = water(scene)) return why;
+  if (scene.frame && !scene.frame->angular_velocity.isZero()) return "the frame turns about its origin";
+  return {};
+}
+
+constexpr std::array table = {
+    Relation{"repetition", "the same scene moves the same again, to the last bit", never, repetition, true},
+    Relation{"translation", "a scene elsewhere moves the same there", fixed_place, translation},
+    Relation{"rotation", "a turned scene moves as the turned motion", water, turning},
+    Relation{"mirror", "the motion in a mirror is that of the scene in the mirror", water, mirror},
+    Relation{"boost", "an isolated scene in uniform motion is carried along", anything_outside, boost},
+    Relation{"free fall", "an isolated scene in one gravity more only falls", fed, free_fall},
+    Relation{"units", "other units of length, mass and time: only the numbers change", water, units},
+    Relation{"mass", "all masses, moments and forces alike heavier: the same motion", water, heavier},
+    Relation{"body axes", "other axes in the bodies: the same motion", shaped, body_axes},
+    Relation{"body order", "the order of the bodies is no part of the physics", alone, order},
+    Relation{"far body", "a body far away changes nothing", water, far_body},
+    Relation{"split run", "a run that stops half-way goes on from what was read", clocks, split},
+    Relation{"time reversal", "without losses the film runs backwards", irreversible, reversal},
+    Relation{"superposition", "linear forces: half-way between two starts stays half-way", not_linear,
+             superposition},
+};
+
+}  // namespace
+
+std::span<const Relation> relations() { return table; }
+
+}  // namespace cylon::study

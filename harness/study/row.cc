@@ -1,0 +1,35 @@
+#include "harness/study/row.h"
+
+namespace cylon::study {
+
+core::Verdict open_row(const Cell& cell, const std::string& claim,
+                       const scenarios::Expectations& expectations) {
+  core::Verdict row;
+  row.scenario = cell.scenario->name;
+  row.scenario_hash = cell.scenario->hash;
+  row.engine = cell.engine.id;
+  row.dt = cell.dt;
+  row.dt_text = cell.dt_text;
+  row.claim = claim;
+  row.reproduce = cell.reproduce;
+  const auto expected = expectations.find(cell.known_as.empty() ? row.scenario : cell.known_as,
+                                          cell.engine.id, cell.engine.integrator, cell.dt, claim);
+  row.expected = expected.status;
+  row.expected_reason = expected.reason;
+  return row;
+}
+
+void sign(core::Verdict& row, const core::Engine& engine, const core::Terms& terms,
+          const scenarios::Expectations& expectations) {
+  row.version = engine.version;
+  row.precision = engine.precision;
+  row.path = terms.path;
+  row.gyroscopic = terms.gyroscopic;
+  row.integrator = terms.integrator;
+  row.settings.clear();
+  for (const core::Setting& setting : terms.settings) row.settings.emplace_back(setting.name, setting.value);
+  row.unforceable = terms.unforceable;
+  row.version_listed = engine.version.empty() || expectations.version_listed(engine.name, engine.version);
+}
+
+}  // namespace cylon::study
