@@ -3,7 +3,7 @@
 
 #include "engine/root.h"
 #include "engine/schemes/dop853.h"
-#include "engine/stepper.h"
+#include "engine/system_stepper.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -25,18 +25,16 @@ concept Switching = requires(S& s, const S& c, Time t, const Real* y) {
   s.unwatch();
 };
 
-/// `Read` copies the state into motions:  void(const S&, const Real* y, std::vector<Motion>&).  Where no step
-/// meets the tolerance any more (a collision of attracting points) the motion ends: all later states are not
-/// a number, and a remark says when.
+/// Where no step meets the tolerance any more (a collision of attracting points) the motion ends: all later
+/// states are not a number, and a remark says when.
 template <System S, class Read>
-class AdaptiveStepper final : public Stepper {
+class AdaptiveStepper final : public SystemStepper<S, Read> {
+  using Base = SystemStepper<S, Read>;
+  using Base::dt_, Base::steps_, Base::system_, Base::y_;
+
  public:
   AdaptiveStepper(S system, std::vector<Real> initial, Real tolerance, Time dt, Read read)
-      : system_(std::move(system)),
-        y_(std::move(initial)),
-        scheme_(y_.size(), tolerance),
-        dt_(dt),
-        read_(std::move(read)) {
+      : Base(std::move(system), std::move(initial), dt, std::move(read)), scheme_(y_.size(), tolerance) {
     if constexpr (Switching<S>) {
       watching_ = system_.switch_count() > 0;
       if (watching_) system_.watch(0, y_.data());
@@ -59,15 +57,6 @@ class AdaptiveStepper final : public Stepper {
       scheme_.at(system_, now, y_.data());
     else
       std::fill(y_.begin(), y_.end(), std::numeric_limits<Real>::quiet_NaN());
-  }
-
-  void read(std::vector<Motion>& motions) const override { read_(system_, y_.data(), motions); }
-  const std::vector<Impact>& impacts() const override { return none_; }
-  const Real* works() const override {
-    if constexpr (requires { system_.works(y_.data()); })
-      return system_.works(y_.data());
-    else
-      return nullptr;
   }
 
   std::vector<std::string> remarks() const override {
@@ -146,18 +135,12 @@ class AdaptiveStepper final : public Stepper {
     }
   }
 
-  S system_;
-  std::vector<Real> y_;
   Dop853<S> scheme_;
-  Time dt_;
-  Read read_;
-  std::int64_t steps_ = 0;
   bool going_ = true, watching_ = false;
   std::optional<Turn> turn_;  // the next, within the last step of the scheme
   int flips_ = 0;
   std::size_t last_turn_ = 0;
   Time last_turn_time_ = -1, slides_at_ = 0;
-  std::vector<Impact> none_;
 };
 
 }  // namespace cylon::engine

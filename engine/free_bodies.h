@@ -42,7 +42,6 @@ class FreeBodies final : public Stepper {
   /// Steps in a row: each block stays in cache for all of them.  The bits of as many step().
   void advance(std::int64_t steps) override;
   void read(std::vector<Motion>&) const override;
-  const std::vector<Impact>& impacts() const override { return none_; }
 
   std::size_t size() const { return places_.size(); }
   /// Held for all bodies [bytes].
@@ -91,7 +90,6 @@ class FreeBodies final : public Stepper {
   std::vector<Rest> rests_;
   std::vector<Flight> points_;
   std::vector<Spin> spins_[kinds];
-  std::vector<Impact> none_;
 };
 
 }  // namespace cylon::engine

@@ -17,7 +17,6 @@ class FreeStepper final : public Stepper {
 
   void step() override { ++steps_; }
   void read(std::vector<Motion>&) const override;
-  const std::vector<Impact>& impacts() const override { return none_; }
 
  private:
   std::vector<Body> bodies_;
@@ -26,7 +25,6 @@ class FreeStepper final : public Stepper {
   Vector3 gravity_;
   Time dt_;
   std::int64_t steps_ = 0;
-  std::vector<Impact> none_;
 };
 
 }  // namespace cylon::engine

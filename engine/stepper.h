@@ -35,8 +35,11 @@ class Stepper {
   /// The motion now, one per body of the model; resizes.
   virtual void read(std::vector<Motion>&) const = 0;
 
-  /// The impacts of the last step, in order of time.
-  virtual const std::vector<Impact>& impacts() const = 0;
+  /// The impacts of the last step, in order of time; none where nothing can touch.
+  virtual const std::vector<Impact>& impacts() const {
+    static const std::vector<Impact> none;
+    return none;
+  }
 
   /// The work done by each force since t = 0 [J], gravity first (engine/forces.h); null where it is not
   /// accounted.

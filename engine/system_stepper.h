@@ -1,0 +1,38 @@
+// What steppers of a System have in common: the state that is shown, and how it is read.
+#pragma once
+
+#include "engine/stepper.h"
+#include "engine/system.h"
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace cylon::engine {
+
+/// `Read` copies the state into motions:  void(const S&, const Real* y, std::vector<Motion>&).
+template <System S, class Read>
+class SystemStepper : public Stepper {
+ public:
+  SystemStepper(S system, std::vector<Real> initial, Time dt, Read read)
+      : system_(std::move(system)), y_(std::move(initial)), dt_(dt), read_(std::move(read)) {}
+
+  void read(std::vector<Motion>& motions) const final { read_(system_, y_.data(), motions); }
+  const Real* works() const final {
+    if constexpr (requires { system_.works(y_.data()); })
+      return system_.works(y_.data());
+    else
+      return nullptr;
+  }
+
+ protected:
+  S system_;
+  std::vector<Real> y_;
+  Time dt_;
+  std::int64_t steps_ = 0;
+
+ private:
+  Read read_;
+};
+
+}  // namespace cylon::engine
