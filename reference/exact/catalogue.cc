@@ -8,6 +8,10 @@ namespace cylon::exact {
 
 std::span<const Solution> catalogue() {
   static constexpr std::array solutions = {
+      Solution{"block_slides", sliding_block, "the same as sliding_block"},
+      Solution{"block_sticks", sliding_block, "the same as sliding_block"},
+      Solution{"block_stops", sliding_block, "the same as sliding_block"},
+      Solution{"block_uphill", sliding_block, "the same as sliding_block"},
       Solution{
           "bouncing_sphere", bouncing_sphere,
           "smooth spheres bouncing on one plane that gravity points into, too far apart sideways to meet"},
@@ -20,13 +24,30 @@ std::span<const Solution> catalogue() {
           "heavy_top", heavy_top,
           "bodies with two equal principal moments on ball joints to the world, the centre of mass on the "
           "symmetry axis, uniform gravity in any direction"},
+      Solution{"newtons_cradle", sphere_row, "the same as sphere_row"},
+      Solution{"newtons_cradle_gapped", sphere_row, "the same as sphere_row"},
       Solution{"projectile", projectile,
                "bodies in uniform gravity, turning about a principal axis or not at all"},
+      Solution{"rolling_sphere_incline", rough_sphere, "the same as rough_sphere"},
+      Solution{"rough_ball_bounce", rough_sphere, "the same as rough_sphere"},
+      Solution{"rough_sphere", rough_sphere,
+               "spheres that fly, bounce, slide and roll on one plane with friction, slip along the slope"},
+      Solution{"slide_to_roll", rough_sphere, "the same as rough_sphere"},
+      Solution{"sliding_block", sliding_block,
+               "boxes flat on one plane that slide along the slope, stop or stay, and do not tip"},
+      Solution{"slipping_sphere_incline", rough_sphere, "the same as rough_sphere"},
+      Solution{
+          "sphere_row", sphere_row,
+          "smooth spheres in rows, free or falling, that strike each other centrally, one after another"},
+      Solution{
+          "sphere_two_walls", sphere_two_walls,
+          "smooth spheres between two walls that face each other, no gravity across, far from each other"},
       Solution{
           "spring_orbit", spring_orbit,
           "bodies each on one undamped spring from the centre to a pin, no gravity, not aimed at the pin"},
       Solution{"spring_zero_length", spring_zero_length,
                "bodies each on undamped springs of no rest length from the centre to pins, gravity or none"},
+      Solution{"two_sphere_head_on", sphere_row, "the same as sphere_row"},
       Solution{"two_sphere_oblique", two_sphere_oblique,
                "two smooth spheres, free or falling together, at most one collision"},
   };

@@ -7,6 +7,10 @@ namespace cylon::exact {
 
 core::Truth projectile(const core::Scene&, double horizon);
 core::Truth bouncing_sphere(const core::Scene&, double horizon);
+core::Truth rough_sphere(const core::Scene&, double horizon);
+core::Truth sliding_block(const core::Scene&, double horizon);
+core::Truth sphere_row(const core::Scene&, double horizon);
+core::Truth sphere_two_walls(const core::Scene&, double horizon);
 core::Truth two_sphere_oblique(const core::Scene&, double horizon);
 core::Truth spring_zero_length(const core::Scene&, double horizon);
 core::Truth spring_orbit(const core::Scene&, double horizon);

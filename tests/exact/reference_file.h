@@ -3,6 +3,8 @@
 
 #include "harness/core/scene.h"
 
+#include "tests/accuracy/truth/truth_file.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -29,13 +31,13 @@ struct ReferenceFile {
     if (!in) throw std::runtime_error("no reference file " + name);
     data = json::parse(in);
     read_bodies();
-    read_forces();
-    read_constraints();
+    if (data.contains("trajectory")) read_forces();
+    if (data.contains("trajectory")) read_constraints();
     for (const json& t : data["t"]) times.push_back(number(t));
     horizon = number(data["horizon"]);
     if (data.contains("conditioning"))
       conditioning = number(data["conditioning"]["amplification_max_over_horizon"]);
-    read_states();
+    data.contains("trajectory") ? read_states() : read_special();
   }
 
   json data;
@@ -66,35 +68,31 @@ struct ReferenceFile {
     }
   }
 
-  void read_forces() {
-    for (const json& f : data["forces"]) {
-      if (f["type"] == "gravity") {
-        scene.forces.emplace_back(core::UniformGravity{{0, -number(f["g"]), 0}});
-      } else if (f["type"] == "spring") {
-        core::Spring spring;
-        spring.to_anchor = vector(f["pin"]);
-        spring.stiffness = number(f["k"]);
-        spring.rest_length = number(f["rest_length"]);
-        scene.forces.emplace_back(spring);
-      } else {
-        throw std::runtime_error("unknown force " + f.dump());
-      }
-    }
-  }
+  void read_forces() { scene.forces = accuracy::regular_scene(data).forces; }
 
   void read_constraints() {
-    for (const json& c : data.value("constraints", json::array())) {
-      if (c["type"] != "ball_joint") throw std::runtime_error("unknown constraint " + c.dump());
-      core::Joint joint;
-      joint.point = vector(c["point_world"]);
-      scene.joints.push_back(joint);
-    }
+    scene.joints = accuracy::regular_scene(data).joints;
     for (const json& c : data.value("contacts", json::array())) {
       scene.planes.push_back({"floor", vector(c["normal"]), number(c["offset"])});
-      scene.materials.push_back({{"*", "*"}, number(c["restitution"]), number(c["friction"])});
+      scene.materials.push_back(
+          {{"*", "*"}, number(c["restitution"]), c.contains("friction") ? number(c["friction"]) : 0});
     }
     if (data["params"].contains("e") && scene.materials.empty()) {
       scene.materials.push_back({{"*", "*"}, number(data["params"]["e"]), 0});
+    }
+  }
+
+  // Files in words of their own.
+  void read_special() {
+    const accuracy::TruthScene special = accuracy::truth_scenes(data["name"]).front();
+    scene = special.scene;
+    for (const accuracy::Sample& sample : special.samples) {
+      states.push_back(core::initial_state(scene));
+      for (const accuracy::Expected& e : sample.bodies) {
+        core::BodyState& s = states.back()[static_cast<std::size_t>(e.body)];
+        s.position = e.position.value_or(s.position);
+        s.velocity = e.velocity.value_or(s.velocity);
+      }
     }
   }
 

@@ -85,6 +85,7 @@ INSTANTIATE_TEST_SUITE_P(
     all, ReferenceFiles,
     testing::Values(Case{"projectile", "projectile"}, Case{"bouncing_sphere", "bouncing_sphere"},
                     Case{"two_sphere_oblique", "two_sphere_oblique"},
+                    Case{"sphere_two_walls", "sphere_two_walls"}, Case{"slide_to_roll", "slide_to_roll"},
                     Case{"spring_zero_length", "spring_zero_length"}, Case{"spring_orbit", "spring_orbit"},
                     Case{"free_symmetric_top", "free_symmetric_top"},
                     Case{"free_symmetric_top", "free_asymmetric_top"},
