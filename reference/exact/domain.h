@@ -15,7 +15,8 @@ namespace cylon::exact {
 /// "body 'ball'".
 std::string named(const core::Scene&, int body);
 
-/// At least one body, none locked, positive masses, no moving frame, finite positive horizon.
+/// At least one body, none locked, positive masses, finite positive horizon, no turning frame (one that only
+/// moves changes nothing: Galilei).
 void check_bodies(std::string_view solution, const core::Scene&, double horizon);
 
 /// No pair of the scene may touch.

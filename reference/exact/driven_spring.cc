@@ -9,6 +9,7 @@ namespace cylon::exact {
 
 core::Truth driven_spring(const core::Scene& scene, double horizon) {
   constexpr auto name = "driven_spring";
+  check_bodies(name, scene, horizon);
   check_forces(name, scene, {"gravity", "drag", "spring", "drive"});
   check_springs(name, scene);
   check_no_rest_length(name, scene);

@@ -18,6 +18,7 @@
 #include "reference/exact/domain.h"
 #include "reference/exact/elliptic.h"
 #include "reference/exact/flight.h"
+#include "reference/exact/free_rotation.h"
 #include "reference/exact/rounding.h"
 #include "reference/exact/solutions.h"
 
@@ -113,6 +114,25 @@ class AsymmetricTop {
   std::optional<Elliptic> elliptic_;
 };
 
+}  // namespace
+
+void check_free_rotation(std::string_view solution, const core::Scene& scene, std::size_t index) {
+  const core::Body& body = scene.bodies[index];
+  const std::string of = named(scene, static_cast<int>(index));
+  if (!(core::principal_axes(body.inertia).moments.minCoeff() > 0)) {
+    refuse(solution, of + " has a moment of inertia that is not positive");
+  }
+  if (AsymmetricTop(body, gravity(scene)).on_separatrix()) {
+    refuse(solution, of + " is on the separatrix, |L|^2 = 2 E I2: it flips once, for ever");
+  }
+}
+
+std::function<WideState(Wide)> free_rotation(const core::Scene& scene, std::size_t index) {
+  return [top = AsymmetricTop(scene.bodies[index], gravity(scene))](Wide t) { return top.at(t); };
+}
+
+namespace {
+
 std::function<core::State(double)> solve_scene(const core::Scene& scene) {
   std::vector<AsymmetricTop> tops;
   for (const core::Body& body : scene.bodies) tops.emplace_back(body, gravity(scene));
@@ -126,16 +146,7 @@ core::Truth free_asymmetric_top(const core::Scene& scene, double horizon) {
   check_forces(name, scene, false);
   check_no_joints(name, scene);
   check_no_contacts(name, scene);
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    const core::Body& body = scene.bodies[i];
-    if (!(core::principal_axes(body.inertia).moments.minCoeff() > 0)) {
-      refuse(name, named(scene, static_cast<int>(i)) + " has a moment of inertia that is not positive");
-    }
-    if (AsymmetricTop(body, gravity(scene)).on_separatrix()) {
-      refuse(name, named(scene, static_cast<int>(i)) +
-                       " is on the separatrix, |L|^2 = 2 E I2: it flips once, for ever");
-    }
-  }
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) check_free_rotation(name, scene, i);
   return {
       .state = solve_scene(scene),
       .error = rounding_error(scene, solve_scene, horizon),

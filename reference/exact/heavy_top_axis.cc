@@ -58,10 +58,12 @@ void HeavyTopAxis::find_turning_points(const AxisStart& s, Wide tilt, Wide turn)
   }
   if (through_above) above_.sum = 0;
   if (through_below) below_.sum = 0;
-  if (through_above || (up != 0 && above_.at_second < 1e-6L)) {
+  // Only where the difference did cancel: elsewhere it is exact enough, and next to a double root (steady
+  // precession near a pole) Newton's method would be worse.
+  if (through_above || (up != 0 && above_.at_second < std::min(1e-6L, w0 / 8))) {
     above_.at_second = polish(above_.at_second, v0 - beta * w0, beta, above_.sum, a_);
   }
-  if (through_below || (down != 0 && below_.at_first < 1e-6L)) {
+  if (through_below || (down != 0 && below_.at_first < std::min(1e-6L, y0 / 8))) {
     below_.at_first = polish(below_.at_first, v0 + beta * y0, -beta, below_.sum, -a_);
   }
 

@@ -39,7 +39,8 @@ class LinearMotion {
   std::vector<Push> pushes_;
 };
 
-/// Truth of a scene whose bodies all move so, after a solution's own checks of joints, contacts and forces.
+/// Truth of a scene whose bodies all move so, after a solution's own checks of bodies and forces; checks
+/// joints, contacts and spins.
 core::Truth linear_motions(std::string_view solution, const core::Scene&, double horizon, std::string source);
 
 }  // namespace cylon::exact

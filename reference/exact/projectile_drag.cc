@@ -12,6 +12,7 @@ namespace cylon::exact {
 
 core::Truth projectile_drag(const core::Scene& scene, double horizon) {
   constexpr auto name = "projectile_drag";
+  check_bodies(name, scene, horizon);
   check_forces(name, scene, {"gravity", "drag"});
   return linear_motions(name, scene, horizon, "Stokes' drag: m v' = m g - gamma v, linear and elementary");
 }
