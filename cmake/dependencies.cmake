@@ -19,3 +19,9 @@ find_library(TINYOBJLOADER_DOUBLE tinyobjloader_double REQUIRED)
 add_library(tinyobjloader_double INTERFACE)
 target_link_libraries(tinyobjloader_double INTERFACE ${TINYOBJLOADER_DOUBLE})
 target_compile_definitions(tinyobjloader_double INTERFACE TINYOBJLOADER_USE_DOUBLE)
+
+# Ball arithmetic; neither library comes with a CMake or pkg-config file.
+find_library(FLINT_ARB flint-arb REQUIRED)
+find_library(FLINT flint REQUIRED)
+add_library(arb INTERFACE)
+target_link_libraries(arb INTERFACE ${FLINT_ARB} ${FLINT})

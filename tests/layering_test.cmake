@@ -46,10 +46,12 @@ row("^harness/core/" MAY "^harness/core/" USES Eigen fmt)
 row("^harness/process/" MAY "^harness/(process|core)/" USES Eigen fmt json)
 row("^harness/study/" MAY "^(harness/(study|process|core)|scenarios)/" USES Eigen fmt json)
 row("^harness/view/" MAY "^(harness/(view|process|core)|scenarios)/" USES Eigen fmt json httplib)
-row("^harness/cli/" MAY "^(harness|scenarios|reports)/" USES Eigen fmt json cli11)
+row("^harness/cli/" MAY "^(harness|scenarios|reports|reference/certified)/" USES Eigen fmt json cli11)
 # 2. An oracle that shares code with its subject is no oracle.
 row("^reference/exact/" MAY "^(reference/exact|harness/core)/" NEVER "/(simulator|recording)[.]h$"
     USES Eigen fmt boost flint)
+row("^reference/certified/" MAY "^(reference/certified|harness/core)/" NEVER "/(simulator|recording)[.]h$"
+    USES Eigen fmt flint)
 # 3, 7. An adapter gets a Scene, never the exam, and knows no other adapter.  A foreign header stays in the
 # adapter's sources <engine>.cc, <engine>_*.cc and their private headers <engine>_*.h.
 row("^reference/simulators/in_house[._]" MAY "^(reference/simulators/in_house[._]|harness/core/|engine/)"
@@ -60,7 +62,7 @@ row("^reference/simulators/ode([.]cc|_)" MAY "^(reference/simulators/ode[._]|har
 row("^reference/simulators/" MAY "^harness/core/" USES Eigen fmt)
 row("^reference/workers/" MAY "^harness/(process|core)/" USES Eigen fmt json)
 # 4. A scenario never says who runs it.
-row("^scenarios/" MAY "^(scenarios|reference/exact|harness/core)/" NEVER "/simulator[.]h$"
+row("^scenarios/" MAY "^(scenarios|reference/(exact|certified)|harness/core)/" NEVER "/simulator[.]h$"
     USES Eigen fmt json toml obj)
 # 6. A report is rebuilt from stored rows without simulating.
 row("^reports/" MAY "^(reports|harness/core)/" NEVER "/simulator[.]h$" USES Eigen fmt json sqlite)

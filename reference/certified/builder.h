@@ -1,0 +1,78 @@
+// The parts of a model while it is made.
+#pragma once
+
+#include "reference/certified/model.h"
+
+#include <string>
+
+namespace cylon::certified {
+
+/// One body's motion as nodes: of constants at the start, of states afterwards.
+struct Motion {
+  Vector position, velocity, spin;  ///< spin: angular velocity in body axes, relative to the scene's frame.
+  std::array<Expr, 4> orientation;
+  Matrix rotation;               ///< Body to world, from the orientation.
+  Vector force, torque;          ///< World axes; body axes.
+  Vector acceleration, turning;  ///< dv/dt; d spin/dt in body axes.
+};
+
+/// What does not change with the motion.
+struct Frozen {
+  bool locked = false, turns = false;
+  Expr mass;                ///< Of time, where mass comes or goes.
+  Matrix inertia, inverse;  ///< About the centre of mass; of a pinned body the inverse is about the pivot.
+  int pin =
+      -1;  ///< The joint that holds a point of the body in the world; no states for place and velocity then.
+  Vector pivot, arm;  ///< That point of the world; from there to the centre of mass, body axes.
+};
+
+struct Builder {
+  const core::Scene& scene;
+  Graph& graph;
+  const Numbers& numbers;
+  std::vector<Frozen> bodies;
+  std::vector<Motion> start;  ///< Constants alone.
+
+  Expr number(double x) const { return {&graph, graph.constant(numbers(x))}; }
+  Expr exact(double x) const { return {&graph, graph.constant(x)}; }
+  Vector vector(const core::Vector3& v) const { return {number(v[0]), number(v[1]), number(v[2])}; }
+  Vector zero() const { return {exact(0), exact(0), exact(0)}; }
+};
+
+[[noreturn]] void refuse(const std::string& condition);
+
+/// R of q = (w, x, y, z), unit.
+Matrix rotation(const std::array<Expr, 4>& q);
+
+/// Throws core::OutOfDomain for what no equation here describes.
+void check_domain(const core::Scene&, double horizon);
+
+/// Adds every force of the scene to the motions.
+void add_forces(const Builder&, std::vector<Motion>&);
+
+/// One scalar equation sum_k linear_k . v'_k + angular_k . spin'_k + rest = 0, and the same sum over v and
+/// spin for the rate of what is kept.
+struct Row {
+  struct Part {
+    std::size_t body;
+    Vector linear, angular;  ///< World axes; body axes.
+  };
+  std::vector<Part> parts;
+  Expr rest;
+};
+
+/// R (w x (w x r)): what r, fixed in a turning body, accelerates by, beside R (w' x r).
+Vector centripetal(const Motion&, const Vector& r);
+
+/// Where a pinned body's centre is, from its orientation and spin.
+void place_on_pin(const Frozen&, Motion&);
+
+/// The equations of all joints at these motions; their geometry is that of the start.
+std::vector<Row> joint_rows(const Builder&, const std::vector<Motion>&);
+
+/// x := x - M^-1 J^T (J M^-1 J^T)^-1 (J x + rest), on accelerations, or, at the start and without rest, on
+/// velocities.
+void solve_joints(const Builder&, const std::vector<Row>&, std::vector<Vector>& linear,
+                  std::vector<Vector>& angular, bool with_rest);
+
+}  // namespace cylon::certified

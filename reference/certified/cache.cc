@@ -1,0 +1,130 @@
+#include "reference/certified/cache.h"
+
+#include "harness/core/fingerprint.h"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <string_view>
+
+namespace cylon::certified {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::string_literals;
+
+// magic, key, fingerprint of the body, body: doubles and counts as the machine has them.
+const std::string magic = "cylon certified solution 1, "s + (sizeof(double) == 8 ? "f64" : "?") + "\n";
+
+template <class T>
+void put(std::string& bytes, const T& value) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+template <class T>
+void put(std::string& bytes, const std::vector<T>& values) {
+  put(bytes, static_cast<std::uint64_t>(values.size()));
+  if (!values.empty()) bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+}
+
+// Takes values off the front; `good` stays true while there are enough.
+struct Taker {
+  std::string_view bytes;
+  bool good = true;
+
+  template <class T>
+  void take(T& value) {
+    if (bytes.size() < sizeof value) return void(good = false);
+    std::memcpy(&value, bytes.data(), sizeof value);
+    bytes.remove_prefix(sizeof value);
+  }
+  template <class T>
+  void take(std::vector<T>& values) {
+    std::uint64_t size = 0;
+    take(size);
+    if (!good || size > bytes.size() / sizeof(T)) return void(good = false);
+    values.resize(size);
+    if (size > 0) std::memcpy(values.data(), bytes.data(), size * sizeof(T));
+    bytes.remove_prefix(size * sizeof(T));
+  }
+};
+
+std::string body_of(const Dense& d) {
+  std::string bytes;
+  put(bytes, d.bodies), put(bytes, d.starts), put(bytes, d.first), put(bytes, d.coefficients);
+  put(bytes, d.horizon), put(bytes, d.error), put(bytes, d.ulp), put(bytes, d.lost);
+  return bytes;
+}
+
+std::string seal(std::string_view body) {
+  core::Fingerprint print;
+  print.add(body);
+  return print.hex() + "\n";
+}
+
+std::optional<fs::path> file_of(const std::string& key) {
+  const auto folder = cache_folder();
+  if (!folder) return std::nullopt;
+  return *folder / "certified" / (key + ".bin");
+}
+
+bool sound(const Dense& d) {
+  if (d.bodies == 0 || d.starts.empty() || d.first.size() != d.starts.size() + 1) return false;
+  for (std::size_t i = 0; i + 1 < d.first.size(); ++i)
+    if (d.first[i] >= d.first[i + 1]) return false;
+  return d.first.back() == d.coefficients.size();
+}
+
+}  // namespace
+
+std::optional<fs::path> cache_folder() {
+  if (const char* folder = std::getenv("CYLON_CACHE"); folder && *folder) {
+    if (std::string_view(folder) == "off") return std::nullopt;
+    return folder;
+  }
+  if (const char* folder = std::getenv("XDG_CACHE_HOME"); folder && *folder)
+    return fs::path(folder) / "cylon";
+  if (const char* home = std::getenv("HOME"); home && *home) return fs::path(home) / ".cache" / "cylon";
+  return std::nullopt;
+}
+
+std::optional<Dense> load(const std::string& key) {
+  const auto file = file_of(key);
+  if (!file) return std::nullopt;
+  std::ifstream in(*file, std::ios::binary);
+  std::stringstream stream;
+  stream << in.rdbuf();
+  const std::string bytes = stream.str(), head = magic + key + "\n";
+  const std::size_t seal_size = 17;
+  if (!in || !bytes.starts_with(head) || bytes.size() < head.size() + seal_size) return std::nullopt;
+  const std::string_view body = std::string_view(bytes).substr(head.size() + seal_size);
+  if (std::string_view(bytes).substr(head.size(), seal_size) != seal(body)) return std::nullopt;
+  Dense d;
+  Taker taker{body};
+  taker.take(d.bodies), taker.take(d.starts), taker.take(d.first), taker.take(d.coefficients);
+  taker.take(d.horizon), taker.take(d.error), taker.take(d.ulp), taker.take(d.lost);
+  if (!taker.good || !taker.bytes.empty() || !sound(d)) return std::nullopt;
+  return d;
+}
+
+void keep(const std::string& key, const Dense& d) {
+  const auto file = file_of(key);
+  if (!file) return;
+  std::error_code error;
+  fs::create_directories(file->parent_path(), error);
+  const fs::path temporary = file->string() + "." + std::to_string(::getpid());
+  {
+    const std::string body = body_of(d);
+    std::ofstream out(temporary, std::ios::binary);
+    out << magic << key << "\n" << seal(body) << body;
+    out.close();
+    if (!out) return void(fs::remove(temporary, error));
+  }
+  fs::rename(temporary, *file, error);
+  if (error) fs::remove(temporary, error);
+}
+
+}  // namespace cylon::certified

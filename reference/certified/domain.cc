@@ -1,0 +1,68 @@
+// What the equations of this folder do not describe.
+#include "reference/certified/builder.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace cylon::certified {
+namespace {
+
+std::string name_of(const core::Scene& scene, int body) {
+  return fmt::format("body '{}'", scene.bodies[static_cast<std::size_t>(body)].name);
+}
+
+void check_contacts(const core::Scene& scene) {
+  core::Pair found;
+  const bool touches = core::any_touching_pair(scene, [&](const core::Pair& pair) {
+    found = pair;
+    return true;
+  });
+  if (!touches) return;
+  const std::string other = found.plane >= 0
+                                ? "plane '" + scene.planes[static_cast<std::size_t>(found.plane)].name + "'"
+                                : name_of(scene, found.other);
+  refuse(fmt::format("{} and {} may touch, and a blow is not smooth (collide = false rules it out)",
+                     name_of(scene, found.body), other));
+}
+
+void check_thrust(const core::Scene& scene, const core::Thrust& thrust) {
+  if (thrust.mass_rate != 0 && !thrust.exhaust_velocity && !thrust.exchanged_velocity)
+    refuse(fmt::format("the mass of {} changes by {} kg/s, but at which velocity is not said",
+                       name_of(scene, thrust.body), thrust.mass_rate));
+}
+
+void check_masses(const core::Scene& scene, double horizon) {
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    double rate = 0;
+    for (const core::Force& force : scene.forces)
+      if (const auto* thrust = std::get_if<core::Thrust>(&force);
+          thrust && static_cast<std::size_t>(thrust->body) == i)
+        rate += thrust->mass_rate;
+    if (!(scene.bodies[i].mass + rate * horizon > 0))
+      refuse(fmt::format("{} has lost all its mass after {} s", name_of(scene, static_cast<int>(i)),
+                         -scene.bodies[i].mass / rate));
+  }
+}
+
+}  // namespace
+
+void refuse(const std::string& condition) { throw core::OutOfDomain("certified: " + condition); }
+
+void check_domain(const core::Scene& scene, double horizon) {
+  if (!(horizon > 0) || !std::isfinite(horizon)) refuse("the horizon must be positive and finite");
+  if (scene.bodies.empty()) refuse("there is no body");
+  check_contacts(scene);
+  check_masses(scene, horizon);
+  const bool turning = scene.frame && !scene.frame->angular_velocity.isZero(0);
+  for (const core::Force& force : scene.forces) {
+    if (std::holds_alternative<core::Water>(force)) refuse("water has a surface, which is no smooth law");
+    if (const auto* thrust = std::get_if<core::Thrust>(&force)) check_thrust(scene, *thrust);
+    if (const auto* drag = std::get_if<core::Drag>(&force); drag && drag->momentum != 0 && turning)
+      refuse("a drag on the angular momentum is not defined in a turning frame");
+    if (const auto* pull = std::get_if<core::Attraction>(&force); pull && pull->to == core::world)
+      refuse("an attraction needs two bodies");
+  }
+}
+
+}  // namespace cylon::certified

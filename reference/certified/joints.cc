@@ -1,0 +1,202 @@
+// Joints as equations for the accelerations, d^2/dt^2 (what the joint keeps) = 0.
+#include "reference/certified/builder.h"
+
+namespace cylon::certified {
+namespace {
+
+// A body, or the world, as a joint sees it; `at` is absent for what does not move.
+struct End {
+  const Motion* at = nullptr;     // now
+  const Motion* start = nullptr;  // at t = 0
+  std::size_t body = 0;
+  double sign = 1;
+};
+
+struct Rows {
+  const Builder& b;
+  const std::vector<Motion>& now;
+  std::vector<Row> rows;
+
+  End end(int body, double sign) const {
+    if (body == core::world) return {nullptr, nullptr, 0, sign};
+    const auto i = static_cast<std::size_t>(body);
+    return {&now[i], &b.start[i], i, sign};
+  }
+  bool moves(const End& e) const { return e.at && !b.bodies[e.body].locked; }
+  Expr signed_sum(Expr sum, double sign, Expr x) const { return sign > 0 ? sum + x : sum - x; }
+
+  // A direction of the world at the start, fixed in the body: in body axes.
+  static Vector fixed_in(const End& e, const Vector& world) {
+    return e.start ? transposed(e.start->rotation) * world : world;
+  }
+
+  // The points of both bodies that are at `point` at the start stay together: p + R r, whose second
+  // derivative is v' + R (w' x r + w x (w x r)).
+  void together(const core::Joint& joint) {
+    const Vector point = b.vector(joint.point);
+    for (std::size_t i = 0; i < 3; ++i) {
+      Row row{{}, b.exact(0)};
+      for (const End& e : {end(joint.body, 1), end(joint.to, -1)}) {
+        if (!moves(e)) continue;
+        const Vector arm = fixed_in(e, point - e.start->position);
+        const Vector along = e.at->rotation[i];  // world axis i in body axes
+        Vector unit = b.zero();
+        unit[i] = b.exact(e.sign);
+        row.parts.push_back({e.body, unit, b.exact(e.sign) * cross(arm, along)});
+        row.rest = signed_sum(row.rest, e.sign, dot(along, cross(e.at->spin, cross(e.at->spin, arm))));
+      }
+      rows.push_back(row);
+    }
+  }
+
+  // A direction s fixed in the one body stays perpendicular to a direction e fixed in the other: (s . e)'' =
+  // s'' . e + 2 s' . e' + s . e'', with s = R s_b and s'' = R (w' x s_b + w x (w x s_b)).
+  void perpendicular(const core::Joint& joint, const Vector& first, const Vector& second) {
+    const End ends[2] = {end(joint.body, 1), end(joint.to, 1)};
+    const Vector at_start[2] = {first, second};
+    Vector fixed[2], world[2], rate[2];
+    for (std::size_t k = 0; k < 2; ++k) {
+      fixed[k] = fixed_in(ends[k], at_start[k]);
+      world[k] = ends[k].at ? ends[k].at->rotation * fixed[k] : at_start[k];
+      rate[k] = moves(ends[k]) ? ends[k].at->rotation * cross(ends[k].at->spin, fixed[k]) : b.zero();
+    }
+    Row row{{}, b.exact(2) * dot(rate[0], rate[1])};
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (!moves(ends[k])) continue;
+      const Motion& m = *ends[k].at;
+      const Vector other = transposed(m.rotation) * world[1 - k];
+      row.parts.push_back({ends[k].body, b.zero(), cross(fixed[k], other)});
+      row.rest = row.rest + dot(other, cross(m.spin, cross(m.spin, fixed[k])));
+    }
+    rows.push_back(row);
+  }
+
+  // d . d keeps its value: (d . d)''/2 = d' . d' + d . d''.
+  void distance(const core::Joint& joint) {
+    const End from = end(joint.body, 1), to = end(joint.to, -1);
+    const Vector d = from.at->position - (to.at ? to.at->position : b.vector(joint.point));
+    const Vector rate = from.at->velocity - (to.at ? to.at->velocity : b.zero());
+    Row row{{}, dot(rate, rate)};
+    for (const End& e : {from, to})
+      if (moves(e)) row.parts.push_back({e.body, b.exact(e.sign) * d, b.zero()});
+    rows.push_back(row);
+  }
+
+  // Two directions perpendicular to the axis, the first from the unit vector that lies least along it.
+  void hinge(const core::Joint& joint) {
+    const Vector axis = b.vector(joint.axis);
+    int least = 0;
+    joint.axis.cwiseAbs().minCoeff(&least);
+    Vector unit = b.zero();
+    unit[static_cast<std::size_t>(least)] = b.exact(1);
+    const Vector across = cross(axis, unit);
+    perpendicular(joint, axis, across);
+    perpendicular(joint, axis, cross(axis, across));
+  }
+
+  void fixed(const core::Joint& joint) {
+    const auto unit = [&](int i) { return b.vector(core::Vector3::Unit(i)); };
+    perpendicular(joint, unit(0), unit(1));
+    perpendicular(joint, unit(0), unit(2));
+    perpendicular(joint, unit(1), unit(2));
+  }
+
+  bool holds_pin(int joint, int body) const {
+    return body != core::world && b.bodies[static_cast<std::size_t>(body)].pin == joint;
+  }
+
+  void add(int index) {
+    const core::Joint& joint = b.scene.joints[static_cast<std::size_t>(index)];
+    if (joint.type == core::JointType::distance) return distance(joint);
+    if (!holds_pin(index, joint.body) && !holds_pin(index, joint.to)) together(joint);
+    if (joint.type == core::JointType::hinge) hinge(joint);
+    if (joint.type == core::JointType::fixed) fixed(joint);
+  }
+};
+
+// A pinned body has v' = R (w' x c) + R (w x (w x c)), c from the pivot to the centre: its part in terms of
+// w' alone.
+void use_pins(const Builder& b, const std::vector<Motion>& now, Row& row) {
+  for (Row::Part& part : row.parts) {
+    const Frozen& f = b.bodies[part.body];
+    if (f.pin < 0) continue;
+    const Motion& m = now[part.body];
+    part.angular = part.angular + cross(f.arm, transposed(m.rotation) * part.linear);
+    row.rest = row.rest + dot(part.linear, centripetal(m, f.arm));
+    part.linear = b.zero();
+  }
+}
+
+// M^-1 J^T of one row and one body.
+Row::Part relieved(const Builder& b, const Row::Part& part) {
+  const Frozen& f = b.bodies[part.body];
+  Row::Part result = part;
+  for (Expr& x : result.linear) x = x / f.mass;
+  if (f.turns) result.angular = f.inverse * part.angular;
+  return result;
+}
+
+Expr overlap(const Builder& b, const Row& x, const std::vector<Row::Part>& y) {
+  Expr sum = b.exact(0);
+  for (const Row::Part& p : x.parts)
+    for (const Row::Part& q : y)
+      if (p.body == q.body) sum = sum + dot(p.linear, q.linear) + dot(p.angular, q.angular);
+  return sum;
+}
+
+// Solves A x = y, A symmetric positive definite: A = L D L^T without roots.
+std::vector<Expr> solve(const Builder& b, std::vector<std::vector<Expr>> a, std::vector<Expr> y) {
+  const std::size_t n = y.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const Expr pivot = a[k][k];
+    if (b.graph[static_cast<std::size_t>(pivot.node)].kind == Kind::fixed &&
+        !(b.graph.value(pivot.node).smallest() > 0))
+      refuse("the equations of its joints depend on each other");
+    for (std::size_t i = k + 1; i < n; ++i) {
+      if (a[i][k].is_zero()) continue;
+      const Expr factor = a[i][k] / pivot;
+      for (std::size_t j = k + 1; j <= i; ++j) a[i][j] = a[i][j] - factor * a[j][k];
+      y[i] = y[i] - factor * y[k];
+    }
+  }
+  // Below the diagonal a holds L D.
+  for (std::size_t k = n; k-- > 0;) {
+    for (std::size_t i = k + 1; i < n; ++i) y[k] = y[k] - a[i][k] * y[i];
+    y[k] = y[k] / a[k][k];
+  }
+  return y;
+}
+
+}  // namespace
+
+std::vector<Row> joint_rows(const Builder& b, const std::vector<Motion>& now) {
+  Rows rows{b, now, {}};
+  for (std::size_t i = 0; i < b.scene.joints.size(); ++i) rows.add(static_cast<int>(i));
+  for (Row& row : rows.rows) use_pins(b, now, row);
+  return rows.rows;
+}
+
+void solve_joints(const Builder& b, const std::vector<Row>& rows, std::vector<Vector>& linear,
+                  std::vector<Vector>& angular, bool with_rest) {
+  std::vector<std::vector<Expr>> a;
+  std::vector<std::vector<Row::Part>> relief;
+  std::vector<Expr> excess;
+  for (const Row& row : rows) {
+    relief.emplace_back();
+    for (const Row::Part& part : row.parts) relief.back().push_back(relieved(b, part));
+    a.emplace_back();
+    for (const auto& other : relief) a.back().push_back(overlap(b, row, other));
+    Expr sum = with_rest ? row.rest : b.exact(0);
+    for (const Row::Part& part : row.parts)
+      sum = sum + dot(part.linear, linear[part.body]) + dot(part.angular, angular[part.body]);
+    excess.push_back(sum);
+  }
+  const std::vector<Expr> pull = solve(b, a, excess);
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (const Row::Part& part : relief[r]) {
+      linear[part.body] = linear[part.body] - pull[r] * part.linear;
+      angular[part.body] = angular[part.body] - pull[r] * part.angular;
+    }
+}
+
+}  // namespace cylon::certified

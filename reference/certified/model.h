@@ -1,0 +1,39 @@
+// A smooth scene as an initial value problem: state variables, their rates of change, and what is read from
+// them.
+#pragma once
+
+#include "harness/core/scene.h"
+#include "harness/core/truth.h"
+#include "reference/certified/graph.h"
+
+#include <functional>
+
+namespace cylon::certified {
+
+/// What a number of the scene means.  The default takes each double as exactly itself.
+using Numbers = std::function<Ball(double)>;
+inline Ball exactly(double x) { return Ball(x); }
+
+/// Nodes of one body's motion; world axes (of the scene's frame where it has one), as core::BodyState.
+struct BodyNodes {
+  std::array<int, 3> position, velocity;
+  std::array<int, 4> orientation;  ///< (w, x, y, z)
+  std::array<int, 3> angular_velocity;
+};
+
+struct Model {
+  Graph graph;
+  std::vector<Ball> initial;      ///< One per state variable.
+  std::vector<BodyNodes> bodies;  ///< In the order of the scene.
+};
+
+/// Newton's and Euler's equations of a scene: p' = v, m v' = F, q' = q w/2, I w' = torque - w x I w with w in
+/// body axes; joints by Lagrange's multipliers.  A body that nothing turns keeps its orientation and has no
+/// state for it.  Quaternions are normalised.  A distance joint keeps the distance that the initial positions
+/// have, hinges and balls keep their points in both bodies, and initial velocities lose what a joint forbids
+/// (at most what the loader lets pass), by the least change in kinetic energy's norm. Throws
+/// core::OutOfDomain for scenes that are not smooth: contacts, water; for joints whose equations depend on
+/// each other; for a mass that vanishes before `horizon` [s].
+Model make_model(const core::Scene&, double horizon, slong bits, const Numbers& = exactly);
+
+}  // namespace cylon::certified
