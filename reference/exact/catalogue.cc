@@ -8,6 +8,8 @@ namespace cylon::exact {
 
 std::span<const Solution> catalogue() {
   static constexpr std::array solutions = {
+      Solution{"accretion", accretion,
+               "bodies without spin in uniform gravity whose mass changes by matter of a given velocity"},
       Solution{"block_slides", sliding_block, "the same as sliding_block"},
       Solution{"block_sticks", sliding_block, "the same as sliding_block"},
       Solution{"block_stops", sliding_block, "the same as sliding_block"},
@@ -15,6 +17,17 @@ std::span<const Solution> catalogue() {
       Solution{
           "bouncing_sphere", bouncing_sphere,
           "smooth spheres bouncing on one plane that gravity points into, too far apart sideways to meet"},
+      Solution{"constant_spin", projectile, "the same as projectile"},
+      Solution{"damped_free_top", damped_free_top,
+               "rigid bodies, free or falling, braked in proportion to their angular momentum, any inertia, "
+               "not exactly on the separatrix"},
+      Solution{
+          "damped_spring", damped_spring,
+          "bodies each on springs of no rest length from the centre to pins, linear drag, gravity or none"},
+      Solution{"damped_spring_critical", damped_spring, "the same as damped_spring"},
+      Solution{"damped_spring_over", damped_spring, "the same as damped_spring"},
+      Solution{"damped_spring_under", damped_spring, "the same as damped_spring"},
+      Solution{"driven_spring", driven_spring, "as damped_spring, and harmonic forces of any frequency"},
       Solution{"dzhanibekov", free_asymmetric_top, "the same as free_asymmetric_top"},
       Solution{"free_asymmetric_top", free_asymmetric_top,
                "rigid bodies, free or falling, any inertia and orientation, not exactly on the separatrix"},
@@ -24,11 +37,23 @@ std::span<const Solution> catalogue() {
           "heavy_top", heavy_top,
           "bodies with two equal principal moments on ball joints to the world, the centre of mass on the "
           "symmetry axis, uniform gravity in any direction"},
+      Solution{"kepler", kepler,
+               "two bodies that attract each other, free, falling together or one of them locked, any conic"},
       Solution{"newtons_cradle", sphere_row, "the same as sphere_row"},
       Solution{"newtons_cradle_gapped", sphere_row, "the same as sphere_row"},
+      Solution{"physical_pendulum", physical_pendulum,
+               "bodies on hinges to the world in gravity, swinging or whirling, not on the separatrix"},
       Solution{"projectile", projectile,
                "bodies in uniform gravity, turning about a principal axis or not at all"},
+      Solution{"projectile_drag", projectile_drag,
+               "bodies in uniform gravity with linear drag, turning about a principal axis or not at all"},
+      Solution{"rocket", rocket,
+               "bodies without spin in uniform gravity that throw out mass at a given velocity relative to "
+               "themselves"},
       Solution{"rolling_sphere_incline", rough_sphere, "the same as rough_sphere"},
+      Solution{"rotating_frame", rotating_frame,
+               "scenes in a turning frame to which nothing is fixed, where another solution serves the "
+               "inertial scene"},
       Solution{"rough_ball_bounce", rough_sphere, "the same as rough_sphere"},
       Solution{"rough_sphere", rough_sphere,
                "spheres that fly, bounce, slide and roll on one plane with friction, slip along the slope"},
@@ -43,6 +68,12 @@ std::span<const Solution> catalogue() {
           "sphere_two_walls", sphere_two_walls,
           "smooth spheres between two walls that face each other, no gravity across, far from each other"},
       Solution{
+          "spherical_pendulum", spherical_pendulum,
+          "bodies on distance joints from the centre to the world, in gravity, any start off the separatrix"},
+      Solution{"spring_chain", spring_chain,
+               "bodies joined by undamped springs between centres and to pins: any network without rest "
+               "lengths, or a line along a coordinate axis"},
+      Solution{
           "spring_orbit", spring_orbit,
           "bodies each on one undamped spring from the centre to a pin, no gravity, not aimed at the pin"},
       Solution{"spring_zero_length", spring_zero_length,
@@ -50,6 +81,9 @@ std::span<const Solution> catalogue() {
       Solution{"two_sphere_head_on", sphere_row, "the same as sphere_row"},
       Solution{"two_sphere_oblique", two_sphere_oblique,
                "two smooth spheres, free or falling together, at most one collision"},
+      Solution{"water_step_force", water_step_force,
+               "points without spin that rise and fall in the seed's water of mode \"step\", vertical "
+               "gravity or none"},
   };
   return solutions;
 }

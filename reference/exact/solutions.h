@@ -17,5 +17,17 @@ core::Truth spring_orbit(const core::Scene&, double horizon);
 core::Truth free_symmetric_top(const core::Scene&, double horizon);
 core::Truth free_asymmetric_top(const core::Scene&, double horizon);
 core::Truth heavy_top(const core::Scene&, double horizon);
+core::Truth projectile_drag(const core::Scene&, double horizon);
+core::Truth rocket(const core::Scene&, double horizon);
+core::Truth accretion(const core::Scene&, double horizon);
+core::Truth damped_spring(const core::Scene&, double horizon);
+core::Truth driven_spring(const core::Scene&, double horizon);
+core::Truth damped_free_top(const core::Scene&, double horizon);
+core::Truth kepler(const core::Scene&, double horizon);
+core::Truth physical_pendulum(const core::Scene&, double horizon);
+core::Truth spherical_pendulum(const core::Scene&, double horizon);
+core::Truth spring_chain(const core::Scene&, double horizon);
+core::Truth rotating_frame(const core::Scene&, double horizon);
+core::Truth water_step_force(const core::Scene&, double horizon);
 
 }  // namespace cylon::exact

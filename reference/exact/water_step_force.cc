@@ -87,6 +87,8 @@ class Cork {
 
  private:
   static constexpr std::size_t most = 100000;
+  // Crossings slower than this are not told from a touch [m/s]: F is rounding within its square.
+  static constexpr Wide slowest = 1e-6L;
 
   Height over(const Height& h, Wide t) const {
     const Wide half = Wide(water_.wave) / 2, angle = Wide(water_.speed) * t + phase_;
@@ -108,12 +110,12 @@ class Cork {
       if (bend == 0 && grows >= 0) return horizon;
       // (grows + root)/bend, without cancelling where it shrinks.
       const Wide safe = grows > 0 ? (grows + root) / bend : 2 * distance / (root - grows);
-      if (!(root > 1e-9L)) break;
+      if (!(root > slowest)) break;
       t += safe;
       if (t >= horizon) return t;
       f = over(piece.at(t), t);
       distance = std::max<Wide>(0, side * f.y);
-      if (distance <= scale && side * f.rate < -1e-9L) return t - f.y / f.rate;
+      if (distance <= scale && side * f.rate < -slowest) return t - f.y / f.rate;
     }
     grazes_ = true;
     return horizon;

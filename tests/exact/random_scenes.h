@@ -4,6 +4,7 @@
 #include "harness/core/scene.h"
 
 #include <random>
+#include <set>
 #include <string>
 
 namespace cylon::exact {
@@ -37,6 +38,12 @@ class RandomScenes {
     b.inertia = inertia(moments);
     b.initial = {vector(2), rotation(), vector(2), vector(4)};
     return b;
+  }
+
+  static bool knows(const std::string& solution) {
+    static const std::set<std::string> names = {"projectile",         "spring_zero_length",  "spring_orbit",
+                                                "free_symmetric_top", "free_asymmetric_top", "heavy_top"};
+    return names.contains(solution);
   }
 
   core::Scene scene(const std::string& solution) {

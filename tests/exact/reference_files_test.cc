@@ -83,18 +83,25 @@ TEST_P(ReferenceFiles, states_agree_and_the_bound_covers_the_difference) {
 
 INSTANTIATE_TEST_SUITE_P(
     all, ReferenceFiles,
-    testing::Values(Case{"projectile", "projectile"}, Case{"bouncing_sphere", "bouncing_sphere"},
-                    Case{"two_sphere_oblique", "two_sphere_oblique"},
-                    Case{"sphere_two_walls", "sphere_two_walls"}, Case{"slide_to_roll", "slide_to_roll"},
-                    Case{"spring_zero_length", "spring_zero_length"}, Case{"spring_orbit", "spring_orbit"},
-                    Case{"free_symmetric_top", "free_symmetric_top"},
-                    Case{"free_symmetric_top", "free_asymmetric_top"},
-                    Case{"free_asymmetric_top", "free_asymmetric_top"}, Case{"dzhanibekov", "dzhanibekov"},
-                    Case{"heavy_top_cusp", "heavy_top"}, Case{"heavy_top_loops", "heavy_top"},
-                    Case{"heavy_top_nutating", "heavy_top"}, Case{"heavy_top_slow_spin", "heavy_top"},
-                    Case{"heavy_top_steady_slow", "heavy_top"}, Case{"heavy_top_steady_fast", "heavy_top"},
-                    Case{"heavy_top_sleeping_stable", "heavy_top"},
-                    Case{"heavy_top_sleeping_unstable", "heavy_top"}),
+    testing::Values(
+        Case{"projectile", "projectile"}, Case{"bouncing_sphere", "bouncing_sphere"},
+        Case{"two_sphere_oblique", "two_sphere_oblique"}, Case{"sphere_two_walls", "sphere_two_walls"},
+        Case{"slide_to_roll", "slide_to_roll"}, Case{"spring_zero_length", "spring_zero_length"},
+        Case{"spring_orbit", "spring_orbit"}, Case{"free_symmetric_top", "free_symmetric_top"},
+        Case{"free_symmetric_top", "free_asymmetric_top"}, Case{"free_asymmetric_top", "free_asymmetric_top"},
+        Case{"dzhanibekov", "dzhanibekov"}, Case{"projectile_drag", "projectile_drag"},
+        Case{"rocket", "rocket"}, Case{"accretion", "accretion"},
+        Case{"damped_spring_under", "damped_spring_under"},
+        Case{"damped_spring_critical", "damped_spring_critical"},
+        Case{"damped_spring_over", "damped_spring_over"}, Case{"driven_spring", "driven_spring"},
+        Case{"damped_spring_over", "driven_spring"}, Case{"constant_spin", "constant_spin"},
+        Case{"damped_free_top", "damped_free_top"}, Case{"physical_pendulum", "physical_pendulum"},
+        Case{"spherical_pendulum", "spherical_pendulum"}, Case{"spring_chain", "spring_chain"},
+        Case{"water_step_force", "water_step_force"}, Case{"heavy_top_cusp", "heavy_top"},
+        Case{"heavy_top_loops", "heavy_top"}, Case{"heavy_top_nutating", "heavy_top"},
+        Case{"heavy_top_slow_spin", "heavy_top"}, Case{"heavy_top_steady_slow", "heavy_top"},
+        Case{"heavy_top_steady_fast", "heavy_top"}, Case{"heavy_top_sleeping_stable", "heavy_top"},
+        Case{"heavy_top_sleeping_unstable", "heavy_top"}),
     [](const auto& parameter) {
       return std::string(parameter.param.file) + "_by_" + parameter.param.solution;
     });
