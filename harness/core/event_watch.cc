@@ -29,6 +29,9 @@ double nearest_root(double g, double u, double a) {
 // A separation this much slower than the fastest approach is rest, not a bounce.
 constexpr double rest = 1e-6;
 
+// Farther apart than it would go in so many steps, a pair does not touch: something else turned one of them.
+constexpr double reach = 10;
+
 }  // namespace
 
 EventWatch::EventWatch(const Scene& scene, std::vector<Pair> pairs, double dt) : scene_(scene), dt_(dt) {
@@ -59,7 +62,8 @@ void EventWatch::detect(Track& track, std::int64_t step) {
     // Free flight would change the rate by a dt; an impact changes it by more than twice that.
     const bool fresh = track.since_bounce >= 2;  // s0 and s1 lie on one arc
     const double before = fresh ? (s1.rate - s0.rate) / dt_ : 0;
-    const bool impact = jump - before * dt_ > 0.5 * jump && s2.rate > rest * track.fastest;
+    const bool touching = s1.gap <= reach * dt_ * -s1.rate;
+    const bool impact = touching && jump - before * dt_ > 0.5 * jump && s2.rate > rest * track.fastest;
     if (impact) {
       const bool hit_again = s3.rate - s2.rate > 0.5 * jump;
       const double after = hit_again ? before : (s3.rate - s2.rate) / dt_;

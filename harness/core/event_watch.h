@@ -12,10 +12,11 @@ namespace cylon::core {
 /// Watches the gap g of some pairs, step by step.
 ///
 /// A bounce is a change of the gap's rate u = dg/dt from approach (u < 0) to separation (u > 0) that
-/// free flight cannot make.  The arc on either side, g + u s + a s^2/2 with a from the two states on that
-/// side, is followed to its root g = 0; the event time is the mean of the two roots (equal for an exact
-/// engine), and its speed is the outgoing arc's rate there.  An apex is the vertex of the arc where u
-/// turns from + to - in free flight.
+/// free flight cannot make, while the gap is within ten steps' way at the rate of approach: what a third body
+/// does to one of them from afar is no bounce of theirs.  The arc on either side, g + u s + a s^2/2 with a
+/// from the two states on that side, is followed to its root g = 0; the event time is the mean of the two
+/// roots (equal for an exact engine), and its speed is the outgoing arc's rate there.  An apex is the vertex
+/// of the arc where u turns from + to - in free flight.
 class EventWatch {
  public:
   EventWatch(const Scene&, std::vector<Pair>, double dt);

@@ -106,4 +106,22 @@ TEST(EventWatch, CountsPerPair) {
   EXPECT_EQ(events[0].pair, (Pair{0, 1, -1}));
 }
 
+// A third body hits the farther of two that approach each other, a metre apart: they part without having met.
+TEST(EventWatch, TakesWhatAThirdBodyDoesForNoBounce) {
+  Scene scene;
+  scene.bodies.resize(2);
+  for (std::size_t i = 0; i < 2; ++i) scene.bodies[i].shape = Sphere{0.5}, scene.bodies[i].collide = true;
+  for (const bool meets : {false, true}) {
+    EventWatch watcher(scene, {{0, 1, -1}}, 0.01);
+    State state(2);
+    for (int n = 0; n <= 100; ++n) {
+      const double t = n * 0.01 - 0.503;
+      state[1].position = {(meets ? 1 : 2) + std::abs(t) * 0.3, 0, 0};
+      state[1].velocity = {t < 0 ? -0.3 : 0.3, 0, 0};
+      watcher.observe(n, state);
+    }
+    EXPECT_EQ(watcher.take().size(), meets ? 1u : 0u);
+  }
+}
+
 }  // namespace
