@@ -56,6 +56,8 @@ std::string list(const std::vector<std::pair<std::string, std::string>>& setting
 
 std::string run_facts(const Verdict& v, const ConsoleOptions& options) {
   std::string out;
+  if (v.tolerance_scale != 1)
+    out += fmt::format("  all tolerances are multiplied by {:g}\n", v.tolerance_scale);
   add_line(out, "path", v.path, options);
   add_line(out, "gyroscopic", v.gyroscopic, options);
   add_line(out, "settings", list(v.settings), options);
@@ -149,6 +151,21 @@ std::string unlisted(const std::vector<Verdict>& verdicts, const ConsoleOptions&
   return out;
 }
 
+namespace {
+
+// That this is no plain run, once for each scale.
+std::string rescaled(const std::vector<Verdict>& verdicts) {
+  std::set<double> scales;
+  for (const Verdict& v : verdicts) scales.insert(v.tolerance_scale);
+  scales.erase(1);
+  std::string out;
+  for (const double scale : scales)
+    out += fmt::format("warning: all tolerances are multiplied by {:g}: this is no plain run\n", scale);
+  return out;
+}
+
+}  // namespace
+
 std::string difference(const Verdict& v, const ConsoleOptions& options) {
   std::string out = fmt::format("{}: {}\n", heading(v, options), shown(v.claim, options));
   out += fmt::format("  {}\n", painted(shown(sentence(v), options), v.status, options));
@@ -190,7 +207,7 @@ std::string console_matrix(const std::vector<Verdict>& verdicts, const ConsoleOp
   for (const Verdict& v : verdicts)
     if (differs(v)) out += difference(v, options);
 
-  const std::string warnings = unlisted(verdicts, options);
+  const std::string warnings = rescaled(verdicts) + unlisted(verdicts, options);
   if (!out.empty()) out += '\n';
   return out + warnings + summary(verdicts);
 }

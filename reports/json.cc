@@ -23,9 +23,10 @@ std::string text(const Json& json) {
 }
 
 Json to_object(const Provenance& p) {
-  return {{"cylon", p.cylon}, {"revision", p.revision},        {"compiler", p.compiler},
-          {"flags", p.flags}, {"machine", p.machine},          {"os", p.os},
-          {"date", p.date},   {"command_line", p.command_line}};
+  return {
+      {"cylon", p.cylon}, {"revision", p.revision},         {"compiler", p.compiler},
+      {"flags", p.flags}, {"machine", p.machine},           {"os", p.os},
+      {"date", p.date},   {"command_line", p.command_line}, {"tolerance_scale", number(p.tolerance_scale)}};
 }
 
 // A member of a row that must exist, read as T; the row and the key stand in every error.
@@ -123,6 +124,8 @@ Verdict from_row(const Json& json, const std::string& place) {
   v.measured = row.real("measured");
   if (!row.at("first_bad_step").is_null()) v.first_bad_step = row.integer("first_bad_step");
   v.allowed = row.real("allowed");
+  if (json.contains("tolerance_scale")) v.tolerance_scale = row.real("tolerance_scale");
+  if (json.contains("spread") && !json["spread"].is_null()) v.spread = row.real("spread");
   v.unit = row.string("unit");
   v.truth_error = row.real("truth_error");
   v.status = row.status("status");
@@ -178,6 +181,8 @@ Json row(const Verdict& v) {
           {"measured", number(v.measured)},
           {"first_bad_step", v.first_bad_step ? Json(*v.first_bad_step) : Json(nullptr)},
           {"allowed", number(v.allowed)},
+          {"tolerance_scale", number(v.tolerance_scale)},
+          {"spread", v.spread ? number(*v.spread) : Json(nullptr)},
           {"unit", v.unit},
           {"truth_error", number(v.truth_error)},
           {"status", core::name(v.status)},

@@ -87,7 +87,8 @@ std::string element(const Verdict& v) {
 }
 
 std::string testcase(const Verdict& v) {
-  const std::string scheme = v.integrator.empty() ? "" : ", " + v.integrator;
+  std::string scheme = v.integrator.empty() ? "" : ", " + v.integrator;
+  if (v.tolerance_scale != 1) scheme += fmt::format(", all tolerances times {:g}", v.tolerance_scale);
   const std::string errors =
       v.complaints.empty() ? "" : fmt::format("<system-err>{}</system-err>", xml(v.complaints));
   return fmt::format(

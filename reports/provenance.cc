@@ -96,7 +96,8 @@ Provenance build_and_machine() {
           .machine = machine(),
           .os = os(),
           .date = "",
-          .command_line = ""};
+          .command_line = "",
+          .tolerance_scale = 1};
 }
 
 }  // namespace cylon::reports

@@ -21,6 +21,7 @@ std::string what_happened(const core::Verdict& v) {
   } else if (v.first_bad_step) {
     text = fmt::format(": not finite from step {}", *v.first_bad_step);
   }
+  if (v.tolerance_scale != 1) text += fmt::format("; all tolerances times {:g}", v.tolerance_scale);
   if (!v.detail.empty()) text += (text.empty() ? ": " : "; ") + quoted(v.detail);
   return text;
 }

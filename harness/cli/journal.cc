@@ -33,9 +33,15 @@ std::string worker_hash(const std::vector<std::string>& command) {
 }
 
 nlohmann::json to_json(const Request& r) {
-  return {{"patterns", r.patterns},       {"engines", r.engines}, {"steps", r.steps},
-          {"integrators", r.integrators}, {"workers", r.workers}, {"suite", r.suite},
-          {"metamorphic", r.metamorphic}};
+  return {{"patterns", r.patterns},
+          {"engines", r.engines},
+          {"steps", r.steps},
+          {"integrators", r.integrators},
+          {"workers", r.workers},
+          {"suite", r.suite},
+          {"metamorphic", r.metamorphic},
+          {"tolerance_scale", r.tolerance_scale},
+          {"copies", r.copies}};
 }
 
 Request from_json(const nlohmann::json& j) {
@@ -45,7 +51,9 @@ Request from_json(const nlohmann::json& j) {
           j.at("integrators"),
           j.at("workers"),
           j.at("suite"),
-          j.value("metamorphic", false)};
+          j.value("metamorphic", false),
+          j.value("tolerance_scale", 1.0),
+          j.value("copies", 0)};
 }
 
 }  // namespace
@@ -56,8 +64,10 @@ std::string cell_key(const study::Cell& cell, const std::string& expectations_ha
 }
 
 std::string cell_name(const study::Cell& cell) {
-  return fmt::format("{} {} {}{}", cell.scenario->file, cell.engine.id, cell.dt_text,
-                     cell.exam == study::Exam::relations ? " --metamorphic" : "");
+  std::string asked = cell.exam == study::Exam::relations ? " --metamorphic" : "";
+  if (cell.tolerance_scale != 1) asked += fmt::format(" --tolerance-scale {}", cell.tolerance_scale);
+  if (cell.copies > 0) asked += fmt::format(" --spread {}", cell.copies);
+  return fmt::format("{} {} {}{}", cell.scenario->file, cell.engine.id, cell.dt_text, asked);
 }
 
 Journal::Content Journal::read() const {

@@ -185,6 +185,7 @@ int run(const Context& context, const Options& options) {
   reports::Provenance provenance = reports::build_and_machine();
   provenance.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
   provenance.command_line = context.command_line;
+  provenance.tolerance_scale = request.tolerance_scale;
   if (!options.json.empty()) write_whole(options.json, reports::to_json(rows, provenance));
   if (!options.junit.empty()) write_whole(options.junit, reports::to_junit(rows));
   if (!options.csv.empty()) write_whole(options.csv, reports::to_csv(rows));
@@ -225,6 +226,17 @@ Command add_run(CLI::App& app, const Context& context) {
       "In place of the claims, what mechanics requires of any two runs of one engine: the moved, turned, "
       "mirrored, boosted, rescaled scene moves likewise, the film runs backwards; needs no truth, so it "
       "serves any scene");
+  app.add_option("--tolerance-scale", request.tolerance_scale,
+                 "Multiplies every tolerance; 0: nothing passes and every residual shows. Reports say so")
+      ->type_name("X")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1e300));
+  app.add_option(
+         "--spread", request.copies,
+         "Also N runs that start one ulp apart, and how far from the first they end; a scenario tagged "
+         "chaos has two by itself")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000));
   app.add_option("--json", options->json, "Write the rows as JSON; - is stdout")->type_name("FILE");
   app.add_option("--junit", options->junit, "Write the rows as JUnit XML; - is stdout")->type_name("FILE");
   app.add_option("--csv", options->csv, "Write the rows as CSV; - is stdout")->type_name("FILE");

@@ -213,6 +213,15 @@ std::string command_for(const Context& context, const std::string& given, const 
   return shell_command(words);
 }
 
+// The options that change what a cell is asked, as they were given.
+std::string unusual(const Request& request) {
+  std::string text;
+  if (request.metamorphic) text += " --metamorphic";
+  if (request.tolerance_scale != 1) text += fmt::format(" --tolerance-scale {}", request.tolerance_scale);
+  if (request.copies > 0) text += fmt::format(" --spread {}", request.copies);
+  return text;
+}
+
 }  // namespace
 
 Selection select(const Context& context, const Request& request) {
@@ -235,10 +244,10 @@ Selection select(const Context& context, const Request& request) {
       if (!taken(patterns, given, engine.id)) continue;
       used = true;
       for (const auto& [text, dt] : steps.empty() ? nominal : steps)
-        selection.cells.push_back(
-            {scenario.get(), engine, dt, text, known_as,
-             command_for(context, given, engine, text) + (request.metamorphic ? " --metamorphic" : ""),
-             request.metamorphic ? study::Exam::relations : study::Exam::claims});
+        selection.cells.push_back({scenario.get(), engine, dt, text, known_as,
+                                   command_for(context, given, engine, text) + unusual(request),
+                                   request.metamorphic ? study::Exam::relations : study::Exam::claims,
+                                   request.tolerance_scale, request.copies});
     }
     if (used) selection.scenarios.push_back(std::move(scenario));
   }

@@ -21,6 +21,8 @@ struct Request {
   std::vector<std::string> workers;      ///< NAME=COMMAND, engines of the user's own.
   std::string suite;                     ///< "": conformance.
   bool metamorphic = false;              ///< The relations of mechanics in place of the claims.
+  double tolerance_scale = 1;            ///< Multiplies every tolerance, >= 0.
+  int copies = 0;                        ///< Runs that start one ulp apart.
 
   bool operator==(const Request&) const = default;
 };

@@ -185,7 +185,7 @@ Located locate(const Observable& q, const Scene& scene, const Truth& truth, cons
                double step) {
   const EventSignal signal(q, scene, pair);
   const auto read = [&](double t) { return signal(truth.state(t), t); };
-  const auto count = static_cast<std::size_t>(std::clamp(std::ceil(horizon / step), 64.0, 4096.0));
+  const auto count = static_cast<std::size_t>(std::clamp(std::ceil(horizon / step), 64.0, 2048.0));
   const double dt = horizon / static_cast<double>(count);
   const double start = read(0).azimuth;
   Series series;

@@ -26,7 +26,7 @@ bool watched(EventKind);
 std::vector<Event> find_events(const Observable&, const Scene&, const Recording&);
 
 /// The truth with its events of the observable's kind: those that it states, or else found in its states up
-/// to `horizon`, by scanning at most 4096 times and at least 64, `step` apart where that suffices, and
+/// to `horizon`, by scanning at most 2048 times and at least 64, `step` apart where that suffices, and
 /// bisection to the last digit (watched kinds: EventWatch over states `step` apart, and half as far).  Adds
 /// the bound on their times to error.time: error of the signal / its slope; watched kinds: what half the step
 /// changes. A truth that is known at some times only is given back as it is.

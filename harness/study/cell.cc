@@ -3,7 +3,9 @@
 #include "harness/core/event_find.h"
 #include "harness/core/input_error.h"
 #include "harness/core/measure.h"
+#include "harness/core/worst.h"
 #include "harness/study/row.h"
+#include "harness/study/spread.h"
 
 #include <fmt/format.h>
 
@@ -46,33 +48,82 @@ std::vector<core::Pair> watched(const Scenario& scenario) {
   return pairs;
 }
 
+void add_detail(Verdict& row, const std::string& sentence) {
+  row.detail += fmt::format("{}{}", row.detail.empty() ? "" : "; ", sentence);
+}
+
 Verdict blank(const Cell& cell, const Claim& claim, const Sampling& plan,
               const scenarios::Expectations& expectations) {
   Verdict row = open_row(cell, claim.label, expectations);
   row.sampling = claim.sample && *claim.sample > 0 ? fmt::format("every {} s", *claim.sample) : plan.text;
   row.observable = core::name(claim.observable.quantity);
   row.unit = core::unit(claim);
+  row.tolerance_scale = cell.tolerance_scale;
   row.truth_error = claim.truth_error;
   row.tolerance_reason = claim.tolerance.reason;
   row.body_steps = static_cast<std::int64_t>(cell.scenario->scene.bodies.size()) * plan.steps;
   return row;
 }
 
-void judge(Verdict& row, const Claim& claim, const Scenario& scenario,
-           std::span<const core::Recording> recordings, std::optional<std::int64_t> first_bad_step) {
+void judge(Verdict& row, const Claim& claim, const Cell& cell, std::span<const core::Recording> recordings,
+           std::optional<std::int64_t> first_bad_step) {
+  const Scenario& scenario = *cell.scenario;
   const core::Measured measured = core::measure(claim, scenario.scene, recordings, scenario.duration);
   row.measured = measured.value;
-  row.allowed = measured.allowed;
+  row.allowed = measured.allowed * cell.tolerance_scale;
   row.first_bad_step = first_bad_step;
   row.detail = measured.detail;
-  for (const std::string& remark : recordings.front().remarks)
-    row.detail += fmt::format("{}{}", row.detail.empty() ? "" : "; ", remark);
-  row.status = core::judge(measured.value, measured.allowed);
-  if (measured.broken && row.status != core::Status::non_finite) row.status = core::Status::fail;
+  for (const std::string& remark : recordings.front().remarks) add_detail(row, remark);
+  row.status = core::judge(measured.value, row.allowed);
+  const bool nothing_passes = cell.tolerance_scale == 0;  // a residual of zero neither
+  if ((measured.broken || nothing_passes) && row.status != core::Status::non_finite)
+    row.status = core::Status::fail;
   // A run that broke within the claim's horizon proves nothing, whatever the claim reads of its states.
   if (!first_bad_step || static_cast<double>(*first_bad_step) * row.dt > claim.until) return;
   row.status = core::Status::non_finite;
   row.measured = std::numeric_limits<double>::quiet_NaN();
+}
+
+// A run of the scene, which is the scenario's or a copy of it.
+process::RunOutcome record(const Cell& cell, const core::Scene& scene, double dt, const Sampling& samples,
+                           const process::Limits& limits) {
+  process::RunRequest request;
+  request.scene = &scene;
+  request.setup.dt = dt;
+  request.steps = samples.steps, request.every = samples.every, request.at = samples.at,
+  request.watch = samples.watch;
+  return process::run(cell.engine, request, limits);
+}
+
+constexpr int usual_copies = 2;  // of a scenario that says it is chaotic
+
+int copies_of(const Cell& cell) {
+  const auto& tags = cell.scenario->tags;
+  const bool chaotic = std::find(tags.begin(), tags.end(), "chaos") != tags.end();
+  return cell.copies > 0 ? cell.copies : chaotic ? usual_copies : 0;
+}
+
+void measure_spread(const Cell& cell, const Sampling& plan, const process::Limits& limits,
+                    const core::Recording& recording, std::vector<Verdict>& rows) {
+  const Scenario& scenario = *cell.scenario;
+  const int copies = copies_of(cell);
+  for (int i = 0; i < copies; ++i) {
+    const core::Scene nudged = one_ulp_apart(scenario.scene, i, copies);
+    const process::RunOutcome outcome = record(cell, nudged, cell.dt, plan, limits);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      if (!outcome.recording) {
+        add_detail(rows[k], fmt::format("the copy {} that starts one ulp apart: {}, {}", i + 1,
+                                        core::name(outcome.status), outcome.reason));
+        continue;
+      }
+      const double apart = spread(scenario.claims[k], scenario.scene, recording, *outcome.recording);
+      rows[k].spread = core::worst(apart, rows[k].spread.value_or(0));
+    }
+  }
+  for (Verdict& row : rows)
+    if (row.spread)
+      add_detail(row, fmt::format("{} runs that start one ulp apart end {:.2g}{}{} from it", copies,
+                                  *row.spread, row.unit.empty() ? "" : " ", row.unit));
 }
 
 }  // namespace
@@ -119,12 +170,7 @@ std::vector<Verdict> run(const Cell& cell, const process::Limits& limits,
   for (int i = 0; i < runs; ++i) {
     const double dt = std::ldexp(cell.dt, -i);
     const Sampling samples = i == 0 ? plan : sampling(scenario, dt);
-    process::RunRequest request;
-    request.scene = &scenario.scene;
-    request.setup.dt = dt;
-    request.steps = samples.steps, request.every = samples.every, request.at = samples.at,
-    request.watch = samples.watch;
-    process::RunOutcome outcome = process::run(cell.engine, request, limits);
+    process::RunOutcome outcome = record(cell, scenario.scene, dt, samples, limits);
     for (Verdict& row : rows) {
       if (i == 0) {
         sign(row, outcome.engine, outcome.terms, expectations);
@@ -137,7 +183,8 @@ std::vector<Verdict> run(const Cell& cell, const process::Limits& limits,
     recordings.push_back(std::move(*outcome.recording));
   }
   const auto bad = core::first_bad_step(recordings.front());
-  for (std::size_t i = 0; i < rows.size(); ++i) judge(rows[i], scenario.claims[i], scenario, recordings, bad);
+  for (std::size_t i = 0; i < rows.size(); ++i) judge(rows[i], scenario.claims[i], cell, recordings, bad);
+  if (!bad) measure_spread(cell, plan, limits, recordings.front(), rows);
   return rows;
 }
 

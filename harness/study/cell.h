@@ -23,7 +23,7 @@ struct Cell {
   std::string known_as;   ///< The scenario's name in expected.toml; empty: its own.
   std::string reproduce;  ///< The command that gives these rows again.
   Exam exam = Exam::claims;
-  double tolerance_scale = 1;  ///< Multiplies all that is allowed, >= 0; 0: nothing passes, all residuals show.
+  double tolerance_scale = 1;  ///< Multiplies all that is allowed, >= 0; at 0 nothing passes.
   int copies = 0;              ///< Runs that start one ulp apart, to see how far they spread.
 };
 
