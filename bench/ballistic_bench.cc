@@ -4,13 +4,12 @@
 // the energy beside the cost.  CPU time of the stepping alone, all engines alike: the workers time their own
 // steps and this process times step() here; the smallest of several runs.  Workers are looked for beside this
 // program.  Settings: each engine's published path with its defaults, but for what is printed.
+#include "bench/cpu_time.h"
 #include "engine/ballistic/ballistic.h"
 #include "harness/process/client.h"
 #include "scenarios/scenario.h"
 
 #include <fmt/format.h>
-
-#include <ctime>
 
 #include <algorithm>
 #include <cmath>
@@ -19,14 +18,9 @@
 namespace {
 
 using namespace cylon;
+using bench::cpu_now;
 
 constexpr double gravity = 9.81, radius = 0.5, restitution = 0.8, drop = 2.0, bounce_time = 5, gas_time = 10;
-
-double cpu_now() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 // Closed form: flight n starts at t_n with speed u e^n.
 double height(double t) {

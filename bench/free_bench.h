@@ -6,6 +6,8 @@
 // another, each leaving all states in memory; `run of 64`: 64 steps between looks, block by block.
 #pragma once
 
+#include "bench/cpu_time.h"
+#include "bench/free_cloud.h"
 #include "engine/free_bodies.h"
 #include "engine/make_stepper.h"
 #include "harness/process/client.h"
@@ -13,8 +15,6 @@
 
 #include <fmt/format.h>
 #include <malloc.h>
-
-#include <ctime>
 
 #include <algorithm>
 #include <cmath>
@@ -29,12 +29,6 @@ using engine::Real;
 
 constexpr double dt = 1. / 60;
 constexpr bool is_float = sizeof(Real) == 4;
-
-inline double cpu_now() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 struct Kind {
   const char* name;
@@ -52,22 +46,13 @@ story = "Bodies fly freely."
 duration = 1.0
 step = "1/60"
 gravity = [0, -9.81, 0]
-[[cloud]]
-name = "body"
-seed = 1
-count = {}
-low = [-50, -50, -50]
-high = [50, 50, 50]
-speed = 1.0
-mass = 1.5
-inertia = [{}, {}, {}]
-angular_velocity = {}
-[[claim]]
+{}[[claim]]
 conserves = "energy"
 tolerance = {{ relative = 1, reason = "rounding" }}
 )",
-                                      count, kind.moments[0], kind.moments[1], kind.moments[2],
-                                      kind.spins ? "[0.3, 1.1, -0.4]" : "[0, 0, 0]"),
+                                      free_cloud(static_cast<std::int64_t>(count),
+                                                 fmt::format("[{}]", fmt::join(kind.moments, ", ")),
+                                                 kind.spins ? "[0.3, 1.1, -0.4]" : "[0, 0, 0]")),
                           "free_bodies.toml");
 }
 

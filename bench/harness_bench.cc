@@ -2,6 +2,7 @@
 // stepping (spawn, scene, recording, frames, measuring, judging), as a share of it.  Target: under 5 % of
 // ODE's stepping for 1000 free bodies over 5000 steps at the default sampling.  CPU time of this process and
 // its worker, so that a loaded machine does not matter; the error beside it says that the run was a real one.
+#include "bench/free_cloud.h"
 #include "harness/cli/context.h"
 #include "harness/study/cell.h"
 
@@ -35,17 +36,7 @@ story = "Spinning boxes fly freely; the harness watches momentum, angular moment
 duration = {}
 step = 0.001
 
-[[cloud]]
-name = "body"
-seed = 1
-count = {}
-low = [-50, -50, -50]
-high = [50, 50, 50]
-speed = 1.0
-mass = 1.5
-inertia = [0.2, 0.3, 0.4]
-angular_velocity = [0.3, 1.1, -0.4]
-
+{}
 [[claim]]
 conserves = "linear_momentum"
 tolerance = {{ absolute = 1e-6, reason = "rounding" }}
@@ -56,7 +47,8 @@ tolerance = {{ relative = 1e-2, reason = "truncation" }}
 conserves = "energy"
 tolerance = {{ relative = 1e-2, reason = "truncation" }}
 )",
-                     0.001 * static_cast<double>(steps), bodies);
+                     0.001 * static_cast<double>(steps),
+                     bench::free_cloud(bodies, "[0.2, 0.3, 0.4]", "[0.3, 1.1, -0.4]"));
 }
 
 struct Cost {

@@ -1,0 +1,15 @@
+// Thread CPU time, so that a loaded machine does not matter.
+#pragma once
+
+#include <ctime>
+
+namespace cylon::bench {
+
+/// [s]
+inline double cpu_now() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+}  // namespace cylon::bench
