@@ -44,6 +44,20 @@ void World::step() {
   weigh();
 }
 
+void World::advance(std::int64_t n) {
+  for (; ballistic_ && n > 0; --n) step();  // it may hand over after any of them
+  if (n == 0) return;
+  // Schemes make one of kicks that meet in a run of steps, and other last bits with it: only free bodies run.
+  if (plan_.method == Method::free)
+    stepper_->advance(n);
+  else
+    for (std::int64_t i = 0; i < n; ++i) stepper_->step();
+  impacts_ = stepper_->impacts();
+  steps_ += n;
+  stepper_->read(motions_);
+  weigh();
+}
+
 // The bodies' masses now, where they change.
 void World::weigh() {
   for (std::size_t i = 0; i < model_.bodies.size(); ++i) {

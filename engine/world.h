@@ -22,6 +22,10 @@ class World {
   /// Advances by exactly one step.
   void step();
 
+  /// Advances by n steps, n >= 1: the bits of as many step(), for less, as nothing is read between them.
+  /// impacts() are then those of the last.
+  void advance(std::int64_t n);
+
   Time time() const { return static_cast<Time>(steps_) * options_.dt; }
   const Plan& plan() const { return plan_; }
 

@@ -4,6 +4,7 @@
 
 #include "harness/core/scene.h"
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -97,6 +98,11 @@ class Simulator {
 
   /// Advances by exactly one dt.
   virtual void step() = 0;
+
+  /// Advances by n steps, n >= 1, between which nothing is read: the bits of as many step().
+  virtual void advance(std::int64_t n) {
+    while (n-- > 0) step();
+  }
 
   /// Current motion, read from the engine's own state, into one BodyState per body of the scene.
   virtual void read(State&) const = 0;

@@ -169,7 +169,7 @@ class Session {
     for (std::int64_t step = 0; step < run.steps;) {
       const std::int64_t burst = watching ? 1 : sample - step;
       timer.begin_burst();
-      for (std::int64_t i = 0; i < burst; ++i) simulator_.step();
+      simulator_.advance(burst);
       timer.end_burst();
       step += burst;
 

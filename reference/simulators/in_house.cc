@@ -139,6 +139,7 @@ class InHouse final : public core::Simulator {
   }
 
   void step() override { world_->step(); }
+  void advance(std::int64_t n) override { world_->advance(n); }
 
   void read(core::State& state) const override {
     const auto& bodies = world_->bodies();

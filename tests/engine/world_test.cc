@@ -1,0 +1,62 @@
+// A run of steps between which nothing is read has the bits of as many single steps, whatever carries the
+// model.
+#include "engine/world.h"
+
+#include "tests/engine/fixtures.h"
+
+#include <gtest/gtest.h>
+
+namespace cylon::engine {
+namespace {
+
+Model many_free() {
+  Model model;
+  model.forces.gravity = {Real(0.4), Real(-9.81), Real(0.7)};
+  for (int i = 0; i < 70; ++i) {
+    const auto part = [&](int a, int b) { return Real(0.1) * static_cast<Real>(i * a % b + 1); };
+    add_body(model, make_body(part(3, 7), general_inertia(part(1, 3), part(1, 3) + Real(0.1), Real(0.35))),
+             {part(2, 5), part(3, 5), part(4, 7)}, {part(2, 9), part(4, 9), part(5, 9)},
+             {part(1, 5), part(5, 7), part(3, 11)}, {part(9, 11), part(7, 13), part(5, 17)});
+  }
+  return model;
+}
+
+struct Row {
+  const char* name;
+  Model model;
+  const char* scheme;
+  Method method;
+};
+
+std::vector<Row> rows() {
+  return {{"free bodies side by side", many_free(), "velocity-verlet", Method::free},
+          {"closed form", many_free(), "auto", Method::exact},
+          {"a splitting whose kicks meet", coupled_bodies(), "velocity-verlet", Method::bodies},
+          {"forces of time", forced_bodies(), "rk4", Method::bodies},
+          {"two runs that agree", coupled_bodies(), "auto", Method::bodies},
+          {"impacts in closed form, handed over", ball_over_plane(Real(0.7), Real(0.6)), "auto",
+           Method::ballistic},
+          {"events", ball_over_plane(Real(0.7), Real(0.6)), "rk4", Method::events}};
+}
+
+TEST(World, AdvancesInRunsAsInSteps) {
+  for (const Row& row : rows()) {
+    const Options options = with(row.scheme, 0.013);
+    World runs(row.model, options), steps(row.model, options);
+    ASSERT_EQ(runs.plan().method, row.method) << row.name;
+    int taken = 0;
+    for (const int n : {1, 2, 5, 40, 3, 64}) {
+      runs.advance(n);
+      for (int i = 0; i < n; ++i) steps.step();
+      taken += n;
+      ASSERT_EQ(runs.time(), steps.time()) << row.name;
+      ASSERT_EQ(runs.impacts().size(), steps.impacts().size()) << row.name << " after " << taken;
+      for (std::size_t i = 0; i < row.model.bodies.size(); ++i)
+        ASSERT_TRUE(same_bits(runs.motions()[i], steps.motions()[i])) << row.name << " after " << taken;
+    }
+    EXPECT_FALSE(same_bits(runs.motions()[0], row.model.motions[0])) << row.name << ": nothing moved";
+  }
+}
+
+}  // namespace
+}  // namespace cylon::engine
