@@ -18,7 +18,7 @@ engine=${ENGINE:-in-house}
 worker=cylon-worker-${engine/float/f32}
 builds=(gcc-O2 gcc-O3 clang-O2)
 [ -x "$cylon" ] || { echo "determinism: build the release preset first" >&2; exit 2; }
-command -v clang++ >/dev/null || { echo "determinism: no clang++ here" >&2; exit 2; }
+command -v clang++ >/dev/null || { echo "determinism: no clang++ here: apt-get install clang" >&2; exit 2; }
 
 build() {  # NAME COMPILER OPTIMISATION
   echo "building $1" >&2
