@@ -55,7 +55,11 @@ def scenarios(cylon):
     for row in json.loads(output(cylon, "list", "--json")):
         followed = [c for c in row["claims"] if c["follows"]]
         truth = followed[0]["follows"] if followed else "–"
-        error = f"{max(c['truth_error'] for c in followed):.0e}" if followed else "–"
+        worst = {}  # a bound in each unit
+        for c in followed:
+            unit = c["unit"]
+            worst[unit] = max(worst.get(unit, 0), c["truth_error"])
+        error = ", ".join(f"{bound:.0e} {unit}".strip() for unit, bound in worst.items()) or "–"
         observables = ", ".join(dict.fromkeys(c["observable"] for c in row["claims"]))
         lines.append(f"| {row['name']} | {row['title']} | {truth} | {error} | {observables} |")
     return "\n".join(lines)

@@ -28,6 +28,14 @@ bool selected(const scenarios::Scenario& scenario, const Options& options) {
          std::all_of(options.tags.begin(), options.tags.end(), tagged);
 }
 
+// "bouncing_sphere to 9e-13 m": the first truth that is followed and its bound on its own error; "no truth".
+std::string truth_of(const scenarios::Scenario& scenario) {
+  for (const core::Claim& claim : scenario.claims)
+    if (claim.truth)
+      return fmt::format("{} to {:.0e} {}", claim.follows, claim.truth_error, core::unit(claim.observable));
+  return "no truth";
+}
+
 nlohmann::ordered_json row(const scenarios::Scenario& scenario) {
   nlohmann::ordered_json claims = nlohmann::ordered_json::array();
   for (const core::Claim& claim : scenario.claims)
@@ -36,6 +44,7 @@ nlohmann::ordered_json row(const scenarios::Scenario& scenario) {
                       {"follows", claim.follows},
                       {"truth_source", claim.truth ? claim.truth->source : ""},
                       {"truth_error", claim.truth_error},
+                      {"unit", core::unit(claim)},
                       {"absolute", claim.tolerance.absolute},
                       {"relative", claim.tolerance.relative},
                       {"reason", claim.tolerance.reason}});
@@ -84,9 +93,9 @@ int list(const Context& context, const Options& options) {
     std::size_t width = 0;
     for (const auto& scenario : found) width = std::max(width, scenario.name.size());
     for (const auto& scenario : found) {
-      std::cout << plain_line(fmt::format("{:<{}}  {:>5g} s at {:<6} {:>2} claims  {}  [{}]", scenario.name,
-                                          width, scenario.duration, scenario.step_text,
-                                          scenario.claims.size(), scenario.title,
+      std::cout << plain_line(fmt::format("{:<{}}  {:>5g} s at {:<6} {:>2} claims  {}  ({})  [{}]",
+                                          scenario.name, width, scenario.duration, scenario.step_text,
+                                          scenario.claims.size(), scenario.title, truth_of(scenario),
                                           fmt::join(scenario.tags, ", ")))
                 << '\n';
     }
