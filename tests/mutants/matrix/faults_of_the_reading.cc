@@ -1,0 +1,141 @@
+#include "tests/mutants/matrix/decorator.h"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace cylon::mutants {
+namespace {
+
+using core::BodyState;
+using core::Quaternion;
+using core::Scene;
+using core::State;
+using core::Vector3;
+
+Mask reading(std::function<void(const Moment&, State&)> change) { return {.reading = std::move(change)}; }
+
+// After the first step, so that reading back the start shows nothing.
+Mask each(const std::function<void(const Moment&, BodyState&)>& change) {
+  return reading([change](const Moment& m, State& state) {
+    if (m.step == 0) return;
+    for (BodyState& s : state) change(m, s);
+  });
+}
+
+Vector3 to_float(const Vector3& v) { return v.cast<float>().cast<double>(); }
+
+void reverse(BodyState& s) { s.velocity = -s.velocity, s.angular_velocity = -s.angular_velocity; }
+
+// Runs with all velocities turned round, and tells them as they should start.
+Mask backwards() {
+  return {.scene =
+              [](Scene& s) {
+                for (core::Body& b : s.bodies) reverse(b.initial);
+              },
+          .reading =
+              [](const Moment&, State& state) {
+                for (BodyState& s : state) reverse(s);
+              }};
+}
+
+// Turns about -w, and tells w.
+Mask left_handed() {
+  return {.scene =
+              [](Scene& s) {
+                for (core::Body& b : s.bodies) b.initial.angular_velocity *= -1;
+              },
+          .reading =
+              [](const Moment&, State& state) {
+                for (BodyState& s : state) s.angular_velocity *= -1;
+              }};
+}
+
+double spread(const State& state) {
+  double size = 0;
+  for (const BodyState& s : state) size = std::max(size, s.position.norm());
+  return size;
+}
+
+}  // namespace
+
+std::vector<MaskedRow> faults_of_the_reading() {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
+                   inf = std::numeric_limits<double>::infinity();
+  return {
+      {"wrong start", "a tenth of a millimetre aside", "projectile", "read back",
+       reading([](const Moment&, State& state) {
+         for (BodyState& s : state) s.position.z() += 1e-4;
+       })},
+      {"offset", "a tenth of a millimetre aside once it moves", "projectile", "position follows * by theory",
+       each([](const Moment&, BodyState& s) { s.position.x() += 1e-4; })},
+      {"time reversed", "the right orbit, the other way round", "spring_zero", "position follows",
+       backwards()},
+      {"left-handed", "turns about -w", "constant_spin", "orientation follows", left_handed()},
+      {"mirrored", "z is -z", "spring_zero", "position follows",
+       each([](const Moment&, BodyState& s) { s.position.z() *= -1, s.velocity.z() *= -1; })},
+      {"conjugate quaternion", "orientations are world to body", "constant_spin", "orientation follows",
+       each([](const Moment&, BodyState& s) { s.orientation = s.orientation.conjugate(); })},
+      {"quaternion order", "(x, y, z, w) told as (w, x, y, z)", "constant_spin", "orientation follows",
+       each([](const Moment&, BodyState& s) {
+         const Quaternion q = s.orientation;
+         s.orientation = Quaternion(q.x(), q.y(), q.z(), q.w());
+       })},
+      {"quaternion grows", "not normalised, 1e-9 a step", "constant_spin", "orientation follows * by theory",
+       each([](const Moment& m, BodyState& s) {
+         s.orientation.coeffs() *= 1 + 1e-9 * static_cast<double>(m.step);
+       })},
+      {"w in body axes", "and not of the world", "damped_top", "angular_velocity follows",
+       each([](const Moment&, BodyState& s) {
+         s.angular_velocity = s.orientation.conjugate() * s.angular_velocity;
+       })},
+      {"one step late", "the state of the step before", "projectile", "position follows * by theory",
+       reading([](const Moment& m, State& state) { state = m.before; })},
+      {"velocities half a step late", "a staggered scheme's", "projectile", "velocity follows * by theory",
+       reading([](const Moment& m, State& state) {
+         for (std::size_t i = 0; i < state.size(); ++i)
+           state[i].velocity = (state[i].velocity + m.before[i].velocity) / 2;
+       })},
+      {"told in float", "positions and velocities", "projectile", "position follows * by theory",
+       each([](const Moment&, BodyState& s) {
+         s.position = to_float(s.position), s.velocity = to_float(s.velocity);
+       })},
+      {"quaternions in float", "and normalised again", "constant_spin", "orientation follows * by theory",
+       each([](const Moment&, BodyState& s) {
+         for (double& c : s.orientation.coeffs()) c = static_cast<float>(c);
+         s.orientation.normalize();
+       })},
+      {"far bodies coarsen", "positions in 2^-24 of the farthest, beyond 1 km", "far body", "motion",
+       reading([](const Moment&, State& state) {
+         const double size = spread(state), grain = std::ldexp(size, -24);
+         if (size > 1e3)
+           for (BodyState& s : state) s.position = (s.position / grain).array().round() * grain;
+       })},
+      {"finite nonsense", "a kilometre away after fifty steps", "projectile", "position follows",
+       each([](const Moment& m, BodyState& s) {
+         if (m.step > 50) s.position = {1e3, 1e3, 1e3};
+       })},
+      {"NaN late", "a velocity at the 700th step", "projectile", "finite",
+       each([](const Moment& m, BodyState& s) {
+         if (m.step >= 700) s.velocity.x() = nan;
+       })},
+      {"infinite", "a position at the 700th step", "projectile", "finite",
+       each([](const Moment& m, BodyState& s) {
+         if (m.step >= 700) s.position.y() = inf;
+       })},
+      {"never the same", "a part in 1e14 that no run repeats", "same again", "motion",
+       each([](const Moment& m, BodyState& s) {
+         const double share = static_cast<double>(m.run) * 0.6180339887498949;
+         s.position.x() += 1e-14 * (share - std::floor(share));
+       })},
+      {"sinks", "a hundredth of a millimetre a second", "cube_stack", "position conserved by theory",
+       each([](const Moment& m, BodyState& s) {
+         s.position.y() -= 1e-5 * static_cast<double>(m.step) * m.dt;
+       })},
+      {"steady offset of w", "a gyroscope's bias, 1e-6 rad/s", "damped_top",
+       "angular_velocity follows * by theory",
+       each([](const Moment&, BodyState& s) { s.angular_velocity.z() += 1e-6; })},
+  };
+}
+
+}  // namespace cylon::mutants

@@ -1,0 +1,25 @@
+#include "tests/mutants/matrix/judge.h"
+
+#include "harness/core/verdict.h"
+
+namespace cylon::mutants {
+
+bool Finding::guilty() const { return core::judge(measured, allowed) != core::Status::pass; }
+double Finding::margin() const { return -core::digits(measured, allowed); }
+
+const std::vector<Judge>& judges() {
+  static const std::vector<Judge> all = [] {
+    std::vector<Judge> result = scene_judges();
+    for (Judge& judge : relation_judges()) result.push_back(std::move(judge));
+    return result;
+  }();
+  return all;
+}
+
+std::vector<Subject> mutants() {
+  std::vector<Subject> result = decorated_mutants();
+  for (Subject& subject : seed_mutants()) result.push_back(std::move(subject));
+  return result;
+}
+
+}  // namespace cylon::mutants

@@ -1,0 +1,62 @@
+#include "tests/mutants/matrix/scenes.h"
+
+#include "harness/core/measure.h"
+#include "harness/core/recording.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+namespace cylon::mutants {
+namespace {
+
+// The largest number of even samples, at most 256, that the steps can be cut into.
+std::int64_t stride(std::int64_t steps) {
+  for (std::int64_t samples = std::min<std::int64_t>(256, steps); samples > 1; --samples)
+    if (steps % samples == 0) return steps / samples;
+  return steps;
+}
+
+// The truth at multiples of `spacing`, computed once; other times are computed as they come.
+core::Truth remembered(const core::Truth& truth, double spacing, double until) {
+  auto states = std::make_shared<std::vector<core::State>>();
+  const auto count = std::llround(until / spacing);
+  for (std::int64_t i = 0; i <= count; ++i)
+    states->push_back(truth.state(std::min(static_cast<double>(i) * spacing, truth.horizon)));
+  core::Truth result = truth;
+  result.state = [states, spacing, original = truth.state](double t) {
+    const double place = t / spacing, nearest = std::round(place);
+    if (std::abs(place - nearest) < 1e-9 && nearest < static_cast<double>(states->size()))
+      return (*states)[static_cast<std::size_t>(nearest)];
+    return original(t);
+  };
+  return result;
+}
+
+}  // namespace
+
+Examined examine(const SceneRow& row) {
+  Examined result{scenarios::load(std::filesystem::path(CYLON_SOURCE_DIR) / row.file), row, {}, {}};
+  scenarios::Scenario& scenario = result.scenario;
+  if (row.duration > 0) scenario.duration = row.duration;
+  if (row.step > 0) scenario.step = row.step;
+  const std::int64_t steps = core::whole_steps(scenario.duration, scenario.step);
+  const double spacing = static_cast<double>(stride(steps)) * scenario.step;
+  for (core::Claim& claim : scenario.claims) {
+    claim.until = std::min(claim.until, scenario.duration);
+    const double size = core::scale(claim, scenario.scene, scenario.duration);
+    const bool gap = claim.observable.quantity == core::Quantity::normal_gap;
+    const bool length = gap || claim.observable.quantity == core::Quantity::joint_gap;
+    result.scales.push_back(size > 0 && !length ? size : 1);  // angles, gaps: a radian, a metre
+    result.shipped.push_back(claim.tolerance.absolute + claim.tolerance.relative * size);
+    if (claim.truth && claim.truth->times.empty() && claim.observable.quantity != core::Quantity::event)
+      claim.truth = remembered(*claim.truth, spacing, scenario.duration);
+    if (!gap) claim.sample = spacing;
+    claim.tolerance.relative = 0;
+    claim.tolerance.absolute = result.shipped.back();
+  }
+  return result;
+}
+
+}  // namespace cylon::mutants

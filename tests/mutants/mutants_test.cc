@@ -1,0 +1,69 @@
+// Every mutant is caught by the claim that was made for it, and nobody who is right is accused by anyone.
+#include "tests/mutants/matrix/matrix.h"
+
+#include <gtest/gtest.h>
+
+#include <cctype>
+#include <set>
+
+namespace cylon::mutants {
+namespace {
+
+std::string name_of(const testing::TestParamInfo<Subject>& info) {
+  std::string name;
+  for (const char c : info.param.name) name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+  return std::to_string(info.index) + "_" + name;
+}
+
+class Mutant : public testing::TestWithParam<Subject> {};
+TEST_P(Mutant, IsCaughtByTheClaimMadeForIt) {
+  const Line line = judge_one(GetParam());
+  EXPECT_TRUE(line.caught) << GetParam().fault << "\n" << line.subject.judge << ", " << line.seen;
+}
+INSTANTIATE_TEST_SUITE_P(All, Mutant, testing::ValuesIn(mutants()), name_of);
+
+class Right : public testing::TestWithParam<Subject> {};
+TEST_P(Right, IsAccusedByNobody) {
+  const Line line = judge_all(GetParam());
+  for (std::size_t j = 0; j < line.cells.size(); ++j) {
+    const MatrixCell& cell = line.cells[j];
+    EXPECT_FALSE(cell.guilty) << judges()[j].name << ", " << cell.worst.claim << ": " << cell.worst.measured
+                              << " of " << cell.worst.allowed;
+  }
+}
+INSTANTIATE_TEST_SUITE_P(All, Right, testing::ValuesIn(correct_subjects()), name_of);
+
+// A judge that asks nothing convicts nobody and is no judge.
+TEST(Judges, EachHearsSomeoneWhoIsRight) {
+  std::set<std::string> names;
+  const Subject subject = correct_subjects().front();
+  for (const Judge& judge : judges()) {
+    EXPECT_TRUE(names.insert(judge.name).second) << judge.name << " twice";
+    const auto findings = judge.findings(subject);
+    ASSERT_TRUE(findings) << judge.name;
+    EXPECT_FALSE(findings->empty()) << judge.name;
+  }
+}
+
+TEST(Errata, EachIsAMutantOrSaysWhyNot) {
+  constexpr int last = 67;
+  std::multiset<int> numbers;
+  for (const Subject& subject : seed_mutants()) numbers.insert(subject.erratum);
+  for (const NotCounted& row : not_counted()) numbers.insert(row.erratum);
+  for (int n = 1; n <= last; ++n) EXPECT_EQ(numbers.count(n), 1u) << "erratum " << n;
+  EXPECT_EQ(numbers.size(), static_cast<std::size_t>(last));
+}
+
+TEST(Mutants, HaveNamesAndJudges) {
+  std::set<std::string> names, columns;
+  for (const Judge& judge : judges()) columns.insert(judge.name);
+  for (const Subject& subject : mutants()) {
+    EXPECT_TRUE(names.insert(subject.name).second) << subject.name << " twice";
+    EXPECT_TRUE(columns.contains(subject.judge)) << subject.name << ": no judge " << subject.judge;
+    EXPECT_FALSE(subject.fault.empty()) << subject.name;
+    EXPECT_FALSE(subject.claim.empty()) << subject.name;
+  }
+}
+
+}  // namespace
+}  // namespace cylon::mutants
