@@ -1,4 +1,5 @@
 // Signed distances between surfaces, by support functions: how far a shape reaches in a direction.
+#include "harness/core/near_pairs.h"
 #include "harness/core/observable.h"
 #include "harness/core/overloaded.h"
 
@@ -52,12 +53,6 @@ double plane_gap(const Plane& plane, const Body& body, const BodyState& state) {
   const double height = plane.normal.dot(state.position) - plane.offset;
   if (const auto* sphere = std::get_if<Sphere>(&body.shape)) return height - sphere->radius;
   return height - support(body.shape, state.orientation.conjugate() * -plane.normal);
-}
-
-std::optional<double> ball_radius(const Shape& shape) {
-  if (const auto* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;
-  if (std::holds_alternative<std::monostate>(shape)) return 0.0;
-  return std::nullopt;
 }
 
 }  // namespace

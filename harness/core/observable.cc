@@ -1,6 +1,8 @@
 #include "harness/core/observable.h"
 
 #include "harness/core/event_signal.h"
+#include "harness/core/near_pairs.h"
+#include "harness/core/surfaces.h"
 #include "harness/core/worst.h"
 
 #include <algorithm>
@@ -127,6 +129,28 @@ double joint_gap(const Scene& scene, const Joint& joint, const State& state) {
       .norm();
 }
 
+bool only_spheres_collide(const Scene& scene) {
+  return std::all_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& body) {
+    return !collides(body) || std::holds_alternative<Sphere>(body.shape);
+  });
+}
+
+// The worst difference of two lists of gaps, both in the order of their pairs; who is in one alone is apart
+// in the other.
+double overlap_distance(const Values& a, const Values& b) {
+  const auto pair = [](const Eigen::Vector4d& v) { return std::array{v[1], v[3], v[2]}; };
+  double result = 0;
+  auto x = a.begin(), y = b.begin();
+  while (x != a.end() || y != b.end()) {
+    const bool only_x = y == b.end() || (x != a.end() && pair(*x) < pair(*y));
+    const bool only_y = x == a.end() || (y != b.end() && pair(*y) < pair(*x));
+    result = worst(std::abs((only_y ? 0 : x->x()) - (only_x ? 0 : y->x())), result);
+    if (!only_y) ++x;
+    if (!only_x) ++y;
+  }
+  return result;
+}
+
 bool concerns(const Observable& q, int body, int other) {
   return !q.body || *q.body == body || *q.body == other;
 }
@@ -166,13 +190,17 @@ std::optional<std::string> undefined_in(const Observable& q, const Scene& scene)
     case Quantity::event:
       return event_undefined(q, scene);
     case Quantity::normal_gap: {
-      bool any = false;
-      for (const Pair& pair : q.body ? touching_pairs(scene, *q.body) : touching_pairs(scene)) {
-        any = true;
-        if (auto why = gap_undefined(scene, pair)) return why;
+      std::optional<std::string> why = "no two things in the scene may touch";
+      const auto undefined = [&](const Pair& pair) { return (why = gap_undefined(scene, pair)).has_value(); };
+      if (q.body) {
+        for (const Pair& pair : touching_pairs(scene, *q.body))
+          if (undefined(pair)) break;
+      } else if (only_spheres_collide(scene)) {
+        any_touching_pair(scene, [&](const Pair&) { return why.reset(), true; });
+      } else {
+        any_touching_pair(scene, undefined);
       }
-      if (!any) return "no two things in the scene may touch";
-      return std::nullopt;
+      return why;
     }
     default:
       return std::nullopt;
@@ -218,9 +246,9 @@ void evaluate(const Observable& q, const Scene& scene, const State& state, Value
       return values.push_back(
           scalar(kinetic_total(scene, state) + potential_total(scene, state, [](double x) { return x; })));
     case Quantity::normal_gap:
-      for (const Pair& pair : q.body ? touching_pairs(scene, *q.body) : touching_pairs(scene)) {
+      for (const Pair& pair : q.body ? touching_pairs(scene, *q.body) : near_pairs(scene, state)) {
         const double g = gap(scene, pair, state);
-        values.push_back(scalar(g >= 0 ? 0.0 : g));  // NaN stays NaN
+        if (!(g >= 0)) values.emplace_back(g, pair.body, pair.other, pair.plane);  // NaN stays
       }
       return;
     case Quantity::joint_gap:
@@ -233,6 +261,7 @@ void evaluate(const Observable& q, const Scene& scene, const State& state, Value
 }
 
 double distance(const Observable& q, const Values& a, const Values& b) {
+  if (q.quantity == Quantity::normal_gap) return overlap_distance(a, b);
   double result = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     double d = 0;
@@ -254,8 +283,9 @@ double distance(const Observable& q, const Values& a, const Values& b) {
 
 double magnitude(const Observable& q, const Values& values) {
   if (q.quantity == Quantity::orientation || q.quantity == Quantity::axis) return 0;
+  const bool is_gap = q.quantity == Quantity::normal_gap;  // the other numbers say whose
   double result = 0;
-  for (const auto& v : values) result = worst(v.norm(), result);
+  for (const auto& v : values) result = worst(is_gap ? std::abs(v.x()) : v.norm(), result);
   return result;
 }
 

@@ -47,8 +47,8 @@ std::string_view unit(const Observable&);
 /// shape whose gap is not computed.  The reason, or nothing when it has.
 std::optional<std::string> undefined_in(const Observable&, const Scene&);
 
-/// One entry per body, pair or joint (one in all for totals); four numbers each: a vector (w = 0), a
-/// scalar (in x), or a quaternion.  Not for events.
+/// One entry per body or joint (one for totals), four numbers each: a vector (w = 0), a scalar (in x), a
+/// quaternion; normal_gap: one per overlapping pair, its gap, body, other and plane.  Not for events.
 using Values = std::vector<Eigen::Vector4d>;
 void evaluate(const Observable&, const Scene&, const State&, Values&);
 

@@ -1,5 +1,7 @@
 #include "harness/core/scene.h"
 
+#include "harness/core/surfaces.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -9,10 +11,6 @@
 
 namespace cylon::core {
 namespace {
-
-bool collides(const Body& body) {
-  return body.collide && !std::holds_alternative<std::monostate>(body.shape);
-}
 
 // How exactly a pattern names a surface: 0 not at all, 1 by "*", 2 by name.
 int match(const std::string& pattern, const std::string& name) {

@@ -51,11 +51,11 @@ Signature signature(const Scene& scene, const Partners& list) {
   return result;
 }
 
+}  // namespace
+
 bool collides(const Body& body) {
   return body.collide && !std::holds_alternative<std::monostate>(body.shape);
 }
-
-}  // namespace
 
 Surfaces surfaces(const Scene& scene) {
   const std::map<std::string, Partners> known = partners(scene);

@@ -8,6 +8,9 @@
 
 namespace cylon::core {
 
+/// Whether anything may touch the body.
+bool collides(const Body&);
+
 /// Bodies and planes in classes that no material of the scene tells apart, and one table over the classes.
 struct Surfaces {
   std::vector<int> of_body;   ///< One per body: its class.
@@ -16,7 +19,10 @@ struct Surfaces {
   std::vector<int> table;  ///< count x count, symmetric: index into Scene::materials, or -1.
 
   /// What material_of says of any pair of these classes: an index into Scene::materials, or -1 for none.
-  int material(int one, int other) const { return table[static_cast<std::size_t>(one * count + other)]; }
+  int material(int one, int other) const {
+    return table[static_cast<std::size_t>(one) * static_cast<std::size_t>(count) +
+                 static_cast<std::size_t>(other)];
+  }
 };
 
 /// Two names are of one class when they stand in materials with the same partners and the same numbers; names
