@@ -245,6 +245,31 @@ TEST(Measure, ChecksValueAndOrderOfAnOrderTolerance) {
   }
 }
 
+// Errors that do not fall are forgiven where rounding explains them: at 1e-9 in single precision, not in
+// double.
+TEST(Measure, KnowsTheRoundingFloorOfThePrecision) {
+  for (const bool single : {false, true}) {
+    std::vector<Recording> runs;
+    Parabola p;
+    p.claim.tolerance = {.order = true, .reason = "test", .constants = {{1, 1e-3}}};
+    for (const double dt : {0.5, 0.25, 0.125}) {
+      Recording run;
+      run.dt = dt;
+      run.engine.precision = single ? "float" : "double";
+      run.terms.order = 2;
+      run.steps = {0, static_cast<std::int64_t>(2 / dt)};
+      run.states = {initial_state(p.scene), initial_state(p.scene)};
+      run.states[1][0].position.x() += 1e-9;
+      runs.push_back(run);
+    }
+    const Measured m = measure(p.claim, p.scene, runs, 2);
+    EXPECT_EQ(m.broken, !single) << m.detail;
+    EXPECT_EQ(m.detail.find("rounding floor") != std::string::npos, single) << m.detail;
+    EXPECT_NE(m.detail.find("held to order 1"), std::string::npos) << m.detail;
+    EXPECT_LE(m.value, m.allowed);
+  }
+}
+
 TEST(ObservedOrder, IsTheSlope) {
   const double dt[] = {0.1, 0.05, 0.025}, error[] = {3e-3, 3e-3 / 16, 3e-3 / 256};
   EXPECT_NEAR(observed_order(dt, error), 4, 1e-12);
