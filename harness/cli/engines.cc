@@ -1,6 +1,7 @@
 // cylon engines
 #include "harness/cli/app.h"
 #include "harness/cli/command_line.h"
+#include "harness/cli/fingerprint.h"
 
 #include "harness/process/client.h"
 #include "scenarios/glob.h"
@@ -18,7 +19,7 @@ using nlohmann::ordered_json;
 
 struct Options {
   std::vector<std::string> globs, workers;
-  bool json = false, names = false;
+  bool json = false, names = false, fingerprint = false;
 };
 
 ordered_json row(const process::EngineRow& row, const core::Engine& engine) {
@@ -81,6 +82,7 @@ int engines(const Context& context, const Options& options) {
   int found = 0, broken = 0;
   ordered_json rows = ordered_json::array();
   const auto table = with_workers(context, options.workers);
+  if (options.fingerprint) return fingerprint(table, options.globs, options.json);
   for (const process::EngineRow& engine : table) {
     const auto matches = [&](const std::string& glob) { return scenarios::glob_match(glob, engine.id); };
     if (!options.globs.empty() && std::none_of(options.globs.begin(), options.globs.end(), matches)) continue;
@@ -117,6 +119,10 @@ Command add_engines(CLI::App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   app.add_option("globs", options->globs, "Only these engines")->type_name("GLOB");
   app.add_flag("--json", options->json, "As JSON");
+  app.add_flag(
+      "--fingerprint", options->fingerprint,
+      "What each engine does, by the marks that a dozen small scenes leave: scheme, order, gyroscopic "
+      "torque, restitution, friction, hidden limits; takes variants too (bullet/gyro=none)");
   app.add_flag("--names", options->names, "Ids alone");
   add_worker_option(app, options->workers);
   return [=, &context] { return engines(context, *options); };

@@ -9,17 +9,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace cylon::study {
 namespace {
 
 using core::Verdict;
-
-// A worker's failure in one of the runs that a relation needs.
-struct Failed {
-  process::RunOutcome outcome;
-};
 
 // At most 200 samples, a divisor of the steps where there is one, so that samples meet when time runs back.
 std::int64_t stride(std::int64_t steps) {
@@ -47,14 +41,7 @@ std::vector<Verdict> relate(const Cell& cell, const process::Limits& limits,
   const scenarios::Scenario& scenario = *cell.scenario;
   const std::int64_t steps = sampling(scenario, cell.dt).steps, every = stride(steps);
   process::RunOutcome last;
-  const Runner run = [&](const core::Scene& scene, double dt, std::int64_t count, std::int64_t each) {
-    process::RunRequest request;
-    request.scene = &scene;
-    request.setup.dt = dt, request.steps = count, request.every = each;
-    last = process::run(cell.engine, request, limits);
-    if (last.status != core::Status::pass || !last.recording) throw Failed{last};
-    return std::move(*last.recording);
-  };
+  const Runner run = worker_runner(cell.engine, limits, &last);
 
   std::vector<const Relation*> asked;
   std::vector<Verdict> rows;
@@ -75,7 +62,7 @@ std::vector<Verdict> relate(const Cell& cell, const process::Limits& limits,
   core::Recording plain;
   try {
     plain = run(scenario.scene, cell.dt, steps, every);
-  } catch (const Failed& failed) {
+  } catch (const RunFailed& failed) {
     for (Verdict& row : rows) sign(row, last.engine, last.terms, expectations), fail(row, failed.outcome);
     return rows;
   }
@@ -89,7 +76,7 @@ std::vector<Verdict> relate(const Cell& cell, const process::Limits& limits,
       rows[i].complaints = last.stderr_tail;
       rows[i].status = core::judge(rows[i].measured, rows[i].allowed);
       rows[i].first_bad_step = core::first_bad_step(plain);
-    } catch (const Failed& failed) {
+    } catch (const RunFailed& failed) {
       fail(rows[i], failed.outcome);
       rows[i].detail = "in the run that must follow: " + rows[i].detail;
     }

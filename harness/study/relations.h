@@ -2,20 +2,15 @@
 // serves every scene that a user brings.
 #pragma once
 
-#include "harness/core/recording.h"
+#include "harness/study/runner.h"
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
 namespace cylon::study {
-
-/// Runs a scene on the engine in question: `steps` steps of `dt` [s], every `every`-th kept, and the end.
-using Runner =
-    std::function<core::Recording(const core::Scene&, double dt, std::int64_t steps, std::int64_t every)>;
 
 /// The scales of a scene's motion, from the scene alone.
 struct Scales {

@@ -1,0 +1,52 @@
+// What the built-in engines do is known from their sources; the probes find it out by their motions alone.
+#include "harness/study/probes.h"
+#include "tests/conformance/fixture.h"
+
+#include <string_view>
+
+namespace cylon {
+namespace {
+
+struct Row {
+  const char* engine;
+  std::string_view probe, answer;
+};
+
+// ODE keeps friction in a box on its own two directions; btMultiBody takes the speed after the step's
+// gravity, which is the factor 400 of a published table.
+constexpr Row rows[] = {
+    {"in-house", "free fall", "second order or better"},
+    {"in-house", "gyroscopic torque", "on, to rounding"},
+    {"in-house", "restitution", "at the impact's own instant"},
+    {"in-house", "friction", "Coulomb's cone"},
+    {"in-house-float", "precision", "single"},
+    {"in-house/integrator=explicit-euler", "free fall", "explicit Euler"},
+    {"in-house/integrator=symplectic-euler", "spring", "order 1.0, energy bounded"},
+    {"in-house/integrator=velocity-verlet", "spring", "order 2.0, energy bounded"},
+    {"in-house/integrator=rk4", "spring", "order 4.0, energy decays"},
+    {"bullet", "free fall", "semi-implicit Euler"},
+    {"bullet", "gyroscopic torque", "implicit: takes energy"},
+    {"bullet", "restitution", "speed before the step's gravity"},
+    {"bullet", "friction", "Coulomb's cone"},
+    {"bullet-float", "precision", "single"},
+    {"bullet/gyro=none", "gyroscopic torque", "off"},
+    {"bullet-multibody", "gyroscopic torque", "explicit: feeds energy"},
+    {"bullet-multibody", "restitution", "speed after the step's gravity"},
+    {"ode", "free fall", "semi-implicit Euler"},
+    {"ode", "restitution", "speed before the step's gravity"},
+    {"ode", "friction", "a pyramid: depends on the direction"},
+    {"ode", "turn of a step", "exact up to 3 rad a step"},
+    {"ode-quick", "friction", "a pyramid: depends on the direction"},
+};
+
+TEST(Fingerprint, TheBuiltInEnginesAreTold) {
+  for (const Row& row : rows)
+    for (const study::Probe& probe : study::probes())
+      if (probe.name == row.probe) {
+        const study::Finding found = probe.ask(study::worker_runner(conformance::engine(row.engine), {}));
+        EXPECT_EQ(found.answer, row.answer) << row.engine << ", " << row.probe << ": " << found.evidence;
+      }
+}
+
+}  // namespace
+}  // namespace cylon
