@@ -9,6 +9,8 @@
 namespace cylon::engine::pile {
 namespace {
 
+constexpr Real spare_distance = Real(1e-6);  // of the bounding radius
+
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // The least half-width: what a body may not jump over.
@@ -29,6 +31,29 @@ Real half_width(const Shape& shape) {
     return least;
   }
   return 0;
+}
+
+// Leaves out points between two others: they hold nothing that the two do not, and where edges of faces lie
+// on each other rounding decides whether there are any.
+void leave_out_between(Manifold& manifold, Real size) {
+  const auto between = [&](const Vector3& p, const Vector3& from, const Vector3& to) {
+    const Vector3 way = to - from;
+    const Real along = way.dot(p - from);
+    return along >= 0 && along <= way.squaredNorm() && way.cross(p - from).norm() <= size * way.norm();
+  };
+  for (int k = 0; k < manifold.count;) {
+    bool spare = false;
+    for (int i = 0; i < manifold.count && !spare; ++i)
+      for (int j = i + 1; j < manifold.count && !spare; ++j)
+        spare = i != k && j != k &&
+                between(manifold.points[index(k)].position, manifold.points[index(i)].position,
+                        manifold.points[index(j)].position);
+    if (spare)
+      std::move(manifold.points.begin() + k + 1, manifold.points.begin() + manifold.count--,
+                manifold.points.begin() + k);
+    else
+      ++k;
+  }
 }
 
 Vector3 point(const Vector3& anchor, int body, const std::vector<Motion>& motions) {
@@ -84,9 +109,10 @@ void BodyContacts::touch(const std::vector<Motion>& motions, int a, int b, int p
                          const std::vector<Block>& old, std::size_t& next, std::vector<Block>& blocks) {
   const Pose pose_a = pose(motions[index(a)]);
   const Shape& shape = model_.shapes[index(a)];
-  const Manifold found =
-      b == fixed_world ? manifold(shape, pose_a, model_.planes[index(plane)], margin)
+  Manifold found = b == fixed_world
+                       ? manifold(shape, pose_a, model_.planes[index(plane)], margin)
                        : manifold(shape, pose_a, model_.shapes[index(b)], pose(motions[index(b)]), margin);
+  leave_out_between(found, spare_distance * radius_[index(a)]);
   // The old blocks are in the same order; planes come after bodies.
   const auto before = [&](const Block& x) {
     const int kind = x.b == fixed_world ? 1 : 0, mine = b == fixed_world ? 1 : 0;

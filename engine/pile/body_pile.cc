@@ -144,15 +144,15 @@ void BodyPile::carry_impulses() {
   }
 }
 
-// p += h v with the velocity that met the contacts' laws; the rotation is that of a free body, which keeps
-// |L| and bounds the energy.
+// p += h v with the velocity that met the contacts' laws; the rotation is that of a free body, exact: it
+// keeps L and the energy.
 void BodyPile::drift(Real h) {
   for (std::size_t i = 0; i < motions_.size(); ++i) {
     if (model_.bodies[i].locked) continue;
     motions_[i].position += h * movers_[i].v;
     if (movers_[i].w.isZero(0)) continue;
-    motions_[i].orientation = free_rotation(model_.bodies[i], motions_[i].orientation,
-                                            motions_[i].angular_momentum, h, Splitting::lie);
+    motions_[i].orientation =
+        free_flow(model_.bodies[i], motions_[i].orientation, motions_[i].angular_momentum, h);
   }
 }
 
@@ -180,7 +180,9 @@ void BodyPile::advance(Time now, Time span) {
   const int parts = direct ? 1 : settings_.substeps;
   if (!direct) colour();
   for (int k = 0; k < parts; ++k) advance_part(now + k * span / parts, span / parts, direct);
-  separate();
+  set_kinematics();
+  overlaps_.displace(model_.bodies, blocks_, movers_, settings_.slop * contacts_.smallest(),
+                     settings_.relaxation, direct, motions_);
   close_joints();
   set_kinematics();
 }
@@ -203,33 +205,7 @@ void BodyPile::advance_part(Time now, Time h, bool direct) {
   drift(static_cast<Real>(h));
 }
 
-// Overlap beyond the slop goes, a share each step, by moving and turning bodies without their velocities.
-void BodyPile::separate() {
-  const Real slop = settings_.slop * contacts_.smallest();
-  for (int round = 0; round < separations; ++round) {
-    bool any = false;
-    for (Block& block : blocks_) {
-      if (block.kind != Block::Kind::contact) continue;
-      const Real depth = -(block.gap + block.normal.dot(offset(block, motions_))) - slop;
-      if (depth <= 0) continue;
-      any = true;
-      weigh(block, movers_);
-      const Vector3 shift = settings_.relaxation * depth * block.mass * block.normal;
-      const auto move = [&](int body, const Vector3& arm, const Vector3& by) {
-        const Mover& m = movers_[index(body)];
-        motions_[index(body)].position += m.inverse_mass * by;
-        const Vector3 turn = m.inverse_inertia * arm.cross(by);
-        if (!turn.isZero(0))
-          motions_[index(body)].orientation = turned(motions_[index(body)].orientation, turn);
-      };
-      move(block.a, block.arm, shift);
-      if (block.b != fixed_world) move(block.b, block.to_arm, -shift);
-    }
-    if (!any) return;
-  }
-}
-
-// The drift of joints goes in the same way, all of it.
+// The drift of joints goes by moving and turning bodies without their velocities, all of it.
 void BodyPile::close_joints() {
   if (model_.joints.empty()) return;
   for (int round = 0; round < 4 * separations; ++round) {

@@ -3,6 +3,7 @@
 
 #include "engine/pile/body_contacts.h"
 #include "engine/pile/direct.h"
+#include "engine/pile/overlap.h"
 #include "engine/pile/settings.h"
 #include "engine/pile/threads.h"
 #include "engine/stepper.h"
@@ -31,7 +32,6 @@ class BodyPile : public Stepper {
   void sweep(bool warm);
   void carry_impulses();
   void drift(Real h);
-  void separate();
   void close_joints();
   void colour();
 
@@ -45,6 +45,7 @@ class BodyPile : public Stepper {
   std::vector<Block> blocks_;
   std::vector<std::vector<std::pair<std::size_t, std::size_t>>> colours_;  // runs of blocks of one pair
   Direct direct_;
+  Overlaps overlaps_;
   std::vector<Kinematics> kinematics_;
   std::vector<Load> loads_;
   std::vector<Impact> impacts_;

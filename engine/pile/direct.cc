@@ -9,7 +9,7 @@
 namespace cylon::engine::pile {
 namespace {
 
-constexpr int most_rounds = 60, most_newton_steps = 60, patience = 6;
+constexpr int most_rounds = 60, most_newton_steps = 60, patience = 6, plain_rounds = 2, most_cuts = 20;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
@@ -66,9 +66,10 @@ void Direct::set_up(std::vector<Block>& blocks, const std::vector<Body>& bodies,
                     const std::vector<Mover>& movers) {
   order(blocks, movers);
   const auto count = static_cast<Eigen::Index>(6 * bodies_.size());
-  free_.resize(count), v_.resize(count), gradient_.resize(count), trial_.resize(count), push_.resize(count);
+  free_.resize(count), v_.resize(count), gradient_.resize(count), way_.resize(count), push_.resize(count);
   masses_.assign(bodies_.size(), Eigen::Matrix<double, 6, 6>::Zero());
-  inverses_ = masses_;
+  inverses_ = loose_ = masses_;
+  centre_ = free_;
   double mass = 0;
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const Mover& m = movers[index(bodies_[k])];
@@ -83,6 +84,8 @@ void Direct::set_up(std::vector<Block>& blocks, const std::vector<Body>& bodies,
     const Mover& m = movers[index(bodies_[k])];
     masses_[k].topLeftCorner<3, 3>() =
         M3::Identity() * (m.inverse_mass > 0 ? 1 / static_cast<double>(m.inverse_mass) : 1e6 * mass);
+    loose_[k].topLeftCorner<3, 3>() = masses_[k].topLeftCorner<3, 3>().inverse();
+    loose_[k].bottomRightCorner<3, 3>() = masses_[k].bottomRightCorner<3, 3>().inverse();
   }
   std::vector<int> first(index(static_cast<int>(count)));
   for (std::size_t i = 0; i < first.size(); ++i) first[i] = static_cast<int>(i / 6 * 6);
@@ -140,15 +143,13 @@ void Direct::add_impulse(const Row& row, const V3& j, Vector& to) const {
   }
 }
 
-// f and, if asked, its slopes; returns the sum of psi.
-double Direct::forces(const Vector& v, bool slopes) {
-  double sum = 0;
+// f and, if asked, its slopes; coupled: with the limits that its own normal parts set.
+void Direct::forces(const Vector& v, bool slopes, bool coupled) {
   for (Row& row : rows_) {
     const V3 u = velocity(row, v);
     const double d = row.stiffness;
     if (row.block->kind != Block::Kind::contact) {
       row.f = row.space * (row.lambda - d * u);
-      sum += row.f.squaredNorm() / (2 * d);
       if (slopes) row.slope = d * row.space;
       continue;
     }
@@ -157,10 +158,9 @@ double Direct::forces(const Vector& v, bool slopes) {
     const double y_n = n.dot(y) + d * row.target, normal = std::max(y_n, 0.);
     const V3 y_t = y - n.dot(y) * n;
     const double length = y_t.norm();
+    if (coupled) row.limit = static_cast<double>(row.block->friction) * normal;
     const bool slips = length > row.limit;
     row.f = normal * n + (slips ? V3(row.limit / length * y_t) : y_t);
-    sum +=
-        normal * normal / (2 * d) + (slips ? row.limit * (length - row.limit / 2) : length * length / 2) / d;
     if (!slopes) continue;
     const M3 nn = n * n.transpose();
     row.slope = M3::Zero();
@@ -169,8 +169,9 @@ double Direct::forces(const Vector& v, bool slopes) {
       row.slope += d * (M3::Identity() - nn);
     else if (row.limit > 0)
       row.slope += d * row.limit / length * (M3::Identity() - nn - y_t * y_t.transpose() / (length * length));
+    if (coupled && slips && normal > 0)
+      row.slope += d * static_cast<double>(row.block->friction) / length * y_t * n.transpose();
   }
-  return sum;
 }
 
 void Direct::velocities_of_impulses() {
@@ -179,28 +180,33 @@ void Direct::velocities_of_impulses() {
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const auto at = static_cast<Eigen::Index>(6 * k);
     v_.segment<6>(at) = free_.segment<6>(at) + inverses_[k] * push_.segment<6>(at);
+    centre_.segment<6>(at) = v_.segment<6>(at) - loose_[k] * push_.segment<6>(at);
   }
 }
 
-// Newton's method with the step halved until the function falls.
+// M (V - c) - J^T f
+void Direct::fill_gradient() {
+  gradient_.setZero();
+  for (const Row& row : rows_) add_impulse(row, -row.f, gradient_);
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    const auto at = static_cast<Eigen::Index>(6 * k);
+    gradient_.segment<6>(at) += masses_[k] * (v_.segment<6>(at) - centre_.segment<6>(at));
+  }
+}
+
+// The slope of the function along `way` at v; leaves its gradient there.
+double Direct::slope_along(const Vector& way) {
+  forces(v_, false);
+  fill_gradient();
+  return way.dot(gradient_);
+}
+
+// Newton's method; the function is convex, so along the step its slope rises, and a step is cut where it has
+// passed the least value: to where the slope is a tenth of what it was.
 void Direct::minimise() {
-  const auto kinetic = [&](const Vector& v) {
-    double sum = 0;
-    for (std::size_t k = 0; k < bodies_.size(); ++k) {
-      const auto at = static_cast<Eigen::Index>(6 * k);
-      const Eigen::Matrix<double, 6, 1> dv = v.segment<6>(at) - free_.segment<6>(at);
-      sum += dv.dot(masses_[k] * dv) / 2;
-    }
-    return sum;
-  };
   for (int step = 0; step < most_newton_steps; ++step) {
-    const double value = kinetic(v_) + forces(v_, true);
-    gradient_.setZero();
-    for (const Row& row : rows_) add_impulse(row, -row.f, gradient_);
-    for (std::size_t k = 0; k < bodies_.size(); ++k) {
-      const auto at = static_cast<Eigen::Index>(6 * k);
-      gradient_.segment<6>(at) += masses_[k] * (v_.segment<6>(at) - free_.segment<6>(at));
-    }
+    forces(v_, true);
+    fill_gradient();
     matrix_.clear();
     for (std::size_t k = 0; k < bodies_.size(); ++k)
       for (int i = 0; i < 6; ++i)
@@ -224,18 +230,28 @@ void Direct::minimise() {
       add(row.a, to_a, row.b, to_b), add(row.b, to_b, row.a, to_a);
     }
     matrix_.factor();
-    matrix_.solve(gradient_);
-    double share = 1;
-    bool falls = false;
-    for (int halving = 0; halving < 30 && !falls; ++halving) {
-      if (halving > 0) share /= 2;
-      trial_ = v_ - share * gradient_;
-      falls = kinetic(trial_) + forces(trial_, false) <= value * (1 + 1e-13);
+    way_ = -gradient_;
+    matrix_.solve(way_);
+    start_ = v_;
+    const double steepest = way_.dot(gradient_);
+    v_ = start_ + way_;
+    double share = 1, low = 0, low_slope = steepest, high = 1, high_slope = slope_along(way_);
+    for (int cut = 0; cut < most_cuts && high_slope > 0 && low_slope < 0; ++cut) {
+      const double at = std::abs(share == low ? low_slope : high_slope);
+      if (at <= 0.1 * std::abs(steepest)) break;
+      // Where the slope would be zero on a straight line, but not at the ends.
+      const double guess = low - low_slope * (high - low) / (high_slope - low_slope),
+                   room = 0.1 * (high - low);
+      share = std::clamp(guess, low + room, high - room);
+      v_ = start_ + share * way_;
+      const double here = slope_along(way_);
+      if (here > 0)
+        high = share, high_slope = here;
+      else
+        low = share, low_slope = here;
     }
-    if (!falls) break;
-    v_ = trial_;
     // below this the next step would be rounding
-    if (gradient_.cwiseAbs().maxCoeff() <= 1e-10 * v_.cwiseAbs().maxCoeff() && share == 1) break;
+    if (way_.cwiseAbs().maxCoeff() <= 1e-10 * v_.cwiseAbs().maxCoeff() && share == 1) break;
   }
   forces(v_, false);
 }
@@ -281,7 +297,7 @@ bool Direct::solve(std::vector<Block>& blocks, const std::vector<Body>& bodies, 
     if (residual_ <= allowed || round == most_rounds || !(round < best_round + patience) ||
         (!helps && residual_ <= 100 * allowed))
       break;
-    minimise();
+    if (round < plain_rounds || !couple()) minimise();
     for (Row& row : rows_) {
       row.lambda = row.f;
       row.limit = static_cast<double>(row.block->friction) * std::max(row.n.dot(row.lambda), 0.);

@@ -14,10 +14,12 @@ namespace cylon::engine::pile {
 ///   V minimises (V - V*)^T M (V - V*)/2 + sum psi(y): smooth and convex, f = -d psi/d(J V);  Newton's method
 ///   lambda <- f,  V <- V* + M^-1 J^T lambda, until f = lambda: then all of Coulomb's and Signorini's laws
 ///   hold
-/// As D exceeds the masses the error falls by orders of magnitude in every round, and rows that say the same
-/// twice (four corners of a face) do no harm.  J. C. Simo, T. A. Laursen, Comput. Struct. 42 (1992) 97; the
-/// limits taken from the round before: A. Curnier.  Double in both builds: with masses of 1 : 10^6 the matrix
-/// has a condition of 10^8 and more.
+/// Where M has no inverse a heavy mass N stands in for it, and c = V - N^-1 J^T lambda for V*, so that the
+/// laws are met with M itself.  After two rounds the limits are unknowns as well (couple): of bodies that
+/// slide on two faces at once the rounds alone run away. As D exceeds the masses the error falls by orders of
+/// magnitude in every round, and rows that say the same twice (four corners of a face) do no harm.  J. C.
+/// Simo, T. A. Laursen, Comput. Struct. 42 (1992) 97; the limits taken from the round before: A. Curnier.
+/// Double in both builds: with masses of 1 : 10^6 the matrix has a condition of 10^8 and more.
 class Direct {
  public:
   /// In: V* in the movers, impulses of the step before in the blocks.  Out: V and the impulses.  False where
@@ -36,14 +38,17 @@ class Direct {
     int a, b;  // where their six velocities begin, or -1
     V3 arm, to_arm, n, lambda, best, f;
     M3 space;
-    double stiffness, limit, target;
+    double stiffness, limit, start_limit, target;
     M3 slope;  // -df/du
   };
 
   void set_up(std::vector<Block>&, const std::vector<Body>&, const std::vector<Mover>&);
   void order(const std::vector<Block>&, const std::vector<Mover>&);
   V3 velocity(const Row&, const Vector&) const;
-  double forces(const Vector& v, bool slopes);
+  void forces(const Vector& v, bool slopes, bool coupled = false);
+  void fill_gradient();  // M (V - c) - J^T f
+  double slope_along(const Vector& way);
+  bool couple();
   void add_impulse(const Row&, const V3&, Vector&) const;
   void minimise();
   void velocities_of_impulses();
@@ -51,9 +56,10 @@ class Direct {
   std::vector<int> place_;  // of each body's six velocities
   std::vector<int> bodies_;
   std::vector<Row> rows_;
-  std::vector<Eigen::Matrix<double, 6, 6>> masses_, inverses_;
+  std::vector<Eigen::Matrix<double, 6, 6>> masses_, inverses_, loose_;
   Envelope matrix_;
-  Vector free_, v_, gradient_, trial_, push_;
+  Eigen::MatrixXd dense_;
+  Vector start_, free_, centre_, v_, gradient_, way_, push_;
   double residual_ = 0;
 };
 

@@ -1,0 +1,42 @@
+#include "engine/pile/overlap.h"
+
+#include <algorithm>
+
+namespace cylon::engine::pile {
+namespace {
+
+constexpr int sweeps = 4;
+
+}  // namespace
+
+bool Overlaps::displace(const std::vector<Body>& bodies, const std::vector<Block>& blocks,
+                        const std::vector<Mover>& movers, Real slop, Real share, bool direct,
+                        std::vector<Motion>& motions) {
+  bool any = false;
+  blocks_ = blocks;
+  for (Block& block : blocks_) {
+    block.impulse.setZero();
+    if (block.kind != Block::Kind::contact) continue;
+    const Real depth = -(block.gap + block.normal.dot(offset(block, motions))) - slop;
+    any |= depth > 0;
+    block.friction = 0;
+    block.target = depth > 0 ? share * depth : depth;
+  }
+  if (!any) return false;
+  movers_ = movers;
+  for (Mover& mover : movers_) mover.v.setZero(), mover.w.setZero();
+  if (direct) {
+    direct_.solve(blocks_, bodies, movers_);
+  } else {
+    for (Block& block : blocks_) weigh(block, movers_);
+    for (int sweep = 0; sweep < sweeps; ++sweep)
+      for (Block& block : blocks_) relax(block, movers_);
+  }
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    motions[i].position += movers_[i].v;
+    if (!movers_[i].w.isZero(0)) motions[i].orientation = turned(motions[i].orientation, movers_[i].w);
+  }
+  return true;
+}
+
+}  // namespace cylon::engine::pile

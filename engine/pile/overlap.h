@@ -1,0 +1,28 @@
+// Bodies that overlap are moved apart, all pairs at once.  The velocities stay as they are.
+#pragma once
+
+#include "engine/pile/body_contacts.h"
+#include "engine/pile/direct.h"
+
+#include <vector>
+
+namespace cylon::engine::pile {
+
+/// Moves and turns the bodies by the smallest displacement, in the measure of their masses, that takes
+/// `share` of each overlap deeper than `slop` [m] away and closes no gap:
+///   d = (displacements, turns) minimises d.M d/2 subject to n.d >= share depth,  or depth where depth <= 0
+/// `direct`: solved to rounding, the same whatever the order of bodies and blocks; else by sweeps.  Joints
+/// stay closed to first order.  The common centre of mass stays; the angular momentum does not: p x K changes
+/// by d x K.  False where nothing was to be done.
+class Overlaps {
+ public:
+  bool displace(const std::vector<Body>&, const std::vector<Block>&, const std::vector<Mover>&, Real slop,
+                Real share, bool direct, std::vector<Motion>&);
+
+ private:
+  std::vector<Block> blocks_;
+  std::vector<Mover> movers_;
+  Direct direct_;
+};
+
+}  // namespace cylon::engine::pile
