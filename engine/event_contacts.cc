@@ -324,6 +324,19 @@ void EventStepper::hold_spots(Time now, const std::vector<Spot>& touching) {
   resting_ = support.exact && nothing_moves(support);
 }
 
+// Friction that grows without bound wedges what slips: it stops at once, or, where no impulse within the
+// cones stops it, does not rub for the rest of the step.
+void EventStepper::wedge() {
+  Motion* motion = Bodies::motions(y_.data());
+  touches_.clear();
+  for (const HeldPoint& h : held_) {
+    touches_.push_back(touch_of(h, motion));
+    if (h.holding.grip == Grip::slides) restless_[h.candidate] = 1;
+  }
+  ++wedged_;
+  if (!stop_slip(touches_, joint_rows(motion), system_.model().bodies, motion)) loosen();
+}
+
 // Leaves out the friction of what changes without end, else of all; false where none was left.  Without
 // friction there is always one motion, and a contact that does not rub gives no energy; a law that has no
 // solution (Painleve's, where friction presses what it brakes) or infinitely many changes of its mind is

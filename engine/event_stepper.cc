@@ -12,6 +12,9 @@ namespace {
 constexpr int event_limit = 4000;
 // Smooth pieces in one step.
 constexpr int piece_limit = 100000;
+// Pieces in a row that took no time: a slip that ends or begins is followed in some forty (each a third or
+// more of what is left); so many mean forces without bound.
+constexpr int crawl_limit = 200;
 // Where error control fails: the first fixed step, in parts of a step.
 constexpr Time least_part = 1e-9;
 // Steps of error control over a part of one that was accepted: one, as a rule.
@@ -103,7 +106,7 @@ void EventStepper::step() {
   // (go_on()).  Beyond the events nothing is watched until the end of the step; beyond the pieces what is
   // left is one fixed step.
   blind_ = false;
-  int events = 0, pieces = 0;
+  int events = 0, pieces = 0, crawled = 0;
   while (now < end && pieces < piece_limit) {
     bool event = false;
     const Time after = go_on(now, end - now, event);
@@ -111,8 +114,11 @@ void EventStepper::step() {
     if (!event) {
       ++pieces;
       idle_ = 0;
-      continue;
+      crawled = after < no_time * dt_ ? crawled + 1 : 0;
+      if (crawled < crawl_limit || held_.empty()) continue;
+      wedge();
     }
+    crawled = 0;
     ++events;
     idle_ = after > no_time * dt_ ? 0 : idle_ + 1;
     if (events == event_limit / 2) calm();
@@ -235,6 +241,10 @@ std::vector<std::string> EventStepper::remarks() const {
     result.push_back("at " + std::to_string(loosened_) +
                      " instants no force obeyed Coulomb's law, or stick and slip took turns without end: "
                      "those contacts were without friction for the rest of the step");
+  }
+  if (wedged_ > 0) {
+    result.push_back("at " + std::to_string(wedged_) +
+                     " instants friction grew without bound: the slip was stopped at once");
   }
   if (calmed_ > 0) {
     result.push_back(std::to_string(calmed_) + " steps had more than " + std::to_string(event_limit / 2) +

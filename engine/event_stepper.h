@@ -92,6 +92,7 @@ class EventStepper final : public Stepper, private Holder {
   bool nothing_moves(const Support&) const;
   bool loosen();
   void calm();
+  void wedge();
   int idle_limit() const;
   TouchPoint touch_of(const HeldPoint&, const Motion*) const;
   Support support(Time, const Real* y);
@@ -126,7 +127,7 @@ class EventStepper final : public Stepper, private Holder {
   std::vector<char> loose_;     // per candidate: without friction for the rest of this step
   std::vector<char> restless_;  // per candidate: what changed in the idle changes
   bool resting_ = false;        // nothing moves, and no force depends on time
-  long inexact_ = 0, failed_ = 0, crowded_ = 0, calmed_ = 0, loosened_ = 0;
+  long inexact_ = 0, failed_ = 0, crowded_ = 0, calmed_ = 0, loosened_ = 0, wedged_ = 0;
   std::vector<TouchPoint> touches_;
   std::vector<Holding> holdings_;
   Rows rows_;

@@ -377,6 +377,15 @@ CoulombSolution solve(const CoulombProblem& p) {
       return guessed;
     }
     scaled.start.resize(0);
+    const bool seeks = std::any_of(p.guess.begin(), p.guess.end(), [](const Hold& h) {
+      return h.grip == Grip::slides && !h.given && !h.slip.isZero(0);
+    });
+    if (seeks && try_holds(scaled, p.guess, held_force(scaled, p.guess), guessed)) {
+      guessed.exact = true;
+      guessed.force = s.cwiseProduct(guessed.force);
+      guessed.rate = p.response * guessed.force + p.offset;
+      return guessed;
+    }
   }
   CoulombSolution solution = solve_scaled(scaled);
   solution.force = s.cwiseProduct(solution.force);

@@ -26,6 +26,16 @@ Real harmless_part(const MatrixX& response, const VectorX& before, const VectorX
   return std::clamp<Real>((std::sqrt(root) - b) / (2 * a), 0, 1);
 }
 
+// Rates of all rows.  Joints keep the rate that they have (zero, but for rounding): what they must not do is
+// change.
+VectorX speeds(const Response& response, const std::vector<Body>& bodies, const Motion* motion) {
+  const std::vector<Row>& rows = response.rows();
+  VectorX speed = VectorX::Zero(static_cast<Eigen::Index>(rows.size()));
+  for (Eigen::Index i = 0; i < response.contact_rows(); ++i)
+    speed[i] = row_speed(rows[static_cast<std::size_t>(i)], bodies, motion);
+  return speed;
+}
+
 }  // namespace
 
 Real speed_rounding(const TouchPoint& touch, const std::vector<Body>& bodies, const Motion* motion) {
@@ -42,18 +52,12 @@ Real speed_rounding(const TouchPoint& touch, const std::vector<Body>& bodies, co
 }
 
 ImpactOutcome strike_at_once(std::span<const TouchPoint> touches, std::span<const Row> joints,
-                             const std::vector<Body>& bodies, Motion* motion) {
+                             const std::vector<Body>& bodies, Motion* motion, std::vector<Hold>* memory) {
   ImpactOutcome outcome;
   outcome.impulse.assign(touches.size(), Vector3::Zero());
   outcome.approach.assign(touches.size(), 0);
   const Response response(touches, joints, bodies, motion);
-  const std::size_t n = response.rows().size();
-  VectorX free(static_cast<Eigen::Index>(n));
-  for (std::size_t i = 0; i < n; ++i) {
-    free[static_cast<Eigen::Index>(i)] = row_speed(response.rows()[i], bodies, motion);
-  }
-  // Joints keep the rate that they have (zero, but for rounding): what they must not do is change.
-  free.tail(static_cast<Eigen::Index>(n) - response.contact_rows()).setZero();
+  const VectorX free = speeds(response, bodies, motion);
 
   const VectorX before = response.offset(free);
   VectorX wanted = before;
@@ -65,8 +69,10 @@ ImpactOutcome strike_at_once(std::span<const TouchPoint> touches, std::span<cons
     wanted[row] = (1 + touches[i].restitution) * before[row];
     bounces = bounces || touches[i].restitution > 0;
   }
-  const CoulombProblem problem = coulomb_problem(response, touches, wanted);
+  CoulombProblem problem = coulomb_problem(response, touches, wanted);
+  if (memory) problem.guess = *memory;
   const CoulombSolution solution = solve(problem);
+  if (memory && solution.exact) *memory = solution.hold;
   VectorX impulse = solution.force;
   outcome.exact = solution.exact;
   outcome.rounds = 1;
@@ -74,6 +80,7 @@ ImpactOutcome strike_at_once(std::span<const TouchPoint> touches, std::span<cons
   if (bounces && energy_made(response.matrix(), before, impulse) > 64 * ulp * terms) {
     CoulombProblem without = problem;
     without.offset = before;
+    without.guess.clear();
     const CoulombSolution plastic = solve(without);
     outcome.exact = outcome.exact && plastic.exact;
     const VectorX difference = impulse - plastic.force;
@@ -91,6 +98,18 @@ ImpactOutcome strike_at_once(std::span<const TouchPoint> touches, std::span<cons
   return outcome;
 }
 
+bool stop_slip(std::span<const TouchPoint> touches, std::span<const Row> joints,
+               const std::vector<Body>& bodies, Motion* motion) {
+  const Response response(touches, joints, bodies, motion);
+  const VectorX free = speeds(response, bodies, motion);
+  const CoulombProblem problem = coulomb_problem(response, touches, response.offset(free));
+  const std::vector<Hold> holds(touches.size());  // all stick
+  const VectorX impulse = held_force(problem, holds);
+  if (!obeys(problem, holds, impulse)) return false;
+  apply_impulses(response.rows(), response.multipliers(free, impulse), bodies, motion);
+  return true;
+}
+
 ImpactOutcome strike(std::span<const TouchPoint> touches, Impacts impacts, std::span<const Row> joints,
                      const std::vector<Body>& bodies, Motion* motion) {
   const auto approaches = [&](const TouchPoint& t) {
@@ -106,13 +125,15 @@ ImpactOutcome strike(std::span<const TouchPoint> touches, Impacts impacts, std::
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 
-  const auto solve_group = [&](const std::vector<std::size_t>& members, Real restitution_factor) {
+  std::vector<std::vector<Hold>> memory(pairs.size());  // how each pair was held in the round before
+  const auto solve_group = [&](const std::vector<std::size_t>& members, Real restitution_factor,
+                               std::vector<Hold>* before) {
     std::vector<TouchPoint> group;
     for (const std::size_t i : members) {
       group.push_back(touches[i]);
       group.back().restitution *= restitution_factor;
     }
-    const ImpactOutcome part = strike_at_once(group, joints, bodies, motion);
+    const ImpactOutcome part = strike_at_once(group, joints, bodies, motion, before);
     for (std::size_t g = 0; g < members.size(); ++g) {
       outcome.impulse[members[g]] += part.impulse[g];
       outcome.approach[members[g]] = std::max(outcome.approach[members[g]], part.approach[g]);
@@ -124,23 +145,23 @@ ImpactOutcome strike(std::span<const TouchPoint> touches, Impacts impacts, std::
   std::vector<std::size_t> members;
   for (int round = 0; round < most_rounds; ++round) {
     bool any = false;
-    for (const int pair : pairs) {
+    for (std::size_t p = 0; p < pairs.size(); ++p) {
       members.clear();
       bool struck = false;
       for (std::size_t i = 0; i < touches.size(); ++i) {
-        if (touches[i].pair != pair) continue;
+        if (touches[i].pair != pairs[p]) continue;
         members.push_back(i);
         struck = struck || approaches(touches[i]);
       }
       if (!struck) continue;
       any = true;
-      solve_group(members, 1);
+      solve_group(members, 1, &memory[p]);
     }
     if (!any) return outcome;
   }
   members.resize(touches.size());
   for (std::size_t i = 0; i < members.size(); ++i) members[i] = i;
-  solve_group(members, 0);
+  solve_group(members, 0, nullptr);
   return outcome;
 }
 

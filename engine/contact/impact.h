@@ -12,6 +12,7 @@
 #pragma once
 
 #include "engine/constraint.h"
+#include "engine/contact/coulomb.h"
 #include "engine/contact/touch.h"
 
 #include <span>
@@ -25,9 +26,15 @@ struct ImpactOutcome {
   bool exact = true;           ///< Every group obeys the law to rounding.
 };
 
-/// All the points at once.  `joints` keep their rates through the impact.
+/// All the points at once.  `joints` keep their rates through the impact.  `memory`: how such an impact held
+/// the points before, tried first; empty: unknown; set to how this one does.
 ImpactOutcome strike_at_once(std::span<const TouchPoint>, std::span<const Row> joints,
-                             const std::vector<Body>&, Motion*);
+                             const std::vector<Body>&, Motion*, std::vector<Hold>* memory = nullptr);
+
+/// Ends all slip of points that touch by impulses within their cones, where there are such; says whether, and
+/// else does nothing.  An impact without approach: what a wedge does in no time, its forces having no bound.
+/// B. Brogliato, Nonsmooth Mechanics (3rd ed. 2016), section 5.5 (tangential impacts).
+bool stop_slip(std::span<const TouchPoint>, std::span<const Row> joints, const std::vector<Body>&, Motion*);
 
 /// The points of one instant.  Simultaneous: all at once.  Sequential: pair by pair in the order of their
 /// numbers, again and again until nothing approaches faster than rounding; after 200 rounds over the pairs,
