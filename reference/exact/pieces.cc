@@ -15,7 +15,8 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double step = 1e-10;
-constexpr double unlike = 1e4 * step;  // a state that moves by more, as a share of its size, has jumped
+constexpr double unlike =
+    1e4 * step;  // a velocity that moves by more, as a share of those at play, has jumped
 
 // q' = (w + a t) q/2 over a time h with |w| h <= 1 and |a| h^2 <= 1: with q = sum q_n t^n,
 // (n + 1) q_(n+1) = (w q_n + a q_(n-1))/2; the terms fall at least like 2^-n/n!!.
@@ -188,6 +189,7 @@ core::Truth truth_of(std::string_view solution, const core::Scene& scene, const 
                      double horizon, std::string source) {
   Course course = solve(scene);
   const Difference size = size_of(course, horizon);
+  const Wide fast = size.velocity + gravity(scene).norm() * horizon;  // what there is to jump
   core::Truth truth;
   add(truth.error, 8 * eps, size);
   for (const double sign : {1.0, -1.0}) {
@@ -198,8 +200,7 @@ core::Truth truth_of(std::string_view solution, const core::Scene& scene, const 
         const auto same = by_pieces(course.tracks[i], other.tracks[i], horizon);
         most.raise(same ? *same : by_times(course.tracks[i], other.tracks[i], horizon));
       }
-      if (most.velocity > unlike * (size.velocity + most.velocity) ||
-          most.angular_velocity > unlike * (size.angular_velocity + most.angular_velocity)) {
+      if (most.velocity > unlike * fast) {
         refuse(solution,
                "its events are not certain: a change of 1e-10 in one number of the scene changes them");
       }

@@ -128,7 +128,10 @@ class Run {
     const Wide c = 1 + 1 / ratio_;
     for (const SlipPhase& phase : slip_phases(start, pull, c * friction_ * load_, now_)) {
       if (phase.start > end_) return;
-      if (phase.start > now_) advance(phase.start);
+      if (phase.start > now_) {
+        advance(phase.start);
+        if (phase.sign == 0) list(core::EventKind::roll, 1, now_, 0, 0);
+      }
       const Wide grip = phase.sign * friction_ * load_;
       if (phase.sign != 0) {
         go(along_ - grip * line, grip / (ratio_ * radius_) * normal_.cross(line));

@@ -38,6 +38,13 @@ struct Slope {
   }
 };
 
+core::Event stop_of(int body, Wide time) {
+  return {.kind = core::EventKind::roll,
+          .pair = {body, core::world, 0},
+          .index = 1,
+          .time = static_cast<double>(time)};
+}
+
 Course solve(const core::Scene& scene, double horizon) {
   Course course;
   for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) {
@@ -53,7 +60,10 @@ Course solve(const core::Scene& scene, double horizon) {
     s.velocity -= slope.normal.dot(s.velocity) * slope.normal;
     for (const SlipPhase& phase : slip_phases(slope.along.dot(s.velocity), slope.pull, drag, 0)) {
       if (phase.start > horizon * beyond) break;
-      if (phase.start > 0) s.position = track.at(phase.start).position;
+      if (phase.start > 0) {
+        s.position = track.at(phase.start).position;
+        if (phase.sign == 0) course.events.push_back(stop_of(i, phase.start));
+      }
       s.velocity = phase.slip * slope.along;
       track.add(phase.start, uniform_motion(s, phase.rate * slope.along, WideVector::Zero()));
     }
