@@ -106,6 +106,16 @@ struct Checker {
     array(key, node, sizes, expected, [&](const toml::node& value) { word(key, value, expected); });
   }
 
+  // A positive time in seconds, or the one word that stands for it.
+  void seconds_or(const Key& key, const toml::node& node, const char* choice) const {
+    Key positive = key;
+    positive.choices = {choice};
+    positive.range = {.low = 0, .open = true};
+    positive.unit = "s";
+    return node.is_string() ? word(positive, node)
+                            : void(number(positive, node, fmt::format("a number or \"{}\"", choice)));
+  }
+
   void value(const Key& key, const toml::node& node) const {
     switch (key.kind) {
       case Kind::text:
@@ -142,13 +152,10 @@ struct Checker {
       case Kind::steps:
         return array(key, node, {}, "an array of steps [0.001, \"1/60\"]",
                      [&](const toml::node& s) { step(key, s); });
-      case Kind::sample: {
-        Key positive = key;
-        positive.choices = {"step"};
-        positive.range = {.low = 0, .open = true};
-        positive.unit = "s";
-        return node.is_string() ? word(positive, node) : void(number(positive, node, "a number or \"step\""));
-      }
+      case Kind::sample:
+        return seconds_or(key, node, "step");
+      case Kind::until:
+        return seconds_or(key, node, "horizon");
       case Kind::table: {
         const auto* inner = node.as_table();
         if (!inner) wrong_type(key, node, "a table");

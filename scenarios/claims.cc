@@ -4,6 +4,7 @@
 #include "harness/core/measure.h"
 #include "harness/core/recording.h"
 #include "reference/exact/catalogue.h"
+#include "scenarios/certified_truth.h"
 #include "scenarios/recorded_truth.h"
 
 #include <fmt/format.h>
@@ -136,7 +137,7 @@ std::string label_of(const Table& t, const Claim& claim) {
   if (t.has("to")) label += ", to " + t.text("to");
   if (q.component != core::Component::all) label += ", " + t.text("component");
   if (t.has("about")) label += fmt::format(", about {} {} {}", q.about.x(), q.about.y(), q.about.z());
-  if (t.has("until")) label += fmt::format(", until {}", claim.until);
+  if (t.has("until")) label += fmt::format(", until {}{}", t.is_text("until") ? "horizon " : "", claim.until);
   if (claim.reduction != Reduction::max) label += ", " + t.text("measure");
   if (claim.tolerance.order) label += ", order";
   return label;
@@ -151,7 +152,8 @@ core::Tolerance read_tolerance(const Table& t, const Claim& claim) {
   const char* given = t.has("constants") ? "constants" : "constant";
   if (result.order != t.has(given) || (t.has("constant") && t.has("constants")))
     t.fail(t.has(given) ? given : "order",
-           "order = true and either constant or constants belong together: the bound is C dt^p T");
+           "order = true and constant belong together, or constants by order, one of the two: the bound is C "
+           "dt^p T");
   if (t.has("constants") && result.constants.empty())
     t.fail("constants", "constants = {}: say one for some order at least, { 1 = 4.9, 4 = 0.2 }");
   if (result.order && (t.has("absolute") || t.has("relative")))
@@ -184,6 +186,14 @@ class Truths {
       return;
     }
     claim.follows = t.text("follows");
+    if (claim.follows == certified_name) {
+      const certified::Solution& solution = certified_.at(t, draft_.scene, horizon);
+      if (!t.is_text("until")) require_whole(t, solution, horizon);
+      claim.truth = solution.truth;
+      if (claim.observable.quantity == Quantity::event)
+        claim.truth = core::with_events(claim.observable, draft_.scene, solution.truth, horizon, step_);
+      return;
+    }
     auto& known = truths_[{claim.follows, horizon}];
     if (!known) known = make(t, claim.follows, horizon);
     claim.truth = *known;
@@ -194,6 +204,11 @@ class Truths {
                                          written(q.about), q.body.value_or(-1))}];
     if (!located) located = core::with_events(q, draft_.scene, *known, horizon, step_);
     claim.truth = *located;
+  }
+
+  // until = "horizon", once the tolerance is known.
+  void cut_at_horizon(const Table& t, Claim& claim) {
+    claim.until = predictable(t, claim, draft_.scene, certified_.at(t, draft_.scene, duration_), duration_);
   }
 
  private:
@@ -209,6 +224,7 @@ class Truths {
                                       error.what(), solution.domain));
       }
     }
+    names.emplace_back(certified_name);
     t.fail("follows", fmt::format("follows = '{}' is no exact solution{}; valid: {}", name,
                                   core::did_you_mean(name, names), fmt::join(names, ", ")));
   }
@@ -222,6 +238,7 @@ class Truths {
 
   Draft& draft_;
   double duration_, step_;
+  CertifiedTruths certified_;
   std::map<std::pair<std::string, double>, std::optional<core::Truth>> truths_;
   std::map<std::tuple<std::string, double, std::string>, std::optional<core::Truth>>
       events_;  ///< By what is asked.
@@ -237,6 +254,12 @@ bool has_event(const core::Truth& truth, const Observable& q) {
 
 // The scale of a relative tolerance, and a truth that is tight enough for the tolerance.
 void weigh(const Table& t, const Table& tolerance, Claim& claim, const core::Scene& scene, double duration) {
+  if (claim.truth && claim.observable.quantity == Quantity::event &&
+      !has_event(*claim.truth, claim.observable))
+    t.fail(t.has("index") ? "index" : "event",
+           fmt::format("'{}' has no {} {} with a {} up to {} s", claim.follows, t.text("event"),
+                       claim.observable.index, core::name(claim.observable.event_quantity),
+                       std::min(claim.until, duration)));
   const double size = claim.tolerance.relative > 0 ? core::scale(claim, scene, duration) : 0;
   if (claim.tolerance.relative > 0 && !(size > 0))
     tolerance.fail(
@@ -245,11 +268,6 @@ void weigh(const Table& t, const Table& tolerance, Claim& claim, const core::Sce
             "relative = {}: the {} is zero over the whole horizon, so nothing would be allowed; use absolute",
             claim.tolerance.relative, core::name(claim.observable.quantity)));
   if (!claim.truth) return;
-  if (claim.observable.quantity == Quantity::event && !has_event(*claim.truth, claim.observable))
-    t.fail(t.has("index") ? "index" : "event",
-           fmt::format("'{}' has no {} {} with a {} up to {} s", claim.follows, t.text("event"),
-                       claim.observable.index, core::name(claim.observable.event_quantity),
-                       std::min(claim.until, duration)));
   claim.truth_error =
       core::truth_error(claim.observable, scene, *claim.truth, std::min(claim.until, duration));
   if (claim.tolerance.order || claim.reduction == Reduction::order)
@@ -268,8 +286,13 @@ Claim read_claim(const Table& t, Draft& draft, Truths& truths, double duration, 
   Claim claim;
   claim.observable = read_observable(t, draft);
   claim.reduction = reduction_of(t);
-  claim.until = t.number("until", claim.until);
-  if (t.has("until") && claim.until > duration)
+  const bool horizon = t.is_text("until");
+  if (horizon && (!t.is_text("follows") || t.text("follows") != certified_name))
+    t.fail("until", "until = \"horizon\" belongs to follows = \"certified\", which knows how errors grow");
+  refuse(t, {"until"}, horizon && claim.observable.quantity == Quantity::event,
+         "= \"horizon\" does not go with an event");
+  if (t.has("until") && !horizon) claim.until = t.number("until");
+  if (t.has("until") && !horizon && claim.until > duration)
     t.fail("until", fmt::format("until = {}, but must be in (0, {}] s, the duration", claim.until, duration));
   refuse(t, {"sample", "measure"}, claim.observable.quantity == Quantity::event, "does not go with an event");
   if (t.has("sample")) {
@@ -283,6 +306,9 @@ Claim read_claim(const Table& t, Draft& draft, Truths& truths, double duration, 
   if (t.has("follows")) truths.attach(t, claim);
   const Table tolerance = *t.table("tolerance");
   claim.tolerance = read_tolerance(tolerance, claim);
+  if (horizon && (claim.tolerance.order || claim.reduction == Reduction::order))
+    t.fail("until", "until = \"horizon\" needs a tolerance that is absolute or relative");
+  if (horizon) truths.cut_at_horizon(t, claim);
   claim.label = label_of(t, claim);
   weigh(t, tolerance, claim, draft.scene, duration);
   return claim;

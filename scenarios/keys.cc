@@ -310,13 +310,16 @@ const Spec* claim_spec() {
   static const Spec spec{
       .label = "[[claim]]",
       .keys = {
-          nested("follows", text_or_table, follows_spec, "An exact solution by name, or { file = … }."),
+          nested("follows", text_or_table, follows_spec,
+                 "An exact solution by name, \"certified\" (any smooth scene), or { file = … }."),
           word("conserves", "The observable that keeps its initial value.", words(core::Quantity::event)),
           word("observable", "What follows.", words(core::Quantity::event)),
           word("body", "Absent: all; the worst counts, momenta and energies are totals."),
           word("component", "Of a vector.", {"x", "y", "z", "horizontal"}),
           arrow("about", "m", "Of angular_momentum and apsides; absent: the origin."),
-          real("until", "s", "Horizon; absent: the duration.", positive),
+          plain("until", Kind::until,
+                "Horizon [s], or \"horizon\": as long as an error of one ulp stays below a tenth of the "
+                "tolerance, of follows = \"certified\"; absent: the duration."),
           plain("sample", Kind::sample, "Time between samples, or \"step\" for every step."),
           word("measure", "How the deviations become one number; absent: max.", words(core::Reduction::rate)),
           word("event", event_meaning(), words(core::EventKind::crossing)),

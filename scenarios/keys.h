@@ -25,6 +25,7 @@ enum class Kind {
   step,        ///< 0.001 or "1/60"
   steps,       ///< [0.001, "1/60"]
   sample,      ///< 0.1 or "step"
+  until,       ///< 4.5 or "horizon"
   table,       ///< One table of `spec`.
   tables,      ///< An array of tables of `spec`.
   text_or_table

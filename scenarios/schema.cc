@@ -69,6 +69,8 @@ Json value_schema(const Key& key) {
       return array_of(step);
     case Kind::sample:
       return {{"anyOf", {number_schema({.low = 0, .open = true}), Json{{"const", "step"}}}}};
+    case Kind::until:
+      return {{"anyOf", {number_schema({.low = 0, .open = true}), Json{{"const", "horizon"}}}}};
     case Kind::table:
       return key.spec ? table_schema(*key.spec()) : Json{{"type", "object"}};
     case Kind::tables:

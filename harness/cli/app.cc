@@ -31,6 +31,7 @@ constexpr Row commands[] = {
     {"validate", "Check scenario files without running them", add_validate},
     {"plan", "What an engine does for a scenario and what it leaves out, with reasons", add_plan},
     {"simulate", "Run one engine on one scenario and print its states as CSV", add_simulate},
+    {"truth", "Print the certified solution of a smooth scenario, with its proven error", add_truth},
     {"run", "Run scenarios on engines and judge every claim", add_run},
     {"new", "Write a commented scenario to start from", add_new},
     {"doctor", "Check that everything Cylon needs is here and works", add_doctor},
@@ -146,6 +147,9 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   CLI::App app{"Cylon: the same scenes on every physics engine, judged against exact mechanics.", "cylon"};
   app.set_version_flag("--version", "cylon " CYLON_VERSION);
+  app.add_flag_callback(
+      "--no-cache", [] { ::setenv("CYLON_CACHE", "off", 1); },
+      "Solve certified truths anew and keep none (like CYLON_CACHE=off)");
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 all as expected, 1 a verdict differs, 2 bad input, 4 nothing selected, 5 harness "

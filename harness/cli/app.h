@@ -19,6 +19,7 @@ Command add_engines(CLI::App&, const Context&);
 Command add_validate(CLI::App&, const Context&);
 Command add_plan(CLI::App&, const Context&);
 Command add_simulate(CLI::App&, const Context&);
+Command add_truth(CLI::App&, const Context&);
 Command add_run(CLI::App&, const Context&);
 Command add_new(CLI::App&, const Context&);
 Command add_doctor(CLI::App&, const Context&);

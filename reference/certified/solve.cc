@@ -61,12 +61,13 @@ double BodyBalls::radius() const {
 
 // Six digits of room for what the motion amplifies.
 Attempts::Attempts(const Goal& goal) : goal_(goal), best_(std::numeric_limits<double>::infinity()) {
-  aim(goal.radius * 1e-6);
+  constexpr int guard_bits = 64;
+  aim(std::max(goal.radius * 1e-6, std::ldexp(1.0, guard_bits - static_cast<int>(goal.most_bits))));
 }
 
 void Attempts::aim(double step_error) {
-  effort_.step_error = step_error;
   constexpr slong guard = 36, word = 64;
+  effort_.step_error = step_error;
   const slong wanted = static_cast<slong>(std::ceil(-std::log2(step_error))) + guard;
   effort_.bits = std::max<slong>(128, (wanted + word - 1) / word * word);
 }
