@@ -38,7 +38,7 @@ void load_cost(benchmark::State& state, const std::filesystem::path& file) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   for (const std::filesystem::path& file : cli::scenario_files(cli::make_context())) {
     const auto scenario = std::make_shared<scenarios::Scenario>(scenarios::load(file));
     std::set<std::string> seen;
@@ -59,4 +59,7 @@ int main(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();
   return 0;
+} catch (const core::InputError& error) {
+  fmt::print(stderr, "{}\n", error.what());
+  return 2;
 }

@@ -57,6 +57,9 @@ std::span<const Solution> catalogue() {
       Solution{"rough_ball_bounce", rough_sphere, "the same as rough_sphere"},
       Solution{"rough_sphere", rough_sphere,
                "spheres that fly, bounce, slide and roll on one plane with friction, slip along the slope"},
+      Solution{"seed_airplane", seed_airplane,
+               "bodies with a constant thrust in body axes, in gravity, turning about a principal axis or "
+               "not at all"},
       Solution{"slide_to_roll", rough_sphere, "the same as rough_sphere"},
       Solution{"sliding_block", sliding_block,
                "boxes flat on one plane that slide along the slope, stop or stay, and do not tip"},

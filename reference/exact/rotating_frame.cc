@@ -83,12 +83,21 @@ core::Truth inertial_truth(const core::Scene& inertial, double horizon) {
   refuse(name, "no solution serves the inertial scene (" + reasons + ")");
 }
 
-// The solution alone, for the bound: of nudged scenes the same solution serves.
 std::function<core::State(double)> solve(const core::Scene& scene, double horizon) {
   const Frame frame(scene);
   return [frame, truth = inertial_truth(frame.inertial(scene), horizon)](double t) {
     return frame.seen(truth.state(t), t);
   };
+}
+
+// The frame's share of the bound.  Inertia tensors stay as they are: the inertial solution has counted them,
+// and a ball that is none by 1e-8 is not in the domain of every solution.
+core::StateError error_of_frame(const core::Scene& scene, double horizon) {
+  const auto with_inertia = [&](core::Scene nudged) {
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) nudged.bodies[i].inertia = scene.bodies[i].inertia;
+    return solve(nudged, horizon);
+  };
+  return rounding_error(scene, with_inertia, horizon);
 }
 
 }  // namespace
@@ -103,8 +112,7 @@ core::Truth rotating_frame(const core::Scene& scene, double horizon) {
   check_nothing_fixed(scene);
   const Frame frame(scene);
   const core::Truth inertial = inertial_truth(frame.inertial(scene), horizon);
-  core::StateError error = rounding_error(
-      scene, [horizon](const core::Scene& s) { return solve(s, horizon); }, horizon);
+  core::StateError error = error_of_frame(scene, horizon);
   error.position += inertial.error.position;
   error.velocity += inertial.error.velocity + frame.rate() * inertial.error.position;
   error.orientation += inertial.error.orientation;

@@ -29,5 +29,6 @@ core::Truth spherical_pendulum(const core::Scene&, double horizon);
 core::Truth spring_chain(const core::Scene&, double horizon);
 core::Truth rotating_frame(const core::Scene&, double horizon);
 core::Truth water_step_force(const core::Scene&, double horizon);
+core::Truth seed_airplane(const core::Scene&, double horizon);
 
 }  // namespace cylon::exact

@@ -36,6 +36,7 @@ bool serves(const std::string& name, const std::string& word) {
   static const std::set<std::pair<std::string, std::string>> rows = {
       {"accretion", "thrust"},
       {"rotating_frame", "frame"},
+      {"seed_airplane", "thrust"},
       {"rotating_frame", "spring"},
       {"rotating_frame", "attraction"},
       {"rotating_frame", "turning"},

@@ -66,6 +66,7 @@ const Refusal refusals[] = {
      },
      "has a thrust besides"},
     {"accretion", [](S& s, B&) { first<core::Thrust>(s).exchanged_velocity.reset(); }, "no stated velocity"},
+    {"seed_airplane", [](S& s, B&) { first<core::Thrust>(s).mass_rate = -0.1; }, "changes its mass"},
     {"damped_free_top", [](S& s, B&) { first<core::Drag>(s).angular = 0.1; },
      "does not turn about a principal axis"},
     {"damped_free_top", [](S&, B& b) { b.inertia = core::Vector3(0, 1, 1).asDiagonal(); }, "is not positive"},
@@ -154,7 +155,7 @@ const Refusal refusals[] = {
     {"water_step_force", [](S&, B& b) { b.initial.position.z() = -5.1; }, "is off the water"},
     {"water_step_force",
      [](S& s, B& b) {  // thrown up to the still surface exactly
-       first<core::Water>(s) = {1, 0, 0, 10, 0, "step"};
+       first<core::Water>(s) = {1, 0, 0, 0, 0, "step"};
        first<core::UniformGravity>(s).acceleration = {0, -2, 0};
        b.mass = 1;
        b.initial.position.y() = 0, b.initial.velocity.y() = 2;

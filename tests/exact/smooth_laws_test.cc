@@ -89,7 +89,9 @@ TEST_P(SmoothLaws, flow) {
 
 INSTANTIATE_TEST_SUITE_P(all, SmoothLaws,
                          testing::Values("projectile_drag", "damped_spring", "driven_spring", "rocket",
-                                         "accretion"),
+                                         "accretion", "damped_free_top", "kepler", "physical_pendulum",
+                                         "spherical_pendulum", "spring_chain", "rotating_frame",
+                                         "seed_airplane"),
                          [](const auto& p) { return std::string(p.param); });
 
 // The water's force jumps where a cork crosses the surface, so only between crossings; a crossing that was

@@ -32,6 +32,7 @@ class SmoothScenes {
         {"spring_chain", &SmoothScenes::spring_chain},
         {"rotating_frame", &SmoothScenes::rotating_frame},
         {"water_step_force", &SmoothScenes::water_step_force},
+        {"seed_airplane", &SmoothScenes::seed_airplane},
     };
     return table;
   }
@@ -171,18 +172,23 @@ class SmoothScenes {
       b.inertia = core::Matrix3::Identity();
       if (line) {
         b.initial.position = {origin.x(), origin.y(), origin.z() + 1.1 * i + between(-0.05, 0.05)};
-        b.initial.velocity = {0, 0, between(-0.1, 0.1)};
+        b.initial.velocity = {0, 0, between(-0.05, 0.05)};
       }
       s.bodies.push_back(b);
       if (i > 0) {
-        s.forces.emplace_back(
-            core::Spring{i - 1, {0, 0, 0}, i, {0, 0, 0}, between(20, 80), line ? between(0.9, 1.2) : 0, 0});
+        s.forces.emplace_back(core::Spring{i - 1,
+                                           {0, 0, 0},
+                                           i,
+                                           {0, 0, 0},
+                                           line ? between(100, 200) : between(20, 80),
+                                           line ? between(0.95, 1.1) : 0,
+                                           0});
       }
     }
     if (line) {
-      s.forces.emplace_back(core::UniformGravity{{0, 0, 1}});
-      s.forces.emplace_back(
-          core::Spring{4, {0, 0, 0}, core::world, {origin.x(), origin.y(), 8}, between(20, 80), 1, 0});
+      s.forces.emplace_back(core::UniformGravity{{0, 0, 0.3}});
+      s.forces.emplace_back(core::Spring{
+          4, {0, 0, 0}, core::world, {origin.x(), origin.y(), origin.z() + 5.5}, between(100, 200), 1, 0});
     } else {
       s.forces.emplace_back(core::UniformGravity{vector(10)});
       s.forces.emplace_back(core::Spring{0, {0, 0, 0}, 3, {0, 0, 0}, between(20, 80), 0, 0});
@@ -209,6 +215,14 @@ class SmoothScenes {
       body.initial.velocity = {0, between(-2, 2), 0};
       body.initial.angular_velocity.setZero();
     }
+    return s;
+  }
+
+  // The second does not turn.
+  core::Scene seed_airplane() {
+    core::Scene s = balls();
+    for (int i : {0, 1}) s.forces.emplace_back(core::Thrust{i, vector(8), 0, {}, {}});
+    s.bodies[1].initial.angular_velocity.setZero();
     return s;
   }
 
