@@ -124,8 +124,8 @@ Verdict from_row(const Json& json, const std::string& place) {
   v.measured = row.real("measured");
   if (!row.at("first_bad_step").is_null()) v.first_bad_step = row.integer("first_bad_step");
   v.allowed = row.real("allowed");
-  if (json.contains("tolerance_scale")) v.tolerance_scale = row.real("tolerance_scale");
-  if (json.contains("spread") && !json["spread"].is_null()) v.spread = row.real("spread");
+  v.tolerance_scale = row.real("tolerance_scale");
+  if (!row.at("spread").is_null()) v.spread = row.real("spread");
   v.unit = row.string("unit");
   v.truth_error = row.real("truth_error");
   v.status = row.status("status");
