@@ -4,9 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cctype>
+#include <ostream>
 #include <set>
 
 namespace cylon::mutants {
+
+void PrintTo(const Subject& subject, std::ostream* out) { *out << subject.name; }
+
 namespace {
 
 std::string name_of(const testing::TestParamInfo<Subject>& info) {
