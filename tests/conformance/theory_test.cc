@@ -113,8 +113,8 @@ const Row rows[] = {
     //   velocity Verlet: cos(h') = 1 - h^2/2, h' = h (1 + h^2/24): ahead by A w^3 T dt^2/24;
     //   RK4: exp(i h) without its term (i h)^5/120: behind by A w^5 T dt^4/120;
     //   symplectic Euler: the same angle h' as Verlet, half a step beside it: A w dt/2 at most, whatever T.
-    {"spring", spring, "explicit-euler", 1, amplitude* w* w / 2, 1e5, 0.88},
-    {"spring", spring, "symplectic-euler", 1, amplitude / (9 * pi) * w* w, 1e4, 0.9},
+    {"spring", spring, "explicit-euler", 1, amplitude* w* w / 2, 2e4, 0.88},
+    {"spring", spring, "symplectic-euler", 1, amplitude / (9 * pi) * w* w, 4e3, 0.9},
     {"spring", spring, "velocity-verlet", 2, amplitude* w* w* w / 24, 1e3, 0.9},
     {"spring", spring, "rk4", 4, amplitude* std::pow(w, 5) / 120, 400, 0.9},
     // q' = w q/2: RK4 leaves out (i w dt/2)^5/120 of the half angle, so the angle is behind by w^5 T
