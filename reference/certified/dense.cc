@@ -60,7 +60,7 @@ class Recorder {
     return false;
   }
 
-  double radius() const { return std::max({proven_, 0.0}); }
+  double radius() const { return proven_; }
   // A vector has three components; a quaternion has four, is normalised, and half its angle is its distance.
   core::StateError error() const {
     const double root = std::sqrt(3.0);

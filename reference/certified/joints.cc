@@ -108,7 +108,9 @@ struct Rows {
   void add(int index) {
     const core::Joint& joint = b.scene.joints[static_cast<std::size_t>(index)];
     if (joint.type == core::JointType::distance) return distance(joint);
-    if (!holds_pin(index, joint.body) && !holds_pin(index, joint.to)) together(joint);
+    const bool pin = holds_pin(index, joint.body) || holds_pin(index, joint.to);
+    if (!pin) together(joint);
+    if (pin && joint.type == core::JointType::hinge) return;
     if (joint.type == core::JointType::hinge) hinge(joint);
     if (joint.type == core::JointType::fixed) fixed(joint);
   }

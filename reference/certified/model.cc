@@ -114,7 +114,18 @@ void pin_at_start(Builder& b, std::size_t i) {
   Motion& m = b.start[i];
   f.pivot = b.vector(b.scene.joints[static_cast<std::size_t>(f.pin)].point);
   f.arm = transposed(m.rotation) * (m.position - f.pivot);
-  f.inverse = inverse_of(about_pivot(b, f));
+  const Matrix inertia = about_pivot(b, f);
+  const core::Joint& pin = b.scene.joints[static_cast<std::size_t>(f.pin)];
+  if (pin.type == core::JointType::hinge) {
+    // About an axis a alone: w' = a (a . torque)/(a . I_p a), and so for whatever else pulls.
+    const Vector a = transposed(m.rotation) * b.vector(pin.axis);
+    const Expr moment = dot(a, inertia * a);
+    for (std::size_t r = 0; r < 3; ++r)
+      for (std::size_t c = 0; c < 3; ++c) f.inverse[r][c] = a[r] * a[c] / moment;
+    m.spin = (dot(a, m.spin) / dot(a, a)) * a;
+  } else {
+    f.inverse = inverse_of(inertia);
+  }
   place_on_pin(f, m);
 }
 
