@@ -17,6 +17,8 @@ std::span<const Solution> catalogue() {
       Solution{
           "bouncing_sphere", bouncing_sphere,
           "smooth spheres bouncing on one plane that gravity points into, too far apart sideways to meet"},
+      Solution{"box_drop_edge", box_drop_edge,
+               "a smooth box that falls on an edge parallel to the plane, up to its second contact"},
       Solution{"constant_spin", projectile, "the same as projectile"},
       Solution{"damped_free_top", damped_free_top,
                "rigid bodies, free or falling, braked in proportion to their angular momentum, any inertia, "
@@ -50,6 +52,8 @@ std::span<const Solution> catalogue() {
       Solution{"rocket", rocket,
                "bodies without spin in uniform gravity that throw out mass at a given velocity relative to "
                "themselves"},
+      Solution{"rod_offcentre_hit", rod_offcentre_hit,
+               "a smooth sphere that strikes a free box, which does not turn before, once"},
       Solution{"rolling_sphere_incline", rough_sphere, "the same as rough_sphere"},
       Solution{"rotating_frame", rotating_frame,
                "scenes in a turning frame to which nothing is fixed, where another solution serves the "

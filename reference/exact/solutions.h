@@ -7,6 +7,8 @@ namespace cylon::exact {
 
 core::Truth projectile(const core::Scene&, double horizon);
 core::Truth bouncing_sphere(const core::Scene&, double horizon);
+core::Truth box_drop_edge(const core::Scene&, double horizon);
+core::Truth rod_offcentre_hit(const core::Scene&, double horizon);
 core::Truth rough_sphere(const core::Scene&, double horizon);
 core::Truth sliding_block(const core::Scene&, double horizon);
 core::Truth sphere_row(const core::Scene&, double horizon);

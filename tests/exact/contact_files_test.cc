@@ -58,6 +58,19 @@ TEST(ContactFiles, sphere_two_walls_events) {
   expect_bounded("sphere_two_walls event time", worst, truth.error.time, file.horizon);
 }
 
+TEST(ContactFiles, slide_to_roll_event) {
+  const ReferenceFile file("slide_to_roll");
+  const core::Truth truth = make("slide_to_roll", file.scene, file.horizon);
+  ASSERT_EQ(truth.events.size(), 1u);
+  EXPECT_EQ(truth.events[0].kind, core::EventKind::roll);
+  const json& end = file.data["events"][0];
+  expect_bounded("slide_to_roll end of slip", std::abs(truth.events[0].time - number(end["t"])),
+                 truth.error.time, 1);
+  const core::BodyState s = truth.state(truth.events[0].time)[0];
+  expect_bounded("slide_to_roll position there", (s.position - vector(end["position"])).norm(),
+                 truth.error.position + s.velocity.norm() * truth.error.time, 2);
+}
+
 TEST(ContactFiles, two_sphere_head_on) {
   const json data = read("two_sphere_head_on");
   const json& p = data["params"];
@@ -179,6 +192,25 @@ TEST(ContactFiles, block_on_incline) {
     const std::string what = fmt::format("block v0 {} mu {}", number(block["v0"]), number(block["mu"]));
     expect_bounded(what + " position", position, truth.error.position, size);
     expect_bounded(what + " velocity", velocity, truth.error.velocity, speed);
+  }
+}
+
+// tan(theta) = 3/4: friction holds from 0.75 on, the bound included, where no rounding may be fatal.
+TEST(ContactFiles, block_at_the_threshold) {
+  for (const double mu : {0.7425, 0.75, 0.7575}) {
+    core::Scene scene;
+    core::Body body = ball("block", 1, 1, {0.06, 0.08, 0}, {0, 0, 0});
+    body.shape = core::Box{{0.5, 0.1, 0.5}};
+    body.initial.orientation = core::Quaternion(std::sqrt(0.9), 0, 0, -std::sqrt(0.1));
+    scene.bodies = {body};
+    scene.planes = {{"incline", {0.6, 0.8, 0}, 0}};
+    scene.materials = {{{"*", "*"}, 0, mu}};
+    scene.forces.emplace_back(core::UniformGravity{});
+    const core::Truth truth = make("block_sticks", scene, 4);
+    const double path = std::max(0.0, 9.81 * (0.6 - 0.8 * mu) * 8);
+    const core::Vector3 moved = truth.state(4)[0].position - body.initial.position;
+    expect_bounded(fmt::format("block at the threshold, mu {}", mu),
+                   (moved - path * core::Vector3(0.8, -0.6, 0)).norm(), truth.error.position, 1);
   }
 }
 
