@@ -238,9 +238,10 @@ std::vector<std::string> EventStepper::remarks() const {
   }
   if (failed_ > 0) result.push_back(std::to_string(failed_) + " pieces of motion did not keep the tolerance");
   if (loosened_ > 0) {
-    result.push_back("at " + std::to_string(loosened_) +
-                     " instants no force obeyed Coulomb's law, or stick and slip took turns without end: "
-                     "those contacts were without friction for the rest of the step");
+    result.push_back(
+        "at " + std::to_string(loosened_) +
+        " instants no bounded force obeyed Coulomb's law, or stick and slip took turns without end: "
+        "those contacts were without friction for the rest of the step");
   }
   if (wedged_ > 0) {
     result.push_back("at " + std::to_string(wedged_) +

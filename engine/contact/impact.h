@@ -31,9 +31,13 @@ struct ImpactOutcome {
 ImpactOutcome strike_at_once(std::span<const TouchPoint>, std::span<const Row> joints,
                              const std::vector<Body>&, Motion*, std::vector<Hold>* memory = nullptr);
 
-/// Ends all slip of points that touch by impulses within their cones, where there are such; says whether, and
-/// else does nothing.  An impact without approach: what a wedge does in no time, its forces having no bound.
-/// B. Brogliato, Nonsmooth Mechanics (3rd ed. 2016), section 5.5 (tangential impacts).
+/// Ends all slip of points that touch and do not approach, by impulses within their cones, where there are
+/// such; says whether, and else does nothing.  With u_n- = 0 the law above has the solution P = 0, which
+/// leaves the slip; where friction presses what it brakes (A_nn <= mu A_nt.d) no finite force goes with that
+/// slip, for the one that would keep u_n = 0 pulls or has no bound.  What is left of the law is its other
+/// solution,
+///   u+ = A P + u- = 0  with  |P_t| <= mu P_n:
+/// forces without bound in no time.  It gives no energy: P.u- + P.A P/2 = -P.A P/2.
 bool stop_slip(std::span<const TouchPoint>, std::span<const Row> joints, const std::vector<Body>&, Motion*);
 
 /// The points of one instant.  Simultaneous: all at once.  Sequential: pair by pair in the order of their
