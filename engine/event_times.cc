@@ -21,6 +21,12 @@ constexpr Real touch_ulps = wide ? 4096 : 64;
 constexpr Real change_ulps = 8192;
 // Places at which the passage sees surfaces meet and the scheme itself does not.
 constexpr int most_grazes = 8;
+// Where slip ends, what is left of it across its direction counts as none below this many ulps of its
+// speed...
+constexpr Real left_ulps = 1e4;
+// ... and this many times the slip that is turned less than it should be: going on there, in a direction that
+// is wrong, would end and begin without end.  Slip that begins there may at first go back by twice that.
+constexpr Real left_slow = 2;
 
 // Whether surfaces that are inside each other approach still.
 bool approaches(const Candidate& c, const Model& model, const Motion* motion) {
@@ -135,7 +141,7 @@ std::optional<Real> EventStepper::change_time(Time from, Real span, const Suppor
     if (t <= static_cast<Real>(no_time * dt_)) restless_[held_[i].candidate] = 1;
     if (first && t >= *first) return;
     first = t;
-    left_slip_ = what == What::slip ? Real(1e4) * ulp * speed : Real(0);
+    left_slip_ = what == What::slip ? std::max(left_ulps * ulp * speed, left_slow * slow_slip_) : Real(0);
   };
   const Real least = change_ulps * ulp * force;
   for (std::size_t i = 0; i < held_.size(); ++i) {
@@ -143,7 +149,8 @@ std::optional<Real> EventStepper::change_time(Time from, Real span, const Suppor
     look(i, What::presses, least);
     if (held_[i].holding.grip == Grip::sticks) look(i, What::reserve, 2 * least);
     if (held_[i].holding.grip == Grip::slides && rough)
-      look(i, What::slip, before.points[i].slip_speed > 0 ? 0 : rest_speed_);
+      look(i, What::slip,
+           before.points[i].slip_speed > 0 ? 0 : std::max(rest_speed_, 2 * left_slow * slow_slip_));
   }
   return first;
 }
