@@ -24,7 +24,9 @@ BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings)
       motions_(model.motions),
       movers_(model.bodies.size()),
       contacts_(model_),
-      other_forces_(!model.forces.only_gravity()) {
+      islands_(model_),
+      other_forces_(!model.forces.only_gravity()),
+      isolated_(isolated(model)) {
   set_kinematics();
 }
 
@@ -179,18 +181,28 @@ void BodyPile::advance(Time now, Time span) {
   const bool direct = static_cast<int>(blocks_.size()) <= settings_.direct_points;
   const int parts = direct ? 1 : settings_.substeps;
   if (!direct) colour();
+  if (isolated_) islands_.find(blocks_);
   for (int k = 0; k < parts; ++k) advance_part(now + k * span / parts, span / parts, direct);
+  take_overlaps_away(direct);
+}
+
+void BodyPile::take_overlaps_away(bool direct) {
   set_kinematics();
-  overlaps_.displace(model_.bodies, blocks_, movers_, settings_.slop * contacts_.smallest(),
-                     settings_.relaxation, direct, motions_);
+  if (isolated_) islands_.note(motions_), before_ = motions_;
+  const bool moved =
+      overlaps_.displace(model_.bodies, blocks_, movers_, settings_.slop * contacts_.smallest(),
+                         settings_.relaxation, direct, motions_);
   close_joints();
+  if (isolated_ && (moved || !model_.joints.empty())) islands_.restore(before_, motions_);
   set_kinematics();
 }
 
 void BodyPile::advance_part(Time now, Time h, bool direct) {
   set_kinematics();
+  if (isolated_) meet_halfway(blocks_, motions_);
   set_targets(now, static_cast<Real>(h));
   kick(now, static_cast<Real>(h));
+  if (isolated_) islands_.note(motions_);
   if (direct) {
     if (!blocks_.empty()) {
       unsolved_ |= !direct_.solve(blocks_, model_.bodies, movers_);
@@ -202,6 +214,7 @@ void BodyPile::advance_part(Time now, Time h, bool direct) {
     sweep(false);
   }
   carry_impulses();
+  if (isolated_) islands_.limit_energy(motions_), set_kinematics();
   drift(static_cast<Real>(h));
 }
 

@@ -3,6 +3,7 @@
 
 #include "engine/pile/body_contacts.h"
 #include "engine/pile/direct.h"
+#include "engine/pile/islands.h"
 #include "engine/pile/overlap.h"
 #include "engine/pile/settings.h"
 #include "engine/pile/threads.h"
@@ -32,6 +33,7 @@ class BodyPile : public Stepper {
   void sweep(bool warm);
   void carry_impulses();
   void drift(Real h);
+  void take_overlaps_away(bool direct);
   void close_joints();
   void colour();
 
@@ -46,12 +48,14 @@ class BodyPile : public Stepper {
   std::vector<std::vector<std::pair<std::size_t, std::size_t>>> colours_;  // runs of blocks of one pair
   Direct direct_;
   Overlaps overlaps_;
+  Islands islands_;
+  std::vector<Motion> before_;
   std::vector<Kinematics> kinematics_;
   std::vector<Load> loads_;
   std::vector<Impact> impacts_;
   long steps_ = 0;
   double residual_ = 0;
-  bool too_fast_ = false, unsolved_ = false, other_forces_ = false;
+  bool too_fast_ = false, unsolved_ = false, other_forces_ = false, isolated_ = false;
 };
 
 }  // namespace cylon::engine::pile

@@ -1,5 +1,7 @@
 #include "engine/pile/sphere_impact.h"
 
+#include "engine/pile/islands.h"
+
 #include <cmath>
 #include <limits>
 
@@ -13,7 +15,10 @@ Real time_of_contact(const Vector3& d, const Vector3& v, Real reach) {
   return c <= 0 ? 0 : c / (std::sqrt(root) - b);
 }
 
-bool SphereImpacts::strike(const Approaching& pair, Spheres& spheres, Time now, Time span,
+SphereImpacts::SphereImpacts(const Model& model)
+    : planes_(model.planes), gravity_(model.forces.gravity.norm()), alone_(isolated(model)) {}
+
+bool SphereImpacts::strike(const Approaching& pair, Real& since, Spheres& spheres, Time now, Time span,
                            std::vector<Impact>& impacts) const {
   using Row = Eigen::Map<Vector3>;
   const bool plane = pair.b >= spheres.count;
@@ -24,7 +29,7 @@ bool SphereImpacts::strike(const Approaching& pair, Spheres& spheres, Time now, 
   const Vector3 v = Row(va) - v_b;
   const Real ima = va[3], imb = plane ? 0 : vb[3], ka = va[7], kb = plane ? 0 : vb[7];
   Vector3 n;
-  Real t = 0;
+  Real t = 0, lever = 1;
   if (plane) {
     const Plane& ground = planes_[static_cast<std::size_t>(pair.b - spheres.count)];
     n = ground.normal;
@@ -33,11 +38,15 @@ bool SphereImpacts::strike(const Approaching& pair, Spheres& spheres, Time now, 
     t = gap > 0 ? gap / approach : 0;
   } else {
     const Vector3 d = Row(pa) - Row(spheres.p(pair.b));
-    t = time_of_contact(d, v, pa[3] + spheres.p(pair.b)[3]);
+    t = time_of_contact(d + since * v, v, pa[3] + spheres.p(pair.b)[3]);
+    if (t >= 0) t += since;
     n = d + t * v;
     const Real length = n.norm();
     if (!(length > 0)) return false;  // centres on each other: no direction to part in
     n /= length;
+    // overlapping bodies as well meet in one point between their centres
+    const Real reach = pa[3] + spheres.p(pair.b)[3];
+    if (alone_ && reach > 0) lever = length / reach;
   }
   // What gravity adds within the step may bring them together a little earlier than the straight path does;
   // not to take that for an impact would let the contact swallow their speed.
@@ -45,7 +54,7 @@ bool SphereImpacts::strike(const Approaching& pair, Spheres& spheres, Time now, 
   const bool falls = plane || (va[3] == 0) != (vb[3] == 0);
   if (!(t >= 0 && (t <= h || (falls && (t - h) * approach <= gravity_ * h * h)))) return false;
 
-  const Vector3 u = v - (Vector3(Row(va + 4)) + s_b).cross(n);
+  const Vector3 u = v - (Vector3(Row(va + 4)) + s_b).cross(lever * n);
   const Real u_n = n.dot(v);
   // slower than the rounding of the velocities is rest
   if (u_n >= -16 * std::numeric_limits<Real>::epsilon() * (Row(va).norm() + v_b.norm())) return false;
@@ -55,7 +64,7 @@ bool SphereImpacts::strike(const Approaching& pair, Spheres& spheres, Time now, 
   Vector3 tangential = -(u - u_n * n) / (inverse + ka + kb);
   const Real limit = pair.material.friction * normal, length = tangential.norm();
   if (length > limit) tangential *= limit / length;
-  const Vector3 impulse = normal * n + tangential, turn = n.cross(tangential);
+  const Vector3 impulse = normal * n + tangential, turn = lever * n.cross(tangential);
 
   Row(va) += ima * impulse, Row(va + 4) -= ka * turn;
   Row(pa) -= t * ima * impulse;
@@ -72,14 +81,17 @@ bool SphereImpacts::strike(const Approaching& pair, Spheres& spheres, Time now, 
     impact.other = spheres.id[static_cast<std::size_t>(pair.b)];
   impact.approach = -u_n, impact.separation = -pair.material.restitution * u_n;
   impacts.push_back(impact);
+  if (alone_) since = t;  // the path before it is not one that they took
   return true;
 }
 
 void SphereImpacts::resolve(const std::vector<Approaching>& pairs, Spheres& spheres, Time now, Time span,
                             std::vector<Impact>& impacts) {
+  since_.assign(pairs.size(), 0);
   for (int sweep = 0; sweep < 64; ++sweep) {
     bool any = false;
-    for (const Approaching& pair : pairs) any |= strike(pair, spheres, now, span, impacts);
+    for (std::size_t k = 0; k < pairs.size(); ++k)
+      any |= strike(pairs[k], since_[k], spheres, now, span, impacts);
     if (!any) return;
   }
 }

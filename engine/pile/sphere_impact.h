@@ -16,7 +16,7 @@ struct Approaching {
 
 class SphereImpacts {
  public:
-  explicit SphereImpacts(const Model& model) : planes_(model.planes), gravity_(model.forces.gravity.norm()) {}
+  explicit SphereImpacts(const Model&);
 
   /// Newton's restitution and Coulomb's friction at the instant of contact, for all pairs that meet within
   /// `span` of now; velocities are those before the forces of the step.
@@ -25,10 +25,12 @@ class SphereImpacts {
   void resolve(const std::vector<Approaching>&, Spheres&, Time now, Time span, std::vector<Impact>&);
 
  private:
-  bool strike(const Approaching&, Spheres&, Time now, Time span, std::vector<Impact>&) const;
+  bool strike(const Approaching&, Real& since, Spheres&, Time now, Time span, std::vector<Impact>&) const;
 
   std::vector<Plane> planes_;
   Real gravity_;  // [m/s^2]
+  bool alone_;
+  std::vector<Real> since_;  // of each pair, when in the step it last met [s]
 };
 
 /// When two spheres meet: the smaller root t >= 0 of |d + v t| = reach; negative when they do not.

@@ -1,5 +1,8 @@
 #include "engine/pile/sphere_pile.h"
 
+#include "engine/pile/islands.h"
+#include "engine/pile/sphere_alone.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,7 +24,8 @@ SpherePile::SpherePile(const Model& model, Time dt, const PileSettings& settings
       threads_(settings.threads),
       spheres_(model, blocks_of(model)),
       contacts_(model_, threads_),
-      impacts_found_(model) {
+      impacts_found_(model),
+      alone_(isolated(model)) {
   for (int i = 0; i < spheres_.count; ++i) {
     const Real r = spheres_.p(i)[3];
     if (r > 0) smallest_ = smallest_ > 0 ? std::min(smallest_, r) : r;
@@ -82,6 +86,11 @@ void SpherePile::advance(Time now, Time span) {
   const Time h = span / n;
   contacts_.find(spheres_, span, model_.forces.gravity.norm());
   impacts_found_.resolve(contacts_.approaching(), spheres_, now, span, impacts_);
+  if (alone_) {
+    advance_alone(span);
+    turn(span);
+    return;
+  }
 
   Real* const velocity = spheres_.velocity.data();
   Real* const before = spheres_.before.data();
@@ -102,6 +111,23 @@ void SpherePile::advance(Time now, Time span) {
   contacts_.sweep([&](auto& batch) { separate(batch, velocity, place, share, slop); });
   contacts_.remember();
   turn(span);
+}
+
+// Each part begins without impulses: those of the part before belong to where the bodies were, and nothing
+// rests on anything here.
+void SpherePile::advance_alone(Time span) {
+  const int n = settings_.substeps;
+  const Real h = static_cast<Real>(span / n);
+  Real* const velocity = spheres_.velocity.data();
+  Real* const place = spheres_.place.data();
+  const Lanes inverse_h = spread(1 / h);
+  for (int part = 0; part < n; ++part) {
+    for (std::size_t k = 0; k < spheres_.velocity.size(); ++k) velocity[k] += h * spheres_.kick[k];
+    contacts_.sweep([&](const auto& batch) { solve_alone(batch, velocity, place, inverse_h); });
+    drift(h, false);
+  }
+  const Lanes share = spread(settings_.relaxation), slop = spread(settings_.slop * smallest_);
+  contacts_.sweep([&](const auto& batch) { separate_alone(batch, velocity, place, share, slop); });
 }
 
 // p += h v; then, for the next part, the forces and this part's impulses again: v += v - v_before.

@@ -25,6 +25,7 @@ class SpherePile : public Stepper {
   void set_kick();
   int parts_of_step() const;
   void advance(Time now, Time span);
+  void advance_alone(Time span);
   void drift(Real h, bool again);
   void turn(Time span);
 
@@ -38,7 +39,7 @@ class SpherePile : public Stepper {
   std::vector<Impact> impacts_;
   long steps_ = 0;
   Real smallest_ = 0, largest_ = 0;  // radius
-  bool too_fast_ = false;
+  bool too_fast_ = false, alone_ = false;
 };
 
 }  // namespace cylon::engine::pile

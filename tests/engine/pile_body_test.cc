@@ -112,9 +112,9 @@ TEST(PileBody, CollisionsKeepBothMomenta) {
     const auto end = after(*make_pile(model, 1. / 240), 480);
     EXPECT_GT((end[0].momentum - model.motions[0].momentum).norm(), Real(0.5));
     EXPECT_LT((momentum(end) - momentum(model.motions)).norm(), 1000 * eps);
-    EXPECT_LT(mechanical_energy(model, end), mechanical_energy(model, model.motions) * (1 + 1e-2));
-    // Overlap taken away by moving bodies turns p x K a little: at most its depth times the momentum.
-    EXPECT_LT((angular_momentum(end) - angular_momentum(model.motions)).norm(), Real(1e-3));
+    EXPECT_LE(mechanical_energy(model, end),
+              mechanical_energy(model, model.motions) * (1 + 1000 * static_cast<double>(eps)));
+    EXPECT_LT((angular_momentum(end) - angular_momentum(model.motions)).norm(), 1000 * eps);
   }
 }
 
