@@ -13,26 +13,6 @@ constexpr Real spare_distance = Real(1e-6);  // of the bounding radius
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-// The least half-width: what a body may not jump over.
-Real half_width(const Shape& shape) {
-  if (const auto* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;
-  if (const auto* box = std::get_if<Box>(&shape)) return box->half_extents.minCoeff();
-  if (const auto* capsule = std::get_if<Capsule>(&shape)) return capsule->radius;
-  if (const auto* hull = std::get_if<Hull>(&shape)) {
-    Real least = std::numeric_limits<Real>::max();
-    for (const auto& face : hull->faces) {
-      const Vector3 &p = hull->vertices[index(face[0])], &q = hull->vertices[index(face[1])],
-                    &r = hull->vertices[index(face[2])];
-      const Vector3 n = (q - p).cross(r - p).normalized();
-      Real depth = 0;
-      for (const Vector3& v : hull->vertices) depth = std::max(depth, n.dot(p - v));
-      least = std::min(least, depth / 2);
-    }
-    return least;
-  }
-  return 0;
-}
-
 // Leaves out points between two others: they hold nothing that the two do not, and where edges of faces lie
 // on each other rounding decides whether there are any.
 void leave_out_between(Manifold& manifold, Real size) {
@@ -62,6 +42,25 @@ Vector3 point(const Vector3& anchor, int body, const std::vector<Motion>& motion
 }
 
 }  // namespace
+
+Real half_width(const Shape& shape) {
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;
+  if (const auto* box = std::get_if<Box>(&shape)) return box->half_extents.minCoeff();
+  if (const auto* capsule = std::get_if<Capsule>(&shape)) return capsule->radius;
+  if (const auto* hull = std::get_if<Hull>(&shape)) {
+    Real least = std::numeric_limits<Real>::max();
+    for (const auto& face : hull->faces) {
+      const Vector3 &p = hull->vertices[index(face[0])], &q = hull->vertices[index(face[1])],
+                    &r = hull->vertices[index(face[2])];
+      const Vector3 n = (q - p).cross(r - p).normalized();
+      Real depth = 0;
+      for (const Vector3& v : hull->vertices) depth = std::max(depth, n.dot(p - v));
+      least = std::min(least, depth / 2);
+    }
+    return least;
+  }
+  return 0;
+}
 
 BodyContacts::BodyContacts(const Model& model) : model_(model) {
   for (const Shape& shape : model.shapes) {

@@ -4,6 +4,7 @@
 #include "harness/core/input_error.h"
 #include "harness/core/simulator.h"
 #include "reference/simulators/in_house_model.h"
+#include "reference/simulators/in_house_overlap.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -128,7 +129,7 @@ class InHouse final : public core::Simulator {
     const InHouseModel converted = in_house_model(scene);
     if (converted.missing) return converted.missing;
     const std::string reason = engine::unsupported(converted.model, options);
-    return reason.empty() ? std::nullopt : Reason(reason);
+    return reason.empty() ? deep_overlap(scene, converted.model) : Reason(reason);
   }
 
   core::Terms load(const core::Scene& scene, const core::Setup& setup) override {
