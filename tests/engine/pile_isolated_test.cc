@@ -184,12 +184,13 @@ TEST(PileIsolated, OverlapsAreTakenAwayWithoutAngularMomentum) {
     }
     const auto end = after(*make_pile(model, 1. / 240), 24);
     EXPECT_GT((end[1].position - end[0].position).y(), to.y() + Real(0.01)) << balls;  // moved apart
-    EXPECT_LT((momentum(end) - momentum(model.motions)).norm(), 64 * eps) << balls;
+    const Real rounding = 10 * std::sqrt(Real(240)) * eps;  // 24 steps, as above, of numbers of 1
+    EXPECT_LT((momentum(end) - momentum(model.motions)).norm(), rounding) << balls;
     const Real change = (angular_momentum(end) - angular_momentum(model.motions)).norm();
     if (locked)
       EXPECT_GT(change, Real(1e-3)) << balls;
     else
-      EXPECT_LT(change, 64 * eps) << balls;
+      EXPECT_LT(change, rounding) << balls;
   }
 }
 
