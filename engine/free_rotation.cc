@@ -160,8 +160,12 @@ Quaternion asymmetric_free_flow(const Body& body, const Quaternion& orientation,
   // series fall as reach^n; each row keeps what is above 1e-17.
   const double spread = x.maxCoeff() - x.minCoeff();
   const double reach = std::abs(h) * l.norm() * spread * (2 / 3.14159265358979323846);
-  // Less than the rounding of 1; and powers of what is smaller by far would underflow.
-  if (reach < 1e-17) return turned(orientation, h * body.inverse_moments[1] * angular_momentum);
+  if (reach == 0) return turned(orientation, h * body.inverse_moments[1] * angular_momentum);
+  // To first order where the next one is below rounding: powers of what is smaller by far would underflow.
+  if (reach < 1e-17) {
+    const Vector turn = start * (axes * x.cwiseProduct(l));
+    return turned(orientation, (h * turn).cast<Real>());
+  }
   Rotation turn;
   if (reach < 1.4e-3)
     turn = short_turn<5, 4>(x, l, h);
