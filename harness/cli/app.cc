@@ -33,6 +33,7 @@ constexpr Row commands[] = {
     {"simulate", "Run one engine on one scenario and print its states as CSV", add_simulate},
     {"truth", "Print the certified solution of a smooth scenario, with its proven error", add_truth},
     {"run", "Run scenarios on engines and judge every claim", add_run},
+    {"selfcheck", "Published numbers of other suites beside what the same scenes give here", add_selfcheck},
     {"new", "Write a commented scenario to start from", add_new},
     {"doctor", "Check that everything Cylon needs is here and works", add_doctor},
     {"completion", "Print the completion script of a shell", add_completion},

@@ -48,7 +48,7 @@ std::vector<Verdict> relate(const Cell& cell, const process::Limits& limits,
   for (const Relation& relation : relations()) {
     if (relation.undefined_in(scenario.scene)) continue;
     asked.push_back(&relation);
-    Verdict row = open_row(cell, fmt::format("relation: {}", relation.name), expectations);
+    Verdict row = open_row(cell, fmt::format("relation {}", relation.name), expectations);
     row.observable = "state", row.unit = "1";
     row.sampling = every == 1 ? "every step" : fmt::format("every {} steps", every);
     row.allowed = relation.exact ? 0 : 1e-3;

@@ -2,6 +2,8 @@
 #include "harness/study/probes.h"
 #include "tests/conformance/fixture.h"
 
+#include <gtest/gtest.h>
+
 #include <string_view>
 
 namespace cylon {

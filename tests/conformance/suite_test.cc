@@ -4,6 +4,7 @@
 
 #include "harness/cli/published.h"
 #include "harness/study/matrix.h"
+#include "harness/study/relations.h"
 #include "reports/json.h"
 
 #include <fmt/format.h>
@@ -101,11 +102,29 @@ TEST_F(Conformance, EveryExpectationDecidesSomething) {
   }
   for (const std::string& name : scenarios) {
     const scenarios::Scenario scenario = shipped(name);
+    std::vector<std::string> claims;
+    for (const core::Claim& claim : scenario.claims) claims.push_back(claim.label);
+    for (const study::Relation& relation : study::relations())
+      claims.push_back(fmt::format("relation {}", relation.name));
     for (const std::string& id : engines)
-      for (const core::Claim& claim : scenario.claims)
-        decided.insert(expectations_.find(name, id, engine(id).integrator, scenario.step, claim.label).place);
+      for (const std::string& claim : claims)
+        decided.insert(expectations_.find(name, id, engine(id).integrator, scenario.step, claim).place);
   }
   for (const std::string& row : expectations_.unused(decided)) ADD_FAILURE() << row;
+}
+
+TEST_F(Conformance, EveryRelationOfMechanicsIsKeptAsExpected) {
+  Cells related = cells_of(suite("conformance"));
+  for (study::Cell& cell : related.cells) cell.exam = study::Exam::relations;
+  const auto rows = run(related, 2, expectations_);
+  int in_house = 0;
+  for (const Verdict& row : rows) {
+    EXPECT_TRUE(row.as_expected()) << place(row);
+    if (row.engine != "in-house") continue;
+    EXPECT_EQ(row.status, core::Status::pass) << place(row);
+    ++in_house;
+  }
+  EXPECT_GT(in_house, 60) << "eight scenes, a dozen relations less those that say nothing of them";
 }
 
 TEST_F(Conformance, RowsAreTheSameForAnyNumberOfWorkersAndAgain) {

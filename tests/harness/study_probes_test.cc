@@ -63,7 +63,8 @@ class Small {
     s.position += h * (is_.scheme == Traits::explicit_euler ? v0 : s.velocity);
     if (is_.scheme == Traits::verlet) s.velocity += h / 2 * acceleration(scene, s.position);
     turn(scene.bodies[0], s, h);
-    if (is_.single) s.position = s.position.cast<float>().cast<double>();
+    if (is_.single)  // one by one: Eigen's two casts in a row may be taken for none
+      for (double& x : s.position) x = static_cast<double>(static_cast<float>(x));
   }
 
   void touch(const Scene& scene, BodyState& s, const Vector3& v0, double h) const {
