@@ -38,8 +38,9 @@ core::Scene tumblers() {
 // A chain: a hinge to the world, a ball, and a rod of fixed length.
 core::Scene chain() {
   core::Scene scene;
-  scene.bodies = {body("a", {0.4, 0, 0.1}, {}), body("b", {1.2, -0.1, 0.1}, {}),
-                  body("c", {1.9, 0.4, 0.3}, {})};
+  const core::Vector3 still = core::Vector3::Zero();  // {} would be a vector of no set numbers
+  scene.bodies = {body("a", {0.4, 0, 0.1}, still), body("b", {1.2, -0.1, 0.1}, still),
+                  body("c", {1.9, 0.4, 0.3}, still)};
   scene.forces.emplace_back(core::UniformGravity{});
   scene.joints.push_back({core::JointType::hinge, 0, core::world, {0, 0, 0}, core::Vector3(0, 0.6, 0.8)});
   scene.joints.push_back({core::JointType::ball, 1, 0, {0.8, 0.1, 0}});
