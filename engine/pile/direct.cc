@@ -250,8 +250,9 @@ void Direct::minimise() {
       else
         low = share, low_slope = here;
     }
-    // below this the next step would be rounding
-    if (way_.cwiseAbs().maxCoeff() <= 1e-10 * v_.cwiseAbs().maxCoeff() && share == 1) break;
+    // below this the next step would be rounding; of bodies at rest that is what their impulses leave
+    if (way_.cwiseAbs().maxCoeff() <= std::max(1e-10 * v_.cwiseAbs().maxCoeff(), rounding_) && share == 1)
+      break;
   }
   forces(v_, false);
 }
@@ -272,6 +273,7 @@ bool Direct::solve(std::vector<Block>& blocks, const std::vector<Body>& bodies, 
       const Eigen::Matrix<double, 6, 1> size = inverses_[k].cwiseAbs() * push_.segment<6>(at).cwiseAbs();
       fastest = std::max(fastest, size.maxCoeff());
     }
+    rounding_ = epsilon * fastest;
     allowed =
         256 * std::max(epsilon, static_cast<double>(std::numeric_limits<Real>::epsilon()) / 64) * fastest;
     residual_ = 0;

@@ -61,6 +61,7 @@ class Direct {
   Eigen::MatrixXd dense_;
   Vector start_, free_, centre_, v_, gradient_, way_, push_;
   double residual_ = 0;
+  double rounding_ = 0;  // of a velocity that impulses give [m/s]
 };
 
 }  // namespace cylon::engine::pile
