@@ -71,12 +71,21 @@ def published(cylon):
     return "```\n" + table.rstrip() + "\n```"
 
 
+def fingerprint(cylon):
+    """Answers only: the numbers that they rest on stand beside them in the program's own words."""
+    engines = json.loads(output(cylon, "engines", "--fingerprint", "--json", "in-house", "bullet", "bullet-multibody", "ode"))
+    lines = ["| | " + " | ".join(e["id"] for e in engines) + " |", "|---" * (len(engines) + 1) + "|"]
+    for i, finding in enumerate(engines[0]["findings"]):
+        lines.append(f"| {finding['probe']} | " + " | ".join(e["findings"][i]["answer"] for e in engines) + " |")
+    return "\n".join(lines)
+
+
 def commands(cylon):
     text = output(cylon, "--help")
     return "```\n" + text[text.index("Subcommands:"):].rstrip() + "\n```"
 
 
-BLOCKS = {"matrix": matrix, "scenarios": scenarios, "published": published, "commands": commands}
+BLOCKS = {"matrix": matrix, "scenarios": scenarios, "published": published, "fingerprint": fingerprint, "commands": commands}
 
 
 def main():
