@@ -63,8 +63,11 @@ class Small {
     s.position += h * (is_.scheme == Traits::explicit_euler ? v0 : s.velocity);
     if (is_.scheme == Traits::verlet) s.velocity += h / 2 * acceleration(scene, s.position);
     turn(scene.bodies[0], s, h);
-    if (is_.single)  // one by one: Eigen's two casts in a row may be taken for none
-      for (double& x : s.position) x = static_cast<double>(static_cast<float>(x));
+    if (is_.single)  // volatile: gcc 12 -O3 takes two casts in a row for none in all places but one
+      for (double& x : s.position) {
+        volatile float rounded = static_cast<float>(x);
+        x = static_cast<double>(rounded);
+      }
   }
 
   void touch(const Scene& scene, BodyState& s, const Vector3& v0, double h) const {
