@@ -258,7 +258,10 @@ TEST(BallisticContact, BouncesOnASlopeEndInSliding) {
   EXPECT_LE((velocity_of(model, end, 0) - (v0 - n.dot(v0) * n + 2 * level)).norm(), 10 * rounding);
   EXPECT_NEAR(n.dot(end.motions[0].position), 1, 10 * rounding);
   EXPECT_LT(end.impacts.back().time, 1);
-  EXPECT_GT(end.impacts.size(), 20u);
+  // Each bounce halves the speed along n.  Below the rounding of the velocity, whose other parts grow to some
+  // 9 m/s, there is none to see: after 50 bounces in double, which ends them earlier, and 20 in float.
+  const Real seen = std::log2(end.impacts.front().approach / (ulp * velocity_of(model, end, 0).norm()));
+  EXPECT_GT(static_cast<Real>(end.impacts.size()), std::min(Real(20), seen - 4));
 }
 
 struct Limit {
@@ -282,7 +285,8 @@ TEST(BallisticContact, HandsOverWhatItCannotExpress) {
     add_plane(model, {0, 1, 0}, 0);
     add_sphere(model, 1, Real(0.5), {0, Real(0.5), 0}, Vector3::Zero());
     add_sphere(model, 1, Real(0.5), {0, Real(1.75), 0}, Vector3::Zero());
-    limits.push_back({"stack", "hit without end", model});
+    // In float the bounces are over, for 2^-24 of a speed is no speed, before they count as endless.
+    limits.push_back({"stack", sizeof(Real) == 8 ? "hit without end" : "stay pressed together", model});
   }
   {
     Model model = spheres_of({Real(0.5), 0}, down);  // the same, at rest from the beginning
