@@ -15,7 +15,7 @@ namespace cylon::study {
 /// The scales of a scene's motion, from the scene alone.
 struct Scales {
   bool impacts = false;         ///< Bodies may touch: velocities jump.
-  double length = 0;            ///< Extent, sizes, rest lengths, and what the first speed covers [m].
+  double length = 0;            ///< Extent, sizes, rest lengths; else what speed and gravity cover [m].
   double speed = 0;             ///< The first speeds, and those that forces give over `length` [m/s].
   double angular_velocity = 0;  ///< The first ones, and speed/length [rad/s].
 };
