@@ -82,6 +82,20 @@ std::string conditioning_table(const Certificate& found) {
   return text;
 }
 
+std::string impact_lines(const core::Scene& scene, const std::string& name, const Certificate& found,
+                         int digits) {
+  std::string text;
+  for (const certified::ImpactBall& impact : found.impacts) {
+    const auto& [body, other, plane] = impact.pair;
+    fmt::format_to(std::back_inserter(text), "{}: {} strikes {} at {} s, radius {:.2g}\n", name,
+                   scene.bodies[static_cast<std::size_t>(body)].name,
+                   plane >= 0 ? scene.planes[static_cast<std::size_t>(plane)].name
+                              : scene.bodies[static_cast<std::size_t>(other)].name,
+                   impact.time.text(digits), impact.time.radius());
+  }
+  return text;
+}
+
 std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
@@ -109,10 +123,12 @@ std::string json(const core::Scene& scene, const std::string& name, const Option
   double worst = 0;
   for (const certified::Sampled& sample : found.samples) worst = std::max(worst, sample.conditioning);
   fmt::format_to(to, "\"rigorous\": {{\"max_radius\": \"{:.3g}\"}},\n", 1.01 * found.radius);
-  fmt::format_to(to,
-                 "\"conditioning\": {{\"amplification_max_over_horizon\": \"{:.6g}\", "
-                 "\"amplification_end\": \"{:.6g}\"}},\n\"bodies\": [",
-                 worst, found.samples.back().conditioning);
+  if (found.impacts.empty())
+    fmt::format_to(to,
+                   "\"conditioning\": {{\"amplification_max_over_horizon\": \"{:.6g}\", "
+                   "\"amplification_end\": \"{:.6g}\"}},\n",
+                   worst, found.samples.back().conditioning);
+  text += "\"bodies\": [";
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
     fmt::format_to(to, "{}{{\"id\": {}}}", b ? ", " : "", quoted(scene.bodies[b].name));
   text += "],\n\"t\": [";
@@ -147,11 +163,17 @@ int truth(const Context& context, const Options& options) {
   } catch (const core::OutOfDomain& error) {
     throw core::InputError(fmt::format("{}: {}", scenario.name, error.what()));
   }
+  if (options.conditioning && !found.impacts.empty())
+    throw core::InputError(
+        fmt::format("{}: --conditioning: a blow at {:.6g} s, and how errors grow is not "
+                    "followed across blows",
+                    scenario.name, found.impacts.front().time.middle()));
   if (options.conditioning)
     std::cout << conditioning_table(found);
   else if (options.out.empty())
     std::cout << plain(table(scenario.scene, found, options.digits));
   if (!options.out.empty()) write_whole(options.out, json(scenario.scene, scenario.name, options, found));
+  std::cerr << impact_lines(scenario.scene, scenario.name, found, options.digits);
   std::cerr << fmt::format("{}: radius {:.2g} proven, {} bits, {} steps\n", scenario.name, found.radius,
                            found.bits, found.steps);
   if (found.reached) return ok;
@@ -163,7 +185,8 @@ int truth(const Context& context, const Options& options) {
 
 Command add_truth(CLI::App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
-  app.add_option("file", options->file, "Scenario file, or the name of a shipped scenario; smooth ones only")
+  app.add_option("file", options->file,
+                 "Scenario file, or the name of a shipped scenario; smooth, or with blows of spheres")
       ->type_name("FILE")
       ->required();
   auto* at = app.add_option("--at", options->at, "Times to print [s], separated by commas: 0,0.5,1")

@@ -46,7 +46,14 @@ struct Builder {
 Matrix rotation(const std::array<Expr, 4>& q);
 
 /// Throws core::OutOfDomain for what no equation here describes.
-void check_domain(const core::Scene&, double horizon);
+void check_domain(const core::Scene&, double horizon, Blows);
+
+/// "body 'a' and plane 'b'"
+std::string names_of(const core::Scene&, const core::Pair&);
+
+/// The pairs that may touch; their nodes are of these motions.  Throws core::OutOfDomain for friction, other
+/// shapes than spheres and planes, joints, and what depends on time.
+void add_contacts(const Builder&, const std::vector<Motion>&, std::vector<Contact>&);
 
 /// Adds every force of the scene to the motions.
 void add_forces(const Builder&, std::vector<Motion>&);

@@ -19,11 +19,8 @@ void check_contacts(const core::Scene& scene) {
     return true;
   });
   if (!touches) return;
-  const std::string other = found.plane >= 0
-                                ? "plane '" + scene.planes[static_cast<std::size_t>(found.plane)].name + "'"
-                                : name_of(scene, found.other);
-  refuse(fmt::format("{} and {} may touch, and a blow is not smooth (collide = false rules it out)",
-                     name_of(scene, found.body), other));
+  refuse(fmt::format("{} may touch, and a blow is not smooth (collide = false rules it out)",
+                     names_of(scene, found)));
 }
 
 void check_thrust(const core::Scene& scene, const core::Thrust& thrust) {
@@ -47,12 +44,19 @@ void check_masses(const core::Scene& scene, double horizon) {
 
 }  // namespace
 
+std::string names_of(const core::Scene& scene, const core::Pair& pair) {
+  const std::string other = pair.plane >= 0
+                                ? "plane '" + scene.planes[static_cast<std::size_t>(pair.plane)].name + "'"
+                                : name_of(scene, pair.other);
+  return fmt::format("{} and {}", name_of(scene, pair.body), other);
+}
+
 void refuse(const std::string& condition) { throw core::OutOfDomain("certified: " + condition); }
 
-void check_domain(const core::Scene& scene, double horizon) {
+void check_domain(const core::Scene& scene, double horizon, Blows blows) {
   if (!(horizon > 0) || !std::isfinite(horizon)) refuse("the horizon must be positive and finite");
   if (scene.bodies.empty()) refuse("there is no body");
-  check_contacts(scene);
+  if (blows == Blows::refused) check_contacts(scene);
   check_masses(scene, horizon);
   const bool turning = scene.frame && !scene.frame->angular_velocity.isZero(0);
   for (const core::Force& force : scene.forces) {

@@ -40,7 +40,8 @@ class Flow {
     double time = 0;
     while (time < end_) {
       const double h = step(time);
-      if (!show({time, h, &centre_, &tails_, &variation_, &set_, &path_, effort_.remainder})) return;
+      if (!show({time, h, &centre_, &tails_, &variation_, &set_, &path_, effort_.remainder, effort_.offset}))
+        return;
       time += h;
       if (time < end_) advance(time - h, h);
     }
@@ -153,6 +154,18 @@ Ball Step::at(int node, double t) const {
   for (Index d = 0; d < set->radii.size(); ++d)
     spread =
         above(spread + variation->tangent(node, static_cast<int>(d), t - start).largest() * set->radii[d]);
+  result.widen(spread);
+  return result;
+}
+
+Ball Step::within(int node, const Ball& since) const {
+  Ball result = centre->at(node, since);
+  if (tails->graph()[static_cast<std::size_t>(node)].kind == Kind::fixed) return result;
+  if (remainder) result.widen(tails->rest(node));
+  const double last = std::min(length, since.largest());
+  double spread = 0;
+  for (Index d = 0; d < set->radii.size(); ++d)
+    spread = above(spread + variation->largest(node, static_cast<int>(d), last) * set->radii[d]);
   result.widen(spread);
   return result;
 }

@@ -19,6 +19,7 @@ struct Effort {
   slong bits = 128;
   bool remainder =
       true;  ///< false leaves out what the polynomials leave out: nothing is proven then (for tests).
+  double offset = 0;  ///< When time 0 was, to rounding, for messages [s].
 };
 
 /// The solution cannot be continued: the right-hand side has a pole, or bounds exceed double.
@@ -37,9 +38,12 @@ class Step {
   const Enclosure* set = nullptr;         ///< At the start.
   const Eigen::MatrixXd* path = nullptr;  ///< d state(start)/d state(0), to rounding.
   bool remainder = true;
+  double offset = 0;  ///< As in Effort.
 
   /// The node's value at time t in [start, start + length], enclosed for every start of the set.
   Ball at(int node, double t) const;
+  /// The same for all times `since` after the start, within [0, length].
+  Ball within(int node, const Ball& since) const;
   /// Radius of at() beyond the centre's rounding, for all t of the step.
   double radius(int node) const;
   /// d node(t)/d state(0): one number per state variable, to rounding.

@@ -225,9 +225,9 @@ Matrix rotation(const std::array<Expr, 4>& q) {
           Vector{2 * (xz - wy), 2 * (yz + wx), one - 2 * (xx + yy)}};
 }
 
-Model make_model(const Scene& scene, double horizon, slong bits, const Numbers& numbers) {
-  check_domain(scene, horizon);
-  Model model{Graph(bits), {}, {}};
+Model make_model(const Scene& scene, double horizon, slong bits, const Numbers& numbers, Blows blows) {
+  check_domain(scene, horizon, blows);
+  Model model{Graph(bits), {}, {}, {}};
   Builder b{scene, model.graph, numbers, {}, {}};
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     freeze(b, i);
@@ -254,6 +254,7 @@ Model make_model(const Scene& scene, double horizon, slong bits, const Numbers& 
     model.bodies.push_back(
         {nodes(m.position), nodes(m.velocity), nodes(m.orientation), nodes(m.rotation * m.spin)});
   }
+  if (blows == Blows::described) add_contacts(b, motions, model.contacts);
   return model;
 }
 

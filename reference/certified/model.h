@@ -7,6 +7,7 @@
 #include "reference/certified/graph.h"
 
 #include <functional>
+#include <string>
 
 namespace cylon::certified {
 
@@ -21,10 +22,24 @@ struct BodyNodes {
   std::array<int, 3> angular_velocity;
 };
 
+/// A pair that may touch.
+struct Contact {
+  core::Pair pair;
+  std::string names;  ///< Of the pair, for messages.
+  int gap = -1;       ///< Positive where they are apart: [m], of two spheres the squares' difference [m^2].
+  int rate = -1;      ///< d gap/dt.
+  std::vector<std::array<int, 2>>
+      after;  ///< State variables that a blow changes: index, node of the new value.
+};
+
+/// Whether blows between smooth arcs are described (Model::contacts) or refused.
+enum class Blows { refused, described };
+
 struct Model {
   Graph graph;
   std::vector<Ball> initial;      ///< One per state variable.
   std::vector<BodyNodes> bodies;  ///< In the order of the scene.
+  std::vector<Contact> contacts;
 };
 
 /// Newton's and Euler's equations of a scene: p' = v, m v' = F, q' = q w/2, I w' = torque - w x I w with w in
@@ -32,8 +47,10 @@ struct Model {
 /// state for it.  Quaternions are normalised.  A distance joint keeps the distance that the initial positions
 /// have, hinges and balls keep their points in both bodies, and initial velocities lose what a joint forbids
 /// (at most what the loader lets pass), by the least change in kinetic energy's norm. Throws
-/// core::OutOfDomain for scenes that are not smooth: contacts, water; for joints whose equations depend on
+/// core::OutOfDomain for scenes that are not smooth: contacts (with Blows::described only those that are not
+/// frictionless, between spheres without joints and planes), water; for joints whose equations depend on
 /// each other; for a mass that vanishes before `horizon` [s].
-Model make_model(const core::Scene&, double horizon, slong bits, const Numbers& = exactly);
+Model make_model(const core::Scene&, double horizon, slong bits, const Numbers& = exactly,
+                 Blows = Blows::refused);
 
 }  // namespace cylon::certified

@@ -20,7 +20,8 @@ struct BodyBalls {
 struct Sampled {
   double time = 0;                ///< [s]
   std::vector<BodyBalls> bodies;  ///< In the order of the scene.
-  double conditioning = 0;  ///< ||d state(t)/d state(0)|| in the maximum norm, mixed SI units, to rounding.
+  double conditioning = 0;  ///< ||d state(t)/d state(0)|| in the maximum norm, mixed SI units, to rounding;
+                            ///< NaN after a blow, across which it is not followed.
 };
 
 struct Goal {
@@ -28,18 +29,26 @@ struct Goal {
   slong most_bits = 1024;
 };
 
+/// A blow on the way.
+struct ImpactBall {
+  Ball time;  ///< [s]
+  core::Pair pair;
+};
+
 struct Certificate {
-  std::vector<Sampled> samples;  ///< In the order of the times.
-  double radius = 0;             ///< The largest of all.
-  bool reached = false;          ///< radius <= goal; else `reason` says what stopped it.
+  std::vector<Sampled> samples;     ///< In the order of the times.
+  std::vector<ImpactBall> impacts;  ///< In order, up to the last sample.
+  double radius = 0;                ///< The largest of all samples.
+  bool reached = false;             ///< radius <= goal; else `reason` says what stopped it.
   std::string reason;
   slong bits = 0;
   int steps = 0;
 };
 
 /// Step errors and precision start from the goal and tighten until it is reached or `most_bits` would be
-/// passed. `times` ascend within [0, horizon of double].  Throws core::OutOfDomain as make_model does, and
-/// where the solution cannot be continued to the last time.
+/// passed. `times` ascend within [0, horizon of double].  Throws core::OutOfDomain as make_model with
+/// Blows::described does, and where the solution cannot be continued to the last time.  After each blow the
+/// state is a box anew.
 Certificate certify(const core::Scene&, std::span<const double> times, const Goal& = {},
                     const Numbers& = exactly);
 

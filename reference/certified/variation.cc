@@ -296,6 +296,14 @@ Near Variation::tangent(int node, int d, double t) const {
   return {sum, above(blur + rest + size * 0x1p-50 * (order_ + 2))};
 }
 
+double Variation::largest(int node, int d, double t) const {
+  const std::size_t first = block(d) + at(node);
+  double sum = 0;
+  for (std::size_t k = stride_; k-- > 0;)
+    sum = above(sum * t + std::abs(slope_middle_[first + k]) + slope_radius_[first + k]);
+  return above(sum + rest_[static_cast<std::size_t>(d) * graph_.size() + static_cast<std::size_t>(node)]);
+}
+
 double Variation::largest(int node, int d) const {
   const std::size_t i = static_cast<std::size_t>(d) * graph_.size() + static_cast<std::size_t>(node);
   return above(size_[i] + rest_[i]);

@@ -30,6 +30,8 @@ class Variation {
 
   /// Tangent of a node in a direction, t after the start, 0 <= t <= h.
   Near tangent(int node, int direction, double t) const;
+  /// |tangent| over [0, t] of the step.
+  double largest(int node, int direction, double t) const;
   /// |tangent| over the whole step.
   double largest(int node, int direction) const;
 

@@ -33,7 +33,7 @@ const Refusal refusals[] = {
        s.bodies[0].collide = true;
        s.planes.push_back({"floor", core::Vector3::UnitY(), 0});
      },
-     "body 'ball' and plane 'floor' may touch"},
+     "body 'ball' and plane 'floor' may touch, and no material"},
     {"water", [](core::Scene& s) { s.forces.emplace_back(core::Water{}); }, "water has a surface"},
     {"no_body", [](core::Scene& s) { s.bodies.clear(); }, "there is no body"},
     {"locked", [](core::Scene& s) { s.bodies[0].locked = true; }, "no body moves"},

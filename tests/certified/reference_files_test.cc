@@ -1,5 +1,5 @@
-// The certified solution against every smooth reference solution: their difference is no more than both
-// radii.
+// The certified solution against every smooth reference solution, and those with blows one at a time: their
+// difference is no more than both radii.
 #include "reference/certified/solve.h"
 #include "tests/certified/reference_numbers.h"
 
@@ -75,6 +75,10 @@ TEST_P(ReferenceFiles, AreEnclosed) {
   EXPECT_LE(worst, 1);
   EXPECT_GE(compared, 4);
 }
+
+INSTANTIATE_TEST_SUITE_P(Blows, ReferenceFiles,
+                         testing::Values("bouncing_sphere", "sphere_two_walls", "two_sphere_oblique"),
+                         [](const auto& parameter) { return parameter.param; });
 
 INSTANTIATE_TEST_SUITE_P(
     Smooth, ReferenceFiles,
