@@ -61,8 +61,10 @@ std::vector<EventStepper::Spot> EventStepper::spots() {
     const Motion &a = motion[index(c.body)], &b = motion[index(c.other)];
     for (const TouchPoint& touch : found) {
       spot.held.general = true;
-      const Vector3 x_a = touch.position + touch.gap / 2 * touch.normal;
-      const Vector3 x_b = touch.position - touch.gap / 2 * touch.normal;
+      const Real from_a = touch.gap / 2 + core_radius(model.shapes[index(c.body)]);
+      const Real from_b = touch.gap / 2 + core_radius(model.shapes[index(c.other)]);
+      const Vector3 x_a = touch.position + from_a * touch.normal;
+      const Vector3 x_b = touch.position - from_b * touch.normal;
       spot.held.on_body = a.orientation.conjugate() * (x_a - a.position);
       spot.held.on_other = b.orientation.conjugate() * (x_b - b.position);
       spot.held.face_of_body =

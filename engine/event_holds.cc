@@ -34,7 +34,6 @@ TouchPoint EventStepper::touch_of(const HeldPoint& held, const Motion* motion) c
   const Motion &a = motion[index(c.body)], &b = motion[index(c.other)];
   const Body &body = model.bodies[index(c.body)], &other = model.bodies[index(c.other)];
   const Vector3 arm_a = a.orientation * held.on_body, arm_b = b.orientation * held.on_other;
-  const Vector3 x_a = a.position + arm_a, x_b = b.position + arm_b;
   const auto spin = [](const Body& which, const Motion& m) -> Vector3 {
     return rotates(which) ? angular_velocity(which, m) : Vector3(Vector3::Zero());
   };
@@ -46,13 +45,17 @@ TouchPoint EventStepper::touch_of(const HeldPoint& held, const Motion* motion) c
   touch.restitution = c.material.restitution;
   touch.friction = loose_[held.candidate] ? 0 : c.material.friction;
   touch.normal = (held.face_of_body ? a.orientation : b.orientation) * held.normal;
-  touch.gap = touch.normal.dot(x_a - x_b);
   touch.turning = (held.face_of_body ? w_a : w_b).cross(touch.normal);
+  // Of cores c and radii r:  g = n . (c_a - c_b) - r_a - r_b,  x_a = c_a - r_a n,  x_b = c_b + r_b n;
+  // n . n'' = -|n'|^2.
+  const Real r_a = core_radius(model.shapes[index(c.body)]), r_b = core_radius(model.shapes[index(c.other)]);
+  const Vector3 v_a = velocity(body, a) + w_a.cross(arm_a), v_b = velocity(other, b) + w_b.cross(arm_b);
+  const Vector3 x_a = a.position + arm_a - r_a * touch.normal, x_b = b.position + arm_b + r_b * touch.normal;
+  touch.gap = touch.normal.dot(x_a - x_b);
   touch.position = held.face_of_body ? x_b : x_a;
-  touch.path = held.face_of_body ? matter_velocity(other, b, x_b) : matter_velocity(body, a, x_a);
-  const Vector3 v = velocity(body, a) + w_a.cross(arm_a) - velocity(other, b) - w_b.cross(arm_b);
-  touch.curvature =
-      touch.normal.dot(w_a.cross(w_a.cross(arm_a)) - w_b.cross(w_b.cross(arm_b))) + 2 * touch.turning.dot(v);
+  touch.path = held.face_of_body ? Vector3(v_b + r_b * touch.turning) : Vector3(v_a - r_a * touch.turning);
+  touch.curvature = touch.normal.dot(w_a.cross(w_a.cross(arm_a)) - w_b.cross(w_b.cross(arm_b))) +
+                    2 * touch.turning.dot(v_a - v_b) - (r_a + r_b) * touch.turning.squaredNorm();
   return touch;
 }
 

@@ -18,7 +18,8 @@
 namespace cylon::engine {
 
 /// A point that is held by a lasting contact.  Of a general pair its places on both bodies are kept for as
-/// long as the smooth piece lasts: a point of one on a face of the other.
+/// long as the smooth piece lasts: a point of one on a face of the other; of round shapes the point of the
+/// core, for the surface's own point wanders where it rolls.
 struct HeldPoint {
   std::size_t candidate = 0;
   Holding holding;

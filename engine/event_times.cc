@@ -21,6 +21,8 @@ constexpr Real touch_ulps = wide ? 4096 : 64;
 constexpr Real change_ulps = 8192;
 // Places at which the passage sees surfaces meet and the scheme itself does not.
 constexpr int most_grazes = 8;
+// Flights down to 2^-30 of a piece are found where the passage sees only that surfaces meet.
+constexpr int most_halvings = 30;
 // Where slip ends, what is left of it across its direction counts as none below this many ulps of its
 // speed...
 constexpr Real left_ulps = 1e4;
@@ -65,23 +67,27 @@ std::optional<Real> EventStepper::contact_time(Time from, Real span, const std::
 }
 
 // Surfaces that are inside each other although they ought not to be (they began so, or a piece was not
-// watched) meet where they approach: at once, or, lest what has just been resolved be resolved again, at the
-// piece's end.
+// watched) meet where they approach: at once, or, lest what has just been resolved be resolved again, where
+// they are as deep again as they began.
 std::optional<Real> EventStepper::meeting_time(const Candidate& c, bool held, Time from, Real span,
                                                const Motion* end) {
   const Model& model = system_.model();
   const Motion* begin = Bodies::motions(start_.data());
   const Real margin = touch_margin(c, begin);
   // Of a pair that is held a corner that comes down shows as depth; so deep counts.
-  const Real depth = held ? 64 * margin : margin / 4, level = held ? depth : Real(0);
-  const Real g_start = gap_of(c, model, begin) + level, g_end = gap_of(c, model, end) + level;
+  const Real least = held ? 64 * margin : margin / 4, began = gap_of(c, model, begin);
+  const bool inside = began < -least;
+  if (inside && !instant_ && approaches(c, model, begin)) return Real(0);
+  const Real level = inside ? -began : held ? least : Real(0);
+  const Real depth = inside ? level + margin / 4 : least;
+  const Real g_start = began + level, g_end = gap_of(c, model, end) + level;
   const bool ends_inside = g_end < level - depth;
-  if (g_start < level - depth) {
-    if (!instant_ && approaches(c, model, begin)) return Real(0);
+  const bool smooth = c.kind != Candidate::Kind::general;
+  if (inside && smooth) {
     if (ends_inside && passage_.span() <= span && approaches(c, model, end)) return span;
     return std::nullopt;
   }
-  const bool smooth = c.kind != Candidate::Kind::general;
+  const Real slack = smooth ? Real(0) : depth - level;
   const auto gap_after = [&](Real s) {
     part(from, s);
     return gap_of(c, model, Bodies::motions(y_.data())) + level;
@@ -92,12 +98,26 @@ std::optional<Real> EventStepper::meeting_time(const Candidate& c, bool held, Ti
     return gap_rate(touch_at(c, model, motion), model.bodies, motion);
   };
   // Where the gap goes through zero upwards, it is rounding, of a flight that has just begun: it ends where
-  // it falls again, if that is inside still.
+  // it falls again, if that is inside still; a flight too short to be bracketed is found by halving.
   const auto meeting = [&](Real low, Real g_low, Real high, Real g_high) {
-    const Real hit = g_low > 0 ? root(gap_after, low, g_low, high, g_high) : low;
-    if (!smooth) return hit;
-    const Real u_hit = rate_after(hit), u_high = rate_after(high);
-    return u_hit > 0 && u_high < 0 ? root(rate_after, hit, u_hit, high, u_high) : hit;
+    if (g_low > 0) {
+      const Real hit = root(gap_after, low, g_low, high, g_high);
+      if (!smooth) return hit;
+      low = hit;
+    }
+    if (smooth) {
+      const Real u_low = rate_after(low), u_high = rate_after(high);
+      return u_low > 0 && u_high < 0 ? root(rate_after, low, u_low, high, u_high) : low;
+    }
+    Real fallen = high, g_fallen = g_high;
+    for (int i = 0; i < most_halvings; ++i) {
+      const Real middle = low + (fallen - low) / 2, g = gap_after(middle);
+      if (g > 0) return root(gap_after, middle, g, fallen, g_fallen);
+      fallen = middle, g_fallen = g;
+    }
+    const auto deeper = [&](Real s) { return gap_after(s) + slack; };
+    return g_low + slack > 0 && g_high + slack < 0 ? root(deeper, low, g_low + slack, high, g_high + slack)
+                                                   : low;
   };
   const Real rate = smooth ? gap_rate(touch_at(c, model, begin), model.bodies, begin) : Real(0);
   Real low = 0, g_low = g_start;
@@ -106,7 +126,7 @@ std::optional<Real> EventStepper::meeting_time(const Candidate& c, bool held, Ti
     if (!bracket || bracket->open > span) break;
     const Real g_open = gap_after(bracket->open), g_closed = gap_after(bracket->closed);
     if (g_open > 0) low = bracket->open, g_low = g_open;
-    if (g_closed < 0) return meeting(low, g_low, bracket->closed, g_closed);
+    if (g_closed < (g_low > 0 ? Real(0) : -slack)) return meeting(low, g_low, bracket->closed, g_closed);
     low = bracket->closed;
     g_low = g_closed;
   }

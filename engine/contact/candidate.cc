@@ -167,6 +167,12 @@ Real gap_of(const Candidate& c, const Model& model, const Motion* motion) {
       .gap;
 }
 
+Real core_radius(const Shape& shape) {
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;
+  if (const auto* capsule = std::get_if<Capsule>(&shape)) return capsule->radius;
+  return 0;
+}
+
 void touches_of(const Candidate& c, const Model& model, const Motion* motion, Real margin,
                 std::vector<TouchPoint>& touches) {
   const Motion &a = motion[index(c.body)], &b = motion[index(c.other)];

@@ -37,6 +37,9 @@ Real gap_of(const Candidate&, const Model&, const Motion*);
 /// The points of a general pair nearer than margin.
 void touches_of(const Candidate&, const Model&, const Motion*, Real margin, std::vector<TouchPoint>&);
 
+/// What a shape is rounded by, about a point, a segment or a polytope [m].
+Real core_radius(const Shape&);
+
 /// dg/dt at a touch [m/s].
 inline Real gap_rate(const TouchPoint& touch, const std::vector<Body>& bodies, const Motion* motion) {
   return touch.normal.dot(relative_velocity(touch, bodies, motion));

@@ -30,15 +30,16 @@ struct Scene {
   std::string name;
   std::size_t least_impacts;
   Model model;
-  int alone = -1;  ///< A body that meets plane 0 and nothing else.
-  double end = 2;  ///< [s]
+  int alone = -1;           ///< A body that meets plane 0 and nothing else.
+  double end = 2;           ///< [s]
+  std::string remark = {};  ///< Part of the one remark that the run may make; empty: none.
 };
 
 Vector3 slope() { return Vector3(0.2, 1, -0.1).normalized(); }
 
-// Pairs of which neither is a sphere are followed while they bounce.  Where one of them rests on a corner, an
-// edge or its round side and the next corner comes down, its impact is located at the end of a piece, inside
-// the other by what it fell meanwhile: docs/in-house.md, "Limits of contacts".
+// One contact problem of the capsule that comes to lie on a box and some of the two boxes are solved by
+// iteration, which a remark says; the laws hold all the same.  Two boxes that settle on one another and on a
+// plane bounce thousands of times from 0.28 s on: docs/in-house.md, "Limits of contacts".
 std::vector<Scene> scenes() {
   const Quaternion q = exponential(Vector3(0.4, 0.5, 0.6));
   const Vector3 v(0.4, -0.2, 0.3), w(2, -1, 3);
@@ -53,7 +54,7 @@ std::vector<Scene> scenes() {
     add_shape(model, 2, Box{{1, 0.3, 1}}, Vector3::Zero(), exponential(Vector3(0.1, 0.3, -0.05)),
               Vector3::Zero(), Vector3::Zero(), true);
     add_shape(model, 0.7, shape, {0.05, 1.1, -0.1}, q, v / 4, w);
-    result.push_back({name + " on a locked box", 2, model, -1, 0.5});
+    result.push_back({name + " on a locked box", 2, model, -1, 2, name == "capsule" ? "by iteration" : ""});
 
     model = without_plane({0.6, 0.4});
     add_shape(model, 1.3, box, {-0.9, 0.03, 0.05}, exponential(Vector3(0.3, 0.2, -0.4)), {2, 0.1, 0},
@@ -65,7 +66,7 @@ std::vector<Scene> scenes() {
   add_shape(pile, 2, Box{{0.5, 0.25, 0.5}}, {0.1, 0.3, 0}, exponential(Vector3(0, 0.4, 0.05)),
             Vector3::Zero(), Vector3::Zero());
   add_shape(pile, 1, box, {0.2, 0.95, 0.1}, exponential(Vector3(0.1, -0.3, 0.2)), {0.2, 0, 0}, {0, 1, 0});
-  result.push_back({"box on box on a plane", 4, pile, -1, 0.22});
+  result.push_back({"box on box on a plane", 4, pile, -1, 0.28, "by iteration"});
 
   // Three balls that touch each other, and a fourth that is thrown among them.
   Model rack = without_plane({0.8, 0.2});
@@ -113,7 +114,9 @@ void check(const Scene& scene) {
     ASSERT_LE((j - j_n * n).norm(), mu * j_n + 1e-11) << scene.name << " at " << run.time;
   }
   EXPECT_GE(run.impacts.size(), scene.least_impacts) << scene.name;
-  EXPECT_TRUE(run.stepper.remarks().empty()) << scene.name << ": " << run.stepper.remarks()[0];
+  for (const std::string& remark : run.stepper.remarks())
+    EXPECT_TRUE(!scene.remark.empty() && remark.find(scene.remark) != std::string::npos)
+        << scene.name << ": " << remark;
 }
 
 TEST(EventBreadth, LawsHoldBetweenAnyTwoSteps) {
