@@ -57,7 +57,25 @@ std::vector<Case> cases() {
     change(m);
     return m;
   };
+  const auto two_boxes = [](bool locked) {
+    Model m;
+    add_body(m, make_body(2, Matrix3::Identity(), locked), {0.1, 0.3, -0.2}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0},
+             Box{{0.5, 0.3, 0.4}});
+    add_body(m, make_body(1, Matrix3::Identity()), {0.2, 0.9, -0.1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0},
+             Box{{0.2, 0.25, 0.3}});
+    m.forces.gravity = {0, -9.81, 0};
+    make_touchable(m, 0, 0.4);
+    return m;
+  };
   return {
+      {"box on a locked box",
+       [=] { return two_boxes(true); },
+       Method::events,
+       {"rotation", "gravity", "detection", "impacts", "friction", "contact solving", "event location"}},
+      {"box on box",
+       [=] { return two_boxes(false); },
+       Method::stepping,
+       {"rotation", "gravity", "broad phase", "detection", "impacts", "friction", "contact solving"}},
       {"free point", [] { return point(); }, Method::exact, {}},
       {"falling point",
        [=] { return added(point(), [](Model& m) {
