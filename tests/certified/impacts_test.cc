@@ -146,6 +146,76 @@ TEST(Blow, GoesThroughTheCradle) {
   }
 }
 
+// Two balls on springs between tilted walls, general numbers, elastic: the energy
+//     E = sum m v^2/2 - m g.p + k p^2/2
+// is kept across every blow, which no equation here says.
+Scene between_walls(double restitution) {
+  Scene scene;
+  scene.bodies = {sphere("a", 0.7, 0.21, {-0.45, 0.62, 0.1}, {1.3, -0.4, 0.2}),
+                  sphere("b", 1.9, 0.33, {0.48, 0.57, -0.05}, {-0.9, 0.3, 0.1})};
+  scene.forces.emplace_back(core::UniformGravity{{0.3, -2.1, 0.2}});
+  for (int body : {0, 1})
+    scene.forces.emplace_back(core::Spring{body, {0, 0, 0}, core::world, {0, 0, 0}, 3.7, 0});
+  scene.planes.push_back({"floor", Vector3(0.28, 0.96, 0), -0.1});
+  scene.planes.push_back({"wall", Vector3(-0.6, 0, 0.8), -1.2});
+  scene.materials.push_back({{"*", "*"}, restitution, 0});
+  return scene;
+}
+
+Ball energy(const Scene& scene, const Sampled& sample) {
+  constexpr slong bits = 256;
+  Ball sum;
+  const Vector3 g = std::get<core::UniformGravity>(scene.forces[0]).acceleration;
+  const Ball half(0.5), stiffness(3.7);
+  for (std::size_t b = 0; b < 2; ++b) {
+    const Ball mass(scene.bodies[b].mass);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Ball &p = sample.bodies[b].position[i], &v = sample.bodies[b].velocity[i];
+      Ball term, weight(g[static_cast<int>(i)]);
+      arb_mul(weight.get(), weight.get(), mass.get(), bits);
+      arb_submul(sum.get(), weight.get(), p.get(), bits);
+      for (const auto& [x, factor] : {std::pair{&v, &mass}, std::pair{&p, &stiffness}}) {
+        arb_mul(term.get(), x->get(), x->get(), bits);
+        arb_mul(term.get(), term.get(), half.get(), bits);
+        arb_addmul(sum.get(), term.get(), factor->get(), bits);
+      }
+    }
+  }
+  return sum;
+}
+
+// Whether the energy at the end may be that of the start.
+bool keeps_energy(double restitution) {
+  const Scene scene = between_walls(restitution);
+  const double times[] = {0, 3};
+  const Certificate found = certify(scene, times);
+  EXPECT_TRUE(found.reached) << found.reason;
+  EXPECT_GE(found.impacts.size(), 5u);
+  const Ball first = energy(scene, found.samples[0]), last = energy(scene, found.samples[1]);
+  EXPECT_LT(last.radius(), 1e-15);
+  return arb_overlaps(first.get(), last.get()) != 0;
+}
+
+TEST(Blow, KeepsTheEnergyWhereElasticAlone) {
+  EXPECT_TRUE(keeps_energy(1));
+  EXPECT_FALSE(keeps_energy(1 - 1e-9));
+}
+
+// A coarse solution holds a much finer one.
+TEST(Blow, CoarseBallsHoldTheFineOnes) {
+  const double times[] = {0.7, 1.9, 3};
+  const Certificate coarse = certify(between_walls(0.83), times, {.radius = 1e-6, .most_bits = 128}),
+                    fine = certify(between_walls(0.83), times, {.radius = 1e-40});
+  EXPECT_LT(fine.radius, 1e-9 * coarse.radius);
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t b = 0; b < 2; ++b)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const BodyBalls &wide = coarse.samples[k].bodies[b], &narrow = fine.samples[k].bodies[b];
+        EXPECT_TRUE(arb_contains(wide.position[i].get(), narrow.position[i].get()));
+        EXPECT_TRUE(arb_contains(wide.velocity[i].get(), narrow.velocity[i].get()));
+      }
+}
+
 struct Refused {
   const char* name;
   std::function<void(Scene&)> change;  // of the ball that bounces
