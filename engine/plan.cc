@@ -13,7 +13,8 @@ namespace cylon::engine {
 namespace {
 
 // More moving bodies than this that can touch are stepped, not followed event by event: spheres, and others.
-// Two boxes that settle on one another bounce thousands of times in a step: half a minute for one of 10 ms.
+// Two boxes that settle on one another and on a plane bounce thousands of times in a step of 10 ms: 22 s of
+// work.
 constexpr std::size_t most_followed = 8, most_followed_others = 1;
 
 // More bodies than this that move freely are stepped side by side.
