@@ -135,9 +135,9 @@ FreeBodies::FreeBodies(std::size_t count, const std::function<Given(std::size_t)
     const Kind kind = kind_of(g.body, g.motion);
     places_.push_back({kind, counts[kind]++});
   }
-  const auto blocks = [&](int kind) { return (counts[kind] + lanes - 1) / lanes; };
+  const auto blocks = [&](Kind kind) { return (counts[kind] + lanes - 1) / lanes; };
   points_.resize(blocks(point));
-  for (const int kind : {symmetric, slow, fast}) {
+  for (const Kind kind : {symmetric, slow, fast}) {
     Spin idle{};
     idle.q[0] = idle.a[0] = wide::spread(1);
     spins_[kind].assign(blocks(kind), idle);
