@@ -2,6 +2,7 @@
 // cannot be decided is refused.
 #include "reference/certified/solve.h"
 #include "scenarios/scenario.h"
+#include "tests/accuracy/truth/truth_file.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -127,6 +128,36 @@ TEST(Blow, LeavesTheSpin) {
   const Certificate found = certify(bouncing(0.5), times);
   const Ball want(0.5);
   EXPECT_TRUE(arb_contains(found.samples[0].bodies[0].angular_velocity[1].get(), want.get()));
+}
+
+// One scene, its restitutions and their velocities from the file; e = 0 is refused below.
+TEST(Blow, AgreesWithTheFileOfHeadOnImpacts) {
+  const accuracy::json file = accuracy::read_truth("two_sphere_head_on");
+  int compared = 0;
+  for (const accuracy::json& event : file["events"]) {
+    const double restitution = accuracy::number(event["restitution"]);
+    if (restitution == 0) continue;
+    Scene scene;
+    for (const accuracy::json& b : file["bodies"])
+      scene.bodies.push_back(sphere(b["id"].get<std::string>().c_str(), accuracy::number(b["mass"]),
+                                    accuracy::number(b["radius"]), accuracy::vector(b["position0"]),
+                                    accuracy::vector(b["velocity0"])));
+    scene.materials.push_back({{"*", "*"}, restitution, 0});
+    const double times[] = {1.0};
+    const Certificate found =
+        certify(scene, times, {}, [](double x) { return Ball(fmt::format("{}", x), 256); });
+    ASSERT_EQ(found.impacts.size(), 1u);
+    const auto same = [&](const Ball& ours, const char* key) {
+      const Ball want(event[key].get<std::string>(), 256);
+      EXPECT_TRUE(arb_overlaps(ours.get(), want.get())) << key << " at restitution " << restitution;
+      EXPECT_LT(ours.radius(), 1e-20);
+      ++compared;
+    };
+    same(found.impacts[0].time, "t");
+    same(found.samples[0].bodies[0].velocity[0], "vA_after");
+    same(found.samples[0].bodies[1].velocity[0], "vB_after");
+  }
+  EXPECT_EQ(compared, 12);
 }
 
 // Each ball passes on (1 + e)/2 = 0.95 of its speed and keeps 0.05; the scene's numbers are decimals.
