@@ -129,7 +129,8 @@ std::vector<Face> merged(const Cloud& cloud, std::vector<std::array<int, 3>> tri
   std::sort(order.begin(), order.end());
   std::vector<Face> faces;
   std::vector<std::vector<char>> in_face;
-  for (const auto& [minus_area, t] : order) {
+  for (const auto& [minus_area, triangle] : order) {
+    const auto& t = triangle;  // clang 14 lets no lambda see a structured binding
     const auto taken = [&](const std::vector<char>& in) {
       return in[static_cast<std::size_t>(t[0])] && in[static_cast<std::size_t>(t[1])] &&
              in[static_cast<std::size_t>(t[2])];
