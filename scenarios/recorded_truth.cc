@@ -156,7 +156,8 @@ std::vector<core::Event> read_events(const Reader& reader, const Json& root, con
   if (!root.contains("events")) return events;
   if (!root["events"].is_array()) reader.fail("'events' must be an array");
   for (const Json& row : root["events"]) {
-    if (!row.contains("kind") && row.contains("t")) continue;  // a note in words of its own, {"type": …, "t": …}
+    if (!row.contains("kind") && row.contains("t"))
+      continue;  // a note in words of its own, {"type": …, "t": …}
     core::Event event = read_event(reader, row, scene);
     if (!events.empty() && event.time < events.back().time)
       reader.fail(fmt::format("events: time = {} comes after {}", event.time, events.back().time));
