@@ -9,10 +9,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <map>
-#include <numbers>
-#include <utility>
 
 namespace cylon::study {
 namespace {
@@ -315,7 +312,6 @@ double superposition(const Subject& s, const Runner& run) {
     mean.velocity = (mean.velocity + other.bodies[i].initial.velocity) / 2;
   }
   const Recording a = again(s, run, other), b = again(s, run, between);
-  Subject first = s;
   Recording half = s.plain;
   for (std::size_t k = 0; k < half.states.size() && k < a.states.size(); ++k)
     for (std::size_t i = 0; i < half.states[k].size(); ++i) {
@@ -323,7 +319,7 @@ double superposition(const Subject& s, const Runner& run) {
       mean.position = (mean.position + a.states[k][i].position) / 2;
       mean.velocity = (mean.velocity + a.states[k][i].velocity) / 2;
     }
-  return worst({first.scene, half, first.every, first.scales, first.until}, b,
+  return worst({s.scene, half, s.every, s.scales, s.until}, b,
                [](const State& plain, double) { return plain; });
 }
 
