@@ -96,8 +96,8 @@ core::State read_start(Conversation& worker, std::size_t bodies) {
 
 Run requested(const RunRequest& request) {
   if (!request.scene) throw std::invalid_argument("a run needs a scene");
-  if (request.steps < 0 || request.every < 1)
-    throw std::invalid_argument("a run needs steps >= 0 and every >= 1");
+  if (request.steps < 0 || request.every < 1 || request.repetitions < 0)
+    throw std::invalid_argument("a run needs steps >= 0, every >= 1 and repetitions >= 0");
   if (!(request.setup.tolerance >= 0) || !std::isfinite(request.setup.tolerance))
     throw std::invalid_argument("a tolerance must be finite and not negative");
   Run run{request.steps, request.every, request.at, request.watch};
@@ -147,6 +147,9 @@ class Recorder {
     }
   }
 
+  /// Of the run that record() collected.
+  Repetition times() const { return times_; }
+
  private:
   void add(const Frame& frame) {
     ++frames_;
@@ -182,6 +185,7 @@ class Recorder {
     std::stable_sort(recording_.events.begin(), recording_.events.end(),
                      [&](const core::Event& a, const core::Event& b) { return key(a) < key(b); });
     recording_.cpu_seconds = 1e-9 * done.step_ns;
+    times_ = {1e-9 * done.load_ns, 1e-9 * done.step_ns};
     recording_.remarks = done.remarks;
   }
 
@@ -190,8 +194,20 @@ class Recorder {
   core::EventWatch watch_;
   core::State state_;
   core::Recording recording_;
+  Repetition times_;
   std::int64_t last_ = 0, frames_ = 0;
 };
+
+/// One more run of the request's scene, of which nothing but its times is kept.
+Repetition repeat(Conversation& worker, const EngineChoice& choice, const RunRequest& request,
+                  const Hello& hello, const Limits& limits) {
+  load(worker, choice, request, hello.engine, limits);
+  core::State start = read_start(worker, request.scene->bodies.size());
+  Recorder recorder(*request.scene, {request.steps, std::max<std::int64_t>(1, request.steps), {}, {}},
+                    hello.events, request.setup.dt, std::move(start));
+  recorder.record(worker);
+  return recorder.times();
+}
 
 /// Does `task`, turning its failures into the outcome's status and reason.
 template <class Task>
@@ -222,7 +238,10 @@ RunOutcome run(const EngineChoice& choice, const RunRequest& request, const Limi
     if (const auto difference = read_back_difference(scene, start, hello.engine.precision))
       throw Failure(core::Status::fail, "initial state read back differs: " + *difference);
     Recorder recorder(scene, wanted, hello.events, request.setup.dt, std::move(start));
-    outcome.recording = recorder.record(*worker);
+    core::Recording recording = recorder.record(*worker);
+    for (int i = 0; i < request.repetitions; ++i)
+      outcome.repetitions.push_back(repeat(*worker, choice, request, hello, limits));
+    outcome.recording = std::move(recording);
     death = worker->finish();
   });
   if (!worker) return outcome;

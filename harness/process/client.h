@@ -23,6 +23,7 @@ struct RunRequest {
   std::int64_t every = 1;         ///< Steps between samples, >= 1; the start and the end are always kept.
   std::vector<std::int64_t> at;   ///< Further steps to keep, in any order, in 0..steps.
   std::vector<core::Pair> watch;  ///< Pairs whose bounces and apexes are wanted.
+  int repetitions = 0;            ///< Runs after the first, in the same worker, of which only times are kept.
 };
 
 struct Limits {
@@ -31,15 +32,23 @@ struct Limits {
   std::size_t memory_bytes = std::size_t{4} << 30;  ///< Resident size of the worker; 0: no limit [bytes].
 };
 
+/// Thread CPU time of one run: what the engine did to take the scene, and for all steps together.  Nothing is
+/// recorded between the first state and the last.
+struct Repetition {
+  double load_seconds = 0;  ///< 0 where a worker does not tell.
+  double step_seconds = 0;
+};
+
 struct RunOutcome {
   std::optional<core::Recording> recording;  ///< Present exactly when the status is pass.
   /// pass: the run reached its end, whatever the numbers; fail: the engine starts from another state than the
   /// scene's; else unsupported, crash, timeout or protocol.
   core::Status status = core::Status::pass;
-  std::string reason;       ///< One line; empty when it passed.
-  std::string stderr_tail;  ///< At most 4 KiB.
-  core::Engine engine;      ///< As far as it got to introduce itself.
-  core::Terms terms;        ///< As far as it got to load.
+  std::vector<Repetition> repetitions;  ///< As many as were asked for, exactly when the status is pass.
+  std::string reason;                   ///< One line; empty when it passed.
+  std::string stderr_tail;              ///< At most 4 KiB.
+  core::Engine engine;                  ///< As far as it got to introduce itself.
+  core::Terms terms;                    ///< As far as it got to load.
 };
 
 /// Runs a worker from spawn to end; no process is left behind.  Any number of threads may call it at once.

@@ -260,14 +260,17 @@ json done_json(const Done& done) {
           {"steps", done.steps},
           {"frames", done.frames},
           {"step_ns", done.step_ns},
+          {"load_ns", done.load_ns},
           {"remarks", done.remarks}};
 }
 
 Done done_from_json(const json& value) {
   Fields f(value, "");
   f.at("ok");
-  const Done done{f.integer("steps"), f.integer("frames"), f.number("step_ns"), texts_if(f, "remarks")};
+  const Done done{f.integer("steps"), f.integer("frames"), f.number("step_ns"),
+                  f.find("load_ns") ? f.number("load_ns") : 0, texts_if(f, "remarks")};
   if (!(done.step_ns >= 0)) f.fail("step_ns", "must not be negative");
+  if (!(done.load_ns >= 0)) f.fail("load_ns", "must not be negative");
   f.finish();
   return done;
 }

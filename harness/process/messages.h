@@ -49,6 +49,7 @@ core::Event event_from_json(const nlohmann::json& line);
 struct Done {
   std::int64_t steps = 0, frames = 0;
   double step_ns = 0;  ///< Thread CPU time of all steps together, recording and watching left out [ns].
+  double load_ns = 0;  ///< Thread CPU time of the load before it; 0: the worker does not tell [ns].
   std::vector<std::string> remarks;
 };
 nlohmann::json done_json(const Done&);

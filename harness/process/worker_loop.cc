@@ -140,7 +140,9 @@ class Session {
   json answer_to_load() try {
     if (const std::optional<std::string> reason = simulator_.unsupported(scene_, setup_))
       return {{"unsupported", *reason}};
+    const double before = thread_cpu_ns();
     const core::Terms terms = simulator_.load(scene_, setup_);
+    load_ns_ = thread_cpu_ns() - before;
     loaded_ = true;
     return terms_json(terms);
   } catch (const core::InputError& error) {
@@ -155,7 +157,7 @@ class Session {
     if (watching) watch.observe(0, state_);
     FramePacker frame(state_.size());
     StepTimer timer;
-    Done done{run.steps, 0, 0, {}};
+    Done done{run.steps, 0, 0, load_ns_, {}};
     const auto send = [&] {
       timer.end_batch();
       pipes_.write(frame.take());
@@ -192,6 +194,7 @@ class Session {
   core::Scene scene_;
   core::Setup setup_;
   core::State state_;
+  double load_ns_ = 0;
   bool loaded_ = false;
 };
 

@@ -38,6 +38,23 @@ TEST(Client, KeepsTheStartTheStrideTheExtrasAndTheEnd) {
   EXPECT_TRUE(recording.events.empty());
 }
 
+TEST(Client, RepetitionsAreTimedAndNothingElse) {
+  const core::Scene scene = two_bodies();
+  RunRequest request = request_of(scene, 107, 25);
+  const RunOutcome once = run(scripted("good"), request, limits);
+  request.repetitions = 3;
+  const RunOutcome thrice = run(scripted("good"), request, limits);
+  ASSERT_EQ(thrice.status, Status::pass) << thrice.reason;
+  EXPECT_TRUE(once.repetitions.empty());
+  ASSERT_EQ(thrice.repetitions.size(), 3u);
+  for (const Repetition& r : thrice.repetitions) {
+    EXPECT_DOUBLE_EQ(r.step_seconds, 107e-6);  // the script claims a microsecond per step
+    EXPECT_EQ(r.load_seconds, 0);              // and says nothing of its load
+  }
+  EXPECT_EQ(thrice.recording->steps, once.recording->steps);
+  EXPECT_EQ(thrice.recording->states.back()[1].position, once.recording->states.back()[1].position);
+}
+
 TEST(Client, NoStepsIsTheStartAlone) {
   const core::Scene scene = two_bodies();
   const RunOutcome outcome = run(scripted("good"), request_of(scene, 0), limits);

@@ -23,14 +23,18 @@ using nlohmann::json;
 /// to.
 class Toy : public core::Simulator {
  public:
-  double burn_ns = 0;   ///< Thread CPU time that each step takes, at least.
-  double burnt_ns = 0;  ///< That it took, by its own account.
+  double burn_ns = 0;       ///< Thread CPU time that each step takes, at least.
+  double burnt_ns = 0;      ///< That it took, by its own account.
+  double load_burn_ns = 0;  ///< Thread CPU time that each load takes, at least.
 
   const core::Engine& engine() const override { return engine_; }
   std::optional<std::string> unsupported(const core::Scene& scene, const core::Setup&) const override {
     return scene.joints.empty() ? std::nullopt : std::optional<std::string>("no joints");
   }
   core::Terms load(const core::Scene& scene, const core::Setup& setup) override {
+    const double start = cpu_ns();
+    while (load_burn_ns > 0 && cpu_ns() - start < load_burn_ns) {
+    }
     if (!setup.integrator.empty())
       throw std::invalid_argument("unknown integrator '" + setup.integrator + "'");
     state_ = core::initial_state(scene), dt_ = setup.dt, steps_ = 0;
@@ -196,6 +200,16 @@ TEST(WorkerLoop, TimesTheStepsAlone) {
     const double told = done_from_json(answers.lines.back()).step_ns;
     EXPECT_NEAR(told / toy.burnt_ns, 1, 0.1) << "every " << every;
   }
+}
+
+// The load's time is told apart from the steps', though the engine burns time in both.
+TEST(WorkerLoop, TellsTheLoadsTimeApart) {
+  Toy toy;
+  toy.load_burn_ns = 5e6;
+  const Answers answers = serve_all(toy, {load_of(ball()), run_request({10, 1, {}, {}})}, 1);
+  const Done done = done_from_json(answers.lines.back());
+  EXPECT_GE(done.load_ns, 5e6);
+  EXPECT_LT(done.step_ns, 2e6);
 }
 
 }  // namespace
