@@ -1,0 +1,37 @@
+// Since which revision a series is at another level: E-divisive means, as Otava (once Hunter) uses it.
+#pragma once
+
+#include "harness/statistics/interval.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace cylon::statistics {
+
+struct ChangePointRule {
+  std::size_t window = 50;      ///< Values that are looked at together; >= 4.
+  double max_p = 0.001;         ///< A change point is kept where p is below.
+  double min_magnitude = 0.02;  ///< And |ratio after / before| is at least 1 + this.
+};
+
+struct ChangePoint {
+  std::size_t index;  ///< Of the first value at the new level.
+  double magnitude;   ///< Difference of the means after and before, of logarithms: ln(after / before).
+  Interval interval;  ///< Of the magnitude, 99 %.
+  double p;           ///< Student's t test, two-sided, equal variances.
+};
+
+/// The change points of a series of log ratios, in order.
+///
+/// Top down (Matteson and James 2014): cut where the energy statistic of a window is largest, and go on in
+/// both parts while the cut is significant at ten times max_p; windows overlap by half.  Bottom up (Fleming
+/// and others, "Hunter", ICPE 2023): drop the weakest point, the one of largest p or else of smallest
+/// magnitude, and test its neighbours again over their longer parts, until all that are left pass max_p and
+/// min_magnitude. The significance of a cut is Student's t test between its two parts, as in Hunter: the
+/// permutation test of the first paper gives another answer on every run, and no p below 1 / permutations;
+/// E-divisive only proposes. A part has two values at least, so a level is seen with its second revision.
+/// Deterministic; O(N window). Throws std::invalid_argument on a value that is not finite.
+std::vector<ChangePoint> change_points(std::span<const double> log_ratios, const ChangePointRule& = {});
+
+}  // namespace cylon::statistics
