@@ -56,13 +56,18 @@ TEST(Plan, TravelsWithTheTerms) {
 }
 
 TEST(Remarks, TravelWithTheEndOfARun) {
-  Done done{7, 2, 5.0, {"tolerance 1e-10 was not reached", "3e-9 was"}};
+  Done done{7, 2, 5.0, 3.0, {"tolerance 1e-10 was not reached", "3e-9 was"}};
   json message = done_json(done);
   EXPECT_EQ(done_from_json(message).remarks, done.remarks);
   message["remarks"][1] = 3;
   EXPECT_THROW(done_from_json(message), std::runtime_error);
   message.erase("remarks");  // an older worker
   EXPECT_TRUE(done_from_json(message).remarks.empty());
+  EXPECT_EQ(done_from_json(message).load_ns, 3.0);
+  message.erase("load_ns");
+  EXPECT_EQ(done_from_json(message).load_ns, 0.0);
+  message["load_ns"] = -1;
+  EXPECT_THROW(done_from_json(message), std::runtime_error);
 }
 
 TEST(Tolerance, ReachesTheWorkerAndItsRemarksTheRecording) {
