@@ -242,7 +242,7 @@ RunOutcome run(const EngineChoice& choice, const RunRequest& request, const Limi
     for (int i = 0; i < request.repetitions; ++i)
       outcome.repetitions.push_back(repeat(*worker, choice, request, hello, limits));
     outcome.recording = std::move(recording);
-    death = worker->finish();
+    death = worker->finish(limits.quit_seconds);
   });
   if (!worker) return outcome;
   worker->kill();
@@ -264,7 +264,7 @@ RunOutcome run(const EngineChoice& choice, const RunRequest& request, const Limi
 core::Engine describe(const EngineChoice& choice, const Limits& limits) try {
   Conversation worker(choice.row.command, limits.memory_bytes);
   core::Engine engine = introduce(worker, limits).engine;
-  worker.finish();
+  worker.finish(limits.quit_seconds);
   return engine;
 } catch (const MalformedMessage& error) {
   throw Failure(core::Status::protocol, error.what());

@@ -30,6 +30,7 @@ struct Limits {
   double hello_seconds = 10;                        ///< From the spawn to the answer to hello [s].
   double run_seconds = 60;                          ///< Load and run together [s].
   std::size_t memory_bytes = std::size_t{4} << 30;  ///< Resident size of the worker; 0: no limit [bytes].
+  double quit_seconds = 0.5;                        ///< From quit to the exit, then it is killed [s].
 };
 
 /// Thread CPU time of one run: what the engine did to take the scene, and for all steps together.  Nothing is

@@ -14,7 +14,6 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t longest_line = std::size_t{16} << 20;  // [bytes]
-constexpr double goodbye_seconds = 0.5;                      // from quit to the exit
 
 [[noreturn]] void broken(const std::string& reason) { throw Failure(core::Status::protocol, reason); }
 
@@ -106,9 +105,9 @@ Frame Conversation::next_frame() {
   broken(fmt::format("a line where a frame was due: '{}'", excerpt(std::get<json>(message).dump())));
 }
 
-std::string Conversation::finish() {
+std::string Conversation::finish(double seconds) {
   ask({{"cmd", "quit"}});
-  return child_.finish(goodbye_seconds);
+  return child_.finish(seconds);
 }
 
 }  // namespace cylon::process

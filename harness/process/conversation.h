@@ -39,8 +39,8 @@ class Conversation {
   nlohmann::json next_line();
   Frame next_frame();
 
-  /// Says quit, waits a moment; "" or the signal that it died of.
-  std::string finish();
+  /// Says quit, waits for the exit that long; "" or the signal that it died of.
+  std::string finish(double seconds);
   void kill() { child_.kill(); }
   std::string complaints() const { return child_.complaints(); }
 
