@@ -22,8 +22,10 @@ double squares(std::span<const double> x, double about) {
 }
 
 // Student's t of two samples: t = (mean_b - mean_a) / (s sqrt(1/n_a + 1/n_b)), with s the pooled deviation of
-// n_a + n_b - 2 degrees of freedom.  Values that repeat exactly differ surely or not at all.
-ChangePoint compare(std::span<const double> series, std::size_t first, std::size_t cut, std::size_t last) {
+// n_a + n_b - 2 degrees of freedom.  Values that repeat exactly differ surely or not at all.  The cut is the
+// best of all that there were between first and last, so p is multiplied by their number (Bonferroni).
+ChangePoint compare(std::span<const double> series, std::size_t first, std::size_t cut, std::size_t last,
+                    std::size_t shortest) {
   const auto a = series.subspan(first, cut - first), b = series.subspan(cut, last - cut);
   const double mean_a = mean(a), mean_b = mean(b), difference = mean_b - mean_a;
   const auto n_a = static_cast<double>(a.size()), n_b = static_cast<double>(b.size());
@@ -33,22 +35,25 @@ ChangePoint compare(std::span<const double> series, std::size_t first, std::size
   const double deviation = s * std::sqrt(1 / n_a + 1 / n_b);
   if (deviation == 0) return {cut, difference, {difference, difference}, difference == 0 ? 1.0 : 0.0};
   const boost::math::students_t distribution(freedom);
-  const double p = 2 * cdf(complement(distribution, std::abs(difference) / deviation));
+  const double single = 2 * cdf(complement(distribution, std::abs(difference) / deviation));
+  const double cuts = std::max(1.0, n_a + n_b + 1 - 2 * static_cast<double>(shortest));
+  const double p = std::min(1.0, single * cuts);
   const double half = deviation * quantile(complement(distribution, 0.005));
   return {cut, difference, {difference - half, difference + half}, p};
 }
 
 // E-divisive within first … last: the points, in order.
-void split(std::span<const double> series, std::size_t first, std::size_t last, double max_p,
+void split(std::span<const double> series, std::size_t first, std::size_t last, const ChangePointRule& rule,
            std::vector<std::size_t>& points) {
+  if (last - first < 2 * rule.shortest) return;
   const std::vector<double> q = energy_of_cuts(series.subspan(first, last - first));
-  const auto best = std::max_element(q.begin(), q.end());
-  if (!std::isfinite(*best)) return;
+  const auto margin = static_cast<std::ptrdiff_t>(rule.shortest);
+  const auto best = std::max_element(q.begin() + margin, q.end() - margin);
   const std::size_t cut = first + static_cast<std::size_t>(best - q.begin());
-  if (compare(series, first, cut, last).p >= max_p) return;
-  split(series, first, cut, max_p, points);
+  if (compare(series, first, cut, last, rule.shortest).p >= 10 * rule.max_p) return;
+  split(series, first, cut, rule, points);
   points.push_back(cut);
-  split(series, cut, last, max_p, points);
+  split(series, cut, last, rule, points);
 }
 
 // Windows overlap by half, and start anew at the last point found, where a level begins.
@@ -56,7 +61,7 @@ std::vector<std::size_t> propose(std::span<const double> series, const ChangePoi
   std::vector<std::size_t> points;
   for (std::size_t start = 0; start < series.size();) {
     std::vector<std::size_t> found;
-    split(series, start, std::min(start + rule.window, series.size()), 10 * rule.max_p, found);
+    split(series, start, std::min(start + rule.window, series.size()), rule, found);
     start = std::max(found.empty() ? 0 : found.back(), start + std::max<std::size_t>(1, rule.window / 2));
     points.insert(points.end(), found.begin(), found.end());
   }
@@ -76,7 +81,7 @@ std::vector<ChangePoint> change_points(std::span<const double> series, const Cha
     std::vector<ChangePoint> points;
     for (std::size_t i = 0; i < cuts.size(); ++i)
       points.push_back(compare(series, i == 0 ? 0 : cuts[i - 1], cuts[i],
-                               i + 1 == cuts.size() ? series.size() : cuts[i + 1]));
+                               i + 1 == cuts.size() ? series.size() : cuts[i + 1], rule.shortest));
     if (points.empty()) return points;
     auto weakest = std::max_element(points.begin(), points.end(),
                                     [](const ChangePoint& a, const ChangePoint& b) { return a.p < b.p; });

@@ -7,25 +7,31 @@
 
 namespace cylon::statistics {
 
-SignedRankDistribution::SignedRankDistribution(const std::vector<int>& doubled_ranks) : at_most_{1.0} {
+// Without ties all doubled ranks are even, and half of the sums never occur.
+SignedRankDistribution::SignedRankDistribution(const std::vector<int>& doubled_ranks)
+    : unit_(std::all_of(doubled_ranks.begin(), doubled_ranks.end(), [](int r) { return r % 2 == 0; }) ? 2
+                                                                                                      : 1),
+      total_(std::accumulate(doubled_ranks.begin(), doubled_ranks.end(), 0)) {
   std::vector<double>& p = at_most_;
+  p.assign(static_cast<std::size_t>(total_ / unit_) + 1, 0.0);
+  p[0] = 1;
+  std::size_t end = 1;  // sums so far are below
   for (const int rank : doubled_ranks) {
-    const auto r = static_cast<std::size_t>(rank);
-    p.resize(p.size() + r, 0.0);
-    for (std::size_t w = p.size(); w-- > 0;) p[w] = (p[w] + (w >= r ? p[w - r] : 0.0)) / 2;
+    const auto r = static_cast<std::size_t>(rank / unit_);
+    end += r;
+    for (std::size_t w = end; w-- > r;) p[w] = (p[w] + p[w - r]) / 2;
+    for (std::size_t w = 0; w < std::min(r, end); ++w) p[w] /= 2;
   }
   std::partial_sum(p.begin(), p.end(), p.begin());
 }
 
 double SignedRankDistribution::at_most(int w) const {
   if (w < 0) return 0;
-  return at_most_[std::min(static_cast<std::size_t>(w), at_most_.size() - 1)];
+  return at_most_[std::min(static_cast<std::size_t>(w / unit_), at_most_.size() - 1)];
 }
 
 // b_i -> 1 - b_i takes W to sum(r) - W, and the small tail is summed from its small end.
-double SignedRankDistribution::at_least(int w) const {
-  return at_most(static_cast<int>(at_most_.size()) - 1 - w);
-}
+double SignedRankDistribution::at_least(int w) const { return at_most(total_ - w); }
 
 SignedRanks signed_ranks(std::span<const double> differences, double shift) {
   std::vector<double> left(differences.begin(), differences.end());

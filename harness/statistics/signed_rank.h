@@ -22,7 +22,8 @@ class SignedRankDistribution {
   double at_least(int w) const;
 
  private:
-  std::vector<double> at_most_;
+  int unit_, total_;             // sums are multiples of the one, and end with the other
+  std::vector<double> at_most_;  // by sum / unit
 };
 
 /// The ranks of |d_i - shift| among all i, doubled, and the sum of those with d_i > shift.
