@@ -208,6 +208,15 @@ void Child::kill() {
   drain_errors();
 }
 
+// Not getrusage's, which begins with what the process that forked it had resident.
+std::size_t Child::peak_bytes() const {
+  std::ifstream file(fmt::format("/proc/{}/status", pid_));
+  std::size_t kibibytes = 0;
+  for (std::string word; kibibytes == 0 && file >> word;)
+    if (word == "VmHWM:") file >> kibibytes;
+  return kibibytes << 10;
+}
+
 std::string Child::complaints() const {
   if (errors_.size() <= errors_reported) return errors_;
   const std::size_t start = errors_.size() - errors_reported;

@@ -68,6 +68,9 @@ class Child {
   /// SIGKILL to its group, and reaps it.
   void kill();
 
+  /// The most that was resident of it so far [bytes]; 0 where it is gone.
+  std::size_t peak_bytes() const;
+
   /// The last bytes that it wrote to stderr, at most 4 KiB, from the start of a line where possible.
   std::string complaints() const;
 

@@ -239,6 +239,7 @@ RunOutcome run(const EngineChoice& choice, const RunRequest& request, const Limi
       throw Failure(core::Status::fail, "initial state read back differs: " + *difference);
     Recorder recorder(scene, wanted, hello.events, request.setup.dt, std::move(start));
     core::Recording recording = recorder.record(*worker);
+    outcome.peak_bytes = worker->peak_bytes();
     for (int i = 0; i < request.repetitions; ++i)
       outcome.repetitions.push_back(repeat(*worker, choice, request, hello, limits));
     outcome.recording = std::move(recording);

@@ -46,6 +46,7 @@ struct RunOutcome {
   /// scene's; else unsupported, crash, timeout or protocol.
   core::Status status = core::Status::pass;
   std::vector<Repetition> repetitions;  ///< As many as were asked for, exactly when the status is pass.
+  std::size_t peak_bytes = 0;           ///< Most that the worker had resident by the end of the first run.
   std::string reason;                   ///< One line; empty when it passed.
   std::string stderr_tail;              ///< At most 4 KiB.
   core::Engine engine;                  ///< As far as it got to introduce itself.

@@ -42,6 +42,7 @@ class Conversation {
   /// Says quit, waits for the exit that long; "" or the signal that it died of.
   std::string finish(double seconds);
   void kill() { child_.kill(); }
+  std::size_t peak_bytes() const { return child_.peak_bytes(); }
   std::string complaints() const { return child_.complaints(); }
 
  private:
