@@ -11,9 +11,14 @@ inline constexpr std::array<double, 1> euler_nodes = {0};
 inline constexpr std::array<double, 0> euler_matrix = {};
 inline constexpr std::array<double, 1> euler_weights = {1};
 
+// Other than 1 in a build alone that is wrong on purpose (cmake/injection.cmake).
+#ifndef CYLON_SPOILED
+#define CYLON_SPOILED 1
+#endif
+
 // W. Kutta, Z. Math. Phys. 46 (1901) 435.
 inline constexpr std::array<double, 4> rk4_nodes = {0, 0.5, 0.5, 1};
-inline constexpr std::array<double, 6> rk4_matrix = {0.5, 0, 0.5, 0, 0, 1};
+inline constexpr std::array<double, 6> rk4_matrix = {0.5 * CYLON_SPOILED, 0, 0.5, 0, 0, 1};
 inline constexpr std::array<double, 4> rk4_weights = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
 
 // DOPRI 8(5,3) of E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I (2nd ed.

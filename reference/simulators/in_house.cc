@@ -5,6 +5,7 @@
 #include "harness/core/simulator.h"
 #include "reference/simulators/in_house_model.h"
 #include "reference/simulators/in_house_overlap.h"
+#include "reference/simulators/in_house_slowdown.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -139,8 +140,12 @@ class InHouse final : public core::Simulator {
     return terms(world_->plan(), options);
   }
 
-  void step() override { world_->step(); }
-  void advance(std::int64_t n) override { world_->advance(n); }
+  void step() override {
+    slowed([&] { world_->step(); });
+  }
+  void advance(std::int64_t n) override {
+    slowed([&] { world_->advance(n); });
+  }
 
   void read(core::State& state) const override {
     const auto& bodies = world_->bodies();
