@@ -65,7 +65,7 @@ class Points : public PointsSize<N> {
 
   void rates(Time t, const Real* y, Real* rate) {
     const std::size_t n = count();
-    for (int c = 0; c < 3; ++c) {
+    for (std::size_t c = 0; c < 3; ++c) {
       const Real* k = y + (3 + c) * n;
       Real* v = rate + c * n;
       for (std::size_t i = 0; i < n; ++i) v[i] = inverse_mass_[i] * k[i];
@@ -78,7 +78,7 @@ class Points : public PointsSize<N> {
 
   void drift(Real h, Real* y) {
     const std::size_t n = count();
-    for (int c = 0; c < 3; ++c) {
+    for (std::size_t c = 0; c < 3; ++c) {
       Real* __restrict p = y + c * n;
       const Real* __restrict k = y + (3 + c) * n;
       for (std::size_t i = 0; i < n; ++i) p[i] += (h * inverse_mass_[i]) * k[i];

@@ -170,19 +170,19 @@ void BodyPile::step() {
   impacts_.clear();
   int parts = parts_of_step();
   if (parts > most_parts) parts = most_parts, too_fast_ = true;
-  for (int k = 0; k < parts; ++k) advance(static_cast<Time>(steps_) * dt_ + k * dt_ / parts, dt_ / parts);
+  for (int k = 0; k < parts; ++k) carry(static_cast<Time>(steps_) * dt_ + k * dt_ / parts, dt_ / parts);
   std::stable_sort(impacts_.begin(), impacts_.end(),
                    [](const Impact& a, const Impact& b) { return a.time < b.time; });
   ++steps_;
 }
 
-void BodyPile::advance(Time now, Time span) {
+void BodyPile::carry(Time now, Time span) {
   contacts_.find(motions_, movers_, span, blocks_);
   const bool direct = static_cast<int>(blocks_.size()) <= settings_.direct_points;
   const int parts = direct ? 1 : settings_.substeps;
   if (!direct) colour();
   if (isolated_) islands_.find(blocks_);
-  for (int k = 0; k < parts; ++k) advance_part(now + k * span / parts, span / parts, direct);
+  for (int k = 0; k < parts; ++k) carry_part(now + k * span / parts, span / parts, direct);
   take_overlaps_away(direct);
 }
 
@@ -197,7 +197,7 @@ void BodyPile::take_overlaps_away(bool direct) {
   set_kinematics();
 }
 
-void BodyPile::advance_part(Time now, Time h, bool direct) {
+void BodyPile::carry_part(Time now, Time h, bool direct) {
   set_kinematics();
   if (isolated_) meet_halfway(blocks_, motions_);
   set_targets(now, static_cast<Real>(h));

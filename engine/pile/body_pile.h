@@ -25,8 +25,8 @@ class BodyPile : public Stepper {
 
  private:
   int parts_of_step() const;
-  void advance(Time now, Time span);
-  void advance_part(Time now, Time h, bool direct);
+  void carry(Time now, Time span);
+  void carry_part(Time now, Time h, bool direct);
   void set_kinematics();
   void kick(Time now, Real h);
   void set_targets(Time now, Real h);
