@@ -27,16 +27,6 @@ bool starts_formula(std::string_view text) {
                      [&](std::string_view start) { return text.starts_with(start); });
 }
 
-std::string field(std::string_view text) {
-  std::string safe = escaped(text, allowed_in_field);
-  if (starts_formula(safe)) safe.insert(0, 1, '\'');
-  if (safe.find_first_of(",\"\r\n") == std::string::npos) return safe;
-
-  std::string quoted = "\"";
-  for (const char c : safe) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + '"';
-}
-
 // "name=value; …" of an object, "item; …" of an array.
 std::string joined(const Json& json) {
   std::string out;
@@ -50,12 +40,27 @@ std::string joined(const Json& json) {
 
 std::string cell(const Json& value) {
   if (value.is_null()) return "";
-  if (value.is_string()) return field(value.get_ref<const std::string&>());
-  if (value.is_structured()) return field(joined(value));
+  if (value.is_string()) return csv_field(value.get_ref<const std::string&>());
+  if (value.is_structured()) return csv_field(joined(value));
   return value.is_number_float() ? fmt::format("{:.17g}", value.get<double>()) : value.dump();
 }
 
 }  // namespace
+
+std::string csv_field(std::string_view text) {
+  std::string safe = escaped(text, allowed_in_field);
+  if (starts_formula(safe)) safe.insert(0, 1, '\'');
+  if (safe.find_first_of(",\"\r\n") == std::string::npos) return safe;
+
+  std::string quoted = "\"";
+  for (const char c : safe) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string csv_unguarded(std::string_view text) {
+  const bool guarded = text.starts_with('\'') && starts_formula(text.substr(1));
+  return std::string(guarded ? text.substr(1) : text);
+}
 
 std::string to_csv(const std::vector<core::Verdict>& verdicts) {
   std::string out;

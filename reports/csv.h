@@ -4,6 +4,7 @@
 #include "harness/core/verdict.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cylon::reports {
@@ -13,5 +14,11 @@ namespace cylon::reports {
 /// as a formula (it begins with = + - @, a tab or a carriage return) gets an apostrophe in front; control
 /// characters other than tab and line ends are escaped.
 std::string to_csv(const std::vector<core::Verdict>&);
+
+/// One text as a field of such a file.
+std::string csv_field(std::string_view);
+
+/// A field's text without the guarding apostrophe.
+std::string csv_unguarded(std::string_view);
 
 }  // namespace cylon::reports

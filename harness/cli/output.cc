@@ -56,19 +56,25 @@ void require_writable(std::span<const std::string> paths) {
 }
 
 void write_whole(const std::string& path, std::string_view text) {
-  if (path == "-") {
-    std::cout << text;
-    return;
-  }
+  write_whole(path, [&](std::ostream& out) { out << text; });
+}
+
+void write_whole(const std::string& path, const std::function<void(std::ostream&)>& write) {
+  if (path == "-") return write(std::cout);
   require_writable(path);
   const bool special = is_special(path);
   const fs::path target = followed(path);
   const fs::path partial =
       special ? fs::path(path) : fs::path(fmt::format("{}.{}.partial", target.string(), getpid()));
   std::ofstream out(partial, std::ios::binary);
-  out << text;
-  out.close();
   std::error_code error;
+  try {
+    write(out);
+  } catch (...) {
+    if (!special) fs::remove(partial, error);
+    throw;
+  }
+  out.close();
   if (out && !special) fs::rename(partial, target, error);
   if (!out || error) {
     if (!special) fs::remove(partial, error);

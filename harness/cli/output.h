@@ -1,6 +1,8 @@
 // Files written whole or not at all.
 #pragma once
 
+#include <functional>
+#include <iosfwd>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,6 +13,9 @@ namespace cylon::cli {
 /// followed; a device or a pipe is written as it stands; "-" is stdout.  Throws core::InputError where that
 /// cannot be.
 void write_whole(const std::string& path, std::string_view text);
+
+/// The same for what is too large to be held in memory; nothing is left where `write` throws.
+void write_whole(const std::string& path, const std::function<void(std::ostream&)>& write);
 
 /// Throws core::InputError now where write_whole could not write later: a missing folder, a directory in the
 /// way.

@@ -44,7 +44,7 @@ std::vector<std::string> Store::check() const {
     for (const Result& result : results(run.id)) {
       const auto stored = digests.find(result.cell.hash);
       if (stored == digests.end() || stored->second != digest(result))
-        findings.push_back(fmt::format("run #{} of {}: the values of {} are not those that were stored",
+        findings.push_back(fmt::format("run {} of {}: the values of {} are not those that were stored",
                                        run.id, run.revision, result.cell.name()));
     }
   }

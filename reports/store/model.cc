@@ -82,6 +82,15 @@ std::string digest(const Result& given) {
   return fingerprint.hex();
 }
 
+std::string twice(const Result& given) {
+  const Result r = canonical(given);
+  const auto same = [](const auto& a, const auto& b) { return key(a) == key(b); };
+  const auto s = std::adjacent_find(r.samples.begin(), r.samples.end(), same);
+  if (s != r.samples.end()) return fmt::format("metric {}, repetition {}", s->metric.name, s->repetition);
+  const auto j = std::adjacent_find(r.judgements.begin(), r.judgements.end(), same);
+  return j == r.judgements.end() ? "" : fmt::format("claim {}", j->claim);
+}
+
 Result canonical(Result r) {
   Cell& c = r.cell;
   clean_all({&c.scenario, &c.scenario_hash, &c.engine, &c.path, &c.integrator, &c.precision, &c.settings,

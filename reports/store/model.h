@@ -129,6 +129,9 @@ std::string series_id(const Cell&, const Metric&);
 /// Of a result's every value, in any order of its samples and judgements.
 std::string digest(const Result&);
 
+/// The first metric or claim that a result has twice, "" where none.
+std::string twice(const Result&);
+
 /// The result as it is stored: its cell hashed; samples by metric and repetition, judgements by claim;
 /// numbers that are not finite NaN, and no minus zero; characters that are no printable UTF-8 escaped.
 Result canonical(Result);

@@ -192,6 +192,8 @@ bool Store::import_run(const RunInfo& given, std::int64_t& id) {
 
 void Store::add(std::int64_t run, const Result& given) {
   const Result result = canonical(given);
+  if (const std::string word = twice(result); !word.empty())
+    database_->fail(fmt::format("{} has {} twice", result.cell.name(), word));
   Transaction transaction(*database_);
   const std::int64_t cell = id_of(*database_, result.cell);
   database_->query("INSERT INTO result (run, cell, asked, digest) VALUES (?, ?, ?, ?)")

@@ -50,8 +50,8 @@ class Store {
 
   /// In the order of revisions, then of recording.
   std::vector<RunInfo> runs() const;
-  /// The latest run whose uid begins with the word (8 digits at least), or whose id as "#7", label or
-  /// revision it is; in that order.
+  /// The latest run whose uid begins with the word (8 digits at least), or whose label, revision or id it is;
+  /// in that order.
   std::optional<RunInfo> find_run(const std::string& word) const;
   /// Cells whose name matches, by name.
   std::vector<Cell> cells(const std::string& glob = "*") const;
@@ -61,6 +61,8 @@ class Store {
   std::vector<Series> series(const std::string& cell_glob, const std::string& metric_glob) const;
   /// Result::asked of all results of a run.
   std::set<std::string> asked(std::int64_t run) const;
+  /// digest() of a run's result of that cell; "" where it has none.
+  std::string stored_digest(std::int64_t run, const std::string& cell_hash) const;
   std::vector<Anchor> anchors() const;
   std::vector<ChangePoint> change_points() const;
   /// What is damaged, a sentence each, by reading everything: the pages, the references between tables, and

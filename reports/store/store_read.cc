@@ -125,12 +125,12 @@ std::optional<RunInfo> Store::find_run(const std::string& word) const {
   std::optional<RunInfo> found;
   if (word.size() >= 8 && word.find_first_not_of("0123456789abcdef") == std::string::npos)
     found = latest("SELECT " RUN_COLUMNS " FROM run WHERE uid GLOB ? || '*' ORDER BY id DESC LIMIT 1", word);
-  if (!found && word.starts_with('#'))
-    found = latest("SELECT " RUN_COLUMNS " FROM run WHERE id = CAST(? AS INTEGER)", word.substr(1));
   if (!found)
     found = latest("SELECT " RUN_COLUMNS " FROM run WHERE label = ? ORDER BY id DESC LIMIT 1", word);
   if (!found)
     found = latest("SELECT " RUN_COLUMNS " FROM run WHERE revision = ? ORDER BY id DESC LIMIT 1", word);
+  if (!found && !word.empty() && word.find_first_not_of("0123456789") == std::string::npos)
+    found = latest("SELECT " RUN_COLUMNS " FROM run WHERE id = CAST(? AS INTEGER)", word);
   return found;
 }
 
@@ -224,6 +224,12 @@ std::set<std::string> Store::asked(std::int64_t run) const {
   row.bind(run);
   while (row.step()) all.insert(row.text());
   return all;
+}
+
+std::string Store::stored_digest(std::int64_t run, const std::string& cell_hash) const {
+  Query row = database_->query(
+      "SELECT digest FROM result r JOIN cell c ON c.id = r.cell WHERE r.run = ? AND c.hash = ?");
+  return row.bind(run, cell_hash).step() ? row.text() : "";
 }
 
 std::vector<Anchor> Store::anchors() const {
