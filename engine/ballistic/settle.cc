@@ -7,7 +7,8 @@ namespace cylon::engine::ballistic {
 
 namespace {
 
-constexpr Time ulp = std::numeric_limits<Time>::epsilon();
+// Of the positions that the times are found from: what passes between two of them is no time.
+constexpr Time ulp = static_cast<Time>(std::numeric_limits<Real>::epsilon());
 
 }  // namespace
 
