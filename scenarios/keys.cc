@@ -369,6 +369,9 @@ const Spec& scenario_keys() {
           word("title", "One line for people."),
           word("story", "Two to four sentences for people."),
           plain("tags", texts, "For selection."),
+          plain(
+              "sources", texts,
+              "Where the case was reported or proposed: \"owner/repository#number\" of GitHub, or a title."),
           required(real("duration", "s", "A whole number of steps.", positive)),
           required(plain("step", step, "Nominal step [s]: a number, or text like \"1/60\".")),
           arrow("gravity", "m/s^2", "Absent: none."),

@@ -36,6 +36,7 @@ Scenario parse(std::string_view text, const std::string& file_name) {
   scenario.title = root.text("title", scenario.name);
   scenario.story = root.text("story");
   scenario.tags = root.texts("tags");
+  scenario.sources = root.texts("sources");
   scenario.duration = root.number("duration");
   scenario.step = read_step(root);
   scenario.step_text = document.written(root, "step");

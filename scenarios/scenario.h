@@ -17,9 +17,10 @@ struct Scenario {
   std::string file;  ///< As given.
   std::string title, story;
   std::vector<std::string> tags;
-  double duration = 0;    ///< [s]
-  double step = 0;        ///< Nominal [s].
-  std::string step_text;  ///< As written: "1/60" or "0.001".
+  std::vector<std::string> sources;  ///< "owner/repository#number" of GitHub, or a title.
+  double duration = 0;               ///< [s]
+  double step = 0;                   ///< Nominal [s].
+  std::string step_text;             ///< As written: "1/60" or "0.001".
   core::Scene scene;
   std::vector<core::Claim> claims;
   std::string hash;  ///< FNV-1a 64 of the file and of every file that it names, as 16 hex digits.

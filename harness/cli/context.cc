@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <clocale>
 #include <cstdlib>
+#include <tuple>
 
 namespace cylon::cli {
 namespace {
@@ -55,14 +56,20 @@ Context make_context() {
 
 std::vector<fs::path> scenario_files(const Context& context) {
   std::vector<fs::path> files;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(context.scenarios, error))
-    if (entry.path().extension() == ".toml" && entry.path().filename() != "expected.toml")
-      files.push_back(entry.path());
-  if (error)
+  const auto add = [&](const fs::path& folder) {
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder, error))
+      if (entry.path().extension() == ".toml" && entry.path().filename() != "expected.toml")
+        files.push_back(entry.path());
+    return error;
+  };
+  if (const std::error_code error = add(context.scenarios))
     throw core::InputError(
         fmt::format("{}: no scenarios here: {}", context.scenarios.string(), error.message()));
-  std::sort(files.begin(), files.end());
+  add(context.scenarios / "extremes");  // which may be absent
+  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+    return std::tuple(a.stem(), a) < std::tuple(b.stem(), b);
+  });
   return files;
 }
 
@@ -76,10 +83,15 @@ core::InputError unknown_scenario(const Context& context, const std::string& nam
                   context.scenarios.string(), core::did_you_mean(name, names)));
 }
 
-fs::path find_scenario(const Context& context, const std::string& name) {
-  if (is_path(name) || name.find('/') != std::string::npos) return name;
+std::optional<fs::path> own_scenario(const Context& context, const std::string& name) {
   for (const fs::path& file : scenario_files(context))
     if (file.stem() == name) return file;
+  return std::nullopt;
+}
+
+fs::path find_scenario(const Context& context, const std::string& name) {
+  if (is_path(name) || name.find('/') != std::string::npos) return name;
+  if (const auto own = own_scenario(context, name)) return *own;
   std::error_code ignored;
   if (fs::is_regular_file(name, ignored)) return name;
   throw unknown_scenario(context, name);

@@ -6,6 +6,7 @@
 #include "scenarios/scenario.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,8 +37,11 @@ struct Context {
 /// From the place of this executable (build/<preset>/cylon), CYLON_SCENARIOS and CYLON_WORKERS.
 Context make_context();
 
-/// Every scenario file of the folder, by name.
+/// Every scenario file of the folder and of its subfolder extremes/, by name.
 std::vector<std::filesystem::path> scenario_files(const Context&);
+
+/// That of a name, or nothing.
+std::optional<std::filesystem::path> own_scenario(const Context&, const std::string& name);
 
 /// Whether a word names a file (it ends in .toml) rather than a scenario of the folder.
 bool is_path(const std::string& word);

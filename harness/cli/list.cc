@@ -52,6 +52,7 @@ nlohmann::ordered_json row(const scenarios::Scenario& scenario) {
           {"title", scenario.title},
           {"story", scenario.story},
           {"tags", scenario.tags},
+          {"sources", scenario.sources},
           {"duration", scenario.duration},
           {"step", scenario.step},
           {"bodies", scenario.scene.bodies.size()},

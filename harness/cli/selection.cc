@@ -194,10 +194,10 @@ std::vector<Candidate> candidates(const Context& context, const std::vector<Engi
 // expected.toml speaks of the folder's own scenarios: a file elsewhere that borrows a name is another
 // scenario.
 bool is_stranger(const Context& context, const scenarios::Scenario& scenario) {
-  const fs::path own = context.scenarios / (scenario.name + ".toml");
+  const auto own = own_scenario(context, scenario.name);
   std::error_code ignored;
-  if (!fs::exists(own, ignored) || fs::equivalent(own, scenario.file, ignored)) return false;
-  return scenarios::load(own).hash != scenario.hash;
+  if (!own || fs::equivalent(*own, scenario.file, ignored)) return false;
+  return scenarios::load(*own).hash != scenario.hash;
 }
 
 // `cylon run SCENARIO --engine ID --dt S`, with the worker of an engine that is not built in.

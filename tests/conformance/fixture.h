@@ -21,7 +21,9 @@ inline std::filesystem::path source(const std::string& path) {
 }
 
 inline scenarios::Scenario shipped(const std::string& name) {
-  return scenarios::load(source("scenarios/" + name + ".toml"));
+  const std::filesystem::path plain = source("scenarios/" + name + ".toml");
+  return scenarios::load(std::filesystem::exists(plain) ? plain
+                                                        : source("scenarios/extremes/" + name + ".toml"));
 }
 
 inline process::EngineChoice engine(const std::string& id) {
