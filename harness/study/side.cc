@@ -1,0 +1,91 @@
+#include "harness/study/side.h"
+
+#include "harness/core/fingerprint.h"
+#include "harness/process/child.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <system_error>
+
+namespace cylon::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Of a file as it is now; a file that did not change since is not read again.
+std::string file_hash(const fs::path& file) {
+  struct Known {
+    fs::file_time_type written;
+    std::uintmax_t size = 0;
+    std::string hash;
+  };
+  static std::map<fs::path, Known> known;
+  std::error_code ignored;
+  Known now{fs::last_write_time(file, ignored), fs::file_size(file, ignored), ""};
+  Known& before = known[file];
+  if (!before.hash.empty() && before.written == now.written && before.size == now.size) return before.hash;
+  core::Fingerprint hash;
+  std::ifstream in(file, std::ios::binary);
+  std::string block(std::size_t{1} << 20, '\0');
+  while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0)
+    hash.add({block.data(), static_cast<std::size_t>(in.gcount())});
+  now.hash = hash.hex();
+  before = now;
+  return now.hash;
+}
+
+/// The files in "libfmt.so.9 => /lib/libfmt.so.9 (0x…)" and "/lib64/ld.so (0x…)"; none of what is no dynamic
+/// program.
+std::vector<fs::path> libraries(const std::string& program) {
+  std::string text;
+  try {
+    process::Child ldd({"ldd", program}, 0);
+    ldd.set_deadline(10, "ldd");
+    while (ldd.receive()) {
+      text += ldd.output();
+      ldd.consume(ldd.output().size());
+    }
+  } catch (const process::Failure&) {
+    return {};
+  }
+  std::vector<fs::path> files;
+  std::istringstream words(text);
+  for (std::string word; words >> word;)
+    if (word.starts_with('/') && fs::is_regular_file(word)) files.emplace_back(word);
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace
+
+std::optional<process::EngineChoice> on(const Side& side, const process::EngineChoice& choice) {
+  const auto row = std::find_if(side.engines.begin(), side.engines.end(),
+                                [&](const process::EngineRow& r) { return r.id == choice.row.id; });
+  if (row == side.engines.end() || row->command.empty()) return std::nullopt;
+  const std::string& program = row->command.front();
+  if (program.find('/') != std::string::npos && ::access(program.c_str(), X_OK) != 0) return std::nullopt;
+  process::EngineChoice here = choice;
+  here.row = *row;
+  return here;
+}
+
+std::string content_hash(const std::vector<std::string>& command) {
+  core::Fingerprint hash;
+  for (const std::string& word : command) {
+    std::error_code ignored;
+    if (!fs::is_regular_file(word, ignored)) {
+      hash.add(word + "\n");
+      continue;
+    }
+    hash.add(file_hash(word) + "\n");
+    for (const fs::path& library : libraries(word)) hash.add(file_hash(library) + "\n");
+  }
+  return hash.hex();
+}
+
+}  // namespace cylon::study
