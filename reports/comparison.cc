@@ -1,0 +1,48 @@
+#include "reports/comparison.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+#include <map>
+
+namespace cylon::reports {
+
+using core::ComparedMetric;
+using core::Comparison;
+using core::ComparisonReport;
+using core::Finding;
+
+std::string changes(const Comparison& c) {
+  std::string text = c.reason;
+  const auto add = [&](const std::string& sentence) { text += (text.empty() ? "" : "; ") + sentence; };
+  for (const ComparedMetric& metric : c.metrics)
+    if (metric.finding != Finding::same) add(fmt::format("{}: {}", metric.name, metric.sentence));
+  return text;
+}
+
+std::string ratio(const Comparison& c) {
+  if (!c.time) return c.untimed.empty() ? "-" : c.untimed;
+  if (!std::isfinite(c.time->ratio)) return "-";
+  return fmt::format("x {:.3f} ({:.3f} … {:.3f})", c.time->ratio, c.time->low, c.time->high);
+}
+
+std::string summary(const ComparisonReport& report) {
+  std::map<Finding, int> counts;
+  for (const Comparison& c : report.cells) ++counts[c.finding];
+  std::string text;
+  for (const auto& [finding, count] : counts)
+    fmt::format_to(std::back_inserter(text), "{}{} {}", text.empty() ? "" : ", ", count, core::name(finding));
+  return text.empty() ? "nothing was compared" : text;
+}
+
+std::string warning(const ComparisonReport& report) {
+  if (report.reliable || !report.self_check) return "";
+  return fmt::format(
+      "environment unreliable: the baseline seems to differ from itself (x {:.3f}, {} pairs of {}), so that "
+      "no time "
+      "of this run is believed",
+      report.self_check->ratio, report.self_check->pairs, report.self_check->what);
+}
+
+}  // namespace cylon::reports

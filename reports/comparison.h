@@ -1,0 +1,36 @@
+// Comparisons of two builds for people at a terminal, for programs and for continuous integration.
+#pragma once
+
+#include "harness/core/comparison.h"
+#include "reports/console_options.h"
+
+#include <string>
+
+namespace cylon::reports {
+
+/// A table with a line per cell - outcome, ratio of times with its interval, pairs, what changed in the
+/// results - then the reason of everything that regressed with the command that compares it again, and a
+/// summary.
+std::string console(const core::ComparisonReport&, const ConsoleOptions&);
+
+/// {"schema":1, "baseline", "candidate", "tau", "alpha", "gate", "reliable", "self_check", "notes",
+/// "cells":[…]}. Numbers that are not finite are null.
+std::string to_json(const core::ComparisonReport&);
+
+/// A <testsuite> per scenario, a <testcase> per engine and step: <failure> for a regression, <skipped> for
+/// what was not compared or did not decide; the rest passes, with what changed in <system-out>.
+std::string to_junit(const core::ComparisonReport&);
+
+/// What changed, in words: "error of position: rose by 25 %, …; state hash: …"; "" where nothing did.
+std::string changes(const core::Comparison&);
+
+/// "x 1.052 (1.047 … 1.058)", or why there is no time.
+std::string ratio(const core::Comparison&);
+
+/// "2 regressed, 1 improved, 5 the same": those that occur, the worst first.
+std::string summary(const core::ComparisonReport&);
+
+/// Why no time is believed; "" where the environment is reliable.
+std::string warning(const core::ComparisonReport&);
+
+}  // namespace cylon::reports

@@ -1,0 +1,59 @@
+#include "reports/comparison.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace cylon::reports {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json number(double x) { return std::isfinite(x) ? ordered_json(x) : ordered_json(); }
+
+ordered_json json_of(const core::ComparedTime& t) {
+  return {{"finding", core::name(t.finding)},
+          {"ratio", number(t.ratio)},
+          {"low", number(t.low)},
+          {"high", number(t.high)},
+          {"confidence", number(t.confidence)},
+          {"pairs", t.pairs},
+          {"p", number(t.p)},
+          {"adjusted_p", number(t.adjusted)},
+          {"baseline_seconds", number(t.baseline_seconds)},
+          {"candidate_seconds", number(t.candidate_seconds)},
+          {"what", t.what}};
+}
+
+ordered_json json_of(const core::Comparison& c) {
+  ordered_json metrics = ordered_json::array();
+  for (const core::ComparedMetric& m : c.metrics)
+    metrics.push_back({{"name", m.name}, {"finding", core::name(m.finding)}, {"sentence", m.sentence}});
+  return {{"scenario", c.scenario},  {"scenario_hash", c.scenario_hash},
+          {"engine", c.engine},      {"dt", number(c.dt)},
+          {"dt_text", c.dt_text},    {"finding", core::name(c.finding)},
+          {"reason", c.reason},      {"time", c.time ? json_of(*c.time) : ordered_json()},
+          {"untimed", c.untimed},    {"metrics", metrics},
+          {"reproduce", c.reproduce}};
+}
+
+}  // namespace
+
+std::string to_json(const core::ComparisonReport& report) {
+  ordered_json cells = ordered_json::array();
+  for (const core::Comparison& c : report.cells) cells.push_back(json_of(c));
+  const ordered_json whole = {
+      {"schema", 1},
+      {"baseline", report.baseline},
+      {"candidate", report.candidate},
+      {"tau", number(report.tau)},
+      {"alpha", number(report.alpha)},
+      {"gate", report.gate},
+      {"reliable", report.reliable},
+      {"self_check", report.self_check ? json_of(*report.self_check) : ordered_json()},
+      {"notes", report.notes},
+      {"cells", cells}};
+  return whole.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace cylon::reports
