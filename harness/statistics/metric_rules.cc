@@ -20,7 +20,7 @@ std::string of_to(double before, double after) {
 }
 
 std::string moved(const MetricRule& rule, double before, double after) {
-  std::string text(rule.name);
+  std::string text(rule.subject);
   text += after > before ? " rose" : " fell";
   if (rule.absolute > 0) return text + " by " + number(std::abs(after - before), 2) + of_to(before, after);
   if (before == 0) return text + of_to(before, after);
@@ -29,8 +29,8 @@ std::string moved(const MetricRule& rule, double before, double after) {
 
 MetricResult judge_non_finite(const MetricRule& rule, double before, double after) {
   const bool was = std::isfinite(before), is = std::isfinite(after);
-  if (was == is) return {Outcome::same, std::string(rule.name) + " is not finite in either"};
-  const std::string sentence = std::string(rule.name) + (is ? " became finite" : " is no longer finite");
+  if (was == is) return {Outcome::same, std::string(rule.subject) + " is not finite in either"};
+  const std::string sentence = std::string(rule.subject) + (is ? " became finite" : " is no longer finite");
   if (rule.better == Better::neither) return {Outcome::changed, sentence + of_to(before, after)};
   return {is ? Outcome::improved : Outcome::regressed, sentence + of_to(before, after)};
 }
@@ -52,7 +52,7 @@ MetricResult judge(MetricKind kind, double before, double after, double floor) {
   const MetricRule& rule = rule_of(kind);
   if (!std::isfinite(before) || !std::isfinite(after)) return judge_non_finite(rule, before, after);
   const double difference = std::abs(after - before);
-  if (difference == 0) return {Outcome::same, std::string(rule.name) + " is equal"};
+  if (difference == 0) return {Outcome::same, std::string(rule.subject) + " is equal"};
   if (difference <= std::max({rule.relative * std::abs(before), rule.absolute, floor})) {
     const std::string threshold = difference <= floor ? "the rounding floor " + number(floor, 2)
                                   : rule.absolute > 0 ? number(rule.absolute)

@@ -29,15 +29,18 @@ struct MetricRule {
   double relative;
   double absolute;
   Better better;
-  std::string_view says;  ///< The rule in words, for reports.
+  std::string_view says;     ///< The rule in words, for reports.
+  std::string_view subject;  ///< Of a sentence: "count", "error", …
 };
 
 inline constexpr std::array<MetricRule, 5> metric_rules = {{
-    {MetricKind::exact, "exact", 0, 0, Better::neither, "equal or not"},
-    {MetricKind::error, "error", 0.10, 0, Better::smaller, "by more than 10 % and the rounding floor"},
-    {MetricKind::order, "order", 0, 0.1, Better::larger, "by more than 0.1"},
-    {MetricKind::size, "size", 0.01, 0, Better::smaller, "by more than 1 %"},
-    {MetricKind::time, "time", 0.02, 0, Better::smaller, "by more than 2 %, confirmed by pairs of runs"},
+    {MetricKind::exact, "exact", 0, 0, Better::neither, "equal or not", "count"},
+    {MetricKind::error, "error", 0.10, 0, Better::smaller, "by more than 10 % and the rounding floor",
+     "error"},
+    {MetricKind::order, "order", 0, 0.1, Better::larger, "by more than 0.1", "order"},
+    {MetricKind::size, "size", 0.01, 0, Better::smaller, "by more than 1 %", "size"},
+    {MetricKind::time, "time", 0.02, 0, Better::smaller, "by more than 2 %, confirmed by pairs of runs",
+     "time"},
 }};
 
 /// The row of a kind; "exact", "error", "order", "size", "time".

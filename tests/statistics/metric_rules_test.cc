@@ -31,11 +31,11 @@ using enum MetricKind;
 INSTANTIATE_TEST_SUITE_P(
     Rows, MetricRules,
     testing::Values(
-        Row{exact, 812345678, 812345678, 0, Outcome::same, "exact is equal"},
+        Row{exact, 812345678, 812345678, 0, Outcome::same, "count is equal"},
         Row{exact, 812345678, 812345679, 0, Outcome::changed,
-            "exact rose by 1.23e-07 %, from 812345678 to 812345679"},
-        Row{exact, 12, 11, 0, Outcome::changed, "exact fell by 8.33 %, from 12 to 11"},
-        Row{exact, 12, nan, 0, Outcome::changed, "exact is no longer finite, from 12 to nan"},
+            "count rose by 1.23e-07 %, from 812345678 to 812345679"},
+        Row{exact, 12, 11, 0, Outcome::changed, "count fell by 8.33 %, from 12 to 11"},
+        Row{exact, 12, nan, 0, Outcome::changed, "count is no longer finite, from 12 to nan"},
         // An accuracy fault of 20 %, and what lies on either side of 10 %.
         Row{error, 3.1e-6, 3.72e-6, 1e-15, Outcome::regressed,
             "error rose by 20 %, from 3.1e-06 to 3.72e-06"},
