@@ -34,6 +34,7 @@ constexpr Row commands[] = {
     {"truth", "Print the certified solution of a smooth scenario, with its proven error", add_truth},
     {"run", "Run scenarios on engines and judge every claim", add_run},
     {"selfcheck", "Published numbers of other suites beside what the same scenes give here", add_selfcheck},
+    {"track", "Keep the history of accuracy and speed, and compare with it", add_track},
     {"new", "Write a commented scenario to start from", add_new},
     {"doctor", "Check that everything Cylon needs is here and works", add_doctor},
     {"completion", "Print the completion script of a shell", add_completion},
@@ -49,8 +50,11 @@ bool is_program(const std::string& word) {
   return false;
 }
 
-std::vector<std::string> option_names(const CLI::App& app) {
+// Its options, and its commands where it has any.
+std::vector<std::string> words_of(const CLI::App& app) {
   std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
   for (const CLI::Option* option : app.get_options())
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   return names;
@@ -67,14 +71,18 @@ void refuse_unknown_command(const std::string& word) {
 
 // What the library says of a command line that it cannot take, with the nearest option.
 int refuse(const CLI::App& app, const CLI::ParseError& error) {
-  const auto chosen = app.get_subcommands();
-  const CLI::App& command = chosen.empty() ? app : *chosen.front();
-  const std::string name = chosen.empty() ? "cylon" : "cylon " + command.get_name();
+  const CLI::App* deepest = &app;
+  std::string name = "cylon";
+  while (!deepest->get_subcommands().empty()) {
+    deepest = deepest->get_subcommands().front();
+    name += " " + deepest->get_name();
+  }
+  const CLI::App& command = *deepest;
   std::string message = error.what();
   if (const auto extra = app.remaining(true); !extra.empty()) {
     const std::string word = extra.front().substr(0, extra.front().find('='));
     message = fmt::format("{}: unexpected '{}'{}", name, extra.front(),
-                          core::did_you_mean(word, option_names(command)));
+                          core::did_you_mean(word, words_of(command)));
   }
   std::cerr << fmt::format("error: {}\n`{} --help` shows what is valid\n", plain(message), name);
   return bad_input;

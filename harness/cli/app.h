@@ -22,6 +22,7 @@ Command add_simulate(CLI::App&, const Context&);
 Command add_truth(CLI::App&, const Context&);
 Command add_run(CLI::App&, const Context&);
 Command add_selfcheck(CLI::App&, const Context&);
+Command add_track(CLI::App&, const Context&);
 Command add_new(CLI::App&, const Context&);
 Command add_doctor(CLI::App&, const Context&);
 Command add_completion(CLI::App&, const Context&);

@@ -32,6 +32,8 @@ std::string worker_hash(const std::vector<std::string>& command) {
   return found->second;
 }
 
+}  // namespace
+
 nlohmann::json to_json(const Request& r) {
   return {{"patterns", r.patterns},
           {"engines", r.engines},
@@ -44,7 +46,7 @@ nlohmann::json to_json(const Request& r) {
           {"copies", r.copies}};
 }
 
-Request from_json(const nlohmann::json& j) {
+Request request_from(const nlohmann::json& j) {
   return {j.at("patterns"),
           j.at("engines"),
           j.at("steps"),
@@ -55,8 +57,6 @@ Request from_json(const nlohmann::json& j) {
           j.value("tolerance_scale", 1.0),
           j.value("copies", 0)};
 }
-
-}  // namespace
 
 std::string cell_key(const study::Cell& cell, const std::string& expectations_hash) {
   return fmt::format("{}/{}/{}/{}", cell_name(cell), cell.scenario->hash,
@@ -77,7 +77,7 @@ Journal::Content Journal::read() const {
     try {
       const nlohmann::json row = nlohmann::json::parse(line);
       if (row.contains("request")) {
-        content.request = from_json(row.at("request"));
+        content.request = request_from(row.at("request"));
         continue;
       }
       std::vector<core::Verdict> verdicts;

@@ -6,6 +6,8 @@
 #include "harness/cli/selection.h"
 #include "harness/study/cell.h"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -22,6 +24,11 @@ std::string cell_key(const study::Cell&, const std::string& expectations_hash);
 
 /// Scenario, engine and step as the user names them: the same cell, whatever its files hold by now.
 std::string cell_name(const study::Cell&);
+
+/// What was asked for, so that it can be asked for again; throws nlohmann::json's exceptions where it is
+/// none.
+nlohmann::json to_json(const Request&);
+Request request_from(const nlohmann::json&);
 
 class Journal {
  public:

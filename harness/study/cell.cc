@@ -86,12 +86,12 @@ void judge(Verdict& row, const Claim& claim, const Cell& cell, std::span<const c
 
 // A run of the scene, which is the scenario's or a copy of it.
 process::RunOutcome record(const Cell& cell, const core::Scene& scene, double dt, const Sampling& samples,
-                           const process::Limits& limits, int repetitions = 0) {
+                           const process::Limits& limits) {
   process::RunRequest request;
   request.scene = &scene;
   request.setup.dt = dt;
   request.steps = samples.steps, request.every = samples.every, request.at = samples.at,
-  request.watch = samples.watch, request.repetitions = repetitions;
+  request.watch = samples.watch;
   return process::run(cell.engine, request, limits);
 }
 
@@ -170,8 +170,7 @@ std::vector<Verdict> run(const Cell& cell, const process::Limits& limits,
   for (int i = 0; i < runs; ++i) {
     const double dt = std::ldexp(cell.dt, -i);
     const Sampling samples = i == 0 ? plan : sampling(scenario, dt);
-    process::RunOutcome outcome =
-        record(cell, scenario.scene, dt, samples, limits, i == 0 ? cell.repetitions : 0);
+    process::RunOutcome outcome = record(cell, scenario.scene, dt, samples, limits);
     if (i == 0 && cell.seen) cell.seen(outcome);
     for (Verdict& row : rows) {
       if (i == 0) {

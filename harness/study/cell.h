@@ -26,7 +26,6 @@ struct Cell {
   Exam exam = Exam::claims;
   double tolerance_scale = 1;  ///< Multiplies all that is allowed, >= 0; at 0 nothing passes.
   int copies = 0;              ///< Runs that start one ulp apart, to see how far they spread.
-  int repetitions = 0;         ///< Further runs in the same worker, of which only times are kept.
   /// Gets what came of the run at `dt` before it is judged; called by the thread that runs the cell.
   std::function<void(const process::RunOutcome&)> seen;
 };
