@@ -2,7 +2,6 @@
 
 #include "harness/statistics/holm.h"
 #include "harness/study/paired_times.h"
-#include "harness/study/profile.h"
 
 #include <fmt/format.h>
 
@@ -25,13 +24,6 @@ struct ToTime {
   SamplePlan plan;
 };
 
-Comparison open(const Cell& cell) {
-  Comparison c;
-  c.scenario = cell.scenario->name, c.scenario_hash = cell.scenario->hash;
-  c.engine = cell.engine.id, c.dt = cell.dt, c.dt_text = cell.dt_text, c.reproduce = cell.reproduce;
-  return c;
-}
-
 bool end(Comparison& c, Finding finding, std::string reason) {
   c.finding = finding;
   c.reason = std::move(reason);
@@ -42,16 +34,6 @@ std::string failure_of(const Profile& p) { return fmt::format("{}: {}", core::na
 
 /// Whether both builds ran to the end, so that there is something to compare; else `c` says what is the
 /// matter.
-bool both_ran(Comparison& c, const Profile& baseline, const Profile& candidate) {
-  const bool before = baseline.status == core::Status::pass, after = candidate.status == core::Status::pass;
-  if (before && after) return true;
-  if (before) return end(c, Finding::regressed, "no longer runs: " + failure_of(candidate));
-  if (after) return end(c, Finding::improved, "the baseline did not run: " + failure_of(baseline));
-  return end(c, Finding::skipped,
-             baseline.status == core::Status::unsupported ? failure_of(candidate)
-                                                          : "neither build runs: " + failure_of(candidate));
-}
-
 /// What repeats bit for bit, and a plan for the times.
 std::optional<ToTime> compare_exactly(const Cell& cell, Comparison& c, const Side& old_side,
                                       const Side& new_side, const CompareOptions& options,
@@ -118,6 +100,23 @@ void time_cell(const ToTime& job, const CompareOptions& options, const statistic
 
 }  // namespace
 
+core::Comparison open_comparison(const Cell& cell) {
+  Comparison c;
+  c.scenario = cell.scenario->name, c.scenario_hash = cell.scenario->hash;
+  c.engine = cell.engine.id, c.dt = cell.dt, c.dt_text = cell.dt_text, c.reproduce = cell.reproduce;
+  return c;
+}
+
+bool both_ran(Comparison& c, const Profile& baseline, const Profile& candidate) {
+  const bool before = baseline.status == core::Status::pass, after = candidate.status == core::Status::pass;
+  if (before && after) return true;
+  if (before) return end(c, Finding::regressed, "no longer runs: " + failure_of(candidate));
+  if (after) return end(c, Finding::improved, "the baseline did not run: " + failure_of(baseline));
+  return end(c, Finding::skipped,
+             baseline.status == core::Status::unsupported ? failure_of(candidate)
+                                                          : "neither build runs: " + failure_of(candidate));
+}
+
 void adjust(std::vector<Comparison>& cells, double alpha) {
   std::vector<core::ComparedTime*> timed;
   std::vector<double> p;
@@ -149,7 +148,7 @@ core::ComparisonReport compare(const std::vector<Cell>& cells, const Side& basel
   std::set<std::string> notes;
   std::vector<ToTime> jobs;
   for (const Cell& cell : cells) {
-    Comparison& c = report.cells.emplace_back(open(cell));
+    Comparison& c = report.cells.emplace_back(open_comparison(cell));
     if (progress) progress("results of " + c.cell());
     auto job = compare_exactly(cell, c, baseline, candidate, options, notes);
     if (!job) continue;

@@ -6,6 +6,7 @@
 #include "harness/statistics/paired_rule.h"
 #include "harness/study/cell.h"
 #include "harness/study/instructions.h"
+#include "harness/study/profile.h"
 #include "harness/study/sampler.h"
 #include "harness/study/side.h"
 
@@ -39,6 +40,13 @@ using CompareProgress = std::function<void(const std::string&)>;
 /// has regressed. Throws what process::run throws.
 core::ComparisonReport compare(const std::vector<Cell>&, const Side& baseline, const Side& candidate,
                                const CompareOptions&, const CompareProgress&);
+
+/// A row with the cell's names and nothing compared yet.
+core::Comparison open_comparison(const Cell&);
+
+/// Whether both builds ran to the end, so that there is something to compare; else the row says what is the
+/// matter.
+bool both_ran(core::Comparison&, const Profile& baseline, const Profile& candidate);
 
 /// Holm's adjustment over the cells that were timed, and the findings by it.
 void adjust(std::vector<core::Comparison>&, double alpha);

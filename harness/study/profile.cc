@@ -86,8 +86,7 @@ ClaimProfile profile_of(const Claim& claim, const Scenario& scenario, std::span<
 }
 
 /// The rule's sentence without the rule's own name, which stands in the metric's.
-std::string without_name(std::string sentence, MetricKind kind) {
-  const std::string_view name = statistics::rule_of(kind).name;
+std::string without_name(std::string sentence, std::string_view name) {
   if (sentence.starts_with(std::string(name) + " ")) sentence.erase(0, name.size() + 1);
   return sentence;
 }
@@ -95,7 +94,8 @@ std::string without_name(std::string sentence, MetricKind kind) {
 core::ComparedMetric judged(std::string name, MetricKind kind, double before, double after,
                             double floor = 0) {
   const statistics::MetricResult result = statistics::judge(kind, before, after, floor);
-  return {std::move(name), finding_of(result.outcome), without_name(result.sentence, kind)};
+  return {std::move(name), finding_of(result.outcome),
+          without_name(result.sentence, statistics::rule_of(kind).subject)};
 }
 
 bool is_an_order(double order) {
@@ -137,16 +137,21 @@ Profile profile(const Scenario& scenario, const process::EngineChoice& engine, d
 
 std::vector<core::ComparedMetric> compare_profiles(const Profile& before, const Profile& after) {
   std::vector<core::ComparedMetric> metrics;
-  for (std::size_t i = 0; i < std::min(before.claims.size(), after.claims.size()); ++i) {
-    const ClaimProfile &b = before.claims[i], &a = after.claims[i];
+  for (const ClaimProfile& b : before.claims) {
+    const auto same = std::find_if(after.claims.begin(), after.claims.end(),
+                                   [&](const ClaimProfile& other) { return other.claim == b.claim; });
+    if (same == after.claims.end()) continue;
+    const ClaimProfile& a = *same;
     metrics.push_back(
         judged("error of " + b.claim, MetricKind::error, b.error, a.error, std::max(b.floor, a.floor)));
     if (is_an_order(b.order) && std::isfinite(a.order))
       metrics.push_back(judged("order of " + b.claim, MetricKind::order, b.order, a.order));
   }
-  const statistics::MetricResult hash =
-      statistics::judge_hash(before.facts.state_hash, after.facts.state_hash);
-  metrics.push_back({"state hash", finding_of(hash.outcome), hash.sentence});
+  if (!before.facts.state_hash.empty()) {  // a history may lack it
+    const statistics::MetricResult hash =
+        statistics::judge_hash(before.facts.state_hash, after.facts.state_hash);
+    metrics.push_back({"state hash", finding_of(hash.outcome), without_name(hash.sentence, "hash")});
+  }
   const struct {
     const char* name;
     std::int64_t before, after;
