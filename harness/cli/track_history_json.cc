@@ -62,9 +62,8 @@ std::string history_json(const std::vector<HistoryRow>& rows) {
                       {"dt", row.cell.dt},
                       {"metric", row.metric.name},
                       {"kind", store::name(row.metric.kind)},
-                      {"unit", row.scale == Scale::ratio ? "" : row.metric.unit},
+                      {"unit", row.metric.unit},
                       {"scale", scale_names[static_cast<std::size_t>(row.scale)]},
-                      {"anchor", row.anchor},
                       {"points", points(row)},
                       {"versions", row.versions},
                       {"changes", changes(row)}});

@@ -40,8 +40,8 @@ struct HistoryChange {
 
 /// How the numbers of a row are to be read.
 enum class Scale {
-  ratio,     ///< Time over the anchor's time in the same run: what change points are sought in.
-  absolute,  ///< Time without an anchor: shown, not judged, as the machine's own speed changes.
+  ratio,     ///< Time over that of a pinned binary, side by side: what change points are sought in.
+  absolute,  ///< Time alone: shown, not judged, as the machine's own speed changes.
   value,     ///< Deterministic numbers: errors, counts, sizes.
   text,      ///< Hashes.
 };
@@ -51,19 +51,17 @@ struct HistoryRow {
   store::Cell cell;
   store::Metric metric;
   Scale scale = Scale::value;
-  std::string anchor;  ///< Its name, where the row is a ratio to a pinned one.
   std::vector<HistoryPoint> points;
   std::vector<HistoryChange> changes;  ///< By index.
   std::vector<std::size_t> versions;   ///< Points whose engine is of another version than the point before.
 };
 
-/// The rows that are wanted, by cell name and metric.
+/// The rows that are wanted, by cell name; of a cell ratios first, then times, errors, and the rest by name.
 ///
-/// A time is a ratio where the metric's unit is "ratio" (a value per pair of processes), or where the same
-/// run has the same scenario, step and metric of an engine whose name is a pinned anchor's: then the pairs
-/// are those of equal repetition.  The ratio of a run is the Hodges-Lehmann estimate over its pairs.  Change
-/// points are sought in ratios and in sizes (statistics/change_points.h); errors are held against the level
-/// before by the rule of their kind, down to the truth's own error; counts and hashes are equal or not.
+/// A time is a ratio where the metric's unit is "ratio": a value per pair of processes, of which the run's is
+/// the Hodges-Lehmann estimate; of absolute times it is the least.  Change points are sought in ratios and in
+/// sizes (statistics/change_points.h); errors are held against the level before by the rule of their kind,
+/// down to the truth's own error; counts and hashes are equal or not.
 std::vector<HistoryRow> history_rows(const store::Store&, const HistorySelection& = {});
 
 /// The id of a change at a revision.

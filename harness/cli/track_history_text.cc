@@ -75,25 +75,20 @@ std::string marks_below(const HistoryRow& row, const ConsoleOptions& console, st
   return line;
 }
 
-std::string title(const HistoryRow& row) {
-  return row.metric.name + (row.anchor.empty() ? "" : " / " + row.anchor);
-}
-
 std::string last_value(const HistoryRow& row) {
   const HistoryPoint& last = row.points.back();
   if (row.scale == Scale::text) return last.text;
   if (!std::isfinite(last.value)) return "not finite";
   if (row.scale == Scale::ratio) return fmt::format("x {:.3f}", last.value);
-  return fmt::format("{:.4g}{}{}", last.value, row.metric.unit.empty() ? "" : " ", row.metric.unit) +
-         (row.scale == Scale::absolute ? ", no anchor" : "");
+  return fmt::format("{:.4g}{}{}", last.value, row.metric.unit.empty() ? "" : " ", row.metric.unit);
 }
 
 std::string row_text(const HistoryRow& row, const ConsoleOptions& console) {
   const std::size_t room =
       static_cast<std::size_t>(std::max(console.width, 80)) - name_width - value_width - 6;
-  std::string text =
-      fmt::format("  {}  {}  {}\n", reports::fitted(reports::shown(title(row), console), name_width, "~"),
-                  curve(row, console, room), reports::shown(last_value(row), console));
+  std::string text = fmt::format("  {}  {}  {}\n",
+                                 reports::fitted(reports::shown(row.metric.name, console), name_width, "~"),
+                                 curve(row, console, room), reports::shown(last_value(row), console));
   const std::string below = marks_below(row, console, room);
   if (!below.empty()) text += std::string(name_width + 4, ' ') + below + "\n";
   for (const HistoryChange& c : row.changes) {
