@@ -42,7 +42,7 @@ struct Options {
   std::string store, label, revision, note;
   std::optional<std::int64_t> order;
   int jobs = 1;
-  bool resume = false;
+  bool resume = false, verbose = false;
 };
 
 nlohmann::json to_json(const Request& request, const Measured& m) {
@@ -156,6 +156,10 @@ class Recorder {
     study::run(todo, {options_.jobs, limits_}, expectations_, [&](std::size_t i, const auto& rows) {
       add(todo[i], outcomes[i], rows);
       outcomes[i] = {};
+      if (options_.verbose)
+        std::cout << fmt::format("stored {} on {} at {}\n", todo[i].scenario->name, todo[i].engine.id,
+                                 todo[i].dt_text)
+                  << std::flush;
       if (context_.progress)
         std::cerr << fmt::format("\r[{}/{}] {} on {}\x1b[K", ++finished, todo.size(), todo[i].scenario->name,
                                  todo[i].engine.id)
@@ -306,6 +310,7 @@ Command add_track_record(CLI::App& app, const Context& context) {
       ->check(positive(4096));
   app.add_flag("--resume", options->resume,
                "Go on with the last recording of the store that was interrupted");
+  app.add_flag("-v,--verbose", options->verbose, "A line for each cell as soon as it is stored");
   add_store_option(app, options->store);
   app.footer(
       "Each cell is stored as soon as it is measured; whatever ends the recording, --resume goes on after "

@@ -28,6 +28,7 @@ constexpr Row rows[] = {
      "is damaged ({}); it is left as it is: restore a backup, or save what can be read with `sqlite3 FILE "
      ".recover`"},
     {SQLITE_FULL, no_room},
+    {SQLITE_IOERR_WRITE, no_room},
     {SQLITE_BUSY,
      "another process is writing to it and did not end in 10 s; wait for it, or name another store with "
      "--store"},

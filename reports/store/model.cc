@@ -82,6 +82,26 @@ std::string digest(const Result& given) {
   return fingerprint.hex();
 }
 
+std::string digest(const RunInfo& r) {
+  core::Fingerprint fingerprint;
+  add(fingerprint, {r.uid, r.label, r.revision, r.date, r.machine, r.os, r.compiler, r.flags, r.build,
+                    r.command_line, r.request, r.note});
+  fingerprint.add(fmt::format("{};", r.revision_order.value_or(0)));
+  return fingerprint.hex();
+}
+
+std::string digest(const Anchor& a) {
+  core::Fingerprint fingerprint;
+  add(fingerprint, {a.name, a.binary, a.build, a.date, a.note, a.run});
+  return fingerprint.hex();
+}
+
+std::string digest(const ChangePoint& p) {
+  core::Fingerprint fingerprint;
+  add(fingerprint, {p.series, p.revision, p.state, p.date, p.note});
+  return fingerprint.hex();
+}
+
 std::string twice(const Result& given) {
   const Result r = canonical(given);
   const auto same = [](const auto& a, const auto& b) { return key(a) == key(b); };

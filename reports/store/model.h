@@ -128,6 +128,10 @@ std::string series_id(const Cell&, const Metric&);
 
 /// Of a result's every value, in any order of its samples and judgements.
 std::string digest(const Result&);
+/// Of all fields; of a run all but its id and whether it is complete.
+std::string digest(const RunInfo&);
+std::string digest(const Anchor&);
+std::string digest(const ChangePoint&);
 
 /// The first metric or claim that a result has twice, "" where none.
 std::string twice(const Result&);

@@ -22,7 +22,8 @@ CREATE TABLE run (
   command_line   TEXT NOT NULL,
   request        TEXT NOT NULL,
   note           TEXT NOT NULL,
-  complete       INTEGER NOT NULL CHECK (complete IN (0, 1))
+  complete       INTEGER NOT NULL CHECK (complete IN (0, 1)),
+  digest         TEXT NOT NULL
 ) STRICT;
 CREATE INDEX run_by_revision ON run (revision_order, id);
 
@@ -106,7 +107,8 @@ CREATE TABLE anchor (
   build  TEXT NOT NULL,
   date   TEXT NOT NULL,
   note   TEXT NOT NULL,
-  run    TEXT NOT NULL
+  run    TEXT NOT NULL,
+  digest TEXT NOT NULL
 ) STRICT, WITHOUT ROWID;
 
 CREATE TABLE change_point (
@@ -115,6 +117,7 @@ CREATE TABLE change_point (
   state    TEXT NOT NULL CHECK (state IN ('detected', 'active', 'ignored', 'fixed')),
   date     TEXT NOT NULL,
   note     TEXT NOT NULL,
+  digest   TEXT NOT NULL,
   PRIMARY KEY (series, revision)
 ) STRICT, WITHOUT ROWID;
 )";

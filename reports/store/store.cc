@@ -37,6 +37,15 @@ std::string immutable(const fs::path& file) {
   return uri + "?immutable=1";
 }
 
+// SQLite takes what is missing of the last page for zeros.
+void require_whole(Database& database, const fs::path& file) {
+  const auto pages = static_cast<std::uintmax_t>(database.number("PRAGMA page_count"));
+  const auto page = static_cast<std::uintmax_t>(database.number("PRAGMA page_size"));
+  std::error_code error;
+  if (const auto size = fs::file_size(file, error); !error && !has_log(file) && size < pages * page)
+    database.fail(SQLITE_CORRUPT, fmt::format("{} bytes of {}", size, pages * page));
+}
+
 std::unique_ptr<Database> open_to_read(const fs::path& file) {
   std::error_code ignored;
   if (!fs::exists(file, ignored)) refuse(file, "there is no store here; `cylon track record` begins one");
@@ -48,6 +57,7 @@ std::unique_ptr<Database> open_to_read(const fs::path& file) {
   if (version == 0) refuse(file, "is empty; `cylon track record` begins a store");
   if (version < static_cast<std::int64_t>(migrations().size()))
     refuse(file, "was written by an older Cylon; any command that writes to it brings it up to date");
+  require_whole(*database, file);
   return database;
 }
 
@@ -60,6 +70,7 @@ std::unique_ptr<Database> open_to_write(const fs::path& file) {
   }
   auto database = std::make_unique<Database>(file, file.string(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
   const std::int64_t version = require_ours(*database);
+  if (version > 0) require_whole(*database, file);
   database->accept();
   if (Query mode = database->query("PRAGMA journal_mode = WAL"); !mode.step() || mode.text() != "wal")
     refuse(file,
@@ -135,13 +146,15 @@ std::int64_t place(Database& database, const RunInfo& run) {
   return database.number("SELECT coalesce(max(revision_order), 0) + 1 FROM run");
 }
 
-std::int64_t insert(Database& database, const RunInfo& r) {
+std::int64_t insert(Database& database, RunInfo r) {
+  r.revision_order = place(database, r);
   database
       .query(
           "INSERT INTO run (uid, label, revision, revision_order, date, machine, os, compiler, flags, build, "
-          "command_line, request, note, complete) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
-      .bind(r.uid, r.label, r.revision, place(database, r), r.date, r.machine, r.os, r.compiler, r.flags,
-            r.build, r.command_line, r.request, r.note, std::int64_t{r.complete})
+          "command_line, request, note, complete, digest) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+          "?)")
+      .bind(r.uid, r.label, r.revision, r.revision_order, r.date, r.machine, r.os, r.compiler, r.flags,
+            r.build, r.command_line, r.request, r.note, std::int64_t{r.complete}, digest(r))
       .run();
   return database.last_id();
 }
@@ -221,23 +234,27 @@ void Store::finish_run(std::int64_t run) {
   database_->query("UPDATE run SET complete = 1 WHERE id = ?").bind(run).run();
 }
 
-void Store::pin(const Anchor& a) {
+void Store::pin(const Anchor& given) {
+  const Anchor a = {clean(given.name), clean(given.binary), clean(given.build),
+                    clean(given.date), clean(given.note),   clean(given.run)};
   database_
       ->query(
-          "INSERT INTO anchor (name, binary, build, date, note, run) VALUES (?, ?, ?, ?, ?, ?) ON CONFLICT "
-          "DO "
-          "UPDATE SET binary = excluded.binary, build = excluded.build, date = excluded.date, "
-          "note = excluded.note, run = excluded.run")
-      .bind(clean(a.name), clean(a.binary), clean(a.build), clean(a.date), clean(a.note), clean(a.run))
+          "INSERT OR REPLACE INTO anchor (name, binary, build, date, note, run, digest) VALUES (?, ?, ?, ?, "
+          "?, "
+          "?, ?)")
+      .bind(a.name, a.binary, a.build, a.date, a.note, a.run, digest(a))
       .run();
 }
 
-void Store::set(const ChangePoint& p) {
+void Store::set(const ChangePoint& given) {
+  const ChangePoint p = {clean(given.series), clean(given.revision), given.state, clean(given.date),
+                         clean(given.note)};
   database_
       ->query(
-          "INSERT INTO change_point (series, revision, state, date, note) VALUES (?, ?, ?, ?, ?) ON CONFLICT "
-          "DO UPDATE SET state = excluded.state, date = excluded.date, note = excluded.note")
-      .bind(clean(p.series), clean(p.revision), p.state, clean(p.date), clean(p.note))
+          "INSERT OR REPLACE INTO change_point (series, revision, state, date, note, digest) VALUES (?, ?, "
+          "?, "
+          "?, ?, ?)")
+      .bind(p.series, p.revision, p.state, p.date, p.note, digest(p))
       .run();
 }
 

@@ -149,7 +149,7 @@ TEST_F(Stores, FindARunByWhatAUserKnowsOfIt) {
   EXPECT_EQ(store.find_run("r1").value().id, second);  // the latest of the revision
   EXPECT_EQ(store.find_run(uid).value().id, first);
   EXPECT_EQ(store.find_run(uid.substr(0, 8)).value().id, first);
-  EXPECT_EQ(store.find_run("#2").value().id, second);
+  EXPECT_EQ(store.find_run("2").value().id, second);
   EXPECT_FALSE(store.find_run("never").has_value());
 }
 
