@@ -33,6 +33,8 @@ constexpr Row commands[] = {
     {"simulate", "Run one engine on one scenario and print its states as CSV", add_simulate},
     {"truth", "Print the certified solution of a smooth scenario, with its proven error", add_truth},
     {"run", "Run scenarios on engines and judge every claim", add_run},
+    {"trade", "Speed against accuracy: every engine, scheme and step, with the best of each", add_trade},
+    {"advise", "The cheapest setting of each engine that meets a tolerance", add_advise},
     {"selfcheck", "Published numbers of other suites beside what the same scenes give here", add_selfcheck},
     {"track", "Keep the history of accuracy and speed, and compare with it", add_track},
     {"new", "Write a commented scenario to start from", add_new},

@@ -1,0 +1,153 @@
+// cylon advise
+#include "harness/cli/advise.h"
+
+#include "harness/cli/app.h"
+#include "harness/cli/output.h"
+#include "harness/cli/selection.h"
+#include "harness/core/input_error.h"
+#include "harness/study/advise.h"
+#include "harness/study/features.h"
+#include "harness/study/settings.h"
+#include "reports/advice.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+#include <iostream>
+#include <thread>
+
+namespace cylon::cli {
+namespace {
+
+struct Options {
+  std::string file, observable, json;
+  std::vector<std::string> workers;
+  study::SettingsRequest wanted;
+  study::AdviseOptions how;
+  int jobs = 0;
+  double work = 1 << 20, timeout = 60;
+  bool no_features = false, verify = false;
+};
+
+std::vector<core::Pick> chosen(const core::Advice& advice) {
+  std::vector<core::Pick> picks;
+  for (const core::EngineAdvice& one : advice.engines)
+    if (one.pick && !one.engine.ends_with("-float")) picks.push_back(*one.pick);
+  return picks;
+}
+
+int exit_code(const core::Advice& advice) {
+  const bool any = std::any_of(advice.engines.begin(), advice.engines.end(),
+                               [](const core::EngineAdvice& one) { return one.pick && !one.over_budget; });
+  return any ? ok : differs;
+}
+
+int run(const Context& context, Options options) {
+  require_writable(options.json);
+  options.how.limits.run_seconds = options.timeout;
+  options.how.most = static_cast<std::int64_t>(options.work);
+  options.how.workers =
+      options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  const auto rows = with_workers(context, options.workers);
+  if (options.verify)
+    return verify_advice(context, {.wanted = options.wanted,
+                                   .how = options.how,
+                                   .rows = rows,
+                                   .only = options.file,
+                                   .observable = options.observable});
+  if (options.file.empty()) throw core::InputError("say which scenario: cylon advise FILE --tolerance X");
+  const scenarios::Scenario scenario = scenarios::load(find_scenario(context, options.file));
+  const study::Ladder ladder = study::ladder(scenario, 1, 1);
+  const auto starts = study::starts(scenario, study::check_variations(), ladder.samples, options.observable,
+                                    rows, options.how.limits);
+  core::Advice advice;
+  advice.scenario = scenario.name, advice.duration = scenario.duration;
+  advice.tolerance = options.how.tolerance, advice.budget = options.how.budget;
+  if (!starts.empty()) {
+    const core::TradeMeasure& measure = starts.front().yardstick->measures()[starts.front().by];
+    advice.measure = measure.name, advice.against = measure.against;
+    advice.starts = static_cast<int>(starts.size());
+    const auto settings = study::settings(scenario, rows, options.wanted);
+    int searched = 0;
+    advice.engines = study::advise(starts, settings, options.how, [&](const study::Setting& setting) {
+      ++searched;
+      if (context.progress)
+        std::cerr << fmt::format("\r[{}/{}] {} {}\x1b[K", searched, settings.size(), setting.engine.id,
+                                 setting.scheme.name)
+                  << std::flush;
+    });
+    if (!options.no_features)
+      advice.features = study::price_features(starts.front(), chosen(advice), settings, rows,
+                                              options.how.rounds, options.how.limits);
+    if (context.progress) std::cerr << "\r\x1b[K" << std::flush;
+  }
+  if (options.json != "-")
+    std::cout << reports::advice_text(
+        advice, {.width = context.width, .utf8 = context.utf8, .colour = context.colour});
+  if (!options.json.empty()) {
+    reports::Provenance provenance = reports::build_and_machine();
+    provenance.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+    provenance.command_line = context.command_line;
+    write_whole(options.json, reports::advice_json(advice, provenance));
+  }
+  return exit_code(advice);
+}
+
+}  // namespace
+
+Command add_advise(CLI::App& app, const Context& context) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("file", options->file, "A scenario file, or the name of a shipped scenario")
+      ->type_name("FILE");
+  app.add_option("--tolerance", options->how.tolerance,
+                 "The largest error that you can bear, relative to the size of the motion (angles: rad)")
+      ->type_name("X")
+      ->capture_default_str()
+      ->check(positive(1));
+  app.add_option("--observable", options->observable,
+                 "Which error: trajectory, position, energy, events, …; the trajectory otherwise")
+      ->type_name("NAME");
+  app.add_option("--budget", options->how.budget,
+                 "CPU seconds per simulated second that you can spend; what costs more is said to")
+      ->type_name("S")
+      ->check(positive(1e9));
+  app.add_option("--engine", options->wanted.engines,
+                 "An engine's id or a glob; a variant follows '/'. May be given again; all otherwise")
+      ->type_name("GLOB")
+      ->allow_extra_args(false);
+  app.add_option("--integrator", options->wanted.integrators,
+                 "A scheme, or a glob. May be given again; all schemes of each engine otherwise")
+      ->type_name("GLOB")
+      ->allow_extra_args(false);
+  app.add_option("--work", options->work, "Bodies times steps that one run may take")
+      ->type_name("N")
+      ->capture_default_str()
+      ->check(positive(1e12));
+  app.add_option("--rounds", options->how.rounds, "How often each finalist is timed, in turns")
+      ->type_name("N")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000));
+  app.add_flag("--no-features", options->no_features, "Leave out what each part of the scene costs");
+  app.add_option("-j,--jobs", options->jobs, "Searches at one time; all processors otherwise")
+      ->type_name("N")
+      ->check(positive(4096));
+  app.add_option("--timeout", options->timeout, "Seconds until an engine is stopped, for each run")
+      ->capture_default_str()
+      ->type_name("S")
+      ->check(positive(1e6));
+  app.add_option("--json", options->json, "Write the advice as JSON; - is stdout")->type_name("FILE");
+  app.add_flag(
+      "--verify", options->verify,
+      "Check the advice itself, on twenty scenarios or on FILE: whether it holds from starts that it "
+      "has not seen, and what it costs beside the best of a whole sweep. Takes minutes");
+  add_worker_option(app, options->workers);
+  app.footer(
+      "Each scheme's step is found along its order, and the pick is run from further starts (velocities, or\n"
+      "gravity, up to 1.6 % off) before it is named. Exit code 1: no engine meets the tolerance in the "
+      "budget.");
+  return [=, &context] { return run(context, *options); };
+}
+
+}  // namespace cylon::cli

@@ -1,0 +1,48 @@
+// The cheapest setting of each engine that meets a tolerance: found along the scheme's order, and run from
+// starts that had no part in the search.
+#pragma once
+
+#include "harness/core/advice.h"
+#include "harness/study/starts.h"
+#include "harness/study/sweep.h"
+
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace cylon::study {
+
+struct AdviseOptions {
+  double tolerance = 1e-3;      ///< Relative, of the measure, > 0.
+  double budget = 0;            ///< CPU seconds per simulated second; 0: none.
+  std::int64_t most = 1 << 20;  ///< Bodies times steps that one run may take.
+  int workers = 1;              ///< Searches at one time.
+  int rounds = 3;               ///< Of timing.
+  process::Limits limits;
+};
+
+/// Parts by which the starts of a check differ from the nominal one.
+std::span<const double> check_variations();
+
+/// The steps that a search chooses among: multiples of `samples`, each about 2^(1/4) of the one before, up to
+/// `most`.
+std::vector<std::int64_t> fine_steps(std::int64_t samples, std::int64_t most);
+
+/// An advice for each row of engines among the settings, in their order.  `starts`, not empty: the first is
+/// searched on; a pick must meet the tolerance with a margin of 15 % on all.  `done` is called after each
+/// search, one at a time.  Throws core::InputError for a setting that was asked for and is impossible,
+/// process::Interrupted.
+std::vector<core::EngineAdvice> advise(const std::vector<Start>& starts, const std::vector<Setting>& settings,
+                                       const AdviseOptions&, const std::function<void(const Setting&)>& done);
+
+/// A pick as a setting to run.
+Setting setting_of(const core::Pick&, const std::vector<Setting>& settings);
+
+/// The error of a pick from one start; NaN where the run fails.
+double error_from(const Start&, const Setting&, std::int64_t steps, double tolerance, const process::Limits&);
+
+/// The costs of picks, measured in turns: round r of each before round r + 1.
+void time_picks(const std::vector<core::Pick*>&, const core::Scene&, const std::vector<Setting>&,
+                double duration, int rounds, const process::Limits&);
+
+}  // namespace cylon::study

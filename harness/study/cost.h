@@ -1,0 +1,32 @@
+// What a run costs, measured apart from any recording.
+#pragma once
+
+#include "harness/core/scene.h"
+#include "harness/process/client.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace cylon::study {
+
+/// What is timed.
+struct Timed {
+  process::EngineChoice engine;
+  core::Setup setup;
+  std::int64_t steps = 0;
+};
+
+/// The least times of some runs in one worker after one that only warms it: as many as 20 ms have room for,
+/// by `guess` [s], the CPU time of a run; at least 1, at most 200.  Nothing where the engine fails.  Throws
+/// what process::run throws.
+std::optional<process::Repetition> time_once(const Timed&, const core::Scene&, double guess,
+                                             const process::Limits&);
+
+/// The smaller of each time.
+process::Repetition least(const process::Repetition&, const process::Repetition&);
+
+/// CPU seconds per simulated second.  A scheme that controls its error may solve while it loads: there the
+/// load counts.
+double cost(const process::Repetition&, bool adaptive, double duration);
+
+}  // namespace cylon::study

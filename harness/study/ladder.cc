@@ -1,0 +1,83 @@
+#include "harness/study/ladder.h"
+
+#include "harness/core/input_error.h"
+#include "harness/core/recording.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace cylon::study {
+namespace {
+
+constexpr std::int64_t fewest_samples = 16;
+
+// Whether every time of every recorded truth is one of k T/M.
+bool has_all_times(const scenarios::Scenario& scenario, std::int64_t samples) {
+  for (const core::Claim& claim : scenario.claims) {
+    if (!claim.truth) continue;
+    for (const double t : claim.truth->times) {
+      const double k = t / scenario.duration * static_cast<double>(samples);
+      if (t <= scenario.duration && std::abs(k - std::round(k)) > 1e-6) return false;
+    }
+  }
+  return true;
+}
+
+bool has_times(const scenarios::Scenario& scenario) {
+  return std::any_of(scenario.claims.begin(), scenario.claims.end(),
+                     [](const core::Claim& c) { return c.truth && !c.truth->times.empty(); });
+}
+
+}  // namespace
+
+std::int64_t nominal_steps(const scenarios::Scenario& scenario) {
+  return std::max<std::int64_t>(1, std::llround(scenario.duration / scenario.step));
+}
+
+Ladder ladder(const scenarios::Scenario& scenario, int rungs, std::int64_t most) {
+  const std::int64_t nominal = nominal_steps(scenario);
+  Ladder result;
+  result.samples = nominal;
+  for (std::int64_t divisor = 64; divisor > 1; divisor /= 2) {
+    // Only a divisor of the nominal steps is sure to meet recorded times.
+    if (has_times(scenario) && (nominal % divisor != 0 || !has_all_times(scenario, nominal / divisor)))
+      continue;
+    const std::int64_t samples = (nominal + divisor / 2) / divisor;
+    if (samples < fewest_samples) continue;
+    result.samples = samples;
+    break;
+  }
+  std::int64_t steps = result.samples;
+  for (int i = 0; i < rungs && (i == 0 || steps <= most); ++i, steps *= 2) result.steps.push_back(steps);
+  return result;
+}
+
+Ladder ladder(const scenarios::Scenario& scenario, std::span<const double> given) {
+  Ladder result{0, {}};
+  for (const double dt : given) try {
+      const std::int64_t steps = core::whole_steps(scenario.duration, dt);
+      result.samples = std::gcd(result.samples, steps);
+      result.steps.push_back(steps);
+    } catch (const std::invalid_argument& error) {
+      throw core::InputError(fmt::format("--dt: {}: {}", scenario.name, error.what()));
+    }
+  std::sort(result.steps.begin(), result.steps.end());
+  result.steps.erase(std::unique(result.steps.begin(), result.steps.end()), result.steps.end());
+  if (result.samples < 8 || (has_times(scenario) && !has_all_times(scenario, result.samples)))
+    throw core::InputError(fmt::format(
+        "--dt: {}: runs with these steps have {} times in common in {} s, too few to compare them at; take "
+        "steps that are whole fractions of one another, like 1/100 and 1/200",
+        scenario.name, result.samples, scenario.duration));
+  return result;
+}
+
+std::string step_text(const scenarios::Scenario& scenario, std::int64_t steps) {
+  if (steps == nominal_steps(scenario)) return scenario.step_text;
+  return fmt::format("{}/{}", scenario.duration, steps);
+}
+
+}  // namespace cylon::study

@@ -1,0 +1,33 @@
+// Steps that divide a scenario's duration, all multiples of one coarse grid, so that every run can be looked
+// at at the same times.
+#pragma once
+
+#include "scenarios/scenario.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace cylon::study {
+
+struct Ladder {
+  std::int64_t samples = 1;         ///< M: the times k T/M are common to all runs.
+  std::vector<std::int64_t> steps;  ///< Multiples of M, ascending: from the coarsest step to the finest.
+};
+
+/// M, M 2, M 4, … steps: from about 64 times the nominal step, or as near to that as at least 16 samples and
+/// the times of recorded truths allow, `rungs` in all, with at most `most` steps.  Always one rung at least.
+Ladder ladder(const scenarios::Scenario&, int rungs, std::int64_t most);
+
+/// The steps [s] that a user gives.  Throws core::InputError where one does not fit the duration, or where
+/// they have fewer than 8 times in common.
+Ladder ladder(const scenarios::Scenario&, std::span<const double> steps);
+
+/// "5/1248", or the scenario's own word for its nominal step: as --dt takes it.
+std::string step_text(const scenarios::Scenario&, std::int64_t steps);
+
+/// The number of steps of the nominal step.
+std::int64_t nominal_steps(const scenarios::Scenario&);
+
+}  // namespace cylon::study

@@ -1,0 +1,112 @@
+#include "harness/study/settings.h"
+
+#include "harness/core/input_error.h"
+#include "scenarios/glob.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace cylon::study {
+namespace {
+
+bool is_glob(const std::string& word) { return word.find_first_of("*?[") != std::string::npos; }
+
+bool matches(const std::vector<std::string>& globs, const std::string& word) {
+  return globs.empty() || std::any_of(globs.begin(), globs.end(),
+                                      [&](const std::string& g) { return scenarios::glob_match(g, word); });
+}
+
+// The options whose every value makes a variant of its own where a body turns.
+constexpr const char* rotation_options[] = {"gyro", "rotation"};
+
+std::vector<std::string> variants(const std::string& id, const core::Engine& engine,
+                                  const core::Scene& scene) {
+  std::vector<std::string> ids = {id};
+  if (engine.precision == "float") return ids;
+  if (turns(scene))
+    for (const core::Option& option : engine.options) {
+      if (std::find(std::begin(rotation_options), std::end(rotation_options), option.name) ==
+          std::end(rotation_options))
+        continue;
+      for (const std::string& value : option.values)
+        if (value != option.engine_default)
+          ids.push_back(with_option(id, fmt::format("{}={}", option.name, value)));
+    }
+  if (touches(scene) && std::any_of(engine.paths.begin() + (engine.paths.empty() ? 0 : 1), engine.paths.end(),
+                                    [](const core::Path& p) { return p.name == "stepping"; }))
+    ids.push_back(with_option(id, "path=stepping"));
+  return ids;
+}
+
+}  // namespace
+
+std::string with_option(const std::string& id, const std::string& option) {
+  return fmt::format("{}{}{}", id, id.find('/') == std::string::npos ? "/" : ",", option);
+}
+
+bool turns(const core::Scene& scene) {
+  const auto unequal = [](const core::Body& b) {
+    const core::Vector3 moments = core::principal_axes(b.inertia).moments;
+    return moments.maxCoeff() - moments.minCoeff() > 1e-9 * moments.maxCoeff();
+  };
+  const bool driven = !scene.joints.empty() || touches(scene) || scene.frame.has_value();
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const core::Body& b) {
+    return !b.locked && unequal(b) && (driven || !b.initial.angular_velocity.isZero(0));
+  });
+}
+
+bool touches(const core::Scene& scene) {
+  return core::any_touching_pair(scene, [](const core::Pair&) { return true; });
+}
+
+std::vector<Setting> settings(const scenarios::Scenario& scenario, std::span<const process::EngineRow> rows,
+                              const SettingsRequest& request) {
+  std::vector<std::pair<std::string, bool>> ids;  // and whether it was asked for by name
+  for (const std::string& word : request.engines) {
+    if (!is_glob(word)) ids.emplace_back(word, true);
+    for (const process::EngineRow& row : rows)
+      if (is_glob(word) && scenarios::glob_match(word, row.id)) ids.emplace_back(row.id, false);
+  }
+  if (request.engines.empty())
+    for (const process::EngineRow& row : rows) ids.emplace_back(row.id, false);
+
+  std::vector<Setting> result;
+  std::vector<std::string> schemes;
+  const auto add = [&](const std::string& id, const core::Engine& engine, bool asked) {
+    const process::EngineChoice choice = process::parse_engine(id, rows);
+    bool any_fixed = false;
+    if (engine.schemes.empty()) result.push_back({choice, {}, true, asked});
+    for (const core::Scheme& scheme : engine.schemes) {
+      schemes.push_back(scheme.name);
+      const bool first_fixed = !scheme.adaptive && !any_fixed;
+      any_fixed |= !scheme.adaptive;
+      if (choice.integrator.empty() ? matches(request.integrators, scheme.name)
+                                    : scheme.name == choice.integrator)
+        result.push_back({choice, scheme, first_fixed, asked});
+    }
+  };
+  for (const auto& [id, asked] : ids) {
+    const process::EngineChoice choice = process::parse_engine(id, rows);
+    try {
+      const core::Engine engine = process::describe(choice);
+      for (const std::string& variant :
+           request.engines.empty() ? variants(id, engine, scenario.scene) : std::vector<std::string>{id})
+        add(variant, engine, asked);
+    } catch (const process::Failure&) {
+      result.push_back({choice, {}, true, asked});  // its failure is a row
+    }
+  }
+  for (const std::string& word : request.integrators)
+    if (!is_glob(word) && !schemes.empty() &&
+        std::find(schemes.begin(), schemes.end(), word) == schemes.end()) {
+      std::sort(schemes.begin(), schemes.end());
+      schemes.erase(std::unique(schemes.begin(), schemes.end()), schemes.end());
+      throw core::InputError(fmt::format("--integrator '{}': none of these engines has it{} (schemes: {})",
+                                         word, core::did_you_mean(word, schemes), fmt::join(schemes, ", ")));
+    }
+  return result;
+}
+
+}  // namespace cylon::study

@@ -1,0 +1,34 @@
+// Which engines, variants and schemes a scenario is tried with.
+#pragma once
+
+#include "harness/study/sweep.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace cylon::study {
+
+struct SettingsRequest {
+  std::vector<std::string> engines;      ///< Globs over the rows, or ids with variants; none: all, with those
+                                         ///< variants that matter to the scene.
+  std::vector<std::string> integrators;  ///< Globs over the schemes; none: all.
+};
+
+/// Engine by engine, variant by variant, scheme by scheme.  Where nothing is asked for: every row; of engines
+/// in double precision also every value of `gyro` and `rotation` that is not the engine's own, where a body
+/// turns, and the path "stepping" where something touches.  An engine that cannot be started has one setting
+/// without a scheme.  Throws core::InputError for unknown words, process::Interrupted.
+std::vector<Setting> settings(const scenarios::Scenario&, std::span<const process::EngineRow>,
+                              const SettingsRequest&);
+
+/// Whether the gyroscopic term can matter: a body that moves has unequal moments and turns, or may be turned.
+bool turns(const core::Scene&);
+
+/// Whether any pair may touch.
+bool touches(const core::Scene&);
+
+/// "bullet" and "gyro=none" -> "bullet/gyro=none".
+std::string with_option(const std::string& id, const std::string& option);
+
+}  // namespace cylon::study

@@ -1,0 +1,30 @@
+#include "harness/study/starts.h"
+
+#include "harness/study/self_reference.h"
+#include "scenarios/vary.h"
+
+#include <optional>
+#include <utility>
+
+namespace cylon::study {
+
+std::vector<Start> starts(const scenarios::Scenario& scenario, std::span<const double> variations,
+                          std::int64_t samples, const std::string& observable,
+                          std::span<const process::EngineRow> rows, const process::Limits& limits) {
+  std::vector<Start> result;
+  const auto add = [&](scenarios::Scenario from) {
+    Start start;
+    start.scenario = std::make_unique<const scenarios::Scenario>(std::move(from));
+    start.yardstick = std::make_unique<const Yardstick>(
+        *start.scenario, samples, self_reference(*start.scenario, samples, rows, limits));
+    if (start.yardstick->measures().empty()) return;
+    start.by = observable.empty() ? start.yardstick->principal() : start.yardstick->find(observable);
+    result.push_back(std::move(start));
+  };
+  add(scenario);
+  for (const double amount : variations)
+    if (auto other = scenarios::varied(scenario, amount)) add(std::move(*other));
+  return result;
+}
+
+}  // namespace cylon::study

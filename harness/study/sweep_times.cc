@@ -1,0 +1,43 @@
+#include "harness/study/cost.h"
+#include "harness/study/sweep.h"
+
+#include <map>
+#include <optional>
+
+namespace cylon::study {
+
+void sweep_times(core::TradeTable& table, const scenarios::Scenario& scenario,
+                 const std::vector<Setting>& settings, const SweepOptions& options, Memory& memory,
+                 const SweepStep& done) {
+  std::map<std::pair<std::size_t, std::size_t>, process::Repetition> best;
+  for (int round = 0; round < options.rounds; ++round)
+    for (std::size_t i = 0; i < table.series.size(); ++i)
+      for (std::size_t k = 0; k < table.series[i].points.size(); ++k) {
+        const core::TradePoint& point = table.series[i].points[k];
+        if (point.status != core::Status::pass) continue;
+        const Setting& setting = settings[i];
+        std::optional<process::Repetition> time = memory.find_time(setting, point, round);
+        if (!time) {
+          Timed timed{setting.engine, {}, point.steps};
+          timed.setup.dt = point.dt, timed.setup.tolerance = point.tolerance;
+          timed.setup.integrator = setting.scheme.name;
+          const auto known = best.find({i, k});
+          const double guess = known != best.end() ? known->second.step_seconds + known->second.load_seconds
+                                                   : 1e-6 * static_cast<double>(point.steps * table.bodies);
+          time = time_once(timed, scenario.scene, guess, options.limits);
+          if (!time) continue;
+          memory.keep_time(setting, point, round, *time);
+        }
+        const auto [place, fresh] = best.try_emplace({i, k}, *time);
+        if (!fresh) place->second = least(place->second, *time);
+        if (done) done(setting, point, true);
+      }
+  for (const auto& [where, time] : best) {
+    core::TradeSeries& series = table.series[where.first];
+    core::TradePoint& point = series.points[where.second];
+    point.step_seconds = time.step_seconds, point.load_seconds = time.load_seconds;
+    point.cost = cost(time, series.adaptive, table.duration);
+  }
+}
+
+}  // namespace cylon::study

@@ -1,0 +1,29 @@
+// Curves on logarithmic axes as a static SVG: colours and markers that any eye can tell apart, light or dark
+// as the reader's screen is, no script.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cylon::reports {
+
+struct Curve {
+  std::string name;
+  int colour = 0;  ///< Of a palette of eight; curves of one engine share one.
+  int marker = 0;  ///< Of seven shapes.
+  std::vector<std::pair<double, double>>
+      points;  ///< In order; points that are not > 0 and finite are left out.
+};
+
+struct Plot {
+  std::string title, x_label, y_label;
+  std::vector<Curve> curves;
+  std::vector<std::pair<double, double>> front;  ///< Drawn as a broad staircase behind the curves.
+  double line = 0;                               ///< A horizontal line at this y; 0: none.
+};
+
+/// A whole SVG document.  The same plot gives the same bytes.
+std::string to_svg(const Plot&);
+
+}  // namespace cylon::reports
