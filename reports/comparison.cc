@@ -21,6 +21,20 @@ std::string changes(const Comparison& c) {
   return text;
 }
 
+std::string brief(const Comparison& c) {
+  if (!c.reason.empty()) return c.reason;
+  const ComparedMetric* first = nullptr;
+  int moved = 0;
+  for (const ComparedMetric& metric : c.metrics) {
+    if (metric.finding == Finding::same) continue;
+    ++moved;
+    if (!first || metric.finding < first->finding) first = &metric;
+  }
+  if (!first) return "";
+  const std::string more = moved > 1 ? fmt::format(" (and {} more)", moved - 1) : "";
+  return fmt::format("{}: {}{}", first->name, first->sentence, more);
+}
+
 std::string ratio(const Comparison& c) {
   if (!c.time) return c.untimed.empty() ? "-" : c.untimed;
   if (!std::isfinite(c.time->ratio)) return "-";

@@ -24,6 +24,9 @@ std::string to_junit(const core::ComparisonReport&);
 /// What changed, in words: "error of position: rose by 25 %, …; state hash: …"; "" where nothing did.
 std::string changes(const core::Comparison&);
 
+/// The first that regressed, or else that changed, and how many more there are.
+std::string brief(const core::Comparison&);
+
 /// "x 1.052 (1.047 … 1.058)", or why there is no time.
 std::string ratio(const core::Comparison&);
 

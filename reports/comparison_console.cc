@@ -24,7 +24,7 @@ using Line = std::array<std::string, 5>;
 
 Line line_of(const Comparison& c, const ConsoleOptions& options) {
   return {shown(c.cell(), options), std::string(core::name(c.finding)), shown(ratio(c), options),
-          c.time ? fmt::format("{}", c.time->pairs) : "-", shown(changes(c), options)};
+          c.time ? fmt::format("{}", c.time->pairs) : "-", shown(brief(c), options)};
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ std::string table(const std::vector<const Comparison*>& cells) {
     const Comparison& c = *cells[i];
     out +=
         fmt::format("| {} | {} | {} | {} | {} |\n", markdown(c.cell()), sign(c.finding), markdown(ratio(c)),
-                    c.time ? fmt::format("{}", c.time->pairs) : "", markdown(changes(c)));
+                    c.time ? fmt::format("{}", c.time->pairs) : "", markdown(brief(c)));
   }
   if (cells.size() > most_rows) out += fmt::format("\n… and {} more\n", cells.size() - most_rows);
   return out;

@@ -19,6 +19,7 @@ using core::Comparison;
 using core::Finding;
 
 constexpr std::string_view prefix = "run:";
+constexpr std::string_view counted_by = "instructions:";  // then the counter
 
 const store::Result* result_of(const std::vector<store::Result>& results, const study::Cell& cell) {
   const auto found = std::find_if(results.begin(), results.end(), [&](const store::Result& r) {
@@ -42,8 +43,9 @@ void compare_cell(const study::Cell& cell, const store::Result* stored, const st
                             cell.scenario->hash));
   const auto engine = study::on(candidate, cell.engine);
   if (!engine) return skip(fmt::format("{} has no worker for '{}'", candidate.name, cell.engine.row.id));
-  const bool counted = std::any_of(stored->samples.begin(), stored->samples.end(),
-                                   [](const store::Sample& s) { return s.metric.name == "instructions"; });
+  const bool counted =
+      std::any_of(stored->samples.begin(), stored->samples.end(),
+                  [](const store::Sample& s) { return s.metric.name.starts_with(counted_by); });
   const study::Profile now = study::profile(*cell.scenario, *engine, cell.dt,
                                             counted ? options.counter : study::Counter::off, options.limits);
   const study::Profile then = profile_of(*stored, now);
@@ -84,7 +86,9 @@ study::Profile profile_of(const store::Result& stored, const study::Profile& lik
     if (s.metric.name == "state_hash") result.facts.state_hash = s.text;
     if (s.metric.name == "events") result.facts.events = std::llround(s.value);
     if (s.metric.name == "contacts") result.facts.contacts = std::llround(s.value);
-    if (s.metric.name != "instructions" || !std::isfinite(s.value)) continue;
+    if (!std::isfinite(s.value) ||
+        s.metric.name != fmt::format("{}{}", counted_by, study::name(like.instructions.counter)))
+      continue;
     result.instructions = like.instructions;
     result.instructions.instructions = std::llround(s.value);
   }

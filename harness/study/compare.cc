@@ -39,9 +39,14 @@ std::optional<ToTime> compare_exactly(const Cell& cell, Comparison& c, const Sid
                                       const Side& new_side, const CompareOptions& options,
                                       std::set<std::string>& notes) {
   const auto before = on(old_side, cell.engine), after = on(new_side, cell.engine);
+  if (before && !after) {
+    end(c, Finding::regressed,
+        fmt::format("{} has no worker for '{}' any more", new_side.name, cell.engine.row.id));
+    return std::nullopt;
+  }
   if (!before || !after) {
     end(c, Finding::skipped,
-        fmt::format("{} has no worker for '{}'", before ? new_side.name : old_side.name, cell.engine.row.id));
+        fmt::format("{} has no worker for '{}'", after ? old_side.name : new_side.name, cell.engine.row.id));
     return std::nullopt;
   }
   if (content_hash(before->row.command) == content_hash(after->row.command)) {

@@ -130,8 +130,7 @@ Profile profile(const Scenario& scenario, const process::EngineChoice& engine, d
   }
   const std::int64_t steps = steps_to_count(scenario.scene.bodies.size(), plan.steps);
   result.instructions = count_instructions(
-      engine, {.scene = &scenario.scene, .dt = dt, .steps = steps, .every = std::min(plan.every, steps)},
-      limits, counter);
+      engine, {.scene = &scenario.scene, .dt = dt, .steps = steps, .every = plan.every}, limits, counter);
   return result;
 }
 
