@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 
 namespace cylon::cli {
@@ -10,16 +11,28 @@ namespace {
 
 struct Words {
   std::string command;
-  std::vector<std::string> options;
+  std::vector<std::string> options, commands;  // of it, and those of its commands too
 };
 
+void add_options(const CLI::App& command, std::vector<std::string>& options) {
+  const auto add = [&](const std::string& option) {
+    if (std::find(options.begin(), options.end(), option) == options.end()) options.push_back(option);
+  };
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) add("--" + name);
+    for (const std::string& name : option->get_snames()) add("-" + name);
+  }
+}
+
 std::vector<Words> tree(const CLI::App& root) {
+  const auto all = [](const CLI::App*) { return true; };
   std::vector<Words> words;
-  for (const CLI::App* command : root.get_subcommands([](const CLI::App*) { return true; })) {
-    Words row{command->get_name(), {}};
-    for (const CLI::Option* option : command->get_options()) {
-      for (const std::string& name : option->get_lnames()) row.options.push_back("--" + name);
-      for (const std::string& name : option->get_snames()) row.options.push_back("-" + name);
+  for (const CLI::App* command : root.get_subcommands(all)) {
+    Words row{command->get_name(), {}, {}};
+    add_options(*command, row.options);
+    for (const CLI::App* part : command->get_subcommands(all)) {
+      row.commands.push_back(part->get_name());
+      add_options(*part, row.options);
     }
     words.push_back(row);
   }
@@ -31,7 +44,9 @@ struct Arguments {
   std::string query, words;
 };
 
-Arguments arguments(const std::string& command) {
+Arguments arguments(const Words& row) {
+  const std::string& command = row.command;
+  if (!row.commands.empty()) return {"", fmt::format("{}", fmt::join(row.commands, " "))};
   if (command == "engines") return {"engines --names", ""};
   if (command == "completion") return {"", "bash zsh fish"};
   if (command == "new" || command == "doctor") return {"", ""};
@@ -41,7 +56,7 @@ Arguments arguments(const std::string& command) {
 std::string bash(const std::vector<Words>& words) {
   std::string names, cases;
   for (const Words& row : words) {
-    const auto [query, fixed] = arguments(row.command);
+    const auto [query, fixed] = arguments(row);
     names += row.command + ' ';
     cases += fmt::format("    {}) words=\"{} {}{}\" ;;\n", row.command, fmt::join(row.options, " "), fixed,
                          query.empty() ? "" : fmt::format("$(\"$cylon\" {} 2>/dev/null)", query));
@@ -73,7 +88,7 @@ std::string fish(const std::vector<Words>& words) {
       text += fmt::format("complete -c cylon -n '__fish_seen_subcommand_from {}' {} {}\n", row.command,
                           option.starts_with("--") ? "-l" : "-s",
                           option.substr(option.starts_with("--") ? 2 : 1));
-    const auto [query, fixed] = arguments(row.command);
+    const auto [query, fixed] = arguments(row);
     const std::string values = query.empty() ? fixed : fmt::format("(cylon {} 2>/dev/null)", query);
     if (!values.empty())
       text +=
