@@ -28,7 +28,7 @@ Plot trade_plot(const core::TradeTable&);
 /// "in-house rk4", or the engine alone where it has one scheme in the table.
 std::string trade_label(const core::TradeTable&, const core::TradeSeries&);
 
-/// "4.01, floor 3e-13 from 5/1248", "0.99, best 2e-3 at 5/39936", "does not converge, best 3.1 at …".
+/// "4.01, floor 3e-13 from 5/1248", "0.99, best 2e-3 at 5/39936", "never near, best 3e+00 at …".
 std::string order_text(const core::TradeTable&, const core::TradeSeries&);
 
 /// The cheapest point with an error by the table's measure of at most `error`, or nullptr.  Without times the

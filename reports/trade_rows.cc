@@ -62,9 +62,13 @@ std::string order_text(const TradeTable& table, const TradeSeries& series) {
                     from == series.points.end() ? fmt::format("{}", series.floor_from) : place(*from));
     return std::isfinite(series.order) ? fmt::format("{:.2f}, {}", series.order, floor) : floor;
   }
-  const bool lost = error_of(table, *best) > 0.01;
-  if (!std::isfinite(series.order) || (series.order < 0.5 && lost))
-    return fmt::format("{}, {}", lost ? "does not converge" : "too few points", reached);
+  const double least = error_of(table, *best);
+  if (!std::isfinite(series.order) || (series.order < 0.5 && least > 0.01))
+    return fmt::format("{}, {}",
+                       least > 0.01   ? "never near"
+                       : least < 1e-7 ? "rounding"
+                                      : "no order",
+                       reached);
   return fmt::format("{:.2f}, {}", series.order, reached);
 }
 

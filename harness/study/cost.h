@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace cylon::study {
 
@@ -17,10 +18,14 @@ struct Timed {
 };
 
 /// The least times of some runs in one worker after one that only warms it: as many as 20 ms have room for,
-/// by `guess` [s], the CPU time of a run; at least 1, at most 200.  Nothing where the engine fails.  Throws
+/// by `guess` [s], the CPU time of a run; at least 2, at most 200.  Nothing where the engine fails.  Throws
 /// what process::run throws.
 std::optional<process::Repetition> time_once(const Timed&, const core::Scene&, double guess,
                                              const process::Limits&);
+
+/// The least of each time that is not below 0.7 of its median: a clock that a scheduler stopped half way may
+/// read far too little, and a least of all would seek out such readings.  Requires times not empty.
+process::Repetition typical_least(std::vector<process::Repetition> times);
 
 /// The smaller of each time.
 process::Repetition least(const process::Repetition&, const process::Repetition&);

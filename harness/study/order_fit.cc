@@ -32,14 +32,16 @@ double median_error(std::span<const StepError> points) {
 }
 
 // Where the floor starts; points.size() where there is none.
-std::size_t floor_start(std::span<const StepError> points, double resolution) {
+std::size_t floor_start(std::span<const StepError> points, double resolution, double epsilon) {
   double largest = 0;
   for (const StepError& p : points) largest = std::max(largest, p.error);
   std::size_t first = points.size();
   for (std::size_t i = 0; i + 2 <= points.size(); ++i) {
     const auto tail = points.subspan(i);
     const double flat = tail.size() == 2 ? 0.25 : 0.4;
-    if (median_error(tail) > std::max(0.01 * largest, resolution) || slope(tail) >= flat) continue;
+    if (median_error(tail) > std::max({0.01 * largest, resolution, std::sqrt(epsilon)}) ||
+        slope(tail) >= flat)
+      continue;
     first = i;
     break;
   }
@@ -57,19 +59,32 @@ OrderFit fit_order(std::span<const StepError> given, double resolution, double e
     if (std::isfinite(p.error))
       points.push_back({p.dt, std::max(p.error, 1e-20)});  // an exact zero has a log
   OrderFit fit;
-  const std::size_t start = floor_start(points, resolution);
+  const std::size_t start = floor_start(points, resolution, epsilon);
   const auto all = std::span<const StepError>(points);
   if (start < points.size()) {
     fit.floor = median_error(all.subspan(start));
     fit.floor_from = points[start].dt;
     // Rounding of n steps grows as n at worst; sensitive motions magnify it by some orders of magnitude.
-    fit.rounding = *fit.floor <= std::max(resolution, std::sqrt(epsilon));
+    fit.rounding = *fit.floor <= std::max(resolution, 10 * std::sqrt(epsilon));
   }
   std::vector<StepError> falling;
   for (const StepError& p : all.first(start))
     if (p.error > 20 * fit.floor.value_or(0) && p.error < lost) falling.push_back(p);
+  // A last point that fell far less than those before it is half at the floor.
+  const auto last = [&](std::size_t n) { return std::span(falling).last(n); };
+  while (falling.size() >= 4 && falling.back().error < std::sqrt(epsilon) &&
+         slope(last(2)) < 0.75 * slope(last(4).first(3)))
+    falling.pop_back();
   fit.used = std::min<std::size_t>(4, falling.size());
-  if (fit.used >= 2) fit.order = slope(std::span(falling).last(fit.used));
+  if (fit.used < 2) return fit;
+  const auto used = last(fit.used);
+  const auto rises = [](const StepError& coarse, const StepError& fine) {
+    return fine.error >= coarse.error;
+  };
+  const bool noise = used.front().error < std::sqrt(epsilon) &&
+                     (used.front().error < 10 * used.back().error ||
+                      std::adjacent_find(used.begin(), used.end(), rises) != used.end());
+  if (!noise) fit.order = slope(used);
   return fit;
 }
 

@@ -24,9 +24,11 @@ struct OrderFit {
 /// be told (the truth's bound); `epsilon` of the engine's numbers.
 ///
 /// The floor is the longest run of finest steps over which the median of all pairs' slopes (Theil and Sen) is
-/// below 0.4, once the error has fallen to a hundredth of its largest or lies below the resolution; its first
-/// points are given back while they are ten times above its median.  The order is the median of all pairs'
-/// slopes of the four finest points above twenty times the floor and below 0.3, where a trajectory is lost.
+/// below 0.4, once the error has fallen to a hundredth of its largest, or lies below the resolution or the
+/// root of epsilon; its first points are given back while they are ten times above its median.  The order is
+/// the median of all pairs' slopes of the four finest points above twenty times the floor and below 0.3,
+/// where a trajectory is lost; below the root of epsilon a last point that fell less than three quarters of
+/// its due is left out, and points show an order only where each falls, and all of them by a factor of ten.
 OrderFit fit_order(std::span<const StepError>, double resolution, double epsilon);
 
 }  // namespace cylon::study

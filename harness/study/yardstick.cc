@@ -200,17 +200,11 @@ std::size_t Yardstick::find(const std::string& name) const {
 }
 
 process::RunRequest Yardstick::request(std::int64_t steps) const {
-  // Events are found on the arcs between states; so many arcs resolve any that a scene of this length has.
-  constexpr std::int64_t most_arcs = 1 << 17;
   process::RunRequest request;
   request.scene = &scenario_->scene;
   request.setup.dt = scenario_->duration / static_cast<double>(steps);
   request.steps = steps;
-  request.every = steps / samples_;
-  if (every_step_)
-    for (request.every = 1;
-         steps / request.every > most_arcs && (steps / samples_) % (2 * request.every) == 0;)
-      request.every *= 2;
+  request.every = every_step_ ? 1 : steps / samples_;  // events are found on the arcs between all steps
   request.watch = watch_;
   return request;
 }

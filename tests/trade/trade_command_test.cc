@@ -52,7 +52,7 @@ TEST_F(Trade, AnEngineThatBreaksIsARow) {
   for (const auto& [mode, status] : std::vector<std::pair<std::string, std::string>>{
            {"abort_in_run", "crash"}, {"nan", "non-finite"}, {"nonsense", "pass"}}) {
     const Ran ran = cylon(
-        "trade projectile --engine broken --engine ode --steps 3 --rounds 1 --json t.json " + broken(mode));
+        "trade projectile --engine broken --engine ode --steps 2 --rounds 1 --json t.json " + broken(mode));
     EXPECT_EQ(ran.code, 0) << mode << ran.err;
     const auto series = tables("t.json")[0]["series"];
     ASSERT_EQ(series.size(), 2u) << mode;
@@ -72,7 +72,8 @@ TEST_F(Trade, WhatTheSceneAloneKeepsIsMeasuredWhereNothingIsClaimed) {
         "[[body]]\nname = 'b'\nmass = 2\nposition = [1.4, -0.3, 0.6]\nvelocity = [0.2, 0, -0.4]\n"
         "[[spring]]\nbody = 'a'\nto = 'b'\nstiffness = 30\nrest_length = 0.8\n");
   const Ran ran = cylon(
-      "trade bare.toml --engine in-house --integrator velocity-verlet --engine bullet --rounds 0 --json "
+      "trade bare.toml --engine in-house --integrator velocity-verlet --integrator semi-implicit-euler "
+      "--engine bullet --rounds 0 --json "
       "t.json");
   ASSERT_EQ(ran.code, 0) << ran.err;
   const auto table = tables("t.json")[0];
