@@ -35,6 +35,7 @@ constexpr Row commands[] = {
     {"run", "Run scenarios on engines and judge every claim", add_run},
     {"trade", "Speed against accuracy: every engine, scheme and step, with the best of each", add_trade},
     {"advise", "The cheapest setting of each engine that meets a tolerance", add_advise},
+    {"diff", "The first step, body and quantity in which two runs part, and how far they go", add_diff},
     {"selfcheck", "Published numbers of other suites beside what the same scenes give here", add_selfcheck},
     {"track", "Keep the history of accuracy and speed, and compare with it", add_track},
     {"new", "Write a commented scenario to start from", add_new},

@@ -23,6 +23,7 @@ Command add_truth(CLI::App&, const Context&);
 Command add_run(CLI::App&, const Context&);
 Command add_trade(CLI::App&, const Context&);
 Command add_advise(CLI::App&, const Context&);
+Command add_diff(CLI::App&, const Context&);
 Command add_selfcheck(CLI::App&, const Context&);
 Command add_track(CLI::App&, const Context&);
 Command add_new(CLI::App&, const Context&);

@@ -3,6 +3,7 @@
 #include "harness/cli/asked.h"
 #include "harness/cli/command_line.h"
 #include "harness/cli/output.h"
+#include "harness/cli/states_csv.h"
 
 #include "harness/core/input_error.h"
 #include "harness/core/measure.h"
@@ -42,7 +43,7 @@ std::int64_t step_at(double t, double dt, std::int64_t last, bool nearest) {
 
 std::string csv(const core::Scene& scene, const core::Recording& recording,
                 const std::set<std::int64_t>& wanted) {
-  std::string text = "time,body,px,py,pz,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz\n";
+  std::string text = fmt::format("{}\n", states_header);
   const auto to = std::back_inserter(text);
   for (std::size_t i = 0; i < recording.steps.size(); ++i) {
     if (!wanted.empty() && !wanted.contains(recording.steps[i])) continue;

@@ -1,0 +1,119 @@
+#include "harness/cli/states_csv.h"
+
+#include "harness/core/input_error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <fstream>
+#include <string_view>
+#include <vector>
+
+namespace cylon::cli {
+namespace {
+
+constexpr std::size_t columns = 15, numbers = columns - 2;
+
+class Reader {
+ public:
+  Reader(const std::string& file, const core::Scene& scene) : file_(file), scene_(scene), in_(file) {
+    if (!in_) throw core::InputError(fmt::format("{}: cannot be read", file));
+  }
+
+  study::Track read() {
+    if (!next() || line_ != states_header)
+      fail(fmt::format("the first line must be '{}', as `cylon simulate` writes it", states_header));
+    while (next()) row();
+    close();
+    if (track_.times.empty()) fail("no states");
+    return std::move(track_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& problem) const {
+    throw core::InputError(file_, number_, 1, problem);
+  }
+
+  bool next() {
+    ++number_;
+    if (!std::getline(in_, line_)) return false;
+    if (!line_.empty() && line_.back() == '\r') line_.pop_back();
+    return true;
+  }
+
+  double number(std::string_view text, std::size_t column) const {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size())
+      fail(fmt::format("column {}: '{}' is no number", column + 1, text));
+    return value;
+  }
+
+  void row() {
+    // A name may hold commas; numbers do not: the time is before the first, the rest after the last thirteen.
+    const std::string_view text = line_;
+    std::array<std::string_view, numbers> cells;
+    std::size_t end = text.size();
+    for (std::size_t i = numbers; i-- > 0;) {
+      const std::size_t comma = end == 0 ? std::string_view::npos : text.rfind(',', end - 1);
+      if (comma == std::string_view::npos) fail(fmt::format("{} columns are due", columns));
+      cells[i] = text.substr(comma + 1, end - comma - 1);
+      end = comma;
+    }
+    const std::size_t first = text.find(',');
+    if (first >= end) fail(fmt::format("{} columns are due", columns));
+    const double time = number(text.substr(0, first), 0);
+    if (track_.times.empty() || time != track_.times.back()) open(time);
+    std::array<double, numbers> x{};
+    for (std::size_t i = 0; i < numbers; ++i) x[i] = number(cells[i], i + 2);
+    const std::size_t body = index(text.substr(first + 1, end - first - 1));
+    if (seen_[body]) fail(fmt::format("body '{}' stands twice at {} s", scene_.bodies[body].name, time));
+    seen_[body] = true;
+    track_.states.back()[body] = {{x[0], x[1], x[2]},
+                                  core::Quaternion(x[3], x[4], x[5], x[6]),
+                                  {x[7], x[8], x[9]},
+                                  {x[10], x[11], x[12]}};
+  }
+
+  std::size_t index(std::string_view name) const {
+    const auto& bodies = scene_.bodies;
+    const auto at = std::find_if(bodies.begin(), bodies.end(), [&](const auto& b) { return b.name == name; });
+    if (at == bodies.end()) fail(fmt::format("column 2: the scene has no body '{}'", name));
+    return static_cast<std::size_t>(at - bodies.begin());
+  }
+
+  void open(double time) {
+    close();
+    if (!track_.times.empty() && !(time > track_.times.back()))
+      fail(fmt::format("time {} s does not follow {} s", time, track_.times.back()));
+    track_.times.push_back(time);
+    track_.states.emplace_back(scene_.bodies.size());
+    seen_.assign(scene_.bodies.size(), false);
+  }
+
+  void close() const {
+    const auto missing = std::find(seen_.begin(), seen_.end(), false);
+    if (missing != seen_.end())
+      fail(fmt::format("before this line: body '{}' is missing at {} s",
+                       scene_.bodies[static_cast<std::size_t>(missing - seen_.begin())].name,
+                       track_.times.back()));
+  }
+
+  std::string file_;
+  const core::Scene& scene_;
+  std::ifstream in_;
+  std::string line_;
+  unsigned number_ = 0;
+  study::Track track_;
+  std::vector<bool> seen_;
+};
+
+}  // namespace
+
+study::Track read_states(const std::string& file, const core::Scene& scene) {
+  return Reader(file, scene).read();
+}
+
+}  // namespace cylon::cli
