@@ -108,12 +108,16 @@ TEST_P(Steps, AreAtTheirRevision) {
 }
 
 const std::vector<Step> staircase = {{40, 1.03}, {90, 1.05}, {150, 1.10}};
+// Levels that return at once: no single cut of the whole series divides it well.
+const std::vector<Step> zigzag = {{6, 1.03},      {12, 1 / 1.03}, {18, 1.05},
+                                  {24, 1 / 1.05}, {30, 1.10},     {36, 1 / 1.10}};
 const std::vector<Step> hill = {{60, 1.05}, {75, 1 / 1.05}};
 INSTANTIATE_TEST_SUITE_P(
     Injected, Steps,
     testing::Values(Placed{"3 %", 0.002, {{70, 1.03}}, 1}, Placed{"5 %", 0.002, {{70, 1.05}}, 1},
                     Placed{"10 %", 0.002, {{70, 1.10}}, 1}, Placed{"3, 5 and 10 %", 0.002, staircase, 1},
                     Placed{"5 % and back after 15", 0.002, hill, 1},
+                    Placed{"3, 5, 10 % and back after 6 each", 0.002, zigzag, 0.99},
                     Placed{"10 % in the last 5", 0.002, {{195, 1.1}}, 1},
                     Placed{"5 % after the first 5", 0.002, {{5, 1.05}}, 1},
                     Placed{"3 %", 0.005, {{70, 1.03}}, 0.9}, Placed{"5 %", 0.005, {{70, 1.05}}, 0.95},
