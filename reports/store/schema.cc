@@ -31,8 +31,9 @@ CREATE TABLE engine_version (
   run     INTEGER NOT NULL REFERENCES run (id) ON DELETE CASCADE,
   engine  TEXT NOT NULL,
   version TEXT NOT NULL,
-  PRIMARY KEY (run, engine)
+  PRIMARY KEY (engine, run)
 ) STRICT, WITHOUT ROWID;
+CREATE INDEX engine_version_by_run ON engine_version (run);
 
 CREATE TABLE cell (
   id            INTEGER PRIMARY KEY,

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 
 namespace cylon::store {
@@ -48,31 +49,70 @@ Metric read_metric(Query& row) {
   return m;
 }
 
-using EngineVersions = std::map<std::pair<std::int64_t, std::string>, std::string>;
+// The foreign keys see to it that it is there; only damage to the file can take it away.
+template <class Map>
+auto& known(const Database& database, Map& map, std::int64_t id) {
+  const auto found = map.find(id);
+  if (found == map.end()) database.fail(SQLITE_CORRUPT, "a row refers to none");
+  return found->second;
+}
 
-EngineVersions engine_versions(Database& database) {
-  EngineVersions versions;
-  Query row = database.query("SELECT run, engine, version FROM engine_version");
+// By run: the points of all series begin as copies of these.
+using Points = std::unordered_map<std::int64_t, Point>;
+
+Points points_of_runs(Database& database) {
+  Points points;
+  Query row = database.query("SELECT id, revision, revision_order, label, date, machine, build FROM run");
+  while (row.step()) {
+    Point p;
+    p.run = row.integer();
+    p.revision = row.text();
+    p.revision_order = row.integer();
+    for (std::string* text : {&p.label, &p.date, &p.machine, &p.build}) *text = row.text();
+    points.emplace(p.run, std::move(p));
+  }
+  return points;
+}
+
+using Versions = std::unordered_map<std::int64_t, std::string>;  // by run
+
+Versions versions_of(Database& database, const std::string& engine) {
+  Versions versions;
+  Query row = database.query("SELECT run, version FROM engine_version WHERE engine = ?");
+  row.bind(engine);
   while (row.step()) {
     const std::int64_t run = row.integer();
-    const std::string engine = row.text();
-    versions[{run, engine}] = row.text();
+    versions[run] = row.text();
   }
   return versions;
 }
 
-Point point_of(const RunInfo& run, const Cell& cell, const EngineVersions& versions) {
-  const auto version = versions.find({run.id, cell.engine});
-  return {.run = run.id,
-          .revision = run.revision,
-          .revision_order = run.revision_order.value_or(0),
-          .label = run.label,
-          .date = run.date,
-          .machine = run.machine,
-          .build = run.build,
-          .engine_version = version == versions.end() ? "" : version->second,
-          .values = {},
-          .text = ""};
+// The rows of one cell and metric.
+std::vector<Point> read_points(Database& database, std::int64_t cell, std::int64_t metric,
+                               const Points& points, const Versions& versions) {
+  std::vector<Point> read;
+  Query row = database.query(
+      "SELECT run, value, text FROM sample WHERE cell = ? AND metric = ? ORDER BY run, repetition");
+  row.bind(cell, metric);
+  while (row.step()) {
+    const std::int64_t run = row.integer();
+    if (read.empty() || read.back().run != run) {
+      read.push_back(known(database, points, run));
+      if (const auto version = versions.find(run); version != versions.end())
+        read.back().engine_version = version->second;
+    }
+    Point& point = read.back();
+    const double value = row.real();
+    const std::string text = row.text();
+    if (text.empty())
+      point.values.push_back(value);
+    else
+      point.text += (point.text.empty() ? "" : " ") + text;
+  }
+  std::stable_sort(read.begin(), read.end(), [](const Point& a, const Point& b) {
+    return std::tie(a.revision_order, a.run) < std::tie(b.revision_order, b.run);
+  });
+  return read;
 }
 
 void read_samples(Database& database, std::int64_t run, std::map<std::int64_t, Result>& results) {
@@ -81,7 +121,7 @@ void read_samples(Database& database, std::int64_t run, std::map<std::int64_t, R
       "m.id = s.metric WHERE s.run = ?");
   row.bind(run);
   while (row.step()) {
-    Result& result = results.at(row.integer());
+    Result& result = known(database, results, row.integer());
     Sample s;
     s.metric = read_metric(row);
     s.repetition = row.integer();
@@ -98,7 +138,7 @@ void read_judgements(Database& database, std::int64_t run, std::map<std::int64_t
       "v.detail FROM verdict v JOIN claim c ON c.id = v.claim WHERE v.run = ?");
   row.bind(run);
   while (row.step()) {
-    Result& result = results.at(row.integer());
+    Result& result = known(database, results, row.integer());
     Judgement j;
     for (std::string* text : {&j.claim, &j.observable, &j.unit, &j.status, &j.expected}) *text = row.text();
     for (double* value : {&j.measured, &j.allowed, &j.truth_error}) *value = row.real();
@@ -168,9 +208,7 @@ std::vector<Result> Store::results(std::int64_t run) const {
 }
 
 std::vector<Series> Store::series(const std::string& cell_glob, const std::string& metric_glob) const {
-  std::map<std::int64_t, RunInfo> runs_by_id;
-  for (RunInfo& run : runs()) runs_by_id[run.id] = std::move(run);
-  const EngineVersions versions = engine_versions(*database_);
+  const Points points = points_of_runs(*database_);
   std::vector<std::pair<std::int64_t, Cell>> wanted_cells;
   {
     Query row =
@@ -192,29 +230,15 @@ std::vector<Series> Store::series(const std::string& cell_glob, const std::strin
     }
   }
   std::vector<Series> all;
-  for (const auto& [cell_id, cell] : wanted_cells)
+  std::map<std::string, Versions> versions;  // by engine
+  for (const auto& [cell_id, cell] : wanted_cells) {
+    const auto [found, fresh] = versions.try_emplace(cell.engine);
+    if (fresh) found->second = versions_of(*database_, cell.engine);
     for (const auto& [metric_id, metric] : wanted_metrics) {
-      Series series{series_id(cell, metric), cell, metric, {}};
-      Query row = database_->query(
-          "SELECT run, value, text FROM sample WHERE cell = ? AND metric = ? ORDER BY run, repetition");
-      row.bind(cell_id, metric_id);
-      while (row.step()) {
-        const std::int64_t run = row.integer();
-        if (series.points.empty() || series.points.back().run != run)
-          series.points.push_back(point_of(runs_by_id.at(run), cell, versions));
-        Point& point = series.points.back();
-        const double value = row.real();
-        const std::string text = row.text();
-        if (text.empty())
-          point.values.push_back(value);
-        else
-          point.text += (point.text.empty() ? "" : " ") + text;
-      }
-      std::stable_sort(series.points.begin(), series.points.end(), [](const Point& a, const Point& b) {
-        return std::tie(a.revision_order, a.run) < std::tie(b.revision_order, b.run);
-      });
-      if (!series.points.empty()) all.push_back(std::move(series));
+      std::vector<Point> read = read_points(*database_, cell_id, metric_id, points, found->second);
+      if (!read.empty()) all.push_back({series_id(cell, metric), cell, metric, std::move(read)});
     }
+  }
   return all;
 }
 
