@@ -34,6 +34,11 @@ std::string failure_of(const Profile& p) { return fmt::format("{}: {}", core::na
 
 /// Whether both builds ran to the end, so that there is something to compare; else `c` says what is the
 /// matter.
+/// Callgrind would count an interpreter for minutes.
+Counter counter_for(const EngineChoice& engine, Counter counter) {
+  return counter == Counter::callgrind && engine.row.command.size() > 1 ? Counter::off : counter;
+}
+
 /// What repeats bit for bit, and a plan for the times.
 std::optional<ToTime> compare_exactly(const Cell& cell, Comparison& c, const Side& old_side,
                                       const Side& new_side, const CompareOptions& options,
@@ -53,11 +58,15 @@ std::optional<ToTime> compare_exactly(const Cell& cell, Comparison& c, const Sid
     end(c, Finding::skipped, "identical: the same binary and libraries on the same scenario");
     return std::nullopt;
   }
-  const Profile old_profile = profile(*cell.scenario, *before, cell.dt, options.counter, options.limits);
-  const Profile new_profile = profile(*cell.scenario, *after, cell.dt, options.counter, options.limits);
+  const Counter counter = counter_for(*after, options.counter);
+  if (counter != options.counter)
+    notes.insert(fmt::format("instructions of '{}' are not counted: its worker is started by another program",
+                             cell.engine.row.id));
+  const Profile old_profile = profile(*cell.scenario, *before, cell.dt, counter, options.limits);
+  const Profile new_profile = profile(*cell.scenario, *after, cell.dt, counter, options.limits);
   if (!both_ran(c, old_profile, new_profile)) return std::nullopt;
   c.metrics = compare_profiles(old_profile, new_profile);
-  if (!new_profile.instructions.instructions && options.counter != Counter::off)
+  if (!new_profile.instructions.instructions && counter != Counter::off)
     notes.insert("instructions: " + new_profile.instructions.remark);
   if (!options.time) return std::nullopt;
 
