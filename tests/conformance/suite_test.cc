@@ -95,7 +95,7 @@ TEST_F(Conformance, TheInHouseDefaultPassesEveryClaim) {
 // Looked up for every scenario and engine that some suite names, at the nominal step; nothing is run.
 TEST_F(Conformance, EveryExpectationDecidesSomething) {
   std::set<std::string> scenarios, engines, decided;
-  for (const std::string name : {"conformance", "simbenchmark", "catalogue"}) {
+  for (const std::string name : {"conformance", "simbenchmark", "catalogue", "extremes"}) {
     const scenarios::Suite s = suite(name);
     scenarios.insert(s.scenarios.begin(), s.scenarios.end());
     engines.insert(s.engines.begin(), s.engines.end());
