@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the generated tables of README.md from what the program says, or checks that they are current.
+"""Writes the generated tables of README.md and docs/extremes.md from what the program says, or checks that they are current.
 
     docs/update.py [--check] [--cylon build/release/cylon]
 
@@ -33,11 +33,11 @@ def digits(verdict):
     return math.log10(verdict["allowed"] / verdict["measured"]) if verdict["allowed"] else -99.0
 
 
-MARKS = {"pass": "✓", "low-quality": "~", "fail": "✗", "unsupported": "–"}
+MARKS = {"pass": "✓", "low-quality": "~", "fail": "✗", "unsupported": "–", "non-finite": "∞"}
 
 
-def matrix(cylon):
-    verdicts = json.loads(output(cylon, "run", "--json", "-"))["verdicts"]
+def matrix(cylon, *suite):
+    verdicts = json.loads(output(cylon, "run", *suite, "--json", "-"))["verdicts"]
     engines = list(dict.fromkeys(v["engine"] for v in verdicts))
     lines = ["| scenario | " + " | ".join(e.replace("in-house/integrator=", "in-house, ") for e in engines) + " |",
              "|---" * (len(engines) + 1) + "|"]
@@ -45,7 +45,9 @@ def matrix(cylon):
         cells = []
         for engine in engines:
             worst = min((v for v in verdicts if v["scenario"] == scenario and v["engine"] == engine), key=digits)
-            cells.append(f"{MARKS.get(worst['status'], worst['status'])} {max(-99, digits(worst)):+.1f}")
+            measured = worst["status"] in ("pass", "low-quality", "fail")
+            cells.append(MARKS.get(worst["status"], worst["status"]) +
+                         (f" {min(99, max(-99, digits(worst))):+.1f}" if measured else ""))
         lines.append(f"| {scenario} | " + " | ".join(cells) + " |")
     return "\n".join(lines)
 
@@ -65,6 +67,25 @@ def scenarios(cylon):
         observables = ", ".join(dict.fromkeys(c["observable"] for c in row["claims"]))
         lines.append(f"| {row['name']} | {row['title']} | {truth} | {error} | {observables} |")
     return "\n".join(lines)
+
+
+def link(source):
+    """owner/repository#number is an issue or a discussion of GitHub; anything else is a title."""
+    name, _, number = source.partition("#")
+    return f"[{source}](https://github.com/{name}/issues/{number})" if number.isdigit() else source
+
+
+def extremes(cylon):
+    lines = ["| scenario | what happens | step | criterion | sources |", "|---|---|---|---|---|"]
+    for row in json.loads(output(cylon, "list", "--json", "--tag", "extreme")):
+        claims = "; ".join(f"{c['claim']}: {c['absolute'] or c['relative']:g} " +
+                           (c["unit"] if c["absolute"] else "of its size") for c in row["claims"])
+        lines.append(f"| {row['name']} | {row['title']} | {row['step']:.4g} s | {claims} | {', '.join(map(link, row['sources'])) or '–'} |")
+    return "\n".join(lines)
+
+
+def extreme_verdicts(cylon):
+    return matrix(cylon, "--suite", "extremes")
 
 
 def published(cylon):
@@ -87,7 +108,8 @@ def commands(cylon):
     return "```\n" + text[text.index("Subcommands:"):].rstrip() + "\n```"
 
 
-BLOCKS = {"matrix": matrix, "scenarios": scenarios, "published": published, "fingerprint": fingerprint, "commands": commands}
+PAGES = {"README.md": {"matrix": matrix, "scenarios": scenarios, "published": published, "fingerprint": fingerprint, "commands": commands},
+         "docs/extremes.md": {"extremes": extremes, "extreme-verdicts": extreme_verdicts}}
 
 
 def main():
@@ -95,19 +117,23 @@ def main():
     parser.add_argument("--check", action="store_true", help="change nothing; fail where a table is not current")
     parser.add_argument("--cylon", default="build/release/cylon", help="the program to ask")
     options = parser.parse_args()
-    readme = root / "README.md"
-    old = new = readme.read_text()
-    for name, make in BLOCKS.items():
-        new, count = re.subn(rf"(<!-- {name} -->\n).*?(<!-- /{name} -->)",
-                             lambda m: m[1] + make(options.cylon) + "\n" + m[2], new, flags=re.S)
-        if count != 1:
-            sys.exit(f"README.md: needs one block '<!-- {name} --> … <!-- /{name} -->'")
-    if options.check and new != old:
-        import difflib
-        sys.stdout.writelines(difflib.unified_diff(old.splitlines(True), new.splitlines(True), "README.md", "current"))
-        sys.exit("README.md is not current: run docs/update.py")
-    if not options.check:
-        readme.write_text(new)
+    stale = []
+    for page, blocks in PAGES.items():
+        file = root / page
+        old = new = file.read_text()
+        for name, make in blocks.items():
+            new, count = re.subn(rf"(<!-- {name} -->\n).*?(<!-- /{name} -->)",
+                                 lambda m: m[1] + make(options.cylon) + "\n" + m[2], new, flags=re.S)
+            if count != 1:
+                sys.exit(f"{page}: needs one block '<!-- {name} --> … <!-- /{name} -->'")
+        if options.check and new != old:
+            import difflib
+            sys.stdout.writelines(difflib.unified_diff(old.splitlines(True), new.splitlines(True), page, "current"))
+            stale.append(page)
+        if not options.check:
+            file.write_text(new)
+    if stale:
+        sys.exit(f"{', '.join(stale)}: not current: run docs/update.py")
 
 
 main()
