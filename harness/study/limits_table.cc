@@ -1,0 +1,97 @@
+// The families: what is asked, in which range, what breaking means, and what theory says.
+#include "harness/study/limits_scenes.h"
+#include "harness/study/limits_theory.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace cylon::study {
+namespace {
+
+using Theory = std::optional<double>;
+using Name = std::string_view;
+
+Theory nothing(Name, Name) { return std::nullopt; }
+Theory oscillation(Name, Name scheme) { return stable_oscillation(scheme); }
+// Two equal masses: (w dt)^2 = 2 k dt^2/m.
+Theory stiffness(Name, Name scheme) {
+  const Theory h = stable_oscillation(scheme);
+  return h ? Theory(*h * *h / 2) : std::nullopt;
+}
+Theory damping(Name, Name scheme) { return stable_damping(scheme); }
+Theory spring_run(Name, Name scheme) { return steps_until(scheme, 0.1, 0.5); }
+
+// Bullet cuts a turn of more than pi/4 a step to 2 atan((x/(pi/4)) tan(pi/8)) (btTransformUtil); the turn at
+// which that is a hundredth of x, or of a radian, too little.
+Theory cut_turn(Name engine, Name) {
+  if (engine != "bullet") return std::nullopt;
+  constexpr double quarter = std::numbers::pi / 4;
+  double low = quarter, high = 2;
+  const auto off = [&](double x) {
+    return x - 2 * std::atan(x / quarter * std::tan(quarter / 2)) - 0.01 * std::min(x, 1.0);
+  };
+  while (high - low > 1e-12) (off((low + high) / 2) > 0 ? high : low) = (low + high) / 2;
+  return low;
+}
+
+constexpr Range up(double low, double high, int per_decade = 3) {
+  return {.low = low, .high = high, .per_decade = per_decade};
+}
+constexpr Range down(double low, double high, int per_decade = 2) {
+  return {.low = low, .high = high, .downward = true, .per_decade = per_decade};
+}
+constexpr Range counted(double low, double high) { return {.low = low, .high = high, .whole = true}; }
+
+constexpr std::array table = {
+    Family{"spring", "largest w dt of a spring", "", "the energy grows over 2000 steps", up(0.01, 100),
+           spring_probe, oscillation},
+    Family{"stiffness", "largest k dt^2/m of two bodies on a spring", "", "the energy grows over 2000 steps",
+           up(1e-4, 1e4, 2), stiffness_probe, stiffness},
+    Family{"damping", "largest c dt/m of a damper", "", "the speed grows over 2000 steps", up(0.01, 100),
+           damping_probe, damping},
+    Family{"spring-run", "most steps on a spring at w dt = 0.1", "", "the place is half a radius off",
+           counted(10, 1e5), spring_run_probe, spring_run},
+    Family{"turn", "largest turn of a ball in a step", "rad",
+           "the turn is a hundredth off, or the spin is clamped", up(0.01, 1000), turn_probe, cut_turn},
+    Family{"tumble", "largest w dt of a tumbling brick", "",
+           "energy or angular momentum is a twentieth off within 20 rad", up(1e-3, 100), tumble_probe,
+           nothing},
+    Family{"origin", "largest distance from the origin", "m",
+           "an orbit of 1.5 m is a hundredth off the same at the origin", up(1, 1e18, 1), origin_probe,
+           nothing},
+    Family{"mass-ratio", "largest mass ratio, heavy cube on light", "",
+           "a cube is 5 mm off its place within 2 s at 1/240 s", up(1, 1e8, 2), mass_ratio_probe, nothing},
+    Family{"stack",
+           "highest stack of cubes",
+           "",
+           "a cube is 5 cm off its place within 2 s at 1/60 s",
+           {.low = 1, .high = 64, .whole = true, .per_decade = 6},
+           stack_probe,
+           nothing},
+    Family{"tunnel", "largest speed at a wall of 0.1 m", "m/s",
+           "one of eight balls of 0.1 m ends behind the wall at 1/60 s", up(1, 1e5), tunnel_probe, nothing},
+    Family{"small", "smallest radius of a ball that bounces", "m", "it rises to 10 % more or less than e^2 h",
+           down(1e-15, 1, 1), size_probe, nothing},
+    Family{"large", "largest radius of a ball that bounces", "m", "it rises to 10 % more or less than e^2 h",
+           up(1, 1e15, 1), size_probe, nothing},
+    Family{"restitution-low", "smallest restitution", "", "the speed after is 10 % off", down(1e-12, 0.5, 1),
+           low_restitution_probe, nothing},
+    Family{"restitution-high", "smallest 1 - restitution", "", "the speed lost is 10 % off",
+           down(1e-12, 0.5, 1), high_restitution_probe, nothing},
+    Family{"slow-bounce", "smallest speed that bounces", "m/s", "the rebound is not the restitution's",
+           down(1e-9, 10, 1), slow_bounce_probe, nothing},
+    Family{"rest-run",
+           "most steps of a box at rest at 1/60 s",
+           "",
+           "creep: it is 1 mm off its place",
+           {.low = 10, .high = 1e5, .whole = true, .per_decade = 1},
+           rest_run_probe,
+           nothing},
+};
+
+}  // namespace
+
+std::span<const Family> families() { return table; }
+
+}  // namespace cylon::study

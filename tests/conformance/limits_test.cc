@@ -1,0 +1,98 @@
+// Limits measured on real engines against theory, and against clamps and traps that are known.
+#include "tests/conformance/fixture.h"
+
+#include "harness/study/limits.h"
+#include "harness/study/limits_step.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace cylon::conformance {
+namespace {
+
+const study::Family& family(const std::string& name) {
+  for (const study::Family& row : study::families())
+    if (row.name == name) return row;
+  throw std::invalid_argument(name);
+}
+
+study::Limit measured(const study::Family& row, const std::string& id,
+                      const std::optional<double>& theory = {}) {
+  const study::Runner runner = study::worker_runner(engine(id), {});
+  return study::find_limit(
+      row.range, [&](double x) { return row.probe(runner, x); }, study::just_beyond(theory, row.range));
+}
+
+struct Row {
+  const char *family, *engine, *name, *scheme;
+};
+
+// Wherever theory has a number; 1 %: find_limit gives half of it.
+TEST(Limits, WithinOnePercentOfTheory) {
+  const Row table[] = {
+      {"spring", "in-house/integrator=symplectic-euler", "in-house", "symplectic-euler"},
+      {"spring", "in-house/integrator=velocity-verlet", "in-house", "velocity-verlet"},
+      {"spring", "in-house/integrator=stormer-verlet", "in-house", "stormer-verlet"},
+      {"spring", "in-house/integrator=rk4", "in-house", "rk4"},
+      {"spring", "in-house/integrator=yoshida4", "in-house", "yoshida4"},
+      {"spring", "in-house/integrator=yoshida6", "in-house", "yoshida6"},
+      {"spring", "in-house/integrator=bm4", "in-house", "bm4"},
+      {"spring", "in-house/integrator=rkn4", "in-house", "rkn4"},
+      {"spring", "bullet", "bullet", "semi-implicit-euler"},
+      {"spring", "bullet-float", "bullet", "semi-implicit-euler"},
+      {"spring", "bullet-multibody", "bullet", "semi-implicit-euler"},
+      {"spring", "ode", "ode", "semi-implicit-euler"},
+      {"stiffness", "in-house/integrator=symplectic-euler", "in-house", "symplectic-euler"},
+      {"stiffness", "in-house/integrator=rk4", "in-house", "rk4"},
+      {"stiffness", "bullet", "bullet", "semi-implicit-euler"},
+      {"stiffness", "ode", "ode", "semi-implicit-euler"},
+      {"damping", "in-house/integrator=explicit-euler", "in-house", "explicit-euler"},
+      {"damping", "in-house/integrator=rk4", "in-house", "rk4"},
+      {"damping", "bullet", "bullet", "semi-implicit-euler"},
+      {"damping", "ode", "ode", "semi-implicit-euler"},
+      {"turn", "bullet", "bullet", "semi-implicit-euler"},
+      {"spring-run", "in-house/integrator=velocity-verlet", "in-house", "velocity-verlet"},
+      {"spring-run", "in-house/integrator=explicit-euler", "in-house", "explicit-euler"},
+      {"spring-run", "bullet", "bullet", "semi-implicit-euler"},
+  };
+  for (const Row& row : table) {
+    SCOPED_TRACE(std::string(row.family) + " on " + row.engine);
+    const study::Family& f = family(row.family);
+    const auto theory = f.theory(row.name, row.scheme);
+    ASSERT_TRUE(theory && *theory > 0 && std::isfinite(*theory));
+    const study::Limit limit = measured(f, row.engine, theory);
+    EXPECT_EQ(limit.kind, study::Limit::Kind::found);
+    EXPECT_NEAR(limit.value(f.range), *theory, 0.01 * *theory) << limit.what;
+  }
+}
+
+TEST(Limits, ExplicitEulerHasNoneAndTheDefaultBreaksNowhere) {
+  const study::Family& spring = family("spring");
+  EXPECT_EQ(*spring.theory("in-house", "explicit-euler"), 0);
+  EXPECT_EQ(measured(spring, "in-house/integrator=explicit-euler").kind, study::Limit::Kind::nowhere);
+  EXPECT_EQ(measured(spring, "in-house").kind, study::Limit::Kind::none);
+  EXPECT_EQ(measured(family("turn"), "in-house").kind, study::Limit::Kind::none);
+}
+
+// The bracket holds on one side and breaks on the other, asked again.
+TEST(Limits, TheLargestStepOfAScenarioIsBracketed) {
+  const scenarios::Scenario scenario = shipped("projectile");
+  const study::StepSearch search = study::step_search(scenario);
+  const study::Limit limit = study::find_limit(search.range, [&](double n) {
+    return study::step_probe(scenario, engine("bullet"), {}, search.unit * static_cast<std::int64_t>(n));
+  });
+  ASSERT_EQ(limit.kind, study::Limit::Kind::found);
+  const auto holds = [&](double n) {
+    return study::step_probe(scenario, engine("bullet"), {}, search.unit * static_cast<std::int64_t>(n))
+        .holds;
+  };
+  EXPECT_TRUE(holds(limit.holds));
+  EXPECT_FALSE(holds(limit.breaks));
+}
+
+}  // namespace
+}  // namespace cylon::conformance
