@@ -56,6 +56,11 @@ struct Found {
   std::string reason;
 };
 
+// The engine is there and says that it cannot run this.
+struct Cannot {
+  std::string reason;
+};
+
 class Search {
  public:
   Search(const std::vector<Start>& starts, const Setting& setting, const AdviseOptions& options)
@@ -92,7 +97,6 @@ class Search {
       for (const auto& [i, e] : seen)
         if (e < found.best->error) found.best = pick(i, e);
     }
-    found.reason = reason_;
     return found;
   }
 
@@ -102,11 +106,8 @@ class Search {
     const Ran ran = measure_run(setting_, *from.scenario, *from.yardstick, row_.steps[i], row_.tolerances[i],
                                 options_.limits);
     if (ran.path == "stepping" && !setting_.first_fixed && !setting_.asked)
-      throw core::InputError("the path has no use for this scheme");
-    if (ran.point.status == core::Status::unsupported) {
-      reason_ = ran.point.reason;
-      throw core::InputError(reason_);
-    }
+      throw Cannot{"the path has no use for this scheme"};
+    if (ran.point.status == core::Status::unsupported) throw Cannot{ran.point.reason};
     if (start == 0) cpu_[i] = ran.cpu_seconds;
     return ran.point.errors.empty() ? std::nan("") : ran.point.errors[from.by];
   }
@@ -141,7 +142,6 @@ class Search {
   const AdviseOptions& options_;
   Row row_;
   std::map<std::size_t, double> cpu_;
-  std::string reason_;
 };
 
 std::string family(const std::string& id) { return id.substr(0, id.find('/')); }
@@ -214,6 +214,8 @@ std::vector<EngineAdvice> advise(const std::vector<Start>& starts, const std::ve
   in_parallel(settings.size(), options.workers, [&](std::size_t i) {
     try {
       found[i] = Search(starts, settings[i], options).find();
+    } catch (const Cannot& cannot) {
+      found[i].reason = cannot.reason;
     } catch (const core::InputError& error) {
       if (settings[i].asked) throw;
       found[i].reason = error.what();
