@@ -15,8 +15,13 @@ namespace {
 using reports::ConsoleOptions;
 using statistics::Outcome;
 
-constexpr int name_width = 30;
-constexpr std::size_t value_width = 24;
+constexpr int value_width = 24;
+
+struct Page {
+  const ConsoleOptions& console;
+  int name_width;    ///< Of the first column.
+  std::size_t room;  ///< For curves.
+};
 
 struct Mark {
   Outcome outcome;
@@ -83,14 +88,23 @@ std::string last_value(const HistoryRow& row) {
   return fmt::format("{:.4g}{}{}", last.value, row.metric.unit.empty() ? "" : " ", row.metric.unit);
 }
 
-std::string row_text(const HistoryRow& row, const ConsoleOptions& console) {
-  const std::size_t room =
-      static_cast<std::size_t>(std::max(console.width, 80)) - name_width - value_width - 6;
+// Names take what the longest one needs, two fifths of the page at most.
+Page page_of(const std::vector<HistoryRow>& rows, const ConsoleOptions& console) {
+  const int width = std::max(console.width, 80);
+  int longest = 20;
+  for (const HistoryRow& row : rows)
+    longest = std::max(longest, reports::display_width(reports::shown(row.metric.name, console)));
+  const int name_width = std::min(longest, 2 * width / 5);
+  return {console, name_width, static_cast<std::size_t>(width - name_width - value_width - 6)};
+}
+
+std::string row_text(const HistoryRow& row, const Page& page) {
+  const auto& [console, name_width, room] = page;
   std::string text = fmt::format("  {}  {}  {}\n",
                                  reports::fitted(reports::shown(row.metric.name, console), name_width, "~"),
                                  curve(row, console, room), reports::shown(last_value(row), console));
   const std::string below = marks_below(row, console, room);
-  if (!below.empty()) text += std::string(name_width + 4, ' ') + below + "\n";
+  if (!below.empty()) text += std::string(static_cast<std::size_t>(name_width) + 4, ' ') + below + "\n";
   for (const HistoryChange& c : row.changes) {
     text += fmt::format("      {} {} at {}: {} [{}]", c.id, mark_of(c, console),
                         reports::shown(row.points[c.index].revision, console),
@@ -113,6 +127,7 @@ std::string versions_text(const HistoryRow& row, const ConsoleOptions& console) 
 }  // namespace
 
 std::string history_text(const std::vector<HistoryRow>& rows, const ConsoleOptions& console) {
+  const Page page = page_of(rows, console);
   std::string text, cell;
   std::map<std::string, int> states;
   for (const HistoryRow& row : rows) {
@@ -125,7 +140,7 @@ std::string history_text(const std::vector<HistoryRow>& rows, const ConsoleOptio
       text += versions_text(row, console);
     }
     cell = row.cell.hash;
-    text += row_text(row, console);
+    text += row_text(row, page);
     for (const HistoryChange& change : row.changes) ++states[change.state];
   }
   std::string summary;

@@ -25,10 +25,11 @@ struct ChangePoint {
 
 /// The change points of a series of log ratios, in order.
 ///
-/// Top down (Matteson and James 2014): cut where the energy statistic of a window is largest, and go on in
-/// both parts while the cut is significant at ten times max_p; windows overlap by half.  Bottom up (Fleming
-/// and others, "Hunter", ICPE 2023): drop the weakest point, the one of largest p or else of smallest
-/// magnitude, and test its neighbours again over their longer parts, until all that are left pass max_p and
+/// Top down (Matteson and James 2014): cut a window where the energy statistic is largest, over all cuts and
+/// all ends of the part behind the cut, so that a level that returns to the one before is seen; go on in both
+/// parts while the cut is significant at ten times max_p; windows overlap by half.  Bottom up (Fleming and
+/// others, "Hunter", ICPE 2023): drop the weakest point, the one of largest p or else of smallest magnitude,
+/// and test its neighbours again over their longer parts, until all that are left pass max_p and
 /// min_magnitude.
 ///
 /// The significance of a cut is Student's t test between its two parts, as in Hunter: E-divisive only
@@ -37,7 +38,7 @@ struct ChangePoint {
 /// multiplied by the number of places where the cut could have been; and a level has four values at least, so
 /// that it is seen with its fourth revision, and two stray values at the end are no level.
 ///
-/// Deterministic; O(N window).  Throws std::invalid_argument on a value that is not finite.
+/// Deterministic; O(N window^2).  Throws std::invalid_argument on a value that is not finite.
 std::vector<ChangePoint> change_points(std::span<const double> log_ratios, const ChangePointRule& = {});
 
 }  // namespace cylon::statistics
