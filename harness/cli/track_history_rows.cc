@@ -59,9 +59,9 @@ HistoryRow row_of(const Series& series) {
 
 std::string change_id(const std::string& series, const std::string& revision) {
   core::Fingerprint fingerprint;
-  fingerprint.add(series);
-  fingerprint.add("@");
-  fingerprint.add(revision);
+  for (const std::string_view part :
+       {std::string_view(revision), std::string_view("@"), std::string_view(series)})
+    fingerprint.add(part);  // the longer one last, which mixes revisions that differ in a digit
   return fingerprint.hex().substr(0, 8);
 }
 
