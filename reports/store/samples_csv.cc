@@ -203,7 +203,7 @@ Read read_all(std::string_view document, Place place) {
     const Cell cell = cell_of(row);
     const auto [at, fresh] = result_at.try_emplace({run.uid, cell.hash}, read.results.size());
     if (fresh) {
-      read.results.push_back({at->first, Result{cell, row.text("engine_version"), "", {}, {}}});
+      read.results.emplace_back(at->first, Result{cell, row.text("engine_version"), "", {}, {}});
       read.places.push_back(place);
     }
     read.results[at->second].second.samples.push_back(sample_of(row));

@@ -25,6 +25,8 @@ enum class Mode { read, write };
 class Store {
  public:
   static Store open(const std::filesystem::path& file, Mode);
+  Store(const Store&) = delete;
+  Store& operator=(const Store&) = delete;
   Store(Store&&) noexcept;
   Store& operator=(Store&&) noexcept;
   ~Store();
