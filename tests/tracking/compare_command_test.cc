@@ -94,6 +94,38 @@ TEST_F(CompareCommand, AStoredRunIsComparedInItsResults) {
   EXPECT_NE(other.out.find("another version of the scenario"), std::string::npos) << other.out << other.err;
 }
 
+// A revision is built in a worktree by the preset `release` and the name of the worker alone, so that a
+// repository of a few lines will do: its revision v1 has the in-house worker, and not ODE's; v2 cannot be
+// built.
+TEST_F(CompareCommand, ARevisionIsBuiltOnceAndKept) {
+  std::filesystem::create_directories(folder / "repo/scenarios");
+  write("repo/scenarios/projectile.toml", shipped("projectile"));
+  write("repo/CMakePresets.json",
+        R"({"version": 5, "configurePresets": [{"name": "release", "generator": "Ninja"}]})");
+  const std::string project =
+      "cmake_minimum_required(VERSION 3.25)\nproject(small LANGUAGES NONE)\n"
+      "add_custom_target(cylon-worker-in-house COMMAND ${CMAKE_COMMAND} -E copy " CYLON_BINARY_DIR
+      "/cylon-worker-bullet-f64 ${CMAKE_BINARY_DIR}/cylon-worker-in-house)\n";
+  write("repo/CMakeLists.txt", project);
+  const std::string git = "git -C repo -c user.name=n -c user.email=e ";
+  const std::string commit = git + "add . && " + git + "commit -q -m change";
+  ASSERT_EQ(shell("git init -q repo && " + commit + " && git -C repo tag v1").code, 0);
+  write("repo/CMakeLists.txt", replaced(project, "COMMAND", "COMMAND false COMMAND"));
+  ASSERT_EQ(shell(commit + " && git -C repo tag v2").code, 0);
+
+  const std::string compare =
+      "CYLON_SCENARIOS=repo/scenarios cylon track compare projectile --no-time --instructions off "
+      "--engine in-house --engine ode --baseline ";
+  const Ran first = shell(compare + "v1"), again = shell(compare + "v1"), broken = shell(compare + "v2");
+  EXPECT_EQ(first.code, 0) << first.out << first.err;
+  EXPECT_NE(first.out.find("1 improved, 1 skipped"), std::string::npos) << first.out << first.err;
+  EXPECT_NE(first.err.find("checking out v1"), std::string::npos) << first.err;
+  EXPECT_EQ(again.out, first.out);
+  EXPECT_EQ(again.err.find("checking out"), std::string::npos) << again.err;
+  EXPECT_EQ(broken.code, 2) << broken.out << broken.err;
+  EXPECT_NE(broken.err.find("cylon-worker-in-house cannot be built, see "), std::string::npos) << broken.err;
+}
+
 TEST(ExitCode, InconclusiveCountsWhereItIsAskedFor) {
   const auto with = [](Finding finding, bool reliable) {
     core::ComparisonReport report;
