@@ -119,15 +119,11 @@ LimitRow search_family(const Task& task, const process::Limits& limits) {
                {},          0,           {}};
   row.theory = family.theory(task.name, task.scheme);
   const study::Runner runner = study::worker_runner(task.engine, limits);
-  const auto probe = [&](double x) -> study::Probed {
-    try {
-      return family.probe(runner, x);
-    } catch (const study::RunFailed& failed) {
-      if (failed.outcome.status == core::Status::unsupported) throw study::Unsupported{failed.outcome.reason};
-      return {false, fmt::format("{}: {}", core::name(failed.outcome.status), failed.outcome.reason)};
-    }
-  };
-  row.limit = study::find_limit(family.range, probe, study::just_beyond(row.theory, family.range));
+  try {
+    row.limit = study::limit_of(family, runner, row.theory);
+  } catch (const study::RunFailed& failed) {
+    throw study::Unsupported{failed.outcome.reason};
+  }
   row.value = row.limit.value(family.range);
   return row;
 }

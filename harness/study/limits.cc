@@ -43,7 +43,7 @@ double Limit::value(const Range& range) const {
 }
 
 std::vector<double> just_beyond(const std::optional<double>& theory, const Range& range) {
-  constexpr double beyond = 1.0025;  // half of the bracket's usual ratio
+  constexpr double beyond = 1.001;  // the narrowest known window, that of rkn4, is 0.18 % wide
   if (!theory || !(*theory * beyond > range.low) || !(*theory * beyond < range.high)) return {};
   return {*theory * beyond};
 }
@@ -79,6 +79,18 @@ Limit find_limit(const Range& range, const std::function<Probed(double)>& probe,
     if (!found.holds) limit.what = found.what;
   }
   return limit;
+}
+
+Limit limit_of(const Family& family, const Runner& runner, const std::optional<double>& theory) {
+  const auto probe = [&](double x) -> Probed {
+    try {
+      return family.probe(runner, x);
+    } catch (const RunFailed& failed) {
+      if (failed.outcome.status == core::Status::unsupported) throw;
+      return {false, std::string(core::name(failed.outcome.status)) + ": " + failed.outcome.reason};
+    }
+  };
+  return find_limit(family.range, probe, just_beyond(theory, family.range));
 }
 
 }  // namespace cylon::study

@@ -70,4 +70,8 @@ struct Family {
 /// The table.
 std::span<const Family> families();
 
+/// The family's limit on an engine.  A crash, a timeout or garbage is breaking; throws RunFailed where the
+/// engine cannot express the scene.
+Limit limit_of(const Family&, const Runner&, const std::optional<double>& theory);
+
 }  // namespace cylon::study

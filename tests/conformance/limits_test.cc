@@ -22,9 +22,7 @@ const study::Family& family(const std::string& name) {
 
 study::Limit measured(const study::Family& row, const std::string& id,
                       const std::optional<double>& theory = {}) {
-  const study::Runner runner = study::worker_runner(engine(id), {});
-  return study::find_limit(
-      row.range, [&](double x) { return row.probe(runner, x); }, study::just_beyond(theory, row.range));
+  return study::limit_of(row, study::worker_runner(engine(id), {}), theory);
 }
 
 struct Row {
