@@ -114,6 +114,14 @@ TEST(TradeReport, TextSaysOrderFloorCostAndFront) {
   EXPECT_NE(trade_text({}, {}, false).find("nothing to measure"), std::string::npos);
 }
 
+TEST(TradeReport, AVariantThatStatesTheSchemeReadsLikeAnyOther) {
+  TradeTable t = table();
+  t.series[0].engine = "in-house-float/integrator=rk4";
+  EXPECT_EQ(trade_label(t, t.series[0]), "in-house-float rk4");
+  t.series[0].engine = "bullet/gyro=none";
+  EXPECT_EQ(trade_label(t, t.series[0]), "bullet/gyro=none");  // it has one scheme in the table
+}
+
 TEST(TradeReport, CheapestIsTheCheapestThatServes) {
   const TradeTable t = table();
   EXPECT_EQ(cheapest(t, t.series[0], 2e-3)->steps, 40);
