@@ -346,13 +346,20 @@ void Bodies::scales(const Real* y, Real* scale) {
     if (body.turns) turn_ = std::max(turn_, angular_velocity(body, motion[i]).norm());
     spin_[i] = std::max(spin_[i], motion[i].angular_momentum.norm());
   }
+  // Joints that carry weight shake bodies at rest by the rounding of their forces, which no step makes
+  // smooth: a speed is small against what gravity gives over the scene's length, sqrt(g L), not against
+  // nothing.
+  const Real at_rest = model_.joints.empty() ? 0 : std::sqrt(model_.forces.gravity.norm() * length_);
+  const Real speed = std::max(speed_, at_rest);
+  const Real turn = std::max(turn_, length_ > 0 ? at_rest / length_ : 0);
   const auto or_one = [](Real x) { return x > 0 ? x : Real(1); };
   for (std::size_t i = 0; i < n; ++i, scale += motion_size) {
     const Body& body = model_.bodies[i];
     std::fill(scale, scale + 3, or_one(length_));
-    std::fill(scale + 3, scale + 6, or_one(body.mass * speed_));
+    std::fill(scale + 3, scale + 6, or_one(body.mass * speed));
     std::fill(scale + 6, scale + 10, Real(1));
-    const Real spin = spin_[i] > 0 ? spin_[i] : body.inertia.diagonal().maxCoeff() * turn_;
+    const Real inertia = body.inertia.diagonal().maxCoeff();
+    const Real spin = spin_[i] > 0 ? std::max(spin_[i], inertia * (at_rest > 0 ? turn : 0)) : inertia * turn;
     std::fill(scale + 10, scale + 13, or_one(spin));
   }
   std::fill(scale, scale + (size_ - motion_size * n), Real(1e30));  // works and the clock are not controlled

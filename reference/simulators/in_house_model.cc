@@ -40,6 +40,23 @@ void add_bodies(const Scene& scene, Model& model) {
   }
 }
 
+// A body has no momentum about an axis without inertia, so a turn about it would be lost.
+std::optional<std::string> lost_turn(const Scene& scene, const Model& model) {
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const core::Body& body = scene.bodies[i];
+    const core::Vector3& w = body.initial.angular_velocity;
+    if (body.locked || w.isZero(0)) continue;
+    const core::Vector3 kept = engine::angular_velocity(model.bodies[i], model.motions[i]).cast<double>();
+    if ((w - kept).norm() > 1e-6 * w.norm())
+      return fmt::format(
+          "body '{}' turns at {:.3g} rad/s about an axis about which its moment of inertia is none or "
+          "rounding "
+          "beside the largest: the engine keeps angular momentum, which says nothing of that turn",
+          body.name, (w - kept).norm());
+  }
+  return std::nullopt;
+}
+
 // ---- Forces --------------------------------------------------------------------------------------
 
 void add(const core::Thrust& t, Model& model) {
@@ -181,6 +198,8 @@ InHouseModel in_house_model(const Scene& scene) {
   InHouseModel result;
   Model& model = result.model;
   add_bodies(scene, model);
+  result.missing = lost_turn(scene, model);
+  if (result.missing) return result;
   result.missing = add_forces(scene, model);
   if (result.missing) return result;
   for (const core::Joint& joint : scene.joints) model.joints.push_back(joint_of(scene, joint));
