@@ -10,7 +10,8 @@ namespace {
 
 double middle(double a, double b, bool whole) {
   const double m = std::sqrt(a * b);
-  return whole ? std::floor(m) : m;
+  // Of whole numbers neither end again, or bisection would not end.
+  return whole ? std::clamp(std::round(m), std::min(a, b) + 1, std::max(a, b) - 1) : m;
 }
 
 // The values that are tried first, from the end that should hold to the other.
