@@ -148,7 +148,7 @@ std::optional<double> steps_until(std::string_view scheme, double h, double dist
   for (int n = 1; n <= 10'000'000; ++n) {
     made = m * made;
     const Vector2d exact(std::cos(n * h), -std::sin(n * h));
-    if ((made - exact).norm() > distance) return n;
+    if ((made - exact).norm() > distance) return n - 1;
   }
   return std::numeric_limits<double>::infinity();
 }

@@ -23,7 +23,7 @@ std::optional<double> stable_oscillation(std::string_view scheme);
 /// Largest c dt / m up to which a velocity that is damped by -c v does not grow.
 std::optional<double> stable_damping(std::string_view scheme);
 
-/// The first n at which the unit circle's exact motion and the scheme's are further apart than `distance`;
+/// The last n before the unit circle's exact motion and the scheme's are further apart than `distance`;
 /// infinity: not within 10^7 steps.
 std::optional<double> steps_until(std::string_view scheme, double h, double distance);
 
