@@ -165,7 +165,9 @@ int main(int argc, char** argv) {
       "Solve certified truths anew and keep none (like CYLON_CACHE=off)");
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 all as expected, 1 a verdict differs, 2 bad input, 4 nothing selected, 5 harness "
+      "Exit codes: 0 all as expected, 1 a verdict differs or a regression is confirmed, 2 bad input, 3 not "
+      "decided "
+      "(--strict), 4 nothing selected, 5 harness "
       "failure, 130 interrupted.");
   Context context = make_context();
   context.command_line = shell_command(std::vector<std::string>(argv, argv + argc));
