@@ -154,6 +154,21 @@ void row(const std::string& who, double dt, const Result& r, double own) {
   fmt::print("{:<22} {:>10.3g} {:>12.3g} {:>12.3g} {:>10.0f}x\n", who, dt, r.error, 1e6 * r.cpu, r.cpu / own);
 }
 
+// The better of an engine's rows beside a target.
+void verdict(const char* whom, double ratio, double target, const char* error) {
+  fmt::print("  vs {}: {:.0f}x  target {:.0f}x {}  {}\n", whom, ratio, target, error,
+             ratio >= target ? "met" : "NOT MET");
+}
+
+// By the first letters of an engine's id: the least cost over ours.
+struct Best {
+  double bullet = INFINITY, ode = INFINITY;
+  void see(const std::string& id, double ratio) {
+    double& place = id.starts_with("bullet") ? bullet : ode;
+    place = std::min(place, ratio);
+  }
+};
+
 void heading(const char* what, const char* error) {
   fmt::print("\n{}\n{:<22} {:>10} {:>12} {:>12} {:>11}\n", what, "engine", "dt [s]", error, "cpu [us]",
              "ratio");
@@ -190,15 +205,19 @@ tolerance = {{ relative = 1, reason = "rounding" }}
   const double own = seconds_per_bounce_run(model);
   row("ballistic, one step", bounce_time, {own, run_here(model, bounce_time, 1, 1, false).error, ""}, own);
   row("ballistic, 300 samples", bounce_time / 300, run_here(model, bounce_time, 300, 200, false), own);
+  Best reached;
   for (const auto& choice : engines) {
     for (const std::int64_t steps : {300, 1200, 4800, 19200, 76800, 307200}) {
       Result best = run_worker(scenario.scene, choice, bounce_time, steps, false);
       for (int i = 0; i < 2 && best.failure.empty(); ++i)
         best.cpu = std::min(best.cpu, run_worker(scenario.scene, choice, bounce_time, steps, false).cpu);
       row(choice.id, bounce_time / static_cast<double>(steps), best, own);
+      if (best.failure.empty() && best.error <= 1e-2) reached.see(choice.id, best.cpu / own);
       if (!best.failure.empty() || best.error <= 1e-2) break;
     }
   }
+  verdict("Bullet", reached.bullet, 4000, "at 1e-2 m");
+  verdict("ODE", reached.ode, 1200, "at 1e-2 m");
 }
 
 void gas(const std::vector<process::EngineChoice>& engines) {
@@ -233,10 +252,16 @@ tolerance = { relative = 1, reason = "rounding" }
   const Result own = run_here(model, gas_time, 600, 5, true);
   row("ballistic", gas_time / 600, own, own.cpu);
   row("ballistic", gas_time / 10000, run_here(model, gas_time, 10000, 2, true), own.cpu);
+  Best cheapest;
   for (const auto& choice : engines)
-    for (const std::int64_t steps : {600, 2400})
-      row(choice.id, gas_time / static_cast<double>(steps),
-          run_worker(scenario.scene, choice, gas_time, steps, true), own.cpu);
+    for (const std::int64_t steps : {600, 2400}) {
+      const Result theirs = run_worker(scenario.scene, choice, gas_time, steps, true);
+      row(choice.id, gas_time / static_cast<double>(steps), theirs, own.cpu);
+      if (theirs.failure.empty()) cheapest.see(choice.id, theirs.cpu / own.cpu);
+    }
+  const char* error = own.error <= 1e-13 ? "at |dE|/E <= 1e-13" : "with |dE|/E > 1e-13 (NOT MET)";
+  verdict("Bullet", cheapest.bullet, 15, error);
+  verdict("ODE", cheapest.ode, 8, error);
 }
 
 }  // namespace

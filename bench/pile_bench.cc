@@ -10,8 +10,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -21,7 +25,12 @@ using namespace cylon;
 constexpr double step = 1. / 60;
 constexpr int steps = 300;
 
-void row(const std::string& id, const core::Scene& scene, const std::string& directory) {
+struct Row {
+  std::string id;
+  double ns = INFINITY, overlap = INFINITY;  // per body-step; [m]
+};
+
+Row row(const std::string& id, const core::Scene& scene, const std::string& directory) {
   process::RunRequest request;
   request.scene = &scene;
   request.setup.dt = step;
@@ -33,12 +42,32 @@ void row(const std::string& id, const core::Scene& scene, const std::string& dir
   const auto outcome = process::run(engine, request, limits);
   if (!outcome.recording) {
     fmt::print("{:>7}  {:<30} {}\n", scene.bodies.size(), id, outcome.reason);
-    return;
+    return {id};
   }
   const double body_steps = static_cast<double>(scene.bodies.size()) * steps;
-  fmt::print("{:>7}  {:<30} {:>10.0f} {:>12.2f}\n", scene.bodies.size(), id,
-             1e9 * outcome.recording->cpu_seconds / body_steps,
-             1e3 * bench::overlap(scene, outcome.recording->states.back()));
+  const Row result{id, 1e9 * outcome.recording->cpu_seconds / body_steps,
+                   bench::overlap(scene, outcome.recording->states.back())};
+  fmt::print("{:>7}  {:<30} {:>10.0f} {:>12.2f}\n", scene.bodies.size(), id, result.ns, 1e3 * result.overlap);
+  return result;
+}
+
+struct Target {
+  int spheres;
+  double bullet, ode;  // ratios
+};
+constexpr Target targets[] = {{1000, 12, 10}, {10000, 20, 18}, {100000, 25, 25}};
+
+// The cheapest of ours that overlaps by a quarter of the lesser of theirs, beside each of them.
+void verdict(const Target& target, std::span<const Row> ours, const Row& bullet, const Row& ode) {
+  const double allowed = std::min(bullet.overlap, ode.overlap) / 4;
+  const Row* best = nullptr;
+  for (const Row& r : ours)
+    if (r.overlap <= allowed && (!best || r.ns < best->ns)) best = &r;
+  if (!best) return fmt::print("         overlap <= {:.2f} mm: NOT MET by any of ours\n", 1e3 * allowed);
+  for (const auto& [theirs, wanted] : {std::pair{&bullet, target.bullet}, std::pair{&ode, target.ode}})
+    fmt::print("         {} with overlap <= {:.2f} mm vs {}: {:.1f}x  target {:.0f}x  {}\n", best->id,
+               1e3 * allowed, theirs->id, theirs->ns / best->ns, wanted,
+               theirs->ns >= wanted * best->ns ? "met" : "NOT MET");
 }
 
 }  // namespace
@@ -47,12 +76,15 @@ int main(int count, char** arguments) {
   const bool huge = count > 1 && std::strcmp(arguments[1], "--huge") == 0;
   const std::string directory = std::filesystem::canonical("/proc/self/exe").parent_path().string();
   fmt::print("{:>7}  {:<30} {:>10} {:>12}\n", "spheres", "engine", "ns/(b*s)", "overlap mm");
-  for (const int spheres : {1000, 10000, 100000}) {
+  for (const Target& target : targets) {
+    const int spheres = target.spheres;
     if (spheres == 100000 && !huge) break;
     const int side = spheres <= 1000 ? 10 : spheres <= 10000 ? 20 : 46;
     const core::Scene scene = bench::pile(spheres, side, 0.6, 1.1);
+    std::vector<Row> rows;
     for (const char* id : {"in-house-float", "in-house-float/sweeps=4", "in-house",
                            "bullet-float/iterations=10", "ode-quick/iterations=10"})
-      row(id, scene, directory);
+      rows.push_back(row(id, scene, directory));
+    verdict(target, std::span(rows).first(3), rows[3], rows[4]);
   }
 }
