@@ -30,6 +30,14 @@ build gcc-O2 g++ -O2
 build gcc-O3 g++ -O3
 build clang-O2 clang++ -O2
 
+# gcc's own contraction, which no flag forbids: cmake/toolchain.cmake.
+for build in gcc-O2 gcc-O3; do
+  for object in $(find "build/determinism/$build/CMakeFiles/engine.dir" -name '*.o'); do
+    ! objdump -d "$object" | grep -qE 'vfm(addsub|subadd)' ||
+      { echo "determinism: contracted in spite of -ffp-contract=off: $object" >&2; exit 1; }
+  done
+done
+
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 same=0 differ=0 left=0

@@ -39,7 +39,7 @@ struct FeaturePrice {
   double without_cost = std::numeric_limits<double>::quiet_NaN();  ///< CPU seconds per simulated second.
   double effect = std::numeric_limits<double>::quiet_NaN();  ///< Largest difference of the motions, in units
                                                              ///< of its scales, turns in rad.
-  std::string reason;  ///< Why it could not be priced; empty: it was.
+  std::string reason;                                        ///< Why it could not be priced; empty: it was.
 };
 
 struct Advice {
