@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <span>
@@ -73,6 +74,7 @@ void verdict(const Target& target, std::span<const Row> ours, const Row& bullet,
 }  // namespace
 
 int main(int count, char** arguments) {
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);
   const bool huge = count > 1 && std::strcmp(arguments[1], "--huge") == 0;
   const std::string directory = std::filesystem::canonical("/proc/self/exe").parent_path().string();
   fmt::print("{:>7}  {:<30} {:>10} {:>12}\n", "spheres", "engine", "ns/(b*s)", "overlap mm");

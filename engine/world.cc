@@ -23,6 +23,7 @@ World::World(Model model, const Options& options)
   stepper_ = make_stepper(model_, options_, plan_);
   if (plan_.method == Method::ballistic) {
     ballistic_ = static_cast<Ballistic*>(stepper_.get());
+    motions_ = model_.motions;
     if (ballistic_->handover()) hand_over();
   }
   motions_ = model_.motions;
@@ -68,18 +69,23 @@ void World::weigh() {
   }
 }
 
-// What spheres in free flight cannot express goes on event by event, from the instant at which it begins.
+// What spheres in free flight cannot express goes on event by event, from the instant at which it begins;
+// where many may touch, in fixed steps, from the step in which it begins.
 void World::hand_over() {
   const Handover from = *ballistic_->handover();
   ballistic_ = nullptr;
   Model model = model_;
-  model.motions = from.motions;
   Options options = options_;
-  options.method = "events";
+  options.method.clear(), options.scheme = "rk4";  // what any scheme is given that is not the default
+  const bool by_events = make_plan(model, options).method == Method::events;
+  options.scheme = options_.scheme, options.method = by_events ? "events" : "stepping";
+  const Time start = by_events ? from.time : time();
+  model.motions = by_events ? from.motions : motions_;
   const Plan plan = make_plan(model, options);
-  stepper_ = make_stepper(model, options, plan, from.time);
-  remarks_.push_back("closed form until t = " + std::to_string(from.time) +
-                     " s, then by events: " + from.reason);
+  stepper_ = make_stepper(model, options, plan, start);
+  remarks_.push_back("closed form until t = " + std::to_string(start) + " s, then " +
+                     (by_events ? "by events: " : "in fixed steps of first order: ") + from.reason);
+  if (!by_events) impacts_.clear();  // the whole step again
 }
 
 std::vector<std::string> World::remarks() const {
