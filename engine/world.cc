@@ -21,12 +21,11 @@ World::World(Model model, const Options& options)
     : model_(with(std::move(model), options)), options_(options), plan_(make_plan(model_, options_)) {
   assert(options_.dt > 0 && unsupported(model_, options_).empty());
   stepper_ = make_stepper(model_, options_, plan_);
+  motions_ = model_.motions;
   if (plan_.method == Method::ballistic) {
     ballistic_ = static_cast<Ballistic*>(stepper_.get());
-    motions_ = model_.motions;
     if (ballistic_->handover()) hand_over();
   }
-  motions_ = model_.motions;
   for (const Body& body : model_.bodies) masses_.push_back(body.mass);
 }
 
