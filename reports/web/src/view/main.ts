@@ -1,0 +1,1 @@
+export function openViewer(_root: HTMLElement): void {}
