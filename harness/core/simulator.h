@@ -82,6 +82,15 @@ struct Terms {
   std::vector<Stage> plan;  ///< What the engine does for this scene, in its order; empty: it does not tell.
 };
 
+/// A point at which two surfaces pressed on each other during a step.
+struct Contact {
+  Pair pair;
+  Vector3 point = Vector3::Zero();    ///< World [m].
+  Vector3 normal = Vector3::UnitY();  ///< World, unit, towards pair.body.
+  std::optional<double>
+      impulse;  ///< Along the normal, over the step [N s]; absent: the engine does not tell.
+};
+
 /// A machine that advances a Scene in fixed steps.
 class Simulator {
  public:
@@ -110,6 +119,14 @@ class Simulator {
   /// What a user must know of the run so far, a sentence each: a tolerance that could not be kept, and the
   /// best that was reached.  Empty: nothing.
   virtual std::vector<std::string> remarks() const { return {}; }
+
+  /// Whether contacts() will be asked for after the next step; some engines must know before it.  Changes
+  /// nothing in the motion.
+  virtual void keep_contacts(bool) {}
+
+  /// Where surfaces pressed on each other in the last step, which began with contacts kept.  Empty: nowhere,
+  /// or the engine does not tell.
+  virtual std::vector<Contact> contacts() const { return {}; }
 };
 
 /// The engine build that is linked into this executable; each sim_* library defines it once.
