@@ -2,11 +2,12 @@
 include(GoogleTest)
 enable_testing()
 
-# layer(name FOLDER folder USES libraries… DEFINES macros…): every source under a folder (programs' main.cc left out).
+# layer(name FOLDER folder USES libraries… DEFINES macros…): every source under a folder (programs' main.cc and
+# reports/web, which is cmake/web.cmake's, left out).
 function(layer name)
   cmake_parse_arguments(ARG "" "FOLDER" "USES;DEFINES" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${ARG_FOLDER}/*.cc)
-  list(FILTER sources EXCLUDE REGEX "/main[.]cc$")
+  list(FILTER sources EXCLUDE REGEX "/main[.]cc$|/web/")
   add_library(${name} STATIC ${sources})
   target_compile_definitions(${name} PUBLIC ${ARG_DEFINES})
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
