@@ -1,14 +1,13 @@
 #include "harness/process/client.h"
 
 #include "harness/core/event_watch.h"
-#include "harness/core/input_error.h"
 #include "harness/process/conversation.h"
 #include "harness/process/json_fields.h"
 #include "harness/process/messages.h"
+#include "harness/process/opening.h"
 #include "harness/process/read_back.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,78 +20,6 @@ namespace {
 using nlohmann::json;
 
 [[noreturn]] void broken(const std::string& reason) { throw Failure(core::Status::protocol, reason); }
-
-/// The text of an answer {"unsupported": …} or {"error": …}, or nothing when it is another message.
-std::optional<std::string> text_of(const json& answer, const char* key) {
-  if (!answer.contains(key)) return std::nullopt;
-  Fields fields(answer, "");
-  std::string text = fields.text(key);
-  fields.finish();
-  return text;
-}
-
-void require_ok(const json& answer, const char* what) {
-  const auto ok = answer.find("ok");
-  if (ok == answer.end() || *ok != what) broken(fmt::format("expected {{\"ok\":\"{}\"}}", what));
-}
-
-Hello introduce(Conversation& worker, const Limits& limits) {
-  worker.ask({{"cmd", "hello"}, {"protocol", protocol_version}}, limits.hello_seconds);
-  const json answer = worker.next_line();
-  if (const auto reason = text_of(answer, "unsupported")) throw Failure(core::Status::unsupported, *reason);
-  if (const auto reason = text_of(answer, "error")) broken("hello was refused: " + *reason);
-  require_ok(answer, "hello");
-  return hello_from_json(answer);
-}
-
-core::Setup merged(const EngineChoice& choice, core::Setup setup) {
-  if (!choice.path.empty()) setup.path = choice.path;
-  if (!choice.integrator.empty()) setup.integrator = choice.integrator;
-  for (const auto& [name, value] : choice.options) setup.options[name] = value;
-  return setup;
-}
-
-/// A worker that knows no tolerance would run without one and say nothing.
-void require_adaptive(const core::Engine& engine, const std::string& id, const core::Setup& setup) {
-  if (setup.tolerance == 0) return;
-  std::vector<std::string> adaptive;
-  for (const core::Scheme& scheme : engine.schemes) {
-    if (!scheme.adaptive) continue;
-    const bool is_default = setup.integrator.empty() && &scheme == &engine.schemes.front();
-    if (is_default || scheme.name == setup.integrator) return;
-    adaptive.push_back(scheme.name);
-  }
-  if (adaptive.empty())
-    throw core::InputError(
-        fmt::format("engine '{}' has no error-controlled scheme, so it takes a step and no tolerance", id));
-  throw core::InputError(fmt::format(
-      "engine '{}': {} does not control its error, so it takes a step and no tolerance (schemes that do: {})",
-      id, setup.integrator.empty() ? "its default scheme" : fmt::format("scheme '{}'", setup.integrator),
-      fmt::join(adaptive, ", ")));
-}
-
-core::Terms load(Conversation& worker, const EngineChoice& choice, const RunRequest& request,
-                 const core::Engine& engine, const Limits& limits) {
-  const core::Setup setup = merged(choice, request.setup);
-  require_adaptive(engine, choice.id, setup);
-  worker.ask(load_request(*request.scene, setup), limits.run_seconds);
-  const json answer = worker.next_line();
-  if (const auto reason = text_of(answer, "unsupported")) throw Failure(core::Status::unsupported, *reason);
-  if (const auto reason = text_of(answer, "error"))
-    throw core::InputError(fmt::format("engine '{}': {}", choice.id, *reason));
-  require_ok(answer, "load");
-  worker.expect_bodies(request.scene->bodies.size());
-  return terms_from_json(answer);
-}
-
-core::State read_start(Conversation& worker, std::size_t bodies) {
-  const Frame frame = worker.next_frame();
-  if (frame.header.states != 1 || frame.header.first_step != 0)
-    broken("the first frame must hold step 0 alone");
-  core::State state(bodies);
-  unpack_state(frame.payload.data(), state);
-  return state;
-}
 
 Run requested(const RunRequest& request) {
   if (!request.scene) throw std::invalid_argument("a run needs a scene");
@@ -201,7 +128,7 @@ class Recorder {
 /// One more run of the request's scene, of which nothing but its times is kept.
 Repetition repeat(Conversation& worker, const EngineChoice& choice, const RunRequest& request,
                   const Hello& hello, const Limits& limits) {
-  load(worker, choice, request, hello.engine, limits);
+  open_scene(worker, choice, *request.scene, request.setup, hello.engine, limits.run_seconds);
   core::State start = read_start(worker, request.scene->bodies.size());
   Recorder recorder(*request.scene, {request.steps, std::max<std::int64_t>(1, request.steps), {}, {}},
                     hello.events, request.setup.dt, std::move(start));
@@ -231,9 +158,9 @@ RunOutcome run(const EngineChoice& choice, const RunRequest& request, const Limi
   std::string death;
   attempt(outcome, [&] {
     worker.emplace(choice.row.command, limits.memory_bytes);
-    const Hello hello = introduce(*worker, limits);
+    const Hello hello = introduce(*worker, limits.hello_seconds);
     outcome.engine = hello.engine;
-    outcome.terms = load(*worker, choice, request, hello.engine, limits);
+    outcome.terms = open_scene(*worker, choice, scene, request.setup, hello.engine, limits.run_seconds);
     core::State start = read_start(*worker, scene.bodies.size());
     if (const auto difference = read_back_difference(scene, start, hello.engine.precision))
       throw Failure(core::Status::fail, "initial state read back differs: " + *difference);
@@ -264,7 +191,7 @@ RunOutcome run(const EngineChoice& choice, const RunRequest& request, const Limi
 
 core::Engine describe(const EngineChoice& choice, const Limits& limits) try {
   Conversation worker(choice.row.command, limits.memory_bytes);
-  core::Engine engine = introduce(worker, limits).engine;
+  core::Engine engine = introduce(worker, limits.hello_seconds).engine;
   worker.finish(limits.quit_seconds);
   return engine;
 } catch (const MalformedMessage& error) {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace cylon::process {
@@ -74,6 +75,7 @@ json hello_json(const Hello& hello) {
                  {"version", engine.version},
                  {"precision", engine.precision},
                  {"events", hello.events},
+                 {"live", hello.live},
                  {"default_path_rule", engine.default_path_rule}};
   json& paths = result["paths"] = json::array();
   for (const core::Path& p : engine.paths)
@@ -107,6 +109,7 @@ Hello hello_from_json(const json& value) {
   if (engine.precision != "double" && engine.precision != "float")
     f.fail("precision", "expected \"double\" or \"float\"");
   if (f.find("events")) hello.events = f.flag("events");
+  if (f.find("live")) hello.live = f.flag("live");
   each_if(f, "paths", [&](Fields& p) {
     engine.paths.push_back(
         {p.text("name"), text_if(p, "summary"), settings_if(p), texts_if(p, "unforceable")});
@@ -188,11 +191,15 @@ json run_request(const Run& run) {
   json watch = json::array();
   for (const core::Pair& p : run.watch)
     watch.push_back({{"body", p.body}, {"other", p.other}, {"plane", p.plane}});
-  return {{"cmd", "run"},
-          {"steps", run.steps},
-          {"every", run.every},
-          {"at", run.at},
-          {"watch", std::move(watch)}};
+  json request = {{"cmd", "run"},
+                  {"steps", run.steps},
+                  {"every", run.every},
+                  {"at", run.at},
+                  {"watch", std::move(watch)}};
+  // Left out where they are not asked for: only workers that say they are live know them.
+  if (run.resume) request["continue"] = true;
+  if (run.contacts) request["contacts"] = true;
+  return request;
 }
 
 Run run_from_json(const json& value) {
@@ -212,6 +219,9 @@ Run run_from_json(const json& value) {
       run.at.push_back(step.get<std::int64_t>());
     });
   each_if(f, "watch", [&](Fields& row) { run.watch.push_back(pair(row)); });
+  run.resume = f.find("continue") && f.flag("continue");
+  run.contacts = f.find("contacts") && f.flag("contacts");
+  if (run.resume && !run.watch.empty()) f.fail("watch", "must be empty where a run continues");
   f.finish();
   return run;
 }
@@ -253,6 +263,44 @@ core::Event event_from_json(const json& value) {
                           number("height")};
   f.finish();
   return event;
+}
+
+json contacts_json(const std::vector<core::Contact>& contacts) {
+  json rows = json::array();
+  for (const core::Contact& c : contacts) {
+    if (!c.point.allFinite() || !c.normal.allFinite()) continue;
+    const bool told = c.impulse && std::isfinite(*c.impulse);
+    rows.push_back({{"body", c.pair.body},
+                    {"other", c.pair.other},
+                    {"plane", c.pair.plane},
+                    {"point", {c.point.x(), c.point.y(), c.point.z()}},
+                    {"normal", {c.normal.x(), c.normal.y(), c.normal.z()}},
+                    {"impulse", told ? json(*c.impulse) : json(nullptr)}});
+  }
+  return {{"contacts", std::move(rows)}};
+}
+
+std::vector<core::Contact> contacts_from_json(const json& value, std::size_t bodies, std::size_t planes) {
+  std::vector<core::Contact> contacts;
+  Fields top(value, "");
+  top.each("contacts", [&](const json& row, const std::string& place) {
+    Fields f(row, place);
+    core::Contact c;
+    c.pair = pair(f);
+    const auto within = [](int i, std::size_t count) {
+      return i >= 0 && static_cast<std::size_t>(i) < count;
+    };
+    if (!within(c.pair.body, bodies)) f.fail("body", "must be the index of a body");
+    if (c.pair.plane >= 0 ? !within(c.pair.plane, planes) : !within(c.pair.other, bodies))
+      f.fail("other", "must be the index of a body, or -1 beside that of a plane");
+    c.point = f.vector("point");
+    c.normal = f.vector("normal");
+    if (!f.at("impulse").is_null()) c.impulse = f.number("impulse");
+    f.finish();
+    contacts.push_back(c);
+  });
+  top.finish();
+  return contacts;
 }
 
 json done_json(const Done& done) {

@@ -19,6 +19,7 @@ inline constexpr int protocol_version = 1;
 struct Hello {
   core::Engine engine;
   bool events = false;  ///< It watches pairs itself; else the harness does, from every step.
+  bool live = false;    ///< It goes on from where a run ended, and tells contacts.
 };
 nlohmann::json hello_json(const Hello&);
 Hello hello_from_json(const nlohmann::json&);
@@ -34,6 +35,8 @@ struct Run {
   std::int64_t every = 1;        ///< >= 1
   std::vector<std::int64_t> at;  ///< Ascending, in 1..steps.
   std::vector<core::Pair> watch;
+  bool resume = false;    ///< From where the last run ended; steps count from there, and nothing is watched.
+  bool contacts = false;  ///< Those of the last step are wanted.
 };
 nlohmann::json run_request(const Run&);
 /// Throws MalformedMessage for steps out of range, too.
@@ -44,6 +47,12 @@ std::int64_t next_sample(const Run&, std::int64_t step);
 
 nlohmann::json event_json(const core::Event&);
 core::Event event_from_json(const nlohmann::json& line);
+
+/// Contacts of which a number is not finite are left out.
+nlohmann::json contacts_json(const std::vector<core::Contact>&);
+/// `bodies`, `planes`: how many the scene has.
+std::vector<core::Contact> contacts_from_json(const nlohmann::json& line, std::size_t bodies,
+                                              std::size_t planes);
 
 /// The end of a run.
 struct Done {

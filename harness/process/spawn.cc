@@ -85,6 +85,7 @@ void become(char* const* argv, int in, int out, int err, std::size_t memory_byte
   }
   if (::dup2(in, STDIN_FILENO) < 0 || ::dup2(out, STDOUT_FILENO) < 0 || ::dup2(err, STDERR_FILENO) < 0)
     return;
+  ::close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);  // what libraries opened without the flag: sockets of a server
   ::execvp(argv[0], argv);
 }
 

@@ -123,13 +123,17 @@ class Session {
     const std::string cmd = Fields(request, "").text("cmd");
     if (cmd == "quit") return false;
     if (cmd == "hello") {
-      pipes_.write(hello_json({simulator_.engine(), true}));
+      pipes_.write(hello_json({simulator_.engine(), true, true}));
     } else if (cmd == "load") {
       load(request);
     } else if (cmd == "run") {
-      if (!loaded_) throw MalformedMessage("cmd: each run needs a load before it");
-      loaded_ = false;
-      run(run_from_json(request));
+      const Run asked = run_from_json(request);
+      if (!(asked.resume ? going_ : loaded_))
+        throw MalformedMessage(asked.resume ? "continue: there is no run to go on from"
+                                            : "cmd: each run needs a load before it");
+      loaded_ = false, going_ = true;
+      run(asked);
+      load_ns_ = 0;
     } else {
       throw MalformedMessage(fmt::format("cmd: unknown command '{}'", cmd));
     }
@@ -138,7 +142,7 @@ class Session {
 
  private:
   void load(const json& request) {
-    loaded_ = false;
+    loaded_ = going_ = false;
     setup_ = setup_from_json(request);
     scene_ = scene_from_json(request.at("scene"));
     pipes_.write(answer_to_load());
@@ -183,7 +187,12 @@ class Session {
     timer.begin_batch();
     std::int64_t sample = next_sample(run, 0);
     for (std::int64_t step = 0; step < run.steps;) {
-      const std::int64_t burst = watching ? 1 : sample - step;
+      // Contacts are those of the last step, which is then a burst of its own.
+      const bool last = run.contacts && step + 1 == run.steps;
+      const std::int64_t due =
+          run.contacts && sample == run.steps ? std::max<std::int64_t>(1, sample - step - 1) : sample - step;
+      const std::int64_t burst = watching ? 1 : due;
+      if (last) simulator_.keep_contacts(true);
       timer.begin_burst();
       simulator_.advance(burst);
       timer.end_burst();
@@ -198,6 +207,10 @@ class Session {
       sample = next_sample(run, step);
     }
     if (!frame.empty()) send();
+    if (run.contacts) {
+      pipes_.write(contacts_json(run.steps > 0 ? simulator_.contacts() : std::vector<core::Contact>{}));
+      simulator_.keep_contacts(false);
+    }
     done.step_ns = timer.total_ns();
     done.remarks = simulator_.remarks();
     pipes_.write(done_json(done));
@@ -209,7 +222,8 @@ class Session {
   core::Setup setup_;
   core::State state_;
   double load_ns_ = 0;
-  bool loaded_ = false;
+  bool loaded_ = false;  // and not run yet
+  bool going_ = false;   // ran, and can go on
 };
 
 }  // namespace

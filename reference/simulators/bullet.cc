@@ -100,6 +100,11 @@ void apply(const BulletSettings& settings, btContactSolverInfo& info) {
   info.m_maxGyroscopicForce = number("max-gyroscopic-force");
 }
 
+// A body and what it touches: a body, or plane p as -1 - p.
+core::Pair pair_of(int body, int other) {
+  return other >= 0 ? core::Pair{body, other, -1} : core::Pair{body, core::world, -1 - other};
+}
+
 // Everything of one run.  Members are destroyed from the last: the world before what stands in it.
 class Run {
  public:
@@ -142,12 +147,35 @@ class Run {
     for (std::size_t i = 0; i < bodies_.size(); ++i) state[i] = bodies_[i]->state();
   }
 
+  // What the persistent manifolds hold after the step, points that pressed alone.  Bullet's normal is that on
+  // its second object, towards its first.
+  std::vector<core::Contact> contacts() {
+    std::vector<core::Contact> contacts;
+    for (int m = 0; m < dispatcher_.getNumManifolds(); ++m) {
+      const btPersistentManifold& manifold = *dispatcher_.getManifoldByIndexInternal(m);
+      const int first = manifold.getBody0()->getUserIndex2(), second = manifold.getBody1()->getUserIndex2();
+      const bool turned = first < 0;  // the plane comes first
+      for (int i = 0; i < manifold.getNumContacts(); ++i) {
+        const btManifoldPoint& point = manifold.getContactPoint(i);
+        const bool solved = point.getDistance() <= manifold.getContactProcessingThreshold();
+        if (!solved || !(point.getAppliedImpulse() > 0)) continue;
+        core::Contact contact;
+        contact.pair = pair_of(turned ? second : first, turned ? first : second);
+        contact.point = from_bullet(point.getPositionWorldOnB());
+        contact.normal = (turned ? -1 : 1) * from_bullet(point.m_normalWorldOnB);
+        contact.impulse = static_cast<double>(point.getAppliedImpulse());
+        contacts.push_back(contact);
+      }
+    }
+    return contacts;
+  }
+
  private:
   void add_plane(std::size_t p, const BulletSettings& settings) {
     core::Body ground;
     ground.locked = ground.collide = true;
     const Placing placing{make_shape(scene_.planes[p], shapes_), core::principal_axes(ground.inertia),
-                          &surfaces_, surfaces_.of_plane(p)};
+                          &surfaces_, surfaces_.of_plane(p), -1 - static_cast<int>(p)};
     planes_.push_back(make_rigid(ground, placing, settings, *world_));
   }
 
@@ -156,7 +184,7 @@ class Run {
     const core::PrincipalAxes principal = core::principal_axes(body.inertia);
     const core::Shape bare;
     const Placing placing{make_shape(body.collide ? body.shape : bare, principal.rotation, shapes_),
-                          principal, &surfaces_, surfaces_.of_body(i)};
+                          principal, &surfaces_, surfaces_.of_body(i), static_cast<int>(i)};
     if (!settings.multibody() || body.locked) {
       bodies_.push_back(make_rigid(body, placing, settings, *world_));
       return;
@@ -249,6 +277,7 @@ class Bullet final : public core::Simulator {
 
   void step() override { run_->step(); }
   void read(core::State& state) const override { run_->read(state); }
+  std::vector<core::Contact> contacts() const override { return run_->contacts(); }
 
  private:
   static std::string version() { return fmt::format("{}.{}", btGetVersion() / 100, btGetVersion() % 100); }

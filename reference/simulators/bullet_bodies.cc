@@ -169,6 +169,7 @@ void prepare(btCollisionObject& object, const Placing& placing, const BulletSett
   // Read by the combination callbacks.
   object.setUserPointer(const_cast<Surfaces*>(placing.surfaces));  // NOLINT(*-const-cast): only read
   object.setUserIndex(placing.surface);
+  object.setUserIndex2(placing.owner);  // whom contacts belong to
   object.setActivationState(DISABLE_DEACTIVATION);
   const double threshold = settings.number.at("contact-threshold");
   if (threshold < no_limit) object.setContactProcessingThreshold(to_bullet(threshold));

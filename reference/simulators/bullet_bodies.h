@@ -35,6 +35,7 @@ struct Placing {
   core::PrincipalAxes principal;
   const Surfaces* surfaces = nullptr;
   int surface = 0;
+  int owner = 0;  ///< The body's index; of plane p: -1 - p.
 };
 
 /// Adds a btRigidBody to the world, static when the body is locked.

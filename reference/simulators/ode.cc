@@ -81,6 +81,14 @@ struct Surface {
   double friction = 0, restitution = 0;
 };
 
+// A contact joint of the step, and what ODE tells of its force.
+struct Touch {
+  core::Contact contact;
+  Vector3 normal = Vector3::Zero();  // ODE's, into the joint's first body
+  bool on_first = true;  // whether that body is one that moves: else the force is read at the second
+  dJointFeedback feedback{};
+};
+
 class Ode final : public core::Simulator {
  public:
   Ode() { Library::enter(); }
@@ -90,11 +98,14 @@ class Ode final : public core::Simulator {
   Terms load(const Scene&, const Setup&) override;
   void step() override;
   void read(State&) const override;
+  void keep_contacts(bool keep) override { keep_ = keep; }
+  std::vector<core::Contact> contacts() const override { return contacts_; }
 
  private:
   void add_body(const Body&);
   void add_joint(const Joint&);
   void collide(dGeomID, dGeomID);
+  void note_contacts();
   const Surface& surface(const Owner&, const Owner&);
   dBodyID body(int i) const { return i == core::world ? nullptr : bodies_[at(i)]; }
 
@@ -107,6 +118,9 @@ class Ode final : public core::Simulator {
   std::vector<dBodyID> bodies_;  // nullptr for a locked body
   std::deque<Owner> owners_;     // geoms point at them
   std::unordered_map<std::uint64_t, Surface> surfaces_;
+  bool keep_ = false;          // feedback of the contacts of the next step
+  std::deque<Touch> touches_;  // while it is kept; joints point at the feedback
+  std::vector<core::Contact> contacts_;
 };
 
 std::optional<std::string> Ode::unsupported(const Scene& scene, const Setup& setup) const {
@@ -215,6 +229,7 @@ void Ode::step() {
                 [](void* me, dGeomID a, dGeomID b) { static_cast<Ode*>(me)->collide(a, b); });
   const int done = settings_.quick ? dWorldQuickStep(world_->id, dt_) : dWorldStep(world_->id, dt_);
   if (!done) throw std::runtime_error("ODE found no memory for the step");
+  if (keep_) note_contacts();
   dJointGroupEmpty(world_->contacts);
   ++steps_;
 }
@@ -233,8 +248,37 @@ void Ode::collide(dGeomID a, dGeomID b) {
   contact.surface.bounce_vel = 0;
   for (int i = 0; i < n; ++i) {
     contact.geom = found[at(i)];
-    dJointAttach(dJointCreateContact(world_->id, world_->contacts, &contact), first, second);
+    dJointID joint = dJointCreateContact(world_->id, world_->contacts, &contact);
+    dJointAttach(joint, first, second);
+    if (!keep_) continue;
+    // ODE's normal points into the first geom.
+    const Owner &one = *static_cast<Owner*>(dGeomGetData(a)), &two = *static_cast<Owner*>(dGeomGetData(b));
+    const dContactGeom& geom = found[at(i)];
+    Touch& touch = touches_.emplace_back();
+    const bool turned = one.body == core::world;
+    touch.contact.pair = {turned ? two.body : one.body, turned ? one.body : two.body,
+                          turned ? one.plane : two.plane};
+    touch.contact.point = {geom.pos[0], geom.pos[1], geom.pos[2]};
+    touch.normal = {geom.normal[0], geom.normal[1], geom.normal[2]};
+    touch.contact.normal = turned ? Vector3(-touch.normal) : touch.normal;
+    touch.on_first = first != nullptr;
+    dJointSetFeedback(joint, &touch.feedback);
   }
+}
+
+// The force along the normal, over the step.  A joint whose first body is the world is turned round by ODE:
+// its feedback stands in the second place.
+void Ode::note_contacts() {
+  contacts_.clear();
+  for (Touch& touch : touches_) {
+    const dReal* f = touch.on_first ? touch.feedback.f1 : touch.feedback.f2;
+    const double sign = touch.on_first ? 1 : -1;
+    const double impulse = sign * touch.normal.dot(Vector3(f[0], f[1], f[2])) * dt_;
+    if (!(impulse > 0)) continue;
+    touch.contact.impulse = impulse;
+    contacts_.push_back(touch.contact);
+  }
+  touches_.clear();
 }
 
 // The pair's material; its names are compared once per pair, not once per contact.

@@ -1,0 +1,91 @@
+#include "harness/process/opening.h"
+
+#include "harness/core/input_error.h"
+#include "harness/process/json_fields.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <vector>
+
+namespace cylon::process {
+namespace {
+
+using nlohmann::json;
+
+[[noreturn]] void broken(const std::string& reason) { throw Failure(core::Status::protocol, reason); }
+
+core::Setup merged(const EngineChoice& choice, core::Setup setup) {
+  if (!choice.path.empty()) setup.path = choice.path;
+  if (!choice.integrator.empty()) setup.integrator = choice.integrator;
+  for (const auto& [name, value] : choice.options) setup.options[name] = value;
+  return setup;
+}
+
+/// A worker that knows no tolerance would run without one and say nothing.
+void require_adaptive(const core::Engine& engine, const std::string& id, const core::Setup& setup) {
+  if (setup.tolerance == 0) return;
+  std::vector<std::string> adaptive;
+  for (const core::Scheme& scheme : engine.schemes) {
+    if (!scheme.adaptive) continue;
+    const bool is_default = setup.integrator.empty() && &scheme == &engine.schemes.front();
+    if (is_default || scheme.name == setup.integrator) return;
+    adaptive.push_back(scheme.name);
+  }
+  if (adaptive.empty())
+    throw core::InputError(
+        fmt::format("engine '{}' has no error-controlled scheme, so it takes a step and no tolerance", id));
+  throw core::InputError(fmt::format(
+      "engine '{}': {} does not control its error, so it takes a step and no tolerance (schemes that do: {})",
+      id, setup.integrator.empty() ? "its default scheme" : fmt::format("scheme '{}'", setup.integrator),
+      fmt::join(adaptive, ", ")));
+}
+
+}  // namespace
+
+std::optional<std::string> text_of(const json& answer, const char* key) {
+  if (!answer.contains(key)) return std::nullopt;
+  Fields fields(answer, "");
+  std::string text = fields.text(key);
+  fields.finish();
+  return text;
+}
+
+void require_ok(const json& answer, const char* what) {
+  const auto ok = answer.find("ok");
+  if (ok == answer.end() || *ok != what) broken(fmt::format("expected {{\"ok\":\"{}\"}}", what));
+}
+
+Hello introduce(Conversation& worker, double seconds) {
+  worker.ask({{"cmd", "hello"}, {"protocol", protocol_version}}, seconds);
+  const json answer = worker.next_line();
+  if (const auto reason = text_of(answer, "unsupported")) throw Failure(core::Status::unsupported, *reason);
+  if (const auto reason = text_of(answer, "error")) broken("hello was refused: " + *reason);
+  require_ok(answer, "hello");
+  return hello_from_json(answer);
+}
+
+core::Terms open_scene(Conversation& worker, const EngineChoice& choice, const core::Scene& scene,
+                       const core::Setup& asked, const core::Engine& engine, double seconds) {
+  const core::Setup setup = merged(choice, asked);
+  require_adaptive(engine, choice.id, setup);
+  worker.ask(load_request(scene, setup), seconds);
+  const json answer = worker.next_line();
+  if (const auto reason = text_of(answer, "unsupported")) throw Failure(core::Status::unsupported, *reason);
+  if (const auto reason = text_of(answer, "error"))
+    throw core::InputError(fmt::format("engine '{}': {}", choice.id, *reason));
+  require_ok(answer, "load");
+  worker.expect_bodies(scene.bodies.size());
+  return terms_from_json(answer);
+}
+
+core::State read_start(Conversation& worker, std::size_t bodies) {
+  const Frame frame = worker.next_frame();
+  if (frame.header.states != 1 || frame.header.first_step != 0)
+    broken("the first frame must hold step 0 alone");
+  core::State state(bodies);
+  unpack_state(frame.payload.data(), state);
+  return state;
+}
+
+}  // namespace cylon::process
