@@ -1,0 +1,117 @@
+// Lines and trails on the graphics card: one instance per segment, buffers that only grow.
+import {
+  BufferAttribute,
+  DataTexture,
+  DynamicDrawUsage,
+  FloatType,
+  InstancedBufferGeometry,
+  InstancedInterleavedBuffer,
+  InterleavedBufferAttribute,
+  Mesh,
+  RGBAFormat,
+} from 'three';
+import type { RawShaderMaterial } from 'three';
+
+import type { Trail } from './picture';
+import { stride } from './segments';
+import type { Colour, Segments } from './segments';
+
+/** Two triangles from end 0 to end 1. */
+function quad(): InstancedBufferGeometry {
+  const geometry = new InstancedBufferGeometry();
+  geometry.setAttribute('corner', new BufferAttribute(new Float32Array([0, -1, 1, -1, 1, 1, 0, -1, 1, 1, 0, 1]), 2));
+  return geometry;
+}
+
+export class Strips {
+  readonly drawn: Mesh;
+  private version = -1;
+  private buffer: InstancedInterleavedBuffer | null = null;
+
+  constructor(private readonly lines: Segments, material: RawShaderMaterial, order: number) {
+    this.drawn = new Mesh(quad(), material);
+    this.drawn.frustumCulled = this.drawn.matrixAutoUpdate = false;
+    this.drawn.renderOrder = order;
+  }
+
+  sync(): void {
+    if (this.version === this.lines.version) return;
+    this.version = this.lines.version;
+    if (this.buffer?.array !== this.lines.data) this.attach();
+    const geometry = this.drawn.geometry as InstancedBufferGeometry;
+    geometry.instanceCount = this.lines.count;
+    this.drawn.visible = this.lines.count > 0;
+    this.buffer!.clearUpdateRanges();
+    this.buffer!.addUpdateRange(0, this.lines.count * stride);
+    this.buffer!.needsUpdate = true;
+  }
+
+  /** The array was replaced by a larger one, whose size on the card is another. */
+  private attach(): void {
+    const material = this.drawn.material;
+    this.drawn.geometry.dispose();
+    const geometry = quad();
+    this.buffer = new InstancedInterleavedBuffer(this.lines.data, stride);
+    this.buffer.setUsage(DynamicDrawUsage);
+    const part = (name: string, size: number, at: number): void => {
+      geometry.setAttribute(name, new InterleavedBufferAttribute(this.buffer!, size, at));
+    };
+    part('from', 3, 0);
+    part('to', 3, 3);
+    part('color', 3, 6);
+    part('widths', 2, 9);
+    part('pattern', 1, 11);
+    this.drawn.geometry = geometry;
+    this.drawn.material = material;
+  }
+
+  dispose(): void {
+    this.drawn.geometry.dispose();
+  }
+}
+
+const row = 1024;
+
+/** Colours of bodies as a texture that a trail looks into. */
+export function colourTable(colours: Colour[]): DataTexture {
+  const rows = Math.max(1, Math.ceil(colours.length / row));
+  const data = new Float32Array(4 * row * rows);
+  colours.forEach((c, i) => data.set([...c, 1], 4 * i));
+  const table = new DataTexture(data, row, rows, RGBAFormat, FloatType);
+  table.needsUpdate = true;
+  return table;
+}
+
+export class TrailStrip {
+  readonly drawn: Mesh;
+  private version = -1;
+  private bodies = 0;
+
+  constructor(readonly material: RawShaderMaterial) {
+    this.drawn = new Mesh(quad(), material);
+    this.drawn.frustumCulled = this.drawn.matrixAutoUpdate = false;
+    this.drawn.renderOrder = 2;
+    this.drawn.visible = false;
+  }
+
+  sync(trail: Trail | null): void {
+    this.drawn.visible = trail !== null && trail.upTo > 0;
+    if (!trail) return;
+    if (this.version !== trail.version) {
+      this.version = trail.version;
+      this.bodies = trail.bodies;
+      this.drawn.geometry.dispose();
+      const geometry = quad();
+      const buffer = new InstancedInterleavedBuffer(trail.positions, 3);
+      geometry.setAttribute('from', new InterleavedBufferAttribute(buffer, 3, 0));
+      geometry.setAttribute('to', new InterleavedBufferAttribute(buffer, 3, 3 * trail.bodies)); // a frame later
+      this.drawn.geometry = geometry;
+      this.material.uniforms.bodies!.value = trail.bodies;
+    }
+    (this.drawn.geometry as InstancedBufferGeometry).instanceCount = this.bodies * Math.min(trail.upTo, trail.frames - 1);
+  }
+
+  dispose(): void {
+    this.drawn.geometry.dispose();
+  }
+}

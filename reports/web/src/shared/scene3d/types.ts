@@ -1,0 +1,73 @@
+// What the pages know of a 3D picture.
+import type { Scene, Vector } from '../documents';
+
+export interface Pose {
+  position: ArrayLike<number>; // 3 per body [m]
+  orientation: ArrayLike<number>; // 4 per body: w, x, y, z
+}
+
+/** A camera on a sphere around a target, y up.  Azimuth 0 looks along -z, elevation 0 is level [rad]. */
+export interface CameraState {
+  target: Vector; // [m]
+  distance: number; // [m]
+  azimuth: number;
+  elevation: number;
+}
+
+export type ArrowKind = 'velocity' | 'momentum' | 'angular momentum' | 'impulse' | 'normal';
+
+export interface Arrow {
+  at: Vector; // [m]
+  along: Vector; // already scaled: world [m]
+  kind: ArrowKind;
+}
+
+export interface ContactMark {
+  point: Vector; // [m]
+  normal: Vector;
+  impulse: number | null; // [N s]
+}
+
+export interface Pull {
+  from: Vector; // [m]
+  to: Vector;
+}
+
+export interface Bounds {
+  min: Vector; // [m]
+  max: Vector;
+}
+
+export interface Grab {
+  body: number;
+  anchor: Vector; // body axes [m]
+  point: Vector; // world [m]
+}
+
+export interface Scene3DOptions {
+  label: string; // for screen readers
+  bounds?: Bounds; // of the whole motion, to frame the camera; absent: from the scene
+}
+
+export type Layer = 'bodies' | 'ghost';
+
+export interface Scene3D {
+  readonly element: HTMLElement; // a focusable canvas
+  readonly webgl: boolean; // false: an orthographic picture on a 2D canvas
+  show(layer: Layer, pose: Pose | null, time: number): void; // ghost: translucent outline of the truth; time moves water
+  trails(layer: Layer, positions: Float32Array | null, bodies: number, upTo: number): void; // [frame][body][3], drawn up to frame `upTo`
+  arrows(list: Arrow[]): void;
+  contacts(list: ContactMark[]): void;
+  pulls(list: Pull[]): void; // springs by which somebody pulls
+  /** Springs and joints, on at first. */
+  links(shown: boolean): void;
+  replaceScene(scene: Scene): void;
+  camera: CameraState; // set it to link several views
+  onCamera: ((state: CameraState) => void) | null; // the user moved it
+  onGrab: ((grab: Grab) => void) | null; // a drag began on a body (only where set; else drags turn the camera)
+  onPull: ((point: Vector) => void) | null; // point under the pointer in the plane through the grab that faces the camera
+  onRelease: (() => void) | null;
+  render(): void; // draws now if anything changed; the caller calls it once per animation frame
+  png(): Promise<Blob>; // what is drawn
+  dispose(): void;
+}
