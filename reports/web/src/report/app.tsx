@@ -1,0 +1,87 @@
+// The page: verdict line, the parts of the report, an open cell.
+import { useMemo, useRef, useState } from 'preact/hooks';
+
+import type { Index } from '../shared/documents';
+import { setTheme, theme, type Theme } from '../shared/theme';
+import { cellOf, link, sectionAddress, useAddress } from './address';
+import { fold } from './fold';
+import { MatrixSection } from './matrix/matrix_section';
+import { Overview, VerdictLine } from './overview';
+import { sections } from './sections';
+import { visible } from './visible';
+
+const themes: Record<Theme, { next: Theme; label: string }> = {
+  auto: { next: 'light', label: 'Colours: as the system' },
+  light: { next: 'dark', label: 'Colours: light' },
+  dark: { next: 'auto', label: 'Colours: dark' },
+};
+
+function ThemeButton() {
+  const [now, set] = useState(theme());
+  const turn = () => {
+    setTheme(themes[now].next);
+    set(themes[now].next);
+  };
+  return (
+    <button type="button" class="theme" onClick={turn}>
+      {themes[now].label}
+    </button>
+  );
+}
+
+function Navigation({ index, open }: { index: Index; open: string }) {
+  return (
+    <nav aria-label="Parts of the report">
+      <ul>
+        {sections.map(({ id, label, size }) => {
+          const n = size(index);
+          return (
+            <li key={id}>
+              <a href={link(sectionAddress(id))} aria-current={id === open ? 'page' : undefined}>
+                {label}
+                {n === null ? '' : ` (${n})`}
+              </a>
+            </li>
+          );
+        })}
+      </ul>
+    </nav>
+  );
+}
+
+export function App({ index }: { index: Index }) {
+  const address = useAddress();
+  const matrix = useMemo(() => fold(index.results.verdicts), [index]);
+  const views = useMemo(() => new Map(index.scenarios.map((view) => [view.name, view])), [index]);
+  const section = sections.find((s) => s.id === address.section) ?? sections[0]!;
+  const name = cellOf(address);
+  const View = section.view;
+  const content = useRef<HTMLElement>(null);
+  return (
+    <>
+      <a
+        class="skip"
+        href="#content"
+        onClick={(event) => {
+          event.preventDefault(); // the address keeps what is shown
+          content.current?.focus();
+        }}
+      >
+        Skip to the content
+      </a>
+      <header>
+        <h1>{visible(index.title)}</h1>
+        <ThemeButton />
+        <VerdictLine index={index} />
+        <Navigation index={index} open={name ? '' : section.id} />
+      </header>
+      <main ref={content} tabIndex={-1}>
+        <div class={name || View ? 'paper-only' : undefined}>
+          <Overview index={index} />
+          <MatrixSection matrix={matrix} views={views} />
+        </div>
+        {!name && View ? <View index={index} /> : null}
+      </main>
+    </>
+  );
+}

@@ -1,0 +1,111 @@
+// Verdicts to a matrix of scenarios and engines: a cell is the worst of its claims (as reports/matrix.cc folds).
+import type { Status, Verdict } from '../shared/documents';
+import { differs, digits, isMeasured, severity } from './status';
+
+/** What one run of one engine is called. */
+export interface CellName {
+  scenario: string;
+  engine: string;
+  integrator: string;
+  dt: string;
+}
+
+export interface Cell extends CellName {
+  verdicts: Verdict[];
+  worst: Status;
+  digits: number | null; // the least of the measured claims; null: none is
+  differs: boolean;
+}
+
+export interface Column {
+  engine: string;
+  integrator: string;
+  label: string;
+}
+
+export interface Row {
+  scenario: string;
+  dt: string;
+  label: string;
+  cells: (Cell | null)[];
+}
+
+export interface Matrix {
+  columns: Column[];
+  rows: Row[];
+}
+
+const separator = '\u0000';
+
+/** Pairs in order of first appearance; the second word is shown only where a first word has several. */
+class Labels {
+  private readonly order = new Map<string, { index: number; first: string; second: string }>();
+  private readonly several = new Map<string, number>();
+
+  index(first: string, second: string): number {
+    const key = first + separator + second;
+    const known = this.order.get(key);
+    if (known) return known.index;
+    this.order.set(key, { index: this.order.size, first, second });
+    this.several.set(first, (this.several.get(first) ?? 0) + 1);
+    return this.order.size - 1;
+  }
+
+  all(): { first: string; second: string; label: string }[] {
+    return [...this.order.values()].map(({ first, second }) => ({
+      first,
+      second,
+      label: this.several.get(first)! > 1 ? `${first} ${second}` : first,
+    }));
+  }
+}
+
+function join(cell: Cell, verdict: Verdict): void {
+  if (severity(verdict.status) > severity(cell.worst)) cell.worst = verdict.status;
+  if (isMeasured(verdict.status)) {
+    const won = digits(verdict.measured, verdict.allowed);
+    cell.digits = cell.digits === null ? won : Math.min(cell.digits, won);
+  }
+  cell.differs ||= differs(verdict);
+  cell.verdicts.push(verdict);
+}
+
+export function fold(verdicts: Verdict[]): Matrix {
+  const scenarios = new Labels();
+  const engines = new Labels();
+  const cells: (Cell | undefined)[][] = [];
+  for (const v of verdicts) {
+    const row = (cells[scenarios.index(v.scenario, v.dt_text)] ??= []);
+    const j = engines.index(v.engine, v.integrator);
+    const { scenario, engine, integrator, dt_text: dt, status: worst } = v;
+    row[j] ??= { scenario, engine, integrator, dt, verdicts: [], worst, digits: null, differs: false };
+    join(row[j], v);
+  }
+  const columns = engines.all().map(({ first, second, label }) => ({ engine: first, integrator: second, label }));
+  const rows = scenarios.all().map(({ first, second, label }, i) => ({
+    scenario: first,
+    dt: second,
+    label,
+    cells: columns.map((_, j) => cells[i]?.[j] ?? null),
+  }));
+  return { columns, rows };
+}
+
+export function find(matrix: Matrix, name: CellName): Cell | null {
+  const row = matrix.rows.find((r) => r.scenario === name.scenario && r.dt === name.dt);
+  return row?.cells.find((c) => c?.engine === name.engine && c.integrator === name.integrator) ?? null;
+}
+
+/** How bad a row is, for sorting: worse rows have greater keys. */
+export function badness(row: Row): [number, number, number] {
+  let different = 0;
+  let worst = -1;
+  let least = 100;
+  for (const cell of row.cells) {
+    if (!cell) continue;
+    if (cell.differs) different = 1;
+    worst = Math.max(worst, severity(cell.worst));
+    least = Math.min(least, cell.digits ?? 100);
+  }
+  return [different, worst, -least];
+}

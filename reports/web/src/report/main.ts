@@ -1,1 +1,0 @@
-export function openReport(_root: HTMLElement): void {}

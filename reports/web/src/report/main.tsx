@@ -1,0 +1,32 @@
+// The report's page: unpacks the index and draws it.  Everything else is unpacked when it is looked at.
+import './report.css';
+
+import { render } from 'preact';
+
+import { unpackJson } from '../shared/block';
+import type { Index } from '../shared/documents';
+import { startTheme } from '../shared/theme';
+import { startAddress } from './address';
+import { App } from './app';
+
+function Unreadable({ why }: { why: string }) {
+  return (
+    <main>
+      <h1>This report cannot be read</h1>
+      <p role="alert">{why}</p>
+    </main>
+  );
+}
+
+export function openReport(root: HTMLElement): void {
+  startTheme();
+  startAddress();
+  unpackJson<Index>(0).then(
+    (index) => {
+      document.title = index.title;
+      root.replaceChildren();
+      render(<App index={index} />, root);
+    },
+    (error: unknown) => render(<Unreadable why={String(error)} />, root),
+  );
+}

@@ -1,0 +1,138 @@
+// The matrix with its filter, its order and the choice of columns.
+import { useEffect, useMemo, useRef } from 'preact/hooks';
+
+import type { ScenarioView } from '../../shared/documents';
+import { go, useAddress } from '../address';
+import { badness, type Column, type Matrix, type Row } from '../fold';
+import { matcher, shownColumns } from '../query/match';
+import { parse, type Parsed, QueryError } from '../query/parse';
+import { withColumns } from '../query/columns';
+import { looks, statuses } from '../status';
+import { Differs } from '../status_mark';
+import { visible } from '../visible';
+import { Filter } from './filter';
+import { MatrixTable } from './table';
+
+const everything: Parsed = { query: { kind: 'all' }, columns: [] };
+
+function read(text: string): { parsed: Parsed; fault: QueryError | null } {
+  try {
+    return { parsed: parse(text), fault: null };
+  } catch (error) {
+    if (error instanceof QueryError) return { parsed: everything, fault: error };
+    throw error;
+  }
+}
+
+function byBadness(a: Row, b: Row): number {
+  const [x, y] = [badness(a), badness(b)];
+  return y[0] - x[0] || y[1] - x[1] || y[2] - x[2];
+}
+
+const orders: Record<string, { label: string; compare: ((a: Row, b: Row) => number) | null }> = {
+  '': { label: 'as run', compare: null },
+  worst: { label: 'worst first', compare: byBadness },
+  name: { label: 'by name', compare: (a, b) => a.label.localeCompare(b.label, 'en') },
+};
+
+function ColumnChoice({ columns, shown, query }: { columns: Column[]; shown: boolean[]; query: string }) {
+  const toggle = (j: number) => go({ q: withColumns(query, columns, shown.map((s, k) => (k === j ? !s : s))) });
+  return (
+    <details class="column-choice">
+      <summary>
+        Columns: {shown.filter(Boolean).length} of {columns.length}
+      </summary>
+      <fieldset>
+        <legend class="unseen">Columns to show</legend>
+        {columns.map((column, j) => (
+          <label key={column.label}>
+            <input type="checkbox" checked={shown[j]} onChange={() => toggle(j)} /> {visible(column.label)}
+          </label>
+        ))}
+      </fieldset>
+    </details>
+  );
+}
+
+function Legend({ rows }: { rows: Row[] }) {
+  const present = new Set(rows.flatMap((row) => row.cells.map((cell) => cell?.worst)));
+  return (
+    <p class="legend">
+      {statuses
+        .filter((status) => present.has(status))
+        .map((status) => (
+          <span key={status}>
+            <span class={`status ${looks[status].tone}`}>{looks[status].glyph}</span> {looks[status].meaning};{' '}
+          </span>
+        ))}
+      <span>
+        <span class="number">+1.0</span> digits won (+) or lost (−) by the worst claim, log10(allowed / measured);{' '}
+      </span>
+      <span>
+        <Differs /> not as expected.toml says
+      </span>
+    </p>
+  );
+}
+
+interface MatrixSectionProps {
+  matrix: Matrix;
+  views: Map<string, ScenarioView>;
+}
+
+export function MatrixSection({ matrix, views }: MatrixSectionProps) {
+  const { q: query = '', sort = '', section = '' } = useAddress();
+  const input = useRef<HTMLInputElement>(null);
+  const { parsed, fault } = useMemo(() => read(query), [query]);
+  const titles = useMemo(() => new Map([...views].map(([name, view]) => [name, view.title])), [views]);
+  const shown = useMemo(() => shownColumns(parsed.columns, matrix.columns), [parsed, matrix]);
+  const visibleColumns = useMemo(() => shown.flatMap((s, j) => (s ? [j] : [])), [shown]);
+  const rows = useMemo(() => {
+    const found = matrix.rows.filter(matcher(parsed.query, matrix.columns, views));
+    const compare = orders[sort]?.compare;
+    return compare ? found.sort(compare) : found;
+  }, [parsed, matrix, views, sort]);
+
+  useEffect(() => {
+    const focus = (event: KeyboardEvent) => {
+      const typing = event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement;
+      if (event.key !== '/' || typing || event.ctrlKey || event.metaKey || !input.current?.offsetParent) return;
+      event.preventDefault();
+      input.current.select();
+    };
+    addEventListener('keydown', focus);
+    return () => removeEventListener('keydown', focus);
+  }, []);
+
+  return (
+    <section class="matrix-section" aria-labelledby="matrix-heading">
+      <h2 id="matrix-heading">Scenarios and engines</h2>
+      <div class="matrix-tools">
+        <Filter input={input} fault={fault} onQuery={(q) => go({ q })} />
+        <label class="sort">
+          Order{' '}
+          <select value={sort} onChange={(event) => go({ sort: event.currentTarget.value })}>
+            {Object.entries(orders).map(([key, { label }]) => (
+              <option key={key} value={key}>
+                {label}
+              </option>
+            ))}
+          </select>
+        </label>
+        <ColumnChoice columns={matrix.columns} shown={shown} query={query} />
+      </div>
+      <p class="count" role="status">
+        {rows.length} of {matrix.rows.length} rows, {visibleColumns.length} of {matrix.columns.length} columns
+        {rows.length === 0 ? ': nothing answers the filter' : ''}
+      </p>
+      <MatrixTable
+        columns={matrix.columns}
+        shown={visibleColumns}
+        rows={rows}
+        titles={titles}
+        version={`${query} ${sort} ${section}`}
+      />
+      <Legend rows={matrix.rows} />
+    </section>
+  );
+}

@@ -1,0 +1,121 @@
+// The verdict line, with what speaks against it: differences, warnings, what changed since the baseline.
+import { useMemo } from 'preact/hooks';
+
+import type { Index, Provenance } from '../shared/documents';
+import { type Change, changes, kinds } from './changes';
+import { count, digitsText, withUnit } from './numbers';
+import { worstFirst } from './status';
+import { StatusMark } from './status_mark';
+import { type Summary, summary, warnings } from './summary';
+import { CellName, useFew, VerdictTable } from './verdict_table';
+import { visible } from './visible';
+
+function Line({ of }: { of: Summary }) {
+  return (
+    <p class="verdict-line">
+      <span>{count(of.total, 'verdict')}: </span>
+      <strong class={of.differ.length > 0 ? 'differs' : 'agrees'}>{of.differText}</strong>, {of.expectedText}, {of.passText}
+    </p>
+  );
+}
+
+function movedText({ kind, verdict, before, weight }: Change): string {
+  if (kind !== 'error' || !before) return '';
+  const how = weight > 0 ? `${digitsText(-weight)} digits: worse` : `${digitsText(-weight)} digits: better`;
+  return `${withUnit(before.measured, before.unit)} to ${withUnit(verdict.measured, verdict.unit)}, ${how}`;
+}
+
+function ChangeRow({ change }: { change: Change }) {
+  const { kind, verdict, before } = change;
+  return (
+    <tr>
+      <th scope="row">
+        {kind === 'gone' ? `${visible(verdict.scenario)} / ${visible(verdict.engine)}` : <CellName verdict={verdict} />}
+      </th>
+      <td>{visible(verdict.claim)}</td>
+      <td>{kinds[kind]}</td>
+      <td>{before ? <StatusMark status={before.status} /> : ''}</td>
+      <td>{kind === 'gone' ? '' : <StatusMark status={verdict.status} />}</td>
+      <td class="number">{movedText(change)}</td>
+    </tr>
+  );
+}
+
+function named(p: Provenance): string {
+  return `${p.cylon} (${p.revision}) of ${p.date}`;
+}
+
+function Changes({ list, baseline }: { list: Change[]; baseline: Provenance }) {
+  const { list: shown, button } = useFew(list);
+  const tally = Object.entries(kinds)
+    .map(([kind, words]) => [list.filter((c) => c.kind === kind).length, words] as const)
+    .filter(([n]) => n > 0)
+    .map(([n, words]) => `${n} ${words}`)
+    .join(', ');
+  return (
+    <section aria-labelledby="changes-heading">
+      <h2 id="changes-heading">Since the baseline, {visible(named(baseline))}</h2>
+      <p>{list.length === 0 ? 'No status changed, no error moved by more than 10 %.' : `${tally}.`}</p>
+      {list.length > 0 ? (
+        <div class="scroll" tabIndex={0} role="region" aria-label="Changes since the baseline">
+          <table>
+            <thead>
+              <tr>
+                {['cell', 'claim', 'change', 'before', 'now', 'error'].map((head) => (
+                  <th key={head} scope="col">
+                    {head}
+                  </th>
+                ))}
+              </tr>
+            </thead>
+            <tbody>
+              {shown.map((change, i) => (
+                <ChangeRow key={i} change={change} />
+              ))}
+            </tbody>
+          </table>
+        </div>
+      ) : null}
+      {button}
+    </section>
+  );
+}
+
+export function VerdictLine({ index }: { index: Index }) {
+  const all = useMemo(() => summary(index.results.verdicts), [index]);
+  const cautions = useMemo(() => warnings(index.results), [index]);
+  return (
+    <>
+      <Line of={all} />
+      {cautions.length > 0 ? (
+        <ul class="warnings" aria-label="Warnings">
+          {cautions.map((text) => (
+            <li key={text}>
+              <strong>Warning:</strong> {visible(text)}
+            </li>
+          ))}
+        </ul>
+      ) : null}
+    </>
+  );
+}
+
+/** What differs and what changed, where anything did. */
+export function Overview({ index }: { index: Index }) {
+  const differ = useMemo(() => worstFirst(summary(index.results.verdicts).differ), [index]);
+  const list = useMemo(
+    () => (index.baseline ? changes(index.results.verdicts, index.baseline.verdicts) : []),
+    [index],
+  );
+  return (
+    <>
+      {differ.length > 0 ? (
+        <section aria-labelledby="differ-heading">
+          <h2 id="differ-heading">Not as expected.toml says</h2>
+          <VerdictTable verdicts={differ} caption={`${count(differ.length, 'verdict')}, worst first`} />
+        </section>
+      ) : null}
+      {index.baseline ? <Changes list={list} baseline={index.baseline.provenance} /> : null}
+    </>
+  );
+}

@@ -1,0 +1,22 @@
+// Foreign text (names, stories, engines' output) with everything invisible made visible, so that it cannot hide
+// or reorder what a reader sees.
+
+const hidden =
+  /[\u0000-\u001f\u007f-\u009f\u00ad\u061c\u180e\u200b-\u200f\u2028-\u202e\u2060-\u2069\ufeff\ufff9-\ufffb]|[\ud800-\udbff](?![\udc00-\udfff])|(?<![\ud800-\udbff])[\udc00-\udfff]/g;
+
+function sign(character: string): string {
+  const code = character.charCodeAt(0);
+  if (code < 0x20) return String.fromCharCode(0x2400 + code);
+  if (code === 0x7f) return '\u2421';
+  return `\\u${code.toString(16).padStart(4, '0')}`;
+}
+
+/** One line: a line feed is shown as its sign, like every other control character. */
+export function visible(text: string): string {
+  return text.replace(hidden, sign);
+}
+
+/** Several lines: line feeds and tabs stay, a carriage return before a line feed goes. */
+export function visibleLines(text: string): string {
+  return text.replace(/\r\n/g, '\n').replace(hidden, (c) => (c === '\n' || c === '\t' ? c : sign(c)));
+}
