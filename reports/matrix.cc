@@ -74,13 +74,6 @@ void join(Cell& cell, const Verdict& v) {
   cell.empty = false;
 }
 
-std::string text(const Cell& cell, const ConsoleOptions& options) {
-  if (cell.empty) return "";
-  std::string text(glyph(cell.worst, options));
-  if (is_measured(cell.worst)) text += fmt::format(" {:+.1f}", cell.digits);
-  return cell.differs ? text + " !" : text;
-}
-
 std::vector<std::string> all_shown(const std::vector<std::string>& texts, const ConsoleOptions& options) {
   std::vector<std::string> out;
   for (const std::string& text : texts) out.push_back(shown(text, options));
@@ -114,6 +107,13 @@ Matrix fold(const std::vector<Verdict>& verdicts) {
   return matrix;
 }
 
+std::string cell_text(const Cell& cell, const ConsoleOptions& options) {
+  if (cell.empty) return "";
+  std::string text(glyph(cell.worst, options));
+  if (is_measured(cell.worst)) text += fmt::format(" {:+.1f}", cell.digits);
+  return cell.differs ? text + " !" : text;
+}
+
 std::string draw(const Matrix& matrix, const ConsoleOptions& options) {
   constexpr int gap = 2;
   const int total = std::max(40, options.width);
@@ -126,7 +126,7 @@ std::string draw(const Matrix& matrix, const ConsoleOptions& options) {
   std::vector<int> widths;
   for (std::size_t j = 0; j < heads.size(); ++j) {
     int width = display_width(heads[j]);
-    for (const auto& row : matrix.cells) width = std::max(width, display_width(text(row[j], options)));
+    for (const auto& row : matrix.cells) width = std::max(width, display_width(cell_text(row[j], options)));
     widths.push_back(std::min(width, total - label - gap));
   }
 
@@ -145,7 +145,7 @@ std::string draw(const Matrix& matrix, const ConsoleOptions& options) {
       out += fitted(rows[i], label, ellipsis);
       for (std::size_t j = begin; j < end; ++j) {
         const Cell& cell = matrix.cells[i][j];
-        const std::string content = fitted(text(cell, options), widths[j], ellipsis);
+        const std::string content = fitted(cell_text(cell, options), widths[j], ellipsis);
         out += std::string(gap, ' ') + (cell.empty ? content : painted(content, cell.worst, options));
       }
       end_line(out);

@@ -27,6 +27,9 @@ struct Matrix {
 
 Matrix fold(const std::vector<core::Verdict>&);
 
+/// A cell as text: "✓ +3.2", "✗ -1.0 !"; "" for an empty one.
+std::string cell_text(const Cell&, const ConsoleOptions&);
+
 /// The matrix as text; where the terminal is too narrow for all engines, in blocks of columns.
 std::string draw(const Matrix&, const ConsoleOptions&);
 

@@ -33,6 +33,7 @@ constexpr Row commands[] = {
     {"simulate", "Run one engine on one scenario and print its states as CSV", add_simulate},
     {"truth", "Print the certified solution of a smooth scenario, with its proven error", add_truth},
     {"run", "Run scenarios on engines and judge every claim", add_run},
+    {"report", "A page to look at from what run, trade and track wrote", add_report},
     {"trade", "Speed against accuracy: every engine, scheme and step, with the best of each", add_trade},
     {"diff", "The first step, body and quantity in which two runs part, and how far they go", add_diff},
     {"advise", "The cheapest setting of each engine that meets a tolerance", add_advise},

@@ -21,6 +21,7 @@ Command add_plan(CLI::App&, const Context&);
 Command add_simulate(CLI::App&, const Context&);
 Command add_truth(CLI::App&, const Context&);
 Command add_run(CLI::App&, const Context&);
+Command add_report(CLI::App&, const Context&);
 Command add_trade(CLI::App&, const Context&);
 Command add_diff(CLI::App&, const Context&);
 Command add_advise(CLI::App&, const Context&);

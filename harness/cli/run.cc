@@ -4,11 +4,13 @@
 #include "harness/cli/output.h"
 #include "harness/cli/published.h"
 #include "harness/cli/selection.h"
+#include "harness/cli/traces.h"
 
 #include "harness/core/input_error.h"
 #include "harness/study/matrix.h"
 #include "reports/console.h"
 #include "reports/csv.h"
+#include "reports/html.h"
 #include "reports/json.h"
 #include "reports/junit.h"
 
@@ -20,6 +22,7 @@
 #include <filesystem>
 #include <iostream>
 #include <iterator>
+#include <map>
 #include <thread>
 
 namespace cylon::cli {
@@ -30,7 +33,8 @@ using core::Verdict;
 
 struct Options {
   Request request;
-  std::string json, junit, csv;
+  std::string json, junit, csv, html, traces;
+  Trajectories trajectories = Trajectories::all;
   int jobs = 0;
   double timeout = 60, memory = 4;
   bool rerun_failed = false, resume = false, verbose = false;
@@ -133,8 +137,26 @@ std::string unusual_limits(const Options& options) {
   return text;
 }
 
+// The page, and the traces beside it for a later page.
+void write_report(const Options& options, const Selection& selection, const Traces& traces,
+                  const std::vector<Verdict>& rows, const std::string& json) {
+  if (options.html.empty() && options.traces.empty()) return;
+  reports::HtmlReport report;
+  report.title = fmt::format("Cylon: {}", reports::summary(rows));
+  report.results = json;
+  for (const auto& scenario : selection.scenarios) report.scenarios.push_back(scenario_view(*scenario));
+  report.traces = traces.chosen(selection.cells, rows, options.trajectories, report.omitted_traces);
+  if (!options.html.empty()) write_whole(options.html, reports::to_html(report));
+  if (options.traces.empty()) return;
+  write_whole(options.traces, [&](std::ostream& out) {
+    for (const std::string& scenario : report.scenarios) out << scenario << '\n';
+    for (const reports::PackedTrace& trace : report.traces) out << reports::to_json_line(trace);
+  });
+}
+
 int run(const Context& context, const Options& options) {
-  const std::vector<std::string> files = {options.json, options.junit, options.csv};
+  const std::vector<std::string> files = {options.json, options.junit, options.csv, options.html,
+                                          options.traces};
   require_writable(files);
   const fs::path expected = context.scenarios / "expected.toml";
   const auto expectations =
@@ -165,6 +187,8 @@ int run(const Context& context, const Options& options) {
     study::sampling(*cell.scenario, cell.dt);  // refuse a bad step before any run
     cell.reproduce += unusual_limits(options);
   }
+  Traces traces;
+  if (!options.html.empty() || !options.traces.empty()) traces.watch(selection.cells);
   journal.open(request, options.resume);
   std::vector<Verdict> rows;
   try {
@@ -186,9 +210,11 @@ int run(const Context& context, const Options& options) {
   provenance.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
   provenance.command_line = context.command_line;
   provenance.tolerance_scale = request.tolerance_scale;
-  if (!options.json.empty()) write_whole(options.json, reports::to_json(rows, provenance));
+  const std::string json = reports::to_json(rows, provenance);
+  if (!options.json.empty()) write_whole(options.json, json);
   if (!options.junit.empty()) write_whole(options.junit, reports::to_junit(rows));
   if (!options.csv.empty()) write_whole(options.csv, reports::to_csv(rows));
+  write_report(options, selection, traces, rows, json);
   return exit_code(rows, published_differs);
 }
 
@@ -240,6 +266,20 @@ Command add_run(CLI::App& app, const Context& context) {
   app.add_option("--json", options->json, "Write the rows as JSON; - is stdout")->type_name("FILE");
   app.add_option("--junit", options->junit, "Write the rows as JUnit XML; - is stdout")->type_name("FILE");
   app.add_option("--csv", options->csv, "Write the rows as CSV; - is stdout")->type_name("FILE");
+  app.add_option("--html", options->html,
+                 "Write the report as one HTML file that opens from disk; - is stdout")
+      ->type_name("FILE");
+  app.add_option("--traces", options->traces,
+                 "Write what the runs looked like, for a later `cylon report`; - is stdout")
+      ->type_name("FILE");
+  const std::map<std::string, Trajectories> choices = {
+      {"none", Trajectories::none}, {"fail", Trajectories::fail}, {"all", Trajectories::all}};
+  app.add_option("--trajectories", options->trajectories,
+                 "Whose motion the report holds: none, fail (scenarios in which something failed) or all, "
+                 "failures first, as far as 12 MB go")
+      ->type_name("none|fail|all")
+      ->default_str("all")
+      ->transform(CLI::CheckedTransformer(choices));
   app.add_option("-j,--jobs", options->jobs, "Cells at one time; all processors otherwise")
       ->type_name("N")
       ->check(positive(4096));

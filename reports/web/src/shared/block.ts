@@ -60,7 +60,7 @@ export class TraceBlock {
           shift += 7;
         } while (byte & 0x80);
         k += (zigzag >>> 1) ^ -(zigzag & 1);
-        out[frame * channels + c] = where.min[c]! + where.step[c]! * k;
+        out[frame * channels + c] = k === 0 ? NaN : where.min[c]! + where.step[c]! * (k - 1);
       }
     }
     return out;

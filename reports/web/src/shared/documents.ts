@@ -148,8 +148,8 @@ export interface Floats {
   count: number;
 }
 
-/** Frames x channels numbers, each min + step k with k a whole number; per channel the differences of k from frame
- * to frame (the first from 0), zigzag, in LEB128 bytes, channel after channel. */
+/** Frames x channels numbers as whole numbers k: 0 is NaN, else min + step (k - 1); per channel the differences of k
+ * from frame to frame (the first from 0), zigzag, in LEB128 bytes, channel after channel. */
 export interface Steps {
   offset: number;
   bytes: number;

@@ -1,0 +1,126 @@
+#include "harness/cli/traces.h"
+
+#include "harness/core/trace.h"
+#include "harness/process/scene_json.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace cylon::cli {
+namespace {
+
+using core::Verdict;
+using Key = std::tuple<std::string, std::string, std::string, std::string>;
+
+Key key(const reports::PackedTrace& t) { return {t.scenario, t.engine, t.integrator, t.dt_text}; }
+Key key(const Verdict& v) { return {v.scenario, v.engine, v.integrator, v.dt_text}; }
+
+// 0 differs, 1 fails as expected, 2 passes; of a cell the least.
+std::map<Key, int> ranks(const std::vector<Verdict>& verdicts) {
+  std::map<Key, int> result;
+  for (const Verdict& v : verdicts) {
+    const bool well = v.status == core::Status::pass || v.status == core::Status::unsupported;
+    const int rank = !v.as_expected() ? 0 : well ? 2 : 1;
+    const auto [place, fresh] = result.emplace(key(v), rank);
+    if (!fresh) place->second = std::min(place->second, rank);
+  }
+  return result;
+}
+
+nlohmann::ordered_json number(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
+}
+
+}  // namespace
+
+void Traces::watch(std::vector<study::Cell>& cells) {
+  packed_.resize(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    cells[i].seen = [this, i, &cell = cells[i]](const process::RunOutcome& outcome) {
+      if (!outcome.recording) return;
+      const scenarios::Scenario& scenario = *cell.scenario;
+      core::Trace trace = core::trace(scenario.scene, scenario.claims, scenario.duration, *outcome.recording);
+      trace.scenario = scenario.name, trace.engine = cell.engine.id;
+      trace.integrator = outcome.terms.integrator, trace.dt_text = cell.dt_text;
+      reports::PackedTrace packed = reports::pack(trace);
+      const std::scoped_lock lock(adding_);
+      packed_[i] = std::move(packed);
+    };
+}
+
+std::vector<reports::PackedTrace> Traces::chosen(const std::vector<study::Cell>& cells,
+                                                 const std::vector<Verdict>& verdicts, Trajectories which,
+                                                 std::string& why_not) const {
+  if (which == Trajectories::none) {
+    why_not = "no trajectories were asked for (--trajectories none)";
+    return {};
+  }
+  const std::map<Key, int> rank_of = ranks(verdicts);
+  std::set<std::string> failing;
+  for (const auto& [cell, rank] : rank_of)
+    if (rank < 2) failing.insert(std::get<0>(cell));
+
+  std::vector<std::pair<int, const reports::PackedTrace*>> order;
+  std::size_t passing = 0, absent = 0;
+  for (const reports::PackedTrace& trace : packed_) {
+    if (trace.block.empty()) continue;
+    const auto found = rank_of.find(key(trace));
+    int rank = found == rank_of.end() ? 2 : found->second;
+    if (rank == 2 && !failing.contains(trace.scenario)) rank = 3;
+    if (rank == 3 && which == Trajectories::fail) {
+      ++passing;
+      continue;
+    }
+    order.emplace_back(rank, &trace);
+  }
+  absent = cells.size() - std::min(cells.size(), order.size() + passing);
+  std::stable_sort(order.begin(), order.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+
+  std::vector<std::string> reasons;
+  if (passing > 0)
+    reasons.push_back(
+        fmt::format("{} runs of scenarios in which nothing failed are left out "
+                    "(--trajectories all keeps them)",
+                    passing));
+  if (absent > 0)
+    reasons.push_back(
+        fmt::format("{} cells have no recording: unsupported, broken off, or not run again", absent));
+  why_not = fmt::format("{}", fmt::join(reasons, "; "));
+  std::vector<reports::PackedTrace> result;
+  for (const auto& [rank, trace] : order) result.push_back(*trace);
+  return result;
+}
+
+std::string scenario_view(const scenarios::Scenario& scenario) {
+  nlohmann::ordered_json claims = nlohmann::ordered_json::array();
+  for (const core::Claim& claim : scenario.claims)
+    claims.push_back({{"label", claim.label},
+                      {"observable", core::name(claim.observable.quantity)},
+                      {"follows", claim.follows},
+                      {"source", claim.truth ? claim.truth->source : ""},
+                      {"truth_error", number(claim.truth_error)},
+                      {"unit", core::unit(claim)},
+                      {"until", number(claim.until)},
+                      {"tolerance_reason", claim.tolerance.reason}});
+  const nlohmann::ordered_json view = {{"format", "cylon-scenario/1"},
+                                       {"name", scenario.name},
+                                       {"hash", scenario.hash},
+                                       {"title", scenario.title},
+                                       {"story", scenario.story},
+                                       {"tags", scenario.tags},
+                                       {"sources", scenario.sources},
+                                       {"duration", scenario.duration},
+                                       {"step", scenario.step},
+                                       {"claims", claims},
+                                       {"scene", process::to_json(scenario.scene)}};
+  return view.dump(-1, ' ', /*ensure_ascii=*/true, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+}  // namespace cylon::cli

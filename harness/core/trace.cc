@@ -1,0 +1,150 @@
+#include "harness/core/trace.h"
+
+#include "harness/core/measure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace cylon::core {
+namespace {
+
+// At most `most` of `count` indices, evenly spread, the first and the last among them.
+std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
+  std::vector<std::size_t> chosen;
+  const std::size_t n = std::min(count, std::max<std::size_t>(2, most));
+  for (std::size_t i = 0; i < n; ++i) chosen.push_back(n > 1 ? i * (count - 1) / (n - 1) : 0);
+  return chosen;
+}
+
+Motion motion(const Recording& recording, const TraceLimits& limits) {
+  Motion result;
+  if (recording.states.empty()) return result;
+  const std::size_t bodies = std::max<std::size_t>(1, recording.states.front().size());
+  for (const std::size_t i :
+       spread(recording.states.size(), std::min(limits.frames, limits.frames_bodies / bodies))) {
+    result.time.push_back(recording.time(i));
+    result.states.push_back(recording.states[i]);
+  }
+  return result;
+}
+
+// At the frames' times, as far as the truth goes; of recorded data its own times.
+std::optional<Ghost> ghost(const std::vector<Claim>& claims, const Motion& frames) {
+  for (const Claim& claim : claims) {
+    if (!claim.truth || !claim.truth->state) continue;
+    const Truth& truth = *claim.truth;
+    Ghost result{{}, claim.follows, truth.source};
+    for (const double t : truth.times.empty() ? frames.time : truth.times) {
+      if (t > truth.horizon) break;
+      result.motion.time.push_back(t);
+      result.motion.states.push_back(truth.state(t));
+    }
+    if (!result.motion.time.empty()) return result;
+  }
+  return std::nullopt;
+}
+
+// A violation is one of the number that the claim is about; a mean or a slope over time has no first one.
+bool has_first_violation(Reduction reduction) {
+  return reduction == Reduction::max || reduction == Reduction::end;
+}
+
+ErrorCurve error_curve(const Claim& claim, const Scene& scene, double duration, const Recording& recording,
+                       std::size_t points) {
+  ErrorCurve curve;
+  curve.claim = claim.label;
+  curve.unit = unit(claim.observable);
+  curve.allowed = claim.tolerance.absolute;
+  if (claim.tolerance.relative > 0) curve.allowed += claim.tolerance.relative * scale(claim, scene, duration);
+  const Series series = deviation(claim, scene, recording);
+  const std::size_t n = series.deviation.size();
+  if (has_first_violation(claim.reduction) && !claim.tolerance.order) {
+    const std::size_t begin = claim.reduction == Reduction::end && n > 0 ? n - 1 : 0;
+    for (std::size_t i = begin; i < n && !curve.first_violation; ++i)
+      if (!(series.deviation[i] <= curve.allowed))
+        curve.first_violation = {series.time[i], std::llround(series.time[i] / recording.dt),
+                                 series.deviation[i]};
+  }
+  const std::size_t bins = std::min(n, points);
+  for (std::size_t bin = 0; bin < bins; ++bin) {
+    std::size_t worst_of_bin = bin * n / bins;
+    for (std::size_t i = worst_of_bin; i < (bin + 1) * n / bins; ++i)
+      if (!(series.deviation[i] <= series.deviation[worst_of_bin])) worst_of_bin = i;
+    curve.time.push_back(series.time[worst_of_bin]);
+    curve.value.push_back(series.deviation[worst_of_bin]);
+  }
+  return curve;
+}
+
+struct Total {
+  Quantity quantity;
+  const char* name;
+  bool vector;
+};
+constexpr std::array all_totals = {Total{Quantity::energy, "energy", false},
+                                   Total{Quantity::kinetic_energy, "kinetic energy", false},
+                                   Total{Quantity::linear_momentum, "momentum", true},
+                                   Total{Quantity::angular_momentum, "angular momentum", true}};
+
+std::vector<TotalCurve> totals(const Scene& scene, const Recording& recording, std::size_t points) {
+  std::vector<TotalCurve> curves;
+  const std::vector<std::size_t> samples = spread(recording.states.size(), points);
+  Values values;
+  for (const Total& total : all_totals) {
+    Observable observable;
+    observable.quantity = total.quantity;
+    if (undefined_in(observable, scene)) continue;
+    constexpr std::array axes = {"x", "y", "z"};
+    const std::size_t components = total.vector ? 3 : 1;
+    const std::size_t first = curves.size();
+    for (std::size_t c = 0; c < components; ++c)
+      curves.push_back({total.name, std::string(unit(observable)), total.vector ? axes[c] : "", {}, {}});
+    for (const std::size_t i : samples) {
+      evaluate(observable, scene, recording.states[i], values);
+      for (std::size_t c = 0; c < components; ++c) {
+        curves[first + c].time.push_back(recording.time(i));
+        curves[first + c].value.push_back(values.empty() ? NAN
+                                                         : values.front()[static_cast<Eigen::Index>(c)]);
+      }
+    }
+  }
+  return curves;
+}
+
+std::string pair_name(const Scene& scene, const Pair& pair) {
+  const auto body = [&](int i) { return scene.bodies[static_cast<std::size_t>(i)].name; };
+  if (pair.plane >= 0)
+    return fmt::format("{} and {}", body(pair.body), scene.planes[static_cast<std::size_t>(pair.plane)].name);
+  return pair.other >= 0 ? fmt::format("{} and {}", body(pair.body), body(pair.other)) : body(pair.body);
+}
+
+std::vector<TraceEvent> events(const Scene& scene, const Recording& recording, std::size_t most) {
+  std::vector<TraceEvent> result;
+  for (const Event& event : recording.events) {
+    if (result.size() == most) break;
+    result.push_back({event.time, std::string(name(event.kind)),
+                      fmt::format("{}, {}", event.index, pair_name(scene, event.pair))});
+  }
+  return result;
+}
+
+}  // namespace
+
+Trace trace(const Scene& scene, const std::vector<Claim>& claims, double duration, const Recording& recording,
+            const TraceLimits& limits) {
+  Trace result;
+  result.motion = motion(recording, limits);
+  result.ghost = ghost(claims, result.motion);
+  for (const Claim& claim : claims)
+    if (claim.observable.quantity != Quantity::event)
+      result.errors.push_back(error_curve(claim, scene, duration, recording, limits.points));
+  result.totals = totals(scene, recording, limits.points);
+  result.events = events(scene, recording, limits.points);
+  result.remarks = recording.remarks;
+  return result;
+}
+
+}  // namespace cylon::core

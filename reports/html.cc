@@ -1,0 +1,108 @@
+#include "reports/html.h"
+
+#include "harness/core/input_error.h"
+#include "reports/console.h"
+#include "reports/gzip.h"
+#include "reports/json.h"
+#include "reports/matrix.h"
+#include "reports/web_bundle.h"
+#include "reports/xml.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace cylon::reports {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json document(const std::string& text, const char* what) {
+  if (text.empty()) return nullptr;
+  Json parsed = Json::parse(text, nullptr, /*allow_exceptions=*/false);
+  if (parsed.is_discarded()) throw core::InputError(fmt::format("{}: this is no JSON", what));
+  return parsed;
+}
+
+Json documents(const std::vector<std::string>& texts, const char* what) {
+  Json list = Json::array();
+  for (const std::string& text : texts) list.push_back(document(text, what));
+  return list;
+}
+
+std::string block(std::size_t number, std::string_view packed) {
+  return fmt::format("<script type=\"application/gzip;base64\" id=\"block-{}\">{}</script>\n", number,
+                     packed);
+}
+
+// For a reader without script; the script puts its own in this place.
+std::string plain_matrix(const std::vector<core::Verdict>& verdicts) {
+  const ConsoleOptions style;
+  const Matrix matrix = fold(verdicts);
+  std::string out =
+      fmt::format("<p>{}</p>\n<table><thead><tr><th scope=\"col\">scenario</th>", xml(summary(verdicts)));
+  for (const std::string& engine : matrix.engines)
+    out += fmt::format("<th scope=\"col\">{}</th>", xml(engine));
+  out += "</tr></thead>\n<tbody>\n";
+  for (std::size_t i = 0; i < matrix.scenarios.size(); ++i) {
+    out += fmt::format("<tr><th scope=\"row\">{}</th>", xml(matrix.scenarios[i]));
+    for (const Cell& cell : matrix.cells[i]) out += fmt::format("<td>{}</td>", xml(cell_text(cell, style)));
+    out += "</tr>\n";
+  }
+  return out + fmt::format("</tbody></table>\n<p>{}</p>\n", xml(legend(matrix, style)));
+}
+
+}  // namespace
+
+std::string to_html(const HtmlReport& report) {
+  Json entries = Json::array();
+  std::string blocks;
+  std::size_t number = 0, used = 0, left_out = 0;
+  for (const PackedTrace& trace : report.traces) {
+    if (used + trace.block.size() > trace_budget) {
+      ++left_out;
+      continue;
+    }
+    used += trace.block.size();
+    entries.push_back({{"scenario", trace.scenario},
+                       {"engine", trace.engine},
+                       {"integrator", trace.integrator},
+                       {"dt_text", trace.dt_text},
+                       {"block", ++number}});
+    blocks += block(number, trace.block);
+  }
+  std::string omitted = report.omitted_traces;
+  if (left_out > 0)
+    omitted += fmt::format("{}{} more would make this file larger than can be mailed",
+                           omitted.empty() ? "" : "; ", left_out);
+
+  const Json index = {{"kind", "report"},
+                      {"title", report.title},
+                      {"results", document(report.results, "results")},
+                      {"scenarios", documents(report.scenarios, "a scenario")},
+                      {"traces", entries},
+                      {"omitted_traces", omitted},
+                      {"baseline", document(report.baseline, "the baseline")},
+                      {"trades", documents(report.trades, "a trade")},
+                      {"comparisons", documents(report.comparisons, "a comparison")},
+                      {"histories", documents(report.histories, "a history")}};
+  const std::string packed =
+      base64(gzip(index.dump(-1, ' ', /*ensure_ascii=*/true, Json::error_handler_t::replace)));
+  const std::string title = xml(report.title);
+
+  std::string page = fmt::format(
+      "<!doctype html>\n<html lang=\"en\" data-page=\"report\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src '{}'; "
+      "style-src 'unsafe-inline'; img-src data: blob:; base-uri 'none'; form-action 'none'\">\n"
+      "<title>{}</title>\n<style>",
+      web::script_hash(), title);
+  page += web::style();
+  page += fmt::format("</style>\n</head>\n<body>\n<div id=\"app\">\n<h1>{}</h1>\n", title);
+  if (!report.results.empty()) page += plain_matrix(read_json(report.results, "results"));
+  page += "</div>\n" + block(0, packed) + blocks + "<script>";
+  page += web::script();
+  page += "</script>\n</body>\n</html>\n";
+  return page;
+}
+
+}  // namespace cylon::reports

@@ -1,0 +1,33 @@
+// The report that people look at: one file that opens from disk, without a network.
+#pragma once
+
+#include "harness/core/verdict.h"
+#include "reports/provenance.h"
+#include "reports/trace_block.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cylon::reports {
+
+/// What a report shows.  Documents are JSON as the commands write it and stand in the page as they are.
+struct HtmlReport {
+  std::string title = "Cylon report";
+  std::string results;                 ///< `cylon run --json`; "": none.
+  std::string baseline;                ///< The same of an earlier run, to say what changed; "": none.
+  std::vector<std::string> scenarios;  ///< What they are about (`ScenarioView` of documents.ts).
+  std::vector<PackedTrace> traces;     ///< In the order in which space is given to them.
+  std::string omitted_traces;          ///< Why some runs have none, a sentence; "": all have.
+  std::vector<std::string> trades, comparisons, histories;
+};
+
+/// Most that the traces of a report may take [bytes]: what is mailed stays under 15 MB.
+inline constexpr std::size_t trace_budget = std::size_t{12} << 20;
+
+/// The whole page.  Traces beyond the budget are left out and counted in the page.  The matrix of the
+/// verdicts stands in it as a plain table too, for a reader without script.  The same report gives the same
+/// bytes. Throws core::InputError where a document is no JSON.
+std::string to_html(const HtmlReport&);
+
+}  // namespace cylon::reports
