@@ -142,6 +142,14 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
   }
   if (!outcome.exact) ++inexact_;
 
+  for (std::size_t i = 0; keep_ && i < touches.size(); ++i) {
+    const TouchPoint& touch = touches[i];
+    const Real pressed = touch.normal.dot(outcome.impulse[i]);
+    if (!(pressed > 0)) continue;
+    contacts_.push_back({touch.body, touch.other, candidates_[touching[i].held.candidate].plane,
+                         touch.position, touch.normal, pressed});
+  }
+
   // One record per pair that met: its fastest point.
   for (std::size_t i = 0; i < touches.size(); ++i) {
     const bool first_of_pair = i == 0 || touches[i].pair != touches[i - 1].pair;
@@ -160,6 +168,20 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
     impact.approach = outcome.approach[fastest];
     impact.separation = std::max<Real>(0, rate_now(touch));
     impacts_.push_back(impact);
+  }
+}
+
+// What lasts at the end of a step.  Where it lasted all of it and nothing happened, its force times the step
+// is its impulse; elsewhere that is not known.
+void EventStepper::note_lasting(Time now, bool undisturbed) {
+  if (held_.empty()) return;
+  const Support lasting = support(now, y_.data());
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    const TouchPoint& touch = touches_[i];
+    Contact contact{touch.body,     touch.other,  candidates_[held_[i].candidate].plane,
+                    touch.position, touch.normal, {}};
+    if (undisturbed && lasting.exact) contact.impulse = lasting.points[i].normal * static_cast<Real>(dt_);
+    contacts_.push_back(contact);
   }
 }
 

@@ -95,9 +95,12 @@ EventStepper::EventStepper(Reduced reduced, const Scheme& scheme, Time dt, Real 
 void EventStepper::step() {
   Time now = std::max(start_time_, static_cast<Time>(steps_) * dt_);
   const Time end = static_cast<Time>(steps_ + 1) * dt_;
-  impacts_.clear();
+  impacts_.clear(), contacts_.clear();
   ++steps_;
-  if (resting_) return;
+  if (resting_) {
+    if (keep_) note_lasting(end, true);
+    return;
+  }
   std::fill(loose_.begin(), loose_.end(), char{0});
   std::fill(restless_.begin(), restless_.end(), char{0});
   plastic_ = false;
@@ -132,6 +135,7 @@ void EventStepper::step() {
     resolve(end);
   }
   if (std::any_of(held_.begin(), held_.end(), [](const HeldPoint& h) { return h.general; })) resolve(end);
+  if (keep_) note_lasting(end, events == 0 && pieces < piece_limit);
 }
 
 // Goes on from y_ to the first event or to the end of a smooth piece; says how far.

@@ -94,6 +94,7 @@ class EventStepper final : public Stepper, private Holder {
   bool loosen();
   void calm();
   void wedge();
+  void note_lasting(Time now, bool undisturbed);
   int idle_limit() const;
   TouchPoint touch_of(const HeldPoint&, const Motion*) const;
   Support support(Time, const Real* y);

@@ -4,6 +4,7 @@
 #include "engine/body.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,16 @@ struct Impact {
   int plane = -1;           ///< Index in Model::planes, or -1.
   Real approach = 0;        ///< Speed at which the surfaces met [m/s], >= 0.
   Real separation = 0;      ///< Speed at which they part [m/s], >= 0.
+};
+
+/// Where surfaces pressed on each other in a step.
+struct Contact {
+  int body = 0;                       ///< The first body.
+  int other = fixed_world;            ///< The second; the world where it is a plane.
+  int plane = -1;                     ///< Index in Model::planes, or -1.
+  Vector3 point = Vector3::Zero();    ///< World axes [m].
+  Vector3 normal = Vector3::UnitY();  ///< Unit, towards `body`.
+  std::optional<Real> impulse;        ///< Along the normal, over the step [N s]; absent: not known.
 };
 
 class Stepper {
@@ -41,12 +52,22 @@ class Stepper {
     return none;
   }
 
+  /// Whether contacts() is wanted of the steps to come; the motion is the same.
+  virtual void keep_contacts(bool keep) { keep_ = keep; }
+
+  /// The contacts of the last step, if it was made with contacts kept: impacts, and what lasts.
+  virtual const std::vector<Contact>& contacts() const { return contacts_; }
+
   /// The work done by each force since t = 0 [J], gravity first (engine/forces.h); null where it is not
   /// accounted.
   virtual const Real* works() const { return nullptr; }
 
   /// What a user must know of the run so far: a tolerance that could not be kept, and why.  Empty: nothing.
   virtual std::vector<std::string> remarks() const { return {}; }
+
+ protected:
+  bool keep_ = false;
+  std::vector<Contact> contacts_;
 };
 
 }  // namespace cylon::engine

@@ -85,6 +85,7 @@ void VerifiedStepper::tighten() {
   tolerance_ = std::max(tolerance_ / 10, least);
   coarse_ = std::move(fine_);
   fine_ = make_(tolerance_);
+  fine_->keep_contacts(keep_);
   for (std::int64_t i = 0; i < steps_; ++i) fine_->step();
 }
 

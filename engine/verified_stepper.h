@@ -25,6 +25,11 @@ class VerifiedStepper final : public Stepper {
   void step() override;
   void read(std::vector<Motion>& motions) const override { motions = fine_motion_; }
   const std::vector<Impact>& impacts() const override { return fine_->impacts(); }
+  void keep_contacts(bool keep) override {
+    Stepper::keep_contacts(keep);
+    fine_->keep_contacts(keep);
+  }
+  const std::vector<Contact>& contacts() const override { return fine_->contacts(); }
   const Real* works() const override { return fine_->works(); }
   std::vector<std::string> remarks() const override;
 

@@ -39,6 +39,12 @@ class World {
   /// The impacts of the last step, in order of time.
   const std::vector<Impact>& impacts() const { return impacts_; }
 
+  /// Whether contacts() is wanted of the steps to come; the motion is the same.
+  void keep_contacts(bool keep) { stepper_->keep_contacts(keep_contacts_ = keep); }
+
+  /// The contacts of the last step, if it was made with contacts kept.
+  const std::vector<Contact>& contacts() const { return stepper_->contacts(); }
+
   /// The work done by each force since t = 0 [J], gravity first, in the order of Forces; null where not
   /// accounted.
   const Real* works() const { return stepper_->works(); }
@@ -60,6 +66,7 @@ class World {
   std::vector<Impact> impacts_;
   std::vector<Real> masses_;  // at t = 0
   std::int64_t steps_ = 0;
+  bool keep_contacts_ = false;
 };
 
 }  // namespace cylon::engine

@@ -88,7 +88,8 @@ bool Course::strike_all(std::size_t a, std::size_t b) {
     if (c.approach > 0)
       record(static_cast<std::size_t>(c.body), c.other, c.plane, c.approach,
              c.n.dot(sides_[static_cast<std::size_t>(c.a)].velocity -
-                     sides_[static_cast<std::size_t>(c.b)].velocity));
+                     sides_[static_cast<std::size_t>(c.b)].velocity),
+             false);
   for (std::size_t k = 0; k < members_.size(); ++k) {
     const std::size_t body = members_[k];
     take(body, sides_[k + 1], size(flights_[body].velocity) + size(sides_[k + 1].velocity));

@@ -55,7 +55,7 @@ void Course::settle_at_start() {
 }
 
 void Course::step() {
-  impacts_.clear();
+  impacts_.clear(), contacts_.clear();
   if (handover_) return;
   ++steps_;
   run_until(static_cast<Time>(steps_) * dt_);
@@ -65,6 +65,7 @@ void Course::step() {
   }
   for (std::size_t i = 0; i < turnings_.size(); ++i) follow(model_.bodies[i], turnings_[i], now_);
   renew_cells();
+  if (keep_) note_lasting();
 }
 
 void Course::run_until(Time end) {
@@ -120,7 +121,7 @@ void Course::meet_plane(std::size_t body, std::size_t k) {
     if (ends) material.restitution = 0;
     Side ball = side(body), world;
     strike(ball, world, plane.normal, material);
-    record(body, fixed_world, static_cast<int>(k), approach, separation);
+    record(body, fixed_world, static_cast<int>(k), approach, separation, true);
     take(body, ball, speed + size(ball.velocity));
     last_partner_[body] = nothing;
   }
@@ -153,7 +154,7 @@ void Course::meet(std::size_t a, std::size_t b) {
     if (model_.impacts == Impacts::simultaneous && strike_all(a, b)) return;
     Side left = side(a), right = side(b);
     strike(left, right, n, pair);
-    record(a, static_cast<int>(b), -1, approach, pair.restitution * approach);
+    record(a, static_cast<int>(b), -1, approach, pair.restitution * approach, true);
     take(a, left, speed + size(left.velocity));
     take(b, right, speed + size(right.velocity));
     last_partner_[a] = static_cast<int>(b);

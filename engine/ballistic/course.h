@@ -72,7 +72,9 @@ class Course final : public Ballistic {
   void fly(std::size_t body);
   bool collapses(Real separation, Real restitution, Real pressing) const;
   bool hit_without_end(std::size_t body);
-  void record(std::size_t body, int other, int plane, Real approach, Real separation);
+  void record(std::size_t body, int other, int plane, Real approach, Real separation, bool alone);
+  void note_impact(const Impact&, bool alone);
+  void note_lasting();
   void hand_over(const std::string& reason);
   void read_at(Time, std::vector<Motion>&) const;
 

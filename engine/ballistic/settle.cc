@@ -85,8 +85,44 @@ bool Course::hit_without_end(std::size_t body) {
   return true;
 }
 
-void Course::record(std::size_t body, int other, int plane, Real approach, Real separation) {
+// `alone`: no other impact belongs to it.
+void Course::record(std::size_t body, int other, int plane, Real approach, Real separation, bool alone) {
   impacts_.push_back({now_, static_cast<int>(body), other, plane, approach, separation});
+  if (keep_) note_impact(impacts_.back(), alone);
+}
+
+// J_n = (approach + separation) / (1/m_a + 1/m_b): the arms of spheres are along the normal.  Of several at
+// one instant the impulse of one does not follow from its own speeds.
+void Course::note_impact(const Impact& impact, bool alone) {
+  const auto body = static_cast<std::size_t>(impact.body);
+  const bool plane = impact.plane >= 0;
+  const auto other = static_cast<std::size_t>(plane ? impact.plane : impact.other);
+  const Vector3 p = flights_[body].position_at(now_);
+  Contact contact{impact.body, impact.other, impact.plane, {}, {}, {}};
+  contact.normal = plane ? model_.planes[other].normal : (p - flights_[other].position_at(now_)).normalized();
+  contact.point = p - flights_[body].radius * contact.normal;
+  const auto inverse_mass = [&](std::size_t i) {
+    return model_.bodies[i].locked ? Real(0) : model_.bodies[i].inverse_mass;
+  };
+  const Real both = inverse_mass(body) + (plane ? Real(0) : inverse_mass(other));
+  if (alone && both > 0) contact.impulse = (impact.approach + impact.separation) / both;
+  contacts_.push_back(contact);
+}
+
+// Bodies that planes bear: N = -m g.n.  Who came to rest within the step pressed for a part of it, not known
+// here.
+void Course::note_lasting() {
+  const Time begin = static_cast<Time>(steps_ - 1) * dt_, end = static_cast<Time>(steps_) * dt_;
+  for (std::size_t i = 0; i < flights_.size(); ++i) {
+    const Flight& flight = flights_[i];
+    if (flight.support == in_flight) continue;
+    const Vector3& n = model_.planes[static_cast<std::size_t>(flight.support)].normal;
+    Contact contact{static_cast<int>(i), fixed_world, flight.support, {}, n, {}};
+    contact.point = flight.position_at(end) - flight.radius * n;
+    if (flight.since <= begin)
+      contact.impulse = -model_.bodies[i].mass * model_.forces.gravity.dot(n) * static_cast<Real>(dt_);
+    contacts_.push_back(contact);
+  }
 }
 
 void Course::hand_over(const std::string& reason) {

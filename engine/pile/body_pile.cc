@@ -23,7 +23,7 @@ BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings)
       threads_(settings.threads),
       motions_(model.motions),
       movers_(model.bodies.size()),
-      contacts_(model_),
+      found_(model_),
       islands_(model_),
       other_forces_(!model.forces.only_gravity()),
       isolated_(isolated(model)) {
@@ -159,15 +159,15 @@ void BodyPile::drift(Real h) {
 }
 
 int BodyPile::parts_of_step() const {
-  if (contacts_.smallest() == 0) return 1;
+  if (found_.smallest() == 0) return 1;
   Real fastest = 0;
   for (const Mover& mover : movers_) fastest = std::max(fastest, mover.v.squaredNorm());
-  const Real parts = std::ceil(2 * std::sqrt(fastest) * static_cast<Real>(dt_) / contacts_.smallest());
+  const Real parts = std::ceil(2 * std::sqrt(fastest) * static_cast<Real>(dt_) / found_.smallest());
   return static_cast<int>(std::min(std::max(parts, Real(1)), Real(most_parts + 1)));
 }
 
 void BodyPile::step() {
-  impacts_.clear();
+  impacts_.clear(), contacts_.clear();
   int parts = parts_of_step();
   if (parts > most_parts) parts = most_parts, too_fast_ = true;
   for (int k = 0; k < parts; ++k) carry(static_cast<Time>(steps_) * dt_ + k * dt_ / parts, dt_ / parts);
@@ -177,21 +177,22 @@ void BodyPile::step() {
 }
 
 void BodyPile::carry(Time now, Time span) {
-  contacts_.find(motions_, movers_, span, blocks_);
+  found_.find(motions_, movers_, span, blocks_);
   const bool direct = static_cast<int>(blocks_.size()) <= settings_.direct_points;
   const int parts = direct ? 1 : settings_.substeps;
   if (!direct) colour();
   if (isolated_) islands_.find(blocks_);
+  if (keep_) pressed_.assign(blocks_.size(), 0);
   for (int k = 0; k < parts; ++k) carry_part(now + k * span / parts, span / parts, direct);
+  if (keep_) note_pressed();
   take_overlaps_away(direct);
 }
 
 void BodyPile::take_overlaps_away(bool direct) {
   set_kinematics();
   if (isolated_) islands_.note(motions_), before_ = motions_;
-  const bool moved =
-      overlaps_.displace(model_.bodies, blocks_, movers_, settings_.slop * contacts_.smallest(),
-                         settings_.relaxation, direct, motions_);
+  const bool moved = overlaps_.displace(model_.bodies, blocks_, movers_, settings_.slop * found_.smallest(),
+                                        settings_.relaxation, direct, motions_);
   close_joints();
   if (isolated_ && (moved || !model_.joints.empty())) islands_.restore(before_, motions_);
   set_kinematics();
@@ -214,8 +215,21 @@ void BodyPile::carry_part(Time now, Time h, bool direct) {
     sweep(false);
   }
   carry_impulses();
+  for (std::size_t i = 0; keep_ && i < blocks_.size(); ++i)
+    pressed_[i] += blocks_[i].normal.dot(blocks_[i].impulse);
   if (isolated_) islands_.limit_energy(motions_), set_kinematics();
   drift(static_cast<Real>(h));
+}
+
+// Bodies where they are by now, normals as they were found.
+void BodyPile::note_pressed() {
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    const Block& block = blocks_[i];
+    if (block.kind != Block::Kind::contact || !(pressed_[i] > 0)) continue;
+    const Motion& a = motions_[index(block.a)];
+    contacts_.push_back({block.a, block.b, block.plane, a.position + a.orientation * block.anchor,
+                         block.normal, pressed_[i]});
+  }
 }
 
 // The drift of joints goes by moving and turning bodies without their velocities, all of it.

@@ -27,6 +27,7 @@ class BodyPile : public Stepper {
   int parts_of_step() const;
   void carry(Time now, Time span);
   void carry_part(Time now, Time h, bool direct);
+  void note_pressed();
   void set_kinematics();
   void kick(Time now, Real h);
   void set_targets(Time now, Real h);
@@ -43,7 +44,7 @@ class BodyPile : public Stepper {
   Threads threads_;
   std::vector<Motion> motions_;
   std::vector<Mover> movers_;
-  BodyContacts contacts_;
+  BodyContacts found_;
   std::vector<Block> blocks_;
   std::vector<std::vector<std::pair<std::size_t, std::size_t>>> colours_;  // runs of blocks of one pair
   Direct direct_;
@@ -53,6 +54,7 @@ class BodyPile : public Stepper {
   std::vector<Kinematics> kinematics_;
   std::vector<Load> loads_;
   std::vector<Impact> impacts_;
+  std::vector<Real> pressed_;  // per block, over the parts of the step [N s]; while contacts are kept
   long steps_ = 0;
   double residual_ = 0;
   bool too_fast_ = false, unsolved_ = false, other_forces_ = false, isolated_ = false;

@@ -37,6 +37,21 @@ class SphereContacts {
     for (PairBatch& batch : rest_) f(batch);
   }
 
+  /// Calls f(batch) for every batch, one after the other, in an order that only the bodies decide.
+  template <class F>
+  void each(F&& f) const {
+    for (const Block& block : blocks_) {
+      for (const PairBatch& batch : block.pairs) f(batch);
+      for (const PlaneBatch& batch : block.planes) f(batch);
+    }
+    for (const auto& colour : colours_)
+      for (const PairBatch& batch : colour) f(batch);
+    for (const PairBatch& batch : rest_) f(batch);
+  }
+
+  /// Rows of impulses of this step: a batch's `pair` is less.
+  std::size_t rows() const { return impulses_.size() / 4; }
+
   /// Keeps the impulses for the next step.
   void remember();
 

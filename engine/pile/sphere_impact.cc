@@ -19,7 +19,7 @@ SphereImpacts::SphereImpacts(const Model& model)
     : planes_(model.planes), gravity_(model.forces.gravity.norm()), alone_(isolated(model)) {}
 
 bool SphereImpacts::strike(const Approaching& pair, Real& since, Spheres& spheres, Time now, Time span,
-                           std::vector<Impact>& impacts) const {
+                           std::vector<Impact>& impacts, std::vector<Contact>* contacts) const {
   using Row = Eigen::Map<Vector3>;
   const bool plane = pair.b >= spheres.count;
   Real *va = spheres.v(pair.a), *pa = spheres.p(pair.a);
@@ -66,6 +66,8 @@ bool SphereImpacts::strike(const Approaching& pair, Real& since, Spheres& sphere
   if (length > limit) tangential *= limit / length;
   const Vector3 impulse = normal * n + tangential, turn = lever * n.cross(tangential);
 
+  const Vector3 point = Vector3(Row(pa)) + t * Vector3(Row(va)) - pa[3] * n;
+
   Row(va) += ima * impulse, Row(va + 4) -= ka * turn;
   Row(pa) -= t * ima * impulse;
   if (!plane) {
@@ -81,17 +83,18 @@ bool SphereImpacts::strike(const Approaching& pair, Real& since, Spheres& sphere
     impact.other = spheres.id[static_cast<std::size_t>(pair.b)];
   impact.approach = -u_n, impact.separation = -pair.material.restitution * u_n;
   impacts.push_back(impact);
+  if (contacts) contacts->push_back({impact.body, impact.other, impact.plane, point, n, normal});
   if (alone_) since = t;  // the path before it is not one that they took
   return true;
 }
 
 void SphereImpacts::resolve(const std::vector<Approaching>& pairs, Spheres& spheres, Time now, Time span,
-                            std::vector<Impact>& impacts) {
+                            std::vector<Impact>& impacts, std::vector<Contact>* contacts) {
   since_.assign(pairs.size(), 0);
   for (int sweep = 0; sweep < 64; ++sweep) {
     bool any = false;
     for (std::size_t k = 0; k < pairs.size(); ++k)
-      any |= strike(pairs[k], since_[k], spheres, now, span, impacts);
+      any |= strike(pairs[k], since_[k], spheres, now, span, impacts, contacts);
     if (!any) return;
   }
 }

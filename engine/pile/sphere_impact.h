@@ -22,10 +22,13 @@ class SphereImpacts {
   /// `span` of now; velocities are those before the forces of the step.
   ///   u_n' = -e u_n,  |J_t| <= friction J_n;  p += t (v - v'), so that p + v' h is on the broken path.
   /// Repeated until nothing approaches, at most 64 times: one impact can make another (Newton's cradle).
-  void resolve(const std::vector<Approaching>&, Spheres&, Time now, Time span, std::vector<Impact>&);
+  /// Adds the contacts to `contacts` where it is not null.
+  void resolve(const std::vector<Approaching>&, Spheres&, Time now, Time span, std::vector<Impact>&,
+               std::vector<Contact>* contacts);
 
  private:
-  bool strike(const Approaching&, Real& since, Spheres&, Time now, Time span, std::vector<Impact>&) const;
+  bool strike(const Approaching&, Real& since, Spheres&, Time now, Time span, std::vector<Impact>&,
+              std::vector<Contact>* contacts) const;
 
   std::vector<Plane> planes_;
   Real gravity_;  // [m/s^2]

@@ -23,7 +23,7 @@ SpherePile::SpherePile(const Model& model, Time dt, const PileSettings& settings
       settings_(settings),
       threads_(settings.threads),
       spheres_(model, blocks_of(model)),
-      contacts_(model_, threads_),
+      found_(model_, threads_),
       impacts_found_(model),
       alone_(isolated(model)) {
   for (int i = 0; i < spheres_.count; ++i) {
@@ -47,7 +47,7 @@ void SpherePile::order_bodies() {
   std::vector<int> position(order.size());
   for (std::size_t k = 0; k < order.size(); ++k)
     position[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
-  contacts_.reorder(position);
+  found_.reorder(position);
 }
 
 // g for what can move.
@@ -72,7 +72,7 @@ int SpherePile::parts_of_step() const {
 
 void SpherePile::step() {
   if (steps_ % steps_between_orders == 0) order_bodies();
-  impacts_.clear();
+  impacts_.clear(), contacts_.clear();
   int parts = parts_of_step();
   if (parts > most_parts) parts = most_parts, too_fast_ = true;
   for (int k = 0; k < parts; ++k) carry(static_cast<Time>(steps_) * dt_ + k * dt_ / parts, dt_ / parts);
@@ -84,10 +84,10 @@ void SpherePile::step() {
 void SpherePile::carry(Time now, Time span) {
   const int n = settings_.substeps;
   const Time h = span / n;
-  contacts_.find(spheres_, span, model_.forces.gravity.norm());
-  impacts_found_.resolve(contacts_.approaching(), spheres_, now, span, impacts_);
+  found_.find(spheres_, span, model_.forces.gravity.norm());
+  impacts_found_.resolve(found_.approaching(), spheres_, now, span, impacts_, keep_ ? &contacts_ : nullptr);
   if (alone_) {
-    advance_alone(span);
+    advance_alone(span);  // impacts alone: nothing rests on anything
     turn(span);
     return;
   }
@@ -102,15 +102,46 @@ void SpherePile::carry(Time now, Time span) {
 
   std::copy_n(velocity, spheres_.velocity.size(), before);
   for (std::size_t k = 0; k < numbers; ++k) velocity[k] += hr * kick[k];
-  contacts_.sweep([&](const auto& batch) { warm_start(batch, velocity); });
+  found_.sweep([&](const auto& batch) { warm_start(batch, velocity); });
+  if (keep_) pressed_.assign(found_.rows(), 0);
   for (int part = 0; part < n; ++part) {
-    contacts_.sweep([&](auto& batch) { solve(batch, velocity, place, inverse_h); });
+    found_.sweep([&](auto& batch) { solve(batch, velocity, place, inverse_h); });
+    if (keep_) add_pressed();
     drift(hr, part + 1 < n);
   }
   const Lanes share = spread(settings_.relaxation), slop = spread(settings_.slop * smallest_);
-  contacts_.sweep([&](auto& batch) { separate(batch, velocity, place, share, slop); });
-  contacts_.remember();
+  found_.sweep([&](auto& batch) { separate(batch, velocity, place, share, slop); });
+  found_.remember();
   turn(span);
+  if (keep_) note_pressed();
+}
+
+// The impulses of one part of the step.
+void SpherePile::add_pressed() {
+  found_.each([&](const auto& batch) {
+    for (int lane = 0; lane < lane_count; ++lane)
+      pressed_[static_cast<std::size_t>(batch.pair[lane])] += batch.impulse[lane];
+  });
+}
+
+// Bodies where they are by now, normals as they were found.
+void SpherePile::note_pressed() {
+  found_.each([&](const auto& batch) {
+    for (int lane = 0; lane < lane_count; ++lane) {
+      const Real impulse = pressed_[static_cast<std::size_t>(batch.pair[lane])];
+      const int a = batch.a[lane], b = batch.b[lane];
+      if (a >= spheres_.count || !(impulse > 0)) continue;
+      const Vector3 n(batch.normal.x[lane], batch.normal.y[lane], batch.normal.z[lane]);
+      const Real* p = spheres_.p(a);
+      const auto id = [&](int row) { return spheres_.id[static_cast<std::size_t>(row)]; };
+      Contact contact{id(a), fixed_world, -1, Vector3(p[0], p[1], p[2]) - p[3] * n, n, impulse};
+      if (batch.plane)
+        contact.plane = b;
+      else
+        contact.other = id(b);
+      contacts_.push_back(contact);
+    }
+  });
 }
 
 // Each part begins without impulses: those of the part before belong to where the bodies were, and nothing
@@ -123,11 +154,11 @@ void SpherePile::advance_alone(Time span) {
   const Lanes inverse_h = spread(1 / h);
   for (int part = 0; part < n; ++part) {
     for (std::size_t k = 0; k < spheres_.velocity.size(); ++k) velocity[k] += h * spheres_.kick[k];
-    contacts_.sweep([&](const auto& batch) { solve_alone(batch, velocity, place, inverse_h); });
+    found_.sweep([&](const auto& batch) { solve_alone(batch, velocity, place, inverse_h); });
     drift(h, false);
   }
   const Lanes share = spread(settings_.relaxation), slop = spread(settings_.slop * smallest_);
-  contacts_.sweep([&](const auto& batch) { separate_alone(batch, velocity, place, share, slop); });
+  found_.sweep([&](const auto& batch) { separate_alone(batch, velocity, place, share, slop); });
 }
 
 // p += h v; then, for the next part, the forces and this part's impulses again: v += v - v_before.

@@ -18,7 +18,7 @@ class SpherePile : public Stepper {
   std::vector<std::string> remarks() const override;
 
   /// Pairs within reach of each other in the last step.
-  std::size_t pairs() const { return contacts_.pairs(); }
+  std::size_t pairs() const { return found_.pairs(); }
 
  private:
   void order_bodies();
@@ -28,15 +28,19 @@ class SpherePile : public Stepper {
   void advance_alone(Time span);
   void drift(Real h, bool again);
   void turn(Time span);
+  void add_pressed();
+  void note_pressed();
 
   Model model_;
   Time dt_;
   PileSettings settings_;
   Threads threads_;
   Spheres spheres_;
-  SphereContacts contacts_;
+  SphereContacts found_;
   SphereImpacts impacts_found_;
   std::vector<Impact> impacts_;
+  std::vector<Real>
+      pressed_;  // per row of impulses, over the parts of the step [N s]; while contacts are kept
   long steps_ = 0;
   Real smallest_ = 0, largest_ = 0;  // radius
   bool too_fast_ = false, alone_ = false;

@@ -163,6 +163,17 @@ class InHouse final : public core::Simulator {
 
   std::vector<std::string> remarks() const override { return world_->remarks(); }
 
+  void keep_contacts(bool keep) override { world_->keep_contacts(keep); }
+  std::vector<core::Contact> contacts() const override {
+    std::vector<core::Contact> contacts;
+    for (const engine::Contact& c : world_->contacts()) {
+      core::Contact told{{c.body, c.other, c.plane}, c.point.cast<double>(), c.normal.cast<double>(), {}};
+      if (c.impulse) told.impulse = static_cast<double>(*c.impulse);
+      contacts.push_back(told);
+    }
+    return contacts;
+  }
+
  private:
   core::Terms terms(const engine::Plan& plan, const engine::Options& options) const {
     const bool stepping = plan.method == engine::Method::stepping;
