@@ -15,6 +15,7 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(BULLET_F64 REQUIRED IMPORTED_TARGET bullet-float64)
 pkg_check_modules(BULLET_F32 REQUIRED IMPORTED_TARGET bullet)
 pkg_check_modules(ODE REQUIRED IMPORTED_TARGET ode)
+pkg_check_modules(HTTPLIB REQUIRED IMPORTED_TARGET cpp-httplib)  # with the flags that its library was built with
 
 # The double build needs the library *and* the define; pkg-config passes no define.
 find_library(TINYOBJLOADER_DOUBLE tinyobjloader_double REQUIRED)
