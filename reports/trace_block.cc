@@ -3,6 +3,7 @@
 #include "harness/core/input_error.h"
 #include "reports/gzip.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -189,13 +190,13 @@ std::string to_json_line(const PackedTrace& trace) {
 PackedTrace trace_from_json_line(std::string_view line, const std::string& place) try {
   const Json row = Json::parse(line);
   if (row.at("format") != trace_format)
-    throw core::InputError(place + ": \"format\" must be \"" + trace_format + "\"");
+    throw core::InputError(fmt::format("\"format\" must be \"{}\"", trace_format));
   PackedTrace trace{row.at("scenario"), row.at("engine"), row.at("integrator"), row.at("dt_text"),
                     row.at("block")};
   from_base64(trace.block);  // it goes into a page as it is
   return trace;
-} catch (const Json::exception& error) {
-  throw core::InputError(place + ": " + error.what());
+} catch (const std::exception& error) {
+  throw core::InputError(fmt::format("{}: no trace: {}", place, error.what()));
 }
 
 }  // namespace cylon::reports
