@@ -12,7 +12,7 @@ export function hexColour(text: string): Colour | null {
 /** A body's own colour, else one by its place; a locked body is darker. */
 export function bodyColour(body: { color: string; locked: boolean }, index: number): Colour {
   const colour = hexColour(body.color) ?? hexColour(palette[index % palette.length]!)!;
-  return body.locked ? (colour.map((c) => 0.5 * c) as Colour) : colour;
+  return body.locked ? (colour.map((c) => 0.62 * c) as Colour) : colour;
 }
 
 export interface Theme {
@@ -22,7 +22,7 @@ export interface Theme {
   arrows: { velocity: Colour; momentum: Colour; 'angular momentum': Colour; impulse: Colour; normal: Colour };
 }
 
-const light: Omit<Theme['arrows'], never> = {
+const light: Theme['arrows'] = {
   velocity: hexColour('#0b5cad')!,
   momentum: hexColour('#0a7d4f')!,
   'angular momentum': hexColour('#8b3fa8')!,

@@ -99,6 +99,6 @@ export function frame(bounds: Bounds, aspect: number): CameraState {
     const needed = Math.max(Math.abs(dot(c, right)) / horizontal, Math.abs(dot(c, up)) / vertical);
     distance = Math.max(distance, needed + dot(c, back));
   }
-  camera.distance = distance > 0 ? 1.12 * distance : 5;
+  camera.distance = distance > 0 ? 1.06 * distance : 5;
   return camera;
 }

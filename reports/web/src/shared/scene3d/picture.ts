@@ -1,13 +1,18 @@
 // What there is to draw, whoever draws it: poses, lines, trails, water.  Counters tell what changed.
-import type { Scene, Vector, Quaternion } from '../documents';
+import type { Quaternion, Scene, Vector } from '../documents';
+import { sceneBounds, usable } from './bounds';
 import { bodyColour } from './colours';
 import type { Theme } from './colours';
-import { sceneBounds } from './bounds';
+import { Links } from './links';
+import { drawArrows, drawContacts, drawPulls } from './marks';
+import { drawPlanes } from './planes';
 import { Segments } from './segments';
 import type { Colour } from './segments';
 import { solidsOf } from './solids';
 import type { Solids } from './solids';
-import type { Bounds, Layer, Pose } from './types';
+import { makeTrail } from './trail';
+import type { Trail } from './trail';
+import type { Arrow, Bounds, ContactMark, Layer, Pose, Pull } from './types';
 import { length, subtract } from './vectors';
 
 /** Poses of all bodies in one layer. */
@@ -50,14 +55,6 @@ export class Bodies {
   }
 }
 
-export interface Trail {
-  positions: Float32Array; // [frame][body][3] [m]
-  bodies: number;
-  frames: number;
-  upTo: number;
-  version: number; // of positions
-}
-
 export class Picture {
   readonly bounds: Bounds;
   readonly extent: number; // diagonal of the bounds [m]
@@ -69,13 +66,53 @@ export class Picture {
   readonly links = new Segments(); // springs and joints that bodies may hide
   readonly marks = new Segments(); // on top of all: arrows, contacts, joints' points
   time = 0;
+  arrows: Arrow[] = [];
+  contacts: ContactMark[] = [];
+  pulls: Pull[] = [];
+  linksShown = true;
+  private largestImpulse = 0; // so far [N s]
+  private readonly joined: Links;
 
   constructor(readonly scene: Scene, public theme: Theme, given: Bounds | undefined) {
-    this.bounds = given ?? sceneBounds(scene);
+    this.bounds = given ? usable(given) : sceneBounds(scene);
     this.extent = Math.max(length(subtract(this.bounds.max, this.bounds.min)), 1e-9);
     this.solids = solidsOf(scene, 0.022 * this.extent);
     this.colours = scene.body.map(bodyColour);
+    this.joined = new Links(scene, this.extent);
     this.layers = { bodies: new Bodies(scene.body.length), ghost: new Bodies(scene.body.length) };
     this.layers.bodies.set({ position: scene.body.flatMap((b) => b.position), orientation: scene.body.flatMap((b) => b.orientation) });
+    this.redraw();
+  }
+
+  /** Lines that no pose moves: once per scene and theme. */
+  redraw(): void {
+    this.fixed.clear();
+    drawPlanes(this.fixed, this.scene, this.bounds, this.extent, this.theme);
+  }
+
+  /** Lines that follow the bodies or lie over them: after every change. */
+  relink(): void {
+    this.links.clear();
+    this.marks.clear();
+    const bodies = this.layers.bodies.shown ? this.layers.bodies : this.layers.ghost;
+    if (this.linksShown && bodies.shown) this.joined.draw(this, bodies);
+    for (const contact of this.contacts)
+      if (Number.isFinite(contact.impulse)) this.largestImpulse = Math.max(this.largestImpulse, contact.impulse!);
+    drawContacts(this, this.contacts, this.largestImpulse);
+    drawArrows(this, this.arrows);
+    drawPulls(this, this.pulls);
+  }
+
+  setTrail(layer: Layer, positions: Float32Array | null, bodies: number, upTo: number): void {
+    const old = this.trails[layer];
+    if (!positions || bodies < 1 || positions.length < 6 * bodies) this.trails[layer] = null;
+    else if (old && old.source === positions && old.bodies === bodies) old.upTo = upTo / old.every;
+    else this.trails[layer] = makeTrail(positions, bodies, upTo, (old?.version ?? 0) + 1);
+  }
+
+  /** Names of bodies that have no finite pose. */
+  lost(): string[] {
+    const { shown, hidden } = this.layers.bodies;
+    return shown ? this.scene.body.filter((_, i) => hidden[i]).map((b) => b.name) : [];
   }
 }

@@ -86,6 +86,7 @@ uniform vec2 pixels;  // of the drawing buffer
 uniform float ratio, near, bias;
 out vec3 shade;
 flat out float broken;
+out vec2 spot;  // within a dot: -1 … 1 each way
 void draw(vec3 a, vec3 b, vec2 widths, vec2 corner) {
   vec4 from = view * vec4(a, 1.0), to = view * vec4(b, 1.0);
   // What lies behind the camera is cut off at the near plane.
@@ -99,6 +100,7 @@ void draw(vec3 a, vec3 b, vec2 widths, vec2 corner) {
   float width = max(mix(widths.x, widths.y, corner.x) * ratio, widths.x + widths.y > 0.0 && corner.x < 0.5 ? 1.0 : 0.0);
   float cap = 0.5 * min(widths.x, widths.y) * ratio;
   vec2 shift = 0.5 * width * corner.y * vec2(-along.y, along.x) + (2.0 * corner.x - 1.0) * cap * along;
+  spot = vec2(2.0 * corner.x - 1.0, corner.y);
   vec4 c = corner.x < 0.5 ? p : q;
   gl_Position = vec4(c.xy + 2.0 * shift / pixels * c.w, c.z - bias * c.w, c.w);
 }
@@ -107,14 +109,14 @@ void draw(vec3 a, vec3 b, vec2 widths, vec2 corner) {
 export const lineVertex = /* glsl */ `
 ${camera}
 ${strip}
-in vec2 corner;
+in vec3 position;  // which end, which side
 in vec3 from, to, color;
 in vec2 widths;
 in float pattern;
 void main() {
   shade = color;
   broken = pattern;
-  draw(from, to, widths, corner);
+  draw(from, to, widths, position.xy);
 }
 `;
 
@@ -122,7 +124,7 @@ void main() {
 export const trailVertex = /* glsl */ `
 ${camera}
 ${strip}
-in vec2 corner;
+in vec3 position;  // which end, which side
 in vec3 from, to;
 uniform int bodies;
 uniform float dashes;
@@ -131,7 +133,7 @@ void main() {
   int body = gl_InstanceID % bodies;
   shade = texelFetch(colors, ivec2(body % 1024, body / 1024), 0).rgb;
   broken = dashes;
-  draw(from, to, vec2(1.5), corner);
+  draw(from, to, vec2(1.5), position.xy);
 }
 `;
 
@@ -140,9 +142,11 @@ precision highp float;
 uniform float ratio;
 in vec3 shade;
 flat in float broken;
+in vec2 spot;
 out vec4 pixel;
 void main() {
-  if (broken > 0.5 && fract((gl_FragCoord.x + gl_FragCoord.y) / (9.0 * ratio)) > 0.55) discard;
+  if (broken > 1.5 && dot(spot, spot) > 1.0) discard;
+  if (broken > 0.5 && broken < 1.5 && fract((gl_FragCoord.x + gl_FragCoord.y) / (9.0 * ratio)) > 0.55) discard;
   pixel = vec4(shade, 1.0);
 }
 `;

@@ -106,10 +106,14 @@ export class WebGLStage implements Stage {
     for (const water of picture.scene.water) {
       const { level, wave, speed } = water;
       const own = { level, wave, speed, time: 0, cells: water.mode === 'step', alpha: 0.55 };
-      const material = this.material(shaders.waterVertex, shaders.waterFragment, own, { transparent: true, side: DoubleSide });
-      const mesh = waterMesh(water, picture.bounds, material);
-      this.waters.push({ mesh, material });
-      this.scene.add(mesh);
+      // Depth alone first: then only the nearest of several waves colours a pixel.
+      for (const colorWrite of [false, true]) {
+        const material = this.material(shaders.waterVertex, shaders.waterFragment, own, { transparent: true, side: DoubleSide, colorWrite });
+        const mesh = waterMesh(water, picture.bounds, material);
+        mesh.renderOrder = colorWrite ? 8 : 7;
+        this.waters.push({ mesh, material });
+        this.scene.add(mesh);
+      }
     }
   }
 

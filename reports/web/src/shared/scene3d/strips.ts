@@ -12,14 +12,14 @@ import {
 } from 'three';
 import type { RawShaderMaterial } from 'three';
 
-import type { Trail } from './picture';
 import { stride } from './segments';
 import type { Colour, Segments } from './segments';
+import type { Trail } from './trail';
 
-/** Two triangles from end 0 to end 1. */
+/** Two triangles: x is the end, 0 or 1, y the side. */
 function quad(): InstancedBufferGeometry {
   const geometry = new InstancedBufferGeometry();
-  geometry.setAttribute('corner', new BufferAttribute(new Float32Array([0, -1, 1, -1, 1, 1, 0, -1, 1, 1, 0, 1]), 2));
+  geometry.setAttribute('position', new BufferAttribute(new Float32Array([0, -1, 0, 1, -1, 0, 1, 1, 0, 0, -1, 0, 1, 1, 0, 0, 1, 0]), 3));
   return geometry;
 }
 
@@ -95,7 +95,7 @@ export class TrailStrip {
   }
 
   sync(trail: Trail | null): void {
-    this.drawn.visible = trail !== null && trail.upTo > 0;
+    this.drawn.visible = trail !== null && trail.upTo >= 1;
     if (!trail) return;
     if (this.version !== trail.version) {
       this.version = trail.version;
@@ -108,7 +108,7 @@ export class TrailStrip {
       this.drawn.geometry = geometry;
       this.material.uniforms.bodies!.value = trail.bodies;
     }
-    (this.drawn.geometry as InstancedBufferGeometry).instanceCount = this.bodies * Math.min(trail.upTo, trail.frames - 1);
+    (this.drawn.geometry as InstancedBufferGeometry).instanceCount = this.bodies * Math.min(Math.floor(trail.upTo), trail.frames - 1);
   }
 
   dispose(): void {

@@ -13,6 +13,5 @@ export function waterMesh(water: Scene['water'][number], bounds: Bounds, materia
   geometry.setIndex(new BufferAttribute(index, 1));
   const mesh = new Mesh(geometry, material);
   mesh.frustumCulled = mesh.matrixAutoUpdate = false;
-  mesh.renderOrder = 5;
   return mesh;
 }
