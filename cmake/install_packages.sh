@@ -1,10 +1,13 @@
 #!/usr/bin/env bash
 # Installs what cmake/packages.txt lists and this machine lacks; says clearly what it cannot do.
+#   cmake/install_packages.sh        what the program needs
+#   cmake/install_packages.sh tests  and what only the tests need
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 missing=()
-while read -r probe package; do
+while read -r probe package only; do
+  [ -z "$only" ] || [ "$only" = "${1:-}" ] || continue
   case "$probe" in
     '#'* | '') continue ;;
     command:*) command -v "${probe#command:}" >/dev/null || missing+=("$package") ;;

@@ -64,6 +64,14 @@ function(readme_test)
   set_tests_properties(readme_is_current PROPERTIES LABELS conformance)
 endfunction()
 
+# The pages in a real browser, and whether the committed bundle is that of their sources.
+function(web_tests)
+  add_test(NAME web COMMAND ${PROJECT_SOURCE_DIR}/tests/web/run.sh ${PROJECT_BINARY_DIR})
+  add_test(NAME web_bundle_is_current COMMAND ${PROJECT_SOURCE_DIR}/cmake/web_bundle.sh --check)
+  set_tests_properties(web PROPERTIES LABELS web SKIP_RETURN_CODE 77)
+  set_tests_properties(web_bundle_is_current PROPERTIES LABELS web)
+endfunction()
+
 function(bench name)
   cmake_parse_arguments(ARG "" "" "USES" ${ARGN})
   add_executable(${name} bench/${name}.cc)

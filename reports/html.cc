@@ -35,9 +35,8 @@ std::string block(std::size_t number, std::string_view packed) {
 }
 
 // For a reader without script; the script puts its own in this place.
-std::string plain_matrix(const std::vector<core::Verdict>& verdicts) {
+std::string plain_matrix(const std::vector<core::Verdict>& verdicts, const Matrix& matrix) {
   const ConsoleOptions style;
-  const Matrix matrix = fold(verdicts);
   std::string out =
       fmt::format("<p>{}</p>\n<table><thead><tr><th scope=\"col\">scenario</th>", xml(summary(verdicts)));
   for (const std::string& engine : matrix.engines)
@@ -54,6 +53,14 @@ std::string plain_matrix(const std::vector<core::Verdict>& verdicts) {
 }  // namespace
 
 std::string to_html(const HtmlReport& report) {
+  std::vector<core::Verdict> verdicts;
+  if (!report.results.empty()) verdicts = read_json(report.results, "results");
+  const Matrix matrix = fold(verdicts);
+  const std::string heading =
+      !report.title.empty() ? report.title
+      : verdicts.empty()
+          ? "Cylon report"
+          : fmt::format("Cylon: {} scenarios on {} engines", matrix.scenarios.size(), matrix.engines.size());
   Json entries = Json::array();
   std::string blocks;
   std::size_t number = 0, used = 0, left_out = 0;
@@ -76,7 +83,7 @@ std::string to_html(const HtmlReport& report) {
                            omitted.empty() ? "" : "; ", left_out);
 
   const Json index = {{"kind", "report"},
-                      {"title", report.title},
+                      {"title", heading},
                       {"results", document(report.results, "results")},
                       {"scenarios", documents(report.scenarios, "a scenario")},
                       {"traces", entries},
@@ -87,7 +94,7 @@ std::string to_html(const HtmlReport& report) {
                       {"histories", documents(report.histories, "a history")}};
   const std::string packed =
       base64(gzip(index.dump(-1, ' ', /*ensure_ascii=*/true, Json::error_handler_t::replace)));
-  const std::string title = xml(report.title);
+  const std::string title = xml(heading);
 
   std::string page = fmt::format(
       "<!doctype html>\n<html lang=\"en\" data-page=\"report\">\n<head>\n<meta charset=\"utf-8\">\n"
@@ -98,7 +105,7 @@ std::string to_html(const HtmlReport& report) {
       web::script_hash(), title);
   page += web::style();
   page += fmt::format("</style>\n</head>\n<body>\n<div id=\"app\">\n<h1>{}</h1>\n", title);
-  if (!report.results.empty()) page += plain_matrix(read_json(report.results, "results"));
+  if (!verdicts.empty()) page += plain_matrix(verdicts, matrix);
   page += "</div>\n" + block(0, packed) + blocks + "<script>";
   page += web::script();
   page += "</script>\n</body>\n</html>\n";

@@ -13,7 +13,7 @@ namespace cylon::reports {
 
 /// What a report shows.  Documents are JSON as the commands write it and stand in the page as they are.
 struct HtmlReport {
-  std::string title = "Cylon report";
+  std::string title;                   ///< "": how many scenarios and engines there are.
   std::string results;                 ///< `cylon run --json`; "": none.
   std::string baseline;                ///< The same of an earlier run, to say what changed; "": none.
   std::vector<std::string> scenarios;  ///< What they are about (`ScenarioView` of documents.ts).

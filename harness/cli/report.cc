@@ -137,9 +137,7 @@ int run(const Context& context, const Options& options) {
     return ok;
   }
   add_scenarios(context, verdicts, report);
-  report.title = !options.title.empty() ? options.title
-                 : verdicts.empty()     ? "Cylon report"
-                                        : fmt::format("Cylon: {}", reports::summary(verdicts));
+  report.title = options.title;
   if (report.traces.empty() && !verdicts.empty())
     report.omitted_traces = "no file of `cylon run --traces` was given";
   write_whole(options.html, reports::to_html(report));
@@ -162,7 +160,8 @@ Command add_report(CLI::App& app, const Context& context) {
   app.add_option("--baseline", options->baseline,
                  "An earlier file of `run --json`; the page says what changed since")
       ->type_name("FILE");
-  app.add_option("--title", options->title, "The page's title; the summary of the verdicts otherwise")
+  app.add_option("--title", options->title,
+                 "The page's title; how many scenarios and engines there are otherwise")
       ->type_name("TEXT");
   return [=, &context] { return run(context, *options); };
 }

@@ -142,7 +142,6 @@ void write_report(const Options& options, const Selection& selection, const Trac
                   const std::vector<Verdict>& rows, const std::string& json) {
   if (options.html.empty() && options.traces.empty()) return;
   reports::HtmlReport report;
-  report.title = fmt::format("Cylon: {}", reports::summary(rows));
   report.results = json;
   for (const auto& scenario : selection.scenarios) report.scenarios.push_back(scenario_view(*scenario));
   report.traces = traces.chosen(selection.cells, rows, options.trajectories, report.omitted_traces);
