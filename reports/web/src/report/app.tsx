@@ -4,7 +4,8 @@ import { useMemo, useRef, useState } from 'preact/hooks';
 import type { Index } from '../shared/documents';
 import { setTheme, theme, type Theme } from '../shared/theme';
 import { cellOf, link, sectionAddress, useAddress } from './address';
-import { fold } from './fold';
+import { CellPage } from './cell/cell_page';
+import { find, fold } from './fold';
 import { MatrixSection } from './matrix/matrix_section';
 import { Overview, VerdictLine } from './overview';
 import { sections } from './sections';
@@ -56,6 +57,7 @@ export function App({ index }: { index: Index }) {
   const section = sections.find((s) => s.id === address.section) ?? sections[0]!;
   const name = cellOf(address);
   const View = section.view;
+  const cell = useMemo(() => (name ? find(matrix, name) : null), [matrix, name?.scenario, name?.engine, name?.integrator, name?.dt]);
   const content = useRef<HTMLElement>(null);
   return (
     <>
@@ -81,6 +83,13 @@ export function App({ index }: { index: Index }) {
           <MatrixSection matrix={matrix} views={views} />
         </div>
         {!name && View ? <View index={index} /> : null}
+        {name && cell ? <CellPage index={index} matrix={matrix} cell={cell} view={views.get(cell.scenario)} /> : null}
+        {name && !cell ? (
+          <p role="alert">
+            The report has no run of {visible(name.scenario)} by {visible(name.engine)} {visible(name.integrator)} at{' '}
+            {visible(name.dt)} s. <a href={link(sectionAddress('matrix'))}>All runs</a>
+          </p>
+        ) : null}
       </main>
     </>
   );

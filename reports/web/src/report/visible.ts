@@ -5,13 +5,10 @@ const hidden =
   /[\u0000-\u001f\u007f-\u009f\u00ad\u061c\u180e\u200b-\u200f\u2028-\u202e\u2060-\u2069\ufeff\ufff9-\ufffb]|[\ud800-\udbff](?![\udc00-\udfff])|(?<![\ud800-\udbff])[\udc00-\udfff]/g;
 
 function sign(character: string): string {
-  const code = character.charCodeAt(0);
-  if (code < 0x20) return String.fromCharCode(0x2400 + code);
-  if (code === 0x7f) return '\u2421';
-  return `\\u${code.toString(16).padStart(4, '0')}`;
+  return `\\u${character.charCodeAt(0).toString(16).padStart(4, '0')}`; // few fonts have pictures of controls
 }
 
-/** One line: a line feed is shown as its sign, like every other control character. */
+/** One line: a line feed is shown as \\u000a, like every other control character. */
 export function visible(text: string): string {
   return text.replace(hidden, sign);
 }

@@ -13,12 +13,12 @@ import { memo } from './memo';
 const chunk = 200; // rows drawn at a time
 
 function CellLink({ cell, row, column }: { cell: Cell; row: number; column: number }) {
-  const { glyph, tone } = looks[cell.worst];
+  const { glyph } = looks[cell.worst];
   const won = isMeasured(cell.worst) && cell.digits !== null ? ` ${digitsText(cell.digits)}` : '';
   return (
     <a
       href={link(cellAddress(cell))}
-      class={`cell ${tone}`}
+      class="cell"
       tabIndex={-1}
       data-row={row}
       data-column={column}
@@ -55,7 +55,7 @@ const Line = memo(({ row, index, title, shown }: LineProps) => (
     {shown.map((j, column) => {
       const cell = row.cells[j];
       return (
-        <td key={j} class={cell?.differs ? 'has-differs' : undefined}>
+        <td key={j} class={cell ? `${looks[cell.worst].tone}${cell.differs ? ' has-differs' : ''}` : undefined}>
           {cell ? <CellLink cell={cell} row={index} column={column} /> : <Empty row={index} column={column} />}
         </td>
       );

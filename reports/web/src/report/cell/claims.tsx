@@ -1,0 +1,161 @@
+// Every claim of a cell: what was claimed, what the truth is worth, what was measured.
+import { useMemo, useState } from 'preact/hooks';
+
+import type { ErrorCurve, ScenarioView, Verdict } from '../../shared/documents';
+import { Sample } from '../../shared/plot_marks';
+import { digitsText, short, withUnit } from '../numbers';
+import { compare, differs, digits, isMeasured } from '../status';
+import { Differs, StatusMark } from '../status_mark';
+import { Foreign } from '../text';
+import { visible } from '../visible';
+
+type Claim = ScenarioView['claims'][number];
+
+export interface ClaimRow {
+  verdict: Verdict;
+  claim: Claim | null;
+  curve: ErrorCurve | null;
+  index: number; // among the cell's claims; also the style of its curve
+}
+
+export function claimRows(verdicts: Verdict[], view: ScenarioView | undefined, curves: ErrorCurve[]): ClaimRow[] {
+  return verdicts.map((verdict, index) => ({
+    verdict,
+    index,
+    claim: view?.claims.find((c) => c.label === verdict.claim) ?? null,
+    curve: curves.find((c) => c.claim === verdict.claim) ?? null,
+  }));
+}
+
+function Truth({ claim, verdict: v }: { claim: Claim | null; verdict: Verdict }) {
+  const bound = v.truth_error === null ? '' : `known to ${withUnit(v.truth_error, v.unit)}`;
+  if (claim === null) return <span class="note">{bound || 'not told'}</span>;
+  const name = claim.follows === '' ? 'its initial value' : claim.follows;
+  return (
+    <>
+      {visible(name)}
+      {claim.source ? <span class="note">: {visible(claim.source)}</span> : null}
+      {bound ? <span class="note"> ({bound})</span> : null}
+      {claim.until === null ? null : <span class="note"> until {short(claim.until)} s</span>}
+    </>
+  );
+}
+
+function Violation({ curve, verdict }: { curve: ErrorCurve | null; verdict: Verdict }) {
+  const first = curve?.first_violation;
+  if (first) {
+    return (
+      <>
+        {short(first.time)} s, step {first.step}: {withUnit(first.value, curve.unit)}
+      </>
+    );
+  }
+  if (verdict.first_bad_step !== null) return <>not finite from step {verdict.first_bad_step}</>;
+  return <>{curve ? 'none' : 'not recorded'}</>;
+}
+
+function Expectation({ verdict: v }: { verdict: Verdict }) {
+  return (
+    <>
+      {v.expected}
+      {differs(v) ? <Differs text="differs" /> : null}
+      {v.expected_reason ? (
+        <span class="note">
+          : <Foreign text={v.expected_reason} />
+        </span>
+      ) : null}
+    </>
+  );
+}
+
+interface LineProps {
+  row: ClaimRow;
+  shown: boolean;
+  toggle: (index: number) => void;
+}
+
+function Line({ row: { verdict: v, claim, curve, index }, shown, toggle }: LineProps) {
+  return (
+    <tr class={differs(v) ? 'differing' : undefined}>
+      <td class="on-screen">
+        <label>
+          <input type="checkbox" checked={shown} disabled={!curve} onChange={() => toggle(index)} />
+          <span class="unseen">show the error curve of {visible(v.claim)}</span>
+          {curve ? <Sample style={index} /> : null}
+        </label>
+      </td>
+      <td>
+        <StatusMark status={v.status} />
+      </td>
+      <th scope="row">
+        {visible(v.claim)}
+        {v.detail ? (
+          <span class="note detail">
+            <Foreign text={v.detail} />
+          </span>
+        ) : null}
+      </th>
+      <td class="number">{isMeasured(v.status) ? withUnit(v.measured, v.unit) : ''}</td>
+      <td class="number">{v.allowed === null ? '' : withUnit(v.allowed, v.unit)}</td>
+      <td class="number">{isMeasured(v.status) ? digitsText(digits(v.measured, v.allowed)) : ''}</td>
+      <td>
+        <Violation curve={curve} verdict={v} />
+      </td>
+      <td>
+        <Expectation verdict={v} />
+      </td>
+      <td>
+        <Truth claim={claim} verdict={v} />
+      </td>
+      <td>
+        {visible(v.reason)}
+        {v.tolerance_scale === 1 ? '' : `; all times ${v.tolerance_scale}`}
+        {v.spread === null ? null : <span class="note"> Runs an ulp apart end {withUnit(v.spread, v.unit)} apart.</span>}
+      </td>
+    </tr>
+  );
+}
+
+const heads = [
+  'status', 'claim', 'measured', 'allowed', 'digits', 'first violation', 'expected', 'truth and its bound', 'reason of the tolerance',
+];
+
+interface ClaimsProps {
+  rows: ClaimRow[];
+  shown: Set<number>;
+  toggle: (index: number) => void;
+}
+
+export function Claims({ rows, shown, toggle }: ClaimsProps) {
+  const [worst, setWorst] = useState(false);
+  const sorted = useMemo(() => (worst ? [...rows].sort((a, b) => compare(b.verdict, a.verdict)) : rows), [rows, worst]);
+  return (
+    <section aria-labelledby="claims-heading">
+      <h3 id="claims-heading">Claims</h3>
+      <label class="on-screen">
+        <input type="checkbox" checked={worst} onChange={() => setWorst(!worst)} /> worst first
+      </label>
+      <div class="scroll claims" tabIndex={0} role="region" aria-label="Claims of this cell">
+        <table>
+          <thead>
+            <tr>
+              <th scope="col" class="on-screen">
+                curve
+              </th>
+              {heads.map((head) => (
+                <th key={head} scope="col">
+                  {head}
+                </th>
+              ))}
+            </tr>
+          </thead>
+          <tbody>
+            {sorted.map((row) => (
+              <Line key={row.index} row={row} shown={shown.has(row.index)} toggle={toggle} />
+            ))}
+          </tbody>
+        </table>
+      </div>
+    </section>
+  );
+}

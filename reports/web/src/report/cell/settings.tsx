@@ -1,0 +1,88 @@
+// How the engine was set for this run: what was forced, and what could not be switched off.
+import type { ScenarioView, Verdict } from '../../shared/documents';
+import { duration, short } from '../numbers';
+import { Foreign, ForeignLines } from '../text';
+import { visible } from '../visible';
+
+/** Values of all claims of a cell: one, as a cell is one run; should they differ, all are shown. */
+function distinct(verdicts: Verdict[], of: (v: Verdict) => string): string {
+  return [...new Set(verdicts.map(of))].join(' | ');
+}
+
+const facts: [string, (v: Verdict) => string][] = [
+  ['engine', (v) => `${v.engine} ${v.version}${v.version_listed ? '' : ' (a version that expected.toml does not list)'}`],
+  ['precision', (v) => v.precision],
+  ['path', (v) => v.path],
+  ['gyroscopic term', (v) => v.gyroscopic],
+  ['integrator', (v) => v.integrator],
+  ['step', (v) => `${v.dt_text} s (${short(v.dt, 17)} s)`],
+  ['sampling', (v) => v.sampling],
+  ['CPU time', (v) => `${duration(v.cpu_seconds)} for ${v.body_steps} body-steps`],
+  ['scenario hash', (v) => v.scenario_hash],
+];
+
+export function Run({ verdicts, view }: { verdicts: Verdict[]; view: ScenarioView | undefined }) {
+  return (
+    <section aria-labelledby="run-heading">
+      <h3 id="run-heading">Run</h3>
+      <dl class="facts">
+        {facts.map(([label, of]) => (
+          <div key={label}>
+            <dt>{label}</dt>
+            <dd>
+              <Foreign text={distinct(verdicts, of)} />
+            </dd>
+          </div>
+        ))}
+        {view ? (
+          <div>
+            <dt>scenario</dt>
+            <dd>
+              {short(view.duration)} s, nominal step {short(view.step, 6)} s, {view.scene.body.length} bodies, tags:{' '}
+              {visible(view.tags.join(', ') || 'none')}
+            </dd>
+          </div>
+        ) : null}
+      </dl>
+    </section>
+  );
+}
+
+export function Settings({ verdicts }: { verdicts: Verdict[] }) {
+  const forced = Object.entries(Object.assign({}, ...verdicts.map((v) => v.settings)) as Record<string, string>);
+  const stuck = [...new Set(verdicts.flatMap((v) => v.unforceable))];
+  return (
+    <section aria-labelledby="settings-heading">
+      <h3 id="settings-heading">Settings forced on the engine</h3>
+      {forced.length === 0 ? <p>None: it ran as it is.</p> : null}
+      <dl class="facts">
+        {forced.map(([key, value]) => (
+          <div key={key}>
+            <dt>{visible(key)}</dt>
+            <dd>{visible(value)}</dd>
+          </div>
+        ))}
+      </dl>
+      <h3>What could not be switched off</h3>
+      {stuck.length === 0 ? <p>Nothing is known.</p> : null}
+      <ul>
+        {stuck.map((text) => (
+          <li key={text}>{visible(text)}</li>
+        ))}
+      </ul>
+    </section>
+  );
+}
+
+export function Output({ verdicts }: { verdicts: Verdict[] }) {
+  const texts = [...new Set(verdicts.map((v) => v.stderr))].filter((text) => text !== '');
+  return (
+    <section aria-labelledby="output-heading">
+      <h3 id="output-heading">What the engine wrote to stderr</h3>
+      {texts.length === 0 ? <p>Nothing.</p> : null}
+      {texts.map((text, i) => (
+        <ForeignLines key={i} text={text} label="stderr of the engine" />
+      ))}
+    </section>
+  );
+}

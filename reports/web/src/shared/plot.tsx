@@ -1,0 +1,123 @@
+// Curves over time: a thin shell around uPlot with logarithmic axes, the shared cursor and the page's colours.
+import 'uplot/dist/uPlot.min.css';
+import './plot.css';
+
+import { useEffect, useRef } from 'preact/hooks';
+import uPlot from 'uplot';
+
+import { aligned, type Curve, floorOf } from './plot_data';
+import { drawExtras } from './plot_draw';
+import { lookOf } from './plot_marks';
+import type { TimeCursor } from './plot_cursor';
+import { color, onTheme } from './theme';
+
+export interface TimePlotProps {
+  curves: Curve[];
+  label: string; // of the whole picture, for screen readers: what it shows and what stands out
+  axis: string; // what y is, with its unit
+  log: boolean;
+  cursor: TimeCursor;
+  number: (value: number) => string;
+  height?: number; // [px]
+}
+
+function axes(props: TimePlotProps): uPlot.Axis[] {
+  const common = {
+    stroke: () => color('--ink'),
+    grid: { stroke: () => color('--line'), width: 1 },
+    ticks: { stroke: () => color('--line'), width: 1 },
+    font: '12px system-ui, sans-serif',
+    labelFont: '12px system-ui, sans-serif',
+    labelSize: 18,
+    labelGap: 0,
+  };
+  const values = (_: uPlot, splits: (number | null)[]) => splits.map((v) => (v === null ? '' : props.number(v)));
+  return [
+    { ...common, label: 'time [s]', values, size: 34 },
+    { ...common, label: props.axis, values, size: 64 },
+  ];
+}
+
+/** Whole decades, so that the grid says what it is. */
+function decades(_: uPlot, least: number, greatest: number): uPlot.Range.MinMax {
+  const low = Math.floor(Math.log10(least));
+  return [10 ** low, 10 ** Math.max(low + 1, Math.ceil(Math.log10(greatest)))];
+}
+
+function options(props: TimePlotProps, width: number): uPlot.Options {
+  const { curves, cursor, log } = props;
+  const levels = curves.flatMap((c) => (c.allowed != null && c.allowed > 0 ? [c.allowed] : []));
+  const hover = (u: uPlot) => {
+    const left = u.cursor.left ?? -1;
+    cursor.hover(left < 0 ? null : u.posToVal(left, 'x'));
+  };
+  return {
+    width,
+    height: props.height ?? 260,
+    legend: { show: false },
+    scales: {
+      x: { time: false },
+      y: log
+        ? { distr: 3, range: (u, a, b) => decades(u, Math.min(a ?? 1, ...levels), Math.max(b ?? 1, ...levels)) }
+        : {},
+    },
+    series: [
+      {},
+      ...curves.map((curve) => ({
+        stroke: () => color(lookOf(curve.style).color),
+        width: curve.faint ? 1 : 2,
+        dash: lookOf(curve.style).dash,
+        points: { show: false },
+      })),
+    ],
+    axes: axes(props),
+    cursor: { y: false, points: { size: 7 }, drag: { dist: 6, x: true, y: false } },
+    hooks: {
+      setCursor: [hover],
+      setScale: [
+        (u, key) => {
+          const { min, max } = u.scales.x!;
+          if (key === 'x' && min != null && max != null) cursor.window = [min, max];
+        },
+      ],
+      draw: [(u) => drawExtras(u, curves, (allowed) => `allowed ${props.number(allowed)}`)],
+    },
+  };
+}
+
+/** Keeps the plot at the cursor's time and span. */
+function follow(u: uPlot, cursor: TimeCursor): void {
+  const [from, to] = cursor.window ?? cursor.whole;
+  if (to > from && (u.scales.x!.min !== from || u.scales.x!.max !== to)) u.setScale('x', { min: from, max: to });
+  u.setCursor({ left: u.valToPos(cursor.time, 'x'), top: 0 }, false);
+}
+
+export function TimePlot(props: TimePlotProps) {
+  const host = useRef<HTMLDivElement>(null);
+  const { curves, cursor, log, axis, height } = props;
+
+  useEffect(() => {
+    const node = host.current!;
+    const data = aligned(curves, log ? floorOf(curves) : null) as uPlot.AlignedData;
+    const u = new uPlot(options(props, Math.max(200, node.clientWidth)), data, node);
+    const click = (event: MouseEvent) => {
+      cursor.pin = u.posToVal(event.clientX - u.over.getBoundingClientRect().left, 'x');
+    };
+    u.over.addEventListener('click', click);
+    u.over.addEventListener('dblclick', () => (cursor.window = null));
+    const size = new ResizeObserver(() => {
+      const width = Math.max(200, node.clientWidth);
+      if (width !== u.width) u.setSize({ width, height: u.height });
+    });
+    size.observe(node);
+    const stops = [cursor.listen(() => follow(u, cursor)), onTheme(() => u.redraw(false))];
+    queueMicrotask(() => follow(u, cursor)); // after the first drawing has its scales
+    return () => {
+      size.disconnect();
+      for (const stop of stops) stop();
+      u.destroy();
+    };
+  }, [curves, cursor, log, axis, height]);
+
+  return <div class="plot" ref={host} role="img" aria-label={props.label} />;
+}
