@@ -64,6 +64,7 @@ function disc(c: CanvasRenderingContext2D, x: number, y: number, radius: number,
 
 function ball(c: CanvasRenderingContext2D, view: View, mold: Mold, piece: Piece, where: Placed, colour: Colour, x: number, y: number, radius: number): void {
   disc(c, x, y, radius, shaded(colour, 0.95, 0.85));
+  if (radius < 5) return;
   c.strokeStyle = shaded(colour, 0.5, 0.9);
   c.lineWidth = Math.min(2, radius / 6);
   c.beginPath();
@@ -86,6 +87,7 @@ function halfEdges(c: CanvasRenderingContext2D, view: View, { edges }: Mold, pie
 /** Faces that look at the camera, each an item of its own. */
 function faces(items: Item[], view: View, mold: Mold, piece: Piece, where: Placed, colour: Colour): void {
   const [sx, sy, sz] = piece.size;
+  const large = Math.max(...piece.half) > 25 * metresPerPixel(view);
   for (let corner = 0; corner < mold.tone.length; corner += 3) {
     const n = rotate(where.turn, [
       mold.normal[3 * corner]! / (sx || 1),
@@ -104,12 +106,14 @@ function faces(items: Item[], view: View, mold: Mold, piece: Piece, where: Place
     items.push({
       depth: (a.depth + b.depth + d.depth) / 3,
       draw: (c) => {
-        c.fillStyle = c.strokeStyle = fill;
-        c.lineWidth = 0.7; // closes the seam between neighbours
+        c.fillStyle = fill;
         c.beginPath();
         for (const { x, y } of p) c.lineTo(x, y);
         c.closePath();
         c.fill();
+        if (!large) return;
+        c.strokeStyle = fill; // closes the seam between neighbours
+        c.lineWidth = 0.7;
         c.stroke();
       },
     });

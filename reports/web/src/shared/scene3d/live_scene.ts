@@ -31,9 +31,10 @@ export class LiveScene3D implements Scene3D, Controlled {
   private state: CameraState;
   private framed = false; // somebody chose the camera
   private stale = true;
+  private overStale = true; // axes and scale bar
   private held: Vector | null = null; // where a body was grabbed [m]
   private readonly stop = new AbortController();
-  private readonly resized = new ResizeObserver(() => (this.stale = true));
+  private readonly resized = new ResizeObserver(() => this.turned());
   private readonly restyled = new MutationObserver(() => this.retheme());
 
   constructor(host: HTMLElement, scene: Scene, private readonly options: Scene3DOptions) {
@@ -68,7 +69,7 @@ export class LiveScene3D implements Scene3D, Controlled {
   set camera(state: CameraState) {
     this.state = clampCamera(state);
     this.framed = true;
-    this.stale = true;
+    this.turned();
   }
 
   moveCamera(state: CameraState): void {
@@ -78,7 +79,7 @@ export class LiveScene3D implements Scene3D, Controlled {
 
   reset(): void {
     this.framed = false;
-    this.stale = true;
+    this.turned();
     this.view();
     this.onCamera?.(this.state);
   }
@@ -129,12 +130,13 @@ export class LiveScene3D implements Scene3D, Controlled {
     this.picture.linksShown = linksShown;
     this.stage.show(this.picture);
     this.relabel();
+    this.turned();
   }
 
   private retheme(): void {
     this.picture.theme = readTheme(this.root);
     this.picture.redraw();
-    this.stale = true;
+    this.turned();
   }
 
   private view(): View {
@@ -186,11 +188,20 @@ export class LiveScene3D implements Scene3D, Controlled {
     this.picture.relink();
     const view = this.view();
     this.stage.draw(view);
-    const [w, h] = [this.element.width, this.element.height];
-    if (this.over.width !== w || this.over.height !== h) [this.over.width, this.over.height] = [w, h];
+    if (this.overStale) this.drawOver(view);
+  }
+
+  private drawOver(view: View): void {
+    this.overStale = false;
+    [this.over.width, this.over.height] = [this.element.width, this.element.height];
     const grid = this.picture.scene.plane.length > 0 ? gridStep(this.picture.extent) : null;
     const context = this.over.getContext('2d');
     if (context) drawOver(context, view, this.picture.theme, grid);
+  }
+
+  /** The camera, the size or the colours changed: all is drawn anew. */
+  private turned(): void {
+    this.stale = this.overStale = true;
   }
 
   /** Both canvases in one picture; drawn in the same task, since a browser may clear a WebGL canvas after it. */

@@ -6,10 +6,22 @@ import { WebGLStage } from './stage_webgl';
 /** `?webgl=off` or `#…webgl=off` asks for the picture that machines without WebGL see. */
 const refused = (): boolean => /[?&#]webgl=off\b/.test(`${location.search}${location.hash}`);
 
+let known: boolean | null = null;
+
+/** Whether the processor draws, as on machines without a graphics card: smooth edges then cost half the frames. */
+function software(): boolean {
+  if (known !== null) return known;
+  const context = document.createElement('canvas').getContext('webgl2');
+  const names = context?.getExtension('WEBGL_debug_renderer_info');
+  const name = names ? String(context!.getParameter(names.UNMASKED_RENDERER_WEBGL)) : '';
+  context?.getExtension('WEBGL_lose_context')?.loseContext(); // browsers keep few
+  return (known = /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name));
+}
+
 export function makeStage(): Stage {
   if (!refused()) {
     const canvas = document.createElement('canvas');
-    const context = canvas.getContext('webgl2', { antialias: true, alpha: false, powerPreference: 'high-performance' });
+    const context = canvas.getContext('webgl2', { antialias: !software(), alpha: false, powerPreference: 'high-performance' });
     if (context)
       try {
         return new WebGLStage(canvas, context);

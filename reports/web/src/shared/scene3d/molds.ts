@@ -59,8 +59,9 @@ function ball(mold: Mold, rows: number, lifted: boolean): void {
 function sphere(rows: number): Mold {
   const mold = empty();
   ball(mold, rows, false);
-  for (let i = 0; i < 48; ++i) {
-    const [a, b] = [angle(i, 48), angle(i + 1, 48)];
+  const pieces = 6 * rows;
+  for (let i = 0; i < pieces; ++i) {
+    const [a, b] = [angle(i, pieces), angle(i + 1, pieces)];
     line(mold, a, b);
     line(mold, [a[0], a[2], 0], [b[0], b[2], 0]);
     line(mold, [0, a[0], a[2]], [0, b[0], b[2]]);

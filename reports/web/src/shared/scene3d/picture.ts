@@ -10,7 +10,7 @@ import { Segments } from './segments';
 import type { Colour } from './segments';
 import { solidsOf } from './solids';
 import type { Solids } from './solids';
-import { makeTrail } from './trail';
+import { extend, makeTrail } from './trail';
 import type { Trail } from './trail';
 import type { Arrow, Bounds, ContactMark, Layer, Pose, Pull } from './types';
 import { length, subtract } from './vectors';
@@ -105,9 +105,13 @@ export class Picture {
 
   setTrail(layer: Layer, positions: Float32Array | null, bodies: number, upTo: number): void {
     const old = this.trails[layer];
-    if (!positions || bodies < 1 || positions.length < 6 * bodies) this.trails[layer] = null;
-    else if (old && old.source === positions && old.bodies === bodies) old.upTo = upTo / old.every;
-    else this.trails[layer] = makeTrail(positions, bodies, upTo, (old?.version ?? 0) + 1);
+    if (!positions || bodies < 1 || positions.length < 6 * bodies) {
+      this.trails[layer] = null;
+      return;
+    }
+    const trail = old?.source === positions && old.bodies === bodies ? old : makeTrail(positions, bodies);
+    extend(trail, upTo);
+    this.trails[layer] = trail;
   }
 
   /** Names of bodies that have no finite pose. */

@@ -51,7 +51,7 @@ export class WebGLStage implements Stage {
   private colours: DataTexture | null = null;
 
   constructor(readonly canvas: HTMLCanvasElement, context: WebGL2RenderingContext) {
-    this.renderer = new WebGLRenderer({ canvas, context, antialias: true });
+    this.renderer = new WebGLRenderer({ canvas, context });
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
     this.renderer.sortObjects = true;
     this.scene.matrixWorldAutoUpdate = false;

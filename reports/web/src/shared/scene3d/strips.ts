@@ -84,8 +84,9 @@ export function colourTable(colours: Colour[]): DataTexture {
 
 export class TrailStrip {
   readonly drawn: Mesh;
-  private version = -1;
-  private bodies = 0;
+  private trail: Trail | null = null;
+  private buffer: InstancedInterleavedBuffer | null = null;
+  private sent = 0; // frames on the card
 
   constructor(readonly material: RawShaderMaterial) {
     this.drawn = new Mesh(quad(), material);
@@ -95,20 +96,30 @@ export class TrailStrip {
   }
 
   sync(trail: Trail | null): void {
-    this.drawn.visible = trail !== null && trail.upTo >= 1;
+    this.drawn.visible = trail !== null && trail.upTo > 0;
     if (!trail) return;
-    if (this.version !== trail.version) {
-      this.version = trail.version;
-      this.bodies = trail.bodies;
-      this.drawn.geometry.dispose();
-      const geometry = quad();
-      const buffer = new InstancedInterleavedBuffer(trail.positions, 3);
-      geometry.setAttribute('from', new InterleavedBufferAttribute(buffer, 3, 0));
-      geometry.setAttribute('to', new InterleavedBufferAttribute(buffer, 3, 3 * trail.bodies)); // a frame later
-      this.drawn.geometry = geometry;
-      this.material.uniforms.bodies!.value = trail.bodies;
+    if (this.trail !== trail) this.attach(trail);
+    if (this.sent < trail.filled) {
+      const frame = 3 * trail.bodies;
+      this.buffer!.clearUpdateRanges();
+      this.buffer!.addUpdateRange(this.sent * frame, (trail.filled - this.sent) * frame);
+      this.buffer!.needsUpdate = true;
+      this.sent = trail.filled;
     }
-    (this.drawn.geometry as InstancedBufferGeometry).instanceCount = this.bodies * Math.min(Math.floor(trail.upTo), trail.frames - 1);
+    (this.drawn.geometry as InstancedBufferGeometry).instanceCount = trail.bodies * trail.upTo;
+  }
+
+  private attach(trail: Trail): void {
+    this.trail = trail;
+    this.sent = 0;
+    this.drawn.geometry.dispose();
+    const geometry = quad();
+    this.buffer = new InstancedInterleavedBuffer(trail.positions, 3);
+    this.buffer.setUsage(DynamicDrawUsage);
+    geometry.setAttribute('from', new InterleavedBufferAttribute(this.buffer, 3, 0));
+    geometry.setAttribute('to', new InterleavedBufferAttribute(this.buffer, 3, 3 * trail.bodies)); // a frame later
+    this.drawn.geometry = geometry;
+    this.material.uniforms.bodies!.value = trail.bodies;
   }
 
   dispose(): void {
