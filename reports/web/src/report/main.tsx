@@ -24,7 +24,7 @@ export function openReport(root: HTMLElement): void {
   unpackJson<Index>(0).then(
     (index) => {
       document.title = index.title;
-      root.replaceChildren();
+      root.replaceChildren(); // the matrix for readers without script
       render(<App index={index} />, root);
     },
     (error: unknown) => render(<Unreadable why={String(error)} />, root),

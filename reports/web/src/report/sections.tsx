@@ -2,7 +2,10 @@
 import type { ComponentType } from 'preact';
 
 import type { Index } from '../shared/documents';
+import { HistorySection } from './history/history_section';
+import { PerformanceSection } from './performance/performance_section';
 import { ProvenanceSection } from './provenance';
+import { TradeSection } from './trade/trade_section';
 
 export interface Section {
   id: string;
@@ -11,7 +14,12 @@ export interface Section {
   size: (index: Index) => number | null; // entries, shown beside the label
 }
 
+const sum = (list: { length: number }[]) => list.reduce((n, { length }) => n + length, 0);
+
 export const sections: Section[] = [
   { id: 'matrix', label: 'Verdicts', view: null, size: (index) => index.results.verdicts.length },
+  { id: 'trade', label: 'Speed against accuracy', view: TradeSection, size: (index) => sum(index.trades.map((t) => t.tables)) },
+  { id: 'performance', label: 'Performance', view: PerformanceSection, size: (index) => sum(index.comparisons.map((c) => c.cells)) },
+  { id: 'history', label: 'History', view: HistorySection, size: (index) => sum(index.histories.map((h) => h.series)) },
   { id: 'provenance', label: 'Provenance', view: ProvenanceSection, size: () => null },
 ];

@@ -34,7 +34,7 @@ function axes(props: TimePlotProps): uPlot.Axis[] {
   const values = (_: uPlot, splits: (number | null)[]) => splits.map((v) => (v === null ? '' : props.number(v)));
   return [
     { ...common, label: 'time [s]', values, size: 34 },
-    { ...common, label: props.axis, values, size: 64 },
+    { ...common, label: props.axis, values, size: 64, ...(props.log ? { splits: decadeSplits, filter: (_: uPlot, splits: number[]) => splits } : {}) },
   ];
 }
 
@@ -44,19 +44,29 @@ function decades(_: uPlot, least: number, greatest: number): uPlot.Range.MinMax 
   return [10 ** low, 10 ** Math.max(low + 1, Math.ceil(Math.log10(greatest)))];
 }
 
+const pixelsPerSplit = 22;
+
+/** Powers of ten, as many as there is room for; of few decades also their doubles and fives. */
+function decadeSplits(u: uPlot, _: number, least: number, greatest: number): number[] {
+  const [low, high] = [Math.round(Math.log10(least)), Math.round(Math.log10(greatest))];
+  const room = Math.max(2, u.bbox.height / devicePixelRatio / pixelsPerSplit);
+  const every = Math.ceil((high - low) / room);
+  const between = 3 * (high - low) <= room ? [1, 2, 5] : [1];
+  const out: number[] = [];
+  for (let power = low; power <= high; power += every) for (const factor of between) out.push(factor * 10 ** power);
+  return out.filter((value) => value <= greatest);
+}
+
 function options(props: TimePlotProps, width: number): uPlot.Options {
   const { curves, cursor, log } = props;
   const levels = curves.flatMap((c) => (c.allowed != null && c.allowed > 0 ? [c.allowed] : []));
-  const hover = (u: uPlot) => {
-    const left = u.cursor.left ?? -1;
-    cursor.hover(left < 0 ? null : u.posToVal(left, 'x'));
-  };
+  const [from, to] = cursor.window ?? cursor.whole;
   return {
     width,
     height: props.height ?? 260,
     legend: { show: false },
     scales: {
-      x: { time: false },
+      x: { time: false, auto: false, min: from, max: to },
       y: log
         ? { distr: 3, range: (u, a, b) => decades(u, Math.min(a ?? 1, ...levels), Math.max(b ?? 1, ...levels)) }
         : {},
@@ -73,7 +83,6 @@ function options(props: TimePlotProps, width: number): uPlot.Options {
     axes: axes(props),
     cursor: { y: false, points: { size: 7 }, drag: { dist: 6, x: true, y: false } },
     hooks: {
-      setCursor: [hover],
       setScale: [
         (u, key) => {
           const { min, max } = u.scales.x!;
@@ -92,6 +101,17 @@ function follow(u: uPlot, cursor: TimeCursor): void {
   u.setCursor({ left: u.valToPos(cursor.time, 'x'), top: 0 }, false);
 }
 
+function listenTo(u: uPlot, cursor: TimeCursor): void {
+  const time = (event: MouseEvent) => u.posToVal(event.clientX - u.over.getBoundingClientRect().left, 'x');
+  u.over.addEventListener('mousemove', (event) => cursor.hover(time(event)));
+  u.over.addEventListener('mouseleave', () => {
+    cursor.hover(null);
+    queueMicrotask(() => follow(u, cursor)); // uPlot has taken its own line away
+  });
+  u.over.addEventListener('click', (event) => (cursor.pin = time(event)));
+  u.over.addEventListener('dblclick', () => (cursor.window = null));
+}
+
 export function TimePlot(props: TimePlotProps) {
   const host = useRef<HTMLDivElement>(null);
   const { curves, cursor, log, axis, height } = props;
@@ -100,11 +120,7 @@ export function TimePlot(props: TimePlotProps) {
     const node = host.current!;
     const data = aligned(curves, log ? floorOf(curves) : null) as uPlot.AlignedData;
     const u = new uPlot(options(props, Math.max(200, node.clientWidth)), data, node);
-    const click = (event: MouseEvent) => {
-      cursor.pin = u.posToVal(event.clientX - u.over.getBoundingClientRect().left, 'x');
-    };
-    u.over.addEventListener('click', click);
-    u.over.addEventListener('dblclick', () => (cursor.window = null));
+    listenTo(u, cursor);
     const size = new ResizeObserver(() => {
       const width = Math.max(200, node.clientWidth);
       if (width !== u.width) u.setSize({ width, height: u.height });

@@ -4,7 +4,7 @@ import { useEffect, useMemo } from 'preact/hooks';
 import type { ErrorCurve, Index, ScenarioView } from '../../shared/documents';
 import { address, cellAddress, go, link, sectionAddress, useAddress } from '../address';
 import type { Cell, CellName, Matrix } from '../fold';
-import { digitsText } from '../numbers';
+import { count, digitsText } from '../numbers';
 import { isMeasured, looks, worstFirst } from '../status';
 import { Differs, StatusMark } from '../status_mark';
 import { Foreign } from '../text';
@@ -45,7 +45,9 @@ function Heading({ cell, view }: { cell: Cell; view: ScenarioView | undefined })
       </h2>
       <p class="cell-verdict">
         <StatusMark status={cell.worst} />
-        {won} by the worst of {cell.verdicts.length} claims {cell.differs ? <Differs text="not as expected.toml says" /> : '; as expected.toml says'}
+        {won} by the worst of {count(cell.verdicts.length, 'claim')}
+        {cell.differs ? ' ' : '; as expected.toml says'}
+        {cell.differs ? <Differs text="not as expected.toml says" /> : null}
       </p>
       {view ? (
         <>

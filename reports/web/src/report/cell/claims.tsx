@@ -29,16 +29,11 @@ export function claimRows(verdicts: Verdict[], view: ScenarioView | undefined, c
 
 function Truth({ claim, verdict: v }: { claim: Claim | null; verdict: Verdict }) {
   const bound = v.truth_error === null ? '' : `known to ${withUnit(v.truth_error, v.unit)}`;
-  if (claim === null) return <span class="note">{bound || 'not told'}</span>;
+  if (claim === null) return <>{bound || 'not told'}</>;
   const name = claim.follows === '' ? 'its initial value' : claim.follows;
-  return (
-    <>
-      {visible(name)}
-      {claim.source ? <span class="note">: {visible(claim.source)}</span> : null}
-      {bound ? <span class="note"> ({bound})</span> : null}
-      {claim.until === null ? null : <span class="note"> until {short(claim.until)} s</span>}
-    </>
-  );
+  const source = claim.source ? `: ${claim.source}` : '';
+  const until = claim.until === null ? '' : `, until ${short(claim.until)} s`;
+  return <>{visible(name + source) + (bound ? ` (${bound})` : '') + until}</>;
 }
 
 function Violation({ curve, verdict }: { curve: ErrorCurve | null; verdict: Verdict }) {
@@ -54,71 +49,80 @@ function Violation({ curve, verdict }: { curve: ErrorCurve | null; verdict: Verd
   return <>{curve ? 'none' : 'not recorded'}</>;
 }
 
-function Expectation({ verdict: v }: { verdict: Verdict }) {
-  return (
-    <>
-      {v.expected}
-      {differs(v) ? <Differs text="differs" /> : null}
-      {v.expected_reason ? (
-        <span class="note">
-          : <Foreign text={v.expected_reason} />
-        </span>
-      ) : null}
-    </>
-  );
-}
-
 interface LineProps {
   row: ClaimRow;
   shown: boolean;
   toggle: (index: number) => void;
+  reasons: boolean;
 }
 
-function Line({ row: { verdict: v, claim, curve, index }, shown, toggle }: LineProps) {
+/** What a reader must know to believe the numbers of the line above. */
+function Notes({ row: { verdict: v, claim } }: { row: ClaimRow }) {
   return (
-    <tr class={differs(v) ? 'differing' : undefined}>
-      <td class="on-screen">
-        <label>
-          <input type="checkbox" checked={shown} disabled={!curve} onChange={() => toggle(index)} />
-          <span class="unseen">show the error curve of {visible(v.claim)}</span>
-          {curve ? <Sample style={index} /> : null}
-        </label>
-      </td>
-      <td>
-        <StatusMark status={v.status} />
-      </td>
-      <th scope="row">
-        {visible(v.claim)}
-        {v.detail ? (
-          <span class="note detail">
-            <Foreign text={v.detail} />
-          </span>
-        ) : null}
-      </th>
-      <td class="number">{isMeasured(v.status) ? withUnit(v.measured, v.unit) : ''}</td>
-      <td class="number">{v.allowed === null ? '' : withUnit(v.allowed, v.unit)}</td>
-      <td class="number">{isMeasured(v.status) ? digitsText(digits(v.measured, v.allowed)) : ''}</td>
-      <td>
-        <Violation curve={curve} verdict={v} />
-      </td>
-      <td>
-        <Expectation verdict={v} />
-      </td>
-      <td>
-        <Truth claim={claim} verdict={v} />
-      </td>
-      <td>
-        {visible(v.reason)}
+    <ul class="notes">
+      {v.detail ? (
+        <li>
+          <Foreign text={v.detail} />
+        </li>
+      ) : null}
+      {v.expected_reason ? (
+        <li>
+          expected.toml: <Foreign text={v.expected_reason} />
+        </li>
+      ) : null}
+      <li>
+        truth: <Truth claim={claim} verdict={v} />
+      </li>
+      <li>
+        tolerance: <Foreign text={v.reason} />
         {v.tolerance_scale === 1 ? '' : `; all times ${v.tolerance_scale}`}
-        {v.spread === null ? null : <span class="note"> Runs an ulp apart end {withUnit(v.spread, v.unit)} apart.</span>}
-      </td>
-    </tr>
+        {v.spread === null ? '' : `; runs that start an ulp apart end ${withUnit(v.spread, v.unit)} apart`}
+      </li>
+    </ul>
   );
 }
 
-const heads = [
-  'status', 'claim', 'measured', 'allowed', 'digits', 'first violation', 'expected', 'truth and its bound', 'reason of the tolerance',
-];
+function Line({ row, shown, toggle, reasons }: LineProps) {
+  const { verdict: v, curve, index } = row;
+  return (
+    <tbody class={differs(v) ? 'differing' : undefined}>
+      <tr>
+        <td class="on-screen">
+          <label>
+            <input type="checkbox" checked={shown} disabled={!curve} onChange={() => toggle(index)} />
+            <span class="unseen">show the error curve of {visible(v.claim)}</span>
+            {curve ? <Sample style={index} /> : null}
+          </label>
+        </td>
+        <td>
+          <StatusMark status={v.status} />
+        </td>
+        <th scope="rowgroup">{visible(v.claim)}</th>
+        <td class="number">{isMeasured(v.status) ? withUnit(v.measured, v.unit) : ''}</td>
+        <td class="number">{v.allowed === null ? '' : withUnit(v.allowed, v.unit)}</td>
+        <td class="number">{isMeasured(v.status) ? digitsText(digits(v.measured, v.allowed)) : ''}</td>
+        <td class="number">
+          <Violation curve={curve} verdict={v} />
+        </td>
+        <td>
+          {v.expected}
+          {differs(v) ? <Differs text="differs" /> : null}
+        </td>
+      </tr>
+      {reasons ? (
+        <tr>
+          <td class="on-screen" />
+          <td />
+          <td colSpan={6}>
+            <Notes row={row} />
+          </td>
+        </tr>
+      ) : null}
+    </tbody>
+  );
+}
+
+const heads = ['status', 'claim', 'measured', 'allowed', 'digits', 'first violation', 'expected'];
 
 interface ClaimsProps {
   rows: ClaimRow[];
@@ -128,12 +132,16 @@ interface ClaimsProps {
 
 export function Claims({ rows, shown, toggle }: ClaimsProps) {
   const [worst, setWorst] = useState(false);
+  const [reasons, setReasons] = useState(true);
   const sorted = useMemo(() => (worst ? [...rows].sort((a, b) => compare(b.verdict, a.verdict)) : rows), [rows, worst]);
   return (
     <section aria-labelledby="claims-heading">
       <h3 id="claims-heading">Claims</h3>
       <label class="on-screen">
         <input type="checkbox" checked={worst} onChange={() => setWorst(!worst)} /> worst first
+      </label>{' '}
+      <label class="on-screen">
+        <input type="checkbox" checked={reasons} onChange={() => setReasons(!reasons)} /> truths, bounds and reasons
       </label>
       <div class="scroll claims" tabIndex={0} role="region" aria-label="Claims of this cell">
         <table>
@@ -149,11 +157,9 @@ export function Claims({ rows, shown, toggle }: ClaimsProps) {
               ))}
             </tr>
           </thead>
-          <tbody>
-            {sorted.map((row) => (
-              <Line key={row.index} row={row} shown={shown.has(row.index)} toggle={toggle} />
-            ))}
-          </tbody>
+          {sorted.map((row) => (
+            <Line key={row.index} row={row} shown={shown.has(row.index)} toggle={toggle} reasons={reasons} />
+          ))}
         </table>
       </div>
     </section>

@@ -20,6 +20,7 @@ export function usePlayer(cursor: TimeCursor, speed: number): Player {
   const [playing, set] = useState(false);
   useEffect(() => {
     if (!playing) return;
+    cursor.running = true;
     let last = performance.now();
     let frame = requestAnimationFrame(function step(now) {
       cursor.pin += ((now - last) / 1000) * speed;
@@ -27,7 +28,10 @@ export function usePlayer(cursor: TimeCursor, speed: number): Player {
       if (cursor.pin >= cursor.whole[1]) set(false);
       else frame = requestAnimationFrame(step);
     });
-    return () => cancelAnimationFrame(frame);
+    return () => {
+      cursor.running = false;
+      cancelAnimationFrame(frame);
+    };
   }, [playing, cursor, speed]);
   const toggle = () => {
     if (!playing && cursor.pin >= cursor.whole[1]) cursor.pin = cursor.whole[0];

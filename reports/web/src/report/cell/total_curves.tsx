@@ -62,7 +62,7 @@ export function TotalCurves({ block, other, cursor }: TotalCurvesProps) {
         {list
           .filter(({ curves }) => curves.length > 0)
           .map(({ title, unit, curves }) => {
-            const axis = `${change ? 'change of ' : ''}${title.toLowerCase()} [${unit}]`;
+            const axis = `${change ? '\u0394 ' : ''}${title.toLowerCase()} [${unit}]`;
             return (
               <figure key={title}>
                 <TimePlot
@@ -72,7 +72,7 @@ export function TotalCurves({ block, other, cursor }: TotalCurvesProps) {
                   log={false}
                   cursor={cursor}
                   number={short}
-                  height={210}
+                  height={230}
                 />
                 <figcaption>
                   <CurveTable curves={curves} cursor={cursor} log={false} unit={unit} caption={axis} />

@@ -38,6 +38,11 @@ function Empty({ row, column }: { row: number; column: number }) {
   );
 }
 
+/** May break where the words of an engine's name meet. */
+function parted(label: string) {
+  return label.split(/(?<=[/=-])/).flatMap((part, i) => (i === 0 ? [part] : [<wbr key={i} />, part]));
+}
+
 interface LineProps {
   row: Row;
   index: number;
@@ -101,7 +106,7 @@ export function MatrixTable({ columns, shown, rows, titles, version }: TableProp
             <th scope="col">scenario</th>
             {shown.map((j) => (
               <th key={j} scope="col">
-                {visible(columns[j]!.label)}
+                {parted(visible(columns[j]!.label))}
               </th>
             ))}
           </tr>

@@ -1,0 +1,67 @@
+// CPU time per body-step of every run, with the digits that it bought.
+import { useMemo } from 'preact/hooks';
+
+import type { Verdict } from '../../shared/documents';
+import { cellAddress, link } from '../address';
+import { type Cell, fold } from '../fold';
+import { digitsText, duration } from '../numbers';
+import { isMeasured, looks } from '../status';
+import { useFew } from '../verdict_table';
+import { visible } from '../visible';
+
+function Cost({ cell }: { cell: Cell | null }) {
+  const first = cell?.verdicts[0];
+  if (!cell || !first) return null;
+  const known = first.body_steps > 0 && first.cpu_seconds > 0;
+  const won = isMeasured(cell.worst) && cell.digits !== null ? ` ${digitsText(cell.digits)}` : '';
+  return (
+    <a href={link(cellAddress(cell))} class="cost">
+      <span class="number">{known ? duration(first.cpu_seconds / first.body_steps) : 'not timed'}</span>{' '}
+      <span class={`status ${looks[cell.worst].tone}`}>
+        {looks[cell.worst].glyph}
+        {won}
+      </span>
+    </a>
+  );
+}
+
+export function Costs({ verdicts }: { verdicts: Verdict[] }) {
+  const { columns, rows } = useMemo(() => fold(verdicts), [verdicts]);
+  const { list, button } = useFew(rows);
+  return (
+    <section aria-labelledby="costs-heading">
+      <h3 id="costs-heading">CPU time per body-step, with the digits of the worst claim</h3>
+      <p class="note">
+        Timed once, while the verdicts were made and perhaps with other runs beside it: orders of magnitude. To decide between builds there is{' '}
+        <code>cylon track compare</code>, between engines and schemes <code>cylon trade</code>.
+      </p>
+      <div class="scroll" tabIndex={0} role="region" aria-label="CPU time per body-step">
+        <table class="costs">
+          <thead>
+            <tr>
+              <th scope="col">scenario</th>
+              {columns.map((column) => (
+                <th key={column.label} scope="col">
+                  {visible(column.label)}
+                </th>
+              ))}
+            </tr>
+          </thead>
+          <tbody>
+            {list.map((row) => (
+              <tr key={row.label}>
+                <th scope="row">{visible(row.label)}</th>
+                {row.cells.map((cell, j) => (
+                  <td key={j}>
+                    <Cost cell={cell} />
+                  </td>
+                ))}
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+      {button}
+    </section>
+  );
+}
