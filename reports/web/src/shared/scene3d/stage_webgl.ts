@@ -63,11 +63,14 @@ export class WebGLStage implements Stage {
   private readonly onLost = (event: Event): void => {
     event.preventDefault(); // asks for the context again
     this.lost = true;
+    this.clear();
+    for (const material of Object.values(this.materials)) material.dispose();
     this.onChange?.();
   };
 
   private readonly onRestored = (): void => {
     this.lost = false;
+    if (this.picture) this.show(this.picture);
     this.onChange?.();
   };
 
@@ -80,6 +83,7 @@ export class WebGLStage implements Stage {
   show(picture: Picture): void {
     this.clear();
     this.picture = picture;
+    if (this.lost) return;
     const colours = picture.colours;
     const groups = byMold(picture.solids);
     for (const layer of layers) {

@@ -1,0 +1,15 @@
+// Kicks: digits give a body an impulse, upwards and a little sideways.
+import type { Scene, Vector } from '../shared/documents';
+
+const direction: Vector = [0.3 / Math.hypot(0.3, 1), 1 / Math.hypot(0.3, 1), 0];
+const turn = (2 * Math.PI) ** 2;
+
+/** The impulse [N s] that changes the body's velocity by `change` [m/s]; null for one that cannot be kicked. */
+export function kick(scene: Scene, body: number, change: number): Vector | null {
+  const b = scene.body[body];
+  if (!b || b.locked || !(b.mass > 0) || !Number.isFinite(change)) return null;
+  return [b.mass * change * direction[0], b.mass * change * direction[1], 0];
+}
+
+/** Stiffness [N/m] of a spring on which a body of that mass swings `frequency` times a second. */
+export const pullStiffness = (mass: number, frequency: number): number => (mass > 0 ? mass : 1) * turn * frequency ** 2;

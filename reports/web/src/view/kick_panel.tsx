@@ -1,0 +1,51 @@
+// Kicks and pulls: how strong, and buttons for those who use no keys.
+import type { Scene } from '../shared/documents';
+import { digits } from './history';
+import { kick } from './kick';
+import type { Viewer } from './viewer';
+
+const most = 9; // as many as there are digits
+
+export function KickPanel({ viewer, scene }: { viewer: Viewer; scene: Scene }) {
+  const number = (value: number, label: string, unit: string, set: (x: number) => void) => (
+    <label>
+      {label}
+      <input
+        type="number"
+        class="number"
+        min={0.01}
+        step="any"
+        value={value}
+        onChange={(event) => {
+          const x = event.currentTarget.valueAsNumber;
+          if (x > 0 && Number.isFinite(x)) set(x);
+          event.currentTarget.value = String(x > 0 ? x : value);
+          viewer.changed();
+        }}
+      />
+      {unit}
+    </label>
+  );
+  return (
+    <section class="panel">
+      <h2>Kick and pull</h2>
+      <div class="choices">
+        {number(viewer.kickSpeed, 'Kick by', 'm/s', (x) => (viewer.kickSpeed = x))}
+        {number(viewer.pullFrequency, 'Pull at', 'Hz', (x) => (viewer.pullFrequency = x))}
+      </div>
+      <ul class="kicks">
+        {scene.body.slice(0, most).map((body, i) => {
+          const impulse = kick(scene, i, viewer.kickSpeed);
+          return (
+            <li key={body.name}>
+              <button type="button" disabled={!impulse} title="with Shift the other way" onClick={(event) => viewer.kick(i, event.shiftKey)}>
+                <kbd>{i + 1}</kbd> {body.name}
+              </button>
+              <span class="muted number">{impulse ? `${digits(Math.hypot(...impulse))} N s` : 'locked'}</span>
+            </li>
+          );
+        })}
+      </ul>
+    </section>
+  );
+}

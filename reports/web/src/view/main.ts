@@ -1,1 +1,0 @@
-export function openViewer(_root: HTMLElement): void {}
