@@ -46,7 +46,7 @@ row("^harness/core/" MAY "^harness/core/" USES Eigen fmt)
 row("^harness/process/" MAY "^harness/(process|core)/" USES Eigen fmt json)
 row("^harness/statistics/" MAY "^harness/statistics/" USES boost)
 row("^harness/study/" MAY "^(harness/(study|process|core|statistics)|scenarios)/" USES Eigen fmt json)
-row("^harness/view/" MAY "^(harness/(view|process|core)|scenarios)/" USES Eigen fmt json httplib)
+row("^harness/view/" MAY "^((harness/(view|process|core)|scenarios)/|reports/web_bundle[.]h$)" USES Eigen fmt json httplib)
 row("^harness/cli/" MAY "^(harness|scenarios|reports|reference/certified)/" USES Eigen fmt json cli11)
 # 2. An oracle that shares code with its subject is no oracle.
 row("^reference/exact/" MAY "^(reference/exact|harness/core)/" NEVER "/(simulator|recording)[.]h$"

@@ -40,6 +40,7 @@ constexpr Row commands[] = {
     {"limits", "Where each engine and scheme breaks, by bisection, beside what theory says", add_limits},
     {"selfcheck", "Published numbers of other suites beside what the same scenes give here", add_selfcheck},
     {"track", "Keep the history of accuracy and speed, and compare with it", add_track},
+    {"view", "Watch a scenario live in the browser, and take part in it", add_view},
     {"new", "Write a commented scenario to start from", add_new},
     {"doctor", "Check that everything Cylon needs is here and works", add_doctor},
     {"completion", "Print the completion script of a shell", add_completion},

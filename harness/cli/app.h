@@ -28,6 +28,7 @@ Command add_advise(CLI::App&, const Context&);
 Command add_limits(CLI::App&, const Context&);
 Command add_selfcheck(CLI::App&, const Context&);
 Command add_track(CLI::App&, const Context&);
+Command add_view(CLI::App&, const Context&);
 Command add_new(CLI::App&, const Context&);
 Command add_doctor(CLI::App&, const Context&);
 Command add_completion(CLI::App&, const Context&);

@@ -1,0 +1,42 @@
+// The viewer's server: HTTP on 127.0.0.1 alone, for the page that it gives out and nobody else.
+#pragma once
+
+#include "harness/view/frames.h"
+#include "harness/view/host.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace cylon::view {
+
+/// Serves GET / and /api/session, /api/stream, POST /api/command, /api/frame
+/// (reports/web/src/shared/live.ts).
+///
+/// Every request must name 127.0.0.1 or localhost with the port as its Host, so that no name that somebody
+/// else made to point here will do; an Origin, where there is one, must be the same; and every request under
+/// /api must bring the token, 128 random bits that stand in the page alone.  Bodies: 64 KiB (a frame: 32
+/// MiB); headers: 8 KiB a line, 100 of them; eight connections are served at once, at most four of them
+/// streams.  No folder is served.
+class Server {
+ public:
+  /// Listens on `port`, 0: any that is free.  Throws core::InputError where the port is taken.  `frames`:
+  /// null where none are kept.  Both must outlive the server.
+  Server(Host&, Frames* frames, int port);
+  ~Server();
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+
+  int port() const;
+  const std::string& token() const;
+  std::string url() const;
+
+  /// Closes the door and ends all connections; the host must have been stopped, or streams would go on.
+  void stop();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace cylon::view
