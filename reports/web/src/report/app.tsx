@@ -1,5 +1,5 @@
 // The page: verdict line, the parts of the report, an open cell.
-import { useMemo, useRef, useState } from 'preact/hooks';
+import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 
 import type { Index } from '../shared/documents';
 import { setTheme, theme, type Theme } from '../shared/theme';
@@ -59,25 +59,31 @@ export function App({ index }: { index: Index }) {
   const View = section.view;
   const cell = useMemo(() => (name ? find(matrix, name) : null), [matrix, name?.scenario, name?.engine, name?.integrator, name?.dt]);
   const content = useRef<HTMLElement>(null);
+  const wasOpen = useRef(false);
+  useEffect(() => {
+    // Who comes back from a cell goes on where he left the matrix.
+    if (wasOpen.current && !name && !View) document.querySelector<HTMLElement>('.matrix [tabindex="0"]')?.focus();
+    wasOpen.current = name !== null;
+  });
   return (
     <>
-      <a
-        class="skip"
-        href="#content"
-        onClick={(event) => {
-          event.preventDefault(); // the address keeps what is shown
-          content.current?.focus();
-        }}
-      >
-        Skip to the content
-      </a>
       <header>
+        <a
+          class="skip"
+          href="#content"
+          onClick={(event) => {
+            event.preventDefault(); // the address keeps what is shown
+            content.current?.focus();
+          }}
+        >
+          Skip to the content
+        </a>
         <h1>{visible(index.title)}</h1>
         <ThemeButton />
         <VerdictLine index={index} />
         <Navigation index={index} open={name ? '' : section.id} />
       </header>
-      <main ref={content} tabIndex={-1}>
+      <main id="content" ref={content} tabIndex={-1}>
         <div class={name || View ? 'paper-only' : undefined}>
           <Overview index={index} />
           <MatrixSection matrix={matrix} views={views} />

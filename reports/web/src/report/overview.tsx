@@ -7,7 +7,8 @@ import { count, digitsText, withUnit } from './numbers';
 import { worstFirst } from './status';
 import { StatusMark } from './status_mark';
 import { type Summary, summary, warnings } from './summary';
-import { CellName, useFew, VerdictTable } from './verdict_table';
+import { useFew } from './use_few';
+import { CellName, VerdictTable } from './verdict_table';
 import { visible } from './visible';
 
 function Line({ of }: { of: Summary }) {

@@ -1,4 +1,5 @@
-// Statuses and digits, as the program prints them (reports/matrix.cc, reports/console_options.cc).
+// Statuses and digits, as the program prints them (reports/matrix.cc, reports/console_options.cc), but for the sign of
+// timeout: few fonts have the console's hourglass, or have it as a picture.
 import type { Status, Verdict } from '../shared/documents';
 
 export interface Look {
@@ -14,7 +15,7 @@ export const looks: Record<Status, Look> = {
   'low-quality': { glyph: '~', meaning: 'within ten times the tolerance', tone: 'low-quality' },
   fail: { glyph: '\u2717', meaning: 'beyond that', tone: 'fail' },
   'non-finite': { glyph: '\u221e non-finite', meaning: 'NaN or infinite', tone: 'broken' },
-  timeout: { glyph: '\u231b\ufe0e timeout', meaning: 'no end before the deadline', tone: 'broken' },
+  timeout: { glyph: '\u25f7 timeout', meaning: 'no end before the deadline', tone: 'broken' },
   crash: { glyph: '\u2620\ufe0e crash', meaning: 'the worker died', tone: 'broken' },
   protocol: { glyph: '\u203d protocol', meaning: 'the worker sent garbage', tone: 'broken' },
 };

@@ -13,10 +13,14 @@ function useFold(text: string): { shown: string; rest: number; open: () => void 
 
 function More({ rest, open }: { rest: number; open: () => void }) {
   if (rest === 0) return null;
+  const what = `${rest.toLocaleString('en')} more characters`;
   return (
-    <button type="button" class="more" onClick={open}>
-      show {rest.toLocaleString('en')} more characters
-    </button>
+    <>
+      <button type="button" class="more" onClick={open}>
+        show {what}
+      </button>
+      <span class="on-paper">({what} are not printed)</span>
+    </>
   );
 }
 

@@ -1,15 +1,12 @@
 // Verdicts as a list, each with the way to its cell.
-import { useState } from 'preact/hooks';
-
 import type { Verdict } from '../shared/documents';
 import { cellAddress, link } from './address';
 import { digitsText, withUnit } from './numbers';
 import { digits, isMeasured } from './status';
 import { StatusMark } from './status_mark';
 import { Foreign } from './text';
+import { useFew } from './use_few';
 import { visible } from './visible';
-
-const few = 12; // rows shown at first
 
 export function CellName({ verdict: v }: { verdict: Verdict }) {
   const name = { scenario: v.scenario, engine: v.engine, integrator: v.integrator, dt: v.dt_text };
@@ -23,17 +20,6 @@ export function CellName({ verdict: v }: { verdict: Verdict }) {
 export function measuredText(v: Verdict): string {
   if (!isMeasured(v.status)) return v.first_bad_step === null ? '' : `not finite from step ${v.first_bad_step}`;
   return `${withUnit(v.measured, v.unit)} of ${withUnit(v.allowed, v.unit)}, ${digitsText(digits(v.measured, v.allowed))} digits`;
-}
-
-export function useFew<T>(all: T[]): { list: T[]; button: preact.JSX.Element | null } {
-  const [whole, setWhole] = useState(false);
-  const button =
-    all.length > few && !whole ? (
-      <button type="button" onClick={() => setWhole(true)}>
-        show all {all.length}
-      </button>
-    ) : null;
-  return { list: whole ? all : all.slice(0, few), button };
 }
 
 export function VerdictTable({ verdicts, caption }: { verdicts: Verdict[]; caption: string }) {

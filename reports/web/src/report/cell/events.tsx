@@ -2,7 +2,7 @@
 import type { Trace } from '../../shared/documents';
 import type { TimeCursor } from '../../shared/plot_cursor';
 import { short } from '../numbers';
-import { useFew } from '../verdict_table';
+import { useFew } from '../use_few';
 import { visible } from '../visible';
 
 export function Events({ events, cursor }: { events: Trace['events']; cursor: TimeCursor }) {
@@ -24,7 +24,7 @@ export function Events({ events, cursor }: { events: Trace['events']; cursor: Ti
             {list.map((event, i) => (
               <tr key={i}>
                 <td class="number">
-                  <button type="button" onClick={() => (cursor.pin = event.time)} title="move the cursor here">
+                  <button type="button" class="plain-on-paper" onClick={() => (cursor.pin = event.time)} title="move the cursor here">
                     {short(event.time, 8)} s
                   </button>
                 </td>

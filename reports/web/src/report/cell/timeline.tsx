@@ -63,11 +63,11 @@ export function Timeline({ cursor, frames, divergence }: TimelineProps) {
         <button type="button" onClick={toggle}>
           {playing ? 'pause' : 'play'}
         </button>
-        <button type="button" aria-label="one frame back" onClick={() => step(cursor, frames, -1)}>
-          &minus;1
+        <button type="button" onClick={() => step(cursor, frames, -1)}>
+          &minus;1 frame
         </button>
-        <button type="button" aria-label="one frame on" onClick={() => step(cursor, frames, 1)}>
-          +1
+        <button type="button" onClick={() => step(cursor, frames, 1)}>
+          +1 frame
         </button>
         <input
           type="range"

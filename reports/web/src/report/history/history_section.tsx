@@ -58,7 +58,7 @@ function SeriesCard({ of }: { of: HistorySeries }) {
       </h3>
       {of.scale === 'text' ? <Texts of={of} /> : <SeriesPlot of={of} />}
       <p class="note">
-        {scales[of.scale]}; {valueText(of)}
+        {[scales[of.scale], valueText(of)].filter(Boolean).join('; ')}
       </p>
       {of.changes.length > 0 ? (
         <ul>

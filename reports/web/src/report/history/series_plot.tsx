@@ -10,11 +10,13 @@ const width = 340;
 const height = 110;
 const margin = { left: 66, right: 10, top: 10, bottom: 20 };
 
+/** At least a tenth of the value high, so that noise in the last digits does not look like a change. */
 function range(values: number[]): [number, number] {
   const least = Math.min(...values);
   const greatest = Math.max(...values);
-  const pad = greatest > least ? 0.08 * (greatest - least) : 0.05 * Math.abs(greatest) || 1;
-  return [least - pad, greatest + pad];
+  const middle = (least + greatest) / 2;
+  const half = Math.max(0.58 * (greatest - least), 0.05 * Math.abs(middle)) || 1;
+  return [middle - half, middle + half];
 }
 
 export function SeriesPlot({ of }: { of: HistorySeries }) {
@@ -31,9 +33,9 @@ export function SeriesPlot({ of }: { of: HistorySeries }) {
   const label = `${points.length} runs, least ${short(least)}, greatest ${short(greatest)}, last ${short(values[values.length - 1])} ${of.unit}; ${of.changes.length} change points`;
   return (
     <svg class="series-plot" width={width} height={height} role="img" aria-label={visible(label)}>
-      {[...new Set([least, greatest])].map((value) => (
-        <text key={value} x={margin.left - 5} y={y(value) + 4} text-anchor="end">
-          {short(value, 3)}
+      {[margin.top, bottom].map((at, i) => (
+        <text key={i} x={margin.left - 5} y={at + 4} text-anchor="end">
+          {short(i === 0 ? high : low, 3)}
         </text>
       ))}
       <line class="frame" x1={margin.left} x2={right} y1={bottom} y2={bottom} />

@@ -3,7 +3,7 @@ import type { Comparisons } from '../../shared/documents';
 import { Command } from '../cell/copy';
 import { duration, short } from '../numbers';
 import { Foreign } from '../text';
-import { useFew } from '../verdict_table';
+import { useFew } from '../use_few';
 import { visible } from '../visible';
 import { Interval } from './interval';
 

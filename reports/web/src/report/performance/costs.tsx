@@ -6,7 +6,7 @@ import { cellAddress, link } from '../address';
 import { type Cell, fold } from '../fold';
 import { digitsText, duration } from '../numbers';
 import { isMeasured, looks } from '../status';
-import { useFew } from '../verdict_table';
+import { useFew } from '../use_few';
 import { visible } from '../visible';
 
 function Cost({ cell }: { cell: Cell | null }) {

@@ -3,7 +3,7 @@ import { Sample } from '../../shared/plot_marks';
 import { duration, short } from '../numbers';
 import { StatusMark } from '../status_mark';
 import { Foreign } from '../text';
-import { useFew } from '../verdict_table';
+import { useFew } from '../use_few';
 import { visible } from '../visible';
 import { isDrawn, type Point, type Series, settingOf } from './join';
 
