@@ -1,6 +1,6 @@
 #include "reports/plot.h"
 
-#include "reports/text.h"
+#include "reports/xml.h"
 
 #include <fmt/format.h>
 
@@ -17,45 +17,49 @@ constexpr const char* palette[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                    "#e69f00", "#56b4e9", "#888888", "currentColor"};
 
 constexpr double left = 70, top = 40, width = 560, row = 15, legend_width = 250;
+constexpr std::size_t most_marks = 40;  // of a curve that has one at every point
 
-std::string xml(std::string_view text) {
-  std::string out;
-  for (const char c : escaped(text, is_printable)) switch (c) {
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '&':
-        out += "&amp;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  return out;
-}
+// An axis from the lowest to the highest tick.  Logarithmic: in decades; linear: in steps of 1, 2 or 5 times
+// a power of ten.
+class Axis {
+ public:
+  explicit Axis(Scale scale) : scale_(scale) {}
 
-bool drawable(const std::pair<double, double>& p) {
-  return p.first > 0 && p.second > 0 && std::isfinite(p.first) && std::isfinite(p.second);
-}
-
-// Decades low … high of a logarithmic axis.
-struct Axis {
-  int low = std::numeric_limits<int>::max(), high = std::numeric_limits<int>::min();
+  bool holds(double value) const { return std::isfinite(value) && (scale_ == Scale::linear || value > 0); }
   void take(double value) {
-    low = std::min(low, static_cast<int>(std::floor(std::log10(value))));
-    high = std::max(high, static_cast<int>(std::ceil(std::log10(value))));
+    const double u = scale_ == Scale::linear ? value : std::log10(value);
+    low_ = std::min(low_, u), high_ = std::max(high_, u);
   }
   void finish() {
-    if (low > high) low = -1, high = 0;
-    if (low == high) ++high;
+    if (low_ > high_) low_ = scale_ == Scale::linear ? 0 : -1, high_ = low_ + 1;
+    if (scale_ == Scale::logarithmic) {
+      low_ = std::floor(low_), high_ = std::ceil(high_);
+      if (low_ == high_) ++high_;
+      step_ = std::max(1.0, std::floor((high_ - low_ + 9) / 10));
+      return;
+    }
+    if (low_ == high_) ++high_;
+    const double wanted = (high_ - low_) / 8, power = std::pow(10, std::floor(std::log10(wanted)));
+    step_ = power * (wanted <= power ? 1 : wanted <= 2 * power ? 2 : wanted <= 5 * power ? 5 : 10);
+    low_ = step_ * std::floor(low_ / step_), high_ = step_ * std::ceil(high_ / step_);
   }
-  double part(double value) const { return (std::log10(value) - low) / (high - low); }
-  int stride() const { return std::max(1, (high - low + 9) / 10); }
+  /// 0 at the lowest tick, 1 at the highest.
+  double part(double value) const {
+    return ((scale_ == Scale::linear ? value : std::log10(value)) - low_) / (high_ - low_);
+  }
+  /// Calls with each tick's place and text.
+  template <class Draw>
+  void ticks(const Draw& draw) const {
+    for (int i = 0; low_ + i * step_ <= high_ + 1e-9 * step_; ++i) {
+      const double u = low_ + i * step_, shown = std::abs(u) < 1e-9 * step_ ? 0 : u;
+      draw((u - low_) / (high_ - low_),
+           scale_ == Scale::linear ? fmt::format("{:.6g}", shown) : fmt::format("1e{:.0f}", shown));
+    }
+  }
+
+ private:
+  Scale scale_;
+  double low_ = std::numeric_limits<double>::infinity(), high_ = -low_, step_ = 1;
 };
 
 // Seven shapes of about equal area around (x, y).
@@ -86,7 +90,10 @@ std::string marker(int shape, double x, double y, int colour) {
 }  // namespace
 
 std::string to_svg(const Plot& plot) {
-  Axis x, y;
+  Axis x(plot.x_scale), y(Scale::logarithmic);
+  const auto drawable = [&](const std::pair<double, double>& p) {
+    return x.holds(p.first) && y.holds(p.second);
+  };
   const auto take = [&](const std::pair<double, double>& p) {
     if (drawable(p)) x.take(p.first), y.take(p.second);
   };
@@ -111,17 +118,17 @@ std::string to_svg(const Plot& plot) {
       ".t{stroke:currentColor;stroke-dasharray:6 4}"
       "@media(prefers-color-scheme:dark){svg{color:#ddd;background:#181818}}</style>\n";
   fmt::format_to(to, "<text x=\"{}\" y=\"22\" font-size=\"15\">{}</text>\n", left, xml(plot.title));
-  for (int d = x.low; d <= x.high; d += x.stride()) {
-    const double at = at_x(std::pow(10, d));
+  x.ticks([&](double part, const std::string& text) {
+    const double at = left + width * part;
     fmt::format_to(to, "<path class=\"g\" d=\"M{:.1f} {}V{:.1f}\"/>", at, top, top + height);
-    fmt::format_to(to, "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">1e{}</text>\n", at,
-                   top + height + 16, d);
-  }
-  for (int d = y.low; d <= y.high; d += y.stride()) {
-    const double at = at_y(std::pow(10, d));
+    fmt::format_to(to, "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n", at,
+                   top + height + 16, text);
+  });
+  y.ticks([&](double part, const std::string& text) {
+    const double at = top + height * (1 - part);
     fmt::format_to(to, "<path class=\"g\" d=\"M{} {:.1f}H{}\"/>", left, at, left + width);
-    fmt::format_to(to, "<text x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">1e{}</text>\n", left - 6, at + 4, d);
-  }
+    fmt::format_to(to, "<text x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>\n", left - 6, at + 4, text);
+  });
   fmt::format_to(to, "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n", left + width / 2,
                  top + height + 38, xml(plot.x_label));
   fmt::format_to(to,
@@ -143,11 +150,15 @@ std::string to_svg(const Plot& plot) {
   for (std::size_t i = 0; i < plot.curves.size(); ++i) {
     const Curve& curve = plot.curves[i];
     std::string line, marks;
-    for (const auto& p : curve.points) {
+    // Of a dense curve only some points have a mark, each curve's elsewhere.
+    const std::size_t every = curve.points.size() > most_marks ? curve.points.size() / 8 : 1;
+    for (std::size_t k = 0; k < curve.points.size(); ++k) {
+      const auto& p = curve.points[k];
       if (!drawable(p)) continue;
       fmt::format_to(std::back_inserter(line), "{}{:.1f} {:.1f}", line.empty() ? "M" : "L", at_x(p.first),
                      at_y(p.second));
-      marks += marker(curve.marker, at_x(p.first), at_y(p.second), curve.colour);
+      if ((k + every * i / 5) % every == 0)
+        marks += marker(curve.marker, at_x(p.first), at_y(p.second), curve.colour);
     }
     const double at = top + row * (static_cast<double>(i) + 0.5), side = left + width + 20;
     fmt::format_to(to, "<g><title>{}</title>", xml(curve.name));

@@ -1,5 +1,5 @@
-// Curves on logarithmic axes as a static SVG: colours and markers that any eye can tell apart, light or dark
-// as the reader's screen is, no script.
+// Curves as a static SVG, errors on a logarithmic axis: colours and markers that any eye can tell apart,
+// light or dark as the reader's screen is, no script.
 #pragma once
 
 #include <string>
@@ -13,14 +13,17 @@ struct Curve {
   int colour = 0;  ///< Of a palette of eight; curves of one engine share one.
   int marker = 0;  ///< Of seven shapes.
   std::vector<std::pair<double, double>>
-      points;  ///< In order; points that are not > 0 and finite are left out.
+      points;  ///< In order; those that are not finite, or on a logarithmic axis not > 0, are left out.
 };
+
+enum class Scale { logarithmic, linear };
 
 struct Plot {
   std::string title, x_label, y_label;
   std::vector<Curve> curves;
   std::vector<std::pair<double, double>> front;  ///< Drawn as a broad staircase behind the curves.
   double line = 0;                               ///< A horizontal line at this y; 0: none.
+  Scale x_scale = Scale::logarithmic;            ///< The other axis is logarithmic.
 };
 
 /// A whole SVG document.  The same plot gives the same bytes.

@@ -10,6 +10,7 @@
 #include "harness/study/matrix.h"
 #include "reports/console.h"
 #include "reports/csv.h"
+#include "reports/error_plot.h"
 #include "reports/html.h"
 #include "reports/json.h"
 #include "reports/junit.h"
@@ -33,11 +34,13 @@ using core::Verdict;
 
 struct Options {
   Request request;
-  std::string json, junit, csv, html, traces;
+  std::string json, junit, csv, html, traces, plots;
   Trajectories trajectories = Trajectories::all;
   int jobs = 0;
   double timeout = 60, memory = 4;
-  bool rerun_failed = false, resume = false, verbose = false;
+  bool rerun_failed = false, resume = false, verbose = false, charts = false;
+
+  bool wants_traces() const { return charts || !html.empty() || !traces.empty() || !plots.empty(); }
 };
 
 bool as_expected(const std::vector<Verdict>& rows) {
@@ -153,10 +156,38 @@ void write_report(const Options& options, const Selection& selection, const Trac
   });
 }
 
+// Under each cell's name the errors of its claims over time.
+void print_charts(const Traces& traces, const reports::ConsoleOptions& style) {
+  for (const core::Trace& trace : traces.errors()) {
+    if (trace.errors.empty()) continue;
+    std::cout << reports::shown(fmt::format("{} on {}, {}, dt {}", trace.scenario, trace.engine,
+                                            trace.integrator, trace.dt_text),
+                                style)
+              << "\n\n";
+    for (const core::ErrorCurve& curve : trace.errors)
+      std::cout << reports::error_chart(curve, style) << '\n';
+  }
+}
+
+// A picture per scenario: what the runs that share it are compared in.
+void write_plots(const std::string& folder, const Traces& traces) {
+  std::map<std::string, std::vector<const core::Trace*>> by_scenario;
+  for (const core::Trace& trace : traces.errors())
+    if (!trace.errors.empty()) by_scenario[trace.scenario].push_back(&trace);
+  for (const auto& [scenario, runs] : by_scenario) {
+    const reports::Plot plot = reports::error_plot(runs);
+    if (!plot.curves.empty())
+      write_whole((fs::path(folder) / fmt::format("errors-{}.svg", scenario)).string(),
+                  reports::to_svg(plot));
+  }
+}
+
 int run(const Context& context, const Options& options) {
   const std::vector<std::string> files = {options.json, options.junit, options.csv, options.html,
                                           options.traces};
   require_writable(files);
+  if (!options.plots.empty() && !fs::is_directory(options.plots))
+    throw core::InputError(fmt::format("--plots {}: there is no such folder", options.plots));
   const fs::path expected = context.scenarios / "expected.toml";
   const auto expectations =
       fs::exists(expected) ? scenarios::Expectations::load(expected) : scenarios::Expectations();
@@ -187,7 +218,7 @@ int run(const Context& context, const Options& options) {
     cell.reproduce += unusual_limits(options);
   }
   Traces traces;
-  if (!options.html.empty() || !options.traces.empty()) traces.watch(selection.cells);
+  if (options.wants_traces()) traces.watch(selection.cells);
   journal.open(request, options.resume);
   std::vector<Verdict> rows;
   try {
@@ -197,7 +228,10 @@ int run(const Context& context, const Options& options) {
     return interrupted;
   }
 
+  if (!options.plots.empty()) write_plots(options.plots, traces);
   const bool quiet = std::find(files.begin(), files.end(), "-") != files.end();
+  if (!quiet && options.charts)
+    print_charts(traces, {.width = context.width, .utf8 = context.utf8, .colour = context.colour});
   if (!quiet) print(context, options, rows, selection.cells.size());
   bool published_differs = false;
   if (!selection.suite.published.empty()) {
@@ -279,6 +313,10 @@ Command add_run(CLI::App& app, const Context& context) {
       ->type_name("none|fail|all")
       ->default_str("all")
       ->transform(CLI::CheckedTransformer(choices));
+  app.add_option("--plots", options->plots,
+                 "Write a picture per scenario, errors-SCENARIO.svg: the errors of all runs over time")
+      ->type_name("FOLDER");
+  app.add_flag("--charts", options->charts, "Draw each claim's error over time in the terminal");
   app.add_option("-j,--jobs", options->jobs, "Cells at one time; all processors otherwise")
       ->type_name("N")
       ->check(positive(4096));

@@ -40,7 +40,7 @@ nlohmann::ordered_json number(double value) {
 }  // namespace
 
 void Traces::watch(std::vector<study::Cell>& cells) {
-  packed_.resize(cells.size());
+  packed_.resize(cells.size()), errors_.resize(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i)
     cells[i].seen = [this, i, &cell = cells[i]](const process::RunOutcome& outcome) {
       if (!outcome.recording) return;
@@ -49,8 +49,10 @@ void Traces::watch(std::vector<study::Cell>& cells) {
       trace.scenario = scenario.name, trace.engine = cell.engine.id;
       trace.integrator = outcome.terms.integrator, trace.dt_text = cell.dt_text;
       reports::PackedTrace packed = reports::pack(trace);
+      trace.motion = {}, trace.ghost.reset(), trace.totals.clear(), trace.events.clear();
       const std::scoped_lock lock(adding_);
       packed_[i] = std::move(packed);
+      errors_[i] = std::move(trace);
     };
 }
 

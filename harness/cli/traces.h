@@ -1,6 +1,7 @@
 // The traces of a run's cells, for its report.
 #pragma once
 
+#include "harness/core/trace.h"
 #include "harness/study/cell.h"
 #include "reports/html.h"
 
@@ -16,7 +17,7 @@ enum class Trajectories { none, fail, all };
 /// Gathers packed traces from the threads that run cells; their order is that of the cells.
 class Traces {
  public:
-  /// Makes every cell hand its run over.
+  /// Makes every cell hand its run over.  Each cell's errors are kept as they are; frames only packed.
   void watch(std::vector<study::Cell>& cells);
 
   /// Those that are wanted, in the order in which a report gives them space: cells that differ from
@@ -26,9 +27,13 @@ class Traces {
                                            const std::vector<core::Verdict>&, Trajectories,
                                            std::string& why_not) const;
 
+  /// By cell; of cells without a recording empty.
+  const std::vector<core::Trace>& errors() const { return errors_; }
+
  private:
   std::mutex adding_;
   std::vector<reports::PackedTrace> packed_;  // by cell; an empty block: there was no recording
+  std::vector<core::Trace> errors_;           // without motions and totals
 };
 
 /// A scenario for people and pictures, as JSON (`ScenarioView` of reports/web/src/shared/documents.ts).

@@ -68,10 +68,12 @@ ErrorCurve error_curve(const Claim& claim, const Scene& scene, double duration, 
         curve.first_violation = {series.time[i], std::llround(series.time[i] / recording.dt),
                                  series.deviation[i]};
   }
-  const std::size_t bins = std::min(n, points);
+  // The last sample stands for itself, so that the curve ends where the run does.
+  const std::size_t bins = std::min(n, std::max<std::size_t>(2, points)), rest = n > 0 ? n - 1 : 0;
   for (std::size_t bin = 0; bin < bins; ++bin) {
-    std::size_t worst_of_bin = bin * n / bins;
-    for (std::size_t i = worst_of_bin; i < (bin + 1) * n / bins; ++i)
+    const bool last = bin + 1 == bins;
+    std::size_t worst_of_bin = last ? rest : bin * rest / (bins - 1);
+    for (std::size_t i = worst_of_bin; !last && i < (bin + 1) * rest / (bins - 1); ++i)
       if (!(series.deviation[i] <= series.deviation[worst_of_bin])) worst_of_bin = i;
     curve.time.push_back(series.time[worst_of_bin]);
     curve.value.push_back(series.deviation[worst_of_bin]);

@@ -39,7 +39,8 @@ struct Violation {
   double value = 0;  ///< In the observable's unit.
 };
 
-/// A claim's deviation over time.  Of several samples that share a point the worst stands, at its own time.
+/// A claim's deviation over time.  Of several samples that share a point the worst stands, at its own time;
+/// the last sample stands for itself.
 struct ErrorCurve {
   std::string claim, unit;
   double allowed = 0;  ///< Of the claim's number; a line in the plot where that is the largest deviation.
