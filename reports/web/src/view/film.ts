@@ -7,26 +7,24 @@ export const perSecond = 30;
 /** A name that ends in .toml is a scenario that the server writes; anything else is a folder of pictures. */
 export const wantsPictures = (session: Session): boolean => session.recording !== '' && !/\.toml$/i.test(session.recording);
 
-/** Views side by side in one picture. */
-async function together(pictures: Scene3D[], names: string[]): Promise<Blob> {
-  if (pictures.length === 1) return pictures[0]!.png();
-  const images = await Promise.all((await Promise.all(pictures.map((p) => p.png()))).map((blob) => createImageBitmap(blob)));
-  const line = 24;
-  const canvas = document.createElement('canvas');
-  canvas.width = images.reduce((sum, image) => sum + image.width, 0);
-  canvas.height = line + Math.max(...images.map((image) => image.height));
-  const context = canvas.getContext('2d')!;
+const line = 24; // height of the names [px]
+
+/** Views side by side in one picture, their names above. */
+function together(canvas: HTMLCanvasElement, pictures: Scene3D[], names: string[]): Promise<Blob> {
+  const width = pictures.reduce((sum, picture) => sum + picture.size.width, 0);
+  const height = line + Math.max(...pictures.map((picture) => picture.size.height));
+  if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
+  const context = canvas.getContext('2d', { willReadFrequently: true })!;
   const style = getComputedStyle(document.documentElement);
   context.fillStyle = style.getPropertyValue('--ground').trim() || '#ffffff';
-  context.fillRect(0, 0, canvas.width, canvas.height);
+  context.fillRect(0, 0, width, height);
   context.fillStyle = style.getPropertyValue('--ink').trim() || '#000000';
   context.font = '14px system-ui, sans-serif';
   let x = 0;
-  images.forEach((image, i) => {
+  pictures.forEach((picture, i) => {
     context.fillText(names[i] ?? '', x + 8, 17);
-    context.drawImage(image, x, line);
-    x += image.width;
-    image.close();
+    picture.paint(context, x, line);
+    x += picture.size.width;
   });
   return new Promise((resolve, reject) =>
     canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('the picture could not be kept'))), 'image/png'),
@@ -37,10 +35,14 @@ export class Film {
   private last = -1;
   private busy = false;
   private stopped = false;
+  private slowed = 0; // when [ms]
+  private readonly canvas = document.createElement('canvas');
 
+  /** `slower`: pictures were missed; the speed must fall for a film without gaps. */
   constructor(
     private readonly send: (n: number, picture: Blob) => Promise<void>,
     private readonly failed: (why: string) => void,
+    private readonly slower: () => void,
   ) {}
 
   reset(): void {
@@ -48,13 +50,18 @@ export class Film {
     this.stopped = false;
   }
 
-  /** After a state at time t [s] was drawn. */
-  take(t: number, pictures: Scene3D[], names: string[]): void {
+  /** After a state at time t [s] was drawn, at `now` [ms] of the page's clock. */
+  take(t: number, now: number, pictures: Scene3D[], names: string[]): void {
     const n = Math.floor(t * perSecond + 1e-6);
-    if (this.busy || this.stopped || pictures.length === 0 || n <= this.last) return;
+    if (this.stopped || pictures.length === 0 || n <= this.last) return;
+    if (n > this.last + 1 && this.last >= 0 && now - this.slowed > 700) {
+      this.slowed = now;
+      this.slower();
+    }
+    if (this.busy) return;
     this.last = n;
     this.busy = true;
-    together(pictures, names)
+    together(this.canvas, pictures, names)
       .then((picture) => this.send(n, picture))
       .catch((error: unknown) => {
         this.stopped = true;

@@ -1,6 +1,9 @@
 // The latest totals of every lane over time, for read-outs and rolling plots; memory is bounded.
 import type { LaneState } from '../shared/live';
 
+/** What of a lane's state is kept. */
+export type Totals = Pick<LaneState, 'status' | 'energy' | 'momentum' | 'angular_momentum'>;
+
 export const quantities = ['energy', 'momentum', 'angular momentum'] as const;
 export type Quantity = (typeof quantities)[number];
 export const units: Record<Quantity, string> = { energy: 'J', momentum: 'kg m/s', 'angular momentum': 'kg m²/s' };
@@ -8,7 +11,8 @@ export const components = ['size', 'x', 'y', 'z'] as const;
 export type Component = (typeof components)[number];
 
 /** A total or one of its components; null where it is not finite (JSON has no other word for that). */
-export function valueOf(lane: LaneState, quantity: Quantity, component: Component): number | null {
+export function valueOf(lane: Totals, quantity: Quantity, component: Component): number | null {
+  if (lane.status !== 'running') return null;
   if (quantity === 'energy') return lane.energy;
   const v = quantity === 'momentum' ? lane.momentum : lane.angular_momentum;
   if (!Array.isArray(v) || !v.every((x) => Number.isFinite(x))) return null;
@@ -17,7 +21,7 @@ export function valueOf(lane: LaneState, quantity: Quantity, component: Componen
 
 interface Sample {
   t: number; // [s]
-  lanes: LaneState[];
+  lanes: Totals[];
 }
 
 export class History {
@@ -30,7 +34,10 @@ export class History {
     const last = this.samples[this.samples.length - 1];
     if (last && (t < last.t || lanes.length !== last.lanes.length)) this.clear();
     if (last && t === last.t) this.samples.pop(); // changed while it stands still
-    const sample = { t, lanes };
+    const sample = {
+      t,
+      lanes: lanes.map(({ status, energy, momentum, angular_momentum }) => ({ status, energy, momentum, angular_momentum })),
+    };
     this.first ??= sample;
     this.samples.push(sample);
     if (this.samples.length > this.most) this.samples.splice(0, Math.floor(this.most / 4));

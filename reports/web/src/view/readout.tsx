@@ -1,8 +1,8 @@
 // The totals of every lane, in six digits.
-import type { Lane, LaneState } from '../shared/live';
+import type { Lane } from '../shared/live';
 import { Sample } from '../shared/plot_marks';
 import { digits, units, valueOf } from './history';
-import type { Component, Quantity } from './history';
+import type { Component, Quantity, Totals } from './history';
 import { laneName } from './viewer';
 import type { Viewer } from './viewer';
 
@@ -16,7 +16,7 @@ const columns: { quantity: Quantity; component: Component; name: string }[] = [
   ),
 ];
 
-function drift(first: LaneState | undefined, now: LaneState): string {
+function drift(first: Totals | undefined, now: Totals): string {
   if (!first || first.energy == null || now.energy == null) return '–';
   return digits(now.energy - first.energy);
 }
@@ -30,15 +30,15 @@ export function Readout({ viewer, lanes }: { viewer: Viewer; lanes: Lane[] }) {
         <thead>
           <tr>
             <th scope="col">lane</th>
+            <th scope="col">contacts</th>
+            <th scope="col">
+              E − E₀ <span class="muted">[J]</span>
+            </th>
             {columns.map(({ quantity, name }) => (
               <th scope="col" key={name}>
                 {name} <span class="muted">[{units[quantity]}]</span>
               </th>
             ))}
-            <th scope="col">
-              E − E₀ <span class="muted">[J]</span>
-            </th>
-            <th scope="col">contacts</th>
           </tr>
         </thead>
         <tbody>
@@ -50,13 +50,13 @@ export function Readout({ viewer, lanes }: { viewer: Viewer; lanes: Lane[] }) {
                 <th scope="row">
                   <Sample style={i} /> {laneName(lane)}
                 </th>
+                <td class="number">{state && runs ? state.contacts.length : '–'}</td>
+                <td class="number">{state && runs ? drift(first?.[i], state) : '–'}</td>
                 {columns.map(({ quantity, component, name }) => (
                   <td class="number" key={name}>
                     {state && runs ? digits(valueOf(state, quantity, component)) : '–'}
                   </td>
                 ))}
-                <td class="number">{state && runs ? drift(first?.[i], state) : '–'}</td>
-                <td class="number">{state && runs ? state.contacts.length : '–'}</td>
               </tr>
             );
           })}

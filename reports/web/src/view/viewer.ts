@@ -45,6 +45,10 @@ export class Viewer {
   private readonly film = new Film(
     (n, picture) => this.connection.frame(n, picture),
     (why) => this.tell(why),
+    () => {
+      this.send({ do: 'speed', value: Math.max(0.01, this.speed / 1.5) });
+      this.tell('Pictures were missed: the motion was slowed down so that the recording keeps up. Reset records from the start.');
+    },
   );
   private newest: Packet | null = null; // not drawn yet
   private last: Packet | null = null;
@@ -128,7 +132,7 @@ export class Viewer {
     const { session, state } = this;
     if (fresh && session && state?.playing && wantsPictures(session)) {
       const order = [...this.pictures.keys()].sort((a, b) => a - b);
-      this.film.take(state.t, order.map((lane) => this.pictures.get(lane)!.picture), order.map((lane) => (session.lanes[lane] ? laneName(session.lanes[lane]) : '')));
+      this.film.take(state.t, now, order.map((lane) => this.pictures.get(lane)!.picture), order.map((lane) => (session.lanes[lane] ? laneName(session.lanes[lane]) : '')));
     }
     if (now - this.told > refresh) {
       this.told = now;

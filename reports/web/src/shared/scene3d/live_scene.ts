@@ -204,15 +204,25 @@ export class LiveScene3D implements Scene3D, Controlled {
     this.stale = this.overStale = true;
   }
 
-  /** Both canvases in one picture; drawn in the same task, since a browser may clear a WebGL canvas after it. */
-  png(): Promise<Blob> {
+  get size(): { width: number; height: number } {
+    return { width: this.element.width, height: this.element.height };
+  }
+
+  /** Both canvases; drawn in the same task, since a browser may clear a WebGL canvas after it. */
+  paint(context: CanvasRenderingContext2D, x: number, y: number): void {
     this.stale = true;
     this.render();
+    context.drawImage(this.element, x, y);
+    context.drawImage(this.over, x, y);
+  }
+
+  png(): Promise<Blob> {
     const both = document.createElement('canvas');
+    this.stale = true;
+    this.render();
     [both.width, both.height] = [this.element.width, this.element.height];
     const context = both.getContext('2d');
-    context?.drawImage(this.element, 0, 0);
-    context?.drawImage(this.over, 0, 0);
+    if (context) this.paint(context, 0, 0);
     return new Promise((resolve, reject) =>
       both.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('the picture could not be kept'))), 'image/png'),
     );

@@ -24,8 +24,9 @@ export function arrow(into: Segments, at: Vector, along: Vector, colour: Colour,
   if (!(l > 1e-6 * extent)) return;
   const head = Math.min(0.4 / heads, (0.035 * extent) / l); // part of the arrow
   const point = (k: number): Vector => add(at, scale(along, k));
+  const wide = (3 * width + 5) * Math.min(1, l / (0.07 * extent) + 0.25); // short arrows have small heads
   into.add(at, point(1 - heads * head), colour, width, width, pattern);
-  for (let i = 0; i < heads; ++i) into.add(point(1 - (i + 1) * head), point(1 - i * head), colour, 3 * width + 5, 0);
+  for (let i = 0; i < heads; ++i) into.add(point(1 - (i + 1) * head), point(1 - i * head), colour, wide, 0);
 }
 
 export function drawArrows(picture: Picture, arrows: Arrow[]): void {
@@ -36,23 +37,29 @@ export function drawArrows(picture: Picture, arrows: Arrow[]): void {
   }
 }
 
+const hatched = 120; // contacts; with more of them each is a dot
+
 /** A hatched disc in the plane of contact; its arrow is as long, against `largest`, as the impulse is strong. */
 export function drawContacts(picture: Picture, contacts: ContactMark[], largest: number): void {
-  const { marks, theme, extent } = picture;
-  const radius = 0.016 * extent;
+  const { marks, theme, extent, typical } = picture;
+  const radius = Math.min(0.016 * extent, 0.7 * typical);
+  const colour = theme.arrows.impulse;
   for (const { point, normal, impulse } of contacts) {
     if (!finite(point) || !finite(normal)) continue;
     const n = unit(normal, [0, 1, 0]);
-    const [u, v] = tangents(n);
-    const colour = theme.arrows.impulse;
-    const rim = (angle: number): Vector =>
-      add(point, add(scale(u, radius * Math.cos(angle)), scale(v, radius * Math.sin(angle))));
-    for (let i = 0; i < 16; ++i) marks.add(rim((Math.PI * i) / 8), rim((Math.PI * (i + 1)) / 8), colour, 1.5);
-    for (const angle of [0.4, 0.8, 1.2, 1.6, 2, 2.4, 2.8]) marks.add(rim(angle), rim(-angle), colour, 1);
-    if (impulse === null) arrow(marks, point, scale(n, 0.06 * extent), theme.arrows.normal, 1.5, extent, 1, dashed);
+    if (contacts.length <= hatched) hatchedDisc(marks, point, n, radius, colour);
+    else marks.dot(point, colour, 4);
+    if (impulse === null) arrow(marks, point, scale(n, 3 * radius), theme.arrows.normal, 1.5, extent, 1, dashed);
     else if (Number.isFinite(impulse) && largest > 0)
       arrow(marks, point, scale(n, (0.2 * extent * impulse) / largest), colour, styles.impulse.width, extent);
   }
+}
+
+function hatchedDisc(marks: Segments, point: Vector, n: Vector, radius: number, colour: Colour): void {
+  const [u, v] = tangents(n);
+  const rim = (angle: number): Vector => add(point, add(scale(u, radius * Math.cos(angle)), scale(v, radius * Math.sin(angle))));
+  for (let i = 0; i < 16; ++i) marks.add(rim((Math.PI * i) / 8), rim((Math.PI * (i + 1)) / 8), colour, 1.5);
+  for (const angle of [0.4, 0.8, 1.2, 1.6, 2, 2.4, 2.8]) marks.add(rim(angle), rim(-angle), colour, 1);
 }
 
 export function drawPulls(picture: Picture, pulls: Pull[]): void {

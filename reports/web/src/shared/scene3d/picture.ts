@@ -58,6 +58,7 @@ export class Bodies {
 export class Picture {
   readonly bounds: Bounds;
   readonly extent: number; // diagonal of the bounds [m]
+  readonly typical: number; // radius of a body in the middle of their order [m]
   readonly solids: Solids;
   readonly colours: Colour[];
   readonly layers: Record<Layer, Bodies>;
@@ -77,6 +78,8 @@ export class Picture {
     this.bounds = given ? usable(given) : sceneBounds(scene);
     this.extent = Math.max(length(subtract(this.bounds.max, this.bounds.min)), 1e-9);
     this.solids = solidsOf(scene, 0.022 * this.extent);
+    const sizes = [...this.solids.radius].sort((a, b) => a - b);
+    this.typical = sizes[sizes.length >> 1] ?? this.extent;
     this.colours = scene.body.map(bodyColour);
     this.joined = new Links(scene, this.extent);
     this.layers = { bodies: new Bodies(scene.body.length), ghost: new Bodies(scene.body.length) };

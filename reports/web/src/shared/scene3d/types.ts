@@ -68,6 +68,9 @@ export interface Scene3D {
   onPull: ((point: Vector) => void) | null; // point under the pointer in the plane through the grab that faces the camera
   onRelease: (() => void) | null;
   render(): void; // draws now if anything changed; the caller calls it once per animation frame
+  /** Draws now, and what is drawn into another canvas at (x, y) [device px]. */
+  paint(context: CanvasRenderingContext2D, x: number, y: number): void;
+  readonly size: { width: number; height: number }; // of what paint() draws [device px]
   png(): Promise<Blob>; // what is drawn
   dispose(): void;
 }
