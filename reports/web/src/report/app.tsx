@@ -57,12 +57,16 @@ export function App({ index }: { index: Index }) {
   const section = sections.find((s) => s.id === address.section) ?? sections[0]!;
   const name = cellOf(address);
   const View = section.view;
-  const cell = useMemo(() => (name ? find(matrix, name) : null), [matrix, name?.scenario, name?.engine, name?.integrator, name?.dt]);
+  const cell = useMemo(
+    () => (name ? find(matrix, name) : null),
+    [matrix, name?.scenario, name?.engine, name?.integrator, name?.dt],
+  );
   const content = useRef<HTMLElement>(null);
   const wasOpen = useRef(false);
   useEffect(() => {
     // Who comes back from a cell goes on where he left the matrix.
-    if (wasOpen.current && !name && !View) document.querySelector<HTMLElement>('.matrix [tabindex="0"]')?.focus();
+    if (wasOpen.current && !name && !View)
+      document.querySelector<HTMLElement>('.matrix [tabindex="0"]')?.focus();
     wasOpen.current = name !== null;
   });
   return (
@@ -89,11 +93,14 @@ export function App({ index }: { index: Index }) {
           <MatrixSection matrix={matrix} views={views} />
         </div>
         {!name && View ? <View index={index} /> : null}
-        {name && cell ? <CellPage index={index} matrix={matrix} cell={cell} view={views.get(cell.scenario)} /> : null}
+        {name && cell ? (
+          <CellPage index={index} matrix={matrix} cell={cell} view={views.get(cell.scenario)} />
+        ) : null}
         {name && !cell ? (
           <p role="alert">
-            The report has no run of {visible(name.scenario)} by {visible(name.engine)} {visible(name.integrator)} at{' '}
-            {visible(name.dt)} s. <a href={link(sectionAddress('matrix'))}>All runs</a>
+            The report has no run of {visible(name.scenario)} by {visible(name.engine)}{' '}
+            {visible(name.integrator)} at {visible(name.dt)} s.{' '}
+            <a href={link(sectionAddress('matrix'))}>All runs</a>
           </p>
         ) : null}
       </main>

@@ -1,6 +1,6 @@
 // What changed between two runs of the same claims.
 import type { Verdict } from '../shared/documents';
-import { digits, isMeasured } from './status';
+import { digits, isMeasured, severity } from './status';
 
 export type Kind = 'status' | 'error' | 'new' | 'gone' | 'scenario';
 
@@ -8,7 +8,7 @@ export interface Change {
   kind: Kind;
   verdict: Verdict; // of this run; of the baseline where it is gone
   before: Verdict | null;
-  weight: number; // greater is worse; of an error log10 of its growth
+  weight: number; // greater is worse; of an error log10 of its growth, of a status first how much more severe it is
 }
 
 export const kinds: Record<Kind, string> = {
@@ -43,10 +43,16 @@ function moved(now: Verdict, before: Verdict): number | null {
 
 function change(now: Verdict, before: Verdict | undefined): Change | null {
   if (!before) return { kind: 'new', verdict: now, before: null, weight: 0 };
-  if (now.scenario_hash !== before.scenario_hash) return { kind: 'scenario', verdict: now, before, weight: 0 };
+  if (now.scenario_hash !== before.scenario_hash)
+    return { kind: 'scenario', verdict: now, before, weight: 0 };
   if (now.status !== before.status) {
-    const weight = digits(before.measured, before.allowed) - digits(now.measured, now.allowed);
-    return { kind: 'status', verdict: now, before, weight };
+    const lost = digits(before.measured, before.allowed) - digits(now.measured, now.allowed);
+    return {
+      kind: 'status',
+      verdict: now,
+      before,
+      weight: 1000 * (severity(now.status) - severity(before.status)) + lost,
+    };
   }
   const weight = moved(now, before);
   return weight === null ? null : { kind: 'error', verdict: now, before, weight };

@@ -81,7 +81,9 @@ export function fold(verdicts: Verdict[]): Matrix {
     row[j] ??= { scenario, engine, integrator, dt, verdicts: [], worst, digits: null, differs: false };
     join(row[j], v);
   }
-  const columns = engines.all().map(({ first, second, label }) => ({ engine: first, integrator: second, label }));
+  const columns = engines
+    .all()
+    .map(({ first, second, label }) => ({ engine: first, integrator: second, label }));
   const rows = scenarios.all().map(({ first, second, label }, i) => ({
     scenario: first,
     dt: second,

@@ -26,7 +26,13 @@ export function withUnit(value: number | null | undefined, unit: string, signifi
   return unit ? `${text} ${unit}` : text;
 }
 
-const prefixes: [number, string][] = [[1, ''], [1e-3, 'm'], [1e-6, 'µ'], [1e-9, 'n'], [1e-12, 'p']];
+const prefixes: [number, string][] = [
+  [1, ''],
+  [1e-3, 'm'],
+  [1e-6, 'µ'],
+  [1e-9, 'n'],
+  [1e-12, 'p'],
+];
 
 /** Seconds with a prefix: 12.3 µs. */
 export function duration(seconds: number | null | undefined): string {

@@ -15,7 +15,8 @@ function Line({ of }: { of: Summary }) {
   return (
     <p class="verdict-line">
       <span>{count(of.total, 'verdict')}: </span>
-      <strong class={of.differ.length > 0 ? 'differs' : 'agrees'}>{of.differText}</strong>, {of.expectedText}, {of.passText}
+      <strong class={of.differ.length > 0 ? 'differs' : 'agrees'}>{of.differText}</strong>, {of.expectedText},{' '}
+      {of.passText}
     </p>
   );
 }
@@ -31,7 +32,11 @@ function ChangeRow({ change }: { change: Change }) {
   return (
     <tr>
       <th scope="row">
-        {kind === 'gone' ? `${visible(verdict.scenario)} / ${visible(verdict.engine)}` : <CellName verdict={verdict} />}
+        {kind === 'gone' ? (
+          `${visible(verdict.scenario)} / ${visible(verdict.engine)}`
+        ) : (
+          <CellName verdict={verdict} />
+        )}
       </th>
       <td>{visible(verdict.claim)}</td>
       <td>{kinds[kind]}</td>

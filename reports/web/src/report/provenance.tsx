@@ -63,11 +63,13 @@ function Engines({ verdicts }: { verdicts: Verdict[] }) {
         <caption>Engines, one row per version, precision, path, gyroscopic mode and scheme</caption>
         <thead>
           <tr>
-            {['engine', 'version', 'precision', 'path', 'gyroscopic', 'integrator', 'verdicts'].map((head) => (
-              <th key={head} scope="col">
-                {head}
-              </th>
-            ))}
+            {['engine', 'version', 'precision', 'path', 'gyroscopic', 'integrator', 'verdicts'].map(
+              (head) => (
+                <th key={head} scope="col">
+                  {head}
+                </th>
+              ),
+            )}
           </tr>
         </thead>
         <tbody>

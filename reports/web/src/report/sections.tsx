@@ -18,8 +18,23 @@ const sum = (list: { length: number }[]) => list.reduce((n, { length }) => n + l
 
 export const sections: Section[] = [
   { id: 'matrix', label: 'Verdicts', view: null, size: (index) => index.results.verdicts.length },
-  { id: 'trade', label: 'Speed against accuracy', view: TradeSection, size: (index) => sum(index.trades.map((t) => t.tables)) },
-  { id: 'performance', label: 'Performance', view: PerformanceSection, size: (index) => sum(index.comparisons.map((c) => c.cells)) },
-  { id: 'history', label: 'History', view: HistorySection, size: (index) => sum(index.histories.map((h) => h.series)) },
+  {
+    id: 'trade',
+    label: 'Speed against accuracy',
+    view: TradeSection,
+    size: (index) => sum(index.trades.map((t) => t.tables)),
+  },
+  {
+    id: 'performance',
+    label: 'Performance',
+    view: PerformanceSection,
+    size: (index) => sum(index.comparisons.map((c) => c.cells)),
+  },
+  {
+    id: 'history',
+    label: 'History',
+    view: HistorySection,
+    size: (index) => sum(index.histories.map((h) => h.series)),
+  },
   { id: 'provenance', label: 'Provenance', view: ProvenanceSection, size: () => null },
 ];

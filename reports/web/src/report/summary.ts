@@ -35,9 +35,15 @@ export function summary(verdicts: Verdict[]): Summary {
 /** What makes these verdicts mean less than they seem to. */
 export function warnings(results: Results): string[] {
   const out: string[] = [];
-  const scales = new Set([results.provenance.tolerance_scale, ...results.verdicts.map((v) => v.tolerance_scale)]);
+  const scales = new Set([
+    results.provenance.tolerance_scale,
+    ...results.verdicts.map((v) => v.tolerance_scale),
+  ]);
   scales.delete(1);
-  if (scales.size > 0) out.push(`All tolerances are multiplied by ${[...scales].join(', ')}: no verdict here is the exam's own.`);
+  if (scales.size > 0)
+    out.push(
+      `All tolerances are multiplied by ${[...scales].join(', ')}: no verdict here is the exam's own.`,
+    );
   const unlisted = new Map<string, number>();
   for (const v of results.verdicts)
     if (!v.version_listed) {
@@ -45,6 +51,8 @@ export function warnings(results: Results): string[] {
       unlisted.set(name, (unlisted.get(name) ?? 0) + 1);
     }
   for (const [name, n] of unlisted)
-    out.push(`${name} is a version that expected.toml does not list: ${count(n, 'verdict')} held to a table of other versions.`);
+    out.push(
+      `${name} is a version that expected.toml does not list: ${count(n, 'verdict')} held to a table of other versions.`,
+    );
   return out;
 }

@@ -8,7 +8,11 @@ const longest = 4096; // characters shown at first
 function useFold(text: string): { shown: string; rest: number; open: () => void } {
   const [whole, setWhole] = useState(false);
   const folded = !whole && text.length > longest;
-  return { shown: folded ? text.slice(0, longest) : text, rest: folded ? text.length - longest : 0, open: () => setWhole(true) };
+  return {
+    shown: folded ? text.slice(0, longest) : text,
+    rest: folded ? text.length - longest : 0,
+    open: () => setWhole(true),
+  };
 }
 
 function More({ rest, open }: { rest: number; open: () => void }) {

@@ -7,7 +7,9 @@ export function useWidth<T extends HTMLElement>(first: number): [RefObject<T | n
   const [width, set] = useState(first);
   useEffect(() => {
     if (!element.current) return;
-    const watch = new ResizeObserver(([entry]) => entry && set(Math.max(240, Math.floor(entry.contentRect.width))));
+    const watch = new ResizeObserver(
+      ([entry]) => entry && set(Math.max(240, Math.floor(entry.contentRect.width))),
+    );
     watch.observe(element.current);
     return () => watch.disconnect();
   }, []);

@@ -1,4 +1,6 @@
 // Verdicts as a list, each with the way to its cell.
+import { useMemo } from 'preact/hooks';
+
 import type { Verdict } from '../shared/documents';
 import { cellAddress, link } from './address';
 import { digitsText, withUnit } from './numbers';
@@ -18,12 +20,59 @@ export function CellName({ verdict: v }: { verdict: Verdict }) {
 }
 
 export function measuredText(v: Verdict): string {
-  if (!isMeasured(v.status)) return v.first_bad_step === null ? '' : `not finite from step ${v.first_bad_step}`;
+  if (!isMeasured(v.status))
+    return v.first_bad_step === null ? '' : `not finite from step ${v.first_bad_step}`;
   return `${withUnit(v.measured, v.unit)} of ${withUnit(v.allowed, v.unit)}, ${digitsText(digits(v.measured, v.allowed))} digits`;
 }
 
+/** Claims of one run that failed as one: a crash is the same for all of them. */
+function grouped(verdicts: Verdict[]): Verdict[][] {
+  const out = new Map<string, Verdict[]>();
+  verdicts.forEach((v, i) => {
+    const alone = isMeasured(v.status) || v.status === 'non-finite';
+    const key = [
+      v.scenario,
+      v.engine,
+      v.integrator,
+      v.dt_text,
+      v.status,
+      v.expected,
+      v.detail,
+      alone ? i : '',
+    ].join('\u0000');
+    const group = out.get(key);
+    if (group) group.push(v);
+    else out.set(key, [v]);
+  });
+  return [...out.values()];
+}
+
+function Group({ group }: { group: Verdict[] }) {
+  const v = group[0]!;
+  return (
+    <tr>
+      <th scope="row">
+        <CellName verdict={v} />
+      </th>
+      <td>
+        {group.length > 1 ? <strong>{group.length} claims: </strong> : ''}
+        {visible(group.map(({ claim }) => claim).join('; '))}
+      </td>
+      <td>
+        <StatusMark status={v.status} />
+      </td>
+      <td>{v.expected}</td>
+      <td class="number">{measuredText(v)}</td>
+      <td>
+        <Foreign text={v.detail} />
+      </td>
+    </tr>
+  );
+}
+
 export function VerdictTable({ verdicts, caption }: { verdicts: Verdict[]; caption: string }) {
-  const { list, button } = useFew(verdicts);
+  const groups = useMemo(() => grouped(verdicts), [verdicts]);
+  const { list, button } = useFew(groups);
   return (
     <div class="scroll" tabIndex={0} role="region" aria-label={caption}>
       <table>
@@ -39,21 +88,8 @@ export function VerdictTable({ verdicts, caption }: { verdicts: Verdict[]; capti
           </tr>
         </thead>
         <tbody>
-          {list.map((v, i) => (
-            <tr key={i}>
-              <th scope="row">
-                <CellName verdict={v} />
-              </th>
-              <td>{visible(v.claim)}</td>
-              <td>
-                <StatusMark status={v.status} />
-              </td>
-              <td>{v.expected}</td>
-              <td class="number">{measuredText(v)}</td>
-              <td>
-                <Foreign text={v.detail} />
-              </td>
-            </tr>
+          {list.map((group, i) => (
+            <Group key={i} group={group} />
           ))}
         </tbody>
       </table>

@@ -31,10 +31,17 @@ function axes(props: TimePlotProps): uPlot.Axis[] {
     labelSize: 18,
     labelGap: 0,
   };
-  const values = (_: uPlot, splits: (number | null)[]) => splits.map((v) => (v === null ? '' : props.number(v)));
+  const values = (_: uPlot, splits: (number | null)[]) =>
+    splits.map((v) => (v === null ? '' : props.number(v)));
   return [
     { ...common, label: 'time [s]', values, size: 34 },
-    { ...common, label: props.axis, values, size: 64, ...(props.log ? { splits: decadeSplits, filter: (_: uPlot, splits: number[]) => splits } : {}) },
+    {
+      ...common,
+      label: props.axis,
+      values,
+      size: 64,
+      ...(props.log ? { splits: decadeSplits, filter: (_: uPlot, splits: number[]) => splits } : {}),
+    },
   ];
 }
 
@@ -53,7 +60,8 @@ function decadeSplits(u: uPlot, _: number, least: number, greatest: number): num
   const every = Math.ceil((high - low) / room);
   const between = 3 * (high - low) <= room ? [1, 2, 5] : [1];
   const out: number[] = [];
-  for (let power = low; power <= high; power += every) for (const factor of between) out.push(factor * 10 ** power);
+  for (let power = low; power <= high; power += every)
+    for (const factor of between) out.push(factor * 10 ** power);
   return out.filter((value) => value <= greatest);
 }
 
@@ -68,7 +76,10 @@ function options(props: TimePlotProps, width: number): uPlot.Options {
     scales: {
       x: { time: false, auto: false, min: from, max: to },
       y: log
-        ? { distr: 3, range: (u, a, b) => decades(u, Math.min(a ?? 1, ...levels), Math.max(b ?? 1, ...levels)) }
+        ? {
+            distr: 3,
+            range: (u, a, b) => decades(u, Math.min(a ?? 1, ...levels), Math.max(b ?? 1, ...levels)),
+          }
         : {},
     },
     series: [
@@ -97,7 +108,8 @@ function options(props: TimePlotProps, width: number): uPlot.Options {
 /** Keeps the plot at the cursor's time and span. */
 function follow(u: uPlot, cursor: TimeCursor): void {
   const [from, to] = cursor.window ?? cursor.whole;
-  if (to > from && (u.scales.x!.min !== from || u.scales.x!.max !== to)) u.setScale('x', { min: from, max: to });
+  if (to > from && (u.scales.x!.min !== from || u.scales.x!.max !== to))
+    u.setScale('x', { min: from, max: to });
   u.setCursor({ left: u.valToPos(cursor.time, 'x'), top: 0 }, false);
 }
 

@@ -7,6 +7,7 @@ export class TimeCursor {
   private pinned: number;
   private hovered: number | null = null;
   private zoomed: Span | null = null;
+  running = false; // by itself: pointers do not move it
   private readonly listeners = new Set<() => void>();
 
   constructor(
@@ -33,7 +34,7 @@ export class TimeCursor {
 
   /** Looks at a time as long as the pointer is there; null: no more. */
   hover(time: number | null): void {
-    const next = time === null ? null : this.within(time);
+    const next = time === null || this.running ? null : this.within(time);
     if (next === this.hovered) return;
     this.hovered = next;
     this.announce();

@@ -22,7 +22,15 @@ export interface Extremes {
 
 /** Null where no value is finite. */
 export function extremes(curve: Curve): Extremes | null {
-  const out: Extremes = { least: Infinity, leastAt: 0, greatest: -Infinity, greatestAt: 0, zeros: 0, lost: 0, lostAt: null };
+  const out: Extremes = {
+    least: Infinity,
+    leastAt: 0,
+    greatest: -Infinity,
+    greatestAt: 0,
+    zeros: 0,
+    lost: 0,
+    lostAt: null,
+  };
   for (let i = 0; i < curve.value.length; ++i) {
     const value = curve.value[i]!;
     const at = curve.time[i]!;
@@ -80,7 +88,8 @@ export function aligned(curves: Curve[], floor: number | null): [number[], ...Co
       const raw = curve.value[i]!;
       const value = Number.isFinite(raw) ? (floor === null ? raw : Math.max(raw, floor)) : null;
       const known = column[at];
-      if (known === undefined || (value !== null && (known === null || Math.abs(value) > Math.abs(known)))) column[at] = value;
+      if (known === undefined || (value !== null && (known === null || Math.abs(value) > Math.abs(known))))
+        column[at] = value;
     }
     return column;
   });

@@ -26,11 +26,14 @@ function Neighbours({ matrix, cell }: { matrix: Matrix; cell: Cell }) {
         c ? (
           <li key={j}>
             <a href={link(cellAddress(c))} aria-current={c === cell ? 'page' : undefined}>
-              {visible(matrix.columns[j]!.label)} <span class={`status ${looks[c.worst].tone}`}>{looks[c.worst].glyph}</span>
+              {visible(matrix.columns[j]!.label)}{' '}
+              <span class={`status ${looks[c.worst].tone}`}>{looks[c.worst].glyph}</span>
               {c.differs ? <Differs /> : null}
             </a>
           </li>
-        ) : [],
+        ) : (
+          []
+        ),
       )}
     </ul>
   );
@@ -41,7 +44,8 @@ function Heading({ cell, view }: { cell: Cell; view: ScenarioView | undefined })
   return (
     <>
       <h2 id="cell-heading" tabIndex={-1}>
-        {visible(cell.scenario)} / {visible(cell.engine)} <span class="note">{visible(`${cell.integrator}, dt ${cell.dt}`)}</span>
+        {visible(cell.scenario)} / {visible(cell.engine)}{' '}
+        <span class="note">{visible(`${cell.integrator}, dt ${cell.dt}`)}</span>
       </h2>
       <p class="cell-verdict">
         <StatusMark status={cell.worst} />
@@ -104,7 +108,13 @@ interface CellPageProps {
 function useShown(cell: Cell, curves: Set<string>): [Set<number>, (index: number) => void] {
   const { claims } = useAddress();
   const shown = useMemo(() => {
-    if (claims !== undefined) return new Set(claims.split(',').filter((text) => text !== '-').map(Number));
+    if (claims !== undefined)
+      return new Set(
+        claims
+          .split(',')
+          .filter((text) => text !== '-')
+          .map(Number),
+      );
     const [worst] = worstFirst(cell.verdicts.filter((v) => curves.has(v.claim)));
     return new Set(worst ? [cell.verdicts.indexOf(worst)] : []);
   }, [claims, cell, curves]);
@@ -140,9 +150,20 @@ export function CellPage({ index, matrix, cell, view }: CellPageProps) {
       <Reproduce cell={cell} />
       <Claims rows={rows} shown={shown} toggle={toggle} />
       {loaded.state === 'ready' ? (
-        <Motion key={entry!.block} index={index} cell={cell} view={view} block={loaded.block} rows={shownRows} />
+        <Motion
+          key={entry!.block}
+          index={index}
+          cell={cell}
+          view={view}
+          block={loaded.block}
+          rows={shownRows}
+        />
       ) : (
-        <NoTrace state={loaded.state} why={loaded.state === 'broken' ? loaded.why : index.omitted_traces} cell={cell} />
+        <NoTrace
+          state={loaded.state}
+          why={loaded.state === 'broken' ? loaded.why : index.omitted_traces}
+          cell={cell}
+        />
       )}
       <div class="columns">
         <Run verdicts={cell.verdicts} view={view} />
@@ -155,7 +176,10 @@ export function CellPage({ index, matrix, cell, view }: CellPageProps) {
 
 function NoTrace({ state, why, cell }: { state: string; why: string; cell: CellName }) {
   if (state === 'loading') return <p role="status">Unpacking the trace…</p>;
-  const what = state === 'broken' ? 'The trace cannot be read.' : 'No trace of this run is stored: there are no curves and no pictures.';
+  const what =
+    state === 'broken'
+      ? 'The trace cannot be read.'
+      : 'No trace of this run is stored: there are no curves and no pictures.';
   return (
     <section aria-label={`Trace of ${visible(cell.engine)}`}>
       <p class="empty">

@@ -18,7 +18,11 @@ export interface ClaimRow {
   index: number; // among the cell's claims; also the style of its curve
 }
 
-export function claimRows(verdicts: Verdict[], view: ScenarioView | undefined, curves: ErrorCurve[]): ClaimRow[] {
+export function claimRows(
+  verdicts: Verdict[],
+  view: ScenarioView | undefined,
+  curves: ErrorCurve[],
+): ClaimRow[] {
   return verdicts.map((verdict, index) => ({
     verdict,
     index,
@@ -133,7 +137,10 @@ interface ClaimsProps {
 export function Claims({ rows, shown, toggle }: ClaimsProps) {
   const [worst, setWorst] = useState(false);
   const [reasons, setReasons] = useState(true);
-  const sorted = useMemo(() => (worst ? [...rows].sort((a, b) => compare(b.verdict, a.verdict)) : rows), [rows, worst]);
+  const sorted = useMemo(
+    () => (worst ? [...rows].sort((a, b) => compare(b.verdict, a.verdict)) : rows),
+    [rows, worst],
+  );
   return (
     <section aria-labelledby="claims-heading">
       <h3 id="claims-heading">Claims</h3>
@@ -141,7 +148,8 @@ export function Claims({ rows, shown, toggle }: ClaimsProps) {
         <input type="checkbox" checked={worst} onChange={() => setWorst(!worst)} /> worst first
       </label>{' '}
       <label class="on-screen">
-        <input type="checkbox" checked={reasons} onChange={() => setReasons(!reasons)} /> truths, bounds and reasons
+        <input type="checkbox" checked={reasons} onChange={() => setReasons(!reasons)} /> truths, bounds and
+        reasons
       </label>
       <div class="scroll claims" tabIndex={0} role="region" aria-label="Claims of this cell">
         <table>

@@ -16,7 +16,8 @@ async function copied(text: string, shown: HTMLElement | null): Promise<boolean>
 export function Command({ text }: { text: string }) {
   const shown = useRef<HTMLElement>(null);
   const [said, say] = useState('');
-  const copy = async () => say((await copied(text, shown.current)) ? 'copied' : 'selected: copy it with the keyboard');
+  const copy = async () =>
+    say((await copied(text, shown.current)) ? 'copied' : 'selected: copy it with the keyboard');
   return (
     <p class="command">
       <code ref={shown}>{visible(text)}</code>{' '}

@@ -55,7 +55,14 @@ export function CurveTable({ curves, cursor, log, unit, caption }: CurveTablePro
       <table>
         <thead>
           <tr>
-            {[`curve${unit ? ` [${unit}]` : ''}`, 'at the cursor', 'least', 'greatest', 'first violation', 'remarks'].map((head) => (
+            {[
+              `curve${unit ? ` [${unit}]` : ''}`,
+              'at the cursor',
+              'least',
+              'greatest',
+              'first violation',
+              'remarks',
+            ].map((head) => (
               <th key={head} scope="col">
                 {head}
               </th>

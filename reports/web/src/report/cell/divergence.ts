@@ -29,7 +29,9 @@ export function extent({ min, max }: Bounds): number {
 export function framed(ghost: Frames | null, sides: (Frames | null)[]): Bounds | null {
   const own = ghost ? boundsOf(ghost.position) : null;
   if (own) return own;
-  const all = sides.flatMap((frames) => (frames ? [boundsOf(frames.position)] : [])).filter((b): b is Bounds => b !== null);
+  const all = sides
+    .flatMap((frames) => (frames ? [boundsOf(frames.position)] : []))
+    .filter((b): b is Bounds => b !== null);
   return all.sort((a, b) => extent(a) - extent(b))[0] ?? null;
 }
 
@@ -58,7 +60,9 @@ export function parting(a: Frames, b: Frames, limit: number): Parting | null {
   for (let frame = 0; frame < a.time.length; ++frame) {
     const time = a.time[frame]!;
     for (let body = 0; body < width / 3; ++body) {
-      const gap = [0, 1, 2].map((i) => a.position[frame * width + 3 * body + i]! - place(b, width, 3 * body + i, time));
+      const gap = [0, 1, 2].map(
+        (i) => a.position[frame * width + 3 * body + i]! - place(b, width, 3 * body + i, time),
+      );
       const distance = Math.hypot(...gap);
       if (Number.isFinite(distance) ? distance > limit : true)
         return { time, body, distance: Number.isFinite(distance) ? distance : Infinity };

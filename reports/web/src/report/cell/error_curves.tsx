@@ -47,7 +47,10 @@ function groups(rows: ClaimRow[], block: TraceBlock, other: Compared | null, sha
     add(curve.unit, read(block, curve, share, curve.claim, index));
     const theirs = other?.block.trace.errors.find((e) => e.claim === curve.claim);
     if (other && theirs)
-      add(theirs.unit, { ...read(other.block, theirs, share, `${other.engine}: ${theirs.claim}`, index), faint: true });
+      add(theirs.unit, {
+        ...read(other.block, theirs, share, `${other.engine}: ${theirs.claim}`, index),
+        faint: true,
+      });
   }
   return [...out.values()];
 }
@@ -71,14 +74,18 @@ export function ErrorCurves({ rows, block, other, cursor }: ErrorCurvesProps) {
       <fieldset class="choice on-screen">
         <legend class="unseen">Scale of the errors</legend>
         <label>
-          <input type="radio" name="error-scale" checked={!share} onChange={() => choose(false)} /> in their units
+          <input type="radio" name="error-scale" checked={!share} onChange={() => choose(false)} /> in their
+          units
         </label>
         <label>
-          <input type="radio" name="error-scale" checked={share} onChange={() => choose(true)} /> over what is allowed
+          <input type="radio" name="error-scale" checked={share} onChange={() => choose(true)} /> over what is
+          allowed
         </label>
       </fieldset>
       {list.length === 0 ? <p class="empty">No claim is chosen: tick claims in the table above.</p> : null}
-      {share && unmeasured > 0 ? <p class="note">{unmeasured} of the chosen claims allow nothing and are left out.</p> : null}
+      {share && unmeasured > 0 ? (
+        <p class="note">{unmeasured} of the chosen claims allow nothing and are left out.</p>
+      ) : null}
       {list.map(({ unit, curves }) => {
         const axis = share ? 'error / allowed' : `error [${unit || '1'}]`;
         return (
@@ -92,12 +99,21 @@ export function ErrorCurves({ rows, block, other, cursor }: ErrorCurvesProps) {
               number={short}
             />
             <figcaption>
-              <CurveTable curves={curves} cursor={cursor} log unit={share ? 'of allowed' : unit} caption={axis} />
+              <CurveTable
+                curves={curves}
+                cursor={cursor}
+                log
+                unit={share ? 'of allowed' : unit}
+                caption={axis}
+              />
             </figcaption>
           </figure>
         );
       })}
-      <p class="note">Dashed levels: what is allowed. Ringed crosses: the first violation. Drag to look closer, double-click for all.</p>
+      <p class="note">
+        Dashed levels: what is allowed. Ringed crosses: the first violation. Drag to look closer, double-click
+        for all.
+      </p>
     </section>
   );
 }

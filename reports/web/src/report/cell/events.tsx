@@ -24,7 +24,12 @@ export function Events({ events, cursor }: { events: Trace['events']; cursor: Ti
             {list.map((event, i) => (
               <tr key={i}>
                 <td class="number">
-                  <button type="button" class="plain-on-paper" onClick={() => (cursor.pin = event.time)} title="move the cursor here">
+                  <button
+                    type="button"
+                    class="plain-on-paper"
+                    onClick={() => (cursor.pin = event.time)}
+                    title="move the cursor here"
+                  >
                     {short(event.time, 8)} s
                   </button>
                 </td>

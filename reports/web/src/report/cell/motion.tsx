@@ -25,17 +25,29 @@ function suggested(choices: TraceEntry[]): TraceEntry | null {
 }
 
 /** Of the worst claim that was violated at a known time; else where the engines shown part. */
-function firstDivergence(cell: Cell, block: TraceBlock, own: Side, other: Side | null, view: ScenarioView | undefined, size: number): Divergence | null {
+function firstDivergence(
+  cell: Cell,
+  block: TraceBlock,
+  own: Side,
+  other: Side | null,
+  view: ScenarioView | undefined,
+  size: number,
+): Divergence | null {
   for (const verdict of [...cell.verdicts].sort((a, b) => compare(b, a))) {
     const first = block.trace.errors.find((e) => e.claim === verdict.claim)?.first_violation;
     if (!first) continue;
-    return { time: first.time, what: `first violation of '${visible(verdict.claim)}' (${verdict.status}), step ${first.step}` };
+    return {
+      time: first.time,
+      what: `first violation of '${visible(verdict.claim)}' (${verdict.status}), step ${first.step}`,
+    };
   }
   if (!other || !(size > 0)) return null;
   const found = parting(own.frames, other.frames, 0.01 * size);
   if (!found) return null;
   const body = view?.scene.body[found.body]?.name ?? `body ${found.body + 1}`;
-  const gap = Number.isFinite(found.distance) ? withUnit(found.distance, 'm') : 'a distance that is not finite';
+  const gap = Number.isFinite(found.distance)
+    ? withUnit(found.distance, 'm')
+    : 'a distance that is not finite';
   const what = `no claim is violated; ${visible(body)} of ${visible(own.title)} and of ${visible(other.title)} part by ${gap}, over 1 % of the scene's extent of ${short(size)} m`;
   return { time: found.time, what };
 }
@@ -74,7 +86,13 @@ interface MotionProps {
 
 export function Motion({ index, cell, view, block, rows }: MotionProps) {
   const { other: wanted } = useAddress();
-  const title = entryKey({ scenario: cell.scenario, engine: cell.engine, integrator: cell.integrator, dt_text: cell.dt, block: 0 });
+  const title = entryKey({
+    scenario: cell.scenario,
+    engine: cell.engine,
+    integrator: cell.integrator,
+    dt_text: cell.dt,
+    block: 0,
+  });
   const choices = useMemo(
     () => index.traces.filter((t) => t.scenario === cell.scenario && entryKey(t) !== title),
     [index, cell, title],
@@ -82,10 +100,16 @@ export function Motion({ index, cell, view, block, rows }: MotionProps) {
   const chosen = wanted === '-' ? null : (choices.find((t) => entryKey(t) === wanted) ?? suggested(choices));
   const loaded = useTrace(chosen?.block ?? null);
 
-  const own = useMemo<Side>(() => ({ title, block, frames: block.frames(block.trace.motion) }), [title, block]);
+  const own = useMemo<Side>(
+    () => ({ title, block, frames: block.frames(block.trace.motion) }),
+    [title, block],
+  );
   const otherBlock = loaded.state === 'ready' ? loaded.block : null;
   const other = useMemo<Side | null>(
-    () => (otherBlock && chosen ? { title: entryKey(chosen), block: otherBlock, frames: otherBlock.frames(otherBlock.trace.motion) } : null),
+    () =>
+      otherBlock && chosen
+        ? { title: entryKey(chosen), block: otherBlock, frames: otherBlock.frames(otherBlock.trace.motion) }
+        : null,
     [otherBlock, chosen],
   );
   const ghost = useMemo(() => (block.trace.ghost ? block.frames(block.trace.ghost) : null), [block]);
@@ -99,7 +123,10 @@ export function Motion({ index, cell, view, block, rows }: MotionProps) {
     () => firstDivergence(cell, block, own, other, view, bounds ? extent(bounds) : 0),
     [cell, block, own, other, view, bounds],
   );
-  const compared = useMemo(() => (other && chosen ? { engine: chosen.engine, block: other.block } : null), [other, chosen]);
+  const compared = useMemo(
+    () => (other && chosen ? { engine: chosen.engine, block: other.block } : null),
+    [other, chosen],
+  );
   const { remarks } = block.trace;
 
   return (

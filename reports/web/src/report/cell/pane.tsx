@@ -39,7 +39,13 @@ function pose(frames: Frames, frame: number) {
   };
 }
 
-function showAt(scene: Scene3D, layer: 'bodies' | 'ghost', frames: Frames | null, time: number, trails: boolean): void {
+function showAt(
+  scene: Scene3D,
+  layer: 'bodies' | 'ghost',
+  frames: Frames | null,
+  time: number,
+  trails: boolean,
+): void {
   if (!frames || frames.time.length === 0) {
     scene.show(layer, null, time);
     scene.trails(layer, null, 0, 0);
@@ -83,10 +89,18 @@ export function Pane({ title, scene, motions, bounds, cursor, cameras, ghost, tr
   };
 
   useEffect(() => {
-    const made = createScene3D(host.current!, scene, { label: `3D picture of ${visible(title)}`, ...(bounds ? { bounds } : {}) });
+    const made = createScene3D(host.current!, scene, {
+      label: `3D picture of ${visible(title)}`,
+      ...(bounds ? { bounds } : {}),
+    });
     picture.current = made;
-    if (!made.webgl && note.current) note.current.textContent = 'No WebGL here: drawn flat, from the side and from above.';
-    const stops = [cameras.join(made), cursor.listen(() => update.current()), onTheme(() => update.current())];
+    if (!made.webgl && note.current)
+      note.current.textContent = 'No WebGL here: drawn flat, from the side and from above.';
+    const stops = [
+      cameras.join(made),
+      cursor.listen(() => update.current()),
+      onTheme(() => update.current()),
+    ];
     let frame = requestAnimationFrame(function draw() {
       made.render();
       frame = requestAnimationFrame(draw);

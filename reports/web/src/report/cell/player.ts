@@ -8,7 +8,9 @@ export const speeds = [0.001, 0.01, 0.1, 0.25, 0.5, 1, 2, 5, 10, 100];
 /** Real time where a motion takes seconds to a minute, else what shows it in about ten seconds. */
 export function fittingSpeed(duration: number): number {
   if (duration >= 2 && duration <= 60) return 1;
-  return speeds.reduce((best, s) => (Math.abs(Math.log((s * 10) / duration)) < Math.abs(Math.log((best * 10) / duration)) ? s : best));
+  return speeds.reduce((best, s) =>
+    Math.abs(Math.log((s * 10) / duration)) < Math.abs(Math.log((best * 10) / duration)) ? s : best,
+  );
 }
 
 export interface Player {

@@ -10,7 +10,11 @@ function distinct(verdicts: Verdict[], of: (v: Verdict) => string): string {
 }
 
 const facts: [string, (v: Verdict) => string][] = [
-  ['engine', (v) => `${v.engine} ${v.version}${v.version_listed ? '' : ' (a version that expected.toml does not list)'}`],
+  [
+    'engine',
+    (v) =>
+      `${v.engine} ${v.version}${v.version_listed ? '' : ' (a version that expected.toml does not list)'}`,
+  ],
   ['precision', (v) => v.precision],
   ['path', (v) => v.path],
   ['gyroscopic term', (v) => v.gyroscopic],
@@ -38,8 +42,8 @@ export function Run({ verdicts, view }: { verdicts: Verdict[]; view: ScenarioVie
           <div>
             <dt>scenario</dt>
             <dd>
-              {short(view.duration)} s, nominal step {short(view.step, 6)} s, {view.scene.body.length} bodies, tags:{' '}
-              {visible(view.tags.join(', ') || 'none')}
+              {short(view.duration)} s, nominal step {short(view.step, 6)} s, {view.scene.body.length} bodies,
+              tags: {visible(view.tags.join(', ') || 'none')}
             </dd>
           </div>
         ) : null}
@@ -49,7 +53,9 @@ export function Run({ verdicts, view }: { verdicts: Verdict[]; view: ScenarioVie
 }
 
 export function Settings({ verdicts }: { verdicts: Verdict[] }) {
-  const forced = Object.entries(Object.assign({}, ...verdicts.map((v) => v.settings)) as Record<string, string>);
+  const forced = Object.entries(
+    Object.assign({}, ...verdicts.map((v) => v.settings)) as Record<string, string>,
+  );
   const stuck = [...new Set(verdicts.flatMap((v) => v.unforceable))];
   return (
     <section aria-labelledby="settings-heading">

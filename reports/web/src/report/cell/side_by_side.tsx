@@ -31,7 +31,17 @@ interface SideBySideProps {
   trouble: string; // why the other cannot be shown
 }
 
-export function SideBySide({ scene, own, other, choices, chosen, bounds, ghost, cursor, trouble }: SideBySideProps) {
+export function SideBySide({
+  scene,
+  own,
+  other,
+  choices,
+  chosen,
+  bounds,
+  ghost,
+  cursor,
+  trouble,
+}: SideBySideProps) {
   const [ghostShown, showGhost] = useState(true);
   const [trails, showTrails] = useState(true);
   const [linked, setLinked] = useState(true);
@@ -68,7 +78,9 @@ export function SideBySide({ scene, own, other, choices, chosen, bounds, ghost, 
       {trouble ? <p class="note">{visible(trouble)}</p> : null}
       <div class="panes">
         <Pane key={own.title} title={own.title} motions={{ bodies: own.frames, ghost }} {...common} />
-        {other ? <Pane key={other.title} title={other.title} motions={{ bodies: other.frames, ghost }} {...common} /> : null}
+        {other ? (
+          <Pane key={other.title} title={other.title} motions={{ bodies: other.frames, ghost }} {...common} />
+        ) : null}
       </div>
       <p class="note">
         {follows

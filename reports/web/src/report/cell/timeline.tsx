@@ -43,10 +43,16 @@ interface TimelineProps {
 function Jump({ cursor, divergence }: { cursor: TimeCursor; divergence: Divergence | null }) {
   return (
     <p class="jump">
-      <button type="button" disabled={!divergence} onClick={() => divergence && (cursor.pin = divergence.time)}>
+      <button
+        type="button"
+        disabled={!divergence}
+        onClick={() => divergence && (cursor.pin = divergence.time)}
+      >
         jump to the first divergence
       </button>{' '}
-      {divergence ? `${divergence.what}, at ${short(divergence.time, 6)} s` : 'no claim is violated, and the engines shown do not part'}
+      {divergence
+        ? `${divergence.what}, at ${short(divergence.time, 6)} s`
+        : 'no claim is violated, and the engines shown do not part'}
     </p>
   );
 }

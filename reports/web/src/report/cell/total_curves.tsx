@@ -22,14 +22,20 @@ function read(block: TraceBlock, of: TotalCurve, change: boolean, label: string,
   return { label, style, time: block.floats(of.time), value: change ? value.map((x) => x - start) : value };
 }
 
-function curvesOf(names: TotalCurve['name'][], block: TraceBlock, other: Compared | null, change: boolean): Curve[] {
+function curvesOf(
+  names: TotalCurve['name'][],
+  block: TraceBlock,
+  other: Compared | null,
+  change: boolean,
+): Curve[] {
   const own = block.trace.totals.filter((t) => names.includes(t.name));
   return own.flatMap((total, i) => {
     const name = `${total.name}${total.component ? `, ${total.component}` : ''}`;
     const same = (t: TotalCurve) => t.name === total.name && t.component === total.component;
     const theirs = other?.block.trace.totals.find(same);
     const curves = [read(block, total, change, name, i)];
-    if (other && theirs) curves.push({ ...read(other.block, theirs, change, `${other.engine}: ${name}`, i), faint: true });
+    if (other && theirs)
+      curves.push({ ...read(other.block, theirs, change, `${other.engine}: ${name}`, i), faint: true });
     return curves;
   });
 }
@@ -82,8 +88,8 @@ export function TotalCurves({ block, other, cursor }: TotalCurvesProps) {
           })}
       </div>
       <p class="note">
-        Curves are stored in single precision: a change below 6e-8 of the value itself does not show. The verdicts above come from
-        the whole states.
+        Curves are stored in single precision: a change below 6e-8 of the value itself does not show. The
+        verdicts above come from the whole states.
       </p>
     </section>
   );

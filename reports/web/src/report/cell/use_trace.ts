@@ -25,7 +25,10 @@ export type Loaded =
   | { state: 'ready'; block: TraceBlock };
 
 export function useTrace(block: number | null): Loaded {
-  const [loaded, set] = useState<{ of: number | null; value: Loaded }>({ of: null, value: { state: 'absent' } });
+  const [loaded, set] = useState<{ of: number | null; value: Loaded }>({
+    of: null,
+    value: { state: 'absent' },
+  });
   useEffect(() => {
     if (block === null) return;
     let wanted = true;
@@ -42,6 +45,9 @@ export function useTrace(block: number | null): Loaded {
 
 export function entryOf(traces: TraceEntry[], name: CellName): TraceEntry | null {
   const same = (t: TraceEntry) =>
-    t.scenario === name.scenario && t.engine === name.engine && t.integrator === name.integrator && t.dt_text === name.dt;
+    t.scenario === name.scenario &&
+    t.engine === name.engine &&
+    t.integrator === name.integrator &&
+    t.dt_text === name.dt;
   return traces.find(same) ?? null;
 }

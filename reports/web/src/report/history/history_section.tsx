@@ -15,7 +15,8 @@ type Change = HistorySeries['changes'][number];
 function ChangeNote({ change }: { change: Change }) {
   return (
     <li>
-      <strong>{visible(change.state)}</strong> at run {change.run} ({visible(change.revision)}): {visible(change.sentence)}
+      <strong>{visible(change.state)}</strong> at run {change.run} ({visible(change.revision)}):{' '}
+      {visible(change.sentence)}
       {change.ratio === undefined ? '' : `, ratio ${short(change.ratio)}`}
       {change.note ? `; note: ${visible(change.note)}` : ''} <span class="note">{visible(change.id)}</span>
     </li>
@@ -57,9 +58,7 @@ function SeriesCard({ of }: { of: HistorySeries }) {
         {visible(of.cell)} <span class="note">{visible(of.metric)}</span>
       </h3>
       {of.scale === 'text' ? <Texts of={of} /> : <SeriesPlot of={of} />}
-      <p class="note">
-        {[scales[of.scale], valueText(of)].filter(Boolean).join('; ')}
-      </p>
+      <p class="note">{[scales[of.scale], valueText(of)].filter(Boolean).join('; ')}</p>
       {of.changes.length > 0 ? (
         <ul>
           {of.changes.map((change) => (
@@ -91,14 +90,20 @@ export function HistorySection({ index }: { index: Index }) {
       <h2 id="history-heading">History</h2>
       {all.length === 0 ? (
         <p class="empty">
-          This report holds no history. <code>cylon track record</code> adds runs to it, <code>cylon track history --json</code> prints it as
-          JSON; then <code>cylon report FILE… --html REPORT</code>.
+          This report holds no history. <code>cylon track record</code> adds runs to it,{' '}
+          <code>cylon track history --json</code> prints it as JSON; then{' '}
+          <code>cylon report FILE… --html REPORT</code>.
         </p>
       ) : (
         <>
           <label>
             Only series that match{' '}
-            <input type="search" value={wanted} onInput={(event) => go({ series: event.currentTarget.value })} placeholder="spring_*/ode* error:*" />
+            <input
+              type="search"
+              value={wanted}
+              onInput={(event) => go({ series: event.currentTarget.value })}
+              placeholder="spring_*/ode* error:*"
+            />
           </label>
           <p role="status">
             {found.length} of {all.length} series; {changed} with change points, which come first

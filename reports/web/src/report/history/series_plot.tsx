@@ -21,12 +21,16 @@ function range(values: number[]): [number, number] {
 
 export function SeriesPlot({ of }: { of: HistorySeries }) {
   const { points } = of;
-  const finite = points.flatMap((p, i) => (typeof p.value === 'number' && Number.isFinite(p.value) ? [{ i, value: p.value }] : []));
+  const finite = points.flatMap((p, i) =>
+    typeof p.value === 'number' && Number.isFinite(p.value) ? [{ i, value: p.value }] : [],
+  );
   if (finite.length === 0) return <p class="note">no finite values</p>;
   const values = finite.map((p) => p.value);
   const [low, high] = range(of.scale === 'ratio' ? [...values, 1] : values);
   const [bottom, right] = [height - margin.bottom, width - margin.right];
-  const x = (i: number) => margin.left + (points.length > 1 ? (i / (points.length - 1)) * (right - margin.left) : (right - margin.left) / 2);
+  const x = (i: number) =>
+    margin.left +
+    (points.length > 1 ? (i / (points.length - 1)) * (right - margin.left) : (right - margin.left) / 2);
   const y = (value: number) => bottom - ((value - low) / (high - low)) * (bottom - margin.top);
   const least = Math.min(...values);
   const greatest = Math.max(...values);
@@ -47,7 +51,9 @@ export function SeriesPlot({ of }: { of: HistorySeries }) {
         </g>
       ))}
       <polyline points={finite.map((p) => `${x(p.i).toFixed(1)},${y(p.value).toFixed(1)}`).join(' ')} />
-      {points.length <= 60 ? finite.map((p) => <circle key={p.i} cx={x(p.i)} cy={y(p.value)} r="2.5" />) : null}
+      {points.length <= 60
+        ? finite.map((p) => <circle key={p.i} cx={x(p.i)} cy={y(p.value)} r="2.5" />)
+        : null}
       <text x={margin.left} y={height - 5}>
         run {points[0]!.run}
       </text>

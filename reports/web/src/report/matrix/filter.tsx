@@ -11,7 +11,10 @@ const examples: [string, string][] = [
   ['any:crash or any:timeout', 'any is short for *'],
   ['bullet*:digits<-2', 'some Bullet misses a tolerance by more than two digits'],
   ['digits<0 not in-house:digits<0', 'somebody fails, the in-house engine does not'],
-  ['tag:top (claim:energy* or claim:*momentum*)', 'tags of the scenario, claims or observables; * and ? in all names'],
+  [
+    'tag:top (claim:energy* or claim:*momentum*)',
+    'tags of the scenario, claims or observables; * and ? in all names',
+  ],
   ['scenario:heavy_* columns:ode*,bullet', 'rows by name; only these columns (columns:-ode* leaves out)'],
   ['"not a spring"', 'plain or quoted words are looked for in names and titles'],
 ];
@@ -34,9 +37,9 @@ export function QueryHelp({ onPick }: { onPick: (query: string) => void }) {
       <summary>How to ask</summary>
       <p>
         Terms side by side must all hold; <code>or</code>, <code>not</code> and parentheses do what they say.{' '}
-        <code>ENGINE:STATUS</code> with pass (all claims), low-quality, fail, unsupported, crash, timeout, non-finite,
-        protocol (some claim), differs, expected, none (not run); <code>ENGINE:digits&lt;X</code> with &lt; &lt;= &gt;
-        &gt;= =. An engine means all its columns, shown or not.
+        <code>ENGINE:STATUS</code> with pass (all claims), low-quality, fail, unsupported, crash, timeout,
+        non-finite, protocol (some claim), differs, expected, none (not run); <code>ENGINE:digits&lt;X</code>{' '}
+        with &lt; &lt;= &gt; &gt;= =. An engine means all its columns, shown or not.
       </p>
       <ul>
         {examples.map(([query, what]) => (

@@ -2,7 +2,10 @@
 import type { RefObject } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
 
-const moves: Record<string, (row: number, column: number, rows: number, columns: number) => [number, number]> = {
+const moves: Record<
+  string,
+  (row: number, column: number, rows: number, columns: number) => [number, number]
+> = {
   ArrowUp: (r, c) => [r - 1, c],
   ArrowDown: (r, c) => [r + 1, c],
   ArrowLeft: (r, c) => [r, c - 1],
@@ -18,7 +21,11 @@ function within(value: number, count: number): number {
 }
 
 /** Links of the table carry data-row and data-column.  `grow` is asked for more rows near the last. */
-export function useGridKeys(rows: number, columns: number, grow: () => void): RefObject<HTMLTableElement | null> {
+export function useGridKeys(
+  rows: number,
+  columns: number,
+  grow: () => void,
+): RefObject<HTMLTableElement | null> {
   const table = useRef<HTMLTableElement>(null);
   const place = useRef<[number, number]>([0, 0]);
 
@@ -35,7 +42,9 @@ export function useGridKeys(rows: number, columns: number, grow: () => void): Re
   };
 
   useEffect(() => {
-    table.current?.querySelectorAll('[data-row][tabindex="0"]').forEach((e) => e.setAttribute('tabindex', '-1'));
+    table.current
+      ?.querySelectorAll('[data-row][tabindex="0"]')
+      .forEach((e) => e.setAttribute('tabindex', '-1'));
     tabStop(within(place.current[0], rows), within(place.current[1], columns));
   });
 

@@ -36,7 +36,14 @@ const orders: Record<string, { label: string; compare: ((a: Row, b: Row) => numb
 };
 
 function ColumnChoice({ columns, shown, query }: { columns: Column[]; shown: boolean[]; query: string }) {
-  const toggle = (j: number) => go({ q: withColumns(query, columns, shown.map((s, k) => (k === j ? !s : s))) });
+  const toggle = (j: number) =>
+    go({
+      q: withColumns(
+        query,
+        columns,
+        shown.map((s, k) => (k === j ? !s : s)),
+      ),
+    });
   return (
     <details class="column-choice">
       <summary>
@@ -62,11 +69,13 @@ function Legend({ rows }: { rows: Row[] }) {
         .filter((status) => present.has(status))
         .map((status) => (
           <span key={status}>
-            <span class={`status ${looks[status].tone}`}>{looks[status].glyph}</span> {looks[status].meaning};{' '}
+            <span class={`status ${looks[status].tone}`}>{looks[status].glyph}</span> {looks[status].meaning}
+            ;{' '}
           </span>
         ))}
       <span>
-        <span class="number">+1.0</span> digits won (+) or lost (−) by the worst claim, log10(allowed / measured);{' '}
+        <span class="number">+1.0</span> digits won (+) or lost (−) by the worst claim, log10(allowed /
+        measured);{' '}
       </span>
       <span>
         <Differs /> not as expected.toml says
@@ -96,7 +105,8 @@ export function MatrixSection({ matrix, views }: MatrixSectionProps) {
   useEffect(() => {
     const focus = (event: KeyboardEvent) => {
       const typing = event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement;
-      if (event.key !== '/' || typing || event.ctrlKey || event.metaKey || !input.current?.offsetParent) return;
+      if (event.key !== '/' || typing || event.ctrlKey || event.metaKey || !input.current?.offsetParent)
+        return;
       event.preventDefault();
       input.current.select();
     };

@@ -60,8 +60,15 @@ const Line = memo(({ row, index, title, shown }: LineProps) => (
     {shown.map((j, column) => {
       const cell = row.cells[j];
       return (
-        <td key={j} class={cell ? `${looks[cell.worst].tone}${cell.differs ? ' has-differs' : ''}` : undefined}>
-          {cell ? <CellLink cell={cell} row={index} column={column} /> : <Empty row={index} column={column} />}
+        <td
+          key={j}
+          class={cell ? `${looks[cell.worst].tone}${cell.differs ? ' has-differs' : ''}` : undefined}
+        >
+          {cell ? (
+            <CellLink cell={cell} row={index} column={column} />
+          ) : (
+            <Empty row={index} column={column} />
+          )}
         </td>
       );
     })}
@@ -90,7 +97,9 @@ export function MatrixTable({ columns, shown, rows, titles, version }: TableProp
   }, []);
   useEffect(() => {
     if (!more || !end.current) return;
-    const watch = new IntersectionObserver((seen) => seen.some((e) => e.isIntersecting) && grow(), { rootMargin: '600px' });
+    const watch = new IntersectionObserver((seen) => seen.some((e) => e.isIntersecting) && grow(), {
+      rootMargin: '600px',
+    });
     watch.observe(end.current);
     return () => watch.disconnect();
   }, [more, limit]);

@@ -11,7 +11,13 @@ type Cell = Comparisons['cells'][number];
 
 // Worst first; what is not named here comes after.
 const order = ['regressed', 'changed', 'inconclusive', 'unreliable', 'improved', 'same', 'skipped'];
-const signs: Record<string, string> = { regressed: '\u2717', improved: '\u2713', same: '=', inconclusive: '?', changed: '\u2260' };
+const signs: Record<string, string> = {
+  regressed: '\u2717',
+  improved: '\u2713',
+  same: '=',
+  inconclusive: '?',
+  changed: '\u2260',
+};
 
 function rank(cell: Cell): number {
   const at = order.indexOf(cell.finding);
@@ -88,13 +94,14 @@ export function Comparison({ of, nth }: { of: Comparisons; nth: number }) {
         {visible(of.baseline)} and {visible(of.candidate)}
       </h3>
       <p>
-        {visible(tally || 'no cells')}. Ratios are candidate over baseline; within 1 &plusmn; {short(100 * of.tau)} % (shaded) they count as the
-        same, at &alpha; = {short(of.alpha)}
+        {visible(tally || 'no cells')}. Ratios are candidate over baseline; within 1 &plusmn;{' '}
+        {short(100 * of.tau)} % (shaded) they count as the same, at &alpha; = {short(of.alpha)}
         {of.gate ? ', as a gate over all cells' : ''}.
       </p>
       {of.reliable ? null : (
         <p class="warnings">
-          <strong>Warning:</strong> the environment is unreliable: a build was found different from itself. No time here decides anything.
+          <strong>Warning:</strong> the environment is unreliable: a build was found different from itself. No
+          time here decides anything.
         </p>
       )}
       {of.notes.length > 0 ? (
@@ -110,7 +117,13 @@ export function Comparison({ of, nth }: { of: Comparisons; nth: number }) {
         <table>
           <thead>
             <tr>
-              {['cell', 'outcome', 'time, candidate over baseline', 'pairs', 'reason, results that changed, command'].map((head) => (
+              {[
+                'cell',
+                'outcome',
+                'time, candidate over baseline',
+                'pairs',
+                'reason, results that changed, command',
+              ].map((head) => (
                 <th key={head} scope="col">
                   {head}
                 </th>

@@ -13,7 +13,10 @@ interface IntervalProps {
 /** The axis reaches three thresholds, or as far as the interval does. */
 export function Interval({ ratio, low, high, tau }: IntervalProps) {
   const edge = Math.log1p(tau);
-  const reach = Math.max(3 * edge, ...[low, high, ratio].filter((x) => x > 0 && Number.isFinite(x)).map((x) => 1.1 * Math.abs(Math.log(x))));
+  const reach = Math.max(
+    3 * edge,
+    ...[low, high, ratio].filter((x) => x > 0 && Number.isFinite(x)).map((x) => 1.1 * Math.abs(Math.log(x))),
+  );
   const at = (x: number) => (width / 2) * (1 + Math.max(-1, Math.min(1, Math.log(x) / reach)));
   const [from, to] = [at(Math.exp(-edge)), at(Math.exp(edge))];
   return (

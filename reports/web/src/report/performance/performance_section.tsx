@@ -9,7 +9,8 @@ export function PerformanceSection({ index }: { index: Index }) {
       <h2 id="performance-heading">Performance</h2>
       {index.comparisons.length === 0 ? (
         <p class="empty">
-          This report holds no comparison of builds. <code>cylon track compare --baseline WHAT --json FILE</code> makes one; then{' '}
+          This report holds no comparison of builds.{' '}
+          <code>cylon track compare --baseline WHAT --json FILE</code> makes one; then{' '}
           <code>cylon report FILE… --html REPORT</code>.
         </p>
       ) : null}

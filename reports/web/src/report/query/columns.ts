@@ -1,9 +1,10 @@
 // Shows or hides a column by rewriting the query, so that a link keeps the choice.
 import type { Column } from '../fold';
 
-/** The query without its columns: terms. */
+/** The query without its columns: terms; what stands in quotes is left alone. */
 function withoutColumns(query: string): string {
-  return query.replace(/(^|\s)columns:("[^"]*"|[^\s()"])*/gi, ' ').replace(/\s+/g, ' ').trim();
+  const quoteOrTerm = /"[^"]*"|(^|\s)columns:("[^"]*"|[^\s()"])*/gi;
+  return query.replace(quoteOrTerm, (part) => (part.startsWith('"') ? part : '')).trim();
 }
 
 function name(column: Column, columns: Column[]): string {
@@ -16,8 +17,9 @@ export function withColumns(query: string, columns: Column[], shown: boolean[]):
   if (shown.every(Boolean)) return rest;
   const hidden = columns.filter((_, j) => !shown[j]);
   const kept = columns.filter((_, j) => shown[j]);
-  const globs = hidden.length < kept.length || kept.length === 0
-    ? hidden.map((c) => `-${name(c, columns)}`)
-    : kept.map((c) => name(c, columns));
+  const globs =
+    hidden.length < kept.length || kept.length === 0
+      ? hidden.map((c) => `-${name(c, columns)}`)
+      : kept.map((c) => name(c, columns));
   return `${rest} columns:${globs.join(',')}`.trim();
 }

@@ -5,7 +5,10 @@ import type { Field, Query, Relation } from './parse';
 
 /** '*' is any text, '?' any letter; a glob matches the whole text. */
 export function glob(pattern: string): (text: string) => boolean {
-  const source = pattern.replace(/[.+^${}()|[\]\\]/g, '\\$&').replace(/\*+/g, '.*').replace(/\?/g, '.');
+  const source = pattern
+    .replace(/[.+^${}()|[\]\\]/g, '\\$&')
+    .replace(/\*+/g, '.*')
+    .replace(/\?/g, '.');
   const whole = new RegExp(`^${source}$`, 'is');
   return (text) => whole.test(text);
 }
@@ -50,12 +53,15 @@ function onField(field: Field, pattern: string, views: Map<string, ScenarioView>
     case 'tag':
       return (row) => views.get(row.scenario)?.tags.some(matches) ?? false;
     case 'claim':
-      return (row) => row.cells.some((cell) => cell?.verdicts.some((v) => matches(v.claim) || matches(v.observable)));
+      return (row) =>
+        row.cells.some((cell) => cell?.verdicts.some((v) => matches(v.claim) || matches(v.observable)));
   }
 }
 
 function onWord(text: string, views: Map<string, ScenarioView>): Test {
-  const matches = /[*?]/.test(text) ? glob(`*${text}*`) : (whole: string) => whole.toLowerCase().includes(text);
+  const matches = /[*?]/.test(text)
+    ? glob(`*${text}*`)
+    : (whole: string) => whole.toLowerCase().includes(text);
   return (row) => matches(row.scenario) || matches(views.get(row.scenario)?.title ?? '');
 }
 
@@ -84,7 +90,11 @@ export function matcher(query: Query, columns: Column[], views: Map<string, Scen
       return onEngines(query.engine, columns, has(query.status));
     case 'digits': {
       const holds = relations[query.relation];
-      return onEngines(query.engine, columns, (cell) => cell?.digits != null && holds(cell.digits, query.value));
+      return onEngines(
+        query.engine,
+        columns,
+        (cell) => cell?.digits != null && holds(cell.digits, query.value),
+      );
     }
   }
 }

@@ -36,7 +36,17 @@ interface Token {
 }
 
 const conditions = [
-  'pass', 'low-quality', 'fail', 'unsupported', 'crash', 'timeout', 'non-finite', 'protocol', 'differs', 'expected', 'none',
+  'pass',
+  'low-quality',
+  'fail',
+  'unsupported',
+  'crash',
+  'timeout',
+  'non-finite',
+  'protocol',
+  'differs',
+  'expected',
+  'none',
 ];
 const fields: Field[] = ['scenario', 'tag', 'claim'];
 
@@ -131,7 +141,8 @@ class Parser {
       this.take('and');
       parts.push(this.single());
     }
-    return parts.length === 1 ? parts[0]! : { kind: 'and', parts };
+    const asking = parts.filter(({ kind }) => kind !== 'all'); // columns: asks nothing of a row
+    return asking.length > 1 ? { kind: 'and', parts: asking } : (asking[0] ?? { kind: 'all' });
   }
 
   private single(): Query {

@@ -37,19 +37,40 @@ export function Legend({ list, hidden, toggle }: LegendProps) {
     <div class="scroll" tabIndex={0} role="region" aria-label="Engines and schemes">
       <table>
         <caption>Engines and schemes, with the order fitted to the errors</caption>
-        <Heads names={['engine and scheme', 'version', 'order declared', 'order fitted', 'floor', 'points drawn', 'remark']} />
+        <Heads
+          names={[
+            'engine and scheme',
+            'version',
+            'order declared',
+            'order fitted',
+            'floor',
+            'points drawn',
+            'remark',
+          ]}
+        />
         <tbody>
           {list.map((series, i) => (
             <tr key={i}>
               <th scope="row">
                 <label>
-                  <input type="checkbox" class="on-screen" checked={!hidden.has(i)} onChange={() => toggle(i)} /> <Sample style={i} />{' '}
-                  {visible(series.label)}
+                  <input
+                    type="checkbox"
+                    class="on-screen"
+                    checked={!hidden.has(i)}
+                    onChange={() => toggle(i)}
+                  />{' '}
+                  <Sample style={i} /> {visible(series.label)}
                 </label>
               </th>
-              <td>{visible(`${series.of.version}, ${series.of.precision}, ${series.of.path}, ${series.of.gyroscopic}`)}</td>
+              <td>
+                {visible(
+                  `${series.of.version}, ${series.of.precision}, ${series.of.path}, ${series.of.gyroscopic}`,
+                )}
+              </td>
               <td class="number">{series.of.adaptive ? 'to tolerance' : series.of.declared_order}</td>
-              <td class="number">{series.of.observed_order === null ? 'none' : short(series.of.observed_order, 3)}</td>
+              <td class="number">
+                {series.of.observed_order === null ? 'none' : short(series.of.observed_order, 3)}
+              </td>
               <td class="number">{floorText(series)}</td>
               <td class="number">
                 {series.points.filter(isDrawn).length} of {series.points.length}
@@ -81,7 +102,17 @@ export function SettingsTable({ list, points, caption }: SettingsProps) {
           <caption>
             {caption} ({points.length})
           </caption>
-          <Heads names={['engine and scheme', 'step and tolerance', 'error', 'CPU s per s', 'per body-step', 'status', 'dominated by, or why not']} />
+          <Heads
+            names={[
+              'engine and scheme',
+              'step and tolerance',
+              'error',
+              'CPU s per s',
+              'per body-step',
+              'status',
+              'dominated by, or why not',
+            ]}
+          />
           <tbody>
             {shown.map((p, i) => (
               <tr key={i}>

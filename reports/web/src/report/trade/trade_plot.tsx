@@ -53,7 +53,11 @@ function Line({ placed, style }: { placed: Placed[]; style: number }) {
   const paint = `var(${color})`;
   return (
     <g>
-      <polyline points={placed.map(({ x, y }) => `${x.toFixed(1)},${y.toFixed(1)}`).join(' ')} stroke={paint} stroke-dasharray={dash.join(' ')} />
+      <polyline
+        points={placed.map(({ x, y }) => `${x.toFixed(1)},${y.toFixed(1)}`).join(' ')}
+        stroke={paint}
+        stroke-dasharray={dash.join(' ')}
+      />
       {placed.map(({ point, x, y }, i) => (
         <g key={i}>
           {point.onFront ? <circle class="front" cx={x} cy={y} r="8" /> : null}
@@ -65,7 +69,9 @@ function Line({ placed, style }: { placed: Placed[]; style: number }) {
 }
 
 function told(list: Series[], point: Point): string {
-  const front = point.onFront ? 'nothing is both cheaper and better' : point.dominatedBy && `dominated by ${point.dominatedBy}`;
+  const front = point.onFront
+    ? 'nothing is both cheaper and better'
+    : point.dominatedBy && `dominated by ${point.dominatedBy}`;
   return visible(
     [
       `${list[point.series]!.label} at ${settingOf(point)}`,
@@ -92,9 +98,21 @@ export function TradePlot({ list, hidden, error, level, label }: TradePlotProps)
   const [named, name] = useState<Point | null>(null);
   const { x, y, lines } = useMemo(() => {
     const drawn = list.flatMap((s) => s.points.filter(isDrawn)); // hidden ones too: axes stay where they are
-    const xAxis = logAxis(drawn.map((p) => p.cost!), margin.left, width - margin.right);
-    const yAxis = logAxis([...drawn.map((p) => p.error!), ...(level ? [level] : [])], height - margin.bottom, margin.top);
-    const place = (point: Point): Placed => ({ point, x: xAxis.place(point.cost!), y: yAxis.place(point.error!) });
+    const xAxis = logAxis(
+      drawn.map((p) => p.cost!),
+      margin.left,
+      width - margin.right,
+    );
+    const yAxis = logAxis(
+      [...drawn.map((p) => p.error!), ...(level ? [level] : [])],
+      height - margin.bottom,
+      margin.top,
+    );
+    const place = (point: Point): Placed => ({
+      point,
+      x: xAxis.place(point.cost!),
+      y: yAxis.place(point.error!),
+    });
     return { x: xAxis, y: yAxis, lines: list.map((s) => s.points.filter(isDrawn).map(place)) };
   }, [list, width, level]);
 
@@ -107,7 +125,14 @@ export function TradePlot({ list, hidden, error, level, label }: TradePlotProps)
 
   return (
     <div ref={host} class="trade-plot">
-      <svg width={width} height={height} role="img" aria-label={visible(label)} onPointerMove={point} onPointerLeave={() => name(null)}>
+      <svg
+        width={width}
+        height={height}
+        role="img"
+        aria-label={visible(label)}
+        onPointerMove={point}
+        onPointerLeave={() => name(null)}
+      >
         <Grid x={x} y={y} width={width} error={error} />
         {level ? (
           <g class="level">
@@ -119,7 +144,9 @@ export function TradePlot({ list, hidden, error, level, label }: TradePlotProps)
         ) : null}
         {lines.map((placed, i) => (hidden.has(i) ? null : <Line key={i} placed={placed} style={i} />))}
       </svg>
-      <p class="named on-screen">{named ? told(list, named) : 'Point at a setting to read it; every one stands in the tables below.'}</p>
+      <p class="named on-screen">
+        {named ? told(list, named) : 'Point at a setting to read it; every one stands in the tables below.'}
+      </p>
     </div>
   );
 }

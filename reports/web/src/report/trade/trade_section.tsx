@@ -17,7 +17,11 @@ interface Entry {
 
 function entries(trades: Trade[]): Entry[] {
   return trades.flatMap((trade, i) =>
-    trade.tables.map((table) => ({ key: trades.length > 1 ? `${table.scenario} (${i + 1})` : table.scenario, trade, table })),
+    trade.tables.map((table) => ({
+      key: trades.length > 1 ? `${table.scenario} (${i + 1})` : table.scenario,
+      trade,
+      table,
+    })),
   );
 }
 
@@ -25,7 +29,12 @@ function entries(trades: Trade[]): Entry[] {
 function allowed(verdicts: Verdict[], table: Table, measure: Measure): number | null {
   if (measure.scale === null) return null;
   const levels = verdicts
-    .filter((v) => v.scenario === table.scenario && v.scenario_hash === table.scenario_hash && v.observable === measure.name)
+    .filter(
+      (v) =>
+        v.scenario === table.scenario &&
+        v.scenario_hash === table.scenario_hash &&
+        v.observable === measure.name,
+    )
     .flatMap((v) => (v.allowed !== null && v.allowed > 0 && v.unit === measure.unit ? [v.allowed] : []));
   return levels.length > 0 ? Math.min(...levels) / measure.scale : null;
 }
@@ -46,7 +55,10 @@ function describe(list: Series[]): string {
 function Plot({ index, entry }: { index: Index; entry: Entry }) {
   const { measure: wanted, hide = '' } = useAddress();
   const { trade, table } = entry;
-  const measure = table.measures.find((m) => m.name === wanted) ?? table.measures.find((m) => m.name === table.by) ?? table.measures[0];
+  const measure =
+    table.measures.find((m) => m.name === wanted) ??
+    table.measures.find((m) => m.name === table.by) ??
+    table.measures[0];
   const list = useMemo(() => join(trade, table, measure?.name ?? ''), [trade, table, measure]);
   const hidden = useMemo(() => new Set(hide.split(',').filter(Boolean).map(Number)), [hide]);
   if (!measure) return <p class="empty">This sweep measured no errors.</p>;
@@ -70,10 +82,13 @@ function Plot({ index, entry }: { index: Index; entry: Entry }) {
         </select>
       </label>
       <p class="note">
-        {visible(axisText(measure))}; the reference itself is known to {short(measure.resolution)}. Truth: {visible(table.truth || 'none')};{' '}
-        {short(table.duration)} s, {count(table.bodies, 'body', 'bodies')}. Ringed: nothing is both cheaper and better
+        {visible(axisText(measure))}; the reference itself is known to {short(measure.resolution)}. Truth:{' '}
+        {visible(table.truth || 'none')}; {short(table.duration)} s, {count(table.bodies, 'body', 'bodies')}.
+        Ringed: nothing is both cheaper and better
         {measure.name === table.by ? '.' : ' by this measure.'}
-        {lost.length > 0 ? ` ${count(lost.length, 'setting')} without a finite error above 0 or a cost cannot be drawn and stand in the last table.` : ''}
+        {lost.length > 0
+          ? ` ${count(lost.length, 'setting')} without a finite error above 0 or a cost cannot be drawn and stand in the last table.`
+          : ''}
       </p>
       <TradePlot
         list={list}
@@ -83,8 +98,16 @@ function Plot({ index, entry }: { index: Index; entry: Entry }) {
         label={describe(list)}
       />
       <Legend list={list} hidden={hidden} toggle={toggle} />
-      <SettingsTable list={list} points={points.filter((p) => isDrawn(p) && p.onFront)} caption="Nothing is both cheaper and better" />
-      <SettingsTable list={list} points={points.filter((p) => isDrawn(p) && !p.onFront)} caption="Dominated settings" />
+      <SettingsTable
+        list={list}
+        points={points.filter((p) => isDrawn(p) && p.onFront)}
+        caption="Nothing is both cheaper and better"
+      />
+      <SettingsTable
+        list={list}
+        points={points.filter((p) => isDrawn(p) && !p.onFront)}
+        caption="Dominated settings"
+      />
       <SettingsTable list={list} points={lost} caption="Not drawn" />
     </>
   );
@@ -101,7 +124,10 @@ export function TradeSection({ index }: { index: Index }) {
         <>
           <label>
             scenario{' '}
-            <select value={entry.key} onChange={(event) => go({ trade: event.currentTarget.value, measure: '', hide: '' })}>
+            <select
+              value={entry.key}
+              onChange={(event) => go({ trade: event.currentTarget.value, measure: '', hide: '' })}
+            >
               {list.map(({ key }) => (
                 <option key={key} value={key}>
                   {visible(key)}

@@ -1,0 +1,154 @@
+// The matrix, the digits, the verdict line and what changed since a baseline.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { load } from '../bundle_for_test.mjs';
+import { verdict } from './verdicts.mjs';
+
+const { fold, find, badness } = await load('report/fold.ts');
+const { digits, statuses } = await load('report/status.ts');
+const { summary, warnings } = await load('report/summary.ts');
+const { changes } = await load('report/changes.ts');
+
+test('statuses go from best to worst', () => {
+  const order = ['pass', 'unsupported', 'low-quality', 'fail', 'non-finite', 'timeout', 'crash', 'protocol'];
+  assert.deepEqual(statuses, order);
+});
+
+for (const [measured, allowed, expected] of [
+  [0.002, 0.2, 2],
+  [0.2, 0.002, -2],
+  [0, 0.002, 99],
+  [0, 0, 99],
+  [0.3, 0, -99],
+  [null, 0.1, -99],
+  [0.1, null, -99],
+  [Infinity, 0.1, -99],
+  [1e-300, 1, 99],
+])
+  test(`digits of ${measured} within ${allowed}`, () =>
+    assert.ok(Math.abs(digits(measured, allowed) - expected) < 1e-12));
+
+test('a cell is the worst of its claims, with the least digits of those measured', () => {
+  const { rows } = fold([
+    verdict({ status: 'pass', expected: 'pass', measured: 0.0007 }),
+    verdict({ claim: 'b', status: 'fail', expected: 'fail', measured: 0.9 }),
+    verdict({ claim: 'c', status: 'non-finite', expected: 'pass', measured: null, first_bad_step: 7 }),
+    verdict({ claim: 'd', status: 'low-quality', measured: 0.003 }),
+  ]);
+  const [cell] = rows[0].cells;
+  assert.equal(cell.worst, 'non-finite');
+  assert.ok(Math.abs(cell.digits - Math.log10(0.0021 / 0.9)) < 1e-12);
+  assert.equal(cell.differs, true);
+  assert.equal(cell.verdicts.length, 4);
+});
+
+test('steps and schemes are named only where there are several', () => {
+  const { rows, columns } = fold([
+    verdict({}),
+    verdict({ dt_text: '1/60' }),
+    verdict({ scenario: 'kepler' }),
+    verdict({ engine: 'in-house', integrator: 'rk4' }),
+    verdict({ engine: 'in-house', integrator: 'auto' }),
+  ]);
+  assert.deepEqual(
+    rows.map((r) => r.label),
+    ['heavy_top 0.001', 'heavy_top 1/60', 'kepler'],
+  );
+  assert.deepEqual(
+    columns.map((c) => c.label),
+    ['ode', 'in-house rk4', 'in-house auto'],
+  );
+  assert.equal(rows[2].cells[1], null);
+});
+
+test('a cell is found by all four words of its name', () => {
+  const matrix = fold([verdict({}), verdict({ dt_text: '1/60', claim: 'x' })]);
+  const name = { scenario: 'heavy_top', engine: 'ode', integrator: 'semi-implicit-euler', dt: '1/60' };
+  assert.equal(find(matrix, name).verdicts[0].claim, 'x');
+  for (const key of Object.keys(name)) assert.equal(find(matrix, { ...name, [key]: 'other' }), null);
+});
+
+test('rows that differ are the worst, then severity, then digits', () => {
+  const { rows } = fold([
+    verdict({ scenario: 'mild', measured: 0.003 }),
+    verdict({ scenario: 'strong', measured: 0.02 }),
+    verdict({ scenario: 'broken', status: 'crash', expected: 'crash', measured: null }),
+    verdict({ scenario: 'surprise', status: 'pass', expected: 'fail', measured: 0.0001 }),
+  ]);
+  const worse = (a, b) =>
+    badness(b)[0] - badness(a)[0] || badness(b)[1] - badness(a)[1] || badness(b)[2] - badness(a)[2];
+  assert.deepEqual(
+    [...rows].sort(worse).map((r) => r.scenario),
+    ['surprise', 'broken', 'strong', 'mild'],
+  );
+});
+
+test('the verdict line counts an unexpected pass as a difference', () => {
+  const line = summary([
+    verdict({}),
+    verdict({ status: 'crash', expected: 'crash' }),
+    verdict({ status: 'pass', expected: 'fail' }),
+    verdict({ status: 'pass', expected: 'pass' }),
+    verdict({ status: 'timeout', expected: 'pass' }),
+  ]);
+  assert.equal(line.differText, '2 differ (1 timeout, 1 pass)');
+  assert.equal(line.expectedText, '2 as expected (1 crash, 1 low-quality)');
+  assert.equal(line.passText, '1 pass');
+});
+
+test('scaled tolerances and unlisted versions are warned of', () => {
+  const results = (list, scale = 1) => ({ provenance: { tolerance_scale: scale }, verdicts: list });
+  assert.deepEqual(warnings(results([verdict({})])), []);
+  assert.match(warnings(results([verdict({})], 0.5))[0], /multiplied by 0.5/);
+  assert.match(warnings(results([verdict({ tolerance_scale: 3 })]))[0], /multiplied by 3/);
+  assert.match(
+    warnings(results([verdict({ version_listed: false }), verdict({ version_listed: false })]))[0],
+    /ode 0.16.2 .* 2 verdicts/,
+  );
+});
+
+test('changes since the baseline, worst first', () => {
+  const of = (claim, change) => verdict({ claim, ...change });
+  const before = [
+    of('same'),
+    of('near', { measured: 0.003 }),
+    of('worse', { measured: 0.003 }),
+    of('better', { measured: 0.003 }),
+    of('broke', { status: 'pass', measured: 0.001 }),
+    of('healed', { status: 'fail', measured: 0.5 }),
+    of('left'),
+    of('other'),
+  ];
+  const now = [
+    of('same'),
+    of('near', { measured: 0.0032 }),
+    of('worse', { measured: 0.006 }),
+    of('better', { measured: 0.001 }),
+    of('broke', { status: 'crash', measured: null }),
+    of('healed', { status: 'pass', measured: 0.001 }),
+    of('came'),
+    of('other', { scenario_hash: 'another', measured: 0.9 }),
+  ];
+  const list = changes(now, before);
+  assert.deepEqual(
+    list.map((c) => `${c.kind} ${c.verdict.claim}`),
+    [
+      'status broke',
+      'status healed',
+      'error worse',
+      'error better',
+      'gone left',
+      'new came',
+      'scenario other',
+    ],
+  );
+  assert.ok(Math.abs(list[2].weight - Math.log10(2)) < 1e-12);
+  assert.deepEqual(changes(before, before), []);
+});
+
+test('claims with the same words are told apart by their order', () => {
+  const twice = (a, b) => [verdict({ measured: a }), verdict({ measured: b })];
+  assert.equal(changes(twice(0.003, 0.008), twice(0.003, 0.008)).length, 0);
+  assert.equal(changes(twice(0.003, 0.009), twice(0.003, 0.004)).length, 1);
+});
