@@ -20,6 +20,7 @@ export interface Shown {
 
 export interface Hands {
   camera(state: CameraState, from: LanePicture): void;
+  frameAll(): void;
   grab(grab: Grab): void;
   pull(point: Vector): void;
   release(): void;
@@ -38,6 +39,7 @@ export class LanePicture {
     this.trail = new TrailRecorder(scene.body.length);
     this.arrowLength = this.reach();
     this.picture.onCamera = (state) => hands.camera(state, this);
+    this.picture.onFrameAll = () => hands.frameAll();
     this.picture.onGrab = (grab) => hands.grab(grab);
     this.picture.onPull = (point) => hands.pull(point);
     this.picture.onRelease = () => hands.release();
@@ -59,15 +61,25 @@ export class LanePicture {
     this.time = -Infinity;
   }
 
-  /** `anchors`: where on its body somebody holds it, body axes. */
-  update(state: StateMessage, lane: LaneState, payload: Float32Array, index: number, shown: Shown, scale: ArrowScale, anchors: Map<number, Vector>): void {
+  /** Every state that comes, drawn or not, is a point of the trail; false where this lane has none. */
+  read(t: number, payload: Float32Array, index: number): boolean {
+    if (!this.pose.read(payload, index)) return false;
+    if (t < this.time) this.trail.clear();
+    if (t !== this.time) this.trail.add(this.pose.position);
+    this.time = t;
+    return true;
+  }
+
+  get position(): Float32Array {
+    return this.pose.position;
+  }
+
+  /** Shows the state that was read last.  `anchors`: where on its body somebody holds it, body axes. */
+  update(state: StateMessage, lane: LaneState, shown: Shown, scale: ArrowScale, anchors: Map<number, Vector>): void {
     const { picture, pose, scene } = this;
-    if (lane.status !== 'running' || !pose.read(payload, index)) return;
+    if (lane.status !== 'running' || this.time === -Infinity) return;
     picture.show('bodies', pose, state.t);
     picture.links(shown.links);
-    if (state.t < this.time) this.trail.clear();
-    if (state.t !== this.time) this.trail.add(pose.position);
-    this.time = state.t;
     picture.trails('bodies', shown.trails ? this.trail.positions : null, pose.bodies, this.trail.frames - 1);
     const kinds = (['velocity', 'momentum', 'angular momentum'] as ArrowChoice[]).filter((kind) => shown[kind]);
     picture.arrows(scale.arrows(scene, pose, kinds, this.arrowLength));

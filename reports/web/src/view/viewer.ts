@@ -13,6 +13,7 @@ import type { Hands, Shown } from './lane_picture';
 import type { Packet } from './packets';
 import { seen } from './parameters';
 import { ArrowScale } from './poses';
+import { Reach } from './reach';
 
 const refresh = 125; // [ms] between read-outs: faster is not read
 
@@ -50,8 +51,9 @@ export class Viewer {
       this.tell('Pictures were missed: the motion was slowed down so that the recording keeps up. Reset records from the start.');
     },
   );
-  private newest: Packet | null = null; // not drawn yet
-  private last: Packet | null = null;
+  private fresh = false; // a state that is not drawn yet
+  private payload: Float32Array | null = null; // of `state`
+  private reach: Reach | null = null;
   private looks = '';
   private camera: CameraState | null = null;
   private grabbed: { body: number; anchor: Vector } | null = null;
@@ -95,6 +97,7 @@ export class Viewer {
     const looks = seen(session.scene);
     const other = looks !== this.looks;
     this.looks = looks;
+    if (other) this.reach = new Reach(session.scene);
     for (const picture of this.pictures.values()) picture.setScene(session.scene, other && before !== null);
     if (before && before.lanes.map(laneName).join('\n') !== session.lanes.map(laneName).join('\n')) this.history.clear();
     this.changed();
@@ -104,13 +107,22 @@ export class Viewer {
     const { message } = packet;
     if (message.type === 'session') {
       this.take(message.session);
-      this.last = this.newest = null;
+      this.payload = null; // its lanes are others
       return;
     }
     if (this.state && message.t < this.state.t) this.restarted();
     this.state = message;
+    this.payload = packet.payload;
+    for (const [lane, picture] of this.pictures)
+      if (message.lanes[lane]?.status === 'running' && picture.read(message.t, packet.payload, lane)) this.hold(picture.position);
     this.history.add(message.t, message.lanes);
-    this.newest = packet; // an older one that was not drawn is dropped
+    this.fresh = true;
+  }
+
+  /** Keeps bodies in sight of all cameras that nobody has taken. */
+  private hold(position: Float32Array): void {
+    if (!this.reach?.include(position)) return;
+    for (const picture of this.pictures.values()) picture.picture.frameOn(this.reach.bounds);
   }
 
   private restarted(): void {
@@ -122,12 +134,9 @@ export class Viewer {
   private frame(now: number): void {
     this.rate.tick(now);
     this.commands.flush();
-    const fresh = this.newest;
-    this.newest = null;
-    if (fresh) {
-      this.last = fresh;
-      this.draw(fresh);
-    }
+    const { fresh } = this;
+    this.fresh = false;
+    if (fresh) this.draw(); // older states that were not drawn are dropped
     for (const picture of this.pictures.values()) picture.picture.render();
     const { session, state } = this;
     if (fresh && session && state?.playing && wantsPictures(session)) {
@@ -140,22 +149,19 @@ export class Viewer {
     }
   }
 
-  private draw({ message, payload }: Packet): void {
-    if (message.type !== 'state') return;
+  /** Gives the newest state to the pictures. */
+  private draw(): void {
+    const { state } = this;
+    if (!state) return;
     for (const [lane, picture] of this.pictures) {
-      const state = message.lanes[lane];
-      if (state) picture.update(message, state, payload, lane, this.shown, this.scale, this.anchors);
+      const of = state.lanes[lane];
+      if (of) picture.update(state, of, this.shown, this.scale, this.anchors);
     }
-  }
-
-  /** Draws the state that is there once more, in another way. */
-  redraw(): void {
-    if (this.last) this.draw(this.last);
   }
 
   show(change: Partial<Shown>): void {
     this.shown = { ...this.shown, ...change };
-    this.redraw();
+    this.draw();
     this.changed();
   }
 
@@ -164,8 +170,10 @@ export class Viewer {
   attach(lane: number, host: HTMLElement, label: string): () => void {
     const picture = new LanePicture(host, this.session!.scene, label, this.hands);
     if (this.camera) picture.picture.camera = this.camera;
+    if (this.reach) picture.picture.frameOn(this.reach.bounds);
     this.pictures.set(lane, picture);
-    this.redraw();
+    if (this.state?.lanes[lane]?.status === 'running' && this.payload) picture.read(this.state.t, this.payload, lane);
+    this.fresh = true;
     return () => {
       if (this.pictures.get(lane) === picture) this.pictures.delete(lane);
       picture.dispose();
@@ -176,6 +184,10 @@ export class Viewer {
     camera: (state, from) => {
       this.camera = state;
       for (const picture of this.pictures.values()) if (picture !== from) picture.picture.camera = state;
+    },
+    frameAll: () => {
+      this.camera = null;
+      for (const picture of this.pictures.values()) picture.picture.frameAll();
     },
     grab: ({ body, anchor, point }) => {
       this.grabbed = { body, anchor };

@@ -12,13 +12,14 @@ import { Picture } from './picture';
 import { gridStep } from './planes';
 import type { Stage } from './stage';
 import { makeStage } from './make_stage';
-import type { Arrow, CameraState, ContactMark, Grab, Layer, Pose, Pull, Scene3D, Scene3DOptions } from './types';
+import type { Arrow, Bounds, CameraState, ContactMark, Grab, Layer, Pose, Pull, Scene3D, Scene3DOptions } from './types';
 import { add, conjugate, dot, rotate, scale, subtract } from './vectors';
 
 export class LiveScene3D implements Scene3D, Controlled {
   readonly element: HTMLCanvasElement;
   readonly webgl: boolean;
   onCamera: ((state: CameraState) => void) | null = null;
+  onFrameAll: (() => void) | null = null;
   onGrab: ((grab: Grab) => void) | null = null;
   onPull: ((point: Vector) => void) | null = null;
   onRelease: (() => void) | null = null;
@@ -30,6 +31,7 @@ export class LiveScene3D implements Scene3D, Controlled {
   private picture: Picture;
   private state: CameraState;
   private framed = false; // somebody chose the camera
+  private framing: Bounds | null = null; // what the camera holds until then, if not the picture's bounds
   private stale = true;
   private overStale = true; // axes and scale bar
   private held: Vector | null = null; // where a body was grabbed [m]
@@ -77,11 +79,22 @@ export class LiveScene3D implements Scene3D, Controlled {
     this.onCamera?.(this.state);
   }
 
-  reset(): void {
+  frameOn(bounds: Bounds): void {
+    this.framing = bounds;
+    if (!this.framed) this.turned();
+  }
+
+  frameAll(): void {
     this.framed = false;
     this.turned();
+  }
+
+  /** The user asks for the whole scene. */
+  reset(): void {
+    this.frameAll();
     this.view();
-    this.onCamera?.(this.state);
+    if (this.onFrameAll) this.onFrameAll();
+    else this.onCamera?.(this.state);
   }
 
   show(layer: Layer, pose: Pose | null, time: number): void {
@@ -135,14 +148,13 @@ export class LiveScene3D implements Scene3D, Controlled {
 
   private retheme(): void {
     this.picture.theme = readTheme(this.root);
-    this.picture.redraw();
     this.turned();
   }
 
   private view(): View {
     const width = Math.max(this.root.clientWidth, 1);
     const height = Math.max(this.root.clientHeight, 1);
-    if (!this.framed) this.state = frame(this.picture.bounds, width / height);
+    if (!this.framed) this.state = frame(this.framing ?? this.picture.bounds, width / height);
     return viewOf(this.state, { width, height, ratio: Math.min(devicePixelRatio || 1, 2) }, this.picture.extent);
   }
 
@@ -187,6 +199,7 @@ export class LiveScene3D implements Scene3D, Controlled {
     this.stale = false;
     this.picture.relink();
     const view = this.view();
+    this.picture.setEye(view.eye);
     this.stage.draw(view);
     if (this.overStale) this.drawOver(view);
   }
@@ -235,6 +248,6 @@ export class LiveScene3D implements Scene3D, Controlled {
     this.controls.dispose();
     this.stage.dispose();
     this.root.remove();
-    this.onCamera = this.onGrab = this.onPull = this.onRelease = null;
+    this.onCamera = this.onFrameAll = this.onGrab = this.onPull = this.onRelease = null;
   }
 }

@@ -5,7 +5,7 @@ import { bodyColour } from './colours';
 import type { Theme } from './colours';
 import { Links } from './links';
 import { drawArrows, drawContacts, drawPulls } from './marks';
-import { drawPlanes } from './planes';
+import { drawPlanes, facing } from './planes';
 import { Segments } from './segments';
 import type { Colour } from './segments';
 import { solidsOf } from './solids';
@@ -71,6 +71,8 @@ export class Picture {
   contacts: ContactMark[] = [];
   pulls: Pull[] = [];
   linksShown = true;
+  private open: boolean[] = []; // planes that face the eye
+  private drawnFor: Theme | null = null;
   private largestImpulse = 0; // so far [N s]
   private readonly joined: Links;
 
@@ -84,13 +86,16 @@ export class Picture {
     this.joined = new Links(scene, this.extent);
     this.layers = { bodies: new Bodies(scene.body.length), ghost: new Bodies(scene.body.length) };
     this.layers.bodies.set({ position: scene.body.flatMap((b) => b.position), orientation: scene.body.flatMap((b) => b.orientation) });
-    this.redraw();
   }
 
-  /** Lines that no pose moves: once per scene and theme. */
-  redraw(): void {
+  /** Lines that no pose moves, for the side from which the eye sees each plane and the colours of now. */
+  setEye(eye: Vector): void {
+    const open = facing(this.scene, eye);
+    if (this.drawnFor === this.theme && open.every((is, i) => is === this.open[i])) return;
+    this.open = open;
+    this.drawnFor = this.theme;
     this.fixed.clear();
-    drawPlanes(this.fixed, this.scene, this.bounds, this.extent, this.theme);
+    drawPlanes(this.fixed, this.scene, this.bounds, this.extent, this.theme, open);
   }
 
   /** Lines that follow the bodies or lie over them: after every change. */

@@ -45,14 +45,23 @@ export function chord(polygon: Vector[], across: Vector, c: number): [Vector, Ve
 /** Distance of the lines of a grid [m]. */
 export const gridStep = (extent: number): number => round125(extent / 8);
 
-export function drawPlanes(into: Segments, scene: Scene, bounds: Bounds, extent: number, theme: Theme): void {
+/** Which planes show an eye their free side: the others would stand between it and the bodies. */
+export const facing = (scene: Scene, eye: Vector): boolean[] =>
+  scene.plane.map((plane) => dot(plane.normal, eye) >= plane.offset);
+
+/** Planes that are not `open` are drawn as a border alone. */
+export function drawPlanes(into: Segments, scene: Scene, bounds: Bounds, extent: number, theme: Theme, open: boolean[]): void {
   const room = 0.18 * extent;
   const box: Bounds = { min: subtract(bounds.min, [room, room, room]), max: add(bounds.max, [room, room, room]) };
   const border = mix(theme.ground, theme.ink, 0.5);
-  for (const plane of scene.plane) {
+  scene.plane.forEach((plane, which) => {
     const n = unit(plane.normal, [0, 1, 0]);
     const polygon = planeInBox(n, plane.offset, box);
-    if (polygon.length < 3) continue;
+    if (polygon.length < 3) return;
+    if (!open[which]) {
+      polygon.forEach((p, i) => into.add(p, polygon[(i + 1) % polygon.length]!, theme.faint, 1));
+      return;
+    }
     const step = gridStep(extent);
     for (const across of tangents(n)) {
       const reach = polygon.map((p) => dot(p, across));
@@ -78,5 +87,5 @@ export function drawPlanes(into: Segments, scene: Scene, bounds: Bounds, extent:
     const corner = polygon.reduce((sum, p) => add(sum, scale(p, 1 / polygon.length)), [0, 0, 0] as Vector);
     const at = add(corner, scale(subtract(polygon[0]!, corner), 0.8));
     arrow(into, at, scale(n, -0.07 * extent), border, 2, extent);
-  }
+  });
 }

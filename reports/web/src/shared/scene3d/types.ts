@@ -64,6 +64,11 @@ export interface Scene3D {
   replaceScene(scene: Scene): void;
   camera: CameraState; // set it to link several views
   onCamera: ((state: CameraState) => void) | null; // the user moved it
+  /** Frames these bounds [m] in place of the scene's, unless somebody chose the camera. */
+  frameOn(bounds: Bounds): void;
+  /** Nobody chose the camera: it frames all again. */
+  frameAll(): void;
+  onFrameAll: (() => void) | null; // the user asked for that; where it is not set, onCamera tells
   onGrab: ((grab: Grab) => void) | null; // a drag began on a body (only where set; else drags turn the camera)
   onPull: ((point: Vector) => void) | null; // point under the pointer in the plane through the grab that faces the camera
   onRelease: (() => void) | null;

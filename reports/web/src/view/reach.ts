@@ -1,0 +1,38 @@
+// How far the bodies of all lanes have gone, for a camera that keeps them in sight until somebody takes it.
+import type { Scene } from '../shared/documents';
+import { sceneBounds, shapeRadius } from '../shared/scene3d/bounds';
+import type { Bounds } from '../shared/scene3d/index';
+import { length, subtract } from '../shared/scene3d/vectors';
+
+const spare = 0.15; // of the size, so that the camera moves seldom
+const farthest = 30; // sizes of the scene; what flies farther is let go
+
+export class Reach {
+  bounds: Bounds;
+  private readonly whole: number; // [m]
+  private readonly radius: number[];
+
+  constructor(scene: Scene) {
+    this.bounds = sceneBounds(scene);
+    this.whole = length(subtract(this.bounds.max, this.bounds.min));
+    this.radius = scene.body.map((body) => shapeRadius(body.shape));
+  }
+
+  /** Whether the bounds grew for a body at a position of 3 per body. */
+  include(position: ArrayLike<number>): boolean {
+    let grew = false;
+    const size = length(subtract(this.bounds.max, this.bounds.min));
+    for (let i = 0; i < 3 * this.radius.length; ++i) {
+      const axis = i % 3;
+      const x = position[i]!;
+      const r = this.radius[(i - axis) / 3]!;
+      if (!Number.isFinite(x) || Math.abs(x - (this.bounds.min[axis]! + this.bounds.max[axis]!) / 2) > farthest * this.whole) continue;
+      if (x - r >= this.bounds.min[axis]! && x + r <= this.bounds.max[axis]!) continue;
+      if (!grew) this.bounds = { min: [...this.bounds.min], max: [...this.bounds.max] };
+      grew = true;
+      if (x - r < this.bounds.min[axis]!) this.bounds.min[axis] = x - r - spare * size;
+      else this.bounds.max[axis] = x + r + spare * size;
+    }
+    return grew;
+  }
+}
