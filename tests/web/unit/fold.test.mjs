@@ -62,6 +62,17 @@ test('steps and schemes are named only where there are several', () => {
   assert.equal(rows[2].cells[1], null);
 });
 
+test('a run without a scheme stands with the first scheme of its engine, and is found by its own name', () => {
+  const refused = { scenario: 'gas', integrator: '', status: 'unsupported', expected: 'unsupported', measured: null };
+  const matrix = fold([verdict(refused), verdict({}), verdict({ ...refused, engine: 'other' })]);
+  assert.deepEqual(
+    matrix.columns.map((c) => c.label),
+    ['ode', 'other'],
+  );
+  const name = { scenario: 'gas', engine: 'ode', integrator: '', dt: '0.001' };
+  assert.equal(find(matrix, name), matrix.rows[0].cells[0]);
+});
+
 test('a cell is found by all four words of its name', () => {
   const matrix = fold([verdict({}), verdict({ dt_text: '1/60', claim: 'x' })]);
   const name = { scenario: 'heavy_top', engine: 'ode', integrator: 'semi-implicit-euler', dt: '1/60' };

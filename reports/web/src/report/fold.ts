@@ -70,13 +70,21 @@ function join(cell: Cell, verdict: Verdict): void {
   cell.verdicts.push(verdict);
 }
 
+/** Where a run without a scheme stands, as one that the engine could not express: with the engine's first scheme. */
+function firstSchemes(verdicts: Verdict[]): Map<string, string> {
+  const out = new Map<string, string>();
+  for (const v of verdicts) if (v.integrator !== '' && !out.has(v.engine)) out.set(v.engine, v.integrator);
+  return out;
+}
+
 export function fold(verdicts: Verdict[]): Matrix {
   const scenarios = new Labels();
   const engines = new Labels();
+  const schemes = firstSchemes(verdicts);
   const cells: (Cell | undefined)[][] = [];
   for (const v of verdicts) {
     const row = (cells[scenarios.index(v.scenario, v.dt_text)] ??= []);
-    const j = engines.index(v.engine, v.integrator);
+    const j = engines.index(v.engine, v.integrator || (schemes.get(v.engine) ?? ''));
     const { scenario, engine, integrator, dt_text: dt, status: worst } = v;
     row[j] ??= { scenario, engine, integrator, dt, verdicts: [], worst, digits: null, differs: false };
     join(row[j], v);
@@ -95,7 +103,8 @@ export function fold(verdicts: Verdict[]): Matrix {
 
 export function find(matrix: Matrix, name: CellName): Cell | null {
   const row = matrix.rows.find((r) => r.scenario === name.scenario && r.dt === name.dt);
-  return row?.cells.find((c) => c?.engine === name.engine && c.integrator === name.integrator) ?? null;
+  const same = (v: Verdict) => v.engine === name.engine && v.integrator === name.integrator;
+  return row?.cells.find((cell) => cell?.verdicts.some(same)) ?? null;
 }
 
 /** How bad a row is, for sorting: worse rows have greater keys. */
