@@ -21,6 +21,11 @@ export interface TimePlotProps {
   height?: number; // [px]
 }
 
+// Distances of ticks for values of any magnitude: what diverges reaches 1e38.
+const distances = Array.from({ length: 130 }, (_, i) => i - 50).flatMap((power) =>
+  [1, 2, 5].map((factor) => Number(`${factor}e${power}`)),
+);
+
 function axes(props: TimePlotProps): uPlot.Axis[] {
   const common = {
     stroke: () => color('--ink'),
@@ -34,11 +39,12 @@ function axes(props: TimePlotProps): uPlot.Axis[] {
   const values = (_: uPlot, splits: (number | null)[]) =>
     splits.map((v) => (v === null ? '' : props.number(v)));
   return [
-    { ...common, label: 'time [s]', values, size: 34 },
+    { ...common, label: 'time [s]', values, incrs: distances, size: 34 },
     {
       ...common,
       label: props.axis,
       values,
+      incrs: distances,
       size: 64,
       ...(props.log ? { splits: decadeSplits, filter: (_: uPlot, splits: number[]) => splits } : {}),
     },

@@ -1,10 +1,10 @@
 // Curves as numbers: at the cursor, at their extremes, at the first violation.  It is the plot's legend and stands
 // for the plot where nobody can see it.
+import { useMemo } from 'preact/hooks';
+
 import { type Curve, extremes, nearest } from '../../shared/plot_data';
 import { type TimeCursor, useCursor } from '../../shared/plot_cursor';
 import { Sample } from '../../shared/plot_marks';
-import { useMemo } from 'preact/hooks';
-
 import { count, short } from '../numbers';
 import { visible } from '../visible';
 
@@ -19,11 +19,19 @@ function remarks(curve: Curve, log: boolean): string {
   if (!e) return curve.value.length === 0 ? 'no samples' : 'nothing finite';
   const out: string[] = [];
   if (log && e.zeros > 0) out.push(`${count(e.zeros, 'sample')} exactly 0, drawn on the lower edge`);
-  if (e.lost > 0) out.push(`${count(e.lost, 'sample')} not finite, the first at ${short(e.lostAt)} s`);
+  if (e.lost > 0)
+    out.push(`${count(e.lost, 'sample')} not finite (or above 3.4e38), the first at ${short(e.lostAt)} s`);
   return out.join('; ');
 }
 
-function Row({ curve, cursor, log }: { curve: Curve; cursor: TimeCursor; log: boolean }) {
+interface RowProps {
+  curve: Curve;
+  cursor: TimeCursor;
+  log: boolean;
+  violations: boolean; // whether there is a column for them
+}
+
+function Row({ curve, cursor, log, violations }: RowProps) {
   const time = useCursor(cursor);
   const e = useMemo(() => extremes(curve), [curve]);
   const first = curve.violation;
@@ -35,7 +43,9 @@ function Row({ curve, cursor, log }: { curve: Curve; cursor: TimeCursor; log: bo
       <td class="number at-cursor">{at(curve, time)}</td>
       <td class="number">{e ? `${short(e.least)} at ${short(e.leastAt)} s` : ''}</td>
       <td class="number">{e ? `${short(e.greatest)} at ${short(e.greatestAt)} s` : ''}</td>
-      <td class="number">{first ? `${short(first.value)} at ${short(first.time)} s` : ''}</td>
+      {violations ? (
+        <td class="number">{first ? `${short(first.value)} at ${short(first.time)} s` : ''}</td>
+      ) : null}
       <td>{remarks(curve, log)}</td>
     </tr>
   );
@@ -50,19 +60,15 @@ interface CurveTableProps {
 }
 
 export function CurveTable({ curves, cursor, log, unit, caption }: CurveTableProps) {
+  const violations = curves.some((curve) => curve.violation);
+  const heads = [`curve${unit ? ` [${unit}]` : ''}`, 'at the cursor', 'least', 'greatest'];
+  heads.push(...(violations ? ['first violation', 'remarks'] : ['remarks']));
   return (
     <div class="scroll curves" tabIndex={0} role="region" aria-label={caption}>
       <table>
         <thead>
           <tr>
-            {[
-              `curve${unit ? ` [${unit}]` : ''}`,
-              'at the cursor',
-              'least',
-              'greatest',
-              'first violation',
-              'remarks',
-            ].map((head) => (
+            {heads.map((head) => (
               <th key={head} scope="col">
                 {head}
               </th>
@@ -71,7 +77,7 @@ export function CurveTable({ curves, cursor, log, unit, caption }: CurveTablePro
         </thead>
         <tbody>
           {curves.map((curve, i) => (
-            <Row key={i} curve={curve} cursor={cursor} log={log} />
+            <Row key={i} curve={curve} cursor={cursor} log={log} violations={violations} />
           ))}
         </tbody>
       </table>

@@ -6,7 +6,7 @@ import type { Scene } from '../../shared/documents';
 import type { TimeCursor } from '../../shared/plot_cursor';
 import { nearest } from '../../shared/plot_data';
 import { onTheme } from '../../shared/theme';
-import { createScene3D, type Scene3D } from '../../shared/scene3d';
+import { type CameraState, createScene3D, type Scene3D } from '../../shared/scene3d';
 import { visible } from '../visible';
 import type { Bounds } from './divergence';
 
@@ -15,16 +15,17 @@ export interface Motions {
   ghost: Frames | null;
 }
 
-/** Pictures whose cameras move together. */
+/** Pictures whose cameras move together.  Until somebody moves one, each frames the same motion by itself. */
 export class CameraLink {
   linked = true;
+  private moved: CameraState | null = null;
   private readonly scenes = new Set<Scene3D>();
 
   join(scene: Scene3D): () => void {
-    const [first] = this.scenes;
-    if (first && this.linked) scene.camera = first.camera;
+    if (this.moved && this.linked) scene.camera = this.moved;
     this.scenes.add(scene);
     scene.onCamera = (state) => {
+      this.moved = state;
       if (this.linked) for (const other of this.scenes) if (other !== scene) other.camera = state;
     };
     return () => void this.scenes.delete(scene);

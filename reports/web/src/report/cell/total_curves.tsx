@@ -78,7 +78,7 @@ export function TotalCurves({ block, other, cursor }: TotalCurvesProps) {
                   log={false}
                   cursor={cursor}
                   number={short}
-                  height={230}
+                  height={250}
                 />
                 <figcaption>
                   <CurveTable curves={curves} cursor={cursor} log={false} unit={unit} caption={axis} />
