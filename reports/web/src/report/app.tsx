@@ -54,7 +54,8 @@ export function App({ index }: { index: Index }) {
   const address = useAddress();
   const matrix = useMemo(() => fold(index.results.verdicts), [index]);
   const views = useMemo(() => new Map(index.scenarios.map((view) => [view.name, view])), [index]);
-  const section = sections.find((s) => s.id === address.section) ?? sections[0]!;
+  const filled = sections.find(({ size }) => size(index) !== 0);
+  const section = sections.find((s) => s.id === address.section) ?? filled ?? sections[0]!;
   const name = cellOf(address);
   const View = section.view;
   const cell = useMemo(

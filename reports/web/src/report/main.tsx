@@ -4,7 +4,7 @@ import './report.css';
 import { render } from 'preact';
 
 import { unpackJson } from '../shared/block';
-import type { Index } from '../shared/documents';
+import type { Index, Provenance, Results } from '../shared/documents';
 import { startTheme } from '../shared/theme';
 import { startAddress } from './address';
 import { App } from './app';
@@ -18,11 +18,30 @@ function Unreadable({ why }: { why: string }) {
   );
 }
 
+const nowhere: Provenance = {
+  cylon: '',
+  revision: '',
+  compiler: '',
+  flags: '',
+  machine: '',
+  os: '',
+  date: '',
+  command_line: '',
+  tolerance_scale: 1,
+};
+
+/** A report of sweeps or histories alone has no verdicts. */
+function complete(index: Index): Index {
+  const results = index.results as Results | null;
+  return results ? index : { ...index, results: { schema: 1, provenance: nowhere, verdicts: [] } };
+}
+
 export function openReport(root: HTMLElement): void {
   startTheme();
   startAddress();
   unpackJson<Index>(0).then(
-    (index) => {
+    (packed) => {
+      const index = complete(packed);
       document.title = index.title;
       root.replaceChildren(); // the matrix for readers without script
       render(<App index={index} />, root);

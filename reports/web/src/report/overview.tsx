@@ -92,7 +92,11 @@ export function VerdictLine({ index }: { index: Index }) {
   const cautions = useMemo(() => warnings(index.results), [index]);
   return (
     <>
-      <Line of={all} />
+      {all.total > 0 ? (
+        <Line of={all} />
+      ) : (
+        <p class="verdict-line">No verdicts: cylon run --json FILE makes them.</p>
+      )}
       {cautions.length > 0 ? (
         <ul class="warnings" aria-label="Warnings">
           {cautions.map((text) => (

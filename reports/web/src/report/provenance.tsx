@@ -25,7 +25,7 @@ function Facts({ of, title }: { of: Provenance; title: string }) {
       <h3>{title}</h3>
       <dl class="facts">
         {words
-          .filter(([key]) => of[key] !== undefined)
+          .filter(([key]) => of[key] !== undefined && of[key] !== '')
           .map(([key, label]) => (
             <div key={key}>
               <dt>{label}</dt>
@@ -129,7 +129,7 @@ export function ProvenanceSection({ index }: { index: Index }) {
       <h2 id="provenance-heading">Provenance</h2>
       <p>{cautions.length > 0 ? cautions.map(visible).join(' ') : 'No warnings.'}</p>
       {index.omitted_traces ? <p>{visible(index.omitted_traces)}</p> : null}
-      <Facts of={index.results.provenance} title="This run" />
+      {index.results.verdicts.length > 0 ? <Facts of={index.results.provenance} title="This run" /> : null}
       {index.baseline ? <Facts of={index.baseline.provenance} title="Baseline" /> : null}
       {index.trades.map((trade, i) => (
         <Facts key={i} of={trade.provenance} title={`Speed against accuracy, file ${i + 1}`} />

@@ -71,6 +71,13 @@ function decadeSplits(u: uPlot, _: number, least: number, greatest: number): num
   return out.filter((value) => value <= greatest);
 }
 
+/** A constant lies in the middle, not on the edge of an axis to 100. */
+function roomy(_: uPlot, least: number, greatest: number): uPlot.Range.MinMax {
+  if (least == null || greatest == null) return [-1, 1];
+  if (least === greatest) return [least - (Math.abs(least) || 1), least + (Math.abs(least) || 1)];
+  return uPlot.rangeNum(least, greatest, 0.1, true);
+}
+
 function options(props: TimePlotProps, width: number): uPlot.Options {
   const { curves, cursor, log } = props;
   const levels = curves.flatMap((c) => (c.allowed != null && c.allowed > 0 ? [c.allowed] : []));
@@ -86,7 +93,7 @@ function options(props: TimePlotProps, width: number): uPlot.Options {
             distr: 3,
             range: (u, a, b) => decades(u, Math.min(a ?? 1, ...levels), Math.max(b ?? 1, ...levels)),
           }
-        : {},
+        : { range: roomy },
     },
     series: [
       {},

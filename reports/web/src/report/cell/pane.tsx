@@ -96,7 +96,7 @@ export function Pane({ title, scene, motions, bounds, cursor, cameras, ghost, tr
     });
     picture.current = made;
     if (!made.webgl && note.current)
-      note.current.textContent = 'No WebGL here: drawn flat, from the side and from above.';
+      note.current.textContent = 'No WebGL here: drawn flat, without perspective.';
     const stops = [
       cameras.join(made),
       cursor.listen(() => update.current()),

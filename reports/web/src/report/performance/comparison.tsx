@@ -9,8 +9,8 @@ import { Interval } from './interval';
 
 type Cell = Comparisons['cells'][number];
 
-// Worst first; what is not named here comes after.
-const order = ['regressed', 'changed', 'inconclusive', 'unreliable', 'improved', 'same', 'skipped'];
+// In the order of their weight (harness/core/comparison.h).
+const order = ['regressed', 'inconclusive', 'improved', 'changed', 'same', 'skipped'];
 const signs: Record<string, string> = {
   regressed: '\u2717',
   improved: '\u2713',
@@ -19,9 +19,19 @@ const signs: Record<string, string> = {
   changed: '\u2260',
 };
 
-function rank(cell: Cell): number {
-  const at = order.indexOf(cell.finding);
+function rank(finding: string): number {
+  const at = order.indexOf(finding);
   return at < 0 ? order.length : at;
+}
+
+/** The weightiest of the cell's own, of its time and of its results. */
+function worst(cell: Cell): string {
+  const all = [
+    cell.finding,
+    ...(cell.time ? [cell.time.finding] : []),
+    ...cell.metrics.map((m) => m.finding),
+  ];
+  return all.sort((a, b) => rank(a) - rank(b))[0]!;
 }
 
 function Finding({ finding }: { finding: string }) {
@@ -59,7 +69,7 @@ function Row({ cell, tau }: { cell: Cell; tau: number }) {
     <tr>
       <th scope="row">{visible(`${cell.scenario} / ${cell.engine} at ${cell.dt_text}`)}</th>
       <td>
-        <Finding finding={cell.finding} />
+        <Finding finding={worst(cell)} />
       </td>
       <td>
         <Time cell={cell} tau={tau} />
@@ -81,10 +91,10 @@ function Row({ cell, tau }: { cell: Cell; tau: number }) {
 }
 
 export function Comparison({ of, nth }: { of: Comparisons; nth: number }) {
-  const { list, button } = useFew([...of.cells].sort((a, b) => rank(a) - rank(b)));
-  const tally = order
-    .concat([...new Set(of.cells.map((c) => c.finding))].filter((f) => !order.includes(f)))
-    .map((finding) => [of.cells.filter((c) => c.finding === finding).length, finding] as const)
+  const { list, button } = useFew([...of.cells].sort((a, b) => rank(worst(a)) - rank(worst(b))));
+  const findings = of.cells.map(worst);
+  const tally = [...new Set([...order, ...findings])]
+    .map((finding) => [findings.filter((f) => f === finding).length, finding] as const)
     .filter(([n]) => n > 0)
     .map(([n, finding]) => `${n} ${finding}`)
     .join(', ');

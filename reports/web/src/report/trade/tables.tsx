@@ -69,7 +69,7 @@ export function Legend({ list, hidden, toggle }: LegendProps) {
               </td>
               <td class="number">{series.of.adaptive ? 'to tolerance' : series.of.declared_order}</td>
               <td class="number">
-                {series.of.observed_order === null ? 'none' : short(series.of.observed_order, 3)}
+                {series.of.observed_order === null ? 'none' : series.of.observed_order.toFixed(2)}
               </td>
               <td class="number">{floorText(series)}</td>
               <td class="number">
