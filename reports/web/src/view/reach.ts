@@ -5,7 +5,7 @@ import type { Bounds } from '../shared/scene3d/index';
 import { length, subtract } from '../shared/scene3d/vectors';
 
 const spare = 0.15; // of the size, so that the camera moves seldom
-const farthest = 30; // sizes of the scene; what flies farther is let go
+const farthest = 6; // sizes of the scene; what flies farther is let go
 
 export class Reach {
   bounds: Bounds;

@@ -1,5 +1,6 @@
 // The picture's element: canvas, camera, what the page shows in it, and when it is drawn anew.
 import type { Scene, Vector } from '../documents';
+import { usable } from './bounds';
 import { readTheme } from './colours';
 import { Controls } from './controls';
 import type { Controlled } from './controls';
@@ -9,7 +10,6 @@ import { drawOver } from './over';
 import { pick } from './picking';
 import type { Ray } from './picking';
 import { Picture } from './picture';
-import { gridStep } from './planes';
 import type { Stage } from './stage';
 import { makeStage } from './make_stage';
 import type { Arrow, Bounds, CameraState, ContactMark, Grab, Layer, Pose, Pull, Scene3D, Scene3DOptions } from './types';
@@ -80,8 +80,8 @@ export class LiveScene3D implements Scene3D, Controlled {
   }
 
   frameOn(bounds: Bounds): void {
-    this.framing = bounds;
-    if (!this.framed) this.turned();
+    this.framing = usable(bounds);
+    this.turned();
   }
 
   frameAll(): void {
@@ -199,7 +199,9 @@ export class LiveScene3D implements Scene3D, Controlled {
     this.stale = false;
     this.picture.relink();
     const view = this.view();
-    this.picture.setEye(view.eye);
+    const { grid } = this.picture;
+    this.picture.setEye(view.eye, this.framing ?? this.picture.bounds);
+    if (this.picture.grid !== grid) this.overStale = true;
     this.stage.draw(view);
     if (this.overStale) this.drawOver(view);
   }
@@ -207,7 +209,7 @@ export class LiveScene3D implements Scene3D, Controlled {
   private drawOver(view: View): void {
     this.overStale = false;
     [this.over.width, this.over.height] = [this.element.width, this.element.height];
-    const grid = this.picture.scene.plane.length > 0 ? gridStep(this.picture.extent) : null;
+    const grid = this.picture.scene.plane.length > 0 ? this.picture.grid : null;
     const context = this.over.getContext('2d');
     if (context) drawOver(context, view, this.picture.theme, grid);
   }

@@ -5,7 +5,7 @@ import { bodyColour } from './colours';
 import type { Theme } from './colours';
 import { Links } from './links';
 import { drawArrows, drawContacts, drawPulls } from './marks';
-import { drawPlanes, facing } from './planes';
+import { drawPlanes, facing, gridStep } from './planes';
 import { Segments } from './segments';
 import type { Colour } from './segments';
 import { solidsOf } from './solids';
@@ -71,8 +71,8 @@ export class Picture {
   contacts: ContactMark[] = [];
   pulls: Pull[] = [];
   linksShown = true;
-  private open: boolean[] = []; // planes that face the eye
-  private drawnFor: Theme | null = null;
+  grid = 0; // between the lines of the planes [m]
+  private planesFor: { theme: Theme; held: Bounds; open: boolean[] } | null = null;
   private largestImpulse = 0; // so far [N s]
   private readonly joined: Links;
 
@@ -88,14 +88,17 @@ export class Picture {
     this.layers.bodies.set({ position: scene.body.flatMap((b) => b.position), orientation: scene.body.flatMap((b) => b.orientation) });
   }
 
-  /** Lines that no pose moves, for the side from which the eye sees each plane and the colours of now. */
-  setEye(eye: Vector): void {
+  /** Lines that no pose moves, for the side from which the eye sees each plane, what the camera holds and the
+   * colours of now. */
+  setEye(eye: Vector, held: Bounds): void {
     const open = facing(this.scene, eye);
-    if (this.drawnFor === this.theme && open.every((is, i) => is === this.open[i])) return;
-    this.open = open;
-    this.drawnFor = this.theme;
+    const { theme } = this;
+    const drawn = this.planesFor;
+    if (drawn?.theme === theme && drawn.held === held && open.every((is, i) => is === drawn.open[i])) return;
+    this.planesFor = { theme, held, open };
+    this.grid = gridStep(length(subtract(held.max, held.min)));
     this.fixed.clear();
-    drawPlanes(this.fixed, this.scene, this.bounds, this.extent, this.theme, open);
+    drawPlanes(this.fixed, this.scene, held, theme, open);
   }
 
   /** Lines that follow the bodies or lie over them: after every change. */

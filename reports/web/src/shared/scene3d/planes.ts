@@ -50,7 +50,8 @@ export const facing = (scene: Scene, eye: Vector): boolean[] =>
   scene.plane.map((plane) => dot(plane.normal, eye) >= plane.offset);
 
 /** Planes that are not `open` are drawn as a border alone. */
-export function drawPlanes(into: Segments, scene: Scene, bounds: Bounds, extent: number, theme: Theme, open: boolean[]): void {
+export function drawPlanes(into: Segments, scene: Scene, bounds: Bounds, theme: Theme, open: boolean[]): void {
+  const extent = length(subtract(bounds.max, bounds.min));
   const room = 0.18 * extent;
   const box: Bounds = { min: subtract(bounds.min, [room, room, room]), max: add(bounds.max, [room, room, room]) };
   const border = mix(theme.ground, theme.ink, 0.5);
