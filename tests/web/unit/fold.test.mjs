@@ -63,7 +63,13 @@ test('steps and schemes are named only where there are several', () => {
 });
 
 test('a run without a scheme stands with the first scheme of its engine, and is found by its own name', () => {
-  const refused = { scenario: 'gas', integrator: '', status: 'unsupported', expected: 'unsupported', measured: null };
+  const refused = {
+    scenario: 'gas',
+    integrator: '',
+    status: 'unsupported',
+    expected: 'unsupported',
+    measured: null,
+  };
   const matrix = fold([verdict(refused), verdict({}), verdict({ ...refused, engine: 'other' })]);
   assert.deepEqual(
     matrix.columns.map((c) => c.label),

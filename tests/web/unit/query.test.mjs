@@ -1,4 +1,5 @@
-// The filter's language: what rows a query finds, which columns it shows, and what it says of a query that is none.
+// The filter's language: what rows a query finds, which columns it shows, and what it says of a query that is
+// none.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
@@ -6,7 +7,7 @@ import { load } from '../bundle_for_test.mjs';
 import { verdict } from './verdicts.mjs';
 
 const { parse, QueryError } = await load('report/query/parse.ts');
-const { matcher, shownColumns } = await load('report/query/match.ts');
+const { glob, matcher, shownColumns } = await load('report/query/match.ts');
 const { withColumns } = await load('report/query/columns.ts');
 const { fold } = await load('report/fold.ts');
 
@@ -87,9 +88,11 @@ const faults = [
   ['ode:pass or columns:ode', 12, /cannot stand within/],
   ['columns:ode or ode:pass', 0, /cannot stand within/],
   ['not columns:ode', 4, /cannot stand within/],
+  ['('.repeat(20000), 100, /nested deeper than 100/],
+  ['not '.repeat(20000), 400, /nested deeper than 100/],
 ];
 for (const [query, at, message] of faults)
-  test(`refuses '${query}'`, () =>
+  test(`refuses '${query.slice(0, 40)}'`, () =>
     assert.throws(
       () => parse(query),
       (error) => {
@@ -99,6 +102,26 @@ for (const [query, at, message] of faults)
         return true;
       },
     ));
+
+for (const [pattern, text, expected] of [
+  ['', '', true],
+  ['', 'a', false],
+  ['*', '', true],
+  ['a?c', 'ABC', true],
+  ['a?c', 'ac', false],
+  ['*bc', 'abcbc', true], // the first 'bc' is not the last
+  ['a*b*c', 'aXbYbZc', true],
+  ['a*b*c', 'aXcYb', false],
+  ['a.c', 'abc', false],
+  ['**a', 'ba', true],
+])
+  test(`'${pattern}' and '${text}'`, () => assert.equal(glob(pattern)(text), expected));
+
+test('a glob of many stars takes no time worth speaking of', () => {
+  const started = performance.now();
+  assert.equal(glob('*a'.repeat(500) + 'b')('a'.repeat(5000)), false);
+  assert.ok(performance.now() - started < 1000); // by backtracking it would not end
+});
 
 const columns = [
   ['in-house', 'auto'],

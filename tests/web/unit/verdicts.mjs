@@ -1,4 +1,5 @@
-// Verdicts for the tests of the report's logic: a row with general values, of which a test changes what it is about.
+// Verdicts for the tests of the report's logic: a row with general values, of which a test changes what it is
+// about.
 export function verdict(change = {}) {
   return {
     scenario: 'heavy_top',

@@ -8,7 +8,7 @@ export interface Change {
   kind: Kind;
   verdict: Verdict; // of this run; of the baseline where it is gone
   before: Verdict | null;
-  weight: number; // greater is worse; of an error log10 of its growth, of a status first how much more severe it is
+  weight: number; // greater is worse; of an error log10 of its growth, of a status its severity before all
 }
 
 export const kinds: Record<Kind, string> = {

@@ -1,4 +1,5 @@
-// Verdicts to a matrix of scenarios and engines: a cell is the worst of its claims (as reports/matrix.cc folds).
+// Verdicts to a matrix of scenarios and engines: a cell is the worst of its claims (as reports/matrix.cc
+// folds).
 import type { Status, Verdict } from '../shared/documents';
 import { differs, digits, isMeasured, severity } from './status';
 
@@ -70,7 +71,8 @@ function join(cell: Cell, verdict: Verdict): void {
   cell.verdicts.push(verdict);
 }
 
-/** Where a run without a scheme stands, as one that the engine could not express: with the engine's first scheme. */
+/** Where a run without a scheme stands, as one that the engine could not express: with the engine's first
+ * scheme. */
 function firstSchemes(verdicts: Verdict[]): Map<string, string> {
   const out = new Map<string, string>();
   for (const v of verdicts) if (v.integrator !== '' && !out.has(v.engine)) out.set(v.engine, v.integrator);

@@ -1,5 +1,5 @@
-// Statuses and digits, as the program prints them (reports/matrix.cc, reports/console_options.cc), but for the sign of
-// timeout: few fonts have the console's hourglass, or have it as a picture.
+// Statuses and digits, as the program prints them (reports/matrix.cc, reports/console_options.cc), but for
+// the sign of timeout: few fonts have the console's hourglass, or have it as a picture.
 import type { Status, Verdict } from '../shared/documents';
 
 export interface Look {

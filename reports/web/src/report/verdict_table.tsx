@@ -22,7 +22,8 @@ export function CellName({ verdict: v }: { verdict: Verdict }) {
 export function measuredText(v: Verdict): string {
   if (!isMeasured(v.status))
     return v.first_bad_step === null ? '' : `not finite from step ${v.first_bad_step}`;
-  return `${withUnit(v.measured, v.unit)} of ${withUnit(v.allowed, v.unit)}, ${digitsText(digits(v.measured, v.allowed))} digits`;
+  const won = digitsText(digits(v.measured, v.allowed));
+  return `${withUnit(v.measured, v.unit)} of ${withUnit(v.allowed, v.unit)}, ${won} digits`;
 }
 
 /** Claims of one run that failed as one: a crash is the same for all of them. */

@@ -1,6 +1,7 @@
-// Foreign text (names, stories, engines' output) with everything invisible made visible, so that it cannot hide
-// or reorder what a reader sees.
+// Foreign text (names, stories, engines' output) with everything invisible made visible, so that it cannot
+// hide or reorder what a reader sees.
 
+// Controls, marks of direction and what has no width, halves of surrogate pairs.
 const hidden =
   /[\u0000-\u001f\u007f-\u009f\u00ad\u061c\u180e\u200b-\u200f\u2028-\u202e\u2060-\u2069\ufeff\ufff9-\ufffb]|[\ud800-\udbff](?![\udc00-\udfff])|(?<![\ud800-\udbff])[\udc00-\udfff]/g;
 

@@ -1,4 +1,5 @@
-// Curves over time: a thin shell around uPlot with logarithmic axes, the shared cursor and the page's colours.
+// Curves over time: a thin shell around uPlot with logarithmic axes, the shared cursor and the page's
+// colours.
 import 'uplot/dist/uPlot.min.css';
 import './plot.css';
 

@@ -1,4 +1,5 @@
-// The time that a reader looks at, shared by plots, pictures and read-outs, and the span of time that plots show.
+// The time that a reader looks at, shared by plots, pictures and read-outs, and the span of time that plots
+// show.
 import { useEffect, useState } from 'preact/hooks';
 
 export type Span = [from: number, to: number];

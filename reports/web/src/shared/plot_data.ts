@@ -74,8 +74,9 @@ export function floorOf(curves: Curve[]): number {
 
 export type Column = (number | null | undefined)[];
 
-/** [times, values of each curve]: undefined where a curve has no sample, null where it is not finite.  Of samples at
- * one time the largest magnitude is kept; on a logarithmic axis what is not positive lies on `floor`. */
+/** [times, values of each curve]: undefined where a curve has no sample, null where it is not finite.  Of
+ * samples at one time the largest magnitude is kept; on a logarithmic axis what is not positive lies on
+ * `floor`. */
 export function aligned(curves: Curve[], floor: number | null): [number[], ...Column[]] {
   const times = new Set<number>();
   for (const curve of curves) for (let i = 0; i < curve.time.length; ++i) times.add(curve.time[i]!);

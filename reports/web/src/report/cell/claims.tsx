@@ -108,7 +108,7 @@ function Line({ row, shown, toggle, reasons }: LineProps) {
         <td class="number">
           <Violation curve={curve} verdict={v} />
         </td>
-        <td>
+        <td class="expected">
           {v.expected}
           {differs(v) ? <Differs text="differs" /> : null}
         </td>

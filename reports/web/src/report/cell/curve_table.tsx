@@ -1,5 +1,5 @@
-// Curves as numbers: at the cursor, at their extremes, at the first violation.  It is the plot's legend and stands
-// for the plot where nobody can see it.
+// Curves as numbers: at the cursor, at their extremes, at the first violation.  It is the plot's legend and
+// stands for the plot where nobody can see it.
 import { useMemo } from 'preact/hooks';
 
 import { type Curve, extremes, nearest } from '../../shared/plot_data';

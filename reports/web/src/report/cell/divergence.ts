@@ -24,8 +24,8 @@ export function extent({ min, max }: Bounds): number {
   return Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
 }
 
-/** What the cameras hold: the truth where it is known, else the smaller of the motions, as one that flies off would
- * leave the other a dot. */
+/** What the cameras hold: the truth where it is known, else the smaller of the motions, as one that flies off
+ * would leave the other a dot. */
 export function framed(ghost: Frames | null, sides: (Frames | null)[]): Bounds | null {
   const own = ghost ? boundsOf(ghost.position) : null;
   if (own) return own;

@@ -48,7 +48,9 @@ function firstDivergence(
   const gap = Number.isFinite(found.distance)
     ? withUnit(found.distance, 'm')
     : 'a distance that is not finite';
-  const what = `no claim is violated; ${visible(body)} of ${visible(own.title)} and of ${visible(other.title)} part by ${gap}, over 1 % of the scene's extent of ${short(size)} m`;
+  const who = `${visible(body)} of ${visible(own.title)} and of ${visible(other.title)}`;
+  const limit = `over 1 % of the scene's extent of ${short(size)} m`;
+  const what = `no first violation is recorded; ${who} part by ${gap}, ${limit}`;
   return { time: found.time, what };
 }
 

@@ -20,7 +20,7 @@ function useArrows(cursor: TimeCursor, frames: ArrayLike<number>): void {
     const onKey = (event: KeyboardEvent) => {
       const by = event.key === 'ArrowLeft' ? -1 : event.key === 'ArrowRight' ? 1 : 0;
       if (by === 0 || event.altKey || event.ctrlKey || event.metaKey) return;
-      if (event.target instanceof Element && event.target.closest(own)) return; // these have arrows of their own
+      if (event.target instanceof Element && event.target.closest(own)) return; // has arrows of its own
       event.preventDefault();
       step(cursor, frames, event.shiftKey ? 10 * by : by);
     };
@@ -52,7 +52,7 @@ function Jump({ cursor, divergence }: { cursor: TimeCursor; divergence: Divergen
       </button>{' '}
       {divergence
         ? `${divergence.what}, at ${short(divergence.time, 6)} s`
-        : 'no claim is violated, and the engines shown do not part'}
+        : 'no first violation is recorded, and the engines shown do not part by 1 % of the extent of the scene'}
     </p>
   );
 }

@@ -1,4 +1,5 @@
-// Traces of the report, unpacked when a cell is opened.  The last few stay unpacked, as engines are compared in turns.
+// Traces of the report, unpacked when a cell is opened.  The last few stay unpacked, as engines are compared
+// in turns.
 import { useEffect, useState } from 'preact/hooks';
 
 import { TraceBlock } from '../../shared/block';

@@ -34,7 +34,9 @@ export function SeriesPlot({ of }: { of: HistorySeries }) {
   const y = (value: number) => bottom - ((value - low) / (high - low)) * (bottom - margin.top);
   const least = Math.min(...values);
   const greatest = Math.max(...values);
-  const label = `${points.length} runs, least ${short(least)}, greatest ${short(greatest)}, last ${short(values[values.length - 1])} ${of.unit}; ${of.changes.length} change points`;
+  const last = short(values[values.length - 1]);
+  const spans = `least ${short(least)}, greatest ${short(greatest)}, last ${last} ${of.unit}`;
+  const label = `${points.length} runs, ${spans}; ${of.changes.length} change points`;
   return (
     <svg class="series-plot" width={width} height={height} role="img" aria-label={visible(label)}>
       {[margin.top, bottom].map((at, i) => (

@@ -3,14 +3,32 @@ import type { ScenarioView } from '../../shared/documents';
 import type { Cell, Column, Row } from '../fold';
 import type { Field, Query, Relation } from './parse';
 
-/** '*' is any text, '?' any letter; a glob matches the whole text. */
+/** '*' is any text, '?' any letter; a glob matches the whole text, whatever the case.  Takes at most the
+ * product of both lengths, as a link may hold any glob. */
 export function glob(pattern: string): (text: string) => boolean {
-  const source = pattern
-    .replace(/[.+^${}()|[\]\\]/g, '\\$&')
-    .replace(/\*+/g, '.*')
-    .replace(/\?/g, '.');
-  const whole = new RegExp(`^${source}$`, 'is');
-  return (text) => whole.test(text);
+  const wanted = pattern.toLowerCase();
+  return (text) => matches(wanted, text.toLowerCase());
+}
+
+function matches(pattern: string, text: string): boolean {
+  let [p, t] = [0, 0];
+  let [star, from] = [-1, 0]; // the last '*', and where the text goes on after what it took
+  while (t < text.length) {
+    if (pattern[p] === '*') {
+      star = p++;
+      from = t;
+    } else if (p < pattern.length && (pattern[p] === '?' || pattern[p] === text[t])) {
+      ++p;
+      ++t;
+    } else if (star >= 0) {
+      p = star + 1;
+      t = ++from;
+    } else {
+      return false;
+    }
+  }
+  while (pattern[p] === '*') ++p;
+  return p === pattern.length;
 }
 
 type Test = (row: Row) => boolean;
@@ -40,29 +58,27 @@ function has(status: string): (cell: Cell | null) => boolean {
 }
 
 function onEngines(pattern: string, columns: Column[], test: (cell: Cell | null) => boolean): Test {
-  const matches = glob(pattern);
-  const chosen = columns.flatMap((c, j) => (matches(c.engine) || matches(c.label) ? [j] : []));
+  const fits = glob(pattern);
+  const chosen = columns.flatMap((c, j) => (fits(c.engine) || fits(c.label) ? [j] : []));
   return (row) => chosen.some((j) => test(row.cells[j] ?? null));
 }
 
 function onField(field: Field, pattern: string, views: Map<string, ScenarioView>): Test {
-  const matches = glob(pattern);
+  const fits = glob(pattern);
   switch (field) {
     case 'scenario':
-      return (row) => matches(row.scenario);
+      return (row) => fits(row.scenario);
     case 'tag':
-      return (row) => views.get(row.scenario)?.tags.some(matches) ?? false;
+      return (row) => views.get(row.scenario)?.tags.some(fits) ?? false;
     case 'claim':
       return (row) =>
-        row.cells.some((cell) => cell?.verdicts.some((v) => matches(v.claim) || matches(v.observable)));
+        row.cells.some((cell) => cell?.verdicts.some((v) => fits(v.claim) || fits(v.observable)));
   }
 }
 
 function onWord(text: string, views: Map<string, ScenarioView>): Test {
-  const matches = /[*?]/.test(text)
-    ? glob(`*${text}*`)
-    : (whole: string) => whole.toLowerCase().includes(text);
-  return (row) => matches(row.scenario) || matches(views.get(row.scenario)?.title ?? '');
+  const fits = /[*?]/.test(text) ? glob(`*${text}*`) : (whole: string) => whole.toLowerCase().includes(text);
+  return (row) => fits(row.scenario) || fits(views.get(row.scenario)?.title ?? '');
 }
 
 export function matcher(query: Query, columns: Column[], views: Map<string, ScenarioView>): Test {
@@ -104,9 +120,9 @@ export function shownColumns(globs: string[], columns: Column[]): boolean[] {
   const shown = columns.map(() => globs.length === 0 || globs[0]!.startsWith('-'));
   for (const pattern of globs) {
     const away = pattern.startsWith('-');
-    const matches = glob(away ? pattern.slice(1) : pattern);
+    const fits = glob(away ? pattern.slice(1) : pattern);
     columns.forEach((c, j) => {
-      if (matches(c.engine) || matches(c.label)) shown[j] = !away;
+      if (fits(c.engine) || fits(c.label)) shown[j] = !away;
     });
   }
   return shown;

@@ -1,5 +1,5 @@
-// The filter's language: terms, and (or nothing between terms), or, not, parentheses.  What a term means stands in
-// match.ts.
+// The filter's language: terms, and (or nothing between terms), or, not, parentheses.  What a term means
+// stands in match.ts.
 
 export type Field = 'scenario' | 'tag' | 'claim';
 export type Relation = '<' | '<=' | '>' | '>=' | '=';
@@ -95,6 +95,8 @@ function distance(a: string, b: string): number {
   return row[b.length]!;
 }
 
+const deepest = 100;
+
 class Parser {
   private next = 0;
   private depth = 0;
@@ -161,7 +163,8 @@ class Parser {
   }
 
   private nested<T>(parse: () => T): T {
-    ++this.depth;
+    if (++this.depth > deepest)
+      throw new QueryError(`nested deeper than ${deepest}`, this.list[this.next - 1]!.at, 1);
     const out = parse();
     --this.depth;
     return out;

@@ -45,7 +45,8 @@ function markFront(points: Point[]): void {
   }
 }
 
-/** The series with the errors of one measure.  The program's own front is kept for the measure that it was made by. */
+/** The series with the errors of one measure.  The program's own front is kept for the measure that it was
+ * made by. */
 export function join(trade: Trade, table: Table, measure: string): Series[] {
   const costs = new Map<string, Times>();
   for (const t of trade.times)

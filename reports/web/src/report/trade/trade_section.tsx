@@ -25,7 +25,8 @@ function entries(trades: Trade[]): Entry[] {
   );
 }
 
-/** What the strictest claim about this quantity allows, in the measure's unit; null where none is about it. */
+/** What the strictest claim about this quantity allows, in the measure's unit; null where none is about it.
+ * */
 function allowed(verdicts: Verdict[], table: Table, measure: Measure): number | null {
   if (measure.scale === null) return null;
   const levels = verdicts
