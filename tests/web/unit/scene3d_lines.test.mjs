@@ -6,7 +6,7 @@ import { load } from '../bundle_for_test.mjs';
 
 const { makeCoil, drawCoil } = await load('shared/scene3d/coil.ts');
 const { Segments, stride } = await load('shared/scene3d/segments.ts');
-const { planeInBox, chord } = await load('shared/scene3d/planes.ts');
+const { planeInBox, chord, cut } = await load('shared/scene3d/planes.ts');
 const { surface, cellsOfWater, cells } = await load('shared/scene3d/water.ts');
 const { makeTrail, extend } = await load('shared/scene3d/trail.ts');
 const { tangents, rotate } = await load('shared/scene3d/vectors.ts');
@@ -73,6 +73,8 @@ test('a plane is cut by a box to the polygon of both', () => {
     for (const p of polygon) assert.ok(Math.abs(dot(p, n) - offset) < 1e-12);
   }
   const floor = planeInBox([0, 1, 0], 0, box);
+  assert.ok(Math.abs(area(cut(floor, [1, 0, 0], 0.5), [0, 1, 0]) - 9) < 1e-12); // a wall at x = 0.5
+  assert.deepEqual(cut(floor, [1, 0, 0], -1.5), []);
   const line = chord(floor, [1, 0, 0], 0.25);
   close(line.map((p) => p[0]), [0.25, 0.25], 1e-12);
   assert.ok(Math.abs(line[0][2] - line[1][2]) === 6);

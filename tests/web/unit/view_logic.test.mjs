@@ -21,6 +21,7 @@ const body = (name, more = {}) => ({
   inertia: [0.1, 0, 0, 0, 0.2, 0, 0, 0, 0.3],
   position: [0, 0, 0],
   orientation: [1, 0, 0, 0],
+  velocity: [0, 0, 0],
   locked: false,
   color: '',
   ...more,
@@ -192,12 +193,16 @@ test('a trail forgets its older half, in another array', () => {
 });
 
 test('the camera holds what moves, and lets go what flies away', () => {
-  const reach = new Reach(scene);
+  const reach = new Reach(scene, 2);
   const { max } = reach.bounds;
   assert.equal(reach.include([0, max[1] / 2, 0, 0, 0, 0]), false);
   assert.equal(reach.include([0, max[1] + 0.5, 0, 0, 0, 0]), true);
   assert.ok(reach.bounds.max[1] > max[1] + 0.5);
   assert.equal(reach.include([1e6, 0, 0, NaN, 0, 0]), false);
+  // Farther than a few sizes of the scene, yet no farther than a free fall in the scenario's time: g t^2/2.
+  const small = { ...scene, spring: [], body: [body('point')] };
+  assert.equal(new Reach(small, 10).include([0, -490, 0]), true);
+  assert.equal(new Reach(small, 1).include([0, -490, 0]), false);
 });
 
 test('steps and speeds as the server reads them', () => {

@@ -5,16 +5,18 @@ import type { Bounds } from '../shared/scene3d/index';
 import { length, subtract } from '../shared/scene3d/vectors';
 
 const spare = 0.15; // of the size, so that the camera moves seldom
-const farthest = 6; // sizes of the scene; what flies farther is let go
+const farthest = 6; // sizes of the scene; what flies farther than that, and than it would fall freely, is let go
 
 export class Reach {
   bounds: Bounds;
-  private readonly whole: number; // [m]
+  private readonly limit: number; // from the middle [m]
   private readonly radius: number[];
 
-  constructor(scene: Scene) {
+  constructor(scene: Scene, duration: number) {
     this.bounds = sceneBounds(scene);
-    this.whole = length(subtract(this.bounds.max, this.bounds.min));
+    const fastest = Math.max(0, ...scene.body.map((body) => length(body.velocity)).filter(Number.isFinite));
+    const flight = fastest * duration + (length(scene.gravity) * duration ** 2) / 2;
+    this.limit = Math.max(farthest * length(subtract(this.bounds.max, this.bounds.min)), flight);
     this.radius = scene.body.map((body) => shapeRadius(body.shape));
   }
 
@@ -26,7 +28,7 @@ export class Reach {
       const axis = i % 3;
       const x = position[i]!;
       const r = this.radius[(i - axis) / 3]!;
-      if (!Number.isFinite(x) || Math.abs(x - (this.bounds.min[axis]! + this.bounds.max[axis]!) / 2) > farthest * this.whole) continue;
+      if (!Number.isFinite(x) || Math.abs(x - (this.bounds.min[axis]! + this.bounds.max[axis]!) / 2) > this.limit) continue;
       if (x - r >= this.bounds.min[axis]! && x + r <= this.bounds.max[axis]!) continue;
       if (!grew) this.bounds = { min: [...this.bounds.min], max: [...this.bounds.max] };
       grew = true;

@@ -97,7 +97,7 @@ export class Viewer {
     const looks = seen(session.scene);
     const other = looks !== this.looks;
     this.looks = looks;
-    if (other) this.reach = new Reach(session.scene);
+    if (other) this.reach = new Reach(session.scene, session.duration);
     for (const picture of this.pictures.values()) picture.setScene(session.scene, other && before !== null);
     if (before && before.lanes.map(laneName).join('\n') !== session.lanes.map(laneName).join('\n')) this.history.clear();
     this.changed();

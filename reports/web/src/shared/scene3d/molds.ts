@@ -189,15 +189,17 @@ function box(): Mold {
   return faceted(triangles);
 }
 
-/** Three thin bars, the positive halves twice as long, for a point or a bare body. */
+/** Three bars from a cube, the positive halves twice as long, for a point or a bare body. */
 function axisCross(): Mold {
-  const mold = empty();
+  const mold = box();
+  mold.position = mold.position.map((p) => 0.25 * p);
+  mold.edges = [];
   for (let axis = 0; axis < 3; ++axis) {
     const bar = box();
     for (let i = 0; i < bar.position.length; ++i) {
       const along = i % 3 === axis;
       const p = bar.position[i]!;
-      bar.position[i] = along ? (p > 0 ? 1 : -0.5) : 0.07 * p;
+      bar.position[i] = along ? (p > 0 ? 1 : -0.5) : 0.09 * p;
     }
     mold.position.push(...bar.position);
     mold.normal.push(...bar.normal);

@@ -79,7 +79,7 @@ export class Picture {
   constructor(readonly scene: Scene, public theme: Theme, given: Bounds | undefined) {
     this.bounds = given ? usable(given) : sceneBounds(scene);
     this.extent = Math.max(length(subtract(this.bounds.max, this.bounds.min)), 1e-9);
-    this.solids = solidsOf(scene, 0.03 * this.extent);
+    this.solids = solidsOf(scene, 0.035 * this.extent);
     const sizes = [...this.solids.radius].sort((a, b) => a - b);
     this.typical = sizes[sizes.length >> 1] ?? this.extent;
     this.colours = scene.body.map(bodyColour);

@@ -19,16 +19,21 @@ export function planeInBox(normal: Vector, offset: number, box: Bounds): Vector[
   );
   for (let axis = 0; axis < 3; ++axis)
     for (const side of [1, -1]) {
-      const limit = side > 0 ? box.max[axis]! : -box.min[axis]!;
-      const out = (p: Vector): number => side * p[axis]! - limit;
-      polygon = polygon.flatMap((p, i) => {
-        const q = polygon[(i + 1) % polygon.length]!;
-        const [a, b] = [out(p), out(q)];
-        const cut = a * b < 0 ? [add(p, scale(subtract(q, p), a / (a - b)))] : [];
-        return a <= 0 ? [p, ...cut] : cut;
-      });
+      const out: Vector = [0, 0, 0];
+      out[axis] = side;
+      polygon = cut(polygon, out, side > 0 ? box.max[axis]! : -box.min[axis]!);
     }
   return polygon;
+}
+
+/** The part of a convex polygon where out . x <= limit. */
+export function cut(polygon: Vector[], out: Vector, limit: number): Vector[] {
+  return polygon.flatMap((p, i) => {
+    const q = polygon[(i + 1) % polygon.length]!;
+    const [a, b] = [dot(p, out) - limit, dot(q, out) - limit];
+    const crossing = a * b < 0 ? [add(p, scale(subtract(q, p), a / (a - b)))] : [];
+    return a <= 0 ? [p, ...crossing] : crossing;
+  });
 }
 
 /** The piece of the line { p : p . across = c } within a convex polygon, seen along the plane. */
@@ -57,7 +62,11 @@ export function drawPlanes(into: Segments, scene: Scene, bounds: Bounds, theme: 
   const border = mix(theme.ground, theme.ink, 0.5);
   scene.plane.forEach((plane, which) => {
     const n = unit(plane.normal, [0, 1, 0]);
-    const polygon = planeInBox(n, plane.offset, box);
+    // What lies within the solid of another plane cannot be seen: planes about a room are its walls.
+    const polygon = scene.plane.reduce(
+      (rest, other) => (other === plane ? rest : cut(rest, scale(other.normal, -1), -other.offset)),
+      planeInBox(n, plane.offset, box),
+    );
     if (polygon.length < 3) return;
     if (!open[which]) {
       polygon.forEach((p, i) => into.add(p, polygon[(i + 1) % polygon.length]!, theme.faint, 1));

@@ -133,7 +133,7 @@ export class WebGLStage implements Stage {
     (c.pixels!.value as Vector2).set(w, h);
     c.ratio!.value = ratio;
     c.near!.value = near;
-    c.smallest!.value = (2.5 * 2) / f / height; // 2.5 css px
+    c.smallest!.value = (3 * 2) / f / height; // 3 css px
     (c.ink!.value as Vector3).set(...this.picture!.theme.ink);
   }
 
