@@ -86,6 +86,7 @@ test('the keyboard alone finds a failing cell, opens it and comes back', async (
   const page = await open(url('r.html'));
   await page.keyboard.press('/');
   await page.keyboard.type('dzhanibekov');
+  await page.waitForFunction(() => document.querySelectorAll('table.matrix tbody tr').length === 1);
   for (let i = 0; i < 30; ++i) {
     await page.keyboard.press('Tab');
     if (await page.evaluate(() => document.activeElement?.matches('table.matrix .cell'))) break;
