@@ -63,6 +63,10 @@ export function App({ index }: { index: Index }) {
     [matrix, name?.scenario, name?.engine, name?.integrator, name?.dt],
   );
   const content = useRef<HTMLElement>(null);
+  const what = name ? `${name.scenario} / ${name.engine}` : section.label;
+  useEffect(() => {
+    document.title = visible(`${what} - ${index.title}`);
+  }, [what, index]);
   const wasOpen = useRef(false);
   useEffect(() => {
     // Who comes back from a cell goes on where he left the matrix.

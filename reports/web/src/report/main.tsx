@@ -42,7 +42,6 @@ export function openReport(root: HTMLElement): void {
   unpackJson<Index>(0).then(
     (packed) => {
       const index = complete(packed);
-      document.title = index.title;
       root.replaceChildren(); // the matrix for readers without script
       render(<App index={index} />, root);
     },

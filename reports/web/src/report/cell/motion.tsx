@@ -1,5 +1,5 @@
 // Pictures and curves of a run, with the time cursor that they share.
-import { useEffect, useMemo } from 'preact/hooks';
+import { useEffect, useMemo, useRef } from 'preact/hooks';
 
 import type { Frames, TraceBlock } from '../../shared/block';
 import type { Index, ScenarioView, TraceEntry } from '../../shared/documents';
@@ -61,14 +61,24 @@ function wholeTime(frames: Frames, block: TraceBlock, duration: number): [number
   return [0, end > 0 ? end : 1];
 }
 
+/** The cursor's time is kept in the address when it rests, and follows a link to another time. */
 function usePinInAddress(cursor: TimeCursor): void {
+  const { t = '0' } = useAddress();
+  const written = useRef(t);
+  useEffect(() => {
+    if (t === written.current) return;
+    written.current = t;
+    cursor.pin = Number(t) || 0;
+  }, [t, cursor]);
   useEffect(() => {
     let waiting = 0;
     const stop = cursor.listen(() => {
       clearTimeout(waiting);
       waiting = window.setTimeout(() => {
-        const t = String(Number(cursor.pin.toPrecision(6)));
-        if ((address().t ?? '0') !== t) go({ t: t === '0' ? '' : t });
+        const now = String(Number(cursor.pin.toPrecision(6)));
+        if (now === written.current) return;
+        written.current = now;
+        go({ t: now === '0' ? '' : now });
       }, 300);
     });
     return () => {

@@ -23,10 +23,13 @@ export function usePlayer(cursor: TimeCursor, speed: number): Player {
   useEffect(() => {
     if (!playing) return;
     cursor.running = true;
+    const pause = matchMedia('(prefers-reduced-motion: reduce)').matches ? 500 : 0; // stills in place of a film [ms]
     let last = performance.now();
     let frame = requestAnimationFrame(function step(now) {
-      cursor.pin += ((now - last) / 1000) * speed;
-      last = now;
+      if (now - last >= pause) {
+        cursor.pin += ((now - last) / 1000) * speed;
+        last = now;
+      }
       if (cursor.pin >= cursor.whole[1]) set(false);
       else frame = requestAnimationFrame(step);
     });
