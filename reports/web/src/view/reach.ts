@@ -5,7 +5,7 @@ import type { Bounds } from '../shared/scene3d/index';
 import { length, subtract } from '../shared/scene3d/vectors';
 
 const spare = 0.15; // of the size, so that the camera moves seldom
-const farthest = 6; // sizes of the scene; what flies farther than that, and than it would fall freely, is let go
+const farthest = 6; // sizes of the scene; what flies farther than that, and than ten times its free flight, is let go
 
 export class Reach {
   bounds: Bounds;
@@ -16,7 +16,7 @@ export class Reach {
     this.bounds = sceneBounds(scene);
     const fastest = Math.max(0, ...scene.body.map((body) => length(body.velocity)).filter(Number.isFinite));
     const flight = fastest * duration + (length(scene.gravity) * duration ** 2) / 2;
-    this.limit = Math.max(farthest * length(subtract(this.bounds.max, this.bounds.min)), flight);
+    this.limit = Math.max(farthest * length(subtract(this.bounds.max, this.bounds.min)), 10 * flight);
     this.radius = scene.body.map((body) => shapeRadius(body.shape));
   }
 

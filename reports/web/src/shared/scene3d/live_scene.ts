@@ -13,7 +13,7 @@ import { Picture } from './picture';
 import type { Stage } from './stage';
 import { makeStage } from './make_stage';
 import type { Arrow, Bounds, CameraState, ContactMark, Grab, Layer, Pose, Pull, Scene3D, Scene3DOptions } from './types';
-import { add, conjugate, dot, rotate, scale, subtract } from './vectors';
+import { add, conjugate, dot, length, rotate, scale, subtract } from './vectors';
 
 export class LiveScene3D implements Scene3D, Controlled {
   readonly element: HTMLCanvasElement;
@@ -154,8 +154,10 @@ export class LiveScene3D implements Scene3D, Controlled {
   private view(): View {
     const width = Math.max(this.root.clientWidth, 1);
     const height = Math.max(this.root.clientHeight, 1);
-    if (!this.framed) this.state = frame(this.framing ?? this.picture.bounds, width / height);
-    return viewOf(this.state, { width, height, ratio: Math.min(devicePixelRatio || 1, 2) }, this.picture.extent);
+    const held = this.framing ?? this.picture.bounds;
+    if (!this.framed) this.state = frame(held, width / height);
+    const extent = length(subtract(held.max, held.min));
+    return viewOf(this.state, { width, height, ratio: Math.min(devicePixelRatio || 1, 2) }, extent);
   }
 
   metresPerPixel(): number {

@@ -37,12 +37,13 @@ export function axes(camera: CameraState): [Vector, Vector, Vector] {
   return [right, cross(back, right), back];
 }
 
-/** `extent`: radius [m] of all that is to be seen about the target; the planes of depth keep clear of it. */
+/** `extent`: size [m] of what is to be seen.  What is nearer than a hundredth of the way to the target is cut off;
+ * 24 bits of depth then tell points apart that differ by 1e-5 of it. */
 export function viewOf(camera: CameraState, size: { width: number; height: number; ratio: number }, extent: number): View {
   const [right, up, back] = axes(camera);
   const { target, distance } = camera;
-  const far = distance + Math.max(4 * extent, 4 * distance);
-  const near = Math.max(distance - 2 * extent, distance * 0.02, far * 2e-5);
+  const far = 5 * distance + 20 * extent;
+  const near = Math.max(0.01 * distance, 1e-5 * far);
   return { eye: add(target, scale(back, distance)), right, up, back, target, distance, near, far, ...size };
 }
 
