@@ -19,7 +19,9 @@ function Banner({ viewer }: { viewer: Viewer }) {
   const { connected, why, notice } = viewer;
   return (
     <div class="banners" role="alert">
-      {!connected && <p class="banner gone">No connection to the server: {why}. The page tries again by itself.</p>}
+      {!connected && (
+        <p class="banner gone">No connection to the server: {why}. The page tries again by itself.</p>
+      )}
       {connected && notice !== '' && (
         <p class="banner notice">
           {notice}
@@ -36,7 +38,9 @@ export function App({ viewer }: { viewer: Viewer }) {
   useViewer(viewer);
   const help = useRef<HTMLDialogElement>(null);
   useEffect(() => {
-    const onKey = keyboard(viewer, () => (help.current?.open ? help.current.close() : help.current?.showModal()));
+    const onKey = keyboard(viewer, () =>
+      help.current?.open ? help.current.close() : help.current?.showModal(),
+    );
     addEventListener('keydown', onKey);
     return () => removeEventListener('keydown', onKey);
   }, [viewer]);
@@ -61,7 +65,13 @@ export function App({ viewer }: { viewer: Viewer }) {
           <Transport viewer={viewer} session={session} />
           <section class={`lanes of-${Math.min(session.lanes.length, 4)}`} aria-label="pictures">
             {session.lanes.map((lane, i) => (
-              <LaneView key={`${i} ${laneName(lane)}`} viewer={viewer} index={i} lane={lane} state={state?.lanes[i]} />
+              <LaneView
+                key={`${i} ${laneName(lane)}`}
+                viewer={viewer}
+                index={i}
+                lane={lane}
+                state={state?.lanes[i]}
+              />
             ))}
           </section>
           <div class="numbers">

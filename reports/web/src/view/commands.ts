@@ -1,4 +1,4 @@
-// Commands on their way to the server: one request at a time, and what a later one makes pointless is left out.
+// Commands on their way to the server: one request at a time, without what a later one makes pointless.
 import type { Command } from '../shared/live';
 
 /** Commands of which only the last counts have the same topic. */

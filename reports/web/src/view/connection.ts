@@ -59,9 +59,16 @@ export class Connection {
   private async ask(path: string, body?: BodyInit, type = 'application/json'): Promise<Response> {
     const headers: Record<string, string> = { 'X-Cylon-Token': this.token };
     if (body !== undefined) headers['Content-Type'] = type;
-    const response = await fetch(path, { method: body === undefined ? 'GET' : 'POST', headers, body, signal: this.stop.signal, cache: 'no-store' });
+    const response = await fetch(path, {
+      method: body === undefined ? 'GET' : 'POST',
+      headers,
+      body,
+      signal: this.stop.signal,
+      cache: 'no-store',
+    });
     if (response.ok) return response;
-    if (response.status === 403) throw new Error('another server answers here than the one of this page; reload the page');
+    if (response.status === 403)
+      throw new Error('another server answers here than the one of this page; reload the page');
     const text = await response.text();
     let why = text.slice(0, 400);
     try {

@@ -1,11 +1,12 @@
-// Pictures of the views for --record: one per 1/30 s of simulated time, each after the answer to the one before.
+// Pictures of the views for --record: one per 1/30 s of simulated time, each after the answer to the last.
 import type { Session } from '../shared/live';
 import type { Scene3D } from '../shared/scene3d/index';
 
 export const perSecond = 30;
 
 /** A name that ends in .toml is a scenario that the server writes; anything else is a folder of pictures. */
-export const wantsPictures = (session: Session): boolean => session.recording !== '' && !/\.toml$/i.test(session.recording);
+export const wantsPictures = (session: Session): boolean =>
+  session.recording !== '' && !/\.toml$/i.test(session.recording);
 
 const line = 24; // height of the names [px]
 
@@ -27,7 +28,10 @@ function together(canvas: HTMLCanvasElement, pictures: Scene3D[], names: string[
     x += picture.size.width;
   });
   return new Promise((resolve, reject) =>
-    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('the picture could not be kept'))), 'image/png'),
+    canvas.toBlob(
+      (blob) => (blob ? resolve(blob) : reject(new Error('the picture could not be kept'))),
+      'image/png',
+    ),
   );
 }
 

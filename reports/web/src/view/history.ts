@@ -6,7 +6,11 @@ export type Totals = Pick<LaneState, 'status' | 'energy' | 'momentum' | 'angular
 
 export const quantities = ['energy', 'momentum', 'angular momentum'] as const;
 export type Quantity = (typeof quantities)[number];
-export const units: Record<Quantity, string> = { energy: 'J', momentum: 'kg m/s', 'angular momentum': 'kg m²/s' };
+export const units: Record<Quantity, string> = {
+  energy: 'J',
+  momentum: 'kg m/s',
+  'angular momentum': 'kg m²/s',
+};
 export const components = ['size', 'x', 'y', 'z'] as const;
 export type Component = (typeof components)[number];
 
@@ -36,7 +40,12 @@ export class History {
     if (last && t === last.t) this.samples.pop(); // changed while it stands still
     const sample = {
       t,
-      lanes: lanes.map(({ status, energy, momentum, angular_momentum }) => ({ status, energy, momentum, angular_momentum })),
+      lanes: lanes.map(({ status, energy, momentum, angular_momentum }) => ({
+        status,
+        energy,
+        momentum,
+        angular_momentum,
+      })),
     };
     this.first ??= sample;
     this.samples.push(sample);

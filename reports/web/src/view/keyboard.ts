@@ -25,7 +25,8 @@ function taken(event: KeyboardEvent): boolean {
 
 export function keyboard(viewer: Viewer, help: () => void): (event: KeyboardEvent) => void {
   const flip = (name: keyof Viewer['shown']) => (): void => viewer.show({ [name]: !viewer.shown[name] });
-  const faster = (factor: number) => (): void => viewer.send({ do: 'speed', value: Math.min(100, Math.max(0.01, viewer.speed * factor)) });
+  const faster = (factor: number) => (): void =>
+    viewer.send({ do: 'speed', value: Math.min(100, Math.max(0.01, viewer.speed * factor)) });
   const actions: Record<string, () => void> = {
     ' ': () => viewer.toggle(),
     '.': () => viewer.send({ do: 'step' }),
@@ -43,7 +44,9 @@ export function keyboard(viewer: Viewer, help: () => void): (event: KeyboardEven
   return (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented || taken(event)) return;
     const digit = /^(?:Digit|Numpad)([1-9])$/.exec(event.code);
-    const action = digit ? () => viewer.kick(Number(digit[1]) - 1, event.shiftKey) : actions[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+    const action = digit
+      ? () => viewer.kick(Number(digit[1]) - 1, event.shiftKey)
+      : actions[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     if (!action || (event.repeat && event.key !== '.')) return;
     action();
     event.preventDefault();

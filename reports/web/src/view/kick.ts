@@ -4,7 +4,7 @@ import type { Scene, Vector } from '../shared/documents';
 const direction: Vector = [0.3 / Math.hypot(0.3, 1), 1 / Math.hypot(0.3, 1), 0];
 const turn = (2 * Math.PI) ** 2;
 
-/** The impulse [N s] that changes the body's velocity by `change` [m/s]; null for one that cannot be kicked. */
+/** The impulse [N s] that changes a body's velocity by `change` [m/s]; null where none does. */
 export function kick(scene: Scene, body: number, change: number): Vector | null {
   const b = scene.body[body];
   if (!b || b.locked || !(b.mass > 0) || !Number.isFinite(change)) return null;
@@ -12,4 +12,5 @@ export function kick(scene: Scene, body: number, change: number): Vector | null 
 }
 
 /** Stiffness [N/m] of a spring on which a body of that mass swings `frequency` times a second. */
-export const pullStiffness = (mass: number, frequency: number): number => (mass > 0 ? mass : 1) * turn * frequency ** 2;
+export const pullStiffness = (mass: number, frequency: number): number =>
+  (mass > 0 ? mass : 1) * turn * frequency ** 2;

@@ -38,7 +38,12 @@ export function KickPanel({ viewer, scene }: { viewer: Viewer; scene: Scene }) {
           const impulse = kick(scene, i, viewer.kickSpeed);
           return (
             <li key={body.name}>
-              <button type="button" disabled={!impulse} title="with Shift the other way" onClick={(event) => viewer.kick(i, event.shiftKey)}>
+              <button
+                type="button"
+                disabled={!impulse}
+                title="with Shift the other way"
+                onClick={(event) => viewer.kick(i, event.shiftKey)}
+              >
                 <kbd>{i + 1}</kbd> {body.name}
               </button>
               <span class="muted number">{impulse ? `${digits(Math.hypot(...impulse))} N s` : 'locked'}</span>

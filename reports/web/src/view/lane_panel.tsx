@@ -34,7 +34,9 @@ function LaneFields({ lane, engines, name, change }: Props) {
         value={lane.engine}
         onChange={(event) => change({ ...lane, engine: event.currentTarget.value, integrator: '' })}
       >
-        {!engines.some((engine) => engine.id === lane.engine) && <option value={lane.engine}>{lane.engine}</option>}
+        {!engines.some((engine) => engine.id === lane.engine) && (
+          <option value={lane.engine}>{lane.engine}</option>
+        )}
         {engines.map((engine) => (
           <option key={engine.id} value={engine.id}>
             {engine.id} {engine.version}
@@ -84,7 +86,12 @@ export function LanePanel({ viewer, session }: { viewer: Viewer; session: Sessio
               name={`lane ${i + 1}`}
               change={(changed) => set(lanes.map((old, k) => (k === i ? changed : old)))}
             />
-            <button type="button" disabled={lanes.length < 2} aria-label={`remove lane ${i + 1}`} onClick={() => set(lanes.filter((_, k) => k !== i))}>
+            <button
+              type="button"
+              disabled={lanes.length < 2}
+              aria-label={`remove lane ${i + 1}`}
+              onClick={() => set(lanes.filter((_, k) => k !== i))}
+            >
               ×
             </button>
           </li>
@@ -93,7 +100,10 @@ export function LanePanel({ viewer, session }: { viewer: Viewer; session: Sessio
       <button
         type="button"
         disabled={lanes.length >= mostLanes || !spare}
-        onClick={() => spare && set([...lanes, { engine: spare.id, integrator: '', dt_text: lanes[0]?.dt_text ?? '1/240' }])}
+        onClick={() =>
+          spare &&
+          set([...lanes, { engine: spare.id, integrator: '', dt_text: lanes[0]?.dt_text ?? '1/240' }])
+        }
       >
         Add a lane
       </button>

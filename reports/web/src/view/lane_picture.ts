@@ -33,7 +33,12 @@ export class LanePicture {
   private arrowLength: number; // of the longest [m]
   private time = -Infinity;
 
-  constructor(host: HTMLElement, private scene: Scene, label: string, hands: Hands) {
+  constructor(
+    host: HTMLElement,
+    private scene: Scene,
+    label: string,
+    hands: Hands,
+  ) {
     this.picture = createScene3D(host, scene, { label });
     this.pose = new LanePose(scene.body.length);
     this.trail = new TrailRecorder(scene.body.length);
@@ -75,20 +80,40 @@ export class LanePicture {
   }
 
   /** Shows the state that was read last.  `anchors`: where on its body somebody holds it, body axes. */
-  update(state: StateMessage, lane: LaneState, shown: Shown, scale: ArrowScale, anchors: Map<number, Vector>): void {
+  update(
+    state: StateMessage,
+    lane: LaneState,
+    shown: Shown,
+    scale: ArrowScale,
+    anchors: Map<number, Vector>,
+  ): void {
     const { picture, pose, scene } = this;
     if (lane.status !== 'running' || this.time === -Infinity) return;
     picture.show('bodies', pose, state.t);
     picture.links(shown.links);
     picture.trails('bodies', shown.trails ? this.trail.positions : null, pose.bodies, this.trail.frames - 1);
-    const kinds = (['velocity', 'momentum', 'angular momentum'] as ArrowChoice[]).filter((kind) => shown[kind]);
+    const kinds = (['velocity', 'momentum', 'angular momentum'] as ArrowChoice[]).filter(
+      (kind) => shown[kind],
+    );
     picture.arrows(scale.arrows(scene, pose, kinds, this.arrowLength));
     picture.contacts(shown.contacts ? lane.contacts : []);
-    picture.pulls(state.pulls.filter((pull) => pull.body < pose.bodies).map(({ body, pin }) => {
-      const o = pose.orientation;
-      const turn: [number, number, number, number] = [o[4 * body]!, o[4 * body + 1]!, o[4 * body + 2]!, o[4 * body + 3]!];
-      return { from: add(pose.vector(pose.position, body), rotate(turn, anchors.get(body) ?? [0, 0, 0])), to: pin };
-    }));
+    picture.pulls(
+      state.pulls
+        .filter((pull) => pull.body < pose.bodies)
+        .map(({ body, pin }) => {
+          const o = pose.orientation;
+          const turn: [number, number, number, number] = [
+            o[4 * body]!,
+            o[4 * body + 1]!,
+            o[4 * body + 2]!,
+            o[4 * body + 3]!,
+          ];
+          return {
+            from: add(pose.vector(pose.position, body), rotate(turn, anchors.get(body) ?? [0, 0, 0])),
+            to: pin,
+          };
+        }),
+    );
   }
 
   dispose(): void {

@@ -1,5 +1,5 @@
-// Cuts the bytes of /api/stream into messages, however the network cut them.  Layout: u32 little-endian length of the
-// header, u32 bytes of the payload, the header as JSON, the payload.
+// Cuts the bytes of /api/stream into messages, however the network cut them.  Layout: u32 little-endian
+// length of the header, u32 bytes of the payload, the header as JSON, the payload.
 import type { Message } from '../shared/live';
 
 export interface Packet {
@@ -27,7 +27,8 @@ export class PacketReader {
   private append(chunk: Uint8Array): void {
     const left = this.end - this.begin;
     if (this.end + chunk.length > this.bytes.length) {
-      const room = left + chunk.length > this.bytes.length ? new Uint8Array(2 * (left + chunk.length)) : this.bytes;
+      const room =
+        left + chunk.length > this.bytes.length ? new Uint8Array(2 * (left + chunk.length)) : this.bytes;
       room.set(this.bytes.subarray(this.begin, this.end));
       this.bytes = room;
       [this.begin, this.end] = [0, left];

@@ -45,7 +45,12 @@ function Field({ viewer, parameter }: { viewer: Viewer; parameter: Parameter }) 
     return (
       <label class="field">
         <span>{label}</span>
-        <NumberField value={value} label={`${group}: ${label}`} check={check} send={(x) => viewer.send({ do: 'set', key, value: x })} />
+        <NumberField
+          value={value}
+          label={`${group}: ${label}`}
+          check={check}
+          send={(x) => viewer.send({ do: 'set', key, value: x })}
+        />
         <span class="muted">{unit}</span>
       </label>
     );
@@ -57,7 +62,13 @@ function Field({ viewer, parameter }: { viewer: Viewer; parameter: Parameter }) 
           value={x}
           label={`${label}, ${'xyz'[i]}`}
           check={check}
-          send={(component) => viewer.send({ do: 'set', key, value: value.map((old, k) => (k === i ? component : old)) as Vector })}
+          send={(component) =>
+            viewer.send({
+              do: 'set',
+              key,
+              value: value.map((old, k) => (k === i ? component : old)) as Vector,
+            })
+          }
         />
       ))}
       <span class="muted">{unit}</span>

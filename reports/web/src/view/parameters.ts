@@ -1,4 +1,4 @@
-// What of a scene may be changed while it runs: keys as the server knows them, with words and units for people.
+// What of a scene may be changed while it runs: keys as the server knows them, words and units for people.
 import type { Scene, Vector } from '../shared/documents';
 
 export interface Parameter {
@@ -69,19 +69,43 @@ const lists: { list: string; title: (row: Row) => string; columns: Column[] }[] 
 
 export function parametersOf(scene: Scene): Parameter[] {
   const found: Parameter[] = [
-    { key: 'gravity', group: 'gravity', label: 'gravity', unit: 'm/s²', value: scene.gravity, least: -Infinity, most: Infinity },
+    {
+      key: 'gravity',
+      group: 'gravity',
+      label: 'gravity',
+      unit: 'm/s²',
+      value: scene.gravity,
+      least: -Infinity,
+      most: Infinity,
+    },
   ];
   for (const { list, title, columns } of lists) {
     const rows = Array.isArray(scene[list]) ? (scene[list] as Row[]) : [];
     rows.forEach((row, index) => {
       for (const { name, label, unit, least = -Infinity, most = Infinity } of columns)
         if (typeof row[name] === 'number')
-          found.push({ key: `${list}.${index}.${name}`, group: title(row), label, unit, value: row[name], least, most });
+          found.push({
+            key: `${list}.${index}.${name}`,
+            group: title(row),
+            label,
+            unit,
+            value: row[name],
+            least,
+            most,
+          });
     });
   }
   for (const body of scene.body)
     if (!body.locked)
-      found.push({ key: `body.${body.name}.mass`, group: 'masses', label: body.name, unit: 'kg', value: body.mass, least: Number.MIN_VALUE, most: Infinity });
+      found.push({
+        key: `body.${body.name}.mass`,
+        group: 'masses',
+        label: body.name,
+        unit: 'kg',
+        value: body.mass,
+        least: Number.MIN_VALUE,
+        most: Infinity,
+      });
   return found;
 }
 
@@ -90,7 +114,12 @@ export function readValue(parameter: Parameter, typed: string): { value: number 
   const value = Number(typed.trim());
   if (typed.trim() === '' || !Number.isFinite(value)) return { error: 'a number, please' };
   if (value < parameter.least || value > parameter.most)
-    return { error: parameter.most === Infinity ? `must be at least ${parameter.least === Number.MIN_VALUE ? 'above 0' : parameter.least}` : `must lie in ${parameter.least} … ${parameter.most}` };
+    return {
+      error:
+        parameter.most === Infinity
+          ? `must be at least ${parameter.least === Number.MIN_VALUE ? 'above 0' : parameter.least}`
+          : `must lie in ${parameter.least} … ${parameter.most}`,
+    };
   return { value };
 }
 

@@ -32,11 +32,21 @@ function options(width: number, lanes: Lane[], unit: string): uPlot.Options {
     scales: { x: { time: false } },
     axes: [
       { ...axis, label: 'time [s]', size: 30 },
-      { ...axis, label: `[${unit}]`, size: 70, values: (_, splits) => splits.map((v) => String(Number(v.toPrecision(7)))) },
+      {
+        ...axis,
+        label: `[${unit}]`,
+        size: 70,
+        values: (_, splits) => splits.map((v) => String(Number(v.toPrecision(7)))),
+      },
     ],
     series: [
       {},
-      ...lanes.map((_, i) => ({ stroke: () => color(lookOf(i).color), dash: lookOf(i).dash, width: 2, points: { show: false } })),
+      ...lanes.map((_, i) => ({
+        stroke: () => color(lookOf(i).color),
+        dash: lookOf(i).dash,
+        width: 2,
+        points: { show: false },
+      })),
     ],
   };
 }
@@ -53,18 +63,27 @@ function RollingPlot({ viewer, lanes, quantity }: Props) {
   const names = lanes.map(laneName).join('\n');
   useEffect(() => {
     const node = host.current!;
-    const plot = new uPlot(options(Math.max(node.clientWidth, 160), lanes, units[quantity]), [[], ...lanes.map(() => [])], node);
+    const plot = new uPlot(
+      options(Math.max(node.clientWidth, 160), lanes, units[quantity]),
+      [[], ...lanes.map(() => [])],
+      node,
+    );
     let drawn: unknown = null;
     const update = (): void => {
       const { samples } = viewer.history;
       const newest = samples[samples.length - 1];
       if (newest === drawn && samples.length > 0) return;
       drawn = newest;
-      plot.setData([viewer.history.times(), ...lanes.map((_, i) => viewer.history.series(i, quantity, component))]);
+      plot.setData([
+        viewer.history.times(),
+        ...lanes.map((_, i) => viewer.history.series(i, quantity, component)),
+      ]);
     };
     update();
     const stop = [viewer.subscribe(update), onTheme(() => plot.redraw())];
-    const resized = new ResizeObserver(() => plot.setSize({ width: Math.max(node.clientWidth, 160), height }));
+    const resized = new ResizeObserver(() =>
+      plot.setSize({ width: Math.max(node.clientWidth, 160), height }),
+    );
     resized.observe(node);
     return () => {
       for (const end of stop) end();
@@ -73,13 +92,19 @@ function RollingPlot({ viewer, lanes, quantity }: Props) {
     };
   }, [viewer, names, quantity, component]);
   const sample = viewer.history.samples[viewer.history.samples.length - 1];
-  const series = lanes.map((lane, i) => `${laneName(lane)} ${sample?.lanes[i] ? digits(viewer.history.series(i, quantity, component).at(-1)) : ''}`);
+  const latest = (lane: number): string =>
+    sample?.lanes[lane] ? digits(viewer.history.series(lane, quantity, component).at(-1)) : '';
+  const series = lanes.map((lane, i) => `${laneName(lane)} ${latest(i)}`);
   return (
     <figure class="rolling">
       <figcaption>
         {quantity}
         {quantity !== 'energy' && (
-          <select aria-label={`component of ${quantity}`} value={component} onChange={(event) => setComponent(event.currentTarget.value as Component)}>
+          <select
+            aria-label={`component of ${quantity}`}
+            value={component}
+            onChange={(event) => setComponent(event.currentTarget.value as Component)}
+          >
             {components.map((name) => (
               <option key={name} value={name}>
                 {name}

@@ -41,7 +41,12 @@ export class LanePose {
   /** L = R I Rᵀ ω about the centre of mass [kg m²/s]. */
   angularMomentum(scene: Scene, body: number): Vector {
     const o = this.orientation;
-    const turn: [number, number, number, number] = [o[4 * body]!, o[4 * body + 1]!, o[4 * body + 2]!, o[4 * body + 3]!];
+    const turn: [number, number, number, number] = [
+      o[4 * body]!,
+      o[4 * body + 1]!,
+      o[4 * body + 2]!,
+      o[4 * body + 3]!,
+    ];
     const w = rotate(conjugate(turn), this.vector(this.spin, body));
     const m = scene.body[body]!.inertia;
     const row = (i: number): number => m[3 * i]! * w[0] + m[3 * i + 1]! * w[1] + m[3 * i + 2]! * w[2];
@@ -69,7 +74,8 @@ export class ArrowScale {
       for (let body = 0; body < pose.bodies; ++body) {
         const b = scene.body[body];
         if (!b || b.locked) continue;
-        const v = kind === 'angular momentum' ? pose.angularMomentum(scene, body) : pose.vector(pose.velocity, body);
+        const v =
+          kind === 'angular momentum' ? pose.angularMomentum(scene, body) : pose.vector(pose.velocity, body);
         const k = kind === 'momentum' ? b.mass : 1;
         const size = k * Math.hypot(...v);
         if (!Number.isFinite(size) || size === 0) continue;

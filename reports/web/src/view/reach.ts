@@ -5,7 +5,7 @@ import type { Bounds } from '../shared/scene3d/index';
 import { length, subtract } from '../shared/scene3d/vectors';
 
 const spare = 0.15; // of the size, so that the camera moves seldom
-const farthest = 6; // sizes of the scene; what flies farther than that, and than ten times its free flight, is let go
+const farthest = 6; // sizes of the scene; what flies farther, and than ten times its free flight, is let go
 
 export class Reach {
   bounds: Bounds;
@@ -28,7 +28,11 @@ export class Reach {
       const axis = i % 3;
       const x = position[i]!;
       const r = this.radius[(i - axis) / 3]!;
-      if (!Number.isFinite(x) || Math.abs(x - (this.bounds.min[axis]! + this.bounds.max[axis]!) / 2) > this.limit) continue;
+      if (
+        !Number.isFinite(x) ||
+        Math.abs(x - (this.bounds.min[axis]! + this.bounds.max[axis]!) / 2) > this.limit
+      )
+        continue;
       if (x - r >= this.bounds.min[axis]! && x + r <= this.bounds.max[axis]!) continue;
       if (!grew) this.bounds = { min: [...this.bounds.min], max: [...this.bounds.max] };
       grew = true;

@@ -19,9 +19,18 @@ export function ShowPanel({ viewer }: { viewer: Viewer }) {
       <div class="choices">
         {choices.map(({ name, label, key, unit }) => (
           <label key={name}>
-            <input type="checkbox" checked={viewer.shown[name]} onChange={(event) => viewer.show({ [name]: event.currentTarget.checked })} />
+            <input
+              type="checkbox"
+              checked={viewer.shown[name]}
+              onChange={(event) => viewer.show({ [name]: event.currentTarget.checked })}
+            />
             {label} <kbd>{key}</kbd>
-            {unit && viewer.shown[name] && <span class="muted number"> longest {digits(viewer.scale.of(name as 'velocity'))} {unit}</span>}
+            {unit && viewer.shown[name] && (
+              <span class="muted number">
+                {' '}
+                longest {digits(viewer.scale.of(name as 'velocity'))} {unit}
+              </span>
+            )}
           </label>
         ))}
       </div>

@@ -5,7 +5,10 @@ export class TrailRecorder {
   private readonly most: number;
 
   /** Memory for about `points` positions, at least 32 frames. */
-  constructor(readonly bodies: number, points = 60000) {
+  constructor(
+    readonly bodies: number,
+    points = 60000,
+  ) {
     this.most = Math.max(32, Math.min(1000, Math.floor(points / Math.max(bodies, 1))));
     this.positions = this.room();
   }

@@ -42,7 +42,8 @@ export function Transport({ viewer, session }: { viewer: Viewer; session: Sessio
         </span>
       </p>
       <p class="rate muted number" data-testid="rate">
-        {fps.toFixed(0)} fps · {session.scene.body.length} {session.scene.body.length === 1 ? 'body' : 'bodies'}
+        {fps.toFixed(0)} fps · {session.scene.body.length}{' '}
+        {session.scene.body.length === 1 ? 'body' : 'bodies'}
       </p>
       {session.recording !== '' && <p class="recording">● recording to {session.recording}</p>}
     </section>

@@ -17,7 +17,8 @@ import { Reach } from './reach';
 
 const refresh = 125; // [ms] between read-outs: faster is not read
 
-export const laneName = (lane: Lane): string => [lane.engine, lane.integrator, `dt ${lane.dt_text}`].filter((part) => part).join(' · ');
+export const laneName = (lane: Lane): string =>
+  [lane.engine, lane.integrator, `dt ${lane.dt_text}`].filter((part) => part).join(' · ');
 
 export class Viewer {
   session: Session | null = null;
@@ -25,7 +26,14 @@ export class Viewer {
   connected = false;
   why = 'connecting'; // why not
   notice = ''; // the last refusal
-  shown: Shown = { velocity: false, momentum: false, 'angular momentum': false, trails: false, contacts: true, links: true };
+  shown: Shown = {
+    velocity: false,
+    momentum: false,
+    'angular momentum': false,
+    trails: false,
+    contacts: true,
+    links: true,
+  };
   kickSpeed = 1; // [m/s]
   pullFrequency = 1; // [Hz]
   readonly history = new History();
@@ -48,7 +56,9 @@ export class Viewer {
     (why) => this.tell(why),
     () => {
       this.send({ do: 'speed', value: Math.max(0.01, this.speed / 1.5) });
-      this.tell('Pictures were missed: the motion was slowed down so that the recording keeps up. Reset records from the start.');
+      this.tell(
+        'Pictures were missed: the motion was slowed down for the recording. Reset records from the start.',
+      );
     },
   );
   private fresh = false; // a state that is not drawn yet
@@ -99,7 +109,8 @@ export class Viewer {
     this.looks = looks;
     if (other) this.reach = new Reach(session.scene, session.duration);
     for (const picture of this.pictures.values()) picture.setScene(session.scene, other && before !== null);
-    if (before && before.lanes.map(laneName).join('\n') !== session.lanes.map(laneName).join('\n')) this.history.clear();
+    if (before && before.lanes.map(laneName).join('\n') !== session.lanes.map(laneName).join('\n'))
+      this.history.clear();
     this.changed();
   }
 
@@ -114,7 +125,8 @@ export class Viewer {
     this.state = message;
     this.payload = packet.payload;
     for (const [lane, picture] of this.pictures)
-      if (message.lanes[lane]?.status === 'running' && picture.read(message.t, packet.payload, lane)) this.hold(picture.position);
+      if (message.lanes[lane]?.status === 'running' && picture.read(message.t, packet.payload, lane))
+        this.hold(picture.position);
     this.history.add(message.t, message.lanes);
     this.fresh = true;
   }
@@ -141,7 +153,12 @@ export class Viewer {
     const { session, state } = this;
     if (fresh && session && state?.playing && wantsPictures(session)) {
       const order = [...this.pictures.keys()].sort((a, b) => a - b);
-      this.film.take(state.t, now, order.map((lane) => this.pictures.get(lane)!.picture), order.map((lane) => (session.lanes[lane] ? laneName(session.lanes[lane]) : '')));
+      this.film.take(
+        state.t,
+        now,
+        order.map((lane) => this.pictures.get(lane)!.picture),
+        order.map((lane) => (session.lanes[lane] ? laneName(session.lanes[lane]) : '')),
+      );
     }
     if (now - this.told > refresh) {
       this.told = now;
@@ -172,7 +189,8 @@ export class Viewer {
     if (this.camera) picture.picture.camera = this.camera;
     if (this.reach) picture.picture.frameOn(this.reach.bounds);
     this.pictures.set(lane, picture);
-    if (this.state?.lanes[lane]?.status === 'running' && this.payload) picture.read(this.state.t, this.payload, lane);
+    if (this.state?.lanes[lane]?.status === 'running' && this.payload)
+      picture.read(this.state.t, this.payload, lane);
     this.fresh = true;
     return () => {
       if (this.pictures.get(lane) === picture) this.pictures.delete(lane);
@@ -215,9 +233,11 @@ export class Viewer {
   }
 
   kick(body: number, reverse: boolean): void {
-    const impulse = this.session && kick(this.session.scene, body, reverse ? -this.kickSpeed : this.kickSpeed);
+    const impulse =
+      this.session && kick(this.session.scene, body, reverse ? -this.kickSpeed : this.kickSpeed);
     if (impulse) this.send({ do: 'kick', body, impulse });
-    else if (this.session && body < this.session.scene.body.length) this.tell(`${this.session.scene.body[body]!.name} cannot be kicked: it is locked`);
+    else if (this.session && body < this.session.scene.body.length)
+      this.tell(`${this.session.scene.body[body]!.name} cannot be kicked: it is locked`);
   }
 
   get playing(): boolean {

@@ -1,5 +1,12 @@
 // All instances of one mold of one layer, in one draw call (two for a ghost: stripes and edges).
-import { DynamicDrawUsage, InstancedBufferAttribute, InstancedBufferGeometry, BufferAttribute, LineSegments, Mesh } from 'three';
+import {
+  DynamicDrawUsage,
+  InstancedBufferAttribute,
+  InstancedBufferGeometry,
+  BufferAttribute,
+  LineSegments,
+  Mesh,
+} from 'three';
 import type { RawShaderMaterial } from 'three';
 
 import type { Colour } from './segments';
@@ -8,7 +15,13 @@ import type { Piece } from './solids';
 
 /** The same triangles with equal corners told once: a third of the work for round shapes. */
 function shared(mold: Mold): Pick<Mold, 'position' | 'normal' | 'tone' | 'lift'> & { index: number[] } {
-  const result = { position: [] as number[], normal: [] as number[], tone: [] as number[], lift: [] as number[], index: [] as number[] };
+  const result = {
+    position: [] as number[],
+    normal: [] as number[],
+    tone: [] as number[],
+    lift: [] as number[],
+    index: [] as number[],
+  };
   const known = new Map<string, number>();
   for (let i = 0; i < mold.tone.length; ++i) {
     const position = mold.position.slice(3 * i, 3 * i + 3);
@@ -33,7 +46,13 @@ export class Batch {
   private readonly center: InstancedBufferAttribute;
   private readonly turn: InstancedBufferAttribute;
 
-  constructor(mold: Mold, private readonly pieces: Piece[], colours: Colour[], fill: RawShaderMaterial, edge: RawShaderMaterial | null) {
+  constructor(
+    mold: Mold,
+    private readonly pieces: Piece[],
+    colours: Colour[],
+    fill: RawShaderMaterial,
+    edge: RawShaderMaterial | null,
+  ) {
     const n = pieces.length;
     this.center = new InstancedBufferAttribute(new Float32Array(4 * n), 4).setUsage(DynamicDrawUsage);
     this.turn = new InstancedBufferAttribute(new Float32Array(4 * n), 4).setUsage(DynamicDrawUsage);
@@ -58,7 +77,15 @@ export class Batch {
     this.drawn.push(new Mesh(body, fill));
     if (edge && mold.edges.length > 0) {
       const ends = mold.edges.filter((_, i) => i % 4 < 3);
-      this.drawn.push(new LineSegments(geometry(ends, mold.edges.filter((_, i) => i % 4 === 3)), edge));
+      this.drawn.push(
+        new LineSegments(
+          geometry(
+            ends,
+            mold.edges.filter((_, i) => i % 4 === 3),
+          ),
+          edge,
+        ),
+      );
     }
     for (const object of this.drawn) object.frustumCulled = object.matrixAutoUpdate = false;
   }

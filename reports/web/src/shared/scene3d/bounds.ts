@@ -24,7 +24,10 @@ export function shapeRadius(shape: Shape | null | undefined): number {
     case 'mesh':
       return shape.vertices.reduce((most, v) => Math.max(most, length(v)), 0);
     case 'compound':
-      return shape.parts.reduce((most, part) => Math.max(most, length(part.position) + shapeRadius(part.shape)), 0);
+      return shape.parts.reduce(
+        (most, part) => Math.max(most, length(part.position) + shapeRadius(part.shape)),
+        0,
+      );
   }
 }
 
@@ -36,7 +39,10 @@ export function include(bounds: Bounds, p: Vector, radius: number): void {
   }
 }
 
-const nothing = (): Bounds => ({ min: [Infinity, Infinity, Infinity], max: [-Infinity, -Infinity, -Infinity] });
+const nothing = (): Bounds => ({
+  min: [Infinity, Infinity, Infinity],
+  max: [-Infinity, -Infinity, -Infinity],
+});
 
 /** A box with some room in it, whatever the scene is. */
 export function usable(bounds: Bounds): Bounds {
@@ -66,7 +72,8 @@ export function sceneBounds(scene: Scene): Bounds {
   const near = (p: Vector): void => {
     if (length(subtract(p, middle)) < 6 * size) include(bounds, p, 0);
   };
-  for (const plane of scene.plane) near(add(middle, scale(plane.normal, plane.offset - dot(plane.normal, middle))));
+  for (const plane of scene.plane)
+    near(add(middle, scale(plane.normal, plane.offset - dot(plane.normal, middle))));
   for (const water of scene.water) near([middle[0], water.level, middle[2]]);
   return usable(bounds);
 }

@@ -27,7 +27,15 @@ export function makeCoil(turns: number, perTurn: number): Coil {
 }
 
 /** Draws a coil from a to b; where they meet it is a ring. */
-export function drawCoil(into: Segments, coil: Coil, a: Vector, b: Vector, radius: number, colour: Colour, width: number): void {
+export function drawCoil(
+  into: Segments,
+  coil: Coil,
+  a: Vector,
+  b: Vector,
+  radius: number,
+  colour: Colour,
+  width: number,
+): void {
   const d: Vector = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
   const l = Math.hypot(d[0], d[1], d[2]);
   const [u, v] = tangents(l > 0 ? [d[0] / l, d[1] / l, d[2] / l] : [0, 1, 0]);

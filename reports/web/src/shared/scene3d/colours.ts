@@ -1,7 +1,7 @@
 // Colours of bodies, and those that the page's style sheet gives.
 import type { Colour } from './segments';
 
-/** Okabe and Ito's palette, which people with any colour vision tell apart (without black; yellow darkened). */
+/** Okabe and Ito's palette, told apart with any colour vision (without black; yellow darkened). */
 const palette = ['#0072b2', '#e69f00', '#009e73', '#cc79a7', '#56b4e9', '#d55e00', '#c9b800', '#8a8a8a'];
 
 export function hexColour(text: string): Colour | null {
@@ -63,7 +63,10 @@ export function readTheme(element: Element): Theme {
   const style = getComputedStyle(element);
   const night = matchMedia('(prefers-color-scheme: dark)').matches;
   const ground = cssColour(style.getPropertyValue('--ground').trim(), night ? [0.07, 0.08, 0.1] : [1, 1, 1]);
-  const ink = cssColour(style.getPropertyValue('--ink').trim(), night ? [0.92, 0.93, 0.95] : [0.1, 0.1, 0.12]);
+  const ink = cssColour(
+    style.getPropertyValue('--ink').trim(),
+    night ? [0.92, 0.93, 0.95] : [0.1, 0.1, 0.12],
+  );
   const brightness = (c: Colour): number => 0.3 * c[0] + 0.6 * c[1] + 0.1 * c[2];
   return { ground, ink, faint: mix(ground, ink, 0.22), arrows: brightness(ground) < 0.5 ? dark : light };
 }

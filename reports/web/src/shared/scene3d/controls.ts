@@ -27,14 +27,20 @@ export function shifted(camera: CameraState, right: number, up: number): CameraS
   return { ...camera, target: add(camera.target, add(scale(r, right), scale(u, up))) };
 }
 
-export const nearer = (camera: CameraState, factor: number): CameraState => ({ ...camera, distance: camera.distance * factor });
+export const nearer = (camera: CameraState, factor: number): CameraState => ({
+  ...camera,
+  distance: camera.distance * factor,
+});
 
 export class Controls {
   private readonly pointers = new Map<number, { x: number; y: number }>();
   private holds = false;
   private readonly stop = new AbortController();
 
-  constructor(private readonly element: HTMLElement, private readonly scene: Controlled) {
+  constructor(
+    private readonly element: HTMLElement,
+    private readonly scene: Controlled,
+  ) {
     const on = { signal: this.stop.signal };
     element.addEventListener('pointerdown', this.down, on);
     element.addEventListener('pointermove', this.move, on);
@@ -50,7 +56,8 @@ export class Controls {
     this.element.setPointerCapture(event.pointerId);
     this.pointers.set(event.pointerId, { x: event.offsetX, y: event.offsetY });
     if (this.pointers.size > 1) this.letGo();
-    else if (event.button === 0 && !event.shiftKey) this.holds = this.scene.grab(event.offsetX, event.offsetY);
+    else if (event.button === 0 && !event.shiftKey)
+      this.holds = this.scene.grab(event.offsetX, event.offsetY);
   };
 
   private readonly move = (event: PointerEvent): void => {
@@ -63,7 +70,9 @@ export class Controls {
       const camera = this.scene.camera;
       const k = this.scene.metresPerPixel();
       const aside = event.shiftKey || (event.buttons & 6) !== 0; // right or middle button
-      this.scene.moveCamera(aside ? shifted(camera, -dx * k, dy * k) : turned(camera, dx * perPixel, dy * perPixel));
+      this.scene.moveCamera(
+        aside ? shifted(camera, -dx * k, dy * k) : turned(camera, dx * perPixel, dy * perPixel),
+      );
     } else if (this.pointers.size === 2) this.pinch(event.pointerId, last, { x, y });
     this.pointers.set(event.pointerId, { x, y });
   };
@@ -92,7 +101,12 @@ export class Controls {
 
   private readonly wheel = (event: WheelEvent): void => {
     event.preventDefault();
-    const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 : event.deltaMode === WheelEvent.DOM_DELTA_PAGE ? 300 : 1;
+    const lines =
+      event.deltaMode === WheelEvent.DOM_DELTA_LINE
+        ? 16
+        : event.deltaMode === WheelEvent.DOM_DELTA_PAGE
+          ? 300
+          : 1;
     const factor = Math.exp(Math.max(-120, Math.min(120, event.deltaY * lines)) * 0.0015);
     this.scene.moveCamera(nearer(this.scene.camera, factor));
   };

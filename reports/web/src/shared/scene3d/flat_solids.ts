@@ -21,16 +21,27 @@ interface Placed {
 
 function placed(piece: Piece, bodies: Bodies): Placed {
   const turn = bodies.turn(piece.body);
-  return { centre: add(bodies.at(piece.body), rotate(turn, piece.position)), turn: multiply(turn, piece.orientation) };
+  return {
+    centre: add(bodies.at(piece.body), rotate(turn, piece.position)),
+    turn: multiply(turn, piece.orientation),
+  };
 }
 
 /** A mold's point where a piece has it in the world. */
-function world({ centre, turn }: Placed, piece: Piece, x: number, y: number, z: number, lift: number): Vector {
+function world(
+  { centre, turn }: Placed,
+  piece: Piece,
+  x: number,
+  y: number,
+  z: number,
+  lift: number,
+): Vector {
   const [sx, sy, sz, sl] = piece.size;
   return add(centre, rotate(turn, [sx * x, sy * y + sl * lift, sz * z]));
 }
 
-const shaded = (colour: Colour, tone: number, light: number): string => css(colour.map((c) => c * tone * light) as Colour);
+const shaded = (colour: Colour, tone: number, light: number): string =>
+  css(colour.map((c) => c * tone * light) as Colour);
 
 /** Light as the WebGL picture has it: a lamp beside the camera. */
 const lightOf = (view: View, n: Vector): number =>
@@ -62,7 +73,17 @@ function disc(c: CanvasRenderingContext2D, x: number, y: number, radius: number,
   c.fill();
 }
 
-function ball(c: CanvasRenderingContext2D, view: View, mold: Mold, piece: Piece, where: Placed, colour: Colour, x: number, y: number, radius: number): void {
+function ball(
+  c: CanvasRenderingContext2D,
+  view: View,
+  mold: Mold,
+  piece: Piece,
+  where: Placed,
+  colour: Colour,
+  x: number,
+  y: number,
+  radius: number,
+): void {
   disc(c, x, y, radius, shaded(colour, 0.95, 0.85));
   if (radius < 5) return;
   c.strokeStyle = shaded(colour, 0.5, 0.9);
@@ -73,7 +94,14 @@ function ball(c: CanvasRenderingContext2D, view: View, mold: Mold, piece: Piece,
 }
 
 /** Lines of a mold; those on the far side left out where `near` says so. */
-function halfEdges(c: CanvasRenderingContext2D, view: View, { edges }: Mold, piece: Piece, where: Placed, near: boolean): void {
+function halfEdges(
+  c: CanvasRenderingContext2D,
+  view: View,
+  { edges }: Mold,
+  piece: Piece,
+  where: Placed,
+  near: boolean,
+): void {
   for (let i = 0; i < edges.length; i += 8) {
     const a = world(where, piece, edges[i]!, edges[i + 1]!, edges[i + 2]!, edges[i + 3]!);
     const b = world(where, piece, edges[i + 4]!, edges[i + 5]!, edges[i + 6]!, edges[i + 7]!);
@@ -97,7 +125,17 @@ function faces(items: Item[], view: View, mold: Mold, piece: Piece, where: Place
     const l = Math.hypot(...n) || 1;
     const p = [0, 1, 2].map((i) => {
       const at = 3 * (corner + i);
-      return projectParallel(view, world(where, piece, mold.position[at]!, mold.position[at + 1]!, mold.position[at + 2]!, mold.lift[corner + i]!));
+      return projectParallel(
+        view,
+        world(
+          where,
+          piece,
+          mold.position[at]!,
+          mold.position[at + 1]!,
+          mold.position[at + 2]!,
+          mold.lift[corner + i]!,
+        ),
+      );
     });
     const [a, b, d] = p as [(typeof p)[0], (typeof p)[0], (typeof p)[0]];
     // Counter-clockwise from outside, with y downwards on the screen.

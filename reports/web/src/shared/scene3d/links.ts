@@ -30,24 +30,42 @@ export class Links {
   private readonly joints: Joint[];
   private readonly coil: Coil;
 
-  constructor(scene: Scene, private readonly extent: number) {
+  constructor(
+    scene: Scene,
+    private readonly extent: number,
+  ) {
     const index = new Map(scene.body.map((body, i) => [body.name, i]));
     const find = (name: string | undefined): number => (name === undefined ? -1 : (index.get(name) ?? -1));
     /** Where on a body a point of the world is at t = 0. */
     const carry = (body: number, world: Vector): Carried => {
       const b = scene.body[body];
-      return b ? { body, point: rotate(conjugate(b.orientation), subtract(world, b.position)) } : { body: -1, point: world };
+      return b
+        ? { body, point: rotate(conjugate(b.orientation), subtract(world, b.position)) }
+        : { body: -1, point: world };
     };
     this.springs = scene.spring.map((s) => {
       const from: Carried = { body: find(s.body), point: s.anchor };
-      const to: Carried = s.to === undefined ? { body: -1, point: s.pin ?? [0, 0, 0] } : { body: find(s.to), point: s.to_anchor ?? [0, 0, 0] };
-      return { from, to, radius: Math.min(0.012 * extent, s.rest_length > 0 ? 0.15 * s.rest_length : Infinity) };
+      const to: Carried =
+        s.to === undefined
+          ? { body: -1, point: s.pin ?? [0, 0, 0] }
+          : { body: find(s.to), point: s.to_anchor ?? [0, 0, 0] };
+      return {
+        from,
+        to,
+        radius: Math.min(0.012 * extent, s.rest_length > 0 ? 0.15 * s.rest_length : Infinity),
+      };
     });
     this.joints = scene.joint.map((j) => {
       const body = find(j.body);
-      const axis = scene.body[body] && j.axis ? rotate(conjugate(scene.body[body].orientation), unit(j.axis, [0, 0, 1])) : ([0, 0, 1] as Vector);
+      const axis =
+        scene.body[body] && j.axis
+          ? rotate(conjugate(scene.body[body].orientation), unit(j.axis, [0, 0, 1]))
+          : ([0, 0, 1] as Vector);
       if (j.type === 'distance') {
-        const to: Carried = j.to === undefined ? { body: -1, point: j.point ?? [0, 0, 0] } : { body: find(j.to), point: [0, 0, 0] };
+        const to: Carried =
+          j.to === undefined
+            ? { body: -1, point: j.point ?? [0, 0, 0] }
+            : { body: find(j.to), point: [0, 0, 0] };
         return { type: j.type, from: { body, point: [0, 0, 0] }, to, axis };
       }
       const point = j.point ?? [0, 0, 0];
@@ -61,9 +79,18 @@ export class Links {
     const { ink, ground } = picture.theme;
     for (const { from, to, radius } of this.springs) {
       if (hidden(bodies, from) || hidden(bodies, to)) continue;
-      drawCoil(picture.links, this.coil, at(bodies, from), at(bodies, to), radius, mix(ink, ground, 0.2), 1.5);
+      drawCoil(
+        picture.links,
+        this.coil,
+        at(bodies, from),
+        at(bodies, to),
+        radius,
+        mix(ink, ground, 0.2),
+        1.5,
+      );
     }
-    for (const joint of this.joints) if (!hidden(bodies, joint.from) && !hidden(bodies, joint.to)) this.joint(picture, bodies, joint);
+    for (const joint of this.joints)
+      if (!hidden(bodies, joint.from) && !hidden(bodies, joint.to)) this.joint(picture, bodies, joint);
   }
 
   private joint(picture: Picture, bodies: Bodies, { type, from, to, axis }: Joint): void {
@@ -77,8 +104,12 @@ export class Links {
       return;
     }
     // Arms from the centres to the point, and what the joint has drifted apart.
-    for (const [end, point] of [[from, a], [to, b]] as const)
-      if (end.body >= 0 && length(end.point) > 1e-9 * this.extent) picture.links.add(bodies.at(end.body), point, soft, 1.5);
+    for (const [end, point] of [
+      [from, a],
+      [to, b],
+    ] as const)
+      if (end.body >= 0 && length(end.point) > 1e-9 * this.extent)
+        picture.links.add(bodies.at(end.body), point, soft, 1.5);
     picture.marks.add(a, b, ink, 1, 1, 1);
     if (type === 'fixed') {
       this.square(picture, bodies, from, a);
@@ -101,7 +132,15 @@ export class Links {
     const [u, v] = tangents(unit(normal, [0, 0, 1]));
     const corner = (i: number): Vector =>
       add(centre, add(scale(u, i & 1 ? half : -half), scale(v, i & 2 ? half : -half)));
-    for (const [i, j] of [[0, 1], [1, 3], [3, 2], [2, 0], [0, 3], [1, 2]] as const) marks.add(corner(i), corner(j), theme.ink, 2);
+    for (const [i, j] of [
+      [0, 1],
+      [1, 3],
+      [3, 2],
+      [2, 0],
+      [0, 3],
+      [1, 2],
+    ] as const)
+      marks.add(corner(i), corner(j), theme.ink, 2);
   }
 }
 

@@ -12,7 +12,18 @@ import type { Ray } from './picking';
 import { Picture } from './picture';
 import type { Stage } from './stage';
 import { makeStage } from './make_stage';
-import type { Arrow, Bounds, CameraState, ContactMark, Grab, Layer, Pose, Pull, Scene3D, Scene3DOptions } from './types';
+import type {
+  Arrow,
+  Bounds,
+  CameraState,
+  ContactMark,
+  Grab,
+  Layer,
+  Pose,
+  Pull,
+  Scene3D,
+  Scene3DOptions,
+} from './types';
 import { add, conjugate, dot, length, rotate, scale, subtract } from './vectors';
 
 export class LiveScene3D implements Scene3D, Controlled {
@@ -39,7 +50,11 @@ export class LiveScene3D implements Scene3D, Controlled {
   private readonly resized = new ResizeObserver(() => this.turned());
   private readonly restyled = new MutationObserver(() => this.retheme());
 
-  constructor(host: HTMLElement, scene: Scene, private readonly options: Scene3DOptions) {
+  constructor(
+    host: HTMLElement,
+    scene: Scene,
+    private readonly options: Scene3DOptions,
+  ) {
     this.root.className = 'scene3d';
     host.append(this.root);
     this.stage = makeStage();
@@ -49,7 +64,10 @@ export class LiveScene3D implements Scene3D, Controlled {
     this.element.tabIndex = 0;
     this.element.setAttribute('role', 'application');
     this.element.setAttribute('aria-roledescription', '3D view');
-    this.element.setAttribute('aria-label', `${options.label}. Arrow keys turn, plus and minus zoom, Home frames all.`);
+    this.element.setAttribute(
+      'aria-label',
+      `${options.label}. Arrow keys turn, plus and minus zoom, Home frames all.`,
+    );
     this.over.className = 'scene3d-over';
     this.over.setAttribute('aria-hidden', 'true');
     this.note.className = 'scene3d-note';
@@ -60,8 +78,13 @@ export class LiveScene3D implements Scene3D, Controlled {
     this.state = frame(this.picture.bounds, 4 / 3);
     this.controls = new Controls(this.element, this);
     this.resized.observe(this.root);
-    this.restyled.observe(document.documentElement, { attributes: true, attributeFilter: ['class', 'style', 'data-theme'] });
-    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.retheme(), { signal: this.stop.signal });
+    this.restyled.observe(document.documentElement, {
+      attributes: true,
+      attributeFilter: ['class', 'style', 'data-theme'],
+    });
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.retheme(), {
+      signal: this.stop.signal,
+    });
   }
 
   get camera(): CameraState {
@@ -106,8 +129,13 @@ export class LiveScene3D implements Scene3D, Controlled {
 
   private relabel(): void {
     const lost = this.picture.lost();
-    const names = lost.length > 3 ? `${lost.slice(0, 3).join(', ')} and ${lost.length - 3} more` : lost.join(', ');
-    const text = this.stage.lost ? 'the graphics card was lost; waiting for it' : lost.length > 0 ? `not finite: ${names}` : '';
+    const names =
+      lost.length > 3 ? `${lost.slice(0, 3).join(', ')} and ${lost.length - 3} more` : lost.join(', ');
+    const text = this.stage.lost
+      ? 'the graphics card was lost; waiting for it'
+      : lost.length > 0
+        ? `not finite: ${names}`
+        : '';
     if (this.note.textContent !== text) this.note.textContent = text;
     this.stale = true;
   }
@@ -178,7 +206,11 @@ export class LiveScene3D implements Scene3D, Controlled {
     if (!found || this.picture.scene.body[found.body]!.locked) return false;
     const { body, point } = found;
     this.held = point;
-    this.onGrab({ body, point, anchor: rotate(conjugate(bodies.turn(body)), subtract(point, bodies.at(body))) });
+    this.onGrab({
+      body,
+      point,
+      anchor: rotate(conjugate(bodies.turn(body)), subtract(point, bodies.at(body))),
+    });
     return true;
   }
 
@@ -241,7 +273,10 @@ export class LiveScene3D implements Scene3D, Controlled {
     const context = both.getContext('2d');
     if (context) this.paint(context, 0, 0);
     return new Promise((resolve, reject) =>
-      both.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('the picture could not be kept'))), 'image/png'),
+      both.toBlob(
+        (blob) => (blob ? resolve(blob) : reject(new Error('the picture could not be kept'))),
+        'image/png',
+      ),
     );
   }
 

@@ -8,7 +8,7 @@ const refused = (): boolean => /[?&#]webgl=off\b/.test(`${location.search}${loca
 
 let known: boolean | null = null;
 
-/** Whether the processor draws, as on machines without a graphics card: smooth edges then cost half the frames. */
+/** Whether the processor draws, for want of a graphics card: smooth edges then cost half the frames. */
 function software(): boolean {
   if (known !== null) return known;
   const context = document.createElement('canvas').getContext('webgl2');
@@ -21,12 +21,16 @@ function software(): boolean {
 export function makeStage(): Stage {
   if (!refused()) {
     const canvas = document.createElement('canvas');
-    const context = canvas.getContext('webgl2', { antialias: !software(), alpha: false, powerPreference: 'high-performance' });
+    const context = canvas.getContext('webgl2', {
+      antialias: !software(),
+      alpha: false,
+      powerPreference: 'high-performance',
+    });
     if (context)
       try {
         return new WebGLStage(canvas, context);
       } catch {
-        // A context that cannot be used: a canvas that has one cannot have another, so a new one is made below.
+        // This canvas has a context that cannot be used, and cannot have another.
       }
   }
   return new CanvasStage(document.createElement('canvas'));

@@ -19,7 +19,16 @@ const styles: Record<ArrowKind, { width: number; pattern: number; heads: number 
 const pulled = makeCoil(6, 10);
 
 /** A shaft, and heads that narrow to a point. */
-export function arrow(into: Segments, at: Vector, along: Vector, colour: Colour, width: number, extent: number, heads = 1, pattern = solid): void {
+export function arrow(
+  into: Segments,
+  at: Vector,
+  along: Vector,
+  colour: Colour,
+  width: number,
+  extent: number,
+  heads = 1,
+  pattern = solid,
+): void {
   const l = length(along);
   if (!(l > 1e-6 * extent)) return;
   const head = Math.min(0.4 / heads, (0.035 * extent) / l); // part of the arrow
@@ -39,7 +48,7 @@ export function drawArrows(picture: Picture, arrows: Arrow[]): void {
 
 const hatched = 120; // contacts; with more of them each is a dot
 
-/** A hatched disc in the plane of contact; its arrow is as long, against `largest`, as the impulse is strong. */
+/** A hatched disc in the plane of contact, and an arrow as long as the impulse is strong beside `largest`. */
 export function drawContacts(picture: Picture, contacts: ContactMark[], largest: number): void {
   const { marks, theme, extent, typical } = picture;
   const radius = Math.min(0.016 * extent, 0.7 * typical);
@@ -49,7 +58,8 @@ export function drawContacts(picture: Picture, contacts: ContactMark[], largest:
     const n = unit(normal, [0, 1, 0]);
     if (contacts.length <= hatched) hatchedDisc(marks, point, n, radius, colour);
     else marks.dot(point, colour, 4);
-    if (impulse === null) arrow(marks, point, scale(n, 3 * radius), theme.arrows.normal, 1.5, extent, 1, dashed);
+    if (impulse === null)
+      arrow(marks, point, scale(n, 3 * radius), theme.arrows.normal, 1.5, extent, 1, dashed);
     else if (Number.isFinite(impulse) && largest > 0)
       arrow(marks, point, scale(n, (0.2 * extent * impulse) / largest), colour, styles.impulse.width, extent);
   }
@@ -57,7 +67,8 @@ export function drawContacts(picture: Picture, contacts: ContactMark[], largest:
 
 function hatchedDisc(marks: Segments, point: Vector, n: Vector, radius: number, colour: Colour): void {
   const [u, v] = tangents(n);
-  const rim = (angle: number): Vector => add(point, add(scale(u, radius * Math.cos(angle)), scale(v, radius * Math.sin(angle))));
+  const rim = (angle: number): Vector =>
+    add(point, add(scale(u, radius * Math.cos(angle)), scale(v, radius * Math.sin(angle))));
   for (let i = 0; i < 16; ++i) marks.add(rim((Math.PI * i) / 8), rim((Math.PI * (i + 1)) / 8), colour, 1.5);
   for (const angle of [0.4, 0.8, 1.2, 1.6, 2, 2.4, 2.8]) marks.add(rim(angle), rim(-angle), colour, 1);
 }

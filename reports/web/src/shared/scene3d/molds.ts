@@ -1,5 +1,5 @@
-// Shapes as meshes of unit size that instances stretch: position * size + lift * length along y.  Every triangle
-// has a tone, so that one sees a body turn: six tones on flat faces, sectors on round ones.
+// Shapes as meshes of unit size that instances stretch: position * size + lift * length along y.  Every
+// triangle has a tone, so that one sees a body turn: six tones on flat faces, sectors on round ones.
 import { ConvexHull } from 'three/examples/jsm/math/ConvexHull.js';
 import { Vector3 } from 'three';
 
@@ -36,7 +36,11 @@ function line(mold: Mold, a: Vector, b: Vector, liftA = 0, liftB = liftA): void 
   mold.edges.push(...a, liftA, ...b, liftB);
 }
 
-const angle = (i: number, n: number): Vector => [Math.cos((2 * Math.PI * i) / n), 0, Math.sin((2 * Math.PI * i) / n)];
+const angle = (i: number, n: number): Vector => [
+  Math.cos((2 * Math.PI * i) / n),
+  0,
+  Math.sin((2 * Math.PI * i) / n),
+];
 
 /** The eighths of a ball, each of rows^2 triangles; halves may be lifted apart for a capsule. */
 function ball(mold: Mold, rows: number, lifted: boolean): void {
@@ -76,7 +80,14 @@ function capsule(rows: number): Mold {
   for (let i = 0; i < sides; ++i) {
     const [a, b] = [angle(i, sides), angle(i + 1, sides)];
     const tone = Math.floor((4 * i) / sides) % 2 ? dim : 1;
-    for (const [p, lift] of [[a, -1], [a, 1], [b, 1], [a, -1], [b, 1], [b, -1]] as [Vector, number][])
+    for (const [p, lift] of [
+      [a, -1],
+      [a, 1],
+      [b, 1],
+      [a, -1],
+      [b, 1],
+      [b, -1],
+    ] as [Vector, number][])
       corner(mold, p, p, tone, lift);
     line(mold, a, b, 1);
     line(mold, a, b, -1);
@@ -102,13 +113,22 @@ function turned(sides: number, low: number, high: number, top: number): Mold {
     const at = (p: Vector, k: number, y: number): Vector => [k * p[0], y, k * p[2]];
     const normal = (p: Vector): Vector => unit([p[0], slope, p[2]], p);
     if (high > low) {
-      for (const [p, y] of [[a, low], [a, high], [b, high], [a, low], [b, high], [b, low]] as [Vector, number][])
+      for (const [p, y] of [
+        [a, low],
+        [a, high],
+        [b, high],
+        [a, low],
+        [b, high],
+        [b, low],
+      ] as [Vector, number][])
         corner(mold, at(p, y === high ? top : 1, y), normal(p), tone);
     }
-    for (const p of [[0, low, 0], at(a, 1, low), at(b, 1, low)] as Vector[]) corner(mold, p, [0, -1, 0], 0.8 * tone);
+    for (const p of [[0, low, 0], at(a, 1, low), at(b, 1, low)] as Vector[])
+      corner(mold, p, [0, -1, 0], 0.8 * tone);
     line(mold, at(a, 1, low), at(b, 1, low));
     if (top > 0) {
-      for (const p of [[0, high, 0], at(b, top, high), at(a, top, high)] as Vector[]) corner(mold, p, [0, 1, 0], 0.9 * tone);
+      for (const p of [[0, high, 0], at(b, top, high), at(a, top, high)] as Vector[])
+        corner(mold, p, [0, 1, 0], 0.9 * tone);
       line(mold, at(a, top, high), at(b, top, high));
     }
   }
@@ -192,7 +212,7 @@ function box(): Mold {
 /** Three bars from a cube, the positive halves twice as long, for a point or a bare body. */
 function axisCross(): Mold {
   const mold = box();
-  mold.position = mold.position.map((p) => 0.25 * p);
+  mold.position = mold.position.map((p) => 0.3 * p);
   mold.edges = [];
   for (let axis = 0; axis < 3; ++axis) {
     const bar = box();
@@ -205,7 +225,10 @@ function axisCross(): Mold {
     mold.normal.push(...bar.normal);
     mold.tone.push(...bar.tone.map((t) => [1, 0.8, 0.6][axis]! * (0.5 + 0.5 * t)));
     mold.lift.push(...bar.lift);
-    const [a, b]: [Vector, Vector] = [[0, 0, 0], [0, 0, 0]];
+    const [a, b]: [Vector, Vector] = [
+      [0, 0, 0],
+      [0, 0, 0],
+    ];
     a[axis] = -0.5;
     b[axis] = 1;
     line(mold, a, b);
@@ -233,5 +256,8 @@ export function makeMold(kind: MoldKind, many: number): Mold {
 
 /** The box of a mesh about the origin: its half extents. */
 export function reach(points: Vector[]): Vector {
-  return points.reduce<Vector>((most, p) => most.map((m, i) => Math.max(m, Math.abs(p[i]!))) as Vector, scale([1, 1, 1], 0));
+  return points.reduce<Vector>(
+    (most, p) => most.map((m, i) => Math.max(m, Math.abs(p[i]!))) as Vector,
+    scale([1, 1, 1], 0),
+  );
 }

@@ -37,9 +37,13 @@ export function axes(camera: CameraState): [Vector, Vector, Vector] {
   return [right, cross(back, right), back];
 }
 
-/** `extent`: size [m] of what is to be seen.  What is nearer than a hundredth of the way to the target is cut off;
- * 24 bits of depth then tell points apart that differ by 1e-5 of it. */
-export function viewOf(camera: CameraState, size: { width: number; height: number; ratio: number }, extent: number): View {
+/** `extent`: size [m] of what is to be seen.  What is nearer than a hundredth of the way to the target is cut
+ * off; 24 bits of depth then tell points apart that differ by 1e-5 of it. */
+export function viewOf(
+  camera: CameraState,
+  size: { width: number; height: number; ratio: number },
+  extent: number,
+): View {
   const [right, up, back] = axes(camera);
   const { target, distance } = camera;
   const far = 5 * distance + 20 * extent;
@@ -48,7 +52,8 @@ export function viewOf(camera: CameraState, size: { width: number; height: numbe
 }
 
 /** [m] per css px at the depth of the target. */
-export const metresPerPixel = (view: View): number => (2 * view.distance * Math.tan(fieldOfView / 2)) / view.height;
+export const metresPerPixel = (view: View): number =>
+  (2 * view.distance * Math.tan(fieldOfView / 2)) / view.height;
 
 /** Where a perspective camera draws a point [css px] and how deep it lies [m]; null behind the camera. */
 export function project(view: View, p: Vector): { x: number; y: number; depth: number } | null {
@@ -59,7 +64,7 @@ export function project(view: View, p: Vector): { x: number; y: number; depth: n
   return { x: view.width / 2 + k * dot(d, view.right), y: view.height / 2 - k * dot(d, view.up), depth };
 }
 
-/** The ray of a perspective camera through a point of the picture [css px]: from the eye, direction with -back part 1. */
+/** The ray of a perspective camera through a point of the picture [css px]; `along` goes 1 m deep. */
 export function rayThrough(view: View, x: number, y: number): { from: Vector; along: Vector } {
   const k = Math.tan(fieldOfView / 2) / (view.height / 2);
   const along = add(scale(view.right, (x - view.width / 2) * k), scale(view.up, (view.height / 2 - y) * k));
@@ -89,13 +94,22 @@ export function frame(bounds: Bounds, aspect: number): CameraState {
   const middle = scale(add(bounds.min, bounds.max), 0.5);
   const half = scale(subtract(bounds.max, bounds.min), 0.5);
   const flat = half[2] < 0.2 * Math.max(half[0], half[1]);
-  const camera: CameraState = { target: middle, distance: 1, azimuth: flat ? 0.25 : 0.55, elevation: flat ? 0.16 : 0.3 };
+  const camera: CameraState = {
+    target: middle,
+    distance: 1,
+    azimuth: flat ? 0.25 : 0.55,
+    elevation: flat ? 0.16 : 0.3,
+  };
   const [right, up, back] = axes(camera);
   const vertical = Math.tan(fieldOfView / 2);
   const horizontal = vertical * aspect;
   let distance = 0;
   for (let corner = 0; corner < 8; ++corner) {
-    const c: Vector = [corner & 1 ? half[0] : -half[0], corner & 2 ? half[1] : -half[1], corner & 4 ? half[2] : -half[2]];
+    const c: Vector = [
+      corner & 1 ? half[0] : -half[0],
+      corner & 2 ? half[1] : -half[1],
+      corner & 4 ? half[2] : -half[2],
+    ];
     // Seen within the picture where |side| <= (distance - towards the eye) tan.
     const needed = Math.max(Math.abs(dot(c, right)) / horizontal, Math.abs(dot(c, up)) / vertical);
     distance = Math.max(distance, needed + dot(c, back));

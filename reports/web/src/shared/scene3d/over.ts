@@ -6,7 +6,16 @@ import type { Theme } from './colours';
 import { metresPerPixel } from './orbit';
 import type { View } from './orbit';
 
-const units: [number, string][] = [[1e9, 'Gm'], [1e6, 'Mm'], [1e3, 'km'], [1, 'm'], [1e-2, 'cm'], [1e-3, 'mm'], [1e-6, 'µm'], [1e-9, 'nm']];
+const units: [number, string][] = [
+  [1e9, 'Gm'],
+  [1e6, 'Mm'],
+  [1e3, 'km'],
+  [1, 'm'],
+  [1e-2, 'cm'],
+  [1e-3, 'mm'],
+  [1e-6, 'µm'],
+  [1e-9, 'nm'],
+];
 
 /** A length of one, two or five in a unit that suits it: "20 cm". */
 export function metres(x: number): string {
@@ -14,7 +23,12 @@ export function metres(x: number): string {
   return `${Number((x / size).toPrecision(3))} ${name}`;
 }
 
-export function drawOver(context: CanvasRenderingContext2D, view: View, theme: Theme, grid: number | null): void {
+export function drawOver(
+  context: CanvasRenderingContext2D,
+  view: View,
+  theme: Theme,
+  grid: number | null,
+): void {
   const { width, height, ratio } = view;
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
   context.clearRect(0, 0, width, height);
@@ -26,7 +40,14 @@ export function drawOver(context: CanvasRenderingContext2D, view: View, theme: T
 }
 
 /** Text that stays readable over anything. */
-function write(context: CanvasRenderingContext2D, text: string, x: number, y: number, ink: string, ground: string): void {
+function write(
+  context: CanvasRenderingContext2D,
+  text: string,
+  x: number,
+  y: number,
+  ink: string,
+  ground: string,
+): void {
   context.lineWidth = 3;
   context.lineJoin = 'round';
   context.strokeStyle = ground;
@@ -35,9 +56,18 @@ function write(context: CanvasRenderingContext2D, text: string, x: number, y: nu
   context.fillText(text, x, y);
 }
 
-function triad(context: CanvasRenderingContext2D, { right, up, height }: View, ink: string, ground: string): void {
+function triad(
+  context: CanvasRenderingContext2D,
+  { right, up, height }: View,
+  ink: string,
+  ground: string,
+): void {
   const [x, y, l] = [34, height - 34, 22];
-  const axis: Vector[] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+  const axis: Vector[] = [
+    [1, 0, 0],
+    [0, 1, 0],
+    [0, 0, 1],
+  ];
   context.textAlign = 'center';
   axis.forEach((_, i) => {
     const [dx, dy] = [right[i]! * l, -up[i]! * l];
@@ -51,7 +81,13 @@ function triad(context: CanvasRenderingContext2D, { right, up, height }: View, i
   });
 }
 
-function scaleBar(context: CanvasRenderingContext2D, view: View, ink: string, ground: string, grid: number | null): void {
+function scaleBar(
+  context: CanvasRenderingContext2D,
+  view: View,
+  ink: string,
+  ground: string,
+  grid: number | null,
+): void {
   const k = metresPerPixel(view);
   const l = round125(Math.min(120, view.width / 4) * k);
   const [x, y] = [view.width - 14, view.height - 14];

@@ -9,7 +9,7 @@ export interface Ray {
   along: Vector;
 }
 
-/** Part of the ray to a ball about the origin; null where it misses or starts beyond.  |from + s along| = radius. */
+/** Part s of the ray to a ball about the origin, |from + s along| = radius; null where it misses. */
 export function meetBall({ from, along }: Ray, radius: number): number | null {
   const a = dot(along, along);
   const b = dot(from, along);
@@ -19,7 +19,7 @@ export function meetBall({ from, along }: Ray, radius: number): number | null {
   return s >= 0 ? s : null;
 }
 
-/** The same for a box about the origin: the last entry into its three slabs, if it comes before the first exit. */
+/** The same for a box about the origin: the last entry into its slabs, if it comes before the first exit. */
 export function meetBox({ from, along }: Ray, half: Vector): number | null {
   let enter = 0;
   let exit = Infinity;
@@ -36,9 +36,14 @@ export function meetBox({ from, along }: Ray, half: Vector): number | null {
   return enter <= exit && exit > 0 ? enter : null;
 }
 
-/** The nearest body and the point where the ray meets it; `least(depth)` is the half extent [m] that every body
- * has at least for a finger or a mouse. */
-export function pick(ray: Ray, solids: Solids, bodies: Bodies, least: (depth: number) => number): { body: number; point: Vector } | null {
+/** The nearest body and the point where the ray meets it; `least(depth)` is the half extent [m] that every
+ * body has at least for a finger or a mouse. */
+export function pick(
+  ray: Ray,
+  solids: Solids,
+  bodies: Bodies,
+  least: (depth: number) => number,
+): { body: number; point: Vector } | null {
   let best: { body: number; s: number } | null = null;
   for (const piece of solids.pieces) {
     const { body } = piece;

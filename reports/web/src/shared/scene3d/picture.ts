@@ -76,7 +76,11 @@ export class Picture {
   private largestImpulse = 0; // so far [N s]
   private readonly joined: Links;
 
-  constructor(readonly scene: Scene, public theme: Theme, given: Bounds | undefined) {
+  constructor(
+    readonly scene: Scene,
+    public theme: Theme,
+    given: Bounds | undefined,
+  ) {
     this.bounds = given ? usable(given) : sceneBounds(scene);
     this.extent = Math.max(length(subtract(this.bounds.max, this.bounds.min)), 1e-9);
     this.solids = solidsOf(scene, 0.035 * this.extent);
@@ -85,7 +89,10 @@ export class Picture {
     this.colours = scene.body.map(bodyColour);
     this.joined = new Links(scene, this.extent);
     this.layers = { bodies: new Bodies(scene.body.length), ghost: new Bodies(scene.body.length) };
-    this.layers.bodies.set({ position: scene.body.flatMap((b) => b.position), orientation: scene.body.flatMap((b) => b.orientation) });
+    this.layers.bodies.set({
+      position: scene.body.flatMap((b) => b.position),
+      orientation: scene.body.flatMap((b) => b.orientation),
+    });
   }
 
   /** Lines that no pose moves, for the side from which the eye sees each plane, what the camera holds and the
@@ -108,7 +115,8 @@ export class Picture {
     const bodies = this.layers.bodies.shown ? this.layers.bodies : this.layers.ghost;
     if (this.linksShown && bodies.shown) this.joined.draw(this, bodies);
     for (const contact of this.contacts)
-      if (Number.isFinite(contact.impulse)) this.largestImpulse = Math.max(this.largestImpulse, contact.impulse!);
+      if (Number.isFinite(contact.impulse))
+        this.largestImpulse = Math.max(this.largestImpulse, contact.impulse!);
     drawContacts(this, this.contacts, this.largestImpulse);
     drawArrows(this, this.arrows);
     drawPulls(this, this.pulls);

@@ -14,9 +14,14 @@ export function planeInBox(normal: Vector, offset: number, box: Bounds): Vector[
   const size = length(subtract(box.max, box.min));
   const centre = add(middle, scale(normal, offset - dot(normal, middle)));
   const [u, v] = tangents(normal);
-  let polygon: Vector[] = ([[-1, -1], [1, -1], [1, 1], [-1, 1]] as const).map(([a, b]) =>
-    add(centre, add(scale(u, a * size), scale(v, b * size))),
-  );
+  let polygon: Vector[] = (
+    [
+      [-1, -1],
+      [1, -1],
+      [1, 1],
+      [-1, 1],
+    ] as const
+  ).map(([a, b]) => add(centre, add(scale(u, a * size), scale(v, b * size))));
   for (let axis = 0; axis < 3; ++axis)
     for (const side of [1, -1]) {
       const out: Vector = [0, 0, 0];
@@ -55,10 +60,19 @@ export const facing = (scene: Scene, eye: Vector): boolean[] =>
   scene.plane.map((plane) => dot(plane.normal, eye) >= plane.offset);
 
 /** Planes that are not `open` are drawn as a border alone. */
-export function drawPlanes(into: Segments, scene: Scene, bounds: Bounds, theme: Theme, open: boolean[]): void {
+export function drawPlanes(
+  into: Segments,
+  scene: Scene,
+  bounds: Bounds,
+  theme: Theme,
+  open: boolean[],
+): void {
   const extent = length(subtract(bounds.max, bounds.min));
   const room = 0.18 * extent;
-  const box: Bounds = { min: subtract(bounds.min, [room, room, room]), max: add(bounds.max, [room, room, room]) };
+  const box: Bounds = {
+    min: subtract(bounds.min, [room, room, room]),
+    max: add(bounds.max, [room, room, room]),
+  };
   const border = mix(theme.ground, theme.ink, 0.5);
   scene.plane.forEach((plane, which) => {
     const n = unit(plane.normal, [0, 1, 0]);

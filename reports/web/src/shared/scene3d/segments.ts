@@ -1,4 +1,4 @@
-// Lines of a picture: pieces with a width at either end, in an array that grows and is filled again and again.
+// Lines of a picture: pieces with a width at either end, in an array that grows and is filled anew.
 import type { Vector } from '../documents';
 
 export type Colour = [number, number, number]; // red, green, blue, 0 … 1, as the screen has them
@@ -28,7 +28,18 @@ export class Segments {
     this.add(a, a, colour, diameter, diameter, round);
   }
 
-  put(ax: number, ay: number, az: number, bx: number, by: number, bz: number, colour: Colour, width: number, widthAtB = width, pattern = solid): void {
+  put(
+    ax: number,
+    ay: number,
+    az: number,
+    bx: number,
+    by: number,
+    bz: number,
+    colour: Colour,
+    width: number,
+    widthAtB = width,
+    pattern = solid,
+  ): void {
     if ((this.count + 1) * stride > this.data.length) {
       const larger = new Float32Array(2 * this.data.length);
       larger.set(this.data);

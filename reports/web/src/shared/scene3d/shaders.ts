@@ -1,4 +1,4 @@
-// The programs of the WebGL picture.  Colours go to the screen as they are; light is one lamp beside the camera.
+// The programs of the WebGL picture.  Colours go to the screen as they are; a lamp stands beside the camera.
 
 const camera = /* glsl */ `
 precision highp float;
@@ -8,7 +8,7 @@ uniform mat4 view, projection;
 /** Instances of a mold: where (centre, w = 0 hides), turned, stretched, coloured. */
 const instance = /* glsl */ `
 ${camera}
-uniform float grow;      // part by which a ghost is larger than a body, so that equal poses do not fight for depth
+uniform float grow;      // part by which a ghost is larger than a body: equal poses must not fight for depth
 uniform float smallest;  // least half extent, as a part of the distance: small bodies stay in sight
 in vec3 position;
 in float lift;
@@ -19,8 +19,9 @@ in vec3 color;
 vec3 rotated(vec3 v) { return v + 2.0 * cross(turn.yzw, cross(turn.yzw, v) + turn.x * v); }
 vec4 placed() {
   float depth = max(-(view * vec4(center.xyz, 1.0)).z, 0.0);
-  float half_extent = max(max(size.x, size.z), size.y + size.w);
-  float k = max(1.0 + grow, smallest * depth / max(half_extent, 1e-30));
+  float half_extent = max(max(size.x, size.z), size.y + max(size.w, 0.0));
+  float least = size.w < 0.0 ? 2.5 * smallest : smallest;  // crosses are thin
+  float k = max(1.0 + grow, least * depth / max(half_extent, 1e-30));
   vec3 local = position * size.xyz + vec3(0.0, lift * size.w, 0.0);
   return center.w > 0.0 ? view * vec4(center.xyz + rotated(k * local), 1.0) : vec4(0.0, 0.0, 1e30, 1.0);
 }
@@ -97,7 +98,8 @@ void draw(vec3 a, vec3 b, vec2 widths, vec2 corner) {
   vec2 along = (q.xy / q.w - p.xy / p.w) * pixels;
   float l = length(along);
   along = l > 1e-3 ? along / l : vec2(1.0, 0.0);
-  float width = max(mix(widths.x, widths.y, corner.x) * ratio, widths.x + widths.y > 0.0 && corner.x < 0.5 ? 1.0 : 0.0);
+  float width = mix(widths.x, widths.y, corner.x) * ratio;
+  if (corner.x < 0.5) width = max(width, 1.0);
   float cap = 0.5 * min(widths.x, widths.y) * ratio;
   vec2 shift = 0.5 * width * corner.y * vec2(-along.y, along.x) + (2.0 * corner.x - 1.0) * cap * along;
   spot = vec2(2.0 * corner.x - 1.0, corner.y);
@@ -146,7 +148,8 @@ in vec2 spot;
 out vec4 pixel;
 void main() {
   if (broken > 1.5 && dot(spot, spot) > 1.0) discard;
-  if (broken > 0.5 && broken < 1.5 && fract((gl_FragCoord.x + gl_FragCoord.y) / (9.0 * ratio)) > 0.55) discard;
+  float dash = fract((gl_FragCoord.x + gl_FragCoord.y) / (9.0 * ratio));
+  if (broken > 0.5 && broken < 1.5 && dash > 0.55) discard;
   pixel = vec4(shade, 1.0);
 }
 `;

@@ -21,6 +21,7 @@ export interface Solids {
 }
 
 const upright: Quaternion = [1, 0, 0, 0];
+const thin = -1; // in place of the lift, which crosses do not have: they stay in sight at a larger size
 const all = (x: number): Vector => [x, x, x];
 
 /** `mark`: half length [m] of the cross that stands for what has no shape. */
@@ -28,18 +29,33 @@ export function solidsOf(scene: Scene, mark: number): Solids {
   const solids: Solids = { molds: new Map(), pieces: [], radius: [] };
   const many = scene.body.length;
 
-  const put = (body: number, kind: MoldKind, size: Piece['size'], half: Vector, at: Vector, turn: Quaternion): void => {
+  const put = (
+    body: number,
+    kind: MoldKind,
+    size: Piece['size'],
+    half: Vector,
+    at: Vector,
+    turn: Quaternion,
+  ): void => {
     if (!solids.molds.has(kind)) solids.molds.set(kind, makeMold(kind, many));
     solids.pieces.push({ body, mold: kind, size, half, position: at, orientation: turn });
   };
-  const cut = (body: number, key: string, mold: () => Mold, half: Vector, at: Vector, turn: Quaternion): void => {
+  const cut = (
+    body: number,
+    key: string,
+    mold: () => Mold,
+    half: Vector,
+    at: Vector,
+    turn: Quaternion,
+  ): void => {
     if (!solids.molds.has(key)) solids.molds.set(key, mold());
-    if (solids.molds.get(key)!.position.length === 0) put(body, 'cross', [...all(length(half) || mark), 0], half, at, turn);
+    if (solids.molds.get(key)!.position.length === 0)
+      put(body, 'cross', [...all(length(half) || mark), thin], half, at, turn);
     else solids.pieces.push({ body, mold: key, size: [1, 1, 1, 0], half, position: at, orientation: turn });
   };
 
   const place = (body: number, shape: Shape | null | undefined, at: Vector, turn: Quaternion): void => {
-    if (!shape) return put(body, 'cross', [...all(mark), 0], all(mark), at, turn);
+    if (!shape) return put(body, 'cross', [...all(mark), thin], all(mark), at, turn);
     switch (shape.type) {
       case 'sphere':
         return put(body, 'sphere', [...all(shape.radius), 0], all(shape.radius), at, turn);
@@ -59,17 +75,46 @@ export function solidsOf(scene: Scene, mark: number): Solids {
       }
       case 'rod': {
         // Without thickness in the scene; drawn as a thin bar.
-        const thin = 0.012 * shape.length;
-        return put(body, 'cylinder', [thin, shape.length / 2, thin, 0], [thin, shape.length / 2, thin], at, turn);
+        const wide = 0.012 * shape.length;
+        return put(
+          body,
+          'cylinder',
+          [wide, shape.length / 2, wide, 0],
+          [wide, shape.length / 2, wide],
+          at,
+          turn,
+        );
       }
       case 'disc':
-        return put(body, 'disc', [...all(shape.radius), 0], [shape.radius, 0.02 * shape.radius, shape.radius], at, turn);
+        return put(
+          body,
+          'disc',
+          [...all(shape.radius), 0],
+          [shape.radius, 0.02 * shape.radius, shape.radius],
+          at,
+          turn,
+        );
       case 'hull':
-        return cut(body, `hull ${shape.vertices.join()}`, () => faceted(hullTriangles(shape.vertices)), reach(shape.vertices), at, turn);
+        return cut(
+          body,
+          `hull ${shape.vertices.join()}`,
+          () => faceted(hullTriangles(shape.vertices)),
+          reach(shape.vertices),
+          at,
+          turn,
+        );
       case 'mesh': {
         const corner = (i: number): Vector => shape.vertices[i] ?? [0, 0, 0];
-        const triangles = (): Mold => faceted(shape.faces.map(([a, b, c]) => [corner(a), corner(b), corner(c)]));
-        return cut(body, `mesh ${shape.vertices.join()} ${shape.faces.join()}`, triangles, reach(shape.vertices), at, turn);
+        const triangles = (): Mold =>
+          faceted(shape.faces.map(([a, b, c]) => [corner(a), corner(b), corner(c)]));
+        return cut(
+          body,
+          `mesh ${shape.vertices.join()} ${shape.faces.join()}`,
+          triangles,
+          reach(shape.vertices),
+          at,
+          turn,
+        );
       }
       case 'compound':
         for (const part of shape.parts)
@@ -78,7 +123,8 @@ export function solidsOf(scene: Scene, mark: number): Solids {
   };
   scene.body.forEach((body, i) => place(i, body.shape, [0, 0, 0], upright));
   solids.radius = scene.body.map(() => 0);
-  for (const p of solids.pieces) solids.radius[p.body] = Math.max(solids.radius[p.body]!, length(p.position) + length(p.half));
+  for (const p of solids.pieces)
+    solids.radius[p.body] = Math.max(solids.radius[p.body]!, length(p.position) + length(p.half));
   return solids;
 }
 

@@ -35,7 +35,10 @@ export class CanvasStage implements Stage {
     const picture = this.picture;
     if (!picture) return;
     const { context, canvas } = this;
-    const [w, h] = [Math.max(1, Math.round(view.width * view.ratio)), Math.max(1, Math.round(view.height * view.ratio))];
+    const [w, h] = [
+      Math.max(1, Math.round(view.width * view.ratio)),
+      Math.max(1, Math.round(view.height * view.ratio)),
+    ];
     if (canvas.width !== w || canvas.height !== h) [canvas.width, canvas.height] = [w, h];
     context.setTransform(view.ratio, 0, 0, view.ratio, 0, 0);
     context.fillStyle = css(picture.theme.ground);
@@ -56,7 +59,11 @@ export class CanvasStage implements Stage {
 
   private depth(view: View, { data }: Segments, i: number): number {
     const at = i * stride;
-    const p: Vector = [data[at]! + data[at + 3]!, data[at + 1]! + data[at + 4]!, data[at + 2]! + data[at + 5]!];
+    const p: Vector = [
+      data[at]! + data[at + 3]!,
+      data[at + 1]! + data[at + 4]!,
+      data[at + 2]! + data[at + 5]!,
+    ];
     return projectParallel(view, [p[0] / 2, p[1] / 2, p[2] / 2]).depth;
   }
 
@@ -113,7 +120,10 @@ export class CanvasStage implements Stage {
     const stroke = css(mix([0.1, 0.4, 0.8], theme.ink, 0.1));
     for (const water of scene.water) {
       const side = 1.3 * Math.max(bounds.max[0] - bounds.min[0], bounds.max[2] - bounds.min[2]);
-      const [x0, z0] = [(bounds.min[0] + bounds.max[0] - side) / 2, (bounds.min[2] + bounds.max[2] - side) / 2];
+      const [x0, z0] = [
+        (bounds.min[0] + bounds.max[0] - side) / 2,
+        (bounds.min[2] + bounds.max[2] - side) / 2,
+      ];
       for (let row = 0; row <= 16; ++row) {
         const z = z0 + (side * row) / 16;
         const draw = (c: CanvasRenderingContext2D): void => {

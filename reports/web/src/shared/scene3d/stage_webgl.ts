@@ -1,5 +1,18 @@
 // Draws a picture with WebGL 2: solids by instances, lines as strips, water last.
-import { Camera, ColorManagement, DoubleSide, GLSL3, LinearSRGBColorSpace, Matrix4, Mesh, RawShaderMaterial, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
+import {
+  Camera,
+  ColorManagement,
+  DoubleSide,
+  GLSL3,
+  LinearSRGBColorSpace,
+  Matrix4,
+  Mesh,
+  RawShaderMaterial,
+  Scene,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
 import type { DataTexture, IUniform } from 'three';
 
 import { Batch } from './batch';
@@ -36,10 +49,25 @@ export class WebGLStage implements Stage {
   };
   private readonly materials = {
     body: this.material(shaders.solidVertex, shaders.solidFragment, { grow: 0 }, {}),
-    ghost: this.material(shaders.solidVertex, shaders.ghostFragment, { grow: 0.008 }, { transparent: true, depthWrite: false }),
-    edge: this.material(shaders.edgeVertex, shaders.edgeFragment, { grow: 0.012 }, { transparent: true, depthWrite: false }),
+    ghost: this.material(
+      shaders.solidVertex,
+      shaders.ghostFragment,
+      { grow: 0.008 },
+      { transparent: true, depthWrite: false },
+    ),
+    edge: this.material(
+      shaders.edgeVertex,
+      shaders.edgeFragment,
+      { grow: 0.012 },
+      { transparent: true, depthWrite: false },
+    ),
     line: this.material(shaders.lineVertex, shaders.lineFragment, { bias: 1e-4 }, {}),
-    mark: this.material(shaders.lineVertex, shaders.lineFragment, { bias: 0 }, { depthTest: false, transparent: true }),
+    mark: this.material(
+      shaders.lineVertex,
+      shaders.lineFragment,
+      { bias: 0 },
+      { depthTest: false, transparent: true },
+    ),
   };
   private picture: Picture | null = null;
   private scene = new Scene();
@@ -50,7 +78,10 @@ export class WebGLStage implements Stage {
   private waters: { mesh: Mesh; material: RawShaderMaterial }[] = [];
   private colours: DataTexture | null = null;
 
-  constructor(readonly canvas: HTMLCanvasElement, context: WebGL2RenderingContext) {
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    context: WebGL2RenderingContext,
+  ) {
     this.renderer = new WebGLRenderer({ canvas, context });
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
     this.renderer.sortObjects = true;
@@ -74,7 +105,12 @@ export class WebGLStage implements Stage {
     this.onChange?.();
   };
 
-  private material(vertexShader: string, fragmentShader: string, own: Record<string, unknown>, more: object): RawShaderMaterial {
+  private material(
+    vertexShader: string,
+    fragmentShader: string,
+    own: Record<string, unknown>,
+    more: object,
+  ): RawShaderMaterial {
     const uniforms: Uniforms = { ...this.common };
     for (const [name, value] of Object.entries(own)) uniforms[name] = { value };
     return new RawShaderMaterial({ glslVersion: GLSL3, vertexShader, fragmentShader, uniforms, ...more });
@@ -90,7 +126,13 @@ export class WebGLStage implements Stage {
       const ghost = layer === 'ghost';
       const fill = ghost ? this.materials.ghost : this.materials.body;
       for (const [mold, pieces] of groups) {
-        const batch = new Batch(picture.solids.molds.get(mold)!, pieces, colours, fill, ghost ? this.materials.edge : null);
+        const batch = new Batch(
+          picture.solids.molds.get(mold)!,
+          pieces,
+          colours,
+          fill,
+          ghost ? this.materials.edge : null,
+        );
         for (const object of batch.drawn) {
           object.renderOrder = ghost ? 6 : 0;
           this.scene.add(object);
@@ -100,11 +142,22 @@ export class WebGLStage implements Stage {
     }
     this.placed = { bodies: -1, ghost: -1 };
     const { line, mark } = this.materials;
-    this.strips = [new Strips(picture.fixed, line, 1), new Strips(picture.links, line, 2), new Strips(picture.marks, mark, 9)];
+    this.strips = [
+      new Strips(picture.fixed, line, 1),
+      new Strips(picture.links, line, 2),
+      new Strips(picture.marks, mark, 9),
+    ];
     for (const strip of this.strips) this.scene.add(strip.drawn);
     this.colours = colourTable(colours);
     const trail = (dashes: number): TrailStrip =>
-      new TrailStrip(this.material(shaders.trailVertex, shaders.lineFragment, { bias: 1e-4, bodies: 1, dashes, colors: this.colours }, {}));
+      new TrailStrip(
+        this.material(
+          shaders.trailVertex,
+          shaders.lineFragment,
+          { bias: 1e-4, bodies: 1, dashes, colors: this.colours },
+          {},
+        ),
+      );
     this.trails = { bodies: trail(0), ghost: trail(1) };
     for (const layer of layers) this.scene.add(this.trails[layer].drawn);
     for (const water of picture.scene.water) {
@@ -112,7 +165,11 @@ export class WebGLStage implements Stage {
       const own = { level, wave, speed, time: 0, cells: water.mode === 'step', alpha: 0.55 };
       // Depth alone first: then only the nearest of several waves colours a pixel.
       for (const colorWrite of [false, true]) {
-        const material = this.material(shaders.waterVertex, shaders.waterFragment, own, { transparent: true, side: DoubleSide, colorWrite });
+        const material = this.material(shaders.waterVertex, shaders.waterFragment, own, {
+          transparent: true,
+          side: DoubleSide,
+          colorWrite,
+        });
         const mesh = waterMesh(water, picture.bounds, material);
         mesh.renderOrder = colorWrite ? 8 : 7;
         this.waters.push({ mesh, material });
@@ -124,10 +181,44 @@ export class WebGLStage implements Stage {
   private look(view: View): void {
     const { right: r, up: u, back: b, eye, near, far, width, height, ratio } = view;
     const c = this.common;
-    (c.view!.value as Matrix4).set(r[0], r[1], r[2], -dot(r, eye), u[0], u[1], u[2], -dot(u, eye), b[0], b[1], b[2], -dot(b, eye), 0, 0, 0, 1);
+    (c.view!.value as Matrix4).set(
+      r[0],
+      r[1],
+      r[2],
+      -dot(r, eye),
+      u[0],
+      u[1],
+      u[2],
+      -dot(u, eye),
+      b[0],
+      b[1],
+      b[2],
+      -dot(b, eye),
+      0,
+      0,
+      0,
+      1,
+    );
     const f = 1 / Math.tan(fieldOfView / 2);
     const depth = 1 / (near - far);
-    (c.projection!.value as Matrix4).set((f * height) / width, 0, 0, 0, 0, f, 0, 0, 0, 0, (near + far) * depth, 2 * near * far * depth, 0, 0, -1, 0);
+    (c.projection!.value as Matrix4).set(
+      (f * height) / width,
+      0,
+      0,
+      0,
+      0,
+      f,
+      0,
+      0,
+      0,
+      0,
+      (near + far) * depth,
+      2 * near * far * depth,
+      0,
+      0,
+      -1,
+      0,
+    );
     const [w, h] = [Math.max(1, Math.round(width * ratio)), Math.max(1, Math.round(height * ratio))];
     if (this.canvas.width !== w || this.canvas.height !== h) this.renderer.setSize(w, h, false);
     (c.pixels!.value as Vector2).set(w, h);
@@ -156,7 +247,10 @@ export class WebGLStage implements Stage {
     for (const { material } of this.waters) material.uniforms.time!.value = picture.time;
     const [red, green, blue] = picture.theme.ground;
     this.renderer.getContext().clearColor(red, green, blue, 1);
-    this.renderer.setClearColor((Math.round(red * 255) << 16) | (Math.round(green * 255) << 8) | Math.round(blue * 255), 1);
+    this.renderer.setClearColor(
+      (Math.round(red * 255) << 16) | (Math.round(green * 255) << 8) | Math.round(blue * 255),
+      1,
+    );
     this.renderer.render(this.scene, this.camera);
   }
 

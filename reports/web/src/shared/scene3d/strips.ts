@@ -19,7 +19,10 @@ import type { Trail } from './trail';
 /** Two triangles: x is the end, 0 or 1, y the side. */
 function quad(): InstancedBufferGeometry {
   const geometry = new InstancedBufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(new Float32Array([0, -1, 0, 1, -1, 0, 1, 1, 0, 0, -1, 0, 1, 1, 0, 0, 1, 0]), 3));
+  geometry.setAttribute(
+    'position',
+    new BufferAttribute(new Float32Array([0, -1, 0, 1, -1, 0, 1, 1, 0, 0, -1, 0, 1, 1, 0, 0, 1, 0]), 3),
+  );
   return geometry;
 }
 
@@ -28,7 +31,11 @@ export class Strips {
   private version = -1;
   private buffer: InstancedInterleavedBuffer | null = null;
 
-  constructor(private readonly lines: Segments, material: RawShaderMaterial, order: number) {
+  constructor(
+    private readonly lines: Segments,
+    material: RawShaderMaterial,
+    order: number,
+  ) {
     this.drawn = new Mesh(quad(), material);
     this.drawn.frustumCulled = this.drawn.matrixAutoUpdate = false;
     this.drawn.renderOrder = order;
@@ -117,7 +124,8 @@ export class TrailStrip {
     this.buffer = new InstancedInterleavedBuffer(trail.positions, 3);
     this.buffer.setUsage(DynamicDrawUsage);
     geometry.setAttribute('from', new InterleavedBufferAttribute(this.buffer, 3, 0));
-    geometry.setAttribute('to', new InterleavedBufferAttribute(this.buffer, 3, 3 * trail.bodies)); // a frame later
+    const later = 3 * trail.bodies; // by a frame
+    geometry.setAttribute('to', new InterleavedBufferAttribute(this.buffer, 3, later));
     this.drawn.geometry = geometry;
     this.material.uniforms.bodies!.value = trail.bodies;
   }

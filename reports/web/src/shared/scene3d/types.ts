@@ -54,8 +54,11 @@ export type Layer = 'bodies' | 'ghost';
 export interface Scene3D {
   readonly element: HTMLElement; // a focusable canvas
   readonly webgl: boolean; // false: an orthographic picture on a 2D canvas
-  show(layer: Layer, pose: Pose | null, time: number): void; // ghost: translucent outline of the truth; time moves water
-  trails(layer: Layer, positions: Float32Array | null, bodies: number, upTo: number): void; // [frame][body][3], drawn up to frame `upTo`
+  /** `ghost` is a translucent outline of the truth; time [s] moves water. */
+  show(layer: Layer, pose: Pose | null, time: number): void;
+  /** [frame][body][3] [m], drawn up to frame `upTo`.  An array may be filled further: a frame is read when
+   * `upTo` first reaches it. */
+  trails(layer: Layer, positions: Float32Array | null, bodies: number, upTo: number): void;
   arrows(list: Arrow[]): void;
   contacts(list: ContactMark[]): void;
   pulls(list: Pull[]): void; // springs by which somebody pulls
@@ -69,8 +72,10 @@ export interface Scene3D {
   /** Nobody chose the camera: it frames all again. */
   frameAll(): void;
   onFrameAll: (() => void) | null; // the user asked for that; where it is not set, onCamera tells
-  onGrab: ((grab: Grab) => void) | null; // a drag began on a body (only where set; else drags turn the camera)
-  onPull: ((point: Vector) => void) | null; // point under the pointer in the plane through the grab that faces the camera
+  /** A drag began on a body; where this is not set, drags turn the camera. */
+  onGrab: ((grab: Grab) => void) | null;
+  /** The point under the pointer in the plane through the grab that faces the camera. */
+  onPull: ((point: Vector) => void) | null;
   onRelease: (() => void) | null;
   render(): void; // draws now if anything changed; the caller calls it once per animation frame
   /** Draws now, and what is drawn into another canvas at (x, y) [device px]. */

@@ -10,7 +10,8 @@ const over = 0.002; // walls reach past each other, or light shines through wher
 const corner = -5; // x and z of the first cell's corner [m]
 
 /** Which cell holds x or z [m]; beyond the table the last one goes on. */
-export const cellOf = (x: number): number => Math.min(Math.max(Math.trunc((x - corner) / cellSize), 0), cells - 1);
+export const cellOf = (x: number): number =>
+  Math.min(Math.max(Math.trunc((x - corner) / cellSize), 0), cells - 1);
 
 /** Height of the surface [m].  volume: level + wave sin(x - speed t).  step, with i, j the cell of x and z:
  * level + wave/2 (sin(speed t + i) + sin(i j/2)). */
@@ -29,11 +30,18 @@ export interface Sheet {
 export function sheetOfWater(bounds: Bounds, rows: number): Sheet {
   const place = new Float32Array(4 * (rows + 1) ** 2);
   const index = new Uint32Array(6 * rows * rows);
-  const side = 1.3 * Math.max(bounds.max[0] - bounds.min[0], bounds.max[2] - bounds.min[2], 0.6 * (bounds.max[1] - bounds.min[1]));
+  const side =
+    1.3 *
+    Math.max(
+      bounds.max[0] - bounds.min[0],
+      bounds.max[2] - bounds.min[2],
+      0.6 * (bounds.max[1] - bounds.min[1]),
+    );
   const x0 = (bounds.min[0] + bounds.max[0] - side) / 2;
   const z0 = (bounds.min[2] + bounds.max[2] - side) / 2;
   for (let i = 0; i <= rows; ++i)
-    for (let j = 0; j <= rows; ++j) place.set([x0 + (side * i) / rows, z0 + (side * j) / rows, 0, 0], 4 * (i * (rows + 1) + j));
+    for (let j = 0; j <= rows; ++j)
+      place.set([x0 + (side * i) / rows, z0 + (side * j) / rows, 0, 0], 4 * (i * (rows + 1) + j));
   for (let i = 0; i < rows; ++i)
     for (let j = 0; j < rows; ++j) {
       const a = i * (rows + 1) + j;
@@ -58,8 +66,20 @@ export function cellsOfWater(): Sheet {
       const [x, z] = [corner + cellSize * i, corner + cellSize * j];
       const [x1, z1] = [x + cellSize, z + cellSize];
       quad([x, z, i, j], [x, z1, i, j], [x1, z1, i, j], [x1, z, i, j]);
-      if (i + 1 < cells) quad([x1, z - over, i, j], [x1, z1 + over, i, j], [x1, z1 + over, i + 1, j], [x1, z - over, i + 1, j]);
-      if (j + 1 < cells) quad([x - over, z1, i, j], [x1 + over, z1, i, j], [x1 + over, z1, i, j + 1], [x - over, z1, i, j + 1]);
+      if (i + 1 < cells)
+        quad(
+          [x1, z - over, i, j],
+          [x1, z1 + over, i, j],
+          [x1, z1 + over, i + 1, j],
+          [x1, z - over, i + 1, j],
+        );
+      if (j + 1 < cells)
+        quad(
+          [x - over, z1, i, j],
+          [x1 + over, z1, i, j],
+          [x1 + over, z1, i, j + 1],
+          [x - over, z1, i, j + 1],
+        );
     }
   return { place, index };
 }
