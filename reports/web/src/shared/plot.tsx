@@ -58,6 +58,7 @@ function decades(_: uPlot, least: number, greatest: number): uPlot.Range.MinMax 
   return [10 ** low, 10 ** Math.max(low + 1, Math.ceil(Math.log10(greatest)))];
 }
 
+const paperWidth = 680; // [px], within the margins of an upright A4 page
 const pixelsPerSplit = 22;
 
 /** Powers of ten, as many as there is room for; of few decades also their doubles and fives. */
@@ -147,15 +148,21 @@ export function TimePlot(props: TimePlotProps) {
     const data = aligned(curves, log ? floorOf(curves) : null) as uPlot.AlignedData;
     const u = new uPlot(options(props, Math.max(200, node.clientWidth)), data, node);
     listenTo(u, cursor);
-    const size = new ResizeObserver(() => {
+    const fit = () => {
       const width = Math.max(200, node.clientWidth);
       if (width !== u.width) u.setSize({ width, height: u.height });
-    });
+    };
+    const onPaper = () => u.setSize({ width: paperWidth, height: u.height });
+    const size = new ResizeObserver(fit);
     size.observe(node);
+    addEventListener('beforeprint', onPaper);
+    addEventListener('afterprint', fit);
     const stops = [cursor.listen(() => follow(u, cursor)), onTheme(() => u.redraw(false))];
     queueMicrotask(() => follow(u, cursor)); // after the first drawing has its scales
     return () => {
       size.disconnect();
+      removeEventListener('beforeprint', onPaper);
+      removeEventListener('afterprint', fit);
       for (const stop of stops) stop();
       u.destroy();
     };

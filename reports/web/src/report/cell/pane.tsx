@@ -9,6 +9,7 @@ import { onTheme } from '../../shared/theme';
 import { type CameraState, createScene3D, type Scene3D } from '../../shared/scene3d';
 import { visible } from '../visible';
 import type { Bounds } from './divergence';
+import { onPaper } from './paper';
 
 export interface Motions {
   bodies: Frames;
@@ -101,6 +102,11 @@ export function Pane({ title, scene, motions, bounds, cursor, cameras, ghost, tr
       cameras.join(made),
       cursor.listen(() => update.current()),
       onTheme(() => update.current()),
+      onPaper(
+        host.current!,
+        () => update.current(),
+        () => made.render(),
+      ),
     ];
     let frame = requestAnimationFrame(function draw() {
       made.render();
