@@ -1,5 +1,5 @@
 // Numbers of the scene that may change while it runs.
-import { useState } from 'preact/hooks';
+import { useMemo, useState } from 'preact/hooks';
 
 import type { Scene, Vector } from '../shared/documents';
 import { parametersOf, readValue } from './parameters';
@@ -23,18 +23,24 @@ function NumberField({ value, label, check, send }: NumberProps) {
     if (!error) setTyped(null);
   };
   return (
-    <input
-      type="number"
-      step="any"
-      class="number"
-      aria-label={label}
-      aria-invalid={error !== ''}
-      title={error}
-      value={typed ?? String(value)}
-      onInput={(event) => setTyped(event.currentTarget.value)}
-      onChange={commit}
-      onBlur={() => (commit(), setTyped(null))}
-    />
+    <>
+      <input
+        type="number"
+        step="any"
+        class="number"
+        aria-label={label}
+        aria-invalid={error !== ''}
+        value={typed ?? String(value)}
+        onInput={(event) => setTyped(event.currentTarget.value)}
+        onChange={commit}
+        onBlur={() => (commit(), setTyped(null))}
+      />
+      {error !== '' && (
+        <em class="refused" role="alert">
+          {error}
+        </em>
+      )}
+    </>
   );
 }
 
@@ -76,28 +82,35 @@ function Field({ viewer, parameter }: { viewer: Viewer; parameter: Parameter }) 
   );
 }
 
-export function ParameterPanel({ viewer, scene }: { viewer: Viewer; scene: Scene }) {
+/** Parameters of one thing of the scene together. */
+function grouped(scene: Scene): Parameter[][] {
   const groups = new Map<string, Parameter[]>();
   for (const parameter of parametersOf(scene)) {
-    const name = /^(spring|drag|attraction|water|material)\.\d+/.exec(parameter.key)?.[0] ?? parameter.group;
-    const group = groups.get(name);
+    const [thing] = /^(spring|drag|attraction|water|material)\.\d+/.exec(parameter.key) ?? [parameter.group];
+    const group = groups.get(thing);
     if (group) group.push(parameter);
-    else groups.set(name, [parameter]);
+    else groups.set(thing, [parameter]);
   }
-  const entries = [...groups.values()];
+  return [...groups.values()];
+}
+
+const most = 60; // groups, and rows of one: more are no help
+
+export function ParameterPanel({ viewer, scene }: { viewer: Viewer; scene: Scene }) {
+  const groups = useMemo(() => grouped(scene), [scene]);
   return (
     <section class="panel">
       <h2>Scene</h2>
-      {entries.slice(0, 60).map((group, i) => (
+      {groups.slice(0, most).map((group, i) => (
         <details key={`${i} ${group[0]!.group}`} open={i < 3 && group.length < 8}>
           <summary>{group[0]!.group}</summary>
-          {group.slice(0, 60).map((parameter) => (
+          {group.slice(0, most).map((parameter) => (
             <Field key={parameter.key} viewer={viewer} parameter={parameter} />
           ))}
-          {group.length > 60 && <p class="muted">and {group.length - 60} more</p>}
+          {group.length > most && <p class="muted">and {group.length - most} more</p>}
         </details>
       ))}
-      {entries.length > 60 && <p class="muted">and {entries.length - 60} more groups</p>}
+      {groups.length > most && <p class="muted">and {groups.length - most} more groups</p>}
     </section>
   );
 }

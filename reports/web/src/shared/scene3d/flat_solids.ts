@@ -115,7 +115,7 @@ function halfEdges(
 /** Faces that look at the camera, each an item of its own. */
 function faces(items: Item[], view: View, mold: Mold, piece: Piece, where: Placed, colour: Colour): void {
   const [sx, sy, sz] = piece.size;
-  const large = Math.max(...piece.half) > 25 * metresPerPixel(view);
+  const large = Math.max(...piece.half) > 10 * metresPerPixel(view);
   for (let corner = 0; corner < mold.tone.length; corner += 3) {
     const n = rotate(where.turn, [
       mold.normal[3 * corner]! / (sx || 1),

@@ -6,7 +6,6 @@ type Water = Scene['water'][number];
 
 export const cells = 41; // each way
 export const cellSize = 0.25; // [m]
-const over = 0.002; // walls reach past each other, or light shines through where they meet [m]
 const corner = -5; // x and z of the first cell's corner [m]
 
 /** Which cell holds x or z [m]; beyond the table the last one goes on. */
@@ -66,20 +65,8 @@ export function cellsOfWater(): Sheet {
       const [x, z] = [corner + cellSize * i, corner + cellSize * j];
       const [x1, z1] = [x + cellSize, z + cellSize];
       quad([x, z, i, j], [x, z1, i, j], [x1, z1, i, j], [x1, z, i, j]);
-      if (i + 1 < cells)
-        quad(
-          [x1, z - over, i, j],
-          [x1, z1 + over, i, j],
-          [x1, z1 + over, i + 1, j],
-          [x1, z - over, i + 1, j],
-        );
-      if (j + 1 < cells)
-        quad(
-          [x - over, z1, i, j],
-          [x1 + over, z1, i, j],
-          [x1 + over, z1, i, j + 1],
-          [x - over, z1, i, j + 1],
-        );
+      if (i + 1 < cells) quad([x1, z, i, j], [x1, z1, i, j], [x1, z1, i + 1, j], [x1, z, i + 1, j]);
+      if (j + 1 < cells) quad([x, z1, i, j], [x1, z1, i, j], [x1, z1, i, j + 1], [x, z1, i, j + 1]);
     }
   return { place, index };
 }
