@@ -61,7 +61,7 @@ std::unique_ptr<view::Session> make_session(const Context& context, const Option
   settings.lane = lanes.front();
   try {
     auto session = std::make_unique<view::Session>(std::move(scenario), std::move(settings));
-    if (lanes.size() > 1) session->apply(view::Command(view::Lanes{lanes}));
+    if (lanes.size() > 1) session->apply(view::Lanes{lanes});
     return session;
   } catch (const view::BadCommand& error) {
     throw core::InputError(error.what());

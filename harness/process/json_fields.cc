@@ -16,6 +16,8 @@ json parse_object(std::string_view line) {
     return value;
   } catch (const json::parse_error& error) {
     throw MalformedMessage(fmt::format("not JSON at byte {}", error.byte));
+  } catch (const json::out_of_range&) {  // 1e999
+    throw MalformedMessage("not JSON: a number beyond the range of a double");
   }
 }
 

@@ -97,7 +97,9 @@ Piece LiveRun::run(std::int64_t n, bool resume) {
     } else {
       require_ok(answer, "run");
       const Done done = done_from_json(answer);
-      if (done.steps != n || frames != 1) broken(fmt::format("done after step {} of {}", done.steps, n));
+      if (done.steps != n || frames != 1 || done.frames != 1)
+        broken(fmt::format("done after step {} of {} with {} frames, of which {} came", done.steps, n,
+                           done.frames, frames));
       piece.cpu_seconds = 1e-9 * (done.step_ns + done.load_ns);
       break;
     }

@@ -50,10 +50,15 @@ Session::Session(scenarios::Scenario scenario, SessionOptions options)
   load_due();
 }
 
+Lane* Session::first_running() const {
+  const auto first =
+      std::find_if(lanes_.begin(), lanes_.end(), [](const auto& lane) { return lane->running(); });
+  return first == lanes_.end() ? nullptr : first->get();
+}
+
 double Session::time() const {
-  for (const auto& lane : lanes_)
-    if (lane->running()) return lane->time();
-  return target_;
+  const Lane* const first = first_running();
+  return first ? first->time() : target_;
 }
 
 std::optional<PullNow> Session::pull() const {
@@ -76,13 +81,11 @@ double Session::affordable() const {
 }
 
 bool Session::advance(double seconds) {
-  if (std::none_of(lanes_.begin(), lanes_.end(), [](const auto& lane) { return lane->running(); }))
-    return false;
+  const Lane* const first = first_running();
+  if (!first) return false;
   if (std::exchange(step_, false)) {
     playing_ = false;
-    const auto first =
-        std::find_if(lanes_.begin(), lanes_.end(), [](const auto& lane) { return lane->running(); });
-    return run((*first)->time() + (*first)->dt());
+    return run(first->time() + first->dt());
   }
   if (!playing_) return false;
   // What is left of a step is carried on; what could not be afforded is not.
@@ -119,9 +122,15 @@ void Session::begin_anew(Lane& lane, core::State state, double t) {
   lane.begin_at(process::resumed(with_pull(), joints_, std::move(state), t), t);
 }
 
+// An engine that could not express the scene as it was may be able to now; it joins the first that runs.
 void Session::begin_all_anew() {
-  for (const auto& lane : lanes_)
-    if (lane->running()) begin_anew(*lane, lane->state(), lane->time());
+  const Lane* const first = first_running();
+  for (const auto& lane : lanes_) {
+    if (lane->running())
+      begin_anew(*lane, lane->state(), lane->time());
+    else if (first && lane->status() == Lane::Status::unsupported)
+      begin_anew(*lane, first->state(), first->time());
+  }
 }
 
 void Session::check_resumable(const char* what) const {
@@ -162,22 +171,22 @@ std::unique_ptr<Lane> Session::make_lane(const LaneSpec& spec) const {
 // ---- Commands ------------------------------------------------------------------------------------------
 
 void Session::apply(const Command& command) {
-  std::visit([this](const auto& c) { apply(c); }, command);
+  std::visit([this](const auto& c) { obey(c); }, command);
 }
 
-void Session::apply(const Play&) { playing_ = true; }
-void Session::apply(const Pause&) { playing_ = false; }
-void Session::apply(const StepOnce&) { step_ = true; }
-void Session::apply(const Speed& speed) { speed_ = speed.value; }
+void Session::obey(const Play&) { playing_ = true; }
+void Session::obey(const Pause&) { playing_ = false; }
+void Session::obey(const StepOnce&) { step_ = true; }
+void Session::obey(const Speed& speed) { speed_ = speed.value; }
 
-void Session::apply(const Reset&) {
+void Session::obey(const Reset&) {
   pull_.reset();
   target_ = 0;
   for (const auto& lane : lanes_) lane->begin_at(given_, 0);
   load_due();
 }
 
-void Session::apply(const Kick& kick) {
+void Session::obey(const Kick& kick) {
   check_body(kick.body, "kick");
   check_resumable("kick");
   for (const auto& lane : lanes_) {
@@ -188,7 +197,7 @@ void Session::apply(const Kick& kick) {
   }
 }
 
-void Session::apply(const Pull& pull) {
+void Session::obey(const Pull& pull) {
   check_body(pull.body, "pull");
   check_resumable("pull");
   const double mass = given_.bodies[static_cast<std::size_t>(pull.body)].mass;
@@ -202,13 +211,13 @@ void Session::apply(const Pull& pull) {
   begin_all_anew();
 }
 
-void Session::apply(const Release&) {
+void Session::obey(const Release&) {
   if (!pull_) return;
   pull_.reset();
   begin_all_anew();
 }
 
-void Session::apply(const Set& set) {
+void Session::obey(const Set& set) {
   check_resumable(set.key.c_str());
   core::Scene changed = given_;
   set_parameter(changed, set.key, set.value);
@@ -218,7 +227,7 @@ void Session::apply(const Set& set) {
 }
 
 // A lane that was there goes on as it is; a new one takes the state of the first that runs.
-void Session::apply(const Lanes& wanted) {
+void Session::obey(const Lanes& wanted) {
   std::vector<std::unique_ptr<Lane>> next(wanted.lanes.size());
   std::vector<std::size_t> from(wanted.lanes.size(), lanes_.size());
   std::vector<bool> taken(lanes_.size(), false);
@@ -231,10 +240,9 @@ void Session::apply(const Lanes& wanted) {
       std::any_of(next.begin(), next.end(), [](const auto& lane) { return lane != nullptr; });
   if (new_ones) check_resumable("lanes");
 
-  const auto first =
-      std::find_if(lanes_.begin(), lanes_.end(), [](const auto& lane) { return lane->running(); });
-  const core::State state = first != lanes_.end() ? (*first)->state() : core::initial_state(given_);
-  const double t = first != lanes_.end() ? (*first)->time() : 0;
+  const Lane* const first = first_running();
+  const core::State state = first ? first->state() : core::initial_state(given_);
+  const double t = first ? first->time() : 0;
   for (std::size_t i = 0; i < next.size(); ++i) {
     if (next[i])
       t == 0 && !pull_ ? next[i]->begin_at(given_, 0) : begin_anew(*next[i], state, t);

@@ -34,8 +34,7 @@ struct SessionOptions {
   process::Limits limits{.run_seconds = 10};
 };
 
-/// Where somebody pulls: a spring to a point of the world, damped to half its critical damping so that it
-/// comes to rest.
+/// Where somebody pulls: a spring to a point of the world, with half its critical damping along its line.
 struct PullNow {
   int body = 0;
   core::Vector3 pin = core::Vector3::Zero();
@@ -71,17 +70,18 @@ class Session {
   const Recorder& recorder() const { return recorder_; }
 
  private:
-  void apply(const Play&);
-  void apply(const Pause&);
-  void apply(const StepOnce&);
-  void apply(const Reset&);
-  void apply(const Speed&);
-  void apply(const Kick&);
-  void apply(const Pull&);
-  void apply(const Release&);
-  void apply(const Lanes&);
-  void apply(const Set&);
+  void obey(const Play&);
+  void obey(const Pause&);
+  void obey(const StepOnce&);
+  void obey(const Reset&);
+  void obey(const Speed&);
+  void obey(const Kick&);
+  void obey(const Pull&);
+  void obey(const Release&);
+  void obey(const Lanes&);
+  void obey(const Set&);
 
+  Lane* first_running() const;
   std::unique_ptr<Lane> make_lane(const LaneSpec&) const;
   void check_body(int body, const char* what) const;
   void check_resumable(const char* what) const;

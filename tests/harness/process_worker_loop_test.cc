@@ -25,6 +25,7 @@ class Toy : public core::Simulator {
  public:
   double burn_ns = 0;       ///< Thread CPU time that each step takes, at least.
   double burnt_ns = 0;      ///< That it took, by its own account.
+  int kept = 0;             ///< Steps that were made with contacts kept.
   double load_burn_ns = 0;  ///< Thread CPU time that each load takes, at least.
 
   const core::Engine& engine() const override { return engine_; }
@@ -43,6 +44,7 @@ class Toy : public core::Simulator {
   void step() override {
     const double start = cpu_ns();
     ++steps_;
+    kept += keep_ ? 1 : 0;
     for (core::BodyState& body : state_) {
       // y = h - g s^2/2 with s in [-T, T] from the apex, T = sqrt(2 h / g).
       const double h = 1, g = 9.81, period = 2 * std::sqrt(2 * h / g);
@@ -55,6 +57,11 @@ class Toy : public core::Simulator {
     burnt_ns += cpu_ns() - start;
   }
   void read(core::State& out) const override { out = state_; }
+  void keep_contacts(bool keep) override { keep_ = keep; }
+  std::vector<core::Contact> contacts() const override {
+    return {{{0, core::world, 0}, {0, 0, 0}, {0, 1, 0}, {}},
+            {{0, core::world, 0}, {NAN, 0, 0}, {0, 1, 0}, 1.0}};
+  }
 
  private:
   static double cpu_ns() {
@@ -66,6 +73,7 @@ class Toy : public core::Simulator {
   core::State state_;
   double dt_ = 0;
   std::int64_t steps_ = 0;
+  bool keep_ = false;
 };
 
 /// Everything that serve() said, in order.
@@ -189,6 +197,43 @@ TEST(WorkerLoop, WatchesWhatItIsAskedTo) {
     EXPECT_NEAR(bounces[n].speed, std::sqrt(2 * 9.81), 1e-6);
   }
   EXPECT_EQ(answers.frames.size(), 2u);  // the start, and {500, 1000, 1500, 2000}
+}
+
+// The pieces of a run are the run; each ends with its own contacts, and the steps of each count from 1.
+TEST(WorkerLoop, GoesOnFromWhereARunEnded) {
+  const auto piece = [](std::int64_t steps, std::int64_t every, bool resume) {
+    process::Run run{steps, every, {}, {}};
+    run.resume = resume, run.contacts = true;
+    return run_request(run);
+  };
+  Toy toy, whole;
+  const Answers parts =
+      serve_all(toy, {load_of(ball()), piece(3, 2, false), piece(40, 40, true), piece(0, 1, true)}, 1);
+  const Answers one = serve_all(whole, {load_of(ball()), run_request({43, 43, {}, {}})}, 1);
+  EXPECT_EQ(parts.frames, (std::vector<std::vector<std::int64_t>>{{0}, {2, 3}, {40}}));
+  EXPECT_EQ(parts.states.back()[0].position, one.states.back()[0].position);
+  std::vector<std::size_t> told;
+  for (const json& line : parts.lines)
+    if (line.contains("contacts")) told.push_back(contacts_from_json(line, 1, 1).size());
+  EXPECT_EQ(told, (std::vector<std::size_t>{1, 1, 0}));
+  EXPECT_EQ(toy.kept, 2);  // the last step of each piece that has one, and no other
+  EXPECT_EQ(whole.kept, 0);
+}
+
+TEST(WorkerLoop, GoesOnOnlyWhereThereIsSomethingToGoOnWith) {
+  Toy toy;
+  json on = run_request({1, 1, {}, {}});
+  on["continue"] = true;
+  json watched = run_request({1, 1, {}, {{0, core::world, 0}}});
+  watched["continue"] = true;
+  const Answers answers = serve_all(
+      toy, {on, load_of(ball()), on, run_request({1, 1, {}, {}}), watched, run_request({1, 1, {}, {}})}, 1);
+  std::vector<std::string> errors;
+  for (const json& line : answers.lines)
+    if (line.contains("error")) errors.push_back(line["error"]);
+  const std::string none = "continue: there is no run to go on from";
+  EXPECT_EQ(errors, (std::vector<std::string>{none, none, "watch: must be empty where a run continues",
+                                              "cmd: each run needs a load before it"}));
 }
 
 // step_ns is the time of the steps and of nothing else, however densely they are recorded.
