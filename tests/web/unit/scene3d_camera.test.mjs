@@ -84,6 +84,13 @@ test('lengths of scale bars and grids', () => {
   for (const [x, text] of [[0.5, '50 cm'], [20, '20 m'], [2e-3, '2 mm'], [5e6, '5 Mm'], [1e-9, '1 nm']]) assert.equal(metres(x), text);
 });
 
+test('the bounds of a motion hold the bodies and not their centres alone, and a locked one where it stands', () => {
+  const body = (position, radius, locked = false) => ({ position, locked, shape: { type: 'sphere', radius } });
+  const scene = { joint: [{ point: [0, 9, 0] }], spring: [], plane: [], water: [], body: [body([0, 0, 0], 0.5), body([-4, 0, 0], 2, true)] };
+  const { min, max } = sceneBounds(scene, { min: [-1, -1, -1], max: [7, 1, 1] });
+  assert.deepEqual([min, max], [[-6, -2, -2], [7.5, 9, 2]]);
+});
+
 test('the bounds of a scene hold its bodies, and what is not finite does not spoil them', () => {
   const scene = { joint: [], spring: [], plane: [], water: [] };
   const body = (position, radius) => ({ position, shape: { type: 'sphere', radius } });

@@ -7,7 +7,7 @@ import { load } from '../bundle_for_test.mjs';
 const { parametersOf, readValue, seen } = await load('view/parameters.ts');
 const { kick, pullStiffness } = await load('view/kick.ts');
 const { Commands } = await load('view/commands.ts');
-const { History, digits } = await load('view/history.ts');
+const { History, digits, roomy } = await load('view/history.ts');
 const { TrailRecorder } = await load('view/trail_recorder.ts');
 const { LanePose, ArrowScale } = await load('view/poses.ts');
 const { Reach } = await load('view/reach.ts');
@@ -209,6 +209,13 @@ test('steps and speeds as the server reads them', () => {
   for (const text of ['1/240', '0.001', ' 1 / 60 ', '1e-3']) assert.ok(goodStep(text), text);
   for (const text of ['', '0', '1/0', '-1', 'x', '1/2/3', '0/5']) assert.ok(!goodStep(text), text);
   for (const speed of [0.01, 0.5, 1, 100]) assert.equal(speedAt(slide(speed)), speed);
+});
+
+test('plots leave room about their lines, also about one that lies still', () => {
+  for (const [least, most] of [[1, 2], [-3, -3], [0, 0], [5e-9, 5e-9], [null, null]]) {
+    const [low, high] = roomy(least, most);
+    assert.ok(low < high && (least === null || (low < least && high > most)), `${least} … ${most}`);
+  }
 });
 
 test('pictures go to a folder, not to a scenario', () => {

@@ -72,3 +72,11 @@ export function digits(value: number | null | undefined): string {
   const size = Math.abs(value);
   return size !== 0 && (size >= 1e6 || size < 1e-4) ? value.toExponential(5) : value.toPrecision(6);
 }
+
+/** A range of values with some room; a line that lies still has some, too. */
+export function roomy(least: number | null, most: number | null): [number, number] {
+  if (least == null || most == null) return [-1, 1];
+  const size = Math.max(Math.abs(least), Math.abs(most));
+  const room = most > least ? 0.08 * (most - least) : size > 0 ? 1e-3 * size : 1;
+  return [least - room, most + room];
+}

@@ -7,7 +7,7 @@ import uPlot from 'uplot';
 import type { Lane } from '../shared/live';
 import { lookOf } from '../shared/plot_marks';
 import { color, onTheme } from '../shared/theme';
-import { components, digits, quantities, units } from './history';
+import { components, digits, quantities, roomy, units } from './history';
 import type { Component, Quantity } from './history';
 import { laneName } from './viewer';
 import type { Viewer } from './viewer';
@@ -29,13 +29,13 @@ function options(width: number, lanes: Lane[], unit: string): uPlot.Options {
     height,
     legend: { show: false },
     cursor: { show: false },
-    scales: { x: { time: false } },
+    scales: { x: { time: false }, y: { range: (_, least, most) => roomy(least, most) } },
     axes: [
       { ...axis, label: 'time [s]', size: 30 },
       {
         ...axis,
         label: `[${unit}]`,
-        size: 70,
+        size: (_, values) => 30 + 7 * Math.max(3, ...(values ?? []).map((text) => text.length)),
         values: (_, splits) => splits.map((v) => String(Number(v.toPrecision(7)))),
       },
     ],

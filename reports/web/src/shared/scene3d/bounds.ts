@@ -60,10 +60,15 @@ export function usable(bounds: Bounds): Bounds {
   return result;
 }
 
-/** Bodies, pins and joints at t = 0, and the planes and waters near them. */
-export function sceneBounds(scene: Scene): Bounds {
+/** What there is to see: bodies, pins and joints, and the planes and waters near them.  `centres`: where the
+ * centres of the bodies come in the whole motion; without it they are where they are at t = 0. */
+export function sceneBounds(scene: Scene, centres?: Bounds): Bounds {
   const bounds = nothing();
-  for (const body of scene.body) include(bounds, body.position, shapeRadius(body.shape));
+  for (const body of scene.body) {
+    const radius = shapeRadius(body.shape);
+    if (!centres || body.locked) include(bounds, body.position, radius);
+    else for (const end of [centres.min, centres.max]) include(bounds, end, radius);
+  }
   for (const spring of scene.spring) if (spring.pin) include(bounds, spring.pin, 0);
   for (const joint of scene.joint) if (joint.point) include(bounds, joint.point, 0);
   if (!finite(bounds.min)) return usable(bounds);

@@ -1,6 +1,6 @@
 // What there is to draw, whoever draws it: poses, lines, trails, water.  Counters tell what changed.
 import type { Quaternion, Scene, Vector } from '../documents';
-import { sceneBounds, usable } from './bounds';
+import { sceneBounds } from './bounds';
 import { bodyColour } from './colours';
 import type { Theme } from './colours';
 import { Links } from './links';
@@ -81,7 +81,7 @@ export class Picture {
     public theme: Theme,
     given: Bounds | undefined,
   ) {
-    this.bounds = given ? usable(given) : sceneBounds(scene);
+    this.bounds = sceneBounds(scene, given);
     this.extent = Math.max(length(subtract(this.bounds.max, this.bounds.min)), 1e-9);
     this.solids = solidsOf(scene, 0.035 * this.extent);
     const sizes = [...this.solids.radius].sort((a, b) => a - b);

@@ -46,7 +46,7 @@ export interface Grab {
 
 export interface Scene3DOptions {
   label: string; // for screen readers
-  bounds?: Bounds; // of the whole motion, to frame the camera; absent: from the scene
+  bounds?: Bounds; // of the bodies' centres in the whole motion, to frame it; absent: as they are at t = 0
 }
 
 export type Layer = 'bodies' | 'ghost';
