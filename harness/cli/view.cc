@@ -68,10 +68,10 @@ std::unique_ptr<view::Session> make_session(const Context& context, const Option
   }
 }
 
-// What makes a film of the frames.
+// What makes a film of the frames; the page sends 30 for a simulated second.
 std::string film(const std::filesystem::path& frames) {
   const std::string folder = (frames / "").parent_path().string();  // without a slash at its end
-  return fmt::format("ffmpeg -framerate 60 -i {} -pix_fmt yuv420p {}", shell_word(folder + "/frame-%06d.png"),
+  return fmt::format("ffmpeg -framerate 30 -i {} -pix_fmt yuv420p {}", shell_word(folder + "/frame-%06d.png"),
                      shell_word(folder + ".mp4"));
 }
 
@@ -79,12 +79,13 @@ void say(const std::string& line) { std::cout << plain(line) << std::endl; }
 
 int view_scenario(const Context& context, const Options& options) {
   using Clock = std::chrono::steady_clock;
-  const bool file = options.record.ends_with(".toml");
+  const bool file = CLI::detail::to_lower(options.record).ends_with(".toml");
   std::unique_ptr<view::Frames> frames;
   if (!options.record.empty() && !file) frames = std::make_unique<view::Frames>(options.record);
   view::Host host(make_session(context, options), file ? options.record : "", say);
   view::Server server(host, frames.get(), options.port);
   say(server.url());
+  for (const std::string& line : host.failures()) std::cerr << plain(line) << '\n';
   if (!options.no_open) open_browser(server.url());
   const Clock::time_point start = Clock::now();
   const auto over = [&] {
@@ -92,6 +93,7 @@ int view_scenario(const Context& context, const Options& options) {
            std::chrono::duration<double>(Clock::now() - start).count() >= options.seconds;
   };
   while (!process::interrupted() && !over()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  process::interrupted() = true;  // what the engines are at is not waited for
   host.stop();
   server.stop();
   if (frames && frames->count() > 0) say(film(frames->folder()));

@@ -83,6 +83,14 @@ std::string Host::session_json() {
   return view::session_json(*session_).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
+std::vector<std::string> Host::failures() {
+  const std::lock_guard lock(session_mutex_);
+  std::vector<std::string> lines;
+  for (const auto& lane : session_->lanes())
+    if (!lane->running()) lines.push_back(lane->spec().engine + ": " + lane->reason());
+  return lines;
+}
+
 std::string Host::newer(Seen& seen) {
   std::shared_ptr<const std::string> state, description;
   {

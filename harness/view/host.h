@@ -14,6 +14,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace cylon::view {
 
@@ -36,6 +37,9 @@ class Host {
 
   /// live.ts: Session.
   std::string session_json();
+
+  /// Of lanes that do not run: "bullet: unsupported: Bullet has no rigid distance joint."
+  std::vector<std::string> failures();
 
   /// The messages that are newer than what was seen, which it moves on; waits for one, at most a second,
   /// after which the newest state comes again so that a reader who is gone shows.  Empty when the host stops.
