@@ -6,7 +6,7 @@ import { Controls } from './controls';
 import type { Controlled } from './controls';
 import { clampCamera, frame, metresPerPixel, parallelRay, rayThrough, viewOf } from './orbit';
 import type { View } from './orbit';
-import { drawOver } from './over';
+import { drawOver, strip } from './over';
 import { pick } from './picking';
 import type { Ray } from './picking';
 import { Picture } from './picture';
@@ -242,7 +242,7 @@ export class LiveScene3D implements Scene3D, Controlled {
 
   private drawOver(view: View): void {
     this.overStale = false;
-    [this.over.width, this.over.height] = [this.element.width, this.element.height];
+    [this.over.width, this.over.height] = [this.element.width, Math.round(strip * view.ratio)];
     const grid = this.picture.scene.plane.length > 0 ? this.picture.grid : null;
     const context = this.over.getContext('2d');
     if (context) drawOver(context, view, this.picture.theme, grid);
@@ -262,7 +262,7 @@ export class LiveScene3D implements Scene3D, Controlled {
     this.stale = true;
     this.render();
     context.drawImage(this.element, x, y);
-    context.drawImage(this.over, x, y);
+    context.drawImage(this.over, x, y + this.element.height - this.over.height);
   }
 
   png(): Promise<Blob> {

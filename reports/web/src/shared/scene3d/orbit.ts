@@ -93,7 +93,7 @@ export function projectParallel(view: View, p: Vector): { x: number; y: number; 
 export function frame(bounds: Bounds, aspect: number): CameraState {
   const middle = scale(add(bounds.min, bounds.max), 0.5);
   const half = scale(subtract(bounds.max, bounds.min), 0.5);
-  const flat = half[2] < 0.2 * Math.max(half[0], half[1]);
+  const flat = half[2] < 0.4 * Math.max(half[0], half[1]);
   const camera: CameraState = {
     target: middle,
     distance: 1,
