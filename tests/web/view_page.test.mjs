@@ -10,7 +10,7 @@ const folder = scratch();
 
 /** A server for the length of a test. */
 async function view(t, ...args) {
-  const server = spawn(cylon, ['view', ...args, '--no-open', '--port', '0'], { cwd: folder });
+  const server = spawn(cylon, ['view', ...args, '--no-open', ...(args.includes('--port') ? [] : ['--port', '0'])], { cwd: folder });
   const ended = new Promise((resolve) => server.once('exit', resolve));
   server.stop = async () => (server.kill('SIGINT'), await ended);
   t.after(() => server.stop());
@@ -110,6 +110,9 @@ test('an engine that cannot says why in its place, and the page says when the se
   await until(page, 'time to pass', async () => (await clock(page)) > 0);
   await server.stop();
   await page.getByText(/No connection to the server/).waitFor();
+  // Another server at the same place has other secrets, and the page says what to do.
+  await view(t, 'water_step_force', '--port', new URL(url).port);
+  await page.getByText(/reload the page/).waitFor();
   assert.deepEqual(await accessibilityFaults(page), []);
 });
 

@@ -28,7 +28,12 @@ export function metres(x: number): string {
 export const strip = 80;
 
 /** On a canvas that is as wide as the picture and `strip` high. */
-export function drawOver(context: CanvasRenderingContext2D, view: View, theme: Theme, grid: number | null): void {
+export function drawOver(
+  context: CanvasRenderingContext2D,
+  view: View,
+  theme: Theme,
+  grid: number | null,
+): void {
   const { width, height, ratio } = view;
   context.setTransform(ratio, 0, 0, ratio, 0, ratio * (strip - height));
   context.clearRect(0, 0, width, height);
