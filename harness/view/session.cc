@@ -68,14 +68,15 @@ std::optional<PullNow> Session::pull() const {
 
 // ---- Time ------------------------------------------------------------------------------------------
 
-// How much simulated time all lanes can be carried through within the budget [s]; before one has run, a step
-// of it.
+// How much simulated time all lanes can be carried through within the budget, but a step at least [s]; before
+// one has run, that step.
 double Session::affordable() const {
   double least = HUGE_VAL;
   for (const auto& lane : lanes_) {
     if (!lane->running()) continue;
     const std::optional<double> cost = lane->cost();
-    least = std::min(least, !cost ? lane->dt() : *cost > 0 ? budget / *cost : HUGE_VAL);
+    const double within = !cost ? 0 : *cost > 0 ? budget / *cost : HUGE_VAL;
+    least = std::min(least, std::max(lane->dt(), within));
   }
   return least;
 }
