@@ -1,5 +1,5 @@
 // The page: verdict line, the parts of the report, an open cell.
-import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useMemo, useRef, useState } from 'preact/hooks';
 
 import type { Index } from '../shared/documents';
 import { setTheme, theme, type Theme } from '../shared/theme';
@@ -68,7 +68,7 @@ export function App({ index }: { index: Index }) {
     document.title = visible(`${what} - ${index.title}`);
   }, [what, index]);
   const wasOpen = useRef(false);
-  useEffect(() => {
+  useLayoutEffect(() => {
     // Who comes back from a cell goes on where he left the matrix.
     if (wasOpen.current && !name && !View)
       document.querySelector<HTMLElement>('.matrix [tabindex="0"]')?.focus();

@@ -1,5 +1,5 @@
 // All that is known of one cell: one engine's run of one scenario.
-import { useEffect, useMemo } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useMemo } from 'preact/hooks';
 
 import type { ErrorCurve, Index, ScenarioView } from '../../shared/documents';
 import { address, cellAddress, go, link, sectionAddress, useAddress } from '../address';
@@ -88,7 +88,7 @@ function back(): void {
 }
 
 function useEscape(): void {
-  useEffect(() => {
+  useLayoutEffect(() => {
     const onKey = (event: KeyboardEvent) => {
       if (event.key === 'Escape' && !event.defaultPrevented) back();
     };

@@ -1,5 +1,5 @@
 // The one time cursor of a cell: slider, play, steps from frame to frame, the jump to the first divergence.
-import { useEffect, useState } from 'preact/hooks';
+import { useLayoutEffect, useState } from 'preact/hooks';
 
 import { nearest } from '../../shared/plot_data';
 import { type TimeCursor, useCursor } from '../../shared/plot_cursor';
@@ -16,7 +16,7 @@ export function step(cursor: TimeCursor, frames: ArrayLike<number>, by: number):
 const own = 'input, select, textarea, button, a, summary, canvas, [role="region"], [role="grid"]';
 
 function useArrows(cursor: TimeCursor, frames: ArrayLike<number>): void {
-  useEffect(() => {
+  useLayoutEffect(() => {
     const onKey = (event: KeyboardEvent) => {
       const by = event.key === 'ArrowLeft' ? -1 : event.key === 'ArrowRight' ? 1 : 0;
       if (by === 0 || event.altKey || event.ctrlKey || event.metaKey) return;

@@ -1,6 +1,6 @@
 // Arrow keys move the focus through a table as in a spreadsheet: one cell of it is in the tab order.
 import type { RefObject } from 'preact';
-import { useEffect, useRef } from 'preact/hooks';
+import { useLayoutEffect, useRef } from 'preact/hooks';
 
 const moves: Record<
   string,
@@ -41,14 +41,14 @@ export function useGridKeys(
     return next;
   };
 
-  useEffect(() => {
+  useLayoutEffect(() => {
     table.current
       ?.querySelectorAll('[data-row][tabindex="0"]')
       .forEach((e) => e.setAttribute('tabindex', '-1'));
     tabStop(within(place.current[0], rows), within(place.current[1], columns));
   });
 
-  useEffect(() => {
+  useLayoutEffect(() => {
     const node = table.current;
     if (!node) return;
     const onKey = (event: KeyboardEvent) => {

@@ -1,5 +1,5 @@
 // The matrix with its filter, its order and the choice of columns.
-import { useEffect, useMemo, useRef } from 'preact/hooks';
+import { useLayoutEffect, useMemo, useRef } from 'preact/hooks';
 
 import type { ScenarioView } from '../../shared/documents';
 import { go, useAddress } from '../address';
@@ -102,7 +102,7 @@ export function MatrixSection({ matrix, views }: MatrixSectionProps) {
     return compare ? found.sort(compare) : found;
   }, [parsed, matrix, views, sort]);
 
-  useEffect(() => {
+  useLayoutEffect(() => {
     const focus = (event: KeyboardEvent) => {
       const typing = event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement;
       if (event.key !== '/' || typing || event.ctrlKey || event.metaKey || !input.current?.offsetParent)
