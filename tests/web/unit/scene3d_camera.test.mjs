@@ -8,6 +8,7 @@ const orbit = await load('shared/scene3d/orbit.ts');
 const { meetBall, meetBox } = await load('shared/scene3d/picking.ts');
 const { round125, sceneBounds } = await load('shared/scene3d/bounds.ts');
 const { metres } = await load('shared/scene3d/over.ts');
+const { support } = await load('shared/scene3d/support.ts');
 const { turned, shifted } = await load('shared/scene3d/controls.ts');
 
 const size = { width: 800, height: 500, ratio: 1 };
@@ -85,7 +86,7 @@ test('lengths of scale bars and grids', () => {
 });
 
 test('the bounds of a motion hold the bodies and not their centres alone, and a locked one where it stands', () => {
-  const body = (position, radius, locked = false) => ({ position, locked, shape: { type: 'sphere', radius } });
+  const body = (position, radius, locked = false) => ({ position, orientation: [1, 0, 0, 0], locked, shape: { type: 'sphere', radius } });
   const scene = { joint: [{ point: [0, 9, 0] }], spring: [], plane: [], water: [], body: [body([0, 0, 0], 0.5), body([-4, 0, 0], 2, true)] };
   const { min, max } = sceneBounds(scene, { min: [-1, -1, -1], max: [7, 1, 1] });
   assert.deepEqual([min, max], [[-6, -2, -2], [7.5, 9, 2]]);
@@ -93,11 +94,40 @@ test('the bounds of a motion hold the bodies and not their centres alone, and a 
 
 test('the bounds of a scene hold its bodies, and what is not finite does not spoil them', () => {
   const scene = { joint: [], spring: [], plane: [], water: [] };
-  const body = (position, radius) => ({ position, shape: { type: 'sphere', radius } });
+  const body = (position, radius) => ({ position, orientation: [1, 0, 0, 0], shape: { type: 'sphere', radius } });
   const { min, max } = sceneBounds({ ...scene, body: [body([1, 2, 3], 0.5), body([4, 2, 3], 0.25), body([NaN, 0, 0], 1)] });
   assert.deepEqual([min[0], max[0]], [0.5, 4.25]);
   for (const bodies of [[], [body([Infinity, 0, 0], 1)], [body([1e-3, 0, 0], 0)]]) {
     const bounds = sceneBounds({ ...scene, body: bodies });
     for (let i = 0; i < 3; ++i) assert.ok(bounds.max[i] > bounds.min[i]);
   }
+});
+
+test('how far shapes reach, in a slanting direction', () => {
+  const d = [0.48, -0.6, 0.64]; // radial part 0.8
+  const corners = [-1, 1].flatMap((x) => [-1, 1].flatMap((y) => [-1, 1].map((z) => [x, 2 * y, 3 * z])));
+  const half = Math.SQRT1_2;
+  for (const [shape, reach] of [
+    [undefined, 0],
+    [{ type: 'sphere', radius: 2 }, 2],
+    [{ type: 'box', half_extents: [1, 2, 3] }, 0.48 + 1.2 + 1.92],
+    [{ type: 'hull', vertices: corners }, 0.48 + 1.2 + 1.92],
+    [{ type: 'capsule', radius: 2, length: 5 }, 2 + 1.5],
+    [{ type: 'cylinder', radius: 2, length: 5 }, 1.6 + 1.5],
+    [{ type: 'cone', radius: 2, length: 4 }, 1.6 + 0.6], // its base, since d points down
+    [{ type: 'rod', length: 5 }, 1.5],
+    [{ type: 'disc', radius: 2 }, 1.6],
+    // A rod turned from y to -x, 1 m to the right: its two ends are at x = -1.5 and 3.5.
+    [{ type: 'compound', parts: [{ shape: { type: 'rod', length: 5 }, mass: 1, position: [1, 0, 0], orientation: [half, 0, 0, half] }] }, 3.5 * 0.48],
+  ])
+    near(support(shape, d), reach, 1e-12, shape?.type ?? 'a point');
+});
+
+test('a motion in a plane is framed with the depth of its bodies and not with their length', () => {
+  const plank = { position: [0, 0, 0], orientation: [1, 0, 0, 0], shape: { type: 'box', half_extents: [0.5, 0.1, 0.02] } };
+  const scene = { joint: [], spring: [], plane: [], water: [], body: [plank] };
+  const { min, max } = sceneBounds(scene, { min: [-2, -1, 0], max: [2, 1, 0] });
+  const radius = Math.hypot(0.5, 0.1, 0.02);
+  near(max[0], 2 + radius, 1e-12, 'across');
+  near(max[2] - min[2], 0.04 * Math.hypot(4 + 2 * radius, 2 + 2 * radius, 0.04), 1e-12, 'deep, no less than a picture needs');
 });

@@ -1,5 +1,6 @@
 // How far a scene reaches, from its initial state.
 import type { Scene, Shape, Vector } from '../documents';
+import { reachAlong } from './support';
 import type { Bounds } from './types';
 import { add, dot, finite, length, scale, subtract } from './vectors';
 
@@ -60,14 +61,29 @@ export function usable(bounds: Bounds): Bounds {
   return result;
 }
 
+/** Makes room for a body whose centre comes everywhere in `centres`.  It may turn, unless it is locked; where
+ * the centres lie in a plane or on a line, it is taken to keep its sides to that. */
+function includeBody(bounds: Bounds, body: Scene['body'][number], centres: Bounds): void {
+  if (!finite(centres.min) || !finite(centres.max) || !finite(body.orientation)) return;
+  const radius = shapeRadius(body.shape);
+  const ranges = centres.max.map((high, i) => high - centres.min[i]!);
+  const widest = Math.max(...ranges);
+  for (let i = 0; i < 3; ++i) {
+    const still = body.locked || (widest > radius && ranges[i]! < 0.02 * widest);
+    const { down, up } = still ? reachAlong(body.shape, body.orientation, i) : { down: radius, up: radius };
+    if (!Number.isFinite(down + up)) continue;
+    bounds.min[i] = Math.min(bounds.min[i]!, centres.min[i]! - down);
+    bounds.max[i] = Math.max(bounds.max[i]!, centres.max[i]! + up);
+  }
+}
+
 /** What there is to see: bodies, pins and joints, and the planes and waters near them.  `centres`: where the
  * centres of the bodies come in the whole motion; without it they are where they are at t = 0. */
 export function sceneBounds(scene: Scene, centres?: Bounds): Bounds {
   const bounds = nothing();
   for (const body of scene.body) {
-    const radius = shapeRadius(body.shape);
-    if (!centres || body.locked) include(bounds, body.position, radius);
-    else for (const end of [centres.min, centres.max]) include(bounds, end, radius);
+    const here: Bounds = { min: body.position, max: body.position };
+    includeBody(bounds, body, body.locked ? here : (centres ?? here));
   }
   for (const spring of scene.spring) if (spring.pin) include(bounds, spring.pin, 0);
   for (const joint of scene.joint) if (joint.point) include(bounds, joint.point, 0);

@@ -23,8 +23,8 @@ export function metres(x: number): string {
   return `${Number((x / size).toPrecision(3))} ${name}`;
 }
 
-/** Height of the strip along the lower edge that they take [css px]: a sheet over all would cost a fifth of the
- * drawing where the processor draws. */
+/** Height of the strip along the lower edge that they take [css px]: a sheet over all would cost a fifth of
+ * the drawing where the processor draws. */
 export const strip = 80;
 
 /** On a canvas that is as wide as the picture and `strip` high. */
