@@ -19,9 +19,13 @@ import { type Divergence, Timeline } from './timeline';
 import { TotalCurves } from './total_curves';
 import { useTrace } from './use_trace';
 
-/** The other engine that is shown at first: the in-house one, or else the next. */
-function suggested(choices: TraceEntry[]): TraceEntry | null {
-  return choices.find((t) => t.engine === 'in-house') ?? choices[0] ?? null;
+/** The other engine that is shown at first: the in-house one, beside that a foreign one, at the same step if it is
+ * there. */
+function suggested(choices: TraceEntry[], own: Cell): TraceEntry | null {
+  const inHouse = (engine: string) => engine.startsWith('in-house');
+  const wanted = (t: TraceEntry) => (inHouse(own.engine) ? !inHouse(t.engine) : t.engine === 'in-house');
+  const sameStep = choices.filter((t) => t.dt_text === own.dt);
+  return sameStep.find(wanted) ?? choices.find(wanted) ?? sameStep[0] ?? choices[0] ?? null;
 }
 
 /** Of the worst claim that was violated at a known time; else where the engines shown part. */
@@ -109,7 +113,8 @@ export function Motion({ index, cell, view, block, rows }: MotionProps) {
     () => index.traces.filter((t) => t.scenario === cell.scenario && entryKey(t) !== title),
     [index, cell, title],
   );
-  const chosen = wanted === '-' ? null : (choices.find((t) => entryKey(t) === wanted) ?? suggested(choices));
+  const chosen =
+    wanted === '-' ? null : (choices.find((t) => entryKey(t) === wanted) ?? suggested(choices, cell));
   const loaded = useTrace(chosen?.block ?? null);
 
   const own = useMemo<Side>(
