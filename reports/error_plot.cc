@@ -29,7 +29,7 @@ class Dots {
       : columns_(columns),
         rows_(rows),
         braille_(braille),
-        cells_(static_cast<std::size_t>(columns * rows), 0) {}
+        cells_(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 0) {}
 
   int width() const { return columns_ * (braille_ ? 2 : 1); }
   int height() const { return rows_ * (braille_ ? 4 : 1); }
@@ -46,7 +46,7 @@ class Dots {
   std::string row(int y, bool dashed) const {
     std::string out;
     for (int x = 0; x < columns_; ++x) {
-      const int cell = cells_[static_cast<std::size_t>(y * columns_ + x)];
+      const int cell = cells_[index(x, y)];
       if (cell == 0)
         out += !dashed ? " " : braille_ ? "┄" : "-";
       else
@@ -56,7 +56,10 @@ class Dots {
   }
 
  private:
-  int& at(int x, int y) { return cells_[static_cast<std::size_t>(y * columns_ + x)]; }
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x);
+  }
+  int& at(int x, int y) { return cells_[index(x, y)]; }
   static std::string utf8(int code) {  // U+0800 … U+FFFF
     return {static_cast<char>(0xe0 | (code >> 12)), static_cast<char>(0x80 | ((code >> 6) & 63)),
             static_cast<char>(0x80 | (code & 63))};
