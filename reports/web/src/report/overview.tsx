@@ -15,7 +15,8 @@ function Line({ of }: { of: Summary }) {
   return (
     <p class="verdict-line">
       <span>{count(of.total, 'verdict')}: </span>
-      <strong class={of.differ.length > 0 ? 'differs' : 'agrees'}>{of.differText}</strong>, {of.expectedText},{' '}
+      <strong class={of.differ.length > 0 ? 'differs' : 'agrees'}>{of.differText}</strong>,{' '}
+      {of.expectedText},{' '}
       {of.passText}
     </p>
   );

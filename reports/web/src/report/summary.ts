@@ -52,7 +52,8 @@ export function warnings(results: Results): string[] {
     }
   for (const [name, n] of unlisted)
     out.push(
-      `${name} is a version that expected.toml does not list: ${count(n, 'verdict')} held to a table of other versions.`,
+      `${name} is a version that expected.toml does not list: ` +
+        `${count(n, 'verdict')} held to a table of other versions.`,
     );
   return out;
 }

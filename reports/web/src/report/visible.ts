@@ -1,9 +1,14 @@
 // Foreign text (names, stories, engines' output) with everything invisible made visible, so that it cannot
 // hide or reorder what a reader sees.
 
-// Controls, marks of direction and what has no width, halves of surrogate pairs.
-const hidden =
-  /[\u0000-\u001f\u007f-\u009f\u00ad\u061c\u180e\u200b-\u200f\u2028-\u202e\u2060-\u2069\ufeff\ufff9-\ufffb]|[\ud800-\udbff](?![\udc00-\udfff])|(?<![\ud800-\udbff])[\udc00-\udfff]/g;
+const hidden = new RegExp(
+  [
+    '[\\u0000-\\u001f\\u007f-\\u009f]', // controls
+    '[\\u00ad\\u061c\\u180e\\u200b-\\u200f\\u2028-\\u202e\\u2060-\\u2069\\ufeff\\ufff9-\\ufffb]', // no width
+    '[\\ud800-\\udbff](?![\\udc00-\\udfff])|(?<![\\ud800-\\udbff])[\\udc00-\\udfff]', // halves of pairs
+  ].join('|'),
+  'g',
+);
 
 function sign(character: string): string {
   return `\\u${character.charCodeAt(0).toString(16).padStart(4, '0')}`; // few fonts have pictures of controls

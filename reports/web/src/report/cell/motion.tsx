@@ -19,8 +19,8 @@ import { type Divergence, Timeline } from './timeline';
 import { TotalCurves } from './total_curves';
 import { useTrace } from './use_trace';
 
-/** The other engine that is shown at first: the in-house one, beside that a foreign one, at the same step if it is
- * there. */
+/** The other engine that is shown at first: the in-house one, beside that a foreign one, at the same step if
+ * it is there. */
 function suggested(choices: TraceEntry[], own: Cell): TraceEntry | null {
   const inHouse = (engine: string) => engine.startsWith('in-house');
   const wanted = (t: TraceEntry) => (inHouse(own.engine) ? !inHouse(t.engine) : t.engine === 'in-house');

@@ -8,8 +8,8 @@ function copyOnto(target: HTMLCanvasElement, layers: Iterable<HTMLCanvasElement>
   });
 }
 
-/** Puts a copy of the host's canvases after it while the page is printed.  `update` marks the picture as to be
- * drawn, `draw` draws it.  Returns how to stop. */
+/** Puts a copy of the host's canvases after it while the page is printed.  `update` marks the picture as to
+ * be drawn, `draw` draws it.  Returns how to stop. */
 export function onPaper(host: HTMLElement, update: () => void, draw: () => void): () => void {
   const paper = document.createElement('canvas');
   paper.className = 'pane-paper';

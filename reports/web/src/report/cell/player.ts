@@ -23,7 +23,8 @@ export function usePlayer(cursor: TimeCursor, speed: number): Player {
   useEffect(() => {
     if (!playing) return;
     cursor.running = true;
-    const pause = matchMedia('(prefers-reduced-motion: reduce)').matches ? 500 : 0; // stills in place of a film [ms]
+    // Stills in place of a film for who asked for less motion [ms].
+    const pause = matchMedia('(prefers-reduced-motion: reduce)').matches ? 500 : 0;
     let last = performance.now();
     let frame = requestAnimationFrame(function step(now) {
       if (now - last >= pause) {

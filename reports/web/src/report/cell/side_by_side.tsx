@@ -84,7 +84,7 @@ export function SideBySide({
       </div>
       <p class="note">
         {follows
-          ? `The ghost follows ${visible(follows.follows)}${follows.source ? `: ${visible(follows.source)}` : ''}. `
+          ? `The ghost follows ${visible([follows.follows, follows.source].filter(Boolean).join(': '))}. `
           : 'This scene has no truth that tells where its bodies are: there is no ghost. '}
         Shown is the stored frame nearest to the cursor; nothing is drawn between frames.
       </p>

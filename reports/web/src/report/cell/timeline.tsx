@@ -52,7 +52,7 @@ function Jump({ cursor, divergence }: { cursor: TimeCursor; divergence: Divergen
       </button>{' '}
       {divergence
         ? `${divergence.what}, at ${short(divergence.time, 6)} s`
-        : 'no first violation is recorded, and the engines shown do not part by 1 % of the extent of the scene'}
+        : 'no first violation is recorded, and the engines shown do not part by 1 % of the extent'}
     </p>
   );
 }

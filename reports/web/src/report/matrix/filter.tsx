@@ -36,9 +36,11 @@ export function QueryHelp({ onPick }: { onPick: (query: string) => void }) {
     <details class="query-help">
       <summary>How to ask</summary>
       <p>
-        Terms side by side must all hold; <code>or</code>, <code>not</code> and parentheses do what they say.{' '}
+        Terms side by side must all hold; <code>or</code>, <code>not</code> and parentheses do as they
+        say.{' '}
         <code>ENGINE:STATUS</code> with pass (all claims), low-quality, fail, unsupported, crash, timeout,
-        non-finite, protocol (some claim), differs, expected, none (not run); <code>ENGINE:digits&lt;X</code>{' '}
+        non-finite, protocol (some claim), differs, expected, none (not run);{' '}
+        <code>ENGINE:digits&lt;X</code>{' '}
         with &lt; &lt;= &gt; &gt;= =. An engine means all its columns, shown or not.
       </p>
       <ul>

@@ -15,6 +15,7 @@ const chunk = 200; // rows drawn at a time
 function CellLink({ cell, row, column }: { cell: Cell; row: number; column: number }) {
   const { glyph } = looks[cell.worst];
   const won = isMeasured(cell.worst) && cell.digits !== null ? ` ${digitsText(cell.digits)}` : '';
+  const name = visible(`${cell.scenario}, ${cell.engine}`);
   return (
     <a
       href={link(cellAddress(cell))}
@@ -22,7 +23,7 @@ function CellLink({ cell, row, column }: { cell: Cell; row: number; column: numb
       tabIndex={-1}
       data-row={row}
       data-column={column}
-      aria-label={`${visible(cell.scenario)}, ${visible(cell.engine)}: ${spoken(cell.worst, cell.digits, cell.differs)}`}
+      aria-label={`${name}: ${spoken(cell.worst, cell.digits, cell.differs)}`}
     >
       {glyph + won}
       {cell.differs ? <Differs /> : null}

@@ -83,12 +83,13 @@ function Plot({ index, entry }: { index: Index; entry: Entry }) {
         </select>
       </label>
       <p class="note">
-        {visible(axisText(measure))}; the reference itself is known to {short(measure.resolution)}. Truth:{' '}
-        {visible(table.truth || 'none')}; {short(table.duration)} s, {count(table.bodies, 'body', 'bodies')}.
+        {visible(axisText(measure))}; the reference itself is known to {short(measure.resolution)}.
+        Truth: {visible(table.truth || 'none')}; {short(table.duration)} s,{' '}
+        {count(table.bodies, 'body', 'bodies')}.
         Ringed: nothing is both cheaper and better
         {measure.name === table.by ? '.' : ' by this measure.'}
         {lost.length > 0
-          ? ` ${count(lost.length, 'setting')} without a finite error above 0 or a cost cannot be drawn and stand in the last table.`
+          ? ` The last table has ${count(lost.length, 'setting')} without a finite error above 0 or a cost.`
           : ''}
       </p>
       <TradePlot
