@@ -182,6 +182,16 @@ test('the largest arrow is as long as it may be, the others in proportion; locke
   assert.deepEqual(scale.arrows(scene, pose, ['velocity', 'momentum'], 2), []);
 });
 
+test('impulses have one scale for all lanes, until time starts over', () => {
+  const scale = new ArrowScale();
+  const contact = (impulse) => ({ body: 0, other: -1, point: [0, 0, 0], normal: [0, 1, 0], impulse });
+  scale.see([contact(2), contact(null), contact(0.5)]);
+  scale.see([contact(1), contact(Infinity)]);
+  assert.equal(scale.impulse, 2);
+  scale.clear();
+  assert.equal(scale.impulse, 0);
+});
+
 test('a trail forgets its older half, in another array', () => {
   const trail = new TrailRecorder(1, 100);
   for (let i = 0; i < 100; ++i) trail.add([i, 0, 0]);

@@ -96,7 +96,7 @@ export class LanePicture {
       (kind) => shown[kind],
     );
     picture.arrows(scale.arrows(scene, pose, kinds, this.arrowLength));
-    picture.contacts(shown.contacts ? lane.contacts : []);
+    picture.contacts(shown.contacts ? lane.contacts : [], scale.impulse);
     picture.pulls(
       state.pulls
         .filter((pull) => pull.body < pose.bodies)

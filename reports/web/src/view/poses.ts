@@ -1,5 +1,6 @@
 // One lane of a state message as arrays that the picture takes, and the arrows of its motion.
 import type { Scene, Vector } from '../shared/documents';
+import type { Contact } from '../shared/live';
 import type { Arrow } from '../shared/scene3d/index';
 import { conjugate, rotate } from '../shared/scene3d/vectors';
 
@@ -64,8 +65,17 @@ export class ArrowScale {
     return this.largest.get(kind) ?? 0;
   }
 
+  /** The largest impulse of a contact in any lane [N s]. */
+  impulse = 0;
+
+  see(contacts: Contact[]): void {
+    for (const { impulse } of contacts)
+      if (Number.isFinite(impulse)) this.impulse = Math.max(this.impulse, impulse!);
+  }
+
   clear(): void {
     this.largest.clear();
+    this.impulse = 0;
   }
 
   arrows(scene: Scene, pose: LanePose, kinds: ArrowChoice[], length: number): Arrow[] {

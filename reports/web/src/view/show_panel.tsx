@@ -1,16 +1,21 @@
 // What the pictures show.
 import type { Shown } from './lane_picture';
-import type { Viewer } from './viewer';
 import { digits } from './history';
+import type { ArrowChoice } from './poses';
+import type { Viewer } from './viewer';
 
 const choices: { name: keyof Shown; label: string; key: string; unit?: string }[] = [
   { name: 'velocity', label: 'Velocity', key: 'V', unit: 'm/s' },
   { name: 'momentum', label: 'Momentum', key: 'M', unit: 'kg m/s' },
   { name: 'angular momentum', label: 'Angular momentum', key: 'L', unit: 'kg m²/s' },
   { name: 'trails', label: 'Trails', key: 'T' },
-  { name: 'contacts', label: 'Contacts, impulses', key: 'C' },
+  { name: 'contacts', label: 'Contacts, impulses', key: 'C', unit: 'N s' },
   { name: 'links', label: 'Springs, joints', key: 'J' },
 ];
+
+/** What the longest arrow of a kind stands for. */
+const longest = (viewer: Viewer, name: keyof Shown): number =>
+  name === 'contacts' ? viewer.scale.impulse : viewer.scale.of(name as ArrowChoice);
 
 export function ShowPanel({ viewer }: { viewer: Viewer }) {
   return (
@@ -28,7 +33,7 @@ export function ShowPanel({ viewer }: { viewer: Viewer }) {
             {unit && viewer.shown[name] && (
               <span class="muted number">
                 {' '}
-                longest {digits(viewer.scale.of(name as 'velocity'))} {unit}
+                longest {digits(longest(viewer, name))} {unit}
               </span>
             )}
           </label>

@@ -127,6 +127,7 @@ export class Viewer {
     for (const [lane, picture] of this.pictures)
       if (message.lanes[lane]?.status === 'running' && picture.read(message.t, packet.payload, lane))
         this.hold(picture.position);
+    for (const lane of message.lanes) this.scale.see(lane.contacts);
     this.history.add(message.t, message.lanes);
     this.fresh = true;
   }

@@ -150,8 +150,8 @@ export class LiveScene3D implements Scene3D, Controlled {
     this.stale = true;
   }
 
-  contacts(list: ContactMark[]): void {
-    this.picture.contacts = list;
+  contacts(list: ContactMark[], largest?: number): void {
+    this.picture.setContacts(list, largest);
     this.stale = true;
   }
 

@@ -68,12 +68,12 @@ export class Picture {
   readonly marks = new Segments(); // on top of all: arrows, contacts, joints' points
   time = 0;
   arrows: Arrow[] = [];
-  contacts: ContactMark[] = [];
   pulls: Pull[] = [];
   linksShown = true;
   grid = 0; // between the lines of the planes [m]
   private planesFor: { theme: Theme; held: Bounds; open: boolean[] } | null = null;
-  private largestImpulse = 0; // so far [N s]
+  private contacts: ContactMark[] = [];
+  private largestImpulse = 0; // [N s]
   private readonly joined: Links;
 
   constructor(
@@ -114,12 +114,17 @@ export class Picture {
     this.marks.clear();
     const bodies = this.layers.bodies.shown ? this.layers.bodies : this.layers.ghost;
     if (this.linksShown && bodies.shown) this.joined.draw(this, bodies);
-    for (const contact of this.contacts)
-      if (Number.isFinite(contact.impulse))
-        this.largestImpulse = Math.max(this.largestImpulse, contact.impulse!);
     drawContacts(this, this.contacts, this.largestImpulse);
     drawArrows(this, this.arrows);
     drawPulls(this, this.pulls);
+  }
+
+  setContacts(contacts: ContactMark[], largest: number | undefined): void {
+    this.contacts = contacts;
+    if (largest !== undefined) this.largestImpulse = largest;
+    else
+      for (const { impulse } of contacts)
+        if (Number.isFinite(impulse)) this.largestImpulse = Math.max(this.largestImpulse, impulse!);
   }
 
   setTrail(layer: Layer, positions: Float32Array | null, bodies: number, upTo: number): void {

@@ -60,7 +60,9 @@ export interface Scene3D {
    * `upTo` first reaches it. */
   trails(layer: Layer, positions: Float32Array | null, bodies: number, upTo: number): void;
   arrows(list: Arrow[]): void;
-  contacts(list: ContactMark[]): void;
+  /** `largest`: the impulse [N s] whose arrow is a fifth of the scene long, one for compared pictures;
+   * without it the largest that this picture has had. */
+  contacts(list: ContactMark[], largest?: number): void;
   pulls(list: Pull[]): void; // springs by which somebody pulls
   /** Springs and joints, on at first. */
   links(shown: boolean): void;
