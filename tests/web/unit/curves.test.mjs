@@ -9,6 +9,7 @@ const { boundsOf, extent, framed, parting } = await load('report/cell/divergence
 const { join, isDrawn } = await load('report/trade/join.ts');
 const { logAxis } = await load('report/trade/axis.ts');
 const { fittingSpeed } = await load('report/cell/player.ts');
+const { TimeCursor } = await load('shared/plot_cursor.ts');
 
 const curve = (time, value, more = {}) => ({ label: 'x', style: 0, time, value, ...more });
 
@@ -176,3 +177,28 @@ for (const [seconds, speed] of [
 ])
   test(`a motion of ${seconds} s plays ${speed} times as fast`, () =>
     assert.equal(fittingSpeed(seconds), speed));
+
+test('the cursor stays within the motion, and looking closer keeps it in sight', () => {
+  const cursor = new TimeCursor([0, 8], 99);
+  assert.equal(cursor.time, 8);
+  cursor.lookCloser();
+  assert.deepEqual(cursor.window, [4, 8]);
+  cursor.pin = 5.5;
+  cursor.lookCloser();
+  assert.deepEqual(cursor.window, [4.5, 6.5]);
+  cursor.window = [-1, 9];
+  assert.equal(cursor.window, null);
+});
+
+test('a pointer shows another time only while it is there, and never while the motion runs', () => {
+  const cursor = new TimeCursor([0, 8], 2);
+  let told = 0;
+  cursor.listen(() => ++told);
+  cursor.hover(3);
+  assert.deepEqual([cursor.time, cursor.pin, told], [3, 2, 1]);
+  cursor.hover(null);
+  assert.deepEqual([cursor.time, told], [2, 2]);
+  cursor.running = true;
+  cursor.hover(4);
+  assert.deepEqual([cursor.time, told], [2, 2]);
+});

@@ -15,8 +15,7 @@ function Line({ of }: { of: Summary }) {
   return (
     <p class="verdict-line">
       <span>{count(of.total, 'verdict')}: </span>
-      <strong class={of.differ.length > 0 ? 'differs' : 'agrees'}>{of.differText}</strong>,{' '}
-      {of.expectedText},{' '}
+      <strong class={of.differ.length > 0 ? 'differs' : 'agrees'}>{of.differText}</strong>, {of.expectedText},{' '}
       {of.passText}
     </p>
   );
@@ -52,7 +51,13 @@ function named(p: Provenance): string {
   return `${p.cylon} (${p.revision}) of ${p.date}`;
 }
 
-function Changes({ list, baseline }: { list: Change[]; baseline: Provenance }) {
+interface ChangesProps {
+  list: Change[];
+  baseline: Provenance;
+  scale: number; // of this run's tolerances
+}
+
+function Changes({ list, baseline, scale }: ChangesProps) {
   const { list: shown, button } = useFew(list);
   const tally = Object.entries(kinds)
     .map(([kind, words]) => [list.filter((c) => c.kind === kind).length, words] as const)
@@ -63,6 +68,13 @@ function Changes({ list, baseline }: { list: Change[]; baseline: Provenance }) {
     <section aria-labelledby="changes-heading">
       <h2 id="changes-heading">Since the baseline, {visible(named(baseline))}</h2>
       <p>{list.length === 0 ? 'No status changed, no error moved by more than 10 %.' : `${tally}.`}</p>
+      {baseline.tolerance_scale === scale ? null : (
+        <p class="warnings">
+          <strong>Warning:</strong> the tolerances of the baseline were multiplied by{' '}
+          {baseline.tolerance_scale}, those of this run by {scale}: statuses of one are not those of the
+          other.
+        </p>
+      )}
       {list.length > 0 ? (
         <div class="scroll" tabIndex={0} role="region" aria-label="Changes since the baseline">
           <table>
@@ -126,7 +138,13 @@ export function Overview({ index }: { index: Index }) {
           <VerdictTable verdicts={differ} caption={`${count(differ.length, 'verdict')}, worst first`} />
         </section>
       ) : null}
-      {index.baseline ? <Changes list={list} baseline={index.baseline.provenance} /> : null}
+      {index.baseline ? (
+        <Changes
+          list={list}
+          baseline={index.baseline.provenance}
+          scale={index.results.provenance.tolerance_scale}
+        />
+      ) : null}
     </>
   );
 }

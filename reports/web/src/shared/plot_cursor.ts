@@ -54,6 +54,14 @@ export class TimeCursor {
     this.announce();
   }
 
+  /** Shows half the time that is shown, around the cursor. */
+  lookCloser(): void {
+    const [from, to] = this.zoomed ?? this.whole;
+    const half = (to - from) / 4;
+    const middle = Math.min(to - half, Math.max(from + half, this.time));
+    this.window = [middle - half, middle + half];
+  }
+
   listen(listener: () => void): () => void {
     this.listeners.add(listener);
     return () => void this.listeners.delete(listener);

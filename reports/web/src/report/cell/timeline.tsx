@@ -98,6 +98,9 @@ export function Timeline({ cursor, frames, divergence }: TimelineProps) {
             ))}
           </select>
         </label>
+        <button type="button" onClick={() => cursor.lookCloser()}>
+          plots: closer
+        </button>
         {cursor.window ? (
           <button type="button" onClick={() => (cursor.window = null)}>
             plots: whole time
