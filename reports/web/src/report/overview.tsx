@@ -12,11 +12,11 @@ import { CellName, VerdictTable } from './verdict_table';
 import { visible } from './visible';
 
 function Line({ of }: { of: Summary }) {
+  const look = of.differ.length > 0 ? 'differs' : 'agrees';
   return (
     <p class="verdict-line">
-      <span>{count(of.total, 'verdict')}: </span>
-      <strong class={of.differ.length > 0 ? 'differs' : 'agrees'}>{of.differText}</strong>, {of.expectedText},{' '}
-      {of.passText}
+      {count(of.total, 'verdict')}: <strong class={look}>{of.differText}</strong>,{' '}
+      {`${of.expectedText}, ${of.passText}`}
     </p>
   );
 }
