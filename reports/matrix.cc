@@ -94,16 +94,25 @@ void end_line(std::string& out) {
 }  // namespace
 
 Matrix fold(const std::vector<Verdict>& verdicts) {
+  // An engine that could not take a scene names no integrator: the row is its first one's.
+  std::map<std::string, std::string> first;
+  for (const Verdict& v : verdicts)
+    if (!v.integrator.empty()) first.emplace(v.engine, v.integrator);
+  const auto integrator = [&](const Verdict& v) {
+    const auto found = first.find(v.engine);
+    return v.integrator.empty() && found != first.end() ? found->second : v.integrator;
+  };
+
   Labels scenarios, engines;
   for (const Verdict& v : verdicts) {
     scenarios.add(v.scenario, v.dt_text);
-    engines.add(v.engine, v.integrator);
+    engines.add(v.engine, integrator(v));
   }
   Matrix matrix{scenarios.text(), engines.text(), {}};
   matrix.cells.assign(scenarios.size(), std::vector<Cell>(engines.size()));
   const auto row = scenarios.index(), column = engines.index();
   for (const Verdict& v : verdicts)
-    join(matrix.cells[row.at({v.scenario, v.dt_text})][column.at({v.engine, v.integrator})], v);
+    join(matrix.cells[row.at({v.scenario, v.dt_text})][column.at({v.engine, integrator(v)})], v);
   return matrix;
 }
 

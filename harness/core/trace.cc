@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 namespace cylon::core {
 namespace {
@@ -19,32 +20,59 @@ std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
   return chosen;
 }
 
-Motion motion(const Recording& recording, const TraceLimits& limits) {
+// The claim whose truth is shown: one that is known at any time, else recorded data.
+const Claim* shown(const std::vector<Claim>& claims) {
+  const Claim* recorded = nullptr;
+  for (const Claim& claim : claims) {
+    if (!claim.truth || !claim.truth->state) continue;
+    if (claim.truth->times.empty()) return &claim;
+    if (!recorded) recorded = &claim;
+  }
+  return recorded;
+}
+
+// Evenly spread, and where recorded data know the truth.
+Motion motion(const Recording& recording, const Claim* followed, const TraceLimits& limits) {
   Motion result;
   if (recording.states.empty()) return result;
   const std::size_t bodies = std::max<std::size_t>(1, recording.states.front().size());
-  for (const std::size_t i :
-       spread(recording.states.size(), std::min(limits.frames, limits.frames_bodies / bodies))) {
+  const std::size_t most = std::min(limits.frames, limits.frames_bodies / bodies);
+  std::set<std::size_t> chosen;
+  if (followed) {
+    const std::vector<double>& times = followed->truth->times;
+    for (const std::size_t i : spread(times.size(), most)) {
+      const auto step = std::llround(times[i] / recording.dt);
+      const auto found = std::lower_bound(recording.steps.begin(), recording.steps.end(), step);
+      if (found != recording.steps.end() && *found == step)
+        chosen.insert(static_cast<std::size_t>(found - recording.steps.begin()));
+    }
+  }
+  const std::vector<std::size_t> even = spread(recording.states.size(), most - std::min(most, chosen.size()));
+  chosen.insert(even.begin(), even.end());
+  for (const std::size_t i : chosen) {
     result.time.push_back(recording.time(i));
     result.states.push_back(recording.states[i]);
   }
   return result;
 }
 
-// At the frames' times, as far as the truth goes; of recorded data its own times.
-std::optional<Ghost> ghost(const std::vector<Claim>& claims, const Motion& frames) {
-  for (const Claim& claim : claims) {
-    if (!claim.truth || !claim.truth->state) continue;
-    const Truth& truth = *claim.truth;
-    Ghost result{{}, claim.follows, truth.source};
-    for (const double t : truth.times.empty() ? frames.time : truth.times) {
-      if (t > truth.horizon) break;
-      result.motion.time.push_back(t);
-      result.motion.states.push_back(truth.state(t));
-    }
-    if (!result.motion.time.empty()) return result;
+// At the frames' times, as far as the truth goes; of recorded data at those of its times that are frames.
+std::optional<Ghost> ghost(const Claim* followed, const Motion& frames) {
+  if (!followed) return std::nullopt;
+  const Truth& truth = *followed->truth;
+  Ghost result{{}, followed->follows, truth.source};
+  const auto known = [&](double t) {
+    if (truth.times.empty()) return t <= truth.horizon;
+    const auto next = std::lower_bound(truth.times.begin(), truth.times.end(), t * (1 - 1e-9));
+    return next != truth.times.end() && *next <= t * (1 + 1e-9);
+  };
+  for (const double t : frames.time) {
+    if (!known(t)) continue;
+    result.motion.time.push_back(t);
+    result.motion.states.push_back(truth.state(t));
   }
-  return std::nullopt;
+  if (result.motion.time.empty()) return std::nullopt;
+  return result;
 }
 
 // A violation is one of the number that the claim is about; a mean or a slope over time has no first one.
@@ -138,8 +166,9 @@ std::vector<TraceEvent> events(const Scene& scene, const Recording& recording, s
 Trace trace(const Scene& scene, const std::vector<Claim>& claims, double duration, const Recording& recording,
             const TraceLimits& limits) {
   Trace result;
-  result.motion = motion(recording, limits);
-  result.ghost = ghost(claims, result.motion);
+  const Claim* followed = shown(claims);
+  result.motion = motion(recording, followed, limits);
+  result.ghost = ghost(followed, result.motion);
   for (const Claim& claim : claims)
     if (claim.observable.quantity != Quantity::event)
       result.errors.push_back(error_curve(claim, scene, duration, recording, limits.points));

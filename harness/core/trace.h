@@ -64,7 +64,9 @@ struct TraceEvent {
 struct Trace {
   std::string scenario, engine, integrator, dt_text;  ///< Whose run it is; the caller fills them in.
   Motion motion;
-  std::optional<Ghost> ghost;  ///< Of the first claim with a truth that is known at any time.
+  /// Of the first claim with a truth that is known at any time, at the frames' times; else of one that
+  /// follows recorded data, at those of its times that are frames.
+  std::optional<Ghost> ghost;
   std::vector<ErrorCurve> errors;
   std::vector<TotalCurve> totals;
   std::vector<TraceEvent> events;  ///< At most `points`.

@@ -145,6 +145,25 @@ TEST(Trace, TheGhostIsTheTruthAtTheFrames) {
   EXPECT_FALSE(trace(scene, {momentum_is_kept()}, duration, run(scene, 337)).ghost);
 }
 
+// Beside a frame of another time the truth would seem to be off: recorded data are shown at frames of their
+// times.
+TEST(Trace, TheGhostOfRecordedDataStandsAtItsOwnTimes) {
+  const Scene scene = thrown();
+  Claim recorded = uniform_motion(scene);
+  recorded.follows = "data";
+  recorded.truth->times = {0, 0.13, 2.71, 7.77, 12};
+  const Trace got = trace(scene, {recorded}, duration, run(scene, -1), {.frames = 40});
+  ASSERT_TRUE(got.ghost);
+  EXPECT_EQ(got.ghost->motion.time.size(), 5u);
+  EXPECT_LE(got.motion.time.size(), 40u);
+  for (const double t : got.ghost->motion.time)
+    EXPECT_NE(std::find(got.motion.time.begin(), got.motion.time.end(), t), got.motion.time.end()) << t;
+  const Trace both =
+      trace(scene, {recorded, uniform_motion(scene)}, duration, run(scene, -1), {.frames = 40});
+  EXPECT_EQ(both.ghost->follows, "uniform_motion") << "one that is known at any time is preferred";
+  EXPECT_EQ(both.ghost->motion.time, both.motion.time);
+}
+
 // m v, and r x m v of uniform motion: both stay what they are at the start.
 TEST(Trace, TotalsAreTheScenes) {
   const Scene scene = thrown();

@@ -1,6 +1,7 @@
 // How far the bodies of all lanes have gone, for a camera that keeps them in sight until somebody takes it.
 import type { Scene } from '../shared/documents';
 import { sceneBounds, shapeRadius } from '../shared/scene3d/bounds';
+import { drawnShape } from '../shared/scene3d/stand_in';
 import type { Bounds } from '../shared/scene3d/index';
 import { length, subtract } from '../shared/scene3d/vectors';
 
@@ -17,7 +18,7 @@ export class Reach {
     const fastest = Math.max(0, ...scene.body.map((body) => length(body.velocity)).filter(Number.isFinite));
     const flight = fastest * duration + (length(scene.gravity) * duration ** 2) / 2;
     this.limit = Math.max(farthest * length(subtract(this.bounds.max, this.bounds.min)), 10 * flight);
-    this.radius = scene.body.map((body) => shapeRadius(body.shape));
+    this.radius = scene.body.map((body) => shapeRadius(drawnShape(body)));
   }
 
   /** Whether the bounds grew for a body at a position of 3 per body. */

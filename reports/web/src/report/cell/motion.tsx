@@ -14,7 +14,7 @@ import type { ClaimRow } from './claims';
 import { extent, framed, parting } from './divergence';
 import { ErrorCurves } from './error_curves';
 import { Events } from './events';
-import { entryKey, type Side, SideBySide } from './side_by_side';
+import { entryKey, type Side, SideBySide, sideOf } from './side_by_side';
 import { type Divergence, Timeline } from './timeline';
 import { TotalCurves } from './total_curves';
 import { useTrace } from './use_trace';
@@ -117,20 +117,13 @@ export function Motion({ index, cell, view, block, rows }: MotionProps) {
     wanted === '-' ? null : (choices.find((t) => entryKey(t) === wanted) ?? suggested(choices, cell));
   const loaded = useTrace(chosen?.block ?? null);
 
-  const own = useMemo<Side>(
-    () => ({ title, block, frames: block.frames(block.trace.motion) }),
-    [title, block],
-  );
+  const own = useMemo(() => sideOf(title, block), [title, block]);
   const otherBlock = loaded.state === 'ready' ? loaded.block : null;
-  const other = useMemo<Side | null>(
-    () =>
-      otherBlock && chosen
-        ? { title: entryKey(chosen), block: otherBlock, frames: otherBlock.frames(otherBlock.trace.motion) }
-        : null,
+  const other = useMemo(
+    () => (otherBlock && chosen ? sideOf(entryKey(chosen), otherBlock) : null),
     [otherBlock, chosen],
   );
-  const ghost = useMemo(() => (block.trace.ghost ? block.frames(block.trace.ghost) : null), [block]);
-  const bounds = useMemo(() => framed(ghost, [own.frames, other?.frames ?? null]), [ghost, own, other]);
+  const bounds = useMemo(() => framed(own.ghost, [own.frames, other?.frames ?? null]), [own, other]);
   const cursor = useMemo(
     () => new TimeCursor(wholeTime(own.frames, block, view?.duration ?? 0), Number(address().t ?? 0) || 0),
     [own, block, view],
@@ -157,7 +150,6 @@ export function Motion({ index, cell, view, block, rows }: MotionProps) {
           choices={choices}
           chosen={chosen ? entryKey(chosen) : ''}
           bounds={bounds}
-          ghost={ghost}
           cursor={cursor}
           trouble={loaded.state === 'broken' ? `The other trace cannot be read: ${loaded.why}` : ''}
         />

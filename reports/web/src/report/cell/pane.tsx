@@ -41,22 +41,23 @@ function pose(frames: Frames, frame: number) {
   };
 }
 
-function showAt(
-  scene: Scene3D,
-  layer: 'bodies' | 'ghost',
-  frames: Frames | null,
-  time: number,
-  trails: boolean,
-): void {
-  if (!frames || frames.time.length === 0) {
-    scene.show(layer, null, time);
-    scene.trails(layer, null, 0, 0);
+/** The bodies at their frame nearest to the cursor, the ghost at that frame's very time or not at all: beside a frame
+ * of another time an exact run would seem to be off. */
+function showAt(scene: Scene3D, { bodies, ghost }: Motions, cursor: number, ghostShown: boolean, trails: boolean) {
+  if (bodies.time.length === 0) {
+    scene.show('bodies', null, cursor);
+    scene.trails('bodies', null, 0, 0);
+    scene.show('ghost', null, cursor);
     return;
   }
-  const frame = nearest(frames.time, time);
-  scene.show(layer, pose(frames, frame), time);
-  const bodies = frames.position.length / frames.time.length / 3;
-  scene.trails(layer, trails ? frames.position : null, bodies, frame);
+  const frame = nearest(bodies.time, cursor);
+  const time = bodies.time[frame]!;
+  scene.show('bodies', pose(bodies, frame), cursor);
+  const count = bodies.position.length / bodies.time.length / 3;
+  scene.trails('bodies', trails ? bodies.position : null, count, frame);
+  const same = ghost && ghost.time.length > 0 ? nearest(ghost.time, time) : -1;
+  const known = ghostShown && ghost && same >= 0 && Math.abs(ghost.time[same]! - time) <= 1e-6 * Math.abs(time);
+  scene.show('ghost', known ? pose(ghost, same) : null, cursor);
 }
 
 interface PaneProps {
@@ -86,8 +87,7 @@ export function Pane({ title, scene, motions, bounds, cursor, cameras, ghost, tr
   const update = useRef<() => void>(() => {});
   update.current = () => {
     if (!picture.current) return;
-    showAt(picture.current, 'bodies', motions.bodies, cursor.time, trails);
-    showAt(picture.current, 'ghost', ghost ? motions.ghost : null, cursor.time, false);
+    showAt(picture.current, motions, cursor.time, ghost, trails);
   };
 
   useEffect(() => {

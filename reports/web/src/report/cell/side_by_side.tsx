@@ -13,6 +13,18 @@ export interface Side {
   title: string;
   block: TraceBlock;
   frames: Frames;
+  ghost: Frames | null; // of the truth, at this run's frames or at its own times
+}
+
+export function sideOf(title: string, block: TraceBlock): Side {
+  const { motion, ghost } = block.trace;
+  return { title, block, frames: block.frames(motion), ghost: ghost ? block.frames(ghost) : null };
+}
+
+/** A truth that is recorded data is known at its own times, which are fewer than the frames. */
+function fewTimes({ ghost, frames }: Side): string {
+  if (!ghost || ghost.time.length >= frames.time.length) return '';
+  return `It is known at ${ghost.time.length} times and shown at those alone. `;
 }
 
 export function entryKey(entry: TraceEntry): string {
@@ -26,7 +38,6 @@ interface SideBySideProps {
   choices: TraceEntry[];
   chosen: string; // a key of choices; "": none
   bounds: Bounds | null;
-  ghost: Frames | null;
   cursor: TimeCursor;
   trouble: string; // why the other cannot be shown
 }
@@ -38,7 +49,6 @@ export function SideBySide({
   choices,
   chosen,
   bounds,
-  ghost,
   cursor,
   trouble,
 }: SideBySideProps) {
@@ -49,7 +59,7 @@ export function SideBySide({
   cameras.linked = linked;
   const follows = own.block.trace.ghost;
   const boxes: [string, boolean, (on: boolean) => void, boolean][] = [
-    ['ghost of the truth', ghostShown, showGhost, ghost === null],
+    ['ghost of the truth', ghostShown, showGhost, own.ghost === null],
     ['trails', trails, showTrails, false],
     ['cameras linked', linked, setLinked, other === null],
   ];
@@ -77,14 +87,19 @@ export function SideBySide({
       </div>
       {trouble ? <p class="note">{visible(trouble)}</p> : null}
       <div class="panes">
-        <Pane key={own.title} title={own.title} motions={{ bodies: own.frames, ghost }} {...common} />
+        <Pane key={own.title} title={own.title} motions={{ bodies: own.frames, ghost: own.ghost }} {...common} />
         {other ? (
-          <Pane key={other.title} title={other.title} motions={{ bodies: other.frames, ghost }} {...common} />
+          <Pane
+            key={other.title}
+            title={other.title}
+            motions={{ bodies: other.frames, ghost: other.ghost }}
+            {...common}
+          />
         ) : null}
       </div>
       <p class="note">
         {follows
-          ? `The ghost follows ${visible([follows.follows, follows.source].filter(Boolean).join(': '))}. `
+          ? `The ghost follows ${visible([follows.follows, follows.source].filter(Boolean).join(': '))}. ${fewTimes(own)}`
           : 'This scene has no truth that tells where its bodies are: there is no ghost. '}
         Shown is the stored frame nearest to the cursor; nothing is drawn between frames.
       </p>

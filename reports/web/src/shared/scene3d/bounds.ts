@@ -1,5 +1,6 @@
 // How far a scene reaches, from its initial state.
 import type { Scene, Shape, Vector } from '../documents';
+import { drawnShape } from './stand_in';
 import { reachAlong } from './support';
 import type { Bounds } from './types';
 import { add, dot, finite, length, scale, subtract } from './vectors';
@@ -65,12 +66,13 @@ export function usable(bounds: Bounds): Bounds {
  * the centres lie in a plane or on a line, it is taken to keep its sides to that. */
 function includeBody(bounds: Bounds, body: Scene['body'][number], centres: Bounds): void {
   if (!finite(centres.min) || !finite(centres.max) || !finite(body.orientation)) return;
-  const radius = shapeRadius(body.shape);
+  const shape = drawnShape(body);
+  const radius = shapeRadius(shape);
   const ranges = centres.max.map((high, i) => high - centres.min[i]!);
   const widest = Math.max(...ranges);
   for (let i = 0; i < 3; ++i) {
     const still = body.locked || (widest > radius && ranges[i]! < 0.02 * widest);
-    const { down, up } = still ? reachAlong(body.shape, body.orientation, i) : { down: radius, up: radius };
+    const { down, up } = still ? reachAlong(shape, body.orientation, i) : { down: radius, up: radius };
     if (!Number.isFinite(down + up)) continue;
     bounds.min[i] = Math.min(bounds.min[i]!, centres.min[i]! - down);
     bounds.max[i] = Math.max(bounds.max[i]!, centres.max[i]! + up);

@@ -2,6 +2,7 @@
 import type { Quaternion, Scene, Shape, Vector } from '../documents';
 import { faceted, hullTriangles, makeMold, reach } from './molds';
 import type { Mold, MoldKind } from './molds';
+import { drawnShape } from './stand_in';
 import { add, length, multiply, rotate } from './vectors';
 
 /** One convex or meshed piece of a body. */
@@ -121,7 +122,7 @@ export function solidsOf(scene: Scene, mark: number): Solids {
           place(body, part.shape, add(at, rotate(turn, part.position)), multiply(turn, part.orientation));
     }
   };
-  scene.body.forEach((body, i) => place(i, body.shape, [0, 0, 0], upright));
+  scene.body.forEach((body, i) => place(i, drawnShape(body), [0, 0, 0], upright));
   solids.radius = scene.body.map(() => 0);
   for (const p of solids.pieces)
     solids.radius[p.body] = Math.max(solids.radius[p.body]!, length(p.position) + length(p.half));

@@ -38,7 +38,7 @@ export function support(shape: Shape | null | undefined, d: Vector): number {
 
 /** How far a turned shape reaches from its centre to either side along axis i of the world [m]. */
 export function reachAlong(
-  shape: Shape | undefined,
+  shape: Shape | null | undefined,
   turn: Quaternion,
   axis: number,
 ): { down: number; up: number } {
