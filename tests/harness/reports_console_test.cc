@@ -94,6 +94,18 @@ TEST(Matrix, SeveralStepsAndSchemesGetRowsAndColumnsOfTheirOwn) {
   EXPECT_TRUE(matrix.cells[1][1].empty);
 }
 
+// It cannot name the scheme that it would have run.
+TEST(Matrix, AnUnsupportedSceneMakesNoColumnOfItsOwn) {
+  Verdict v = make("rocket", "bullet", Status::unsupported);
+  v.integrator = "";
+  Verdict ran = make("top", "bullet", Status::pass);
+  ran.integrator = "semi-implicit-euler";
+  const Matrix matrix = fold({v, ran});
+  ASSERT_EQ(matrix.engines, std::vector<std::string>{"bullet"});
+  EXPECT_EQ(matrix.cells[0][0].worst, Status::unsupported);
+  EXPECT_EQ(fold({v}).engines.size(), 1u) << "nor where it could take none";
+}
+
 TEST(Matrix, NeverWiderThanTheTerminalAndLosesNoEngine) {
   std::vector<Verdict> verdicts;
   for (int engine = 0; engine < 12; ++engine)

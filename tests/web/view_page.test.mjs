@@ -1,31 +1,13 @@
 // The live viewer in a real browser, with the real server: keys, parameters, lanes, an engine that cannot.
 import assert from 'node:assert/strict';
-import { spawn } from 'node:child_process';
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import test from 'node:test';
-import { accessibilityFaults, cylon, open, scratch } from './browser.mjs';
+import { accessibilityFaults, open, scratch } from './browser.mjs';
+import { view as start } from './viewer.mjs';
 
 const folder = scratch();
-
-/** A server for the length of a test. */
-async function view(t, ...args) {
-  const server = spawn(cylon, ['view', ...args, '--no-open', ...(args.includes('--port') ? [] : ['--port', '0'])], { cwd: folder });
-  const ended = new Promise((resolve) => server.once('exit', resolve));
-  server.stop = async () => (server.kill('SIGINT'), await ended);
-  t.after(() => server.stop());
-  const url = await new Promise((resolve, reject) => {
-    let text = '';
-    for (const stream of [server.stdout, server.stderr])
-      stream.on('data', (data) => {
-        text += data;
-        const found = /http:\/\/127\.0\.0\.1:\d+\//.exec(text);
-        if (found) resolve(found[0]);
-      });
-    server.once('exit', () => reject(new Error(`the server ended: ${text}`)));
-  });
-  return { server, url };
-}
+const view = (t, ...args) => start(t, folder, args);
 
 const clock = async (page) => Number(/t = ([\d.]+) s/.exec(await page.locator('.clock').innerText())[1]);
 const total = async (page, lane, name) => {
@@ -103,12 +85,12 @@ test('dragging a body pulls it in every lane, until it is let go', async (t) => 
 });
 
 test('an engine that cannot says why in its place, and the page says when the server has gone', async (t) => {
-  const { server, url } = await view(t, 'water_step_force', '--engine', 'in-house', '--engine', 'ode');
+  const { stop, url } = await view(t, 'water_step_force', '--engine', 'in-house', '--engine', 'ode');
   const page = await open(url, { scheme: 'dark' });
   await until(page, 'the reason', async () => (await page.locator('.lane').nth(1).innerText()).includes('ODE has no water.'));
   assert.match(await page.locator('.readout tbody tr').nth(1).innerText(), /–/); // and no numbers
   await until(page, 'time to pass', async () => (await clock(page)) > 0);
-  await server.stop();
+  await stop();
   await page.getByText(/No connection to the server/).waitFor();
   // Another server at the same place has other secrets, and the page says what to do.
   await view(t, 'water_step_force', '--port', new URL(url).port);
@@ -117,12 +99,12 @@ test('an engine that cannot says why in its place, and the page says when the se
 });
 
 test('a recording keeps pictures of simulated time', async (t) => {
-  const { server, url } = await view(t, 'spring_orbit', '--record', 'film');
+  const { stop, url } = await view(t, 'spring_orbit', '--record', 'film');
   const page = await open(url, { width: 900, height: 700 });
   await page.locator('.lane').first().waitFor();
   const film = join(folder, 'film');
   const files = () => (existsSync(film) ? readdirSync(film).filter((name) => name.endsWith('.png')) : []);
   await until(page, 'five pictures', () => files().length >= 5);
-  await server.stop();
+  await stop();
   for (const name of files()) assert.equal(readFileSync(join(film, name)).subarray(1, 4).toString(), 'PNG');
 });
