@@ -90,7 +90,7 @@ struct Server::Parts {
                               {"Referrer-Policy", "no-referrer"},
                               {"Cross-Origin-Resource-Policy", "same-origin"},
                               {"Cache-Control", "no-store"}});
-    http.set_exception_handler([](const Request&, Response& response, std::exception_ptr) {
+    http.set_exception_handler([](const Request&, Response& response, const std::exception_ptr&) {
       refuse(response, 500, "the server failed");
     });
     routes();
