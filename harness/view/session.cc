@@ -115,7 +115,7 @@ void Session::load_due() {
 
 core::Scene Session::with_pull() const {
   core::Scene scene = given_;
-  if (pull_) scene.forces.push_back(*pull_);
+  if (pull_) scene.forces.emplace_back(*pull_);
   return scene;
 }
 
