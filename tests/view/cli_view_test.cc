@@ -36,7 +36,7 @@ TEST_F(View, EndsOnInterruptWithItsWorkers) {
 }
 
 TEST_F(View, WhatItRecordedPasses) {
-  const Ran ran = cylon("view bouncing_sphere --engine ode --dt 1/240 --no-open --for 0.6 --record run.toml");
+  const Ran ran = cylon("view bouncing_sphere --engine ode --dt 1/240 --no-open --for 1 --record run.toml");
   ASSERT_EQ(ran.code, 0) << ran.err;
   EXPECT_NE(ran.out.find("recorded run.toml"), std::string::npos) << ran.out;
   EXPECT_EQ(cylon("validate run.toml").code, 0);

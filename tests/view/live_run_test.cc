@@ -197,7 +197,7 @@ TEST(LiveRun, AnEnginesEndIsAFailureOfItsKind) {
               {"error_in_run", core::Status::crash},  {"miscounts", core::Status::protocol}};
   for (const auto& row : rows) {
     try {
-      LiveRun live(process::scripted(row.mode), {20, 0.7, 0});
+      LiveRun live(process::scripted(row.mode), {20, 2, 0});
       live.load(process::two_bodies(), setup(0.01));
       live.advance(4);
       ADD_FAILURE() << row.mode << " passed";

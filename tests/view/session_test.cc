@@ -231,7 +231,7 @@ TEST(Session, AnEngineThatFailsIsALaneThatFailed) {
     settings.rows.push_back(row);
     settings.engines.push_back({mode, "1", {"uniform"}});
   }
-  settings.limits.run_seconds = 0.7;
+  settings.limits.run_seconds = 2;
   Session session = session_of(process::two_bodies(), settings);
   say(session, R"({"do": "lanes", "lanes": [{"engine": "abort_in_run", "integrator": "", "dt_text": "0.01"},
                                               {"engine": "loop_in_run", "integrator": "", "dt_text": "0.01"},
