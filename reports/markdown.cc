@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace cylon::reports {
@@ -62,41 +63,25 @@ std::string headline(const ComparisonReport& report) {
 }  // namespace
 
 std::string markdown(std::string_view text) {
-  std::string out;
-  for (const char c : escaped(text, is_printable)) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '@':
-      case '#':
-      case '!':
-        // No one is called and no issue is linked: a character reference is no trigger.
-        out += fmt::format("&#{};", static_cast<int>(c));
-        break;
-      case '\\':
-      case '`':
-      case '*':
-      case '_':
-      case '[':
-      case ']':
-      case '(':
-      case ')':
-      case '|':
-      case '~':
-      case '$':
-        out += '\\';
-        [[fallthrough]];
-      default:
-        out += c;
-    }
-  }
+  // @, # and !: no one is called and no issue is linked, as a character reference is no trigger.
+  static constexpr std::array<Substitute, 17> table = {{{'&', "&amp;"},
+                                                        {'<', "&lt;"},
+                                                        {'>', "&gt;"},
+                                                        {'@', "&#64;"},
+                                                        {'#', "&#35;"},
+                                                        {'!', "&#33;"},
+                                                        {'\\', "\\\\"},
+                                                        {'`', "\\`"},
+                                                        {'*', "\\*"},
+                                                        {'_', "\\_"},
+                                                        {'[', "\\["},
+                                                        {']', "\\]"},
+                                                        {'(', "\\("},
+                                                        {')', "\\)"},
+                                                        {'|', "\\|"},
+                                                        {'~', "\\~"},
+                                                        {'$', "\\$"}}};
+  std::string out = substituted(escaped(text, is_printable), table);
   for (std::size_t at = 0; (at = out.find("://", at)) != std::string::npos; at += 3)
     out.replace(at, 1, "&#58;"), at += 4;  // a bare address is no link
   return out;

@@ -115,6 +115,16 @@ std::string fitted(std::string_view text, int width, std::string_view ellipsis) 
   return out + std::string(static_cast<std::size_t>(std::max(0, width - display_width(out))), ' ');
 }
 
+std::string substituted(std::string_view text, std::span<const Substitute> table) {
+  std::string out;
+  for (const char c : text) {
+    const auto found =
+        std::find_if(table.begin(), table.end(), [c](const Substitute& s) { return s.first == c; });
+    out += found == table.end() ? std::string_view(&c, 1) : found->second;
+  }
+  return out;
+}
+
 std::string head(std::string_view text, std::size_t bytes) {
   if (text.size() <= bytes) return std::string(text);
   std::size_t end = bytes;

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace cylon::reports {
 
@@ -27,6 +29,12 @@ std::string escaped(std::string_view text, bool (*keep)(char32_t));
 /// overrides, zero-width characters, line separators).
 bool is_printable(char32_t);
 bool is_printable_ascii(char32_t);
+
+/// A character, and what stands for it.
+using Substitute = std::pair<char, std::string_view>;
+
+/// The text with every character that the table has replaced.
+std::string substituted(std::string_view text, std::span<const Substitute> table);
 
 /// Columns that printable text takes on a terminal: 0 for combining marks, 2 for wide (East Asian, emoji)
 /// characters, else 1.  (Unicode TR 11, whole blocks.)

@@ -2,6 +2,8 @@
 
 #include "reports/text.h"
 
+#include <array>
+
 namespace cylon::reports {
 namespace {
 
@@ -13,35 +15,15 @@ bool allowed_in_xml(char32_t code) {
 }  // namespace
 
 std::string xml(std::string_view text) {
-  std::string out;
-  for (const char c : escaped(text, allowed_in_xml)) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\t':
-        out += "&#9;";
-        break;  // else an attribute would turn them into spaces
-      case '\n':
-        out += "&#10;";
-        break;
-      case '\r':
-        out += "&#13;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
+  // Of white space an attribute would make spaces.
+  static constexpr std::array<Substitute, 7> table = {{{'&', "&amp;"},
+                                                       {'<', "&lt;"},
+                                                       {'>', "&gt;"},
+                                                       {'"', "&quot;"},
+                                                       {'\t', "&#9;"},
+                                                       {'\n', "&#10;"},
+                                                       {'\r', "&#13;"}}};
+  return substituted(escaped(text, allowed_in_xml), table);
 }
 
 }  // namespace cylon::reports
