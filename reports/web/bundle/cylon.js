@@ -1,1 +1,4389 @@
-"use strict";(()=>{function o(r){}function e(r){}var p={report:o,view:e},t=document.getElementById("app"),n=p[document.documentElement.dataset.page??""];t&&n&&n(t);})();
+"use strict";(()=>{var Bt,Km,lS,fr,Id,ql,jm,Xl,Qm,Dd,Ld,cS,Pa=Symbol.for("pv"),Yl={},Jl=[],uS=/^m(i|n|o|s|text|space)$/,Nd=Array.isArray,Fd=Jl.slice,Or=Object.assign;function Ur(n){n&&n.parentNode&&n.remove()}function eg(n,e,t){var i,s,r,o={},a=arguments.length;for(r in e)r=="key"?i=e[r]:r=="ref"&&typeof n!="function"?s=e[r]:o[r]=e[r];return a>2&&(o.children=a>3?Fd.call(arguments,2):t),Ra(n,o,i,s,null)}function Ra(n,e,t,i,s){var r={type:n,props:e,key:t,ref:i,__k:null,__:null,__b:0,__e:null,__c:null,constructor:Pa,__v:s||++Km,__i:-1,__u:0};return!s&&Bt.vnode&&Bt.vnode(r),r}function ut(n){return n.children}function vo(n,e){this.props=n,this.context=e,this.__g=0}function pr(n,e){if(e==null)return n.__&&pr(n.__,n.__i+1);for(var t;e<n.__k.length;e++)if((t=n.__k[e])&&t.__e)return t.__e;return typeof n.type!="function"||n.props.__P?null:pr(n)}function hS(n){var e,t=n.__v,i=t.__e,s=[],r=[],o=n.__P;o&&((e=Or({constructor:Pa},t)).__v=t.__v+1,Bt.vnode&&Bt.vnode(e),Ud(o,e,t,n.__n,o.namespaceURI,32&t.__u?[i]:null,s,i||pr(t),32&t.__u,r),e.__v=t.__v,e.__.__k[e.__i]=e,og(s,e,r),t.__=t.__e=null,e.__e!=i&&tg(e))}function tg(n){if((n=n.__)&&n.__c&&!n.props.__P)return n.__e=null,n.__k.some(function(e){return e&&(n.__e=e.__e)}),tg(n)}function Jm(n){(8&n.__g||(n.__g|=8,fr.push(n),ql++))&&Id==Bt.debounceRendering||((Id=Bt.debounceRendering)||queueMicrotask)(ng)}function ng(){try{for(var n,e=1;fr.length;)fr.length>e&&fr.sort(jm),n=fr.shift(),e=fr.length,8&n.__g&&hS(n)}finally{(ql=fr.length)&&(Id||queueMicrotask)(ng)}}function ig(n,e,t,i,s,r,o,a,l,c,u){var d,h,p,m,v,_,g=i.__k||Jl,y=e.length;for(l=dS(t,e,g,l,y),d=0;d<y;d++)(p=t.__k[d])!=null&&(h=~p.__i&&g[p.__i]||Yl,p.__i=d,_=Ud(n,p,h,s,r,o,a,l,c,u),m=p.__e,(h.ref!=p.ref||8&h.__u)&&(h.ref&&Od(h.ref,null,p,h),p.ref&&u.push(p.ref,p.__c||m,p)),v=v||m,4&p.__u?(l=sg(p,l,n,!h.__v),h.__e&&(h.__e=null)):typeof p.type=="function"&&_!==void 0?l=_:m&&(l=m.nextSibling),p.__u&=-21);return t.__e=v,l}function dS(n,e,t,i,s){var r,o,a,l,c,u,d,h,p,m=t.length,v=m,_=0,g=0,y=n.__k=Array(s);for(r=0;r<s;r++)(o=e[r])!=null&&typeof o!="boolean"&&typeof o!="function"?(typeof o!="object"||o.constructor===String?o=y[r]=Ra(null,o):Nd(o)?o=y[r]=Ra(ut,{children:o}):o.constructor===Pa&&o.__b?o=y[r]=Ra(o.type,o.props,o.key,o.ref,o.__v):y[r]=o,l=r+_,o.__=n,o.__b=n.__b+1,a=null,~(c=o.__i=fS(o,t,l,v))&&(v--,(a=t[c])&&(a.__u|=2)),a&&a.__v?(o.__u|=16,c==l-1?_--:c==l+1?_++:c!=l&&(c>l?_--:_++,g=1)):(~c||(s>m?_--:s<m&&_++),typeof o.type!="function"&&(o.__u|=4))):y[r]=null;if(g){for(u=[],d=[],r=0;r<s;r++)if((o=y[r])&&16&o.__u){for(_=0,h=u.length;_<h;)u[p=_+h>>1]<o.__i?_=p+1:h=p;u[_]=o.__i,d[r]=_+1}for(_=u.length;r--;)d[r]&&(d[r]==_?_--:y[r].__u|=4)}if(v)for(r=0;r<m;r++)!(a=t[r])||2&a.__u||(a.__e==i&&(i=pr(a)),kd(a,a));return i}function sg(n,e,t,i){var s,r,o,a;if(typeof n.type=="function"){if(n.props.__P)return e;if(s=n.__k)for(r=0;r<s.length;r++)s[r]&&(s[r].__=n,e=sg(s[r],e,t,!1));return e}for(e&&!e.parentNode&&(e=pr(n))&&!e.parentNode&&(e=null),o=n.__e,a=e;a&&a.nodeType==8;)a=a.nextSibling;for(o!=a&&(!i&&t.moveBefore&&o.parentNode?t.moveBefore(o,e):t.insertBefore(o,e||null)),e=o;(e=e&&e.nextSibling)&&e.nodeType==8&&!e.data.startsWith("$s"););return e}function fS(n,e,t,i){var s,r=n.key,o=n.type,a=e[t],l=a&&!(2&a.__u);if(a===null&&r==null||l&&r==a.key&&o==a.type)return t;if(i>(l?1:0)){for(s=t-1;s>=0;s--)if((a=e[s])&&!(2&a.__u)&&r==a.key&&o==a.type)return s;for(s=t+1;s<e.length;s++)if((a=e[s])&&!(2&a.__u)&&r==a.key&&o==a.type)return s}return-1}function Zm(n,e,t){t==null&&(t=""),e[0]=="-"?n.setProperty(e,t):n[e]=t}function Wl(n,e,t,i,s){var r,o;if(e=="style")if(typeof t=="string")n.style.cssText=t;else{if(typeof i=="string"&&(n.style.cssText=i=""),i)for(e in i)t&&e in t||Zm(n.style,e);if(t)for(e in t)i&&t[e]==i[e]||Zm(n.style,e,t[e])}else if(e[0]=="o"&&e[1]=="n")typeof t!="function"&&(t=null),typeof i!="function"&&(i=null),(n.__e||(n.__e={}))[e]=t,t&&i||(o=Ld[e]||(Ld[e]=pS(e)),(n.__a||(n.__a={}))[e]=Dd,r=e!=(e=e.replace(Qm,"$1")),(e=e.slice(2))[0]<"a"&&(e=e.toLowerCase()),t?n.addEventListener(e,o,r):n.removeEventListener(e,o,r));else{if(s=="http://www.w3.org/2000/svg")e=e.replace(/xlink(H|:h)/,"h").replace(/sName$/,"s");else if(e!="width"&&e!="height"&&e!="href"&&e!="list"&&e!="form"&&e!="tabIndex"&&e!="download"&&e!="rowSpan"&&e!="colSpan"&&e!="role"&&e!="popover"&&e in n)try{return void(n[e]=t??"")}catch{}if(typeof t=="function")return;t==null||t===!1&&e[4]!="-"?n.removeAttribute(e):n.setAttribute(e,e=="popover"&&t==1?"":t)}}function pS(n){return function(e){var t=this.__e;if(t){if(t=t[n],e[Xl]==null)e[Xl]=Dd++;else if(e[Xl]<this.__a[n])return;return t(Bt.event?Bt.event(e):e)}}}function Ud(n,e,t,i,s,r,o,a,l,c){var u,d,h,p,m,v,_,g,y,E,M,I,C,b,A,H,F,D,G=e.type;if(e.constructor!==Pa)return null;128&t.__u&&(l=32&t.__u,u=t.__c.__z)&&(e.__u|=l,d=r=[],u.nodeType==8?a=$l(u,r):r.push(u),a=r[0]||a),(u=Bt.__b)&&u(e);e:if(typeof G=="function"){h=o.length;try{if(g=e.props,y=(u=G.prototype)&&u.render,E=(u=G.contextType)&&i[u.__c],M=u?E?E.props.value:u.__:i,(p=t.__c)?(e.__c=p,2&p.__g&&(p.__g|=1)):(y?e.__c=p=new G(g,M):(e.__c=p=new vo(g,M),p.constructor=G,p.render=gS),E&&E.sub(p),p.state||(p.state={}),p.__n=i,p.__g|=8,p.__h=[],p.__k=[]),y&&(p.__s||(p.__s=p.state),G.getDerivedStateFromProps&&(p.__s==p.state&&(p.__s=Or({},p.__s)),Or(p.__s,G.getDerivedStateFromProps(g,p.__s)))),m=p.props,v=p.state,p.__v=e,t.__c){if(g!==m&&y&&!G.getDerivedStateFromProps&&p.componentWillReceiveProps&&p.componentWillReceiveProps(g,M),e.__v==t.__v&&!(8&p.__g)||!(4&p.__g)&&p.shouldComponentUpdate&&p.shouldComponentUpdate(g,p.__s,M)===!1){e.__v!=t.__v&&(p.props=g,p.state=p.__s,p.__g&=-9),e.__e=t.__e,e.__k=t.__k,e.__k.some(function(V){V&&(V.__=e)}),Jl.push.apply(p.__h,p.__k),p.__k=[],p.__h.length&&o.push(p),a=pr(t);break e}p.componentWillUpdate&&p.componentWillUpdate(g,p.__s,M),y&&p.componentDidUpdate&&p.__h.push(function(){p.componentDidUpdate(m,v,_)})}else y&&!G.getDerivedStateFromProps&&p.componentWillMount&&p.componentWillMount(),y&&p.componentDidMount&&p.__h.push(p.componentDidMount);p.context=M,p.props=g,p.__P=n,p.__g&=-5,I=Bt.__r,C=y?25:0;do p.__g&=-9,I&&I(e),u=p.render(p.props,p.state=p.__s,p.context);while(8&p.__g&&++C<25);y&&(Jl.push.apply(p.__h,p.__k),p.__k=[]),p.state=p.__s,p.getChildContext&&(i=Or({},i,p.getChildContext())),y&&t.__c&&p.getSnapshotBeforeUpdate&&(_=p.getSnapshotBeforeUpdate(m,v)),b=u&&u.type===ut&&u.key==null?u.props.children:u,g.__P&&(u=a,s=(n=g.__P).namespaceURI,l=r=null,t.props&&t.props.__P!=n&&(t.__k.some(function(V){V&&kd(V,V)}),t.__k=null),a=t.__k?pr(t,0):null),a=ig(n,Nd(b)?b:[b],e,t,i,s,r,o,a,l,c),g.__P&&(e.__e=null,a=u),e.__u&=-161,d&&d.some(Ur),p.__h.length&&o.push(p),1&p.__g&&(p.__g&=-4)}catch(V){if(o.length=h,e.__v=null,l||r)if(V&&V.then){if(e.__u|=128|l,r){for(~(F=r.indexOf(a||void 0))||(F=r.length);(D=r[F-1])&&D.nodeType==8;)F--;for(;F<r.length;F++)if(D=r[F])if(r[F]=null,A){if(D==H)break}else{if(D.nodeType!=8)break;D.data.startsWith("$s")&&(H=$l(A=D))}}if(!A){for(;a&&a.nodeType==8&&a.nextSibling;)a=a.nextSibling;A=a}(u=$l(A=e.__c.__z||(e.__c.__z=A)))?(e.__e=A,a=u):e.__e=a,a=a&&a.nextSibling}else r&&r.some(Ur);else e.__e=t.__e;e.__k||(e.__k=t.__k||[]),V&&V.then||rg(e),Bt.__e(V,e,t)}}else a=e.__e=mS(t.__e,e,t,i,s,r,o,l,c,n);return(u=Bt.diffed)&&u(e),a}function $l(n,e){if(n&&n.nodeType==8&&n.data.startsWith("$s"))for(var t=1;n=n.nextSibling;){if(n.nodeType==8){if(n.data.startsWith("$s"))t++;else if(n.data.startsWith("/$s")&&!--t)return n}e&&e.push(n)}}function rg(n){n&&(n.__c&&(n.__c.__g|=4),n.__k&&n.__k.some(rg))}function og(n,e,t){for(var i=0;i<t.length;)Od(t[i++],t[i++],t[i++]);Bt.__c&&Bt.__c(e,n),n.some(function(s){try{n=s.__h,s.__h=[],n.some(function(r){r.call(s)})}catch(r){Bt.__e(r,s.__v)}})}function mS(n,e,t,i,s,r,o,a,l,c){var u,d,h,p,m,v,_,g,y=t.props||Yl,E=e.props,M=e.type;if(M=="svg"?s="http://www.w3.org/2000/svg":M=="math"?s="http://www.w3.org/1998/Math/MathML":s||(s="http://www.w3.org/1999/xhtml"),r){for(u=0;u<r.length;u++)if((m=r[u])&&(M?m.localName==M:m.nodeType==3)){n=m,r[u]=null;break}}if(!n){if(g=c.ownerDocument||document,!M)return g.createTextNode(E);n=g.createElementNS(s,M,E.is?E:c),a&&(Bt.__m&&Bt.__m(e,r),a=!1),r=null}if(M){if(c=M=="template"&&n.content||n,r=M=="textarea"&&E.defaultValue!=null?null:r&&Fd.call(c.childNodes),!a&&r)for(y={},u=0;u<n.attributes.length;u++)y[(m=n.attributes[u]).name]=m.value;for(u in y)m=y[u],u=="dangerouslySetInnerHTML"?h=m:u=="children"||u in E||u=="value"&&"defaultValue"in E||u=="checked"&&"defaultChecked"in E||Wl(n,u,null,m,s);for(u in E)m=E[u],u=="children"?p=m:u=="dangerouslySetInnerHTML"?d=m:u=="value"?v=m:u=="checked"?_=m:a&&typeof m!="function"||y[u]===m||Wl(n,u,m,y[u],s);d?(a||h&&(d.__html==h.__html||d.__html==n.innerHTML)||(n.innerHTML=d.__html),e.__k=[]):(h&&(n.textContent=""),(M=="foreignObject"||s=="http://www.w3.org/1998/Math/MathML"&&uS.test(M))&&(s="http://www.w3.org/1999/xhtml"),ig(c,Nd(p)?p:[p],e,t,i,s,r,o,r?r[0]:t.__k&&pr(t,0),a,l),r&&r.some(Ur)),a&&M!="textarea"||(u="value",M=="progress"&&v==null?n.removeAttribute(u):v==null||v===n[u]&&(M!="progress"||v)||Wl(n,u,v,y[u],s),u="checked",_!=null&&_!=n[u]&&Wl(n,u,_,y[u],s))}else y===E||a&&n.data==E||(n.data=E);return n}function Od(n,e,t,i){try{typeof n=="function"?e?e.__x=n(e)||1:i&&(i=i.__c||i.__e)&&(e=i.__x)&&(i.__x=null,typeof e=="function"?e():n(null)):n.current=e}catch(s){Bt.__e(s,t)}}function kd(n,e,t){var i,s,r,o;if(Bt.unmount&&Bt.unmount(n),!(i=n.ref)||i.current&&i.current!=n.__e||Od(i,null,e,n),i=n.__c){if(i.componentWillUnmount)try{i.componentWillUnmount()}catch(a){Bt.__e(a,e)}i.__P=i.__n=null}if(i=n.__k)for(o=0;o<i.length;o++)i[o]&&kd(i[o],e,typeof n.type!="function"||t&&!n.props.__P);!t&&(i=n.__c)&&(i=i.__z)&&(s=$l(i,r=[]))&&(i==n.__e&&r.some(Ur),Ur(s),Ur(i)),t||Ur(n.__e),n.__e=n.__c=n.__=null}function gS(n,e,t){return this.constructor(n,t)}function Ia(n,e){var t,i,s,r;Bt.__&&Bt.__(n,e),e.nodeType==9&&(e=e.documentElement),i=(t=n&&32&n.__u)?null:e.__k,e.__k=Ra(ut,{children:[n]}),s=[],r=[],Ud(e,e.__k,i||Yl,Yl,e.namespaceURI,i?null:e.firstChild?Fd.call(e.childNodes):null,s,i?i.__e:e.firstChild,t,r),og(s,e.__k,r),e.__k.props.children=null}Bt={__e:function(n,e,t,i){for(var s,r,o;e=e.__;)if((s=e.__c)&&!(1&s.__g)){s.__g|=4;try{if((o=(r=s.constructor)&&r.getDerivedStateFromError)&&s.setState(r.getDerivedStateFromError(n)),s.componentDidCatch&&(s.componentDidCatch(n,i||{}),o=1),o&&8&s.__g)return void(s.__g|=2)}catch(a){n=a}}throw ql=0,n}},Km=0,lS=function(n){return n!=null&&n.constructor===Pa},vo.prototype.setState=function(n,e){var t=this.__s;t&&t!=this.state||(t=this.__s=Or({},this.state)),typeof n=="function"&&(n=n(Or({},t),this.props)),n&&(Or(t,n),this.__v&&(e&&this.__k.push(e),Jm(this)))},vo.prototype.forceUpdate=function(n){this.__v&&(this.__g|=4,n&&this.__h.push(n),Jm(this))},vo.prototype.render=ut,fr=[],ql=0,jm=function(n,e){return n.__v.__b-e.__v.__b},Xl=Symbol(),Qm=/(PointerCapture)$|Capture$/i,Dd=0,Ld={},cS=0;async function ag(n){let e=document.getElementById(`block-${n}`)?.textContent;if(e==null)throw new Error(`the report has no block ${n}`);let t=Uint8Array.from(atob(e.trim()),s=>s.charCodeAt(0)),i=new Blob([t]).stream().pipeThrough(new DecompressionStream("gzip"));return new Uint8Array(await new Response(i).arrayBuffer())}async function lg(n){return JSON.parse(new TextDecoder().decode(await ag(n)))}var Zl=class n{constructor(e){this.bytes=e;let t=new DataView(e.buffer,e.byteOffset).getUint32(0,!0);this.trace=JSON.parse(new TextDecoder().decode(e.subarray(4,4+t))),this.start=Math.ceil((4+t)/4)*4}bytes;trace;start;static async of(e){return new n(await ag(e))}floats(e){let t=this.bytes.byteOffset+this.start+e.offset;return new Float32Array(this.bytes.buffer.slice(t,t+4*e.count))}steps(e){let t=e.min.length,i=new Float32Array(e.frames*t),s=this.start+e.offset;for(let r=0;r<t;++r){let o=0;for(let a=0;a<e.frames;++a){let l=0,c=0,u;do u=this.bytes[s++]??0,l|=(u&127)<<c,c+=7;while(u&128);o+=l>>>1^-(l&1),i[a*t+r]=o===0?NaN:e.min[r]+e.step[r]*(o-1)}}return i}frames(e){return{time:this.floats(e.time),position:this.steps(e.position),orientation:this.steps(e.orientation)}}};var cg="cylon-theme",Bd=new Set,ug=matchMedia("(prefers-color-scheme: dark)"),Kl=_S(),Vd=!1;function _S(){try{let n=localStorage.getItem(cg);return n==="light"||n==="dark"?n:"auto"}catch{return"auto"}}function La(){let n=!Vd&&(Kl==="dark"||Kl==="auto"&&ug.matches);document.documentElement.dataset.theme=n?"dark":"light";for(let e of Bd)e()}function hg(){return Kl}function dg(n){Kl=n;try{localStorage.setItem(cg,n)}catch{}La()}function bo(n){return Bd.add(n),()=>Bd.delete(n)}function ti(n){return getComputedStyle(document.documentElement).getPropertyValue(n).trim()}function jl(){ug.addEventListener("change",La),addEventListener("beforeprint",()=>(Vd=!0,La())),addEventListener("afterprint",()=>(Vd=!1,La())),La()}var So,Sn,zd,fg,Gd=Object.is,Na=0,Sg=[],Hd=[],mn=Bt,pg=mn.__b,mg=mn.__r,gg=mn.diffed,_g=mn.__c,xg=mn.unmount,yg=mn.__;function Ql(n,e){mn.__h&&mn.__h(Sn,n,Na||e),Na=0;var t=Sn.__H||(Sn.__H={__:[],__h:[]});return n>=t.__.length&&t.__.push({}),t.__[n]}function at(n){return Na=1,xS(wg,n)}function xS(n,e,t){var i=Ql(So++,2);if(i.t=n,!i.__c&&(i.__=[t?t(e):wg(void 0,e),function(r){var o=(i.__N||i.__)[0],a=i.t(o,r);Gd(o,a)||(i.__N=[a,i.__[1]],i.__c.setState({}))}],i.__c=Sn,!Sn.__f)){Sn.__f=!0;var s=Sn.shouldComponentUpdate;Sn.shouldComponentUpdate=function(r,o,a){var l=this.__H;if(!l)return!0;var c=!1,u=this.props!=r;if(l.__.some(function(h){h.__N&&(c=!0,Gd(h.__[0],h.__N[0])||(u=!0))}),s){var d=s.call(this,r,o,a);return c?d||u:d}return!c||u}}return i.__}function Tt(n,e){var t=Ql(So++,3);!mn.__s&&Xd(t.__H,e)&&(t.__P=!0,t.__=n,t.u=e,Sn.__H.__h.push(t))}function es(n,e){var t=Ql(So++,4);!mn.__s&&Xd(t.__H,e)&&(t.__P=!1,t.__=n,t.u=e,Sn.__h.push(t))}function Vt(n){return Na=5,Xe(function(){return{current:n}},[])}function Xe(n,e){var t=Ql(So++,7);return Xd(t.__H,e)&&(t.__=n(),t.__H=e),t.__}function Mg(n,e){return Na=8,Xe(function(){return n},e)}function yS(){var n;do{for(;n=Hd.shift();)try{Da(n)}catch(t){mn.__e(t,{__:(n=n.__P)&&n.__v})}for(;n=Sg.shift();){var e=n.__H;if(n.__P&&e)try{e.__h.some(Da),e.__h.some(Wd),e.__h=[]}catch(t){e.__h=[],mn.__e(t,n.__v)}}}while(Hd.length)}mn.__b=function(n){Sn=null,pg&&pg(n)},mn.__=function(n,e){n&&e.__k&&e.__k.__m&&(n.__m=e.__k.__m),yg&&yg(n,e)},mn.__r=function(n){mg&&mg(n),So=0;var e=(Sn=n.__c).__H;e&&(zd==Sn?Sn.__h=[]:(e.__h.some(Da),e.__h.some(Wd),So=0),e.__h=[],e.__.some(function(t){t.__N&&(t.__=t.__N),t.u=t.__N=void 0})),zd=Sn},mn.diffed=function(n){gg&&gg(n);var e=n.__c;e&&e.__H&&(e.__H.__h.length&&bg(Sg.push(e)),e.__H.__.some(function(t){t.u&&(t.__H=t.u)})),zd=Sn=null},mn.__c=function(n,e){e.some(function(t){try{t.__h.some(Da),t.__h=t.__h.filter(function(i){return!i.__||Wd(i)})}catch(i){t.__h=[function(){throw i}]}}),_g&&_g(n,e)},mn.unmount=function(n){xg&&xg(n);var e,t,i=n.__c;i&&i.__H&&(i.__H.__.some(function(s){try{if(s.__P&&s.__c){if(t===void 0){for(t=n.__;t&&(!t.__c||!t.__c.__P);)t=t.__;t=t&&t.__c}s.__P=t,bg(Hd.push(s))}else Da(s)}catch(r){e=r}}),i.__H=void 0,e&&mn.__e(e,i.__v))};var vg=typeof requestAnimationFrame=="function";function vS(n){var e,t=function(){clearTimeout(i),vg&&cancelAnimationFrame(e),setTimeout(n)},i=setTimeout(t,35);vg&&(e=requestAnimationFrame(t))}function bg(n){n!=1&&fg==mn.requestAnimationFrame||((fg=mn.requestAnimationFrame)||vS)(yS)}function Da(n){var e=Sn,t=n.__c;typeof t=="function"&&(n.__c=void 0,t()),Sn=e}function Wd(n){var e=Sn;n.__c=n.__(),Sn=e}function Xd(n,e){return!n||n.length!=e.length||e.some(function(t,i){return!Gd(t,n[i])})}function wg(n,e){return typeof e=="function"?e(n):e}function $d(n){return Object.fromEntries(new URLSearchParams(n.replace(/^#/,"")))}function ec(n){let e=Object.entries(n).filter(([,t])=>t!=="");return`#${new URLSearchParams(e).toString()}`}var qd=new Set,ts={};function Tg(){for(let n of qd)n(ts)}function Ag(){ts=$d(location.hash),addEventListener("hashchange",()=>{ec($d(location.hash))!==ec(ts)&&(ts=$d(location.hash),Tg())})}function Fa(){return ts}function zn(n,e=!1){ts=Object.fromEntries(Object.entries({...ts,...n}).filter(([,i])=>i!==""));let t=ec(ts);try{e?history.pushState(null,"",t):history.replaceState(null,"",t)}catch{location.hash=t}Tg()}function Xn(){let[n,e]=at(ts);return Tt(()=>(qd.add(e),e(ts),()=>{qd.delete(e)}),[]),n}var Eg={cell:"",engine:"",scheme:"",dt:"",other:"",claims:"",t:""};function mr(n){return{...Eg,cell:n.scenario,engine:n.engine,scheme:n.integrator,dt:n.dt}}function Mo(n){return{...Eg,section:n}}function Bi(n){return ec({...ts,...n})}function Cg(n){return n.cell===void 0?null:{scenario:n.cell,engine:n.engine??"",integrator:n.scheme??"",dt:n.dt??""}}function ni(n){let e=Math.round(n*10)/10;return(e<0?"-":"+")+Math.abs(e).toFixed(1)}function ze(n,e=4){if(n==null)return"not finite";if(!Number.isFinite(n))return Number.isNaN(n)?"NaN":n>0?"inf":"-inf";if(n===0)return"0";let[t="0",i="0"]=n.toExponential(e-1).split("e"),s=Number(i);return s<-4||s>=e?`${Rg(t)}e${s}`:Rg(n.toFixed(Math.max(0,e-1-s)))}function Rg(n){return n.includes(".")?n.replace(/\.?0+$/,""):n}function ci(n,e,t=4){let i=ze(n,t);return e?`${i} ${e}`:i}var bS=[[1,""],[.001,"m"],[1e-6,"\xB5"],[1e-9,"n"],[1e-12,"p"]];function ns(n){if(n==null||!Number.isFinite(n))return"not measured";let[e,t]=bS.find(([i])=>Math.abs(n)>=i)??[1e-12,"p"];return n===0?"0 s":`${ze(n/e,3)} ${t}s`}function Gn(n,e,t=`${e}s`){return`${n} ${n===1?e:t}`}var $n={pass:{glyph:"\u2713",meaning:"within tolerance",tone:"pass"},unsupported:{glyph:"\u2013",meaning:"the engine cannot express the scene",tone:"unsupported"},"low-quality":{glyph:"~",meaning:"within ten times the tolerance",tone:"low-quality"},fail:{glyph:"\u2717",meaning:"beyond that",tone:"fail"},"non-finite":{glyph:"\u221E non-finite",meaning:"NaN or infinite",tone:"broken"},timeout:{glyph:"\u25F7 timeout",meaning:"no end before the deadline",tone:"broken"},crash:{glyph:"\u2620\uFE0E crash",meaning:"the worker died",tone:"broken"},protocol:{glyph:"\u203D protocol",meaning:"the worker sent garbage",tone:"broken"}},Yd=Object.keys($n);function Vi(n){return Yd.indexOf(n)}function Mn(n){return n==="pass"||n==="low-quality"||n==="fail"}function is(n,e){return n===null||e===null||!Number.isFinite(n)?-99:n===0?99:e===0?-99:Math.min(99,Math.max(-99,Math.log10(e/n)))}function Ms(n){return n.status!==n.expected}function Ua(n,e){let t=Vi(n.status)-Vi(e.status);return t!==0||!Mn(n.status)?t:is(e.measured,e.allowed)-is(n.measured,n.allowed)}function tc(n){return[...n].sort((e,t)=>Number(Ms(t))-Number(Ms(e))||Ua(t,e))}var SS=Symbol.for("pv"),MS=0;function f(n,e,t,i,s,r){e||(e={});var o,a,l=e;if("ref"in l&&typeof n!="function")for(a in l={},e)a=="ref"?o=e[a]:l[a]=e[a];var c={type:n,props:l,key:t,ref:o,__k:null,__:null,__b:0,__e:null,__c:null,constructor:SS,__v:--MS,__i:-1,__u:0};return(s||r)&&(c.__source=s,c.__self=r),Bt.vnode&&Bt.vnode(c),c}function ss({status:n,word:e=!0}){let{glyph:t,tone:i}=$n[n],s=t.includes(" ");return f("span",{class:`status ${i}`,children:e&&!s?`${t} ${n}`:t})}function Hs({text:n="!"}){return f("strong",{class:"differs",children:[f("span",{"aria-hidden":"true",children:n}),f("span",{class:"unseen",children:"not as expected.toml says"})]})}function Pg(n,e,t){let i=Mn(n)&&e!==null?`, ${ni(e)} digits`:"";return`${n}${i}${t?", not as expected.toml says":""}`}var Ig=new RegExp(["[\\u0000-\\u001f\\u007f-\\u009f]","[\\u00ad\\u061c\\u180e\\u200b-\\u200f\\u2028-\\u202e\\u2060-\\u2069\\ufeff\\ufff9-\\ufffb]","[\\ud800-\\udbff](?![\\udc00-\\udfff])|(?<![\\ud800-\\udbff])[\\udc00-\\udfff]"].join("|"),"g");function Lg(n){return`\\u${n.charCodeAt(0).toString(16).padStart(4,"0")}`}function le(n){return n.replace(Ig,Lg)}function Dg(n){return n.replace(/\r\n/g,`
+`).replace(Ig,e=>e===`
+`||e==="	"?e:Lg(e))}var Jd=4096;function Ng(n){let[e,t]=at(!1),i=!e&&n.length>Jd;return{shown:i?n.slice(0,Jd):n,rest:i?n.length-Jd:0,open:()=>t(!0)}}function Fg({rest:n,open:e}){if(n===0)return null;let t=`${n.toLocaleString("en")} more characters`;return f(ut,{children:[f("button",{type:"button",class:"more",onClick:e,children:["show ",t]}),f("span",{class:"on-paper",children:["(",t," are not printed)"]})]})}function sn({text:n}){let{shown:e,rest:t,open:i}=Ng(n);return f(ut,{children:[f("bdi",{children:le(e)}),f(Fg,{rest:t,open:i})]})}function Ug({text:n,label:e}){let{shown:t,rest:i,open:s}=Ng(n);return f(ut,{children:[f("pre",{class:"output",tabIndex:0,role:"region","aria-label":e,children:Dg(t)}),f(Fg,{rest:i,open:s})]})}var Og=[[],[9,4],[2,3],[9,3,2,3],[15,4],[5,2]],kg=[[[.9,0],[.78,.45],[.45,.78],[0,.9],[-.45,.78],[-.78,.45],[-.9,0],[-.78,-.45],[-.45,-.78],[0,-.9],[.45,-.78],[.78,-.45]],[[-.8,-.8],[.8,-.8],[.8,.8],[-.8,.8]],[[0,-1.05],[1,.75],[-1,.75]],[[0,-1.15],[1.15,0],[0,1.15],[-1.15,0]],[[0,1.05],[1,-.75],[-1,-.75]],[[-.35,-1],[.35,-1],[.35,-.35],[1,-.35],[1,.35],[.35,.35],[.35,1],[-.35,1],[-.35,.35],[-1,.35],[-1,-.35],[-.35,-.35]],[[0,-1.1],[1.05,-.34],[.65,.9],[-.65,.9],[-1.05,-.34]]];function zi(n){return{color:`--series-${n%8+1}`,dash:Og[n%Og.length],marker:n%kg.length}}function wo(n,e,t,i){return`M${kg[n].map(([r,o])=>`${(e+i*r).toFixed(2)},${(t+i*o).toFixed(2)}`).join("L")}Z`}function Bg(n,e,t,i,s){let{marker:r,color:o}=zi(e);n.fillStyle=ti(o),n.fill(new Path2D(wo(r,t,i,4*s)))}function ws({style:n,faint:e=!1}){let t=zi(n),i=`var(${t.color})`;return f("svg",{class:"sample",width:"40",height:"14","aria-hidden":"true",children:[f("line",{x1:"0",x2:"40",y1:"7",y2:"7",stroke:i,"stroke-width":e?1:2,"stroke-dasharray":t.dash.join(" ")}),f("path",{d:wo(t.marker,20,7,e?3:4.5),fill:e?"var(--ground)":i,stroke:i})]})}function Vg(n,e,t){return n.map((i,s)=>({verdict:i,index:s,claim:e?.claims.find(r=>r.label===i.claim)??null,curve:t.find(r=>r.claim===i.claim)??null}))}function wS({claim:n,verdict:e}){let t=e.truth_error===null?"":`known to ${ci(e.truth_error,e.unit)}`;if(n===null)return f(ut,{children:t||"not told"});let i=n.follows===""?"its initial value":n.follows,s=n.source?`: ${n.source}`:"",r=n.until===null?"":`, until ${ze(n.until)} s`;return f(ut,{children:le(i+s)+(t?` (${t})`:"")+r})}function TS({curve:n,verdict:e}){let t=n?.first_violation;return t?f(ut,{children:[ze(t.time)," s, step ",t.step,": ",ci(t.value,n.unit)]}):e.first_bad_step!==null?f(ut,{children:["not finite from step ",e.first_bad_step]}):f(ut,{children:n?"none":"not recorded"})}function AS({row:{verdict:n,claim:e}}){return f("ul",{class:"notes",children:[n.detail?f("li",{children:f(sn,{text:n.detail})}):null,n.expected_reason?f("li",{children:["expected.toml: ",f(sn,{text:n.expected_reason})]}):null,f("li",{children:["truth: ",f(wS,{claim:e,verdict:n})]}),f("li",{children:["tolerance: ",f(sn,{text:n.reason}),n.tolerance_scale===1?"":`; all times ${n.tolerance_scale}`,n.spread===null?"":`; runs that start an ulp apart end ${ci(n.spread,n.unit)} apart`]})]})}function ES({row:n,shown:e,toggle:t,reasons:i}){let{verdict:s,curve:r,index:o}=n;return f("tbody",{class:Ms(s)?"differing":void 0,children:[f("tr",{children:[f("td",{class:"on-screen",children:f("label",{children:[f("input",{type:"checkbox",checked:e,disabled:!r,onChange:()=>t(o)}),f("span",{class:"unseen",children:["show the error curve of ",le(s.claim)]}),r?f(ws,{style:o}):null]})}),f("td",{children:f(ss,{status:s.status})}),f("th",{scope:"rowgroup",children:le(s.claim)}),f("td",{class:"number",children:Mn(s.status)?ci(s.measured,s.unit):""}),f("td",{class:"number",children:s.allowed===null?"":ci(s.allowed,s.unit)}),f("td",{class:"number",children:Mn(s.status)?ni(is(s.measured,s.allowed)):""}),f("td",{class:"number",children:f(TS,{curve:r,verdict:s})}),f("td",{class:"expected",children:[s.expected,Ms(s)?f(Hs,{text:"differs"}):null]})]}),i?f("tr",{children:[f("td",{class:"on-screen"}),f("td",{}),f("td",{colSpan:6,children:f(AS,{row:n})})]}):null]})}var CS=["status","claim","measured","allowed","digits","first violation","expected"];function zg({rows:n,shown:e,toggle:t}){let[i,s]=at(!1),[r,o]=at(!0),a=Xe(()=>i?[...n].sort((l,c)=>Ua(c.verdict,l.verdict)):n,[n,i]);return f("section",{"aria-labelledby":"claims-heading",children:[f("h3",{id:"claims-heading",children:"Claims"}),f("label",{class:"on-screen",children:[f("input",{type:"checkbox",checked:i,onChange:()=>s(!i)})," worst first"]})," ",f("label",{class:"on-screen",children:[f("input",{type:"checkbox",checked:r,onChange:()=>o(!r)})," truths, bounds and reasons"]}),f("div",{class:"scroll claims",tabIndex:0,role:"region","aria-label":"Claims of this cell",children:f("table",{children:[f("thead",{children:f("tr",{children:[f("th",{scope:"col",class:"on-screen",children:"curve"}),CS.map(l=>f("th",{scope:"col",children:l},l))]})}),a.map(l=>f(ES,{row:l,shown:e.has(l.index),toggle:t,reasons:r},l.index))]})})]})}async function RS(n,e){try{return await navigator.clipboard.writeText(n),!0}catch{return e&&getSelection()?.selectAllChildren(e),!1}}function nc({text:n}){let e=Vt(null),[t,i]=at(""),s=async()=>i(await RS(n,e.current)?"copied":"selected: copy it with the keyboard");return f("p",{class:"command",children:[f("code",{ref:e,children:le(n)})," ",f("button",{type:"button",onClick:s,"aria-label":`Copy the command ${le(n)}`,children:"copy"})," ",f("span",{role:"status",children:t})]})}var ic=class{constructor(e,t){this.whole=e;this.pinned=this.within(t)}whole;pinned;hovered=null;zoomed=null;running=!1;listeners=new Set;get time(){return this.hovered??this.pinned}get pin(){return this.pinned}set pin(e){this.pinned=this.within(e),this.announce()}hover(e){let t=e===null||this.running?null:this.within(e);t!==this.hovered&&(this.hovered=t,this.announce())}get window(){return this.zoomed}set window(e){let i=e!==null&&e[0]<=this.whole[0]&&e[1]>=this.whole[1]?null:e;i?.[0]===this.zoomed?.[0]&&i?.[1]===this.zoomed?.[1]||(this.zoomed=i,this.announce())}lookCloser(){let[e,t]=this.zoomed??this.whole,i=(t-e)/4,s=Math.min(t-i,Math.max(e+i,this.time));this.window=[s-i,s+i]}listen(e){return this.listeners.add(e),()=>{this.listeners.delete(e)}}within(e){return Math.min(this.whole[1],Math.max(this.whole[0],e))}announce(){for(let e of this.listeners)e()}};function sc(n){let[,e]=at(0);return Tt(()=>{let t=0,i=n.listen(()=>{t||=requestAnimationFrame(()=>{t=0,e(s=>s+1)})});return()=>{i(),cancelAnimationFrame(t)}},[n]),n.time}function rc(n){let e={least:1/0,leastAt:0,greatest:-1/0,greatestAt:0,zeros:0,lost:0,lostAt:null};for(let t=0;t<n.value.length;++t){let i=n.value[t],s=n.time[t];if(!Number.isFinite(i)){++e.lost,e.lostAt??=s;continue}i===0&&++e.zeros,i<e.least&&([e.least,e.leastAt]=[i,s]),i>e.greatest&&([e.greatest,e.greatestAt]=[i,s])}return Number.isFinite(e.greatest)?e:null}function Ts(n,e){if(n.length===0)return-1;let t=0,i=n.length-1;for(;t<i;){let s=t+i>>1;n[s]<e?t=s+1:i=s}return t>0&&e-n[t-1]<=n[t]-e?t-1:t}function Gg(n){let e=1/0;for(let t of n){for(let i=0;i<t.value.length;++i){let s=t.value[i];s>0&&s<e&&(e=s)}t.allowed!=null&&t.allowed>0&&(e=Math.min(e,t.allowed))}return Number.isFinite(e)?10**(Math.floor(Math.log10(e))-1):1e-16}function Hg(n,e){let t=new Set;for(let o of n)for(let a=0;a<o.time.length;++a)t.add(o.time[a]);let i=[...t].sort((o,a)=>o-a),s=new Map(i.map((o,a)=>[o,a])),r=n.map(o=>{let a=new Array(i.length).fill(void 0);for(let l=0;l<o.time.length;++l){let c=s.get(o.time[l]),u=o.value[l],d=Number.isFinite(u)?e===null?u:Math.max(u,e):null,h=a[c];(h===void 0||d!==null&&(h===null||Math.abs(d)>Math.abs(h)))&&(a[c]=d)}return a});return[i,...r]}function Wg(n){let e=[1/0,1/0,1/0],t=[-1/0,-1/0,-1/0];for(let i=0;i<n.length;++i){let s=n[i];Number.isFinite(s)&&(s<e[i%3]&&(e[i%3]=s),s>t[i%3]&&(t[i%3]=s))}return e.every(Number.isFinite)?{min:[e[0],e[1],e[2]],max:[t[0],t[1],t[2]]}:null}function oc({min:n,max:e}){return Math.hypot(e[0]-n[0],e[1]-n[1],e[2]-n[2])}function Xg(n,e){let t=n?Wg(n.position):null;return t||(e.flatMap(s=>s?[Wg(s.position)]:[]).filter(s=>s!==null).sort((s,r)=>oc(s)-oc(r))[0]??null)}function PS(n,e,t,i){let s=Ts(n.time,i),r=n.time[s]>i?Math.max(0,s-1):s,o=Math.min(n.time.length-1,r+1),a=n.time[o]-n.time[r],l=a>0?Math.min(1,Math.max(0,(i-n.time[r])/a)):0,[c,u]=[n.position[r*e+t],n.position[o*e+t]];return c+l*(u-c)}function $g(n,e,t){if(n.time.length===0||e.time.length===0)return null;let i=n.position.length/n.time.length;if(e.position.length/e.time.length!==i)return null;for(let s=0;s<n.time.length;++s){let r=n.time[s];for(let o=0;o<i/3;++o){let a=[0,1,2].map(c=>n.position[s*i+3*o+c]-PS(e,i,3*o+c,r)),l=Math.hypot(...a);if(!Number.isFinite(l)||l>t)return{time:r,body:o,distance:Number.isFinite(l)?l:1/0}}}return null}var IS="uplot",LS="u-hz",DS="u-vt",NS="u-title",FS="u-wrap",US="u-under",OS="u-over",kS="u-axis",Vr="u-off",BS="u-select",VS="u-cursor-x",zS="u-cursor-y",GS="u-cursor-pt",HS="u-legend",WS="u-live",XS="u-inline",$S="u-series",qS="u-marker",qg="u-label",YS="u-value",ka="width",Ba="height";var Yg="bottom",To="left",Zd="right",pf="#000",Jg=pf+"0",Kd="mousemove",Zg="mousedown",jd="mouseup",Kg="mouseenter",jg="mouseleave",Qg="dblclick",JS="resize",ZS="scroll",e0="change",hc="dppxchange",mf="--",Lo=typeof window<"u",sf=Lo?document:null,Eo=Lo?window:null,KS=Lo?navigator:null,Dt,ac;function rf(){let n=devicePixelRatio;Dt!=n&&(Dt=n,ac&&af(e0,ac,rf),ac=matchMedia(`(min-resolution: ${Dt-.001}dppx) and (max-resolution: ${Dt+.001}dppx)`),zr(e0,ac,rf),Eo.dispatchEvent(new CustomEvent(hc)))}function yi(n,e){if(e!=null){let t=n.classList;!t.contains(e)&&t.add(e)}}function of(n,e){let t=n.classList;t.contains(e)&&t.remove(e)}function Qt(n,e,t){n.style[e]=t+"px"}function rs(n,e,t,i){let s=sf.createElement(n);return e!=null&&yi(s,e),t?.insertBefore(s,i),s}function Gi(n,e){return rs("div",n,e)}var t0=new WeakMap;function As(n,e,t,i,s){let r="translate("+e+"px,"+t+"px)",o=t0.get(n);r!=o&&(n.style.transform=r,t0.set(n,r),e<0||t<0||e>i||t>s?yi(n,Vr):of(n,Vr))}var n0=new WeakMap;function i0(n,e,t){let i=e+t,s=n0.get(n);i!=s&&(n0.set(n,i),n.style.background=e,n.style.borderColor=t)}var s0=new WeakMap;function r0(n,e,t,i){let s=e+""+t,r=s0.get(n);s!=r&&(s0.set(n,s),n.style.height=t+"px",n.style.width=e+"px",n.style.marginLeft=i?-e/2+"px":0,n.style.marginTop=i?-t/2+"px":0)}var gf={passive:!0},jS={...gf,capture:!0};function zr(n,e,t,i){e.addEventListener(n,t,i?jS:gf)}function af(n,e,t,i){e.removeEventListener(n,t,gf)}Lo&&rf();function os(n,e,t,i){let s;t=t||0,i=i||e.length-1;let r=i<=2147483647;for(;i-t>1;)s=r?t+i>>1:vi((t+i)/2),e[s]<n?t=s:i=s;return n-e[t]<=e[i]-n?t:i}function D0(n){return(t,i,s)=>{let r=-1,o=-1;for(let a=i;a<=s;a++)if(n(t[a])){r=a;break}for(let a=s;a>=i;a--)if(n(t[a])){o=a;break}return[r,o]}}var N0=n=>n!=null,F0=n=>n!=null&&n>0,pc=D0(N0),QS=D0(F0);function eM(n,e,t,i=0,s=!1){let r=s?QS:pc,o=s?F0:N0;[e,t]=r(n,e,t);let a=n[e],l=n[e];if(e>-1)if(i==1)a=n[e],l=n[t];else if(i==-1)a=n[t],l=n[e];else for(let c=e;c<=t;c++){let u=n[c];o(u)&&(u<a?a=u:u>l&&(l=u))}return[a??Wt,l??-Wt]}function mc(n,e,t,i){let s=l0(n),r=l0(e);n==e&&(s==-1?(n*=t,e/=t):(n/=t,e*=t));let o=t==10?Ws:U0,a=s==1?vi:Hi,l=r==1?Hi:vi,c=a(o(Pn(n))),u=l(o(Pn(e))),d=Co(t,c),h=Co(t,u);return t==10&&(c<0&&(d=Xt(d,-c)),u<0&&(h=Xt(h,-u))),i||t==2?(n=d*s,e=h*r):(n=V0(n,d),e=gc(e,h)),[n,e]}function _f(n,e,t,i){let s=mc(n,e,t,i);return n==0&&(s[0]=0),e==0&&(s[1]=0),s}var xf=.1,o0={mode:3,pad:xf},za={pad:0,soft:null,mode:0},tM={min:za,max:za};function dc(n,e,t,i){return _c(t)?a0(n,e,t):(za.pad=t,za.soft=i?0:null,za.mode=i?3:0,a0(n,e,tM))}function It(n,e){return n??e}function nM(n,e,t){for(e=It(e,0),t=It(t,n.length-1);e<=t;){if(n[e]!=null)return!0;e++}return!1}function a0(n,e,t){let i=t.min,s=t.max,r=It(i.pad,0),o=It(s.pad,0),a=It(i.hard,-Wt),l=It(s.hard,Wt),c=It(i.soft,Wt),u=It(s.soft,-Wt),d=It(i.mode,0),h=It(s.mode,0),p=e-n,m=Ws(p),v=ii(Pn(n),Pn(e)),_=Ws(v),g=Pn(_-m);(p<1e-24||g>10)&&(p=0,(n==0||e==0)&&(p=1e-24,d==2&&c!=Wt&&(r=0),h==2&&u!=-Wt&&(o=0)));let y=p||v||1e3,E=Ws(y),M=Co(10,vi(E)),I=y*(p==0?n==0?.1:1:r),C=Xt(V0(n-I,M/10),24),b=n>=c&&(d==1||d==3&&C<=c||d==2&&C>=c)?c:Wt,A=ii(a,C<b&&n>=b?b:as(b,C)),H=y*(p==0?e==0?.1:1:o),F=Xt(gc(e+H,M/10),24),D=e<=u&&(h==1||h==3&&F>=u||h==2&&F<=u)?u:-Wt,G=as(l,F>D&&e<=D?D:ii(D,F));return A==G&&A==0&&(G=100),[A,G]}var iM=new Intl.NumberFormat(Lo?KS.language:"en-US"),yf=n=>iM.format(n),bi=Math,uc=bi.PI,Pn=bi.abs,vi=bi.floor,Rn=bi.round,Hi=bi.ceil,as=bi.min,ii=bi.max,Co=bi.pow,l0=bi.sign,Ws=bi.log10,U0=bi.log2,sM=(n,e=1)=>bi.sinh(n)*e,Qd=(n,e=1)=>bi.asinh(n/e),Wt=1/0;function c0(n){return(Ws((n^n>>31)-(n>>31))|0)+1}function lf(n,e,t){return as(ii(n,e),t)}function O0(n){return typeof n=="function"}function wt(n){return O0(n)?n:()=>n}var rM=()=>{},k0=n=>n,B0=(n,e)=>e,oM=n=>null,u0=n=>!0,h0=(n,e)=>n==e,aM=/\.\d*?(?=9{6,}|0{6,})/gm,Gr=n=>{if(G0(n)||_r.has(n))return n;let e=`${n}`,t=e.match(aM);if(t==null)return n;let i=t[0].length-1;if(e.indexOf("e-")!=-1){let[s,r]=e.split("e");return+`${Gr(s)}e${r}`}return Xt(n,i)};function kr(n,e){return Gr(Xt(Gr(n/e))*e)}function gc(n,e){return Gr(Hi(Gr(n/e))*e)}function V0(n,e){return Gr(vi(Gr(n/e))*e)}function Xt(n,e=0){if(G0(n))return n;let t=10**e,i=n*t*(1+Number.EPSILON);return Rn(i)/t}var _r=new Map;function z0(n){return((""+n).split(".")[1]||"").length}function Ha(n,e,t,i){let s=[],r=i.map(z0);for(let o=e;o<t;o++){let a=Pn(o),l=Xt(Co(n,o),a);for(let c=0;c<i.length;c++){let u=n==10?+`${i[c]}e${o}`:i[c]*l,d=(o>=0?0:a)+(o>=r[c]?0:r[c]),h=n==10?u:Xt(u,d);s.push(h),_r.set(h,d)}}return s}var Ga={},vf=[],Ro=[null,null],gr=Array.isArray,G0=Number.isInteger,lM=n=>n===void 0;function d0(n){return typeof n=="string"}function _c(n){let e=!1;if(n!=null){let t=n.constructor;e=t==null||t==Object}return e}function cM(n){return n!=null&&typeof n=="object"}var uM=Object.getPrototypeOf(Uint8Array),H0="__proto__";function Po(n,e=_c){let t;if(gr(n)){let i=n.find(s=>s!=null);if(gr(i)||e(i)){t=Array(n.length);for(let s=0;s<n.length;s++)t[s]=Po(n[s],e)}else t=n.slice()}else if(n instanceof uM)t=n.slice();else if(e(n)){t={};for(let i in n)i!=H0&&(t[i]=Po(n[i],e))}else t=n;return t}function wn(n){let e=arguments;for(let t=1;t<e.length;t++){let i=e[t];for(let s in i)s!=H0&&(_c(n[s])?wn(n[s],Po(i[s])):n[s]=Po(i[s]))}return n}var hM=0,dM=1,fM=2;function pM(n,e,t){for(let i=0,s,r=-1;i<e.length;i++){let o=e[i];if(o>r){for(s=o-1;s>=0&&n[s]==null;)n[s--]=null;for(s=o+1;s<t&&n[s]==null;)n[r=s++]=null}}}function mM(n,e){if(xM(n)){let o=n[0].slice();for(let a=1;a<n.length;a++)o.push(...n[a].slice(1));return yM(o[0])||(o=_M(o)),o}let t=new Set;for(let o=0;o<n.length;o++){let l=n[o][0],c=l.length;for(let u=0;u<c;u++)t.add(l[u])}let i=[Array.from(t).sort((o,a)=>o-a)],s=i[0].length,r=new Map;for(let o=0;o<s;o++)r.set(i[0][o],o);for(let o=0;o<n.length;o++){let a=n[o],l=a[0];for(let c=1;c<a.length;c++){let u=a[c],d=Array(s).fill(void 0),h=e?e[o][c]:dM,p=[];for(let m=0;m<u.length;m++){let v=u[m],_=r.get(l[m]);v===null?h!=hM&&(d[_]=v,h==fM&&p.push(_)):d[_]=v}pM(d,p,s),i.push(d)}}return i}var gM=typeof queueMicrotask>"u"?n=>Promise.resolve().then(n):queueMicrotask;function _M(n){let e=n[0],t=e.length,i=Array(t);for(let r=0;r<i.length;r++)i[r]=r;i.sort((r,o)=>e[r]-e[o]);let s=[];for(let r=0;r<n.length;r++){let o=n[r],a=Array(t);for(let l=0;l<t;l++)a[l]=o[i[l]];s.push(a)}return s}function xM(n){let e=n[0][0],t=e.length;for(let i=1;i<n.length;i++){let s=n[i][0];if(s.length!=t)return!1;if(s!=e){for(let r=0;r<t;r++)if(s[r]!=e[r])return!1}}return!0}function yM(n,e=100){let t=n.length;if(t<=1)return!0;let i=0,s=t-1;for(;i<=s&&n[i]==null;)i++;for(;s>=i&&n[s]==null;)s--;if(s<=i)return!0;let r=ii(1,vi((s-i+1)/e));for(let o=n[i],a=i+r;a<=s;a+=r){let l=n[a];if(l!=null){if(l<=o)return!1;o=l}}return!0}var W0=["January","February","March","April","May","June","July","August","September","October","November","December"],X0=["Sunday","Monday","Tuesday","Wednesday","Thursday","Friday","Saturday"];function $0(n){return n.slice(0,3)}var vM=X0.map($0),bM=W0.map($0),SM={MMMM:W0,MMM:bM,WWWW:X0,WWW:vM};function Oa(n){return(n<10?"0":"")+n}function MM(n){return(n<10?"00":n<100?"0":"")+n}var wM={YYYY:n=>n.getFullYear(),YY:n=>(n.getFullYear()+"").slice(2),MMMM:(n,e)=>e.MMMM[n.getMonth()],MMM:(n,e)=>e.MMM[n.getMonth()],MM:n=>Oa(n.getMonth()+1),M:n=>n.getMonth()+1,DD:n=>Oa(n.getDate()),D:n=>n.getDate(),WWWW:(n,e)=>e.WWWW[n.getDay()],WWW:(n,e)=>e.WWW[n.getDay()],HH:n=>Oa(n.getHours()),H:n=>n.getHours(),h:n=>{let e=n.getHours();return e==0?12:e>12?e-12:e},AA:n=>n.getHours()>=12?"PM":"AM",aa:n=>n.getHours()>=12?"pm":"am",a:n=>n.getHours()>=12?"p":"a",mm:n=>Oa(n.getMinutes()),m:n=>n.getMinutes(),ss:n=>Oa(n.getSeconds()),s:n=>n.getSeconds(),fff:n=>MM(n.getMilliseconds())};function bf(n,e){e=e||SM;let t=[],i=/\{([a-z]+)\}|[^{]+/gi,s;for(;s=i.exec(n);)t.push(s[0][0]=="{"?wM[s[1]]:s[0]);return r=>{let o="";for(let a=0;a<t.length;a++)o+=typeof t[a]=="string"?t[a]:t[a](r,e);return o}}var TM=new Intl.DateTimeFormat().resolvedOptions().timeZone;function AM(n,e){let t;return e=="UTC"||e=="Etc/UTC"?t=new Date(+n+n.getTimezoneOffset()*6e4):e==TM?t=n:(t=new Date(n.toLocaleString("en-US",{timeZone:e})),t.setMilliseconds(n.getMilliseconds())),t}var q0=n=>n%1==0,fc=[1,2,2.5,5],EM=Ha(10,-32,0,fc),Y0=Ha(10,0,32,fc),CM=Y0.filter(q0),Br=EM.concat(Y0),Sf=`
+`,J0="{YYYY}",f0=Sf+J0,Z0="{M}/{D}",Va=Sf+Z0,lc=Va+"/{YY}",K0="{aa}",RM="{h}:{mm}",Ao=RM+K0,p0=Sf+Ao,m0=":{ss}",Nt=null;function j0(n){let e=n*1e3,t=e*60,i=t*60,s=i*24,r=s*30,o=s*365,l=(n==1?Ha(10,0,3,fc).filter(q0):Ha(10,-3,0,fc)).concat([e,e*5,e*10,e*15,e*30,t,t*5,t*10,t*15,t*30,i,i*2,i*3,i*4,i*6,i*8,i*12,s,s*2,s*3,s*4,s*5,s*6,s*7,s*8,s*9,s*10,s*15,r,r*2,r*3,r*4,r*6,o,o*2,o*5,o*10,o*25,o*50,o*100]),c=[[o,J0,Nt,Nt,Nt,Nt,Nt,Nt,1],[s*28,"{MMM}",f0,Nt,Nt,Nt,Nt,Nt,1],[s,Z0,f0,Nt,Nt,Nt,Nt,Nt,1],[i,"{h}"+K0,lc,Nt,Va,Nt,Nt,Nt,1],[t,Ao,lc,Nt,Va,Nt,Nt,Nt,1],[e,m0,lc+" "+Ao,Nt,Va+" "+Ao,Nt,p0,Nt,1],[n,m0+".{fff}",lc+" "+Ao,Nt,Va+" "+Ao,Nt,p0,Nt,1]];function u(d){return(h,p,m,v,_,g)=>{let y=[],E=_>=o,M=_>=r&&_<o,I=d(m),C=Xt(I*n,3),b=ef(I.getFullYear(),E?0:I.getMonth(),M||E?1:I.getDate()),A=Xt(b*n,3);if(M||E){let H=M?_/r:0,F=E?_/o:0,D=C==A?C:Xt(ef(b.getFullYear()+F,b.getMonth()+H,1)*n,3),G=new Date(Rn(D/n)),V=G.getFullYear(),N=G.getMonth();for(let W=0;D<=v;W++){let Z=ef(V+F*W,N+H*W,1),z=Z-d(Xt(Z*n,3));D=Xt((+Z+z)*n,3),D<=v&&y.push(D)}}else{let H=_>=s?s:_,F=vi(m)-vi(C),D=A+F+gc(C-A,H);y.push(D);let G=d(D),V=G.getHours()+G.getMinutes()/t+G.getSeconds()/i,N=_/i,W=h.axes[p]._space,Z=g/W;for(;D=Xt(D+_,n==1?0:3),!(D>v);)if(N>1){let z=vi(Xt(V+N,6))%24,Q=d(D).getHours()-z;Q>1&&(Q=-1),D-=Q*i,V=(V+N)%24;let se=y[y.length-1];Xt((D-se)/_,3)*Z>=.7&&y.push(D)}else y.push(D)}return y}}return[l,c,u]}var[PM,IM,LM]=j0(1),[DM,NM,FM]=j0(.001);Ha(2,-53,53,[1]);function g0(n,e){return n.map(t=>t.map((i,s)=>s==0||s==8||i==null?i:e(s==1||t[8]==0?i:t[1]+i)))}function _0(n,e){return(t,i,s,r,o)=>{let a=e.find(m=>o>=m[0])||e[e.length-1],l,c,u,d,h,p;return i.map(m=>{let v=n(m),_=v.getFullYear(),g=v.getMonth(),y=v.getDate(),E=v.getHours(),M=v.getMinutes(),I=v.getSeconds(),C=_!=l&&a[2]||g!=c&&a[3]||y!=u&&a[4]||E!=d&&a[5]||M!=h&&a[6]||I!=p&&a[7]||a[1];return l=_,c=g,u=y,d=E,h=M,p=I,C(v)})}}function UM(n,e){let t=bf(e);return(i,s,r,o,a)=>s.map(l=>t(n(l)))}function ef(n,e,t){return new Date(n,e,t)}function x0(n,e){return e(n)}var OM="{YYYY}-{MM}-{DD} {h}:{mm}{aa}";function y0(n,e){return(t,i,s,r)=>r==null?mf:e(n(i))}function kM(n,e){let t=n.series[e];return t.width?t.stroke(n,e):t.points.width?t.points.stroke(n,e):null}function BM(n,e){return n.series[e].fill(n,e)}var VM={show:!0,live:!0,isolate:!1,mount:rM,markers:{show:!0,width:2,stroke:kM,fill:BM,dash:"solid"},idx:null,idxs:null,values:[]};function zM(n,e){let t=n.cursor.points,i=Gi(),s=t.size(n,e);Qt(i,ka,s),Qt(i,Ba,s);let r=s/-2;Qt(i,"marginLeft",r),Qt(i,"marginTop",r);let o=t.width(n,e,s);return o&&Qt(i,"borderWidth",o),i}function GM(n,e){let t=n.series[e].points;return t._fill||t._stroke}function HM(n,e){let t=n.series[e].points;return t._stroke||t._fill}function WM(n,e){return n.series[e].points.size}var tf=[0,0];function XM(n,e,t){return tf[0]=e,tf[1]=t,tf}function cc(n,e,t,i=!0){return s=>{s.button==0&&(!i||s.target==e)&&t(s)}}function nf(n,e,t,i=!0){return s=>{(!i||s.target==e)&&t(s)}}var $M={show:!0,x:!0,y:!0,lock:!1,move:XM,points:{one:!1,show:zM,size:WM,width:0,stroke:HM,fill:GM},bind:{mousedown:cc,mouseup:cc,click:cc,dblclick:cc,mousemove:nf,mouseleave:nf,mouseenter:nf},drag:{setScale:!0,x:!0,y:!1,dist:0,uni:null,click:(n,e)=>{e.stopPropagation(),e.stopImmediatePropagation()},_x:!1,_y:!1},focus:{dist:(n,e,t,i,s)=>i-s,prox:-1,bias:0},hover:{skip:[void 0],prox:null,bias:0},left:-10,top:-10,idx:null,dataIdx:null,idxs:null,event:null},Q0={show:!0,stroke:"rgba(0,0,0,0.07)",width:2},Mf=wn({},Q0,{filter:B0}),e_=wn({},Mf,{size:10}),t_=wn({},Q0,{show:!1}),wf='12px system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, "Noto Sans", sans-serif, "Apple Color Emoji", "Segoe UI Emoji", "Segoe UI Symbol", "Noto Color Emoji"',n_="bold "+wf,i_=1.5,v0={show:!0,scale:"x",stroke:pf,space:50,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:n_,side:2,grid:Mf,ticks:e_,border:t_,font:wf,lineGap:i_,rotate:0},qM="Value",YM="Time",b0={show:!0,scale:"x",auto:!1,sorted:1,min:Wt,max:-Wt,idxs:[]};function JM(n,e,t,i,s){return e.map(r=>r==null?"":yf(r))}function ZM(n,e,t,i,s,r,o){let a=[],l=_r.get(s)||0;t=o?t:Xt(gc(t,s),l);for(let c=t;c<=i;c=Xt(c+s,l))a.push(Object.is(c,-0)?0:c);return a}function cf(n,e,t,i,s,r,o){let a=[],l=n.scales[n.axes[e].scale].log,c=l==10?Ws:U0,u=vi(c(t));s=Co(l,u),l==10&&(s=Br[os(s,Br)]);let d=t,h=s*l;l==10&&(h=Br[os(h,Br)]);do a.push(d),d=d+s,l==10&&!_r.has(d)&&(d=Xt(d,_r.get(s))),d>=h&&(s=d,h=s*l,l==10&&(h=Br[os(h,Br)]));while(d<=i);return a}function KM(n,e,t,i,s,r,o){let l=n.scales[n.axes[e].scale].asinh,c=i>l?cf(n,e,ii(l,t),i,s):[l],u=i>=0&&t<=0?[0]:[];return(t<-l?cf(n,e,ii(l,-i),-t,s):[l]).reverse().map(h=>-h).concat(u,c)}var s_=/./,jM=/[12357]/,QM=/[125]/,S0=/1/,uf=(n,e,t,i)=>n.map((s,r)=>e==4&&s==0||r%i==0&&t.test(s.toExponential()[s<0?1:0])?s:null);function ew(n,e,t,i,s){let r=n.axes[t],o=r.scale,a=n.scales[o],l=n.valToPos,c=r._space,u=l(10,o),d=l(9,o)-u>=c?s_:l(7,o)-u>=c?jM:l(5,o)-u>=c?QM:S0;if(d==S0){let h=Pn(l(1,o)-u);if(h<c)return uf(e.slice().reverse(),a.distr,d,Hi(c/h)).reverse()}return uf(e,a.distr,d,1)}function tw(n,e,t,i,s){let r=n.axes[t],o=r.scale,a=r._space,l=n.valToPos,c=Pn(l(1,o)-l(2,o));return c<a?uf(e.slice().reverse(),3,s_,Hi(a/c)).reverse():e}function nw(n,e,t,i){return i==null?mf:e==null?"":yf(e)}var M0={show:!0,scale:"y",stroke:pf,space:30,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:n_,side:3,grid:Mf,ticks:e_,border:t_,font:wf,lineGap:i_,rotate:0};function iw(n,e){let t=3+(n||1)*2;return Xt(t*e,3)}function sw(n,e){let{scale:t,idxs:i}=n.series[0],s=n._data[0],r=n.valToPos(s[i[0]],t,!0),o=n.valToPos(s[i[1]],t,!0),a=Pn(o-r),l=n.series[e],c=a/(l.points.space*Dt);return i[1]-i[0]<=c}var w0={scale:null,auto:!0,sorted:0,min:Wt,max:-Wt},r_=(n,e,t,i,s)=>s,T0={show:!0,auto:!0,sorted:0,gaps:r_,alpha:1,facets:[wn({},w0,{scale:"x"}),wn({},w0,{scale:"y"})]},A0={scale:"y",auto:!0,sorted:0,show:!0,spanGaps:!1,gaps:r_,alpha:1,points:{show:sw,filter:null},values:null,min:Wt,max:-Wt,idxs:[],path:null,clip:null};function rw(n,e,t,i,s){return t/10}var o_={time:!0,auto:!0,distr:1,log:10,asinh:1,min:null,max:null,dir:1,ori:0},ow=wn({},o_,{time:!1,ori:1}),E0={};function a_(n,e){let t=E0[n];return t||(t={key:n,plots:[],sub(i){t.plots.push(i)},unsub(i){t.plots=t.plots.filter(s=>s!=i)},pub(i,s,r,o,a,l,c){for(let u=0;u<t.plots.length;u++)t.plots[u]!=s&&t.plots[u].pub(i,s,r,o,a,l,c)}},n!=null&&(E0[n]=t)),t}var Io=1,hf=2;function Hr(n,e,t){let i=n.mode,s=n.series[e],r=i==2?n._data[e]:n._data,o=n.scales,a=n.bbox,l=r[0],c=i==2?r[1]:r[e],u=i==2?o[s.facets[0].scale]:o[n.series[0].scale],d=i==2?o[s.facets[1].scale]:o[s.scale],h=a.left,p=a.top,m=a.width,v=a.height,_=n.valToPosH,g=n.valToPosV;return u.ori==0?t(s,l,c,u,d,_,g,h,p,m,v,yc,Do,bc,c_,h_):t(s,l,c,u,d,g,_,p,h,v,m,vc,No,Ef,u_,d_)}function Tf(n,e){let t=0,i=0,s=It(n.bands,vf);for(let r=0;r<s.length;r++){let o=s[r];o.series[0]==e?t=o.dir:o.series[1]==e&&(o.dir==1?i|=1:i|=2)}return[t,i==1?-1:i==2?1:i==3?2:0]}function aw(n,e,t,i,s){let r=n.mode,o=n.series[e],a=r==2?o.facets[1].scale:o.scale,l=n.scales[a];return s==-1?l.min:s==1?l.max:l.distr==3?l.dir==1?l.min:l.max:0}function Xs(n,e,t,i,s,r){return Hr(n,e,(o,a,l,c,u,d,h,p,m,v,_)=>{let g=o.pxRound,y=c.dir*(c.ori==0?1:-1),E=c.ori==0?Do:No,M,I;y==1?(M=t,I=i):(M=i,I=t);let C=g(d(a[M],c,v,p)),b=g(h(l[M],u,_,m)),A=g(d(a[I],c,v,p)),H=g(h(r==1?u.max:u.min,u,_,m)),F=new Path2D(s);return E(F,A,H),E(F,C,H),E(F,C,b),F})}function xc(n,e,t,i,s,r){let o=null;if(n.length>0){o=new Path2D;let a=e==0?bc:Ef,l=t;for(let d=0;d<n.length;d++){let h=n[d];if(h[1]>h[0]){let p=h[0]-l;p>0&&a(o,l,i,p,i+r),l=h[1]}}let c=t+s-l,u=10;c>0&&a(o,l,i-u/2,c,i+r+u)}return o}function lw(n,e,t){let i=n[n.length-1];i&&i[0]==e?i[1]=t:n.push([e,t])}function Af(n,e,t,i,s,r,o){let a=[],l=n.length;for(let c=s==1?t:i;c>=t&&c<=i;c+=s)if(e[c]===null){let d=c,h=c;if(s==1)for(;++c<=i&&e[c]===null;)h=c;else for(;--c>=t&&e[c]===null;)h=c;let p=r(n[d]),m=h==d?p:r(n[h]),v=d-s;p=o<=0&&v>=0&&v<l?r(n[v]):p;let g=h+s;m=o>=0&&g>=0&&g<l?r(n[g]):m,m>=p&&a.push([p,m])}return a}function C0(n){return n==0?k0:n==1?Rn:e=>kr(e,n)}function l_(n){let e=n==0?yc:vc,t=n==0?(s,r,o,a,l,c)=>{s.arcTo(r,o,a,l,c)}:(s,r,o,a,l,c)=>{s.arcTo(o,r,l,a,c)},i=n==0?(s,r,o,a,l)=>{s.rect(r,o,a,l)}:(s,r,o,a,l)=>{s.rect(o,r,l,a)};return(s,r,o,a,l,c=0,u=0)=>{c==0&&u==0?i(s,r,o,a,l):(c=as(c,a/2,l/2),u=as(u,a/2,l/2),e(s,r+c,o),t(s,r+a,o,r+a,o+l,c),t(s,r+a,o+l,r,o+l,u),t(s,r,o+l,r,o,u),t(s,r,o,r+a,o,c),s.closePath())}}var yc=(n,e,t)=>{n.moveTo(e,t)},vc=(n,e,t)=>{n.moveTo(t,e)},Do=(n,e,t)=>{n.lineTo(e,t)},No=(n,e,t)=>{n.lineTo(t,e)},bc=l_(0),Ef=l_(1),c_=(n,e,t,i,s,r)=>{n.arc(e,t,i,s,r)},u_=(n,e,t,i,s,r)=>{n.arc(t,e,i,s,r)},h_=(n,e,t,i,s,r,o)=>{n.bezierCurveTo(e,t,i,s,r,o)},d_=(n,e,t,i,s,r,o)=>{n.bezierCurveTo(t,e,s,i,o,r)};function f_(n){return(e,t,i,s,r)=>Hr(e,t,(o,a,l,c,u,d,h,p,m,v,_)=>{let{pxRound:g,points:y}=o,E,M;c.ori==0?(E=yc,M=c_):(E=vc,M=u_);let I=Xt(y.width*Dt,3),C=(y.size-y.width)/2*Dt,b=Xt(C*2,3),A=new Path2D,H=new Path2D,{left:F,top:D,width:G,height:V}=e.bbox;bc(H,F-b,D-b,G+b*2,V+b*2);let N=W=>{if(l[W]!=null){let Z=g(d(a[W],c,v,p)),z=g(h(l[W],u,_,m));E(A,Z+C,z),M(A,Z,z,C,0,uc*2)}};if(r)r.forEach(N);else for(let W=i;W<=s;W++)N(W);return{stroke:I>0?A:null,fill:A,clip:H,flags:Io|hf}})}function p_(n){return(e,t,i,s,r,o)=>{i!=s&&(r!=i&&o!=i&&n(e,t,i),r!=s&&o!=s&&n(e,t,s),n(e,t,o))}}var cw=p_(Do),uw=p_(No);function m_(n){let e=It(n?.alignGaps,0);return(t,i,s,r)=>Hr(t,i,(o,a,l,c,u,d,h,p,m,v,_)=>{[s,r]=pc(l,s,r);let g=o.pxRound,y=V=>g(d(V,c,v,p)),E=V=>g(h(V,u,_,m)),M,I;c.ori==0?(M=Do,I=cw):(M=No,I=uw);let C=c.dir*(c.ori==0?1:-1),b={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,flags:Io},A=b.stroke,H=!1;if(r-s>=v*4){let V=de=>t.posToVal(de,c.key,!0),N=null,W=null,Z,z,ue,K=y(a[C==1?s:r]),Q=y(a[s]),se=y(a[r]),fe=V(C==1?Q+1:se-1);for(let de=C==1?s:r;de>=s&&de<=r;de+=C){let ee=a[de],ye=(C==1?ee<fe:ee>fe)?K:y(ee),Ce=l[de];ye==K?Ce!=null?(z=Ce,N==null?(M(A,ye,E(z)),Z=N=W=z):z<N?N=z:z>W&&(W=z)):Ce===null&&(H=!0):(N!=null&&I(A,K,E(N),E(W),E(Z),E(z)),Ce!=null?(z=Ce,M(A,ye,E(z)),N=W=Z=z):(N=W=null,Ce===null&&(H=!0)),K=ye,fe=V(K+C))}N!=null&&N!=W&&ue!=K&&I(A,K,E(N),E(W),E(Z),E(z))}else for(let V=C==1?s:r;V>=s&&V<=r;V+=C){let N=l[V];N===null?H=!0:N!=null&&M(A,y(a[V]),E(N))}let[D,G]=Tf(t,i);if(o.fill!=null||D!=0){let V=b.fill=new Path2D(A),N=o.fillTo(t,i,o.min,o.max,D),W=E(N),Z=y(a[s]),z=y(a[r]);C==-1&&([z,Z]=[Z,z]),M(V,z,W),M(V,Z,W)}if(!o.spanGaps){let V=[];H&&V.push(...Af(a,l,s,r,C,y,e)),b.gaps=V=o.gaps(t,i,s,r,V),b.clip=xc(V,c.ori,p,m,v,_)}return G!=0&&(b.band=G==2?[Xs(t,i,s,r,A,-1),Xs(t,i,s,r,A,1)]:Xs(t,i,s,r,A,G)),b})}function hw(n){let e=It(n.align,1),t=It(n.ascDesc,!1),i=It(n.alignGaps,0),s=It(n.extend,!1);return(r,o,a,l)=>Hr(r,o,(c,u,d,h,p,m,v,_,g,y,E)=>{[a,l]=pc(d,a,l);let M=c.pxRound,{left:I,width:C}=r.bbox,b=Q=>M(m(Q,h,y,_)),A=Q=>M(v(Q,p,E,g)),H=h.ori==0?Do:No,F={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,flags:Io},D=F.stroke,G=h.dir*(h.ori==0?1:-1),V=A(d[G==1?a:l]),N=b(u[G==1?a:l]),W=N,Z=N;s&&e==-1&&(Z=I,H(D,Z,V)),H(D,N,V);for(let Q=G==1?a:l;Q>=a&&Q<=l;Q+=G){let se=d[Q];if(se==null)continue;let fe=b(u[Q]),de=A(se);e==1?H(D,fe,V):H(D,W,de),H(D,fe,de),V=de,W=fe}let z=W;s&&e==1&&(z=I+C,H(D,z,V));let[ue,K]=Tf(r,o);if(c.fill!=null||ue!=0){let Q=F.fill=new Path2D(D),se=c.fillTo(r,o,c.min,c.max,ue),fe=A(se);H(Q,z,fe),H(Q,Z,fe)}if(!c.spanGaps){let Q=[];Q.push(...Af(u,d,a,l,G,b,i));let se=c.width*Dt/2,fe=t||e==1?se:-se,de=t||e==-1?-se:se;Q.forEach(ee=>{ee[0]+=fe,ee[1]+=de}),F.gaps=Q=c.gaps(r,o,a,l,Q),F.clip=xc(Q,h.ori,_,g,y,E)}return K!=0&&(F.band=K==2?[Xs(r,o,a,l,D,-1),Xs(r,o,a,l,D,1)]:Xs(r,o,a,l,D,K)),F})}function R0(n,e,t,i,s,r,o=Wt){if(n.length>1){let a=null;for(let l=0,c=1/0;l<n.length;l++)if(e[l]!==void 0){if(a!=null){let u=Pn(n[l]-n[a]);u<c&&(c=u,o=Pn(t(n[l],i,s,r)-t(n[a],i,s,r)))}a=l}}return o}function dw(n){n=n||Ga;let e=It(n.size,[.6,Wt,1]),t=n.align||0,i=n.gap||0,s=n.radius;s=s==null?[0,0]:typeof s=="number"?[s,0]:s;let r=wt(s),o=1-e[0],a=It(e[1],Wt),l=It(e[2],1),c=It(n.disp,Ga),u=It(n.each,p=>{}),{fill:d,stroke:h}=c;return(p,m,v,_)=>Hr(p,m,(g,y,E,M,I,C,b,A,H,F,D)=>{let G=g.pxRound,V=t,N=i*Dt,W=a*Dt,Z=l*Dt,z,ue;M.ori==0?[z,ue]=r(p,m):[ue,z]=r(p,m);let K=M.dir*(M.ori==0?1:-1),Q=M.ori==0?bc:Ef,se=M.ori==0?u:(Pe,Je,ct,we,Ht,Ge,Ye)=>{u(Pe,Je,ct,Ht,we,Ye,Ge)},fe=It(p.bands,vf).find(Pe=>Pe.series[0]==m),de=fe!=null?fe.dir:0,ee=g.fillTo(p,m,g.min,g.max,de),ge=G(b(ee,I,D,H)),ye,Ce,Me,$e=F,lt=G(g.width*Dt),He=!1,_t=null,ft=null,rt=null,tn=null;d!=null&&(lt==0||h!=null)&&(He=!0,_t=d.values(p,m,v,_),ft=new Map,new Set(_t).forEach(Pe=>{Pe!=null&&ft.set(Pe,new Path2D)}),lt>0&&(rt=h.values(p,m,v,_),tn=new Map,new Set(rt).forEach(Pe=>{Pe!=null&&tn.set(Pe,new Path2D)})));let{x0:$t,size:gn}=c;if($t!=null&&gn!=null){V=1,y=$t.values(p,m,v,_),$t.unit==2&&(y=y.map(ct=>p.posToVal(A+ct*F,M.key,!0)));let Pe=gn.values(p,m,v,_);gn.unit==2?Ce=Pe[0]*F:Ce=C(Pe[0],M,F,A)-C(0,M,F,A),$e=R0(y,E,C,M,F,A,$e),Me=$e-Ce+N}else $e=R0(y,E,C,M,F,A,$e),Me=$e*o+N,Ce=$e-Me;Me<1&&(Me=0),lt>=Ce/2&&(lt=0),Me<5&&(G=k0);let zt=Me>0,Dn=$e-Me-(zt?lt:0);Ce=G(lf(Dn,Z,W)),ye=(V==0?Ce/2:V==K?0:Ce)-V*K*((V==0?N/2:0)+(zt?lt/2:0));let At={stroke:null,fill:null,clip:null,band:null,gaps:null,flags:0},En=He?null:new Path2D,an=null;if(fe!=null)an=p.data[fe.series[1]];else{let{y0:Pe,y1:Je}=c;Pe!=null&&Je!=null&&(E=Je.values(p,m,v,_),an=Pe.values(p,m,v,_))}let _n=z*Ce,O=ue*Ce;for(let Pe=K==1?v:_;Pe>=v&&Pe<=_;Pe+=K){let Je=E[Pe];if(Je==null)continue;if(an!=null){let X=an[Pe]??0;if(Je-X==0)continue;ge=b(X,I,D,H)}let ct=M.distr!=2||c!=null?y[Pe]:Pe,we=C(ct,M,F,A),Ht=b(It(Je,ee),I,D,H),Ge=G(we-ye),Ye=G(ii(Ht,ge)),R=G(as(Ht,ge)),S=Ye-R;if(Je!=null){let X=Je<0?O:_n,he=Je<0?_n:O;He?(lt>0&&rt[Pe]!=null&&Q(tn.get(rt[Pe]),Ge,R+vi(lt/2),Ce,ii(0,S-lt),X,he),_t[Pe]!=null&&Q(ft.get(_t[Pe]),Ge,R+vi(lt/2),Ce,ii(0,S-lt),X,he)):Q(En,Ge,R+vi(lt/2),Ce,ii(0,S-lt),X,he),se(p,m,Pe,Ge-lt/2,R,Ce+lt,S)}}return lt>0?At.stroke=He?tn:En:He||(At._fill=g.width==0?g._fill:g._stroke??g._fill,At.width=0),At.fill=He?ft:En,At})}function fw(n,e){let t=It(e?.alignGaps,0);return(i,s,r,o)=>Hr(i,s,(a,l,c,u,d,h,p,m,v,_,g)=>{[r,o]=pc(c,r,o);let y=a.pxRound,E=z=>y(h(z,u,_,m)),M=z=>y(p(z,d,g,v)),I,C,b;u.ori==0?(I=yc,b=Do,C=h_):(I=vc,b=No,C=d_);let A=u.dir*(u.ori==0?1:-1),H=E(l[A==1?r:o]),F=H,D=[],G=[];for(let z=A==1?r:o;z>=r&&z<=o;z+=A)if(c[z]!=null){let K=l[z],Q=E(K);D.push(F=Q),G.push(M(c[z]))}let V={stroke:n(D,G,I,b,C,y),fill:null,clip:null,band:null,gaps:null,flags:Io},N=V.stroke,[W,Z]=Tf(i,s);if(a.fill!=null||W!=0){let z=V.fill=new Path2D(N),ue=a.fillTo(i,s,a.min,a.max,W),K=M(ue);b(z,F,K),b(z,H,K)}if(!a.spanGaps){let z=[];z.push(...Af(l,c,r,o,A,E,t)),V.gaps=z=a.gaps(i,s,r,o,z),V.clip=xc(z,u.ori,m,v,_,g)}return Z!=0&&(V.band=Z==2?[Xs(i,s,r,o,N,-1),Xs(i,s,r,o,N,1)]:Xs(i,s,r,o,N,Z)),V})}function pw(n){return fw(mw,n)}function mw(n,e,t,i,s,r){let o=n.length;if(o<2)return null;let a=new Path2D;if(t(a,n[0],e[0]),o==2)i(a,n[1],e[1]);else{let l=Array(o),c=Array(o-1),u=Array(o-1),d=Array(o-1);for(let h=0;h<o-1;h++)u[h]=e[h+1]-e[h],d[h]=n[h+1]-n[h],c[h]=u[h]/d[h];l[0]=c[0];for(let h=1;h<o-1;h++)c[h]===0||c[h-1]===0||c[h-1]>0!=c[h]>0?l[h]=0:(l[h]=3*(d[h-1]+d[h])/((2*d[h]+d[h-1])/c[h-1]+(d[h]+2*d[h-1])/c[h]),isFinite(l[h])||(l[h]=0));l[o-1]=c[o-2];for(let h=0;h<o-1;h++)s(a,n[h]+d[h]/3,e[h]+l[h]*d[h]/3,n[h+1]-d[h]/3,e[h+1]-l[h+1]*d[h]/3,n[h+1],e[h+1])}return a}var df=new Set;function P0(){for(let n of df)n.syncRect(!0)}Lo&&(zr(JS,Eo,P0),zr(ZS,Eo,P0,!0),zr(hc,Eo,()=>{Tn.pxRatio=Dt}));var gw=m_(),_w=f_();function I0(n,e,t,i){return(i?[n[0],n[1]].concat(n.slice(2)):[n[0]].concat(n.slice(1))).map((r,o)=>ff(r,o,e,t))}function xw(n,e){return n.map((t,i)=>i==0?{}:wn({},e,t))}function ff(n,e,t,i){return wn({},e==0?t:i,n)}function g_(n,e,t){return e==null?Ro:[e,t]}var yw=g_;function vw(n,e,t){return e==null?Ro:dc(e,t,xf,!0)}function __(n,e,t,i){return e==null?Ro:mc(e,t,n.scales[i].log,!1)}var bw=__;function x_(n,e,t,i){return e==null?Ro:_f(e,t,n.scales[i].log,!1)}var Sw=x_;function Mw(n,e,t,i,s){let r=ii(c0(n),c0(e)),o=e-n,a=os(s/i*o,t);do{let l=t[a],c=i*l/o;if(c>=s&&r+(l<5?_r.get(l):0)<=17)return[l,c]}while(++a<t.length);return[0,0]}function L0(n){let e,t;return n=n.replace(/(\d+)px/,(i,s)=>(e=Rn((t=+s)*Dt))+"px"),[n,e,t]}function ww(n){n.show&&[n.font,n.labelFont].forEach(e=>{let t=Xt(e[2]*Dt,1);e[0]=e[0].replace(/[0-9.]+px/,t+"px"),e[1]=t})}function Tn(n,e,t){let i={mode:It(n.mode,1)},s=i.mode;function r(x,w,P,L){let B=w.valToPct(x);return L+P*(w.dir==-1?1-B:B)}function o(x,w,P,L){let B=w.valToPct(x);return L+P*(w.dir==-1?B:1-B)}function a(x,w,P,L){return w.ori==0?r(x,w,P,L):o(x,w,P,L)}i.valToPosH=r,i.valToPosV=o;let l=!1;i.status=0;let c=i.root=Gi(IS);if(n.id!=null&&(c.id=n.id),yi(c,n.class),n.title){let x=Gi(NS,c);x.textContent=n.title}let u=rs("canvas"),d=i.ctx=u.getContext("2d"),h=Gi(FS,c);zr("click",h,x=>{x.target===m&&(Zt!=mo||nn!=go)&&Vn.click(i,x)},!0);let p=i.under=Gi(US,h);h.appendChild(u);let m=i.over=Gi(OS,h);n=Po(n);let v=+It(n.pxAlign,1),_=C0(v);(n.plugins||[]).forEach(x=>{x.opts&&(n=x.opts(i,n)||n)});let g=n.ms||.001,y=i.series=s==1?I0(n.series||[],b0,A0,!1):xw(n.series||[null],T0),E=i.axes=I0(n.axes||[],v0,M0,!0),M=i.scales={},I=i.bands=n.bands||[];I.forEach(x=>{x.fill=wt(x.fill||null),x.dir=It(x.dir,-1)});let C=s==2?y[1].facets[0].scale:y[0].scale,b={axes:zs,series:vt},A=(n.drawOrder||["axes","series"]).map(x=>b[x]);function H(x){let w=x.distr==3?P=>Ws(P>0?P:x.clamp(i,P,x.min,x.max,x.key)):x.distr==4?P=>Qd(P,x.asinh):x.distr==100?P=>x.fwd(P):P=>P;return P=>{let L=w(P),{_min:B,_max:J}=x,ae=J-B;return(L-B)/ae}}function F(x){let w=M[x];if(w==null){let P=(n.scales||Ga)[x]||Ga;if(P.from!=null){F(P.from);let L=wn({},M[P.from],P,{key:x});L.valToPct=H(L),M[x]=L}else{w=M[x]=wn({},x==C?o_:ow,P),w.key=x;let L=w.time,B=w.range,J=gr(B);if((x!=C||s==2&&!L)&&(J&&(B[0]==null||B[1]==null)&&(B={min:B[0]==null?o0:{mode:1,hard:B[0],soft:B[0]},max:B[1]==null?o0:{mode:1,hard:B[1],soft:B[1]}},J=!1),!J&&_c(B))){let ae=B;B=(pe,be,Ne)=>be==null?Ro:dc(be,Ne,ae)}w.range=wt(B||(L?yw:x==C?w.distr==3?bw:w.distr==4?Sw:g_:w.distr==3?__:w.distr==4?x_:vw)),w.auto=wt(J?!1:w.auto),w.clamp=wt(w.clamp||rw),w._min=w._max=null,w.valToPct=H(w)}}}F("x"),F("y"),s==1&&y.forEach(x=>{F(x.scale)}),E.forEach(x=>{F(x.scale)});for(let x in n.scales)F(x);let D=M[C],G=D.distr,V,N;D.ori==0?(yi(c,LS),V=r,N=o):(yi(c,DS),V=o,N=r);let W={};for(let x in M){let w=M[x];(w.min!=null||w.max!=null)&&(W[x]={min:w.min,max:w.max},w.min=w.max=null)}let Z=n.tzDate||(x=>new Date(Rn(x/g))),z=n.fmtDate||bf,ue=g==1?LM(Z):FM(Z),K=_0(Z,g0(g==1?IM:NM,z)),Q=y0(Z,x0(OM,z)),se=[],fe=i.legend=wn({},VM,n.legend),de=i.cursor=wn({},$M,{drag:{y:s==2}},n.cursor),ee=fe.show,ge=de.show,ye=fe.markers;fe.idxs=se,ye.width=wt(ye.width),ye.dash=wt(ye.dash),ye.stroke=wt(ye.stroke),ye.fill=wt(ye.fill);let Ce,Me,$e,lt=[],He=[],_t,ft=!1,rt={};if(fe.live){let x=y[1]?y[1].values:null;ft=x!=null,_t=ft?x(i,1,0):{_:0};for(let w in _t)rt[w]=mf}if(ee)if(Ce=rs("table",HS,c),$e=rs("tbody",null,Ce),fe.mount(i,Ce),ft){Me=rs("thead",null,Ce,$e);let x=rs("tr",null,Me);rs("th",null,x);for(var tn in _t)rs("th",qg,x).textContent=tn}else yi(Ce,XS),fe.live&&yi(Ce,WS);let $t={show:!0},gn={show:!1};function zt(x,w){if(w==0&&(ft||!fe.live||s==2))return Ro;let P=[],L=rs("tr",$S,$e,$e.childNodes[w]);yi(L,x.class),x.show||yi(L,Vr);let B=rs("th",null,L);if(ye.show){let pe=Gi(qS,B);if(w>0){let be=ye.width(i,w);be&&(pe.style.border=be+"px "+ye.dash(i,w)+" "+ye.stroke(i,w)),pe.style.background=ye.fill(i,w)}}let J=Gi(qg,B);x.label instanceof HTMLElement?J.appendChild(x.label):J.textContent=x.label,w>0&&(ye.show||(J.style.color=x.width>0?ye.stroke(i,w):ye.fill(i,w)),At("click",B,pe=>{if(de._lock)return;Qe(pe);let be=y.indexOf(x);if((pe.ctrlKey||pe.metaKey)!=fe.isolate){let Ne=y.some((Fe,Oe)=>Oe>0&&Oe!=be&&Fe.show);y.forEach((Fe,Oe)=>{Oe>0&&ys(Oe,Ne?Oe==be?$t:gn:$t,!0,bn.setSeries)})}else ys(be,{show:!x.show},!0,bn.setSeries)},!1),et&&At(Kg,B,pe=>{de._lock||(Qe(pe),ys(y.indexOf(x),xo,!0,bn.setSeries))},!1));for(var ae in _t){let pe=rs("td",YS,L);pe.textContent="--",P.push(pe)}return[L,P]}let Dn=new Map;function At(x,w,P,L=!0){let B=Dn.get(w)||{},J=de.bind[x](i,w,P,L);J&&(zr(x,w,B[x]=J),Dn.set(w,B))}function En(x,w,P){let L=Dn.get(w)||{};for(let B in L)(x==null||B==x)&&(af(B,w,L[B]),delete L[B]);x==null&&Dn.delete(w)}let an=0,_n=0,O=0,Pe=0,Je=0,ct=0,we=Je,Ht=ct,Ge=O,Ye=Pe,R=0,S=0,X=0,he=0;i.bbox={};let oe=!1,xe=!1,ve=!1,te=!1,ie=!1,me=!1;function U(x,w,P){(P||x!=i.width||w!=i.height)&&re(x,w),pt(!1),ve=!0,xe=!0,Wn()}function re(x,w){i.width=an=O=x,i.height=_n=Pe=w,Je=ct=0,Se(),We();let P=i.bbox;R=P.left=kr(Je*Dt,.5),S=P.top=kr(ct*Dt,.5),X=P.width=kr(O*Dt,.5),he=P.height=kr(Pe*Dt,.5)}let ne=3;function Te(){let x=!1,w=0;for(;!x;){w++;let P=ho(w),L=xs(w);x=w==ne||P&&L,x||(re(i.width,i.height),xe=!0)}}function _e({width:x,height:w}){U(x,w)}i.setSize=_e;function Se(){let x=!1,w=!1,P=!1,L=!1;E.forEach((B,J)=>{if(B.show&&B._show){let{side:ae,_size:pe}=B,be=ae%2,Ne=B.label!=null?B.labelSize:0,Fe=pe+Ne;Fe>0&&(be?(O-=Fe,ae==3?(Je+=Fe,L=!0):P=!0):(Pe-=Fe,ae==0?(ct+=Fe,x=!0):w=!0))}}),gs[0]=x,gs[1]=P,gs[2]=w,gs[3]=L,O-=Ki[1]+Ki[3],Je+=Ki[3],Pe-=Ki[2]+Ki[0],ct+=Ki[0]}function We(){let x=Je+O,w=ct+Pe,P=Je,L=ct;function B(J,ae){switch(J){case 1:return x+=ae,x-ae;case 2:return w+=ae,w-ae;case 3:return P-=ae,P+ae;case 0:return L-=ae,L+ae}}E.forEach((J,ae)=>{if(J.show&&J._show){let pe=J.side;J._pos=B(pe,J._size),J.label!=null&&(J._lpos=B(pe,J.labelSize))}})}if(de.dataIdx==null){let x=de.hover,w=x.skip=new Set(x.skip??[]);w.add(void 0);let P=x.prox=wt(x.prox),L=x.bias??=0;de.dataIdx=(B,J,ae,pe)=>{if(J==0)return ae;let be=ae,Ne=P(B,J,ae,pe)??Wt,Fe=Ne>=0&&Ne<Wt,Oe=D.ori==0?O:Pe,ot=de.left,Lt=e[0],Pt=e[J];if(w.has(Pt[ae])){be=null;let St=null,je=null,qe;if(L==0||L==-1)for(qe=ae;St==null&&qe-- >0;)w.has(Pt[qe])||(St=qe);if(L==0||L==1)for(qe=ae;je==null&&qe++<Pt.length;)w.has(Pt[qe])||(je=qe);if(St!=null||je!=null)if(Fe){let jt=St==null?-1/0:V(Lt[St],D,Oe,0),un=je==null?1/0:V(Lt[je],D,Oe,0),On=ot-jt,Gt=un-ot;On<=Gt?On<=Ne&&(be=St):Gt<=Ne&&(be=je)}else be=je==null?St:St==null?je:ae-St<=je-ae?St:je}else Fe&&Pn(ot-V(Lt[ae],D,Oe,0))>Ne&&(be=null);return be}}let Qe=x=>{de.event=x};de.idxs=se,de._lock=!1;let ce=de.points;ce.show=wt(ce.show),ce.size=wt(ce.size),ce.stroke=wt(ce.stroke),ce.width=wt(ce.width),ce.fill=wt(ce.fill);let ke=i.focus=wn({},n.focus||{alpha:.3},de.focus),et=ke.prox>=0,Re=et&&ce.one,ht=[],Jt=[],Zn=[];function ba(x,w){let P=ce.show(i,w);if(P instanceof HTMLElement)return yi(P,GS),yi(P,x.class),As(P,-10,-10,O,Pe),m.insertBefore(P,ht[w]),P}function lo(x,w){if(s==1||w>0){let P=s==1&&M[x.scale].time,L=x.value;x.value=P?d0(L)?y0(Z,x0(L,z)):L||Q:L||nw,x.label=x.label||(P?YM:qM)}if(Re||w>0){x.width=x.width==null?1:x.width,x.paths=x.paths||gw||oM,x.fillTo=wt(x.fillTo||aw),x.pxAlign=+It(x.pxAlign,v),x.pxRound=C0(x.pxAlign),x.stroke=wt(x.stroke||null),x.fill=wt(x.fill||null),x._stroke=x._fill=x._paths=x._focus=null;let P=iw(ii(1,x.width),1),L=x.points=wn({},{size:P,width:ii(1,P*.2),stroke:x.stroke,space:P*2,paths:_w,_stroke:null,_fill:null},x.points);L.show=wt(L.show),L.filter=wt(L.filter),L.fill=wt(L.fill),L.stroke=wt(L.stroke),L.paths=wt(L.paths),L.pxAlign=x.pxAlign}if(ee){let P=zt(x,w);lt.splice(w,0,P[0]),He.splice(w,0,P[1]),fe.values.push(null)}if(ge){se.splice(w,0,null);let P=null;Re?w==0&&(P=ba(x,w)):w>0&&(P=ba(x,w)),ht.splice(w,0,P),Jt.splice(w,0,0),Zn.splice(w,0,0)}Un("addSeries",w)}function bd(x,w){w=w??y.length,x=s==1?ff(x,w,b0,A0):ff(x,w,{},T0),y.splice(w,0,x),lo(y[w],w)}i.addSeries=bd;function Vl(x){if(y.splice(x,1),ee){fe.values.splice(x,1),He.splice(x,1);let w=lt.splice(x,1)[0];En(null,w.firstChild),w.remove()}ge&&(se.splice(x,1),ht.splice(x,1)[0].remove(),Jt.splice(x,1),Zn.splice(x,1)),Un("delSeries",x)}i.delSeries=Vl;let gs=[!1,!1,!1,!1];function ks(x,w){if(x._show=x.show,x.show){let P=x.side%2,L=M[x.scale];L==null&&(x.scale=P?y[1].scale:C,L=M[x.scale]);let B=L.time;x.size=wt(x.size),x.space=wt(x.space),x.rotate=wt(x.rotate),gr(x.incrs)&&x.incrs.forEach(ae=>{!_r.has(ae)&&_r.set(ae,z0(ae))}),x.incrs=wt(x.incrs||(L.distr==2?CM:B?g==1?PM:DM:Br)),x.splits=wt(x.splits||(B&&L.distr==1?ue:L.distr==3?cf:L.distr==4?KM:ZM)),x.stroke=wt(x.stroke),x.grid.stroke=wt(x.grid.stroke),x.ticks.stroke=wt(x.ticks.stroke),x.border.stroke=wt(x.border.stroke);let J=x.values;x.values=gr(J)&&!gr(J[0])?wt(J):B?gr(J)?_0(Z,g0(J,z)):d0(J)?UM(Z,J):J||K:J||JM,x.filter=wt(x.filter||(L.distr>=3&&L.log==10?ew:L.distr==3&&L.log==2?tw:B0)),x.font=L0(x.font),x.labelFont=L0(x.labelFont),x._size=x.size(i,null,w,0),x._space=x._rotate=x._incrs=x._found=x._splits=x._values=null,x._size>0&&(gs[w]=!0,x._el=Gi(kS,h))}}function Bs(x,w,P,L){let[B,J,ae,pe]=P,be=w%2,Ne=0;return be==0&&(pe||J)&&(Ne=w==0&&!B||w==2&&!ae?Rn(v0.size/3):0),be==1&&(B||ae)&&(Ne=w==1&&!J||w==3&&!pe?Rn(M0.size/2):0),Ne}let Sa=i.padding=(n.padding||[Bs,Bs,Bs,Bs]).map(x=>wt(It(x,Bs))),Ki=i._padding=Sa.map((x,w)=>x(i,w,gs,0)),ln,fn=null,pn=null,_s=s==1?y[0].idxs:null,mi=null,ar=!1;function Ma(x,w){if(e=x??[],i.data=i._data=e,s==2){ln=0;for(let P=1;P<y.length;P++)ln+=e[P][0].length}else{e.length==0&&(i.data=i._data=e=[[]]),mi=e[0],ln=mi.length;let P=e;if(G==2){P=e.slice();let L=P[0]=Array(ln);for(let B=0;B<ln;B++)L[B]=B}i._data=e=P}if(pt(!0),Un("setData"),G==2&&(ve=!0),w!==!1){let P=D;P.auto(i,ar)?wa():ur(C,P.min,P.max),te=te||de.left>=0,me=!0,Wn()}}i.setData=Ma;function wa(){ar=!0;let x,w;s==1&&(ln>0?(fn=_s[0]=0,pn=_s[1]=ln-1,x=e[0][fn],w=e[0][pn],G==2?(x=fn,w=pn):x==w&&(G==3?[x,w]=mc(x,x,D.log,!1):G==4?[x,w]=_f(x,x,D.log,!1):D.time?w=x+Rn(86400/g):[x,w]=dc(x,w,xf,!0))):(fn=_s[0]=x=null,pn=_s[1]=w=null)),ur(C,x,w)}let co,lr,uo,T,k,j,q,Y,Ae,Ie;function Ee(x,w,P,L,B,J){x??=Jg,P??=vf,L??="butt",B??=Jg,J??="round",x!=co&&(d.strokeStyle=co=x),B!=lr&&(d.fillStyle=lr=B),w!=uo&&(d.lineWidth=uo=w),J!=k&&(d.lineJoin=k=J),L!=j&&(d.lineCap=j=L),P!=T&&d.setLineDash(T=P)}function Le(x,w,P,L){w!=lr&&(d.fillStyle=lr=w),x!=q&&(d.font=q=x),P!=Y&&(d.textAlign=Y=P),L!=Ae&&(d.textBaseline=Ae=L)}function Ve(x,w,P,L,B=0){if(L.length>0&&x.auto(i,ar)&&(w==null||w.min==null)){let J=It(fn,0),ae=It(pn,L.length-1),pe=P.min==null?eM(L,J,ae,B,x.distr==3):[P.min,P.max];x.min=as(x.min,P.min=pe[0]),x.max=ii(x.max,P.max=pe[1])}}let nt={min:null,max:null};function yt(){for(let L in M){let B=M[L];W[L]==null&&(B.min==null||W[C]!=null&&B.auto(i,ar))&&(W[L]=nt)}for(let L in M){let B=M[L];W[L]==null&&B.from!=null&&W[B.from]!=null&&(W[L]=nt)}W[C]!=null&&pt(!0);let x={};for(let L in W){let B=W[L];if(B!=null){let J=x[L]=Po(M[L],cM);if(B.min!=null)wn(J,B);else if(L!=C||s==2)if(ln==0&&J.from==null){let ae=J.range(i,null,null,L);J.min=ae[0],J.max=ae[1]}else J.min=Wt,J.max=-Wt}}if(ln>0){y.forEach((L,B)=>{if(s==1){let J=L.scale,ae=W[J];if(ae==null)return;let pe=x[J];if(B==0){let be=pe.range(i,pe.min,pe.max,J);pe.min=be[0],pe.max=be[1],fn=os(pe.min,e[0]),pn=os(pe.max,e[0]),pn-fn>1&&(e[0][fn]<pe.min&&fn++,e[0][pn]>pe.max&&pn--),L.min=mi[fn],L.max=mi[pn]}else L.show&&L.auto&&Ve(pe,ae,L,e[B],L.sorted);L.idxs[0]=fn,L.idxs[1]=pn}else if(B>0&&L.show&&L.auto){let[J,ae]=L.facets,pe=J.scale,be=ae.scale,[Ne,Fe]=e[B],Oe=x[pe],ot=x[be];Oe!=null&&Ve(Oe,W[pe],J,Ne,J.sorted),ot!=null&&Ve(ot,W[be],ae,Fe,ae.sorted),L.min=ae.min,L.max=ae.max}});for(let L in x){let B=x[L],J=W[L];if(B.from==null&&(J==null||J.min==null)){let ae=B.range(i,B.min==Wt?null:B.min,B.max==-Wt?null:B.max,L);B.min=ae[0],B.max=ae[1]}}}for(let L in x){let B=x[L];if(B.from!=null){let J=x[B.from];if(J.min==null)B.min=B.max=null;else{let ae=B.range(i,J.min,J.max,L);B.min=ae[0],B.max=ae[1]}}}let w={},P=!1;for(let L in x){let B=x[L],J=M[L];if(J.min!=B.min||J.max!=B.max){J.min=B.min,J.max=B.max;let ae=J.distr;J._min=ae==3?Ws(J.min):ae==4?Qd(J.min,J.asinh):ae==100?J.fwd(J.min):J.min,J._max=ae==3?Ws(J.max):ae==4?Qd(J.max,J.asinh):ae==100?J.fwd(J.max):J.max,w[L]=P=!0}}if(P){y.forEach((L,B)=>{s==2?B>0&&w.y&&(L._paths=null):w[L.scale]&&(L._paths=null)});for(let L in w)ve=!0,Un("setScale",L);ge&&de.left>=0&&(te=me=!0)}for(let L in W)W[L]=null}function Be(x){let w=lf(fn-1,0,ln-1),P=lf(pn+1,0,ln-1);for(;x[w]==null&&w>0;)w--;for(;x[P]==null&&P<ln-1;)P++;return[w,P]}function vt(){if(ln>0){let x=y.some(w=>w._focus)&&Ie!=ke.alpha;x&&(d.globalAlpha=Ie=ke.alpha),y.forEach((w,P)=>{if(P>0&&w.show&&(rn(P,!1),rn(P,!0),w._paths==null)){let L=Ie;Ie!=w.alpha&&(d.globalAlpha=Ie=w.alpha);let B=s==2?[0,e[P][0].length-1]:Be(e[P]);w._paths=w.paths(i,P,B[0],B[1]),Ie!=L&&(d.globalAlpha=Ie=L)}}),y.forEach((w,P)=>{if(P>0&&w.show){let L=Ie;Ie!=w.alpha&&(d.globalAlpha=Ie=w.alpha),w._paths!=null&&Ut(P,!1);{let B=w._paths!=null?w._paths.gaps:null,J=w.points.show(i,P,fn,pn,B),ae=w.points.filter(i,P,J,B);(J||ae)&&(w.points._paths=w.points.paths(i,P,fn,pn,ae),Ut(P,!0))}Ie!=L&&(d.globalAlpha=Ie=L),Un("drawSeries",P)}}),x&&(d.globalAlpha=Ie=1)}}function rn(x,w){let P=w?y[x].points:y[x];P._stroke=P.stroke(i,x),P._fill=P.fill(i,x)}function Ut(x,w){let P=w?y[x].points:y[x],{stroke:L,fill:B,clip:J,flags:ae,_stroke:pe=P._stroke,_fill:be=P._fill,_width:Ne=P.width}=P._paths;Ne=Xt(Ne*Dt,3);let Fe=null,Oe=Ne%2/2;w&&be==null&&(be=Ne>0?"#fff":pe);let ot=P.pxAlign==1&&Oe>0;if(ot&&d.translate(Oe,Oe),!w){let Lt=R-Ne/2,Pt=S-Ne/2,St=X+Ne,je=he+Ne;Fe=new Path2D,Fe.rect(Lt,Pt,St,je)}w?Ue(pe,Ne,P.dash,P.cap,be,L,B,ae,J):Ot(x,pe,Ne,P.dash,P.cap,be,L,B,ae,Fe,J),ot&&d.translate(-Oe,-Oe)}function Ot(x,w,P,L,B,J,ae,pe,be,Ne,Fe){let Oe=!1;be!=0&&I.forEach((ot,Lt)=>{if(ot.series[0]==x){let Pt=y[ot.series[1]],St=e[ot.series[1]],je=(Pt._paths||Ga).band;gr(je)&&(je=ot.dir==1?je[0]:je[1]);let qe,jt=null;Pt.show&&je&&nM(St,fn,pn)?(jt=ot.fill(i,Lt)||J,qe=Pt._paths.clip):je=null,Ue(w,P,L,B,jt,ae,pe,be,Ne,Fe,qe,je),Oe=!0}}),Oe||Ue(w,P,L,B,J,ae,pe,be,Ne,Fe)}let Cn=Io|hf;function Ue(x,w,P,L,B,J,ae,pe,be,Ne,Fe,Oe){Ee(x,w,P,L,B),(be||Ne||Oe)&&(d.save(),be&&d.clip(be),Ne&&d.clip(Ne)),Oe?(pe&Cn)==Cn?(d.clip(Oe),Fe&&d.clip(Fe),Mt(B,ae),xn(x,J,w)):pe&hf?(Mt(B,ae),d.clip(Oe),xn(x,J,w)):pe&Io&&(d.save(),d.clip(Oe),Fe&&d.clip(Fe),Mt(B,ae),d.restore(),xn(x,J,w)):(Mt(B,ae),xn(x,J,w)),(be||Ne||Oe)&&d.restore()}function xn(x,w,P){P>0&&(w instanceof Map?w.forEach((L,B)=>{d.strokeStyle=co=B,d.stroke(L)}):w!=null&&x&&d.stroke(w))}function Mt(x,w){w instanceof Map?w.forEach((P,L)=>{d.fillStyle=lr=L,d.fill(P)}):w!=null&&x&&d.fill(w)}function Vs(x,w,P,L){let B=E[x],J;if(L<=0)J=[0,0];else{let ae=B._space=B.space(i,x,w,P,L),pe=B._incrs=B.incrs(i,x,w,P,L,ae);J=Mw(w,P,pe,L,ae)}return B._found=J}function yn(x,w,P,L,B,J,ae,pe,be,Ne){let Fe=ae%2/2;v==1&&d.translate(Fe,Fe),Ee(pe,ae,be,Ne,pe),d.beginPath();let Oe,ot,Lt,Pt,St=B+(L==0||L==3?-J:J);P==0?(ot=B,Pt=St):(Oe=B,Lt=St);for(let je=0;je<x.length;je++)w[je]!=null&&(P==0?Oe=Lt=x[je]:ot=Pt=x[je],d.moveTo(Oe,ot),d.lineTo(Lt,Pt));d.stroke(),v==1&&d.translate(-Fe,-Fe)}function ho(x){let w=!0;return E.forEach((P,L)=>{if(!P.show)return;let B=M[P.scale];if(B.min==null){P._show&&(w=!1,P._show=!1,pt(!1));return}else P._show||(w=!1,P._show=!0,pt(!1));let J=P.side,ae=J%2,{min:pe,max:be}=B,[Ne,Fe]=Vs(L,pe,be,ae==0?O:Pe);if(Fe==0)return;let Oe=B.distr==2,ot=P._splits=P.splits(i,L,pe,be,Ne,Fe,Oe),Lt=B.distr==2?ot.map(qe=>mi[qe]):ot,Pt=B.distr==2?mi[ot[1]]-mi[ot[0]]:Ne,St=P._values=P.values(i,P.filter(i,Lt,L,Fe,Pt),L,Fe,Pt);P._rotate=J==2?P.rotate(i,St,L,Fe):0;let je=P._size;P._size=Hi(P.size(i,St,L,x)),je!=null&&P._size!=je&&(w=!1)}),w}function xs(x){let w=!0;return Sa.forEach((P,L)=>{let B=P(i,L,gs,x);B!=Ki[L]&&(w=!1),Ki[L]=B}),w}function zs(){for(let x=0;x<E.length;x++){let w=E[x];if(!w.show||!w._show)continue;let P=w.side,L=P%2,B,J,ae=w.stroke(i,x),pe=P==0||P==3?-1:1,[be,Ne]=w._found;if(w.label!=null){let Qn=w.labelGap*pe,xi=Rn((w._lpos+Qn)*Dt);Le(w.labelFont[0],ae,"center",P==2?"top":Yg),d.save(),L==1?(B=J=0,d.translate(xi,Rn(S+he/2)),d.rotate((P==3?-uc:uc)/2)):(B=Rn(R+X/2),J=xi);let Fr=O0(w.label)?w.label(i,x,be,Ne):w.label;d.fillText(Fr,B,J),d.restore()}if(Ne==0)continue;let Fe=M[w.scale],Oe=L==0?X:he,ot=L==0?R:S,Lt=w._splits,Pt=Fe.distr==2?Lt.map(Qn=>mi[Qn]):Lt,St=Fe.distr==2?mi[Lt[1]]-mi[Lt[0]]:be,je=w.ticks,qe=w.border,jt=je.show?je.size:0,un=Rn(jt*Dt),On=Rn((w.alignTo==2?w._size-jt-w.gap:w.gap)*Dt),Gt=w._rotate*-uc/180,hn=_(w._pos*Dt),gi=(un+On)*pe,jn=hn+gi;J=L==0?jn:0,B=L==1?jn:0;let Oi=w.font[0],ji=w.align==1?To:w.align==2?Zd:Gt>0?To:Gt<0?Zd:L==0?"center":P==3?Zd:To,bs=Gt||L==1?"middle":P==2?"top":Yg;Le(Oi,ae,ji,bs);let _i=w.font[1]*w.lineGap,ki=Lt.map(Qn=>_(a(Qn,Fe,Oe,ot))),Qi=w._values;for(let Qn=0;Qn<Qi.length;Qn++){let xi=Qi[Qn];if(xi!=null){L==0?B=ki[Qn]:J=ki[Qn],xi=""+xi;let Fr=xi.indexOf(`
+`)==-1?[xi]:xi.split(/\n/gm);for(let ei=0;ei<Fr.length;ei++){let Ym=Fr[ei];Gt?(d.save(),d.translate(B,J+ei*_i),d.rotate(Gt),d.fillText(Ym,0,0),d.restore()):d.fillText(Ym,B,J+ei*_i)}}}je.show&&yn(ki,je.filter(i,Pt,x,Ne,St),L,P,hn,un,Xt(je.width*Dt,3),je.stroke(i,x),je.dash,je.cap);let Ss=w.grid;Ss.show&&yn(ki,Ss.filter(i,Pt,x,Ne,St),L,L==0?2:1,L==0?S:R,L==0?he:X,Xt(Ss.width*Dt,3),Ss.stroke(i,x),Ss.dash,Ss.cap),qe.show&&yn([hn],[1],L==0?1:0,L==0?1:2,L==1?S:R,L==1?he:X,Xt(qe.width*Dt,3),qe.stroke(i,x),qe.dash,qe.cap)}Un("drawAxes")}function pt(x){y.forEach((w,P)=>{P>0&&(w._paths=null,x&&(s==1?(w.min=null,w.max=null):w.facets.forEach(L=>{L.min=null,L.max=null})))})}let cn=!1,Kn=!1,kt=[];function vn(){Kn=!1;for(let x=0;x<kt.length;x++)Un(...kt[x]);kt.length=0}function Wn(){cn||(gM(Pm),cn=!0)}function zl(x,w=!1){cn=!0,Kn=w,x(i),Pm(),w&&kt.length>0&&queueMicrotask(vn)}i.batch=zl;function Pm(){if(oe&&(yt(),oe=!1),ve&&(Te(),ve=!1),xe){if(Qt(p,To,Je),Qt(p,"top",ct),Qt(p,ka,O),Qt(p,Ba,Pe),Qt(m,To,Je),Qt(m,"top",ct),Qt(m,ka,O),Qt(m,Ba,Pe),Qt(h,ka,an),Qt(h,Ba,_n),u.width=Rn(an*Dt),u.height=Rn(_n*Dt),E.forEach(({_el:x,_show:w,_size:P,_pos:L,side:B})=>{if(x!=null)if(w){let J=B===3||B===0?P:0,ae=B%2==1;Qt(x,ae?"left":"top",L-J),Qt(x,ae?"width":"height",P),Qt(x,ae?"top":"left",ae?ct:Je),Qt(x,ae?"height":"width",ae?Pe:O),of(x,Vr)}else yi(x,Vr)}),co=lr=uo=k=j=q=Y=Ae=T=null,Ie=1,Ea(!0),Je!=we||ct!=Ht||O!=Ge||Pe!=Ye){pt(!1);let x=O/Ge,w=Pe/Ye;if(ge&&!te&&de.left>=0){de.left*=x,de.top*=w,fo&&As(fo,Rn(de.left),0,O,Pe),po&&As(po,0,Rn(de.top),O,Pe);for(let P=0;P<ht.length;P++){let L=ht[P];L!=null&&(Jt[P]*=x,Zn[P]*=w,As(L,Hi(Jt[P]),Hi(Zn[P]),O,Pe))}}if(Kt.show&&!ie&&Kt.left>=0&&Kt.width>0){Kt.left*=x,Kt.width*=x,Kt.top*=w,Kt.height*=w;for(let P in Ed)Qt(_o,P,Kt[P])}we=Je,Ht=ct,Ge=O,Ye=Pe}Un("setSize"),xe=!1}an>0&&_n>0&&(d.clearRect(0,0,u.width,u.height),Un("drawClear"),A.forEach(x=>x()),Un("draw")),Kt.show&&ie&&(Gl(Kt),ie=!1),ge&&te&&(Nr(null,!0,!1),te=!1),fe.show&&fe.live&&me&&(Td(),me=!1),l||(l=!0,i.status=1,Un("ready")),ar=!1,cn=!1}i.redraw=(x,w)=>{ve=w||!1,x!==!1?ur(C,D.min,D.max):Wn()};function Sd(x,w){let P=M[x];if(P.from==null){if(ln==0){let L=P.range(i,w.min,w.max,x);w.min=L[0],w.max=L[1]}if(w.min>w.max){let L=w.min;w.min=w.max,w.max=L}if(ln>1&&w.min!=null&&w.max!=null&&w.max-w.min<1e-16)return;x==C&&P.distr==2&&ln>0&&(w.min=os(w.min,e[0]),w.max=os(w.max,e[0]),w.min==w.max&&w.max++),W[x]=w,oe=!0,Wn()}}i.setScale=Sd;let Md,wd,fo,po,Im,Lm,mo,go,Dm,Nm,Zt,nn,cr=!1,Vn=de.drag,Nn=Vn.x,Fn=Vn.y;ge&&(de.x&&(Md=Gi(VS,m)),de.y&&(wd=Gi(zS,m)),D.ori==0?(fo=Md,po=wd):(fo=wd,po=Md),Zt=de.left,nn=de.top);let Kt=i.select=wn({show:!0,over:!0,left:0,width:0,top:0,height:0},n.select),_o=Kt.show?Gi(BS,Kt.over?m:p):null;function Gl(x,w){if(Kt.show){for(let P in x)Kt[P]=x[P],P in Ed&&Qt(_o,P,x[P]);w!==!1&&Un("setSelect")}}i.setSelect=Gl;function Zb(x){if(y[x].show)ee&&of(lt[x],Vr);else if(ee&&yi(lt[x],Vr),ge){let P=Re?ht[0]:ht[x];P!=null&&As(P,-10,-10,O,Pe)}}function ur(x,w,P){Sd(x,{min:w,max:P})}function ys(x,w,P,L){w.focus!=null&&tS(x),w.show!=null&&y.forEach((B,J)=>{J>0&&(x==J||x==null)&&(B.show=w.show,Zb(J),s==2?(ur(B.facets[0].scale,null,null),ur(B.facets[1].scale,null,null)):ur(B.scale,null,null),Wn())}),P!==!1&&Un("setSeries",x,w),L&&Ca("setSeries",i,x,w)}i.setSeries=ys;function Kb(x,w){wn(I[x],w)}function jb(x,w){x.fill=wt(x.fill||null),x.dir=It(x.dir,-1),w=w??I.length,I.splice(w,0,x)}function Qb(x){x==null?I.length=0:I.splice(x,1)}i.addBand=jb,i.setBand=Kb,i.delBand=Qb;function eS(x,w){y[x].alpha=w,ge&&ht[x]!=null&&(ht[x].style.opacity=w),ee&&lt[x]&&(lt[x].style.opacity=w)}let Gs,hr,Dr,xo={focus:!0};function tS(x){if(x!=Dr){let w=x==null,P=ke.alpha!=1;y.forEach((L,B)=>{if(s==1||B>0){let J=w||B==0||B==x;L._focus=w?null:J,P&&eS(B,J?1:ke.alpha)}}),Dr=x,P&&Wn()}}ee&&et&&At(jg,Ce,x=>{de._lock||(Qe(x),Dr!=null&&ys(null,xo,!0,bn.setSeries))});function vs(x,w,P){let L=M[w];P&&(x=x/Dt-(L.ori==1?ct:Je));let B=O;L.ori==1&&(B=Pe,x=B-x),L.dir==-1&&(x=B-x);let J=L._min,ae=L._max,pe=x/B,be=J+(ae-J)*pe,Ne=L.distr;return Ne==3?Co(10,be):Ne==4?sM(be,L.asinh):Ne==100?L.bwd(be):be}function nS(x,w){let P=vs(x,C,w);return os(P,e[0],fn,pn)}i.valToIdx=x=>os(x,e[0]),i.posToIdx=nS,i.posToVal=vs,i.valToPos=(x,w,P)=>M[w].ori==0?r(x,M[w],P?X:O,P?R:0):o(x,M[w],P?he:Pe,P?S:0),i.setCursor=(x,w,P)=>{Zt=x.left,nn=x.top,Nr(null,w,P)};function Fm(x,w){Qt(_o,To,Kt.left=x),Qt(_o,ka,Kt.width=w)}function Um(x,w){Qt(_o,"top",Kt.top=x),Qt(_o,Ba,Kt.height=w)}let Ta=D.ori==0?Fm:Um,Aa=D.ori==1?Fm:Um;function iS(){if(ee&&fe.live)for(let x=s==2?1:0;x<y.length;x++){if(x==0&&ft)continue;let w=fe.values[x],P=0;for(let L in w)He[x][P++].firstChild.nodeValue=w[L]}}function Td(x,w){if(x!=null&&(x.idxs?x.idxs.forEach((P,L)=>{se[L]=P}):lM(x.idx)||se.fill(x.idx),fe.idx=se[0]),ee&&fe.live){for(let P=0;P<y.length;P++)(P>0||s==1&&!ft)&&sS(P,se[P]);iS()}me=!1,w!==!1&&Un("setLegend")}i.setLegend=Td;function sS(x,w){let P=y[x],L=x==0&&G==2?mi:e[x],B;ft?B=P.values(i,x,w)??rt:(B=P.value(i,w==null?null:L[w],x,w),B=B==null?rt:{_:B}),fe.values[x]=B}function Nr(x,w,P){Dm=Zt,Nm=nn,[Zt,nn]=de.move(i,Zt,nn),de.left=Zt,de.top=nn,ge&&(fo&&As(fo,Rn(Zt),0,O,Pe),po&&As(po,0,Rn(nn),O,Pe));let L,B=fn>pn;Gs=Wt,hr=null;let J=D.ori==0?O:Pe,ae=D.ori==1?O:Pe;if(Zt<0||ln==0||B){L=de.idx=null;for(let pe=0;pe<y.length;pe++){let be=ht[pe];be!=null&&As(be,-10,-10,O,Pe)}et&&ys(null,xo,!0,x==null&&bn.setSeries),fe.live&&(se.fill(L),me=!0)}else{let pe,be,Ne;s==1&&(pe=D.ori==0?Zt:nn,be=vs(pe,C),L=de.idx=os(be,e[0],fn,pn),Ne=V(e[0][L],D,J,0));let Fe=-10,Oe=-10,ot=0,Lt=0,Pt=!0,St="",je="";for(let qe=s==2?1:0;qe<y.length;qe++){let jt=y[qe],un=se[qe],On=un==null?null:s==1?e[qe][un]:e[qe][1][un],Gt=de.dataIdx(i,qe,L,be),hn=Gt==null?null:s==1?e[qe][Gt]:e[qe][1][Gt];if(me=me||hn!=On||Gt!=un,se[qe]=Gt,qe>0&&jt.show){let gi=Gt==null?-10:Gt==L?Ne:V(s==1?e[0][Gt]:e[qe][0][Gt],D,J,0),jn=hn==null?-10:N(hn,s==1?M[jt.scale]:M[jt.facets[1].scale],ae,0);if(et&&hn!=null){let Oi=D.ori==1?Zt:nn,ji=Pn(ke.dist(i,qe,Gt,jn,Oi));if(ji<Gs){let bs=ke.bias;if(bs!=0){let _i=vs(Oi,jt.scale),ki=hn>=0?1:-1,Qi=_i>=0?1:-1;Qi==ki&&(Qi==1?bs==1?hn>=_i:hn<=_i:bs==1?hn<=_i:hn>=_i)&&(Gs=ji,hr=qe)}else Gs=ji,hr=qe}}if(me||Re){let Oi,ji;D.ori==0?(Oi=gi,ji=jn):(Oi=jn,ji=gi);let bs,_i,ki,Qi,Ss,Qn,xi=!0,Fr=ce.bbox;if(Fr!=null){xi=!1;let ei=Fr(i,qe);ki=ei.left,Qi=ei.top,bs=ei.width,_i=ei.height}else ki=Oi,Qi=ji,bs=_i=ce.size(i,qe);if(Qn=ce.fill(i,qe),Ss=ce.stroke(i,qe),Re)qe==hr&&Gs<=ke.prox&&(Fe=ki,Oe=Qi,ot=bs,Lt=_i,Pt=xi,St=Qn,je=Ss);else{let ei=ht[qe];ei!=null&&(Jt[qe]=ki,Zn[qe]=Qi,r0(ei,bs,_i,xi),i0(ei,Qn,Ss),As(ei,Hi(ki),Hi(Qi),O,Pe))}}}}if(Re){let qe=ke.prox,jt=Dr==null?Gs<=qe:Gs>qe||hr!=Dr;if(me||jt){let un=ht[0];un!=null&&(Jt[0]=Fe,Zn[0]=Oe,r0(un,ot,Lt,Pt),i0(un,St,je),As(un,Hi(Fe),Hi(Oe),O,Pe))}}}if(Kt.show&&cr)if(x!=null){let[pe,be]=bn.scales,[Ne,Fe]=bn.match,[Oe,ot]=x.cursor.sync.scales,Lt=x.cursor.drag;if(Nn=Lt._x,Fn=Lt._y,Nn||Fn){let{left:Pt,top:St,width:je,height:qe}=x.select,jt=x.scales[Oe].ori,un=x.posToVal,On,Gt,hn,gi,jn,Oi=pe!=null&&Ne(pe,Oe),ji=be!=null&&Fe(be,ot);Oi&&Nn?(jt==0?(On=Pt,Gt=je):(On=St,Gt=qe),hn=M[pe],gi=V(un(On,Oe),hn,J,0),jn=V(un(On+Gt,Oe),hn,J,0),Ta(as(gi,jn),Pn(jn-gi))):Ta(0,J),ji&&Fn?(jt==1?(On=Pt,Gt=je):(On=St,Gt=qe),hn=M[be],gi=N(un(On,ot),hn,ae,0),jn=N(un(On+Gt,ot),hn,ae,0),Aa(as(gi,jn),Pn(jn-gi))):Aa(0,ae)}else Cd()}else{let pe=Pn(Dm-Im),be=Pn(Nm-Lm);if(D.ori==1){let ot=pe;pe=be,be=ot}Nn=Vn.x&&pe>=Vn.dist,Fn=Vn.y&&be>=Vn.dist;let Ne=Vn.uni;Ne!=null?Nn&&Fn&&(Nn=pe>=Ne,Fn=be>=Ne,!Nn&&!Fn&&(be>pe?Fn=!0:Nn=!0)):Vn.x&&Vn.y&&(Nn||Fn)&&(Nn=Fn=!0);let Fe,Oe;Nn&&(D.ori==0?(Fe=mo,Oe=Zt):(Fe=go,Oe=nn),Ta(as(Fe,Oe),Pn(Oe-Fe)),Fn||Aa(0,ae)),Fn&&(D.ori==1?(Fe=mo,Oe=Zt):(Fe=go,Oe=nn),Aa(as(Fe,Oe),Pn(Oe-Fe)),Nn||Ta(0,J)),!Nn&&!Fn&&(Ta(0,0),Aa(0,0))}if(Vn._x=Nn,Vn._y=Fn,x==null){if(P){if(qm!=null){let[pe,be]=bn.scales;bn.values[0]=pe!=null?vs(D.ori==0?Zt:nn,pe):null,bn.values[1]=be!=null?vs(D.ori==1?Zt:nn,be):null}Ca(Kd,i,Zt,nn,O,Pe,L)}if(et){let pe=P&&bn.setSeries,be=ke.prox;Dr==null?Gs<=be&&ys(hr,xo,!0,pe):Gs>be?ys(null,xo,!0,pe):hr!=Dr&&ys(hr,xo,!0,pe)}}me&&(fe.idx=L,Td()),w!==!1&&Un("setCursor")}let dr=null;Object.defineProperty(i,"rect",{get(){return dr==null&&Ea(!1),dr}});function Ea(x=!1){x?dr=null:(dr=m.getBoundingClientRect(),Un("syncRect",dr))}function Om(x,w,P,L,B,J,ae){de._lock||cr&&x!=null&&x.movementX==0&&x.movementY==0||(Ad(x,w,P,L,B,J,ae,!1,x!=null),x!=null?Nr(null,!0,!0):Nr(w,!0,!1))}function Ad(x,w,P,L,B,J,ae,pe,be){if(dr==null&&Ea(!1),Qe(x),x!=null)P=x.clientX-dr.left,L=x.clientY-dr.top;else{if(P<0||L<0){Zt=-10,nn=-10;return}let[Ne,Fe]=bn.scales,Oe=w.cursor.sync,[ot,Lt]=Oe.values,[Pt,St]=Oe.scales,[je,qe]=bn.match,jt=w.axes[0].side%2==1,un=D.ori==0?O:Pe,On=D.ori==1?O:Pe,Gt=jt?J:B,hn=jt?B:J,gi=jt?L:P,jn=jt?P:L;if(Pt!=null?P=je(Ne,Pt)?a(ot,M[Ne],un,0):-10:P=un*(gi/Gt),St!=null?L=qe(Fe,St)?a(Lt,M[Fe],On,0):-10:L=On*(jn/hn),D.ori==1){let Oi=P;P=L,L=Oi}}be&&(w==null||w.cursor.event.type==Kd)&&((P<=1||P>=O-1)&&(P=kr(P,O)),(L<=1||L>=Pe-1)&&(L=kr(L,Pe))),pe?(Im=P,Lm=L,[mo,go]=de.move(i,P,L)):(Zt=P,nn=L)}let Ed={width:0,height:0,left:0,top:0};function Cd(){Gl(Ed,!1)}let km,Bm,Vm,zm;function Gm(x,w,P,L,B,J,ae){cr=!0,Nn=Fn=Vn._x=Vn._y=!1,Ad(x,w,P,L,B,J,ae,!0,!1),x!=null&&(At(jd,sf,Hm,!1),Ca(Zg,i,mo,go,O,Pe,null));let{left:pe,top:be,width:Ne,height:Fe}=Kt;km=pe,Bm=be,Vm=Ne,zm=Fe}function Hm(x,w,P,L,B,J,ae){cr=Vn._x=Vn._y=!1,Ad(x,w,P,L,B,J,ae,!1,!0);let{left:pe,top:be,width:Ne,height:Fe}=Kt,Oe=Ne>0||Fe>0,ot=km!=pe||Bm!=be||Vm!=Ne||zm!=Fe;if(Oe&&ot&&Gl(Kt),Vn.setScale&&Oe&&ot){let Lt=pe,Pt=Ne,St=be,je=Fe;if(D.ori==1&&(Lt=be,Pt=Fe,St=pe,je=Ne),Nn&&ur(C,vs(Lt,C),vs(Lt+Pt,C)),Fn)for(let qe in M){let jt=M[qe];qe!=C&&jt.from==null&&jt.min!=Wt&&ur(qe,vs(St+je,qe),vs(St,qe))}Cd()}else de.lock&&(de._lock=!de._lock,Nr(w,!0,x!=null));x!=null&&(En(jd,sf),Ca(jd,i,Zt,nn,O,Pe,null))}function rS(x,w,P,L,B,J,ae){if(de._lock)return;Qe(x);let pe=cr;if(cr){let be=!0,Ne=!0,Fe=10,Oe,ot;D.ori==0?(Oe=Nn,ot=Fn):(Oe=Fn,ot=Nn),Oe&&ot&&(be=Zt<=Fe||Zt>=O-Fe,Ne=nn<=Fe||nn>=Pe-Fe),Oe&&be&&(Zt=Zt<mo?0:O),ot&&Ne&&(nn=nn<go?0:Pe),Nr(null,!0,!0),cr=!1}Zt=-10,nn=-10,se.fill(null),Nr(null,!0,!0),pe&&(cr=pe)}function Wm(x,w,P,L,B,J,ae){de._lock||(Qe(x),wa(),Cd(),x!=null&&Ca(Qg,i,Zt,nn,O,Pe,null))}function Xm(){E.forEach(ww),U(i.width,i.height,!0)}zr(hc,Eo,Xm);let yo={};yo.mousedown=Gm,yo.mousemove=Om,yo.mouseup=Hm,yo.dblclick=Wm,yo.setSeries=(x,w,P,L)=>{let B=bn.match[2];P=B(i,w,P),P!=-1&&ys(P,L,!0,!1)},ge&&(At(Zg,m,Gm),At(Kd,m,Om),At(Kg,m,x=>{Qe(x),Ea(!1)}),At(jg,m,rS),At(Qg,m,Wm),df.add(i),i.syncRect=Ea);let Hl=i.hooks=n.hooks||{};function Un(x,w,P){Kn?kt.push([x,w,P]):x in Hl&&Hl[x].forEach(L=>{L.call(null,i,w,P)})}(n.plugins||[]).forEach(x=>{for(let w in x.hooks)Hl[w]=(Hl[w]||[]).concat(x.hooks[w])});let $m=(x,w,P)=>P,bn=wn({key:null,setSeries:!1,filters:{pub:u0,sub:u0},scales:[C,y[1]?y[1].scale:null],match:[h0,h0,$m],values:[null,null]},de.sync);bn.match.length==2&&bn.match.push($m),de.sync=bn;let qm=bn.key,Rd=a_(qm);function Ca(x,w,P,L,B,J,ae){bn.filters.pub(x,w,P,L,B,J,ae)&&Rd.pub(x,w,P,L,B,J,ae)}Rd.sub(i);function oS(x,w,P,L,B,J,ae){bn.filters.sub(x,w,P,L,B,J,ae)&&yo[x](null,w,P,L,B,J,ae)}i.pub=oS;function aS(){Rd.unsub(i),df.delete(i),Dn.clear(),af(hc,Eo,Xm),c.remove(),Ce?.remove(),Un("destroy")}i.destroy=aS;function Pd(){Un("init",n,e),Ma(e||n.data,!1),W[C]?Sd(C,W[C]):wa(),ie=Kt.show&&(Kt.width>0||Kt.height>0),te=me=!0,U(n.width,n.height)}return y.forEach(lo),E.forEach(ks),t?t instanceof HTMLElement?(t.appendChild(c),Pd()):t(i,Pd):Pd(),i}Tn.assign=wn;Tn.fmtNum=yf;Tn.rangeNum=dc;Tn.rangeLog=mc;Tn.rangeAsinh=_f;Tn.orient=Hr;Tn.pxRatio=Dt;Tn.join=mM;Tn.fmtDate=bf,Tn.tzDate=AM;Tn.sync=a_;{Tn.addGap=lw,Tn.clipGaps=xc;let n=Tn.paths={points:f_};n.linear=m_,n.stepped=hw,n.bars=dw,n.spline=pw}var y_=7;function Tw(n,e,t){let{left:i,width:s}=n.bbox;e.forEach((r,o)=>{if(r.faint)return;let a=n.data[o+1];for(let l=0;l<y_;++l){let c=i+s*(l+(o+1)/(e.length+1))/y_,u=n.posToIdx(c,!0);for(;u<a.length&&a[u]==null;)++u;let d=a[u];if(d==null)continue;let h=n.valToPos(n.data[0][u],"x",!0);h<=i+s&&Bg(n.ctx,r.style,h,n.valToPos(d,"y",!0),t)}})}function Aw(n,e,t,i){if(e.allowed==null||!(e.allowed>0))return;let{left:s,width:r,top:o,height:a}=n.bbox,l=n.valToPos(e.allowed,"y",!0);l<o||l>o+a||(n.ctx.strokeStyle=n.ctx.fillStyle=ti(zi(e.style).color),n.ctx.lineWidth=1.5*t,n.ctx.setLineDash([3*t,3*t]),n.ctx.beginPath(),n.ctx.moveTo(s,l),n.ctx.lineTo(s+r,l),n.ctx.stroke(),n.ctx.setLineDash([]),n.ctx.font=`${11*t}px system-ui, sans-serif`,n.ctx.textAlign="right",n.ctx.fillText(i,s+r-4*t,l-4*t))}function Ew(n,e,t){if(!e.violation)return;let{left:i,width:s,top:r,height:o}=n.bbox,a=n.valToPos(e.violation.time,"x",!0);if(a<i||a>i+s)return;let{value:l}=e.violation,c=l===null?r:Math.min(r+o,Math.max(r,n.valToPos(l,"y",!0)));n.ctx.strokeStyle=ti("--ink"),n.ctx.lineWidth=2*t,n.ctx.beginPath(),n.ctx.arc(a,c,7*t,0,2*Math.PI),n.ctx.moveTo(a-4*t,c-4*t),n.ctx.lineTo(a+4*t,c+4*t),n.ctx.moveTo(a-4*t,c+4*t),n.ctx.lineTo(a+4*t,c-4*t),n.ctx.stroke()}function v_(n,e,t){let i=devicePixelRatio;n.ctx.save();let s=new Set;for(let r of e)r.allowed==null||s.has(r.allowed)||(s.add(r.allowed),Aw(n,r,i,t(r.allowed)));Tw(n,e,i);for(let r of e)Ew(n,r,i);n.ctx.restore()}var b_=Array.from({length:130},(n,e)=>e-50).flatMap(n=>[1,2,5].map(e=>+`${e}e${n}`));function Cw(n){let e={stroke:()=>ti("--ink"),grid:{stroke:()=>ti("--line"),width:1},ticks:{stroke:()=>ti("--line"),width:1},font:"12px system-ui, sans-serif",labelFont:"12px system-ui, sans-serif",labelSize:18,labelGap:0},t=(i,s)=>s.map(r=>r===null?"":n.number(r));return[{...e,label:"time [s]",values:t,incrs:b_,size:34},{...e,label:n.axis,values:t,incrs:b_,size:64,...n.log?{splits:Lw,filter:(i,s)=>s}:{}}]}function Rw(n,e,t){let i=Math.floor(Math.log10(e));return[10**i,10**Math.max(i+1,Math.ceil(Math.log10(t)))]}var Pw=680,Iw=22;function Lw(n,e,t,i){let[s,r]=[Math.round(Math.log10(t)),Math.round(Math.log10(i))],o=Math.max(2,n.bbox.height/devicePixelRatio/Iw),a=Math.ceil((r-s)/o),l=3*(r-s)<=o?[1,2,5]:[1],c=[];for(let u=s;u<=r;u+=a)for(let d of l)c.push(d*10**u);return c.filter(u=>u<=i)}function Dw(n,e,t){return e==null||t==null?[-1,1]:e===t?[e-(Math.abs(e)||1),e+(Math.abs(e)||1)]:Tn.rangeNum(e,t,.1,!0)}function Nw(n,e){let{curves:t,cursor:i,log:s}=n,r=t.flatMap(l=>l.allowed!=null&&l.allowed>0?[l.allowed]:[]),[o,a]=i.window??i.whole;return{width:e,height:n.height??260,legend:{show:!1},scales:{x:{time:!1,auto:!1,min:o,max:a},y:s?{distr:3,range:(l,c,u)=>Rw(l,Math.min(c??1,...r),Math.max(u??1,...r))}:{range:Dw}},series:[{},...t.map(l=>({stroke:()=>ti(zi(l.style).color),width:l.faint?1:2,dash:zi(l.style).dash,points:{show:!1}}))],axes:Cw(n),cursor:{y:!1,points:{size:7},drag:{dist:6,x:!0,y:!1}},hooks:{setScale:[(l,c)=>{let{min:u,max:d}=l.scales.x;c==="x"&&u!=null&&d!=null&&(i.window=[u,d])}],draw:[l=>v_(l,t,c=>`allowed ${n.number(c)}`)]}}}function Cf(n,e){let[t,i]=e.window??e.whole;i>t&&(n.scales.x.min!==t||n.scales.x.max!==i)&&n.setScale("x",{min:t,max:i}),n.setCursor({left:n.valToPos(e.time,"x"),top:0},!1)}function Fw(n,e){let t=i=>n.posToVal(i.clientX-n.over.getBoundingClientRect().left,"x");n.over.addEventListener("mousemove",i=>e.hover(t(i))),n.over.addEventListener("mouseleave",()=>{e.hover(null),queueMicrotask(()=>Cf(n,e))}),n.over.addEventListener("click",i=>e.pin=t(i)),n.over.addEventListener("dblclick",()=>e.window=null)}function Sc(n){let e=Vt(null),{curves:t,cursor:i,log:s,axis:r,height:o}=n;return Tt(()=>{let a=e.current,l=Hg(t,s?Gg(t):null),c=new Tn(Nw(n,Math.max(200,a.clientWidth)),l,a);Fw(c,i);let u=()=>{let m=Math.max(200,a.clientWidth);m!==c.width&&c.setSize({width:m,height:c.height})},d=()=>c.setSize({width:Pw,height:c.height}),h=new ResizeObserver(u);h.observe(a),addEventListener("beforeprint",d),addEventListener("afterprint",u);let p=[i.listen(()=>Cf(c,i)),bo(()=>c.redraw(!1))];return queueMicrotask(()=>Cf(c,i)),()=>{h.disconnect(),removeEventListener("beforeprint",d),removeEventListener("afterprint",u);for(let m of p)m();c.destroy()}},[t,i,s,r,o]),f("div",{class:"plot",ref:e,role:"img","aria-label":n.label})}function Uw(n,e){let t=Ts(n.time,e);return t<0?"no samples":`${ze(n.value[t])} at ${ze(n.time[t],5)} s`}function Ow(n,e){let t=rc(n);if(!t)return n.value.length===0?"no samples":"nothing finite";let i=[];return e&&t.zeros>0&&i.push(`${Gn(t.zeros,"sample")} exactly 0, drawn on the lower edge`),t.lost>0&&i.push(`${Gn(t.lost,"sample")} not finite (or above 3.4e38), the first at ${ze(t.lostAt)} s`),i.join("; ")}function kw({curve:n,cursor:e,log:t,violations:i}){let s=sc(e),r=Xe(()=>rc(n),[n]),o=n.violation;return f("tr",{children:[f("th",{scope:"row",children:[f(ws,{style:n.style,faint:n.faint??!1})," ",le(n.label)]}),f("td",{class:"number at-cursor",children:Uw(n,s)}),f("td",{class:"number",children:r?`${ze(r.least)} at ${ze(r.leastAt)} s`:""}),f("td",{class:"number",children:r?`${ze(r.greatest)} at ${ze(r.greatestAt)} s`:""}),i?f("td",{class:"number",children:o?`${ze(o.value)} at ${ze(o.time)} s`:""}):null,f("td",{children:Ow(n,t)})]})}function Mc({curves:n,cursor:e,log:t,unit:i,caption:s}){let r=n.some(a=>a.violation),o=[`curve${i?` [${i}]`:""}`,"at the cursor","least","greatest"];return o.push(...r?["first violation","remarks"]:["remarks"]),f("div",{class:"scroll curves",tabIndex:0,role:"region","aria-label":s,children:f("table",{children:[f("thead",{children:f("tr",{children:o.map(a=>f("th",{scope:"col",children:a},a))})}),f("tbody",{children:n.map((a,l)=>f(kw,{curve:a,cursor:e,log:t,violations:r},l))})]})})}function wc(n,e,t){let i=e.map(s=>{let r=rc(s),o=r?`greatest ${ze(r.greatest)} ${t} at ${ze(r.greatestAt)} s`:"nothing finite",a=s.violation?`, first beyond its tolerance at ${ze(s.violation.time)} s`:"";return`${le(s.label)}: ${o}${a}`});return`${n}. ${i.join(". ")}.`}function S_(n,e,t,i,s){let r=t&&e.allowed?e.allowed:1,o=n.floats(e.value),a=e.first_violation;return{label:i,style:s,time:n.floats(e.time),value:r===1?o:o.map(l=>l/r),allowed:t?1:e.allowed,violation:a?{time:a.time,value:a.value===null?null:a.value/r}:null}}function Bw(n,e,t,i){let s=new Map,r=(o,a)=>{let l=i?"":o,c=s.get(l)??{unit:l,curves:[]};c.curves.push(a),s.set(l,c)};for(let{curve:o,index:a}of n){if(!o||i&&!o.allowed)continue;r(o.unit,S_(e,o,i,o.claim,a));let l=t?.block.trace.errors.find(c=>c.claim===o.claim);t&&l&&r(l.unit,{...S_(t.block,l,i,`${t.engine}: ${l.claim}`,a),faint:!0})}return[...s.values()]}function M_({rows:n,block:e,other:t,cursor:i}){let[s,r]=at(null),o=new Set(n.flatMap(u=>u.curve?[u.curve.unit]:[])),a=s??o.size>1,l=Xe(()=>Bw(n,e,t,a),[n,e,t,a]),c=n.filter(u=>!u.curve?.allowed).length;return f("section",{"aria-labelledby":"errors-heading",children:[f("h3",{id:"errors-heading",children:"Errors against time"}),f("fieldset",{class:"choice on-screen",children:[f("legend",{class:"unseen",children:"Scale of the errors"}),f("label",{children:[f("input",{type:"radio",name:"error-scale",checked:!a,onChange:()=>r(!1)})," in their units"]}),f("label",{children:[f("input",{type:"radio",name:"error-scale",checked:a,onChange:()=>r(!0)})," over what is allowed"]})]}),l.length===0?f("p",{class:"empty",children:"No claim is chosen: tick claims in the table above."}):null,a&&c>0?f("p",{class:"note",children:[c," of the chosen claims allow nothing and are left out."]}):null,l.map(({unit:u,curves:d})=>{let h=a?"error / allowed":`error [${u||"1"}]`;return f("figure",{children:[f(Sc,{curves:d,label:wc("Errors against time",d,a?"times what is allowed":u),axis:h,log:!0,cursor:i,number:ze}),f("figcaption",{children:f(Mc,{curves:d,cursor:i,log:!0,unit:a?"of allowed":u,caption:h})})]},u)}),f("p",{class:"note",children:"Dashed levels: what is allowed. Ringed crosses: the first violation. Drag to look closer, double-click for all."})]})}var w_=12;function Wi(n){let[e,t]=at(!1);Tt(()=>{let s=()=>t(!0);return addEventListener("beforeprint",s),()=>removeEventListener("beforeprint",s)},[]);let i=n.length>w_&&!e?f("button",{type:"button",onClick:()=>t(!0),children:["show all ",n.length]}):null;return{list:e?n:n.slice(0,w_),button:i}}function T_({events:n,cursor:e}){let{list:t,button:i}=Wi(n);return f("section",{"aria-labelledby":"events-heading",children:[f("h3",{id:"events-heading",children:"Events"}),n.length===0?f("p",{class:"empty",children:"None was recorded."}):null,n.length>0?f("table",{children:[f("thead",{children:f("tr",{children:[f("th",{scope:"col",children:"time"}),f("th",{scope:"col",children:"kind"}),f("th",{scope:"col",children:"what"})]})}),f("tbody",{children:t.map((s,r)=>f("tr",{children:[f("td",{class:"number",children:f("button",{type:"button",class:"plain-on-paper",onClick:()=>e.pin=s.time,title:"move the cursor here",children:[ze(s.time,8)," s"]})}),f("td",{children:le(s.kind)}),f("td",{children:le(s.what)})]},r))})]}):null,i]})}var Ke=(n,e)=>[n[0]+e[0],n[1]+e[1],n[2]+e[2]],mt=(n,e)=>[n[0]-e[0],n[1]-e[1],n[2]-e[2]],tt=(n,e)=>[e*n[0],e*n[1],e*n[2]],xt=(n,e)=>n[0]*e[0]+n[1]*e[1]+n[2]*e[2],$s=(n,e)=>[n[1]*e[2]-n[2]*e[1],n[2]*e[0]-n[0]*e[2],n[0]*e[1]-n[1]*e[0]],Et=n=>Math.hypot(n[0],n[1],n[2]),si=n=>{for(let e=0;e<n.length;++e)if(!Number.isFinite(n[e]))return!1;return!0};function ui(n,e){let t=Et(n);return t>0&&Number.isFinite(t)?tt(n,1/t):e}function qs(n){let[e,t,i]=[Math.abs(n[0]),Math.abs(n[1]),Math.abs(n[2])],s=e<=t&&e<=i?[1,0,0]:i<=t?[0,0,1]:[0,1,0],r=ui($s(n,s),[0,1,0]);return[$s(r,n),r]}function qt(n,e){let t=[n[1],n[2],n[3]];return Ke(e,tt($s(t,Ke($s(t,e),tt(e,n[0]))),2))}var Xi=n=>[n[0],-n[1],-n[2],-n[3]],xr=(n,e)=>[n[0]*e[0]-n[1]*e[1]-n[2]*e[2]-n[3]*e[3],n[0]*e[1]+n[1]*e[0]+n[2]*e[3]-n[3]*e[2],n[0]*e[2]-n[1]*e[3]+n[2]*e[0]+n[3]*e[1],n[0]*e[3]+n[1]*e[2]-n[2]*e[1]+n[3]*e[0]];function Vw(n){let e=[0,1,2].map(i=>n.slice(3*i,3*i+3)),t=[1,0,0,0];for(let i=0;i<12;++i)for(let[s,r]of[[0,1],[0,2],[1,2]]){let o=(e[s][r]+e[r][s])/2;if(!(Math.abs(o)>1e-15*(Math.abs(e[s][s])+Math.abs(e[r][r]))))continue;let a=Math.atan2(2*o,e[s][s]-e[r][r])/2,[l,c]=[Math.cos(a),Math.sin(a)];for(let h=0;h<3;++h)[e[h][s],e[h][r]]=[l*e[h][s]+c*e[h][r],l*e[h][r]-c*e[h][s]];for(let h=0;h<3;++h)[e[s][h],e[r][h]]=[l*e[s][h]+c*e[r][h],l*e[r][h]-c*e[s][h]];let u=3-s-r,d=[Math.cos(a/2),0,0,0];d[1+u]=Math.sin(a/2)*(u===1?-1:1),t=xr(t,d)}return{moments:[e[0][0],e[1][1],e[2][2]],turn:t}}var zw=.04;function Fo(n){if(n.shape)return n.shape;let{moments:e,turn:t}=Vw(n.inertia),[i,s,r]=e,o=Math.max(i,s,r);if(!(n.mass>0)||!(o>0)||!Number.isFinite(o/n.mass)||o-Math.min(i,s,r)<=1e-9*o)return null;let a=[s+r-i,r+i-s,i+s-r].map(u=>Math.sqrt(Math.max(0,1.5*u/n.mass))),l=zw*Math.max(...a),c={type:"box",half_extents:a.map(u=>Math.max(u,l))};return t[0]===1?c:{type:"compound",parts:[{shape:c,mass:n.mass,position:[0,0,0],orientation:t}]}}var Gw=(n,e)=>n.reduce((t,i)=>Math.max(t,xt(i,e)),-1/0);function A_(n,e){if(!n)return 0;let t=Math.hypot(e[0],e[2]);switch(n.type){case"sphere":return n.radius;case"box":return n.half_extents.reduce((i,s,r)=>i+s*Math.abs(e[r]),0);case"capsule":return n.radius+n.length/2*Math.abs(e[1]);case"cylinder":return n.radius*t+n.length/2*Math.abs(e[1]);case"cone":return Math.max(.75*n.length*e[1],n.radius*t-.25*n.length*e[1]);case"rod":return n.length/2*Math.abs(e[1]);case"disc":return n.radius*t;case"hull":case"mesh":return Gw(n.vertices,e);case"compound":return Math.max(...n.parts.map(i=>xt(i.position,e)+A_(i.shape,qt(Xi(i.orientation),e))))}}function E_(n,e,t){let i=s=>{let r=[0,0,0];return r[t]=s,A_(n,qt(Xi(e),r))};return{down:i(-1),up:i(1)}}function Ac(n){if(!n)return 0;switch(n.type){case"sphere":case"disc":return n.radius;case"box":return Et(n.half_extents);case"capsule":return n.radius+n.length/2;case"cylinder":return Math.hypot(n.radius,n.length/2);case"cone":return Math.max(.75*n.length,Math.hypot(n.radius,n.length/4));case"rod":return n.length/2;case"hull":case"mesh":return n.vertices.reduce((e,t)=>Math.max(e,Et(t)),0);case"compound":return n.parts.reduce((e,t)=>Math.max(e,Et(t.position)+Ac(t.shape)),0)}}function Rf(n,e,t){if(!(!si(e)||!Number.isFinite(t)))for(let i=0;i<3;++i)n.min[i]=Math.min(n.min[i],e[i]-t),n.max[i]=Math.max(n.max[i],e[i]+t)}var Hw=()=>({min:[1/0,1/0,1/0],max:[-1/0,-1/0,-1/0]});function Tc(n){if(!si(n.min)||!si(n.max))return{min:[-1,-1,-1],max:[1,1,1]};let e=Et(mt(n.max,n.min)),t=e>0?.04*e:.5,i={min:[...n.min],max:[...n.max]};for(let s=0;s<3;++s){let r=t-(i.max[s]-i.min[s]);r>0&&(i.min[s]-=r/2,i.max[s]+=r/2)}return i}function Ww(n,e,t){if(!si(t.min)||!si(t.max)||!si(e.orientation))return;let i=Fo(e),s=Ac(i),r=t.max.map((a,l)=>a-t.min[l]),o=Math.max(...r);for(let a=0;a<3;++a){let l=e.locked||o>s&&r[a]<.02*o,{down:c,up:u}=l?E_(i,e.orientation,a):{down:s,up:s};Number.isFinite(c+u)&&(n.min[a]=Math.min(n.min[a],t.min[a]-c),n.max[a]=Math.max(n.max[a],t.max[a]+u))}}function Uo(n,e){let t=Hw();for(let o of n.body){let a={min:o.position,max:o.position};Ww(t,o,o.locked?a:e??a)}for(let o of n.spring)o.pin&&Rf(t,o.pin,0);for(let o of n.joint)o.point&&Rf(t,o.point,0);if(!si(t.min))return Tc(t);let i=tt(Ke(t.min,t.max),.5),s=Math.max(Et(mt(t.max,t.min)),.001),r=o=>{Et(mt(o,i))<6*s&&Rf(t,o,0)};for(let o of n.plane)r(Ke(i,tt(o.normal,o.offset-xt(o.normal,i))));for(let o of n.water)r([i[0],o.level,i[2]]);return Tc(t)}function Ec(n){if(!(n>0)||!Number.isFinite(n))return 1;let e=10**Math.floor(Math.log10(n)),t=n/e;return(t>=5?5:t>=2?2:1)*e}var C_=["#0072b2","#e69f00","#009e73","#cc79a7","#56b4e9","#d55e00","#c9b800","#8a8a8a"];function $i(n){let e=/^#([0-9a-f]{2})([0-9a-f]{2})([0-9a-f]{2})$/i.exec(n);return e?e.slice(1).map(t=>parseInt(t,16)/255):null}function P_(n,e){let t=$i(n.color)??$i(C_[e%C_.length]);return n.locked?t.map(i=>.62*i):t}var Xw={velocity:$i("#0b5cad"),momentum:$i("#0a7d4f"),"angular momentum":$i("#8b3fa8"),impulse:$i("#c2410c"),normal:$i("#666666")},$w={velocity:$i("#6db6ff"),momentum:$i("#4ade9c"),"angular momentum":$i("#d79bf0"),impulse:$i("#ff9d5c"),normal:$i("#b0b0b0")},Es=(n,e,t)=>[n[0]+t*(e[0]-n[0]),n[1]+t*(e[1]-n[1]),n[2]+t*(e[2]-n[2])],Si=n=>`rgb(${n.map(e=>Math.round(255*e)).join(" ")})`;function R_(n,e){let t=n&&document.createElement("canvas").getContext("2d");if(!t)return e;t.canvas.width=t.canvas.height=1,t.fillStyle="#010203",t.fillStyle=n,t.fillRect(0,0,1,1);let[i,s,r]=t.getImageData(0,0,1,1).data;return i===1&&s===2&&r===3?e:[i/255,s/255,r/255]}function Pf(n){let e=getComputedStyle(n),t=matchMedia("(prefers-color-scheme: dark)").matches,i=R_(e.getPropertyValue("--ground").trim(),t?[.07,.08,.1]:[1,1,1]),s=R_(e.getPropertyValue("--ink").trim(),t?[.92,.93,.95]:[.1,.1,.12]),r=o=>.3*o[0]+.6*o[1]+.1*o[2];return{ground:i,ink:s,faint:Es(i,s,.22),arrows:r(i)<.5?$w:Xw}}var Wa=40*Math.PI/180,I_=Math.PI/2-.001;function L_(n){return{target:[...n.target],distance:Math.min(Math.max(n.distance,1e-6),1e15),azimuth:n.azimuth%(2*Math.PI),elevation:Math.min(Math.max(n.elevation,-I_),I_)}}function Cc(n){let{azimuth:e,elevation:t}=n,i=[Math.cos(t)*Math.sin(e),Math.sin(t),Math.cos(t)*Math.cos(e)],s=[Math.cos(e),0,-Math.sin(e)];return[s,$s(i,s),i]}function D_(n,e,t){let[i,s,r]=Cc(n),{target:o,distance:a}=n,l=5*a+20*t,c=Math.max(.01*a,1e-5*l);return{eye:Ke(o,tt(r,a)),right:i,up:s,back:r,target:o,distance:a,near:c,far:l,...e}}var ls=n=>2*n.distance*Math.tan(Wa/2)/n.height;function N_(n,e,t){let i=Math.tan(Wa/2)/(n.height/2),s=Ke(tt(n.right,(e-n.width/2)*i),tt(n.up,(n.height/2-t)*i));return{from:n.eye,along:mt(s,n.back)}}function F_(n,e,t){let i=ls(n),s=Ke(tt(n.right,(e-n.width/2)*i),tt(n.up,(n.height/2-t)*i));return{from:Ke(n.eye,s),along:tt(n.back,-1)}}function Mi(n,e){let t=mt(e,n.target),i=1/ls(n);return{x:n.width/2+i*xt(t,n.right),y:n.height/2-i*xt(t,n.up),depth:n.distance-xt(t,n.back)}}function If(n,e){let t=tt(Ke(n.min,n.max),.5),i=tt(mt(n.max,n.min),.5),s=i[2]<.4*Math.max(i[0],i[1]),r={target:t,distance:1,azimuth:s?.25:.55,elevation:s?.16:.3},[o,a,l]=Cc(r),c=Math.tan(Wa/2),u=c*e,d=0;for(let h=0;h<8;++h){let p=[h&1?i[0]:-i[0],h&2?i[1]:-i[1],h&4?i[2]:-i[2]],m=Math.max(Math.abs(xt(p,o))/u,Math.abs(xt(p,a))/c);d=Math.max(d,m+xt(p,l))}return r.distance=d>0?1.06*d:5,r}var U_=.008,Rc=Math.PI/36;function Xa(n,e,t){return{...n,azimuth:n.azimuth-e,elevation:n.elevation+t}}function Oo(n,e,t){let[i,s]=Cc(n);return{...n,target:Ke(n.target,Ke(tt(i,e),tt(s,t)))}}var $a=(n,e)=>({...n,distance:n.distance*e}),Pc=class{constructor(e,t){this.element=e;this.scene=t;let i={signal:this.stop.signal};e.addEventListener("pointerdown",this.down,i),e.addEventListener("pointermove",this.move,i),e.addEventListener("pointerup",this.up,i),e.addEventListener("pointercancel",this.up,i),e.addEventListener("wheel",this.wheel,{...i,passive:!1}),e.addEventListener("keydown",this.key,i),e.addEventListener("contextmenu",s=>s.preventDefault(),i)}element;scene;pointers=new Map;holds=!1;stop=new AbortController;down=e=>{this.element.focus({preventScroll:!0}),this.element.setPointerCapture(e.pointerId),this.pointers.set(e.pointerId,{x:e.offsetX,y:e.offsetY}),this.pointers.size>1?this.letGo():e.button===0&&!e.shiftKey&&(this.holds=this.scene.grab(e.offsetX,e.offsetY))};move=e=>{let t=this.pointers.get(e.pointerId);if(!t)return;let[i,s]=[e.offsetX,e.offsetY],[r,o]=[i-t.x,s-t.y];if(this.holds)this.scene.pull(i,s);else if(this.pointers.size===1){let a=this.scene.camera,l=this.scene.metresPerPixel(),c=e.shiftKey||(e.buttons&6)!==0;this.scene.moveCamera(c?Oo(a,-r*l,o*l):Xa(a,r*U_,o*U_))}else this.pointers.size===2&&this.pinch(e.pointerId,t,{x:i,y:s});this.pointers.set(e.pointerId,{x:i,y:s})};pinch(e,t,i){for(let[s,r]of this.pointers){if(s===e)continue;let o=Math.hypot(t.x-r.x,t.y-r.y),a=Math.hypot(i.x-r.x,i.y-r.y),l=this.scene.metresPerPixel()/2,c=o>4&&a>4?$a(this.scene.camera,o/a):this.scene.camera;this.scene.moveCamera(Oo(c,-(i.x-t.x)*l,(i.y-t.y)*l))}}up=e=>{this.pointers.delete(e.pointerId),this.letGo()};letGo(){this.holds&&this.scene.release(),this.holds=!1}wheel=e=>{e.preventDefault();let t=e.deltaMode===WheelEvent.DOM_DELTA_LINE?16:e.deltaMode===WheelEvent.DOM_DELTA_PAGE?300:1,i=Math.exp(Math.max(-120,Math.min(120,e.deltaY*t))*.0015);this.scene.moveCamera($a(this.scene.camera,i))};key=e=>{if(e.ctrlKey||e.metaKey||e.altKey)return;let t=this.scene.camera,i=e.shiftKey?30*this.scene.metresPerPixel():0,r={ArrowLeft:()=>i?Oo(t,-i,0):Xa(t,Rc,0),ArrowRight:()=>i?Oo(t,i,0):Xa(t,-Rc,0),ArrowUp:()=>i?Oo(t,0,i):Xa(t,0,Rc),ArrowDown:()=>i?Oo(t,0,-i):Xa(t,0,-Rc),"+":()=>$a(t,1/1.15),"=":()=>$a(t,1/1.15),"-":()=>$a(t,1.15)}[e.key];if(r)this.scene.moveCamera(r());else if(e.key==="Home"||e.key==="0")this.scene.reset();else return;e.preventDefault(),e.stopPropagation()};dispose(){this.letGo(),this.stop.abort()}};var Lf=[[1e9,"Gm"],[1e6,"Mm"],[1e3,"km"],[1,"m"],[.01,"cm"],[.001,"mm"],[1e-6,"\xB5m"],[1e-9,"nm"]];function Df(n){let[e,t]=Lf.find(([i])=>n>=.9999*i)??Lf[Lf.length-1];return`${Number((n/e).toPrecision(3))} ${t}`}var Nf=80;function O_(n,e,t,i){let{width:s,height:r,ratio:o}=e;n.setTransform(o,0,0,o,0,o*(Nf-r)),n.clearRect(0,0,s,r),n.font="11px system-ui, sans-serif",n.textBaseline="middle";let a=Si(Es(t.ink,t.ground,.15));qw(n,e,a,Si(t.ground)),Yw(n,e,a,Si(t.ground),i)}function k_(n,e,t,i,s,r){n.lineWidth=3,n.lineJoin="round",n.strokeStyle=r,n.strokeText(e,t,i),n.fillStyle=s,n.fillText(e,t,i)}function qw(n,{right:e,up:t,height:i},s,r){let[o,a,l]=[34,i-34,22],c=[[1,0,0],[0,1,0],[0,0,1]];n.textAlign="center",c.forEach((u,d)=>{let[h,p]=[e[d]*l,-t[d]*l];n.strokeStyle=s,n.lineWidth=1.5,n.beginPath(),n.moveTo(o,a),n.lineTo(o+h,a+p),n.stroke(),k_(n,"xyz"[d],o+1.35*h,a+1.35*p,s,r)})}function Yw(n,e,t,i,s){let r=ls(e),o=Ec(Math.min(120,e.width/4)*r),[a,l]=[e.width-14,e.height-14],c=a-o/r;n.strokeStyle=t,n.lineWidth=1.5,n.beginPath(),n.moveTo(c,l-4),n.lineTo(c,l),n.lineTo(a,l),n.lineTo(a,l-4),n.stroke(),n.textAlign="right",k_(n,s===null?Df(o):`${Df(o)} \xB7 grid ${Df(s)}`,a,l-11,t,i)}function Jw({from:n,along:e},t){let i=xt(e,e),s=xt(n,e),r=s*s-i*(xt(n,n)-t*t);if(!(r>=0))return null;let o=(-s-Math.sqrt(r))/i;return o>=0?o:null}function Zw({from:n,along:e},t){let i=0,s=1/0;for(let r=0;r<3;++r){if(e[r]===0){if(Math.abs(n[r])>t[r])return null;continue}let o=(-Math.sign(e[r])*t[r]-n[r])/e[r],a=(Math.sign(e[r])*t[r]-n[r])/e[r];i=Math.max(i,o),s=Math.min(s,a)}return i<=s&&s>0?i:null}function B_(n,e,t,i){let s=null;for(let r of e.pieces){let{body:o}=r;if(t.hidden[o])continue;let a=t.turn(o),l=Ke(t.at(o),qt(a,r.position)),c=Xi(xr(a,r.orientation)),u={from:qt(c,mt(n.from,l)),along:qt(c,n.along)},d=-xt(u.from,u.along)/Math.hypot(...n.along),h=i(Math.max(d,0)),p=r.mold==="sphere"||Math.max(...r.half)<h?Jw(u,Math.max(r.half[0],h)):Zw(u,r.half.map(m=>Math.max(m,h)));p!==null&&(!s||p<s.s)&&(s={body:o,s:p})}return s&&{body:s.body,point:Ke(n.from,tt(n.along,s.s))}}var V_=.1;function qa(n,e){let t=n*e,i=t+3,s={along:new Float64Array(i),first:new Float64Array(i),second:new Float64Array(i)};s.along[i-1]=1;for(let r=0;r<=t;++r){let o=2*Math.PI*r/e;s.along[r+1]=V_+(1-2*V_)*(r/t),s.first[r+1]=Math.cos(o),s.second[r+1]=Math.sin(o)}return s}function Ic(n,e,t,i,s,r,o){let a=[i[0]-t[0],i[1]-t[1],i[2]-t[2]],l=Math.hypot(a[0],a[1],a[2]),[c,u]=qs(l>0?[a[0]/l,a[1]/l,a[2]/l]:[0,1,0]),[d,h,p]=t;for(let m=1;m<e.along.length;++m){let v=e.along[m],_=s*e.first[m],g=s*e.second[m],y=t[0]+v*a[0]+_*c[0]+g*u[0],E=t[1]+v*a[1]+_*c[1]+g*u[1],M=t[2]+v*a[2]+_*c[2]+g*u[2];n.put(d,h,p,y,E,M,r,o),[d,h,p]=[y,E,M]}}var Nc=class{constructor(e,t){this.extent=t;let i=new Map(e.body.map((o,a)=>[o.name,a])),s=o=>o===void 0?-1:i.get(o)??-1,r=(o,a)=>{let l=e.body[o];return l?{body:o,point:qt(Xi(l.orientation),mt(a,l.position))}:{body:-1,point:a}};this.springs=e.spring.map(o=>{let a={body:s(o.body),point:o.anchor},l=o.to===void 0?{body:-1,point:o.pin??[0,0,0]}:{body:s(o.to),point:o.to_anchor??[0,0,0]};return{from:a,to:l,radius:Math.min(.012*t,o.rest_length>0?.15*o.rest_length:1/0)}}),this.joints=e.joint.map(o=>{let a=s(o.body),l=e.body[a]&&o.axis?qt(Xi(e.body[a].orientation),ui(o.axis,[0,0,1])):[0,0,1];if(o.type==="distance"){let u=o.to===void 0?{body:-1,point:o.point??[0,0,0]}:{body:s(o.to),point:[0,0,0]};return{type:o.type,from:{body:a,point:[0,0,0]},to:u,axis:l}}let c=o.point??[0,0,0];return{type:o.type,from:r(a,c),to:r(s(o.to),c),axis:l}}),this.coil=this.springs.length<=200?qa(8,10):qa(4,4)}extent;springs;joints;coil;draw(e,t){let{ink:i,ground:s}=e.theme;for(let{from:r,to:o,radius:a}of this.springs)Lc(t,r)||Lc(t,o)||Ic(e.links,this.coil,Dc(t,r),Dc(t,o),a,Es(i,s,.2),1.5);for(let r of this.joints)!Lc(t,r.from)&&!Lc(t,r.to)&&this.joint(e,t,r)}joint(e,t,{type:i,from:s,to:r,axis:o}){let{ink:a,ground:l}=e.theme,c=Es(a,l,.35),[u,d]=[Dc(t,s),Dc(t,r)];if(i==="distance"){e.links.add(u,d,c,3),e.marks.dot(u,a,6),e.marks.dot(d,a,6);return}for(let[h,p]of[[s,u],[r,d]])h.body>=0&&Et(h.point)>1e-9*this.extent&&e.links.add(t.at(h.body),p,c,1.5);if(e.marks.add(u,d,a,1,1,1),i==="fixed"){this.square(e,t,s,u);return}if(i==="hinge"){let h=tt(s.body>=0?qt(t.turn(s.body),o):o,.06*this.extent);e.marks.add(mt(u,h),Ke(u,h),a,3)}for(let h of[u,d])e.marks.dot(h,a,10),e.marks.dot(h,l,5)}square({marks:e,theme:t},i,s,r){let o=.018*this.extent,a=s.body>=0?qt(i.turn(s.body),[0,0,1]):[0,0,1],[l,c]=qs(ui(a,[0,0,1])),u=d=>Ke(r,Ke(tt(l,d&1?o:-o),tt(c,d&2?o:-o)));for(let[d,h]of[[0,1],[1,3],[3,2],[2,0],[0,3],[1,2]])e.add(u(d),u(h),t.ink,2)}},Lc=(n,e)=>e.body>=0&&n.hidden[e.body]===1;function Dc(n,e){return e.body<0?e.point:Ke(n.at(e.body),qt(n.turn(e.body),e.point))}var ko=class{data=new Float32Array(12*256);count=0;version=0;clear(){this.count=0,++this.version}add(e,t,i,s,r=s,o=0){this.put(e[0],e[1],e[2],t[0],t[1],t[2],i,s,r,o)}dot(e,t,i){this.add(e,e,t,i,i,2)}put(e,t,i,s,r,o,a,l,c=l,u=0){if((this.count+1)*12>this.data.length){let p=new Float32Array(2*this.data.length);p.set(this.data),this.data=p}let d=this.count*12,h=this.data;h[d]=e,h[d+1]=t,h[d+2]=i,h[d+3]=s,h[d+4]=r,h[d+5]=o,h[d+6]=a[0],h[d+7]=a[1],h[d+8]=a[2],h[d+9]=l,h[d+10]=c,h[d+11]=u,++this.count}};var z_={velocity:{width:2.5,pattern:0,heads:1},momentum:{width:4,pattern:1,heads:1},"angular momentum":{width:2.5,pattern:0,heads:2},impulse:{width:3.5,pattern:0,heads:1},normal:{width:1.5,pattern:1,heads:1}},Kw=qa(6,10);function Ya(n,e,t,i,s,r,o=1,a=0){let l=Et(t);if(!(l>1e-6*r))return;let c=Math.min(.4/o,.035*r/l),u=h=>Ke(e,tt(t,h)),d=(3*s+5)*Math.min(1,l/(.07*r)+.25);n.add(e,u(1-o*c),i,s,s,a);for(let h=0;h<o;++h)n.add(u(1-(h+1)*c),u(1-h*c),i,d,0)}function G_(n,e){for(let{at:t,along:i,kind:s}of e){if(!si(t)||!si(i))continue;let{width:r,pattern:o,heads:a}=z_[s];Ya(n.marks,t,i,n.theme.arrows[s],r,n.extent,a,o)}}var jw=120;function H_(n,e,t){let{marks:i,theme:s,extent:r,typical:o}=n,a=Math.min(.016*r,.7*o),l=s.arrows.impulse;for(let{point:c,normal:u,impulse:d}of e){if(!si(c)||!si(u))continue;let h=ui(u,[0,1,0]);e.length<=jw?Qw(i,c,h,a,l):i.dot(c,l,4),d===null?Ya(i,c,tt(h,3*a),s.arrows.normal,1.5,r,1,1):Number.isFinite(d)&&t>0&&Ya(i,c,tt(h,.2*r*d/t),l,z_.impulse.width,r)}}function Qw(n,e,t,i,s){let[r,o]=qs(t),a=l=>Ke(e,Ke(tt(r,i*Math.cos(l)),tt(o,i*Math.sin(l))));for(let l=0;l<16;++l)n.add(a(Math.PI*l/8),a(Math.PI*(l+1)/8),s,1.5);for(let l of[.4,.8,1.2,1.6,2,2.4,2.8])n.add(a(l),a(-l),s,1)}function W_(n,e){for(let{from:t,to:i}of e)!si(t)||!si(i)||(Ic(n.marks,Kw,t,i,.008*n.extent,n.theme.arrows.impulse,1.5),n.marks.dot(t,n.theme.arrows.impulse,8),n.marks.dot(i,n.theme.arrows.impulse,8))}function e1(n,e,t){let i=tt(Ke(t.min,t.max),.5),s=Et(mt(t.max,t.min)),r=Ke(i,tt(n,e-xt(n,i))),[o,a]=qs(n),l=[[-1,-1],[1,-1],[1,1],[-1,1]].map(([c,u])=>Ke(r,Ke(tt(o,c*s),tt(a,u*s))));for(let c=0;c<3;++c)for(let u of[1,-1]){let d=[0,0,0];d[c]=u,l=X_(l,d,u>0?t.max[c]:-t.min[c])}return l}function X_(n,e,t){return n.flatMap((i,s)=>{let r=n[(s+1)%n.length],[o,a]=[xt(i,e)-t,xt(r,e)-t],l=o*a<0?[Ke(i,tt(mt(r,i),o/(o-a)))]:[];return o<=0?[i,...l]:l})}function t1(n,e,t){let i=[];return n.forEach((s,r)=>{let o=n[(r+1)%n.length],[a,l]=[xt(s,e)-t,xt(o,e)-t];a<=0!=l<=0&&i.push(Ke(s,tt(mt(o,s),a/(a-l))))}),i.length>=2?[i[0],i[1]]:null}var Uf=n=>Ec(n/8),$_=(n,e)=>n.plane.map(t=>xt(t.normal,e)>=t.offset);function q_(n,e,t,i,s){let r=Et(mt(t.max,t.min)),o=.18*r,a={min:mt(t.min,[o,o,o]),max:Ke(t.max,[o,o,o])},l=Es(i.ground,i.ink,.5);e.plane.forEach((c,u)=>{let d=ui(c.normal,[0,1,0]),h=e.plane.reduce((g,y)=>y===c?g:X_(g,tt(y.normal,-1),-y.offset),e1(d,c.offset,a));if(h.length<3)return;if(!s[u]){h.forEach((g,y)=>n.add(g,h[(y+1)%h.length],i.faint,1));return}let p=Uf(r);for(let g of qs(d)){let y=h.map(M=>xt(M,g)),E=Math.floor(Math.max(...y)/p);for(let M=Math.ceil(Math.min(...y)/p);M<=E;++M){let I=t1(h,g,M*p);I&&n.add(I[0],I[1],i.faint,1)}}let m=.25*p;h.forEach((g,y)=>{let E=h[(y+1)%h.length];n.add(g,E,l,1);let M=mt(E,g),I=Math.floor(Et(M)/(p/2)),C=Ke(tt(d,-m),tt(ui(M,[0,0,0]),-m));for(let b=1;b<=I;++b){let A=Ke(g,tt(M,(b-.5)/I));n.add(A,Ke(A,C),l,1)}});let v=h.reduce((g,y)=>Ke(g,tt(y,1/h.length)),[0,0,0]),_=Ke(v,tt(mt(h[0],v),.8));Ya(n,_,tt(d,-.07*r),l,2,r)})}var bx=0,dp=1,Sx=2;var yl=1,Mx=2,ua=3,Ir=0,ai=1,Zi=2,to=0,ha=1,fp=2,pp=3,mp=4,wx=5;var no=100,Tx=101,Ax=102,Ex=103,Cx=104,Rx=200,Px=201,Ix=202,Lx=203,gp=204,_p=205,Dx=206,Nx=207,Fx=208,Ux=209,Ox=210,kx=211,Bx=212,Vx=213,zx=214,au=0,lu=1,cu=2,ta=3,uu=4,hu=5,du=6,fu=7,xp=0,Gx=1,Hx=2,Ns=0,yp=1,vp=2,bp=3,Sp=4,Mp=5,wp=6,Tp=7;var Ap=300,io=301,da=302,Gu=303,Hu=304,pu=1e3,Ps=1001,mu=1002,Bn=1003,Wx=1004;var vl=1005;var oi=1006,Wu=1007;var nr=1008;var Li=1009,Ep=1010,Cp=1011,fa=1012,Xu=1013,ds=1014,Di=1015,fs=1016,$u=1017,qu=1018,so=1020,Rp=35902,Pp=35899,Ip=1021,Lp=1022,Ni=1023,er=1026,ir=1027,Dp=1028,Yu=1029,Lr=1030,Ju=1031;var Zu=1033,bl=33776,Sl=33777,Ml=33778,wl=33779,Ku=35840,ju=35841,Qu=35842,eh=35843,th=36196,nh=37492,ih=37496,sh=37488,rh=37489,Tl=37490,oh=37491,ah=37808,lh=37809,ch=37810,uh=37811,hh=37812,dh=37813,fh=37814,ph=37815,mh=37816,gh=37817,_h=37818,xh=37819,yh=37820,vh=37821,bh=36492,Sh=36494,Mh=36495,wh=36283,Th=36284,Al=36285,Ah=36286;var tl=2300,gu=2301,ru=2302,op=2303,ap=2400,lp=2401,cp=2402;var Xx=3200;var Np=0,$x=1,sr="",Ai="srgb",Jr="srgb-linear",nl="linear",Ft="srgb";var ou=7680;var qx=519,Yx=512,Jx=513,Zx=514,Fp=515,Kx=516,jx=517,Up=518,Op=519,kp=35044,ro=35048;var El="300 es",Yi=2e3,il=2001;function n1(n){for(let e=n.length-1;e>=0;--e)if(n[e]>=65535)return!0;return!1}function i1(n){return ArrayBuffer.isView(n)&&!(n instanceof DataView)}function sl(n){return document.createElementNS("http://www.w3.org/1999/xhtml",n)}function Qx(){let n=sl("canvas");return n.style.display="block",n}var Y_={},na=null;function rl(...n){let e="THREE."+n.shift();na?na("log",e,...n):console.log(e,...n)}function ey(n){let e=n[0];if(typeof e=="string"&&e.startsWith("TSL:")){let t=n[1];t&&t.isStackTrace?n[0]+=" "+t.getLocation():n[1]='Stack trace not available. Enable "THREE.Node.captureStackTrace" to capture stack traces.'}return n}function Ze(...n){n=ey(n);let e="THREE."+n.shift();if(na)na("warn",e,...n);else{let t=n[0];t&&t.isStackTrace?console.warn(t.getError(e)):console.warn(e,...n)}}function it(...n){n=ey(n);let e="THREE."+n.shift();if(na)na("error",e,...n);else{let t=n[0];t&&t.isStackTrace?console.error(t.getError(e)):console.error(e,...n)}}function el(...n){let e=n.join(" ");e in Y_||(Y_[e]=!0,Ze(...n))}function ty(n,e,t){return new Promise(function(i,s){function r(){switch(n.clientWaitSync(e,n.SYNC_FLUSH_COMMANDS_BIT,0)){case n.WAIT_FAILED:s();break;case n.TIMEOUT_EXPIRED:setTimeout(r,t);break;default:i()}}setTimeout(r,t)})}var ny={[au]:au,[cu]:du,[uu]:uu,[ta]:hu,[lu]:lu,[du]:cu,[fu]:fu,[hu]:ta},Is=class{addEventListener(e,t){this._listeners===void 0&&(this._listeners={});let i=this._listeners;i[e]===void 0&&(i[e]=[]),i[e].indexOf(t)===-1&&i[e].push(t)}hasEventListener(e,t){let i=this._listeners;return i===void 0?!1:i[e]!==void 0&&i[e].indexOf(t)!==-1}removeEventListener(e,t){let i=this._listeners;if(i===void 0)return;let s=i[e];if(s!==void 0){let r=s.indexOf(t);r!==-1&&s.splice(r,1)}}dispatchEvent(e){let t=this._listeners;if(t===void 0)return;let i=t[e.type];if(i!==void 0){e.target=this;let s=i.slice(0);for(let r=0,o=s.length;r<o;r++)s[r].call(this,e);e.target=null}}},qn=["00","01","02","03","04","05","06","07","08","09","0a","0b","0c","0d","0e","0f","10","11","12","13","14","15","16","17","18","19","1a","1b","1c","1d","1e","1f","20","21","22","23","24","25","26","27","28","29","2a","2b","2c","2d","2e","2f","30","31","32","33","34","35","36","37","38","39","3a","3b","3c","3d","3e","3f","40","41","42","43","44","45","46","47","48","49","4a","4b","4c","4d","4e","4f","50","51","52","53","54","55","56","57","58","59","5a","5b","5c","5d","5e","5f","60","61","62","63","64","65","66","67","68","69","6a","6b","6c","6d","6e","6f","70","71","72","73","74","75","76","77","78","79","7a","7b","7c","7d","7e","7f","80","81","82","83","84","85","86","87","88","89","8a","8b","8c","8d","8e","8f","90","91","92","93","94","95","96","97","98","99","9a","9b","9c","9d","9e","9f","a0","a1","a2","a3","a4","a5","a6","a7","a8","a9","aa","ab","ac","ad","ae","af","b0","b1","b2","b3","b4","b5","b6","b7","b8","b9","ba","bb","bc","bd","be","bf","c0","c1","c2","c3","c4","c5","c6","c7","c8","c9","ca","cb","cc","cd","ce","cf","d0","d1","d2","d3","d4","d5","d6","d7","d8","d9","da","db","dc","dd","de","df","e0","e1","e2","e3","e4","e5","e6","e7","e8","e9","ea","eb","ec","ed","ee","ef","f0","f1","f2","f3","f4","f5","f6","f7","f8","f9","fa","fb","fc","fd","fe","ff"];var Of=Math.PI/180,_u=180/Math.PI;function oo(){let n=Math.random()*4294967295|0,e=Math.random()*4294967295|0,t=Math.random()*4294967295|0,i=Math.random()*4294967295|0;return(qn[n&255]+qn[n>>8&255]+qn[n>>16&255]+qn[n>>24&255]+"-"+qn[e&255]+qn[e>>8&255]+"-"+qn[e>>16&15|64]+qn[e>>24&255]+"-"+qn[t&63|128]+qn[t>>8&255]+"-"+qn[t>>16&255]+qn[t>>24&255]+qn[i&255]+qn[i>>8&255]+qn[i>>16&255]+qn[i>>24&255]).toLowerCase()}function dt(n,e,t){return Math.max(e,Math.min(t,n))}function s1(n,e){return(n%e+e)%e}function kf(n,e,t){return(1-t)*n+t*e}function iy(n){return Math.pow(2,Math.floor(Math.log(n)/Math.LN2))}function Eh(n){switch(n.constructor){case Uint32Array:return 4294967295;case Uint16Array:return 65535;case Uint8Array:case Uint8ClampedArray:return 255;case Int32Array:return 2147483647;case Int16Array:return 32767;case Int8Array:return 127;default:return}}function sy(n,e){if(e.constructor===Float32Array)return n;let t=Eh(e);if(t===void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.max(n/t,-1)}function ry(n,e){if(e.constructor===Float32Array)return n;let t=Eh(e);if(t===void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.round(n*t)}var Ct=class{static{this.prototype.isVector2=!0}constructor(e=0,t=0){this.x=e,this.y=t}get width(){return this.x}set width(e){this.x=e}get height(){return this.y}set height(e){this.y=e}set(e,t){return this.x=e,this.y=t,this}setScalar(e){return this.x=e,this.y=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;default:throw new Error("THREE.Vector2: index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;default:throw new Error("THREE.Vector2: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y)}copy(e){return this.x=e.x,this.y=e.y,this}add(e){return this.x+=e.x,this.y+=e.y,this}addScalar(e){return this.x+=e,this.y+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this}subScalar(e){return this.x-=e,this.y-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this}multiply(e){return this.x*=e.x,this.y*=e.y,this}multiplyScalar(e){return this.x*=e,this.y*=e,this}divide(e){return this.x/=e.x,this.y/=e.y,this}divideScalar(e){return this.multiplyScalar(1/e)}applyMatrix3(e){let t=this.x,i=this.y,s=e.elements;return this.x=s[0]*t+s[3]*i+s[6],this.y=s[1]*t+s[4]*i+s[7],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this}clamp(e,t){return this.x=dt(this.x,e.x,t.x),this.y=dt(this.y,e.y,t.y),this}clampScalar(e,t){return this.x=dt(this.x,e,t),this.y=dt(this.y,e,t),this}clampLength(e,t){let i=this.length();return this.divideScalar(i||1).multiplyScalar(dt(i,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this}negate(){return this.x=-this.x,this.y=-this.y,this}dot(e){return this.x*e.x+this.y*e.y}cross(e){return this.x*e.y-this.y*e.x}lengthSq(){return this.x*this.x+this.y*this.y}length(){return Math.sqrt(this.x*this.x+this.y*this.y)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)}normalize(){return this.divideScalar(this.length()||1)}angle(){return Math.atan2(-this.y,-this.x)+Math.PI}angleTo(e){let t=Math.sqrt(this.lengthSq()*e.lengthSq());if(t===0)return Math.PI/2;let i=this.dot(e)/t;return Math.acos(dt(i,-1,1))}distanceTo(e){return Math.sqrt(this.distanceToSquared(e))}distanceToSquared(e){let t=this.x-e.x,i=this.y-e.y;return t*t+i*i}manhattanDistanceTo(e){return Math.abs(this.x-e.x)+Math.abs(this.y-e.y)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this}lerpVectors(e,t,i){return this.x=e.x+(t.x-e.x)*i,this.y=e.y+(t.y-e.y)*i,this}equals(e){return e.x===this.x&&e.y===this.y}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this}rotateAround(e,t){let i=Math.cos(t),s=Math.sin(t),r=this.x-e.x,o=this.y-e.y;return this.x=r*i-o*s+e.x,this.y=r*s+o*i+e.y,this}random(){return this.x=Math.random(),this.y=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y}},Ls=class{constructor(e=0,t=0,i=0,s=1){this.isQuaternion=!0,this._x=e,this._y=t,this._z=i,this._w=s}static slerpFlat(e,t,i,s,r,o,a){let l=i[s+0],c=i[s+1],u=i[s+2],d=i[s+3],h=r[o+0],p=r[o+1],m=r[o+2],v=r[o+3];if(d!==v||l!==h||c!==p||u!==m){let _=l*h+c*p+u*m+d*v;_<0&&(h=-h,p=-p,m=-m,v=-v,_=-_);let g=1-a;if(_<.9995){let y=Math.acos(_),E=Math.sin(y);g=Math.sin(g*y)/E,a=Math.sin(a*y)/E,l=l*g+h*a,c=c*g+p*a,u=u*g+m*a,d=d*g+v*a}else{l=l*g+h*a,c=c*g+p*a,u=u*g+m*a,d=d*g+v*a;let y=1/Math.sqrt(l*l+c*c+u*u+d*d);l*=y,c*=y,u*=y,d*=y}}e[t]=l,e[t+1]=c,e[t+2]=u,e[t+3]=d}static multiplyQuaternionsFlat(e,t,i,s,r,o){let a=i[s],l=i[s+1],c=i[s+2],u=i[s+3],d=r[o],h=r[o+1],p=r[o+2],m=r[o+3];return e[t]=a*m+u*d+l*p-c*h,e[t+1]=l*m+u*h+c*d-a*p,e[t+2]=c*m+u*p+a*h-l*d,e[t+3]=u*m-a*d-l*h-c*p,e}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){return this._z}set z(e){this._z=e,this._onChangeCallback()}get w(){return this._w}set w(e){this._w=e,this._onChangeCallback()}set(e,t,i,s){return this._x=e,this._y=t,this._z=i,this._w=s,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._w)}copy(e){return this._x=e.x,this._y=e.y,this._z=e.z,this._w=e.w,this._onChangeCallback(),this}setFromEuler(e,t=!0){let i=e._x,s=e._y,r=e._z,o=e._order,a=Math.cos,l=Math.sin,c=a(i/2),u=a(s/2),d=a(r/2),h=l(i/2),p=l(s/2),m=l(r/2);switch(o){case"XYZ":this._x=h*u*d+c*p*m,this._y=c*p*d-h*u*m,this._z=c*u*m+h*p*d,this._w=c*u*d-h*p*m;break;case"YXZ":this._x=h*u*d+c*p*m,this._y=c*p*d-h*u*m,this._z=c*u*m-h*p*d,this._w=c*u*d+h*p*m;break;case"ZXY":this._x=h*u*d-c*p*m,this._y=c*p*d+h*u*m,this._z=c*u*m+h*p*d,this._w=c*u*d-h*p*m;break;case"ZYX":this._x=h*u*d-c*p*m,this._y=c*p*d+h*u*m,this._z=c*u*m-h*p*d,this._w=c*u*d+h*p*m;break;case"YZX":this._x=h*u*d+c*p*m,this._y=c*p*d+h*u*m,this._z=c*u*m-h*p*d,this._w=c*u*d-h*p*m;break;case"XZY":this._x=h*u*d-c*p*m,this._y=c*p*d-h*u*m,this._z=c*u*m+h*p*d,this._w=c*u*d+h*p*m;break;default:Ze("Quaternion: .setFromEuler() encountered an unknown order: "+o)}return t===!0&&this._onChangeCallback(),this}setFromAxisAngle(e,t){let i=t/2,s=Math.sin(i);return this._x=e.x*s,this._y=e.y*s,this._z=e.z*s,this._w=Math.cos(i),this._onChangeCallback(),this}setFromRotationMatrix(e){let t=e.elements,i=t[0],s=t[4],r=t[8],o=t[1],a=t[5],l=t[9],c=t[2],u=t[6],d=t[10],h=i+a+d;if(h>0){let p=.5/Math.sqrt(h+1);this._w=.25/p,this._x=(u-l)*p,this._y=(r-c)*p,this._z=(o-s)*p}else if(i>a&&i>d){let p=2*Math.sqrt(1+i-a-d);this._w=(u-l)/p,this._x=.25*p,this._y=(s+o)/p,this._z=(r+c)/p}else if(a>d){let p=2*Math.sqrt(1+a-i-d);this._w=(r-c)/p,this._x=(s+o)/p,this._y=.25*p,this._z=(l+u)/p}else{let p=2*Math.sqrt(1+d-i-a);this._w=(o-s)/p,this._x=(r+c)/p,this._y=(l+u)/p,this._z=.25*p}return this._onChangeCallback(),this}setFromUnitVectors(e,t){let i=e.dot(t)+1;return i<1e-8?(i=0,Math.abs(e.x)>Math.abs(e.z)?(this._x=-e.y,this._y=e.x,this._z=0,this._w=i):(this._x=0,this._y=-e.z,this._z=e.y,this._w=i)):(this._x=e.y*t.z-e.z*t.y,this._y=e.z*t.x-e.x*t.z,this._z=e.x*t.y-e.y*t.x,this._w=i),this.normalize()}angleTo(e){return 2*Math.acos(Math.abs(dt(this.dot(e),-1,1)))}rotateTowards(e,t){let i=this.angleTo(e);if(i===0)return this;let s=Math.min(1,t/i);return this.slerp(e,s),this}identity(){return this.set(0,0,0,1)}invert(){return this.conjugate()}conjugate(){return this._x*=-1,this._y*=-1,this._z*=-1,this._onChangeCallback(),this}dot(e){return this._x*e._x+this._y*e._y+this._z*e._z+this._w*e._w}lengthSq(){return this._x*this._x+this._y*this._y+this._z*this._z+this._w*this._w}length(){return Math.sqrt(this._x*this._x+this._y*this._y+this._z*this._z+this._w*this._w)}normalize(){let e=this.length();return e===0?(this._x=0,this._y=0,this._z=0,this._w=1):(e=1/e,this._x=this._x*e,this._y=this._y*e,this._z=this._z*e,this._w=this._w*e),this._onChangeCallback(),this}multiply(e){return this.multiplyQuaternions(this,e)}premultiply(e){return this.multiplyQuaternions(e,this)}multiplyQuaternions(e,t){let i=e._x,s=e._y,r=e._z,o=e._w,a=t._x,l=t._y,c=t._z,u=t._w;return this._x=i*u+o*a+s*c-r*l,this._y=s*u+o*l+r*a-i*c,this._z=r*u+o*c+i*l-s*a,this._w=o*u-i*a-s*l-r*c,this._onChangeCallback(),this}slerp(e,t){let i=e._x,s=e._y,r=e._z,o=e._w,a=this.dot(e);a<0&&(i=-i,s=-s,r=-r,o=-o,a=-a);let l=1-t;if(a<.9995){let c=Math.acos(a),u=Math.sin(c);l=Math.sin(l*c)/u,t=Math.sin(t*c)/u,this._x=this._x*l+i*t,this._y=this._y*l+s*t,this._z=this._z*l+r*t,this._w=this._w*l+o*t,this._onChangeCallback()}else this._x=this._x*l+i*t,this._y=this._y*l+s*t,this._z=this._z*l+r*t,this._w=this._w*l+o*t,this.normalize();return this}slerpQuaternions(e,t,i){return this.copy(e).slerp(t,i)}random(){let e=2*Math.PI*Math.random(),t=2*Math.PI*Math.random(),i=Math.random(),s=Math.sqrt(1-i),r=Math.sqrt(i);return this.set(s*Math.sin(e),s*Math.cos(e),r*Math.sin(t),r*Math.cos(t))}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._w===this._w}fromArray(e,t=0){return this._x=e[t],this._y=e[t+1],this._z=e[t+2],this._w=e[t+3],this._onChangeCallback(),this}toArray(e=[],t=0){return e[t]=this._x,e[t+1]=this._y,e[t+2]=this._z,e[t+3]=this._w,e}fromBufferAttribute(e,t){return this._x=e.getX(t),this._y=e.getY(t),this._z=e.getZ(t),this._w=e.getW(t),this._onChangeCallback(),this}toJSON(){return this.toArray()}_onChange(e){return this._onChangeCallback=e,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this._z,yield this._w}},$=class{static{this.prototype.isVector3=!0}constructor(e=0,t=0,i=0){this.x=e,this.y=t,this.z=i}set(e,t,i){return i===void 0&&(i=this.z),this.x=e,this.y=t,this.z=i,this}setScalar(e){return this.x=e,this.y=e,this.z=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setZ(e){return this.z=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;case 2:this.z=t;break;default:throw new Error("THREE.Vector3: index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;case 2:return this.z;default:throw new Error("THREE.Vector3: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y,this.z)}copy(e){return this.x=e.x,this.y=e.y,this.z=e.z,this}add(e){return this.x+=e.x,this.y+=e.y,this.z+=e.z,this}addScalar(e){return this.x+=e,this.y+=e,this.z+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this.z=e.z+t.z,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this.z+=e.z*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this.z-=e.z,this}subScalar(e){return this.x-=e,this.y-=e,this.z-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this.z=e.z-t.z,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,this}multiplyScalar(e){return this.x*=e,this.y*=e,this.z*=e,this}multiplyVectors(e,t){return this.x=e.x*t.x,this.y=e.y*t.y,this.z=e.z*t.z,this}applyEuler(e){return this.applyQuaternion(J_.setFromEuler(e))}applyAxisAngle(e,t){return this.applyQuaternion(J_.setFromAxisAngle(e,t))}applyMatrix3(e){let t=this.x,i=this.y,s=this.z,r=e.elements;return this.x=r[0]*t+r[3]*i+r[6]*s,this.y=r[1]*t+r[4]*i+r[7]*s,this.z=r[2]*t+r[5]*i+r[8]*s,this}applyNormalMatrix(e){return this.applyMatrix3(e).normalize()}applyMatrix4(e){let t=this.x,i=this.y,s=this.z,r=e.elements,o=1/(r[3]*t+r[7]*i+r[11]*s+r[15]);return this.x=(r[0]*t+r[4]*i+r[8]*s+r[12])*o,this.y=(r[1]*t+r[5]*i+r[9]*s+r[13])*o,this.z=(r[2]*t+r[6]*i+r[10]*s+r[14])*o,this}applyQuaternion(e){let t=this.x,i=this.y,s=this.z,r=e.x,o=e.y,a=e.z,l=e.w,c=2*(o*s-a*i),u=2*(a*t-r*s),d=2*(r*i-o*t);return this.x=t+l*c+o*d-a*u,this.y=i+l*u+a*c-r*d,this.z=s+l*d+r*u-o*c,this}project(e){return this.applyMatrix4(e.matrixWorldInverse).applyMatrix4(e.projectionMatrix)}unproject(e){return this.applyMatrix4(e.projectionMatrixInverse).applyMatrix4(e.matrixWorld)}transformDirection(e){let t=this.x,i=this.y,s=this.z,r=e.elements;return this.x=r[0]*t+r[4]*i+r[8]*s,this.y=r[1]*t+r[5]*i+r[9]*s,this.z=r[2]*t+r[6]*i+r[10]*s,this.normalize()}divide(e){return this.x/=e.x,this.y/=e.y,this.z/=e.z,this}divideScalar(e){return this.multiplyScalar(1/e)}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.min(this.z,e.z),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this}clamp(e,t){return this.x=dt(this.x,e.x,t.x),this.y=dt(this.y,e.y,t.y),this.z=dt(this.z,e.z,t.z),this}clampScalar(e,t){return this.x=dt(this.x,e,t),this.y=dt(this.y,e,t),this.z=dt(this.z,e,t),this}clampLength(e,t){let i=this.length();return this.divideScalar(i||1).multiplyScalar(dt(i,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this.z=Math.floor(this.z),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this.z=Math.ceil(this.z),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this.z=Math.round(this.z),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this.z=Math.trunc(this.z),this}negate(){return this.x=-this.x,this.y=-this.y,this.z=-this.z,this}dot(e){return this.x*e.x+this.y*e.y+this.z*e.z}lengthSq(){return this.x*this.x+this.y*this.y+this.z*this.z}length(){return Math.sqrt(this.x*this.x+this.y*this.y+this.z*this.z)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)+Math.abs(this.z)}normalize(){return this.divideScalar(this.length()||1)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this.z+=(e.z-this.z)*t,this}lerpVectors(e,t,i){return this.x=e.x+(t.x-e.x)*i,this.y=e.y+(t.y-e.y)*i,this.z=e.z+(t.z-e.z)*i,this}cross(e){return this.crossVectors(this,e)}crossVectors(e,t){let i=e.x,s=e.y,r=e.z,o=t.x,a=t.y,l=t.z;return this.x=s*l-r*a,this.y=r*o-i*l,this.z=i*a-s*o,this}projectOnVector(e){let t=e.lengthSq();if(t===0)return this.set(0,0,0);let i=e.dot(this)/t;return this.copy(e).multiplyScalar(i)}projectOnPlane(e){return Bf.copy(this).projectOnVector(e),this.sub(Bf)}reflect(e){return this.sub(Bf.copy(e).multiplyScalar(2*this.dot(e)))}angleTo(e){let t=Math.sqrt(this.lengthSq()*e.lengthSq());if(t===0)return Math.PI/2;let i=this.dot(e)/t;return Math.acos(dt(i,-1,1))}distanceTo(e){return Math.sqrt(this.distanceToSquared(e))}distanceToSquared(e){let t=this.x-e.x,i=this.y-e.y,s=this.z-e.z;return t*t+i*i+s*s}manhattanDistanceTo(e){return Math.abs(this.x-e.x)+Math.abs(this.y-e.y)+Math.abs(this.z-e.z)}setFromSpherical(e){return this.setFromSphericalCoords(e.radius,e.phi,e.theta)}setFromSphericalCoords(e,t,i){let s=Math.sin(t)*e;return this.x=s*Math.sin(i),this.y=Math.cos(t)*e,this.z=s*Math.cos(i),this}setFromCylindrical(e){return this.setFromCylindricalCoords(e.radius,e.theta,e.y)}setFromCylindricalCoords(e,t,i){return this.x=e*Math.sin(t),this.y=i,this.z=e*Math.cos(t),this}setFromMatrixPosition(e){let t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this}setFromMatrixScale(e){let t=this.setFromMatrixColumn(e,0).length(),i=this.setFromMatrixColumn(e,1).length(),s=this.setFromMatrixColumn(e,2).length();return this.x=t,this.y=i,this.z=s,this}setFromMatrixColumn(e,t){return this.fromArray(e.elements,t*4)}setFromMatrix3Column(e,t){return this.fromArray(e.elements,t*3)}setFromEuler(e){return this.x=e._x,this.y=e._y,this.z=e._z,this}setFromColor(e){return this.x=e.r,this.y=e.g,this.z=e.b,this}equals(e){return e.x===this.x&&e.y===this.y&&e.z===this.z}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this.z=e[t+2],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e[t+2]=this.z,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this.z=e.getZ(t),this}random(){return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this}randomDirection(){let e=Math.random()*Math.PI*2,t=Math.random()*2-1,i=Math.sqrt(1-t*t);return this.x=i*Math.cos(e),this.y=t,this.z=i*Math.sin(e),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z}},Bf=new $,J_=new Ls,st=class{static{this.prototype.isMatrix3=!0}constructor(e,t,i,s,r,o,a,l,c){this.elements=[1,0,0,0,1,0,0,0,1],e!==void 0&&this.set(e,t,i,s,r,o,a,l,c)}set(e,t,i,s,r,o,a,l,c){let u=this.elements;return u[0]=e,u[1]=s,u[2]=a,u[3]=t,u[4]=r,u[5]=l,u[6]=i,u[7]=o,u[8]=c,this}identity(){return this.set(1,0,0,0,1,0,0,0,1),this}copy(e){let t=this.elements,i=e.elements;return t[0]=i[0],t[1]=i[1],t[2]=i[2],t[3]=i[3],t[4]=i[4],t[5]=i[5],t[6]=i[6],t[7]=i[7],t[8]=i[8],this}extractBasis(e,t,i){return e.setFromMatrix3Column(this,0),t.setFromMatrix3Column(this,1),i.setFromMatrix3Column(this,2),this}setFromMatrix4(e){let t=e.elements;return this.set(t[0],t[4],t[8],t[1],t[5],t[9],t[2],t[6],t[10]),this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let i=e.elements,s=t.elements,r=this.elements,o=i[0],a=i[3],l=i[6],c=i[1],u=i[4],d=i[7],h=i[2],p=i[5],m=i[8],v=s[0],_=s[3],g=s[6],y=s[1],E=s[4],M=s[7],I=s[2],C=s[5],b=s[8];return r[0]=o*v+a*y+l*I,r[3]=o*_+a*E+l*C,r[6]=o*g+a*M+l*b,r[1]=c*v+u*y+d*I,r[4]=c*_+u*E+d*C,r[7]=c*g+u*M+d*b,r[2]=h*v+p*y+m*I,r[5]=h*_+p*E+m*C,r[8]=h*g+p*M+m*b,this}multiplyScalar(e){let t=this.elements;return t[0]*=e,t[3]*=e,t[6]*=e,t[1]*=e,t[4]*=e,t[7]*=e,t[2]*=e,t[5]*=e,t[8]*=e,this}determinant(){let e=this.elements,t=e[0],i=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],u=e[8];return t*o*u-t*a*c-i*r*u+i*a*l+s*r*c-s*o*l}invert(){let e=this.elements,t=e[0],i=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],u=e[8],d=u*o-a*c,h=a*l-u*r,p=c*r-o*l,m=t*d+i*h+s*p;if(m===0)return this.set(0,0,0,0,0,0,0,0,0);let v=1/m;return e[0]=d*v,e[1]=(s*c-u*i)*v,e[2]=(a*i-s*o)*v,e[3]=h*v,e[4]=(u*t-s*l)*v,e[5]=(s*r-a*t)*v,e[6]=p*v,e[7]=(i*l-c*t)*v,e[8]=(o*t-i*r)*v,this}transpose(){let e,t=this.elements;return e=t[1],t[1]=t[3],t[3]=e,e=t[2],t[2]=t[6],t[6]=e,e=t[5],t[5]=t[7],t[7]=e,this}getNormalMatrix(e){return this.setFromMatrix4(e).invert().transpose()}transposeIntoArray(e){let t=this.elements;return e[0]=t[0],e[1]=t[3],e[2]=t[6],e[3]=t[1],e[4]=t[4],e[5]=t[7],e[6]=t[2],e[7]=t[5],e[8]=t[8],this}setUvTransform(e,t,i,s,r,o,a){let l=Math.cos(r),c=Math.sin(r);return this.set(i*l,i*c,-i*(l*o+c*a)+o+e,-s*c,s*l,-s*(-c*o+l*a)+a+t,0,0,1),this}scale(e,t){return el("Matrix3: .scale() is deprecated. Use .makeScale() instead."),this.premultiply(Vf.makeScale(e,t)),this}rotate(e){return el("Matrix3: .rotate() is deprecated. Use .makeRotation() instead."),this.premultiply(Vf.makeRotation(-e)),this}translate(e,t){return el("Matrix3: .translate() is deprecated. Use .makeTranslation() instead."),this.premultiply(Vf.makeTranslation(e,t)),this}makeTranslation(e,t){return e.isVector2?this.set(1,0,e.x,0,1,e.y,0,0,1):this.set(1,0,e,0,1,t,0,0,1),this}makeRotation(e){let t=Math.cos(e),i=Math.sin(e);return this.set(t,-i,0,i,t,0,0,0,1),this}makeScale(e,t){return this.set(e,0,0,0,t,0,0,0,1),this}equals(e){let t=this.elements,i=e.elements;for(let s=0;s<9;s++)if(t[s]!==i[s])return!1;return!0}fromArray(e,t=0){for(let i=0;i<9;i++)this.elements[i]=e[i+t];return this}toArray(e=[],t=0){let i=this.elements;return e[t]=i[0],e[t+1]=i[1],e[t+2]=i[2],e[t+3]=i[3],e[t+4]=i[4],e[t+5]=i[5],e[t+6]=i[6],e[t+7]=i[7],e[t+8]=i[8],e}clone(){return new this.constructor().fromArray(this.elements)}},Vf=new st,Z_=new st().set(.4123908,.3575843,.1804808,.212639,.7151687,.0721923,.0193308,.1191948,.9505322),K_=new st().set(3.2409699,-1.5373832,-.4986108,-.9692436,1.8759675,.0415551,.0556301,-.203977,1.0569715);function r1(){let n={enabled:!0,workingColorSpace:Jr,spaces:{},convert:function(s,r,o){return this.enabled===!1||r===o||!r||!o||(this.spaces[r].transfer===Ft&&(s.r=Qs(s.r),s.g=Qs(s.g),s.b=Qs(s.b)),this.spaces[r].primaries!==this.spaces[o].primaries&&(s.applyMatrix3(this.spaces[r].toXYZ),s.applyMatrix3(this.spaces[o].fromXYZ)),this.spaces[o].transfer===Ft&&(s.r=ea(s.r),s.g=ea(s.g),s.b=ea(s.b))),s},workingToColorSpace:function(s,r){return this.convert(s,this.workingColorSpace,r)},colorSpaceToWorking:function(s,r){return this.convert(s,r,this.workingColorSpace)},getPrimaries:function(s){return this.spaces[s].primaries},getTransfer:function(s){return s===sr?nl:this.spaces[s].transfer},getToneMappingMode:function(s){return this.spaces[s].outputColorSpaceConfig.toneMappingMode||"standard"},getLuminanceCoefficients:function(s,r=this.workingColorSpace){return s.fromArray(this.spaces[r].luminanceCoefficients)},define:function(s){Object.assign(this.spaces,s)},_getMatrix:function(s,r,o){return s.copy(this.spaces[o].fromXYZ).multiply(this.spaces[r].toXYZ)},_getDrawingBufferColorSpace:function(s){return this.spaces[s].outputColorSpaceConfig.drawingBufferColorSpace},_getUnpackColorSpace:function(s=this.workingColorSpace){return this.spaces[s].workingColorSpaceConfig.unpackColorSpace}},e=[.64,.33,.3,.6,.15,.06],t=[.2126,.7152,.0722],i=[.3127,.329];return n.define({[Jr]:{primaries:e,whitePoint:i,transfer:nl,toXYZ:Z_,fromXYZ:K_,luminanceCoefficients:t,workingColorSpaceConfig:{unpackColorSpace:Ai},outputColorSpaceConfig:{drawingBufferColorSpace:Ai}},[Ai]:{primaries:e,whitePoint:i,transfer:Ft,toXYZ:Z_,fromXYZ:K_,luminanceCoefficients:t,outputColorSpaceConfig:{drawingBufferColorSpace:Ai}}}),n}var bt=r1();function Qs(n){return n<.04045?n*.0773993808:Math.pow(n*.9478672986+.0521327014,2.4)}function ea(n){return n<.0031308?n*12.92:1.055*Math.pow(n,.41666)-.055}var Bo,xu=class{static getDataURL(e,t="image/png"){if(/^data:/i.test(e.src)||typeof HTMLCanvasElement>"u")return e.src;let i;if(e instanceof HTMLCanvasElement)i=e;else{Bo===void 0&&(Bo=sl("canvas")),Bo.width=e.width,Bo.height=e.height;let s=Bo.getContext("2d");e instanceof ImageData?s.putImageData(e,0,0):s.drawImage(e,0,0,e.width,e.height),i=Bo}return i.toDataURL(t)}static sRGBToLinear(e){if(typeof HTMLImageElement<"u"&&e instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&e instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&e instanceof ImageBitmap){let t=sl("canvas");t.width=e.width,t.height=e.height;let i=t.getContext("2d");i.drawImage(e,0,0,e.width,e.height);let s=i.getImageData(0,0,e.width,e.height),r=s.data;for(let o=0;o<r.length;o++)r[o]=Qs(r[o]/255)*255;return i.putImageData(s,0,0),t}else if(e.data){let t=e.data.slice(0);for(let i=0;i<t.length;i++)t instanceof Uint8Array||t instanceof Uint8ClampedArray?t[i]=Math.floor(Qs(t[i]/255)*255):t[i]=Qs(t[i]);return{data:t,width:e.width,height:e.height}}else return Ze("ImageUtils.sRGBToLinear(): Unsupported image type. No color space conversion applied."),e}},o1=0,ia=class{constructor(e=null){this.isTextureSource=!0,Object.defineProperty(this,"id",{value:o1++}),this.uuid=oo(),this.data=e,this.dataReady=!0,this.version=0}getSize(e){let t=this.data;return typeof HTMLVideoElement<"u"&&t instanceof HTMLVideoElement?e.set(t.videoWidth,t.videoHeight,0):typeof VideoFrame<"u"&&t instanceof VideoFrame?e.set(t.displayWidth,t.displayHeight,0):t!==null?e.set(t.width||0,t.height||0,t.depth||0):e.set(0,0,0),e}set needsUpdate(e){e===!0&&this.version++}toJSON(e){let t=e===void 0||typeof e=="string";if(!t&&e.images[this.uuid]!==void 0)return e.images[this.uuid];let i={uuid:this.uuid,url:""},s=this.data;if(s!==null){let r;if(Array.isArray(s)){r=[];for(let o=0,a=s.length;o<a;o++)s[o].isDataTexture?r.push(zf(s[o].image)):r.push(zf(s[o]))}else r=zf(s);i.url=r}return t||(e.images[this.uuid]=i),i}};function zf(n){return typeof HTMLImageElement<"u"&&n instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&n instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&n instanceof ImageBitmap?xu.getDataURL(n):n.data?{data:Array.from(n.data),width:n.width,height:n.height,type:n.data.constructor.name}:(Ze("Texture: Unable to serialize Texture."),{})}var a1=0,Gf=new $,di=class n extends Is{constructor(e=n.DEFAULT_IMAGE,t=n.DEFAULT_MAPPING,i=Ps,s=Ps,r=oi,o=nr,a=Ni,l=Li,c=n.DEFAULT_ANISOTROPY,u=sr){super(),this.isTexture=!0,Object.defineProperty(this,"id",{value:a1++}),this.uuid=oo(),this.name="",this.source=new ia(e),this.mipmaps=[],this.mapping=t,this.channel=0,this.wrapS=i,this.wrapT=s,this.magFilter=r,this.minFilter=o,this.anisotropy=c,this.format=a,this.internalFormat=null,this.type=l,this.offset=new Ct(0,0),this.repeat=new Ct(1,1),this.center=new Ct(0,0),this.rotation=0,this.matrixAutoUpdate=!0,this.matrix=new st,this.generateMipmaps=!0,this.mipmapsAutoUpdate=!0,this.premultiplyAlpha=!1,this.flipY=!0,this.unpackAlignment=4,this.colorSpace=u,this.userData={},this.updateRanges=[],this.version=0,this.onUpdate=null,this.renderTarget=null,this.isRenderTargetTexture=!1,this.isArrayTexture=!!(e&&e.depth&&e.depth>1),this.pmremVersion=0,this.isPMREMTexture=!1,this.normalized=!1}get width(){return this.source.getSize(Gf).x}get height(){return this.source.getSize(Gf).y}get depth(){return this.source.getSize(Gf).z}get image(){return this.source.data}set image(e){this.source.data=e}updateMatrix(){this.matrix.setUvTransform(this.offset.x,this.offset.y,this.repeat.x,this.repeat.y,this.rotation,this.center.x,this.center.y)}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.length=0}clone(){return new this.constructor().copy(this)}copy(e){return this.name=e.name,this.source=e.source,this.mipmaps=e.mipmaps.slice(0),this.mapping=e.mapping,this.channel=e.channel,this.wrapS=e.wrapS,this.wrapT=e.wrapT,this.magFilter=e.magFilter,this.minFilter=e.minFilter,this.anisotropy=e.anisotropy,this.format=e.format,this.internalFormat=e.internalFormat,this.type=e.type,this.normalized=e.normalized,this.offset.copy(e.offset),this.repeat.copy(e.repeat),this.center.copy(e.center),this.rotation=e.rotation,this.matrixAutoUpdate=e.matrixAutoUpdate,this.matrix.copy(e.matrix),this.generateMipmaps=e.generateMipmaps,this.mipmapsAutoUpdate=e.mipmapsAutoUpdate,this.premultiplyAlpha=e.premultiplyAlpha,this.flipY=e.flipY,this.unpackAlignment=e.unpackAlignment,this.colorSpace=e.colorSpace,this.renderTarget=e.renderTarget,this.isRenderTargetTexture=e.isRenderTargetTexture,this.isPMREMTexture=e.isPMREMTexture,this.isArrayTexture=e.isArrayTexture,this.userData=JSON.parse(JSON.stringify(e.userData)),this.needsUpdate=!0,this}setValues(e){for(let t in e){let i=e[t];if(i===void 0){Ze(`Texture.setValues(): parameter '${t}' has value of undefined.`);continue}let s=this[t];if(s===void 0){Ze(`Texture.setValues(): property '${t}' does not exist.`);continue}s&&i&&s.isVector2&&i.isVector2||s&&i&&s.isVector3&&i.isVector3||s&&i&&s.isMatrix3&&i.isMatrix3?s.copy(i):this[t]=i}}toJSON(e){let t=e===void 0||typeof e=="string";if(!t&&e.textures[this.uuid]!==void 0)return e.textures[this.uuid];let i={metadata:{version:4.7,type:"Texture",generator:"Texture.toJSON"},uuid:this.uuid,name:this.name,image:this.source.toJSON(e).uuid,mapping:this.mapping,channel:this.channel,repeat:[this.repeat.x,this.repeat.y],offset:[this.offset.x,this.offset.y],center:[this.center.x,this.center.y],rotation:this.rotation,wrap:[this.wrapS,this.wrapT],format:this.format,internalFormat:this.internalFormat,type:this.type,normalized:this.normalized,colorSpace:this.colorSpace,minFilter:this.minFilter,magFilter:this.magFilter,anisotropy:this.anisotropy,flipY:this.flipY,generateMipmaps:this.generateMipmaps,mipmapsAutoUpdate:this.mipmapsAutoUpdate,premultiplyAlpha:this.premultiplyAlpha,unpackAlignment:this.unpackAlignment};return Object.keys(this.userData).length>0&&(i.userData=this.userData),t||(e.textures[this.uuid]=i),i}dispose(){this.dispatchEvent({type:"dispose"})}transformUv(e){if(this.mapping!==Ap)return e;if(e.applyMatrix3(this.matrix),e.x<0||e.x>1)switch(this.wrapS){case pu:e.x=e.x-Math.floor(e.x);break;case Ps:e.x=e.x<0?0:1;break;case mu:Math.abs(Math.floor(e.x)%2)===1?e.x=Math.ceil(e.x)-e.x:e.x=e.x-Math.floor(e.x);break}if(e.y<0||e.y>1)switch(this.wrapT){case pu:e.y=e.y-Math.floor(e.y);break;case Ps:e.y=e.y<0?0:1;break;case mu:Math.abs(Math.floor(e.y)%2)===1?e.y=Math.ceil(e.y)-e.y:e.y=e.y-Math.floor(e.y);break}return this.flipY&&(e.y=1-e.y),e}set needsUpdate(e){e===!0&&(this.version++,this.source.needsUpdate=!0)}set needsPMREMUpdate(e){e===!0&&this.pmremVersion++}};di.DEFAULT_IMAGE=null;di.DEFAULT_MAPPING=Ap;di.DEFAULT_ANISOTROPY=1;var on=class{static{this.prototype.isVector4=!0}constructor(e=0,t=0,i=0,s=1){this.x=e,this.y=t,this.z=i,this.w=s}get width(){return this.z}set width(e){this.z=e}get height(){return this.w}set height(e){this.w=e}set(e,t,i,s){return this.x=e,this.y=t,this.z=i,this.w=s,this}setScalar(e){return this.x=e,this.y=e,this.z=e,this.w=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setZ(e){return this.z=e,this}setW(e){return this.w=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;case 2:this.z=t;break;case 3:this.w=t;break;default:throw new Error("THREE.Vector4: index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;case 2:return this.z;case 3:return this.w;default:throw new Error("THREE.Vector4: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y,this.z,this.w)}copy(e){return this.x=e.x,this.y=e.y,this.z=e.z,this.w=e.w!==void 0?e.w:1,this}add(e){return this.x+=e.x,this.y+=e.y,this.z+=e.z,this.w+=e.w,this}addScalar(e){return this.x+=e,this.y+=e,this.z+=e,this.w+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this.z=e.z+t.z,this.w=e.w+t.w,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this.z+=e.z*t,this.w+=e.w*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this.z-=e.z,this.w-=e.w,this}subScalar(e){return this.x-=e,this.y-=e,this.z-=e,this.w-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this.z=e.z-t.z,this.w=e.w-t.w,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,this.w*=e.w,this}multiplyScalar(e){return this.x*=e,this.y*=e,this.z*=e,this.w*=e,this}applyMatrix4(e){let t=this.x,i=this.y,s=this.z,r=this.w,o=e.elements;return this.x=o[0]*t+o[4]*i+o[8]*s+o[12]*r,this.y=o[1]*t+o[5]*i+o[9]*s+o[13]*r,this.z=o[2]*t+o[6]*i+o[10]*s+o[14]*r,this.w=o[3]*t+o[7]*i+o[11]*s+o[15]*r,this}divide(e){return this.x/=e.x,this.y/=e.y,this.z/=e.z,this.w/=e.w,this}divideScalar(e){return this.multiplyScalar(1/e)}setAxisAngleFromQuaternion(e){this.w=2*Math.acos(e.w);let t=Math.sqrt(1-e.w*e.w);return t<1e-4?(this.x=1,this.y=0,this.z=0):(this.x=e.x/t,this.y=e.y/t,this.z=e.z/t),this}setAxisAngleFromRotationMatrix(e){let t,i,s,r,l=e.elements,c=l[0],u=l[4],d=l[8],h=l[1],p=l[5],m=l[9],v=l[2],_=l[6],g=l[10];if(Math.abs(u-h)<.01&&Math.abs(d-v)<.01&&Math.abs(m-_)<.01){if(Math.abs(u+h)<.1&&Math.abs(d+v)<.1&&Math.abs(m+_)<.1&&Math.abs(c+p+g-3)<.1)return this.set(1,0,0,0),this;t=Math.PI;let E=(c+1)/2,M=(p+1)/2,I=(g+1)/2,C=(u+h)/4,b=(d+v)/4,A=(m+_)/4;return E>M&&E>I?E<.01?(i=0,s=.707106781,r=.707106781):(i=Math.sqrt(E),s=C/i,r=b/i):M>I?M<.01?(i=.707106781,s=0,r=.707106781):(s=Math.sqrt(M),i=C/s,r=A/s):I<.01?(i=.707106781,s=.707106781,r=0):(r=Math.sqrt(I),i=b/r,s=A/r),this.set(i,s,r,t),this}let y=Math.sqrt((_-m)*(_-m)+(d-v)*(d-v)+(h-u)*(h-u));return Math.abs(y)<.001&&(y=1),this.x=(_-m)/y,this.y=(d-v)/y,this.z=(h-u)/y,this.w=Math.acos((c+p+g-1)/2),this}setFromMatrixPosition(e){let t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this.w=t[15],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.min(this.z,e.z),this.w=Math.min(this.w,e.w),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this.w=Math.max(this.w,e.w),this}clamp(e,t){return this.x=dt(this.x,e.x,t.x),this.y=dt(this.y,e.y,t.y),this.z=dt(this.z,e.z,t.z),this.w=dt(this.w,e.w,t.w),this}clampScalar(e,t){return this.x=dt(this.x,e,t),this.y=dt(this.y,e,t),this.z=dt(this.z,e,t),this.w=dt(this.w,e,t),this}clampLength(e,t){let i=this.length();return this.divideScalar(i||1).multiplyScalar(dt(i,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this.z=Math.floor(this.z),this.w=Math.floor(this.w),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this.z=Math.ceil(this.z),this.w=Math.ceil(this.w),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this.z=Math.round(this.z),this.w=Math.round(this.w),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this.z=Math.trunc(this.z),this.w=Math.trunc(this.w),this}negate(){return this.x=-this.x,this.y=-this.y,this.z=-this.z,this.w=-this.w,this}dot(e){return this.x*e.x+this.y*e.y+this.z*e.z+this.w*e.w}lengthSq(){return this.x*this.x+this.y*this.y+this.z*this.z+this.w*this.w}length(){return Math.sqrt(this.x*this.x+this.y*this.y+this.z*this.z+this.w*this.w)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)+Math.abs(this.z)+Math.abs(this.w)}normalize(){return this.divideScalar(this.length()||1)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this.z+=(e.z-this.z)*t,this.w+=(e.w-this.w)*t,this}lerpVectors(e,t,i){return this.x=e.x+(t.x-e.x)*i,this.y=e.y+(t.y-e.y)*i,this.z=e.z+(t.z-e.z)*i,this.w=e.w+(t.w-e.w)*i,this}equals(e){return e.x===this.x&&e.y===this.y&&e.z===this.z&&e.w===this.w}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this.z=e[t+2],this.w=e[t+3],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e[t+2]=this.z,e[t+3]=this.w,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this.z=e.getZ(t),this.w=e.getW(t),this}random(){return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this.w=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z,yield this.w}},yu=class extends Is{constructor(e=1,t=1,i={}){super(),i=Object.assign({generateMipmaps:!1,internalFormat:null,minFilter:oi,depthBuffer:!0,stencilBuffer:!1,resolveColorBuffer:!0,resolveDepthBuffer:!0,resolveStencilBuffer:!0,storeMultisampledColorBuffer:!0,storeMultisampledDepthBuffer:!0,storeMultisampledStencilBuffer:!0,depthTexture:null,samples:0,count:1,depth:1,multiview:!1,useArrayDepthTexture:!1},i),this.isRenderTarget=!0,this.width=e,this.height=t,this.depth=i.depth,this.scissor=new on(0,0,e,t),this.scissorTest=!1,this.viewport=new on(0,0,e,t),this.textures=[];let s=i.count;for(let r=0;r<s;r++)this.textures[r]=new di({width:e,height:t,depth:i.depth}),this.textures[r].isRenderTargetTexture=!0,this.textures[r].renderTarget=this;this._setTextureOptions(i),this.depthBuffer=i.depthBuffer,this.stencilBuffer=i.stencilBuffer,this.resolveColorBuffer=i.resolveColorBuffer,this.resolveDepthBuffer=i.resolveDepthBuffer,this.resolveStencilBuffer=i.resolveStencilBuffer,this.storeMultisampledColorBuffer=i.storeMultisampledColorBuffer,this.storeMultisampledDepthBuffer=i.storeMultisampledDepthBuffer,this.storeMultisampledStencilBuffer=i.storeMultisampledStencilBuffer,this._depthTexture=null,this.depthTexture=i.depthTexture,this.samples=i.samples,this.multiview=i.multiview,this.useArrayDepthTexture=i.useArrayDepthTexture}_setTextureOptions(e={}){let t={minFilter:oi,generateMipmaps:!1,flipY:!1,internalFormat:null};e.mapping!==void 0&&(t.mapping=e.mapping),e.wrapS!==void 0&&(t.wrapS=e.wrapS),e.wrapT!==void 0&&(t.wrapT=e.wrapT),e.wrapR!==void 0&&(t.wrapR=e.wrapR),e.magFilter!==void 0&&(t.magFilter=e.magFilter),e.minFilter!==void 0&&(t.minFilter=e.minFilter),e.format!==void 0&&(t.format=e.format),e.type!==void 0&&(t.type=e.type),e.anisotropy!==void 0&&(t.anisotropy=e.anisotropy),e.colorSpace!==void 0&&(t.colorSpace=e.colorSpace),e.flipY!==void 0&&(t.flipY=e.flipY),e.generateMipmaps!==void 0&&(t.generateMipmaps=e.generateMipmaps),e.mipmapsAutoUpdate!==void 0&&(t.mipmapsAutoUpdate=e.mipmapsAutoUpdate),e.internalFormat!==void 0&&(t.internalFormat=e.internalFormat);for(let i=0;i<this.textures.length;i++)this.textures[i].setValues(t)}get texture(){return this.textures[0]}set texture(e){this.textures[0]=e}set depthTexture(e){this._depthTexture!==null&&this._depthTexture.renderTarget===this&&(this._depthTexture.renderTarget=null),e!==null&&e.renderTarget===null&&(e.renderTarget=this),this._depthTexture=e}get depthTexture(){return this._depthTexture}setSize(e,t,i=1){if(this.width!==e||this.height!==t||this.depth!==i){this.width=e,this.height=t,this.depth=i;for(let s=0,r=this.textures.length;s<r;s++)this.textures[s].image.width=e,this.textures[s].image.height=t,this.textures[s].image.depth=i,this.textures[s].isData3DTexture!==!0&&(this.textures[s].isArrayTexture=this.textures[s].image.depth>1);this.dispose()}this.viewport.set(0,0,e,t),this.scissor.set(0,0,e,t)}clone(){return new this.constructor().copy(this)}copy(e){this.width=e.width,this.height=e.height,this.depth=e.depth,this.scissor.copy(e.scissor),this.scissorTest=e.scissorTest,this.viewport.copy(e.viewport),this.textures.length=0;for(let t=0,i=e.textures.length;t<i;t++){this.textures[t]=e.textures[t].clone(),this.textures[t].isRenderTargetTexture=!0,this.textures[t].renderTarget=this;let s=Object.assign({},e.textures[t].image);this.textures[t].source=new ia(s)}if(this.depthBuffer=e.depthBuffer,this.stencilBuffer=e.stencilBuffer,this.resolveColorBuffer=e.resolveColorBuffer,this.resolveDepthBuffer=e.resolveDepthBuffer,this.resolveStencilBuffer=e.resolveStencilBuffer,this.storeMultisampledColorBuffer=e.storeMultisampledColorBuffer,this.storeMultisampledDepthBuffer=e.storeMultisampledDepthBuffer,this.storeMultisampledStencilBuffer=e.storeMultisampledStencilBuffer,e.depthTexture!==null)if(e.depthTexture.renderTarget===e){let t=e.depthTexture.clone();t.renderTarget=null,this.depthTexture=t}else this.depthTexture=e.depthTexture;else this.depthTexture=null;return this.samples=e.samples,this.multiview=e.multiview,this.useArrayDepthTexture=e.useArrayDepthTexture,this}dispose(){this.dispatchEvent({type:"dispose"})}},Ri=class extends yu{constructor(e=1,t=1,i={}){super(e,t,i),this.isWebGLRenderTarget=!0}},ol=class extends di{constructor(e=null,t=1,i=1,s=1){super(null),this.isDataArrayTexture=!0,this.image={data:e,width:t,height:i,depth:s},this.magFilter=Bn,this.minFilter=Bn,this.wrapR=Ps,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1,this.layerUpdates=new Set}copy(e){return super.copy(e),this.wrapR=e.wrapR,this}addLayerUpdate(e){this.layerUpdates.add(e)}clearLayerUpdates(){this.layerUpdates.clear()}};var vu=class extends di{constructor(e=null,t=1,i=1,s=1){super(null),this.isData3DTexture=!0,this.image={data:e,width:t,height:i,depth:s},this.magFilter=Bn,this.minFilter=Bn,this.wrapR=Ps,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}copy(e){return super.copy(e),this.wrapR=e.wrapR,this}};var Yt=class n{static{this.prototype.isMatrix4=!0}constructor(e,t,i,s,r,o,a,l,c,u,d,h,p,m,v,_){this.elements=[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],e!==void 0&&this.set(e,t,i,s,r,o,a,l,c,u,d,h,p,m,v,_)}set(e,t,i,s,r,o,a,l,c,u,d,h,p,m,v,_){let g=this.elements;return g[0]=e,g[4]=t,g[8]=i,g[12]=s,g[1]=r,g[5]=o,g[9]=a,g[13]=l,g[2]=c,g[6]=u,g[10]=d,g[14]=h,g[3]=p,g[7]=m,g[11]=v,g[15]=_,this}identity(){return this.set(1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1),this}clone(){return new n().fromArray(this.elements)}copy(e){let t=this.elements,i=e.elements;return t[0]=i[0],t[1]=i[1],t[2]=i[2],t[3]=i[3],t[4]=i[4],t[5]=i[5],t[6]=i[6],t[7]=i[7],t[8]=i[8],t[9]=i[9],t[10]=i[10],t[11]=i[11],t[12]=i[12],t[13]=i[13],t[14]=i[14],t[15]=i[15],this}copyPosition(e){let t=this.elements,i=e.elements;return t[12]=i[12],t[13]=i[13],t[14]=i[14],this}setFromMatrix3(e){let t=e.elements;return this.set(t[0],t[3],t[6],0,t[1],t[4],t[7],0,t[2],t[5],t[8],0,0,0,0,1),this}extractBasis(e,t,i){return this.determinantAffine()===0?(e.set(1,0,0),t.set(0,1,0),i.set(0,0,1),this):(e.setFromMatrixColumn(this,0),t.setFromMatrixColumn(this,1),i.setFromMatrixColumn(this,2),this)}makeBasis(e,t,i){return this.set(e.x,t.x,i.x,0,e.y,t.y,i.y,0,e.z,t.z,i.z,0,0,0,0,1),this}extractRotation(e){if(e.determinantAffine()===0)return this.identity();let t=this.elements,i=e.elements,s=1/Vo.setFromMatrixColumn(e,0).length(),r=1/Vo.setFromMatrixColumn(e,1).length(),o=1/Vo.setFromMatrixColumn(e,2).length();return t[0]=i[0]*s,t[1]=i[1]*s,t[2]=i[2]*s,t[3]=0,t[4]=i[4]*r,t[5]=i[5]*r,t[6]=i[6]*r,t[7]=0,t[8]=i[8]*o,t[9]=i[9]*o,t[10]=i[10]*o,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromEuler(e){let t=this.elements,i=e.x,s=e.y,r=e.z,o=Math.cos(i),a=Math.sin(i),l=Math.cos(s),c=Math.sin(s),u=Math.cos(r),d=Math.sin(r);if(e.order==="XYZ"){let h=o*u,p=o*d,m=a*u,v=a*d;t[0]=l*u,t[4]=-l*d,t[8]=c,t[1]=p+m*c,t[5]=h-v*c,t[9]=-a*l,t[2]=v-h*c,t[6]=m+p*c,t[10]=o*l}else if(e.order==="YXZ"){let h=l*u,p=l*d,m=c*u,v=c*d;t[0]=h+v*a,t[4]=m*a-p,t[8]=o*c,t[1]=o*d,t[5]=o*u,t[9]=-a,t[2]=p*a-m,t[6]=v+h*a,t[10]=o*l}else if(e.order==="ZXY"){let h=l*u,p=l*d,m=c*u,v=c*d;t[0]=h-v*a,t[4]=-o*d,t[8]=m+p*a,t[1]=p+m*a,t[5]=o*u,t[9]=v-h*a,t[2]=-o*c,t[6]=a,t[10]=o*l}else if(e.order==="ZYX"){let h=o*u,p=o*d,m=a*u,v=a*d;t[0]=l*u,t[4]=m*c-p,t[8]=h*c+v,t[1]=l*d,t[5]=v*c+h,t[9]=p*c-m,t[2]=-c,t[6]=a*l,t[10]=o*l}else if(e.order==="YZX"){let h=o*l,p=o*c,m=a*l,v=a*c;t[0]=l*u,t[4]=v-h*d,t[8]=m*d+p,t[1]=d,t[5]=o*u,t[9]=-a*u,t[2]=-c*u,t[6]=p*d+m,t[10]=h-v*d}else if(e.order==="XZY"){let h=o*l,p=o*c,m=a*l,v=a*c;t[0]=l*u,t[4]=-d,t[8]=c*u,t[1]=h*d+v,t[5]=o*u,t[9]=p*d-m,t[2]=m*d-p,t[6]=a*u,t[10]=v*d+h}return t[3]=0,t[7]=0,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromQuaternion(e){return this.compose(l1,e,c1)}lookAt(e,t,i){let s=this.elements;return wi.subVectors(e,t),wi.lengthSq()===0&&(wi.z=1),wi.normalize(),yr.crossVectors(i,wi),yr.lengthSq()===0&&(Math.abs(i.z)===1?wi.x+=1e-4:wi.z+=1e-4,wi.normalize(),yr.crossVectors(i,wi)),yr.normalize(),Uc.crossVectors(wi,yr),s[0]=yr.x,s[4]=Uc.x,s[8]=wi.x,s[1]=yr.y,s[5]=Uc.y,s[9]=wi.y,s[2]=yr.z,s[6]=Uc.z,s[10]=wi.z,this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let i=e.elements,s=t.elements,r=this.elements,o=i[0],a=i[4],l=i[8],c=i[12],u=i[1],d=i[5],h=i[9],p=i[13],m=i[2],v=i[6],_=i[10],g=i[14],y=i[3],E=i[7],M=i[11],I=i[15],C=s[0],b=s[4],A=s[8],H=s[12],F=s[1],D=s[5],G=s[9],V=s[13],N=s[2],W=s[6],Z=s[10],z=s[14],ue=s[3],K=s[7],Q=s[11],se=s[15];return r[0]=o*C+a*F+l*N+c*ue,r[4]=o*b+a*D+l*W+c*K,r[8]=o*A+a*G+l*Z+c*Q,r[12]=o*H+a*V+l*z+c*se,r[1]=u*C+d*F+h*N+p*ue,r[5]=u*b+d*D+h*W+p*K,r[9]=u*A+d*G+h*Z+p*Q,r[13]=u*H+d*V+h*z+p*se,r[2]=m*C+v*F+_*N+g*ue,r[6]=m*b+v*D+_*W+g*K,r[10]=m*A+v*G+_*Z+g*Q,r[14]=m*H+v*V+_*z+g*se,r[3]=y*C+E*F+M*N+I*ue,r[7]=y*b+E*D+M*W+I*K,r[11]=y*A+E*G+M*Z+I*Q,r[15]=y*H+E*V+M*z+I*se,this}multiplyScalar(e){let t=this.elements;return t[0]*=e,t[4]*=e,t[8]*=e,t[12]*=e,t[1]*=e,t[5]*=e,t[9]*=e,t[13]*=e,t[2]*=e,t[6]*=e,t[10]*=e,t[14]*=e,t[3]*=e,t[7]*=e,t[11]*=e,t[15]*=e,this}determinant(){let e=this.elements,t=e[0],i=e[4],s=e[8],r=e[12],o=e[1],a=e[5],l=e[9],c=e[13],u=e[2],d=e[6],h=e[10],p=e[14],m=e[3],v=e[7],_=e[11],g=e[15],y=l*p-c*h,E=a*p-c*d,M=a*h-l*d,I=o*p-c*u,C=o*h-l*u,b=o*d-a*u;return t*(v*y-_*E+g*M)-i*(m*y-_*I+g*C)+s*(m*E-v*I+g*b)-r*(m*M-v*C+_*b)}determinantAffine(){let e=this.elements,t=e[0],i=e[4],s=e[8],r=e[1],o=e[5],a=e[9],l=e[2],c=e[6],u=e[10];return t*(o*u-a*c)-i*(r*u-a*l)+s*(r*c-o*l)}transpose(){let e=this.elements,t;return t=e[1],e[1]=e[4],e[4]=t,t=e[2],e[2]=e[8],e[8]=t,t=e[6],e[6]=e[9],e[9]=t,t=e[3],e[3]=e[12],e[12]=t,t=e[7],e[7]=e[13],e[13]=t,t=e[11],e[11]=e[14],e[14]=t,this}setPosition(e,t,i){let s=this.elements;return e.isVector3?(s[12]=e.x,s[13]=e.y,s[14]=e.z):(s[12]=e,s[13]=t,s[14]=i),this}invert(){let e=this.elements,t=e[0],i=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],u=e[8],d=e[9],h=e[10],p=e[11],m=e[12],v=e[13],_=e[14],g=e[15],y=t*a-i*o,E=t*l-s*o,M=t*c-r*o,I=i*l-s*a,C=i*c-r*a,b=s*c-r*l,A=u*v-d*m,H=u*_-h*m,F=u*g-p*m,D=d*_-h*v,G=d*g-p*v,V=h*g-p*_,N=y*V-E*G+M*D+I*F-C*H+b*A;if(N===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);let W=1/N;return e[0]=(a*V-l*G+c*D)*W,e[1]=(s*G-i*V-r*D)*W,e[2]=(v*b-_*C+g*I)*W,e[3]=(h*C-d*b-p*I)*W,e[4]=(l*F-o*V-c*H)*W,e[5]=(t*V-s*F+r*H)*W,e[6]=(_*M-m*b-g*E)*W,e[7]=(u*b-h*M+p*E)*W,e[8]=(o*G-a*F+c*A)*W,e[9]=(i*F-t*G-r*A)*W,e[10]=(m*C-v*M+g*y)*W,e[11]=(d*M-u*C-p*y)*W,e[12]=(a*H-o*D-l*A)*W,e[13]=(t*D-i*H+s*A)*W,e[14]=(v*E-m*I-_*y)*W,e[15]=(u*I-d*E+h*y)*W,this}scale(e){let t=this.elements,i=e.x,s=e.y,r=e.z;return t[0]*=i,t[4]*=s,t[8]*=r,t[1]*=i,t[5]*=s,t[9]*=r,t[2]*=i,t[6]*=s,t[10]*=r,t[3]*=i,t[7]*=s,t[11]*=r,this}getMaxScaleOnAxis(){let e=this.elements,t=e[0]*e[0]+e[1]*e[1]+e[2]*e[2],i=e[4]*e[4]+e[5]*e[5]+e[6]*e[6],s=e[8]*e[8]+e[9]*e[9]+e[10]*e[10];return Math.sqrt(Math.max(t,i,s))}makeTranslation(e,t,i){return e.isVector3?this.set(1,0,0,e.x,0,1,0,e.y,0,0,1,e.z,0,0,0,1):this.set(1,0,0,e,0,1,0,t,0,0,1,i,0,0,0,1),this}makeRotationX(e){let t=Math.cos(e),i=Math.sin(e);return this.set(1,0,0,0,0,t,-i,0,0,i,t,0,0,0,0,1),this}makeRotationY(e){let t=Math.cos(e),i=Math.sin(e);return this.set(t,0,i,0,0,1,0,0,-i,0,t,0,0,0,0,1),this}makeRotationZ(e){let t=Math.cos(e),i=Math.sin(e);return this.set(t,-i,0,0,i,t,0,0,0,0,1,0,0,0,0,1),this}makeRotationAxis(e,t){let i=Math.cos(t),s=Math.sin(t),r=1-i,o=e.x,a=e.y,l=e.z,c=r*o,u=r*a;return this.set(c*o+i,c*a-s*l,c*l+s*a,0,c*a+s*l,u*a+i,u*l-s*o,0,c*l-s*a,u*l+s*o,r*l*l+i,0,0,0,0,1),this}makeScale(e,t,i){return this.set(e,0,0,0,0,t,0,0,0,0,i,0,0,0,0,1),this}makeShear(e,t,i,s,r,o){return this.set(1,i,r,0,e,1,o,0,t,s,1,0,0,0,0,1),this}compose(e,t,i){let s=this.elements,r=t._x,o=t._y,a=t._z,l=t._w,c=r+r,u=o+o,d=a+a,h=r*c,p=r*u,m=r*d,v=o*u,_=o*d,g=a*d,y=l*c,E=l*u,M=l*d,I=i.x,C=i.y,b=i.z;return s[0]=(1-(v+g))*I,s[1]=(p+M)*I,s[2]=(m-E)*I,s[3]=0,s[4]=(p-M)*C,s[5]=(1-(h+g))*C,s[6]=(_+y)*C,s[7]=0,s[8]=(m+E)*b,s[9]=(_-y)*b,s[10]=(1-(h+v))*b,s[11]=0,s[12]=e.x,s[13]=e.y,s[14]=e.z,s[15]=1,this}decompose(e,t,i){let s=this.elements;e.x=s[12],e.y=s[13],e.z=s[14];let r=this.determinantAffine();if(r===0)return i.set(1,1,1),t.identity(),this;let o=Vo.set(s[0],s[1],s[2]).length(),a=Vo.set(s[4],s[5],s[6]).length(),l=Vo.set(s[8],s[9],s[10]).length();r<0&&(o=-o),cs.copy(this);let c=1/o,u=1/a,d=1/l;return cs.elements[0]*=c,cs.elements[1]*=c,cs.elements[2]*=c,cs.elements[4]*=u,cs.elements[5]*=u,cs.elements[6]*=u,cs.elements[8]*=d,cs.elements[9]*=d,cs.elements[10]*=d,t.setFromRotationMatrix(cs),i.x=o,i.y=a,i.z=l,this}makePerspective(e,t,i,s,r,o,a=Yi,l=!1){let c=this.elements,u=2*r/(t-e),d=2*r/(i-s),h=(t+e)/(t-e),p=(i+s)/(i-s),m,v;if(l)m=r/(o-r),v=o*r/(o-r);else if(a===Yi)m=-(o+r)/(o-r),v=-2*o*r/(o-r);else if(a===il)m=-o/(o-r),v=-o*r/(o-r);else throw new Error("THREE.Matrix4.makePerspective(): Invalid coordinate system: "+a);return c[0]=u,c[4]=0,c[8]=h,c[12]=0,c[1]=0,c[5]=d,c[9]=p,c[13]=0,c[2]=0,c[6]=0,c[10]=m,c[14]=v,c[3]=0,c[7]=0,c[11]=-1,c[15]=0,this}makeOrthographic(e,t,i,s,r,o,a=Yi,l=!1){let c=this.elements,u=2/(t-e),d=2/(i-s),h=-(t+e)/(t-e),p=-(i+s)/(i-s),m,v;if(l)m=1/(o-r),v=o/(o-r);else if(a===Yi)m=-2/(o-r),v=-(o+r)/(o-r);else if(a===il)m=-1/(o-r),v=-r/(o-r);else throw new Error("THREE.Matrix4.makeOrthographic(): Invalid coordinate system: "+a);return c[0]=u,c[4]=0,c[8]=0,c[12]=h,c[1]=0,c[5]=d,c[9]=0,c[13]=p,c[2]=0,c[6]=0,c[10]=m,c[14]=v,c[3]=0,c[7]=0,c[11]=0,c[15]=1,this}equals(e){let t=this.elements,i=e.elements;for(let s=0;s<16;s++)if(t[s]!==i[s])return!1;return!0}fromArray(e,t=0){for(let i=0;i<16;i++)this.elements[i]=e[i+t];return this}toArray(e=[],t=0){let i=this.elements;return e[t]=i[0],e[t+1]=i[1],e[t+2]=i[2],e[t+3]=i[3],e[t+4]=i[4],e[t+5]=i[5],e[t+6]=i[6],e[t+7]=i[7],e[t+8]=i[8],e[t+9]=i[9],e[t+10]=i[10],e[t+11]=i[11],e[t+12]=i[12],e[t+13]=i[13],e[t+14]=i[14],e[t+15]=i[15],e}},Vo=new $,cs=new Yt,l1=new $(0,0,0),c1=new $(1,1,1),yr=new $,Uc=new $,wi=new $,j_=new Yt,Q_=new Ls,wr=class n{constructor(e=0,t=0,i=0,s=n.DEFAULT_ORDER){this.isEuler=!0,this._x=e,this._y=t,this._z=i,this._order=s}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){return this._z}set z(e){this._z=e,this._onChangeCallback()}get order(){return this._order}set order(e){this._order=e,this._onChangeCallback()}set(e,t,i,s=this._order){return this._x=e,this._y=t,this._z=i,this._order=s,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._order)}copy(e){return this._x=e._x,this._y=e._y,this._z=e._z,this._order=e._order,this._onChangeCallback(),this}setFromRotationMatrix(e,t=this._order,i=!0){let s=e.elements,r=s[0],o=s[4],a=s[8],l=s[1],c=s[5],u=s[9],d=s[2],h=s[6],p=s[10];switch(t){case"XYZ":this._y=Math.asin(dt(a,-1,1)),Math.abs(a)<.9999999?(this._x=Math.atan2(-u,p),this._z=Math.atan2(-o,r)):(this._x=Math.atan2(h,c),this._z=0);break;case"YXZ":this._x=Math.asin(-dt(u,-1,1)),Math.abs(u)<.9999999?(this._y=Math.atan2(a,p),this._z=Math.atan2(l,c)):(this._y=Math.atan2(-d,r),this._z=0);break;case"ZXY":this._x=Math.asin(dt(h,-1,1)),Math.abs(h)<.9999999?(this._y=Math.atan2(-d,p),this._z=Math.atan2(-o,c)):(this._y=0,this._z=Math.atan2(l,r));break;case"ZYX":this._y=Math.asin(-dt(d,-1,1)),Math.abs(d)<.9999999?(this._x=Math.atan2(h,p),this._z=Math.atan2(l,r)):(this._x=0,this._z=Math.atan2(-o,c));break;case"YZX":this._z=Math.asin(dt(l,-1,1)),Math.abs(l)<.9999999?(this._x=Math.atan2(-u,c),this._y=Math.atan2(-d,r)):(this._x=0,this._y=Math.atan2(a,p));break;case"XZY":this._z=Math.asin(-dt(o,-1,1)),Math.abs(o)<.9999999?(this._x=Math.atan2(h,c),this._y=Math.atan2(a,r)):(this._x=Math.atan2(-u,p),this._y=0);break;default:Ze("Euler: .setFromRotationMatrix() encountered an unknown order: "+t)}return this._order=t,i===!0&&this._onChangeCallback(),this}setFromQuaternion(e,t,i){return j_.makeRotationFromQuaternion(e),this.setFromRotationMatrix(j_,t,i)}setFromVector3(e,t=this._order){return this.set(e.x,e.y,e.z,t)}reorder(e){return Q_.setFromEuler(this),this.setFromQuaternion(Q_,e)}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._order===this._order}fromArray(e){return this._x=e[0],this._y=e[1],this._z=e[2],e[3]!==void 0&&(this._order=e[3]),this._onChangeCallback(),this}toArray(e=[],t=0){return e[t]=this._x,e[t+1]=this._y,e[t+2]=this._z,e[t+3]=this._order,e}_onChange(e){return this._onChangeCallback=e,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this._z,yield this._order}};wr.DEFAULT_ORDER="XYZ";var al=class{constructor(){this.mask=1}set(e){this.mask=(1<<e|0)>>>0}enable(e){this.mask|=1<<e|0}enableAll(){this.mask=-1}toggle(e){this.mask^=1<<e|0}disable(e){this.mask&=~(1<<e|0)}disableAll(){this.mask=0}test(e){return(this.mask&e.mask)!==0}isEnabled(e){return(this.mask&(1<<e|0))!==0}},u1=0,ex=new $,zo=new Ls,Ys=new Yt,Oc=new $,Ja=new $,h1=new $,d1=new Ls,tx=new $(1,0,0),nx=new $(0,1,0),ix=new $(0,0,1),sx={type:"added"},f1={type:"removed"},Go={type:"childadded",child:null},Hf={type:"childremoved",child:null},Pi=class n extends Is{constructor(){super(),this.isObject3D=!0,Object.defineProperty(this,"id",{value:u1++}),this.uuid=oo(),this.name="",this.type="Object3D",this.parent=null,this.children=[],this.up=n.DEFAULT_UP.clone();let e=new $,t=new wr,i=new Ls,s=new $(1,1,1);function r(){i.setFromEuler(t,!1)}function o(){t.setFromQuaternion(i,void 0,!1)}t._onChange(r),i._onChange(o),Object.defineProperties(this,{position:{configurable:!0,enumerable:!0,value:e},rotation:{configurable:!0,enumerable:!0,value:t},quaternion:{configurable:!0,enumerable:!0,value:i},scale:{configurable:!0,enumerable:!0,value:s},modelViewMatrix:{value:new Yt},normalMatrix:{value:new st}}),this.matrix=new Yt,this.matrixWorld=new Yt,this.matrixAutoUpdate=n.DEFAULT_MATRIX_AUTO_UPDATE,this.matrixWorldAutoUpdate=n.DEFAULT_MATRIX_WORLD_AUTO_UPDATE,this.matrixWorldNeedsUpdate=!1,this.layers=new al,this.visible=!0,this.castShadow=!1,this.receiveShadow=!1,this.frustumCulled=!0,this.renderOrder=0,this.animations=[],this.customDepthMaterial=void 0,this.customDistanceMaterial=void 0,this.static=!1,this.userData={},this.pivot=null}onBeforeShadow(){}onAfterShadow(){}onBeforeRender(){}onAfterRender(){}applyMatrix4(e){this.matrixAutoUpdate&&this.updateMatrix(),this.matrix.premultiply(e),this.matrix.decompose(this.position,this.quaternion,this.scale),this.pivot!==null&&this.position.copy(this.pivot).applyMatrix4(this.matrix).sub(this.pivot)}applyQuaternion(e){return this.quaternion.premultiply(e),this}setRotationFromAxisAngle(e,t){this.quaternion.setFromAxisAngle(e,t)}setRotationFromEuler(e){this.quaternion.setFromEuler(e,!0)}setRotationFromMatrix(e){this.quaternion.setFromRotationMatrix(e)}setRotationFromQuaternion(e){this.quaternion.copy(e)}rotateOnAxis(e,t){return zo.setFromAxisAngle(e,t),this.quaternion.multiply(zo),this}rotateOnWorldAxis(e,t){return zo.setFromAxisAngle(e,t),this.quaternion.premultiply(zo),this}rotateX(e){return this.rotateOnAxis(tx,e)}rotateY(e){return this.rotateOnAxis(nx,e)}rotateZ(e){return this.rotateOnAxis(ix,e)}translateOnAxis(e,t){return ex.copy(e).applyQuaternion(this.quaternion),this.position.add(ex.multiplyScalar(t)),this}translateX(e){return this.translateOnAxis(tx,e)}translateY(e){return this.translateOnAxis(nx,e)}translateZ(e){return this.translateOnAxis(ix,e)}localToWorld(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(this.matrixWorld)}worldToLocal(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(Ys.copy(this.matrixWorld).invert())}lookAt(e,t,i){e.isVector3?Oc.copy(e):Oc.set(e,t,i);let s=this.parent;this.updateWorldMatrix(!0,!1),Ja.setFromMatrixPosition(this.matrixWorld),this.isCamera||this.isLight?Ys.lookAt(Ja,Oc,this.up):Ys.lookAt(Oc,Ja,this.up),this.quaternion.setFromRotationMatrix(Ys),s&&(Ys.extractRotation(s.matrixWorld),zo.setFromRotationMatrix(Ys),this.quaternion.premultiply(zo.invert()))}add(e){if(arguments.length>1){for(let t=0;t<arguments.length;t++)this.add(arguments[t]);return this}return e===this?(it("Object3D.add: object can't be added as a child of itself.",e),this):(e&&e.isObject3D?(e.removeFromParent(),e.parent=this,this.children.push(e),e.dispatchEvent(sx),Go.child=e,this.dispatchEvent(Go),Go.child=null):it("Object3D.add: object not an instance of THREE.Object3D.",e),this)}remove(e){if(arguments.length>1){for(let i=0;i<arguments.length;i++)this.remove(arguments[i]);return this}let t=this.children.indexOf(e);return t!==-1&&(e.parent=null,this.children.splice(t,1),e.dispatchEvent(f1),Hf.child=e,this.dispatchEvent(Hf),Hf.child=null),this}removeFromParent(){let e=this.parent;return e!==null&&e.remove(this),this}clear(){return this.remove(...this.children)}attach(e){return this.updateWorldMatrix(!0,!1),Ys.copy(this.matrixWorld).invert(),e.parent!==null&&(e.parent.updateWorldMatrix(!0,!1),Ys.multiply(e.parent.matrixWorld)),e.applyMatrix4(Ys),e.removeFromParent(),e.parent=this,this.children.push(e),e.updateWorldMatrix(!1,!0),e.dispatchEvent(sx),Go.child=e,this.dispatchEvent(Go),Go.child=null,this}getObjectById(e){return this.getObjectByProperty("id",e)}getObjectByName(e){return this.getObjectByProperty("name",e)}getObjectByProperty(e,t){if(this[e]===t)return this;for(let i=0,s=this.children.length;i<s;i++){let o=this.children[i].getObjectByProperty(e,t);if(o!==void 0)return o}}getObjectsByProperty(e,t,i=[]){this[e]===t&&i.push(this);let s=this.children;for(let r=0,o=s.length;r<o;r++)s[r].getObjectsByProperty(e,t,i);return i}getWorldPosition(e){return this.updateWorldMatrix(!0,!1),e.setFromMatrixPosition(this.matrixWorld)}getWorldQuaternion(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(Ja,e,h1),e}getWorldScale(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(Ja,d1,e),e}getWorldDirection(e){this.updateWorldMatrix(!0,!1);let t=this.matrixWorld.elements;return e.set(t[8],t[9],t[10]).normalize()}raycast(){}intersectsFrustum(){return!0}traverse(e){e(this);let t=this.children;for(let i=0,s=t.length;i<s;i++)t[i].traverse(e)}traverseVisible(e){if(this.visible===!1)return;e(this);let t=this.children;for(let i=0,s=t.length;i<s;i++)t[i].traverseVisible(e)}traverseAncestors(e){let t=this.parent;t!==null&&(e(t),t.traverseAncestors(e))}updateMatrix(){this.matrix.compose(this.position,this.quaternion,this.scale);let e=this.pivot;if(e!==null){let t=e.x,i=e.y,s=e.z,r=this.matrix.elements;r[12]+=t-r[0]*t-r[4]*i-r[8]*s,r[13]+=i-r[1]*t-r[5]*i-r[9]*s,r[14]+=s-r[2]*t-r[6]*i-r[10]*s}this.matrixWorldNeedsUpdate=!0}updateMatrixWorld(e){this.matrixAutoUpdate&&this.updateMatrix(),(this.matrixWorldNeedsUpdate||e)&&(this.matrixWorldAutoUpdate===!0&&(this.parent===null?this.matrixWorld.copy(this.matrix):this.matrixWorld.multiplyMatrices(this.parent.matrixWorld,this.matrix)),this.matrixWorldNeedsUpdate=!1,e=!0);let t=this.children;for(let i=0,s=t.length;i<s;i++)t[i].updateMatrixWorld(e)}updateWorldMatrix(e,t,i=!1){let s=this.parent;if(e===!0&&s!==null&&s.updateWorldMatrix(!0,!1),this.matrixAutoUpdate&&this.updateMatrix(),(this.matrixWorldNeedsUpdate||i)&&(this.matrixWorldAutoUpdate===!0&&(this.parent===null?this.matrixWorld.copy(this.matrix):this.matrixWorld.multiplyMatrices(this.parent.matrixWorld,this.matrix)),this.matrixWorldNeedsUpdate=!1,i=!0),t===!0){let r=this.children;for(let o=0,a=r.length;o<a;o++)r[o].updateWorldMatrix(!1,!0,i)}}toJSON(e){let t=e===void 0||typeof e=="string",i={};t&&(e={geometries:{},materials:{},textures:{},images:{},shapes:{},skeletons:{},animations:{},nodes:{}},i.metadata={version:4.7,type:"Object",generator:"Object3D.toJSON"});let s={};s.uuid=this.uuid,s.type=this.type,s.name=this.name,s.castShadow=this.castShadow,s.receiveShadow=this.receiveShadow,s.visible=this.visible,s.frustumCulled=this.frustumCulled,s.renderOrder=this.renderOrder,s.static=this.static,s.matrixAutoUpdate=this.matrixAutoUpdate,Object.keys(this.userData).length>0&&(s.userData=this.userData),s.layers=this.layers.mask,s.matrix=this.matrix.toArray(),s.up=this.up.toArray(),this.pivot!==null&&(s.pivot=this.pivot.toArray()),this.morphTargetDictionary!==void 0&&(s.morphTargetDictionary=Object.assign({},this.morphTargetDictionary)),this.morphTargetInfluences!==void 0&&(s.morphTargetInfluences=this.morphTargetInfluences.slice()),this.isInstancedMesh&&(s.type="InstancedMesh",s.count=this.count,s.instanceMatrix=this.instanceMatrix.toJSON(),this.instanceColor!==null&&(s.instanceColor=this.instanceColor.toJSON())),this.isBatchedMesh&&(s.type="BatchedMesh",s.perObjectFrustumCulled=this.perObjectFrustumCulled,s.sortObjects=this.sortObjects,s.drawRanges=this._drawRanges,s.reservedRanges=this._reservedRanges,s.geometryInfo=this._geometryInfo.map(a=>({...a,boundingBox:a.boundingBox?a.boundingBox.toJSON():void 0,boundingSphere:a.boundingSphere?a.boundingSphere.toJSON():void 0})),s.instanceInfo=this._instanceInfo.map(a=>({...a})),s.availableInstanceIds=this._availableInstanceIds.slice(),s.availableGeometryIds=this._availableGeometryIds.slice(),s.nextIndexStart=this._nextIndexStart,s.nextVertexStart=this._nextVertexStart,s.geometryCount=this._geometryCount,s.maxInstanceCount=this._maxInstanceCount,s.maxVertexCount=this._maxVertexCount,s.maxIndexCount=this._maxIndexCount,s.geometryInitialized=this._geometryInitialized,s.matricesTexture=this._matricesTexture.toJSON(e),s.indirectTexture=this._indirectTexture.toJSON(e),this._colorsTexture!==null&&(s.colorsTexture=this._colorsTexture.toJSON(e)),this.boundingSphere!==null&&(s.boundingSphere=this.boundingSphere.toJSON()),this.boundingBox!==null&&(s.boundingBox=this.boundingBox.toJSON()));function r(a,l){return a[l.uuid]===void 0&&(a[l.uuid]=l.toJSON(e)),l.uuid}if(this.isScene)this.background&&(this.background.isColor?s.background=this.background.toJSON():this.background.isTexture&&(s.background=this.background.toJSON(e).uuid)),this.environment&&this.environment.isTexture&&this.environment.isRenderTargetTexture!==!0&&(s.environment=this.environment.toJSON(e).uuid);else if(this.isMesh||this.isLine||this.isPoints){s.geometry=r(e.geometries,this.geometry);let a=this.geometry.parameters;if(a!==void 0&&a.shapes!==void 0){let l=a.shapes;if(Array.isArray(l))for(let c=0,u=l.length;c<u;c++){let d=l[c];r(e.shapes,d)}else r(e.shapes,l)}}if(this.isSkinnedMesh&&(s.bindMode=this.bindMode,s.bindMatrix=this.bindMatrix.toArray(),this.skeleton!==void 0&&(r(e.skeletons,this.skeleton),s.skeleton=this.skeleton.uuid)),this.material!==void 0)if(Array.isArray(this.material)){let a=[];for(let l=0,c=this.material.length;l<c;l++)a.push(r(e.materials,this.material[l]));s.material=a}else s.material=r(e.materials,this.material);if(this.children.length>0){s.children=[];for(let a=0;a<this.children.length;a++)s.children.push(this.children[a].toJSON(e).object)}if(this.animations.length>0){s.animations=[];for(let a=0;a<this.animations.length;a++){let l=this.animations[a];s.animations.push(r(e.animations,l))}}if(t){let a=o(e.geometries),l=o(e.materials),c=o(e.textures),u=o(e.images),d=o(e.shapes),h=o(e.skeletons),p=o(e.animations),m=o(e.nodes);a.length>0&&(i.geometries=a),l.length>0&&(i.materials=l),c.length>0&&(i.textures=c),u.length>0&&(i.images=u),d.length>0&&(i.shapes=d),h.length>0&&(i.skeletons=h),p.length>0&&(i.animations=p),m.length>0&&(i.nodes=m)}return i.object=s,i;function o(a){let l=[];for(let c in a){let u=a[c];delete u.metadata,l.push(u)}return l}}clone(e){return new this.constructor().copy(this,e)}copy(e,t=!0){if(this.name=e.name,this.up.copy(e.up),this.position.copy(e.position),this.rotation.order=e.rotation.order,this.quaternion.copy(e.quaternion),this.scale.copy(e.scale),this.pivot=e.pivot!==null?e.pivot.clone():null,this.matrix.copy(e.matrix),this.matrixWorld.copy(e.matrixWorld),this.matrixAutoUpdate=e.matrixAutoUpdate,this.matrixWorldAutoUpdate=e.matrixWorldAutoUpdate,this.matrixWorldNeedsUpdate=e.matrixWorldNeedsUpdate,this.layers.mask=e.layers.mask,this.visible=e.visible,this.castShadow=e.castShadow,this.receiveShadow=e.receiveShadow,this.frustumCulled=e.frustumCulled,this.renderOrder=e.renderOrder,this.static=e.static,this.animations=e.animations.slice(),this.userData=JSON.parse(JSON.stringify(e.userData)),t===!0)for(let i=0;i<e.children.length;i++){let s=e.children[i];this.add(s.clone())}return this}dispose(){this.dispatchEvent({type:"dispose"})}};Pi.DEFAULT_UP=new $(0,1,0);Pi.DEFAULT_MATRIX_AUTO_UPDATE=!0;Pi.DEFAULT_MATRIX_WORLD_AUTO_UPDATE=!0;var Yr=class extends Pi{constructor(){super(),this.isGroup=!0,this.type="Group"}},p1={type:"move"},sa=class{constructor(){this._targetRay=null,this._grip=null,this._hand=null}getHandSpace(){return this._hand===null&&(this._hand=new Yr,this._hand.matrixAutoUpdate=!1,this._hand.visible=!1,this._hand.joints={},this._hand.inputState={pinching:!1}),this._hand}getTargetRaySpace(){return this._targetRay===null&&(this._targetRay=new Yr,this._targetRay.matrixAutoUpdate=!1,this._targetRay.visible=!1,this._targetRay.hasLinearVelocity=!1,this._targetRay.linearVelocity=new $,this._targetRay.hasAngularVelocity=!1,this._targetRay.angularVelocity=new $),this._targetRay}getGripSpace(){return this._grip===null&&(this._grip=new Yr,this._grip.matrixAutoUpdate=!1,this._grip.visible=!1,this._grip.hasLinearVelocity=!1,this._grip.linearVelocity=new $,this._grip.hasAngularVelocity=!1,this._grip.angularVelocity=new $,this._grip.eventsEnabled=!1),this._grip}dispatchEvent(e){return this._targetRay!==null&&this._targetRay.dispatchEvent(e),this._grip!==null&&this._grip.dispatchEvent(e),this._hand!==null&&this._hand.dispatchEvent(e),this}connect(e){if(e&&e.hand){let t=this._hand;if(t)for(let i of e.hand.values())this._getHandJoint(t,i)}return this.dispatchEvent({type:"connected",data:e}),this}disconnect(e){return this.dispatchEvent({type:"disconnected",data:e}),this._targetRay!==null&&(this._targetRay.visible=!1),this._grip!==null&&(this._grip.visible=!1),this._hand!==null&&(this._hand.visible=!1),this}update(e,t,i){let s=null,r=null,o=null,a=this._targetRay,l=this._grip,c=this._hand;if(e&&t.session.visibilityState!=="visible-blurred"){if(c&&e.hand){o=!0;for(let v of e.hand.values()){let _=t.getJointPose(v,i),g=this._getHandJoint(c,v);_!==null&&(g.matrix.fromArray(_.transform.matrix),g.matrix.decompose(g.position,g.quaternion,g.scale),g.matrixWorldNeedsUpdate=!0,g.jointRadius=_.radius),g.visible=_!==null}let u=c.joints["index-finger-tip"],d=c.joints["thumb-tip"],h=u.position.distanceTo(d.position),p=.02,m=.005;c.inputState.pinching&&h>p+m?(c.inputState.pinching=!1,this.dispatchEvent({type:"pinchend",handedness:e.handedness,target:this})):!c.inputState.pinching&&h<=p-m&&(c.inputState.pinching=!0,this.dispatchEvent({type:"pinchstart",handedness:e.handedness,target:this}))}else l!==null&&e.gripSpace&&(r=t.getPose(e.gripSpace,i),r!==null&&(l.matrix.fromArray(r.transform.matrix),l.matrix.decompose(l.position,l.quaternion,l.scale),l.matrixWorldNeedsUpdate=!0,r.linearVelocity?(l.hasLinearVelocity=!0,l.linearVelocity.copy(r.linearVelocity)):l.hasLinearVelocity=!1,r.angularVelocity?(l.hasAngularVelocity=!0,l.angularVelocity.copy(r.angularVelocity)):l.hasAngularVelocity=!1,l.eventsEnabled&&l.dispatchEvent({type:"gripUpdated",data:e,target:this})));a!==null&&(s=t.getPose(e.targetRaySpace,i),s===null&&r!==null&&(s=r),s!==null&&(a.matrix.fromArray(s.transform.matrix),a.matrix.decompose(a.position,a.quaternion,a.scale),a.matrixWorldNeedsUpdate=!0,s.linearVelocity?(a.hasLinearVelocity=!0,a.linearVelocity.copy(s.linearVelocity)):a.hasLinearVelocity=!1,s.angularVelocity?(a.hasAngularVelocity=!0,a.angularVelocity.copy(s.angularVelocity)):a.hasAngularVelocity=!1,this.dispatchEvent(p1)))}return a!==null&&(a.visible=s!==null),l!==null&&(l.visible=r!==null),c!==null&&(c.visible=o!==null),this}_getHandJoint(e,t){if(e.joints[t.jointName]===void 0){let i=new Yr;i.matrixAutoUpdate=!1,i.visible=!1,e.joints[t.jointName]=i,e.add(i)}return e.joints[t.jointName]}},oy={aliceblue:15792383,antiquewhite:16444375,aqua:65535,aquamarine:8388564,azure:15794175,beige:16119260,bisque:16770244,black:0,blanchedalmond:16772045,blue:255,blueviolet:9055202,brown:10824234,burlywood:14596231,cadetblue:6266528,chartreuse:8388352,chocolate:13789470,coral:16744272,cornflowerblue:6591981,cornsilk:16775388,crimson:14423100,cyan:65535,darkblue:139,darkcyan:35723,darkgoldenrod:12092939,darkgray:11119017,darkgreen:25600,darkgrey:11119017,darkkhaki:12433259,darkmagenta:9109643,darkolivegreen:5597999,darkorange:16747520,darkorchid:10040012,darkred:9109504,darksalmon:15308410,darkseagreen:9419919,darkslateblue:4734347,darkslategray:3100495,darkslategrey:3100495,darkturquoise:52945,darkviolet:9699539,deeppink:16716947,deepskyblue:49151,dimgray:6908265,dimgrey:6908265,dodgerblue:2003199,firebrick:11674146,floralwhite:16775920,forestgreen:2263842,fuchsia:16711935,gainsboro:14474460,ghostwhite:16316671,gold:16766720,goldenrod:14329120,gray:8421504,green:32768,greenyellow:11403055,grey:8421504,honeydew:15794160,hotpink:16738740,indianred:13458524,indigo:4915330,ivory:16777200,khaki:15787660,lavender:15132410,lavenderblush:16773365,lawngreen:8190976,lemonchiffon:16775885,lightblue:11393254,lightcoral:15761536,lightcyan:14745599,lightgoldenrodyellow:16448210,lightgray:13882323,lightgreen:9498256,lightgrey:13882323,lightpink:16758465,lightsalmon:16752762,lightseagreen:2142890,lightskyblue:8900346,lightslategray:7833753,lightslategrey:7833753,lightsteelblue:11584734,lightyellow:16777184,lime:65280,limegreen:3329330,linen:16445670,magenta:16711935,maroon:8388608,mediumaquamarine:6737322,mediumblue:205,mediumorchid:12211667,mediumpurple:9662683,mediumseagreen:3978097,mediumslateblue:8087790,mediumspringgreen:64154,mediumturquoise:4772300,mediumvioletred:13047173,midnightblue:1644912,mintcream:16121850,mistyrose:16770273,moccasin:16770229,navajowhite:16768685,navy:128,oldlace:16643558,olive:8421376,olivedrab:7048739,orange:16753920,orangered:16729344,orchid:14315734,palegoldenrod:15657130,palegreen:10025880,paleturquoise:11529966,palevioletred:14381203,papayawhip:16773077,peachpuff:16767673,peru:13468991,pink:16761035,plum:14524637,powderblue:11591910,purple:8388736,rebeccapurple:6697881,red:16711680,rosybrown:12357519,royalblue:4286945,saddlebrown:9127187,salmon:16416882,sandybrown:16032864,seagreen:3050327,seashell:16774638,sienna:10506797,silver:12632256,skyblue:8900331,slateblue:6970061,slategray:7372944,slategrey:7372944,snow:16775930,springgreen:65407,steelblue:4620980,tan:13808780,teal:32896,thistle:14204888,tomato:16737095,turquoise:4251856,violet:15631086,wheat:16113331,white:16777215,whitesmoke:16119285,yellow:16776960,yellowgreen:10145074},vr={h:0,s:0,l:0},kc={h:0,s:0,l:0};function Wf(n,e,t){return t<0&&(t+=1),t>1&&(t-=1),t<1/6?n+(e-n)*6*t:t<1/2?e:t<2/3?n+(e-n)*6*(2/3-t):n}var Rt=class{constructor(e,t,i){return this.isColor=!0,this.r=1,this.g=1,this.b=1,this.set(e,t,i)}set(e,t,i){if(t===void 0&&i===void 0){let s=e;s&&s.isColor?this.copy(s):typeof s=="number"?this.setHex(s):typeof s=="string"&&this.setStyle(s)}else this.setRGB(e,t,i);return this}setScalar(e){return this.r=e,this.g=e,this.b=e,this}setHex(e,t=Ai){return e=Math.floor(e),this.r=(e>>16&255)/255,this.g=(e>>8&255)/255,this.b=(e&255)/255,bt.colorSpaceToWorking(this,t),this}setRGB(e,t,i,s=bt.workingColorSpace){return this.r=e,this.g=t,this.b=i,bt.colorSpaceToWorking(this,s),this}setHSL(e,t,i,s=bt.workingColorSpace){if(e=s1(e,1),t=dt(t,0,1),i=dt(i,0,1),t===0)this.r=this.g=this.b=i;else{let r=i<=.5?i*(1+t):i+t-i*t,o=2*i-r;this.r=Wf(o,r,e+1/3),this.g=Wf(o,r,e),this.b=Wf(o,r,e-1/3)}return bt.colorSpaceToWorking(this,s),this}setStyle(e,t=Ai){function i(r){r!==void 0&&parseFloat(r)<1&&Ze("Color: Alpha component of "+e+" will be ignored.")}let s;if(s=/^(\w+)\(([^\)]*)\)/.exec(e)){let r,o=s[1],a=s[2];switch(o){case"rgb":case"rgba":if(r=/^\s*(\d+)\s*,\s*(\d+)\s*,\s*(\d+)\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(a))return i(r[4]),this.setRGB(Math.min(255,parseInt(r[1],10))/255,Math.min(255,parseInt(r[2],10))/255,Math.min(255,parseInt(r[3],10))/255,t);if(r=/^\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(a))return i(r[4]),this.setRGB(Math.min(100,parseFloat(r[1]))/100,Math.min(100,parseFloat(r[2]))/100,Math.min(100,parseFloat(r[3]))/100,t);break;case"hsl":case"hsla":if(r=/^\s*([+-]?(?:\d+(?:\.\d+)?|\.\d+))\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(a))return i(r[4]),this.setHSL(parseFloat(r[1])/360,parseFloat(r[2])/100,parseFloat(r[3])/100,t);break;default:Ze("Color: Unknown color model "+e)}}else if(s=/^\#([A-Fa-f\d]+)$/.exec(e)){let r=s[1],o=r.length;if(o===3)return this.setRGB(parseInt(r.charAt(0),16)/15,parseInt(r.charAt(1),16)/15,parseInt(r.charAt(2),16)/15,t);if(o===6)return this.setHex(parseInt(r,16),t);Ze("Color: Invalid hex color "+e)}else if(e&&e.length>0)return this.setColorName(e,t);return this}setColorName(e,t=Ai){let i=oy[e.toLowerCase()];return i!==void 0?this.setHex(i,t):Ze("Color: Unknown color "+e),this}clone(){return new this.constructor(this.r,this.g,this.b)}copy(e){return this.r=e.r,this.g=e.g,this.b=e.b,this}copySRGBToLinear(e){return this.r=Qs(e.r),this.g=Qs(e.g),this.b=Qs(e.b),this}copyLinearToSRGB(e){return this.r=ea(e.r),this.g=ea(e.g),this.b=ea(e.b),this}convertSRGBToLinear(){return this.copySRGBToLinear(this),this}convertLinearToSRGB(){return this.copyLinearToSRGB(this),this}getHex(e=Ai){return bt.workingToColorSpace(Yn.copy(this),e),Math.round(dt(Yn.r*255,0,255))*65536+Math.round(dt(Yn.g*255,0,255))*256+Math.round(dt(Yn.b*255,0,255))}getHexString(e=Ai){return("000000"+this.getHex(e).toString(16)).slice(-6)}getHSL(e,t=bt.workingColorSpace){bt.workingToColorSpace(Yn.copy(this),t);let i=Yn.r,s=Yn.g,r=Yn.b,o=Math.max(i,s,r),a=Math.min(i,s,r),l,c,u=(a+o)/2;if(a===o)l=0,c=0;else{let d=o-a;switch(c=u<=.5?d/(o+a):d/(2-o-a),o){case i:l=(s-r)/d+(s<r?6:0);break;case s:l=(r-i)/d+2;break;case r:l=(i-s)/d+4;break}l/=6}return e.h=l,e.s=c,e.l=u,e}getRGB(e,t=bt.workingColorSpace){return bt.workingToColorSpace(Yn.copy(this),t),e.r=Yn.r,e.g=Yn.g,e.b=Yn.b,e}getStyle(e=Ai){bt.workingToColorSpace(Yn.copy(this),e);let t=Yn.r,i=Yn.g,s=Yn.b;return e!==Ai?`color(${e} ${t.toFixed(3)} ${i.toFixed(3)} ${s.toFixed(3)})`:`rgb(${Math.round(t*255)},${Math.round(i*255)},${Math.round(s*255)})`}offsetHSL(e,t,i){return this.getHSL(vr),this.setHSL(vr.h+e,vr.s+t,vr.l+i)}add(e){return this.r+=e.r,this.g+=e.g,this.b+=e.b,this}addColors(e,t){return this.r=e.r+t.r,this.g=e.g+t.g,this.b=e.b+t.b,this}addScalar(e){return this.r+=e,this.g+=e,this.b+=e,this}sub(e){return this.r=Math.max(0,this.r-e.r),this.g=Math.max(0,this.g-e.g),this.b=Math.max(0,this.b-e.b),this}multiply(e){return this.r*=e.r,this.g*=e.g,this.b*=e.b,this}multiplyScalar(e){return this.r*=e,this.g*=e,this.b*=e,this}lerp(e,t){return this.r+=(e.r-this.r)*t,this.g+=(e.g-this.g)*t,this.b+=(e.b-this.b)*t,this}lerpColors(e,t,i){return this.r=e.r+(t.r-e.r)*i,this.g=e.g+(t.g-e.g)*i,this.b=e.b+(t.b-e.b)*i,this}lerpHSL(e,t){this.getHSL(vr),e.getHSL(kc);let i=kf(vr.h,kc.h,t),s=kf(vr.s,kc.s,t),r=kf(vr.l,kc.l,t);return this.setHSL(i,s,r),this}setFromVector3(e){return this.r=e.x,this.g=e.y,this.b=e.z,this}applyMatrix3(e){let t=this.r,i=this.g,s=this.b,r=e.elements;return this.r=r[0]*t+r[3]*i+r[6]*s,this.g=r[1]*t+r[4]*i+r[7]*s,this.b=r[2]*t+r[5]*i+r[8]*s,this}equals(e){return e.r===this.r&&e.g===this.g&&e.b===this.b}fromArray(e,t=0){return this.r=e[t],this.g=e[t+1],this.b=e[t+2],this}toArray(e=[],t=0){return e[t]=this.r,e[t+1]=this.g,e[t+2]=this.b,e}fromBufferAttribute(e,t){return this.r=e.getX(t),this.g=e.getY(t),this.b=e.getZ(t),this}toJSON(){return this.getHex()}*[Symbol.iterator](){yield this.r,yield this.g,yield this.b}},Yn=new Rt;Rt.NAMES=oy;var ll=class extends Pi{constructor(){super(),this.isScene=!0,this.type="Scene",this.background=null,this.environment=null,this.fog=null,this.backgroundBlurriness=0,this.backgroundIntensity=1,this.backgroundRotation=new wr,this.environmentIntensity=1,this.environmentRotation=new wr,this.overrideMaterial=null,typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}copy(e,t){return super.copy(e,t),this.background=e.background!==null?e.background.clone():null,this.environment=e.environment!==null?e.environment.clone():null,this.fog=e.fog!==null?e.fog.clone():null,this.backgroundBlurriness=e.backgroundBlurriness,this.backgroundIntensity=e.backgroundIntensity,this.backgroundRotation.copy(e.backgroundRotation),this.environmentIntensity=e.environmentIntensity,this.environmentRotation.copy(e.environmentRotation),this.overrideMaterial=e.overrideMaterial!==null?e.overrideMaterial.clone():null,this.matrixAutoUpdate=e.matrixAutoUpdate,this}toJSON(e){let t=super.toJSON(e);return this.fog!==null&&(t.object.fog=this.fog.toJSON()),t.object.backgroundBlurriness=this.backgroundBlurriness,t.object.backgroundIntensity=this.backgroundIntensity,t.object.backgroundRotation=this.backgroundRotation.toArray(),t.object.environmentIntensity=this.environmentIntensity,t.object.environmentRotation=this.environmentRotation.toArray(),t}},us=new $,Js=new $,Xf=new $,Zs=new $,Ho=new $,Wo=new $,rx=new $,$f=new $,qf=new $,Yf=new $,Jf=new on,Zf=new on,Kf=new on,Rs=class n{constructor(e=new $,t=new $,i=new $){this.a=e,this.b=t,this.c=i}static getNormal(e,t,i,s){s.subVectors(i,t),us.subVectors(e,t),s.cross(us);let r=s.lengthSq();return r>0?s.multiplyScalar(1/Math.sqrt(r)):s.set(0,0,0)}static getBarycoord(e,t,i,s,r){us.subVectors(s,t),Js.subVectors(i,t),Xf.subVectors(e,t);let o=us.dot(us),a=us.dot(Js),l=us.dot(Xf),c=Js.dot(Js),u=Js.dot(Xf),d=o*c-a*a;if(d===0)return r.set(0,0,0),null;let h=1/d,p=(c*l-a*u)*h,m=(o*u-a*l)*h;return r.set(1-p-m,m,p)}static containsPoint(e,t,i,s){return this.getBarycoord(e,t,i,s,Zs)===null?!1:Zs.x>=0&&Zs.y>=0&&Zs.x+Zs.y<=1}static getInterpolation(e,t,i,s,r,o,a,l){return this.getBarycoord(e,t,i,s,Zs)===null?(l.x=0,l.y=0,"z"in l&&(l.z=0),"w"in l&&(l.w=0),null):(l.setScalar(0),l.addScaledVector(r,Zs.x),l.addScaledVector(o,Zs.y),l.addScaledVector(a,Zs.z),l)}static getInterpolatedAttribute(e,t,i,s,r,o){return Jf.setScalar(0),Zf.setScalar(0),Kf.setScalar(0),Jf.fromBufferAttribute(e,t),Zf.fromBufferAttribute(e,i),Kf.fromBufferAttribute(e,s),o.setScalar(0),o.addScaledVector(Jf,r.x),o.addScaledVector(Zf,r.y),o.addScaledVector(Kf,r.z),o}static isFrontFacing(e,t,i,s){return us.subVectors(i,t),Js.subVectors(e,t),us.cross(Js).dot(s)<0}set(e,t,i){return this.a.copy(e),this.b.copy(t),this.c.copy(i),this}setFromPointsAndIndices(e,t,i,s){return this.a.copy(e[t]),this.b.copy(e[i]),this.c.copy(e[s]),this}setFromAttributeAndIndices(e,t,i,s){return this.a.fromBufferAttribute(e,t),this.b.fromBufferAttribute(e,i),this.c.fromBufferAttribute(e,s),this}clone(){return new this.constructor().copy(this)}copy(e){return this.a.copy(e.a),this.b.copy(e.b),this.c.copy(e.c),this}getArea(){return us.subVectors(this.c,this.b),Js.subVectors(this.a,this.b),us.cross(Js).length()*.5}getMidpoint(e){return e.addVectors(this.a,this.b).add(this.c).multiplyScalar(1/3)}getNormal(e){return n.getNormal(this.a,this.b,this.c,e)}getPlane(e){return e.setFromCoplanarPoints(this.a,this.b,this.c)}getBarycoord(e,t){return n.getBarycoord(e,this.a,this.b,this.c,t)}getInterpolation(e,t,i,s,r){return n.getInterpolation(e,this.a,this.b,this.c,t,i,s,r)}containsPoint(e){return n.containsPoint(e,this.a,this.b,this.c)}isFrontFacing(e){return n.isFrontFacing(this.a,this.b,this.c,e)}intersectsBox(e){return e.intersectsTriangle(this)}closestPointToPoint(e,t){let i=this.a,s=this.b,r=this.c,o,a;Ho.subVectors(s,i),Wo.subVectors(r,i),$f.subVectors(e,i);let l=Ho.dot($f),c=Wo.dot($f);if(l<=0&&c<=0)return t.copy(i);qf.subVectors(e,s);let u=Ho.dot(qf),d=Wo.dot(qf);if(u>=0&&d<=u)return t.copy(s);let h=l*d-u*c;if(h<=0&&l>=0&&u<=0&&l-u>0)return o=l/(l-u),t.copy(i).addScaledVector(Ho,o);Yf.subVectors(e,r);let p=Ho.dot(Yf),m=Wo.dot(Yf);if(m>=0&&p<=m)return t.copy(r);let v=p*c-l*m;if(v<=0&&c>=0&&m<=0)return a=c/(c-m),t.copy(i).addScaledVector(Wo,a);let _=u*m-p*d;if(_<=0&&d-u>=0&&p-m>=0)return rx.subVectors(r,s),a=(d-u)/(d-u+(p-m)),t.copy(s).addScaledVector(rx,a);let g=1/(_+v+h);return o=v*g,a=h*g,t.copy(i).addScaledVector(Ho,o).addScaledVector(Wo,a)}equals(e){return e.a.equals(this.a)&&e.b.equals(this.b)&&e.c.equals(this.c)}},Tr=class{constructor(e=new $(1/0,1/0,1/0),t=new $(-1/0,-1/0,-1/0)){this.isBox3=!0,this.min=e,this.max=t}set(e,t){return this.min.copy(e),this.max.copy(t),this}setFromArray(e){this.makeEmpty();for(let t=0,i=e.length;t<i;t+=3)this.expandByPoint(hs.fromArray(e,t));return this}setFromBufferAttribute(e){this.makeEmpty();for(let t=0,i=e.count;t<i;t++)this.expandByPoint(hs.fromBufferAttribute(e,t));return this}setFromPoints(e){this.makeEmpty();for(let t=0,i=e.length;t<i;t++)this.expandByPoint(e[t]);return this}setFromCenterAndSize(e,t){let i=hs.copy(t).multiplyScalar(.5);return this.min.copy(e).sub(i),this.max.copy(e).add(i),this}setFromObject(e,t=!1){return this.makeEmpty(),this.expandByObject(e,t)}clone(){return new this.constructor().copy(this)}copy(e){return this.min.copy(e.min),this.max.copy(e.max),this}makeEmpty(){return this.min.x=this.min.y=this.min.z=1/0,this.max.x=this.max.y=this.max.z=-1/0,this}isEmpty(){return this.max.x<this.min.x||this.max.y<this.min.y||this.max.z<this.min.z}getCenter(e){return this.isEmpty()?e.set(0,0,0):e.addVectors(this.min,this.max).multiplyScalar(.5)}getSize(e){return this.isEmpty()?e.set(0,0,0):e.subVectors(this.max,this.min)}expandByPoint(e){return this.min.min(e),this.max.max(e),this}expandByVector(e){return this.min.sub(e),this.max.add(e),this}expandByScalar(e){return this.min.addScalar(-e),this.max.addScalar(e),this}expandByObject(e,t=!1){e.updateWorldMatrix(!1,!1);let i=e.geometry;if(i!==void 0){let r=i.getAttribute("position");if(t===!0&&r!==void 0&&e.isInstancedMesh!==!0&&e.isBatchedMesh!==!0)for(let o=0,a=r.count;o<a;o++)e.isMesh===!0?e.getVertexPosition(o,hs):hs.fromBufferAttribute(r,o),hs.applyMatrix4(e.matrixWorld),this.expandByPoint(hs);else e.boundingBox!==void 0?(e.boundingBox===null&&e.computeBoundingBox(),Bc.copy(e.boundingBox)):(i.boundingBox===null&&i.computeBoundingBox(),Bc.copy(i.boundingBox)),Bc.applyMatrix4(e.matrixWorld),this.union(Bc)}let s=e.children;for(let r=0,o=s.length;r<o;r++)this.expandByObject(s[r],t);return this}containsPoint(e){return e.x>=this.min.x&&e.x<=this.max.x&&e.y>=this.min.y&&e.y<=this.max.y&&e.z>=this.min.z&&e.z<=this.max.z}containsBox(e){return this.min.x<=e.min.x&&e.max.x<=this.max.x&&this.min.y<=e.min.y&&e.max.y<=this.max.y&&this.min.z<=e.min.z&&e.max.z<=this.max.z}getParameter(e,t){return t.set((e.x-this.min.x)/(this.max.x-this.min.x),(e.y-this.min.y)/(this.max.y-this.min.y),(e.z-this.min.z)/(this.max.z-this.min.z))}intersectsBox(e){return e.max.x>=this.min.x&&e.min.x<=this.max.x&&e.max.y>=this.min.y&&e.min.y<=this.max.y&&e.max.z>=this.min.z&&e.min.z<=this.max.z}intersectsSphere(e){return this.clampPoint(e.center,hs),hs.distanceToSquared(e.center)<=e.radius*e.radius}intersectsPlane(e){let t,i;return e.normal.x>0?(t=e.normal.x*this.min.x,i=e.normal.x*this.max.x):(t=e.normal.x*this.max.x,i=e.normal.x*this.min.x),e.normal.y>0?(t+=e.normal.y*this.min.y,i+=e.normal.y*this.max.y):(t+=e.normal.y*this.max.y,i+=e.normal.y*this.min.y),e.normal.z>0?(t+=e.normal.z*this.min.z,i+=e.normal.z*this.max.z):(t+=e.normal.z*this.max.z,i+=e.normal.z*this.min.z),t<=-e.constant&&i>=-e.constant}intersectsTriangle(e){if(this.isEmpty())return!1;this.getCenter(Za),Vc.subVectors(this.max,Za),Xo.subVectors(e.a,Za),$o.subVectors(e.b,Za),qo.subVectors(e.c,Za),br.subVectors($o,Xo),Sr.subVectors(qo,$o),Wr.subVectors(Xo,qo);let t=[0,-br.z,br.y,0,-Sr.z,Sr.y,0,-Wr.z,Wr.y,br.z,0,-br.x,Sr.z,0,-Sr.x,Wr.z,0,-Wr.x,-br.y,br.x,0,-Sr.y,Sr.x,0,-Wr.y,Wr.x,0];return!jf(t,Xo,$o,qo,Vc)||(t=[1,0,0,0,1,0,0,0,1],!jf(t,Xo,$o,qo,Vc))?!1:(zc.crossVectors(br,Sr),t=[zc.x,zc.y,zc.z],jf(t,Xo,$o,qo,Vc))}clampPoint(e,t){return t.copy(e).clamp(this.min,this.max)}distanceToPoint(e){return this.clampPoint(e,hs).distanceTo(e)}getBoundingSphere(e){return this.isEmpty()?e.makeEmpty():(this.getCenter(e.center),e.radius=this.getSize(hs).length()*.5),e}intersect(e){return this.min.max(e.min),this.max.min(e.max),this.isEmpty()&&this.makeEmpty(),this}union(e){return this.min.min(e.min),this.max.max(e.max),this}applyMatrix4(e){return this.isEmpty()?this:(Ks[0].set(this.min.x,this.min.y,this.min.z).applyMatrix4(e),Ks[1].set(this.min.x,this.min.y,this.max.z).applyMatrix4(e),Ks[2].set(this.min.x,this.max.y,this.min.z).applyMatrix4(e),Ks[3].set(this.min.x,this.max.y,this.max.z).applyMatrix4(e),Ks[4].set(this.max.x,this.min.y,this.min.z).applyMatrix4(e),Ks[5].set(this.max.x,this.min.y,this.max.z).applyMatrix4(e),Ks[6].set(this.max.x,this.max.y,this.min.z).applyMatrix4(e),Ks[7].set(this.max.x,this.max.y,this.max.z).applyMatrix4(e),this.setFromPoints(Ks),this)}translate(e){return this.min.add(e),this.max.add(e),this}equals(e){return e.min.equals(this.min)&&e.max.equals(this.max)}toJSON(){return{min:this.min.toArray(),max:this.max.toArray()}}fromJSON(e){return this.min.fromArray(e.min),this.max.fromArray(e.max),this}},Ks=[new $,new $,new $,new $,new $,new $,new $,new $],hs=new $,Bc=new Tr,Xo=new $,$o=new $,qo=new $,br=new $,Sr=new $,Wr=new $,Za=new $,Vc=new $,zc=new $,Xr=new $;function jf(n,e,t,i,s){for(let r=0,o=n.length-3;r<=o;r+=3){Xr.fromArray(n,r);let a=s.x*Math.abs(Xr.x)+s.y*Math.abs(Xr.y)+s.z*Math.abs(Xr.z),l=e.dot(Xr),c=t.dot(Xr),u=i.dot(Xr);if(Math.max(-Math.max(l,c,u),Math.min(l,c,u))>a)return!1}return!0}var An=new $,Gc=new Ct,m1=0,dn=class extends Is{constructor(e,t,i=!1){if(super(),Array.isArray(e))throw new TypeError("THREE.BufferAttribute: array should be a Typed Array.");this.isBufferAttribute=!0,Object.defineProperty(this,"id",{value:m1++}),this.name="",this.array=e,this.itemSize=t,this.count=e!==void 0?e.length/t:0,this.normalized=i,this.usage=kp,this.updateRanges=[],this.gpuType=Di,this.version=0,this._normalizationScale=e!==void 0?Eh(e):void 0}onUploadCallback(){}set needsUpdate(e){e===!0&&this.version++}setUsage(e){return this.usage=e,this}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.length=0}copy(e){return this.name=e.name,this.array=new e.array.constructor(e.array),this.itemSize=e.itemSize,this.count=e.count,this.normalized=e.normalized,this.usage=e.usage,this.gpuType=e.gpuType,this._normalizationScale=e._normalizationScale,this}copyAt(e,t,i){e*=this.itemSize,i*=t.itemSize;for(let s=0,r=this.itemSize;s<r;s++)this.array[e+s]=t.array[i+s];return this}copyArray(e){return this.array.set(e),this}applyMatrix3(e){if(this.itemSize===2)for(let t=0,i=this.count;t<i;t++)Gc.fromBufferAttribute(this,t),Gc.applyMatrix3(e),this.setXY(t,Gc.x,Gc.y);else if(this.itemSize===3)for(let t=0,i=this.count;t<i;t++)An.fromBufferAttribute(this,t),An.applyMatrix3(e),this.setXYZ(t,An.x,An.y,An.z);return this}applyMatrix4(e){for(let t=0,i=this.count;t<i;t++)An.fromBufferAttribute(this,t),An.applyMatrix4(e),this.setXYZ(t,An.x,An.y,An.z);return this}applyNormalMatrix(e){for(let t=0,i=this.count;t<i;t++)An.fromBufferAttribute(this,t),An.applyNormalMatrix(e),this.setXYZ(t,An.x,An.y,An.z);return this}transformDirection(e){for(let t=0,i=this.count;t<i;t++)An.fromBufferAttribute(this,t),An.transformDirection(e),this.setXYZ(t,An.x,An.y,An.z);return this}set(e,t=0){return this.array.set(e,t),this}getComponent(e,t){let i=this.array[e*this.itemSize+t];return this.normalized&&(i=this._denormalize(i)),i}setComponent(e,t,i){return this.normalized&&(i=this._normalize(i)),this.array[e*this.itemSize+t]=i,this}getX(e){let t=this.array[e*this.itemSize];return this.normalized&&(t=this._denormalize(t)),t}setX(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize]=t,this}getY(e){let t=this.array[e*this.itemSize+1];return this.normalized&&(t=this._denormalize(t)),t}setY(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize+1]=t,this}getZ(e){let t=this.array[e*this.itemSize+2];return this.normalized&&(t=this._denormalize(t)),t}setZ(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize+2]=t,this}getW(e){let t=this.array[e*this.itemSize+3];return this.normalized&&(t=this._denormalize(t)),t}setW(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize+3]=t,this}setXY(e,t,i){return e*=this.itemSize,this.normalized&&(t=this._normalize(t),i=this._normalize(i)),this.array[e+0]=t,this.array[e+1]=i,this}setXYZ(e,t,i,s){return e*=this.itemSize,this.normalized&&(t=this._normalize(t),i=this._normalize(i),s=this._normalize(s)),this.array[e+0]=t,this.array[e+1]=i,this.array[e+2]=s,this}setXYZW(e,t,i,s,r){return e*=this.itemSize,this.normalized&&(t=this._normalize(t),i=this._normalize(i),s=this._normalize(s),r=this._normalize(r)),this.array[e+0]=t,this.array[e+1]=i,this.array[e+2]=s,this.array[e+3]=r,this}onUpload(e){return this.onUploadCallback=e,this}clone(){return new this.constructor(this.array,this.itemSize).copy(this)}toJSON(){let e={itemSize:this.itemSize,type:this.array.constructor.name,array:Array.from(this.array),normalized:this.normalized};return e.name=this.name,e.usage=this.usage,e.gpuType=this.gpuType,e}dispose(){this.dispatchEvent({type:"dispose"})}_denormalize(e){let t=this._normalizationScale;return t!==void 0?Math.max(e/t,-1):sy(e,this.array)}_normalize(e){let t=this._normalizationScale;return t!==void 0?Math.round(e*t):ry(e,this.array)}};var cl=class extends dn{constructor(e,t,i){super(new Uint16Array(e),t,i)}};var ul=class extends dn{constructor(e,t,i){super(new Uint32Array(e),t,i)}};var hi=class extends dn{constructor(e,t,i){super(new Float32Array(e),t,i)}},g1=new Tr,Ka=new $,Qf=new $,Zr=class{constructor(e=new $,t=-1){this.isSphere=!0,this.center=e,this.radius=t}set(e,t){return this.center.copy(e),this.radius=t,this}setFromPoints(e,t){let i=this.center;t!==void 0?i.copy(t):g1.setFromPoints(e).getCenter(i);let s=0;for(let r=0,o=e.length;r<o;r++)s=Math.max(s,i.distanceToSquared(e[r]));return this.radius=Math.sqrt(s),this}copy(e){return this.center.copy(e.center),this.radius=e.radius,this}isEmpty(){return this.radius<0}makeEmpty(){return this.center.set(0,0,0),this.radius=-1,this}containsPoint(e){return e.distanceToSquared(this.center)<=this.radius*this.radius}distanceToPoint(e){return e.distanceTo(this.center)-this.radius}intersectsSphere(e){let t=this.radius+e.radius;return e.center.distanceToSquared(this.center)<=t*t}intersectsBox(e){return e.intersectsSphere(this)}intersectsPlane(e){return Math.abs(e.distanceToPoint(this.center))<=this.radius}clampPoint(e,t){let i=this.center.distanceToSquared(e);return t.copy(e),i>this.radius*this.radius&&(t.sub(this.center).normalize(),t.multiplyScalar(this.radius).add(this.center)),t}getBoundingBox(e){return this.isEmpty()?(e.makeEmpty(),e):(e.set(this.center,this.center),e.expandByScalar(this.radius),e)}applyMatrix4(e){return this.center.applyMatrix4(e),this.radius=this.radius*e.getMaxScaleOnAxis(),this}translate(e){return this.center.add(e),this}expandByPoint(e){if(this.isEmpty())return this.center.copy(e),this.radius=0,this;Ka.subVectors(e,this.center);let t=Ka.lengthSq();if(t>this.radius*this.radius){let i=Math.sqrt(t),s=(i-this.radius)*.5;this.center.addScaledVector(Ka,s/i),this.radius+=s}return this}union(e){return e.isEmpty()?this:this.isEmpty()?(this.copy(e),this):(this.center.equals(e.center)===!0?this.radius=Math.max(this.radius,e.radius):(Qf.subVectors(e.center,this.center).setLength(e.radius),this.expandByPoint(Ka.copy(e.center).add(Qf)),this.expandByPoint(Ka.copy(e.center).sub(Qf))),this)}equals(e){return e.center.equals(this.center)&&e.radius===this.radius}clone(){return new this.constructor().copy(this)}toJSON(){return{radius:this.radius,center:this.center.toArray()}}fromJSON(e){return this.radius=e.radius,this.center.fromArray(e.center),this}},_1=0,qi=new Yt,ep=new Pi,Yo=new $,Ti=new Tr,ja=new Tr,kn=new $,Ji=class n extends Is{constructor(){super(),this.isBufferGeometry=!0,Object.defineProperty(this,"id",{value:_1++}),this.uuid=oo(),this.name="",this.type="BufferGeometry",this.index=null,this.indirect=null,this.indirectOffset=0,this.attributes={},this.morphAttributes={},this.morphTargetsRelative=!1,this.groups=[],this.boundingBox=null,this.boundingSphere=null,this.drawRange={start:0,count:1/0},this.userData={},this._transformed=!1}getIndex(){return this.index}setIndex(e){return Array.isArray(e)?this.index=new(n1(e)?ul:cl)(e,1):this.index=e,this}setIndirect(e,t=0){return this.indirect=e,this.indirectOffset=t,this}getIndirect(){return this.indirect}getAttribute(e){return this.attributes[e]}setAttribute(e,t){return this.attributes[e]=t,this}deleteAttribute(e){return delete this.attributes[e],this}hasAttribute(e){return this.attributes[e]!==void 0}addGroup(e,t,i=0){this.groups.push({start:e,count:t,materialIndex:i})}clearGroups(){this.groups=[]}setDrawRange(e,t){this.drawRange.start=e,this.drawRange.count=t}applyMatrix4(e){let t=this.attributes.position;t!==void 0&&(t.applyMatrix4(e),t.needsUpdate=!0);let i=this.attributes.normal;if(i!==void 0){let r=new st().getNormalMatrix(e);i.applyNormalMatrix(r),i.needsUpdate=!0}let s=this.attributes.tangent;return s!==void 0&&(s.transformDirection(e),s.needsUpdate=!0),this.boundingBox!==null&&this.computeBoundingBox(),this.boundingSphere!==null&&this.computeBoundingSphere(),this._transformed=!0,this}applyQuaternion(e){return qi.makeRotationFromQuaternion(e),this.applyMatrix4(qi),this}rotateX(e){return qi.makeRotationX(e),this.applyMatrix4(qi),this}rotateY(e){return qi.makeRotationY(e),this.applyMatrix4(qi),this}rotateZ(e){return qi.makeRotationZ(e),this.applyMatrix4(qi),this}translate(e,t,i){return qi.makeTranslation(e,t,i),this.applyMatrix4(qi),this}scale(e,t,i){return qi.makeScale(e,t,i),this.applyMatrix4(qi),this}lookAt(e){return ep.lookAt(e),ep.updateMatrix(),this.applyMatrix4(ep.matrix),this}center(){return this.computeBoundingBox(),this.boundingBox.getCenter(Yo).negate(),this.translate(Yo.x,Yo.y,Yo.z),this}setFromPoints(e){let t=this.getAttribute("position");if(t===void 0){let i=[];for(let s=0,r=e.length;s<r;s++){let o=e[s];i.push(o.x,o.y,o.z||0)}this.setAttribute("position",new hi(i,3))}else{let i=Math.min(e.length,t.count);for(let s=0;s<i;s++){let r=e[s];t.setXYZ(s,r.x,r.y,r.z||0)}e.length>t.count&&Ze("BufferGeometry: Buffer size too small for points data. Use .dispose() and create a new geometry."),t.needsUpdate=!0}return this}computeBoundingBox(){this.boundingBox===null&&(this.boundingBox=new Tr);let e=this.attributes.position,t=this.morphAttributes.position;if(e&&e.isGLBufferAttribute){it("BufferGeometry.computeBoundingBox(): GLBufferAttribute requires a manual bounding box.",this),this.boundingBox.set(new $(-1/0,-1/0,-1/0),new $(1/0,1/0,1/0));return}if(e!==void 0){if(this.boundingBox.setFromBufferAttribute(e),t)for(let i=0,s=t.length;i<s;i++){let r=t[i];Ti.setFromBufferAttribute(r),this.morphTargetsRelative?(kn.addVectors(this.boundingBox.min,Ti.min),this.boundingBox.expandByPoint(kn),kn.addVectors(this.boundingBox.max,Ti.max),this.boundingBox.expandByPoint(kn)):(this.boundingBox.expandByPoint(Ti.min),this.boundingBox.expandByPoint(Ti.max))}}else this.boundingBox.makeEmpty();(isNaN(this.boundingBox.min.x)||isNaN(this.boundingBox.min.y)||isNaN(this.boundingBox.min.z))&&it('BufferGeometry.computeBoundingBox(): Computed min/max have NaN values. The "position" attribute is likely to have NaN values.',this)}computeBoundingSphere(){this.boundingSphere===null&&(this.boundingSphere=new Zr);let e=this.attributes.position,t=this.morphAttributes.position;if(e&&e.isGLBufferAttribute){it("BufferGeometry.computeBoundingSphere(): GLBufferAttribute requires a manual bounding sphere.",this),this.boundingSphere.set(new $,1/0);return}if(e){let i=this.boundingSphere.center;if(Ti.setFromBufferAttribute(e),t)for(let r=0,o=t.length;r<o;r++){let a=t[r];ja.setFromBufferAttribute(a),this.morphTargetsRelative?(kn.addVectors(Ti.min,ja.min),Ti.expandByPoint(kn),kn.addVectors(Ti.max,ja.max),Ti.expandByPoint(kn)):(Ti.expandByPoint(ja.min),Ti.expandByPoint(ja.max))}Ti.getCenter(i);let s=0;for(let r=0,o=e.count;r<o;r++)kn.fromBufferAttribute(e,r),s=Math.max(s,i.distanceToSquared(kn));if(t)for(let r=0,o=t.length;r<o;r++){let a=t[r],l=this.morphTargetsRelative;for(let c=0,u=a.count;c<u;c++)kn.fromBufferAttribute(a,c),l&&(Yo.fromBufferAttribute(e,c),kn.add(Yo)),s=Math.max(s,i.distanceToSquared(kn))}this.boundingSphere.radius=Math.sqrt(s),isNaN(this.boundingSphere.radius)&&it('BufferGeometry.computeBoundingSphere(): Computed radius is NaN. The "position" attribute is likely to have NaN values.',this)}}computeTangents(){let e=this.index,t=this.attributes;if(e===null||t.position===void 0||t.normal===void 0||t.uv===void 0){it("BufferGeometry: .computeTangents() failed. Missing required attributes (index, position, normal or uv)");return}let i=t.position,s=t.normal,r=t.uv,o=this.getAttribute("tangent");(o===void 0||o.count!==i.count)&&(o=new dn(new Float32Array(4*i.count),4),this.setAttribute("tangent",o));let a=[],l=[],c=new Uint8Array(i.count);for(let H=0;H<i.count;H++)a[H]=new $,l[H]=new $;let u=new $,d=new $,h=new $,p=new Ct,m=new Ct,v=new Ct,_=new $,g=new $;function y(H,F,D){c[H]=c[F]=c[D]=1,u.fromBufferAttribute(i,H),d.fromBufferAttribute(i,F),h.fromBufferAttribute(i,D),p.fromBufferAttribute(r,H),m.fromBufferAttribute(r,F),v.fromBufferAttribute(r,D),d.sub(u),h.sub(u),m.sub(p),v.sub(p);let G=1/(m.x*v.y-v.x*m.y);isFinite(G)&&(_.copy(d).multiplyScalar(v.y).addScaledVector(h,-m.y).multiplyScalar(G),g.copy(h).multiplyScalar(m.x).addScaledVector(d,-v.x).multiplyScalar(G),a[H].add(_),a[F].add(_),a[D].add(_),l[H].add(g),l[F].add(g),l[D].add(g))}let E=this.groups;E.length===0&&(E=[{start:0,count:e.count}]);for(let H=0,F=E.length;H<F;++H){let D=E[H],G=D.start,V=D.count;for(let N=G,W=G+V;N<W;N+=3)y(e.getX(N+0),e.getX(N+1),e.getX(N+2))}let M=new $,I=new $,C=new $,b=new $;function A(H){C.fromBufferAttribute(s,H),b.copy(C);let F=a[H];M.copy(F),M.sub(C.multiplyScalar(C.dot(F))).normalize(),I.crossVectors(b,F);let G=I.dot(l[H])<0?-1:1;o.setXYZW(H,M.x,M.y,M.z,G)}for(let H=0,F=i.count;H<F;++H)c[H]&&A(H);this._transformed=!0}computeVertexNormals(){let e=this.index,t=this.getAttribute("position");if(t!==void 0){let i=this.getAttribute("normal");if(i===void 0||i.count!==t.count)i=new dn(new Float32Array(t.count*3),3),this.setAttribute("normal",i);else for(let h=0,p=i.count;h<p;h++)i.setXYZ(h,0,0,0);let s=new $,r=new $,o=new $,a=new $,l=new $,c=new $,u=new $,d=new $;if(e)for(let h=0,p=e.count;h<p;h+=3){let m=e.getX(h+0),v=e.getX(h+1),_=e.getX(h+2);s.fromBufferAttribute(t,m),r.fromBufferAttribute(t,v),o.fromBufferAttribute(t,_),u.subVectors(o,r),d.subVectors(s,r),u.cross(d),a.fromBufferAttribute(i,m),l.fromBufferAttribute(i,v),c.fromBufferAttribute(i,_),a.add(u),l.add(u),c.add(u),i.setXYZ(m,a.x,a.y,a.z),i.setXYZ(v,l.x,l.y,l.z),i.setXYZ(_,c.x,c.y,c.z)}else for(let h=0,p=t.count;h<p;h+=3)s.fromBufferAttribute(t,h+0),r.fromBufferAttribute(t,h+1),o.fromBufferAttribute(t,h+2),u.subVectors(o,r),d.subVectors(s,r),u.cross(d),i.setXYZ(h+0,u.x,u.y,u.z),i.setXYZ(h+1,u.x,u.y,u.z),i.setXYZ(h+2,u.x,u.y,u.z);this.normalizeNormals(),i.needsUpdate=!0}}normalizeNormals(){let e=this.attributes.normal;for(let t=0,i=e.count;t<i;t++)kn.fromBufferAttribute(e,t),kn.normalize(),e.setXYZ(t,kn.x,kn.y,kn.z)}toNonIndexed(){function e(a,l){let c=a.array,u=a.itemSize,d=a.normalized,h=new c.constructor(l.length*u),p=0,m=0;for(let v=0,_=l.length;v<_;v++){a.isInterleavedBufferAttribute?p=l[v]*a.data.stride+a.offset:p=l[v]*u;for(let g=0;g<u;g++)h[m++]=c[p++]}return new dn(h,u,d)}if(this.index===null)return Ze("BufferGeometry.toNonIndexed(): BufferGeometry is already non-indexed."),this;let t=new n,i=this.index.array,s=this.attributes;for(let a in s){let l=s[a],c=e(l,i);t.setAttribute(a,c)}let r=this.morphAttributes;for(let a in r){let l=[],c=r[a];for(let u=0,d=c.length;u<d;u++){let h=c[u],p=e(h,i);l.push(p)}t.morphAttributes[a]=l}t.morphTargetsRelative=this.morphTargetsRelative;let o=this.groups;for(let a=0,l=o.length;a<l;a++){let c=o[a];t.addGroup(c.start,c.count,c.materialIndex)}return t}toJSON(){let e={metadata:{version:4.7,type:"BufferGeometry",generator:"BufferGeometry.toJSON"}};if(e.uuid=this.uuid,e.type=this.parameters!==void 0&&this._transformed===!0?"BufferGeometry":this.type,e.name=this.name,Object.keys(this.userData).length>0&&(e.userData=this.userData),this.parameters!==void 0&&this._transformed!==!0){let l=this.parameters;for(let c in l)l[c]!==void 0&&(e[c]=l[c]);return e}e.data={attributes:{}};let t=this.index;t!==null&&(e.data.index={type:t.array.constructor.name,array:Array.prototype.slice.call(t.array)});let i=this.attributes;for(let l in i){let c=i[l];e.data.attributes[l]=c.toJSON(e.data)}let s={},r=!1;for(let l in this.morphAttributes){let c=this.morphAttributes[l],u=[];for(let d=0,h=c.length;d<h;d++){let p=c[d];u.push(p.toJSON(e.data))}u.length>0&&(s[l]=u,r=!0)}r&&(e.data.morphAttributes=s,e.data.morphTargetsRelative=this.morphTargetsRelative);let o=this.groups;o.length>0&&(e.data.groups=JSON.parse(JSON.stringify(o)));let a=this.boundingSphere;return a!==null&&(e.data.boundingSphere=a.toJSON()),e}clone(){return new this.constructor().copy(this)}copy(e){this.index=null,this.attributes={},this.morphAttributes={},this.groups=[],this.boundingBox=null,this.boundingSphere=null;let t={};this.name=e.name;let i=e.index;i!==null&&this.setIndex(i.clone());let s=e.attributes;for(let c in s){let u=s[c];this.setAttribute(c,u.clone(t))}let r=e.morphAttributes;for(let c in r){let u=[],d=r[c];for(let h=0,p=d.length;h<p;h++)u.push(d[h].clone(t));this.morphAttributes[c]=u}this.morphTargetsRelative=e.morphTargetsRelative;let o=e.groups;for(let c=0,u=o.length;c<u;c++){let d=o[c];this.addGroup(d.start,d.count,d.materialIndex)}let a=e.boundingBox;a!==null&&(this.boundingBox=a.clone());let l=e.boundingSphere;return l!==null&&(this.boundingSphere=l.clone()),this.drawRange.start=e.drawRange.start,this.drawRange.count=e.drawRange.count,this.userData=e.userData,this._transformed=e._transformed,this}dispose(){this.dispatchEvent({type:"dispose"})}},bu=class{constructor(e,t){this.isInterleavedBuffer=!0,this.array=e,this.stride=t,this.count=e!==void 0?e.length/t:0,this.usage=kp,this.updateRanges=[],this.version=0,this.uuid=oo()}onUploadCallback(){}set needsUpdate(e){e===!0&&this.version++}setUsage(e){return this.usage=e,this}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.length=0}copy(e){return this.array=new e.array.constructor(e.array),this.count=e.count,this.stride=e.stride,this.usage=e.usage,this}copyAt(e,t,i){e*=this.stride,i*=t.stride;for(let s=0,r=this.stride;s<r;s++)this.array[e+s]=t.array[i+s];return this}set(e,t=0){return this.array.set(e,t),this}clone(e){e.arrayBuffers===void 0&&(e.arrayBuffers={});let t=ox(this.array);e.arrayBuffers[t]===void 0&&(e.arrayBuffers[t]=this.array.slice(0).buffer);let i=new this.array.constructor(e.arrayBuffers[t]),s=new this.constructor(i,this.stride);return s.setUsage(this.usage),s}onUpload(e){return this.onUploadCallback=e,this}toJSON(e){e.arrayBuffers===void 0&&(e.arrayBuffers={});let t=ox(this.array);e.arrayBuffers[t]===void 0&&(e.arrayBuffers[t]=Array.from(new Uint32Array(this.array.slice(0).buffer)));let i={uuid:this.uuid,buffer:t,type:this.array.constructor.name,stride:this.stride};return i.usage=this.usage,i}};function ox(n){return n.buffer._uuid===void 0&&(n.buffer._uuid=oo()),n.byteOffset===0&&n.byteLength===n.buffer.byteLength?n.buffer._uuid:n.buffer._uuid+":"+n.byteOffset+":"+n.byteLength}var ri=new $,Kr=class n{constructor(e,t,i,s=!1){this.isInterleavedBufferAttribute=!0,this.name="",this.data=e,this.itemSize=t,this.offset=i,this.normalized=s,this._normalizationScale=e!==void 0?Eh(e.array):void 0}get count(){return this.data.count}get array(){return this.data.array}set needsUpdate(e){this.data.needsUpdate=e}applyMatrix4(e){for(let t=0,i=this.data.count;t<i;t++)ri.fromBufferAttribute(this,t),ri.applyMatrix4(e),this.setXYZ(t,ri.x,ri.y,ri.z);return this}applyNormalMatrix(e){for(let t=0,i=this.count;t<i;t++)ri.fromBufferAttribute(this,t),ri.applyNormalMatrix(e),this.setXYZ(t,ri.x,ri.y,ri.z);return this}transformDirection(e){for(let t=0,i=this.count;t<i;t++)ri.fromBufferAttribute(this,t),ri.transformDirection(e),this.setXYZ(t,ri.x,ri.y,ri.z);return this}getComponent(e,t){let i=this.array[e*this.data.stride+this.offset+t];return this.normalized&&(i=this._denormalize(i)),i}setComponent(e,t,i){return this.normalized&&(i=this._normalize(i)),this.data.array[e*this.data.stride+this.offset+t]=i,this}setX(e,t){return this.normalized&&(t=this._normalize(t)),this.data.array[e*this.data.stride+this.offset]=t,this}setY(e,t){return this.normalized&&(t=this._normalize(t)),this.data.array[e*this.data.stride+this.offset+1]=t,this}setZ(e,t){return this.normalized&&(t=this._normalize(t)),this.data.array[e*this.data.stride+this.offset+2]=t,this}setW(e,t){return this.normalized&&(t=this._normalize(t)),this.data.array[e*this.data.stride+this.offset+3]=t,this}getX(e){let t=this.data.array[e*this.data.stride+this.offset];return this.normalized&&(t=this._denormalize(t)),t}getY(e){let t=this.data.array[e*this.data.stride+this.offset+1];return this.normalized&&(t=this._denormalize(t)),t}getZ(e){let t=this.data.array[e*this.data.stride+this.offset+2];return this.normalized&&(t=this._denormalize(t)),t}getW(e){let t=this.data.array[e*this.data.stride+this.offset+3];return this.normalized&&(t=this._denormalize(t)),t}setXY(e,t,i){return e=e*this.data.stride+this.offset,this.normalized&&(t=this._normalize(t),i=this._normalize(i)),this.data.array[e+0]=t,this.data.array[e+1]=i,this}setXYZ(e,t,i,s){return e=e*this.data.stride+this.offset,this.normalized&&(t=this._normalize(t),i=this._normalize(i),s=this._normalize(s)),this.data.array[e+0]=t,this.data.array[e+1]=i,this.data.array[e+2]=s,this}setXYZW(e,t,i,s,r){return e=e*this.data.stride+this.offset,this.normalized&&(t=this._normalize(t),i=this._normalize(i),s=this._normalize(s),r=this._normalize(r)),this.data.array[e+0]=t,this.data.array[e+1]=i,this.data.array[e+2]=s,this.data.array[e+3]=r,this}clone(e){if(e===void 0){rl("InterleavedBufferAttribute.clone(): Cloning an interleaved buffer attribute will de-interleave buffer data.");let t=[];for(let i=0;i<this.count;i++){let s=i*this.data.stride+this.offset;for(let r=0;r<this.itemSize;r++)t.push(this.data.array[s+r])}return new dn(new this.array.constructor(t),this.itemSize,this.normalized)}else return e.interleavedBuffers===void 0&&(e.interleavedBuffers={}),e.interleavedBuffers[this.data.uuid]===void 0&&(e.interleavedBuffers[this.data.uuid]=this.data.clone(e)),new n(e.interleavedBuffers[this.data.uuid],this.itemSize,this.offset,this.normalized)}toJSON(e){if(e===void 0){rl("InterleavedBufferAttribute.toJSON(): Serializing an interleaved buffer attribute will de-interleave buffer data.");let t=[];for(let i=0;i<this.count;i++){let s=i*this.data.stride+this.offset;for(let r=0;r<this.itemSize;r++)t.push(this.data.array[s+r])}return{itemSize:this.itemSize,type:this.array.constructor.name,array:t,normalized:this.normalized}}else return e.interleavedBuffers===void 0&&(e.interleavedBuffers={}),e.interleavedBuffers[this.data.uuid]===void 0&&(e.interleavedBuffers[this.data.uuid]=this.data.toJSON(e)),{isInterleavedBufferAttribute:!0,itemSize:this.itemSize,data:this.data.uuid,offset:this.offset,normalized:this.normalized}}_denormalize(e){let t=this._normalizationScale;return t!==void 0?Math.max(e/t,-1):sy(e,this.data.array)}_normalize(e){let t=this._normalizationScale;return t!==void 0?Math.round(e*t):ry(e,this.data.array)}},tp=new $,x1=new $,y1=new st,Ei=class{constructor(e=new $(1,0,0),t=0){this.isPlane=!0,this.normal=e,this.constant=t}set(e,t){return this.normal.copy(e),this.constant=t,this}setComponents(e,t,i,s){return this.normal.set(e,t,i),this.constant=s,this}setFromNormalAndCoplanarPoint(e,t){return this.normal.copy(e),this.constant=-t.dot(this.normal),this}setFromCoplanarPoints(e,t,i){let s=tp.subVectors(i,t).cross(x1.subVectors(e,t)).normalize();return this.setFromNormalAndCoplanarPoint(s,e),this}copy(e){return this.normal.copy(e.normal),this.constant=e.constant,this}normalize(){let e=1/this.normal.length();return this.normal.multiplyScalar(e),this.constant*=e,this}negate(){return this.constant*=-1,this.normal.negate(),this}distanceToPoint(e){return this.normal.dot(e)+this.constant}distanceToSphere(e){return this.distanceToPoint(e.center)-e.radius}projectPoint(e,t){return t.copy(e).addScaledVector(this.normal,-this.distanceToPoint(e))}intersectLine(e,t,i=!0){let s=e.delta(tp),r=this.normal.dot(s);if(r===0)return this.distanceToPoint(e.start)===0?t.copy(e.start):null;let o=-(e.start.dot(this.normal)+this.constant)/r;return i===!0&&(o<0||o>1)?null:t.copy(e.start).addScaledVector(s,o)}intersectsLine(e){let t=this.distanceToPoint(e.start),i=this.distanceToPoint(e.end);return t<0&&i>0||i<0&&t>0}intersectsBox(e){return e.intersectsPlane(this)}intersectsSphere(e){return e.intersectsPlane(this)}coplanarPoint(e){return e.copy(this.normal).multiplyScalar(-this.constant)}applyMatrix4(e,t){let i=t||y1.getNormalMatrix(e),s=this.coplanarPoint(tp).applyMatrix4(e),r=this.normal.applyMatrix3(i).normalize();return this.constant=-s.dot(r),this}translate(e){return this.constant-=e.dot(this.normal),this}equals(e){return e.normal.equals(this.normal)&&e.constant===this.constant}clone(){return new this.constructor().copy(this)}toJSON(){return{normal:this.normal.toArray(),constant:this.constant}}fromJSON(e){return this.normal.fromArray(e.normal),this.constant=e.constant,this}},v1=0,Ar=class extends Is{constructor(){super(),this.isMaterial=!0,Object.defineProperty(this,"id",{value:v1++}),this.uuid=oo(),this.name="",this.type="Material",this.blending=ha,this.side=Ir,this.vertexColors=!1,this.opacity=1,this.transparent=!1,this.alphaHash=!1,this.blendSrc=gp,this.blendDst=_p,this.blendEquation=no,this.blendSrcAlpha=null,this.blendDstAlpha=null,this.blendEquationAlpha=null,this.blendColor=new Rt(0,0,0),this.blendAlpha=0,this.depthFunc=ta,this.depthTest=!0,this.depthWrite=!0,this.stencilWriteMask=255,this.stencilFunc=qx,this.stencilRef=0,this.stencilFuncMask=255,this.stencilFail=ou,this.stencilZFail=ou,this.stencilZPass=ou,this.stencilWrite=!1,this.clippingPlanes=null,this.clipIntersection=!1,this.clipShadows=!1,this.shadowSide=null,this.colorWrite=!0,this.precision=null,this.polygonOffset=!1,this.polygonOffsetFactor=0,this.polygonOffsetUnits=0,this.dithering=!1,this.alphaToCoverage=!1,this.premultipliedAlpha=!1,this.forceSinglePass=!1,this.allowOverride=!0,this.visible=!0,this.toneMapped=!0,this.userData={},this.version=0,this._alphaTest=0}get alphaTest(){return this._alphaTest}set alphaTest(e){this._alphaTest>0!=e>0&&this.version++,this._alphaTest=e}onBeforeRender(){}onBeforeCompile(){}customProgramCacheKey(){return this.onBeforeCompile.toString()}setValues(e){if(e!==void 0)for(let t in e){let i=e[t];if(i===void 0){Ze(`Material: parameter '${t}' has value of undefined.`);continue}let s=this[t];if(s===void 0){Ze(`Material: '${t}' is not a property of THREE.${this.type}.`);continue}s&&s.isColor?s.set(i):s&&s.isVector2&&i&&i.isVector2||s&&s.isEuler&&i&&i.isEuler||s&&s.isVector3&&i&&i.isVector3?s.copy(i):this[t]=i}}toJSON(e){let t=e===void 0||typeof e=="string";t&&(e={textures:{},images:{}});let i={metadata:{version:4.7,type:"Material",generator:"Material.toJSON"}};i.uuid=this.uuid,i.type=this.type,i.blending=this.blending,i.side=this.side,i.shadowSide=this.shadowSide,i.vertexColors=this.vertexColors,i.opacity=this.opacity,i.transparent=this.transparent,i.blendSrc=this.blendSrc,i.blendDst=this.blendDst,i.blendEquation=this.blendEquation,i.blendSrcAlpha=this.blendSrcAlpha,i.blendDstAlpha=this.blendDstAlpha,i.blendEquationAlpha=this.blendEquationAlpha,i.blendColor=this.blendColor.getHex(),i.blendAlpha=this.blendAlpha,i.depthFunc=this.depthFunc,i.depthTest=this.depthTest,i.depthWrite=this.depthWrite,i.colorWrite=this.colorWrite,i.clipIntersection=this.clipIntersection,i.clipShadows=this.clipShadows,i.stencilWriteMask=this.stencilWriteMask,i.stencilFunc=this.stencilFunc,i.stencilRef=this.stencilRef,i.stencilFuncMask=this.stencilFuncMask,i.stencilFail=this.stencilFail,i.stencilZFail=this.stencilZFail,i.stencilZPass=this.stencilZPass,i.stencilWrite=this.stencilWrite,i.polygonOffset=this.polygonOffset,i.polygonOffsetFactor=this.polygonOffsetFactor,i.polygonOffsetUnits=this.polygonOffsetUnits,i.dithering=this.dithering,i.alphaTest=this.alphaTest,i.alphaHash=this.alphaHash,i.alphaToCoverage=this.alphaToCoverage,i.premultipliedAlpha=this.premultipliedAlpha,i.forceSinglePass=this.forceSinglePass,i.allowOverride=this.allowOverride,i.visible=this.visible,i.toneMapped=this.toneMapped,i.name=this.name,this.color&&this.color.isColor&&(i.color=this.color.getHex()),this.roughness!==void 0&&(i.roughness=this.roughness),this.metalness!==void 0&&(i.metalness=this.metalness),this.sheen!==void 0&&(i.sheen=this.sheen),this.sheenColor&&this.sheenColor.isColor&&(i.sheenColor=this.sheenColor.getHex()),this.sheenRoughness!==void 0&&(i.sheenRoughness=this.sheenRoughness),this.emissive&&this.emissive.isColor&&(i.emissive=this.emissive.getHex()),this.emissiveIntensity!==void 0&&(i.emissiveIntensity=this.emissiveIntensity),this.specular&&this.specular.isColor&&(i.specular=this.specular.getHex()),this.specularIntensity!==void 0&&(i.specularIntensity=this.specularIntensity),this.specularColor&&this.specularColor.isColor&&(i.specularColor=this.specularColor.getHex()),this.shininess!==void 0&&(i.shininess=this.shininess),this.clearcoat!==void 0&&(i.clearcoat=this.clearcoat),this.clearcoatRoughness!==void 0&&(i.clearcoatRoughness=this.clearcoatRoughness),this.diffuseRoughness!==void 0&&(i.diffuseRoughness=this.diffuseRoughness),this.diffuseRoughnessMap&&this.diffuseRoughnessMap.isTexture&&(i.diffuseRoughnessMap=this.diffuseRoughnessMap.toJSON(e).uuid),this.clearcoatMap&&this.clearcoatMap.isTexture&&(i.clearcoatMap=this.clearcoatMap.toJSON(e).uuid),this.clearcoatRoughnessMap&&this.clearcoatRoughnessMap.isTexture&&(i.clearcoatRoughnessMap=this.clearcoatRoughnessMap.toJSON(e).uuid),this.clearcoatNormalMap&&this.clearcoatNormalMap.isTexture&&(i.clearcoatNormalMap=this.clearcoatNormalMap.toJSON(e).uuid,i.clearcoatNormalScale=this.clearcoatNormalScale.toArray()),this.sheenColorMap&&this.sheenColorMap.isTexture&&(i.sheenColorMap=this.sheenColorMap.toJSON(e).uuid),this.sheenRoughnessMap&&this.sheenRoughnessMap.isTexture&&(i.sheenRoughnessMap=this.sheenRoughnessMap.toJSON(e).uuid),this.dispersion!==void 0&&(i.dispersion=this.dispersion),this.retroreflectivity!==void 0&&(i.retroreflectivity=this.retroreflectivity),this.iridescence!==void 0&&(i.iridescence=this.iridescence),this.iridescenceIOR!==void 0&&(i.iridescenceIOR=this.iridescenceIOR),this.iridescenceThicknessMinimum!==void 0&&(i.iridescenceThicknessMinimum=this.iridescenceThicknessMinimum),this.iridescenceThicknessMaximum!==void 0&&(i.iridescenceThicknessMaximum=this.iridescenceThicknessMaximum),this.iridescenceMap&&this.iridescenceMap.isTexture&&(i.iridescenceMap=this.iridescenceMap.toJSON(e).uuid),this.iridescenceThicknessMap&&this.iridescenceThicknessMap.isTexture&&(i.iridescenceThicknessMap=this.iridescenceThicknessMap.toJSON(e).uuid),this.anisotropy!==void 0&&(i.anisotropy=this.anisotropy),this.anisotropyRotation!==void 0&&(i.anisotropyRotation=this.anisotropyRotation),this.anisotropyMap&&this.anisotropyMap.isTexture&&(i.anisotropyMap=this.anisotropyMap.toJSON(e).uuid),this.map&&this.map.isTexture&&(i.map=this.map.toJSON(e).uuid),this.matcap&&this.matcap.isTexture&&(i.matcap=this.matcap.toJSON(e).uuid),this.alphaMap&&this.alphaMap.isTexture&&(i.alphaMap=this.alphaMap.toJSON(e).uuid),this.lightMap&&this.lightMap.isTexture&&(i.lightMap=this.lightMap.toJSON(e).uuid,i.lightMapIntensity=this.lightMapIntensity),this.aoMap&&this.aoMap.isTexture&&(i.aoMap=this.aoMap.toJSON(e).uuid,i.aoMapIntensity=this.aoMapIntensity),this.bumpMap&&this.bumpMap.isTexture&&(i.bumpMap=this.bumpMap.toJSON(e).uuid,i.bumpScale=this.bumpScale),this.normalMap&&this.normalMap.isTexture&&(i.normalMap=this.normalMap.toJSON(e).uuid,i.normalMapType=this.normalMapType,i.normalScale=this.normalScale.toArray()),this.displacementMap&&this.displacementMap.isTexture&&(i.displacementMap=this.displacementMap.toJSON(e).uuid,i.displacementScale=this.displacementScale,i.displacementBias=this.displacementBias),this.roughnessMap&&this.roughnessMap.isTexture&&(i.roughnessMap=this.roughnessMap.toJSON(e).uuid),this.metalnessMap&&this.metalnessMap.isTexture&&(i.metalnessMap=this.metalnessMap.toJSON(e).uuid),this.emissiveMap&&this.emissiveMap.isTexture&&(i.emissiveMap=this.emissiveMap.toJSON(e).uuid),this.specularMap&&this.specularMap.isTexture&&(i.specularMap=this.specularMap.toJSON(e).uuid),this.specularIntensityMap&&this.specularIntensityMap.isTexture&&(i.specularIntensityMap=this.specularIntensityMap.toJSON(e).uuid),this.specularColorMap&&this.specularColorMap.isTexture&&(i.specularColorMap=this.specularColorMap.toJSON(e).uuid),this.envMap&&this.envMap.isTexture&&(i.envMap=this.envMap.toJSON(e).uuid,this.combine!==void 0&&(i.combine=this.combine)),this.envMapRotation!==void 0&&(i.envMapRotation=this.envMapRotation.toArray()),this.envMapIntensity!==void 0&&(i.envMapIntensity=this.envMapIntensity),this.reflectivity!==void 0&&(i.reflectivity=this.reflectivity),this.refractionRatio!==void 0&&(i.refractionRatio=this.refractionRatio),this.gradientMap&&this.gradientMap.isTexture&&(i.gradientMap=this.gradientMap.toJSON(e).uuid),this.transmission!==void 0&&(i.transmission=this.transmission),this.transmissionMap&&this.transmissionMap.isTexture&&(i.transmissionMap=this.transmissionMap.toJSON(e).uuid),this.thickness!==void 0&&(i.thickness=this.thickness),this.thicknessMap&&this.thicknessMap.isTexture&&(i.thicknessMap=this.thicknessMap.toJSON(e).uuid),this.attenuationDistance!==void 0&&(i.attenuationDistance=this.attenuationDistance),this.attenuationColor!==void 0&&(i.attenuationColor=this.attenuationColor.getHex()),this.size!==void 0&&(i.size=this.size),this.sizeAttenuation!==void 0&&(i.sizeAttenuation=this.sizeAttenuation),Array.isArray(this.clippingPlanes)&&this.clippingPlanes.length>0&&(i.clippingPlanes=this.clippingPlanes.map(r=>r.toJSON())),this.rotation!==void 0&&(i.rotation=this.rotation),this.depthPacking!==void 0&&(i.depthPacking=this.depthPacking),this.linewidth!==void 0&&(i.linewidth=this.linewidth),this.linecap!==void 0&&(i.linecap=this.linecap),this.linejoin!==void 0&&(i.linejoin=this.linejoin),this.dashSize!==void 0&&(i.dashSize=this.dashSize),this.gapSize!==void 0&&(i.gapSize=this.gapSize),this.scale!==void 0&&(i.scale=this.scale),this.wireframe!==void 0&&(i.wireframe=this.wireframe),this.wireframeLinewidth!==void 0&&(i.wireframeLinewidth=this.wireframeLinewidth),this.wireframeLinecap!==void 0&&(i.wireframeLinecap=this.wireframeLinecap),this.wireframeLinejoin!==void 0&&(i.wireframeLinejoin=this.wireframeLinejoin),this.flatShading!==void 0&&(i.flatShading=this.flatShading),this.fog!==void 0&&(i.fog=this.fog),Object.keys(this.userData).length>0&&(i.userData=this.userData);function s(r){let o=[];for(let a in r){let l=r[a];delete l.metadata,o.push(l)}return o}if(t){let r=s(e.textures),o=s(e.images);r.length>0&&(i.textures=r),o.length>0&&(i.images=o)}return i}fromJSON(e,t){if(e.uuid!==void 0&&(this.uuid=e.uuid),e.name!==void 0&&(this.name=e.name),e.color!==void 0&&this.color!==void 0&&this.color.setHex(e.color),e.roughness!==void 0&&(this.roughness=e.roughness),e.metalness!==void 0&&(this.metalness=e.metalness),e.sheen!==void 0&&(this.sheen=e.sheen),e.sheenColor!==void 0&&(this.sheenColor=new Rt().setHex(e.sheenColor)),e.sheenRoughness!==void 0&&(this.sheenRoughness=e.sheenRoughness),e.emissive!==void 0&&this.emissive!==void 0&&this.emissive.setHex(e.emissive),e.specular!==void 0&&this.specular!==void 0&&this.specular.setHex(e.specular),e.specularIntensity!==void 0&&(this.specularIntensity=e.specularIntensity),e.specularColor!==void 0&&this.specularColor!==void 0&&this.specularColor.setHex(e.specularColor),e.shininess!==void 0&&(this.shininess=e.shininess),e.clearcoat!==void 0&&(this.clearcoat=e.clearcoat),e.clearcoatRoughness!==void 0&&(this.clearcoatRoughness=e.clearcoatRoughness),e.diffuseRoughness!==void 0&&(this.diffuseRoughness=e.diffuseRoughness),e.dispersion!==void 0&&(this.dispersion=e.dispersion),e.retroreflectivity!==void 0&&(this.retroreflectivity=e.retroreflectivity),e.iridescence!==void 0&&(this.iridescence=e.iridescence),e.iridescenceIOR!==void 0&&(this.iridescenceIOR=e.iridescenceIOR),e.iridescenceThicknessMinimum!==void 0&&(this.iridescenceThicknessMinimum=e.iridescenceThicknessMinimum),e.iridescenceThicknessMaximum!==void 0&&(this.iridescenceThicknessMaximum=e.iridescenceThicknessMaximum),e.iridescenceThicknessRange!==void 0&&(this.iridescenceThicknessMinimum=e.iridescenceThicknessRange[0],this.iridescenceThicknessMaximum=e.iridescenceThicknessRange[1]),e.transmission!==void 0&&(this.transmission=e.transmission),e.thickness!==void 0&&(this.thickness=e.thickness),e.attenuationDistance!==void 0&&(this.attenuationDistance=e.attenuationDistance),e.attenuationColor!==void 0&&this.attenuationColor!==void 0&&this.attenuationColor.setHex(e.attenuationColor),e.anisotropy!==void 0&&(this.anisotropy=e.anisotropy),e.anisotropyRotation!==void 0&&(this.anisotropyRotation=e.anisotropyRotation),e.fog!==void 0&&(this.fog=e.fog),e.flatShading!==void 0&&(this.flatShading=e.flatShading),e.blending!==void 0&&(this.blending=e.blending),e.combine!==void 0&&(this.combine=e.combine),e.side!==void 0&&(this.side=e.side),e.shadowSide!==void 0&&(this.shadowSide=e.shadowSide),e.opacity!==void 0&&(this.opacity=e.opacity),e.transparent!==void 0&&(this.transparent=e.transparent),e.alphaTest!==void 0&&(this.alphaTest=e.alphaTest),e.alphaHash!==void 0&&(this.alphaHash=e.alphaHash),e.depthFunc!==void 0&&(this.depthFunc=e.depthFunc),e.depthTest!==void 0&&(this.depthTest=e.depthTest),e.depthWrite!==void 0&&(this.depthWrite=e.depthWrite),e.colorWrite!==void 0&&(this.colorWrite=e.colorWrite),e.clippingPlanes!==void 0&&(this.clippingPlanes=e.clippingPlanes.map(i=>new Ei().fromJSON(i))),e.clipIntersection!==void 0&&(this.clipIntersection=e.clipIntersection),e.clipShadows!==void 0&&(this.clipShadows=e.clipShadows),e.depthPacking!==void 0&&(this.depthPacking=e.depthPacking),e.blendSrc!==void 0&&(this.blendSrc=e.blendSrc),e.blendDst!==void 0&&(this.blendDst=e.blendDst),e.blendEquation!==void 0&&(this.blendEquation=e.blendEquation),e.blendSrcAlpha!==void 0&&(this.blendSrcAlpha=e.blendSrcAlpha),e.blendDstAlpha!==void 0&&(this.blendDstAlpha=e.blendDstAlpha),e.blendEquationAlpha!==void 0&&(this.blendEquationAlpha=e.blendEquationAlpha),e.blendColor!==void 0&&this.blendColor!==void 0&&this.blendColor.setHex(e.blendColor),e.blendAlpha!==void 0&&(this.blendAlpha=e.blendAlpha),e.stencilWriteMask!==void 0&&(this.stencilWriteMask=e.stencilWriteMask),e.stencilFunc!==void 0&&(this.stencilFunc=e.stencilFunc),e.stencilRef!==void 0&&(this.stencilRef=e.stencilRef),e.stencilFuncMask!==void 0&&(this.stencilFuncMask=e.stencilFuncMask),e.stencilFail!==void 0&&(this.stencilFail=e.stencilFail),e.stencilZFail!==void 0&&(this.stencilZFail=e.stencilZFail),e.stencilZPass!==void 0&&(this.stencilZPass=e.stencilZPass),e.stencilWrite!==void 0&&(this.stencilWrite=e.stencilWrite),e.wireframe!==void 0&&(this.wireframe=e.wireframe),e.wireframeLinewidth!==void 0&&(this.wireframeLinewidth=e.wireframeLinewidth),e.wireframeLinecap!==void 0&&(this.wireframeLinecap=e.wireframeLinecap),e.wireframeLinejoin!==void 0&&(this.wireframeLinejoin=e.wireframeLinejoin),e.rotation!==void 0&&(this.rotation=e.rotation),e.linewidth!==void 0&&(this.linewidth=e.linewidth),e.linecap!==void 0&&(this.linecap=e.linecap),e.linejoin!==void 0&&(this.linejoin=e.linejoin),e.dashSize!==void 0&&(this.dashSize=e.dashSize),e.gapSize!==void 0&&(this.gapSize=e.gapSize),e.scale!==void 0&&(this.scale=e.scale),e.polygonOffset!==void 0&&(this.polygonOffset=e.polygonOffset),e.polygonOffsetFactor!==void 0&&(this.polygonOffsetFactor=e.polygonOffsetFactor),e.polygonOffsetUnits!==void 0&&(this.polygonOffsetUnits=e.polygonOffsetUnits),e.dithering!==void 0&&(this.dithering=e.dithering),e.alphaToCoverage!==void 0&&(this.alphaToCoverage=e.alphaToCoverage),e.premultipliedAlpha!==void 0&&(this.premultipliedAlpha=e.premultipliedAlpha),e.forceSinglePass!==void 0&&(this.forceSinglePass=e.forceSinglePass),e.allowOverride!==void 0&&(this.allowOverride=e.allowOverride),e.visible!==void 0&&(this.visible=e.visible),e.toneMapped!==void 0&&(this.toneMapped=e.toneMapped),e.userData!==void 0&&(this.userData=e.userData),e.vertexColors!==void 0&&(typeof e.vertexColors=="number"?this.vertexColors=e.vertexColors>0:this.vertexColors=e.vertexColors),e.size!==void 0&&(this.size=e.size),e.sizeAttenuation!==void 0&&(this.sizeAttenuation=e.sizeAttenuation),e.map!==void 0&&(this.map=t[e.map]||null),e.matcap!==void 0&&(this.matcap=t[e.matcap]||null),e.alphaMap!==void 0&&(this.alphaMap=t[e.alphaMap]||null),e.bumpMap!==void 0&&(this.bumpMap=t[e.bumpMap]||null),e.bumpScale!==void 0&&(this.bumpScale=e.bumpScale),e.normalMap!==void 0&&(this.normalMap=t[e.normalMap]||null),e.normalMapType!==void 0&&(this.normalMapType=e.normalMapType),e.normalScale!==void 0){let i=e.normalScale;Array.isArray(i)===!1&&(i=[i,i]),this.normalScale=new Ct().fromArray(i)}return e.displacementMap!==void 0&&(this.displacementMap=t[e.displacementMap]||null),e.displacementScale!==void 0&&(this.displacementScale=e.displacementScale),e.displacementBias!==void 0&&(this.displacementBias=e.displacementBias),e.roughnessMap!==void 0&&(this.roughnessMap=t[e.roughnessMap]||null),e.metalnessMap!==void 0&&(this.metalnessMap=t[e.metalnessMap]||null),e.emissiveMap!==void 0&&(this.emissiveMap=t[e.emissiveMap]||null),e.emissiveIntensity!==void 0&&(this.emissiveIntensity=e.emissiveIntensity),e.specularMap!==void 0&&(this.specularMap=t[e.specularMap]||null),e.specularIntensityMap!==void 0&&(this.specularIntensityMap=t[e.specularIntensityMap]||null),e.specularColorMap!==void 0&&(this.specularColorMap=t[e.specularColorMap]||null),e.envMap!==void 0&&(this.envMap=t[e.envMap]||null),e.envMapRotation!==void 0&&this.envMapRotation.fromArray(e.envMapRotation),e.envMapIntensity!==void 0&&(this.envMapIntensity=e.envMapIntensity),e.reflectivity!==void 0&&(this.reflectivity=e.reflectivity),e.refractionRatio!==void 0&&(this.refractionRatio=e.refractionRatio),e.lightMap!==void 0&&(this.lightMap=t[e.lightMap]||null),e.lightMapIntensity!==void 0&&(this.lightMapIntensity=e.lightMapIntensity),e.aoMap!==void 0&&(this.aoMap=t[e.aoMap]||null),e.aoMapIntensity!==void 0&&(this.aoMapIntensity=e.aoMapIntensity),e.gradientMap!==void 0&&(this.gradientMap=t[e.gradientMap]||null),e.clearcoatMap!==void 0&&(this.clearcoatMap=t[e.clearcoatMap]||null),e.clearcoatRoughnessMap!==void 0&&(this.clearcoatRoughnessMap=t[e.clearcoatRoughnessMap]||null),e.clearcoatNormalMap!==void 0&&(this.clearcoatNormalMap=t[e.clearcoatNormalMap]||null),e.clearcoatNormalScale!==void 0&&(this.clearcoatNormalScale=new Ct().fromArray(e.clearcoatNormalScale)),e.diffuseRoughnessMap!==void 0&&(this.diffuseRoughnessMap=t[e.diffuseRoughnessMap]||null),e.iridescenceMap!==void 0&&(this.iridescenceMap=t[e.iridescenceMap]||null),e.iridescenceThicknessMap!==void 0&&(this.iridescenceThicknessMap=t[e.iridescenceThicknessMap]||null),e.transmissionMap!==void 0&&(this.transmissionMap=t[e.transmissionMap]||null),e.thicknessMap!==void 0&&(this.thicknessMap=t[e.thicknessMap]||null),e.anisotropyMap!==void 0&&(this.anisotropyMap=t[e.anisotropyMap]||null),e.sheenColorMap!==void 0&&(this.sheenColorMap=t[e.sheenColorMap]||null),e.sheenRoughnessMap!==void 0&&(this.sheenRoughnessMap=t[e.sheenRoughnessMap]||null),this}clone(){return new this.constructor().copy(this)}copy(e){this.name=e.name,this.blending=e.blending,this.side=e.side,this.vertexColors=e.vertexColors,this.opacity=e.opacity,this.transparent=e.transparent,this.blendSrc=e.blendSrc,this.blendDst=e.blendDst,this.blendEquation=e.blendEquation,this.blendSrcAlpha=e.blendSrcAlpha,this.blendDstAlpha=e.blendDstAlpha,this.blendEquationAlpha=e.blendEquationAlpha,this.blendColor.copy(e.blendColor),this.blendAlpha=e.blendAlpha,this.depthFunc=e.depthFunc,this.depthTest=e.depthTest,this.depthWrite=e.depthWrite,this.stencilWriteMask=e.stencilWriteMask,this.stencilFunc=e.stencilFunc,this.stencilRef=e.stencilRef,this.stencilFuncMask=e.stencilFuncMask,this.stencilFail=e.stencilFail,this.stencilZFail=e.stencilZFail,this.stencilZPass=e.stencilZPass,this.stencilWrite=e.stencilWrite;let t=e.clippingPlanes,i=null;if(t!==null){let s=t.length;i=new Array(s);for(let r=0;r!==s;++r)i[r]=t[r].clone()}return this.clippingPlanes=i,this.clipIntersection=e.clipIntersection,this.clipShadows=e.clipShadows,this.shadowSide=e.shadowSide,this.colorWrite=e.colorWrite,this.precision=e.precision,this.polygonOffset=e.polygonOffset,this.polygonOffsetFactor=e.polygonOffsetFactor,this.polygonOffsetUnits=e.polygonOffsetUnits,this.dithering=e.dithering,this.alphaTest=e.alphaTest,this.alphaHash=e.alphaHash,this.alphaToCoverage=e.alphaToCoverage,this.premultipliedAlpha=e.premultipliedAlpha,this.forceSinglePass=e.forceSinglePass,this.allowOverride=e.allowOverride,this.visible=e.visible,this.toneMapped=e.toneMapped,this.userData=JSON.parse(JSON.stringify(e.userData)),this}dispose(){this.dispatchEvent({type:"dispose"})}set needsUpdate(e){e===!0&&this.version++}};var js=new $,np=new $,Hc=new $,Wc=new $,hl=class{constructor(e=new $,t=new $(0,0,-1)){this.origin=e,this.direction=t}set(e,t){return this.origin.copy(e),this.direction.copy(t),this}copy(e){return this.origin.copy(e.origin),this.direction.copy(e.direction),this}at(e,t){return t.copy(this.origin).addScaledVector(this.direction,e)}lookAt(e){return this.direction.copy(e).sub(this.origin).normalize(),this}recast(e){return this.origin.copy(this.at(e,js)),this}closestPointToPoint(e,t){t.subVectors(e,this.origin);let i=t.dot(this.direction);return i<0?t.copy(this.origin):t.copy(this.origin).addScaledVector(this.direction,i)}distanceToPoint(e){return Math.sqrt(this.distanceSqToPoint(e))}distanceSqToPoint(e){let t=js.subVectors(e,this.origin).dot(this.direction);return t<0?this.origin.distanceToSquared(e):(js.copy(this.origin).addScaledVector(this.direction,t),js.distanceToSquared(e))}distanceSqToSegment(e,t,i,s){np.copy(e).add(t).multiplyScalar(.5),Hc.copy(t).sub(e).normalize(),Wc.copy(this.origin).sub(np);let r=e.distanceTo(t)*.5,o=-this.direction.dot(Hc),a=Wc.dot(this.direction),l=-Wc.dot(Hc),c=Wc.lengthSq(),u=Math.abs(1-o*o),d,h,p,m;if(u>0)if(d=o*l-a,h=o*a-l,m=r*u,d>=0)if(h>=-m)if(h<=m){let v=1/u;d*=v,h*=v,p=d*(d+o*h+2*a)+h*(o*d+h+2*l)+c}else h=r,d=Math.max(0,-(o*h+a)),p=-d*d+h*(h+2*l)+c;else h=-r,d=Math.max(0,-(o*h+a)),p=-d*d+h*(h+2*l)+c;else h<=-m?(d=Math.max(0,-(-o*r+a)),h=d>0?-r:Math.min(Math.max(-r,-l),r),p=-d*d+h*(h+2*l)+c):h<=m?(d=0,h=Math.min(Math.max(-r,-l),r),p=h*(h+2*l)+c):(d=Math.max(0,-(o*r+a)),h=d>0?r:Math.min(Math.max(-r,-l),r),p=-d*d+h*(h+2*l)+c);else h=o>0?-r:r,d=Math.max(0,-(o*h+a)),p=-d*d+h*(h+2*l)+c;return i&&i.copy(this.origin).addScaledVector(this.direction,d),s&&s.copy(np).addScaledVector(Hc,h),p}intersectSphere(e,t){if(e.radius<0)return null;js.subVectors(e.center,this.origin);let i=js.dot(this.direction),s=js.dot(js)-i*i,r=e.radius*e.radius;if(s>r)return null;let o=Math.sqrt(r-s),a=i-o,l=i+o;return l<0?null:a<0?this.at(l,t):this.at(a,t)}intersectsSphere(e){return e.radius<0?!1:this.distanceSqToPoint(e.center)<=e.radius*e.radius}distanceToPlane(e){let t=e.normal.dot(this.direction);if(t===0)return e.distanceToPoint(this.origin)===0?0:null;let i=-(this.origin.dot(e.normal)+e.constant)/t;return i>=0?i:null}intersectPlane(e,t){let i=this.distanceToPlane(e);return i===null?null:this.at(i,t)}intersectsPlane(e){let t=e.distanceToPoint(this.origin);return t===0||e.normal.dot(this.direction)*t<0}intersectBox(e,t){let i,s,r,o,a,l,c=1/this.direction.x,u=1/this.direction.y,d=1/this.direction.z,h=this.origin;return c>=0?(i=(e.min.x-h.x)*c,s=(e.max.x-h.x)*c):(i=(e.max.x-h.x)*c,s=(e.min.x-h.x)*c),u>=0?(r=(e.min.y-h.y)*u,o=(e.max.y-h.y)*u):(r=(e.max.y-h.y)*u,o=(e.min.y-h.y)*u),i>o||r>s||((r>i||isNaN(i))&&(i=r),(o<s||isNaN(s))&&(s=o),d>=0?(a=(e.min.z-h.z)*d,l=(e.max.z-h.z)*d):(a=(e.max.z-h.z)*d,l=(e.min.z-h.z)*d),i>l||a>s)||((a>i||i!==i)&&(i=a),(l<s||s!==s)&&(s=l),s<0)?null:this.at(i>=0?i:s,t)}intersectsBox(e){return this.intersectBox(e,js)!==null}intersectTriangle(e,t,i,s,r){let o=this.origin,a=this.direction,l=a.x,c=a.y,u=a.z,d=e.x-o.x,h=e.y-o.y,p=e.z-o.z,m=t.x-o.x,v=t.y-o.y,_=t.z-o.z,g=i.x-o.x,y=i.y-o.y,E=i.z-o.z,M=Math.abs(l),I=Math.abs(c),C=Math.abs(u),b,A,H,F,D,G,V,N,W,Z,z,ue;if(M>=I&&M>=C?(H=l,G=d,W=m,ue=g,l>=0?(b=c,A=u,F=h,D=p,V=v,N=_,Z=y,z=E):(b=u,A=c,F=p,D=h,V=_,N=v,Z=E,z=y)):I>=C?(H=c,G=h,W=v,ue=y,c>=0?(b=u,A=l,F=p,D=d,V=_,N=m,Z=E,z=g):(b=l,A=u,F=d,D=p,V=m,N=_,Z=g,z=E)):(H=u,G=p,W=_,ue=E,u>=0?(b=l,A=c,F=d,D=h,V=m,N=v,Z=g,z=y):(b=c,A=l,F=h,D=d,V=v,N=m,Z=y,z=g)),H===0)return null;let K=b/H,Q=A/H,se=1/H,fe=F-K*G,de=D-Q*G,ee=V-K*W,ge=N-Q*W,ye=Z-K*ue,Ce=z-Q*ue,Me=ye*ge-Ce*ee,$e=fe*Ce-de*ye,lt=ee*de-ge*fe;if(s){if(Me<0||$e<0||lt<0)return null}else if((Me<0||$e<0||lt<0)&&(Me>0||$e>0||lt>0))return null;let He=Me+$e+lt;if(He===0)return null;let _t=se*(Me*G+$e*W+lt*ue);return(He>0?_t<0:_t>0)?null:this.at(_t/He,r)}applyMatrix4(e){return this.origin.applyMatrix4(e),this.direction.transformDirection(e),this}equals(e){return e.origin.equals(this.origin)&&e.direction.equals(this.direction)}clone(){return new this.constructor().copy(this)}},Su=class extends Ar{constructor(e){super(),this.isMeshBasicMaterial=!0,this.type="MeshBasicMaterial",this.color=new Rt(16777215),this.map=null,this.lightMap=null,this.lightMapIntensity=1,this.aoMap=null,this.aoMapIntensity=1,this.specularMap=null,this.alphaMap=null,this.envMap=null,this.envMapRotation=new wr,this.combine=xp,this.reflectivity=1,this.refractionRatio=.98,this.wireframe=!1,this.wireframeLinewidth=1,this.wireframeLinecap="round",this.wireframeLinejoin="round",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.lightMap=e.lightMap,this.lightMapIntensity=e.lightMapIntensity,this.aoMap=e.aoMap,this.aoMapIntensity=e.aoMapIntensity,this.specularMap=e.specularMap,this.alphaMap=e.alphaMap,this.envMap=e.envMap,this.envMapRotation.copy(e.envMapRotation),this.combine=e.combine,this.reflectivity=e.reflectivity,this.refractionRatio=e.refractionRatio,this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.wireframeLinecap=e.wireframeLinecap,this.wireframeLinejoin=e.wireframeLinejoin,this.fog=e.fog,this}},ax=new Yt,$r=new hl,Xc=new Zr,lx=new $,$c=new $,qc=new $,Yc=new $,ip=new $,Jc=new $,cx=new $,Zc=new $,Hn=class extends Pi{constructor(e=new Ji,t=new Su){super(),this.isMesh=!0,this.type="Mesh",this.geometry=e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.count=1,this.updateMorphTargets()}copy(e,t){return super.copy(e,t),e.morphTargetInfluences!==void 0?this.morphTargetInfluences=e.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,e.morphTargetDictionary!==void 0?this.morphTargetDictionary=Object.assign({},e.morphTargetDictionary):this.morphTargetDictionary=void 0,this.material=Array.isArray(e.material)?e.material.slice():e.material,this.geometry=e.geometry,this}updateMorphTargets(){let t=this.geometry.morphAttributes,i=Object.keys(t);if(i.length>0){let s=t[i[0]];if(s!==void 0){this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=r}}}}getVertexPosition(e,t){let i=this.geometry,s=i.attributes.position,r=i.morphAttributes.position,o=i.morphTargetsRelative;t.fromBufferAttribute(s,e);let a=this.morphTargetInfluences;if(r&&a){Jc.set(0,0,0);for(let l=0,c=r.length;l<c;l++){let u=a[l],d=r[l];u!==0&&(ip.fromBufferAttribute(d,e),o?Jc.addScaledVector(ip,u):Jc.addScaledVector(ip.sub(t),u))}t.add(Jc)}return t}intersectsFrustum(e){return e.intersectsObject(this)}raycast(e,t){let i=this.geometry,s=this.material,r=this.matrixWorld;s!==void 0&&(i.boundingSphere===null&&i.computeBoundingSphere(),Xc.copy(i.boundingSphere),Xc.applyMatrix4(r),$r.copy(e.ray).recast(e.near),!(Xc.containsPoint($r.origin)===!1&&($r.intersectSphere(Xc,lx)===null||$r.origin.distanceToSquared(lx)>(e.far-e.near)**2))&&(ax.copy(r).invert(),$r.copy(e.ray).applyMatrix4(ax),!(i.boundingBox!==null&&$r.intersectsBox(i.boundingBox)===!1)&&this._computeIntersections(e,t,$r)))}_computeIntersections(e,t,i){let s,r=this.geometry,o=this.material,a=r.index,l=r.attributes.position,c=r.attributes.uv,u=r.attributes.uv1,d=r.attributes.normal,h=r.groups,p=r.drawRange;if(a!==null)if(Array.isArray(o))for(let m=0,v=h.length;m<v;m++){let _=h[m],g=o[_.materialIndex],y=Math.max(_.start,p.start),E=Math.min(a.count,Math.min(_.start+_.count,p.start+p.count));for(let M=y,I=E;M<I;M+=3){let C=a.getX(M),b=a.getX(M+1),A=a.getX(M+2);s=Kc(this,g,e,i,c,u,d,C,b,A),s&&(s.faceIndex=Math.floor(M/3),s.face.materialIndex=_.materialIndex,t.push(s))}}else{let m=Math.max(0,p.start),v=Math.min(a.count,p.start+p.count);for(let _=m,g=v;_<g;_+=3){let y=a.getX(_),E=a.getX(_+1),M=a.getX(_+2);s=Kc(this,o,e,i,c,u,d,y,E,M),s&&(s.faceIndex=Math.floor(_/3),t.push(s))}}else if(l!==void 0)if(Array.isArray(o))for(let m=0,v=h.length;m<v;m++){let _=h[m],g=o[_.materialIndex],y=Math.max(_.start,p.start),E=Math.min(l.count,Math.min(_.start+_.count,p.start+p.count));for(let M=y,I=E;M<I;M+=3){let C=M,b=M+1,A=M+2;s=Kc(this,g,e,i,c,u,d,C,b,A),s&&(s.faceIndex=Math.floor(M/3),s.face.materialIndex=_.materialIndex,t.push(s))}}else{let m=Math.max(0,p.start),v=Math.min(l.count,p.start+p.count);for(let _=m,g=v;_<g;_+=3){let y=_,E=_+1,M=_+2;s=Kc(this,o,e,i,c,u,d,y,E,M),s&&(s.faceIndex=Math.floor(_/3),t.push(s))}}}};function b1(n,e,t,i,s,r,o,a){let l;if(e.side===ai?l=i.intersectTriangle(o,r,s,!0,a):l=i.intersectTriangle(s,r,o,e.side===Ir,a),l===null)return null;Zc.copy(a),Zc.applyMatrix4(n.matrixWorld);let c=t.ray.origin.distanceTo(Zc);return c<t.near||c>t.far?null:{distance:c,point:Zc.clone(),object:n}}function Kc(n,e,t,i,s,r,o,a,l,c){n.getVertexPosition(a,$c),n.getVertexPosition(l,qc),n.getVertexPosition(c,Yc);let u=b1(n,e,t,i,$c,qc,Yc,cx);if(u){let d=new $;Rs.getBarycoord(cx,$c,qc,Yc,d),s&&(u.uv=Rs.getInterpolatedAttribute(s,a,l,c,d,new Ct)),r&&(u.uv1=Rs.getInterpolatedAttribute(r,a,l,c,d,new Ct)),o&&(u.normal=Rs.getInterpolatedAttribute(o,a,l,c,d,new $),u.normal.dot(i.direction)>0&&u.normal.multiplyScalar(-1));let h={a,b:l,c,normal:new $,materialIndex:0};Rs.getNormal($c,qc,Yc,h.normal),u.face=h,u.barycoord=d}return u}var ra=class extends di{constructor(e=null,t=1,i=1,s,r,o,a,l,c=Bn,u=Bn,d,h){super(null,o,a,l,c,u,s,r,d,h),this.isDataTexture=!0,this.image={data:e,width:t,height:i},this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}};var Er=class extends dn{constructor(e,t,i,s=1){super(e,t,i),this.isInstancedBufferAttribute=!0,this.meshPerAttribute=s}copy(e){return super.copy(e),this.meshPerAttribute=e.meshPerAttribute,this}toJSON(){let e=super.toJSON();return e.meshPerAttribute=this.meshPerAttribute,e.isInstancedBufferAttribute=!0,e}};var qr=new Zr,S1=new Ct(.5,.5),jc=new $,jr=class{constructor(e=new Ei,t=new Ei,i=new Ei,s=new Ei,r=new Ei,o=new Ei){this.planes=[e,t,i,s,r,o]}set(e,t,i,s,r,o){let a=this.planes;return a[0].copy(e),a[1].copy(t),a[2].copy(i),a[3].copy(s),a[4].copy(r),a[5].copy(o),this}copy(e){let t=this.planes;for(let i=0;i<6;i++)t[i].copy(e.planes[i]);return this}setFromProjectionMatrix(e,t=Yi,i=!1){let s=this.planes,r=e.elements,o=r[0],a=r[1],l=r[2],c=r[3],u=r[4],d=r[5],h=r[6],p=r[7],m=r[8],v=r[9],_=r[10],g=r[11],y=r[12],E=r[13],M=r[14],I=r[15];if(s[0].setComponents(c-o,p-u,g-m,I-y).normalize(),s[1].setComponents(c+o,p+u,g+m,I+y).normalize(),s[2].setComponents(c+a,p+d,g+v,I+E).normalize(),s[3].setComponents(c-a,p-d,g-v,I-E).normalize(),i)s[4].setComponents(l,h,_,M).normalize(),s[5].setComponents(c-l,p-h,g-_,I-M).normalize();else if(s[4].setComponents(c-l,p-h,g-_,I-M).normalize(),t===Yi)s[5].setComponents(c+l,p+h,g+_,I+M).normalize();else if(t===il)s[5].setComponents(l,h,_,M).normalize();else throw new Error("THREE.Frustum.setFromProjectionMatrix(): Invalid coordinate system: "+t);return this}intersectsObject(e){if(e.boundingSphere!==void 0)e.boundingSphere===null&&e.computeBoundingSphere(),qr.copy(e.boundingSphere).applyMatrix4(e.matrixWorld);else{let t=e.geometry;t.boundingSphere===null&&t.computeBoundingSphere(),qr.copy(t.boundingSphere).applyMatrix4(e.matrixWorld)}return this.intersectsSphere(qr)}intersectsSprite(e){qr.center.set(0,0,0);let t=S1.distanceTo(e.center);return qr.radius=.7071067811865476+t,qr.applyMatrix4(e.matrixWorld),this.intersectsSphere(qr)}intersectsSphere(e){let t=this.planes,i=e.center,s=-e.radius;for(let r=0;r<6;r++)if(t[r].distanceToPoint(i)<s)return!1;return!0}intersectsBox(e){let t=this.planes;for(let i=0;i<6;i++){let s=t[i];if(jc.x=s.normal.x>0?e.max.x:e.min.x,jc.y=s.normal.y>0?e.max.y:e.min.y,jc.z=s.normal.z>0?e.max.z:e.min.z,s.distanceToPoint(jc)<0)return!1}return!0}containsPoint(e){let t=this.planes;for(let i=0;i<6;i++)if(t[i].distanceToPoint(e)<0)return!1;return!0}clone(){return new this.constructor().copy(this)}},ux=new Yt,Mu=class n{constructor(){this.coordinateSystem=Yi,this._frustums=[],this._count=0}setFromArrayCamera(e){let t=e.cameras,i=this._frustums;for(let s=0;s<t.length;s++){let r=t[s];ux.multiplyMatrices(r.projectionMatrix,r.matrixWorldInverse),i[s]===void 0&&(i[s]=new jr),i[s].setFromProjectionMatrix(ux,r.coordinateSystem,r.reversedDepth)}return this._count=t.length,this}getFrustum(e){return this._frustums[e]}intersectsObject(e){let t=this._frustums;for(let i=0;i<this._count;i++)if(t[i].intersectsObject(e))return!0;return!1}intersectsSprite(e){let t=this._frustums;for(let i=0;i<this._count;i++)if(t[i].intersectsSprite(e))return!0;return!1}intersectsSphere(e){let t=this._frustums;for(let i=0;i<this._count;i++)if(t[i].intersectsSphere(e))return!0;return!1}intersectsBox(e){let t=this._frustums;for(let i=0;i<this._count;i++)if(t[i].intersectsBox(e))return!0;return!1}containsPoint(e){let t=this._frustums;for(let i=0;i<this._count;i++)if(t[i].containsPoint(e))return!0;return!1}copy(e){this.coordinateSystem=e.coordinateSystem;let t=this._frustums,i=e._frustums;for(let s=0;s<e._count;s++)t[s]===void 0&&(t[s]=new jr),t[s].copy(i[s]);return this._count=e._count,this}clone(){return new n().copy(this)}};var wu=class extends Ar{constructor(e){super(),this.isLineBasicMaterial=!0,this.type="LineBasicMaterial",this.color=new Rt(16777215),this.map=null,this.linewidth=1,this.linecap="round",this.linejoin="round",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.linewidth=e.linewidth,this.linecap=e.linecap,this.linejoin=e.linejoin,this.fog=e.fog,this}},Tu=new $,Au=new $,hx=new Yt,Qa=new hl,Qc=new Zr,sp=new $,dx=new $,Eu=class extends Pi{constructor(e=new Ji,t=new wu){super(),this.isLine=!0,this.type="Line",this.geometry=e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.updateMorphTargets()}copy(e,t){return super.copy(e,t),e.morphTargetInfluences!==void 0?this.morphTargetInfluences=e.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,e.morphTargetDictionary!==void 0?this.morphTargetDictionary=Object.assign({},e.morphTargetDictionary):this.morphTargetDictionary=void 0,this.material=Array.isArray(e.material)?e.material.slice():e.material,this.geometry=e.geometry,this}computeLineDistances(){let e=this.geometry;if(e.index===null){let t=e.attributes.position,i=[0];for(let s=1,r=t.count;s<r;s++)Tu.fromBufferAttribute(t,s-1),Au.fromBufferAttribute(t,s),i[s]=i[s-1],i[s]+=Tu.distanceTo(Au);e.setAttribute("lineDistance",new hi(i,1))}else Ze("Line.computeLineDistances(): Computation only possible with non-indexed BufferGeometry.");return this}intersectsFrustum(e){return e.intersectsObject(this)}raycast(e,t){let i=this.geometry,s=this.matrixWorld,r=e.params.Line.threshold,o=i.drawRange;if(i.boundingSphere===null&&i.computeBoundingSphere(),Qc.copy(i.boundingSphere),Qc.applyMatrix4(s),Qc.radius+=r,e.ray.intersectsSphere(Qc)===!1)return;hx.copy(s).invert(),Qa.copy(e.ray).applyMatrix4(hx);let a=r/((this.scale.x+this.scale.y+this.scale.z)/3),l=a*a,c=this.isLineSegments?2:1,u=i.index,h=i.attributes.position;if(u!==null){let p=Math.max(0,o.start),m=Math.min(u.count,o.start+o.count);for(let v=p,_=m-1;v<_;v+=c){let g=u.getX(v),y=u.getX(v+1),E=eu(this,e,Qa,l,g,y,v);E&&t.push(E)}if(this.isLineLoop){let v=u.getX(m-1),_=u.getX(p),g=eu(this,e,Qa,l,v,_,m-1);g&&t.push(g)}}else{let p=Math.max(0,o.start),m=Math.min(h.count,o.start+o.count);for(let v=p,_=m-1;v<_;v+=c){let g=eu(this,e,Qa,l,v,v+1,v);g&&t.push(g)}if(this.isLineLoop){let v=eu(this,e,Qa,l,m-1,p,m-1);v&&t.push(v)}}}updateMorphTargets(){let t=this.geometry.morphAttributes,i=Object.keys(t);if(i.length>0){let s=t[i[0]];if(s!==void 0){this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=r}}}}};function eu(n,e,t,i,s,r,o){let a=n.geometry.attributes.position;if(Tu.fromBufferAttribute(a,s),Au.fromBufferAttribute(a,r),t.distanceSqToSegment(Tu,Au,sp,dx)>i)return;sp.applyMatrix4(n.matrixWorld);let c=e.ray.origin.distanceTo(sp);if(!(c<e.near||c>e.far))return{distance:c,point:dx.clone().applyMatrix4(n.matrixWorld),index:o,face:null,faceIndex:null,barycoord:null,object:n}}var fx=new $,px=new $,dl=class extends Eu{constructor(e,t){super(e,t),this.isLineSegments=!0,this.type="LineSegments"}computeLineDistances(){let e=this.geometry;if(e.index===null){let t=e.attributes.position,i=[];for(let s=0,r=t.count;s<r;s+=2)fx.fromBufferAttribute(t,s),px.fromBufferAttribute(t,s+1),i[s]=s===0?0:i[s-1],i[s+1]=i[s]+fx.distanceTo(px);e.setAttribute("lineDistance",new hi(i,1))}else Ze("LineSegments.computeLineDistances(): Computation only possible with non-indexed BufferGeometry.");return this}};var fl=class extends di{constructor(e=[],t=io,i,s,r,o,a,l,c,u){super(e,t,i,s,r,o,a,l,c,u),this.isCubeTexture=!0,this.flipY=!1}get images(){return this.image}set images(e){this.image=e}};var tr=class extends di{constructor(e,t,i=ds,s,r,o,a=Bn,l=Bn,c,u=er,d=1){if(u!==er&&u!==ir)throw new Error("THREE.DepthTexture: format must be either THREE.DepthFormat or THREE.DepthStencilFormat");let h={width:e,height:t,depth:d};super(h,s,r,o,a,l,u,i,c),this.isDepthTexture=!0,this.flipY=!1,this.generateMipmaps=!1,this.compareFunction=null}copy(e){return super.copy(e),this.source=new ia(Object.assign({},e.image)),this.compareFunction=e.compareFunction,this}toJSON(e){let t=super.toJSON(e);return t.compareFunction=this.compareFunction,t}},pl=class extends tr{constructor(e,t=ds,i=io,s,r,o=Bn,a=Bn,l,c=er){let u={width:e,height:e,depth:1},d=[u,u,u,u,u,u];super(e,e,t,i,s,r,o,a,l,c),this.image=d,this.isCubeDepthTexture=!0,this.isCubeTexture=!0}get images(){return this.image}set images(e){this.image=e}},ml=class extends di{constructor(e=null){super(),this.sourceTexture=e,this.isExternalTexture=!0}copy(e){return super.copy(e),this.sourceTexture=e.sourceTexture,this}},oa=class n extends Ji{constructor(e=1,t=1,i=1,s=1,r=1,o=1){super(),this.type="BoxGeometry",this.parameters={width:e,height:t,depth:i,widthSegments:s,heightSegments:r,depthSegments:o};let a=this;s=Math.floor(s),r=Math.floor(r),o=Math.floor(o);let l=[],c=[],u=[],d=[],h=0,p=0;m("z","y","x",-1,-1,i,t,e,o,r,0),m("z","y","x",1,-1,i,t,-e,o,r,1),m("x","z","y",1,1,e,i,t,s,o,2),m("x","z","y",1,-1,e,i,-t,s,o,3),m("x","y","z",1,-1,e,t,i,s,r,4),m("x","y","z",-1,-1,e,t,-i,s,r,5),this.setIndex(l),this.setAttribute("position",new hi(c,3)),this.setAttribute("normal",new hi(u,3)),this.setAttribute("uv",new hi(d,2));function m(v,_,g,y,E,M,I,C,b,A,H){let F=M/b,D=I/A,G=M/2,V=I/2,N=C/2,W=b+1,Z=A+1,z=0,ue=0,K=new $;for(let Q=0;Q<Z;Q++){let se=Q*D-V;for(let fe=0;fe<W;fe++){let de=fe*F-G;K[v]=de*y,K[_]=se*E,K[g]=N,c.push(K.x,K.y,K.z),K[v]=0,K[_]=0,K[g]=C>0?1:-1,u.push(K.x,K.y,K.z),d.push(fe/b),d.push(1-Q/A),z+=1}}for(let Q=0;Q<A;Q++)for(let se=0;se<b;se++){let fe=h+se+W*Q,de=h+se+W*(Q+1),ee=h+(se+1)+W*(Q+1),ge=h+(se+1)+W*Q;l.push(fe,de,ge),l.push(de,ee,ge),ue+=6}a.addGroup(p,ue,H),p+=ue,h+=z}}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new n(e.width,e.height,e.depth,e.widthSegments,e.heightSegments,e.depthSegments)}};var gl=class n extends Ji{constructor(e=1,t=1,i=1,s=1){super(),this.type="PlaneGeometry",this.parameters={width:e,height:t,widthSegments:i,heightSegments:s};let r=e/2,o=t/2,a=Math.floor(i),l=Math.floor(s),c=a+1,u=l+1,d=e/a,h=t/l,p=[],m=[],v=[],_=[];for(let g=0;g<u;g++){let y=g*h-o;for(let E=0;E<c;E++){let M=E*d-r;m.push(M,-y,0),v.push(0,0,1),_.push(E/a),_.push(1-g/l)}}for(let g=0;g<l;g++)for(let y=0;y<a;y++){let E=y+c*g,M=y+c*(g+1),I=y+1+c*(g+1),C=y+1+c*g;p.push(E,M,C),p.push(M,I,C)}this.setIndex(p),this.setAttribute("position",new hi(m,3)),this.setAttribute("normal",new hi(v,3)),this.setAttribute("uv",new hi(_,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new n(e.width,e.height,e.widthSegments,e.heightSegments)}};function ao(n){let e={};for(let t in n){e[t]={};for(let i in n[t]){let s=n[t][i];if(mx(s))s.isRenderTargetTexture?(Ze("UniformsUtils: Textures of render targets cannot be cloned via cloneUniforms() or mergeUniforms()."),e[t][i]=null):e[t][i]=s.clone();else if(Array.isArray(s))if(mx(s[0])){let r=[];for(let o=0,a=s.length;o<a;o++)r[o]=s[o].clone();e[t][i]=r}else e[t][i]=s.slice();else e[t][i]=s}}return e}function Jn(n){let e={};for(let t=0;t<n.length;t++){let i=ao(n[t]);for(let s in i)e[s]=i[s]}return e}function mx(n){return n&&(n.isColor||n.isMatrix3||n.isMatrix4||n.isVector2||n.isVector3||n.isVector4||n.isTexture||n.isQuaternion)}function M1(n){let e=[];for(let t=0;t<n.length;t++)e.push(n[t].clone());return e}function Bp(n){let e=n.getRenderTarget();return e===null?n.outputColorSpace:e.isXRRenderTarget===!0?e.texture.colorSpace:bt.workingColorSpace}var ay={clone:ao,merge:Jn},w1=`void main() {
+	gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
+}`,T1=`void main() {
+	gl_FragColor = vec4( 1.0, 0.0, 0.0, 1.0 );
+}`,Ds=class extends Ar{constructor(e){super(),this.isShaderMaterial=!0,this.type="ShaderMaterial",this.defines={},this.uniforms={},this.uniformsGroups=[],this.vertexShader=w1,this.fragmentShader=T1,this.linewidth=1,this.wireframe=!1,this.wireframeLinewidth=1,this.fog=!1,this.lights=!1,this.clipping=!1,this.forceSinglePass=!0,this.extensions={clipCullDistance:!1,multiDraw:!1},this.defaultAttributeValues={color:[1,1,1],uv:[0,0],uv1:[0,0]},this.index0AttributeName=void 0,this.uniformsNeedUpdate=!1,this.glslVersion=null,e!==void 0&&this.setValues(e)}copy(e){return super.copy(e),this.fragmentShader=e.fragmentShader,this.vertexShader=e.vertexShader,this.uniforms=ao(e.uniforms),this.uniformsGroups=M1(e.uniformsGroups),this.defines=Object.assign({},e.defines),this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.fog=e.fog,this.lights=e.lights,this.clipping=e.clipping,this.extensions=Object.assign({},e.extensions),this.glslVersion=e.glslVersion,this.defaultAttributeValues=Object.assign({},e.defaultAttributeValues),this.index0AttributeName=e.index0AttributeName,this.uniformsNeedUpdate=e.uniformsNeedUpdate,this}toJSON(e){let t=super.toJSON(e);t.glslVersion=this.glslVersion,t.uniforms={};for(let s in this.uniforms){let o=this.uniforms[s].value;o&&o.isTexture?t.uniforms[s]={type:"t",value:o.toJSON(e).uuid}:o&&o.isColor?t.uniforms[s]={type:"c",value:o.getHex()}:o&&o.isVector2?t.uniforms[s]={type:"v2",value:o.toArray()}:o&&o.isVector3?t.uniforms[s]={type:"v3",value:o.toArray()}:o&&o.isVector4?t.uniforms[s]={type:"v4",value:o.toArray()}:o&&o.isMatrix3?t.uniforms[s]={type:"m3",value:o.toArray()}:o&&o.isMatrix4?t.uniforms[s]={type:"m4",value:o.toArray()}:t.uniforms[s]={value:o}}Object.keys(this.defines).length>0&&(t.defines=this.defines),t.vertexShader=this.vertexShader,t.fragmentShader=this.fragmentShader,t.lights=this.lights,t.clipping=this.clipping;let i={};for(let s in this.extensions)this.extensions[s]===!0&&(i[s]=!0);return Object.keys(i).length>0&&(t.extensions=i),t}fromJSON(e,t){if(super.fromJSON(e,t),e.uniforms!==void 0)for(let i in e.uniforms){let s=e.uniforms[i];switch(this.uniforms[i]={},s.type){case"t":this.uniforms[i].value=t[s.value]||null;break;case"c":this.uniforms[i].value=new Rt().setHex(s.value);break;case"v2":this.uniforms[i].value=new Ct().fromArray(s.value);break;case"v3":this.uniforms[i].value=new $().fromArray(s.value);break;case"v4":this.uniforms[i].value=new on().fromArray(s.value);break;case"m3":this.uniforms[i].value=new st().fromArray(s.value);break;case"m4":this.uniforms[i].value=new Yt().fromArray(s.value);break;default:this.uniforms[i].value=s.value}}if(e.defines!==void 0&&(this.defines=e.defines),e.vertexShader!==void 0&&(this.vertexShader=e.vertexShader),e.fragmentShader!==void 0&&(this.fragmentShader=e.fragmentShader),e.glslVersion!==void 0&&(this.glslVersion=e.glslVersion),e.extensions!==void 0)for(let i in e.extensions)this.extensions[i]=e.extensions[i];return e.lights!==void 0&&(this.lights=e.lights),e.clipping!==void 0&&(this.clipping=e.clipping),this}},aa=class extends Ds{constructor(e){super(e),this.isRawShaderMaterial=!0,this.type="RawShaderMaterial"}};var Cu=class extends Ar{constructor(e){super(),this.isMeshDepthMaterial=!0,this.type="MeshDepthMaterial",this.depthPacking=Xx,this.map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.wireframe=!1,this.wireframeLinewidth=1,this.setValues(e)}copy(e){return super.copy(e),this.depthPacking=e.depthPacking,this.map=e.map,this.alphaMap=e.alphaMap,this.displacementMap=e.displacementMap,this.displacementScale=e.displacementScale,this.displacementBias=e.displacementBias,this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this}},Ru=class extends Ar{constructor(e){super(),this.isMeshDistanceMaterial=!0,this.type="MeshDistanceMaterial",this.map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.setValues(e)}copy(e){return super.copy(e),this.map=e.map,this.alphaMap=e.alphaMap,this.displacementMap=e.displacementMap,this.displacementScale=e.displacementScale,this.displacementBias=e.displacementBias,this}};function Jo(n,e){return!n||n.constructor===e?n:typeof e.BYTES_PER_ELEMENT=="number"?new e(n):Array.prototype.slice.call(n)}function tu(n){return n!==void 0&&n.inTangents!==void 0&&n.outTangents!==void 0}var Cr=class{constructor(e,t,i,s){this.parameterPositions=e,this._cachedIndex=0,this.resultBuffer=s!==void 0?s:new t.constructor(i),this.sampleValues=t,this.valueSize=i,this.settings=null,this.DefaultSettings_={}}evaluate(e){let t=this.parameterPositions,i=this._cachedIndex,s=t[i],r=t[i-1];e:{t:{let o;n:{i:if(!(e<s)){for(let a=i+2;;){if(s===void 0){if(e<r)break i;return i=t.length,this._cachedIndex=i,this.copySampleValue_(i-1)}if(i===a)break;if(r=s,s=t[++i],e<s)break t}o=t.length;break n}if(!(e>=r)){let a=t[1];e<a&&(i=2,r=a);for(let l=i-2;;){if(r===void 0)return this._cachedIndex=0,this.copySampleValue_(0);if(i===l)break;if(s=r,r=t[--i-1],e>=r)break t}o=i,i=0;break n}break e}for(;i<o;){let a=i+o>>>1;e<t[a]?o=a:i=a+1}if(s=t[i],r=t[i-1],r===void 0)return this._cachedIndex=0,this.copySampleValue_(0);if(s===void 0)return i=t.length,this._cachedIndex=i,this.copySampleValue_(i-1)}this._cachedIndex=i,this.intervalChanged_(i,r,s)}return this.interpolate_(i,r,e,s)}getSettings_(){return this.settings||this.DefaultSettings_}copySampleValue_(e){let t=this.resultBuffer,i=this.sampleValues,s=this.valueSize,r=e*s;for(let o=0;o!==s;++o)t[o]=i[r+o];return t}interpolate_(){throw new Error("THREE.Interpolant: Call to abstract method.")}intervalChanged_(){}},Pu=class extends Cr{constructor(e,t,i,s){super(e,t,i,s),this._weightPrev=-0,this._offsetPrev=-0,this._weightNext=-0,this._offsetNext=-0,this.DefaultSettings_={endingStart:ap,endingEnd:ap}}intervalChanged_(e,t,i){let s=this.parameterPositions,r=e-2,o=e+1,a=s[r],l=s[o];if(a===void 0)switch(this.getSettings_().endingStart){case lp:r=e,a=2*t-i;break;case cp:r=s.length-2,a=t+s[r]-s[r+1];break;default:r=e,a=i}if(l===void 0)switch(this.getSettings_().endingEnd){case lp:o=e,l=2*i-t;break;case cp:o=1,l=i+s[1]-s[0];break;default:o=e-1,l=t}let c=(i-t)*.5,u=this.valueSize;this._weightPrev=c/(t-a),this._weightNext=c/(l-i),this._offsetPrev=r*u,this._offsetNext=o*u}interpolate_(e,t,i,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,u=this._offsetPrev,d=this._offsetNext,h=this._weightPrev,p=this._weightNext,m=(i-t)/(s-t),v=m*m,_=v*m,g=-h*_+2*h*v-h*m,y=(1+h)*_+(-1.5-2*h)*v+(-.5+h)*m+1,E=(-1-p)*_+(1.5+p)*v+.5*m,M=p*_-p*v;for(let I=0;I!==a;++I)r[I]=g*o[u+I]+y*o[c+I]+E*o[l+I]+M*o[d+I];return r}},Iu=class extends Cr{constructor(e,t,i,s){super(e,t,i,s)}interpolate_(e,t,i,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,u=(i-t)/(s-t),d=1-u;for(let h=0;h!==a;++h)r[h]=o[c+h]*d+o[l+h]*u;return r}},Lu=class extends Cr{constructor(e,t,i,s){super(e,t,i,s)}interpolate_(e){return this.copySampleValue_(e-1)}},Du=class extends Cr{interpolate_(e,t,i,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,u=this.inTangents,d=this.outTangents;if(!u||!d){let m=(i-t)/(s-t),v=1-m;for(let _=0;_!==a;++_)r[_]=o[c+_]*v+o[l+_]*m;return r}let h=a*2,p=e-1;for(let m=0;m!==a;++m){let v=o[c+m],_=o[l+m],g=p*h+m*2,y=d[g],E=d[g+1],M=e*h+m*2,I=u[M],C=u[M+1],b=E1(i,t,y,I,s);r[m]=ly(b,v,E,C,_)}return r}};function ly(n,e,t,i,s){let r=1-n;return r*r*r*e+3*r*r*n*t+3*r*n*n*i+n*n*n*s}function A1(n,e,t,i,s){let r=1-n;return 3*r*r*(t-e)+6*r*n*(i-t)+3*n*n*(s-i)}function E1(n,e,t,i,s){let r=(n-e)/(s-e);for(let o=0;o<8;o++){let a=ly(r,e,t,i,s)-n;if(Math.abs(a)<1e-10)break;let l=A1(r,e,t,i,s);if(Math.abs(l)<1e-10)break;r=Math.max(0,Math.min(1,r-a/l))}return r}var Ii=class{constructor(e,t,i,s){if(e===void 0)throw new Error("THREE.KeyframeTrack: track name is undefined");if(t===void 0||t.length===0)throw new Error("THREE.KeyframeTrack: no keyframes in track named "+e);this.name=e,this.times=Jo(t,this.TimeBufferType),this.values=Jo(i,this.ValueBufferType),this.setInterpolation(s||this.DefaultInterpolation)}static toJSON(e){let t=e.constructor,i;if(t.toJSON!==this.toJSON)i=t.toJSON(e);else{i={name:e.name,times:Jo(e.times,Array),values:Jo(e.values,Array)};let s=e.getInterpolation();s!==e.DefaultInterpolation&&(i.interpolation=s),tu(e.settings)&&(i.settings={inTangents:Jo(e.settings.inTangents,Array),outTangents:Jo(e.settings.outTangents,Array)})}return i.type=e.ValueTypeName,i}InterpolantFactoryMethodDiscrete(e){return new Lu(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodLinear(e){return new Iu(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodSmooth(e){return new Pu(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodBezier(e){let t=new Du(this.times,this.values,this.getValueSize(),e);return this.settings&&(t.inTangents=this.settings.inTangents,t.outTangents=this.settings.outTangents),t}setInterpolation(e){let t;switch(e){case tl:t=this.InterpolantFactoryMethodDiscrete;break;case gu:t=this.InterpolantFactoryMethodLinear;break;case ru:t=this.InterpolantFactoryMethodSmooth;break;case op:t=this.InterpolantFactoryMethodBezier;break}if(t===void 0){let i="unsupported interpolation for "+this.ValueTypeName+" keyframe track named "+this.name;if(this.createInterpolant===void 0)if(e!==this.DefaultInterpolation)this.setInterpolation(this.DefaultInterpolation);else throw new Error(i);return Ze("KeyframeTrack:",i),this}return this.createInterpolant=t,this}getInterpolation(){switch(this.createInterpolant){case this.InterpolantFactoryMethodDiscrete:return tl;case this.InterpolantFactoryMethodLinear:return gu;case this.InterpolantFactoryMethodSmooth:return ru;case this.InterpolantFactoryMethodBezier:return op}}getValueSize(){return this.values.length/this.times.length}shift(e){if(e!==0){let t=this.times;for(let i=0,s=t.length;i!==s;++i)t[i]+=e;tu(this.settings)&&(gx(this.settings.inTangents,e),gx(this.settings.outTangents,e))}return this}scale(e){if(e!==1){let t=this.times;for(let i=0,s=t.length;i!==s;++i)t[i]*=e;tu(this.settings)&&(_x(this.settings.inTangents,e),_x(this.settings.outTangents,e))}return this}trim(e,t){let i=this.times,s=i.length,r=0,o=s-1;for(;r!==s&&i[r]<e;)++r;for(;o!==-1&&i[o]>t;)--o;if(++o,r!==0||o!==s){r>=o&&(o=Math.max(o,1),r=o-1);let a=this.getValueSize();this.times=i.slice(r,o),this.values=this.values.slice(r*a,o*a)}return this}validate(){let e=!0,t=this.getValueSize();t-Math.floor(t)!==0&&(it("KeyframeTrack: Invalid value size in track.",this),e=!1);let i=this.times,s=this.values,r=i.length;r===0&&(it("KeyframeTrack: Track is empty.",this),e=!1);let o=null;for(let a=0;a!==r;a++){let l=i[a];if(typeof l=="number"&&isNaN(l)){it("KeyframeTrack: Time is not a valid number.",this,a,l),e=!1;break}if(o!==null&&o>l){it("KeyframeTrack: Out of order keys.",this,a,l,o),e=!1;break}o=l}if(s!==void 0&&i1(s))for(let a=0,l=s.length;a!==l;++a){let c=s[a];if(isNaN(c)){it("KeyframeTrack: Value is not a valid number.",this,a,c),e=!1;break}}return e}optimize(){let e=this.times.slice(),t=this.values.slice(),i=this.getValueSize(),s=this.getInterpolation()===ru,r=e.length-1,o=1;for(let a=1;a<r;++a){let l=!1,c=e[a],u=e[a+1];if(c!==u&&(a!==1||c!==e[0]))if(s)l=!0;else{let d=a*i,h=d-i,p=d+i;for(let m=0;m!==i;++m){let v=t[d+m];if(v!==t[h+m]||v!==t[p+m]){l=!0;break}}}if(l){if(a!==o){e[o]=e[a];let d=a*i,h=o*i;for(let p=0;p!==i;++p)t[h+p]=t[d+p]}++o}}if(r>0){e[o]=e[r];for(let a=r*i,l=o*i,c=0;c!==i;++c)t[l+c]=t[a+c];++o}return o!==e.length?(this.times=e.slice(0,o),this.values=t.slice(0,o*i)):(this.times=e,this.values=t),this}clone(){let e=this.times.slice(),t=this.values.slice(),i=this.constructor,s=new i(this.name,e,t);return s.createInterpolant=this.createInterpolant,tu(this.settings)&&(s.settings={inTangents:this.settings.inTangents.slice(),outTangents:this.settings.outTangents.slice()}),s}};function gx(n,e){for(let t=0,i=n.length;t!==i;t+=2)n[t]+=e}function _x(n,e){for(let t=0,i=n.length;t!==i;t+=2)n[t]*=e}Ii.prototype.ValueTypeName="";Ii.prototype.TimeBufferType=Float32Array;Ii.prototype.ValueBufferType=Float32Array;Ii.prototype.DefaultInterpolation=gu;var Rr=class extends Ii{constructor(e,t,i){super(e,t,i)}};Rr.prototype.ValueTypeName="bool";Rr.prototype.ValueBufferType=Array;Rr.prototype.DefaultInterpolation=tl;Rr.prototype.InterpolantFactoryMethodLinear=void 0;Rr.prototype.InterpolantFactoryMethodSmooth=void 0;var Nu=class extends Ii{constructor(e,t,i,s){super(e,t,i,s)}};Nu.prototype.ValueTypeName="color";var Fu=class extends Ii{constructor(e,t,i,s){super(e,t,i,s)}};Fu.prototype.ValueTypeName="number";var Uu=class extends Cr{constructor(e,t,i,s){super(e,t,i,s)}interpolate_(e,t,i,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=(i-t)/(s-t),c=e*a;for(let u=c+a;c!==u;c+=4)Ls.slerpFlat(r,0,o,c-a,o,c,l);return r}},_l=class extends Ii{constructor(e,t,i,s){super(e,t,i,s)}InterpolantFactoryMethodLinear(e){return new Uu(this.times,this.values,this.getValueSize(),e)}};_l.prototype.ValueTypeName="quaternion";_l.prototype.InterpolantFactoryMethodSmooth=void 0;var Pr=class extends Ii{constructor(e,t,i){super(e,t,i)}};Pr.prototype.ValueTypeName="string";Pr.prototype.ValueBufferType=Array;Pr.prototype.DefaultInterpolation=tl;Pr.prototype.InterpolantFactoryMethodLinear=void 0;Pr.prototype.InterpolantFactoryMethodSmooth=void 0;var Ou=class extends Ii{constructor(e,t,i,s){super(e,t,i,s)}};Ou.prototype.ValueTypeName="vector";var ku=class{constructor(e,t,i){let s=this,r=!1,o=0,a=0,l,c=[];this.onStart=void 0,this.onLoad=e,this.onProgress=t,this.onError=i,this._abortController=null,this.itemStart=function(u){a++,r===!1&&s.onStart!==void 0&&s.onStart(u,o,a),r=!0},this.itemEnd=function(u){o++,s.onProgress!==void 0&&s.onProgress(u,o,a),o===a&&(r=!1,s.onLoad!==void 0&&s.onLoad())},this.itemError=function(u){s.onError!==void 0&&s.onError(u)},this.resolveURL=function(u){return u=u.normalize("NFC"),l?l(u):u},this.setURLModifier=function(u){return l=u,this},this.addHandler=function(u,d){return c.push(u,d),this},this.removeHandler=function(u){let d=c.indexOf(u);return d!==-1&&c.splice(d,2),this},this.getHandler=function(u){for(let d=0,h=c.length;d<h;d+=2){let p=c[d],m=c[d+1];if(p.global&&(p.lastIndex=0),p.test(u))return m}return null},this.abort=function(){return this.abortController.abort(),this._abortController=null,this}}get abortController(){return this._abortController||(this._abortController=new AbortController),this._abortController}},cy=new ku,Bu=class{constructor(e){this.manager=e!==void 0?e:cy,this.crossOrigin="anonymous",this.withCredentials=!1,this.path="",this.resourcePath="",this.requestHeader={},this.priority="auto",this.cache="default",typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}load(){}loadAsync(e,t){let i=this;return new Promise(function(s,r){i.load(e,s,t,r)})}parse(){}setCrossOrigin(e){return this.crossOrigin=e,this}setWithCredentials(e){return this.withCredentials=e,this}setPath(e){return this.path=e,this}setResourcePath(e){return this.resourcePath=e,this}setRequestHeader(e){return this.requestHeader=e,this}setPriority(e){return this.priority=e,this}setCache(e){return this.cache=e,this}abort(){return this}};Bu.DEFAULT_MATERIAL_NAME="__DEFAULT";var nu=new $,iu=new Ls,Cs=new $,Qr=class extends Pi{constructor(){super(),this.isCamera=!0,this.type="Camera",this.matrixWorldInverse=new Yt,this.projectionMatrix=new Yt,this.projectionMatrixInverse=new Yt,this.coordinateSystem=Yi,this._reversedDepth=!1}get reversedDepth(){return this._reversedDepth}copy(e,t){return super.copy(e,t),this.matrixWorldInverse.copy(e.matrixWorldInverse),this.projectionMatrix.copy(e.projectionMatrix),this.projectionMatrixInverse.copy(e.projectionMatrixInverse),this.coordinateSystem=e.coordinateSystem,this}getWorldDirection(e){return super.getWorldDirection(e).negate()}updateMatrixWorld(e){super.updateMatrixWorld(e),this.matrixWorld.decompose(nu,iu,Cs),Cs.x===1&&Cs.y===1&&Cs.z===1?this.matrixWorldInverse.copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(nu,iu,Cs.set(1,1,1)).invert()}updateWorldMatrix(e,t,i=!1){super.updateWorldMatrix(e,t,i),this.matrixWorld.decompose(nu,iu,Cs),Cs.x===1&&Cs.y===1&&Cs.z===1?this.matrixWorldInverse.copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(nu,iu,Cs.set(1,1,1)).invert()}clone(){return new this.constructor().copy(this)}},Mr=new $,xx=new Ct,yx=new Ct,Ci=class extends Qr{constructor(e=50,t=1,i=.1,s=2e3){super(),this.isPerspectiveCamera=!0,this.type="PerspectiveCamera",this.fov=e,this.zoom=1,this.near=i,this.far=s,this.focus=10,this.aspect=t,this.view=null,this.filmGauge=35,this.filmOffset=0,this.updateProjectionMatrix()}copy(e,t){return super.copy(e,t),this.fov=e.fov,this.zoom=e.zoom,this.near=e.near,this.far=e.far,this.focus=e.focus,this.aspect=e.aspect,this.view=e.view===null?null:Object.assign({},e.view),this.filmGauge=e.filmGauge,this.filmOffset=e.filmOffset,this}setFocalLength(e){let t=.5*this.getFilmHeight()/e;this.fov=_u*2*Math.atan(t),this.updateProjectionMatrix()}getFocalLength(){let e=Math.tan(Of*.5*this.fov);return .5*this.getFilmHeight()/e}getEffectiveFOV(){return _u*2*Math.atan(Math.tan(Of*.5*this.fov)/this.zoom)}getFilmWidth(){return this.filmGauge*Math.min(this.aspect,1)}getFilmHeight(){return this.filmGauge/Math.max(this.aspect,1)}getViewBounds(e,t,i){Mr.set(-1,-1,.5).applyMatrix4(this.projectionMatrixInverse),t.set(Mr.x,Mr.y).multiplyScalar(-e/Mr.z),Mr.set(1,1,.5).applyMatrix4(this.projectionMatrixInverse),i.set(Mr.x,Mr.y).multiplyScalar(-e/Mr.z)}getViewSize(e,t){return this.getViewBounds(e,xx,yx),t.subVectors(yx,xx)}setViewOffset(e,t,i,s,r,o){this.aspect=e/t,this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,offsetY:0,width:1,height:1}),this.view.enabled=!0,this.view.fullWidth=e,this.view.fullHeight=t,this.view.offsetX=i,this.view.offsetY=s,this.view.width=r,this.view.height=o,this.updateProjectionMatrix()}clearViewOffset(){this.view!==null&&(this.view.enabled=!1),this.updateProjectionMatrix()}updateProjectionMatrix(){let e=this.near,t=e*Math.tan(Of*.5*this.fov)/this.zoom,i=2*t,s=this.aspect*i,r=-.5*s,o=this.view;if(this.view!==null&&this.view.enabled){let l=o.fullWidth,c=o.fullHeight;r+=o.offsetX*s/l,t-=o.offsetY*i/c,s*=o.width/l,i*=o.height/c}let a=this.filmOffset;a!==0&&(r+=e*a/this.getFilmWidth()),this.projectionMatrix.makePerspective(r,r+s,t,t-i,e,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(e){let t=super.toJSON(e);return t.object.fov=this.fov,t.object.zoom=this.zoom,t.object.near=this.near,t.object.far=this.far,t.object.focus=this.focus,t.object.aspect=this.aspect,this.view!==null&&(t.object.view=Object.assign({},this.view)),t.object.filmGauge=this.filmGauge,t.object.filmOffset=this.filmOffset,t}};var Vu=class extends Qr{constructor(e=-1,t=1,i=1,s=-1,r=.1,o=2e3){super(),this.isOrthographicCamera=!0,this.type="OrthographicCamera",this.zoom=1,this.view=null,this.left=e,this.right=t,this.top=i,this.bottom=s,this.near=r,this.far=o,this.updateProjectionMatrix()}copy(e,t){return super.copy(e,t),this.left=e.left,this.right=e.right,this.top=e.top,this.bottom=e.bottom,this.near=e.near,this.far=e.far,this.zoom=e.zoom,this.view=e.view===null?null:Object.assign({},e.view),this}setViewOffset(e,t,i,s,r,o){this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,offsetY:0,width:1,height:1}),this.view.enabled=!0,this.view.fullWidth=e,this.view.fullHeight=t,this.view.offsetX=i,this.view.offsetY=s,this.view.width=r,this.view.height=o,this.updateProjectionMatrix()}clearViewOffset(){this.view!==null&&(this.view.enabled=!1),this.updateProjectionMatrix()}updateProjectionMatrix(){let e=(this.right-this.left)/(2*this.zoom),t=(this.top-this.bottom)/(2*this.zoom),i=(this.right+this.left)/2,s=(this.top+this.bottom)/2,r=i-e,o=i+e,a=s+t,l=s-t;if(this.view!==null&&this.view.enabled){let c=(this.right-this.left)/this.view.fullWidth/this.zoom,u=(this.top-this.bottom)/this.view.fullHeight/this.zoom;r+=c*this.view.offsetX,o=r+c*this.view.width,a-=u*this.view.offsetY,l=a-u*this.view.height}this.projectionMatrix.makeOrthographic(r,o,a,l,this.near,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(e){let t=super.toJSON(e);return t.object.zoom=this.zoom,t.object.left=this.left,t.object.right=this.right,t.object.top=this.top,t.object.bottom=this.bottom,t.object.near=this.near,t.object.far=this.far,this.view!==null&&(t.object.view=Object.assign({},this.view)),t}};var eo=class extends Ji{constructor(){super(),this.isInstancedBufferGeometry=!0,this.type="InstancedBufferGeometry",this.instanceCount=1/0}copy(e){return super.copy(e),this.instanceCount=e.instanceCount,this}toJSON(){let e=super.toJSON();return e.instanceCount=this.instanceCount,e.isInstancedBufferGeometry=!0,e}};var Zo=-90,Ko=1,la=class extends Pi{constructor(e,t,i){super(),this.type="CubeCamera",this.renderTarget=i,this.coordinateSystem=null,this.activeMipmapLevel=0;let s=new Ci(Zo,Ko,e,t);s.layers=this.layers,this.add(s);let r=new Ci(Zo,Ko,e,t);r.layers=this.layers,this.add(r);let o=new Ci(Zo,Ko,e,t);o.layers=this.layers,this.add(o);let a=new Ci(Zo,Ko,e,t);a.layers=this.layers,this.add(a);let l=new Ci(Zo,Ko,e,t);l.layers=this.layers,this.add(l);let c=new Ci(Zo,Ko,e,t);c.layers=this.layers,this.add(c)}updateCoordinateSystem(){let e=this.coordinateSystem,t=this.children.concat(),[i,s,r,o,a,l]=t;for(let c of t)this.remove(c);if(e===Yi)i.up.set(0,1,0),i.lookAt(1,0,0),s.up.set(0,1,0),s.lookAt(-1,0,0),r.up.set(0,0,-1),r.lookAt(0,1,0),o.up.set(0,0,1),o.lookAt(0,-1,0),a.up.set(0,1,0),a.lookAt(0,0,1),l.up.set(0,1,0),l.lookAt(0,0,-1);else if(e===il)i.up.set(0,-1,0),i.lookAt(-1,0,0),s.up.set(0,-1,0),s.lookAt(1,0,0),r.up.set(0,0,1),r.lookAt(0,1,0),o.up.set(0,0,-1),o.lookAt(0,-1,0),a.up.set(0,-1,0),a.lookAt(0,0,1),l.up.set(0,-1,0),l.lookAt(0,0,-1);else throw new Error("THREE.CubeCamera.updateCoordinateSystem(): Invalid coordinate system: "+e);for(let c of t)this.add(c),c.updateMatrixWorld()}update(e,t){this.parent===null&&this.updateMatrixWorld();let{renderTarget:i,activeMipmapLevel:s}=this;this.coordinateSystem!==e.coordinateSystem&&(this.coordinateSystem=e.coordinateSystem,this.updateCoordinateSystem());let[r,o,a,l,c,u]=this.children,d=e.getRenderTarget(),h=e.getActiveCubeFace(),p=e.getActiveMipmapLevel(),m=e.xr.enabled;e.xr.enabled=!1;let v=i.texture.mipmapsAutoUpdate;i.texture.mipmapsAutoUpdate=!1;let _=!1;e.isWebGLRenderer===!0?_=e.state.buffers.depth.getReversed():_=e.reversedDepthBuffer,e.setRenderTarget(i,0,s),_&&e.autoClear===!1&&e.clearDepth(),e.render(t,r),e.setRenderTarget(i,1,s),_&&e.autoClear===!1&&e.clearDepth(),e.render(t,o),e.setRenderTarget(i,2,s),_&&e.autoClear===!1&&e.clearDepth(),e.render(t,a),e.setRenderTarget(i,3,s),_&&e.autoClear===!1&&e.clearDepth(),e.render(t,l),e.setRenderTarget(i,4,s),_&&e.autoClear===!1&&e.clearDepth(),e.render(t,c),i.texture.mipmapsAutoUpdate=v,e.setRenderTarget(i,5,s),_&&e.autoClear===!1&&e.clearDepth(),e.render(t,u),e.setRenderTarget(d,h,p),e.xr.enabled=m,i.texture.needsPMREMUpdate=!0}},zu=class extends Ci{constructor(e=[]){super(),this.isArrayCamera=!0,this.isMultiViewCamera=!1,this.cameras=e,this.perCameraFrustumCulled=!1}};var Vp="\\[\\]\\.:\\/",C1=new RegExp("["+Vp+"]","g"),zp="[^"+Vp+"]",R1="[^"+Vp.replace("\\.","")+"]",P1=/((?:WC+[\/:])*)/.source.replace("WC",zp),I1=/(WCOD+)?/.source.replace("WCOD",R1),L1=/(?:\.(WC+)(?:\[(.+)\])?)?/.source.replace("WC",zp),D1=/\.(WC+)(?:\[(.+)\])?/.source.replace("WC",zp),N1=new RegExp("^"+P1+I1+L1+D1+"$"),F1=["material","materials","bones","map"],up=class{constructor(e,t,i){let s=i||en.parseTrackName(t);this._targetGroup=e,this._bindings=e.subscribe_(t,s)}getValue(e,t){this.bind();let i=this._targetGroup.nCachedObjects_,s=this._bindings[i];s!==void 0&&s.getValue(e,t)}setValue(e,t){let i=this._bindings;for(let s=this._targetGroup.nCachedObjects_,r=i.length;s!==r;++s)i[s].setValue(e,t)}bind(){let e=this._bindings;for(let t=this._targetGroup.nCachedObjects_,i=e.length;t!==i;++t)e[t].bind()}unbind(){let e=this._bindings;for(let t=this._targetGroup.nCachedObjects_,i=e.length;t!==i;++t)e[t].unbind()}},en=class n{constructor(e,t,i){this.path=t,this.parsedPath=i||n.parseTrackName(t),this.node=n.findNode(e,this.parsedPath.nodeName),this.rootNode=e,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}static create(e,t,i){return e&&e.isAnimationObjectGroup?new n.Composite(e,t,i):new n(e,t,i)}static sanitizeNodeName(e){return e.replace(/\s/g,"_").replace(C1,"")}static parseTrackName(e){let t=N1.exec(e);if(t===null)throw new Error("THREE.PropertyBinding: Cannot parse trackName: "+e);let i={nodeName:t[2],objectName:t[3],objectIndex:t[4],propertyName:t[5],propertyIndex:t[6]},s=i.nodeName&&i.nodeName.lastIndexOf(".");if(s!==void 0&&s!==-1){let r=i.nodeName.substring(s+1);F1.indexOf(r)!==-1&&(i.nodeName=i.nodeName.substring(0,s),i.objectName=r)}if(i.propertyName===null||i.propertyName.length===0)throw new Error("THREE.PropertyBinding: can not parse propertyName from trackName: "+e);return i}static findNode(e,t){if(t===void 0||t===""||t==="."||t===-1||t===e.name||t===e.uuid)return e;if(e.skeleton){let i=e.skeleton.getBoneByName(t);if(i!==void 0)return i}if(e.children){let i=function(r){for(let o=0;o<r.length;o++){let a=r[o];if(a.name===t||a.uuid===t)return a;let l=i(a.children);if(l)return l}return null},s=i(e.children);if(s)return s}return null}_getValue_unavailable(){}_setValue_unavailable(){}_getValue_direct(e,t){e[t]=this.targetObject[this.propertyName]}_getValue_array(e,t){let i=this.resolvedProperty;for(let s=0,r=i.length;s!==r;++s)e[t++]=i[s]}_getValue_arrayElement(e,t){e[t]=this.resolvedProperty[this.propertyIndex]}_getValue_toArray(e,t){this.resolvedProperty.toArray(e,t)}_setValue_direct(e,t){this.targetObject[this.propertyName]=e[t]}_setValue_direct_setNeedsUpdate(e,t){this.targetObject[this.propertyName]=e[t],this.targetObject.needsUpdate=!0}_setValue_direct_setMatrixWorldNeedsUpdate(e,t){this.targetObject[this.propertyName]=e[t],this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_array(e,t){let i=this.resolvedProperty;for(let s=0,r=i.length;s!==r;++s)i[s]=e[t++]}_setValue_array_setNeedsUpdate(e,t){let i=this.resolvedProperty;for(let s=0,r=i.length;s!==r;++s)i[s]=e[t++];this.targetObject.needsUpdate=!0}_setValue_array_setMatrixWorldNeedsUpdate(e,t){let i=this.resolvedProperty;for(let s=0,r=i.length;s!==r;++s)i[s]=e[t++];this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_arrayElement(e,t){this.resolvedProperty[this.propertyIndex]=e[t]}_setValue_arrayElement_setNeedsUpdate(e,t){this.resolvedProperty[this.propertyIndex]=e[t],this.targetObject.needsUpdate=!0}_setValue_arrayElement_setMatrixWorldNeedsUpdate(e,t){this.resolvedProperty[this.propertyIndex]=e[t],this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_fromArray(e,t){this.resolvedProperty.fromArray(e,t)}_setValue_fromArray_setNeedsUpdate(e,t){this.resolvedProperty.fromArray(e,t),this.targetObject.needsUpdate=!0}_setValue_fromArray_setMatrixWorldNeedsUpdate(e,t){this.resolvedProperty.fromArray(e,t),this.targetObject.matrixWorldNeedsUpdate=!0}_getValue_unbound(e,t){this.bind(),this.getValue(e,t)}_setValue_unbound(e,t){this.bind(),this.setValue(e,t)}bind(){let e=this.node,t=this.parsedPath,i=t.objectName,s=t.propertyName,r=t.propertyIndex;if(e||(e=n.findNode(this.rootNode,t.nodeName),this.node=e),this.getValue=this._getValue_unavailable,this.setValue=this._setValue_unavailable,!e){Ze("PropertyBinding: No target node found for track: "+this.path+".");return}if(i){let c=t.objectIndex;switch(i){case"materials":if(!e.material){it("PropertyBinding: Can not bind to material as node does not have a material.",this);return}if(!e.material.materials){it("PropertyBinding: Can not bind to material.materials as node.material does not have a materials array.",this);return}e=e.material.materials;break;case"bones":if(!e.skeleton){it("PropertyBinding: Can not bind to bones as node does not have a skeleton.",this);return}e=e.skeleton.bones;for(let u=0;u<e.length;u++)if(e[u].name===c){c=u;break}break;case"map":if("map"in e){e=e.map;break}if(!e.material){it("PropertyBinding: Can not bind to material as node does not have a material.",this);return}if(!e.material.map){it("PropertyBinding: Can not bind to material.map as node.material does not have a map.",this);return}e=e.material.map;break;default:if(e[i]===void 0){it("PropertyBinding: Can not bind to objectName of node undefined.",this);return}e=e[i]}if(c!==void 0){if(e[c]===void 0){it("PropertyBinding: Trying to bind to objectIndex of objectName, but is undefined.",this,e);return}e=e[c]}}let o=e[s];if(o===void 0){let c=t.nodeName;it("PropertyBinding: Trying to update property for track: "+c+"."+s+" but it wasn't found.",e);return}let a=this.Versioning.None;this.targetObject=e,e.isMaterial===!0?a=this.Versioning.NeedsUpdate:e.isObject3D===!0&&(a=this.Versioning.MatrixWorldNeedsUpdate);let l=this.BindingType.Direct;if(r!==void 0){if(s==="morphTargetInfluences"){if(!e.geometry){it("PropertyBinding: Can not bind to morphTargetInfluences because node does not have a geometry.",this);return}if(!e.geometry.morphAttributes){it("PropertyBinding: Can not bind to morphTargetInfluences because node does not have a geometry.morphAttributes.",this);return}e.morphTargetDictionary[r]!==void 0&&(r=e.morphTargetDictionary[r])}l=this.BindingType.ArrayElement,this.resolvedProperty=o,this.propertyIndex=r}else o.fromArray!==void 0&&o.toArray!==void 0?(l=this.BindingType.HasFromToArray,this.resolvedProperty=o):Array.isArray(o)?(l=this.BindingType.EntireArray,this.resolvedProperty=o):this.propertyName=s;this.getValue=this.GetterByBindingType[l],this.setValue=this.SetterByBindingTypeAndVersioning[l][a]}unbind(){this.node=null,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}};en.Composite=up;en.prototype.BindingType={Direct:0,EntireArray:1,ArrayElement:2,HasFromToArray:3};en.prototype.Versioning={None:0,NeedsUpdate:1,MatrixWorldNeedsUpdate:2};en.prototype.GetterByBindingType=[en.prototype._getValue_direct,en.prototype._getValue_array,en.prototype._getValue_arrayElement,en.prototype._getValue_toArray];en.prototype.SetterByBindingTypeAndVersioning=[[en.prototype._setValue_direct,en.prototype._setValue_direct_setNeedsUpdate,en.prototype._setValue_direct_setMatrixWorldNeedsUpdate],[en.prototype._setValue_array,en.prototype._setValue_array_setNeedsUpdate,en.prototype._setValue_array_setMatrixWorldNeedsUpdate],[en.prototype._setValue_arrayElement,en.prototype._setValue_arrayElement_setNeedsUpdate,en.prototype._setValue_arrayElement_setMatrixWorldNeedsUpdate],[en.prototype._setValue_fromArray,en.prototype._setValue_fromArray_setNeedsUpdate,en.prototype._setValue_fromArray_setMatrixWorldNeedsUpdate]];var hL=new Float32Array(1);var ca=class extends bu{constructor(e,t,i=1){super(e,t),this.isInstancedInterleavedBuffer=!0,this.meshPerAttribute=i}copy(e){return super.copy(e),this.meshPerAttribute=e.meshPerAttribute,this}clone(e){let t=super.clone(e);return t.meshPerAttribute=this.meshPerAttribute,t}toJSON(e){let t=super.toJSON(e);return t.isInstancedInterleavedBuffer=!0,t.meshPerAttribute=this.meshPerAttribute,t}};var hp=class{static{this.prototype.isMatrix2=!0}constructor(e,t,i,s){this.elements=[1,0,0,1],e!==void 0&&this.set(e,t,i,s)}identity(){return this.set(1,0,0,1),this}fromArray(e,t=0){for(let i=0;i<4;i++)this.elements[i]=e[i+t];return this}set(e,t,i,s){let r=this.elements;return r[0]=e,r[2]=t,r[1]=i,r[3]=s,this}};var vx=new $,su=new $,jo=new $,Qo=new $,rp=new $,U1=new $,O1=new $,xl=class{constructor(e=new $,t=new $){this.start=e,this.end=t}set(e,t){return this.start.copy(e),this.end.copy(t),this}copy(e){return this.start.copy(e.start),this.end.copy(e.end),this}getCenter(e){return e.addVectors(this.start,this.end).multiplyScalar(.5)}delta(e){return e.subVectors(this.end,this.start)}distanceSq(){return this.start.distanceToSquared(this.end)}distance(){return this.start.distanceTo(this.end)}at(e,t){return this.delta(t).multiplyScalar(e).add(this.start)}closestPointToPointParameter(e,t){vx.subVectors(e,this.start),su.subVectors(this.end,this.start);let i=su.dot(su);if(i===0)return 0;let r=su.dot(vx)/i;return t&&(r=dt(r,0,1)),r}closestPointToPoint(e,t,i){let s=this.closestPointToPointParameter(e,t);return this.delta(i).multiplyScalar(s).add(this.start)}distanceSqToLine3(e,t=U1,i=O1){let s=10000000000000001e-32,r,o,a=this.start,l=e.start,c=this.end,u=e.end;jo.subVectors(c,a),Qo.subVectors(u,l),rp.subVectors(a,l);let d=jo.dot(jo),h=Qo.dot(Qo),p=Qo.dot(rp);if(d<=s&&h<=s)return t.copy(a),i.copy(l),t.distanceToSquared(i);if(d<=s)r=0,o=p/h,o=dt(o,0,1);else{let m=jo.dot(rp);if(h<=s)o=0,r=dt(-m/d,0,1);else{let v=jo.dot(Qo),_=d*h-v*v;_!==0?r=dt((v*p-m*h)/_,0,1):r=0,o=(v*r+p)/h,o<0?(o=0,r=dt(-m/d,0,1)):o>1&&(o=1,r=dt((v-m)/d,0,1))}}return t.copy(a).addScaledVector(jo,r),i.copy(l).addScaledVector(Qo,o),t.distanceToSquared(i)}applyMatrix4(e){return this.start.applyMatrix4(e),this.end.applyMatrix4(e),this}equals(e){return e.start.equals(this.start)&&e.end.equals(this.end)}clone(){return new this.constructor().copy(this)}};function Gp(n,e,t,i){let s=k1(i);switch(t){case Ip:return n*e;case Dp:return n*e/s.components*s.byteLength;case Yu:return n*e/s.components*s.byteLength;case Lr:return n*e*2/s.components*s.byteLength;case Ju:return n*e*2/s.components*s.byteLength;case Lp:return n*e*3/s.components*s.byteLength;case Ni:return n*e*4/s.components*s.byteLength;case Zu:return n*e*4/s.components*s.byteLength;case bl:case Sl:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*8;case Ml:case wl:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*16;case ju:case eh:return Math.max(n,16)*Math.max(e,8)/4;case Ku:case Qu:return Math.max(n,8)*Math.max(e,8)/2;case th:case nh:case sh:case rh:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*8;case ih:case Tl:case oh:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*16;case ah:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*16;case lh:return Math.floor((n+4)/5)*Math.floor((e+3)/4)*16;case ch:return Math.floor((n+4)/5)*Math.floor((e+4)/5)*16;case uh:return Math.floor((n+5)/6)*Math.floor((e+4)/5)*16;case hh:return Math.floor((n+5)/6)*Math.floor((e+5)/6)*16;case dh:return Math.floor((n+7)/8)*Math.floor((e+4)/5)*16;case fh:return Math.floor((n+7)/8)*Math.floor((e+5)/6)*16;case ph:return Math.floor((n+7)/8)*Math.floor((e+7)/8)*16;case mh:return Math.floor((n+9)/10)*Math.floor((e+4)/5)*16;case gh:return Math.floor((n+9)/10)*Math.floor((e+5)/6)*16;case _h:return Math.floor((n+9)/10)*Math.floor((e+7)/8)*16;case xh:return Math.floor((n+9)/10)*Math.floor((e+9)/10)*16;case yh:return Math.floor((n+11)/12)*Math.floor((e+9)/10)*16;case vh:return Math.floor((n+11)/12)*Math.floor((e+11)/12)*16;case bh:case Sh:case Mh:return Math.ceil(n/4)*Math.ceil(e/4)*16;case wh:case Th:return Math.ceil(n/4)*Math.ceil(e/4)*8;case Al:case Ah:return Math.ceil(n/4)*Math.ceil(e/4)*16}throw new Error(`Unable to determine texture byte length for ${t} format.`)}function k1(n){switch(n){case Li:case Ep:return{byteLength:1,components:1};case fa:case Cp:case fs:return{byteLength:2,components:1};case $u:case qu:return{byteLength:2,components:4};case ds:case Xu:case Di:return{byteLength:4,components:1};case Rp:case Pp:return{byteLength:4,components:3}}throw new Error(`THREE.TextureUtils: Unknown texture type ${n}.`)}typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("register",{detail:{revision:"187"}}));typeof window<"u"&&(window.__THREE__?Ze("WARNING: Multiple instances of Three.js being imported."):window.__THREE__="187");function Iy(){let n=null,e=!1,t=null,i=null;function s(r,o){i=n.requestAnimationFrame(s),t(r,o)}return{start:function(){e!==!0&&t!==null&&n!==null&&(i=n.requestAnimationFrame(s),e=!0)},stop:function(){n!==null&&n.cancelAnimationFrame(i),e=!1},setAnimationLoop:function(r){t=r},setContext:function(r){n=r}}}function V1(n){let e=new WeakMap;function t(a,l){let c=a.array,u=a.usage,d=c.byteLength,h=n.createBuffer();n.bindBuffer(l,h),n.bufferData(l,c,u),a.onUploadCallback();let p;if(c instanceof Float32Array)p=n.FLOAT;else if(typeof Float16Array<"u"&&c instanceof Float16Array)p=n.HALF_FLOAT;else if(c instanceof Uint16Array)a.isFloat16BufferAttribute?p=n.HALF_FLOAT:p=n.UNSIGNED_SHORT;else if(c instanceof Int16Array)p=n.SHORT;else if(c instanceof Uint32Array)p=n.UNSIGNED_INT;else if(c instanceof Int32Array)p=n.INT;else if(c instanceof Int8Array)p=n.BYTE;else if(c instanceof Uint8Array)p=n.UNSIGNED_BYTE;else if(c instanceof Uint8ClampedArray)p=n.UNSIGNED_BYTE;else throw new Error("THREE.WebGLAttributes: Unsupported buffer data format: "+c);return{buffer:h,type:p,bytesPerElement:c.BYTES_PER_ELEMENT,version:a.version,size:d}}function i(a,l,c){let u=l.array,d=l.updateRanges;if(n.bindBuffer(c,a),d.length===0)n.bufferSubData(c,0,u);else{d.sort((p,m)=>p.start-m.start);let h=0;for(let p=1;p<d.length;p++){let m=d[h],v=d[p];v.start<=m.start+m.count+1?m.count=Math.max(m.count,v.start+v.count-m.start):(++h,d[h]=v)}d.length=h+1;for(let p=0,m=d.length;p<m;p++){let v=d[p];n.bufferSubData(c,v.start*u.BYTES_PER_ELEMENT,u,v.start,v.count)}l.clearUpdateRanges()}l.onUploadCallback()}function s(a){return a.isInterleavedBufferAttribute&&(a=a.data),e.get(a)}function r(a){a.isInterleavedBufferAttribute&&(a=a.data);let l=e.get(a);l&&(n.deleteBuffer(l.buffer),e.delete(a))}function o(a,l){if(a.isInterleavedBufferAttribute&&(a=a.data),a.isGLBufferAttribute){let u=e.get(a);(!u||u.version<a.version)&&e.set(a,{buffer:a.buffer,type:a.type,bytesPerElement:a.elementSize,version:a.version});return}let c=e.get(a);if(c===void 0)e.set(a,t(a,l));else if(c.version<a.version){if(c.size!==a.array.byteLength)throw new Error("THREE.WebGLAttributes: The size of the buffer attribute's array buffer does not match the original size. Resizing buffer attributes is not supported.");i(c.buffer,a,l),c.version=a.version}}return{get:s,remove:r,update:o}}var z1=`#ifdef USE_ALPHAHASH
+	if ( diffuseColor.a < getAlphaHashThreshold( vPosition ) ) discard;
+#endif`,G1=`#ifdef USE_ALPHAHASH
+	const float ALPHA_HASH_SCALE = 0.05;
+	float hash2D( vec2 value ) {
+		return fract( 1.0e4 * sin( 17.0 * value.x + 0.1 * value.y ) * ( 0.1 + abs( sin( 13.0 * value.y + value.x ) ) ) );
+	}
+	float hash3D( vec3 value ) {
+		return hash2D( vec2( hash2D( value.xy ), value.z ) );
+	}
+	float getAlphaHashThreshold( vec3 position ) {
+		float maxDeriv = max(
+			length( dFdx( position.xyz ) ),
+			length( dFdy( position.xyz ) )
+		);
+		float pixScale = 1.0 / ( ALPHA_HASH_SCALE * maxDeriv );
+		vec2 pixScales = vec2(
+			exp2( floor( log2( pixScale ) ) ),
+			exp2( ceil( log2( pixScale ) ) )
+		);
+		vec2 alpha = vec2(
+			hash3D( floor( pixScales.x * position.xyz ) ),
+			hash3D( floor( pixScales.y * position.xyz ) )
+		);
+		float lerpFactor = fract( log2( pixScale ) );
+		float x = ( 1.0 - lerpFactor ) * alpha.x + lerpFactor * alpha.y;
+		float a = min( lerpFactor, 1.0 - lerpFactor );
+		vec3 cases = vec3(
+			x * x / ( 2.0 * a * ( 1.0 - a ) ),
+			( x - 0.5 * a ) / ( 1.0 - a ),
+			1.0 - ( ( 1.0 - x ) * ( 1.0 - x ) / ( 2.0 * a * ( 1.0 - a ) ) )
+		);
+		float threshold = ( x < ( 1.0 - a ) )
+			? ( ( x < a ) ? cases.x : cases.y )
+			: cases.z;
+		return clamp( threshold , 1.0e-6, 1.0 );
+	}
+#endif`,H1=`#ifdef USE_ALPHAMAP
+	diffuseColor.a *= texture2D( alphaMap, vAlphaMapUv ).g;
+#endif`,W1=`#ifdef USE_ALPHAMAP
+	uniform sampler2D alphaMap;
+#endif`,X1=`#ifdef USE_ALPHATEST
+	#ifdef ALPHA_TO_COVERAGE
+	diffuseColor.a = smoothstep( alphaTest, alphaTest + fwidth( diffuseColor.a ), diffuseColor.a );
+	if ( diffuseColor.a == 0.0 ) discard;
+	#else
+	if ( diffuseColor.a < alphaTest ) discard;
+	#endif
+#endif`,$1=`#ifdef USE_ALPHATEST
+	uniform float alphaTest;
+#endif`,q1=`#ifdef USE_AOMAP
+	float ambientOcclusion = ( texture2D( aoMap, vAoMapUv ).r - 1.0 ) * aoMapIntensity + 1.0;
+	reflectedLight.indirectDiffuse *= ambientOcclusion;
+	#if defined( USE_CLEARCOAT ) 
+		clearcoatSpecularIndirect *= ambientOcclusion;
+	#endif
+	#if defined( USE_SHEEN ) 
+		sheenSpecularIndirect *= ambientOcclusion;
+	#endif
+	#if defined( USE_ENVMAP ) && defined( STANDARD )
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		reflectedLight.indirectSpecular *= computeSpecularOcclusion( dotNV, ambientOcclusion, material.roughness );
+	#endif
+#endif`,Y1=`#ifdef USE_AOMAP
+	uniform sampler2D aoMap;
+	uniform float aoMapIntensity;
+#endif`,J1=`#ifdef USE_BATCHING
+	#if ! defined( GL_ANGLE_multi_draw )
+	#define gl_DrawID _gl_DrawID
+	uniform int _gl_DrawID;
+	#endif
+	uniform highp sampler2D batchingTexture;
+	uniform highp usampler2D batchingIdTexture;
+	mat4 getBatchingMatrix( const in float i ) {
+		int size = textureSize( batchingTexture, 0 ).x;
+		int j = int( i ) * 4;
+		int x = j % size;
+		int y = j / size;
+		vec4 v1 = texelFetch( batchingTexture, ivec2( x, y ), 0 );
+		vec4 v2 = texelFetch( batchingTexture, ivec2( x + 1, y ), 0 );
+		vec4 v3 = texelFetch( batchingTexture, ivec2( x + 2, y ), 0 );
+		vec4 v4 = texelFetch( batchingTexture, ivec2( x + 3, y ), 0 );
+		return mat4( v1, v2, v3, v4 );
+	}
+	float getIndirectIndex( const in int i ) {
+		int size = textureSize( batchingIdTexture, 0 ).x;
+		int x = i % size;
+		int y = i / size;
+		return float( texelFetch( batchingIdTexture, ivec2( x, y ), 0 ).r );
+	}
+#endif
+#ifdef USE_BATCHING_COLOR
+	uniform sampler2D batchingColorTexture;
+	vec4 getBatchingColor( const in float i ) {
+		int size = textureSize( batchingColorTexture, 0 ).x;
+		int j = int( i );
+		int x = j % size;
+		int y = j / size;
+		return texelFetch( batchingColorTexture, ivec2( x, y ), 0 );
+	}
+#endif`,Z1=`#ifdef USE_BATCHING
+	mat4 batchingMatrix = getBatchingMatrix( getIndirectIndex( gl_DrawID ) );
+#endif`,K1=`vec3 transformed = vec3( position );
+#ifdef USE_ALPHAHASH
+	vPosition = vec3( position );
+#endif`,j1=`vec3 objectNormal = vec3( normal );
+#ifdef USE_TANGENT
+	vec3 objectTangent = vec3( tangent.xyz );
+#endif`,Q1=`float G_BlinnPhong_Implicit( ) {
+	return 0.25;
+}
+float D_BlinnPhong( const in float shininess, const in float dotNH ) {
+	return RECIPROCAL_PI * ( shininess * 0.5 + 1.0 ) * pow( dotNH, shininess );
+}
+vec3 BRDF_BlinnPhong( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in vec3 specularColor, const in float shininess ) {
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float dotVH = saturate( dot( viewDir, halfDir ) );
+	vec3 F = F_Schlick( specularColor, 1.0, dotVH );
+	float G = G_BlinnPhong_Implicit( );
+	float D = D_BlinnPhong( shininess, dotNH );
+	return F * ( G * D );
+} // validated`,eT=`#ifdef USE_IRIDESCENCE
+	const mat3 XYZ_TO_REC709 = mat3(
+		 3.2404542, -0.9692660,  0.0556434,
+		-1.5371385,  1.8760108, -0.2040259,
+		-0.4985314,  0.0415560,  1.0572252
+	);
+	vec3 Fresnel0ToIor( vec3 fresnel0 ) {
+		vec3 sqrtF0 = sqrt( fresnel0 );
+		return ( vec3( 1.0 ) + sqrtF0 ) / ( vec3( 1.0 ) - sqrtF0 );
+	}
+	vec3 IorToFresnel0( vec3 transmittedIor, float incidentIor ) {
+		return pow2( ( transmittedIor - vec3( incidentIor ) ) / ( transmittedIor + vec3( incidentIor ) ) );
+	}
+	float IorToFresnel0( float transmittedIor, float incidentIor ) {
+		return pow2( ( transmittedIor - incidentIor ) / ( transmittedIor + incidentIor ));
+	}
+	vec3 evalSensitivity( float OPD, vec3 shift ) {
+		float phase = 2.0 * PI * OPD * 1.0e-9;
+		vec3 val = vec3( 5.4856e-13, 4.4201e-13, 5.2481e-13 );
+		vec3 pos = vec3( 1.6810e+06, 1.7953e+06, 2.2084e+06 );
+		vec3 var = vec3( 4.3278e+09, 9.3046e+09, 6.6121e+09 );
+		vec3 xyz = val * sqrt( 2.0 * PI * var ) * cos( pos * phase + shift ) * exp( - pow2( phase ) * var );
+		xyz.x += 9.7470e-14 * sqrt( 2.0 * PI * 4.5282e+09 ) * cos( 2.2399e+06 * phase + shift[ 0 ] ) * exp( - 4.5282e+09 * pow2( phase ) );
+		xyz /= 1.0685e-7;
+		vec3 rgb = XYZ_TO_REC709 * xyz;
+		return rgb;
+	}
+	vec3 evalIridescence( float outsideIOR, float eta2, float cosTheta1, float thinFilmThickness, vec3 baseF0 ) {
+		vec3 I;
+		float iridescenceIOR = mix( outsideIOR, eta2, smoothstep( 0.0, 0.03, thinFilmThickness ) );
+		float sinTheta2Sq = pow2( outsideIOR / iridescenceIOR ) * ( 1.0 - pow2( cosTheta1 ) );
+		float cosTheta2Sq = 1.0 - sinTheta2Sq;
+		if ( cosTheta2Sq < 0.0 ) {
+			return vec3( 1.0 );
+		}
+		float cosTheta2 = sqrt( cosTheta2Sq );
+		float R0 = IorToFresnel0( iridescenceIOR, outsideIOR );
+		float R12 = F_Schlick( R0, 1.0, cosTheta1 );
+		float T121 = 1.0 - R12;
+		float phi12 = 0.0;
+		if ( iridescenceIOR < outsideIOR ) phi12 = PI;
+		float phi21 = PI - phi12;
+		vec3 baseIOR = Fresnel0ToIor( clamp( baseF0, 0.0, 0.9999 ) );		vec3 R1 = IorToFresnel0( baseIOR, iridescenceIOR );
+		vec3 R23 = F_Schlick( R1, 1.0, cosTheta2 );
+		vec3 phi23 = vec3( 0.0 );
+		if ( baseIOR[ 0 ] < iridescenceIOR ) phi23[ 0 ] = PI;
+		if ( baseIOR[ 1 ] < iridescenceIOR ) phi23[ 1 ] = PI;
+		if ( baseIOR[ 2 ] < iridescenceIOR ) phi23[ 2 ] = PI;
+		float OPD = 2.0 * iridescenceIOR * thinFilmThickness * cosTheta2;
+		vec3 phi = vec3( phi21 ) + phi23;
+		vec3 R123 = clamp( R12 * R23, 1e-5, 0.9999 );
+		vec3 r123 = sqrt( R123 );
+		vec3 Rs = pow2( T121 ) * R23 / ( vec3( 1.0 ) - R123 );
+		vec3 C0 = R12 + Rs;
+		I = C0;
+		vec3 Cm = Rs - T121;
+		for ( int m = 1; m <= 2; ++ m ) {
+			Cm *= r123;
+			vec3 Sm = 2.0 * evalSensitivity( float( m ) * OPD, float( m ) * phi );
+			I += Cm * Sm;
+		}
+		return max( I, vec3( 0.0 ) );
+	}
+#endif`,tT=`#ifdef USE_BUMPMAP
+	uniform sampler2D bumpMap;
+	uniform float bumpScale;
+	vec2 dHdxy_fwd() {
+		vec2 dSTdx = dFdx( vBumpMapUv );
+		vec2 dSTdy = dFdy( vBumpMapUv );
+		float Hll = bumpScale * texture2D( bumpMap, vBumpMapUv ).x;
+		float dBx = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdx ).x - Hll;
+		float dBy = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdy ).x - Hll;
+		return vec2( dBx, dBy );
+	}
+	vec3 perturbNormalArb( vec3 surf_pos, vec3 surf_norm, vec2 dHdxy, float faceDirection ) {
+		vec3 vSigmaX = normalize( dFdx( surf_pos.xyz ) );
+		vec3 vSigmaY = normalize( dFdy( surf_pos.xyz ) );
+		vec3 vN = surf_norm;
+		vec3 R1 = cross( vSigmaY, vN );
+		vec3 R2 = cross( vN, vSigmaX );
+		float fDet = dot( vSigmaX, R1 ) * faceDirection;
+		vec3 vGrad = sign( fDet ) * ( dHdxy.x * R1 + dHdxy.y * R2 );
+		return normalize( abs( fDet ) * surf_norm - vGrad );
+	}
+#endif`,nT=`#if NUM_CLIPPING_PLANES > 0
+	vec4 plane;
+	#ifdef ALPHA_TO_COVERAGE
+		float distanceToPlane, distanceGradient;
+		float clipOpacity = 1.0;
+		#pragma unroll_loop_start
+		for ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {
+			plane = clippingPlanes[ i ];
+			distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;
+			distanceGradient = fwidth( distanceToPlane ) / 2.0;
+			clipOpacity *= smoothstep( - distanceGradient, distanceGradient, distanceToPlane );
+			if ( clipOpacity == 0.0 ) discard;
+		}
+		#pragma unroll_loop_end
+		#if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES
+			float unionClipOpacity = 1.0;
+			#pragma unroll_loop_start
+			for ( int i = UNION_CLIPPING_PLANES; i < NUM_CLIPPING_PLANES; i ++ ) {
+				plane = clippingPlanes[ i ];
+				distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;
+				distanceGradient = fwidth( distanceToPlane ) / 2.0;
+				unionClipOpacity *= 1.0 - smoothstep( - distanceGradient, distanceGradient, distanceToPlane );
+			}
+			#pragma unroll_loop_end
+			clipOpacity *= 1.0 - unionClipOpacity;
+		#endif
+		diffuseColor.a *= clipOpacity;
+		if ( diffuseColor.a == 0.0 ) discard;
+	#else
+		#pragma unroll_loop_start
+		for ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {
+			plane = clippingPlanes[ i ];
+			if ( dot( vClipPosition, plane.xyz ) > plane.w ) discard;
+		}
+		#pragma unroll_loop_end
+		#if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES
+			bool clipped = true;
+			#pragma unroll_loop_start
+			for ( int i = UNION_CLIPPING_PLANES; i < NUM_CLIPPING_PLANES; i ++ ) {
+				plane = clippingPlanes[ i ];
+				clipped = ( dot( vClipPosition, plane.xyz ) > plane.w ) && clipped;
+			}
+			#pragma unroll_loop_end
+			if ( clipped ) discard;
+		#endif
+	#endif
+#endif`,iT=`#if NUM_CLIPPING_PLANES > 0
+	varying vec3 vClipPosition;
+	uniform vec4 clippingPlanes[ NUM_CLIPPING_PLANES ];
+#endif`,sT=`#if NUM_CLIPPING_PLANES > 0
+	varying vec3 vClipPosition;
+#endif`,rT=`#if NUM_CLIPPING_PLANES > 0
+	vClipPosition = - mvPosition.xyz;
+#endif`,oT=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )
+	diffuseColor *= vColor;
+#endif`,aT=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )
+	varying vec4 vColor;
+#endif`,lT=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_COLOR )
+	varying vec4 vColor;
+#endif`,cT=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_COLOR )
+	vColor = vec4( 1.0 );
+#endif
+#ifdef USE_COLOR_ALPHA
+	vColor *= color;
+#elif defined( USE_COLOR )
+	vColor.rgb *= color;
+#endif
+#ifdef USE_INSTANCING_COLOR
+	vColor.rgb *= instanceColor.rgb;
+#endif
+#ifdef USE_BATCHING_COLOR
+	vColor *= getBatchingColor( getIndirectIndex( gl_DrawID ) );
+#endif`,uT=`#define PI 3.141592653589793
+#define PI2 6.283185307179586
+#define PI_HALF 1.5707963267948966
+#define RECIPROCAL_PI 0.3183098861837907
+#define RECIPROCAL_PI2 0.15915494309189535
+#define EPSILON 1e-6
+#ifndef saturate
+#define saturate( a ) clamp( a, 0.0, 1.0 )
+#endif
+#define whiteComplement( a ) ( 1.0 - saturate( a ) )
+float pow2( const in float x ) { return x*x; }
+vec3 pow2( const in vec3 x ) { return x*x; }
+float pow3( const in float x ) { return x*x*x; }
+float pow4( const in float x ) { float x2 = x*x; return x2*x2; }
+float max3( const in vec3 v ) { return max( max( v.x, v.y ), v.z ); }
+float average( const in vec3 v ) { return dot( v, vec3( 0.3333333 ) ); }
+highp float rand( const in vec2 uv ) {
+	const highp float a = 12.9898, b = 78.233, c = 43758.5453;
+	highp float dt = dot( uv.xy, vec2( a,b ) ), sn = mod( dt, PI );
+	return fract( sin( sn ) * c );
+}
+#ifdef HIGH_PRECISION
+	float precisionSafeLength( vec3 v ) { return length( v ); }
+#else
+	float precisionSafeLength( vec3 v ) {
+		float maxComponent = max3( abs( v ) );
+		return length( v / maxComponent ) * maxComponent;
+	}
+#endif
+struct IncidentLight {
+	vec3 color;
+	vec3 direction;
+	bool visible;
+};
+struct ReflectedLight {
+	vec3 directDiffuse;
+	vec3 directSpecular;
+	vec3 indirectDiffuse;
+	vec3 indirectSpecular;
+};
+#ifdef USE_ALPHAHASH
+	varying vec3 vPosition;
+#endif
+vec3 transformDirection( in vec3 dir, in mat4 matrix ) {
+	return normalize( ( matrix * vec4( dir, 0.0 ) ).xyz );
+}
+#define inverseTransformDirection transformDirectionByInverseViewMatrix
+vec3 transformNormalByInverseViewMatrix( in vec3 normal, in mat4 viewMatrix ) {
+	return normalize( ( vec4( normal, 0.0 ) * viewMatrix ).xyz );
+}
+vec3 transformDirectionByInverseViewMatrix( in vec3 dir, in mat4 viewMatrix ) {
+	return normalize( ( vec4( dir, 0.0 ) * viewMatrix ).xyz );
+}
+bool isPerspectiveMatrix( mat4 m ) {
+	return m[ 2 ][ 3 ] == - 1.0;
+}
+vec2 equirectUv( in vec3 dir ) {
+	float u = atan( dir.z, dir.x ) * RECIPROCAL_PI2 + 0.5;
+	float v = asin( clamp( dir.y, - 1.0, 1.0 ) ) * RECIPROCAL_PI + 0.5;
+	return vec2( u, v );
+}
+vec3 BRDF_Lambert( const in vec3 diffuseColor ) {
+	return RECIPROCAL_PI * diffuseColor;
+}
+vec3 F_Schlick( const in vec3 f0, const in float f90, const in float dotVH ) {
+	float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );
+	return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );
+}
+float F_Schlick( const in float f0, const in float f90, const in float dotVH ) {
+	float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );
+	return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );
+} // validated`,hT=`vec3 transformedNormal = objectNormal;
+#ifdef USE_TANGENT
+	vec3 transformedTangent = objectTangent;
+#endif
+#ifdef USE_BATCHING
+	mat3 bm = mat3( batchingMatrix );
+	transformedNormal /= vec3( dot( bm[ 0 ], bm[ 0 ] ), dot( bm[ 1 ], bm[ 1 ] ), dot( bm[ 2 ], bm[ 2 ] ) );
+	transformedNormal = bm * transformedNormal;
+	#ifdef USE_TANGENT
+		transformedTangent = bm * transformedTangent;
+	#endif
+#endif
+#ifdef USE_INSTANCING
+	mat3 im = mat3( instanceMatrix );
+	transformedNormal /= vec3( dot( im[ 0 ], im[ 0 ] ), dot( im[ 1 ], im[ 1 ] ), dot( im[ 2 ], im[ 2 ] ) );
+	transformedNormal = im * transformedNormal;
+	#ifdef USE_TANGENT
+		transformedTangent = im * transformedTangent;
+	#endif
+#endif
+transformedNormal = normalMatrix * transformedNormal;
+#ifdef FLIP_SIDED
+	transformedNormal = - transformedNormal;
+#endif
+#ifdef USE_TANGENT
+	transformedTangent = ( modelViewMatrix * vec4( transformedTangent, 0.0 ) ).xyz;
+#endif`,dT=`#ifdef USE_DISPLACEMENTMAP
+	uniform sampler2D displacementMap;
+	uniform float displacementScale;
+	uniform float displacementBias;
+#endif`,fT=`#ifdef USE_DISPLACEMENTMAP
+	transformed += normalize( objectNormal ) * ( texture2D( displacementMap, vDisplacementMapUv ).x * displacementScale + displacementBias );
+#endif`,pT=`#ifdef USE_EMISSIVEMAP
+	vec4 emissiveColor = texture2D( emissiveMap, vEmissiveMapUv );
+	#ifdef DECODE_VIDEO_TEXTURE_EMISSIVE
+		emissiveColor = sRGBTransferEOTF( emissiveColor );
+	#endif
+	totalEmissiveRadiance *= emissiveColor.rgb;
+#endif`,mT=`#ifdef USE_EMISSIVEMAP
+	uniform sampler2D emissiveMap;
+#endif`,gT="gl_FragColor = linearToOutputTexel( gl_FragColor );",_T=`vec4 LinearTransferOETF( in vec4 value ) {
+	return value;
+}
+vec4 sRGBTransferEOTF( in vec4 value ) {
+	return vec4( mix( pow( value.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), value.rgb * 0.0773993808, vec3( lessThanEqual( value.rgb, vec3( 0.04045 ) ) ) ), value.a );
+}
+vec4 sRGBTransferOETF( in vec4 value ) {
+	return vec4( mix( pow( value.rgb, vec3( 0.41666 ) ) * 1.055 - vec3( 0.055 ), value.rgb * 12.92, vec3( lessThanEqual( value.rgb, vec3( 0.0031308 ) ) ) ), value.a );
+}`,xT=`#ifdef USE_ENVMAP
+	#ifdef ENV_WORLDPOS
+		vec3 cameraToFrag;
+		if ( isOrthographic ) {
+			cameraToFrag = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );
+		} else {
+			cameraToFrag = normalize( vWorldPosition - cameraPosition );
+		}
+		vec3 worldNormal = transformNormalByInverseViewMatrix( normal, viewMatrix );
+		#ifdef ENVMAP_MODE_REFLECTION
+			vec3 reflectVec = reflect( cameraToFrag, worldNormal );
+		#else
+			vec3 reflectVec = refract( cameraToFrag, worldNormal, refractionRatio );
+		#endif
+	#else
+		vec3 reflectVec = vReflect;
+	#endif
+	#ifdef ENVMAP_TYPE_CUBE
+		vec4 envColor = textureCube( envMap, envMapRotation * reflectVec );
+		#ifdef ENVMAP_BLENDING_MULTIPLY
+			outgoingLight = mix( outgoingLight, outgoingLight * envColor.xyz, specularStrength * reflectivity );
+		#elif defined( ENVMAP_BLENDING_MIX )
+			outgoingLight = mix( outgoingLight, envColor.xyz, specularStrength * reflectivity );
+		#elif defined( ENVMAP_BLENDING_ADD )
+			outgoingLight += envColor.xyz * specularStrength * reflectivity;
+		#endif
+	#endif
+#endif`,yT=`#ifdef USE_ENVMAP
+	uniform float envMapIntensity;
+	uniform mat3 envMapRotation;
+	uniform samplerCube envMap;
+	#ifdef ENVMAP_TYPE_PMREM
+		float roughnessToMip( const in float roughness ) {
+			float r = clamp( roughness, 0.0, 1.0 );
+			return ENVMAP_MAX_LOD * r * ( 2.0 - r );
+		}
+	#endif
+#endif`,vT=`#ifdef USE_ENVMAP
+	uniform float reflectivity;
+	#if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )
+		#define ENV_WORLDPOS
+	#endif
+	#ifdef ENV_WORLDPOS
+		varying vec3 vWorldPosition;
+		uniform float refractionRatio;
+	#else
+		varying vec3 vReflect;
+	#endif
+#endif`,bT=`#ifdef USE_ENVMAP
+	#if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )
+		#define ENV_WORLDPOS
+	#endif
+	#ifdef ENV_WORLDPOS
+		
+		varying vec3 vWorldPosition;
+	#else
+		varying vec3 vReflect;
+		uniform float refractionRatio;
+	#endif
+#endif`,ST=`#ifdef USE_ENVMAP
+	#ifdef ENV_WORLDPOS
+		vWorldPosition = worldPosition.xyz;
+	#else
+		vec3 cameraToVertex;
+		if ( isOrthographic ) {
+			cameraToVertex = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );
+		} else {
+			cameraToVertex = normalize( worldPosition.xyz - cameraPosition );
+		}
+		vec3 worldNormal = transformNormalByInverseViewMatrix( transformedNormal, viewMatrix );
+		#ifdef ENVMAP_MODE_REFLECTION
+			vReflect = reflect( cameraToVertex, worldNormal );
+		#else
+			vReflect = refract( cameraToVertex, worldNormal, refractionRatio );
+		#endif
+	#endif
+#endif`,MT=`#ifdef USE_FOG
+	vFogDepth = - mvPosition.z;
+#endif`,wT=`#ifdef USE_FOG
+	varying float vFogDepth;
+#endif`,TT=`#ifdef USE_FOG
+	#ifdef FOG_EXP2
+		float fogFactor = 1.0 - exp( - fogDensity * fogDensity * vFogDepth * vFogDepth );
+	#else
+		float fogFactor = smoothstep( fogNear, fogFar, vFogDepth );
+	#endif
+	gl_FragColor.rgb = mix( gl_FragColor.rgb, fogColor, fogFactor );
+#endif`,AT=`#ifdef USE_FOG
+	uniform vec3 fogColor;
+	varying float vFogDepth;
+	#ifdef FOG_EXP2
+		uniform float fogDensity;
+	#else
+		uniform float fogNear;
+		uniform float fogFar;
+	#endif
+#endif`,ET=`#ifdef USE_GRADIENTMAP
+	uniform sampler2D gradientMap;
+#endif
+vec3 getGradientIrradiance( vec3 normal, vec3 lightDirection ) {
+	float dotNL = dot( normal, lightDirection );
+	vec2 coord = vec2( dotNL * 0.5 + 0.5, 0.0 );
+	#ifdef USE_GRADIENTMAP
+		return vec3( texture2D( gradientMap, coord ).r );
+	#else
+		vec2 fw = fwidth( coord ) * 0.5;
+		return mix( vec3( 0.7 ), vec3( 1.0 ), smoothstep( 0.7 - fw.x, 0.7 + fw.x, coord.x ) );
+	#endif
+}`,CT=`#ifdef USE_LIGHTMAP
+	uniform sampler2D lightMap;
+	uniform float lightMapIntensity;
+#endif`,RT=`LambertMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.specularStrength = specularStrength;`,PT=`varying vec3 vViewPosition;
+struct LambertMaterial {
+	vec3 diffuseColor;
+	float specularStrength;
+};
+void RE_Direct_Lambert( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+void RE_IndirectDiffuse_Lambert( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_Lambert
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Lambert`,IT=`uniform bool receiveShadow;
+uniform vec3 ambientLightColor;
+#if defined( USE_LIGHT_PROBES )
+	uniform vec3 lightProbe[ 9 ];
+#endif
+vec3 shGetIrradianceAt( in vec3 normal, in vec3 shCoefficients[ 9 ] ) {
+	float x = normal.x, y = normal.y, z = normal.z;
+	vec3 result = shCoefficients[ 0 ] * 0.886227;
+	result += shCoefficients[ 1 ] * 2.0 * 0.511664 * y;
+	result += shCoefficients[ 2 ] * 2.0 * 0.511664 * z;
+	result += shCoefficients[ 3 ] * 2.0 * 0.511664 * x;
+	result += shCoefficients[ 4 ] * 2.0 * 0.429043 * x * y;
+	result += shCoefficients[ 5 ] * 2.0 * 0.429043 * y * z;
+	result += shCoefficients[ 6 ] * ( 0.743125 * z * z - 0.247708 );
+	result += shCoefficients[ 7 ] * 2.0 * 0.429043 * x * z;
+	result += shCoefficients[ 8 ] * 0.429043 * ( x * x - y * y );
+	return result;
+}
+vec3 getLightProbeIrradiance( const in vec3 lightProbe[ 9 ], const in vec3 normal ) {
+	vec3 worldNormal = transformNormalByInverseViewMatrix( normal, viewMatrix );
+	vec3 irradiance = shGetIrradianceAt( worldNormal, lightProbe );
+	return irradiance;
+}
+vec3 getAmbientLightIrradiance( const in vec3 ambientLightColor ) {
+	vec3 irradiance = ambientLightColor;
+	return irradiance;
+}
+float getDistanceAttenuation( const in float lightDistance, const in float cutoffDistance, const in float decayExponent ) {
+	float distanceFalloff = 1.0 / max( pow( lightDistance, decayExponent ), 0.01 );
+	if ( cutoffDistance > 0.0 ) {
+		distanceFalloff *= pow2( saturate( 1.0 - pow4( lightDistance / cutoffDistance ) ) );
+	}
+	return distanceFalloff;
+}
+float getSpotAttenuation( const in float coneCosine, const in float penumbraCosine, const in float angleCosine ) {
+	return smoothstep( coneCosine, penumbraCosine, angleCosine );
+}
+#if NUM_SUN_LIGHTS > 0
+	struct SunLight {
+		vec3 direction;
+		vec3 color;
+	};
+	uniform SunLight sunLights[ NUM_SUN_LIGHTS ];
+	void getSunLightInfo( const in SunLight sunLight, out IncidentLight light ) {
+		light.color = sunLight.color;
+		light.direction = sunLight.direction;
+		light.visible = true;
+	}
+#endif
+#if NUM_DIR_LIGHTS > 0
+	struct DirectionalLight {
+		vec3 direction;
+		vec3 color;
+	};
+	uniform DirectionalLight directionalLights[ NUM_DIR_LIGHTS ];
+	void getDirectionalLightInfo( const in DirectionalLight directionalLight, out IncidentLight light ) {
+		light.color = directionalLight.color;
+		light.direction = directionalLight.direction;
+		light.visible = true;
+	}
+#endif
+#if NUM_POINT_LIGHTS > 0
+	struct PointLight {
+		vec3 position;
+		vec3 color;
+		float distance;
+		float decay;
+	};
+	uniform PointLight pointLights[ NUM_POINT_LIGHTS ];
+	void getPointLightInfo( const in PointLight pointLight, const in vec3 geometryPosition, out IncidentLight light ) {
+		vec3 lVector = pointLight.position - geometryPosition;
+		light.direction = normalize( lVector );
+		float lightDistance = length( lVector );
+		light.color = pointLight.color;
+		light.color *= getDistanceAttenuation( lightDistance, pointLight.distance, pointLight.decay );
+		light.visible = ( light.color != vec3( 0.0 ) );
+	}
+#endif
+#if NUM_SPOT_LIGHTS > 0
+	struct SpotLight {
+		vec3 position;
+		vec3 direction;
+		vec3 color;
+		float distance;
+		float decay;
+		float coneCos;
+		float penumbraCos;
+	};
+	uniform SpotLight spotLights[ NUM_SPOT_LIGHTS ];
+	void getSpotLightInfo( const in SpotLight spotLight, const in vec3 geometryPosition, out IncidentLight light ) {
+		vec3 lVector = spotLight.position - geometryPosition;
+		light.direction = normalize( lVector );
+		float angleCos = dot( light.direction, spotLight.direction );
+		float spotAttenuation = getSpotAttenuation( spotLight.coneCos, spotLight.penumbraCos, angleCos );
+		if ( spotAttenuation > 0.0 ) {
+			float lightDistance = length( lVector );
+			light.color = spotLight.color * spotAttenuation;
+			light.color *= getDistanceAttenuation( lightDistance, spotLight.distance, spotLight.decay );
+			light.visible = ( light.color != vec3( 0.0 ) );
+		} else {
+			light.color = vec3( 0.0 );
+			light.visible = false;
+		}
+	}
+#endif
+#if NUM_RECT_AREA_LIGHTS > 0
+	struct RectAreaLight {
+		vec3 color;
+		vec3 position;
+		vec3 halfWidth;
+		vec3 halfHeight;
+	};
+	uniform sampler2D ltc_1;	uniform sampler2D ltc_2;
+	uniform RectAreaLight rectAreaLights[ NUM_RECT_AREA_LIGHTS ];
+#endif
+#if NUM_HEMI_LIGHTS > 0
+	struct HemisphereLight {
+		vec3 direction;
+		vec3 skyColor;
+		vec3 groundColor;
+	};
+	uniform HemisphereLight hemisphereLights[ NUM_HEMI_LIGHTS ];
+	vec3 getHemisphereLightIrradiance( const in HemisphereLight hemiLight, const in vec3 normal ) {
+		float dotNL = dot( normal, hemiLight.direction );
+		float hemiDiffuseWeight = 0.5 * dotNL + 0.5;
+		vec3 irradiance = mix( hemiLight.groundColor, hemiLight.skyColor, hemiDiffuseWeight );
+		return irradiance;
+	}
+#endif
+#include <lightprobes_pars_fragment>`,LT=`#ifdef USE_ENVMAP
+	vec3 getIBLIrradiance( const in vec3 normal ) {
+		#ifdef ENVMAP_TYPE_PMREM
+			vec3 worldNormal = transformNormalByInverseViewMatrix( normal, viewMatrix );
+			vec4 envMapColor = textureLod( envMap, envMapRotation * worldNormal, ENVMAP_MAX_LOD );
+			return PI * envMapColor.rgb * envMapIntensity;
+		#else
+			return vec3( 0.0 );
+		#endif
+	}
+	vec3 getIBLRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness ) {
+		#ifdef ENVMAP_TYPE_PMREM
+			vec3 reflectVec = reflect( - viewDir, normal );
+			reflectVec = normalize( mix( reflectVec, normal, pow4( roughness ) ) );
+			reflectVec = transformDirectionByInverseViewMatrix( reflectVec, viewMatrix );
+			vec4 envMapColor = textureLod( envMap, envMapRotation * reflectVec, roughnessToMip( roughness ) );
+			return envMapColor.rgb * envMapIntensity;
+		#else
+			return vec3( 0.0 );
+		#endif
+	}
+	#ifdef USE_RETROREFLECTION
+		vec3 getIBLRetroRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness ) {
+			#ifdef ENVMAP_TYPE_PMREM
+				vec3 retroVec = normalize( mix( viewDir, normal, pow4( roughness ) ) );
+				retroVec = transformDirectionByInverseViewMatrix( retroVec, viewMatrix );
+				vec4 envMapColor = textureLod( envMap, envMapRotation * retroVec, roughnessToMip( roughness ) );
+				return envMapColor.rgb * envMapIntensity;
+			#else
+				return vec3( 0.0 );
+			#endif
+		}
+	#endif
+	#ifdef USE_ANISOTROPY
+		vec3 getIBLAnisotropyRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness, const in vec3 bitangent, const in float anisotropy ) {
+			#ifdef ENVMAP_TYPE_PMREM
+				vec3 bentNormal = cross( bitangent, viewDir );
+				bentNormal = normalize( cross( bentNormal, bitangent ) );
+				bentNormal = normalize( mix( bentNormal, normal, pow2( pow2( 1.0 - anisotropy * ( 1.0 - roughness ) ) ) ) );
+				return getIBLRadiance( viewDir, bentNormal, roughness );
+			#else
+				return vec3( 0.0 );
+			#endif
+		}
+		#ifdef USE_RETROREFLECTION
+			vec3 getIBLAnisotropyRetroRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness, const in vec3 bitangent, const in float anisotropy ) {
+				#ifdef ENVMAP_TYPE_PMREM
+					vec3 bentNormal = cross( bitangent, viewDir );
+					bentNormal = normalize( cross( bentNormal, bitangent ) );
+					bentNormal = normalize( mix( bentNormal, normal, pow2( pow2( 1.0 - anisotropy * ( 1.0 - roughness ) ) ) ) );
+					return getIBLRetroRadiance( viewDir, bentNormal, roughness );
+				#else
+					return vec3( 0.0 );
+				#endif
+			}
+		#endif
+	#endif
+#endif`,DT=`ToonMaterial material;
+material.diffuseColor = diffuseColor.rgb;`,NT=`varying vec3 vViewPosition;
+struct ToonMaterial {
+	vec3 diffuseColor;
+};
+void RE_Direct_Toon( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {
+	vec3 irradiance = getGradientIrradiance( geometryNormal, directLight.direction ) * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+void RE_IndirectDiffuse_Toon( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_Toon
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Toon`,FT=`BlinnPhongMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.specularColor = specular;
+material.specularShininess = shininess;
+material.specularStrength = specularStrength;`,UT=`varying vec3 vViewPosition;
+struct BlinnPhongMaterial {
+	vec3 diffuseColor;
+	vec3 specularColor;
+	float specularShininess;
+	float specularStrength;
+};
+void RE_Direct_BlinnPhong( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+	reflectedLight.directSpecular += irradiance * BRDF_BlinnPhong( directLight.direction, geometryViewDir, geometryNormal, material.specularColor, material.specularShininess ) * material.specularStrength;
+}
+void RE_IndirectDiffuse_BlinnPhong( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_BlinnPhong
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_BlinnPhong`,OT=`PhysicalMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.diffuseContribution = diffuseColor.rgb * ( 1.0 - metalnessFactor );
+material.metalness = metalnessFactor;
+vec3 dxy = max( abs( dFdx( nonPerturbedNormal ) ), abs( dFdy( nonPerturbedNormal ) ) );
+float geometryRoughness = max( max( dxy.x, dxy.y ), dxy.z );
+material.roughness = max( roughnessFactor, 0.045 );
+material.roughness += geometryRoughness;
+material.roughness = min( material.roughness, 1.0 );
+#ifdef USE_DIFFUSE_ROUGHNESS
+	float diffuseRoughnessFactor = diffuseRoughness;
+	#ifdef USE_DIFFUSE_ROUGHNESSMAP
+		diffuseRoughnessFactor *= texture2D( diffuseRoughnessMap, vDiffuseRoughnessMapUv ).r;
+	#endif
+	material.diffuseRoughness = saturate( diffuseRoughnessFactor );
+#endif
+#ifdef IOR
+	material.ior = ior;
+	#ifdef USE_SPECULAR
+		float specularIntensityFactor = specularIntensity;
+		vec3 specularColorFactor = specularColor;
+		#ifdef USE_SPECULAR_COLORMAP
+			specularColorFactor *= texture2D( specularColorMap, vSpecularColorMapUv ).rgb;
+		#endif
+		#ifdef USE_SPECULAR_INTENSITYMAP
+			specularIntensityFactor *= texture2D( specularIntensityMap, vSpecularIntensityMapUv ).a;
+		#endif
+		material.specularF90 = mix( specularIntensityFactor, 1.0, metalnessFactor );
+	#else
+		float specularIntensityFactor = 1.0;
+		vec3 specularColorFactor = vec3( 1.0 );
+		material.specularF90 = 1.0;
+	#endif
+	material.specularColor = min( pow2( ( material.ior - 1.0 ) / ( material.ior + 1.0 ) ) * specularColorFactor, vec3( 1.0 ) ) * specularIntensityFactor;
+	material.specularColorBlended = mix( material.specularColor, diffuseColor.rgb, metalnessFactor );
+#else
+	material.specularColor = vec3( 0.04 );
+	material.specularColorBlended = mix( material.specularColor, diffuseColor.rgb, metalnessFactor );
+	material.specularF90 = 1.0;
+#endif
+#ifdef USE_CLEARCOAT
+	material.clearcoat = clearcoat;
+	material.clearcoatRoughness = clearcoatRoughness;
+	material.clearcoatF0 = vec3( 0.04 );
+	material.clearcoatF90 = 1.0;
+	#ifdef USE_CLEARCOATMAP
+		material.clearcoat *= texture2D( clearcoatMap, vClearcoatMapUv ).x;
+	#endif
+	#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+		material.clearcoatRoughness *= texture2D( clearcoatRoughnessMap, vClearcoatRoughnessMapUv ).y;
+	#endif
+	material.clearcoat = saturate( material.clearcoat );	material.clearcoatRoughness = max( material.clearcoatRoughness, 0.045 );
+	material.clearcoatRoughness += geometryRoughness;
+	material.clearcoatRoughness = min( material.clearcoatRoughness, 1.0 );
+#endif
+#ifdef USE_DISPERSION
+	material.dispersion = dispersion;
+#endif
+#ifdef USE_RETROREFLECTION
+	material.retroreflectivity = retroreflectivity;
+#endif
+#ifdef USE_IRIDESCENCE
+	material.iridescence = iridescence;
+	material.iridescenceIOR = iridescenceIOR;
+	#ifdef USE_IRIDESCENCEMAP
+		material.iridescence *= texture2D( iridescenceMap, vIridescenceMapUv ).r;
+	#endif
+	#ifdef USE_IRIDESCENCE_THICKNESSMAP
+		material.iridescenceThickness = (iridescenceThicknessMaximum - iridescenceThicknessMinimum) * texture2D( iridescenceThicknessMap, vIridescenceThicknessMapUv ).g + iridescenceThicknessMinimum;
+	#else
+		material.iridescenceThickness = iridescenceThicknessMaximum;
+	#endif
+#endif
+#ifdef USE_SHEEN
+	material.sheenColor = sheenColor;
+	#ifdef USE_SHEEN_COLORMAP
+		material.sheenColor *= texture2D( sheenColorMap, vSheenColorMapUv ).rgb;
+	#endif
+	material.sheenRoughness = clamp( sheenRoughness, 0.0001, 1.0 );
+	#ifdef USE_SHEEN_ROUGHNESSMAP
+		material.sheenRoughness *= texture2D( sheenRoughnessMap, vSheenRoughnessMapUv ).a;
+	#endif
+#endif
+#ifdef USE_ANISOTROPY
+	#ifdef USE_ANISOTROPYMAP
+		mat2 anisotropyMat = mat2( anisotropyVector.x, anisotropyVector.y, - anisotropyVector.y, anisotropyVector.x );
+		vec3 anisotropyPolar = texture2D( anisotropyMap, vAnisotropyMapUv ).rgb;
+		vec2 anisotropyV = anisotropyMat * normalize( 2.0 * anisotropyPolar.rg - vec2( 1.0 ) ) * anisotropyPolar.b;
+	#else
+		vec2 anisotropyV = anisotropyVector;
+	#endif
+	material.anisotropy = length( anisotropyV );
+	if( material.anisotropy == 0.0 ) {
+		anisotropyV = vec2( 1.0, 0.0 );
+	} else {
+		anisotropyV /= material.anisotropy;
+		material.anisotropy = saturate( material.anisotropy );
+	}
+	material.alphaT = mix( pow2( material.roughness ), 1.0, pow2( material.anisotropy ) );
+	material.anisotropyT = tbn[ 0 ] * anisotropyV.x + tbn[ 1 ] * anisotropyV.y;
+	material.anisotropyB = tbn[ 1 ] * anisotropyV.x - tbn[ 0 ] * anisotropyV.y;
+#endif`,kT=`uniform sampler2D dfgLUT;
+struct PhysicalMaterial {
+	vec3 diffuseColor;
+	vec3 diffuseContribution;
+	vec3 specularColor;
+	vec3 specularColorBlended;
+	float roughness;
+	float metalness;
+	float specularF90;
+	float dispersion;
+	vec2 dfg;
+	vec3 multiScatteringCompensation;
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		float diffuseRoughness;
+	#endif
+	#ifdef USE_RETROREFLECTION
+		float retroreflectivity;
+	#endif
+	#ifdef USE_CLEARCOAT
+		float clearcoat;
+		float clearcoatRoughness;
+		vec3 clearcoatF0;
+		float clearcoatF90;
+	#endif
+	#ifdef USE_IRIDESCENCE
+		float iridescence;
+		float iridescenceIOR;
+		float iridescenceThickness;
+		vec3 iridescenceFresnel;
+		vec3 iridescenceF0Dielectric;
+		vec3 iridescenceF0Metallic;
+	#endif
+	#ifdef USE_SHEEN
+		vec3 sheenColor;
+		float sheenRoughness;
+	#endif
+	#ifdef IOR
+		float ior;
+	#endif
+	#ifdef USE_TRANSMISSION
+		float transmission;
+		float transmissionAlpha;
+		float thickness;
+		float attenuationDistance;
+		vec3 attenuationColor;
+	#endif
+	#ifdef USE_ANISOTROPY
+		float anisotropy;
+		float alphaT;
+		vec3 anisotropyT;
+		vec3 anisotropyB;
+	#endif
+};
+vec3 clearcoatSpecularDirect = vec3( 0.0 );
+vec3 clearcoatSpecularIndirect = vec3( 0.0 );
+vec3 sheenSpecularDirect = vec3( 0.0 );
+vec3 sheenSpecularIndirect = vec3(0.0 );
+vec3 Schlick_to_F0( const in vec3 f, const in float f90, const in float dotVH ) {
+    float x = clamp( 1.0 - dotVH, 0.0, 1.0 );
+    float x2 = x * x;
+    float x5 = clamp( x * x2 * x2, 0.0, 0.9999 );
+    return ( f - vec3( f90 ) * x5 ) / ( 1.0 - x5 );
+}
+#ifdef USE_DIFFUSE_ROUGHNESS
+	const float EON_EPSILON = 1e-7;
+	float FON_DirectionalAlbedo( const in float mu, const in float roughness, const in float A ) {
+		float muComp = 1.0 - mu;
+		float gOverPi = muComp * ( 0.0571085289 + muComp * ( 0.491881867 + muComp * ( - 0.332181442 + muComp * 0.0714429953 ) ) );
+		return A * ( 1.0 + roughness * gOverPi );
+	}
+	vec3 BRDF_EON( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in vec3 diffuseColor, const in float roughness ) {
+		vec3 rho = saturate( diffuseColor );
+		if ( roughness <= EON_EPSILON ) return BRDF_Lambert( rho );
+		float dotNL = saturate( dot( normal, lightDir ) );
+		float dotNV = saturate( dot( normal, viewDir ) );
+		float s = dot( lightDir, viewDir ) - dotNL * dotNV;
+		float sOverT = ( s > 0.0 ) ? s / max( max( dotNL, dotNV ), EON_EPSILON ) : s;
+		float A = 1.0 / ( 1.0 + ( 0.5 - 2.0 / ( 3.0 * PI ) ) * roughness );
+		vec3 singleScatter = rho * RECIPROCAL_PI * A * ( 1.0 + roughness * sOverT );
+		float averageAlbedo = A * ( 1.0 + ( 2.0 / 3.0 - 28.0 / ( 15.0 * PI ) ) * roughness );
+		float albedoV = FON_DirectionalAlbedo( dotNV, roughness, A );
+		float albedoL = FON_DirectionalAlbedo( dotNL, roughness, A );
+		vec3 rhoMultiScatter = rho * rho * averageAlbedo / max( vec3( EON_EPSILON ), vec3( 1.0 ) - rho * ( 1.0 - averageAlbedo ) );
+		vec3 multiScatter = rhoMultiScatter * RECIPROCAL_PI
+			* max( EON_EPSILON, 1.0 - albedoV )
+			* max( EON_EPSILON, 1.0 - albedoL )
+			/ max( EON_EPSILON, 1.0 - averageAlbedo );
+		return singleScatter + multiScatter;
+	}
+	vec3 EON_DirectionalAlbedo( const in vec3 diffuseColor, const in float roughness, const in float dotNV ) {
+		vec3 rho = saturate( diffuseColor );
+		if ( roughness <= EON_EPSILON ) return rho;
+		float A = 1.0 / ( 1.0 + ( 0.5 - 2.0 / ( 3.0 * PI ) ) * roughness );
+		float directionalAlbedo = FON_DirectionalAlbedo( dotNV, roughness, A );
+		float averageAlbedo = A * ( 1.0 + ( 2.0 / 3.0 - 28.0 / ( 15.0 * PI ) ) * roughness );
+		vec3 rhoMultiScatter = rho * rho * averageAlbedo / max( vec3( EON_EPSILON ), vec3( 1.0 ) - rho * ( 1.0 - averageAlbedo ) );
+		return rho * directionalAlbedo + rhoMultiScatter * ( 1.0 - directionalAlbedo );
+	}
+#endif
+float V_GGX_SmithCorrelated( const in float alpha, const in float dotNL, const in float dotNV ) {
+	float a2 = pow2( alpha );
+	float gv = dotNL * sqrt( a2 + ( 1.0 - a2 ) * pow2( dotNV ) );
+	float gl = dotNV * sqrt( a2 + ( 1.0 - a2 ) * pow2( dotNL ) );
+	return 0.5 / max( gv + gl, EPSILON );
+}
+float D_GGX( const in float alpha, const in float dotNH ) {
+	float a2 = pow2( alpha );
+	float denom = pow2( dotNH ) * ( a2 - 1.0 ) + 1.0;
+	return RECIPROCAL_PI * a2 / pow2( denom );
+}
+#ifdef USE_ANISOTROPY
+	float V_GGX_SmithCorrelated_Anisotropic( const in float alphaT, const in float alphaB, const in float dotTV, const in float dotBV, const in float dotTL, const in float dotBL, const in float dotNV, const in float dotNL ) {
+		float gv = dotNL * length( vec3( alphaT * dotTV, alphaB * dotBV, dotNV ) );
+		float gl = dotNV * length( vec3( alphaT * dotTL, alphaB * dotBL, dotNL ) );
+		return 0.5 / max( gv + gl, EPSILON );
+	}
+	float D_GGX_Anisotropic( const in float alphaT, const in float alphaB, const in float dotNH, const in float dotTH, const in float dotBH ) {
+		float a2 = alphaT * alphaB;
+		highp vec3 v = vec3( alphaB * dotTH, alphaT * dotBH, a2 * dotNH );
+		highp float v2 = dot( v, v );
+		float w2 = a2 / v2;
+		return RECIPROCAL_PI * a2 * pow2 ( w2 );
+	}
+#endif
+#ifdef USE_CLEARCOAT
+	vec3 BRDF_GGX_Clearcoat( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in PhysicalMaterial material) {
+		vec3 f0 = material.clearcoatF0;
+		float f90 = material.clearcoatF90;
+		float roughness = max( material.clearcoatRoughness, 0.045 );
+		float alpha = pow2( roughness );
+		vec3 halfDir = normalize( lightDir + viewDir );
+		float dotNL = saturate( dot( normal, lightDir ) );
+		float dotNV = saturate( dot( normal, viewDir ) );
+		float dotNH = saturate( dot( normal, halfDir ) );
+		float dotVH = saturate( dot( viewDir, halfDir ) );
+		vec3 F = F_Schlick( f0, f90, dotVH );
+		float V = V_GGX_SmithCorrelated( alpha, dotNL, dotNV );
+		float D = D_GGX( alpha, dotNH );
+		return F * ( V * D );
+	}
+#endif
+vec3 BRDF_GGX( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in PhysicalMaterial material ) {
+	vec3 f0 = material.specularColorBlended;
+	float f90 = material.specularF90;
+	float roughness = max( material.roughness, 0.045 );
+	float alpha = pow2( roughness );
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNL = saturate( dot( normal, lightDir ) );
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float dotVH = saturate( dot( viewDir, halfDir ) );
+	vec3 F = F_Schlick( f0, f90, dotVH );
+	#ifdef USE_IRIDESCENCE
+		F = mix( F, material.iridescenceFresnel, material.iridescence );
+	#endif
+	#ifdef USE_ANISOTROPY
+		float dotTL = dot( material.anisotropyT, lightDir );
+		float dotTV = dot( material.anisotropyT, viewDir );
+		float dotTH = dot( material.anisotropyT, halfDir );
+		float dotBL = dot( material.anisotropyB, lightDir );
+		float dotBV = dot( material.anisotropyB, viewDir );
+		float dotBH = dot( material.anisotropyB, halfDir );
+		float alphaT = max( material.alphaT, alpha );
+		float V = V_GGX_SmithCorrelated_Anisotropic( alphaT, alpha, dotTV, dotBV, dotTL, dotBL, dotNV, dotNL );
+		float D = D_GGX_Anisotropic( alphaT, alpha, dotNH, dotTH, dotBH );
+	#else
+		float V = V_GGX_SmithCorrelated( alpha, dotNL, dotNV );
+		float D = D_GGX( alpha, dotNH );
+	#endif
+	return F * ( V * D );
+}
+vec2 LTC_Uv( const in vec3 N, const in vec3 V, const in float roughness ) {
+	const float LUT_SIZE = 64.0;
+	const float LUT_SCALE = ( LUT_SIZE - 1.0 ) / LUT_SIZE;
+	const float LUT_BIAS = 0.5 / LUT_SIZE;
+	float dotNV = saturate( dot( N, V ) );
+	vec2 uv = vec2( roughness, sqrt( 1.0 - dotNV ) );
+	uv = uv * LUT_SCALE + LUT_BIAS;
+	return uv;
+}
+float LTC_ClippedSphereFormFactor( const in vec3 f ) {
+	float l = length( f );
+	return max( ( l * l + f.z ) / ( l + 1.0 ), 0.0 );
+}
+vec3 LTC_EdgeVectorFormFactor( const in vec3 v1, const in vec3 v2 ) {
+	float x = dot( v1, v2 );
+	float y = abs( x );
+	float a = 0.8543985 + ( 0.4965155 + 0.0145206 * y ) * y;
+	float b = 3.4175940 + ( 4.1616724 + y ) * y;
+	float v = a / b;
+	float theta_sintheta = ( x > 0.0 ) ? v : 0.5 * inversesqrt( max( 1.0 - x * x, 1e-7 ) ) - v;
+	return cross( v1, v2 ) * theta_sintheta;
+}
+vec3 LTC_Evaluate( const in vec3 N, const in vec3 V, const in vec3 P, const in mat3 mInv, const in vec3 rectCoords[ 4 ] ) {
+	vec3 v1 = rectCoords[ 1 ] - rectCoords[ 0 ];
+	vec3 v2 = rectCoords[ 3 ] - rectCoords[ 0 ];
+	vec3 lightNormal = cross( v1, v2 );
+	if( dot( lightNormal, P - rectCoords[ 0 ] ) < 0.0 ) return vec3( 0.0 );
+	vec3 T1, T2;
+	T1 = normalize( V - N * dot( V, N ) );
+	T2 = - cross( N, T1 );
+	mat3 mat = mInv * transpose( mat3( T1, T2, N ) );
+	vec3 coords[ 4 ];
+	coords[ 0 ] = mat * ( rectCoords[ 0 ] - P );
+	coords[ 1 ] = mat * ( rectCoords[ 1 ] - P );
+	coords[ 2 ] = mat * ( rectCoords[ 2 ] - P );
+	coords[ 3 ] = mat * ( rectCoords[ 3 ] - P );
+	coords[ 0 ] = normalize( coords[ 0 ] );
+	coords[ 1 ] = normalize( coords[ 1 ] );
+	coords[ 2 ] = normalize( coords[ 2 ] );
+	coords[ 3 ] = normalize( coords[ 3 ] );
+	vec3 vectorFormFactor = vec3( 0.0 );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 0 ], coords[ 1 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 1 ], coords[ 2 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 2 ], coords[ 3 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 3 ], coords[ 0 ] );
+	float result = LTC_ClippedSphereFormFactor( vectorFormFactor );
+	return vec3( result );
+}
+#if defined( USE_SHEEN )
+float D_Charlie( float roughness, float dotNH ) {
+	float alpha = pow2( roughness );
+	float invAlpha = 1.0 / alpha;
+	float cos2h = dotNH * dotNH;
+	float sin2h = max( 1.0 - cos2h, 0.0078125 );
+	return ( 2.0 + invAlpha ) * pow( sin2h, invAlpha * 0.5 ) / ( 2.0 * PI );
+}
+float V_Neubelt( float dotNV, float dotNL ) {
+	return saturate( 1.0 / ( 4.0 * ( dotNL + dotNV - dotNL * dotNV ) ) );
+}
+vec3 BRDF_Sheen( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, vec3 sheenColor, const in float sheenRoughness ) {
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNL = saturate( dot( normal, lightDir ) );
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float D = D_Charlie( sheenRoughness, dotNH );
+	float V = V_Neubelt( dotNV, dotNL );
+	return sheenColor * ( D * V );
+}
+#endif
+float IBLSheenBRDF( const in vec3 normal, const in vec3 viewDir, const in float roughness ) {
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float r2 = roughness * roughness;
+	float rInv = 1.0 / ( roughness + 0.1 );
+	float a = -1.9362 + 1.0678 * roughness + 0.4573 * r2 - 0.8469 * rInv;
+	float b = -0.6014 + 0.5538 * roughness - 0.4670 * r2 - 0.1255 * rInv;
+	float DG = exp( a * dotNV + b );
+	return saturate( DG );
+}
+vec3 EnvironmentBRDF( const in vec3 normal, const in vec3 viewDir, const in vec3 specularColor, const in float specularF90, const in float roughness ) {
+	float dotNV = saturate( dot( normal, viewDir ) );
+	vec2 fab = texture2D( dfgLUT, vec2( roughness, dotNV ) ).rg;
+	return specularColor * fab.x + specularF90 * fab.y;
+}
+#ifdef USE_IRIDESCENCE
+void computeMultiscatteringIridescence( const in vec2 fab, const in vec3 specularColor, const in float specularF90, const in float iridescence, const in vec3 iridescenceF0, inout vec3 singleScatter, inout vec3 multiScatter ) {
+#else
+void computeMultiscattering( const in vec2 fab, const in vec3 specularColor, const in float specularF90, inout vec3 singleScatter, inout vec3 multiScatter ) {
+#endif
+	#ifdef USE_IRIDESCENCE
+		vec3 Fr = mix( specularColor, iridescenceF0, iridescence );
+	#else
+		vec3 Fr = specularColor;
+	#endif
+	vec3 FssEss = Fr * fab.x + specularF90 * fab.y;
+	float Ess = fab.x + fab.y;
+	float Ems = 1.0 - Ess;
+	vec3 Favg = Fr + ( 1.0 - Fr ) * 0.047619;	vec3 Fms = FssEss * Favg / ( 1.0 - Ems * Favg );
+	singleScatter += FssEss;
+	multiScatter += Fms * Ems;
+}
+#if NUM_RECT_AREA_LIGHTS > 0
+	void RE_Direct_RectArea_Physical( const in RectAreaLight rectAreaLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+		vec3 normal = geometryNormal;
+		vec3 viewDir = geometryViewDir;
+		vec3 position = geometryPosition;
+		vec3 lightPos = rectAreaLight.position;
+		vec3 halfWidth = rectAreaLight.halfWidth;
+		vec3 halfHeight = rectAreaLight.halfHeight;
+		vec3 lightColor = rectAreaLight.color;
+		float roughness = material.roughness;
+		vec3 rectCoords[ 4 ];
+		rectCoords[ 0 ] = lightPos + halfWidth - halfHeight;		rectCoords[ 1 ] = lightPos - halfWidth - halfHeight;
+		rectCoords[ 2 ] = lightPos - halfWidth + halfHeight;
+		rectCoords[ 3 ] = lightPos + halfWidth + halfHeight;
+		vec2 uv = LTC_Uv( normal, viewDir, roughness );
+		vec4 t1 = texture2D( ltc_1, uv );
+		vec4 t2 = texture2D( ltc_2, uv );
+		mat3 mInv = mat3(
+			vec3( t1.x, 0, t1.y ),
+			vec3(    0, 1,    0 ),
+			vec3( t1.z, 0, t1.w )
+		);
+		vec3 fresnel = ( material.specularColorBlended * t2.x + ( material.specularF90 - material.specularColorBlended ) * t2.y );
+		reflectedLight.directSpecular += lightColor * fresnel * LTC_Evaluate( normal, viewDir, position, mInv, rectCoords );
+		reflectedLight.directDiffuse += lightColor * material.diffuseContribution * LTC_Evaluate( normal, viewDir, position, mat3( 1.0 ), rectCoords );
+		#ifdef USE_CLEARCOAT
+			vec3 Ncc = geometryClearcoatNormal;
+			vec2 uvClearcoat = LTC_Uv( Ncc, viewDir, material.clearcoatRoughness );
+			vec4 t1Clearcoat = texture2D( ltc_1, uvClearcoat );
+			vec4 t2Clearcoat = texture2D( ltc_2, uvClearcoat );
+			mat3 mInvClearcoat = mat3(
+				vec3( t1Clearcoat.x, 0, t1Clearcoat.y ),
+				vec3(             0, 1,             0 ),
+				vec3( t1Clearcoat.z, 0, t1Clearcoat.w )
+			);
+			vec3 fresnelClearcoat = material.clearcoatF0 * t2Clearcoat.x + ( material.clearcoatF90 - material.clearcoatF0 ) * t2Clearcoat.y;
+			clearcoatSpecularDirect += lightColor * fresnelClearcoat * LTC_Evaluate( Ncc, viewDir, position, mInvClearcoat, rectCoords );
+		#endif
+	}
+#endif
+void RE_Direct_Physical( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	#ifdef USE_CLEARCOAT
+		float dotNLcc = saturate( dot( geometryClearcoatNormal, directLight.direction ) );
+		vec3 ccIrradiance = dotNLcc * directLight.color;
+		clearcoatSpecularDirect += ccIrradiance * BRDF_GGX_Clearcoat( directLight.direction, geometryViewDir, geometryClearcoatNormal, material );
+	#endif
+	#ifdef USE_SHEEN
+ 
+ 		sheenSpecularDirect += irradiance * BRDF_Sheen( directLight.direction, geometryViewDir, geometryNormal, material.sheenColor, material.sheenRoughness );
+ 
+ 		float sheenAlbedoV = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+ 		float sheenAlbedoL = IBLSheenBRDF( geometryNormal, directLight.direction, material.sheenRoughness );
+ 
+ 		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * max( sheenAlbedoV, sheenAlbedoL );
+ 
+ 		irradiance *= sheenEnergyComp;
+ 
+ 	#endif
+	vec3 specularBRDF = BRDF_GGX( directLight.direction, geometryViewDir, geometryNormal, material );
+	#ifdef USE_RETROREFLECTION
+		vec3 retroViewDir = reflect( - geometryViewDir, geometryNormal );
+		vec3 retroSpecularBRDF = BRDF_GGX( directLight.direction, retroViewDir, geometryNormal, material );
+		specularBRDF = mix( specularBRDF, retroSpecularBRDF, saturate( material.retroreflectivity ) );
+	#endif
+	reflectedLight.directSpecular += irradiance * specularBRDF * material.multiScatteringCompensation;
+	vec3 halfDir = normalize( directLight.direction + geometryViewDir );
+	float dotVH = saturate( dot( geometryViewDir, halfDir ) );
+	vec3 F = F_Schlick( material.specularColor, material.specularF90, dotVH );
+	#ifdef USE_RETROREFLECTION
+		vec3 retroHalfDir = normalize( directLight.direction + retroViewDir );
+		float dotRetroVH = saturate( dot( retroViewDir, retroHalfDir ) );
+		vec3 retroF = F_Schlick( material.specularColor, material.specularF90, dotRetroVH );
+		F = mix( F, retroF, saturate( material.retroreflectivity ) );
+	#endif
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		vec3 diffuseBRDF = BRDF_EON( directLight.direction, geometryViewDir, geometryNormal, material.diffuseColor, material.diffuseRoughness ) * ( 1.0 - material.metalness );
+	#else
+		vec3 diffuseBRDF = BRDF_Lambert( material.diffuseContribution );
+	#endif
+	reflectedLight.directDiffuse += irradiance * diffuseBRDF * ( 1.0 - F );
+}
+void RE_IndirectDiffuse_Physical( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+	vec3 singleScattering = vec3( 0.0 );
+	vec3 multiScattering = vec3( 0.0 );
+	#ifdef USE_IRIDESCENCE
+		computeMultiscatteringIridescence( material.dfg, material.specularColor, material.specularF90, material.iridescence, material.iridescenceF0Dielectric, singleScattering, multiScattering );
+	#else
+		computeMultiscattering( material.dfg, material.specularColor, material.specularF90, singleScattering, multiScattering );
+	#endif
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		vec3 diffuseAlbedo = EON_DirectionalAlbedo( material.diffuseColor, material.diffuseRoughness, dotNV ) * ( 1.0 - material.metalness );
+		vec3 diffuse = irradiance * RECIPROCAL_PI * diffuseAlbedo * ( 1.0 - singleScattering - multiScattering );
+	#else
+		vec3 diffuse = irradiance * BRDF_Lambert( material.diffuseContribution ) * ( 1.0 - singleScattering - multiScattering );
+	#endif
+	#ifdef USE_SHEEN
+		float sheenAlbedo = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+		sheenSpecularIndirect += irradiance * material.sheenColor * sheenAlbedo * RECIPROCAL_PI;
+		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * sheenAlbedo;
+		diffuse *= sheenEnergyComp;
+	#endif
+	reflectedLight.indirectDiffuse += diffuse;
+}
+void RE_IndirectSpecular_Physical( const in vec3 radiance, const in vec3 irradiance, const in vec3 clearcoatRadiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight) {
+	#ifdef USE_CLEARCOAT
+		clearcoatSpecularIndirect += clearcoatRadiance * EnvironmentBRDF( geometryClearcoatNormal, geometryViewDir, material.clearcoatF0, material.clearcoatF90, material.clearcoatRoughness );
+	#endif
+	#ifdef USE_SHEEN
+		sheenSpecularIndirect += irradiance * material.sheenColor * IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness ) * RECIPROCAL_PI;
+ 	#endif
+	vec3 singleScatteringDielectric = vec3( 0.0 );
+	vec3 multiScatteringDielectric = vec3( 0.0 );
+	vec3 singleScatteringMetallic = vec3( 0.0 );
+	vec3 multiScatteringMetallic = vec3( 0.0 );
+	#ifdef USE_IRIDESCENCE
+		computeMultiscatteringIridescence( material.dfg, material.specularColor, material.specularF90, material.iridescence, material.iridescenceF0Dielectric, singleScatteringDielectric, multiScatteringDielectric );
+		computeMultiscatteringIridescence( material.dfg, material.diffuseColor, material.specularF90, material.iridescence, material.iridescenceF0Metallic, singleScatteringMetallic, multiScatteringMetallic );
+	#else
+		computeMultiscattering( material.dfg, material.specularColor, material.specularF90, singleScatteringDielectric, multiScatteringDielectric );
+		computeMultiscattering( material.dfg, material.diffuseColor, material.specularF90, singleScatteringMetallic, multiScatteringMetallic );
+	#endif
+	vec3 singleScattering = mix( singleScatteringDielectric, singleScatteringMetallic, material.metalness );
+	vec3 multiScattering = mix( multiScatteringDielectric, multiScatteringMetallic, material.metalness );
+	vec3 totalScatteringDielectric = singleScatteringDielectric + multiScatteringDielectric;
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		vec3 diffuse = EON_DirectionalAlbedo( material.diffuseColor, material.diffuseRoughness, dotNV ) * ( 1.0 - material.metalness ) * ( 1.0 - totalScatteringDielectric );
+	#else
+		vec3 diffuse = material.diffuseContribution * ( 1.0 - totalScatteringDielectric );
+	#endif
+	vec3 cosineWeightedIrradiance = irradiance * RECIPROCAL_PI;
+	vec3 indirectSpecular = radiance * singleScattering;
+	indirectSpecular += multiScattering * cosineWeightedIrradiance;
+	vec3 indirectDiffuse = diffuse * cosineWeightedIrradiance;
+	#ifdef USE_SHEEN
+		float sheenAlbedo = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * sheenAlbedo;
+		indirectSpecular *= sheenEnergyComp;
+		indirectDiffuse *= sheenEnergyComp;
+	#endif
+	reflectedLight.indirectSpecular += indirectSpecular;
+	reflectedLight.indirectDiffuse += indirectDiffuse;
+}
+#define RE_Direct				RE_Direct_Physical
+#define RE_Direct_RectArea		RE_Direct_RectArea_Physical
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Physical
+#define RE_IndirectSpecular		RE_IndirectSpecular_Physical
+float computeSpecularOcclusion( const in float dotNV, const in float ambientOcclusion, const in float roughness ) {
+	return saturate( pow( dotNV + ambientOcclusion, exp2( - 16.0 * roughness - 1.0 ) ) - 1.0 + ambientOcclusion );
+}`,BT=`
+vec3 geometryPosition = - vViewPosition;
+vec3 geometryNormal = normal;
+vec3 geometryViewDir = ( isOrthographic ) ? vec3( 0, 0, 1 ) : normalize( vViewPosition );
+vec3 geometryClearcoatNormal = vec3( 0.0 );
+#ifdef USE_CLEARCOAT
+	geometryClearcoatNormal = clearcoatNormal;
+#endif
+#ifdef USE_IRIDESCENCE
+	float dotNVi = saturate( dot( normal, geometryViewDir ) );
+	if ( material.iridescenceThickness == 0.0 ) {
+		material.iridescence = 0.0;
+	} else {
+		material.iridescence = saturate( material.iridescence );
+	}
+	if ( material.iridescence > 0.0 ) {
+		vec3 iridescenceFresnelDielectric = evalIridescence( 1.0, material.iridescenceIOR, dotNVi, material.iridescenceThickness, material.specularColor );
+		vec3 iridescenceFresnelMetallic = evalIridescence( 1.0, material.iridescenceIOR, dotNVi, material.iridescenceThickness, material.diffuseColor );
+		material.iridescenceFresnel = mix( iridescenceFresnelDielectric, iridescenceFresnelMetallic, material.metalness );
+		material.iridescenceF0Dielectric = Schlick_to_F0( iridescenceFresnelDielectric, 1.0, dotNVi );
+		material.iridescenceF0Metallic = Schlick_to_F0( iridescenceFresnelMetallic, 1.0, dotNVi );
+	}
+#endif
+#ifdef STANDARD
+	float dotNVms = saturate( dot( geometryNormal, geometryViewDir ) );
+	material.dfg = texture2D( dfgLUT, vec2( material.roughness, dotNVms ) ).rg;
+	#if ( NUM_SUN_LIGHTS > 0 || NUM_DIR_LIGHTS > 0 || NUM_POINT_LIGHTS > 0 || NUM_SPOT_LIGHTS > 0 )
+		float EssMs = material.dfg.x + material.dfg.y;
+		material.multiScatteringCompensation = 1.0 + material.specularColorBlended * ( 1.0 / EssMs - 1.0 );
+	#endif
+#endif
+IncidentLight directLight;
+#if ( NUM_POINT_LIGHTS > 0 ) && defined( RE_Direct )
+	PointLight pointLight;
+	#if defined( USE_SHADOWMAP ) && NUM_POINT_LIGHT_SHADOWS > 0
+	PointLightShadow pointLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_POINT_LIGHTS; i ++ ) {
+		pointLight = pointLights[ i ];
+		getPointLightInfo( pointLight, geometryPosition, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_POINT_LIGHT_SHADOWS ) && ( defined( SHADOWMAP_TYPE_PCF ) || defined( SHADOWMAP_TYPE_BASIC ) )
+		pointLightShadow = pointLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getPointShadow( pointShadowMap[ i ], pointLightShadow.shadowMapSize, pointLightShadow.shadowIntensity, pointLightShadow.shadowBias, pointLightShadow.shadowRadius, vPointShadowCoord[ i ], pointLightShadow.shadowCameraNear, pointLightShadow.shadowCameraFar ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_SPOT_LIGHTS > 0 ) && defined( RE_Direct )
+	SpotLight spotLight;
+	vec4 spotColor;
+	vec3 spotLightCoord;
+	bool inSpotLightMap;
+	#if defined( USE_SHADOWMAP ) && NUM_SPOT_LIGHT_SHADOWS > 0
+	SpotLightShadow spotLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHTS; i ++ ) {
+		spotLight = spotLights[ i ];
+		getSpotLightInfo( spotLight, geometryPosition, directLight );
+		#if ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS )
+		#define SPOT_LIGHT_MAP_INDEX UNROLLED_LOOP_INDEX
+		#elif ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+		#define SPOT_LIGHT_MAP_INDEX NUM_SPOT_LIGHT_MAPS
+		#else
+		#define SPOT_LIGHT_MAP_INDEX ( UNROLLED_LOOP_INDEX - NUM_SPOT_LIGHT_SHADOWS + NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS )
+		#endif
+		#if ( SPOT_LIGHT_MAP_INDEX < NUM_SPOT_LIGHT_MAPS )
+			spotLightCoord = vSpotLightCoord[ i ].xyz / vSpotLightCoord[ i ].w;
+			inSpotLightMap = all( lessThan( abs( spotLightCoord * 2. - 1. ), vec3( 1.0 ) ) );
+			spotColor = texture2D( spotLightMap[ SPOT_LIGHT_MAP_INDEX ], spotLightCoord.xy );
+			directLight.color = inSpotLightMap ? directLight.color * spotColor.rgb : directLight.color;
+		#endif
+		#undef SPOT_LIGHT_MAP_INDEX
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+		spotLightShadow = spotLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getShadow( spotShadowMap[ i ], spotLightShadow.shadowMapSize, spotLightShadow.shadowIntensity, spotLightShadow.shadowBias, spotLightShadow.shadowRadius, vSpotLightCoord[ i ] ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_SUN_LIGHTS > 0 ) && defined( RE_Direct )
+	SunLight sunLight;
+	#if defined( USE_SHADOWMAP ) && NUM_SUN_LIGHT_SHADOWS > 0
+	SunLightShadow sunLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SUN_LIGHTS; i ++ ) {
+		sunLight = sunLights[ i ];
+		getSunLightInfo( sunLight, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_SUN_LIGHT_SHADOWS )
+		sunLightShadow = sunLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getSunShadow( sunShadowMap[ i ], sunLightShadow, UNROLLED_LOOP_INDEX ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_DIR_LIGHTS > 0 ) && defined( RE_Direct )
+	DirectionalLight directionalLight;
+	#if defined( USE_SHADOWMAP ) && NUM_DIR_LIGHT_SHADOWS > 0
+	DirectionalLightShadow directionalLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_DIR_LIGHTS; i ++ ) {
+		directionalLight = directionalLights[ i ];
+		getDirectionalLightInfo( directionalLight, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_DIR_LIGHT_SHADOWS )
+		directionalLightShadow = directionalLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getShadow( directionalShadowMap[ i ], directionalLightShadow.shadowMapSize, directionalLightShadow.shadowIntensity, directionalLightShadow.shadowBias, directionalLightShadow.shadowRadius, vDirectionalShadowCoord[ i ] ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_RECT_AREA_LIGHTS > 0 ) && defined( RE_Direct_RectArea )
+	RectAreaLight rectAreaLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_RECT_AREA_LIGHTS; i ++ ) {
+		rectAreaLight = rectAreaLights[ i ];
+		RE_Direct_RectArea( rectAreaLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if defined( RE_IndirectDiffuse )
+	vec3 iblIrradiance = vec3( 0.0 );
+	vec3 irradiance = getAmbientLightIrradiance( ambientLightColor );
+	#if defined( USE_LIGHT_PROBES )
+		irradiance += getLightProbeIrradiance( lightProbe, geometryNormal );
+	#endif
+	#if ( NUM_HEMI_LIGHTS > 0 )
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_HEMI_LIGHTS; i ++ ) {
+			irradiance += getHemisphereLightIrradiance( hemisphereLights[ i ], geometryNormal );
+		}
+		#pragma unroll_loop_end
+	#endif
+	#if NUM_LIGHT_PROBE_GRIDS > 0
+		vec3 probeWorldPos = ( ( vec4( geometryPosition, 1.0 ) - viewMatrix[ 3 ] ) * viewMatrix ).xyz;
+		vec3 probeWorldNormal = transformNormalByInverseViewMatrix( geometryNormal, viewMatrix );
+		int probeGrid = - 1;
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_LIGHT_PROBE_GRIDS; i ++ ) {
+			if ( isInsideLightProbeGrid( probeWorldPos, probeWorldNormal, probesMin[ i ], probesMax[ i ], probesResolution[ i ] ) ) probeGrid = UNROLLED_LOOP_INDEX;
+		}
+		#pragma unroll_loop_end
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_LIGHT_PROBE_GRIDS; i ++ ) {
+			if ( probeGrid == UNROLLED_LOOP_INDEX ) irradiance += getLightProbeGridIrradiance( probesSH[ i ], probesMin[ i ], probesMax[ i ], probesResolution[ i ], probeWorldPos, probeWorldNormal );
+		}
+		#pragma unroll_loop_end
+	#endif
+#endif
+#if defined( RE_IndirectSpecular )
+	vec3 radiance = vec3( 0.0 );
+	vec3 clearcoatRadiance = vec3( 0.0 );
+#endif`,VT=`#if defined( RE_IndirectDiffuse )
+	#ifdef USE_LIGHTMAP
+		vec4 lightMapTexel = texture2D( lightMap, vLightMapUv );
+		vec3 lightMapIrradiance = lightMapTexel.rgb * lightMapIntensity;
+		irradiance += lightMapIrradiance;
+	#endif
+	#if defined( USE_ENVMAP ) && defined( ENVMAP_TYPE_PMREM )
+		#if defined( STANDARD ) || defined( LAMBERT ) || defined( PHONG )
+			iblIrradiance += getIBLIrradiance( geometryNormal );
+		#endif
+	#endif
+#endif
+#if defined( USE_ENVMAP ) && defined( RE_IndirectSpecular )
+	#ifdef USE_ANISOTROPY
+		vec3 iblRadiance = getIBLAnisotropyRadiance( geometryViewDir, geometryNormal, material.roughness, material.anisotropyB, material.anisotropy );
+	#else
+		vec3 iblRadiance = getIBLRadiance( geometryViewDir, geometryNormal, material.roughness );
+	#endif
+	#ifdef USE_RETROREFLECTION
+		#ifdef USE_ANISOTROPY
+			vec3 retroIBLRadiance = getIBLAnisotropyRetroRadiance( geometryViewDir, geometryNormal, material.roughness, material.anisotropyB, material.anisotropy );
+		#else
+			vec3 retroIBLRadiance = getIBLRetroRadiance( geometryViewDir, geometryNormal, material.roughness );
+		#endif
+		iblRadiance = mix( iblRadiance, retroIBLRadiance, saturate( material.retroreflectivity ) );
+	#endif
+	radiance += iblRadiance;
+	#ifdef USE_CLEARCOAT
+		clearcoatRadiance += getIBLRadiance( geometryViewDir, geometryClearcoatNormal, material.clearcoatRoughness );
+	#endif
+#endif`,zT=`#if defined( RE_IndirectDiffuse )
+	#if defined( LAMBERT ) || defined( PHONG )
+		irradiance += iblIrradiance;
+	#endif
+	RE_IndirectDiffuse( irradiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+#endif
+#if defined( RE_IndirectSpecular )
+	RE_IndirectSpecular( radiance, iblIrradiance, clearcoatRadiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+#endif`,GT=`#if NUM_LIGHT_PROBE_GRIDS > 0
+uniform highp sampler3D probesSH[ NUM_LIGHT_PROBE_GRIDS ];
+uniform vec3 probesMin[ NUM_LIGHT_PROBE_GRIDS ];
+uniform vec3 probesMax[ NUM_LIGHT_PROBE_GRIDS ];
+uniform vec3 probesResolution[ NUM_LIGHT_PROBE_GRIDS ];
+bool isInsideLightProbeGrid( vec3 worldPos, vec3 worldNormal, vec3 probesMin, vec3 probesMax, vec3 probesResolution ) {
+	vec3 spacing = ( probesMax - probesMin ) / probesResolution;
+	vec3 samplePos = worldPos + worldNormal * spacing * 0.5;
+	vec3 margin = spacing * 0.01;
+	return all( greaterThanEqual( samplePos, probesMin - margin ) ) && all( lessThanEqual( samplePos, probesMax + margin ) );
+}
+vec3 getLightProbeGridIrradiance( highp sampler3D probesSH, vec3 probesMin, vec3 probesMax, vec3 probesResolution, vec3 worldPos, vec3 worldNormal ) {
+	vec3 res = probesResolution;
+	vec3 gridRange = probesMax - probesMin;
+	vec3 probeSpacing = gridRange / res;
+	vec3 samplePos = worldPos + worldNormal * probeSpacing * 0.5;
+	vec3 uvw = clamp( ( samplePos - probesMin ) / gridRange, 0.5 / res, 1.0 - 0.5 / res );
+	float nz          = res.z;
+	float paddedSlices = nz + 2.0;
+	float atlasDepth  = 7.0 * paddedSlices;
+	float uvZBase     = uvw.z * nz + 1.0;
+	vec4 s0 = texture( probesSH, vec3( uvw.xy, ( uvZBase                       ) / atlasDepth ) );
+	vec4 s1 = texture( probesSH, vec3( uvw.xy, ( uvZBase +       paddedSlices   ) / atlasDepth ) );
+	vec4 s2 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 2.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s3 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 3.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s4 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 4.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s5 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 5.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s6 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 6.0 * paddedSlices   ) / atlasDepth ) );
+	vec3 c0 = s0.xyz;
+	vec3 c1 = vec3( s0.w, s1.xy );
+	vec3 c2 = vec3( s1.zw, s2.x );
+	vec3 c3 = s2.yzw;
+	vec3 c4 = s3.xyz;
+	vec3 c5 = vec3( s3.w, s4.xy );
+	vec3 c6 = vec3( s4.zw, s5.x );
+	vec3 c7 = s5.yzw;
+	vec3 c8 = s6.xyz;
+	float x = worldNormal.x, y = worldNormal.y, z = worldNormal.z;
+	vec3 result = c0 * 0.886227;
+	result += c1 * 2.0 * 0.511664 * y;
+	result += c2 * 2.0 * 0.511664 * z;
+	result += c3 * 2.0 * 0.511664 * x;
+	result += c4 * 2.0 * 0.429043 * x * y;
+	result += c5 * 2.0 * 0.429043 * y * z;
+	result += c6 * ( 0.743125 * z * z - 0.247708 );
+	result += c7 * 2.0 * 0.429043 * x * z;
+	result += c8 * 0.429043 * ( x * x - y * y );
+	return max( result, vec3( 0.0 ) );
+}
+#endif`,HT=`#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )
+	gl_FragDepth = vIsPerspective == 0.0 ? gl_FragCoord.z : log2( vFragDepth ) * logDepthBufFC * 0.5;
+#endif`,WT=`#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )
+	uniform float logDepthBufFC;
+	varying float vFragDepth;
+	varying float vIsPerspective;
+#endif`,XT=`#ifdef USE_LOGARITHMIC_DEPTH_BUFFER
+	varying float vFragDepth;
+	varying float vIsPerspective;
+#endif`,$T=`#ifdef USE_LOGARITHMIC_DEPTH_BUFFER
+	vFragDepth = 1.0 + gl_Position.w;
+	vIsPerspective = float( isPerspectiveMatrix( projectionMatrix ) );
+#endif`,qT=`#ifdef USE_MAP
+	vec4 sampledDiffuseColor = texture2D( map, vMapUv );
+	#ifdef DECODE_VIDEO_TEXTURE
+		sampledDiffuseColor = sRGBTransferEOTF( sampledDiffuseColor );
+	#endif
+	diffuseColor *= sampledDiffuseColor;
+#endif`,YT=`#ifdef USE_MAP
+	uniform sampler2D map;
+#endif`,JT=`#if defined( USE_MAP ) || defined( USE_ALPHAMAP )
+	#if defined( USE_POINTS_UV )
+		vec2 uv = vUv;
+	#else
+		vec2 uv = ( uvTransform * vec3( gl_PointCoord.x, 1.0 - gl_PointCoord.y, 1 ) ).xy;
+	#endif
+#endif
+#ifdef USE_MAP
+	diffuseColor *= texture2D( map, uv );
+#endif
+#ifdef USE_ALPHAMAP
+	diffuseColor.a *= texture2D( alphaMap, uv ).g;
+#endif`,ZT=`#if defined( USE_POINTS_UV )
+	varying vec2 vUv;
+#else
+	#if defined( USE_MAP ) || defined( USE_ALPHAMAP )
+		uniform mat3 uvTransform;
+	#endif
+#endif
+#ifdef USE_MAP
+	uniform sampler2D map;
+#endif
+#ifdef USE_ALPHAMAP
+	uniform sampler2D alphaMap;
+#endif`,KT=`float metalnessFactor = metalness;
+#ifdef USE_METALNESSMAP
+	vec4 texelMetalness = texture2D( metalnessMap, vMetalnessMapUv );
+	metalnessFactor *= texelMetalness.b;
+#endif`,jT=`#ifdef USE_METALNESSMAP
+	uniform sampler2D metalnessMap;
+#endif`,QT=`#ifdef USE_INSTANCING_MORPH
+	float morphTargetInfluences[ MORPHTARGETS_COUNT ];
+	float morphTargetBaseInfluence = texelFetch( morphTexture, ivec2( 0, gl_InstanceID ), 0 ).r;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		morphTargetInfluences[i] =  texelFetch( morphTexture, ivec2( i + 1, gl_InstanceID ), 0 ).r;
+	}
+#endif`,eA=`#if defined( USE_MORPHCOLORS )
+	#if defined( USE_COLOR_ALPHA )
+		vColor *= morphTargetBaseInfluence;
+	#elif defined( USE_COLOR )
+		vColor.rgb *= morphTargetBaseInfluence;
+	#endif
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		#if defined( USE_COLOR_ALPHA )
+			if ( morphTargetInfluences[ i ] != 0.0 ) vColor += getMorph( gl_VertexID, i, 2 ) * morphTargetInfluences[ i ];
+		#elif defined( USE_COLOR )
+			if ( morphTargetInfluences[ i ] != 0.0 ) vColor.rgb += getMorph( gl_VertexID, i, 2 ).rgb * morphTargetInfluences[ i ];
+		#endif
+	}
+#endif`,tA=`#ifdef USE_MORPHNORMALS
+	objectNormal *= morphTargetBaseInfluence;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		if ( morphTargetInfluences[ i ] != 0.0 ) objectNormal += getMorph( gl_VertexID, i, 1 ).xyz * morphTargetInfluences[ i ];
+	}
+#endif`,nA=`#ifdef USE_MORPHTARGETS
+	#ifndef USE_INSTANCING_MORPH
+		uniform float morphTargetBaseInfluence;
+		uniform float morphTargetInfluences[ MORPHTARGETS_COUNT ];
+	#endif
+	uniform sampler2DArray morphTargetsTexture;
+	uniform ivec2 morphTargetsTextureSize;
+	vec4 getMorph( const in int vertexIndex, const in int morphTargetIndex, const in int offset ) {
+		int texelIndex = vertexIndex * MORPHTARGETS_TEXTURE_STRIDE + offset;
+		int y = texelIndex / morphTargetsTextureSize.x;
+		int x = texelIndex - y * morphTargetsTextureSize.x;
+		ivec3 morphUV = ivec3( x, y, morphTargetIndex );
+		return texelFetch( morphTargetsTexture, morphUV, 0 );
+	}
+#endif`,iA=`#ifdef USE_MORPHTARGETS
+	transformed *= morphTargetBaseInfluence;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		if ( morphTargetInfluences[ i ] != 0.0 ) transformed += getMorph( gl_VertexID, i, 0 ).xyz * morphTargetInfluences[ i ];
+	}
+#endif`,sA=`float faceDirection = gl_FrontFacing ? 1.0 : - 1.0;
+#ifdef FLAT_SHADED
+	vec3 fdx = dFdx( vViewPosition );
+	vec3 fdy = dFdy( vViewPosition );
+	vec3 normal = normalize( cross( fdx, fdy ) );
+#else
+	vec3 normal = normalize( vNormal );
+	#ifdef DOUBLE_SIDED
+		normal *= faceDirection;
+	#endif
+#endif
+#if defined( USE_NORMALMAP_TANGENTSPACE ) || defined( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY )
+	#ifdef USE_TANGENT
+		mat3 tbn = mat3( normalize( vTangent ), normalize( vBitangent ), normal );
+	#else
+		mat3 tbn = getTangentFrame( - vViewPosition, normal,
+		#if defined( USE_NORMALMAP )
+			vNormalMapUv
+		#elif defined( USE_CLEARCOAT_NORMALMAP )
+			vClearcoatNormalMapUv
+		#else
+			vUv
+		#endif
+		);
+	#endif
+	#ifdef DOUBLE_SIDED
+		tbn[0] *= faceDirection;
+		tbn[1] *= faceDirection;
+	#endif
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	#ifdef USE_TANGENT
+		mat3 tbn2 = mat3( normalize( vTangent ), normalize( vBitangent ), normal );
+	#else
+		mat3 tbn2 = getTangentFrame( - vViewPosition, normal, vClearcoatNormalMapUv );
+	#endif
+	#ifdef DOUBLE_SIDED
+		tbn2[0] *= faceDirection;
+		tbn2[1] *= faceDirection;
+	#endif
+#endif
+vec3 nonPerturbedNormal = normal;`,rA=`#ifdef USE_NORMALMAP_OBJECTSPACE
+	normal = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;
+	#ifdef FLIP_SIDED
+		normal = - normal;
+	#endif
+	#ifdef DOUBLE_SIDED
+		normal = normal * faceDirection;
+	#endif
+	normal = normalize( normalMatrix * normal );
+#elif defined( USE_NORMALMAP_TANGENTSPACE )
+	vec3 mapN = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;
+	#if defined( USE_PACKED_NORMALMAP )
+		mapN = vec3( mapN.xy, sqrt( saturate( 1.0 - dot( mapN.xy, mapN.xy ) ) ) );
+	#endif
+	mapN.xy *= normalScale;
+	normal = normalize( tbn * mapN );
+#elif defined( USE_BUMPMAP )
+	normal = perturbNormalArb( - vViewPosition, normal, dHdxy_fwd(), faceDirection );
+#endif`,oA=`#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+	#ifdef USE_TANGENT
+		varying vec3 vTangent;
+		varying vec3 vBitangent;
+	#endif
+#endif`,aA=`#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+	#ifdef USE_TANGENT
+		varying vec3 vTangent;
+		varying vec3 vBitangent;
+	#endif
+#endif`,lA=`#ifndef FLAT_SHADED
+	vNormal = normalize( transformedNormal );
+	#ifdef USE_TANGENT
+		vTangent = normalize( transformedTangent );
+		vBitangent = normalize( cross( vNormal, vTangent ) * tangent.w );
+		#ifdef FLIP_SIDED
+			vBitangent = - vBitangent;
+		#endif
+	#endif
+#endif`,cA=`#ifdef USE_NORMALMAP
+	uniform sampler2D normalMap;
+	uniform vec2 normalScale;
+#endif
+#ifdef USE_NORMALMAP_OBJECTSPACE
+	uniform mat3 normalMatrix;
+#endif
+#if ! defined ( USE_TANGENT ) && ( defined ( USE_NORMALMAP_TANGENTSPACE ) || defined ( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY ) )
+	mat3 getTangentFrame( vec3 eye_pos, vec3 surf_norm, vec2 uv ) {
+		vec3 q0 = dFdx( eye_pos.xyz );
+		vec3 q1 = dFdy( eye_pos.xyz );
+		vec2 st0 = dFdx( uv.st );
+		vec2 st1 = dFdy( uv.st );
+		vec3 N = surf_norm;
+		vec3 q1perp = cross( q1, N );
+		vec3 q0perp = cross( N, q0 );
+		vec3 T = q1perp * st0.x + q0perp * st1.x;
+		vec3 B = q1perp * st0.y + q0perp * st1.y;
+		float det = max( dot( T, T ), dot( B, B ) );
+		float scale = ( det == 0.0 ) ? 0.0 : inversesqrt( det );
+		return mat3( T * scale, B * scale, N );
+	}
+#endif`,uA=`#ifdef USE_CLEARCOAT
+	vec3 clearcoatNormal = nonPerturbedNormal;
+#endif`,hA=`#ifdef USE_CLEARCOAT_NORMALMAP
+	vec3 clearcoatMapN = texture2D( clearcoatNormalMap, vClearcoatNormalMapUv ).xyz * 2.0 - 1.0;
+	clearcoatMapN.xy *= clearcoatNormalScale;
+	clearcoatNormal = normalize( tbn2 * clearcoatMapN );
+#endif`,dA=`#ifdef USE_CLEARCOATMAP
+	uniform sampler2D clearcoatMap;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	uniform sampler2D clearcoatNormalMap;
+	uniform vec2 clearcoatNormalScale;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	uniform sampler2D clearcoatRoughnessMap;
+#endif`,fA=`#ifdef USE_IRIDESCENCEMAP
+	uniform sampler2D iridescenceMap;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	uniform sampler2D iridescenceThicknessMap;
+#endif`,pA=`#ifdef OPAQUE
+diffuseColor.a = 1.0;
+#endif
+#ifdef USE_TRANSMISSION
+diffuseColor.a *= material.transmissionAlpha;
+#endif
+gl_FragColor = vec4( outgoingLight, diffuseColor.a );`,mA=`vec3 packNormalToRGB( const in vec3 normal ) {
+	return normalize( normal ) * 0.5 + 0.5;
+}
+vec3 unpackRGBToNormal( const in vec3 rgb ) {
+	return 2.0 * rgb.xyz - 1.0;
+}
+const float PackUpscale = 256. / 255.;const float UnpackDownscale = 255. / 256.;const float ShiftRight8 = 1. / 256.;
+const float Inv255 = 1. / 255.;
+const vec4 PackFactors = vec4( 1.0, 256.0, 256.0 * 256.0, 256.0 * 256.0 * 256.0 );
+const vec2 UnpackFactors2 = vec2( UnpackDownscale, 1.0 / PackFactors.g );
+const vec3 UnpackFactors3 = vec3( UnpackDownscale / PackFactors.rg, 1.0 / PackFactors.b );
+const vec4 UnpackFactors4 = vec4( UnpackDownscale / PackFactors.rgb, 1.0 / PackFactors.a );
+vec4 packDepthToRGBA( const in float v ) {
+	if( v <= 0.0 )
+		return vec4( 0., 0., 0., 0. );
+	if( v >= 1.0 )
+		return vec4( 1., 1., 1., 1. );
+	float vuf;
+	float af = modf( v * PackFactors.a, vuf );
+	float bf = modf( vuf * ShiftRight8, vuf );
+	float gf = modf( vuf * ShiftRight8, vuf );
+	return vec4( vuf * Inv255, gf * PackUpscale, bf * PackUpscale, af );
+}
+vec3 packDepthToRGB( const in float v ) {
+	if( v <= 0.0 )
+		return vec3( 0., 0., 0. );
+	if( v >= 1.0 )
+		return vec3( 1., 1., 1. );
+	float vuf;
+	float bf = modf( v * PackFactors.b, vuf );
+	float gf = modf( vuf * ShiftRight8, vuf );
+	return vec3( vuf * Inv255, gf * PackUpscale, bf );
+}
+vec2 packDepthToRG( const in float v ) {
+	if( v <= 0.0 )
+		return vec2( 0., 0. );
+	if( v >= 1.0 )
+		return vec2( 1., 1. );
+	float vuf;
+	float gf = modf( v * 256., vuf );
+	return vec2( vuf * Inv255, gf );
+}
+float unpackRGBAToDepth( const in vec4 v ) {
+	return dot( v, UnpackFactors4 );
+}
+float unpackRGBToDepth( const in vec3 v ) {
+	return dot( v, UnpackFactors3 );
+}
+float unpackRGToDepth( const in vec2 v ) {
+	return v.r * UnpackFactors2.r + v.g * UnpackFactors2.g;
+}
+vec4 pack2HalfToRGBA( const in vec2 v ) {
+	vec4 r = vec4( v.x, fract( v.x * 255.0 ), v.y, fract( v.y * 255.0 ) );
+	return vec4( r.x - r.y / 255.0, r.y, r.z - r.w / 255.0, r.w );
+}
+vec2 unpackRGBATo2Half( const in vec4 v ) {
+	return vec2( v.x + ( v.y / 255.0 ), v.z + ( v.w / 255.0 ) );
+}
+float viewZToOrthographicDepth( const in float viewZ, const in float near, const in float far ) {
+	return ( viewZ + near ) / ( near - far );
+}
+float orthographicDepthToViewZ( const in float depth, const in float near, const in float far ) {
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+	
+		return depth * ( far - near ) - far;
+	#else
+		return depth * ( near - far ) - near;
+	#endif
+}
+float viewZToPerspectiveDepth( const in float viewZ, const in float near, const in float far ) {
+	return ( ( near + viewZ ) * far ) / ( ( far - near ) * viewZ );
+}
+float perspectiveDepthToViewZ( const in float depth, const in float near, const in float far ) {
+	
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+		return ( near * far ) / ( ( near - far ) * depth - near );
+	#else
+		return ( near * far ) / ( ( far - near ) * depth - far );
+	#endif
+}`,gA=`#ifdef PREMULTIPLIED_ALPHA
+	gl_FragColor.rgb *= gl_FragColor.a;
+#endif`,_A=`vec4 mvPosition = vec4( transformed, 1.0 );
+#ifdef USE_BATCHING
+	mvPosition = batchingMatrix * mvPosition;
+#endif
+#ifdef USE_INSTANCING
+	mvPosition = instanceMatrix * mvPosition;
+#endif
+mvPosition = modelViewMatrix * mvPosition;
+gl_Position = projectionMatrix * mvPosition;`,xA=`#ifdef DITHERING
+	gl_FragColor.rgb = dithering( gl_FragColor.rgb );
+#endif`,yA=`#ifdef DITHERING
+	vec3 dithering( vec3 color ) {
+		float grid_position = rand( gl_FragCoord.xy );
+		vec3 dither_shift_RGB = vec3( 0.25 / 255.0, -0.25 / 255.0, 0.25 / 255.0 );
+		dither_shift_RGB = mix( 2.0 * dither_shift_RGB, -2.0 * dither_shift_RGB, grid_position );
+		return color + dither_shift_RGB;
+	}
+#endif`,vA=`float roughnessFactor = roughness;
+#ifdef USE_ROUGHNESSMAP
+	vec4 texelRoughness = texture2D( roughnessMap, vRoughnessMapUv );
+	roughnessFactor *= texelRoughness.g;
+#endif`,bA=`#ifdef USE_ROUGHNESSMAP
+	uniform sampler2D roughnessMap;
+#endif`,SA=`#if NUM_SPOT_LIGHT_COORDS > 0
+	varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_COORDS ];
+#endif
+#if NUM_SPOT_LIGHT_MAPS > 0
+	uniform sampler2D spotLightMap[ NUM_SPOT_LIGHT_MAPS ];
+#endif
+#ifdef USE_SHADOWMAP
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		#define SUN_LIGHT_CASCADES 2
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];
+		#endif
+		uniform mat4 sunShadowMatrix[ NUM_SUN_LIGHT_SHADOWS * SUN_LIGHT_CASCADES ];
+		uniform vec4 sunShadowCascade[ NUM_SUN_LIGHT_SHADOWS * SUN_LIGHT_CASCADES ];
+		varying vec4 vSunShadowWorldPosition;
+		varying vec3 vSunShadowWorldNormal;
+		struct SunLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SunLightShadow sunLightShadows[ NUM_SUN_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow directionalShadowMap[ NUM_DIR_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D directionalShadowMap[ NUM_DIR_LIGHT_SHADOWS ];
+		#endif
+		varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];
+		struct DirectionalLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform DirectionalLightShadow directionalLightShadows[ NUM_DIR_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow spotShadowMap[ NUM_SPOT_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D spotShadowMap[ NUM_SPOT_LIGHT_SHADOWS ];
+		#endif
+		struct SpotLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SpotLightShadow spotLightShadows[ NUM_SPOT_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform samplerCubeShadow pointShadowMap[ NUM_POINT_LIGHT_SHADOWS ];
+		#elif defined( SHADOWMAP_TYPE_BASIC )
+			uniform samplerCube pointShadowMap[ NUM_POINT_LIGHT_SHADOWS ];
+		#endif
+		varying vec4 vPointShadowCoord[ NUM_POINT_LIGHT_SHADOWS ];
+		struct PointLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+			float shadowCameraNear;
+			float shadowCameraFar;
+		};
+		uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];
+	#endif
+	#if defined( SHADOWMAP_TYPE_PCF )
+		float interleavedGradientNoise( vec2 position ) {
+			return fract( 52.9829189 * fract( dot( position, vec2( 0.06711056, 0.00583715 ) ) ) );
+		}
+		vec2 vogelDiskSample( int sampleIndex, int samplesCount, float phi ) {
+			const float goldenAngle = 2.399963229728653;
+			float r = sqrt( ( float( sampleIndex ) + 0.5 ) / float( samplesCount ) );
+			float theta = float( sampleIndex ) * goldenAngle + phi;
+			return vec2( cos( theta ), sin( theta ) ) * r;
+		}
+	#endif
+	#if defined( SHADOWMAP_TYPE_PCF )
+		float getShadow( sampler2DShadow shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				vec2 texelSize = vec2( 1.0 ) / shadowMapSize;
+				vec2 radius = shadowRadius * texelSize;
+				float phi = interleavedGradientNoise( gl_FragCoord.xy ) * PI2;
+				shadow = (
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 0, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 1, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 2, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 3, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 4, 5, phi ) * radius, shadowCoord.z ) )
+				) * 0.2;
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#elif defined( SHADOWMAP_TYPE_VSM )
+		float getShadow( sampler2D shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				vec2 distribution = texture2D( shadowMap, shadowCoord.xy ).rg;
+				float mean = distribution.x;
+				float variance = distribution.y * distribution.y;
+				#ifdef USE_REVERSED_DEPTH_BUFFER
+					float hard_shadow = step( mean, shadowCoord.z );
+				#else
+					float hard_shadow = step( shadowCoord.z, mean );
+				#endif
+				
+				if ( hard_shadow == 1.0 ) {
+					shadow = 1.0;
+				} else {
+					variance = max( variance, 0.0000001 );
+					float d = shadowCoord.z - mean;
+					float p_max = variance / ( variance + d * d );
+					p_max = clamp( ( p_max - 0.3 ) / 0.65, 0.0, 1.0 );
+					shadow = max( hard_shadow, p_max );
+				}
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#else
+		float getShadow( sampler2D shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				float depth = texture2D( shadowMap, shadowCoord.xy ).r;
+				#ifdef USE_REVERSED_DEPTH_BUFFER
+					shadow = step( depth, shadowCoord.z );
+				#else
+					shadow = step( shadowCoord.z, depth );
+				#endif
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#endif
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		float getSunShadow(
+			#if defined( SHADOWMAP_TYPE_PCF )
+				sampler2DShadow shadowMap,
+			#else
+				sampler2D shadowMap,
+			#endif
+			SunLightShadow sunLightShadow,
+			int shadowIndex
+		) {
+			vec4 shadowWorldPosition = vec4( vSunShadowWorldPosition.xyz + vSunShadowWorldNormal * sunLightShadow.shadowNormalBias, 1.0 );
+			float viewDepth = vSunShadowWorldPosition.w;
+			int cascadeOffset = shadowIndex * SUN_LIGHT_CASCADES;
+			float shadow = 1.0;
+			for ( int i = SUN_LIGHT_CASCADES - 1; i >= 0; i -- ) {
+				vec4 cascade = sunShadowCascade[ cascadeOffset + i ];
+				if ( viewDepth >= cascade.x && viewDepth < cascade.y ) {
+					float cascadeShadow = getShadow(
+						shadowMap,
+						sunLightShadow.shadowMapSize,
+						sunLightShadow.shadowIntensity,
+						sunLightShadow.shadowBias,
+						sunLightShadow.shadowRadius,
+						sunShadowMatrix[ cascadeOffset + i ] * shadowWorldPosition
+					);
+					shadow = mix( cascadeShadow, shadow, smoothstep( cascade.z, cascade.y, viewDepth ) );
+				}
+			}
+			return shadow;
+		}
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+	#if defined( SHADOWMAP_TYPE_PCF )
+	float getPointShadow( samplerCubeShadow shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord, float shadowCameraNear, float shadowCameraFar ) {
+		float shadow = 1.0;
+		vec3 lightToPosition = shadowCoord.xyz;
+		vec3 bd3D = normalize( lightToPosition );
+		vec3 absVec = abs( lightToPosition );
+		float viewSpaceZ = max( max( absVec.x, absVec.y ), absVec.z );
+		if ( viewSpaceZ - shadowCameraFar <= 0.0 && viewSpaceZ - shadowCameraNear >= 0.0 ) {
+			float lightDistance = length( lightToPosition );
+			float depthRange = shadowCameraFar - shadowCameraNear;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				float depthA = - shadowCameraNear / depthRange - shadowBias;
+				float depthB = shadowCameraNear * shadowCameraFar / ( depthRange * lightDistance );
+			#else
+				float depthA = shadowCameraFar / depthRange + shadowBias;
+				float depthB = - shadowCameraNear * shadowCameraFar / ( depthRange * lightDistance );
+			#endif
+			float texelSize = shadowRadius / shadowMapSize.x;
+			vec3 absDir = abs( bd3D );
+			vec3 tangent = absDir.x > absDir.z ? vec3( 0.0, 1.0, 0.0 ) : vec3( 1.0, 0.0, 0.0 );
+			tangent = normalize( cross( bd3D, tangent ) );
+			vec3 bitangent = cross( bd3D, tangent );
+			float phi = interleavedGradientNoise( gl_FragCoord.xy ) * PI2;
+			shadow = 0.0;
+			for ( int i = 0; i < 5; i ++ ) {
+				vec2 offset = vogelDiskSample( i, 5, phi );
+				vec3 direction = bd3D + ( tangent * offset.x + bitangent * offset.y ) * texelSize;
+				vec3 absDirection = abs( direction );
+				float dp = depthA + depthB / max( max( absDirection.x, absDirection.y ), absDirection.z );
+				shadow += texture( shadowMap, vec4( direction, dp ) );
+			}
+			shadow *= 0.2;
+		}
+		return mix( 1.0, shadow, shadowIntensity );
+	}
+	#elif defined( SHADOWMAP_TYPE_BASIC )
+	float getPointShadow( samplerCube shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord, float shadowCameraNear, float shadowCameraFar ) {
+		float shadow = 1.0;
+		vec3 lightToPosition = shadowCoord.xyz;
+		vec3 absVec = abs( lightToPosition );
+		float viewSpaceZ = max( max( absVec.x, absVec.y ), absVec.z );
+		if ( viewSpaceZ - shadowCameraFar <= 0.0 && viewSpaceZ - shadowCameraNear >= 0.0 ) {
+			float dp = ( shadowCameraFar * ( viewSpaceZ - shadowCameraNear ) ) / ( viewSpaceZ * ( shadowCameraFar - shadowCameraNear ) );
+			dp += shadowBias;
+			vec3 bd3D = normalize( lightToPosition );
+			float depth = textureCube( shadowMap, bd3D ).r;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				depth = 1.0 - depth;
+			#endif
+			shadow = step( dp, depth );
+		}
+		return mix( 1.0, shadow, shadowIntensity );
+	}
+	#endif
+	#endif
+#endif`,MA=`#if NUM_SPOT_LIGHT_COORDS > 0
+	uniform mat4 spotLightMatrix[ NUM_SPOT_LIGHT_COORDS ];
+	varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_COORDS ];
+#endif
+#ifdef USE_SHADOWMAP
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		varying vec4 vSunShadowWorldPosition;
+		varying vec3 vSunShadowWorldNormal;
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		uniform mat4 directionalShadowMatrix[ NUM_DIR_LIGHT_SHADOWS ];
+		varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];
+		struct DirectionalLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform DirectionalLightShadow directionalLightShadows[ NUM_DIR_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+		struct SpotLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SpotLightShadow spotLightShadows[ NUM_SPOT_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		uniform mat4 pointShadowMatrix[ NUM_POINT_LIGHT_SHADOWS ];
+		varying vec4 vPointShadowCoord[ NUM_POINT_LIGHT_SHADOWS ];
+		struct PointLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+			float shadowCameraNear;
+			float shadowCameraFar;
+		};
+		uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];
+	#endif
+#endif`,wA=`#if ( defined( USE_SHADOWMAP ) && ( NUM_DIR_LIGHT_SHADOWS > 0 || NUM_SUN_LIGHT_SHADOWS > 0 || NUM_POINT_LIGHT_SHADOWS > 0 ) ) || ( NUM_SPOT_LIGHT_COORDS > 0 )
+	#ifdef HAS_NORMAL
+		vec3 shadowWorldNormal = transformNormalByInverseViewMatrix( transformedNormal, viewMatrix );
+	#else
+		vec3 shadowWorldNormal = vec3( 0.0 );
+	#endif
+	vec4 shadowWorldPosition;
+#endif
+#if defined( USE_SHADOWMAP )
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		vSunShadowWorldPosition = vec4( worldPosition.xyz, - mvPosition.z );
+		vSunShadowWorldNormal = shadowWorldNormal;
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {
+			shadowWorldPosition = worldPosition + vec4( shadowWorldNormal * directionalLightShadows[ i ].shadowNormalBias, 0 );
+			vDirectionalShadowCoord[ i ] = directionalShadowMatrix[ i ] * shadowWorldPosition;
+		}
+		#pragma unroll_loop_end
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {
+			shadowWorldPosition = worldPosition + vec4( shadowWorldNormal * pointLightShadows[ i ].shadowNormalBias, 0 );
+			vPointShadowCoord[ i ] = pointShadowMatrix[ i ] * shadowWorldPosition;
+		}
+		#pragma unroll_loop_end
+	#endif
+#endif
+#if NUM_SPOT_LIGHT_COORDS > 0
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHT_COORDS; i ++ ) {
+		shadowWorldPosition = worldPosition;
+		#if ( defined( USE_SHADOWMAP ) && UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+			shadowWorldPosition.xyz += shadowWorldNormal * spotLightShadows[ i ].shadowNormalBias;
+		#endif
+		vSpotLightCoord[ i ] = spotLightMatrix[ i ] * shadowWorldPosition;
+	}
+	#pragma unroll_loop_end
+#endif`,TA=`float getShadowMask() {
+	float shadow = 1.0;
+	#ifdef USE_SHADOWMAP
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+	SunLightShadow sunLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SUN_LIGHT_SHADOWS; i ++ ) {
+		sunLight = sunLightShadows[ i ];
+		shadow *= receiveShadow ? getSunShadow( sunShadowMap[ i ], sunLight, UNROLLED_LOOP_INDEX ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+	DirectionalLightShadow directionalLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {
+		directionalLight = directionalLightShadows[ i ];
+		shadow *= receiveShadow ? getShadow( directionalShadowMap[ i ], directionalLight.shadowMapSize, directionalLight.shadowIntensity, directionalLight.shadowBias, directionalLight.shadowRadius, vDirectionalShadowCoord[ i ] ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+	SpotLightShadow spotLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHT_SHADOWS; i ++ ) {
+		spotLight = spotLightShadows[ i ];
+		shadow *= receiveShadow ? getShadow( spotShadowMap[ i ], spotLight.shadowMapSize, spotLight.shadowIntensity, spotLight.shadowBias, spotLight.shadowRadius, vSpotLightCoord[ i ] ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0 && ( defined( SHADOWMAP_TYPE_PCF ) || defined( SHADOWMAP_TYPE_BASIC ) )
+	PointLightShadow pointLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {
+		pointLight = pointLightShadows[ i ];
+		shadow *= receiveShadow ? getPointShadow( pointShadowMap[ i ], pointLight.shadowMapSize, pointLight.shadowIntensity, pointLight.shadowBias, pointLight.shadowRadius, vPointShadowCoord[ i ], pointLight.shadowCameraNear, pointLight.shadowCameraFar ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#endif
+	return shadow;
+}`,AA=`#ifdef USE_SKINNING
+	mat4 boneMatX = getBoneMatrix( skinIndex.x );
+	mat4 boneMatY = getBoneMatrix( skinIndex.y );
+	mat4 boneMatZ = getBoneMatrix( skinIndex.z );
+	mat4 boneMatW = getBoneMatrix( skinIndex.w );
+#endif`,EA=`#ifdef USE_SKINNING
+	uniform mat4 bindMatrix;
+	uniform mat4 bindMatrixInverse;
+	uniform highp sampler2D boneTexture;
+	mat4 getBoneMatrix( const in float i ) {
+		int size = textureSize( boneTexture, 0 ).x;
+		int j = int( i ) * 4;
+		int x = j % size;
+		int y = j / size;
+		vec4 v1 = texelFetch( boneTexture, ivec2( x, y ), 0 );
+		vec4 v2 = texelFetch( boneTexture, ivec2( x + 1, y ), 0 );
+		vec4 v3 = texelFetch( boneTexture, ivec2( x + 2, y ), 0 );
+		vec4 v4 = texelFetch( boneTexture, ivec2( x + 3, y ), 0 );
+		return mat4( v1, v2, v3, v4 );
+	}
+#endif`,CA=`#ifdef USE_SKINNING
+	vec4 skinVertex = bindMatrix * vec4( transformed, 1.0 );
+	vec4 skinned = vec4( 0.0 );
+	skinned += boneMatX * skinVertex * skinWeight.x;
+	skinned += boneMatY * skinVertex * skinWeight.y;
+	skinned += boneMatZ * skinVertex * skinWeight.z;
+	skinned += boneMatW * skinVertex * skinWeight.w;
+	transformed = ( bindMatrixInverse * skinned ).xyz;
+#endif`,RA=`#ifdef USE_SKINNING
+	mat4 skinMatrix = mat4( 0.0 );
+	skinMatrix += skinWeight.x * boneMatX;
+	skinMatrix += skinWeight.y * boneMatY;
+	skinMatrix += skinWeight.z * boneMatZ;
+	skinMatrix += skinWeight.w * boneMatW;
+	skinMatrix = bindMatrixInverse * skinMatrix * bindMatrix;
+	objectNormal = vec4( skinMatrix * vec4( objectNormal, 0.0 ) ).xyz;
+	#ifdef USE_TANGENT
+		objectTangent = vec4( skinMatrix * vec4( objectTangent, 0.0 ) ).xyz;
+	#endif
+#endif`,PA=`float specularStrength;
+#ifdef USE_SPECULARMAP
+	vec4 texelSpecular = texture2D( specularMap, vSpecularMapUv );
+	specularStrength = texelSpecular.r;
+#else
+	specularStrength = 1.0;
+#endif`,IA=`#ifdef USE_SPECULARMAP
+	uniform sampler2D specularMap;
+#endif`,LA=`#if defined( TONE_MAPPING )
+	gl_FragColor.rgb = toneMapping( gl_FragColor.rgb );
+#endif`,DA=`#ifndef saturate
+#define saturate( a ) clamp( a, 0.0, 1.0 )
+#endif
+uniform float toneMappingExposure;
+vec3 LinearToneMapping( vec3 color ) {
+	return saturate( toneMappingExposure * color );
+}
+vec3 ReinhardToneMapping( vec3 color ) {
+	color *= toneMappingExposure;
+	return saturate( color / ( vec3( 1.0 ) + color ) );
+}
+vec3 CineonToneMapping( vec3 color ) {
+	color *= toneMappingExposure;
+	color = max( vec3( 0.0 ), color - 0.004 );
+	return pow( ( color * ( 6.2 * color + 0.5 ) ) / ( color * ( 6.2 * color + 1.7 ) + 0.06 ), vec3( 2.2 ) );
+}
+vec3 RRTAndODTFit( vec3 v ) {
+	vec3 a = v * ( v + 0.0245786 ) - 0.000090537;
+	vec3 b = v * ( 0.983729 * v + 0.4329510 ) + 0.238081;
+	return a / b;
+}
+vec3 ACESFilmicToneMapping( vec3 color ) {
+	const mat3 ACESInputMat = mat3(
+		vec3( 0.59719, 0.07600, 0.02840 ),		vec3( 0.35458, 0.90834, 0.13383 ),
+		vec3( 0.04823, 0.01566, 0.83777 )
+	);
+	const mat3 ACESOutputMat = mat3(
+		vec3(  1.60475, -0.10208, -0.00327 ),		vec3( -0.53108,  1.10813, -0.07276 ),
+		vec3( -0.07367, -0.00605,  1.07602 )
+	);
+	color *= toneMappingExposure / 0.6;
+	color = ACESInputMat * color;
+	color = RRTAndODTFit( color );
+	color = ACESOutputMat * color;
+	return saturate( color );
+}
+const mat3 LINEAR_REC2020_TO_LINEAR_SRGB = mat3(
+	vec3( 1.6605, - 0.1246, - 0.0182 ),
+	vec3( - 0.5876, 1.1329, - 0.1006 ),
+	vec3( - 0.0728, - 0.0083, 1.1187 )
+);
+const mat3 LINEAR_SRGB_TO_LINEAR_REC2020 = mat3(
+	vec3( 0.6274, 0.0691, 0.0164 ),
+	vec3( 0.3293, 0.9195, 0.0880 ),
+	vec3( 0.0433, 0.0113, 0.8956 )
+);
+vec3 agxDefaultContrastApprox( vec3 x ) {
+	vec3 x2 = x * x;
+	vec3 x4 = x2 * x2;
+	return + 15.5 * x4 * x2
+		- 40.14 * x4 * x
+		+ 31.96 * x4
+		- 6.868 * x2 * x
+		+ 0.4298 * x2
+		+ 0.1191 * x
+		- 0.00232;
+}
+vec3 AgXToneMapping( vec3 color ) {
+	const mat3 AgXInsetMatrix = mat3(
+		vec3( 0.856627153315983, 0.137318972929847, 0.11189821299995 ),
+		vec3( 0.0951212405381588, 0.761241990602591, 0.0767994186031903 ),
+		vec3( 0.0482516061458583, 0.101439036467562, 0.811302368396859 )
+	);
+	const mat3 AgXOutsetMatrix = mat3(
+		vec3( 1.1271005818144368, - 0.1413297634984383, - 0.14132976349843826 ),
+		vec3( - 0.11060664309660323, 1.157823702216272, - 0.11060664309660294 ),
+		vec3( - 0.016493938717834573, - 0.016493938717834257, 1.2519364065950405 )
+	);
+	const float AgxMinEv = - 12.47393;	const float AgxMaxEv = 4.026069;
+	color *= toneMappingExposure;
+	color = LINEAR_SRGB_TO_LINEAR_REC2020 * color;
+	color = AgXInsetMatrix * color;
+	color = max( color, 1e-10 );	color = log2( color );
+	color = ( color - AgxMinEv ) / ( AgxMaxEv - AgxMinEv );
+	color = clamp( color, 0.0, 1.0 );
+	color = agxDefaultContrastApprox( color );
+	color = AgXOutsetMatrix * color;
+	color = pow( max( vec3( 0.0 ), color ), vec3( 2.2 ) );
+	color = LINEAR_REC2020_TO_LINEAR_SRGB * color;
+	color = clamp( color, 0.0, 1.0 );
+	return color;
+}
+vec3 NeutralToneMapping( vec3 color ) {
+	const float StartCompression = 0.8 - 0.04;
+	const float Desaturation = 0.15;
+	color *= toneMappingExposure;
+	float x = min( color.r, min( color.g, color.b ) );
+	float offset = x < 0.08 ? x - 6.25 * x * x : 0.04;
+	color -= offset;
+	float peak = max( color.r, max( color.g, color.b ) );
+	if ( peak < StartCompression ) return color;
+	float d = 1. - StartCompression;
+	float newPeak = 1. - d * d / ( peak + d - StartCompression );
+	color *= newPeak / peak;
+	float g = 1. - 1. / ( Desaturation * ( peak - newPeak ) + 1. );
+	return mix( color, vec3( newPeak ), g );
+}
+vec3 CustomToneMapping( vec3 color ) { return color; }`,NA=`#ifdef USE_TRANSMISSION
+	material.transmission = transmission;
+	material.transmissionAlpha = 1.0;
+	material.thickness = thickness;
+	material.attenuationDistance = attenuationDistance;
+	material.attenuationColor = attenuationColor;
+	#ifdef USE_TRANSMISSIONMAP
+		material.transmission *= texture2D( transmissionMap, vTransmissionMapUv ).r;
+	#endif
+	#ifdef USE_THICKNESSMAP
+		material.thickness *= texture2D( thicknessMap, vThicknessMapUv ).g;
+	#endif
+	vec3 pos = vWorldPosition;
+	vec3 v = normalize( cameraPosition - pos );
+	vec3 n = transformNormalByInverseViewMatrix( normal, viewMatrix );
+	vec4 transmitted = getIBLVolumeRefraction(
+		n, v, material.roughness, material.diffuseContribution, material.specularColorBlended, material.specularF90,
+		pos, modelMatrix, viewMatrix, projectionMatrix, material.dispersion, material.ior, material.thickness,
+		material.attenuationColor, material.attenuationDistance );
+	material.transmissionAlpha = mix( material.transmissionAlpha, transmitted.a, material.transmission );
+	totalDiffuse = mix( totalDiffuse, transmitted.rgb, material.transmission );
+#endif`,FA=`#ifdef USE_TRANSMISSION
+	uniform float transmission;
+	uniform float thickness;
+	uniform float attenuationDistance;
+	uniform vec3 attenuationColor;
+	#ifdef USE_TRANSMISSIONMAP
+		uniform sampler2D transmissionMap;
+	#endif
+	#ifdef USE_THICKNESSMAP
+		uniform sampler2D thicknessMap;
+	#endif
+	uniform vec2 transmissionSamplerSize;
+	uniform sampler2D transmissionSamplerMap;
+	uniform mat4 modelMatrix;
+	uniform mat4 projectionMatrix;
+	varying vec3 vWorldPosition;
+	float w0( float a ) {
+		return ( 1.0 / 6.0 ) * ( a * ( a * ( - a + 3.0 ) - 3.0 ) + 1.0 );
+	}
+	float w1( float a ) {
+		return ( 1.0 / 6.0 ) * ( a *  a * ( 3.0 * a - 6.0 ) + 4.0 );
+	}
+	float w2( float a ){
+		return ( 1.0 / 6.0 ) * ( a * ( a * ( - 3.0 * a + 3.0 ) + 3.0 ) + 1.0 );
+	}
+	float w3( float a ) {
+		return ( 1.0 / 6.0 ) * ( a * a * a );
+	}
+	float g0( float a ) {
+		return w0( a ) + w1( a );
+	}
+	float g1( float a ) {
+		return w2( a ) + w3( a );
+	}
+	float h0( float a ) {
+		return - 1.0 + w1( a ) / ( w0( a ) + w1( a ) );
+	}
+	float h1( float a ) {
+		return 1.0 + w3( a ) / ( w2( a ) + w3( a ) );
+	}
+	vec4 bicubic( sampler2D tex, vec2 uv, vec4 texelSize, float lod ) {
+		uv = uv * texelSize.zw + 0.5;
+		vec2 iuv = floor( uv );
+		vec2 fuv = fract( uv );
+		float g0x = g0( fuv.x );
+		float g1x = g1( fuv.x );
+		float h0x = h0( fuv.x );
+		float h1x = h1( fuv.x );
+		float h0y = h0( fuv.y );
+		float h1y = h1( fuv.y );
+		vec2 p0 = ( vec2( iuv.x + h0x, iuv.y + h0y ) - 0.5 ) * texelSize.xy;
+		vec2 p1 = ( vec2( iuv.x + h1x, iuv.y + h0y ) - 0.5 ) * texelSize.xy;
+		vec2 p2 = ( vec2( iuv.x + h0x, iuv.y + h1y ) - 0.5 ) * texelSize.xy;
+		vec2 p3 = ( vec2( iuv.x + h1x, iuv.y + h1y ) - 0.5 ) * texelSize.xy;
+		return g0( fuv.y ) * ( g0x * textureLod( tex, p0, lod ) + g1x * textureLod( tex, p1, lod ) ) +
+			g1( fuv.y ) * ( g0x * textureLod( tex, p2, lod ) + g1x * textureLod( tex, p3, lod ) );
+	}
+	vec4 textureBicubic( sampler2D sampler, vec2 uv, float lod ) {
+		vec2 fLodSize = vec2( textureSize( sampler, int( lod ) ) );
+		vec2 cLodSize = vec2( textureSize( sampler, int( lod + 1.0 ) ) );
+		vec2 fLodSizeInv = 1.0 / fLodSize;
+		vec2 cLodSizeInv = 1.0 / cLodSize;
+		vec4 fSample = bicubic( sampler, uv, vec4( fLodSizeInv, fLodSize ), floor( lod ) );
+		vec4 cSample = bicubic( sampler, uv, vec4( cLodSizeInv, cLodSize ), ceil( lod ) );
+		return mix( fSample, cSample, fract( lod ) );
+	}
+	vec3 getVolumeTransmissionRay( const in vec3 n, const in vec3 v, const in float thickness, const in float ior, const in mat4 modelMatrix ) {
+		vec3 refractionVector = refract( - v, normalize( n ), 1.0 / ior );
+		vec3 modelScale;
+		modelScale.x = length( vec3( modelMatrix[ 0 ].xyz ) );
+		modelScale.y = length( vec3( modelMatrix[ 1 ].xyz ) );
+		modelScale.z = length( vec3( modelMatrix[ 2 ].xyz ) );
+		return normalize( refractionVector ) * thickness * modelScale;
+	}
+	float applyIorToRoughness( const in float roughness, const in float ior ) {
+		return roughness * clamp( ior * 2.0 - 2.0, 0.0, 1.0 );
+	}
+	vec4 getTransmissionSample( const in vec2 fragCoord, const in float roughness, const in float ior ) {
+		float lod = log2( transmissionSamplerSize.x ) * applyIorToRoughness( roughness, ior );
+		return textureBicubic( transmissionSamplerMap, fragCoord.xy, lod );
+	}
+	vec3 volumeAttenuation( const in float transmissionDistance, const in vec3 attenuationColor, const in float attenuationDistance ) {
+		if ( isinf( attenuationDistance ) ) {
+			return vec3( 1.0 );
+		} else {
+			vec3 attenuationCoefficient = -log( attenuationColor ) / attenuationDistance;
+			vec3 transmittance = exp( - attenuationCoefficient * transmissionDistance );			return transmittance;
+		}
+	}
+	vec4 getIBLVolumeRefraction( const in vec3 n, const in vec3 v, const in float roughness, const in vec3 diffuseColor,
+		const in vec3 specularColor, const in float specularF90, const in vec3 position, const in mat4 modelMatrix,
+		const in mat4 viewMatrix, const in mat4 projMatrix, const in float dispersion, const in float ior, const in float thickness,
+		const in vec3 attenuationColor, const in float attenuationDistance ) {
+		vec4 transmittedLight;
+		vec3 transmittance;
+		#ifdef USE_DISPERSION
+			float halfSpread = ( ior - 1.0 ) * 0.025 * dispersion;
+			vec3 iors = vec3( ior - halfSpread, ior, ior + halfSpread );
+			for ( int i = 0; i < 3; i ++ ) {
+				vec3 transmissionRay = getVolumeTransmissionRay( n, v, thickness, iors[ i ], modelMatrix );
+				vec3 refractedRayExit = position + transmissionRay;
+				vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );
+				vec2 refractionCoords = ndcPos.xy / ndcPos.w;
+				refractionCoords += 1.0;
+				refractionCoords /= 2.0;
+				vec4 transmissionSample = getTransmissionSample( refractionCoords, roughness, iors[ i ] );
+				transmittedLight[ i ] = transmissionSample[ i ];
+				transmittedLight.a += transmissionSample.a;
+				transmittance[ i ] = diffuseColor[ i ] * volumeAttenuation( length( transmissionRay ), attenuationColor, attenuationDistance )[ i ];
+			}
+			transmittedLight.a /= 3.0;
+		#else
+			vec3 transmissionRay = getVolumeTransmissionRay( n, v, thickness, ior, modelMatrix );
+			vec3 refractedRayExit = position + transmissionRay;
+			vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );
+			vec2 refractionCoords = ndcPos.xy / ndcPos.w;
+			refractionCoords += 1.0;
+			refractionCoords /= 2.0;
+			transmittedLight = getTransmissionSample( refractionCoords, roughness, ior );
+			transmittance = diffuseColor * volumeAttenuation( length( transmissionRay ), attenuationColor, attenuationDistance );
+		#endif
+		vec3 attenuatedColor = transmittance * transmittedLight.rgb;
+		vec3 F = EnvironmentBRDF( n, v, specularColor, specularF90, roughness );
+		float transmittanceFactor = ( transmittance.r + transmittance.g + transmittance.b ) / 3.0;
+		return vec4( ( 1.0 - F ) * attenuatedColor, 1.0 - ( 1.0 - transmittedLight.a ) * transmittanceFactor );
+	}
+#endif`,UA=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	varying vec2 vUv;
+#endif
+#ifdef USE_MAP
+	varying vec2 vMapUv;
+#endif
+#ifdef USE_ALPHAMAP
+	varying vec2 vAlphaMapUv;
+#endif
+#ifdef USE_LIGHTMAP
+	varying vec2 vLightMapUv;
+#endif
+#ifdef USE_AOMAP
+	varying vec2 vAoMapUv;
+#endif
+#ifdef USE_BUMPMAP
+	varying vec2 vBumpMapUv;
+#endif
+#ifdef USE_NORMALMAP
+	varying vec2 vNormalMapUv;
+#endif
+#ifdef USE_EMISSIVEMAP
+	varying vec2 vEmissiveMapUv;
+#endif
+#ifdef USE_METALNESSMAP
+	varying vec2 vMetalnessMapUv;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	varying vec2 vRoughnessMapUv;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESSMAP
+	varying vec2 vDiffuseRoughnessMapUv;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	varying vec2 vAnisotropyMapUv;
+#endif
+#ifdef USE_CLEARCOATMAP
+	varying vec2 vClearcoatMapUv;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	varying vec2 vClearcoatNormalMapUv;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	varying vec2 vClearcoatRoughnessMapUv;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	varying vec2 vIridescenceMapUv;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	varying vec2 vIridescenceThicknessMapUv;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	varying vec2 vSheenColorMapUv;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	varying vec2 vSheenRoughnessMapUv;
+#endif
+#ifdef USE_SPECULARMAP
+	varying vec2 vSpecularMapUv;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	varying vec2 vSpecularColorMapUv;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	varying vec2 vSpecularIntensityMapUv;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	uniform mat3 transmissionMapTransform;
+	varying vec2 vTransmissionMapUv;
+#endif
+#ifdef USE_THICKNESSMAP
+	uniform mat3 thicknessMapTransform;
+	varying vec2 vThicknessMapUv;
+#endif`,OA=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	varying vec2 vUv;
+#endif
+#ifdef USE_MAP
+	uniform mat3 mapTransform;
+	varying vec2 vMapUv;
+#endif
+#ifdef USE_ALPHAMAP
+	uniform mat3 alphaMapTransform;
+	varying vec2 vAlphaMapUv;
+#endif
+#ifdef USE_LIGHTMAP
+	uniform mat3 lightMapTransform;
+	varying vec2 vLightMapUv;
+#endif
+#ifdef USE_AOMAP
+	uniform mat3 aoMapTransform;
+	varying vec2 vAoMapUv;
+#endif
+#ifdef USE_BUMPMAP
+	uniform mat3 bumpMapTransform;
+	varying vec2 vBumpMapUv;
+#endif
+#ifdef USE_NORMALMAP
+	uniform mat3 normalMapTransform;
+	varying vec2 vNormalMapUv;
+#endif
+#ifdef USE_DISPLACEMENTMAP
+	uniform mat3 displacementMapTransform;
+	varying vec2 vDisplacementMapUv;
+#endif
+#ifdef USE_EMISSIVEMAP
+	uniform mat3 emissiveMapTransform;
+	varying vec2 vEmissiveMapUv;
+#endif
+#ifdef USE_METALNESSMAP
+	uniform mat3 metalnessMapTransform;
+	varying vec2 vMetalnessMapUv;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	uniform mat3 roughnessMapTransform;
+	varying vec2 vRoughnessMapUv;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESSMAP
+	uniform mat3 diffuseRoughnessMapTransform;
+	varying vec2 vDiffuseRoughnessMapUv;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	uniform mat3 anisotropyMapTransform;
+	varying vec2 vAnisotropyMapUv;
+#endif
+#ifdef USE_CLEARCOATMAP
+	uniform mat3 clearcoatMapTransform;
+	varying vec2 vClearcoatMapUv;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	uniform mat3 clearcoatNormalMapTransform;
+	varying vec2 vClearcoatNormalMapUv;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	uniform mat3 clearcoatRoughnessMapTransform;
+	varying vec2 vClearcoatRoughnessMapUv;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	uniform mat3 sheenColorMapTransform;
+	varying vec2 vSheenColorMapUv;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	uniform mat3 sheenRoughnessMapTransform;
+	varying vec2 vSheenRoughnessMapUv;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	uniform mat3 iridescenceMapTransform;
+	varying vec2 vIridescenceMapUv;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	uniform mat3 iridescenceThicknessMapTransform;
+	varying vec2 vIridescenceThicknessMapUv;
+#endif
+#ifdef USE_SPECULARMAP
+	uniform mat3 specularMapTransform;
+	varying vec2 vSpecularMapUv;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	uniform mat3 specularColorMapTransform;
+	varying vec2 vSpecularColorMapUv;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	uniform mat3 specularIntensityMapTransform;
+	varying vec2 vSpecularIntensityMapUv;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	uniform mat3 transmissionMapTransform;
+	varying vec2 vTransmissionMapUv;
+#endif
+#ifdef USE_THICKNESSMAP
+	uniform mat3 thicknessMapTransform;
+	varying vec2 vThicknessMapUv;
+#endif`,kA=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	vUv = vec3( uv, 1 ).xy;
+#endif
+#ifdef USE_MAP
+	vMapUv = ( mapTransform * vec3( MAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ALPHAMAP
+	vAlphaMapUv = ( alphaMapTransform * vec3( ALPHAMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_LIGHTMAP
+	vLightMapUv = ( lightMapTransform * vec3( LIGHTMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_AOMAP
+	vAoMapUv = ( aoMapTransform * vec3( AOMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_BUMPMAP
+	vBumpMapUv = ( bumpMapTransform * vec3( BUMPMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_NORMALMAP
+	vNormalMapUv = ( normalMapTransform * vec3( NORMALMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_DISPLACEMENTMAP
+	vDisplacementMapUv = ( displacementMapTransform * vec3( DISPLACEMENTMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_EMISSIVEMAP
+	vEmissiveMapUv = ( emissiveMapTransform * vec3( EMISSIVEMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_METALNESSMAP
+	vMetalnessMapUv = ( metalnessMapTransform * vec3( METALNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	vRoughnessMapUv = ( roughnessMapTransform * vec3( ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESSMAP
+	vDiffuseRoughnessMapUv = ( diffuseRoughnessMapTransform * vec3( DIFFUSE_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	vAnisotropyMapUv = ( anisotropyMapTransform * vec3( ANISOTROPYMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOATMAP
+	vClearcoatMapUv = ( clearcoatMapTransform * vec3( CLEARCOATMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	vClearcoatNormalMapUv = ( clearcoatNormalMapTransform * vec3( CLEARCOAT_NORMALMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	vClearcoatRoughnessMapUv = ( clearcoatRoughnessMapTransform * vec3( CLEARCOAT_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	vIridescenceMapUv = ( iridescenceMapTransform * vec3( IRIDESCENCEMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	vIridescenceThicknessMapUv = ( iridescenceThicknessMapTransform * vec3( IRIDESCENCE_THICKNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	vSheenColorMapUv = ( sheenColorMapTransform * vec3( SHEEN_COLORMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	vSheenRoughnessMapUv = ( sheenRoughnessMapTransform * vec3( SHEEN_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULARMAP
+	vSpecularMapUv = ( specularMapTransform * vec3( SPECULARMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	vSpecularColorMapUv = ( specularColorMapTransform * vec3( SPECULAR_COLORMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	vSpecularIntensityMapUv = ( specularIntensityMapTransform * vec3( SPECULAR_INTENSITYMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	vTransmissionMapUv = ( transmissionMapTransform * vec3( TRANSMISSIONMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_THICKNESSMAP
+	vThicknessMapUv = ( thicknessMapTransform * vec3( THICKNESSMAP_UV, 1 ) ).xy;
+#endif`,BA=`#if defined( USE_ENVMAP ) || defined( DISTANCE ) || defined ( USE_SHADOWMAP ) || defined ( USE_TRANSMISSION ) || NUM_SPOT_LIGHT_COORDS > 0
+	vec4 worldPosition = vec4( transformed, 1.0 );
+	#ifdef USE_BATCHING
+		worldPosition = batchingMatrix * worldPosition;
+	#endif
+	#ifdef USE_INSTANCING
+		worldPosition = instanceMatrix * worldPosition;
+	#endif
+	worldPosition = modelMatrix * worldPosition;
+#endif`,VA=`varying vec2 vUv;
+uniform mat3 uvTransform;
+void main() {
+	vUv = ( uvTransform * vec3( uv, 1 ) ).xy;
+	gl_Position = vec4( position.xy, 1.0, 1.0 );
+}`,zA=`uniform sampler2D t2D;
+uniform float backgroundIntensity;
+varying vec2 vUv;
+void main() {
+	vec4 texColor = texture2D( t2D, vUv );
+	#ifdef DECODE_VIDEO_TEXTURE
+		texColor = vec4( mix( pow( texColor.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), texColor.rgb * 0.0773993808, vec3( lessThanEqual( texColor.rgb, vec3( 0.04045 ) ) ) ), texColor.w );
+	#endif
+	texColor.rgb *= backgroundIntensity;
+	gl_FragColor = texColor;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,GA=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+	gl_Position.z = gl_Position.w;
+}`,HA=`uniform float backgroundBlurriness;
+uniform float backgroundIntensity;
+uniform mat3 backgroundRotation;
+varying vec3 vWorldDirection;
+#include <envmap_common_pars_fragment>
+void main() {
+	#ifdef ENVMAP_TYPE_PMREM
+		vec4 texColor = textureLod( envMap, backgroundRotation * vWorldDirection, roughnessToMip( backgroundBlurriness ) );
+	#else
+		vec4 texColor = textureCube( envMap, backgroundRotation * vWorldDirection );
+	#endif
+	texColor.rgb *= backgroundIntensity;
+	gl_FragColor = texColor;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,WA=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+	gl_Position.z = gl_Position.w;
+}`,XA=`uniform samplerCube tCube;
+uniform float tFlip;
+uniform float opacity;
+varying vec3 vWorldDirection;
+void main() {
+	vec4 texColor = textureCube( tCube, vec3( tFlip * vWorldDirection.x, vWorldDirection.yz ) );
+	gl_FragColor = texColor;
+	gl_FragColor.a *= opacity;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,$A=`#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+varying vec2 vHighPrecisionZW;
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <skinbase_vertex>
+	#include <morphinstance_vertex>
+	#ifdef USE_DISPLACEMENTMAP
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vHighPrecisionZW = gl_Position.zw;
+}`,qA=`#if DEPTH_PACKING == 3200
+	uniform float opacity;
+#endif
+#include <common>
+#include <packing>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+varying vec2 vHighPrecisionZW;
+void main() {
+	vec4 diffuseColor = vec4( 1.0 );
+	#include <clipping_planes_fragment>
+	#if DEPTH_PACKING == 3200
+		diffuseColor.a = opacity;
+	#endif
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <logdepthbuf_fragment>
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+		float fragCoordZ = vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ];
+	#else
+		float fragCoordZ = 0.5 * vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ] + 0.5;
+	#endif
+	#if DEPTH_PACKING == 3200
+		gl_FragColor = vec4( vec3( 1.0 - fragCoordZ ), opacity );
+	#elif DEPTH_PACKING == 3201
+		gl_FragColor = packDepthToRGBA( fragCoordZ );
+	#elif DEPTH_PACKING == 3202
+		gl_FragColor = vec4( packDepthToRGB( fragCoordZ ), 1.0 );
+	#elif DEPTH_PACKING == 3203
+		gl_FragColor = vec4( packDepthToRG( fragCoordZ ), 0.0, 1.0 );
+	#endif
+}`,YA=`#define DISTANCE
+varying vec3 vWorldPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <skinbase_vertex>
+	#include <morphinstance_vertex>
+	#ifdef USE_DISPLACEMENTMAP
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <worldpos_vertex>
+	#include <clipping_planes_vertex>
+	vWorldPosition = worldPosition.xyz;
+}`,JA=`#define DISTANCE
+uniform vec3 referencePosition;
+uniform float nearDistance;
+uniform float farDistance;
+varying vec3 vWorldPosition;
+#include <common>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( 1.0 );
+	#include <clipping_planes_fragment>
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	float dist = length( vWorldPosition - referencePosition );
+	dist = ( dist - nearDistance ) / ( farDistance - nearDistance );
+	dist = saturate( dist );
+	gl_FragColor = vec4( dist, 0.0, 0.0, 1.0 );
+}`,ZA=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+}`,KA=`uniform sampler2D tEquirect;
+varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vec3 direction = normalize( vWorldDirection );
+	vec2 sampleUV = equirectUv( direction );
+	gl_FragColor = texture2D( tEquirect, sampleUV );
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,jA=`uniform float scale;
+attribute float lineDistance;
+varying float vLineDistance;
+#include <common>
+#include <uv_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	vLineDistance = scale * lineDistance;
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+}`,QA=`uniform vec3 diffuse;
+uniform float opacity;
+uniform float dashSize;
+uniform float totalSize;
+varying float vLineDistance;
+#include <common>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	if ( mod( vLineDistance, totalSize ) > dashSize ) {
+		discard;
+	}
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,eE=`#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#if defined ( USE_ENVMAP ) || defined ( USE_SKINNING )
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinbase_vertex>
+		#include <skinnormal_vertex>
+		#include <defaultnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <fog_vertex>
+}`,tE=`uniform vec3 diffuse;
+uniform float opacity;
+#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+#endif
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <fog_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	#ifdef USE_LIGHTMAP
+		vec4 lightMapTexel = texture2D( lightMap, vLightMapUv );
+		reflectedLight.indirectDiffuse += lightMapTexel.rgb * lightMapIntensity * RECIPROCAL_PI;
+	#else
+		reflectedLight.indirectDiffuse += vec3( 1.0 );
+	#endif
+	#include <aomap_fragment>
+	reflectedLight.indirectDiffuse *= diffuseColor.rgb;
+	vec3 outgoingLight = reflectedLight.indirectDiffuse;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,nE=`#define LAMBERT
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,iE=`#define LAMBERT
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_lambert_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_lambert_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadiance;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,sE=`#define MATCAP
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <color_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+	vViewPosition = - mvPosition.xyz;
+}`,rE=`#define MATCAP
+uniform vec3 diffuse;
+uniform float opacity;
+uniform sampler2D matcap;
+varying vec3 vViewPosition;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <normal_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	vec3 viewDir = normalize( vViewPosition );
+	vec3 x = normalize( vec3( viewDir.z, 0.0, - viewDir.x ) );
+	vec3 y = cross( viewDir, x );
+	vec2 uv = vec2( dot( x, normal ), dot( y, normal ) ) * 0.495 + 0.5;
+	#ifdef USE_MATCAP
+		vec4 matcapColor = texture2D( matcap, uv );
+	#else
+		vec4 matcapColor = vec4( vec3( mix( 0.2, 0.8, uv.y ) ), 1.0 );
+	#endif
+	vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,oE=`#define NORMAL
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	varying vec3 vViewPosition;
+#endif
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	vViewPosition = - mvPosition.xyz;
+#endif
+}`,aE=`#define NORMAL
+uniform float opacity;
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	varying vec3 vViewPosition;
+#endif
+#include <uv_pars_fragment>
+#include <normal_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( 0.0, 0.0, 0.0, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	gl_FragColor = vec4( normalize( normal ) * 0.5 + 0.5, diffuseColor.a );
+	#ifdef OPAQUE
+		gl_FragColor.a = 1.0;
+	#endif
+}`,lE=`#define PHONG
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,cE=`#define PHONG
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform vec3 specular;
+uniform float shininess;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_phong_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_phong_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + reflectedLight.directSpecular + reflectedLight.indirectSpecular + totalEmissiveRadiance;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,uE=`#define STANDARD
+varying vec3 vViewPosition;
+#ifdef USE_TRANSMISSION
+	varying vec3 vWorldPosition;
+#endif
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+#ifdef USE_TRANSMISSION
+	vWorldPosition = worldPosition.xyz;
+#endif
+}`,hE=`#define STANDARD
+#ifdef PHYSICAL
+	#define IOR
+	#define USE_SPECULAR
+#endif
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float roughness;
+uniform float metalness;
+uniform float opacity;
+#ifdef IOR
+	uniform float ior;
+#endif
+#ifdef USE_SPECULAR
+	uniform float specularIntensity;
+	uniform vec3 specularColor;
+	#ifdef USE_SPECULAR_COLORMAP
+		uniform sampler2D specularColorMap;
+	#endif
+	#ifdef USE_SPECULAR_INTENSITYMAP
+		uniform sampler2D specularIntensityMap;
+	#endif
+#endif
+#ifdef USE_CLEARCOAT
+	uniform float clearcoat;
+	uniform float clearcoatRoughness;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESS
+	uniform float diffuseRoughness;
+	#ifdef USE_DIFFUSE_ROUGHNESSMAP
+		uniform sampler2D diffuseRoughnessMap;
+	#endif
+#endif
+#ifdef USE_DISPERSION
+	uniform float dispersion;
+#endif
+#ifdef USE_RETROREFLECTION
+	uniform float retroreflectivity;
+#endif
+#ifdef USE_IRIDESCENCE
+	uniform float iridescence;
+	uniform float iridescenceIOR;
+	uniform float iridescenceThicknessMinimum;
+	uniform float iridescenceThicknessMaximum;
+#endif
+#ifdef USE_SHEEN
+	uniform vec3 sheenColor;
+	uniform float sheenRoughness;
+	#ifdef USE_SHEEN_COLORMAP
+		uniform sampler2D sheenColorMap;
+	#endif
+	#ifdef USE_SHEEN_ROUGHNESSMAP
+		uniform sampler2D sheenRoughnessMap;
+	#endif
+#endif
+#ifdef USE_ANISOTROPY
+	uniform vec2 anisotropyVector;
+	#ifdef USE_ANISOTROPYMAP
+		uniform sampler2D anisotropyMap;
+	#endif
+#endif
+varying vec3 vViewPosition;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <iridescence_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_physical_pars_fragment>
+#include <transmission_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <clearcoat_pars_fragment>
+#include <iridescence_pars_fragment>
+#include <roughnessmap_pars_fragment>
+#include <metalnessmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <roughnessmap_fragment>
+	#include <metalnessmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <clearcoat_normal_fragment_begin>
+	#include <clearcoat_normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_physical_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 totalDiffuse = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse;
+	vec3 totalSpecular = reflectedLight.directSpecular + reflectedLight.indirectSpecular;
+	#include <transmission_fragment>
+	vec3 outgoingLight = totalDiffuse + totalSpecular + totalEmissiveRadiance;
+	#ifdef USE_SHEEN
+ 
+		outgoingLight = outgoingLight + sheenSpecularDirect + sheenSpecularIndirect;
+ 
+ 	#endif
+	#ifdef USE_CLEARCOAT
+		float dotNVcc = saturate( dot( geometryClearcoatNormal, geometryViewDir ) );
+		vec3 Fcc = F_Schlick( material.clearcoatF0, material.clearcoatF90, dotNVcc );
+		outgoingLight = outgoingLight * ( 1.0 - material.clearcoat * Fcc ) + ( clearcoatSpecularDirect + clearcoatSpecularIndirect ) * material.clearcoat;
+	#endif
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,dE=`#define TOON
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,fE=`#define TOON
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <gradientmap_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_toon_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_toon_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadiance;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,pE=`uniform float size;
+uniform float scale;
+#include <common>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+#ifdef USE_POINTS_UV
+	varying vec2 vUv;
+	uniform mat3 uvTransform;
+#endif
+void main() {
+	#ifdef USE_POINTS_UV
+		vUv = ( uvTransform * vec3( uv, 1 ) ).xy;
+	#endif
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <project_vertex>
+	gl_PointSize = size;
+	#ifdef USE_SIZEATTENUATION
+		bool isPerspective = isPerspectiveMatrix( projectionMatrix );
+		if ( isPerspective ) gl_PointSize *= ( scale / - mvPosition.z );
+	#endif
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <worldpos_vertex>
+	#include <fog_vertex>
+}`,mE=`uniform vec3 diffuse;
+uniform float opacity;
+#include <common>
+#include <color_pars_fragment>
+#include <map_particle_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_particle_fragment>
+	#include <color_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,gE=`#include <common>
+#include <batching_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <shadowmap_pars_vertex>
+void main() {
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,_E=`uniform vec3 color;
+uniform float opacity;
+#include <common>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <logdepthbuf_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <shadowmask_pars_fragment>
+void main() {
+	#include <logdepthbuf_fragment>
+	gl_FragColor = vec4( color, opacity * ( 1.0 - getShadowMask() ) );
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,xE=`uniform float rotation;
+uniform vec2 center;
+#include <common>
+#include <uv_pars_vertex>
+#include <fog_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	vec4 mvPosition = modelViewMatrix[ 3 ];
+	vec2 scale = vec2( length( modelMatrix[ 0 ].xyz ), length( modelMatrix[ 1 ].xyz ) );
+	#ifndef USE_SIZEATTENUATION
+		bool isPerspective = isPerspectiveMatrix( projectionMatrix );
+		if ( isPerspective ) scale *= - mvPosition.z;
+	#endif
+	vec2 alignedPosition = ( position.xy - ( center - vec2( 0.5 ) ) ) * scale;
+	vec2 rotatedPosition;
+	rotatedPosition.x = cos( rotation ) * alignedPosition.x - sin( rotation ) * alignedPosition.y;
+	rotatedPosition.y = sin( rotation ) * alignedPosition.x + cos( rotation ) * alignedPosition.y;
+	mvPosition.xy += rotatedPosition;
+	gl_Position = projectionMatrix * mvPosition;
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+}`,yE=`uniform vec3 diffuse;
+uniform float opacity;
+#include <common>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+}`,gt={alphahash_fragment:z1,alphahash_pars_fragment:G1,alphamap_fragment:H1,alphamap_pars_fragment:W1,alphatest_fragment:X1,alphatest_pars_fragment:$1,aomap_fragment:q1,aomap_pars_fragment:Y1,batching_pars_vertex:J1,batching_vertex:Z1,begin_vertex:K1,beginnormal_vertex:j1,bsdfs:Q1,iridescence_fragment:eT,bumpmap_pars_fragment:tT,clipping_planes_fragment:nT,clipping_planes_pars_fragment:iT,clipping_planes_pars_vertex:sT,clipping_planes_vertex:rT,color_fragment:oT,color_pars_fragment:aT,color_pars_vertex:lT,color_vertex:cT,common:uT,defaultnormal_vertex:hT,displacementmap_pars_vertex:dT,displacementmap_vertex:fT,emissivemap_fragment:pT,emissivemap_pars_fragment:mT,colorspace_fragment:gT,colorspace_pars_fragment:_T,envmap_fragment:xT,envmap_common_pars_fragment:yT,envmap_pars_fragment:vT,envmap_pars_vertex:bT,envmap_physical_pars_fragment:LT,envmap_vertex:ST,fog_vertex:MT,fog_pars_vertex:wT,fog_fragment:TT,fog_pars_fragment:AT,gradientmap_pars_fragment:ET,lightmap_pars_fragment:CT,lights_lambert_fragment:RT,lights_lambert_pars_fragment:PT,lights_pars_begin:IT,lights_toon_fragment:DT,lights_toon_pars_fragment:NT,lights_phong_fragment:FT,lights_phong_pars_fragment:UT,lights_physical_fragment:OT,lights_physical_pars_fragment:kT,lights_fragment_begin:BT,lights_fragment_maps:VT,lights_fragment_end:zT,lightprobes_pars_fragment:GT,logdepthbuf_fragment:HT,logdepthbuf_pars_fragment:WT,logdepthbuf_pars_vertex:XT,logdepthbuf_vertex:$T,map_fragment:qT,map_pars_fragment:YT,map_particle_fragment:JT,map_particle_pars_fragment:ZT,metalnessmap_fragment:KT,metalnessmap_pars_fragment:jT,morphinstance_vertex:QT,morphcolor_vertex:eA,morphnormal_vertex:tA,morphtarget_pars_vertex:nA,morphtarget_vertex:iA,normal_fragment_begin:sA,normal_fragment_maps:rA,normal_pars_fragment:oA,normal_pars_vertex:aA,normal_vertex:lA,normalmap_pars_fragment:cA,clearcoat_normal_fragment_begin:uA,clearcoat_normal_fragment_maps:hA,clearcoat_pars_fragment:dA,iridescence_pars_fragment:fA,opaque_fragment:pA,packing:mA,premultiplied_alpha_fragment:gA,project_vertex:_A,dithering_fragment:xA,dithering_pars_fragment:yA,roughnessmap_fragment:vA,roughnessmap_pars_fragment:bA,shadowmap_pars_fragment:SA,shadowmap_pars_vertex:MA,shadowmap_vertex:wA,shadowmask_pars_fragment:TA,skinbase_vertex:AA,skinning_pars_vertex:EA,skinning_vertex:CA,skinnormal_vertex:RA,specularmap_fragment:PA,specularmap_pars_fragment:IA,tonemapping_fragment:LA,tonemapping_pars_fragment:DA,transmission_fragment:NA,transmission_pars_fragment:FA,uv_pars_fragment:UA,uv_pars_vertex:OA,uv_vertex:kA,worldpos_vertex:BA,background_vert:VA,background_frag:zA,backgroundCube_vert:GA,backgroundCube_frag:HA,cube_vert:WA,cube_frag:XA,depth_vert:$A,depth_frag:qA,distance_vert:YA,distance_frag:JA,equirect_vert:ZA,equirect_frag:KA,linedashed_vert:jA,linedashed_frag:QA,meshbasic_vert:eE,meshbasic_frag:tE,meshlambert_vert:nE,meshlambert_frag:iE,meshmatcap_vert:sE,meshmatcap_frag:rE,meshnormal_vert:oE,meshnormal_frag:aE,meshphong_vert:lE,meshphong_frag:cE,meshphysical_vert:uE,meshphysical_frag:hE,meshtoon_vert:dE,meshtoon_frag:fE,points_vert:pE,points_frag:mE,shadow_vert:gE,shadow_frag:_E,sprite_vert:xE,sprite_frag:yE},De={common:{diffuse:{value:new Rt(16777215)},opacity:{value:1},map:{value:null},mapTransform:{value:new st},alphaMap:{value:null},alphaMapTransform:{value:new st},alphaTest:{value:0}},specularmap:{specularMap:{value:null},specularMapTransform:{value:new st}},envmap:{envMap:{value:null},envMapRotation:{value:new st},reflectivity:{value:1},ior:{value:1.5},refractionRatio:{value:.98},dfgLUT:{value:null}},aomap:{aoMap:{value:null},aoMapIntensity:{value:1},aoMapTransform:{value:new st}},lightmap:{lightMap:{value:null},lightMapIntensity:{value:1},lightMapTransform:{value:new st}},bumpmap:{bumpMap:{value:null},bumpMapTransform:{value:new st},bumpScale:{value:1}},normalmap:{normalMap:{value:null},normalMapTransform:{value:new st},normalScale:{value:new Ct(1,1)}},displacementmap:{displacementMap:{value:null},displacementMapTransform:{value:new st},displacementScale:{value:1},displacementBias:{value:0}},emissivemap:{emissiveMap:{value:null},emissiveMapTransform:{value:new st}},metalnessmap:{metalnessMap:{value:null},metalnessMapTransform:{value:new st}},roughnessmap:{roughnessMap:{value:null},roughnessMapTransform:{value:new st}},gradientmap:{gradientMap:{value:null}},fog:{fogDensity:{value:25e-5},fogNear:{value:1},fogFar:{value:2e3},fogColor:{value:new Rt(16777215)}},lights:{ambientLightColor:{value:[]},lightProbe:{value:[]},sunLights:{value:[],properties:{direction:{},color:{}}},sunLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},sunShadowMatrix:{value:[]},sunShadowCascade:{value:[]},directionalLights:{value:[],properties:{direction:{},color:{}}},directionalLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},directionalShadowMatrix:{value:[]},spotLights:{value:[],properties:{color:{},position:{},direction:{},distance:{},coneCos:{},penumbraCos:{},decay:{}}},spotLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},spotLightMap:{value:[]},spotLightMatrix:{value:[]},pointLights:{value:[],properties:{color:{},position:{},decay:{},distance:{}}},pointLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{},shadowCameraNear:{},shadowCameraFar:{}}},pointShadowMatrix:{value:[]},hemisphereLights:{value:[],properties:{direction:{},skyColor:{},groundColor:{}}},rectAreaLights:{value:[],properties:{color:{},position:{},width:{},height:{}}},ltc_1:{value:null},ltc_2:{value:null},probesSH:{value:[]},probesMin:{value:[]},probesMax:{value:[]},probesResolution:{value:[]}},points:{diffuse:{value:new Rt(16777215)},opacity:{value:1},size:{value:1},scale:{value:1},map:{value:null},alphaMap:{value:null},alphaMapTransform:{value:new st},alphaTest:{value:0},uvTransform:{value:new st}},sprite:{diffuse:{value:new Rt(16777215)},opacity:{value:1},center:{value:new Ct(.5,.5)},rotation:{value:0},map:{value:null},mapTransform:{value:new st},alphaMap:{value:null},alphaMapTransform:{value:new st},alphaTest:{value:0}}},Us={basic:{uniforms:Jn([De.common,De.specularmap,De.envmap,De.aomap,De.lightmap,De.fog]),vertexShader:gt.meshbasic_vert,fragmentShader:gt.meshbasic_frag},lambert:{uniforms:Jn([De.common,De.specularmap,De.envmap,De.aomap,De.lightmap,De.emissivemap,De.bumpmap,De.normalmap,De.displacementmap,De.fog,De.lights,{emissive:{value:new Rt(0)},envMapIntensity:{value:1}}]),vertexShader:gt.meshlambert_vert,fragmentShader:gt.meshlambert_frag},phong:{uniforms:Jn([De.common,De.specularmap,De.envmap,De.aomap,De.lightmap,De.emissivemap,De.bumpmap,De.normalmap,De.displacementmap,De.fog,De.lights,{emissive:{value:new Rt(0)},specular:{value:new Rt(1118481)},shininess:{value:30},envMapIntensity:{value:1}}]),vertexShader:gt.meshphong_vert,fragmentShader:gt.meshphong_frag},standard:{uniforms:Jn([De.common,De.envmap,De.aomap,De.lightmap,De.emissivemap,De.bumpmap,De.normalmap,De.displacementmap,De.roughnessmap,De.metalnessmap,De.fog,De.lights,{emissive:{value:new Rt(0)},roughness:{value:1},metalness:{value:0},envMapIntensity:{value:1}}]),vertexShader:gt.meshphysical_vert,fragmentShader:gt.meshphysical_frag},toon:{uniforms:Jn([De.common,De.aomap,De.lightmap,De.emissivemap,De.bumpmap,De.normalmap,De.displacementmap,De.gradientmap,De.fog,De.lights,{emissive:{value:new Rt(0)}}]),vertexShader:gt.meshtoon_vert,fragmentShader:gt.meshtoon_frag},matcap:{uniforms:Jn([De.common,De.bumpmap,De.normalmap,De.displacementmap,De.fog,{matcap:{value:null}}]),vertexShader:gt.meshmatcap_vert,fragmentShader:gt.meshmatcap_frag},points:{uniforms:Jn([De.points,De.fog]),vertexShader:gt.points_vert,fragmentShader:gt.points_frag},dashed:{uniforms:Jn([De.common,De.fog,{scale:{value:1},dashSize:{value:1},totalSize:{value:2}}]),vertexShader:gt.linedashed_vert,fragmentShader:gt.linedashed_frag},depth:{uniforms:Jn([De.common,De.displacementmap]),vertexShader:gt.depth_vert,fragmentShader:gt.depth_frag},normal:{uniforms:Jn([De.common,De.bumpmap,De.normalmap,De.displacementmap,{opacity:{value:1}}]),vertexShader:gt.meshnormal_vert,fragmentShader:gt.meshnormal_frag},sprite:{uniforms:Jn([De.sprite,De.fog]),vertexShader:gt.sprite_vert,fragmentShader:gt.sprite_frag},background:{uniforms:{uvTransform:{value:new st},t2D:{value:null},backgroundIntensity:{value:1}},vertexShader:gt.background_vert,fragmentShader:gt.background_frag},backgroundCube:{uniforms:{envMap:{value:null},backgroundBlurriness:{value:0},backgroundIntensity:{value:1},backgroundRotation:{value:new st}},vertexShader:gt.backgroundCube_vert,fragmentShader:gt.backgroundCube_frag},cube:{uniforms:{tCube:{value:null},tFlip:{value:-1},opacity:{value:1}},vertexShader:gt.cube_vert,fragmentShader:gt.cube_frag},equirect:{uniforms:{tEquirect:{value:null}},vertexShader:gt.equirect_vert,fragmentShader:gt.equirect_frag},distance:{uniforms:Jn([De.common,De.displacementmap,{referencePosition:{value:new $},nearDistance:{value:1},farDistance:{value:1e3}}]),vertexShader:gt.distance_vert,fragmentShader:gt.distance_frag},shadow:{uniforms:Jn([De.lights,De.fog,{color:{value:new Rt(0)},opacity:{value:1}}]),vertexShader:gt.shadow_vert,fragmentShader:gt.shadow_frag}};Us.physical={uniforms:Jn([Us.standard.uniforms,{clearcoat:{value:0},clearcoatMap:{value:null},clearcoatMapTransform:{value:new st},clearcoatNormalMap:{value:null},clearcoatNormalMapTransform:{value:new st},clearcoatNormalScale:{value:new Ct(1,1)},clearcoatRoughness:{value:0},clearcoatRoughnessMap:{value:null},clearcoatRoughnessMapTransform:{value:new st},diffuseRoughness:{value:0},diffuseRoughnessMap:{value:null},diffuseRoughnessMapTransform:{value:new st},dispersion:{value:0},retroreflectivity:{value:0},iridescence:{value:0},iridescenceMap:{value:null},iridescenceMapTransform:{value:new st},iridescenceIOR:{value:1.3},iridescenceThicknessMinimum:{value:100},iridescenceThicknessMaximum:{value:400},iridescenceThicknessMap:{value:null},iridescenceThicknessMapTransform:{value:new st},sheen:{value:0},sheenColor:{value:new Rt(0)},sheenColorMap:{value:null},sheenColorMapTransform:{value:new st},sheenRoughness:{value:1},sheenRoughnessMap:{value:null},sheenRoughnessMapTransform:{value:new st},transmission:{value:0},transmissionMap:{value:null},transmissionMapTransform:{value:new st},transmissionSamplerSize:{value:new Ct},transmissionSamplerMap:{value:null},thickness:{value:0},thicknessMap:{value:null},thicknessMapTransform:{value:new st},attenuationDistance:{value:0},attenuationColor:{value:new Rt(0)},specularColor:{value:new Rt(1,1,1)},specularColorMap:{value:null},specularColorMapTransform:{value:new st},specularIntensity:{value:1},specularIntensityMap:{value:null},specularIntensityMapTransform:{value:new st},anisotropyVector:{value:new Ct},anisotropyMap:{value:null},anisotropyMapTransform:{value:new st}}]),vertexShader:gt.meshphysical_vert,fragmentShader:gt.meshphysical_frag};var Ch={r:0,b:0,g:0},vE=new Yt,Ly=new st;Ly.set(-1,0,0,0,1,0,0,0,1);function bE(n,e,t,i,s,r){let o=new Rt(0),a=s===!0?0:1,l,c,u=null,d=0,h=null;function p(y){let E=y.isScene===!0?y.background:null;if(E&&E.isTexture){let M=y.backgroundBlurriness>0;E=e.get(E,M)}return E}function m(y){let E=!1,M=p(y);M===null?_(o,a):M&&M.isColor&&(_(M,1),E=!0);let I=n.xr.getEnvironmentBlendMode();I==="additive"?t.buffers.color.setClear(0,0,0,1,r):I==="alpha-blend"&&t.buffers.color.setClear(0,0,0,0,r),(n.autoClear||E)&&(t.buffers.depth.setTest(!0),t.buffers.depth.setMask(!0),t.buffers.color.setMask(!0),n.clear(n.autoClearColor,n.autoClearDepth,n.autoClearStencil))}function v(y,E){let M=p(E);M&&M.isCubeTexture?(c===void 0&&(c=new Hn(new oa(1,1,1),new Ds({name:"BackgroundCubeMaterial",uniforms:ao(Us.backgroundCube.uniforms),vertexShader:Us.backgroundCube.vertexShader,fragmentShader:Us.backgroundCube.fragmentShader,side:ai,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),c.geometry.deleteAttribute("normal"),c.geometry.deleteAttribute("uv"),c.onBeforeRender=function(I,C,b){this.matrixWorld.copyPosition(b.matrixWorld)},Object.defineProperty(c.material,"envMap",{get:function(){return this.uniforms.envMap.value}}),i.update(c)),c.material.uniforms.envMap.value=M,c.material.uniforms.backgroundBlurriness.value=E.backgroundBlurriness,c.material.uniforms.backgroundIntensity.value=E.backgroundIntensity,c.material.uniforms.backgroundRotation.value.setFromMatrix4(vE.makeRotationFromEuler(E.backgroundRotation)).transpose(),M.isRenderTargetTexture===!1&&c.material.uniforms.backgroundRotation.value.premultiply(Ly),c.material.toneMapped=bt.getTransfer(M.colorSpace)!==Ft,(u!==M||d!==M.version||h!==n.toneMapping)&&(c.material.needsUpdate=!0,u=M,d=M.version,h=n.toneMapping),c.layers.enableAll(),y.unshift(c,c.geometry,c.material,0,0,null)):M&&M.isTexture&&(l===void 0&&(l=new Hn(new gl(2,2),new Ds({name:"BackgroundMaterial",uniforms:ao(Us.background.uniforms),vertexShader:Us.background.vertexShader,fragmentShader:Us.background.fragmentShader,side:Ir,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),l.geometry.deleteAttribute("normal"),Object.defineProperty(l.material,"map",{get:function(){return this.uniforms.t2D.value}}),i.update(l)),l.material.uniforms.t2D.value=M,l.material.uniforms.backgroundIntensity.value=E.backgroundIntensity,l.material.toneMapped=bt.getTransfer(M.colorSpace)!==Ft,M.matrixAutoUpdate===!0&&M.updateMatrix(),l.material.uniforms.uvTransform.value.copy(M.matrix),(u!==M||d!==M.version||h!==n.toneMapping)&&(l.material.needsUpdate=!0,u=M,d=M.version,h=n.toneMapping),l.layers.enableAll(),y.unshift(l,l.geometry,l.material,0,0,null))}function _(y,E){y.getRGB(Ch,Bp(n)),t.buffers.color.setClear(Ch.r,Ch.g,Ch.b,E,r)}function g(){c!==void 0&&(c.geometry.dispose(),c.material.dispose(),c=void 0),l!==void 0&&(l.geometry.dispose(),l.material.dispose(),l=void 0)}return{getClearColor:function(){return o},setClearColor:function(y,E=1){o.set(y),a=E,_(o,a)},getClearAlpha:function(){return a},setClearAlpha:function(y){a=y,_(o,a)},render:m,addToRenderList:v,dispose:g}}function SE(n,e){let t=n.getParameter(n.MAX_VERTEX_ATTRIBS),i={},s=h(null),r=s,o=!1;function a(D,G,V,N,W){let Z=!1,z=d(D,N,V,G);r!==z&&(r=z,c(r.object)),Z=p(D,N,V,W),Z&&m(D,N,V,W),W!==null&&e.update(W,n.ELEMENT_ARRAY_BUFFER),(Z||o)&&(o=!1,M(D,G,V,N),W!==null&&n.bindBuffer(n.ELEMENT_ARRAY_BUFFER,e.get(W).buffer))}function l(){return n.createVertexArray()}function c(D){return n.bindVertexArray(D)}function u(D){return n.deleteVertexArray(D)}function d(D,G,V,N){let W=N.wireframe===!0,Z=i[G.id];Z===void 0&&(Z={},i[G.id]=Z);let z=D.isInstancedMesh===!0?D.id:0,ue=Z[z];ue===void 0&&(ue={},Z[z]=ue);let K=ue[V.id];K===void 0&&(K={},ue[V.id]=K);let Q=K[W];return Q===void 0&&(Q=h(l()),K[W]=Q),Q}function h(D){let G=[],V=[],N=[];for(let W=0;W<t;W++)G[W]=0,V[W]=0,N[W]=0;return{geometry:null,program:null,wireframe:!1,newAttributes:G,enabledAttributes:V,attributeDivisors:N,object:D,attributes:{},index:null}}function p(D,G,V,N){let W=r.attributes,Z=G.attributes,z=0,ue=V.getAttributes();for(let K in ue)if(ue[K].location>=0){let se=W[K],fe=Z[K];if(fe===void 0&&(K==="instanceMatrix"&&D.instanceMatrix&&(fe=D.instanceMatrix),K==="instanceColor"&&D.instanceColor&&(fe=D.instanceColor)),se===void 0||se.attribute!==fe||fe&&se.data!==fe.data)return!0;z++}return r.attributesNum!==z||r.index!==N}function m(D,G,V,N){let W={},Z=G.attributes,z=0,ue=V.getAttributes();for(let K in ue)if(ue[K].location>=0){let se=Z[K];se===void 0&&(K==="instanceMatrix"&&D.instanceMatrix&&(se=D.instanceMatrix),K==="instanceColor"&&D.instanceColor&&(se=D.instanceColor));let fe={};fe.attribute=se,se&&se.data&&(fe.data=se.data),W[K]=fe,z++}r.attributes=W,r.attributesNum=z,r.index=N}function v(){let D=r.newAttributes;for(let G=0,V=D.length;G<V;G++)D[G]=0}function _(D){g(D,0)}function g(D,G){let V=r.newAttributes,N=r.enabledAttributes,W=r.attributeDivisors;V[D]=1,N[D]===0&&(n.enableVertexAttribArray(D),N[D]=1),W[D]!==G&&(n.vertexAttribDivisor(D,G),W[D]=G)}function y(){let D=r.newAttributes,G=r.enabledAttributes;for(let V=0,N=G.length;V<N;V++)G[V]!==D[V]&&(n.disableVertexAttribArray(V),G[V]=0)}function E(D,G,V,N,W,Z,z){z===!0?n.vertexAttribIPointer(D,G,V,W,Z):n.vertexAttribPointer(D,G,V,N,W,Z)}function M(D,G,V,N){v();let W=N.attributes,Z=V.getAttributes(),z=G.defaultAttributeValues;for(let ue in Z){let K=Z[ue];if(K.location>=0){let Q=W[ue];if(Q===void 0&&(ue==="instanceMatrix"&&D.instanceMatrix&&(Q=D.instanceMatrix),ue==="instanceColor"&&D.instanceColor&&(Q=D.instanceColor)),Q!==void 0){let se=Q.normalized,fe=Q.itemSize,de=e.get(Q);if(de===void 0)continue;let ee=de.buffer,ge=de.type,ye=de.bytesPerElement,Ce=ge===n.INT||ge===n.UNSIGNED_INT||Q.gpuType===Xu;if(Q.isInterleavedBufferAttribute){let Me=Q.data,$e=Me.isInterleavedBuffer===!0?Me.stride:Me.itemSize,lt=Q.offset;if(Me.isInstancedInterleavedBuffer||Me.isInstancedBufferAttribute){for(let He=0;He<K.locationSize;He++)g(K.location+He,Me.meshPerAttribute);D.isInstancedMesh!==!0&&N._maxInstanceCount===void 0&&(N._maxInstanceCount=Me.meshPerAttribute*Me.count)}else for(let He=0;He<K.locationSize;He++)_(K.location+He);n.bindBuffer(n.ARRAY_BUFFER,ee);for(let He=0;He<K.locationSize;He++)E(K.location+He,fe/K.locationSize,ge,se,$e*ye,(lt+fe/K.locationSize*He)*ye,Ce)}else{if(Q.isInstancedBufferAttribute){for(let Me=0;Me<K.locationSize;Me++)g(K.location+Me,Q.meshPerAttribute);D.isInstancedMesh!==!0&&N._maxInstanceCount===void 0&&(N._maxInstanceCount=Q.meshPerAttribute*Q.count)}else for(let Me=0;Me<K.locationSize;Me++)_(K.location+Me);n.bindBuffer(n.ARRAY_BUFFER,ee);for(let Me=0;Me<K.locationSize;Me++)E(K.location+Me,fe/K.locationSize,ge,se,fe*ye,fe/K.locationSize*Me*ye,Ce)}}else if(z!==void 0){let se=z[ue];if(se!==void 0)switch(se.length){case 2:n.vertexAttrib2fv(K.location,se);break;case 3:n.vertexAttrib3fv(K.location,se);break;case 4:n.vertexAttrib4fv(K.location,se);break;default:n.vertexAttrib1fv(K.location,se)}}}}y()}function I(){H();for(let D in i){let G=i[D];for(let V in G){let N=G[V];for(let W in N){let Z=N[W];for(let z in Z)u(Z[z].object),delete Z[z];delete N[W]}}delete i[D]}}function C(D){if(i[D.id]===void 0)return;let G=i[D.id];for(let V in G){let N=G[V];for(let W in N){let Z=N[W];for(let z in Z)u(Z[z].object),delete Z[z];delete N[W]}}delete i[D.id]}function b(D){for(let G in i){let V=i[G];for(let N in V){let W=V[N];if(W[D.id]===void 0)continue;let Z=W[D.id];for(let z in Z)u(Z[z].object),delete Z[z];delete W[D.id]}}}function A(D){for(let G in i){let V=i[G],N=D.isInstancedMesh===!0?D.id:0,W=V[N];if(W!==void 0){for(let Z in W){let z=W[Z];for(let ue in z)u(z[ue].object),delete z[ue];delete W[Z]}delete V[N],Object.keys(V).length===0&&delete i[G]}}}function H(){F(),o=!0,r!==s&&(r=s,c(r.object))}function F(){s.geometry=null,s.program=null,s.wireframe=!1}return{setup:a,reset:H,resetDefaultState:F,dispose:I,releaseStatesOfGeometry:C,releaseStatesOfObject:A,releaseStatesOfProgram:b,initAttributes:v,enableAttribute:_,disableUnusedAttributes:y}}function ME(n,e,t){let i;function s(l){i=l}function r(l,c){n.drawArrays(i,l,c),t.update(c,i,1)}function o(l,c,u){u!==0&&(n.drawArraysInstanced(i,l,c,u),t.update(c,i,u))}function a(l,c,u){if(u===0)return;e.get("WEBGL_multi_draw").multiDrawArraysWEBGL(i,l,0,c,0,u);let h=0;for(let p=0;p<u;p++)h+=c[p];t.update(h,i,1)}this.setMode=s,this.render=r,this.renderInstances=o,this.renderMultiDraw=a}function wE(n,e,t,i){let s;function r(){if(s!==void 0)return s;if(e.has("EXT_texture_filter_anisotropic")===!0){let b=e.get("EXT_texture_filter_anisotropic");s=n.getParameter(b.MAX_TEXTURE_MAX_ANISOTROPY_EXT)}else s=0;return s}function o(b){return!(b!==Ni&&i.convert(b)!==n.getParameter(n.IMPLEMENTATION_COLOR_READ_FORMAT))}function a(b){let A=b===fs&&(e.has("EXT_color_buffer_half_float")||e.has("EXT_color_buffer_float"));return!(b!==Li&&b!==Di&&!A&&i.convert(b)!==n.getParameter(n.IMPLEMENTATION_COLOR_READ_TYPE))}function l(b){if(b==="highp"){if(n.getShaderPrecisionFormat(n.VERTEX_SHADER,n.HIGH_FLOAT).precision>0&&n.getShaderPrecisionFormat(n.FRAGMENT_SHADER,n.HIGH_FLOAT).precision>0)return"highp";b="mediump"}return b==="mediump"&&n.getShaderPrecisionFormat(n.VERTEX_SHADER,n.MEDIUM_FLOAT).precision>0&&n.getShaderPrecisionFormat(n.FRAGMENT_SHADER,n.MEDIUM_FLOAT).precision>0?"mediump":"lowp"}let c=t.precision!==void 0?t.precision:"highp",u=l(c);u!==c&&(Ze("WebGLRenderer:",c,"not supported, using",u,"instead."),c=u);let d=t.reversedDepthBuffer===!0&&e.has("EXT_clip_control"),h=t.logarithmicDepthBuffer===!0&&d===!1;t.reversedDepthBuffer===!0&&d===!1&&Ze("WebGLRenderer: Unable to use reversed depth buffer due to missing EXT_clip_control extension. Fallback to default depth buffer."),t.logarithmicDepthBuffer===!0&&d===!0&&Ze("WebGLRenderer: Logarithmic depth buffer is ignored when reversed depth buffer is enabled.");let p=n.getParameter(n.MAX_TEXTURE_IMAGE_UNITS),m=n.getParameter(n.MAX_VERTEX_TEXTURE_IMAGE_UNITS),v=n.getParameter(n.MAX_TEXTURE_SIZE),_=n.getParameter(n.MAX_CUBE_MAP_TEXTURE_SIZE),g=n.getParameter(n.MAX_VERTEX_ATTRIBS),y=n.getParameter(n.MAX_VERTEX_UNIFORM_VECTORS),E=n.getParameter(n.MAX_VARYING_VECTORS),M=n.getParameter(n.MAX_FRAGMENT_UNIFORM_VECTORS),I=n.getParameter(n.MAX_SAMPLES),C=n.getParameter(n.SAMPLES);return{isWebGL2:!0,getMaxAnisotropy:r,getMaxPrecision:l,textureFormatReadable:o,textureTypeReadable:a,precision:c,logarithmicDepthBuffer:h,reversedDepthBuffer:d,maxTextures:p,maxVertexTextures:m,maxTextureSize:v,maxCubemapSize:_,maxAttributes:g,maxVertexUniforms:y,maxVaryings:E,maxFragmentUniforms:M,maxSamples:I,samples:C}}function TE(n){let e=this,t=null,i=0,s=!1,r=!1,o=new Ei,a=new st,l={value:null,needsUpdate:!1};this.uniform=l,this.numPlanes=0,this.numIntersection=0,this.init=function(d,h){let p=d.length!==0||h||i!==0||s;return s=h,i=d.length,p},this.beginShadows=function(){r=!0,u(null)},this.endShadows=function(){r=!1},this.setGlobalState=function(d,h){t=u(d,h,0)},this.setState=function(d,h,p){let m=d.clippingPlanes,v=d.clipIntersection,_=d.clipShadows,g=n.get(d);if(!s||m===null||m.length===0||r&&!_)r?u(null):c();else{let y=r?0:i,E=y*4,M=g.clippingState||null;l.value=M,M=u(m,h,E,p);for(let I=0;I!==E;++I)M[I]=t[I];g.clippingState=M,this.numIntersection=v?this.numPlanes:0,this.numPlanes+=y}};function c(){l.value!==t&&(l.value=t,l.needsUpdate=i>0),e.numPlanes=i,e.numIntersection=0}function u(d,h,p,m){let v=d!==null?d.length:0,_=null;if(v!==0){if(_=l.value,m!==!0||_===null){let g=p+v*4,y=h.matrixWorldInverse;a.getNormalMatrix(y),(_===null||_.length<g)&&(_=new Float32Array(g));for(let E=0,M=p;E!==v;++E,M+=4)o.copy(d[E]).applyMatrix4(y,a),o.normal.toArray(_,M),_[M+3]=o.constant}l.value=_,l.needsUpdate=!0}return e.numPlanes=v,e.numIntersection=0,_}}var Pl=class extends Ri{constructor(e=1,t={}){super(e,e,t),this.isWebGLCubeRenderTarget=!0;let i={width:e,height:e,depth:1},s=[i,i,i,i,i,i];this.texture=new fl(s),this._setTextureOptions(t),this.texture.isRenderTargetTexture=!0}fromEquirectangularTexture(e,t){this.texture.type=t.type,this.texture.colorSpace=t.colorSpace,this.texture.generateMipmaps=t.generateMipmaps,this.texture.minFilter=t.minFilter,this.texture.magFilter=t.magFilter;let i={uniforms:{tEquirect:{value:null}},vertexShader:`
+
+				varying vec3 vWorldDirection;
+
+				vec3 transformDirection( in vec3 dir, in mat4 matrix ) {
+
+					return normalize( ( matrix * vec4( dir, 0.0 ) ).xyz );
+
+				}
+
+				void main() {
+
+					vWorldDirection = transformDirection( position, modelMatrix );
+
+					#include <begin_vertex>
+					#include <project_vertex>
+
+				}
+			`,fragmentShader:`
+
+				uniform sampler2D tEquirect;
+
+				varying vec3 vWorldDirection;
+
+				#include <common>
+
+				void main() {
+
+					vec3 direction = normalize( vWorldDirection );
+
+					vec2 sampleUV = equirectUv( direction );
+
+					gl_FragColor = texture2D( tEquirect, sampleUV );
+
+				}
+			`},s=new oa(5,5,5),r=new Ds({name:"CubemapFromEquirect",uniforms:ao(i.uniforms),vertexShader:i.vertexShader,fragmentShader:i.fragmentShader,side:ai,blending:to});r.uniforms.tEquirect.value=t;let o=new Hn(s,r),a=t.minFilter;return t.minFilter===nr&&(t.minFilter=oi),new la(1,10,this).update(e,o),t.minFilter=a,o.geometry.dispose(),o.material.dispose(),this}clear(e,t=!0,i=!0,s=!0){let r=e.getRenderTarget();for(let o=0;o<6;o++)e.setRenderTarget(this,o),e.clear(t,i,s);e.setRenderTarget(r)}},uy=256,AE=3,EE=20,Dy=256,Ny=16,CE=3,RE=new $,PE=new Rt,Ph=class n{constructor(e){this._renderer=e,this._cubeSize=0,this._sourceTarget=null,this._cubeCamera=new la(1,10,null),this._boxMesh=new Hn(new oa(5,5,5),null),this._cubemapMaterial=null,this._equirectMaterial=null,this._blurMaterial=null,this._ggxMaterial=null,this._integrationMaterial=null}fromScene(e,t=0,i=.1,s=100,r={}){let{size:o=256,position:a=RE}=r,l=this._renderer;this._setSize(o);let c=this._allocateTarget(),u=this._getSourceTarget(!0);t>0&&(u.texture.mipmapsAutoUpdate=!1);let d=l.autoClear,h=l.autoClearColor,p=l.autoClearDepth,m=l.autoClearStencil,v=e.background;l.autoClear=!0,l.autoClearColor=!0,l.autoClearDepth=!0,l.autoClearStencil=!0,v===null&&(e.background=l.getClearColor(PE));let _=new la(i,s,u);return _.position.copy(a),_.update(l,e),l.autoClear=d,l.autoClearColor=h,l.autoClearDepth=p,l.autoClearStencil=m,e.background=v,t>0&&(u.texture.mipmapsAutoUpdate=!0,this._blur(c,t)),this._applyPMREM(c),c}fromEquirectangular(e,t=null){return this._fromTexture(e,t)}fromCubemap(e,t=null){return this._fromTexture(e,t)}compileCubemapShader(){this._cubemapMaterial===null&&(this._cubemapMaterial=fy(),this._compileMaterial(this._cubemapMaterial))}compileEquirectangularShader(){this._equirectMaterial===null&&(this._equirectMaterial=dy(),this._compileMaterial(this._equirectMaterial))}dispose(){this._sourceTarget!==null&&this._sourceTarget.dispose(),this._cubemapMaterial!==null&&this._cubemapMaterial.dispose(),this._equirectMaterial!==null&&this._equirectMaterial.dispose(),this._blurMaterial!==null&&this._blurMaterial.dispose(),this._ggxMaterial!==null&&this._ggxMaterial.dispose(),this._integrationMaterial!==null&&this._integrationMaterial.dispose(),this._boxMesh.geometry.dispose()}static lodToRoughness(e,t){return t>0?1-Math.sqrt(1-e/t):0}_setSize(e){this._cubeSize=Math.max(uy,iy(e))}_fromTexture(e,t){e.mapping===io||e.mapping===da?this._setSize(e.image.length===0?uy:e.image[0].width||e.image[0].image.width):this._setSize(e.image.width/4);let i=t||this._allocateTarget();return this._textureToCubemap(e),this._applyPMREM(i),i}_allocateTarget(){let e=this._cubeSize,t=hy(e,!1,!1),i=Math.log2(e)-AE;for(let s=0;s<=i;s++)t.texture.mipmaps.push({width:e>>s,height:e>>s});return t.texture.name="PMREM",t.texture.isPMREMTexture=!0,t}_getSourceTarget(e=!1){let t=this._cubeSize,i=this._sourceTarget;return(i===null||i.width!==t||e&&i.depthBuffer===!1)&&(i!==null&&i.dispose(),this._sourceTarget=hy(t,!0,e)),this._sourceTarget}_compileMaterial(e){this._boxMesh.material=e,this._renderer.compile(this._boxMesh,this._cubeCamera.children[0])}_renderCube(e,t,i){let s=this._boxMesh,r=this._cubeCamera;s.material=i,r.renderTarget=e,r.activeMipmapLevel=t;let o=e.width>>t;e.viewport.set(0,0,o,o),r.update(this._renderer,s),e.viewport.set(0,0,e.width,e.height)}_textureToCubemap(e){let t;e.mapping===io||e.mapping===da?(this._cubemapMaterial===null&&(this._cubemapMaterial=fy()),t=this._cubemapMaterial,t.uniforms.flipEnvMap.value=e.isRenderTargetTexture===!1?-1:1):(this._equirectMaterial===null&&(this._equirectMaterial=dy()),t=this._equirectMaterial),t.uniforms.envMap.value=e,this._renderCube(this._getSourceTarget(),0,t)}_applyPMREM(e){this._ggxMaterial===null&&(this._ggxMaterial=IE(),this._integrationMaterial=LE());let t=this._cubeSize,i=e.texture.mipmaps.length-1,s=this._ggxMaterial.uniforms;s.envMap.value=this._sourceTarget.texture;let r=this._integrationMaterial.uniforms;r.envMap.value=this._sourceTarget.texture,r.sourceLod.value=Math.log2(t/Ny);for(let o=0;o<=i;o++){let a=n.lodToRoughness(o,i);if(o>i-CE)r.roughness.value=a,this._renderCube(e,o,this._integrationMaterial);else{let l=a>0?Math.log2(t)+.5*Math.log2(6/(Dy*Math.pow(a,4)))+.5:0;s.roughness.value=a,s.lodBias.value=l,this._renderCube(e,o,this._ggxMaterial)}}}_blur(e,t){this._blurMaterial===null&&(this._blurMaterial=DE());let i=this._blurMaterial,s=i.uniforms,r=this._sourceTarget;s.sigma.value=Math.min(t,Math.PI)/Math.SQRT2,s.envMap.value=r.texture,this._renderCube(e,0,i),s.envMap.value=e.texture,this._renderCube(r,0,i)}};function hy(n,e,t){return new Pl(n,{minFilter:nr,generateMipmaps:e,type:fs,colorSpace:Jr,depthBuffer:t})}function Il(n,e,t){return new Ds({name:n,uniforms:e,vertexShader:gt.cube_vert,fragmentShader:t,side:ai,blending:to,depthTest:!1,depthWrite:!1})}function IE(){return Il("PMREMGGXConvolution",{envMap:{value:null},roughness:{value:0},lodBias:{value:0}},`
+
+		#define GGX_SAMPLES ${Dy}u
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float roughness;
+		uniform float lodBias;
+
+		#include <common>
+
+		// Van der Corput radical inverse
+		float radicalInverse_VdC( uint bits ) {
+
+			bits = ( bits << 16u ) | ( bits >> 16u );
+			bits = ( ( bits & 0x55555555u ) << 1u ) | ( ( bits & 0xAAAAAAAAu ) >> 1u );
+			bits = ( ( bits & 0x33333333u ) << 2u ) | ( ( bits & 0xCCCCCCCCu ) >> 2u );
+			bits = ( ( bits & 0x0F0F0F0Fu ) << 4u ) | ( ( bits & 0xF0F0F0F0u ) >> 4u );
+			bits = ( ( bits & 0x00FF00FFu ) << 8u ) | ( ( bits & 0xFF00FF00u ) >> 8u );
+			return float( bits ) * 2.3283064365386963e-10; // / 0x100000000
+
+		}
+
+		// Hammersley sequence
+		vec2 hammersley( uint i, uint N ) {
+
+			return vec2( float( i ) / float( N ), radicalInverse_VdC( i ) );
+
+		}
+
+		void main() {
+
+			vec3 N = normalize( vWorldDirection );
+
+			// For very low roughness, just sample the environment directly
+			if ( roughness < 0.001 ) {
+
+				gl_FragColor = vec4( textureLod( envMap, N, 0.0 ).rgb, 1.0 );
+				return;
+
+			}
+
+			float alpha = roughness * roughness;
+			float alpha2 = alpha * alpha;
+
+			// Tangent space basis for VNDF sampling
+			vec3 up = abs( N.z ) < 0.999 ? vec3( 0.0, 0.0, 1.0 ) : vec3( 1.0, 0.0, 0.0 );
+			vec3 tangent = normalize( cross( up, N ) );
+			vec3 bitangent = cross( N, tangent );
+
+			vec3 prefilteredColor = vec3( 0.0 );
+			float totalWeight = 0.0;
+
+			for ( uint i = 0u; i < GGX_SAMPLES; i ++ ) {
+
+				vec2 Xi = hammersley( i, GGX_SAMPLES );
+
+				// With V = N, sample the reflected direction directly.
+				float invQ = 1.0 / ( 1.0 - Xi.x + alpha2 * Xi.x );
+				float NdotL = ( 1.0 - Xi.x - alpha2 * Xi.x ) * invQ;
+
+				if ( NdotL > 0.0 ) {
+
+					float phi = 2.0 * PI * Xi.y;
+					float sinTheta = 2.0 * alpha * sqrt( Xi.x * ( 1.0 - Xi.x ) ) * invQ;
+					vec3 L = N * NdotL + ( tangent * cos( phi ) + bitangent * sin( phi ) ) * sinTheta;
+
+					// Match the source mip to the sample's solid angle. The terms
+					// independent of the sample are precomputed in lodBias.
+					float d = alpha2 * invQ;
+					float lod = max( log2( d ) + lodBias, 0.0 );
+
+					// Weight by NdotL for the split-sum approximation
+					prefilteredColor += textureLod( envMap, L, lod ).rgb * NdotL;
+					totalWeight += NdotL;
+
+				}
+
+			}
+
+			gl_FragColor = vec4( prefilteredColor / totalWeight, 1.0 );
+
+		}
+	`)}function LE(){return Il("PMREMGGXIntegration",{envMap:{value:null},roughness:{value:0},sourceLod:{value:0},sourceSize:{value:Ny}},`
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float roughness;
+		uniform float sourceLod;
+		uniform int sourceSize;
+
+		void main() {
+
+			vec3 N = normalize( vWorldDirection );
+
+			float alpha = roughness * roughness;
+			float alpha2 = alpha * alpha;
+
+			float texelSize = 2.0 / float( sourceSize );
+
+			vec3 prefilteredColor = vec3( 0.0 );
+			float totalWeight = 0.0;
+
+			// Pair opposite texels: only the one in N's hemisphere contributes.
+			for ( int face = 0; face < 3; face ++ ) {
+
+				for ( int y = 0; y < sourceSize; y ++ ) {
+
+					for ( int x = 0; x < sourceSize; x ++ ) {
+
+						vec2 uv = ( vec2( x, y ) + 0.5 ) * texelSize - 1.0;
+						vec3 texelDirection = face == 0 ? vec3( 1.0, uv ) : ( face == 1 ? vec3( uv.x, 1.0, uv.y ) : vec3( uv, 1.0 ) );
+
+						float invDistance = inversesqrt( 1.0 + dot( uv, uv ) );
+						float NdotL = dot( N, texelDirection );
+						texelDirection *= NdotL < 0.0 ? - 1.0 : 1.0;
+						NdotL = abs( NdotL ) * invDistance;
+
+						// With V = N, NdotH squared is ( 1 + NdotL ) / 2. Common factors
+						// in the GGX distribution and texel solid angle cancel when normalized.
+						float d = 1.0 + alpha2 + ( alpha2 - 1.0 ) * NdotL;
+						float weight = NdotL * invDistance * invDistance * invDistance / ( d * d );
+
+						prefilteredColor += textureLod( envMap, texelDirection, sourceLod ).rgb * weight;
+						totalWeight += weight;
+
+					}
+
+				}
+
+			}
+
+			gl_FragColor = vec4( prefilteredColor / totalWeight, 1.0 );
+
+		}
+	`)}function DE(){return Il("PMREMSphericalGaussianBlur",{envMap:{value:null},sigma:{value:0}},`
+
+		#define SAMPLES ${EE}
+		#define GOLDEN_ANGLE 2.39996322973
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float sigma;
+
+		#include <common>
+
+		void main() {
+
+			vec3 outputDirection = normalize( vWorldDirection );
+
+			vec3 up = abs( outputDirection.z ) < 0.999 ? vec3( 0.0, 0.0, 1.0 ) : vec3( 1.0, 0.0, 0.0 );
+			vec3 tangent = normalize( cross( up, outputDirection ) );
+			vec3 bitangent = cross( outputDirection, tangent );
+
+			// Truncate the kernel at three standard deviations or at the antipode.
+			float thetaMax = min( 3.0 * sigma, PI );
+			float truncation = 1.0 - exp( - 0.5 * thetaMax * thetaMax / ( sigma * sigma ) );
+
+			vec3 accumColor = vec3( 0.0 );
+			float accumWeight = 0.0;
+
+			for ( int i = 0; i < SAMPLES; i ++ ) {
+
+				// Stratified inverse-CDF sampling of the Gaussian, placed on a golden-angle spiral.
+				float stratum = ( float( i ) + 0.5 ) / float( SAMPLES );
+				float theta = sigma * sqrt( - 2.0 * log( 1.0 - stratum * truncation ) );
+				float phi = float( i ) * GOLDEN_ANGLE;
+
+				vec3 offset = cos( phi ) * tangent + sin( phi ) * bitangent;
+				vec3 sampleDirection = cos( theta ) * outputDirection + sin( theta ) * offset;
+
+				// Correct the planar sample density to solid angle.
+				float weight = sin( theta ) / theta;
+
+				accumColor += weight * textureLod( envMap, sampleDirection, 0.0 ).rgb;
+				accumWeight += weight;
+
+			}
+
+			gl_FragColor = vec4( accumColor / accumWeight, 1.0 );
+
+		}
+	`)}function dy(){return Il("PMREMEquirectangularToCubemap",{envMap:{value:null}},`
+
+		varying vec3 vWorldDirection;
+
+		uniform sampler2D envMap;
+
+		#include <common>
+
+		void main() {
+
+			// Average four subpixel samples to preserve small, bright features.
+			vec3 direction = normalize( vWorldDirection );
+			vec3 dx = dFdx( direction ) * 0.25;
+			vec3 dy = dFdy( direction ) * 0.25;
+
+			vec3 color = textureLod( envMap, equirectUv( normalize( direction - dx - dy ) ), 0.0 ).rgb;
+			color += textureLod( envMap, equirectUv( normalize( direction + dx - dy ) ), 0.0 ).rgb;
+			color += textureLod( envMap, equirectUv( normalize( direction - dx + dy ) ), 0.0 ).rgb;
+			color += textureLod( envMap, equirectUv( normalize( direction + dx + dy ) ), 0.0 ).rgb;
+			gl_FragColor = vec4( color * 0.25, 1.0 );
+
+		}
+	`)}function fy(){return Il("PMREMCubemapToCubemap",{envMap:{value:null},flipEnvMap:{value:-1}},`
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float flipEnvMap;
+
+		void main() {
+
+			gl_FragColor = vec4( textureCube( envMap, vec3( flipEnvMap * vWorldDirection.x, vWorldDirection.yz ) ).rgb, 1.0 );
+
+		}
+	`)}function NE(n){let e=new WeakMap,t=new WeakMap,i=null;function s(h,p=!1){return h==null?null:p?o(h):r(h)}function r(h){if(h&&h.isTexture){let p=h.mapping;if(p===Gu||p===Hu)if(e.has(h)){let m=e.get(h).texture;return a(m,h.mapping)}else{let m=h.image;if(m&&m.height>0){let v=new Pl(m.height);return v.fromEquirectangularTexture(n,h),e.set(h,v),h.addEventListener("dispose",c),a(v.texture,h.mapping)}else return null}}return h}function o(h){if(h&&h.isTexture&&h.isPMREMTexture!==!0){let p=h.mapping,m=p===Gu||p===Hu,v=p===io||p===da;if(m||v){let _=t.get(h),g=_!==void 0?_.texture.pmremVersion:0;if(h.isRenderTargetTexture&&h.pmremVersion!==g)return i===null&&(i=new Ph(n)),_=m?i.fromEquirectangular(h,_):i.fromCubemap(h,_),_.texture.pmremVersion=h.pmremVersion,t.set(h,_),_.texture;if(_!==void 0)return _.texture;{let y=h.image;return m&&y&&y.height>0||v&&y&&l(y)?(i===null&&(i=new Ph(n)),_=m?i.fromEquirectangular(h):i.fromCubemap(h),_.texture.pmremVersion=h.pmremVersion,t.set(h,_),h.addEventListener("dispose",u),_.texture):null}}}return h}function a(h,p){return p===Gu?h.mapping=io:p===Hu&&(h.mapping=da),h}function l(h){let p=0,m=6;for(let v=0;v<m;v++)h[v]!==void 0&&p++;return p===m}function c(h){let p=h.target;p.removeEventListener("dispose",c);let m=e.get(p);m!==void 0&&(e.delete(p),m.dispose())}function u(h){let p=h.target;p.removeEventListener("dispose",u);let m=t.get(p);m!==void 0&&(t.delete(p),m.dispose())}function d(){e=new WeakMap,t=new WeakMap,i!==null&&(i.dispose(),i=null)}return{get:s,dispose:d}}function FE(n){let e={};function t(i){if(e[i]!==void 0)return e[i];let s=n.getExtension(i);return e[i]=s,s}return{has:function(i){return t(i)!==null},init:function(){t("EXT_color_buffer_float"),t("WEBGL_clip_cull_distance"),t("OES_texture_float_linear"),t("EXT_color_buffer_half_float"),t("WEBGL_multisampled_render_to_texture"),t("WEBGL_render_shared_exponent")},get:function(i){let s=t(i);return s===null&&el("WebGLRenderer: "+i+" extension not supported."),s}}}function UE(n,e,t,i){let s={},r=new WeakMap,o=new FinalizationRegistry(m=>delete s[m]);function a(m){l(m.target)}function l(m){m.index!==null&&e.remove(m.index);for(let _ in m.attributes)e.remove(m.attributes[_]);m.removeEventListener("dispose",a),delete s[m.id],o.unregister(m);let v=r.get(m);v&&(e.remove(v),r.delete(m)),i.releaseStatesOfGeometry(m),m.isInstancedBufferGeometry===!0&&delete m._maxInstanceCount,t.memory.geometries--}function c(m,v){return s[v.id]!==void 0||(v.addEventListener("dispose",a),s[v.id]=new WeakRef(v),o.register(v,v.id,v),t.memory.geometries++),v}function u(m){let v=m.attributes;for(let _ in v)e.update(v[_],n.ARRAY_BUFFER)}function d(m){let v=m.index,_=m.attributes.position,g=0;if(_===void 0)return;let y=v!==null?v.array.length:_.array.length/3-1,E=_.count>=65535?ul:cl,M=new E(Math.ceil(y/3)*6,1),I=M.array;if(v!==null){let b=v.array;g=v.version;for(let A=0,H=0;A<y;A+=3){let F=b[A+0],D=b[A+1],G=b[A+2];I[H++]=F,I[H++]=D,I[H++]=D,I[H++]=G,I[H++]=G,I[H++]=F}}else{g=_.version;for(let b=0,A=0;b<y;b+=3){let H=b+0,F=b+1,D=b+2;I[A++]=H,I[A++]=F,I[A++]=F,I[A++]=D,I[A++]=D,I[A++]=H}}M.version=g;let C=r.get(m);C&&e.remove(C),r.set(m,M)}function h(m){let v=r.get(m);if(v){let _=m.index;_!==null&&v.version<_.version&&d(m)}else d(m);return r.get(m)}function p(){for(let m in s){let v=s[m].deref();v!==void 0&&l(v)}}return{get:c,update:u,getWireframeAttribute:h,dispose:p}}function OE(n,e,t){let i;function s(d){i=d}let r,o;function a(d){r=d.type,o=d.bytesPerElement}function l(d,h){n.drawElements(i,h,r,d*o),t.update(h,i,1)}function c(d,h,p){p!==0&&(n.drawElementsInstanced(i,h,r,d*o,p),t.update(h,i,p))}function u(d,h,p){if(p===0)return;e.get("WEBGL_multi_draw").multiDrawElementsWEBGL(i,h,0,r,d,0,p);let v=0;for(let _=0;_<p;_++)v+=h[_];t.update(v,i,1)}this.setMode=s,this.setIndex=a,this.render=l,this.renderInstances=c,this.renderMultiDraw=u}function kE(n){let e={geometries:0,textures:0},t={frame:0,calls:0,triangles:0,points:0,lines:0};function i(r,o,a){switch(t.calls++,o){case n.TRIANGLES:t.triangles+=a*(r/3);break;case n.LINES:t.lines+=a*(r/2);break;case n.LINE_STRIP:t.lines+=a*(r-1);break;case n.LINE_LOOP:t.lines+=a*r;break;case n.POINTS:t.points+=a*r;break;default:it("WebGLInfo: Unknown draw mode:",o);break}}function s(){t.calls=0,t.triangles=0,t.points=0,t.lines=0}return{memory:e,render:t,programs:null,autoReset:!0,reset:s,update:i}}function BE(n,e,t){let i=new WeakMap,s=new on;function r(o,a,l){let c=o.morphTargetInfluences,u=a.morphAttributes.position||a.morphAttributes.normal||a.morphAttributes.color,d=u!==void 0?u.length:0,h=i.get(a);if(h===void 0||h.count!==d){let H=function(){b.dispose(),i.delete(a),a.removeEventListener("dispose",H)};h!==void 0&&h.texture.dispose();let p=a.morphAttributes.position!==void 0,m=a.morphAttributes.normal!==void 0,v=a.morphAttributes.color!==void 0,_=a.morphAttributes.position||[],g=a.morphAttributes.normal||[],y=a.morphAttributes.color||[],E=0;p===!0&&(E=1),m===!0&&(E=2),v===!0&&(E=3);let M=a.attributes.position.count*E,I=1;M>e.maxTextureSize&&(I=Math.ceil(M/e.maxTextureSize),M=e.maxTextureSize);let C=new Float32Array(M*I*4*d),b=new ol(C,M,I,d);b.type=Di,b.needsUpdate=!0;let A=E*4;for(let F=0;F<d;F++){let D=_[F],G=g[F],V=y[F],N=M*I*4*F;for(let W=0;W<D.count;W++){let Z=W*A;p===!0&&(s.fromBufferAttribute(D,W),C[N+Z+0]=s.x,C[N+Z+1]=s.y,C[N+Z+2]=s.z,C[N+Z+3]=0),m===!0&&(s.fromBufferAttribute(G,W),C[N+Z+4]=s.x,C[N+Z+5]=s.y,C[N+Z+6]=s.z,C[N+Z+7]=0),v===!0&&(s.fromBufferAttribute(V,W),C[N+Z+8]=s.x,C[N+Z+9]=s.y,C[N+Z+10]=s.z,C[N+Z+11]=V.itemSize===4?s.w:1)}}h={count:d,texture:b,size:new Ct(M,I)},i.set(a,h),a.addEventListener("dispose",H)}if(o.isInstancedMesh===!0&&o.morphTexture!==null)l.getUniforms().setValue(n,"morphTexture",o.morphTexture,t);else{let p=0;for(let v=0;v<c.length;v++)p+=c[v];let m=a.morphTargetsRelative?1:1-p;l.getUniforms().setValue(n,"morphTargetBaseInfluence",m),l.getUniforms().setValue(n,"morphTargetInfluences",c)}l.getUniforms().setValue(n,"morphTargetsTexture",h.texture,t),l.getUniforms().setValue(n,"morphTargetsTextureSize",h.size)}return{update:r}}function VE(n,e,t,i,s){let r=new WeakMap;function o(c){let u=s.render.frame,d=c.geometry,h=e.get(c,d);if(r.get(h)!==u&&(e.update(h),r.set(h,u)),c.isInstancedMesh&&(c.hasEventListener("dispose",l)===!1&&c.addEventListener("dispose",l),r.get(c)!==u&&(t.update(c.instanceMatrix,n.ARRAY_BUFFER),c.instanceColor!==null&&t.update(c.instanceColor,n.ARRAY_BUFFER),r.set(c,u))),c.isSkinnedMesh){let p=c.skeleton;r.get(p)!==u&&(p.update(),r.set(p,u))}return h}function a(){r=new WeakMap}function l(c){let u=c.target;u.removeEventListener("dispose",l),i.releaseStatesOfObject(u),t.remove(u.instanceMatrix),u.instanceColor!==null&&t.remove(u.instanceColor)}return{update:o,dispose:a}}var zE={[yp]:"LINEAR_TONE_MAPPING",[vp]:"REINHARD_TONE_MAPPING",[bp]:"CINEON_TONE_MAPPING",[Sp]:"ACES_FILMIC_TONE_MAPPING",[wp]:"AGX_TONE_MAPPING",[Tp]:"NEUTRAL_TONE_MAPPING",[Mp]:"CUSTOM_TONE_MAPPING"};function GE(n,e,t,i,s,r){let o=new Ri(e,t,{type:n,depthBuffer:s,stencilBuffer:r,samples:i?4:0,storeMultisampledDepthBuffer:!1,storeMultisampledStencilBuffer:!1,resolveDepthBuffer:!1,resolveStencilBuffer:!1}),a=null,l=null,c=null,u=new Ji;u.setAttribute("position",new hi([-1,3,0,-1,-1,0,3,-1,0],3)),u.setAttribute("uv",new hi([0,2,0,0,2,0],2));let d=new aa({uniforms:{tDiffuse:{value:null}},vertexShader:`
+			precision highp float;
+
+			uniform mat4 modelViewMatrix;
+			uniform mat4 projectionMatrix;
+
+			attribute vec3 position;
+			attribute vec2 uv;
+
+			varying vec2 vUv;
+
+			void main() {
+				vUv = uv;
+				gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
+			}`,fragmentShader:`
+			precision highp float;
+
+			uniform sampler2D tDiffuse;
+
+			varying vec2 vUv;
+
+			#include <tonemapping_pars_fragment>
+			#include <colorspace_pars_fragment>
+
+			void main() {
+				gl_FragColor = texture2D( tDiffuse, vUv );
+
+				#ifdef LINEAR_TONE_MAPPING
+					gl_FragColor.rgb = LinearToneMapping( gl_FragColor.rgb );
+				#elif defined( REINHARD_TONE_MAPPING )
+					gl_FragColor.rgb = ReinhardToneMapping( gl_FragColor.rgb );
+				#elif defined( CINEON_TONE_MAPPING )
+					gl_FragColor.rgb = CineonToneMapping( gl_FragColor.rgb );
+				#elif defined( ACES_FILMIC_TONE_MAPPING )
+					gl_FragColor.rgb = ACESFilmicToneMapping( gl_FragColor.rgb );
+				#elif defined( AGX_TONE_MAPPING )
+					gl_FragColor.rgb = AgXToneMapping( gl_FragColor.rgb );
+				#elif defined( NEUTRAL_TONE_MAPPING )
+					gl_FragColor.rgb = NeutralToneMapping( gl_FragColor.rgb );
+				#elif defined( CUSTOM_TONE_MAPPING )
+					gl_FragColor.rgb = CustomToneMapping( gl_FragColor.rgb );
+				#endif
+
+				#ifdef SRGB_TRANSFER
+					gl_FragColor = sRGBTransferOETF( gl_FragColor );
+				#endif
+			}`,depthTest:!1,depthWrite:!1}),h=new Hn(u,d),p=new Vu(-1,1,1,-1,0,1),m=null,v=null,_=!1,g,y=null,E=[],M=!1;this.setSize=function(I,C){o.setSize(I,C),a!==null&&a.setSize(I,C),l!==null&&l.setSize(I,C);for(let b=0;b<E.length;b++){let A=E[b];A.setSize&&A.setSize(I,C)}},this.setEffects=function(I){E=I,M=E.length>0&&E[0].isRenderPass===!0;let C=o.width,b=o.height;E.length>0&&a===null&&(a=new Ri(C,b,{type:fs,depthBuffer:!1,stencilBuffer:!1}),l=new Ri(C,b,{type:fs,depthBuffer:!1,stencilBuffer:!1}));let A=s===!0&&E.some(H=>H.needsDepthTexture===!0);A!==(o.depthTexture!==null)&&(A===!0&&c===null&&(c=new tr(C,b),r===!0&&(c.format=ir,c.type=so)),o.dispose(),o.depthTexture=A?c:null,o.resolveDepthBuffer=A,o.storeMultisampledDepthBuffer=A);for(let H=0;H<E.length;H++){let F=E[H];F.setSize&&F.setSize(C,b),A&&F.needsDepthTexture===!0&&F.setDepthTexture&&F.setDepthTexture(c)}},this.begin=function(I,C){if(_||I.toneMapping===Ns&&E.length===0)return!1;if(y=C,C!==null){let b=C.width,A=C.height;(o.width!==b||o.height!==A)&&this.setSize(b,A)}return M===!1&&I.setRenderTarget(o),g=I.toneMapping,I.toneMapping=Ns,!0},this.hasRenderPass=function(){return M},this.end=function(I,C){I.toneMapping=g,_=!0;let b=o,A=a;for(let H=0;H<E.length;H++){let F=E[H];F.enabled!==!1&&(F.render(I,A,b,C),F.needsSwap!==!1&&(b=A,A=A===a?l:a))}if(m!==I.outputColorSpace||v!==I.toneMapping){m=I.outputColorSpace,v=I.toneMapping,d.defines={},bt.getTransfer(m)===Ft&&(d.defines.SRGB_TRANSFER="");let H=zE[v];H&&(d.defines[H]=""),d.needsUpdate=!0}d.uniforms.tDiffuse.value=b.texture,I.setRenderTarget(y),I.render(h,p),y=null,_=!1},this.isCompositing=function(){return _},this.dispose=function(){o.dispose(),a!==null&&a.dispose(),l!==null&&l.dispose(),u.dispose(),d.dispose()}}var Fy=new di,Uy=new tr(1,1),Oy=new pl(1),ky=new ol,By=new vu,Vy=new fl,py=[],my=[],gy=new Float32Array(16),_y=new Float32Array(9),xy=new Float32Array(4);function ma(n,e,t){let i=n[0];if(i<=0||i>0)return n;let s=e*t,r=py[s];if(r===void 0&&(r=new Float32Array(s),py[s]=r),e!==0){i.toArray(r,0);for(let o=1,a=0;o!==e;++o)a+=t,n[o].toArray(r,a)}return r}function In(n,e){if(n.length!==e.length)return!1;for(let t=0,i=n.length;t<i;t++)if(n[t]!==e[t])return!1;return!0}function Ln(n,e){for(let t=0,i=e.length;t<i;t++)n[t]=e[t]}function Lh(n,e){let t=my[e];t===void 0&&(t=new Int32Array(e),my[e]=t);for(let i=0;i!==e;++i)t[i]=n.allocateTextureUnit();return t}function HE(n,e){let t=this.cache;t[0]!==e&&(n.uniform1f(this.addr,e),t[0]=e)}function WE(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(n.uniform2f(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(In(t,e))return;n.uniform2fv(this.addr,e),Ln(t,e)}}function XE(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(n.uniform3f(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else if(e.r!==void 0)(t[0]!==e.r||t[1]!==e.g||t[2]!==e.b)&&(n.uniform3f(this.addr,e.r,e.g,e.b),t[0]=e.r,t[1]=e.g,t[2]=e.b);else{if(In(t,e))return;n.uniform3fv(this.addr,e),Ln(t,e)}}function $E(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(n.uniform4f(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(In(t,e))return;n.uniform4fv(this.addr,e),Ln(t,e)}}function qE(n,e){let t=this.cache,i=e.elements;if(i===void 0){if(In(t,e))return;n.uniformMatrix2fv(this.addr,!1,e),Ln(t,e)}else{if(In(t,i))return;xy.set(i),n.uniformMatrix2fv(this.addr,!1,xy),Ln(t,i)}}function YE(n,e){let t=this.cache,i=e.elements;if(i===void 0){if(In(t,e))return;n.uniformMatrix3fv(this.addr,!1,e),Ln(t,e)}else{if(In(t,i))return;_y.set(i),n.uniformMatrix3fv(this.addr,!1,_y),Ln(t,i)}}function JE(n,e){let t=this.cache,i=e.elements;if(i===void 0){if(In(t,e))return;n.uniformMatrix4fv(this.addr,!1,e),Ln(t,e)}else{if(In(t,i))return;gy.set(i),n.uniformMatrix4fv(this.addr,!1,gy),Ln(t,i)}}function ZE(n,e){let t=this.cache;t[0]!==e&&(n.uniform1i(this.addr,e),t[0]=e)}function KE(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(n.uniform2i(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(In(t,e))return;n.uniform2iv(this.addr,e),Ln(t,e)}}function jE(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(n.uniform3i(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(In(t,e))return;n.uniform3iv(this.addr,e),Ln(t,e)}}function QE(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(n.uniform4i(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(In(t,e))return;n.uniform4iv(this.addr,e),Ln(t,e)}}function eC(n,e){let t=this.cache;t[0]!==e&&(n.uniform1ui(this.addr,e),t[0]=e)}function tC(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(n.uniform2ui(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(In(t,e))return;n.uniform2uiv(this.addr,e),Ln(t,e)}}function nC(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(n.uniform3ui(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(In(t,e))return;n.uniform3uiv(this.addr,e),Ln(t,e)}}function iC(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(n.uniform4ui(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(In(t,e))return;n.uniform4uiv(this.addr,e),Ln(t,e)}}function Dh(n){return n.version===0&&(n.compareFunction=Op,n.needsUpdate=!0),n}function sC(n,e,t){let i=this.cache,s=t.allocateTextureUnit();i[0]!==s&&(n.uniform1i(this.addr,s),i[0]=s);let r;this.type===n.SAMPLER_2D_SHADOW?r=Dh(Uy):r=Fy,t.setTexture2D(e||r,s)}function rC(n,e,t){let i=this.cache,s=t.allocateTextureUnit();i[0]!==s&&(n.uniform1i(this.addr,s),i[0]=s),t.setTexture3D(e||By,s)}function oC(n,e,t){let i=this.cache,s=t.allocateTextureUnit();i[0]!==s&&(n.uniform1i(this.addr,s),i[0]=s);let r;this.type===n.SAMPLER_CUBE_SHADOW?r=Dh(Oy):r=Vy,t.setTextureCube(e||r,s)}function aC(n,e,t){let i=this.cache,s=t.allocateTextureUnit();i[0]!==s&&(n.uniform1i(this.addr,s),i[0]=s),t.setTexture2DArray(e||ky,s)}function lC(n){switch(n){case 5126:return HE;case 35664:return WE;case 35665:return XE;case 35666:return $E;case 35674:return qE;case 35675:return YE;case 35676:return JE;case 5124:case 35670:return ZE;case 35667:case 35671:return KE;case 35668:case 35672:return jE;case 35669:case 35673:return QE;case 5125:return eC;case 36294:return tC;case 36295:return nC;case 36296:return iC;case 35678:case 36198:case 36298:case 36306:case 35682:return sC;case 35679:case 36299:case 36307:return rC;case 35680:case 36300:case 36308:case 36293:return oC;case 36289:case 36303:case 36311:case 36292:return aC}}function cC(n,e){n.uniform1fv(this.addr,e)}function uC(n,e){let t=ma(e,this.size,2);n.uniform2fv(this.addr,t)}function hC(n,e){let t=ma(e,this.size,3);n.uniform3fv(this.addr,t)}function dC(n,e){let t=ma(e,this.size,4);n.uniform4fv(this.addr,t)}function fC(n,e){let t=ma(e,this.size,4);n.uniformMatrix2fv(this.addr,!1,t)}function pC(n,e){let t=ma(e,this.size,9);n.uniformMatrix3fv(this.addr,!1,t)}function mC(n,e){let t=ma(e,this.size,16);n.uniformMatrix4fv(this.addr,!1,t)}function gC(n,e){n.uniform1iv(this.addr,e)}function _C(n,e){n.uniform2iv(this.addr,e)}function xC(n,e){n.uniform3iv(this.addr,e)}function yC(n,e){n.uniform4iv(this.addr,e)}function vC(n,e){n.uniform1uiv(this.addr,e)}function bC(n,e){n.uniform2uiv(this.addr,e)}function SC(n,e){n.uniform3uiv(this.addr,e)}function MC(n,e){n.uniform4uiv(this.addr,e)}function wC(n,e,t){let i=this.cache,s=e.length,r=Lh(t,s);In(i,r)||(n.uniform1iv(this.addr,r),Ln(i,r));let o;this.type===n.SAMPLER_2D_SHADOW?o=Dh(Uy):o=Fy;for(let a=0;a!==s;++a)t.setTexture2D(e[a]||o,r[a])}function TC(n,e,t){let i=this.cache,s=e.length,r=Lh(t,s);In(i,r)||(n.uniform1iv(this.addr,r),Ln(i,r));for(let o=0;o!==s;++o)t.setTexture3D(e[o]||By,r[o])}function AC(n,e,t){let i=this.cache,s=e.length,r=Lh(t,s);In(i,r)||(n.uniform1iv(this.addr,r),Ln(i,r));let o;this.type===n.SAMPLER_CUBE_SHADOW?o=Dh(Oy):o=Vy;for(let a=0;a!==s;++a)t.setTextureCube(e[a]||o,r[a])}function EC(n,e,t){let i=this.cache,s=e.length,r=Lh(t,s);In(i,r)||(n.uniform1iv(this.addr,r),Ln(i,r));for(let o=0;o!==s;++o)t.setTexture2DArray(e[o]||ky,r[o])}function CC(n){switch(n){case 5126:return cC;case 35664:return uC;case 35665:return hC;case 35666:return dC;case 35674:return fC;case 35675:return pC;case 35676:return mC;case 5124:case 35670:return gC;case 35667:case 35671:return _C;case 35668:case 35672:return xC;case 35669:case 35673:return yC;case 5125:return vC;case 36294:return bC;case 36295:return SC;case 36296:return MC;case 35678:case 36198:case 36298:case 36306:case 35682:return wC;case 35679:case 36299:case 36307:return TC;case 35680:case 36300:case 36308:case 36293:return AC;case 36289:case 36303:case 36311:case 36292:return EC}}var Xp=class{constructor(e,t,i){this.id=e,this.addr=i,this.cache=[],this.type=t.type,this.setValue=lC(t.type)}},$p=class{constructor(e,t,i){this.id=e,this.addr=i,this.cache=[],this.type=t.type,this.size=t.size,this.setValue=CC(t.type)}},qp=class{constructor(e){this.id=e,this.seq=[],this.map={}}setValue(e,t,i){let s=this.seq;for(let r=0,o=s.length;r!==o;++r){let a=s[r];a.setValue(e,t[a.id],i)}}},Hp=/(\w+)(\])?(\[|\.)?/g;function yy(n,e){n.seq.push(e),n.map[e.id]=e}function RC(n,e,t){let i=n.name,s=i.length;for(Hp.lastIndex=0;;){let r=Hp.exec(i),o=Hp.lastIndex,a=r[1],l=r[2]==="]",c=r[3];if(l&&(a=a|0),c===void 0||c==="["&&o+2===s){yy(t,c===void 0?new Xp(a,n,e):new $p(a,n,e));break}else{let d=t.map[a];d===void 0&&(d=new qp(a),yy(t,d)),t=d}}}var pa=class{constructor(e,t){this.seq=[],this.map={};let i=e.getProgramParameter(t,e.ACTIVE_UNIFORMS);for(let o=0;o<i;++o){let a=e.getActiveUniform(t,o),l=e.getUniformLocation(t,a.name);RC(a,l,this)}let s=[],r=[];for(let o of this.seq)o.type===e.SAMPLER_2D_SHADOW||o.type===e.SAMPLER_CUBE_SHADOW||o.type===e.SAMPLER_2D_ARRAY_SHADOW?s.push(o):r.push(o);s.length>0&&(this.seq=s.concat(r))}setValue(e,t,i,s){let r=this.map[t];r!==void 0&&r.setValue(e,i,s)}setOptional(e,t,i){let s=t[i];s!==void 0&&this.setValue(e,i,s)}static upload(e,t,i,s){for(let r=0,o=t.length;r!==o;++r){let a=t[r],l=i[a.id];l.needsUpdate!==!1&&a.setValue(e,l.value,s)}}static seqWithValue(e,t){let i=[];for(let s=0,r=e.length;s!==r;++s){let o=e[s];o.id in t&&i.push(o)}return i}};function vy(n,e,t){let i=n.createShader(e);return n.shaderSource(i,t),n.compileShader(i),i}var PC=37297,IC=0;function LC(n,e){let t=n.split(`
+`),i=[],s=Math.max(e-6,0),r=Math.min(e+6,t.length);for(let o=s;o<r;o++){let a=o+1;i.push(`${a===e?">":" "} ${a}: ${t[o]}`)}return i.join(`
+`)}var by=new st;function DC(n){bt._getMatrix(by,bt.workingColorSpace,n);let e=`mat3( ${by.elements.map(t=>t.toFixed(4))} )`;switch(bt.getTransfer(n)){case nl:return[e,"LinearTransferOETF"];case Ft:return[e,"sRGBTransferOETF"];default:return Ze("WebGLProgram: Unsupported color space: ",n),[e,"LinearTransferOETF"]}}function Sy(n,e,t){let i=n.getShaderParameter(e,n.COMPILE_STATUS),r=(n.getShaderInfoLog(e)||"").trim();if(i&&r==="")return"";let o=/ERROR: 0:(\d+)/.exec(r);if(o){let a=parseInt(o[1]);return t.toUpperCase()+`
+
+`+r+`
+
+`+LC(n.getShaderSource(e),a)}else return r}function NC(n,e){let t=DC(e);return[`vec4 ${n}( vec4 value ) {`,`	return ${t[1]}( vec4( ${t[0]} * value.rgb, value.a ) );`,"}"].join(`
+`)}var FC={[yp]:"Linear",[vp]:"Reinhard",[bp]:"Cineon",[Sp]:"ACESFilmic",[wp]:"AgX",[Tp]:"Neutral",[Mp]:"Custom"};function UC(n,e){let t=FC[e];return t===void 0?(Ze("WebGLProgram: Unsupported toneMapping:",e),"vec3 "+n+"( vec3 color ) { return LinearToneMapping( color ); }"):"vec3 "+n+"( vec3 color ) { return "+t+"ToneMapping( color ); }"}var Rh=new $;function OC(){bt.getLuminanceCoefficients(Rh);let n=Rh.x.toFixed(4),e=Rh.y.toFixed(4),t=Rh.z.toFixed(4);return["float luminance( const in vec3 rgb ) {",`	const vec3 weights = vec3( ${n}, ${e}, ${t} );`,"	return dot( weights, rgb );","}"].join(`
+`)}function kC(n){return[n.extensionClipCullDistance?"#extension GL_ANGLE_clip_cull_distance : require":"",n.extensionMultiDraw?"#extension GL_ANGLE_multi_draw : require":""].filter(Rl).join(`
+`)}function BC(n){let e=[];for(let t in n){let i=n[t];i!==!1&&e.push("#define "+t+" "+i)}return e.join(`
+`)}function VC(n,e){let t={},i=n.getProgramParameter(e,n.ACTIVE_ATTRIBUTES);for(let s=0;s<i;s++){let r=n.getActiveAttrib(e,s),o=r.name,a=1;r.type===n.FLOAT_MAT2&&(a=2),r.type===n.FLOAT_MAT3&&(a=3),r.type===n.FLOAT_MAT4&&(a=4),t[o]={type:r.type,location:n.getAttribLocation(e,o),locationSize:a}}return t}function Rl(n){return n!==""}function My(n,e){let t=e.numSpotLightShadows+e.numSpotLightMaps-e.numSpotLightShadowsWithMaps;return n.replace(/NUM_SUN_LIGHTS/g,e.numSunLights).replace(/NUM_DIR_LIGHTS/g,e.numDirLights).replace(/NUM_SPOT_LIGHTS/g,e.numSpotLights).replace(/NUM_SPOT_LIGHT_MAPS/g,e.numSpotLightMaps).replace(/NUM_SPOT_LIGHT_COORDS/g,t).replace(/NUM_RECT_AREA_LIGHTS/g,e.numRectAreaLights).replace(/NUM_POINT_LIGHTS/g,e.numPointLights).replace(/NUM_HEMI_LIGHTS/g,e.numHemiLights).replace(/NUM_SUN_LIGHT_SHADOWS/g,e.numSunLightShadows).replace(/NUM_DIR_LIGHT_SHADOWS/g,e.numDirLightShadows).replace(/NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS/g,e.numSpotLightShadowsWithMaps).replace(/NUM_SPOT_LIGHT_SHADOWS/g,e.numSpotLightShadows).replace(/NUM_POINT_LIGHT_SHADOWS/g,e.numPointLightShadows).replace(/NUM_LIGHT_PROBE_GRIDS/g,e.numLightProbeGrids)}function wy(n,e){return n.replace(/NUM_CLIPPING_PLANES/g,e.numClippingPlanes).replace(/UNION_CLIPPING_PLANES/g,e.numClippingPlanes-e.numClipIntersection)}var zC=/^[ \t]*#include +<([\w\d./]+)>/gm;function Yp(n){return n.replace(zC,GC)}function GC(n,e){let t=gt[e];if(t===void 0)throw new Error("THREE.WebGLProgram: Can not resolve #include <"+e+">");return Yp(t)}var HC=/#pragma unroll_loop_start\s+for\s*\(\s*int\s+i\s*=\s*(\d+)\s*;\s*i\s*<\s*(\d+)\s*;\s*i\s*\+\+\s*\)\s*{([\s\S]+?)}\s+#pragma unroll_loop_end/g;function Ty(n){return n.replace(HC,WC)}function WC(n,e,t,i){let s="";for(let r=parseInt(e);r<parseInt(t);r++)s+=i.replace(/\[\s*i\s*\]/g,"[ "+r+" ]").replace(/UNROLLED_LOOP_INDEX/g,r);return s}function Ay(n){let e=`precision ${n.precision} float;
+	precision ${n.precision} int;
+	precision ${n.precision} sampler2D;
+	precision ${n.precision} samplerCube;
+	precision ${n.precision} sampler3D;
+	precision ${n.precision} sampler2DArray;
+	precision ${n.precision} sampler2DShadow;
+	precision ${n.precision} samplerCubeShadow;
+	precision ${n.precision} sampler2DArrayShadow;
+	precision ${n.precision} isampler2D;
+	precision ${n.precision} isampler3D;
+	precision ${n.precision} isamplerCube;
+	precision ${n.precision} isampler2DArray;
+	precision ${n.precision} usampler2D;
+	precision ${n.precision} usampler3D;
+	precision ${n.precision} usamplerCube;
+	precision ${n.precision} usampler2DArray;
+	`;return n.precision==="highp"?e+=`
+#define HIGH_PRECISION`:n.precision==="mediump"?e+=`
+#define MEDIUM_PRECISION`:n.precision==="lowp"&&(e+=`
+#define LOW_PRECISION`),e}var XC={[yl]:"SHADOWMAP_TYPE_PCF",[ua]:"SHADOWMAP_TYPE_VSM"};function $C(n){return XC[n.shadowMapType]||"SHADOWMAP_TYPE_BASIC"}var qC={[da]:"ENVMAP_MODE_REFRACTION"};function YC(n){return n.envMap===!1?"ENVMAP_MODE_REFLECTION":qC[n.envMapMode]||"ENVMAP_MODE_REFLECTION"}var JC={[xp]:"ENVMAP_BLENDING_MULTIPLY",[Gx]:"ENVMAP_BLENDING_MIX",[Hx]:"ENVMAP_BLENDING_ADD"};function ZC(n){return n.envMap===!1?"ENVMAP_BLENDING_NONE":JC[n.combine]||"ENVMAP_BLENDING_NONE"}function KC(n,e,t,i){let s=n.getContext(),r=t.defines,o=t.vertexShader,a=t.fragmentShader,l=$C(t),c=t.envMapPMREM===!0?"ENVMAP_TYPE_PMREM":"ENVMAP_TYPE_CUBE",u=YC(t),d=ZC(t),h=kC(t),p=BC(r),m=s.createProgram(),v,_,g=t.glslVersion?"#version "+t.glslVersion+`
+`:"";t.isRawShaderMaterial?(v=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,p].filter(Rl).join(`
+`),v.length>0&&(v+=`
+`),_=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,p].filter(Rl).join(`
+`),_.length>0&&(_+=`
+`)):(v=[Ay(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,p,t.extensionClipCullDistance?"#define USE_CLIP_DISTANCE":"",t.batching?"#define USE_BATCHING":"",t.batchingColor?"#define USE_BATCHING_COLOR":"",t.instancing?"#define USE_INSTANCING":"",t.instancingColor?"#define USE_INSTANCING_COLOR":"",t.instancingMorph?"#define USE_INSTANCING_MORPH":"",t.useFog&&t.fog?"#define USE_FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.map?"#define USE_MAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+u:"",t.lightMap?"#define USE_LIGHTMAP":"",t.aoMap?"#define USE_AOMAP":"",t.bumpMap?"#define USE_BUMPMAP":"",t.normalMap?"#define USE_NORMALMAP":"",t.normalMapObjectSpace?"#define USE_NORMALMAP_OBJECTSPACE":"",t.normalMapTangentSpace?"#define USE_NORMALMAP_TANGENTSPACE":"",t.displacementMap?"#define USE_DISPLACEMENTMAP":"",t.emissiveMap?"#define USE_EMISSIVEMAP":"",t.anisotropy?"#define USE_ANISOTROPY":"",t.anisotropyMap?"#define USE_ANISOTROPYMAP":"",t.clearcoatMap?"#define USE_CLEARCOATMAP":"",t.clearcoatRoughnessMap?"#define USE_CLEARCOAT_ROUGHNESSMAP":"",t.clearcoatNormalMap?"#define USE_CLEARCOAT_NORMALMAP":"",t.diffuseRoughnessMap?"#define USE_DIFFUSE_ROUGHNESSMAP":"",t.iridescenceMap?"#define USE_IRIDESCENCEMAP":"",t.iridescenceThicknessMap?"#define USE_IRIDESCENCE_THICKNESSMAP":"",t.specularMap?"#define USE_SPECULARMAP":"",t.specularColorMap?"#define USE_SPECULAR_COLORMAP":"",t.specularIntensityMap?"#define USE_SPECULAR_INTENSITYMAP":"",t.roughnessMap?"#define USE_ROUGHNESSMAP":"",t.metalnessMap?"#define USE_METALNESSMAP":"",t.alphaMap?"#define USE_ALPHAMAP":"",t.alphaHash?"#define USE_ALPHAHASH":"",t.transmission?"#define USE_TRANSMISSION":"",t.transmissionMap?"#define USE_TRANSMISSIONMAP":"",t.thicknessMap?"#define USE_THICKNESSMAP":"",t.sheenColorMap?"#define USE_SHEEN_COLORMAP":"",t.sheenRoughnessMap?"#define USE_SHEEN_ROUGHNESSMAP":"",t.mapUv?"#define MAP_UV "+t.mapUv:"",t.alphaMapUv?"#define ALPHAMAP_UV "+t.alphaMapUv:"",t.lightMapUv?"#define LIGHTMAP_UV "+t.lightMapUv:"",t.aoMapUv?"#define AOMAP_UV "+t.aoMapUv:"",t.emissiveMapUv?"#define EMISSIVEMAP_UV "+t.emissiveMapUv:"",t.bumpMapUv?"#define BUMPMAP_UV "+t.bumpMapUv:"",t.normalMapUv?"#define NORMALMAP_UV "+t.normalMapUv:"",t.displacementMapUv?"#define DISPLACEMENTMAP_UV "+t.displacementMapUv:"",t.metalnessMapUv?"#define METALNESSMAP_UV "+t.metalnessMapUv:"",t.roughnessMapUv?"#define ROUGHNESSMAP_UV "+t.roughnessMapUv:"",t.anisotropyMapUv?"#define ANISOTROPYMAP_UV "+t.anisotropyMapUv:"",t.clearcoatMapUv?"#define CLEARCOATMAP_UV "+t.clearcoatMapUv:"",t.clearcoatNormalMapUv?"#define CLEARCOAT_NORMALMAP_UV "+t.clearcoatNormalMapUv:"",t.clearcoatRoughnessMapUv?"#define CLEARCOAT_ROUGHNESSMAP_UV "+t.clearcoatRoughnessMapUv:"",t.diffuseRoughnessMapUv?"#define DIFFUSE_ROUGHNESSMAP_UV "+t.diffuseRoughnessMapUv:"",t.iridescenceMapUv?"#define IRIDESCENCEMAP_UV "+t.iridescenceMapUv:"",t.iridescenceThicknessMapUv?"#define IRIDESCENCE_THICKNESSMAP_UV "+t.iridescenceThicknessMapUv:"",t.sheenColorMapUv?"#define SHEEN_COLORMAP_UV "+t.sheenColorMapUv:"",t.sheenRoughnessMapUv?"#define SHEEN_ROUGHNESSMAP_UV "+t.sheenRoughnessMapUv:"",t.specularMapUv?"#define SPECULARMAP_UV "+t.specularMapUv:"",t.specularColorMapUv?"#define SPECULAR_COLORMAP_UV "+t.specularColorMapUv:"",t.specularIntensityMapUv?"#define SPECULAR_INTENSITYMAP_UV "+t.specularIntensityMapUv:"",t.transmissionMapUv?"#define TRANSMISSIONMAP_UV "+t.transmissionMapUv:"",t.thicknessMapUv?"#define THICKNESSMAP_UV "+t.thicknessMapUv:"",t.vertexTangents&&t.flatShading===!1?"#define USE_TANGENT":"",t.vertexNormals?"#define HAS_NORMAL":"",t.vertexColors?"#define USE_COLOR":"",t.vertexAlphas?"#define USE_COLOR_ALPHA":"",t.vertexUv1s?"#define USE_UV1":"",t.vertexUv2s?"#define USE_UV2":"",t.vertexUv3s?"#define USE_UV3":"",t.pointsUvs?"#define USE_POINTS_UV":"",t.flatShading?"#define FLAT_SHADED":"",t.skinning?"#define USE_SKINNING":"",t.morphTargets?"#define USE_MORPHTARGETS":"",t.morphNormals&&t.flatShading===!1?"#define USE_MORPHNORMALS":"",t.morphColors?"#define USE_MORPHCOLORS":"",t.morphTargetsCount>0?"#define MORPHTARGETS_TEXTURE_STRIDE "+t.morphTextureStride:"",t.morphTargetsCount>0?"#define MORPHTARGETS_COUNT "+t.morphTargetsCount:"",t.doubleSided?"#define DOUBLE_SIDED":"",t.flipSided?"#define FLIP_SIDED":"",t.shadowMapEnabled?"#define USE_SHADOWMAP":"",t.shadowMapEnabled?"#define "+l:"",t.sizeAttenuation?"#define USE_SIZEATTENUATION":"",t.numLightProbes>0?"#define USE_LIGHT_PROBES":"",t.logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 modelMatrix;","uniform mat4 modelViewMatrix;","uniform mat4 projectionMatrix;","uniform mat4 viewMatrix;","uniform mat3 normalMatrix;","uniform vec3 cameraPosition;","uniform bool isOrthographic;","#ifdef USE_INSTANCING","	attribute mat4 instanceMatrix;","#endif","#ifdef USE_INSTANCING_COLOR","	attribute vec3 instanceColor;","#endif","#ifdef USE_INSTANCING_MORPH","	uniform sampler2D morphTexture;","#endif","attribute vec3 position;","attribute vec3 normal;","attribute vec2 uv;","#ifdef USE_UV1","	attribute vec2 uv1;","#endif","#ifdef USE_UV2","	attribute vec2 uv2;","#endif","#ifdef USE_UV3","	attribute vec2 uv3;","#endif","#ifdef USE_TANGENT","	attribute vec4 tangent;","#endif","#if defined( USE_COLOR_ALPHA )","	attribute vec4 color;","#elif defined( USE_COLOR )","	attribute vec3 color;","#endif","#ifdef USE_SKINNING","	attribute vec4 skinIndex;","	attribute vec4 skinWeight;","#endif",`
+`].filter(Rl).join(`
+`),_=[Ay(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,p,t.useFog&&t.fog?"#define USE_FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.alphaToCoverage?"#define ALPHA_TO_COVERAGE":"",t.map?"#define USE_MAP":"",t.matcap?"#define USE_MATCAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+c:"",t.envMap?"#define "+u:"",t.envMap?"#define "+d:"",t.envMapPMREM?"#define ENVMAP_MAX_LOD "+t.envMapMaxLod+".0":"",t.envMapPMREM?"#define ENVMAP_SIZE "+t.envMapSize+".0":"",t.lightMap?"#define USE_LIGHTMAP":"",t.aoMap?"#define USE_AOMAP":"",t.bumpMap?"#define USE_BUMPMAP":"",t.normalMap?"#define USE_NORMALMAP":"",t.normalMapObjectSpace?"#define USE_NORMALMAP_OBJECTSPACE":"",t.normalMapTangentSpace?"#define USE_NORMALMAP_TANGENTSPACE":"",t.packedNormalMap?"#define USE_PACKED_NORMALMAP":"",t.emissiveMap?"#define USE_EMISSIVEMAP":"",t.anisotropy?"#define USE_ANISOTROPY":"",t.anisotropyMap?"#define USE_ANISOTROPYMAP":"",t.clearcoat?"#define USE_CLEARCOAT":"",t.clearcoatMap?"#define USE_CLEARCOATMAP":"",t.clearcoatRoughnessMap?"#define USE_CLEARCOAT_ROUGHNESSMAP":"",t.clearcoatNormalMap?"#define USE_CLEARCOAT_NORMALMAP":"",t.diffuseRoughness?"#define USE_DIFFUSE_ROUGHNESS":"",t.diffuseRoughnessMap?"#define USE_DIFFUSE_ROUGHNESSMAP":"",t.dispersion?"#define USE_DISPERSION":"",t.retroreflection?"#define USE_RETROREFLECTION":"",t.iridescence?"#define USE_IRIDESCENCE":"",t.iridescenceMap?"#define USE_IRIDESCENCEMAP":"",t.iridescenceThicknessMap?"#define USE_IRIDESCENCE_THICKNESSMAP":"",t.specularMap?"#define USE_SPECULARMAP":"",t.specularColorMap?"#define USE_SPECULAR_COLORMAP":"",t.specularIntensityMap?"#define USE_SPECULAR_INTENSITYMAP":"",t.roughnessMap?"#define USE_ROUGHNESSMAP":"",t.metalnessMap?"#define USE_METALNESSMAP":"",t.alphaMap?"#define USE_ALPHAMAP":"",t.alphaTest?"#define USE_ALPHATEST":"",t.alphaHash?"#define USE_ALPHAHASH":"",t.sheen?"#define USE_SHEEN":"",t.sheenColorMap?"#define USE_SHEEN_COLORMAP":"",t.sheenRoughnessMap?"#define USE_SHEEN_ROUGHNESSMAP":"",t.transmission?"#define USE_TRANSMISSION":"",t.transmissionMap?"#define USE_TRANSMISSIONMAP":"",t.thicknessMap?"#define USE_THICKNESSMAP":"",t.vertexTangents&&t.flatShading===!1?"#define USE_TANGENT":"",t.vertexColors||t.instancingColor?"#define USE_COLOR":"",t.vertexAlphas||t.batchingColor?"#define USE_COLOR_ALPHA":"",t.vertexUv1s?"#define USE_UV1":"",t.vertexUv2s?"#define USE_UV2":"",t.vertexUv3s?"#define USE_UV3":"",t.pointsUvs?"#define USE_POINTS_UV":"",t.gradientMap?"#define USE_GRADIENTMAP":"",t.flatShading?"#define FLAT_SHADED":"",t.doubleSided?"#define DOUBLE_SIDED":"",t.flipSided?"#define FLIP_SIDED":"",t.shadowMapEnabled?"#define USE_SHADOWMAP":"",t.shadowMapEnabled?"#define "+l:"",t.premultipliedAlpha?"#define PREMULTIPLIED_ALPHA":"",t.numLightProbes>0?"#define USE_LIGHT_PROBES":"",t.decodeVideoTexture?"#define DECODE_VIDEO_TEXTURE":"",t.decodeVideoTextureEmissive?"#define DECODE_VIDEO_TEXTURE_EMISSIVE":"",t.logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 viewMatrix;","uniform vec3 cameraPosition;","uniform bool isOrthographic;",t.toneMapping!==Ns?"#define TONE_MAPPING":"",t.toneMapping!==Ns?gt.tonemapping_pars_fragment:"",t.toneMapping!==Ns?UC("toneMapping",t.toneMapping):"",t.dithering?"#define DITHERING":"",t.opaque?"#define OPAQUE":"",gt.colorspace_pars_fragment,NC("linearToOutputTexel",t.outputColorSpace),OC(),t.useDepthPacking?"#define DEPTH_PACKING "+t.depthPacking:"",`
+`].filter(Rl).join(`
+`)),o=Yp(o),o=My(o,t),o=wy(o,t),a=Yp(a),a=My(a,t),a=wy(a,t),o=Ty(o),a=Ty(a),t.isRawShaderMaterial!==!0&&(g=`#version 300 es
+`,v=[h,"#define attribute in","#define varying out","#define texture2D texture"].join(`
+`)+`
+`+v,_=["#define varying in",t.glslVersion===El?"":"layout(location = 0) out highp vec4 pc_fragColor;",t.glslVersion===El?"":"#define gl_FragColor pc_fragColor","#define gl_FragDepthEXT gl_FragDepth","#define texture2D texture","#define textureCube texture","#define texture2DProj textureProj","#define texture2DLodEXT textureLod","#define texture2DProjLodEXT textureProjLod","#define textureCubeLodEXT textureLod","#define texture2DGradEXT textureGrad","#define texture2DProjGradEXT textureProjGrad","#define textureCubeGradEXT textureGrad"].join(`
+`)+`
+`+_);let y=g+v+o,E=g+_+a,M=vy(s,s.VERTEX_SHADER,y),I=vy(s,s.FRAGMENT_SHADER,E);s.attachShader(m,M),s.attachShader(m,I),t.index0AttributeName!==void 0?s.bindAttribLocation(m,0,t.index0AttributeName):t.hasPositionAttribute===!0&&s.bindAttribLocation(m,0,"position"),s.linkProgram(m);function C(F){if(n.debug.checkShaderErrors){let D=s.getProgramInfoLog(m)||"",G=s.getShaderInfoLog(M)||"",V=s.getShaderInfoLog(I)||"",N=D.trim(),W=G.trim(),Z=V.trim(),z=!0,ue=!0;if(s.getProgramParameter(m,s.LINK_STATUS)===!1)if(z=!1,typeof n.debug.onShaderError=="function")n.debug.onShaderError(s,m,M,I);else{let K=Sy(s,M,"vertex"),Q=Sy(s,I,"fragment");it("WebGLProgram: Shader Error "+s.getError()+" - VALIDATE_STATUS "+s.getProgramParameter(m,s.VALIDATE_STATUS)+`
+
+Material Name: `+F.name+`
+Material Type: `+F.type+`
+
+Program Info Log: `+N+`
+`+K+`
+`+Q)}else N!==""?Ze("WebGLProgram: Program Info Log:",N):(W===""||Z==="")&&(ue=!1);ue&&(F.diagnostics={runnable:z,programLog:N,vertexShader:{log:W,prefix:v},fragmentShader:{log:Z,prefix:_}})}s.deleteShader(M),s.deleteShader(I),b=new pa(s,m),A=VC(s,m)}let b;this.getUniforms=function(){return b===void 0&&C(this),b};let A;this.getAttributes=function(){return A===void 0&&C(this),A};let H=t.rendererExtensionParallelShaderCompile===!1;return this.isReady=function(){return H===!1&&(H=s.getProgramParameter(m,PC)),H},this.destroy=function(){i.releaseStatesOfProgram(this),s.deleteProgram(m),this.program=void 0},this.type=t.shaderType,this.name=t.shaderName,this.id=IC++,this.cacheKey=e,this.usedTimes=1,this.program=m,this.vertexShader=M,this.fragmentShader=I,this}var jC=0,Jp=class{constructor(){this.shaderCache=new Map,this.materialCache=new Map}update(e,t,i){let s=this._getShaderCacheForMaterial(e);return s.has(t)===!1&&(s.add(t),t.usedTimes++),s.has(i)===!1&&(s.add(i),i.usedTimes++),this}remove(e){let t=this.materialCache.get(e);for(let i of t)i.usedTimes--,i.usedTimes===0&&this.shaderCache.delete(i.code);return this.materialCache.delete(e),this}getVertexShaderStage(e){return this._getShaderStage(e.vertexShader)}getFragmentShaderStage(e){return this._getShaderStage(e.fragmentShader)}dispose(){this.shaderCache.clear(),this.materialCache.clear()}_getShaderCacheForMaterial(e){let t=this.materialCache,i=t.get(e);return i===void 0&&(i=new Set,t.set(e,i)),i}_getShaderStage(e){let t=this.shaderCache,i=t.get(e);return i===void 0&&(i=new Zp(e),t.set(e,i)),i}},Zp=class{constructor(e){this.id=jC++,this.code=e,this.usedTimes=0}};function QC(n){return n===Lr||n===Tl||n===Al}function eR(n,e,t,i,s,r){let o=new al,a=new Jp,l=new Set,c=[],u=new Map,d=i.logarithmicDepthBuffer,h={MeshDepthMaterial:"depth",MeshDistanceMaterial:"distance",MeshNormalMaterial:"normal",MeshBasicMaterial:"basic",MeshLambertMaterial:"lambert",MeshPhongMaterial:"phong",MeshToonMaterial:"toon",MeshStandardMaterial:"physical",MeshPhysicalMaterial:"physical",MeshMatcapMaterial:"matcap",LineBasicMaterial:"basic",LineDashedMaterial:"dashed",PointsMaterial:"points",ShadowMaterial:"shadow",SpriteMaterial:"sprite"};function p(b){return l.add(b),b===0?"uv":`uv${b}`}function m(b,A,H,F,D,G){let V=F.fog,N=D.geometry,W=b.isMeshStandardMaterial||b.isMeshLambertMaterial||b.isMeshPhongMaterial?F.environment:null,Z=b.isMeshStandardMaterial||b.isMeshLambertMaterial&&!b.envMap||b.isMeshPhongMaterial&&!b.envMap,z=e.get(b.envMap||W,Z),ue=h[b.type],K=i.precision;b.precision!==null&&(K=i.getMaxPrecision(b.precision),K!==b.precision&&Ze("WebGLProgram.getParameters:",b.precision,"not supported, using",K,"instead."));let Q=N.morphAttributes.position||N.morphAttributes.normal||N.morphAttributes.color,se=Q!==void 0?Q.length:0,fe=0;N.morphAttributes.position!==void 0&&(fe=1),N.morphAttributes.normal!==void 0&&(fe=2),N.morphAttributes.color!==void 0&&(fe=3);let de,ee,ge,ye;if(ue){let Re=Us[ue];de=Re.vertexShader,ee=Re.fragmentShader}else{de=b.vertexShader,ee=b.fragmentShader;let Re=a.getVertexShaderStage(b),ht=a.getFragmentShaderStage(b);a.update(b,Re,ht),ge=Re.id,ye=ht.id}let Ce=n.getRenderTarget(),Me=n.state.buffers.depth.getReversed(),$e=D.isInstancedMesh===!0,lt=D.isBatchedMesh===!0,He=!!b.map,_t=!!b.matcap,ft=!!z,rt=ft&&z.isPMREMTexture===!0,tn=!!b.aoMap,$t=!!b.lightMap,gn=!!b.bumpMap&&b.wireframe===!1,zt=!!b.normalMap,Dn=!!b.displacementMap,At=!!b.emissiveMap,En=!!b.metalnessMap,an=!!b.roughnessMap,_n=b.anisotropy>0,O=b.clearcoat>0,Pe=b.diffuseRoughness>0,Je=b.dispersion>0,ct=b.retroreflectivity>0,we=b.iridescence>0,Ht=b.sheen>0,Ge=b.transmission>0,Ye=_n&&!!b.anisotropyMap,R=O&&!!b.clearcoatMap,S=O&&!!b.clearcoatNormalMap,X=O&&!!b.clearcoatRoughnessMap,he=Pe&&!!b.diffuseRoughnessMap,oe=we&&!!b.iridescenceMap,xe=we&&!!b.iridescenceThicknessMap,ve=Ht&&!!b.sheenColorMap,te=Ht&&!!b.sheenRoughnessMap,ie=!!b.specularMap,me=!!b.specularColorMap,U=!!b.specularIntensityMap,re=Ge&&!!b.transmissionMap,ne=Ge&&!!b.thicknessMap,Te=!!b.gradientMap,_e=!!b.alphaMap,Se=b.alphaTest>0,We=!!b.alphaHash,Qe=!!b.extensions,ce=Ns;b.toneMapped&&(Ce===null||Ce.isXRRenderTarget===!0)&&(ce=n.toneMapping);let ke=rt?z.isCompressedCubeTexture?z.image[0].mipmaps:z.mipmaps:null,et={shaderID:ue,shaderType:b.type,shaderName:b.name,vertexShader:de,fragmentShader:ee,defines:b.defines,customVertexShaderID:ge,customFragmentShaderID:ye,isRawShaderMaterial:b.isRawShaderMaterial===!0,glslVersion:b.glslVersion,precision:K,batching:lt,batchingColor:lt&&D._colorsTexture!==null,instancing:$e,instancingColor:$e&&D.instanceColor!==null,instancingMorph:$e&&D.morphTexture!==null,outputColorSpace:Ce===null?n.outputColorSpace:Ce.isXRRenderTarget===!0?Ce.texture.colorSpace:bt.workingColorSpace,alphaToCoverage:!!b.alphaToCoverage,map:He,matcap:_t,envMap:ft,envMapMode:ft&&z.mapping,envMapPMREM:rt,envMapMaxLod:rt?ke.length-1:null,envMapSize:rt?ke[0].width:null,aoMap:tn,lightMap:$t,bumpMap:gn,normalMap:zt,displacementMap:Dn,emissiveMap:At,normalMapObjectSpace:zt&&b.normalMapType===$x,normalMapTangentSpace:zt&&b.normalMapType===Np,packedNormalMap:zt&&b.normalMapType===Np&&QC(b.normalMap.format),metalnessMap:En,roughnessMap:an,anisotropy:_n,anisotropyMap:Ye,clearcoat:O,clearcoatMap:R,clearcoatNormalMap:S,clearcoatRoughnessMap:X,diffuseRoughness:Pe,diffuseRoughnessMap:he,dispersion:Je,retroreflection:ct,iridescence:we,iridescenceMap:oe,iridescenceThicknessMap:xe,sheen:Ht,sheenColorMap:ve,sheenRoughnessMap:te,specularMap:ie,specularColorMap:me,specularIntensityMap:U,transmission:Ge,transmissionMap:re,thicknessMap:ne,gradientMap:Te,opaque:b.transparent===!1&&b.blending===ha&&b.alphaToCoverage===!1,alphaMap:_e,alphaTest:Se,alphaHash:We,combine:b.combine,mapUv:He&&p(b.map.channel),aoMapUv:tn&&p(b.aoMap.channel),lightMapUv:$t&&p(b.lightMap.channel),bumpMapUv:gn&&p(b.bumpMap.channel),normalMapUv:zt&&p(b.normalMap.channel),displacementMapUv:Dn&&p(b.displacementMap.channel),emissiveMapUv:At&&p(b.emissiveMap.channel),metalnessMapUv:En&&p(b.metalnessMap.channel),roughnessMapUv:an&&p(b.roughnessMap.channel),anisotropyMapUv:Ye&&p(b.anisotropyMap.channel),clearcoatMapUv:R&&p(b.clearcoatMap.channel),clearcoatNormalMapUv:S&&p(b.clearcoatNormalMap.channel),clearcoatRoughnessMapUv:X&&p(b.clearcoatRoughnessMap.channel),diffuseRoughnessMapUv:he&&p(b.diffuseRoughnessMap.channel),iridescenceMapUv:oe&&p(b.iridescenceMap.channel),iridescenceThicknessMapUv:xe&&p(b.iridescenceThicknessMap.channel),sheenColorMapUv:ve&&p(b.sheenColorMap.channel),sheenRoughnessMapUv:te&&p(b.sheenRoughnessMap.channel),specularMapUv:ie&&p(b.specularMap.channel),specularColorMapUv:me&&p(b.specularColorMap.channel),specularIntensityMapUv:U&&p(b.specularIntensityMap.channel),transmissionMapUv:re&&p(b.transmissionMap.channel),thicknessMapUv:ne&&p(b.thicknessMap.channel),alphaMapUv:_e&&p(b.alphaMap.channel),vertexTangents:!!N.attributes.tangent&&(zt||_n),vertexNormals:!!N.attributes.normal,vertexColors:b.vertexColors,vertexAlphas:b.vertexColors===!0&&!!N.attributes.color&&N.attributes.color.itemSize===4,pointsUvs:D.isPoints===!0&&!!N.attributes.uv&&(He||_e),fog:!!V,useFog:b.fog===!0,fogExp2:!!V&&V.isFogExp2,flatShading:b.wireframe===!1&&(b.flatShading===!0||N.attributes.normal===void 0&&zt===!1&&(b.isMeshLambertMaterial||b.isMeshPhongMaterial||b.isMeshStandardMaterial||b.isMeshPhysicalMaterial)),sizeAttenuation:b.sizeAttenuation===!0,logarithmicDepthBuffer:d,reversedDepthBuffer:Me,skinning:D.isSkinnedMesh===!0,hasPositionAttribute:N.attributes.position!==void 0,morphTargets:N.morphAttributes.position!==void 0,morphNormals:N.morphAttributes.normal!==void 0,morphColors:N.morphAttributes.color!==void 0,morphTargetsCount:se,morphTextureStride:fe,numSunLights:A.sun.length,numDirLights:A.directional.length,numPointLights:A.point.length,numSpotLights:A.spot.length,numSpotLightMaps:A.spotLightMap.length,numRectAreaLights:A.rectArea.length,numHemiLights:A.hemi.length,numSunLightShadows:A.sunShadowMap.length,numDirLightShadows:A.directionalShadowMap.length,numPointLightShadows:A.pointShadowMap.length,numSpotLightShadows:A.spotShadowMap.length,numSpotLightShadowsWithMaps:A.numSpotLightShadowsWithMaps,numLightProbes:A.numLightProbes,numLightProbeGrids:G.filter(Re=>Re.texture!==null).length,numClippingPlanes:r.numPlanes,numClipIntersection:r.numIntersection,dithering:b.dithering,shadowMapEnabled:n.shadowMap.enabled&&H.length>0,shadowMapType:n.shadowMap.type,toneMapping:ce,decodeVideoTexture:He&&b.map.isVideoTexture===!0&&bt.getTransfer(b.map.colorSpace)===Ft,decodeVideoTextureEmissive:At&&b.emissiveMap.isVideoTexture===!0&&bt.getTransfer(b.emissiveMap.colorSpace)===Ft,premultipliedAlpha:b.premultipliedAlpha,doubleSided:b.side===Zi,flipSided:b.side===ai,useDepthPacking:b.depthPacking>=0,depthPacking:b.depthPacking||0,index0AttributeName:b.index0AttributeName,extensionClipCullDistance:Qe&&b.extensions.clipCullDistance===!0&&t.has("WEBGL_clip_cull_distance"),extensionMultiDraw:(Qe&&b.extensions.multiDraw===!0||lt)&&t.has("WEBGL_multi_draw"),rendererExtensionParallelShaderCompile:t.has("KHR_parallel_shader_compile"),customProgramCacheKey:b.customProgramCacheKey()};return et.vertexUv1s=l.has(1),et.vertexUv2s=l.has(2),et.vertexUv3s=l.has(3),l.clear(),et}function v(b){let A=[];if(b.shaderID?A.push(b.shaderID):(A.push(b.customVertexShaderID),A.push(b.customFragmentShaderID)),b.defines!==void 0)for(let H in b.defines)A.push(H),A.push(b.defines[H]);return b.isRawShaderMaterial===!1&&(_(A,b),g(A,b),A.push(n.outputColorSpace)),A.push(b.customProgramCacheKey),A.join()}function _(b,A){b.push(A.precision),b.push(A.outputColorSpace),b.push(A.envMapMode),b.push(A.envMapPMREM),b.push(A.envMapMaxLod),b.push(A.envMapSize),b.push(A.mapUv),b.push(A.alphaMapUv),b.push(A.lightMapUv),b.push(A.aoMapUv),b.push(A.bumpMapUv),b.push(A.normalMapUv),b.push(A.displacementMapUv),b.push(A.emissiveMapUv),b.push(A.metalnessMapUv),b.push(A.roughnessMapUv),b.push(A.anisotropyMapUv),b.push(A.clearcoatMapUv),b.push(A.clearcoatNormalMapUv),b.push(A.clearcoatRoughnessMapUv),b.push(A.diffuseRoughnessMapUv),b.push(A.iridescenceMapUv),b.push(A.iridescenceThicknessMapUv),b.push(A.sheenColorMapUv),b.push(A.sheenRoughnessMapUv),b.push(A.specularMapUv),b.push(A.specularColorMapUv),b.push(A.specularIntensityMapUv),b.push(A.transmissionMapUv),b.push(A.thicknessMapUv),b.push(A.combine),b.push(A.fogExp2),b.push(A.sizeAttenuation),b.push(A.morphTargetsCount),b.push(A.numSunLights),b.push(A.numDirLights),b.push(A.numPointLights),b.push(A.numSpotLights),b.push(A.numSpotLightMaps),b.push(A.numHemiLights),b.push(A.numRectAreaLights),b.push(A.numSunLightShadows),b.push(A.numDirLightShadows),b.push(A.numPointLightShadows),b.push(A.numSpotLightShadows),b.push(A.numSpotLightShadowsWithMaps),b.push(A.numLightProbes),b.push(A.numLightProbeGrids),b.push(A.shadowMapType),b.push(A.toneMapping),b.push(A.numClippingPlanes),b.push(A.numClipIntersection),b.push(A.depthPacking)}function g(b,A){o.disableAll(),A.instancing&&o.enable(0),A.instancingColor&&o.enable(1),A.instancingMorph&&o.enable(2),A.matcap&&o.enable(3),A.envMap&&o.enable(4),A.normalMapObjectSpace&&o.enable(5),A.normalMapTangentSpace&&o.enable(6),A.clearcoat&&o.enable(7),A.iridescence&&o.enable(8),A.alphaTest&&o.enable(9),A.vertexColors&&o.enable(10),A.vertexAlphas&&o.enable(11),A.vertexUv1s&&o.enable(12),A.vertexUv2s&&o.enable(13),A.vertexUv3s&&o.enable(14),A.vertexTangents&&o.enable(15),A.anisotropy&&o.enable(16),A.alphaHash&&o.enable(17),A.batching&&o.enable(18),A.dispersion&&o.enable(19),A.retroreflection&&o.enable(24),A.diffuseRoughness&&o.enable(25),A.batchingColor&&o.enable(20),A.gradientMap&&o.enable(21),A.packedNormalMap&&o.enable(22),A.vertexNormals&&o.enable(23),b.push(o.mask),o.disableAll(),A.fog&&o.enable(0),A.useFog&&o.enable(1),A.flatShading&&o.enable(2),A.logarithmicDepthBuffer&&o.enable(3),A.reversedDepthBuffer&&o.enable(4),A.skinning&&o.enable(5),A.morphTargets&&o.enable(6),A.morphNormals&&o.enable(7),A.morphColors&&o.enable(8),A.premultipliedAlpha&&o.enable(9),A.shadowMapEnabled&&o.enable(10),A.doubleSided&&o.enable(11),A.flipSided&&o.enable(12),A.useDepthPacking&&o.enable(13),A.dithering&&o.enable(14),A.transmission&&o.enable(15),A.sheen&&o.enable(16),A.opaque&&o.enable(17),A.pointsUvs&&o.enable(18),A.decodeVideoTexture&&o.enable(19),A.decodeVideoTextureEmissive&&o.enable(20),A.alphaToCoverage&&o.enable(21),A.numLightProbeGrids>0&&o.enable(22),A.hasPositionAttribute&&o.enable(23),b.push(o.mask)}function y(b){let A=h[b.type],H;if(A){let F=Us[A];H=ay.clone(F.uniforms)}else H=b.uniforms;return H}function E(b,A){let H=u.get(A);return H!==void 0?++H.usedTimes:(H=new KC(n,A,b,s),c.push(H),u.set(A,H)),H}function M(b){if(--b.usedTimes===0){let A=c.indexOf(b);c[A]=c[c.length-1],c.pop(),u.delete(b.cacheKey),b.destroy()}}function I(b){a.remove(b)}function C(){a.dispose()}return{getParameters:m,getProgramCacheKey:v,getUniforms:y,acquireProgram:E,releaseProgram:M,releaseShaderCache:I,programs:c,dispose:C}}function tR(){let n=new WeakMap;function e(o){return n.has(o)}function t(o){let a=n.get(o);return a===void 0&&(a={},n.set(o,a)),a}function i(o){n.delete(o)}function s(o,a,l){n.get(o)[a]=l}function r(){n=new WeakMap}return{has:e,get:t,remove:i,update:s,dispose:r}}function nR(n,e){return n.groupOrder!==e.groupOrder?n.groupOrder-e.groupOrder:n.renderOrder!==e.renderOrder?n.renderOrder-e.renderOrder:n.material.id!==e.material.id?n.material.id-e.material.id:n.materialVariant!==e.materialVariant?n.materialVariant-e.materialVariant:n.z!==e.z?n.z-e.z:n.id-e.id}function Ey(n,e){return n.groupOrder!==e.groupOrder?n.groupOrder-e.groupOrder:n.renderOrder!==e.renderOrder?n.renderOrder-e.renderOrder:n.z!==e.z?e.z-n.z:n.id-e.id}function Cy(){let n=[],e=0,t=[],i=[],s=[];function r(){e=0,t.length=0,i.length=0,s.length=0}function o(h){let p=0;return h.isInstancedMesh&&(p+=2),h.isSkinnedMesh&&(p+=1),p}function a(h,p,m,v,_,g){let y=n[e];return y===void 0?(y={id:h.id,object:h,geometry:p,material:m,materialVariant:o(h),groupOrder:v,renderOrder:h.renderOrder,z:_,group:g},n[e]=y):(y.id=h.id,y.object=h,y.geometry=p,y.material=m,y.materialVariant=o(h),y.groupOrder=v,y.renderOrder=h.renderOrder,y.z=_,y.group=g),e++,y}function l(h,p,m,v,_,g,y){y.reversedDepth===!0&&(_=-_);let E=a(h,p,m,v,_,g);m.transmission>0?i.push(E):m.transparent===!0?s.push(E):t.push(E)}function c(h,p,m,v,_,g){let y=a(h,p,m,v,_,g);m.transmission>0?i.unshift(y):m.transparent===!0?s.unshift(y):t.unshift(y)}function u(h,p){t.length>1&&t.sort(h||nR),i.length>1&&i.sort(p||Ey),s.length>1&&s.sort(p||Ey)}function d(){for(let h=e,p=n.length;h<p;h++){let m=n[h];if(m.id===null)break;m.id=null,m.object=null,m.geometry=null,m.material=null,m.group=null}}return{opaque:t,transmissive:i,transparent:s,init:r,push:l,unshift:c,finish:d,sort:u}}function iR(){let n=new WeakMap;function e(i,s){let r=n.get(i),o;return r===void 0?(o=new Cy,n.set(i,[o])):s>=r.length?(o=new Cy,r.push(o)):o=r[s],o}function t(){n=new WeakMap}return{get:e,dispose:t}}function sR(){let n={};return{get:function(e){if(n[e.id]!==void 0)return n[e.id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={direction:new $,color:new Rt};break;case"SpotLight":t={position:new $,direction:new $,color:new Rt,distance:0,coneCos:0,penumbraCos:0,decay:0};break;case"PointLight":t={position:new $,color:new Rt,distance:0,decay:0};break;case"HemisphereLight":t={direction:new $,skyColor:new Rt,groundColor:new Rt};break;case"RectAreaLight":t={color:new Rt,position:new $,halfWidth:new $,halfHeight:new $};break}return n[e.id]=t,t}}}function rR(){let n={};return{get:function(e){if(n[e.id]!==void 0)return n[e.id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new Ct};break;case"SpotLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new Ct};break;case"PointLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new Ct,shadowCameraNear:1,shadowCameraFar:1e3};break}return n[e.id]=t,t}}}var oR=0;function aR(n,e){return(e.castShadow?2:0)-(n.castShadow?2:0)+(e.map?1:0)-(n.map?1:0)}function lR(n){let e=new sR,t=rR(),i={version:0,hash:{sunLength:-1,directionalLength:-1,pointLength:-1,spotLength:-1,rectAreaLength:-1,hemiLength:-1,numSunShadows:-1,numDirectionalShadows:-1,numPointShadows:-1,numSpotShadows:-1,numSpotMaps:-1,numLightProbes:-1},ambient:[0,0,0],probe:[],sun:[],sunShadow:[],sunShadowMap:[],sunShadowMatrix:[],sunShadowCascade:[],directional:[],directionalShadow:[],directionalShadowMap:[],directionalShadowMatrix:[],spot:[],spotLightMap:[],spotShadow:[],spotShadowMap:[],spotLightMatrix:[],rectArea:[],rectAreaLTC1:null,rectAreaLTC2:null,point:[],pointShadow:[],pointShadowMap:[],pointShadowMatrix:[],hemi:[],numSpotLightShadowsWithMaps:0,numLightProbes:0};for(let c=0;c<9;c++)i.probe.push(new $);let s=new $,r=new Yt,o=new Yt;function a(c){let u=0,d=0,h=0;for(let G=0;G<9;G++)i.probe[G].set(0,0,0);let p=0,m=0,v=0,_=0,g=0,y=0,E=0,M=0,I=0,C=0,b=0,A=0,H=0,F=0;c.sort(aR);for(let G=0,V=c.length;G<V;G++){let N=c[G],W=N.color,Z=N.intensity,z=N.distance,ue=null;if(N.shadow&&N.shadow.map&&(N.shadow.map.texture.format===Lr?ue=N.shadow.map.texture:ue=N.shadow.map.depthTexture||N.shadow.map.texture),N.isAmbientLight)u+=W.r*Z,d+=W.g*Z,h+=W.b*Z;else if(N.isLightProbe){for(let K=0;K<9;K++)i.probe[K].addScaledVector(N.sh.coefficients[K],Z);F++}else if(N.isSunLight){let K=e.get(N);if(K.color.copy(N.color).multiplyScalar(N.intensity),N.castShadow){let Q=N.shadow,se=t.get(N);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.shadowMapSize.copy(Q.mapSize).multiply(Q.getFrameExtents()),i.sunShadow[m]=se,i.sunShadowMap[m]=ue;let fe=Q.getViewportCount();for(let de=0;de<fe;de++)i.sunShadowMatrix[v+de]=Q.getMatrix(de),i.sunShadowCascade[v+de]=Q._cascadeData[de];v+=fe,m++}i.sun[p]=K,p++}else if(N.isDirectionalLight){let K=e.get(N);if(K.color.copy(N.color).multiplyScalar(N.intensity),N.castShadow){let Q=N.shadow,se=t.get(N);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.shadowMapSize=Q.mapSize,i.directionalShadow[_]=se,i.directionalShadowMap[_]=ue,i.directionalShadowMatrix[_]=N.shadow.matrix,I++}i.directional[_]=K,_++}else if(N.isSpotLight){let K=e.get(N);K.position.setFromMatrixPosition(N.matrixWorld),K.color.copy(W).multiplyScalar(Z),K.distance=z,K.coneCos=Math.cos(N.angle),K.penumbraCos=Math.cos(N.angle*(1-N.penumbra)),K.decay=N.decay,i.spot[y]=K;let Q=N.shadow;if(N.map&&(i.spotLightMap[A]=N.map,A++,Q.updateMatrices(N),N.castShadow&&H++),i.spotLightMatrix[y]=Q.matrix,N.castShadow){let se=t.get(N);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.shadowMapSize=Q.mapSize,i.spotShadow[y]=se,i.spotShadowMap[y]=ue,b++}y++}else if(N.isRectAreaLight){let K=e.get(N);K.color.copy(W).multiplyScalar(Z),K.halfWidth.set(N.width*.5,0,0),K.halfHeight.set(0,N.height*.5,0),i.rectArea[E]=K,E++}else if(N.isPointLight){let K=e.get(N);if(K.color.copy(N.color).multiplyScalar(N.intensity),K.distance=N.distance,K.decay=N.decay,N.castShadow){let Q=N.shadow,se=t.get(N);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.shadowMapSize=Q.mapSize,se.shadowCameraNear=Q.camera.near,se.shadowCameraFar=Q.camera.far,i.pointShadow[g]=se,i.pointShadowMap[g]=ue,i.pointShadowMatrix[g]=N.shadow.matrix,C++}i.point[g]=K,g++}else if(N.isHemisphereLight){let K=e.get(N);K.skyColor.copy(N.color).multiplyScalar(Z),K.groundColor.copy(N.groundColor).multiplyScalar(Z),i.hemi[M]=K,M++}}E>0&&(n.has("OES_texture_float_linear")===!0?(i.rectAreaLTC1=De.LTC_FLOAT_1,i.rectAreaLTC2=De.LTC_FLOAT_2):(i.rectAreaLTC1=De.LTC_HALF_1,i.rectAreaLTC2=De.LTC_HALF_2)),i.ambient[0]=u,i.ambient[1]=d,i.ambient[2]=h;let D=i.hash;(D.sunLength!==p||D.directionalLength!==_||D.pointLength!==g||D.spotLength!==y||D.rectAreaLength!==E||D.hemiLength!==M||D.numSunShadows!==m||D.numDirectionalShadows!==I||D.numPointShadows!==C||D.numSpotShadows!==b||D.numSpotMaps!==A||D.numLightProbes!==F)&&(i.sun.length=p,i.directional.length=_,i.spot.length=y,i.rectArea.length=E,i.point.length=g,i.hemi.length=M,i.sunShadow.length=m,i.sunShadowMap.length=m,i.sunShadowMatrix.length=v,i.sunShadowCascade.length=v,i.directionalShadow.length=I,i.directionalShadowMap.length=I,i.directionalShadowMatrix.length=I,i.pointShadow.length=C,i.pointShadowMap.length=C,i.pointShadowMatrix.length=C,i.spotShadow.length=b,i.spotShadowMap.length=b,i.spotLightMatrix.length=b+A-H,i.spotLightMap.length=A,i.numSpotLightShadowsWithMaps=H,i.numLightProbes=F,D.sunLength=p,D.directionalLength=_,D.pointLength=g,D.spotLength=y,D.rectAreaLength=E,D.hemiLength=M,D.numSunShadows=m,D.numDirectionalShadows=I,D.numPointShadows=C,D.numSpotShadows=b,D.numSpotMaps=A,D.numLightProbes=F,i.version=oR++)}function l(c,u){let d=0,h=0,p=0,m=0,v=0,_=0,g=u.matrixWorldInverse;for(let y=0,E=c.length;y<E;y++){let M=c[y];if(M.isSunLight){let I=i.sun[d];I.direction.setFromMatrixPosition(M.matrixWorld),I.direction.transformDirection(g),d++}else if(M.isDirectionalLight){let I=i.directional[h];I.direction.setFromMatrixPosition(M.matrixWorld),s.setFromMatrixPosition(M.target.matrixWorld),I.direction.sub(s),I.direction.transformDirection(g),h++}else if(M.isSpotLight){let I=i.spot[m];I.position.setFromMatrixPosition(M.matrixWorld),I.position.applyMatrix4(g),I.direction.setFromMatrixPosition(M.matrixWorld),s.setFromMatrixPosition(M.target.matrixWorld),I.direction.sub(s),I.direction.transformDirection(g),m++}else if(M.isRectAreaLight){let I=i.rectArea[v];I.position.setFromMatrixPosition(M.matrixWorld),I.position.applyMatrix4(g),o.identity(),r.copy(M.matrixWorld),r.premultiply(g),o.extractRotation(r),I.halfWidth.set(M.width*.5,0,0),I.halfHeight.set(0,M.height*.5,0),I.halfWidth.applyMatrix4(o),I.halfHeight.applyMatrix4(o),v++}else if(M.isPointLight){let I=i.point[p];I.position.setFromMatrixPosition(M.matrixWorld),I.position.applyMatrix4(g),p++}else if(M.isHemisphereLight){let I=i.hemi[_];I.direction.setFromMatrixPosition(M.matrixWorld),I.direction.transformDirection(g),_++}}}return{setup:a,setupView:l,state:i}}function Ry(n){let e=new lR(n),t=[],i=[],s=[];function r(d){u.camera=d,t.length=0,i.length=0,s.length=0}function o(d){d.isLightProbeGrid?s.push(d):t.push(d)}function a(d){i.push(d)}function l(){e.setup(t),s.sort((d,h)=>d.priority-h.priority||d.id-h.id)}function c(d){e.setupView(t,d)}let u={lightsArray:t,shadowsArray:i,lightProbeGridArray:s,camera:null,lights:e,transmissionRenderTarget:{},textureUnits:0};return{init:r,state:u,setupLights:l,setupLightsView:c,pushLight:o,pushShadow:a}}function cR(n){let e=new WeakMap;function t(s,r=0){let o=e.get(s),a;return o===void 0?(a=new Ry(n),e.set(s,[a])):r>=o.length?(a=new Ry(n),o.push(a)):a=o[r],a}function i(){e=new WeakMap}return{get:t,dispose:i}}var uR=`void main() {
+	gl_Position = vec4( position, 1.0 );
+}`,hR=`uniform sampler2D shadow_pass;
+uniform vec2 resolution;
+uniform float radius;
+void main() {
+	const float samples = float( VSM_SAMPLES );
+	float mean = 0.0;
+	float squared_mean = 0.0;
+	float uvStride = samples <= 1.0 ? 0.0 : 2.0 / ( samples - 1.0 );
+	float uvStart = samples <= 1.0 ? 0.0 : - 1.0;
+	for ( float i = 0.0; i < samples; i ++ ) {
+		float uvOffset = uvStart + i * uvStride;
+		#ifdef HORIZONTAL_PASS
+			vec2 distribution = texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( uvOffset, 0.0 ) * radius ) / resolution ).rg;
+			mean += distribution.x;
+			squared_mean += distribution.y * distribution.y + distribution.x * distribution.x;
+		#else
+			float depth = texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( 0.0, uvOffset ) * radius ) / resolution ).r;
+			mean += depth;
+			squared_mean += depth * depth;
+		#endif
+	}
+	mean = mean / samples;
+	squared_mean = squared_mean / samples;
+	float std_dev = sqrt( max( 0.0, squared_mean - mean * mean ) );
+	gl_FragColor = vec4( mean, std_dev, 0.0, 1.0 );
+}`,dR=[new $(1,0,0),new $(-1,0,0),new $(0,1,0),new $(0,-1,0),new $(0,0,1),new $(0,0,-1)],fR=[new $(0,-1,0),new $(0,-1,0),new $(0,0,1),new $(0,0,-1),new $(0,-1,0),new $(0,-1,0)],Py=new Yt,Cl=new $,Wp=new $;function pR(n,e,t){let i=new jr,s=new Ct,r=new Ct,o=new on,a=new Cu,l=new Ru,c={},u=t.maxTextureSize,d={[Ir]:ai,[ai]:Ir,[Zi]:Zi},h=new Ds({defines:{VSM_SAMPLES:8},uniforms:{shadow_pass:{value:null},resolution:{value:new Ct},radius:{value:4}},vertexShader:uR,fragmentShader:hR}),p=h.clone();p.defines.HORIZONTAL_PASS=1;let m=new Ji;m.setAttribute("position",new dn(new Float32Array([-1,-1,.5,3,-1,.5,-1,3,.5]),3));let v=new Hn(m,h),_=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=yl;let g=this.type;this.render=function(C,b,A){if(_.enabled===!1||_.autoUpdate===!1&&_.needsUpdate===!1||C.length===0)return;this.type===Mx&&(Ze("WebGLShadowMap: PCFSoftShadowMap has been removed. Using PCFShadowMap instead."),this.type=yl);let H=n.getRenderTarget(),F=n.getActiveCubeFace(),D=n.getActiveMipmapLevel(),G=n.state;G.setBlending(to),G.buffers.depth.getReversed()===!0?G.buffers.color.setClear(0,0,0,0):G.buffers.color.setClear(1,1,1,1),G.buffers.depth.setTest(!0),G.setScissorTest(!1);let V=g!==this.type;V&&b.traverse(function(N){N.material&&(Array.isArray(N.material)?N.material.forEach(W=>W.needsUpdate=!0):N.material.needsUpdate=!0)});for(let N=0,W=C.length;N<W;N++){let Z=C[N],z=Z.shadow;if(z===void 0){Ze("WebGLShadowMap:",Z,"has no shadow.");continue}if(z.autoUpdate===!1&&z.needsUpdate===!1)continue;s.copy(z.mapSize);let ue=z.getFrameExtents();s.multiply(ue),r.copy(z.mapSize),(s.x>u||s.y>u)&&(s.x>u&&(r.x=Math.floor(u/ue.x),s.x=r.x*ue.x,z.mapSize.x=r.x),s.y>u&&(r.y=Math.floor(u/ue.y),s.y=r.y*ue.y,z.mapSize.y=r.y));let K=n.state.buffers.depth.getReversed();if(z.camera._reversedDepth=K,z.map===null||V===!0){if(z.map!==null&&(z.map.depthTexture!==null&&(z.map.depthTexture.dispose(),z.map.depthTexture=null),z.map.dispose()),this.type===ua){if(Z.isPointLight){Ze("WebGLShadowMap: VSM shadow maps are not supported for PointLights. Use PCF or BasicShadowMap instead.");continue}z.map=new Ri(s.x,s.y,{format:Lr,type:fs,minFilter:oi,magFilter:oi,generateMipmaps:!1}),z.map.texture.name=Z.name+".shadowMap",z.map.depthTexture=new tr(s.x,s.y,Di),z.map.depthTexture.name=Z.name+".shadowMapDepth",z.map.depthTexture.format=er,z.map.depthTexture.compareFunction=null,z.map.depthTexture.minFilter=Bn,z.map.depthTexture.magFilter=Bn}else Z.isPointLight?(z.map=new Pl(s.x),z.map.depthTexture=new pl(s.x,ds)):(z.map=new Ri(s.x,s.y),z.map.depthTexture=new tr(s.x,s.y,ds)),z.map.depthTexture.name=Z.name+".shadowMap",z.map.depthTexture.format=er,this.type===yl?(z.map.depthTexture.compareFunction=K?Up:Fp,z.map.depthTexture.minFilter=oi,z.map.depthTexture.magFilter=oi):(z.map.depthTexture.compareFunction=null,z.map.depthTexture.minFilter=Bn,z.map.depthTexture.magFilter=Bn);z.camera.updateProjectionMatrix()}z.map.isWebGLCubeRenderTarget!==!0&&(z.map.width!==s.x||z.map.height!==s.y)&&z.map.setSize(s.x,s.y);let Q=z.map.isWebGLCubeRenderTarget?6:z.getViewportCount();Z.isPointLight!==!0&&z.updateMatrices(Z,A);let se=(z.camera.layers.mask&4294967294)!==0?z.camera.layers:A.layers;for(let fe=0;fe<Q;fe++){let de=z.getCamera(fe);if(Z.isPointLight){let ee=z.camera,ge=z.matrix,ye=Z.distance||ee.far;ye!==ee.far&&(ee.far=ye,ee.updateProjectionMatrix()),Cl.setFromMatrixPosition(Z.matrixWorld),ee.position.copy(Cl),Wp.copy(ee.position),Wp.add(dR[fe]),ee.up.copy(fR[fe]),ee.lookAt(Wp),ee.updateMatrixWorld(),ge.makeTranslation(-Cl.x,-Cl.y,-Cl.z),Py.multiplyMatrices(ee.projectionMatrix,ee.matrixWorldInverse),z._frustum.setFromProjectionMatrix(Py,ee.coordinateSystem,ee.reversedDepth)}if(z.map.isWebGLCubeRenderTarget)n.setRenderTarget(z.map,fe),n.clear();else{fe===0&&(n.setRenderTarget(z.map),n.clear());let ee=z.getViewport(fe);o.set(r.x*ee.x,r.y*ee.y,r.x*ee.z,r.y*ee.w),G.viewport(o)}i=z.getFrustum(fe),M(b,A,de,Z,se,this.type)}z.isPointLightShadow!==!0&&this.type===ua&&y(z,A),z.needsUpdate=!1}g=this.type,_.needsUpdate=!1,n.setRenderTarget(H,F,D)};function y(C,b){let A=e.update(v);h.defines.VSM_SAMPLES!==C.blurSamples&&(h.defines.VSM_SAMPLES=C.blurSamples,p.defines.VSM_SAMPLES=C.blurSamples,h.needsUpdate=!0,p.needsUpdate=!0),C.mapPass===null?C.mapPass=new Ri(s.x,s.y,{format:Lr,type:fs}):(C.mapPass.width!==C.map.width||C.mapPass.height!==C.map.height)&&C.mapPass.setSize(C.map.width,C.map.height),h.uniforms.shadow_pass.value=C.map.depthTexture,h.uniforms.resolution.value.set(C.map.width,C.map.height),h.uniforms.radius.value=C.radius,n.setRenderTarget(C.mapPass),n.clear(),n.renderBufferDirect(b,null,A,h,v,null),p.uniforms.shadow_pass.value=C.mapPass.texture,p.uniforms.resolution.value.set(C.map.width,C.map.height),p.uniforms.radius.value=C.radius,n.setRenderTarget(C.map),n.clear(),n.renderBufferDirect(b,null,A,p,v,null)}function E(C,b,A,H){let F=null,D=A.isPointLight===!0?C.customDistanceMaterial:C.customDepthMaterial;if(D!==void 0)F=D;else if(F=A.isPointLight===!0?l:a,n.localClippingEnabled&&b.clipShadows===!0&&Array.isArray(b.clippingPlanes)&&b.clippingPlanes.length!==0||b.displacementMap&&b.displacementScale!==0||b.alphaMap&&b.alphaTest>0||b.map&&b.alphaTest>0||b.alphaToCoverage===!0){let G=F.uuid,V=b.uuid,N=c[G];N===void 0&&(N={},c[G]=N);let W=N[V];W===void 0&&(W=F.clone(),N[V]=W,b.addEventListener("dispose",I)),F=W}if(F.visible=b.visible,F.wireframe=b.wireframe,H===ua?F.side=b.shadowSide!==null?b.shadowSide:b.side:F.side=b.shadowSide!==null?b.shadowSide:d[b.side],F.alphaMap=b.alphaMap,F.alphaTest=b.alphaToCoverage===!0?.5:b.alphaTest,F.map=b.map,F.clipShadows=b.clipShadows,F.clippingPlanes=b.clippingPlanes,F.clipIntersection=b.clipIntersection,F.displacementMap=b.displacementMap,F.displacementScale=b.displacementScale,F.displacementBias=b.displacementBias,F.wireframeLinewidth=b.wireframeLinewidth,F.linewidth=b.linewidth,A.isPointLight===!0&&F.isMeshDistanceMaterial===!0){let G=n.properties.get(F);G.light=A}return F}function M(C,b,A,H,F,D){if(C.visible===!1)return;if(C.layers.test(F)&&(C.isMesh||C.isLine||C.isPoints)&&(C.castShadow||C.receiveShadow&&D===ua)&&(!C.frustumCulled||C.intersectsFrustum(i))){C.modelViewMatrix.multiplyMatrices(A.matrixWorldInverse,C.matrixWorld);let N=e.update(C),W=C.material;if(Array.isArray(W)){let Z=N.groups;for(let z=0,ue=Z.length;z<ue;z++){let K=Z[z],Q=W[K.materialIndex];if(Q&&Q.visible){let se=E(C,Q,H,D);C.onBeforeShadow(n,C,b,A,N,se,K),n.renderBufferDirect(A,null,N,se,C,K),C.onAfterShadow(n,C,b,A,N,se,K)}}}else if(W.visible){let Z=E(C,W,H,D);C.onBeforeShadow(n,C,b,A,N,Z,null),n.renderBufferDirect(A,null,N,Z,C,null),C.onAfterShadow(n,C,b,A,N,Z,null)}}let V=C.children;for(let N=0,W=V.length;N<W;N++)M(V[N],b,A,H,F,D)}function I(C){C.target.removeEventListener("dispose",I);for(let A in c){let H=c[A],F=C.target.uuid;F in H&&(H[F].dispose(),delete H[F])}}}function mR(n,e){function t(){let U=!1,re=new on,ne=null,Te=new on(0,0,0,0);return{setMask:function(_e){ne!==_e&&!U&&(n.colorMask(_e,_e,_e,_e),ne=_e)},setLocked:function(_e){U=_e},setClear:function(_e,Se,We,Qe,ce){ce===!0&&(_e*=Qe,Se*=Qe,We*=Qe),re.set(_e,Se,We,Qe),Te.equals(re)===!1&&(n.clearColor(_e,Se,We,Qe),Te.copy(re))},reset:function(){U=!1,ne=null,Te.set(-1,0,0,0)}}}function i(){let U=!1,re=!1,ne=null,Te=null,_e=null;return{setReversed:function(Se){if(re!==Se){let We=e.get("EXT_clip_control");Se?We.clipControlEXT(We.LOWER_LEFT_EXT,We.ZERO_TO_ONE_EXT):We.clipControlEXT(We.LOWER_LEFT_EXT,We.NEGATIVE_ONE_TO_ONE_EXT),re=Se;let Qe=_e;_e=null,this.setClear(Qe)}},getReversed:function(){return re},setTest:function(Se){Se?Me(n.DEPTH_TEST):$e(n.DEPTH_TEST)},setMask:function(Se){ne!==Se&&!U&&(n.depthMask(Se),ne=Se)},setFunc:function(Se){if(re&&(Se=ny[Se]),Te!==Se){switch(Se){case au:n.depthFunc(n.NEVER);break;case lu:n.depthFunc(n.ALWAYS);break;case cu:n.depthFunc(n.LESS);break;case ta:n.depthFunc(n.LEQUAL);break;case uu:n.depthFunc(n.EQUAL);break;case hu:n.depthFunc(n.GEQUAL);break;case du:n.depthFunc(n.GREATER);break;case fu:n.depthFunc(n.NOTEQUAL);break;default:n.depthFunc(n.LEQUAL)}Te=Se}},setLocked:function(Se){U=Se},setClear:function(Se){_e!==Se&&(_e=Se,re&&(Se=1-Se),n.clearDepth(Se))},reset:function(){U=!1,ne=null,Te=null,_e=null,re=!1}}}function s(){let U=!1,re=null,ne=null,Te=null,_e=null,Se=null,We=null,Qe=null,ce=null;return{setTest:function(ke){U||(ke?Me(n.STENCIL_TEST):$e(n.STENCIL_TEST))},setMask:function(ke){re!==ke&&!U&&(n.stencilMask(ke),re=ke)},setFunc:function(ke,et,Re){(ne!==ke||Te!==et||_e!==Re)&&(n.stencilFunc(ke,et,Re),ne=ke,Te=et,_e=Re)},setOp:function(ke,et,Re){(Se!==ke||We!==et||Qe!==Re)&&(n.stencilOp(ke,et,Re),Se=ke,We=et,Qe=Re)},setLocked:function(ke){U=ke},setClear:function(ke){ce!==ke&&(n.clearStencil(ke),ce=ke)},reset:function(){U=!1,re=null,ne=null,Te=null,_e=null,Se=null,We=null,Qe=null,ce=null}}}let r=new t,o=new i,a=new s,l={},c=new WeakMap,u={},d={},h={},p=new WeakMap,m=[],v=null,_=!1,g=null,y=null,E=null,M=null,I=null,C=null,b=null,A=new Rt(0,0,0),H=0,F=!1,D=null,G=null,V=null,N=null,W=null,Z=n.getParameter(n.MAX_COMBINED_TEXTURE_IMAGE_UNITS),z=!1,ue=0,K=n.getParameter(n.VERSION);K.indexOf("WebGL")!==-1?(ue=parseFloat(/^WebGL (\d)/.exec(K)[1]),z=ue>=1):K.indexOf("OpenGL ES")!==-1&&(ue=parseFloat(/^OpenGL ES (\d)/.exec(K)[1]),z=ue>=2);let Q=null,se={},fe=n.getParameter(n.SCISSOR_BOX),de=n.getParameter(n.VIEWPORT),ee=new on().fromArray(fe),ge=new on().fromArray(de);function ye(U,re,ne,Te){let _e=new Uint8Array(4),Se=n.createTexture();n.bindTexture(U,Se),n.texParameteri(U,n.TEXTURE_MIN_FILTER,n.NEAREST),n.texParameteri(U,n.TEXTURE_MAG_FILTER,n.NEAREST);for(let We=0;We<ne;We++)U===n.TEXTURE_3D||U===n.TEXTURE_2D_ARRAY?n.texImage3D(re,0,n.RGBA,1,1,Te,0,n.RGBA,n.UNSIGNED_BYTE,_e):n.texImage2D(re+We,0,n.RGBA,1,1,0,n.RGBA,n.UNSIGNED_BYTE,_e);return Se}let Ce={};Ce[n.TEXTURE_2D]=ye(n.TEXTURE_2D,n.TEXTURE_2D,1),Ce[n.TEXTURE_CUBE_MAP]=ye(n.TEXTURE_CUBE_MAP,n.TEXTURE_CUBE_MAP_POSITIVE_X,6),Ce[n.TEXTURE_2D_ARRAY]=ye(n.TEXTURE_2D_ARRAY,n.TEXTURE_2D_ARRAY,1,1),Ce[n.TEXTURE_3D]=ye(n.TEXTURE_3D,n.TEXTURE_3D,1,1),r.setClear(0,0,0,1),o.setClear(1),a.setClear(0),Me(n.DEPTH_TEST),o.setFunc(ta),gn(!1),zt(dp),Me(n.CULL_FACE),tn(to);function Me(U){u[U]!==!0&&(n.enable(U),u[U]=!0)}function $e(U){u[U]!==!1&&(n.disable(U),u[U]=!1)}function lt(U,re){return h[U]!==re?(n.bindFramebuffer(U,re),h[U]=re,U===n.DRAW_FRAMEBUFFER&&(h[n.FRAMEBUFFER]=re),U===n.FRAMEBUFFER&&(h[n.DRAW_FRAMEBUFFER]=re),!0):!1}function He(U,re){let ne=m,Te=!1;if(U){ne=p.get(re),ne===void 0&&(ne=[],p.set(re,ne));let _e=U.textures;if(ne.length!==_e.length||ne[0]!==n.COLOR_ATTACHMENT0){for(let Se=0,We=_e.length;Se<We;Se++)ne[Se]=n.COLOR_ATTACHMENT0+Se;ne.length=_e.length,Te=!0}}else ne[0]!==n.BACK&&(ne[0]=n.BACK,Te=!0);Te&&n.drawBuffers(ne)}function _t(U){return v!==U?(n.useProgram(U),v=U,!0):!1}let ft={[no]:n.FUNC_ADD,[Tx]:n.FUNC_SUBTRACT,[Ax]:n.FUNC_REVERSE_SUBTRACT};ft[Ex]=n.MIN,ft[Cx]=n.MAX;let rt={[Rx]:n.ZERO,[Px]:n.ONE,[Ix]:n.SRC_COLOR,[gp]:n.SRC_ALPHA,[Ox]:n.SRC_ALPHA_SATURATE,[Fx]:n.DST_COLOR,[Dx]:n.DST_ALPHA,[Lx]:n.ONE_MINUS_SRC_COLOR,[_p]:n.ONE_MINUS_SRC_ALPHA,[Ux]:n.ONE_MINUS_DST_COLOR,[Nx]:n.ONE_MINUS_DST_ALPHA,[kx]:n.CONSTANT_COLOR,[Bx]:n.ONE_MINUS_CONSTANT_COLOR,[Vx]:n.CONSTANT_ALPHA,[zx]:n.ONE_MINUS_CONSTANT_ALPHA};function tn(U,re,ne,Te,_e,Se,We,Qe,ce,ke){if(U===to){_===!0&&($e(n.BLEND),_=!1);return}if(_===!1&&(Me(n.BLEND),_=!0),U!==wx){if(U!==g||ke!==F){if((y!==no||I!==no)&&(n.blendEquation(n.FUNC_ADD),y=no,I=no),ke)switch(U){case ha:n.blendFuncSeparate(n.ONE,n.ONE_MINUS_SRC_ALPHA,n.ONE,n.ONE_MINUS_SRC_ALPHA);break;case fp:n.blendFunc(n.ONE,n.ONE);break;case pp:n.blendFuncSeparate(n.ZERO,n.ONE_MINUS_SRC_COLOR,n.ZERO,n.ONE);break;case mp:n.blendFuncSeparate(n.DST_COLOR,n.ONE_MINUS_SRC_ALPHA,n.ZERO,n.ONE);break;default:it("WebGLState: Invalid blending: ",U);break}else switch(U){case ha:n.blendFuncSeparate(n.SRC_ALPHA,n.ONE_MINUS_SRC_ALPHA,n.ONE,n.ONE_MINUS_SRC_ALPHA);break;case fp:n.blendFuncSeparate(n.SRC_ALPHA,n.ONE,n.ONE,n.ONE);break;case pp:it("WebGLState: SubtractiveBlending requires material.premultipliedAlpha = true");break;case mp:it("WebGLState: MultiplyBlending requires material.premultipliedAlpha = true");break;default:it("WebGLState: Invalid blending: ",U);break}E=null,M=null,C=null,b=null,A.set(0,0,0),H=0,g=U,F=ke}return}_e=_e||re,Se=Se||ne,We=We||Te,(re!==y||_e!==I)&&(n.blendEquationSeparate(ft[re],ft[_e]),y=re,I=_e),(ne!==E||Te!==M||Se!==C||We!==b)&&(n.blendFuncSeparate(rt[ne],rt[Te],rt[Se],rt[We]),E=ne,M=Te,C=Se,b=We),(Qe.equals(A)===!1||ce!==H)&&(n.blendColor(Qe.r,Qe.g,Qe.b,ce),A.copy(Qe),H=ce),g=U,F=!1}function $t(U,re){U.side===Zi?$e(n.CULL_FACE):Me(n.CULL_FACE);let ne=U.side===ai;re&&(ne=!ne),gn(ne),U.blending===ha&&U.transparent===!1?tn(to):tn(U.blending,U.blendEquation,U.blendSrc,U.blendDst,U.blendEquationAlpha,U.blendSrcAlpha,U.blendDstAlpha,U.blendColor,U.blendAlpha,U.premultipliedAlpha),o.setFunc(U.depthFunc),o.setTest(U.depthTest),o.setMask(U.depthWrite),r.setMask(U.colorWrite);let Te=U.stencilWrite;a.setTest(Te),Te&&(a.setMask(U.stencilWriteMask),a.setFunc(U.stencilFunc,U.stencilRef,U.stencilFuncMask),a.setOp(U.stencilFail,U.stencilZFail,U.stencilZPass)),At(U.polygonOffset,U.polygonOffsetFactor,U.polygonOffsetUnits),U.alphaToCoverage===!0?Me(n.SAMPLE_ALPHA_TO_COVERAGE):$e(n.SAMPLE_ALPHA_TO_COVERAGE)}function gn(U){D!==U&&(U?n.frontFace(n.CW):n.frontFace(n.CCW),D=U)}function zt(U){U!==bx?(Me(n.CULL_FACE),U!==G&&(U===dp?n.cullFace(n.BACK):U===Sx?n.cullFace(n.FRONT):n.cullFace(n.FRONT_AND_BACK))):$e(n.CULL_FACE),G=U}function Dn(U){U!==V&&(z&&n.lineWidth(U),V=U)}function At(U,re,ne){U?(Me(n.POLYGON_OFFSET_FILL),(N!==re||W!==ne)&&(N=re,W=ne,o.getReversed()&&(re=-re,ne=-ne),n.polygonOffset(re,ne))):$e(n.POLYGON_OFFSET_FILL)}function En(U){U?Me(n.SCISSOR_TEST):$e(n.SCISSOR_TEST)}function an(U){U===void 0&&(U=n.TEXTURE0+Z-1),Q!==U&&(n.activeTexture(U),Q=U)}function _n(U,re,ne){ne===void 0&&(Q===null?ne=n.TEXTURE0+Z-1:ne=Q);let Te=se[ne];Te===void 0&&(Te={type:void 0,texture:void 0},se[ne]=Te),(Te.type!==U||Te.texture!==re)&&(Q!==ne&&(n.activeTexture(ne),Q=ne),n.bindTexture(U,re||Ce[U]),Te.type=U,Te.texture=re)}function O(){let U=se[Q];U!==void 0&&U.type!==void 0&&(n.bindTexture(U.type,null),U.type=void 0,U.texture=void 0)}function Pe(){try{n.compressedTexImage2D(...arguments)}catch(U){it("WebGLState:",U)}}function Je(){try{n.compressedTexImage3D(...arguments)}catch(U){it("WebGLState:",U)}}function ct(){try{n.texSubImage2D(...arguments)}catch(U){it("WebGLState:",U)}}function we(){try{n.texSubImage3D(...arguments)}catch(U){it("WebGLState:",U)}}function Ht(){try{n.compressedTexSubImage2D(...arguments)}catch(U){it("WebGLState:",U)}}function Ge(){try{n.compressedTexSubImage3D(...arguments)}catch(U){it("WebGLState:",U)}}function Ye(){try{n.texStorage2D(...arguments)}catch(U){it("WebGLState:",U)}}function R(){try{n.texStorage3D(...arguments)}catch(U){it("WebGLState:",U)}}function S(){try{n.texImage2D(...arguments)}catch(U){it("WebGLState:",U)}}function X(){try{n.texImage3D(...arguments)}catch(U){it("WebGLState:",U)}}function he(U){return d[U]!==void 0?d[U]:n.getParameter(U)}function oe(U,re){d[U]!==re&&(n.pixelStorei(U,re),d[U]=re)}function xe(U){ee.equals(U)===!1&&(n.scissor(U.x,U.y,U.z,U.w),ee.copy(U))}function ve(U){ge.equals(U)===!1&&(n.viewport(U.x,U.y,U.z,U.w),ge.copy(U))}function te(U,re){let ne=c.get(re);ne===void 0&&(ne=new WeakMap,c.set(re,ne));let Te=ne.get(U);Te===void 0&&(Te=n.getUniformBlockIndex(re,U.name),n.uniformBlockBinding(re,Te,Te),ne.set(U,Te))}function ie(U,re,ne){let _e=c.get(re).get(U);l[_e]!==ne&&(n.bindBufferBase(n.UNIFORM_BUFFER,_e,ne),l[_e]=ne)}function me(){n.disable(n.BLEND),n.disable(n.CULL_FACE),n.disable(n.DEPTH_TEST),n.disable(n.POLYGON_OFFSET_FILL),n.disable(n.SCISSOR_TEST),n.disable(n.STENCIL_TEST),n.disable(n.SAMPLE_ALPHA_TO_COVERAGE),n.blendEquation(n.FUNC_ADD),n.blendFunc(n.ONE,n.ZERO),n.blendFuncSeparate(n.ONE,n.ZERO,n.ONE,n.ZERO),n.blendColor(0,0,0,0),n.colorMask(!0,!0,!0,!0),n.clearColor(0,0,0,0),n.depthMask(!0),n.depthFunc(n.LESS),o.setReversed(!1),n.clearDepth(1),n.stencilMask(4294967295),n.stencilFunc(n.ALWAYS,0,4294967295),n.stencilOp(n.KEEP,n.KEEP,n.KEEP),n.clearStencil(0),n.cullFace(n.BACK),n.frontFace(n.CCW),n.polygonOffset(0,0),n.activeTexture(n.TEXTURE0),n.bindFramebuffer(n.FRAMEBUFFER,null),n.bindFramebuffer(n.DRAW_FRAMEBUFFER,null),n.bindFramebuffer(n.READ_FRAMEBUFFER,null),n.useProgram(null),n.lineWidth(1),n.scissor(0,0,n.canvas.width,n.canvas.height),n.viewport(0,0,n.canvas.width,n.canvas.height),n.pixelStorei(n.PACK_ALIGNMENT,4),n.pixelStorei(n.UNPACK_ALIGNMENT,4),n.pixelStorei(n.UNPACK_FLIP_Y_WEBGL,!1),n.pixelStorei(n.UNPACK_PREMULTIPLY_ALPHA_WEBGL,!1),n.pixelStorei(n.UNPACK_COLORSPACE_CONVERSION_WEBGL,n.BROWSER_DEFAULT_WEBGL),n.pixelStorei(n.PACK_ROW_LENGTH,0),n.pixelStorei(n.PACK_SKIP_PIXELS,0),n.pixelStorei(n.PACK_SKIP_ROWS,0),n.pixelStorei(n.UNPACK_ROW_LENGTH,0),n.pixelStorei(n.UNPACK_IMAGE_HEIGHT,0),n.pixelStorei(n.UNPACK_SKIP_PIXELS,0),n.pixelStorei(n.UNPACK_SKIP_ROWS,0),n.pixelStorei(n.UNPACK_SKIP_IMAGES,0),u={},d={},Q=null,se={},h={},l={},p=new WeakMap,m=[],v=null,_=!1,g=null,y=null,E=null,M=null,I=null,C=null,b=null,A=new Rt(0,0,0),H=0,F=!1,D=null,G=null,V=null,N=null,W=null,ee.set(0,0,n.canvas.width,n.canvas.height),ge.set(0,0,n.canvas.width,n.canvas.height),r.reset(),o.reset(),a.reset()}return{buffers:{color:r,depth:o,stencil:a},enable:Me,disable:$e,bindFramebuffer:lt,drawBuffers:He,useProgram:_t,setBlending:tn,setMaterial:$t,setFlipSided:gn,setCullFace:zt,setLineWidth:Dn,setPolygonOffset:At,setScissorTest:En,activeTexture:an,bindTexture:_n,unbindTexture:O,compressedTexImage2D:Pe,compressedTexImage3D:Je,texImage2D:S,texImage3D:X,pixelStorei:oe,getParameter:he,updateUBOMapping:te,uniformBlockBinding:ie,texStorage2D:Ye,texStorage3D:R,texSubImage2D:ct,texSubImage3D:we,compressedTexSubImage2D:Ht,compressedTexSubImage3D:Ge,scissor:xe,viewport:ve,reset:me}}function gR(n,e,t,i,s,r,o){let a=e.has("WEBGL_multisampled_render_to_texture")?e.get("WEBGL_multisampled_render_to_texture"):null,l=typeof navigator>"u"?!1:/OculusBrowser/g.test(navigator.userAgent),c=new Ct,u=new WeakMap,d=new Set,h,p=new WeakMap,m=new Set,v=new FinalizationRegistry(R=>m.delete(R)),_=!1;try{_=typeof OffscreenCanvas<"u"&&new OffscreenCanvas(1,1).getContext("2d")!==null}catch{}function g(R,S){return _?new OffscreenCanvas(R,S):sl("canvas")}function y(R,S,X){let he=1,oe=Ye(R);if((oe.width>X||oe.height>X)&&(he=X/Math.max(oe.width,oe.height)),he<1)if(typeof HTMLImageElement<"u"&&R instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&R instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&R instanceof ImageBitmap||typeof VideoFrame<"u"&&R instanceof VideoFrame){let xe=Math.floor(he*oe.width),ve=Math.floor(he*oe.height);h===void 0&&(h=g(xe,ve));let te=S?g(xe,ve):h;return te.width=xe,te.height=ve,te.getContext("2d").drawImage(R,0,0,xe,ve),Ze("WebGLRenderer: Texture has been resized from ("+oe.width+"x"+oe.height+") to ("+xe+"x"+ve+")."),te}else return"data"in R&&Ze("WebGLRenderer: Image in DataTexture is too big ("+oe.width+"x"+oe.height+")."),R;return R}function E(R){return R.generateMipmaps}function M(R){n.generateMipmap(R)}function I(R){return R.isWebGLCubeRenderTarget?n.TEXTURE_CUBE_MAP:R.isWebGL3DRenderTarget?n.TEXTURE_3D:R.isWebGLArrayRenderTarget||R.isCompressedArrayTexture?n.TEXTURE_2D_ARRAY:n.TEXTURE_2D}function C(R,S,X,he,oe,xe=!1){if(R!==null){if(n[R]!==void 0)return n[R];Ze("WebGLRenderer: Attempt to use non-existing WebGL internal format '"+R+"'")}let ve;he&&(ve=e.get("EXT_texture_norm16"),ve||Ze("WebGLRenderer: Unable to use normalized textures without EXT_texture_norm16 extension"));let te=S;if(S===n.RED&&(X===n.FLOAT&&(te=n.R32F),X===n.HALF_FLOAT&&(te=n.R16F),X===n.UNSIGNED_BYTE&&(te=n.R8),X===n.UNSIGNED_SHORT&&ve&&(te=ve.R16_EXT),X===n.SHORT&&ve&&(te=ve.R16_SNORM_EXT)),S===n.RED_INTEGER&&(X===n.UNSIGNED_BYTE&&(te=n.R8UI),X===n.UNSIGNED_SHORT&&(te=n.R16UI),X===n.UNSIGNED_INT&&(te=n.R32UI),X===n.BYTE&&(te=n.R8I),X===n.SHORT&&(te=n.R16I),X===n.INT&&(te=n.R32I)),S===n.RG&&(X===n.FLOAT&&(te=n.RG32F),X===n.HALF_FLOAT&&(te=n.RG16F),X===n.UNSIGNED_BYTE&&(te=n.RG8),X===n.UNSIGNED_SHORT&&ve&&(te=ve.RG16_EXT),X===n.SHORT&&ve&&(te=ve.RG16_SNORM_EXT)),S===n.RG_INTEGER&&(X===n.UNSIGNED_BYTE&&(te=n.RG8UI),X===n.UNSIGNED_SHORT&&(te=n.RG16UI),X===n.UNSIGNED_INT&&(te=n.RG32UI),X===n.BYTE&&(te=n.RG8I),X===n.SHORT&&(te=n.RG16I),X===n.INT&&(te=n.RG32I)),S===n.RGB_INTEGER&&(X===n.UNSIGNED_BYTE&&(te=n.RGB8UI),X===n.UNSIGNED_SHORT&&(te=n.RGB16UI),X===n.UNSIGNED_INT&&(te=n.RGB32UI),X===n.BYTE&&(te=n.RGB8I),X===n.SHORT&&(te=n.RGB16I),X===n.INT&&(te=n.RGB32I)),S===n.RGBA_INTEGER&&(X===n.UNSIGNED_BYTE&&(te=n.RGBA8UI),X===n.UNSIGNED_SHORT&&(te=n.RGBA16UI),X===n.UNSIGNED_INT&&(te=n.RGBA32UI),X===n.BYTE&&(te=n.RGBA8I),X===n.SHORT&&(te=n.RGBA16I),X===n.INT&&(te=n.RGBA32I)),S===n.RGB&&(X===n.UNSIGNED_SHORT&&ve&&(te=ve.RGB16_EXT),X===n.SHORT&&ve&&(te=ve.RGB16_SNORM_EXT),X===n.UNSIGNED_INT_5_9_9_9_REV&&(te=n.RGB9_E5),X===n.UNSIGNED_INT_10F_11F_11F_REV&&(te=n.R11F_G11F_B10F)),S===n.RGBA){let ie=xe?nl:bt.getTransfer(oe);X===n.FLOAT&&(te=n.RGBA32F),X===n.HALF_FLOAT&&(te=n.RGBA16F),X===n.UNSIGNED_BYTE&&(te=ie===Ft?n.SRGB8_ALPHA8:n.RGBA8),X===n.UNSIGNED_SHORT&&ve&&(te=ve.RGBA16_EXT),X===n.SHORT&&ve&&(te=ve.RGBA16_SNORM_EXT),X===n.UNSIGNED_SHORT_4_4_4_4&&(te=n.RGBA4),X===n.UNSIGNED_SHORT_5_5_5_1&&(te=n.RGB5_A1)}return(te===n.R16F||te===n.R32F||te===n.RG16F||te===n.RG32F||te===n.RGBA16F||te===n.RGBA32F)&&e.get("EXT_color_buffer_float"),te}function b(R,S){let X;return R?S===null||S===ds||S===so?X=n.DEPTH24_STENCIL8:S===Di?X=n.DEPTH32F_STENCIL8:S===fa&&(X=n.DEPTH24_STENCIL8,Ze("DepthTexture: 16 bit depth attachment is not supported with stencil. Using 24-bit attachment.")):S===null||S===ds||S===so?X=n.DEPTH_COMPONENT24:S===Di?X=n.DEPTH_COMPONENT32F:S===fa&&(X=n.DEPTH_COMPONENT16),X}function A(R,S){return E(R)===!0||R.isFramebufferTexture&&R.minFilter!==Bn&&R.minFilter!==oi?Math.log2(Math.max(S.width,S.height))+1:R.mipmaps.length>0?R.mipmaps.length:R.isCompressedTexture&&Array.isArray(R.image)?S.mipmaps.length:1}function H(R){let S=new WeakRef(R);i.get(R).__ref=S,m.add(S),v.register(R,S,S)}function F(R){let S=i.get(R).__ref;S!==void 0&&(m.delete(S),v.unregister(S))}function D(R){V(R.target)}function G(R){N(R.target)}function V(R){R.removeEventListener("dispose",D),F(R),Z(R),R.isVideoTexture&&u.delete(R),R.isHTMLTexture&&d.delete(R)}function N(R){R.removeEventListener("dispose",G),F(R),ue(R)}function W(){for(let R of m){let S=R.deref();S!==void 0&&(S.isRenderTarget===!0?N(S):V(S))}m.clear(),d.clear()}function Z(R){let S=i.get(R);if(S.__webglInit===void 0)return;let X=R.source,he=p.get(X);if(he){let oe=he[S.__cacheKey];oe.usedTimes--,oe.usedTimes===0&&z(R),Object.keys(he).length===0&&p.delete(X)}i.remove(R)}function z(R){let S=i.get(R);n.deleteTexture(S.__webglTexture);let X=R.source,he=p.get(X);delete he[S.__cacheKey],o.memory.textures--}function ue(R){let S=i.get(R);S.__depthDisposeCallback&&S.__depthDisposeCallback();let X=R.depthTexture;if(X&&X.renderTarget===R&&V(X),R.isWebGLCubeRenderTarget)for(let oe=0;oe<6;oe++){if(Array.isArray(S.__webglFramebuffer[oe]))for(let xe=0;xe<S.__webglFramebuffer[oe].length;xe++)n.deleteFramebuffer(S.__webglFramebuffer[oe][xe]);else n.deleteFramebuffer(S.__webglFramebuffer[oe]);S.__webglDepthbuffer&&n.deleteRenderbuffer(S.__webglDepthbuffer[oe])}else{if(Array.isArray(S.__webglFramebuffer))for(let oe=0;oe<S.__webglFramebuffer.length;oe++)n.deleteFramebuffer(S.__webglFramebuffer[oe]);else n.deleteFramebuffer(S.__webglFramebuffer);if(S.__webglDepthbuffer&&n.deleteRenderbuffer(S.__webglDepthbuffer),S.__webglMultisampledFramebuffer&&n.deleteFramebuffer(S.__webglMultisampledFramebuffer),S.__webglColorRenderbuffer)for(let oe=0;oe<S.__webglColorRenderbuffer.length;oe++)S.__webglColorRenderbuffer[oe]&&n.deleteRenderbuffer(S.__webglColorRenderbuffer[oe]);S.__webglDepthRenderbuffer&&n.deleteRenderbuffer(S.__webglDepthRenderbuffer)}let he=R.textures;for(let oe=0,xe=he.length;oe<xe;oe++){let ve=i.get(he[oe]);ve.__webglTexture&&(n.deleteTexture(ve.__webglTexture),o.memory.textures--),i.remove(he[oe])}i.remove(R)}let K=0;function Q(){K=0}function se(){return K}function fe(R){K=R}function de(){let R=K;return R>=s.maxTextures&&Ze("WebGLTextures: Trying to use "+(R+1)+" texture units while this GPU supports only "+s.maxTextures),K+=1,R}function ee(R){let S=[];return S.push(R.wrapS),S.push(R.wrapT),S.push(R.wrapR||0),S.push(R.magFilter),S.push(R.minFilter),S.push(R.anisotropy),S.push(R.internalFormat),S.push(R.format),S.push(R.type),S.push(R.generateMipmaps),S.push(R.mipmapsAutoUpdate),S.push(R.premultiplyAlpha),S.push(R.flipY),S.push(R.unpackAlignment),S.push(R.colorSpace),S.join()}function ge(R,S){let X=i.get(R);if(R.isVideoTexture&&Ht(R),R.isRenderTargetTexture===!1&&R.isExternalTexture!==!0&&R.version>0&&X.__version!==R.version){let he=R.image;if(he===null)Ze("WebGLRenderer: Texture marked for update but no image data found.");else if(he.complete===!1)Ze("WebGLRenderer: Texture marked for update but image is incomplete");else{$t(X,R,S);return}}else R.isExternalTexture&&(X.__webglTexture=R.sourceTexture?R.sourceTexture:null);t.bindTexture(n.TEXTURE_2D,X.__webglTexture,n.TEXTURE0+S)}function ye(R,S){let X=i.get(R);if(R.isRenderTargetTexture===!1&&R.version>0&&X.__version!==R.version){$t(X,R,S);return}else R.isExternalTexture&&(X.__webglTexture=R.sourceTexture?R.sourceTexture:null);t.bindTexture(n.TEXTURE_2D_ARRAY,X.__webglTexture,n.TEXTURE0+S)}function Ce(R,S){let X=i.get(R);if(R.isRenderTargetTexture===!1&&R.version>0&&X.__version!==R.version){$t(X,R,S);return}t.bindTexture(n.TEXTURE_3D,X.__webglTexture,n.TEXTURE0+S)}function Me(R,S){let X=i.get(R);if(R.version>0&&X.__version!==R.version){gn(X,R,S);return}t.bindTexture(n.TEXTURE_CUBE_MAP,X.__webglTexture,n.TEXTURE0+S)}let $e={[pu]:n.REPEAT,[Ps]:n.CLAMP_TO_EDGE,[mu]:n.MIRRORED_REPEAT},lt={[Bn]:n.NEAREST,[Wx]:n.NEAREST_MIPMAP_NEAREST,[vl]:n.NEAREST_MIPMAP_LINEAR,[oi]:n.LINEAR,[Wu]:n.LINEAR_MIPMAP_NEAREST,[nr]:n.LINEAR_MIPMAP_LINEAR},He={[Yx]:n.NEVER,[Op]:n.ALWAYS,[Jx]:n.LESS,[Fp]:n.LEQUAL,[Zx]:n.EQUAL,[Up]:n.GEQUAL,[Kx]:n.GREATER,[jx]:n.NOTEQUAL};function _t(R,S){if(S.type===Di&&e.has("OES_texture_float_linear")===!1&&(S.magFilter===oi||S.magFilter===Wu||S.magFilter===vl||S.magFilter===nr||S.minFilter===oi||S.minFilter===Wu||S.minFilter===vl||S.minFilter===nr)&&Ze("WebGLRenderer: Unable to use linear filtering with floating point textures. OES_texture_float_linear not supported on this device."),n.texParameteri(R,n.TEXTURE_WRAP_S,$e[S.wrapS]),n.texParameteri(R,n.TEXTURE_WRAP_T,$e[S.wrapT]),(R===n.TEXTURE_3D||R===n.TEXTURE_2D_ARRAY)&&n.texParameteri(R,n.TEXTURE_WRAP_R,$e[S.wrapR]),n.texParameteri(R,n.TEXTURE_MAG_FILTER,lt[S.magFilter]),n.texParameteri(R,n.TEXTURE_MIN_FILTER,lt[S.minFilter]),S.compareFunction&&(n.texParameteri(R,n.TEXTURE_COMPARE_MODE,n.COMPARE_REF_TO_TEXTURE),n.texParameteri(R,n.TEXTURE_COMPARE_FUNC,He[S.compareFunction])),e.has("EXT_texture_filter_anisotropic")===!0){if(S.magFilter===Bn||S.minFilter!==vl&&S.minFilter!==nr||S.type===Di&&e.has("OES_texture_float_linear")===!1)return;if(S.anisotropy>1||i.get(S).__currentAnisotropy){let X=e.get("EXT_texture_filter_anisotropic");n.texParameterf(R,X.TEXTURE_MAX_ANISOTROPY_EXT,Math.min(S.anisotropy,s.getMaxAnisotropy())),i.get(S).__currentAnisotropy=S.anisotropy}}}function ft(R,S){let X=!1;R.__webglInit===void 0&&(R.__webglInit=!0,S.addEventListener("dispose",D),H(S));let he=S.source,oe=p.get(he);oe===void 0&&(oe={},p.set(he,oe));let xe=ee(S);if(xe!==R.__cacheKey){oe[xe]===void 0&&(oe[xe]={texture:n.createTexture(),usedTimes:0},o.memory.textures++,X=!0),oe[xe].usedTimes++;let ve=oe[R.__cacheKey];ve!==void 0&&(oe[R.__cacheKey].usedTimes--,ve.usedTimes===0&&z(S)),R.__cacheKey=xe,R.__webglTexture=oe[xe].texture}return X}function rt(R,S,X){return Math.floor(Math.floor(R/X)/S)}function tn(R,S,X,he){let xe=R.updateRanges;if(xe.length===0)t.texSubImage2D(n.TEXTURE_2D,0,0,0,S.width,S.height,X,he,S.data);else{xe.sort((U,re)=>U.start-re.start);let ve=0;for(let U=1;U<xe.length;U++){let re=xe[ve],ne=xe[U],Te=re.start+re.count,_e=rt(ne.start,S.width,4),Se=rt(re.start,S.width,4);ne.start<=Te+1&&_e===Se&&rt(ne.start+ne.count-1,S.width,4)===_e?re.count=Math.max(re.count,ne.start+ne.count-re.start):(++ve,xe[ve]=ne)}xe.length=ve+1;let te=t.getParameter(n.UNPACK_ROW_LENGTH),ie=t.getParameter(n.UNPACK_SKIP_PIXELS),me=t.getParameter(n.UNPACK_SKIP_ROWS);t.pixelStorei(n.UNPACK_ROW_LENGTH,S.width);for(let U=0,re=xe.length;U<re;U++){let ne=xe[U],Te=Math.floor(ne.start/4),_e=Math.ceil(ne.count/4),Se=Te%S.width,We=Math.floor(Te/S.width),Qe=_e,ce=1;t.pixelStorei(n.UNPACK_SKIP_PIXELS,Se),t.pixelStorei(n.UNPACK_SKIP_ROWS,We),t.texSubImage2D(n.TEXTURE_2D,0,Se,We,Qe,ce,X,he,S.data)}R.clearUpdateRanges(),t.pixelStorei(n.UNPACK_ROW_LENGTH,te),t.pixelStorei(n.UNPACK_SKIP_PIXELS,ie),t.pixelStorei(n.UNPACK_SKIP_ROWS,me)}}function $t(R,S,X){let he=n.TEXTURE_2D;(S.isDataArrayTexture||S.isCompressedArrayTexture)&&(he=n.TEXTURE_2D_ARRAY),S.isData3DTexture&&(he=n.TEXTURE_3D);let oe=ft(R,S),xe=S.source;t.bindTexture(he,R.__webglTexture,n.TEXTURE0+X);let ve=i.get(xe);if(xe.version!==ve.__version||oe===!0){if(t.activeTexture(n.TEXTURE0+X),(typeof ImageBitmap<"u"&&S.image instanceof ImageBitmap)===!1){let ce=bt.getPrimaries(bt.workingColorSpace),ke=S.colorSpace===sr?null:bt.getPrimaries(S.colorSpace),et=S.colorSpace===sr||ce===ke?n.NONE:n.BROWSER_DEFAULT_WEBGL;t.pixelStorei(n.UNPACK_FLIP_Y_WEBGL,S.flipY),t.pixelStorei(n.UNPACK_PREMULTIPLY_ALPHA_WEBGL,S.premultiplyAlpha),t.pixelStorei(n.UNPACK_COLORSPACE_CONVERSION_WEBGL,et)}t.pixelStorei(n.UNPACK_ALIGNMENT,S.unpackAlignment);let ie=y(S.image,!1,s.maxTextureSize);ie=Ge(S,ie);let me=r.convert(S.format,S.colorSpace),U=r.convert(S.type),re=C(S.internalFormat,me,U,S.normalized,S.colorSpace,S.isVideoTexture);_t(he,S);let ne,Te=S.mipmaps,_e=S.isVideoTexture!==!0,Se=ve.__version===void 0||oe===!0,We=xe.dataReady,Qe=A(S,ie);if(S.isDepthTexture)re=b(S.format===ir,S.type),Se&&(_e?t.texStorage2D(n.TEXTURE_2D,1,re,ie.width,ie.height):t.texImage2D(n.TEXTURE_2D,0,re,ie.width,ie.height,0,me,U,null));else if(S.isDataTexture)if(Te.length>0){_e&&Se&&t.texStorage2D(n.TEXTURE_2D,Qe,re,Te[0].width,Te[0].height);for(let ce=0,ke=Te.length;ce<ke;ce++)ne=Te[ce],_e?We&&t.texSubImage2D(n.TEXTURE_2D,ce,0,0,ne.width,ne.height,me,U,ne.data):t.texImage2D(n.TEXTURE_2D,ce,re,ne.width,ne.height,0,me,U,ne.data);S.generateMipmaps=!1}else _e?(Se&&t.texStorage2D(n.TEXTURE_2D,Qe,re,ie.width,ie.height),We&&tn(S,ie,me,U)):t.texImage2D(n.TEXTURE_2D,0,re,ie.width,ie.height,0,me,U,ie.data);else if(S.isCompressedTexture)if(S.isCompressedArrayTexture){_e&&Se&&t.texStorage3D(n.TEXTURE_2D_ARRAY,Qe,re,Te[0].width,Te[0].height,ie.depth);for(let ce=0,ke=Te.length;ce<ke;ce++)if(ne=Te[ce],S.format!==Ni)if(me!==null)if(_e){if(We)if(S.layerUpdates.size>0){let et=Gp(ne.width,ne.height,S.format,S.type);for(let Re of S.layerUpdates){let ht=ne.data.subarray(Re*et/ne.data.BYTES_PER_ELEMENT,(Re+1)*et/ne.data.BYTES_PER_ELEMENT);t.compressedTexSubImage3D(n.TEXTURE_2D_ARRAY,ce,0,0,Re,ne.width,ne.height,1,me,ht)}}else t.compressedTexSubImage3D(n.TEXTURE_2D_ARRAY,ce,0,0,0,ne.width,ne.height,ie.depth,me,ne.data)}else t.compressedTexImage3D(n.TEXTURE_2D_ARRAY,ce,re,ne.width,ne.height,ie.depth,0,ne.data,0,0);else Ze("WebGLRenderer: Attempt to load unsupported compressed texture format in .uploadTexture()");else _e?We&&t.texSubImage3D(n.TEXTURE_2D_ARRAY,ce,0,0,0,ne.width,ne.height,ie.depth,me,U,ne.data):t.texImage3D(n.TEXTURE_2D_ARRAY,ce,re,ne.width,ne.height,ie.depth,0,me,U,ne.data);S.layerUpdates.size>0&&S.clearLayerUpdates()}else{_e&&Se&&t.texStorage2D(n.TEXTURE_2D,Qe,re,Te[0].width,Te[0].height);for(let ce=0,ke=Te.length;ce<ke;ce++)ne=Te[ce],S.format!==Ni?me!==null?_e?We&&t.compressedTexSubImage2D(n.TEXTURE_2D,ce,0,0,ne.width,ne.height,me,ne.data):t.compressedTexImage2D(n.TEXTURE_2D,ce,re,ne.width,ne.height,0,ne.data):Ze("WebGLRenderer: Attempt to load unsupported compressed texture format in .uploadTexture()"):_e?We&&t.texSubImage2D(n.TEXTURE_2D,ce,0,0,ne.width,ne.height,me,U,ne.data):t.texImage2D(n.TEXTURE_2D,ce,re,ne.width,ne.height,0,me,U,ne.data)}else if(S.isDataArrayTexture)if(_e){if(Se&&t.texStorage3D(n.TEXTURE_2D_ARRAY,Qe,re,ie.width,ie.height,ie.depth),We)if(S.layerUpdates.size>0){let ce=Gp(ie.width,ie.height,S.format,S.type);for(let ke of S.layerUpdates){let et=ie.data.subarray(ke*ce/ie.data.BYTES_PER_ELEMENT,(ke+1)*ce/ie.data.BYTES_PER_ELEMENT);t.texSubImage3D(n.TEXTURE_2D_ARRAY,0,0,0,ke,ie.width,ie.height,1,me,U,et)}S.clearLayerUpdates()}else t.texSubImage3D(n.TEXTURE_2D_ARRAY,0,0,0,0,ie.width,ie.height,ie.depth,me,U,ie.data)}else t.texImage3D(n.TEXTURE_2D_ARRAY,0,re,ie.width,ie.height,ie.depth,0,me,U,ie.data);else if(S.isData3DTexture)_e?(Se&&t.texStorage3D(n.TEXTURE_3D,Qe,re,ie.width,ie.height,ie.depth),We&&t.texSubImage3D(n.TEXTURE_3D,0,0,0,0,ie.width,ie.height,ie.depth,me,U,ie.data)):t.texImage3D(n.TEXTURE_3D,0,re,ie.width,ie.height,ie.depth,0,me,U,ie.data);else if(S.isFramebufferTexture){if(Se)if(_e)t.texStorage2D(n.TEXTURE_2D,Qe,re,ie.width,ie.height);else{let ce=ie.width,ke=ie.height;for(let et=0;et<Qe;et++)t.texImage2D(n.TEXTURE_2D,et,re,ce,ke,0,me,U,null),ce>>=1,ke>>=1}}else if(S.isHTMLTexture){if("texElementImage2D"in n){let ce=n.canvas;if(ce.hasAttribute("layoutsubtree")||ce.setAttribute("layoutsubtree","true"),ie.parentNode!==ce){ce.appendChild(ie),d.add(S),ce.onpaint=ke=>{let et=ke.changedElements;for(let Re of d)et.includes(Re.image)&&(Re.needsUpdate=!0)},ce.requestPaint();return}if(n.texElementImage2D.length===3)n.texElementImage2D(n.TEXTURE_2D,n.RGBA8,ie);else{let et=n.RGBA,Re=n.RGBA,ht=n.UNSIGNED_BYTE;n.texElementImage2D(n.TEXTURE_2D,0,et,Re,ht,ie)}n.texParameteri(n.TEXTURE_2D,n.TEXTURE_MIN_FILTER,n.LINEAR),n.texParameteri(n.TEXTURE_2D,n.TEXTURE_WRAP_S,n.CLAMP_TO_EDGE),n.texParameteri(n.TEXTURE_2D,n.TEXTURE_WRAP_T,n.CLAMP_TO_EDGE)}}else if(Te.length>0){if(_e&&Se){let ce=Ye(Te[0]);t.texStorage2D(n.TEXTURE_2D,Qe,re,ce.width,ce.height)}for(let ce=0,ke=Te.length;ce<ke;ce++)ne=Te[ce],_e?We&&t.texSubImage2D(n.TEXTURE_2D,ce,0,0,me,U,ne):t.texImage2D(n.TEXTURE_2D,ce,re,me,U,ne);S.generateMipmaps=!1}else if(_e){if(Se){let ce=Ye(ie);t.texStorage2D(n.TEXTURE_2D,Qe,re,ce.width,ce.height)}We&&t.texSubImage2D(n.TEXTURE_2D,0,0,0,me,U,ie)}else t.texImage2D(n.TEXTURE_2D,0,re,me,U,ie);E(S)&&S.mipmapsAutoUpdate===!0&&M(he),ve.__version=xe.version,S.onUpdate&&S.onUpdate(S)}R.__version=S.version}function gn(R,S,X){if(S.image.length!==6)return;let he=ft(R,S),oe=S.source;t.bindTexture(n.TEXTURE_CUBE_MAP,R.__webglTexture,n.TEXTURE0+X);let xe=i.get(oe);if(oe.version!==xe.__version||he===!0){t.activeTexture(n.TEXTURE0+X);let ve=bt.getPrimaries(bt.workingColorSpace),te=S.colorSpace===sr?null:bt.getPrimaries(S.colorSpace),ie=S.colorSpace===sr||ve===te?n.NONE:n.BROWSER_DEFAULT_WEBGL;t.pixelStorei(n.UNPACK_FLIP_Y_WEBGL,S.flipY),t.pixelStorei(n.UNPACK_PREMULTIPLY_ALPHA_WEBGL,S.premultiplyAlpha),t.pixelStorei(n.UNPACK_ALIGNMENT,S.unpackAlignment),t.pixelStorei(n.UNPACK_COLORSPACE_CONVERSION_WEBGL,ie);let me=S.isCompressedTexture||S.image[0].isCompressedTexture,U=S.image[0]&&S.image[0].isDataTexture,re=[];for(let Re=0;Re<6;Re++)!me&&!U?re[Re]=y(S.image[Re],!0,s.maxCubemapSize):re[Re]=U?S.image[Re].image:S.image[Re],re[Re]=Ge(S,re[Re]);let ne=re[0],Te=r.convert(S.format,S.colorSpace),_e=r.convert(S.type),Se=C(S.internalFormat,Te,_e,S.normalized,S.colorSpace),We=S.isVideoTexture!==!0,Qe=xe.__version===void 0||he===!0,ce=oe.dataReady,ke=A(S,ne);_t(n.TEXTURE_CUBE_MAP,S);let et;if(S.isDepthTexture){if(Se=b(S.format===ir,S.type),Qe)if(We)t.texStorage2D(n.TEXTURE_CUBE_MAP,1,Se,ne.width,ne.height);else for(let Re=0;Re<6;Re++)t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,0,Se,ne.width,ne.height,0,Te,_e,null)}else if(me){We&&Qe&&t.texStorage2D(n.TEXTURE_CUBE_MAP,ke,Se,ne.width,ne.height);for(let Re=0;Re<6;Re++){et=re[Re].mipmaps;for(let ht=0;ht<et.length;ht++){let Jt=et[ht];S.format!==Ni?Te!==null?We?ce&&t.compressedTexSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,ht,0,0,Jt.width,Jt.height,Te,Jt.data):t.compressedTexImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,ht,Se,Jt.width,Jt.height,0,Jt.data):Ze("WebGLRenderer: Attempt to load unsupported compressed texture format in .setTextureCube()"):We?ce&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,ht,0,0,Jt.width,Jt.height,Te,_e,Jt.data):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,ht,Se,Jt.width,Jt.height,0,Te,_e,Jt.data)}}}else{if(et=S.mipmaps,We&&Qe){et.length>0&&ke++;let Re=Ye(re[0]);t.texStorage2D(n.TEXTURE_CUBE_MAP,ke,Se,Re.width,Re.height)}for(let Re=0;Re<6;Re++)if(U){We?ce&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,0,0,0,re[Re].width,re[Re].height,Te,_e,re[Re].data):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,0,Se,re[Re].width,re[Re].height,0,Te,_e,re[Re].data);for(let ht=0;ht<et.length;ht++){let Zn=et[ht].image[Re].image;We?ce&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,ht+1,0,0,Zn.width,Zn.height,Te,_e,Zn.data):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,ht+1,Se,Zn.width,Zn.height,0,Te,_e,Zn.data)}}else{We?ce&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,0,0,0,Te,_e,re[Re]):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,0,Se,Te,_e,re[Re]);for(let ht=0;ht<et.length;ht++){let Jt=et[ht];We?ce&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,ht+1,0,0,Te,_e,Jt.image[Re]):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,ht+1,Se,Te,_e,Jt.image[Re])}}}E(S)&&S.mipmapsAutoUpdate===!0&&M(n.TEXTURE_CUBE_MAP),xe.__version=oe.version,S.onUpdate&&S.onUpdate(S)}R.__version=S.version}function zt(R,S,X,he,oe,xe){let ve=r.convert(X.format,X.colorSpace),te=r.convert(X.type),ie=C(X.internalFormat,ve,te,X.normalized,X.colorSpace),me=i.get(S),U=i.get(X);if(U.__renderTarget=S,!me.__hasExternalTextures){let re=Math.max(1,S.width>>xe),ne=Math.max(1,S.height>>xe);oe===n.TEXTURE_3D||oe===n.TEXTURE_2D_ARRAY?t.texImage3D(oe,xe,ie,re,ne,S.depth,0,ve,te,null):t.texImage2D(oe,xe,ie,re,ne,0,ve,te,null)}t.bindFramebuffer(n.FRAMEBUFFER,R),we(S)?a.framebufferTexture2DMultisampleEXT(n.FRAMEBUFFER,he,oe,U.__webglTexture,0,ct(S)):(oe===n.TEXTURE_2D||oe>=n.TEXTURE_CUBE_MAP_POSITIVE_X&&oe<=n.TEXTURE_CUBE_MAP_NEGATIVE_Z)&&n.framebufferTexture2D(n.FRAMEBUFFER,he,oe,U.__webglTexture,xe),t.bindFramebuffer(n.FRAMEBUFFER,null)}function Dn(R,S,X){if(n.bindRenderbuffer(n.RENDERBUFFER,R),S.depthBuffer){let he=S.depthTexture,oe=he&&he.isDepthTexture?he.type:null,xe=b(S.stencilBuffer,oe),ve=S.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT;we(S)?a.renderbufferStorageMultisampleEXT(n.RENDERBUFFER,ct(S),xe,S.width,S.height):X?n.renderbufferStorageMultisample(n.RENDERBUFFER,ct(S),xe,S.width,S.height):n.renderbufferStorage(n.RENDERBUFFER,xe,S.width,S.height),n.framebufferRenderbuffer(n.FRAMEBUFFER,ve,n.RENDERBUFFER,R)}else{let he=S.textures;for(let oe=0;oe<he.length;oe++){let xe=he[oe],ve=r.convert(xe.format,xe.colorSpace),te=r.convert(xe.type),ie=C(xe.internalFormat,ve,te,xe.normalized,xe.colorSpace);we(S)?a.renderbufferStorageMultisampleEXT(n.RENDERBUFFER,ct(S),ie,S.width,S.height):X?n.renderbufferStorageMultisample(n.RENDERBUFFER,ct(S),ie,S.width,S.height):n.renderbufferStorage(n.RENDERBUFFER,ie,S.width,S.height)}}n.bindRenderbuffer(n.RENDERBUFFER,null)}function At(R,S,X){let he=S.isWebGLCubeRenderTarget===!0;if(t.bindFramebuffer(n.FRAMEBUFFER,R),!(S.depthTexture&&S.depthTexture.isDepthTexture))throw new Error("THREE.WebGLTextures: renderTarget.depthTexture must be an instance of THREE.DepthTexture.");let oe=i.get(S.depthTexture);oe.__renderTarget=S;let xe=he?S.depthTexture.image[0]:S.depthTexture.image;(!oe.__webglTexture||xe.width!==S.width||xe.height!==S.height)&&(xe.width=S.width,xe.height=S.height,S.depthTexture.needsUpdate=!0),he?Me(S.depthTexture,0):ge(S.depthTexture,0);let ve=oe.__webglTexture,te=ct(S),ie=he?n.TEXTURE_CUBE_MAP_POSITIVE_X+X:n.TEXTURE_2D,me=S.depthTexture.format===ir?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT;if(S.depthTexture.format===er)we(S)?a.framebufferTexture2DMultisampleEXT(n.FRAMEBUFFER,me,ie,ve,0,te):n.framebufferTexture2D(n.FRAMEBUFFER,me,ie,ve,0);else if(S.depthTexture.format===ir)we(S)?a.framebufferTexture2DMultisampleEXT(n.FRAMEBUFFER,me,ie,ve,0,te):n.framebufferTexture2D(n.FRAMEBUFFER,me,ie,ve,0);else throw new Error("THREE.WebGLTextures: Unknown depthTexture format.")}function En(R){let S=i.get(R),X=R.isWebGLCubeRenderTarget===!0;if(S.__boundDepthTexture!==R.depthTexture){let he=R.depthTexture;if(S.__depthDisposeCallback&&S.__depthDisposeCallback(),he){let oe=()=>{delete S.__boundDepthTexture,delete S.__depthDisposeCallback,he.removeEventListener("dispose",oe)};he.addEventListener("dispose",oe),S.__depthDisposeCallback=oe}S.__boundDepthTexture=he}if(R.depthTexture&&!S.__autoAllocateDepthBuffer)if(X)for(let he=0;he<6;he++)At(S.__webglFramebuffer[he],R,he);else R.texture.mipmaps.length>0?At(S.__webglFramebuffer[0],R,0):At(S.__webglFramebuffer,R,0);else if(X){S.__webglDepthbuffer=[];for(let he=0;he<6;he++)if(t.bindFramebuffer(n.FRAMEBUFFER,S.__webglFramebuffer[he]),S.__webglDepthbuffer[he]===void 0)S.__webglDepthbuffer[he]=n.createRenderbuffer(),Dn(S.__webglDepthbuffer[he],R,!1);else{let oe=R.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT,xe=S.__webglDepthbuffer[he];n.bindRenderbuffer(n.RENDERBUFFER,xe),n.framebufferRenderbuffer(n.FRAMEBUFFER,oe,n.RENDERBUFFER,xe)}}else if(R.texture.mipmaps.length>0?t.bindFramebuffer(n.FRAMEBUFFER,S.__webglFramebuffer[0]):t.bindFramebuffer(n.FRAMEBUFFER,S.__webglFramebuffer),S.__webglDepthbuffer===void 0)S.__webglDepthbuffer=n.createRenderbuffer(),Dn(S.__webglDepthbuffer,R,!1);else{let oe=R.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT,xe=S.__webglDepthbuffer;n.bindRenderbuffer(n.RENDERBUFFER,xe),n.framebufferRenderbuffer(n.FRAMEBUFFER,oe,n.RENDERBUFFER,xe)}t.bindFramebuffer(n.FRAMEBUFFER,null)}function an(R,S,X){let he=i.get(R);S!==void 0&&zt(he.__webglFramebuffer,R,R.texture,n.COLOR_ATTACHMENT0,n.TEXTURE_2D,0),X!==void 0&&En(R)}function _n(R){let S=R.texture,X=i.get(R),he=i.get(S);R.addEventListener("dispose",G),H(R);let oe=R.textures,xe=R.isWebGLCubeRenderTarget===!0,ve=oe.length>1;if(ve||(he.__webglTexture===void 0&&(he.__webglTexture=n.createTexture()),he.__version=S.version,o.memory.textures++),xe){X.__webglFramebuffer=[];for(let te=0;te<6;te++)if(S.mipmaps.length>0){X.__webglFramebuffer[te]=[];for(let ie=0;ie<S.mipmaps.length;ie++)X.__webglFramebuffer[te][ie]=n.createFramebuffer()}else X.__webglFramebuffer[te]=n.createFramebuffer()}else{if(S.mipmaps.length>0){X.__webglFramebuffer=[];for(let te=0;te<S.mipmaps.length;te++)X.__webglFramebuffer[te]=n.createFramebuffer()}else X.__webglFramebuffer=n.createFramebuffer();if(ve)for(let te=0,ie=oe.length;te<ie;te++){let me=i.get(oe[te]);me.__webglTexture===void 0&&(me.__webglTexture=n.createTexture(),o.memory.textures++)}if(R.samples>0&&we(R)===!1){X.__webglMultisampledFramebuffer=n.createFramebuffer(),X.__webglColorRenderbuffer=[],t.bindFramebuffer(n.FRAMEBUFFER,X.__webglMultisampledFramebuffer);for(let te=0;te<oe.length;te++){let ie=oe[te];X.__webglColorRenderbuffer[te]=n.createRenderbuffer(),n.bindRenderbuffer(n.RENDERBUFFER,X.__webglColorRenderbuffer[te]);let me=r.convert(ie.format,ie.colorSpace),U=r.convert(ie.type),re=C(ie.internalFormat,me,U,ie.normalized,ie.colorSpace,R.isXRRenderTarget===!0),ne=ct(R);n.renderbufferStorageMultisample(n.RENDERBUFFER,ne,re,R.width,R.height),n.framebufferRenderbuffer(n.FRAMEBUFFER,n.COLOR_ATTACHMENT0+te,n.RENDERBUFFER,X.__webglColorRenderbuffer[te])}n.bindRenderbuffer(n.RENDERBUFFER,null),R.depthBuffer&&(X.__webglDepthRenderbuffer=n.createRenderbuffer(),Dn(X.__webglDepthRenderbuffer,R,!0)),t.bindFramebuffer(n.FRAMEBUFFER,null)}}if(xe){t.bindTexture(n.TEXTURE_CUBE_MAP,he.__webglTexture),_t(n.TEXTURE_CUBE_MAP,S);for(let te=0;te<6;te++)if(S.mipmaps.length>0)for(let ie=0;ie<S.mipmaps.length;ie++)zt(X.__webglFramebuffer[te][ie],R,S,n.COLOR_ATTACHMENT0,n.TEXTURE_CUBE_MAP_POSITIVE_X+te,ie);else zt(X.__webglFramebuffer[te],R,S,n.COLOR_ATTACHMENT0,n.TEXTURE_CUBE_MAP_POSITIVE_X+te,0);E(S)?M(n.TEXTURE_CUBE_MAP):S.mipmaps.length>0&&n.texParameteri(n.TEXTURE_CUBE_MAP,n.TEXTURE_MAX_LEVEL,S.mipmaps.length-1),t.unbindTexture()}else if(ve){for(let te=0,ie=oe.length;te<ie;te++){let me=oe[te],U=i.get(me),re=n.TEXTURE_2D;(R.isWebGL3DRenderTarget||R.isWebGLArrayRenderTarget)&&(re=R.isWebGL3DRenderTarget?n.TEXTURE_3D:n.TEXTURE_2D_ARRAY),t.bindTexture(re,U.__webglTexture),_t(re,me),zt(X.__webglFramebuffer,R,me,n.COLOR_ATTACHMENT0+te,re,0),E(me)&&M(re)}t.unbindTexture()}else{let te=n.TEXTURE_2D;if((R.isWebGL3DRenderTarget||R.isWebGLArrayRenderTarget)&&(te=R.isWebGL3DRenderTarget?n.TEXTURE_3D:n.TEXTURE_2D_ARRAY),t.bindTexture(te,he.__webglTexture),_t(te,S),S.mipmaps.length>0)for(let ie=0;ie<S.mipmaps.length;ie++)zt(X.__webglFramebuffer[ie],R,S,n.COLOR_ATTACHMENT0,te,ie);else zt(X.__webglFramebuffer,R,S,n.COLOR_ATTACHMENT0,te,0);E(S)?M(te):S.mipmaps.length>0&&n.texParameteri(te,n.TEXTURE_MAX_LEVEL,S.mipmaps.length-1),t.unbindTexture()}R.depthBuffer&&En(R)}function O(R){let S=R.textures;for(let X=0,he=S.length;X<he;X++){let oe=S[X];if(E(oe)&&oe.mipmapsAutoUpdate===!0){let xe=I(R),ve=i.get(oe).__webglTexture;t.bindTexture(xe,ve),M(xe),t.unbindTexture()}}}let Pe=[];function Je(R){if(R.samples>0){if(we(R)===!1){let S=R.textures,X=R.width,he=R.height,oe=n.COLOR_BUFFER_BIT,xe=R.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT,ve=i.get(R),te=S.length>1;if(te)for(let me=0;me<S.length;me++)t.bindFramebuffer(n.FRAMEBUFFER,ve.__webglMultisampledFramebuffer),n.framebufferRenderbuffer(n.FRAMEBUFFER,n.COLOR_ATTACHMENT0+me,n.RENDERBUFFER,null),t.bindFramebuffer(n.FRAMEBUFFER,ve.__webglFramebuffer),n.framebufferTexture2D(n.DRAW_FRAMEBUFFER,n.COLOR_ATTACHMENT0+me,n.TEXTURE_2D,null,0);t.bindFramebuffer(n.READ_FRAMEBUFFER,ve.__webglMultisampledFramebuffer),R.texture.mipmaps.length>0?t.bindFramebuffer(n.DRAW_FRAMEBUFFER,ve.__webglFramebuffer[0]):t.bindFramebuffer(n.DRAW_FRAMEBUFFER,ve.__webglFramebuffer);for(let me=0;me<S.length;me++){if(R.resolveDepthBuffer&&(R.depthBuffer&&(oe|=n.DEPTH_BUFFER_BIT),R.stencilBuffer&&R.resolveStencilBuffer&&(oe|=n.STENCIL_BUFFER_BIT)),te){n.framebufferRenderbuffer(n.READ_FRAMEBUFFER,n.COLOR_ATTACHMENT0,n.RENDERBUFFER,ve.__webglColorRenderbuffer[me]);let U=i.get(S[me]).__webglTexture;n.framebufferTexture2D(n.DRAW_FRAMEBUFFER,n.COLOR_ATTACHMENT0,n.TEXTURE_2D,U,0)}n.blitFramebuffer(0,0,X,he,0,0,X,he,oe,n.NEAREST),l===!0&&(Pe.length=0,Pe.push(n.COLOR_ATTACHMENT0+me),R.depthBuffer&&R.storeMultisampledDepthBuffer===!1&&Pe.push(xe),n.invalidateFramebuffer(n.READ_FRAMEBUFFER,Pe))}if(t.bindFramebuffer(n.READ_FRAMEBUFFER,null),t.bindFramebuffer(n.DRAW_FRAMEBUFFER,null),te)for(let me=0;me<S.length;me++){t.bindFramebuffer(n.FRAMEBUFFER,ve.__webglMultisampledFramebuffer),n.framebufferRenderbuffer(n.FRAMEBUFFER,n.COLOR_ATTACHMENT0+me,n.RENDERBUFFER,ve.__webglColorRenderbuffer[me]);let U=i.get(S[me]).__webglTexture;t.bindFramebuffer(n.FRAMEBUFFER,ve.__webglFramebuffer),n.framebufferTexture2D(n.DRAW_FRAMEBUFFER,n.COLOR_ATTACHMENT0+me,n.TEXTURE_2D,U,0)}t.bindFramebuffer(n.DRAW_FRAMEBUFFER,ve.__webglMultisampledFramebuffer)}else if(R.depthBuffer&&R.storeMultisampledDepthBuffer===!1&&l){let S=R.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT;n.invalidateFramebuffer(n.DRAW_FRAMEBUFFER,[S])}}}function ct(R){return Math.min(s.maxSamples,R.samples)}function we(R){let S=i.get(R);return R.samples>0&&e.has("WEBGL_multisampled_render_to_texture")===!0&&S.__useRenderToTexture!==!1}function Ht(R){let S=o.render.frame;u.get(R)!==S&&(u.set(R,S),R.update())}function Ge(R,S){let X=R.colorSpace,he=R.format,oe=R.type;return R.isCompressedTexture===!0||R.isVideoTexture===!0||X!==Jr&&X!==sr&&(bt.getTransfer(X)===Ft?(he!==Ni||oe!==Li)&&Ze("WebGLTextures: sRGB encoded textures have to use RGBAFormat and UnsignedByteType."):it("WebGLTextures: Unsupported texture color space:",X)),S}function Ye(R){return typeof HTMLImageElement<"u"&&R instanceof HTMLImageElement?(c.width=R.naturalWidth||R.width,c.height=R.naturalHeight||R.height):typeof VideoFrame<"u"&&R instanceof VideoFrame?(c.width=R.displayWidth,c.height=R.displayHeight):(c.width=R.width,c.height=R.height),c}this.allocateTextureUnit=de,this.resetTextureUnits=Q,this.getTextureUnits=se,this.setTextureUnits=fe,this.setTexture2D=ge,this.setTexture2DArray=ye,this.setTexture3D=Ce,this.setTextureCube=Me,this.rebindTextures=an,this.setupRenderTarget=_n,this.updateRenderTargetMipmap=O,this.updateMultisampleRenderTarget=Je,this.setupDepthRenderbuffer=En,this.setupFrameBufferTexture=zt,this.useMultisampledRTT=we,this.dispose=W}function _R(n,e){function t(i,s=sr){let r,o=bt.getTransfer(s);if(i===Li)return n.UNSIGNED_BYTE;if(i===$u)return n.UNSIGNED_SHORT_4_4_4_4;if(i===qu)return n.UNSIGNED_SHORT_5_5_5_1;if(i===Rp)return n.UNSIGNED_INT_5_9_9_9_REV;if(i===Pp)return n.UNSIGNED_INT_10F_11F_11F_REV;if(i===Ep)return n.BYTE;if(i===Cp)return n.SHORT;if(i===fa)return n.UNSIGNED_SHORT;if(i===Xu)return n.INT;if(i===ds)return n.UNSIGNED_INT;if(i===Di)return n.FLOAT;if(i===fs)return n.HALF_FLOAT;if(i===Ip)return n.ALPHA;if(i===Lp)return n.RGB;if(i===Ni)return n.RGBA;if(i===er)return n.DEPTH_COMPONENT;if(i===ir)return n.DEPTH_STENCIL;if(i===Dp)return n.RED;if(i===Yu)return n.RED_INTEGER;if(i===Lr)return n.RG;if(i===Ju)return n.RG_INTEGER;if(i===Zu)return n.RGBA_INTEGER;if(i===bl||i===Sl||i===Ml||i===wl)if(o===Ft)if(r=e.get("WEBGL_compressed_texture_s3tc_srgb"),r!==null){if(i===bl)return r.COMPRESSED_SRGB_S3TC_DXT1_EXT;if(i===Sl)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT1_EXT;if(i===Ml)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT3_EXT;if(i===wl)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT}else return null;else if(r=e.get("WEBGL_compressed_texture_s3tc"),r!==null){if(i===bl)return r.COMPRESSED_RGB_S3TC_DXT1_EXT;if(i===Sl)return r.COMPRESSED_RGBA_S3TC_DXT1_EXT;if(i===Ml)return r.COMPRESSED_RGBA_S3TC_DXT3_EXT;if(i===wl)return r.COMPRESSED_RGBA_S3TC_DXT5_EXT}else return null;if(i===Ku||i===ju||i===Qu||i===eh)if(r=e.get("WEBGL_compressed_texture_pvrtc"),r!==null){if(i===Ku)return r.COMPRESSED_RGB_PVRTC_4BPPV1_IMG;if(i===ju)return r.COMPRESSED_RGB_PVRTC_2BPPV1_IMG;if(i===Qu)return r.COMPRESSED_RGBA_PVRTC_4BPPV1_IMG;if(i===eh)return r.COMPRESSED_RGBA_PVRTC_2BPPV1_IMG}else return null;if(i===th||i===nh||i===ih||i===sh||i===rh||i===Tl||i===oh)if(r=e.get("WEBGL_compressed_texture_etc"),r!==null){if(i===th||i===nh)return o===Ft?r.COMPRESSED_SRGB8_ETC2:r.COMPRESSED_RGB8_ETC2;if(i===ih)return o===Ft?r.COMPRESSED_SRGB8_ALPHA8_ETC2_EAC:r.COMPRESSED_RGBA8_ETC2_EAC;if(i===sh)return r.COMPRESSED_R11_EAC;if(i===rh)return r.COMPRESSED_SIGNED_R11_EAC;if(i===Tl)return r.COMPRESSED_RG11_EAC;if(i===oh)return r.COMPRESSED_SIGNED_RG11_EAC}else return null;if(i===ah||i===lh||i===ch||i===uh||i===hh||i===dh||i===fh||i===ph||i===mh||i===gh||i===_h||i===xh||i===yh||i===vh)if(r=e.get("WEBGL_compressed_texture_astc"),r!==null){if(i===ah)return o===Ft?r.COMPRESSED_SRGB8_ALPHA8_ASTC_4x4_KHR:r.COMPRESSED_RGBA_ASTC_4x4_KHR;if(i===lh)return o===Ft?r.COMPRESSED_SRGB8_ALPHA8_ASTC_5x4_KHR:r.COMPRESSED_RGBA_ASTC_5x4_KHR;if(i===ch)return o===Ft?r.COMPRESSED_SRGB8_ALPHA8_ASTC_5x5_KHR:r.COMPRESSED_RGBA_ASTC_5x5_KHR;if(i===uh)return o===Ft?r.COMPRESSED_SRGB8_ALPHA8_ASTC_6x5_KHR:r.COMPRESSED_RGBA_ASTC_6x5_KHR;if(i===hh)return o===Ft?r.COMPRESSED_SRGB8_ALPHA8_ASTC_6x6_KHR:r.COMPRESSED_RGBA_ASTC_6x6_KHR;if(i===dh)return o===Ft?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x5_KHR:r.COMPRESSED_RGBA_ASTC_8x5_KHR;if(i===fh)return o===Ft?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x6_KHR:r.COMPRESSED_RGBA_ASTC_8x6_KHR;if(i===ph)return o===Ft?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x8_KHR:r.COMPRESSED_RGBA_ASTC_8x8_KHR;if(i===mh)return o===Ft?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x5_KHR:r.COMPRESSED_RGBA_ASTC_10x5_KHR;if(i===gh)return o===Ft?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x6_KHR:r.COMPRESSED_RGBA_ASTC_10x6_KHR;if(i===_h)return o===Ft?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x8_KHR:r.COMPRESSED_RGBA_ASTC_10x8_KHR;if(i===xh)return o===Ft?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x10_KHR:r.COMPRESSED_RGBA_ASTC_10x10_KHR;if(i===yh)return o===Ft?r.COMPRESSED_SRGB8_ALPHA8_ASTC_12x10_KHR:r.COMPRESSED_RGBA_ASTC_12x10_KHR;if(i===vh)return o===Ft?r.COMPRESSED_SRGB8_ALPHA8_ASTC_12x12_KHR:r.COMPRESSED_RGBA_ASTC_12x12_KHR}else return null;if(i===bh||i===Sh||i===Mh)if(r=e.get("EXT_texture_compression_bptc"),r!==null){if(i===bh)return o===Ft?r.COMPRESSED_SRGB_ALPHA_BPTC_UNORM_EXT:r.COMPRESSED_RGBA_BPTC_UNORM_EXT;if(i===Sh)return r.COMPRESSED_RGB_BPTC_SIGNED_FLOAT_EXT;if(i===Mh)return r.COMPRESSED_RGB_BPTC_UNSIGNED_FLOAT_EXT}else return null;if(i===wh||i===Th||i===Al||i===Ah)if(r=e.get("EXT_texture_compression_rgtc"),r!==null){if(i===wh)return r.COMPRESSED_RED_RGTC1_EXT;if(i===Th)return r.COMPRESSED_SIGNED_RED_RGTC1_EXT;if(i===Al)return r.COMPRESSED_RED_GREEN_RGTC2_EXT;if(i===Ah)return r.COMPRESSED_SIGNED_RED_GREEN_RGTC2_EXT}else return null;return i===so?n.UNSIGNED_INT_24_8:n[i]!==void 0?n[i]:null}return{convert:t}}var xR=`
+void main() {
+
+	gl_Position = vec4( position, 1.0 );
+
+}`,yR=`
+uniform sampler2DArray depthColor;
+uniform float depthWidth;
+uniform float depthHeight;
+
+void main() {
+
+	vec2 coord = vec2( gl_FragCoord.x / depthWidth, gl_FragCoord.y / depthHeight );
+
+	if ( coord.x >= 1.0 ) {
+
+		gl_FragDepth = texture( depthColor, vec3( coord.x - 1.0, coord.y, 1 ) ).r;
+
+	} else {
+
+		gl_FragDepth = texture( depthColor, vec3( coord.x, coord.y, 0 ) ).r;
+
+	}
+
+}`,Kp=class{constructor(){this.texture=null,this.mesh=null,this.depthNear=0,this.depthFar=0}init(e,t){if(this.texture===null){let i=new ml(e.texture);(e.depthNear!==t.depthNear||e.depthFar!==t.depthFar)&&(this.depthNear=e.depthNear,this.depthFar=e.depthFar),this.texture=i}}getMesh(e){if(this.texture!==null&&this.mesh===null){let t=e.cameras[0].viewport,i=new Ds({vertexShader:xR,fragmentShader:yR,uniforms:{depthColor:{value:this.texture},depthWidth:{value:t.z},depthHeight:{value:t.w}}});this.mesh=new Hn(new gl(20,20),i)}return this.mesh}reset(){this.texture=null,this.mesh=null}getDepthTexture(){return this.texture}},jp=class extends Is{constructor(e,t){super();let i=this,s=null,r=1,o=null,a="local-floor",l=1,c=null,u=null,d=null,h=null,p=null,m=null,v=typeof XRWebGLBinding<"u",_=new Kp,g={},y=t.getContextAttributes(),E=null,M=null,I=[],C=[],b=new Ct,A=null,H=null,F=new Ci;F.viewport=new on;let D=new Ci;D.viewport=new on;let G=[F,D],V=new zu,N=null,W=null;this.cameraAutoUpdate=!0,this.enabled=!1,this.isPresenting=!1,this.getController=function(ee){let ge=I[ee];return ge===void 0&&(ge=new sa,I[ee]=ge),ge.getTargetRaySpace()},this.getControllerGrip=function(ee){let ge=I[ee];return ge===void 0&&(ge=new sa,I[ee]=ge),ge.getGripSpace()},this.getHand=function(ee){let ge=I[ee];return ge===void 0&&(ge=new sa,I[ee]=ge),ge.getHandSpace()};function Z(ee){let ge=C.indexOf(ee.inputSource);if(ge===-1)return;let ye=I[ge];ye!==void 0&&(ye.update(ee.inputSource,ee.frame,c||o),ye.dispatchEvent({type:ee.type,data:ee.inputSource}))}function z(){s.removeEventListener("select",Z),s.removeEventListener("selectstart",Z),s.removeEventListener("selectend",Z),s.removeEventListener("squeeze",Z),s.removeEventListener("squeezestart",Z),s.removeEventListener("squeezeend",Z),s.removeEventListener("end",z),s.removeEventListener("inputsourceschange",ue);for(let ee=0;ee<I.length;ee++){let ge=C[ee];ge!==null&&(C[ee]=null,I[ee].disconnect(ge))}N=null,W=null,_.reset();for(let ee in g)delete g[ee];if(e.setRenderTarget(E),p=null,h=null,d=null,s=null,M=null,de.stop(),i.isPresenting=!1,e.setPixelRatio(A),e.setSize(b.width,b.height,!1),H!==null){let ee=H.camera;ee.fov=H.fov,ee.zoom=H.zoom,ee.updateProjectionMatrix(),H=null}i.dispatchEvent({type:"sessionend"})}this.setFramebufferScaleFactor=function(ee){r=ee,i.isPresenting===!0&&Ze("WebXRManager: Cannot change framebuffer scale while presenting.")},this.setReferenceSpaceType=function(ee){a=ee,i.isPresenting===!0&&Ze("WebXRManager: Cannot change reference space type while presenting.")},this.getReferenceSpace=function(){return c||o},this.setReferenceSpace=function(ee){c=ee},this.getBaseLayer=function(){return h!==null?h:p},this.getBinding=function(){return d===null&&v&&(d=new XRWebGLBinding(s,t)),d},this.getFrame=function(){return m},this.getSession=function(){return s},this.setSession=async function(ee){if(s=ee,s!==null){if(E=e.getRenderTarget(),s.addEventListener("select",Z),s.addEventListener("selectstart",Z),s.addEventListener("selectend",Z),s.addEventListener("squeeze",Z),s.addEventListener("squeezestart",Z),s.addEventListener("squeezeend",Z),s.addEventListener("end",z),s.addEventListener("inputsourceschange",ue),y.xrCompatible!==!0&&await t.makeXRCompatible(),A=e.getPixelRatio(),e.getSize(b),v&&"createProjectionLayer"in XRWebGLBinding.prototype){let ye=null,Ce=null,Me=null;y.depth&&(Me=y.stencil?t.DEPTH24_STENCIL8:t.DEPTH_COMPONENT24,ye=y.stencil?ir:er,Ce=y.stencil?so:ds);let $e={colorFormat:t.RGBA8,depthFormat:Me,scaleFactor:r};d=this.getBinding(),h=d.createProjectionLayer($e),s.updateRenderState({layers:[h]}),e.setPixelRatio(1),e.setSize(h.textureWidth,h.textureHeight,!1),M=new Ri(h.textureWidth,h.textureHeight,{format:Ni,type:Li,depthTexture:new tr(h.textureWidth,h.textureHeight,Ce,void 0,void 0,void 0,void 0,void 0,void 0,ye),stencilBuffer:y.stencil,colorSpace:e.outputColorSpace,samples:y.antialias?4:0,resolveDepthBuffer:h.ignoreDepthValues===!1,resolveStencilBuffer:h.ignoreDepthValues===!1,storeMultisampledDepthBuffer:h.ignoreDepthValues===!1,storeMultisampledStencilBuffer:h.ignoreDepthValues===!1})}else{let ye={antialias:y.antialias,alpha:!0,depth:y.depth,stencil:y.stencil,framebufferScaleFactor:r};p=new XRWebGLLayer(s,t,ye),s.updateRenderState({baseLayer:p}),e.setPixelRatio(1),e.setSize(p.framebufferWidth,p.framebufferHeight,!1),M=new Ri(p.framebufferWidth,p.framebufferHeight,{format:Ni,type:Li,colorSpace:e.outputColorSpace,stencilBuffer:y.stencil,resolveDepthBuffer:p.ignoreDepthValues===!1,resolveStencilBuffer:p.ignoreDepthValues===!1,storeMultisampledDepthBuffer:p.ignoreDepthValues===!1,storeMultisampledStencilBuffer:p.ignoreDepthValues===!1})}M.isXRRenderTarget=!0,this.setFoveation(l),c=null,o=await s.requestReferenceSpace(a),de.setContext(s),de.start(),i.isPresenting=!0,i.dispatchEvent({type:"sessionstart"})}},this.getEnvironmentBlendMode=function(){if(s!==null)return s.environmentBlendMode},this.getDepthTexture=function(){return _.getDepthTexture()};function ue(ee){for(let ge=0;ge<ee.removed.length;ge++){let ye=ee.removed[ge],Ce=C.indexOf(ye);Ce>=0&&(C[Ce]=null,I[Ce].disconnect(ye))}for(let ge=0;ge<ee.added.length;ge++){let ye=ee.added[ge],Ce=C.indexOf(ye);if(Ce===-1){for(let $e=0;$e<I.length;$e++)if($e>=C.length){C.push(ye),Ce=$e;break}else if(C[$e]===null){C[$e]=ye,Ce=$e;break}if(Ce===-1)break}let Me=I[Ce];Me&&Me.connect(ye)}}function K(ee,ge){ge===null?ee.matrixWorld.copy(ee.matrix):ee.matrixWorld.multiplyMatrices(ge.matrixWorld,ee.matrix),ee.matrixWorldInverse.copy(ee.matrixWorld).invert()}this.updateCamera=function(ee){if(s===null)return;let ge=ee.near,ye=ee.far;_.texture!==null&&(_.depthNear>0&&(ge=_.depthNear),_.depthFar>0&&(ye=_.depthFar)),V.near=D.near=F.near=ge,V.far=D.far=F.far=ye,(N!==V.near||W!==V.far)&&(s.updateRenderState({depthNear:V.near,depthFar:V.far}),N=V.near,W=V.far),V.layers.mask=ee.layers.mask|6,F.layers.mask=V.layers.mask&-5,D.layers.mask=V.layers.mask&-3;let Ce=ee.parent,Me=V.cameras;K(V,Ce);for(let $e=0;$e<Me.length;$e++)K(Me[$e],Ce);V.projectionMatrix.copy(F.projectionMatrix),V.projectionMatrixInverse.copy(F.projectionMatrixInverse),H===null&&ee.isPerspectiveCamera&&(H={camera:ee,fov:ee.fov,zoom:ee.zoom}),Q(ee,V,Ce)};function Q(ee,ge,ye){ye===null?ee.matrix.copy(ge.matrixWorld):(ee.matrix.copy(ye.matrixWorld),ee.matrix.invert(),ee.matrix.multiply(ge.matrixWorld)),ee.matrix.decompose(ee.position,ee.quaternion,ee.scale),ee.updateMatrixWorld(!0),ee.projectionMatrix.copy(ge.projectionMatrix),ee.projectionMatrixInverse.copy(ge.projectionMatrixInverse),ee.isPerspectiveCamera&&(ee.fov=_u*2*Math.atan(1/ee.projectionMatrix.elements[5]),ee.zoom=1)}this.getCamera=function(){return V},this.getFoveation=function(){if(!(h===null&&p===null))return l},this.setFoveation=function(ee){l=ee,h!==null&&(h.fixedFoveation=ee),p!==null&&p.fixedFoveation!==void 0&&(p.fixedFoveation=ee)},this.hasDepthSensing=function(){return _.texture!==null},this.getDepthSensingMesh=function(){return _.getMesh(V)},this.getCameraTexture=function(ee){return g[ee]};let se=null;function fe(ee,ge){if(u=ge.getViewerPose(c||o),m=ge,u!==null){let ye=u.views;p!==null&&(e.setRenderTargetFramebuffer(M,p.framebuffer),e.setRenderTarget(M));let Ce=!1;ye.length!==V.cameras.length&&(V.cameras.length=0,Ce=!0);for(let He=0;He<ye.length;He++){let _t=ye[He],ft=null;if(p!==null)ft=p.getViewport(_t);else{let tn=d.getViewSubImage(h,_t);ft=tn.viewport,He===0&&(e.setRenderTargetTextures(M,tn.colorTexture,tn.depthStencilTexture),e.setRenderTarget(M))}let rt=G[He];rt===void 0&&(rt=new Ci,rt.layers.enable(He),rt.viewport=new on,G[He]=rt),rt.matrix.fromArray(_t.transform.matrix),rt.matrix.decompose(rt.position,rt.quaternion,rt.scale),rt.projectionMatrix.fromArray(_t.projectionMatrix),rt.projectionMatrixInverse.copy(rt.projectionMatrix).invert(),rt.viewport.set(ft.x,ft.y,ft.width,ft.height),He===0&&(V.matrix.copy(rt.matrix),V.matrix.decompose(V.position,V.quaternion,V.scale)),Ce===!0&&V.cameras.push(rt)}let Me=s.enabledFeatures;if(Me&&Me.includes("depth-sensing")&&s.depthUsage=="gpu-optimized"&&v){d=i.getBinding();let He=d.getDepthInformation(ye[0]);He&&He.isValid&&He.texture&&_.init(He,s.renderState)}if(Me&&Me.includes("camera-access")&&v){e.state.unbindTexture(),d=i.getBinding();for(let He=0;He<ye.length;He++){let _t=ye[He].camera;if(_t){let ft=g[_t];ft||(ft=new ml,g[_t]=ft);let rt=d.getCameraImage(_t);ft.sourceTexture=rt}}}}for(let ye=0;ye<I.length;ye++){let Ce=C[ye],Me=I[ye];Ce!==null&&Me!==void 0&&Me.update(Ce,ge,c||o)}se&&se(ee,ge),ge.detectedPlanes&&i.dispatchEvent({type:"planesdetected",data:ge}),m=null}let de=new Iy;de.setAnimationLoop(fe),this.setAnimationLoop=function(ee){se=ee},this.dispose=function(){}}},vR=new Yt,zy=new st;zy.set(-1,0,0,0,1,0,0,0,1);function bR(n,e){function t(_,g){_.matrixAutoUpdate===!0&&_.updateMatrix(),g.value.copy(_.matrix)}function i(_,g){g.color.getRGB(_.fogColor.value,Bp(n)),g.isFog?(_.fogNear.value=g.near,_.fogFar.value=g.far):g.isFogExp2&&(_.fogDensity.value=g.density)}function s(_,g,y,E,M){g.isNodeMaterial?g.uniformsNeedUpdate=!1:g.isMeshBasicMaterial?r(_,g):g.isMeshLambertMaterial?(r(_,g),g.envMap&&(_.envMapIntensity.value=g.envMapIntensity)):g.isMeshToonMaterial?(r(_,g),d(_,g)):g.isMeshPhongMaterial?(r(_,g),u(_,g),g.envMap&&(_.envMapIntensity.value=g.envMapIntensity)):g.isMeshStandardMaterial?(r(_,g),h(_,g),g.isMeshPhysicalMaterial&&p(_,g,M)):g.isMeshMatcapMaterial?(r(_,g),m(_,g)):g.isMeshDepthMaterial?r(_,g):g.isMeshDistanceMaterial?(r(_,g),v(_,g)):g.isMeshNormalMaterial?r(_,g):g.isLineBasicMaterial?(o(_,g),g.isLineDashedMaterial&&a(_,g)):g.isPointsMaterial?l(_,g,y,E):g.isSpriteMaterial?c(_,g):g.isShadowMaterial?(_.color.value.copy(g.color),_.opacity.value=g.opacity):g.isShaderMaterial&&(g.uniformsNeedUpdate=!1)}function r(_,g){_.opacity.value=g.opacity,g.color&&_.diffuse.value.copy(g.color),g.emissive&&_.emissive.value.copy(g.emissive).multiplyScalar(g.emissiveIntensity),g.map&&(_.map.value=g.map,t(g.map,_.mapTransform)),g.alphaMap&&(_.alphaMap.value=g.alphaMap,t(g.alphaMap,_.alphaMapTransform)),g.bumpMap&&(_.bumpMap.value=g.bumpMap,t(g.bumpMap,_.bumpMapTransform),_.bumpScale.value=g.bumpScale,g.side===ai&&(_.bumpScale.value*=-1)),g.normalMap&&(_.normalMap.value=g.normalMap,t(g.normalMap,_.normalMapTransform),_.normalScale.value.copy(g.normalScale),g.side===ai&&_.normalScale.value.negate()),g.displacementMap&&(_.displacementMap.value=g.displacementMap,t(g.displacementMap,_.displacementMapTransform),_.displacementScale.value=g.displacementScale,_.displacementBias.value=g.displacementBias),g.emissiveMap&&(_.emissiveMap.value=g.emissiveMap,t(g.emissiveMap,_.emissiveMapTransform)),g.specularMap&&(_.specularMap.value=g.specularMap,t(g.specularMap,_.specularMapTransform)),g.alphaTest>0&&(_.alphaTest.value=g.alphaTest);let y=e.get(g),E=y.envMap,M=y.envMapRotation;E&&(_.envMap.value=E,_.envMapRotation.value.setFromMatrix4(vR.makeRotationFromEuler(M)).transpose(),E.isCubeTexture&&E.isRenderTargetTexture===!1&&_.envMapRotation.value.premultiply(zy),_.reflectivity.value=g.reflectivity,_.ior.value=g.ior,_.refractionRatio.value=g.refractionRatio),g.lightMap&&(_.lightMap.value=g.lightMap,_.lightMapIntensity.value=g.lightMapIntensity,t(g.lightMap,_.lightMapTransform)),g.aoMap&&(_.aoMap.value=g.aoMap,_.aoMapIntensity.value=g.aoMapIntensity,t(g.aoMap,_.aoMapTransform))}function o(_,g){_.diffuse.value.copy(g.color),_.opacity.value=g.opacity,g.map&&(_.map.value=g.map,t(g.map,_.mapTransform))}function a(_,g){_.dashSize.value=g.dashSize,_.totalSize.value=g.dashSize+g.gapSize,_.scale.value=g.scale}function l(_,g,y,E){_.diffuse.value.copy(g.color),_.opacity.value=g.opacity,_.size.value=g.size*y,_.scale.value=E*.5,g.map&&(_.map.value=g.map,t(g.map,_.uvTransform)),g.alphaMap&&(_.alphaMap.value=g.alphaMap,t(g.alphaMap,_.alphaMapTransform)),g.alphaTest>0&&(_.alphaTest.value=g.alphaTest)}function c(_,g){_.diffuse.value.copy(g.color),_.opacity.value=g.opacity,_.rotation.value=g.rotation,g.map&&(_.map.value=g.map,t(g.map,_.mapTransform)),g.alphaMap&&(_.alphaMap.value=g.alphaMap,t(g.alphaMap,_.alphaMapTransform)),g.alphaTest>0&&(_.alphaTest.value=g.alphaTest)}function u(_,g){_.specular.value.copy(g.specular),_.shininess.value=Math.max(g.shininess,1e-4)}function d(_,g){g.gradientMap&&(_.gradientMap.value=g.gradientMap)}function h(_,g){_.metalness.value=g.metalness,g.metalnessMap&&(_.metalnessMap.value=g.metalnessMap,t(g.metalnessMap,_.metalnessMapTransform)),_.roughness.value=g.roughness,g.roughnessMap&&(_.roughnessMap.value=g.roughnessMap,t(g.roughnessMap,_.roughnessMapTransform)),g.envMap&&(_.envMapIntensity.value=g.envMapIntensity)}function p(_,g,y){_.ior.value=g.ior,g.diffuseRoughness>0&&(_.diffuseRoughness.value=g.diffuseRoughness,g.diffuseRoughnessMap&&(_.diffuseRoughnessMap.value=g.diffuseRoughnessMap,t(g.diffuseRoughnessMap,_.diffuseRoughnessMapTransform))),g.sheen>0&&(_.sheenColor.value.copy(g.sheenColor).multiplyScalar(g.sheen),_.sheenRoughness.value=g.sheenRoughness,g.sheenColorMap&&(_.sheenColorMap.value=g.sheenColorMap,t(g.sheenColorMap,_.sheenColorMapTransform)),g.sheenRoughnessMap&&(_.sheenRoughnessMap.value=g.sheenRoughnessMap,t(g.sheenRoughnessMap,_.sheenRoughnessMapTransform))),g.clearcoat>0&&(_.clearcoat.value=g.clearcoat,_.clearcoatRoughness.value=g.clearcoatRoughness,g.clearcoatMap&&(_.clearcoatMap.value=g.clearcoatMap,t(g.clearcoatMap,_.clearcoatMapTransform)),g.clearcoatRoughnessMap&&(_.clearcoatRoughnessMap.value=g.clearcoatRoughnessMap,t(g.clearcoatRoughnessMap,_.clearcoatRoughnessMapTransform)),g.clearcoatNormalMap&&(_.clearcoatNormalMap.value=g.clearcoatNormalMap,t(g.clearcoatNormalMap,_.clearcoatNormalMapTransform),_.clearcoatNormalScale.value.copy(g.clearcoatNormalScale),g.side===ai&&_.clearcoatNormalScale.value.negate())),g.dispersion>0&&(_.dispersion.value=g.dispersion),g.retroreflectivity>0&&(_.retroreflectivity.value=g.retroreflectivity),g.iridescence>0&&(_.iridescence.value=g.iridescence,_.iridescenceIOR.value=g.iridescenceIOR,_.iridescenceThicknessMinimum.value=g.iridescenceThicknessMinimum,_.iridescenceThicknessMaximum.value=g.iridescenceThicknessMaximum,g.iridescenceMap&&(_.iridescenceMap.value=g.iridescenceMap,t(g.iridescenceMap,_.iridescenceMapTransform)),g.iridescenceThicknessMap&&(_.iridescenceThicknessMap.value=g.iridescenceThicknessMap,t(g.iridescenceThicknessMap,_.iridescenceThicknessMapTransform))),g.transmission>0&&(_.transmission.value=g.transmission,_.transmissionSamplerMap.value=y.texture,_.transmissionSamplerSize.value.set(y.width,y.height),g.transmissionMap&&(_.transmissionMap.value=g.transmissionMap,t(g.transmissionMap,_.transmissionMapTransform)),_.thickness.value=g.thickness,g.thicknessMap&&(_.thicknessMap.value=g.thicknessMap,t(g.thicknessMap,_.thicknessMapTransform)),_.attenuationDistance.value=g.attenuationDistance,_.attenuationColor.value.copy(g.attenuationColor)),g.anisotropy>0&&(_.anisotropyVector.value.set(g.anisotropy*Math.cos(g.anisotropyRotation),g.anisotropy*Math.sin(g.anisotropyRotation)),g.anisotropyMap&&(_.anisotropyMap.value=g.anisotropyMap,t(g.anisotropyMap,_.anisotropyMapTransform))),_.specularIntensity.value=g.specularIntensity,_.specularColor.value.copy(g.specularColor),g.specularColorMap&&(_.specularColorMap.value=g.specularColorMap,t(g.specularColorMap,_.specularColorMapTransform)),g.specularIntensityMap&&(_.specularIntensityMap.value=g.specularIntensityMap,t(g.specularIntensityMap,_.specularIntensityMapTransform))}function m(_,g){g.matcap&&(_.matcap.value=g.matcap)}function v(_,g){let y=e.get(g).light;_.referencePosition.value.setFromMatrixPosition(y.matrixWorld),_.nearDistance.value=y.shadow.camera.near,_.farDistance.value=y.shadow.camera.far}return{refreshFogUniforms:i,refreshMaterialUniforms:s}}function SR(n,e,t,i){let s={},r={};function o(y,E){let M=E.program;i.uniformBlockBinding(y,M,s[y.id])}function a(y,E){let M=s[y.id];M===void 0&&(m(y),M=l(y),s[y.id]=M,y.addEventListener("dispose",_));let I=E.program;i.updateUBOMapping(y,I);let C=e.render.frame;r[y.id]!==C&&(c(y),r[y.id]=C)}function l(y){let E=n.createBuffer(),M=y.__size,I=y.usage;return n.bindBuffer(n.UNIFORM_BUFFER,E),n.bufferData(n.UNIFORM_BUFFER,M,I),n.bindBuffer(n.UNIFORM_BUFFER,null),E}function c(y){let E=s[y.id],M=y.uniforms,I=y.__cache;n.bindBuffer(n.UNIFORM_BUFFER,E);for(let C=0,b=M.length;C<b;C++){let A=M[C];if(Array.isArray(A))for(let H=0,F=A.length;H<F;H++)u(A[H],C,H,I);else u(A,C,0,I)}n.bindBuffer(n.UNIFORM_BUFFER,null)}function u(y,E,M,I){if(h(y,E,M,I)===!0){let C=y.__offset,b=y.value;if(Array.isArray(b)){let A=0;for(let H=0;H<b.length;H++){let F=b[H],D=v(F,!0);d(F,y.__data,A),A+=D.storage/Float32Array.BYTES_PER_ELEMENT}}else d(b,y.__data,0);n.bufferSubData(n.UNIFORM_BUFFER,C,y.__data)}}function d(y,E,M){typeof y=="number"||typeof y=="boolean"?E[M]=y:y.isMatrix3?(E[M]=y.elements[0],E[M+1]=y.elements[1],E[M+2]=y.elements[2],E[M+3]=0,E[M+4]=y.elements[3],E[M+5]=y.elements[4],E[M+6]=y.elements[5],E[M+7]=0,E[M+8]=y.elements[6],E[M+9]=y.elements[7],E[M+10]=y.elements[8],E[M+11]=0):ArrayBuffer.isView(y)?E.set(y.subarray(0,E.length-M),M):y.toArray(E,M)}function h(y,E,M,I){let C=y.value,b=E+"_"+M;if(Array.isArray(C)){I[b]===void 0&&(I[b]=[]);let A=I[b],H=!1;for(let F=0;F<C.length;F++)p(C[F],A,F)===!0&&(H=!0);return H}return p(C,I,b)}function p(y,E,M){if(E[M]===void 0)return typeof y=="number"||typeof y=="boolean"?E[M]=y:ArrayBuffer.isView(y)?E[M]=y.slice():E[M]=y.clone(),!0;{let I=E[M];if(typeof y=="number"||typeof y=="boolean"){if(I!==y)return E[M]=y,!0}else{if(ArrayBuffer.isView(y))return!0;if(I.equals(y)===!1)return I.copy(y),!0}}return!1}function m(y){let E=y.uniforms,M=0,I=16;for(let b=0,A=E.length;b<A;b++){let H=Array.isArray(E[b])?E[b]:[E[b]];for(let F=0,D=H.length;F<D;F++){let G=H[F],V=Array.isArray(G.value)?G.value:[G.value],N=Array.isArray(E[b])||Array.isArray(G.value),W=M;for(let z=0,ue=V.length;z<ue;z++){let K=V[z],Q=v(K,N),se=M%I,fe=se%Q.boundary,de=se+fe;M+=fe,de!==0&&I-de<Q.storage&&(M+=I-de),z===0&&(W=M),M+=Q.storage}let Z=G.type==="int"?Int32Array:G.type==="uint"?Uint32Array:Float32Array;G.__data=new Z((M-W)/Float32Array.BYTES_PER_ELEMENT),G.__offset=W}}let C=M%I;return C>0&&(M+=I-C),y.__size=M,y.__cache={},this}function v(y,E){let M={boundary:0,storage:0};return typeof y=="number"||typeof y=="boolean"?(M.boundary=4,M.storage=4):y.isVector2?(M.boundary=8,M.storage=8):y.isVector3||y.isColor?(M.boundary=16,M.storage=12):y.isVector4?(M.boundary=16,M.storage=16):y.isMatrix3?(M.boundary=16,M.storage=48):y.isMatrix4?(M.boundary=16,M.storage=64):y.isTexture?Ze("WebGLRenderer: Texture samplers can not be part of an uniforms group."):ArrayBuffer.isView(y)?(M.boundary=16,M.storage=y.byteLength):Ze("WebGLRenderer: Unsupported uniform value type.",y),E===!0&&(M.boundary=16,M.storage=Math.ceil(M.storage/16)*16),M}function _(y){let E=y.target;E.removeEventListener("dispose",_),n.deleteBuffer(s[E.id]),delete s[E.id],delete r[E.id]}function g(){for(let y in s)n.deleteBuffer(s[y]);s={},r={}}return{bind:o,update:a,dispose:g}}var MR=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,14545,13625,14713,13328,14840,12882,14931,12528,14996,12233,15039,11829,15066,11525,15080,11295,15085,10976,15082,10705,15073,10495,13880,14564,13898,14542,13977,14430,14158,14124,14393,13732,14556,13410,14702,12996,14814,12596,14891,12291,14937,11834,14957,11489,14958,11194,14943,10803,14921,10506,14893,10278,14858,9960,14484,14039,14487,14025,14499,13941,14524,13740,14574,13468,14654,13106,14743,12678,14818,12344,14867,11893,14889,11509,14893,11180,14881,10751,14852,10428,14812,10128,14765,9754,14712,9466,14764,13480,14764,13475,14766,13440,14766,13347,14769,13070,14786,12713,14816,12387,14844,11957,14860,11549,14868,11215,14855,10751,14825,10403,14782,10044,14729,9651,14666,9352,14599,9029,14967,12835,14966,12831,14963,12804,14954,12723,14936,12564,14917,12347,14900,11958,14886,11569,14878,11247,14859,10765,14828,10401,14784,10011,14727,9600,14660,9289,14586,8893,14508,8533,15111,12234,15110,12234,15104,12216,15092,12156,15067,12010,15028,11776,14981,11500,14942,11205,14902,10752,14861,10393,14812,9991,14752,9570,14682,9252,14603,8808,14519,8445,14431,8145,15209,11449,15208,11451,15202,11451,15190,11438,15163,11384,15117,11274,15055,10979,14994,10648,14932,10343,14871,9936,14803,9532,14729,9218,14645,8742,14556,8381,14461,8020,14365,7603,15273,10603,15272,10607,15267,10619,15256,10631,15231,10614,15182,10535,15118,10389,15042,10167,14963,9787,14883,9447,14800,9115,14710,8665,14615,8318,14514,7911,14411,7507,14279,7198,15314,9675,15313,9683,15309,9712,15298,9759,15277,9797,15229,9773,15166,9668,15084,9487,14995,9274,14898,8910,14800,8539,14697,8234,14590,7790,14479,7409,14367,7067,14178,6621,15337,8619,15337,8631,15333,8677,15325,8769,15305,8871,15264,8940,15202,8909,15119,8775,15022,8565,14916,8328,14804,8009,14688,7614,14569,7287,14448,6888,14321,6483,14088,6171,15350,7402,15350,7419,15347,7480,15340,7613,15322,7804,15287,7973,15229,8057,15148,8012,15046,7846,14933,7611,14810,7357,14682,7069,14552,6656,14421,6316,14251,5948,14007,5528,15356,5942,15356,5977,15353,6119,15348,6294,15332,6551,15302,6824,15249,7044,15171,7122,15070,7050,14949,6861,14818,6611,14679,6349,14538,6067,14398,5651,14189,5311,13935,4958,15359,4123,15359,4153,15356,4296,15353,4646,15338,5160,15311,5508,15263,5829,15188,6042,15088,6094,14966,6001,14826,5796,14678,5543,14527,5287,14377,4985,14133,4586,13869,4257,15360,1563,15360,1642,15358,2076,15354,2636,15341,3350,15317,4019,15273,4429,15203,4732,15105,4911,14981,4932,14836,4818,14679,4621,14517,4386,14359,4156,14083,3795,13808,3437,15360,122,15360,137,15358,285,15355,636,15344,1274,15322,2177,15281,2765,15215,3223,15120,3451,14995,3569,14846,3567,14681,3466,14511,3305,14344,3121,14037,2800,13753,2467,15360,0,15360,1,15359,21,15355,89,15346,253,15325,479,15287,796,15225,1148,15133,1492,15008,1749,14856,1882,14685,1886,14506,1783,14324,1608,13996,1398,13702,1183]),Fs=null;function wR(){return Fs===null&&(Fs=new ra(MR,16,16,Lr,fs),Fs.name="DFG_LUT",Fs.minFilter=oi,Fs.magFilter=oi,Fs.wrapS=Ps,Fs.wrapT=Ps,Fs.generateMipmaps=!1,Fs.needsUpdate=!0),Fs}var Ih=class{constructor(e={}){let{canvas:t=Qx(),context:i=null,depth:s=!0,stencil:r=!1,alpha:o=!1,antialias:a=!1,premultipliedAlpha:l=!0,preserveDrawingBuffer:c=!1,powerPreference:u="default",failIfMajorPerformanceCaveat:d=!1,reversedDepthBuffer:h=!1,outputBufferType:p=Li}=e;this.isWebGLRenderer=!0;let m;if(i!==null){if(typeof WebGLRenderingContext<"u"&&i instanceof WebGLRenderingContext)throw new Error("THREE.WebGLRenderer: WebGL 1 is not supported since r163.");m=i.getContextAttributes().alpha}else m=o;let v=p,_=new Set([Zu,Ju,Yu]),g=new Set([Li,ds,fa,so,$u,qu]),y=new Uint32Array(4),E=new Int32Array(4),M={textures:[],min:[],max:[],resolution:[]},I=null,C=null,b=[],A=[],H=null;this.domElement=t,this.debug={checkShaderErrors:!0,diagnostics:{keywords:!1},onShaderError:null},this.autoClear=!0,this.autoClearColor=!0,this.autoClearDepth=!0,this.autoClearStencil=!0,this.sortObjects=!0,this.clippingPlanes=[],this.localClippingEnabled=!1,this.toneMapping=Ns,this.toneMappingExposure=1,this.transmissionResolutionScale=1;let F=this,D=!1,G=null,V=null,N=null,W=null;this._outputColorSpace=Ai;let Z=0,z=0,ue=null,K=-1,Q=null,se=new on,fe=new on,de=null,ee=new Rt(0),ge=0,ye=t.width,Ce=t.height,Me=1,$e=null,lt=null,He=new on(0,0,ye,Ce),_t=new on(0,0,ye,Ce),ft=!1,rt=new jr,tn=new Mu,$t=!1,gn=!1,zt=new Yt,Dn=new $,At=new on,En={background:null,fog:null,environment:null,overrideMaterial:null,isScene:!0},an=!1;function _n(){return ue===null?Me:1}let O=i;function Pe(T,k){return t.getContext(T,k)}let Je,ct,we,Ht,Ge,Ye,R,S,X,he,oe,xe,ve,te,ie,me,U,re,ne,Te,_e,Se,We;try{let T={alpha:!0,depth:s,stencil:r,antialias:a,premultipliedAlpha:l,preserveDrawingBuffer:c,powerPreference:u,failIfMajorPerformanceCaveat:d};if("setAttribute"in t&&t.setAttribute("data-engine",`three.js r${"187"}`),t.addEventListener("webglcontextlost",ke,!1),t.addEventListener("webglcontextrestored",et,!1),t.addEventListener("webglcontextcreationerror",Re,!1),O===null){let k="webgl2";if(O=Pe(k,T),O===null)throw Pe(k)?new Error("THREE.WebGLRenderer: Error creating WebGL context with your selected attributes."):new Error("THREE.WebGLRenderer: Error creating WebGL context.")}Qe()}catch(T){throw t.removeEventListener("webglcontextlost",ke,!1),t.removeEventListener("webglcontextrestored",et,!1),t.removeEventListener("webglcontextcreationerror",Re,!1),it("WebGLRenderer: "+T.message),T}function Qe(){Je=new FE(O),Je.init(),_e=new _R(O,Je),ct=new wE(O,Je,e,_e),we=new mR(O,Je),ct.reversedDepthBuffer&&h&&we.buffers.depth.setReversed(!0),V=O.createFramebuffer(),N=O.createFramebuffer(),W=O.createFramebuffer(),Ht=new kE(O),Ge=new tR,Ye=new gR(O,Je,we,Ge,ct,_e,Ht),R=new NE(F),S=new V1(O),Se=new SE(O,S),X=new UE(O,S,Ht,Se),he=new VE(O,X,S,Se,Ht),re=new BE(O,ct,Ye),ie=new TE(Ge),oe=new eR(F,R,Je,ct,Se,ie),xe=new bR(F,Ge),ve=new iR,te=new cR(Je),U=new bE(F,R,we,he,m,l),me=new pR(F,he,ct),We=new SR(O,Ht,ct,we),ne=new ME(O,Je,Ht),Te=new OE(O,Je,Ht),Ht.programs=oe.programs,F.capabilities=ct,F.extensions=Je,F.properties=Ge,F.renderLists=ve,F.shadowMap=me,F.state=we,F.info=Ht}v!==Li&&(H=new GE(v,t.width,t.height,a,s,r));let ce=new jp(F,O);this.xr=ce,this.getContext=function(){return O},this.getContextAttributes=function(){return O.getContextAttributes()},this.forceContextLoss=function(){let T=Je.get("WEBGL_lose_context");T&&T.loseContext()},this.forceContextRestore=function(){let T=Je.get("WEBGL_lose_context");T&&T.restoreContext()},this.getPixelRatio=function(){return Me},this.setPixelRatio=function(T){T!==void 0&&(Me=T,this.setSize(ye,Ce,!1))},this.getSize=function(T){return T.set(ye,Ce)},this.setSize=function(T,k,j=!0){if(ce.isPresenting){Ze("WebGLRenderer: Can't change size while VR device is presenting.");return}ye=T,Ce=k,t.width=Math.floor(T*Me),t.height=Math.floor(k*Me),j===!0&&(t.style.width=T+"px",t.style.height=k+"px"),H!==null&&H.setSize(t.width,t.height),this.setViewport(0,0,T,k)},this.getDrawingBufferSize=function(T){return T.set(ye*Me,Ce*Me).floor()},this.setDrawingBufferSize=function(T,k,j){ye=T,Ce=k,Me=j,t.width=Math.floor(T*j),t.height=Math.floor(k*j),this.setViewport(0,0,T,k)},this.setEffects=function(T){if(v===Li){it("WebGLRenderer: setEffects() requires outputBufferType set to HalfFloatType or FloatType.");return}if(T){for(let k=0;k<T.length;k++)if(T[k].isOutputPass===!0){Ze("WebGLRenderer: OutputPass is not needed in setEffects(). Tone mapping and color space conversion are applied automatically.");break}}H.setEffects(T||[])},this.getCurrentViewport=function(T){return T.copy(se)},this.getViewport=function(T){return T.copy(He)},this.setViewport=function(T,k,j,q){T.isVector4?He.set(T.x,T.y,T.z,T.w):He.set(T,k,j,q),we.viewport(se.copy(He).multiplyScalar(_n()).round())},this.getScissor=function(T){return T.copy(_t)},this.setScissor=function(T,k,j,q){T.isVector4?_t.set(T.x,T.y,T.z,T.w):_t.set(T,k,j,q),we.scissor(fe.copy(_t).multiplyScalar(_n()).round())},this.getScissorTest=function(){return ft},this.setScissorTest=function(T){we.setScissorTest(ft=T)},this.setOpaqueSort=function(T){$e=T},this.setTransparentSort=function(T){lt=T},this.getClearColor=function(T){return T.copy(U.getClearColor())},this.setClearColor=function(){U.setClearColor(...arguments)},this.getClearAlpha=function(){return U.getClearAlpha()},this.setClearAlpha=function(){U.setClearAlpha(...arguments)},this.clear=function(T=!0,k=!0,j=!0){let q=0;if(T){let Y=!1;if(ue!==null){let Ae=ue.texture.format;Y=_.has(Ae)}if(Y){let Ae=ue.texture.type,Ie=g.has(Ae),Ee=U.getClearColor(),Le=U.getClearAlpha(),Ve=Ee.r,nt=Ee.g,yt=Ee.b;Ie?(y[0]=Ve,y[1]=nt,y[2]=yt,y[3]=Le,O.clearBufferuiv(O.COLOR,0,y)):(E[0]=Ve,E[1]=nt,E[2]=yt,E[3]=Le,O.clearBufferiv(O.COLOR,0,E))}else q|=O.COLOR_BUFFER_BIT}k&&(q|=O.DEPTH_BUFFER_BIT,this.state.buffers.depth.setMask(!0)),j&&(q|=O.STENCIL_BUFFER_BIT,this.state.buffers.stencil.setMask(4294967295)),q!==0&&O.clear(q)},this.clearColor=function(){this.clear(!0,!1,!1)},this.clearDepth=function(){this.clear(!1,!0,!1)},this.clearStencil=function(){this.clear(!1,!1,!0)},this.setNodesHandler=function(T){T.setRenderer(this),G=T},this.dispose=function(){t.removeEventListener("webglcontextlost",ke,!1),t.removeEventListener("webglcontextrestored",et,!1),t.removeEventListener("webglcontextcreationerror",Re,!1),U.dispose(),ve.dispose(),te.dispose(),Ye.dispose(),Ge.dispose(),R.dispose(),he.dispose(),X.dispose(),Se.dispose(),We.dispose(),oe.dispose(),ce.dispose(),ce.removeEventListener("sessionstart",Vl),ce.removeEventListener("sessionend",gs),ks.stop()};function ke(T){T.preventDefault(),rl("WebGLRenderer: Context Lost."),D=!0}function et(){rl("WebGLRenderer: Context Restored."),D=!1;let T=Ht.autoReset,k=me.enabled,j=me.autoUpdate,q=me.needsUpdate,Y=me.type;Qe(),Ht.autoReset=T,me.enabled=k,me.autoUpdate=j,me.needsUpdate=q,me.type=Y}function Re(T){it("WebGLRenderer: A WebGL context could not be created. Reason: ",T.statusMessage)}function ht(T){let k=T.target;k.removeEventListener("dispose",ht),Jt(k)}function Jt(T){Zn(T),Ge.remove(T)}function Zn(T){let k=Ge.get(T).programs;k!==void 0&&(k.forEach(function(j){oe.releaseProgram(j)}),T.isShaderMaterial&&oe.releaseShaderCache(T))}this.renderBufferDirect=function(T,k,j,q,Y,Ae){k===null&&(k=En);let Ie=Y.isMesh&&Y.matrixWorld.determinantAffine()<0,Ee=wa(T,k,j,q,Y);we.setMaterial(q,Ie);let Le=j.index,Ve=1;if(q.wireframe===!0){if(Le=X.getWireframeAttribute(j),Le===void 0)return;Ve=2}let nt=j.drawRange,yt=j.attributes.position,Be=nt.start*Ve,vt=(nt.start+nt.count)*Ve;Ae!==null&&(Be=Math.max(Be,Ae.start*Ve),vt=Math.min(vt,(Ae.start+Ae.count)*Ve)),Le!==null?(Be=Math.max(Be,0),vt=Math.min(vt,Le.count)):yt!=null&&(Be=Math.max(Be,0),vt=Math.min(vt,yt.count));let rn=vt-Be;if(rn<0||rn===1/0)return;Se.setup(Y,q,Ee,j,Le);let Ut,Ot=ne;if(Le!==null&&(Ut=S.get(Le),Ot=Te,Ot.setIndex(Ut)),Y.isMesh)q.wireframe===!0?(we.setLineWidth(q.wireframeLinewidth*_n()),Ot.setMode(O.LINES)):Ot.setMode(O.TRIANGLES);else if(Y.isLine){let Cn=q.linewidth;Cn===void 0&&(Cn=1),we.setLineWidth(Cn*_n()),Y.isLineSegments?Ot.setMode(O.LINES):Y.isLineLoop?Ot.setMode(O.LINE_LOOP):Ot.setMode(O.LINE_STRIP)}else Y.isPoints?Ot.setMode(O.POINTS):Y.isSprite&&Ot.setMode(O.TRIANGLES);if(Y.isBatchedMesh)if(Je.get("WEBGL_multi_draw"))Ot.renderMultiDraw(Y._multiDrawStarts,Y._multiDrawCounts,Y._multiDrawCount);else{let Cn=Y._multiDrawStarts,Ue=Y._multiDrawCounts,xn=Y._multiDrawCount,Mt=Le?S.get(Le).bytesPerElement:1,Vs=Ge.get(q).currentProgram.getUniforms();for(let yn=0;yn<xn;yn++)Vs.setValue(O,"_gl_DrawID",yn),Ot.render(Cn[yn]/Mt,Ue[yn])}else if(Y.isInstancedMesh)Ot.renderInstances(Be,rn,Y.count);else if(j.isInstancedBufferGeometry){let Cn=j._maxInstanceCount!==void 0?j._maxInstanceCount:1/0,Ue=Math.min(j.instanceCount,Cn);Ot.renderInstances(Be,rn,Ue)}else Ot.render(Be,rn)};function ba(T,k,j,q){G!==null&&T.isNodeMaterial&&G.setObject(q,T),$t===!0&&ie.setState(T,j,!1),T.transparent===!0&&T.side===Zi&&T.forceSinglePass===!1?(T.side=ai,T.needsUpdate=!0,_s(T,k,q),T.side=Ir,T.needsUpdate=!0,_s(T,k,q),T.side=Zi):_s(T,k,q)}this.compile=function(T,k,j=null){j===null&&(j=T),G!==null&&G.renderStart(T,k,j),C=te.get(j),C.init(k),A.push(C),j.traverseVisible(function(Y){Y.isLight&&Y.layers.test(k.layers)&&(C.pushLight(Y),Y.castShadow&&C.pushShadow(Y))}),T!==j&&T.traverseVisible(function(Y){Y.isLight&&Y.layers.test(k.layers)&&(C.pushLight(Y),Y.castShadow&&C.pushShadow(Y))}),C.setupLights(),G!==null&&G.updateLights(C.state.lightsArray),gn=this.localClippingEnabled,$t=ie.init(this.clippingPlanes,gn),$t===!0&&ie.setGlobalState(this.clippingPlanes,k),G!==null&&me.render(C.state.shadowsArray,j,k);let q=new Set;return T.traverse(function(Y){if(!(Y.isMesh||Y.isPoints||Y.isLine||Y.isSprite))return;let Ae=Y.material;if(Ae)if(Array.isArray(Ae))for(let Ie=0;Ie<Ae.length;Ie++){let Ee=Ae[Ie];ba(Ee,j,k,Y),q.add(Ee)}else ba(Ae,j,k,Y),q.add(Ae)}),C=A.pop(),G!==null&&G.renderEnd(),q},this.compileAsync=function(T,k,j=null){let q=this.compile(T,k,j);return new Promise(Y=>{function Ae(){if(q.forEach(function(Ie){let Le=Ge.get(Ie).currentProgram;(Le===void 0||Le.isReady())&&q.delete(Ie)}),q.size===0){Y(T);return}setTimeout(Ae,10)}Je.get("KHR_parallel_shader_compile")!==null?Ae():setTimeout(Ae,10)})};let lo=null;function bd(T){lo&&lo(T)}function Vl(){ks.stop()}function gs(){ks.start()}let ks=new Iy;ks.setAnimationLoop(bd),typeof self<"u"&&ks.setContext(self),this.setAnimationLoop=function(T){lo=T,ce.setAnimationLoop(T),T===null?ks.stop():ks.start()},ce.addEventListener("sessionstart",Vl),ce.addEventListener("sessionend",gs),this.render=function(T,k){if(k!==void 0&&k.isCamera!==!0){it("WebGLRenderer.render: camera is not an instance of THREE.Camera.");return}if(D===!0)return;G!==null&&G.renderStart(T,k);let j=ce.enabled===!0&&ce.isPresenting===!0,q=H!==null&&(ue===null||j)&&H.begin(F,ue);if(T.matrixWorldAutoUpdate===!0&&T.updateMatrixWorld(),k.parent===null&&k.matrixWorldAutoUpdate===!0&&k.updateMatrixWorld(),ce.enabled===!0&&ce.isPresenting===!0&&(H===null||H.isCompositing()===!1)&&(ce.cameraAutoUpdate===!0&&ce.updateCamera(k),k=ce.getCamera()),T.isScene===!0&&T.onBeforeRender(F,T,k,ue),C=te.get(T,A.length),C.init(k),C.state.textureUnits=Ye.getTextureUnits(),A.push(C),zt.multiplyMatrices(k.projectionMatrix,k.matrixWorldInverse),k.isArrayCamera?tn.setFromArrayCamera(k):rt.setFromProjectionMatrix(zt,Yi,k.reversedDepth),gn=this.localClippingEnabled,$t=ie.init(this.clippingPlanes,gn),I=ve.get(T,b.length),I.init(),b.push(I),this.info.render.frame++,ce.enabled===!0&&ce.isPresenting===!0){let Ie=F.xr.getDepthSensingMesh();Ie!==null&&Bs(Ie,k,-1/0,F.sortObjects)}Bs(T,k,0,F.sortObjects),I.finish(),G!==null&&G.updateLights(C.state.lightsArray),F.sortObjects===!0&&I.sort($e,lt),an=ce.enabled===!1||ce.isPresenting===!1||ce.hasDepthSensing()===!1,an&&U.addToRenderList(I,T),this.info.autoReset===!0&&this.info.reset(),$t===!0&&ie.beginShadows();let Y=C.state.shadowsArray;if(me.render(Y,T,k),$t===!0&&ie.endShadows(),(q&&H.hasRenderPass())===!1){let Ie=I.opaque,Ee=I.transmissive;if(C.setupLights(),k.isArrayCamera){let Le=k.cameras;if(Ee.length>0)for(let Ve=0,nt=Le.length;Ve<nt;Ve++){let yt=Le[Ve];Ki(Ie,Ee,T,yt)}an&&U.render(T);for(let Ve=0,nt=Le.length;Ve<nt;Ve++){let yt=Le[Ve];Sa(I,T,yt,yt.viewport)}}else Ee.length>0&&Ki(Ie,Ee,T,k),an&&U.render(T),Sa(I,T,k)}ue!==null&&z===0&&(Ye.updateMultisampleRenderTarget(ue),Ye.updateRenderTargetMipmap(ue)),q&&H.end(F),T.isScene===!0&&T.onAfterRender(F,T,k),Se.resetDefaultState(),K=-1,Q=null,A.pop(),A.length>0?(C=A[A.length-1],Ye.setTextureUnits(C.state.textureUnits),$t===!0&&ie.setGlobalState(F.clippingPlanes,C.state.camera)):C=null,b.pop(),b.length>0?I=b[b.length-1]:I=null,G!==null&&G.renderEnd()};function Bs(T,k,j,q){if(T.visible===!1)return;if(T.layers.test(k.layers)){if(T.isGroup)j=T.renderOrder;else if(T.isLOD)T.autoUpdate===!0&&T.update(k);else if(T.isLight)C.pushLight(T),T.castShadow&&C.pushShadow(T);else if(T.isSprite){let Ie=k.isArrayCamera?tn:rt;if(!T.frustumCulled||T.intersectsFrustum(Ie)){q&&At.setFromMatrixPosition(T.matrixWorld).applyMatrix4(zt);let Ee=he.update(T),Le=T.material;Le.visible&&I.push(T,Ee,Le,j,At.z,null,k)}}else if(T.isMesh||T.isLine||T.isPoints){let Ie=k.isArrayCamera?tn:rt;if(!T.frustumCulled||T.intersectsFrustum(Ie)){let Ee=he.update(T),Le=T.material;if(q&&(T.boundingSphere!==void 0?(T.boundingSphere===null&&T.computeBoundingSphere(),At.copy(T.boundingSphere.center)):(Ee.boundingSphere===null&&Ee.computeBoundingSphere(),At.copy(Ee.boundingSphere.center)),At.applyMatrix4(T.matrixWorld).applyMatrix4(zt)),Array.isArray(Le)){let Ve=Ee.groups;for(let nt=0,yt=Ve.length;nt<yt;nt++){let Be=Ve[nt],vt=Le[Be.materialIndex];vt&&vt.visible&&I.push(T,Ee,vt,j,At.z,Be,k)}}else Le.visible&&I.push(T,Ee,Le,j,At.z,null,k)}}}let Ae=T.children;for(let Ie=0,Ee=Ae.length;Ie<Ee;Ie++)Bs(Ae[Ie],k,j,q)}function Sa(T,k,j,q){let{opaque:Y,transmissive:Ae,transparent:Ie}=T;C.setupLightsView(j),$t===!0&&ie.setGlobalState(F.clippingPlanes,j),q&&we.viewport(se.copy(q)),Y.length>0&&ln(Y,k,j),Ae.length>0&&ln(Ae,k,j),Ie.length>0&&ln(Ie,k,j),we.buffers.depth.setTest(!0),we.buffers.depth.setMask(!0),we.buffers.color.setMask(!0),we.setPolygonOffset(!1)}function Ki(T,k,j,q){if((j.isScene===!0?j.overrideMaterial:null)!==null)return;if(C.state.transmissionRenderTarget[q.id]===void 0){let Be=Je.has("EXT_color_buffer_half_float")||Je.has("EXT_color_buffer_float");C.state.transmissionRenderTarget[q.id]=new Ri(1,1,{generateMipmaps:!0,type:Be?fs:Li,minFilter:nr,samples:Math.max(4,ct.samples),stencilBuffer:r,resolveDepthBuffer:!1,resolveStencilBuffer:!1,storeMultisampledDepthBuffer:!1,storeMultisampledStencilBuffer:!1,colorSpace:bt.workingColorSpace})}let Ae=C.state.transmissionRenderTarget[q.id],Ie=q.viewport||se;Ae.setSize(Ie.z*F.transmissionResolutionScale,Ie.w*F.transmissionResolutionScale);let Ee=F.getRenderTarget(),Le=F.getActiveCubeFace(),Ve=F.getActiveMipmapLevel();F.setRenderTarget(Ae),F.getClearColor(ee),ge=F.getClearAlpha(),ge<1&&F.setClearColor(16777215,.5),F.clear(),an&&U.render(j);let nt=F.toneMapping;F.toneMapping=Ns;let yt=q.viewport;if(q.viewport!==void 0&&(q.viewport=void 0),C.setupLightsView(q),$t===!0&&ie.setGlobalState(F.clippingPlanes,q),ln(T,j,q),Ye.updateMultisampleRenderTarget(Ae),Ye.updateRenderTargetMipmap(Ae),Je.has("WEBGL_multisampled_render_to_texture")===!1){let Be=!1;for(let vt=0,rn=k.length;vt<rn;vt++){let Ut=k[vt],{object:Ot,geometry:Cn,material:Ue,group:xn}=Ut;if(Ue.side===Zi&&Ot.layers.test(q.layers)){let Mt=Ue.side;Ue.side=ai,Ue.needsUpdate=!0,fn(Ot,j,q,Cn,Ue,xn),Ue.side=Mt,Ue.needsUpdate=!0,Be=!0}}Be===!0&&(Ye.updateMultisampleRenderTarget(Ae),Ye.updateRenderTargetMipmap(Ae))}F.setRenderTarget(Ee,Le,Ve),F.setClearColor(ee,ge),yt!==void 0&&(q.viewport=yt),F.toneMapping=nt}function ln(T,k,j){let q=k.isScene===!0?k.overrideMaterial:null;for(let Y=0,Ae=T.length;Y<Ae;Y++){let Ie=T[Y],{object:Ee,geometry:Le,group:Ve}=Ie,nt=Ie.material;nt.allowOverride===!0&&q!==null&&(nt=q),Ee.layers.test(j.layers)&&fn(Ee,k,j,Le,nt,Ve)}}function fn(T,k,j,q,Y,Ae){G!==null&&Y.isNodeMaterial&&G.setObject(T,Y),T.onBeforeRender(F,k,j,q,Y,Ae),T.modelViewMatrix.multiplyMatrices(j.matrixWorldInverse,T.matrixWorld),T.normalMatrix.getNormalMatrix(T.modelViewMatrix),Y.onBeforeRender(F,k,j,q,T,Ae),Y.transparent===!0&&Y.side===Zi&&Y.forceSinglePass===!1?(Y.side=ai,Y.needsUpdate=!0,F.renderBufferDirect(j,k,q,Y,T,Ae),Y.side=Ir,Y.needsUpdate=!0,F.renderBufferDirect(j,k,q,Y,T,Ae),Y.side=Zi):F.renderBufferDirect(j,k,q,Y,T,Ae),T.onAfterRender(F,k,j,q,Y,Ae)}function pn(T){let k=0;for(let j of T)j.texture!==null&&k++;return k}function _s(T,k,j){k.isScene!==!0&&(k=En);let q=Ge.get(T),Y=C.state.lights,Ae=C.state.shadowsArray,Ie=Y.state.version,Ee=oe.getParameters(T,Y.state,Ae,k,j,C.state.lightProbeGridArray),Le=oe.getProgramCacheKey(Ee),Ve=q.programs;q.environment=T.isMeshStandardMaterial||T.isMeshLambertMaterial||T.isMeshPhongMaterial?k.environment:null,q.fog=k.fog;let nt=T.isMeshStandardMaterial||T.isMeshLambertMaterial&&!T.envMap||T.isMeshPhongMaterial&&!T.envMap;q.envMap=R.get(T.envMap||q.environment,nt),q.envMapRotation=q.environment!==null&&T.envMap===null?k.environmentRotation:T.envMapRotation,Ve===void 0&&(T.addEventListener("dispose",ht),Ve=new Map,q.programs=Ve,q.programVariants=new Map);let yt=Ve.get(Le);if(yt!==void 0){if(q.currentProgram===yt&&q.lightsStateVersion===Ie)return Ma(T,Ee),yt}else Ee.uniforms=oe.getUniforms(T),G!==null&&T.isNodeMaterial&&G.build(T,j,Ee),T.onBeforeCompile(Ee,F),yt=oe.acquireProgram(Ee,Le),Ve.set(Le,yt),q.uniforms=Ee.uniforms;let Be=q.uniforms;return(!T.isShaderMaterial&&!T.isRawShaderMaterial||T.clipping===!0)&&(Be.clippingPlanes=ie.uniform),Ma(T,Ee),q.needsLights=lr(T),q.lightsStateVersion=Ie,q.needsLights&&(Be.ambientLightColor.value=Y.state.ambient,Be.lightProbe.value=Y.state.probe,Be.sunLights.value=Y.state.sun,Be.sunLightShadows.value=Y.state.sunShadow,Be.directionalLights.value=Y.state.directional,Be.directionalLightShadows.value=Y.state.directionalShadow,Be.spotLights.value=Y.state.spot,Be.spotLightShadows.value=Y.state.spotShadow,Be.rectAreaLights.value=Y.state.rectArea,Be.ltc_1.value=Y.state.rectAreaLTC1,Be.ltc_2.value=Y.state.rectAreaLTC2,Be.pointLights.value=Y.state.point,Be.pointLightShadows.value=Y.state.pointShadow,Be.hemisphereLights.value=Y.state.hemi,Be.sunShadowMatrix.value=Y.state.sunShadowMatrix,Be.sunShadowCascade.value=Y.state.sunShadowCascade,Be.directionalShadowMatrix.value=Y.state.directionalShadowMatrix,Be.spotLightMatrix.value=Y.state.spotLightMatrix,Be.spotLightMap.value=Y.state.spotLightMap,Be.pointShadowMatrix.value=Y.state.pointShadowMatrix),q.numLightProbeGrids=pn(C.state.lightProbeGridArray),q.currentProgram=yt,q.uniformsList=null,yt}function mi(T,k,j,q,Y){let Ae=Ge.get(T),Ie=Ae.currentProgram.id+","+q+","+Y,Ee=Ae.programVariants.get(Ie);return Ee===void 0?(Ee=_s(T,k,j),Ae.programVariants.set(Ie,Ee)):(Ae.currentProgram=Ee,Ae.uniformsList=null,Ae.outputColorSpace=q,Ae.toneMapping=Y),Ee}function ar(T){if(T.uniformsList===null){let k=T.currentProgram.getUniforms();T.uniformsList=pa.seqWithValue(k.seq,T.uniforms)}return T.uniformsList}function Ma(T,k){let j=Ge.get(T);j.outputColorSpace=k.outputColorSpace,j.batching=k.batching,j.batchingColor=k.batchingColor,j.instancing=k.instancing,j.instancingColor=k.instancingColor,j.instancingMorph=k.instancingMorph,j.skinning=k.skinning,j.morphTargets=k.morphTargets,j.morphNormals=k.morphNormals,j.morphColors=k.morphColors,j.morphTargetsCount=k.morphTargetsCount,j.numClippingPlanes=k.numClippingPlanes,j.numIntersection=k.numClipIntersection,j.vertexAlphas=k.vertexAlphas,j.vertexTangents=k.vertexTangents,j.toneMapping=k.toneMapping}function wa(T,k,j,q,Y){k.isScene!==!0&&(k=En),Ye.resetTextureUnits();let Ae=k.fog,Ie=q.isMeshStandardMaterial||q.isMeshLambertMaterial||q.isMeshPhongMaterial?k.environment:null,Ee=ue===null?F.outputColorSpace:ue.isXRRenderTarget===!0?ue.texture.colorSpace:bt.workingColorSpace,Le=q.isMeshStandardMaterial||q.isMeshLambertMaterial&&!q.envMap||q.isMeshPhongMaterial&&!q.envMap,Ve=R.get(q.envMap||Ie,Le),nt=q.vertexColors===!0&&!!j.attributes.color&&j.attributes.color.itemSize===4,yt=!!j.attributes.tangent&&(!!q.normalMap||q.anisotropy>0),Be=!!j.morphAttributes.position,vt=!!j.morphAttributes.normal,rn=!!j.morphAttributes.color,Ut=Ns;q.toneMapped&&(ue===null||ue.isXRRenderTarget===!0)&&(Ut=F.toneMapping);let Ot=j.morphAttributes.position||j.morphAttributes.normal||j.morphAttributes.color,Cn=Ot!==void 0?Ot.length:0,Ue=Ge.get(q),xn=C.state.lights;if($t===!0&&(gn===!0||T!==Q)){let kt=T===Q&&q.id===K;ie.setState(q,T,kt)}let Mt=!1,Vs=!1;q.version===Ue.__version?Ue.needsLights&&Ue.lightsStateVersion!==xn.state.version||Y.isBatchedMesh&&Ue.batching===!1||!Y.isBatchedMesh&&Ue.batching===!0||Y.isBatchedMesh&&Ue.batchingColor===!0&&Y._colorsTexture===null||Y.isBatchedMesh&&Ue.batchingColor===!1&&Y._colorsTexture!==null||Y.isInstancedMesh&&Ue.instancing===!1||!Y.isInstancedMesh&&Ue.instancing===!0||Y.isSkinnedMesh&&Ue.skinning===!1||!Y.isSkinnedMesh&&Ue.skinning===!0||Y.isInstancedMesh&&Ue.instancingColor===!0&&Y.instanceColor===null||Y.isInstancedMesh&&Ue.instancingColor===!1&&Y.instanceColor!==null||Y.isInstancedMesh&&Ue.instancingMorph===!0&&Y.morphTexture===null||Y.isInstancedMesh&&Ue.instancingMorph===!1&&Y.morphTexture!==null||Ue.envMap!==Ve||q.fog===!0&&Ue.fog!==Ae||Ue.numClippingPlanes!==void 0&&(Ue.numClippingPlanes!==ie.numPlanes||Ue.numIntersection!==ie.numIntersection)||Ue.vertexAlphas!==nt||Ue.vertexTangents!==yt||Ue.morphTargets!==Be||Ue.morphNormals!==vt||Ue.morphColors!==rn||Ue.morphTargetsCount!==Cn||Ue.numLightProbeGrids!==pn(C.state.lightProbeGridArray)?Mt=!0:(Ue.outputColorSpace!==Ee||Ue.toneMapping!==Ut)&&(Vs=!0):(Mt=!0,Ue.__version=q.version);let yn=Ue.currentProgram;(Mt===!0||Vs===!0)&&(yn=Vs===!0?mi(q,k,Y,Ee,Ut):_s(q,k,Y),G&&q.isNodeMaterial&&G.onUpdateProgram(q,yn,Ue));let ho=!1,xs=!1,zs=!1,pt=yn.getUniforms(),cn=Ue.uniforms;if(we.useProgram(yn.program)&&(ho=!0,xs=!0,zs=!0),q.id!==K&&(K=q.id,xs=!0),ho||Q!==T){we.buffers.depth.getReversed()&&T.reversedDepth!==!0&&(T._reversedDepth=!0,T.updateProjectionMatrix()),pt.setValue(O,"projectionMatrix",T.projectionMatrix),pt.setValue(O,"viewMatrix",T.matrixWorldInverse);let vn=pt.map.cameraPosition;vn!==void 0&&vn.setValue(O,Dn.setFromMatrixPosition(T.matrixWorld)),ct.logarithmicDepthBuffer&&pt.setValue(O,"logDepthBufFC",2/(Math.log(T.far+1)/Math.LN2)),(q.isMeshPhongMaterial||q.isMeshToonMaterial||q.isMeshLambertMaterial||q.isMeshBasicMaterial||q.isMeshStandardMaterial||q.isShaderMaterial)&&pt.setValue(O,"isOrthographic",T.isOrthographicCamera===!0),Q!==T&&(Q=T,xs=!0,zs=!0)}if(Ue.needsLights&&(xn.state.sunShadowMap.length>0&&pt.setValue(O,"sunShadowMap",xn.state.sunShadowMap,Ye),xn.state.directionalShadowMap.length>0&&pt.setValue(O,"directionalShadowMap",xn.state.directionalShadowMap,Ye),xn.state.spotShadowMap.length>0&&pt.setValue(O,"spotShadowMap",xn.state.spotShadowMap,Ye),xn.state.pointShadowMap.length>0&&pt.setValue(O,"pointShadowMap",xn.state.pointShadowMap,Ye)),Y.isSkinnedMesh){pt.setOptional(O,Y,"bindMatrix"),pt.setOptional(O,Y,"bindMatrixInverse");let kt=Y.skeleton;kt&&(kt.boneTexture===null&&kt.computeBoneTexture(),pt.setValue(O,"boneTexture",kt.boneTexture,Ye))}Y.isBatchedMesh&&(pt.setOptional(O,Y,"batchingTexture"),pt.setValue(O,"batchingTexture",Y._matricesTexture,Ye),pt.setOptional(O,Y,"batchingIdTexture"),pt.setValue(O,"batchingIdTexture",Y._indirectTexture,Ye),pt.setOptional(O,Y,"batchingColorTexture"),Y._colorsTexture!==null&&pt.setValue(O,"batchingColorTexture",Y._colorsTexture,Ye));let Kn=j.morphAttributes;if((Kn.position!==void 0||Kn.normal!==void 0||Kn.color!==void 0)&&re.update(Y,j,yn),(xs||Ue.receiveShadow!==Y.receiveShadow)&&(Ue.receiveShadow=Y.receiveShadow,pt.setValue(O,"receiveShadow",Y.receiveShadow)),(q.isMeshStandardMaterial||q.isMeshLambertMaterial||q.isMeshPhongMaterial)&&q.envMap===null&&k.environment!==null&&(cn.envMapIntensity.value=k.environmentIntensity),cn.dfgLUT!==void 0&&(cn.dfgLUT.value=wR()),xs){if(pt.setValue(O,"toneMappingExposure",F.toneMappingExposure),Ue.needsLights&&co(cn,zs),Ae&&q.fog===!0&&xe.refreshFogUniforms(cn,Ae),xe.refreshMaterialUniforms(cn,q,Me,Ce,C.state.transmissionRenderTarget[T.id]),Ue.needsLights&&Ue.numLightProbeGrids>0){let kt=M,vn=0;for(let Wn of C.state.lightProbeGridArray)Wn.texture!==null&&(kt.textures[vn]=Wn.texture,kt.min[vn]=Wn.boundingBox.min,kt.max[vn]=Wn.boundingBox.max,kt.resolution[vn]=Wn.resolution,vn++);for(let Wn in kt)kt[Wn].length=vn;cn.probesSH.value=kt.textures,cn.probesMin.value=kt.min,cn.probesMax.value=kt.max,cn.probesResolution.value=kt.resolution}pa.upload(O,ar(Ue),cn,Ye)}if(q.isShaderMaterial&&q.uniformsNeedUpdate===!0&&(pa.upload(O,ar(Ue),cn,Ye),q.uniformsNeedUpdate=!1),q.isSpriteMaterial&&pt.setValue(O,"center",Y.center),pt.setValue(O,"modelViewMatrix",Y.modelViewMatrix),pt.setValue(O,"normalMatrix",Y.normalMatrix),pt.setValue(O,"modelMatrix",Y.matrixWorld),q.uniformsGroups!==void 0){let kt=q.uniformsGroups;for(let vn=0,Wn=kt.length;vn<Wn;vn++){let zl=kt[vn];We.update(zl,yn),We.bind(zl,yn)}}return yn}function co(T,k){T.ambientLightColor.needsUpdate=k,T.lightProbe.needsUpdate=k,T.sunLights.needsUpdate=k,T.sunLightShadows.needsUpdate=k,T.directionalLights.needsUpdate=k,T.directionalLightShadows.needsUpdate=k,T.pointLights.needsUpdate=k,T.pointLightShadows.needsUpdate=k,T.spotLights.needsUpdate=k,T.spotLightShadows.needsUpdate=k,T.rectAreaLights.needsUpdate=k,T.hemisphereLights.needsUpdate=k}function lr(T){return T.isMeshLambertMaterial||T.isMeshToonMaterial||T.isMeshPhongMaterial||T.isMeshStandardMaterial||T.isShadowMaterial||T.isShaderMaterial&&T.lights===!0}this.getActiveCubeFace=function(){return Z},this.getActiveMipmapLevel=function(){return z},this.getRenderTarget=function(){return ue},this.setRenderTargetTextures=function(T,k,j){let q=Ge.get(T);q.__autoAllocateDepthBuffer=T.resolveDepthBuffer===!1,q.__autoAllocateDepthBuffer===!1&&(q.__useRenderToTexture=!1),Ge.get(T.texture).__webglTexture=k,Ge.get(T.depthTexture).__webglTexture=q.__autoAllocateDepthBuffer?void 0:j,q.__hasExternalTextures=!0},this.setRenderTargetFramebuffer=function(T,k){let j=Ge.get(T);j.__webglFramebuffer=k,j.__useDefaultFramebuffer=k===void 0},this.setRenderTarget=function(T,k=0,j=0){ue=T,Z=k,z=j;let q=null,Y=!1,Ae=!1;if(T){let Ee=Ge.get(T);if(Ee.__useDefaultFramebuffer!==void 0){we.bindFramebuffer(O.FRAMEBUFFER,Ee.__webglFramebuffer),se.copy(T.viewport),fe.copy(T.scissor),de=T.scissorTest,we.viewport(se),we.scissor(fe),we.setScissorTest(de),K=-1;return}else if(Ee.__webglFramebuffer===void 0)Ye.setupRenderTarget(T);else if(Ee.__hasExternalTextures)Ye.rebindTextures(T,Ge.get(T.texture).__webglTexture,Ge.get(T.depthTexture).__webglTexture);else if(T.depthBuffer){let nt=T.depthTexture;if(Ee.__boundDepthTexture!==nt){if(nt!==null&&Ge.has(nt)&&(T.width!==nt.image.width||T.height!==nt.image.height))throw new Error("THREE.WebGLRenderer: Attached DepthTexture is initialized to the incorrect size.");Ye.setupDepthRenderbuffer(T)}}let Le=T.texture;(Le.isData3DTexture||Le.isDataArrayTexture||Le.isCompressedArrayTexture)&&(Ae=!0);let Ve=Ge.get(T).__webglFramebuffer;T.isWebGLCubeRenderTarget?(Array.isArray(Ve[k])?q=Ve[k][j]:q=Ve[k],Y=!0):T.samples>0&&Ye.useMultisampledRTT(T)===!1?q=Ge.get(T).__webglMultisampledFramebuffer:Array.isArray(Ve)?q=Ve[j]:q=Ve,se.copy(T.viewport),fe.copy(T.scissor),de=T.scissorTest}else se.copy(He).multiplyScalar(Me).floor(),fe.copy(_t).multiplyScalar(Me).floor(),de=ft;if(j!==0&&(q=V),we.bindFramebuffer(O.FRAMEBUFFER,q)&&we.drawBuffers(T,q),we.viewport(se),we.scissor(fe),we.setScissorTest(de),Y){let Ee=Ge.get(T.texture);O.framebufferTexture2D(O.FRAMEBUFFER,O.COLOR_ATTACHMENT0,O.TEXTURE_CUBE_MAP_POSITIVE_X+k,Ee.__webglTexture,j)}else if(Ae){let Ee=k;for(let Le=0;Le<T.textures.length;Le++){let Ve=Ge.get(T.textures[Le]);O.framebufferTextureLayer(O.FRAMEBUFFER,O.COLOR_ATTACHMENT0+Le,Ve.__webglTexture,j,Ee)}}else if(T!==null&&j!==0){let Ee=Ge.get(T.texture);O.framebufferTexture2D(O.FRAMEBUFFER,O.COLOR_ATTACHMENT0,O.TEXTURE_2D,Ee.__webglTexture,j)}K=-1};function uo(T){let k=Ge.get(T);return(k.__readFormat!==T.format||k.__readType!==T.type)&&(k.__readFormat=T.format,k.__readType=T.type,k.__formatReadable=ct.textureFormatReadable(T.format),k.__typeReadable=ct.textureTypeReadable(T.type)),k}this.readRenderTargetPixels=function(T,k,j,q,Y,Ae,Ie,Ee=0){if(!(T&&T.isWebGLRenderTarget)){it("WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");return}let Le=Ge.get(T).__webglFramebuffer;if(T.isWebGLCubeRenderTarget&&Ie!==void 0&&(Le=Le[Ie],Array.isArray(Le)&&(Le=Le[0])),Le){we.bindFramebuffer(O.FRAMEBUFFER,Le);try{let Ve=T.textures[Ee],nt=Ve.format,yt=Ve.type;T.textures.length>1&&O.readBuffer(O.COLOR_ATTACHMENT0+Ee);let Be=uo(Ve);if(Be.__formatReadable===!1){it("WebGLRenderer.readRenderTargetPixels: renderTarget is not in RGBA or implementation defined format.");return}if(Be.__typeReadable===!1){it("WebGLRenderer.readRenderTargetPixels: renderTarget is not in UnsignedByteType or implementation defined type.");return}k>=0&&k<=T.width-q&&j>=0&&j<=T.height-Y&&O.readPixels(k,j,q,Y,_e.convert(nt),_e.convert(yt),Ae)}finally{let Ve=ue!==null?Ge.get(ue).__webglFramebuffer:null;we.bindFramebuffer(O.FRAMEBUFFER,Ve)}}},this.readRenderTargetPixelsAsync=async function(T,k,j,q,Y,Ae,Ie,Ee=0){if(!(T&&T.isWebGLRenderTarget))throw new Error("THREE.WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");let Le=Ge.get(T).__webglFramebuffer;if(T.isWebGLCubeRenderTarget&&Ie!==void 0&&(Le=Le[Ie],Array.isArray(Le)&&(Le=Le[0])),Le)if(k>=0&&k<=T.width-q&&j>=0&&j<=T.height-Y){we.bindFramebuffer(O.FRAMEBUFFER,Le);let Ve=T.textures[Ee],nt=Ve.format,yt=Ve.type;T.textures.length>1&&O.readBuffer(O.COLOR_ATTACHMENT0+Ee);let Be=uo(Ve);if(Be.__formatReadable===!1)throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in RGBA or implementation defined format.");if(Be.__typeReadable===!1)throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in UnsignedByteType or implementation defined type.");let vt=O.createBuffer();O.bindBuffer(O.PIXEL_PACK_BUFFER,vt),O.bufferData(O.PIXEL_PACK_BUFFER,Ae.byteLength,O.STREAM_READ),O.readPixels(k,j,q,Y,_e.convert(nt),_e.convert(yt),0),O.bindBuffer(O.PIXEL_PACK_BUFFER,null);let rn=ue!==null?Ge.get(ue).__webglFramebuffer:null;we.bindFramebuffer(O.FRAMEBUFFER,rn);let Ut=O.fenceSync(O.SYNC_GPU_COMMANDS_COMPLETE,0);return O.flush(),await ty(O,Ut,4),O.bindBuffer(O.PIXEL_PACK_BUFFER,vt),O.getBufferSubData(O.PIXEL_PACK_BUFFER,0,Ae),O.bindBuffer(O.PIXEL_PACK_BUFFER,null),O.deleteBuffer(vt),O.deleteSync(Ut),Ae}else throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: requested read bounds are out of range.")},this.copyFramebufferToTexture=function(T,k=null,j=0){let q=Math.pow(2,-j),Y=Math.floor(T.image.width*q),Ae=Math.floor(T.image.height*q),Ie=k!==null?k.x:0,Ee=k!==null?k.y:0;Ye.setTexture2D(T,0),O.copyTexSubImage2D(O.TEXTURE_2D,j,0,0,Ie,Ee,Y,Ae),we.unbindTexture()},this.copyTextureToTexture=function(T,k,j=null,q=null,Y=0,Ae=0){let Ie,Ee,Le,Ve,nt,yt,Be,vt,rn,Ut=T.isCompressedTexture?T.mipmaps[Ae]:T.image;if(j!==null)Ie=j.max.x-j.min.x,Ee=j.max.y-j.min.y,Le=j.isBox3?j.max.z-j.min.z:1,Ve=j.min.x,nt=j.min.y,yt=j.isBox3?j.min.z:0;else{let pt=Math.pow(2,-Y);Ie=Math.floor(Ut.width*pt),Ee=Math.floor(Ut.height*pt),T.isDataArrayTexture?Le=Ut.depth:T.isData3DTexture?Le=Math.floor(Ut.depth*pt):Le=1,Ve=0,nt=0,yt=0}q!==null?(Be=q.x,vt=q.y,rn=q.z):(Be=0,vt=0,rn=0);let Ot=_e.convert(k.format),Cn=_e.convert(k.type),Ue;k.isData3DTexture?(Ye.setTexture3D(k,0),Ue=O.TEXTURE_3D):k.isDataArrayTexture||k.isCompressedArrayTexture?(Ye.setTexture2DArray(k,0),Ue=O.TEXTURE_2D_ARRAY):(Ye.setTexture2D(k,0),Ue=O.TEXTURE_2D),we.activeTexture(O.TEXTURE0),we.pixelStorei(O.UNPACK_FLIP_Y_WEBGL,k.flipY),we.pixelStorei(O.UNPACK_PREMULTIPLY_ALPHA_WEBGL,k.premultiplyAlpha),we.pixelStorei(O.UNPACK_ALIGNMENT,k.unpackAlignment);let xn=we.getParameter(O.UNPACK_ROW_LENGTH),Mt=we.getParameter(O.UNPACK_IMAGE_HEIGHT),Vs=we.getParameter(O.UNPACK_SKIP_PIXELS),yn=we.getParameter(O.UNPACK_SKIP_ROWS),ho=we.getParameter(O.UNPACK_SKIP_IMAGES);we.pixelStorei(O.UNPACK_ROW_LENGTH,Ut.width),we.pixelStorei(O.UNPACK_IMAGE_HEIGHT,Ut.height),we.pixelStorei(O.UNPACK_SKIP_PIXELS,Ve),we.pixelStorei(O.UNPACK_SKIP_ROWS,nt),we.pixelStorei(O.UNPACK_SKIP_IMAGES,yt);let xs=T.isDataArrayTexture||T.isData3DTexture,zs=k.isDataArrayTexture||k.isData3DTexture;if(T.isDepthTexture){let pt=Ge.get(T),cn=Ge.get(k),Kn=Ge.get(pt.__renderTarget),kt=Ge.get(cn.__renderTarget);we.bindFramebuffer(O.READ_FRAMEBUFFER,Kn.__webglFramebuffer),we.bindFramebuffer(O.DRAW_FRAMEBUFFER,kt.__webglFramebuffer);for(let vn=0;vn<Le;vn++)xs&&(O.framebufferTextureLayer(O.READ_FRAMEBUFFER,O.COLOR_ATTACHMENT0,Ge.get(T).__webglTexture,Y,yt+vn),O.framebufferTextureLayer(O.DRAW_FRAMEBUFFER,O.COLOR_ATTACHMENT0,Ge.get(k).__webglTexture,Ae,rn+vn)),O.blitFramebuffer(Ve,nt,Ve+Ie,nt+Ee,Be,vt,Be+Ie,vt+Ee,O.DEPTH_BUFFER_BIT,O.NEAREST);we.bindFramebuffer(O.READ_FRAMEBUFFER,null),we.bindFramebuffer(O.DRAW_FRAMEBUFFER,null)}else if(Y!==0||T.isRenderTargetTexture||Ge.has(T)){let pt=Ge.get(T),cn=Ge.get(k);we.bindFramebuffer(O.READ_FRAMEBUFFER,N),we.bindFramebuffer(O.DRAW_FRAMEBUFFER,W);for(let Kn=0;Kn<Le;Kn++)xs?O.framebufferTextureLayer(O.READ_FRAMEBUFFER,O.COLOR_ATTACHMENT0,pt.__webglTexture,Y,yt+Kn):O.framebufferTexture2D(O.READ_FRAMEBUFFER,O.COLOR_ATTACHMENT0,O.TEXTURE_2D,pt.__webglTexture,Y),zs?O.framebufferTextureLayer(O.DRAW_FRAMEBUFFER,O.COLOR_ATTACHMENT0,cn.__webglTexture,Ae,rn+Kn):O.framebufferTexture2D(O.DRAW_FRAMEBUFFER,O.COLOR_ATTACHMENT0,O.TEXTURE_2D,cn.__webglTexture,Ae),Y!==0?O.blitFramebuffer(Ve,nt,Ve+Ie,nt+Ee,Be,vt,Be+Ie,vt+Ee,O.COLOR_BUFFER_BIT,O.NEAREST):zs?O.copyTexSubImage3D(Ue,Ae,Be,vt,rn+Kn,Ve,nt,Ie,Ee):O.copyTexSubImage2D(Ue,Ae,Be,vt,Ve,nt,Ie,Ee);we.bindFramebuffer(O.READ_FRAMEBUFFER,null),we.bindFramebuffer(O.DRAW_FRAMEBUFFER,null)}else zs?T.isDataTexture||T.isData3DTexture?O.texSubImage3D(Ue,Ae,Be,vt,rn,Ie,Ee,Le,Ot,Cn,Ut.data):k.isCompressedArrayTexture?O.compressedTexSubImage3D(Ue,Ae,Be,vt,rn,Ie,Ee,Le,Ot,Ut.data):O.texSubImage3D(Ue,Ae,Be,vt,rn,Ie,Ee,Le,Ot,Cn,Ut):T.isDataTexture?O.texSubImage2D(O.TEXTURE_2D,Ae,Be,vt,Ie,Ee,Ot,Cn,Ut.data):T.isCompressedTexture?O.compressedTexSubImage2D(O.TEXTURE_2D,Ae,Be,vt,Ut.width,Ut.height,Ot,Ut.data):O.texSubImage2D(O.TEXTURE_2D,Ae,Be,vt,Ie,Ee,Ot,Cn,Ut);we.pixelStorei(O.UNPACK_ROW_LENGTH,xn),we.pixelStorei(O.UNPACK_IMAGE_HEIGHT,Mt),we.pixelStorei(O.UNPACK_SKIP_PIXELS,Vs),we.pixelStorei(O.UNPACK_SKIP_ROWS,yn),we.pixelStorei(O.UNPACK_SKIP_IMAGES,ho),Ae===0&&k.generateMipmaps===!0&&k.mipmapsAutoUpdate===!0&&O.generateMipmap(Ue),we.unbindTexture()},this.initRenderTarget=function(T){Ge.get(T).__webglFramebuffer===void 0&&Ye.setupRenderTarget(T)},this.initTexture=function(T){T.isCubeTexture?Ye.setTextureCube(T,0):T.isData3DTexture?Ye.setTexture3D(T,0):T.isDataArrayTexture||T.isCompressedArrayTexture?Ye.setTexture2DArray(T,0):Ye.setTexture2D(T,0),we.unbindTexture()},this.resetState=function(){Z=0,z=0,ue=null,we.reset(),Se.reset()},typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}get coordinateSystem(){return Yi}get outputColorSpace(){return this._outputColorSpace}set outputColorSpace(e){this._outputColorSpace=e;let t=this.getContext();t.drawingBufferColorSpace=bt._getDrawingBufferColorSpace(e),t.unpackColorSpace=bt._getUnpackColorSpace()}};var Fh=0,TR=1,AR=new $,Gy=new xl,Qp=new Ei,Hy=new $,Nh=new Rs,Uh=class{constructor(){this.tolerance=-1,this.faces=[],this.newFaces=[],this.assigned=new Oh,this.unassigned=new Oh,this.vertices=[]}setFromPoints(e){if(e.length>=4){this.makeEmpty();for(let t=0,i=e.length;t<i;t++)this.vertices.push(new em(e[t]));this._compute()}return this}setFromObject(e){let t=[];return e.updateMatrixWorld(!0),e.traverse(function(i){let s=i.geometry;if(s!==void 0){let r=s.attributes.position;if(r!==void 0)for(let o=0,a=r.count;o<a;o++){let l=new $;l.fromBufferAttribute(r,o).applyMatrix4(i.matrixWorld),t.push(l)}}}),this.setFromPoints(t)}containsPoint(e){let t=this.faces;for(let i=0,s=t.length;i<s;i++)if(t[i].distanceToPoint(e)>this.tolerance)return!1;return!0}intersectRay(e,t){let i=this.faces,s=-1/0,r=1/0;for(let o=0,a=i.length;o<a;o++){let l=i[o],c=l.distanceToPoint(e.origin),u=l.normal.dot(e.direction);if(c>0&&u>=0)return null;let d=u!==0?-c/u:0;if(!(d<=0)&&(u>0?r=Math.min(d,r):s=Math.max(d,s),s>r))return null}return s!==-1/0?e.at(s,t):e.at(r,t),t}intersectsRay(e){return this.intersectRay(e,AR)!==null}makeEmpty(){return this.faces=[],this.vertices=[],this}_addVertexToFace(e,t){return e.face=t,t.outside===null?this.assigned.append(e):this.assigned.insertBefore(t.outside,e),t.outside=e,this}_removeVertexFromFace(e,t){return e===t.outside&&(e.next!==null&&e.next.face===t?t.outside=e.next:t.outside=null),this.assigned.remove(e),this}_removeAllVerticesFromFace(e){if(e.outside!==null){let t=e.outside,i=e.outside;for(;i.next!==null&&i.next.face===e;)i=i.next;return this.assigned.removeSubList(t,i),t.prev=i.next=null,e.outside=null,t}}_deleteFaceVertices(e,t){let i=this._removeAllVerticesFromFace(e);if(i!==void 0)if(t===void 0)this.unassigned.appendChain(i);else{let s=i;do{let r=s.next;t.distanceToPoint(s.point)>this.tolerance?this._addVertexToFace(s,t):this.unassigned.append(s),s=r}while(s!==null)}return this}_resolveUnassignedPoints(e){if(this.unassigned.isEmpty()===!1){let t=this.unassigned.first();do{let i=t.next,s=this.tolerance,r=null;for(let o=0;o<e.length;o++){let a=e[o];if(a.mark===Fh){let l=a.distanceToPoint(t.point);if(l>s&&(s=l,r=a),s>1e3*this.tolerance)break}}r!==null&&this._addVertexToFace(t,r),t=i}while(t!==null)}return this}_computeExtremes(){let e=new $,t=new $,i=[],s=[];for(let r=0;r<3;r++)i[r]=s[r]=this.vertices[0];e.copy(this.vertices[0].point),t.copy(this.vertices[0].point);for(let r=0,o=this.vertices.length;r<o;r++){let a=this.vertices[r],l=a.point;for(let c=0;c<3;c++)l.getComponent(c)<e.getComponent(c)&&(e.setComponent(c,l.getComponent(c)),i[c]=a);for(let c=0;c<3;c++)l.getComponent(c)>t.getComponent(c)&&(t.setComponent(c,l.getComponent(c)),s[c]=a)}return this.tolerance=3*Number.EPSILON*(Math.max(Math.abs(e.x),Math.abs(t.x))+Math.max(Math.abs(e.y),Math.abs(t.y))+Math.max(Math.abs(e.z),Math.abs(t.z))),{min:i,max:s}}_computeInitialHull(){let e=this.vertices,t=this._computeExtremes(),i=t.min,s=t.max,r=0,o=0;for(let h=0;h<3;h++){let p=s[h].point.getComponent(h)-i[h].point.getComponent(h);p>r&&(r=p,o=h)}let a=i[o],l=s[o],c,u;r=0,Gy.set(a.point,l.point);for(let h=0,p=this.vertices.length;h<p;h++){let m=e[h];if(m!==a&&m!==l){Gy.closestPointToPoint(m.point,!0,Hy);let v=Hy.distanceToSquared(m.point);v>r&&(r=v,c=m)}}r=-1,Qp.setFromCoplanarPoints(a.point,l.point,c.point);for(let h=0,p=this.vertices.length;h<p;h++){let m=e[h];if(m!==a&&m!==l&&m!==c){let v=Math.abs(Qp.distanceToPoint(m.point));v>r&&(r=v,u=m)}}let d=[];if(Qp.distanceToPoint(u.point)<0){d.push(ps.create(a,l,c),ps.create(u,l,a),ps.create(u,c,l),ps.create(u,a,c));for(let h=0;h<3;h++){let p=(h+1)%3;d[h+1].getEdge(2).setTwin(d[0].getEdge(p)),d[h+1].getEdge(1).setTwin(d[p+1].getEdge(0))}}else{d.push(ps.create(a,c,l),ps.create(u,a,l),ps.create(u,l,c),ps.create(u,c,a));for(let h=0;h<3;h++){let p=(h+1)%3;d[h+1].getEdge(2).setTwin(d[0].getEdge((3-h)%3)),d[h+1].getEdge(0).setTwin(d[p+1].getEdge(1))}}for(let h=0;h<4;h++)this.faces.push(d[h]);for(let h=0,p=e.length;h<p;h++){let m=e[h];if(m!==a&&m!==l&&m!==c&&m!==u){r=this.tolerance;let v=null;for(let _=0;_<4;_++){let g=this.faces[_].distanceToPoint(m.point);g>r&&(r=g,v=this.faces[_])}v!==null&&this._addVertexToFace(m,v)}}return this}_reindexFaces(){let e=[];for(let t=0;t<this.faces.length;t++){let i=this.faces[t];i.mark===Fh&&e.push(i)}return this.faces=e,this}_nextVertexToAdd(){if(this.assigned.isEmpty()===!1){let e,t=0,i=this.assigned.first().face,s=i.outside;do{let r=i.distanceToPoint(s.point);r>t&&(t=r,e=s),s=s.next}while(s!==null&&s.face===i);return e}}_computeHorizon(e,t,i,s){this._deleteFaceVertices(i),i.mark=TR;let r;t===null?r=t=i.getEdge(0):r=t.next;do{let o=r.twin,a=o.face;a.mark===Fh&&(a.distanceToPoint(e)>this.tolerance?this._computeHorizon(e,o,a,s):s.push(r)),r=r.next}while(r!==t);return this}_addAdjoiningFace(e,t){let i=ps.create(e,t.tail(),t.head());return this.faces.push(i),i.getEdge(-1).setTwin(t.twin),i.getEdge(0)}_addNewFaces(e,t){this.newFaces=[];let i=null,s=null;for(let r=0;r<t.length;r++){let o=t[r],a=this._addAdjoiningFace(e,o);i===null?i=a:a.next.setTwin(s),this.newFaces.push(a.face),s=a}return i.next.setTwin(s),this}_addVertexToHull(e){let t=[];return this.unassigned.clear(),this._removeVertexFromFace(e,e.face),this._computeHorizon(e.point,null,e.face,t),this._addNewFaces(e,t),this._resolveUnassignedPoints(this.newFaces),this}_cleanup(){return this.assigned.clear(),this.unassigned.clear(),this.newFaces=[],this}_compute(){let e;for(this._computeInitialHull();(e=this._nextVertexToAdd())!==void 0;)this._addVertexToHull(e);return this._reindexFaces(),this._cleanup(),this}},ps=class n{constructor(){this.normal=new $,this.midpoint=new $,this.area=0,this.constant=0,this.outside=null,this.mark=Fh,this.edge=null}static create(e,t,i){let s=new n,r=new Ll(e,s),o=new Ll(t,s),a=new Ll(i,s);return r.next=a.prev=o,o.next=r.prev=a,a.next=o.prev=r,s.edge=r,s.compute()}getEdge(e){let t=this.edge;for(;e>0;)t=t.next,e--;for(;e<0;)t=t.prev,e++;return t}compute(){let e=this.edge.tail(),t=this.edge.head(),i=this.edge.next.head();return Nh.set(e.point,t.point,i.point),Nh.getNormal(this.normal),Nh.getMidpoint(this.midpoint),this.area=Nh.getArea(),this.constant=this.normal.dot(this.midpoint),this}distanceToPoint(e){return this.normal.dot(e)-this.constant}},Ll=class{constructor(e,t){this.vertex=e,this.prev=null,this.next=null,this.twin=null,this.face=t}head(){return this.vertex}tail(){return this.prev?this.prev.vertex:null}length(){let e=this.head(),t=this.tail();return t!==null?t.point.distanceTo(e.point):-1}lengthSquared(){let e=this.head(),t=this.tail();return t!==null?t.point.distanceToSquared(e.point):-1}setTwin(e){return this.twin=e,e.twin=this,this}},em=class{constructor(e){this.point=e,this.prev=null,this.next=null,this.face=null}},Oh=class{constructor(){this.head=null,this.tail=null}first(){return this.head}last(){return this.tail}clear(){return this.head=this.tail=null,this}insertBefore(e,t){return t.prev=e.prev,t.next=e,t.prev===null?this.head=t:t.prev.next=t,e.prev=t,this}insertAfter(e,t){return t.prev=e,t.next=e.next,t.next===null?this.tail=t:t.next.prev=t,e.next=t,this}append(e){return this.head===null?this.head=e:this.tail.next=e,e.prev=this.tail,e.next=null,this.tail=e,this}appendChain(e){for(this.head===null?this.head=e:this.tail.next=e,e.prev=this.tail;e.next!==null;)e=e.next;return this.tail=e,this}remove(e){return e.prev===null?this.head=e.next:e.prev.next=e.next,e.next===null?this.tail=e.prev:e.next.prev=e.prev,this}removeSubList(e,t){return e.prev===null?this.head=t.next:e.prev.next=t.next,t.next===null?this.tail=e.prev:t.next.prev=e.prev,this}isEmpty(){return this.head===null}};var kh=()=>({position:[],normal:[],tone:[],lift:[],edges:[]}),im=.66;function ER(n){let e=n.map(Math.abs),t=e[0]>=e[1]&&e[0]>=e[2]?0:e[1]>=e[2]?1:2;return .5*(1+([5,1,4,2,3,0][2*t+(n[t]<0?1:0)]+1)/6)}function ga(n,e,t,i,s=0){n.position.push(...e),n.normal.push(...t),n.tone.push(i),n.lift.push(s)}function fi(n,e,t,i=0,s=i){n.edges.push(...e,i,...t,s)}var ms=(n,e)=>[Math.cos(2*Math.PI*n/e),0,Math.sin(2*Math.PI*n/e)];function Wy(n,e,t){for(let i=0;i<8;++i){let[s,r,o]=[i&1?-1:1,i&2?-1:1,i&4?-1:1],a=s*r*o>0?1:im,l=(u,d)=>ui([s*(e-u-d),r*u,o*d],[0,1,0]),c=(u,d,h)=>{let p=s*r*o>0?[u,d,h].reverse():[u,d,h];for(let m of p)ga(n,m,m,a,t?r:0)};for(let u=0;u<e;++u)for(let d=0;d<e-u;++d)c(l(u,d),l(u,d+1),l(u+1,d)),u+d+2<=e&&c(l(u+1,d),l(u,d+1),l(u+1,d+1))}}function CR(n){let e=kh();Wy(e,n,!1);let t=6*n;for(let i=0;i<t;++i){let[s,r]=[ms(i,t),ms(i+1,t)];fi(e,s,r),fi(e,[s[0],s[2],0],[r[0],r[2],0]),fi(e,[0,s[0],s[2]],[0,r[0],r[2]])}return e}function RR(n){let e=kh();Wy(e,n,!0);let t=8*n;for(let i=0;i<t;++i){let[s,r]=[ms(i,t),ms(i+1,t)],o=Math.floor(4*i/t)%2?im:1;for(let[a,l]of[[s,-1],[s,1],[r,1],[s,-1],[r,1],[r,-1]])ga(e,a,a,o,l);fi(e,s,r,1),fi(e,s,r,-1)}for(let i=0;i<24;++i){let[s,r]=[ms(i,48),ms(i+1,48)];for(let o of[1,-1])fi(e,[s[0],o*s[2],0],[r[0],o*r[2],0],o),fi(e,[0,o*s[2],s[0]],[0,o*r[2],r[0]],o)}for(let i=0;i<4;++i)fi(e,ms(i,4),ms(i,4),-1,1);return e}function tm(n,e,t,i){let s=kh(),r=(1-i)/(t-e);for(let o=0;o<n;++o){let a=Math.floor(4*o/n)%2?im:1,[l,c]=[ms(o,n),ms(o+1,n)],u=(h,p,m)=>[p*h[0],m,p*h[2]],d=h=>ui([h[0],r,h[2]],h);if(t>e)for(let[h,p]of[[l,e],[l,t],[c,t],[l,e],[c,t],[c,e]])ga(s,u(h,p===t?i:1,p),d(h),a);for(let h of[[0,e,0],u(l,1,e),u(c,1,e)])ga(s,h,[0,-1,0],.8*a);if(fi(s,u(l,1,e),u(c,1,e)),i>0){for(let h of[[0,t,0],u(c,i,t),u(l,i,t)])ga(s,h,[0,1,0],.9*a);fi(s,u(l,i,t),u(c,i,t))}}for(let o=0;o<4;++o){let a=ms(o,4);fi(s,[a[0],e,a[2]],[i*a[0],t,i*a[2]])}return s}function PR(n){let e=new Map,t=i=>i.map(s=>Math.fround(s)).join();for(let i=0;i<n.position.length;i+=9){let s=[0,1,2].map(o=>n.position.slice(i+3*o,i+3*o+3)),r=ui($s(mt(s[1],s[0]),mt(s[2],s[0])),[0,1,0]);for(let o=0;o<3;++o){let[a,l]=[s[o],s[(o+1)%3]],c=t(a)<t(l)?`${t(a)} ${t(l)}`:`${t(l)} ${t(a)}`,u=e.get(c);u?(++u.count,xt(r,u.n)<Math.cos(Math.PI/9)&&!u.drawn&&(u.drawn=!0,fi(n,a,l))):e.set(c,{n:r,drawn:!1,a,b:l,count:1})}}for(let i of e.values())i.count===1&&fi(n,i.a,i.b)}function Bh(n){let e=kh();for(let[t,i,s]of n){let r=ui($s(mt(i,t),mt(s,t)),[0,0,0]);if(Et(r)!==0)for(let o of[t,i,s])ga(e,o,r,ER(r))}return PR(e),e}function Xy(n){let e=n.filter(i=>i.every(Number.isFinite)),t=[];if(e.length<4)return t;for(let i of new Uh().setFromPoints(e.map(s=>new $(...s))).faces){let s=[],r=i.edge;do{let o=r.head().point;s.push([o.x,o.y,o.z]),r=r.next}while(r!==i.edge);for(let o=2;o<s.length;++o)t.push([s[0],s[o-1],s[o]])}return t}function nm(){let n=[];for(let e=0;e<3;++e)for(let t of[1,-1]){let i=(s,r)=>{let o=[0,0,0];return o[e]=t,o[(e+1)%3]=s,o[(e+2)%3]=r*t,o};n.push([i(-1,-1),i(1,-1),i(1,1)],[i(-1,-1),i(1,1),i(-1,1)])}return Bh(n)}function IR(){let n=nm();n.position=n.position.map(e=>.3*e),n.edges=[];for(let e=0;e<3;++e){let t=nm();for(let r=0;r<t.position.length;++r){let o=r%3===e,a=t.position[r];t.position[r]=o?a>0?1:-.5:.09*a}n.position.push(...t.position),n.normal.push(...t.normal),n.tone.push(...t.tone.map(r=>[1,.8,.6][e]*(.5+.5*r))),n.lift.push(...t.lift);let[i,s]=[[0,0,0],[0,0,0]];i[e]=-.5,s[e]=1,fi(n,i,s)}return n}function $y(n,e){let t=e<=60?8:e<=300?5:3,i=4*t;return{sphere:()=>CR(t),box:nm,capsule:()=>RR(t),cylinder:()=>tm(i,-1,1,1),cone:()=>tm(i,-.25,.75,0),disc:()=>tm(i,0,0,1),cross:IR}[n]()}function sm(n){return n.reduce((e,t)=>e.map((i,s)=>Math.max(i,Math.abs(t[s]))),tt([1,1,1],0))}var LR=[1,0,0,0],qy=-1,_a=n=>[n,n,n];function Yy(n,e){let t={molds:new Map,pieces:[],radius:[]},i=n.body.length,s=(a,l,c,u,d,h)=>{t.molds.has(l)||t.molds.set(l,$y(l,i)),t.pieces.push({body:a,mold:l,size:c,half:u,position:d,orientation:h})},r=(a,l,c,u,d,h)=>{t.molds.has(l)||t.molds.set(l,c()),t.molds.get(l).position.length===0?s(a,"cross",[..._a(Et(u)||e),qy],u,d,h):t.pieces.push({body:a,mold:l,size:[1,1,1,0],half:u,position:d,orientation:h})},o=(a,l,c,u)=>{if(!l)return s(a,"cross",[..._a(e),qy],_a(e),c,u);switch(l.type){case"sphere":return s(a,"sphere",[..._a(l.radius),0],_a(l.radius),c,u);case"box":return s(a,"box",[...l.half_extents,0],l.half_extents,c,u);case"capsule":{let{radius:d,length:h}=l;return s(a,"capsule",[d,d,d,h/2],[d,d+h/2,d],c,u)}case"cylinder":{let{radius:d,length:h}=l;return s(a,"cylinder",[d,h/2,d,0],[d,h/2,d],c,u)}case"cone":{let{radius:d,length:h}=l;return s(a,"cone",[d,h,d,0],[d,.75*h,d],c,u)}case"rod":{let d=.012*l.length;return s(a,"cylinder",[d,l.length/2,d,0],[d,l.length/2,d],c,u)}case"disc":return s(a,"disc",[..._a(l.radius),0],[l.radius,.02*l.radius,l.radius],c,u);case"hull":return r(a,`hull ${l.vertices.join()}`,()=>Bh(Xy(l.vertices)),sm(l.vertices),c,u);case"mesh":{let d=p=>l.vertices[p]??[0,0,0],h=()=>Bh(l.faces.map(([p,m,v])=>[d(p),d(m),d(v)]));return r(a,`mesh ${l.vertices.join()} ${l.faces.join()}`,h,sm(l.vertices),c,u)}case"compound":for(let d of l.parts)o(a,d.shape,Ke(c,qt(u,d.position)),xr(u,d.orientation))}};n.body.forEach((a,l)=>o(l,Fo(a),[0,0,0],LR)),t.radius=n.body.map(()=>0);for(let a of t.pieces)t.radius[a.body]=Math.max(t.radius[a.body],Et(a.position)+Et(a.half));return t}function Jy(n){let e=new Map;for(let t of n.pieces){let i=e.get(t.mold);i?i.push(t):e.set(t.mold,[t])}return e}function Zy(n,e){let t=Math.floor(n.length/(3*e)),i=Math.max(1,Math.ceil(t*e/15e4)),s=Math.floor((t-1)/i)+1;return{source:n,positions:new Float32Array(3*e*s),bodies:e,frames:s,every:i,filled:0,upTo:0}}function Ky(n,e){let{source:t,positions:i,bodies:s,every:r}=n;for(n.upTo=Math.max(0,Math.min(Math.floor(e/r),n.frames-1));n.filled<=n.upTo;++n.filled){let o=n.filled;for(let a=0;a<s;++a){let l=3*(o*r*s+a),c=3*(o*s+a),u=Number.isFinite(t[l]+t[l+1]+t[l+2]);if(u&&o>0&&Number.isNaN(i[c-3*s]))for(let d=c-3*s;d>=0;d-=3*s)i.set(t.subarray(l,l+3),d);for(let d=0;d<3;++d)i[c+d]=u?t[l+d]:o>0?i[c+d-3*s]:NaN}}}var Vh=class{constructor(e){this.count=e;this.position=new Float64Array(3*e),this.orientation=new Float64Array(4*e),this.hidden=new Uint8Array(e)}count;position;orientation;hidden;shown=!1;version=0;set(e){if(++this.version,this.shown=e!==null,!!e)for(let t=0;t<this.count;++t){let i=0;for(let o=3*t;o<3*t+3;++o)i+=this.position[o]=e.position[o]??NaN;let s=0;for(let o=4*t;o<4*t+4;++o)s+=(this.orientation[o]=e.orientation[o]??NaN)**2;let r=1/Math.sqrt(s);this.hidden[t]=Number.isFinite(i)&&Math.abs(i)<1e30&&Number.isFinite(r)?0:1;for(let o=4*t;o<4*t+4;++o)this.orientation[o]*=r}}at(e){return[this.position[3*e],this.position[3*e+1],this.position[3*e+2]]}turn(e){let t=this.orientation;return[t[4*e],t[4*e+1],t[4*e+2],t[4*e+3]]}},Dl=class{constructor(e,t,i){this.scene=e;this.theme=t;this.bounds=Uo(e,i),this.extent=Math.max(Et(mt(this.bounds.max,this.bounds.min)),1e-9),this.solids=Yy(e,.035*this.extent);let s=[...this.solids.radius].sort((r,o)=>r-o);this.typical=s[s.length>>1]??this.extent,this.colours=e.body.map(P_),this.joined=new Nc(e,this.extent),this.layers={bodies:new Vh(e.body.length),ghost:new Vh(e.body.length)},this.layers.bodies.set({position:e.body.flatMap(r=>r.position),orientation:e.body.flatMap(r=>r.orientation)})}scene;theme;bounds;extent;typical;solids;colours;layers;trails={bodies:null,ghost:null};fixed=new ko;links=new ko;marks=new ko;time=0;arrows=[];pulls=[];linksShown=!0;grid=0;planesFor=null;contacts=[];largestImpulse=0;joined;setEye(e,t){let i=$_(this.scene,e),{theme:s}=this,r=this.planesFor;r?.theme===s&&r.held===t&&i.every((o,a)=>o===r.open[a])||(this.planesFor={theme:s,held:t,open:i},this.grid=Uf(Et(mt(t.max,t.min))),this.fixed.clear(),q_(this.fixed,this.scene,t,s,i))}relink(){this.links.clear(),this.marks.clear();let e=this.layers.bodies.shown?this.layers.bodies:this.layers.ghost;this.linksShown&&e.shown&&this.joined.draw(this,e),H_(this,this.contacts,this.largestImpulse),G_(this,this.arrows),W_(this,this.pulls)}setContacts(e,t){if(this.contacts=e,t!==void 0)this.largestImpulse=t;else for(let{impulse:i}of e)Number.isFinite(i)&&(this.largestImpulse=Math.max(this.largestImpulse,i))}setTrail(e,t,i,s){let r=this.trails[e];if(!t||i<1||t.length<6*i){this.trails[e]=null;return}let o=r?.source===t&&r.bodies===i?r:Zy(t,i);Ky(o,s),this.trails[e]=o}lost(){let{shown:e,hidden:t}=this.layers.bodies;return e?this.scene.body.filter((i,s)=>t[s]).map(i=>i.name):[]}};function jy(n,e){let t=e.turn(n.body);return{centre:Ke(e.at(n.body),qt(t,n.position)),turn:xr(t,n.orientation)}}function rm({centre:n,turn:e},t,i,s,r,o){let[a,l,c,u]=t.size;return Ke(n,qt(e,[a*i,l*s+u*o,c*r]))}var om=(n,e,t)=>Si(n.map(i=>i*e*t)),DR=(n,e)=>.62+.38*(-.34*xt(e,n.right)+.63*xt(e,n.up)+.68*xt(e,n.back));function Qy(n,e){let t=[],i=n.layers.bodies,s=1/ls(e);for(let r of n.solids.pieces){if(i.hidden[r.body])continue;let o=jy(r,i),a=n.colours[r.body],{x:l,y:c,depth:u}=Mi(e,o.centre),d=n.solids.molds.get(r.mold),h=s*Math.max(...r.half);h<2.5?t.push({depth:u,draw:p=>ev(p,l,c,2.5,Si(a))}):r.mold==="sphere"?t.push({depth:u,draw:p=>NR(p,e,d,r,o,a,l,c,h)}):FR(t,e,d,r,o,a)}return t}function ev(n,e,t,i,s){n.fillStyle=s,n.beginPath(),n.arc(e,t,i,0,2*Math.PI),n.fill()}function NR(n,e,t,i,s,r,o,a,l){ev(n,o,a,l,om(r,.95,.85)),!(l<5)&&(n.strokeStyle=om(r,.5,.9),n.lineWidth=Math.min(2,l/6),n.beginPath(),tv(n,e,t,i,s,!0),n.stroke())}function tv(n,e,{edges:t},i,s,r){for(let o=0;o<t.length;o+=8){let a=rm(s,i,t[o],t[o+1],t[o+2],t[o+3]),l=rm(s,i,t[o+4],t[o+5],t[o+6],t[o+7]);if(r&&xt(mt(Ke(a,l),Ke(s.centre,s.centre)),e.back)<0)continue;let[c,u]=[Mi(e,a),Mi(e,l)];n.moveTo(c.x,c.y),n.lineTo(u.x,u.y)}}function FR(n,e,t,i,s,r){let[o,a,l]=i.size,c=Math.max(...i.half)>10*ls(e);for(let u=0;u<t.tone.length;u+=3){let d=qt(s.turn,[t.normal[3*u]/(o||1),t.normal[3*u+1]/(a||1),t.normal[3*u+2]/(l||1)]),h=Math.hypot(...d)||1,p=[0,1,2].map(y=>{let E=3*(u+y);return Mi(e,rm(s,i,t.position[E],t.position[E+1],t.position[E+2],t.lift[u+y]))}),[m,v,_]=p;if((v.x-m.x)*(_.y-m.y)-(v.y-m.y)*(_.x-m.x)>=0)continue;let g=om(r,t.tone[u],DR(e,[d[0]/h,d[1]/h,d[2]/h]));n.push({depth:(m.depth+v.depth+_.depth)/3,draw:y=>{y.fillStyle=g,y.beginPath();for(let{x:E,y:M}of p)y.lineTo(E,M);y.closePath(),y.fill(),c&&(y.strokeStyle=g,y.lineWidth=.7,y.stroke())}})}}function nv(n,e,t){let i=n.layers.ghost;t.strokeStyle=Si(n.theme.ink),t.lineWidth=1,t.setLineDash([4,3]),t.beginPath();for(let s of n.solids.pieces){if(i.hidden[s.body])continue;let r=jy(s,i),{x:o,y:a}=Mi(e,r.centre);if(s.mold==="sphere"){let l=Math.max(s.half[0]/ls(e),4);t.moveTo(o+l,a),t.arc(o,a,l,0,2*Math.PI)}else tv(t,e,n.solids.molds.get(s.mold),s,r,!1)}t.stroke(),t.setLineDash([])}var iv=n=>Math.min(Math.max(Math.trunc((n- -5)/.25),0),40);function sv(n,e,t,i){if(n.mode!=="step")return n.level+n.wave*Math.sin(e-n.speed*i);let[s,r]=[iv(e),iv(t)];return n.level+n.wave/2*(Math.sin(n.speed*i+s)+Math.sin(s*r/2))}function rv(n,e){let t=new Float32Array(4*(e+1)**2),i=new Uint32Array(6*e*e),s=1.3*Math.max(n.max[0]-n.min[0],n.max[2]-n.min[2],.6*(n.max[1]-n.min[1])),r=(n.min[0]+n.max[0]-s)/2,o=(n.min[2]+n.max[2]-s)/2;for(let a=0;a<=e;++a)for(let l=0;l<=e;++l)t.set([r+s*a/e,o+s*l/e,0,0],4*(a*(e+1)+l));for(let a=0;a<e;++a)for(let l=0;l<e;++l){let c=a*(e+1)+l;i.set([c,c+1,c+e+2,c,c+e+2,c+e+1],6*(a*e+l))}return{place:t,index:i}}function ov(){let e=new Float32Array(79376),t=new Uint32Array(6*4961),i=0,s=(...r)=>{r.forEach((o,a)=>e.set(o,16*i+4*a)),t.set([4*i,4*i+1,4*i+2,4*i,4*i+2,4*i+3],6*i),++i};for(let r=0;r<41;++r)for(let o=0;o<41;++o){let[a,l]=[-5+.25*r,-5+.25*o],[c,u]=[a+.25,l+.25];s([a,l,r,o],[a,u,r,o],[c,u,r,o],[c,l,r,o]),r+1<41&&s([c,l,r,o],[c,u,r,o],[c,u,r+1,o],[c,l,r+1,o]),o+1<41&&s([a,u,r,o],[c,u,r,o],[c,u,r,o+1],[a,u,r,o+1])}return{place:e,index:t}}var UR=["bodies","ghost"],zh=class{constructor(e){this.canvas=e;this.context=e.getContext("2d",{willReadFrequently:!0})}canvas;webgl=!1;lost=!1;onChange=null;picture=null;context;show(e){this.picture=e}draw(e){let t=this.picture;if(!t)return;let{context:i,canvas:s}=this,[r,o]=[Math.max(1,Math.round(e.width*e.ratio)),Math.max(1,Math.round(e.height*e.ratio))];(s.width!==r||s.height!==o)&&([s.width,s.height]=[r,o]),i.setTransform(e.ratio,0,0,e.ratio,0,0),i.fillStyle=Si(t.theme.ground),i.fillRect(0,0,e.width,e.height),i.lineCap=i.lineJoin="round";for(let c=0;c<t.fixed.count;++c)this.segment(e,t.fixed,c);for(let c of UR)this.trail(e,t,t.trails[c],c==="ghost");let a=t.layers.bodies.shown?Qy(t,e):[],{links:l}=t;for(let c=0;c<l.count;++c)a.push({depth:this.depth(e,l,c),draw:()=>this.segment(e,l,c)});this.water(a,e,t),a.sort((c,u)=>u.depth-c.depth);for(let c of a)c.draw(i);t.layers.ghost.shown&&nv(t,e,i);for(let c=0;c<t.marks.count;++c)this.segment(e,t.marks,c)}depth(e,{data:t},i){let s=i*12,r=[t[s]+t[s+3],t[s+1]+t[s+4],t[s+2]+t[s+5]];return Mi(e,[r[0]/2,r[1]/2,r[2]/2]).depth}segment(e,{data:t},i){let s=this.context,r=i*12,o=Mi(e,[t[r],t[r+1],t[r+2]]),a=Mi(e,[t[r+3],t[r+4],t[r+5]]),l=Si([t[r+6],t[r+7],t[r+8]]),[c,u,d]=[t[r+9],t[r+10],t[r+11]],h=Math.hypot(a.x-o.x,a.y-o.y);if(s.fillStyle=s.strokeStyle=l,s.beginPath(),d===2)s.arc(o.x,o.y,c/2,0,2*Math.PI),s.fill();else if(c!==u){let[p,m]=h>0?[(a.y-o.y)*c/2/h,(o.x-a.x)*c/2/h]:[0,0];s.moveTo(o.x+p,o.y+m),s.lineTo(o.x-p,o.y-m),s.lineTo(a.x,a.y),s.fill()}else s.setLineDash(d===1?[5,4]:[]),s.lineWidth=c,s.moveTo(o.x,o.y),s.lineTo(a.x,a.y),s.stroke(),s.setLineDash([])}trail(e,t,i,s){if(!i)return;let r=this.context,o=i.upTo;r.lineWidth=1.5,r.setLineDash(s?[5,4]:[]);for(let a=0;a<i.bodies;++a){r.strokeStyle=Si(t.colours[a]??t.theme.ink),r.beginPath();for(let l=0;l<=o;++l){let c=3*(l*i.bodies+a),{x:u,y:d}=Mi(e,i.positions.subarray(c,c+3));r.lineTo(u,d)}r.stroke()}r.setLineDash([])}water(e,t,{scene:i,bounds:s,theme:r,time:o}){let a=Si(Es([.1,.4,.8],r.ink,.1));for(let l of i.water){let c=1.3*Math.max(s.max[0]-s.min[0],s.max[2]-s.min[2]),[u,d]=[(s.min[0]+s.max[0]-c)/2,(s.min[2]+s.max[2]-c)/2];for(let h=0;h<=16;++h){let p=d+c*h/16,m=v=>{v.strokeStyle=a,v.lineWidth=1,v.beginPath();for(let _=0;_<=120;++_){let g=u+c*_/120,y=Mi(t,[g,sv(l,g,p,o),p]);v.lineTo(y.x,y.y)}v.stroke()};e.push({depth:Mi(t,[u+c/2,l.level,p]).depth,draw:m})}}}dispose(){this.picture=null}};function OR(n){let e={position:[],normal:[],tone:[],lift:[],index:[]},t=new Map;for(let i=0;i<n.tone.length;++i){let s=n.position.slice(3*i,3*i+3),r=n.normal.slice(3*i,3*i+3),o=`${s} ${r} ${n.tone[i]} ${n.lift[i]}`,a=t.get(o);a===void 0&&(a=t.size,t.set(o,a),e.position.push(...s),e.normal.push(...r),e.tone.push(n.tone[i]),e.lift.push(n.lift[i])),e.index.push(a)}return e}var Gh=class{constructor(e,t,i,s,r){this.pieces=t;let o=t.length;this.center=new Er(new Float32Array(4*o),4).setUsage(ro),this.turn=new Er(new Float32Array(4*o),4).setUsage(ro);let a=new Er(new Float32Array(t.flatMap(_=>_.size)),4),l=new Er(new Float32Array(t.flatMap(_=>i[_.body])),3),c=(_,g)=>{let y=new eo;return y.instanceCount=o,y.setAttribute("position",new dn(new Float32Array(_),3)),y.setAttribute("lift",new dn(new Float32Array(g),1)),y.setAttribute("center",this.center),y.setAttribute("turn",this.turn),y.setAttribute("size",a),y.setAttribute("color",l),y},{position:u,normal:d,tone:h,lift:p,index:m}=OR(e),v=c(u,p);if(v.setAttribute("normal",new dn(new Float32Array(d),3)),v.setAttribute("tone",new dn(new Float32Array(h),1)),v.setIndex(m),this.drawn.push(new Hn(v,s)),r&&e.edges.length>0){let _=e.edges.filter((g,y)=>y%4<3);this.drawn.push(new dl(c(_,e.edges.filter((g,y)=>y%4===3)),r))}for(let _ of this.drawn)_.frustumCulled=_.matrixAutoUpdate=!1}pieces;drawn=[];center;turn;place(e,t,i){let s=this.center.array,r=this.turn.array;for(let o=0;o<this.pieces.length;++o){let{body:a,position:l,orientation:c}=this.pieces[o],u=4*o;if(s[u+3]=i[a]?0:1,i[a])continue;let d=t[4*a],h=t[4*a+1],p=t[4*a+2],m=t[4*a+3],v=p*l[2]-m*l[1]+d*l[0],_=m*l[0]-h*l[2]+d*l[1],g=h*l[1]-p*l[0]+d*l[2];s[u]=e[3*a]+l[0]+2*(p*g-m*_),s[u+1]=e[3*a+1]+l[1]+2*(m*v-h*g),s[u+2]=e[3*a+2]+l[2]+2*(h*_-p*v),r[u]=d*c[0]-h*c[1]-p*c[2]-m*c[3],r[u+1]=d*c[1]+h*c[0]+p*c[3]-m*c[2],r[u+2]=d*c[2]-h*c[3]+p*c[0]+m*c[1],r[u+3]=d*c[3]+h*c[2]-p*c[1]+m*c[0]}this.center.needsUpdate=this.turn.needsUpdate=!0}dispose(){for(let e of this.drawn)e.geometry.dispose()}};var Hh=`
+precision highp float;
+uniform mat4 view, projection;
+`,av=`
+${Hh}
+uniform float grow;      // part by which a ghost is larger than a body: equal poses must not fight for depth
+uniform float smallest;  // least half extent, as a part of the distance: small bodies stay in sight
+in vec3 position;
+in float lift;
+in vec4 center;
+in vec4 turn;
+in vec4 size;
+in vec3 color;
+vec3 rotated(vec3 v) { return v + 2.0 * cross(turn.yzw, cross(turn.yzw, v) + turn.x * v); }
+vec4 placed() {
+  float depth = max(-(view * vec4(center.xyz, 1.0)).z, 0.0);
+  float half_extent = max(max(size.x, size.z), size.y + max(size.w, 0.0));
+  float least = size.w < 0.0 ? 2.5 * smallest : smallest;  // crosses are thin
+  float k = max(1.0 + grow, least * depth / max(half_extent, 1e-30));
+  vec3 local = position * size.xyz + vec3(0.0, lift * size.w, 0.0);
+  return center.w > 0.0 ? view * vec4(center.xyz + rotated(k * local), 1.0) : vec4(0.0, 0.0, 1e30, 1.0);
+}
+`,am=`
+${av}
+in vec3 normal;
+in float tone;
+out vec3 shade;
+out float rim;
+void main() {
+  vec4 p = placed();
+  gl_Position = projection * p;
+  vec3 n = normalize(mat3(view) * rotated(normalize(normal / max(size.xyz, vec3(1e-30)))));
+  float light = 0.62 + 0.38 * dot(n, normalize(vec3(-0.35, 0.65, 0.7)));
+  shade = color * tone * light;
+  rim = 1.0 - abs(dot(n, normalize(p.xyz)));
+}
+`,lv=`
+precision highp float;
+in vec3 shade;
+in float rim;
+out vec4 pixel;
+void main() { pixel = vec4(shade, 1.0); }
+`,cv=`
+precision highp float;
+uniform vec3 ink;
+uniform float ratio;
+in vec3 shade;
+in float rim;
+out vec4 pixel;
+void main() {
+  float stripe = step(0.5, fract((gl_FragCoord.x - gl_FragCoord.y) / (7.0 * ratio)));
+  pixel = vec4(mix(shade, ink, 0.55), 0.08 + 0.2 * stripe + 0.45 * smoothstep(0.6, 0.95, rim));
+}
+`,uv=`
+${av}
+void main() { gl_Position = projection * placed(); }
+`,hv=`
+precision highp float;
+uniform vec3 ink;
+uniform float ratio;
+out vec4 pixel;
+void main() {
+  if (fract((gl_FragCoord.x + gl_FragCoord.y) / (8.0 * ratio)) > 0.6) discard;
+  pixel = vec4(ink, 0.9);
+}
+`,dv=`
+uniform vec2 pixels;  // of the drawing buffer
+uniform float ratio, near, bias;
+out vec3 shade;
+flat out float broken;
+out vec2 spot;  // within a dot: -1 \u2026 1 each way
+void draw(vec3 a, vec3 b, vec2 widths, vec2 corner) {
+  vec4 from = view * vec4(a, 1.0), to = view * vec4(b, 1.0);
+  // What lies behind the camera is cut off at the near plane.
+  if (from.z > -near && to.z > -near) { gl_Position = vec4(0.0, 0.0, 2.0, 1.0); return; }
+  if (from.z > -near) from = mix(to, from, (-near - to.z) / (from.z - to.z));
+  if (to.z > -near) to = mix(from, to, (-near - from.z) / (to.z - from.z));
+  vec4 p = projection * from, q = projection * to;
+  vec2 along = (q.xy / q.w - p.xy / p.w) * pixels;
+  float l = length(along);
+  along = l > 1e-3 ? along / l : vec2(1.0, 0.0);
+  float width = mix(widths.x, widths.y, corner.x) * ratio;
+  if (corner.x < 0.5) width = max(width, 1.0);
+  float cap = 0.5 * min(widths.x, widths.y) * ratio;
+  vec2 shift = 0.5 * width * corner.y * vec2(-along.y, along.x) + (2.0 * corner.x - 1.0) * cap * along;
+  spot = vec2(2.0 * corner.x - 1.0, corner.y);
+  vec4 c = corner.x < 0.5 ? p : q;
+  gl_Position = vec4(c.xy + 2.0 * shift / pixels * c.w, c.z - bias * c.w, c.w);
+}
+`,lm=`
+${Hh}
+${dv}
+in vec3 position;  // which end, which side
+in vec3 from, to, color;
+in vec2 widths;
+in float pattern;
+void main() {
+  shade = color;
+  broken = pattern;
+  draw(from, to, widths, position.xy);
+}
+`,fv=`
+${Hh}
+${dv}
+in vec3 position;  // which end, which side
+in vec3 from, to;
+uniform int bodies;
+uniform float dashes;
+uniform sampler2D colors;
+void main() {
+  int body = gl_InstanceID % bodies;
+  shade = texelFetch(colors, ivec2(body % 1024, body / 1024), 0).rgb;
+  broken = dashes;
+  draw(from, to, vec2(1.5), position.xy);
+}
+`,Wh=`
+precision highp float;
+uniform float ratio;
+in vec3 shade;
+flat in float broken;
+in vec2 spot;
+out vec4 pixel;
+void main() {
+  if (broken > 1.5 && dot(spot, spot) > 1.0) discard;
+  float dash = fract((gl_FragCoord.x + gl_FragCoord.y) / (9.0 * ratio));
+  if (broken > 0.5 && broken < 1.5 && dash > 0.55) discard;
+  pixel = vec4(shade, 1.0);
+}
+`,pv=`
+${Hh}
+uniform float level, wave, speed, time;
+uniform bool cells;
+in vec4 place;  // x, z, and the indices i, j of the cell
+out float height;
+void main() {
+  float y = cells ? 0.5 * wave * (sin(speed * time + place.z) + sin(0.5 * place.z * place.w))
+                  : wave * sin(place.x - speed * time);
+  height = wave > 0.0 ? y / wave : 0.0;
+  gl_Position = projection * view * vec4(place.x, level + y, place.y, 1.0);
+}
+`,mv=`
+precision highp float;
+uniform float alpha;
+in float height;
+out vec4 pixel;
+void main() { pixel = vec4(0.08, 0.32 + 0.1 * height, 0.68 + 0.2 * height, alpha); }
+`;function Xh(){let n=new eo;return n.setAttribute("position",new dn(new Float32Array([0,-1,0,1,-1,0,1,1,0,0,-1,0,1,1,0,0,1,0]),3)),n}var xa=class{constructor(e,t,i){this.lines=e;this.drawn=new Hn(Xh(),t),this.drawn.frustumCulled=this.drawn.matrixAutoUpdate=!1,this.drawn.renderOrder=i}lines;drawn;version=-1;buffer=null;sync(){if(this.version===this.lines.version)return;this.version=this.lines.version,this.buffer?.array!==this.lines.data&&this.attach();let e=this.drawn.geometry;e.instanceCount=this.lines.count,this.drawn.visible=this.lines.count>0,this.buffer.clearUpdateRanges(),this.buffer.addUpdateRange(0,this.lines.count*12),this.buffer.needsUpdate=!0}attach(){let e=this.drawn.material;this.drawn.geometry.dispose();let t=Xh();this.buffer=new ca(this.lines.data,12),this.buffer.setUsage(ro);let i=(s,r,o)=>{t.setAttribute(s,new Kr(this.buffer,r,o))};i("from",3,0),i("to",3,3),i("color",3,6),i("widths",2,9),i("pattern",1,11),this.drawn.geometry=t,this.drawn.material=e}dispose(){this.drawn.geometry.dispose()}},cm=1024;function gv(n){let e=Math.max(1,Math.ceil(n.length/cm)),t=new Float32Array(4*cm*e);n.forEach((s,r)=>t.set([...s,1],4*r));let i=new ra(t,cm,e,Ni,Di);return i.needsUpdate=!0,i}var $h=class{constructor(e){this.material=e;this.drawn=new Hn(Xh(),e),this.drawn.frustumCulled=this.drawn.matrixAutoUpdate=!1,this.drawn.renderOrder=2,this.drawn.visible=!1}material;drawn;trail=null;buffer=null;sent=0;sync(e){if(this.drawn.visible=e!==null&&e.upTo>0,!!e){if(this.trail!==e&&this.attach(e),this.sent<e.filled){let t=3*e.bodies;this.buffer.clearUpdateRanges(),this.buffer.addUpdateRange(this.sent*t,(e.filled-this.sent)*t),this.buffer.needsUpdate=!0,this.sent=e.filled}this.drawn.geometry.instanceCount=e.bodies*e.upTo}}attach(e){this.trail=e,this.sent=0,this.drawn.geometry.dispose();let t=Xh();this.buffer=new ca(e.positions,3),this.buffer.setUsage(ro),t.setAttribute("from",new Kr(this.buffer,3,0));let i=3*e.bodies;t.setAttribute("to",new Kr(this.buffer,3,i)),this.drawn.geometry=t,this.material.uniforms.bodies.value=e.bodies}dispose(){this.drawn.geometry.dispose()}};function _v(n,e,t){let i=new Ji,{place:s,index:r}=n.mode==="step"?ov():rv(e,80);i.setAttribute("place",new dn(s,4)),i.setIndex(new dn(r,1));let o=new Hn(i,t);return o.frustumCulled=o.matrixAutoUpdate=!1,o}bt.enabled=!1;var qh=["bodies","ghost"],Yh=class{constructor(e,t){this.canvas=e;this.renderer=new Ih({canvas:e,context:t}),this.renderer.outputColorSpace=Jr,this.renderer.sortObjects=!0,this.scene.matrixWorldAutoUpdate=!1,this.camera.matrixWorldAutoUpdate=!1,e.addEventListener("webglcontextlost",this.onLost),e.addEventListener("webglcontextrestored",this.onRestored)}canvas;webgl=!0;lost=!1;onChange=null;renderer;camera=new Qr;common={view:{value:new Yt},projection:{value:new Yt},pixels:{value:new Ct(1,1)},ratio:{value:1},near:{value:.1},smallest:{value:0},ink:{value:new $}};materials={body:this.material(am,lv,{grow:0},{}),ghost:this.material(am,cv,{grow:.008},{transparent:!0,depthWrite:!1}),edge:this.material(uv,hv,{grow:.012},{transparent:!0,depthWrite:!1}),line:this.material(lm,Wh,{bias:1e-4},{}),mark:this.material(lm,Wh,{bias:0},{depthTest:!1,transparent:!0})};picture=null;scene=new ll;batches={bodies:[],ghost:[]};placed={bodies:-1,ghost:-1};strips=[];trails=null;waters=[];colours=null;onLost=e=>{e.preventDefault(),this.lost=!0,this.clear();for(let t of Object.values(this.materials))t.dispose();this.onChange?.()};onRestored=()=>{this.lost=!1,this.picture&&this.show(this.picture),this.onChange?.()};material(e,t,i,s){let r={...this.common};for(let[o,a]of Object.entries(i))r[o]={value:a};return new aa({glslVersion:El,vertexShader:e,fragmentShader:t,uniforms:r,...s})}show(e){if(this.clear(),this.picture=e,this.lost)return;let t=e.colours,i=Jy(e.solids);for(let a of qh){let l=a==="ghost",c=l?this.materials.ghost:this.materials.body;for(let[u,d]of i){let h=new Gh(e.solids.molds.get(u),d,t,c,l?this.materials.edge:null);for(let p of h.drawn)p.renderOrder=l?6:0,this.scene.add(p);this.batches[a].push(h)}}this.placed={bodies:-1,ghost:-1};let{line:s,mark:r}=this.materials;this.strips=[new xa(e.fixed,s,1),new xa(e.links,s,2),new xa(e.marks,r,9)];for(let a of this.strips)this.scene.add(a.drawn);this.colours=gv(t);let o=a=>new $h(this.material(fv,Wh,{bias:1e-4,bodies:1,dashes:a,colors:this.colours},{}));this.trails={bodies:o(0),ghost:o(1)};for(let a of qh)this.scene.add(this.trails[a].drawn);for(let a of e.scene.water){let{level:l,wave:c,speed:u}=a,d={level:l,wave:c,speed:u,time:0,cells:a.mode==="step",alpha:.55};for(let h of[!1,!0]){let p=this.material(pv,mv,d,{transparent:!0,side:Zi,colorWrite:h}),m=_v(a,e.bounds,p);m.renderOrder=h?8:7,this.waters.push({mesh:m,material:p}),this.scene.add(m)}}}look(e){let{right:t,up:i,back:s,eye:r,near:o,far:a,width:l,height:c,ratio:u}=e,d=this.common;d.view.value.set(t[0],t[1],t[2],-xt(t,r),i[0],i[1],i[2],-xt(i,r),s[0],s[1],s[2],-xt(s,r),0,0,0,1);let h=1/Math.tan(Wa/2),p=1/(o-a);d.projection.value.set(h*c/l,0,0,0,0,h,0,0,0,0,(o+a)*p,2*o*a*p,0,0,-1,0);let[m,v]=[Math.max(1,Math.round(l*u)),Math.max(1,Math.round(c*u))];(this.canvas.width!==m||this.canvas.height!==v)&&this.renderer.setSize(m,v,!1),d.pixels.value.set(m,v),d.ratio.value=u,d.near.value=o,d.smallest.value=6/h/c,d.ink.value.set(...this.picture.theme.ink)}draw(e){let t=this.picture;if(!t||this.lost)return;this.look(e);for(let o of qh){let a=t.layers[o];if(this.placed[o]!==a.version){this.placed[o]=a.version;for(let l of this.batches[o]){for(let c of l.drawn)c.visible=a.shown;a.shown&&l.place(a.position,a.orientation,a.hidden)}}this.trails[o].sync(t.trails[o])}for(let o of this.strips)o.sync();for(let{material:o}of this.waters)o.uniforms.time.value=t.time;let[i,s,r]=t.theme.ground;this.renderer.getContext().clearColor(i,s,r,1),this.renderer.setClearColor(Math.round(i*255)<<16|Math.round(s*255)<<8|Math.round(r*255),1),this.renderer.render(this.scene,this.camera)}clear(){for(let e of qh){for(let t of this.batches[e])t.dispose();this.trails?.[e].dispose(),this.trails?.[e].material.dispose()}for(let e of this.strips)e.dispose();for(let{mesh:e,material:t}of this.waters)e.geometry.dispose(),t.dispose();this.colours?.dispose(),this.batches={bodies:[],ghost:[]},this.strips=[],this.waters=[],this.trails=null,this.scene.clear()}dispose(){this.clear();for(let e of Object.values(this.materials))e.dispose();this.canvas.removeEventListener("webglcontextlost",this.onLost),this.canvas.removeEventListener("webglcontextrestored",this.onRestored),this.renderer.dispose(),this.renderer.forceContextLoss()}};var BR=()=>/[?&#]webgl=off\b/.test(`${location.search}${location.hash}`),um=null;function VR(){if(um!==null)return um;let n=document.createElement("canvas").getContext("webgl2"),e=n?.getExtension("WEBGL_debug_renderer_info"),t=e?String(n.getParameter(e.UNMASKED_RENDERER_WEBGL)):"";return n?.getExtension("WEBGL_lose_context")?.loseContext(),um=/swiftshader|llvmpipe|softpipe|software|basic render/i.test(t)}function xv(){if(!BR()){let n=document.createElement("canvas"),e=n.getContext("webgl2",{antialias:!VR(),alpha:!1,powerPreference:"high-performance"});if(e)try{return new Yh(n,e)}catch{}}return new zh(document.createElement("canvas"))}var Jh=class{constructor(e,t,i){this.options=i;this.root.className="scene3d",e.append(this.root),this.stage=xv(),this.stage.onChange=()=>this.relabel(),this.webgl=this.stage.webgl,this.element=this.stage.canvas,this.element.tabIndex=0,this.element.setAttribute("role","application"),this.element.setAttribute("aria-roledescription","3D view"),this.element.setAttribute("aria-label",`${i.label}. Arrow keys turn, plus and minus zoom, Home frames all.`),this.over.className="scene3d-over",this.over.setAttribute("aria-hidden","true"),this.note.className="scene3d-note",this.note.setAttribute("role","status"),this.root.append(this.element,this.over,this.note),this.picture=new Dl(t,Pf(this.root),i.bounds),this.stage.show(this.picture),this.state=If(this.picture.bounds,4/3),this.controls=new Pc(this.element,this),this.resized.observe(this.root),this.restyled.observe(document.documentElement,{attributes:!0,attributeFilter:["class","style","data-theme"]}),matchMedia("(prefers-color-scheme: dark)").addEventListener("change",()=>this.retheme(),{signal:this.stop.signal})}options;element;webgl;onCamera=null;onFrameAll=null;onGrab=null;onPull=null;onRelease=null;root=document.createElement("div");over=document.createElement("canvas");note=document.createElement("div");stage;controls;picture;state;framed=!1;framing=null;stale=!0;overStale=!0;held=null;stop=new AbortController;resized=new ResizeObserver(()=>this.turned());restyled=new MutationObserver(()=>this.retheme());get camera(){return this.state}set camera(e){this.state=L_(e),this.framed=!0,this.turned()}moveCamera(e){this.camera=e,this.onCamera?.(this.state)}frameOn(e){this.framing=Tc(e),this.turned()}frameAll(){this.framed=!1,this.turned()}reset(){this.frameAll(),this.view(),this.onFrameAll?this.onFrameAll():this.onCamera?.(this.state)}show(e,t,i){this.picture.layers[e].set(t),Number.isFinite(i)&&(this.picture.time=i),this.stale=!0,e==="bodies"&&this.relabel()}relabel(){let e=this.picture.lost(),t=e.length>3?`${e.slice(0,3).join(", ")} and ${e.length-3} more`:e.join(", "),i=this.stage.lost?"the graphics card was lost; waiting for it":e.length>0?`not finite: ${t}`:"";this.note.textContent!==i&&(this.note.textContent=i),this.stale=!0}trails(e,t,i,s){this.picture.setTrail(e,t,i,s),this.stale=!0}arrows(e){this.picture.arrows=e,this.stale=!0}contacts(e,t){this.picture.setContacts(e,t),this.stale=!0}pulls(e){this.picture.pulls=e,this.stale=!0}links(e){this.picture.linksShown=e,this.stale=!0}replaceScene(e){let{linksShown:t}=this.picture;this.picture=new Dl(e,this.picture.theme,this.options.bounds),this.picture.linksShown=t,this.stage.show(this.picture),this.relabel(),this.turned()}retheme(){this.picture.theme=Pf(this.root),this.turned()}view(){let e=Math.max(this.root.clientWidth,1),t=Math.max(this.root.clientHeight,1),i=this.framing??this.picture.bounds;this.framed||(this.state=If(i,e/t));let s=Et(mt(i.max,i.min));return D_(this.state,{width:e,height:t,ratio:Math.min(devicePixelRatio||1,2)},s)}metresPerPixel(){return ls(this.view())}ray(e,t,i){return this.webgl?N_(e,t,i):F_(e,t,i)}grab(e,t){let i=this.picture.layers.bodies;if(!this.onGrab||!i.shown)return!1;let s=this.view(),r=ls(s),o=u=>6*r*(this.webgl?u/s.distance:1),a=B_(this.ray(s,e,t),this.picture.solids,i,o);if(!a||this.picture.scene.body[a.body].locked)return!1;let{body:l,point:c}=a;return this.held=c,this.onGrab({body:l,point:c,anchor:qt(Xi(i.turn(l)),mt(c,i.at(l)))}),!0}pull(e,t){if(!this.held)return;let i=this.view(),{from:s,along:r}=this.ray(i,e,t),o=xt(mt(this.held,s),i.back)/xt(r,i.back);this.onPull?.(Ke(s,tt(r,o)))}release(){this.held=null,this.onRelease?.()}render(){if(!this.stale)return;this.stale=!1,this.picture.relink();let e=this.view(),{grid:t}=this.picture;this.picture.setEye(e.eye,this.framing??this.picture.bounds),this.picture.grid!==t&&(this.overStale=!0),this.stage.draw(e),this.overStale&&this.drawOver(e)}drawOver(e){this.overStale=!1,[this.over.width,this.over.height]=[this.element.width,Math.round(Nf*e.ratio)];let t=this.picture.scene.plane.length>0?this.picture.grid:null,i=this.over.getContext("2d");i&&O_(i,e,this.picture.theme,t)}turned(){this.stale=this.overStale=!0}get size(){return{width:this.element.width,height:this.element.height}}paint(e,t,i){this.stale=!0,this.render(),e.drawImage(this.element,t,i),e.drawImage(this.over,t,i+this.element.height-this.over.height)}png(){let e=document.createElement("canvas");this.stale=!0,this.render(),[e.width,e.height]=[this.element.width,this.element.height];let t=e.getContext("2d");return t&&this.paint(t,0,0),new Promise((i,s)=>e.toBlob(r=>r?i(r):s(new Error("the picture could not be kept")),"image/png"))}dispose(){this.stop.abort(),this.resized.disconnect(),this.restyled.disconnect(),this.controls.dispose(),this.stage.dispose(),this.root.remove(),this.onCamera=this.onFrameAll=this.onGrab=this.onPull=this.onRelease=null}};function Zh(n,e,t){return new Jh(n,e,t)}function zR(n,e){let t=n.getContext("2d");[...e].forEach((i,s)=>{s===0&&([n.width,n.height]=[i.width,i.height]),i.width>0&&i.height>0&&t?.drawImage(i,0,0)})}function yv(n,e,t){let i=document.createElement("canvas");i.className="pane-paper";let s=()=>{e(),queueMicrotask(()=>{t(),zR(i,n.querySelectorAll("canvas")),n.after(i)})},r=()=>i.remove();return addEventListener("beforeprint",s),addEventListener("afterprint",r),()=>{removeEventListener("beforeprint",s),removeEventListener("afterprint",r),r()}}var Kh=class{linked=!0;moved=null;scenes=new Set;join(e){return this.moved&&this.linked&&(e.camera=this.moved),this.scenes.add(e),e.onCamera=t=>{if(this.moved=t,this.linked)for(let i of this.scenes)i!==e&&(i.camera=t)},()=>{this.scenes.delete(e)}}};function vv(n,e){let t=n.position.length/n.time.length/3;return{position:n.position.subarray(3*t*e,3*t*(e+1)),orientation:n.orientation.subarray(4*t*e,4*t*(e+1))}}function GR(n,{bodies:e,ghost:t},i,s,r){if(e.time.length===0){n.show("bodies",null,i),n.trails("bodies",null,0,0),n.show("ghost",null,i);return}let o=Ts(e.time,i),a=e.time[o];n.show("bodies",vv(e,o),i);let l=e.position.length/e.time.length/3;n.trails("bodies",r?e.position:null,l,o);let c=t&&t.time.length>0?Ts(t.time,a):-1,u=s&&t&&c>=0&&Math.abs(t.time[c]-a)<=1e-6*Math.abs(a);n.show("ghost",u?vv(t,c):null,i)}async function HR(n,e){if(!n)return;let t=document.createElement("a");t.href=URL.createObjectURL(await n.png()),t.download=`${e.replace(/[^\w.-]+/g,"_")}.png`,t.click(),setTimeout(()=>URL.revokeObjectURL(t.href),1e3)}function hm({title:n,scene:e,motions:t,bounds:i,cursor:s,cameras:r,ghost:o,trails:a}){let l=Vt(null),c=Vt(null),u=Vt(null),d=Vt(()=>{});return d.current=()=>{c.current&&GR(c.current,t,s.time,o,a)},Tt(()=>{let h=Zh(l.current,e,{label:`3D picture of ${le(n)}`,...i?{bounds:i}:{}});c.current=h,!h.webgl&&u.current&&(u.current.textContent="No WebGL here: drawn flat, without perspective.");let p=[r.join(h),s.listen(()=>d.current()),bo(()=>d.current()),yv(l.current,()=>d.current(),()=>h.render())],m=requestAnimationFrame(function v(){h.render(),m=requestAnimationFrame(v)});return()=>{cancelAnimationFrame(m);for(let v of p)v();h.dispose(),c.current=null}},[e,i,s,r]),Tt(()=>d.current()),f("figure",{class:"pane",children:[f("figcaption",{children:[f("strong",{children:le(n)})," ",f("span",{class:"note",ref:u})," ",f("button",{type:"button",class:"on-screen",onClick:()=>{HR(c.current,n)},children:"save as PNG"})]}),f("div",{class:"pane-picture",ref:l})]})}function dm(n,e){let{motion:t,ghost:i}=e.trace;return{title:n,block:e,frames:e.frames(t),ghost:i?e.frames(i):null}}function WR({ghost:n,frames:e}){return!n||n.time.length>=e.time.length?"":`It is known at ${n.time.length} times and shown at those alone. `}function rr(n){return[n.engine,n.integrator,n.dt_text].join(" ")}function bv({scene:n,own:e,other:t,choices:i,chosen:s,bounds:r,cursor:o,trouble:a}){let[l,c]=at(!0),[u,d]=at(!0),[h,p]=at(!0),m=Xe(()=>new Kh,[]);m.linked=h;let v=e.block.trace.ghost,_=[["ghost of the truth",l,c,e.ghost===null],["trails",u,d,!1],["cameras linked",h,p,t===null]],g={scene:n,bounds:r,cursor:o,cameras:m,ghost:l,trails:u};return f("section",{"aria-labelledby":"side-heading",children:[f("h3",{id:"side-heading",children:"Side by side"}),f("div",{class:"side-tools on-screen",children:[f("label",{children:["beside it"," ",f("select",{value:s,onChange:y=>zn({other:y.currentTarget.value||"-"}),children:[f("option",{value:"",children:"nothing"}),i.map(y=>f("option",{value:rr(y),children:le(rr(y))},rr(y)))]})]}),_.map(([y,E,M,I])=>f("label",{children:[f("input",{type:"checkbox",checked:E,disabled:I,onChange:()=>M(!E)})," ",y]},y))]}),a?f("p",{class:"note",children:le(a)}):null,f("div",{class:"panes",children:[f(hm,{title:e.title,motions:{bodies:e.frames,ghost:e.ghost},...g},e.title),t?f(hm,{title:t.title,motions:{bodies:t.frames,ghost:t.ghost},...g},t.title):null]}),f("p",{class:"note",children:[v?`The ghost follows ${le([v.follows,v.source].filter(Boolean).join(": "))}. ${WR(e)}`:"This scene has no truth that tells where its bodies are: there is no ghost. ","Shown is the stored frame nearest to the cursor; nothing is drawn between frames."]})]})}var fm=[.001,.01,.1,.25,.5,1,2,5,10,100];function Sv(n){return n>=2&&n<=60?1:fm.reduce((e,t)=>Math.abs(Math.log(t*10/n))<Math.abs(Math.log(e*10/n))?t:e)}function Mv(n,e){let[t,i]=at(!1);return Tt(()=>{if(!t)return;n.running=!0;let r=matchMedia("(prefers-reduced-motion: reduce)").matches?500:0,o=performance.now(),a=requestAnimationFrame(function l(c){c-o>=r&&(n.pin+=(c-o)/1e3*e,o=c),n.pin>=n.whole[1]?i(!1):a=requestAnimationFrame(l)});return()=>{n.running=!1,cancelAnimationFrame(a)}},[t,n,e]),{playing:t,toggle:()=>{!t&&n.pin>=n.whole[1]&&(n.pin=n.whole[0]),i(!t)}}}function pm(n,e,t){let i=Ts(e,n.pin),s=Math.min(e.length-1,Math.max(0,i+t));n.pin=e[s]??n.pin}var XR='input, select, textarea, button, a, summary, canvas, [role="region"], [role="grid"]';function $R(n,e){es(()=>{let t=i=>{let s=i.key==="ArrowLeft"?-1:i.key==="ArrowRight"?1:0;s===0||i.altKey||i.ctrlKey||i.metaKey||i.target instanceof Element&&i.target.closest(XR)||(i.preventDefault(),pm(n,e,i.shiftKey?10*s:s))};return addEventListener("keydown",t),()=>removeEventListener("keydown",t)},[n,e])}function qR({cursor:n,divergence:e}){return f("p",{class:"jump",children:[f("button",{type:"button",disabled:!e,onClick:()=>e&&(n.pin=e.time),children:"jump to the first divergence"})," ",e?`${e.what}, at ${ze(e.time,6)} s`:"no first violation is recorded, and the engines shown do not part by 1 % of the extent"]})}function wv({cursor:n,frames:e,divergence:t}){let i=sc(n),[s,r]=at(()=>Sv(n.whole[1]-n.whole[0])),{playing:o,toggle:a}=Mv(n,s);$R(n,e);let l=Ts(e,i);return f("div",{class:"timeline on-screen",role:"group","aria-label":"Time cursor of all plots and pictures",children:[f("div",{class:"timeline-row",children:[f("button",{type:"button",onClick:a,children:o?"pause":"play"}),f("button",{type:"button",onClick:()=>pm(n,e,-1),children:"\u22121 frame"}),f("button",{type:"button",onClick:()=>pm(n,e,1),children:"+1 frame"}),f("input",{type:"range","aria-label":"time",min:n.whole[0],max:n.whole[1],step:(n.whole[1]-n.whole[0])/1e3,value:i,"aria-valuetext":`${ze(i)} s`,onInput:c=>n.pin=Number(c.currentTarget.value)}),f("output",{class:"number",children:[ze(i,5)," s of ",ze(n.whole[1],5)," s, frame ",l+1," of ",e.length]}),f("label",{children:["speed"," ",f("select",{value:s,onChange:c=>r(Number(c.currentTarget.value)),children:fm.map(c=>f("option",{value:c,children:[c," \xD7"]},c))})]}),f("button",{type:"button",onClick:()=>n.lookCloser(),children:"plots: closer"}),n.window?f("button",{type:"button",onClick:()=>n.window=null,children:"plots: whole time"}):null]}),f(qR,{cursor:n,divergence:t})]})}var YR=[{title:"Energy",names:["energy","kinetic energy"]},{title:"Momentum",names:["momentum"]},{title:"Angular momentum",names:["angular momentum"]}];function Tv(n,e,t,i,s){let r=Float64Array.from(n.floats(e.value)),o=r[0]??0;return{label:i,style:s,time:n.floats(e.time),value:t?r.map(a=>a-o):r}}function JR(n,e,t,i){return e.trace.totals.filter(r=>n.includes(r.name)).flatMap((r,o)=>{let a=`${r.name}${r.component?`, ${r.component}`:""}`,l=d=>d.name===r.name&&d.component===r.component,c=t?.block.trace.totals.find(l),u=[Tv(e,r,i,a,o)];return t&&c&&u.push({...Tv(t.block,c,i,`${t.engine}: ${a}`,o),faint:!0}),u})}function Av({block:n,other:e,cursor:t}){let[i,s]=at(!0),r=Xe(()=>YR.map(({title:o,names:a})=>({title:o,unit:n.trace.totals.find(l=>a.includes(l.name))?.unit??"",curves:JR(a,n,e,i)})),[n,e,i]);return f("section",{"aria-labelledby":"totals-heading",children:[f("h3",{id:"totals-heading",children:"Energy and momenta against time"}),f("label",{class:"on-screen",children:[f("input",{type:"checkbox",checked:i,onChange:()=>s(!i)})," change since the start"]}),n.trace.totals.length===0?f("p",{class:"empty",children:"The trace holds none."}):null,f("div",{class:"total-plots",children:r.filter(({curves:o})=>o.length>0).map(({title:o,unit:a,curves:l})=>{let c=`${i?"\u0394 ":""}${o.toLowerCase()} [${a}]`;return f("figure",{children:[f(Sc,{curves:l,label:wc(o,l,a),axis:c,log:!1,cursor:t,number:ze,height:250}),f("figcaption",{children:f(Mc,{curves:l,cursor:t,log:!1,unit:a,caption:c})})]},o)})}),f("p",{class:"note",children:"Curves are stored in single precision: a change below 6e-8 of the value itself does not show. The verdicts above come from the whole states."})]})}var Fl=new Map,ZR=4;function KR(n){let e=Fl.get(n);if(e)return e;let t=Zl.of(n);Fl.set(n,t);let[i]=Fl.keys();return Fl.size>ZR&&i!==void 0&&Fl.delete(i),t}function jh(n){let[e,t]=at({of:null,value:{state:"absent"}});return Tt(()=>{if(n===null)return;let i=!0,s=r=>i&&t({of:n,value:r});return KR(n).then(r=>s({state:"ready",block:r}),r=>s({state:"broken",why:String(r)})),()=>{i=!1}},[n]),n===null?{state:"absent"}:e.of===n?e.value:{state:"loading"}}function Ev(n,e){let t=i=>i.scenario===e.scenario&&i.engine===e.engine&&i.integrator===e.integrator&&i.dt_text===e.dt;return n.find(t)??null}function jR(n,e){let t=r=>r.startsWith("in-house"),i=r=>t(e.engine)?!t(r.engine):r.engine==="in-house",s=n.filter(r=>r.dt_text===e.dt);return s.find(i)??n.find(i)??s[0]??n[0]??null}function QR(n,e,t,i,s,r){for(let h of[...n.verdicts].sort((p,m)=>Ua(m,p))){let p=e.trace.errors.find(m=>m.claim===h.claim)?.first_violation;if(p)return{time:p.time,what:`first violation of '${le(h.claim)}' (${h.status}), step ${p.step}`}}if(!i||!(r>0))return null;let o=$g(t.frames,i.frames,.01*r);if(!o)return null;let a=s?.scene.body[o.body]?.name??`body ${o.body+1}`,l=Number.isFinite(o.distance)?ci(o.distance,"m"):"a distance that is not finite",c=`${le(a)} of ${le(t.title)} and of ${le(i.title)}`,u=`over 1 % of the scene's extent of ${ze(r)} m`,d=`no first violation is recorded; ${c} part by ${l}, ${u}`;return{time:o.time,what:d}}function eP(n,e,t){let i=[t,n.time[n.time.length-1]??0];for(let r of e.trace.errors)i.push(r.first_violation?.time??0);let s=Math.max(...i.filter(Number.isFinite));return[0,s>0?s:1]}function tP(n){let{t:e="0"}=Xn(),t=Vt(e);Tt(()=>{e!==t.current&&(t.current=e,n.pin=Number(e)||0)},[e,n]),Tt(()=>{let i=0,s=n.listen(()=>{clearTimeout(i),i=window.setTimeout(()=>{let r=String(Number(n.pin.toPrecision(6)));r!==t.current&&(t.current=r,zn({t:r==="0"?"":r}))},300)});return()=>{s(),clearTimeout(i)}},[n])}function Cv({index:n,cell:e,view:t,block:i,rows:s}){let{other:r}=Xn(),o=rr({scenario:e.scenario,engine:e.engine,integrator:e.integrator,dt_text:e.dt,block:0}),a=Xe(()=>n.traces.filter(y=>y.scenario===e.scenario&&rr(y)!==o),[n,e,o]),l=r==="-"?null:a.find(y=>rr(y)===r)??jR(a,e),c=jh(l?.block??null),u=Xe(()=>dm(o,i),[o,i]),d=c.state==="ready"?c.block:null,h=Xe(()=>d&&l?dm(rr(l),d):null,[d,l]),p=Xe(()=>Xg(u.ghost,[u.frames,h?.frames??null]),[u,h]),m=Xe(()=>new ic(eP(u.frames,i,t?.duration??0),Number(Fa().t??0)||0),[u,i,t]);tP(m);let v=Xe(()=>QR(e,i,u,h,t,p?oc(p):0),[e,i,u,h,t,p]),_=Xe(()=>h&&l?{engine:l.engine,block:h.block}:null,[h,l]),{remarks:g}=i.trace;return f(ut,{children:[f(wv,{cursor:m,frames:u.frames.time,divergence:v}),t?f(bv,{scene:t.scene,own:u,other:h,choices:a,chosen:l?rr(l):"",bounds:p,cursor:m,trouble:c.state==="broken"?`The other trace cannot be read: ${c.why}`:""}):null,f(M_,{rows:s,block:i,other:_,cursor:m}),f(Av,{block:i,other:_,cursor:m}),f(T_,{events:i.trace.events,cursor:m}),g.length>0?f("section",{"aria-labelledby":"remarks-heading",children:[f("h3",{id:"remarks-heading",children:"Remarks of the harness"}),f("ul",{children:g.map((y,E)=>f("li",{children:f(sn,{text:y})},E))})]}):null]})}function nP(n,e){return[...new Set(n.map(e))].join(" | ")}var iP=[["engine",n=>`${n.engine} ${n.version}${n.version_listed?"":" (a version that expected.toml does not list)"}`],["precision",n=>n.precision],["path",n=>n.path],["gyroscopic term",n=>n.gyroscopic],["integrator",n=>n.integrator],["step",n=>`${n.dt_text} s (${ze(n.dt,17)} s)`],["sampling",n=>n.sampling],["CPU time",n=>`${ns(n.cpu_seconds)} for ${n.body_steps} body-steps`],["scenario hash",n=>n.scenario_hash]];function Rv({verdicts:n,view:e}){return f("section",{"aria-labelledby":"run-heading",children:[f("h3",{id:"run-heading",children:"Run"}),f("dl",{class:"facts",children:[iP.map(([t,i])=>f("div",{children:[f("dt",{children:t}),f("dd",{children:f(sn,{text:nP(n,i)})})]},t)),e?f("div",{children:[f("dt",{children:"scenario"}),f("dd",{children:[ze(e.duration)," s, nominal step ",ze(e.step,6)," s, ",e.scene.body.length," bodies, tags: ",le(e.tags.join(", ")||"none")]})]}):null]})]})}function Pv({verdicts:n}){let e=Object.entries(Object.assign({},...n.map(i=>i.settings))),t=[...new Set(n.flatMap(i=>i.unforceable))];return f("section",{"aria-labelledby":"settings-heading",children:[f("h3",{id:"settings-heading",children:"Settings forced on the engine"}),e.length===0?f("p",{children:"None: it ran as it is."}):null,f("dl",{class:"facts",children:e.map(([i,s])=>f("div",{children:[f("dt",{children:le(i)}),f("dd",{children:le(s)})]},i))}),f("h3",{children:"What could not be switched off"}),t.length===0?f("p",{children:"Nothing is known."}):null,f("ul",{children:t.map(i=>f("li",{children:le(i)},i))})]})}function Iv({verdicts:n}){let e=[...new Set(n.map(t=>t.stderr))].filter(t=>t!=="");return f("section",{"aria-labelledby":"output-heading",children:[f("h3",{id:"output-heading",children:"What the engine wrote to stderr"}),e.length===0?f("p",{children:"Nothing."}):null,e.map((t,i)=>f(Ug,{text:t,label:"stderr of the engine"},i))]})}var sP=[];function rP({matrix:n,cell:e}){let t=n.rows.find(i=>i.scenario===e.scenario&&i.dt===e.dt);return f("ul",{class:"neighbours on-screen","aria-label":"Engines of this scenario",children:(t?.cells??[]).flatMap((i,s)=>i?f("li",{children:f("a",{href:Bi(mr(i)),"aria-current":i===e?"page":void 0,children:[le(n.columns[s].label)," ",f("span",{class:`status ${$n[i.worst].tone}`,children:$n[i.worst].glyph}),i.differs?f(Hs,{}):null]})},s):[])})}function oP({cell:n,view:e}){let t=Mn(n.worst)&&n.digits!==null?`, ${ni(n.digits)} digits`:"";return f(ut,{children:[f("h2",{id:"cell-heading",tabIndex:-1,children:[le(n.scenario)," / ",le(n.engine)," ",f("span",{class:"note",children:le(`${n.integrator}, dt ${n.dt}`)})]}),f("p",{class:"cell-verdict",children:[f(ss,{status:n.worst}),t," by the worst of ",Gn(n.verdicts.length,"claim"),n.differs?" ":"; as expected.toml says",n.differs?f(Hs,{text:"not as expected.toml says"}):null]}),e?f(ut,{children:[f("p",{children:f("strong",{children:f(sn,{text:e.title})})}),f("p",{children:f(sn,{text:e.story})})]}):f("p",{class:"note",children:"The report does not describe this scenario."})]})}function aP({cell:n}){let e=[...new Set(n.verdicts.map(t=>t.reproduce))];return f("section",{"aria-labelledby":"reproduce-heading",children:[f("h3",{id:"reproduce-heading",children:"To reproduce it"}),e.map(t=>f(nc,{text:t},t))]})}function lP(){zn(Mo(Fa().section??""),!0)}function cP(){es(()=>{let n=e=>{e.key==="Escape"&&!e.defaultPrevented&&lP()};return addEventListener("keydown",n),()=>removeEventListener("keydown",n)},[])}function uP(n,e){let{claims:t}=Xn(),i=Xe(()=>{if(t!==void 0)return new Set(t.split(",").filter(o=>o!=="-").map(Number));let[r]=tc(n.verdicts.filter(o=>e.has(o.claim)));return new Set(r?[n.verdicts.indexOf(r)]:[])},[t,n,e]);return[i,r=>{let o=new Set(i);o.delete(r)||o.add(r),zn({claims:o.size===0?"-":[...o].sort((a,l)=>a-l).join(",")})}]}function Lv({index:n,matrix:e,cell:t,view:i}){let s=Xe(()=>Ev(n.traces,t),[n,t]),r=jh(s?.block??null),o=r.state==="ready"?r.block.trace.errors:sP,a=Xe(()=>new Set(o.map(h=>h.claim)),[o]),l=Xe(()=>Vg(t.verdicts,i,o),[t,i,o]),[c,u]=uP(t,a),d=Xe(()=>l.filter(h=>c.has(h.index)),[l,c]);return cP(),Tt(()=>{scrollTo(0,0),document.getElementById("cell-heading")?.focus()},[t]),f("article",{class:"cell-page","aria-labelledby":"cell-heading",children:[f("p",{class:"on-screen",children:[f("a",{href:Bi(Mo(Fa().section??"")),children:"back to the matrix"})," ",f("kbd",{children:"Escape"})]}),f(rP,{matrix:e,cell:t}),f(oP,{cell:t,view:i}),f(aP,{cell:t}),f(zg,{rows:l,shown:c,toggle:u}),r.state==="ready"?f(Cv,{index:n,cell:t,view:i,block:r.block,rows:d},s.block):f(hP,{state:r.state,why:r.state==="broken"?r.why:n.omitted_traces,cell:t}),f("div",{class:"columns",children:[f(Rv,{verdicts:t.verdicts,view:i}),f(Pv,{verdicts:t.verdicts})]}),f(Iv,{verdicts:t.verdicts})]})}function hP({state:n,why:e,cell:t}){if(n==="loading")return f("p",{role:"status",children:"Unpacking the trace\u2026"});let i=n==="broken"?"The trace cannot be read.":"No trace of this run is stored: there are no curves and no pictures.";return f("section",{"aria-label":`Trace of ${le(t.engine)}`,children:f("p",{class:"empty",children:[i," ",le(e)]})})}var dP="\0",Qh=class{order=new Map;several=new Map;index(e,t){let i=e+dP+t,s=this.order.get(i);return s?s.index:(this.order.set(i,{index:this.order.size,first:e,second:t}),this.several.set(e,(this.several.get(e)??0)+1),this.order.size-1)}all(){return[...this.order.values()].map(({first:e,second:t})=>({first:e,second:t,label:this.several.get(e)>1?`${e} ${t}`:e}))}};function fP(n,e){if(Vi(e.status)>Vi(n.worst)&&(n.worst=e.status),Mn(e.status)){let t=is(e.measured,e.allowed);n.digits=n.digits===null?t:Math.min(n.digits,t)}n.differs||=Ms(e),n.verdicts.push(e)}function pP(n){let e=new Map;for(let t of n)t.integrator!==""&&!e.has(t.engine)&&e.set(t.engine,t.integrator);return e}function ed(n){let e=new Qh,t=new Qh,i=pP(n),s=[];for(let a of n){let l=s[e.index(a.scenario,a.dt_text)]??=[],c=t.index(a.engine,a.integrator||(i.get(a.engine)??"")),{scenario:u,engine:d,integrator:h,dt_text:p,status:m}=a;l[c]??={scenario:u,engine:d,integrator:h,dt:p,verdicts:[],worst:m,digits:null,differs:!1},fP(l[c],a)}let r=t.all().map(({first:a,second:l,label:c})=>({engine:a,integrator:l,label:c})),o=e.all().map(({first:a,second:l,label:c},u)=>({scenario:a,dt:l,label:c,cells:r.map((d,h)=>s[u]?.[h]??null)}));return{columns:r,rows:o}}function Dv(n,e){let t=n.rows.find(s=>s.scenario===e.scenario&&s.dt===e.dt),i=s=>s.engine===e.engine&&s.integrator===e.integrator;return t?.cells.find(s=>s?.verdicts.some(i))??null}function mm(n){let e=0,t=-1,i=100;for(let s of n.cells)s&&(s.differs&&(e=1),t=Math.max(t,Vi(s.worst)),i=Math.min(i,s.digits??100));return[e,t,-i]}function ya(n){let e=n.toLowerCase();return t=>mP(e,t.toLowerCase())}function mP(n,e){let[t,i]=[0,0],[s,r]=[-1,0];for(;i<e.length;)if(n[t]==="*")s=t++,r=i;else if(t<n.length&&(n[t]==="?"||n[t]===e[i]))++t,++i;else if(s>=0)t=s+1,i=++r;else return!1;for(;n[t]==="*";)++t;return t===n.length}var gP={"<":(n,e)=>n<e,"<=":(n,e)=>n<=e,">":(n,e)=>n>e,">=":(n,e)=>n>=e,"=":(n,e)=>n===e};function _P(n){switch(n){case"none":return e=>e===null;case"pass":return e=>e?.worst==="pass";case"differs":return e=>e?.differs===!0;case"expected":return e=>e?.differs===!1;default:return e=>e!==null&&e.verdicts.some(t=>t.status===n)}}function Nv(n,e,t){let i=ya(n),s=e.flatMap((r,o)=>i(r.engine)||i(r.label)?[o]:[]);return r=>s.some(o=>t(r.cells[o]??null))}function xP(n,e,t){let i=ya(e);switch(n){case"scenario":return s=>i(s.scenario);case"tag":return s=>t.get(s.scenario)?.tags.some(i)??!1;case"claim":return s=>s.cells.some(r=>r?.verdicts.some(o=>i(o.claim)||i(o.observable)))}}function yP(n,e){let t=/[*?]/.test(n)?ya(`*${n}*`):i=>i.toLowerCase().includes(n);return i=>t(i.scenario)||t(e.get(i.scenario)?.title??"")}function gm(n,e,t){let i=s=>gm(s,e,t);switch(n.kind){case"all":return()=>!0;case"and":{let s=n.parts.map(i);return r=>s.every(o=>o(r))}case"or":{let s=n.parts.map(i);return r=>s.some(o=>o(r))}case"not":{let s=i(n.part);return r=>!s(r)}case"word":return yP(n.text,t);case"field":return xP(n.field,n.glob,t);case"status":return Nv(n.engine,e,_P(n.status));case"digits":{let s=gP[n.relation];return Nv(n.engine,e,r=>r?.digits!=null&&s(r.digits,n.value))}}}function Fv(n,e){let t=e.map(()=>n.length===0||n[0].startsWith("-"));for(let i of n){let s=i.startsWith("-"),r=ya(s?i.slice(1):i);e.forEach((o,a)=>{(r(o.engine)||r(o.label))&&(t[a]=!s)})}return t}var li=class extends Error{constructor(t,i,s){super(t);this.at=i;this.length=s}at;length},_m=["pass","low-quality","fail","unsupported","crash","timeout","non-finite","protocol","differs","expected","none"],vP=["scenario","tag","claim"];function bP(n){let e=[],t=0;for(;t<n.length;){let i=n[t];if(/\s/.test(i))++t;else if(i==="("||i===")")e.push({text:i,at:t++,quoted:!1});else{let s=SP(n,t);e.push(s),t+=s.length}}return e}function SP(n,e){let t=e,i="",s=-1;for(;t<n.length;++t){let r=n[t];if(r==='"')s=s<0?t:-1;else{if(s<0&&/[\s()]/.test(r))break;i+=r}}if(s>=0)throw new li("this quote is never closed",s,n.length-s);return{text:i,at:e,quoted:n[e]==='"',length:t-e}}function MP(n,e){let t=Array.from({length:e.length+1},(i,s)=>s);for(let i=1;i<=n.length;++i){let s=[i];for(let r=1;r<=e.length;++r)s.push(Math.min(s[r-1]+1,t[r]+1,t[r-1]+ +(n[i-1]!==e[r-1])));t=s}return t[e.length]}var Uv=100,xm=class{constructor(e,t){this.list=e;this.end=t}list;end;next=0;depth=0;columns=[];whole(){if(this.list.length===0)return{kind:"all"};let e=this.either(),t=this.list[this.next];if(t)throw new li("this closes nothing",t.at,1);return e}is(e){let t=this.list[this.next];return t!==void 0&&!t.quoted&&t.text.toLowerCase()===e}take(e){return this.is(e)?(++this.next,!0):!1}either(){let e=this.list[this.next],t=this.columns.length,i=[this.both()];for(;this.is("or");){if(this.columns.length>t)throw Ov(e);this.nested(()=>(++this.next,i.push(this.both())))}return i.length===1?i[0]:{kind:"or",parts:i}}both(){let e=[this.single()];for(;this.next<this.list.length&&!this.is("or")&&!this.is(")");)this.take("and"),e.push(this.single());let t=e.filter(({kind:i})=>i!=="all");return t.length>1?{kind:"and",parts:t}:t[0]??{kind:"all"}}single(){let e=this.list[this.next];if(!e)throw new li("a term is missing here",this.end,1);if(this.take("not"))return{kind:"not",part:this.nested(()=>this.single())};if(this.take("(")){let t=this.nested(()=>this.either());if(!this.take(")"))throw new li("this parenthesis is never closed",e.at,1);return t}if(this.is(")")||this.is("and")||this.is("or"))throw new li(`a term is missing before '${e.text}'`,e.at,e.text.length);return++this.next,this.term(e)}nested(e){if(++this.depth>Uv)throw new li(`nested deeper than ${Uv}`,this.list[this.next-1].at,1);let t=e();return--this.depth,t}term(e){let t=e.text.toLowerCase();if(e.quoted)return{kind:"word",text:t};let i=/^(?:(.*):)?digits(<=|>=|<|>|=)(.*)$/.exec(t);if(i)return this.digits(e,i[1]??"*",i[2],i[3]);if(t.endsWith(":"))throw new li(`nothing stands after '${t}'`,e.at,t.length);if(t.startsWith("columns:"))return this.show(e,t.slice(8));let s=vP.find(l=>t.startsWith(`${l}:`));if(s)return{kind:"field",field:s,glob:t.slice(s.length+1)};let r=t.lastIndexOf(":");if(r<0)return{kind:"word",text:t};let o=t.slice(0,r),a=t.slice(r+1);if(o==="")throw new li("an engine is missing before the colon",e.at,t.length);if(!_m.includes(a))throw new li(wP(a),e.at+r+1,a.length);return{kind:"status",engine:o==="any"?"*":o,status:a}}digits(e,t,i,s){let r=Number(s);if(s===""||!Number.isFinite(r)){let o=e.at+e.text.length-s.length;throw new li(`a number must follow, not '${s}'`,o,Math.max(1,s.length))}return{kind:"digits",engine:t==="any"?"*":t,relation:i,value:r}}show(e,t){if(this.depth>0)throw Ov(e);return this.columns.push(...t.split(",").filter(i=>i!=="")),{kind:"all"}}};function Ov(n){let e="columns: says what is shown; it cannot stand within 'or', 'not' or parentheses";return new li(e,n.at,n.text.length)}function wP(n){let e=_m.filter(i=>MP(i,n)<=2)[0],t=e?`did you mean '${e}'?`:`there are ${_m.join(", ")}`;return`no status is called '${n}': ${t}`}function kv(n){let e=new xm(bP(n),n.length);return{query:e.whole(),columns:e.columns}}function TP(n){let e=/"[^"]*"|(^|\s)columns:("[^"]*"|[^\s()"])*/gi;return n.replace(e,t=>t.startsWith('"')?t:"").trim()}function Bv(n,e){return(e.filter(i=>i.engine===n.engine).length>1?n.label:n.engine).replace(/[\s()",]/g,"?")}function Vv(n,e,t){let i=TP(n);if(t.every(Boolean))return i;let s=e.filter((a,l)=>!t[l]),r=e.filter((a,l)=>t[l]),o=s.length<r.length||r.length===0?s.map(a=>`-${Bv(a,e)}`):r.map(a=>Bv(a,e));return`${i} columns:${o.join(",")}`.trim()}var AP=[["*:differs","some engine is not as expected.toml says"],["bullet:fail and ode:pass","one fails where another passes"],["any:crash or any:timeout","any is short for *"],["bullet*:digits<-2","some Bullet misses a tolerance by more than two digits"],["digits<0 not in-house:digits<0","somebody fails, the in-house engine does not"],["tag:top (claim:energy* or claim:*momentum*)","tags of the scenario, claims or observables; * and ? in all names"],["scenario:heavy_* columns:ode*,bullet","rows by name; only these columns (columns:-ode* leaves out)"],['"not a spring"',"plain or quoted words are looked for in names and titles"]];function EP({query:n,fault:e}){let t=" ".repeat(e.at)+"^".repeat(Math.max(1,e.length));return f("div",{class:"query-fault",role:"alert",children:[f("pre",{"aria-hidden":"true",children:`${le(n)}
+${t}`}),f("p",{children:["Character ",e.at+1,": ",le(e.message),". All rows are shown."]})]})}function CP({onPick:n}){return f("details",{class:"query-help",children:[f("summary",{children:"How to ask"}),f("p",{children:["Terms side by side must all hold; ",f("code",{children:"or"}),", ",f("code",{children:"not"})," and parentheses do as they say."," ",f("code",{children:"ENGINE:STATUS"})," with pass (all claims), low-quality, fail, unsupported, crash, timeout, non-finite, protocol (some claim), differs, expected, none (not run);"," ",f("code",{children:"ENGINE:digits<X"})," ","with < <= > >= =. An engine means all its columns, shown or not."]}),f("ul",{children:AP.map(([e,t])=>f("li",{children:[f("button",{type:"button",onClick:()=>n(e),children:f("code",{children:e})})," ",t]},e))})]})}function zv({input:n,fault:e,onQuery:t}){let i=Xn().q??"";return f("div",{class:"filter",role:"search",children:[f("label",{children:["Filter ",f("kbd",{children:"/"})," ",f("input",{ref:n,type:"search",value:i,spellcheck:!1,autocomplete:"off","aria-invalid":e!==null,onInput:s=>t(s.currentTarget.value),placeholder:"bullet:fail and ode:pass"})]}),e?f(EP,{query:i,fault:e}):null,f(CP,{onPick:t})]})}var RP={ArrowUp:(n,e)=>[n-1,e],ArrowDown:(n,e)=>[n+1,e],ArrowLeft:(n,e)=>[n,e-1],ArrowRight:(n,e)=>[n,e+1],PageUp:(n,e)=>[n-10,e],PageDown:(n,e)=>[n+10,e],Home:n=>[n,0],End:(n,e,t,i)=>[n,i-1]};function td(n,e){return Math.min(e-1,Math.max(0,n))}function Gv(n,e,t){let i=Vt(null),s=Vt([0,0]),r=(o,a)=>{let l=(u,d)=>i.current?.querySelector(`[data-row='${u}'][data-column='${d}']`)??null,c=l(o,a);return c?(l(...s.current)?.setAttribute("tabindex","-1"),c.setAttribute("tabindex","0"),s.current=[o,a],c):null};return es(()=>{i.current?.querySelectorAll('[data-row][tabindex="0"]').forEach(o=>o.setAttribute("tabindex","-1")),r(td(s.current[0],n),td(s.current[1],e))}),es(()=>{let o=i.current;if(!o)return;let a=c=>{let u=RP[c.key];if(!u||!(c.target instanceof HTMLElement)||c.target.dataset.row===void 0||c.altKey||c.metaKey||c.shiftKey)return;let[d,h]=u(...s.current,n,e);c.ctrlKey&&(d=c.key==="Home"?0:c.key==="End"?n-1:d),d=td(d,n),h=td(h,e),c.preventDefault();let p=r(d,h);p?p.focus():t()},l=c=>{let{row:u,column:d}=c.target instanceof HTMLElement?c.target.dataset:{};u!==void 0&&d!==void 0&&r(Number(u),Number(d))};return o.addEventListener("keydown",a),o.addEventListener("focusin",l),()=>{o.removeEventListener("keydown",a),o.removeEventListener("focusin",l)}},[n,e,t]),i}function Hv(n){return class extends vo{shouldComponentUpdate(t){return Object.keys(t).some(s=>t[s]!==this.props[s])}render(){return eg(n,this.props)}}}var Wv=200;function PP({cell:n,row:e,column:t}){let{glyph:i}=$n[n.worst],s=Mn(n.worst)&&n.digits!==null?` ${ni(n.digits)}`:"",r=le(`${n.scenario}, ${n.engine}`);return f("a",{href:Bi(mr(n)),class:"cell",tabIndex:-1,"data-row":e,"data-column":t,"aria-label":`${r}: ${Pg(n.worst,n.digits,n.differs)}`,children:[i+s,n.differs?f(Hs,{}):null]})}function IP({row:n,column:e}){return f("span",{class:"cell none",tabIndex:-1,"data-row":n,"data-column":e,children:f("span",{class:"unseen",children:"not run"})})}function LP(n){return n.split(/(?<=[/=-])/).flatMap((e,t)=>t===0?[e]:[f("wbr",{},t),e])}var DP=Hv(({row:n,index:e,title:t,shown:i})=>f("tr",{"aria-rowindex":e+2,children:[f("th",{scope:"row",children:[f("span",{class:"name",children:le(n.label)}),t&&t!==n.label?f("span",{class:"title",children:le(t)}):null]}),i.map((s,r)=>{let o=n.cells[s];return f("td",{class:o?`${$n[o.worst].tone}${o.differs?" has-differs":""}`:void 0,children:o?f(PP,{cell:o,row:e,column:r}):f(IP,{row:e,column:r})},s)})]}));function Xv({columns:n,shown:e,rows:t,titles:i,version:s}){let[r,o]=at(Wv),a=Vt(null),l=Mg(()=>o(d=>d+Wv),[]),c=Gv(t.length,e.length,l),u=t.length>r;return Tt(()=>{let d=()=>o(1/0);return addEventListener("beforeprint",d),()=>removeEventListener("beforeprint",d)},[]),Tt(()=>{if(!u||!a.current)return;let d=new IntersectionObserver(h=>h.some(p=>p.isIntersecting)&&l(),{rootMargin:"600px"});return d.observe(a.current),()=>d.disconnect()},[u,r]),f("div",{class:"matrix-scroll",role:"region","aria-label":"Matrix of scenarios and engines",children:[f("table",{class:"matrix",ref:c,role:"grid","aria-rowcount":t.length+1,"aria-readonly":"true",children:[f("caption",{class:"unseen",children:"Scenarios and engines; arrow keys move, Enter opens a cell, Escape comes back"}),f("thead",{children:f("tr",{"aria-rowindex":1,children:[f("th",{scope:"col",children:"scenario"}),e.map(d=>f("th",{scope:"col",children:LP(le(n[d].label))},d))]})}),f("tbody",{children:t.slice(0,r).map((d,h)=>f(DP,{row:d,index:h,title:i.get(d.scenario)??"",shown:e,version:s},`${d.scenario}\0${d.dt}`))})]}),u?f("div",{ref:a,class:"matrix-end",children:[t.length-r," more rows"," ",f("button",{type:"button",onClick:()=>o(1/0),children:"draw all"})]}):null]})}var NP={query:{kind:"all"},columns:[]};function FP(n){try{return{parsed:kv(n),fault:null}}catch(e){if(e instanceof li)return{parsed:NP,fault:e};throw e}}function UP(n,e){let[t,i]=[mm(n),mm(e)];return i[0]-t[0]||i[1]-t[1]||i[2]-t[2]}var $v={"":{label:"as run",compare:null},worst:{label:"worst first",compare:UP},name:{label:"by name",compare:(n,e)=>n.label.localeCompare(e.label,"en")}};function OP({columns:n,shown:e,query:t}){let i=s=>zn({q:Vv(t,n,e.map((r,o)=>o===s?!r:r))});return f("details",{class:"column-choice",children:[f("summary",{children:["Columns: ",e.filter(Boolean).length," of ",n.length]}),f("fieldset",{children:[f("legend",{class:"unseen",children:"Columns to show"}),n.map((s,r)=>f("label",{children:[f("input",{type:"checkbox",checked:e[r],onChange:()=>i(r)})," ",le(s.label)]},s.label))]})]})}function kP({rows:n}){let e=new Set(n.flatMap(t=>t.cells.map(i=>i?.worst)));return f("p",{class:"legend",children:[Yd.filter(t=>e.has(t)).map(t=>f("span",{children:[f("span",{class:`status ${$n[t].tone}`,children:$n[t].glyph})," ",$n[t].meaning,";"," "]},t)),f("span",{children:[f("span",{class:"number",children:"+1.0"})," digits won (+) or lost (\u2212) by the worst claim, log10(allowed / measured);"," "]}),f("span",{children:[f(Hs,{})," not as expected.toml says"]})]})}function qv({matrix:n,views:e}){let{q:t="",sort:i="",section:s=""}=Xn(),r=Vt(null),{parsed:o,fault:a}=Xe(()=>FP(t),[t]),l=Xe(()=>new Map([...e].map(([h,p])=>[h,p.title])),[e]),c=Xe(()=>Fv(o.columns,n.columns),[o,n]),u=Xe(()=>c.flatMap((h,p)=>h?[p]:[]),[c]),d=Xe(()=>{let h=n.rows.filter(gm(o.query,n.columns,e)),p=$v[i]?.compare;return p?h.sort(p):h},[o,n,e,i]);return es(()=>{let h=p=>{let m=p.target instanceof HTMLInputElement||p.target instanceof HTMLSelectElement;p.key!=="/"||m||p.ctrlKey||p.metaKey||!r.current?.offsetParent||(p.preventDefault(),r.current.select())};return addEventListener("keydown",h),()=>removeEventListener("keydown",h)},[]),f("section",{class:"matrix-section","aria-labelledby":"matrix-heading",children:[f("h2",{id:"matrix-heading",children:"Scenarios and engines"}),f("div",{class:"matrix-tools",children:[f(zv,{input:r,fault:a,onQuery:h=>zn({q:h})}),f("label",{class:"sort",children:["Order"," ",f("select",{value:i,onChange:h=>zn({sort:h.currentTarget.value}),children:Object.entries($v).map(([h,{label:p}])=>f("option",{value:h,children:p},h))})]}),f(OP,{columns:n.columns,shown:c,query:t})]}),f("p",{class:"count",role:"status",children:[d.length," of ",n.rows.length," rows, ",u.length," of ",n.columns.length," columns",d.length===0?": nothing answers the filter":""]}),f(Xv,{columns:n.columns,shown:u,rows:d,titles:l,version:`${t} ${i} ${s}`}),f(kP,{rows:n.rows})]})}var ym={status:"another status",error:"error moved by more than 10 %",new:"new",gone:"gone",scenario:"the scenario itself changed, not compared"};function Yv(n){let e=new Map,t=new Map;for(let i of n){let s=[i.scenario,i.engine,i.integrator,i.dt_text,i.claim].join("\0"),r=e.get(s)??0;e.set(s,r+1),t.set(`${s}\0${r}`,i)}return t}function BP(n,e){if(!Mn(n.status)||!Mn(e.status))return null;let[t,i]=[e.measured??1/0,n.measured??1/0];return t===i||Math.abs(i-t)<=.1*Math.abs(t)?null:t===0||i===0?i>t?99:-99:Math.log10(i/t)}function VP(n,e){if(!e)return{kind:"new",verdict:n,before:null,weight:0};if(n.scenario_hash!==e.scenario_hash)return{kind:"scenario",verdict:n,before:e,weight:0};if(n.status!==e.status){let i=is(e.measured,e.allowed)-is(n.measured,n.allowed);return{kind:"status",verdict:n,before:e,weight:1e3*(Vi(n.status)-Vi(e.status))+i}}let t=BP(n,e);return t===null?null:{kind:"error",verdict:n,before:e,weight:t}}var Jv=["status","error","gone","new","scenario"];function Zv(n,e){let t=Yv(e),i=[];for(let[s,r]of Yv(n)){let o=VP(r,t.get(s));o&&i.push(o),t.delete(s)}for(let s of t.values())i.push({kind:"gone",verdict:s,before:s,weight:0});return i.sort((s,r)=>Jv.indexOf(s.kind)-Jv.indexOf(r.kind)||r.weight-s.weight)}function zP(n){let e=new Map;for(let i of n)e.set(i.status,(e.get(i.status)??0)+1);return[...e].sort(([i],[s])=>Vi(s)-Vi(i)).map(([i,s])=>`${s} ${i}`).join(", ")}function vm(n){let e=n.filter(Ms),t=n.filter(r=>!Ms(r)&&r.status!=="pass"),i=n.length-e.length-t.length,s=(r,o)=>o.length>0?`${r} (${zP(o)})`:r;return{total:n.length,differ:e,differText:s(`${e.length} differ`,e),expectedText:s(`${t.length} as expected`,t),passText:`${i} pass`}}function nd(n){let e=[],t=new Set([n.provenance.tolerance_scale,...n.verdicts.map(s=>s.tolerance_scale)]);t.delete(1),t.size>0&&e.push(`All tolerances are multiplied by ${[...t].join(", ")}: no verdict here is the exam's own.`);let i=new Map;for(let s of n.verdicts)if(!s.version_listed){let r=`${s.engine} ${s.version}`;i.set(r,(i.get(r)??0)+1)}for(let[s,r]of i)e.push(`${s} is a version that expected.toml does not list: ${Gn(r,"verdict")} held to a table of other versions.`);return e}function bm({verdict:n}){let e={scenario:n.scenario,engine:n.engine,integrator:n.integrator,dt:n.dt_text};return f("a",{href:Bi(mr(e)),children:[le(n.scenario)," / ",le(n.engine)]})}function GP(n){if(!Mn(n.status))return n.first_bad_step===null?"":`not finite from step ${n.first_bad_step}`;let e=ni(is(n.measured,n.allowed));return`${ci(n.measured,n.unit)} of ${ci(n.allowed,n.unit)}, ${e} digits`}function HP(n){let e=new Map;return n.forEach((t,i)=>{let s=Mn(t.status)||t.status==="non-finite",r=[t.scenario,t.engine,t.integrator,t.dt_text,t.status,t.expected,t.detail,s?i:""].join("\0"),o=e.get(r);o?o.push(t):e.set(r,[t])}),[...e.values()]}function WP({group:n}){let e=n[0];return f("tr",{children:[f("th",{scope:"row",children:f(bm,{verdict:e})}),f("td",{children:[n.length>1?f("strong",{children:[n.length," claims: "]}):"",le(n.map(({claim:t})=>t).join("; "))]}),f("td",{children:f(ss,{status:e.status})}),f("td",{children:e.expected}),f("td",{class:"number",children:GP(e)}),f("td",{children:f(sn,{text:e.detail})})]})}function Kv({verdicts:n,caption:e}){let t=Xe(()=>HP(n),[n]),{list:i,button:s}=Wi(t);return f("div",{class:"scroll",tabIndex:0,role:"region","aria-label":e,children:[f("table",{children:[f("caption",{children:e}),f("thead",{children:f("tr",{children:[f("th",{scope:"col",children:"cell"}),f("th",{scope:"col",children:"claim"}),f("th",{scope:"col",children:"status"}),f("th",{scope:"col",children:"expected"}),f("th",{scope:"col",children:"measured of allowed"}),f("th",{scope:"col",children:"detail"})]})}),f("tbody",{children:i.map((r,o)=>f(WP,{group:r},o))})]}),s]})}function XP({of:n}){let e=n.differ.length>0?"differs":"agrees";return f("p",{class:"verdict-line",children:[Gn(n.total,"verdict"),": ",f("strong",{class:e,children:n.differText}),","," ",`${n.expectedText}, ${n.passText}`]})}function $P({kind:n,verdict:e,before:t,weight:i}){if(n!=="error"||!t)return"";let s=i>0?`${ni(-i)} digits: worse`:`${ni(-i)} digits: better`;return`${ci(t.measured,t.unit)} to ${ci(e.measured,e.unit)}, ${s}`}function qP({change:n}){let{kind:e,verdict:t,before:i}=n;return f("tr",{children:[f("th",{scope:"row",children:e==="gone"?`${le(t.scenario)} / ${le(t.engine)}`:f(bm,{verdict:t})}),f("td",{children:le(t.claim)}),f("td",{children:ym[e]}),f("td",{children:i?f(ss,{status:i.status}):""}),f("td",{children:e==="gone"?"":f(ss,{status:t.status})}),f("td",{class:"number",children:$P(n)})]})}function YP(n){return`${n.cylon} (${n.revision}) of ${n.date}`}function JP({list:n,baseline:e,scale:t}){let{list:i,button:s}=Wi(n),r=Object.entries(ym).map(([o,a])=>[n.filter(l=>l.kind===o).length,a]).filter(([o])=>o>0).map(([o,a])=>`${o} ${a}`).join(", ");return f("section",{"aria-labelledby":"changes-heading",children:[f("h2",{id:"changes-heading",children:["Since the baseline, ",le(YP(e))]}),f("p",{children:n.length===0?"No status changed, no error moved by more than 10 %.":`${r}.`}),e.tolerance_scale===t?null:f("p",{class:"warnings",children:[f("strong",{children:"Warning:"})," the tolerances of the baseline were multiplied by"," ",e.tolerance_scale,", those of this run by ",t,": statuses of one are not those of the other."]}),n.length>0?f("div",{class:"scroll",tabIndex:0,role:"region","aria-label":"Changes since the baseline",children:f("table",{children:[f("thead",{children:f("tr",{children:["cell","claim","change","before","now","error"].map(o=>f("th",{scope:"col",children:o},o))})}),f("tbody",{children:i.map((o,a)=>f(qP,{change:o},a))})]})}):null,s]})}function jv({index:n}){let e=Xe(()=>vm(n.results.verdicts),[n]),t=Xe(()=>nd(n.results),[n]);return f(ut,{children:[e.total>0?f(XP,{of:e}):f("p",{class:"verdict-line",children:"No verdicts: cylon run --json FILE makes them."}),t.length>0?f("ul",{class:"warnings","aria-label":"Warnings",children:t.map(i=>f("li",{children:[f("strong",{children:"Warning:"})," ",le(i)]},i))}):null]})}function Qv({index:n}){let e=Xe(()=>tc(vm(n.results.verdicts).differ),[n]),t=Xe(()=>n.baseline?Zv(n.results.verdicts,n.baseline.verdicts):[],[n]);return f(ut,{children:[e.length>0?f("section",{"aria-labelledby":"differ-heading",children:[f("h2",{id:"differ-heading",children:"Not as expected.toml says"}),f(Kv,{verdicts:e,caption:`${Gn(e.length,"verdict")}, worst first`})]}):null,n.baseline?f(JP,{list:t,baseline:n.baseline.provenance,scale:n.results.provenance.tolerance_scale}):null]})}var eb=340,id=110,Fi={left:66,right:10,top:10,bottom:20};function ZP(n){let e=Math.min(...n),t=Math.max(...n),i=(e+t)/2,s=Math.max(.58*(t-e),.05*Math.abs(i))||1;return[i-s,i+s]}function tb({of:n}){let{points:e}=n,t=e.flatMap((v,_)=>typeof v.value=="number"&&Number.isFinite(v.value)?[{i:_,value:v.value}]:[]);if(t.length===0)return f("p",{class:"note",children:"no finite values"});let i=t.map(v=>v.value),[s,r]=ZP(n.scale==="ratio"?[...i,1]:i),[o,a]=[id-Fi.bottom,eb-Fi.right],l=v=>Fi.left+(e.length>1?v/(e.length-1)*(a-Fi.left):(a-Fi.left)/2),c=v=>o-(v-s)/(r-s)*(o-Fi.top),u=Math.min(...i),d=Math.max(...i),h=ze(i[i.length-1]),p=`least ${ze(u)}, greatest ${ze(d)}, last ${h} ${n.unit}`,m=`${e.length} runs, ${p}; ${n.changes.length} change points`;return f("svg",{class:"series-plot",width:eb,height:id,role:"img","aria-label":le(m),children:[[Fi.top,o].map((v,_)=>f("text",{x:Fi.left-5,y:v+4,"text-anchor":"end",children:ze(_===0?r:s,3)},_)),f("line",{class:"frame",x1:Fi.left,x2:a,y1:o,y2:o}),n.scale==="ratio"?f("line",{class:"anchor",x1:Fi.left,x2:a,y1:c(1),y2:c(1)}):null,n.changes.map(v=>f("g",{class:`change ${v.state}`,children:[f("line",{x1:l(v.index),x2:l(v.index),y1:Fi.top,y2:o}),f("path",{d:wo(4,l(v.index),Fi.top,5)})]},v.id)),f("polyline",{points:t.map(v=>`${l(v.i).toFixed(1)},${c(v.value).toFixed(1)}`).join(" ")}),e.length<=60?t.map(v=>f("circle",{cx:l(v.i),cy:c(v.value),r:"2.5"},v.i)):null,f("text",{x:Fi.left,y:id-5,children:["run ",e[0].run]}),f("text",{x:a,y:id-5,"text-anchor":"end",children:["run ",e[e.length-1].run]})]})}var Sm=24;function KP({change:n}){return f("li",{children:[f("strong",{children:le(n.state)})," at run ",n.run," (",le(n.revision),"):"," ",le(n.sentence),n.ratio===void 0?"":`, ratio ${ze(n.ratio)}`,n.note?`; note: ${le(n.note)}`:""," ",f("span",{class:"note",children:le(n.id)})]})}function jP({of:n}){let e=n.points.filter((t,i)=>i===0||t.text!==n.points[i-1].text);return f("p",{class:"note",children:[e.slice(-6).map((t,i)=>f("span",{children:["run ",t.run,": ",f("code",{children:le(t.text??"none")}),";"," "]},i)),Gn(e.length-1,"time")," another over ",n.points.length," runs"]})}function QP(n){let e=n.points[n.points.length-1];return!e||n.scale==="text"?"":`last ${ze(e.value??null)}${n.unit?` ${n.unit}`:""}`}var e2={ratio:"ratio to the pinned binary",absolute:"absolute: another machine or load moves it",value:"value",text:"text"};function t2({of:n}){return f("li",{class:"series",children:[f("h3",{children:[le(n.cell)," ",f("span",{class:"note",children:le(n.metric)})]}),n.scale==="text"?f(jP,{of:n}):f(tb,{of:n}),f("p",{class:"note",children:[e2[n.scale],QP(n)].filter(Boolean).join("; ")}),n.changes.length>0?f("ul",{children:n.changes.map(e=>f(KP,{change:e},e.id))}):null]})}function n2(n){let e=t=>2*+(t.changes.length>0)+ +(t.scale==="ratio");return[...n].sort((t,i)=>e(i)-e(t))}function nb({index:n}){let{series:e=""}=Xn(),[t,i]=at(Sm),s=Xe(()=>n2(n.histories.flatMap(a=>a.series)),[n]),r=Xe(()=>{let a=ya(`*${e}*`);return s.filter(l=>a(`${l.cell} ${l.metric}`))},[s,e]),o=s.filter(a=>a.changes.length>0).length;return f("section",{"aria-labelledby":"history-heading",children:[f("h2",{id:"history-heading",children:"History"}),s.length===0?f("p",{class:"empty",children:["This report holds no history. ",f("code",{children:"cylon track record"})," adds runs to it,"," ",f("code",{children:"cylon track history --json"})," prints it as JSON; then"," ",f("code",{children:"cylon report FILE\u2026 --html REPORT"}),"."]}):f(ut,{children:[f("label",{children:["Only series that match"," ",f("input",{type:"search",value:e,onInput:a=>zn({series:a.currentTarget.value}),placeholder:"spring_*/ode* error:*"})]}),f("p",{role:"status",children:[r.length," of ",s.length," series; ",o," with change points, which come first"]})]}),f("ul",{class:"series-list",children:r.slice(0,t).map(a=>f(t2,{of:a},a.series))}),r.length>t?f("button",{type:"button",onClick:()=>i(t+Sm),children:["show ",Math.min(Sm,r.length-t)," more of ",r.length-t]}):null]})}function ib({ratio:n,low:e,high:t,tau:i}){let s=Math.log1p(i),r=Math.max(3*s,...[e,t,n].filter(c=>c>0&&Number.isFinite(c)).map(c=>1.1*Math.abs(Math.log(c)))),o=c=>180/2*(1+Math.max(-1,Math.min(1,Math.log(c)/r))),[a,l]=[o(Math.exp(-s)),o(Math.exp(s))];return f("svg",{class:"interval",width:180,height:18,"aria-hidden":"true",children:[f("rect",{class:"same",x:a,width:l-a,y:"0",height:18}),f("line",{class:"one",x1:180/2,x2:180/2,y1:"0",y2:18}),f("line",{class:"range",x1:o(e),x2:o(t),y1:18/2,y2:18/2}),f("circle",{cx:o(n),cy:18/2,r:"4"})]})}var Mm=["regressed","inconclusive","improved","changed","same","skipped"],sb={regressed:"\u2717",improved:"\u2713",same:"=",inconclusive:"?",changed:"\u2260"};function rd(n){let e=Mm.indexOf(n);return e<0?Mm.length:e}function sd(n){return[n.finding,...n.time?[n.time.finding]:[],...n.metrics.map(t=>t.finding)].sort((t,i)=>rd(t)-rd(i))[0]}function rb({finding:n}){return f("span",{class:`finding ${n}`,children:[sb[n]?`${sb[n]} `:"",le(n)]})}function i2({cell:n,tau:e}){let{time:t}=n;return t?t.ratio===null||t.low===null||t.high===null?f(sn,{text:t.what}):f(ut,{children:[f(ib,{ratio:t.ratio,low:t.low,high:t.high,tau:e})," ",f("span",{class:"number",children:[ze(t.ratio)," [",ze(t.low),", ",ze(t.high),"]",t.confidence===null?"":` at ${ze(100*t.confidence)} %`]}),f("br",{}),f("span",{class:"note",children:[ns(t.baseline_seconds)," to ",ns(t.candidate_seconds)," of ",le(t.what),t.adjusted_p===null?"":`, adjusted p ${ze(t.adjusted_p,2)}`]})]}):f(sn,{text:n.untimed||"not timed"})}function s2({cell:n,tau:e}){let t=n.metrics.filter(i=>i.finding!=="same"&&i.sentence!=="");return f("tr",{children:[f("th",{scope:"row",children:le(`${n.scenario} / ${n.engine} at ${n.dt_text}`)}),f("td",{children:f(rb,{finding:sd(n)})}),f("td",{children:f(i2,{cell:n,tau:e})}),f("td",{class:"number",children:n.time?.pairs??""}),f("td",{children:[f(sn,{text:n.reason}),f("ul",{class:"plain",children:t.map((i,s)=>f("li",{children:[f(rb,{finding:i.finding})," ",le(i.name),": ",f(sn,{text:i.sentence})]},s))}),n.reproduce?f(nc,{text:n.reproduce}):null]})]})}function ob({of:n,nth:e}){let{list:t,button:i}=Wi([...n.cells].sort((o,a)=>rd(sd(o))-rd(sd(a)))),s=n.cells.map(sd),r=[...new Set([...Mm,...s])].map(o=>[s.filter(a=>a===o).length,o]).filter(([o])=>o>0).map(([o,a])=>`${o} ${a}`).join(", ");return f("section",{"aria-labelledby":`comparison-${e}`,children:[f("h3",{id:`comparison-${e}`,children:[le(n.baseline)," and ",le(n.candidate)]}),f("p",{children:[le(r||"no cells"),". Ratios are candidate over baseline; within 1 \xB1"," ",ze(100*n.tau)," % (shaded) they count as the same, at \u03B1 = ",ze(n.alpha),n.gate?", as a gate over all cells":"","."]}),n.reliable?null:f("p",{class:"warnings",children:[f("strong",{children:"Warning:"})," the environment is unreliable: a build was found different from itself. No time here decides anything."]}),n.notes.length>0?f("ul",{children:n.notes.map((o,a)=>f("li",{children:f(sn,{text:o})},a))}):null,f("div",{class:"scroll",tabIndex:0,role:"region","aria-label":"Compared cells",children:f("table",{children:[f("thead",{children:f("tr",{children:["cell","outcome","time, candidate over baseline","pairs","reason, results that changed, command"].map(o=>f("th",{scope:"col",children:o},o))})}),f("tbody",{children:t.map((o,a)=>f(s2,{cell:o,tau:n.tau},a))})]})}),i]})}function r2({cell:n}){let e=n?.verdicts[0];if(!n||!e)return null;let t=e.body_steps>0&&e.cpu_seconds>0,i=Mn(n.worst)&&n.digits!==null?` ${ni(n.digits)}`:"";return f("a",{href:Bi(mr(n)),class:"cost",children:[f("span",{class:"number",children:t?ns(e.cpu_seconds/e.body_steps):"not timed"})," ",f("span",{class:`status ${$n[n.worst].tone}`,children:[$n[n.worst].glyph,i]})]})}function ab({verdicts:n}){let{columns:e,rows:t}=Xe(()=>ed(n),[n]),{list:i,button:s}=Wi(t);return f("section",{"aria-labelledby":"costs-heading",children:[f("h3",{id:"costs-heading",children:"CPU time per body-step, with the digits of the worst claim"}),f("p",{class:"note",children:["Timed once, while the verdicts were made and perhaps with other runs beside it: orders of magnitude. To decide between builds there is ",f("code",{children:"cylon track compare"}),", between engines and schemes"," ",f("code",{children:"cylon trade"}),"."]}),f("div",{class:"scroll",tabIndex:0,role:"region","aria-label":"CPU time per body-step",children:f("table",{class:"costs",children:[f("thead",{children:f("tr",{children:[f("th",{scope:"col",children:"scenario"}),e.map(r=>f("th",{scope:"col",children:le(r.label)},r.label))]})}),f("tbody",{children:i.map(r=>f("tr",{children:[f("th",{scope:"row",children:le(r.label)}),r.cells.map((o,a)=>f("td",{children:f(r2,{cell:o})},a))]},r.label))})]})}),s]})}function lb({index:n}){return f("section",{"aria-labelledby":"performance-heading",children:[f("h2",{id:"performance-heading",children:"Performance"}),n.comparisons.length===0?f("p",{class:"empty",children:["This report holds no comparison of builds."," ",f("code",{children:"cylon track compare --baseline WHAT --json FILE"})," makes one; then"," ",f("code",{children:"cylon report FILE\u2026 --html REPORT"}),"."]}):null,n.comparisons.map((e,t)=>f(ob,{of:e,nth:t},t)),f(ab,{verdicts:n.results.verdicts})]})}var o2=[["cylon","Cylon"],["revision","revision"],["compiler","compiler"],["flags","flags"],["machine","machine"],["os","operating system"],["date","date"],["command_line","command"],["tolerance_scale","tolerances times"]];function wm({of:n,title:e}){return f(ut,{children:[f("h3",{children:e}),f("dl",{class:"facts",children:o2.filter(([t])=>n[t]!==void 0&&n[t]!=="").map(([t,i])=>f("div",{children:[f("dt",{children:i}),f("dd",{children:f(sn,{text:String(n[t])})})]},t))})]})}function a2(n){let e=new Map;for(let t of n){let i=[t.engine,t.version,t.precision,t.path,t.gyroscopic,t.integrator].join("\0"),s=e.get(i);s?++s.verdicts:e.set(i,{first:t,verdicts:1})}return[...e.values()]}function l2({verdicts:n}){let e=Xe(()=>a2(n),[n]);return f("div",{class:"scroll",tabIndex:0,role:"region","aria-label":"Engines",children:f("table",{children:[f("caption",{children:"Engines, one row per version, precision, path, gyroscopic mode and scheme"}),f("thead",{children:f("tr",{children:["engine","version","precision","path","gyroscopic","integrator","verdicts"].map(t=>f("th",{scope:"col",children:t},t))})}),f("tbody",{children:e.map(({first:t,verdicts:i},s)=>f("tr",{children:[f("th",{scope:"row",children:le(t.engine)}),f("td",{children:[le(t.version),t.version_listed?"":" (unlisted)"]}),f("td",{children:le(t.precision)}),f("td",{children:le(t.path)}),f("td",{children:le(t.gyroscopic)}),f("td",{children:le(t.integrator)}),f("td",{class:"number",children:i})]},s))})]})})}function c2({verdicts:n}){let e=Xe(()=>[...new Map(n.map(t=>[t.scenario,t.scenario_hash]))],[n]);return f("details",{children:[f("summary",{children:[Gn(e.length,"scenario"),": content hashes"]}),f("div",{class:"scroll",tabIndex:0,role:"region","aria-label":"Hashes of the scenarios",children:f("table",{children:[f("thead",{children:f("tr",{children:[f("th",{scope:"col",children:"scenario"}),f("th",{scope:"col",children:"hash"})]})}),f("tbody",{children:e.map(([t,i])=>f("tr",{children:[f("th",{scope:"row",children:le(t)}),f("td",{children:f("code",{children:le(i)})})]},t))})]})})]})}function cb({index:n}){let e=nd(n.results);return f("section",{"aria-labelledby":"provenance-heading",children:[f("h2",{id:"provenance-heading",children:"Provenance"}),f("p",{children:e.length>0?e.map(le).join(" "):"No warnings."}),n.omitted_traces?f("p",{children:le(n.omitted_traces)}):null,n.results.verdicts.length>0?f(wm,{of:n.results.provenance,title:"This run"}):null,n.baseline?f(wm,{of:n.baseline.provenance,title:"Baseline"}):null,n.trades.map((t,i)=>f(wm,{of:t.provenance,title:`Speed against accuracy, file ${i+1}`},i)),f(l2,{verdicts:n.results.verdicts}),f(c2,{verdicts:n.results.verdicts})]})}function ub(n,e,t,i){return[n,e,t,i??""].join("\0")}function Os(n){return n.error!==null&&n.cost!==null&&n.error>0&&n.cost>0}function u2(n){let e=n.filter(i=>i.error!==null&&i.cost!==null);e.sort((i,s)=>i.cost-s.cost||i.error-s.error);let t=null;for(let i of e)i.onFront=t===null||i.error<t.error,i.dominatedBy="",i.onFront&&(t=i)}function hb(n,e,t){let i=new Map;for(let r of n.times)r.scenario===e.scenario&&i.set(ub(r.engine,r.integrator,r.dt_text,r.tolerance),r);let s=e.series.map((r,o)=>({label:`${r.engine} ${r.integrator}`,of:r,points:r.points.map(a=>{let l=i.get(ub(r.engine,r.integrator,a.dt_text,a.tolerance));return{series:o,dt:a.dt,dtText:a.dt_text,tolerance:a.tolerance,error:a.errors[t]??null,cost:l?.cpu_seconds_per_second??null,perBodyStep:l?.seconds_per_body_step??null,status:a.status,reason:a.reason,onFront:l?.on_front??!1,dominatedBy:l?.dominated_by??""}})}));return t!==e.by&&u2(s.flatMap(r=>r.points)),s}function od(n){return n.tolerance===null?n.dtText:`${n.dtText}, tolerance ${n.tolerance}`}function db({names:n}){return f("thead",{children:f("tr",{children:n.map(e=>f("th",{scope:"col",children:e},e))})})}function h2({of:n}){return n.floor===null?"":`${ze(n.floor)}${n.floor_is_rounding?", rounding":", not rounding"}`}function fb({list:n,hidden:e,toggle:t}){return f("div",{class:"scroll",tabIndex:0,role:"region","aria-label":"Engines and schemes",children:f("table",{children:[f("caption",{children:"Engines and schemes, with the order fitted to the errors"}),f(db,{names:["engine and scheme","version","order declared","order fitted","floor","points drawn","remark"]}),f("tbody",{children:n.map((i,s)=>f("tr",{children:[f("th",{scope:"row",children:f("label",{children:[f("input",{type:"checkbox",class:"on-screen",checked:!e.has(s),onChange:()=>t(s)})," ",f(ws,{style:s})," ",le(i.label)]})}),f("td",{children:le(`${i.of.version}, ${i.of.precision}, ${i.of.path}, ${i.of.gyroscopic}`)}),f("td",{class:"number",children:i.of.adaptive?"to tolerance":i.of.declared_order}),f("td",{class:"number",children:i.of.observed_order===null?"none":i.of.observed_order.toFixed(2)}),f("td",{class:"number",children:h2(i)}),f("td",{class:"number",children:[i.points.filter(Os).length," of ",i.points.length]}),f("td",{children:f(sn,{text:i.of.reason})})]},s))})]})})}function ad({list:n,points:e,caption:t}){let{list:i,button:s}=Wi(e);return e.length===0?null:f(ut,{children:[f("div",{class:"scroll",tabIndex:0,role:"region","aria-label":t,children:f("table",{children:[f("caption",{children:[t," (",e.length,")"]}),f(db,{names:["engine and scheme","step and tolerance","error","CPU s per s","per body-step","status","dominated by, or why not"]}),f("tbody",{children:i.map((r,o)=>f("tr",{children:[f("th",{scope:"row",children:le(n[r.series].label)}),f("td",{class:"number",children:le(od(r))}),f("td",{class:"number",children:ze(r.error)}),f("td",{class:"number",children:r.cost===null?"not timed":ze(r.cost)}),f("td",{class:"number",children:ns(r.perBodyStep)}),f("td",{children:f(ss,{status:r.status})}),f("td",{children:f(sn,{text:r.dominatedBy||r.reason})})]},o))})]})}),s]})}function pb(n){let e=Vt(null),[t,i]=at(n);return Tt(()=>{if(!e.current)return;let s=new ResizeObserver(([r])=>r&&i(Math.max(240,Math.floor(r.contentRect.width))));return s.observe(e.current),()=>s.disconnect()},[]),[e,t]}function Tm(n,e,t){let[i,s]=[1/0,-1/0];for(let u of n)i=Math.min(i,u),s=Math.max(s,u);i>0&&Number.isFinite(s)||([i,s]=[.1,1]);let r=Math.floor(Math.log10(i)+1e-9),o=Math.max(r+1,Math.ceil(Math.log10(s)-1e-9)),a=u=>e+(Math.log10(u)-r)/(o-r)*(t-e),l=Math.max(1,Math.ceil((o-r)*40/Math.abs(t-e))),c=[];for(let u=r;u<=o;u+=l)c.push({value:10**u,at:a(10**u),label:`1e${u}`});return{place:a,ticks:c}}var ld=480,pi={left:62,right:14,top:12,bottom:46},d2=30;function f2({x:n,y:e,width:t,error:i}){let[s,r]=[ld-pi.bottom,t-pi.right];return f("g",{class:"grid",children:[n.ticks.map(({at:o,label:a})=>f("g",{children:[f("line",{x1:o,x2:o,y1:pi.top,y2:s}),f("text",{x:o,y:s+16,"text-anchor":"middle",children:a})]},a)),e.ticks.map(({at:o,label:a})=>f("g",{children:[f("line",{x1:pi.left,x2:r,y1:o,y2:o}),f("text",{x:pi.left-6,y:o+4,"text-anchor":"end",children:a})]},a)),f("text",{x:(pi.left+r)/2,y:ld-8,"text-anchor":"middle",children:"CPU seconds per simulated second"}),f("text",{transform:`translate(14 ${(pi.top+s)/2}) rotate(-90)`,"text-anchor":"middle",children:le(i)})]})}function p2({placed:n,style:e}){let{color:t,dash:i,marker:s}=zi(e),r=`var(${t})`;return f("g",{children:[f("polyline",{points:n.map(({x:o,y:a})=>`${o.toFixed(1)},${a.toFixed(1)}`).join(" "),stroke:r,"stroke-dasharray":i.join(" ")}),n.map(({point:o,x:a,y:l},c)=>f("g",{children:[o.onFront?f("circle",{class:"front",cx:a,cy:l,r:"8"}):null,f("path",{d:wo(s,a,l,4.5),fill:r})]},c))]})}function m2(n,e){let t=e.onFront?"nothing is both cheaper and better":e.dominatedBy&&`dominated by ${e.dominatedBy}`;return le([`${n[e.series].label} at ${od(e)}`,`error ${ze(e.error)}`,`${ze(e.cost)} CPU s/s`,`${ns(e.perBodyStep)} per body-step`,t].filter(Boolean).join("; "))}function mb({list:n,hidden:e,error:t,level:i,label:s}){let[r,o]=pb(900),[a,l]=at(null),{x:c,y:u,lines:d}=Xe(()=>{let p=n.flatMap(g=>g.points.filter(Os)),m=Tm(p.map(g=>g.cost),pi.left,o-pi.right),v=Tm([...p.map(g=>g.error),...i?[i]:[]],ld-pi.bottom,pi.top),_=g=>({point:g,x:m.place(g.cost),y:v.place(g.error)});return{x:m,y:v,lines:n.map(g=>g.points.filter(Os).map(_))}},[n,o,i]),h=p=>{let m=p.currentTarget.getBoundingClientRect(),v=g=>Math.hypot(g.x-(p.clientX-m.left),g.y-(p.clientY-m.top)),_=d.flatMap((g,y)=>e.has(y)?[]:g).sort((g,y)=>v(g)-v(y))[0];l(_&&v(_)<d2?_.point:null)};return f("div",{ref:r,class:"trade-plot",children:[f("svg",{width:o,height:ld,role:"img","aria-label":le(s),onPointerMove:h,onPointerLeave:()=>l(null),children:[f(f2,{x:c,y:u,width:o,error:t}),i?f("g",{class:"level",children:[f("line",{x1:pi.left,x2:o-pi.right,y1:u.place(i),y2:u.place(i)}),f("text",{x:o-pi.right-4,y:u.place(i)-5,"text-anchor":"end",children:["allowed ",ze(i)]})]}):null,d.map((p,m)=>e.has(m)?null:f(p2,{placed:p,style:m},m))]}),f("p",{class:"named on-screen",children:a?m2(n,a):"Point at a setting to read it; every one stands in the tables below."})]})}function g2(n){return n.flatMap((e,t)=>e.tables.map(i=>({key:n.length>1?`${i.scenario} (${t+1})`:i.scenario,trade:e,table:i})))}function _2(n,e,t){if(t.scale===null)return null;let i=n.filter(s=>s.scenario===e.scenario&&s.scenario_hash===e.scenario_hash&&s.observable===t.name).flatMap(s=>s.allowed!==null&&s.allowed>0&&s.unit===t.unit?[s.allowed]:[]);return i.length>0?Math.min(...i)/t.scale:null}function gb(n){let e=n.scale===null?"":`, over ${ze(n.scale)} ${n.unit}`;return`error of ${n.name}${e}, against ${n.against}`}function x2(n){return`Error against cost. ${n.map(t=>{let i=Math.min(...t.points.filter(Os).map(s=>s.error));return`${t.label}: ${Number.isFinite(i)?`least error ${ze(i)}`:"no finite error"}`}).join(". ")}.`}function y2({index:n,entry:e}){let{measure:t,hide:i=""}=Xn(),{trade:s,table:r}=e,o=r.measures.find(h=>h.name===t)??r.measures.find(h=>h.name===r.by)??r.measures[0],a=Xe(()=>hb(s,r,o?.name??""),[s,r,o]),l=Xe(()=>new Set(i.split(",").filter(Boolean).map(Number)),[i]);if(!o)return f("p",{class:"empty",children:"This sweep measured no errors."});let c=h=>{let p=new Set(l);p.delete(h)||p.add(h),zn({hide:[...p].join(",")})},u=a.flatMap(h=>h.points).sort((h,p)=>(h.cost??1/0)-(p.cost??1/0)),d=u.filter(h=>!Os(h));return f(ut,{children:[f("label",{children:["measure"," ",f("select",{value:o.name,onChange:h=>zn({measure:h.currentTarget.value}),children:r.measures.map(h=>f("option",{value:h.name,children:le(h.name)},h.name))})]}),f("p",{class:"note",children:[le(gb(o)),"; the reference itself is known to ",ze(o.resolution),". Truth: ",le(r.truth||"none"),"; ",ze(r.duration)," s,"," ",Gn(r.bodies,"body","bodies"),". Ringed: nothing is both cheaper and better",o.name===r.by?".":" by this measure.",d.length>0?` The last table has ${Gn(d.length,"setting")} without a finite error above 0 or a cost.`:""]}),f(mb,{list:a,hidden:l,error:gb(o),level:_2(n.results.verdicts,r,o),label:x2(a)}),f(fb,{list:a,hidden:l,toggle:c}),f(ad,{list:a,points:u.filter(h=>Os(h)&&h.onFront),caption:"Nothing is both cheaper and better"}),f(ad,{list:a,points:u.filter(h=>Os(h)&&!h.onFront),caption:"Dominated settings"}),f(ad,{list:a,points:d,caption:"Not drawn"})]})}function _b({index:n}){let{trade:e}=Xn(),t=Xe(()=>g2(n.trades),[n]),i=t.find(s=>s.key===e)??t[0];return f("section",{"aria-labelledby":"trade-heading",children:[f("h2",{id:"trade-heading",children:"Speed against accuracy"}),i?f(ut,{children:[f("label",{children:["scenario"," ",f("select",{value:i.key,onChange:s=>zn({trade:s.currentTarget.value,measure:"",hide:""}),children:t.map(({key:s})=>f("option",{value:s,children:le(s)},s))})]})," ",f(y2,{index:n,entry:i},i.key)]}):f("p",{class:"empty",children:["This report holds no sweep. ",f("code",{children:"cylon trade SCENARIO --json FILE"})," makes one; then"," ",f("code",{children:"cylon report FILE\u2026 --html REPORT"}),"."]})]})}var Am=n=>n.reduce((e,{length:t})=>e+t,0),Ul=[{id:"matrix",label:"Verdicts",view:null,size:n=>n.results.verdicts.length},{id:"trade",label:"Speed against accuracy",view:_b,size:n=>Am(n.trades.map(e=>e.tables))},{id:"performance",label:"Performance",view:lb,size:n=>Am(n.comparisons.map(e=>e.cells))},{id:"history",label:"History",view:nb,size:n=>Am(n.histories.map(e=>e.series))},{id:"provenance",label:"Provenance",view:cb,size:()=>null}];var Em={auto:{next:"light",label:"Colours: as the system"},light:{next:"dark",label:"Colours: light"},dark:{next:"auto",label:"Colours: dark"}};function v2(){let[n,e]=at(hg());return f("button",{type:"button",class:"theme",onClick:()=>{dg(Em[n].next),e(Em[n].next)},children:Em[n].label})}function b2({index:n,open:e}){return f("nav",{"aria-label":"Parts of the report",children:f("ul",{children:Ul.map(({id:t,label:i,size:s})=>{let r=s(n);return f("li",{children:f("a",{href:Bi(Mo(t)),"aria-current":t===e?"page":void 0,children:[i,r===null?"":` (${r})`]})},t)})})})}function xb({index:n}){let e=Xn(),t=Xe(()=>ed(n.results.verdicts),[n]),i=Xe(()=>new Map(n.scenarios.map(h=>[h.name,h])),[n]),s=Ul.find(({size:h})=>h(n)!==0),r=Ul.find(h=>h.id===e.section)??s??Ul[0],o=Cg(e),a=r.view,l=Xe(()=>o?Dv(t,o):null,[t,o?.scenario,o?.engine,o?.integrator,o?.dt]),c=Vt(null),u=o?`${o.scenario} / ${o.engine}`:r.label;Tt(()=>{document.title=le(`${u} - ${n.title}`)},[u,n]);let d=Vt(!1);return es(()=>{d.current&&!o&&!a&&document.querySelector('.matrix [tabindex="0"]')?.focus(),d.current=o!==null}),f(ut,{children:[f("header",{children:[f("a",{class:"skip",href:"#content",onClick:h=>{h.preventDefault(),c.current?.focus()},children:"Skip to the content"}),f("h1",{children:le(n.title)}),f(v2,{}),f(jv,{index:n}),f(b2,{index:n,open:o?"":r.id})]}),f("main",{id:"content",ref:c,tabIndex:-1,children:[f("div",{class:o||a?"paper-only":void 0,children:[f(Qv,{index:n}),f(qv,{matrix:t,views:i})]}),!o&&a?f(a,{index:n}):null,o&&l?f(Lv,{index:n,matrix:t,cell:l,view:i.get(l.scenario)}):null,o&&!l?f("p",{role:"alert",children:["The report has no run of ",le(o.scenario)," by ",le(o.engine)," ",le(o.integrator)," at ",le(o.dt)," s."," ",f("a",{href:Bi(Mo("matrix")),children:"All runs"})]}):null]})]})}function S2({why:n}){return f("main",{children:[f("h1",{children:"This report cannot be read"}),f("p",{role:"alert",children:n})]})}var M2={cylon:"",revision:"",compiler:"",flags:"",machine:"",os:"",date:"",command_line:"",tolerance_scale:1};function w2(n){return n.results?n:{...n,results:{schema:1,provenance:M2,verdicts:[]}}}function yb(n){jl(),Ag(),lg(0).then(e=>{let t=w2(e);n.replaceChildren(),Ia(f(xb,{index:t}),n)},e=>Ia(f(S2,{why:String(e)}),n))}var vb=[["Space","play or pause"],[".","one step, then pause"],["R","reset"],["1 \u2026 9","kick body 1 \u2026 9; with Shift the other way"],["[ and ]","slower, faster"],["V, M, L","arrows of velocity, momentum, angular momentum"],["T, C, J","trails, contacts, springs and joints"],["Arrows, + and \u2212","turn and zoom the picture with the focus; with Shift move it"],["Home","frame all"],["Drag","turns the picture; on a body, pulls it by a spring. Shift or right button moves the picture"],["?","this list"]];function T2(n){let e=n.target;return e?.matches?e.matches("input:not([type=checkbox]):not([type=range]), select, textarea")?!0:n.key===" "&&e.matches("button, input, summary, a"):!1}function bb(n,e){let t=r=>()=>n.show({[r]:!n.shown[r]}),i=r=>()=>n.send({do:"speed",value:Math.min(100,Math.max(.01,n.speed*r))}),s={" ":()=>n.toggle(),".":()=>n.send({do:"step"}),r:()=>n.send({do:"reset"}),"[":i(.6666666666666666),"]":i(1.5),v:t("velocity"),m:t("momentum"),l:t("angular momentum"),t:t("trails"),c:t("contacts"),j:t("links"),"?":e};return r=>{if(r.ctrlKey||r.metaKey||r.altKey||r.defaultPrevented||T2(r))return;let o=/^(?:Digit|Numpad)([1-9])$/.exec(r.code),a=o?()=>n.kick(Number(o[1])-1,r.shiftKey):s[r.key.length===1?r.key.toLowerCase():r.key];!a||r.repeat&&r.key!=="."||(a(),r.preventDefault())}}function Sb({dialog:n}){return f("dialog",{ref:n,class:"help","aria-labelledby":"help-title",children:[f("h2",{id:"help-title",children:"Keys"}),f("dl",{children:vb.map(([e,t])=>f("div",{children:[f("dt",{children:f("kbd",{children:e})}),f("dd",{children:t})]},e))}),f("form",{method:"dialog",children:f("button",{children:"Close"})})]})}var Mb=["energy","momentum","angular momentum"],ud={energy:"J",momentum:"kg m/s","angular momentum":"kg m\xB2/s"},wb=["size","x","y","z"];function Cm(n,e,t){if(n.status!=="running")return null;if(e==="energy")return n.energy;let i=e==="momentum"?n.momentum:n.angular_momentum;return!Array.isArray(i)||!i.every(s=>Number.isFinite(s))?null:t==="size"?Math.hypot(...i):i["xyz".indexOf(t)]}var cd=class{constructor(e=1200){this.most=e}most;samples=[];first=null;add(e,t){let i=this.samples[this.samples.length-1];i&&(e<i.t||t.length!==i.lanes.length)&&this.clear(),i&&e===i.t&&this.samples.pop();let s={t:e,lanes:t.map(({status:r,energy:o,momentum:a,angular_momentum:l})=>({status:r,energy:o,momentum:a,angular_momentum:l}))};this.first??=s,this.samples.push(s),this.samples.length>this.most&&this.samples.splice(0,Math.floor(this.most/4))}clear(){this.samples.length=0,this.first=null}times(){return this.samples.map(e=>e.t)}series(e,t,i){return this.samples.map(s=>s.lanes[e]?Cm(s.lanes[e],t,i):null)}};function or(n){if(n==null||!Number.isFinite(n))return"not finite";let e=Math.abs(n);return e!==0&&(e>=1e6||e<1e-4)?n.toExponential(5):n.toPrecision(6)}function Tb(n,e){if(n==null||e==null)return[-1,1];let t=Math.max(Math.abs(n),Math.abs(e)),i=e>n?.08*(e-n):t>0?.001*t:1;return[n-i,e+i]}var Ab=[.3/Math.hypot(.3,1),1/Math.hypot(.3,1),0],A2=(2*Math.PI)**2;function hd(n,e,t){let i=n.body[e];return!i||i.locked||!(i.mass>0)||!Number.isFinite(t)?null:[i.mass*t*Ab[0],i.mass*t*Ab[1],0]}var Eb=(n,e)=>(n>0?n:1)*A2*e**2;var E2=9;function Cb({viewer:n,scene:e}){let t=(i,s,r,o)=>f("label",{children:[s,f("input",{type:"number",class:"number",min:.01,step:"any",value:i,onChange:a=>{let l=a.currentTarget.valueAsNumber;l>0&&Number.isFinite(l)&&o(l),a.currentTarget.value=String(l>0?l:i),n.changed()}}),r]});return f("section",{class:"panel",children:[f("h2",{children:"Kick and pull"}),f("div",{class:"choices",children:[t(n.kickSpeed,"Kick by","m/s",i=>n.kickSpeed=i),t(n.pullFrequency,"Pull at","Hz",i=>n.pullFrequency=i)]}),f("ul",{class:"kicks",children:e.body.slice(0,E2).map((i,s)=>{let r=hd(e,s,n.kickSpeed);return f("li",{children:[f("button",{type:"button",disabled:!r,title:"with Shift the other way",onClick:o=>n.kick(s,o.shiftKey),children:[f("kbd",{children:s+1})," ",i.name]}),f("span",{class:"muted number",children:r?`${or(Math.hypot(...r))} N s`:"locked"})]},i.name)})})]})}var C2=4;function R2(n){let e=/^\s*(\d*\.?\d+(?:e[-+]?\d+)?)\s*(?:\/\s*(\d*\.?\d+(?:e[-+]?\d+)?))?\s*$/i.exec(n),t=e?Number(e[1])/Number(e[2]??1):NaN;return Number.isFinite(t)&&t>0}function P2({lane:n,engines:e,name:t,change:i}){let[s,r]=at(n.dt_text),o=e.find(c=>c.id===n.engine)?.integrators??[],a=!R2(s),l=()=>{!a&&s.trim()!==n.dt_text&&i({...n,dt_text:s.trim()})};return f(ut,{children:[f("select",{"aria-label":`engine of ${t}`,value:n.engine,onChange:c=>i({...n,engine:c.currentTarget.value,integrator:""}),children:[!e.some(c=>c.id===n.engine)&&f("option",{value:n.engine,children:n.engine}),e.map(c=>f("option",{value:c.id,children:[c.id," ",c.version]},c.id))]}),f("select",{"aria-label":`integrator of ${t}`,value:n.integrator,onChange:c=>i({...n,integrator:c.currentTarget.value}),children:[f("option",{value:"",children:"default"}),o.map(c=>f("option",{value:c,children:c},c))]}),f("input",{type:"text",class:"number step","aria-label":`step of ${t} in seconds`,"aria-invalid":a,value:s,onInput:c=>r(c.currentTarget.value),onBlur:l,onKeyDown:c=>c.key==="Enter"&&l()})]})}function Rb({viewer:n,session:e}){let{lanes:t,engines:i}=e,s=o=>n.send({do:"lanes",lanes:o}),r=i.find(o=>!t.some(a=>a.engine===o.id))??i[0];return f("section",{class:"panel",children:[f("h2",{children:"Lanes"}),f("p",{class:"muted",children:"Engine, scheme and step [s]; the state is kept."}),f("ol",{class:"lane-list",children:t.map((o,a)=>f("li",{children:[f(P2,{lane:o,engines:i,name:`lane ${a+1}`,change:l=>s(t.map((c,u)=>u===a?l:c))}),f("button",{type:"button",disabled:t.length<2,"aria-label":`remove lane ${a+1}`,onClick:()=>s(t.filter((l,c)=>c!==a)),children:"\xD7"})]},`${a} ${o.engine} ${o.integrator} ${o.dt_text}`))}),f("button",{type:"button",disabled:t.length>=C2||!r,onClick:()=>r&&s([...t,{engine:r.id,integrator:"",dt_text:t[0]?.dt_text??"1/240"}]),children:"Add a lane"})]})}function Pb(n){switch(n.do){case"pull":case"speed":return n.do;case"set":return`set ${n.key}`;default:return null}}var dd=class{constructor(e,t){this.post=e;this.failed=t}post;failed;waiting=[];busy=!1;put(e){let t=this.waiting[this.waiting.length-1],i=Pb(e);t&&i!==null&&Pb(t)===i&&this.waiting.pop(),this.waiting.push(e)}flush(){if(this.busy)return;let e=this.waiting.shift();e&&(this.busy=!0,this.post(e).catch(t=>this.failed(t instanceof Error?t.message:String(t))).finally(()=>this.busy=!1))}clear(){this.waiting.length=0}};var fd=class{bytes=new Uint8Array(65536);begin=0;end=0;text=new TextDecoder;push(e){this.append(e);let t=[];for(let i=this.next();i;i=this.next())t.push(i);return t}append(e){let t=this.end-this.begin;if(this.end+e.length>this.bytes.length){let i=t+e.length>this.bytes.length?new Uint8Array(2*(t+e.length)):this.bytes;i.set(this.bytes.subarray(this.begin,this.end)),this.bytes=i,[this.begin,this.end]=[0,t]}this.bytes.set(e,this.end),this.end+=e.length}next(){if(this.end-this.begin<8)return null;let e=new DataView(this.bytes.buffer,this.begin,8),[t,i]=[e.getUint32(0,!0),e.getUint32(4,!0)];if(t>67108864||i>268435456||i%4!==0)throw new Error(`the stream is out of step: a header of ${t} and a payload of ${i} bytes`);if(this.end-this.begin<8+t+i)return null;let s=this.begin+8,r=JSON.parse(this.text.decode(this.bytes.subarray(s,s+t))),o=new Float32Array(this.bytes.slice(s+t,s+t+i).buffer);return this.begin+=8+t+i,{message:r,payload:o}}};var I2=(n,e)=>new Promise(t=>{let i=setTimeout(t,1e3*n);e.addEventListener("abort",()=>(clearTimeout(i),t()),{once:!0})}),pd=class{constructor(e){this.listener=e}listener;token=document.querySelector('meta[name="cylon-token"]')?.content??"";stop=new AbortController;async run(){let e=.25;for(;!this.stop.signal.aborted;){try{let t=await(await this.ask("/api/session")).json(),i=await this.ask("/api/stream");this.listener.session(t),this.listener.connected(!0,""),e=.25,await this.read(i),this.listener.connected(!1,"the server closed the stream")}catch(t){if(this.stop.signal.aborted)return;this.listener.connected(!1,t instanceof Error?t.message:String(t))}await I2(e,this.stop.signal),e=Math.min(2*e,4)}}async read(e){let t=e.body.getReader(),i=new fd;try{for(;;){let{done:s,value:r}=await t.read();if(s)return;for(let o of i.push(r))this.listener.packet(o)}}finally{t.cancel().catch(()=>{})}}async ask(e,t,i="application/json"){let s={"X-Cylon-Token":this.token};t!==void 0&&(s["Content-Type"]=i);let r=await fetch(e,{method:t===void 0?"GET":"POST",headers:s,body:t,signal:this.stop.signal,cache:"no-store"});if(r.ok)return r;if(r.status===403)throw new Error("another server answers here than the one of this page; reload the page");let o=await r.text(),a=o.slice(0,400);try{a=JSON.parse(o).error??a}catch{}throw new Error(a||`${e}: ${r.status}`)}async command(e){await this.ask("/api/command",JSON.stringify(e))}async frame(e,t){await this.ask(`/api/frame?n=${e}`,t,"image/png")}close(){this.stop.abort()}};var Ib=n=>n.recording!==""&&!/\.toml$/i.test(n.recording);function L2(n,e,t){let i=e.reduce((l,c)=>l+c.size.width,0),s=24+Math.max(...e.map(l=>l.size.height));(n.width!==i||n.height!==s)&&([n.width,n.height]=[i,s]);let r=n.getContext("2d",{willReadFrequently:!0}),o=getComputedStyle(document.documentElement);r.fillStyle=o.getPropertyValue("--ground").trim()||"#ffffff",r.fillRect(0,0,i,s),r.fillStyle=o.getPropertyValue("--ink").trim()||"#000000",r.font="14px system-ui, sans-serif";let a=0;return e.forEach((l,c)=>{r.fillText(t[c]??"",a+8,17),l.paint(r,a,24),a+=l.size.width}),new Promise((l,c)=>n.toBlob(u=>u?l(u):c(new Error("the picture could not be kept")),"image/png"))}var md=class{constructor(e,t,i){this.send=e;this.failed=t;this.slower=i}send;failed;slower;last=-1;busy=!1;stopped=!1;slowed=0;canvas=document.createElement("canvas");reset(){this.last=-1,this.stopped=!1}take(e,t,i,s){let r=Math.floor(e*30+1e-6);this.stopped||i.length===0||r<=this.last||(r>this.last+1&&this.last>=0&&t-this.slowed>700&&(this.slowed=t,this.slower()),!this.busy&&(this.last=r,this.busy=!0,L2(this.canvas,i,s).then(o=>this.send(r,o)).catch(o=>{this.stopped=!0,this.failed(`recording stopped: ${o instanceof Error?o.message:String(o)}`)}).finally(()=>this.busy=!1)))}};var gd=class{times=[];start=-1;total={frames:0,seconds:0};constructor(){window.cylonFrames=this.total}tick(e){for(this.start<0&&(this.start=e),++this.total.frames,this.total.seconds=(e-this.start)/1e3,this.times.push(e);this.times[0]<e-1e3;)this.times.shift()}get perSecond(){let e=this.times.length;return e<2?0:1e3*(e-1)/(this.times[e-1]-this.times[0])}};var Rm=13,Ol=class{constructor(e){this.bodies=e;this.position=new Float32Array(3*e),this.orientation=new Float32Array(4*e),this.velocity=new Float32Array(3*e),this.spin=new Float32Array(3*e)}bodies;position;orientation;velocity;spin;read(e,t){let i=t*this.bodies*Rm;if(e.length<i+this.bodies*Rm)return!1;for(let s=0;s<this.bodies;++s){let r=i+s*Rm;for(let o=0;o<3;++o)this.position[3*s+o]=e[r+o],this.velocity[3*s+o]=e[r+7+o],this.spin[3*s+o]=e[r+10+o];for(let o=0;o<4;++o)this.orientation[4*s+o]=e[r+3+o]}return!0}vector(e,t){return[e[3*t],e[3*t+1],e[3*t+2]]}angularMomentum(e,t){let i=this.orientation,s=[i[4*t],i[4*t+1],i[4*t+2],i[4*t+3]],r=qt(Xi(s),this.vector(this.spin,t)),o=e.body[t].inertia,a=l=>o[3*l]*r[0]+o[3*l+1]*r[1]+o[3*l+2]*r[2];return qt(s,[a(0),a(1),a(2)])}},_d=class{largest=new Map;of(e){return this.largest.get(e)??0}impulse=0;see(e){for(let{impulse:t}of e)Number.isFinite(t)&&(this.impulse=Math.max(this.impulse,t))}clear(){this.largest.clear(),this.impulse=0}arrows(e,t,i,s){let r=[];for(let o of i)for(let a=0;a<t.bodies;++a){let l=e.body[a];if(!l||l.locked)continue;let c=o==="angular momentum"?t.angularMomentum(e,a):t.vector(t.velocity,a),u=o==="momentum"?l.mass:1,d=u*Math.hypot(...c);!Number.isFinite(d)||d===0||(d>this.of(o)&&this.largest.set(o,d),r.push({at:t.vector(t.position,a),along:[u*c[0],u*c[1],u*c[2]],kind:o}))}for(let o of r){let a=s/this.of(o.kind);o.along=[a*o.along[0],a*o.along[1],a*o.along[2]]}return r}};var kl=class{constructor(e,t=6e4){this.bodies=e;this.most=Math.max(32,Math.min(1e3,Math.floor(t/Math.max(e,1)))),this.positions=this.room()}bodies;positions;frames=0;most;room(){return new Float32Array(3*this.bodies*this.most)}add(e){let t=3*this.bodies;if(this.frames===this.most){let i=this.most>>1,s=this.room();s.set(this.positions.subarray((this.most-i)*t)),this.positions=s,this.frames=i}this.positions.set(e,this.frames*t),++this.frames}clear(){this.positions=this.room(),this.frames=0}};var xd=class{constructor(e,t,i,s){this.scene=t;this.picture=Zh(e,t,{label:i}),this.pose=new Ol(t.body.length),this.trail=new kl(t.body.length),this.arrowLength=this.reach(),this.picture.onCamera=r=>s.camera(r,this),this.picture.onFrameAll=()=>s.frameAll(),this.picture.onGrab=r=>s.grab(r),this.picture.onPull=r=>s.pull(r),this.picture.onRelease=()=>s.release()}scene;picture;pose;trail;arrowLength;time=-1/0;reach(){let{min:e,max:t}=Uo(this.scene);return .25*Et(mt(t,e))}setScene(e,t){this.scene=e,t&&(this.picture.replaceScene(e),this.pose=new Ol(e.body.length),this.trail=new kl(e.body.length),this.arrowLength=this.reach(),this.time=-1/0)}read(e,t,i){return this.pose.read(t,i)?(e<this.time&&this.trail.clear(),e!==this.time&&this.trail.add(this.pose.position),this.time=e,!0):!1}get position(){return this.pose.position}update(e,t,i,s,r){let{picture:o,pose:a,scene:l}=this;if(t.status!=="running"||this.time===-1/0)return;o.show("bodies",a,e.t),o.links(i.links),o.trails("bodies",i.trails?this.trail.positions:null,a.bodies,this.trail.frames-1);let c=["velocity","momentum","angular momentum"].filter(u=>i[u]);o.arrows(s.arrows(l,a,c,this.arrowLength)),o.contacts(i.contacts?t.contacts:[],s.impulse),o.pulls(e.pulls.filter(u=>u.body<a.bodies).map(({body:u,pin:d})=>{let h=a.orientation,p=[h[4*u],h[4*u+1],h[4*u+2],h[4*u+3]];return{from:Ke(a.vector(a.position,u),qt(p,r.get(u)??[0,0,0])),to:d}}))}dispose(){this.picture.dispose()}};var Bl=(n,e)=>typeof n[e]=="string"?n[e]:"",D2=n=>Array.isArray(n.between)?n.between.join(" \u2013 "):"",N2=[{list:"spring",title:n=>`spring ${Bl(n,"body")} \u2013 ${Bl(n,"to")||"pin"}`,columns:[{name:"stiffness",label:"stiffness",unit:"N/m",least:0},{name:"rest_length",label:"rest length",unit:"m",least:0},{name:"damping",label:"damping",unit:"N s/m",least:0}]},{list:"drag",title:n=>`drag of ${Bl(n,"body")}`,columns:[{name:"linear",label:"linear",unit:"kg/s",least:0},{name:"angular",label:"angular",unit:"kg m\xB2/s",least:0},{name:"momentum",label:"momentum",unit:"1/s",least:0}]},{list:"attraction",title:n=>`attraction ${Bl(n,"body")} \u2013 ${Bl(n,"to")}`,columns:[{name:"strength",label:"strength",unit:"m\xB3/(kg s\xB2)"}]},{list:"water",title:()=>"water",columns:[{name:"level",label:"level",unit:"m"},{name:"buoyancy",label:"buoyancy",unit:"",least:0},{name:"drag",label:"drag",unit:"kg/s",least:0}]},{list:"material",title:n=>`contact ${D2(n)}`,columns:[{name:"restitution",label:"restitution",unit:"",least:0,most:1},{name:"friction",label:"friction",unit:"",least:0}]}];function Lb(n){let e=[{key:"gravity",group:"gravity",label:"gravity",unit:"m/s\xB2",value:n.gravity,least:-1/0,most:1/0}];for(let{list:t,title:i,columns:s}of N2)(Array.isArray(n[t])?n[t]:[]).forEach((o,a)=>{for(let{name:l,label:c,unit:u,least:d=-1/0,most:h=1/0}of s)typeof o[l]=="number"&&e.push({key:`${t}.${a}.${l}`,group:i(o),label:c,unit:u,value:o[l],least:d,most:h})});for(let t of n.body)t.locked||e.push({key:`body.${t.name}.mass`,group:"masses",label:t.name,unit:"kg",value:t.mass,least:Number.MIN_VALUE,most:1/0});return e}function Db(n,e){let t=Number(e.trim());return e.trim()===""||!Number.isFinite(t)?{error:"a number, please"}:t<n.least||t>n.most?{error:n.most===1/0?`must be at least ${n.least===Number.MIN_VALUE?"above 0":n.least}`:`must lie in ${n.least} \u2026 ${n.most}`}:{value:t}}function Nb(n){return JSON.stringify([n.body.map(e=>[e.name,e.shape,e.color,e.locked,e.position,e.orientation]),n.joint,n.spring.map(e=>[e.body,e.anchor,e.to,e.to_anchor,e.pin]),n.plane,n.water])}var Fb=.15,F2=6,yd=class{bounds;limit;radius;constructor(e,t){this.bounds=Uo(e);let s=Math.max(0,...e.body.map(r=>Et(r.velocity)).filter(Number.isFinite))*t+Et(e.gravity)*t**2/2;this.limit=Math.max(F2*Et(mt(this.bounds.max,this.bounds.min)),10*s),this.radius=e.body.map(r=>Ac(Fo(r)))}include(e){let t=!1,i=Et(mt(this.bounds.max,this.bounds.min));for(let s=0;s<3*this.radius.length;++s){let r=s%3,o=e[s],a=this.radius[(s-r)/3];!Number.isFinite(o)||Math.abs(o-(this.bounds.min[r]+this.bounds.max[r])/2)>this.limit||o-a>=this.bounds.min[r]&&o+a<=this.bounds.max[r]||(t||(this.bounds={min:[...this.bounds.min],max:[...this.bounds.max]}),t=!0,o-a<this.bounds.min[r]?this.bounds.min[r]=o-a-Fb*i:this.bounds.max[r]=o+a+Fb*i)}return t}};var U2=125,Ui=n=>[n.engine,n.integrator,`dt ${n.dt_text}`].filter(e=>e).join(" \xB7 "),vd=class{session=null;state=null;connected=!1;why="connecting";notice="";shown={velocity:!1,momentum:!1,"angular momentum":!1,trails:!1,contacts:!0,links:!0};kickSpeed=1;pullFrequency=1;history=new cd;scale=new _d;rate=new gd;pictures=new Map;listeners=new Set;anchors=new Map;connection=new pd({session:e=>this.take(e),packet:e=>this.packet(e),connected:(e,t)=>this.setConnected(e,t)});commands=new dd(e=>this.connection.command(e),e=>this.tell(e));film=new md((e,t)=>this.connection.frame(e,t),e=>this.tell(e),()=>{this.send({do:"speed",value:Math.max(.01,this.speed/1.5)}),this.tell("Pictures were missed: the motion was slowed down for the recording. Reset records from the start.")});fresh=!1;payload=null;reach=null;looks="";camera=null;grabbed=null;told=0;start(){this.connection.run();let e=t=>{this.frame(t),requestAnimationFrame(e)};requestAnimationFrame(e)}subscribe(e){return this.listeners.add(e),()=>this.listeners.delete(e)}changed(){for(let e of this.listeners)e()}tell(e){this.notice=e,this.changed()}setConnected(e,t){this.connected=e,this.why=t,e?this.notice="":this.commands.clear(),this.changed()}take(e){let t=this.session;this.session=e,document.title=`${e.title} \u2014 Cylon`;let i=Nb(e.scene),s=i!==this.looks;this.looks=i,s&&(this.reach=new yd(e.scene,e.duration));for(let r of this.pictures.values())r.setScene(e.scene,s&&t!==null);t&&t.lanes.map(Ui).join(`
+`)!==e.lanes.map(Ui).join(`
+`)&&this.history.clear(),this.changed()}packet(e){let{message:t}=e;if(t.type==="session"){this.take(t.session),this.payload=null;return}this.state&&t.t<this.state.t&&this.restarted(),this.state=t,this.payload=e.payload;for(let[i,s]of this.pictures)t.lanes[i]?.status==="running"&&s.read(t.t,e.payload,i)&&this.hold(s.position);for(let i of t.lanes)this.scale.see(i.contacts);this.history.add(t.t,t.lanes),this.fresh=!0}hold(e){if(this.reach?.include(e))for(let t of this.pictures.values())t.picture.frameOn(this.reach.bounds)}restarted(){this.history.clear(),this.scale.clear(),this.film.reset()}frame(e){this.rate.tick(e),this.commands.flush();let{fresh:t}=this;this.fresh=!1,t&&this.draw();for(let r of this.pictures.values())r.picture.render();let{session:i,state:s}=this;if(t&&i&&s?.playing&&Ib(i)){let r=[...this.pictures.keys()].sort((o,a)=>o-a);this.film.take(s.t,e,r.map(o=>this.pictures.get(o).picture),r.map(o=>i.lanes[o]?Ui(i.lanes[o]):""))}e-this.told>U2&&(this.told=e,this.changed())}draw(){let{state:e}=this;if(e)for(let[t,i]of this.pictures){let s=e.lanes[t];s&&i.update(e,s,this.shown,this.scale,this.anchors)}}show(e){this.shown={...this.shown,...e},this.draw(),this.changed()}attach(e,t,i){let s=new xd(t,this.session.scene,i,this.hands);return this.camera&&(s.picture.camera=this.camera),this.reach&&s.picture.frameOn(this.reach.bounds),this.pictures.set(e,s),this.state?.lanes[e]?.status==="running"&&this.payload&&s.read(this.state.t,this.payload,e),this.fresh=!0,()=>{this.pictures.get(e)===s&&this.pictures.delete(e),s.dispose()}}hands={camera:(e,t)=>{this.camera=e;for(let i of this.pictures.values())i!==t&&(i.picture.camera=e)},frameAll:()=>{this.camera=null;for(let e of this.pictures.values())e.picture.frameAll()},grab:({body:e,anchor:t,point:i})=>{this.grabbed={body:e,anchor:t},this.anchors.set(e,t),this.pull(i)},pull:e=>this.pull(e),release:()=>{this.grabbed=null,this.send({do:"release"})}};pull(e){if(!this.grabbed||!this.session)return;let t=this.session.scene.body[this.grabbed.body]?.mass??1;this.send({do:"pull",...this.grabbed,pin:e,stiffness:Eb(t,this.pullFrequency)})}send(e){this.notice="",this.commands.put(e)}kick(e,t){let i=this.session&&hd(this.session.scene,e,t?-this.kickSpeed:this.kickSpeed);i?this.send({do:"kick",body:e,impulse:i}):this.session&&e<this.session.scene.body.length&&this.tell(`${this.session.scene.body[e].name} cannot be kicked: it is locked`)}get playing(){return this.state?.playing??this.session?.playing??!1}toggle(){this.send({do:this.playing?"pause":"play"})}get speed(){return this.state?.speed??this.session?.speed??1}};function Ub({viewer:n,index:e,lane:t,state:i}){let s=Vt(null),r=Ui(t);Tt(()=>n.attach(e,s.current,`Picture of ${r}`),[n,e,r]);let o=n.session?.lanes??[],a=i&&i.status!=="running";return f("figure",{class:a?"lane broken":"lane",children:[f("figcaption",{children:[f(ws,{style:e}),f("span",{class:"name",children:r}),i?.cpu_per_second!=null&&f("span",{class:"muted number",title:"CPU seconds per simulated second",children:[i.cpu_per_second.toPrecision(2)," CPU s/s"]}),o.length>1&&f("button",{type:"button","aria-label":`remove ${r}`,onClick:()=>n.send({do:"lanes",lanes:o.filter((l,c)=>c!==e)}),children:"\xD7"})]}),f("div",{class:"picture",ref:s}),a&&f("p",{class:"reason",role:"status",children:[f("strong",{children:i.status})," ",i.reason]})]})}function Ob({value:n,label:e,check:t,send:i}){let[s,r]=at(null),o=s===null?null:t(s),a=o&&"error"in o?o.error:"",l=()=>{o&&"value"in o&&o.value!==n&&i(o.value),a||r(null)};return f(ut,{children:[f("input",{type:"number",step:"any",class:"number","aria-label":e,"aria-invalid":a!=="",value:s??String(n),onInput:c=>r(c.currentTarget.value),onChange:l,onBlur:()=>(l(),r(null))}),a!==""&&f("em",{class:"refused",role:"alert",children:a})]})}function O2({viewer:n,parameter:e}){let{key:t,value:i,label:s,unit:r,group:o}=e,a=l=>Db(e,l);return typeof i=="number"?f("label",{class:"field",children:[f("span",{children:s}),f(Ob,{value:i,label:`${o}: ${s}`,check:a,send:l=>n.send({do:"set",key:t,value:l})}),f("span",{class:"muted",children:r})]}):f("div",{class:"field vector",role:"group","aria-label":s,children:[i.map((l,c)=>f(Ob,{value:l,label:`${s}, ${"xyz"[c]}`,check:a,send:u=>n.send({do:"set",key:t,value:i.map((d,h)=>h===c?u:d)})},c)),f("span",{class:"muted",children:r})]})}function k2(n){let e=new Map;for(let t of Lb(n)){let[i]=/^(spring|drag|attraction|water|material)\.\d+/.exec(t.key)??[t.group],s=e.get(i);s?s.push(t):e.set(i,[t])}return[...e.values()]}var va=60;function kb({viewer:n,scene:e}){let t=Xe(()=>k2(e),[e]);return f("section",{class:"panel",children:[f("h2",{children:"Scene"}),t.slice(0,va).map((i,s)=>f("details",{open:s<3&&i.length<8,children:[f("summary",{children:i[0].group}),i.slice(0,va).map(r=>f(O2,{viewer:n,parameter:r},r.key)),i.length>va&&f("p",{class:"muted",children:["and ",i.length-va," more"]})]},`${s} ${i[0].group}`)),t.length>va&&f("p",{class:"muted",children:["and ",t.length-va," more groups"]})]})}var Bb=170;function B2(n,e,t){let i={stroke:()=>ti("--ink"),grid:{stroke:()=>ti("--line"),width:1},ticks:{stroke:()=>ti("--line"),width:1},font:"12px system-ui, sans-serif",labelFont:"12px system-ui, sans-serif",labelSize:16,labelGap:0};return{width:n,height:Bb,legend:{show:!1},cursor:{show:!1},scales:{x:{time:!1},y:{range:(s,r,o)=>Tb(r,o)}},axes:[{...i,label:"time [s]",size:30},{...i,label:`[${t}]`,size:(s,r)=>30+7*Math.max(3,...(r??[]).map(o=>o.length)),values:(s,r)=>r.map(o=>String(Number(o.toPrecision(7))))}],series:[{},...e.map((s,r)=>({stroke:()=>ti(zi(r).color),dash:zi(r).dash,width:2,points:{show:!1}}))]}}function V2({viewer:n,lanes:e,quantity:t}){let i=Vt(null),[s,r]=at("size"),o=e.map(Ui).join(`
+`);Tt(()=>{let u=i.current,d=new Tn(B2(Math.max(u.clientWidth,160),e,ud[t]),[[],...e.map(()=>[])],u),h=null,p=()=>{let{samples:_}=n.history,g=_[_.length-1];g===h&&_.length>0||(h=g,d.setData([n.history.times(),...e.map((y,E)=>n.history.series(E,t,s))]))};p();let m=[n.subscribe(p),bo(()=>d.redraw())],v=new ResizeObserver(()=>d.setSize({width:Math.max(u.clientWidth,160),height:Bb}));return v.observe(u),()=>{for(let _ of m)_();v.disconnect(),d.destroy()}},[n,o,t,s]);let a=n.history.samples[n.history.samples.length-1],l=u=>a?.lanes[u]?or(n.history.series(u,t,s).at(-1)):"",c=e.map((u,d)=>`${Ui(u)} ${l(d)}`);return f("figure",{class:"rolling",children:[f("figcaption",{children:[t,t!=="energy"&&f("select",{"aria-label":`component of ${t}`,value:s,onChange:u=>r(u.currentTarget.value),children:wb.map(u=>f("option",{value:u,children:u},u))})]}),f("div",{ref:i,role:"img","aria-label":`${t} over time: ${c.join(", ")}`})]})}function Vb({viewer:n,lanes:e}){return f("div",{class:"plots",children:Mb.map(t=>f(V2,{viewer:n,lanes:e,quantity:t},t))})}var zb=[{quantity:"energy",component:"size",name:"E"},...["momentum","angular momentum"].flatMap(n=>["size","x","y","z"].map(e=>{let t=n==="momentum"?"p":"L";return{quantity:n,component:e,name:e==="size"?`|${t}|`:`${t} ${e}`}}))];function z2(n,e){return!n||n.energy==null||e.energy==null?"\u2013":or(e.energy-n.energy)}function Gb({viewer:n,lanes:e}){let t=n.state?.lanes??[],i=n.history.first?.lanes;return f("div",{class:"wide",tabIndex:0,role:"region","aria-label":"totals",children:f("table",{class:"readout",children:[f("thead",{children:f("tr",{children:[f("th",{scope:"col",children:"lane"}),f("th",{scope:"col",children:"contacts"}),f("th",{scope:"col",children:["E \u2212 E\u2080 ",f("span",{class:"muted",children:"[J]"})]}),zb.map(({quantity:s,name:r})=>f("th",{scope:"col",children:[r," ",f("span",{class:"muted",children:["[",ud[s],"]"]})]},r))]})}),f("tbody",{children:e.map((s,r)=>{let o=t[r],a=o?.status==="running";return f("tr",{children:[f("th",{scope:"row",children:[f(ws,{style:r})," ",Ui(s)]}),f("td",{class:"number",children:o&&a?o.contacts.length:"\u2013"}),f("td",{class:"number",children:o&&a?z2(i?.[r],o):"\u2013"}),zb.map(({quantity:l,component:c,name:u})=>f("td",{class:"number",children:o&&a?or(Cm(o,l,c)):"\u2013"},u))]},`${r} ${Ui(s)}`)})})]})})}var G2=[{name:"velocity",label:"Velocity",key:"V",unit:"m/s"},{name:"momentum",label:"Momentum",key:"M",unit:"kg m/s"},{name:"angular momentum",label:"Angular momentum",key:"L",unit:"kg m\xB2/s"},{name:"trails",label:"Trails",key:"T"},{name:"contacts",label:"Contacts, impulses",key:"C",unit:"N s"},{name:"links",label:"Springs, joints",key:"J"}],H2=(n,e)=>e==="contacts"?n.scale.impulse:n.scale.of(e);function Hb({viewer:n}){return f("section",{class:"panel",children:[f("h2",{children:"Show"}),f("div",{class:"choices",children:G2.map(({name:e,label:t,key:i,unit:s})=>f("label",{children:[f("input",{type:"checkbox",checked:n.shown[e],onChange:r=>n.show({[e]:r.currentTarget.checked})}),t," ",f("kbd",{children:i}),s&&n.shown[e]&&f("span",{class:"muted number",children:[" ","longest ",or(H2(n,e))," ",s]})]},e))})]})}var W2=n=>Math.log10(n),X2=n=>Number((10**n).toPrecision(3));function Wb({viewer:n,session:e}){let{state:t,speed:i,playing:s,connected:r}=n,o=t?.t??0,a=n.rate.perSecond;return f("section",{class:"transport","aria-label":"time",children:[f("button",{type:"button",class:"play",disabled:!r,onClick:()=>n.toggle(),children:s?"Pause":"Play"}),f("button",{type:"button",disabled:!r,onClick:()=>n.send({do:"step"}),children:"Step"}),f("button",{type:"button",disabled:!r,onClick:()=>n.send({do:"reset"}),children:"Reset"}),f("label",{class:"speed",children:["Speed",f("input",{type:"range",min:-2,max:2,step:.05,value:W2(i),"aria-valuetext":`${i} simulated seconds per second`,onInput:l=>n.send({do:"speed",value:X2(Number(l.currentTarget.value))})}),f("output",{class:"number",children:[i.toPrecision(3),"\xD7"]})]}),f("p",{class:"clock",children:[f("span",{class:"number",children:["t = ",o.toFixed(4)," s"]}),f("span",{class:"muted",children:[o>e.duration?" past the scenario\u2019s ":" of ",e.duration," s"]})]}),f("p",{class:"rate muted number","data-testid":"rate",children:[a.toFixed(0)," fps \xB7 ",e.scene.body.length," ",e.scene.body.length===1?"body":"bodies"]}),e.recording!==""&&f("p",{class:"recording",children:["\u25CF recording to ",e.recording]})]})}function Xb(n){let[,e]=at(0);Tt(()=>n.subscribe(()=>e(t=>t+1)),[n])}function $2({viewer:n}){let{connected:e,why:t,notice:i}=n;return f("div",{class:"banners",role:"alert",children:[!e&&f("p",{class:"banner gone",children:["No connection to the server: ",t,". The page tries again by itself."]}),e&&i!==""&&f("p",{class:"banner notice",children:[i,f("button",{type:"button",onClick:()=>n.tell(""),"aria-label":"close this message",children:"\xD7"})]})]})}function $b({viewer:n}){Xb(n);let e=Vt(null);Tt(()=>{let s=bb(n,()=>e.current?.open?e.current.close():e.current?.showModal());return addEventListener("keydown",s),()=>removeEventListener("keydown",s)},[n]);let{session:t,state:i}=n;return f(ut,{children:[f("header",{class:"head",children:[f("h1",{children:t?.title??"Cylon"}),t&&f("details",{class:"story",children:[f("summary",{children:t.scenario}),f("p",{children:t.story})]}),f("button",{type:"button",onClick:()=>e.current?.showModal(),children:["Keys ",f("kbd",{children:"?"})]})]}),f($2,{viewer:n}),t&&f("main",{class:"viewer",children:[f(Wb,{viewer:n,session:t}),f("section",{class:`lanes of-${Math.min(t.lanes.length,4)}`,"aria-label":"pictures",children:t.lanes.map((s,r)=>f(Ub,{viewer:n,index:r,lane:s,state:i?.lanes[r]},`${r} ${Ui(s)}`))}),f("div",{class:"numbers",children:[f(Gb,{viewer:n,lanes:t.lanes}),f(Vb,{viewer:n,lanes:t.lanes})]}),f("aside",{class:"panels","aria-label":"settings",children:[f(Hb,{viewer:n}),f(Cb,{viewer:n,scene:t.scene}),f(kb,{viewer:n,scene:t.scene}),f(Rb,{viewer:n,session:t})]})]}),f(Sb,{dialog:e})]})}function qb(n){jl();let e=new vd;n.replaceChildren(),Ia(f($b,{viewer:e}),n),e.start()}var q2={report:yb,view:qb},Yb=document.getElementById("app"),Jb=q2[document.documentElement.dataset.page??""];Yb&&Jb&&Jb(Yb);})();
+/*! Bundled license information:
+
+three/build/three.core.js:
+three/build/three.module.js:
+  (**
+   * @license
+   * Copyright 2010-2026 Three.js Authors
+   * SPDX-License-Identifier: MIT
+   *)
+*/
