@@ -3,10 +3,12 @@
 #include "harness/cli/app.h"
 #include "harness/cli/output.h"
 #include "harness/cli/selection.h"
+#include "harness/cli/traces.h"
 #include "harness/cli/trade_journal.h"
 #include "harness/core/input_error.h"
 #include "harness/study/self_reference.h"
 #include "harness/study/settings.h"
+#include "reports/html.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -24,7 +26,7 @@ struct Options {
   std::vector<std::string> patterns, steps, workers;
   study::SettingsRequest wanted;
   std::vector<double> tolerances;
-  std::string observable, json, csv, svg;
+  std::string observable, json, csv, svg, html;
   int rungs = 12, rounds = 3, jobs = 0;
   double work = 1 << 18, timeout = 60, target = 0;
   bool resume = false, verbose = false;
@@ -121,7 +123,7 @@ int exit_code(const std::vector<core::TradeTable>& tables) {
 }
 
 int trade(const Context& context, const Options& options) {
-  require_writable(std::vector<std::string>{options.json, options.csv, options.svg});
+  require_writable(std::vector<std::string>{options.json, options.csv, options.svg, options.html});
   Request request;
   request.patterns = options.patterns;
   const Selection selection = select(context, request);
@@ -132,7 +134,7 @@ int trade(const Context& context, const Options& options) {
   TradeJournal journal(".cylon/trade.jsonl", options.resume);
   if (options.resume) std::cerr << fmt::format("resumed: {} runs are done already\n", journal.known());
   std::vector<core::TradeTable> tables;
-  const bool quiet = options.json == "-" || options.csv == "-" || options.svg == "-";
+  const bool quiet = options.json == "-" || options.csv == "-" || options.svg == "-" || options.html == "-";
   const reports::ConsoleOptions style{.width = context.width, .utf8 = context.utf8, .colour = context.colour};
   try {
     for (const auto& scenario : selection.scenarios) {
@@ -148,7 +150,15 @@ int trade(const Context& context, const Options& options) {
   reports::Provenance provenance = reports::build_and_machine();
   provenance.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
   provenance.command_line = context.command_line;
-  if (!options.json.empty()) write_whole(options.json, reports::trade_json(tables, provenance));
+  const std::string json = reports::trade_json(tables, provenance);
+  if (!options.json.empty()) write_whole(options.json, json);
+  if (!options.html.empty()) {
+    reports::HtmlReport report;
+    report.title = "Cylon: speed against accuracy";
+    report.trades = {json};
+    for (const auto& scenario : selection.scenarios) report.scenarios.push_back(scenario_view(*scenario));
+    write_whole(options.html, reports::to_html(report));
+  }
   if (!options.csv.empty()) write_whole(options.csv, reports::trade_csv(tables));
   if (!options.svg.empty())
     for (const core::TradeTable& table : tables)
@@ -221,6 +231,9 @@ Command add_trade(CLI::App& app, const Context& context) {
       ->type_name("FILE");
   app.add_option("--csv", options->csv, "Write a row per point as CSV; - is stdout")->type_name("FILE");
   app.add_option("--svg", options->svg, "Draw error against cost; of several scenarios FILE-scenario.svg")
+      ->type_name("FILE");
+  app.add_option("--html", options->html,
+                 "Write the plots and tables as one page that opens from disk; - is stdout")
       ->type_name("FILE");
   app.add_flag("--resume", options->resume,
                "Go on with a sweep that was interrupted in this folder (.cylon/trade.jsonl): what is done is "

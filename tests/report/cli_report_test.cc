@@ -77,7 +77,10 @@ TEST_F(CommandLine, ReportOfAnEngineThatCrashesSaysThatThereIsNoRecording) {
 }
 
 TEST_F(CommandLine, ReportTakesTheDocumentsOfOtherCommands) {
-  ASSERT_EQ(cylon("trade projectile --engine in-house --json trade.json --work 4096").code, 0);
+  ASSERT_EQ(cylon("trade projectile --engine in-house --json trade.json --html trade.html --work 4096").code,
+            0);
+  EXPECT_EQ(index_of(read("trade.html"))["trades"][0], json::parse(read("trade.json")));
+  EXPECT_TRUE(index_of(read("trade.html"))["results"].is_null());
   write("history.json", R"({"schema":1,"series":[]})");
   write("compare.json", R"({"schema":1,"baseline":"a","candidate":"b","cells":[]})");
   const Ran ran = cylon("report compare.json trade.json history.json --html r.html");

@@ -55,9 +55,16 @@ TEST_F(KilledRecording, LosesTheCellInFlightAtMostAndGoesOnToTheSameResult) {
   int in_the_middle = 0;
   for (int trial = 0; trial < 12; ++trial) {
     const std::string name = fmt::format("killed{}.db", trial), lines = fmt::format("lines{}", trial);
-    shell(fmt::format(
-        "{{ cylon track record {} --store {} --verbose > {} & p=$!; sleep {:.3f}; kill -9 $p; wait $p; }}",
-        selection, name, lines, moment(random) * whole.count()));
+    // Every other one by what it has told so far, as a moment that is a time may pass unused where the
+    // machine is busy; then a little later, so that it may fall anywhere in a cell.
+    const std::string wait =
+        trial % 2 == 0
+            ? fmt::format("sleep {:.3f}", moment(random) * whole.count())
+            : fmt::format("while kill -0 $p && [ $(wc -l < {}) -lt {} ]; do sleep 0.002; done; sleep {:.3f}",
+                          lines, 1 + trial / 2, moment(random) * whole.count() / 20);
+    shell(
+        fmt::format("{{ cylon track record {} --store {} --verbose > {} & p=$!; {}; kill -9 $p; wait $p; }}",
+                    selection, name, lines, wait));
     std::int64_t runs = 0;
     if (fs::exists(folder / name) && fs::file_size(folder / name) > 0) {
       const Store store = Store::open(folder / name, Mode::write);
