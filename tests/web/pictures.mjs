@@ -28,6 +28,13 @@ test('report', async () => {
   await page.screenshot({ path: join(pictures, 'report-cell.png') });
 });
 
+test('speed', async () => {
+  run(folder, ['trade', 'heavy_top', '--engine', 'in-house', '--engine', 'bullet', '--engine', 'ode', '--work', '65536', '--html', 't.html']);
+  const page = await open(`file://${folder}/t.html`, { width: 1340, height: 1000 });
+  await page.waitForTimeout(1000);
+  await page.screenshot({ path: join(pictures, 'report-speed.png') });
+});
+
 test('viewer', async (t) => {
   const { url } = await view(t, folder, ['seed_bouncing_balls', '--engine', 'in-house', '--engine', 'ode']);
   const page = await open(url, { width: 1280, height: 900 });
@@ -36,4 +43,9 @@ test('viewer', async (t) => {
   await page.keyboard.press('1');
   await page.waitForTimeout(3000);
   await page.screenshot({ path: join(pictures, 'viewer.png') });
+  const tops = await view(t, folder, ['heavy_top', '--engine', 'in-house', '--engine', 'bullet-multibody', '--dt', '0.002']);
+  const dark = await open(tops.url, { width: 1280, height: 900, scheme: 'dark' });
+  await dark.keyboard.press('t');
+  await dark.waitForTimeout(5000);
+  await dark.screenshot({ path: join(pictures, 'viewer-dark.png') });
 });
