@@ -5,18 +5,19 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-missing=()
+missing=() missing_for_tests=()
 while read -r probe package only; do
   [ -z "$only" ] || [ "$only" = "${1:-}" ] || continue
+  declare -n list=missing${only:+_for_tests}
   case "$probe" in
     '#'* | '') continue ;;
-    command:*) command -v "${probe#command:}" >/dev/null || missing+=("$package") ;;
-    header:*) compgen -G "/usr/include/${probe#header:}" >/dev/null || compgen -G "/usr/include/*-linux-gnu/${probe#header:}" >/dev/null || missing+=("$package") ;;
+    command:*) command -v "${probe#command:}" >/dev/null || list+=("$package") ;;
+    header:*) compgen -G "/usr/include/${probe#header:}" >/dev/null || compgen -G "/usr/include/*-linux-gnu/${probe#header:}" >/dev/null || list+=("$package") ;;
   esac
 done <cmake/packages.txt
-[ ${#missing[@]} -eq 0 ] && exit 0
+[ ${#missing[@]} -eq 0 ] && [ ${#missing_for_tests[@]} -eq 0 ] && exit 0
 
-echo "Installing: ${missing[*]}" >&2
+echo "Installing: ${missing[*]} ${missing_for_tests[*]}" >&2
 sudo=""
 if [ "$(id -u)" -ne 0 ]; then
   command -v sudo >/dev/null || { echo "Not root and no sudo: please install these Debian packages and try again." >&2; exit 2; }
@@ -25,5 +26,8 @@ fi
 command -v apt-get >/dev/null || { echo "No apt-get here: please install the counterparts of these Debian 12 packages and try again." >&2; exit 2; }
 export DEBIAN_FRONTEND=noninteractive
 $sudo apt-get update -qq >&2
-$sudo apt-get install -y -qq --no-install-recommends "${missing[@]}" >&2 </dev/null ||
+install() { $sudo apt-get install -y -qq --no-install-recommends "$@" >&2 </dev/null; }
+[ ${#missing[@]} -eq 0 ] || install "${missing[@]}" ||
   { echo "apt-get could not install: ${missing[*]}" >&2; exit 2; }
+[ ${#missing_for_tests[@]} -eq 0 ] || install "${missing_for_tests[@]}" ||
+  echo "apt-get could not install: ${missing_for_tests[*]}; the tests that need them are skipped" >&2
