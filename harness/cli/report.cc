@@ -82,10 +82,13 @@ void take_traces(const std::string& text, const std::string& path, reports::Html
   for (int number = 1; std::getline(lines, line); ++number) {
     const std::string place = fmt::format("{}:{}", path, number);
     const Json json = Json::parse(line, nullptr, /*allow_exceptions=*/false);
-    if (json.is_object() && is_format(json, "cylon-scenario/1"))
-      report.scenarios.push_back(line);
-    else
+    if (!json.is_object() || !is_format(json, "cylon-scenario/1")) {
       report.traces.push_back(reports::trace_from_json_line(line, place));
+      continue;
+    }
+    if (!json.contains("name") || !json["name"].is_string())
+      throw core::InputError(place + ": a scenario without its \"name\"");
+    report.scenarios.push_back(line);
   }
 }
 

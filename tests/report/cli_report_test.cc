@@ -97,9 +97,11 @@ TEST_F(CommandLine, ReportRefusals) {
   write("other.json", "{\"a\": 1}");
   write("half.json", read("v.json").substr(0, 300));
   write("line.jsonl", "{\"format\":\"cylon-trace/1\"}\n");
+  write("nameless.jsonl", "{\"format\":\"cylon-scenario/1\",\"name\":7}\n");
   const struct {
     const char *arguments, *says;
   } cases[] = {
+      {"nameless.jsonl v.json --html r.html", "nameless.jsonl:1: a scenario without its \"name\""},
       {"nothing.json --html r.html", "nothing.json: cannot be read"},
       {"empty --html r.html", "empty: no JSON"},
       {"half.json --html r.html", "half.json: no JSON"},
