@@ -87,6 +87,7 @@ MassProperties properties(const core::Compound& compound, double) {
     const Vector3 d = p.centre - whole.centre;
     whole.inertia += p.inertia + p.mass * (d.squaredNorm() * Matrix3::Identity() - d * d.transpose());
   }
+  whole.inertia = (whole.inertia + whole.inertia.transpose()).eval() / 2;  // R I R^T is, but for rounding
   return whole;
 }
 

@@ -114,6 +114,16 @@ TEST(Compound, DumbbellByParallelAxes) {
   EXPECT_EQ(std::get<core::Compound>(body.shape).parts[0].position, Vector3(-3, 0, 0));
 }
 
+// R I R^T in floating point is not; what is written with all digits and read again must be the same body.
+TEST(Compound, InertiaIsSymmetricToTheLastBit) {
+  const core::Quaternion turn(Eigen::AngleAxisd(0.3, Vector3(2, 3, 0).normalized()));
+  const core::Compound hammer{{{core::Box{{0.08, 0.05, 0.05}}, 2, {0, 0.06, 0}, turn},
+                               {core::Cylinder{0.02, 0.5}, 0.5, {0, -0.24, 0}, turn.conjugate()}}};
+  const core::Matrix3 inertia = scenarios::mass_properties(hammer, 2.5).inertia;
+  EXPECT_EQ(inertia, core::Matrix3(inertia.transpose()));
+  EXPECT_GT(std::abs(inertia(1, 2)), 1e-6);  // not because there is nothing there
+}
+
 TEST(Generators, LatticeCountsXFastest) {
   const auto s = parse(head +
                            "[[lattice]]\nname = \"b\"\nmass = 1\nposition = [1, 2, 3]\nvelocity = [0, 1, "
