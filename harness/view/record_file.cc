@@ -1,7 +1,9 @@
 #include "harness/view/record_file.h"
 
 #include "harness/core/input_error.h"
+#include "harness/process/shape_json.h"
 #include "harness/view/scenario_text.h"
+#include "harness/view/toml.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -15,6 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 // Of distances and angles that any motion has: far more than the same engine's repetition is off, far less
 // than the eye sees.
@@ -25,8 +28,6 @@ json rows(const std::vector<core::State>& states, std::size_t body, json (*row)(
   for (const core::State& state : states) result.push_back(row(state[body]));
   return result;
 }
-
-json vector(const core::Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
 json motion(const Recorder& recorder) {
   std::vector<core::State> states = recorder.states();
@@ -41,13 +42,14 @@ json motion(const Recorder& recorder) {
     const std::string& name = recorder.scene().bodies[i].name;
     bodies.push_back({{"id", name}});
     trajectory[name] = {
-        {"position", rows(states, i, [](const core::BodyState& s) { return vector(s.position); })},
-        {"velocity", rows(states, i, [](const core::BodyState& s) { return vector(s.velocity); })},
+        {"position",
+         rows(states, i, [](const core::BodyState& s) { return process::vector_json(s.position); })},
+        {"velocity",
+         rows(states, i, [](const core::BodyState& s) { return process::vector_json(s.velocity); })},
         {"angular_velocity",
-         rows(states, i, [](const core::BodyState& s) { return vector(s.angular_velocity); })},
-        {"orientation", rows(states, i, [](const core::BodyState& s) -> json {
-           return {s.orientation.w(), s.orientation.x(), s.orientation.y(), s.orientation.z()};
-         })}};
+         rows(states, i, [](const core::BodyState& s) { return process::vector_json(s.angular_velocity); })},
+        {"orientation",
+         rows(states, i, [](const core::BodyState& s) { return process::quaternion_json(s.orientation); })}};
   }
   return {{"schema", "truth/1"},
           {"t", std::move(times)},
@@ -62,32 +64,30 @@ double farthest(const Recorder& recorder) {
   return most;
 }
 
-std::string claim(const char* observable, const std::string& data, double absolute, const LaneSpec& spec) {
+Json claim(const char* observable, const std::string& data, double absolute, const LaneSpec& spec) {
+  const std::string scheme =
+      spec.integrator.empty() ? spec.engine : fmt::format("{} ({})", spec.engine, spec.integrator);
   const std::string reason = fmt::format(
       "convention: {:g} of what moves; {} at a step of {} s repeats its own motion to rounding, and another "
-      "engine "
-      "shows here where it departs",
-      part, spec.integrator.empty() ? spec.engine : spec.engine + " (" + spec.integrator + ")", spec.dt_text);
-  return fmt::format(
-      "\n[[claim]]\nfollows = {{ file = {} }}\nobservable = \"{}\"\ntolerance = {{ absolute = {}, reason = "
-      "{} }}\n",
-      toml_text(data), observable, absolute, toml_text(reason));
+      "engine shows here where it departs",
+      part, scheme, spec.dt_text);
+  return {{"follows", {{"file", data}}},
+          {"observable", observable},
+          {"tolerance", {{"absolute", absolute}, {"reason", reason}}}};
 }
 
 std::string scenario_text(const Recorder& recorder, const scenarios::Scenario& from,
                           const std::string& data) {
   const LaneSpec& spec = recorder.spec();
-  std::string text = fmt::format("title = {}\n", toml_text(from.title + " (recorded)"));
-  text +=
-      fmt::format("story = {}\n",
-                  toml_text(fmt::format("{} Recorded in the live viewer with {}.", from.story, spec.engine)));
-  text += "tags = [\"recorded\"]\n";
-  text += fmt::format("duration = {}\n", static_cast<double>(recorder.last_step()) * recorder.dt());
-  text += fmt::format("step = {}\n", toml_text(spec.dt_text));
-  text += scene_toml(recorder.scene());
-  text += claim("position", data, part * std::max(1.0, farthest(recorder)), spec);
-  text += claim("orientation", data, part, spec);
-  return text;
+  Json document = {{"title", from.title + " (recorded)"},
+                   {"story", fmt::format("{} Recorded in the live viewer with {}.", from.story, spec.engine)},
+                   {"tags", {"recorded"}},
+                   {"duration", static_cast<double>(recorder.last_step()) * recorder.dt()},
+                   {"step", spec.dt_text}};
+  document.update(scene_keys(recorder.scene()));
+  document["claim"] = {claim("position", data, part * std::max(1.0, farthest(recorder)), spec),
+                       claim("orientation", data, part, spec)};
+  return to_toml(document);
 }
 
 void write(const fs::path& path, const std::string& text) {

@@ -4,7 +4,6 @@
 #include "harness/core/input_error.h"
 #include "harness/view/bad_command.h"
 #include "harness/view/host.h"
-#include "harness/view/scenario_text.h"
 #include "tests/view/fixture.h"
 
 #include <fmt/format.h>
@@ -16,7 +15,6 @@ namespace cylon::view {
 namespace {
 
 namespace fs = std::filesystem;
-using core::Vector3;
 
 class RecordingTest : public testing::Test {
  protected:
@@ -24,60 +22,6 @@ class RecordingTest : public testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
   fs::path folder_ = fs::temp_directory_path() / ("cylon-recording-" + std::to_string(::getpid()));
 };
-
-/// A scene with one of everything that a scenario can say.
-core::Scene everything() {
-  core::Scene scene = hinged_pair();
-  core::Body tool = process::point("tool 7", {3, 4.5, -1}, {0.1, 0.2, 0.3});
-  tool.mass = 1.75;
-  core::Part ball{core::Sphere{0.2}, 1, {-0.375, 0, 0}, core::Quaternion::Identity()};
-  core::Part rod{core::Cylinder{0.1, 0.5},
-                 0.75,
-                 {0.5, 0, 0},
-                 core::Quaternion(Eigen::AngleAxisd(0.4, Vector3::UnitX()))};
-  tool.shape = core::Compound{{ball, rod}};
-  core::Body hull = process::point("hull", {-3, 4.5, -1}, {0, 0, 0});
-  hull.inertia = Vector3(0.4, 0.5, 0.6).asDiagonal();
-  hull.shape = core::Hull{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, -1, -1}}};
-  hull.color = "#102030";
-  core::Body anchor = process::point("anchor", {0, 9, 0}, {0, 0, 0});
-  anchor.locked = true;
-  scene.bodies.insert(scene.bodies.end(), {tool, hull, anchor});
-  scene.forces = {core::UniformGravity{{0.1, -9.5, 0}},
-                  core::Spring{0, {0.1, 0, 0}, 1, {0, 0.2, 0}, 12, 0.3, 0.4},
-                  core::Spring{2, {0, 0, 0}, core::world, {1, 2, 3}, 5, 0, 0},
-                  core::Drag{1, 0.1, 0.2, 0.3},
-                  core::Thrust{.body = 3, .force = Vector3(0, 1, 0)},
-                  core::Drive{3, {1, 0, 2}, 3.5},
-                  core::Attraction{2, 3, 0.7},
-                  core::Water{-20, 0.1, 0.2, 1000, 3, "volume"}};
-  scene.planes = {{"floor", Vector3(0.6, 0.8, 0), -30}};
-  scene.materials = {{{"*", "*"}, 0.25, 0.5}, {{"hull", "floor"}, 0.125, 0}};
-  scene.impacts = core::Impacts::simultaneous;
-  return scene;
-}
-
-// Every digit of every key comes back: what is written and read again is written the same.
-TEST(ScenarioText, IsReadBackAsTheSameScene) {
-  const std::string head = "title = \"t\"\nstory = \"s\"\ntags = []\nduration = 1.0\nstep = \"0.01\"\n";
-  const std::string claim =
-      "\n[[claim]]\nconserves = \"kinetic_energy\"\ntolerance = { absolute = 1e9, reason = \"none\" }\n";
-  core::Scene framed = process::two_bodies();
-  framed.frame = core::Frame{{0.1, 0, 0}, {0, 0.2, 0}};
-  for (const core::Scene& scene : {everything(), framed, ball_on_floor(1, {0.1, 0.2, 0.3}, 0.4)}) {
-    const std::string text = scene_toml(scene);
-    const core::Scene read = scenarios::parse(head + text + claim, "test.toml").scene;
-    EXPECT_EQ(scene_toml(read), text);
-    ASSERT_EQ(read.bodies.size(), scene.bodies.size());
-    for (std::size_t i = 0; i < read.bodies.size(); ++i) {
-      EXPECT_EQ(read.bodies[i].name, scene.bodies[i].name);
-      EXPECT_EQ(read.bodies[i].initial.position, scene.bodies[i].initial.position);
-      EXPECT_LE((read.bodies[i].initial.velocity - scene.bodies[i].initial.velocity).norm(), 1e-15);
-    }
-    EXPECT_EQ(read.forces.size(), scene.forces.size());
-    EXPECT_EQ(read.joints.size(), scene.joints.size());
-  }
-}
 
 // Kicked in mid-flight, recorded, loaded, run again: the same engine's motion to the last bit, and another
 // that the claims tell from it.
