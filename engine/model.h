@@ -67,7 +67,8 @@ struct Model {
   std::optional<RotatingFrame> frame;
 
   const Material& material(int surface, int other) const {
-    return materials[static_cast<std::size_t>(surface * surface_count + other)];
+    const auto row = static_cast<std::size_t>(surface) * static_cast<std::size_t>(surface_count);
+    return materials[row + static_cast<std::size_t>(other)];
   }
 };
 

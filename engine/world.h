@@ -17,6 +17,8 @@ class World {
   /// Starts at t = 0.  Requires unsupported(model, options) to be empty, options.dt > 0, one motion and one
   /// shape per body.
   World(Model, const Options&);
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
   ~World();
 
   /// Advances by exactly one step.
