@@ -22,9 +22,9 @@
 namespace cylon::cli {
 namespace {
 
+using core::Motion;
 using nlohmann::ordered_json;
 using study::Curve;
-using study::Track;
 
 struct Options {
   std::string file, a, b, dt, csv;
@@ -41,7 +41,7 @@ struct Side {
   process::EngineChoice engine;
   double dt = 0;              // [s]; 0: a file
   std::vector<double> times;  // of a file
-  Track track;
+  Motion motion;
 };
 
 /// An engine came to nothing; the message stands on stderr.
@@ -53,8 +53,8 @@ Side side(const Context& context, const Options& options, const scenarios::Scena
           const std::string& word) {
   Side result{word, {}, 0, {}, {}};
   if (word.ends_with(".csv")) {
-    result.track = read_states(word, scenario.scene);
-    result.times = result.track.times;
+    result.motion = read_states(word, scenario.scene);
+    result.times = result.motion.time;
     return result;
   }
   const std::size_t at = word.rfind('@');
@@ -102,14 +102,14 @@ std::vector<double> common_times(const Side& a, const Side& b, double duration) 
 }
 
 // The side's states at those times, which it has.
-Track states_at(const Side& side, const scenarios::Scenario& scenario, std::span<const double> times,
-                double timeout) {
-  Track result;
-  result.times.assign(times.begin(), times.end());
+Motion states_at(const Side& side, const scenarios::Scenario& scenario, std::span<const double> times,
+                 double timeout) {
+  Motion result;
+  result.time.assign(times.begin(), times.end());
   if (side.dt == 0) {
     for (const double t : times) {
       const auto at = std::lower_bound(side.times.begin(), side.times.end(), t * (1 - same_time));
-      result.states.push_back(side.track.states[static_cast<std::size_t>(at - side.times.begin())]);
+      result.states.push_back(side.motion.states[static_cast<std::size_t>(at - side.times.begin())]);
     }
     return result;
   }
@@ -144,8 +144,8 @@ Found compare(const Options& options, const scenarios::Scenario& scenario, const
   Found found;
   found.every = (all.size() * scenario.scene.bodies.size() + most_states - 1) / most_states;
   const auto at = [&](const std::vector<double>& times) {
-    const Track ours = states_at(a, scenario, times, options.timeout),
-                theirs = states_at(b, scenario, times, options.timeout);
+    const Motion ours = states_at(a, scenario, times, options.timeout),
+                 theirs = states_at(b, scenario, times, options.timeout);
     found.times = times;
     found.curves = study::divergence(scenario.scene, scenario.duration, ours, theirs, options.tolerance);
   };

@@ -22,13 +22,13 @@ class Reader {
     if (!in_) throw core::InputError(fmt::format("{}: cannot be read", file));
   }
 
-  study::Track read() {
+  core::Motion read() {
     if (!next() || line_ != states_header)
       fail(fmt::format("the first line must be '{}', as `cylon simulate` writes it", states_header));
     while (next()) row();
     close();
-    if (track_.times.empty()) fail("no states");
-    return std::move(track_);
+    if (motion_.time.empty()) fail("no states");
+    return std::move(motion_);
   }
 
  private:
@@ -65,16 +65,16 @@ class Reader {
     const std::size_t first = text.find(',');
     if (first >= end) fail(fmt::format("{} columns are due", columns));
     const double time = number(text.substr(0, first), 0);
-    if (track_.times.empty() || time != track_.times.back()) open(time);
+    if (motion_.time.empty() || time != motion_.time.back()) open(time);
     std::array<double, numbers> x{};
     for (std::size_t i = 0; i < numbers; ++i) x[i] = number(cells[i], i + 2);
     const std::size_t body = index(text.substr(first + 1, end - first - 1));
     if (seen_[body]) fail(fmt::format("body '{}' stands twice at {} s", scene_.bodies[body].name, time));
     seen_[body] = true;
-    track_.states.back()[body] = {{x[0], x[1], x[2]},
-                                  core::Quaternion(x[3], x[4], x[5], x[6]),
-                                  {x[7], x[8], x[9]},
-                                  {x[10], x[11], x[12]}};
+    motion_.states.back()[body] = {{x[0], x[1], x[2]},
+                                   core::Quaternion(x[3], x[4], x[5], x[6]),
+                                   {x[7], x[8], x[9]},
+                                   {x[10], x[11], x[12]}};
   }
 
   std::size_t index(std::string_view name) const {
@@ -86,10 +86,10 @@ class Reader {
 
   void open(double time) {
     close();
-    if (!track_.times.empty() && !(time > track_.times.back()))
-      fail(fmt::format("time {} s does not follow {} s", time, track_.times.back()));
-    track_.times.push_back(time);
-    track_.states.emplace_back(scene_.bodies.size());
+    if (!motion_.time.empty() && !(time > motion_.time.back()))
+      fail(fmt::format("time {} s does not follow {} s", time, motion_.time.back()));
+    motion_.time.push_back(time);
+    motion_.states.emplace_back(scene_.bodies.size());
     seen_.assign(scene_.bodies.size(), false);
   }
 
@@ -98,7 +98,7 @@ class Reader {
     if (missing != seen_.end())
       fail(fmt::format("before this line: body '{}' is missing at {} s",
                        scene_.bodies[static_cast<std::size_t>(missing - seen_.begin())].name,
-                       track_.times.back()));
+                       motion_.time.back()));
   }
 
   std::string file_;
@@ -106,13 +106,13 @@ class Reader {
   std::ifstream in_;
   std::string line_;
   unsigned number_ = 0;
-  study::Track track_;
+  core::Motion motion_;
   std::vector<bool> seen_;
 };
 
 }  // namespace
 
-study::Track read_states(const std::string& file, const core::Scene& scene) {
+core::Motion read_states(const std::string& file, const core::Scene& scene) {
   return Reader(file, scene).read();
 }
 

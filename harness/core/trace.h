@@ -3,6 +3,7 @@
 #pragma once
 
 #include "harness/core/claim.h"
+#include "harness/core/motion.h"
 #include "harness/core/recording.h"
 
 #include <cstddef>
@@ -18,12 +19,6 @@ struct TraceLimits {
   std::size_t frames = 300;             ///< Of a motion, at most.
   std::size_t frames_bodies = 300'000;  ///< Frames x bodies, at most.
   std::size_t points = 300;             ///< Of a curve, at most.
-};
-
-/// States at ascending times.
-struct Motion {
-  std::vector<double> time;  ///< [s]
-  std::vector<State> states;
 };
 
 /// The motion that a truth requires.

@@ -62,8 +62,8 @@ Apart apart(const core::Observable& q, const core::Scene& scene, const core::Sta
 
 }  // namespace
 
-std::vector<Curve> divergence(const core::Scene& scene, double duration, const Track& a, const Track& b,
-                              double tolerance) {
+std::vector<Curve> divergence(const core::Scene& scene, double duration, const core::Motion& a,
+                              const core::Motion& b, double tolerance) {
   const Scales unit = scales(scene, duration);
   double mass = 0;
   for (const core::Body& body : scene.bodies)

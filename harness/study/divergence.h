@@ -2,8 +2,8 @@
 // sample.
 #pragma once
 
+#include "harness/core/motion.h"
 #include "harness/core/observable.h"
-#include "harness/core/scene.h"
 
 #include <cstdint>
 #include <optional>
@@ -14,13 +14,7 @@
 
 namespace cylon::study {
 
-/// States at ascending times.
-struct Track {
-  std::vector<double> times;  ///< [s]
-  std::vector<core::State> states;
-};
-
-/// How far two tracks are from each other in one quantity.
+/// How far two motions are from each other in one quantity.
 struct Curve {
   core::Quantity quantity = core::Quantity::position;
   std::string_view unit;
@@ -35,7 +29,7 @@ struct Curve {
 /// energy of all.  Allowed is `tolerance` times the scene's own scales L, V (study::scales) and its mass M:
 /// L, 1 rad, V, the angular velocity; M V, M V L, M V^2/2.  Requires as many states in both, at the same
 /// times, and tolerance >= 0; at 0 any difference counts.
-std::vector<Curve> divergence(const core::Scene&, double duration, const Track&, const Track&,
+std::vector<Curve> divergence(const core::Scene&, double duration, const core::Motion&, const core::Motion&,
                               double tolerance);
 
 /// The curve that parts first; of several at one sample, that with the largest distance over what is allowed.

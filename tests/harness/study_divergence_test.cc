@@ -1,4 +1,4 @@
-// Where two tracks part: on tracks whose distance is known, and never where there is none.
+// Where two motions part: on motions whose distance is known, and never where there is none.
 #include "harness/study/divergence.h"
 
 #include <gtest/gtest.h>
@@ -40,11 +40,11 @@ class Divergence : public testing::Test {
       scene.bodies.push_back(body);
     }
     for (int k = 0; k < 8; ++k) {
-      track.times.push_back(0.25 * k);
+      track.time.push_back(0.25 * k);
       core::State state;
       for (const core::Body& body : scene.bodies) {
         state.push_back(body.initial);
-        state.back().position += track.times.back() * body.initial.velocity;
+        state.back().position += track.time.back() * body.initial.velocity;
       }
       track.states.push_back(state);
     }
@@ -59,7 +59,7 @@ class Divergence : public testing::Test {
   }
 
   core::Scene scene;
-  Track track, other;
+  core::Motion track, other;
 };
 
 TEST_F(Divergence, EqualTracksNeverPart) {
