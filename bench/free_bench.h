@@ -84,8 +84,8 @@ inline std::vector<engine::Motion> exact(const engine::Model& model) {
 
 template <class Orientation>
 double miss(const Orientation& orientation, const engine::Motion& truth) {
-  const Eigen::Quaterniond a(orientation), b(truth.orientation.template cast<double>());
-  return 2 * std::asin(std::min(1.0, (a.normalized().conjugate() * b.normalized()).vec().norm()));
+  const Eigen::Quaterniond a = orientation.normalized(), b = truth.orientation.template cast<double>();
+  return 2 * std::asin(std::min(1.0, (a.conjugate() * b.normalized()).vec().norm()));
 }
 
 struct Reference {

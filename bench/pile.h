@@ -27,8 +27,9 @@ inline core::Scene pile(std::int64_t count, std::int64_t side, double lowest, do
                   {"south", {0, 0, -1}, -half}};
   scene.materials = {{{"*", "*"}, 0, friction}};
   for (std::int64_t i = 0; i < count; ++i) {
+    const std::int64_t layer = i / side / side;
     const double x = static_cast<double>(i % side), z = static_cast<double>(i / side % side),
-                 y = static_cast<double>(i / side / side);
+                 y = static_cast<double>(layer);
     core::Body ball;
     ball.name = fmt::format("ball{}", i);
     ball.mass = mass;

@@ -34,7 +34,7 @@ struct References {
 
   // Halves the step until the error is reached; `nearest` is the best that was seen.
   std::optional<Run> reach(const process::EngineChoice& choice, double target, Run& nearest) const {
-    for (std::int64_t steps = samples * 64; steps < 200'000'000; steps *= 2) {
+    for (std::int64_t steps = std::int64_t{64} * samples; steps < 200'000'000; steps *= 2) {
       const auto [place, is_new] = seen.try_emplace({choice.id, steps});
       if (is_new) place->second = run(choice, steps);
       const Run& r = place->second;

@@ -54,6 +54,7 @@ class EventStepper final : public Stepper, private Holder {
   EventStepper(Reduced, const Scheme&, Time dt, Real tolerance, bool account, Time start);
   EventStepper(const EventStepper&) = delete;
   EventStepper& operator=(const EventStepper&) = delete;
+  ~EventStepper() override = default;
 
   void step() override;
   void read(std::vector<Motion>&) const override;

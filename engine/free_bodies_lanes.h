@@ -49,12 +49,12 @@ struct Turn {
 };
 
 /// By the series to x^(2 N + 1) and x^(2 M).
-template <int N, int M>
+template <std::ptrdiff_t N, std::ptrdiff_t M>
 [[gnu::always_inline]] inline Turn by_series(Lanes x) {
   const Lanes xx = x * x;
   Lanes sine = spread(series.term[2 * N + 1]), cosine = spread(series.term[2 * M]);
-  for (int n = N - 1; n > 0; --n) sine = add(sine, xx, spread(series.term[2 * n + 1]));
-  for (int m = M - 1; m >= 0; --m) cosine = add(cosine, xx, spread(series.term[2 * m]));
+  for (auto n = N - 1; n > 0; --n) sine = add(sine, xx, spread(series.term[2 * n + 1]));
+  for (auto m = M - 1; m >= 0; --m) cosine = add(cosine, xx, spread(series.term[2 * m]));
   return {cosine, add(sine * xx, x, x)};
 }
 

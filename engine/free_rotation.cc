@@ -16,8 +16,8 @@ Rotation in_double(const Quaternion& q) { return q.cast<double>(); }
 
 // cos and sin of an angle; below 1/2 by their series, whose first term left out is 1e-18.
 struct Turn {
-  double cosine, sine;
-  explicit Turn(double x) : cosine(1), sine(x) {
+  double cosine = 1, sine;
+  explicit Turn(double x) : sine(x) {
     const double xx = x * x;
     if (xx < 0.25) {
       cosine = 1 - xx / 2 * (1 - xx / 12 * (1 - xx / 30 * (1 - xx / 56 * (1 - xx / 90 * (1 - xx / 132)))));

@@ -68,7 +68,7 @@ class Top {
   void drift(Real h, Real* y) {
     const Real half = h * inverse_ / 2, x = half * y[4], yy = half * y[5], z = half * y[6];
     const Real xx = x * x + yy * yy + z * z;
-    Real cosine, sinc;
+    Real cosine = 1, sinc = 1;
     if (xx < Real(0.01)) {  // first terms left out: 3e-17
       const Real x4 = xx * xx;
       cosine = (1 - xx / 2) + x4 * ((Real(1) / 24 - xx * (Real(1) / 720)) + x4 * (Real(1) / 40320));

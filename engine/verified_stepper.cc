@@ -24,12 +24,12 @@ Real share(Real difference, Real scale) { return difference == 0 ? 0 : differenc
 
 }  // namespace
 
-VerifiedStepper::VerifiedStepper(MakeRun make, Real bound, Time dt, const std::vector<Body>& bodies)
+VerifiedStepper::VerifiedStepper(MakeRun make, Real bound, Time dt, std::vector<Body> bodies)
     : make_(std::move(make)),
       bound_(bound),
       dt_(dt),
       tolerance_(std::max(bound * first / 10, least)),
-      bodies_(bodies) {
+      bodies_(std::move(bodies)) {
   coarse_ = make_(10 * tolerance_);
   fine_ = make_(tolerance_);
   fine_->read(fine_motion_);

@@ -20,7 +20,7 @@ using MakeRun = std::function<std::unique_ptr<Stepper>(Real local_tolerance)>;
 /// step later.
 class VerifiedStepper final : public Stepper {
  public:
-  VerifiedStepper(MakeRun, Real bound, Time dt, const std::vector<Body>& bodies);
+  VerifiedStepper(MakeRun, Real bound, Time dt, std::vector<Body> bodies);
 
   void step() override;
   void read(std::vector<Motion>& motions) const override { motions = fine_motion_; }

@@ -79,6 +79,7 @@ bool Course::strike_all(std::size_t a, std::size_t b) {
   touches_.clear();
   join(a);
   join(b);
+  // NOLINTNEXTLINE(modernize-loop-convert): gather() adds members
   for (std::size_t k = 0; k < members_.size(); ++k) gather(members_[k]);
   for (const std::size_t body : members_) place_in_cluster_[body] = nothing;
   if (touches_.size() < 2) return false;

@@ -65,7 +65,7 @@ void Cells::build(const std::vector<Flight>& flights, const std::vector<char>& c
   previous_.assign(flights.size(), -1);
   large_.clear();
   choose_size(flights, collides, t);
-  heads_.assign(static_cast<std::size_t>(count_[0] * count_[1] * count_[2]), -1);
+  heads_.assign(static_cast<std::size_t>(std::ptrdiff_t{count_[0]} * count_[1] * count_[2]), -1);
   for (std::size_t i = 0; i < flights.size(); ++i) {
     if (!held_[i]) continue;
     const Vector3 p = (flights[i].position_at(t) - low_) / size_;

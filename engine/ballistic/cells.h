@@ -68,7 +68,7 @@ class Cells {
     return low_[static_cast<int>(axis)] + size_ * static_cast<Real>(k);
   }
   std::size_t index(const Cell& c) const {
-    return static_cast<std::size_t>((c[0] * count_[1] + c[1]) * count_[2] + c[2]);
+    return static_cast<std::size_t>((std::ptrdiff_t{c[0]} * count_[1] + c[1]) * count_[2] + c[2]);
   }
   void link(std::size_t body);
   void unlink(std::size_t body);

@@ -64,7 +64,7 @@ Assembly assemble(std::span<const TouchPoint> touches, std::span<const Row> join
     a.free[row + 1] += a.frames.back().col(1).dot(drift);
     a.free[row + 2] += a.frames.back().col(2).dot(drift);
     const Vector3 u = relative_velocity(touches[i], now.bodies, now.motion);
-    a.slips.push_back(u - touches[i].normal.dot(u) * touches[i].normal);
+    a.slips.emplace_back(u - touches[i].normal.dot(u) * touches[i].normal);
   }
   a.problem = coulomb_problem(a.response, touches, a.response.offset(a.free));
   return a;
@@ -208,7 +208,7 @@ bool balanced(const Support& support, const Instant& now) {
 
 void add_forces(const Support& support, Load* loads, std::size_t bodies) {
   const Sums sums = sum_forces(support, loads, bodies);
-  const auto cleared = [](Vector3 sum, const Vector3& size) {
+  const auto cleared = [](const Vector3& sum, const Vector3& size) {
     const Real rounding = 64 * ulp * size.maxCoeff();
     return Vector3(sum.unaryExpr([rounding](Real x) { return std::abs(x) <= rounding ? Real(0) : x; }));
   };

@@ -32,7 +32,10 @@ struct Ring {
         step((size + most_corners - 1) / most_corners) {}
 
   int count() const { return (size + step - 1) / step; }
-  int vertex(int k) const { return face != nullptr ? (*face)[static_cast<std::size_t>(k * step)] : k * step; }
+  int vertex(int k) const {
+    const int at = k * step;
+    return face != nullptr ? (*face)[static_cast<std::size_t>(at)] : at;
+  }
 };
 
 int facing(const View& view, const Vector3& direction) {

@@ -16,6 +16,7 @@ struct Core {
   explicit Core(const Shape&);
   Core(const Core&) = delete;
   Core& operator=(const Core&) = delete;
+  ~Core() = default;
 
   const Vector3* vertices = nullptr;
   const Edge* edges = nullptr;

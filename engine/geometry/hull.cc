@@ -121,7 +121,7 @@ Face corners(const Cloud& cloud, Face points, const Point& n, double tolerance) 
 }
 
 // The faces: of each triangle's plane, the largest first, all points that are in it.
-std::vector<Face> merged(const Cloud& cloud, std::vector<std::array<int, 3>> triangles,
+std::vector<Face> merged(const Cloud& cloud, const std::vector<std::array<int, 3>>& triangles,
                          const std::vector<int>& used, double tolerance) {
   const auto area = [&](const std::array<int, 3>& t) { return area_vector(cloud, {t[0], t[1], t[2]}); };
   std::vector<std::pair<double, std::array<int, 3>>> order;

@@ -46,8 +46,8 @@ struct Lanes3 {
 [[gnu::always_inline]] inline Lanes root(Lanes a) { return _mm256_sqrt_pd(a); }
 
 /// Numbers 4 k .. 4 k + 3 of a row of `stride`, of the rows named, one row a lane.
-[[gnu::always_inline]] inline void load(const Real* rows, const int* row, int stride, Lanes& a, Lanes& b,
-                                        Lanes& c, Lanes& d) {
+[[gnu::always_inline]] inline void load(const Real* rows, const int* row, std::ptrdiff_t stride, Lanes& a,
+                                        Lanes& b, Lanes& c, Lanes& d) {
   const __m256d r0 = _mm256_load_pd(rows + stride * row[0]), r1 = _mm256_load_pd(rows + stride * row[1]),
                 r2 = _mm256_load_pd(rows + stride * row[2]), r3 = _mm256_load_pd(rows + stride * row[3]);
   const __m256d t0 = _mm256_unpacklo_pd(r0, r1), t1 = _mm256_unpackhi_pd(r0, r1),
@@ -56,8 +56,8 @@ struct Lanes3 {
   c = _mm256_permute2f128_pd(t0, t2, 0x31), d = _mm256_permute2f128_pd(t1, t3, 0x31);
 }
 
-[[gnu::always_inline]] inline void store(Real* rows, const int* row, int stride, Lanes a, Lanes b, Lanes c,
-                                         Lanes d) {
+[[gnu::always_inline]] inline void store(Real* rows, const int* row, std::ptrdiff_t stride, Lanes a, Lanes b,
+                                         Lanes c, Lanes d) {
   const __m256d t0 = _mm256_unpacklo_pd(a, b), t1 = _mm256_unpackhi_pd(a, b), t2 = _mm256_unpacklo_pd(c, d),
                 t3 = _mm256_unpackhi_pd(c, d);
   _mm256_store_pd(rows + stride * row[0], _mm256_permute2f128_pd(t0, t2, 0x20));
@@ -75,8 +75,8 @@ struct Lanes3 {
 }
 
 /// Numbers 4 k .. 4 k + 3 of a row of `stride`, of the rows named, one row a lane.
-[[gnu::always_inline]] inline void load(const Real* rows, const int* row, int stride, Lanes& a, Lanes& b,
-                                        Lanes& c, Lanes& d) {
+[[gnu::always_inline]] inline void load(const Real* rows, const int* row, std::ptrdiff_t stride, Lanes& a,
+                                        Lanes& b, Lanes& c, Lanes& d) {
   const auto at = [&](int lane) { return rows + stride * row[lane]; };
   const __m256 r0 = two_rows(at(0), at(4)), r1 = two_rows(at(1), at(5)), r2 = two_rows(at(2), at(6)),
                r3 = two_rows(at(3), at(7));
@@ -86,8 +86,8 @@ struct Lanes3 {
   c = _mm256_shuffle_ps(t1, t3, 0x44), d = _mm256_shuffle_ps(t1, t3, 0xee);
 }
 
-[[gnu::always_inline]] inline void store(Real* rows, const int* row, int stride, Lanes a, Lanes b, Lanes c,
-                                         Lanes d) {
+[[gnu::always_inline]] inline void store(Real* rows, const int* row, std::ptrdiff_t stride, Lanes a, Lanes b,
+                                         Lanes c, Lanes d) {
   const __m256 t0 = _mm256_unpacklo_ps(a, b), t1 = _mm256_unpackhi_ps(a, b), t2 = _mm256_unpacklo_ps(c, d),
                t3 = _mm256_unpackhi_ps(c, d);
   const auto put = [&](int lane, __m256 value) {
@@ -106,16 +106,16 @@ struct Lanes3 {
 }
 
 /// Numbers 4 k .. 4 k + 3 of a row of `stride`, of the rows named, one row a lane.
-[[gnu::always_inline]] inline void load(const Real* rows, const int* row, int stride, Lanes& a, Lanes& b,
-                                        Lanes& c, Lanes& d) {
+[[gnu::always_inline]] inline void load(const Real* rows, const int* row, std::ptrdiff_t stride, Lanes& a,
+                                        Lanes& b, Lanes& c, Lanes& d) {
   for (int i = 0; i < lane_count; ++i) {
     const Real* from = rows + stride * row[i];
     a[i] = from[0], b[i] = from[1], c[i] = from[2], d[i] = from[3];
   }
 }
 
-[[gnu::always_inline]] inline void store(Real* rows, const int* row, int stride, Lanes a, Lanes b, Lanes c,
-                                         Lanes d) {
+[[gnu::always_inline]] inline void store(Real* rows, const int* row, std::ptrdiff_t stride, Lanes a, Lanes b,
+                                         Lanes c, Lanes d) {
   for (int i = 0; i < lane_count; ++i) {
     Real* to = rows + stride * row[i];
     to[0] = a[i], to[1] = b[i], to[2] = c[i], to[3] = d[i];

@@ -12,7 +12,7 @@
 
 namespace cylon::engine::pile {
 
-inline constexpr int velocity_stride = 8, place_stride = 4;
+inline constexpr std::ptrdiff_t velocity_stride = 8, place_stride = 4;
 
 struct PairBatch {
   static constexpr bool plane = false;

@@ -35,7 +35,7 @@ SphereContacts::SphereContacts(const Model& model, Threads& threads) : model_(mo
     Block& block = blocks_[k];
     block.first = static_cast<int>(k) * block_size;
     block.last = std::min(n, block.first + block_size);
-    block.start.assign(static_cast<std::size_t>(block.last - block.first + 1), 0);
+    block.start.assign(static_cast<std::size_t>(block.last - block.first) + 1, 0);
     block.old_start = block.start;
   }
   for (const Plane& plane : model.planes)
@@ -259,8 +259,8 @@ void SphereContacts::reorder(const std::vector<int>& position) {
   for (const Block& block : blocks_)
     for (int i = block.first; i < block.last; ++i)
       for (int k = block.start[static_cast<std::size_t>(i - block.first)];
-           k < block.start[static_cast<std::size_t>(i - block.first + 1)]; ++k) {
-        const Real* j = impulses_.data() + 4 * (block.base + k);
+           k < block.start[static_cast<std::size_t>(i - block.first) + 1]; ++k) {
+        const Real* j = impulses_.data() + std::ptrdiff_t{4} * (block.base + k);
         const int other = block.other[static_cast<std::size_t>(k)];
         int a = position[static_cast<std::size_t>(i)];
         int b = other < n ? position[static_cast<std::size_t>(other)] : other;

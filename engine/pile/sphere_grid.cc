@@ -35,7 +35,7 @@ void SphereGrid::build(const Spheres& spheres, const std::vector<Real>& reach) {
   }
   for (int c = 0; c < 3; ++c) size_[c] = std::max(1, static_cast<int>(cells[c]));
 
-  start_.assign(static_cast<std::size_t>(size_[0] * size_[1] * size_[2] + 1), 0);
+  start_.assign(static_cast<std::size_t>(std::ptrdiff_t{size_[0]} * size_[1] * size_[2]) + 1, 0);
   cell_.resize(count), index_.resize(count + lane_count);
   for (Aligned<Real>* values : {&x_, &y_, &z_, &reach_}) values->resize(count + lane_count);
   for (int i = 0; i < n; ++i) {

@@ -24,9 +24,8 @@ class SphereGrid {
     int n = 0;
     for (int k = std::max(z - 1, 0); k <= std::min(z + 1, size_[2] - 1); ++k)
       for (int j = std::max(y - 1, 0); j <= std::min(y + 1, size_[1] - 1); ++j) {
-        const int row = (k * size_[1] + j) * size_[0];
-        n += row_of_cells(i, place, reach, start_[static_cast<std::size_t>(row + x_low)],
-                          start_[static_cast<std::size_t>(row + x_high + 1)], found + n);
+        const int* row = start_.data() + (static_cast<std::ptrdiff_t>(k) * size_[1] + j) * size_[0];
+        n += row_of_cells(i, place, reach, row[x_low], row[x_high + 1], found + n);
       }
     return n;
   }

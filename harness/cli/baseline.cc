@@ -106,7 +106,7 @@ study::Side side_of_revision(const Context& context, const std::string& word, co
                  build = tree / "build" / "release";
   const fs::path log = root / (sha + ".log");
   fs::create_directories(root);
-  std::ofstream(log, std::ios::trunc);
+  std::ofstream(log, std::ios::trunc).flush();  // what an earlier build said
   check_out(context, word, sha, tree, log);
   // Found again by ccache whatever folder it lies in.
   ::setenv("CCACHE_BASEDIR", tree.c_str(), 1);

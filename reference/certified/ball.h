@@ -17,7 +17,11 @@ class Ball {
   Ball(const std::string& decimal, slong bits);
   Ball(const Ball& other) : Ball() { arb_set(x_, other.x_); }
   Ball(Ball&& other) noexcept : Ball() { arb_swap(x_, other.x_); }
-  Ball& operator=(Ball other) noexcept {
+  Ball& operator=(const Ball& other) {
+    arb_set(x_, other.x_);
+    return *this;
+  }
+  Ball& operator=(Ball&& other) noexcept {
     arb_swap(x_, other.x_);
     return *this;
   }

@@ -163,8 +163,9 @@ inline void add_gas(Model& model, int side, Real half, Real radius, std::uint64_
   const Real pitch = 2 * (half - Real(1.6) * radius) / static_cast<Real>(side - 1);
   const Real play = (pitch / 2 - Real(1.3) * radius) / 2;
   for (int i = 0; i < side * side * side; ++i) {
+    const int layer = i / (side * side);
     const Vector3 place(static_cast<Real>(i % side), static_cast<Real>(i / side % side),
-                        static_cast<Real>(i / (side * side)));
+                        static_cast<Real>(layer));
     const Vector3 corner = Vector3::Constant(Real(1.6) * radius - half);
     const Vector3 wobble = std::min(play, Real(0.3) * radius) * dice.vector();
     const Real size = 1 + Real(0.25) * dice.symmetric();

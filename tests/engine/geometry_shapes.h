@@ -105,7 +105,7 @@ inline Solid solid(const Shape& shape, const Pose& pose) {
     std::vector<Vector3> corners;
     for (const Real x : {-1, 1})
       for (const Real y : {-1, 1})
-        for (const Real z : {-1, 1}) corners.push_back(box->half_extents.cwiseProduct(Vector3(x, y, z)));
+        for (const Real z : {-1, 1}) corners.emplace_back(box->half_extents.cwiseProduct(Vector3(x, y, z)));
     hull = make_hull(corners);
   } else {
     hull = std::get<Hull>(shape);

@@ -69,7 +69,7 @@ inline Scene random_scene(int seed, const Ingredients& use) {
     scene.bodies.push_back(body);
   }
   if (use.outside || use.contacts) {
-    scene.forces.push_back(UniformGravity{use.contacts ? Vector3(0, -9.81, 0) : random.vector(10)});
+    scene.forces.emplace_back(UniformGravity{use.contacts ? Vector3(0, -9.81, 0) : random.vector(10)});
   }
   if (use.contacts) {
     scene.planes.push_back({"floor", Vector3::UnitY(), 0});
@@ -77,15 +77,15 @@ inline Scene random_scene(int seed, const Ingredients& use) {
     return scene;
   }
   for (int i = 0; i + 1 < n; ++i) {
-    scene.forces.push_back(Spring{i, random.vector(0.4), i + 1, random.vector(0.4), random.in(2, 20),
-                                  random.in(0.1, 1.5), use.losses ? random.in(0, 0.5) : 0});
+    scene.forces.emplace_back(Spring{i, random.vector(0.4), i + 1, random.vector(0.4), random.in(2, 20),
+                                     random.in(0.1, 1.5), use.losses ? random.in(0, 0.5) : 0});
   }
   if (use.outside) {
-    scene.forces.push_back(Spring{0, random.vector(0.4), world, random.vector(3), random.in(2, 20),
-                                  random.in(0.1, 1), use.losses ? random.in(0, 0.5) : 0});
+    scene.forces.emplace_back(Spring{0, random.vector(0.4), world, random.vector(3), random.in(2, 20),
+                                     random.in(0.1, 1), use.losses ? random.in(0, 0.5) : 0});
     if (use.losses) {
-      scene.forces.push_back(Drive{n - 1, random.vector(3), random.in(1, 4)});
-      scene.forces.push_back(Drag{0, random.in(0, 0.4), random.in(0, 0.1), random.in(0, 0.3)});
+      scene.forces.emplace_back(Drive{n - 1, random.vector(3), random.in(1, 4)});
+      scene.forces.emplace_back(Drag{0, random.in(0, 0.4), random.in(0, 0.1), random.in(0, 0.3)});
     }
   }
   if (use.joints && random.below(2) == 0) {  // the next body onto the first, moving as one about the joint
