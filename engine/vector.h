@@ -1,5 +1,6 @@
 // The engine's number type and its vectors.  Everything is SI, right-handed; world axes unless said
-// otherwise.  The same sources are built twice: with CYLON_ENGINE_FLOAT the number type is float.
+// otherwise.  The same sources are built twice: with CYLON_ENGINE_FLOAT the number type is float.  With
+// CYLON_ENGINE_LONG, for the headers of schemes/ alone, it has 64 bits: orders are seen far above rounding.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,12 +8,17 @@
 
 namespace cylon::engine {
 
+#ifdef CYLON_ENGINE_LONG
+using Real = long double;
+using Time = long double;
+#else
 #ifdef CYLON_ENGINE_FLOAT
 using Real = float;
 #else
 using Real = double;
 #endif
 using Time = double;  ///< Instants and steps [s], in both builds: t_n = n dt would lose its digits in float.
+#endif
 
 using Vector3 = Eigen::Matrix<Real, 3, 1>;
 using Matrix3 = Eigen::Matrix<Real, 3, 3>;

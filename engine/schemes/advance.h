@@ -39,17 +39,24 @@ inline constexpr bool is_small = requires {
   S::fixed_size;
 };
 
-/// Steps by row `Row` of the table.  Each is written out by the compiler with its coefficients as constants.
-template <System S, std::size_t Row>
-struct Steps {
-  static constexpr const Scheme& row = scheme_table[Row];
+/// Row `Row` of the table, as a type.
+template <std::size_t Row>
+struct TableRow {
+  static constexpr const Scheme& scheme = scheme_table[Row];
+};
 
-  static constexpr double part(std::size_t i) { return row.splitting.coefficients[i]; }
+/// Steps by the scheme `Row::scheme`.  Each is written out by the compiler with its coefficients as
+/// constants.
+template <System S, class Row>
+struct Steps {
+  static constexpr const Scheme& row = Row::scheme;
+
+  static constexpr Coefficient part(std::size_t i) { return row.splitting.coefficients[i]; }
   static constexpr bool is_kick(std::size_t i) { return (i % 2 == 0) == (row.splitting.first == Part::kick); }
 
   /// Sum of the drifts before part i: where time stands, in steps.
-  static constexpr double reached(std::size_t i) {
-    double sum = 0;
+  static constexpr Coefficient reached(std::size_t i) {
+    Coefficient sum = 0;
     for (std::size_t j = 0; j < i; ++j) sum += is_kick(j) ? 0 : part(j);
     return sum;
   }
@@ -72,7 +79,7 @@ struct Steps {
       [&]<std::size_t... I>(std::index_sequence<I...>) { (apply<I + (meet ? 1 : 0)>(s, now, h, y), ...); }
       (std::make_index_sequence < meet ? parts - 2 : parts > {});
       if constexpr (meet) {
-        const double end = n + 1 < steps ? part(last) + part(0) : part(last);
+        const Coefficient end = n + 1 < steps ? part(last) + part(0) : part(last);
         if constexpr (is_kick(0))
           s.kick(now + h, static_cast<Real>(h * end), y);
         else
@@ -89,7 +96,7 @@ struct Steps {
     assert(row.constraints);
     for (std::size_t n = 0; n < steps; ++n) {
       Time now = t + static_cast<Time>(n) * h;
-      for (const double weight : row.splitting.weights) {
+      for (const Coefficient weight : row.splitting.weights) {
         const Time dt = weight * h;
         const Real whole = static_cast<Real>(dt), half = static_cast<Real>(dt / 2);
         if constexpr (row.splitting.coefficients.size() == 2) {
@@ -113,10 +120,10 @@ struct Steps {
 
   template <std::size_t Stage>
   struct Matrix {
-    static constexpr double at(std::size_t j) { return row.tableau.matrix[Stage * (Stage - 1) / 2 + j]; }
+    static constexpr Coefficient at(std::size_t j) { return row.tableau.matrix[Stage * (Stage - 1) / 2 + j]; }
   };
   struct Weights {
-    static constexpr double at(std::size_t j) { return row.tableau.weights[j]; }
+    static constexpr Coefficient at(std::size_t j) { return row.tableau.weights[j]; }
   };
 
   template <std::size_t I>
@@ -192,7 +199,7 @@ class Advance {
 
   template <std::size_t Row>
   static constexpr Pair pair() {
-    using Step = Steps<S, Row>;
+    using Step = Steps<S, TableRow<Row>>;
     if constexpr (scheme_table[Row].kind == Kind::runge_kutta)
       return {chosen<&Step::runge_kutta>, chosen<&Step::runge_kutta>};
     else if constexpr (scheme_table[Row].kind == Kind::splitting)

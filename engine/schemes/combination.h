@@ -1,7 +1,7 @@
 // Sums over the stages of a Runge-Kutta method, with coefficients that the compiler knows.
 #pragma once
 
-#include "engine/vector.h"
+#include "engine/schemes/coefficient.h"
 
 #include <cstddef>
 #include <utility>
@@ -26,7 +26,7 @@ inline Real combination(const Real* k, std::size_t n, std::size_t i) {
 /// Entries of an array of coefficients from `offset` on.
 template <const auto& array, std::size_t offset = 0>
 struct Entries {
-  static constexpr double at(std::size_t j) { return array[offset + j]; }
+  static constexpr Coefficient at(std::size_t j) { return array[offset + j]; }
 };
 
 }  // namespace cylon::engine

@@ -49,8 +49,11 @@ class Dop853 {
     dense_ = take(8);
   }
 
-  Dop853(Dop853&&) = default;  // not copied: its parts point into its memory
-  Dop853& operator=(Dop853&&) = default;
+  Dop853(const Dop853&) = delete;  // its parts point into its memory
+  Dop853& operator=(const Dop853&) = delete;
+  Dop853(Dop853&&) noexcept = default;
+  Dop853& operator=(Dop853&&) noexcept = default;
+  ~Dop853() = default;
 
   /// Starts anew at t, after an impact or from another state, with a first step h [s], such as next_step();
   /// 0: chosen from the rates.
@@ -152,7 +155,7 @@ class Dop853 {
 
   template <std::size_t I>
   struct Row {
-    static constexpr double at(std::size_t j) { return dop853::matrix[I * (I - 1) / 2 + j]; }
+    static constexpr Coefficient at(std::size_t j) { return dop853::matrix[I * (I - 1) / 2 + j]; }
   };
 
   // The shortest step that moves the time by more than its rounding.

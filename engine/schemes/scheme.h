@@ -2,7 +2,7 @@
 // if it is new, its coefficients.  Knows nothing of bodies.
 #pragma once
 
-#include "engine/vector.h"
+#include "engine/schemes/coefficient.h"
 
 #include <cstddef>
 #include <span>
@@ -16,17 +16,17 @@ enum class Part : unsigned char { kick, drift };
 /// A step as kicks and drifts in turn, each over its coefficient times h.
 struct Composition {
   Part first = Part::kick;
-  std::span<const double> coefficients;  ///< Those of each part sum to 1.
+  std::span<const Coefficient> coefficients;  ///< Those of each part sum to 1.
   /// The same step as a composition of velocity Verlet steps (or stormer_verlet, symplectic_euler), each over
   /// its weight times h; empty where it is none.  A scheme can only keep constraints when it has them.
-  std::span<const double> weights;
+  std::span<const Coefficient> weights;
 };
 
 /// Explicit Runge-Kutta.  k_i = f(t + c_i h, y + h sum_j<i a_ij k_j),  y' = y + h sum b_i k_i.
 struct Tableau {
-  std::span<const double> nodes;    ///< c_i
-  std::span<const double> matrix;   ///< a_ij, strictly lower triangle, row by row.
-  std::span<const double> weights;  ///< b_i
+  std::span<const Coefficient> nodes;    ///< c_i
+  std::span<const Coefficient> matrix;   ///< a_ij, strictly lower triangle, row by row.
+  std::span<const Coefficient> weights;  ///< b_i
 };
 
 enum class Kind : unsigned char {

@@ -38,39 +38,6 @@ double observed_order(const S& system, const Scheme& scheme, const std::vector<R
   return std::log2(coarse / fine);
 }
 
-// A point on a rod: |p - c| = length kept by SHAKE, where rates() has the rod's force in it.
-struct Pendulum {
-  static constexpr std::size_t fixed_size = 6;
-  Real mass = 1.3, length = 0.9, frequency = 1.7;
-  Vector3 weight{0.3, -9.81, 0.7}, drive{0.9, 0.4, -1.1};
-
-  std::size_t size() const { return fixed_size; }
-  bool constrained() const { return true; }
-  Vector3 force(Time t) const { return mass * weight + std::cos(frequency * t) * drive; }
-  void rates(Time t, const Real* from, Real* rate) {
-    const Vector3 p(from), k(from + 3), f = force(t);
-    Vector3::Map(rate) = k / mass;
-    Vector3::Map(rate + 3) = f - (f.dot(p) + k.squaredNorm() / mass) / p.squaredNorm() * p;
-  }
-  void kick(Time t, Real h, Real* y) { Vector3::Map(y + 3) += h * force(t); }
-  void drift(Real h, Real* y) {  // |a p + h/m K| = length, the nearer root
-    const Vector3 p(y), step = h / mass * Vector3(y + 3);
-    const Real b = p.dot(step) / p.squaredNorm();
-    const Real c = (length * length - step.squaredNorm()) / p.squaredNorm();
-    const Real a = std::sqrt(b * b + c) - b;
-    Vector3::Map(y) = a * p + step;
-    Vector3::Map(y + 3) += (a - 1) * mass / h * p;
-  }
-  void settle(Real* y) {
-    const Vector3 p(y), k(y + 3);
-    Vector3::Map(y + 3) -= k.dot(p) / p.squaredNorm() * p;
-  }
-  static std::vector<Real> start() {
-    const Vector3 p = Real(0.9) * Vector3(0.6, -0.5, 0.4).normalized(), k = p.cross(Vector3(1.1, 0.3, -0.8));
-    return {p.x(), p.y(), p.z(), k.x(), k.y(), k.z()};
-  }
-};
-
 class FixedStep : public testing::TestWithParam<Scheme> {};
 
 TEST_P(FixedStep, HasItsOrderOnADrivenSpring) {

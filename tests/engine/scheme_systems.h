@@ -104,6 +104,57 @@ struct TiedBody {
   }
 };
 
+/// A body that falls round a fixed centre:  p'' = -p/|p|^3,  an ellipse with eccentricity 0.4.
+struct Orbit {
+  static constexpr std::size_t fixed_size = 6;
+  std::size_t size() const { return fixed_size; }
+  static Vector3 force(const Vector3& p) { return -p / (p.norm() * p.squaredNorm()); }
+  void rates(Time, const Real* from, Real* rate) {
+    Vector3::Map(rate) = Vector3(from + 3);
+    Vector3::Map(rate + 3) = force(Vector3(from));
+  }
+  void kick(Time, Real h, Real* y) { Vector3::Map(y + 3) += h * force(Vector3(y)); }
+  void drift(Real h, Real* y) { Vector3::Map(y) += h * Vector3(y + 3); }
+  void settle(Real*) {}
+  static std::vector<Real> start() {
+    return {Real(0.6), Real(0.3), Real(-0.2), Real(-0.5), Real(1.0), Real(0.4)};
+  }
+};
+
+/// A point on a rod, |p| = length, driven: kept by SHAKE, where rates() has the rod's force in it.
+struct Pendulum {
+  static constexpr std::size_t fixed_size = 6;
+  Real mass = Real(1.3), length = Real(0.9), frequency = Real(1.7);
+  Vector3 weight{Real(0.3), Real(-9.81), Real(0.7)}, drive{Real(0.9), Real(0.4), Real(-1.1)};
+
+  std::size_t size() const { return fixed_size; }
+  bool constrained() const { return true; }
+  Vector3 force(Time t) const { return mass * weight + static_cast<Real>(std::cos(frequency * t)) * drive; }
+  void rates(Time t, const Real* from, Real* rate) {
+    const Vector3 p(from), k(from + 3), f = force(t);
+    Vector3::Map(rate) = k / mass;
+    Vector3::Map(rate + 3) = f - (f.dot(p) + k.squaredNorm() / mass) / p.squaredNorm() * p;
+  }
+  void kick(Time t, Real h, Real* y) { Vector3::Map(y + 3) += h * force(t); }
+  void drift(Real h, Real* y) {  // |a p + h/m K| = length, the nearer root
+    const Vector3 p(y), step = h / mass * Vector3(y + 3);
+    const Real b = p.dot(step) / p.squaredNorm();
+    const Real c = (length * length - step.squaredNorm()) / p.squaredNorm();
+    const Real a = std::sqrt(b * b + c) - b;
+    Vector3::Map(y) = a * p + step;
+    Vector3::Map(y + 3) += (a - 1) * mass / h * p;
+  }
+  void settle(Real* y) {
+    const Vector3 p(y), k(y + 3);
+    Vector3::Map(y + 3) -= k.dot(p) / p.squaredNorm() * p;
+  }
+  static std::vector<Real> start() {
+    const Vector3 p = Real(0.9) * Vector3(Real(0.6), Real(-0.5), Real(0.4)).normalized(),
+                  k = p.cross(Vector3(Real(1.1), Real(0.3), Real(-0.8)));
+    return {p.x(), p.y(), p.z(), k.x(), k.y(), k.z()};
+  }
+};
+
 inline Real distance(const std::vector<Real>& a, const std::vector<Real>& b) {
   Real sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
