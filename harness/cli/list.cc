@@ -1,6 +1,7 @@
 // cylon list
 #include "harness/cli/app.h"
 #include "harness/cli/command_line.h"
+#include "harness/cli/scenario_view.h"
 
 #include "harness/core/claim.h"
 #include "scenarios/glob.h"
@@ -36,29 +37,6 @@ std::string truth_of(const scenarios::Scenario& scenario) {
   return "no truth";
 }
 
-nlohmann::ordered_json row(const scenarios::Scenario& scenario) {
-  nlohmann::ordered_json claims = nlohmann::ordered_json::array();
-  for (const core::Claim& claim : scenario.claims)
-    claims.push_back({{"claim", claim.label},
-                      {"observable", core::name(claim.observable.quantity)},
-                      {"follows", claim.follows},
-                      {"truth_source", claim.truth ? claim.truth->source : ""},
-                      {"truth_error", claim.truth_error},
-                      {"unit", core::unit(claim)},
-                      {"absolute", claim.tolerance.absolute},
-                      {"relative", claim.tolerance.relative},
-                      {"reason", claim.tolerance.reason}});
-  return {{"name", scenario.name},
-          {"title", scenario.title},
-          {"story", scenario.story},
-          {"tags", scenario.tags},
-          {"sources", scenario.sources},
-          {"duration", scenario.duration},
-          {"step", scenario.step},
-          {"bodies", scenario.scene.bodies.size()},
-          {"claims", claims}};
-}
-
 std::string nothing_found(const Options& options, const std::vector<std::string>& names,
                           const std::vector<std::string>& tags) {
   std::string text = "nothing selected";
@@ -86,7 +64,7 @@ int list(const Context& context, const Options& options) {
   if (found.empty()) std::cerr << nothing_found(options, names, tags) << '\n';
   if (options.json) {
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-    for (const auto& scenario : found) rows.push_back(row(scenario));
+    for (const auto& scenario : found) rows.push_back(scenario_facts(scenario));
     std::cout << rows.dump(2, ' ', true) << '\n';
   } else if (options.names) {
     for (const auto& scenario : found) std::cout << scenario.name << '\n';

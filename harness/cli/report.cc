@@ -1,7 +1,8 @@
 // cylon report: a page from what other commands wrote; nothing is simulated.
 #include "harness/cli/app.h"
+#include "harness/cli/input.h"
 #include "harness/cli/output.h"
-#include "harness/cli/traces.h"
+#include "harness/cli/scenario_view.h"
 
 #include "reports/console.h"
 #include "reports/html.h"
@@ -11,7 +12,6 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
-#include <fstream>
 #include <iostream>
 #include <set>
 #include <sstream>
@@ -27,19 +27,6 @@ struct Options {
 };
 
 constexpr std::size_t longest_file = std::size_t{256} << 20;  // [bytes]
-
-std::string read_whole(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw core::InputError(fmt::format("{}: cannot be read", path));
-  std::string text;
-  std::array<char, 1 << 16> piece;
-  while (file.read(piece.data(), piece.size()) || file.gcount() > 0) {
-    text.append(piece.data(), static_cast<std::size_t>(file.gcount()));
-    if (text.size() > longest_file)
-      throw core::InputError(fmt::format("{}: more than {} MB", path, longest_file >> 20));
-  }
-  return text;
-}
 
 bool is_format(const Json& json, const char* format) {
   return json.contains("format") && json["format"] == format;
@@ -93,7 +80,7 @@ void take_traces(const std::string& text, const std::string& path, reports::Html
 }
 
 void take(const std::string& path, reports::HtmlReport& report) {
-  const std::string text = read_whole(path);
+  const std::string text = read_whole(path, longest_file);
   const std::string first = text.substr(0, text.find('\n'));
   const Json line = Json::parse(first, nullptr, /*allow_exceptions=*/false);
   if (line.is_object() && (is_format(line, "cylon-scenario/1") || is_format(line, "cylon-trace/1")))
@@ -130,7 +117,7 @@ int run(const Context& context, const Options& options) {
   std::vector<core::Verdict> verdicts;
   if (!report.results.empty()) verdicts = reports::read_json(report.results, "results");
   if (!options.baseline.empty()) {
-    report.baseline = read_whole(options.baseline);
+    report.baseline = read_whole(options.baseline, longest_file);
     reports::read_json(report.baseline, options.baseline);
   }
   const reports::ConsoleOptions style{.width = context.width, .utf8 = context.utf8, .colour = context.colour};
@@ -154,7 +141,7 @@ Command add_report(CLI::App& app, const Context& context) {
   app.add_option(
          "files", options->files,
          "What `run --json`, `run --traces`, `trade --json`, `track compare --json` and `track history "
-         "--json` wrote, in any order; each is known by its content")
+         "--json` wrote, in any order; each is known by its content; - is stdin")
       ->type_name("FILE")
       ->required();
   app.add_option("--html", options->html,

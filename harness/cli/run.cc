@@ -3,6 +3,7 @@
 #include "harness/cli/journal.h"
 #include "harness/cli/output.h"
 #include "harness/cli/published.h"
+#include "harness/cli/scenario_view.h"
 #include "harness/cli/selection.h"
 #include "harness/cli/traces.h"
 

@@ -1,13 +1,10 @@
 #include "harness/cli/traces.h"
 
 #include "harness/core/trace.h"
-#include "harness/process/scene_json.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 #include <tuple>
@@ -31,10 +28,6 @@ std::map<Key, int> ranks(const std::vector<Verdict>& verdicts) {
     if (!fresh) place->second = std::min(place->second, rank);
   }
   return result;
-}
-
-nlohmann::ordered_json number(double value) {
-  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
 }
 
 }  // namespace
@@ -98,31 +91,6 @@ std::vector<reports::PackedTrace> Traces::chosen(const std::vector<study::Cell>&
   std::vector<reports::PackedTrace> result;
   for (const auto& [rank, trace] : order) result.push_back(*trace);
   return result;
-}
-
-std::string scenario_view(const scenarios::Scenario& scenario) {
-  nlohmann::ordered_json claims = nlohmann::ordered_json::array();
-  for (const core::Claim& claim : scenario.claims)
-    claims.push_back({{"label", claim.label},
-                      {"observable", core::name(claim.observable.quantity)},
-                      {"follows", claim.follows},
-                      {"source", claim.truth ? claim.truth->source : ""},
-                      {"truth_error", number(claim.truth_error)},
-                      {"unit", core::unit(claim)},
-                      {"until", number(claim.until)},
-                      {"tolerance_reason", claim.tolerance.reason}});
-  const nlohmann::ordered_json view = {{"format", "cylon-scenario/1"},
-                                       {"name", scenario.name},
-                                       {"hash", scenario.hash},
-                                       {"title", scenario.title},
-                                       {"story", scenario.story},
-                                       {"tags", scenario.tags},
-                                       {"sources", scenario.sources},
-                                       {"duration", scenario.duration},
-                                       {"step", scenario.step},
-                                       {"claims", claims},
-                                       {"scene", process::to_json(scenario.scene)}};
-  return view.dump(-1, ' ', /*ensure_ascii=*/true, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 }  // namespace cylon::cli

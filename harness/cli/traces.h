@@ -36,7 +36,4 @@ class Traces {
   std::vector<core::Trace> errors_;           // without motions and totals
 };
 
-/// A scenario for people and pictures, as JSON (`ScenarioView` of reports/web/src/shared/documents.ts).
-std::string scenario_view(const scenarios::Scenario&);
-
 }  // namespace cylon::cli

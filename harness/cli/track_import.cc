@@ -1,4 +1,5 @@
 // cylon track import
+#include "harness/cli/input.h"
 #include "harness/cli/track.h"
 
 #include "reports/provenance.h"
@@ -8,9 +9,7 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <iostream>
-#include <sstream>
 
 namespace cylon::cli {
 namespace {
@@ -21,18 +20,6 @@ struct Options {
   std::string store, revision, label;
   std::vector<std::string> files;
 };
-
-std::string content(const std::string& file) {
-  std::ostringstream text;
-  if (file == "-") {
-    text << std::cin.rdbuf();
-    return text.str();
-  }
-  std::ifstream in(file, std::ios::binary);
-  text << in.rdbuf();
-  if (!in || !text) throw core::InputError(file, 0, 0, "cannot be read, or is empty");
-  return text.str();
-}
 
 // Which format it is shows in its first bytes.
 Imported import(store::Store& store, const std::string& text, const std::string& name,
@@ -54,7 +41,7 @@ Imported import(store::Store& store, const std::string& text, const std::string&
 int import(const Options& options) {
   std::vector<std::pair<std::string, std::string>> texts;  // all read before the store is touched
   for (const std::string& file : options.files)
-    texts.emplace_back(file == "-" ? "stdin" : file, content(file));
+    texts.emplace_back(file == "-" ? "stdin" : file, read_whole(file));
   store::Store store = store::Store::open(options.store, store::Mode::write);
   Imported all;
   store.in_one_transaction([&] {

@@ -40,6 +40,8 @@ TEST_F(CommandLine, ReportFromFilesIsThatOfTheRun) {
   const Ran ran = cylon("report t.jsonl v.json --html b.html");
   ASSERT_EQ(ran.code, 0) << ran.err;
   EXPECT_EQ(read("a.html"), read("b.html"));
+  ASSERT_EQ(shell("cylon report t.jsonl - --html c.html < v.json").code, 0);
+  EXPECT_EQ(read("a.html"), read("c.html"));
 }
 
 TEST_F(CommandLine, ReportKnowsTheScenariosOfItsVerdicts) {
@@ -51,6 +53,9 @@ TEST_F(CommandLine, ReportKnowsTheScenariosOfItsVerdicts) {
   EXPECT_EQ(index["omitted_traces"], "no file of `cylon run --traces` was given");
   EXPECT_FALSE(index["baseline"].is_null());
   EXPECT_NE(page.find("<title>of &lt;b&gt;today&lt;/b&gt;</title>"), std::string::npos);
+  const json listed = json::parse(cylon("list projectile --json").out)[0];
+  for (const auto& [key, value] : listed.items()) EXPECT_EQ(index["scenarios"][0][key], value) << key;
+  EXPECT_EQ(listed["claims"][0]["label"], index["results"]["verdicts"][0]["claim"]);
 }
 
 // gyro=none fails on purpose: of that scenario all runs are kept, of the other none.
@@ -103,6 +108,7 @@ TEST_F(CommandLine, ReportRefusals) {
   } cases[] = {
       {"nameless.jsonl v.json --html r.html", "nameless.jsonl:1: a scenario without its \"name\""},
       {"nothing.json --html r.html", "nothing.json: cannot be read"},
+      {". --html r.html", ".: cannot be read"},
       {"empty --html r.html", "empty: no JSON"},
       {"half.json --html r.html", "half.json: no JSON"},
       {"other.json --html r.html", "other.json: none of Cylon's documents"},

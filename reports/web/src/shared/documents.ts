@@ -104,6 +104,7 @@ export interface ScenarioView {
   tags: string[];
   duration: number; // [s]
   step: number; // nominal [s]
+  bodies: number;
   claims: {
     label: string;
     observable: string;
@@ -112,6 +113,8 @@ export interface ScenarioView {
     truth_error: number | null;
     unit: string;
     until: number | null; // horizon [s]; null: the whole duration
+    absolute: number; // in the unit
+    relative: number; // of the largest |truth|
     tolerance_reason: string;
   }[];
   scene: Scene;

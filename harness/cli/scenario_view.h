@@ -1,0 +1,19 @@
+// A scenario for people and pictures, as JSON.
+#pragma once
+
+#include "scenarios/scenario.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace cylon::cli {
+
+/// Name, words, duration, step and what is claimed how well; what is not finite, a horizon that is the whole
+/// duration say, is null where this is written.
+nlohmann::ordered_json scenario_facts(const scenarios::Scenario&);
+
+/// One line: the facts with format, hash and scene (`ScenarioView` of reports/web/src/shared/documents.ts).
+std::string scenario_view(const scenarios::Scenario&);
+
+}  // namespace cylon::cli
