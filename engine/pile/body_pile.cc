@@ -33,10 +33,9 @@ BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings)
 std::vector<std::string> BodyPile::remarks() const {
   std::vector<std::string> remarks;
   if (too_fast_)
-    remarks.push_back(
+    remarks.emplace_back(
         "bodies moved farther than half the smallest half-width in a sixteenth of a step: they may have "
-        "passed "
-        "through each other");
+        "passed through each other");
   if (unsolved_) {
     std::ostringstream text;
     text << "contact and joint laws were met only to " << residual_ << " m/s";

@@ -19,7 +19,7 @@ Eigen::Matrix3d in_world(const Matrix3& m, const Motion& motion) {
 // Axes without inertia, a line of points' own, stay without angular velocity.
 Eigen::Matrix3d inverse_of(const Eigen::Matrix3d& inertia) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(inertia);
-  const Eigen::Vector3d moments = axes.eigenvalues();
+  const Eigen::Vector3d& moments = axes.eigenvalues();
   Eigen::Vector3d inverse = Eigen::Vector3d::Zero();
   for (int i = 0; i < 3; ++i)
     if (moments[i] > 1e-12 * moments[2]) inverse[i] = 1 / moments[i];

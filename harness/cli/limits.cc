@@ -2,6 +2,7 @@
 #include "harness/cli/app.h"
 #include "harness/cli/command_line.h"
 #include "harness/cli/limits_report.h"
+#include "harness/cli/options.h"
 #include "harness/cli/output.h"
 
 #include "harness/study/limits_step.h"
@@ -201,7 +202,7 @@ int limits(const Context& context, const Options& options) {
   const auto add = [&](const study::Family* family, const scenarios::Scenario* scenario) {
     for (Task task : engines) {
       task.family = family, task.scenario = scenario;
-      if (task.engine.integrator != "" && task.engine.id.find("integrator=") == std::string::npos)
+      if (!task.engine.integrator.empty() && task.engine.id.find("integrator=") == std::string::npos)
         task.engine.id += (task.engine.id.find('/') == std::string::npos ? "/integrator=" : ",integrator=") +
                           task.engine.integrator;
       tasks.push_back(task);
@@ -213,9 +214,7 @@ int limits(const Context& context, const Options& options) {
     std::cerr << "nothing selected; `cylon engines --names` says what engines there are\n";
     return nothing_selected;
   }
-  const int jobs =
-      options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  const auto rows = search_all(tasks, jobs, {.run_seconds = options.timeout});
+  const auto rows = search_all(tasks, worker_count(options.jobs), {.run_seconds = options.timeout});
   if (!options.json.empty()) write_whole(options.json, limits_json(rows));
   if (!options.csv.empty()) write_whole(options.csv, limits_csv(rows));
   if (std::find(files.begin(), files.end(), "-") == files.end())
@@ -243,25 +242,12 @@ Command add_limits(CLI::App& app, const Context& context) {
   app.add_option("words", options->words,
                  "Globs over the families below, scenario files or globs; none: all families")
       ->type_name("FAMILY|FILE|GLOB");
-  app.add_option(
-         "--engine", options->engines,
-         "An engine's id, a variant or a glob; may be given again. in-house, bullet, bullet-multibody and "
-         "ode otherwise")
-      ->type_name("GLOB")
-      ->allow_extra_args(false);
-  app.add_option("--integrator", options->integrators,
-                 "A scheme of the engines or a glob; may be given again. Each engine's default otherwise")
-      ->type_name("GLOB")
-      ->allow_extra_args(false);
+  add_engines_option(app, options->engines, "in-house, bullet, bullet-multibody and ode");
+  add_integrators_option(app, options->integrators, "each engine's default");
   app.add_option("--json", options->json, "Write the rows as JSON; - is stdout")->type_name("FILE");
   app.add_option("--csv", options->csv, "Write the rows as CSV; - is stdout")->type_name("FILE");
-  app.add_option("-j,--jobs", options->jobs, "Searches at one time; all processors otherwise")
-      ->type_name("N")
-      ->check(positive(4096));
-  app.add_option("--timeout", options->timeout, "Seconds until an engine is stopped, for each run: it broke")
-      ->capture_default_str()
-      ->type_name("S")
-      ->check(positive(1e6));
+  add_jobs_option(app, options->jobs, "Searches at one time; all processors otherwise");
+  add_timeout_option(app, options->timeout);
   add_worker_option(app, options->workers);
   return [=, &context] { return limits(context, *options); };
 }
