@@ -42,6 +42,7 @@ function(test_suite folder)
   add_executable(${folder}_tests ${sources} ${ARG_SHARES})
   target_compile_definitions(${folder}_tests PRIVATE
     CYLON_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CYLON_BINARY_DIR="${PROJECT_BINARY_DIR}")
+  target_include_directories(${folder}_tests PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(${folder}_tests PRIVATE ${ARG_USES} GTest::gtest_main warnings)
   gtest_discover_tests(${folder}_tests TEST_PREFIX "${folder}/" DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${folder})
 endfunction()
