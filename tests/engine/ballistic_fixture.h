@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/ballistic/ballistic.h"
+#include "tests/engine/same_bits.h"
 
 #include <gtest/gtest.h>
 
@@ -130,11 +131,6 @@ inline Real distance(const Model& model, const std::vector<Motion>& a, const std
     largest = std::max(largest, (a[i].momentum - b[i].momentum).norm() / model.bodies[i].mass);
   }
   return largest;
-}
-
-inline bool same_bits(const Motion& a, const Motion& b) {
-  return a.position == b.position && a.momentum == b.momentum && a.angular_momentum == b.angular_momentum &&
-         a.orientation.coeffs() == b.orientation.coeffs();
 }
 
 /// Numbers in [0, 1), the same everywhere: a linear congruential generator (Knuth's MMIX).

@@ -3,6 +3,7 @@
 
 #include "engine/schemes/scheme.h"
 #include "engine/world.h"
+#include "tests/engine/same_bits.h"
 
 #include <gtest/gtest.h>
 
@@ -178,11 +179,6 @@ inline Real distance(const std::vector<Motion>& a, const std::vector<Motion>& b)
     if (!std::isfinite(worst)) return std::numeric_limits<Real>::infinity();
   }
   return worst;
-}
-
-inline bool same_bits(const Motion& a, const Motion& b) {
-  return a.position == b.position && a.momentum == b.momentum &&
-         a.orientation.coeffs() == b.orientation.coeffs() && a.angular_momentum == b.angular_momentum;
 }
 
 inline Vector3 momentum(const std::vector<Motion>& motions) {

@@ -100,10 +100,10 @@ TEST_P(Mechanism, EnergyErrorDoesNotGrowWhereItMustNot) {
     if (!GetParam().symplectic || (jointed && !GetParam().constraints)) continue;
     const Real before = energy(c.model, c.model.motions);
     Real early = 0, late = 0;
-    constexpr int steps = 10000;
+    constexpr int steps = 10000, quarter = steps / 4;
     run(c.model, with(GetParam().name, c.dt), steps, [&](const World& world) {
       const Time share = world.time() / (c.dt * steps);
-      const Real error = std::abs(energy(c.model, world.motions()) - before) / (steps / 4);
+      const Real error = std::abs(energy(c.model, world.motions()) - before) / quarter;
       if (share < 0.25) early += error;
       if (share > 0.75) late += error;
     });
@@ -128,7 +128,8 @@ TEST(Symplectic, ExplicitEulersEnergyGrows) {
 Real compound_pendulum(Real theta, Real k, Time duration) {
   Real rate = 0;
   const Real h = 1e-4;
-  for (int i = 0; i < static_cast<int>(duration / h + 0.5); ++i) {
+  const long steps = std::lround(duration / h);
+  for (long i = 0; i < steps; ++i) {
     const Real k1 = -k * std::sin(theta), k2 = -k * std::sin(theta + h / 2 * rate);
     const Real k3 = -k * std::sin(theta + h / 2 * rate + h * h / 4 * k1);
     const Real k4 = -k * std::sin(theta + h * rate + h * h / 2 * k2);

@@ -126,7 +126,7 @@ Scene on_hinge() {
 }
 Scene in_water() {
   Scene scene = with_gravity({1, 1, 1});
-  scene.forces.push_back(Water{.level = 0.3, .wave = 0.1, .speed = 0.7});
+  scene.forces.emplace_back(Water{.level = 0.3, .wave = 0.1, .speed = 0.7});
   return scene;
 }
 

@@ -55,7 +55,7 @@ TEST(Relation9, AllFallAlike) {
     const Scene scene = random_scene(seed, isolated);
     const Vector3 g = Random(seed + 1000).vector(10);
     Scene falling = scene;
-    falling.forces.push_back(UniformGravity{g});
+    falling.forces.emplace_back(UniformGravity{g});
     State expected = run(scene, with(scheme));
     for (BodyState& b : expected) b.position += duration * duration / 2 * g, b.velocity += duration * g;
     EXPECT_LE(distance(run(falling, with(scheme)), expected), bound(scheme))
@@ -87,7 +87,7 @@ TEST(Relation12, SpringsWithoutLengthSuperpose) {
       body.inertia.setZero();
       body.initial = {random.vector(1), Quaternion::Identity(), random.vector(1), Vector3::Zero()};
       a.bodies.push_back(body);
-      a.forces.push_back(
+      a.forces.emplace_back(
           Spring{i, Vector3::Zero(), i == 0 ? world : i - 1, Vector3::Zero(), random.in(2, 20), 0, 0});
     }
     Scene b = a, sum = a;
@@ -118,7 +118,7 @@ Scene heavy_top(Random& random, double moment, double about_axis, double spin) {
   const Vector3 w = q * Vector3(random.in(-1, 1), spin, random.in(-1, 1));
   body.initial = {tip + arm, q, w.cross(arm), w};
   scene.bodies.push_back(body);
-  scene.forces.push_back(UniformGravity{});
+  scene.forces.emplace_back(UniformGravity{});
   scene.joints.push_back({JointType::ball, 0, world, tip});
   return scene;
 }
@@ -153,7 +153,7 @@ TEST(Relation14, ADampedTopIsAFreeOneWithASlowerClock) {
     free.bodies.push_back(body);
     const double c = random.in(0.2, 2), slow = (1 - std::exp(-c * duration)) / c;
     Scene damped = free;
-    damped.forces.push_back(Drag{0, 0, 0, c});
+    damped.forces.emplace_back(Drag{0, 0, 0, c});
     State expected = run(free, with("auto", slow), 1);
     expected[0].angular_velocity *= std::exp(-c * duration);
     EXPECT_LE(distance(run(damped, with("auto")), expected), bound("auto")) << "seed " << seed;
@@ -191,7 +191,7 @@ TEST(Relation15, GluedPartsAreOneBody) {
     one.initial = {centre, Quaternion::Identity(), v + w.cross(centre), w};
     whole.bodies.push_back(one);
     parts.joints.push_back({JointType::fixed, 0, 1, random.vector(0.5)});
-    for (Scene* s : {&parts, &whole}) s->forces.push_back(UniformGravity{g});
+    for (Scene* s : {&parts, &whole}) s->forces.emplace_back(UniformGravity{g});
     const State a = run(parts, with("auto")), b = run(whole, with("auto"));
     for (std::size_t i = 0; i < 2; ++i) {
       const BodyState& start = parts.bodies[i].initial;

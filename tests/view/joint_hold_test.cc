@@ -109,8 +109,7 @@ TEST(JointHold, GapsCloseAndHingesAlign) {
         core::Quaternion(Eigen::AngleAxisd(0.03, Vector3(1, 1, -2).normalized())) * state[1].orientation;
     process::fit(scene, joints, state);
     core::Values gaps;
-    core::Scene now = scene;
-    core::evaluate({.quantity = core::Quantity::joint_gap}, now, state, gaps);
+    core::evaluate({.quantity = core::Quantity::joint_gap}, scene, state, gaps);
     for (const Eigen::Vector4d& gap : gaps) EXPECT_LE(std::abs(gap.x()), 1e-14) << static_cast<int>(type);
     if (type != JointType::hinge) continue;
     EXPECT_LE((state[0].orientation * joints[0].axis).cross(joints[0].to_axis).norm(), 1e-14);

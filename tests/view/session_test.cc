@@ -17,6 +17,8 @@ namespace {
 using core::Vector3;
 using nlohmann::json;
 
+constexpr std::size_t body_bytes = sizeof(float) * 13;  ///< Of one body's state in a message.
+
 Session session_of(const core::Scene& scene, SessionOptions options) {
   return {scenario(scene), std::move(options)};
 }
@@ -37,7 +39,7 @@ TEST(Session, RefusesWhatCannotBe) {
   core::Scene scene = ball_on_floor(1, {0.1, 0, 0}, 0.5);
   scene.bodies.push_back(scene.bodies[0]);
   scene.bodies[1].name = "wall.1", scene.bodies[1].locked = true, scene.bodies[1].initial.position.x() = 3;
-  scene.forces.push_back(core::Spring{.body = 0, .stiffness = 3});
+  scene.forces.emplace_back(core::Spring{.body = 0, .stiffness = 3});
   Session session = session_of(scene, options("bullet"));
   const std::pair<const char*, const char*> rows[] = {
       {"", "JSON"},
@@ -245,7 +247,7 @@ TEST(Session, AnEngineThatFailsIsALaneThatFailed) {
   }
   EXPECT_TRUE(session.lanes()[3]->running());
   EXPECT_NEAR(session.time(), 0.3, 1e-12);
-  const json state = header_of(state_message(session), 4 * 2 * 13 * 4);
+  const json state = header_of(state_message(session), body_bytes * 2 * 4);
   EXPECT_EQ(state["lanes"][0]["status"], "failed");
   EXPECT_EQ(state["lanes"][3]["status"], "running");
   say(session, R"({"do": "reset"})");
@@ -294,7 +296,7 @@ TEST(Session, MessagesAreAsThePageReadsThem) {
   EXPECT_EQ(about["session"]["lanes"],
             json({{{"engine", "bullet"}, {"integrator", ""}, {"dt_text", "0.01"}}}));
   const std::string message = state_message(session);
-  const json state = header_of(message, 13 * 4);
+  const json state = header_of(message, body_bytes);
   EXPECT_EQ(state["type"], "state");
   EXPECT_NEAR(state["t"].get<double>(), 0.1, 1e-12);
   const json& lane = state["lanes"][0];
@@ -303,7 +305,7 @@ TEST(Session, MessagesAreAsThePageReadsThem) {
   EXPECT_EQ(lane["contacts"][0]["other"], -1);
   EXPECT_GT(lane["cpu_per_second"].get<double>(), 0);
   float first = 0;
-  std::memcpy(&first, message.data() + message.size() - std::size_t{13 * 4}, sizeof first);
+  std::memcpy(&first, message.data() + message.size() - body_bytes, sizeof first);
   EXPECT_FLOAT_EQ(first, 0.3F);
 }
 

@@ -47,8 +47,8 @@ Mask without() {
 Mask damped(double linear, double angular, double momentum) {
   return scene([=](Scene& s) {
     for (std::size_t i = 0; i < s.bodies.size(); ++i)
-      s.forces.push_back(core::Drag{static_cast<int>(i), linear * s.bodies[i].mass,
-                                    angular * s.bodies[i].inertia.trace() / 3, momentum});
+      s.forces.emplace_back(core::Drag{static_cast<int>(i), linear * s.bodies[i].mass,
+                                       angular * s.bodies[i].inertia.trace() / 3, momentum});
   });
 }
 
@@ -162,9 +162,9 @@ std::vector<MaskedRow> faults_of_the_scene() {
          for (const core::Joint& joint : s.joints) {
            const core::BodyState& b = s.bodies[static_cast<std::size_t>(joint.body)].initial;
            if (joint.to == core::world)
-             s.forces.push_back(core::Spring{joint.body,
-                                             b.orientation.conjugate() * (joint.point - b.position),
-                                             core::world, joint.point, 1e4, 0, 0});
+             s.forces.emplace_back(core::Spring{joint.body,
+                                                b.orientation.conjugate() * (joint.point - b.position),
+                                                core::world, joint.point, 1e4, 0, 0});
          }
          std::erase_if(s.joints, [](const core::Joint& joint) { return joint.to == core::world; });
        })},
