@@ -4,19 +4,19 @@
 #include "engine/free_bodies.h"
 #include "tests/engine/pile_fixtures.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
+#include <span>
 
 namespace cylon::engine {
 namespace {
 
 // FNV-1a, 64 bits: http://www.isthe.com/chongo/tech/comp/fnv.
 std::uint64_t hash(const std::vector<Motion>& motions) {
-  std::vector<unsigned char> bytes(motions.size() * sizeof(Motion));
-  std::memcpy(bytes.data(), motions.data(), bytes.size());
   std::uint64_t value = 0xcbf29ce484222325;
-  for (const unsigned char byte : bytes) value = (value ^ byte) * 0x100000001b3;
+  for (const std::byte byte : std::as_bytes(std::span(motions)))
+    value = (value ^ std::to_integer<std::uint64_t>(byte)) * 0x100000001b3;
   return value;
 }
 
