@@ -2,6 +2,7 @@
 #include "harness/cli/app.h"
 #include "harness/cli/asked.h"
 #include "harness/cli/command_line.h"
+#include "harness/cli/options.h"
 #include "harness/cli/output.h"
 #include "harness/cli/sparkline.h"
 #include "harness/cli/states_csv.h"
@@ -88,8 +89,7 @@ std::vector<double> common_times(const Side& a, const Side& b, double duration) 
       throw core::InputError(
           fmt::format("{} and {}: the steps {} s and {} s have no common multiple within 10000 of them",
                       a.name, b.name, a.dt, b.dt));
-    const auto last = static_cast<std::int64_t>(
-        std::floor(static_cast<double>(core::whole_steps(duration, a.dt) / multiples->of_a)));
+    const std::int64_t last = core::whole_steps(duration, a.dt) / multiples->of_a;
     for (std::int64_t k = 0; k <= last; ++k) times.push_back(static_cast<double>(k * multiples->of_a) * a.dt);
     return times;
   }
@@ -308,10 +308,7 @@ Command add_diff(CLI::App& app, const Context& context) {
       ->check(CLI::Range(0.0, 1e300));
   app.add_flag("--json", options->json, "As JSON, with the distances at every time");
   app.add_option("--csv", options->csv, "The distances at every time; - is stdout")->type_name("FILE");
-  app.add_option("--timeout", options->timeout, "Seconds until an engine is stopped")
-      ->type_name("S")
-      ->capture_default_str()
-      ->check(positive(1e6));
+  add_timeout_option(app, options->timeout);
   add_worker_option(app, options->workers);
   return [=, &context] { return diff(context, *options); };
 }

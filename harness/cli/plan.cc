@@ -2,6 +2,7 @@
 #include "harness/cli/app.h"
 #include "harness/cli/asked.h"
 #include "harness/cli/command_line.h"
+#include "harness/cli/options.h"
 
 #include "harness/core/input_error.h"
 #include "harness/process/client.h"
@@ -76,8 +77,7 @@ int plan(const Context& context, const Options& options) {
 Command add_plan(CLI::App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   add_asked(app, options->asked);
-  app.add_option("--dt", options->dt, "Step [s], 0.001 or 1/60; the scenario's nominal step otherwise")
-      ->type_name("S");
+  add_step_option(app, options->dt);
   app.add_flag("--json", options->json, "As JSON");
   return [=, &context] { return plan(context, *options); };
 }

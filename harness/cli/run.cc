@@ -1,7 +1,9 @@
 // cylon run
 #include "harness/cli/app.h"
 #include "harness/cli/journal.h"
+#include "harness/cli/options.h"
 #include "harness/cli/output.h"
+#include "harness/cli/provenance.h"
 #include "harness/cli/published.h"
 #include "harness/cli/scenario_view.h"
 #include "harness/cli/selection.h"
@@ -16,16 +18,13 @@
 #include "reports/json.h"
 #include "reports/junit.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <iterator>
 #include <map>
-#include <thread>
 
 namespace cylon::cli {
 namespace {
@@ -108,9 +107,7 @@ std::vector<Verdict> run_cells(const Context& context, const Options& options,
                              cells.size());
 
   Progress progress(context.progress, to_run.size());
-  const study::Pool pool{.workers = options.jobs > 0
-                                        ? options.jobs
-                                        : static_cast<int>(std::max(1u, std::thread::hardware_concurrency())),
+  const study::Pool pool{.workers = worker_count(options.jobs),
                          .limits = {.run_seconds = options.timeout,
                                     .memory_bytes = static_cast<std::size_t>(options.memory * 1073741824.0)}};
   auto fresh =
@@ -240,9 +237,7 @@ int run(const Context& context, const Options& options) {
     published_differs = !reproduction.complete;
     if (!quiet) std::cout << reproduction.text;
   }
-  reports::Provenance provenance = reports::build_and_machine();
-  provenance.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
-  provenance.command_line = context.command_line;
+  reports::Provenance provenance = provenance_now(context);
   provenance.tolerance_scale = request.tolerance_scale;
   const std::string json = reports::to_json(rows, provenance);
   if (!options.json.empty()) write_whole(options.json, json);
@@ -257,30 +252,7 @@ int run(const Context& context, const Options& options) {
 Command add_run(CLI::App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   Request& request = options->request;
-  app.add_option("patterns", request.patterns,
-                 "SCENARIO[/ENGINE] globs, several joined by ':', excluded with '-': 'bounce*:-*/ode'; or "
-                 "scenario files (*.toml). "
-                 "None: the suite")
-      ->type_name("GLOB");
-  app.add_option("--engine", request.engines,
-                 "An engine's id or a glob; a variant follows '/': bullet/gyro=none. May be given again; "
-                 "those of the suite otherwise")
-      ->type_name("GLOB")
-      ->allow_extra_args(false);
-  app.add_option("--dt", request.steps,
-                 "Step [s], 0.001 or 1/60. May be given again; each scenario's nominal step otherwise")
-      ->type_name("S")
-      ->allow_extra_args(false);
-  app.add_option(
-         "--integrator", request.integrators,
-         "A scheme of the engines, as `cylon engines` names them, or a glob. May be given again; each "
-         "engine's default otherwise")
-      ->type_name("GLOB")
-      ->allow_extra_args(false);
-  app.add_option("--suite", request.suite,
-                 "A suite of scenarios/suites/: its scenarios, engines, steps and published numbers; "
-                 "conformance otherwise")
-      ->type_name("NAME");
+  add_selection_options(app, request);
   app.add_flag(
       "--metamorphic", request.metamorphic,
       "In place of the claims, what mechanics requires of any two runs of one engine: the moved, turned, "
@@ -318,17 +290,9 @@ Command add_run(CLI::App& app, const Context& context) {
                  "Write a picture per scenario, errors-SCENARIO.svg: the errors of all runs over time")
       ->type_name("FOLDER");
   app.add_flag("--charts", options->charts, "Draw each claim's error over time in the terminal");
-  app.add_option("-j,--jobs", options->jobs, "Cells at one time; all processors otherwise")
-      ->type_name("N")
-      ->check(positive(4096));
-  app.add_option("--timeout", options->timeout, "Seconds until an engine is stopped, for each run")
-      ->capture_default_str()
-      ->type_name("S")
-      ->check(positive(1e6));
-  app.add_option("--memory", options->memory, "Limit of an engine's memory [GiB]")
-      ->capture_default_str()
-      ->type_name("GIB")
-      ->check(positive(1e6));
+  add_jobs_option(app, options->jobs, "Cells at one time; all processors otherwise");
+  add_timeout_option(app, options->timeout);
+  add_memory_option(app, options->memory);
   auto* rerun =
       app.add_flag("--rerun-failed", options->rerun_failed,
                    "Only the cells that differed in the last run in this folder (.cylon/journal.jsonl)");
@@ -336,7 +300,6 @@ Command add_run(CLI::App& app, const Context& context) {
                "Go on with the last run in this folder: cells that are done are not run again")
       ->excludes(rerun);
   app.add_flag("-v,--verbose", options->verbose, "Every claim of every cell, with the engine's settings");
-  add_worker_option(app, request.workers);
   return [=, &context] { return run(context, *options); };
 }
 

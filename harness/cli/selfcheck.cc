@@ -3,6 +3,7 @@
 
 #include "harness/cli/app.h"
 #include "harness/cli/command_line.h"
+#include "harness/cli/options.h"
 #include "harness/cli/selection.h"
 #include "harness/study/matrix.h"
 #include "scenarios/glob.h"
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <iostream>
-#include <thread>
 
 namespace cylon::cli {
 namespace {
@@ -25,8 +25,7 @@ std::vector<Reproduction> of_suite(const Context& context, const std::string& na
   Request request;
   request.suite = name;
   const Selection selection = select(context, request);
-  const study::Pool pool{.workers = static_cast<int>(std::max(1u, std::thread::hardware_concurrency())),
-                         .limits = {}};
+  const study::Pool pool{.workers = worker_count(0), .limits = {}};
   const auto cells = study::run(selection.cells, pool, {}, {});
   std::vector<Reproduction> rows;
   for (const auto& published : selection.suite.published)

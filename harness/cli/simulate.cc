@@ -2,6 +2,7 @@
 #include "harness/cli/app.h"
 #include "harness/cli/asked.h"
 #include "harness/cli/command_line.h"
+#include "harness/cli/options.h"
 #include "harness/cli/output.h"
 #include "harness/cli/states_csv.h"
 
@@ -155,8 +156,7 @@ int simulate(const Context& context, const Options& options) {
 Command add_simulate(CLI::App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   add_asked(app, options->asked);
-  app.add_option("--dt", options->dt, "Step [s], 0.001 or 1/60; the scenario's nominal step otherwise")
-      ->type_name("S");
+  add_step_option(app, options->dt);
   auto* at = app.add_option("--at", options->at, "Times to print [s], separated by commas: 0,0.5,1")
                  ->type_name("S")
                  ->delimiter(',');
@@ -168,10 +168,7 @@ Command add_simulate(CLI::App& app, const Context& context) {
   app.add_option("--out", options->out, "CSV file, written whole or not at all; - is stdout")
       ->type_name("FILE")
       ->capture_default_str();
-  app.add_option("--timeout", options->timeout, "Seconds until the engine is stopped")
-      ->type_name("S")
-      ->capture_default_str()
-      ->check(positive(1e6));
+  add_timeout_option(app, options->timeout);
   return [=, &context] { return simulate(context, *options); };
 }
 

@@ -1,10 +1,8 @@
 #include "harness/cli/track.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <csignal>
-#include <ctime>
 
 namespace cylon::cli {
 namespace {
@@ -45,8 +43,6 @@ store::RunInfo find_run(const store::Store& store, const std::string& word) {
   throw core::InputError(fmt::format(
       "no run '{}' in the history; `cylon track list` shows numbers, revisions and labels", word));
 }
-
-std::string now() { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))); }
 
 Command add_track(CLI::App& app, const Context& context) {
   app.require_subcommand(1);

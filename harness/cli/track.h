@@ -29,7 +29,4 @@ void add_store_option(CLI::App&, std::string& file);
 /// The run that a user names: number, uid, label or revision; throws core::InputError where there is none.
 store::RunInfo find_run(const store::Store&, const std::string& word);
 
-/// The date and time that it is, ISO 8601 in UTC.
-std::string now();
-
 }  // namespace cylon::cli

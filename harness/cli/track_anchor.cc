@@ -2,6 +2,7 @@
 #include "harness/cli/track_anchor.h"
 
 #include "harness/cli/command_line.h"
+#include "harness/cli/provenance.h"
 #include "harness/cli/track.h"
 #include "harness/study/side.h"
 

@@ -3,6 +3,7 @@
 
 #include "harness/cli/baseline.h"
 #include "harness/cli/command_line.h"
+#include "harness/cli/options.h"
 #include "harness/cli/output.h"
 #include "harness/cli/stored_baseline.h"
 #include "harness/study/compare.h"
@@ -176,11 +177,7 @@ int compare(const Context& own, const CompareRequest& asked) {
 
 void add_compare_options(CLI::App& app, CompareRequest& asked) {
   Request& cells = asked.cells;
-  app.add_option(
-         "patterns", cells.patterns,
-         "SCENARIO[/ENGINE] globs, several joined by ':', excluded with '-': 'bounce*:-*/ode'; or scenario "
-         "files (*.toml). None: the suite")
-      ->type_name("GLOB");
+  add_selection_options(app, cells);
   app.add_option(
          "--baseline", asked.baseline,
          "What to compare with: a build folder, a cylon binary, a git revision (built in a worktree under "
@@ -188,22 +185,6 @@ void add_compare_options(CLI::App& app, CompareRequest& asked) {
       ->type_name("WHAT");
   app.add_option("--candidate", asked.candidate, "A build folder in place of this cylon's own")
       ->type_name("FOLDER");
-  app.add_option("--engine", cells.engines,
-                 "An engine's id or a glob; a variant follows '/': bullet/gyro=none. May be given again; "
-                 "those of the "
-                 "suite otherwise")
-      ->type_name("GLOB")
-      ->allow_extra_args(false);
-  app.add_option("--dt", cells.steps,
-                 "Step [s], 0.001 or 1/60. May be given again; each scenario's own otherwise")
-      ->type_name("S")
-      ->allow_extra_args(false);
-  app.add_option("--integrator", cells.integrators, "A scheme of the engines, or a glob. May be given again")
-      ->type_name("GLOB")
-      ->allow_extra_args(false);
-  app.add_option("--suite", cells.suite, "A suite of scenarios/suites/; conformance otherwise")
-      ->type_name("NAME");
-  add_worker_option(app, cells.workers);
   app.add_option("--baseline-worker", asked.baseline_workers,
                  "The older build of an engine that --worker adds, under the same name")
       ->type_name("NAME=COMMAND")
@@ -220,10 +201,7 @@ void add_compare_options(CLI::App& app, CompareRequest& asked) {
       ->type_name("HOW")
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "perf_event", "callgrind", "off"}));
-  app.add_option("--timeout", asked.timeout, "Seconds until an engine is stopped, for each run")
-      ->type_name("S")
-      ->capture_default_str()
-      ->check(positive(1e6));
+  add_timeout_option(app, asked.timeout);
   app.add_flag("--no-time", asked.no_time, "Compare results alone");
   app.add_flag("--strict", asked.strict,
                "Exit with 3 where a cell is inconclusive or the environment unreliable");

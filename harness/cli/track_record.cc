@@ -1,5 +1,7 @@
 // cylon track record
 #include "harness/cli/journal.h"
+#include "harness/cli/options.h"
+#include "harness/cli/provenance.h"
 #include "harness/cli/selection.h"
 #include "harness/cli/track.h"
 #include "harness/cli/track_anchor.h"
@@ -249,30 +251,12 @@ int record(const Context& context, Options options) {
   return recorder.engine_absent() ? harness_failure : ok;
 }
 
-void add_selection(CLI::App& app, Request& request) {
-  app.add_option("patterns", request.patterns, "SCENARIO[/ENGINE] globs or files, as `cylon run` takes them")
-      ->type_name("GLOB");
-  app.add_option("--engine", request.engines, "An engine's id or a glob; may be given again")
-      ->type_name("GLOB")
-      ->allow_extra_args(false);
-  app.add_option("--dt", request.steps, "Step [s], 0.001 or 1/60; may be given again")
-      ->type_name("S")
-      ->allow_extra_args(false);
-  app.add_option("--integrator", request.integrators,
-                 "A scheme of the engines, or a glob; may be given again")
-      ->type_name("GLOB")
-      ->allow_extra_args(false);
-  app.add_option("--suite", request.suite, "A suite of scenarios/suites/; conformance otherwise")
-      ->type_name("NAME");
-  add_worker_option(app, request.workers);
-}
-
 }  // namespace
 
 Command add_track_record(CLI::App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   Measured& measured = options->measured;
-  add_selection(app, options->request);
+  add_selection_options(app, options->request);
   app.add_option("--revision", options->revision,
                  "What is under test; the revision of this program otherwise")
       ->type_name("TEXT");
@@ -296,18 +280,10 @@ Command add_track_record(CLI::App& app, const Context& context) {
          "which takes some 40 times as long")
       ->check(CLI::IsMember({"off", "auto", "perf_event", "callgrind"}))
       ->capture_default_str();
-  app.add_option("--timeout", measured.timeout, "Seconds until an engine is stopped, for each run")
-      ->capture_default_str()
-      ->type_name("S")
-      ->check(positive(1e6));
-  app.add_option("--memory", measured.memory, "Limit of an engine's memory [GiB]")
-      ->capture_default_str()
-      ->type_name("GIB")
-      ->check(positive(1e6));
-  app.add_option("-j,--jobs", options->jobs, "Cells at one time; more than one disturbs the times")
-      ->capture_default_str()
-      ->type_name("N")
-      ->check(positive(4096));
+  add_timeout_option(app, measured.timeout);
+  add_memory_option(app, measured.memory);
+  add_jobs_option(app, options->jobs, "Cells at one time; more than one disturbs the times")
+      ->capture_default_str();
   app.add_flag("--resume", options->resume,
                "Go on with the last recording of the store that was interrupted");
   app.add_flag("-v,--verbose", options->verbose, "A line for each cell as soon as it is stored");

@@ -1,5 +1,6 @@
 // cylon track ack, cylon track ignore: what somebody knows of a change in the history.
 #include "harness/cli/command_line.h"
+#include "harness/cli/provenance.h"
 #include "harness/cli/track.h"
 #include "harness/cli/track_history_rows.h"
 

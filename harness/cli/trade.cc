@@ -1,7 +1,9 @@
 // cylon trade
 #include "reports/trade.h"
 #include "harness/cli/app.h"
+#include "harness/cli/options.h"
 #include "harness/cli/output.h"
+#include "harness/cli/provenance.h"
 #include "harness/cli/scenario_view.h"
 #include "harness/cli/selection.h"
 #include "harness/cli/trade_journal.h"
@@ -10,14 +12,11 @@
 #include "harness/study/settings.h"
 #include "reports/html.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 #include <filesystem>
 #include <iostream>
-#include <thread>
 
 namespace cylon::cli {
 namespace {
@@ -73,8 +72,7 @@ study::SweepOptions sweep_options(const Options& options) {
   study::SweepOptions sweep;
   sweep.tolerances = options.tolerances;
   std::sort(sweep.tolerances.rbegin(), sweep.tolerances.rend());
-  sweep.workers =
-      options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  sweep.workers = worker_count(options.jobs);
   sweep.rounds = options.rounds;
   sweep.limits.run_seconds = options.timeout;
   return sweep;
@@ -147,10 +145,7 @@ int trade(const Context& context, const Options& options) {
     std::cerr << "interrupted; the same command with --resume, in this folder, goes on from here\n";
     return interrupted;
   }
-  reports::Provenance provenance = reports::build_and_machine();
-  provenance.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
-  provenance.command_line = context.command_line;
-  const std::string json = reports::trade_json(tables, provenance);
+  const std::string json = reports::trade_json(tables, provenance_now(context));
   if (!options.json.empty()) write_whole(options.json, json);
   if (!options.html.empty()) {
     reports::HtmlReport report;
@@ -177,20 +172,10 @@ Command add_trade(CLI::App& app, const Context& context) {
                  "Scenario names, globs or files, several joined by ':', excluded with '-'")
       ->type_name("FILE|GLOB")
       ->required();
-  app.add_option("--engine", options->wanted.engines,
-                 "An engine's id or a glob; a variant follows '/': bullet/gyro=none. May be given again; all "
-                 "otherwise, with the variants that matter to the scene")
-      ->type_name("GLOB")
-      ->allow_extra_args(false);
-  app.add_option("--integrator", options->wanted.integrators,
-                 "A scheme, or a glob. May be given again; all schemes of each engine otherwise")
-      ->type_name("GLOB")
-      ->allow_extra_args(false);
-  app.add_option("--dt", options->steps,
-                 "Step [s], 0.001 or 1/60. May be given again; otherwise a ladder of steps, each half of the "
-                 "one before, from about 64 times the nominal one")
-      ->type_name("S")
-      ->allow_extra_args(false);
+  add_engines_option(app, options->wanted.engines, "all, with the variants that matter to the scene,");
+  add_integrators_option(app, options->wanted.integrators, "all schemes of each engine");
+  add_steps_option(app, options->steps,
+                   "a ladder of steps, each half of the one before, from about 64 times the nominal one,");
   app.add_option("--steps", options->rungs, "How many steps the ladder has at most")
       ->type_name("N")
       ->capture_default_str()
@@ -218,15 +203,10 @@ Command add_trade(CLI::App& app, const Context& context) {
       ->type_name("N")
       ->capture_default_str()
       ->check(CLI::Range(0, 1000));
-  app.add_option(
-         "-j,--jobs", options->jobs,
-         "Runs at one time while errors are measured; all processors otherwise. Timing is one at a time")
-      ->type_name("N")
-      ->check(positive(4096));
-  app.add_option("--timeout", options->timeout, "Seconds until an engine is stopped, for each run")
-      ->capture_default_str()
-      ->type_name("S")
-      ->check(positive(1e6));
+  add_jobs_option(
+      app, options->jobs,
+      "Runs at one time while errors are measured; all processors otherwise. Timing is one at a time");
+  add_timeout_option(app, options->timeout);
   app.add_option("--json", options->json, "Write the tables as JSON, times apart; - is stdout")
       ->type_name("FILE");
   app.add_option("--csv", options->csv, "Write a row per point as CSV; - is stdout")->type_name("FILE");

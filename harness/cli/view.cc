@@ -2,6 +2,7 @@
 #include "harness/cli/app.h"
 #include "harness/cli/asked.h"
 #include "harness/cli/command_line.h"
+#include "harness/cli/options.h"
 
 #include "harness/core/input_error.h"
 #include "harness/process/child.h"
@@ -17,7 +18,6 @@
 #include <cstdlib>
 #include <iostream>
 #include <memory>
-#include <thread>
 
 namespace cylon::cli {
 namespace {
@@ -113,8 +113,7 @@ Command add_view(CLI::App& app, const Context& context) {
   app.add_option("--integrator", options->integrator,
                  "One of the engine's schemes, as `cylon engines` names them")
       ->type_name("NAME");
-  app.add_option("--dt", options->dt, "Step [s], 0.001 or 1/60; the scenario's nominal step otherwise")
-      ->type_name("S");
+  add_step_option(app, options->dt);
   app.add_option("--port", options->port, "Port on 127.0.0.1; 0: any that is free")
       ->type_name("N")
       ->check(CLI::Range(0, 65535));

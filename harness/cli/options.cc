@@ -1,0 +1,78 @@
+#include "harness/cli/options.h"
+
+#include "harness/cli/app.h"
+
+#include <algorithm>
+#include <thread>
+
+namespace cylon::cli {
+namespace {
+
+void add_list(CLI::App& app, const char* name, const char* type, std::vector<std::string>& words,
+              const std::string& meaning) {
+  app.add_option(name, words, meaning)->type_name(type)->allow_extra_args(false);
+}
+
+}  // namespace
+
+void add_engines_option(CLI::App& app, std::vector<std::string>& engines, const std::string& otherwise) {
+  add_list(app, "--engine", "GLOB", engines,
+           "An engine's id or a glob; a variant follows '/': bullet/gyro=none. May be given again; " +
+               otherwise + " otherwise");
+}
+
+void add_integrators_option(CLI::App& app, std::vector<std::string>& integrators,
+                            const std::string& otherwise) {
+  add_list(app, "--integrator", "GLOB", integrators,
+           "A scheme of the engines, as `cylon engines` names them, or a glob. May be given again; " +
+               otherwise + " otherwise");
+}
+
+void add_steps_option(CLI::App& app, std::vector<std::string>& steps, const std::string& otherwise) {
+  add_list(app, "--dt", "S", steps,
+           "Step [s], 0.001 or 1/60. May be given again; " + otherwise + " otherwise");
+}
+
+void add_selection_options(CLI::App& app, Request& request) {
+  app.add_option("patterns", request.patterns,
+                 "SCENARIO[/ENGINE] globs, several joined by ':', excluded with '-': 'bounce*:-*/ode'; or "
+                 "scenario files (*.toml). None: the suite")
+      ->type_name("GLOB");
+  add_engines_option(app, request.engines, "those of the suite");
+  add_steps_option(app, request.steps, "each scenario's nominal step");
+  add_integrators_option(app, request.integrators, "each engine's default");
+  app.add_option("--suite", request.suite,
+                 "A suite of scenarios/suites/: its scenarios, engines, steps and published numbers; "
+                 "conformance otherwise")
+      ->type_name("NAME");
+  add_worker_option(app, request.workers);
+}
+
+void add_step_option(CLI::App& app, std::string& step) {
+  app.add_option("--dt", step, "Step [s], 0.001 or 1/60; the scenario's nominal step otherwise")
+      ->type_name("S");
+}
+
+CLI::Option* add_jobs_option(CLI::App& app, int& jobs, const std::string& meaning) {
+  return app.add_option("-j,--jobs", jobs, meaning)->type_name("N")->check(positive(4096));
+}
+
+int worker_count(int jobs) {
+  return jobs > 0 ? jobs : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
+
+void add_timeout_option(CLI::App& app, double& timeout) {
+  app.add_option("--timeout", timeout, "Seconds until an engine is stopped, for each run")
+      ->capture_default_str()
+      ->type_name("S")
+      ->check(positive(1e6));
+}
+
+void add_memory_option(CLI::App& app, double& memory) {
+  app.add_option("--memory", memory, "Limit of an engine's memory [GiB]")
+      ->capture_default_str()
+      ->type_name("GIB")
+      ->check(positive(1e6));
+}
+
+}  // namespace cylon::cli

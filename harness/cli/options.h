@@ -1,0 +1,35 @@
+// Options that several commands have, each said once.
+#pragma once
+
+#include "harness/cli/selection.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+namespace cylon::cli {
+
+/// --engine, --integrator, --dt: globs or steps that may be given again; `otherwise` ends the help: what is
+/// taken where none is.
+void add_engines_option(CLI::App&, std::vector<std::string>& engines, const std::string& otherwise);
+void add_integrators_option(CLI::App&, std::vector<std::string>& integrators, const std::string& otherwise);
+void add_steps_option(CLI::App&, std::vector<std::string>& steps, const std::string& otherwise);
+
+/// Which cells: the patterns, the three above, --suite and --worker.
+void add_selection_options(CLI::App&, Request&);
+
+/// --dt of one run; its default is the scenario's nominal step.
+void add_step_option(CLI::App&, std::string& step);
+
+/// -j; `meaning` says what runs at one time.
+CLI::Option* add_jobs_option(CLI::App&, int& jobs, const std::string& meaning);
+
+/// The number given, or where none is (0) all processors.
+int worker_count(int jobs);
+
+/// --timeout [s] and --memory [GiB] of each run.
+void add_timeout_option(CLI::App&, double& timeout);
+void add_memory_option(CLI::App&, double& memory);
+
+}  // namespace cylon::cli
