@@ -291,7 +291,7 @@ TEST(Thrust, ARocketFollowsTsiolkovsky) {
       const Real bound = second ? 1e-3 : 1e-9;
       EXPECT_LT((k / m - v).norm(), bound) << scheme;
       EXPECT_LT((end.motions[0].position - p).norm(), bound) << scheme;
-      ends.push_back(end.motions[0].position - u * t);
+      ends.emplace_back(end.motions[0].position - u * t);
     }
     // A splitting freezes the mass in its kicks: only to its truncation.
     EXPECT_LT((ends[0] - ends[1]).norm(), 2 * (std::string(scheme) == "velocity-verlet" ? 1e-3 : 1e-9))

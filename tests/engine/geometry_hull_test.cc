@@ -73,7 +73,7 @@ TEST(GeometryHull, OfRandomCloudsIsAPolyhedronThatHoldsThem) {
   for (const int count : {4, 5, 8, 25, 60, 400}) {
     Sequence random(static_cast<std::uint64_t>(count));
     std::vector<Vector3> points;
-    for (int i = 0; i < count; ++i) points.push_back(random.vector() + Vector3(5, -3, 2));
+    for (int i = 0; i < count; ++i) points.emplace_back(random.vector() + Vector3(5, -3, 2));
     expect_polyhedron(make_hull(points), points, 10);
   }
 }
@@ -97,7 +97,7 @@ TEST(GeometryHull, OfALatticeIsABox) {
     for (int x = -2; x <= 2; ++x)
       for (int y = -2; y <= 2; ++y)
         for (int z = -2; z <= 2; ++z)
-          points.push_back(r * Vector3(Real(0.5) * x, Real(0.3) * y, Real(0.7) * z));
+          points.emplace_back(r * Vector3(Real(0.5) * x, Real(0.3) * y, Real(0.7) * z));
     const Hull hull = make_hull(points);
     EXPECT_EQ(hull.vertices.size(), 8u);
     EXPECT_EQ(hull.faces.size(), 6u);
@@ -120,7 +120,7 @@ TEST(GeometryHull, KeepsSliversAndSmallThings) {
   for (const Vector3& scale : {Vector3(1, Real(1e-4), 1), Vector3(1, Real(1e-4), Real(1e-4)),
                                Vector3(Real(1e-5), Real(1e-5), Real(1e-5)), Vector3(1000, 2000, 500)}) {
     std::vector<Vector3> points;
-    for (int i = 0; i < 40; ++i) points.push_back(random.direction().cwiseProduct(scale));
+    for (int i = 0; i < 40; ++i) points.emplace_back(random.direction().cwiseProduct(scale));
     expect_polyhedron(make_hull(points), points, 2 * scale.maxCoeff());
   }
 }
@@ -165,7 +165,7 @@ TEST(GeometryConvex, TellsConvexMeshes) {
   const Matrix3 turn = exponential({Real(0.3), Real(-0.7), Real(0.4)}).toRotationMatrix();
   for (const Hull& hull : {prism(4, 1, Real(0.5)), prism(20, 1, Real(0.01)), cloud_hull(50, 3)}) {
     std::vector<Vector3> vertices;
-    for (const Vector3& x : hull.vertices) vertices.push_back(turn * x + Vector3(Real(0.3), 1, -2));
+    for (const Vector3& x : hull.vertices) vertices.emplace_back(turn * x + Vector3(Real(0.3), 1, -2));
     Triangles mesh = triangles(hull);
     EXPECT_TRUE(is_convex(vertices, mesh));
 

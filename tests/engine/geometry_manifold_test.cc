@@ -48,7 +48,7 @@ Shape as_hull(const Shape& shape) {
   for (const Real x : {-1, 1})
     for (const Real y : {-1, 1})
       for (const Real z : {-1, 1})
-        corners.push_back(std::get<Box>(shape).half_extents.cwiseProduct(Vector3(x, y, z)));
+        corners.emplace_back(std::get<Box>(shape).half_extents.cwiseProduct(Vector3(x, y, z)));
   return make_hull(corners);
 }
 
