@@ -1,189 +1,145 @@
-// How the cost of a step grows with the number of bodies: ns of thread CPU time per body and step, the
-// workers timing their own steps, and the exponent p of cost ~ N^p fitted over N >= 100.  Three scenes that
-// grow: spinning boxes that fly freely, beads on a line of springs, spheres dropped as a lattice into an open
-// box.  A speed never travels without its error: the largest turn missed against the closed form, the
-// energy's drift, the deepest overlap.
-#include "bench/free_cloud.h"
-#include "bench/pile.h"
-#include "harness/cli/context.h"
-#include "harness/core/measure.h"
-#include "harness/core/observable.h"
-#include "harness/process/client.h"
-#include "reference/exact/catalogue.h"
-#include "scenarios/scenario.h"
+// How the cost of a step grows with the number of bodies N = 1, 10, 100, 316, … 10^6: five kinds of scenes
+// (bench/scaling/kinds.cc), this engine, Bullet and ODE side by side, 60 steps of 1/60 s each, whatever N.
+// Every cell is a process of its own that links its engine (bench/scaling/cell.cc) and has so many seconds of
+// CPU time for all that it does, making the scene and loading it included; an engine's row ends where the
+// next cell would need more, or did.  A speed never travels without its error and the work done.  The
+// exponents are fitted over N >= 100, with their standard errors.
+//   scaling_bench [KIND…]      all otherwise; about four minutes
+#include "bench/scaling/kinds.h"
+#include "bench/scaling/power_law.h"
+#include "harness/process/child.h"
 
-#include <benchmark/benchmark.h>
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numeric>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
 
 using namespace cylon;
+using bench::scaling::Kind;
 
-constexpr double dt = 1. / 240;
+constexpr double seconds = 8;        // of CPU time for a cell
+constexpr double wall_seconds = 60;  // backstop, on a machine that is busy
 
-core::Scene boxes(std::int64_t count) {
-  return scenarios::parse(
-             "title = \"Boxes\"\nstory = \"Free flight\"\nduration = 1.0\nstep = \"1/240\"\n"
-             "gravity = [0, -9.81, 0]\n" +
-                 bench::free_cloud(count, "[0.2, 0.3, 0.4]", "[0.3, 1.1, -0.4]") +
-                 "[[claim]]\nconserves = \"energy\"\ntolerance = { relative = 1, reason = \"rounding\" }\n",
-             "boxes.toml")
-      .scene;
-}
+constexpr std::int64_t sizes[] = {1, 10, 100, 316, 1'000, 3'162, 10'000, 31'623, 100'000, 316'228, 1'000'000};
 
-core::Body body_at(std::int64_t i, const core::Vector3& position) {
-  core::Body body;
-  body.name = fmt::format("body{}", i);
-  body.mass = 1;
-  body.inertia = core::Matrix3::Identity() * 0.1;
-  body.initial.position = position;
-  return body;
-}
-
-// Beads at rest length between two walls, every tenth of them pushed.
-core::Scene beads(std::int64_t count) {
-  core::Scene scene;
-  for (std::int64_t i = 0; i < count; ++i) {
-    scene.bodies.push_back(body_at(i, {1.0 * static_cast<double>(i + 1), 0, 0}));
-    if (i % 10 == 0) scene.bodies.back().initial.velocity = {0.5, 0, 0};
-  }
-  for (std::int64_t i = 0; i <= count; ++i) {
-    core::Spring spring;
-    spring.body = static_cast<int>(std::min(i, count - 1));
-    spring.to = i == 0 || i == count ? core::world : static_cast<int>(i - 1);
-    if (i == 0) spring.to_anchor = {0, 0, 0};
-    if (i == count) spring.to_anchor = {1.0 * static_cast<double>(count + 1), 0, 0};
-    spring.stiffness = 100, spring.rest_length = 1;
-    scene.forces.push_back(spring);
-  }
-  return scene;
-}
-
-core::Scene pile(std::int64_t count) {
-  const auto side = static_cast<std::int64_t>(std::ceil(std::cbrt(static_cast<double>(count))));
-  return bench::pile(count, side, 0.505, 1.009);
-}
-
-// The largest turn missed [rad]: the same bodies by the closed form.
-double turn_missed(const core::Scene& scene, const core::Recording& r) {
-  core::Observable q;
-  q.quantity = core::Quantity::orientation;
-  double worst = 0;
-  const std::size_t looked_at = std::min<std::size_t>(scene.bodies.size(), 20);
-  for (const exact::Solution& s : exact::catalogue()) {
-    if (s.name != "free_asymmetric_top") continue;
-    for (std::size_t i = 0; i < looked_at; ++i) {
-      core::Scene one;
-      one.bodies = {scene.bodies[i]};
-      const double end = r.time(r.states.size() - 1);
-      core::Values ours, truth;
-      core::evaluate(q, one, {r.states.back()[i]}, ours);
-      core::evaluate(q, one, s.make(one, end).state(end), truth);
-      worst = std::max(worst, core::distance(q, ours, truth));
-    }
-  }
-  return worst;
-}
-
-double energy_drift(const core::Scene& scene, const core::Recording& r) {
-  core::Observable q;
-  q.quantity = core::Quantity::energy;
-  core::Values before, after;
-  core::evaluate(q, scene, r.states.front(), before);
-  core::evaluate(q, scene, r.states.back(), after);
-  return core::distance(q, before, after) / core::energy_scale(scene, r.states.front());
-}
-
-double overlap(const core::Scene& scene, const core::Recording& r) {
-  return bench::overlap(scene, r.states.back());
-}
-
-struct Growing {
-  const char* name;
-  core::Scene (*scene)(std::int64_t);
-  double (*error)(const core::Scene&, const core::Recording&);
-  const char* error_name;
-  std::int64_t most;  // bodies
-  std::int64_t work;  // body-steps of a run
+// Fixed steps everywhere: what grows is the scene, not the accuracy asked for.  In piles Bullet and ODE's
+// QuickStep have 10 iterations, as this engine has 10 sweeps.
+struct Engine {
+  const char *label, *build, *path, *integrator;
+  bool in_piles, in_smooth, has_iterations;
 };
-constexpr Growing scenes[] = {
-    {"boxes", boxes, turn_missed, "missed_rad", 100'000, 1'000'000},
-    {"beads", beads, energy_drift, "drift_of_E", 100'000, 1'000'000},
-    {"pile", pile, overlap, "overlap_m", 10'000, 100'000},
+constexpr Engine engines[] = {
+    {"in-house", "in-house", "-", "velocity-verlet", false, true, false},
+    {"in-house", "in-house", "-", "-", true, false, false},
+    {"in-house-float", "in-house-f32", "-", "velocity-verlet", false, true, false},
+    {"in-house-float", "in-house-f32", "-", "-", true, false, false},
+    {"bullet", "bullet-f64", "-", "-", true, true, true},
+    {"bullet-float", "bullet-f32", "-", "-", true, true, true},
+    {"ode", "ode", "step", "-", true, true, false},
+    {"ode-quick", "ode", "quick", "-", true, false, true},
 };
-// A fixed step everywhere: what grows is the scene, not the accuracy asked for.
-constexpr const char* engines[] = {"in-house/integrator=velocity-verlet",
-                                   "in-house-float/integrator=velocity-verlet",
-                                   "bullet-float",
-                                   "bullet",
-                                   "ode",
-                                   "ode-quick"};
 
-// ns per step by number of bodies, in the order of the benchmarks.
-std::map<std::string, std::vector<std::pair<double, double>>> grown;
+struct Cell {
+  double ns = 0, error = 0, contacts = 0, bytes = 0;
+  double cpu = 0;  // of all that it did [s]
+};
 
-void step(benchmark::State& state, const Growing& growing, const std::string& id) {
-  const std::int64_t count = state.range(0);
-  const core::Scene scene = growing.scene(count);
-  const auto choice = process::parse_engine(id, cli::make_context().engines);
-  process::RunRequest request;
-  request.scene = &scene;
-  request.setup.dt = dt;
-  request.steps = request.every = std::clamp<std::int64_t>(growing.work / count, 4, 20'000);
-  request.repetitions = 2;
-  double least = INFINITY, error = 0;
-  for (auto _ : state) {
-    const process::RunOutcome outcome = process::run(choice, request, {.run_seconds = 120});
-    if (!outcome.recording) return state.SkipWithError(outcome.reason.c_str());
-    double seconds = INFINITY;
-    for (const process::Repetition& r : outcome.repetitions) seconds = std::min(seconds, r.step_seconds);
-    state.SetIterationTime(seconds);
-    least = std::min(least, seconds);
-    error = growing.error(scene, *outcome.recording);
-  }
-  const double steps = static_cast<double>(request.steps), ns = 1e9 * least / steps;
-  state.counters["ns_per_body_step"] = ns / static_cast<double>(count);
-  state.counters["steps"] = steps;
-  state.counters[growing.error_name] = error;
-  grown[fmt::format("{}/{}", growing.name, id)].emplace_back(static_cast<double>(count), ns);
+// The CPU time of all children that were waited for.
+double children_cpu() {
+  rusage used{};
+  getrusage(RUSAGE_CHILDREN, &used);
+  const auto in_seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return in_seconds(used.ru_utime) + in_seconds(used.ru_stime);
 }
 
-// Least squares of log(ns per step) over log N.
-void print_exponents() {
-  fmt::print("\n{:<52} {:>9} {:>8}\n", "cost of a step ~ N^p, fitted over N >= 100", "p", "points");
-  for (const auto& [name, points] : grown) {
-    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-    for (const auto& [count, ns] : points) {
-      if (count < 100) continue;
-      const double u = std::log(count), v = std::log(ns);
-      ++n, x += u, y += v, xx += u * u, xy += u * v;
-    }
-    if (n >= 2) fmt::print("{:<52} {:>9.3f} {:>8.0f}\n", name, (n * xy - x * y) / (n * xx - x * x), n);
+/// Throws process::Failure, also where the cell needed too long.
+Cell run(const std::filesystem::path& folder, const Kind& kind, const Engine& engine, std::int64_t size) {
+  std::vector<std::string> command = {(folder / fmt::format("scaling-cell-{}", engine.build)).string(),
+                                      kind.name,
+                                      std::to_string(size),
+                                      fmt::format("{:.0f}", seconds),
+                                      engine.path,
+                                      engine.integrator};
+  if (kind.contacts && engine.has_iterations) command.emplace_back("iterations=10");
+  const double before = children_cpu();
+  Cell cell;
+  {
+    process::Child child(command, std::size_t{8} << 30);
+    child.set_deadline(wall_seconds, "a cell");
+    while (child.receive()) continue;
+    const std::string said(child.output());
+    if (std::sscanf(said.c_str(), "%lf %lf %lf %lf", &cell.ns, &cell.error, &cell.contacts, &cell.bytes) != 4)
+      throw child.ending();
+    child.finish(5);
   }
+  cell.cpu = children_cpu() - before;
+  return cell;
+}
+
+struct Fitted {
+  std::string what;
+  double from, to;
+  bench::scaling::PowerLaw law;
+};
+
+Fitted row(const std::filesystem::path& folder, const Kind& kind, const Engine& engine) {
+  std::vector<std::pair<double, double>> points;  // from 100 bodies on: N, ns per step
+  double last_size = 0, last_cpu = 0;
+  for (const std::int64_t size : sizes) {
+    const auto n = static_cast<double>(size);
+    // At least in proportion to N.
+    if (last_cpu > 1 && last_cpu * n / last_size > seconds) break;
+    Cell cell;
+    try {
+      cell = run(folder, kind, engine, size);
+    } catch (const process::Failure& failure) {
+      const std::string why = failure.what();
+      fmt::print(
+          "{:>8}  {:<15} {}\n", size, engine.label,
+          why.find("SIGXCPU") == why.npos ? why : fmt::format("more than {:.0f} s of CPU time", seconds));
+      break;
+    }
+    last_size = n, last_cpu = cell.cpu;
+    fmt::print("{:>8}  {:<15} {:>12.4g} {:>12.2e} {:>9.0f} {:>9}\n", size, engine.label, cell.ns, cell.error,
+               cell.contacts, size < 10'000 ? "" : fmt::format("{:.0f}", cell.bytes));
+    if (size >= 100) points.emplace_back(n, cell.ns * n);
+  }
+  return {fmt::format("{:<8} {}", kind.name, engine.label), points.empty() ? 0 : points.front().first,
+          points.empty() ? 0 : points.back().first, bench::scaling::fit(points)};
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  for (const Growing& growing : scenes)
-    for (std::int64_t count = 1; count <= growing.most; count *= 10)
-      for (const char* id : engines)
-        benchmark::RegisterBenchmark(fmt::format("{}/{}", growing.name, id).c_str(),
-                                     [&growing, id](benchmark::State& state) { step(state, growing, id); })
-            ->Arg(count)
-            ->Iterations(2)
-            ->UseManualTime()
-            ->Unit(benchmark::kMillisecond);
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-  print_exponents();
+int main(int count, char** arguments) {
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);
+  const auto folder = std::filesystem::canonical("/proc/self/exe").parent_path();
+  const std::vector<std::string> wanted(arguments + 1, arguments + count);
+  std::vector<Fitted> fitted;
+  for (const Kind& kind : bench::scaling::kinds()) {
+    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), kind.name) == wanted.end()) continue;
+    fmt::print("\n{}: {}, {} steps of 1/60 s\n", kind.name, kind.what, bench::scaling::steps);
+    fmt::print("{:>8}  {:<15} {:>12} {:>12} {:>9} {:>9}\n", "bodies", "engine", "ns/(b*s)",
+               fmt::format("{} [{}]", kind.error, kind.unit), "contacts", "bytes/b");
+    for (const Engine& engine : engines)
+      if (kind.contacts ? engine.in_piles : engine.in_smooth) fitted.push_back(row(folder, kind, engine));
+  }
+  fmt::print("\n{:<26} {:>8} {:>8}   {}\n", "cost of a step ~ N^p", "p", "+-", "over N");
+  for (const Fitted& f : fitted) {
+    if (!(f.from < f.to)) continue;
+    fmt::print("{:<26} {:>8.3f} {:>8}   {:.0f} to {:.0f}\n", f.what, f.law.exponent,
+               std::isfinite(f.law.standard_error) ? fmt::format("{:.3f}", f.law.standard_error) : "-",
+               f.from, f.to);
+  }
 }
