@@ -213,7 +213,7 @@ bool can_touch(const Model& model) {
   return moving > 0 && (all > 1 || !model.planes.empty());
 }
 
-std::string unsupported(const Model& given, const Options& options) {
+std::string unsupported(const Model& given, const Options& options, const Names& names) {
   Model model = given;
   model.reduce_joints = model.reduce_joints && !options.constraints;
   const Scheme* scheme = find_scheme(options.scheme);
@@ -236,7 +236,7 @@ std::string unsupported(const Model& given, const Options& options) {
         return "the volume of a capsule below a water surface is not modelled";
     }
   }
-  return "";
+  return unresolved(model, method_of(model, options), names);
 }
 
 Plan make_plan(const Model& model, const Options& options) {

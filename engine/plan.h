@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/model.h"
+#include "engine/resolution.h"
 #include "engine/schemes/scheme.h"
 
 #include <string>
@@ -57,8 +58,8 @@ extern const char* const method_rule;
 /// Whether anything in the model can touch.
 bool can_touch(const Model&);
 
-/// Why the options do not fit the model, or "".
-std::string unsupported(const Model&, const Options&);
+/// Why the options do not fit the model, or the engine's numbers do not, or "".
+std::string unsupported(const Model&, const Options&, const Names& = numbered);
 
 /// Requires unsupported() to be empty.
 Plan make_plan(const Model&, const Options&);

@@ -129,7 +129,11 @@ class InHouse final : public core::Simulator {
     const engine::Options options = options_of(engine(), setup);
     const InHouseModel converted = in_house_model(scene);
     if (converted.missing) return converted.missing;
-    const std::string reason = engine::unsupported(converted.model, options);
+    const auto names = [&](engine::Thing thing, int i) {
+      const auto k = static_cast<std::size_t>(i);
+      return fmt::format("'{}'", thing == engine::Thing::body ? scene.bodies[k].name : scene.planes[k].name);
+    };
+    const std::string reason = engine::unsupported(converted.model, options, names);
     return reason.empty() ? deep_overlap(scene, converted.model) : Reason(reason);
   }
 

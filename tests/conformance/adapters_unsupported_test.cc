@@ -92,6 +92,10 @@ std::vector<Refusal> refusals() {
               s.frame = core::Frame{{0, 0, 0}, {0.1, 0.2, 0}};
             })},
       {"in-house/integrator=bm4", "bm4 cannot keep joints", jointed(core::JointType::ball, 0, 1)},
+      {"in-house-float", "'a' is 1e+07 m out, where a unit in the last place of single precision is 1 m",
+       with(resting(), [](core::Scene& s) { s.bodies[0].initial.position.x() = 1e7; })},
+      {"in-house", "'floor' is 1e+16 m out, where a unit in the last place of double precision is 2 m",
+       with(resting(), [](core::Scene& s) { s.planes[0].offset = -1e16; })},
       {"in-house", "body 'a' may touch and is a cone", resting(core::Cone{0.1, 0.3})},
       {"in-house-float", "body 'a' may touch and is a compound", resting(compound_of(core::Sphere{0.1}))},
       {"in-house", "'a' and 'floor' may touch and the scene states no material", unstated},

@@ -1,0 +1,204 @@
+// What the number type cannot hold is refused, by the same fractions of its epsilon in every precision.
+#include "engine/resolution.h"
+
+#include "engine/plan.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <string>
+
+namespace cylon::engine {
+namespace {
+
+constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
+constexpr Real half = Real(0.37);  // half-width of what touches, and length of what is linked [m]
+
+// A unit in the last place of x is between epsilon x/2 and epsilon x.
+constexpr Real held = Real(0.9) * coarsest_place * half / epsilon;
+constexpr Real lost = Real(2.1) * coarsest_place * half / epsilon;
+constexpr Real carried = Real(0.9) * coarsest_mass / epsilon, crushing = Real(1.1) * coarsest_mass / epsilon;
+
+Options automatic() { return {.dt = 0.01}; }
+
+void add_ball(Model& model, Real mass, const Vector3& position, bool touches) {
+  const Body body = make_body(mass, Matrix3::Identity() * (mass * half * half * Real(0.4)));
+  model.bodies.push_back(body);
+  model.motions.push_back(
+      make_motion(body, position, Quaternion::Identity(), {Real(0.1), Real(0.2), 0}, Vector3::Zero()));
+  model.shapes.emplace_back(Sphere{half});
+  model.surfaces.push_back(touches ? 0 : no_surface);
+  model.surface_count = 1;
+  model.materials = {{Real(0.5), 0}};
+}
+
+void add_floor(Model& model, Real offset) {
+  model.planes.push_back({Vector3::UnitY(), offset});
+  model.plane_surfaces.push_back(0);
+  model.forces.gravity = {0, Real(-9.81), 0};
+}
+
+// One thing of each kind, x away from the origin.
+Model ball(Real x) {
+  Model model;
+  add_ball(model, Real(1.3), {Real(0.2), 2, -x}, true);
+  add_floor(model, 0);
+  return model;
+}
+Model ball_alone(Real x) {
+  Model model;
+  add_ball(model, Real(1.3), {Real(0.2), 2, -x}, true);
+  model.forces.gravity = {0, Real(-9.81), 0};
+  return model;
+}
+Model floor_far_below(Real x) {
+  Model model;
+  add_ball(model, Real(1.3), {Real(0.2), 2, Real(0.3)}, true);
+  add_floor(model, -x);
+  return model;
+}
+Model wall(Real x) {
+  Model model = ball(1);
+  add_ball(model, 1, {x, 0, 0}, true);
+  model.bodies.back() = make_body(1, Matrix3::Identity(), true);
+  return model;
+}
+Model spring(Real x) {
+  Model model;
+  add_ball(model, Real(1.3), {x, Real(0.1), 0}, false);
+  model.forces.springs.push_back({0, Vector3::Zero(), fixed_world, {x, Real(0.1), half}, 5, 0, 0});
+  return model;
+}
+Model spring_at_rest(Real x) {
+  Model model;
+  add_ball(model, Real(1.3), {x, Real(0.1), 0}, false);
+  model.forces.springs.push_back({0, Vector3::Zero(), fixed_world, {x, Real(0.1), 0}, 5, half, 0});
+  return model;
+}
+Model attraction(Real x) {
+  Model model;
+  add_ball(model, Real(1.3), {x, Real(0.1), 0}, false);
+  add_ball(model, Real(0.7), {x, Real(0.1), half}, false);
+  model.forces.attractions.push_back({0, 1, Real(0.3)});
+  return model;
+}
+Model pendulum(Real x) {
+  Model model;
+  add_ball(model, Real(1.3), {x, Real(0.1), 0}, false);
+  model.motions[0].momentum.setZero();
+  model.joints.push_back({.body = 0, .anchor = {0, 0, half}, .to_anchor = {x, Real(0.1), half}});
+  return model;
+}
+
+struct Far {
+  const char *name, *says;
+  Model (*model)(Real);
+};
+constexpr Far far_things[] = {
+    {"ball", "body 0 is ", ball},
+    {"plane", "plane 0 is ", floor_far_below},
+    {"wall", "body 1 is ", wall},
+    {"spring", "a spring of body 0 is ", spring},
+    {"spring at rest", "a spring of body 0 is ", spring_at_rest},
+    {"attraction", "an attraction of body 0 is ", attraction},
+    {"joint", "a joint of body 0 is ", pendulum},
+};
+
+TEST(Resolution, WhatRoundingMovesByAPartOfItselfIsRefusedAndOnlyThat) {
+  for (const Far& row : far_things) {
+    SCOPED_TRACE(row.name);
+    EXPECT_EQ(unsupported(row.model(held), automatic()), "");
+    const std::string reason = unsupported(row.model(lost), automatic());
+    EXPECT_EQ(reason.find(row.says), 0u) << reason;
+    EXPECT_NE(reason.find(sizeof(Real) == 4 ? "single precision" : "double precision"), std::string::npos);
+    EXPECT_NE(reason.find("1/512"), std::string::npos) << reason;
+    EXPECT_NE(reason.find("0.37 m"), std::string::npos) << reason;
+  }
+}
+
+TEST(Resolution, ABodyAloneMayBeAnywhere) {
+  EXPECT_EQ(unsupported(ball_alone(1000 * lost), automatic()), "");
+}
+
+// Two ends in one place, and no rest length: nothing says how fine the motion will be.
+TEST(Resolution, ASpringWithoutLengthSaysNothing) {
+  Model model = spring(lost);
+  model.forces.springs[0].to_anchor = model.motions[0].position;
+  EXPECT_EQ(unsupported(model, automatic()), "");
+}
+
+#ifndef CYLON_ENGINE_FLOAT
+TEST(Resolution, InDoubleTenMillionMetresAreNearAndTenBillionKilometresFar) {
+  EXPECT_EQ(unsupported(ball(1e7), automatic()), "");
+  EXPECT_EQ(unsupported(ball(1e13), automatic()),
+            "body 0 is 1e+13 m out, where a unit in the last place of double precision is 0.00195 m: more "
+            "than 1/512 of its half-width, 0.37 m");
+}
+#else
+TEST(Resolution, InFloatAKilometreIsNearAndTenThousandFar) {
+  EXPECT_EQ(unsupported(ball(1e3F), automatic()), "");
+  EXPECT_EQ(unsupported(ball(1e7F), automatic()),
+            "body 0 is 1e+07 m out, where a unit in the last place of single precision is 1 m: more than "
+            "1/512 of its half-width, 0.37 m");
+}
+#endif
+
+// ---- Masses ------------------------------------------------------------------------------------------
+
+Model two_balls(Real ratio) {
+  Model model;
+  add_ball(model, Real(0.7), {0, 2, 0}, true);
+  add_ball(model, Real(0.7) * ratio, {Real(0.1), 4, 0}, true);
+  add_floor(model, 0);
+  return model;
+}
+
+// A heavy body hangs on a light one, which hangs on the world.
+Model hanging(Real ratio) {
+  Model model;
+  add_ball(model, Real(0.7), {half, 0, 0}, false);
+  add_ball(model, Real(0.7) * ratio, {2 * half, 0, 0}, false);
+  for (Motion& m : model.motions) m.momentum.setZero();
+  model.joints.push_back({.body = 0, .anchor = {-half, 0, 0}});
+  model.joints.push_back({.body = 1, .anchor = {-half, 0, 0}, .to = 0});
+  return model;
+}
+
+TEST(Resolution, WhatALightBodyCannotCarryIsRefusedAndOnlyThat) {
+  for (const auto& model : {two_balls, hanging}) {
+    EXPECT_EQ(unsupported(model(carried), automatic()), "");
+    const std::string reason = unsupported(model(crushing), automatic());
+    EXPECT_EQ(reason.find("body 1 weighs "), 0u) << reason;
+    EXPECT_NE(reason.find("as much as body 0"), std::string::npos) << reason;
+  }
+}
+
+TEST(Resolution, WhereNothingIsCarriedMassesMayBeAny) {
+  Model weightless = two_balls(1000 * crushing);
+  weightless.forces.gravity.setZero();
+  EXPECT_EQ(unsupported(weightless, automatic()), "");
+
+  Model leaf = hanging(1000 * crushing);  // the light one at the end of the heavy one
+  leaf.joints.erase(leaf.joints.begin());
+  EXPECT_EQ(unsupported(leaf, automatic()), "");
+
+  Model locked = two_balls(1000 * crushing);
+  locked.bodies[1] = make_body(locked.bodies[1].mass, Matrix3::Identity(), true);
+  EXPECT_EQ(unsupported(locked, automatic()), "");
+
+  Options stepping = automatic();  // impulses go by the mass of each body alone
+  stepping.method = "stepping";
+  EXPECT_EQ(unsupported(two_balls(1000 * crushing), stepping), "");
+}
+
+TEST(Resolution, AReasonCallsThingsByTheNamesGiven) {
+  const Names names = [](Thing thing, int i) {
+    return (thing == Thing::body ? "stone " : "ground ") + std::to_string(i);
+  };
+  EXPECT_EQ(unsupported(ball(lost), automatic(), names).find("stone 0 is "), 0u);
+  EXPECT_EQ(unsupported(floor_far_below(lost), automatic(), names).find("ground 0 is "), 0u);
+}
+
+}  // namespace
+}  // namespace cylon::engine
