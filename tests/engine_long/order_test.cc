@@ -153,7 +153,7 @@ void expect_seen() {
                                             row.reversible, 1.5);
     std::printf("spoiled  %-17s order %.4f of %d, errors %.1e to %.1e\n", std::string(row.name).c_str(),
                 seen.order, row.order, seen.first, seen.last);
-    EXPECT_GT(std::abs(seen.order - row.order), 3 * reach) << row.name;
+    EXPECT_GT(std::abs(seen.order - row.order), 2 * reach) << row.name;
   }
 }
 
