@@ -39,7 +39,8 @@ std::string line(const core::EngineAdvice& one, const core::Advice& advice) {
   if (!one.pick) {
     if (!one.best)
       return fmt::format("{}: {}\n", one.engine, one.reason.empty() ? "no run came to an end" : one.reason);
-    return fmt::format("{}: not reachable: best error seen {:.1e}, {}\n", one.engine, one.best->error,
+    return fmt::format("{}: not reachable{}: best error seen {:.1e}, {}\n", one.engine,
+                       one.best->error <= advice.tolerance ? " with a margin" : "", one.best->error,
                        named(*one.best));
   }
   std::string text =

@@ -2,7 +2,9 @@
 #include "harness/cli/advise.h"
 
 #include "harness/cli/app.h"
+#include "harness/cli/options.h"
 #include "harness/cli/output.h"
+#include "harness/cli/provenance.h"
 #include "harness/cli/selection.h"
 #include "harness/core/input_error.h"
 #include "harness/study/advise.h"
@@ -10,13 +12,10 @@
 #include "harness/study/settings.h"
 #include "reports/advice.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 #include <iostream>
-#include <thread>
 
 namespace cylon::cli {
 namespace {
@@ -48,8 +47,7 @@ int run(const Context& context, Options options) {
   require_writable(options.json);
   options.how.limits.run_seconds = options.timeout;
   options.how.most = static_cast<std::int64_t>(options.work);
-  options.how.workers =
-      options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  options.how.workers = worker_count(options.jobs);
   const auto rows = with_workers(context, options.workers);
   if (options.verify)
     return verify_advice(context, {.wanted = options.wanted,
@@ -59,9 +57,8 @@ int run(const Context& context, Options options) {
                                    .observable = options.observable});
   if (options.file.empty()) throw core::InputError("say which scenario: cylon advise FILE --tolerance X");
   const scenarios::Scenario scenario = scenarios::load(find_scenario(context, options.file));
-  const study::Ladder ladder = study::ladder(scenario, 1, 1);
-  const auto starts = study::starts(scenario, study::check_variations(), ladder.samples, options.observable,
-                                    rows, options.how.limits);
+  const auto starts = study::starts(scenario, study::check_variations(), study::search_samples(scenario),
+                                    options.observable, rows, options.how.limits);
   core::Advice advice;
   advice.scenario = scenario.name, advice.duration = scenario.duration;
   advice.tolerance = options.how.tolerance, advice.budget = options.how.budget;
@@ -86,12 +83,7 @@ int run(const Context& context, Options options) {
   if (options.json != "-")
     std::cout << reports::advice_text(
         advice, {.width = context.width, .utf8 = context.utf8, .colour = context.colour});
-  if (!options.json.empty()) {
-    reports::Provenance provenance = reports::build_and_machine();
-    provenance.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
-    provenance.command_line = context.command_line;
-    write_whole(options.json, reports::advice_json(advice, provenance));
-  }
+  if (!options.json.empty()) write_whole(options.json, reports::advice_json(advice, provenance_now(context)));
   return exit_code(advice);
 }
 
@@ -113,14 +105,8 @@ Command add_advise(CLI::App& app, const Context& context) {
                  "CPU seconds per simulated second that you can spend; what costs more is said to")
       ->type_name("S")
       ->check(positive(1e9));
-  app.add_option("--engine", options->wanted.engines,
-                 "An engine's id or a glob; a variant follows '/'. May be given again; all otherwise")
-      ->type_name("GLOB")
-      ->allow_extra_args(false);
-  app.add_option("--integrator", options->wanted.integrators,
-                 "A scheme, or a glob. May be given again; all schemes of each engine otherwise")
-      ->type_name("GLOB")
-      ->allow_extra_args(false);
+  add_engines_option(app, options->wanted.engines, "all");
+  add_integrators_option(app, options->wanted.integrators, "all schemes of each engine");
   app.add_option("--work", options->work, "Bodies times steps that one run may take")
       ->type_name("N")
       ->capture_default_str()
@@ -130,13 +116,8 @@ Command add_advise(CLI::App& app, const Context& context) {
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
   app.add_flag("--no-features", options->no_features, "Leave out what each part of the scene costs");
-  app.add_option("-j,--jobs", options->jobs, "Searches at one time; all processors otherwise")
-      ->type_name("N")
-      ->check(positive(4096));
-  app.add_option("--timeout", options->timeout, "Seconds until an engine is stopped, for each run")
-      ->capture_default_str()
-      ->type_name("S")
-      ->check(positive(1e6));
+  add_jobs_option(app, options->jobs, "Searches at one time; all processors otherwise");
+  add_timeout_option(app, options->timeout);
   app.add_option("--json", options->json, "Write the advice as JSON; - is stdout")->type_name("FILE");
   app.add_flag(
       "--verify", options->verify,

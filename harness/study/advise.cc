@@ -4,6 +4,7 @@
 #include "harness/core/worst.h"
 #include "harness/study/coarsest.h"
 #include "harness/study/cost.h"
+#include "harness/study/ladder.h"
 #include "harness/study/parallel.h"
 
 #include <fmt/format.h>
@@ -18,9 +19,6 @@ namespace {
 
 using core::EngineAdvice;
 using core::Pick;
-
-// A pick must be so much better than asked for: starts that nobody has tried differ a little.
-constexpr double margin = 1.15;
 
 // The settings of a scheme from coarse to fine: steps, or tolerances on a fixed grid.
 struct Row {
@@ -86,11 +84,12 @@ class Search {
     std::map<std::size_t, double> seen;
     const Coarsest first = coarsest(error_at, row_.size(), target / margin, row_.digits, guess, seen);
     if (std::isfinite(first.best_error)) found.best = pick(first.best, first.best_error);
-    if (first.pick)
-      if (const auto checked = check(*first.pick)) {
-        found.pick = pick(checked->first, checked->second);
-        found.cpu = cpu_[checked->first];
-      }
+    if (first.pick) {
+      const Checked checked = check(*first.pick);
+      if (checked.holds) found.cpu = cpu_[checked.setting];
+      if (std::isfinite(checked.worst))
+        (checked.holds ? found.pick : found.best) = pick(checked.setting, checked.worst);
+    }
     if (found.pick) {
       const Coarsest ten = coarsest(error_at, row_.size(), target / 10, row_.digits, *first.pick, seen);
       if (ten.pick) found.ten_times = pick(*ten.pick, ten.error), found.ten_cpu = cpu_[*ten.pick];
@@ -112,18 +111,27 @@ class Search {
     return ran.point.errors.empty() ? std::nan("") : ran.point.errors[from.by];
   }
 
-  // The first setting from `i` on that serves from every start, and its worst error.
-  std::optional<std::pair<std::size_t, double>> check(std::size_t i) {
+  struct Checked {
+    bool holds = false;
+    std::size_t setting = 0;
+    double worst = HUGE_VAL;  // of its errors, up to the first that is too large
+  };
+
+  // The first setting from `i` on that serves from every start; else the one that came nearest.
+  Checked check(std::size_t i) {
+    const double target = options_.tolerance / margin;
+    Checked nearest{false, i};
     for (std::size_t further = 1; i < row_.size(); i += further) {
       double worst = 0;
-      for (std::size_t s = 0; s < starts_.size() && worst <= options_.tolerance / margin; ++s)
+      for (std::size_t s = 0; s < starts_.size() && worst <= target; ++s)
         worst = core::worst(error(s, i), worst);
-      if (worst <= options_.tolerance / margin) return std::pair(i, worst);
-      // By the law, and one at least.
-      const double missing = std::isfinite(worst) ? std::log10(worst * margin / options_.tolerance) : 1;
+      if (worst <= target) return {true, i, worst};
+      if (worst < nearest.worst) nearest.setting = i, nearest.worst = worst;
+      // By the law, and one at least; no leap where it is a near miss.
+      const double missing = !std::isfinite(worst) ? 1 : worst > 2 * target ? std::log10(worst / target) : 0;
       further = std::clamp<std::size_t>(static_cast<std::size_t>(missing / row_.digits), 1, 8);
     }
-    return std::nullopt;
+    return nearest;
   }
 
   Pick pick(std::size_t i, double error) const {
@@ -164,10 +172,14 @@ std::span<const double> check_variations() {
   return parts;
 }
 
-std::vector<std::int64_t> fine_steps(std::int64_t samples, std::int64_t most) {
+std::int64_t search_samples(const scenarios::Scenario& scenario) {
+  return std::min(coarsest_samples(scenario, 256, 64), ladder(scenario, 1, 1).samples);
+}
+
+std::vector<std::int64_t> fine_steps(std::int64_t samples, std::int64_t most, int per_octave) {
   std::vector<std::int64_t> steps = {samples};
-  for (int quarter = 1; quarter < 160; ++quarter) {
-    const std::int64_t next = samples * std::llround(std::exp2(0.25 * quarter));
+  for (int i = 1; i < 40 * per_octave; ++i) {
+    const std::int64_t next = samples * std::llround(std::exp2(static_cast<double>(i) / per_octave));
     if (next > most) break;
     if (next > steps.back()) steps.push_back(next);
   }

@@ -12,6 +12,9 @@
 
 namespace cylon::study {
 
+/// A pick must be so much better than asked for: starts that nobody has tried differ a little.
+inline constexpr double margin = 1.15;
+
 struct AdviseOptions {
   double tolerance = 1e-3;      ///< Relative, of the measure, > 0.
   double budget = 0;            ///< CPU seconds per simulated second; 0: none.
@@ -24,12 +27,16 @@ struct AdviseOptions {
 /// Parts by which the starts of a check differ from the nominal one.
 std::span<const double> check_variations();
 
-/// The steps that a search chooses among: multiples of `samples`, each about 2^(1/4) of the one before, up to
-/// `most`.
-std::vector<std::int64_t> fine_steps(std::int64_t samples, std::int64_t most);
+/// The times at which a search looks: as few as 64, for up to 256 times the nominal step; never more than the
+/// sweep's ladder has.
+std::int64_t search_samples(const scenarios::Scenario&);
+
+/// The steps that a search chooses among: multiples of `samples`, each about 2^(1/per_octave) of the one
+/// before, up to `most`.
+std::vector<std::int64_t> fine_steps(std::int64_t samples, std::int64_t most, int per_octave = 4);
 
 /// An advice for each row of engines among the settings, in their order.  `starts`, not empty: the first is
-/// searched on; a pick must meet the tolerance with a margin of 15 % on all.  `done` is called after each
+/// searched on; a pick must meet the tolerance with the margin on all.  `done` is called after each
 /// search, one at a time.  Throws core::InputError for a setting that was asked for and is impossible,
 /// process::Interrupted.
 std::vector<core::EngineAdvice> advise(const std::vector<Start>& starts, const std::vector<Setting>& settings,

@@ -4,6 +4,26 @@
 #include <cmath>
 
 namespace cylon::study {
+namespace {
+
+// Near a floor the law makes leaps over the few settings that serve.  The first setting between two seen ones
+// that the law, from the coarser of them, puts below twice the target; nothing where none comes that near.
+std::optional<std::size_t> leapt_over(const std::map<std::size_t, double>& seen, double target,
+                                      double digits) {
+  constexpr double near = 2;
+  const bool any =
+      std::any_of(seen.begin(), seen.end(), [&](const auto& s) { return s.second <= near * target; });
+  if (!any) return std::nullopt;
+  for (auto finer = seen.begin(), coarser = finer++; finer != seen.end(); coarser = finer++) {
+    const auto [from, error] = *coarser;
+    if (!std::isfinite(error)) continue;
+    const double further = std::max(1.0, std::ceil(std::log10(error / (near * target)) / digits));
+    if (further < static_cast<double>(finer->first - from)) return from + static_cast<std::size_t>(further);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 Coarsest coarsest(const ErrorAt& error_at, std::size_t count, double target, double digits, std::size_t guess,
                   std::map<std::size_t, double>& seen) {
@@ -27,6 +47,12 @@ Coarsest coarsest(const ErrorAt& error_at, std::size_t count, double target, dou
     reach *= 2;
     at = halve && !open ? (bad + good) / 2 : at + static_cast<std::ptrdiff_t>(std::ceil(shift));
     at = std::clamp(at, bad + 1, good - 1);
+  }
+  while (good == static_cast<std::ptrdiff_t>(count)) {
+    const auto between = leapt_over(seen, target, digits);
+    if (!between) break;
+    seen[*between] = error_at(*between);
+    if (seen[*between] <= target) good = static_cast<std::ptrdiff_t>(*between);
   }
   Coarsest result;
   for (const auto& [i, error] : seen)

@@ -13,8 +13,6 @@
 namespace cylon::study {
 namespace {
 
-constexpr std::int64_t fewest_samples = 16;
-
 // Whether every time of every recorded truth is one of k T/M.
 bool has_all_times(const scenarios::Scenario& scenario, std::int64_t samples) {
   for (const core::Claim& claim : scenario.claims) {
@@ -38,19 +36,23 @@ std::int64_t nominal_steps(const scenarios::Scenario& scenario) {
   return std::max<std::int64_t>(1, std::llround(scenario.duration / scenario.step));
 }
 
-Ladder ladder(const scenarios::Scenario& scenario, int rungs, std::int64_t most) {
+std::int64_t coarsest_samples(const scenarios::Scenario& scenario, std::int64_t divisor,
+                              std::int64_t fewest) {
   const std::int64_t nominal = nominal_steps(scenario);
-  Ladder result;
-  result.samples = nominal;
-  for (std::int64_t divisor = 64; divisor > 1; divisor /= 2) {
+  for (; divisor > 1; divisor /= 2) {
     // Only a divisor of the nominal steps is sure to meet recorded times.
     if (has_times(scenario) && (nominal % divisor != 0 || !has_all_times(scenario, nominal / divisor)))
       continue;
     const std::int64_t samples = (nominal + divisor / 2) / divisor;
-    if (samples < fewest_samples) continue;
-    result.samples = samples;
-    break;
+    if (samples >= fewest) return samples;
   }
+  return nominal;
+}
+
+Ladder ladder(const scenarios::Scenario& scenario, int rungs, std::int64_t most) {
+  constexpr std::int64_t fewest = 16;
+  Ladder result;
+  result.samples = coarsest_samples(scenario, 64, fewest);
   std::int64_t steps = result.samples;
   for (int i = 0; i < rungs && (i == 0 || steps <= most); ++i, steps *= 2) result.steps.push_back(steps);
   return result;

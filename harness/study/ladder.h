@@ -16,6 +16,10 @@ struct Ladder {
   std::vector<std::int64_t> steps;  ///< Multiples of M, ascending: from the coarsest step to the finest.
 };
 
+/// The coarsest M whose step is about `divisor` (a power of two) times the nominal one, or as near to that as
+/// `fewest` samples and the times of recorded truths allow.
+std::int64_t coarsest_samples(const scenarios::Scenario&, std::int64_t divisor, std::int64_t fewest);
+
 /// M, M 2, M 4, … steps: from about 64 times the nominal step, or as near to that as at least 16 samples and
 /// the times of recorded truths allow, `rungs` in all, with at most `most` steps.  Always one rung at least.
 Ladder ladder(const scenarios::Scenario&, int rungs, std::int64_t most);

@@ -103,7 +103,8 @@ void Yardstick::ask(Claim claim, const std::vector<core::State>* states, double 
   if (core::undefined_in(claim.observable, scene)) return;
   Question q;
   const double size = core::scale(claim, scene, scenario_->duration);
-  q.scale = size > 0 ? size : 1;
+  // A joint's gap at the start is rounding and no size: in m.
+  q.scale = size > 0 && claim.observable.quantity != Quantity::joint_gap ? size : 1;
   const bool follows = claim.truth.has_value();
   q.measure = measure_named(std::string(core::name(claim.observable.quantity)),
                             std::string(core::unit(claim.observable)), follows ? claim.follows : "its start");

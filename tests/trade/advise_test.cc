@@ -1,5 +1,6 @@
 // `cylon advise` as its user runs it, and the starts that it tries its picks on.
 #include "harness/study/advise.h"
+#include "harness/study/ladder.h"
 #include "scenarios/vary.h"
 #include "tests/harness/cli_fixture.h"
 
@@ -113,15 +114,28 @@ TEST(Varied, RecordedDataIsOfOneStart) {
   EXPECT_FALSE(scenarios::varied(shipped_scenario("double_pendulum_rods"), 0.01));
 }
 
-TEST(FineSteps, AreMultiplesAThirdApartAtMost) {
-  const auto steps = study::fine_steps(78, 100000);
-  EXPECT_EQ(steps.front(), 78);
-  EXPECT_GT(steps.back(), 100000 / 1.3);
-  for (std::size_t i = 1; i < steps.size(); ++i) {
-    EXPECT_EQ(steps[i] % 78, 0);
-    EXPECT_GT(steps[i], steps[i - 1]);
-    if (steps[i] < 8 * 78) continue;
-    EXPECT_LT(static_cast<double>(steps[i]) / static_cast<double>(steps[i - 1]), 1.3);
+TEST(FineSteps, AreMultiplesAndNoFurtherApartThanAsked) {
+  for (const auto& [per_octave, most] : {std::pair(4, 1.3), std::pair(2, 1.5)}) {
+    const auto steps = study::fine_steps(78, 100000, per_octave);
+    EXPECT_EQ(steps.front(), 78);
+    EXPECT_GT(steps.back(), 100000 / most);
+    for (std::size_t i = 1; i < steps.size(); ++i) {
+      EXPECT_EQ(steps[i] % 78, 0);
+      EXPECT_GT(steps[i], steps[i - 1]);
+      if (steps[i] < 8 * 78) continue;
+      EXPECT_LT(static_cast<double>(steps[i]) / static_cast<double>(steps[i - 1]), most);
+    }
+  }
+}
+
+// Schemes of high order take steps of more than 64 times the nominal one, at which a sweep begins.
+TEST(SearchSamples, BeginCoarserThanASweepWhereEnoughTimesAreLeft) {
+  EXPECT_EQ(study::search_samples(shipped_scenario("spring_orbit")), 78);  // 20 s of 1/1000 s over 256
+  for (const char* name : {"spring_orbit", "heavy_top", "bouncing_sphere", "projectile", "kepler"}) {
+    const scenarios::Scenario scenario = shipped_scenario(name);
+    const std::int64_t sweep = study::ladder(scenario, 1, 1).samples;
+    EXPECT_LE(study::search_samples(scenario), sweep) << name;
+    EXPECT_GE(study::search_samples(scenario), std::min<std::int64_t>(sweep, 64)) << name;
   }
 }
 

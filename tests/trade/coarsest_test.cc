@@ -50,6 +50,26 @@ TEST(Coarsest, SaysTheBestWhereNothingServes) {
   EXPECT_NEAR(found.best_error, 1e-3, 1e-5);
 }
 
+// Rounding makes a narrow valley, deeper than the law goes, between settings that all miss: the leaps must
+// not end beyond it, and a floor twice as high must not be walked step by step.
+TEST(Coarsest, FindsANarrowValleyNearTheFloorAndOnlyThere) {
+  for (const double floor : {1.3e-3, 2.7e-3})
+    for (const std::size_t valley : {38u, 44u, 52u}) {
+      std::vector<double> errors = law(1, 0.5, floor);
+      errors[valley] = errors[valley + 1] = 0.6e-3;
+      std::size_t runs = 0;
+      std::map<std::size_t, double> seen;
+      const Coarsest found = coarsest([&](std::size_t i) { return ++runs, errors[i]; }, errors.size(), 1e-3,
+                                      digits(1), 12, seen);
+      if (floor < 2e-3) {
+        EXPECT_EQ(found.pick, valley) << floor;
+        EXPECT_LE(runs, 45u);
+      } else {
+        EXPECT_LE(runs, 14u) << floor;
+      }
+    }
+}
+
 TEST(Coarsest, AsksNothingTwice) {
   const std::vector<double> errors = law(1, 0.3, 0);
   std::map<std::size_t, double> seen;
