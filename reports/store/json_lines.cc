@@ -2,11 +2,11 @@
 
 #include "harness/core/input_error.h"
 #include "reports/store/json_object.h"
+#include "reports/store/json_rows.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <ostream>
 #include <utility>
@@ -16,174 +16,6 @@ namespace {
 
 using nlohmann::json;
 using Ordered = nlohmann::ordered_json;
-
-Ordered number(double value) { return std::isfinite(value) ? Ordered(value) : Ordered(nullptr); }
-
-// ---- Out -----------------------------------------------------------------------------------------------
-
-Ordered to_json(const RunInfo& r) {
-  return {{"uid", r.uid},
-          {"label", r.label},
-          {"revision", r.revision},
-          {"order", r.revision_order.value_or(0)},
-          {"date", r.date},
-          {"machine", r.machine},
-          {"os", r.os},
-          {"compiler", r.compiler},
-          {"flags", r.flags},
-          {"build", r.build},
-          {"command_line", r.command_line},
-          {"request", r.request},
-          {"note", r.note},
-          {"complete", r.complete}};
-}
-
-Ordered to_json(const Cell& c) {
-  return {{"hash", c.hash},           {"scenario", c.scenario}, {"scenario_hash", c.scenario_hash},
-          {"engine", c.engine},       {"path", c.path},         {"integrator", c.integrator},
-          {"precision", c.precision}, {"settings", c.settings}, {"dt", number(c.dt)},
-          {"dt_text", c.dt_text}};
-}
-
-Ordered to_json(const Sample& s) {
-  return {{"metric", s.metric.name},
-          {"kind", name(s.metric.kind)},
-          {"unit", s.metric.unit},
-          {"repetition", s.repetition},
-          {"value", s.text.empty() ? number(s.value) : Ordered(s.text)}};
-}
-
-Ordered to_json(const Judgement& j) {
-  return {{"claim", j.claim},
-          {"observable", j.observable},
-          {"unit", j.unit},
-          {"status", j.status},
-          {"expected", j.expected},
-          {"measured", number(j.measured)},
-          {"allowed", number(j.allowed)},
-          {"truth_error", number(j.truth_error)},
-          {"detail", j.detail}};
-}
-
-Ordered to_json(const RunInfo& run, const Result& r) {
-  Ordered samples = Ordered::array(), verdicts = Ordered::array();
-  for (const Sample& s : r.samples) samples.push_back(to_json(s));
-  for (const Judgement& j : r.judgements) verdicts.push_back(to_json(j));
-  return {{"run", run.uid},   {"cell", r.cell.hash},           {"engine_version", r.engine_version},
-          {"asked", r.asked}, {"samples", std::move(samples)}, {"verdicts", std::move(verdicts)}};
-}
-
-Ordered to_json(const Anchor& a) {
-  return {{"name", a.name}, {"binary", a.binary}, {"build", a.build},
-          {"date", a.date}, {"note", a.note},     {"run", a.run}};
-}
-
-Ordered to_json(const ChangePoint& p) {
-  return {
-      {"series", p.series}, {"revision", p.revision}, {"state", p.state}, {"date", p.date}, {"note", p.note}};
-}
-
-// ---- In ------------------------------------------------------------------------------------------------
-
-RunInfo run_from(JsonObject object) {
-  RunInfo r;
-  r.uid = object.text("uid");
-  if (r.uid.size() != 16 || r.uid.find_first_not_of("0123456789abcdef") != std::string::npos)
-    object.refuse("uid", fmt::format("must be 16 hex digits, not '{}'", clean(r.uid)));
-  r.label = object.text("label");
-  r.revision = object.text("revision");
-  r.revision_order = object.integer("order", INT64_MIN);
-  r.date = object.text("date");
-  r.machine = object.text("machine");
-  r.os = object.text("os");
-  r.compiler = object.text("compiler");
-  r.flags = object.text("flags");
-  r.build = object.text("build");
-  r.command_line = object.text("command_line");
-  r.request = object.text("request");
-  r.note = object.text("note");
-  r.complete = object.boolean("complete");
-  object.finish();
-  return r;
-}
-
-Cell cell_from(JsonObject object) {
-  Cell c;
-  c.hash = object.text("hash");
-  c.scenario = object.text("scenario");
-  c.scenario_hash = object.text("scenario_hash");
-  c.engine = object.text("engine");
-  c.path = object.text("path");
-  c.integrator = object.text("integrator");
-  c.precision = object.text("precision");
-  c.settings = object.text("settings");
-  c.dt = object.number("dt");
-  c.dt_text = object.text("dt_text");
-  object.finish();
-  if (!(c.dt >= 0)) object.refuse("dt", "must be a number >= 0");
-  if (const std::string hash = cell_hash(c); c.hash != hash)
-    object.refuse("hash",
-                  fmt::format("'{}' is not that of the other keys, which is {}", clean(c.hash), hash));
-  return c;
-}
-
-Sample sample_from(JsonObject object) {
-  Sample s;
-  s.metric.name = object.text("metric");
-  const std::string word = object.text("kind");
-  const auto kind = kind_from(word);
-  if (!kind)
-    object.refuse("kind", fmt::format("'{}' is none of exact, error, time, size, info", clean(word)));
-  s.metric.kind = *kind;
-  s.metric.unit = object.text("unit");
-  s.repetition = object.integer("repetition", 0);
-  if (const json& value = object.value("value"); value.is_string())
-    s.text = value.get<std::string>();
-  else
-    s.value = object.number("value");
-  object.finish();
-  return s;
-}
-
-Judgement judgement_from(JsonObject object) {
-  Judgement j;
-  j.claim = object.text("claim");
-  j.observable = object.text("observable");
-  j.unit = object.text("unit");
-  j.status = object.text("status");
-  j.expected = object.text("expected");
-  j.measured = object.number("measured");
-  j.allowed = object.number("allowed");
-  j.truth_error = object.number("truth_error");
-  j.detail = object.text("detail");
-  object.finish();
-  return j;
-}
-
-Anchor anchor_from(JsonObject object) {
-  Anchor a;
-  a.name = object.text("name");
-  a.binary = object.text("binary");
-  a.build = object.text("build");
-  a.date = object.text("date");
-  a.note = object.text("note");
-  a.run = object.text("run");
-  object.finish();
-  return a;
-}
-
-ChangePoint change_point_from(JsonObject object) {
-  ChangePoint p;
-  p.series = object.text("series");
-  p.revision = object.text("revision");
-  p.state = object.text("state");
-  if (p.state != "detected" && p.state != "active" && p.state != "ignored" && p.state != "fixed")
-    object.refuse("state", fmt::format("'{}' is none of detected, active, ignored, fixed", clean(p.state)));
-  p.date = object.text("date");
-  p.note = object.text("note");
-  object.finish();
-  return p;
-}
 
 class Reader {
  public:
