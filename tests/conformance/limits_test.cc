@@ -34,13 +34,18 @@ TEST(Limits, WithinOnePercentOfTheory) {
   const Row table[] = {
       {"spring", "in-house/integrator=symplectic-euler", "in-house", "symplectic-euler"},
       {"spring", "in-house/integrator=velocity-verlet", "in-house", "velocity-verlet"},
+      {"spring", "in-house/integrator=stormer-verlet", "in-house", "stormer-verlet"},
       {"spring", "in-house/integrator=rk4", "in-house", "rk4"},
+      {"spring", "in-house/integrator=yoshida4", "in-house", "yoshida4"},
       {"spring", "in-house/integrator=yoshida6", "in-house", "yoshida6"},
+      {"spring", "in-house/integrator=bm4", "in-house", "bm4"},
       {"spring", "in-house/integrator=rkn4", "in-house", "rkn4"},
       {"spring", "bullet", "bullet", "semi-implicit-euler"},
+      {"spring", "bullet-float", "bullet", "semi-implicit-euler"},
       {"spring", "bullet-multibody", "bullet", "semi-implicit-euler"},
       {"spring", "ode", "ode", "semi-implicit-euler"},
       {"stiffness", "in-house/integrator=symplectic-euler", "in-house", "symplectic-euler"},
+      {"stiffness", "in-house/integrator=rk4", "in-house", "rk4"},
       {"stiffness", "bullet", "bullet", "semi-implicit-euler"},
       {"stiffness", "ode", "ode", "semi-implicit-euler"},
       {"damping", "in-house/integrator=explicit-euler", "in-house", "explicit-euler"},
@@ -49,6 +54,8 @@ TEST(Limits, WithinOnePercentOfTheory) {
       {"damping", "ode", "ode", "semi-implicit-euler"},
       {"turn", "bullet", "bullet", "semi-implicit-euler"},
       {"spring-run", "in-house/integrator=velocity-verlet", "in-house", "velocity-verlet"},
+      {"spring-run", "in-house/integrator=explicit-euler", "in-house", "explicit-euler"},
+      {"spring-run", "bullet", "bullet", "semi-implicit-euler"},
   };
   for (const Row& row : table) {
     SCOPED_TRACE(std::string(row.family) + " on " + row.engine);
