@@ -1,5 +1,7 @@
 #include "engine/eigen3.h"
 
+#include "engine/jacobi.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,65 +19,6 @@ using Columns = std::array<Numbers, 3>;  // [column][row]
 constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
 constexpr Real same = 8 * epsilon;          // relative: the rounding of R D R^T
 constexpr Real tie = Real(0.000244140625);  // 2^-12: components nearer than this are equally great
-constexpr int most_sweeps = 16;             // quadratic convergence: five are enough for any 3 x 3
-
-// The upper triangle of A; a(p, q) with p < q is the only copy of both.
-struct Symmetric {
-  Numbers diagonal;
-  Numbers off;  // off[r]: the entry between the two indices other than r
-
-  Real& between(int p, int q) { return off[static_cast<std::size_t>(3 - p - q)]; }
-};
-
-// What lies between p and q is rounding.  |a_pq| <= eps sqrt(|a_pp a_qq|), which keeps the digits of small
-// moments beside great ones: J. Demmel, K. Veselic, Jacobi's method is more accurate than QR, SIAM J. Matrix
-// Anal. 13 (1992) 1204, section 3.  A moment that is none is known to rounding of the greatest only.
-bool negligible(Real between, Real p, Real q, Real scale) {
-  const Real x = std::abs(between);
-  return x <= epsilon * std::sqrt(std::abs(p)) * std::sqrt(std::abs(q)) || x <= epsilon * epsilon * scale;
-}
-
-//   theta = (a_qq - a_pp)/2a_pq,  t = sgn(theta)/(|theta| + sqrt(theta^2 + 1)),  c = 1/sqrt(t^2 + 1),  s = t
-//   c a_pp -= t a_pq,  a_qq += t a_pq,  a_pq = 0;  the third row and V are turned by (c, s).
-// Golub & Van Loan, eq. (8.5.1), (8.5.2), written as corrections so that small turns lose no digits.
-void rotate(Symmetric& a, Columns& axes, int p, int q) {
-  const auto at = [](int i) { return static_cast<std::size_t>(i); };
-  const Real x = a.between(p, q);
-  const Real theta = (a.diagonal[at(q)] - a.diagonal[at(p)]) / (2 * x);
-  // beyond 1/eps theta^2 + 1 is theta^2, which would overflow
-  const Real size = std::abs(theta);
-  const Real root = size > 1 / epsilon ? size : std::sqrt(theta * theta + 1);
-  const Real t = (theta < 0 ? Real(-1) : Real(1)) / (size + root);
-  const Real c = 1 / std::sqrt(t * t + 1), s = t * c, tau = s / (1 + c);
-  a.diagonal[at(p)] -= t * x;
-  a.diagonal[at(q)] += t * x;
-  a.between(p, q) = 0;
-  const int r = 3 - p - q;
-  const Real f = a.between(p, r), g = a.between(q, r);
-  a.between(p, r) = f - s * (g + tau * f);
-  a.between(q, r) = g + s * (f - tau * g);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Real u = axes[at(p)][i], v = axes[at(q)][i];
-    axes[at(p)][i] = u - s * (v + tau * u);
-    axes[at(q)][i] = v + s * (u - tau * v);
-  }
-}
-
-void diagonalise(Symmetric& a, Columns& axes, Real scale) {
-  constexpr std::pair<int, int> pairs[] = {{0, 1}, {0, 2}, {1, 2}};
-  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-    bool done = true;
-    for (const auto& [p, q] : pairs) {
-      const Real x = a.between(p, q);
-      if (negligible(x, a.diagonal[static_cast<std::size_t>(p)], a.diagonal[static_cast<std::size_t>(q)],
-                     scale))
-        continue;
-      rotate(a, axes, p, q);
-      done = false;
-    }
-    if (done) return;
-  }
-}
 
 // The index of the greatest component, the first of those that are as great.
 std::size_t greatest(const Numbers& v) {
@@ -144,26 +87,30 @@ void settle(Numbers& moments, Columns& axes) {
 }  // namespace
 
 Principal principal(const Matrix3& symmetric) {
-  Symmetric a{{symmetric(0, 0), symmetric(1, 1), symmetric(2, 2)},
-              {symmetric(1, 2), symmetric(0, 2), symmetric(0, 1)}};
-  // A power of two takes the size out without rounding, so that no square leaves the range.
+  Matrix3 a = Matrix3::Zero();
   Real greatest_entry = 0;
-  for (std::size_t i = 0; i < 3; ++i)
-    greatest_entry = std::max({greatest_entry, std::abs(a.diagonal[i]), std::abs(a.off[i])});
+  for (int q = 0; q < 3; ++q) {
+    for (int p = 0; p <= q; ++p)
+      greatest_entry = std::max(greatest_entry, std::abs(a(p, q) = symmetric(p, q)));
+  }
   if (!(greatest_entry > 0)) return {};
+  // A power of two takes the size out without rounding, so that no square leaves the range.
   int exponent = 0;
   std::frexp(greatest_entry, &exponent);
-  for (Numbers* part : {&a.diagonal, &a.off})
-    for (Real& x : *part) x = std::ldexp(x, -exponent);
+  for (int q = 0; q < 3; ++q) {
+    for (int p = 0; p <= q; ++p) a(p, q) = std::ldexp(a(p, q), -exponent);
+  }
+  Matrix3 axes;
+  diagonalise(a, axes);
 
-  Columns axes{Numbers{1, 0, 0}, Numbers{0, 1, 0}, Numbers{0, 0, 1}};
-  diagonalise(a, axes, 1);
-
-  std::array<std::size_t, 3> order = {0, 1, 2};
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t i, std::size_t j) { return a.diagonal[i] < a.diagonal[j]; });
-  Numbers moments = {a.diagonal[order[0]], a.diagonal[order[1]], a.diagonal[order[2]]};
-  Columns sorted = {axes[order[0]], axes[order[1]], axes[order[2]]};
+  std::array<int, 3> order = {0, 1, 2};
+  std::stable_sort(order.begin(), order.end(), [&](int i, int j) { return a(i, i) < a(j, j); });
+  Numbers moments{};
+  Columns sorted{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    moments[k] = a(order[k], order[k]);
+    for (int i = 0; i < 3; ++i) sorted[k][static_cast<std::size_t>(i)] = axes(i, order[k]);
+  }
   settle(moments, sorted);
 
   Principal result;

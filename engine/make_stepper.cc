@@ -6,6 +6,7 @@
 #include "engine/event_stepper.h"
 #include "engine/free_bodies.h"
 #include "engine/free_stepper.h"
+#include "engine/modes_stepper.h"
 #include "engine/pile/pile.h"
 #include "engine/points.h"
 #include "engine/reduce.h"
@@ -89,6 +90,8 @@ std::unique_ptr<Stepper> make_stepper(const Model& model, const Options& options
       return std::make_unique<FreeStepper>(model, options.dt);
     case Method::free:
       return std::make_unique<FreeBodies>(model, *plan.scheme, options.dt);
+    case Method::modes:
+      return std::make_unique<ModesStepper>(model, options.dt);
     case Method::points:
       return model.bodies.size() == 1 ? make_points<1>(model, plan, options)
                                       : make_points<0>(model, plan, options);

@@ -2,6 +2,7 @@
 
 #include "engine/ballistic/ballistic.h"
 #include "engine/free_bodies.h"
+#include "engine/normal_modes.h"
 #include "engine/points.h"
 #include "engine/reduce.h"
 #include "engine/turning.h"
@@ -64,11 +65,16 @@ Method method_of(const Model& model, const Options& options) {
   }
   if (options.full) return Method::bodies;
   if (!chosen && !options.account && moves_freely(model)) return Method::exact;
+  if (!chosen && !options.account && normal_modes(model).why_not.empty()) return Method::modes;
   if (chosen && !options.account && model.bodies.size() > many_free &&
       FreeBodies::not_free(model, *find_scheme(options.scheme)).empty())
     return Method::free;
   if (!options.account && not_points(model).empty()) return Method::points;
   return Method::bodies;
+}
+
+bool is_closed(Method method) {
+  return method == Method::exact || method == Method::modes || method == Method::ballistic;
 }
 
 // What would have to know that the world turns; null: nothing.
@@ -122,8 +128,10 @@ class Stages {
         plan_.scheme ? "scheme " + std::string(plan_.scheme->name) : std::string(),
         plan_.method == Method::stepping ? "the stepping of contacts has its own scheme"
                                          : "the motion is in closed form");
-    add("closed form", plan_.method == Method::exact || plan_.method == Method::ballistic,
-        plan_.method == Method::exact ? "every body moves freely" : "spheres fly freely between impacts",
+    add("closed form", is_closed(plan_.method),
+        plan_.method == Method::exact   ? "every body moves freely"
+        : plan_.method == Method::modes ? "all springs pull linearly: normal modes"
+                                        : "spheres fly freely between impacts",
         "forces, joints, contacts or the chosen scheme ask for integration");
     add("error control", plan_.verified, "two runs must agree within the tolerance",
         plan_.method == Method::stepping ? "stepping has a fixed step: its error is not bounded"
@@ -218,7 +226,7 @@ std::string unsupported(const Model& given, const Options& options, const Names&
   model.reduce_joints = model.reduce_joints && !options.constraints;
   const Scheme* scheme = find_scheme(options.scheme);
   if (options.scheme != "auto" && !scheme) return "there is no scheme '" + options.scheme + "'";
-  if (options.method != "" && options.method != "events" && options.method != "stepping")
+  if (!options.method.empty() && options.method != "events" && options.method != "stepping")
     return "there is no method '" + options.method + "'";
   if (scheme && !scheme->constraints && scheme->kind == Kind::splitting && !model.joints.empty() &&
       !reduce(model).model.joints.empty()) {
@@ -242,10 +250,9 @@ std::string unsupported(const Model& given, const Options& options, const Names&
 Plan make_plan(const Model& model, const Options& options) {
   Plan plan;
   plan.method = method_of(model, options);
-  const bool closed =
-      plan.method == Method::exact || plan.method == Method::ballistic || plan.method == Method::stepping;
-  plan.verified = !closed && options.scheme == "auto";
-  if (!closed) plan.scheme = find_scheme(plan.verified ? "dop853" : options.scheme);
+  const bool schemeless = is_closed(plan.method) || plan.method == Method::stepping;
+  plan.verified = !schemeless && options.scheme == "auto";
+  if (!schemeless) plan.scheme = find_scheme(plan.verified ? "dop853" : options.scheme);
   const bool drags = model.forces.read_velocities();
   if (plan.scheme) plan.order = drags ? plan.scheme->drag_order : plan.scheme->order;
   plan.stages = Stages(model, options, plan).list();

@@ -30,6 +30,7 @@ Real default_tolerance();
 enum class Method {
   exact,      ///< Every body moves freely: closed form from t = 0.
   free,       ///< Many bodies that move freely, by fixed steps of a splitting.
+  modes,      ///< Points on springs that pull linearly: normal modes, closed form from t = 0.
   points,     ///< Points that nothing turns.
   bodies,     ///< Rigid bodies without contacts.
   ballistic,  ///< Spheres in free flight, event by event.

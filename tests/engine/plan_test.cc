@@ -88,13 +88,21 @@ std::vector<Case> cases() {
        [=] {
          return added(point(), [](Model& m) { m.forces.springs.push_back({.body = 0, .stiffness = 3}); });
        },
+       Method::modes,
+       {"springs"}},
+      {"spring with a rest length that turns",
+       [=] {
+         return added(point(), [](Model& m) {
+           m.forces.springs.push_back({.body = 0, .stiffness = 3, .rest_length = 0.4});
+         });
+       },
        Method::points,
        {"springs"}},
       {"point with a drive",
        [=] { return added(point(), [](Model& m) {
                m.forces.drives.push_back({0, {1, 2, 3}, 4});
              }); },
-       Method::points,
+       Method::modes,
        {"drive"}},
       {"dragged point",
        [=] { return added(point(), [](Model& m) {
@@ -179,7 +187,8 @@ TEST(Plan, EachStageIsInOrOutForAReason) {
     }
     for (const Stage& s : plan.stages) EXPECT_FALSE(s.reason.empty() && s.in) << c.name << ": " << s.name;
     for (const Stage& s : plan.stages) EXPECT_FALSE(s.reason.empty()) << c.name << ": " << s.name;
-    const bool closed = c.method == Method::exact || c.method == Method::ballistic;
+    const bool closed =
+        c.method == Method::exact || c.method == Method::modes || c.method == Method::ballistic;
     EXPECT_EQ(stage(plan, "closed form").in, closed) << c.name;
     EXPECT_EQ(stage(plan, "integration").in, !closed && c.method != Method::stepping) << c.name;
     EXPECT_EQ(stage(plan, "error control").in, plan.verified) << c.name;
