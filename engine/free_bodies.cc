@@ -15,7 +15,6 @@ namespace cylon::engine {
 namespace {
 
 using wide::add;
-using wide::Lanes;
 using wide::take;
 
 constexpr std::size_t grain = 64;  // blocks that one thread carries at a time: 8 and 34 kB
@@ -67,13 +66,13 @@ double own_share(const Composition& splitting) {
 // q (3 - |q|^2)/2
 [[gnu::always_inline]] inline void renormalise(Lanes* q) {
   const Lanes square = add(q[3], q[3], add(q[2], q[2], add(q[1], q[1], q[0] * q[0])));
-  const Lanes factor = take(square, wide::spread(Real(0.5)), wide::spread(Real(1.5)));
+  const Lanes factor = take(square, spread(Real(0.5)), spread(Real(1.5)));
   for (int i = 0; i < 4; ++i) q[i] = q[i] * factor;
 }
 
 // R^T L:  L - w t + v x t,  t = 2 v x L
 [[gnu::always_inline]] inline void to_body(const Lanes* q, const Lanes* l, Lanes* result) {
-  const Lanes two = wide::spread(2);
+  const Lanes two = spread(2);
   const Lanes w = q[0], x = q[1], y = q[2], z = q[3];
   const Lanes tx = two * take(z, l[1], y * l[2]), ty = two * take(x, l[2], z * l[0]),
               tz = two * take(y, l[0], x * l[1]);
@@ -139,7 +138,7 @@ FreeBodies::FreeBodies(std::size_t count, const std::function<Given(std::size_t)
   points_.resize(blocks(point));
   for (const Kind kind : {symmetric, slow, fast}) {
     Spin idle{};
-    idle.q[0] = idle.a[0] = wide::spread(1);
+    idle.q[0] = idle.a[0] = spread(1);
     spins_[kind].assign(blocks(kind), idle);
   }
   rests_.resize(count);
@@ -221,11 +220,11 @@ template <bool is_fast>
     l[0] = add(s, l1, c * l0);
     if (!last) l[1] = take(s, l0, c * l1);
   };
-  const auto part = [&](std::size_t i) { return wide::spread(static_cast<Real>(parts_[i])); };
+  const auto part = [&](std::size_t i) { return spread(static_cast<Real>(parts_[i])); };
   if (parts_.size() == 3) {
-    about_x(wide::spread(Real(0.5)), false);
-    about_z(wide::spread(1), true);
-    about_x(wide::spread(Real(0.5)), true);
+    about_x(spread(Real(0.5)), false);
+    about_z(spread(1), true);
+    about_x(spread(Real(0.5)), true);
   } else {
     about_x(part(0), false);
     for (std::size_t i = 1; i + 1 < parts_.size(); i += 2) {
@@ -246,7 +245,7 @@ void FreeBodies::run(Kind kind, std::size_t begin, std::size_t end, std::int64_t
       for (int c = 0; c < 3; ++c) {
         Lanes p[width], s[width];
         for (std::size_t k = 0; k < width; ++k) p[k] = points_[b + k].p[c], s[k] = points_[b + k].s[c];
-        const Lanes more = wide::spread(gain[c]);
+        const Lanes more = spread(gain[c]);
         if (falls[c]) {
           for (std::int64_t n = 0; n < steps; ++n)
             for (std::size_t k = 0; k < width; ++k) p[k] += s[k], s[k] += more;
@@ -261,7 +260,7 @@ void FreeBodies::run(Kind kind, std::size_t begin, std::size_t end, std::int64_t
     for (; b < end; ++b) {
       Flight& f = points_[b];
       for (int c = 0; c < 3; ++c) {
-        const Lanes more = wide::spread(gain[c]);
+        const Lanes more = spread(gain[c]);
         Lanes p = f.p[c], s = f.s[c];
         for (std::int64_t n = 0; n < steps; ++n) p += s, s += more;
         f.p[c] = p;
@@ -281,7 +280,7 @@ void FreeBodies::run(Kind kind, std::size_t begin, std::size_t end, std::int64_t
           if (steps == 1) fetch(reinterpret_cast<const char*>(&spin) + ahead, sizeof(Spin));
           for (int c = 0; c < 3; ++c) {
             spin.flight.p[c] += spin.flight.s[c];
-            if (falls[c]) spin.flight.s[c] += wide::spread(gain[c]);
+            if (falls[c]) spin.flight.s[c] += spread(gain[c]);
           }
           Lanes q[4] = {spin.q[0], spin.q[1], spin.q[2], spin.q[3]};
           const Lanes v = spin.a[1];

@@ -2,20 +2,11 @@
 // without the machine's instruction.
 #pragma once
 
-#include "engine/vector.h"
+#include "engine/lanes.h"
 
 #include <cmath>
 
-#if defined(__FMA__)
-#include <immintrin.h>
-#endif
-
 namespace cylon::engine::wide {
-
-using Lanes = Real __attribute__((vector_size(32)));
-inline constexpr int lane_count = 32 / sizeof(Real);
-
-[[gnu::always_inline]] inline Lanes spread(Real value) { return Lanes{} + value; }
 
 /// a b + c
 [[gnu::always_inline]] inline Lanes add(Lanes a, Lanes b, Lanes c) {

@@ -5,7 +5,8 @@
 
 namespace cylon::engine::ballistic {
 
-Course::Course(const Model& model, Time dt) : model_(model), dt_(dt), queue_(model.bodies.size()) {
+Course::Course(const Model& model, Time dt)
+    : model_(model), dt_(dt), weightless_(model.forces.gravity.isZero(0)), queue_(model.bodies.size()) {
   const std::size_t n = model.bodies.size();
   surfaces_.resize(n);
   collides_.resize(n);

@@ -4,6 +4,7 @@
 #include "engine/ballistic/ballistic.h"
 #include "engine/ballistic/cells.h"
 #include "engine/ballistic/cluster.h"
+#include "engine/ballistic/crowd.h"
 #include "engine/ballistic/tournament.h"
 
 #include <cstdint>
@@ -45,6 +46,8 @@ class Course final : public Ballistic {
   void foresee(std::size_t body);
   void foresee_crossing(std::size_t body);
   void consider(std::size_t body, std::size_t other);
+  void join_crowd(std::size_t body, std::size_t other);
+  void consider_crowd(std::size_t body);
   void consider(std::size_t body, Time time, int partner, unsigned changes);
   void enqueue(std::size_t body);
   void cross(std::size_t body);
@@ -90,6 +93,7 @@ class Course final : public Ballistic {
   Time dt_, now_ = 0;
   std::int64_t steps_ = 0;
   bool starting_ = true;
+  const bool weightless_;  // no gravity: nothing ever presses, and all accelerations are zero
 
   std::vector<int> surfaces_;
   std::vector<char> collides_;
@@ -104,6 +108,7 @@ class Course final : public Ballistic {
   bool gridded_ = false;
   Cells cells_;
   Tournament queue_;
+  Crowd crowd_;  // of the body at hand
 
   std::vector<Touch> touches_;  // of the cluster at hand
   std::vector<Side> sides_;

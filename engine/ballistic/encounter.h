@@ -3,6 +3,7 @@
 
 #include "engine/ballistic/flight.h"
 #include "engine/ballistic/roots.h"
+#include "engine/lanes.h"
 #include "engine/shape.h"
 
 namespace cylon::engine::ballistic {
@@ -37,12 +38,49 @@ inline Real contact(const Flight& f, const Plane& plane) {
   return first_contact(distance, rate, acceleration);
 }
 
-/// Time from `base` to the contact of two spheres.  With d = p_a - p_b, w, a the relative position, velocity
-/// and acceleration and R = r_a + r_b,
+/// Two spheres, one number or some pairs side by side, at an instant `base`.
+template <class N>
+struct Pair {
+  Triple<N> d, w;  ///< Place and velocity of one from the other [m], [m/s].
+  N c, b, disc;    ///< |d|^2 - R^2, d.w, R^2 |w|^2 - |d x w|^2, R = r_a + r_b.
+  N touch_gap;     ///< Distance that separates touching from apart [m].
+};
+
+/// Where a body is `s` after a place p, velocity v and acceleration a.
+template <class N>
+[[gnu::always_inline]] inline Triple<N> moved(const Triple<N>& p, const Triple<N>& v, const Triple<N>& a,
+                                              const N& s) {
+  return p + s * (v + (s / 2) * a);
+}
+
+template <class N>
+[[gnu::always_inline]] inline N length1(const Triple<N>& a) {
+  const auto size = [](const N& x) { return x < 0 ? -x : x; };
+  return size(a.x) + size(a.y) + size(a.z);
+}
+
+template <class N>
+[[gnu::always_inline]] inline Pair<N> pair(const Triple<N>& pa, const Triple<N>& va, const Triple<N>& pb,
+                                           const Triple<N>& vb, const N& reach) {
+  Pair<N> p;
+  p.d = pa - pb, p.w = va - vb;
+  p.c = dot(p.d, p.d) - reach * reach, p.b = dot(p.d, p.w);
+  const Triple<N> turn = cross(p.d, p.w);
+  p.disc = reach * reach * dot(p.w, p.w) - dot(turn, turn);
+  p.touch_gap = rounding * (length1(pa) + length1(pb) + reach);
+  return p;
+}
+
+/// Time from `base` to the contact of two spheres.
 ///   f(t) = |d + w t + a t^2/2|^2 - R^2
 /// a = 0 (both fly): t = (|d|^2 - R^2) / (-d.w + sqrt(R^2 |w|^2 - |d x w|^2)), the cross product in place of
-/// (d.w)^2 - |w|^2 (|d|^2 - R^2) because it does not cancel in a grazing hit.  Else a quartic.
+/// (d.w)^2 - |w|^2 (|d|^2 - R^2) because it does not cancel in a grazing hit; the caller sees to b < 0 and
+/// disc >= 0, without which they part or pass.  Else a quartic.
 /// Touching spheres: f(0) = 0 is taken out as a factor, and f'(0) = 0 as another one.
+template <class N>
+[[gnu::always_inline]] inline N contact_in_flight(const Pair<N>& p) {
+  return p.c / (root(p.disc < 0 ? N{} : p.disc) - p.b);
+}
 Real contact_accelerated(const Vector3& d, const Vector3& w, const Vector3& a, Real c, Real b, bool touch);
 
 struct Meeting {
@@ -50,34 +88,31 @@ struct Meeting {
   bool overlap;  ///< By more than rounding, at the base.
 };
 
+inline Triple<Real> triple(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
+inline Vector3 vector(const Triple<Real>& t) { return {t.x, t.y, t.z}; }
+
 inline Meeting contact(const Flight& one, const Flight& other) {
   const Time base = std::max(one.since, other.since);
-  const auto at_base = [base](const Flight& f) { return static_cast<Real>(base - f.since); };
-  const Real s = at_base(one), z = at_base(other);
-  const Vector3 pa = one.position + s * (one.velocity + s / 2 * one.acceleration);
-  const Vector3 pb = other.position + z * (other.velocity + z / 2 * other.acceleration);
-  const Vector3 va = one.velocity + s * one.acceleration, vb = other.velocity + z * other.acceleration;
-  const Vector3 d = pa - pb, w = va - vb;
-  const Real reach = one.radius + other.radius, c = d.squaredNorm() - reach * reach;
-  Real b = d.dot(w);
+  const Real s = static_cast<Real>(base - one.since), z = static_cast<Real>(base - other.since);
+  const Triple<Real> ga = triple(one.acceleration), gb = triple(other.acceleration);
+  const Triple<Real> va = triple(one.velocity), vb = triple(other.velocity);
+  const Pair<Real> p = pair(moved(triple(one.position), va, ga, s), va + s * ga,
+                            moved(triple(other.position), vb, gb, z), vb + z * gb, one.radius + other.radius);
   const Vector3 a = one.acceleration - other.acceleration;
   const bool alike = a.isZero(0) || size(a) <= rounding * (size(one.acceleration) + size(other.acceleration));
-  Real disc = 0;
-  if (alike && c > 0) {  // most pairs part, or pass each other
-    if (b < 0) disc = reach * reach * w.squaredNorm() - d.cross(w).squaredNorm();
-    if (b >= 0 || disc < 0) return {std::numeric_limits<Time>::infinity(), false};
-  }
+  if (alike && p.c > 0 && (p.b >= 0 || p.disc < 0)) return {std::numeric_limits<Time>::infinity(), false};
 
-  const Real touch_gap = rounding * (size(pa) + size(pb) + reach);
-  const bool touch = c <= 2 * reach * touch_gap;
-  if (touch) b = rounded(b, (size(va) + size(vb)) * reach);
+  const Real reach = one.radius + other.radius;
+  const bool touch = p.c <= 2 * reach * p.touch_gap;
+  Real b = p.b;
+  if (touch) b = rounded(b, (length1(va + s * ga) + length1(vb + z * gb)) * reach);
   Real t = never;
   if (!alike) {
-    t = contact_accelerated(d, w, a, c, b, touch);
+    t = contact_accelerated(vector(p.d), vector(p.w), a, p.c, b, touch);
   } else if (b < 0) {
-    t = touch ? Real(0) : c / (-b + std::sqrt(disc));
+    t = touch ? Real(0) : contact_in_flight(p);
   }
-  return {base + static_cast<Time>(t), c < -16 * reach * touch_gap};
+  return {base + static_cast<Time>(t), p.c < -16 * reach * p.touch_gap};
 }
 
 }  // namespace cylon::engine::ballistic

@@ -27,6 +27,29 @@ void Course::consider(std::size_t body, std::size_t other) {
   consider(body, meeting.time, static_cast<int>(other), flights_[other].changes);
 }
 
+// For the same as consider(body, other), a crowd at a time.
+void Course::join_crowd(std::size_t body, std::size_t other) {
+  if (other == body) return;
+  if (!weightless_ && flights_[body].acceleration != flights_[other].acceleration) {
+    consider(body, other);
+    return;
+  }
+  crowd_.add(other);
+  if (crowd_.full()) consider_crowd(body);
+}
+
+void Course::consider_crowd(std::size_t body) {
+  crowd_.meet(flights_[body], flights_);
+  for (std::size_t i = 0; i < crowd_.size(); ++i) {
+    const std::size_t other = crowd_.body(i);
+    if (crowd_.near(i))
+      consider(body, other);
+    else if (crowd_.time(i) <= next_[body].time)
+      consider(body, crowd_.time(i), static_cast<int>(other), flights_[other].changes);
+  }
+  crowd_.clear();
+}
+
 void Course::foresee(std::size_t body) {
   if (!collides_[body] || model_.bodies[body].locked) return;
   const Flight& flight = flights_[body];
@@ -39,7 +62,8 @@ void Course::foresee(std::size_t body) {
   if (flight.support != in_flight && slip_ends_[body] < forever)
     consider(body, slip_ends_[body], slip_ends, 0);
   if (cells_.holds(body)) {
-    cells_.near(cells_.cell(body), 0, -1, 1, [&](std::size_t other) { consider(body, other); });
+    cells_.near(cells_.cell(body), 0, -1, 1, [&](std::size_t other) { join_crowd(body, other); });
+    consider_crowd(body);
     for (const std::size_t other : cells_.large()) consider(body, other);
   } else {
     for (std::size_t other = 0; other < flights_.size(); ++other)
@@ -84,7 +108,8 @@ void Course::cross(std::size_t body) {
   cells_.move(body, crossing.axis, crossing.step);
   foresee_crossing(body);
   cells_.near(cells_.cell(body), crossing.axis, crossing.step, crossing.step,
-              [&](std::size_t other) { consider(body, other); });
+              [&](std::size_t other) { join_crowd(body, other); });
+  consider_crowd(body);
   enqueue(body);
 }
 

@@ -1,11 +1,9 @@
-// A few numbers side by side: arithmetic on 32 bytes, and rows of four numbers read into and out of lanes.
-// Correctly rounded operations alone, so that every way of compiling gives the same bits.
+// Rows of four numbers read into and out of lanes, and lanes picked.
 #pragma once
 
-#include "engine/vector.h"
+#include "engine/lanes.h"
 
 #include <bit>
-#include <cmath>
 
 #if defined(__AVX__)
 #include <immintrin.h>
@@ -13,37 +11,7 @@
 
 namespace cylon::engine::pile {
 
-inline constexpr int lane_count = 32 / sizeof(Real);
-
-using Lanes = Real __attribute__((vector_size(32)));
-
-struct Lanes3 {
-  Lanes x, y, z;
-};
-
-[[gnu::always_inline]] inline Lanes spread(Real value) { return Lanes{} + value; }
-[[gnu::always_inline]] inline Lanes larger(Lanes a, Lanes b) { return a > b ? a : b; }
-[[gnu::always_inline]] inline Lanes smaller(Lanes a, Lanes b) { return a < b ? a : b; }
-
-[[gnu::always_inline]] inline Lanes dot(const Lanes3& a, const Lanes3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-[[gnu::always_inline]] inline Lanes3 cross(const Lanes3& a, const Lanes3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-[[gnu::always_inline]] inline Lanes3 operator+(const Lanes3& a, const Lanes3& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-[[gnu::always_inline]] inline Lanes3 operator-(const Lanes3& a, const Lanes3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-[[gnu::always_inline]] inline Lanes3 operator*(const Lanes& s, const Lanes3& a) {
-  return {s * a.x, s * a.y, s * a.z};
-}
-
 #if defined(__AVX__) && !defined(CYLON_ENGINE_FLOAT)
-
-[[gnu::always_inline]] inline Lanes root(Lanes a) { return _mm256_sqrt_pd(a); }
 
 /// Numbers 4 k .. 4 k + 3 of a row of `stride`, of the rows named, one row a lane.
 [[gnu::always_inline]] inline void load(const Real* rows, const int* row, std::ptrdiff_t stride, Lanes& a,
@@ -67,8 +35,6 @@ struct Lanes3 {
 }
 
 #elif defined(__AVX__)
-
-[[gnu::always_inline]] inline Lanes root(Lanes a) { return _mm256_sqrt_ps(a); }
 
 [[gnu::always_inline]] inline __m256 two_rows(const Real* low, const Real* high) {
   return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_load_ps(low)), _mm_load_ps(high), 1);
@@ -99,11 +65,6 @@ struct Lanes3 {
 }
 
 #else
-
-[[gnu::always_inline]] inline Lanes root(Lanes a) {
-  for (int i = 0; i < lane_count; ++i) a[i] = std::sqrt(a[i]);
-  return a;
-}
 
 /// Numbers 4 k .. 4 k + 3 of a row of `stride`, of the rows named, one row a lane.
 [[gnu::always_inline]] inline void load(const Real* rows, const int* row, std::ptrdiff_t stride, Lanes& a,
