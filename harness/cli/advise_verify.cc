@@ -101,7 +101,7 @@ void verify(const Context& context, const Verification& ask, const std::string& 
   for (core::TradeSeries& series : table.series) {
     int kept = 0;
     std::erase_if(series.points, [&](const core::TradePoint& p) {
-      return p.errors.empty() || !(p.errors[table.by] <= target) || ++kept > 3;
+      return p.errors.empty() || !(p.errors[table.by] <= target) || ++kept > 6;
     });
   }
   study::sweep_times(table, scenario, swept, sweep, memory, {});
