@@ -62,7 +62,7 @@ std::string line(const core::EngineAdvice& one, const core::Advice& advice) {
 std::string advice_text(const core::Advice& advice, const ConsoleOptions& options) {
   const auto add = [&](std::string& out, const std::string& text) {
     std::size_t from = 0;
-    for (std::size_t end; (end = text.find('\n', from)) != std::string::npos; from = end + 1)
+    for (std::size_t end = 0; (end = text.find('\n', from)) != std::string::npos; from = end + 1)
       out += shown(std::string_view(text).substr(from, end - from), options) + '\n';
   };
   std::string out;

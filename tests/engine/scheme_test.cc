@@ -79,10 +79,11 @@ double deviation(const Composition& splitting, int length, bool nystrom) {
     for (const std::string& right : outer) {
       if (left.size() + right.size() + 4 != static_cast<std::size_t>(length)) continue;
       Eigen::VectorXd v = Eigen::VectorXd::Zero(residual.size());
-      v[index[left + "BBBA" + right]] += 1;
-      v[index[left + "BBAB" + right]] -= 3;
-      v[index[left + "BABB" + right]] += 3;
-      v[index[left + "ABBB" + right]] -= 1;
+      const std::pair<const char*, double> terms[] = {{"BBBA", 1}, {"BBAB", -3}, {"BABB", 3}, {"ABBB", -1}};
+      for (const auto& [middle, factor] : terms) {
+        std::string word = left;
+        v[index[word.append(middle).append(right)]] += factor;
+      }
       columns.push_back(v);
     }
   }
