@@ -2,6 +2,8 @@
 
 #include "harness/cli/app.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <thread>
 
@@ -9,28 +11,27 @@ namespace cylon::cli {
 namespace {
 
 void add_list(CLI::App& app, const char* name, const char* type, std::vector<std::string>& words,
-              const std::string& meaning) {
-  app.add_option(name, words, meaning)->type_name(type)->allow_extra_args(false);
+              const char* meaning, const std::string& otherwise) {
+  app.add_option(name, words, fmt::format("{}. May be given again; otherwise {}", meaning, otherwise))
+      ->type_name(type)
+      ->allow_extra_args(false);
 }
 
 }  // namespace
 
 void add_engines_option(CLI::App& app, std::vector<std::string>& engines, const std::string& otherwise) {
   add_list(app, "--engine", "GLOB", engines,
-           "An engine's id or a glob; a variant follows '/': bullet/gyro=none. May be given again; " +
-               otherwise + " otherwise");
+           "An engine's id or a glob; a variant follows '/': bullet/gyro=none", otherwise);
 }
 
 void add_integrators_option(CLI::App& app, std::vector<std::string>& integrators,
                             const std::string& otherwise) {
   add_list(app, "--integrator", "GLOB", integrators,
-           "A scheme of the engines, as `cylon engines` names them, or a glob. May be given again; " +
-               otherwise + " otherwise");
+           "A scheme of the engines, as `cylon engines` names them, or a glob", otherwise);
 }
 
 void add_steps_option(CLI::App& app, std::vector<std::string>& steps, const std::string& otherwise) {
-  add_list(app, "--dt", "S", steps,
-           "Step [s], 0.001 or 1/60. May be given again; " + otherwise + " otherwise");
+  add_list(app, "--dt", "S", steps, "Step [s], 0.001 or 1/60", otherwise);
 }
 
 void add_selection_options(CLI::App& app, Request& request) {

@@ -11,7 +11,7 @@
 namespace cylon::cli {
 
 /// --engine, --integrator, --dt: globs or steps that may be given again; `otherwise` ends the help: what is
-/// taken where none is.
+/// taken where none is given.
 void add_engines_option(CLI::App&, std::vector<std::string>& engines, const std::string& otherwise);
 void add_integrators_option(CLI::App&, std::vector<std::string>& integrators, const std::string& otherwise);
 void add_steps_option(CLI::App&, std::vector<std::string>& steps, const std::string& otherwise);

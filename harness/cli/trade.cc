@@ -172,10 +172,10 @@ Command add_trade(CLI::App& app, const Context& context) {
                  "Scenario names, globs or files, several joined by ':', excluded with '-'")
       ->type_name("FILE|GLOB")
       ->required();
-  add_engines_option(app, options->wanted.engines, "all, with the variants that matter to the scene,");
+  add_engines_option(app, options->wanted.engines, "all, with the variants that matter to the scene");
   add_integrators_option(app, options->wanted.integrators, "all schemes of each engine");
   add_steps_option(app, options->steps,
-                   "a ladder of steps, each half of the one before, from about 64 times the nominal one,");
+                   "a ladder of steps, each half of the one before, from about 64 times the nominal one");
   app.add_option("--steps", options->rungs, "How many steps the ladder has at most")
       ->type_name("N")
       ->capture_default_str()
