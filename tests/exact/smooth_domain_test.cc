@@ -54,7 +54,7 @@ const Refusal refusals[] = {
     {"damped_spring", [](S& s, B&) { first<core::Spring>(s).damping = 1; }, "is damped"},
     {"driven_spring", [](S& s, B&) { first<core::Spring>(s).to = 1; }, "ends on another body"},
     {"rocket", [](S& s, B&) { first<core::Thrust>(s).mass_rate = -s.bodies[0].mass; }, "has no mass left"},
-    {"rocket", [](S& s, B&) { s.forces.push_back(first<core::Thrust>(s)); }, "has two thrusts"},
+    {"rocket", [](S& s, B&) { s.forces.emplace_back(first<core::Thrust>(s)); }, "has two thrusts"},
     {"rocket", [](S& s, B&) { first<core::Thrust>(s).exhaust_velocity.reset(); }, "no stated velocity"},
     {"rocket", [](S& s, B&) { first<core::Thrust>(s).exchanged_velocity = core::Vector3(1, 0, 0); },
      "accretion"},
