@@ -98,9 +98,8 @@ class Runner {
   core::Terms terms_;
 };
 
-Judge restating(const char* name, const char* asks, Scene scene, Restatement change) {
-  return {name, asks,
-          [scene = std::move(scene), change = std::move(change)](const Subject& subject) -> Findings {
+Judge restating(const char* name, const char* asks, Scene scene, const Restated& change) {
+  return {name, asks, [scene = std::move(scene), change](const Subject& subject) -> Findings {
             Runner run(subject);
             const Scene other = change(scene);
             if (!run.takes(scene) || !run.takes(other)) return std::nullopt;

@@ -1,31 +1,24 @@
 // A scene in other words, and what its motion must then be.
 #pragma once
 
-#include "harness/core/scene.h"
-
-#include <functional>
+#include "harness/study/restate.h"
 
 namespace cylon::mutants {
 
-/// A change of description: places and directions of the world, angular velocities, body axes, orientations,
-/// inertias; units.
-struct Restatement {
-  using Map = std::function<core::Vector3(const core::Vector3&)>;
-  Map place, direction, turning, own;  ///< Empty: the same.
-  std::function<core::Quaternion(const core::Quaternion&)> orientation;
-  std::function<core::Matrix3(const core::Matrix3&)> inertia;
-  double mass = 1;
+/// A change of description, seen from a frame that moves on.
+struct Restated {
+  study::Restatement words = {};
   core::Vector3 boost = core::Vector3::Zero();  ///< [m/s]
 
-  core::Scene operator()(core::Scene) const;
-  core::State operator()(core::State, double time) const;
+  core::Scene operator()(const core::Scene&) const;
+  core::State operator()(const core::State&, double time) const;
 };
 
-Restatement turned(const core::Quaternion&);
-Restatement mirrored();
-Restatement boosted(const core::Vector3&);
-Restatement heavier(double factor);
-Restatement other_body_axes(const core::Quaternion&);
+Restated turned(const core::Quaternion&);
+Restated mirrored();
+Restated boosted(const core::Vector3&);
+Restated heavier(double factor);
+Restated other_body_axes(const core::Quaternion&);
 
 /// The scene with its bodies in the opposite order.
 core::Scene in_reverse(core::Scene);
