@@ -65,7 +65,8 @@ void Course::gather(std::size_t body) {
   for (std::size_t k = 0; k < model_.planes.size(); ++k)
     if (model_.plane_surfaces[k] != no_surface) gather_plane(body, k);
   if (cells_.holds(body)) {
-    cells_.near(cells_.cell(body), 0, -1, 1, [&](std::size_t other) { gather_pair(body, other); });
+    for (const int other : cells_.near(cells_.cell(body), 0, -1, 1))
+      gather_pair(body, static_cast<std::size_t>(other));
     for (const std::size_t other : cells_.large()) gather_pair(body, other);
   } else {
     for (std::size_t other = 0; other < flights_.size(); ++other) gather_pair(body, other);

@@ -1,15 +1,18 @@
 #include "engine/ballistic/cells.h"
 
 #include <cmath>
+#include <utility>
 
 namespace cylon::engine::ballistic {
 
 namespace {
 
-constexpr std::size_t too_few = 24;   // below this a grid costs more than all pairs
-constexpr Real usual = 4;             // times the median radius: larger spheres are kept apart
-constexpr int most_cells = 160;       // along an axis
-constexpr Real margin = Real(1.001);  // cells are wider than spheres by more than rounding
+constexpr std::size_t too_few = 24;        // below this a grid costs more than all pairs
+constexpr Real usual = 4;                  // times the median radius: larger spheres are kept apart
+constexpr int most_cells = 160;            // along an axis
+constexpr std::size_t most_near = 27 + 1;  // cells around one; one more for what is written in vain
+constexpr std::size_t most_slots = 64;     // for each body and each cell, where they crowd in a few cells
+constexpr Real margin = Real(1.001);       // cells are wider than spheres by more than rounding
 
 Real median_radius(const std::vector<Flight>& flights, const std::vector<char>& collides) {
   std::vector<Real> radii;
@@ -61,11 +64,14 @@ void Cells::choose_size(const std::vector<Flight>& flights, const std::vector<ch
 void Cells::build(const std::vector<Flight>& flights, const std::vector<char>& collides, Time t) {
   cells_.assign(flights.size(), Cell{0, 0, 0});
   held_.assign(flights.size(), 0);
-  next_.assign(flights.size(), -1);
-  previous_.assign(flights.size(), -1);
+  places_.assign(flights.size(), 0);
   large_.clear();
   choose_size(flights, collides, t);
-  heads_.assign(static_cast<std::size_t>(std::ptrdiff_t{count_[0]} * count_[1] * count_[2]), -1);
+  width_ = least_width;
+  const std::size_t count = static_cast<std::size_t>(count_[0] * count_[1] * count_[2]);
+  counts_.assign(count, 0);
+  slots_.assign(count * width_, 0);
+  found_.resize(most_near * width_);
   for (std::size_t i = 0; i < flights.size(); ++i) {
     if (!held_[i]) continue;
     const Vector3 p = (flights[i].position_at(t) - low_) / size_;
@@ -73,22 +79,40 @@ void Cells::build(const std::vector<Flight>& flights, const std::vector<char>& c
       const Real last = static_cast<Real>(count_[k] - 1);
       cells_[i][k] = static_cast<int>(std::clamp(std::floor(p[static_cast<int>(k)]), Real(0), last));
     }
-    link(i);
+    put(i);
   }
 }
 
-void Cells::link(std::size_t body) {
-  int& head = heads_[index(cells_[body])];
-  next_[body] = head;
-  previous_[body] = -1;
-  if (head >= 0) previous_[static_cast<std::size_t>(head)] = static_cast<int>(body);
-  head = static_cast<int>(body);
+void Cells::put(std::size_t body) {
+  const std::size_t cell = index(cells_[body]);
+  if (counts_[cell] == width_ && !widen()) {
+    held_[body] = 0;
+    large_.push_back(body);
+    return;
+  }
+  slots_[places_[body] = cell * width_ + counts_[cell]++] = static_cast<int>(body);
 }
 
-void Cells::unlink(std::size_t body) {
-  const int before = previous_[body], after = next_[body];
-  if (after >= 0) previous_[static_cast<std::size_t>(after)] = before;
-  (before >= 0 ? next_[static_cast<std::size_t>(before)] : heads_[index(cells_[body])]) = after;
+// The last of the cell takes its slot.
+void Cells::take_out(std::size_t body) {
+  const std::size_t cell = index(cells_[body]);
+  const int last = slots_[cell * width_ + --counts_[cell]];
+  slots_[places_[static_cast<std::size_t>(last)] = places_[body]] = last;
+}
+
+// Twice as many slots for every cell, unless that were far more than there are bodies.
+bool Cells::widen() {
+  if (2 * slots_.size() > most_slots * (cells_.size() + counts_.size())) return false;
+  std::vector<int> wider(2 * slots_.size());
+  for (std::size_t cell = 0; cell < counts_.size(); ++cell)
+    for (std::size_t i = 0; i < counts_[cell]; ++i) {
+      const int body = slots_[cell * width_ + i];
+      wider[places_[static_cast<std::size_t>(body)] = 2 * cell * width_ + i] = body;
+    }
+  slots_ = std::move(wider);
+  width_ *= 2;
+  found_.resize(most_near * width_);
+  return true;
 }
 
 }  // namespace cylon::engine::ballistic

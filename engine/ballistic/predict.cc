@@ -62,7 +62,8 @@ void Course::foresee(std::size_t body) {
   if (flight.support != in_flight && slip_ends_[body] < forever)
     consider(body, slip_ends_[body], slip_ends, 0);
   if (cells_.holds(body)) {
-    cells_.near(cells_.cell(body), 0, -1, 1, [&](std::size_t other) { join_crowd(body, other); });
+    for (const int other : cells_.near(cells_.cell(body), 0, -1, 1))
+      join_crowd(body, static_cast<std::size_t>(other));
     consider_crowd(body);
     for (const std::size_t other : cells_.large()) consider(body, other);
   } else {
@@ -107,8 +108,12 @@ void Course::cross(std::size_t body) {
   ++crossed_;
   cells_.move(body, crossing.axis, crossing.step);
   foresee_crossing(body);
-  cells_.near(cells_.cell(body), crossing.axis, crossing.step, crossing.step,
-              [&](std::size_t other) { join_crowd(body, other); });
+  if (!cells_.holds(body)) {
+    foresee(body);
+    return;
+  }
+  for (const int other : cells_.near(cells_.cell(body), crossing.axis, crossing.step, crossing.step))
+    join_crowd(body, static_cast<std::size_t>(other));
   consider_crowd(body);
   enqueue(body);
 }
