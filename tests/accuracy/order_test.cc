@@ -1,92 +1,79 @@
-// The observed order of every fixed-step scheme of the engine on smooth reference scenes of every kind:
-// springs, drag, drive, two bodies, free and pivoted tops.  The steps are chosen by rule, the same for all.
+// The observed order of every fixed-step scheme of the engine, in double, on smooth reference scenes of every
+// kind: springs, drag, drive, two bodies, free and pivoted tops.  The steps are chosen by rule, the same for
+// all.  (tests/engine_long has the schemes alone, over more decades.)
+#include "engine/schemes/scheme.h"
 #include "tests/accuracy/runner.h"
+#include "tests/engine/order_fit.h"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 
 namespace cylon::accuracy {
 namespace {
 
-constexpr double reach = 0.1;  // how far the slope may be from the order
-// From here on double precision leaves less than two octaves of steps between rounding and the terms of
-// higher order, and the error changes sign in them: the slope still tells the even orders apart, and no more.
-constexpr int high = 6;
-constexpr double high_reach = 1;
-constexpr int most = 1 << 15;      // steps between samples
-constexpr int points = 4;          // that the slope is fitted to
-constexpr double coarse = 1e-2;    // an error above this, relative, is not small against the motion
-constexpr double rounding = 1e-7;  // nor is one above this rounding
+// How far the fit may be from the order.  Measured: at most 0.085, rk8 on spring_orbit; 0.04 of order 4, 0.02
+// of the others.
+constexpr double reach = 0.1;
 
 constexpr const char* scenes[] = {"damped_spring_under", "driven_spring",       "spring_orbit",
                                   "two_body_spring",     "free_asymmetric_top", "heavy_top_nutating",
                                   "kovalevskaya"};
 
-// A scheme of high order reaches rounding before its leading term stands alone: it gets half of the horizon,
-// where the error has grown and rounding less; the others an eighth, where the motion hardly amplifies
-// errors.
+// Over the first quarter of the samples, where the motion hardly amplifies errors; an eighth of them where
+// low orders need many steps.
 TruthScene beginning(const std::string& file, int order) {
   TruthScene truth = truth_scenes(file).at(0);
-  truth.samples.resize(truth.samples.size() / (order < high ? 8 : 2) + 1);
+  truth.samples.resize(truth.samples.size() / (order < 4 ? 8 : 4) + 1);
   return truth;
 }
 
-// 1, 2, 3, 4, 6, 8, 12, …
-int next(int n) { return n < 2 ? n + 1 : (n & (n - 1)) == 0 ? n / 2 * 3 : n / 3 * 4; }
-
-struct Convergence {
-  std::vector<double> step, error;  // above the floor and below `coarse`
-  double floor = 0;                 // what rounding leaves
-  bool exact = false;               // at the floor with the largest step already
-
-  // p of  log error = a + p log h,  least squares through the smallest steps.
-  double slope() const {
-    const std::size_t n = std::min<std::size_t>(points, step.size()), first = step.size() - n;
-    double x = 0, y = 0, xx = 0, xy = 0;
-    for (std::size_t i = first; i < step.size(); ++i) {
-      const double a = std::log(step[i]), b = std::log(error[i]);
-      x += a, y += b, xx += a * a, xy += a * b;
+// The root of the mean square, over the samples and all that is known of all bodies, SI units mixed; of the
+// truth's own where it is more than 1.  A mean rather than the largest: it is smooth in the step, and
+// rounding at one sample counts for little.
+double mean_error(core::Simulator& simulator, const TruthScene& truth, core::Setup setup, const Grid& grid,
+                  int n) {
+  setup.dt = grid.spacing / n;
+  simulator.load(truth.scene, setup);
+  core::State state;
+  double sum = 0, size = 0;
+  long done = 0;
+  for (const Sample& sample : grid.samples) {
+    const long steps = std::lround(sample.time / grid.spacing) * n;
+    for (; done < steps; ++done) simulator.step();
+    simulator.read(state);
+    for (const Expected& e : sample.bodies) {
+      const core::BodyState& s = state[static_cast<std::size_t>(e.body)];
+      const auto add = [&](double error, double length) { sum += error * error, size += length * length; };
+      if (e.position) add((s.position - *e.position).norm(), e.position->norm());
+      if (e.velocity) add((s.velocity - *e.velocity).norm(), e.velocity->norm());
+      if (e.orientation) add(angle_between(s.orientation, *e.orientation), 1);
+      if (e.angular_velocity)
+        add((s.angular_velocity - *e.angular_velocity).norm(), e.angular_velocity->norm());
     }
-    const auto count = static_cast<double>(n);
-    return (count * xy - x * y) / (count * xx - x * x);
   }
-};
+  return std::sqrt(sum / std::max(size, 1.0));
+}
 
-// From one step per sample downward, until rounding shows: the error falls no more.  Steps whose error is
-// less than a hundred times what is left then are not used.
-Convergence converge(core::Simulator& simulator, const TruthScene& truth, core::Setup setup) {
-  Convergence result;
-  const double least = std::numeric_limits<double>::epsilon() * std::max(10.0, truth.conditioning);
+// From one step per sample downward.
+Convergence converge(core::Simulator& simulator, const TruthScene& truth, const core::Setup& setup,
+                     int order) {
   const Grid grid = grids(truth.samples).at(0);
-  double previous = std::numeric_limits<double>::infinity();
-  for (int n = 1; n <= most; n = next(n)) {
-    Deviations found;
-    run(simulator, truth.scene, setup, grid, n, found);
-    const double error = found.worst();
-    if (n == 1 && error <= 1e3 * least) {
-      result.exact = true;
-      return result;
-    }
-    const bool falls = error < 0.9 * previous;
-    previous = error;
-    if (!(error < coarse)) continue;  // NaN as well
-    if (error < rounding && !falls) {
-      result.floor = error;
-      break;
-    }
-    result.step.push_back(grid.spacing / n);
-    result.error.push_back(error);
-  }
-  while (!result.error.empty() && result.error.back() < 100 * result.floor)
-    result.step.pop_back(), result.error.pop_back();
-  return result;
+  const int last = order == 1 ? 1 << 13 : order == 2 ? 1 << 11 : 1 << 10;
+  const double least = std::numeric_limits<double>::epsilon() * std::max(10.0, truth.conditioning);
+  return cylon::converge(fine_ladder(order < 3 ? last / 256 : 1, last), grid.spacing, least,
+                         [&](int n) { return mean_error(simulator, truth, setup, grid, n); });
 }
 
 class Order : public testing::TestWithParam<const char*> {};
+
+// Where a scheme cannot show its order: what it moves exactly, and what it moves to rounding by steps that
+// are long against the motion.  Any other scheme that does not show it fails.
+const std::map<std::string, std::vector<std::string>> blind = {{"kovalevskaya", {"rk8", "rkn6"}}};
 
 TEST_P(Order, OfEveryFixedStepSchemeIsTheDeclaredOne) {
   const auto simulator = core::make_simulator();
@@ -103,16 +90,25 @@ TEST_P(Order, OfEveryFixedStepSchemeIsTheDeclaredOne) {
       continue;
     }
     const int order = simulator->load(truth.scene, setup).order;  // as declared for this scene
-    const Convergence c = converge(*simulator, truth, setup);
+    const Convergence c = converge(*simulator, truth, setup, scheme.order);
     ++seen;
     if (c.exact) {
       fmt::print("{:22} {:20} exact\n", GetParam(), scheme.name);
       continue;
     }
-    ASSERT_GE(c.step.size(), 3u) << "too few steps between " << coarse << " and the floor " << c.floor;
-    fmt::print("{:22} {:20} order {:5.2f} of {}  at dt {:.1e} error {:.1e}  floor {:.1e}\n", GetParam(),
-               scheme.name, c.slope(), order, c.step.back(), c.error.back(), c.floor);
-    EXPECT_NEAR(c.slope(), order, order < high ? reach : high_reach);
+    const auto excused = blind.find(GetParam());
+    const bool none = excused != blind.end() && std::ranges::count(excused->second, scheme.name) > 0;
+    EXPECT_EQ(!c.tells(), none) << c.step.size() << " steps between rounding, " << c.floor
+                                << ", and what is not small against the motion";
+    if (!c.tells()) {
+      fmt::print("{:22} {:20} no room in double\n", GetParam(), scheme.name);
+      continue;
+    }
+    const bool reversible = engine::find_scheme(scheme.name)->reversible;
+    const double fit = fitted_order(c.step, c.error, reversible);
+    fmt::print("{:22} {:20} order {:6.3f} of {}  errors {:.1e} to {:.1e}  floor {:.1e}\n", GetParam(),
+               scheme.name, fit, order, c.error.front(), c.error.back(), c.floor);
+    EXPECT_NEAR(fit, order, reach);
   }
   EXPECT_GT(seen, 0);
 }

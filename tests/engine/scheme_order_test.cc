@@ -13,7 +13,7 @@ namespace {
 // below a twentieth of the first, and long enough that rounding is.
 constexpr double reach = 0.1;
 // Order 8 has no room for both: 2^-8 a halving from its first regular steps to rounding.  Its proof are the
-// 200 conditions of scheme_test.cc.
+// 200 conditions of scheme_test.cc, and tests/engine_long, which has the digits that are missing here.
 double reach_of(int order) { return order == 8 ? 0.3 : reach; }
 
 int coarse_steps(int order) {
