@@ -83,11 +83,14 @@ Limit find_limit(const Range& range, const std::function<Probed(double)>& probe,
 }
 
 Limit limit_of(const Family& family, const Runner& runner, const std::optional<double>& theory) {
+  bool held = false;
   const auto probe = [&](double x) -> Probed {
     try {
-      return family.probe(runner, x);
+      const Probed found = family.probe(runner, x);
+      held = held || found.holds;
+      return found;
     } catch (const RunFailed& failed) {
-      if (failed.outcome.status == core::Status::unsupported) throw;
+      if (failed.outcome.status == core::Status::unsupported && !held) throw;
       return {false, std::string(core::name(failed.outcome.status)) + ": " + failed.outcome.reason};
     }
   };

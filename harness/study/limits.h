@@ -70,8 +70,8 @@ struct Family {
 /// The table.
 std::span<const Family> families();
 
-/// The family's limit on an engine.  A crash, a timeout or garbage is breaking; throws RunFailed where the
-/// engine cannot express the scene.
+/// The family's limit on an engine.  A crash, a timeout or garbage is breaking, and so is a refusal beyond a
+/// value that holds: an engine may know its limit.  Throws RunFailed where the engine refuses from the first.
 Limit limit_of(const Family&, const Runner&, const std::optional<double>& theory);
 
 }  // namespace cylon::study

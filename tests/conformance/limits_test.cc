@@ -76,6 +76,25 @@ TEST(Limits, ExplicitEulerHasNoneAndTheDefaultBreaksNowhere) {
   EXPECT_EQ(measured(family("turn"), "in-house").kind, study::Limit::Kind::none);
 }
 
+// Where the engine refuses beyond a distance, that distance is its limit: where a unit in the last place,
+// which is epsilon x or up to half of that, comes to 1/512 of the orbit's 1.5 m.
+TEST(Limits, ARefusalBeyondWhatHoldsIsALimit) {
+  const study::Family& origin = family("origin");
+  const struct {
+    const char* engine;
+    double epsilon;
+  } rows[] = {{"in-house", 2.220446049250313e-16}, {"in-house-float", 1.1920928955078125e-7}};
+  for (const auto& row : rows) {
+    const study::Limit limit = measured(origin, row.engine);
+    ASSERT_EQ(limit.kind, study::Limit::Kind::found) << row.engine;
+    const double expected = 1.5 / 512 / row.epsilon;
+    EXPECT_GT(limit.value(origin.range), expected / 2);
+    EXPECT_LT(limit.value(origin.range), expected * 2);
+    EXPECT_EQ(limit.what.find("unsupported: a spring of 'ball' is "), 0u) << limit.what;
+    EXPECT_NE(limit.what.find("1/512"), std::string::npos) << limit.what;
+  }
+}
+
 // The bracket holds on one side and breaks on the other, asked again.
 TEST(Limits, TheLargestStepOfAScenarioIsBracketed) {
   const scenarios::Scenario scenario = shipped("projectile");
