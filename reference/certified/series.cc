@@ -21,7 +21,7 @@ Series::~Series() { _arb_vec_clear(coefficients_, static_cast<slong>(graph_.size
 // solved for c_k.   cos(f t): f^k/k! cos(f time + k pi/2).
 void Series::next(int i, int k) {
   const Node& node = graph_[static_cast<std::size_t>(i)];
-  const arb_ptr c = row(i);
+  arb_ptr c = row(i);
   const arb_srcptr a = node.op == Op::time || node.op == Op::cosine ? nullptr : row(node.a),
                    b = node.b < 0 ? nullptr : row(node.b);
   switch (node.op) {

@@ -170,9 +170,7 @@ TEST(Probes, ExplicitEulersSpringIsSeenToGrow) {
 
 TEST(Probes, AnEngineThatDoesNotSurviveIsAnswered) {
   const Runner broken = [](const Scene&, double, std::int64_t, std::int64_t) -> core::Recording {
-    RunFailed failed;
-    failed.outcome.status = core::Status::crash, failed.outcome.reason = "signal 11";
-    throw failed;
+    throw RunFailed{{.status = core::Status::crash, .reason = "signal 11"}};
   };
   for (const Finding& finding : find_out(broken)) {
     EXPECT_EQ(finding.answer, "crash");

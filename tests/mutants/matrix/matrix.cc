@@ -65,7 +65,7 @@ std::vector<Line> judge_all(const std::vector<Subject>& subjects, int threads) {
   std::vector<Line> lines(subjects.size());
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {
-    for (std::size_t i; (i = next++) < subjects.size();) lines[i] = judge_all(subjects[i]);
+    for (std::size_t i = 0; (i = next++) < subjects.size();) lines[i] = judge_all(subjects[i]);
   };
   std::vector<std::jthread> pool;
   for (int i = 1; i < threads; ++i) pool.emplace_back(work);

@@ -109,8 +109,8 @@ Judge restating(const char* name, const char* asks, Scene scene, const Restated&
 }
 
 // `same` gives the motion once more, by another way; `exactly`: to the bit.
-Judge again(const char* name, const char* asks, Scene scene, std::function<State(Runner&, const Scene&)> same,
-            bool exactly = false) {
+Judge again(const char* name, const char* asks, const Scene& scene,
+            const std::function<State(Runner&, const Scene&)>& same, bool exactly = false) {
   return {name, asks, [=](const Subject& subject) -> Findings {
             Runner run(subject);
             if (!run.takes(scene)) return std::nullopt;
