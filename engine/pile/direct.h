@@ -16,10 +16,11 @@ namespace cylon::engine::pile {
 ///   hold
 /// Where M has no inverse a heavy mass N stands in for it, and c = V - N^-1 J^T lambda for V*, so that the
 /// laws are met with M itself.  After two rounds the limits are unknowns as well (couple): of bodies that
-/// slide on two faces at once the rounds alone run away. As D exceeds the masses the error falls by orders of
-/// magnitude in every round, and rows that say the same twice (four corners of a face) do no harm.  J. C.
-/// Simo, T. A. Laursen, Comput. Struct. 42 (1992) 97; the limits taken from the round before: A. Curnier.
-/// Double in both builds: with masses of 1 : 10^6 the matrix has a condition of 10^8 and more.
+/// slide on two faces at once the rounds alone run away; from the fifth on they are extrapolated (take).  As
+/// D exceeds the masses the error falls by orders of magnitude in every round, and rows that say the same
+/// twice (four corners of a face) do no harm.  J. C. Simo, T. A. Laursen, Comput. Struct. 42 (1992) 97; the
+/// limits taken from the round before: A. Curnier. Double in both builds: with masses of 1 : 10^6 the matrix
+/// has a condition of 10^8 and more.
 class Direct {
  public:
   /// In: V* in the movers, impulses of the step before in the blocks.  Out: V and the impulses.  False where
@@ -37,6 +38,7 @@ class Direct {
     Block* block;
     int a, b;  // where their six velocities begin, or -1
     V3 arm, to_arm, n, lambda, best, f;
+    V3 before, change;  // of the round before: its f, and f - lambda
     M3 space;
     double stiffness, limit, start_limit, target;
     M3 slope;  // -df/du
@@ -49,6 +51,7 @@ class Direct {
   void fill_gradient();  // M (V - c) - J^T f
   double slope_along(const Vector& way);
   bool couple();
+  void take(bool extrapolated);
   void add_impulse(const Row&, const V3&, Vector&) const;
   void minimise();
   void velocities_of_impulses();

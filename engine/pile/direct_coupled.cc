@@ -3,6 +3,7 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <limits>
 
 namespace cylon::engine::pile {
@@ -48,10 +49,10 @@ bool Direct::couple() {
     }
     gradient_ = dense_.partialPivLu().solve(gradient_);
     const double change = gradient_.cwiseAbs().maxCoeff();
-    if (!(change < before)) break;
+    if (!(change < before) && !(change <= rounding_)) break;
     before = change;
     v_ -= gradient_;
-    if (change <= 1e-10 * v_.cwiseAbs().maxCoeff()) {
+    if (change <= std::max(1e-10 * v_.cwiseAbs().maxCoeff(), rounding_)) {
       forces(v_, false, true);
       return true;
     }
