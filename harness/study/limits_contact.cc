@@ -60,9 +60,10 @@ Probed tunnel_probe(const Runner& run, double speed) {
   wall.locked = true;
   scene.bodies.push_back(wall);
   for (int i = 0; i < balls; ++i) {
+    const int place = i - balls / 2;
     const double back = (1.5 + static_cast<double>(i) / balls) * speed * dt;
     core::Body ball =
-        lone_ball({-half_wall - radius - back, 10.0 * (i - balls / 2) + 5, 0.1 * i}, {speed, 0, 0}).bodies[0];
+        lone_ball({-half_wall - radius - back, 10.0 * place + 5, 0.1 * i}, {speed, 0, 0}).bodies[0];
     ball.name = fmt::format("ball{}", i);
     ball.collide = true;
     scene.bodies.push_back(ball);

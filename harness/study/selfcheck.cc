@@ -135,7 +135,7 @@ void tumbling_brick(const Engines& engines, std::vector<Reproduction>& rows) {
                        {20, {"-5.4227346799", "22.7159305765", "28.6082817472"}},
                        {30, {"12.6183907758", "-17.3974747618", "31.1195888868"}}};
   for (const Row& row : table) {
-    const BodyState& s = r.states[static_cast<std::size_t>(10 * row.time)].front();
+    const BodyState& s = r.states[std::size_t{10} * static_cast<std::size_t>(row.time)].front();
     const Vector3 rates = s.orientation.conjugate() * s.angular_velocity / degree;
     for (int axis = 0; axis < 3; ++axis)
       // The simulations of this check case that agree best differ by 3e-10 deg/s among themselves.

@@ -15,7 +15,7 @@ core::ErrorCurve growing(const std::string& claim, double most, double allowed) 
     curve.time.push_back(0.05 * i);
     curve.value.push_back(most * std::pow(10, 4.0 * (i / 200.0 - 1)));
     if (!curve.first_violation && curve.value.back() > allowed)
-      curve.first_violation = {curve.time.back(), i * 5, curve.value.back()};
+      curve.first_violation = {curve.time.back(), std::int64_t{5} * i, curve.value.back()};
   }
   return curve;
 }

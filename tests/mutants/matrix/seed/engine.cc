@@ -62,7 +62,7 @@ class Seed final : public core::Simulator {
       const double left = end - t_;
       const std::vector<Body> start = bodies_;
       measure(before_);
-      advance(left);
+      unbroken_step(left);
       if (faulty_(65)) {
         late_impacts();
         break;
@@ -70,7 +70,7 @@ class Seed final : public core::Simulator {
       const double h = first_event(start, left);
       if (h >= left) break;
       bodies_ = start, t_ = end - left;
-      advance(h);
+      unbroken_step(h);
       strike();
     }
     t_ = end;
@@ -103,7 +103,7 @@ class Seed final : public core::Simulator {
 
   Instant instant(double h) const { return {t_, h, step_ == 1}; }
 
-  void advance(double h) {
+  void unbroken_step(double h) {
     if (faulty_(13) || faulty_(43)) return explicit_euler(h);
     drift(h / 2);
     t_ += h / 2;
@@ -287,7 +287,7 @@ class Seed final : public core::Simulator {
     for (int i = 0; i < 60 && high - low > 1e-16; ++i) {
       const double h = (low + high) / 2;
       bodies_ = start, t_ = t;
-      advance(h);
+      unbroken_step(h);
       measure(after_);
       (crossed(waters, after_) ? high : low) = h;
     }
