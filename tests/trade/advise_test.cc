@@ -122,7 +122,7 @@ TEST(FineSteps, AreMultiplesAndNoFurtherApartThanAsked) {
     for (std::size_t i = 1; i < steps.size(); ++i) {
       EXPECT_EQ(steps[i] % 78, 0);
       EXPECT_GT(steps[i], steps[i - 1]);
-      if (steps[i] < 8 * 78) continue;
+      if (steps[i] < std::int64_t{8} * 78) continue;
       EXPECT_LT(static_cast<double>(steps[i]) / static_cast<double>(steps[i - 1]), most);
     }
   }
