@@ -79,15 +79,16 @@ TEST(Limits, ExplicitEulerHasNoneAndTheDefaultBreaksNowhere) {
 // Where the engine refuses beyond a distance, that distance is its limit: where a unit in the last place,
 // which is epsilon x or up to half of that, comes to 1/512 of the orbit's 1.5 m.
 TEST(Limits, ARefusalBeyondWhatHoldsIsALimit) {
-  const study::Family& origin = family("origin");
+  study::Family origin = family("origin");
   const struct {
     const char* engine;
     double epsilon;
   } rows[] = {{"in-house", 2.220446049250313e-16}, {"in-house-float", 1.1920928955078125e-7}};
   for (const auto& row : rows) {
+    const double expected = 1.5 / 512 / row.epsilon;
+    origin.range = {.low = expected / 20, .high = expected * 20, .per_decade = 1, .closeness = 1.1};
     const study::Limit limit = measured(origin, row.engine);
     ASSERT_EQ(limit.kind, study::Limit::Kind::found) << row.engine;
-    const double expected = 1.5 / 512 / row.epsilon;
     EXPECT_GT(limit.value(origin.range), expected / 2);
     EXPECT_LT(limit.value(origin.range), expected * 2);
     EXPECT_EQ(limit.what.find("unsupported: a spring of 'ball' is "), 0u) << limit.what;
