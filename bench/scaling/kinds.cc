@@ -27,8 +27,9 @@ core::Body flying(std::int64_t i) {
   body.name = fmt::format("b{}", i);
   body.mass = 1.5;
   body.inertia = core::Vector3(0.2, 0.3, 0.4).asDiagonal();
-  body.initial.position = {2.0 * static_cast<double>(i % 100), 2.0 * static_cast<double>(i / 100 % 100),
-                           2.0 * static_cast<double>(i / 10'000)};
+  const std::int64_t row = i / 100 % 100, layer = i / 10'000;
+  body.initial.position = {2.0 * static_cast<double>(i % 100), 2.0 * static_cast<double>(row),
+                           2.0 * static_cast<double>(layer)};
   body.initial.velocity = {part(i, 0) - 0.5, part(i, 1) - 0.5, part(i, 2) - 0.5};
   return body;
 }
@@ -52,8 +53,9 @@ core::Scene rigid(std::int64_t count) {
 // would lie where single precision has no millimetres.
 core::Vector3 knot(std::int64_t i) {
   const auto turned = [](std::int64_t k, std::int64_t row) { return row % 2 == 0 ? k : 99 - k; };
-  return {static_cast<double>(turned(i % 100, i / 100)),
-          static_cast<double>(turned(i / 100 % 100, i / 10'000)), static_cast<double>(i / 10'000)};
+  const std::int64_t layer = i / 10'000;
+  return {static_cast<double>(turned(i % 100, i / 100)), static_cast<double>(turned(i / 100 % 100, layer)),
+          static_cast<double>(layer)};
 }
 
 // Beads at rest length between two pins, every tenth of them pushed along the line and across.
@@ -71,7 +73,7 @@ core::Scene springs(std::int64_t count) {
     spring.to = i == 0 || i == count ? core::world : static_cast<int>(i - 1);
     if (i == 0 || i == count) spring.to_anchor = knot(i == 0 ? 0 : count + 1);
     spring.stiffness = 100, spring.rest_length = 1;
-    scene.forces.push_back(spring);
+    scene.forces.emplace_back(spring);
   }
   return scene;
 }
