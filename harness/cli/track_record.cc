@@ -65,7 +65,7 @@ std::string build_of(const std::vector<study::Cell>& cells) {
     if (auto& hash = hashes[cell.engine.row.id]; hash.empty())
       hash = study::content_hash(cell.engine.row.command);
   core::Fingerprint fingerprint;
-  for (const auto& [engine, hash] : hashes) fingerprint.add(engine + "=" + hash + ";");
+  for (const auto& [engine, hash] : hashes) fingerprint.add(fmt::format("{}={};", engine, hash));
   return fingerprint.hex();
 }
 
