@@ -68,7 +68,7 @@ void Cells::build(const std::vector<Flight>& flights, const std::vector<char>& c
   large_.clear();
   choose_size(flights, collides, t);
   width_ = least_width;
-  const std::size_t count = static_cast<std::size_t>(count_[0] * count_[1] * count_[2]);
+  const auto count = static_cast<std::size_t>(std::ptrdiff_t{count_[0]} * count_[1] * count_[2]);
   counts_.assign(count, 0);
   slots_.assign(count * width_, 0);
   found_.resize(most_near * width_);
