@@ -187,7 +187,7 @@ class Builder {
     group_.pushes =
         shares([&](Index i) { return Vector3d(model_.motions[body(i)].momentum.cast<double>()); });
     std::vector<Vector3d> force;
-    for (Index i = 0; i < size(); ++i) force.push_back(mass(i) * model_.forces.gravity.cast<double>());
+    for (Index i = 0; i < size(); ++i) force.emplace_back(mass(i) * model_.forces.gravity.cast<double>());
     for (const Tie& tie : ties_) {
       const Vector3d pull = pull_of(tie);
       if (row(tie.from) >= 0) force[at(row(tie.from))] += pull;
