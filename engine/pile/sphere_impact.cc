@@ -2,10 +2,17 @@
 
 #include "engine/pile/islands.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace cylon::engine::pile {
+namespace {
+
+constexpr int most_sweeps = 64;
+
+}  // namespace
 
 Real time_of_contact(const Vector3& d, const Vector3& v, Real reach) {
   // (v.v) t^2 + 2 (d.v) t + c = 0, c = d.d - reach^2 in the form that does not cancel
@@ -18,61 +25,76 @@ Real time_of_contact(const Vector3& d, const Vector3& v, Real reach) {
 SphereImpacts::SphereImpacts(const Model& model)
     : planes_(model.planes), gravity_(model.forces.gravity.norm()), alone_(isolated(model)) {}
 
-bool SphereImpacts::strike(const Approaching& pair, Real& since, Spheres& spheres, Time now, Time span,
-                           std::vector<Impact>& impacts, std::vector<Contact>* contacts) const {
+// From where the straight paths of both began: before that they were elsewhere.
+SphereImpacts::Meeting SphereImpacts::meeting(const Approaching& pair, const Spheres& spheres,
+                                              Real span) const {
+  using Row = Eigen::Map<const Vector3>;
+  const bool plane = pair.b >= spheres.count;
+  const Real *va = spheres.v(pair.a), *pa = spheres.p(pair.a);
+  const Vector3 v_b = plane ? Vector3(Vector3::Zero()) : Vector3(Row(spheres.v(pair.b)));
+  const Real inverse_b = plane ? 0 : spheres.v(pair.b)[3];
+  Real since = since_[static_cast<std::size_t>(pair.a)];
+  Meeting m;
+  m.velocity = Row(va) - v_b;
+  Real t = 0;
+  if (plane) {
+    const Plane& ground = planes_[static_cast<std::size_t>(pair.b - spheres.count)];
+    m.normal = ground.normal;
+    const Real toward = -m.normal.dot(m.velocity);
+    if (toward <= 0) return {};
+    const Real gap = m.normal.dot(Row(pa)) - ground.offset - pa[3] - since * toward;
+    t = since + (gap > 0 ? gap / toward : 0);
+  } else {
+    since = std::max(since, since_[static_cast<std::size_t>(pair.b)]);
+    const Real reach = pa[3] + spheres.p(pair.b)[3];
+    const Vector3 d = Row(pa) - Row(spheres.p(pair.b));
+    t = time_of_contact(d + since * m.velocity, m.velocity, reach);
+    if (t >= 0) t += since;
+    m.normal = d + t * m.velocity;
+    const Real length = m.normal.norm();
+    if (!(length > 0)) return {};  // centres on each other: no direction to part in
+    m.normal /= length;
+    // overlapping bodies as well meet in one point between their centres
+    if (alone_ && reach > 0) m.lever = length / reach;
+  }
+  // What gravity adds within the step may bring them together a little earlier than the straight path does;
+  // not to take that for an impact would let the contact swallow their speed.
+  m.approach = -m.normal.dot(m.velocity);
+  const bool falls = plane || (va[3] == 0) != (inverse_b == 0);
+  if (!(t >= 0 && (t <= span || (falls && (t - span) * m.approach <= gravity_ * span * span)))) return {};
+  // slower than the rounding of the velocities is rest
+  if (m.approach <= 16 * std::numeric_limits<Real>::epsilon() * (Row(va).norm() + v_b.norm())) return {};
+  if (va[3] + inverse_b <= 0) return {};
+  m.time = t;
+  return m;
+}
+
+void SphereImpacts::strike(const Approaching& pair, const Meeting& m, Spheres& spheres, Time now,
+                           std::vector<Impact>& impacts, std::vector<Contact>* contacts) {
   using Row = Eigen::Map<Vector3>;
   const bool plane = pair.b >= spheres.count;
   Real *va = spheres.v(pair.a), *pa = spheres.p(pair.a);
   Real* vb = plane ? nullptr : spheres.v(pair.b);
-  const Vector3 zero = Vector3::Zero();
-  const Vector3 v_b = plane ? zero : Vector3(Row(vb)), s_b = plane ? zero : Vector3(Row(vb + 4));
-  const Vector3 v = Row(va) - v_b;
+  const Vector3 s_b = plane ? Vector3(Vector3::Zero()) : Vector3(Row(vb + 4));
   const Real ima = va[3], imb = plane ? 0 : vb[3], ka = va[7], kb = plane ? 0 : vb[7];
-  Vector3 n;
-  Real t = 0, lever = 1;
-  if (plane) {
-    const Plane& ground = planes_[static_cast<std::size_t>(pair.b - spheres.count)];
-    n = ground.normal;
-    const Real gap = n.dot(Row(pa)) - ground.offset - pa[3], approach = -n.dot(v);
-    if (approach <= 0) return false;
-    t = gap > 0 ? gap / approach : 0;
-  } else {
-    const Vector3 d = Row(pa) - Row(spheres.p(pair.b));
-    t = time_of_contact(d + since * v, v, pa[3] + spheres.p(pair.b)[3]);
-    if (t >= 0) t += since;
-    n = d + t * v;
-    const Real length = n.norm();
-    if (!(length > 0)) return false;  // centres on each other: no direction to part in
-    n /= length;
-    // overlapping bodies as well meet in one point between their centres
-    const Real reach = pa[3] + spheres.p(pair.b)[3];
-    if (alone_ && reach > 0) lever = length / reach;
-  }
-  // What gravity adds within the step may bring them together a little earlier than the straight path does;
-  // not to take that for an impact would let the contact swallow their speed.
-  const Real h = static_cast<Real>(span), approach = -n.dot(v);
-  const bool falls = plane || (va[3] == 0) != (vb[3] == 0);
-  if (!(t >= 0 && (t <= h || (falls && (t - h) * approach <= gravity_ * h * h)))) return false;
-
-  const Vector3 u = v - (Vector3(Row(va + 4)) + s_b).cross(lever * n);
-  const Real u_n = n.dot(v);
-  // slower than the rounding of the velocities is rest
-  if (u_n >= -16 * std::numeric_limits<Real>::epsilon() * (Row(va).norm() + v_b.norm())) return false;
-  const Real inverse = ima + imb;
-  if (inverse <= 0) return false;
+  const Vector3& n = m.normal;
+  const Vector3 u = m.velocity - (Vector3(Row(va + 4)) + s_b).cross(m.lever * n);
+  const Real inverse = ima + imb, u_n = -m.approach, t = m.time;
   const Real normal = -(1 + pair.material.restitution) * u_n / inverse;
   Vector3 tangential = -(u - u_n * n) / (inverse + ka + kb);
   const Real limit = pair.material.friction * normal, length = tangential.norm();
   if (length > limit) tangential *= limit / length;
-  const Vector3 impulse = normal * n + tangential, turn = lever * n.cross(tangential);
+  const Vector3 impulse = normal * n + tangential, turn = m.lever * n.cross(tangential);
 
   const Vector3 point = Vector3(Row(pa)) + t * Vector3(Row(va)) - pa[3] * n;
 
   Row(va) += ima * impulse, Row(va + 4) -= ka * turn;
   Row(pa) -= t * ima * impulse;
+  since_[static_cast<std::size_t>(pair.a)] = t;
   if (!plane) {
     Row(vb) -= imb * impulse, Row(vb + 4) -= kb * turn;
     Row(spheres.p(pair.b)) += t * imb * impulse;
+    since_[static_cast<std::size_t>(pair.b)] = t;
   }
   Impact impact;
   impact.time = now + static_cast<Time>(t);
@@ -84,18 +106,52 @@ bool SphereImpacts::strike(const Approaching& pair, Real& since, Spheres& sphere
   impact.approach = -u_n, impact.separation = -pair.material.restitution * u_n;
   impacts.push_back(impact);
   if (contacts) contacts->push_back({impact.body, impact.other, impact.plane, point, n, normal});
-  if (alone_) since = t;  // the path before it is not one that they took
-  return true;
 }
 
 void SphereImpacts::resolve(const std::vector<Approaching>& pairs, Spheres& spheres, Time now, Time span,
                             std::vector<Impact>& impacts, std::vector<Contact>* contacts) {
-  since_.assign(pairs.size(), 0);
-  for (int sweep = 0; sweep < 64; ++sweep) {
-    bool any = false;
-    for (std::size_t k = 0; k < pairs.size(); ++k)
-      any |= strike(pairs[k], since_[k], spheres, now, span, impacts, contacts);
-    if (!any) return;
+  const Real h = static_cast<Real>(span), never = std::numeric_limits<Real>::max();
+  since_.resize(static_cast<std::size_t>(spheres.count)), next_.resize(since_.size());
+  time_.resize(pairs.size());
+  const auto bodies = [&](const Approaching& pair) {
+    const auto a = static_cast<std::size_t>(pair.a);
+    return std::pair(a, pair.b < spheres.count ? static_cast<std::size_t>(pair.b) : a);
+  };
+  for (const Approaching& pair : pairs) {
+    const auto [a, b] = bodies(pair);
+    since_[a] = since_[b] = 0;
+  }
+  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    // What touches already meets at once, one after another.
+    bool any = false, later = false;
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      const auto [a, b] = bodies(pairs[k]);
+      const Meeting m = meeting(pairs[k], spheres, h);
+      time_[k] = m.time;
+      if (!(m.time >= 0)) continue;
+      if (m.time == since_[a] && m.time == since_[b])
+        strike(pairs[k], m, spheres, now, impacts, contacts), any = true;
+      else
+        later = true;
+    }
+    if (any) continue;
+    if (!later) return;
+    // Nothing does: of what meets later, what both bodies meet first.
+    for (const Approaching& pair : pairs) {
+      const auto [a, b] = bodies(pair);
+      next_[a] = next_[b] = never;
+    }
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      if (!(time_[k] >= 0)) continue;
+      const auto [a, b] = bodies(pairs[k]);
+      next_[a] = std::min(next_[a], time_[k]), next_[b] = std::min(next_[b], time_[k]);
+    }
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      const auto [a, b] = bodies(pairs[k]);
+      if (!(time_[k] >= 0) || time_[k] > next_[a] || time_[k] > next_[b]) continue;
+      strike(pairs[k], meeting(pairs[k], spheres, h), spheres, now, impacts, contacts);
+      next_[a] = next_[b] = -1;  // the others look again
+    }
   }
 }
 

@@ -21,19 +21,29 @@ class SphereImpacts {
   /// Newton's restitution and Coulomb's friction at the instant of contact, for all pairs that meet within
   /// `span` of now; velocities are those before the forces of the step.
   ///   u_n' = -e u_n,  |J_t| <= friction J_n;  p += t (v - v'), so that p + v' h is on the broken path.
-  /// Repeated until nothing approaches, at most 64 times: one impact can make another (Newton's cradle).
+  /// Repeated until nothing approaches, at most 64 times: one impact can make another (Newton's cradle), or
+  /// unmake it (a ball in a corner), so each body meets others in the order of time.
   /// Adds the contacts to `contacts` where it is not null.
   void resolve(const std::vector<Approaching>&, Spheres&, Time now, Time span, std::vector<Impact>&,
                std::vector<Contact>* contacts);
 
  private:
-  bool strike(const Approaching&, Real& since, Spheres&, Time now, Time span, std::vector<Impact>&,
-              std::vector<Contact>* contacts) const;
+  struct Meeting {
+    Real time = -1;  // since now [s]; negative: none
+    Vector3 normal = Vector3::Zero(), velocity = Vector3::Zero();
+    Real approach = 0, lever = 1;
+  };
+
+  Meeting meeting(const Approaching&, const Spheres&, Real span) const;
+  void strike(const Approaching&, const Meeting&, Spheres&, Time now, std::vector<Impact>&,
+              std::vector<Contact>* contacts);
 
   std::vector<Plane> planes_;
   Real gravity_;  // [m/s^2]
   bool alone_;
-  std::vector<Real> since_;  // of each pair, when in the step it last met [s]
+  std::vector<Real> since_;  // of each body, when in the step its straight path began [s]
+  std::vector<Real> next_;   // of each body, when it meets another
+  std::vector<Real> time_;   // of each pair, when it meets; negative: not
 };
 
 /// When two spheres meet: the smaller root t >= 0 of |d + v t| = reach; negative when they do not.
