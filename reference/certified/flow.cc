@@ -23,7 +23,6 @@ class Flow {
  public:
   Flow(const Model& model, double horizon, const Effort& effort)
       : model_(model),
-        horizon_(horizon),
         effort_(effort),
         order_(best_order(effort.step_error)),
         centre_(model.graph, order_, effort.bits),
@@ -131,7 +130,6 @@ class Flow {
   }
 
   const Model& model_;
-  double horizon_;
   Effort effort_;
   int order_;
   Series centre_;

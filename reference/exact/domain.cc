@@ -90,7 +90,10 @@ void check_forces(std::string_view solution, const core::Scene& scene,
 }
 
 void check_forces(std::string_view solution, const core::Scene& scene, bool springs) {
-  springs ? check_forces(solution, scene, {"gravity", "spring"}) : check_forces(solution, scene, {"gravity"});
+  // said in full: a list of one literal may be taken for a bool
+  using Kinds = std::initializer_list<std::string_view>;
+  springs ? check_forces(solution, scene, Kinds{"gravity", "spring"})
+          : check_forces(solution, scene, Kinds{"gravity"});
 }
 
 void check_no_rest_length(std::string_view solution, const core::Scene& scene) {
