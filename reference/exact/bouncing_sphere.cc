@@ -145,7 +145,7 @@ void check_apart(const core::Scene& scene, const core::Vector3& normal, int i, i
 
 core::Truth bouncing_sphere(const core::Scene& scene, double horizon) {
   check_bodies(name, scene, horizon);
-  check_forces(name, scene, false);
+  check_forces(name, scene, {"gravity"});
   check_no_joints(name, scene);
   if (scene.planes.size() != 1) refuse(name, "the scene must have one plane");
   const core::Plane& plane = scene.planes.front();

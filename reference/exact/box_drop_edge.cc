@@ -164,7 +164,7 @@ void check_box(const core::Scene& scene) {
 
 core::Truth box_drop_edge(const core::Scene& scene, double horizon) {
   check_bodies(name, scene, horizon);
-  check_forces(name, scene, false);
+  check_forces(name, scene, {"gravity"});
   check_no_joints(name, scene);
   check_box(scene);
   const Fall fall = solve(scene, horizon);

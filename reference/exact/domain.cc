@@ -89,13 +89,6 @@ void check_forces(std::string_view solution, const core::Scene& scene,
   }
 }
 
-void check_forces(std::string_view solution, const core::Scene& scene, bool springs) {
-  // said in full: a list of one literal may be taken for a bool
-  using Kinds = std::initializer_list<std::string_view>;
-  springs ? check_forces(solution, scene, Kinds{"gravity", "spring"})
-          : check_forces(solution, scene, Kinds{"gravity"});
-}
-
 void check_no_rest_length(std::string_view solution, const core::Scene& scene) {
   for (const core::Force& force : scene.forces) {
     const auto* spring = std::get_if<core::Spring>(&force);

@@ -24,9 +24,6 @@ void check_no_contacts(std::string_view solution, const core::Scene&);
 
 void check_no_joints(std::string_view solution, const core::Scene&);
 
-/// No force but uniform gravity and, if `springs`, springs.
-void check_forces(std::string_view solution, const core::Scene&, bool springs);
-
 /// No force but those of the given kinds, in the words of a scenario file: "gravity", "spring", "drag", ….
 void check_forces(std::string_view solution, const core::Scene&,
                   std::initializer_list<std::string_view> kinds);

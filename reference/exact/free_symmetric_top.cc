@@ -47,7 +47,7 @@ std::function<core::State(double)> solve(const core::Scene& scene) {
 core::Truth free_symmetric_top(const core::Scene& scene, double horizon) {
   constexpr auto name = "free_symmetric_top";
   check_bodies(name, scene, horizon);
-  check_forces(name, scene, false);
+  check_forces(name, scene, {"gravity"});
   check_no_joints(name, scene);
   check_no_contacts(name, scene);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) check_symmetric(name, scene, static_cast<int>(i));

@@ -146,7 +146,7 @@ void check_top(const core::Scene& scene, int index) {
 
 core::Truth heavy_top(const core::Scene& scene, double horizon) {
   check_bodies(name, scene, horizon);
-  check_forces(name, scene, false);
+  check_forces(name, scene, {"gravity"});
   check_no_contacts(name, scene);
   if (gravity(scene).isZero(0.0)) refuse(name, "the scene has no gravity");
   for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) {

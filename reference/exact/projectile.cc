@@ -19,7 +19,7 @@ std::function<core::State(double)> solve(const core::Scene& scene) {
 core::Truth projectile(const core::Scene& scene, double horizon) {
   constexpr auto name = "projectile";
   check_bodies(name, scene, horizon);
-  check_forces(name, scene, false);
+  check_forces(name, scene, {"gravity"});
   check_no_joints(name, scene);
   check_no_contacts(name, scene);
   for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) check_steady_spin(name, scene, i);

@@ -144,7 +144,7 @@ void check_once(const core::Scene& scene, const Course& course, double horizon) 
 
 core::Truth rod_offcentre_hit(const core::Scene& scene, double horizon) {
   check_bodies(name, scene, horizon);
-  check_forces(name, scene, false);
+  check_forces(name, scene, {"gravity"});
   check_no_joints(name, scene);
   if (scene.bodies.size() != 2) refuse(name, "the scene must have two bodies");
   if (!scene.planes.empty()) refuse(name, "the scene has plane '" + scene.planes[0].name + "'");

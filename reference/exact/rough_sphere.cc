@@ -197,7 +197,7 @@ Wide check_level(const core::Scene& scene) {
 
 core::Truth rough_sphere(const core::Scene& scene, double horizon) {
   check_bodies(name, scene, horizon);
-  check_forces(name, scene, false);
+  check_forces(name, scene, {"gravity"});
   check_no_joints(name, scene);
   if (scene.planes.size() != 1) refuse(name, "the scene must have one plane");
   if (scene.planes[0].normal.dot(gravity(scene)) > 0) {

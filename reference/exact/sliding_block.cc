@@ -132,7 +132,7 @@ Remainder check_block(const core::Scene& scene, int i) {
 
 core::Truth sliding_block(const core::Scene& scene, double horizon) {
   check_bodies(name, scene, horizon);
-  check_forces(name, scene, false);
+  check_forces(name, scene, {"gravity"});
   check_no_joints(name, scene);
   if (scene.planes.size() != 1) refuse(name, "the scene must have one plane");
   const int count = static_cast<int>(scene.bodies.size());

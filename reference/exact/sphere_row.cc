@@ -256,7 +256,7 @@ void check_sequential(const core::Scene& scene, const std::vector<Impact>& impac
 
 core::Truth sphere_row(const core::Scene& scene, double horizon) {
   check_bodies(name, scene, horizon);
-  check_forces(name, scene, false);
+  check_forces(name, scene, {"gravity"});
   check_no_joints(name, scene);
   if (!scene.planes.empty()) refuse(name, "the scene has plane '" + scene.planes[0].name + "'");
   for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) {

@@ -66,7 +66,7 @@ Track to_and_fro(const core::Scene& scene, int index, Wide horizon, std::vector<
 
 core::Truth sphere_two_walls(const core::Scene& scene, double horizon) {
   check_bodies(name, scene, horizon);
-  check_forces(name, scene, false);
+  check_forces(name, scene, {"gravity"});
   check_no_joints(name, scene);
   if (scene.planes.size() != 2) refuse(name, "the scene must have two planes");
   const core::Plane &left = scene.planes[0], &right = scene.planes[1];

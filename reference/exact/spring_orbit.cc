@@ -189,7 +189,7 @@ void check_orbits(const core::Scene& scene) {
 
 core::Truth spring_orbit(const core::Scene& scene, double horizon) {
   check_bodies(name, scene, horizon);
-  check_forces(name, scene, true);
+  check_forces(name, scene, {"gravity", "spring"});
   check_springs(name, scene);
   check_no_joints(name, scene);
   check_no_contacts(name, scene);

@@ -65,7 +65,7 @@ struct Smooth {
 
 core::Truth two_sphere_oblique(const core::Scene& scene, double horizon) {
   check_bodies(name, scene, horizon);
-  check_forces(name, scene, false);
+  check_forces(name, scene, {"gravity"});
   check_no_joints(name, scene);
   if (scene.bodies.size() != 2) refuse(name, "the scene must have two bodies");
   if (!scene.planes.empty()) refuse(name, "the scene has a plane, '" + scene.planes.front().name + "'");
