@@ -30,7 +30,8 @@ void PrintTo(const Refusal& r, std::ostream* out) { *out << r.solution << ": " <
 class SmoothDomain : public testing::TestWithParam<Refusal> {};
 
 TEST_P(SmoothDomain, refuses) {
-  const auto [name, change, reason] = GetParam();
+  const auto& [solution_name, change, reason] = GetParam();
+  const auto name = solution_name;  // a structured binding may not be captured by every compiler
   S scene = SmoothScenes(5).scene(name);
   const auto make = [&] {
     for (const Solution& solution : catalogue()) {

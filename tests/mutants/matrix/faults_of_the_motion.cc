@@ -7,7 +7,6 @@ namespace cylon::mutants {
 namespace {
 
 using core::BodyState;
-using core::Scene;
 using core::State;
 using core::Vector3;
 
