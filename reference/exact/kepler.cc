@@ -130,7 +130,8 @@ class TwoBodies {
     const auto [d, v] = conic_.at(t);
     const WideVector centre = centre_ + t * (drift_ + t * gravity_ / 2), drift = drift_ + t * gravity_;
     core::State state(2);
-    const auto set = [&](std::size_t i, Wide share) {
+    const auto set = [&, &d = d, &v = v](std::size_t i,
+                                         Wide share) {  // clang 14 captures no binding by itself
       WideState s;
       s.position = centre + share * d;
       s.velocity = drift + share * v;

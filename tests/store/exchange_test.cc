@@ -13,8 +13,6 @@
 namespace cylon::store {
 namespace {
 
-namespace fs = std::filesystem;
-
 std::string text_of(const Store& store, void (*write)(const Store&, std::ostream&)) {
   std::ostringstream out;
   write(store, out);
