@@ -71,10 +71,12 @@ void verdict(const Target& target, std::span<const Row> ours, const Row& bullet,
   for (const Row& r : ours)
     if (r.overlap <= allowed && (!best || r.ns < best->ns)) best = &r;
   if (!best) return fmt::print("         overlap <= {:.2f} mm: NOT MET by any of ours\n", 1e3 * allowed);
-  for (const auto& [theirs, wanted] : {std::pair{&bullet, target.bullet}, std::pair{&ode, target.ode}})
+  for (const auto& [theirs, wanted] : {std::pair{&bullet, target.bullet}, std::pair{&ode, target.ode}}) {
+    if (!std::isfinite(theirs->ns)) continue;  // it did not end: no ratio
     fmt::print("         {} with overlap <= {:.2f} mm vs {}: {:.1f}x  target {:.0f}x  {}\n", best->id,
                1e3 * allowed, theirs->id, theirs->ns / best->ns, wanted,
                theirs->ns >= wanted * best->ns ? "met" : "NOT MET");
+  }
 }
 
 }  // namespace
