@@ -2,16 +2,20 @@
 include(GoogleTest)
 enable_testing()
 
-# layer(name FOLDER folder USES libraries… DEFINES macros…): every source under a folder (programs' main.cc and
-# reports/web, which is cmake/web.cmake's, left out).
+# layer(name FOLDER folder USES libraries… DEFINES macros… KIND kind): every source under a folder (programs' main.cc and
+# reports/web, which is cmake/web.cmake's, left out); the kinds are cmake/speed.cmake's, numbers unless it is said.
 function(layer name)
-  cmake_parse_arguments(ARG "" "FOLDER" "USES;DEFINES" ${ARGN})
+  cmake_parse_arguments(ARG "" "FOLDER;KIND" "USES;DEFINES" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${ARG_FOLDER}/*.cc)
   list(FILTER sources EXCLUDE REGEX "/main[.]cc$|/web/")
   add_library(${name} STATIC ${sources})
   target_compile_definitions(${name} PUBLIC ${ARG_DEFINES})
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PUBLIC ${ARG_USES} PRIVATE warnings)
+  if(NOT ARG_KIND)
+    set(ARG_KIND numbers)
+  endif()
+  compiled_as(${name} ${ARG_KIND})
 endfunction()
 
 # simulator(build ADAPTER name USES engine): library sim_<build> and executable cylon-worker-<build>.
@@ -21,6 +25,7 @@ function(simulator build)
   string(REPLACE "-" "_" library sim_${build})
   add_library(${library} STATIC ${sources})
   target_link_libraries(${library} PUBLIC core PRIVATE ${ARG_USES} warnings)
+  compiled_as(${library} numbers)
   add_executable(cylon-worker-${build} reference/workers/main.cc)
   target_link_libraries(cylon-worker-${build} PRIVATE process ${library} warnings)
   set_property(GLOBAL APPEND PROPERTY cylon_workers cylon-worker-${build})
@@ -44,6 +49,7 @@ function(test_suite folder)
     CYLON_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CYLON_BINARY_DIR="${PROJECT_BINARY_DIR}")
   target_include_directories(${folder}_tests PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(${folder}_tests PRIVATE ${ARG_USES} GTest::gtest_main warnings)
+  compiled_as(${folder}_tests test)
   gtest_discover_tests(${folder}_tests TEST_PREFIX "${folder}/" DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${folder})
 endfunction()
 

@@ -28,11 +28,6 @@ target_compile_options(warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion 
   -Wno-missing-field-initializers  # designated initialisers leave the defaults to the struct, as they should
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized>)  # false alarms of gcc 12 at -O3: bugs 105329, 105593
 
-find_program(CCACHE ccache)
-if(CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
-endif()
-
 # What a report says of its build.
 add_compile_definitions(CYLON_VERSION="${PROJECT_VERSION}")
 execute_process(COMMAND git describe --always --dirty WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
