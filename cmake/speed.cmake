@@ -20,7 +20,7 @@ set(headers_std <algorithm> <array> <cmath> <cstdint> <filesystem> <fstream> <fu
 set(headers_engine <algorithm> <array> <cmath> <cstdint> <functional> <limits> <memory> <optional> <span> <string>
   <utility> <vector> <Eigen/Dense>)
 set(headers_numbers ${headers_std} <Eigen/Core> <Eigen/Geometry> <fmt/format.h> <fmt/ranges.h> <nlohmann/json.hpp>)
-set(headers_text ${headers_numbers} <CLI/CLI.hpp>)
+set(headers_text ${headers_numbers})
 set(headers_test ${headers_numbers} <random> <gtest/gtest.h>)
 
 # compiled_as(target kind): its flags, and the kind's precompiled header.  The header is a speed-up alone: every source
@@ -31,7 +31,7 @@ function(compiled_as target kind)
     file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/headers/${kind}.cc CONTENT "// Carries the precompiled header.\n")
     add_library(headers_${kind} OBJECT ${PROJECT_BINARY_DIR}/headers/${kind}.cc)
     target_compile_options(headers_${kind} PRIVATE $<$<CONFIG:Release>:${optimised_${kind}}>)
-    target_link_libraries(headers_${kind} PRIVATE Eigen3::Eigen fmt::fmt nlohmann_json::nlohmann_json CLI11::CLI11
+    target_link_libraries(headers_${kind} PRIVATE Eigen3::Eigen fmt::fmt nlohmann_json::nlohmann_json
                           $<$<STREQUAL:${kind},test>:GTest::gtest> warnings)
     target_precompile_headers(headers_${kind} PRIVATE ${headers_${kind}})
   endif()
