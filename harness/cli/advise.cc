@@ -89,7 +89,7 @@ int run(const Context& context, Options options) {
 
 }  // namespace
 
-Command add_advise(CLI::App& app, const Context& context) {
+Command add_advise(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   app.add_option("file", options->file, "A scenario file, or the name of a shipped scenario")
       ->type_name("FILE");
@@ -114,7 +114,7 @@ Command add_advise(CLI::App& app, const Context& context) {
   app.add_option("--rounds", options->how.rounds, "How often each finalist is timed, in turns")
       ->type_name("N")
       ->capture_default_str()
-      ->check(CLI::Range(1, 1000));
+      ->check(in_range(1, 1000));
   app.add_flag("--no-features", options->no_features, "Leave out what each part of the scene costs");
   add_jobs_option(app, options->jobs, "Searches at one time; all processors otherwise");
   add_timeout_option(app, options->timeout);

@@ -5,6 +5,7 @@
 #include "reports/text.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <unistd.h>
 
@@ -15,17 +16,12 @@
 #include <fstream>
 #include <iostream>
 #include <sstream>
+#include <utility>
 
 namespace cylon::cli {
 namespace {
 
-struct Row {
-  const char* name;
-  const char* summary;
-  Command (*add)(CLI::App&, const Context&);
-};
-
-constexpr Row commands[] = {
+const std::vector<App::Row> commands = {
     {"list", "Scenarios, with what each claims", add_list},
     {"engines", "Engines, with every forced setting and what could not be switched off", add_engines},
     {"validate", "Check scenario files without running them", add_validate},
@@ -69,7 +65,7 @@ std::vector<std::string> words_of(const CLI::App& app) {
 // "cylon rnu": the library would only say that a command is required.
 void refuse_unknown_command(const std::string& word) {
   std::vector<std::string> names;
-  for (const Row& row : commands) names.emplace_back(row.name);
+  for (const App::Row& row : commands) names.emplace_back(row.name);
   if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
   throw core::InputError(fmt::format("unknown command '{}'{} (commands: {})", word,
                                      core::did_you_mean(word, names), fmt::join(names, ", ")));
@@ -116,18 +112,7 @@ void show(const core::InputError& error) {
       reports::escaped(line, [](char32_t c) { return c == U'\t' || reports::is_printable(c); }), margin);
 }
 
-CLI::Validator positive(double most) {
-  return {[most](std::string& text) {
-            double value = 0;
-            const bool number = CLI::detail::lexical_cast(text, value);
-            return number && value > 0 && value <= most
-                       ? std::string()
-                       : fmt::format("'{}' must be a number > 0, at most {:g}", text, most);
-          },
-          ""};
-}
-
-void add_worker_option(CLI::App& app, std::vector<std::string>& workers) {
+void add_worker_option(App& app, std::vector<std::string>& workers) {
   app.add_option("--worker", workers,
                  "Add an engine behind the worker protocol (docs/protocol.md), its command's words separated "
                  "by spaces")
@@ -165,7 +150,6 @@ int main(int argc, char** argv) {
   app.add_flag_callback(
       "--no-cache", [] { ::setenv("CYLON_CACHE", "off", 1); },
       "Solve certified truths anew and keep none (like CYLON_CACHE=off)");
-  app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 all as expected, 1 a verdict differs or a regression is confirmed, 2 bad input, 3 not "
       "decided "
@@ -174,10 +158,7 @@ int main(int argc, char** argv) {
   Context context = make_context();
   context.command_line = shell_command(std::vector<std::string>(argv, argv + argc));
   Command chosen;
-  for (const Row& row : commands) {
-    CLI::App& command = *app.add_subcommand(row.name, row.summary);
-    command.parse_complete_callback([&chosen, run = row.add(command, context)] { chosen = run; });
-  }
+  App(app).add_commands(commands, context, [&chosen](Command command) { chosen = std::move(command); });
   try {
     if (argc > 1) refuse_unknown_command(argv[1]);
     app.parse(argc, argv);

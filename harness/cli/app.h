@@ -2,45 +2,39 @@
 #pragma once
 
 #include "harness/cli/context.h"
+#include "harness/cli/parser.h"
 #include "harness/core/input_error.h"
 
-#include <CLI/CLI.hpp>
-
-#include <functional>
 #include <string>
 #include <vector>
 
 namespace cylon::cli {
 
-/// Adds a subcommand's options to `app` and returns what runs it.
-using Command = std::function<int()>;
-Command add_list(CLI::App&, const Context&);
-Command add_engines(CLI::App&, const Context&);
-Command add_validate(CLI::App&, const Context&);
-Command add_plan(CLI::App&, const Context&);
-Command add_simulate(CLI::App&, const Context&);
-Command add_truth(CLI::App&, const Context&);
-Command add_run(CLI::App&, const Context&);
-Command add_report(CLI::App&, const Context&);
-Command add_trade(CLI::App&, const Context&);
-Command add_diff(CLI::App&, const Context&);
-Command add_advise(CLI::App&, const Context&);
-Command add_limits(CLI::App&, const Context&);
-Command add_selfcheck(CLI::App&, const Context&);
-Command add_track(CLI::App&, const Context&);
-Command add_view(CLI::App&, const Context&);
-Command add_new(CLI::App&, const Context&);
-Command add_doctor(CLI::App&, const Context&);
-Command add_completion(CLI::App&, const Context&);
-
-/// A number > 0 and at most `most`, NaN refused.
-CLI::Validator positive(double most);
+// Each adds a command's options and returns what runs it.
+Command add_list(App&, const Context&);
+Command add_engines(App&, const Context&);
+Command add_validate(App&, const Context&);
+Command add_plan(App&, const Context&);
+Command add_simulate(App&, const Context&);
+Command add_truth(App&, const Context&);
+Command add_run(App&, const Context&);
+Command add_report(App&, const Context&);
+Command add_trade(App&, const Context&);
+Command add_diff(App&, const Context&);
+Command add_advise(App&, const Context&);
+Command add_limits(App&, const Context&);
+Command add_selfcheck(App&, const Context&);
+Command add_track(App&, const Context&);
+Command add_view(App&, const Context&);
+Command add_new(App&, const Context&);
+Command add_doctor(App&, const Context&);
+Command add_completion(App&, const Context&);
 
 /// Writes the message, the offending line where there is one, and a caret under the column to stderr.
 void show(const core::InputError&);
 
 /// `--worker NAME=COMMAND`: an engine of the user's own behind the worker protocol.
-void add_worker_option(CLI::App&, std::vector<std::string>& workers);
+void add_worker_option(App&, std::vector<std::string>& workers);
 
 /// The context's engines and those rows; throws core::InputError for a row without '=', an empty
 /// command, or one whose program is not there.

@@ -11,7 +11,7 @@
 
 namespace cylon::cli {
 
-void add_asked(CLI::App& app, Asked& asked) {
+void add_asked(App& app, Asked& asked) {
   app.add_option("file", asked.file, "A scenario file, or the name of a shipped scenario")
       ->type_name("FILE")
       ->required();

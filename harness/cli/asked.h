@@ -4,7 +4,7 @@
 #include "harness/cli/context.h"
 #include "harness/process/client.h"
 
-#include <CLI/CLI.hpp>
+#include "harness/cli/parser.h"
 
 #include <string>
 #include <vector>
@@ -18,7 +18,7 @@ struct Asked {
 };
 
 /// FILE, --engine, --integrator, --tolerance, --model and --worker.
-void add_asked(CLI::App&, Asked&);
+void add_asked(App&, Asked&);
 
 /// The engine with integrator and model as options state them; throws core::InputError where the engine's
 /// variant states others.

@@ -3,41 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <iostream>
 
 namespace cylon::cli {
 namespace {
 
-struct Words {
-  std::string command;
-  std::vector<std::string> options, commands;  // of it, and those of its commands too
-};
-
-void add_options(const CLI::App& command, std::vector<std::string>& options) {
-  const auto add = [&](const std::string& option) {
-    if (std::find(options.begin(), options.end(), option) == options.end()) options.push_back(option);
-  };
-  for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& name : option->get_lnames()) add("--" + name);
-    for (const std::string& name : option->get_snames()) add("-" + name);
-  }
-}
-
-std::vector<Words> tree(const CLI::App& root) {
-  const auto all = [](const CLI::App*) { return true; };
-  std::vector<Words> words;
-  for (const CLI::App* command : root.get_subcommands(all)) {
-    Words row{command->get_name(), {}, {}};
-    add_options(*command, row.options);
-    for (const CLI::App* part : command->get_subcommands(all)) {
-      row.commands.push_back(part->get_name());
-      add_options(*part, row.options);
-    }
-    words.push_back(row);
-  }
-  return words;
-}
+using Words = App::Words;
 
 // What an argument that is no option may be: a command of cylon that prints it, or words.
 struct Arguments {
@@ -99,14 +70,12 @@ std::string fish(const std::vector<Words>& words) {
 
 }  // namespace
 
-Command add_completion(CLI::App& app, const Context&) {
+Command add_completion(App& app, const Context&) {
   const auto shell = std::make_shared<std::string>();
-  app.add_option("shell", *shell, "bash, zsh or fish")
-      ->required()
-      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+  app.add_option("shell", *shell, "bash, zsh or fish")->required()->check(one_of({"bash", "zsh", "fish"}));
   app.footer("bash: source <(cylon completion bash)");
-  return [shell, &app] {
-    const std::vector<Words> words = tree(*app.get_parent());
+  return [shell, app] {
+    const std::vector<Words> words = app.parent().words();
     if (*shell == "zsh") std::cout << "autoload -U +X bashcompinit && bashcompinit\n";
     std::cout << (*shell == "fish" ? fish(words) : bash(words));
     return ok;

@@ -283,7 +283,7 @@ int diff(const Context& context, const Options& options) try {
 
 }  // namespace
 
-Command add_diff(CLI::App& app, const Context& context) {
+Command add_diff(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   app.footer(
       "Runs with different steps are compared at the times that both reach.  Exit codes: 0 they agree, 1 "
@@ -305,7 +305,7 @@ Command add_diff(CLI::App& app, const Context& context) {
          "How far they may be apart, relative to the scene's own length, speed, mass; 0: not by a bit")
       ->type_name("T")
       ->capture_default_str()
-      ->check(CLI::Range(0.0, 1e300));
+      ->check(in_range(0.0, 1e300));
   app.add_flag("--json", options->json, "As JSON, with the distances at every time");
   app.add_option("--csv", options->csv, "The distances at every time; - is stdout")->type_name("FILE");
   add_timeout_option(app, options->timeout);

@@ -14,7 +14,7 @@
 
 namespace cylon::cli {
 
-Command add_doctor(CLI::App&, const Context& context) {
+Command add_doctor(App&, const Context& context) {
   return [&context] {
     bool sound = true;
     const auto check = [&](const std::string& what, const std::function<std::string()>& test) {

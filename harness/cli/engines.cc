@@ -115,7 +115,7 @@ int engines(const Context& context, const Options& options) {
 
 }  // namespace
 
-Command add_engines(CLI::App& app, const Context& context) {
+Command add_engines(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   app.add_option("globs", options->globs, "Only these engines")->type_name("GLOB");
   app.add_flag("--json", options->json, "As JSON");

@@ -236,7 +236,7 @@ std::string family_list() {
 
 }  // namespace
 
-Command add_limits(CLI::App& app, const Context& context) {
+Command add_limits(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   app.footer(family_list());
   app.add_option("words", options->words,

@@ -84,7 +84,7 @@ int list(const Context& context, const Options& options) {
 
 }  // namespace
 
-Command add_list(CLI::App& app, const Context& context) {
+Command add_list(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   app.add_option("globs", options->globs, "Only these scenarios")->type_name("GLOB");
   app.add_option("--tag", options->tags, "Only scenarios with this tag; may be given again")

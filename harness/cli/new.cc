@@ -12,7 +12,7 @@
 
 namespace cylon::cli {
 
-Command add_new(CLI::App& app, const Context&) {
+Command add_new(App& app, const Context&) {
   struct Options {
     std::string name, folder = ".";
   };

@@ -10,7 +10,7 @@
 namespace cylon::cli {
 namespace {
 
-void add_list(CLI::App& app, const char* name, const char* type, std::vector<std::string>& words,
+void add_list(App& app, const char* name, const char* type, std::vector<std::string>& words,
               const char* meaning, const std::string& otherwise) {
   app.add_option(name, words, fmt::format("{}. May be given again; otherwise {}", meaning, otherwise))
       ->type_name(type)
@@ -19,22 +19,21 @@ void add_list(CLI::App& app, const char* name, const char* type, std::vector<std
 
 }  // namespace
 
-void add_engines_option(CLI::App& app, std::vector<std::string>& engines, const std::string& otherwise) {
+void add_engines_option(App& app, std::vector<std::string>& engines, const std::string& otherwise) {
   add_list(app, "--engine", "GLOB", engines,
            "An engine's id or a glob; a variant follows '/': bullet/gyro=none", otherwise);
 }
 
-void add_integrators_option(CLI::App& app, std::vector<std::string>& integrators,
-                            const std::string& otherwise) {
+void add_integrators_option(App& app, std::vector<std::string>& integrators, const std::string& otherwise) {
   add_list(app, "--integrator", "GLOB", integrators,
            "A scheme of the engines, as `cylon engines` names them, or a glob", otherwise);
 }
 
-void add_steps_option(CLI::App& app, std::vector<std::string>& steps, const std::string& otherwise) {
+void add_steps_option(App& app, std::vector<std::string>& steps, const std::string& otherwise) {
   add_list(app, "--dt", "S", steps, "Step [s], 0.001 or 1/60", otherwise);
 }
 
-void add_selection_options(CLI::App& app, Request& request) {
+void add_selection_options(App& app, Request& request) {
   app.add_option("patterns", request.patterns,
                  "SCENARIO[/ENGINE] globs, several joined by ':', excluded with '-': 'bounce*:-*/ode'; or "
                  "scenario files (*.toml). None: the suite")
@@ -49,12 +48,12 @@ void add_selection_options(CLI::App& app, Request& request) {
   add_worker_option(app, request.workers);
 }
 
-void add_step_option(CLI::App& app, std::string& step) {
+void add_step_option(App& app, std::string& step) {
   app.add_option("--dt", step, "Step [s], 0.001 or 1/60; the scenario's nominal step otherwise")
       ->type_name("S");
 }
 
-CLI::Option* add_jobs_option(CLI::App& app, int& jobs, const std::string& meaning) {
+Option add_jobs_option(App& app, int& jobs, const std::string& meaning) {
   return app.add_option("-j,--jobs", jobs, meaning)->type_name("N")->check(positive(4096));
 }
 
@@ -62,14 +61,14 @@ int worker_count(int jobs) {
   return jobs > 0 ? jobs : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }
 
-void add_timeout_option(CLI::App& app, double& timeout) {
+void add_timeout_option(App& app, double& timeout) {
   app.add_option("--timeout", timeout, "Seconds until an engine is stopped, for each run")
       ->capture_default_str()
       ->type_name("S")
       ->check(positive(1e6));
 }
 
-void add_memory_option(CLI::App& app, double& memory) {
+void add_memory_option(App& app, double& memory) {
   app.add_option("--memory", memory, "Limit of an engine's memory [GiB]")
       ->capture_default_str()
       ->type_name("GIB")

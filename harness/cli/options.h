@@ -3,7 +3,7 @@
 
 #include "harness/cli/selection.h"
 
-#include <CLI/CLI.hpp>
+#include "harness/cli/parser.h"
 
 #include <string>
 #include <vector>
@@ -12,24 +12,24 @@ namespace cylon::cli {
 
 /// --engine, --integrator, --dt: globs or steps that may be given again; `otherwise` ends the help: what is
 /// taken where none is given.
-void add_engines_option(CLI::App&, std::vector<std::string>& engines, const std::string& otherwise);
-void add_integrators_option(CLI::App&, std::vector<std::string>& integrators, const std::string& otherwise);
-void add_steps_option(CLI::App&, std::vector<std::string>& steps, const std::string& otherwise);
+void add_engines_option(App&, std::vector<std::string>& engines, const std::string& otherwise);
+void add_integrators_option(App&, std::vector<std::string>& integrators, const std::string& otherwise);
+void add_steps_option(App&, std::vector<std::string>& steps, const std::string& otherwise);
 
 /// Which cells: the patterns, the three above, --suite and --worker.
-void add_selection_options(CLI::App&, Request&);
+void add_selection_options(App&, Request&);
 
 /// --dt of one run; its default is the scenario's nominal step.
-void add_step_option(CLI::App&, std::string& step);
+void add_step_option(App&, std::string& step);
 
 /// -j; `meaning` says what runs at one time.
-CLI::Option* add_jobs_option(CLI::App&, int& jobs, const std::string& meaning);
+Option add_jobs_option(App&, int& jobs, const std::string& meaning);
 
 /// The number given, or where none is (0) all processors.
 int worker_count(int jobs);
 
 /// --timeout [s] and --memory [GiB] of each run.
-void add_timeout_option(CLI::App&, double& timeout);
-void add_memory_option(CLI::App&, double& memory);
+void add_timeout_option(App&, double& timeout);
+void add_memory_option(App&, double& memory);
 
 }  // namespace cylon::cli

@@ -74,7 +74,7 @@ int plan(const Context& context, const Options& options) {
 
 }  // namespace
 
-Command add_plan(CLI::App& app, const Context& context) {
+Command add_plan(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   add_asked(app, options->asked);
   add_step_option(app, options->dt);

@@ -136,7 +136,7 @@ int run(const Context& context, const Options& options) {
 
 }  // namespace
 
-Command add_report(CLI::App& app, const Context& context) {
+Command add_report(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   app.add_option(
          "files", options->files,

@@ -249,7 +249,7 @@ int run(const Context& context, const Options& options) {
 
 }  // namespace
 
-Command add_run(CLI::App& app, const Context& context) {
+Command add_run(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   Request& request = options->request;
   add_selection_options(app, request);
@@ -262,13 +262,13 @@ Command add_run(CLI::App& app, const Context& context) {
                  "Multiplies every tolerance; 0: nothing passes and every residual shows. Reports say so")
       ->type_name("X")
       ->capture_default_str()
-      ->check(CLI::Range(0.0, 1e300));
+      ->check(in_range(0.0, 1e300));
   app.add_option(
          "--spread", request.copies,
          "Also N runs that start one ulp apart, and how far from the first they end; a scenario tagged "
          "chaos has two by itself")
       ->type_name("N")
-      ->check(CLI::Range(1, 1000));
+      ->check(in_range(1, 1000));
   app.add_option("--json", options->json, "Write the rows as JSON; - is stdout")->type_name("FILE");
   app.add_option("--junit", options->junit, "Write the rows as JUnit XML; - is stdout")->type_name("FILE");
   app.add_option("--csv", options->csv, "Write the rows as CSV; - is stdout")->type_name("FILE");
@@ -278,14 +278,17 @@ Command add_run(CLI::App& app, const Context& context) {
   app.add_option("--traces", options->traces,
                  "Write what the runs looked like, for a later `cylon report`; - is stdout")
       ->type_name("FILE");
-  const std::map<std::string, Trajectories> choices = {
-      {"none", Trajectories::none}, {"fail", Trajectories::fail}, {"all", Trajectories::all}};
-  app.add_option("--trajectories", options->trajectories,
-                 "Whose motion the report holds: none, fail (scenarios in which something failed) or all, "
-                 "failures first, as far as 12 MB go")
+  app.add_choice(
+         "--trajectories", {"none", "fail", "all"},
+         [options](const std::string& word) {
+           options->trajectories = word == "none"   ? Trajectories::none
+                                   : word == "fail" ? Trajectories::fail
+                                                    : Trajectories::all;
+         },
+         "Whose motion the report holds: none, fail (scenarios in which something failed) or all, "
+         "failures first, as far as 12 MB go")
       ->type_name("none|fail|all")
-      ->default_str("all")
-      ->transform(CLI::CheckedTransformer(choices));
+      ->default_str("all");
   app.add_option("--plots", options->plots,
                  "Write a picture per scenario, errors-SCENARIO.svg: the errors of all runs over time")
       ->type_name("FOLDER");
@@ -293,7 +296,7 @@ Command add_run(CLI::App& app, const Context& context) {
   add_jobs_option(app, options->jobs, "Cells at one time; all processors otherwise");
   add_timeout_option(app, options->timeout);
   add_memory_option(app, options->memory);
-  auto* rerun =
+  const Option rerun =
       app.add_flag("--rerun-failed", options->rerun_failed,
                    "Only the cells that differed in the last run in this folder (.cylon/journal.jsonl)");
   app.add_flag("--resume", options->resume,

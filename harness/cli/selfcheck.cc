@@ -95,7 +95,7 @@ int selfcheck(const Context& context, bool json) {
 
 }  // namespace
 
-Command add_selfcheck(CLI::App& app, const Context& context) {
+Command add_selfcheck(App& app, const Context& context) {
   const auto json = std::make_shared<bool>(false);
   app.add_flag("--json", *json, "As JSON");
   return [=, &context] { return selfcheck(context, *json); };

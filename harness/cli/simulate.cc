@@ -153,13 +153,13 @@ int simulate(const Context& context, const Options& options) {
 
 }  // namespace
 
-Command add_simulate(CLI::App& app, const Context& context) {
+Command add_simulate(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   add_asked(app, options->asked);
   add_step_option(app, options->dt);
-  auto* at = app.add_option("--at", options->at, "Times to print [s], separated by commas: 0,0.5,1")
-                 ->type_name("S")
-                 ->delimiter(',');
+  const Option at = app.add_option("--at", options->at, "Times to print [s], separated by commas: 0,0.5,1")
+                        ->type_name("S")
+                        ->delimiter(',');
   app.add_option("--every", options->every, "Print every S seconds")
       ->type_name("S")
       ->excludes(at)

@@ -3,17 +3,13 @@
 #include <fmt/format.h>
 
 #include <csignal>
+#include <memory>
+#include <utility>
 
 namespace cylon::cli {
 namespace {
 
-struct Row {
-  const char* name;
-  const char* summary;
-  Command (*add)(CLI::App&, const Context&);
-};
-
-constexpr Row subcommands[] = {
+const std::vector<App::Row> subcommands = {
     {"record", "Run scenarios on engines and add verdicts, errors, hashes, times and memory to the history",
      add_track_record},
     {"compare", "Two builds side by side: what is slower, what is less accurate, and is that real",
@@ -33,7 +29,7 @@ constexpr Row subcommands[] = {
 
 }  // namespace
 
-void add_store_option(CLI::App& app, std::string& file) {
+void add_store_option(App& app, std::string& file) {
   file = default_store;
   app.add_option("--store", file, "The file of the history")->type_name("FILE")->capture_default_str();
 }
@@ -44,13 +40,9 @@ store::RunInfo find_run(const store::Store& store, const std::string& word) {
       "no run '{}' in the history; `cylon track list` shows numbers, revisions and labels", word));
 }
 
-Command add_track(CLI::App& app, const Context& context) {
-  app.require_subcommand(1);
+Command add_track(App& app, const Context& context) {
   const auto chosen = std::make_shared<Command>();
-  for (const Row& row : subcommands) {
-    CLI::App& command = *app.add_subcommand(row.name, row.summary);
-    command.parse_complete_callback([chosen, run = row.add(command, context)] { *chosen = run; });
-  }
+  app.add_commands(subcommands, context, [chosen](Command command) { *chosen = std::move(command); });
   return [chosen] {
     // A limit of the file size is then an error like a full disk, and no signal.
     std::signal(SIGXFSZ, SIG_IGN);

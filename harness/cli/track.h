@@ -8,23 +8,23 @@
 
 namespace cylon::cli {
 
-Command add_track_record(CLI::App&, const Context&);
-Command add_track_list(CLI::App&, const Context&);
-Command add_track_compare(CLI::App&, const Context&);
-Command add_track_gate(CLI::App&, const Context&);
-Command add_track_history(CLI::App&, const Context&);
-Command add_track_ack(CLI::App&, const Context&);
-Command add_track_ignore(CLI::App&, const Context&);
-Command add_track_import(CLI::App&, const Context&);
-Command add_track_export(CLI::App&, const Context&);
-Command add_track_check(CLI::App&, const Context&);
-Command add_track_pin(CLI::App&, const Context&);
+Command add_track_record(App&, const Context&);
+Command add_track_list(App&, const Context&);
+Command add_track_compare(App&, const Context&);
+Command add_track_gate(App&, const Context&);
+Command add_track_history(App&, const Context&);
+Command add_track_ack(App&, const Context&);
+Command add_track_ignore(App&, const Context&);
+Command add_track_import(App&, const Context&);
+Command add_track_export(App&, const Context&);
+Command add_track_check(App&, const Context&);
+Command add_track_pin(App&, const Context&);
 
 /// Where a folder's history is kept unless --store says otherwise.
 inline constexpr const char* default_store = ".cylon/history.db";
 
 /// `--store FILE`, default_store at first.
-void add_store_option(CLI::App&, std::string& file);
+void add_store_option(App&, std::string& file);
 
 /// The run that a user names: number, uid, label or revision; throws core::InputError where there is none.
 store::RunInfo find_run(const store::Store&, const std::string& word);

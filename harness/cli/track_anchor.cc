@@ -89,7 +89,7 @@ process::EngineChoice in_place_of(const process::EngineChoice& engine, const Pin
   return choice;
 }
 
-Command add_track_pin(CLI::App& app, const Context& context) {
+Command add_track_pin(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   app.add_option("name", options->name, "What to call it: v1, baseline")->type_name("NAME")->required();
   app.add_option("--engine", options->engine, "The engine whose worker is kept as it is now")

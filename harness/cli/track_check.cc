@@ -7,7 +7,7 @@
 
 namespace cylon::cli {
 
-Command add_track_check(CLI::App& app, const Context&) {
+Command add_track_check(App& app, const Context&) {
   const auto file = std::make_shared<std::string>();
   add_store_option(app, *file);
   app.footer("Reads everything: the pages, the references between tables, and the digest of every result.");

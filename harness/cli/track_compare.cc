@@ -175,7 +175,7 @@ int compare(const Context& own, const CompareRequest& asked) {
   return exit_code(report, asked.strict);
 }
 
-void add_compare_options(CLI::App& app, CompareRequest& asked) {
+void add_compare_options(App& app, CompareRequest& asked) {
   Request& cells = asked.cells;
   add_selection_options(app, cells);
   app.add_option(
@@ -196,11 +196,11 @@ void add_compare_options(CLI::App& app, CompareRequest& asked) {
   app.add_option("--max-pairs", asked.max_pairs, "Pairs of runs after which a cell is inconclusive, 8 to 40")
       ->type_name("N")
       ->capture_default_str()
-      ->check(CLI::Range(8, 40));
+      ->check(in_range(8, 40));
   app.add_option("--instructions", asked.instructions, "auto, perf_event, callgrind or off")
       ->type_name("HOW")
       ->capture_default_str()
-      ->check(CLI::IsMember({"auto", "perf_event", "callgrind", "off"}));
+      ->check(one_of({"auto", "perf_event", "callgrind", "off"}));
   add_timeout_option(app, asked.timeout);
   app.add_flag("--no-time", asked.no_time, "Compare results alone");
   app.add_flag("--strict", asked.strict,
@@ -212,7 +212,7 @@ void add_compare_options(CLI::App& app, CompareRequest& asked) {
   add_store_option(app, asked.store);
 }
 
-Command add_track_compare(CLI::App& app, const Context& context) {
+Command add_track_compare(App& app, const Context& context) {
   const auto asked = std::make_shared<CompareRequest>();
   add_compare_options(app, *asked);
   app.footer(

@@ -5,7 +5,7 @@
 #include "harness/cli/track.h"
 #include "harness/core/comparison.h"
 
-#include <CLI/CLI.hpp>
+#include "harness/cli/parser.h"
 
 #include <string>
 #include <vector>
@@ -22,7 +22,7 @@ struct CompareRequest {
   std::string json, junit, markdown;
 };
 
-void add_compare_options(CLI::App&, CompareRequest&);
+void add_compare_options(App&, CompareRequest&);
 
 /// The whole command: compares, prints, writes the reports; returns the exit code.
 int compare(const Context&, const CompareRequest&);

@@ -35,14 +35,14 @@ int write(const Options& options) {
 
 }  // namespace
 
-Command add_track_export(CLI::App& app, const Context&) {
+Command add_track_export(App& app, const Context&) {
   const auto options = std::make_shared<Options>();
   app.add_option("file", options->target, "Where to; - is stdout")->type_name("FILE")->required();
   app.add_option(
          "--format", options->format,
          "jsonl: everything, to be imported again without loss; csv: the samples, one a line; gbench: the "
          "times of one run as Google Benchmark writes them, for its compare.py")
-      ->check(CLI::IsMember({"jsonl", "csv", "gbench"}))
+      ->check(one_of({"jsonl", "csv", "gbench"}))
       ->capture_default_str();
   app.add_option("--run", options->run,
                  "The run to write with --format gbench: number, uid, label or revision")

@@ -3,7 +3,7 @@
 
 namespace cylon::cli {
 
-Command add_track_gate(CLI::App& app, const Context& context) {
+Command add_track_gate(App& app, const Context& context) {
   const auto asked = std::make_shared<CompareRequest>();
   asked->gate = true;
   add_compare_options(app, *asked);

@@ -60,7 +60,7 @@ int history(const Context& context, const Options& options) {
 
 }  // namespace
 
-Command add_track_history(CLI::App& app, const Context& context) {
+Command add_track_history(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   app.add_option("--scenario", options->wanted.scenario, "Only these scenarios")->type_name("GLOB");
   app.add_option("--engine", options->wanted.engine, "Only these engines")->type_name("GLOB");

@@ -57,7 +57,7 @@ int import(const Options& options) {
 
 }  // namespace
 
-Command add_track_import(CLI::App& app, const Context&) {
+Command add_track_import(App& app, const Context&) {
   const auto options = std::make_shared<Options>();
   app.add_option(
          "files", options->files,

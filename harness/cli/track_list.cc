@@ -121,7 +121,7 @@ int list(const Options& options) {
 
 }  // namespace
 
-Command add_track_list(CLI::App& app, const Context&) {
+Command add_track_list(App& app, const Context&) {
   const auto options = std::make_shared<Options>();
   app.add_option("run", options->run,
                  "A run whose values are wanted: its number, the first digits of its uid, its label or its "

@@ -253,7 +253,7 @@ int record(const Context& context, Options options) {
 
 }  // namespace
 
-Command add_track_record(CLI::App& app, const Context& context) {
+Command add_track_record(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   Measured& measured = options->measured;
   add_selection_options(app, options->request);
@@ -270,7 +270,7 @@ Command add_track_record(CLI::App& app, const Context& context) {
   app.add_option("--repetitions", measured.repetitions,
                  "Time samples of each cell, a fresh process each; 0: no times")
       ->type_name("K")
-      ->check(CLI::Range(0, 1000))
+      ->check(in_range(0, 1000))
       ->capture_default_str();
   app.add_flag("--orders", measured.orders,
                "Also run at half the step, and record each claim's observed order");
@@ -278,7 +278,7 @@ Command add_track_record(CLI::App& app, const Context& context) {
          "--instructions", measured.instructions,
          "Count the instructions of the engine's steps: auto is perf_event where it opens, else callgrind, "
          "which takes some 40 times as long")
-      ->check(CLI::IsMember({"off", "auto", "perf_event", "callgrind"}))
+      ->check(one_of({"off", "auto", "perf_event", "callgrind"}))
       ->capture_default_str();
   add_timeout_option(app, measured.timeout);
   add_memory_option(app, measured.memory);

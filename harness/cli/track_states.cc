@@ -60,7 +60,7 @@ int set_states(const Options& options, const std::string& state) {
   return ok;
 }
 
-std::shared_ptr<Options> add_options(CLI::App& app) {
+std::shared_ptr<Options> add_options(App& app) {
   auto options = std::make_shared<Options>();
   app.add_option("id", options->ids, "The change's eight digits, from `cylon track history`")
       ->type_name("ID")
@@ -73,13 +73,13 @@ std::shared_ptr<Options> add_options(CLI::App& app) {
 
 }  // namespace
 
-Command add_track_ack(CLI::App& app, const Context&) {
+Command add_track_ack(App& app, const Context&) {
   const auto options = add_options(app);
   app.add_flag("--fixed", options->fixed, "It is repaired: fixed in place of active");
   return [options] { return set_states(*options, options->fixed ? "fixed" : "active"); };
 }
 
-Command add_track_ignore(CLI::App& app, const Context&) {
+Command add_track_ignore(App& app, const Context&) {
   const auto options = add_options(app);
   return [options] { return set_states(*options, "ignored"); };
 }

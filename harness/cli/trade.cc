@@ -165,7 +165,7 @@ int trade(const Context& context, const Options& options) {
 
 }  // namespace
 
-Command add_trade(CLI::App& app, const Context& context) {
+Command add_trade(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   options->tolerances = {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12};
   app.add_option("patterns", options->patterns,
@@ -179,7 +179,7 @@ Command add_trade(CLI::App& app, const Context& context) {
   app.add_option("--steps", options->rungs, "How many steps the ladder has at most")
       ->type_name("N")
       ->capture_default_str()
-      ->check(CLI::Range(1, 40));
+      ->check(in_range(1, 40));
   app.add_option("--work", options->work, "Bodies times steps that one run may take; the ladder ends there")
       ->type_name("N")
       ->capture_default_str()
@@ -202,7 +202,7 @@ Command add_trade(CLI::App& app, const Context& context) {
                  "How often every setting is timed, in turns; the least time counts. 0: no times")
       ->type_name("N")
       ->capture_default_str()
-      ->check(CLI::Range(0, 1000));
+      ->check(in_range(0, 1000));
   add_jobs_option(
       app, options->jobs,
       "Runs at one time while errors are measured; all processors otherwise. Timing is one at a time");

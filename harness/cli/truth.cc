@@ -183,28 +183,28 @@ int truth(const Context& context, const Options& options) {
 
 }  // namespace
 
-Command add_truth(CLI::App& app, const Context& context) {
+Command add_truth(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   app.add_option("file", options->file,
                  "Scenario file, or the name of a shipped scenario; smooth, or with blows of spheres")
       ->type_name("FILE")
       ->required();
-  auto* at = app.add_option("--at", options->at, "Times to print [s], separated by commas: 0,0.5,1")
-                 ->type_name("S")
-                 ->delimiter(',');
+  const Option at = app.add_option("--at", options->at, "Times to print [s], separated by commas: 0,0.5,1")
+                        ->type_name("S")
+                        ->delimiter(',');
   app.add_option("--every", options->every, "Print every S seconds; without it and --at, 33 even times")
       ->type_name("S")
       ->excludes(at)
       ->check(positive(1e9));
   app.add_option("--radius", options->radius, "To prove of every number, in its SI unit")
       ->capture_default_str()
-      ->check(CLI::Range(1e-250, 1.0));
+      ->check(in_range(1e-250, 1.0));
   app.add_option("--digits", options->digits, "Significant digits to print")
       ->capture_default_str()
-      ->check(CLI::Range(3, 300));
+      ->check(in_range(3, 300));
   app.add_option("--bits", options->bits, "Most bits of precision to try")
       ->capture_default_str()
-      ->check(CLI::Range(128, 100000));
+      ->check(in_range(128, 100000));
   app.add_flag("--conditioning", options->conditioning,
                "Print how much an error of the initial state has grown at each time instead");
   app.add_option("--out", options->out,

@@ -10,7 +10,7 @@
 
 namespace cylon::cli {
 
-Command add_validate(CLI::App& app, const Context& context) {
+Command add_validate(App& app, const Context& context) {
   struct Options {
     std::vector<std::string> files;
     bool schema = false;

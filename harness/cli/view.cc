@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 #include <spawn.h>
 
+#include <cctype>
 #include <chrono>
 #include <cstdlib>
 #include <iostream>
@@ -79,7 +80,9 @@ void say(const std::string& line) { std::cout << plain(line) << std::endl; }
 
 int view_scenario(const Context& context, const Options& options) {
   using Clock = std::chrono::steady_clock;
-  const bool file = CLI::detail::to_lower(options.record).ends_with(".toml");
+  std::string name = options.record;
+  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const bool file = name.ends_with(".toml");
   std::unique_ptr<view::Frames> frames;
   if (!options.record.empty() && !file) frames = std::make_unique<view::Frames>(options.record);
   view::Host host(make_session(context, options), file ? options.record : "", say);
@@ -102,7 +105,7 @@ int view_scenario(const Context& context, const Options& options) {
 
 }  // namespace
 
-Command add_view(CLI::App& app, const Context& context) {
+Command add_view(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   app.add_option("file", options->file, "A scenario file, or the name of a shipped scenario")
       ->type_name("FILE")
@@ -116,13 +119,13 @@ Command add_view(CLI::App& app, const Context& context) {
   add_step_option(app, options->dt);
   app.add_option("--port", options->port, "Port on 127.0.0.1; 0: any that is free")
       ->type_name("N")
-      ->check(CLI::Range(0, 65535));
+      ->check(in_range(0, 65535));
   app.add_flag("--no-open", options->no_open, "Do not open the browser");
   app.add_flag("--paused", options->paused, "Wait for play");
   app.add_option("--speed", options->speed, "Simulated seconds per second")
       ->type_name("X")
       ->capture_default_str()
-      ->check(CLI::Range(0.01, 100.0));
+      ->check(in_range(0.01, 100.0));
   app.add_option(
          "--record", options->record,
          "FILE.toml: what happened, as a scenario with the recorded motion beside it, on reset and at the "
