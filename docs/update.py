@@ -1,31 +1,47 @@
 #!/usr/bin/env python3
-"""Writes the generated tables of README.md and docs/extremes.md from what the program says, or checks that they are current.
+"""Writes the generated blocks of README.md and docs/ from the output of the program, or checks that they are current.
 
     docs/update.py [--check] [--cylon build/release/cylon]
 
-Only numbers that are the same on every run stand in generated tables: verdicts, never times.
+BLOCKS says which page has which block.  A block stands between '<!-- name -->' and '<!-- /name -->'.
+Generated blocks contain verdicts and never times, so that they are the same on every run.
+Links and the paths of files in the text are checked too: each must exist.
 """
 import argparse
+import difflib
+import functools
 import json
+import math
+import os
 import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 
 root = pathlib.Path(__file__).resolve().parent.parent
 
 
 def output(*command):
-    """What a command prints; its exit code is its own affair (1: a verdict differs)."""
-    done = subprocess.run(command, cwd=root, capture_output=True, text=True)
+    """What a command prints, 100 columns wide.  Exit code 1 is allowed: a verdict differs."""
+    environment = {**os.environ, "COLUMNS": "100", "LC_ALL": "C.UTF-8"}
+    done = subprocess.run(command, cwd=root, capture_output=True, text=True, env=environment)
     if done.returncode not in (0, 1):
         sys.exit(f"{' '.join(command)} ended with {done.returncode}:\n{done.stderr}")
     return done.stdout
 
 
+@functools.cache
+def run_suite(cylon, suite):
+    """What `cylon run` prints of a suite, and its verdicts."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder) / "verdicts.json"
+        text = output(cylon, "run", "--suite", suite, "--json", str(file))
+        return text, json.loads(file.read_text())["verdicts"]
+
+
 def digits(verdict):
     """log10(allowed / measured), as the console shows it."""
-    import math
     if verdict["measured"] is None:
         return -99.0
     if verdict["measured"] == 0:
@@ -36,8 +52,8 @@ def digits(verdict):
 MARKS = {"pass": "✓", "low-quality": "~", "fail": "✗", "unsupported": "–", "non-finite": "∞"}
 
 
-def matrix(cylon, *suite):
-    verdicts = json.loads(output(cylon, "run", *suite, "--json", "-"))["verdicts"]
+def matrix(cylon, suite="conformance"):
+    verdicts = run_suite(cylon, suite)[1]
     engines = list(dict.fromkeys(v["engine"] for v in verdicts))
     lines = ["| scenario | " + " | ".join(e.replace("in-house/integrator=", "in-house, ") for e in engines) + " |",
              "|---" * (len(engines) + 1) + "|"]
@@ -50,6 +66,12 @@ def matrix(cylon, *suite):
                          (f" {min(99, max(-99, digits(worst))):+.1f}" if measured else ""))
         lines.append(f"| {scenario} | " + " | ".join(cells) + " |")
     return "\n".join(lines)
+
+
+def first_lines(cylon):
+    """The first engines of the matrix on the console, and the last line: how many verdicts are as expected."""
+    lines = run_suite(cylon, "conformance")[0].rstrip().splitlines()
+    return "\n".join(["```", *lines[:lines.index("")], "…", lines[-1], "```"])
 
 
 def scenarios(cylon):
@@ -85,7 +107,7 @@ def extremes(cylon):
 
 
 def extreme_verdicts(cylon):
-    return matrix(cylon, "--suite", "extremes")
+    return matrix(cylon, "extremes")
 
 
 def published(cylon):
@@ -108,17 +130,39 @@ def commands(cylon):
     return "```\n" + text[text.index("Subcommands:"):].rstrip() + "\n```"
 
 
-PAGES = {"README.md": {"matrix": matrix, "scenarios": scenarios, "published": published, "fingerprint": fingerprint, "commands": commands},
-         "docs/extremes.md": {"extremes": extremes, "extreme-verdicts": extreme_verdicts}}
+# page -> its blocks, each with the function that makes it
+BLOCKS = {
+    "README.md": {"run": first_lines},
+    "docs/results.md": {"matrix": matrix},
+    "docs/scenarios.md": {"scenarios": scenarios},
+    "docs/published.md": {"published": published},
+    "docs/fingerprint.md": {"fingerprint": fingerprint},
+    "docs/commands.md": {"commands": commands},
+    "docs/extremes.md": {"extremes": extremes, "extreme-verdicts": extreme_verdicts},
+}
+
+FOLDERS = "engine|harness|reference|reports|scenarios|tests|bench|cmake|docs"
+
+
+def dead_links(page):
+    """The links and the paths in backticks of a page that lead to no file."""
+    text = re.sub(r"^```.*?^```", "", (root / page).read_text(), flags=re.S | re.M)
+    links = [(root / page).parent / link for link in re.findall(r"\]\((?!https?:|#)([^)#\s]+)", text)]
+    paths = [root / path for path in re.findall(rf"`((?:{FOLDERS})/[\w./-]+)`", text)]
+    return [f"{page}: there is no {os.path.relpath(path, root)}" for path in links + paths if not path.exists()]
+
+
+def pages():
+    return subprocess.run(["git", "ls-files", "*.md"], cwd=root, capture_output=True, text=True).stdout.split()
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--check", action="store_true", help="change nothing; fail where a table is not current")
+    parser.add_argument("--check", action="store_true", help="change nothing; fail where a block is not current")
     parser.add_argument("--cylon", default="build/release/cylon", help="the program to ask")
     options = parser.parse_args()
-    stale = []
-    for page, blocks in PAGES.items():
+    wrong = [line for page in pages() for line in dead_links(page)]
+    for page, blocks in BLOCKS.items():
         file = root / page
         old = new = file.read_text()
         for name, make in blocks.items():
@@ -126,14 +170,13 @@ def main():
                                  lambda m: m[1] + make(options.cylon) + "\n" + m[2], new, flags=re.S)
             if count != 1:
                 sys.exit(f"{page}: needs one block '<!-- {name} --> … <!-- /{name} -->'")
-        if options.check and new != old:
-            import difflib
-            sys.stdout.writelines(difflib.unified_diff(old.splitlines(True), new.splitlines(True), page, "current"))
-            stale.append(page)
         if not options.check:
             file.write_text(new)
-    if stale:
-        sys.exit(f"{', '.join(stale)}: not current: run docs/update.py")
+        elif new != old:
+            sys.stdout.writelines(difflib.unified_diff(old.splitlines(True), new.splitlines(True), page, "current"))
+            wrong.append(f"{page}: not current: run docs/update.py")
+    if wrong:
+        sys.exit("\n".join(wrong))
 
 
 main()
