@@ -9,12 +9,12 @@ Links and the paths of files in the text are checked too: each must exist.
 """
 import argparse
 import difflib
-import functools
 import json
 import math
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -22,22 +22,13 @@ import tempfile
 root = pathlib.Path(__file__).resolve().parent.parent
 
 
-def output(*command):
+def output(*command, folder=root):
     """What a command prints, 100 columns wide.  Exit code 1 is allowed: a verdict differs."""
     environment = {**os.environ, "COLUMNS": "100", "LC_ALL": "C.UTF-8"}
-    done = subprocess.run(command, cwd=root, capture_output=True, text=True, env=environment)
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, env=environment)
     if done.returncode not in (0, 1):
         sys.exit(f"{' '.join(command)} ended with {done.returncode}:\n{done.stderr}")
     return done.stdout
-
-
-@functools.cache
-def run_suite(cylon, suite):
-    """What `cylon run` prints of a suite, and its verdicts."""
-    with tempfile.TemporaryDirectory() as folder:
-        file = pathlib.Path(folder) / "verdicts.json"
-        text = output(cylon, "run", "--suite", suite, "--json", str(file))
-        return text, json.loads(file.read_text())["verdicts"]
 
 
 def digits(verdict):
@@ -53,7 +44,7 @@ MARKS = {"pass": "✓", "low-quality": "~", "fail": "✗", "unsupported": "–",
 
 
 def matrix(cylon, suite="conformance"):
-    verdicts = run_suite(cylon, suite)[1]
+    verdicts = json.loads(output(cylon, "run", "--suite", suite, "--json", "-"))["verdicts"]
     engines = list(dict.fromkeys(v["engine"] for v in verdicts))
     lines = ["| scenario | " + " | ".join(e.replace("in-house/integrator=", "in-house, ") for e in engines) + " |",
              "|---" * (len(engines) + 1) + "|"]
@@ -68,10 +59,39 @@ def matrix(cylon, suite="conformance"):
     return "\n".join(lines)
 
 
-def first_lines(cylon):
-    """The first engines of the matrix on the console, and the last line: how many verdicts are as expected."""
-    lines = run_suite(cylon, "conformance")[0].rstrip().splitlines()
-    return "\n".join(["```", *lines[:lines.index("")], "…", lines[-1], "```"])
+def fenced(text, language=""):
+    return f"```{language}\n{text.rstrip()}\n```"
+
+
+def three_engines(cylon):
+    return fenced(output(cylon, "run", "--engine", "in-house", "--engine", "bullet", "--engine", "ode"))
+
+
+EXAMPLES = root / "docs" / "examples"
+
+
+def tutorial_scene(_):
+    return fenced((EXAMPLES / "swing.toml").read_text(), "toml")
+
+
+def tutorial_run(cylon, *options):
+    """What the tutorial's commands print, in a folder like the reader's."""
+    with tempfile.TemporaryDirectory() as folder:
+        shutil.copy(EXAMPLES / "swing.toml", folder)
+        shutil.copy(EXAMPLES / "foreign_engine.py", pathlib.Path(folder) / "my_engine.py")
+        return fenced(output(str(pathlib.Path(cylon).resolve()), "run", "swing.toml", *options, folder=folder))
+
+
+def tutorial_engines(cylon):
+    return tutorial_run(cylon, "--engine", "in-house", "--engine", "bullet", "--engine", "ode")
+
+
+def tutorial_steps(cylon):
+    return tutorial_run(cylon, "--engine", "ode", "--dt", "1/1000", "--dt", "1/2000", "--dt", "1/4000")
+
+
+def tutorial_own(cylon):
+    return tutorial_run(cylon, "--worker", "mine=python3 my_engine.py", "--engine", "mine", "--dt", "1/250", "--dt", "1/1000")
 
 
 def scenarios(cylon):
@@ -113,7 +133,7 @@ def extreme_verdicts(cylon):
 def published(cylon):
     text = output(cylon, "run", "--suite", "simbenchmark")
     table = text[text.index("published numbers"):]
-    return "```\n" + table.rstrip() + "\n```"
+    return fenced(table)
 
 
 def fingerprint(cylon):
@@ -127,12 +147,13 @@ def fingerprint(cylon):
 
 def commands(cylon):
     text = output(cylon, "--help")
-    return "```\n" + text[text.index("Subcommands:"):].rstrip() + "\n```"
+    return fenced(text[text.index("Subcommands:"):])
 
 
 # page -> its blocks, each with the function that makes it
 BLOCKS = {
-    "README.md": {"run": first_lines},
+    "README.md": {"run": three_engines},
+    "docs/tutorial.md": {"scene": tutorial_scene, "engines": tutorial_engines, "steps": tutorial_steps, "own": tutorial_own},
     "docs/results.md": {"matrix": matrix},
     "docs/scenarios.md": {"scenarios": scenarios},
     "docs/published.md": {"published": published},
