@@ -165,12 +165,30 @@ BLOCKS = {
 FOLDERS = "engine|harness|reference|reports|scenarios|tests|bench|cmake|docs"
 
 
-def dead_links(page):
-    """The links and the paths in backticks of a page that lead to no file."""
-    text = re.sub(r"^```.*?^```", "", (root / page).read_text(), flags=re.S | re.M)
-    links = [(root / page).parent / link for link in re.findall(r"\]\((?!https?:|#)([^)#\s]+)", text)]
-    paths = [root / path for path in re.findall(rf"`((?:{FOLDERS})/[\w./-]+)`", text)]
-    return [f"{page}: there is no {os.path.relpath(path, root)}" for path in links + paths if not path.exists()]
+def without_code(page):
+    return re.sub(r"^```.*?^```", "", page.read_text(), flags=re.S | re.M)
+
+
+def anchors(page):
+    """The names that GitHub gives to the headings of a page."""
+    headings = re.findall(r"^#+ (.*)", without_code(page), flags=re.M)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
+def dead_links(name):
+    """The links and the paths in backticks of a page that lead nowhere."""
+    page = root / name
+    text = without_code(page)
+    for link in re.findall(r"\]\((?!https?:)([^)\s]+)\)", text):
+        path, _, anchor = link.partition("#")
+        target = page.parent / path if path else page
+        if not target.exists():
+            yield f"{name}: there is no {link}"
+        elif anchor and anchor not in anchors(target):
+            yield f"{name}: there is no heading {link}"
+    for path in re.findall(rf"`((?:{FOLDERS})/[\w./-]+)`", text):
+        if not (root / path).exists():
+            yield f"{name}: there is no {path}"
 
 
 def pages():
