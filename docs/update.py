@@ -1,23 +1,31 @@
 #!/usr/bin/env python3
-"""Writes the generated tables of README.md and docs/extremes.md from what the program says, or checks that they are current.
+"""Writes the generated blocks of README.md and docs/ from the output of the program, or checks that they are current.
 
     docs/update.py [--check] [--cylon build/release/cylon]
 
-Only numbers that are the same on every run stand in generated tables: verdicts, never times.
+BLOCKS says which page has which block.  A block stands between '<!-- name -->' and '<!-- /name -->'.
+Generated blocks contain verdicts and never times, so that they are the same on every run.
+Links and the paths of files in the text are checked too: each must exist.
 """
 import argparse
+import difflib
 import json
+import math
+import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
+import tempfile
 
 root = pathlib.Path(__file__).resolve().parent.parent
 
 
-def output(*command):
-    """What a command prints; its exit code is its own affair (1: a verdict differs)."""
-    done = subprocess.run(command, cwd=root, capture_output=True, text=True)
+def output(*command, folder=root):
+    """What a command prints, 100 columns wide.  Exit code 1 is allowed: a verdict differs."""
+    environment = {**os.environ, "COLUMNS": "100", "LC_ALL": "C.UTF-8"}
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, env=environment)
     if done.returncode not in (0, 1):
         sys.exit(f"{' '.join(command)} ended with {done.returncode}:\n{done.stderr}")
     return done.stdout
@@ -25,7 +33,6 @@ def output(*command):
 
 def digits(verdict):
     """log10(allowed / measured), as the console shows it."""
-    import math
     if verdict["measured"] is None:
         return -99.0
     if verdict["measured"] == 0:
@@ -36,8 +43,8 @@ def digits(verdict):
 MARKS = {"pass": "✓", "low-quality": "~", "fail": "✗", "unsupported": "–", "non-finite": "∞"}
 
 
-def matrix(cylon, *suite):
-    verdicts = json.loads(output(cylon, "run", *suite, "--json", "-"))["verdicts"]
+def matrix(cylon, suite="conformance"):
+    verdicts = json.loads(output(cylon, "run", "--suite", suite, "--json", "-"))["verdicts"]
     engines = list(dict.fromkeys(v["engine"] for v in verdicts))
     lines = ["| scenario | " + " | ".join(e.replace("in-house/integrator=", "in-house, ") for e in engines) + " |",
              "|---" * (len(engines) + 1) + "|"]
@@ -50,6 +57,41 @@ def matrix(cylon, *suite):
                          (f" {min(99, max(-99, digits(worst))):+.1f}" if measured else ""))
         lines.append(f"| {scenario} | " + " | ".join(cells) + " |")
     return "\n".join(lines)
+
+
+def fenced(text, language=""):
+    return f"```{language}\n{text.rstrip()}\n```"
+
+
+def three_engines(cylon):
+    return fenced(output(cylon, "run", "--engine", "in-house", "--engine", "bullet", "--engine", "ode"))
+
+
+EXAMPLES = root / "docs" / "examples"
+
+
+def tutorial_scene(_):
+    return fenced((EXAMPLES / "swing.toml").read_text(), "toml")
+
+
+def tutorial_run(cylon, *options):
+    """What the tutorial's commands print, in a folder like the reader's."""
+    with tempfile.TemporaryDirectory() as folder:
+        shutil.copy(EXAMPLES / "swing.toml", folder)
+        shutil.copy(EXAMPLES / "foreign_engine.py", pathlib.Path(folder) / "my_engine.py")
+        return fenced(output(str(pathlib.Path(cylon).resolve()), "run", "swing.toml", *options, folder=folder))
+
+
+def tutorial_engines(cylon):
+    return tutorial_run(cylon, "--engine", "in-house", "--engine", "bullet", "--engine", "ode")
+
+
+def tutorial_steps(cylon):
+    return tutorial_run(cylon, "--engine", "ode", "--dt", "1/1000", "--dt", "1/2000", "--dt", "1/4000")
+
+
+def tutorial_own(cylon):
+    return tutorial_run(cylon, "--worker", "mine=python3 my_engine.py", "--engine", "mine", "--dt", "1/250", "--dt", "1/1000")
 
 
 def scenarios(cylon):
@@ -85,13 +127,13 @@ def extremes(cylon):
 
 
 def extreme_verdicts(cylon):
-    return matrix(cylon, "--suite", "extremes")
+    return matrix(cylon, "extremes")
 
 
 def published(cylon):
     text = output(cylon, "run", "--suite", "simbenchmark")
     table = text[text.index("published numbers"):]
-    return "```\n" + table.rstrip() + "\n```"
+    return fenced(table)
 
 
 def fingerprint(cylon):
@@ -105,20 +147,61 @@ def fingerprint(cylon):
 
 def commands(cylon):
     text = output(cylon, "--help")
-    return "```\n" + text[text.index("Subcommands:"):].rstrip() + "\n```"
+    return fenced(text[text.index("Subcommands:"):])
 
 
-PAGES = {"README.md": {"matrix": matrix, "scenarios": scenarios, "published": published, "fingerprint": fingerprint, "commands": commands},
-         "docs/extremes.md": {"extremes": extremes, "extreme-verdicts": extreme_verdicts}}
+# page -> its blocks, each with the function that makes it
+BLOCKS = {
+    "README.md": {"run": three_engines},
+    "docs/tutorial.md": {"scene": tutorial_scene, "engines": tutorial_engines, "steps": tutorial_steps, "own": tutorial_own},
+    "docs/results.md": {"matrix": matrix},
+    "docs/scenarios.md": {"scenarios": scenarios},
+    "docs/published.md": {"published": published},
+    "docs/fingerprint.md": {"fingerprint": fingerprint},
+    "docs/commands.md": {"commands": commands},
+    "docs/extremes.md": {"extremes": extremes, "extreme-verdicts": extreme_verdicts},
+}
+
+FOLDERS = "engine|harness|reference|reports|scenarios|tests|bench|cmake|docs"
+
+
+def without_code(page):
+    return re.sub(r"^```.*?^```", "", page.read_text(), flags=re.S | re.M)
+
+
+def anchors(page):
+    """The names that GitHub gives to the headings of a page."""
+    headings = re.findall(r"^#+ (.*)", without_code(page), flags=re.M)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
+def dead_links(name):
+    """The links and the paths in backticks of a page that lead nowhere."""
+    page = root / name
+    text = without_code(page)
+    for link in re.findall(r"\]\((?!https?:)([^)\s]+)\)", text):
+        path, _, anchor = link.partition("#")
+        target = page.parent / path if path else page
+        if not target.exists():
+            yield f"{name}: there is no {link}"
+        elif anchor and anchor not in anchors(target):
+            yield f"{name}: there is no heading {link}"
+    for path in re.findall(rf"`((?:{FOLDERS})/[\w./-]+)`", text):
+        if not (root / path).exists():
+            yield f"{name}: there is no {path}"
+
+
+def pages():
+    return subprocess.run(["git", "ls-files", "*.md"], cwd=root, capture_output=True, text=True).stdout.split()
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--check", action="store_true", help="change nothing; fail where a table is not current")
+    parser.add_argument("--check", action="store_true", help="change nothing; fail where a block is not current")
     parser.add_argument("--cylon", default="build/release/cylon", help="the program to ask")
     options = parser.parse_args()
-    stale = []
-    for page, blocks in PAGES.items():
+    wrong = [line for page in pages() for line in dead_links(page)]
+    for page, blocks in BLOCKS.items():
         file = root / page
         old = new = file.read_text()
         for name, make in blocks.items():
@@ -126,14 +209,13 @@ def main():
                                  lambda m: m[1] + make(options.cylon) + "\n" + m[2], new, flags=re.S)
             if count != 1:
                 sys.exit(f"{page}: needs one block '<!-- {name} --> … <!-- /{name} -->'")
-        if options.check and new != old:
-            import difflib
-            sys.stdout.writelines(difflib.unified_diff(old.splitlines(True), new.splitlines(True), page, "current"))
-            stale.append(page)
         if not options.check:
             file.write_text(new)
-    if stale:
-        sys.exit(f"{', '.join(stale)}: not current: run docs/update.py")
+        elif new != old:
+            sys.stdout.writelines(difflib.unified_diff(old.splitlines(True), new.splitlines(True), page, "current"))
+            wrong.append(f"{page}: not current: run docs/update.py")
+    if wrong:
+        sys.exit("\n".join(wrong))
 
 
 main()

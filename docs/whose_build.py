@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the table "Whose build?" of docs/speed-against-accuracy.md from what the benches printed.
+"""Writes the table "The influence of the build" of docs/speed-against-accuracy.md from what the benches printed.
 
     ./run bench --huge >debian.txt; ./run bench rebuilt >rebuilt.txt; ./run bench native >native.txt
     docs/whose_build.py debian.txt rebuilt.txt native.txt

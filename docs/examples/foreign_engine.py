@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 """A complete engine behind Cylon's worker protocol (docs/protocol.md): point bodies under uniform
-gravity and undamped springs by velocity Verlet; says why it cannot do anything else."""
+gravity and undamped springs, by velocity Verlet.  For every other scene it answers why it cannot."""
 import json
 import math
 import struct
 import sys
 import time
 
+SCHEME = {"name": "verlet", "order": 2, "conserves": "phase-space volume"}
 HELLO = {"ok": "hello", "protocol": 1, "engine": "example", "version": "1.0", "precision": "double",
-         "schemes": [{"name": "verlet", "order": 2, "conserves": "phase-space volume"}]}
+         "schemes": [SCHEME]}
 
 
 def unsupported(scene):
@@ -84,13 +85,14 @@ for line in sys.stdin:
     request = json.loads(line)
     if request["cmd"] == "hello":
         say(HELLO)
-    elif request["cmd"] == "load" and (request["path"] or request["integrator"] or request["options"]):
-        say({"error": "this engine has one path, one integrator and no options"})
+    elif request["cmd"] == "load" and (request["path"] or request["options"]
+                                       or request["integrator"] not in ("", SCHEME["name"])):
+        say({"error": f"this engine has one path, the integrator {SCHEME['name']} and no options"})
     elif request["cmd"] == "load" and (reason := unsupported(request["scene"])):
         say({"unsupported": reason})
     elif request["cmd"] == "load":
         world = World(request["scene"], request["dt"])
-        say({"ok": "load", "integrator": "verlet", "order": 2})
+        say({"ok": "load", "integrator": SCHEME["name"], "order": SCHEME["order"]})
         send(0, world.state())
     elif request["cmd"] == "run":
         run(world, request["steps"], request["every"], request["at"])
