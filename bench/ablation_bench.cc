@@ -9,7 +9,7 @@
 #include "harness/cli/context.h"
 #include "harness/process/client.h"
 #include "harness/study/relations.h"
-#include "scenarios/scenario.h"
+#include "harness/scenario/scenario.h"
 
 #include <fmt/format.h>
 
@@ -32,7 +32,7 @@ struct Measured {
   std::string reason;  // why nothing was measured
 };
 
-Measured measure(const scenarios::Scenario& scenario, const process::EngineChoice& engine) {
+Measured measure(const scenario::Scenario& scenario, const process::EngineChoice& engine) {
   process::RunRequest request;
   request.scene = &scenario.scene;
   request.setup.dt = scenario.step;
@@ -71,7 +71,7 @@ int main(int argc, char** argv) try {
     if (wanted.empty() ? file.parent_path() != context.scenarios
                        : std::find(wanted.begin(), wanted.end(), name) == wanted.end())
       continue;
-    const scenarios::Scenario scenario = scenarios::load(file);
+    const scenario::Scenario scenario = scenario::load(file);
     const Measured ours = measure(scenario, planned), theirs = measure(scenario, full);
     if (!ours.reason.empty() || !theirs.reason.empty()) {
       fmt::print("{:<38} {}\n", name, ours.reason.empty() ? theirs.reason : ours.reason);

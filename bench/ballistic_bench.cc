@@ -7,7 +7,7 @@
 #include "bench/cpu_time.h"
 #include "engine/ballistic/ballistic.h"
 #include "harness/process/client.h"
-#include "scenarios/scenario.h"
+#include "harness/scenario/scenario.h"
 
 #include <fmt/format.h>
 
@@ -175,7 +175,7 @@ void heading(const char* what, const char* error) {
 }
 
 void bouncing(const std::vector<process::EngineChoice>& engines) {
-  const auto scenario = scenarios::parse(fmt::format(R"(
+  const auto scenario = scenario::parse(fmt::format(R"(
 title = "Bounces"
 story = "S2"
 duration = 5.0
@@ -246,7 +246,7 @@ tolerance = { relative = 1, reason = "rounding" }
   const char* normals[] = {"1, 0, 0", "-1, 0, 0", "0, 1, 0", "0, -1, 0", "0, 0, 1", "0, 0, -1"};
   for (int i = 0; i < 6; ++i)
     text += fmt::format("[[plane]]\nname = \"wall{}\"\nnormal = [{}]\noffset = -1\n", i, normals[i]);
-  const auto scenario = scenarios::parse(text, "gas1000.toml");
+  const auto scenario = scenario::parse(text, "gas1000.toml");
   const engine::Model model = model_of(scenario.scene, {1, 0});
   heading("S13, gas of 1000 spheres, 10 s; ratio = cpu / (ballistic at 1/60)", "|dE|/E");
   const Result own = run_here(model, gas_time, 600, 5, true);

@@ -12,8 +12,8 @@
 #include "bench/reference_run.h"
 #include "bench/smooth_scenes.h"
 #include "reference/exact/catalogue.h"
-#include "reference/simulators/in_house_model.h"
-#include "scenarios/scenario.h"
+#include "reference/simulators/in_house/in_house_model.h"
+#include "harness/scenario/scenario.h"
 
 #include <fmt/format.h>
 
@@ -44,7 +44,7 @@ void verdict(const char* whom, double theirs, double ours, double untuned, doubl
 }
 
 void compare(const Case& c, const std::vector<process::EngineRow>& rows) {
-  const auto scenario = scenarios::parse(
+  const auto scenario = scenario::parse(
       fmt::format(
           "title = \"Bench\"\nstory = \"Bench\"\nduration = {}\nstep = 0.001\n{}[[claim]]\nconserves = "
           "\"energy\"\ntolerance = {{ relative = 1, reason = \"rounding\" }}\n",

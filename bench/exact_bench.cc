@@ -2,7 +2,7 @@
 // is followed in, at times that spread over the whole duration (no two alike, so that nothing is remembered),
 // and what making it costs, its error bound included.  Target: under 20 us a state.
 #include "harness/cli/context.h"
-#include "scenarios/scenario.h"
+#include "harness/scenario/scenario.h"
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ namespace {
 
 using namespace cylon;
 
-void state_cost(benchmark::State& state, const scenarios::Scenario& scenario, const core::Claim& claim) {
+void state_cost(benchmark::State& state, const scenario::Scenario& scenario, const core::Claim& claim) {
   const double step = std::min(claim.until, scenario.duration) / 1.6180339887498949;
   double t = 0;
   std::size_t bodies = 0;
@@ -33,14 +33,14 @@ void state_cost(benchmark::State& state, const scenarios::Scenario& scenario, co
 }
 
 void load_cost(benchmark::State& state, const std::filesystem::path& file) {
-  for (auto _ : state) benchmark::DoNotOptimize(scenarios::load(file).claims.data());
+  for (auto _ : state) benchmark::DoNotOptimize(scenario::load(file).claims.data());
 }
 
 }  // namespace
 
 int main(int argc, char** argv) try {
   for (const std::filesystem::path& file : cli::scenario_files(cli::make_context())) {
-    const auto scenario = std::make_shared<scenarios::Scenario>(scenarios::load(file));
+    const auto scenario = std::make_shared<scenario::Scenario>(scenario::load(file));
     std::set<std::string> seen;
     for (const core::Claim& claim : scenario->claims) {
       if (!claim.truth || !claim.truth->times.empty() || !seen.insert(claim.follows).second) continue;

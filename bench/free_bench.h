@@ -11,7 +11,7 @@
 #include "engine/free_bodies.h"
 #include "engine/make_stepper.h"
 #include "harness/process/client.h"
-#include "scenarios/scenario.h"
+#include "harness/scenario/scenario.h"
 
 #include <fmt/format.h>
 #include <malloc.h>
@@ -39,8 +39,8 @@ inline constexpr Kind points = {"points", {0.2, 0.3, 0.4}, false},
                       symmetric = {"symmetric", {0.2, 0.2, 0.4}, true},
                       asymmetric = {"asymmetric", {0.2, 0.3, 0.4}, true};
 
-inline scenarios::Scenario scenario_of(const Kind& kind, std::size_t count) {
-  return scenarios::parse(fmt::format(R"(
+inline scenario::Scenario scenario_of(const Kind& kind, std::size_t count) {
+  return scenario::parse(fmt::format(R"(
 title = "Free bodies"
 story = "Bodies fly freely."
 duration = 1.0

@@ -57,10 +57,10 @@ struct Cost {
   std::string failure;
 };
 
-Cost cost(const scenarios::Scenario& scenario, const process::EngineChoice& engine) {
+Cost cost(const scenario::Scenario& scenario, const process::EngineChoice& engine) {
   const double start = cpu_seconds();
   const auto rows = study::run({&scenario, engine, scenario.step, scenario.step_text}, {}, {});
-  const core::Verdict& row = rows.back();
+  const results::Verdict& row = rows.back();
   const bool recorded = std::isfinite(row.measured);
   return {row.cpu_seconds, cpu_seconds() - start, row.measured / row.allowed, recorded ? "" : row.detail};
 }
@@ -68,8 +68,8 @@ Cost cost(const scenarios::Scenario& scenario, const process::EngineChoice& engi
 void harness_cost(benchmark::State& state, const char* id) {
   const cli::Context context = cli::make_context();
   const process::EngineChoice engine = process::parse_engine(id, context.engines);
-  const auto run = scenarios::parse(free_bodies(state.range(0), state.range(1)), "free_bodies.toml");
-  const auto one_step = scenarios::parse(free_bodies(state.range(0), 1), "one_step.toml");
+  const auto run = scenario::parse(free_bodies(state.range(0), state.range(1)), "free_bodies.toml");
+  const auto one_step = scenario::parse(free_bodies(state.range(0), 1), "one_step.toml");
   double stepping = 0, recording = 0, setup = 0, error = 0;
   for (auto _ : state) {
     const Cost start = cost(one_step, engine), whole = cost(run, engine);

@@ -1,7 +1,7 @@
 // What a long history costs to read: 10 000 runs of 50 cells with four metrics, three samples of each time,
 // in a store in a temporary folder.  Target: the list of runs and the series of one cell and metric in under
 // 0.2 s together, each with the file opened anew.
-#include "reports/store/store.h"
+#include "harness/tracking/store/store.h"
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 #include "harness/core/input_error.h"
 #include "harness/study/compare.h"
 #include "harness/study/paired_times.h"
-#include "scenarios/scenario.h"
+#include "harness/scenario/scenario.h"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@
 namespace cylon {
 namespace {
 
-using core::Finding;
+using results::Finding;
 
 struct Cell {
   const char *scenario, *engine;
@@ -34,14 +34,14 @@ process::EngineChoice engine_of(const std::string& folder, const char* id) {
   return process::parse_engine(id, process::default_engines(folder));
 }
 
-scenarios::Scenario load(const std::string& root, const char* name) {
-  return scenarios::load(root + "/scenarios/" + name + ".toml");
+scenario::Scenario load(const std::string& root, const char* name) {
+  return scenario::load(root + "/scenarios/" + name + ".toml");
 }
 
 /// One comparison of times as `cylon track compare` makes it; a line for it on stdout.
 Finding compare_times(const std::string& root, const Cell& cell, const std::string& before,
                       const std::string& after, const char* what, int trial) {
-  const scenarios::Scenario scenario = load(root, cell.scenario);
+  const scenario::Scenario scenario = load(root, cell.scenario);
   const study::Pinning& pinning = study::pin_to_one_processor();
   const auto old_engine = study::pinned(engine_of(before, cell.engine), pinning);
   const auto new_engine = study::pinned(engine_of(after, cell.engine), pinning);
@@ -56,7 +56,7 @@ Finding compare_times(const std::string& root, const Cell& cell, const std::stri
   while (pairs.wants_more()) pairs.take_pair();
   if (const std::string failure = pairs.baseline_failure() + pairs.candidate_failure(); !failure.empty())
     throw core::InputError(fmt::format("{}: {}", cell.scenario, failure));
-  const core::ComparedTime time = pairs.summary();
+  const results::ComparedTime time = pairs.summary();
   fmt::print("{},{},{},{},{},{:.4f},{:.4f},{:.4f},{}\n", what, trial, cell.scenario, cell.engine,
              core::name(time.finding), time.ratio, time.low, time.high, time.pairs);
   std::fflush(stdout);
@@ -66,12 +66,12 @@ Finding compare_times(const std::string& root, const Cell& cell, const std::stri
 /// Whether the rules of errors and orders find the fault.
 bool finds_fault(const std::string& root, const char* name, const std::string& before,
                  const std::string& after) {
-  const scenarios::Scenario scenario = load(root, name);
+  const scenario::Scenario scenario = load(root, name);
   const auto profile = [&](const std::string& folder) {
     return study::profile(scenario, engine_of(folder, "in-house/integrator=rk4"), scenario.step,
                           study::Counter::off, {});
   };
-  for (const core::ComparedMetric& metric : study::compare_profiles(profile(before), profile(after))) {
+  for (const results::ComparedMetric& metric : study::compare_profiles(profile(before), profile(after))) {
     if (metric.finding != Finding::regressed) continue;
     fmt::print("fault,0,{},rk4,regressed,,,,{}: {}\n", name, metric.name, metric.sentence);
     return true;

@@ -2,11 +2,25 @@
 include(GoogleTest)
 enable_testing()
 
+# own_sources(out folder pattern): the files under a folder that no folder declared before, below it, has taken.
+function(own_sources out folder pattern)
+  file(GLOB_RECURSE sources RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS ${folder}/${pattern})
+  get_property(taken GLOBAL PROPERTY cylon_folders)
+  foreach(other ${taken})
+    if(NOT other STREQUAL folder)
+      list(FILTER sources EXCLUDE REGEX "^${other}/")
+    endif()
+  endforeach()
+  set_property(GLOBAL APPEND PROPERTY cylon_folders ${folder})
+  set(${out} ${sources} PARENT_SCOPE)
+endfunction()
+
 # layer(name FOLDER folder USES libraries… DEFINES macros… KIND kind): every source under a folder (programs' main.cc and
 # reports/web, which is cmake/web.cmake's, left out); the kinds are cmake/speed.cmake's, numbers unless it is said.
+# A layer inside another's folder is declared before it.
 function(layer name)
   cmake_parse_arguments(ARG "" "FOLDER;KIND" "USES;DEFINES" ${ARGN})
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${ARG_FOLDER}/*.cc)
+  own_sources(sources ${ARG_FOLDER} *.cc)
   list(FILTER sources EXCLUDE REGEX "/main[.]cc$|/web/")
   add_library(${name} STATIC ${sources})
   target_compile_definitions(${name} PUBLIC ${ARG_DEFINES})
@@ -21,7 +35,7 @@ endfunction()
 # simulator(build ADAPTER name USES engine): library sim_<build> and executable cylon-worker-<build>.
 function(simulator build)
   cmake_parse_arguments(ARG "" "ADAPTER" "USES" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS reference/simulators/${ARG_ADAPTER}*.cc)
+  file(GLOB sources CONFIGURE_DEPENDS reference/simulators/${ARG_ADAPTER}/*.cc)
   string(REPLACE "-" "_" library sim_${build})
   add_library(${library} STATIC ${sources})
   target_link_libraries(${library} PUBLIC core PRIVATE ${ARG_USES} warnings)
@@ -39,18 +53,18 @@ function(program name)
   add_dependencies(${name} ${workers})
 endfunction()
 
-# test_suite(folder USES libraries… SHARES files…): one executable for all of tests/<folder>/*_test.cc, and for files
-# of another suite that hold of this one's libraries too.
-function(test_suite folder)
-  cmake_parse_arguments(ARG "" "" "USES;SHARES" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS tests/${folder}/*_test.cc)
-  add_executable(${folder}_tests ${sources} ${ARG_SHARES})
-  target_compile_definitions(${folder}_tests PRIVATE
+# test_suite(name FOLDER folder USES libraries… SHARES files…): one executable for every *_test.cc under a folder (a
+# suite inside another's folder is declared before it), and for files of another suite that hold of these libraries too.
+function(test_suite name)
+  cmake_parse_arguments(ARG "" "FOLDER" "USES;SHARES" ${ARGN})
+  own_sources(sources ${ARG_FOLDER} *_test.cc)
+  add_executable(${name}_tests ${sources} ${ARG_SHARES})
+  target_compile_definitions(${name}_tests PRIVATE
     CYLON_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CYLON_BINARY_DIR="${PROJECT_BINARY_DIR}")
-  target_include_directories(${folder}_tests PRIVATE ${PROJECT_SOURCE_DIR})
-  target_link_libraries(${folder}_tests PRIVATE ${ARG_USES} GTest::gtest_main warnings)
-  compiled_as(${folder}_tests test)
-  gtest_discover_tests(${folder}_tests TEST_PREFIX "${folder}/" DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${folder})
+  target_include_directories(${name}_tests PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name}_tests PRIVATE ${ARG_USES} GTest::gtest_main warnings)
+  compiled_as(${name}_tests test)
+  gtest_discover_tests(${name}_tests TEST_PREFIX "${name}/" DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${name})
 endfunction()
 
 # tool(name SOURCE file USES libraries…): an executable that a script builds when it needs it.
@@ -73,7 +87,7 @@ endfunction()
 
 # The pages in a real browser, and whether the committed bundle is that of their sources.
 function(web_tests)
-  add_test(NAME web COMMAND ${PROJECT_SOURCE_DIR}/tests/web/run.sh ${PROJECT_BINARY_DIR})
+  add_test(NAME web COMMAND ${PROJECT_SOURCE_DIR}/tests/reports/web/run.sh ${PROJECT_BINARY_DIR})
   add_test(NAME web_bundle_is_current COMMAND ${PROJECT_SOURCE_DIR}/cmake/web_bundle.sh --check)
   set_tests_properties(web PROPERTIES LABELS web SKIP_RETURN_CODE 77)
   set_tests_properties(web_bundle_is_current PROPERTIES LABELS web)

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/root.h"
-#include "engine/schemes/dop853.h"
+#include "engine/integrators/dop853.h"
 #include "engine/system_stepper.h"
 
 #include <algorithm>

@@ -8,8 +8,8 @@
 #include "engine/contact/passage.h"
 #include "engine/contact/support.h"
 #include "engine/reduce.h"
-#include "engine/schemes/advance.h"
-#include "engine/schemes/dop853.h"
+#include "engine/integrators/advance.h"
+#include "engine/integrators/dop853.h"
 #include "engine/stepper.h"
 
 #include <cstdint>

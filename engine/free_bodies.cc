@@ -3,7 +3,7 @@
 #include "engine/free_bodies_lanes.h"
 #include "engine/free_rotation.h"
 #include "engine/plan.h"
-#include "engine/schemes/splittings.h"
+#include "engine/integrators/splittings.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 
 #include "engine/model.h"
 #include "engine/pile/threads.h"
-#include "engine/schemes/scheme.h"
+#include "engine/integrators/scheme.h"
 #include "engine/stepper.h"
 
 #include <cstdint>

@@ -3,7 +3,7 @@
 
 #include "engine/model.h"
 #include "engine/resolution.h"
-#include "engine/schemes/scheme.h"
+#include "engine/integrators/scheme.h"
 
 #include <string>
 #include <vector>

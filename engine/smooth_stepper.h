@@ -1,7 +1,7 @@
 // Smooth motion by fixed steps of a scheme.
 #pragma once
 
-#include "engine/schemes/advance.h"
+#include "engine/integrators/advance.h"
 #include "engine/system_stepper.h"
 
 #include <cstdint>

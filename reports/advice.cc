@@ -11,7 +11,7 @@ namespace cylon::reports {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using core::Pick;
+using results::Pick;
 
 std::string named(const Pick& pick) {
   return fmt::format("{} {} at {}", pick.engine, pick.integrator, pick.at);
@@ -35,7 +35,7 @@ Json to_object(const std::optional<Pick>& pick) {
           {"cpu_seconds_per_second", number(pick->cost)}};
 }
 
-std::string line(const core::EngineAdvice& one, const core::Advice& advice) {
+std::string line(const results::EngineAdvice& one, const results::Advice& advice) {
   if (!one.pick) {
     if (!one.best)
       return fmt::format("{}: {}\n", one.engine, one.reason.empty() ? "no run came to an end" : one.reason);
@@ -59,7 +59,7 @@ std::string line(const core::EngineAdvice& one, const core::Advice& advice) {
 
 }  // namespace
 
-std::string advice_text(const core::Advice& advice, const ConsoleOptions& options) {
+std::string advice_text(const results::Advice& advice, const ConsoleOptions& options) {
   const auto add = [&](std::string& out, const std::string& text) {
     std::size_t from = 0;
     for (std::size_t end = 0; (end = text.find('\n', from)) != std::string::npos; from = end + 1)
@@ -74,11 +74,11 @@ std::string advice_text(const core::Advice& advice, const ConsoleOptions& option
   add(out, fmt::format("{}: {} within {:.1e} of {}, relative, over {} s; each pick run from {} start{}\n",
                        advice.scenario, advice.measure, advice.tolerance, advice.against, advice.duration,
                        advice.starts, advice.starts == 1 ? "" : "s"));
-  for (const core::EngineAdvice& one : advice.engines) add(out, line(one, advice));
+  for (const results::EngineAdvice& one : advice.engines) add(out, line(one, advice));
   if (advice.features.empty()) return out;
   add(out, fmt::format("\n{:<34} {:<17} {:>11} {:>11} {:>6}  {}\n", "what a part costs", "", "with s/s",
                        "without", "price", "effect on the motion"));
-  for (const core::FeaturePrice& f : advice.features)
+  for (const results::FeaturePrice& f : advice.features)
     add(out,
         f.reason.empty()
             ? fmt::format("{} {:<17} {:>11.1e} {:>11.1e} {:>6}  {:.1e}\n",
@@ -90,9 +90,9 @@ std::string advice_text(const core::Advice& advice, const ConsoleOptions& option
          "effect: the largest difference of the two motions, in units of the motion's scales, turns in rad\n";
 }
 
-std::string advice_json(const core::Advice& advice, const Provenance& p) {
+std::string advice_json(const results::Advice& advice, const Provenance& p) {
   Json engines = Json::array(), features = Json::array();
-  for (const core::EngineAdvice& one : advice.engines)
+  for (const results::EngineAdvice& one : advice.engines)
     engines.push_back({{"engine", one.engine},
                        {"pick", to_object(one.pick)},
                        {"margin", one.pick ? number(advice.tolerance / one.pick->error) : Json(nullptr)},
@@ -101,7 +101,7 @@ std::string advice_json(const core::Advice& advice, const Provenance& p) {
                        {"ten_times_better", to_object(one.ten_times)},
                        {"best", to_object(one.best)},
                        {"reason", one.reason}});
-  for (const core::FeaturePrice& f : advice.features)
+  for (const results::FeaturePrice& f : advice.features)
     features.push_back({{"engine", f.engine},
                         {"feature", f.feature},
                         {"effect", number(f.effect)},

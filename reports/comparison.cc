@@ -8,10 +8,10 @@
 
 namespace cylon::reports {
 
-using core::ComparedMetric;
-using core::Comparison;
-using core::ComparisonReport;
-using core::Finding;
+using results::ComparedMetric;
+using results::Comparison;
+using results::ComparisonReport;
+using results::Finding;
 
 std::string changes(const Comparison& c) {
   std::string text = c.reason;
@@ -46,7 +46,8 @@ std::string summary(const ComparisonReport& report) {
   for (const Comparison& c : report.cells) ++counts[c.finding];
   std::string text;
   for (const auto& [finding, count] : counts)
-    fmt::format_to(std::back_inserter(text), "{}{} {}", text.empty() ? "" : ", ", count, core::name(finding));
+    fmt::format_to(std::back_inserter(text), "{}{} {}", text.empty() ? "" : ", ", count,
+                   results::name(finding));
   return text.empty() ? "nothing was compared" : text;
 }
 

@@ -10,20 +10,20 @@
 namespace cylon::reports {
 namespace {
 
-using core::Comparison;
-using core::ComparisonReport;
-using core::Finding;
+using results::Comparison;
+using results::ComparisonReport;
+using results::Finding;
 
-core::Status colour_of(Finding finding) {
-  if (finding == Finding::regressed) return core::Status::fail;
-  if (finding == Finding::inconclusive || finding == Finding::changed) return core::Status::low_quality;
-  return finding == Finding::skipped ? core::Status::unsupported : core::Status::pass;
+results::Status colour_of(Finding finding) {
+  if (finding == Finding::regressed) return results::Status::fail;
+  if (finding == Finding::inconclusive || finding == Finding::changed) return results::Status::low_quality;
+  return finding == Finding::skipped ? results::Status::unsupported : results::Status::pass;
 }
 
 using Line = std::array<std::string, 5>;
 
 Line line_of(const Comparison& c, const ConsoleOptions& options) {
-  return {shown(c.cell(), options), std::string(core::name(c.finding)), shown(ratio(c), options),
+  return {shown(c.cell(), options), std::string(results::name(c.finding)), shown(ratio(c), options),
           c.time ? fmt::format("{}", c.time->pairs) : "-", shown(brief(c), options)};
 }
 
@@ -55,7 +55,7 @@ std::string console(const ComparisonReport& report, const ConsoleOptions& option
 
   for (const Comparison& c : report.cells) {
     if (c.finding != Finding::regressed) continue;
-    out += fmt::format("\n{}: {}\n", painted("regressed", core::Status::fail, options),
+    out += fmt::format("\n{}: {}\n", painted("regressed", results::Status::fail, options),
                        shown(c.cell(), options));
     if (c.time && c.time->finding == Finding::regressed)
       out +=
@@ -67,10 +67,10 @@ std::string console(const ComparisonReport& report, const ConsoleOptions& option
   for (const std::string& note : report.notes) out += fmt::format("{}\n", shown(note, options));
   if (report.self_check)
     out += fmt::format("self-check: x {:.3f} in {} pairs, {} ({})\n", report.self_check->ratio,
-                       report.self_check->pairs, core::name(report.self_check->finding),
+                       report.self_check->pairs, results::name(report.self_check->finding),
                        shown(report.self_check->what, options));
   if (const std::string text = warning(report); !text.empty())
-    out += painted(shown(text, options), core::Status::low_quality, options) + "\n";
+    out += painted(shown(text, options), results::Status::low_quality, options) + "\n";
   return out + summary(report) + "\n";
 }
 

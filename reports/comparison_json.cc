@@ -11,8 +11,8 @@ using nlohmann::ordered_json;
 
 ordered_json number(double x) { return std::isfinite(x) ? ordered_json(x) : ordered_json(); }
 
-ordered_json json_of(const core::ComparedTime& t) {
-  return {{"finding", core::name(t.finding)},
+ordered_json json_of(const results::ComparedTime& t) {
+  return {{"finding", results::name(t.finding)},
           {"ratio", number(t.ratio)},
           {"low", number(t.low)},
           {"high", number(t.high)},
@@ -25,13 +25,13 @@ ordered_json json_of(const core::ComparedTime& t) {
           {"what", t.what}};
 }
 
-ordered_json json_of(const core::Comparison& c) {
+ordered_json json_of(const results::Comparison& c) {
   ordered_json metrics = ordered_json::array();
-  for (const core::ComparedMetric& m : c.metrics)
-    metrics.push_back({{"name", m.name}, {"finding", core::name(m.finding)}, {"sentence", m.sentence}});
+  for (const results::ComparedMetric& m : c.metrics)
+    metrics.push_back({{"name", m.name}, {"finding", results::name(m.finding)}, {"sentence", m.sentence}});
   return {{"scenario", c.scenario},  {"scenario_hash", c.scenario_hash},
           {"engine", c.engine},      {"dt", number(c.dt)},
-          {"dt_text", c.dt_text},    {"finding", core::name(c.finding)},
+          {"dt_text", c.dt_text},    {"finding", results::name(c.finding)},
           {"reason", c.reason},      {"time", c.time ? json_of(*c.time) : ordered_json()},
           {"untimed", c.untimed},    {"metrics", metrics},
           {"reproduce", c.reproduce}};
@@ -39,9 +39,9 @@ ordered_json json_of(const core::Comparison& c) {
 
 }  // namespace
 
-std::string to_json(const core::ComparisonReport& report) {
+std::string to_json(const results::ComparisonReport& report) {
   ordered_json cells = ordered_json::array();
-  for (const core::Comparison& c : report.cells) cells.push_back(json_of(c));
+  for (const results::Comparison& c : report.cells) cells.push_back(json_of(c));
   const ordered_json whole = {
       {"schema", 1},
       {"baseline", report.baseline},

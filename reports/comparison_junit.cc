@@ -9,14 +9,14 @@
 namespace cylon::reports {
 namespace {
 
-using core::Comparison;
-using core::ComparisonReport;
-using core::Finding;
+using results::Comparison;
+using results::ComparisonReport;
+using results::Finding;
 
 std::string sentence(const Comparison& c) {
   std::string text = fmt::format("time {}", ratio(c));
   if (c.time)
-    text += fmt::format(", {}, {} pairs of {}", core::name(c.time->finding), c.time->pairs, c.time->what);
+    text += fmt::format(", {}, {} pairs of {}", results::name(c.time->finding), c.time->pairs, c.time->what);
   const std::string changed = changes(c);
   return changed.empty() ? text : text + "; " + changed;
 }
@@ -37,7 +37,7 @@ std::string element(const Comparison& c, const std::string& unreliable) {
     case Finding::same:
       break;
   }
-  return fmt::format("<system-out>{}: {}</system-out>", core::name(c.finding), reason);
+  return fmt::format("<system-out>{}: {}</system-out>", results::name(c.finding), reason);
 }
 
 using Cells = std::vector<const Comparison*>;

@@ -14,8 +14,8 @@
 namespace cylon::reports {
 namespace {
 
-using core::Status;
-using core::Verdict;
+using results::Status;
+using results::Verdict;
 
 constexpr std::size_t last_words = 1000;  // bytes of an engine's stderr
 
@@ -77,13 +77,13 @@ Line claim_line(const Verdict& v, const ConsoleOptions& options) {
   const auto with_unit = [&](double value) {
     return fmt::format("{:.4g} {}", value, shown(v.unit, options));
   };
-  std::string status(core::name(v.status));
-  if (!v.as_expected()) status += fmt::format(" (expected {}) !", core::name(v.expected));
+  std::string status(results::name(v.status));
+  if (!v.as_expected()) status += fmt::format(" (expected {}) !", results::name(v.expected));
   const std::string& why = v.detail.empty() ? v.tolerance_reason : v.detail;
   return {shown(v.claim, options),
           measured ? with_unit(v.measured) : "",
           with_unit(v.allowed),
-          measured ? fmt::format("{:+.1f}", core::digits(v.measured, v.allowed)) : "",
+          measured ? fmt::format("{:+.1f}", results::digits(v.measured, v.allowed)) : "",
           status,
           shown(head(why, 400), options)};
 }
@@ -110,7 +110,7 @@ std::string claim_table(const std::vector<const Verdict*>& rows, const ConsoleOp
 std::string counts(const std::map<Status, int>& by_status) {
   std::string out;
   for (const auto& [status, count] : by_status)
-    out += fmt::format("{}{} {}", out.empty() ? "" : ", ", count, core::name(status));
+    out += fmt::format("{}{} {}", out.empty() ? "" : ", ", count, results::name(status));
   return out;
 }
 

@@ -14,7 +14,7 @@ struct Look {
   int color;  // SGR parameter
 };
 
-// In the order of core::Status.
+// In the order of results::Status.
 constexpr std::array looks = {
     Look{"✓", "ok", 32},
     Look{"~", "~", 33},
@@ -26,7 +26,7 @@ constexpr std::array looks = {
     Look{"‽ protocol", "protocol", 35},
 };
 
-const Look& look(core::Status status) { return looks[static_cast<std::size_t>(status)]; }
+const Look& look(results::Status status) { return looks[static_cast<std::size_t>(status)]; }
 
 }  // namespace
 
@@ -34,11 +34,11 @@ std::string shown(std::string_view text, const ConsoleOptions& options) {
   return escaped(text, options.utf8 ? is_printable : is_printable_ascii);
 }
 
-std::string_view glyph(core::Status status, const ConsoleOptions& options) {
+std::string_view glyph(results::Status status, const ConsoleOptions& options) {
   return options.utf8 ? look(status).utf8 : look(status).ascii;
 }
 
-std::string painted(std::string_view text, core::Status status, const ConsoleOptions& options) {
+std::string painted(std::string_view text, results::Status status, const ConsoleOptions& options) {
   if (!options.colour) return std::string(text);
   return fmt::format("\x1b[{}m{}\x1b[0m", look(status).color, text);
 }

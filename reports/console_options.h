@@ -1,7 +1,7 @@
 // What the place where a text ends up can show.
 #pragma once
 
-#include "harness/core/verdict.h"
+#include "harness/results/verdict.h"
 
 #include <string>
 #include <string_view>
@@ -19,9 +19,9 @@ std::string shown(std::string_view text, const ConsoleOptions&);
 
 /// "✓", "~", "✗", "–", "☠ crash", "⌛ timeout", "∞ non-finite", "‽ protocol"; in ASCII "ok", "~", "X", "-",
 /// and the words alone.
-std::string_view glyph(core::Status, const ConsoleOptions&);
+std::string_view glyph(results::Status, const ConsoleOptions&);
 
 /// The text in the status's colour, or as it is on a terminal without colour.
-std::string painted(std::string_view text, core::Status, const ConsoleOptions&);
+std::string painted(std::string_view text, results::Status, const ConsoleOptions&);
 
 }  // namespace cylon::reports

@@ -62,7 +62,7 @@ std::string csv_unguarded(std::string_view text) {
   return std::string(guarded ? text.substr(1) : text);
 }
 
-std::string to_csv(const std::vector<core::Verdict>& verdicts) {
+std::string to_csv(const std::vector<results::Verdict>& verdicts) {
   std::string out;
   const auto line = [&](const Json& json, auto&& column) {
     const char* separator = "";
@@ -70,7 +70,7 @@ std::string to_csv(const std::vector<core::Verdict>& verdicts) {
     out += "\r\n";
   };
   line(row({}), [](const std::string& key, const Json&) { return key; });
-  for (const core::Verdict& verdict : verdicts)
+  for (const results::Verdict& verdict : verdicts)
     line(row(verdict), [](const std::string&, const Json& value) { return cell(value); });
   return out;
 }

@@ -1,7 +1,7 @@
 // Verdict rows as CSV, for spreadsheets.
 #pragma once
 
-#include "harness/core/verdict.h"
+#include "harness/results/verdict.h"
 
 #include <string>
 #include <string_view>
@@ -13,7 +13,7 @@ namespace cylon::reports {
 /// empty where they are not finite; lists and settings joined by "; ".  A text that a spreadsheet would run
 /// as a formula (it begins with = + - @, a tab or a carriage return) gets an apostrophe in front; control
 /// characters other than tab and line ends are escaped.
-std::string to_csv(const std::vector<core::Verdict>&);
+std::string to_csv(const std::vector<results::Verdict>&);
 
 /// One text as a field of such a file.
 std::string csv_field(std::string_view);

@@ -13,7 +13,7 @@ namespace cylon::reports {
 namespace {
 
 // Largest error over what is allowed; NaN is beyond everything.
-double peak(const core::ErrorCurve& curve) {
+double peak(const reports::ErrorCurve& curve) {
   double most = 0;
   for (const double value : curve.value)
     most = std::max(most, std::isnan(value) ? std::numeric_limits<double>::infinity() : value);
@@ -72,7 +72,7 @@ class Dots {
 
 constexpr int chart_rows = 7;
 
-std::string verdict_of(const core::ErrorCurve& curve) {
+std::string verdict_of(const reports::ErrorCurve& curve) {
   if (curve.first_violation)
     return fmt::format("first beyond it at t = {:.6g} s, step {}", curve.first_violation->time,
                        curve.first_violation->step);
@@ -81,10 +81,10 @@ std::string verdict_of(const core::ErrorCurve& curve) {
 
 }  // namespace
 
-Plot error_plot(std::span<const core::Trace* const> runs) {
+Plot error_plot(std::span<const reports::Trace* const> runs) {
   std::map<std::string, double> worst;
-  for (const core::Trace* run : runs)
-    for (const core::ErrorCurve& curve : run->errors)
+  for (const reports::Trace* run : runs)
+    for (const reports::ErrorCurve& curve : run->errors)
       if (curve.allowed > 0) worst[curve.claim] = std::max(worst[curve.claim], peak(curve));
   const auto chosen = std::max_element(worst.begin(), worst.end(),
                                        [](const auto& a, const auto& b) { return a.second < b.second; });
@@ -93,7 +93,7 @@ Plot error_plot(std::span<const core::Trace* const> runs) {
   plot.x_label = "time [s]";
   if (chosen == worst.end()) return plot;
   for (std::size_t i = 0; i < runs.size(); ++i)
-    for (const core::ErrorCurve& curve : runs[i]->errors) {
+    for (const reports::ErrorCurve& curve : runs[i]->errors) {
       if (curve.claim != chosen->first) continue;
       plot.title = fmt::format("{}: {}", runs[i]->scenario, curve.claim);
       plot.y_label = curve.unit.empty() ? "error" : fmt::format("error [{}]", curve.unit);
@@ -107,7 +107,7 @@ Plot error_plot(std::span<const core::Trace* const> runs) {
   return plot;
 }
 
-std::string error_chart(const core::ErrorCurve& curve, const ConsoleOptions& options) {
+std::string error_chart(const reports::ErrorCurve& curve, const ConsoleOptions& options) {
   const auto drawable = [](double value) { return value > 0 && std::isfinite(value); };
   double low = HUGE_VAL, high = -HUGE_VAL;
   const auto take = [&](double value) {

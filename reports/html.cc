@@ -35,7 +35,7 @@ std::string block(std::size_t number, std::string_view packed) {
 }
 
 // For a reader without script; the script puts its own in this place.
-std::string plain_matrix(const std::vector<core::Verdict>& verdicts, const Matrix& matrix) {
+std::string plain_matrix(const std::vector<results::Verdict>& verdicts, const Matrix& matrix) {
   const ConsoleOptions style;
   std::string out =
       fmt::format("<p>{}</p>\n<table><thead><tr><th scope=\"col\">scenario</th>", xml(summary(verdicts)));
@@ -53,7 +53,7 @@ std::string plain_matrix(const std::vector<core::Verdict>& verdicts, const Matri
 }  // namespace
 
 std::string to_html(const HtmlReport& report) {
-  std::vector<core::Verdict> verdicts;
+  std::vector<results::Verdict> verdicts;
   if (!report.results.empty()) verdicts = read_json(report.results, "results");
   const Matrix matrix = fold(verdicts);
   const std::string heading =

@@ -1,7 +1,7 @@
 // The report that people look at: one file that opens from disk, without a network.
 #pragma once
 
-#include "harness/core/verdict.h"
+#include "harness/results/verdict.h"
 #include "reports/provenance.h"
 #include "reports/trace_block.h"
 

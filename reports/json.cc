@@ -13,7 +13,7 @@
 namespace cylon::reports {
 namespace {
 
-using core::Verdict;
+using results::Verdict;
 using Json = nlohmann::ordered_json;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
@@ -71,9 +71,9 @@ struct Row {
     return value.get<bool>();
   }
 
-  core::Status status(const char* key) const {
+  results::Status status(const char* key) const {
     const std::string word = string(key);
-    const auto status = core::status_from(word);
+    const auto status = results::status_from(word);
     if (!status) refuse(key, fmt::format("'{}' is no status", word));
     return *status;
   }
@@ -185,8 +185,8 @@ Json row(const Verdict& v) {
           {"spread", v.spread ? number(*v.spread) : Json(nullptr)},
           {"unit", v.unit},
           {"truth_error", number(v.truth_error)},
-          {"status", core::name(v.status)},
-          {"expected", core::name(v.expected)},
+          {"status", results::name(v.status)},
+          {"expected", results::name(v.expected)},
           {"expected_reason", v.expected_reason},
           {"reason", v.tolerance_reason},
           {"detail", v.detail},

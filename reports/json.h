@@ -1,7 +1,7 @@
 // Verdict rows as JSON: what other programs read, and what --rerun-failed and --resume read back.
 #pragma once
 
-#include "harness/core/verdict.h"
+#include "harness/results/verdict.h"
 #include "reports/provenance.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -16,24 +16,24 @@ namespace cylon::reports {
 inline constexpr int schema = 1;
 
 /// One row: every named field in a fixed order, present in every row.  Numbers that are not finite are null.
-nlohmann::ordered_json row(const core::Verdict&);
+nlohmann::ordered_json row(const results::Verdict&);
 
 /// {"schema": 1, "provenance": {…}, "verdicts": […]}, one row per line, ASCII only (all else as \uNNNN, so
 /// that it is harmless on a options), doubles with the digits that give the same bits back (17 at most).
 /// Bytes that are no UTF-8 become U+FFFD.
-std::string to_json(const std::vector<core::Verdict>&, const Provenance&);
+std::string to_json(const std::vector<results::Verdict>&, const Provenance&);
 
 /// The rows of such a document.  Keys that it does not know are passed over.
 /// Throws core::InputError, with `file`, line and column or with the row and the key, for anything malformed.
-std::vector<core::Verdict> read_json(std::string_view document, const std::string& file);
+std::vector<results::Verdict> read_json(std::string_view document, const std::string& file);
 
 /// A line of a journal, without the line feed.
-std::string to_json_line(const core::Verdict&);
-core::Verdict from_json_line(std::string_view line, const std::string& file = "journal",
+std::string to_json_line(const results::Verdict&);
+results::Verdict from_json_line(std::string_view line, const std::string& file = "journal",
                              unsigned line_number = 1);
 
 /// All rows of a journal.  A last line without a line feed is what an interrupted write leaves: it is
 /// dropped.
-std::vector<core::Verdict> read_journal(std::string_view journal, const std::string& file);
+std::vector<results::Verdict> read_journal(std::string_view journal, const std::string& file);
 
 }  // namespace cylon::reports

@@ -12,8 +12,8 @@
 namespace cylon::reports {
 namespace {
 
-using core::Status;
-using core::Verdict;
+using results::Status;
+using results::Verdict;
 
 enum class Outcome { passed, noted, skipped, failed, broken };
 
@@ -31,7 +31,7 @@ std::string element(const Verdict& v) {
   const std::string reason = xml(sentence(v));
   const std::string with_command = v.reproduce.empty() ? reason : reason + "\n" + xml(v.reproduce);
   const auto bad = [&](const char* tag) {
-    return fmt::format("<{0} type=\"{1}\" message=\"{2}\">{3}</{0}>", tag, core::name(v.status), reason,
+    return fmt::format("<{0} type=\"{1}\" message=\"{2}\">{3}</{0}>", tag, results::name(v.status), reason,
                        with_command);
   };
   switch (outcome(v)) {

@@ -1,7 +1,7 @@
 // Verdict rows as JUnit XML, for continuous integration.
 #pragma once
 
-#include "harness/core/verdict.h"
+#include "harness/results/verdict.h"
 
 #include <string>
 #include <vector>
@@ -12,6 +12,6 @@ namespace cylon::reports {
 /// those that differ from expected.toml: <error> for a crash, a timeout or a broken protocol, else <failure>.
 /// Unsupported as expected is <skipped>; any other expected trouble passes, with a note in <system-out>.
 /// The text of each element is a one-line reason; the command that gives the row again follows.
-std::string to_junit(const std::vector<core::Verdict>&);
+std::string to_junit(const std::vector<results::Verdict>&);
 
 }  // namespace cylon::reports

@@ -12,9 +12,9 @@
 namespace cylon::reports {
 namespace {
 
-using core::Comparison;
-using core::ComparisonReport;
-using core::Finding;
+using results::Comparison;
+using results::ComparisonReport;
+using results::Finding;
 
 constexpr std::size_t most_rows = 50;  // a comment that nobody scrolls through
 

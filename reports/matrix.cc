@@ -14,8 +14,8 @@
 namespace cylon::reports {
 namespace {
 
-using core::Status;
-using core::Verdict;
+using results::Status;
+using results::Verdict;
 
 struct Meaning {
   Status status;
@@ -69,7 +69,7 @@ class Labels {
 
 void join(Cell& cell, const Verdict& v) {
   if (cell.empty || severity(v.status) > severity(cell.worst)) cell.worst = v.status;
-  if (is_measured(v.status)) cell.digits = std::min(cell.digits, core::digits(v.measured, v.allowed));
+  if (is_measured(v.status)) cell.digits = std::min(cell.digits, results::digits(v.measured, v.allowed));
   cell.differs |= !v.as_expected();
   cell.empty = false;
 }

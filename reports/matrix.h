@@ -1,7 +1,7 @@
 // Scenario x engine: the rows folded into one cell each.
 #pragma once
 
-#include "harness/core/verdict.h"
+#include "harness/results/verdict.h"
 #include "reports/console_options.h"
 
 #include <string>
@@ -12,7 +12,7 @@ namespace cylon::reports {
 /// All claims of one scenario at one step by one engine and scheme.
 struct Cell {
   /// By pass < unsupported < low-quality < fail < non-finite < timeout < crash < protocol.
-  core::Status worst = core::Status::pass;
+  results::Status worst = results::Status::pass;
   double digits = 99;    ///< Least over the measured claims.
   bool differs = false;  ///< Some claim is not as expected.
   bool empty = true;
@@ -25,7 +25,7 @@ struct Matrix {
   std::vector<std::vector<Cell>> cells;  ///< [scenario][engine]
 };
 
-Matrix fold(const std::vector<core::Verdict>&);
+Matrix fold(const std::vector<results::Verdict>&);
 
 /// A cell as text: "✓ +3.2", "✗ -1.0 !"; "" for an empty one.
 std::string cell_text(const Cell&, const ConsoleOptions&);

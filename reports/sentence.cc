@@ -11,13 +11,13 @@ constexpr std::size_t longest = 400;  // bytes of a foreign text in a one-line r
 
 std::string quoted(const std::string& text) { return escaped(head(text, longest), is_printable); }
 
-std::string what_happened(const core::Verdict& v) {
+std::string what_happened(const results::Verdict& v) {
   std::string text;
   if (is_measured(v.status)) {
     const std::string unit = quoted(v.unit);
     const char* space = unit.empty() ? "" : " ";
     text = fmt::format(": measured {:.4g}{}{}, allowed {:.4g}{}{}, {:+.1f} digits", v.measured, space, unit,
-                       v.allowed, space, unit, core::digits(v.measured, v.allowed));
+                       v.allowed, space, unit, results::digits(v.measured, v.allowed));
   } else if (v.first_bad_step) {
     text = fmt::format(": not finite from step {}", *v.first_bad_step);
   }
@@ -28,14 +28,15 @@ std::string what_happened(const core::Verdict& v) {
 
 }  // namespace
 
-bool is_measured(core::Status status) {
-  return status == core::Status::pass || status == core::Status::low_quality || status == core::Status::fail;
+bool is_measured(results::Status status) {
+  return status == results::Status::pass || status == results::Status::low_quality ||
+         status == results::Status::fail;
 }
 
-std::string sentence(const core::Verdict& v) {
-  const std::string expectation = v.as_expected() ? v.status == core::Status::pass ? "" : " (as expected)"
-                                                  : fmt::format(" (expected {})", core::name(v.expected));
-  std::string line = fmt::format("{}{}{}", core::name(v.status), expectation, what_happened(v));
+std::string sentence(const results::Verdict& v) {
+  const std::string expectation = v.as_expected() ? v.status == results::Status::pass ? "" : " (as expected)"
+                                                  : fmt::format(" (expected {})", results::name(v.expected));
+  std::string line = fmt::format("{}{}{}", results::name(v.status), expectation, what_happened(v));
   if (!v.expected_reason.empty()) line += fmt::format("; expected.toml: {}", quoted(v.expected_reason));
   return line;
 }

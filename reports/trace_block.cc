@@ -113,9 +113,9 @@ Json motion_json(const core::Motion& motion, Arrays& arrays) {
           {"orientation", arrays.steps(frames, 4 * bodies, orientation_step, orientation)}};
 }
 
-Json errors_json(const std::vector<core::ErrorCurve>& curves, Arrays& arrays) {
+Json errors_json(const std::vector<reports::ErrorCurve>& curves, Arrays& arrays) {
   Json list = Json::array();
-  for (const core::ErrorCurve& curve : curves) {
+  for (const reports::ErrorCurve& curve : curves) {
     Json first = nullptr;
     if (curve.first_violation)
       first = {{"time", curve.first_violation->time},
@@ -132,9 +132,9 @@ Json errors_json(const std::vector<core::ErrorCurve>& curves, Arrays& arrays) {
   return list;
 }
 
-Json totals_json(const std::vector<core::TotalCurve>& curves, Arrays& arrays) {
+Json totals_json(const std::vector<reports::TotalCurve>& curves, Arrays& arrays) {
   Json list = Json::array();
-  for (const core::TotalCurve& curve : curves) {
+  for (const reports::TotalCurve& curve : curves) {
     Json time = arrays.floats(curve.time);
     list.push_back({{"name", curve.name},
                     {"unit", curve.unit},
@@ -145,16 +145,16 @@ Json totals_json(const std::vector<core::TotalCurve>& curves, Arrays& arrays) {
   return list;
 }
 
-Json events_json(const std::vector<core::TraceEvent>& events) {
+Json events_json(const std::vector<reports::TraceEvent>& events) {
   Json list = Json::array();
-  for (const core::TraceEvent& event : events)
+  for (const reports::TraceEvent& event : events)
     list.push_back({{"time", number(event.time)}, {"kind", event.kind}, {"what", event.what}});
   return list;
 }
 
 }  // namespace
 
-std::string trace_block(const core::Trace& trace) {
+std::string trace_block(const reports::Trace& trace) {
   Arrays arrays;
   Json ghost = nullptr;
   if (trace.ghost) {
@@ -177,7 +177,7 @@ std::string trace_block(const core::Trace& trace) {
   return block + arrays.bytes();
 }
 
-PackedTrace pack(const core::Trace& trace) {
+PackedTrace pack(const reports::Trace& trace) {
   return {trace.scenario, trace.engine, trace.integrator, trace.dt_text, base64(gzip(trace_block(trace)))};
 }
 

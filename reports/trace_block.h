@@ -1,7 +1,7 @@
 // A trace in the bytes that a page reads: small, and unpacked only when somebody looks at it.
 #pragma once
 
-#include "harness/core/trace.h"
+#include "reports/trace.h"
 
 #include <string>
 #include <string_view>
@@ -14,14 +14,14 @@ namespace cylon::reports {
 /// there.  Times and curves are float32. Positions are whole multiples of range / 2^18 of their axis,
 /// orientations of 2^-15, their differences from frame to frame in LEB128 bytes; what is not finite is the
 /// lowest of all, which the page takes for NaN.
-std::string trace_block(const core::Trace&);
+std::string trace_block(const reports::Trace&);
 
 /// A trace ready for a page, and whose it is.
 struct PackedTrace {
   std::string scenario, engine, integrator, dt_text;
   std::string block;  ///< base64(gzip(trace_block))
 };
-PackedTrace pack(const core::Trace&);
+PackedTrace pack(const reports::Trace&);
 
 /// {"format":"cylon-trace/1", …} on a line, with its end; and back.  Throws core::InputError, with `place`.
 std::string to_json_line(const PackedTrace&);

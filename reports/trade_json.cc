@@ -11,9 +11,9 @@ namespace cylon::reports {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using core::TradePoint;
-using core::TradeSeries;
-using core::TradeTable;
+using results::TradePoint;
+using results::TradeSeries;
+using results::TradeTable;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
@@ -29,7 +29,7 @@ Json to_object(const TradeTable& table, const TradePoint& point) {
           {"dt", point.dt},
           {"dt_text", point.dt_text},
           {"tolerance", point.tolerance > 0 ? Json(point.tolerance) : Json(nullptr)},
-          {"status", core::name(point.status)},
+          {"status", results::name(point.status)},
           {"reason", point.reason},
           {"errors", errors}};
 }
@@ -55,7 +55,7 @@ Json to_object(const TradeTable& table, const TradeSeries& series) {
 
 Json to_object(const TradeTable& table) {
   Json measures = Json::array(), series = Json::array();
-  for (const core::TradeMeasure& m : table.measures)
+  for (const results::TradeMeasure& m : table.measures)
     measures.push_back({{"name", m.name},
                         {"unit", m.unit},
                         {"scale", m.scale > 0 ? Json(m.scale) : Json(nullptr)},
@@ -110,7 +110,7 @@ std::string trade_json(const std::vector<TradeTable>& tables, const Provenance& 
 std::string trade_csv(const std::vector<TradeTable>& tables) {
   std::vector<std::string> names;
   for (const TradeTable& table : tables)
-    for (const core::TradeMeasure& m : table.measures)
+    for (const results::TradeMeasure& m : table.measures)
       if (std::find(names.begin(), names.end(), m.name) == names.end()) names.push_back(m.name);
   std::string out =
       "scenario,engine,integrator,version,precision,path,gyroscopic,declared_order,observed_order,steps,dt,"
@@ -123,10 +123,10 @@ std::string trade_csv(const std::vector<TradeTable>& tables) {
         for (const std::string& word : {table.scenario, series.engine, series.integrator, series.version,
                                         series.precision, series.path, series.gyroscopic})
           out += csv_field(word) + ',';
-        out +=
-            fmt::format("{},{},{},{},{},{},{},{}", series.adaptive ? "" : std::to_string(series.declared),
-                        real(series.order), p.steps, real(p.dt), csv_field(p.dt_text),
-                        p.tolerance > 0 ? real(p.tolerance) : "", core::name(p.status), csv_field(p.reason));
+        out += fmt::format("{},{},{},{},{},{},{},{}", series.adaptive ? "" : std::to_string(series.declared),
+                           real(series.order), p.steps, real(p.dt), csv_field(p.dt_text),
+                           p.tolerance > 0 ? real(p.tolerance) : "", results::name(p.status),
+                           csv_field(p.reason));
         for (const std::string& name : names) {
           out += ',';
           for (std::size_t i = 0; i < p.errors.size(); ++i)

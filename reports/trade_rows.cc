@@ -10,9 +10,9 @@
 namespace cylon::reports {
 namespace {
 
-using core::TradePoint;
-using core::TradeSeries;
-using core::TradeTable;
+using results::TradePoint;
+using results::TradeSeries;
+using results::TradeTable;
 
 double error_of(const TradeTable& table, const TradePoint& point) {
   return point.errors.empty() ? std::nan("") : point.errors[table.by];
@@ -55,7 +55,7 @@ std::string order_text(const TradeTable& table, const TradeSeries& series) {
       best = &point;
   if (!best) {
     if (series.points.empty()) return series.reason;
-    return fmt::format("no finite run: {}", core::name(series.points.back().status));
+    return fmt::format("no finite run: {}", results::name(series.points.back().status));
   }
   const std::string reached = fmt::format("best {:.0e} at {}", error_of(table, *best), place(*best));
   if (series.adaptive) return reached;

@@ -11,9 +11,9 @@
 namespace cylon::reports {
 namespace {
 
-using core::TradePoint;
-using core::TradeSeries;
-using core::TradeTable;
+using results::TradePoint;
+using results::TradeSeries;
+using results::TradeTable;
 
 std::string number(double value) { return std::isfinite(value) ? fmt::format("{:.1e}", value) : "-"; }
 
@@ -27,7 +27,7 @@ std::vector<double> marks(const TradeTable& table) {
 }
 
 std::string head(const TradeTable& table, const ConsoleOptions& options) {
-  const core::TradeMeasure& by = table.measures[table.by];
+  const results::TradeMeasure& by = table.measures[table.by];
   std::string text = fmt::format("{}: {} s, {} bod{}\n", shown(table.scenario, options), table.duration,
                                  table.bodies, table.bodies == 1 ? "y" : "ies");
   if (table.truth.empty())
@@ -43,7 +43,7 @@ std::string points(const TradeTable& table, const TradeSeries& series, const Con
     std::string line = fmt::format("  {} {:<14}", p.on_front ? '*' : ' ',
                                    p.tolerance > 0 ? fmt::format("tol {:.0e}", p.tolerance) : p.dt_text);
     if (p.errors.empty())
-      line += fmt::format("{}: {}", core::name(p.status), p.reason);
+      line += fmt::format("{}: {}", results::name(p.status), p.reason);
     else
       for (const double e : p.errors) line += fmt::format(" {:>11}", number(e));
     if (!p.errors.empty())
@@ -86,7 +86,7 @@ std::string trade_text(const TradeTable& table, const ConsoleOptions& options, b
     out += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
     if (every_point) {
       std::string names = fmt::format("    {:<14}", series.adaptive ? "tolerance" : "step");
-      for (const core::TradeMeasure& m : table.measures)
+      for (const results::TradeMeasure& m : table.measures)
         names += fmt::format(" {:>11}", m.name.substr(0, 11));
       out += names + fmt::format(" {:>9} {:>8} {:>9}\n", "CPU s/s", "ns/b-st", "load s");
       out += points(table, series, options);

@@ -126,39 +126,39 @@ must_refuse("engine/world.cc" "<fmt/format.h>")                                 
 must_refuse("engine/world.cc" "\"../harness/core/scene.h\"")                           # 1, by a relative path
 must_refuse("reference/exact/heavy_top.cc" "\"engine/world.h\"")                       # 2
 must_refuse("reference/exact/heavy_top.cc" "\"reference/simulators/in_house.h\"")      # 2
-must_refuse("reference/simulators/ode.cc" "\"scenarios/loader.h\"")                    # 3
-must_refuse("reference/simulators/in_house.cc" "\"reference/exact/heavy_top.h\"")      # 3
+must_refuse("reference/simulators/ode/ode.cc" "\"scenarios/loader.h\"")                    # 3
+must_refuse("reference/simulators/in_house/in_house.cc" "\"reference/exact/heavy_top.h\"")      # 3
 must_refuse("reference/workers/main.cc" "\"scenarios/loader.h\"")                      # 3
 must_refuse("reference/workers/main.cc" "\"reference/exact/catalogue.h\"")             # 3
 must_refuse("scenarios/loader.cc" "\"engine/world.h\"")                                # 4
 must_refuse("scenarios/loader.cc" "\"reference/simulators/ode.h\"")                    # 4
 must_refuse("harness/core/observable.cc" "\"harness/core/simulator.h\"")               # 5
 must_refuse("harness/core/measure.h" "\"harness/core/simulator.h\"")                   # 5
-must_refuse("harness/core/verdict.cc" "\"harness/core/scene.h\"")                      # 6
+must_refuse("harness/results/verdict.cc" "\"harness/core/scene.h\"")                      # 6
 must_refuse("reports/html.cc" "\"harness/process/worker.h\"")                          # 6
 must_refuse("reports/html.cc" "\"reference/simulators/ode.h\"")                        # 6
-must_refuse("reference/simulators/ode.cc" "\"reference/simulators/bullet.h\"")         # 7
-must_refuse("reference/simulators/ode.cc" "\"engine/world.h\"")                        # 7
-must_refuse("reference/simulators/bullet.cc" "<ode/ode.h>")                            # 7
+must_refuse("reference/simulators/ode/ode.cc" "\"reference/simulators/bullet.h\"")         # 7
+must_refuse("reference/simulators/ode/ode.cc" "\"engine/world.h\"")                        # 7
+must_refuse("reference/simulators/bullet/bullet.cc" "<ode/ode.h>")                            # 7
 must_refuse("reference/simulators/ode.h" "<ode/ode.h>")                                # 7, not in its face
 must_refuse("harness/core/claim.h" "\"harness/core/recording.h\"")                     # 8
-must_refuse("reference/simulators/ode_settings.cc" "\"reference/simulators/bullet_settings.h\"")  # 7
-must_refuse("tests/harness/ode_test.cc" "\"reference/simulators/ode_settings.h\"")       # 7
+must_refuse("reference/simulators/ode/ode_settings.cc" "\"reference/simulators/bullet/bullet_settings.h\"")  # 7
+must_refuse("tests/harness/ode_test.cc" "\"reference/simulators/ode/ode_settings.h\"")       # 7
 must_refuse("tests/harness/ode_test.cc" "<ode/ode.h>")
 must_refuse("tests/harness/ode_test.cc" "\"ode/ode.h\"")
 must_refuse("bench/step.cc" "<btBulletDynamicsCommon.h>")
 must_refuse("harness/core/scene.cc" "\"scenarios/loader.h\"")
 must_refuse("harness/study/trade.cc" "\"reports/html.h\"")
-must_refuse("harness/statistics/holm.cc" "\"harness/core/verdict.h\"")
-must_refuse("harness/cli/main.cc" "\"engine/world.h\"")
+must_refuse("harness/tracking/statistics/holm.cc" "\"harness/results/verdict.h\"")
+must_refuse("harness/cli/commands/main.cc" "\"engine/world.h\"")
 must_refuse("harness/new_layer/thing.cc" "<vector>")
 must_allow("engine/world.cc" "<Eigen/Core>")
 must_allow("engine/world.cc" "<vector>")
 must_allow("harness/core/observable.cc" "\"harness/core/recording.h\"")
-must_allow("reference/simulators/in_house.cc" "\"engine/world.h\"")
-must_allow("reference/simulators/ode.cc" "<ode/ode.h>")
-must_allow("reference/simulators/ode.cc" "\"reference/simulators/ode_settings.h\"")
-must_allow("harness/cli/main.cc" "\"reports/html.h\"")
+must_allow("reference/simulators/in_house/in_house.cc" "\"engine/world.h\"")
+must_allow("reference/simulators/ode/ode.cc" "<ode/ode.h>")
+must_allow("reference/simulators/ode/ode.cc" "\"reference/simulators/ode/ode_settings.h\"")
+must_allow("harness/cli/commands/main.cc" "\"reports/html.h\"")
 must_allow("tests/engine/world_test.cc" "\"engine/world.h\"")
 
 # ---- The tree -----------------------------------------------------------------------------------------

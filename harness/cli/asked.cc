@@ -1,7 +1,7 @@
 #include "harness/cli/asked.h"
 
-#include "harness/cli/app.h"
 #include "harness/cli/command_line.h"
+#include "harness/cli/workers.h"
 
 #include "harness/core/input_error.h"
 
@@ -46,10 +46,10 @@ process::EngineChoice choose(const Context& context, const Asked& asked) {
 }
 
 int report_failure(const std::string& engine, const process::RunOutcome& outcome) {
-  std::cerr << plain(fmt::format("{}: {}: {}\n", engine, core::name(outcome.status), outcome.reason));
+  std::cerr << plain(fmt::format("{}: {}: {}\n", engine, results::name(outcome.status), outcome.reason));
   // An engine that is there and says that it cannot do this was asked for the wrong thing.
-  return outcome.status == core::Status::unsupported && !outcome.engine.version.empty() ? bad_input
-                                                                                        : harness_failure;
+  return outcome.status == results::Status::unsupported && !outcome.engine.version.empty() ? bad_input
+                                                                                           : harness_failure;
 }
 
 }  // namespace cylon::cli

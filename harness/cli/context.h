@@ -3,7 +3,7 @@
 
 #include "harness/core/input_error.h"
 #include "harness/process/engines.h"
-#include "scenarios/scenario.h"
+#include "harness/scenario/scenario.h"
 
 #include <filesystem>
 #include <optional>

@@ -80,13 +80,13 @@ Journal::Content Journal::read() const {
         content.request = request_from(row.at("request"));
         continue;
       }
-      std::vector<core::Verdict> verdicts;
+      std::vector<results::Verdict> verdicts;
       for (const auto& verdict : row.at("verdicts"))
         verdicts.push_back(reports::from_json_line(verdict.get<std::string>()));
       if (verdicts.empty()) continue;
       const std::string cell = row.at("cell");
       if (std::all_of(verdicts.begin(), verdicts.end(),
-                      [](const core::Verdict& v) { return v.as_expected(); })) {
+                      [](const results::Verdict& v) { return v.as_expected(); })) {
         content.differing.erase(cell);
       } else {
         content.differing.insert(cell);
@@ -112,9 +112,9 @@ void Journal::open(const Request& request, bool append) {
 }
 
 void Journal::add(const std::string& key, const study::Cell& cell,
-                  const std::vector<core::Verdict>& verdicts) {
+                  const std::vector<results::Verdict>& verdicts) {
   nlohmann::json lines = nlohmann::json::array();
-  for (const core::Verdict& verdict : verdicts) lines.push_back(reports::to_json_line(verdict));
+  for (const results::Verdict& verdict : verdicts) lines.push_back(reports::to_json_line(verdict));
   const nlohmann::json line = {{"key", key}, {"cell", cell_name(cell)}, {"verdicts", lines}};
   out_ << line.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) << '\n' << std::flush;
 }

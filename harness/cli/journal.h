@@ -36,7 +36,7 @@ class Journal {
 
   struct Content {
     std::optional<Request> request;                           ///< Absent: there was no run.
-    std::map<std::string, std::vector<core::Verdict>> cells;  ///< By key.
+    std::map<std::string, std::vector<results::Verdict>> cells;  ///< By key.
     std::set<std::string> differing;                          ///< Names of cells that were not as expected.
   };
 
@@ -47,7 +47,7 @@ class Journal {
   void open(const Request&, bool append);
 
   /// Adds a finished cell and flushes it; a journal that cannot be written is silently none.
-  void add(const std::string& key, const study::Cell&, const std::vector<core::Verdict>&);
+  void add(const std::string& key, const study::Cell&, const std::vector<results::Verdict>&);
 
  private:
   std::filesystem::path file_;

@@ -1,6 +1,6 @@
 #include "harness/cli/options.h"
 
-#include "harness/cli/app.h"
+#include "harness/cli/workers.h"
 
 #include <fmt/format.h>
 

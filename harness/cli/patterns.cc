@@ -1,7 +1,7 @@
 #include "harness/cli/patterns.h"
 
 #include "harness/cli/context.h"
-#include "scenarios/glob.h"
+#include "harness/scenario/glob.h"
 
 #include <fmt/format.h>
 
@@ -32,8 +32,8 @@ Pattern parse(std::string text) {
 // A glob takes in no file, which is named by its path; it may exclude one by its name.
 bool hits(const Pattern& p, const std::string& scenario) {
   if (p.scenario == scenario) return true;
-  if (!is_path(scenario)) return scenarios::glob_match(p.scenario, scenario);
-  return p.exclude && scenarios::glob_match(p.scenario, std::filesystem::path(scenario).stem().string());
+  if (!is_path(scenario)) return scenario::glob_match(p.scenario, scenario);
+  return p.exclude && scenario::glob_match(p.scenario, std::filesystem::path(scenario).stem().string());
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ std::vector<Pattern> parse_patterns(const std::vector<std::string>& words) {
 bool taken(const std::vector<Pattern>& patterns, const std::string& scenario, const std::string& engine) {
   bool any = false, in = false;
   for (const Pattern& p : patterns) {
-    const bool hit = hits(p, scenario) && scenarios::glob_match(p.engine, engine);
+    const bool hit = hits(p, scenario) && scenario::glob_match(p.engine, engine);
     if (p.exclude && hit) return false;
     if (!p.exclude) any = true, in = in || hit;
   }

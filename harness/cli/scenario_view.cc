@@ -7,7 +7,7 @@ namespace cylon::cli {
 
 using Json = nlohmann::ordered_json;
 
-Json scenario_facts(const scenarios::Scenario& scenario) {
+Json scenario_facts(const scenario::Scenario& scenario) {
   Json claims = Json::array();
   for (const core::Claim& claim : scenario.claims)
     claims.push_back({{"label", claim.label},
@@ -27,7 +27,7 @@ Json scenario_facts(const scenarios::Scenario& scenario) {
           {"claims", std::move(claims)}};
 }
 
-std::string scenario_view(const scenarios::Scenario& scenario) {
+std::string scenario_view(const scenario::Scenario& scenario) {
   Json view = {{"format", "cylon-scenario/1"}, {"hash", scenario.hash}};
   view.update(scenario_facts(scenario));
   view["scene"] = process::to_json(scenario.scene);

@@ -1,7 +1,7 @@
 // A scenario for people and pictures, as JSON.
 #pragma once
 
-#include "scenarios/scenario.h"
+#include "harness/scenario/scenario.h"
 
 #include <nlohmann/json.hpp>
 
@@ -11,9 +11,9 @@ namespace cylon::cli {
 
 /// Name, words, duration, step and what is claimed how well; what is not finite, a horizon that is the whole
 /// duration say, is null where this is written.
-nlohmann::ordered_json scenario_facts(const scenarios::Scenario&);
+nlohmann::ordered_json scenario_facts(const scenario::Scenario&);
 
 /// One line: the facts with format, hash and scene (`ScenarioView` of reports/web/src/shared/documents.ts).
-std::string scenario_view(const scenarios::Scenario&);
+std::string scenario_view(const scenario::Scenario&);
 
 }  // namespace cylon::cli

@@ -1,10 +1,10 @@
 #include "harness/cli/selection.h"
 
-#include "harness/cli/app.h"
+#include "harness/cli/workers.h"
 #include "harness/cli/command_line.h"
 #include "harness/cli/patterns.h"
 #include "harness/process/client.h"
-#include "scenarios/glob.h"
+#include "harness/scenario/glob.h"
 
 #include <fmt/format.h>
 
@@ -24,7 +24,7 @@ bool contains(const std::vector<std::string>& words, const std::string& word) {
 
 bool any_match(const std::vector<std::string>& globs, const std::string& word) {
   return std::any_of(globs.begin(), globs.end(),
-                     [&](const std::string& g) { return scenarios::glob_match(g, word); });
+                     [&](const std::string& g) { return scenario::glob_match(g, word); });
 }
 
 std::vector<std::string> names_of(const std::vector<fs::path>& files) {
@@ -34,7 +34,7 @@ std::vector<std::string> names_of(const std::vector<fs::path>& files) {
 }
 
 // The suite of that name; a folder of scenarios without a suite `conformance` runs all it has on all engines.
-scenarios::Suite find_suite(const Context& context, const std::vector<EngineRow>& rows,
+scenario::Suite find_suite(const Context& context, const std::vector<EngineRow>& rows,
                             const std::string& asked) {
   const std::string name = asked.empty() ? "conformance" : asked;
   const fs::path folder = context.scenarios / "suites";
@@ -43,12 +43,12 @@ scenarios::Suite find_suite(const Context& context, const std::vector<EngineRow>
   for (const auto& entry : fs::directory_iterator(folder, ignored))
     if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
   std::sort(names.begin(), names.end());
-  if (contains(names, name)) return scenarios::load_suite(folder / (name + ".toml"));
+  if (contains(names, name)) return scenario::load_suite(folder / (name + ".toml"));
   if (!asked.empty())
     throw core::InputError(fmt::format("--suite '{}': no such suite in {}{} (suites: {})", name,
                                        folder.string(), core::did_you_mean(name, names),
                                        fmt::join(names, ", ")));
-  scenarios::Suite all;
+  scenario::Suite all;
   all.scenarios = {"*"};
   for (const EngineRow& row : rows) all.engines.push_back(row.id);
   return all;
@@ -58,7 +58,7 @@ scenarios::Suite find_suite(const Context& context, const std::vector<EngineRow>
 // spells out.
 std::vector<std::string> engine_ids(const Context& context, const std::vector<EngineRow>& rows,
                                     const Request& request, const std::vector<Pattern>& patterns,
-                                    const scenarios::Suite& suite) {
+                                    const scenario::Suite& suite) {
   std::vector<std::string> ids;
   const auto add = [&](const std::string& id) {
     if (!contains(ids, id)) ids.push_back(id);
@@ -79,9 +79,9 @@ std::vector<std::string> engine_ids(const Context& context, const std::vector<En
       continue;
     }
     for (const std::string& id : suite.engines)
-      if (scenarios::glob_match(word, id)) add(id);
+      if (scenario::glob_match(word, id)) add(id);
     for (const EngineRow& row : rows)
-      if (scenarios::glob_match(word, row.id)) add(row.id);
+      if (scenario::glob_match(word, row.id)) add(row.id);
   }
   return ids;
 }
@@ -113,7 +113,7 @@ bool same(const EngineChoice& a, const EngineChoice& b) {
 
 std::vector<EngineChoice> choose_engines(const Context& context, const std::vector<EngineRow>& rows,
                                          const Request& request, const std::vector<Pattern>& patterns,
-                                         const scenarios::Suite& suite) {
+                                         const scenario::Suite& suite) {
   std::vector<EngineChoice> engines;
   std::vector<std::string> schemes;
   for (const std::string& id : engine_ids(context, rows, request, patterns, suite)) {
@@ -143,7 +143,7 @@ struct Step {
 std::vector<Step> parse_steps(const std::vector<std::string>& words) {
   std::vector<Step> steps;
   for (const std::string& word : words) try {
-      const double dt = scenarios::parse_step(word);
+      const double dt = scenario::parse_step(word);
       if (std::none_of(steps.begin(), steps.end(), [&](const Step& other) { return other.dt == dt; }))
         steps.push_back({word, dt});
     } catch (const core::InputError& error) {
@@ -169,7 +169,7 @@ struct Candidate {
 
 std::vector<Candidate> candidates(const Context& context, const std::vector<EngineRow>& rows,
                                   const Request& request, const std::vector<Pattern>& patterns,
-                                  const scenarios::Suite& suite) {
+                                  const scenario::Suite& suite) {
   std::vector<Candidate> found;
   for (const Pattern& p : patterns)
     if (!p.exclude && is_path(p.scenario) &&
@@ -193,11 +193,11 @@ std::vector<Candidate> candidates(const Context& context, const std::vector<Engi
 
 // expected.toml speaks of the folder's own scenarios: a file elsewhere that borrows a name is another
 // scenario.
-bool is_stranger(const Context& context, const scenarios::Scenario& scenario) {
+bool is_stranger(const Context& context, const scenario::Scenario& scenario) {
   const auto own = own_scenario(context, scenario.name);
   std::error_code ignored;
   if (!own || fs::equivalent(*own, scenario.file, ignored)) return false;
-  return scenarios::load(*own).hash != scenario.hash;
+  return scenario::load(*own).hash != scenario.hash;
 }
 
 // `cylon run SCENARIO --engine ID --dt S`, with the worker of an engine that is not built in.
@@ -235,7 +235,7 @@ Selection select(const Context& context, const Request& request) {
 
   std::set<std::string> labels;
   for (const auto& [given, file] : chosen) {
-    auto scenario = std::make_unique<scenarios::Scenario>(scenarios::load(file));
+    auto scenario = std::make_unique<scenario::Scenario>(scenario::load(file));
     const std::string known_as = is_stranger(context, *scenario) ? given : scenario->name;
     if (!labels.insert(scenario->name).second) scenario->name = given;  // two of one name in one report
     const std::vector<Step> nominal = {{scenario->step_text, scenario->step}};

@@ -3,7 +3,7 @@
 
 #include "harness/cli/context.h"
 #include "harness/study/cell.h"
-#include "scenarios/suite.h"
+#include "harness/scenario/suite.h"
 
 #include <memory>
 #include <string>
@@ -28,8 +28,8 @@ struct Request {
 };
 
 struct Selection {
-  scenarios::Suite suite;                                       ///< The one asked for by name, or by default.
-  std::vector<std::unique_ptr<scenarios::Scenario>> scenarios;  ///< Cells point here.
+  scenario::Suite suite;                                       ///< The one asked for by name, or by default.
+  std::vector<std::unique_ptr<scenario::Scenario>> scenarios;  ///< Cells point here.
   std::vector<study::Cell> cells;  ///< Scenario by scenario, engine by engine, step by step; none twice.
 };
 

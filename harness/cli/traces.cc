@@ -1,6 +1,6 @@
 #include "harness/cli/traces.h"
 
-#include "harness/core/trace.h"
+#include "reports/trace.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 namespace cylon::cli {
 namespace {
 
-using core::Verdict;
+using results::Verdict;
 using Key = std::tuple<std::string, std::string, std::string, std::string>;
 
 Key key(const reports::PackedTrace& t) { return {t.scenario, t.engine, t.integrator, t.dt_text}; }
@@ -22,7 +22,7 @@ Key key(const Verdict& v) { return {v.scenario, v.engine, v.integrator, v.dt_tex
 std::map<Key, int> ranks(const std::vector<Verdict>& verdicts) {
   std::map<Key, int> result;
   for (const Verdict& v : verdicts) {
-    const bool well = v.status == core::Status::pass || v.status == core::Status::unsupported;
+    const bool well = v.status == results::Status::pass || v.status == results::Status::unsupported;
     const int rank = !v.as_expected() ? 0 : well ? 2 : 1;
     const auto [place, fresh] = result.emplace(key(v), rank);
     if (!fresh) place->second = std::min(place->second, rank);
@@ -37,8 +37,8 @@ void Traces::watch(std::vector<study::Cell>& cells) {
   for (std::size_t i = 0; i < cells.size(); ++i)
     cells[i].seen = [this, i, &cell = cells[i]](const process::RunOutcome& outcome) {
       if (!outcome.recording) return;
-      const scenarios::Scenario& scenario = *cell.scenario;
-      core::Trace trace = core::trace(scenario.scene, scenario.claims, scenario.duration, *outcome.recording);
+      const scenario::Scenario& scenario = *cell.scenario;
+      reports::Trace trace = reports::trace(scenario.scene, scenario.claims, scenario.duration, *outcome.recording);
       trace.scenario = scenario.name, trace.engine = cell.engine.id;
       trace.integrator = outcome.terms.integrator, trace.dt_text = cell.dt_text;
       reports::PackedTrace packed = reports::pack(trace);

@@ -1,7 +1,7 @@
 // The traces of a run's cells, for its report.
 #pragma once
 
-#include "harness/core/trace.h"
+#include "reports/trace.h"
 #include "harness/study/cell.h"
 #include "reports/html.h"
 
@@ -24,16 +24,16 @@ class Traces {
   /// expected.toml, other failures, runs of the same scenarios that did not fail (to be compared with), the
   /// rest (all only).  `why_not` says what is left out, "" where nothing is.
   std::vector<reports::PackedTrace> chosen(const std::vector<study::Cell>& cells,
-                                           const std::vector<core::Verdict>&, Trajectories,
+                                           const std::vector<results::Verdict>&, Trajectories,
                                            std::string& why_not) const;
 
   /// By cell; of cells without a recording empty.
-  const std::vector<core::Trace>& errors() const { return errors_; }
+  const std::vector<reports::Trace>& errors() const { return errors_; }
 
  private:
   std::mutex adding_;
   std::vector<reports::PackedTrace> packed_;  // by cell; an empty block: there was no recording
-  std::vector<core::Trace> errors_;           // without motions and totals
+  std::vector<reports::Trace> errors_;           // without motions and totals
 };
 
 }  // namespace cylon::cli

@@ -1,7 +1,7 @@
 // One child process at arm's length: spawned, fed, drained, limited, and always reaped.  Knows no protocol.
 #pragma once
 
-#include "harness/core/verdict.h"
+#include "harness/results/verdict.h"
 #include "harness/process/byte_queue.h"
 
 #include <sys/types.h>
@@ -25,8 +25,8 @@ struct Interrupted : std::runtime_error {
 
 /// The child failed in a way that is a verdict: unsupported (it cannot start), crash, timeout or protocol.
 struct Failure : std::runtime_error {
-  Failure(core::Status s, const std::string& reason) : std::runtime_error(reason), status(s) {}
-  core::Status status;
+  Failure(results::Status s, const std::string& reason) : std::runtime_error(reason), status(s) {}
+  results::Status status;
 };
 
 /// A process in a group of its own, with its stdin, stdout and stderr on pipes.  It dies with this object, or

@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::json;
 
-[[noreturn]] void broken(const std::string& reason) { throw Failure(core::Status::protocol, reason); }
+[[noreturn]] void broken(const std::string& reason) { throw Failure(results::Status::protocol, reason); }
 
 Run requested(const RunRequest& request) {
   if (!request.scene) throw std::invalid_argument("a run needs a scene");
@@ -65,7 +65,7 @@ class Recorder {
       if (answer.contains("event")) {
         add(event_from_json(answer));
       } else if (const auto reason = text_of(answer, "error")) {
-        throw Failure(core::Status::crash, fmt::format("gave up after step {}: {}", last_, *reason));
+        throw Failure(results::Status::crash, fmt::format("gave up after step {}: {}", last_, *reason));
       } else {
         require_ok(answer, "run");
         finish(done_from_json(answer));
@@ -144,7 +144,7 @@ void attempt(RunOutcome& outcome, Task task) try {
   outcome.status = failure.status;
   outcome.reason = failure.what();
 } catch (const MalformedMessage& error) {
-  outcome.status = core::Status::protocol;
+  outcome.status = results::Status::protocol;
   outcome.reason = error.what();
 }
 
@@ -163,7 +163,7 @@ RunOutcome run(const EngineChoice& choice, const RunRequest& request, const Limi
     outcome.terms = open_scene(*worker, choice, scene, request.setup, hello.engine, limits.run_seconds);
     core::State start = read_start(*worker, scene.bodies.size());
     if (const auto difference = read_back_difference(scene, start, hello.engine.precision))
-      throw Failure(core::Status::fail, "initial state read back differs: " + *difference);
+      throw Failure(results::Status::fail, "initial state read back differs: " + *difference);
     Recorder recorder(scene, wanted, hello.events, request.setup.dt, std::move(start));
     core::Recording recording = recorder.record(*worker);
     outcome.peak_bytes = worker->peak_bytes();
@@ -195,7 +195,7 @@ core::Engine describe(const EngineChoice& choice, const Limits& limits) try {
   worker.finish(limits.quit_seconds);
   return engine;
 } catch (const MalformedMessage& error) {
-  throw Failure(core::Status::protocol, error.what());
+  throw Failure(results::Status::protocol, error.what());
 }
 
 }  // namespace cylon::process

@@ -4,7 +4,7 @@
 #include "harness/core/recording.h"
 #include "harness/core/scene.h"
 #include "harness/core/simulator.h"
-#include "harness/core/verdict.h"
+#include "harness/results/verdict.h"
 #include "harness/process/child.h"
 #include "harness/process/engines.h"
 
@@ -44,7 +44,7 @@ struct RunOutcome {
   std::optional<core::Recording> recording;  ///< Present exactly when the status is pass.
   /// pass: the run reached its end, whatever the numbers; fail: the engine starts from another state than the
   /// scene's; else unsupported, crash, timeout or protocol.
-  core::Status status = core::Status::pass;
+  results::Status status = results::Status::pass;
   std::vector<Repetition> repetitions;  ///< As many as were asked for, exactly when the status is pass.
   std::size_t peak_bytes = 0;           ///< Most that the worker had resident by the end of the first run.
   std::string reason;                   ///< One line; empty when it passed.

@@ -15,7 +15,7 @@ using nlohmann::json;
 
 constexpr std::size_t longest_line = std::size_t{16} << 20;  // [bytes]
 
-[[noreturn]] void broken(const std::string& reason) { throw Failure(core::Status::protocol, reason); }
+[[noreturn]] void broken(const std::string& reason) { throw Failure(results::Status::protocol, reason); }
 
 // The start of what came, fit to be printed.
 std::string excerpt(std::string_view bytes) {

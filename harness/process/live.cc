@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-[[noreturn]] void broken(const std::string& reason) { throw Failure(core::Status::protocol, reason); }
+[[noreturn]] void broken(const std::string& reason) { throw Failure(results::Status::protocol, reason); }
 
 bool finite(const core::State& state) {
   return std::all_of(state.begin(), state.end(), [](const core::BodyState& s) {
@@ -29,7 +29,7 @@ template <class Task>
 auto speaking(Task task) try {
   return task();
 } catch (const MalformedMessage& error) {
-  throw Failure(core::Status::protocol, error.what());
+  throw Failure(results::Status::protocol, error.what());
 }
 
 }  // namespace
@@ -52,14 +52,14 @@ void LiveRun::open(const core::Scene& scene) {
   terms_ = open_scene(worker_, choice_, scene, setup_, hello_.engine, limits_.run_seconds);
   state_ = read_start(worker_, scene.bodies.size());
   if (const auto difference = read_back_difference(scene, state_, hello_.engine.precision))
-    throw Failure(core::Status::fail, "initial state read back differs: " + *difference);
+    throw Failure(results::Status::fail, "initial state read back differs: " + *difference);
 }
 
 Piece LiveRun::advance(std::int64_t n) {
   return speaking([&] {
     if (steps_ > 0 && !hello_.live) {
       if (const auto reason = not_resumable(scene_))
-        throw Failure(core::Status::unsupported, "the worker is not live, and " + *reason);
+        throw Failure(results::Status::unsupported, "the worker is not live, and " + *reason);
       const double t = static_cast<double>(steps_) * setup_.dt;
       open(resumed(scene_, joints_, state_, t));
       Piece piece = run(n, false);
@@ -93,7 +93,7 @@ Piece LiveRun::run(std::int64_t n, bool resume) {
       if (!asked.contacts) broken("contacts that were not asked for");
       piece.contacts = contacts_from_json(answer, scene_.bodies.size(), scene_.planes.size());
     } else if (const auto reason = text_of(answer, "error")) {
-      throw Failure(core::Status::crash, "gave up: " + *reason);
+      throw Failure(results::Status::crash, "gave up: " + *reason);
     } else {
       require_ok(answer, "run");
       const Done done = done_from_json(answer);
@@ -104,7 +104,7 @@ Piece LiveRun::run(std::int64_t n, bool resume) {
       break;
     }
   }
-  if (!finite(state_)) throw Failure(core::Status::non_finite, "the state is NaN or infinite");
+  if (!finite(state_)) throw Failure(results::Status::non_finite, "the state is NaN or infinite");
   piece.state = state_;
   return piece;
 }

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-[[noreturn]] void broken(const std::string& reason) { throw Failure(core::Status::protocol, reason); }
+[[noreturn]] void broken(const std::string& reason) { throw Failure(results::Status::protocol, reason); }
 
 core::Setup merged(const EngineChoice& choice, core::Setup setup) {
   if (!choice.path.empty()) setup.path = choice.path;
@@ -59,7 +59,7 @@ void require_ok(const json& answer, const char* what) {
 Hello introduce(Conversation& worker, double seconds) {
   worker.ask({{"cmd", "hello"}, {"protocol", protocol_version}}, seconds);
   const json answer = worker.next_line();
-  if (const auto reason = text_of(answer, "unsupported")) throw Failure(core::Status::unsupported, *reason);
+  if (const auto reason = text_of(answer, "unsupported")) throw Failure(results::Status::unsupported, *reason);
   if (const auto reason = text_of(answer, "error")) broken("hello was refused: " + *reason);
   require_ok(answer, "hello");
   return hello_from_json(answer);
@@ -71,7 +71,7 @@ core::Terms open_scene(Conversation& worker, const EngineChoice& choice, const c
   require_adaptive(engine, choice.id, setup);
   worker.ask(load_request(scene, setup), seconds);
   const json answer = worker.next_line();
-  if (const auto reason = text_of(answer, "unsupported")) throw Failure(core::Status::unsupported, *reason);
+  if (const auto reason = text_of(answer, "unsupported")) throw Failure(results::Status::unsupported, *reason);
   if (const auto reason = text_of(answer, "error"))
     throw core::InputError(fmt::format("engine '{}': {}", choice.id, *reason));
   require_ok(answer, "load");

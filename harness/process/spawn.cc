@@ -92,7 +92,7 @@ void become(char* const* argv, int in, int out, int err, std::size_t memory_byte
 }  // namespace
 
 Spawned spawn(const std::vector<std::string>& command, std::size_t memory_bytes) {
-  if (command.empty()) throw Failure(core::Status::unsupported, "cannot start: the command is empty");
+  if (command.empty()) throw Failure(results::Status::unsupported, "cannot start: the command is empty");
   static std::once_flag once;
   std::call_once(once, [] { ::signal(SIGPIPE, SIG_IGN); });
 
@@ -121,7 +121,7 @@ Spawned spawn(const std::vector<std::string>& command, std::size_t memory_bytes)
   if (told > 0) {
     while (::waitpid(pid, nullptr, 0) < 0 && errno == EINTR) {
     }
-    throw Failure(core::Status::unsupported, fmt::format("cannot start '{}': {}", command.front(),
+    throw Failure(results::Status::unsupported, fmt::format("cannot start '{}': {}", command.front(),
                                                          std::generic_category().message(error)));
   }
   for (const int fd : {in.write.get(), out.read.get(), err.read.get()})

@@ -17,8 +17,8 @@
 namespace cylon::study {
 namespace {
 
-using core::EngineAdvice;
-using core::Pick;
+using results::EngineAdvice;
+using results::Pick;
 
 // The settings of a scheme from coarse to fine: steps, or tolerances on a fixed grid.
 struct Row {
@@ -106,7 +106,7 @@ class Search {
                                 options_.limits);
     if (ran.path == "stepping" && !setting_.first_fixed && !setting_.asked)
       throw Cannot{"the path has no use for this scheme"};
-    if (ran.point.status == core::Status::unsupported) throw Cannot{ran.point.reason};
+    if (ran.point.status == results::Status::unsupported) throw Cannot{ran.point.reason};
     if (start == 0) cpu_[i] = ran.cpu_seconds;
     return ran.point.errors.empty() ? std::nan("") : ran.point.errors[from.by];
   }
@@ -172,7 +172,7 @@ std::span<const double> check_variations() {
   return parts;
 }
 
-std::int64_t search_samples(const scenarios::Scenario& scenario) {
+std::int64_t search_samples(const scenario::Scenario& scenario) {
   return std::min(coarsest_samples(scenario, 256, 64), ladder(scenario, 1, 1).samples);
 }
 
@@ -259,7 +259,7 @@ std::vector<EngineAdvice> advise(const std::vector<Start>& starts, const std::ve
     for (Pick& pick : picks[e]) timed.push_back(&pick);
     if (advice[e].ten_times) timed.push_back(&*advice[e].ten_times);
   }
-  const scenarios::Scenario& scenario = *starts.front().scenario;
+  const scenario::Scenario& scenario = *starts.front().scenario;
   time_picks(timed, scenario.scene, settings, scenario.duration, options.rounds, options.limits);
   for (std::size_t e = 0; e < advice.size(); ++e) {
     std::stable_sort(picks[e].begin(), picks[e].end(),

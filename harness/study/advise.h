@@ -2,7 +2,7 @@
 // starts that had no part in the search.
 #pragma once
 
-#include "harness/core/advice.h"
+#include "harness/results/advice.h"
 #include "harness/study/starts.h"
 #include "harness/study/sweep.h"
 
@@ -29,7 +29,7 @@ std::span<const double> check_variations();
 
 /// The times at which a search looks: as few as 64, for up to 256 times the nominal step; never more than the
 /// sweep's ladder has.
-std::int64_t search_samples(const scenarios::Scenario&);
+std::int64_t search_samples(const scenario::Scenario&);
 
 /// The steps that a search chooses among: multiples of `samples`, each about 2^(1/per_octave) of the one
 /// before, up to `most`.
@@ -39,17 +39,17 @@ std::vector<std::int64_t> fine_steps(std::int64_t samples, std::int64_t most, in
 /// searched on; a pick must meet the tolerance with the margin on all.  `done` is called after each
 /// search, one at a time.  Throws core::InputError for a setting that was asked for and is impossible,
 /// process::Interrupted.
-std::vector<core::EngineAdvice> advise(const std::vector<Start>& starts, const std::vector<Setting>& settings,
+std::vector<results::EngineAdvice> advise(const std::vector<Start>& starts, const std::vector<Setting>& settings,
                                        const AdviseOptions&, const std::function<void(const Setting&)>& done);
 
 /// A pick as a setting to run.
-Setting setting_of(const core::Pick&, const std::vector<Setting>& settings);
+Setting setting_of(const results::Pick&, const std::vector<Setting>& settings);
 
 /// The error of a pick from one start; NaN where the run fails.
 double error_from(const Start&, const Setting&, std::int64_t steps, double tolerance, const process::Limits&);
 
 /// The costs of picks, measured in turns: round r of each before round r + 1.
-void time_picks(const std::vector<core::Pick*>&, const core::Scene&, const std::vector<Setting>&,
+void time_picks(const std::vector<results::Pick*>&, const core::Scene&, const std::vector<Setting>&,
                 double duration, int rounds, const process::Limits&);
 
 }  // namespace cylon::study

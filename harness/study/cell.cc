@@ -20,8 +20,8 @@ namespace cylon::study {
 namespace {
 
 using core::Claim;
-using core::Verdict;
-using scenarios::Scenario;
+using results::Verdict;
+using scenario::Scenario;
 
 std::int64_t steps_of(const Scenario& scenario, double time, double dt, const std::string& what) {
   try {
@@ -53,7 +53,7 @@ void add_detail(Verdict& row, const std::string& sentence) {
 }
 
 Verdict blank(const Cell& cell, const Claim& claim, const Sampling& plan,
-              const scenarios::Expectations& expectations) {
+              const scenario::Expectations& expectations) {
   Verdict row = open_row(cell, claim.label, expectations);
   row.sampling = claim.sample && *claim.sample > 0 ? fmt::format("every {} s", *claim.sample) : plan.text;
   row.observable = core::name(claim.observable.quantity);
@@ -74,13 +74,13 @@ void judge(Verdict& row, const Claim& claim, const Cell& cell, std::span<const c
   row.first_bad_step = first_bad_step;
   row.detail = measured.detail;
   for (const std::string& remark : recordings.front().remarks) add_detail(row, remark);
-  row.status = core::judge(measured.value, row.allowed);
+  row.status = results::judge(measured.value, row.allowed);
   const bool nothing_passes = cell.tolerance_scale == 0;  // a residual of zero neither
-  if ((measured.broken || nothing_passes) && row.status != core::Status::non_finite)
-    row.status = core::Status::fail;
+  if ((measured.broken || nothing_passes) && row.status != results::Status::non_finite)
+    row.status = results::Status::fail;
   // A run that broke within the claim's horizon proves nothing, whatever the claim reads of its states.
   if (!first_bad_step || static_cast<double>(*first_bad_step) * row.dt > claim.until) return;
-  row.status = core::Status::non_finite;
+  row.status = results::Status::non_finite;
   row.measured = std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -113,7 +113,7 @@ void measure_spread(const Cell& cell, const Sampling& plan, const process::Limit
     for (std::size_t k = 0; k < rows.size(); ++k) {
       if (!outcome.recording) {
         add_detail(rows[k], fmt::format("the copy {} that starts one ulp apart: {}, {}", i + 1,
-                                        core::name(outcome.status), outcome.reason));
+                                        results::name(outcome.status), outcome.reason));
         continue;
       }
       const double apart = spread(scenario.claims[k], scenario.scene, recording, *outcome.recording);
@@ -158,7 +158,7 @@ Sampling sampling(const Scenario& scenario, double dt) {
 }
 
 std::vector<Verdict> run(const Cell& cell, const process::Limits& limits,
-                         const scenarios::Expectations& expectations) {
+                         const scenario::Expectations& expectations) {
   const Scenario& scenario = *cell.scenario;
   const Sampling plan = sampling(scenario, cell.dt);
   std::vector<Verdict> rows;
@@ -178,9 +178,9 @@ std::vector<Verdict> run(const Cell& cell, const process::Limits& limits,
         if (outcome.recording) row.cpu_seconds = outcome.recording->cpu_seconds;
       }
       row.complaints = outcome.stderr_tail;
-      if (outcome.status != core::Status::pass) row.status = outcome.status, row.detail = outcome.reason;
+      if (outcome.status != results::Status::pass) row.status = outcome.status, row.detail = outcome.reason;
     }
-    if (outcome.status != core::Status::pass || !outcome.recording) return rows;
+    if (outcome.status != results::Status::pass || !outcome.recording) return rows;
     recordings.push_back(std::move(*outcome.recording));
   }
   const auto bad = core::first_bad_step(recordings.front());

@@ -1,11 +1,11 @@
 // One scenario on one engine at one step: record, measure, judge.  The unit of every study.
 #pragma once
 
-#include "harness/core/verdict.h"
+#include "harness/results/verdict.h"
 #include "harness/process/client.h"
 #include "harness/process/engines.h"
-#include "scenarios/expected.h"
-#include "scenarios/scenario.h"
+#include "harness/scenario/expected.h"
+#include "harness/scenario/scenario.h"
 
 #include <functional>
 #include <string>
@@ -17,7 +17,7 @@ namespace cylon::study {
 enum class Exam { claims, relations };
 
 struct Cell {
-  const scenarios::Scenario* scenario = nullptr;
+  const scenario::Scenario* scenario = nullptr;
   process::EngineChoice engine;
   double dt = 0;          ///< [s]
   std::string dt_text;    ///< As given: "1/60".
@@ -40,10 +40,10 @@ struct Sampling {
 };
 
 /// Throws core::InputError where the step does not fit the duration, a claim's sampling, or a truth's times.
-Sampling sampling(const scenarios::Scenario&, double dt);
+Sampling sampling(const scenario::Scenario&, double dt);
 
 /// Runs the cell and gives a verdict for each claim of the scenario.  An engine's failure is a verdict;
 /// a wrong request (a step that does not fit, an unknown option) throws core::InputError.
-std::vector<core::Verdict> run(const Cell&, const process::Limits&, const scenarios::Expectations&);
+std::vector<results::Verdict> run(const Cell&, const process::Limits&, const scenario::Expectations&);
 
 }  // namespace cylon::study

@@ -1,7 +1,7 @@
 #include "harness/study/compare.h"
 
-#include "harness/statistics/holm.h"
 #include "harness/study/paired_times.h"
+#include "harness/tracking/statistics/holm.h"
 
 #include <fmt/format.h>
 
@@ -13,9 +13,9 @@
 namespace cylon::study {
 namespace {
 
-using core::Comparison;
-using core::Finding;
 using process::EngineChoice;
+using results::Comparison;
+using results::Finding;
 
 /// What is timed later.
 struct ToTime {
@@ -30,7 +30,7 @@ bool end(Comparison& c, Finding finding, std::string reason) {
   return false;
 }
 
-std::string failure_of(const Profile& p) { return fmt::format("{}: {}", core::name(p.status), p.reason); }
+std::string failure_of(const Profile& p) { return fmt::format("{}: {}", results::name(p.status), p.reason); }
 
 /// Whether both builds ran to the end, so that there is something to compare; else `c` says what is the
 /// matter.
@@ -87,7 +87,7 @@ TakeSample sampler(const EngineChoice& engine, const SamplePlan& plan, const pro
 /// The pairs of one cell; those of the baseline with itself between them where `self_check` is wanted.
 void time_cell(const ToTime& job, const CompareOptions& options, const statistics::PairedRule& rule,
                const CompareProgress& progress, Comparison& c,
-               std::optional<core::ComparedTime>* self_check) {
+               std::optional<results::ComparedTime>* self_check) {
   const TakeSample old_sample = sampler(job.baseline, job.plan, options.limits);
   PairedTimes pairs(old_sample, sampler(job.candidate, job.plan, options.limits), rule);
   PairedTimes same(old_sample, old_sample, options.rule);
@@ -114,7 +114,7 @@ void time_cell(const ToTime& job, const CompareOptions& options, const statistic
 
 }  // namespace
 
-core::Comparison open_comparison(const Cell& cell) {
+results::Comparison open_comparison(const Cell& cell) {
   Comparison c;
   c.scenario = cell.scenario->name, c.scenario_hash = cell.scenario->hash;
   c.engine = cell.engine.id, c.dt = cell.dt, c.dt_text = cell.dt_text, c.reproduce = cell.reproduce;
@@ -122,17 +122,19 @@ core::Comparison open_comparison(const Cell& cell) {
 }
 
 bool both_ran(Comparison& c, const Profile& baseline, const Profile& candidate) {
-  const bool before = baseline.status == core::Status::pass, after = candidate.status == core::Status::pass;
+  const bool before = baseline.status == results::Status::pass,
+             after = candidate.status == results::Status::pass;
   if (before && after) return true;
   if (before) return end(c, Finding::regressed, "no longer runs: " + failure_of(candidate));
   if (after) return end(c, Finding::improved, "the baseline did not run: " + failure_of(baseline));
   return end(c, Finding::skipped,
-             baseline.status == core::Status::unsupported ? failure_of(candidate)
-                                                          : "neither build runs: " + failure_of(candidate));
+             baseline.status == results::Status::unsupported
+                 ? failure_of(candidate)
+                 : "neither build runs: " + failure_of(candidate));
 }
 
 void adjust(std::vector<Comparison>& cells, double alpha) {
-  std::vector<core::ComparedTime*> timed;
+  std::vector<results::ComparedTime*> timed;
   std::vector<double> p;
   for (Comparison& c : cells)
     if (c.time) timed.push_back(&*c.time), p.push_back(c.time->p);
@@ -145,19 +147,19 @@ void adjust(std::vector<Comparison>& cells, double alpha) {
   }
 }
 
-void conclude(core::ComparisonReport& report) {
+void conclude(results::ComparisonReport& report) {
   if (report.self_check)
     report.reliable =
         report.self_check->finding != Finding::regressed && report.self_check->finding != Finding::improved;
   for (Comparison& c : report.cells) {
     if (c.time && !report.reliable) c.time->finding = Finding::inconclusive;
-    c.finding = core::worst_finding(c);
+    c.finding = results::worst_finding(c);
   }
 }
 
-core::ComparisonReport compare(const std::vector<Cell>& cells, const Side& baseline, const Side& candidate,
-                               const CompareOptions& options, const CompareProgress& progress) {
-  core::ComparisonReport report{.baseline = baseline.name, .candidate = candidate.name};
+results::ComparisonReport compare(const std::vector<Cell>& cells, const Side& baseline, const Side& candidate,
+                                  const CompareOptions& options, const CompareProgress& progress) {
+  results::ComparisonReport report{.baseline = baseline.name, .candidate = candidate.name};
   report.tau = options.rule.tau, report.alpha = options.rule.alpha, report.gate = options.gate;
   std::set<std::string> notes;
   std::vector<ToTime> jobs;

@@ -2,8 +2,8 @@
 // busy.
 #pragma once
 
-#include "harness/core/comparison.h"
-#include "harness/statistics/paired_rule.h"
+#include "harness/results/comparison.h"
+#include "harness/tracking/statistics/paired_rule.h"
 #include "harness/study/cell.h"
 #include "harness/study/instructions.h"
 #include "harness/study/profile.h"
@@ -38,20 +38,20 @@ using CompareProgress = std::function<void(const std::string&)>;
 /// that is timed the baseline is timed against itself, its pairs between those of the cell; should the rule
 /// tell it from itself, no time of this run is believed.  A candidate that fails where the baseline does not
 /// has regressed. Throws what process::run throws.
-core::ComparisonReport compare(const std::vector<Cell>&, const Side& baseline, const Side& candidate,
+results::ComparisonReport compare(const std::vector<Cell>&, const Side& baseline, const Side& candidate,
                                const CompareOptions&, const CompareProgress&);
 
 /// A row with the cell's names and nothing compared yet.
-core::Comparison open_comparison(const Cell&);
+results::Comparison open_comparison(const Cell&);
 
 /// Whether both builds ran to the end, so that there is something to compare; else the row says what is the
 /// matter.
-bool both_ran(core::Comparison&, const Profile& baseline, const Profile& candidate);
+bool both_ran(results::Comparison&, const Profile& baseline, const Profile& candidate);
 
 /// Holm's adjustment over the cells that were timed, and the findings by it.
-void adjust(std::vector<core::Comparison>&, double alpha);
+void adjust(std::vector<results::Comparison>&, double alpha);
 
 /// How the times of an unreliable environment are called, and the cells' findings over all their metrics.
-void conclude(core::ComparisonReport&);
+void conclude(results::ComparisonReport&);
 
 }  // namespace cylon::study

@@ -54,7 +54,7 @@ struct Priced {
 };
 
 Priced run(const core::Scene& scene, const process::EngineChoice& engine, const std::string& scheme,
-           const core::Pick& pick, std::int64_t samples, const process::Limits& limits) {
+           const results::Pick& pick, std::int64_t samples, const process::Limits& limits) {
   process::RunRequest request;
   request.scene = &scene;
   request.setup.dt = pick.dt, request.setup.tolerance = pick.tolerance, request.setup.integrator = scheme;
@@ -95,19 +95,19 @@ std::vector<Feature> features(const core::Scene& scene, const Setting& setting,
   return result;
 }
 
-std::vector<core::FeaturePrice> price_features(const Start& start, const std::vector<core::Pick>& picks,
+std::vector<results::FeaturePrice> price_features(const Start& start, const std::vector<results::Pick>& picks,
                                                const std::vector<Setting>& settings,
                                                std::span<const process::EngineRow> rows, int rounds,
                                                const process::Limits& limits) {
-  const scenarios::Scenario& scenario = *start.scenario;
+  const scenario::Scenario& scenario = *start.scenario;
   const std::int64_t samples = start.yardstick->samples();
   const Scales unit = scales(scenario.scene, scenario.duration);
-  std::vector<core::FeaturePrice> prices;
-  for (const core::Pick& pick : picks) {
+  std::vector<results::FeaturePrice> prices;
+  for (const results::Pick& pick : picks) {
     const Setting setting = setting_of(pick, settings);
     const Priced with = run(scenario.scene, setting.engine, setting.scheme.name, pick, samples, limits);
     for (const Feature& feature : features(scenario.scene, setting, rows)) {
-      core::FeaturePrice price;
+      results::FeaturePrice price;
       price.engine = fmt::format("{} {}", pick.engine, pick.integrator);
       price.feature = feature.name;
       const Priced without = run(feature.scene, feature.engine, feature.scheme.name, pick, samples, limits);

@@ -1,7 +1,7 @@
 // What each part of a scene costs, and what it changes: the same setting with it and without it.
 #pragma once
 
-#include "harness/core/advice.h"
+#include "harness/results/advice.h"
 #include "harness/study/starts.h"
 #include "harness/study/sweep.h"
 
@@ -24,7 +24,7 @@ struct Feature {
 std::vector<Feature> features(const core::Scene&, const Setting&, std::span<const process::EngineRow>);
 
 /// Each feature of each pick, with and without timed in turns.
-std::vector<core::FeaturePrice> price_features(const Start&, const std::vector<core::Pick>&,
+std::vector<results::FeaturePrice> price_features(const Start&, const std::vector<results::Pick>&,
                                                const std::vector<Setting>&,
                                                std::span<const process::EngineRow>, int rounds,
                                                const process::Limits&);

@@ -135,8 +135,8 @@ Counted count_run(const process::EngineChoice& engine, const process::RunRequest
   if (perf && !perf->is_open()) return {std::nullopt, "perf_event_open: " + perf->reason()};
   const process::RunOutcome outcome =
       process::run(perf ? engine : under_callgrind(engine, file.path(), steps_alone), request, limits);
-  if (outcome.status != core::Status::pass)
-    return {std::nullopt, fmt::format("{}: {}", core::name(outcome.status), outcome.reason)};
+  if (outcome.status != results::Status::pass)
+    return {std::nullopt, fmt::format("{}: {}", results::name(outcome.status), outcome.reason)};
   if (const auto count = perf ? perf->read() : total_in(file.path())) return {count, ""};
   return {std::nullopt, fmt::format("{} gave no count", name(counter))};
 }

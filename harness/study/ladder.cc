@@ -14,7 +14,7 @@ namespace cylon::study {
 namespace {
 
 // Whether every time of every recorded truth is one of k T/M.
-bool has_all_times(const scenarios::Scenario& scenario, std::int64_t samples) {
+bool has_all_times(const scenario::Scenario& scenario, std::int64_t samples) {
   for (const core::Claim& claim : scenario.claims) {
     if (!claim.truth) continue;
     for (const double t : claim.truth->times) {
@@ -25,18 +25,18 @@ bool has_all_times(const scenarios::Scenario& scenario, std::int64_t samples) {
   return true;
 }
 
-bool has_times(const scenarios::Scenario& scenario) {
+bool has_times(const scenario::Scenario& scenario) {
   return std::any_of(scenario.claims.begin(), scenario.claims.end(),
                      [](const core::Claim& c) { return c.truth && !c.truth->times.empty(); });
 }
 
 }  // namespace
 
-std::int64_t nominal_steps(const scenarios::Scenario& scenario) {
+std::int64_t nominal_steps(const scenario::Scenario& scenario) {
   return std::max<std::int64_t>(1, std::llround(scenario.duration / scenario.step));
 }
 
-std::int64_t coarsest_samples(const scenarios::Scenario& scenario, std::int64_t divisor,
+std::int64_t coarsest_samples(const scenario::Scenario& scenario, std::int64_t divisor,
                               std::int64_t fewest) {
   const std::int64_t nominal = nominal_steps(scenario);
   for (; divisor > 1; divisor /= 2) {
@@ -49,7 +49,7 @@ std::int64_t coarsest_samples(const scenarios::Scenario& scenario, std::int64_t 
   return nominal;
 }
 
-Ladder ladder(const scenarios::Scenario& scenario, int rungs, std::int64_t most) {
+Ladder ladder(const scenario::Scenario& scenario, int rungs, std::int64_t most) {
   constexpr std::int64_t fewest = 16;
   Ladder result;
   result.samples = coarsest_samples(scenario, 64, fewest);
@@ -58,7 +58,7 @@ Ladder ladder(const scenarios::Scenario& scenario, int rungs, std::int64_t most)
   return result;
 }
 
-Ladder ladder(const scenarios::Scenario& scenario, std::span<const double> given) {
+Ladder ladder(const scenario::Scenario& scenario, std::span<const double> given) {
   Ladder result{0, {}};
   for (const double dt : given) try {
       const std::int64_t steps = core::whole_steps(scenario.duration, dt);
@@ -77,7 +77,7 @@ Ladder ladder(const scenarios::Scenario& scenario, std::span<const double> given
   return result;
 }
 
-std::string step_text(const scenarios::Scenario& scenario, std::int64_t steps) {
+std::string step_text(const scenario::Scenario& scenario, std::int64_t steps) {
   if (steps == nominal_steps(scenario)) return scenario.step_text;
   return fmt::format("{}/{}", scenario.duration, steps);
 }

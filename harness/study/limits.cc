@@ -90,8 +90,8 @@ Limit limit_of(const Family& family, const Runner& runner, const std::optional<d
       held = held || found.holds;
       return found;
     } catch (const RunFailed& failed) {
-      if (failed.outcome.status == core::Status::unsupported && !held) throw;
-      return {false, std::string(core::name(failed.outcome.status)) + ": " + failed.outcome.reason};
+      if (failed.outcome.status == results::Status::unsupported && !held) throw;
+      return {false, std::string(results::name(failed.outcome.status)) + ": " + failed.outcome.reason};
     }
   };
   return find_limit(family.range, probe, just_beyond(theory, family.range));

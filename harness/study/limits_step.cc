@@ -24,7 +24,7 @@ std::int64_t parts_for(const std::vector<double>& times, double duration, std::i
 
 }  // namespace
 
-StepSearch step_search(const scenarios::Scenario& scenario) {
+StepSearch step_search(const scenario::Scenario& scenario) {
   const std::int64_t nominal = core::whole_steps(scenario.duration, scenario.step);
   StepSearch search;
   for (const core::Claim& claim : scenario.claims) {
@@ -43,18 +43,18 @@ StepSearch step_search(const scenarios::Scenario& scenario) {
   return search;
 }
 
-Probed step_probe(const scenarios::Scenario& scenario, const process::EngineChoice& engine,
+Probed step_probe(const scenario::Scenario& scenario, const process::EngineChoice& engine,
                   const process::Limits& limits, std::int64_t steps) {
   Cell cell;
   cell.scenario = &scenario;
   cell.engine = engine;
   cell.dt = scenario.duration / static_cast<double>(steps);
   cell.dt_text = fmt::format("{}", cell.dt);
-  for (const core::Verdict& row : run(cell, limits, {})) {
-    if (row.status == core::Status::unsupported) throw Unsupported{row.detail};
-    if (row.status != core::Status::pass)
-      return {false, fmt::format("{}: {}, {:.3g} where {:.3g} is allowed", row.claim, core::name(row.status),
-                                 row.measured, row.allowed)};
+  for (const results::Verdict& row : run(cell, limits, {})) {
+    if (row.status == results::Status::unsupported) throw Unsupported{row.detail};
+    if (row.status != results::Status::pass)
+      return {false, fmt::format("{}: {}, {:.3g} where {:.3g} is allowed", row.claim,
+                                 results::name(row.status), row.measured, row.allowed)};
   }
   return {};
 }

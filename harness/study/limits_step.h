@@ -16,10 +16,10 @@ struct StepSearch {
 };
 
 /// From 8 times as many steps as the nominal ones to 1/64 of them, two at least.
-StepSearch step_search(const scenarios::Scenario&);
+StepSearch step_search(const scenario::Scenario&);
 
 /// What becomes of the scenario's claims at n = multiple * unit steps.  Throws Unsupported.
-Probed step_probe(const scenarios::Scenario&, const process::EngineChoice&, const process::Limits&,
+Probed step_probe(const scenario::Scenario&, const process::EngineChoice&, const process::Limits&,
                   std::int64_t steps);
 
 /// The engine cannot express the scene.

@@ -11,15 +11,15 @@
 namespace cylon::study {
 namespace {
 
-using Ask = std::vector<core::Verdict> (*)(const Cell&, const process::Limits&,
-                                           const scenarios::Expectations&);
+using Ask = std::vector<results::Verdict> (*)(const Cell&, const process::Limits&,
+                                           const scenario::Expectations&);
 
 }  // namespace
 
-std::vector<std::vector<core::Verdict>> run(const std::vector<Cell>& cells, const Pool& pool,
-                                            const scenarios::Expectations& expectations,
+std::vector<std::vector<results::Verdict>> run(const std::vector<Cell>& cells, const Pool& pool,
+                                            const scenario::Expectations& expectations,
                                             const CellDone& done) {
-  std::vector<std::vector<core::Verdict>> rows(cells.size());
+  std::vector<std::vector<results::Verdict>> rows(cells.size());
   std::vector<std::exception_ptr> errors(cells.size());
   std::atomic<std::size_t> next = 0;
   std::atomic<bool> stop = false;

@@ -13,7 +13,7 @@
 namespace cylon::study {
 namespace {
 
-using core::Verdict;
+using results::Verdict;
 
 // At most 200 samples, a divisor of the steps where there is one, so that samples meet when time runs back.
 std::int64_t stride(std::int64_t steps) {
@@ -23,7 +23,7 @@ std::int64_t stride(std::int64_t steps) {
   return least;
 }
 
-double horizon(const scenarios::Scenario& scenario) {
+double horizon(const scenario::Scenario& scenario) {
   double until = scenario.duration;
   for (const core::Claim& claim : scenario.claims)
     if (claim.truth) until = std::min(until, claim.until);
@@ -37,8 +37,8 @@ void fail(Verdict& row, const process::RunOutcome& outcome) {
 }  // namespace
 
 std::vector<Verdict> relate(const Cell& cell, const process::Limits& limits,
-                            const scenarios::Expectations& expectations) {
-  const scenarios::Scenario& scenario = *cell.scenario;
+                            const scenario::Expectations& expectations) {
+  const scenario::Scenario& scenario = *cell.scenario;
   const std::int64_t steps = sampling(scenario, cell.dt).steps, every = stride(steps);
   process::RunOutcome last;
   const Runner run = worker_runner(cell.engine, limits, &last);
@@ -74,7 +74,7 @@ std::vector<Verdict> relate(const Cell& cell, const process::Limits& limits,
       rows[i].measured = asked[i]->deviation(subject, run);
       rows[i].cpu_seconds = plain.cpu_seconds;
       rows[i].complaints = last.stderr_tail;
-      rows[i].status = core::judge(rows[i].measured, rows[i].allowed);
+      rows[i].status = results::judge(rows[i].measured, rows[i].allowed);
       rows[i].first_bad_step = core::first_bad_step(plain);
     } catch (const RunFailed& failed) {
       fail(rows[i], failed.outcome);

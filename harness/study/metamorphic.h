@@ -9,6 +9,6 @@ namespace cylon::study {
 /// gives a verdict for each.  Allowed is a thousandth of the scene's own scales for every engine; nothing,
 /// where the relation holds in any arithmetic.  The claims of the scenario are not asked; the earliest
 /// `until` of one that follows a truth is the horizon here too.  Errors as study::run's.
-std::vector<core::Verdict> relate(const Cell&, const process::Limits&, const scenarios::Expectations&);
+std::vector<results::Verdict> relate(const Cell&, const process::Limits&, const scenario::Expectations&);
 
 }  // namespace cylon::study

@@ -52,8 +52,8 @@ void PairedTimes::take_pair() {
   result_ = statistics::decide(log_ratios_, rule_);
 }
 
-core::ComparedTime PairedTimes::summary() const {
-  core::ComparedTime time;
+results::ComparedTime PairedTimes::summary() const {
+  results::ComparedTime time;
   time.finding = finding_of(result_.outcome);
   time.ratio = std::exp(result_.estimate);
   time.low = std::exp(result_.interval.low), time.high = std::exp(result_.interval.high);
@@ -65,21 +65,21 @@ core::ComparedTime PairedTimes::summary() const {
   return time;
 }
 
-core::Finding finding_of(statistics::Outcome outcome) {
+results::Finding finding_of(statistics::Outcome outcome) {
   switch (outcome) {
     case statistics::Outcome::regressed:
-      return core::Finding::regressed;
+      return results::Finding::regressed;
     case statistics::Outcome::improved:
-      return core::Finding::improved;
+      return results::Finding::improved;
     case statistics::Outcome::same:
-      return core::Finding::same;
+      return results::Finding::same;
     case statistics::Outcome::changed:
-      return core::Finding::changed;
+      return results::Finding::changed;
     case statistics::Outcome::more:
     case statistics::Outcome::inconclusive:
       break;
   }
-  return core::Finding::inconclusive;
+  return results::Finding::inconclusive;
 }
 
 }  // namespace cylon::study

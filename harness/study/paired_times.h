@@ -1,8 +1,8 @@
 // Two programs timed in turn, in pairs of neighbours, until the paired rule can say something.
 #pragma once
 
-#include "harness/core/comparison.h"
-#include "harness/statistics/paired_rule.h"
+#include "harness/results/comparison.h"
+#include "harness/tracking/statistics/paired_rule.h"
 #include "harness/study/sampler.h"
 
 #include <functional>
@@ -37,7 +37,7 @@ class PairedTimes {
   const std::string& candidate_failure() const { return failures_[1]; }
 
   /// As a row of a report.
-  core::ComparedTime summary() const;
+  results::ComparedTime summary() const;
 
  private:
   TakeSample baseline_, candidate_;
@@ -48,6 +48,6 @@ class PairedTimes {
 };
 
 /// A finding of the rule, `more` counting as inconclusive.
-core::Finding finding_of(statistics::Outcome);
+results::Finding finding_of(statistics::Outcome);
 
 }  // namespace cylon::study

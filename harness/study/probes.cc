@@ -303,7 +303,7 @@ std::vector<Finding> find_out(const Runner& run) {
     try {
       findings.push_back(probe.ask(run));
     } catch (const RunFailed& failed) {
-      findings.push_back({std::string(core::name(failed.outcome.status)), failed.outcome.reason});
+      findings.push_back({std::string(results::name(failed.outcome.status)), failed.outcome.reason});
     }
   }
   return findings;

@@ -1,7 +1,7 @@
 #include "harness/study/profile.h"
 
 #include "harness/core/measure.h"
-#include "harness/statistics/metric_rules.h"
+#include "harness/tracking/statistics/metric_rules.h"
 #include "harness/study/paired_times.h"
 #include "harness/study/spread.h"
 
@@ -17,7 +17,7 @@ namespace {
 
 using core::Claim;
 using core::Recording;
-using scenarios::Scenario;
+using scenario::Scenario;
 using statistics::MetricKind;
 
 process::RunOutcome record(const process::EngineChoice& engine, const core::Scene& scene, double dt,
@@ -91,7 +91,7 @@ std::string without_name(std::string sentence, std::string_view name) {
   return sentence;
 }
 
-core::ComparedMetric judged(std::string name, MetricKind kind, double before, double after,
+results::ComparedMetric judged(std::string name, MetricKind kind, double before, double after,
                             double floor = 0) {
   const statistics::MetricResult result = statistics::judge(kind, before, after, floor);
   return {std::move(name), finding_of(result.outcome),
@@ -134,8 +134,8 @@ Profile profile(const Scenario& scenario, const process::EngineChoice& engine, d
   return result;
 }
 
-std::vector<core::ComparedMetric> compare_profiles(const Profile& before, const Profile& after) {
-  std::vector<core::ComparedMetric> metrics;
+std::vector<results::ComparedMetric> compare_profiles(const Profile& before, const Profile& after) {
+  std::vector<results::ComparedMetric> metrics;
   for (const ClaimProfile& b : before.claims) {
     const auto same = std::find_if(after.claims.begin(), after.claims.end(),
                                    [&](const ClaimProfile& other) { return other.claim == b.claim; });

@@ -2,7 +2,7 @@
 // enough.
 #pragma once
 
-#include "harness/core/comparison.h"
+#include "harness/results/comparison.h"
 #include "harness/study/cell.h"
 #include "harness/study/exact_facts.h"
 #include "harness/study/instructions.h"
@@ -23,7 +23,7 @@ struct ClaimProfile {
 };
 
 struct Profile {
-  core::Status status = core::Status::pass;  ///< Of the run; the claims' verdicts are not asked.
+  results::Status status = results::Status::pass;  ///< Of the run; the claims' verdicts are not asked.
   std::string reason;                        ///< Empty when it passed.
   ExactFacts facts;
   std::vector<ClaimProfile> claims;  ///< In the order of the scenario; empty unless it passed.
@@ -36,11 +36,11 @@ struct Profile {
 /// the scenario is tagged chaos), with eps of the engine's precision, n = duration/dt and S the scale of the
 /// claim (1 rad for angles): a change of rounding alone, another order of the same sums, stays below it.
 /// Throws what process::run throws.
-Profile profile(const scenarios::Scenario&, const process::EngineChoice&, double dt, Counter,
+Profile profile(const scenario::Scenario&, const process::EngineChoice&, double dt, Counter,
                 const process::Limits&);
 
 /// What the rules of statistics::metric_rules say of each metric that both have.  An order counts where the
 /// baseline's is one: within 1/4 of a whole number >= 1.
-std::vector<core::ComparedMetric> compare_profiles(const Profile& baseline, const Profile& candidate);
+std::vector<results::ComparedMetric> compare_profiles(const Profile& baseline, const Profile& candidate);
 
 }  // namespace cylon::study

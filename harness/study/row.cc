@@ -2,9 +2,9 @@
 
 namespace cylon::study {
 
-core::Verdict open_row(const Cell& cell, const std::string& claim,
-                       const scenarios::Expectations& expectations) {
-  core::Verdict row;
+results::Verdict open_row(const Cell& cell, const std::string& claim,
+                       const scenario::Expectations& expectations) {
+  results::Verdict row;
   row.scenario = cell.scenario->name;
   row.scenario_hash = cell.scenario->hash;
   row.engine = cell.engine.id;
@@ -19,8 +19,8 @@ core::Verdict open_row(const Cell& cell, const std::string& claim,
   return row;
 }
 
-void sign(core::Verdict& row, const core::Engine& engine, const core::Terms& terms,
-          const scenarios::Expectations& expectations) {
+void sign(results::Verdict& row, const core::Engine& engine, const core::Terms& terms,
+          const scenario::Expectations& expectations) {
   row.version = engine.version;
   row.precision = engine.precision;
   row.path = terms.path;

@@ -8,9 +8,9 @@
 namespace cylon::study {
 
 /// The cell's names, its command, and what expected.toml says of `claim`.
-core::Verdict open_row(const Cell&, const std::string& claim, const scenarios::Expectations&);
+results::Verdict open_row(const Cell&, const std::string& claim, const scenario::Expectations&);
 
 /// Adds who the engine is and the terms on which it ran.
-void sign(core::Verdict&, const core::Engine&, const core::Terms&, const scenarios::Expectations&);
+void sign(results::Verdict&, const core::Engine&, const core::Terms&, const scenario::Expectations&);
 
 }  // namespace cylon::study

@@ -11,7 +11,7 @@ Runner worker_runner(const process::EngineChoice& engine, const process::Limits&
     request.scene = &scene;
     request.setup.dt = dt, request.steps = steps, request.every = every;
     process::RunOutcome outcome = process::run(engine, request, limits);
-    const bool failed = outcome.status != core::Status::pass || !outcome.recording;
+    const bool failed = outcome.status != results::Status::pass || !outcome.recording;
     core::Recording recording;
     if (!failed) recording = std::move(*outcome.recording);
     if (last) *last = outcome;

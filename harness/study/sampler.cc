@@ -16,7 +16,7 @@ namespace cylon::study {
 namespace {
 
 std::string failure_of(const process::RunOutcome& outcome) {
-  return fmt::format("{}: {}", core::name(outcome.status), outcome.reason);
+  return fmt::format("{}: {}", results::name(outcome.status), outcome.reason);
 }
 
 process::RunOutcome repeat(const process::EngineChoice& engine, const core::Scene& scene, double dt,
@@ -91,7 +91,7 @@ Planned plan_samples(const process::EngineChoice& engine, const core::Scene& sce
   double run_seconds = 0;
   for (int trial = 0; trial < 4; ++trial) {  // a run may cost more at its start than later
     const process::RunOutcome outcome = repeat(engine, scene, dt, plan.steps, 3, limits);
-    if (outcome.status != core::Status::pass) return {std::nullopt, failure_of(outcome)};
+    if (outcome.status != results::Status::pass) return {std::nullopt, failure_of(outcome)};
     plan.with_load = controls_its_error(outcome);
     run_seconds = least_of(outcome.repetitions, 1, plan.with_load);
     if (run_seconds <= 1.5 * rule.most_seconds || plan.steps == 1) break;
@@ -111,7 +111,7 @@ Sample take_sample(const process::EngineChoice& engine, const SamplePlan& plan,
   // The run that is recorded, before the repetitions, is the warm-up.
   const process::RunOutcome outcome =
       repeat(engine, *plan.scene, plan.dt, plan.steps, plan.repetitions * plan.runs, limits);
-  if (outcome.status != core::Status::pass) return {0, failure_of(outcome)};
+  if (outcome.status != results::Status::pass) return {0, failure_of(outcome)};
   const double seconds = least_of(outcome.repetitions, plan.runs, plan.with_load);
   if (!(seconds > 0) || !std::isfinite(seconds)) return {0, "the worker says that its steps took no time"};
   return {seconds, ""};

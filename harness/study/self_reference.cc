@@ -8,7 +8,7 @@
 
 namespace cylon::study {
 
-std::optional<Reference> self_reference(const scenarios::Scenario& scenario, std::int64_t samples,
+std::optional<Reference> self_reference(const scenario::Scenario& scenario, std::int64_t samples,
                                         std::span<const process::EngineRow> rows,
                                         const process::Limits& limits) {
   constexpr double tolerance = 1e-11;

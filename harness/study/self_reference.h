@@ -10,7 +10,7 @@ namespace cylon::study {
 /// The in-house engine's error-controlled scheme at its finest, where the scenario follows no truth and
 /// nothing may touch (an impact magnifies, and a pile is chaos); nothing where the run fails or the engine
 /// says that it could not keep the tolerance.
-std::optional<Reference> self_reference(const scenarios::Scenario&, std::int64_t samples,
+std::optional<Reference> self_reference(const scenario::Scenario&, std::int64_t samples,
                                         std::span<const process::EngineRow>, const process::Limits&);
 
 }  // namespace cylon::study

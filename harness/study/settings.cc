@@ -1,7 +1,7 @@
 #include "harness/study/settings.h"
 
 #include "harness/core/input_error.h"
-#include "scenarios/glob.h"
+#include "harness/scenario/glob.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,7 +15,7 @@ bool is_glob(const std::string& word) { return word.find_first_of("*?[") != std:
 
 bool matches(const std::vector<std::string>& globs, const std::string& word) {
   return globs.empty() || std::any_of(globs.begin(), globs.end(),
-                                      [&](const std::string& g) { return scenarios::glob_match(g, word); });
+                                      [&](const std::string& g) { return scenario::glob_match(g, word); });
 }
 
 // The options whose every value makes a variant of its own where a body turns.
@@ -61,13 +61,13 @@ bool touches(const core::Scene& scene) {
   return core::any_touching_pair(scene, [](const core::Pair&) { return true; });
 }
 
-std::vector<Setting> settings(const scenarios::Scenario& scenario, std::span<const process::EngineRow> rows,
+std::vector<Setting> settings(const scenario::Scenario& scenario, std::span<const process::EngineRow> rows,
                               const SettingsRequest& request) {
   std::vector<std::pair<std::string, bool>> ids;  // and whether it was asked for by name
   for (const std::string& word : request.engines) {
     if (!is_glob(word)) ids.emplace_back(word, true);
     for (const process::EngineRow& row : rows)
-      if (is_glob(word) && scenarios::glob_match(word, row.id)) ids.emplace_back(row.id, false);
+      if (is_glob(word) && scenario::glob_match(word, row.id)) ids.emplace_back(row.id, false);
   }
   if (request.engines.empty())
     for (const process::EngineRow& row : rows) ids.emplace_back(row.id, false);

@@ -19,7 +19,7 @@ struct SettingsRequest {
 /// in double precision also every value of `gyro` and `rotation` that is not the engine's own, where a body
 /// turns, and the path "stepping" where something touches.  An engine that cannot be started has one setting
 /// without a scheme.  Throws core::InputError for unknown words, process::Interrupted.
-std::vector<Setting> settings(const scenarios::Scenario&, std::span<const process::EngineRow>,
+std::vector<Setting> settings(const scenario::Scenario&, std::span<const process::EngineRow>,
                               const SettingsRequest&);
 
 /// Whether the gyroscopic term can matter: a body that moves has unequal moments and turns, or may be turned.

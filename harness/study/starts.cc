@@ -1,20 +1,20 @@
 #include "harness/study/starts.h"
 
 #include "harness/study/self_reference.h"
-#include "scenarios/vary.h"
+#include "harness/scenario/vary.h"
 
 #include <optional>
 #include <utility>
 
 namespace cylon::study {
 
-std::vector<Start> starts(const scenarios::Scenario& scenario, std::span<const double> variations,
+std::vector<Start> starts(const scenario::Scenario& scenario, std::span<const double> variations,
                           std::int64_t samples, const std::string& observable,
                           std::span<const process::EngineRow> rows, const process::Limits& limits) {
   std::vector<Start> result;
-  const auto add = [&](scenarios::Scenario from) {
+  const auto add = [&](scenario::Scenario from) {
     Start start;
-    start.scenario = std::make_unique<const scenarios::Scenario>(std::move(from));
+    start.scenario = std::make_unique<const scenario::Scenario>(std::move(from));
     start.yardstick = std::make_unique<const Yardstick>(
         *start.scenario, samples, self_reference(*start.scenario, samples, rows, limits));
     if (start.yardstick->measures().empty()) return;
@@ -23,7 +23,7 @@ std::vector<Start> starts(const scenarios::Scenario& scenario, std::span<const d
   };
   add(scenario);
   for (const double amount : variations)
-    if (auto other = scenarios::varied(scenario, amount)) add(std::move(*other));
+    if (auto other = scenario::varied(scenario, amount)) add(std::move(*other));
   return result;
 }
 

@@ -15,8 +15,8 @@
 namespace cylon::study {
 namespace {
 
-using core::TradePoint;
-using core::TradeSeries;
+using results::TradePoint;
+using results::TradeSeries;
 
 double epsilon(const std::string& precision) { return precision == "float" ? 0x1p-23 : 0x1p-52; }
 
@@ -27,9 +27,9 @@ double error_of(const TradePoint& point, std::size_t by) {
 // Whether a finer run can only repeat what is known.
 bool is_over(const TradeSeries& series, std::size_t by) {
   const auto& points = series.points;
-  if (points.back().status == core::Status::unsupported) return true;
+  if (points.back().status == results::Status::unsupported) return true;
   if (points.size() < 3) return false;
-  const auto timed_out = [](const TradePoint& p) { return p.status == core::Status::timeout; };
+  const auto timed_out = [](const TradePoint& p) { return p.status == results::Status::timeout; };
   if (timed_out(points.back()) && timed_out(points[points.size() - 2])) return true;
   double best = HUGE_VAL;
   for (std::size_t i = 0; i + 2 < points.size(); ++i) best = std::fmin(best, error_of(points[i], by));
@@ -58,7 +58,7 @@ std::string label(const TradeSeries& series) {
   return series.integrator.empty() ? series.engine : fmt::format("{} {}", series.engine, series.integrator);
 }
 
-Ran measure_run(const Setting& setting, const scenarios::Scenario& scenario, const Yardstick& yardstick,
+Ran measure_run(const Setting& setting, const scenario::Scenario& scenario, const Yardstick& yardstick,
                 std::int64_t steps, double tolerance, const process::Limits& limits) {
   process::RunRequest request = yardstick.request(steps);
   request.setup.integrator = setting.scheme.name;
@@ -77,17 +77,17 @@ Ran measure_run(const Setting& setting, const scenarios::Scenario& scenario, con
   ran.cpu_seconds = outcome.recording->cpu_seconds;
   point.errors = yardstick.errors(*outcome.recording);
   if (std::any_of(point.errors.begin(), point.errors.end(), [](double e) { return !std::isfinite(e); })) {
-    point.status = core::Status::non_finite;
+    point.status = results::Status::non_finite;
     point.reason = "states or errors are NaN or infinite";
     point.errors.clear();
   }
   return ran;
 }
 
-core::TradeTable sweep_errors(const scenarios::Scenario& scenario, const Yardstick& yardstick,
+results::TradeTable sweep_errors(const scenario::Scenario& scenario, const Yardstick& yardstick,
                               const Ladder& ladder, std::vector<Setting>& settings,
                               const SweepOptions& options, Memory& memory, const SweepStep& done) {
-  core::TradeTable table;
+  results::TradeTable table;
   table.scenario = scenario.name, table.scenario_hash = scenario.hash;
   table.duration = scenario.duration;
   table.bodies = static_cast<std::int64_t>(scenario.scene.bodies.size());
@@ -137,7 +137,7 @@ core::TradeTable sweep_errors(const scenarios::Scenario& scenario, const Yardsti
       if (is_over(series, table.by)) break;
     }
     if (std::all_of(series.points.begin(), series.points.end(),
-                    [](const TradePoint& p) { return p.status == core::Status::unsupported; }) &&
+                    [](const TradePoint& p) { return p.status == results::Status::unsupported; }) &&
         !series.points.empty()) {
       series.reason = series.points.front().reason;
       series.points.clear();
@@ -159,7 +159,7 @@ core::TradeTable sweep_errors(const scenarios::Scenario& scenario, const Yardsti
   return table;
 }
 
-void mark_front(core::TradeTable& table) {
+void mark_front(results::TradeTable& table) {
   std::vector<Tradeoff> points;
   std::vector<std::pair<TradeSeries*, TradePoint*>> where;
   for (TradeSeries& series : table.series)

@@ -1,7 +1,7 @@
 // Every setting of a scenario run for its error, and then for its time: the rows of a work–precision table.
 #pragma once
 
-#include "harness/core/trade.h"
+#include "harness/results/trade.h"
 #include "harness/process/client.h"
 #include "harness/study/ladder.h"
 #include "harness/study/yardstick.h"
@@ -23,7 +23,7 @@ struct Setting {
 
 /// One finished run as it is remembered: the point without its times, and what the engine said of itself.
 struct Ran {
-  core::TradePoint point;
+  results::TradePoint point;
   std::string integrator, version, precision, path, gyroscopic;
   int order = 0;
   double cpu_seconds = 0;  ///< Of the recorded run: a first guess of its time.
@@ -35,8 +35,8 @@ class Memory {
   virtual ~Memory() = default;
   virtual std::optional<Ran> find(const Setting&, std::int64_t steps, double tolerance);
   virtual void keep(const Setting&, const Ran&);
-  virtual std::optional<process::Repetition> find_time(const Setting&, const core::TradePoint&, int round);
-  virtual void keep_time(const Setting&, const core::TradePoint&, int round, const process::Repetition&);
+  virtual std::optional<process::Repetition> find_time(const Setting&, const results::TradePoint&, int round);
+  virtual void keep_time(const Setting&, const results::TradePoint&, int round, const process::Repetition&);
 };
 
 struct SweepOptions {
@@ -48,14 +48,14 @@ struct SweepOptions {
 };
 
 /// "in-house bm6", "bullet/gyro=none": engine and scheme as a table shows them.
-std::string label(const core::TradeSeries&);
+std::string label(const results::TradeSeries&);
 
 /// Called after each run, one at a time: the series, and whether it was a timing.
-using SweepStep = std::function<void(const Setting&, const core::TradePoint&, bool timing)>;
+using SweepStep = std::function<void(const Setting&, const results::TradePoint&, bool timing)>;
 
 /// One run measured by the yardstick: an engine's failure is a point without errors.  Throws core::InputError
 /// for a setting that the engine calls impossible, process::Interrupted.
-Ran measure_run(const Setting&, const scenarios::Scenario&, const Yardstick&, std::int64_t steps,
+Ran measure_run(const Setting&, const scenario::Scenario&, const Yardstick&, std::int64_t steps,
                 double tolerance, const process::Limits&);
 
 /// The errors of all settings over the ladder, series by series in the order of the settings, `workers` at
@@ -63,18 +63,18 @@ Ran measure_run(const Setting&, const scenarios::Scenario&, const Yardstick&, st
 /// after two steps that no longer lower an error below 1e-8 (single precision: 1e-3); none of that depends on
 /// times. A default setting that the engine calls impossible is taken out of `settings`, which stay side by
 /// side with the series.
-core::TradeTable sweep_errors(const scenarios::Scenario&, const Yardstick&, const Ladder&,
+results::TradeTable sweep_errors(const scenario::Scenario&, const Yardstick&, const Ladder&,
                               std::vector<Setting>& settings, const SweepOptions&, Memory&, const SweepStep&);
 
 /// The times of all points that passed, one run at a time: round r of every point before round r + 1, each in
 /// a worker of its own whose first run only warms it; repetitions until 20 ms have passed, of which the least
 /// counts.  A scheme that controls its error may solve while it loads, so its load is part of its cost; of
 /// all others the steps alone are.
-void sweep_times(core::TradeTable&, const scenarios::Scenario&, const std::vector<Setting>&,
+void sweep_times(results::TradeTable&, const scenario::Scenario&, const std::vector<Setting>&,
                  const SweepOptions&, Memory&, const SweepStep&);
 
 /// Marks the front and whom each other point is dominated by, from costs and errors by `table.by`; an error
 /// of 1 or more is no point.
-void mark_front(core::TradeTable&);
+void mark_front(results::TradeTable&);
 
 }  // namespace cylon::study

@@ -6,15 +6,15 @@
 
 namespace cylon::study {
 
-void sweep_times(core::TradeTable& table, const scenarios::Scenario& scenario,
+void sweep_times(results::TradeTable& table, const scenario::Scenario& scenario,
                  const std::vector<Setting>& settings, const SweepOptions& options, Memory& memory,
                  const SweepStep& done) {
   std::map<std::pair<std::size_t, std::size_t>, process::Repetition> best;
   for (int round = 0; round < options.rounds; ++round)
     for (std::size_t i = 0; i < table.series.size(); ++i)
       for (std::size_t k = 0; k < table.series[i].points.size(); ++k) {
-        const core::TradePoint& point = table.series[i].points[k];
-        if (point.status != core::Status::pass) continue;
+        const results::TradePoint& point = table.series[i].points[k];
+        if (point.status != results::Status::pass) continue;
         const Setting& setting = settings[i];
         std::optional<process::Repetition> time = memory.find_time(setting, point, round);
         if (!time) {
@@ -33,8 +33,8 @@ void sweep_times(core::TradeTable& table, const scenarios::Scenario& scenario,
         if (done) done(setting, point, true);
       }
   for (const auto& [where, time] : best) {
-    core::TradeSeries& series = table.series[where.first];
-    core::TradePoint& point = series.points[where.second];
+    results::TradeSeries& series = table.series[where.first];
+    results::TradePoint& point = series.points[where.second];
     point.step_seconds = time.step_seconds, point.load_seconds = time.load_seconds;
     point.cost = cost(time, series.adaptive, table.duration);
   }

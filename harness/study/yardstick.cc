@@ -41,7 +41,7 @@ core::Truth truth_of(const Reference& reference, double duration) {
 
 }  // namespace
 
-Yardstick::Yardstick(const scenarios::Scenario& scenario, std::int64_t samples,
+Yardstick::Yardstick(const scenario::Scenario& scenario, std::int64_t samples,
                      const std::optional<Reference>& reference)
     : scenario_(&scenario), samples_(samples) {
   std::map<std::string, std::vector<core::State>> states;  // of a truth, at the samples; made once
@@ -108,7 +108,7 @@ void Yardstick::ask(Claim claim, const std::vector<core::State>* states, double 
   const bool follows = claim.truth.has_value();
   q.measure = measure_named(std::string(core::name(claim.observable.quantity)),
                             std::string(core::unit(claim.observable)), follows ? claim.follows : "its start");
-  core::TradeMeasure& measure = measures_[q.measure];
+  results::TradeMeasure& measure = measures_[q.measure];
   measure.scale = std::max(measure.scale, q.scale);
   measure.resolution = std::max(measure.resolution, resolution / q.scale);
   q.in_trajectory = follows && is_motion(claim.observable.quantity);
@@ -149,7 +149,7 @@ void Yardstick::ask_event(const Claim& claim) {
   const double size = order ? 0 : core::scale(claim, scenario_->scene, scenario_->duration);
   q.scale = size > 0 ? size : 1;
   q.measure = measure_named("events", "", claim.follows);
-  core::TradeMeasure& measure = measures_[q.measure];
+  results::TradeMeasure& measure = measures_[q.measure];
   measure.resolution = std::max(measure.resolution, claim.truth_error / q.scale);
   q.claim = claim;
   questions_.push_back(std::move(q));
@@ -168,7 +168,7 @@ void Yardstick::choose_trajectory() {
   const auto place = [](const Question& q) { return is_place(q.claim.observable.quantity); };
   const bool any_place = std::any_of(questions_.begin(), questions_.end(),
                                      [&](const Question& q) { return q.in_trajectory && place(q); });
-  core::TradeMeasure trajectory{"trajectory", "", 0, truth_, 0};
+  results::TradeMeasure trajectory{"trajectory", "", 0, truth_, 0};
   bool any = false;
   for (Question& q : questions_) {
     q.in_trajectory = q.in_trajectory && (place(q) || !any_place);

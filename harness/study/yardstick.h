@@ -3,9 +3,9 @@
 #pragma once
 
 #include "harness/core/recording.h"
-#include "harness/core/trade.h"
+#include "harness/results/trade.h"
 #include "harness/process/client.h"
-#include "scenarios/scenario.h"
+#include "harness/scenario/scenario.h"
 
 #include <cstdint>
 #include <optional>
@@ -28,9 +28,9 @@ class Yardstick {
  public:
   /// `samples` M >= 1: the times k T/M at which deviations are looked at.  Times of recorded truths must be
   /// among them.  `reference`: for a scenario whose claims follow nothing.
-  Yardstick(const scenarios::Scenario&, std::int64_t samples, const std::optional<Reference>& reference = {});
+  Yardstick(const scenario::Scenario&, std::int64_t samples, const std::optional<Reference>& reference = {});
 
-  const std::vector<core::TradeMeasure>& measures() const { return measures_; }
+  const std::vector<results::TradeMeasure>& measures() const { return measures_; }
   /// The first measure of: trajectory, events, energy, whatever there is.  Requires measures() not empty.
   std::size_t principal() const { return principal_; }
   std::int64_t samples() const { return samples_; }
@@ -60,9 +60,9 @@ class Yardstick {
   void choose_trajectory();
   double worst_deviation(const Question&, const core::Recording&) const;
 
-  const scenarios::Scenario* scenario_;
+  const scenario::Scenario* scenario_;
   std::int64_t samples_;
-  std::vector<core::TradeMeasure> measures_;
+  std::vector<results::TradeMeasure> measures_;
   std::vector<Question> questions_;
   std::vector<core::Pair> watch_;
   std::string truth_;

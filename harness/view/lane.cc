@@ -38,9 +38,9 @@ void Lane::start(std::int64_t n) {
 bool Lane::finish() {
   if (!std::exchange(busy_, false)) return false;
   LaneResult result = thread_->wait();
-  if (result.status != core::Status::pass) {
-    status_ = result.status == core::Status::unsupported ? Status::unsupported : Status::failed;
-    reason_ = fmt::format("{}: {}", core::name(result.status), result.reason);
+  if (result.status != results::Status::pass) {
+    status_ = result.status == results::Status::unsupported ? Status::unsupported : Status::failed;
+    reason_ = fmt::format("{}: {}", results::name(result.status), result.reason);
     contacts_.clear();
     return true;
   }

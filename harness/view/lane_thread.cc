@@ -53,7 +53,7 @@ void LaneThread::serve() {
 // Whatever an engine does is the lane's fate and nobody else's.
 LaneResult LaneThread::perform(LaneTask& task) {
   LaneResult result;
-  const auto failed = [&](core::Status status, const char* reason) {
+  const auto failed = [&](results::Status status, const char* reason) {
     result.status = status;
     result.reason = reason;
     run_.reset();
@@ -66,7 +66,7 @@ LaneResult LaneThread::perform(LaneTask& task) {
     failed(failure.status, failure.what());
   } catch (
       const std::exception& error) {  // a setup that the engine calls impossible, or the end of the program
-    failed(core::Status::fail, error.what());
+    failed(results::Status::fail, error.what());
   }
   return result;
 }

@@ -97,7 +97,7 @@ json session_json(const Session& session) {
   for (const EngineInfo& e : session.options().engines)
     engines.push_back({{"id", e.id}, {"version", e.version}, {"integrators", e.integrators}});
   for (const auto& lane : session.lanes()) lanes.push_back(lane_json(lane->spec()));
-  const scenarios::Scenario& about = session.scenario();
+  const scenario::Scenario& about = session.scenario();
   return {{"scenario", about.name},
           {"title", about.title},
           {"story", about.story},

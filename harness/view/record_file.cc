@@ -76,7 +76,7 @@ Json claim(const char* observable, const std::string& data, double absolute, con
           {"tolerance", {{"absolute", absolute}, {"reason", reason}}}};
 }
 
-std::string scenario_text(const Recorder& recorder, const scenarios::Scenario& from,
+std::string scenario_text(const Recorder& recorder, const scenario::Scenario& from,
                           const std::string& data) {
   const LaneSpec& spec = recorder.spec();
   Json document = {{"title", from.title + " (recorded)"},
@@ -110,14 +110,14 @@ fs::path free_name(const fs::path& file) {
 
 }  // namespace
 
-fs::path save_recording(const Recorder& recorder, const scenarios::Scenario& from, const fs::path& file) {
+fs::path save_recording(const Recorder& recorder, const scenario::Scenario& from, const fs::path& file) {
   const fs::path path = free_name(file);
   fs::path data = path;
   data.replace_extension(".json");
   write(data, motion(recorder).dump());
   try {
     const std::string text = scenario_text(recorder, from, data.filename().string());
-    scenarios::parse(text, path.string());
+    scenario::parse(text, path.string());
     write(path, text);
   } catch (const core::InputError& error) {
     std::error_code ignored;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "harness/view/recorder.h"
-#include "scenarios/scenario.h"
+#include "harness/scenario/scenario.h"
 
 #include <filesystem>
 
@@ -14,7 +14,7 @@ namespace cylon::view {
 /// Requires that the recorder is not empty.  Throws core::InputError where a file cannot be written, or where
 /// the scenario would be refused (spheres that overlap at its start, because an engine had let them), saying
 /// why; nothing is left then.
-std::filesystem::path save_recording(const Recorder&, const scenarios::Scenario& from,
+std::filesystem::path save_recording(const Recorder&, const scenario::Scenario& from,
                                      const std::filesystem::path& file);
 
 }  // namespace cylon::view

@@ -38,7 +38,7 @@ std::vector<EngineInfo> available_engines(const std::vector<process::EngineRow>&
   return engines;
 }
 
-Session::Session(scenarios::Scenario scenario, SessionOptions options)
+Session::Session(scenario::Scenario scenario, SessionOptions options)
     : scenario_(std::move(scenario)),
       options_(std::move(options)),
       given_(scenario_.scene),
@@ -160,7 +160,7 @@ std::unique_ptr<Lane> Session::make_lane(const LaneSpec& spec) const {
       throw BadCommand(fmt::format("integrator '{}' is none of {}{} (valid: {})", spec.integrator,
                                    spec.engine, core::did_you_mean(spec.integrator, known),
                                    fmt::join(known, ", ")));
-    const double dt = scenarios::parse_step(spec.dt_text);
+    const double dt = scenario::parse_step(spec.dt_text);
     if (!(dt <= longest_step))
       throw BadCommand(fmt::format("dt_text '{}': a step is at most {} s", spec.dt_text, longest_step));
     return std::make_unique<Lane>(spec, dt, std::move(choice), options_.limits);

@@ -6,7 +6,7 @@
 #include "harness/view/command.h"
 #include "harness/view/lane.h"
 #include "harness/view/recorder.h"
-#include "scenarios/scenario.h"
+#include "harness/scenario/scenario.h"
 
 #include <cstdint>
 #include <memory>
@@ -43,7 +43,7 @@ struct PullNow {
 class Session {
  public:
   /// Throws BadCommand where the first lane's engine, scheme or step is none.
-  Session(scenarios::Scenario, SessionOptions);
+  Session(scenario::Scenario, SessionOptions);
 
   /// Lets time pass: simulated time follows speed x seconds, and falls behind without haste where an engine
   /// is slower than that.  All lanes advance at once.  Returns whether anything moved.
@@ -52,7 +52,7 @@ class Session {
   /// Throws BadCommand, and changes nothing, where it cannot be.
   void apply(const Command&);
 
-  const scenarios::Scenario& scenario() const { return scenario_; }
+  const scenario::Scenario& scenario() const { return scenario_; }
   const SessionOptions& options() const { return options_; }
   const core::Scene& scene() const {
     return given_;
@@ -92,7 +92,7 @@ class Session {
   double affordable() const;
   bool run(double target);
 
-  scenarios::Scenario scenario_;
+  scenario::Scenario scenario_;
   SessionOptions options_;
   core::Scene given_;
   std::vector<process::HeldJoint> joints_;

@@ -4,7 +4,7 @@
 
 #include "harness/process/client.h"
 #include "harness/process/engines.h"
-#include "tests/exact/random_scenes.h"
+#include "tests/reference/exact/random_scenes.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

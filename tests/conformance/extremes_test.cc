@@ -14,22 +14,22 @@
 namespace cylon::conformance {
 namespace {
 
-using core::Verdict;
+using results::Verdict;
 
-const scenarios::Suite& suite() {
-  static const scenarios::Suite loaded = scenarios::load_suite(source("scenarios/suites/extremes.toml"));
+const scenario::Suite& suite() {
+  static const scenario::Suite loaded = scenario::load_suite(source("scenarios/suites/extremes.toml"));
   return loaded;
 }
 
 std::vector<Verdict> run_all() {
-  std::vector<std::unique_ptr<scenarios::Scenario>> scenes;
+  std::vector<std::unique_ptr<scenario::Scenario>> scenes;
   std::vector<study::Cell> cells;
   for (const std::string& name : suite().scenarios) {
-    scenes.push_back(std::make_unique<scenarios::Scenario>(shipped(name)));
+    scenes.push_back(std::make_unique<scenario::Scenario>(shipped(name)));
     for (const std::string& id : suite().engines)
       cells.push_back({scenes.back().get(), engine(id), scenes.back()->step, scenes.back()->step_text});
   }
-  const auto expectations = scenarios::Expectations::load(source("scenarios/expected.toml"));
+  const auto expectations = scenario::Expectations::load(source("scenarios/expected.toml"));
   std::vector<Verdict> rows;
   for (auto& cell : study::run(cells, {.workers = 2, .limits = {}}, expectations, {}))
     rows.insert(rows.end(), cell.begin(), cell.end());
@@ -66,9 +66,9 @@ TEST(Extremes, EveryFileOfTheFolderIsInTheSuiteAndTagged) {
 // own.
 TEST(Extremes, NoCellEndsInATimeoutOrGarbage) {
   for (const Verdict& row : rows()) {
-    EXPECT_NE(row.status, core::Status::timeout) << place(row);
-    EXPECT_NE(row.status, core::Status::protocol) << place(row);
-    EXPECT_TRUE(row.status != core::Status::crash || row.engine.starts_with("ode")) << place(row);
+    EXPECT_NE(row.status, results::Status::timeout) << place(row);
+    EXPECT_NE(row.status, results::Status::protocol) << place(row);
+    EXPECT_TRUE(row.status != results::Status::crash || row.engine.starts_with("ode")) << place(row);
   }
 }
 

@@ -4,10 +4,10 @@
 
 #include "harness/process/engines.h"
 #include "harness/study/cell.h"
-#include "scenarios/expected.h"
-#include "scenarios/reader.h"
-#include "scenarios/scenario.h"
-#include "scenarios/suite.h"
+#include "harness/scenario/expected.h"
+#include "harness/scenario/reader.h"
+#include "harness/scenario/scenario.h"
+#include "harness/scenario/suite.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -20,9 +20,9 @@ inline std::filesystem::path source(const std::string& path) {
   return std::filesystem::path(CYLON_SOURCE_DIR) / path;
 }
 
-inline scenarios::Scenario shipped(const std::string& name) {
+inline scenario::Scenario shipped(const std::string& name) {
   const std::filesystem::path plain = source("scenarios/" + name + ".toml");
-  return scenarios::load(std::filesystem::exists(plain) ? plain
+  return scenario::load(std::filesystem::exists(plain) ? plain
                                                         : source("scenarios/extremes/" + name + ".toml"));
 }
 
@@ -32,7 +32,7 @@ inline process::EngineChoice engine(const std::string& id) {
 
 /// A claim of the scenario's own scene and truth: the quantity, unjudged, over [0, duration].
 /// Throws std::invalid_argument where no claim of the shipped file follows a truth.
-inline core::Claim follows(const scenarios::Scenario& scenario, core::Quantity quantity,
+inline core::Claim follows(const scenario::Scenario& scenario, core::Quantity quantity,
                            core::Reduction reduction, double sample) {
   const auto exact = std::find_if(scenario.claims.begin(), scenario.claims.end(),
                                   [](const core::Claim& claim) { return claim.truth.has_value(); });
@@ -49,9 +49,9 @@ inline core::Claim follows(const scenarios::Scenario& scenario, core::Quantity q
 }
 
 /// The verdict on a scenario's first claim.
-inline core::Verdict verdict(const scenarios::Scenario& scenario, const std::string& engine_id, double dt) {
+inline results::Verdict verdict(const scenario::Scenario& scenario, const std::string& engine_id, double dt) {
   const study::Cell cell{&scenario, engine(engine_id), dt, std::to_string(dt)};
-  return study::run(cell, process::Limits{}, scenarios::Expectations{}).at(0);
+  return study::run(cell, process::Limits{}, scenario::Expectations{}).at(0);
 }
 
 }  // namespace cylon::conformance

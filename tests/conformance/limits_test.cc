@@ -98,7 +98,7 @@ TEST(Limits, ARefusalBeyondWhatHoldsIsALimit) {
 
 // The bracket holds on one side and breaks on the other, asked again.
 TEST(Limits, TheLargestStepOfAScenarioIsBracketed) {
-  const scenarios::Scenario scenario = shipped("projectile");
+  const scenario::Scenario scenario = shipped("projectile");
   const study::StepSearch search = study::step_search(scenario);
   const study::Limit limit = study::find_limit(search.range, [&](double n) {
     return study::step_probe(scenario, engine("bullet"), {}, search.unit * static_cast<std::int64_t>(n));

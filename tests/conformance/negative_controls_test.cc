@@ -12,13 +12,13 @@
 namespace cylon::conformance {
 namespace {
 
-using core::Status;
-using core::Verdict;
+using results::Status;
+using results::Verdict;
 
 // Room for a machine under load; a run that never ends is given up after `run_seconds`.
 process::Limits within(double run_seconds) { return {60, run_seconds, std::size_t{4} << 30}; }
 
-std::vector<Verdict> judged(const scenarios::Scenario& scenario, const process::EngineChoice& engine) {
+std::vector<Verdict> judged(const scenario::Scenario& scenario, const process::EngineChoice& engine) {
   return study::run({&scenario, engine, scenario.step, scenario.step_text}, within(120), {});
 }
 
@@ -42,7 +42,7 @@ TEST(WithoutTheGyroscopicTerm, EnergyIsPerfectAndTheMotionWrong) {
       const std::vector<Verdict> rows = judged(shipped(scenario), engine(id));
       const Verdict& energy = row(rows, "energy conserved");
       EXPECT_EQ(energy.status, Status::pass) << scenario << ", " << id << ": " << energy.measured;
-      EXPECT_GT(core::digits(energy.measured, energy.allowed), 5) << scenario << ", " << id;
+      EXPECT_GT(results::digits(energy.measured, energy.allowed), 5) << scenario << ", " << id;
       EXPECT_EQ(row(rows, "linear_momentum conserved").status, Status::pass) << scenario << ", " << id;
       const Verdict& orientation = row(rows, "orientation follows");
       EXPECT_EQ(orientation.status, Status::fail) << scenario << ", " << id << ": " << orientation.detail;
@@ -66,9 +66,9 @@ TEST(WithoutTheGyroscopicTerm, TheHeavyTopFalls) {
 // ---- A user's engine that misbehaves
 // ---------------------------------------------------------------------------
 
-// Uniform motion for 100 steps, which tests/harness/scripted_worker.py can do.
-const scenarios::Scenario& drifting() {
-  static const scenarios::Scenario scenario = scenarios::parse(R"(
+// Uniform motion for 100 steps, which tests/harness/process/scripted_worker.py can do.
+const scenario::Scenario& drifting() {
+  static const scenario::Scenario scenario = scenario::parse(R"(
 title    = "Nothing acts"
 story    = "A body drifts."
 duration = 1.0
@@ -87,14 +87,14 @@ tolerance  = { absolute = 1e-9, reason = "rounding" }
 conserves  = "linear_momentum"
 tolerance  = { absolute = 1e-9, reason = "rounding" }
 )",
-                                                               "drifting.toml");
+                                                             "drifting.toml");
   return scenario;
 }
 
 // As a user adds it: a command.
 process::EngineChoice users_engine(const std::string& mode) {
   const process::EngineRow engine_row{
-      "mine-" + mode, {"python3", source("tests/harness/scripted_worker.py").string(), mode}, ""};
+      "mine-" + mode, {"python3", source("tests/harness/process/scripted_worker.py").string(), mode}, ""};
   return process::parse_engine(engine_row.id, std::vector{engine_row});
 }
 

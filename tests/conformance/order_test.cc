@@ -34,9 +34,9 @@ std::string test_name(const std::string& scenario, const std::string& scheme) {
   return name;
 }
 
-scenarios::Scenario cut(const std::string& name, core::Quantity quantity, core::Reduction reduction,
+scenario::Scenario cut(const std::string& name, core::Quantity quantity, core::Reduction reduction,
                         double horizon) {
-  scenarios::Scenario scenario = shipped(name);
+  scenario::Scenario scenario = shipped(name);
   scenario.duration = horizon;
   scenario.claims = {follows(scenario, quantity, reduction, 0)};
   return scenario;
@@ -75,7 +75,7 @@ class Order : public testing::TestWithParam<Row> {};
 TEST_P(Order, IsTheDeclaredOne) {
   const Row& row = GetParam();
   const auto scenario = cut(row.scenario, row.quantity, core::Reduction::order, row.horizon);
-  const core::Verdict verdict = conformance::verdict(scenario, by(row.scheme), row.dt);
+  const results::Verdict verdict = conformance::verdict(scenario, by(row.scheme), row.dt);
   // measure() takes the slope only above the rounding floor, and says so.
   ASSERT_TRUE(verdict.detail.starts_with("observed order")) << verdict.detail;
   EXPECT_TRUE(verdict.detail.ends_with("declared " + std::to_string(row.order))) << verdict.detail;

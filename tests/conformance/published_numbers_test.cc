@@ -5,7 +5,7 @@
 // it still differs and still has our value, so that no explanation outlives its discrepancy.
 #include "tests/conformance/fixture.h"
 
-#include "harness/cli/published.h"
+#include "harness/cli/commands/published.h"
 #include "harness/core/observable.h"
 
 #include <fmt/format.h>
@@ -64,7 +64,7 @@ core::Quantity quantity(const std::string& word) {
 }
 
 double measured(const Number& n) {
-  scenarios::Scenario scenario = shipped(n.scenario);
+  scenario::Scenario scenario = shipped(n.scenario);
   const bool end = n.reduction == "end";
   core::Claim claim =
       follows(scenario, quantity(n.observable), end ? core::Reduction::end : core::Reduction::max,
@@ -72,7 +72,7 @@ double measured(const Number& n) {
   for (std::size_t i = 0; i < scenario.scene.bodies.size(); ++i)
     if (scenario.scene.bodies[i].name == n.body) claim.observable.body = static_cast<int>(i);
   scenario.claims = {claim};
-  const core::Verdict row = verdict(scenario, n.engine, scenarios::parse_step(n.dt));
+  const results::Verdict row = verdict(scenario, n.engine, scenario::parse_step(n.dt));
   EXPECT_TRUE(row.detail.empty()) << row.detail;
   return row.measured;
 }

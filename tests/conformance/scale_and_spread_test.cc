@@ -17,10 +17,10 @@
 namespace cylon::conformance {
 namespace {
 
-std::vector<core::Verdict> judged(const scenarios::Scenario& scenario, double scale, int copies) {
+std::vector<results::Verdict> judged(const scenario::Scenario& scenario, double scale, int copies) {
   study::Cell cell{&scenario, engine("in-house"), scenario.step, scenario.step_text, "", ""};
   cell.tolerance_scale = scale, cell.copies = copies;
-  return study::run(cell, process::Limits{}, scenarios::Expectations{});
+  return study::run(cell, process::Limits{}, scenario::Expectations{});
 }
 
 TEST(ToleranceScale, MultipliesWhatIsAllowedAndNothingElse) {
@@ -37,8 +37,8 @@ TEST(ToleranceScale, MultipliesWhatIsAllowedAndNothingElse) {
 
 // At zero nothing passes, a residual of zero neither, and every number is there.
 TEST(ToleranceScale, ZeroShowsAllResiduals) {
-  for (const core::Verdict& row : judged(shipped("two_sphere_oblique"), 0, 0)) {
-    EXPECT_EQ(row.status, core::Status::fail) << row.claim;
+  for (const results::Verdict& row : judged(shipped("two_sphere_oblique"), 0, 0)) {
+    EXPECT_EQ(row.status, results::Status::fail) << row.claim;
     EXPECT_TRUE(std::isfinite(row.measured)) << row.claim;
     EXPECT_EQ(row.allowed, 0) << row.claim;
   }
@@ -111,7 +111,7 @@ TEST(OneUlpApart, KeepsWhatIsLockedAndMovesWhatIsAtZero) {
 
 double largest_spread(const char* name, int copies) {
   double result = 0;
-  for (const core::Verdict& row : judged(shipped(name), 1, copies)) {
+  for (const results::Verdict& row : judged(shipped(name), 1, copies)) {
     EXPECT_TRUE(row.spread) << name << ", " << row.claim;
     if (row.claim.starts_with("position")) result = std::max(result, row.spread.value_or(0));
   }
@@ -125,7 +125,7 @@ TEST(Spread, TellsChaosFromRegularMotion) {
   EXPECT_GT(regular, 0);
   EXPECT_LT(regular, 1e-14);
   EXPECT_GT(chaotic, 100 * regular);
-  for (const core::Verdict& row : judged(shipped("projectile"), 1, 0)) EXPECT_FALSE(row.spread) << row.claim;
+  for (const results::Verdict& row : judged(shipped("projectile"), 1, 0)) EXPECT_FALSE(row.spread) << row.claim;
   EXPECT_NE(judged(shipped("double_pendulum"), 1, 0).at(0).detail.find("2 runs that start one ulp apart end"),
             std::string::npos);
 }

@@ -2,7 +2,7 @@
 // says the same again, and that the published table comes out digit by digit.
 #include "tests/conformance/fixture.h"
 
-#include "harness/cli/published.h"
+#include "harness/cli/commands/published.h"
 #include "harness/study/matrix.h"
 #include "harness/study/relations.h"
 #include "reports/json.h"
@@ -17,38 +17,38 @@
 namespace cylon::conformance {
 namespace {
 
-using core::Verdict;
+using results::Verdict;
 
 // A suite's cells; they point to its scenarios.
 struct Cells {
-  std::vector<std::unique_ptr<scenarios::Scenario>> scenarios;
+  std::vector<std::unique_ptr<scenario::Scenario>> scenarios;
   std::vector<study::Cell> cells;
 };
 
-Cells cells_of(const scenarios::Suite& suite) {
+Cells cells_of(const scenario::Suite& suite) {
   Cells all;
   for (const std::string& name : suite.scenarios) {
-    all.scenarios.push_back(std::make_unique<scenarios::Scenario>(shipped(name)));
-    const scenarios::Scenario& scenario = *all.scenarios.back();
+    all.scenarios.push_back(std::make_unique<scenario::Scenario>(shipped(name)));
+    const scenario::Scenario& scenario = *all.scenarios.back();
     for (const std::string& id : suite.engines) {
       if (suite.steps.empty())
         all.cells.push_back({&scenario, engine(id), scenario.step, scenario.step_text});
       for (const std::string& step : suite.steps)
-        all.cells.push_back({&scenario, engine(id), scenarios::parse_step(step), step});
+        all.cells.push_back({&scenario, engine(id), scenario::parse_step(step), step});
     }
   }
   return all;
 }
 
-std::vector<Verdict> run(const Cells& all, int workers, const scenarios::Expectations& expectations) {
+std::vector<Verdict> run(const Cells& all, int workers, const scenario::Expectations& expectations) {
   std::vector<Verdict> rows;
   for (auto& cell : study::run(all.cells, {.workers = workers, .limits = {}}, expectations, {}))
     rows.insert(rows.end(), cell.begin(), cell.end());
   return rows;
 }
 
-scenarios::Suite suite(const std::string& name) {
-  return scenarios::load_suite(source("scenarios/suites/" + name + ".toml"));
+scenario::Suite suite(const std::string& name) {
+  return scenario::load_suite(source("scenarios/suites/" + name + ".toml"));
 }
 
 std::string place(const Verdict& row) {
@@ -65,11 +65,11 @@ std::string content(std::vector<Verdict> rows) {
 class Conformance : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    expectations_ = scenarios::Expectations::load(source("scenarios/expected.toml"));
+    expectations_ = scenario::Expectations::load(source("scenarios/expected.toml"));
     cells_ = cells_of(suite("conformance"));
     rows_ = run(cells_, 2, expectations_);
   }
-  static inline scenarios::Expectations expectations_;
+  static inline scenario::Expectations expectations_;
   static inline Cells cells_;
   static inline std::vector<Verdict> rows_;
 };
@@ -86,7 +86,7 @@ TEST_F(Conformance, TheInHouseDefaultPassesEveryClaim) {
   int claims = 0;
   for (const Verdict& row : rows_) {
     if (row.engine != "in-house") continue;
-    EXPECT_EQ(row.status, core::Status::pass) << place(row);
+    EXPECT_EQ(row.status, results::Status::pass) << place(row);
     ++claims;
   }
   EXPECT_GT(claims, 0);
@@ -96,12 +96,12 @@ TEST_F(Conformance, TheInHouseDefaultPassesEveryClaim) {
 TEST_F(Conformance, EveryExpectationDecidesSomething) {
   std::set<std::string> scenarios, engines, decided;
   for (const std::string name : {"conformance", "simbenchmark", "catalogue", "extremes"}) {
-    const scenarios::Suite s = suite(name);
+    const scenario::Suite s = suite(name);
     scenarios.insert(s.scenarios.begin(), s.scenarios.end());
     engines.insert(s.engines.begin(), s.engines.end());
   }
   for (const std::string& name : scenarios) {
-    const scenarios::Scenario scenario = shipped(name);
+    const scenario::Scenario scenario = shipped(name);
     std::vector<std::string> claims;
     for (const core::Claim& claim : scenario.claims) claims.push_back(claim.label);
     for (const study::Relation& relation : study::relations())
@@ -121,7 +121,7 @@ TEST_F(Conformance, EveryRelationOfMechanicsIsKeptAsExpected) {
   for (const Verdict& row : rows) {
     EXPECT_TRUE(row.as_expected()) << place(row);
     if (row.engine != "in-house") continue;
-    EXPECT_EQ(row.status, core::Status::pass) << place(row);
+    EXPECT_EQ(row.status, results::Status::pass) << place(row);
     ++in_house;
   }
   EXPECT_GT(in_house, 60) << "eight scenes, a dozen relations less those that say nothing of them";
@@ -145,7 +145,7 @@ TEST_F(Conformance, EveryTruthIsTenTimesFinerThanItsTolerance) {
 }
 
 TEST(SimBenchmark, EveryPublishedDigitComesOutAgain) {
-  const scenarios::Suite table = suite("simbenchmark");
+  const scenario::Suite table = suite("simbenchmark");
   ASSERT_EQ(table.published.size(), 10u);
   const auto rows = run(cells_of(table), 2, {});
   ASSERT_EQ(rows.size(), 10u) << "each published number has a row";
@@ -156,7 +156,7 @@ TEST(SimBenchmark, EveryPublishedDigitComesOutAgain) {
 // The table's factor of four hundred is no engine's but a solver path's: Bullet's other path has ODE's
 // digits.
 TEST(SimBenchmark, BulletsRigidBodiesGiveOdesDigits) {
-  const scenarios::Suite table = suite("simbenchmark");
+  const scenario::Suite table = suite("simbenchmark");
   const auto ode = std::find_if(table.published.begin(), table.published.end(), [](const auto& number) {
     return number.engine.starts_with("ode") && number.dt == "0.001";
   });

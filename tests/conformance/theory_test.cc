@@ -19,8 +19,8 @@ using std::numbers::pi;
 // ---- Scenes --------------------------------------------------------------------------------------
 
 // Thrown upward: x(t) is a parabola.  Euler's schemes err by g T dt/2 at any step; order 2 and up is exact.
-scenarios::Scenario projectile(const std::string& tolerance) {
-  return scenarios::parse(fmt::format(R"(
+scenario::Scenario projectile(const std::string& tolerance) {
+  return scenario::parse(fmt::format(R"(
 title = "Thrown"
 story = "A stone."
 duration = 1.0
@@ -43,8 +43,8 @@ tolerance = {}
 // x = A cos(w t), A = 1.3 m, w = 2.5 rad/s, let go at rest; T = 2.25 periods, where the phase's error shows
 // whole.
 constexpr double amplitude = 1.3, w = 2.5;
-scenarios::Scenario spring(const std::string& tolerance) {
-  return scenarios::parse(fmt::format(R"(
+scenario::Scenario spring(const std::string& tolerance) {
+  return scenario::parse(fmt::format(R"(
 title = "Spring"
 story = "Back and forth."
 duration = {:.17g}
@@ -69,8 +69,8 @@ tolerance = {}
 
 // Turns by 3 rad/s about its principal axis y, for ever.
 constexpr double spin = 3;
-scenarios::Scenario top(const std::string& tolerance) {
-  return scenarios::parse(fmt::format(R"(
+scenario::Scenario top(const std::string& tolerance) {
+  return scenario::parse(fmt::format(R"(
 title = "Top"
 story = "It turns."
 duration = 10.0
@@ -93,7 +93,7 @@ tolerance = {}
 
 struct Row {
   const char* what;
-  scenarios::Scenario (*scene)(const std::string& tolerance);
+  scenario::Scenario (*scene)(const std::string& tolerance);
   const char* scheme;
   int order;
   double constant;  // of theory
@@ -129,7 +129,7 @@ std::string constants(double factor, const Row& row) {
                      row.order, factor * row.constant);
 }
 
-core::Verdict judged(const Row& row, double factor, const std::string& engine_id) {
+results::Verdict judged(const Row& row, double factor, const std::string& engine_id) {
   const auto scenario = row.scene(constants(factor, row));
   return verdict(scenario, engine_id, scenario.duration / row.steps);
 }
@@ -139,7 +139,7 @@ class Theory : public testing::TestWithParam<Row> {};
 TEST_P(Theory, BoundsTheErrorClosely) {
   const Row& row = GetParam();
   const std::string engine_id = std::string("in-house/integrator=") + row.scheme;
-  const core::Verdict whole = judged(row, 1.02, engine_id);  // two hundredths for the terms that follow
+  const results::Verdict whole = judged(row, 1.02, engine_id);  // two hundredths for the terms that follow
   EXPECT_EQ(core::name(whole.status), "pass")
       << whole.measured << " of " << whole.allowed << "; " << whole.detail;
   RecordProperty("detail", whole.detail);
@@ -177,7 +177,7 @@ TEST(TheoryClaim, ServesSchemesOfDifferentOrders) {
                           Case{"in-house/integrator=rk4", 400, "declared 4"},
                           Case{"in-house", 400, "the scheme chooses its own steps, held to order 4"},
                           Case{"ode", 1e4, "declared 1"}}) {
-    const core::Verdict verdict = conformance::verdict(scenario, row.engine, scenario.duration / row.steps);
+    const results::Verdict verdict = conformance::verdict(scenario, row.engine, scenario.duration / row.steps);
     EXPECT_EQ(core::name(verdict.status), "pass")
         << row.engine << ": " << verdict.measured << " of " << verdict.allowed << "; " << verdict.detail;
     EXPECT_NE(verdict.detail.find(row.detail), std::string::npos) << row.engine << ": " << verdict.detail;
@@ -187,7 +187,7 @@ TEST(TheoryClaim, ServesSchemesOfDifferentOrders) {
 // A claim that knows high orders alone says nothing good of a scheme of low order.
 TEST(TheoryClaim, WithoutAConstantForTheOrderNothingPasses) {
   const auto scenario = spring("{ order = true, constants = { 4 = 1.0 }, reason = \"truncation: theory\" }");
-  const core::Verdict verdict =
+  const results::Verdict verdict =
       conformance::verdict(scenario, "in-house/integrator=velocity-verlet", scenario.duration / 1e3);
   EXPECT_EQ(core::name(verdict.status), "fail");
   EXPECT_NE(verdict.detail.find("no constant for order 2 or less"), std::string::npos) << verdict.detail;

@@ -2,7 +2,7 @@
 // lines are the same from every compiler, and those of one model but for the number of threads.  For
 // tests/determinism.sh.
 #include "engine/free_bodies.h"
-#include "tests/engine/pile_fixtures.h"
+#include "tests/engine/pile/pile_fixtures.h"
 
 #include <cstddef>
 #include <cstdint>

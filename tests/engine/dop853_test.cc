@@ -1,5 +1,5 @@
 // Error control, dense output and exits of the adaptive scheme.
-#include "engine/schemes/dop853.h"
+#include "engine/integrators/dop853.h"
 
 #include "tests/engine/scheme_systems.h"
 

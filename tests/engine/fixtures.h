@@ -1,7 +1,7 @@
 // Models with general values (no zeros, no axes), how they are run, and how far two motions are apart.
 #pragma once
 
-#include "engine/schemes/scheme.h"
+#include "engine/integrators/scheme.h"
 #include "engine/world.h"
 #include "tests/engine/same_bits.h"
 

@@ -2,7 +2,7 @@
 // equations.
 #include "engine/free_rotation.h"
 
-#include "engine/schemes/advance.h"
+#include "engine/integrators/advance.h"
 #include "tests/engine/scheme_systems.h"
 
 #include <gtest/gtest.h>

@@ -9,7 +9,8 @@ namespace {
 // How far the slope may be from the order.  Up to order 4 the next term of the error is small where it is
 // measured; the steps of the others cannot be made as small before rounding takes over, and from the large
 // steps that remain they may only seem better than they are.
-// Within a tenth they are seen in tests/engine_long, with more digits, and in tests/accuracy, by a fit.
+// Within a tenth they are seen in tests/engine/long, with more digits, and in tests/conformance/accuracy, by
+// a fit.
 void expect_order(Real slope, const Scheme& scheme, int order) {
   if (scheme.order <= 4) {
     EXPECT_NEAR(slope, order, 0.1);

@@ -1,5 +1,5 @@
 // What each scheme does: its observed order, with and without drag and constraints; reversal; energy; work.
-#include "engine/schemes/advance.h"
+#include "engine/integrators/advance.h"
 #include "tests/engine/scheme_systems.h"
 
 #include <gtest/gtest.h>

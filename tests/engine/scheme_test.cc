@@ -1,5 +1,5 @@
 // The table's coefficients against the order conditions, all of them, and what each row says of itself.
-#include "engine/schemes/scheme.h"
+#include "engine/integrators/scheme.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/Dense>

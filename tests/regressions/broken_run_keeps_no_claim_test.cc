@@ -12,7 +12,7 @@ namespace cylon::study {
 namespace {
 
 TEST(BrokenRun, KeepsNoClaimWithinItsHorizon) {
-  const scenarios::Scenario scenario = scenarios::parse(R"(
+  const scenario::Scenario scenario = scenario::parse(R"(
 title    = "Nothing acts"
 story    = "A body drifts."
 duration = 1.0
@@ -31,8 +31,8 @@ conserves = "energy"
 until     = 0.5
 tolerance = { absolute = 1e-9, reason = "rounding" }
 )",
-                                                        "drifting.toml");
-  const std::string script = std::string(CYLON_SOURCE_DIR) + "/tests/harness/scripted_worker.py";
+                                                      "drifting.toml");
+  const std::string script = std::string(CYLON_SOURCE_DIR) + "/tests/harness/process/scripted_worker.py";
   const process::EngineChoice engine = {"mine", {"mine", {"python3", script, "nan"}, ""}, "", "", {}};
   const auto rows = run({&scenario, engine, 0.01, "0.01"}, {60, 60, 0}, {});
   ASSERT_EQ(rows.size(), 2u);

@@ -66,10 +66,10 @@ TEST(TurnWithoutInertia, IsRefusedWithTheBody) {
   request.steps = 1;
   const auto engine = parse_engine("in-house", default_engines(CYLON_BINARY_DIR));
   const RunOutcome refused = run(engine, request);
-  EXPECT_EQ(refused.status, core::Status::unsupported);
+  EXPECT_EQ(refused.status, results::Status::unsupported);
   EXPECT_NE(refused.reason.find("body 'needle' turns at 0.5 rad/s"), std::string::npos) << refused.reason;
   scene.bodies[0].initial.angular_velocity.x() = 0;
-  EXPECT_EQ(run(engine, request).status, core::Status::pass);
+  EXPECT_EQ(run(engine, request).status, results::Status::pass);
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 #include "tests/mutants/matrix/judge.h"
 
-#include "harness/core/verdict.h"
+#include "harness/results/verdict.h"
 
 namespace cylon::mutants {
 
-bool Finding::guilty() const { return core::judge(measured, allowed) != core::Status::pass; }
-double Finding::margin() const { return -core::digits(measured, allowed); }
+bool Finding::guilty() const { return results::judge(measured, allowed) != results::Status::pass; }
+double Finding::margin() const { return -results::digits(measured, allowed); }
 
 const std::vector<Judge>& judges() {
   static const std::vector<Judge> all = [] {

@@ -23,7 +23,7 @@ constexpr std::int64_t steps = 616;  // the box has landed
 constexpr double duration = dt * steps;
 
 Scene scene_of(const char* file) {
-  return scenarios::load(std::filesystem::path(CYLON_SOURCE_DIR) / "scenarios" / file).scene;
+  return scenario::load(std::filesystem::path(CYLON_SOURCE_DIR) / "scenarios" / file).scene;
 }
 
 // Two bodies on a damped spring that ends off their centres; nothing acts from outside.

@@ -37,8 +37,8 @@ core::Truth remembered(const core::Truth& truth, double spacing, double until) {
 }  // namespace
 
 Examined examine(const SceneRow& row) {
-  Examined result{scenarios::load(std::filesystem::path(CYLON_SOURCE_DIR) / row.file), row, {}, {}};
-  scenarios::Scenario& scenario = result.scenario;
+  Examined result{scenario::load(std::filesystem::path(CYLON_SOURCE_DIR) / row.file), row, {}, {}};
+  scenario::Scenario& scenario = result.scenario;
   if (row.duration > 0) scenario.duration = row.duration;
   if (row.step > 0) scenario.step = row.step;
   const std::int64_t steps = core::whole_steps(scenario.duration, scenario.step);

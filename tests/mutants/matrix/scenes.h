@@ -1,7 +1,7 @@
 // The scenes of the repository as judges: which, how long, and how fast they go.
 #pragma once
 
-#include "scenarios/scenario.h"
+#include "harness/scenario/scenario.h"
 
 #include <map>
 #include <string>
@@ -30,7 +30,7 @@ const std::vector<SceneRow>& scene_rows();
 
 /// A scenario cut to its duration, with at most 256 samples a claim, and what its claims allow.
 struct Examined {
-  scenarios::Scenario scenario;
+  scenario::Scenario scenario;
   SceneRow row;
   std::vector<double> shipped;  ///< What each claim allows as it stands in its file.
   std::vector<double> scales;   ///< Size of each claim's quantity, > 0.

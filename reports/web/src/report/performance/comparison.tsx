@@ -9,7 +9,7 @@ import { Interval } from './interval';
 
 type Cell = Comparisons['cells'][number];
 
-// In the order of their weight (harness/core/comparison.h).
+// In the order of their weight (harness/results/comparison.h).
 const order = ['regressed', 'inconclusive', 'improved', 'changed', 'same', 'skipped'];
 const signs: Record<string, string> = {
   regressed: '\u2717',

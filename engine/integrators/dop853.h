@@ -1,0 +1,296 @@
+// Error-controlled motion of a System: DOPRI 8(5,3) with dense output.
+#pragma once
+
+#include "engine/integrators/advance.h"
+#include "engine/integrators/combination.h"
+#include "engine/integrators/tableaus.h"
+#include "engine/system.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace cylon::engine {
+
+/// How an error-controlled run stands.
+enum class Ending : unsigned char {
+  done,
+  step_too_small,  ///< The tolerance cannot be kept: no step above rounding of the time meets it.
+  non_finite       ///< The rates are not finite, however short the step.
+};
+
+/// E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I (2nd ed. 1993), II.5-II.6,
+/// and its program dop853.f: order 8, error estimates of orders 5 and 3, dense output of order 7.
+///
+/// A step h is taken when the error norm is at most 1,
+///   error = |h| E5 / sqrt(E5 + 0.01 E3) / sqrt(n),  E = sum_i (estimate_i / (tolerance scale_i))^2
+/// and the next is h times 0.9 error^(-1/8 + 0.2 beta) previous^beta within [1/3, 6], beta = 0.04 (PI
+/// control, section IV.2 of volume II).  scale_i comes from the System's `void scales(const Real* y, Real*
+/// scale)` where it has one, else from |y_i|, at least 1e-3 of the largest |y|.
+///
+/// The state is summed with compensation: what rounding takes from it is carried on to the next step, so that
+/// many steps round as one.
+template <System S>
+class Dop853 {
+ public:
+  /// tolerance: relative to the scales, per step; at least epsilon/2, less counts as that; the compensated
+  /// sums make that worth asking for.
+  Dop853(std::size_t size, Real tolerance)
+      : n_(size),
+        tolerance_(std::max(tolerance, std::numeric_limits<Real>::epsilon() / 2)),
+        memory_((stages + 6 + 8) * size) {
+    Real* at = memory_.data();
+    const auto take = [&](std::size_t vectors) { return std::exchange(at, at + vectors * n_); };
+    k_ = take(stages);
+    y_ = take(1), next_ = take(1), stage_ = take(1), carry_ = take(1), scale_ = take(1), change_ = take(1);
+    dense_ = take(8);
+  }
+
+  Dop853(const Dop853&) = delete;  // its parts point into its memory
+  Dop853& operator=(const Dop853&) = delete;
+  Dop853(Dop853&&) noexcept = default;
+  Dop853& operator=(Dop853&&) noexcept = default;
+  ~Dop853() = default;
+
+  /// Starts anew at t, after an impact or from another state, with a first step h [s], such as next_step();
+  /// 0: chosen from the rates.
+  void start(S& s, Time t, const Real* y, Time h = 0) {
+    begin_ = end_ = t;
+    std::copy_n(y, n_, y_);
+    std::fill_n(carry_, n_, Real(0));
+    s.rates(t, y_, k_);
+    ++evaluations_;
+    h_ = h;
+    previous_error_ = 1e-4;
+    dense_ready_ = false;
+  }
+
+  /// One accepted step forward, at most to `limit`, which it meets exactly.  Requires start(), limit > end().
+  Ending step(S& s, Time limit) {
+    assert(limit > end_);
+    if (h_ == 0) h_ = first_step(s, limit - end_);
+    bool rejected = false;
+    while (true) {
+      const bool last = end_ + 1.01 * h_ >= limit;            // no sliver of a step is left over
+      const Time t = last ? limit : end_ + h_, h = t - end_;  // the step that the time will show
+      if (h <= smallest(limit)) {
+        // An interval as short as rounding is crossed all the same; a step that had to become so is not.
+        if (rejected) return finite_ ? Ending::step_too_small : Ending::non_finite;
+      }
+      take_stages(s, h);
+      const double error = error_norm(s, h);
+      finite_ = std::isfinite(error);
+      // error^(1/8 - 0.2 beta) / previous^beta / 0.9
+      const double raw = finite_ ? std::pow(error, 0.125 - 0.2 * beta) : 10;
+      if (finite_ && error <= 1) {
+        const double factor = raw / std::pow(previous_error_, beta) / 0.9;
+        const Time wish = h / std::clamp(factor, 1.0 / 6, 3.0);
+        // a step cut short by the limit says nothing against the longer one that was planned
+        h_ = rejected ? std::min(wish, h) : last ? std::max(wish, std::min(h_, 6 * h)) : wish;
+        previous_error_ = std::max(error, 1e-4);
+        accept(s, h, t);
+        return Ending::done;
+      }
+      ++rejected_;
+      rejected = true;
+      h_ = h / std::clamp(raw / 0.9, 1.1, finite_ ? 3.0 : 10.0);
+    }
+  }
+
+  /// From t0 to t1 > t0 exactly, in as many steps as it takes.  Goes on where the last call ended if t0 and y
+  /// are what it left, else starts anew with the step that it had.
+  Ending advance(S& s, Time t0, Time t1, Real* y) {
+    if (t1 == t0) return Ending::done;
+    if (!(accepted_ > 0 && t0 == end_ && std::equal(y, y + n_, y_))) start(s, t0, y, h_);
+    while (end_ < t1) {
+      if (const Ending outcome = step(s, t1); outcome != Ending::done) {
+        std::copy_n(y_, n_, y);
+        return outcome;
+      }
+    }
+    std::copy_n(y_, n_, y);
+    return Ending::done;
+  }
+
+  Time begin() const { return begin_; }     ///< Of the last accepted step [s].
+  Time end() const { return end_; }         ///< Of the last accepted step: where state() is [s].
+  const Real* state() const { return y_; }  ///< At end().
+  const Real* rates() const { return k_; }  ///< At end().
+
+  /// The state at any time of the last accepted step, begin() <= t <= end(); settled.  Costs three
+  /// evaluations the first time in a step.  contd8 of dop853.f:
+  ///   y = y_0 + s (c_1 + (1 - s)(c_2 + s (c_3 + (1 - s)(c_4 + s (c_5 + (1 - s)(c_6 + s c_7))))))
+  void at(S& s, Time t, Real* y) {
+    if (t == end_ || begin_ == end_) {
+      std::copy_n(y_, n_, y);
+      return;
+    }
+    if (!dense_ready_) prepare_dense(s);
+    const Real x = static_cast<Real>((t - begin_) / (end_ - begin_)), r = 1 - x;
+    const Real* const c = dense_;
+    for (std::size_t i = 0; i < n_; ++i) {
+      Real sum = c[7 * n_ + i];
+      sum = c[6 * n_ + i] + x * sum;
+      sum = c[5 * n_ + i] + r * sum;
+      sum = c[4 * n_ + i] + x * sum;
+      sum = c[3 * n_ + i] + r * sum;
+      sum = c[2 * n_ + i] + x * sum;
+      sum = c[1 * n_ + i] + r * sum;
+      y[i] = c[i] + x * sum;
+    }
+    s.settle(y);
+  }
+
+  Time next_step() const { return h_; }  ///< The step that will be tried next [s].
+  long evaluations() const { return evaluations_; }
+  long accepted() const { return accepted_; }
+  long rejected() const { return rejected_; }
+
+ private:
+  static constexpr std::size_t stages = 16;
+  static constexpr double beta = 0.04;
+
+  template <std::size_t I>
+  struct Row {
+    static constexpr Coefficient at(std::size_t j) { return dop853::matrix[I * (I - 1) / 2 + j]; }
+  };
+
+  // The shortest step that moves the time by more than its rounding.
+  Time smallest(Time limit) const {
+    return 10 * std::numeric_limits<Time>::epsilon() * std::max(std::abs(end_), std::abs(limit));
+  }
+
+  Real* k(std::size_t i) { return k_ + i * n_; }
+
+  template <class C, std::size_t I>
+  void evaluate(S& s, const Real* from, Time t, Time h, Real* rate) {
+    const Real dt = static_cast<Real>(h);
+    for (std::size_t i = 0; i < n_; ++i) stage_[i] = from[i] + dt * combination<C, I>(k_, n_, i);
+    s.rates(t, stage_, rate);
+    ++evaluations_;
+  }
+
+  void take_stages(S& s, Time h) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      (evaluate<Row<I + 1>, I + 1>(s, y_, end_ + dop853::nodes[I + 1] * h, h, k(I + 1)), ...);
+    }
+    (std::make_index_sequence<11>{});
+    const Real dt = static_cast<Real>(h);
+    for (std::size_t i = 0; i < n_; ++i) {
+      change_[i] = dt * combination<Entries<dop853::weights>, 12>(k_, n_, i);
+      next_[i] = y_[i] + change_[i];
+    }
+  }
+
+  void set_scales(S& s, const Real* y) {
+    if constexpr (requires { s.scales(y, scale_); }) {
+      s.scales(y, scale_);
+    } else {
+      Real largest = 0;
+      for (std::size_t i = 0; i < n_; ++i) largest = std::max(largest, std::abs(y[i]));
+      if (largest == 0) largest = 1;
+      for (std::size_t i = 0; i < n_; ++i) scale_[i] = std::max(std::abs(y[i]), largest / 1000);
+    }
+  }
+
+  double error_norm(S& s, Time h) {
+    set_scales(s, y_);
+    double e5 = 0, e3 = 0;
+    for (std::size_t i = 0; i < n_; ++i) {
+      const double unit = static_cast<double>(tolerance_) * static_cast<double>(scale_[i]);
+      const double five = combination<Entries<dop853::error5>, 12>(k_, n_, i) / unit;
+      const double three = combination<Entries<dop853::error3>, 12>(k_, n_, i) / unit;
+      e5 += five * five, e3 += three * three;
+    }
+    const double sum = e5 + 0.01 * e3;
+    return sum == 0 ? 0 : h * e5 / std::sqrt(sum * static_cast<double>(n_));
+  }
+
+  // Section II.4: a step of Euler's method shows the second derivative; h^8 max(|y'|, |y''|) = 0.01.
+  Time first_step(S& s, Time longest) {
+    set_scales(s, y_);
+    const auto norm = [&](auto&& component) {
+      double sum = 0;
+      for (std::size_t i = 0; i < n_; ++i) {
+        const double x = component(i) / (static_cast<double>(tolerance_) * static_cast<double>(scale_[i]));
+        sum += x * x;
+      }
+      return std::sqrt(sum);
+    };
+    const double rate = norm([&](std::size_t i) { return static_cast<double>(k_[i]); });
+    const double size = norm([&](std::size_t i) { return static_cast<double>(scale_[i]); });
+    if (!(rate > 0) || !std::isfinite(rate)) return longest;
+    const Time h = std::min(longest, 0.01 * size / rate);
+    for (std::size_t i = 0; i < n_; ++i) stage_[i] = y_[i] + static_cast<Real>(h) * k_[i];
+    s.rates(end_ + h, stage_, k(1));
+    ++evaluations_;
+    const double bend = norm([&](std::size_t i) { return static_cast<double>(k(1)[i] - k_[i]); }) / h;
+    const double most = std::max(rate, bend);
+    return std::isfinite(most) ? std::min({longest, 100 * h, std::pow(0.01 / most, 0.125)}) : h;
+  }
+
+  // y' = y + change, and what the sum lost; settled, and the rates there, which the next step begins with.
+  void accept(S& s, Time h, Time t) {
+    std::copy_n(y_, n_, dense_);
+    std::copy_n(k_, n_, dense_ + 2 * n_);
+    for (std::size_t i = 0; i < n_; ++i) {
+      const Real change = change_[i] + carry_[i], sum = y_[i] + change, taken = sum - y_[i];
+      next_[i] = sum;
+      carry_[i] = (y_[i] - (sum - taken)) + (change - taken);  // D. Knuth's two-sum
+    }
+    // A settling of the size of rounding would only add to it.
+    std::copy_n(next_, n_, stage_);
+    s.settle(stage_);
+    Real moved = 0;
+    for (std::size_t i = 0; i < n_; ++i) moved = std::max(moved, std::abs(stage_[i] - next_[i]) / scale_[i]);
+    if (moved > 8 * std::numeric_limits<Real>::epsilon()) std::copy_n(stage_, n_, next_);
+    std::swap(y_, next_);
+    s.rates(t, y_, k(12));
+    ++evaluations_, ++accepted_;
+    step_ = h;
+    begin_ = end_;
+    end_ = t;
+    dense_ready_ = false;
+    std::copy_n(k(12), n_, k_);  // first of the next step; the dense output keeps its own
+  }
+
+  // Stages 13 to 15 and the polynomial's coefficients.
+  void prepare_dense(S& s) {
+    Real* const c = dense_;
+    std::copy_n(c + 2 * n_, n_, k_);  // k_0 of the step that was taken
+    evaluate<Entries<dop853::dense_matrix13>, 13>(s, c, begin_ + dop853::dense_nodes[0] * step_, step_,
+                                                  k(13));
+    evaluate<Entries<dop853::dense_matrix14>, 14>(s, c, begin_ + dop853::dense_nodes[1] * step_, step_,
+                                                  k(14));
+    evaluate<Entries<dop853::dense_matrix15>, 15>(s, c, begin_ + dop853::dense_nodes[2] * step_, step_,
+                                                  k(15));
+    const Real h = static_cast<Real>(step_);
+    for (std::size_t i = 0; i < n_; ++i) {
+      const Real difference = y_[i] - c[i], bend = h * k_[i] - difference;
+      c[n_ + i] = difference;
+      c[3 * n_ + i] = difference - h * k(12)[i] - bend;
+      c[4 * n_ + i] = h * combination<Entries<dop853::dense4>, 16>(k_, n_, i);
+      c[5 * n_ + i] = h * combination<Entries<dop853::dense5>, 16>(k_, n_, i);
+      c[6 * n_ + i] = h * combination<Entries<dop853::dense6>, 16>(k_, n_, i);
+      c[7 * n_ + i] = h * combination<Entries<dop853::dense7>, 16>(k_, n_, i);
+      c[2 * n_ + i] = bend;
+    }
+    std::copy_n(k(12), n_, k_);
+    dense_ready_ = true;
+  }
+
+  std::size_t n_;
+  Real tolerance_;
+  std::vector<Real> memory_;
+  Real *k_ = nullptr, *y_ = nullptr, *next_ = nullptr, *stage_ = nullptr, *carry_ = nullptr;
+  Real *scale_ = nullptr, *change_ = nullptr, *dense_ = nullptr;
+  Time begin_ = 0, end_ = 0, h_ = 0, step_ = 0;
+  double previous_error_ = 1e-4;
+  bool dense_ready_ = false, finite_ = true;
+  long evaluations_ = 0, accepted_ = 0, rejected_ = 0;
+};
+
+}  // namespace cylon::engine

@@ -1,0 +1,135 @@
+// cylon advise
+#include "harness/cli/commands/advise.h"
+
+#include "harness/cli/commands/app.h"
+#include "harness/cli/workers.h"
+#include "harness/cli/options.h"
+#include "harness/cli/output.h"
+#include "harness/cli/provenance.h"
+#include "harness/cli/selection.h"
+#include "harness/core/input_error.h"
+#include "harness/study/advise.h"
+#include "harness/study/features.h"
+#include "harness/study/settings.h"
+#include "reports/advice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+
+namespace cylon::cli {
+namespace {
+
+struct Options {
+  std::string file, observable, json;
+  std::vector<std::string> workers;
+  study::SettingsRequest wanted;
+  study::AdviseOptions how;
+  int jobs = 0;
+  double work = 1 << 20, timeout = 60;
+  bool no_features = false, verify = false;
+};
+
+std::vector<results::Pick> chosen(const results::Advice& advice) {
+  std::vector<results::Pick> picks;
+  for (const results::EngineAdvice& one : advice.engines)
+    if (one.pick && !one.engine.ends_with("-float")) picks.push_back(*one.pick);
+  return picks;
+}
+
+int exit_code(const results::Advice& advice) {
+  const bool any = std::any_of(advice.engines.begin(), advice.engines.end(),
+                               [](const results::EngineAdvice& one) { return one.pick && !one.over_budget; });
+  return any ? ok : differs;
+}
+
+int run(const Context& context, Options options) {
+  require_writable(options.json);
+  options.how.limits.run_seconds = options.timeout;
+  options.how.most = static_cast<std::int64_t>(options.work);
+  options.how.workers = worker_count(options.jobs);
+  const auto rows = with_workers(context, options.workers);
+  if (options.verify)
+    return verify_advice(context, {.wanted = options.wanted,
+                                   .how = options.how,
+                                   .rows = rows,
+                                   .only = options.file,
+                                   .observable = options.observable});
+  if (options.file.empty()) throw core::InputError("say which scenario: cylon advise FILE --tolerance X");
+  const scenario::Scenario scenario = scenario::load(find_scenario(context, options.file));
+  const auto starts = study::starts(scenario, study::check_variations(), study::search_samples(scenario),
+                                    options.observable, rows, options.how.limits);
+  results::Advice advice;
+  advice.scenario = scenario.name, advice.duration = scenario.duration;
+  advice.tolerance = options.how.tolerance, advice.budget = options.how.budget;
+  if (!starts.empty()) {
+    const results::TradeMeasure& measure = starts.front().yardstick->measures()[starts.front().by];
+    advice.measure = measure.name, advice.against = measure.against;
+    advice.starts = static_cast<int>(starts.size());
+    const auto settings = study::settings(scenario, rows, options.wanted);
+    int searched = 0;
+    advice.engines = study::advise(starts, settings, options.how, [&](const study::Setting& setting) {
+      ++searched;
+      if (context.progress)
+        std::cerr << fmt::format("\r[{}/{}] {} {}\x1b[K", searched, settings.size(), setting.engine.id,
+                                 setting.scheme.name)
+                  << std::flush;
+    });
+    if (!options.no_features)
+      advice.features = study::price_features(starts.front(), chosen(advice), settings, rows,
+                                              options.how.rounds, options.how.limits);
+    if (context.progress) std::cerr << "\r\x1b[K" << std::flush;
+  }
+  if (options.json != "-")
+    std::cout << reports::advice_text(
+        advice, {.width = context.width, .utf8 = context.utf8, .colour = context.colour});
+  if (!options.json.empty()) write_whole(options.json, reports::advice_json(advice, provenance_now(context)));
+  return exit_code(advice);
+}
+
+}  // namespace
+
+Command add_advise(App& app, const Context& context) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("file", options->file, "A scenario file, or the name of a shipped scenario")
+      ->type_name("FILE");
+  app.add_option("--tolerance", options->how.tolerance,
+                 "The largest error that you can bear, relative to the size of the motion (angles: rad)")
+      ->type_name("X")
+      ->capture_default_str()
+      ->check(positive(1));
+  app.add_option("--observable", options->observable,
+                 "Which error: trajectory, position, energy, events, …; the trajectory otherwise")
+      ->type_name("NAME");
+  app.add_option("--budget", options->how.budget,
+                 "CPU seconds per simulated second that you can spend; what costs more is said to")
+      ->type_name("S")
+      ->check(positive(1e9));
+  add_engines_option(app, options->wanted.engines, "all");
+  add_integrators_option(app, options->wanted.integrators, "all schemes of each engine");
+  app.add_option("--work", options->work, "Bodies times steps that one run may take")
+      ->type_name("N")
+      ->capture_default_str()
+      ->check(positive(1e12));
+  app.add_option("--rounds", options->how.rounds, "How often each finalist is timed, in turns")
+      ->type_name("N")
+      ->capture_default_str()
+      ->check(in_range(1, 1000));
+  app.add_flag("--no-features", options->no_features, "Leave out what each part of the scene costs");
+  add_jobs_option(app, options->jobs, "Searches at one time; all processors otherwise");
+  add_timeout_option(app, options->timeout);
+  app.add_option("--json", options->json, "Write the advice as JSON; - is stdout")->type_name("FILE");
+  app.add_flag(
+      "--verify", options->verify,
+      "Check the advice itself, on twenty scenarios or on FILE: whether it holds from starts that it "
+      "has not seen, and what it costs beside the best of a whole sweep. Takes minutes");
+  add_worker_option(app, options->workers);
+  app.footer(
+      "Each scheme's step is found along its order, and the pick is run from further starts (velocities, or\n"
+      "gravity, up to 1.6 % off) before it is named. Exit code 1: no engine meets the tolerance in the "
+      "budget.");
+  return [=, &context] { return run(context, *options); };
+}
+
+}  // namespace cylon::cli

@@ -1,0 +1,159 @@
+// cylon advise --verify
+#include "harness/cli/commands/advise.h"
+
+#include "harness/core/worst.h"
+#include "harness/study/ladder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+namespace cylon::cli {
+namespace {
+
+using study::Setting;
+using study::Start;
+
+// Of every kind of motion: flight, springs, tops, joints, drag, contacts.
+constexpr const char* twenty[] = {"projectile",          "projectile_drag",
+                                  "bouncing_sphere",     "bouncing_sphere_elastic",
+                                  "two_sphere_oblique",  "spring_zero_length",
+                                  "spring_orbit",        "spring_chain",
+                                  "damped_spring_under", "driven_spring",
+                                  "free_symmetric_top",  "free_asymmetric_top",
+                                  "dzhanibekov",         "heavy_top",
+                                  "heavy_top_nutating",  "spherical_pendulum",
+                                  "physical_pendulum",   "kepler",
+                                  "block_slides",        "rotating_frame"};
+
+// Starts that no search has seen.
+constexpr double unseen[] = {0.0028, -0.0094, 0.0141};
+
+constexpr double allowed_cost = 1.5;
+
+// The worst error over the unseen starts.
+double worst_error(const std::vector<Start>& starts, const Setting& setting, std::int64_t steps,
+                   double tolerance, double target, const process::Limits& limits) {
+  double worst = 0;
+  for (std::size_t s = 1; s < starts.size() && worst <= target; ++s)
+    worst = core::worst(study::error_from(starts[s], setting, steps, tolerance, limits), worst);
+  return worst;
+}
+
+struct Tally {
+  int advised = 0, held = 0, dear = 0;
+};
+
+results::Pick pick_of(const results::TradeSeries& series, const results::TradePoint& point, std::size_t by) {
+  results::Pick pick;
+  pick.engine = series.engine, pick.integrator = series.integrator;
+  pick.steps = point.steps, pick.dt = point.dt, pick.tolerance = point.tolerance;
+  pick.at = point.tolerance > 0 ? fmt::format("tolerance {:.0e}", point.tolerance) : point.dt_text + " s";
+  pick.error = point.errors[by], pick.cost = point.cost;
+  return pick;
+}
+
+// The cheapest point of an engine's sweep that serves from the unseen starts too.
+std::optional<results::Pick> best_of_sweep(const results::TradeTable& table, const std::string& engine,
+                                        double target, const std::vector<Start>& starts,
+                                        const std::vector<Setting>& settings, const process::Limits& limits) {
+  std::vector<results::Pick> points;
+  for (const results::TradeSeries& series : table.series)
+    if (series.engine.substr(0, series.engine.find('/')) == engine)
+      for (const results::TradePoint& point : series.points)
+        if (!point.errors.empty() && point.errors[table.by] <= target && std::isfinite(point.cost))
+          points.push_back(pick_of(series, point, table.by));
+  std::stable_sort(points.begin(), points.end(),
+                   [](const results::Pick& a, const results::Pick& b) { return a.cost < b.cost; });
+  for (const results::Pick& pick : points)
+    if (worst_error(starts, study::setting_of(pick, settings), pick.steps, pick.tolerance, target, limits) <=
+        target)
+      return pick;
+  return std::nullopt;
+}
+
+void verify(const Context& context, const Verification& ask, const std::string& name, Tally& tally) {
+  const scenario::Scenario scenario = scenario::load(find_scenario(context, name));
+  const double target = ask.how.tolerance;
+  const auto bodies = static_cast<std::int64_t>(scenario.scene.bodies.size());
+  const std::int64_t samples = study::search_samples(scenario);
+  // Every step of it, a factor of sqrt 2 apart.
+  const study::Ladder ladder{samples, study::fine_steps(samples, ask.how.most / bodies, 2)};
+  const auto seen = study::starts(scenario, study::check_variations(), ladder.samples, ask.observable,
+                                  ask.rows, ask.how.limits);
+  const auto fresh =
+      study::starts(scenario, unseen, ladder.samples, ask.observable, ask.rows, ask.how.limits);
+  if (seen.empty()) return;
+  std::vector<Setting> settings = study::settings(scenario, ask.rows, ask.wanted);
+  const auto advice = study::advise(seen, settings, ask.how, {});
+
+  study::SweepOptions sweep;
+  sweep.tolerances = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6};
+  sweep.by = seen.front().by;
+  sweep.workers = ask.how.workers, sweep.rounds = 1, sweep.limits = ask.how.limits;
+  study::Memory memory;
+  std::vector<Setting> swept = settings;
+  results::TradeTable table =
+      study::sweep_errors(scenario, *seen.front().yardstick, ladder, swept, sweep, memory, {});
+  // Only what serves needs a time, and only the coarsest of each series that does.
+  for (results::TradeSeries& series : table.series) {
+    int kept = 0;
+    std::erase_if(series.points, [&](const results::TradePoint& p) {
+      return p.errors.empty() || !(p.errors[table.by] <= target) || ++kept > 6;
+    });
+  }
+  study::sweep_times(table, scenario, swept, sweep, memory, {});
+
+  for (const results::EngineAdvice& one : advice) {
+    // An engine that only comes closer to the tolerance than the margin is not advised.
+    std::optional<results::Pick> best = best_of_sweep(
+        table, one.engine, one.pick ? target : target / study::margin, fresh, settings, ask.how.limits);
+    if (!one.pick) {
+      std::cout << fmt::format("{:<24} {:<22} {}\n", scenario.name, one.engine,
+                               best       ? fmt::format("MISSED: {} {} at {} serves", best->engine,
+                                                        best->integrator, best->at)
+                               : one.best ? fmt::format("not reachable, best {:.1e}", one.best->error)
+                                          : "cannot run it")
+                << std::flush;
+      if (best) ++tally.advised, ++tally.dear;
+      continue;
+    }
+    ++tally.advised;
+    results::Pick pick = *one.pick;
+    const double error = worst_error(fresh, study::setting_of(pick, settings), pick.steps, pick.tolerance,
+                                     1e300, ask.how.limits);
+    std::vector<results::Pick*> both = {&pick};
+    if (best) both.push_back(&*best);
+    study::time_picks(both, scenario.scene, settings, scenario.duration, ask.how.rounds, ask.how.limits);
+    const double ratio = best ? pick.cost / best->cost : 0;
+    tally.held += error <= target;
+    tally.dear += ratio > allowed_cost;
+    std::cout << fmt::format(
+                     "{:<24} {:<22} {} {} at {}: error {:.1e} from {} unseen starts {}; {:.1e} s/s, {}\n",
+                     scenario.name, one.engine, pick.engine, pick.integrator, pick.at, error,
+                     fresh.size() - 1, error <= target ? "holds" : "FAILS", pick.cost,
+                     best ? fmt::format("{:.2f} of the sweep's best ({} {} at {}){}", ratio, best->engine,
+                                        best->integrator, best->at, ratio > allowed_cost ? " DEAR" : "")
+                          : "the sweep has none that serves")
+              << std::flush;
+  }
+}
+
+}  // namespace
+
+int verify_advice(const Context& context, const Verification& ask) {
+  Tally tally;
+  if (!ask.only.empty()) {
+    verify(context, ask, ask.only, tally);
+  } else {
+    for (const char* name : twenty) verify(context, ask, name, tally);
+  }
+  std::cout << fmt::format(
+      "{} advices: {} hold from unseen starts, {} cost more than {} times the best found\n", tally.advised,
+      tally.held, tally.dear, allowed_cost);
+  return tally.held == tally.advised && tally.dear == 0 ? ok : differs;
+}
+
+}  // namespace cylon::cli

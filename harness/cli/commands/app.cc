@@ -1,0 +1,148 @@
+#include "harness/cli/commands/app.h"
+
+#include "harness/cli/command_line.h"
+#include "harness/process/child.h"
+#include "harness/tracking/track.h"
+#include "reports/text.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <utility>
+
+namespace cylon::cli {
+namespace {
+
+const std::vector<App::Row> commands = {
+    {"list", "Scenarios, with what each claims", add_list},
+    {"engines", "Engines, with every forced setting and what could not be switched off", add_engines},
+    {"validate", "Check scenario files without running them", add_validate},
+    {"plan", "What an engine does for a scenario and what it leaves out, with reasons", add_plan},
+    {"simulate", "Run one engine on one scenario and print its states as CSV", add_simulate},
+    {"truth", "Print the certified solution of a smooth scenario, with its proven error", add_truth},
+    {"run", "Run scenarios on engines and judge every claim", add_run},
+    {"report", "A page to look at from what run, trade and track wrote", add_report},
+    {"trade", "Speed against accuracy: every engine, scheme and step, with the best of each", add_trade},
+    {"diff", "The first step, body and quantity in which two runs part, and how far they go", add_diff},
+    {"advise", "The cheapest setting of each engine that meets a tolerance", add_advise},
+    {"limits", "Where each engine and scheme breaks, by bisection, beside what theory says", add_limits},
+    {"selfcheck", "Published numbers of other suites beside what the same scenes give here", add_selfcheck},
+    {"track", "Keep the history of accuracy and speed, and compare with it", tracking::add_track},
+    {"view", "Watch a scenario live in the browser, and take part in it", add_view},
+    {"new", "Write a commented scenario to start from", add_new},
+    {"doctor", "Check that everything Cylon needs is here and works", add_doctor},
+    {"completion", "Print the completion script of a shell", add_completion},
+};
+
+// Its options, and its commands where it has any.
+std::vector<std::string> words_of(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+// "cylon rnu": the library would only say that a command is required.
+void refuse_unknown_command(const std::string& word) {
+  std::vector<std::string> names;
+  for (const App::Row& row : commands) names.emplace_back(row.name);
+  if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
+  throw core::InputError(fmt::format("unknown command '{}'{} (commands: {})", word,
+                                     core::did_you_mean(word, names), fmt::join(names, ", ")));
+}
+
+// What the library says of a command line that it cannot take, with the nearest option.
+int refuse(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App* deepest = &app;
+  std::string name = "cylon";
+  while (!deepest->get_subcommands().empty()) {
+    deepest = deepest->get_subcommands().front();
+    name += " " + deepest->get_name();
+  }
+  const CLI::App& command = *deepest;
+  std::string message = error.what();
+  if (const auto extra = app.remaining(true); !extra.empty()) {
+    const std::string word = extra.front().substr(0, extra.front().find('='));
+    message = fmt::format("{}: unexpected '{}'{}", name, extra.front(),
+                          core::did_you_mean(word, words_of(command)));
+  }
+  std::cerr << fmt::format("error: {}\n`{} --help` shows what is valid\n", plain(message), name);
+  return bad_input;
+}
+
+void interrupt(int) { process::interrupted() = true; }
+
+}  // namespace
+
+void show(const core::InputError& error) {
+  std::cerr << "error: " << plain(error.what()) << '\n';
+  if (error.line == 0) return;
+  std::ifstream file(error.file);
+  std::string line;
+  for (unsigned i = 0; i < error.line; ++i)
+    if (!std::getline(file, line)) return;
+  if (line.size() > 160) return;
+  std::string margin;
+  for (std::size_t i = 0; i + 1 < error.column && i < line.size(); ++i)
+    margin += line[i] == '\t' ? '\t' : ' ';
+  for (char& c : line)
+    if (static_cast<unsigned char>(c) < 32 && c != '\t') c = '?';
+  std::cerr << fmt::format(
+      "  {}\n  {}^\n",
+      reports::escaped(line, [](char32_t c) { return c == U'\t' || reports::is_printable(c); }), margin);
+}
+
+int main(int argc, char** argv) {
+  std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
+  std::signal(SIGPIPE, SIG_IGN);
+  CLI::App app{"Cylon: the same scenes on every physics engine, judged against exact mechanics.", "cylon"};
+  app.set_version_flag("--version", "cylon " CYLON_VERSION);
+  app.add_flag_callback(
+      "--no-cache", [] { ::setenv("CYLON_CACHE", "off", 1); },
+      "Solve certified truths anew and keep none (like CYLON_CACHE=off)");
+  app.footer(
+      "Exit codes: 0 all as expected, 1 a verdict differs or a regression is confirmed, 2 bad input, 3 not "
+      "decided "
+      "(--strict), 4 nothing selected, 5 harness "
+      "failure, 130 interrupted.");
+  Context context = make_context();
+  context.command_line = shell_command(std::vector<std::string>(argv, argv + argc));
+  Command chosen;
+  App(app).add_commands(commands, context, [&chosen](Command command) { chosen = std::move(command); });
+  try {
+    if (argc > 1) refuse_unknown_command(argv[1]);
+    app.parse(argc, argv);
+    const int code = chosen();
+    std::cout.flush();
+    return code;
+  } catch (const CLI::Success& success) {
+    return app.exit(success);  // --help and --version
+  } catch (const CLI::ParseError& error) {
+    if (argc > 1) return refuse(app, error);
+    std::cerr << app.help();
+    return bad_input;
+  } catch (const core::InputError& error) {
+    show(error);
+    return bad_input;
+  } catch (const process::Interrupted&) {
+    std::cerr << "interrupted\n";
+    return interrupted;
+  } catch (const std::exception& error) {
+    std::cerr << "internal error: " << plain(error.what()) << '\n';
+    return harness_failure;
+  }
+}
+
+}  // namespace cylon::cli

@@ -1,0 +1,54 @@
+// cylon doctor
+#include "harness/cli/commands/app.h"
+#include "harness/cli/command_line.h"
+
+#include "harness/core/input_error.h"
+#include "harness/process/client.h"
+#include "harness/scenario/expected.h"
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <iostream>
+#include <thread>
+
+namespace cylon::cli {
+
+Command add_doctor(App&, const Context& context) {
+  return [&context] {
+    bool sound = true;
+    const auto check = [&](const std::string& what, const std::function<std::string()>& test) {
+      try {
+        std::cout << plain(fmt::format("ok    {}: {}\n", what, test()));
+      } catch (const std::exception& error) {
+        sound = false;
+        std::cout << plain(fmt::format("FAIL  {}: {}\n", what, error.what()));
+      }
+    };
+    check("version", [] { return std::string("cylon " CYLON_VERSION); });
+    check("processors", [] { return fmt::format("{}", std::thread::hardware_concurrency()); });
+    check("scenarios", [&] {
+      const auto files = scenario_files(context);
+      for (const auto& file : files) scenario::load(file);
+      return fmt::format("{} valid in {}", files.size(), context.scenarios.string());
+    });
+    std::optional<scenario::Expectations> expectations;
+    check("expected.toml", [&] {
+      expectations = scenario::Expectations::load(context.scenarios / "expected.toml");
+      return std::string("valid");
+    });
+    for (const process::EngineRow& row : context.engines)
+      check("engine " + row.id, [&] {
+        const core::Engine engine = process::describe(process::parse_engine(row.id, context.engines), {});
+        const bool listed = expectations && expectations->version_listed(engine.name, engine.version);
+        return fmt::format(
+            "{} {}, {}{}", engine.name, engine.version, engine.precision,
+            listed ? "" : " (unlisted: expected.toml does not know this version, its verdicts may differ)");
+      });
+    std::cout << (sound ? "Everything needed is here.\n"
+                        : "Something is missing; see FAIL above. ./run builds what this checkout needs.\n");
+    return sound ? ok : harness_failure;
+  };
+}
+
+}  // namespace cylon::cli

@@ -1,0 +1,132 @@
+// cylon engines
+#include "harness/cli/commands/app.h"
+#include "harness/cli/workers.h"
+#include "harness/cli/command_line.h"
+#include "harness/cli/commands/fingerprint.h"
+
+#include "harness/process/client.h"
+#include "harness/scenario/glob.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iostream>
+
+namespace cylon::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct Options {
+  std::vector<std::string> globs, workers;
+  bool json = false, names = false, fingerprint = false;
+};
+
+ordered_json row(const process::EngineRow& row, const core::Engine& engine) {
+  ordered_json paths = ordered_json::array(), schemes = ordered_json::array(), knobs = ordered_json::array();
+  for (const core::Path& path : engine.paths) {
+    ordered_json settings = ordered_json::array();
+    for (const core::Setting& s : path.settings)
+      settings.push_back(
+          {{"name", s.name}, {"value", s.value}, {"engine_default", s.engine_default}, {"reason", s.reason}});
+    paths.push_back({{"name", path.name},
+                     {"summary", path.summary},
+                     {"settings", settings},
+                     {"unforceable", path.unforceable}});
+  }
+  for (const core::Scheme& s : engine.schemes)
+    schemes.push_back(
+        {{"name", s.name}, {"order", s.order}, {"conserves", s.conserves}, {"adaptive", s.adaptive}});
+  for (const core::Option& o : engine.options)
+    knobs.push_back({{"name", o.name},
+                     {"values", o.values},
+                     {"engine_default", o.engine_default},
+                     {"meaning", o.meaning}});
+  return {{"id", row.id},
+          {"engine", engine.name},
+          {"version", engine.version},
+          {"precision", engine.precision},
+          {"path", row.path},
+          {"default_path_rule", engine.default_path_rule},
+          {"paths", paths},
+          {"schemes", schemes},
+          {"options", knobs}};
+}
+
+std::string text(const process::EngineRow& row, const core::Engine& engine) {
+  std::string out =
+      fmt::format("{}: {} {}, {} precision\n", row.id, engine.name, engine.version, engine.precision);
+  if (row.path.empty() && !engine.default_path_rule.empty())
+    out += fmt::format("  path: {}\n", engine.default_path_rule);
+  for (const core::Path& path : engine.paths) {
+    if (!row.path.empty() && path.name != row.path) continue;
+    out += fmt::format("  path {}: {}\n", path.name, path.summary);
+    for (const core::Setting& s : path.settings)
+      out += fmt::format("    {} = {} (engine's own: {}): {}\n", s.name, s.value, s.engine_default, s.reason);
+    for (const std::string& sentence : path.unforceable)
+      out += fmt::format("    not to be switched off: {}\n", sentence);
+  }
+  for (const core::Scheme& s : engine.schemes)
+    out += fmt::format("  integrator {}: order {}{}{}{}\n", s.name, s.order,
+                       s.conserves.empty() ? "" : "; conserves ", s.conserves,
+                       s.adaptive ? "; takes a tolerance" : "");
+  for (const core::Option& o : engine.options) {
+    const std::string values = o.values.empty() ? "NUMBER" : fmt::format("{}", fmt::join(o.values, "|"));
+    out +=
+        fmt::format("  option {}={} (engine's own: {}): {}\n", o.name, values, o.engine_default, o.meaning);
+  }
+  return out + '\n';
+}
+
+int engines(const Context& context, const Options& options) {
+  int found = 0, broken = 0;
+  ordered_json rows = ordered_json::array();
+  const auto table = with_workers(context, options.workers);
+  if (options.fingerprint) return fingerprint(table, options.globs, options.json);
+  for (const process::EngineRow& engine : table) {
+    const auto matches = [&](const std::string& glob) { return scenario::glob_match(glob, engine.id); };
+    if (!options.globs.empty() && std::none_of(options.globs.begin(), options.globs.end(), matches)) continue;
+    ++found;
+    if (options.names) {
+      std::cout << engine.id << '\n';
+      continue;
+    }
+    try {
+      const core::Engine description = process::describe(process::parse_engine(engine.id, table), {});
+      if (options.json)
+        rows.push_back(row(engine, description));
+      else
+        std::cout << plain(text(engine, description));
+    } catch (const process::Failure& failure) {
+      ++broken;
+      std::cerr << plain(fmt::format("{}: {}\n", engine.id, failure.what()));
+    }
+  }
+  if (!found) {
+    std::vector<std::string> ids;
+    for (const process::EngineRow& engine : table) ids.push_back(engine.id);
+    std::cerr << plain(fmt::format("nothing selected: no engine '{}'{} (engines: {})\n",
+                                   fmt::join(options.globs, "', '"),
+                                   core::did_you_mean(options.globs.front(), ids), fmt::join(ids, ", ")));
+  }
+  if (options.json) std::cout << rows.dump(2, ' ', true) << '\n';
+  return broken ? harness_failure : found ? ok : nothing_selected;
+}
+
+}  // namespace
+
+Command add_engines(App& app, const Context& context) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("globs", options->globs, "Only these engines")->type_name("GLOB");
+  app.add_flag("--json", options->json, "As JSON");
+  app.add_flag(
+      "--fingerprint", options->fingerprint,
+      "What each engine does, by the marks that a dozen small scenes leave: scheme, order, gyroscopic "
+      "torque, restitution, friction, hidden limits; takes variants too (bullet/gyro=none)");
+  app.add_flag("--names", options->names, "Ids alone");
+  add_worker_option(app, options->workers);
+  return [=, &context] { return engines(context, *options); };
+}
+
+}  // namespace cylon::cli

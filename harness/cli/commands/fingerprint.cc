@@ -1,0 +1,63 @@
+#include "harness/cli/commands/fingerprint.h"
+
+#include "harness/cli/command_line.h"
+#include "harness/study/probes.h"
+#include "harness/scenario/glob.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iostream>
+
+namespace cylon::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string text(const std::string& id, const std::vector<study::Finding>& findings) {
+  std::string out = id + ", by what it does:\n";
+  for (std::size_t i = 0; i < findings.size(); ++i)
+    out += fmt::format("  {:<18} {}\n  {:<18}   {}\n", study::probes()[i].name, findings[i].answer, "",
+                       findings[i].evidence);
+  return out + '\n';
+}
+
+ordered_json to_json(const std::string& id, const std::vector<study::Finding>& findings) {
+  ordered_json rows = ordered_json::array();
+  for (std::size_t i = 0; i < findings.size(); ++i)
+    rows.push_back({{"probe", study::probes()[i].name},
+                    {"asks", study::probes()[i].asks},
+                    {"answer", findings[i].answer},
+                    {"evidence", findings[i].evidence}});
+  return {{"id", id}, {"findings", rows}};
+}
+
+}  // namespace
+
+int fingerprint(const std::vector<process::EngineRow>& engines, const std::vector<std::string>& asked,
+                bool json) {
+  std::vector<process::EngineChoice> choices;
+  for (const process::EngineRow& row : engines)
+    if (asked.empty() || std::any_of(asked.begin(), asked.end(), [&](const std::string& glob) {
+          return scenario::glob_match(glob, row.id);
+        }))
+      choices.push_back(process::parse_engine(row.id, engines));
+  for (const std::string& id : asked)  // variants, and names that are none: an error with the nearest
+    if (std::none_of(choices.begin(), choices.end(), [&](const process::EngineChoice& choice) {
+          return scenario::glob_match(id, choice.id);
+        }))
+      choices.push_back(process::parse_engine(id, engines));
+  ordered_json rows = ordered_json::array();
+  for (const process::EngineChoice& choice : choices) {
+    const auto findings = study::find_out(study::worker_runner(choice, {}));
+    if (json)
+      rows.push_back(to_json(choice.id, findings));
+    else
+      std::cout << plain(text(choice.id, findings)) << std::flush;
+  }
+  if (json) std::cout << rows.dump(2, ' ', true) << '\n';
+  return ok;
+}
+
+}  // namespace cylon::cli

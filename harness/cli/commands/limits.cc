@@ -1,0 +1,256 @@
+// cylon limits
+#include "harness/cli/commands/app.h"
+#include "harness/cli/workers.h"
+#include "harness/cli/command_line.h"
+#include "harness/cli/commands/limits_report.h"
+#include "harness/cli/options.h"
+#include "harness/cli/output.h"
+
+#include "harness/study/limits_step.h"
+#include "harness/scenario/glob.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <iostream>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+namespace cylon::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> words, engines, integrators, workers;
+  std::string json, csv;
+  int jobs = 0;
+  double timeout = 60;
+};
+
+// One search: a family, or a scenario's step; on one engine and scheme.
+struct Task {
+  const study::Family* family = nullptr;
+  const scenario::Scenario* scenario = nullptr;
+  process::EngineChoice engine;
+  std::string name, scheme;  // the engine's own
+};
+
+struct Wanted {
+  std::vector<const study::Family*> families;
+  std::vector<std::unique_ptr<scenario::Scenario>> scenarios;
+};
+
+Wanted wanted(const Context& context, const std::vector<std::string>& words) {
+  Wanted all;
+  std::vector<std::string> names;
+  for (const study::Family& family : study::families()) names.emplace_back(family.name);
+  for (const study::Family& family : study::families())
+    if (words.empty() || std::any_of(words.begin(), words.end(), [&](const std::string& word) {
+          return scenario::glob_match(word, family.name);
+        }))
+      all.families.push_back(&family);
+  for (const std::string& word : words) {
+    const bool is_family = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+      return scenario::glob_match(word, name);
+    });
+    bool known = is_family;
+    if (is_path(word)) {
+      all.scenarios.push_back(std::make_unique<scenario::Scenario>(scenario::load(word)));
+      continue;
+    }
+    for (const auto& file : scenario_files(context))
+      if (!is_family && scenario::glob_match(word, file.stem().string())) {
+        all.scenarios.push_back(std::make_unique<scenario::Scenario>(scenario::load(file)));
+        known = true;
+      }
+    if (!known)
+      throw core::InputError(fmt::format("'{}' is no family of limits{} and no scenario (families: {})", word,
+                                         core::did_you_mean(word, names), fmt::join(names, ", ")));
+  }
+  return all;
+}
+
+// The engines asked for, each with each of its schemes that is asked for.
+std::vector<Task> entrants(const Context& context, const Options& options) {
+  const auto rows = with_workers(context, options.workers);
+  std::vector<std::string> ids;
+  if (options.engines.empty()) ids = {"in-house", "bullet", "bullet-multibody", "ode"};
+  for (const std::string& word : options.engines) {
+    const bool glob = word.find_first_of("*?") != std::string::npos;
+    if (!glob) ids.push_back(word);
+    for (const auto& row : rows)
+      if (glob && scenario::glob_match(word, row.id)) ids.push_back(row.id);
+  }
+  std::vector<Task> all;
+  std::vector<std::string> schemes;
+  for (const std::string& id : ids) {
+    process::EngineChoice choice = process::parse_engine(id, rows);
+    const core::Engine engine = process::describe(choice);
+    for (std::size_t i = 0; i < engine.schemes.size(); ++i) {
+      const std::string& scheme = engine.schemes[i].name;
+      schemes.push_back(scheme);
+      const bool stated = !choice.integrator.empty();
+      const bool taken =
+          stated ? choice.integrator == scheme
+          : options.integrators.empty()
+              ? i == 0
+              : std::any_of(options.integrators.begin(), options.integrators.end(),
+                            [&](const std::string& glob) { return scenario::glob_match(glob, scheme); });
+      if (!taken) continue;
+      Task task;
+      task.engine = choice;
+      if (!stated && !options.integrators.empty()) task.engine.integrator = scheme;
+      task.name = engine.name, task.scheme = scheme;
+      all.push_back(task);
+    }
+  }
+  for (const std::string& glob : options.integrators)
+    if (std::none_of(schemes.begin(), schemes.end(),
+                     [&](const std::string& scheme) { return scenario::glob_match(glob, scheme); }))
+      throw core::InputError(fmt::format("--integrator '{}': none of these engines has it{} (schemes: {})",
+                                         glob, core::did_you_mean(glob, schemes), fmt::join(schemes, ", ")));
+  return all;
+}
+
+LimitRow search_family(const Task& task, const process::Limits& limits) {
+  const study::Family& family = *task.family;
+  LimitRow row{family.name, family.asks, family.unit, family.breaks, task.engine.id, task.scheme, "",
+               {},          0,           {}};
+  row.theory = family.theory(task.name, task.scheme);
+  const study::Runner runner = study::worker_runner(task.engine, limits);
+  try {
+    row.limit = study::limit_of(family, runner, row.theory);
+  } catch (const study::RunFailed& failed) {
+    throw study::Unsupported{failed.outcome.reason};
+  }
+  row.value = row.limit.value(family.range);
+  return row;
+}
+
+LimitRow search_step(const Task& task, const process::Limits& limits) {
+  const scenario::Scenario& scenario = *task.scenario;
+  const study::StepSearch search = study::step_search(scenario);
+  LimitRow row{"step of " + scenario.name,
+               "largest step",
+               "s",
+               "a claim of the scenario is not met",
+               task.engine.id,
+               task.scheme,
+               "",
+               {},
+               0,
+               {}};
+  const auto step = [&](double multiple) {
+    return scenario.duration / (multiple * static_cast<double>(search.unit));
+  };
+  row.limit = study::find_limit(search.range, [&](double multiple) {
+    return study::step_probe(scenario, task.engine, limits,
+                             static_cast<std::int64_t>(multiple) * search.unit);
+  });
+  row.value = step(row.limit.value(search.range));
+  for (double* x : {&row.limit.holds, &row.limit.breaks})
+    if (*x > 0) *x = step(*x);
+  for (double& x : row.limit.holds_again) x = step(x);
+  return row;
+}
+
+LimitRow search(const Task& task, const process::Limits& limits) {
+  try {
+    return task.family ? search_family(task, limits) : search_step(task, limits);
+  } catch (const study::Unsupported& why) {
+    LimitRow row;
+    row.family = task.family ? task.family->name : "step of " + task.scenario->name;
+    row.asks = task.family ? task.family->asks : "largest step";
+    row.unit = task.family ? task.family->unit : "s";
+    row.breaks = task.family ? task.family->breaks : "a claim of the scenario is not met";
+    row.engine = task.engine.id, row.scheme = task.scheme;
+    row.unsupported = why.reason;
+    return row;
+  }
+}
+
+// In order, whatever the number of threads; the first error of all is thrown.
+std::vector<LimitRow> search_all(const std::vector<Task>& tasks, int jobs, const process::Limits& limits) {
+  std::vector<LimitRow> rows(tasks.size());
+  std::atomic<std::size_t> next = 0;
+  std::exception_ptr error;
+  std::mutex guard;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < tasks.size(); i = next++) try {
+        rows[i] = search(tasks[i], limits);
+      } catch (...) {
+        const std::scoped_lock lock(guard);
+        if (!error) error = std::current_exception();
+        next = tasks.size();
+      }
+  };
+  std::vector<std::jthread> threads;
+  for (int i = 0; i < jobs; ++i) threads.emplace_back(work);
+  threads.clear();
+  if (error) std::rethrow_exception(error);
+  return rows;
+}
+
+int limits(const Context& context, const Options& options) {
+  const std::vector<std::string> files = {options.json, options.csv};
+  require_writable(files);
+  const Wanted want = wanted(context, options.words);
+  const std::vector<Task> engines = entrants(context, options);
+  std::vector<Task> tasks;
+  const auto add = [&](const study::Family* family, const scenario::Scenario* scenario) {
+    for (Task task : engines) {
+      task.family = family, task.scenario = scenario;
+      if (!task.engine.integrator.empty() && task.engine.id.find("integrator=") == std::string::npos)
+        task.engine.id += (task.engine.id.find('/') == std::string::npos ? "/integrator=" : ",integrator=") +
+                          task.engine.integrator;
+      tasks.push_back(task);
+    }
+  };
+  for (const study::Family* family : want.families) add(family, nullptr);
+  for (const auto& scenario : want.scenarios) add(nullptr, scenario.get());
+  if (tasks.empty()) {
+    std::cerr << "nothing selected; `cylon engines --names` says what engines there are\n";
+    return nothing_selected;
+  }
+  const auto rows = search_all(tasks, worker_count(options.jobs), {.run_seconds = options.timeout});
+  if (!options.json.empty()) write_whole(options.json, limits_json(rows));
+  if (!options.csv.empty()) write_whole(options.csv, limits_csv(rows));
+  if (std::find(files.begin(), files.end(), "-") == files.end())
+    std::cout << plain(limits_text(rows, context.width));
+  return ok;
+}
+
+std::string family_list() {
+  std::string text = "Families:\n";
+  for (const study::Family& family : study::families())
+    text += fmt::format("  {:<17} {}; breaks: {}\n", family.name, family.asks, family.breaks);
+  return text +
+         "\nOf a scenario (a file, or a glob over the shipped ones) the largest step is sought at which all "
+         "its\n"
+         "claims are met. Where theory has a value it stands beside the measured one. Exit code 0: the "
+         "limits\n"
+         "are facts about engines, not test results.";
+}
+
+}  // namespace
+
+Command add_limits(App& app, const Context& context) {
+  const auto options = std::make_shared<Options>();
+  app.footer(family_list());
+  app.add_option("words", options->words,
+                 "Globs over the families below, scenario files or globs; none: all families")
+      ->type_name("FAMILY|FILE|GLOB");
+  add_engines_option(app, options->engines, "in-house, bullet, bullet-multibody and ode");
+  add_integrators_option(app, options->integrators, "each engine's default");
+  app.add_option("--json", options->json, "Write the rows as JSON; - is stdout")->type_name("FILE");
+  app.add_option("--csv", options->csv, "Write the rows as CSV; - is stdout")->type_name("FILE");
+  add_jobs_option(app, options->jobs, "Searches at one time; all processors otherwise");
+  add_timeout_option(app, options->timeout);
+  add_worker_option(app, options->workers);
+  return [=, &context] { return limits(context, *options); };
+}
+
+}  // namespace cylon::cli

@@ -1,0 +1,85 @@
+// cylon plan
+#include "harness/cli/commands/app.h"
+#include "harness/cli/asked.h"
+#include "harness/cli/command_line.h"
+#include "harness/cli/options.h"
+
+#include "harness/core/input_error.h"
+#include "harness/process/client.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iostream>
+
+namespace cylon::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct Options {
+  Asked asked;
+  std::string dt;
+  bool json = false;
+};
+
+// "  in   rotation      body 'top' turns": stages left out are dim where there is colour.
+std::string table(const std::vector<core::Stage>& plan, bool colour) {
+  std::size_t width = 0;
+  for (const core::Stage& stage : plan) width = std::max(width, plain_line(stage.name).size());
+  std::string text;
+  for (const core::Stage& stage : plan) {
+    const std::string line = fmt::format("{:3}  {:{}}  {}", stage.in ? "in" : "out", plain_line(stage.name),
+                                         width, plain_line(stage.reason));
+    text += colour && !stage.in ? fmt::format("  \x1b[2m{}\x1b[0m\n", line) : fmt::format("  {}\n", line);
+  }
+  return text;
+}
+
+ordered_json to_json(const std::string& scenario, const std::string& engine, const core::Terms& terms) {
+  ordered_json stages = ordered_json::array();
+  for (const core::Stage& stage : terms.plan)
+    stages.push_back({{"name", stage.name}, {"in", stage.in}, {"reason", stage.reason}});
+  return {{"scenario", scenario},
+          {"engine", engine},
+          {"path", terms.path},
+          {"integrator", terms.integrator},
+          {"plan", stages}};
+}
+
+int plan(const Context& context, const Options& options) {
+  const scenario::Scenario scenario = scenario::load(find_scenario(context, options.asked.file));
+  const process::EngineChoice engine = choose(context, options.asked);
+  process::RunRequest request;
+  request.scene = &scenario.scene;
+  request.setup.dt = options.dt.empty() ? scenario.step : scenario::parse_step(options.dt);
+  request.setup.tolerance = options.asked.tolerance;
+  const process::RunOutcome outcome = process::run(engine, request);
+  if (outcome.status != results::Status::pass) return report_failure(options.asked.engine, outcome);
+  const core::Terms& terms = outcome.terms;
+  if (terms.plan.empty())
+    throw core::InputError(fmt::format(
+        "engine '{}' tells no plan: it does not say what it does and leaves out for a scene", engine.id));
+  if (options.json) {
+    std::cout << to_json(scenario.name, engine.id, terms).dump(2, ' ', true) << '\n';
+    return ok;
+  }
+  const std::string path = terms.path.empty() ? "" : ", path " + terms.path;
+  std::cout << plain(fmt::format("{} on {}{}, integrator {}\n", scenario.name, engine.id, path,
+                                 terms.integrator))
+            << table(terms.plan, context.colour);
+  return ok;
+}
+
+}  // namespace
+
+Command add_plan(App& app, const Context& context) {
+  const auto options = std::make_shared<Options>();
+  add_asked(app, options->asked);
+  add_step_option(app, options->dt);
+  app.add_flag("--json", options->json, "As JSON");
+  return [=, &context] { return plan(context, *options); };
+}
+
+}  // namespace cylon::cli

@@ -1,0 +1,159 @@
+// cylon report: a page from what other commands wrote; nothing is simulated.
+#include "harness/cli/commands/app.h"
+#include "harness/cli/input.h"
+#include "harness/cli/output.h"
+#include "harness/cli/scenario_view.h"
+
+#include "reports/console.h"
+#include "reports/html.h"
+#include "reports/json.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <iostream>
+#include <set>
+#include <sstream>
+
+namespace cylon::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  std::vector<std::string> files;
+  std::string html, title, baseline;
+};
+
+constexpr std::size_t longest_file = std::size_t{256} << 20;  // [bytes]
+
+bool is_format(const Json& json, const char* format) {
+  return json.contains("format") && json["format"] == format;
+}
+
+// A kind of file by what is in it, and where it goes.
+struct Kind {
+  const char* written_by;
+  bool (*is)(const Json&);
+  void (*take)(const std::string& text, const std::string& path, reports::HtmlReport&);
+};
+const std::array kinds = {
+    Kind{"cylon run --json", [](const Json& json) { return json.contains("verdicts"); },
+         [](const std::string& text, const std::string& path, reports::HtmlReport& report) {
+           if (!report.results.empty())
+             throw core::InputError(path +
+                                    ": a report has one file of verdicts; --baseline takes an earlier one");
+           reports::read_json(text, path);
+           report.results = text;
+         }},
+    Kind{"cylon trade --json", [](const Json& json) { return is_format(json, "cylon-trade/1"); },
+         [](const std::string& text, const std::string&, reports::HtmlReport& report) {
+           report.trades.push_back(text);
+         }},
+    Kind{"cylon track compare --json",
+         [](const Json& json) { return json.contains("cells") && json.contains("candidate"); },
+         [](const std::string& text, const std::string&, reports::HtmlReport& report) {
+           report.comparisons.push_back(text);
+         }},
+    Kind{"cylon track history --json", [](const Json& json) { return json.contains("series"); },
+         [](const std::string& text, const std::string&, reports::HtmlReport& report) {
+           report.histories.push_back(text);
+         }},
+};
+
+// Lines of scenarios and traces.
+void take_traces(const std::string& text, const std::string& path, reports::HtmlReport& report) {
+  std::istringstream lines(text);
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    const std::string place = fmt::format("{}:{}", path, number);
+    const Json json = Json::parse(line, nullptr, /*allow_exceptions=*/false);
+    if (!json.is_object() || !is_format(json, "cylon-scenario/1")) {
+      report.traces.push_back(reports::trace_from_json_line(line, place));
+      continue;
+    }
+    if (!json.contains("name") || !json["name"].is_string())
+      throw core::InputError(place + ": a scenario without its \"name\"");
+    report.scenarios.push_back(line);
+  }
+}
+
+void take(const std::string& path, reports::HtmlReport& report) {
+  const std::string text = read_whole(path, longest_file);
+  const std::string first = text.substr(0, text.find('\n'));
+  const Json line = Json::parse(first, nullptr, /*allow_exceptions=*/false);
+  if (line.is_object() && (is_format(line, "cylon-scenario/1") || is_format(line, "cylon-trace/1")))
+    return take_traces(text, path, report);
+  const Json json = Json::parse(text, nullptr, /*allow_exceptions=*/false);
+  std::vector<std::string> known = {"cylon run --traces"};
+  for (const Kind& kind : kinds) {
+    if (json.is_object() && kind.is(json)) return kind.take(text, path, report);
+    known.emplace_back(kind.written_by);
+  }
+  throw core::InputError(fmt::format("{}: {}; a report takes what is written by {}", path,
+                                     json.is_discarded() ? "no JSON" : "none of Cylon's documents",
+                                     fmt::join(known, ", ")));
+}
+
+// What the verdicts are about, from the scenario files of this Cylon where they still are the same.
+void add_scenarios(const Context& context, const std::vector<results::Verdict>& verdicts,
+                   reports::HtmlReport& report) {
+  std::set<std::string> there;
+  for (const std::string& view : report.scenarios) there.insert(Json::parse(view).at("name"));
+  for (const results::Verdict& v : verdicts) {
+    if (!there.insert(v.scenario).second) continue;
+    const auto file = own_scenario(context, v.scenario);
+    if (!file) continue;
+    const scenario::Scenario scenario = scenario::load(*file);
+    if (scenario.hash == v.scenario_hash) report.scenarios.push_back(scenario_view(scenario));
+  }
+}
+
+int run(const Context& context, const Options& options) {
+  if (!options.html.empty()) require_writable(options.html);
+  reports::HtmlReport report;
+  for (const std::string& file : options.files) take(file, report);
+  std::vector<results::Verdict> verdicts;
+  if (!report.results.empty()) verdicts = reports::read_json(report.results, "results");
+  if (!options.baseline.empty()) {
+    report.baseline = read_whole(options.baseline, longest_file);
+    reports::read_json(report.baseline, options.baseline);
+  }
+  const reports::ConsoleOptions style{.width = context.width, .utf8 = context.utf8, .colour = context.colour};
+  if (options.html.empty()) {
+    if (verdicts.empty()) throw core::InputError("--html FILE: only verdicts can be shown without a page");
+    std::cout << reports::console_matrix(verdicts, style);
+    return ok;
+  }
+  add_scenarios(context, verdicts, report);
+  report.title = options.title;
+  if (report.traces.empty() && !verdicts.empty())
+    report.omitted_traces = "no file of `cylon run --traces` was given";
+  write_whole(options.html, reports::to_html(report));
+  return ok;
+}
+
+}  // namespace
+
+Command add_report(App& app, const Context& context) {
+  const auto options = std::make_shared<Options>();
+  app.add_option(
+         "files", options->files,
+         "What `run --json`, `run --traces`, `trade --json`, `track compare --json` and `track history "
+         "--json` wrote, in any order; each is known by its content; - is stdin")
+      ->type_name("FILE")
+      ->required();
+  app.add_option("--html", options->html,
+                 "The page: one file that opens from disk; - is stdout. Otherwise the matrix is printed")
+      ->type_name("FILE");
+  app.add_option("--baseline", options->baseline,
+                 "An earlier file of `run --json`; the page says what changed since")
+      ->type_name("FILE");
+  app.add_option("--title", options->title,
+                 "The page's title; how many scenarios and engines there are otherwise")
+      ->type_name("TEXT");
+  return [=, &context] { return run(context, *options); };
+}
+
+}  // namespace cylon::cli

@@ -1,0 +1,235 @@
+// cylon trade
+#include "reports/trade.h"
+#include "harness/cli/commands/app.h"
+#include "harness/cli/workers.h"
+#include "harness/cli/options.h"
+#include "harness/cli/output.h"
+#include "harness/cli/provenance.h"
+#include "harness/cli/scenario_view.h"
+#include "harness/cli/selection.h"
+#include "harness/cli/commands/trade_journal.h"
+#include "harness/core/input_error.h"
+#include "harness/study/self_reference.h"
+#include "harness/study/settings.h"
+#include "reports/html.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+
+namespace cylon::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> patterns, steps, workers;
+  study::SettingsRequest wanted;
+  std::vector<double> tolerances;
+  std::string observable, json, csv, svg, html;
+  int rungs = 12, rounds = 3, jobs = 0;
+  double work = 1 << 18, timeout = 60, target = 0;
+  bool resume = false, verbose = false;
+};
+
+// One line on a terminal, written over; nothing elsewhere.
+class Progress {
+ public:
+  Progress(bool on, std::string scenario) : on_(on), scenario_(std::move(scenario)) {}
+  ~Progress() {
+    if (on_) std::cerr << "\r\x1b[K" << std::flush;
+  }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  void operator()(const study::Setting& setting, const results::TradePoint& point, bool timing) {
+    ++(timing ? timings_ : runs_);
+    if (on_)
+      std::cerr << fmt::format("\r{}: {} runs, {} timings; {} {} at {}\x1b[K", scenario_, runs_, timings_,
+                               setting.engine.id, setting.scheme.name, point.dt_text)
+                << std::flush;
+  }
+
+ private:
+  bool on_;
+  std::string scenario_;
+  int runs_ = 0, timings_ = 0;
+};
+
+study::Ladder ladder_for(const Options& options, const scenario::Scenario& scenario) {
+  if (options.steps.empty()) {
+    const double bodies = static_cast<double>(std::max<std::size_t>(1, scenario.scene.bodies.size()));
+    return study::ladder(scenario, options.rungs, static_cast<std::int64_t>(options.work / bodies));
+  }
+  std::vector<double> steps;
+  for (const std::string& word : options.steps) try {
+      steps.push_back(scenario::parse_step(word));
+    } catch (const core::InputError& error) {
+      throw core::InputError(fmt::format("--dt: {}", error.what()));
+    }
+  return study::ladder(scenario, steps);
+}
+
+study::SweepOptions sweep_options(const Options& options) {
+  study::SweepOptions sweep;
+  sweep.tolerances = options.tolerances;
+  std::sort(sweep.tolerances.rbegin(), sweep.tolerances.rend());
+  sweep.workers = worker_count(options.jobs);
+  sweep.rounds = options.rounds;
+  sweep.limits.run_seconds = options.timeout;
+  return sweep;
+}
+
+results::TradeTable sweep(const Context& context, const Options& options, const scenario::Scenario& scenario,
+                       TradeJournal& journal) {
+  const auto rows = with_workers(context, options.workers);
+  study::SweepOptions how = sweep_options(options);
+  const study::Ladder ladder = ladder_for(options, scenario);
+  const auto reference = study::self_reference(scenario, ladder.samples, rows, how.limits);
+  const study::Yardstick yardstick(scenario, ladder.samples, reference);
+  results::TradeTable table;
+  if (yardstick.measures().empty()) {
+    table.scenario = scenario.name;
+    return table;
+  }
+  if (!options.observable.empty()) how.by = yardstick.find(options.observable);
+  journal.turn_to(scenario, ladder.samples);
+  std::vector<study::Setting> settings = study::settings(scenario, rows, options.wanted);
+  Progress progress(context.progress, scenario.name);
+  const auto step = [&](const study::Setting& setting, const results::TradePoint& point, bool timing) {
+    progress(setting, point, timing);
+  };
+  table = study::sweep_errors(scenario, yardstick, ladder, settings, how, journal, step);
+  study::sweep_times(table, scenario, settings, how, journal, step);
+  study::mark_front(table);
+  table.target = options.target;
+  return table;
+}
+
+// FILE.svg, or FILE-scenario.svg where there are several.
+std::string svg_name(const std::string& given, const std::string& scenario, bool several) {
+  if (!several || given == "-") return given;
+  const std::filesystem::path path = given;
+  return (path.parent_path() /
+          fmt::format("{}-{}{}", path.stem().string(), scenario, path.extension().string()))
+      .string();
+}
+
+int exit_code(const std::vector<results::TradeTable>& tables) {
+  bool any = false;
+  for (const results::TradeTable& table : tables)
+    for (const results::TradeSeries& series : table.series) any |= !series.points.empty();
+  return any ? ok : nothing_selected;
+}
+
+int trade(const Context& context, const Options& options) {
+  require_writable(std::vector<std::string>{options.json, options.csv, options.svg, options.html});
+  Request request;
+  request.patterns = options.patterns;
+  const Selection selection = select(context, request);
+  if (selection.scenarios.empty()) {
+    std::cerr << "nothing selected; `cylon list --names` says what there is\n";
+    return nothing_selected;
+  }
+  TradeJournal journal(".cylon/trade.jsonl", options.resume);
+  if (options.resume) std::cerr << fmt::format("resumed: {} runs are done already\n", journal.known());
+  std::vector<results::TradeTable> tables;
+  const bool quiet = options.json == "-" || options.csv == "-" || options.svg == "-" || options.html == "-";
+  const reports::ConsoleOptions style{.width = context.width, .utf8 = context.utf8, .colour = context.colour};
+  try {
+    for (const auto& scenario : selection.scenarios) {
+      tables.push_back(sweep(context, options, *scenario, journal));
+      if (!quiet)
+        std::cout << (tables.size() > 1 ? "\n" : "")
+                  << reports::trade_text(tables.back(), style, options.verbose) << std::flush;
+    }
+  } catch (const process::Interrupted&) {
+    std::cerr << "interrupted; the same command with --resume, in this folder, goes on from here\n";
+    return interrupted;
+  }
+  const std::string json = reports::trade_json(tables, provenance_now(context));
+  if (!options.json.empty()) write_whole(options.json, json);
+  if (!options.html.empty()) {
+    reports::HtmlReport report;
+    report.title = "Cylon: speed against accuracy";
+    report.trades = {json};
+    for (const auto& scenario : selection.scenarios) report.scenarios.push_back(scenario_view(*scenario));
+    write_whole(options.html, reports::to_html(report));
+  }
+  if (!options.csv.empty()) write_whole(options.csv, reports::trade_csv(tables));
+  if (!options.svg.empty())
+    for (const results::TradeTable& table : tables)
+      if (!table.measures.empty())
+        write_whole(svg_name(options.svg, table.scenario, tables.size() > 1),
+                    reports::to_svg(reports::trade_plot(table)));
+  return exit_code(tables);
+}
+
+}  // namespace
+
+Command add_trade(App& app, const Context& context) {
+  const auto options = std::make_shared<Options>();
+  options->tolerances = {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12};
+  app.add_option("patterns", options->patterns,
+                 "Scenario names, globs or files, several joined by ':', excluded with '-'")
+      ->type_name("FILE|GLOB")
+      ->required();
+  add_engines_option(app, options->wanted.engines, "all, with the variants that matter to the scene");
+  add_integrators_option(app, options->wanted.integrators, "all schemes of each engine");
+  add_steps_option(app, options->steps,
+                   "a ladder of steps, each half of the one before, from about 64 times the nominal one");
+  app.add_option("--steps", options->rungs, "How many steps the ladder has at most")
+      ->type_name("N")
+      ->capture_default_str()
+      ->check(in_range(1, 40));
+  app.add_option("--work", options->work, "Bodies times steps that one run may take; the ladder ends there")
+      ->type_name("N")
+      ->capture_default_str()
+      ->check(positive(1e12));
+  app.add_option(
+         "--tolerance", options->tolerances,
+         "For schemes that control their error: the tolerances to try. May be given again; 1e-2, 1e-3, "
+         "... 1e-12 otherwise")
+      ->type_name("T")
+      ->allow_extra_args(false)
+      ->check(positive(1));
+  app.add_option("--observable", options->observable,
+                 "The error that decides orders and the front: trajectory, position, energy, events, …; the "
+                 "trajectory where there is a truth, otherwise")
+      ->type_name("NAME");
+  app.add_option("--target", options->target, "An error that you need: its cost gets a column and a line")
+      ->type_name("X")
+      ->check(positive(1e6));
+  app.add_option("--rounds", options->rounds,
+                 "How often every setting is timed, in turns; the least time counts. 0: no times")
+      ->type_name("N")
+      ->capture_default_str()
+      ->check(in_range(0, 1000));
+  add_jobs_option(
+      app, options->jobs,
+      "Runs at one time while errors are measured; all processors otherwise. Timing is one at a time");
+  add_timeout_option(app, options->timeout);
+  app.add_option("--json", options->json, "Write the tables as JSON, times apart; - is stdout")
+      ->type_name("FILE");
+  app.add_option("--csv", options->csv, "Write a row per point as CSV; - is stdout")->type_name("FILE");
+  app.add_option("--svg", options->svg, "Draw error against cost; of several scenarios FILE-scenario.svg")
+      ->type_name("FILE");
+  app.add_option("--html", options->html,
+                 "Write the plots and tables as one page that opens from disk; - is stdout")
+      ->type_name("FILE");
+  app.add_flag("--resume", options->resume,
+               "Go on with a sweep that was interrupted in this folder (.cylon/trade.jsonl): what is done is "
+               "not run again");
+  app.add_flag("-v,--verbose", options->verbose,
+               "Every point with all its errors, and by whom it is dominated");
+  add_worker_option(app, options->workers);
+  app.footer(
+      "Cost is the CPU time of the worker's thread for all steps, between which nothing is read, after a "
+      "run\n"
+      "that warms up; the least of the repetitions, every setting in turn. Loading is left out, but for "
+      "schemes\n"
+      "that control their error, which may solve while they load. Errors do not depend on times; the front "
+      "does.");
+  return [=, &context] { return trade(context, *options); };
+}
+
+}  // namespace cylon::cli

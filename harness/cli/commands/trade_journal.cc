@@ -1,0 +1,110 @@
+#include "harness/cli/commands/trade_journal.h"
+
+#include "harness/cli/journal.h"
+#include "harness/study/cell.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <limits>
+
+namespace cylon::cli {
+namespace {
+
+using nlohmann::json;
+
+json to_json(const study::Ran& ran) {
+  const results::TradePoint& p = ran.point;
+  return {{"steps", p.steps},
+          {"dt", p.dt},
+          {"dt_text", p.dt_text},
+          {"tolerance", p.tolerance},
+          {"status", results::name(p.status)},
+          {"reason", p.reason},
+          {"errors", p.errors},
+          {"integrator", ran.integrator},
+          {"version", ran.version},
+          {"precision", ran.precision},
+          {"path", ran.path},
+          {"gyroscopic", ran.gyroscopic},
+          {"order", ran.order},
+          {"cpu", ran.cpu_seconds}};
+}
+
+study::Ran from_json(const json& j) {
+  study::Ran ran;
+  results::TradePoint& p = ran.point;
+  p.steps = j.at("steps"), p.dt = j.at("dt"), p.dt_text = j.at("dt_text");
+  p.tolerance = j.at("tolerance"), p.reason = j.at("reason");
+  p.status = results::status_from(j.at("status").get<std::string>()).value();
+  for (const json& e : j.at("errors"))
+    p.errors.push_back(e.is_null() ? std::numeric_limits<double>::quiet_NaN() : e.get<double>());
+  ran.integrator = j.at("integrator"), ran.version = j.at("version"), ran.precision = j.at("precision");
+  ran.path = j.at("path"), ran.gyroscopic = j.at("gyroscopic");
+  ran.order = j.at("order"), ran.cpu_seconds = j.at("cpu");
+  return ran;
+}
+
+std::string dumped(const json& line) { return line.dump(-1, ' ', true, json::error_handler_t::replace); }
+
+}  // namespace
+
+TradeJournal::TradeJournal(const std::filesystem::path& file, bool resume) {
+  std::error_code ignored;
+  std::filesystem::create_directories(file.parent_path(), ignored);
+  std::ifstream in(file);
+  for (std::string line; resume && std::getline(in, line);) try {
+      const json row = json::parse(line);
+      if (row.contains("ran"))
+        runs_[row.at("key")] = from_json(row.at("ran"));
+      else
+        times_[row.at("key")] = {row.at("load"), row.at("step")};
+    } catch (const std::exception&) {
+      continue;
+    }
+  out_.open(file, resume ? std::ios::app : std::ios::trunc);
+  if (resume) out_ << '\n';  // ends a line that a crash has cut off
+}
+
+void TradeJournal::turn_to(const scenario::Scenario& scenario, std::int64_t samples) {
+  scenario_ = &scenario;
+  samples_ = samples;
+}
+
+std::string TradeJournal::key(const study::Setting& setting, std::int64_t steps, double tolerance) const {
+  study::Cell cell;
+  cell.scenario = scenario_;
+  cell.engine = setting.engine;
+  return fmt::format("{} {} {} steps, {} samples, tolerance {}", cell_key(cell, ""), setting.scheme.name,
+                     steps, samples_, tolerance);
+}
+
+std::optional<study::Ran> TradeJournal::find(const study::Setting& setting, std::int64_t steps,
+                                             double tolerance) {
+  const auto found = runs_.find(key(setting, steps, tolerance));
+  if (found == runs_.end()) return std::nullopt;
+  return found->second;
+}
+
+void TradeJournal::keep(const study::Setting& setting, const study::Ran& ran) {
+  out_ << dumped({{"key", key(setting, ran.point.steps, ran.point.tolerance)}, {"ran", to_json(ran)}}) << '\n'
+       << std::flush;
+}
+
+std::optional<process::Repetition> TradeJournal::find_time(const study::Setting& setting,
+                                                           const results::TradePoint& point, int round) {
+  const auto found = times_.find(fmt::format("{} #{}", key(setting, point.steps, point.tolerance), round));
+  if (found == times_.end()) return std::nullopt;
+  return found->second;
+}
+
+void TradeJournal::keep_time(const study::Setting& setting, const results::TradePoint& point, int round,
+                             const process::Repetition& time) {
+  out_ << dumped({{"key", fmt::format("{} #{}", key(setting, point.steps, point.tolerance), round)},
+                  {"load", time.load_seconds},
+                  {"step", time.step_seconds}})
+       << '\n'
+       << std::flush;
+}
+
+}  // namespace cylon::cli

@@ -1,0 +1,43 @@
+// What `cylon trade` has measured, run by run, so that an interrupted sweep goes on: JSON lines in
+// .cylon/trade.jsonl of the working folder, keyed by the content of what was run.
+#pragma once
+
+#include "harness/study/sweep.h"
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+
+namespace cylon::cli {
+
+class TradeJournal final : public study::Memory {
+ public:
+  /// Starts afresh, or reads what is there and goes on after it; a line cut off by a crash is left out.  A
+  /// file that cannot be written is silently none.
+  TradeJournal(const std::filesystem::path& file, bool resume);
+
+  /// The scenario whose runs follow, and how many common times they are looked at.
+  void turn_to(const scenario::Scenario& scenario, std::int64_t samples);
+
+  /// How many runs and timings the file held.
+  std::size_t known() const { return runs_.size() + times_.size(); }
+
+  std::optional<study::Ran> find(const study::Setting&, std::int64_t steps, double tolerance) override;
+  void keep(const study::Setting&, const study::Ran&) override;
+  std::optional<process::Repetition> find_time(const study::Setting&, const results::TradePoint&,
+                                               int round) override;
+  void keep_time(const study::Setting&, const results::TradePoint&, int round,
+                 const process::Repetition&) override;
+
+ private:
+  std::string key(const study::Setting&, std::int64_t steps, double tolerance) const;
+
+  std::ofstream out_;
+  std::map<std::string, study::Ran> runs_;
+  std::map<std::string, process::Repetition> times_;
+  const scenario::Scenario* scenario_ = nullptr;
+  std::int64_t samples_ = 0;
+};
+
+}  // namespace cylon::cli

@@ -1,0 +1,52 @@
+// cylon validate
+#include "harness/cli/commands/app.h"
+#include "harness/cli/command_line.h"
+
+#include "harness/core/input_error.h"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+namespace cylon::cli {
+
+Command add_validate(App& app, const Context& context) {
+  struct Options {
+    std::vector<std::string> files;
+    bool schema = false;
+  };
+  const auto options = std::make_shared<Options>();
+  app.add_option("files", options->files,
+                 "Scenario files, or names of shipped scenarios; none: all shipped ones")
+      ->type_name("FILE");
+  app.add_flag("--schema", options->schema, "Print the JSON Schema of the format instead");
+  return [=, &context] {
+    if (options->schema) {
+      std::cout << scenario::schema_json();
+      return ok;
+    }
+    bool good = true;
+    const auto check = [&](const std::filesystem::path& file) {
+      const scenario::Scenario scenario = scenario::load(file);
+      std::cout << plain(fmt::format("{}: ok: {} {}, {} {}", file.string(), scenario.scene.bodies.size(),
+                                     scenario.scene.bodies.size() == 1 ? "body" : "bodies",
+                                     scenario.claims.size(),
+                                     scenario.claims.size() == 1 ? "claim" : "claims"))
+                << std::endl;
+    };
+    const auto attempt = [&](const auto& task) {
+      try {
+        task();
+      } catch (const core::InputError& error) {
+        show(error);
+        good = false;
+      }
+    };
+    for (const std::string& name : options->files) attempt([&] { check(find_scenario(context, name)); });
+    if (options->files.empty())
+      for (const auto& file : scenario_files(context)) attempt([&] { check(file); });
+    return good ? ok : bad_input;
+  };
+}
+
+}  // namespace cylon::cli

@@ -1,0 +1,59 @@
+// Numbers in, judgement out.  Knows no scene, no engine, no physics.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace cylon::results {
+
+enum class Status { pass, low_quality, fail, unsupported, crash, timeout, non_finite, protocol };
+
+/// "pass", "low-quality", "fail", "unsupported", "crash", "timeout", "non-finite", "protocol".
+std::string_view name(Status);
+std::optional<Status> status_from(std::string_view);
+
+/// pass: measured <= allowed; low-quality: within ten times; non-finite: NaN or infinite; else fail.
+Status judge(double measured, double allowed);
+
+/// log10(allowed / measured): digits won (> 0) or lost (< 0), within [-99, 99].
+double digits(double measured, double allowed);
+
+/// One row of every report.  Plain values: a report is rebuilt from stored rows without simulating.
+struct Verdict {
+  std::string scenario;
+  std::string scenario_hash;
+  std::string engine;  ///< The id asked for: "bullet/gyro=none".
+  std::string version, precision, path, gyroscopic, integrator;
+  std::vector<std::pair<std::string, std::string>> settings;
+  std::vector<std::string> unforceable;
+  double dt = 0;         ///< [s]
+  std::string dt_text;   ///< As given: "1/60" or "0.001".
+  std::string sampling;  ///< "every step" or "every 0.1 s".
+  std::string claim, observable, unit;
+  double measured = std::numeric_limits<double>::quiet_NaN();
+  std::optional<std::int64_t> first_bad_step;  ///< Of a non-finite run.
+  double allowed = 0;
+  double tolerance_scale = 1;    ///< By which `allowed` was multiplied; 1: a plain run.
+  std::optional<double> spread;  ///< How far runs that start one ulp apart end from each other, in the
+                                 ///< observable's unit; absent: not measured.
+  double truth_error = 0;
+  Status status = Status::fail;
+  std::string tolerance_reason;
+  std::string detail;              ///< Why unsupported, how it crashed, what went wrong.
+  std::string complaints;          ///< The end of the engine's stderr.
+  Status expected = Status::pass;  ///< What expected.toml says; pass where it says nothing.
+  std::string expected_reason;
+  bool version_listed = true;  ///< Whether expected.toml knows this engine version.
+  double cpu_seconds = 0;
+  std::int64_t body_steps = 0;
+  std::string reproduce;  ///< The command that gives this row again.
+
+  bool as_expected() const { return status == expected; }
+};
+
+}  // namespace cylon::results

@@ -1,0 +1,141 @@
+// [[body]], and the template inside [[lattice]] and [[cloud]].
+#include "harness/scenario/draft.h"
+#include "harness/scenario/inertia.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <stdexcept>
+
+namespace cylon::scenario {
+namespace {
+
+constexpr std::size_t most_bodies = 1'000'000;
+
+std::string read_name(const Table& table) {
+  const std::string name = table.text("name");
+  const bool bad = std::ranges::any_of(name, [](char c) {
+    return std::iscntrl(static_cast<unsigned char>(c)) || c == ',' || c == '"' || c == '*' || c == '?';
+  });
+  if (bad) table.fail("name", "name: quotes, commas, *, ? and control characters are not allowed");
+  return name;
+}
+
+double read_mass(const Table& table, const core::Shape& shape) {
+  const auto* compound = std::get_if<core::Compound>(&shape);
+  if (!compound) {
+    if (!table.has("mass") && !table.boolean("locked"))
+      table.fail(fmt::format("{} needs 'mass'", table.label()));
+    return table.number("mass", 1);
+  }
+  double sum = 0;
+  for (const core::Part& part : compound->parts) sum += part.mass;
+  const double mass = table.number("mass", sum);
+  if (std::abs(mass - sum) > 1e-9 * sum)
+    table.fail("mass", fmt::format("mass = {}, but the parts have {} kg together", mass, sum));
+  return mass;
+}
+
+// Three principal moments in body axes, or nine numbers by rows.
+core::Matrix3 read_inertia(const Table& table) {
+  const std::vector<double> v = table.numbers("inertia");
+  core::Matrix3 inertia = core::Matrix3::Zero();
+  if (v.size() == 3) {
+    inertia.diagonal() = core::Vector3(v[0], v[1], v[2]);
+  } else {
+    inertia << v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8];
+    const core::Matrix3 skew = inertia - inertia.transpose();
+    if (skew.cwiseAbs().maxCoeff() > 1e-12 * inertia.cwiseAbs().maxCoeff())
+      table.fail(
+          "inertia",
+          fmt::format(
+              "inertia: nine numbers must be symmetric, but {} against {}, {} against {}, {} against {}",
+              v[1], v[3], v[2], v[6], v[5], v[7]));
+    inertia = (inertia + inertia.transpose()).eval() / 2;
+  }
+  const double least = core::principal_axes(inertia).moments.minCoeff();
+  if (!(least > 0))
+    table.fail("inertia", fmt::format("inertia has the principal moment {}, but must be > 0 kg m^2", least));
+  if (const auto why = impossible(inertia)) table.fail("inertia", "inertia: " + *why);
+  return inertia;
+}
+
+// Without `inertia` the shape's own, and the origin of hulls, meshes and compounds moves to their centre of
+// mass.
+core::Matrix3 inertia_of_shape(const Table& table, core::Shape& shape, double mass) {
+  try {
+    const MassProperties p = mass_properties(shape, mass);
+    if (const auto why = impossible(p.inertia)) throw std::invalid_argument(*why);
+    move(shape, -p.centre);
+    return p.inertia;
+  } catch (const std::invalid_argument& error) {
+    table.fail("shape", fmt::format("shape: {}; or state `inertia`", error.what()));
+  }
+}
+
+void check_color(const Table& table, const std::string& color) {
+  const bool good = color.empty() || (color.size() == 7 && color[0] == '#' &&
+                                      std::all_of(color.begin() + 1, color.end(), [](char c) {
+                                        return std::isxdigit(static_cast<unsigned char>(c));
+                                      }));
+  if (!good) table.fail("color", fmt::format("color = '{}', valid: \"#rrggbb\"", color));
+}
+
+core::Body read_body(const Table& table, Draft& draft) {
+  core::Body body;
+  body.name = read_name(table);
+  if (const auto shape = table.table("shape")) body.shape = read_shape(*shape, draft);
+  const bool has_shape = !std::holds_alternative<std::monostate>(body.shape);
+  body.mass = read_mass(table, body.shape);
+  body.inertia = table.has("inertia") ? read_inertia(table) : inertia_of_shape(table, body.shape, body.mass);
+  if (!body.inertia.allFinite()) table.fail("mass", "the inertia of this body is not finite");
+  body.initial = {table.vector("position"), read_orientation(table, "orientation"), table.vector("velocity"),
+                  table.vector("angular_velocity")};
+  body.locked = table.boolean("locked");
+  for (const char* key : {"velocity", "angular_velocity"})
+    if (body.locked && !table.vector(key).isZero(0))
+      table.fail(key, fmt::format("{}: a locked body does not move", key));
+  body.collide = table.boolean("collide", has_shape);
+  if (body.collide && !has_shape) table.fail("collide", "collide = true, but the body has no shape");
+  body.color = table.text("color");
+  check_color(table, body.color);
+  return body;
+}
+
+bool is_point(const Table& table) { return !table.has("shape") && !table.has("inertia"); }
+
+void add_group(const Table& table, const std::vector<core::Body>& bodies, Draft& draft) {
+  const std::string name = table.text("name");
+  auto [group, is_new] = draft.groups.try_emplace(name);
+  if (!is_new) table.fail("name", fmt::format("name '{}' is taken by another generator", name));
+  for (const core::Body& body : bodies) {
+    group->second.push_back(static_cast<int>(draft.scene.bodies.size()));
+    draft.add(body, table, is_point(table));
+  }
+}
+
+void refuse_too_many(const Table& table, const Draft& draft, double more) {
+  if (static_cast<double>(draft.scene.bodies.size()) + more > most_bodies)
+    table.fail("count", fmt::format("count: {} bodies, but at most {} are allowed", more, most_bodies));
+}
+
+}  // namespace
+
+void read_bodies(const Table& root, Draft& draft) {
+  for (const Table& table : root.tables("body")) draft.add(read_body(table, draft), table, is_point(table));
+  for (const Table& table : root.tables("lattice")) {
+    double count = 1;
+    for (const double n : table.numbers("count")) count *= n;
+    refuse_too_many(table, draft, count);
+    add_group(table, lattice(table, read_body(table, draft)), draft);
+  }
+  for (const Table& table : root.tables("cloud")) {
+    refuse_too_many(table, draft, static_cast<double>(table.whole("count")));
+    add_group(table, cloud(table, read_body(table, draft), draft.scene), draft);
+  }
+  if (draft.scene.bodies.empty()) root.fail("the scene has no body; add a [[body]]");
+}
+
+}  // namespace cylon::scenario

@@ -1,0 +1,63 @@
+// A scene while it is read: where each body was written, which names a generator gave, which files were used.
+#pragma once
+
+#include "harness/core/fingerprint.h"
+#include "harness/core/scene.h"
+#include "harness/scenario/reader.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace cylon::scenario {
+
+struct Draft {
+  core::Scene scene;
+  std::vector<Table> origin;                       ///< One per body: where it was written.
+  std::vector<bool> point;                         ///< One per body: no shape and no inertia.
+  std::map<std::string, std::vector<int>> groups;  ///< Bodies of each generator, by its name.
+  std::filesystem::path folder;                    ///< Files are named relative to it.
+  core::Fingerprint fingerprint;
+
+  /// Adds a body; fails at its `name` where that is taken.
+  void add(const core::Body&, const Table&, bool is_point);
+
+  /// Index of the body that the key names; fails with the nearest valid name.
+  int body(const Table&, std::string_view key) const;
+
+  /// The file that the key names, relative to the scenario; its bytes enter the fingerprint.
+  std::string read(const Table&, std::string_view key);
+
+ private:
+  std::unordered_map<std::string, int> index_;
+};
+
+// Each reads its tables of the document and checks what the key tables cannot; all throw core::InputError.
+void read_bodies(const Table& root, Draft&);
+void read_forces(const Table& root, Draft&);
+void read_joints(const Table& root, Draft&);
+void read_planes(const Table& root, Draft&);
+void read_materials(const Table& root, Draft&);
+
+/// Every body read so far, and no other: fails where two spheres, or a body and a plane, overlap by more than
+/// 1e-9 m.
+void refuse_overlaps(const Draft&);
+
+/// `shape` of a body, or of a part.
+core::Shape read_shape(const Table&, Draft&);
+
+/// A unit quaternion, normalised within 1e-9; fails with the normalised value otherwise.
+core::Quaternion read_orientation(const Table&, std::string_view key);
+
+/// Bodies of a [[lattice]] and of a [[cloud]]: copies of the template at their places.
+std::vector<core::Body> lattice(const Table&, const core::Body& pattern);
+std::vector<core::Body> cloud(const Table&, const core::Body& pattern, const core::Scene& others);
+
+/// "[x, y, z]" with all digits that matter.
+std::string written(const core::Vector3&);
+
+}  // namespace cylon::scenario

@@ -1,0 +1,44 @@
+// A row for each shape of key: what the tables of keys are written with.
+#pragma once
+
+#include "harness/scenario/keys.h"
+
+#include <string>
+#include <vector>
+
+namespace cylon::scenario {
+
+inline constexpr Range any;
+inline constexpr Range positive{.low = 0, .open = true};
+inline constexpr Range not_negative{.low = 0};
+inline constexpr Range unit_interval{.low = 0, .high = 1};
+
+/// A text, one of `choices` where there are any.
+Key word(std::string name, std::string meaning, std::vector<std::string> choices = {});
+
+/// The words of an enumeration of core, from its first value to `last`: choices.
+template <class Enum>
+std::vector<std::string> words(Enum last) {
+  std::vector<std::string> result;
+  for (int i = 0; i <= static_cast<int>(last); ++i) result.emplace_back(name(static_cast<Enum>(i)));
+  return result;
+}
+
+/// A kind that has neither unit nor range.
+Key plain(std::string name, Kind, std::string meaning);
+
+/// A number, a whole number, a vector whose numbers lie in the range.
+Key real(std::string name, std::string unit, std::string meaning, Range = any);
+Key integer(std::string name, std::string meaning, Range);
+Key arrow(std::string name, std::string unit, std::string meaning, Range = any);
+
+/// A table, or tables, with keys of their own.
+Key nested(std::string name, Kind, const Spec* (*spec)(), std::string meaning);
+
+/// The same, and an error where it is absent.
+Key required(Key);
+
+/// `body`, the name of the body that a force acts on or a joint holds.
+Key on_body();
+
+}  // namespace cylon::scenario

@@ -1,0 +1,99 @@
+#include "harness/scenario/keys.h"
+
+#include "harness/results/verdict.h"
+#include "harness/scenario/key_rows.h"
+#include "harness/scenario/key_tables.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace cylon::scenario {
+namespace {
+
+using enum Kind;
+
+const Spec* row_spec() {
+  static const Spec spec{
+      .label = "[[row]]",
+      .keys = {required(word("engine", "Glob over engine ids.")), word("scenario", "Glob; absent: all."),
+               word("claim", "Glob over claim labels; absent: all."),
+               word("integrator", "Glob; absent: all."), plain("dt", steps, "Steps; absent: all."),
+               required(word("status", "What the verdict will be.", words(results::Status::protocol))),
+               required(word("reason", "Why.")), word("link", "Where it is discussed.")}};
+  return &spec;
+}
+const Spec* published_spec() {
+  static const Spec spec{
+      .label = "[[published]]",
+      .keys = {required(word("engine", "Id as in `engines`.")), required(plain("dt", step, "Step.")),
+               required(word("value", "As published.")), required(word("source", "Where."))}};
+  return &spec;
+}
+
+}  // namespace
+
+std::string describe(const Range& range, const std::string& unit) {
+  const bool low = std::isfinite(range.low), high = std::isfinite(range.high);
+  const std::string suffix = unit.empty() ? "" : " " + unit;
+  if (low && high)
+    return fmt::format("in {}{:g}, {:g}]{}", range.open ? '(' : '[', range.low, range.high, suffix);
+  if (low) return fmt::format("{} {:g}{}", range.open ? ">" : ">=", range.low, suffix);
+  if (high) return fmt::format("<= {:g}{}", range.high, suffix);
+  return "finite" + suffix;
+}
+
+const Spec& scenario_keys() {
+  static const Spec spec{
+      .label = "a scenario",
+      .keys = {
+          word("title", "One line for people."),
+          word("story", "Two to four sentences for people."),
+          plain("tags", texts, "For selection."),
+          plain(
+              "sources", texts,
+              "Where the case was reported or proposed: \"owner/repository#number\" of GitHub, or a title."),
+          required(real("duration", "s", "A whole number of steps.", positive)),
+          required(plain("step", step, "Nominal step [s]: a number, or text like \"1/60\".")),
+          arrow("gravity", "m/s^2", "Absent: none."),
+          word("impacts", "How several impacts at one instant resolve.", {"sequential", "simultaneous"}),
+          nested("body", tables, body_spec, "A rigid body."),
+          nested("lattice", tables, lattice_spec, "Equal bodies on a grid: name[0], name[1], …, x fastest."),
+          nested("cloud", tables, cloud_spec,
+                 "Equal bodies at random places that do not overlap: name[0], …"),
+          nested("spring", tables, spring_spec, "A spring with damping."),
+          nested("drag", tables, drag_spec, "Resistance of a medium."),
+          nested("thrust", tables, thrust_spec, "A motor, a rocket or accretion."),
+          nested("drive", tables, drive_spec, "A harmonic force."),
+          nested("attraction", tables, attraction_spec, "Gravity between two bodies."),
+          nested("water", tables, water_spec, "A water surface."),
+          nested("joint", tables, joint_spec, "A joint."),
+          nested("plane", tables, plane_spec, "A fixed half-space."),
+          nested("material", tables, material_spec, "What happens where a pair touches."),
+          nested("frame", table, frame_spec, "The frame in which the initial state is given."),
+          nested("claim", tables, claim_spec, "What must hold, and how well.")}};
+  return spec;
+}
+
+const Spec& expected_keys() {
+  static const Spec spec{
+      .label = "expected.toml",
+      .keys = {{.name = "versions", .kind = table, .meaning = "Engine glob = list of version globs."},
+               nested("row", tables, row_spec, "One expectation; the last row that matches wins.")}};
+  return spec;
+}
+
+const Spec& suite_keys() {
+  static const Spec spec{
+      .label = "a suite",
+      .keys = {
+          word("title", "One line."), word("story", "What the suite reproduces."),
+          word("claim", "Glob over the claim labels that `published` speaks of; absent: all."),
+          required(plain("scenarios", texts, "Globs over scenario names.")),
+          required(plain("engines", texts, "Engine ids, with options: \"ode/erp=0,cfm=0\".")),
+          plain("steps", steps, "Numbers, or texts like \"1/60\"; absent: each scenario's nominal step."),
+          nested("published", tables, published_spec, "A published value.")}};
+  return spec;
+}
+
+}  // namespace cylon::scenario

@@ -1,0 +1,79 @@
+// The keys that a scenario file may hold: one table for the reader's checks and for the JSON Schema.
+// Knows the words and their ranges, not what becomes of them.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace cylon::scenario {
+
+/// What a key's value looks like in the file.
+enum class Kind {
+  text,        ///< "…", one of `choices` where there are any.
+  number,      ///< 0.5 or 3
+  whole,       ///< 3
+  boolean,     ///< true or false
+  vector,      ///< [x, y, z]
+  counts,      ///< [3, 3, 1], whole numbers
+  quaternion,  ///< [w, x, y, z]
+  moments,     ///< Three numbers, or nine.
+  points,      ///< [[x, y, z], …]
+  triangles,   ///< [[0, 1, 2], …]
+  texts,       ///< ["…", …]
+  pair,        ///< ["…", "…"]
+  step,        ///< 0.001 or "1/60"
+  steps,       ///< [0.001, "1/60"]
+  sample,      ///< 0.1 or "step"
+  until,       ///< 4.5 or "horizon"
+  table,       ///< One table of `spec`.
+  tables,      ///< An array of tables of `spec`.
+  text_or_table
+};
+
+/// low <= x <= high, or low < x where `open`.
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool open = false;
+};
+
+struct Spec;
+
+struct Key {
+  std::string name;
+  Kind kind = Kind::text;
+  std::string meaning = {};  ///< For people: the schema's description.
+  std::string unit = {};
+  bool required = false;
+  Range range = {};
+  std::vector<std::string> choices = {};
+  const Spec* (*spec)() = nullptr;  ///< Of a table.
+};
+
+/// The keys of one table.  Where `tag` is set, its value selects one of the variants, whose keys come on top.
+struct Spec {
+  struct Variant {
+    std::string name;
+    std::vector<Key> keys;
+  };
+  std::string label;  ///< As in the file: "[[body]]".
+  std::vector<Key> keys;
+  std::string tag = {};
+  std::vector<Variant> variants = {};
+};
+
+/// "> 0 kg", "in [0, 1]", ">= 0 N/m".
+std::string describe(const Range&, const std::string& unit);
+
+/// The whole scenario file; all else hangs from it.
+const Spec& scenario_keys();
+
+/// Of `tolerance.constants`: 1 to this.
+inline constexpr int highest_order = 12;
+
+/// scenarios/expected.toml and scenarios/suites/*.toml.
+const Spec& expected_keys();
+const Spec& suite_keys();
+
+}  // namespace cylon::scenario

@@ -1,0 +1,82 @@
+// Keys of claims and their tolerances.
+#include "harness/core/claim.h"
+#include "harness/core/observable.h"
+#include "harness/scenario/key_rows.h"
+#include "harness/scenario/key_tables.h"
+
+#include <fmt/format.h>
+
+namespace cylon::scenario {
+namespace {
+
+using enum Kind;
+
+const Spec* follows_spec() {
+  static const Spec spec{
+      .label = "follows",
+      .keys = {required(word("file", "Recorded data in the format truth/1, beside the scenario."))}};
+  return &spec;
+}
+const Spec* constants_spec() {
+  static const Spec spec = [] {
+    Spec by_order{.label = "constants"};
+    for (int p = 1; p <= highest_order; ++p)
+      by_order.keys.push_back(real(std::to_string(p), fmt::format("unit/s^{}", p + 1), "", positive));
+    return by_order;
+  }();
+  return &spec;
+}
+const Spec* tolerance_spec() {
+  static const Spec spec{
+      .label = "tolerance",
+      .keys = {
+          real("absolute", "", "In the observable's unit.", not_negative),
+          real("relative", "", "Times the largest |truth| over the horizon; of a drift, the initial value.",
+               not_negative),
+          plain("order", boolean, "The bound is C dt^p T, with p the scheme's order, which is checked too."),
+          real("constant", "unit/s^(p+1)", "Of that bound, whatever the order.", positive),
+          nested(
+              "constants", table, constants_spec,
+              "Of that bound by order: { 1 = 4.9, 4 = 0.2 }; a scheme is held to the highest up to its own."),
+          required(
+              word("reason", "Rounding, truncation, convention or measured, and how the number follows."))}};
+  return &spec;
+}
+// Each kind with what it is and the numbers that it has.
+std::string event_meaning() {
+  std::string text = "Of observable = \"event\".";
+  for (const core::EventType& type : core::event_types()) {
+    text += fmt::format(" {}: {} (", type.name, type.meaning);
+    for (const core::EventQuantity which : type.quantities)
+      text += fmt::format("{}{}", which == type.quantities.front() ? "" : ", ", core::name(which));
+    text += ").";
+  }
+  return text;
+}
+}  // namespace
+
+const Spec* claim_spec() {
+  static const Spec spec{
+      .label = "[[claim]]",
+      .keys = {
+          nested("follows", text_or_table, follows_spec,
+                 "An exact solution by name, \"certified\" (any smooth scene), or { file = … }."),
+          word("conserves", "The observable that keeps its initial value.", words(core::Quantity::event)),
+          word("observable", "What follows.", words(core::Quantity::event)),
+          word("body", "Absent: all; the worst counts, momenta and energies are totals."),
+          word("component", "Of a vector.", {"x", "y", "z", "horizontal"}),
+          arrow("about", "m", "Of angular_momentum and apsides; absent: the origin."),
+          plain("until", Kind::until,
+                "Horizon [s], or \"horizon\": as long as an error of one ulp stays below a tenth of the "
+                "tolerance, of follows = \"certified\"; absent: the duration."),
+          plain("sample", Kind::sample, "Time between samples, or \"step\" for every step."),
+          word("measure", "How the deviations become one number; absent: max.", words(core::Reduction::rate)),
+          word("event", event_meaning(), words(core::EventKind::crossing)),
+          word("to", "Of event = \"apsis\": the other body; absent: `about`, a point of the world."),
+          integer("index", "Of the event, counted per pair or body; absent: 1.", {.low = 0, .high = 1e9}),
+          word("quantity", "Of the event; absent: time.", words(core::EventQuantity::order)),
+          required(nested("tolerance", table, tolerance_spec, "How well it must hold, and why."))}};
+  return &spec;
+}
+
+}  // namespace cylon::scenario

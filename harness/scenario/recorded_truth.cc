@@ -1,0 +1,234 @@
+#include "harness/scenario/recorded_truth.h"
+
+#include "harness/core/input_error.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+namespace cylon::scenario {
+namespace {
+
+using Json = nlohmann::json;
+
+struct Reader {
+  const std::string& file;
+
+  [[noreturn]] void fail(const std::string& message) const {
+    throw core::InputError(fmt::format("{}: {}", file, message));
+  }
+
+  double number(const Json& value, const std::string& where) const {
+    double x = std::nan("");
+    if (value.is_number()) x = value.get<double>();
+    if (value.is_string()) {
+      const auto& text = value.get_ref<const std::string&>();
+      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
+      // Beyond double's smallest number from_chars reports a range error; such a decimal is zero here.
+      if (error == std::errc::result_out_of_range)
+        x = text.find("e-") != std::string::npos ? 0.0 : std::nan("");
+      if (end != text.data() + text.size() || error == std::errc::invalid_argument) x = std::nan("");
+    }
+    if (!std::isfinite(x)) fail(fmt::format("{} holds {}, which is no finite number", where, value.dump()));
+    return x;
+  }
+
+  const Json& member(const Json& object, const char* key, const std::string& where) const {
+    if (!object.is_object() || !object.contains(key)) fail(fmt::format("{} needs '{}'", where, key));
+    return object[key];
+  }
+
+  std::vector<double> numbers(const Json& array, std::size_t size, const std::string& where) const {
+    if (!array.is_array() || array.size() != size) fail(fmt::format("{} must hold {} numbers", where, size));
+    std::vector<double> result;
+    for (const Json& value : array) result.push_back(number(value, where));
+    return result;
+  }
+
+  // One column of a trajectory, a row of `width` numbers per time; empty where the file has none.
+  std::vector<std::vector<double>> column(const Json& body, const char* key, std::size_t times,
+                                          std::size_t width, const std::string& where) const {
+    if (!body.contains(key)) return {};
+    const std::string name = where + "." + key;
+    if (!body[key].is_array() || body[key].size() != times)
+      fail(fmt::format("{} must hold {} rows, one per time", name, times));
+    std::vector<std::vector<double>> rows;
+    for (const Json& row : body[key]) rows.push_back(numbers(row, width, name));
+    return rows;
+  }
+};
+
+std::vector<double> read_times(const Reader& reader, const Json& root) {
+  const Json& t = reader.member(root, "t", "the file");
+  if (!t.is_array() || t.empty()) reader.fail("'t' must be an array of times");
+  std::vector<double> times;
+  for (const Json& value : t) {
+    times.push_back(reader.number(value, "t"));
+    if (times.back() < 0 || (times.size() > 1 && times.back() <= times[times.size() - 2]))
+      reader.fail(fmt::format("t = {}: times must ascend from 0 or later", times.back()));
+  }
+  return times;
+}
+
+// Index of the scene's body that an id of the file means.
+std::size_t find_body(const Reader& reader, const core::Scene& scene, const std::string& id,
+                      std::size_t ids) {
+  if (scene.bodies.size() == 1 && ids == 1) return 0;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    if (scene.bodies[i].name == id) return i;
+    names.push_back(scene.bodies[i].name);
+  }
+  reader.fail(fmt::format("body '{}' is not in the scene{}", id, core::did_you_mean(id, names)));
+}
+
+void read_body(const Reader& reader, const Json& rows, const std::string& where, std::size_t body,
+               std::vector<core::State>& states) {
+  const std::size_t n = states.size();
+  const auto p = reader.column(rows, "position", n, 3, where),
+             v = reader.column(rows, "velocity", n, 3, where);
+  const auto q = reader.column(rows, "orientation", n, 4, where),
+             w = reader.column(rows, "angular_velocity", n, 3, where);
+  if (p.empty()) reader.fail(where + " needs 'position'");
+  for (std::size_t i = 0; i < n; ++i) {
+    core::BodyState& s = states[i][body];
+    s.position = {p[i][0], p[i][1], p[i][2]};
+    if (!v.empty()) s.velocity = {v[i][0], v[i][1], v[i][2]};
+    if (!w.empty()) s.angular_velocity = {w[i][0], w[i][1], w[i][2]};
+    if (q.empty()) continue;
+    s.orientation = {q[i][0], q[i][1], q[i][2], q[i][3]};
+    if (!(std::abs(s.orientation.norm() - 1) < 1e-6))
+      reader.fail(fmt::format("{}.orientation: row {} is no unit quaternion", where, i));
+    s.orientation.normalize();
+  }
+}
+
+// Index of the body or plane that a word of an event names.
+int find_named(const Reader& reader, const core::Scene& scene, const Json& word, bool plane,
+               const std::string& where) {
+  if (!word.is_string()) reader.fail(where + " must name a body");
+  const std::string name = word.get<std::string>();
+  std::vector<std::string> names;
+  if (plane)
+    for (const core::Plane& p : scene.planes) names.push_back(p.name);
+  else
+    for (const core::Body& b : scene.bodies) names.push_back(b.name);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
+    reader.fail(fmt::format("{} = '{}' is not in the scene{}", where, name, core::did_you_mean(name, names)));
+  return static_cast<int>(found - names.begin());
+}
+
+core::Event read_event(const Reader& reader, const Json& row, const core::Scene& scene) {
+  const auto types = core::event_types();
+  const Json& kind = reader.member(row, "kind", "each of 'events'");
+  const auto type = std::find_if(types.begin(), types.end(),
+                                 [&](const core::EventType& one) { return kind == std::string(one.name); });
+  if (type == types.end()) {
+    std::vector<std::string> names;
+    for (const core::EventType& one : types) names.emplace_back(one.name);
+    reader.fail(fmt::format("events: kind = {}, valid: {}", kind.dump(), fmt::join(names, ", ")));
+  }
+  core::Event event;
+  event.kind = type->kind;
+  event.pair.body =
+      find_named(reader, scene, reader.member(row, "body", "each of 'events'"), false, "events.body");
+  if (row.contains("to")) event.pair.other = find_named(reader, scene, row["to"], false, "events.to");
+  if (row.contains("plane")) event.pair.plane = find_named(reader, scene, row["plane"], true, "events.plane");
+  event.time = reader.number(reader.member(row, "time", "each of 'events'"), "events.time");
+  const auto optional = [&](const char* key) {
+    return row.contains(key) ? reader.number(row[key], fmt::format("events.{}", key)) : std::nan("");
+  };
+  event.speed = optional("speed"), event.height = optional("height"), event.distance = optional("distance");
+  event.angle = optional("angle"), event.azimuth = optional("azimuth");
+  return event;
+}
+
+// Counted per kind and pair, in order of time.
+std::vector<core::Event> read_events(const Reader& reader, const Json& root, const core::Scene& scene) {
+  std::vector<core::Event> events;
+  if (!root.contains("events")) return events;
+  if (!root["events"].is_array()) reader.fail("'events' must be an array");
+  for (const Json& row : root["events"]) {
+    if (!row.contains("kind") && row.contains("t"))
+      continue;  // a note in words of its own, {"type": …, "t": …}
+    core::Event event = read_event(reader, row, scene);
+    if (!events.empty() && event.time < events.back().time)
+      reader.fail(fmt::format("events: time = {} comes after {}", event.time, events.back().time));
+    event.index = core::event_type(event.kind).first_index;
+    for (const core::Event& earlier : events)
+      if (earlier.kind == event.kind && earlier.pair == event.pair) ++event.index;
+    events.push_back(event);
+  }
+  return events;
+}
+
+// Each component is off by at most `difference` plus double's rounding; a vector has three, a quaternion
+// four, and an orientation's angle is twice its quaternion's distance.
+core::StateError error_of(const std::vector<core::State>& states, double difference) {
+  core::Vector3 largest = core::Vector3::Zero();  // position, velocity, angular velocity
+  for (const core::State& state : states)
+    for (const core::BodyState& s : state)
+      largest =
+          largest.cwiseMax(core::Vector3(s.position.norm(), s.velocity.norm(), s.angular_velocity.norm()));
+  constexpr double half_ulp = 0x1p-53;
+  const auto vector = [&](double size) { return std::sqrt(3.0) * difference + half_ulp * size; };
+  return {vector(largest[0]), vector(largest[1]), 2 * (2 * difference + 4 * half_ulp), vector(largest[2]), 0};
+}
+
+}  // namespace
+
+core::Truth parse_truth(std::string_view json, const std::string& file, const core::Scene& scene) {
+  const Reader reader{file};
+  const Json root = Json::parse(json, nullptr, false);
+  if (root.is_discarded()) reader.fail("is no JSON");
+  const Json& schema = reader.member(root, "schema", "the file");
+  if (schema != "truth/1") reader.fail(fmt::format("schema = {}, valid: \"truth/1\"", schema.dump()));
+
+  auto times = std::make_shared<std::vector<double>>(read_times(reader, root));
+  auto states = std::make_shared<std::vector<core::State>>(times->size(), core::initial_state(scene));
+  const Json& bodies = reader.member(root, "bodies", "the file");
+  const Json& trajectory = reader.member(root, "trajectory", "the file");
+  if (!bodies.is_array()) reader.fail("'bodies' must be an array");
+  std::vector<bool> known(scene.bodies.size(), false);
+  for (const Json& entry : bodies) {
+    const Json& id = reader.member(entry, "id", "each of 'bodies'");
+    if (!id.is_string()) reader.fail("each 'id' must be a string");
+    const std::string name = id.get<std::string>();
+    const std::size_t body = find_body(reader, scene, name, bodies.size());
+    read_body(reader, reader.member(trajectory, name.c_str(), "trajectory"), "trajectory." + name, body,
+              *states);
+    known[body] = true;
+  }
+  for (std::size_t i = 0; i < known.size(); ++i)
+    if (!known[i] && !scene.bodies[i].locked)
+      reader.fail(fmt::format("has no trajectory of body '{}'", scene.bodies[i].name));
+
+  double difference = 0;
+  if (root.contains("agreement") && root["agreement"].is_object() &&
+      root["agreement"].contains("max_abs_diff"))
+    difference = std::abs(reader.number(root["agreement"]["max_abs_diff"], "agreement.max_abs_diff"));
+
+  core::Truth truth;
+  truth.times = *times;
+  truth.horizon = times->back();
+  truth.error = error_of(*states, difference);
+  truth.source = "recorded: " + file;
+  truth.events = read_events(reader, root, scene);
+  truth.error.time = difference + 0x1p-53 * truth.horizon;
+  truth.state = [times, states](double t) {
+    const auto next = std::lower_bound(times->begin(), times->end(), t - 1e-9 * (1 + std::abs(t)));
+    if (next == times->end() || std::abs(*next - t) > 1e-9 * (1 + std::abs(t)))
+      throw std::invalid_argument(fmt::format("the recorded truth is not known at t = {} s", t));
+    return (*states)[static_cast<std::size_t>(next - times->begin())];
+  };
+  return truth;
+}
+
+}  // namespace cylon::scenario

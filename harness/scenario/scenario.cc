@@ -1,0 +1,67 @@
+#include "harness/scenario/scenario.h"
+
+#include "harness/core/recording.h"
+#include "harness/scenario/claims.h"
+#include "harness/scenario/draft.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace cylon::scenario {
+namespace {
+
+double read_step(const Table& root) {
+  return root.is_text("step") ? parse_step(root.text("step")) : root.number("step");
+}
+
+void require_whole_steps(const Table& root, double duration, double step) {
+  try {
+    core::whole_steps(duration, step);
+  } catch (const std::invalid_argument& error) {
+    root.fail("duration", fmt::format("duration = {}: {}", duration, error.what()));
+  }
+}
+
+}  // namespace
+
+Scenario parse(std::string_view text, const std::string& file_name) {
+  const std::filesystem::path path(file_name);
+  const Document document(text, file_name, scenario_keys());
+  const Table root = document.root();
+
+  Scenario scenario;
+  scenario.name = path.stem().string();
+  scenario.file = file_name;
+  scenario.title = root.text("title", scenario.name);
+  scenario.story = root.text("story");
+  scenario.tags = root.texts("tags");
+  scenario.sources = root.texts("sources");
+  scenario.duration = root.number("duration");
+  scenario.step = read_step(root);
+  scenario.step_text = document.written(root, "step");
+  require_whole_steps(root, scenario.duration, scenario.step);
+
+  Draft draft;
+  draft.folder = path.parent_path();
+  draft.fingerprint.add(text);
+  draft.scene.impacts =
+      root.text("impacts") == "simultaneous" ? core::Impacts::simultaneous : core::Impacts::sequential;
+  if (const auto frame = root.table("frame"))
+    draft.scene.frame = core::Frame{frame->vector("velocity"), frame->vector("angular_velocity")};
+  read_planes(root, draft);  // before the bodies: clouds keep clear of them
+  read_bodies(root, draft);
+  read_forces(root, draft);
+  read_joints(root, draft);
+  read_materials(root, draft);
+  refuse_overlaps(draft);
+  scenario.claims = read_claims(root, draft, scenario.duration, scenario.step);
+
+  scenario.scene = std::move(draft.scene);
+  scenario.hash = draft.fingerprint.hex();
+  return scenario;
+}
+
+Scenario load(const std::filesystem::path& path) { return parse(read_file(path), path.string()); }
+
+}  // namespace cylon::scenario

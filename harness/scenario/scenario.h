@@ -1,0 +1,43 @@
+// One phenomenon: a scene, how long to watch it, what must hold, and its story.  Says nothing of who runs it.
+#pragma once
+
+#include "harness/core/claim.h"
+#include "harness/core/scene.h"
+#include "harness/scenario/reader.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cylon::scenario {
+
+struct Scenario {
+  std::string name;  ///< The file's name without its ending.
+  std::string file;  ///< As given.
+  std::string title, story;
+  std::vector<std::string> tags;
+  std::vector<std::string> sources;  ///< "owner/repository#number" of GitHub, or a title.
+  double duration = 0;               ///< [s]
+  double step = 0;                   ///< Nominal [s].
+  std::string step_text;             ///< As written: "1/60" or "0.001".
+  core::Scene scene;
+  std::vector<core::Claim> claims;
+  std::string hash;  ///< FNV-1a 64 of the file and of every file that it names, as 16 hex digits.
+};
+
+/// Reads a scenario file.  Throws core::InputError "file:line:column: …" for all that cannot be: a file that
+/// is missing, a folder, empty or over 16 MB; bad TOML; unknown keys, with the nearest valid one; impossible
+/// values, with the valid range.
+Scenario load(const std::filesystem::path&);
+
+/// The same from text; files that it names are looked for beside `file_name`.
+Scenario parse(std::string_view text, const std::string& file_name);
+
+/// JSON Schema (draft 2020-12) of a scenario file, from the same key tables that the reader uses.
+std::string schema_json();
+
+/// A fresh, commented scenario that loads as it stands.
+std::string template_toml(const std::string& name);
+
+}  // namespace cylon::scenario

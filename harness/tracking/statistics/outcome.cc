@@ -1,0 +1,22 @@
+#include "harness/tracking/statistics/outcome.h"
+
+#include <array>
+
+namespace cylon::statistics {
+namespace {
+
+// In the order of the enumeration.
+constexpr std::array<std::string_view, 6> names = {"regressed", "improved", "same",
+                                                   "changed",   "more",     "inconclusive"};
+
+}  // namespace
+
+std::string_view name(Outcome outcome) { return names.at(static_cast<std::size_t>(outcome)); }
+
+std::optional<Outcome> outcome_from(std::string_view text) {
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i] == text) return static_cast<Outcome>(i);
+  return std::nullopt;
+}
+
+}  // namespace cylon::statistics

@@ -1,0 +1,87 @@
+// Whether what is read is what was written.
+#include "harness/tracking/store/database.h"
+#include "harness/tracking/store/store.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace cylon::store {
+namespace {
+
+std::map<std::string, std::string> stored_digests(Database& database, std::int64_t run) {
+  std::map<std::string, std::string> digests;
+  Query row =
+      database.query("SELECT c.hash, r.digest FROM result r JOIN cell c ON c.id = r.cell WHERE r.run = ?");
+  row.bind(run);
+  while (row.step()) {
+    const std::string cell = row.text();
+    digests[cell] = row.text();
+  }
+  return digests;
+}
+
+// `sql` gives a key and the digest that was stored; `key_and_word` the key of a row and what a user calls it.
+template <class Row, class KeyAndWord>
+void require_digests(Database& database, const char* sql, const std::vector<Row>& rows,
+                     KeyAndWord key_and_word, std::vector<std::string>& findings) {
+  std::map<std::string, std::string> stored;
+  Query query = database.query(sql);
+  while (query.step()) {
+    const std::string key = query.text();
+    stored[key] = query.text();
+  }
+  for (const Row& row : rows)
+    if (const auto [key, word] = key_and_word(row); stored[key] != digest(row))
+      findings.push_back(fmt::format("what is kept of {} is not what was stored", clean(word)));
+}
+
+}  // namespace
+
+std::vector<std::string> Store::check() const {
+  std::vector<std::string> findings;
+  {
+    Query row = database_->query("PRAGMA integrity_check");
+    while (row.step())
+      if (const std::string said = row.text(); said != "ok") findings.push_back("the pages: " + clean(said));
+  }
+  {
+    Query row = database_->query("PRAGMA foreign_key_check");
+    while (row.step()) findings.push_back(fmt::format("table {}: a row refers to none", clean(row.text())));
+  }
+  if (!findings.empty()) return findings;    // what is read of damaged pages means nothing
+  std::map<std::string, std::string> names;  // which hold the step as it was given
+  {
+    Query row = database_->query("SELECT hash, name FROM cell");
+    while (row.step()) {
+      const std::string hash = row.text();
+      names[hash] = row.text();
+    }
+  }
+  for (const Cell& cell : cells())
+    if (cell_hash(cell) != cell.hash || names[cell.hash] != cell.name())
+      findings.push_back(fmt::format("cell {} ({}) is not what its hash says", cell.hash, cell.name()));
+  require_digests(
+      *database_, "SELECT uid, digest FROM run", runs(),
+      [](const RunInfo& run) { return std::pair(run.uid, run.revision); }, findings);
+  require_digests(
+      *database_, "SELECT name, digest FROM anchor", anchors(),
+      [](const Anchor& anchor) { return std::pair(anchor.name, anchor.name); }, findings);
+  require_digests(
+      *database_, "SELECT series || ' ' || revision, digest FROM change_point", change_points(),
+      [](const ChangePoint& p) { return std::pair(p.series + " " + p.revision, p.revision); }, findings);
+  for (const RunInfo& run : runs()) {
+    const auto digests = stored_digests(*database_, run.id);
+    for (const Result& result : results(run.id)) {
+      const auto stored = digests.find(result.cell.hash);
+      if (stored == digests.end() || stored->second != digest(result))
+        findings.push_back(fmt::format("run {} of {}: the values of {} are not those that were stored",
+                                       run.id, run.revision, result.cell.name()));
+    }
+  }
+  return findings;
+}
+
+}  // namespace cylon::store

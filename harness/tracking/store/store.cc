@@ -1,0 +1,267 @@
+#include "harness/tracking/store/store.h"
+
+#include "harness/core/input_error.h"
+#include "harness/tracking/store/database.h"
+#include "harness/tracking/store/schema.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+#include <utility>
+
+namespace cylon::store {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const fs::path& file, const std::string& why) {
+  throw core::InputError(file.string(), 0, 0, why);
+}
+
+// A log with something in it beside the file: then the file alone is not the whole store.
+bool has_log(const fs::path& file) {
+  std::error_code error;
+  const auto size = fs::file_size(file.string() + "-wal", error);
+  return !error && size > 0;
+}
+
+// "file:/a%3Fb?immutable=1": a file that nothing changes needs no lock and no log beside it.
+std::string immutable(const fs::path& file) {
+  std::string uri = "file:";
+  for (const char c : fs::absolute(file).string())
+    uri += c == '%' || c == '?' || c == '#' ? fmt::format("%{:02X}", static_cast<unsigned>(c))
+                                            : std::string(1, c);
+  return uri + "?immutable=1";
+}
+
+// SQLite takes what is missing of the last page for zeros.
+void require_whole(Database& database, const fs::path& file) {
+  const auto pages = static_cast<std::uintmax_t>(database.number("PRAGMA page_count"));
+  const auto page = static_cast<std::uintmax_t>(database.number("PRAGMA page_size"));
+  std::error_code error;
+  if (const auto size = fs::file_size(file, error); !error && !has_log(file) && size < pages * page)
+    database.fail(SQLITE_CORRUPT, fmt::format("{} bytes of {}", size, pages * page));
+}
+
+std::unique_ptr<Database> open_to_read(const fs::path& file) {
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) refuse(file, "there is no store here; `cylon track record` begins one");
+  const fs::path folder = fs::absolute(file).parent_path();
+  const bool frozen = access(folder.c_str(), W_OK) != 0 && !has_log(file);
+  auto database = frozen ? std::make_unique<Database>(file, immutable(file), SQLITE_OPEN_READONLY)
+                         : std::make_unique<Database>(file, file.string(), SQLITE_OPEN_READONLY);
+  const std::int64_t version = require_ours(*database);
+  if (version == 0) refuse(file, "is empty; `cylon track record` begins a store");
+  if (version < static_cast<std::int64_t>(migrations().size()))
+    refuse(file, "was written by an older Cylon; any command that writes to it brings it up to date");
+  require_whole(*database, file);
+  return database;
+}
+
+std::unique_ptr<Database> open_to_write(const fs::path& file) {
+  if (std::error_code error; !file.parent_path().empty() && !fs::exists(file, error)) {
+    fs::create_directories(file.parent_path(), error);
+    if (error)
+      refuse(file,
+             fmt::format("its folder cannot be made ({}); name another file with --store", error.message()));
+  }
+  auto database = std::make_unique<Database>(file, file.string(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+  const std::int64_t version = require_ours(*database);
+  if (version > 0) require_whole(*database, file);
+  database->accept();
+  if (Query mode = database->query("PRAGMA journal_mode = WAL"); !mode.step() || mode.text() != "wal")
+    refuse(file,
+           "cannot be written ahead of (is it on a network folder?); name one on a local disk with --store");
+  database->script("PRAGMA synchronous = FULL");
+  if (version < static_cast<std::int64_t>(migrations().size())) migrate(*database);
+  return database;
+}
+
+std::int64_t id_of(Database& database, const Cell& c) {
+  database
+      .query(
+          "INSERT INTO cell (hash, name, scenario, scenario_hash, engine, path, integrator, precision, "
+          "settings, dt, dt_text) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT DO NOTHING")
+      .bind(c.hash, c.name(), c.scenario, c.scenario_hash, c.engine, c.path, c.integrator, c.precision,
+            c.settings, c.dt, c.dt_text)
+      .run();
+  Query row = database.query("SELECT id FROM cell WHERE hash = ?");
+  row.bind(c.hash).step();
+  return row.integer();
+}
+
+std::int64_t id_of(Database& database, const Metric& m) {
+  const std::string kind(name(m.kind));
+  database.query("INSERT INTO metric (name, kind, unit) VALUES (?, ?, ?) ON CONFLICT DO NOTHING")
+      .bind(m.name, kind, m.unit)
+      .run();
+  Query row = database.query("SELECT id FROM metric WHERE name = ? AND kind = ? AND unit = ?");
+  row.bind(m.name, kind, m.unit).step();
+  return row.integer();
+}
+
+std::int64_t id_of(Database& database, const Judgement& j) {
+  database.query("INSERT INTO claim (name, observable, unit) VALUES (?, ?, ?) ON CONFLICT DO NOTHING")
+      .bind(j.claim, j.observable, j.unit)
+      .run();
+  Query row = database.query("SELECT id FROM claim WHERE name = ? AND observable = ? AND unit = ?");
+  row.bind(j.claim, j.observable, j.unit).step();
+  return row.integer();
+}
+
+void insert_samples(Database& database, std::int64_t run, std::int64_t cell,
+                    const std::vector<Sample>& samples) {
+  for (const Sample& s : samples) {
+    if (!s.text.empty() && !std::isnan(s.value))
+      database.fail(fmt::format("metric {}: a sample is a number or a text, not both", s.metric.name));
+    const std::int64_t metric = id_of(database, s.metric);
+    if (s.text.empty()) {
+      database.query("INSERT INTO sample (cell, metric, run, repetition, value) VALUES (?, ?, ?, ?, ?)")
+          .bind(cell, metric, run, s.repetition, s.value)
+          .run();
+    } else {
+      database.query("INSERT INTO sample (cell, metric, run, repetition, text) VALUES (?, ?, ?, ?, ?)")
+          .bind(cell, metric, run, s.repetition, s.text)
+          .run();
+    }
+  }
+}
+
+bool has_run(Database& database, const std::string& uid, std::int64_t& id) {
+  Query row = database.query("SELECT id FROM run WHERE uid = ?");
+  if (!row.bind(uid).step()) return false;
+  id = row.integer();
+  return true;
+}
+
+std::int64_t place(Database& database, const RunInfo& run) {
+  if (run.revision_order) return *run.revision_order;
+  {
+    Query same = database.query("SELECT max(revision_order) FROM run WHERE revision = ?");
+    if (same.bind(run.revision).step() && !same.is_null()) return same.integer();
+  }
+  return database.number("SELECT coalesce(max(revision_order), 0) + 1 FROM run");
+}
+
+std::int64_t insert(Database& database, RunInfo r) {
+  r.revision_order = place(database, r);
+  database
+      .query(
+          "INSERT INTO run (uid, label, revision, revision_order, date, machine, os, compiler, flags, build, "
+          "command_line, request, note, complete, digest) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+          "?)")
+      .bind(r.uid, r.label, r.revision, r.revision_order, r.date, r.machine, r.os, r.compiler, r.flags,
+            r.build, r.command_line, r.request, r.note, std::int64_t{r.complete}, digest(r))
+      .run();
+  return database.last_id();
+}
+
+RunInfo cleaned(RunInfo r) {
+  for (std::string* text : {&r.uid, &r.label, &r.revision, &r.date, &r.machine, &r.os, &r.compiler, &r.flags,
+                            &r.build, &r.command_line, &r.request, &r.note})
+    *text = clean(*text);
+  return r;
+}
+
+}  // namespace
+
+Store::Store(std::unique_ptr<Database> database) : database_(std::move(database)) {}
+Store::Store(Store&&) noexcept = default;
+Store& Store::operator=(Store&&) noexcept = default;
+Store::~Store() = default;
+
+Store Store::open(const fs::path& file, Mode mode) {
+  std::error_code ignored;
+  if (fs::is_directory(file, ignored)) refuse(file, "is a folder; name a file with --store");
+  return Store(mode == Mode::read ? open_to_read(file) : open_to_write(file));
+}
+
+std::int64_t Store::begin_run(const RunInfo& given) {
+  Transaction transaction(*database_);
+  if (Query pages = database_->query("PRAGMA quick_check(1)"); pages.step())
+    if (const std::string said = pages.text(); said != "ok") database_->fail(SQLITE_CORRUPT, said);
+  RunInfo run = cleaned(given);
+  run.complete = false;
+  std::int64_t id = 0, ordinal = 0;
+  do {
+    run.uid = run_uid(run, ordinal++);
+  } while (has_run(*database_, run.uid, id));
+  id = insert(*database_, run);
+  transaction.commit();
+  return id;
+}
+
+bool Store::import_run(const RunInfo& given, std::int64_t& id) {
+  Transaction transaction(*database_);
+  const RunInfo run = cleaned(given);
+  if (has_run(*database_, run.uid, id)) return false;
+  id = insert(*database_, run);
+  transaction.commit();
+  return true;
+}
+
+void Store::add(std::int64_t run, const Result& given) {
+  const Result result = canonical(given);
+  if (const std::string word = twice(result); !word.empty())
+    database_->fail(fmt::format("{} has {} twice", result.cell.name(), word));
+  Transaction transaction(*database_);
+  const std::int64_t cell = id_of(*database_, result.cell);
+  database_->query("INSERT INTO result (run, cell, asked, digest) VALUES (?, ?, ?, ?)")
+      .bind(run, cell, result.asked, digest(result))
+      .run();
+  if (!result.engine_version.empty())
+    database_
+        ->query("INSERT INTO engine_version (run, engine, version) VALUES (?, ?, ?) ON CONFLICT DO NOTHING")
+        .bind(run, result.cell.engine, result.engine_version)
+        .run();
+  insert_samples(*database_, run, cell, result.samples);
+  for (const Judgement& j : result.judgements)
+    database_
+        ->query(
+            "INSERT INTO verdict (cell, claim, run, status, expected, measured, allowed, truth_error, "
+            "detail) "
+            "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)")
+        .bind(cell, id_of(*database_, j), run, j.status, j.expected, j.measured, j.allowed, j.truth_error,
+              j.detail)
+        .run();
+  transaction.commit();
+}
+
+void Store::finish_run(std::int64_t run) {
+  database_->query("UPDATE run SET complete = 1 WHERE id = ?").bind(run).run();
+}
+
+void Store::pin(const Anchor& given) {
+  const Anchor a = {clean(given.name), clean(given.binary), clean(given.build),
+                    clean(given.date), clean(given.note),   clean(given.run)};
+  database_
+      ->query(
+          "INSERT OR REPLACE INTO anchor (name, binary, build, date, note, run, digest) VALUES (?, ?, ?, ?, "
+          "?, "
+          "?, ?)")
+      .bind(a.name, a.binary, a.build, a.date, a.note, a.run, digest(a))
+      .run();
+}
+
+void Store::set(const ChangePoint& given) {
+  const ChangePoint p = {clean(given.series), clean(given.revision), given.state, clean(given.date),
+                         clean(given.note)};
+  database_
+      ->query(
+          "INSERT OR REPLACE INTO change_point (series, revision, state, date, note, digest) VALUES (?, ?, "
+          "?, "
+          "?, ?, ?)")
+      .bind(p.series, p.revision, p.state, p.date, p.note, digest(p))
+      .run();
+}
+
+void Store::in_one_transaction(const std::function<void()>& work) {
+  Transaction transaction(*database_);
+  work();
+  transaction.commit();
+}
+
+}  // namespace cylon::store

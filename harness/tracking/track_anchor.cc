@@ -1,0 +1,113 @@
+// cylon track pin, and what pinned binaries are at a recording.
+#include "harness/tracking/track_anchor.h"
+
+#include "harness/cli/command_line.h"
+#include "harness/cli/provenance.h"
+#include "harness/cli/workers.h"
+#include "harness/study/side.h"
+#include "harness/tracking/track.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <iostream>
+#include <sstream>
+#include <system_error>
+
+namespace cylon::tracking {
+
+using namespace cli;  // commands are written in the words of the command line
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::string store, name, engine = "in-house", note;
+  std::vector<std::string> workers;
+};
+
+// The binary is copied beside the store, as the next build would overwrite it.
+int pin(const Context& context, const Options& options) {
+  if (options.name.empty() || options.name.find_first_of("/*?[ =") != std::string::npos)
+    throw core::InputError(
+        fmt::format("'{}': an anchor's name has none of / * ? [ = and no space", plain(options.name)));
+  process::EngineRow row = process::parse_engine(options.engine, with_workers(context, options.workers)).row;
+  if (row.id != options.engine)
+    throw core::InputError(
+        fmt::format("--engine {}: an anchor is an engine without a variant", options.engine));
+  store::Store store = store::Store::open(options.store, store::Mode::write);
+  const fs::path relative =
+      fs::path("anchors") / (options.name + "-" + fs::path(row.command.front()).filename().string());
+  const fs::path copy = fs::path(options.store).parent_path() / relative;
+  std::error_code error;
+  fs::create_directories(copy.parent_path(), error);
+  if (!error) fs::copy_file(row.command.front(), copy, fs::copy_options::overwrite_existing, error);
+  if (error)
+    throw core::InputError(copy.string(), 0, 0,
+                           fmt::format("the binary cannot be kept here: {}", error.message()));
+  row.command.front() = copy.string();
+  const std::string build = study::content_hash(row.command);
+  row.command.front() = relative.string();
+  store.pin({.name = options.name,
+             .binary = fmt::format("{}={}", row.id, fmt::join(row.command, " ")),
+             .build = build,
+             .date = now(),
+             .note = options.note,
+             .run = ""});
+  std::cout << fmt::format("{}: {} is pinned as {}, and every recording is timed beside it\n", options.store,
+                           row.id, options.name);
+  return ok;
+}
+
+}  // namespace
+
+std::vector<PinnedEngine> pinned_engines(const store::Store& store, const fs::path& store_file) {
+  std::vector<PinnedEngine> engines;
+  for (const store::Anchor& anchor : store.anchors()) {
+    PinnedEngine engine{anchor.name, {}};
+    const std::size_t equals = anchor.binary.find('=');
+    if (equals == std::string::npos) continue;  // a run of another machine, imported: nothing to start
+    engine.row.id = anchor.binary.substr(0, equals);
+    std::istringstream words(anchor.binary.substr(equals + 1));
+    for (std::string word; words >> word;) engine.row.command.push_back(word);
+    if (engine.row.command.empty()) continue;
+    std::string& program = engine.row.command.front();
+    program = (store_file.parent_path() / program).string();
+    std::error_code ignored;
+    if (!fs::is_regular_file(program, ignored) || study::content_hash(engine.row.command) != anchor.build)
+      throw core::InputError(
+          program, 0, 0,
+          fmt::format("the pinned binary of anchor '{0}' is gone or changed; bring it back, or "
+                      "pin another: `cylon track pin {0}`",
+                      anchor.name));
+    engines.push_back(std::move(engine));
+  }
+  return engines;
+}
+
+process::EngineChoice in_place_of(const process::EngineChoice& engine, const PinnedEngine& anchor) {
+  process::EngineChoice choice = engine;
+  if (engine.row.id != anchor.row.id) choice = {anchor.row.id, anchor.row, "", "", {}};
+  choice.row.command = anchor.row.command;
+  return choice;
+}
+
+Command add_track_pin(App& app, const Context& context) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("name", options->name, "What to call it: v1, baseline")->type_name("NAME")->required();
+  app.add_option("--engine", options->engine, "The engine whose worker is kept as it is now")
+      ->type_name("ID")
+      ->capture_default_str();
+  app.add_option("--note", options->note, "Why this one")->type_name("TEXT");
+  add_worker_option(app, options->workers);
+  add_store_option(app, options->store);
+  app.footer(
+      "Copies the worker beside the store. From then on `cylon track record` times each cell in turn with it "
+      "and "
+      "keeps the ratios, which stay the same on a machine that becomes slower. The same name again replaces "
+      "it.");
+  return [options, &context] { return pin(context, *options); };
+}
+
+}  // namespace cylon::tracking

@@ -1,0 +1,33 @@
+// cylon track check
+#include "harness/tracking/track.h"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+namespace cylon::tracking {
+
+using namespace cli;  // commands are written in the words of the command line
+
+Command add_track_check(App& app, const Context&) {
+  const auto file = std::make_shared<std::string>();
+  add_store_option(app, *file);
+  app.footer("Reads everything: the pages, the references between tables, and the digest of every result.");
+  return [file] {
+    const store::Store store = store::Store::open(*file, store::Mode::read);
+    const std::vector<std::string> findings = store.check();
+    if (!findings.empty())
+      throw core::InputError(
+          *file, 0, 0,
+          fmt::format(
+              "is damaged: {}{}; restore a backup, or import what `cylon track export` "
+              "still gives into a new store",
+              findings.front(),
+              findings.size() == 1 ? "" : fmt::format(" (and {} more findings)", findings.size() - 1)));
+    std::cout << fmt::format("{}: {} runs, {} cells, sound\n", *file, store.runs().size(),
+                             store.cells().size());
+    return ok;
+  };
+}
+
+}  // namespace cylon::tracking

@@ -1,0 +1,296 @@
+// Bullet behind the Simulator interface.  Compiled twice: double (BT_USE_DOUBLE_PRECISION) and float.
+#include "harness/core/simulator.h"
+#include "reference/simulators/bullet/bullet_bodies.h"
+#include "reference/simulators/bullet/bullet_border.h"
+#include "reference/simulators/bullet/bullet_forces.h"
+#include "reference/simulators/bullet/bullet_settings.h"
+#include "reference/simulators/bullet/bullet_shapes.h"
+#include "reference/simulators/bullet/bullet_surfaces.h"
+
+#include <BulletDynamics/ConstraintSolver/btNNCGConstraintSolver.h>
+#include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
+#include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
+#include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
+#include <BulletDynamics/MLCPSolvers/btMLCPSolver.h>
+#include <btBulletDynamicsCommon.h>
+#include <fmt/format.h>
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace cylon::simulators {
+namespace {
+
+// ---- Materials: the pair's own values in place of Bullet's products -------------------------------
+
+const Surfaces::Contact& contact(const btCollisionObject* a, const btCollisionObject* b) {
+  return static_cast<const Surfaces*>(a->getUserPointer())->between(a->getUserIndex(), b->getUserIndex());
+}
+btScalar restitution(const btCollisionObject* a, const btCollisionObject* b) {
+  return to_bullet(contact(a, b).restitution);
+}
+btScalar friction(const btCollisionObject* a, const btCollisionObject* b) {
+  return to_bullet(contact(a, b).friction);
+}
+
+// ---- Joints -----------------------------------------------------------------------------------------
+
+// A joint at a point of the world, x along its axis, seen from a body.
+btTransform frame_in(const btRigidBody& body, const core::Joint& joint) {
+  const auto turn = core::Quaternion::FromTwoVectors(core::Vector3::UnitX(), joint.axis);
+  return body.getWorldTransform().inverse() * to_bullet(turn, joint.point);
+}
+
+std::unique_ptr<btTypedConstraint> make_joint(const core::Joint& joint, btRigidBody& a, btRigidBody* b) {
+  const btVector3 point = to_bullet(joint.point), axis = to_bullet(joint.axis);
+  const auto local = [&](const btRigidBody& body) { return body.getWorldTransform().invXform(point); };
+  const auto local_axis = [&](const btRigidBody& body) {
+    return body.getWorldTransform().getBasis().transpose() * axis;
+  };
+  switch (joint.type) {
+    case core::JointType::ball:
+      if (b) return std::make_unique<btPoint2PointConstraint>(a, *b, local(a), local(*b));
+      return std::make_unique<btPoint2PointConstraint>(a, local(a));
+    case core::JointType::hinge:
+      if (b)
+        return std::make_unique<btHingeConstraint>(a, *b, local(a), local(*b), local_axis(a), local_axis(*b));
+      return std::make_unique<btHingeConstraint>(a, local(a), local_axis(a));
+    case core::JointType::fixed: {
+      btRigidBody& other = b ? *b : btTypedConstraint::getFixedBody();
+      return std::make_unique<btFixedConstraint>(a, other, frame_in(a, joint), frame_in(other, joint));
+    }
+    case core::JointType::distance:
+      break;
+  }
+  return nullptr;
+}
+
+// ---- The world ----------------------------------------------------------------------------------------
+
+struct Solver {
+  std::unique_ptr<btMLCPSolverInterface> direct;  // outlives its user
+  std::unique_ptr<btConstraintSolver> solver;
+};
+
+Solver make_solver(const BulletSettings& settings) {
+  Solver result;
+  if (settings.multibody()) {
+    result.solver = std::make_unique<btMultiBodyConstraintSolver>();
+  } else if (settings.solver == "nncg") {
+    result.solver = std::make_unique<btNNCGConstraintSolver>();
+  } else if (settings.solver == "dantzig") {
+    result.direct = std::make_unique<btDantzigSolver>();
+    result.solver = std::make_unique<btMLCPSolver>(result.direct.get());
+  } else {
+    result.solver = std::make_unique<btSequentialImpulseConstraintSolver>();
+  }
+  return result;
+}
+
+void apply(const BulletSettings& settings, btContactSolverInfo& info) {
+  const auto number = [&](const char* option) { return to_bullet(settings.number.at(option)); };
+  info.m_erp = number("erp");
+  info.m_erp2 = number("erp2");
+  info.m_globalCfm = number("cfm");
+  info.m_numIterations = static_cast<int>(number("iterations"));
+  info.m_warmstartingFactor = number("warm-starting");
+  info.m_restitutionVelocityThreshold = number("restitution-threshold");
+  info.m_splitImpulsePenetrationThreshold = number("split-threshold");
+  info.m_maxGyroscopicForce = number("max-gyroscopic-force");
+}
+
+// A body and what it touches: a body, or plane p as -1 - p.
+core::Pair pair_of(int body, int other) {
+  return other >= 0 ? core::Pair{body, other, -1} : core::Pair{body, core::world, -1 - other};
+}
+
+// Everything of one run.  Members are destroyed from the last: the world before what stands in it.
+class Run {
+ public:
+  Run(core::Scene scene, const BulletSettings& settings, double dt)
+      : scene_(std::move(scene)),
+        dt_(dt),
+        applied_(has_applied_forces(scene_)),
+        surfaces_(scene_),
+        dispatcher_(&config_),
+        solver_(make_solver(settings)) {
+    if (settings.multibody()) {
+      world_ = std::make_unique<btMultiBodyDynamicsWorld>(
+          &dispatcher_, &broadphase_, static_cast<btMultiBodyConstraintSolver*>(solver_.solver.get()),
+          &config_);
+    } else {
+      world_ = std::make_unique<btDiscreteDynamicsWorld>(&dispatcher_, &broadphase_, solver_.solver.get(),
+                                                         &config_);
+    }
+    world_->setGravity(to_bullet(gravity(scene_)));
+    apply(settings, world_->getSolverInfo());
+    for (std::size_t p = 0; p < scene_.planes.size(); ++p) add_plane(p, settings);
+    for (std::size_t i = 0; i < scene_.bodies.size(); ++i) add_body(i, settings);
+    if (!settings.multibody())
+      for (const core::Joint& joint : scene_.joints) add_joint(joint);
+  }
+
+  void step() {
+    if (applied_) {
+      read(state_);
+      applied_forces(scene_, state_, static_cast<double>(steps_) * dt_, wrenches_);
+      for (std::size_t i = 0; i < bodies_.size(); ++i)
+        bodies_[i]->push(wrenches_[i].force, wrenches_[i].torque);
+    }
+    world_->stepSimulation(to_bullet(dt_), 0);
+    ++steps_;
+  }
+
+  void read(core::State& state) const {
+    state.resize(bodies_.size());
+    for (std::size_t i = 0; i < bodies_.size(); ++i) state[i] = bodies_[i]->state();
+  }
+
+  // What the persistent manifolds hold after the step, points that pressed alone.  Bullet's normal is that on
+  // its second object, towards its first.
+  std::vector<core::Contact> contacts() {
+    std::vector<core::Contact> contacts;
+    for (int m = 0; m < dispatcher_.getNumManifolds(); ++m) {
+      const btPersistentManifold& manifold = *dispatcher_.getManifoldByIndexInternal(m);
+      const int first = manifold.getBody0()->getUserIndex2(), second = manifold.getBody1()->getUserIndex2();
+      const bool turned = first < 0;  // the plane comes first
+      for (int i = 0; i < manifold.getNumContacts(); ++i) {
+        const btManifoldPoint& point = manifold.getContactPoint(i);
+        const bool solved = point.getDistance() <= manifold.getContactProcessingThreshold();
+        if (!solved || !(point.getAppliedImpulse() > 0)) continue;
+        core::Contact contact;
+        contact.pair = pair_of(turned ? second : first, turned ? first : second);
+        contact.point = from_bullet(point.getPositionWorldOnB());
+        contact.normal = (turned ? -1 : 1) * from_bullet(point.m_normalWorldOnB);
+        contact.impulse = static_cast<double>(point.getAppliedImpulse());
+        contacts.push_back(contact);
+      }
+    }
+    return contacts;
+  }
+
+ private:
+  void add_plane(std::size_t p, const BulletSettings& settings) {
+    core::Body ground;
+    ground.locked = ground.collide = true;
+    const Placing placing{make_shape(scene_.planes[p], shapes_), core::principal_axes(ground.inertia),
+                          &surfaces_, surfaces_.of_plane(p), -1 - static_cast<int>(p)};
+    planes_.push_back(make_rigid(ground, placing, settings, *world_));
+  }
+
+  void add_body(std::size_t i, const BulletSettings& settings) {
+    const core::Body& body = scene_.bodies[i];
+    const core::PrincipalAxes principal = core::principal_axes(body.inertia);
+    const core::Shape bare;
+    const Placing placing{make_shape(body.collide ? body.shape : bare, principal.rotation, shapes_),
+                          principal, &surfaces_, surfaces_.of_body(i), static_cast<int>(i)};
+    if (!settings.multibody() || body.locked) {
+      bodies_.push_back(make_rigid(body, placing, settings, *world_));
+      return;
+    }
+    const core::Joint* hung = nullptr;
+    for (const core::Joint& joint : scene_.joints)
+      if (joint.body == static_cast<int>(i)) hung = &joint;
+    auto& world = static_cast<btMultiBodyDynamicsWorld&>(*world_);
+    bodies_.push_back(make_multibody(body, hung, placing, settings, world));
+  }
+
+  void add_joint(const core::Joint& joint) {
+    btRigidBody& a = *bodies_[static_cast<std::size_t>(joint.body)]->rigid();
+    btRigidBody* const b =
+        joint.to == core::world ? nullptr : bodies_[static_cast<std::size_t>(joint.to)]->rigid();
+    joints_.push_back(make_joint(joint, a, b));
+    world_->addConstraint(joints_.back().get());
+  }
+
+  core::Scene scene_;
+  double dt_;
+  bool applied_;
+  std::int64_t steps_ = 0;
+  core::State state_;
+  std::vector<Wrench> wrenches_;
+
+  Surfaces surfaces_;
+  Shapes shapes_;
+  btDefaultCollisionConfiguration config_;
+  btCollisionDispatcher dispatcher_;
+  btDbvtBroadphase broadphase_;
+  Solver solver_;
+  std::vector<std::unique_ptr<BulletBody>> planes_, bodies_;
+  std::vector<std::unique_ptr<btTypedConstraint>> joints_;
+  std::unique_ptr<btDiscreteDynamicsWorld> world_;
+};
+
+// ---- What it cannot do --------------------------------------------------------------------------------
+
+std::optional<std::string> unsupported_joint(const core::Scene& scene, const core::Joint& joint) {
+  if (joint.type == core::JointType::distance) return "Bullet has no rigid distance joint.";
+  const auto locked = [&](int body) {
+    return body == core::world || scene.bodies[static_cast<std::size_t>(body)].locked;
+  };
+  if (locked(joint.body) && locked(joint.to)) return "A joint between two things that cannot move.";
+  return std::nullopt;
+}
+
+std::optional<std::string> unsupported_multibody(const core::Scene& scene) {
+  std::vector<int> joints(scene.bodies.size(), 0);
+  for (const core::Joint& joint : scene.joints) {
+    const bool hung = joint.to == core::world &&
+                      (joint.type == core::JointType::ball || joint.type == core::JointType::hinge);
+    if (!hung || ++joints[static_cast<std::size_t>(joint.body)] > 1)
+      return "The multibody path takes one ball or hinge joint per body, to the world.";
+  }
+  return std::nullopt;
+}
+
+class Bullet final : public core::Simulator {
+ public:
+  // Bullet's combination callbacks are global; the surfaces they read hang on each collision object.
+  Bullet() : engine_(bullet_engine(version(), sizeof(btScalar) == sizeof(double) ? "double" : "float")) {
+    gCalculateCombinedRestitutionCallback = restitution;
+    gCalculateCombinedFrictionCallback = friction;
+  }
+
+  const core::Engine& engine() const override { return engine_; }
+
+  std::optional<std::string> unsupported(const core::Scene& scene, const core::Setup& setup) const override {
+    if (scene.frame) return "Bullet has no moving frame of reference.";
+    for (const core::Force& force : scene.forces)
+      if (auto reason = inexpressible(force)) return reason;
+    for (const core::Body& body : scene.bodies)
+      if (auto reason = body.collide ? untouchable(body.shape) : std::nullopt)
+        return fmt::format("Body '{}': {}", body.name, *reason);
+    for (const core::Joint& joint : scene.joints)
+      if (auto reason = unsupported_joint(scene, joint)) return reason;
+    if (!Surfaces(scene).complete()) return "A pair that may touch has no material.";
+    if (setup.path == "multibody") return unsupported_multibody(scene);
+    return std::nullopt;
+  }
+
+  core::Terms load(const core::Scene& scene, const core::Setup& setup) override {
+    const BulletSettings settings = bullet_settings(engine_, setup, Surfaces(scene).bounces());
+    run_.reset();
+    run_ = std::make_unique<Run>(scene, settings, setup.dt);
+    return settings.terms;
+  }
+
+  void step() override { run_->step(); }
+  void read(core::State& state) const override { run_->read(state); }
+  std::vector<core::Contact> contacts() const override { return run_->contacts(); }
+
+ private:
+  static std::string version() { return fmt::format("{}.{}", btGetVersion() / 100, btGetVersion() % 100); }
+
+  core::Engine engine_;
+  std::unique_ptr<Run> run_;
+};
+
+}  // namespace
+}  // namespace cylon::simulators
+
+namespace cylon::core {
+
+std::unique_ptr<Simulator> make_simulator() { return std::make_unique<simulators::Bullet>(); }
+
+}  // namespace cylon::core

@@ -1,0 +1,217 @@
+// The in-house engine behind the common interface.  It has no way in that others have not: it gets a Scene
+// and a Setup.
+#include "engine/world.h"
+#include "harness/core/input_error.h"
+#include "harness/core/simulator.h"
+#include "reference/simulators/in_house/in_house_model.h"
+#include "reference/simulators/in_house/in_house_overlap.h"
+#include "reference/simulators/in_house/in_house_slowdown.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+
+namespace cylon::simulators {
+namespace {
+
+using Reason = std::optional<std::string>;
+
+constexpr bool is_float = sizeof(engine::Real) == sizeof(float);
+constexpr int closed_form_order = 8;  // of a motion in closed form: no lower than of the best scheme
+
+// ---- What the engine says of itself ----------------------------------------------------------------
+
+std::vector<core::Path> paths() {
+  core::Path events{.name = "events",
+                    .summary =
+                        "Impacts and changes of contact are located in time; between them the motion "
+                        "is in closed form or follows the scheme.",
+                    .settings = {},
+                    .unforceable = {"Bouncing that would go on for ever in a finite time ends in rest.",
+                                    "A thin body does not turn about an axis without inertia."}};
+  core::Path stepping{.name = "stepping",
+                      .summary = "Fixed steps; contacts by sequential impulses at the end of each.",
+                      .settings = {},
+                      .unforceable = {"A contact is noticed at the end of a step.",
+                                      "A thin body does not turn about an axis without inertia."}};
+  return {events, stepping};
+}
+
+core::Engine describe() {
+  core::Engine engine;
+  engine.name = "in-house";
+  engine.version = "0.2";
+  engine.precision = is_float ? "float" : "double";
+  engine.paths = paths();
+  engine.default_path_rule = engine::method_rule;
+  engine.schemes.push_back({"auto", closed_form_order,
+                            "what the motion conserves, to the tolerance; closed forms to rounding", true});
+  for (const engine::Scheme& row : engine::schemes())
+    engine.schemes.push_back(
+        {std::string(row.name), row.order, std::string(row.conserves), row.kind == engine::Kind::adaptive});
+  engine.options.push_back({"model",
+                            {"planned", "full"},
+                            "planned",
+                            "planned: only the stages that the scene requires; full: all of them"});
+  engine.options.push_back({"joints",
+                            {"reduced", "constraints"},
+                            "reduced",
+                            "reduced: joints to the world leave coordinates out; constraints: all are kept"});
+  engine.options.push_back(
+      {"sweeps", {}, "10", "path stepping: sweeps over the contacts in a step, 1 to 1000"});
+  return engine;
+}
+
+// ---- What a user asks for --------------------------------------------------------------------------
+
+// Throws std::invalid_argument, naming the nearest, unless the word is one of the valid ones.
+void require(std::string_view what, const std::string& word, const std::vector<std::string>& valid) {
+  if (std::find(valid.begin(), valid.end(), word) != valid.end()) return;
+  throw std::invalid_argument(fmt::format("in-house has no {} '{}'{} (valid: {})", what, word,
+                                          core::did_you_mean(word, valid), fmt::join(valid, ", ")));
+}
+
+template <class Rows>
+std::vector<std::string> names(const Rows& rows) {
+  std::vector<std::string> result;
+  for (const auto& row : rows) result.push_back(row.name);
+  return result;
+}
+
+int sweeps_of(const std::string& value) {
+  int sweeps = 0;
+  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), sweeps);
+  if (error != std::errc{} || end != value.data() + value.size() || sweeps < 1 || sweeps > 1000)
+    throw std::invalid_argument(
+        fmt::format("in-house: sweeps = '{}' is no whole number in [1, 1000]", value));
+  return sweeps;
+}
+
+engine::Options options_of(const core::Engine& engine, const core::Setup& setup) {
+  engine::Options options;
+  if (!setup.path.empty()) require("path", setup.path, names(engine.paths));
+  if (!setup.integrator.empty()) require("integrator", setup.integrator, names(engine.schemes));
+  for (const auto& [name, value] : setup.options) {
+    require("option", name, names(engine.options));
+    if (name == "sweeps") {
+      options.sweeps = sweeps_of(value);
+      continue;
+    }
+    const auto option =
+        std::find_if(engine.options.begin(), engine.options.end(),
+                     [&, wanted = name](const core::Option& row) { return row.name == wanted; });
+    require(name, value, option->values);
+    if (name == "model") options.full = value == "full";
+    if (name == "joints") options.constraints = value == "constraints";
+  }
+  options.method = setup.path;
+  if (!setup.integrator.empty()) options.scheme = setup.integrator;
+  options.dt = setup.dt;
+  options.tolerance = static_cast<engine::Real>(setup.tolerance);
+  return options;
+}
+
+// ---- The simulator ---------------------------------------------------------------------------------
+
+class InHouse final : public core::Simulator {
+ public:
+  const core::Engine& engine() const override {
+    static const core::Engine description = describe();
+    return description;
+  }
+
+  Reason unsupported(const core::Scene& scene, const core::Setup& setup) const override {
+    const engine::Options options = options_of(engine(), setup);
+    const InHouseModel converted = in_house_model(scene);
+    if (converted.missing) return converted.missing;
+    const auto names = [&](engine::Thing thing, int i) {
+      const auto k = static_cast<std::size_t>(i);
+      return fmt::format("'{}'", thing == engine::Thing::body ? scene.bodies[k].name : scene.planes[k].name);
+    };
+    const std::string reason = engine::unsupported(converted.model, options, names);
+    return reason.empty() ? deep_overlap(scene, converted.model) : Reason(reason);
+  }
+
+  core::Terms load(const core::Scene& scene, const core::Setup& setup) override {
+    const engine::Options options = options_of(engine(), setup);
+    world_.emplace(in_house_model(scene).model, options);
+    frame_ = scene.frame ? scene.frame->angular_velocity : core::Vector3(core::Vector3::Zero());
+    return terms(world_->plan(), options);
+  }
+
+  void step() override {
+    slowed([&] { world_->step(); });
+  }
+  void advance(std::int64_t n) override {
+    slowed([&] { world_->advance(n); });
+  }
+
+  void read(core::State& state) const override {
+    const auto& bodies = world_->bodies();
+    const auto& motions = world_->motions();
+    state.resize(bodies.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      state[i] = {motions[i].position.cast<double>(), motions[i].orientation.cast<double>(),
+                  engine::velocity(bodies[i], motions[i]).cast<double>(),
+                  engine::angular_velocity(bodies[i], motions[i]).cast<double>()};
+      if (bodies[i].locked || frame_.isZero(0)) continue;
+      state[i].velocity -= frame_.cross(state[i].position);  // as the turning frame sees them
+      state[i].angular_velocity -= frame_;
+    }
+  }
+
+  std::vector<std::string> remarks() const override { return world_->remarks(); }
+
+  void keep_contacts(bool keep) override { world_->keep_contacts(keep); }
+  std::vector<core::Contact> contacts() const override {
+    std::vector<core::Contact> contacts;
+    for (const engine::Contact& c : world_->contacts()) {
+      core::Contact told{{c.body, c.other, c.plane}, c.point.cast<double>(), c.normal.cast<double>(), {}};
+      if (c.impulse) told.impulse = static_cast<double>(*c.impulse);
+      contacts.push_back(told);
+    }
+    return contacts;
+  }
+
+ private:
+  core::Terms terms(const engine::Plan& plan, const engine::Options& options) const {
+    const bool stepping = plan.method == engine::Method::stepping;
+    const core::Path& path = engine().paths[stepping ? 1 : 0];
+    core::Terms terms;
+    terms.path = path.name;
+    terms.integrator = options.scheme;
+    terms.order = stepping ? 1 : plan.scheme ? plan.order : closed_form_order;
+    terms.gyroscopic = "exact";
+    if (plan.scheme && plan.scheme->kind == engine::Kind::adaptive) {
+      const double own = engine::default_tolerance();
+      const double used = options.tolerance > 0 ? static_cast<double>(options.tolerance) : own;
+      terms.settings.push_back({"tolerance", fmt::format("{:g}", used), fmt::format("{:g}", own),
+                                plan.verified
+                                    ? "bound on the error at the samples, of the scales of the motion"
+                                    : "bound on the error of each step, of the scales of the motion"});
+    }
+    if (options.sweeps > 0)
+      terms.settings.push_back({"sweeps", fmt::format("{}", options.sweeps), "10", "asked for"});
+    if (options.constraints) terms.settings.push_back({"joints", "constraints", "reduced", "asked for"});
+    if (options.full)
+      terms.settings.push_back({"model", "full", "planned", "every stage runs, needed or not"});
+    terms.unforceable = path.unforceable;
+    for (const engine::Stage& stage : plan.stages) terms.plan.push_back({stage.name, stage.in, stage.reason});
+    return terms;
+  }
+
+  std::optional<engine::World> world_;
+  core::Vector3 frame_ = core::Vector3::Zero();  // how fast the scene's frame turns
+};
+
+}  // namespace
+}  // namespace cylon::simulators
+
+std::unique_ptr<cylon::core::Simulator> cylon::core::make_simulator() {
+  return std::make_unique<simulators::InHouse>();
+}

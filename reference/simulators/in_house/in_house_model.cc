@@ -1,0 +1,222 @@
+#include "reference/simulators/in_house/in_house_model.h"
+
+#include "harness/core/overloaded.h"
+#include "harness/core/surfaces.h"
+#include "reference/simulators/in_house/in_house_shapes.h"
+
+#include <fmt/format.h>
+
+#include <variant>
+
+namespace cylon::simulators {
+namespace {
+
+using core::Overloaded;
+using core::Scene;
+using engine::Model;
+using engine::Real;
+
+Real real(double x) { return static_cast<Real>(x); }
+engine::Vector3 real(const core::Vector3& v) { return v.cast<Real>(); }
+// In float the rounded components are no unit quaternion any more.
+engine::Quaternion real(const core::Quaternion& q) {
+  return engine::renormalised(engine::Quaternion(q.cast<Real>()));
+}
+
+const core::Body& body_of(const Scene& scene, int index) {
+  return scene.bodies[static_cast<std::size_t>(index)];
+}
+
+// ---- Bodies --------------------------------------------------------------------------------------
+
+void add_bodies(const Scene& scene, Model& model) {
+  static_assert(core::world == engine::fixed_world);
+  for (const core::Body& body : scene.bodies) {
+    model.bodies.push_back(
+        engine::make_body(real(body.mass), engine::Matrix3(body.inertia.cast<Real>()), body.locked));
+    const core::BodyState& s = body.initial;
+    model.motions.push_back(engine::make_motion(model.bodies.back(), real(s.position), real(s.orientation),
+                                                real(s.velocity), real(s.angular_velocity)));
+  }
+}
+
+// A body has no momentum about an axis without inertia, so a turn about it would be lost.
+std::optional<std::string> lost_turn(const Scene& scene, const Model& model) {
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const core::Body& body = scene.bodies[i];
+    const core::Vector3& w = body.initial.angular_velocity;
+    if (body.locked || w.isZero(0)) continue;
+    const core::Vector3 kept = engine::angular_velocity(model.bodies[i], model.motions[i]).cast<double>();
+    if ((w - kept).norm() > 1e-6 * w.norm())
+      return fmt::format(
+          "body '{}' turns at {:.3g} rad/s about an axis about which its moment of inertia is none or "
+          "rounding "
+          "beside the largest: the engine keeps angular momentum, which says nothing of that turn",
+          body.name, (w - kept).norm());
+  }
+  return std::nullopt;
+}
+
+// ---- Forces --------------------------------------------------------------------------------------
+
+void add(const core::Thrust& t, Model& model) {
+  engine::Thrust thrust{t.body, real(t.force), real(t.mass_rate), t.exhaust_velocity.has_value(), {}};
+  thrust.exchanged = real(t.exhaust_velocity.value_or(t.exchanged_velocity.value_or(core::Vector3::Zero())));
+  model.forces.thrusts.push_back(thrust);
+  model.bodies[static_cast<std::size_t>(t.body)].mass_rate += thrust.mass_rate;
+}
+
+// By volume every body displaces water, whether it collides or not.
+std::optional<std::string> add(const core::Water& w, const Scene& scene, Model& model) {
+  engine::Water water;
+  water.level = real(w.level), water.wave = real(w.wave), water.speed = real(w.speed);
+  water.buoyancy = real(w.buoyancy), water.drag = real(w.drag);
+  water.mode = w.mode == "step" ? engine::WaterMode::step : engine::WaterMode::volume;
+  for (std::size_t i = 0; water.mode == engine::WaterMode::volume && i < scene.bodies.size(); ++i) {
+    auto shape = in_house_shape(scene.bodies[i].shape);
+    if (const Missing* what = std::get_if<Missing>(&shape)) {
+      if (!scene.bodies[i].locked)
+        return fmt::format("body '{}' is {}, of which the engine does not know how much lies under water",
+                           scene.bodies[i].name, *what);
+      shape = engine::Shape();
+    }
+    water.shapes.push_back(std::get<engine::Shape>(std::move(shape)));
+  }
+  model.forces.waters.push_back(std::move(water));
+  return std::nullopt;
+}
+
+std::optional<std::string> add_forces(const Scene& scene, Model& model) {
+  std::optional<std::string> missing;
+  engine::Forces& forces = model.forces;
+  for (const core::Force& force : scene.forces) {
+    std::visit(Overloaded{
+                   [&](const core::UniformGravity& g) { forces.gravity += real(g.acceleration); },
+                   [&](const core::Spring& s) {
+                     forces.springs.push_back({s.body, real(s.anchor), s.to, real(s.to_anchor),
+                                               real(s.stiffness), real(s.rest_length), real(s.damping)});
+                   },
+                   [&](const core::Drag& d) {
+                     forces.drags.push_back({d.body, real(d.linear), real(d.angular), real(d.momentum)});
+                   },
+                   [&](const core::Thrust& t) { add(t, model); },
+                   [&](const core::Drive& d) {
+                     forces.drives.push_back({d.body, real(d.force), real(d.frequency)});
+                   },
+                   [&](const core::Attraction& a) {
+                     forces.attractions.push_back({a.body, a.to, real(a.strength)});
+                   },
+                   [&](const core::Water& w) {
+                     if (auto reason = add(w, scene, model)) missing = reason;
+                   },
+               },
+               force);
+  }
+  return missing;
+}
+
+// ---- Joints --------------------------------------------------------------------------------------
+
+// A point, or a direction, of the world at t = 0 in the axes of a body or of the world.
+core::Vector3 point_in(const Scene& scene, int body, const core::Vector3& point) {
+  if (body == core::world) return point;
+  const core::BodyState& s = body_of(scene, body).initial;
+  return s.orientation.conjugate() * (point - s.position);
+}
+core::Vector3 direction_in(const Scene& scene, int body, const core::Vector3& direction) {
+  return body == core::world
+             ? direction
+             : core::Vector3(body_of(scene, body).initial.orientation.conjugate() * direction);
+}
+core::Quaternion orientation_of(const Scene& scene, int body) {
+  return body == core::world ? core::Quaternion::Identity() : body_of(scene, body).initial.orientation;
+}
+
+engine::Joint joint_of(const Scene& scene, const core::Joint& joint) {
+  constexpr engine::Joint::Type types[] = {engine::Joint::Type::ball, engine::Joint::Type::hinge,
+                                           engine::Joint::Type::distance, engine::Joint::Type::fixed};
+  engine::Joint result;
+  result.type = types[static_cast<std::size_t>(joint.type)];
+  result.body = joint.body;
+  result.to = joint.to;
+  if (joint.type == core::JointType::distance) {  // joins centres, or a centre and a point of the world
+    if (joint.to == core::world) result.to_anchor = real(joint.point);
+  } else {
+    result.anchor = real(point_in(scene, joint.body, joint.point));
+    result.to_anchor = real(point_in(scene, joint.to, joint.point));
+  }
+  result.axis = real(direction_in(scene, joint.body, joint.axis));
+  result.to_axis = real(direction_in(scene, joint.to, joint.axis));
+  result.relative =
+      real(core::Quaternion(orientation_of(scene, joint.to).conjugate() * orientation_of(scene, joint.body)));
+  result.length = real(joint.length);
+  return result;
+}
+
+// ---- Contacts ------------------------------------------------------------------------------------
+
+std::string name_of_other(const Scene& scene, const core::Pair& pair) {
+  return pair.plane >= 0 ? scene.planes[static_cast<std::size_t>(pair.plane)].name
+                         : body_of(scene, pair.other).name;
+}
+
+std::optional<std::string> add_contacts(const Scene& scene, Model& model) {
+  if (const auto pair = core::pair_without_material(scene))
+    return fmt::format("'{}' and '{}' may touch and the scene states no material for them",
+                       body_of(scene, pair->body).name, name_of_other(scene, *pair));
+  const core::Surfaces surfaces = core::surfaces(scene);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const core::Body& body = scene.bodies[i];
+    const bool collides = body.collide && !std::holds_alternative<std::monostate>(body.shape);
+    model.surfaces.push_back(collides ? surfaces.of_body[i] : engine::no_surface);
+    model.shapes.emplace_back();
+    if (!collides) continue;
+    auto shape = in_house_shape(body.shape);
+    if (const Missing* what = std::get_if<Missing>(&shape))
+      return fmt::format("body '{}' may touch and is {}, for which the engine has no collision shape",
+                         body.name, *what);
+    model.shapes.back() = std::get<engine::Shape>(std::move(shape));
+  }
+  for (const core::Plane& plane : scene.planes)
+    model.planes.push_back({real(plane.normal), real(plane.offset)});
+  model.plane_surfaces = surfaces.of_plane;
+  model.surface_count = surfaces.count;
+  for (const int row : surfaces.table) {
+    model.materials.emplace_back();  // of a pair that never meets, where the scene states none
+    if (row < 0) continue;
+    const core::Material& material = scene.materials[static_cast<std::size_t>(row)];
+    model.materials.back() = {real(material.restitution), real(material.friction)};
+  }
+  constexpr engine::Impacts rules[] = {engine::Impacts::sequential, engine::Impacts::simultaneous};
+  model.impacts = rules[static_cast<std::size_t>(scene.impacts)];
+  return std::nullopt;
+}
+
+}  // namespace
+
+InHouseModel in_house_model(const Scene& scene) {
+  InHouseModel result;
+  Model& model = result.model;
+  add_bodies(scene, model);
+  result.missing = lost_turn(scene, model);
+  if (result.missing) return result;
+  result.missing = add_forces(scene, model);
+  if (result.missing) return result;
+  for (const core::Joint& joint : scene.joints) model.joints.push_back(joint_of(scene, joint));
+  result.missing = add_contacts(scene, model);
+  // A frame that only moves changes nothing (Galilei); in one that turns, v + W x p and w + W are the
+  // inertial ones.
+  if (scene.frame && !scene.frame->angular_velocity.isZero(0)) {
+    const engine::Vector3 w = real(scene.frame->angular_velocity);
+    model.frame = engine::RotatingFrame{w};
+    for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+      const core::BodyState& s = scene.bodies[i].initial;
+      model.motions[i] =
+          engine::make_motion(model.bodies[i], real(s.position), real(s.orientation),
+                              real(s.velocity) + w.cross(real(s.position)), real(s.angular_velocity) + w);
+    }
+  }
+  return result;
+}
+
+}  // namespace cylon::simulators

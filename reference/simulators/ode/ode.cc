@@ -1,0 +1,312 @@
+// The adapter of ODE (Open Dynamics Engine), double precision: a Scene in, motion out.
+// Sees the simulator interface and ODE's headers; never a scenario, a claim or another adapter.
+#include "harness/core/simulator.h"
+#include "reference/simulators/ode/ode_forces.h"
+#include "reference/simulators/ode/ode_limits.h"
+#include "reference/simulators/ode/ode_settings.h"
+#include "reference/simulators/ode/ode_shapes.h"
+
+#include <fmt/format.h>
+#include <ode/ode.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <stdexcept>
+#include <unordered_map>
+#include <utility>
+
+namespace cylon::simulators {
+namespace {
+
+using core::Body;
+using core::BodyState;
+using core::Engine;
+using core::Joint;
+using core::JointType;
+using core::Scene;
+using core::Setup;
+using core::State;
+using core::Terms;
+using core::Vector3;
+
+static_assert(sizeof(dReal) == sizeof(double), "this adapter states double precision");
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+// ---- The world -----------------------------------------------------------------------------------
+
+// Global state of the library, from the first simulator to the end of the program.
+struct Library {
+  Library() { dInitODE2(0); }
+  ~Library() { dCloseODE(); }
+  Library(const Library&) = delete;
+  Library& operator=(const Library&) = delete;
+
+  static void enter() {
+    static const Library library;
+    dAllocateODEDataForThread(
+        static_cast<unsigned>(dAllocateMaskAll));  // once per thread; later calls cost nothing
+  }
+};
+
+// Owns what ODE allocates for one world.
+struct World {
+  dWorldID id = dWorldCreate();
+  dSpaceID space = dHashSpaceCreate(nullptr);
+  dJointGroupID contacts = dJointGroupCreate(0);
+  dThreadingImplementationID threading = dThreadingAllocateSelfThreadedImplementation();
+
+  World() {
+    dWorldSetStepThreadingImplementation(id, dThreadingImplementationGetFunctions(threading), threading);
+  }
+  ~World() {
+    dJointGroupDestroy(contacts);
+    dSpaceDestroy(space);
+    dWorldDestroy(id);
+    dThreadingFreeImplementation(threading);
+  }
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+};
+
+// Whom a geom belongs to: a body of the scene, or one of its planes.
+struct Owner {
+  int body = core::world;
+  int plane = -1;
+};
+
+struct Surface {
+  double friction = 0, restitution = 0;
+};
+
+// A contact joint of the step, and what ODE tells of its force.
+struct Touch {
+  core::Contact contact;
+  Vector3 normal = Vector3::Zero();  // ODE's, into the joint's first body
+  bool on_first = true;  // whether that body is one that moves: else the force is read at the second
+  dJointFeedback feedback{};
+};
+
+class Ode final : public core::Simulator {
+ public:
+  Ode() { Library::enter(); }
+
+  const Engine& engine() const override { return engine_; }
+  std::optional<std::string> unsupported(const Scene&, const Setup&) const override;
+  Terms load(const Scene&, const Setup&) override;
+  void step() override;
+  void read(State&) const override;
+  void keep_contacts(bool keep) override { keep_ = keep; }
+  std::vector<core::Contact> contacts() const override { return contacts_; }
+
+ private:
+  void add_body(const Body&);
+  void add_joint(const Joint&);
+  void collide(dGeomID, dGeomID);
+  void note_contacts();
+  const Surface& surface(const Owner&, const Owner&);
+  dBodyID body(int i) const { return i == core::world ? nullptr : bodies_[at(i)]; }
+
+  Engine engine_ = ode_engine(dODE_VERSION);
+  OdeSettings settings_;
+  Scene scene_;
+  double dt_ = 0;
+  std::int64_t steps_ = 0;
+  std::unique_ptr<World> world_;
+  std::vector<dBodyID> bodies_;  // nullptr for a locked body
+  std::deque<Owner> owners_;     // geoms point at them
+  std::unordered_map<std::uint64_t, Surface> surfaces_;
+  bool keep_ = false;          // feedback of the contacts of the next step
+  std::deque<Touch> touches_;  // while it is kept; joints point at the feedback
+  std::vector<core::Contact> contacts_;
+};
+
+std::optional<std::string> Ode::unsupported(const Scene& scene, const Setup& setup) const {
+  if (!(setup.dt > 0)) return fmt::format("ODE steps forward only; dt = {} s.", setup.dt);
+  return ode_limit(scene);
+}
+
+Terms Ode::load(const Scene& scene, const Setup& setup) {
+  settings_ = ode_settings(engine_, setup);
+  Library::enter();
+  if (settings_.quick) dRandSetSeed(0);
+
+  scene_ = scene, dt_ = setup.dt, steps_ = 0;
+  bodies_.clear(), owners_.clear(), surfaces_.clear();
+  world_ = std::make_unique<World>();
+  dWorldSetERP(world_->id, settings_.erp);
+  dWorldSetCFM(world_->id, settings_.cfm);
+  dWorldSetQuickStepNumIterations(world_->id, settings_.iterations);
+  dWorldSetQuickStepW(world_->id, ode_over_relaxation);
+  dWorldSetDamping(world_->id, 0, 0);
+  dWorldSetContactSurfaceLayer(world_->id, 0);
+  dWorldSetContactMaxCorrectingVel(world_->id, dInfinity);
+
+  Vector3 gravity = Vector3::Zero();
+  for (const core::Force& force : scene_.forces)
+    if (const auto* uniform = std::get_if<core::UniformGravity>(&force)) gravity += uniform->acceleration;
+  dWorldSetGravity(world_->id, gravity.x(), gravity.y(), gravity.z());
+
+  for (const Body& body : scene_.bodies) add_body(body);
+  for (std::size_t i = 0; i < scene_.planes.size(); ++i) {
+    const core::Plane& plane = scene_.planes[i];
+    owners_.push_back({core::world, static_cast<int>(i)});
+    dGeomSetData(
+        dCreatePlane(world_->space, plane.normal.x(), plane.normal.y(), plane.normal.z(), plane.offset),
+        &owners_.back());
+  }
+  for (const Joint& joint : scene_.joints) add_joint(joint);
+
+  return ode_terms(settings_);
+}
+
+// A locked body is geoms without a body: nothing can move it.
+void Ode::add_body(const Body& body) {
+  dBodyID id = nullptr;
+  if (!body.locked) {
+    const core::Matrix3& i = body.inertia;
+    dMass mass;
+    dMassSetParameters(&mass, body.mass, 0, 0, 0, i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2));
+    id = dBodyCreate(world_->id);
+    dBodySetMass(id, &mass);
+    dBodySetAutoDisableFlag(id, 0);
+    dBodySetGyroscopicMode(id, settings_.gyro ? 1 : 0);
+    dBodySetFiniteRotationMode(id, settings_.finite_rotation ? 1 : 0);
+    const BodyState& s = body.initial;
+    dBodySetPosition(id, s.position.x(), s.position.y(), s.position.z());
+    const dQuaternion q = {s.orientation.w(), s.orientation.x(), s.orientation.y(), s.orientation.z()};
+    dBodySetQuaternion(id, q);
+    dBodySetLinearVel(id, s.velocity.x(), s.velocity.y(), s.velocity.z());
+    dBodySetAngularVel(id, s.angular_velocity.x(), s.angular_velocity.y(), s.angular_velocity.z());
+  }
+  owners_.push_back({static_cast<int>(bodies_.size()), -1});
+  bodies_.push_back(id);
+  if (body.collide) ode_add_shape(world_->space, body, id, &owners_.back());
+}
+
+// The moving body comes first: ODE reverses a joint whose first body is the world.
+void Ode::add_joint(const Joint& joint) {
+  dBodyID a = body(joint.body), b = body(joint.to);
+  if (!a && !b) return;  // both ends are locked
+  const auto attach = [&](dJointID id) {
+    return a ? dJointAttach(id, a, b) : dJointAttach(id, b, nullptr), id;
+  };
+  const Vector3& p = joint.point;
+  switch (joint.type) {
+    case JointType::ball:
+      dJointSetBallAnchor(attach(dJointCreateBall(world_->id, nullptr)), p.x(), p.y(), p.z());
+      return;
+    case JointType::hinge: {
+      dJointID id = attach(dJointCreateHinge(world_->id, nullptr));
+      dJointSetHingeAnchor(id, p.x(), p.y(), p.z());
+      dJointSetHingeAxis(id, joint.axis.x(), joint.axis.y(), joint.axis.z());
+      return;
+    }
+    case JointType::distance: {
+      dJointID id = attach(dJointCreateDBall(world_->id, nullptr));
+      Vector3 first = scene_.bodies[at(joint.body)].initial.position;
+      Vector3 second = joint.to == core::world ? p : scene_.bodies[at(joint.to)].initial.position;
+      if (!a) std::swap(first, second);
+      dJointSetDBallAnchor1(id, first.x(), first.y(), first.z());
+      dJointSetDBallAnchor2(id, second.x(), second.y(), second.z());
+      dJointSetDBallDistance(id, joint.length);
+      return;
+    }
+    case JointType::fixed:
+      dJointSetFixed(attach(dJointCreateFixed(world_->id, nullptr)));
+      return;
+  }
+}
+
+// ---- A step --------------------------------------------------------------------------------------
+
+void Ode::step() {
+  const double t = static_cast<double>(steps_) * dt_;
+  for (const core::Force& force : scene_.forces) ode_apply(force, scene_, bodies_, t);
+  dSpaceCollide(world_->space, this,
+                [](void* me, dGeomID a, dGeomID b) { static_cast<Ode*>(me)->collide(a, b); });
+  const int done = settings_.quick ? dWorldQuickStep(world_->id, dt_) : dWorldStep(world_->id, dt_);
+  if (!done) throw std::runtime_error("ODE found no memory for the step");
+  if (keep_) note_contacts();
+  dJointGroupEmpty(world_->contacts);
+  ++steps_;
+}
+
+void Ode::collide(dGeomID a, dGeomID b) {
+  dBodyID first = dGeomGetBody(a), second = dGeomGetBody(b);
+  if (first == second) return;  // both fixed, or two parts of one body
+  std::array<dContactGeom, ode_most_contacts> found;
+  const int n = dCollide(a, b, settings_.contacts, found.data(), sizeof(dContactGeom));
+  if (n == 0) return;
+  const Surface& s = surface(*static_cast<Owner*>(dGeomGetData(a)), *static_cast<Owner*>(dGeomGetData(b)));
+  dContact contact{};
+  contact.surface.mode = dContactApprox1 | dContactBounce;
+  contact.surface.mu = s.friction;
+  contact.surface.bounce = s.restitution;
+  contact.surface.bounce_vel = 0;
+  for (int i = 0; i < n; ++i) {
+    contact.geom = found[at(i)];
+    dJointID joint = dJointCreateContact(world_->id, world_->contacts, &contact);
+    dJointAttach(joint, first, second);
+    if (!keep_) continue;
+    // ODE's normal points into the first geom.
+    const Owner &one = *static_cast<Owner*>(dGeomGetData(a)), &two = *static_cast<Owner*>(dGeomGetData(b));
+    const dContactGeom& geom = found[at(i)];
+    Touch& touch = touches_.emplace_back();
+    const bool turned = one.body == core::world;
+    touch.contact.pair = {turned ? two.body : one.body, turned ? one.body : two.body,
+                          turned ? one.plane : two.plane};
+    touch.contact.point = {geom.pos[0], geom.pos[1], geom.pos[2]};
+    touch.normal = {geom.normal[0], geom.normal[1], geom.normal[2]};
+    touch.contact.normal = turned ? Vector3(-touch.normal) : touch.normal;
+    touch.on_first = first != nullptr;
+    dJointSetFeedback(joint, &touch.feedback);
+  }
+}
+
+// The force along the normal, over the step.  A joint whose first body is the world is turned round by ODE:
+// its feedback stands in the second place.
+void Ode::note_contacts() {
+  contacts_.clear();
+  for (Touch& touch : touches_) {
+    const dReal* f = touch.on_first ? touch.feedback.f1 : touch.feedback.f2;
+    const double sign = touch.on_first ? 1 : -1;
+    const double impulse = sign * touch.normal.dot(Vector3(f[0], f[1], f[2])) * dt_;
+    if (!(impulse > 0)) continue;
+    touch.contact.impulse = impulse;
+    contacts_.push_back(touch.contact);
+  }
+  touches_.clear();
+}
+
+// The pair's material; its names are compared once per pair, not once per contact.
+const Surface& Ode::surface(const Owner& a, const Owner& b) {
+  core::Pair pair = {std::min(a.body, b.body), std::max(a.body, b.body), std::max(a.plane, b.plane)};
+  if (pair.plane >= 0) std::swap(pair.body, pair.other);
+  const bool plane = pair.plane >= 0;
+  const std::uint64_t key = static_cast<std::uint64_t>(pair.body) << 33 |
+                            static_cast<std::uint64_t>(plane) << 32 |
+                            static_cast<std::uint64_t>(plane ? pair.plane : pair.other);
+  const auto [entry, is_new] = surfaces_.try_emplace(key);
+  if (is_new) {
+    const std::optional<core::Material> material = core::material_of(scene_, pair);
+    if (material) entry->second = {material->friction, material->restitution};
+  }
+  return entry->second;
+}
+
+void Ode::read(State& out) const {
+  out.resize(bodies_.size());
+  for (std::size_t i = 0; i < bodies_.size(); ++i) out[i] = ode_state(scene_.bodies[i], bodies_[i]);
+}
+
+}  // namespace
+}  // namespace cylon::simulators
+
+namespace cylon::core {
+
+std::unique_ptr<Simulator> make_simulator() { return std::make_unique<simulators::Ode>(); }
+
+}  // namespace cylon::core

@@ -1,0 +1,126 @@
+// How lasting contacts press and hold: statics in closed form, margins, and the rates of touches by
+// differences.
+#include "tests/engine/contact/contact_fixtures.h"
+
+#include "engine/contact/candidate.h"
+#include "engine/contact/support.h"
+
+namespace cylon::engine {
+namespace {
+
+Support support_of(const Model& model) {
+  Bodies system(model);
+  const std::vector<Real> y = system.initial();
+  const Motion* motion = Bodies::motions(y.data());
+  std::vector<TouchPoint> touches;
+  for (const Candidate& c : find_candidates(system.model())) {
+    const TouchPoint t = touch_at(c, system.model(), motion);
+    if (t.gap < 1e-12) touches.push_back(t);
+  }
+  system.load(0, y.data());
+  return find_support(
+      touches, {}, {system.model().bodies, motion, system.kinematics().data(), system.loads().data()}, 1e-12);
+}
+
+Model box_on_slope(Real theta, Real mu, const Vector3& half, Real heading,
+                   const Vector3& v = Vector3::Zero()) {
+  const Quaternion turn = exponential(Vector3(0, heading, 0)) * exponential(Vector3(0, 0, -theta));
+  const Vector3 n = turn * Vector3::UnitY();
+  Model model = with_plane(n, 0, {0, mu});
+  add_box(model, 1, half, half.y() * n, turn * exponential(Vector3(0, 0.3, 0)), turn * v, Vector3::Zero());
+  return model;
+}
+
+Vector3 total(const Support& s) {
+  Vector3 sum = Vector3::Zero();
+  for (const SupportPoint& p : s.points) sum += p.force;
+  return sum;
+}
+
+// tan(th) against mu, to a part in 1e9 on both sides, in any direction: the cone is round.
+TEST(ContactSupport, StickEndsAtTheAngleOfFriction) {
+  const Real mu = 0.47;
+  for (const Real heading : {0.0, 0.4, 0.9, 1.7, 2.6}) {
+    for (const Real off : {-1e-9, 1e-9}) {
+      const Real theta = std::atan(mu * (1 + off));
+      const Support s = support_of(box_on_slope(theta, mu, {0.5, 0.1, 0.4}, heading));
+      ASSERT_EQ(s.points.size(), 4u);
+      EXPECT_TRUE(s.exact);
+      for (const SupportPoint& p : s.points) {
+        EXPECT_EQ(p.holding.grip, off < 0 ? Grip::sticks : Grip::slides) << heading << " " << off;
+        EXPECT_GT(p.normal, 0);
+      }
+      if (off < 0) {
+        EXPECT_LT((total(s) - Vector3(0, 9.81, 0)).norm(), 1e-12);
+      }
+    }
+  }
+}
+
+TEST(ContactSupport, WithoutFrictionNothingSticks) {
+  const Support s = support_of(box_on_slope(0.01, 0, {0.5, 0.1, 0.4}, 0.7));
+  for (const SupportPoint& p : s.points) EXPECT_EQ(p.holding.grip, Grip::slides);
+  EXPECT_NEAR(total(s).norm(), 9.81 * std::cos(0.01), 1e-12);
+}
+
+TEST(ContactSupport, SlidingForceIsAgainstTheSlip) {
+  for (const Real heading : {0.0, 0.8, 2.1}) {
+    const Model model = box_on_slope(0.2, 0.3, {0.5, 0.1, 0.4}, heading, {0.3, 0, -0.4});
+    const Support s = support_of(model);
+    const Vector3 n = model.planes[0].normal, v = velocity(model.bodies[0], model.motions[0]);
+    const Vector3 f = total(s);
+    EXPECT_NEAR(f.dot(n), 9.81 * std::cos(0.2), 1e-12);
+    EXPECT_LT((f - f.dot(n) * n + 0.3 * f.dot(n) * v.normalized()).norm(), 1e-12);
+  }
+}
+
+// A high box on a slope steeper than its base: two of its four points let go, and it turns.
+TEST(ContactSupport, HighBoxTips) {
+  const Quaternion turn = exponential(Vector3(0, 0, -0.5));
+  Model model = with_plane(turn * Vector3::UnitY(), 0, {0, 2});
+  add_box(model, 1, {0.1, 0.5, 0.2}, turn * Vector3(0, 0.5, 0), turn, Vector3::Zero(), Vector3::Zero());
+  const Support s = support_of(model);
+  int parts = 0;
+  for (const SupportPoint& p : s.points) {
+    parts += p.holding.grip == Grip::parts ? 1 : 0;
+    if (p.holding.grip == Grip::parts) {
+      EXPECT_GT(p.parting, 0.01);
+    }
+  }
+  EXPECT_EQ(parts, 2);
+  EXPECT_TRUE(s.exact);
+}
+
+// normal', path and curvature of round touches against central differences of touches on a free motion.
+TEST(ContactSupport, RatesOfTouches) {
+  const Shape shapes[] = {Sphere{0.4},          Box{{0.5, 0.3, 0.6}}, Box{{0.5, 0.3, 0.6}},
+                          Box{{0.5, 0.3, 0.6}}, Capsule{0.2, 0.5},    Capsule{0.2, 0.5}};
+  const Vector3 places[] = {{0.4, 0.5, -0.3}, {0.1, 0.6, 0.2}, {0.8, 0.55, 0.2},
+                            {0.8, 0.55, 0.9}, {0.5, 0.1, 0.1}, {0.3, 0.9, 0.1}};
+  for (std::size_t i = 0; i < std::size(shapes); ++i) {
+    Model model = without_plane({0, 0});
+    const Body body = make_body(1, Matrix3::Identity());
+    add(model, body, Sphere{0.25},
+        make_motion(body, places[i], Quaternion::Identity(), {0.3, -0.2, 0.5}, {1, -2, 0.5}));
+    add(model, body, shapes[i],
+        make_motion(body, Vector3::Zero(), Quaternion::Identity(), {-0.1, 0.4, 0.2}, {0.7, 0.6, -0.9}));
+    const Candidate c = find_candidates(model)[0];
+    const auto moved = [&](Real t) {  // spheres' inertias: constant spin
+      std::vector<Motion> m = model.motions;
+      for (Motion& one : m) {
+        one.position += t * one.momentum;
+        one.orientation = turned(one.orientation, t * one.angular_momentum);
+      }
+      return touch_at(c, model, m.data());
+    };
+    const Real h = 1e-4;
+    const TouchPoint t = moved(0), plus = moved(h), minus = moved(-h);
+    const Vector3 normal_rate = (plus.normal - minus.normal) / (2 * h);
+    EXPECT_LT((t.turning - normal_rate).norm(), 1e-7) << i;
+    EXPECT_NEAR(gap_rate(t, model.bodies, model.motions.data()), (plus.gap - minus.gap) / (2 * h), 1e-7) << i;
+    EXPECT_NEAR(t.curvature, (plus.gap - 2 * t.gap + minus.gap) / (h * h), 1e-6) << i;
+  }
+}
+
+}  // namespace
+}  // namespace cylon::engine

@@ -1,0 +1,231 @@
+// The command line as a user meets it: exit codes, messages, files, and commands that give a row again.
+#include "tests/harness/cli/fixture.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace cylon::cli {
+namespace {
+
+using nlohmann::json;
+
+const std::string foreign = "--worker 'mine=python3 " CYLON_SOURCE_DIR "/docs/examples/foreign_engine.py'";
+
+struct Case {
+  const char* arguments;
+  int code;
+  const char* says;  // on stdout or stderr
+};
+
+TEST_F(CommandLine, ExitCodesAndMessages) {
+  const Case cases[] = {
+      {"--version", 0, "cylon 0."},
+      {"run --help", 0, "--rerun-failed"},
+      {"", 2, "Subcommands"},
+      {"rnu", 2, "unknown command 'rnu', did you mean 'run'?"},
+      {"run --hlep", 2, "unexpected '--hlep', did you mean '--help'?"},
+      {"run -j 0", 2, "--jobs: '0' must be a number > 0"},
+      {"run --timeout nan", 2, "--timeout: 'nan' must be a number > 0"},
+      {"run --resume --rerun-failed", 2, "excludes"},
+      {"list --names 'heavy*'", 0, "heavy_top\n"},
+      {"list 'zzz*'", 4, "no scenario 'zzz*'"},
+      {"list --tag spin", 4, "did you mean 'spring'?"},
+      {"engines --names 'ode*'", 0, "ode\node-quick\n"},
+      {"engines bulet", 4, "did you mean 'bullet'?"},
+      {"validate projectile", 0, "ok: 1 body, 4 claims"},
+      {"validate missing.toml", 2, "missing.toml: no such file"},
+      {"run projectle", 2, "no scenario 'projectle'"},
+      {"run 'zzz*'", 4, "nothing selected"},
+      {"run projectile --engine bulet", 2, "did you mean 'bullet'?"},
+      {"run projectile --engine in-house ode", 2, "no scenario 'ode', but an engine"},
+      {"run projectile --integrator rk44", 2, "did you mean 'rk4'?"},
+      {"run --suite simbenchmar", 2, "did you mean 'simbenchmark'?"},
+      {"run projectile --dt 0.3", 2, "the nearest step that fits is 0.26666666666666666 s"},
+      {"run projectile --worker mine=/no/such", 2, "there is no program '/no/such'"},
+      {"run projectile --engine mine --worker mine=/bin/false", 5, "exited 1"},
+      {"run projectile --engine in-house", 0, "4 pass"},
+      {"run projectile --engine ode --dt 0.1", 1, "where expected.toml says nothing"},
+      {"run projectile --engine in-house --json - --csv -", 2, "'-' is given twice"},
+      {"simulate projectile --at 0.0005", 2, "the nearest is 0.001 s (or say --nearest)"},
+      {"simulate projectile --every 0.0015", 2, "--every 0.0015: is not a multiple"},
+      {"simulate projectile --at 9", 2, "must lie in [0, 0.8] s"},
+      {"simulate projectile --integrator rk5", 2, "did you mean 'rk4'?"},
+  };
+  for (const Case& c : cases) {
+    const Ran ran = cylon(c.arguments);
+    EXPECT_EQ(ran.code, c.code) << "cylon " << c.arguments << "\n" << ran.err;
+    EXPECT_NE((ran.out + ran.err).find(c.says), std::string::npos) << "cylon " << c.arguments << "\n"
+                                                                   << ran.out << ran.err;
+    EXPECT_EQ((ran.out + ran.err).find('\x1b'), std::string::npos)
+        << "colour in a pipe: cylon " << c.arguments;
+  }
+}
+
+// An option takes the one word behind it, wherever it stands, and no scenario after that.
+TEST_F(CommandLine, OptionsLeaveTheWordsAfterTheirValueAlone) {
+  const auto commands = [&](const std::string& arguments) {
+    const Ran ran = cylon("run " + arguments + " --json -");
+    EXPECT_TRUE(ran.code == 0 || ran.code == 1) << arguments << ran.err;
+    const json report = json::parse(ran.out);
+    std::vector<std::string> rows;
+    for (const json& row : report.at("verdicts")) rows.push_back(row.at("reproduce"));
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    return rows;
+  };
+  const std::vector<std::string> expected = {"cylon run free_symmetric_top --engine in-house --dt 1/60",
+                                             "cylon run free_symmetric_top --engine ode --dt 1/60",
+                                             "cylon run projectile --engine in-house --dt 1/60",
+                                             "cylon run projectile --engine ode --dt 1/60"};
+  for (const char* arguments : {"projectile free_symmetric_top --engine in-house --engine ode --dt 1/60",
+                                "--engine in-house --engine ode --dt 1/60 projectile free_symmetric_top",
+                                "--engine in-house projectile --engine ode free_symmetric_top --dt 1/60",
+                                "--dt 1/60 projectile 'free_symm*' --engine 'in-house' --engine od?"})
+    EXPECT_EQ(commands(arguments), expected) << arguments;
+  const Ran listed = cylon("list --names --tag spring --tag chaos 'spring*'");
+  EXPECT_EQ(listed.out, "spring_pendulum\n") << listed.err;
+}
+
+TEST_F(CommandLine, BadInputLeavesTheOldReportAlone) {
+  const std::string good = shipped("projectile");
+  const struct {
+    const char *from, *to, *says;
+  } cases[] = {
+      {"mass     = 1.0", "mas      = 1.0",
+       "bad.toml:12:1: unknown key 'mas' in [[body]], did you mean 'mass'?"},
+      {"mass     = 1.0", "mass     = '1'", "bad.toml:12:12: mass must be a number"},
+      {"mass     = 1.0", "mass     = -1.0", "bad.toml:12:12: mass = -1, but must be > 0 kg"},
+      {"mass     = 1.0", "mass     = nan", "must be finite"},
+      {"mass     = 1.0", "mass = 1.0\ninertia = [1, 1, 3]", "1 + 1 < 3"},
+      {"title ", "\"\\u001b[31m\" = 1\ntitle ", "unknown key"},
+  };
+  write("report.json", "old");
+  for (const auto& c : cases) {
+    write("bad.toml", replaced(good, c.from, c.to));
+    for (const char* command :
+         {"run bad.toml --json report.json", "validate bad.toml", "simulate bad.toml --out report.json"}) {
+      const Ran ran = cylon(command);
+      EXPECT_EQ(ran.code, 2) << command << ran.err;
+      EXPECT_NE(ran.err.find(c.says), std::string::npos) << ran.err;
+      EXPECT_NE(ran.err.find("^\n"), std::string::npos) << "no caret: " << ran.err;
+      EXPECT_EQ(ran.err.find('\x1b'), std::string::npos) << "the file commands the terminal";
+      EXPECT_EQ(read("report.json"), "old");
+    }
+  }
+  write("empty.toml", "");
+  std::filesystem::create_directory(folder / "folder.toml");
+  for (const char* file : {"empty.toml", "folder.toml"}) EXPECT_EQ(cylon(std::string("run ") + file).code, 2);
+}
+
+TEST_F(CommandLine, ALinkStaysALinkAndADeviceADevice) {
+  write("target.csv", "");
+  std::filesystem::create_symlink("target.csv", folder / "link.csv");
+  EXPECT_EQ(cylon("run projectile --engine in-house --csv link.csv --json /dev/null").code, 0);
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.csv"));
+  EXPECT_NE(read("target.csv").find("projectile"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
+// p = p0 + v0 t + g t^2/2
+TEST_F(CommandLine, SimulateFollowsTheParabola) {
+  const Ran ran = cylon("simulate projectile --dt 1/50 --at 0,0.4,0.8");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  std::istringstream lines(ran.out);
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line, "time,body,px,py,pz,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz");
+  int rows = 0;
+  for (; std::getline(lines, line); ++rows) {
+    double t = 0, x = 0, y = 0;
+    ASSERT_EQ(std::sscanf(line.c_str(), "%lf,ball,%lf,%lf,", &t, &x, &y), 3) << line;
+    EXPECT_NEAR(t, 0.4 * rows, 1e-15);
+    EXPECT_NEAR(x, 3 * t, 1e-14);
+    EXPECT_NEAR(y, 1 + 4 * t - 0.5 * 9.81 * t * t, 1e-14);
+  }
+  EXPECT_EQ(rows, 3);
+}
+
+// The command beside a row, run as it stands in the same folder, gives the same number.
+TEST_F(CommandLine, TheCommandOfARowGivesItAgain) {
+  write("mine.toml", shipped("projectile"));
+  write("projectile.toml",
+        replaced(shipped("projectile"), "velocity = [3, 4, 0.5]", "velocity = [3, 5, 0.5]"));
+  const std::string cases[] = {
+      "projectile --engine ode --engine bullet/gyro=none --dt 0.1", "mine.toml --engine ode --dt 1/50",
+      "./projectile.toml projectile --engine ode", "projectile --engine mine " + foreign,
+      "projectile --integrator 'sym*' --engine in-house"};
+  for (const std::string& arguments : cases) {
+    const Ran first = cylon("run " + arguments + " --json -");
+    ASSERT_TRUE(first.code == 0 || first.code == 1) << arguments << first.err;
+    const json verdicts = json::parse(first.out).at("verdicts");
+    for (const json& row : verdicts) {
+      if (row.at("claim") != "position follows projectile") continue;
+      const Ran again = shell(row.at("reproduce").get<std::string>() + " --json -");
+      ASSERT_TRUE(again.code == 0 || again.code == 1) << row.at("reproduce") << again.err;
+      EXPECT_EQ(json::parse(again.out).at("verdicts").at(0).at("measured"), row.at("measured"))
+          << row.at("reproduce");
+    }
+  }
+}
+
+// Somebody's own projectile.toml is not judged by what expected.toml says of the shipped one.
+TEST_F(CommandLine, AForeignFileBorrowsNoExpectations) {
+  write("projectile.toml",
+        replaced(shipped("projectile"), "velocity = [3, 4, 0.5]", "velocity = [3, 5, 0.5]"));
+  EXPECT_EQ(cylon("run projectile --engine ode").code, 0);
+  EXPECT_EQ(cylon("run ./projectile.toml --engine ode").code, 1);
+  write("projectile.toml", shipped("projectile"));  // an exact copy is the same scenario
+  EXPECT_EQ(cylon("run ./projectile.toml --engine ode").code, 0);
+}
+
+TEST_F(CommandLine, RerunFailedAndResumeRememberTheRequest) {
+  EXPECT_EQ(cylon("run --rerun-failed").code, 4);
+  EXPECT_EQ(cylon("run projectile --engine ode --engine in-house --dt 0.1").code, 1);
+  const Ran again = cylon("run --rerun-failed --json -");
+  EXPECT_EQ(again.code, 1) << again.err;
+  const json verdicts = json::parse(again.out).at("verdicts");
+  EXPECT_FALSE(verdicts.empty());
+  for (const json& row : verdicts) EXPECT_EQ(row.at("engine"), "ode");
+  EXPECT_NE(cylon("run --resume").err.find("resumed: 1 of 2 cells"), std::string::npos);
+}
+
+TEST_F(CommandLine, AnInterruptedRunGoesOn) {
+  const auto one_cell_is_done = [&] {  // two lines: what was asked for, and the cell
+    const std::string journal = read(".cylon/journal.jsonl");
+    return std::count(journal.begin(), journal.end(), '\n') >= 2;
+  };
+  // The second cell's engine hangs as long as a file stands there, so that the signal always finds the run
+  // going.
+  write("engine.sh", "[ -e hang ] && exec sleep 100\nexec " CYLON_BINARY_DIR "/cylon-worker-in-house\n");
+  write("hang", "");
+  const Ran cut =
+      shell("exec cylon run projectile -j 1 --worker 'slow=sh engine.sh' --engine in-house --engine slow",
+            one_cell_is_done);
+  EXPECT_EQ(cut.code, 130) << cut.err;
+  ASSERT_EQ(shell("rm hang").code, 0);
+  EXPECT_NE(cut.err.find("cylon run --resume"), std::string::npos);
+  const Ran on = cylon("run --resume");
+  EXPECT_NE(on.err.find("resumed: 1 of 2 cells"), std::string::npos) << on.err;
+  EXPECT_NE(on.out.find(" verdicts: "), std::string::npos);
+}
+
+TEST_F(CommandLine, CompletionScriptCompletes) {
+  const Ran ran = shell(
+      "cylon completion bash > c.sh && bash -n c.sh && . ./c.sh && COMP_WORDS=(cylon run dzh) COMP_CWORD=2 "
+      "&& _cylon && "
+      "echo ${COMPREPLY[@]} && COMP_WORDS=(cylon run --engine od) COMP_CWORD=3 && _cylon && echo "
+      "${COMPREPLY[@]}");
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(ran.out, "dzhanibekov\node ode-quick\n");
+}
+
+TEST_F(CommandLine, ANewScenarioRuns) {
+  EXPECT_EQ(cylon("new mine").code, 0);
+  EXPECT_EQ(cylon("run mine.toml --engine in-house").code, 0);
+  EXPECT_EQ(cylon("new mine").code, 2);
+  EXPECT_EQ(cylon("new '../x'").code, 2);
+}
+
+}  // namespace
+}  // namespace cylon::cli

@@ -1,0 +1,197 @@
+// Whatever a worker does, the harness says what it was, soon, and leaves no process behind.
+#include "tests/harness/process/fixture.h"
+
+#include <gtest/gtest.h>
+
+#include <dirent.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <thread>
+
+namespace cylon::process {
+namespace {
+
+using results::Status;
+
+// Generous, for machines under load; only what is to run into a deadline gets a short one.
+const Limits limits = {30, 30, std::size_t{200} << 20};
+
+struct Misdeed {
+  const char* mode;
+  Status status;
+  const char* reason;  // must occur in it
+  double seconds;      // at most, beyond the start of Python
+};
+
+void PrintTo(const Misdeed& misdeed, std::ostream* out) { *out << misdeed.mode; }
+
+class Isolation : public testing::TestWithParam<Misdeed> {};
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Processes that run the script in this mode, orphans included.
+int running(const std::string& mode) {
+  int count = 0;
+  DIR* proc = opendir("/proc");
+  while (const dirent* entry = readdir(proc)) {
+    std::ifstream file(std::string("/proc/") + entry->d_name + "/cmdline");
+    const std::string line{std::istreambuf_iterator<char>(file), {}};
+    if (line.find("scripted_worker.py") != std::string::npos && line.ends_with('\0' + mode + '\0')) ++count;
+  }
+  closedir(proc);
+  return count;
+}
+
+TEST_P(Isolation, IsAVerdict) {
+  const Misdeed& misdeed = GetParam();
+  const core::Scene scene = two_bodies();
+  Limits these = limits;
+  const std::string expected = misdeed.reason;
+  if (misdeed.status == Status::timeout)
+    (expected.find("hello") != std::string::npos ? these.hello_seconds : these.run_seconds) = 2;
+  const auto start = std::chrono::steady_clock::now();
+  const RunOutcome outcome = run(scripted(misdeed.mode), request_of(scene, 100, 10), these);
+  EXPECT_LT(seconds_since(start), misdeed.seconds + 10);
+  EXPECT_EQ(core::name(outcome.status), core::name(misdeed.status)) << outcome.reason;
+  EXPECT_NE(outcome.reason.find(misdeed.reason), std::string::npos) << outcome.reason;
+  EXPECT_FALSE(outcome.recording.has_value());
+  EXPECT_LE(outcome.stderr_tail.size(), 4096u);
+  EXPECT_FALSE(has_children());
+  // A killed orphan is init's to reap, which may take it a moment.
+  for (int i = 0; i < 100 && running(misdeed.mode) > 0; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_EQ(running(misdeed.mode), 0);
+}
+
+constexpr Misdeed misdeeds[] = {
+    {"abort_in_hello", Status::crash, "killed by SIGABRT: Assertion 'mass > 0' failed", 1},
+    {"abort_in_load", Status::crash, "killed by SIGABRT: Assertion 'mass > 0' failed", 1},
+    {"abort_in_run", Status::crash, "killed by SIGABRT: Assertion 'mass > 0' failed", 1},
+    {"exit_0_in_hello", Status::crash, "exited 0 before done", 1},
+    {"exit_0_in_run", Status::crash, "exited 0 before done", 1},
+    {"exit_7_in_load", Status::crash, "exited 7 before done", 1},
+    {"error_in_run", Status::crash, "gave up after step 50: Jacobian is singular", 1},
+    {"orphan_in_run", Status::crash, "exited 3 before done", 1},
+    {"loop_in_hello", Status::timeout, "no end of 'hello' within 2 s", 2},
+    {"loop_in_load", Status::timeout, "no end of 'load' within 2 s", 2},
+    {"loop_in_run", Status::timeout, "no end of 'run' within 2 s", 2},
+    {"ignore_terminate_in_run", Status::timeout, "within 2 s", 2},
+    {"slow_hello", Status::timeout, "no end of 'hello' within 2 s", 2},
+    {"garbage_in_hello", Status::protocol, "neither a JSON line nor a frame: 'Warning: friction too high'",
+     1},
+    {"garbage_in_run", Status::protocol, "neither a JSON line nor a frame: 'Warning: friction too high'", 1},
+    {"not_json_in_hello", Status::protocol, "not JSON at byte 2", 1},
+    {"close_stdout_in_run", Status::protocol, "closed its output before the end and kept running", 1},
+    {"huge_line_in_hello", Status::protocol, "a line of more than 16 MiB", 1},
+    {"huge_line_in_run", Status::protocol, "a line of more than 16 MiB", 1},
+    {"memory_in_load", Status::crash, "emory", 2},
+    {"bad_magic", Status::protocol, "neither a JSON line nor a frame: 'CYLG", 1},
+    {"wrong_bodies", Status::protocol, "a frame of 312 bytes for 1 states of 2 bodies, where 208 are due", 1},
+    {"wrong_count", Status::protocol, "a frame of 208 bytes for 1000 states", 1},
+    {"torn_frame", Status::crash, "exited 0 before done", 1},
+    {"garbage_in_frame", Status::protocol, "", 1},
+    {"backward", Status::protocol, "a state of step 58 where step 60 was due", 1},
+    {"unwatched_event", Status::protocol, "an event of a pair that was not to be watched", 1},
+    {"miscounts", Status::protocol, "10 frames came, 11 were announced", 1},
+    {"misspells", Status::protocol, "step_ns: missing", 1},
+    {"protocol_2", Status::protocol, "protocol: this harness speaks 1, the worker 2", 1},
+    {"wrong_start", Status::fail, "initial state read back differs: body 'a' position", 1},
+    {"unsupported", Status::unsupported, "no bodies at all", 1},
+};
+INSTANTIATE_TEST_SUITE_P(Process, Isolation, testing::ValuesIn(misdeeds),
+                         [](const auto& misdeed) { return std::string(misdeed.param.mode); });
+
+TEST(IsolationAlone, ChatterOnStderrNeitherBlocksNorGrows) {
+  const core::Scene scene = two_bodies();
+  const RunOutcome outcome = run(scripted("chatter_in_run"), request_of(scene, 100, 10), limits);
+  ASSERT_EQ(outcome.status, Status::pass) << outcome.reason;
+  EXPECT_TRUE(outcome.stderr_tail.starts_with("solver complains\n"));  // from the start of a line
+  EXPECT_TRUE(outcome.stderr_tail.ends_with("last complaint\n"));
+  EXPECT_LE(outcome.stderr_tail.size(), 4096u);
+  EXPECT_EQ(outcome.recording->complaints, outcome.stderr_tail);
+}
+
+TEST(IsolationAlone, NumbersThatAreNotFiniteAreAResult) {
+  const core::Scene scene = two_bodies();
+  const RunOutcome outcome = run(scripted("nan"), request_of(scene, 100, 10), limits);
+  ASSERT_EQ(outcome.status, Status::pass) << outcome.reason;
+  const core::Vector3& x = outcome.recording->states.back()[1].position;
+  EXPECT_TRUE(std::isnan(x.x()) && std::isinf(x.y()));
+  EXPECT_TRUE(outcome.recording->states[5][1].position.allFinite());
+}
+
+TEST(IsolationAlone, AWorkerThatMisbehavesAfterTheRunHasRunAllTheSame) {
+  const core::Scene scene = two_bodies();
+  const RunOutcome crashed = run(scripted("crash_at_quit"), request_of(scene, 100, 10), limits);
+  ASSERT_EQ(crashed.status, Status::pass) << crashed.reason;
+  EXPECT_EQ(crashed.stderr_tail, "killed by SIGSEGV after the run\n");
+  EXPECT_EQ(run(scripted("stay_at_quit"), request_of(scene, 100, 10), limits).status, Status::pass);
+  EXPECT_FALSE(has_children());
+}
+
+TEST(IsolationAlone, AWorkerThatCannotStartIsUnsupported) {
+  const core::Scene scene = two_bodies();
+  const auto outcome_of = [&](std::vector<std::string> command) {
+    return run({"x", {"x", std::move(command), ""}, "", "", {}}, request_of(scene, 1), limits);
+  };
+  RunOutcome outcome = outcome_of({"/no/such/worker"});
+  EXPECT_EQ(outcome.status, Status::unsupported);
+  EXPECT_EQ(outcome.reason, "cannot start '/no/such/worker': No such file or directory");
+  outcome = outcome_of({"/usr/bin/env", "no-such-interpreter", "worker.js"});
+  EXPECT_EQ(outcome.status, Status::unsupported);
+  EXPECT_NE(outcome.reason.find("no-such-interpreter"), std::string::npos) << outcome.reason;
+  outcome = outcome_of({"/dev/null"});
+  EXPECT_EQ(outcome.status, Status::unsupported);
+  EXPECT_EQ(outcome.reason, "cannot start '/dev/null': Permission denied");
+  EXPECT_EQ(outcome_of({}).status, Status::unsupported);
+  EXPECT_FALSE(has_children());
+}
+
+TEST(IsolationAlone, InterruptionEndsARunAtOnce) {
+  const core::Scene scene = two_bodies();
+  std::thread later([] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    interrupted() = true;
+  });
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_THROW(run(scripted("loop_in_hello"), request_of(scene, 100), {60, 60, 0}), Interrupted);
+  EXPECT_LT(seconds_since(start), 5);
+  later.join();
+  interrupted() = false;
+  EXPECT_FALSE(has_children());
+}
+
+int open_descriptors() {
+  int count = 0;
+  DIR* fds = opendir("/proc/self/fd");
+  while (readdir(fds)) ++count;
+  closedir(fds);
+  return count;
+}
+
+TEST(IsolationAlone, ManyThreadsRunAtOnceAndNoDescriptorLeaks) {
+  const core::Scene scene = two_bodies();
+  run(scripted("good"), request_of(scene, 1), limits);  // what opens once, is open now
+  const int before = open_descriptors();
+  std::vector<std::thread> threads;
+  std::vector<int> passed(8);
+  for (std::size_t i = 0; i < passed.size(); ++i)
+    threads.emplace_back([&, i] {
+      const bool good = i % 2 == 0;
+      const RunOutcome outcome = run(scripted(good ? "good" : "abort_in_run"), request_of(scene, 100),
+                                     {30, 30, std::size_t{1} << 30});
+      passed[i] = outcome.status == (good ? Status::pass : Status::crash);
+    });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(passed, std::vector<int>(8, 1));
+  EXPECT_EQ(open_descriptors(), before);
+  EXPECT_FALSE(has_children());
+}
+
+}  // namespace
+}  // namespace cylon::process

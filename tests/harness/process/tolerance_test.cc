@@ -1,0 +1,112 @@
+// Tolerances, plans and remarks travel through the protocol; workers that are older than these keys do not
+// notice them.
+#include "harness/process/messages.h"
+#include "tests/harness/process/fixture.h"
+
+#include "harness/core/input_error.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace cylon::process {
+namespace {
+
+using nlohmann::json;
+
+TEST(Tolerance, IsSentOnlyWhereItIsAskedFor) {
+  const core::Scene scene = two_bodies();
+  core::Setup setup;
+  setup.dt = 0.01;
+  EXPECT_FALSE(load_request(scene, setup).contains("tolerance"));
+  setup.tolerance = 3e-7;
+  EXPECT_EQ(setup_from_json(load_request(scene, setup)).tolerance, 3e-7);
+  for (const json& wrong : {json(0), json(-1e-6), json("small"), json(nullptr)}) {
+    json request = load_request(scene, setup);
+    request["tolerance"] = wrong;
+    EXPECT_THROW(setup_from_json(request), std::runtime_error) << wrong;
+  }
+}
+
+TEST(Tolerance, SchemesSayWhetherTheyTakeOne) {
+  Hello hello;
+  hello.engine = {"x", "1", "double", {}, "", {{"a", 2, "", false}, {"b", 8, "all", true}}, {}};
+  json message = hello_json(hello);
+  const Hello back = hello_from_json(message);
+  EXPECT_FALSE(back.engine.schemes[0].adaptive);
+  EXPECT_TRUE(back.engine.schemes[1].adaptive);
+  message["schemes"][1].erase("adaptive");  // an older worker
+  EXPECT_FALSE(hello_from_json(message).engine.schemes[1].adaptive);
+}
+
+TEST(Plan, TravelsWithTheTerms) {
+  core::Terms terms;
+  terms.plan = {{"rotation", true, "a body spins"}, {"detection", false, "nothing may touch"}};
+  json message = terms_json(terms);
+  const core::Terms back = terms_from_json(message);
+  ASSERT_EQ(back.plan.size(), 2u);
+  EXPECT_EQ(back.plan[0].name, "rotation");
+  EXPECT_TRUE(back.plan[0].in);
+  EXPECT_FALSE(back.plan[1].in);
+  EXPECT_EQ(back.plan[1].reason, "nothing may touch");
+  message["plan"][0]["inn"] = true;
+  EXPECT_THROW(terms_from_json(message), std::runtime_error);
+  message.erase("plan");  // an older worker
+  EXPECT_TRUE(terms_from_json(message).plan.empty());
+}
+
+TEST(Remarks, TravelWithTheEndOfARun) {
+  Done done{7, 2, 5.0, 3.0, {"tolerance 1e-10 was not reached", "3e-9 was"}};
+  json message = done_json(done);
+  EXPECT_EQ(done_from_json(message).remarks, done.remarks);
+  message["remarks"][1] = 3;
+  EXPECT_THROW(done_from_json(message), std::runtime_error);
+  message.erase("remarks");  // an older worker
+  EXPECT_TRUE(done_from_json(message).remarks.empty());
+  EXPECT_EQ(done_from_json(message).load_ns, 3.0);
+  message.erase("load_ns");
+  EXPECT_EQ(done_from_json(message).load_ns, 0.0);
+  message["load_ns"] = -1;
+  EXPECT_THROW(done_from_json(message), std::runtime_error);
+}
+
+TEST(Tolerance, ReachesTheWorkerAndItsRemarksTheRecording) {
+  const core::Scene scene = two_bodies();
+  RunRequest request = request_of(scene, 10);
+  request.setup.tolerance = 0.25;
+  request.setup.integrator = "controlled";
+  const RunOutcome outcome = run(scripted("adaptive"), request);
+  ASSERT_EQ(outcome.status, results::Status::pass) << outcome.reason;
+  EXPECT_EQ(outcome.recording->remarks, std::vector<std::string>{"tolerance 0.25 was not reached: 0.5 was"});
+  EXPECT_EQ(outcome.terms.plan.size(), 2u);
+}
+
+TEST(Tolerance, IsRefusedWhereNobodyWouldKeepIt) {
+  const core::Scene scene = two_bodies();
+  const struct {
+    const char *mode, *integrator, *says;
+  } cases[] = {
+      {"good", "", "engine 'test' has no error-controlled scheme"},
+      {"adaptive", "", "its default scheme does not control its error"},
+      {"adaptive", "stiff", "scheme 'stiff' does not control its error"},
+      {"adaptive", "stiff", "(schemes that do: controlled)"},
+  };
+  for (const auto& c : cases) {
+    RunRequest request = request_of(scene, 10);
+    request.setup.tolerance = 1e-6;
+    request.setup.integrator = c.integrator;
+    try {
+      run(scripted(c.mode), request);
+      ADD_FAILURE() << c.mode << " " << c.integrator;
+    } catch (const core::InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(c.says), std::string::npos) << error.what();
+    }
+    EXPECT_FALSE(has_children());
+  }
+  RunRequest request = request_of(scene, 10);
+  request.setup.tolerance = std::nan("");
+  EXPECT_THROW(run(scripted("adaptive"), request), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace cylon::process

@@ -1,0 +1,250 @@
+// Claims against exact and recorded truths, expectations, suites, the schema.
+#include "harness/core/input_error.h"
+#include "harness/scenario/expected.h"
+#include "harness/scenario/glob.h"
+#include "harness/scenario/recorded_truth.h"
+#include "harness/scenario/scenario.h"
+#include "harness/scenario/suite.h"
+
+#include <gtest/gtest.h>
+
+#include <toml++/toml.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace cylon;
+using scenario::glob_match;
+using scenario::parse;
+
+const fs::path root = CYLON_SOURCE_DIR;
+const std::string head =
+    "duration = 0.8\nstep = 0.025\ngravity = [0, -9.81, 0]\n[[body]]\nname = \"body\"\nmass = 1\n"
+    "position = [0, 1, 0]\nvelocity = [3, 4, 0.5]\n";
+
+TEST(Claims, LabelsSayWhatIsClaimed) {
+  const std::string t = "tolerance = { absolute = 1, reason = \"r\" }\n";
+  const auto s = parse(head + "[[claim]]\nconserves = \"linear_momentum\"\ncomponent = \"horizontal\"\n" + t +
+                           "[[claim]]\nfollows = \"projectile\"\nobservable = \"position\"\nbody = "
+                           "\"body\"\nmeasure = \"end\"\nuntil = 0.5\nsample = \"step\"\n" +
+                           t +
+                           "[[claim]]\nfollows = \"projectile\"\nobservable = \"position\"\ntolerance = { "
+                           "order = true, constant = 2, reason = \"r\" }\n",
+                       "labels.toml");
+  ASSERT_EQ(s.claims.size(), 3u);
+  EXPECT_EQ(s.claims[0].label, "linear_momentum conserved, horizontal");
+  EXPECT_EQ(s.claims[0].observable.component, core::Component::horizontal);
+  EXPECT_FALSE(s.claims[0].truth);
+  EXPECT_FALSE(s.claims[0].sample);
+  EXPECT_EQ(s.claims[1].label, "position follows projectile, body, until 0.5, end");
+  EXPECT_EQ(s.claims[1].reduction, core::Reduction::end);
+  EXPECT_EQ(*s.claims[1].sample, 0);
+  EXPECT_GT(s.claims[1].truth_error, 0);
+  EXPECT_EQ(s.claims[2].label, "position follows projectile, order");
+  EXPECT_EQ(s.claims[2].tolerance.constant, 2);
+}
+
+TEST(Claims, RecordedDataIsATruthAtItsOwnTimes) {
+  const auto s = parse(head +
+                           "[[claim]]\nfollows = { file = \"truth/projectile.json\" }\nobservable = "
+                           "\"position\"\nuntil = 0.4\n"
+                           "tolerance = { absolute = 1e-9, reason = \"r\" }\n",
+                       (root / "tests/data/recorded.toml").string());
+  const core::Claim& claim = s.claims[0];
+  EXPECT_EQ(claim.label, "position follows truth/projectile.json, until 0.4");
+  ASSERT_EQ(claim.truth->times.size(), 17u);  // 0, 0.025, …, 0.4
+  EXPECT_EQ(claim.truth->times[1], 0.025);
+  EXPECT_EQ(claim.truth->state(0.025)[0].position, core::Vector3(0.075, 1.096934375, 0.0125));
+  EXPECT_THROW(claim.truth->state(0.03), std::invalid_argument);
+  EXPECT_LT(claim.truth_error, 1e-15);
+}
+
+// The recorded and the computed truth are independent; both belong to the shipped scene.
+TEST(Claims, ShippedScenesAgreeWithRecordedTruths) {
+  for (const char* name : {"projectile", "bouncing_sphere", "two_sphere_oblique", "spring_zero_length",
+                           "spring_orbit", "free_symmetric_top", "dzhanibekov"}) {
+    const auto s = scenario::load(root / "scenarios" / (std::string(name) + ".toml"));
+    const fs::path file = root / "tests/data/truth" / (std::string(name) + ".json");
+    const core::Truth recorded = scenario::parse_truth(scenario::read_file(file), file.string(), s.scene);
+    EXPECT_EQ(recorded.horizon, s.duration) << name;
+    for (const double t : recorded.times) {
+      const core::State want = recorded.state(t), got = s.claims[0].truth->state(t);
+      for (std::size_t i = 0; i < want.size(); ++i) {
+        EXPECT_LT((want[i].position - got[i].position).norm(), 1e-11) << name << " at " << t;
+        EXPECT_LT(want[i].orientation.angularDistance(got[i].orientation), 1e-7) << name << " at " << t;
+      }
+    }
+  }
+}
+
+TEST(Claims, BadRecordedData) {
+  const core::Scene scene = parse(head, "a.toml").scene;
+  const auto refusal = [&](const std::string& json) {
+    try {
+      scenario::parse_truth(json, "d.json", scene);
+      return std::string();
+    } catch (const core::InputError& error) {
+      return std::string(error.what());
+    }
+  };
+  const std::string start = R"({"schema":"truth/1","bodies":[{"id":"body"}],)";
+  EXPECT_EQ(refusal(start + R"("t":["0"],"trajectory":{"body":{"position":[["0","1e-400","2"]]}}})"), "");
+  EXPECT_EQ(refusal("{"), "d.json: is no JSON");
+  EXPECT_NE(refusal("[]").find("needs 'schema'"), std::string::npos);
+  EXPECT_NE(refusal(R"({"schema":"truth/2"})").find("valid: \"truth/1\""), std::string::npos);
+  EXPECT_NE(refusal(start + R"("t":["1","0"],"trajectory":{}})").find("times must ascend"),
+            std::string::npos);
+  EXPECT_NE(refusal(start + R"("t":["0"],"trajectory":{}})").find("needs 'body'"), std::string::npos);
+  EXPECT_NE(refusal(start + R"("t":["0"],"trajectory":{"body":{"position":[["0","x","2"]]}}})")
+                .find("no finite number"),
+            std::string::npos);
+  EXPECT_NE(
+      refusal(start + R"("t":["0","1"],"trajectory":{"body":{"position":[["0","1","2"]]}}})").find("2 rows"),
+      std::string::npos);
+}
+
+TEST(Glob, StarsAndQuestionMarks) {
+  EXPECT_TRUE(glob_match("*", ""));
+  EXPECT_TRUE(glob_match("bullet*", "bullet-float"));
+  EXPECT_TRUE(glob_match("*/gyro=?one", "bullet/gyro=none"));
+  EXPECT_TRUE(glob_match("a*b*c", "a-b-b-c"));
+  EXPECT_TRUE(glob_match("ball[0]", "ball[0]"));
+  EXPECT_FALSE(glob_match("bullet", "bullet-float"));
+  EXPECT_FALSE(glob_match("?", ""));
+  EXPECT_FALSE(glob_match("a*b", "a-b-c"));
+  EXPECT_FALSE(glob_match("", "a"));
+  EXPECT_FALSE(glob_match("*a*a*a*a*a*a*a*a*a*a*a*a*b", std::string(5000, 'a')));  // at once
+}
+
+const std::string rows = R"([versions]
+"bullet*" = ["3.24"]
+"in-house" = ["*"]
+[[row]]
+engine = "bullet*"
+status = "fail"
+reason = "first order"
+[[row]]
+engine = "bullet"
+scenario = "projectile"
+claim = "energy*"
+dt = [0.001, "1/60"]
+status = "low-quality"
+reason = "nearly"
+link = "doc"
+[[row]]
+engine = "nobody"
+status = "crash"
+reason = "never"
+)";
+
+TEST(Expected, TheLastMatchingRowWins) {
+  const auto e = scenario::Expectations::parse(rows, "e.toml");
+  EXPECT_EQ(e.unused({}).size(), 3u);
+  EXPECT_EQ(e.find("projectile", "in-house", "rk4", 0.001, "energy conserved").status, results::Status::pass);
+  const auto exact = e.find("projectile", "bullet", "semi-implicit-euler", 1.0 / 60, "energy conserved");
+  EXPECT_EQ(exact.status, results::Status::low_quality);
+  EXPECT_EQ(exact.reason, "nearly");
+  EXPECT_EQ(exact.link, "doc");
+  EXPECT_EQ(e.find("projectile", "bullet", "x", 0.01, "energy conserved").status, results::Status::fail);
+  EXPECT_EQ(e.find("projectile", "bullet-float", "x", 0.001, "energy conserved").reason, "first order");
+  const auto unused = e.unused({"e.toml:4", exact.place});
+  ASSERT_EQ(unused.size(), 1u);
+  EXPECT_EQ(unused[0], "e.toml:16: engine 'nobody', scenario '*', claim '*'");
+  EXPECT_TRUE(e.version_listed("bullet-multibody/gyro=none", "3.24"));
+  EXPECT_FALSE(e.version_listed("bullet", "3.25"));
+  EXPECT_FALSE(e.version_listed("ode", "3.24"));
+  EXPECT_TRUE(e.version_listed("in-house/x=1", "0.1.0"));
+}
+
+TEST(Expected, BadRows) {
+  const auto refusal = [](const std::string& text) {
+    try {
+      scenario::Expectations::parse(text, "e.toml");
+      return std::string();
+    } catch (const core::InputError& error) {
+      return std::string(error.what());
+    }
+  };
+  const std::string row = "[[row]]\nengine = \"a\"\n";
+  EXPECT_NE(refusal(row + "status = \"failed\"\nreason = \"r\"\n")
+                .find("e.toml:3:10: status = 'failed' is unknown, did you mean 'fail'?"),
+            std::string::npos);
+  EXPECT_NE(refusal(row + "status = \"fail\"\n").find("e.toml:1:1: [[row]] needs 'reason'"),
+            std::string::npos);
+  EXPECT_NE(refusal(row + "status = \"fail\"\nreason = \"r\"\nscene = \"x\"\n").find("unknown key 'scene'"),
+            std::string::npos);
+  EXPECT_NE(refusal("[versions]\node = 3\n").find("must be an array of strings"), std::string::npos);
+  EXPECT_EQ(refusal(scenario::read_file(root / "scenarios/expected.toml")), "");
+}
+
+TEST(Suite, SimBenchmarkHasThePublishedTable) {
+  const auto suite = scenario::load_suite(root / "scenarios/suites/simbenchmark.toml");
+  EXPECT_EQ(suite.name, "simbenchmark");
+  ASSERT_EQ(suite.published.size(), 10u);
+  EXPECT_EQ(suite.published[0].engine, "ode/erp=0,cfm=0");
+  EXPECT_EQ(suite.published[0].dt, "0.001");
+  EXPECT_EQ(suite.published[0].value, "185.027");
+  EXPECT_EQ(suite.published[9].value, "7.67704e8");
+  const auto scenario = scenario::load(root / "scenarios" / (suite.scenarios.at(0) + ".toml"));
+  ASSERT_EQ(scenario.scene.bodies.size(), 49u);
+  EXPECT_TRUE(glob_match(suite.claim, scenario.claims.at(0).label));
+  EXPECT_THROW(
+      scenario::parse_suite("scenarios = [\"*\"]\nengines = [\"a\"]\nsteps = [1]\n[[published]]\nengine = "
+                             "\"b\"\ndt = 1\nvalue = \"1\"\nsource = \"s\"\n",
+                             "s.toml"),
+      core::InputError);
+}
+
+// Refresh with CYLON_UPDATE_SCHEMA=1 in the environment.
+TEST(Schema, TheCommittedFileIsCurrent) {
+  const fs::path file = root / "scenarios/scenario.schema.json";
+  if (std::getenv("CYLON_UPDATE_SCHEMA")) std::ofstream(file) << scenario::schema_json();
+  EXPECT_EQ(scenario::read_file(file), scenario::schema_json());
+}
+
+// Whether a table's keys are all known to an object schema, below it as well.
+bool known(const toml::table& table, const nlohmann::json& schema);
+
+bool known(const toml::node& node, const nlohmann::json& schema) {
+  for (const char* choice : {"oneOf", "anyOf"}) {
+    if (!schema.contains(choice)) continue;
+    return std::any_of(schema[choice].begin(), schema[choice].end(),
+                       [&](const auto& variant) { return known(node, variant); });
+  }
+  if (const auto* table = node.as_table()) return known(*table, schema);
+  const auto* array = node.as_array();
+  if (!array) return schema.value("type", "") != "object";
+  for (const toml::node& entry : *array)
+    if (!known(entry, schema["items"])) return false;
+  return true;
+}
+
+bool known(const toml::table& table, const nlohmann::json& schema) {
+  if (!schema.contains("properties")) return false;
+  for (auto&& [key, node] : table)
+    if (!schema["properties"].contains(std::string(key.str())) ||
+        !known(node, schema["properties"][std::string(key.str())]))
+      return false;
+  return true;
+}
+
+TEST(Schema, KnowsTheKeysOfEveryShippedScenarioAndNoOther) {
+  const auto schema = nlohmann::json::parse(scenario::schema_json());
+  EXPECT_EQ(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
+  for (const char* folder : {"scenarios", "scenarios/extremes"})
+    for (const auto& entry : fs::directory_iterator(root / folder))
+      if (entry.path().extension() == ".toml" && entry.path().stem() != "expected") {
+        EXPECT_TRUE(known(toml::parse_file(entry.path().string()), schema)) << entry.path();
+      }
+  EXPECT_FALSE(known(toml::parse("[[body]]\nmasss = 1"), schema));
+  EXPECT_FALSE(known(toml::parse("[[body]]\nshape = { type = \"sphere\", radios = 1 }"), schema));
+}
+
+}  // namespace

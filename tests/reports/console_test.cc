@@ -1,0 +1,259 @@
+// The console: what a person must be able to read off it, on any terminal, whatever an engine printed.
+#include "reports/console.h"
+#include "reports/matrix.h"
+#include "reports/text.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace cylon::reports {
+namespace {
+
+using results::Status;
+using results::Verdict;
+
+const ConsoleOptions plain{.width = 100, .utf8 = true, .colour = false};
+const ConsoleOptions ascii{.width = 100, .utf8 = false, .colour = false};
+
+Verdict make(const std::string& scenario, const std::string& engine, Status status, double measured = 1) {
+  Verdict v;
+  v.scenario = scenario;
+  v.engine = engine;
+  v.version = "3.24";
+  v.claim = "energy";
+  v.unit = "J";
+  v.dt_text = "1/60";
+  v.measured = measured;
+  v.allowed = 0.01;
+  v.status = v.expected = status;
+  v.reproduce = "cylon run " + scenario + "/" + engine;
+  return v;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::vector<std::string> lines(const std::string& text) {
+  std::vector<std::string> out;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) out.push_back(line);
+  return out;
+}
+
+TEST(Matrix, ACellIsItsWorstClaimAndItsFewestDigits) {
+  const std::vector<Verdict> verdicts = {make("top", "bullet", Status::pass, 1e-5),
+                                         make("top", "bullet", Status::fail, 10),
+                                         make("top", "bullet", Status::low_quality, 0.05)};
+  const Matrix matrix = fold(verdicts);
+  ASSERT_EQ(matrix.scenarios, std::vector<std::string>{"top"});
+  ASSERT_EQ(matrix.engines, std::vector<std::string>{"bullet"});
+  EXPECT_EQ(matrix.cells[0][0].worst, Status::fail);
+  EXPECT_DOUBLE_EQ(matrix.cells[0][0].digits, -3);
+  EXPECT_TRUE(contains(draw(matrix, plain), "✗ -3.0"));
+  EXPECT_TRUE(contains(draw(matrix, ascii), "X -3.0"));
+}
+
+TEST(Matrix, EveryStatusHasItsSignAndItsMeaning) {
+  const std::vector<std::pair<Status, std::pair<std::string, std::string>>> signs = {
+      {Status::pass, {"✓ -2.0", "ok -2.0"}},
+      {Status::low_quality, {"~ -2.0", "~ -2.0"}},
+      {Status::fail, {"✗ -2.0", "X -2.0"}},
+      {Status::unsupported, {"–", "-"}},
+      {Status::crash, {"☠ crash", "crash"}},
+      {Status::timeout, {"⌛ timeout", "timeout"}},
+      {Status::non_finite, {"∞ non-finite", "non-finite"}},
+      {Status::protocol, {"‽ protocol", "protocol"}}};
+  for (const auto& [status, sign] : signs) {
+    const Matrix matrix = fold({make("top", "bullet", status)});
+    EXPECT_EQ(lines(draw(matrix, plain))[1], "top  " + sign.first);
+    EXPECT_EQ(lines(draw(matrix, ascii))[1], "top  " + sign.second);
+    EXPECT_FALSE(contains(draw(matrix, plain), "!"));
+    EXPECT_FALSE(legend(matrix, plain).empty());
+  }
+}
+
+TEST(Matrix, MarksCellsThatDiffer) {
+  Verdict v = make("top", "bullet", Status::pass);
+  v.expected = Status::fail;  // an unexpected pass differs too
+  EXPECT_TRUE(contains(draw(fold({v}), plain), "✓ -2.0 !"));
+  EXPECT_TRUE(contains(legend(fold({v}), plain), "! not as expected"));
+}
+
+TEST(Matrix, SeveralStepsAndSchemesGetRowsAndColumnsOfTheirOwn) {
+  Verdict a = make("top", "in-house", Status::pass), b = a, c = a;
+  a.integrator = b.integrator = "rk4";
+  b.dt_text = "1/240";
+  c.integrator = "euler";
+  const Matrix matrix = fold({a, b, c, make("ball", "bullet", Status::pass)});
+  EXPECT_EQ(matrix.scenarios, (std::vector<std::string>{"top 1/60", "top 1/240", "ball"}));
+  EXPECT_EQ(matrix.engines, (std::vector<std::string>{"in-house rk4", "in-house euler", "bullet"}));
+  EXPECT_TRUE(matrix.cells[1][1].empty);
+}
+
+// It cannot name the scheme that it would have run.
+TEST(Matrix, AnUnsupportedSceneMakesNoColumnOfItsOwn) {
+  Verdict v = make("rocket", "bullet", Status::unsupported);
+  v.integrator = "";
+  Verdict ran = make("top", "bullet", Status::pass);
+  ran.integrator = "semi-implicit-euler";
+  const Matrix matrix = fold({v, ran});
+  ASSERT_EQ(matrix.engines, std::vector<std::string>{"bullet"});
+  EXPECT_EQ(matrix.cells[0][0].worst, Status::unsupported);
+  EXPECT_EQ(fold({v}).engines.size(), 1u) << "nor where it could take none";
+}
+
+TEST(Matrix, NeverWiderThanTheTerminalAndLosesNoEngine) {
+  std::vector<Verdict> verdicts;
+  for (int engine = 0; engine < 12; ++engine)
+    for (int scenario = 0; scenario < 4; ++scenario)
+      verdicts.push_back(make("a_scenario_with_a_long_name_" + std::to_string(scenario) + "_日本語",
+                              "engine-" + std::to_string(engine) + "/gyro=none",
+                              static_cast<Status>((engine + scenario) % 8)));
+  for (const int width : {40, 57, 80, 120, 1000}) {
+    for (const bool utf8 : {true, false}) {
+      const std::string text = draw(fold(verdicts), {.width = width, .utf8 = utf8, .colour = false});
+      for (const std::string& line : lines(text)) EXPECT_LE(display_width(line), width) << line;
+      for (int engine = 0; engine < 12; ++engine)
+        EXPECT_TRUE(contains(text, "engine-" + std::to_string(engine) + "/gyro=none"));
+    }
+  }
+}
+
+TEST(Console, ColourOnlyWhereAskedAndNeverAlone) {
+  const std::vector<Verdict> verdicts = {make("top", "bullet", Status::fail)};
+  EXPECT_FALSE(contains(console_matrix(verdicts, plain), "\x1b"));
+  std::string colored = console_matrix(verdicts, {.width = 100, .utf8 = true, .colour = true});
+  EXPECT_TRUE(contains(colored, "\x1b[31m"));
+  for (const std::string code : {"\x1b[31m", "\x1b[0m"})
+    for (std::size_t at = 0; (at = colored.find(code)) != std::string::npos;) colored.erase(at, code.size());
+  EXPECT_EQ(colored, console_matrix(verdicts, plain));
+}
+
+TEST(Console, SummaryGroupsAddUp) {
+  EXPECT_EQ(summary({}), "0 verdicts: 0 pass, 0 as expected, 0 differ\n");
+  Verdict crash = make("top", "ode", Status::crash), pass = make("ball", "ode", Status::pass);
+  crash.expected = Status::pass;
+  EXPECT_EQ(summary({crash}), "1 verdict: 0 pass, 0 as expected, 1 differs (1 crash)\n");
+  EXPECT_EQ(
+      summary({pass, pass, make("a", "b", Status::fail), make("a", "c", Status::unsupported), crash, crash}),
+      "6 verdicts: 2 pass, 2 as expected (1 fail, 1 unsupported), 2 differ (2 crash)\n");
+}
+
+TEST(Console, ADifferenceSaysWhoWhatHowMuchAndHowToRepeatIt) {
+  Verdict v = make("top", "bullet", Status::fail, 2.5);
+  v.expected = Status::low_quality;
+  v.expected_reason = "first order";
+  v.tolerance_reason = "truncation: RK4";
+  const std::string text = console_matrix({v, make("top", "ode", Status::pass)}, plain);
+  for (const char* part :
+       {"top × bullet 3.24, dt 1/60: energy", "measured 2.5 J, allowed 0.01 J, -2.4 digits",
+        "fail (expected low-quality)", "expected.toml: first order", "tolerance: truncation: RK4",
+        "again: cylon run top/bullet"})
+    EXPECT_TRUE(contains(text, part)) << part << "\n" << text;
+  EXPECT_FALSE(contains(text, "cylon run top/ode"));  // as expected: not repeated
+}
+
+TEST(Console, WarnsOncePerUnlistedVersion) {
+  Verdict v = make("top", "bullet", Status::pass);
+  v.version = "3.99";
+  v.version_listed = false;
+  const std::string text = unlisted({v, v, make("top", "ode", Status::pass)}, plain);
+  EXPECT_EQ(lines(text).size(), 1u);
+  EXPECT_TRUE(contains(text, "unlisted") && contains(text, "bullet 3.99"));
+  EXPECT_TRUE(contains(console_matrix({v}, plain), text));
+}
+
+TEST(Console, DetailsListEveryClaimUnderItsRun) {
+  Verdict a = make("top", "bullet", Status::pass, 1e-4),
+          b = make("top", "bullet", Status::non_finite, std::nan(""));
+  b.claim = "axis";
+  b.detail = "not finite from step 12";
+  a.path = "rigid";
+  a.settings = {{"erp2", "0"}};
+  a.unforceable = {"the angle per step is clamped"};
+  const std::string text = console_details({a, b}, plain);
+  for (const char* part : {"path: rigid", "settings: erp2 = 0", "cannot be switched off: the angle",
+                           "0.0001 J", "+2.0", "axis", "non-finite", "not finite from step 12"})
+    EXPECT_TRUE(contains(text, part)) << part << "\n" << text;
+  EXPECT_FALSE(contains(text, "nan"));
+  EXPECT_EQ(console_details({}, plain), "");
+}
+
+TEST(Console, HostileTextsCannotCommandTheTerminal) {
+  const std::vector<std::string> hostile = {"\x1b[2J\x1b]0;owned\x07",
+                                            "\x9b"
+                                            "31m",
+                                            "\xc2\x9b"
+                                            "31m",
+                                            "a\rb\bc",
+                                            std::string("nul\0", 4),
+                                            "\xff\xfe",
+                                            "\u202eevil",
+                                            "\u200b",
+                                            "\x7f"};
+  for (const std::string& text : hostile) {
+    Verdict v = make("top", "bullet", Status::crash);
+    v.expected = Status::pass;
+    v.version_listed = false;
+    for (std::string* field : {&v.scenario, &v.engine, &v.version, &v.claim, &v.unit, &v.detail,
+                               &v.complaints, &v.integrator, &v.dt_text, &v.tolerance_reason,
+                               &v.expected_reason, &v.reproduce, &v.path, &v.gyroscopic, &v.sampling})
+      *field = text;
+    v.settings = {{text, text}};
+    v.unforceable = {text};
+    for (const ConsoleOptions& options : {plain, ascii}) {
+      std::string out = console_matrix({v}, options) + console_details({v}, options);
+      std::string_view rest = out;
+      while (!rest.empty()) {
+        const Symbol symbol = take_symbol(rest);
+        EXPECT_TRUE(symbol.valid);
+        EXPECT_TRUE(symbol.code == '\n' || (options.utf8 ? is_printable : is_printable_ascii)(symbol.code));
+      }
+    }
+  }
+}
+
+TEST(Console, MegabytesOfStderrStayShortAndKeepTheirEnd) {
+  Verdict v = make("top", "ode", Status::crash);
+  v.expected = Status::pass;
+  v.complaints = std::string(5 << 20, 'x') + "\nLCP internal error\n";
+  v.detail = std::string(5 << 20, 'y');
+  const std::string text = difference(v, plain);
+  EXPECT_LT(text.size(), 4000u);
+  EXPECT_TRUE(contains(text, "    | LCP internal error"));
+}
+
+TEST(Console, NothingToShowIsSaid) {
+  EXPECT_EQ(console_matrix({}, plain), "0 verdicts: 0 pass, 0 as expected, 0 differ\n");
+}
+
+TEST(Text, Utf8IsReadAsTheStandardSays) {
+  const auto keep_all = [](char32_t) { return true; };
+  EXPECT_EQ(escaped("aé日😀", keep_all), "aé日😀");
+  EXPECT_EQ(escaped("\xc0\xaf", keep_all), "\\xc0\\xaf");                    // overlong
+  EXPECT_EQ(escaped("\xe0\x80\xaf", keep_all), "\\xe0\\x80\\xaf");           // overlong
+  EXPECT_EQ(escaped("\xed\xa0\x80", keep_all), "\\xed\\xa0\\x80");           // surrogate
+  EXPECT_EQ(escaped("\xf4\x90\x80\x80", keep_all), "\\xf4\\x90\\x80\\x80");  // above U+10FFFF
+  EXPECT_EQ(escaped("\xe2\x82", keep_all), "\\xe2\\x82");                    // cut off
+  EXPECT_EQ(escaped("a\nb\tc\x01", is_printable), "a\\nb\\tc\\x01");
+  EXPECT_EQ(escaped("é", is_printable_ascii), "\\u{00e9}");
+}
+
+TEST(Text, WidthsAndCuts) {
+  EXPECT_EQ(display_width("abc"), 3);
+  EXPECT_EQ(display_width("日本"), 4);
+  EXPECT_EQ(display_width("e\u0301"), 1);
+  EXPECT_EQ(display_width("⌛"), 2);
+  EXPECT_EQ(fitted("日本語", 4, "…"), "日… ");
+  EXPECT_EQ(fitted("ab", 4, "…"), "ab  ");
+  EXPECT_EQ(head("日本語", 4), "日 [6 more bytes]");
+  EXPECT_EQ(tail("日本語", 4), "[6 bytes before] 語");
+  EXPECT_EQ(head("ab", 2), "ab");
+}
+
+}  // namespace
+}  // namespace cylon::reports

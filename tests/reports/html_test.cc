@@ -1,0 +1,104 @@
+// The page as bytes: complete, hardened against what it shows, the same for the same report.
+#include "reports/html.h"
+
+#include "harness/core/input_error.h"
+#include "reports/gzip.h"
+#include "reports/json.h"
+#include "reports/web_bundle.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace cylon::reports {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* hostile = "</script><script>alert(1)</script>\x1b[2J\"'&\xff";
+
+results::Verdict row(const std::string& scenario, const std::string& engine) {
+  results::Verdict v;
+  v.scenario = scenario, v.engine = engine, v.integrator = "rk4", v.dt_text = "0.01", v.dt = 0.01;
+  v.claim = "energy", v.measured = 1, v.allowed = 10, v.status = results::Status::pass;
+  return v;
+}
+
+json index_of(const std::string& page) {
+  const std::string open = "id=\"block-0\">";
+  const std::size_t begin = page.find(open) + open.size(), end = page.find("</script>", begin);
+  return json::parse(gunzip(from_base64(page.substr(begin, end - begin)), 1 << 28));
+}
+
+std::size_t count(const std::string& text, const std::string& word) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++n;
+  return n;
+}
+
+TEST(Html, HoldsItsDocuments) {
+  HtmlReport report;
+  report.results = to_json({row("top", "in-house")}, {});
+  report.trades = {R"({"format":"cylon-trade/1","tables":[],"times":[]})"};
+  const json index = index_of(to_html(report));
+  EXPECT_EQ(index["results"]["verdicts"][0]["scenario"], "top");
+  EXPECT_EQ(index["trades"].size(), 1u);
+  EXPECT_TRUE(index["baseline"].is_null());
+  EXPECT_EQ(to_html(report), to_html(report));
+}
+
+// Foreign text stands in packed blocks, in the title and in the plain table, and nowhere as markup.
+TEST(Html, HostileTextStaysText) {
+  HtmlReport report;
+  report.title = hostile;
+  results::Verdict v = row(hostile, hostile);
+  v.complaints = std::string(1 << 20, '<') + hostile;
+  v.detail = hostile;
+  report.results = to_json({v}, {});
+  report.traces = {{hostile, hostile, hostile, hostile, base64(gzip("x"))}};
+  report.omitted_traces = hostile;
+  const std::string page = to_html(report);
+  EXPECT_EQ(page.find("alert(1)</script>"), std::string::npos);
+  EXPECT_EQ(page.find('\x1b'), std::string::npos);
+  EXPECT_EQ(count(page, "<script"), 3u + count(std::string(web::script()), "<script"))
+      << "two blocks and the script";
+  EXPECT_EQ(index_of(page)["results"]["verdicts"][0]["detail"].get<std::string>().substr(0, 9), "</script>");
+}
+
+TEST(Html, AsksForNoNetworkAndRunsOneScript) {
+  const std::string page = to_html({});
+  EXPECT_NE(page.find("default-src 'none'; script-src '" + std::string(web::script_hash()) + "'"),
+            std::string::npos);
+  for (const char* word : {"<link", "src=\"http", "@import", "url(http"})
+    EXPECT_EQ(page.find(word), std::string::npos) << word;
+  EXPECT_EQ(web::script().find("</script"), std::string_view::npos);
+}
+
+TEST(Html, TheMatrixStandsThereWithoutScript) {
+  HtmlReport report;
+  results::Verdict bad = row("top", "ode");
+  bad.measured = 100, bad.status = results::Status::fail;
+  report.results = to_json({row("top", "in-house"), bad}, {});
+  const std::string page = to_html(report);
+  EXPECT_NE(page.find("<th scope=\"row\">top</th><td>✓ +1.0</td><td>✗ -1.0 !</td>"), std::string::npos);
+}
+
+TEST(Html, TracesBeyondTheBudgetAreCountedNotHidden) {
+  HtmlReport report;
+  const std::string large(trace_budget * 2 / 5, 'A');
+  for (const char* engine : {"a", "b", "c", "d"}) report.traces.push_back({"top", engine, "", "0.01", large});
+  const std::string page = to_html(report);
+  const json index = index_of(page);
+  EXPECT_EQ(index["traces"].size(), 2u);
+  EXPECT_EQ(index["traces"][1]["engine"], "b");
+  EXPECT_EQ(index["omitted_traces"], "2 more would make this file larger than can be mailed");
+  EXPECT_LT(page.size(), 15u << 20);
+}
+
+TEST(Html, WhatIsNoJsonIsRefused) {
+  HtmlReport report;
+  report.histories = {"<script>"};
+  EXPECT_THROW(to_html(report), core::InputError);
+}
+
+}  // namespace
+}  // namespace cylon::reports

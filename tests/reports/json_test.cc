@@ -1,0 +1,260 @@
+// JSON and CSV: what is written comes back, whatever an engine printed and whatever it measured.
+#include "harness/core/input_error.h"
+#include "reports/csv.h"
+#include "reports/json.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <random>
+
+namespace cylon::reports {
+namespace {
+
+using results::Status;
+using results::Verdict;
+
+std::string random_text(std::mt19937& random) {
+  static const std::vector<std::string> pieces = {
+      "a", "Ω",  "\"", "\\", "\n", "\x1b[31m",          ",", "日本", "</script>", "\t", "=1+1",
+      "'", "\r", "&",  "😀",  "<",  std::string(1, '\0')};
+  std::string text;
+  for (auto n = random() % 6; n > 0; --n) text += pieces[random() % pieces.size()];
+  return text;
+}
+
+// Any finite double, by its bits.
+double random_number(std::mt19937& random) {
+  for (;;) {
+    const double value = std::bit_cast<double>(std::uint64_t{random()} << 32 | random());
+    if (std::isfinite(value)) return value;
+  }
+}
+
+Verdict random_verdict(std::mt19937& random) {
+  Verdict v;
+  for (std::string* text :
+       {&v.scenario, &v.scenario_hash, &v.engine, &v.version, &v.precision, &v.path, &v.gyroscopic,
+        &v.integrator, &v.dt_text, &v.sampling, &v.claim, &v.observable, &v.unit, &v.tolerance_reason,
+        &v.detail, &v.complaints, &v.expected_reason, &v.reproduce})
+    *text = random_text(random);
+  for (double* number : {&v.dt, &v.measured, &v.allowed, &v.truth_error, &v.cpu_seconds})
+    *number = random_number(random);
+  v.settings = {{"z " + random_text(random), random_text(random)}, {"a", random_text(random)}};
+  v.unforceable = {random_text(random), random_text(random)};
+  if (random() % 2) v.first_bad_step = static_cast<std::int64_t>(random());
+  v.status = static_cast<Status>(random() % 8);
+  v.expected = static_cast<Status>(random() % 8);
+  v.version_listed = random() % 2;
+  v.body_steps = static_cast<std::int64_t>(std::uint64_t{random()} << 31 | random());
+  return v;
+}
+
+void expect_same(const Verdict& a, const Verdict& b) {
+  for (const auto member :
+       {&Verdict::scenario, &Verdict::scenario_hash, &Verdict::engine, &Verdict::version, &Verdict::precision,
+        &Verdict::path, &Verdict::gyroscopic, &Verdict::integrator, &Verdict::dt_text, &Verdict::sampling,
+        &Verdict::claim, &Verdict::observable, &Verdict::unit, &Verdict::tolerance_reason, &Verdict::detail,
+        &Verdict::complaints, &Verdict::expected_reason, &Verdict::reproduce})
+    EXPECT_EQ(a.*member, b.*member);
+  for (const auto member :
+       {&Verdict::dt, &Verdict::measured, &Verdict::allowed, &Verdict::truth_error, &Verdict::cpu_seconds})
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(a.*member), std::bit_cast<std::uint64_t>(b.*member));
+  EXPECT_EQ(a.settings, b.settings);
+  EXPECT_EQ(a.unforceable, b.unforceable);
+  EXPECT_EQ(a.first_bad_step, b.first_bad_step);
+  EXPECT_EQ(a.status, b.status);
+  EXPECT_EQ(a.expected, b.expected);
+  EXPECT_EQ(a.version_listed, b.version_listed);
+  EXPECT_EQ(a.body_steps, b.body_steps);
+}
+
+TEST(Json, LinesGiveBackRandomVerdictsToTheBit) {
+  std::mt19937 random(20240611);
+  for (int i = 0; i < 500; ++i) {
+    const Verdict v = random_verdict(random);
+    const std::string line = to_json_line(v);
+    EXPECT_EQ(line.find_first_of(std::string("\n\r\x1b\0", 4)), std::string::npos);
+    expect_same(v, from_json_line(line, "journal"));
+  }
+}
+
+TEST(Json, DocumentGivesBackItsVerdictsAndItsProvenance) {
+  std::mt19937 random(7);
+  const std::vector<Verdict> verdicts = {random_verdict(random), random_verdict(random),
+                                         random_verdict(random)};
+  Provenance provenance = build_and_machine();
+  provenance.date = "2024-06-11T10:00:00Z";
+  const std::string document = to_json(verdicts, provenance);
+  const std::vector<Verdict> back = read_json(document, "report.json");
+  ASSERT_EQ(back.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) expect_same(verdicts[i], back[i]);
+  const auto json = nlohmann::json::parse(document);
+  EXPECT_EQ(json["provenance"]["date"], "2024-06-11T10:00:00Z");
+  EXPECT_NE(json["provenance"]["compiler"], "");
+  EXPECT_EQ(document, to_json(verdicts, provenance));
+  EXPECT_TRUE(read_json(to_json({}, {}), "empty").empty());
+}
+
+TEST(Json, EveryNamedFieldIsThereInAFixedOrder) {
+  std::vector<std::string> keys;
+  const nlohmann::ordered_json empty = row({});
+  for (const auto& item : empty.items()) keys.push_back(item.key());
+  for (const char* key :
+       {"scenario",   "engine",      "version",        "precision",   "path",      "gyroscopic",
+        "settings",   "unforceable", "integrator",     "dt",          "sampling",  "claim",
+        "observable", "measured",    "first_bad_step", "allowed",     "unit",      "truth_error",
+        "status",     "expected",    "reason",         "cpu_seconds", "body_steps"})
+    EXPECT_NE(std::find(keys.begin(), keys.end(), key), keys.end()) << key;
+  EXPECT_EQ(keys.front(), "scenario");
+}
+
+TEST(Json, NonFiniteIsNullWithTheFirstBadStep) {
+  Verdict v;
+  v.first_bad_step = 17;
+  for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    v.measured = bad;
+    const auto json = nlohmann::json::parse(to_json_line(v));
+    EXPECT_TRUE(json["measured"].is_null());
+    EXPECT_EQ(json["first_bad_step"], 17);
+    EXPECT_TRUE(std::isnan(from_json_line(to_json_line(v), "journal").measured));
+  }
+}
+
+TEST(Json, BytesThatAreNoUtf8BecomeReplacementCharacters) {
+  Verdict v;
+  v.complaints =
+      "a\xff\xc0\xaf"
+      "b";
+  const std::string back = from_json_line(to_json_line(v), "journal").complaints;
+  EXPECT_EQ(back.substr(0, 1), "a");
+  EXPECT_NE(back.find("\xEF\xBF\xBD"), std::string::npos);
+  EXPECT_EQ(back.back(), 'b');
+}
+
+std::string refusal(const std::string& document) {
+  try {
+    read_json(document, "report.json");
+  } catch (const core::InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Json, MalformedDocumentsAreRefusedWithThePlace) {
+  EXPECT_EQ(refusal("{\"schema\": 1,\n  oops}"), "report.json:2:3: this is not JSON");
+  EXPECT_NE(refusal("").find("report.json:1:1"), std::string::npos);
+  EXPECT_NE(refusal("[]").find("not a report"), std::string::npos);
+  EXPECT_NE(refusal("{\"schema\":2,\"verdicts\":[]}").find("schema 2"), std::string::npos);
+  EXPECT_NE(refusal("{\"schema\":1,\"verdicts\":3}").find("array"), std::string::npos);
+  EXPECT_NE(refusal("{\"schema\":1,\"verdicts\":[4]}").find("verdict 1"), std::string::npos);
+  EXPECT_NE(refusal("{\"schema\":1e999,\"verdicts\":[]}"), "accepted");
+
+  // One member at a time made wrong or taken away: each must be missed, by name.
+  const auto good = nlohmann::json::parse(to_json_line({}));
+  for (const auto& [key, value] : good.items()) {
+    nlohmann::json without = good, wrong = good;
+    without.erase(key);
+    wrong[key] = value.is_number() || value.is_null() ? nlohmann::json("x") : nlohmann::json(1);
+    for (const auto& bad : {without, wrong}) {
+      const auto document = nlohmann::json{{"schema", 1}, {"verdicts", nlohmann::json::array({good, bad})}};
+      const std::string why = refusal(document.dump());
+      EXPECT_NE(why.find("verdict 2: \"" + key + "\""), std::string::npos) << key << ": " << why;
+    }
+  }
+}
+
+TEST(Json, AJournalEndsAtItsLastWholeLine) {
+  const std::string line = to_json_line({}) + "\n";
+  EXPECT_EQ(read_journal("", "j").size(), 0u);
+  EXPECT_EQ(read_journal(line + line + line.substr(0, 40), "j").size(), 2u);
+  try {
+    read_journal(line + "{broken}\n" + line, "j");
+    FAIL() << "a broken line in the middle is damage, not an interrupted write";
+  } catch (const core::InputError& error) {
+    EXPECT_EQ(std::string(error.what()).substr(0, 4), "j:2:");
+  }
+}
+
+// ---- CSV ----------------------------------------------------------------------------------------
+
+// RFC 4180 by its grammar: fields, quoted or not, CRLF.
+std::vector<std::vector<std::string>> parse_csv(const std::string& text) {
+  std::vector<std::vector<std::string>> lines(1, {""});
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    std::string& field = lines.back().back();
+    if (quoted) {
+      if (text[i] != '"')
+        field += text[i];
+      else if (i + 1 < text.size() && text[i + 1] == '"')
+        field += text[++i];
+      else
+        quoted = false;
+    } else if (text[i] == '"') {
+      EXPECT_TRUE(field.empty());
+      quoted = true;
+    } else if (text[i] == ',') {
+      lines.back().push_back("");
+    } else if (text[i] == '\r') {
+      EXPECT_EQ(text.at(++i), '\n');
+      lines.push_back({""});
+    } else {
+      EXPECT_NE(text[i], '\n');
+      field += text[i];
+    }
+  }
+  lines.pop_back();
+  return lines;
+}
+
+std::size_t column(const std::vector<std::string>& header, const std::string& name) {
+  return static_cast<std::size_t>(std::find(header.begin(), header.end(), name) - header.begin());
+}
+
+TEST(Csv, ParsesBackWithEveryDigit) {
+  std::mt19937 random(5);
+  std::vector<Verdict> verdicts;
+  for (int i = 0; i < 100; ++i) verdicts.push_back(random_verdict(random));
+  const auto lines = parse_csv(to_csv(verdicts));
+  ASSERT_EQ(lines.size(), 101u);
+  for (std::size_t i = 0; i < 100; ++i) {
+    ASSERT_EQ(lines[i + 1].size(), lines[0].size());
+    EXPECT_EQ(std::strtod(lines[i + 1][column(lines[0], "measured")].c_str(), nullptr), verdicts[i].measured);
+    EXPECT_EQ(lines[i + 1][column(lines[0], "status")], core::name(verdicts[i].status));
+  }
+}
+
+TEST(Csv, KeepsCommasQuotesAndLineEnds) {
+  Verdict v;
+  v.detail = "a \"b\", c\r\nd\ne";
+  v.settings = {{"erp", "0.2"}, {"gyro", "implicit"}};
+  const auto lines = parse_csv(to_csv({v}));
+  EXPECT_EQ(lines[1][column(lines[0], "detail")], v.detail);
+  EXPECT_EQ(lines[1][column(lines[0], "settings")], "erp=0.2; gyro=implicit");
+  EXPECT_EQ(lines[1][column(lines[0], "measured")], "");
+}
+
+TEST(Csv, RunsNoFormulaAndCarriesNoControlCharacter) {
+  for (const std::string start : {"=cmd|' /C calc'!A0", "+1", "-1+1", "@SUM(A1)", "\t=1", "\r=1", "＝1"}) {
+    Verdict v;
+    v.detail = start;
+    const auto lines = parse_csv(to_csv({v}));
+    EXPECT_EQ(lines[1][column(lines[0], "detail")], "'" + start);
+  }
+  Verdict v;
+  v.complaints = std::string("\x1b[2J\xff") + '\0' + "\u202e" + "end";
+  const auto lines = parse_csv(to_csv({v}));
+  EXPECT_EQ(lines[1][column(lines[0], "stderr")], "\\x1b[2J\\xff\\x00\\u{202e}end");
+  v = {};
+  v.measured = -2.5;  // a number is no formula
+  EXPECT_EQ(parse_csv(to_csv({v}))[1][column(lines[0], "measured")], "-2.5");
+  EXPECT_EQ(parse_csv(to_csv({})).size(), 1u);
+}
+
+}  // namespace
+}  // namespace cylon::reports
