@@ -3,7 +3,6 @@
 
 #include "harness/core/claim.h"
 #include "harness/core/scene.h"
-#include "scenarios/reader.h"
 
 #include <filesystem>
 #include <string>
