@@ -94,9 +94,7 @@ VectorX least_norm(const CoulombProblem& p, const std::vector<Hold>& hold, const
   }
   const MatrixX system = equations * p.response * basis;
   const VectorX wanted = -(equations * (p.offset + p.response * from));
-  Eigen::CompleteOrthogonalDecomposition<MatrixX> decomposition;
-  decomposition.setThreshold(dependent());
-  decomposition.compute(system);
+  const LeastNorm decomposition(system, dependent());
   VectorX x = decomposition.solve(wanted);
   x += decomposition.solve(VectorX(wanted - system * x));  // one refinement: rounding only is left
   return from + basis * x;
@@ -148,10 +146,7 @@ bool polish(const CoulombProblem& p, std::vector<Hold>& hold, VectorX& f) {
       jacobian.block<2, 1>(n + 1, n) += p.friction[i] * h.slip;
       jacobian.block<2, 2>(n + 1, n + 1) += Eigen::Matrix<Real, 2, 2>::Identity();
     }
-    Eigen::CompleteOrthogonalDecomposition<MatrixX> decomposition;
-    decomposition.setThreshold(dependent());
-    decomposition.compute(jacobian);
-    const VectorX change = decomposition.solve(residual);
+    const VectorX change = LeastNorm(jacobian, dependent()).solve(residual);
     f -= change;
     if (!(change.norm() <= 16 * ulp * f.norm())) continue;
     return true;

@@ -9,16 +9,13 @@
 // freedom dynamics (1988), section 6-9.
 #pragma once
 
+#include "engine/contact/least_norm.h"
 #include "engine/vector.h"
-
-#include <Eigen/Dense>
 
 #include <vector>
 
 namespace cylon::engine {
 
-using MatrixX = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
-using VectorX = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 using Vector2 = Eigen::Matrix<Real, 2, 1>;
 
 enum class Grip {

@@ -55,7 +55,7 @@ PointForce solve_point(const Matrix3& a, const Vector3& q, Real mu, const Hold& 
   }
 
   const VectorX wanted = -q;  // dynamic: gcc 12 misreads the bounds of fixed sizes here
-  const Vector3 stick = MatrixX(a).completeOrthogonalDecomposition().solve(wanted);
+  const Vector3 stick = LeastNorm(a).solve(wanted);
   const bool stops = (a * stick + q).norm() <= 64 * std::numeric_limits<Real>::epsilon() * q.norm();
   if (stops && stick[0] >= 0 && stick.tail<2>().norm() <= mu * stick[0]) {
     result.force = stick;

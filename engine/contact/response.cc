@@ -80,7 +80,7 @@ Response::Response(std::span<const TouchPoint> touches, std::span<const Row> joi
   matrix_ = g.topLeftCorner(contacts_, contacts_);
   if (m == 0) return;
   cross_ = g.topRightCorner(contacts_, m);
-  joint_inverse_ = g.bottomRightCorner(m, m).completeOrthogonalDecomposition().pseudoInverse();
+  joint_inverse_ = LeastNorm(g.bottomRightCorner(m, m)).inverse();
   matrix_ -= cross_ * joint_inverse_ * cross_.transpose();
 }
 

@@ -50,8 +50,8 @@ class App {
  public:
   explicit App(CLI::App& app) : app_(&app) {}
 
-  /// `names`: "-j,--jobs", or "file" for an argument.  Value: std::string, int, double, or std::vector of
-  /// std::string or double.
+  /// `names`: "-j,--jobs", or "file" for an argument.  Value: those of parser.cc, std::string, numbers and
+  /// vectors of them.
   template <class Value>
   Option add_option(const std::string& names, Value& value, const std::string& meaning);
   /// One of some words, which is handed to `take`.

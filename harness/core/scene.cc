@@ -113,4 +113,8 @@ PrincipalAxes principal_axes(const Matrix3& inertia) {
   return result;
 }
 
+Quaternion turn_between(const Vector3& from, const Vector3& to) {
+  return Quaternion::FromTwoVectors(from, to);
+}
+
 }  // namespace cylon::core

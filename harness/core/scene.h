@@ -250,4 +250,7 @@ struct PrincipalAxes {
 };
 PrincipalAxes principal_axes(const Matrix3& inertia);
 
+/// The shortest turn that takes one direction to another.
+Quaternion turn_between(const Vector3& from, const Vector3& to);
+
 }  // namespace cylon::core

@@ -3,7 +3,6 @@
 
 #include "harness/core/claim.h"
 #include "harness/core/scene.h"
-#include "harness/scenario/reader.h"
 
 #include <filesystem>
 #include <string>

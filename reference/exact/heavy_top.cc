@@ -57,8 +57,8 @@ class HeavyTop {
     if (!axis_.periodic()) return;
 
     // q = World rot_z(phi0) E(t) rot_z(psi0) Body^-1, with E(0) = (C, S, 0, 0).
-    world_ = WideQuaternion::FromTwoVectors(WideVector::UnitZ(), up);
-    body_ = WideQuaternion::FromTwoVectors(WideVector::UnitZ(), axis).conjugate();
+    world_ = turn_between(WideVector::UnitZ(), up);
+    body_ = turn_between(WideVector::UnitZ(), axis).conjugate();
     const AxisState start = axis_.at(0);
     const WideQuaternion e = world_.conjugate() * q * body_.conjugate();
     const Wide half_sum = std::atan2(e.z() * start.cosine, e.w() * start.cosine);

@@ -36,7 +36,7 @@ class Bob {
 
     // Azimuth at the start: from the direction, or next to the vertical from the rate,
     // (theta' cos theta + i phi' sin theta) exp(i phi).
-    world_ = WideQuaternion::FromTwoVectors(WideVector::UnitZ(), up);
+    world_ = turn_between(WideVector::UnitZ(), up);
     const AxisState a = axis_.at(0);
     const WideVector e = world_.conjugate() * d, de = world_.conjugate() * rate;
     const Wide across = std::hypot(e.x(), e.y()), moving = std::hypot(de.x(), de.y());

@@ -38,7 +38,7 @@ btScalar friction(const btCollisionObject* a, const btCollisionObject* b) {
 
 // A joint at a point of the world, x along its axis, seen from a body.
 btTransform frame_in(const btRigidBody& body, const core::Joint& joint) {
-  const auto turn = core::Quaternion::FromTwoVectors(core::Vector3::UnitX(), joint.axis);
+  const auto turn = core::turn_between(core::Vector3::UnitX(), joint.axis);
   return body.getWorldTransform().inverse() * to_bullet(turn, joint.point);
 }
 

@@ -14,7 +14,7 @@ using core::Quaternion;
 using core::Vector3;
 
 // ODE's axis of revolution is z, ours y: a turn by -90 degrees about x.
-const Quaternion z_to_y = Quaternion::FromTwoVectors(Vector3::UnitZ(), Vector3::UnitY());
+const Quaternion z_to_y = core::turn_between(Vector3::UnitZ(), Vector3::UnitY());
 
 // A primitive in its own axes, and the turn from ODE's axes to ours.
 struct Geom {

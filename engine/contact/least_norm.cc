@@ -1,0 +1,15 @@
+#include "engine/contact/least_norm.h"
+
+namespace cylon::engine {
+
+LeastNorm::LeastNorm(const MatrixX& matrix) : decomposition_(matrix) {}
+
+LeastNorm::LeastNorm(const MatrixX& matrix, Real dependent) {
+  decomposition_.setThreshold(dependent);
+  decomposition_.compute(matrix);
+}
+
+VectorX LeastNorm::solve(const VectorX& y) const { return decomposition_.solve(y); }
+MatrixX LeastNorm::inverse() const { return decomposition_.pseudoInverse(); }
+
+}  // namespace cylon::engine
