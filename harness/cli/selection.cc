@@ -1,10 +1,11 @@
 #include "harness/cli/selection.h"
 
-#include "harness/cli/workers.h"
 #include "harness/cli/command_line.h"
 #include "harness/cli/patterns.h"
+#include "harness/cli/workers.h"
 #include "harness/process/client.h"
 #include "harness/scenario/glob.h"
+#include "harness/scenario/input.h"
 
 #include <fmt/format.h>
 
@@ -35,7 +36,7 @@ std::vector<std::string> names_of(const std::vector<fs::path>& files) {
 
 // The suite of that name; a folder of scenarios without a suite `conformance` runs all it has on all engines.
 scenario::Suite find_suite(const Context& context, const std::vector<EngineRow>& rows,
-                            const std::string& asked) {
+                           const std::string& asked) {
   const std::string name = asked.empty() ? "conformance" : asked;
   const fs::path folder = context.scenarios / "suites";
   std::vector<std::string> names;

@@ -4,6 +4,7 @@
 
 #include "harness/core/input_error.h"
 #include "harness/core/scene.h"
+#include "harness/scenario/input.h"
 #include "harness/scenario/keys.h"
 
 #include <toml++/toml.h>
@@ -17,15 +18,6 @@
 #include <vector>
 
 namespace cylon::scenario {
-
-/// Files larger than this are refused [bytes].
-inline constexpr std::uintmax_t largest_input = 16u << 20;
-
-/// The bytes of a regular file of at most `largest_input`; throws core::InputError for anything else.
-std::string read_file(const std::filesystem::path&);
-
-/// Seconds of "1/60", "0.001" or "1e-3": > 0 and finite; throws core::InputError.
-double parse_step(std::string_view);
 
 /// One table of a document, in which every key present is known and of its type.
 class Table {

@@ -3,6 +3,7 @@
 #include "harness/core/input_error.h"
 #include "harness/process/client.h"
 #include "harness/process/resume.h"
+#include "harness/scenario/input.h"
 #include "harness/view/bad_command.h"
 #include "harness/view/parameters.h"
 

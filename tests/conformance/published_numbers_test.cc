@@ -7,6 +7,7 @@
 
 #include "harness/cli/commands/published.h"
 #include "harness/core/observable.h"
+#include "harness/scenario/input.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -3,6 +3,7 @@
 #include "tests/conformance/fixture.h"
 
 #include "harness/cli/commands/published.h"
+#include "harness/scenario/input.h"
 #include "harness/study/matrix.h"
 #include "harness/study/relations.h"
 #include "reports/json.h"

@@ -1,15 +1,16 @@
 // cylon diff: where two runs of one scenario part.
-#include "harness/cli/commands/app.h"
-#include "harness/cli/workers.h"
 #include "harness/cli/asked.h"
 #include "harness/cli/command_line.h"
+#include "harness/cli/commands/app.h"
 #include "harness/cli/options.h"
 #include "harness/cli/output.h"
 #include "harness/cli/sparkline.h"
 #include "harness/cli/states_csv.h"
+#include "harness/cli/workers.h"
 
 #include "harness/core/input_error.h"
 #include "harness/core/recording.h"
+#include "harness/scenario/input.h"
 #include "harness/study/divergence.h"
 
 #include <fmt/format.h>

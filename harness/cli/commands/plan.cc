@@ -1,11 +1,12 @@
 // cylon plan
-#include "harness/cli/commands/app.h"
 #include "harness/cli/asked.h"
 #include "harness/cli/command_line.h"
+#include "harness/cli/commands/app.h"
 #include "harness/cli/options.h"
 
 #include "harness/core/input_error.h"
 #include "harness/process/client.h"
+#include "harness/scenario/input.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,7 @@
 #include "harness/cli/commands/published.h"
 
 #include "harness/scenario/glob.h"
+#include "harness/scenario/input.h"
 #include "harness/scenario/reader.h"
 
 #include <fmt/format.h>

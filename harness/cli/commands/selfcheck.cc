@@ -1,5 +1,6 @@
 // cylon selfcheck
 #include "harness/study/selfcheck.h"
+#include "harness/scenario/input.h"
 
 #include "harness/cli/command_line.h"
 #include "harness/cli/commands/app.h"

@@ -1,7 +1,7 @@
 // cylon simulate
-#include "harness/cli/commands/app.h"
 #include "harness/cli/asked.h"
 #include "harness/cli/command_line.h"
+#include "harness/cli/commands/app.h"
 #include "harness/cli/options.h"
 #include "harness/cli/output.h"
 #include "harness/cli/states_csv.h"
@@ -10,6 +10,7 @@
 #include "harness/core/measure.h"
 #include "harness/core/recording.h"
 #include "harness/process/client.h"
+#include "harness/scenario/input.h"
 
 #include <fmt/format.h>
 

@@ -1,14 +1,15 @@
 // cylon trade
 #include "reports/trade.h"
 #include "harness/cli/commands/app.h"
-#include "harness/cli/workers.h"
+#include "harness/cli/commands/trade_journal.h"
 #include "harness/cli/options.h"
 #include "harness/cli/output.h"
 #include "harness/cli/provenance.h"
 #include "harness/cli/scenario_view.h"
 #include "harness/cli/selection.h"
-#include "harness/cli/commands/trade_journal.h"
+#include "harness/cli/workers.h"
 #include "harness/core/input_error.h"
+#include "harness/scenario/input.h"
 #include "harness/study/self_reference.h"
 #include "harness/study/settings.h"
 #include "reports/html.h"
@@ -80,7 +81,7 @@ study::SweepOptions sweep_options(const Options& options) {
 }
 
 results::TradeTable sweep(const Context& context, const Options& options, const scenario::Scenario& scenario,
-                       TradeJournal& journal) {
+                          TradeJournal& journal) {
   const auto rows = with_workers(context, options.workers);
   study::SweepOptions how = sweep_options(options);
   const study::Ladder ladder = ladder_for(options, scenario);

@@ -1,5 +1,6 @@
 // What a scenario file says arrives in the Scene, and what it leaves out has the documented default.
 #include "harness/core/input_error.h"
+#include "harness/scenario/input.h"
 #include "harness/scenario/scenario.h"
 
 #include <gtest/gtest.h>
