@@ -1,4 +1,5 @@
-# Packages are listed in cmake/packages.txt, which ./run and ./test install.
+# Packages are listed in cmake/packages.txt, which ./run and ./test install; the engines to judge stand in
+# reference/simulators/engines.txt.
 find_package(Eigen3 REQUIRED)
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
@@ -12,9 +13,6 @@ find_package(TBB REQUIRED)
 find_package(SQLite3 3.40 REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(PkgConfig REQUIRED)
-pkg_check_modules(BULLET_F64 REQUIRED IMPORTED_TARGET bullet-float64)
-pkg_check_modules(BULLET_F32 REQUIRED IMPORTED_TARGET bullet)
-pkg_check_modules(ODE REQUIRED IMPORTED_TARGET ode)
 pkg_check_modules(HTTPLIB REQUIRED IMPORTED_TARGET cpp-httplib)  # with the flags that its library was built with
 
 # The double build needs the library *and* the define; pkg-config passes no define.
@@ -28,3 +26,20 @@ find_library(FLINT_ARB flint-arb REQUIRED)
 find_library(FLINT flint REQUIRED)
 add_library(arb INTERFACE)
 target_link_libraries(arb INTERFACE ${FLINT_ARB} ${FLINT})
+
+# Whose a header is: Debian keeps them all in one folder, so that the layering test tells them apart by their names.
+headers_of(Eigen3::Eigen                Eigen/)
+headers_of(fmt::fmt                     fmt/)
+headers_of(nlohmann_json::nlohmann_json nlohmann/)
+headers_of(tomlplusplus::tomlplusplus   toml[+][+]/)
+headers_of(tinyobjloader_double         tiny_obj_loader)
+headers_of(Boost::headers               boost/)
+headers_of(arb                          "(arb|acb|arf|mag|flint/)")
+headers_of(TBB::tbb                     "(tbb|oneapi)/")
+headers_of(CLI11::CLI11                 CLI/)
+headers_of(SQLite::SQLite3              sqlite3)
+headers_of(PkgConfig::HTTPLIB           httplib)
+headers_of(ZLIB::ZLIB                   zlib)
+headers_of(GTest::gtest_main            "(gtest|gmock)/")
+headers_of(benchmark::benchmark         benchmark/)
+headers_of(clang                        clang/)

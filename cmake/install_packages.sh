@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
-# Installs what cmake/packages.txt lists and this machine lacks; says clearly what it cannot do.
+# Installs what cmake/packages.txt and reference/simulators/engines.txt list and this machine lacks; says clearly what it cannot do.
 #   cmake/install_packages.sh        what the program needs
 #   cmake/install_packages.sh tests  and what only the tests need
 set -euo pipefail
 cd "$(dirname "$0")/.."
+
+engines() { awk '!/^#/ && $8 && !seen[$7]++ { print "header:" $8, $7 }' reference/simulators/engines.txt; }
 
 missing=() missing_for_tests=()
 while read -r probe package only; do
@@ -14,7 +16,7 @@ while read -r probe package only; do
     command:*) command -v "${probe#command:}" >/dev/null || list+=("$package") ;;
     header:*) compgen -G "/usr/include/${probe#header:}" >/dev/null || compgen -G "/usr/include/*-linux-gnu/${probe#header:}" >/dev/null || list+=("$package") ;;
   esac
-done <cmake/packages.txt
+done < <(cat cmake/packages.txt && engines)
 [ ${#missing[@]} -eq 0 ] && [ ${#missing_for_tests[@]} -eq 0 ] && exit 0
 
 echo "Installing: ${missing[*]} ${missing_for_tests[*]}" >&2

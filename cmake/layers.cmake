@@ -1,5 +1,6 @@
 # The few kinds of target: a layer, an engine build, a program, a test suite, a benchmark.
 include(GoogleTest)
+include(cmake/declared.cmake)
 enable_testing()
 
 # own_sources(out folder pattern): the files under a folder that no folder declared before, below it, has taken.
@@ -15,33 +16,37 @@ function(own_sources out folder pattern)
   set(${out} ${sources} PARENT_SCOPE)
 endfunction()
 
-# layer(name FOLDER folder USES libraries… DEFINES macros… KIND kind): every source under a folder (programs' main.cc and
-# reports/web, which is cmake/web.cmake's, left out); the kinds are cmake/speed.cmake's, numbers unless it is said.
+# layer(name FOLDER folder USES libraries… PRIVATE libraries… DEFINES macros… KIND kind): every source under a folder
+# (programs' main.cc and reports/web, which is cmake/web.cmake's, left out); the kinds are cmake/speed.cmake's, numbers
+# unless it is said.  What is PRIVATE, no header shows that another layer includes.
 # A layer inside another's folder is declared before it.
 function(layer name)
-  cmake_parse_arguments(ARG "" "FOLDER;KIND" "USES;DEFINES" ${ARGN})
+  cmake_parse_arguments(ARG "" "FOLDER;KIND" "USES;PRIVATE;DEFINES" ${ARGN})
   own_sources(sources ${ARG_FOLDER} *.cc)
   list(FILTER sources EXCLUDE REGEX "/main[.]cc$|/web/")
   add_library(${name} STATIC ${sources})
   target_compile_definitions(${name} PUBLIC ${ARG_DEFINES})
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
-  target_link_libraries(${name} PUBLIC ${ARG_USES} PRIVATE warnings)
+  target_link_libraries(${name} PUBLIC ${ARG_USES} PRIVATE ${ARG_PRIVATE} warnings)
+  declare(${name} KIND layer PLACES ${ARG_FOLDER}/ PUBLIC ${ARG_USES} PRIVATE ${ARG_PRIVATE})
   if(NOT ARG_KIND)
     set(ARG_KIND numbers)
   endif()
   compiled_as(${name} ${ARG_KIND})
 endfunction()
 
-# simulator(build ADAPTER name USES engine): library sim_<build> and executable cylon-worker-<build>.
+# simulator(build ADAPTER name USES engine LINKS its target): library sim_<build> and executable cylon-worker-<build>.
 function(simulator build)
-  cmake_parse_arguments(ARG "" "ADAPTER" "USES" ${ARGN})
+  cmake_parse_arguments(ARG "" "ADAPTER;USES;LINKS" "" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS reference/simulators/${ARG_ADAPTER}/*.cc)
   string(REPLACE "-" "_" library sim_${build})
   add_library(${library} STATIC ${sources})
-  target_link_libraries(${library} PUBLIC core PRIVATE ${ARG_USES} warnings)
+  target_link_libraries(${library} PUBLIC core PRIVATE ${ARG_LINKS} warnings)
+  declare(${library} KIND simulator PLACES reference/simulators/${ARG_ADAPTER}/ PUBLIC core PRIVATE ${ARG_USES})
   compiled_as(${library} numbers)
   add_executable(cylon-worker-${build} reference/workers/main.cc)
   target_link_libraries(cylon-worker-${build} PRIVATE process ${library} warnings)
+  declare(cylon-worker-${build} KIND program PLACES reference/workers/ PRIVATE process)
   set_property(GLOBAL APPEND PROPERTY cylon_workers cylon-worker-${build})
 endfunction()
 
@@ -50,6 +55,7 @@ function(program name)
   get_property(workers GLOBAL PROPERTY cylon_workers)
   add_executable(${name} ${ARG_SOURCE})
   target_link_libraries(${name} PRIVATE ${ARG_USES} warnings)
+  declare(${name} KIND program PLACES ${ARG_SOURCE} PRIVATE ${ARG_USES})
   add_dependencies(${name} ${workers})
 endfunction()
 
@@ -63,6 +69,7 @@ function(test_suite name)
     CYLON_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CYLON_BINARY_DIR="${PROJECT_BINARY_DIR}")
   target_include_directories(${name}_tests PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name}_tests PRIVATE ${ARG_USES} GTest::gtest_main warnings)
+  declare(${name}_tests KIND tests PLACES ${ARG_FOLDER}/ PRIVATE ${ARG_USES} GTest::gtest_main)
   compiled_as(${name}_tests test)
   gtest_discover_tests(${name}_tests TEST_PREFIX "${name}/" DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${name})
 endfunction()
@@ -72,10 +79,14 @@ function(tool name)
   cmake_parse_arguments(ARG "" "SOURCE" "USES" ${ARGN})
   add_executable(${name} EXCLUDE_FROM_ALL ${ARG_SOURCE})
   target_link_libraries(${name} PRIVATE ${ARG_USES} warnings)
+  declare(${name} KIND tool PLACES ${ARG_SOURCE} PRIVATE ${ARG_USES})
 endfunction()
 
+# The test reads what every target has declared by the end of CMakeLists.txt.
 function(layering_test)
-  add_test(NAME layering COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR} -P ${PROJECT_SOURCE_DIR}/tests/layering_test.cmake)
+  declare(lint_scope KIND tool PLACES tests/lint_scope.cc PRIVATE clang)  # tests/lint.py loads it into clang-tidy
+  cmake_language(EVAL CODE "cmake_language(DEFER DIRECTORY ${PROJECT_SOURCE_DIR} CALL write_declared)")
+  add_test(NAME layering COMMAND ${PROJECT_SOURCE_DIR}/tests/layering_test.py ${PROJECT_BINARY_DIR}/layers.json)
   set_tests_properties(layering PROPERTIES LABELS layering)
 endfunction()
 
@@ -97,6 +108,8 @@ function(bench name)
   cmake_parse_arguments(ARG "" "" "USES" ${ARGN})
   add_executable(${name} bench/${name}.cc)
   target_link_libraries(${name} PRIVATE ${ARG_USES} benchmark::benchmark warnings)
+  declare(${name} KIND bench PLACES bench/${name}.cc PRIVATE ${ARG_USES} benchmark::benchmark bench)
+  declare(bench KIND bench PLACES bench/ PRIVATE ${ARG_USES} benchmark::benchmark)  # what benches share
 endfunction()
 
 # scaling_cells(bench builds…): what a bench runs in processes of their own, one executable per engine build.
@@ -106,6 +119,7 @@ function(scaling_cells bench)
     string(REPLACE "-" "_" library sim_${build})
     add_executable(scaling-cell-${build} EXCLUDE_FROM_ALL bench/scaling/cell.cc bench/scaling/kinds.cc)
     target_link_libraries(scaling-cell-${build} PRIVATE exact ${library} warnings)
+    declare(scaling-cell-${build} KIND bench PLACES bench/scaling/ PRIVATE exact ${library})
     add_dependencies(${bench} scaling-cell-${build})
   endforeach()
 endfunction()

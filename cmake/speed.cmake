@@ -26,6 +26,7 @@ set(headers_test ${headers_numbers} <random> <gtest/gtest.h>)
 
 # What precompiled headers declare as compiled elsewhere.
 add_library(templates STATIC cmake/templates/fmt.cc cmake/templates/json.cc)
+declare(templates KIND layer PLACES cmake/templates/ PUBLIC fmt::fmt nlohmann_json::nlohmann_json)
 target_compile_options(templates PRIVATE $<$<CONFIG:Release>:${optimised_text}>)
 target_include_directories(templates PRIVATE ${PROJECT_SOURCE_DIR})
 target_link_libraries(templates PRIVATE fmt::fmt nlohmann_json::nlohmann_json warnings)

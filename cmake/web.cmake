@@ -8,6 +8,7 @@ add_custom_command(
           reports/web/build.mjs cmake/web_bundle.sh
   COMMENT "Bundling the web pages" VERBATIM)
 add_library(web_bundle STATIC reports/web/embed.cc ${bundle}/cylon.js)
+declare(web_bundle KIND layer PLACES reports/web/ reports/web_bundle.h)
 set_source_files_properties(reports/web/embed.cc PROPERTIES
   OBJECT_DEPENDS "${bundle}/cylon.js;${bundle}/cylon.css;${bundle}/csp.txt")
 target_compile_definitions(web_bundle PRIVATE CYLON_WEB_BUNDLE="${bundle}")

@@ -138,7 +138,9 @@ def published(cylon):
 
 def fingerprint(cylon):
     """Answers only: the numbers that they rest on stand beside them in the program's own words."""
-    engines = json.loads(output(cylon, "engines", "--fingerprint", "--json", "in-house", "bullet", "bullet-multibody", "ode"))
+    table = (root / "reference/simulators/engines.txt").read_text().splitlines()
+    compared = [row.split()[0] for row in table if not row.startswith("#") and row.split()[3] == "compared"]
+    engines = json.loads(output(cylon, "engines", "--fingerprint", "--json", *compared))
     lines = ["| | " + " | ".join(e["id"] for e in engines) + " |", "|---" * (len(engines) + 1) + "|"]
     for i, finding in enumerate(engines[0]["findings"]):
         lines.append(f"| {finding['probe']} | " + " | ".join(e["findings"][i]["answer"] for e in engines) + " |")

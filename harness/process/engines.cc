@@ -1,6 +1,7 @@
 #include "harness/process/engines.h"
 
 #include "harness/core/input_error.h"
+#include "harness/process/engine_table.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,24 +10,19 @@
 
 namespace cylon::process {
 
+std::vector<std::string> compared_engines() {
+  std::vector<std::string> ids;
+  for (const BuiltEngine& e : engine_table())
+    if (e.compared) ids.push_back(e.id);
+  return ids;
+}
+
 std::vector<EngineRow> default_engines(const std::filesystem::path& worker_dir) {
-  struct {
-    const char *id, *build, *path;
-  } const table[] = {
-      {"in-house", "in-house", ""},
-      {"in-house-float", "in-house-f32", ""},
-      {"bullet", "bullet-f64", ""},
-      {"bullet-float", "bullet-f32", ""},
-      {"bullet-multibody", "bullet-f64", "multibody"},
-      {"bullet-multibody-float", "bullet-f32", "multibody"},
-      {"ode", "ode", "step"},
-      {"ode-quick", "ode", "quick"},
-  };
   std::vector<EngineRow> rows;
   // Absolute, so that a worker is never looked up in PATH.
   const std::filesystem::path folder = std::filesystem::absolute(worker_dir);
-  for (const auto& [id, build, path] : table)
-    rows.push_back({id, {(folder / fmt::format("cylon-worker-{}", build)).string()}, path});
+  for (const BuiltEngine& e : engine_table())
+    rows.push_back({e.id, {(folder / fmt::format("cylon-worker-{}", e.build)).string()}, e.path});
   return rows;
 }
 

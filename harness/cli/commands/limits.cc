@@ -1,13 +1,13 @@
 // cylon limits
-#include "harness/cli/commands/app.h"
-#include "harness/cli/workers.h"
 #include "harness/cli/command_line.h"
+#include "harness/cli/commands/app.h"
 #include "harness/cli/commands/limits_report.h"
 #include "harness/cli/options.h"
 #include "harness/cli/output.h"
-
-#include "harness/study/limits_step.h"
+#include "harness/cli/workers.h"
+#include "harness/process/engine_table.h"
 #include "harness/scenario/glob.h"
+#include "harness/study/limits_step.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -77,7 +77,7 @@ Wanted wanted(const Context& context, const std::vector<std::string>& words) {
 std::vector<Task> entrants(const Context& context, const Options& options) {
   const auto rows = with_workers(context, options.workers);
   std::vector<std::string> ids;
-  if (options.engines.empty()) ids = {"in-house", "bullet", "bullet-multibody", "ode"};
+  if (options.engines.empty()) ids = process::compared_engines();
   for (const std::string& word : options.engines) {
     const bool glob = word.find_first_of("*?") != std::string::npos;
     if (!glob) ids.push_back(word);
@@ -243,7 +243,7 @@ Command add_limits(App& app, const Context& context) {
   app.add_option("words", options->words,
                  "Globs over the families below, scenario files or globs; none: all families")
       ->type_name("FAMILY|FILE|GLOB");
-  add_engines_option(app, options->engines, "in-house, bullet, bullet-multibody and ode");
+  add_engines_option(app, options->engines, fmt::format("{}", fmt::join(process::compared_engines(), ", ")));
   add_integrators_option(app, options->integrators, "each engine's default");
   app.add_option("--json", options->json, "Write the rows as JSON; - is stdout")->type_name("FILE");
   app.add_option("--csv", options->csv, "Write the rows as CSV; - is stdout")->type_name("FILE");

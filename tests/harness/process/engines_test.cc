@@ -1,8 +1,12 @@
 // How an engine is asked for by name.
-#include "harness/core/input_error.h"
 #include "harness/process/engines.h"
+#include "harness/core/input_error.h"
+#include "harness/process/engine_table.h"
 
 #include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
 
 namespace cylon::process {
 namespace {
@@ -34,6 +38,26 @@ TEST(Engines, AVariantSetsOptionsPathAndIntegrator) {
   EXPECT_EQ(choice.options, (std::map<std::string, std::string>{{"erp", "0"}, {"gyro", "none"}}));
   EXPECT_EQ(parse_engine("ode/path=quick", rows).path, "quick");
   EXPECT_EQ(parse_engine("ode", rows).path, "step");
+}
+
+TEST(Engines, FollowTheTableOfEngines) {
+  std::ifstream table(CYLON_SOURCE_DIR "/reference/simulators/engines.txt");
+  std::vector<std::string> ids, compared;
+  for (std::string line; std::getline(table, line);) {
+    if (line.starts_with('#')) continue;
+    std::istringstream words(line);
+    std::string id, build, path, mark;
+    words >> id >> build >> path >> mark;
+    ids.push_back(id);
+    if (mark == "compared") compared.push_back(id);
+    const EngineChoice choice = parse_engine(id, rows);
+    EXPECT_EQ(choice.row.command, std::vector<std::string>{"/opt/cylon/cylon-worker-" + build});
+    EXPECT_EQ(choice.path, path == "-" ? "" : path);
+  }
+  ASSERT_FALSE(compared.empty());
+  ASSERT_EQ(ids.size(), rows.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) EXPECT_EQ(rows[i].id, ids[i]);
+  EXPECT_EQ(compared_engines(), compared);
 }
 
 TEST(Engines, MistakesAreNamed) {

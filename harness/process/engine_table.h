@@ -1,0 +1,20 @@
+// The rows of reference/simulators/engines.txt, as CMake generates them.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace cylon::process {
+
+struct BuiltEngine {
+  const char *id, *build, *path;
+  bool compared;  ///< By commands that compare engines, when none is named.
+};
+
+std::span<const BuiltEngine> engine_table();
+
+/// The ids of the engines that are compared.
+std::vector<std::string> compared_engines();
+
+}  // namespace cylon::process
