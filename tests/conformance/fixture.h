@@ -5,7 +5,7 @@
 #include "harness/process/engines.h"
 #include "harness/study/cell.h"
 #include "harness/scenario/expected.h"
-#include "harness/scenario/reader.h"
+#include "harness/scenario/input.h"
 #include "harness/scenario/scenario.h"
 #include "harness/scenario/suite.h"
 

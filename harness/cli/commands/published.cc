@@ -2,7 +2,6 @@
 
 #include "harness/scenario/glob.h"
 #include "harness/scenario/input.h"
-#include "harness/scenario/reader.h"
 
 #include <fmt/format.h>
 
