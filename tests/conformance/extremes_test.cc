@@ -43,7 +43,7 @@ const std::vector<Verdict>& rows() {
 
 std::string place(const Verdict& row) {
   return fmt::format("{} of {} on {}: {} (expected {}) {:.17g}, allowed {:.17g}; {}", row.claim, row.scenario,
-                     row.engine, core::name(row.status), core::name(row.expected), row.measured, row.allowed,
+                     row.engine, results::name(row.status), results::name(row.expected), row.measured, row.allowed,
                      row.detail);
 }
 

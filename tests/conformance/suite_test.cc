@@ -54,7 +54,7 @@ scenario::Suite suite(const std::string& name) {
 
 std::string place(const Verdict& row) {
   return fmt::format("{} of {} on {}: {} {:.17g}, allowed {:.17g}; {}", row.claim, row.scenario, row.engine,
-                     core::name(row.status), row.measured, row.allowed, row.detail);
+                     results::name(row.status), row.measured, row.allowed, row.detail);
 }
 
 // Every field but the time that it took, doubles to the last bit.
