@@ -1,6 +1,7 @@
 // [[body]], and the template inside [[lattice]] and [[cloud]].
 #include "harness/scenario/draft.h"
 #include "harness/scenario/inertia.h"
+#include "harness/scenario/read_element.h"
 
 #include <fmt/format.h>
 
@@ -14,13 +15,11 @@ namespace {
 
 constexpr std::size_t most_bodies = 1'000'000;
 
-std::string read_name(const Table& table) {
-  const std::string name = table.text("name");
+void check_name(const Table& table, const std::string& name) {
   const bool bad = std::ranges::any_of(name, [](char c) {
     return std::iscntrl(static_cast<unsigned char>(c)) || c == ',' || c == '"' || c == '*' || c == '?';
   });
   if (bad) table.fail("name", "name: quotes, commas, *, ? and control characters are not allowed");
-  return name;
 }
 
 double read_mass(const Table& table, const core::Shape& shape) {
@@ -84,22 +83,18 @@ void check_color(const Table& table, const std::string& color) {
 }
 
 core::Body read_body(const Table& table, Draft& draft) {
-  core::Body body;
-  body.name = read_name(table);
+  auto body = read_element<core::Body>(table, draft);
+  check_name(table, body.name);
   if (const auto shape = table.table("shape")) body.shape = read_shape(*shape, draft);
   const bool has_shape = !std::holds_alternative<std::monostate>(body.shape);
   body.mass = read_mass(table, body.shape);
   body.inertia = table.has("inertia") ? read_inertia(table) : inertia_of_shape(table, body.shape, body.mass);
   if (!body.inertia.allFinite()) table.fail("mass", "the inertia of this body is not finite");
-  body.initial = {table.vector("position"), read_orientation(table, "orientation"), table.vector("velocity"),
-                  table.vector("angular_velocity")};
-  body.locked = table.boolean("locked");
   for (const char* key : {"velocity", "angular_velocity"})
     if (body.locked && !table.vector(key).isZero(0))
       table.fail(key, fmt::format("{}: a locked body does not move", key));
   body.collide = table.boolean("collide", has_shape);
   if (body.collide && !has_shape) table.fail("collide", "collide = true, but the body has no shape");
-  body.color = table.text("color");
   check_color(table, body.color);
   return body;
 }

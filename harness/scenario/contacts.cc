@@ -1,5 +1,5 @@
 // Planes, materials of pairs, and nothing inside anything else at the start.
-#include "harness/scenario/draft.h"
+#include "harness/scenario/read_element.h"
 
 #include "harness/core/observable.h"
 #include "harness/core/surfaces.h"
@@ -82,7 +82,7 @@ void refuse_overlapping_spheres(const Draft& draft) {
 void read_planes(const Table& root, Draft& draft) {
   std::set<std::string> names;
   for (const Table& t : root.tables("plane")) {
-    core::Plane plane{t.text("name"), t.vector("normal", Vector3::UnitY()), t.number("offset")};
+    auto plane = read_element<core::Plane>(t, draft);
     if (plane.name == "*") t.fail("name", "name: \"*\" stands for all names in a material");
     if (!names.insert(plane.name).second)
       t.fail("name", fmt::format("name '{}' is taken by another plane", plane.name));
@@ -103,7 +103,8 @@ void read_materials(const Table& root, Draft& draft) {
         draft.origin[i].fail("name", fmt::format("name '{}' is taken by a plane", plane.name));
   std::set<std::pair<std::string, std::string>> stated;
   for (const Table& t : root.tables("material")) {
-    const std::vector<std::string> between = t.texts("between");
+    auto material = read_element<core::Material>(t, draft);
+    const std::string between[] = {material.between[0], material.between[1]};
     const auto first = resolve(t, draft, between[0]), second = resolve(t, draft, between[1]);
     constexpr std::size_t most = 10'000;
     if (first.size() * second.size() > most)
@@ -116,7 +117,8 @@ void read_materials(const Table& root, Draft& draft) {
           if (between[0] == between[1]) continue;  // a generator with itself names each pair twice
           t.fail("between", fmt::format("the pair '{}', '{}' has a material already", a, b));
         }
-        draft.scene.materials.push_back({{a, b}, t.number("restitution"), t.number("friction")});
+        material.between[0] = a, material.between[1] = b;
+        draft.scene.materials.push_back(material);
       }
   }
   require_materials(draft);

@@ -1,5 +1,5 @@
 // Joints, and initial velocities that they allow.
-#include "harness/scenario/draft.h"
+#include "harness/scenario/read_element.h"
 
 #include <fmt/format.h>
 
@@ -63,19 +63,14 @@ void check_velocity(const Table& t, Draft& draft, const core::Joint& joint, cons
 }
 
 core::Joint read_joint(const Table& t, Draft& draft) {
-  core::Joint joint;
-  joint.type = t.choice("type", {"ball", "hinge", "distance", "fixed"}, core::JointType::ball);
-  joint.body = draft.body(t, "body");
-  if (t.has("to")) joint.to = draft.body(t, "to");
+  auto joint = read_element<core::Joint>(t, draft);
   if (joint.to == joint.body) t.fail("to", "a joint joins two different bodies, or one with the world");
   const bool distance = joint.type == core::JointType::distance;
   if (distance && t.has("point") && t.has("to"))
     t.fail("point", "point: a distance between two bodies joins their centres");
   if (distance && !t.has("point") && !t.has("to"))
     t.fail("a distance joint needs 'to' (a body) or 'point' (of the world)");
-  joint.point = t.vector("point");
   if (joint.type == core::JointType::hinge) {
-    joint.axis = t.vector("axis");
     if (!(joint.axis.norm() > 0)) t.fail("axis", "axis = [0, 0, 0] has no direction");
     joint.axis.normalize();
   }

@@ -35,6 +35,4 @@ Key required(Key key) {
   return key;
 }
 
-Key on_body() { return required(word("body", "Name of the body.")); }
-
 }  // namespace cylon::scenario

@@ -8,10 +8,7 @@
 
 namespace cylon::scenario {
 
-inline constexpr Range any;
-inline constexpr Range positive{.low = 0, .open = true};
-inline constexpr Range not_negative{.low = 0};
-inline constexpr Range unit_interval{.low = 0, .high = 1};
+using core::any, core::positive, core::not_negative, core::unit_interval;
 
 /// A text, one of `choices` where there are any.
 Key word(std::string name, std::string meaning, std::vector<std::string> choices = {});
@@ -37,8 +34,5 @@ Key nested(std::string name, Kind, const Spec* (*spec)(), std::string meaning);
 
 /// The same, and an error where it is absent.
 Key required(Key);
-
-/// `body`, the name of the body that a force acts on or a joint holds.
-Key on_body();
 
 }  // namespace cylon::scenario

@@ -1,6 +1,7 @@
 #include "harness/scenario/keys.h"
 
 #include "harness/results/verdict.h"
+#include "harness/scenario/field_keys.h"
 #include "harness/scenario/key_rows.h"
 #include "harness/scenario/key_tables.h"
 
@@ -44,34 +45,36 @@ std::string describe(const Range& range, const std::string& unit) {
 }
 
 const Spec& scenario_keys() {
-  static const Spec spec{
-      .label = "a scenario",
-      .keys = {
-          word("title", "One line for people."),
-          word("story", "Two to four sentences for people."),
-          plain("tags", texts, "For selection."),
-          plain(
-              "sources", texts,
+  static const Spec spec = [] {
+    std::vector<Key> keys = {
+        word("title", "One line for people."),
+        word("story", "Two to four sentences for people."),
+        plain("tags", texts, "For selection."),
+        plain("sources", texts,
               "Where the case was reported or proposed: \"owner/repository#number\" of GitHub, or a title."),
-          required(real("duration", "s", "A whole number of steps.", positive)),
-          required(plain("step", step, "Nominal step [s]: a number, or text like \"1/60\".")),
-          arrow("gravity", "m/s^2", "Absent: none."),
-          word("impacts", "How several impacts at one instant resolve.", {"sequential", "simultaneous"}),
-          nested("body", tables, body_spec, "A rigid body."),
-          nested("lattice", tables, lattice_spec, "Equal bodies on a grid: name[0], name[1], …, x fastest."),
-          nested("cloud", tables, cloud_spec,
-                 "Equal bodies at random places that do not overlap: name[0], …"),
-          nested("spring", tables, spring_spec, "A spring with damping."),
-          nested("drag", tables, drag_spec, "Resistance of a medium."),
-          nested("thrust", tables, thrust_spec, "A motor, a rocket or accretion."),
-          nested("drive", tables, drive_spec, "A harmonic force."),
-          nested("attraction", tables, attraction_spec, "Gravity between two bodies."),
-          nested("water", tables, water_spec, "A water surface."),
-          nested("joint", tables, joint_spec, "A joint."),
-          nested("plane", tables, plane_spec, "A fixed half-space."),
-          nested("material", tables, material_spec, "What happens where a pair touches."),
-          nested("frame", table, frame_spec, "The frame in which the initial state is given."),
-          nested("claim", tables, claim_spec, "What must hold, and how well.")}};
+        required(real("duration", "s", "A whole number of steps.", positive)),
+        required(plain("step", step, "Nominal step [s]: a number, or text like \"1/60\".")),
+        keys_of<core::UniformGravity>().front(),
+        word("impacts", "How several impacts at one instant resolve.",
+             {core::Words<core::Impacts>::list.begin(), core::Words<core::Impacts>::list.end()}),
+        nested("body", tables, body_spec, "A rigid body."),
+        nested("lattice", tables, lattice_spec, "Equal bodies on a grid: name[0], name[1], …, x fastest."),
+        nested("cloud", tables, cloud_spec, "Equal bodies at random places that do not overlap: name[0], …")};
+    const auto add = [&]<class T>(std::type_identity<T>, Kind kind, const Spec* (*of)()) {
+      keys.push_back(
+          nested(std::string(core::Element<T>::name), kind, of, std::string(core::Element<T>::meaning)));
+    };
+    core::for_each_force([&]<class Force>() {
+      if constexpr (!std::is_same_v<Force, core::UniformGravity>)
+        add(std::type_identity<Force>{}, tables, spec_of<Force>);
+    });
+    add(std::type_identity<core::Joint>{}, tables, joint_spec);
+    add(std::type_identity<core::Plane>{}, tables, spec_of<core::Plane>);
+    add(std::type_identity<core::Material>{}, tables, spec_of<core::Material>);
+    add(std::type_identity<core::Frame>{}, table, spec_of<core::Frame>);
+    keys.push_back(nested("claim", tables, claim_spec, "What must hold, and how well."));
+    return Spec{.label = "a scenario", .keys = keys};
+  }();
   return spec;
 }
 

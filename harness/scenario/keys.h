@@ -2,7 +2,8 @@
 // Knows the words and their ranges, not what becomes of them.
 #pragma once
 
-#include <limits>
+#include "harness/core/range.h"
+
 #include <string>
 #include <vector>
 
@@ -31,12 +32,7 @@ enum class Kind {
   text_or_table
 };
 
-/// low <= x <= high, or low < x where `open`.
-struct Range {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  bool open = false;
-};
+using core::Range;
 
 struct Spec;
 

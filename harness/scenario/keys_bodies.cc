@@ -1,6 +1,9 @@
 // Keys of bodies, their shapes and the generators.
+#include "harness/scenario/field_keys.h"
 #include "harness/scenario/key_rows.h"
 #include "harness/scenario/key_tables.h"
+
+#include <algorithm>
 
 namespace cylon::scenario {
 namespace {
@@ -12,35 +15,30 @@ std::vector<Key> operator+(std::vector<Key> a, const std::vector<Key>& b) {
   return a;
 }
 
+// The keys of a table, with those of the table that one of them holds.
+std::vector<Key> with(std::vector<Key> keys, std::string_view name, const Spec* (*spec)()) {
+  std::ranges::find(keys, name, &Key::name)->spec = spec;
+  return keys;
+}
+
 std::vector<Spec::Variant> primitives() {
-  const Key radius = required(real("radius", "m", "Radius.", positive));
-  const Key length =
-      required(real("length", "m", "Length along body y; of a capsule, of its cylinder.", positive));
-  return {{"sphere", {radius}},
-          {"box", {required(arrow("half_extents", "m", "Half the edges along body x, y, z.", positive))}},
-          {"capsule", {radius, length}},
-          {"cylinder", {radius, length}},
-          {"cone", {radius, length}},
-          {"rod", {length}},
-          {"disc", {radius}},
-          {"hull", {required(plain("vertices", points, "The convex hull of these points [m]."))}},
-          {"mesh",
-           {word("file", "Wavefront OBJ beside the scenario; or vertices and faces."),
-            plain("vertices", points, "[m]"),
-            plain("faces", triangles, "Indices from 0, counter-clockwise seen from outside."),
-            real("scale", "", "Factor on every coordinate; 1 when absent.", positive)}}};
+  std::vector<Spec::Variant> variants;
+  core::for_each_shape<core::Primitive>([&]<class Kind>() {
+    variants.push_back({std::string(core::Element<Kind>::name), keys_of<Kind>()});
+  });
+  std::vector<Key>& mesh = variants.back().keys;
+  mesh.insert(mesh.begin(), word("file", "Wavefront OBJ beside the scenario; or vertices and faces."));
+  mesh.push_back(real("scale", "", "Factor on every coordinate; 1 when absent.", positive));
+  return variants;
 }
 
 const Spec* part_keys() {
-  static const Spec spec{
-      .label = "a part of a compound",
-      .keys = {required(word("type", "Kind of shape.")),
-               required(real("mass", "kg", "Mass of the part.", positive)),
-               arrow("position", "m",
-                     "Centre of mass of the part; the origin is moved to the common centre."),
-               plain("orientation", quaternion, "(w, x, y, z), part to body.")},
-      .tag = "type",
-      .variants = primitives()};
+  static const Spec spec = [] {
+    std::vector<Key> keys = keys_of<core::Part>();
+    keys.front() =
+        required(word("type", "Kind of shape."));  // the shape's keys stand beside those of the part
+    return Spec{.label = "a part of a compound", .keys = keys, .tag = "type", .variants = primitives()};
+  }();
   return &spec;
 }
 
@@ -50,30 +48,14 @@ const Spec* shape_keys() {
            .keys = {required(word("type", "Kind of shape; its axis lies along body y."))},
            .tag = "type",
            .variants = primitives()};
-    s.variants.push_back(
-        {"compound", {required(nested("parts", tables, part_keys, "Rigidly joined parts."))}});
+    s.variants.push_back({std::string(core::Element<core::Compound>::name),
+                          with(keys_of<core::Compound>(), "parts", part_keys)});
     return s;
   }();
   return &spec;
 }
 
-std::vector<Key> body_keys() {
-  return {
-      required(word("name", "Unique; forces, joints, materials and claims refer to it.")),
-      real("mass", "kg", "Required, unless locked or a compound.", positive),
-      plain("inertia", moments,
-            "Principal moments about the centre of mass in body axes, or nine numbers by rows [kg m^2]; "
-            "absent: from "
-            "the shape; without a shape, mass x 1 m^2 about every axis, since a point has no orientation."),
-      arrow("position", "m", "Of the centre of mass, world axes."),
-      plain("orientation", quaternion, "Unit (w, x, y, z), body to world."),
-      arrow("velocity", "m/s", "Of the centre of mass, world axes; must fit the joints."),
-      arrow("angular_velocity", "rad/s", "World axes."),
-      nested("shape", table, shape_keys, "Absent: a point or bare rigid body."),
-      plain("locked", boolean, "Does not move, whatever acts on it."),
-      plain("collide", boolean, "Takes part in contacts; absent: true where there is a shape."),
-      word("color", "For viewers: \"#rrggbb\".")};
-}
+std::vector<Key> body_keys() { return with(keys_of<core::Body>(), "shape", shape_keys); }
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 #include "harness/core/recording.h"
 #include "harness/scenario/claims.h"
 #include "harness/scenario/draft.h"
+#include "harness/scenario/read_element.h"
 
 #include <fmt/format.h>
 
@@ -45,10 +46,9 @@ Scenario parse(std::string_view text, const std::string& file_name) {
   Draft draft;
   draft.folder = path.parent_path();
   draft.fingerprint.add(text);
-  draft.scene.impacts =
-      root.text("impacts") == "simultaneous" ? core::Impacts::simultaneous : core::Impacts::sequential;
-  if (const auto frame = root.table("frame"))
-    draft.scene.frame = core::Frame{frame->vector("velocity"), frame->vector("angular_velocity")};
+  const auto& rules = core::Words<core::Impacts>::list;
+  draft.scene.impacts = root.choice("impacts", {rules.begin(), rules.end()}, draft.scene.impacts);
+  if (const auto frame = root.table("frame")) draft.scene.frame = read_element<core::Frame>(*frame, draft);
   read_planes(root, draft);  // before the bodies: clouds keep clear of them
   read_bodies(root, draft);
   read_forces(root, draft);

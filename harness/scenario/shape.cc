@@ -1,22 +1,15 @@
 // shape = { type = … } -> core::Shape.
 #include "harness/scenario/draft.h"
 #include "harness/scenario/mesh.h"
+#include "harness/scenario/read_element.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <functional>
-#include <map>
 #include <stdexcept>
 
 namespace cylon::scenario {
 namespace {
-
-std::vector<core::Vector3> points(const Table& table) {
-  std::vector<core::Vector3> result;
-  for (const auto& row : table.rows("vertices")) result.emplace_back(row[0], row[1], row[2]);
-  return result;
-}
 
 core::Mesh mesh(const Table& table, Draft& draft) {
   if (table.has("file") == (table.has("vertices") || table.has("faces")))
@@ -30,7 +23,7 @@ core::Mesh mesh(const Table& table, Draft& draft) {
     }
   } else {
     if (!table.has("vertices") || !table.has("faces")) table.fail("a mesh needs 'vertices' and 'faces'");
-    result.vertices = points(table);
+    result.vertices = read_points(table, "vertices");
     for (const auto& row : table.rows("faces")) {
       for (const double i : row)
         if (!(i >= 0 && i < static_cast<double>(result.vertices.size())))
@@ -46,31 +39,17 @@ core::Mesh mesh(const Table& table, Draft& draft) {
   return result;
 }
 
-core::Primitive primitive(const Table& t, Draft& draft) {
-  using Make = std::function<core::Primitive(const Table&, Draft&)>;
-  const auto radius = [](const Table& s) { return s.number("radius"); };
-  const auto length = [](const Table& s) { return s.number("length"); };
-  static const std::map<std::string, Make> rows = {
-      {"sphere", [=](const Table& s, Draft&) { return core::Sphere{radius(s)}; }},
-      {"box", [=](const Table& s, Draft&) { return core::Box{s.vector("half_extents")}; }},
-      {"capsule",
-       [=](const Table& s, Draft&) {
-         return core::Capsule{radius(s), length(s)};
-       }},
-      {"cylinder",
-       [=](const Table& s, Draft&) {
-         return core::Cylinder{radius(s), length(s)};
-       }},
-      {"cone",
-       [=](const Table& s, Draft&) {
-         return core::Cone{radius(s), length(s)};
-       }},
-      {"rod", [=](const Table& s, Draft&) { return core::Rod{length(s)}; }},
-      {"disc", [=](const Table& s, Draft&) { return core::Disc{radius(s)}; }},
-      {"hull", [=](const Table& s, Draft&) { return core::Hull{points(s)}; }},
-      {"mesh", [=](const Table& s, Draft& d) { return mesh(s, d); }},
-  };
-  return rows.at(t.text("type"))(t, draft);
+core::Primitive primitive(const Table& table, Draft& draft) {
+  const std::string type = table.text("type");
+  core::Primitive result;
+  core::for_each_shape<core::Primitive>([&]<class Kind>() {
+    if (type != core::Element<Kind>::name) return;
+    if constexpr (std::is_same_v<Kind, core::Mesh>)
+      result = mesh(table, draft);
+    else
+      result = read_element<Kind>(table, draft);
+  });
+  return result;
 }
 
 }  // namespace
@@ -79,9 +58,10 @@ core::Shape read_shape(const Table& table, Draft& draft) {
   if (table.text("type") != "compound")
     return std::visit([](auto&& shape) { return core::Shape(shape); }, primitive(table, draft));
   core::Compound compound;
-  for (const Table& part : table.tables("parts", "a part of a compound"))
-    compound.parts.push_back({primitive(part, draft), part.number("mass"), part.vector("position"),
-                              read_orientation(part, "orientation")});
+  for (const Table& table_of_part : table.tables("parts", "a part of a compound")) {
+    auto& part = compound.parts.emplace_back(read_element<core::Part>(table_of_part, draft));
+    part.shape = primitive(table_of_part, draft);
+  }
   if (compound.parts.empty()) table.fail("parts", "a compound needs one part or more");
   return compound;
 }

@@ -1,36 +1,122 @@
 #include "harness/study/restate.h"
 
-#include "harness/core/overloaded.h"
+#include "harness/core/fields.h"
 
+#include <cmath>
+#include <type_traits>
 #include <utility>
 
 namespace cylon::study {
 namespace {
 
+using core::Expressed;
 using core::Matrix3;
 using core::Vector3;
 
 // Of an orthogonal M: pseudovectors go with det(M) M.
 Matrix3 pseudo(const Matrix3& m) { return m.determinant() * m; }
 
-}  // namespace
-
-Vector3 Restatement::place(const Vector3& p) const { return length * (turn * p + move); }
-
-Vector3 Restatement::anchor(int body, const Vector3& a) const {
-  return body == core::world ? place(a) : length * (own * a);
+double power(double base, int exponent) {
+  double result = 1;
+  for (int i = 0; i < std::abs(exponent); ++i) result *= base;
+  return exponent < 0 ? 1 / result : result;
 }
 
-// x' = turn x + move, v' = turn v, w' = det(turn) turn w, R' = turn R own^T; then the units.
-core::BodyState Restatement::operator()(const core::BodyState& s) const {
-  core::BodyState result;
-  result.position = place(s.position);
-  // R' from quaternions where both are rotations (to rounding), from matrices where both are mirrors.
-  result.orientation =
-      core::Quaternion(pseudo(turn)) * s.orientation * core::Quaternion(Matrix3(pseudo(own).transpose()));
-  result.velocity = length / time * (turn * s.velocity);
-  result.angular_velocity = pseudo(turn) * s.angular_velocity / time;
-  return result;
+// Every member of an element by its unit and frame.  With c the factor of the new units:
+//   scalar x' = c x, place x' = c (turn x + move), world vector c turn x, pseudovector c det(turn) turn x,
+//   in body axes c own x, tensor c own I own^T.
+class Rule {
+ public:
+  explicit Rule(const Restatement& change) : c_(change) {}
+
+  template <class T>
+  void element(T& of) const {
+    // normal' . x' = length (normal . x + normal' . move)
+    if constexpr (std::is_same_v<T, core::Plane>) of.offset += Vector3(c_.turn * of.normal).dot(c_.move);
+    core::for_each_field(of, [&](const auto& field, auto& value) { member(of, field.about, value); });
+    if constexpr (std::is_same_v<T, core::Mesh>)
+      if (c_.own.determinant() < 0)
+        for (auto& face : of.faces) std::swap(face[1], face[2]);  // counter-clockwise from outside again
+  }
+
+  // Its numbers have two dimensions; see restate.h.
+  static void element(core::Water&) {}
+
+ private:
+  double factor(const core::About& about) const {
+    const core::Dimension d = core::dimension(about.unit);
+    return power(c_.mass, d.mass) * power(c_.length, d.length) * power(c_.time, d.time);
+  }
+
+  template <class T, class Value>
+  void member(const T& of, const core::About& about, Value& value) const {
+    if constexpr (std::is_same_v<Value, double>) {
+      value *= factor(about);
+    } else if constexpr (std::is_same_v<Value, Vector3>) {
+      value = factor(about) * coordinates(of, about.in, value);
+    } else if constexpr (std::is_same_v<Value, std::optional<Vector3>>) {
+      if (value) member(of, about, *value);
+    } else if constexpr (std::is_same_v<Value, std::vector<Vector3>>) {
+      for (Vector3& v : value) member(of, about, v);
+    } else if constexpr (std::is_same_v<Value, Matrix3>) {
+      const Matrix3 turned = factor(about) * (c_.own * value * c_.own.transpose());
+      value = (turned + turned.transpose()) / 2;
+    } else if constexpr (std::is_same_v<Value, core::Quaternion>) {
+      // R' = turn R own^T, and own R own^T of a part.  From quaternions where both are rotations (to
+      // rounding), from matrices where both are mirrors.
+      const Matrix3& left = about.in == Expressed::body_axes ? c_.own : c_.turn;
+      value = core::Quaternion(pseudo(left)) * value * core::Quaternion(Matrix3(pseudo(c_.own).transpose()));
+    } else if constexpr (std::is_same_v<Value, core::BodyState>) {
+      element(value);
+    } else if constexpr (std::is_same_v<Value, core::Shape> || std::is_same_v<Value, core::Primitive>) {
+      std::visit(
+          [&]<class Kind>(Kind& kind) {
+            if constexpr (!std::is_same_v<Kind, std::monostate>) element(kind);
+          },
+          value);
+    } else if constexpr (std::is_same_v<Value, std::vector<core::Part>>) {
+      for (core::Part& part : value) element(part);
+    } else {
+      static_assert(is_a_word<Value>, "say how a value of this type is restated");
+    }
+  }
+
+  // Names, words, flags and indices are the same in every description.
+  template <class Value>
+  static constexpr bool is_a_word =
+      std::is_integral_v<Value> || std::is_enum_v<Value> || std::is_same_v<Value, std::string> ||
+      std::is_same_v<Value, std::string[2]> ||
+      std::is_same_v<Value, std::vector<std::array<std::int32_t, 3>>>;
+
+  template <class T>
+  Vector3 coordinates(const T& of, Expressed in, const Vector3& v) const {
+    switch (in) {
+      case Expressed::plain:
+        return v;
+      case Expressed::world_point:
+        return c_.turn * v + c_.move;
+      case Expressed::world_vector:
+        return c_.turn * v;
+      case Expressed::world_axial:
+        return pseudo(c_.turn) * v;
+      case Expressed::body_axes:
+        return c_.own * v;
+      case Expressed::other_end:
+        if constexpr (requires { of.to; })
+          if (of.to != core::world) return c_.own * v;
+        return c_.turn * v + c_.move;
+    }
+    return v;
+  }
+
+  const Restatement& c_;
+};
+
+}  // namespace
+
+core::BodyState Restatement::operator()(core::BodyState state) const {
+  Rule(*this).element(state);
+  return state;
 }
 
 core::State Restatement::operator()(core::State state) const {
@@ -38,95 +124,13 @@ core::State Restatement::operator()(core::State state) const {
   return state;
 }
 
-core::Primitive Restatement::shape(core::Primitive primitive) const {
-  const bool mirrored = own.determinant() < 0;
-  std::visit(core::Overloaded{
-                 [](std::monostate&) {},
-                 [&](core::Sphere& s) { s.radius *= length; },
-                 [&](core::Box& s) { s.half_extents *= length; },
-                 [&](core::Rod& s) { s.length *= length; },
-                 [&](core::Disc& s) { s.radius *= length; },
-                 [&](core::Hull& s) {
-                   for (Vector3& v : s.vertices) v = length * (own * v);
-                 },
-                 [&](core::Mesh& s) {
-                   for (Vector3& v : s.vertices) v = length * (own * v);
-                   for (auto& face : s.faces)
-                     if (mirrored) std::swap(face[1], face[2]);  // counter-clockwise from outside again
-                 },
-                 [&](auto& s) { s.radius *= length, s.length *= length; },
-             },
-             primitive);
-  return primitive;
-}
-
 core::Scene Restatement::operator()(core::Scene scene) const {
-  const double speed = length / time, force = mass * speed / time;
-  for (core::Body& b : scene.bodies) {
-    b.initial = (*this)(b.initial);
-    b.mass *= mass;
-    const Matrix3 inertia = mass * length * length * (own * b.inertia * own.transpose());
-    b.inertia = (inertia + inertia.transpose()) / 2;
-    if (auto* compound = std::get_if<core::Compound>(&b.shape)) {
-      for (core::Part& part : compound->parts) {
-        part.shape = shape(part.shape);
-        part.mass *= mass;
-        part.position = length * (own * part.position);
-        // A part is mirrored in its own axes too: own P own^T.
-        part.orientation = core::Quaternion(pseudo(own)) * part.orientation *
-                           core::Quaternion(Matrix3(pseudo(own).transpose()));
-      }
-    } else {
-      b.shape = std::visit(core::Overloaded{[](const core::Compound&) -> core::Shape { return {}; },
-                                            [&](const auto& s) -> core::Shape {
-                                              return std::visit([](auto t) -> core::Shape { return t; },
-                                                                shape(core::Primitive(s)));
-                                            }},
-                           b.shape);
-    }
-  }
-  for (core::Force& f : scene.forces)
-    std::visit(core::Overloaded{
-                   [&](core::UniformGravity& g) { g.acceleration = speed / time * (turn * g.acceleration); },
-                   [&](core::Spring& k) {
-                     k.anchor = anchor(k.body, k.anchor);
-                     k.to_anchor = anchor(k.to, k.to_anchor);
-                     k.stiffness *= mass / (time * time);
-                     k.rest_length *= length;
-                     k.damping *= mass / time;
-                   },
-                   [&](core::Drag& d) {
-                     d.linear *= mass / time;
-                     d.angular *= mass * length * length / time;
-                     d.momentum /= time;
-                   },
-                   [&](core::Thrust& t) {
-                     t.force = force * (own * t.force);
-                     t.mass_rate *= mass / time;
-                     if (t.exhaust_velocity) t.exhaust_velocity = speed * (own * *t.exhaust_velocity);
-                     if (t.exchanged_velocity) t.exchanged_velocity = speed * (turn * *t.exchanged_velocity);
-                   },
-                   [&](core::Drive& d) {
-                     d.force = force * (turn * d.force);
-                     d.frequency /= time;
-                   },
-                   [&](core::Attraction& a) { a.strength *= length * speed * speed / mass; },
-                   [](core::Water&) {},
-               },
-               f);
-  for (core::Joint& j : scene.joints) {
-    j.point = place(j.point);
-    j.axis = turn * j.axis;
-    j.length *= length;
-  }
-  for (core::Plane& p : scene.planes) {
-    p.normal = turn * p.normal;
-    p.offset = length * (p.offset + p.normal.dot(move));
-  }
-  if (scene.frame) {
-    scene.frame->velocity = speed * (turn * scene.frame->velocity);
-    scene.frame->angular_velocity = pseudo(turn) * scene.frame->angular_velocity / time;
-  }
+  const Rule rule(*this);
+  for (core::Body& body : scene.bodies) rule.element(body);
+  for (core::Force& force : scene.forces) std::visit([&](auto& kind) { rule.element(kind); }, force);
+  for (core::Joint& joint : scene.joints) rule.element(joint);
+  for (core::Plane& plane : scene.planes) rule.element(plane);
+  if (scene.frame) rule.element(*scene.frame);
   return scene;
 }
 

@@ -15,17 +15,12 @@ struct Restatement {
   core::Matrix3 own = core::Matrix3::Identity();   ///< Body axes; orthogonal, det own = det turn.
   double length = 1, mass = 1, time = 1;           ///< New units: x' = length x, m' = mass m, t' = time t.
 
-  core::BodyState operator()(const core::BodyState&) const;
+  core::BodyState operator()(core::BodyState) const;
   core::State operator()(core::State) const;
 
   /// Every number of the scene, by its kind.  The caller sees to it that the scene has no part that the
   /// change cannot express: shapes with axes where `own` turns them, water, a turning frame that moves.
   core::Scene operator()(core::Scene) const;
-
- private:
-  core::Vector3 place(const core::Vector3&) const;
-  core::Vector3 anchor(int body, const core::Vector3&) const;
-  core::Primitive shape(core::Primitive) const;
 };
 
 }  // namespace cylon::study

@@ -1,5 +1,6 @@
 #include "harness/view/parameters.h"
 
+#include "harness/core/fields.h"
 #include "harness/view/bad_command.h"
 
 #include <fmt/format.h>
@@ -12,48 +13,23 @@
 namespace cylon::view {
 namespace {
 
-constexpr double unbounded = std::numeric_limits<double>::infinity();
-
-// A number of the scene, where it is there, and its domain.
+// A number of the scene and its domain.
 struct Parameter {
-  const char *list, *name;
-  double low, high;
-  double* (*find)(core::Scene&, std::size_t index);
+  double* place = nullptr;
+  core::Range range;
 };
 
-template <class Kind>
-Kind* force(core::Scene& scene, std::size_t index) {
-  for (core::Force& any : scene.forces)
-    if (Kind* kind = std::get_if<Kind>(&any); kind && index-- == 0) return kind;
-  return nullptr;
+// Element `index` of the kind T, in the order of workers; null where there are fewer.
+template <class T>
+T* find(core::Scene& scene, std::size_t index) {
+  if constexpr (std::is_same_v<T, core::Material>) {
+    return index < scene.materials.size() ? &scene.materials[index] : nullptr;
+  } else {
+    for (core::Force& any : scene.forces)
+      if (T* kind = std::get_if<T>(&any); kind && index-- == 0) return kind;
+    return nullptr;
+  }
 }
-
-template <class Kind, double Kind::*member>
-double* of_force(core::Scene& scene, std::size_t index) {
-  Kind* kind = force<Kind>(scene, index);
-  return kind ? &(kind->*member) : nullptr;
-}
-
-template <double core::Material::*member>
-double* of_material(core::Scene& scene, std::size_t index) {
-  return index < scene.materials.size() ? &(scene.materials[index].*member) : nullptr;
-}
-
-constexpr Parameter table[] = {
-    {"spring", "stiffness", 0, unbounded, of_force<core::Spring, &core::Spring::stiffness>},
-    {"spring", "rest_length", 0, unbounded, of_force<core::Spring, &core::Spring::rest_length>},
-    {"spring", "damping", 0, unbounded, of_force<core::Spring, &core::Spring::damping>},
-    {"drag", "linear", 0, unbounded, of_force<core::Drag, &core::Drag::linear>},
-    {"drag", "angular", 0, unbounded, of_force<core::Drag, &core::Drag::angular>},
-    {"drag", "momentum", 0, unbounded, of_force<core::Drag, &core::Drag::momentum>},
-    {"attraction", "strength", -unbounded, unbounded,
-     of_force<core::Attraction, &core::Attraction::strength>},
-    {"water", "level", -unbounded, unbounded, of_force<core::Water, &core::Water::level>},
-    {"water", "buoyancy", 0, unbounded, of_force<core::Water, &core::Water::buoyancy>},
-    {"water", "drag", 0, unbounded, of_force<core::Water, &core::Water::drag>},
-    {"material", "restitution", 0, 1, of_material<&core::Material::restitution>},
-    {"material", "friction", 0, unbounded, of_material<&core::Material::friction>},
-};
 
 // "list.middle.name"; the middle may have dots of its own.
 struct Key {
@@ -73,12 +49,25 @@ std::optional<std::size_t> index_of(std::string_view text) {
   return index;
 }
 
-double number(std::string_view key, const std::variant<double, core::Vector3>& value, double low,
-              double high) {
+double number(std::string_view key, const std::variant<double, core::Vector3>& value,
+              const core::Range& range) {
   const double* x = std::get_if<double>(&value);
   if (!x) throw BadCommand(fmt::format("{}: a number belongs here, not a vector", key));
-  if (*x >= low && *x <= high) return *x;
-  throw BadCommand(fmt::format("{} = {}: must lie in [{}, {}]", key, *x, low, high));
+  if (*x >= range.low && *x <= range.high) return *x;
+  throw BadCommand(fmt::format("{} = {}: must lie in [{}, {}]", key, *x, range.low, range.high));
+}
+
+// Where the key is a tunable number of T: its parameter, without a place where the scene has no such element.
+template <class T>
+void look_up(core::Scene& scene, const Key& parts, std::optional<Parameter>& found) {
+  if (parts.list != core::Element<T>::name) return;
+  const std::optional<std::size_t> index = index_of(parts.middle);
+  T none, *const element = index ? find<T>(scene, *index) : nullptr;
+  core::for_each_field(element ? *element : none, [&](const auto& field, auto& value) {
+    if constexpr (std::is_same_v<decltype(value), double&>)
+      if (field.about.tunable && field.key == parts.name)
+        found = Parameter{element ? &value : nullptr, field.about.range};
+  });
 }
 
 void set_gravity(core::Scene& scene, const std::variant<double, core::Vector3>& value) {
@@ -94,7 +83,7 @@ void set_mass(core::Scene& scene, std::string_view key, const Key& parts,
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     core::Body& body = scene.bodies[i];
     if (body.name != parts.middle) continue;
-    const double mass = number(key, value, std::numeric_limits<double>::min(), unbounded);
+    const double mass = number(key, value, {.low = std::numeric_limits<double>::min()});
     for (const core::Force& force : scene.forces)
       if (const auto* thrust = std::get_if<core::Thrust>(&force);
           thrust && thrust->mass_rate != 0 && thrust->body == static_cast<int>(i))
@@ -116,15 +105,15 @@ void set_parameter(core::Scene& scene, std::string_view key,
   if (key == "gravity") return set_gravity(scene, value);
   const std::optional<Key> parts = split(key);
   if (parts && parts->list == "body" && parts->name == "mass") return set_mass(scene, key, *parts, value);
-  for (const Parameter& row : table) {
-    if (!parts || parts->list != row.list || parts->name != row.name) continue;
-    const std::optional<std::size_t> index = index_of(parts->middle);
-    double* const place = index ? row.find(scene, *index) : nullptr;
-    if (!place) throw BadCommand(fmt::format("{}: there is no {} '{}'", key, parts->list, parts->middle));
-    *place = number(key, value, row.low, row.high);
-    return;
+  std::optional<Parameter> found;
+  if (parts) {
+    core::for_each_force([&]<class Kind>() { look_up<Kind>(scene, *parts, found); });
+    look_up<core::Material>(scene, *parts, found);
   }
-  throw BadCommand(fmt::format("'{}' is no parameter that can be changed", key));
+  if (!found) throw BadCommand(fmt::format("'{}' is no parameter that can be changed", key));
+  if (!found->place)
+    throw BadCommand(fmt::format("{}: there is no {} '{}'", key, parts->list, parts->middle));
+  *found->place = number(key, value, found->range);
 }
 
 }  // namespace cylon::view

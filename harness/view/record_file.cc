@@ -1,7 +1,7 @@
 #include "harness/view/record_file.h"
 
 #include "harness/core/input_error.h"
-#include "harness/process/shape_json.h"
+#include "harness/process/vector_json.h"
 #include "harness/view/scenario_text.h"
 #include "harness/view/toml.h"
 

@@ -1,5 +1,8 @@
 #include "reference/exact/nudges.h"
 
+#include "harness/core/fields.h"
+
+#include <type_traits>
 #include <utility>
 
 namespace cylon::exact {
@@ -80,48 +83,25 @@ class Nudges {
     }
   }
 
-  template <class Force, class Field>
-  void number_of(std::size_t f, Field field) {
-    number([=](core::Scene & s) -> auto& { return std::get<Force>(s.forces[f]).*field; });
-  }
-
-  template <class Force, class Field>
-  void vector_of(std::size_t f, Field field) {
-    vector([=](core::Scene & s) -> auto& { return std::get<Force>(s.forces[f]).*field; });
-  }
-
+  // Every number and every vector's coordinates, in the order of the table; words and bodies stay.
   void force(std::size_t f) {
-    using namespace core;
-    const core::Force& force = scene_.forces[f];
-    if (std::holds_alternative<UniformGravity>(force)) {
-      vector_of<UniformGravity>(f, &UniformGravity::acceleration);
-    } else if (std::holds_alternative<Spring>(force)) {
-      for (auto field : {&Spring::anchor, &Spring::to_anchor}) vector_of<Spring>(f, field);
-      for (auto field : {&Spring::stiffness, &Spring::rest_length, &Spring::damping})
-        number_of<Spring>(f, field);
-    } else if (std::holds_alternative<Drag>(force)) {
-      for (auto field : {&Drag::linear, &Drag::angular, &Drag::momentum}) number_of<Drag>(f, field);
-    } else if (std::holds_alternative<Thrust>(force)) {
-      thrust(f);
-    } else if (std::holds_alternative<Drive>(force)) {
-      vector_of<Drive>(f, &Drive::force);
-      number_of<Drive>(f, &Drive::frequency);
-    } else if (std::holds_alternative<Attraction>(force)) {
-      number_of<Attraction>(f, &Attraction::strength);
-    } else if (std::holds_alternative<Water>(force)) {
-      for (auto field : {&Water::level, &Water::wave, &Water::speed, &Water::buoyancy, &Water::drag})
-        number_of<Water>(f, field);
-    }
-  }
-
-  void thrust(std::size_t f) {
-    const auto& own = std::get<core::Thrust>(scene_.forces[f]);
-    vector_of<core::Thrust>(f, &core::Thrust::force);
-    number_of<core::Thrust>(f, &core::Thrust::mass_rate);
-    for (auto field : {&core::Thrust::exhaust_velocity, &core::Thrust::exchanged_velocity}) {
-      if (!(own.*field)) continue;
-      vector([=](core::Scene & s) -> auto& { return *(std::get<core::Thrust>(s.forces[f]).*field); });
-    }
+    std::visit(
+        [&]<class Force>(const Force& own) {
+          core::for_each_field(own, [&](const auto& field, const auto& value) {
+            using Value = std::remove_cvref_t<decltype(value)>;
+            const auto member = [ f, at = field.member ](core::Scene & s) -> auto& {
+              return std::get<Force>(s.forces[f]).*at;
+            };
+            if constexpr (std::is_same_v<Value, double>) {
+              number(member);
+            } else if constexpr (std::is_same_v<Value, core::Vector3>) {
+              vector(member);
+            } else if constexpr (std::is_same_v<Value, std::optional<core::Vector3>>) {
+              if (value) vector([member](core::Scene & s) -> auto& { return *member(s); });
+            }
+          });
+        },
+        scene_.forces[f]);
   }
 
   const core::Scene& scene_;

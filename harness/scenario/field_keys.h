@@ -1,0 +1,87 @@
+// Keys of a file that follow from the tables of core::Element.
+#pragma once
+
+#include "harness/core/fields.h"
+#include "harness/scenario/keys.h"
+
+#include <fmt/format.h>
+
+#include <type_traits>
+
+namespace cylon::scenario {
+
+/// What a member looks like in a file.
+template <class Value>
+constexpr Kind kind_of() {
+  using Points = std::vector<core::Vector3>;
+  using Triangles = std::vector<std::array<std::int32_t, 3>>;
+  constexpr auto is = []<class... Types>(std::type_identity<Types>...) {
+    return (std::is_same_v<Value, Types> || ...);
+  };
+  using std::type_identity;
+  if constexpr (is(type_identity<double>{}))
+    return Kind::number;
+  else if constexpr (is(type_identity<bool>{}))
+    return Kind::boolean;
+  else if constexpr (is(type_identity<core::Vector3>{}, type_identity<std::optional<core::Vector3>>{}))
+    return Kind::vector;
+  else if constexpr (is(type_identity<core::Quaternion>{}))
+    return Kind::quaternion;
+  else if constexpr (is(type_identity<core::Matrix3>{}))
+    return Kind::moments;
+  else if constexpr (is(type_identity<Points>{}))
+    return Kind::points;
+  else if constexpr (is(type_identity<Triangles>{}))
+    return Kind::triangles;
+  else if constexpr (is(type_identity<std::string[2]>{}))
+    return Kind::pair;
+  else if constexpr (is(type_identity<std::vector<core::Part>>{}))
+    return Kind::tables;
+  else if constexpr (is(type_identity<core::Shape>{}, type_identity<core::Primitive>{}))
+    return Kind::table;
+  else {
+    static_assert(is(type_identity<int>{}, type_identity<std::string>{}, type_identity<core::JointType>{}),
+                  "say what a member of this type looks like in a file");
+    return Kind::text;
+  }
+}
+
+/// The keys of an element in the order of its table; tables inside it have no keys yet.
+template <class T>
+std::vector<Key> keys_of() {
+  std::vector<Key> keys;
+  const auto add = [&]<class Owner, class Value>(const core::Field<Owner, Value>& field) {
+    const core::About& about = field.about;
+    if constexpr (std::is_same_v<Value, core::BodyState>) {
+      for (Key& key : keys_of<core::BodyState>()) keys.push_back(std::move(key));
+    } else {
+      Key key{.name = std::string(field.key),
+              .kind = kind_of<Value>(),
+              .meaning = std::string(about.meaning),
+              .unit = std::string(about.unit),
+              .required = about.required,
+              .range = about.range};
+      for (const std::string_view word : about.words)
+        if (!word.empty()) key.choices.emplace_back(word);
+      if (!about.pin.empty()) {
+        Key pin = key;
+        pin.name = about.pin, pin.meaning = about.pin_meaning;
+        keys.push_back(std::move(pin));
+      }
+      keys.push_back(std::move(key));
+    }
+  };
+  std::apply([&](const auto&... field) { (add(field), ...); }, core::Element<T>::fields);
+  return keys;
+}
+
+/// The table of an element that needs no other keys; `label` as in the file.
+template <class T>
+const Spec* spec_of() {
+  static const Spec spec{
+      .label = fmt::format(std::is_same_v<T, core::Frame> ? "[{}]" : "[[{}]]", core::Element<T>::name),
+      .keys = keys_of<T>()};
+  return &spec;
+}
+
+}  // namespace cylon::scenario
