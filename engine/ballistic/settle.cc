@@ -81,7 +81,7 @@ bool Course::hit_without_end(std::size_t body) {
   Burst& burst = bursts_[body];
   if (!(now_ - burst.time <= 16 * ulp * now_)) burst = {now_, 0};
   if (++burst.impacts <= 128 + flights_.size()) return false;
-  hand_over("body " + std::to_string(body) + " is hit without end at one instant");
+  hand_over("body " + std::to_string(body) + " has too many impacts at one instant");
   return true;
 }
 

@@ -76,14 +76,14 @@ std::optional<std::size_t> index_of(std::string_view text) {
 double number(std::string_view key, const std::variant<double, core::Vector3>& value, double low,
               double high) {
   const double* x = std::get_if<double>(&value);
-  if (!x) throw BadCommand(fmt::format("{}: a number belongs here, not a vector", key));
+  if (!x) throw BadCommand(fmt::format("{}: expected a number, not a vector", key));
   if (*x >= low && *x <= high) return *x;
   throw BadCommand(fmt::format("{} = {}: must lie in [{}, {}]", key, *x, low, high));
 }
 
 void set_gravity(core::Scene& scene, const std::variant<double, core::Vector3>& value) {
   const core::Vector3* g = std::get_if<core::Vector3>(&value);
-  if (!g) throw BadCommand("gravity: a vector of three numbers belongs here");
+  if (!g) throw BadCommand("gravity: expected a vector of three numbers");
   std::erase_if(scene.forces,
                 [](const core::Force& f) { return std::holds_alternative<core::UniformGravity>(f); });
   if (!g->isZero(0)) scene.forces.insert(scene.forces.begin(), core::UniformGravity{*g});
@@ -124,7 +124,7 @@ void set_parameter(core::Scene& scene, std::string_view key,
     *place = number(key, value, row.low, row.high);
     return;
   }
-  throw BadCommand(fmt::format("'{}' is no parameter that can be changed", key));
+  throw BadCommand(fmt::format("'{}' is not a parameter that can be changed", key));
 }
 
 }  // namespace cylon::view

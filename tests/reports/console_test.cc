@@ -152,7 +152,7 @@ TEST(Console, ADifferenceSaysWhoWhatHowMuchAndHowToRepeatIt) {
   for (const char* part :
        {"top × bullet 3.24, dt 1/60: energy", "measured 2.5 J, allowed 0.01 J, -2.4 digits",
         "fail (expected low-quality)", "expected.toml: first order", "tolerance: truncation: RK4",
-        "again: cylon run top/bullet"})
+        "repeat with: cylon run top/bullet"})
     EXPECT_TRUE(contains(text, part)) << part << "\n" << text;
   EXPECT_FALSE(contains(text, "cylon run top/ode"));  // as expected: not repeated
 }
@@ -176,8 +176,8 @@ TEST(Console, DetailsListEveryClaimUnderItsRun) {
   a.settings = {{"erp2", "0"}};
   a.unforceable = {"the angle per step is clamped"};
   const std::string text = console_details({a, b}, plain);
-  for (const char* part : {"path: rigid", "settings: erp2 = 0", "cannot be switched off: the angle",
-                           "0.0001 J", "+2.0", "axis", "non-finite", "not finite from step 12"})
+  for (const char* part : {"path: rigid", "settings: erp2 = 0", "known limit: the angle", "0.0001 J", "+2.0",
+                           "axis", "non-finite", "not finite from step 12"})
     EXPECT_TRUE(contains(text, part)) << part << "\n" << text;
   EXPECT_FALSE(contains(text, "nan"));
   EXPECT_EQ(console_details({}, plain), "");

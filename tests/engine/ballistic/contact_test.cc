@@ -345,25 +345,25 @@ TEST(BallisticContact, SaysWhatItDoesNotApplyTo) {
     return ballistic_unsupported(model).value_or("");
   };
   EXPECT_EQ(reason([](Model& m) { m.forces.springs.emplace_back(); }),
-            "another force than uniform gravity acts");
+            "a force other than uniform gravity acts");
   EXPECT_EQ(reason([](Model& m) { m.forces.drags.emplace_back(); }),
-            "another force than uniform gravity acts");
+            "a force other than uniform gravity acts");
   EXPECT_EQ(reason([](Model& m) { m.joints.emplace_back(); }), "there are joints");
   EXPECT_EQ(reason([](Model& m) { m.frame.emplace(); }), "the frame rotates");
-  EXPECT_EQ(reason([](Model& m) { m.shapes[0] = Box{}; }), "body 0 has another shape than a sphere");
+  EXPECT_EQ(reason([](Model& m) { m.shapes[0] = Box{}; }), "body 0 is not a sphere");
   EXPECT_EQ(reason([](Model& m) { m.bodies[0].inverse_mass = 0; }), "body 0 is pinned");
   const auto lopsided = [](Model& m) {
     m.bodies[0] = make_body(1, Vector3(Real(0.1), Real(0.2), Real(0.25)).asDiagonal());
     m.motions[0].angular_momentum = {1, 2, 3};
     m.materials[0].friction = 0;
   };
-  EXPECT_EQ(reason(lopsided), "body 0 spins and its inertia has three different moments");
+  EXPECT_EQ(reason(lopsided), "body 0 spins and has three different principal moments");
   const auto rough = [&](Model& m) {
     lopsided(m);
     m.materials[0].friction = Real(0.1);
     add_plane(m, Vector3::UnitY(), 0);
   };
-  EXPECT_EQ(reason(rough), "body 0 may be turned by friction and its inertia is not a sphere's");
+  EXPECT_EQ(reason(rough), "body 0 can be rotated by friction and its inertia is not that of a sphere");
 }
 
 // A symmetric top that cannot be turned by what it touches goes on as a free top, through the bounce.

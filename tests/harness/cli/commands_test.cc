@@ -47,7 +47,7 @@ TEST_F(CommandLine, ExitCodesAndMessages) {
       {"run projectile --engine in-house", 0, "4 pass"},
       {"run projectile --engine ode --dt 0.1", 1, "where expected.toml says nothing"},
       {"run projectile --engine in-house --json - --csv -", 2, "'-' is given twice"},
-      {"simulate projectile --at 0.0005", 2, "the nearest is 0.001 s (or say --nearest)"},
+      {"simulate projectile --at 0.0005", 2, "the nearest is 0.001 s (or use --nearest)"},
       {"simulate projectile --every 0.0015", 2, "--every 0.0015: is not a multiple"},
       {"simulate projectile --at 9", 2, "must lie in [0, 0.8] s"},
       {"simulate projectile --integrator rk5", 2, "did you mean 'rk4'?"},

@@ -111,7 +111,7 @@ TEST_F(CommandLine, ReportRefusals) {
       {". --html r.html", ".: cannot be read"},
       {"empty --html r.html", "empty: no JSON"},
       {"half.json --html r.html", "half.json: no JSON"},
-      {"other.json --html r.html", "other.json: none of Cylon's documents"},
+      {"other.json --html r.html", "other.json: not a document of Cylon"},
       {"line.jsonl --html r.html", "line.jsonl:1: "},
       {"v.json v.json --html r.html", "v.json: a report has one file of verdicts"},
       {"v.json --html no/folder/r.html", "no/folder/r.html"},

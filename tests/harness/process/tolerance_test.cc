@@ -41,14 +41,14 @@ TEST(Tolerance, SchemesSayWhetherTheyTakeOne) {
 
 TEST(Plan, TravelsWithTheTerms) {
   core::Terms terms;
-  terms.plan = {{"rotation", true, "a body spins"}, {"detection", false, "nothing may touch"}};
+  terms.plan = {{"rotation", true, "a body spins"}, {"detection", false, "no bodies can touch"}};
   json message = terms_json(terms);
   const core::Terms back = terms_from_json(message);
   ASSERT_EQ(back.plan.size(), 2u);
   EXPECT_EQ(back.plan[0].name, "rotation");
   EXPECT_TRUE(back.plan[0].in);
   EXPECT_FALSE(back.plan[1].in);
-  EXPECT_EQ(back.plan[1].reason, "nothing may touch");
+  EXPECT_EQ(back.plan[1].reason, "no bodies can touch");
   message["plan"][0]["inn"] = true;
   EXPECT_THROW(terms_from_json(message), std::runtime_error);
   message.erase("plan");  // an older worker
@@ -87,8 +87,8 @@ TEST(Tolerance, IsRefusedWhereNobodyWouldKeepIt) {
     const char *mode, *integrator, *says;
   } cases[] = {
       {"good", "", "engine 'test' has no error-controlled scheme"},
-      {"adaptive", "", "its default scheme does not control its error"},
-      {"adaptive", "stiff", "scheme 'stiff' does not control its error"},
+      {"adaptive", "", "its default integrator does not control its error"},
+      {"adaptive", "stiff", "integrator 'stiff' does not control its error"},
       {"adaptive", "stiff", "(schemes that do: controlled)"},
   };
   for (const auto& c : cases) {

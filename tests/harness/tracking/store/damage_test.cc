@@ -97,7 +97,7 @@ TEST_F(Damage, OfFilesThatAreNoStore) {
   expect_refused("is no store");
   fs::remove(file);
   raw("CREATE TABLE of_somebody_else (x); INSERT INTO of_somebody_else VALUES (1)");
-  expect_refused("is a database, but no store of Cylon");
+  expect_refused("is a database, but not a store of Cylon");
   fs::remove(file);
   fs::create_directory(file);
   EXPECT_THROW(Store::open(file, Mode::write), core::InputError);
