@@ -71,7 +71,7 @@ core::State run(const Subject& subject, const core::Scene& scene) {
 }
 
 // q' = q c, I' = c^T I c, anchors c^T a: other body axes, the same body.
-TEST_P(Conventions, BodyAxesAreAFreeChoice) {
+TEST_P(Conventions, MotionDoesNotDependOnBodyAxes) {
   core::Scene scene = tied(31), relabelled = scene;
   exact::RandomScenes random(32);
   const std::array<Quaternion, 3> turns = {random.rotation(), Quaternion(0.5, 0.5, 0.5, 0.5),
@@ -95,7 +95,7 @@ TEST_P(Conventions, BodyAxesAreAFreeChoice) {
 }
 
 // Everything turned by R about the origin.
-TEST_P(Conventions, SpaceHasNoDirection) {
+TEST_P(Conventions, MotionDoesNotDependOnDirection) {
   core::Scene scene = tied(33), turned = scene;
   const Quaternion r = exact::RandomScenes(34).rotation();
   const auto turn = [&](core::BodyState& s) {
@@ -111,7 +111,7 @@ TEST_P(Conventions, SpaceHasNoDirection) {
 }
 
 // Everything moved by d, pins included.  Rounding is that of the four times larger coordinates.
-TEST_P(Conventions, SpaceHasNoOrigin) {
+TEST_P(Conventions, MotionDoesNotDependOnOrigin) {
   core::Scene scene = tied(35);
   scene.forces.emplace_back(core::Spring{1, {0.1, -0.2, 0.15}, core::world, {0.4, 1.3, -0.8}, 6.0, 0.5, 0.1});
   core::Scene moved = scene;
@@ -125,7 +125,7 @@ TEST_P(Conventions, SpaceHasNoOrigin) {
 }
 
 // Everything set off with velocity u.  Rounding is that of the four times larger speeds.
-TEST_P(Conventions, SpaceHasNoRest) {
+TEST_P(Conventions, MotionDoesNotDependOnUniformVelocity) {
   core::Scene scene = tied(36), boosted = scene;
   const Vector3 u(5.1, -6.3, 4.7);
   for (core::Body& body : boosted.bodies) body.initial.velocity += u;
@@ -139,7 +139,7 @@ TEST_P(Conventions, SpaceHasNoRest) {
 }
 
 // Bodies listed in another order, forces in the same: nothing is computed otherwise, so not a bit changes.
-TEST_P(Conventions, TheOrderOfBodiesMeansNothing) {
+TEST_P(Conventions, MotionDoesNotDependOnBodyOrder) {
   const core::Scene scene = tied(37);
   const std::array<int, 3> place = {2, 0, 1};  // of body i in the other scene
   core::Scene permuted = scene;
@@ -157,7 +157,7 @@ TEST_P(Conventions, TheOrderOfBodiesMeansNothing) {
 }
 
 // The symmetries are worth nothing if the check cannot see a broken one: gravity left as it was.
-TEST(ConventionsAlone, ABrokenSymmetryIsSeen) {
+TEST(ConventionsAlone, DetectsBrokenSymmetry) {
   const Subject& subject = subjects[0];
   core::Scene scene = tied(33), turned = scene;
   const Quaternion r = exact::RandomScenes(34).rotation();

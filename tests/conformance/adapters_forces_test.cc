@@ -98,7 +98,7 @@ const Row rows[] = {
 // (v_1 - v_0)/dt = F/m + O(dt), (w_1 - w_0)/dt = I^-1 (tau - w x I w) + O(dt), relative to the largest of
 // each in the scene.  The step balances O(dt) against rounding v/dt: 1e-6 s in double, 3e-4 s in single
 // precision.
-TEST_P(Forces, FirstInstantIsAsByHand) {
+TEST_P(Forces, InitialAccelerationsAgreeWithHandCalculation) {
   const double h = subject().single ? 3e-4 : 1e-6;
   for (const Row& row : rows) {
     core::Scene scene = three_bodies(51);
@@ -128,7 +128,7 @@ TEST_P(Forces, FirstInstantIsAsByHand) {
 // -------------------------------------------------------------------------------------------------
 
 // x = x_0 + v_0 t + F/m (1 - cos f t)/f^2: the drive's time is the engine's.
-TEST_P(Forces, TheDriveKeepsTime) {
+TEST_P(Forces, DriveHasCorrectPhase) {
   const double f = 5.3, t = 0.8;
   const auto error = [&](std::int64_t steps) {
     core::Scene scene = three_bodies(52);

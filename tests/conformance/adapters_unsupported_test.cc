@@ -154,7 +154,7 @@ TEST(Unsupported, EveryReasonIsASentence) {
 }
 
 // The other side: what is refused only where it matters is taken where it does not.
-TEST(Unsupported, WhatCannotMatterIsNoReason) {
+TEST(Unsupported, IgnoresIrrelevantFeatures) {
   const core::Scene untouched = with(resting(core::Box{{0.1, 0.2, 0.3}}), [](core::Scene& s) {
     s.bodies[0].collide = false;    // a box that touches nothing
     s.materials[0].friction = 0.3;  // of a pair that never is

@@ -41,7 +41,7 @@ constexpr Row rows[] = {
     {"ode-quick", "friction", "friction pyramid: depends on the direction"},
 };
 
-TEST(Fingerprint, TheBuiltInEnginesAreTold) {
+TEST(Fingerprint, IdentifiesBuiltInEngines) {
   for (const Row& row : rows)
     for (const study::Probe& probe : study::probes())
       if (probe.name == row.probe) {

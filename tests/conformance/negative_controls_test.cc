@@ -36,7 +36,7 @@ const Verdict& row(const std::vector<Verdict>& rows, const std::string& claim) {
 constexpr const char* without_gyro[] = {"bullet/gyro=none", "bullet-multibody/gyro=none", "ode/gyro=off",
                                         "ode-quick/gyro=off"};
 
-TEST(WithoutTheGyroscopicTerm, EnergyIsPerfectAndTheMotionWrong) {
+TEST(WithoutTheGyroscopicTerm, EnergyIsConservedButMotionIsWrong) {
   for (const std::string scenario : {"free_symmetric_top", "dzhanibekov"})
     for (const char* id : without_gyro) {
       const std::vector<Verdict> rows = judged(shipped(scenario), engine(id));
@@ -121,7 +121,7 @@ constexpr Impostor impostors[] = {
 
 // One matrix with good engines among the bad ones, on two workers: each gets its own verdict, in the order of
 // the cells.
-TEST(Impostors, EachIsNamedAndTheRunGoesOn) {
+TEST(Impostors, EachIsDetectedAndTheRunContinues) {
   std::vector<study::Cell> cells;
   const auto add = [&](const process::EngineChoice& choice) {
     cells.push_back({&drifting(), choice, drifting().step, drifting().step_text});

@@ -80,7 +80,7 @@ double measured(const Number& n) {
 
 class Published : public testing::TestWithParam<Number> {};
 
-TEST_P(Published, ComesOutAgain) {
+TEST_P(Published, NumbersAreReproduced) {
   const Number& n = GetParam();
   const double value = measured(n);
   RecordProperty("here", fmt::format("{:.5g}", value));

@@ -114,7 +114,7 @@ TEST(ImpactTime, OfSpheresThatPassThroughEachOtherWithinAStep) {
 // With an impact inside a step the order holds only because the impact is at its own time.
 class Struck : public EveryScheme {};
 
-TEST_P(Struck, KeepsItsOrder) {
+TEST_P(Struck, KeepsOrderThroughImpacts) {
   Model start;
   add_body(start, make_body(1.2, Matrix3::Identity()), {0.7, 0.2, 0.3}, {0.1, 0.2, 0.3}, {-0.3, 0.4, 0.1},
            {0, 0, 0}, Sphere{0.1});
@@ -164,7 +164,7 @@ TEST(Zeno, AnElasticBallNeverRests) {
   }
 }
 
-TEST(Zeno, BallsStackedOnAFloorStayAndWeighOnIt) {
+TEST(Zeno, StackedBallsRestWithTheirWeight) {
   Model start;
   for (int i = 0; i < 3; ++i) {
     add_body(start, make_body(1.0 + i, Matrix3::Identity() * 0.02), {0.3, 0.2 + 0.4 * i, -0.1}, {0, 0, 0},
@@ -201,7 +201,7 @@ TEST(Zeno, InelasticCollapseEnds) {
 }
 
 // Sequential impacts hand the motion through a row of equal spheres that touch.
-TEST(Sequential, ARowOfTouchingSpheresHandsTheMotionOn) {
+TEST(Sequential, RowOfTouchingSpheresTransfersMotion) {
   Model start;
   for (int i = 0; i < 4; ++i) {
     add_sphere(start, 0.9, 0.25, {0.5 * i - (i == 0 ? 0.3 : 0), 0, 0}, {i == 0 ? 2.0 : 0.0, 0, 0});
@@ -218,7 +218,7 @@ TEST(Sequential, ARowOfTouchingSpheresHandsTheMotionOn) {
 }
 
 // m (g + a cos(wt)) presses until cos(wt) = -g/a; from there the ball flies.
-TEST(Resting, LetsGoWhenPulledOff) {
+TEST(Resting, ContactEndsWhenPulledApart) {
   Model start = ball_over_plane(0, 0.5);
   const Vector3 n = start.planes[0].normal;
   const Real a = 25, w = 2;
@@ -238,7 +238,7 @@ TEST(Resting, LetsGoWhenPulledOff) {
 // ---- Locked bodies
 // -----------------------------------------------------------------------------------------------
 
-TEST(Locked, StayWhateverStrikesOrPullsThem) {
+TEST(Locked, DoNotMoveUnderImpactsAndForces) {
   Model start;
   add_sphere(start, 0.2, 0.5, {0.1, 0.2, -0.3}, {0, 0, 0}, true);
   add_sphere(start, 1.4, 0.3, {0.1, 2.0, -0.3}, {0, -1, 0});

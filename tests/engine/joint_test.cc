@@ -195,7 +195,7 @@ Model chain() {
 class Chains : public EveryScheme {};
 
 // RATTLE has order 2, Yoshida's compositions of it 4 and 6, the Runge-Kutta schemes on accelerations theirs.
-TEST_P(Chains, HaveTheOrderOfTheScheme) {
+TEST_P(Chains, HaveOrderOfIntegrator) {
   const Model model = chain();
   if (!unsupported(model, with(GetParam().name, 0.01)).empty()) return;
   const int order = GetParam().order;

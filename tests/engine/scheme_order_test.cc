@@ -151,7 +151,7 @@ INSTANTIATE_TEST_SUITE_P(Schemes, FixedStep, testing::ValuesIn(fixed_step()), []
 });
 
 // The measure itself: a scheme that claims more than it does is found out.
-TEST(OrderMeasure, SeesAFalseClaim) {
+TEST(OrderMeasure, DetectsFalselyClaimedOrder) {
   const double order =
       observed_order(SpringPoint{}, *find_scheme("velocity-verlet"), SpringPoint::start(), 4, 1.5);
   EXPECT_GT(std::abs(order - 4), 10 * reach);

@@ -22,7 +22,7 @@ Flight flight(std::mt19937& random, const Vector3& gravity) {
 
 class Meetings : public testing::TestWithParam<Real> {};
 
-TEST_P(Meetings, OfACrowdHaveTheBitsOfSingleOnes) {
+TEST_P(Meetings, VectorizedBitsAgreeWithSinglePairs) {
   std::mt19937 random(7);
   const Vector3 gravity = GetParam() * Vector3(Real(0.3), Real(-9.81), Real(0.7));
   int met = 0, near = 0;

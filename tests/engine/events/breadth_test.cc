@@ -119,7 +119,7 @@ void check(const Scene& scene) {
         << scene.name << ": " << remark;
 }
 
-TEST(EventBreadth, LawsHoldBetweenAnyTwoSteps) {
+TEST(EventBreadth, ContactLawsHoldBetweenSteps) {
   for (const Scene& scene : scenes()) check(scene);
 }
 

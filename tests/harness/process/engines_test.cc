@@ -18,7 +18,7 @@ std::string complaint(std::string_view text) {
   return "accepted";
 }
 
-TEST(Engines, AnIdIsAWorkerAndAPath) {
+TEST(Engines, IdNamesWorkerAndPath) {
   const EngineChoice choice = parse_engine("bullet-multibody-float", rows);
   EXPECT_EQ(choice.row.command, std::vector<std::string>{"/opt/cylon/cylon-worker-bullet-f32"});
   EXPECT_EQ(choice.path, "multibody");

@@ -120,7 +120,7 @@ std::map<std::string, Finding> ask(const Runner& run) {
   return by_name;
 }
 
-TEST(Probes, TellASmallEngineByWhatItDoes) {
+TEST(Probes, IdentifySmallEngine) {
   struct Row {
     const char* probe;
     const char* answer;
@@ -163,12 +163,12 @@ TEST(Probes, TellASmallEngineByWhatItDoes) {
 }
 
 // Explicit Euler on a spring gains order late: at these steps its error is growth itself.
-TEST(Probes, ExplicitEulersSpringIsSeenToGrow) {
+TEST(Probes, DetectEnergyGrowthOfExplicitEuler) {
   const Finding found = ask(Small({.scheme = Traits::explicit_euler}))["spring"];
   EXPECT_NE(found.answer.find("energy grows"), std::string::npos) << found.answer << "; " << found.evidence;
 }
 
-TEST(Probes, AnEngineThatDoesNotSurviveIsAnswered) {
+TEST(Probes, ReportCrashOfEngine) {
   const Runner broken = [](const Scene&, double, std::int64_t, std::int64_t) -> core::Recording {
     throw RunFailed{{.status = results::Status::crash, .reason = "signal 11"}};
   };
