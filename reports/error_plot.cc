@@ -20,8 +20,7 @@ double peak(const reports::ErrorCurve& curve) {
   return curve.allowed > 0 ? most / curve.allowed : most > 0 ? HUGE_VAL : 0;
 }
 
-// ---- A field of dots: 2 x 4 in a character
-// ------------------------------------------------------------------
+// ---- A field of dots: 2 x 4 in a character ---------------------------------------------------------
 
 class Dots {
  public:

@@ -1,4 +1,4 @@
-// What all three renderings of a work–precision table have in common: names, orders in words, the plot.
+// Common parts of the three renderings of a work–precision table: names, order texts, the plot.
 #include "reports/trade.h"
 
 #include <fmt/format.h>

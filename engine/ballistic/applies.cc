@@ -1,4 +1,4 @@
-// Which models the ballistic stepper can take.
+// Which models the ballistic stepper supports.
 #include "engine/ballistic/ballistic.h"
 #include "engine/ballistic/scene.h"
 

@@ -1,4 +1,4 @@
-// Impacts::simultaneous: all contacts that touch at an instant and hang together.
+// Impacts::simultaneous: solves all connected contacts of one instant together.
 #include "engine/ballistic/course.h"
 #include "engine/ballistic/encounter.h"
 

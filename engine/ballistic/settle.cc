@@ -1,4 +1,4 @@
-// What an event leaves behind: the new motion of a body, its record, or the end of what is known here.
+// Applies an event: the new motion of a body, its record, or the handover to another stepper.
 #include "engine/ballistic/course.h"
 #include "engine/ballistic/encounter.h"
 #include "engine/ballistic/support.h"

@@ -1,4 +1,4 @@
-// Families with contact: piles, walls, bounces, rest.
+// Limit families with contact: piles, walls, bounces, rest.
 #include "harness/study/limits_scenes.h"
 
 #include <fmt/format.h>

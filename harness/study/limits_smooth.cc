@@ -1,4 +1,4 @@
-// Families without contact: springs, dampers, spin, and places far from the origin.
+// Limit families without contact: springs, dampers, spin, and positions far from the origin.
 #include "harness/study/limits_scenes.h"
 
 #include <fmt/format.h>

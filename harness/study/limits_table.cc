@@ -1,4 +1,4 @@
-// The families: what is asked, in which range, what breaking means, and what theory says.
+// Table of the limit families: quantity, range, failure criterion and theoretical value.
 #include "harness/study/limits_scenes.h"
 #include "harness/study/limits_theory.h"
 

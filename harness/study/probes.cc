@@ -207,8 +207,8 @@ Finding friction(const Runner& run) {
   return {"friction pyramid: depends on the direction", evidence};
 }
 
-// ---- Clamps
-// ------------------------------------------------------------------------------------------------
+// ---- Clamps ----------------------------------------------------------------------------------------
+
 Finding speed_limit(const Runner& run) {
   for (const double v : {1e2, 1e3, 1e4, 1e5}) {
     const double kept =
@@ -247,8 +247,8 @@ Finding turn_per_step(const Runner& run) {
   return {fmt::format("exact up to {} rad per step", exact), evidence};
 }
 
-// ---- What happens when nothing acts
-// --------------------------------------------------------------------------
+// ---- What happens when nothing acts ----------------------------------------------------------------
+
 Finding damping(const Runner& run) {
   const BodyState s = end(run(ball(Vector3::Zero(), {0.6, 0, -0.8}, {0.36, -0.48, 0.8}), 1.0 / 64, 64, 64));
   const auto lost = [](double left) { return std::abs(1 - left) < 1e-5 ? 0 : 1 - left; };  // single precision

@@ -1,4 +1,4 @@
-// cylon track pin, and what pinned binaries are at a recording.
+// cylon track pin, and the pinned binaries of a recording.
 #include "harness/tracking/track_anchor.h"
 
 #include "harness/cli/command_line.h"

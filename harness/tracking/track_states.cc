@@ -1,4 +1,4 @@
-// cylon track ack, cylon track ignore: what somebody knows of a change in the history.
+// cylon track ack, cylon track ignore: notes of users on a change in the history.
 #include "harness/cli/command_line.h"
 #include "harness/cli/provenance.h"
 #include "harness/tracking/track.h"

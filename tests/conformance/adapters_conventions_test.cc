@@ -12,8 +12,7 @@ namespace {
 class Conventions : public EveryEngine {};
 INSTANTIATE_TEST_SUITE_P(Adapters, Conventions, testing::ValuesIn(subjects), test_name);
 
-// ---- Against exact rotation
-// ------------------------------------------------------------------------------------
+// ---- Against exact rotation ------------------------------------------------------------------------
 
 // The largest deviation from the truth after 0.5 s without gravity, orientation [rad] and angular velocity
 // [rad/s] alike.
@@ -45,9 +44,9 @@ void expect_true_rotation(const Subject& subject, const char* solution) {
 TEST_P(Conventions, FreeSymmetricTopIsExact) { expect_true_rotation(subject(), "free_symmetric_top"); }
 TEST_P(Conventions, FreeAsymmetricTopIsExact) { expect_true_rotation(subject(), "free_asymmetric_top"); }
 
-// ---- Symmetries
-// ------------------------------------------------------------------------------------------------ Each says:
-// the motion of the changed scene is the changed motion of the scene.  Every scheme here keeps these
+// ---- Symmetries ------------------------------------------------------------------------------------
+// Each test asserts that
+// the transformed scene has the transformed motion.  Every integrator here keeps these
 // symmetries, so what remains is rounding, amplified by the motion itself: 8 units a step (measured 2026-11:
 // up to 5).
 

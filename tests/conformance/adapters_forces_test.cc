@@ -12,8 +12,7 @@ namespace {
 class Forces : public EveryEngine {};
 INSTANTIATE_TEST_SUITE_P(Adapters, Forces, testing::ValuesIn(subjects), test_name);
 
-// ---- The first instant
-// -----------------------------------------------------------------------------------------
+// ---- The first instant -----------------------------------------------------------------------------
 
 struct Wrench {
   Vector3 force = Vector3::Zero(), torque = Vector3::Zero();  // about the centre of mass
@@ -124,8 +123,7 @@ TEST_P(Forces, InitialAccelerationsAgreeWithHandCalculation) {
   }
 }
 
-// ---- Over time
-// -------------------------------------------------------------------------------------------------
+// ---- Over time -------------------------------------------------------------------------------------
 
 // x = x_0 + v_0 t + F/m (1 - cos f t)/f^2: the drive's time is the engine's.
 TEST_P(Forces, DriveHasCorrectPhase) {
@@ -174,8 +172,7 @@ TEST_P(Forces, SpringsKeepBothMomenta) {
                 1.25 * coarse / std::pow(10, subject().order) + 2000 * subject().unit());
 }
 
-// ---- Locked bodies
-// ---------------------------------------------------------------------------------------------
+// ---- Locked bodies ---------------------------------------------------------------------------------
 
 // Whatever acts on it, a locked body stays to the last bit; and a spring hangs from it as from a pin in the
 // same place.

@@ -1,4 +1,4 @@
-// What the built-in engines do is known from their sources; the probes find it out by their motions alone.
+// The probes find out from motions alone what the sources of the built-in engines say.
 #include "harness/study/probes.h"
 #include "tests/conformance/fixture.h"
 

@@ -1,4 +1,4 @@
-// Limits measured on real engines against theory, and against clamps and traps that are known.
+// Limits measured on real engines against theory, and against their known internal limits.
 #include "tests/conformance/fixture.h"
 
 #include "harness/study/limits.h"

@@ -1,4 +1,4 @@
-// Numbers that an earlier, independent measurement of Bullet and ODE printed come out again, from the
+// Numbers of an earlier, independent measurement of Bullet and ODE are reproduced, from the
 // adapters, the exact solutions and the measures of this repository: tests/data/published/engines_s1_s8.json.
 //
 // A row of the data that has `here` differs from what was printed, and says `why`; the test then asserts that

@@ -1,5 +1,5 @@
-// Two knobs of a study: all tolerances times a number, which every report shows, and copies that start one
-// ulp apart.
+// Two options of a study: a factor on all tolerances, which every report shows, and copies that start one ulp
+// apart.
 #include "harness/study/spread.h"
 #include "reports/console.h"
 #include "reports/csv.h"

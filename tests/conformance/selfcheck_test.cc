@@ -1,5 +1,5 @@
-// What others have published comes out here again, or the difference is explained; the rule that says so is
-// not generous.
+// Published numbers are reproduced here, or the difference is explained.
+// The rule for agreement is strict.
 #include "harness/study/selfcheck.h"
 #include "tests/conformance/fixture.h"
 

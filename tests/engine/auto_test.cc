@@ -1,4 +1,4 @@
-// The scheme auto: its bound holds against closed forms, and where it cannot it says so.
+// Integrator auto: its error bound holds against closed forms, and it reports where it cannot hold.
 #include "tests/engine/fixtures.h"
 
 namespace cylon::engine {

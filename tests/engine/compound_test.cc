@@ -1,4 +1,4 @@
-// Bodies made one: the parallel-axis theorem with rotated parts, and what merging keeps.
+// Compound bodies: the parallel-axis theorem with rotated parts, and the quantities that merging conserves.
 #include "engine/compound.h"
 
 #include <gtest/gtest.h>

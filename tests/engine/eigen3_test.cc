@@ -1,5 +1,5 @@
-// Principal axes: against the tensor itself, against moments put in, and against small changes that must not
-// show.
+// Principal axes: against the tensor, against given moments, and under small changes that must have no
+// effect.
 #include "engine/eigen3.h"
 
 #include "engine/body.h"

@@ -189,8 +189,7 @@ TEST(Force, LockedBodyFeelsNoForceButExertsIt) {
   EXPECT_TRUE(same_bits(end.motions[1], model.motions[1]));
 }
 
-// ---- In motion
-// ---------------------------------------------------------------------------------------------------
+// ---- In motion -------------------------------------------------------------------------------------
 
 // Errata 47, 48: at its pin a spring has no direction; it must not make NaN, and from there it pulls back.
 TEST(Spring, HasNoForceAtItsPin) {

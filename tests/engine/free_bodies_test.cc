@@ -1,5 +1,5 @@
-// Many free bodies side by side move as one by one: exactly where nothing is split, to the order of the
-// scheme where it is, with the same bits on any number of threads.
+// Many free bodies in vector form move like single bodies: exactly where nothing is split, else to the order
+// of the integrator, with the same bits on any number of threads.
 #include "engine/free_bodies.h"
 
 #include "tests/engine/fixtures.h"

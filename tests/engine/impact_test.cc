@@ -20,8 +20,7 @@ Real gap(const std::vector<Motion>& motions, const Model& model, std::size_t a, 
 // Auto follows spheres in closed form, a chosen scheme event by event.
 const std::vector<const char*> followed = {"auto", "rk4", "velocity-verlet", "yoshida6", "bm4"};
 
-// ---- The law
-// -----------------------------------------------------------------------------------------------------
+// ---- The law ---------------------------------------------------------------------------------------
 
 class Restitution : public testing::TestWithParam<Real> {};
 
@@ -76,8 +75,7 @@ TEST_P(Restitution, OfASphereOnAPlane) {
 
 INSTANTIATE_TEST_SUITE_P(Coefficients, Restitution, testing::Values(0.0, 0.8, 1.0));
 
-// ---- The times
-// ---------------------------------------------------------------------------------------------------
+// ---- The times -------------------------------------------------------------------------------------
 
 // t_1 = sqrt(2h/g), t_{n+1} = t_n + 2 e^n u_1/g: these schemes follow a parabola exactly, at any step.
 TEST(ImpactTime, OfABouncingBallIsTheClosedForm) {
@@ -137,8 +135,7 @@ TEST_P(Struck, KeepsOrderThroughImpacts) {
 
 CYLON_EVERY_SCHEME(Struck);
 
-// ---- The end
-// -----------------------------------------------------------------------------------------------------
+// ---- The end ---------------------------------------------------------------------------------------
 
 // All bounces are over at t_1 + 2 e u_1 / (g (1 - e)); after it the ball slides on.
 TEST(Zeno, ABallComesToRestAndSlidesOn) {
@@ -235,8 +232,7 @@ TEST(Resting, ContactEndsWhenPulledApart) {
   }
 }
 
-// ---- Locked bodies
-// -----------------------------------------------------------------------------------------------
+// ---- Locked bodies ---------------------------------------------------------------------------------
 
 TEST(Locked, DoNotMoveUnderImpactsAndForces) {
   Model start;

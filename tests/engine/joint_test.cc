@@ -101,8 +101,7 @@ INSTANTIATE_TEST_SUITE_P(
     Types, EveryJoint,
     testing::Combine(testing::Values(Type::ball, Type::hinge, Type::distance, Type::fixed), testing::Bool()));
 
-// ---- In motion
-// ---------------------------------------------------------------------------------------------------
+// ---- In motion -------------------------------------------------------------------------------------
 
 // Sets the second body's velocities such that the joint's rates are zero: both move as one about the joint.
 Model joined(Type type, bool off_centre = true) {

@@ -1,5 +1,5 @@
-// Mechanisms under every scheme: joints stay closed, orders hold, what stays constant does, the same bits
-// twice.
+// Mechanisms with every integrator: joints stay closed, orders and conservation laws hold, and runs repeat
+// bit by bit.
 #include "tests/engine/fixtures.h"
 
 namespace cylon::engine {

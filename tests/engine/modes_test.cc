@@ -1,4 +1,4 @@
-// Normal modes: against closed forms and against integration, and where they must not be taken.
+// Normal modes: against closed forms and against integration, and where they do not apply.
 #include "tests/engine/fixtures.h"
 
 #include "engine/normal_modes.h"

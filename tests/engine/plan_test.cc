@@ -1,4 +1,4 @@
-// The plan runs what a model needs and says why; running more changes nothing.
+// The plan contains the stages that a model needs, with reasons; more stages do not change the motion.
 #include "engine/plan.h"
 
 #include "tests/engine/fixtures.h"

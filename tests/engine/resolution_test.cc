@@ -1,4 +1,4 @@
-// What the number type cannot hold is refused, by the same fractions of its epsilon in every precision.
+// Scenes beyond the precision of the number type are rejected, by the same multiples of its epsilon.
 #include "engine/resolution.h"
 
 #include "engine/plan.h"

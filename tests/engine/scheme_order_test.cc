@@ -1,4 +1,4 @@
-// What each scheme does: its observed order, with and without drag and constraints; reversal; energy; work.
+// Each integrator: observed order with and without drag and constraints; reversal; energy; work.
 #include "engine/integrators/advance.h"
 #include "tests/engine/scheme_systems.h"
 

@@ -1,4 +1,4 @@
-// A symmetric top on its tip, and a spherical pendulum, move as the general bodies do, scheme by scheme.
+// A symmetric top on its tip and a spherical pendulum move like general bodies, for every integrator.
 #include "engine/tops.h"
 
 #include "tests/engine/fixtures.h"

@@ -1,4 +1,4 @@
-// Every mutant is caught by the claim that was made for it, and nobody who is right is accused by anyone.
+// Every mutant is caught by its claim, and every judge accepts the correct simulators.
 #include "tests/mutants/matrix/matrix.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// cylon diff: where two runs of one scenario part.
+// cylon diff: where two runs of one scenario differ first.
 #include "harness/cli/asked.h"
 #include "harness/cli/command_line.h"
 #include "harness/cli/commands/app.h"

@@ -1,4 +1,4 @@
-// cylon report: a page from what other commands wrote; nothing is simulated.
+// cylon report: builds a report from the output of other commands; nothing is simulated.
 #include "harness/cli/commands/app.h"
 #include "harness/cli/input.h"
 #include "harness/cli/output.h"

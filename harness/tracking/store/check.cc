@@ -1,4 +1,4 @@
-// Whether what is read is what was written.
+// Integrity check of the store: digests and references.
 #include "harness/tracking/store/database.h"
 #include "harness/tracking/store/store.h"
 

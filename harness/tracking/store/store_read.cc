@@ -1,4 +1,4 @@
-// The questions that a store answers.
+// Queries of the store.
 #include "harness/tracking/store/database.h"
 #include "harness/tracking/store/store.h"
 

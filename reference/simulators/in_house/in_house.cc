@@ -1,5 +1,5 @@
-// The in-house engine behind the common interface.  It has no way in that others have not: it gets a Scene
-// and a Setup.
+// The in-house engine behind the common interface.  It gets only a Scene and a Setup, like every other
+// engine.
 #include "engine/world.h"
 #include "harness/core/input_error.h"
 #include "harness/core/simulator.h"

@@ -1,4 +1,4 @@
-// Motions that must follow from each other: boosted, run back, fallen, split, added, glued.
+// Related motions: boost, time reversal, free fall, split runs, superposition, fixed joints.
 #include "tests/conformance/metamorphic/random_scenes.h"
 
 namespace cylon::core {

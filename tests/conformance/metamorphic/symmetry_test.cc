@@ -1,5 +1,5 @@
-// The same scene in other words must move the same: moved, turned, mirrored, in other units, with other axes,
-// in another order.  Nothing here knows a solution.
+// Translated, rotated, mirrored and rescaled scenes, and scenes with other body axes or body order, must have
+// the same motion.  No test here needs an exact solution.
 #include "harness/study/restate.h"
 #include "tests/conformance/metamorphic/random_scenes.h"
 

@@ -1,4 +1,4 @@
-// Meetings computed side by side: the bits of those computed one by one.
+// Impact times computed in vector form have the same bits as those computed one by one.
 #include "engine/ballistic/crowd.h"
 
 #include <gtest/gtest.h>

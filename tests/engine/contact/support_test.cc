@@ -1,4 +1,4 @@
-// How lasting contacts press and hold: statics in closed form, margins, and the rates of touches by
+// Forces of persistent contacts: statics in closed form, margins, and rates of contact points by
 // differences.
 #include "tests/engine/contact/contact_fixtures.h"
 

@@ -1,4 +1,4 @@
-// Every kind of pair dropped, thrown and turned: what holds of all of them, between any two steps.
+// Every kind of pair, dropped, thrown and rotated: the contact laws hold between any two steps.
 #include "engine/geometry/hull.h"
 #include "tests/engine/contact/contact_fixtures.h"
 

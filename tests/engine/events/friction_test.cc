@@ -1,4 +1,4 @@
-// Friction of any size: what slides or sticks takes energy or leaves it, and never gives any.
+// Friction of any size never adds energy, in sliding and in sticking.
 #include "tests/engine/contact/contact_fixtures.h"
 
 namespace cylon::engine {

@@ -1,4 +1,4 @@
-// Where motions that touch end: rest after infinitely many bounces, slip that jams, impacts declared
+// Final states with contact: rest after infinitely many bounces, jamming, impacts declared
 // simultaneous.
 #include "tests/engine/contact/contact_fixtures.h"
 

@@ -1,4 +1,4 @@
-// The engine in single precision against closed forms in double, each within what float's rounding is worth.
+// The engine in single precision against closed forms in double, within the rounding of float.
 #include "tests/engine/float/fixtures.h"
 
 namespace cylon::engine {

@@ -1,4 +1,4 @@
-// Orders in single precision: seen only between steps that are too large and errors that are rounding.
+// Orders in single precision: observable only between too large steps and the rounding floor.
 #include "tests/engine/float/fixtures.h"
 
 namespace cylon::engine {

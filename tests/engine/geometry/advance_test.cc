@@ -1,4 +1,4 @@
-// The bound that keeps things from tunnelling: in no motion within its speeds do the shapes touch before it.
+// The bound that prevents tunnelling: no motion within the speed limits makes the shapes touch earlier.
 #include "engine/geometry/advance.h"
 
 #include "tests/engine/geometry/geometry_shapes.h"

@@ -1,4 +1,4 @@
-// The broad phase against asking every pair.
+// The broad phase against a test of all pairs.
 #include "engine/geometry/broad_phase.h"
 
 #include "tests/engine/geometry/geometry_shapes.h"

@@ -1,4 +1,4 @@
-// Hulls: polyhedra by Euler, hold their points, have the volume that they must; and which meshes are convex.
+// Hulls: Euler's formula, contained points, volume; and which meshes are convex.
 #include "engine/geometry/hull.h"
 
 #include "tests/engine/geometry/geometry_shapes.h"

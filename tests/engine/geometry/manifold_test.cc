@@ -1,4 +1,4 @@
-// Manifolds: how many points, where, how deep, and that they keep their numbers.
+// Contact manifolds: number, position and depth of points, and constant point ids.
 #include "engine/geometry/manifold.h"
 
 #include "tests/engine/geometry/geometry_shapes.h"

@@ -1,4 +1,4 @@
-// The signed distance of every pair of shapes against the slow way, and against what it must be by symmetry.
+// The signed distance of every pair of shapes against a slow reference method, and under symmetries.
 #include "engine/geometry/separation.h"
 
 #include "tests/engine/geometry/geometry_shapes.h"

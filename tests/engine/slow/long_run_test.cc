@@ -1,4 +1,4 @@
-// Ten million steps: a spring, a top on its tip and a box at rest drift as theory says, and no more.
+// Ten million steps: a spring, a top on its tip and a box at rest drift no more than theory predicts.
 #include "tests/engine/fixtures.h"
 
 #include "engine/pile/pile.h"

@@ -1,5 +1,5 @@
-// The event finder on motions known in closed form: each kind, its order, its numbers; what must not be taken
-// for an event; and runs that lack one.
+// The event finder on motions in closed form: kind, order and quantities of each event; motions without
+// events; and runs that lack one.
 #include "harness/core/event_find.h"
 
 #include "harness/core/event_signal.h"

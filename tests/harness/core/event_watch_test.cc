@@ -1,4 +1,4 @@
-// The event watch on arcs known in closed form, and on what must not be taken for a bounce.
+// The event watch on arcs in closed form, and on motions that are not bounces.
 #include "harness/core/event_watch.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What comes back from workers that behave, the documented example of a foreign engine among them.
+// Answers of correct workers, including the documented example of a foreign engine.
 #include "tests/harness/process/fixture.h"
 
 #include "harness/core/input_error.h"

@@ -1,4 +1,4 @@
-// How an engine is asked for by name.
+// Parsing of engine names and variants.
 #include "harness/core/input_error.h"
 #include "harness/process/engines.h"
 

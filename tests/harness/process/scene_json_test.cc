@@ -1,4 +1,4 @@
-// A scene survives the way to a worker: every field, every double, bit by bit.
+// A scene reaches a worker unchanged: every field and every double, bit by bit.
 #include "harness/process/json_fields.h"
 #include "harness/process/messages.h"
 #include "harness/process/scene_json.h"

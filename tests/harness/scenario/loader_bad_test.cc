@@ -1,4 +1,4 @@
-// What cannot be is refused, with the place, the value and what would be valid.
+// Invalid scenarios are rejected with the place, the value and the valid range.
 #include "harness/core/input_error.h"
 #include "harness/scenario/scenario.h"
 

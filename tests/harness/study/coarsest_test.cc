@@ -1,4 +1,4 @@
-// The search for the coarsest setting that serves, against looking at every one of them.
+// The search for the coarsest sufficient setting, against an exhaustive search.
 #include "harness/study/coarsest.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The least time that can be believed.
+// The shortest valid time of several timings.
 #include "harness/study/cost.h"
 
 #include <gtest/gtest.h>

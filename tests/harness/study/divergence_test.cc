@@ -1,4 +1,4 @@
-// Where two motions part: on motions whose distance is known, and never where there is none.
+// The first difference of two motions: on motions of known distance, and on equal motions.
 #include "harness/study/divergence.h"
 
 #include <gtest/gtest.h>

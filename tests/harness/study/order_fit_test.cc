@@ -1,4 +1,4 @@
-// Orders and floors of errors made by hand: C dt^p + floor, with scatter, lost motions and NaN.
+// Orders and floors of synthetic errors: C dt^p + floor, with scatter, failed runs and NaN.
 #include "harness/study/order_fit.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Which settings nobody beats: points drawn by hand, and every pair of a random cloud.
+// Pareto fronts: of points drawn by hand, and of random points against the definition.
 #include "harness/study/pareto.h"
 
 #include <gtest/gtest.h>

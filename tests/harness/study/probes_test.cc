@@ -1,4 +1,4 @@
-// An engine is told by what it does: a small one that can be wrong in many ways, each found by its probe, and
+// The probes identify engines by their motion: a small engine with many faults, each found by its probe, and
 // the engines that are built in, whose schemes are known from their sources.
 #include "harness/study/probes.h"
 

@@ -1,5 +1,5 @@
-// The relations of mechanics on engines that are right, and wrong in one way each: each fault is found by the
-// relation that is made for it, and nothing is held against the right one.
+// Metamorphic relations on a correct engine and on engines with one fault each: each fault is found by its
+// relation, and the correct engine passes all.
 #include "harness/study/relations.h"
 #include "harness/study/restate.h"
 

@@ -1,4 +1,4 @@
-// Comparisons as JUnit, Markdown, JSON and text, with names that would like to be markup.
+// Comparisons as JUnit, Markdown, JSON and text, with names that contain markup.
 #include "reports/comparison.h"
 #include "reports/markdown.h"
 

@@ -1,5 +1,5 @@
-// Two builds compared: the order of the pairs, what a drifting machine makes of it, what is skipped, what is
-// found.
+// Comparison of two builds: order of the pairs, effect of machine drift, skipped cells and
+// findings.
 #include "harness/study/compare.h"
 
 #include "harness/scenario/scenario.h"

@@ -1,4 +1,4 @@
-// What a recording keeps of a cell, read back from the store.
+// The data that a recording stores for a cell, read back from the store.
 #include "harness/tracking/store/store.h"
 #include "tests/harness/cli/fixture.h"
 

@@ -1,5 +1,5 @@
-// Where the history cannot be written the command says so in one sentence with the file and what to do, exits
-// with 2, and what was stored before is the same to the byte.
+// If the history cannot be written, the command prints one sentence with the file and a remedy, exits with 2,
+// and leaves the stored data unchanged to the byte.
 #include "harness/tracking/store/json_lines.h"
 #include "tests/harness/cli/fixture.h"
 

@@ -1,4 +1,4 @@
-// cylon view as it is typed: it says where it is, ends on Ctrl-C with 0 and leaves nothing behind.
+// The command cylon view: prints its address, ends on Ctrl-C with 0 and leaves no process behind.
 #include "tests/harness/cli/fixture.h"
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// One engine in pieces: the same bits as at a stretch, the contacts of its last step, and what ends it.
+// A live run in pieces: the same bits as one run, the contacts of the last step, and the ways it ends.
 #include "tests/harness/view/fixture.h"
 
 #include <cmath>

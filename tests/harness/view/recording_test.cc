@@ -1,4 +1,4 @@
-// What happened, as a scenario: it validates, the same engine passes it, and another scene does not.
+// A recorded session as a scenario: it validates, the same engine passes it, and another scene fails it.
 #include "harness/view/record_file.h"
 
 #include "harness/core/input_error.h"

@@ -1,4 +1,4 @@
-// The viewer's server: for the page that it gave out, and nobody else.
+// The viewer's server answers only the page that it served.
 #include "harness/view/server.h"
 
 #include "harness/core/input_error.h"

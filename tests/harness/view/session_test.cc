@@ -1,4 +1,4 @@
-// What the viewer runs, without sockets and without a clock.
+// A viewer session, without sockets and without a clock.
 #include "harness/view/bad_command.h"
 #include "harness/view/messages.h"
 #include "tests/harness/view/fixture.h"

@@ -1,4 +1,4 @@
-// The enclosure encloses, does not grow by itself, and fails to enclose what it must not: negative controls.
+// The enclosure contains the solution, does not grow by itself, and excludes wrong solutions.
 #include "reference/certified/flow.h"
 #include "reference/certified/solve.h"
 

@@ -1,4 +1,4 @@
-// Older files become today's, forward only, all of it or nothing.
+// Older files are migrated to the current schema, completely or not at all.
 #include "harness/tracking/store/schema.h"
 #include "harness/core/input_error.h"
 #include "tests/harness/tracking/store/fixture.h"

@@ -1,4 +1,4 @@
-// What goes into the store comes out of it, in this process and the next, in this order and no other.
+// The store returns what was stored, in the defined order, in this process and in the next.
 #include "harness/tracking/store/store.h"
 
 #include "harness/core/input_error.h"
