@@ -64,14 +64,14 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
     char text[160];
     if (!going_) {
       std::snprintf(text, sizeof text,
-                    "the motion cannot be followed beyond t = %.17g s: no step is short enough",
+                    "integration stopped at t = %.17g s: no step is small enough for the tolerance",
                     scheme_.end());
       remarks.emplace_back(text);
     }
     if (slides_at_ > 0) {
       std::snprintf(
           text, sizeof text,
-          "from t = %.6g s on a force switches on and off without end: its switches are not located",
+          "from t = %.6g s on a force switches on and off too often: its switching times are not located",
           slides_at_);
       remarks.emplace_back(text);
     }

@@ -1,5 +1,5 @@
-// What EventStepper does at an instant: who touches, what strikes, what is held, and what where Coulomb's law
-// gives out.
+// EventStepper at one instant: finds contacts, solves impacts, chooses persistent contacts, and falls back
+// where Coulomb friction has no solution.
 #include "engine/event_stepper.h"
 
 #include "engine/contact/response.h"

@@ -1,5 +1,5 @@
-// How EventStepper keeps points in contact between events: where they touch, how they press and rub, and that
-// they stay closed.
+// Persistent contacts of EventStepper between events: contact points, normal and friction forces, and the
+// correction of the gap.
 #include "engine/contact/response.h"
 #include "engine/event_stepper.h"
 #include "engine/joint.h"

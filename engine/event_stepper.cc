@@ -237,28 +237,27 @@ void EventStepper::read(std::vector<Motion>& motions) const {
 std::vector<std::string> EventStepper::remarks() const {
   std::vector<std::string> result;
   if (inexact_ > 0) {
-    result.push_back(std::to_string(inexact_) +
-                     " contact problems were solved by iteration, not to rounding");
+    result.push_back(std::to_string(inexact_) + " contact problems were solved iteratively, not to rounding");
   }
-  if (failed_ > 0) result.push_back(std::to_string(failed_) + " pieces of motion did not keep the tolerance");
+  if (failed_ > 0)
+    result.push_back(std::to_string(failed_) + " integration intervals did not reach the tolerance");
   if (loosened_ > 0) {
-    result.push_back(
-        "at " + std::to_string(loosened_) +
-        " instants no bounded force obeyed Coulomb's law, or stick and slip took turns without end: "
-        "those contacts were without friction for the rest of the step");
+    result.push_back("at " + std::to_string(loosened_) +
+                     " instants Coulomb friction had no solution, or stick and slip alternated too often: "
+                     "these contacts had no friction for the rest of the step");
   }
   if (wedged_ > 0) {
     result.push_back("at " + std::to_string(wedged_) +
-                     " instants friction grew without bound: the slip was stopped at once");
+                     " instants friction grew without bound: an impulse stopped the slip");
   }
   if (calmed_ > 0) {
     result.push_back(std::to_string(calmed_) + " steps had more than " + std::to_string(event_limit / 2) +
-                     " events: after those nothing bounced or rubbed until the step's end");
+                     " events: for the rest of these steps, contacts had no restitution and no friction");
   }
   if (crowded_ > 0) {
     result.push_back(std::to_string(crowded_) +
-                     " steps had events or pieces without end: their last parts "
-                     "were not watched");
+                     " steps had too many events or integration intervals: no events were located in the "
+                     "rest of these steps");
   }
   return result;
 }

@@ -1,4 +1,4 @@
-// When EventStepper's smooth piece ends: surfaces meet, or a point that is held is to be held otherwise.
+// Locates the end of a smooth interval of EventStepper: surfaces meet, or a persistent contact changes.
 #include "engine/event_stepper.h"
 #include "engine/root.h"
 

@@ -97,11 +97,11 @@ template <bool is_fast>
 }  // namespace
 
 std::string FreeBodies::not_free(const Model& model, const Scheme& scheme) {
-  if (scheme.kind != cylon::engine::Kind::splitting) return "the scheme is no splitting";
+  if (scheme.kind != cylon::engine::Kind::splitting) return "the integrator is not a splitting";
   if (can_touch(model)) return "bodies can touch";
-  if (!model.forces.only_gravity()) return "more than gravity acts";
-  if (!model.joints.empty()) return "joints hold bodies";
-  if (model.frame) return "the frame turns";
+  if (!model.forces.only_gravity()) return "a force other than gravity acts";
+  if (!model.joints.empty()) return "the scene has joints";
+  if (model.frame) return "the frame rotates";
   for (const Body& body : model.bodies) {
     if (body.mass_rate != 0) return "a body gains or loses mass";
     if (body.locked) return "a body is locked";

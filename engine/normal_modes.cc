@@ -89,14 +89,15 @@ class Builder {
 
   std::string why_not() {
     if (group_.bodies.size() > most_tied)
-      return "springs tie more than " + std::to_string(most_tied) + " points together";
+      return "springs connect more than " + std::to_string(most_tied) + " points together";
     const bool straight =
         std::all_of(ties_.begin(), ties_.end(), [](const Tie& tie) { return tie.rest_length == 0; });
     const int axis = straight ? -1 : line();
-    if (!straight && axis < 0) return "springs with a rest length turn";
+    if (!straight && axis < 0) return "springs with a rest length rotate";
     solve();
     excite();
-    if (!straight && meets(axis)) return "springs with a rest length may shrink to nothing, or grow for ever";
+    if (!straight && meets(axis))
+      return "springs with a rest length may reach zero length, or grow without limit";
     return "";
   }
 

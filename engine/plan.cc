@@ -81,12 +81,12 @@ bool is_closed(Method method) {
 const char* not_in_a_turning_frame(const Model& model) {
   if (!model.frame) return nullptr;
   const auto& f = model.forces;
-  if (can_touch(model)) return "contacts in a turning frame are not modelled";
+  if (can_touch(model)) return "contacts in a rotating frame are not modelled";
   if (any(model.joints, [](const Joint& j) { return j.body == fixed_world || j.to == fixed_world; }))
-    return "joints to the world of a turning frame are not modelled";
+    return "joints to the world in a rotating frame are not modelled";
   if (any(f.springs, [](const Spring& s) { return s.damping != 0 && s.to == fixed_world; }) ||
       !f.drags.empty() || !f.waters.empty())
-    return "drag against a turning frame is not modelled";
+    return "drag in a rotating frame is not modelled";
   return nullptr;
 }
 
@@ -110,40 +110,40 @@ class Stages {
     count("water", f.waters.size());
     add("variable mass", any(model_.bodies, [](const Body& b) { return b.mass_rate != 0; }),
         "a body gains or loses mass", "all masses are constant");
-    add("turning frame", model_.frame.has_value(), "the scene is given in a turning frame",
+    add("turning frame", model_.frame.has_value(), "the scene is given in a rotating frame",
         "the frame is inertial");
     joints();
-    add("broad phase", broad(), "many bodies may touch: pairs come from a grid",
-        contact ? "few bodies may touch" : nothing);
-    add("detection", contact || options_.full, contact ? "surfaces may touch" : "asked for: model full",
+    add("broad phase", broad(), "many bodies can touch: a grid finds the pairs",
+        contact ? "few bodies can touch" : nothing);
+    add("detection", contact || options_.full, contact ? "surfaces can touch" : "option model = full",
         nothing);
-    add("impacts", contact, "surfaces may meet", nothing);
-    add("friction", contact && has_friction(model_), "a pair of surfaces has friction",
+    add("impacts", contact, "surfaces can collide", nothing);
+    add("friction", contact && has_friction(model_), "at least one pair of surfaces has friction",
         contact ? "no pair of surfaces has friction" : nothing);
-    add("contact solving", contact, "contacts may last", nothing);
+    add("contact solving", contact, "contacts can persist", nothing);
     add("event location", plan_.method == Method::events || plan_.method == Method::ballistic,
-        "impacts and changes of contact are found in time, not at the end of a step",
+        "impacts and contact changes are located in time, not at the end of a step",
         plan_.method == Method::stepping ? "contacts are resolved over whole steps" : nothing);
     add("integration", plan_.scheme != nullptr,
-        plan_.scheme ? "scheme " + std::string(plan_.scheme->name) : std::string(),
-        plan_.method == Method::stepping ? "the stepping of contacts has its own scheme"
+        plan_.scheme ? "integrator " + std::string(plan_.scheme->name) : std::string(),
+        plan_.method == Method::stepping ? "the stepping path has its own integrator"
                                          : "the motion is in closed form");
     add("closed form", is_closed(plan_.method),
         plan_.method == Method::exact   ? "every body moves freely"
-        : plan_.method == Method::modes ? "all springs pull linearly: normal modes"
-                                        : "spheres fly freely between impacts",
-        "forces, joints, contacts or the chosen scheme ask for integration");
-    add("error control", plan_.verified, "two runs must agree within the tolerance",
-        plan_.method == Method::stepping ? "stepping has a fixed step: its error is not bounded"
+        : plan_.method == Method::modes ? "all springs are linear: normal modes"
+                                        : "spheres move freely between impacts",
+        "forces, joints, contacts or the chosen integrator need integration");
+    add("error control", plan_.verified, "two solutions must agree within the tolerance",
+        plan_.method == Method::stepping ? "stepping uses a fixed step: its error is not controlled"
         : plan_.scheme && plan_.scheme->kind == Kind::adaptive
-            ? "the scheme controls the error of each step only"
-        : plan_.scheme ? "the scheme has a fixed step"
-                       : "a closed form errs by rounding");
+            ? "the integrator controls the error of each step only"
+        : plan_.scheme ? "the integrator has a fixed step"
+                       : "the error of a closed form is rounding");
     return std::move(stages_);
   }
 
  private:
-  static constexpr const char* nothing = "nothing may touch";
+  static constexpr const char* nothing = "no bodies can touch";
 
   void add(const char* name, bool in, const std::string& why_in, const std::string& why_out) {
     stages_.push_back({name, in, in ? why_in : why_out});
@@ -177,8 +177,8 @@ class Stages {
   void rotation() {
     const std::vector<char> turning = bodies_that_turn(model_);
     const bool turns = options_.full || any(turning, [](char turns_too) { return turns_too != 0; });
-    add("rotation", turns, options_.full ? "asked for: model full" : "bodies spin or may be turned",
-        "nothing spins and nothing turns a body");
+    add("rotation", turns, options_.full ? "option model = full" : "bodies spin or torques can act",
+        "no body spins and no torque acts");
   }
 
   void joints() {
@@ -190,10 +190,10 @@ class Stages {
     const Reduced reduced = reduce(model_);
     std::string pinned;
     for (const std::string& line : reduced.pinned) pinned += (pinned.empty() ? "" : ", ") + line;
-    add("reduced coordinates", !reduced.pinned.empty(), pinned, "no joint holds a body to the world alone");
+    add("reduced coordinates", !reduced.pinned.empty(), pinned, "no body is jointed to the world only");
     const std::size_t kept = reduced.model.joints.size();
     add("joint constraints", kept > 0, std::to_string(kept) + (kept == 1 ? " joint" : " joints"),
-        "reduced coordinates hold all of them");
+        "reduced coordinates satisfy all joints");
   }
 
   const Model& model_;
@@ -205,9 +205,9 @@ class Stages {
 }  // namespace
 
 const char* const method_rule =
-    "events: impacts and changes of contact are located in time, where at most 8 moving bodies can touch "
-    "anything, at most 1 of them no sphere, or where only spheres in uniform gravity move; stepping: fixed "
-    "steps with impulses, where more can.";
+    "events: impacts and contact changes are located in time; used if at most 8 moving bodies can touch "
+    "anything and at most 1 of them is not a sphere, or if only spheres in uniform gravity move. stepping: "
+    "fixed steps with impulses; used otherwise.";
 
 Real default_tolerance() { return sizeof(Real) == 8 ? Real(1e-10) : Real(1e-4); }
 
@@ -225,17 +225,17 @@ std::string unsupported(const Model& given, const Options& options, const Names&
   Model model = given;
   model.reduce_joints = model.reduce_joints && !options.constraints;
   const Scheme* scheme = find_scheme(options.scheme);
-  if (options.scheme != "auto" && !scheme) return "there is no scheme '" + options.scheme + "'";
+  if (options.scheme != "auto" && !scheme) return "there is no integrator '" + options.scheme + "'";
   if (!options.method.empty() && options.method != "events" && options.method != "stepping")
-    return "there is no method '" + options.method + "'";
+    return "there is no path '" + options.method + "'";
   if (scheme && !scheme->constraints && scheme->kind == Kind::splitting && !model.joints.empty() &&
       !reduce(model).model.joints.empty()) {
     return std::string(scheme->name) +
-           " cannot keep joints: kicks and drifts that are no composition of RATTLE steps leave them";
+           " cannot integrate joints: only compositions of RATTLE steps keep the constraints";
   }
   const bool stepping = can_touch(model) && method_of(model, options) == Method::stepping;
   if (stepping && options.scheme != "auto")
-    return "stepping has its own scheme: " + options.scheme + " is for the method events";
+    return "the stepping path has its own integrator: " + options.scheme + " is for the path events";
   if (const char* reason = not_in_a_turning_frame(model)) return reason;
   for (const Water& water : model.forces.waters) {
     if (water.mode != WaterMode::volume) continue;

@@ -4,8 +4,8 @@ namespace cylon::engine {
 
 std::string not_points(const Model& model) {
   const Forces& forces = model.forces;
-  if (!model.joints.empty()) return "joints hold bodies";
-  if (model.frame) return "the frame turns";
+  if (!model.joints.empty()) return "the scene has joints";
+  if (model.frame) return "the frame rotates";
   for (const Body& body : model.bodies) {
     if (body.mass_rate != 0) return "a body gains or loses mass";
   }

@@ -39,10 +39,9 @@ std::string lost(const std::string& who, Real far, const char* what, Real length
   const Real unit = unit_in_last_place(far);
   if (!(length > 0) || !(unit > coarsest_place * length)) return "";
   return who +
-         text(
-             " is %.6g m out, where a unit in the last place of %s is %.3g m: more than 1/%.0f of %s, %.6g m",
-             static_cast<double>(far), precision, static_cast<double>(unit),
-             1 / static_cast<double>(coarsest_place), what, static_cast<double>(length));
+         text(" is %.6g m from the origin, where one ulp of %s is %.3g m: more than 1/%.0f of %s, %.6g m",
+              static_cast<double>(far), precision, static_cast<double>(unit),
+              1 / static_cast<double>(coarsest_place), what, static_cast<double>(length));
 }
 
 class Places {
@@ -85,7 +84,7 @@ class Places {
     for (std::size_t i = 0; i < model_.planes.size(); ++i) {
       const std::string reason =
           lost(names_(Thing::plane, static_cast<int>(i)), std::abs(model_.planes[i].offset),
-               "the least half-width that may meet it", least);
+               "the smallest half-width of a body that may touch it", least);
       if (!reason.empty()) return reason;
     }
     return "";
@@ -112,9 +111,8 @@ std::string outweighed(const Model& model, int light, int heavy, const Names& na
   return names(Thing::body, heavy) + text(" weighs %.3g times as much as ", static_cast<double>(ratio)) +
          names(Thing::body, light) +
          text(
-             ", which may have to carry it: more than %.4g times, and of the sum of their reciprocal masses "
-             "%s "
-             "leaves too little of the heavier one's",
+             ", which may carry it; above a ratio of %.4g, %s loses too many digits of the heavier mass in "
+             "the sum of the reciprocal masses",
              static_cast<double>(coarsest_mass / epsilon), precision);
 }
 

@@ -93,11 +93,11 @@ std::vector<std::string> VerifiedStepper::remarks() const {
   std::vector<std::string> remarks = fine_->remarks();
   if (missed_at_ >= 0) {
     char text[256];
-    std::snprintf(text, sizeof text,
-                  "auto: from sample %lld on the tolerance %.1e is not reached: runs at the finest local "
-                  "tolerances part by up to %.1e of the motion's scales (chaos or conditioning)",
-                  static_cast<long long>(missed_at_), static_cast<double>(bound_),
-                  static_cast<double>(worst_));
+    std::snprintf(
+        text, sizeof text,
+        "auto: from sample %lld on the tolerance %.1e is not reached: solutions at the two finest local "
+        "tolerances differ by up to %.1e of the scales of the motion (chaos or ill-conditioning)",
+        static_cast<long long>(missed_at_), static_cast<double>(bound_), static_cast<double>(worst_));
     remarks.emplace_back(text);
   }
   return remarks;

@@ -84,7 +84,7 @@ void World::hand_over() {
   stepper_ = make_stepper(model, options, plan, start);
   stepper_->keep_contacts(keep_contacts_);
   remarks_.push_back("closed form until t = " + std::to_string(start) + " s, then " +
-                     (by_events ? "by events: " : "in fixed steps of first order: ") + from.reason);
+                     (by_events ? "by events: " : "in fixed first-order steps: ") + from.reason);
   if (!by_events) impacts_.clear();  // the whole step again
 }
 

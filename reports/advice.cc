@@ -38,13 +38,13 @@ Json to_object(const std::optional<Pick>& pick) {
 std::string line(const results::EngineAdvice& one, const results::Advice& advice) {
   if (!one.pick) {
     if (!one.best)
-      return fmt::format("{}: {}\n", one.engine, one.reason.empty() ? "no run came to an end" : one.reason);
+      return fmt::format("{}: {}\n", one.engine, one.reason.empty() ? "no run ended" : one.reason);
     return fmt::format("{}: not reachable{}: best error seen {:.1e}, {}\n", one.engine,
                        one.best->error <= advice.tolerance ? " with a margin" : "", one.best->error,
                        named(*one.best));
   }
   std::string text =
-      fmt::format("{}: {}\n    error {:.1e}, {:.1f} times below what is asked; costs {}{}\n", one.engine,
+      fmt::format("{}: {}\n    error {:.1e}, {:.1f} times below the tolerance; costs {}{}\n", one.engine,
                   named(*one.pick), one.pick->error, advice.tolerance / one.pick->error, cost(one.pick->cost),
                   one.over_budget ? ", which is over the budget" : "");
   if (one.runner_up)
@@ -67,16 +67,17 @@ std::string advice_text(const results::Advice& advice, const ConsoleOptions& opt
   };
   std::string out;
   if (advice.measure.empty()) {
-    add(out,
-        fmt::format("{}: nothing to measure: no truth, and nothing that is conserved\n", advice.scenario));
+    add(out, fmt::format("{}: nothing to measure: no exact solution and no conserved quantity\n",
+                         advice.scenario));
     return out;
   }
-  add(out, fmt::format("{}: {} within {:.1e} of {}, relative, over {} s; each pick run from {} start{}\n",
-                       advice.scenario, advice.measure, advice.tolerance, advice.against, advice.duration,
-                       advice.starts, advice.starts == 1 ? "" : "s"));
+  add(out,
+      fmt::format("{}: {} within {:.1e} of {}, relative, over {} s; each result checked from {} start{}\n",
+                  advice.scenario, advice.measure, advice.tolerance, advice.against, advice.duration,
+                  advice.starts, advice.starts == 1 ? "" : "s"));
   for (const results::EngineAdvice& one : advice.engines) add(out, line(one, advice));
   if (advice.features.empty()) return out;
-  add(out, fmt::format("\n{:<34} {:<17} {:>11} {:>11} {:>6}  {}\n", "what a part costs", "", "with s/s",
+  add(out, fmt::format("\n{:<34} {:<17} {:>11} {:>11} {:>6}  {}\n", "cost of each part", "", "with s/s",
                        "without", "price", "effect on the motion"));
   for (const results::FeaturePrice& f : advice.features)
     add(out,
@@ -87,7 +88,8 @@ std::string advice_text(const results::Advice& advice, const ConsoleOptions& opt
             : fmt::format("{} {:<17} {}\n", fitted(shown(f.engine, options), 34, options.utf8 ? "…" : "..."),
                           f.feature, f.reason));
   return out +
-         "effect: the largest difference of the two motions, in units of the motion's scales, turns in rad\n";
+         "effect: the largest difference of the two motions, relative to the scales of the motion; angles in "
+         "rad\n";
 }
 
 std::string advice_json(const results::Advice& advice, const Provenance& p) {

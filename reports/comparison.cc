@@ -54,9 +54,8 @@ std::string summary(const ComparisonReport& report) {
 std::string warning(const ComparisonReport& report) {
   if (report.reliable || !report.self_check) return "";
   return fmt::format(
-      "environment unreliable: the baseline seems to differ from itself (x {:.3f}, {} pairs of {}), so that "
-      "no time "
-      "of this run is believed",
+      "environment unreliable: the baseline differs from itself (x {:.3f}, {} pairs of {}), so the times of "
+      "this run are ignored",
       report.self_check->ratio, report.self_check->pairs, report.self_check->what);
 }
 

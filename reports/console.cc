@@ -61,8 +61,7 @@ std::string run_facts(const Verdict& v, const ConsoleOptions& options) {
   add_line(out, "path", v.path, options);
   add_line(out, "gyroscopic", v.gyroscopic, options);
   add_line(out, "settings", list(v.settings), options);
-  for (const std::string& sentence : v.unforceable)
-    add_line(out, "cannot be switched off", sentence, options);
+  for (const std::string& sentence : v.unforceable) add_line(out, "known limit", sentence, options);
   add_line(out, "sampling", v.sampling, options);
   if (v.body_steps > 0)
     out += fmt::format("  cost: {:.3g} s of CPU, {} body steps, {:.0f} ns each\n", v.cpu_seconds,
@@ -144,7 +143,7 @@ std::string unlisted(const std::vector<Verdict>& verdicts, const ConsoleOptions&
   for (const Verdict& v : verdicts) {
     if (v.version_listed) continue;
     const std::string who = shown(fmt::format("{} {}", v.engine, v.version), options);
-    lines.insert(fmt::format("warning: unlisted: expected.toml knows no {}\n", who));
+    lines.insert(fmt::format("warning: expected.toml has no row for {}\n", who));
   }
   std::string out;
   for (const std::string& line : lines) out += line;
@@ -160,7 +159,7 @@ std::string rescaled(const std::vector<Verdict>& verdicts) {
   scales.erase(1);
   std::string out;
   for (const double scale : scales)
-    out += fmt::format("warning: all tolerances are multiplied by {:g}: this is no plain run\n", scale);
+    out += fmt::format("warning: all tolerances are multiplied by {:g}\n", scale);
   return out;
 }
 
@@ -171,7 +170,7 @@ std::string difference(const Verdict& v, const ConsoleOptions& options) {
   out += fmt::format("  {}\n", painted(shown(sentence(v), options), v.status, options));
   add_line(out, "tolerance", v.tolerance_reason, options);
   out += complaints(v, options);
-  add_line(out, "again", v.reproduce, options);
+  add_line(out, "repeat with", v.reproduce, options);
   return out;
 }
 
@@ -203,7 +202,7 @@ std::string console_matrix(const std::vector<Verdict>& verdicts, const ConsoleOp
   if (std::any_of(verdicts.begin(), verdicts.end(), differs)) out += "\nNot as expected:\n";
   const auto unforeseen = [&](const Verdict& v) { return differs(v) && v.expected_reason.empty(); };
   if (std::any_of(verdicts.begin(), verdicts.end(), unforeseen))
-    out += "(where expected.toml says nothing of a scenario, engine or step, a pass is expected)\n";
+    out += "(without a matching row in expected.toml, pass is expected)\n";
   for (const Verdict& v : verdicts)
     if (differs(v)) out += difference(v, options);
 

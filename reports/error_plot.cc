@@ -20,8 +20,7 @@ double peak(const reports::ErrorCurve& curve) {
   return curve.allowed > 0 ? most / curve.allowed : most > 0 ? HUGE_VAL : 0;
 }
 
-// ---- A field of dots: 2 x 4 in a character
-// ------------------------------------------------------------------
+// ---- A field of dots: 2 x 4 in a character ---------------------------------------------------------
 
 class Dots {
  public:
@@ -74,9 +73,9 @@ constexpr int chart_rows = 7;
 
 std::string verdict_of(const reports::ErrorCurve& curve) {
   if (curve.first_violation)
-    return fmt::format("first beyond it at t = {:.6g} s, step {}", curve.first_violation->time,
+    return fmt::format("first exceeded at t = {:.6g} s, step {}", curve.first_violation->time,
                        curve.first_violation->step);
-  return "never beyond it";
+  return "never exceeded";
 }
 
 }  // namespace
@@ -119,7 +118,7 @@ std::string error_chart(const reports::ErrorCurve& curve, const ConsoleOptions& 
   const std::string unit = curve.unit.empty() ? "" : " " + curve.unit;
   std::string out = fmt::format("{}, allowed {:.3g}{}: {}\n", shown(curve.claim, options), curve.allowed,
                                 unit, verdict_of(curve));
-  if (empty) return out + "  no error to be drawn: zero, or not finite, throughout\n";
+  if (empty) return out + "  no error to plot: all values are zero or not finite\n";
   low = std::floor(low) + 0.0, high = std::max(low + 1, std::ceil(high)) + 0.0;  // no negative zero
 
   constexpr int margin = 8;  // of the axis's numbers

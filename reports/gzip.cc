@@ -49,8 +49,8 @@ std::string gunzip(std::string_view packed, std::size_t most) {
     out.append(piece.data(), piece.size() - stream.avail_out);
   }
   inflateEnd(&stream);
-  if (out.size() > most) throw core::InputError("packed data unpacks to too much");
-  if (result != Z_STREAM_END) throw core::InputError("packed data is damaged");
+  if (out.size() > most) throw core::InputError("the compressed data is too large");
+  if (result != Z_STREAM_END) throw core::InputError("the compressed data is damaged");
   return out;
 }
 
@@ -78,7 +78,7 @@ std::string from_base64(std::string_view text) {
       const std::size_t value = alphabet.find(c);
       const bool pad = c == '=' && i + 4 == text.size() && k >= 2;
       if ((value == std::string_view::npos && !pad) || (padding > 0 && !pad))
-        throw core::InputError("base64: a character that has no place in it");
+        throw core::InputError("base64: an invalid character");
       padding += pad;
       group = (group << 6) | static_cast<std::uint32_t>(pad ? 0 : value);
     }

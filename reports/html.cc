@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 Json document(const std::string& text, const char* what) {
   if (text.empty()) return nullptr;
   Json parsed = Json::parse(text, nullptr, /*allow_exceptions=*/false);
-  if (parsed.is_discarded()) throw core::InputError(fmt::format("{}: this is no JSON", what));
+  if (parsed.is_discarded()) throw core::InputError(fmt::format("{}: this is not JSON", what));
   return parsed;
 }
 
@@ -79,7 +79,7 @@ std::string to_html(const HtmlReport& report) {
   }
   std::string omitted = report.omitted_traces;
   if (left_out > 0)
-    omitted += fmt::format("{}{} more would make this file larger than can be mailed",
+    omitted += fmt::format("{}{} more were left out to limit the size of this file",
                            omitted.empty() ? "" : "; ", left_out);
 
   const Json index = {{"kind", "report"},

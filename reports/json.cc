@@ -74,7 +74,7 @@ struct Row {
   results::Status status(const char* key) const {
     const std::string word = string(key);
     const auto status = results::status_from(word);
-    if (!status) refuse(key, fmt::format("'{}' is no status", word));
+    if (!status) refuse(key, fmt::format("'{}' is not a status", word));
     return *status;
   }
 

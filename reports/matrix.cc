@@ -25,13 +25,13 @@ struct Meaning {
 // From best to worst.
 constexpr std::array meanings = {
     Meaning{Status::pass, "within tolerance"},
-    Meaning{Status::unsupported, "the engine cannot express the scene"},
+    Meaning{Status::unsupported, "the engine does not support the scene"},
     Meaning{Status::low_quality, "within ten times the tolerance"},
-    Meaning{Status::fail, "beyond that"},
+    Meaning{Status::fail, "more than ten times the tolerance"},
     Meaning{Status::non_finite, "NaN or infinite"},
-    Meaning{Status::timeout, "no end before the deadline"},
+    Meaning{Status::timeout, "time limit exceeded"},
     Meaning{Status::crash, "the worker died"},
-    Meaning{Status::protocol, "the worker sent garbage"},
+    Meaning{Status::protocol, "the worker broke the protocol"},
 };
 
 std::size_t severity(Status status) {
@@ -184,8 +184,9 @@ std::string legend(const Matrix& matrix, const ConsoleOptions& options) {
   };
   for (const auto& [status, words] : meanings)
     if (present.count(status)) add(glyph(status, options), words);
-  if (measured) add("+1.0:", "digits won (+) or lost (-) by the worst claim, log10(allowed / measured)");
-  if (differs) add("!", "not as expected.toml says");
+  if (measured)
+    add("+1.0:", "log10(allowed / measured) of the worst claim: + is better than allowed, - is worse");
+  if (differs) add("!", "differs from expected.toml");
   return out.empty() ? "" : out + "\n";
 }
 

@@ -1,4 +1,4 @@
-// What all three renderings of a work–precision table have in common: names, orders in words, the plot.
+// Common parts of the three renderings of a work–precision table: names, order texts, the plot.
 #include "reports/trade.h"
 
 #include <fmt/format.h>
@@ -82,7 +82,7 @@ Plot trade_plot(const TradeTable& table) {
   bool timed = false;
   for (const TradeSeries& series : table.series)
     for (const TradePoint& point : series.points) timed |= std::isfinite(point.cost);
-  plot.title = fmt::format("{}: speed against accuracy", table.scenario);
+  plot.title = fmt::format("{}: error against cost", table.scenario);
   plot.x_label = timed ? "CPU seconds per simulated second" : "steps per simulated second";
   plot.y_label =
       fmt::format("relative error ({}), largest over {} s", table.measures[table.by].name, table.duration);

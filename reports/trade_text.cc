@@ -31,7 +31,7 @@ std::string head(const TradeTable& table, const ConsoleOptions& options) {
   std::string text = fmt::format("{}: {} s, {} bod{}\n", shown(table.scenario, options), table.duration,
                                  table.bodies, table.bodies == 1 ? "y" : "ies");
   if (table.truth.empty())
-    text += fmt::format("  no truth is known: settings are compared by {} alone\n", by.name);
+    text += fmt::format("  no exact solution is known: settings are compared by {} only\n", by.name);
   return text + fmt::format("  error: {} against {}, relative, the largest of {} times; known to {:.0e}\n",
                             by.name, shown(by.against, options), table.samples,
                             std::max(by.resolution, 1e-16));
@@ -65,7 +65,7 @@ std::string trade_text(const TradeTable& table, const ConsoleOptions& options, b
   const std::string dots = options.utf8 ? "…" : "...";
   if (table.measures.empty())
     return safe(
-        fmt::format("{}: nothing to measure: no truth, and nothing that is conserved\n", table.scenario));
+        fmt::format("{}: nothing to measure: no exact solution and no conserved quantity\n", table.scenario));
   std::string out = head(table, options);
   const std::vector<double> errors = marks(table);
   const int reserved = 31 + 4 + 9 * static_cast<int>(errors.size());
@@ -93,8 +93,8 @@ std::string trade_text(const TradeTable& table, const ConsoleOptions& options, b
     }
   }
   out +=
-      "\np: the order that the engine declares. @: CPU seconds per simulated second at which that error is "
-      "reached.\n";
+      "\n"
+      "p: order that the engine declares. @: CPU seconds per simulated second to reach this error.\n";
 
   std::vector<std::pair<const TradeSeries*, const TradePoint*>> front;
   for (const TradeSeries& series : table.series)
@@ -103,7 +103,7 @@ std::string trade_text(const TradeTable& table, const ConsoleOptions& options, b
   if (front.empty()) return out;
   std::stable_sort(front.begin(), front.end(),
                    [](const auto& a, const auto& b) { return a.second->cost < b.second->cost; });
-  out += "\nNothing is both cheaper and better than these (*):\n";
+  out += "\nPareto front (*): no other setting is both faster and more accurate:\n";
   for (const auto& [series, point] : front)
     out +=
         fmt::format("* {} {:<16} error {:>8}  CPU {:>8} s/s  {:>8} ns/body-step\n",

@@ -1,4 +1,4 @@
-// Which models the ballistic stepper can take.
+// Which models the ballistic stepper supports.
 #include "engine/ballistic/ballistic.h"
 #include "engine/ballistic/scene.h"
 
@@ -22,19 +22,18 @@ std::string body_name(std::size_t i) { return "body " + std::to_string(i) + " ";
 std::optional<std::string> unsupported_body(const Model& model, std::size_t i) {
   const Body& body = model.bodies[i];
   const bool touches = ballistic::surface(model, i) != no_surface;
-  if (touches && !std::holds_alternative<Sphere>(model.shapes[i]))
-    return body_name(i) + "has another shape than a sphere";
+  if (touches && !std::holds_alternative<Sphere>(model.shapes[i])) return body_name(i) + "is not a sphere";
   if (body.locked) return {};
-  if (off_centre(body)) return body_name(i) + "is described by another point than its centre of mass";
+  if (off_centre(body)) return body_name(i) + "has an origin that is not its centre of mass";
   if (body.inverse_mass == 0) return body_name(i) + "is pinned";
 
   const bool spins = !model.motions[i].angular_momentum.isZero(0);
   const bool turned = touches && ballistic::meets_friction(model, i);
   const Symmetry symmetry = ballistic::symmetry(body);
   if (turned && symmetry != Symmetry::sphere)
-    return body_name(i) + "may be turned by friction and its inertia is not a sphere's";
+    return body_name(i) + "can be rotated by friction and its inertia is not that of a sphere";
   if (spins && symmetry == Symmetry::none)
-    return body_name(i) + "spins and its inertia has three different moments";
+    return body_name(i) + "spins and has three different principal moments";
   return {};
 }
 
@@ -64,7 +63,7 @@ bool meets_friction(const Model& model, std::size_t i) {
 
 std::optional<std::string> ballistic_unsupported(const Model& model) {
   if (!model.forces.springs.empty() || !model.forces.drags.empty() || !model.forces.drives.empty())
-    return "another force than uniform gravity acts";
+    return "a force other than uniform gravity acts";
   if (!model.joints.empty()) return "there are joints";
   if (model.frame) return "the frame rotates";
   for (std::size_t i = 0; i < model.bodies.size(); ++i)

@@ -1,4 +1,4 @@
-// Impacts::simultaneous: all contacts that touch at an instant and hang together.
+// Impacts::simultaneous: solves all connected contacts of one instant together.
 #include "engine/ballistic/course.h"
 #include "engine/ballistic/encounter.h"
 
@@ -84,7 +84,7 @@ bool Course::strike_all(std::size_t a, std::size_t b) {
   for (std::size_t k = 0; k < members_.size(); ++k) gather(members_[k]);
   for (const std::size_t body : members_) place_in_cluster_[body] = nothing;
   if (touches_.size() < 2) return false;
-  if (!strike_at_once(touches_, sides_)) hand_over("simultaneous impacts did not settle");
+  if (!strike_at_once(touches_, sides_)) hand_over("the solution of simultaneous impacts did not converge");
 
   for (const Touch& c : touches_)
     if (c.approach > 0)

@@ -1,5 +1,5 @@
-// When the next event of a body comes.  A prediction counts from the bodies' own reference times, not from
-// the instant at which it is made: it has the same bits whenever, and by whichever of the two, it is made.
+// Predicts the next event of a body.  A prediction starts from the reference times of the bodies, not from
+// the present time, so it has the same bits whenever it is made and whichever body of the pair asks for it.
 #include "engine/ballistic/course.h"
 #include "engine/ballistic/encounter.h"
 

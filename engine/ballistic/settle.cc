@@ -1,4 +1,4 @@
-// What an event leaves behind: the new motion of a body, its record, or the end of what is known here.
+// Applies an event: the new motion of a body, its record, or the handover to another stepper.
 #include "engine/ballistic/course.h"
 #include "engine/ballistic/encounter.h"
 #include "engine/ballistic/support.h"
@@ -81,7 +81,7 @@ bool Course::hit_without_end(std::size_t body) {
   Burst& burst = bursts_[body];
   if (!(now_ - burst.time <= 16 * ulp * now_)) burst = {now_, 0};
   if (++burst.impacts <= 128 + flights_.size()) return false;
-  hand_over("body " + std::to_string(body) + " is hit without end at one instant");
+  hand_over("body " + std::to_string(body) + " has too many impacts at one instant");
   return true;
 }
 

@@ -38,7 +38,7 @@ std::vector<std::string> BodyPile::remarks() const {
         "passed through each other");
   if (unsolved_) {
     std::ostringstream text;
-    text << "contact and joint laws were met only to " << residual_ << " m/s";
+    text << "contact and joint equations were solved only to " << residual_ << " m/s";
     remarks.push_back(text.str());
   }
   return remarks;

@@ -1,4 +1,4 @@
-// Newton's method for Coulomb's law as it is, with the limits of friction in the unknowns.
+// Newton's method for exact Coulomb friction: the friction limits depend on the unknown normal impulses.
 #include "engine/pile/direct.h"
 
 #include <Eigen/LU>

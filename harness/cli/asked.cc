@@ -19,15 +19,15 @@ void add_asked(App& app, Asked& asked) {
       ->type_name("ID")
       ->capture_default_str();
   app.add_option("--integrator", asked.integrator,
-                 "One of the engine's schemes, as `cylon engines` names them")
+                 "One of the engine's integrators (`cylon engines` lists them)")
       ->type_name("NAME");
   app.add_option("--tolerance", asked.tolerance,
-                 "For error-controlled schemes: bound on the error at the printed times, relative to the "
-                 "scales of the motion; --dt is then the grid of these times alone")
+                 "For integrators with error control: bound on the error at the printed times, relative to "
+                 "the scales of the motion; --dt then sets the printed times only")
       ->type_name("T")
       ->check(positive(1));
   app.add_option("--model", asked.model,
-                 "planned: only what the scene requires; full: every stage (in-house engine)")
+                 "planned: only the stages that the scene needs; full: every stage (in-house engine)")
       ->type_name("NAME");
   add_worker_option(app, asked.workers);
 }

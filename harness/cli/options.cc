@@ -12,7 +12,7 @@ namespace {
 
 void add_list(App& app, const char* name, const char* type, std::vector<std::string>& words,
               const char* meaning, const std::string& otherwise) {
-  app.add_option(name, words, fmt::format("{}. May be given again; otherwise {}", meaning, otherwise))
+  app.add_option(name, words, fmt::format("{}. Repeatable. Default: {}", meaning, otherwise))
       ->type_name(type)
       ->allow_extra_args(false);
 }
@@ -20,36 +20,36 @@ void add_list(App& app, const char* name, const char* type, std::vector<std::str
 }  // namespace
 
 void add_engines_option(App& app, std::vector<std::string>& engines, const std::string& otherwise) {
-  add_list(app, "--engine", "GLOB", engines,
-           "An engine's id or a glob; a variant follows '/': bullet/gyro=none", otherwise);
+  add_list(app, "--engine", "GLOB", engines, "Engine id or glob; add a variant after '/': bullet/gyro=none",
+           otherwise);
 }
 
 void add_integrators_option(App& app, std::vector<std::string>& integrators, const std::string& otherwise) {
-  add_list(app, "--integrator", "GLOB", integrators,
-           "A scheme of the engines, as `cylon engines` names them, or a glob", otherwise);
+  add_list(app, "--integrator", "GLOB", integrators, "An integrator (`cylon engines` lists them), or a glob",
+           otherwise);
 }
 
 void add_steps_option(App& app, std::vector<std::string>& steps, const std::string& otherwise) {
-  add_list(app, "--dt", "S", steps, "Step [s], 0.001 or 1/60", otherwise);
+  add_list(app, "--dt", "S", steps, "Step [s], for example 0.001 or 1/60", otherwise);
 }
 
 void add_selection_options(App& app, Request& request) {
   app.add_option("patterns", request.patterns,
-                 "SCENARIO[/ENGINE] globs, several joined by ':', excluded with '-': 'bounce*:-*/ode'; or "
-                 "scenario files (*.toml). None: the suite")
+                 "SCENARIO[/ENGINE] globs, joined by ':', excluded with '-': 'bounce*:-*/ode'; or scenario "
+                 "files (*.toml). Default: all scenarios of the suite")
       ->type_name("GLOB");
   add_engines_option(app, request.engines, "those of the suite");
   add_steps_option(app, request.steps, "each scenario's nominal step");
   add_integrators_option(app, request.integrators, "each engine's default");
   app.add_option("--suite", request.suite,
-                 "A suite of scenarios/suites/: its scenarios, engines, steps and published numbers; "
-                 "conformance otherwise")
+                 "A suite of scenarios/suites/: its scenarios, engines, steps and published numbers. "
+                 "Default: conformance")
       ->type_name("NAME");
   add_worker_option(app, request.workers);
 }
 
 void add_step_option(App& app, std::string& step) {
-  app.add_option("--dt", step, "Step [s], 0.001 or 1/60; the scenario's nominal step otherwise")
+  app.add_option("--dt", step, "Step [s], for example 0.001 or 1/60. Default: the scenario's nominal step")
       ->type_name("S");
 }
 
@@ -62,14 +62,14 @@ int worker_count(int jobs) {
 }
 
 void add_timeout_option(App& app, double& timeout) {
-  app.add_option("--timeout", timeout, "Seconds until an engine is stopped, for each run")
+  app.add_option("--timeout", timeout, "Time limit of each run [s]")
       ->capture_default_str()
       ->type_name("S")
       ->check(positive(1e6));
 }
 
 void add_memory_option(App& app, double& memory) {
-  app.add_option("--memory", memory, "Limit of an engine's memory [GiB]")
+  app.add_option("--memory", memory, "Memory limit of an engine [GiB]")
       ->capture_default_str()
       ->type_name("GIB")
       ->check(positive(1e6));

@@ -50,8 +50,9 @@ void require_writable(std::span<const std::string> paths) {
     require_writable(path);
     if (path.empty() || (is_special(path) && path != "-")) continue;
     if (!seen.insert(path == "-" ? fs::path(path) : followed(path)).second)
-      throw core::InputError(path == "-" ? "stdout can take one report only: '-' is given twice"
-                                         : fmt::format("{}: two reports cannot go into one file", path));
+      throw core::InputError(path == "-"
+                                 ? "only one report can go to stdout: '-' is given twice"
+                                 : fmt::format("{}: two reports cannot be written to the same file", path));
   }
 }
 

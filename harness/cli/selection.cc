@@ -131,8 +131,9 @@ std::vector<EngineChoice> choose_engines(const Context& context, const std::vect
   }
   for (const std::string& word : request.integrators)
     if (!is_glob(word) && !contains(schemes, word) && !schemes.empty())
-      throw core::InputError(fmt::format("--integrator '{}': none of these engines has it{} (schemes: {})",
-                                         word, core::did_you_mean(word, schemes), fmt::join(schemes, ", ")));
+      throw core::InputError(
+          fmt::format("--integrator '{}': none of these engines has it{} (integrators: {})", word,
+                      core::did_you_mean(word, schemes), fmt::join(schemes, ", ")));
   return engines;
 }
 
@@ -159,7 +160,8 @@ core::InputError no_scenario(const Context& context, const std::vector<EngineRow
   if (std::none_of(rows.begin(), rows.end(), [&](const EngineRow& row) { return row.id == word; }))
     return unknown_scenario(context, word);
   return core::InputError(fmt::format(
-      "no scenario '{0}', but an engine: an option takes one value each time, so say --engine {0}", word));
+      "'{0}' is an engine, not a scenario; an option takes one value each time, so write --engine {0}",
+      word));
 }
 
 // A scenario as the user names it: a file by its path, one of the folder by its name.

@@ -47,7 +47,7 @@ class Reader {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size())
-      fail(fmt::format("column {}: '{}' is no number", column + 1, text));
+      fail(fmt::format("column {}: '{}' is not a number", column + 1, text));
     return value;
   }
 
@@ -58,18 +58,18 @@ class Reader {
     std::size_t end = text.size();
     for (std::size_t i = numbers; i-- > 0;) {
       const std::size_t comma = end == 0 ? std::string_view::npos : text.rfind(',', end - 1);
-      if (comma == std::string_view::npos) fail(fmt::format("{} columns are due", columns));
+      if (comma == std::string_view::npos) fail(fmt::format("{} columns are needed", columns));
       cells[i] = text.substr(comma + 1, end - comma - 1);
       end = comma;
     }
     const std::size_t first = text.find(',');
-    if (first >= end) fail(fmt::format("{} columns are due", columns));
+    if (first >= end) fail(fmt::format("{} columns are needed", columns));
     const double time = number(text.substr(0, first), 0);
     if (motion_.time.empty() || time != motion_.time.back()) open(time);
     std::array<double, numbers> x{};
     for (std::size_t i = 0; i < numbers; ++i) x[i] = number(cells[i], i + 2);
     const std::size_t body = index(text.substr(first + 1, end - first - 1));
-    if (seen_[body]) fail(fmt::format("body '{}' stands twice at {} s", scene_.bodies[body].name, time));
+    if (seen_[body]) fail(fmt::format("body '{}' is listed twice at {} s", scene_.bodies[body].name, time));
     seen_[body] = true;
     motion_.states.back()[body] = {{x[0], x[1], x[2]},
                                    core::Quaternion(x[3], x[4], x[5], x[6]),

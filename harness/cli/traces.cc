@@ -38,7 +38,8 @@ void Traces::watch(std::vector<study::Cell>& cells) {
     cells[i].seen = [this, i, &cell = cells[i]](const process::RunOutcome& outcome) {
       if (!outcome.recording) return;
       const scenario::Scenario& scenario = *cell.scenario;
-      reports::Trace trace = reports::trace(scenario.scene, scenario.claims, scenario.duration, *outcome.recording);
+      reports::Trace trace =
+          reports::trace(scenario.scene, scenario.claims, scenario.duration, *outcome.recording);
       trace.scenario = scenario.name, trace.engine = cell.engine.id;
       trace.integrator = outcome.terms.integrator, trace.dt_text = cell.dt_text;
       reports::PackedTrace packed = reports::pack(trace);
@@ -53,7 +54,7 @@ std::vector<reports::PackedTrace> Traces::chosen(const std::vector<study::Cell>&
                                                  const std::vector<Verdict>& verdicts, Trajectories which,
                                                  std::string& why_not) const {
   if (which == Trajectories::none) {
-    why_not = "no trajectories were asked for (--trajectories none)";
+    why_not = "--trajectories none was given";
     return {};
   }
   const std::map<Key, int> rank_of = ranks(verdicts);
@@ -80,13 +81,11 @@ std::vector<reports::PackedTrace> Traces::chosen(const std::vector<study::Cell>&
 
   std::vector<std::string> reasons;
   if (passing > 0)
-    reasons.push_back(
-        fmt::format("{} runs of scenarios in which nothing failed are left out "
-                    "(--trajectories all keeps them)",
-                    passing));
+    reasons.push_back(fmt::format(
+        "{} runs of scenarios without a failure are left out (--trajectories all keeps them)", passing));
   if (absent > 0)
     reasons.push_back(
-        fmt::format("{} cells have no recording: unsupported, broken off, or not run again", absent));
+        fmt::format("{} cells have no recording: unsupported, stopped early, or not run again", absent));
   why_not = fmt::format("{}", fmt::join(reasons, "; "));
   std::vector<reports::PackedTrace> result;
   for (const auto& [rank, trace] : order) result.push_back(*trace);

@@ -27,8 +27,8 @@ bool is_program(const std::string& word) {
 
 void add_worker_option(App& app, std::vector<std::string>& workers) {
   app.add_option("--worker", workers,
-                 "Add an engine behind the worker protocol (docs/protocol.md), its command's words separated "
-                 "by spaces")
+                 "Add an engine that speaks the worker protocol (docs/protocol.md), the words of its command "
+                 "separated by spaces")
       ->type_name("NAME=COMMAND")
       ->allow_extra_args(false);
 }

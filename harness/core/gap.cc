@@ -1,4 +1,4 @@
-// Signed distances between surfaces, by support functions: how far a shape reaches in a direction.
+// Signed distances between surfaces, from support functions (the extent of a shape in a direction).
 #include "harness/core/near_pairs.h"
 #include "harness/core/observable.h"
 #include "harness/core/overloaded.h"

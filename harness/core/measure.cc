@@ -96,7 +96,7 @@ void measure_order(const Claim& claim, const Scene& scene, const Recording& reco
     const auto what = [&](const std::vector<Event>& events) {
       return i < events.size() ? pair_name(scene, events[i].pair) : "nothing";
     };
-    result.detail = fmt::format("collision {} is of {} where {} is due", i + 1, what(got), what(want));
+    result.detail = fmt::format("collision {} is of {}, but {} was expected", i + 1, what(got), what(want));
   }
 }
 
@@ -158,7 +158,7 @@ void measure_order_of_scheme(const Claim& claim, const Scene& scene, std::span<c
   const bool at_floor = *std::min_element(errors.begin(), errors.end()) <= floor;
   const bool meaningless = adaptive || at_floor;
   const double order = meaningless ? declared : observed_order(steps, errors);
-  result.detail = adaptive   ? "order not measured: the scheme chooses its own steps"
+  result.detail = adaptive   ? "order not measured: the integrator chooses its own steps"
                   : at_floor ? "order not measured: the error is at the rounding floor"
                              : fmt::format("observed order {:.2f}, declared {}", order, declared);
   if (claim.reduction == Reduction::order) {

@@ -85,13 +85,13 @@ void Child::check_limits() {
   const Clock::time_point now = Clock::now();
   if (now >= deadline_)
     throw Failure(results::Status::timeout,
-                  fmt::format("no end of '{}' within {:g} s", task_, deadline_seconds_));
+                  fmt::format("'{}' did not end within {:g} s", task_, deadline_seconds_));
   if (now < next_check_) return;
   next_check_ = now + std::chrono::milliseconds(tick_ms);
   if (memory_bytes_ == 0) return;
   if (const std::size_t size = resident(pid_); size > memory_bytes_)
     throw Failure(results::Status::crash, fmt::format("memory limit: {} MiB resident, {} MiB allowed",
-                                                   size >> 20, memory_bytes_ >> 20));
+                                                      size >> 20, memory_bytes_ >> 20));
 }
 
 bool Child::receive() {
@@ -180,7 +180,8 @@ Failure Child::ending() {
   const std::string said = last_line(complaints());
   const std::string last_words = said.empty() ? "" : ": " + said;
   // SIGKILL is not ours here: the kernel's out-of-memory killer, or someone at a shell.
-  if (signal_) return {results::Status::crash, fmt::format("killed by {}{}", signal_name(signal_), last_words)};
+  if (signal_)
+    return {results::Status::crash, fmt::format("killed by {}{}", signal_name(signal_), last_words)};
   // 126 and 127 are how shells and env say that there was nothing to run.
   if ((code_ == 126 || code_ == 127) && task_ == "hello")
     return {results::Status::unsupported, fmt::format("cannot start '{}'{}", command_.front(), last_words)};

@@ -65,7 +65,7 @@ class Recorder {
       if (answer.contains("event")) {
         add(event_from_json(answer));
       } else if (const auto reason = text_of(answer, "error")) {
-        throw Failure(results::Status::crash, fmt::format("gave up after step {}: {}", last_, *reason));
+        throw Failure(results::Status::crash, fmt::format("stopped after step {}: {}", last_, *reason));
       } else {
         require_ok(answer, "run");
         finish(done_from_json(answer));
@@ -86,7 +86,7 @@ class Recorder {
       const std::int64_t due = next_sample(asked_, last_);
       if (last_ >= asked_.steps) broken(fmt::format("a state of step {} after the last one", step));
       if (step != static_cast<std::uint64_t>(due))
-        broken(fmt::format("a state of step {} where step {} was due", step, due));
+        broken(fmt::format("a state of step {} where step {} was expected", step, due));
       unpack_state(bytes, state_);
       last_ = due;
       if (here_) watch_.observe(due, state_);

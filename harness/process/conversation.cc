@@ -56,8 +56,8 @@ bool Conversation::complete_frame(std::string_view output) {
   const std::uint64_t state = bodies_ * bytes_per_body;
   if (header.states == 0) broken("a frame without states");
   if (header.payload != header.states * state)
-    broken(fmt::format("a frame of {} bytes for {} states of {} bodies, where {} are due", header.payload,
-                       header.states, bodies_, header.states * state));
+    broken(fmt::format("a frame of {} bytes for {} states of {} bodies, where {} are expected",
+                       header.payload, header.states, bodies_, header.states * state));
   if (header.states > 1 && header.payload > frame_payload)
     broken(fmt::format("a frame of {} states and {} bytes; the limit is {}", header.states, header.payload,
                        frame_payload));
@@ -96,13 +96,13 @@ std::variant<json, Frame> Conversation::next() {
 json Conversation::next_line() {
   std::variant<json, Frame> message = next();
   if (json* value = std::get_if<json>(&message)) return std::move(*value);
-  broken("a frame where a line was due");
+  broken("a frame where a line was expected");
 }
 
 Frame Conversation::next_frame() {
   std::variant<json, Frame> message = next();
   if (Frame* frame = std::get_if<Frame>(&message)) return *frame;
-  broken(fmt::format("a line where a frame was due: '{}'", excerpt(std::get<json>(message).dump())));
+  broken(fmt::format("a line where a frame was expected: '{}'", excerpt(std::get<json>(message).dump())));
 }
 
 std::string Conversation::finish(double seconds) {

@@ -83,7 +83,7 @@ Piece LiveRun::run(std::int64_t n, bool resume) {
     const std::variant<json, Frame> message = worker_.next();
     if (const Frame* frame = std::get_if<Frame>(&message)) {
       if (frame->header.states != 1 || frame->header.first_step != static_cast<std::uint64_t>(n))
-        broken(fmt::format("a frame where the state of step {} alone was due", n));
+        broken(fmt::format("a frame where only the state of step {} was expected", n));
       unpack_state(frame->payload.data(), state_);
       ++frames;
       continue;

@@ -33,11 +33,13 @@ void require_adaptive(const core::Engine& engine, const std::string& id, const c
     adaptive.push_back(scheme.name);
   }
   if (adaptive.empty())
-    throw core::InputError(
-        fmt::format("engine '{}' has no error-controlled scheme, so it takes a step and no tolerance", id));
+    throw core::InputError(fmt::format(
+        "engine '{}' has no integrator with error control, so it takes a step and no tolerance", id));
   throw core::InputError(fmt::format(
-      "engine '{}': {} does not control its error, so it takes a step and no tolerance (schemes that do: {})",
-      id, setup.integrator.empty() ? "its default scheme" : fmt::format("scheme '{}'", setup.integrator),
+      "engine '{}': {} does not control its error, so it takes a step and no tolerance (integrators that do: "
+      "{})",
+      id,
+      setup.integrator.empty() ? "its default integrator" : fmt::format("integrator '{}'", setup.integrator),
       fmt::join(adaptive, ", ")));
 }
 
@@ -59,7 +61,8 @@ void require_ok(const json& answer, const char* what) {
 Hello introduce(Conversation& worker, double seconds) {
   worker.ask({{"cmd", "hello"}, {"protocol", protocol_version}}, seconds);
   const json answer = worker.next_line();
-  if (const auto reason = text_of(answer, "unsupported")) throw Failure(results::Status::unsupported, *reason);
+  if (const auto reason = text_of(answer, "unsupported"))
+    throw Failure(results::Status::unsupported, *reason);
   if (const auto reason = text_of(answer, "error")) broken("hello was refused: " + *reason);
   require_ok(answer, "hello");
   return hello_from_json(answer);
@@ -71,7 +74,8 @@ core::Terms open_scene(Conversation& worker, const EngineChoice& choice, const c
   require_adaptive(engine, choice.id, setup);
   worker.ask(load_request(scene, setup), seconds);
   const json answer = worker.next_line();
-  if (const auto reason = text_of(answer, "unsupported")) throw Failure(results::Status::unsupported, *reason);
+  if (const auto reason = text_of(answer, "unsupported"))
+    throw Failure(results::Status::unsupported, *reason);
   if (const auto reason = text_of(answer, "error"))
     throw core::InputError(fmt::format("engine '{}': {}", choice.id, *reason));
   require_ok(answer, "load");

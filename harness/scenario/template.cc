@@ -1,4 +1,4 @@
-// What `cylon new` writes.
+// The template that `cylon new` writes.
 #include "harness/scenario/scenario.h"
 
 #include <algorithm>

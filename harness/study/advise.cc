@@ -105,7 +105,7 @@ class Search {
     const Ran ran = measure_run(setting_, *from.scenario, *from.yardstick, row_.steps[i], row_.tolerances[i],
                                 options_.limits);
     if (ran.path == "stepping" && !setting_.first_fixed && !setting_.asked)
-      throw Cannot{"the path has no use for this scheme"};
+      throw Cannot{"this path does not use this integrator"};
     if (ran.point.status == results::Status::unsupported) throw Cannot{ran.point.reason};
     if (start == 0) cpu_[i] = ran.cpu_seconds;
     return ran.point.errors.empty() ? std::nan("") : ran.point.errors[from.by];

@@ -112,7 +112,7 @@ void measure_spread(const Cell& cell, const Sampling& plan, const process::Limit
     const process::RunOutcome outcome = record(cell, nudged, cell.dt, plan, limits);
     for (std::size_t k = 0; k < rows.size(); ++k) {
       if (!outcome.recording) {
-        add_detail(rows[k], fmt::format("the copy {} that starts one ulp apart: {}, {}", i + 1,
+        add_detail(rows[k], fmt::format("copy {}, started one ulp apart: {}, {}", i + 1,
                                         results::name(outcome.status), outcome.reason));
         continue;
       }
@@ -122,7 +122,7 @@ void measure_spread(const Cell& cell, const Sampling& plan, const process::Limit
   }
   for (Verdict& row : rows)
     if (row.spread)
-      add_detail(row, fmt::format("{} runs that start one ulp apart end {:.2g}{}{} from it", copies,
+      add_detail(row, fmt::format("{} runs that start one ulp apart end at a distance of {:.2g}{}{}", copies,
                                   *row.spread, row.unit.empty() ? "" : " ", row.unit));
 }
 

@@ -46,7 +46,7 @@ std::optional<ToTime> compare_exactly(const Cell& cell, Comparison& c, const Sid
   const auto before = on(old_side, cell.engine), after = on(new_side, cell.engine);
   if (before && !after) {
     end(c, Finding::regressed,
-        fmt::format("{} has no worker for '{}' any more", new_side.name, cell.engine.row.id));
+        fmt::format("{} no longer has a worker for '{}'", new_side.name, cell.engine.row.id));
     return std::nullopt;
   }
   if (!before || !after) {
@@ -102,8 +102,7 @@ void time_cell(const ToTime& job, const CompareOptions& options, const statistic
     (*self_check)->what = fmt::format("{}, baseline against itself", c.cell());
   }
   if (!pairs.candidate_failure().empty()) {
-    c.finding = Finding::regressed,
-    c.reason = "no longer runs when it is repeated: " + pairs.candidate_failure();
+    c.finding = Finding::regressed, c.reason = "fails when repeated: " + pairs.candidate_failure();
   } else if (!pairs.baseline_failure().empty()) {
     c.untimed = "the baseline: " + pairs.baseline_failure();
   } else {

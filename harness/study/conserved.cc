@@ -1,4 +1,4 @@
-// What a scene keeps, by its parts alone: a part that is not listed as harmless spoils the law.
+// Conserved quantities of a scene, from its parts: a part that is not listed as harmless breaks the law.
 #include "harness/core/overloaded.h"
 #include "harness/study/yardstick.h"
 

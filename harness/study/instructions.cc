@@ -138,7 +138,7 @@ Counted count_run(const process::EngineChoice& engine, const process::RunRequest
   if (outcome.status != results::Status::pass)
     return {std::nullopt, fmt::format("{}: {}", results::name(outcome.status), outcome.reason)};
   if (const auto count = perf ? perf->read() : total_in(file.path())) return {count, ""};
-  return {std::nullopt, fmt::format("{} gave no count", name(counter))};
+  return {std::nullopt, fmt::format("{} reported no count", name(counter))};
 }
 
 }  // namespace

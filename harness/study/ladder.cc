@@ -36,8 +36,7 @@ std::int64_t nominal_steps(const scenario::Scenario& scenario) {
   return std::max<std::int64_t>(1, std::llround(scenario.duration / scenario.step));
 }
 
-std::int64_t coarsest_samples(const scenario::Scenario& scenario, std::int64_t divisor,
-                              std::int64_t fewest) {
+std::int64_t coarsest_samples(const scenario::Scenario& scenario, std::int64_t divisor, std::int64_t fewest) {
   const std::int64_t nominal = nominal_steps(scenario);
   for (; divisor > 1; divisor /= 2) {
     // Only a divisor of the nominal steps is sure to meet recorded times.
@@ -70,10 +69,10 @@ Ladder ladder(const scenario::Scenario& scenario, std::span<const double> given)
   std::sort(result.steps.begin(), result.steps.end());
   result.steps.erase(std::unique(result.steps.begin(), result.steps.end()), result.steps.end());
   if (result.samples < 8 || (has_times(scenario) && !has_all_times(scenario, result.samples)))
-    throw core::InputError(fmt::format(
-        "--dt: {}: runs with these steps have {} times in common in {} s, too few to compare them at; take "
-        "steps that are whole fractions of one another, like 1/100 and 1/200",
-        scenario.name, result.samples, scenario.duration));
+    throw core::InputError(
+        fmt::format("--dt: {}: runs with these steps have {} times in common in {} s, which is too few to "
+                    "compare; use steps that divide one another, such as 1/100 and 1/200",
+                    scenario.name, result.samples, scenario.duration));
   return result;
 }
 

@@ -1,4 +1,4 @@
-// Families with contact: piles, walls, bounces, rest.
+// Limit families with contact: piles, walls, bounces, rest.
 #include "harness/study/limits_scenes.h"
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ Probed stands(const Runner& run, const std::vector<double>& masses, double dt, s
   if (const auto what = nonsense(r, fastest)) return broken(*what);
   const double far = strayed(r);
   if (far <= allowed) return {};
-  return broken(fmt::format("a cube is {:.2g} m off its place", far));
+  return broken(fmt::format("a cube moved by {:.2g} m", far));
 }
 
 // A ball of radius 0.1 m flies at a wall without gravity; the speed after, over that before.
@@ -73,7 +73,8 @@ Probed tunnel_probe(const Runner& run, double speed) {
   if (const auto what = nonsense(r, fastest)) return broken(*what);
   for (std::size_t i = 1; i < scene.bodies.size(); ++i)
     if (const core::BodyState& s = r.states.back()[i]; s.position.x() > 0)
-      return broken(fmt::format("the ball that starts {}/8 of a step back is behind the wall", i - 1));
+      return broken(
+          fmt::format("the ball that starts {}/8 of a step farther away ends behind the wall", i - 1));
   return {};
 }
 
@@ -99,7 +100,7 @@ Probed size_probe(const Runner& run, double radius) {
   const double rises = apex / (e * e * height);
   if (deepest < -0.5 * radius)
     return broken(fmt::format("sinks {:.2g} radii into the floor", -deepest / radius));
-  if (std::abs(rises - 1) > part) return broken(fmt::format("rises to {:.3g} of e^2 h", rises));
+  if (std::abs(rises - 1) > part) return broken(fmt::format("rebounds to {:.3g} e^2 h", rises));
   return {};
 }
 
@@ -119,7 +120,7 @@ Probed slow_bounce_probe(const Runner& run, double speed) {
   constexpr double e = 0.8;
   const double ratio = rebound(run, speed, e);
   if (std::abs(ratio - e) <= 0.02) return {};
-  return broken(fmt::format("rebounds with {:.3g} of the speed, {} asked", ratio, e));
+  return broken(fmt::format("rebounds with {:.3g} of the speed; the scene has {}", ratio, e));
 }
 
 // A box at rest, looked at every fiftieth of the run.

@@ -49,8 +49,8 @@ std::optional<std::string> nonsense(const core::Recording& r, double bound) {
                                      s.angular_velocity.cwiseAbs().maxCoeff()});
       const bool number = s.position.allFinite() && s.velocity.allFinite() &&
                           s.angular_velocity.allFinite() && s.orientation.coeffs().allFinite();
-      if (!number) return fmt::format("non-finite by step {}", r.steps[i]);
-      if (worst > bound) return fmt::format("finite nonsense: {:.2g} by step {}", worst, r.steps[i]);
+      if (!number) return fmt::format("non-finite at step {}", r.steps[i]);
+      if (worst > bound) return fmt::format("value too large: {:.2g} at step {}", worst, r.steps[i]);
     }
   return std::nullopt;
 }

@@ -1,4 +1,4 @@
-// Families without contact: springs, dampers, spin, and places far from the origin.
+// Limit families without contact: springs, dampers, spin, and positions far from the origin.
 #include "harness/study/limits_scenes.h"
 
 #include <fmt/format.h>
@@ -30,7 +30,7 @@ std::optional<std::string> grown(const Recording& r,
     late = std::max(late, energy(r.states[i]));
   constexpr double band = 1.05;
   if (late <= band * early) return std::nullopt;
-  return fmt::format("energy grew {:.2g}-fold in {} steps", late / early, r.steps.back());
+  return fmt::format("energy grew by a factor of {:.2g} in {} steps", late / early, r.steps.back());
 }
 
 Probed judged(const Recording& r, const std::function<double(const core::State&)>& energy) {
@@ -74,7 +74,7 @@ Probed damping_probe(const Runner& run, double c_dt_over_m) {
   if (const auto what = nonsense(r, any_number)) return broken(*what);
   const double start = r.states.front()[0].velocity.norm(), end = r.states.back()[0].velocity.norm();
   if (end <= start) return {};
-  return broken(fmt::format("speed grew {:.2g}-fold in {} steps", end / start, r.steps.back()));
+  return broken(fmt::format("speed grew by a factor of {:.2g} in {} steps", end / start, r.steps.back()));
 }
 
 // A circle about the pin at w dt = 0.1, until the place is half a radius off.
@@ -87,7 +87,7 @@ Probed spring_run_probe(const Runner& run, double steps) {
   for (std::size_t i = 0; i < r.states.size(); ++i) {
     const double t = r.time(i);
     const double off = (r.states[i][0].position - Vector3(std::cos(t), std::sin(t), 0)).norm();
-    if (off > bound) return broken(fmt::format("{:.2f} radii off at step {}", off, r.steps[i]));
+    if (off > bound) return broken(fmt::format("error of {:.2f} radii at step {}", off, r.steps[i]));
   }
   return {};
 }
@@ -101,7 +101,7 @@ Probed turn_probe(const Runner& run, double turn) {
   const core::Quaternion exact(Eigen::AngleAxisd(turn, axis));
   const double off = r.states.back()[0].orientation.angularDistance(exact);
   const double kept = r.states.back()[0].angular_velocity.norm() * dt / turn;
-  if (std::abs(kept - 1) > part) return broken(fmt::format("clamp: {:.3g} of the spin is left", kept));
+  if (std::abs(kept - 1) > part) return broken(fmt::format("clamp: only {:.3g} of the spin remains", kept));
   if (off > part * std::min(turn, 1.0)) return broken(fmt::format("turns {:.2g} rad wrong", off));
   return {};
 }
@@ -123,9 +123,8 @@ Probed tumble_probe(const Runner& run, double turn) {
     const double energy = s.angular_velocity.dot(l) / 2 / energy0;
     const double spin = (l - moments.cwiseProduct(w)).norm() / spin0;
     if (std::abs(energy - 1) > part)
-      return broken(fmt::format("energy is {:.2f} of what it was at step {}", energy, r.steps[i]));
-    if (spin > part)
-      return broken(fmt::format("angular momentum is {:.2g} off at step {}", spin, r.steps[i]));
+      return broken(fmt::format("energy is {:.2f} of its initial value at step {}", energy, r.steps[i]));
+    if (spin > part) return broken(fmt::format("angular momentum error {:.2g} at step {}", spin, r.steps[i]));
   }
   return {};
 }

@@ -54,7 +54,7 @@ std::vector<Verdict> relate(const Cell& cell, const process::Limits& limits,
     row.allowed = relation.exact ? 0 : 1e-3;
     row.tolerance_reason =
         relation.exact ? fmt::format("{}: exact in any arithmetic", relation.says)
-                       : fmt::format("{}: convention, a thousandth of the scene's own scales", relation.says);
+                       : fmt::format("{}: convention: 1/1000 of the scales of the scene", relation.says);
     row.body_steps = static_cast<std::int64_t>(scenario.scene.bodies.size()) * steps;
     rows.push_back(std::move(row));
   }
@@ -78,7 +78,7 @@ std::vector<Verdict> relate(const Cell& cell, const process::Limits& limits,
       rows[i].first_bad_step = core::first_bad_step(plain);
     } catch (const RunFailed& failed) {
       fail(rows[i], failed.outcome);
-      rows[i].detail = "in the run that must follow: " + rows[i].detail;
+      rows[i].detail = "in the transformed run: " + rows[i].detail;
     }
   }
   return rows;

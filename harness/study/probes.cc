@@ -50,14 +50,14 @@ Finding fall(const Runner& run) {
   scene.forces.emplace_back(core::UniformGravity{{0, -g, 0}});
   const Recording r = run(scene, dt, 64, 64);
   const double residual = (end(r).position.y() - (10 + 1.1 * T - g * T * T / 2)) / (g * T * dt);
-  const std::string evidence = fmt::format("ends {:+.4f} g T dt from the parabola", residual);
+  const std::string evidence = fmt::format("final offset from the parabola: {:+.4f} g T dt", residual);
   if (std::abs(residual) < 1e-3) return {"second order or better", evidence};
   const double k = 1 / (2 * std::abs(residual));
   const std::string scheme = residual > 0 ? "explicit Euler" : "semi-implicit Euler";
   if (std::abs(k - 1) < 0.01) return {scheme, evidence};
   if (k > 1 && std::abs(k - std::round(k)) < 0.02 * k)
     return {fmt::format("{} with {:.0f} sub-steps", scheme, k), evidence};
-  return {"none of the Euler schemes, first order", evidence};
+  return {"first order, not an Euler integrator", evidence};
 }
 
 // ---- A spring --------------------------------------------------------------------------------------
@@ -89,11 +89,11 @@ Finding spring(const Runner& run) {
   }
   const double order = std::log2(error[0] / error[2]) / 2;
   const std::string evidence = fmt::format(
-      "errors {:.2g}, {:.2g}, {:.2g} m at dt = 1/256, 1/512, 1/1024 s; energy within {:.2g} in the first "
-      "second, {:.2g} in the next",
+      "errors {:.2g}, {:.2g}, {:.2g} m at dt = 1/256, 1/512, 1/1024 s; relative energy error {:.2g} in the "
+      "first second, {:.2g} in the second",
       error[0], error[1], error[2], early[0], late[0]);
   const bool rounding = error[2] > error[1] / 1.5 || error[0] < 1e-8;
-  if (rounding && error[0] < 1e-3) return {"exact to rounding or tolerance", evidence};
+  if (rounding && error[0] < 1e-3) return {"exact within rounding or tolerance", evidence};
   const std::string energy = late[0] < 1.3 * early[0] ? "energy bounded"
                              : drift > 0              ? "energy grows"
                                                       : "energy decays";
@@ -119,20 +119,19 @@ Finding gyroscopic(const Runner& run) {
     turned = (s.angular_velocity - w0).norm() / w0.norm();
   }
   const std::string evidence = fmt::format(
-      "after 2 s energy is off by {:+.2g} and angular momentum by {:.2g} at dt = 1/240 s; {:+.2g} and {:.2g} "
-      "at half "
-      "of it",
+      "error after 2 s: energy {:+.2g}, angular momentum {:.2g} at dt = 1/240 s; {:+.2g} and {:.2g} at dt = "
+      "1/480 s",
       energy[0], spin[0], energy[1], spin[1]);
-  if (turned < 1e-5)
-    return {"off", fmt::format("the angular velocity stays within {:.1g} of its start", turned)};
+  if (turned < 1e-5) return {"off", fmt::format("the angular velocity changes by at most {:.1g}", turned)};
   if (std::abs(energy[0]) < 1e-5 && spin[0] < 1e-5) {
     const double slope = std::log2(spin[0] / spin[1]);
-    return {spin[0] < 1e-9 || !(slope > 0.5) ? "on, to rounding" : fmt::format("on, order {:.0f}", slope),
+    return {spin[0] < 1e-9 || !(slope > 0.5) ? "on, exact within rounding"
+                                             : fmt::format("on, order {:.0f}", slope),
             evidence};
   }
   const double slope = std::log2(std::abs(energy[0] / energy[1]));
   if (std::abs(slope - 1) > 0.25) return {fmt::format("on, order {:.1f} in energy", slope), evidence};
-  return {energy[0] > 0 ? "explicit: feeds energy" : "implicit: takes energy", evidence};
+  return {energy[0] > 0 ? "explicit: adds energy" : "implicit: removes energy", evidence};
 }
 
 // ---- An elastic bounce -----------------------------------------------------------------------------------
@@ -151,12 +150,12 @@ Finding bounce(const Runner& run) {
     const std::string evidence = fmt::format(
         "at {:.3f} m/s the speed changes by {:+.3f} g dt over the step, energy by {:+.3f} m g dt v", before,
         gain, scaled);
-    if (std::abs(scaled) < 1e-3) return {"at the impact's own instant", evidence};
-    if (std::abs(gain) < 0.02) return {"speed before the step's gravity", evidence};
-    if (std::abs(gain - 1) < 0.02) return {"speed after the step's gravity", evidence};
-    return {"neither the speed before nor after the step's gravity", evidence};
+    if (std::abs(scaled) < 1e-3) return {"speed at the time of impact", evidence};
+    if (std::abs(gain) < 0.02) return {"speed before gravity acts in the step", evidence};
+    if (std::abs(gain - 1) < 0.02) return {"speed after gravity acts in the step", evidence};
+    return {"neither the speed before nor after gravity acts in the step", evidence};
   }
-  return {"does not bounce", "no step ends upward after one that ends downward"};
+  return {"does not bounce", "the body never moves upward after it moved downward"};
 }
 
 // ---- The slowest bounce ----------------------------------------------------------------------------------
@@ -173,10 +172,11 @@ Finding slow_bounce(const Runner& run) {
     ratios.push_back(fmt::format("{:.2f} at {}", ratio, v));
     if (std::abs(ratio - e) > 0.02) lost = v;
   }
-  const std::string evidence = fmt::format("rebounds {} m/s, {} asked", fmt::join(ratios, ", "), e);
-  if (lost == 0) return {"restitution holds down to 0.01 m/s", evidence};
-  if (lost == speeds.back()) return {"restitution is not kept", evidence};
-  return {fmt::format("restitution is lost at {} m/s and below", lost), evidence};
+  const std::string evidence =
+      fmt::format("rebound over approach speed: {} m/s; the scene has {}", fmt::join(ratios, ", "), e);
+  if (lost == 0) return {"restitution is applied down to 0.01 m/s", evidence};
+  if (lost == speeds.back()) return {"restitution is not applied", evidence};
+  return {fmt::format("no restitution at {} m/s and below", lost), evidence};
 }
 
 // ---- Friction --------------------------------------------------------------------------------------------
@@ -195,19 +195,20 @@ Finding friction(const Runner& run) {
     along.push_back((v - end_velocity.dot(way)) / (mu * g * T));
     across.push_back(end_velocity.dot(side) / (mu * g * T));
   }
-  const std::string evidence =
-      fmt::format("slows by {:.3f}, {:.3f}, {:.3f} mu g at 0, 22.5, 45 degrees; aside {:+.3f} at 22.5",
-                  along[0], along[1], along[2], across[1]);
+  const std::string evidence = fmt::format(
+      "deceleration {:.3f}, {:.3f}, {:.3f} mu g at 0, 22.5, 45 degrees; sideways {:+.3f} mu g at 22.5 "
+      "degrees",
+      along[0], along[1], along[2], across[1]);
   const double least = std::min({along[0], along[1], along[2]}),
                most = std::max({along[0], along[1], along[2]});
   if (most < 0.02) return {"none", evidence};
-  if (most - least < 0.03 && std::abs(most - 1) < 0.05) return {"Coulomb's cone", evidence};
-  if (most - least < 0.03) return {"the same in all directions, of another strength", evidence};
-  return {"a pyramid: depends on the direction", evidence};
+  if (most - least < 0.03 && std::abs(most - 1) < 0.05) return {"Coulomb cone", evidence};
+  if (most - least < 0.03) return {"isotropic, but not of Coulomb's magnitude", evidence};
+  return {"friction pyramid: depends on the direction", evidence};
 }
 
-// ---- Clamps
-// ------------------------------------------------------------------------------------------------
+// ---- Clamps ----------------------------------------------------------------------------------------
+
 Finding speed_limit(const Runner& run) {
   for (const double v : {1e2, 1e3, 1e4, 1e5}) {
     const double kept =
@@ -215,7 +216,7 @@ Finding speed_limit(const Runner& run) {
     if (std::abs(kept / v - 1) > 1e-3)
       return {fmt::format("{:.4g} m/s", kept), fmt::format("{} m/s becomes {:.4g} in 0.1 s", v, kept)};
   }
-  return {"none up to 1e5 m/s", "100, 1e3, 1e4 and 1e5 m/s stay over 0.1 s"};
+  return {"none up to 1e5 m/s", "100, 1e3, 1e4 and 1e5 m/s are kept for 0.1 s"};
 }
 
 Finding spin_limit(const Runner& run) {
@@ -225,7 +226,7 @@ Finding spin_limit(const Runner& run) {
     if (std::abs(kept / w - 1) > 1e-3)
       return {fmt::format("{:.4g} rad/s", kept), fmt::format("{} rad/s becomes {:.4g} in 0.1 s", w, kept)};
   }
-  return {"none up to 1e4 rad/s", "10, 100, 1e3 and 1e4 rad/s stay over 0.1 s"};
+  return {"none up to 1e4 rad/s", "10, 100, 1e3 and 1e4 rad/s are kept for 0.1 s"};
 }
 
 // The turn of one step, which some engines make by a linear or a limited formula.
@@ -241,19 +242,19 @@ Finding turn_per_step(const Runner& run) {
     all = all && std::abs(made - turn) < 1e-4 * turn;
     if (all) exact = turn;
   }
-  const std::string evidence = fmt::format("turns {} rad", fmt::join(turns, ", "));
-  if (exact == 0) return {"approximate at any step", evidence};
-  return {fmt::format("exact up to {} rad a step", exact), evidence};
+  const std::string evidence = fmt::format("measured angles: {} rad", fmt::join(turns, ", "));
+  if (exact == 0) return {"approximate at every angle", evidence};
+  return {fmt::format("exact up to {} rad per step", exact), evidence};
 }
 
-// ---- What happens when nothing acts
-// --------------------------------------------------------------------------
+// ---- What happens when nothing acts ----------------------------------------------------------------
+
 Finding damping(const Runner& run) {
   const BodyState s = end(run(ball(Vector3::Zero(), {0.6, 0, -0.8}, {0.36, -0.48, 0.8}), 1.0 / 64, 64, 64));
   const auto lost = [](double left) { return std::abs(1 - left) < 1e-5 ? 0 : 1 - left; };  // single precision
   const double linear = lost(s.velocity.norm()), angular = lost(s.angular_velocity.norm());
   const std::string evidence =
-      fmt::format("1 m/s and 1 rad/s lose {:.2g} and {:.2g} in 1 s", linear, angular);
+      fmt::format("decrease in 1 s: {:.2g} of 1 m/s, {:.2g} of 1 rad/s", linear, angular);
   if (linear == 0 && angular == 0) return {"none", evidence};
   return {fmt::format("linear {:.3g}/s, angular {:.3g}/s", linear, angular), evidence};
 }
@@ -262,8 +263,9 @@ Finding sleeping(const Runner& run) {
   constexpr double v = 1e-3;
   const BodyState s = end(run(ball(Vector3::Zero(), {v, 0, 0}, {0, v, 0}), 1.0 / 60, 600, 600));
   const double way = s.position.x() / (v * 10);
-  const std::string evidence = fmt::format("at 1 mm/s a body covers {:.4f} of its way in 10 s", way);
-  return {std::abs(way - 1) < 1e-2 ? "never" : "slow bodies are put to sleep", evidence};
+  const std::string evidence =
+      fmt::format("a body at 1 mm/s covers {:.4f} of the expected distance in 10 s", way);
+  return {std::abs(way - 1) < 1e-2 ? "never" : "slow bodies are stopped", evidence};
 }
 
 // Every number that comes back fits a float exactly, or not.
@@ -275,21 +277,22 @@ Finding precision(const Runner& run) {
       ++numbers;
       doubles += static_cast<double>(static_cast<float>(x)) != x;
     }
-  return {doubles > 0 ? "double" : "single", fmt::format("{} of {} places are no floats", doubles, numbers)};
+  return {doubles > 0 ? "double" : "single",
+          fmt::format("{} of {} coordinates are not single-precision numbers", doubles, numbers)};
 }
 
 constexpr std::array table = {
-    Probe{"precision", "in which the state is kept", precision},
-    Probe{"free fall", "the scheme, by what it leaves of g T dt/2", fall},
-    Probe{"spring", "the order, and where energy goes", spring},
-    Probe{"gyroscopic torque", "whether and how it is in the step", gyroscopic},
-    Probe{"turn of a step", "up to which angle a step turns a body rightly", turn_per_step},
-    Probe{"restitution", "the speed that a bounce gives back is taken from", bounce},
-    Probe{"slow bounces", "the speed below which restitution is dropped", slow_bounce},
-    Probe{"friction", "cone or pyramid", friction},
-    Probe{"speed limit", "hidden clamp of speed", speed_limit},
-    Probe{"spin limit", "hidden clamp of angular velocity", spin_limit},
-    Probe{"damping", "what a free body loses", damping},
+    Probe{"precision", "floating-point type of the state", precision},
+    Probe{"free fall", "integrator, from the position error relative to g T dt/2", fall},
+    Probe{"spring", "order of the integrator and trend of the energy", spring},
+    Probe{"gyroscopic torque", "whether and how the gyroscopic torque is integrated", gyroscopic},
+    Probe{"rotation per step", "largest angle that one step rotates exactly", turn_per_step},
+    Probe{"restitution", "approach speed that restitution uses", bounce},
+    Probe{"slow bounces", "approach speed below which there is no restitution", slow_bounce},
+    Probe{"friction", "friction cone or friction pyramid", friction},
+    Probe{"speed limit", "hidden limit of the speed", speed_limit},
+    Probe{"spin limit", "hidden limit of the angular velocity", spin_limit},
+    Probe{"damping", "speed that a free body loses", damping},
     Probe{"sleeping", "whether slow bodies are stopped", sleeping},
 };
 

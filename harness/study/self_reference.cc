@@ -27,8 +27,8 @@ std::optional<Reference> self_reference(const scenario::Scenario& scenario, std:
   process::RunOutcome outcome = process::run(process::parse_engine(row->id, rows), request, limits);
   if (!outcome.recording || !outcome.recording->remarks.empty() || core::first_bad_step(*outcome.recording))
     return std::nullopt;
-  return Reference{"in-house auto at 1e-11 (a run of ours, uncertified)",
-                   std::move(outcome.recording->states), 10 * tolerance};
+  return Reference{"in-house auto at 1e-11 (not certified)", std::move(outcome.recording->states),
+                   10 * tolerance};
 }
 
 }  // namespace cylon::study

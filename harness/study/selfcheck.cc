@@ -117,9 +117,9 @@ void gazebo_boxes(const Engines& engines, std::vector<Reproduction>& rows) {
   }
 }
 
-// ---- NASA check case Atmos-02
-// ------------------------------------------------------------------------------ A brick tumbles without
-// torque; body rates [deg/s] of simulation 1.  The equations are free of scale.
+// ---- NASA check case Atmos-02 ----------------------------------------------------------------------
+// A brick tumbles without torque; body rates [deg/s] of simulation 1.
+// The equations do not depend on scale.
 void tumbling_brick(const Engines& engines, std::vector<Reproduction>& rows) {
   constexpr double degree = std::numbers::pi / 180;
   const Scene scene =

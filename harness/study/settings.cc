@@ -103,8 +103,9 @@ std::vector<Setting> settings(const scenario::Scenario& scenario, std::span<cons
         std::find(schemes.begin(), schemes.end(), word) == schemes.end()) {
       std::sort(schemes.begin(), schemes.end());
       schemes.erase(std::unique(schemes.begin(), schemes.end()), schemes.end());
-      throw core::InputError(fmt::format("--integrator '{}': none of these engines has it{} (schemes: {})",
-                                         word, core::did_you_mean(word, schemes), fmt::join(schemes, ", ")));
+      throw core::InputError(
+          fmt::format("--integrator '{}': none of these engines has it{} (integrators: {})", word,
+                      core::did_you_mean(word, schemes), fmt::join(schemes, ", ")));
     }
   return result;
 }

@@ -112,13 +112,12 @@ results::ComparisonReport compare_with_stored(const std::string& store_file, con
   report.candidate = candidate.name;
   report.tau = options.rule.tau, report.alpha = options.rule.alpha, report.gate = options.gate;
   report.notes = {
-      "times are not compared with a past moment: for them give the build, the revision, or pin the run's "
-      "binary "
-      "as an anchor"};
+      "times are not compared with a stored run: give a build or a revision, or pin the run's binary as an "
+      "anchor"};
   for (const study::Cell& cell : cells) {
     Comparison& c = report.cells.emplace_back(study::open_comparison(cell));
     if (progress) progress("results of " + c.cell());
-    c.untimed = "not with a past moment";
+    c.untimed = "not against a stored run";
     compare_cell(cell, result_of(results, cell), candidate, options, c);
   }
   study::conclude(report);

@@ -15,26 +15,23 @@ namespace {
 const std::vector<App::Row> subcommands = {
     {"record", "Run scenarios on engines and add verdicts, errors, hashes, times and memory to the history",
      add_track_record},
-    {"compare", "Two builds side by side: what is slower, what is less accurate, and is that real",
-     add_track_compare},
-    {"gate", "The same for continuous integration: fails where a regression is confirmed over all cells",
-     add_track_gate},
-    {"list", "The runs of the history, or the values of one run", add_track_list},
-    {"history", "Since when it is slower or less accurate: every series, with its change points",
-     add_track_history},
-    {"ack", "Acknowledge a change of the history, with a note, or mark it as fixed", add_track_ack},
-    {"ignore", "Mark a change of the history as one that does not matter", add_track_ignore},
+    {"compare", "Compare the speed and accuracy of two builds, with statistical tests", add_track_compare},
+    {"gate", "Compare two builds for continuous integration: fail on a confirmed regression", add_track_gate},
+    {"list", "List the runs of the history, or the values of one run", add_track_list},
+    {"history", "Show the history of each metric, with its change points", add_track_history},
+    {"ack", "Acknowledge a change in the history, with a note, or mark it as fixed", add_track_ack},
+    {"ignore", "Mark a change in the history as irrelevant", add_track_ignore},
     {"import", "Add results from JSON Lines, CSV or Google Benchmark's JSON", add_track_import},
     {"export", "Write the history as JSON Lines, CSV or Google Benchmark's JSON", add_track_export},
-    {"pin", "Keep an engine's binary as the anchor to which times are held", add_track_pin},
-    {"check", "Whether every value of the history is still the one that was stored", add_track_check},
+    {"pin", "Keep an engine binary as the reference for timings", add_track_pin},
+    {"check", "Check the history for damage", add_track_check},
 };
 
 }  // namespace
 
 void add_store_option(App& app, std::string& file) {
   file = default_store;
-  app.add_option("--store", file, "The file of the history")->type_name("FILE")->capture_default_str();
+  app.add_option("--store", file, "History file")->type_name("FILE")->capture_default_str();
 }
 
 store::RunInfo find_run(const store::Store& store, const std::string& word) {

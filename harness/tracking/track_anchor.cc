@@ -1,4 +1,4 @@
-// cylon track pin, and what pinned binaries are at a recording.
+// cylon track pin, and the pinned binaries of a recording.
 #include "harness/tracking/track_anchor.h"
 
 #include "harness/cli/command_line.h"
@@ -30,8 +30,8 @@ struct Options {
 // The binary is copied beside the store, as the next build would overwrite it.
 int pin(const Context& context, const Options& options) {
   if (options.name.empty() || options.name.find_first_of("/*?[ =") != std::string::npos)
-    throw core::InputError(
-        fmt::format("'{}': an anchor's name has none of / * ? [ = and no space", plain(options.name)));
+    throw core::InputError(fmt::format("'{}': the name of an anchor must not contain / * ? [ = or a space",
+                                       plain(options.name)));
   process::EngineRow row = process::parse_engine(options.engine, with_workers(context, options.workers)).row;
   if (row.id != options.engine)
     throw core::InputError(
@@ -45,7 +45,7 @@ int pin(const Context& context, const Options& options) {
   if (!error) fs::copy_file(row.command.front(), copy, fs::copy_options::overwrite_existing, error);
   if (error)
     throw core::InputError(copy.string(), 0, 0,
-                           fmt::format("the binary cannot be kept here: {}", error.message()));
+                           fmt::format("the binary cannot be stored here: {}", error.message()));
   row.command.front() = copy.string();
   const std::string build = study::content_hash(row.command);
   row.command.front() = relative.string();
@@ -55,7 +55,7 @@ int pin(const Context& context, const Options& options) {
              .date = now(),
              .note = options.note,
              .run = ""});
-  std::cout << fmt::format("{}: {} is pinned as {}, and every recording is timed beside it\n", options.store,
+  std::cout << fmt::format("{}: {} is pinned as {}; every recording is timed against it\n", options.store,
                            row.id, options.name);
   return ok;
 }
@@ -95,18 +95,17 @@ process::EngineChoice in_place_of(const process::EngineChoice& engine, const Pin
 
 Command add_track_pin(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
-  app.add_option("name", options->name, "What to call it: v1, baseline")->type_name("NAME")->required();
-  app.add_option("--engine", options->engine, "The engine whose worker is kept as it is now")
+  app.add_option("name", options->name, "Name of the anchor: v1, baseline")->type_name("NAME")->required();
+  app.add_option("--engine", options->engine, "Engine whose present worker is kept")
       ->type_name("ID")
       ->capture_default_str();
-  app.add_option("--note", options->note, "Why this one")->type_name("TEXT");
+  app.add_option("--note", options->note, "Reason for this choice")->type_name("TEXT");
   add_worker_option(app, options->workers);
   add_store_option(app, options->store);
   app.footer(
       "Copies the worker beside the store. From then on `cylon track record` times each cell in turn with it "
-      "and "
-      "keeps the ratios, which stay the same on a machine that becomes slower. The same name again replaces "
-      "it.");
+      "and stores the ratios, which do not change when the machine becomes slower. The same name again "
+      "replaces it.");
   return [options, &context] { return pin(context, *options); };
 }
 

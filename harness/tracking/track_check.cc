@@ -12,7 +12,7 @@ using namespace cli;  // commands are written in the words of the command line
 Command add_track_check(App& app, const Context&) {
   const auto file = std::make_shared<std::string>();
   add_store_option(app, *file);
-  app.footer("Reads everything: the pages, the references between tables, and the digest of every result.");
+  app.footer("Checks the database pages, the references between tables and the digest of every result.");
   return [file] {
     const store::Store store = store::Store::open(*file, store::Mode::read);
     const std::vector<std::string> findings = store.check();

@@ -150,19 +150,19 @@ int compare(const Context& own, const CompareRequest& asked) {
   require_writable(files);
   if (asked.baseline.empty() && asked.baseline_workers.empty())
     throw core::InputError(
-        "--baseline: say what to compare with: a build folder, a binary, a git revision, a stored "
-        "run; or --baseline-worker for an engine of your own");
+        "--baseline is missing: give a build folder, a binary, a git revision or a stored run; or "
+        "--baseline-worker for your own engine");
   Context context = own;
   if (!asked.candidate.empty()) {
     const auto folder = worker_folder(asked.candidate);
     if (!folder)
       throw core::InputError(
-          fmt::format("--candidate {}: is no build folder and no binary", asked.candidate));
+          fmt::format("--candidate {}: is neither a build folder nor a binary", asked.candidate));
     context.engines = process::default_engines(*folder);
   }
   Selection selection = select(context, asked.cells);
   if (selection.cells.empty()) {
-    std::cerr << "nothing selected; `cylon list --names` and `cylon engines --names` say what there is\n";
+    std::cerr << "nothing selected; see `cylon list --names` and `cylon engines --names`\n";
     return nothing_selected;
   }
   for (study::Cell& cell : selection.cells) {
@@ -187,17 +187,18 @@ void add_compare_options(App& app, CompareRequest& asked) {
          "What to compare with: a build folder, a cylon binary, a git revision (built in a worktree under "
          ".cylon/baselines/, and kept), or a run of the history (run:ID or its label; accuracy only)")
       ->type_name("WHAT");
-  app.add_option("--candidate", asked.candidate, "A build folder in place of this cylon's own")
+  app.add_option("--candidate", asked.candidate, "Build folder to test. Default: the build of this program")
       ->type_name("FOLDER");
   app.add_option("--baseline-worker", asked.baseline_workers,
                  "The older build of an engine that --worker adds, under the same name")
       ->type_name("NAME=COMMAND")
       ->allow_extra_args(false);
-  app.add_option("--tau", asked.tau, "Ratios of times within 1 + TAU are the same")
+  app.add_option("--tau", asked.tau, "Ratios of times up to 1 + TAU count as the same")
       ->type_name("TAU")
       ->capture_default_str()
       ->check(positive(1));
-  app.add_option("--max-pairs", asked.max_pairs, "Pairs of runs after which a cell is inconclusive, 8 to 40")
+  app.add_option("--max-pairs", asked.max_pairs,
+                 "Largest number of pairs of runs for a cell, 8 to 40; then the cell is inconclusive")
       ->type_name("N")
       ->capture_default_str()
       ->check(in_range(8, 40));
@@ -206,9 +207,9 @@ void add_compare_options(App& app, CompareRequest& asked) {
       ->capture_default_str()
       ->check(one_of({"auto", "perf_event", "callgrind", "off"}));
   add_timeout_option(app, asked.timeout);
-  app.add_flag("--no-time", asked.no_time, "Compare results alone");
+  app.add_flag("--no-time", asked.no_time, "Compare results only");
   app.add_flag("--strict", asked.strict,
-               "Exit with 3 where a cell is inconclusive or the environment unreliable");
+               "Exit with 3 if a cell is inconclusive or the environment is unreliable");
   app.add_option("--json", asked.json, "Write the comparison as JSON; - is stdout")->type_name("FILE");
   app.add_option("--junit", asked.junit, "Write it as JUnit XML; - is stdout")->type_name("FILE");
   app.add_option("--markdown", asked.markdown, "Write a summary for a merge request; - is stdout")

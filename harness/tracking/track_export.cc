@@ -23,7 +23,7 @@ int write(const Options& options) {
   const bool one_run = options.format == "gbench";
   if (one_run == options.run.empty())
     throw core::InputError(one_run
-                               ? "--format gbench writes one run: say which with --run"
+                               ? "--format gbench writes one run: choose it with --run"
                                : "--run is for --format gbench; the other formats write the whole history");
   const store::Store store = store::Store::open(options.store, store::Mode::read);
   if (one_run) {
@@ -41,10 +41,9 @@ int write(const Options& options) {
 Command add_track_export(App& app, const Context&) {
   const auto options = std::make_shared<Options>();
   app.add_option("file", options->target, "Where to; - is stdout")->type_name("FILE")->required();
-  app.add_option(
-         "--format", options->format,
-         "jsonl: everything, to be imported again without loss; csv: the samples, one a line; gbench: the "
-         "times of one run as Google Benchmark writes them, for its compare.py")
+  app.add_option("--format", options->format,
+                 "jsonl: everything, for import without loss; csv: the samples, one per line; gbench: the "
+                 "times of one run in Google Benchmark's format, for its compare.py")
       ->check(one_of({"jsonl", "csv", "gbench"}))
       ->capture_default_str();
   app.add_option("--run", options->run,

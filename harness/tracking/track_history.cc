@@ -65,20 +65,18 @@ int history(const Context& context, const Options& options) {
 
 Command add_track_history(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
-  app.add_option("--scenario", options->wanted.scenario, "Only these scenarios")->type_name("GLOB");
-  app.add_option("--engine", options->wanted.engine, "Only these engines")->type_name("GLOB");
+  app.add_option("--scenario", options->wanted.scenario, "Show only these scenarios")->type_name("GLOB");
+  app.add_option("--engine", options->wanted.engine, "Show only these engines")->type_name("GLOB");
   app.add_option("--metric", options->wanted.metric,
-                 "Only these metrics: 'cpu_ratio:*', 'error:*', state_hash")
+                 "Show only these metrics: 'cpu_ratio:*', 'error:*', state_hash")
       ->type_name("GLOB");
-  app.add_flag("--changes", options->changes, "Only series that changed");
-  app.add_flag("--json", options->json, "Every point and every change as JSON");
+  app.add_flag("--changes", options->changes, "Show only series that changed");
+  app.add_flag("--json", options->json, "Print every point and every change as JSON");
   add_store_option(app, options->file);
   app.footer(
       "cpu_ratio:NAME is the time over that of the pinned binary NAME, run side by side (`cylon track pin`); "
-      "only "
-      "ratios are searched for change points, as the machine's own speed changes too. `cylon track ack` and "
-      "`cylon "
-      "track ignore` keep what you know of a change.");
+      "only change points are searched in the ratios, because the speed of the machine changes too. `cylon "
+      "track ack` and `cylon track ignore` store notes on a change.");
   return [options, &context] { return history(context, *options); };
 }
 

@@ -62,21 +62,20 @@ int import(const Options& options) {
 
 Command add_track_import(App& app, const Context&) {
   const auto options = std::make_shared<Options>();
-  app.add_option(
-         "files", options->files,
-         "Files that `cylon track export` wrote (jsonl, csv), other CSV with the same columns, or Google "
-         "Benchmark's (--benchmark_out=FILE); - is stdin. All of them are added, or nothing")
+  app.add_option("files", options->files,
+                 "Files from `cylon track export` (jsonl, csv), other CSV with the same columns, or Google "
+                 "Benchmark files (--benchmark_out=FILE); - is stdin. Either all files are imported, or none")
       ->type_name("FILE")
       ->required();
   app.add_option("--revision", options->revision,
-                 "What a Google Benchmark file measured; the revision of this program otherwise")
+                 "Revision that a Google Benchmark file measured. Default: the revision of this program")
       ->type_name("TEXT");
   app.add_option("--label", options->label, "A label for the run of a Google Benchmark file")
       ->type_name("TEXT");
   add_store_option(app, options->store);
   app.footer(
-      "What is in the store already is passed over, so importing a file again adds nothing, and the files of "
-      "several machines merge into one history.");
+      "Results that are already stored are skipped, so a repeated import adds nothing, and files of several "
+      "machines merge into one history.");
   return [options] { return import(*options); };
 }
 

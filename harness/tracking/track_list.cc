@@ -127,10 +127,10 @@ int list(const Options& options) {
 Command add_track_list(App& app, const Context&) {
   const auto options = std::make_shared<Options>();
   app.add_option("run", options->run,
-                 "A run whose values are wanted: its number, the first digits of its uid, its label or its "
+                 "Run whose values are printed: its number, the first digits of its uid, its label or its "
                  "revision. None: all runs")
       ->type_name("RUN");
-  app.add_flag("--json", options->json, "The list of runs as JSON");
+  app.add_flag("--json", options->json, "Print the list of runs as JSON");
   add_store_option(app, options->file);
   return [options] { return list(*options); };
 }

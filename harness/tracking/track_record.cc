@@ -95,8 +95,7 @@ store::RunInfo unfinished(const Store& store, const Options& options) {
   std::vector<store::RunInfo> runs = store.runs();
   std::erase_if(runs, [](const store::RunInfo& run) { return run.complete || run.request.empty(); });
   if (runs.empty())
-    throw core::InputError(options.store, 0, 0,
-                           "every recording in it is complete: there is nothing to resume");
+    throw core::InputError(options.store, 0, 0, "every recording is complete: there is nothing to resume");
   return *std::max_element(runs.begin(), runs.end(),
                            [](const auto& a, const auto& b) { return a.id < b.id; });
 }
@@ -213,7 +212,7 @@ class Recorder {
 
 int record(const Context& context, Options options) {
   if (options.resume && options.request != Request())
-    throw core::InputError("--resume goes on with what was asked for then: leave the selection out");
+    throw core::InputError("--resume continues with the earlier selection: do not give a new one");
   std::optional<Store> store;
   store::RunInfo run;
   if (options.resume) {
@@ -224,16 +223,16 @@ int record(const Context& context, Options options) {
   }
   const Selection selection = select(context, options.request);
   if (selection.cells.empty()) {
-    std::cerr << "nothing selected; `cylon list --names` and `cylon engines --names` say what there is\n";
+    std::cerr << "nothing selected; see `cylon list --names` and `cylon engines --names`\n";
     return nothing_selected;
   }
   for (const study::Cell& cell : selection.cells) study::sampling(*cell.scenario, cell.dt);
   const std::string build = build_of(selection.cells);
   if (options.resume && build != run.build)
-    throw core::InputError(fmt::format(
-        "the engines are other binaries than those of the recording of {} that was interrupted; begin "
-        "a new one without --resume",
-        run.date));
+    throw core::InputError(
+        fmt::format("the engine binaries have changed since the interrupted recording of {}; start a new one "
+                    "without --resume",
+                    run.date));
   if (!store) {
     store.emplace(Store::open(options.store, store::Mode::write));
     run = new_run(context, options, build);
@@ -243,14 +242,15 @@ int record(const Context& context, Options options) {
   try {
     recorder.record(selection.cells);
   } catch (const process::Interrupted&) {
-    std::cerr << "interrupted; `cylon track record --resume` goes on from here\n";
+    std::cerr << "interrupted; continue with `cylon track record --resume`\n";
     return interrupted;
   }
   store->finish_run(run.id);
-  std::cout << fmt::format(
-      "{}: run {} of {}, {} cells{}\n", options.store, run.id,
-      run.revision.empty() ? "no revision" : run.revision, selection.cells.size(),
-      recorder.differing() == 0 ? "" : fmt::format(", {} of them not as expected", recorder.differing()));
+  std::cout << fmt::format("{}: run {} of {}, {} cells{}\n", options.store, run.id,
+                           run.revision.empty() ? "no revision" : run.revision, selection.cells.size(),
+                           recorder.differing() == 0
+                               ? ""
+                               : fmt::format(", {} of them differ from expected.toml", recorder.differing()));
   return recorder.engine_absent() ? harness_failure : ok;
 }
 
@@ -261,22 +261,21 @@ Command add_track_record(App& app, const Context& context) {
   Measured& measured = options->measured;
   add_selection_options(app, options->request);
   app.add_option("--revision", options->revision,
-                 "What is under test; the revision of this program otherwise")
+                 "Revision under test. Default: the revision of this program")
       ->type_name("TEXT");
-  app.add_option(
-         "--order", options->order,
-         "The revision's place in the history, ascending, as `git rev-list --count` gives it; otherwise "
-         "new revisions come last")
+  app.add_option("--order", options->order,
+                 "Position of the revision in the history, ascending, for example from `git rev-list "
+                 "--count`. Default: after all others")
       ->type_name("N");
   app.add_option("--label", options->label, "A name for this run")->type_name("TEXT");
   app.add_option("--note", options->note, "A remark")->type_name("TEXT");
   app.add_option("--repetitions", measured.repetitions,
-                 "Time samples of each cell, a fresh process each; 0: no times")
+                 "Number of timings of each cell, each in a new process; 0: no timing")
       ->type_name("K")
       ->check(in_range(0, 1000))
       ->capture_default_str();
   app.add_flag("--orders", measured.orders,
-               "Also run at half the step, and record each claim's observed order");
+               "Run at half the step too, and record the observed order of each claim");
   app.add_option(
          "--instructions", measured.instructions,
          "Count the instructions of the engine's steps: auto is perf_event where it opens, else callgrind, "
@@ -285,17 +284,16 @@ Command add_track_record(App& app, const Context& context) {
       ->capture_default_str();
   add_timeout_option(app, measured.timeout);
   add_memory_option(app, measured.memory);
-  add_jobs_option(app, options->jobs, "Cells at one time; more than one disturbs the times")
+  add_jobs_option(app, options->jobs,
+                  "Number of cells to run at the same time; more than one disturbs the times")
       ->capture_default_str();
-  app.add_flag("--resume", options->resume,
-               "Go on with the last recording of the store that was interrupted");
-  app.add_flag("-v,--verbose", options->verbose, "A line for each cell as soon as it is stored");
+  app.add_flag("--resume", options->resume, "Continue the last interrupted recording of the store");
+  app.add_flag("-v,--verbose", options->verbose, "Print a line for each stored cell");
   add_store_option(app, options->store);
   app.footer(
-      "Each cell is stored as soon as it is measured; whatever ends the recording, --resume goes on after "
-      "the last "
-      "one. Verdicts are stored, not judged: exits 0 when everything is recorded, 5 when an engine is not "
-      "there.");
+      "Each cell is stored as soon as it is measured; --resume continues an interrupted recording after the "
+      "last one. Verdicts are stored, not judged: exits 0 when everything is recorded, 5 when an engine is "
+      "not there.");
   return [options, &context] { return record(context, *options); };
 }
 

@@ -1,4 +1,4 @@
-// cylon track ack, cylon track ignore: what somebody knows of a change in the history.
+// cylon track ack, cylon track ignore: notes of users on a change in the history.
 #include "harness/cli/command_line.h"
 #include "harness/cli/provenance.h"
 #include "harness/tracking/track.h"
@@ -68,7 +68,7 @@ std::shared_ptr<Options> add_options(App& app) {
   app.add_option("id", options->ids, "The change's eight digits, from `cylon track history`")
       ->type_name("ID")
       ->required();
-  app.add_option("--note", options->note, "Why, for the next reader; absent: the note that is there stays")
+  app.add_option("--note", options->note, "Reason of the change. Default: the present note stays")
       ->type_name("TEXT");
   add_store_option(app, options->file);
   return options;
@@ -78,7 +78,7 @@ std::shared_ptr<Options> add_options(App& app) {
 
 Command add_track_ack(App& app, const Context&) {
   const auto options = add_options(app);
-  app.add_flag("--fixed", options->fixed, "It is repaired: fixed in place of active");
+  app.add_flag("--fixed", options->fixed, "Mark the change as fixed");
   return [options] { return set_states(*options, options->fixed ? "fixed" : "active"); };
 }
 

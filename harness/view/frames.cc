@@ -28,7 +28,7 @@ Frames::Frames(std::filesystem::path folder) : folder_(std::move(folder)) {
 void Frames::keep(std::int64_t n, std::string_view png) {
   if (n < 0 || n > last_frame)
     throw BadCommand(fmt::format("n = {}: must be a number in 0 … {}", n, last_frame));
-  if (!png.starts_with(png_signature)) throw BadCommand("the picture is no PNG");
+  if (!png.starts_with(png_signature)) throw BadCommand("the picture is not a PNG file");
   const std::lock_guard lock(mutex_);
   const std::filesystem::path path = folder_ / fmt::format("frame-{:06}.png", n);
   std::ofstream file(path, std::ios::binary);

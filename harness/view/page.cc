@@ -40,7 +40,7 @@ std::string security_policy() {
 std::string random_token() {
   std::uint64_t bits[2];
   if (getrandom(bits, sizeof bits, 0) != static_cast<ssize_t>(sizeof bits))
-    throw std::runtime_error("no random numbers from the system");
+    throw std::runtime_error("the system provides no random numbers");
   return fmt::format("{:016x}{:016x}", bits[0], bits[1]);
 }
 

@@ -52,7 +52,7 @@ std::optional<std::size_t> index_of(std::string_view text) {
 double number(std::string_view key, const std::variant<double, core::Vector3>& value,
               const core::Range& range) {
   const double* x = std::get_if<double>(&value);
-  if (!x) throw BadCommand(fmt::format("{}: a number belongs here, not a vector", key));
+  if (!x) throw BadCommand(fmt::format("{}: expected a number, not a vector", key));
   if (*x >= range.low && *x <= range.high) return *x;
   throw BadCommand(fmt::format("{} = {}: must lie in [{}, {}]", key, *x, range.low, range.high));
 }
@@ -72,7 +72,7 @@ void look_up(core::Scene& scene, const Key& parts, std::optional<Parameter>& fou
 
 void set_gravity(core::Scene& scene, const std::variant<double, core::Vector3>& value) {
   const core::Vector3* g = std::get_if<core::Vector3>(&value);
-  if (!g) throw BadCommand("gravity: a vector of three numbers belongs here");
+  if (!g) throw BadCommand("gravity: expected a vector of three numbers");
   std::erase_if(scene.forces,
                 [](const core::Force& f) { return std::holds_alternative<core::UniformGravity>(f); });
   if (!g->isZero(0)) scene.forces.insert(scene.forces.begin(), core::UniformGravity{*g});
@@ -110,7 +110,7 @@ void set_parameter(core::Scene& scene, std::string_view key,
     core::for_each_force([&]<class Kind>() { look_up<Kind>(scene, *parts, found); });
     look_up<core::Material>(scene, *parts, found);
   }
-  if (!found) throw BadCommand(fmt::format("'{}' is no parameter that can be changed", key));
+  if (!found) throw BadCommand(fmt::format("'{}' is not a parameter that can be changed", key));
   if (!found->place)
     throw BadCommand(fmt::format("{}: there is no {} '{}'", key, parts->list, parts->middle));
   *found->place = number(key, value, found->range);

@@ -97,7 +97,7 @@ struct Server::Parts {
     port = wanted == 0 ? http.bind_to_any_port(loopback) : wanted;
     if (wanted != 0 ? !http.bind_to_port(loopback, wanted) : port <= 0)
       throw core::InputError(
-          fmt::format("--port {}: cannot be listened on; is another viewer there?", wanted));
+          fmt::format("--port {}: cannot listen on this port; is another viewer running?", wanted));
     thread = std::thread([this] { http.listen_after_bind(); });
   }
 
@@ -148,7 +148,7 @@ struct Server::Parts {
                 answer(response, 200, nlohmann::json::object());
               }));
     http.set_error_handler([](const Request&, Response& response) {
-      if (response.body.empty()) refuse(response, response.status, "there is nothing here");
+      if (response.body.empty()) refuse(response, response.status, "not found");
     });
   }
 

@@ -144,9 +144,9 @@ void Session::check_resumable(const char* what) const {
 void Session::check_body(int body, const char* what) const {
   const auto count = given_.bodies.size();
   if (body < 0 || static_cast<std::size_t>(body) >= count)
-    throw BadCommand(fmt::format("{}: body {} is none of 0 … {}", what, body, static_cast<long>(count) - 1));
+    throw BadCommand(fmt::format("{}: body {} is outside 0 … {}", what, body, static_cast<long>(count) - 1));
   if (given_.bodies[static_cast<std::size_t>(body)].locked)
-    throw BadCommand(fmt::format("{}: body {} is locked, and does not move", what, body));
+    throw BadCommand(fmt::format("{}: body {} is locked and cannot move", what, body));
 }
 
 std::unique_ptr<Lane> Session::make_lane(const LaneSpec& spec) const {
@@ -158,7 +158,7 @@ std::unique_ptr<Lane> Session::make_lane(const LaneSpec& spec) const {
       throw BadCommand(fmt::format("engine '{}' is not installed", spec.engine));
     const auto& known = info->integrators;
     if (!spec.integrator.empty() && std::find(known.begin(), known.end(), spec.integrator) == known.end())
-      throw BadCommand(fmt::format("integrator '{}' is none of {}{} (valid: {})", spec.integrator,
+      throw BadCommand(fmt::format("integrator '{}' is not one of {}{} (valid: {})", spec.integrator,
                                    spec.engine, core::did_you_mean(spec.integrator, known),
                                    fmt::join(known, ", ")));
     const double dt = scenario::parse_step(spec.dt_text);

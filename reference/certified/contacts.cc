@@ -1,4 +1,4 @@
-// The pairs that may touch: their gaps, and what a blow makes of the velocities, as nodes of the graph.
+// Pairs that may touch: gaps, and velocities after an impact, as nodes of the graph.
 #include "reference/certified/builder.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// What the equations of this folder do not describe.
+// Scenes that the equations of this folder do not cover.
 #include "reference/certified/builder.h"
 
 #include <fmt/format.h>

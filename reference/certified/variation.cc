@@ -48,8 +48,7 @@ Variation::Variation(const Graph& graph, int order)
   }
 }
 
-// ---- Coefficients
-// --------------------------------------------------------------------------------------------
+// ---- Coefficients ----------------------------------------------------------------------------------
 
 void Variation::next(int i, int k) {
   const Node& node = graph_[static_cast<std::size_t>(i)];
@@ -185,8 +184,7 @@ void Variation::differentiate(const Eigen::MatrixXd& directions) {
   }
 }
 
-// ---- What the polynomials leave out
-// --------------------------------------------------------------------------
+// ---- What the polynomials leave out ----------------------------------------------------------------
 
 void Variation::scale(int d) {
   std::vector<double> power(stride_, 1);
@@ -281,8 +279,7 @@ bool Variation::prove(double h) {
   return true;
 }
 
-// ---- Results
-// -------------------------------------------------------------------------------------------------
+// ---- Results ---------------------------------------------------------------------------------------
 
 Near Variation::tangent(int node, int d, double t) const {
   const std::size_t first = block(d) + at(node);

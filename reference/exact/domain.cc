@@ -56,7 +56,7 @@ void check_bodies(std::string_view solution, const core::Scene& scene, double ho
   if (!(horizon > 0) || !std::isfinite(horizon)) refuse(solution, "the horizon must be positive and finite");
   if (scene.bodies.empty()) refuse(solution, "the scene has no body");
   if (scene.frame && !scene.frame->angular_velocity.isZero(0.0)) {
-    refuse(solution, "the scene is given in a turning frame");
+    refuse(solution, "the scene is given in a rotating frame");
   }
   for (const core::Body& body : scene.bodies) {
     if (body.locked) refuse(solution, "body '" + body.name + "' is locked");

@@ -1,4 +1,4 @@
-// The files stand in the program as they are: the assembler reads them.
+// The assembler embeds the web files in the program unchanged.
 #include "reports/web_bundle.h"
 
 #define EMBED(name, file)                                         \

@@ -12,8 +12,7 @@ namespace {
 class Conventions : public EveryEngine {};
 INSTANTIATE_TEST_SUITE_P(Adapters, Conventions, testing::ValuesIn(subjects), test_name);
 
-// ---- Against exact rotation
-// ------------------------------------------------------------------------------------
+// ---- Against exact rotation ------------------------------------------------------------------------
 
 // The largest deviation from the truth after 0.5 s without gravity, orientation [rad] and angular velocity
 // [rad/s] alike.
@@ -45,9 +44,9 @@ void expect_true_rotation(const Subject& subject, const char* solution) {
 TEST_P(Conventions, FreeSymmetricTopIsExact) { expect_true_rotation(subject(), "free_symmetric_top"); }
 TEST_P(Conventions, FreeAsymmetricTopIsExact) { expect_true_rotation(subject(), "free_asymmetric_top"); }
 
-// ---- Symmetries
-// ------------------------------------------------------------------------------------------------ Each says:
-// the motion of the changed scene is the changed motion of the scene.  Every scheme here keeps these
+// ---- Symmetries ------------------------------------------------------------------------------------
+// Each test asserts that
+// the transformed scene has the transformed motion.  Every integrator here keeps these
 // symmetries, so what remains is rounding, amplified by the motion itself: 8 units a step (measured 2026-11:
 // up to 5).
 
@@ -71,7 +70,7 @@ core::State run(const Subject& subject, const core::Scene& scene) {
 }
 
 // q' = q c, I' = c^T I c, anchors c^T a: other body axes, the same body.
-TEST_P(Conventions, BodyAxesAreAFreeChoice) {
+TEST_P(Conventions, MotionDoesNotDependOnBodyAxes) {
   core::Scene scene = tied(31), relabelled = scene;
   exact::RandomScenes random(32);
   const std::array<Quaternion, 3> turns = {random.rotation(), Quaternion(0.5, 0.5, 0.5, 0.5),
@@ -95,7 +94,7 @@ TEST_P(Conventions, BodyAxesAreAFreeChoice) {
 }
 
 // Everything turned by R about the origin.
-TEST_P(Conventions, SpaceHasNoDirection) {
+TEST_P(Conventions, MotionDoesNotDependOnDirection) {
   core::Scene scene = tied(33), turned = scene;
   const Quaternion r = exact::RandomScenes(34).rotation();
   const auto turn = [&](core::BodyState& s) {
@@ -111,7 +110,7 @@ TEST_P(Conventions, SpaceHasNoDirection) {
 }
 
 // Everything moved by d, pins included.  Rounding is that of the four times larger coordinates.
-TEST_P(Conventions, SpaceHasNoOrigin) {
+TEST_P(Conventions, MotionDoesNotDependOnOrigin) {
   core::Scene scene = tied(35);
   scene.forces.emplace_back(core::Spring{1, {0.1, -0.2, 0.15}, core::world, {0.4, 1.3, -0.8}, 6.0, 0.5, 0.1});
   core::Scene moved = scene;
@@ -125,7 +124,7 @@ TEST_P(Conventions, SpaceHasNoOrigin) {
 }
 
 // Everything set off with velocity u.  Rounding is that of the four times larger speeds.
-TEST_P(Conventions, SpaceHasNoRest) {
+TEST_P(Conventions, MotionDoesNotDependOnUniformVelocity) {
   core::Scene scene = tied(36), boosted = scene;
   const Vector3 u(5.1, -6.3, 4.7);
   for (core::Body& body : boosted.bodies) body.initial.velocity += u;
@@ -139,7 +138,7 @@ TEST_P(Conventions, SpaceHasNoRest) {
 }
 
 // Bodies listed in another order, forces in the same: nothing is computed otherwise, so not a bit changes.
-TEST_P(Conventions, TheOrderOfBodiesMeansNothing) {
+TEST_P(Conventions, MotionDoesNotDependOnBodyOrder) {
   const core::Scene scene = tied(37);
   const std::array<int, 3> place = {2, 0, 1};  // of body i in the other scene
   core::Scene permuted = scene;
@@ -157,7 +156,7 @@ TEST_P(Conventions, TheOrderOfBodiesMeansNothing) {
 }
 
 // The symmetries are worth nothing if the check cannot see a broken one: gravity left as it was.
-TEST(ConventionsAlone, ABrokenSymmetryIsSeen) {
+TEST(ConventionsAlone, DetectsBrokenSymmetry) {
   const Subject& subject = subjects[0];
   core::Scene scene = tied(33), turned = scene;
   const Quaternion r = exact::RandomScenes(34).rotation();

@@ -12,8 +12,7 @@ namespace {
 class Forces : public EveryEngine {};
 INSTANTIATE_TEST_SUITE_P(Adapters, Forces, testing::ValuesIn(subjects), test_name);
 
-// ---- The first instant
-// -----------------------------------------------------------------------------------------
+// ---- The first instant -----------------------------------------------------------------------------
 
 struct Wrench {
   Vector3 force = Vector3::Zero(), torque = Vector3::Zero();  // about the centre of mass
@@ -98,7 +97,7 @@ const Row rows[] = {
 // (v_1 - v_0)/dt = F/m + O(dt), (w_1 - w_0)/dt = I^-1 (tau - w x I w) + O(dt), relative to the largest of
 // each in the scene.  The step balances O(dt) against rounding v/dt: 1e-6 s in double, 3e-4 s in single
 // precision.
-TEST_P(Forces, FirstInstantIsAsByHand) {
+TEST_P(Forces, InitialAccelerationsAgreeWithHandCalculation) {
   const double h = subject().single ? 3e-4 : 1e-6;
   for (const Row& row : rows) {
     core::Scene scene = three_bodies(51);
@@ -124,11 +123,10 @@ TEST_P(Forces, FirstInstantIsAsByHand) {
   }
 }
 
-// ---- Over time
-// -------------------------------------------------------------------------------------------------
+// ---- Over time -------------------------------------------------------------------------------------
 
 // x = x_0 + v_0 t + F/m (1 - cos f t)/f^2: the drive's time is the engine's.
-TEST_P(Forces, TheDriveKeepsTime) {
+TEST_P(Forces, DriveHasCorrectPhase) {
   const double f = 5.3, t = 0.8;
   const auto error = [&](std::int64_t steps) {
     core::Scene scene = three_bodies(52);
@@ -174,8 +172,7 @@ TEST_P(Forces, SpringsKeepBothMomenta) {
                 1.25 * coarse / std::pow(10, subject().order) + 2000 * subject().unit());
 }
 
-// ---- Locked bodies
-// ---------------------------------------------------------------------------------------------
+// ---- Locked bodies ---------------------------------------------------------------------------------
 
 // Whatever acts on it, a locked body stays to the last bit; and a spring hangs from it as from a pin in the
 // same place.

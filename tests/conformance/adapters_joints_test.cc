@@ -72,7 +72,7 @@ void expect_closed(const Subject& subject, const core::Scene& scene, const std::
                 exact ? 64 * subject.unit() : coarse / 12 + 64 * subject.unit());
 }
 
-TEST_P(Joints, ABallJointToTheWorldCloses) {
+TEST_P(Joints, BallJointToWorldCloses) {
   for (const unsigned seed : {61u, 62u}) expect_closed(subject(), pendulum(seed, 1), "one link");
 }
 
@@ -81,7 +81,7 @@ TEST_P(JointsBetweenBodies, ABallJointCloses) {
 }
 
 // The same motion in the limit: every engine goes to the in-house engine's own, which is of fourth order.
-TEST_P(Joints, EveryEngineSwingsAlike) {
+TEST_P(Joints, AllEnginesAgreeOnPendulum) {
   const int links = subject().reduced ? 1 : 2;
   const core::Scene scene = pendulum(65, links);
   const core::State reference = last(subjects[0].choice(), scene, duration / 4000, 4000);

@@ -119,7 +119,7 @@ TEST_P(Materials, EveryPairHasItsOwnRestitution) {
 
 // With the settings that reports speak of.  The push parts at erp depth/dt, and depth <= u dt: at most erp =
 // 0.2 where nothing bounces, and nothing where a bounce is faster than that.
-TEST_P(Materials, ThePushOutOfPenetrationIsAllThatComesOnTop) {
+TEST_P(Materials, OnlyPenetrationCorrectionAddsEnergy) {
   for (const Table& table : tables)
     for (const auto& [pair, e] : table.expected)
       expect_within(

@@ -1,4 +1,4 @@
-// A setup that cannot be is the user's mistake: an error that says what was wrong and what was meant.
+// An invalid setup is an input error whose message names the mistake and the nearest valid value.
 #include "harness/core/input_error.h"
 #include "tests/conformance/adapters_fixture.h"
 

@@ -62,7 +62,7 @@ double gap_when_hit(const Subject& subject, const core::Shape& shape, unsigned s
   return 0;
 }
 
-TEST_P(Shapes, EndWhereTheSceneSays) {
+TEST_P(Shapes, HaveSizesOfTheScene) {
   constexpr double speed = 1, dt = 1e-3;
   // Rounding of coordinates of a metre or two.
   const double slack = 64 * subject().unit();
@@ -78,7 +78,7 @@ TEST_P(Shapes, EndWhereTheSceneSays) {
 }
 
 // A ball flies at a corner of a locked box along its diagonal: nothing is nearer than the corner itself.
-TEST_P(Shapes, ACornerIsSharp) {
+TEST_P(Shapes, CornersAreSharp) {
   constexpr double speed = 1, dt = 1e-3, radius = 0.15;
   const Vector3 half(0.4, 0.3, 0.5);
   core::Scene scene = three_bodies(94);

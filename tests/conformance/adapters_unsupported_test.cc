@@ -76,17 +76,17 @@ std::vector<Refusal> refusals() {
                                       [](core::Scene& s) { s.joints.push_back(s.joints[0]); });
   const core::Hull hull = {tetrahedron.vertices};
   return {
-      {"in-house", "contacts in a turning frame are not modelled",
+      {"in-house", "contacts in a rotating frame are not modelled",
        with(resting(),
             [](core::Scene& s) {
               s.frame = core::Frame{{0, 0, 0}, {0.1, 0.2, 0}};
             })},
-      {"in-house", "joints to the world of a turning frame are not modelled",
+      {"in-house", "joints to the world in a rotating frame are not modelled",
        with(jointed(core::JointType::hinge, 0, core::world),
             [](core::Scene& s) {
               s.frame = core::Frame{{0, 0, 0}, {0.1, 0.2, 0}};
             })},
-      {"in-house", "drag against a turning frame is not modelled",
+      {"in-house", "drag in a rotating frame is not modelled",
        with(pushed(core::Drag{0, 1, 0, 0}),
             [](core::Scene& s) {
               s.frame = core::Frame{{0, 0, 0}, {0.1, 0.2, 0}};
@@ -108,7 +108,7 @@ std::vector<Refusal> refusals() {
       {"bullet-float", "Body 'a': Bullet has no disc", resting(compound_of(core::Disc{0.2}))},
       {"bullet", "Body 'a': Bullet's moving meshes collide by another algorithm", resting(tetrahedron)},
       {"bullet", "Bullet has no rigid distance joint.", jointed(core::JointType::distance, 0, 1)},
-      {"bullet", "A joint between two things that cannot move.", both_locked},
+      {"bullet", "The joint connects two bodies that cannot move.", both_locked},
       {"bullet", "A pair that may touch has no material.", unstated},
       {"bullet-float", "A pair that may touch has no material.", half_stated},
       {"bullet-multibody", "takes one ball or hinge joint per body, to the world",
@@ -154,7 +154,7 @@ TEST(Unsupported, EveryReasonIsASentence) {
 }
 
 // The other side: what is refused only where it matters is taken where it does not.
-TEST(Unsupported, WhatCannotMatterIsNoReason) {
+TEST(Unsupported, IgnoresIrrelevantFeatures) {
   const core::Scene untouched = with(resting(core::Box{{0.1, 0.2, 0.3}}), [](core::Scene& s) {
     s.bodies[0].collide = false;    // a box that touches nothing
     s.materials[0].friction = 0.3;  // of a pair that never is

@@ -64,7 +64,7 @@ TEST(Extremes, EveryFileOfTheFolderIsInTheSuiteAndTagged) {
 
 // No engine takes the suite down, hangs in it, or breaks the protocol.  ODE's abort on an overflow is its
 // own.
-TEST(Extremes, NoCellEndsInATimeoutOrGarbage) {
+TEST(Extremes, NoCellEndsInTimeoutOrProtocolError) {
   for (const Verdict& row : rows()) {
     EXPECT_NE(row.status, results::Status::timeout) << place(row);
     EXPECT_NE(row.status, results::Status::protocol) << place(row);
@@ -73,7 +73,7 @@ TEST(Extremes, NoCellEndsInATimeoutOrGarbage) {
 }
 
 // A solver that complains and goes on is a finding: what it printed stands in the row.
-TEST(Extremes, ComplaintsOfODEsSolverAreKept) {
+TEST(Extremes, KeepsWarningsOfOdeSolver) {
   int complaints = 0;
   for (const Verdict& row : rows())
     if (row.engine == "ode" && row.complaints.find("LCP internal error") != std::string::npos) ++complaints;

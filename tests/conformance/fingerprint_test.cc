@@ -1,4 +1,4 @@
-// What the built-in engines do is known from their sources; the probes find it out by their motions alone.
+// The probes find out from motions alone what the sources of the built-in engines say.
 #include "harness/study/probes.h"
 #include "tests/conformance/fixture.h"
 
@@ -18,30 +18,30 @@ struct Row {
 // gravity, which is the factor 400 of a published table.
 constexpr Row rows[] = {
     {"in-house", "free fall", "second order or better"},
-    {"in-house", "gyroscopic torque", "on, to rounding"},
-    {"in-house", "restitution", "at the impact's own instant"},
-    {"in-house", "friction", "Coulomb's cone"},
+    {"in-house", "gyroscopic torque", "on, exact within rounding"},
+    {"in-house", "restitution", "speed at the time of impact"},
+    {"in-house", "friction", "Coulomb cone"},
     {"in-house-float", "precision", "single"},
     {"in-house/integrator=explicit-euler", "free fall", "explicit Euler"},
     {"in-house/integrator=symplectic-euler", "spring", "order 1.0, energy bounded"},
     {"in-house/integrator=velocity-verlet", "spring", "order 2.0, energy bounded"},
     {"in-house/integrator=rk4", "spring", "order 4.0, energy decays"},
     {"bullet", "free fall", "semi-implicit Euler"},
-    {"bullet", "gyroscopic torque", "implicit: takes energy"},
-    {"bullet", "restitution", "speed before the step's gravity"},
-    {"bullet", "friction", "Coulomb's cone"},
+    {"bullet", "gyroscopic torque", "implicit: removes energy"},
+    {"bullet", "restitution", "speed before gravity acts in the step"},
+    {"bullet", "friction", "Coulomb cone"},
     {"bullet-float", "precision", "single"},
     {"bullet/gyro=none", "gyroscopic torque", "off"},
-    {"bullet-multibody", "gyroscopic torque", "explicit: feeds energy"},
-    {"bullet-multibody", "restitution", "speed after the step's gravity"},
+    {"bullet-multibody", "gyroscopic torque", "explicit: adds energy"},
+    {"bullet-multibody", "restitution", "speed after gravity acts in the step"},
     {"ode", "free fall", "semi-implicit Euler"},
-    {"ode", "restitution", "speed before the step's gravity"},
-    {"ode", "friction", "a pyramid: depends on the direction"},
-    {"ode", "turn of a step", "exact up to 3 rad a step"},
-    {"ode-quick", "friction", "a pyramid: depends on the direction"},
+    {"ode", "restitution", "speed before gravity acts in the step"},
+    {"ode", "friction", "friction pyramid: depends on the direction"},
+    {"ode", "rotation per step", "exact up to 3 rad a step"},
+    {"ode-quick", "friction", "friction pyramid: depends on the direction"},
 };
 
-TEST(Fingerprint, TheBuiltInEnginesAreTold) {
+TEST(Fingerprint, IdentifiesBuiltInEngines) {
   for (const Row& row : rows)
     for (const study::Probe& probe : study::probes())
       if (probe.name == row.probe) {

@@ -1,4 +1,4 @@
-// Limits measured on real engines against theory, and against clamps and traps that are known.
+// Limits measured on real engines against theory, and against their known internal limits.
 #include "tests/conformance/fixture.h"
 
 #include "harness/study/limits.h"
@@ -68,7 +68,7 @@ TEST(Limits, WithinOnePercentOfTheory) {
   }
 }
 
-TEST(Limits, ExplicitEulerHasNoneAndTheDefaultBreaksNowhere) {
+TEST(Limits, ExplicitEulerNeverHoldsAndDefaultNeverFails) {
   const study::Family& spring = family("spring");
   EXPECT_EQ(*spring.theory("in-house", "explicit-euler"), 0);
   EXPECT_EQ(measured(spring, "in-house/integrator=explicit-euler").kind, study::Limit::Kind::nowhere);
@@ -78,7 +78,7 @@ TEST(Limits, ExplicitEulerHasNoneAndTheDefaultBreaksNowhere) {
 
 // Where the engine refuses beyond a distance, that distance is its limit: where a unit in the last place,
 // which is epsilon x or up to half of that, comes to 1/512 of the orbit's 1.5 m.
-TEST(Limits, ARefusalBeyondWhatHoldsIsALimit) {
+TEST(Limits, UnsupportedValueIsALimit) {
   study::Family origin = family("origin");
   const struct {
     const char* engine;

@@ -1,5 +1,5 @@
-// A judge is tested on impostors: engines that are wrong in one known way must be found out, each for what it
-// is, and must not keep the others from being judged.
+// Negative controls: each engine with one known error must fail for this error, and must not stop the
+// checks of the other engines.
 #include "harness/study/matrix.h"
 #include "tests/conformance/fixture.h"
 
@@ -28,15 +28,15 @@ const Verdict& row(const std::vector<Verdict>& rows, const std::string& claim) {
   throw std::out_of_range("no claim '" + claim + "'");
 }
 
-// ---- Without the gyroscopic term
-// ------------------------------------------------------------------------------- w stays as it is, so the
+// ---- Without the gyroscopic term -------------------------------------------------------------------
+// w is constant, so the
 // body turns steadily about it and R^T w, hence the energy, is constant to the last digit; yet the body
 // neither wobbles nor flips, and its angular momentum turns with it.
 
 constexpr const char* without_gyro[] = {"bullet/gyro=none", "bullet-multibody/gyro=none", "ode/gyro=off",
                                         "ode-quick/gyro=off"};
 
-TEST(WithoutTheGyroscopicTerm, EnergyIsPerfectAndTheMotionWrong) {
+TEST(WithoutTheGyroscopicTerm, EnergyIsConservedButMotionIsWrong) {
   for (const std::string scenario : {"free_symmetric_top", "dzhanibekov"})
     for (const char* id : without_gyro) {
       const std::vector<Verdict> rows = judged(shipped(scenario), engine(id));
@@ -63,8 +63,7 @@ TEST(WithoutTheGyroscopicTerm, TheHeavyTopFalls) {
   }
 }
 
-// ---- A user's engine that misbehaves
-// ---------------------------------------------------------------------------
+// ---- A user's engine that misbehaves ---------------------------------------------------------------
 
 // Uniform motion for 100 steps, which tests/harness/process/scripted_worker.py can do.
 const scenario::Scenario& drifting() {
@@ -121,7 +120,7 @@ constexpr Impostor impostors[] = {
 
 // One matrix with good engines among the bad ones, on two workers: each gets its own verdict, in the order of
 // the cells.
-TEST(Impostors, EachIsNamedAndTheRunGoesOn) {
+TEST(Impostors, EachIsDetectedAndTheRunContinues) {
   std::vector<study::Cell> cells;
   const auto add = [&](const process::EngineChoice& choice) {
     cells.push_back({&drifting(), choice, drifting().step, drifting().step_text});

@@ -120,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(InHouse, Exactness, testing::ValuesIn(exact),
                          [](const auto& row) { return test_name(row.param.scenario, row.param.scheme); });
 
 // Negative control: the same runs with the declared order raised by one are called broken.
-TEST(OrderMeasure, SeesAFalselyDeclaredOrder) {
+TEST(OrderMeasure, DetectsFalselyDeclaredOrder) {
   auto scenario = cut("spring_orbit", position, core::Reduction::max, 2);
   core::Claim& claim = scenario.claims[0];
   claim.tolerance = {.order = true, .constant = 1e6, .reason = "wide, so that the order alone decides"};

@@ -84,7 +84,7 @@ process::RunOutcome outcome_of(const char* id, const core::Scene& scene) {
   return process::run(process::parse_engine(id, process::default_engines(CYLON_BINARY_DIR)), request, limits);
 }
 
-TEST(OverlappingStart, DeepOnesAreRefusedAndShallowOnesStayFinite) {
+TEST(OverlappingStart, DeepOverlapIsRejectedAndShallowStaysFinite) {
   for (const Row& row : rows)
     for (const char* id : {"in-house", "in-house/path=stepping", "in-house-float"}) {
       const process::RunOutcome outcome = outcome_of(id, scene_of(row));
@@ -101,7 +101,7 @@ TEST(OverlappingStart, DeepOnesAreRefusedAndShallowOnesStayFinite) {
     }
 }
 
-TEST(OverlappingStart, OtherEnginesTakeThem) {
+TEST(OverlappingStart, OtherEnginesAcceptIt) {
   for (const Row& row : rows)
     for (const char* id : {"bullet", "ode"}) {
       const bool hull = std::holds_alternative<core::Hull>(row.one);

@@ -1,4 +1,4 @@
-// Numbers that an earlier, independent measurement of Bullet and ODE printed come out again, from the
+// Numbers of an earlier, independent measurement of Bullet and ODE are reproduced, from the
 // adapters, the exact solutions and the measures of this repository: tests/data/published/engines_s1_s8.json.
 //
 // A row of the data that has `here` differs from what was printed, and says `why`; the test then asserts that
@@ -80,7 +80,7 @@ double measured(const Number& n) {
 
 class Published : public testing::TestWithParam<Number> {};
 
-TEST_P(Published, ComesOutAgain) {
+TEST_P(Published, NumbersAreReproduced) {
   const Number& n = GetParam();
   const double value = measured(n);
   RecordProperty("here", fmt::format("{:.5g}", value));

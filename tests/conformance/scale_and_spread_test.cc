@@ -1,5 +1,5 @@
-// Two knobs of a study: all tolerances times a number, which every report shows, and copies that start one
-// ulp apart.
+// Two options of a study: a factor on all tolerances, which every report shows, and copies that start one ulp
+// apart.
 #include "harness/study/spread.h"
 #include "reports/console.h"
 #include "reports/csv.h"
@@ -44,7 +44,7 @@ TEST(ToleranceScale, ZeroShowsAllResiduals) {
   }
 }
 
-TEST(ToleranceScale, StandsInEveryReport) {
+TEST(ToleranceScale, AppearsInEveryReport) {
   const auto scenario = shipped("projectile");
   const auto rescaled = judged(scenario, 3, 0), plain = judged(scenario, 1, 0);
   reports::Provenance provenance;
@@ -94,7 +94,7 @@ TEST(OneUlpApart, ChangesOneCoordinateByOneUlp) {
   EXPECT_EQ(changed.size(), 3u) << "another coordinate for each copy";
 }
 
-TEST(OneUlpApart, KeepsWhatIsLockedAndMovesWhatIsAtZero) {
+TEST(OneUlpApart, SkipsLockedBodiesAndChangesZeros) {
   core::Scene scene;
   scene.bodies.resize(1);
   EXPECT_EQ(study::one_ulp_apart(scene, 0, 1).bodies[0].initial.position.x(), 0x1p-52);
@@ -120,7 +120,7 @@ double largest_spread(const char* name, int copies) {
 
 // An ulp of a metre is 2e-16 m.  A stone's flight keeps it; a double pendulum, tagged chaos, magnifies it,
 // and its spread stands beside the verdict without being asked for.
-TEST(Spread, TellsChaosFromRegularMotion) {
+TEST(Spread, DistinguishesChaosFromRegularMotion) {
   const double regular = largest_spread("projectile", 2), chaotic = largest_spread("double_pendulum", 0);
   EXPECT_GT(regular, 0);
   EXPECT_LT(regular, 1e-14);

@@ -1,5 +1,5 @@
-// What others have published comes out here again, or the difference is explained; the rule that says so is
-// not generous.
+// Published numbers are reproduced here, or the difference is explained.
+// The rule for agreement is strict.
 #include "harness/study/selfcheck.h"
 #include "tests/conformance/fixture.h"
 
@@ -23,13 +23,13 @@ TEST(SelfCheck, PublishedNumbersAreReproducedOrExplained) {
   EXPECT_EQ(reproduced, 24) << "ODE's own fork of 2015 is not ours: four numbers";
 }
 
-TEST(SelfCheck, ALastDigitIsWhatItShows) {
+TEST(SelfCheck, LastDigitIsTheLastShown) {
   const std::pair<const char*, double> table[] = {{"185.027", 5e-4},   {"18808.3", 0.05}, {"2.03326e6", 5},
                                                   {"0.0124501", 5e-8}, {"313419", 0.5},   {"-1.5e-3", 5e-5}};
   for (const auto& [text, half] : table) EXPECT_NEAR(study::last_digit(text) / half, 1, 1e-8) << text;
 }
 
-TEST(SelfCheck, AnotherDigitIsADifferenceAndNoNumberIsNone) {
+TEST(SelfCheck, DetectsDifferentDigitsAndMissingNumbers) {
   const auto row = [](double here, const char* explanation) {
     return study::Reproduction{"", "", "185.027", here, study::last_digit("185.027"), explanation};
   };

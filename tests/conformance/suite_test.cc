@@ -94,7 +94,7 @@ TEST_F(Conformance, TheInHouseDefaultPassesEveryClaim) {
 }
 
 // Looked up for every scenario and engine that some suite names, at the nominal step; nothing is run.
-TEST_F(Conformance, EveryExpectationDecidesSomething) {
+TEST_F(Conformance, EveryExpectationMatchesAVerdict) {
   std::set<std::string> scenarios, engines, decided;
   for (const std::string name : {"conformance", "simbenchmark", "catalogue", "extremes"}) {
     const scenario::Suite s = suite(name);
@@ -114,7 +114,7 @@ TEST_F(Conformance, EveryExpectationDecidesSomething) {
   for (const std::string& row : expectations_.unused(decided)) ADD_FAILURE() << row;
 }
 
-TEST_F(Conformance, EveryRelationOfMechanicsIsKeptAsExpected) {
+TEST_F(Conformance, EveryMetamorphicRelationIsAsExpected) {
   Cells related = cells_of(suite("conformance"));
   for (study::Cell& cell : related.cells) cell.exam = study::Exam::relations;
   const auto rows = run(related, 2, expectations_);
@@ -145,7 +145,7 @@ TEST_F(Conformance, EveryTruthIsTenTimesFinerThanItsTolerance) {
   EXPECT_GT(truths, 0);
 }
 
-TEST(SimBenchmark, EveryPublishedDigitComesOutAgain) {
+TEST(SimBenchmark, ReproducesEveryPublishedDigit) {
   const scenario::Suite table = suite("simbenchmark");
   ASSERT_EQ(table.published.size(), 10u);
   const auto rows = run(cells_of(table), 2, {});
@@ -156,7 +156,7 @@ TEST(SimBenchmark, EveryPublishedDigitComesOutAgain) {
 
 // The table's factor of four hundred is no engine's but a solver path's: Bullet's other path has ODE's
 // digits.
-TEST(SimBenchmark, BulletsRigidBodiesGiveOdesDigits) {
+TEST(SimBenchmark, BulletRigidAgreesWithOde) {
   const scenario::Suite table = suite("simbenchmark");
   const auto ode = std::find_if(table.published.begin(), table.published.end(), [](const auto& number) {
     return number.engine.starts_with("ode") && number.dt == "0.001";

@@ -185,7 +185,7 @@ TEST(TheoryClaim, ServesSchemesOfDifferentOrders) {
 }
 
 // A claim that knows high orders alone says nothing good of a scheme of low order.
-TEST(TheoryClaim, WithoutAConstantForTheOrderNothingPasses) {
+TEST(TheoryClaim, NoConstantForOrderFails) {
   const auto scenario = spring("{ order = true, constants = { 4 = 1.0 }, reason = \"truncation: theory\" }");
   const results::Verdict verdict =
       conformance::verdict(scenario, "in-house/integrator=velocity-verlet", scenario.duration / 1e3);

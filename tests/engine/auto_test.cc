@@ -1,4 +1,4 @@
-// The scheme auto: its bound holds against closed forms, and where it cannot it says so.
+// Integrator auto: its error bound holds against closed forms, and it reports where it cannot hold.
 #include "tests/engine/fixtures.h"
 
 namespace cylon::engine {
@@ -75,7 +75,7 @@ TEST(Auto, DoesNotDependOnTheSampleGrid) {
 }
 
 // A tighter bound is a better motion.
-TEST(Auto, TightensWithTheTolerance) {
+TEST(Auto, ErrorFollowsTolerance) {
   const Model model = forced_bodies();
   const auto exact = run(model, "rk8", 2, 8000).motions;
   Real before = 1;
@@ -88,7 +88,7 @@ TEST(Auto, TightensWithTheTolerance) {
 }
 
 // Chaos parts any two runs: in the end no tolerance holds, and a remark says from where on.
-TEST(Auto, SaysWhenChaosWins) {
+TEST(Auto, ReportsToleranceMissedThroughChaos) {
   Model model = linked_bodies(true);
   Options options = automatic(1e-10, 0.1);
   const Outcome early = run(model, options, 10), late = run(model, options, 1200);
@@ -98,7 +98,7 @@ TEST(Auto, SaysWhenChaosWins) {
   for (const Motion& m : late.motions) EXPECT_TRUE(m.position.allFinite());
 }
 
-TEST(Auto, SaysWhenTheToleranceIsBelowRounding) {
+TEST(Auto, ReportsToleranceBelowRounding) {
   const Outcome end = run(forced_bodies(), automatic(1e-17, 0.1), 50);
   ASSERT_FALSE(end.remarks.empty());
   const auto exact = run(forced_bodies(), "rk8", 5, 20000).motions;
@@ -114,7 +114,7 @@ TEST(Auto, GivesTheSameBitsTwice) {
 }
 
 // A body that is locked, or at rest for ever, has no scale of its own and must not stop the others.
-TEST(Auto, BearsBodiesThatDoNotMove) {
+TEST(Auto, AcceptsBodiesAtRest) {
   Model model = spring();
   add_body(model, make_body(2, Matrix3::Identity(), true), {5, 5, 5}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0});
   add_body(model, make_body(2, Matrix3::Identity()), {-5, 5, 5}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0});

@@ -1,4 +1,4 @@
-// Bodies made one: the parallel-axis theorem with rotated parts, and what merging keeps.
+// Compound bodies: the parallel-axis theorem with rotated parts, and the quantities that merging conserves.
 #include "engine/compound.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ TEST(Compound, MergingKeepsMassMomentumAndAngularMomentum) {
 }
 
 // A box cut in eight smaller boxes and put together again; the pieces' own axes lie anyhow (errata 15).
-TEST(Compound, PiecesOfABoxMakeTheBox) {
+TEST(Compound, PartsOfBoxGiveInertiaOfBox) {
   const Vector3 half(0.3, 0.5, 0.9);
   const Real mass = 2.4;
   const auto moments = [](Real m, const Vector3& h) {
@@ -74,7 +74,7 @@ TEST(Compound, PiecesOfABoxMakeTheBox) {
 }
 
 // Parts that move as one rigid body lose nothing; any others do.
-TEST(Compound, EnergyIsKeptOnlyByPartsThatMoveAsOne) {
+TEST(Compound, ConservesEnergyIfPartsMoveTogether) {
   const auto energy = [](const CompoundPart& p) {
     return velocity(p.body, p.motion).dot(p.motion.momentum) / 2 +
            angular_velocity(p.body, p.motion).dot(p.motion.angular_momentum) / 2;
@@ -96,7 +96,7 @@ TEST(Compound, EnergyIsKeptOnlyByPartsThatMoveAsOne) {
   EXPECT_LT((angular_velocity(whole.body, whole.motion) - w).norm(), 1e-14);
 }
 
-TEST(Compound, IsLockedWhereAPartIs) {
+TEST(Compound, IsLockedIfOnePartIs) {
   std::vector<CompoundPart> parts = three_parts();
   parts[1].body = make_body(parts[1].body.mass, parts[1].body.inertia, true);
   EXPECT_TRUE(merge(parts).body.locked);

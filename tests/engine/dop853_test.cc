@@ -96,7 +96,7 @@ TEST(Dop853, ItsErrorIsProportionalToTheTolerance) {
 
 // 1000 s of up to 366 periods at 1e-14: what compensation is for.  The rounding of the rates alone, one part
 // in 2^53 of each step's change, random, leaves 1e-16 x sqrt(steps) x the phase's growth with time.
-TEST(Dop853, RoundsAsOneStepOverALongTime) {
+TEST(Dop853, RoundingDoesNotGrowOverManySteps) {
   const Oscillators system;
   const double t = 1000;
   const Result<Oscillators> tight = solve(system, system.exact(0), 1e-14, t);
@@ -132,7 +132,7 @@ TEST(Dop853, DenseOutputHasOrderSeven) {
     EXPECT_NEAR(std::log2(error(0.4, place) / error(0.2, place)), 8, 0.35) << place;
 }
 
-TEST(Dop853, DenseOutputJoinsItsSteps) {
+TEST(Dop853, DenseOutputIsContinuous) {
   SpringPoint system;
   Dop853<SpringPoint> scheme(6, 1e-9);
   scheme.start(system, 0, SpringPoint::start().data());
@@ -159,7 +159,7 @@ TEST(Dop853, DenseOutputJoinsItsSteps) {
   }
 }
 
-TEST(Dop853, AsManyCallsAsOneAndEachEndsExactly) {
+TEST(Dop853, SplitCallsReachTheirEndTimesExactly) {
   SpringPoint system;
   Dop853<SpringPoint> scheme(6, 1e-10);
   std::vector<Real> y = SpringPoint::start();
@@ -178,7 +178,7 @@ TEST(Dop853, AsManyCallsAsOneAndEachEndsExactly) {
   EXPECT_LE(scheme.evaluations() - evaluations, 1 + 12 * (scheme.accepted() + scheme.rejected() - attempts));
 }
 
-TEST(Dop853, SaysSoWhereNoStepIsShortEnough) {
+TEST(Dop853, FailsWhenNoStepIsSmallEnough) {
   Single explosion{[](Time, Real y) { return y * y; }};  // 1/(1 - t)
   Dop853<decltype(explosion)> scheme(1, 1e-10);
   Real y = 1;
@@ -188,7 +188,7 @@ TEST(Dop853, SaysSoWhereNoStepIsShortEnough) {
   EXPECT_LT(scheme.evaluations(), 100000);
 }
 
-TEST(Dop853, SaysSoWhereTheRatesAreNone) {
+TEST(Dop853, FailsOnNonFiniteRates) {
   Single hole{[](Time t, Real) { return t > 1 ? std::numeric_limits<Real>::quiet_NaN() : Real(1); }};
   Dop853<decltype(hole)> scheme(1, 1e-10);
   Real y = 0;
@@ -201,7 +201,7 @@ TEST(Dop853, SaysSoWhereTheRatesAreNone) {
   EXPECT_EQ(never.advance(nothing, 0, 2, &y), Ending::non_finite);
 }
 
-TEST(Dop853, RestIsOneStep) {
+TEST(Dop853, RestTakesOneStep) {
   Single rest{[](Time, Real) { return Real(0); }};
   Dop853<decltype(rest)> scheme(1, 1e-10);
   Real y = 3;
@@ -211,7 +211,7 @@ TEST(Dop853, RestIsOneStep) {
 }
 
 // A jump in the forces is stepped over at the tolerance, by rejected steps.
-TEST(Dop853, FindsAJump) {
+TEST(Dop853, LocatesDiscontinuity) {
   Single jump{[](Time t, Real) { return t < 0.37 ? Real(1) : Real(-2); }};
   Dop853<decltype(jump)> scheme(1, 1e-9);
   Real y = 0.1;
@@ -227,7 +227,7 @@ struct Scaled : Oscillators {
   void scales(const Real*, Real* scale) const { std::fill_n(scale, 6, unit); }
 };
 
-TEST(Dop853, MeasuresInTheSystemsOwnScales) {
+TEST(Dop853, UsesScalesOfTheSystem) {
   Scaled coarse, fine;
   coarse.unit = 1e6;
   const long few = solve(coarse, coarse.exact(0), 1e-9, 50).evaluations;
@@ -237,7 +237,7 @@ TEST(Dop853, MeasuresInTheSystemsOwnScales) {
 }
 
 // Less than rounding cannot be asked for: it is answered with what can be, and with an end.
-TEST(Dop853, ATightestToleranceThatStillEnds) {
+TEST(Dop853, TightestToleranceEnds) {
   const Oscillators system;
   const Result<Oscillators> result = solve(system, system.exact(0), 1e-30, 20);
   EXPECT_LT(distance(result.y, system.exact(20)), 1e-13);

@@ -1,5 +1,5 @@
-// Principal axes: against the tensor itself, against moments put in, and against small changes that must not
-// show.
+// Principal axes: against the tensor, against given moments, and under small changes that must have no
+// effect.
 #include "engine/eigen3.h"
 
 #include "engine/body.h"
@@ -46,7 +46,7 @@ void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
 class Eigen3 : public testing::TestWithParam<Case> {};
 
-TEST_P(Eigen3, FindsTheMomentsThatWerePutIn) {
+TEST_P(Eigen3, RecoversGivenMoments) {
   std::mt19937 random(7);
   for (int n = 0; n < 200; ++n) {
     const auto next = [&] { return static_cast<Real>(random()) / static_cast<Real>(4294967296.0) * 6 - 3; };
@@ -59,7 +59,7 @@ TEST_P(Eigen3, FindsTheMomentsThatWerePutIn) {
   }
 }
 
-TEST_P(Eigen3, SizeChangesNothing) {
+TEST_P(Eigen3, IsScaleInvariant) {
   const int far = std::numeric_limits<Real>::max_exponent10 / 2;  // squares are out of range on either side
   const Matrix3 a = turned_tensor(frame(Real(0.3), Real(-0.7), Real(0.4)), GetParam().moments);
   const Principal here = principal(a);
@@ -77,7 +77,7 @@ TEST_P(Eigen3, SizeChangesNothing) {
 // A change of a few roundings must move the axes by no more than the gap between the moments allows; where
 // moments are equal, by no more than rounding.  sin(angle) <= |change|/gap: C. Davis, W. Kahan, SIAM J.
 // Numer. Anal. 7 (1970) 1, theorem of sin theta.
-TEST_P(Eigen3, NoiseDoesNotShow) {
+TEST_P(Eigen3, IgnoresNoise) {
   const Matrix3 a = turned_tensor(frame(Real(0.3), Real(-0.7), Real(0.4)), GetParam().moments);
   const Principal before = principal(a);
   const Real noise = 2 * epsilon * largest(a);
@@ -128,7 +128,7 @@ TEST(Eigen3, DiagonalOutOfOrderIsPermuted) {
   }
 }
 
-TEST(Eigen3, EqualMomentsTakeTheNearestAxes) {
+TEST(Eigen3, EqualMomentsUseNearestAxes) {
   const Matrix3 tilt = frame(Real(0.2), Real(-0.1), Real(0.15));
   const Principal sphere = principal(turned_tensor(tilt, Vector3::Constant(Real(0.8))));
   EXPECT_EQ(sphere.axes, Matrix3(Matrix3::Identity()));
@@ -142,7 +142,7 @@ TEST(Eigen3, EqualMomentsTakeTheNearestAxes) {
   EXPECT_EQ(disc.moments[0], disc.moments[1]);
 }
 
-TEST(Eigen3, SmallMomentsKeepTheirDigits) {
+TEST(Eigen3, SmallMomentsKeepRelativePrecision) {
   // A = S B S with S = diag(1, d, d^2) and B near 1: each moment is known to rounding relative to itself,
   // which no method that first makes A tridiagonal gives (Demmel, Veselic 1992).
   const Real d = sizeof(Real) == 8 ? Real(0x1p-20) : Real(0x1p-9);
@@ -159,7 +159,7 @@ TEST(Eigen3, SmallMomentsKeepTheirDigits) {
   EXPECT_NEAR(p.moments[0] / (d * d * d * d), det / (Real(15) / 16), order);
 }
 
-TEST(Body, AThinRodDoesNotTurnAboutItself) {
+TEST(Body, ThinRodHasNoSpinAboutItsAxis) {
   const Matrix3 r = frame(Real(0.9), Real(-0.4), Real(1.3));
   const Body rod = make_body(2, turned_tensor(r, {0, Real(1.7), Real(1.7)}));
   EXPECT_EQ(rod.inverse_moments[0], 0);

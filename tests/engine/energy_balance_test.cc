@@ -133,10 +133,10 @@ TEST(Work, JointsDoNone) {
             0.05);
 }
 
-TEST(Work, IsNotCountedUnlessAsked) { EXPECT_TRUE(run(forced_bodies(), "rk4", 0.1, 10).works.empty()); }
+TEST(Work, IsCountedOnlyOnRequest) { EXPECT_TRUE(run(forced_bodies(), "rk4", 0.1, 10).works.empty()); }
 
 // The account changes nothing in the motion.
-TEST(Work, CountingLeavesTheMotionAlone) {
+TEST(Work, CountingDoesNotChangeMotion) {
   for (const Scheme& scheme : fixed_schemes()) {
     const Outcome a = run(forced_bodies(), with(scheme.name, 0.01), 100),
                   b = run(forced_bodies(), accounting(scheme.name, 0.01), 100);

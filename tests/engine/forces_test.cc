@@ -172,7 +172,7 @@ TEST(Force, OnAPinnedBodyActsAtItsCentreOfMass) {
   EXPECT_LT((torque(pull) - arm.cross(0.7 * 1.3 * 0.8 / d.squaredNorm() * d.normalized())).norm(), ulps);
 }
 
-TEST(Force, NothingActsOnALockedBodyAndItActsOnOthers) {
+TEST(Force, LockedBodyFeelsNoForceButExertsIt) {
   Model model = two_bodies();
   model.bodies[1] = make_body(0.8, model.bodies[1].inertia, true);
   model.forces.gravity = {0, -9.81, 0};
@@ -189,11 +189,10 @@ TEST(Force, NothingActsOnALockedBodyAndItActsOnOthers) {
   EXPECT_TRUE(same_bits(end.motions[1], model.motions[1]));
 }
 
-// ---- In motion
-// ---------------------------------------------------------------------------------------------------
+// ---- In motion -------------------------------------------------------------------------------------
 
 // Errata 47, 48: at its pin a spring has no direction; it must not make NaN, and from there it pulls back.
-TEST(Spring, AtItsPinIsHarmless) {
+TEST(Spring, HasNoForceAtItsPin) {
   for (const Real rest_length : {0.0, 0.4}) {
     for (const Real damping : {0.0, 0.3}) {
       Model model;
@@ -210,7 +209,7 @@ TEST(Spring, AtItsPinIsHarmless) {
 }
 
 // p = p0 cos wt + v0/w sin wt about the pin; errata 13, 43: energy must not grow.
-TEST(Spring, OfNoLengthMakesAnEllipse) {
+TEST(Spring, ZeroLengthSpringGivesEllipse) {
   Model model;
   const Vector3 pin = {0.2, 0.5, -0.3}, p0 = {1.0, 0.2, 0.4}, v0 = {-0.3, 1.1, 0.7};
   add_body(model, make_body(1.3, Matrix3::Zero()), pin + p0, {0, 0, 0}, v0, {0, 0, 0});

@@ -27,7 +27,7 @@ Model in_frame(Model model) {
 class Frame : public EveryScheme {};
 
 // Free flight and free rotation: a straight line looks curved.  A splitting makes both exactly.
-TEST_P(Frame, AFreeTopIsTheInertialOne) {
+TEST_P(Frame, FreeTopAgreesWithInertialSolution) {
   const Model model = free_top();
   const auto exact = seen(run(model, "rk8", 2, 2000).motions, 2);
   const auto error = [&](int n) {
@@ -46,7 +46,7 @@ TEST_P(Frame, AFreeTopIsTheInertialOne) {
 }
 
 // Bodies on springs between them: isolated, so that forces know nothing of the frame.
-TEST_P(Frame, CoupledBodiesAreTheInertialOnes) {
+TEST_P(Frame, CoupledBodiesAgreeWithInertialSolution) {
   const Model model = coupled_bodies(0.3);
   const auto exact = seen(run(model, "rk8", 1, 2000).motions, 1);
   const auto error = [&](int n) {
@@ -115,7 +115,7 @@ TEST(Frame, ASpringAtRestCarriesTheCentrifugalForce) {
 }
 
 // Galilei: isolated bodies with another speed are the same bodies elsewhere.
-TEST(Boost, ChangesNothingButThePlace) {
+TEST(Boost, OnlyAddsUniformMotion) {
   const Vector3 u = {3, -2, 1};
   const Model model = coupled_bodies(0.4);
   Model boosted = model;
@@ -132,7 +132,7 @@ TEST(Boost, ChangesNothingButThePlace) {
   }
 }
 
-TEST(Refused, ContactsInATurningFrame) {
+TEST(Refused, ContactsInRotatingFrame) {
   Model model = ball_over_plane(0.5, 0.5);
   model.frame = RotatingFrame{turning};
   EXPECT_NE(unsupported(model, with("rk4", 0.01)).find("turning frame"), std::string::npos);

@@ -1,5 +1,5 @@
-// Many free bodies side by side move as one by one: exactly where nothing is split, to the order of the
-// scheme where it is, with the same bits on any number of threads.
+// Many free bodies in vector form move like single bodies: exactly where nothing is split, else to the order
+// of the integrator, with the same bits on any number of threads.
 #include "engine/free_bodies.h"
 
 #include "tests/engine/fixtures.h"
@@ -67,7 +67,7 @@ constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
 
 class Exactly : public testing::TestWithParam<Kind> {};
 
-TEST_P(Exactly, WhatNothingSplitsIsCarriedToRounding) {
+TEST_P(Exactly, SmoothSceneIsExactToRounding) {
   // 37 bodies: the last block is not full
   for (const Real spin : {Real(2), Real(60)}) {
     const Model model = free_bodies(GetParam(), 37, spin);
@@ -97,7 +97,7 @@ struct Order {
 
 class FreeBodiesOrder : public testing::TestWithParam<Order> {};
 
-TEST_P(FreeBodiesOrder, BodiesWithoutSymmetryTurnToTheOrderOfTheScheme) {
+TEST_P(FreeBodiesOrder, AsymmetricBodiesHaveOrderOfIntegrator) {
   const Model model = free_bodies(Kind::asymmetric, 37, 5);
   const auto end = exact(model, 2);
   const auto error = [&](int steps) {
@@ -117,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(Schemes, FreeBodiesOrder,
                            return name;
                          });
 
-TEST(FreeBodies, SymplecticEulerFallsAsItsOwnStepsDo) {
+TEST(FreeBodies, SymplecticEulerAgreesWithSingleSteps) {
   const Model model = free_bodies(Kind::points, 9, 0);
   constexpr Time dt = 0.02;
   constexpr int steps = 50;
@@ -153,7 +153,7 @@ TEST(FreeBodies, SpinsThatNeedReductionOfAnglesConserveEnergyOnAverage) {
   EXPECT_LT(coarse, Real(1e-3));
 }
 
-TEST(FreeBodies, RunsOfStepsAndThreadsLeaveTheBits) {
+TEST(FreeBodies, BitsDoNotDependOnThreadsOrRuns) {
   for (const Kind kind : {Kind::points, Kind::symmetric_high, Kind::asymmetric}) {
     const Model model = free_bodies(kind, 3000, 3);
     const auto run = carried(model, "velocity-verlet", 0.01, 20);
@@ -167,7 +167,7 @@ TEST(FreeBodies, RunsOfStepsAndThreadsLeaveTheBits) {
   }
 }
 
-TEST(FreeBodies, ThePlanStepsManySideBySideAndFewOneByOne) {
+TEST(FreeBodies, PlanVectorizesOnlyManyBodies) {
   const auto method = [](const Model& model, const char* scheme) {
     return make_plan(model, {.scheme = scheme, .dt = 0.01}).method;
   };

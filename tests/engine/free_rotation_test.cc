@@ -131,7 +131,7 @@ TEST_P(FreeRotationOf, DoesNotDependOnTheBodysAxes) {
             rounding(s, t) * (s.name.starts_with("nearly") ? 4 : 1));
 }
 
-TEST_P(FreeRotationOf, IsTheShortStepToo) {
+TEST_P(FreeRotationOf, IsExactForShortSteps) {
   const Start& s = GetParam();
   const FreeRotation f(s.body, s.orientation, s.momentum);
   for (const double h : {0.0, 1e-12, 1e-4, 0.003, -0.01, 0.04, 0.1, -0.19, 0.3, 2.7})
@@ -154,7 +154,7 @@ TEST_P(FreeRotationOf, TinyAndHugeSpinsAreTheSameMotion) {
 }
 
 // Negative control: the splitting is not exact, and comes nearer by 4 when the step halves.
-TEST(FreeRotation, TheSplittingIsOnlyNear) {
+TEST(FreeRotation, SplittingIsApproximate) {
   const Start s = starts()[0];
   const FreeRotation f(s.body, s.orientation, s.momentum);
   const auto error = [&](int steps) {
@@ -212,7 +212,7 @@ struct Recorded {
 
 class RecordedTop : public testing::TestWithParam<Recorded> {};
 
-TEST_P(RecordedTop, IsFollowed) {
+TEST_P(RecordedTop, MeetsItsClaim) {
   std::ifstream file(std::string(CYLON_SOURCE_DIR) + "/tests/data/truth/" + GetParam().name + ".json");
   const auto json = nlohmann::json::parse(file);
   const auto number = [](const nlohmann::json& x) { return std::stod(x.get<std::string>()); };

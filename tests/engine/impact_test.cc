@@ -20,8 +20,7 @@ Real gap(const std::vector<Motion>& motions, const Model& model, std::size_t a, 
 // Auto follows spheres in closed form, a chosen scheme event by event.
 const std::vector<const char*> followed = {"auto", "rk4", "velocity-verlet", "yoshida6", "bm4"};
 
-// ---- The law
-// -----------------------------------------------------------------------------------------------------
+// ---- The law ---------------------------------------------------------------------------------------
 
 class Restitution : public testing::TestWithParam<Real> {};
 
@@ -76,8 +75,7 @@ TEST_P(Restitution, OfASphereOnAPlane) {
 
 INSTANTIATE_TEST_SUITE_P(Coefficients, Restitution, testing::Values(0.0, 0.8, 1.0));
 
-// ---- The times
-// ---------------------------------------------------------------------------------------------------
+// ---- The times -------------------------------------------------------------------------------------
 
 // t_1 = sqrt(2h/g), t_{n+1} = t_n + 2 e^n u_1/g: these schemes follow a parabola exactly, at any step.
 TEST(ImpactTime, OfABouncingBallIsTheClosedForm) {
@@ -114,7 +112,7 @@ TEST(ImpactTime, OfSpheresThatPassThroughEachOtherWithinAStep) {
 // With an impact inside a step the order holds only because the impact is at its own time.
 class Struck : public EveryScheme {};
 
-TEST_P(Struck, KeepsItsOrder) {
+TEST_P(Struck, KeepsOrderThroughImpacts) {
   Model start;
   add_body(start, make_body(1.2, Matrix3::Identity()), {0.7, 0.2, 0.3}, {0.1, 0.2, 0.3}, {-0.3, 0.4, 0.1},
            {0, 0, 0}, Sphere{0.1});
@@ -137,8 +135,7 @@ TEST_P(Struck, KeepsItsOrder) {
 
 CYLON_EVERY_SCHEME(Struck);
 
-// ---- The end
-// -----------------------------------------------------------------------------------------------------
+// ---- The end ---------------------------------------------------------------------------------------
 
 // All bounces are over at t_1 + 2 e u_1 / (g (1 - e)); after it the ball slides on.
 TEST(Zeno, ABallComesToRestAndSlidesOn) {
@@ -164,7 +161,7 @@ TEST(Zeno, AnElasticBallNeverRests) {
   }
 }
 
-TEST(Zeno, BallsStackedOnAFloorStayAndWeighOnIt) {
+TEST(Zeno, StackedBallsRestWithTheirWeight) {
   Model start;
   for (int i = 0; i < 3; ++i) {
     add_body(start, make_body(1.0 + i, Matrix3::Identity() * 0.02), {0.3, 0.2 + 0.4 * i, -0.1}, {0, 0, 0},
@@ -201,7 +198,7 @@ TEST(Zeno, InelasticCollapseEnds) {
 }
 
 // Sequential impacts hand the motion through a row of equal spheres that touch.
-TEST(Sequential, ARowOfTouchingSpheresHandsTheMotionOn) {
+TEST(Sequential, RowOfTouchingSpheresTransfersMotion) {
   Model start;
   for (int i = 0; i < 4; ++i) {
     add_sphere(start, 0.9, 0.25, {0.5 * i - (i == 0 ? 0.3 : 0), 0, 0}, {i == 0 ? 2.0 : 0.0, 0, 0});
@@ -218,7 +215,7 @@ TEST(Sequential, ARowOfTouchingSpheresHandsTheMotionOn) {
 }
 
 // m (g + a cos(wt)) presses until cos(wt) = -g/a; from there the ball flies.
-TEST(Resting, LetsGoWhenPulledOff) {
+TEST(Resting, ContactEndsWhenPulledApart) {
   Model start = ball_over_plane(0, 0.5);
   const Vector3 n = start.planes[0].normal;
   const Real a = 25, w = 2;
@@ -235,10 +232,9 @@ TEST(Resting, LetsGoWhenPulledOff) {
   }
 }
 
-// ---- Locked bodies
-// -----------------------------------------------------------------------------------------------
+// ---- Locked bodies ---------------------------------------------------------------------------------
 
-TEST(Locked, StayWhateverStrikesOrPullsThem) {
+TEST(Locked, DoNotMoveUnderImpactsAndForces) {
   Model start;
   add_sphere(start, 0.2, 0.5, {0.1, 0.2, -0.3}, {0, 0, 0}, true);
   add_sphere(start, 1.4, 0.3, {0.1, 2.0, -0.3}, {0, -1, 0});

@@ -101,8 +101,7 @@ INSTANTIATE_TEST_SUITE_P(
     Types, EveryJoint,
     testing::Combine(testing::Values(Type::ball, Type::hinge, Type::distance, Type::fixed), testing::Bool()));
 
-// ---- In motion
-// ---------------------------------------------------------------------------------------------------
+// ---- In motion -------------------------------------------------------------------------------------
 
 // Sets the second body's velocities such that the joint's rates are zero: both move as one about the joint.
 Model joined(Type type, bool off_centre = true) {
@@ -195,7 +194,7 @@ Model chain() {
 class Chains : public EveryScheme {};
 
 // RATTLE has order 2, Yoshida's compositions of it 4 and 6, the Runge-Kutta schemes on accelerations theirs.
-TEST_P(Chains, HaveTheOrderOfTheScheme) {
+TEST_P(Chains, HaveOrderOfIntegrator) {
   const Model model = chain();
   if (!unsupported(model, with(GetParam().name, 0.01)).empty()) return;
   const int order = GetParam().order;

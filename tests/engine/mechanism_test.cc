@@ -1,5 +1,5 @@
-// Mechanisms under every scheme: joints stay closed, orders hold, what stays constant does, the same bits
-// twice.
+// Mechanisms with every integrator: joints stay closed, orders and conservation laws hold, and runs repeat
+// bit by bit.
 #include "tests/engine/fixtures.h"
 
 namespace cylon::engine {
@@ -31,7 +31,7 @@ TEST_P(Mechanism, JointsStayClosed) {
   }
 }
 
-TEST_P(Mechanism, ADoublePendulumHasTheOrderOfItsScheme) {
+TEST_P(Mechanism, DoublePendulumHasOrderOfIntegrator) {
   const Model model = linked_bodies(true);
   if (!takes(model)) return;
   const int order = GetParam().order;
@@ -77,7 +77,7 @@ TEST_P(Mechanism, ConstraintsKeepAngularMomentum) {
   EXPECT_LT((angular_momentum(end.motions) - angular_momentum(model.motions)).norm(), rounding);
 }
 
-TEST_P(Mechanism, TheSameStartGivesTheSameBits) {
+TEST_P(Mechanism, RepeatsBits) {
   for (const Model& model : {forced_bodies(), linked_bodies(true), heavy_top()}) {
     if (!unsupported(model, with(GetParam().name, 0.01)).empty()) continue;
     const auto a = run(model, GetParam().name, 1.0, 500).motions,
@@ -88,7 +88,7 @@ TEST_P(Mechanism, TheSameStartGivesTheSameBits) {
 
 // Energy bounded is what symplectic means: the mean error at the end of a long run is that of its start, with
 // joints too (RATTLE).
-TEST_P(Mechanism, EnergyErrorDoesNotGrowWhereItMustNot) {
+TEST_P(Mechanism, EnergyErrorOfSymplecticIsBounded) {
   struct Case {
     Model model;
     Time dt;
@@ -114,7 +114,7 @@ TEST_P(Mechanism, EnergyErrorDoesNotGrowWhereItMustNot) {
 
 CYLON_EVERY_SCHEME(Mechanism);
 
-TEST(Symplectic, ExplicitEulersEnergyGrows) {
+TEST(Symplectic, ExplicitEulerEnergyGrows) {
   const Model model = coupled_bodies();
   const auto gain = [&](Time duration) {
     return energy(model,
@@ -170,7 +170,7 @@ TEST(Redundant, TwoBallJointsMakeAHinge) {
 }
 
 // A ball joint to a locked body is one to the world.
-TEST(Locked, HoldsAJointLikeTheWorld) {
+TEST(Locked, ActsLikeTheWorldInJoints) {
   const Model free = heavy_top();
   Model locked = free;
   add_body(locked, make_body(0.3, general_inertia(0.1, 0.2, 0.25), true), {1, 2, 3}, {0.3, -0.4, 0.5},

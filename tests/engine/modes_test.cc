@@ -1,4 +1,4 @@
-// Normal modes: against closed forms and against integration, and where they must not be taken.
+// Normal modes: against closed forms and against integration, and where they do not apply.
 #include "tests/engine/fixtures.h"
 
 #include "engine/normal_modes.h"
@@ -76,7 +76,7 @@ void PrintTo(const Network& n, std::ostream* out) { *out << n.name; }
 class Modes : public testing::TestWithParam<Network> {};
 
 // rk8 at 1/512 s errs by 1e-14 of the motion in 7 s, and knows nothing of modes.
-TEST_P(Modes, MoveAsIntegrationSays) {
+TEST_P(Modes, AgreeWithIntegration) {
   const Model& model = GetParam().model;
   ASSERT_EQ(make_plan(model, with("auto", 0.1)).method, Method::modes) << normal_modes(model).why_not;
   World exact(model, with("auto", 7.0 / 16));
@@ -108,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(Networks, Modes,
                                          Network{"line along y", line(1)}, Network{"line along z", line(2)},
                                          Network{"adrift", adrift()}));
 
-TEST(Modes, KeepTheStartToTheBit) {
+TEST(Modes, KeepInitialStateExactly) {
   const auto stepper_start = [](const Model& model) { return World(model, with("auto", 0.1)).motions(); };
   const Model model = net();
   for (std::size_t i = 0; i < model.motions.size(); ++i)
@@ -153,7 +153,7 @@ TEST(Modes, GrowAtResonance) {
 
 // A light point between two of a million times its mass: slow modes keep their digits beside the fast one,
 // w^2 = 2 k/m + k/M, k/M, by symmetry about the light one.
-TEST(Modes, SlowOnesKeepTheirDigitsBesideFastOnes) {
+TEST(Modes, SlowModesKeepPrecision) {
   constexpr double light = 1e-6, heavy = 1, k = 2;
   Model m;
   add_point(m, heavy, {-1, 0.2, 0}, {0, 0, 0});
@@ -175,7 +175,7 @@ struct Refused {
 };
 
 // What is not linear is integrated.
-TEST(Modes, AreNotTakenWhereThePullIsNotLinear) {
+TEST(Modes, ApplyToLinearForcesOnly) {
   const Refused table[] = {
       {"leaves the line", [](Model& m) { m.motions[1].momentum.y() = 1e-9; }, "turn"},
       {"beside the line", [](Model& m) { m.motions[1].position.z() += 1e-9; }, "turn"},
@@ -216,7 +216,7 @@ TEST(Modes, AreNotTakenWhereThePullIsNotLinear) {
 }
 
 // One spring short of passing through: just below the speed that brings the bead to the pin it is linear.
-TEST(Modes, OfALineEndWhereTwoPlacesMeet) {
+TEST(Modes, LineEndsWherePositionsMeet) {
   constexpr double mass = 1.3, k = 30, rest = 0.8;
   const double w = std::sqrt(k / mass), limit = rest * w;  // from rest length: x = rest + v/w sin(w t)
   for (const double share : {0.999999, 1.000001}) {

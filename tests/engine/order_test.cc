@@ -92,7 +92,7 @@ TEST_P(Order, OfPointsOnSprings) {
 CYLON_EVERY_SCHEME(Order);
 
 // The measure itself: a scheme that claims more than it does is found out.
-TEST(OrderMeasure, FindsAFalseClaim) {
+TEST(OrderMeasure, DetectsFalseClaim) {
   Scheme boaster = *find_scheme("explicit-euler");
   boaster.order = 2;
   EXPECT_GT(std::abs(observed_order(coupled_bodies(), boaster, 1.0, distance) - boaster.order), 0.5);

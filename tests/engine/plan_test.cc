@@ -1,4 +1,4 @@
-// The plan runs what a model needs and says why; running more changes nothing.
+// The plan contains the stages that a model needs, with reasons; more stages do not change the motion.
 #include "engine/plan.h"
 
 #include "tests/engine/fixtures.h"
@@ -175,7 +175,7 @@ std::vector<Case> cases() {
   };
 }
 
-TEST(Plan, EachStageIsInOrOutForAReason) {
+TEST(Plan, EachStageHasReason) {
   for (const Case& c : cases()) {
     const Plan plan = make_plan(c.model(), automatic());
     EXPECT_EQ(plan.method, c.method) << c.name;
@@ -221,7 +221,7 @@ TEST(Plan, CountsDegreesOfFreedom) {
 }
 
 // A chosen scheme is never replaced by a closed form: it is what is looked at.
-TEST(Plan, AChosenSchemeIsUsed) {
+TEST(Plan, UsesChosenIntegrator) {
   for (const Case& c : cases()) {
     if (c.method == Method::stepping) continue;
     const Plan plan = make_plan(c.model(), with("velocity-verlet", 0.01));
@@ -233,7 +233,7 @@ TEST(Plan, AChosenSchemeIsUsed) {
 
 // What is left out changes nothing: everything on gives the same motion, to the rounding of sums in other
 // order.
-TEST(Plan, FullIsTheSameMotion) {
+TEST(Plan, FullModelGivesSameMotion) {
   for (const Case& c : cases()) {
     if (c.method == Method::stepping || c.method == Method::ballistic) continue;
     for (const char* scheme : {"rk4", "rk8", "velocity-verlet", "yoshida6"}) {
@@ -250,7 +250,7 @@ TEST(Plan, FullIsTheSameMotion) {
   }
 }
 
-TEST(Unsupported, SaysWhy) {
+TEST(Unsupported, GivesReason) {
   const auto reason = [](const Model& model, const Options& options) { return unsupported(model, options); };
   EXPECT_NE(reason(free_top(), with("leapfrog", 0.01)).find("leapfrog"), std::string::npos);
   Options method = automatic();

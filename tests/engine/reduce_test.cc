@@ -79,7 +79,7 @@ std::vector<Pinned> pinned_models() {
   return all;
 }
 
-TEST(Reduced, MoveAsConstraintsDo) {
+TEST(Reduced, AgreeWithConstraints) {
   for (const Pinned& p : pinned_models()) {
     const Model kept = by_constraints(p.model);
     EXPECT_EQ(reduce(p.model).pinned.size(), static_cast<std::size_t>(p.reduced)) << p.name;
@@ -91,7 +91,7 @@ TEST(Reduced, MoveAsConstraintsDo) {
 }
 
 // The schemes agree to their truncation: the difference falls with their order.
-TEST(Reduced, DifferFromConstraintsByTruncationAlone) {
+TEST(Reduced, DifferFromConstraintsOnlyByTruncation) {
   for (const Pinned& p : pinned_models()) {
     const Model kept = by_constraints(p.model);
     const auto apart = [&](int steps) {
@@ -130,7 +130,7 @@ TEST(Reduced, AreReadAsCentresOfMass) {
   }
 }
 
-TEST(Reduced, ARodLeavesAPointsOrientationAlone) {
+TEST(Reduced, RodDoesNotRotatePoint) {
   Model m = pinned_models()[2].model;
   m.motions[0].orientation = exponential({0.4, 0.2, 0.9});
   const Outcome end = run(m, "rk4", 1, 200);
@@ -140,7 +140,7 @@ TEST(Reduced, ARodLeavesAPointsOrientationAlone) {
 }
 
 // What must stay a constraint, each for its reason.
-TEST(Reduced, LeavesTheRestAsItIs) {
+TEST(Reduced, KeepsOtherBodies) {
   const Model base = heavy_top();
   EXPECT_EQ(reduce(base).pinned.size(), 1u);
   Model second = base;  // a body's second joint

@@ -1,4 +1,4 @@
-// What the number type cannot hold is refused, by the same fractions of its epsilon in every precision.
+// Scenes beyond the precision of the number type are rejected, by the same multiples of its epsilon.
 #include "engine/resolution.h"
 
 #include "engine/plan.h"
@@ -105,7 +105,7 @@ constexpr Far far_things[] = {
     {"joint", "a joint of body 0 is ", pendulum},
 };
 
-TEST(Resolution, WhatRoundingMovesByAPartOfItselfIsRefusedAndOnlyThat) {
+TEST(Resolution, RejectsOnlyLengthsBelowPrecision) {
   for (const Far& row : far_things) {
     SCOPED_TRACE(row.name);
     EXPECT_EQ(unsupported(row.model(held), automatic()), "");
@@ -117,12 +117,12 @@ TEST(Resolution, WhatRoundingMovesByAPartOfItselfIsRefusedAndOnlyThat) {
   }
 }
 
-TEST(Resolution, ABodyAloneMayBeAnywhere) {
+TEST(Resolution, SingleBodyMayBeAnywhere) {
   EXPECT_EQ(unsupported(ball_alone(1000 * lost), automatic()), "");
 }
 
 // Two ends in one place, and no rest length: nothing says how fine the motion will be.
-TEST(Resolution, ASpringWithoutLengthSaysNothing) {
+TEST(Resolution, SpringOfZeroLengthIsAccepted) {
   Model model = spring(lost);
   model.forces.springs[0].to_anchor = model.motions[0].position;
   EXPECT_EQ(unsupported(model, automatic()), "");
@@ -165,7 +165,7 @@ Model hanging(Real ratio) {
   return model;
 }
 
-TEST(Resolution, WhatALightBodyCannotCarryIsRefusedAndOnlyThat) {
+TEST(Resolution, RejectsOnlyMassRatiosBeyondPrecision) {
   for (const auto& model : {two_balls, hanging}) {
     EXPECT_EQ(unsupported(model(carried), automatic()), "");
     const std::string reason = unsupported(model(crushing), automatic());
@@ -174,7 +174,7 @@ TEST(Resolution, WhatALightBodyCannotCarryIsRefusedAndOnlyThat) {
   }
 }
 
-TEST(Resolution, WhereNothingIsCarriedMassesMayBeAny) {
+TEST(Resolution, AnyMassesWithoutContact) {
   Model weightless = two_balls(1000 * crushing);
   weightless.forces.gravity.setZero();
   EXPECT_EQ(unsupported(weightless, automatic()), "");
@@ -192,7 +192,7 @@ TEST(Resolution, WhereNothingIsCarriedMassesMayBeAny) {
   EXPECT_EQ(unsupported(two_balls(1000 * crushing), stepping), "");
 }
 
-TEST(Resolution, AReasonCallsThingsByTheNamesGiven) {
+TEST(Resolution, ReasonUsesGivenNames) {
   const Names names = [](Thing thing, int i) {
     return (thing == Thing::body ? "stone " : "ground ") + std::to_string(i);
   };

@@ -1,4 +1,4 @@
-// A reversible scheme goes back where it came from: turn the momenta round and run as many steps again.
+// A reversible integrator returns to its start when the momenta are reversed and the steps are repeated.
 #include "tests/engine/fixtures.h"
 
 namespace cylon::engine {

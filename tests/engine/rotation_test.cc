@@ -78,7 +78,7 @@ TEST(FreeRotation, OfASymmetricTopIsExact) {
   EXPECT_LT(angle(end.motions[0].orientation, exact), 1e-11);
 }
 
-TEST(Body, KeepsTheVelocitiesThatItWasGiven) {
+TEST(Body, KeepsInitialVelocities) {
   const Body body = make_body(1.7, general_inertia(0.2, 0.35, 0.5));
   const Vector3 v = {0.3, -1.1, 0.7}, w = {2.0, -3.0, 0.5};
   const Motion motion = make_motion(body, {1, 2, 3}, exponential({0.5, -0.4, 1.2}), v, w);
@@ -86,7 +86,7 @@ TEST(Body, KeepsTheVelocitiesThatItWasGiven) {
   EXPECT_LT((angular_velocity(body, motion) - w).norm(), 3e-15);
 }
 
-TEST(Body, AThinRodDoesNotTurnAboutItself) {
+TEST(Body, ThinRodDoesNotSpinAboutItsAxis) {
   for (const Matrix3& inertia : {Matrix3(Vector3(0.4, 0, 0.4).asDiagonal()), general_inertia(0.4, 0, 0.4)}) {
     const Body rod = make_body(1, inertia);
     const Motion motion =

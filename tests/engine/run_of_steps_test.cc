@@ -1,4 +1,4 @@
-// Steps in a row are the motion of as many single steps, by every scheme on every kind of smooth model.
+// A run of steps equals the same number of single steps, for every integrator and kind of smooth model.
 #include "engine/make_stepper.h"
 #include "tests/engine/fixtures.h"
 

@@ -1,4 +1,4 @@
-// What each scheme does: its observed order, with and without drag and constraints; reversal; energy; work.
+// Each integrator: observed order with and without drag and constraints; reversal; energy; work.
 #include "engine/integrators/advance.h"
 #include "tests/engine/scheme_systems.h"
 
@@ -151,7 +151,7 @@ INSTANTIATE_TEST_SUITE_P(Schemes, FixedStep, testing::ValuesIn(fixed_step()), []
 });
 
 // The measure itself: a scheme that claims more than it does is found out.
-TEST(OrderMeasure, SeesAFalseClaim) {
+TEST(OrderMeasure, DetectsFalselyClaimedOrder) {
   const double order =
       observed_order(SpringPoint{}, *find_scheme("velocity-verlet"), SpringPoint::start(), 4, 1.5);
   EXPECT_GT(std::abs(order - 4), 10 * reach);

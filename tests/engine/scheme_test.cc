@@ -1,4 +1,4 @@
-// The table's coefficients against the order conditions, all of them, and what each row says of itself.
+// The coefficients of the table against all order conditions, and the declared properties of each row.
 #include "engine/integrators/scheme.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// A symmetric top on its tip, and a spherical pendulum, move as the general bodies do, scheme by scheme.
+// A symmetric top on its tip and a spherical pendulum move like general bodies, for every integrator.
 #include "engine/tops.h"
 
 #include "tests/engine/fixtures.h"
@@ -33,7 +33,7 @@ Real apart(const Motion& a, const Motion& b) {
          2 * (a.orientation.conjugate() * b.orientation).vec().norm();
 }
 
-TEST(Top, IsTakenWhereItApplies) {
+TEST(Top, IsUsedWhereItApplies) {
   EXPECT_TRUE(Top::applies(reduce(heavy_top()).model));
   EXPECT_TRUE(Top::applies(reduce(spherical_pendulum()).model));
   Model oblique = heavy_top();  // the tip is off the axis
@@ -49,7 +49,7 @@ TEST(Top, IsTakenWhereItApplies) {
 
 // The parts of a splitting are the same flows, so that one step differs by rounding alone; over 300 steps of
 // a top at 25 rad/s each part's rounding of a turn adds up.
-TEST(Top, SplittingsAreThoseOfTheGeneralBodies) {
+TEST(Top, AgreesWithGeneralSplittings) {
   for (const Model& model : {heavy_top(), spherical_pendulum()}) {
     for (const char* scheme : {"symplectic-euler", "velocity-verlet", "bm4", "rkn6"}) {
       const Real difference =
@@ -59,7 +59,7 @@ TEST(Top, SplittingsAreThoseOfTheGeneralBodies) {
   }
 }
 
-TEST(Top, HasTheOrderOfItsScheme) {
+TEST(Top, HasOrderOfIntegrator) {
   const Model model = heavy_top();
   const Motion exact = carried(model, "rk8", 0.8, 3000, true)[0];
   for (const auto& [scheme, steps, order] : {std::tuple{"velocity-verlet", 200, 2},
@@ -74,7 +74,7 @@ TEST(Top, HasTheOrderOfItsScheme) {
   }
 }
 
-TEST(Top, KeepsWhatATopKeeps) {
+TEST(Top, ConservesIntegralsOfTop) {
   const Model model = heavy_top();
   const Model reduced = reduce(model).model;
   Top top(reduced);

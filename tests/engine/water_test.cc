@@ -190,7 +190,7 @@ TEST(Step, SurfaceIsTheSeedsTable) {
 }
 
 // Below the surface  m v' = b up - c v,  L' = -L;  errata 50: without another factor dt.
-TEST(Step, LiftsAndSlowsWhatIsBelow) {
+TEST(Step, LiftsAndDragsSubmergedBodies) {
   Model model;
   add_body(model, make_body(1.4, general_inertia(0.2, 0.3, 0.4)), {0.2, -30, 0.1}, {0.1, 0.2, 0.3},
            {0.5, -0.4, 0.2}, {0.4, 0.3, -0.7});
@@ -209,7 +209,7 @@ TEST(Step, LiftsAndSlowsWhatIsBelow) {
   EXPECT_EQ(run(model, "rk8", t, 200).motions[0].momentum, model.motions[0].momentum);
 }
 
-TEST(Refused, ACapsuleInWaterOfVolume) {
+TEST(Refused, CapsuleInWater) {
   Model model = floating(Capsule{0.2, 0.3}, make_body(1, Matrix3::Identity()), {0, 0, 0}, 1000);
   EXPECT_NE(unsupported(model, with("rk4", 0.01)).find("capsule"), std::string::npos);
 }

@@ -1,4 +1,4 @@
-// Every mutant is caught by the claim that was made for it, and nobody who is right is accused by anyone.
+// Every mutant is caught by its claim, and every judge accepts the correct simulators.
 #include "tests/mutants/matrix/matrix.h"
 
 #include <gtest/gtest.h>
@@ -20,14 +20,14 @@ std::string name_of(const testing::TestParamInfo<Subject>& info) {
 }
 
 class Mutant : public testing::TestWithParam<Subject> {};
-TEST_P(Mutant, IsCaughtByTheClaimMadeForIt) {
+TEST_P(Mutant, IsCaughtByItsClaim) {
   const Line line = judge_one(GetParam());
   EXPECT_TRUE(line.caught) << GetParam().fault << "\n" << line.subject.judge << ", " << line.seen;
 }
 INSTANTIATE_TEST_SUITE_P(All, Mutant, testing::ValuesIn(mutants()), name_of);
 
 class Right : public testing::TestWithParam<Subject> {};
-TEST_P(Right, IsAccusedByNobody) {
+TEST_P(Right, PassesAllJudges) {
   const Line line = judge_all(GetParam());
   for (std::size_t j = 0; j < line.cells.size(); ++j) {
     const MatrixCell& cell = line.cells[j];
@@ -38,7 +38,7 @@ TEST_P(Right, IsAccusedByNobody) {
 INSTANTIATE_TEST_SUITE_P(All, Right, testing::ValuesIn(correct_subjects()), name_of);
 
 // A judge that asks nothing convicts nobody and is no judge.
-TEST(Judges, EachHearsSomeoneWhoIsRight) {
+TEST(Judges, EachAcceptsACorrectRun) {
   std::set<std::string> names;
   const Subject subject = correct_subjects().front();
   for (const Judge& judge : judges()) {
@@ -49,7 +49,7 @@ TEST(Judges, EachHearsSomeoneWhoIsRight) {
   }
 }
 
-TEST(Errata, EachIsAMutantOrSaysWhyNot) {
+TEST(Errata, EachHasAMutantOrAReason) {
   constexpr int last = 67;
   std::multiset<int> numbers;
   for (const Subject& subject : seed_mutants()) numbers.insert(subject.erratum);

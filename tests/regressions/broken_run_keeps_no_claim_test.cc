@@ -11,7 +11,7 @@
 namespace cylon::study {
 namespace {
 
-TEST(BrokenRun, KeepsNoClaimWithinItsHorizon) {
+TEST(BrokenRun, FailsAllClaimsWithinHorizon) {
   const scenario::Scenario scenario = scenario::parse(R"(
 title    = "Nothing acts"
 story    = "A body drifts."

@@ -30,7 +30,7 @@ core::Scene chain(int links) {
   return scene;
 }
 
-TEST(ChainAtRest, HangsStillHoweverLong) {
+TEST(ChainAtRest, StaysAtRestForAnyLength) {
   for (const int links : {3, 32, 44, 60}) {
     const core::Scene scene = chain(links);
     RunRequest request;
@@ -52,7 +52,7 @@ TEST(ChainAtRest, HangsStillHoweverLong) {
 
 // A body keeps no angular momentum about an axis without inertia: the engine dropped such a turn and its
 // first state was not the scene's.  It says so now.
-TEST(TurnWithoutInertia, IsRefusedWithTheBody) {
+TEST(SpinWithoutInertia, IsRejectedWithBodyName) {
   core::Scene scene;
   core::Body needle;
   needle.name = "needle";

@@ -9,7 +9,7 @@
 namespace cylon::process {
 namespace {
 
-TEST(ManySpheresSettle, InFixedStepsFromTheirFirstLastingContact) {
+TEST(ManySpheresSettle, SwitchToFixedStepsAtFirstPersistentContact) {
   const core::Scene scene = bench::pile(100, 5, 0.6, 1.1);
   for (const char* id : {"in-house", "in-house-float"}) {
     RunRequest request;

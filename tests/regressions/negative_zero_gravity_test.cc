@@ -10,7 +10,7 @@
 namespace cylon::process {
 namespace {
 
-TEST(NegativeZeroGravity, SurvivesTheWayToAWorker) {
+TEST(NegativeZeroGravity, ReachesWorkerUnchanged) {
   core::Scene scene;
   scene.bodies.resize(1);
   scene.bodies[0].name = "a";

@@ -8,7 +8,7 @@
 namespace cylon::process {
 namespace {
 
-TEST(NumberBeyondDouble, IsNoJsonOfOurs) {
+TEST(NumberBeyondDouble, IsRejected) {
   EXPECT_THROW(parse_object(R"({"step_ns": 1e999})"), MalformedMessage);
   EXPECT_THROW(parse_object(R"({"step_ns": [-1e999]})"), MalformedMessage);
   EXPECT_EQ(parse_object(R"({"step_ns": 1e99})")["step_ns"], 1e99);

@@ -149,7 +149,7 @@ TEST(TraceBlock, LinesComeBack) {
   EXPECT_EQ(back.dt_text, "1/60");
 }
 
-TEST(TraceBlock, LinesThatAreNone) {
+TEST(TraceBlock, RejectsMalformedLines) {
   for (
       const char* line :
       {"", "{}", "[]", "{\"format\":\"cylon-trace/2\"}",
@@ -180,7 +180,7 @@ TEST(Base64, TestVectors) {
     EXPECT_THROW(from_base64(bad), core::InputError) << bad;
 }
 
-TEST(Gzip, ComesBack) {
+TEST(Gzip, RoundTrips) {
   std::string bytes;
   std::mt19937 random(3);
   for (int i = 0; i < 100000; ++i) bytes += static_cast<char>(random() % (static_cast<unsigned>(i) % 7 + 1));

@@ -44,7 +44,7 @@ std::vector<std::string> lines(const std::string& text) {
   return out;
 }
 
-TEST(Matrix, ACellIsItsWorstClaimAndItsFewestDigits) {
+TEST(Matrix, CellShowsWorstClaimAndFewestDigits) {
   const std::vector<Verdict> verdicts = {make("top", "bullet", Status::pass, 1e-5),
                                          make("top", "bullet", Status::fail, 10),
                                          make("top", "bullet", Status::low_quality, 0.05)};
@@ -95,7 +95,7 @@ TEST(Matrix, SeveralStepsAndSchemesGetRowsAndColumnsOfTheirOwn) {
 }
 
 // It cannot name the scheme that it would have run.
-TEST(Matrix, AnUnsupportedSceneMakesNoColumnOfItsOwn) {
+TEST(Matrix, UnsupportedSceneAddsNoColumn) {
   Verdict v = make("rocket", "bullet", Status::unsupported);
   v.integrator = "";
   Verdict ran = make("top", "bullet", Status::pass);
@@ -106,7 +106,7 @@ TEST(Matrix, AnUnsupportedSceneMakesNoColumnOfItsOwn) {
   EXPECT_EQ(fold({v}).engines.size(), 1u) << "nor where it could take none";
 }
 
-TEST(Matrix, NeverWiderThanTheTerminalAndLosesNoEngine) {
+TEST(Matrix, FitsTerminalAndShowsAllEngines) {
   std::vector<Verdict> verdicts;
   for (int engine = 0; engine < 12; ++engine)
     for (int scenario = 0; scenario < 4; ++scenario)
@@ -123,7 +123,7 @@ TEST(Matrix, NeverWiderThanTheTerminalAndLosesNoEngine) {
   }
 }
 
-TEST(Console, ColourOnlyWhereAskedAndNeverAlone) {
+TEST(Console, ColourIsOptionalAndRedundant) {
   const std::vector<Verdict> verdicts = {make("top", "bullet", Status::fail)};
   EXPECT_FALSE(contains(console_matrix(verdicts, plain), "\x1b"));
   std::string colored = console_matrix(verdicts, {.width = 100, .utf8 = true, .colour = true});
@@ -133,7 +133,7 @@ TEST(Console, ColourOnlyWhereAskedAndNeverAlone) {
   EXPECT_EQ(colored, console_matrix(verdicts, plain));
 }
 
-TEST(Console, SummaryGroupsAddUp) {
+TEST(Console, SummaryCountsAddUp) {
   EXPECT_EQ(summary({}), "0 verdicts: 0 pass, 0 as expected, 0 differ\n");
   Verdict crash = make("top", "ode", Status::crash), pass = make("ball", "ode", Status::pass);
   crash.expected = Status::pass;
@@ -143,7 +143,7 @@ TEST(Console, SummaryGroupsAddUp) {
       "6 verdicts: 2 pass, 2 as expected (1 fail, 1 unsupported), 2 differ (2 crash)\n");
 }
 
-TEST(Console, ADifferenceSaysWhoWhatHowMuchAndHowToRepeatIt) {
+TEST(Console, DifferenceNamesCellClaimAmountAndCommand) {
   Verdict v = make("top", "bullet", Status::fail, 2.5);
   v.expected = Status::low_quality;
   v.expected_reason = "first order";
@@ -152,7 +152,7 @@ TEST(Console, ADifferenceSaysWhoWhatHowMuchAndHowToRepeatIt) {
   for (const char* part :
        {"top × bullet 3.24, dt 1/60: energy", "measured 2.5 J, allowed 0.01 J, -2.4 digits",
         "fail (expected low-quality)", "expected.toml: first order", "tolerance: truncation: RK4",
-        "again: cylon run top/bullet"})
+        "repeat with: cylon run top/bullet"})
     EXPECT_TRUE(contains(text, part)) << part << "\n" << text;
   EXPECT_FALSE(contains(text, "cylon run top/ode"));  // as expected: not repeated
 }
@@ -176,14 +176,14 @@ TEST(Console, DetailsListEveryClaimUnderItsRun) {
   a.settings = {{"erp2", "0"}};
   a.unforceable = {"the angle per step is clamped"};
   const std::string text = console_details({a, b}, plain);
-  for (const char* part : {"path: rigid", "settings: erp2 = 0", "cannot be switched off: the angle",
-                           "0.0001 J", "+2.0", "axis", "non-finite", "not finite from step 12"})
+  for (const char* part : {"path: rigid", "settings: erp2 = 0", "known limit: the angle", "0.0001 J", "+2.0",
+                           "axis", "non-finite", "not finite from step 12"})
     EXPECT_TRUE(contains(text, part)) << part << "\n" << text;
   EXPECT_FALSE(contains(text, "nan"));
   EXPECT_EQ(console_details({}, plain), "");
 }
 
-TEST(Console, HostileTextsCannotCommandTheTerminal) {
+TEST(Console, EscapesControlSequences) {
   const std::vector<std::string> hostile = {"\x1b[2J\x1b]0;owned\x07",
                                             "\x9b"
                                             "31m",
@@ -217,7 +217,7 @@ TEST(Console, HostileTextsCannotCommandTheTerminal) {
   }
 }
 
-TEST(Console, MegabytesOfStderrStayShortAndKeepTheirEnd) {
+TEST(Console, ShortensLongStderrToItsEnd) {
   Verdict v = make("top", "ode", Status::crash);
   v.expected = Status::pass;
   v.complaints = std::string(5 << 20, 'x') + "\nLCP internal error\n";
@@ -227,11 +227,11 @@ TEST(Console, MegabytesOfStderrStayShortAndKeepTheirEnd) {
   EXPECT_TRUE(contains(text, "    | LCP internal error"));
 }
 
-TEST(Console, NothingToShowIsSaid) {
+TEST(Console, ReportsNoVerdicts) {
   EXPECT_EQ(console_matrix({}, plain), "0 verdicts: 0 pass, 0 as expected, 0 differ\n");
 }
 
-TEST(Text, Utf8IsReadAsTheStandardSays) {
+TEST(Text, DecodesUtf8AsInStandard) {
   const auto keep_all = [](char32_t) { return true; };
   EXPECT_EQ(escaped("aé日😀", keep_all), "aé日😀");
   EXPECT_EQ(escaped("\xc0\xaf", keep_all), "\\xc0\\xaf");                    // overlong

@@ -58,7 +58,7 @@ TEST(ErrorChart, BrailleAndAsciiAreAsWideAsTheTerminalAllows) {
         }
 }
 
-TEST(ErrorChart, WhatIsNotFiniteLeavesAGap) {
+TEST(ErrorChart, NonFiniteValuesLeaveGap) {
   reports::ErrorCurve curve = growing("position", 1, 1e-2);
   for (std::size_t i = 100; i < curve.value.size(); ++i) curve.value[i] = NAN;
   const auto rows = lines(error_chart(curve, {.width = 60, .utf8 = false}));
@@ -68,11 +68,11 @@ TEST(ErrorChart, WhatIsNotFiniteLeavesAGap) {
   EXPECT_NE(error_chart(curve, {}).find("no error to be drawn"), std::string::npos);
 }
 
-TEST(ErrorChart, HostileNamesDoNotCommandTheTerminal) {
+TEST(ErrorChart, EscapesControlSequencesInNames) {
   EXPECT_EQ(error_chart(growing("\x1b[2J", 1, 1), {}).find('\x1b'), std::string::npos);
 }
 
-TEST(ErrorPlot, ShowsTheClaimThatIsMissedWorst) {
+TEST(ErrorPlot, ShowsWorstClaim) {
   reports::Trace good, bad;
   good.scenario = bad.scenario = "top", good.engine = "in-house", bad.engine = "ode";
   good.dt_text = bad.dt_text = "0.01";
@@ -96,7 +96,7 @@ TEST(ErrorPlot, ShowsTheClaimThatIsMissedWorst) {
   EXPECT_LE(marks, 12u);
 }
 
-TEST(ErrorPlot, OfNothingIsAnEmptyPlot) {
+TEST(ErrorPlot, NoCurvesGiveEmptyPlot) {
   EXPECT_TRUE(error_plot({}).curves.empty());
   EXPECT_NE(to_svg(error_plot({})).find("</svg>"), std::string::npos);
 }

@@ -47,7 +47,7 @@ TEST(Html, HoldsItsDocuments) {
 }
 
 // Foreign text stands in packed blocks, in the title and in the plain table, and nowhere as markup.
-TEST(Html, HostileTextStaysText) {
+TEST(Html, EscapesHostileText) {
   HtmlReport report;
   report.title = hostile;
   results::Verdict v = row(hostile, hostile);
@@ -64,7 +64,7 @@ TEST(Html, HostileTextStaysText) {
   EXPECT_EQ(index_of(page)["results"]["verdicts"][0]["detail"].get<std::string>().substr(0, 9), "</script>");
 }
 
-TEST(Html, AsksForNoNetworkAndRunsOneScript) {
+TEST(Html, NeedsNoNetworkAndHasOneScript) {
   const std::string page = to_html({});
   EXPECT_NE(page.find("default-src 'none'; script-src '" + std::string(web::script_hash()) + "'"),
             std::string::npos);
@@ -73,7 +73,7 @@ TEST(Html, AsksForNoNetworkAndRunsOneScript) {
   EXPECT_EQ(web::script().find("</script"), std::string_view::npos);
 }
 
-TEST(Html, TheMatrixStandsThereWithoutScript) {
+TEST(Html, MatrixIsReadableWithoutScript) {
   HtmlReport report;
   results::Verdict bad = row("top", "ode");
   bad.measured = 100, bad.status = results::Status::fail;
@@ -82,7 +82,7 @@ TEST(Html, TheMatrixStandsThereWithoutScript) {
   EXPECT_NE(page.find("<th scope=\"row\">top</th><td>✓ +1.0</td><td>✗ -1.0 !</td>"), std::string::npos);
 }
 
-TEST(Html, TracesBeyondTheBudgetAreCountedNotHidden) {
+TEST(Html, CountsTracesBeyondSizeLimit) {
   HtmlReport report;
   const std::string large(trace_budget * 2 / 5, 'A');
   for (const char* engine : {"a", "b", "c", "d"}) report.traces.push_back({"top", engine, "", "0.01", large});
@@ -94,7 +94,7 @@ TEST(Html, TracesBeyondTheBudgetAreCountedNotHidden) {
   EXPECT_LT(page.size(), 15u << 20);
 }
 
-TEST(Html, WhatIsNoJsonIsRefused) {
+TEST(Html, RejectsInvalidJson) {
   HtmlReport report;
   report.histories = {"<script>"};
   EXPECT_THROW(to_html(report), core::InputError);

@@ -73,7 +73,7 @@ void expect_same(const Verdict& a, const Verdict& b) {
   EXPECT_EQ(a.body_steps, b.body_steps);
 }
 
-TEST(Json, LinesGiveBackRandomVerdictsToTheBit) {
+TEST(Json, RoundTripsRandomVerdictsBitByBit) {
   std::mt19937 random(20240611);
   for (int i = 0; i < 500; ++i) {
     const Verdict v = random_verdict(random);
@@ -83,7 +83,7 @@ TEST(Json, LinesGiveBackRandomVerdictsToTheBit) {
   }
 }
 
-TEST(Json, DocumentGivesBackItsVerdictsAndItsProvenance) {
+TEST(Json, RoundTripsVerdictsAndProvenance) {
   std::mt19937 random(7);
   const std::vector<Verdict> verdicts = {random_verdict(random), random_verdict(random),
                                          random_verdict(random)};
@@ -100,7 +100,7 @@ TEST(Json, DocumentGivesBackItsVerdictsAndItsProvenance) {
   EXPECT_TRUE(read_json(to_json({}, {}), "empty").empty());
 }
 
-TEST(Json, EveryNamedFieldIsThereInAFixedOrder) {
+TEST(Json, WritesEveryFieldInFixedOrder) {
   std::vector<std::string> keys;
   const nlohmann::ordered_json empty = row({});
   for (const auto& item : empty.items()) keys.push_back(item.key());
@@ -125,7 +125,7 @@ TEST(Json, NonFiniteIsNullWithTheFirstBadStep) {
   }
 }
 
-TEST(Json, BytesThatAreNoUtf8BecomeReplacementCharacters) {
+TEST(Json, InvalidUtf8BecomesReplacementCharacters) {
   Verdict v;
   v.complaints =
       "a\xff\xc0\xaf"
@@ -239,7 +239,7 @@ TEST(Csv, KeepsCommasQuotesAndLineEnds) {
   EXPECT_EQ(lines[1][column(lines[0], "measured")], "");
 }
 
-TEST(Csv, RunsNoFormulaAndCarriesNoControlCharacter) {
+TEST(Csv, EscapesFormulasAndControlCharacters) {
   for (const std::string start : {"=cmd|' /C calc'!A0", "+1", "-1+1", "@SUM(A1)", "\t=1", "\r=1", "＝1"}) {
     Verdict v;
     v.detail = start;

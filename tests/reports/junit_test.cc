@@ -124,7 +124,7 @@ const std::vector<Status> every_status = {Status::pass,        Status::low_quali
                                           Status::unsupported, Status::crash,       Status::timeout,
                                           Status::non_finite,  Status::protocol};
 
-TEST(Junit, BadExactlyWhereAVerdictDiffers) {
+TEST(Junit, FailsExactlyWhereVerdictDiffers) {
   for (const Status status : every_status) {
     for (const Status expected : every_status) {
       const Verdict v = make(status, expected);
@@ -143,7 +143,7 @@ TEST(Junit, BadExactlyWhereAVerdictDiffers) {
   }
 }
 
-TEST(Junit, TheReasonIsTheElementsText) {
+TEST(Junit, ReasonIsTextOfElement) {
   const std::string text = to_junit({make(Status::fail, Status::pass)});
   Checker xml(text);
   ASSERT_TRUE(xml.well_formed());
@@ -165,7 +165,7 @@ TEST(Junit, OneSuitePerScenarioEvenWhenRowsInterleave) {
   EXPECT_EQ(xml.attributes[1]["tests"], "2");
 }
 
-TEST(Junit, HostileTextsStayTexts) {
+TEST(Junit, EscapesHostileTexts) {
   const std::vector<std::string> hostile = {"</testcase><script>alert(1)</script>",
                                             "]]>",
                                             "\"' onload=\"x",
@@ -192,7 +192,7 @@ TEST(Junit, HostileTextsStayTexts) {
   }
 }
 
-TEST(Junit, NoVerdictsIsADocumentToo) {
+TEST(Junit, NoVerdictsGiveValidDocument) {
   const std::string text = to_junit({});
   Checker xml(text);
   EXPECT_TRUE(xml.well_formed());

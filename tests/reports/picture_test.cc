@@ -52,7 +52,7 @@ TEST_F(Picture, BulletAndOdeBounceInFirstOrderAndExplicitEulerToo) {
     EXPECT_NEAR(s["observed_order"].get<double>(), 1, 0.2) << s["engine"];
 }
 
-TEST_F(Picture, NeitherBulletNorOdeFollowsTheNut) {
+TEST_F(Picture, NeitherBulletNorOdeReproducesDzhanibekov) {
   for (const auto& s :
        series("dzhanibekov --work 65536 --engine in-house --integrator bm4 --integrator semi-implicit-euler "
               "--engine bullet --engine bullet/gyro=none --engine ode")) {

@@ -84,7 +84,7 @@ TEST(Trace, ManyBodiesGetFewerFrames) {
 }
 
 // Thinning by a fixed stride would lose a violation of a single step.
-TEST(Trace, APeakOfOneStepSurvivesThinning) {
+TEST(Trace, ThinningKeepsSingleStepPeak) {
   const Scene scene = thrown();
   for (const std::int64_t peak : {1, 337, 1199}) {
     const Trace got = trace(scene, {uniform_motion(scene)}, duration, run(scene, peak), {.points = 11});
@@ -103,7 +103,7 @@ TEST(Trace, APeakOfOneStepSurvivesThinning) {
   }
 }
 
-TEST(Trace, NothingIsViolatedWhereNothingIs) {
+TEST(Trace, NoViolationWithinTolerance) {
   const Scene scene = thrown();
   const Trace got = trace(scene, {uniform_motion(scene), momentum_is_kept()}, duration, run(scene, -1));
   ASSERT_EQ(got.errors.size(), 2u);
@@ -132,7 +132,7 @@ TEST(Trace, OnlyTheEndCountsForAClaimAboutTheEnd) {
   EXPECT_EQ(at_end->step, 1200);
 }
 
-TEST(Trace, TheGhostIsTheTruthAtTheFrames) {
+TEST(Trace, TruthIsSampledAtFrames) {
   const Scene scene = thrown();
   const Trace got =
       trace(scene, {momentum_is_kept(), uniform_motion(scene)}, duration, run(scene, 337), {.frames = 33});
@@ -147,7 +147,7 @@ TEST(Trace, TheGhostIsTheTruthAtTheFrames) {
 
 // Beside a frame of another time the truth would seem to be off: recorded data are shown at frames of their
 // times.
-TEST(Trace, TheGhostOfRecordedDataStandsAtItsOwnTimes) {
+TEST(Trace, TruthFromRecordedDataIsAtItsTimes) {
   const Scene scene = thrown();
   Claim recorded = uniform_motion(scene);
   recorded.follows = "data";
@@ -165,7 +165,7 @@ TEST(Trace, TheGhostOfRecordedDataStandsAtItsOwnTimes) {
 }
 
 // m v, and r x m v of uniform motion: both stay what they are at the start.
-TEST(Trace, TotalsAreTheScenes) {
+TEST(Trace, TotalsAgreeWithScene) {
   const Scene scene = thrown();
   const Body& body = scene.bodies[0];
   const Vector3 p = body.mass * body.initial.velocity, L = body.initial.position.cross(p);
@@ -181,7 +181,7 @@ TEST(Trace, TotalsAreTheScenes) {
   EXPECT_EQ(vectors, 6u);
 }
 
-TEST(Trace, OfARecordingWithoutStatesNothingRemains) {
+TEST(Trace, EmptyRecordingGivesEmptyTrace) {
   const Trace got = trace(thrown(), {uniform_motion(thrown())}, duration, Recording{});
   EXPECT_TRUE(got.motion.time.empty());
   EXPECT_FALSE(got.ghost);

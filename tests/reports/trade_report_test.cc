@@ -93,7 +93,7 @@ TEST(TradeReport, SvgIsWellFormedAndWithoutScript) {
   EXPECT_EQ(svg, to_svg(trade_plot(table())));
 }
 
-TEST(TradeReport, PlotOfNothingIsStillAPlot) {
+TEST(TradeReport, EmptyPlotIsValid) {
   const std::string svg = to_svg({});
   EXPECT_NE(svg.find("</svg>"), std::string::npos);
   EXPECT_EQ(svg.find("nan"), std::string::npos);
@@ -114,7 +114,7 @@ TEST(TradeReport, TextSaysOrderFloorCostAndFront) {
   EXPECT_NE(trade_text({}, {}, false).find("nothing to measure"), std::string::npos);
 }
 
-TEST(TradeReport, AVariantThatStatesTheSchemeReadsLikeAnyOther) {
+TEST(TradeReport, VariantWithIntegratorIsLabelledNormally) {
   TradeTable t = table();
   t.series[0].engine = "in-house-float/integrator=rk4";
   EXPECT_EQ(trade_label(t, t.series[0]), "in-house-float rk4");
@@ -122,7 +122,7 @@ TEST(TradeReport, AVariantThatStatesTheSchemeReadsLikeAnyOther) {
   EXPECT_EQ(trade_label(t, t.series[0]), "bullet/gyro=none");  // it has one scheme in the table
 }
 
-TEST(TradeReport, CheapestIsTheCheapestThatServes) {
+TEST(TradeReport, CheapestMeetsTheTarget) {
   const TradeTable t = table();
   EXPECT_EQ(cheapest(t, t.series[0], 2e-3)->steps, 40);
   EXPECT_EQ(cheapest(t, t.series[0], 1e-9), nullptr);

@@ -56,7 +56,7 @@ int run(const Context& context, Options options) {
                                    .rows = rows,
                                    .only = options.file,
                                    .observable = options.observable});
-  if (options.file.empty()) throw core::InputError("say which scenario: cylon advise FILE --tolerance X");
+  if (options.file.empty()) throw core::InputError("a scenario is missing: cylon advise FILE --tolerance X");
   const scenario::Scenario scenario = scenario::load(find_scenario(context, options.file));
   const auto starts = study::starts(scenario, study::check_variations(), study::search_samples(scenario),
                                     options.observable, rows, options.how.limits);
@@ -95,39 +95,38 @@ Command add_advise(App& app, const Context& context) {
   app.add_option("file", options->file, "A scenario file, or the name of a shipped scenario")
       ->type_name("FILE");
   app.add_option("--tolerance", options->how.tolerance,
-                 "The largest error that you can bear, relative to the size of the motion (angles: rad)")
+                 "Largest acceptable error, relative to the size of the motion (angles: rad)")
       ->type_name("X")
       ->capture_default_str()
       ->check(positive(1));
   app.add_option("--observable", options->observable,
-                 "Which error: trajectory, position, energy, events, …; the trajectory otherwise")
+                 "Quantity whose error counts: trajectory, position, energy, events, …; default: trajectory")
       ->type_name("NAME");
   app.add_option("--budget", options->how.budget,
-                 "CPU seconds per simulated second that you can spend; what costs more is said to")
+                 "Available CPU seconds per simulated second; settings that need more are marked")
       ->type_name("S")
       ->check(positive(1e9));
   add_engines_option(app, options->wanted.engines, "all");
-  add_integrators_option(app, options->wanted.integrators, "all schemes of each engine");
-  app.add_option("--work", options->work, "Bodies times steps that one run may take")
+  add_integrators_option(app, options->wanted.integrators, "all integrators of each engine");
+  app.add_option("--work", options->work, "Largest number of bodies times steps of one run")
       ->type_name("N")
       ->capture_default_str()
       ->check(positive(1e12));
-  app.add_option("--rounds", options->how.rounds, "How often each finalist is timed, in turns")
+  app.add_option("--rounds", options->how.rounds, "Number of timings of each finalist, interleaved")
       ->type_name("N")
       ->capture_default_str()
       ->check(in_range(1, 1000));
-  app.add_flag("--no-features", options->no_features, "Leave out what each part of the scene costs");
-  add_jobs_option(app, options->jobs, "Searches at one time; all processors otherwise");
+  app.add_flag("--no-features", options->no_features, "Do not measure the cost of each part of the scene");
+  add_jobs_option(app, options->jobs, "Number of searches to run at the same time; default: all processors");
   add_timeout_option(app, options->timeout);
   app.add_option("--json", options->json, "Write the advice as JSON; - is stdout")->type_name("FILE");
-  app.add_flag(
-      "--verify", options->verify,
-      "Check the advice itself, on twenty scenarios or on FILE: whether it holds from starts that it "
-      "has not seen, and what it costs beside the best of a whole sweep. Takes minutes");
+  app.add_flag("--verify", options->verify,
+               "Check the advice on twenty scenarios, or on FILE: run it from new initial states and compare "
+               "its cost with the best of a full sweep. Takes minutes");
   add_worker_option(app, options->workers);
   app.footer(
-      "Each scheme's step is found along its order, and the pick is run from further starts (velocities, or\n"
-      "gravity, up to 1.6 % off) before it is named. Exit code 1: no engine meets the tolerance in the "
+      "The search uses the order of each integrator. Each result is checked from other initial states\n"
+      "(velocities or gravity changed by up to 1.6 %). Exit code 1: no engine meets the tolerance in the "
       "budget.");
   return [=, &context] { return run(context, *options); };
 }

@@ -57,8 +57,9 @@ results::Pick pick_of(const results::TradeSeries& series, const results::TradePo
 
 // The cheapest point of an engine's sweep that serves from the unseen starts too.
 std::optional<results::Pick> best_of_sweep(const results::TradeTable& table, const std::string& engine,
-                                        double target, const std::vector<Start>& starts,
-                                        const std::vector<Setting>& settings, const process::Limits& limits) {
+                                           double target, const std::vector<Start>& starts,
+                                           const std::vector<Setting>& settings,
+                                           const process::Limits& limits) {
   std::vector<results::Pick> points;
   for (const results::TradeSeries& series : table.series)
     if (series.engine.substr(0, series.engine.find('/')) == engine)
@@ -130,14 +131,15 @@ void verify(const Context& context, const Verification& ask, const std::string& 
     const double ratio = best ? pick.cost / best->cost : 0;
     tally.held += error <= target;
     tally.dear += ratio > allowed_cost;
-    std::cout << fmt::format(
-                     "{:<24} {:<22} {} {} at {}: error {:.1e} from {} unseen starts {}; {:.1e} s/s, {}\n",
-                     scenario.name, one.engine, pick.engine, pick.integrator, pick.at, error,
-                     fresh.size() - 1, error <= target ? "holds" : "FAILS", pick.cost,
-                     best ? fmt::format("{:.2f} of the sweep's best ({} {} at {}){}", ratio, best->engine,
-                                        best->integrator, best->at, ratio > allowed_cost ? " DEAR" : "")
-                          : "the sweep has none that serves")
-              << std::flush;
+    std::cout
+        << fmt::format(
+               "{:<24} {:<22} {} {} at {}: error {:.1e} from {} new initial states {}; {:.1e} s/s, {}\n",
+               scenario.name, one.engine, pick.engine, pick.integrator, pick.at, error, fresh.size() - 1,
+               error <= target ? "holds" : "FAILS", pick.cost,
+               best ? fmt::format("{:.2f} of the sweep's best ({} {} at {}){}", ratio, best->engine,
+                                  best->integrator, best->at, ratio > allowed_cost ? " DEAR" : "")
+                    : "no setting of the sweep meets the tolerance")
+        << std::flush;
   }
 }
 
@@ -151,8 +153,8 @@ int verify_advice(const Context& context, const Verification& ask) {
     for (const char* name : twenty) verify(context, ask, name, tally);
   }
   std::cout << fmt::format(
-      "{} advices: {} hold from unseen starts, {} cost more than {} times the best found\n", tally.advised,
-      tally.held, tally.dear, allowed_cost);
+      "{} results: {} hold from new initial states, {} cost more than {} times the best found\n",
+      tally.advised, tally.held, tally.dear, allowed_cost);
   return tally.held == tally.advised && tally.dear == 0 ? ok : differs;
 }
 

@@ -23,23 +23,24 @@ namespace cylon::cli {
 namespace {
 
 const std::vector<App::Row> commands = {
-    {"list", "Scenarios, with what each claims", add_list},
-    {"engines", "Engines, with every forced setting and what could not be switched off", add_engines},
+    {"list", "List the scenarios and their claims", add_list},
+    {"engines", "List the engines, their settings and their known limits", add_engines},
     {"validate", "Check scenario files without running them", add_validate},
-    {"plan", "What an engine does for a scenario and what it leaves out, with reasons", add_plan},
+    {"plan", "Show which stages an engine uses for a scenario, and why", add_plan},
     {"simulate", "Run one engine on one scenario and print its states as CSV", add_simulate},
-    {"truth", "Print the certified solution of a smooth scenario, with its proven error", add_truth},
-    {"run", "Run scenarios on engines and judge every claim", add_run},
-    {"report", "A page to look at from what run, trade and track wrote", add_report},
-    {"trade", "Speed against accuracy: every engine, scheme and step, with the best of each", add_trade},
-    {"diff", "The first step, body and quantity in which two runs part, and how far they go", add_diff},
-    {"advise", "The cheapest setting of each engine that meets a tolerance", add_advise},
-    {"limits", "Where each engine and scheme breaks, by bisection, beside what theory says", add_limits},
-    {"selfcheck", "Published numbers of other suites beside what the same scenes give here", add_selfcheck},
-    {"track", "Keep the history of accuracy and speed, and compare with it", tracking::add_track},
-    {"view", "Watch a scenario live in the browser, and take part in it", add_view},
-    {"new", "Write a commented scenario to start from", add_new},
-    {"doctor", "Check that everything Cylon needs is here and works", add_doctor},
+    {"truth", "Print the certified solution of a scenario, with its error bound", add_truth},
+    {"run", "Run scenarios on engines and check every claim", add_run},
+    {"report", "Build an HTML report from run, trade and track output", add_report},
+    {"trade", "Measure error and CPU time of each engine, integrator and step", add_trade},
+    {"diff", "Find where two runs first differ, and by how much", add_diff},
+    {"advise", "Find the cheapest setting of each engine that meets a tolerance", add_advise},
+    {"limits", "Find the limits of each engine and integrator by bisection", add_limits},
+    {"selfcheck", "Compare published numbers of other suites with results of the same scenes here",
+     add_selfcheck},
+    {"track", "Record the history of accuracy and speed, and compare builds", tracking::add_track},
+    {"view", "Show a scenario live in the browser, with controls", add_view},
+    {"new", "Write a commented template of a scenario", add_new},
+    {"doctor", "Check that everything Cylon needs is installed and works", add_doctor},
     {"completion", "Print the completion script of a shell", add_completion},
 };
 
@@ -77,7 +78,7 @@ int refuse(const CLI::App& app, const CLI::ParseError& error) {
     message = fmt::format("{}: unexpected '{}'{}", name, extra.front(),
                           core::did_you_mean(word, words_of(command)));
   }
-  std::cerr << fmt::format("error: {}\n`{} --help` shows what is valid\n", plain(message), name);
+  std::cerr << fmt::format("error: {}\n`{} --help` shows the valid options\n", plain(message), name);
   return bad_input;
 }
 
@@ -107,16 +108,15 @@ int main(int argc, char** argv) {
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
   std::signal(SIGPIPE, SIG_IGN);
-  CLI::App app{"Cylon: the same scenes on every physics engine, judged against exact mechanics.", "cylon"};
+  CLI::App app{"Cylon: run the same scenes on several physics engines and compare them with exact solutions.",
+               "cylon"};
   app.set_version_flag("--version", "cylon " CYLON_VERSION);
   app.add_flag_callback(
       "--no-cache", [] { ::setenv("CYLON_CACHE", "off", 1); },
-      "Solve certified truths anew and keep none (like CYLON_CACHE=off)");
+      "Compute certified solutions anew and do not cache them (like CYLON_CACHE=off)");
   app.footer(
-      "Exit codes: 0 all as expected, 1 a verdict differs or a regression is confirmed, 2 bad input, 3 not "
-      "decided "
-      "(--strict), 4 nothing selected, 5 harness "
-      "failure, 130 interrupted.");
+      "Exit codes: 0 all as expected, 1 a verdict differs or a regression is confirmed, 2 bad input, 3 "
+      "undecided (with --strict), 4 nothing selected, 5 internal failure, 130 interrupted.");
   Context context = make_context();
   context.command_line = shell_command(std::vector<std::string>(argv, argv + argc));
   Command chosen;

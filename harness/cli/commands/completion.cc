@@ -1,4 +1,4 @@
-// cylon completion: walks the program's own tree of commands, so that it cannot fall behind.
+// cylon completion: reads the program's own tree of commands, so that it is always complete.
 #include "harness/cli/commands/app.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// cylon diff: where two runs of one scenario part.
+// cylon diff: where two runs of one scenario differ first.
 #include "harness/cli/asked.h"
 #include "harness/cli/command_line.h"
 #include "harness/cli/commands/app.h"
@@ -99,7 +99,7 @@ std::vector<double> common_times(const Side& a, const Side& b, double duration) 
   for (const double t : file.times)
     if (t <= duration * (1 + same_time) && has(other, t)) times.push_back(t);
   if (times.empty())
-    throw core::InputError(fmt::format("{} and {}: no time at which both have a state", a.name, b.name));
+    throw core::InputError(fmt::format("{} and {}: the runs have no common time", a.name, b.name));
   return times;
 }
 
@@ -208,7 +208,7 @@ std::string heading(const scenario::Scenario& scenario, const Side& a, const Sid
                        found.times.size());
   const double t = found.times[*first->first], d = first->distance[*first->first];
   const int body = first->body[*first->first];
-  return fmt::format("{}: {} and {} part at {:.9g} s{}: {}{} {:.3g} {} apart, {:.3g} {} allowed\n",
+  return fmt::format("{}: {} and {} differ from {:.9g} s on{}: {}{} by {:.3g} {}, {:.3g} {} allowed\n",
                      scenario.name, a.name, b.name, t, steps_at(a, b, t), core::name(first->quantity),
                      body < 0 ? " of all bodies" : fmt::format(" of '{}'", body_name(scenario.scene, body)),
                      d, first->unit, first->allowed, first->unit);
@@ -273,9 +273,9 @@ int diff(const Context& context, const Options& options) try {
     std::cout << plain(heading(scenario, a, b, found)) << '\n' << table(context, scenario, found);
     if (found.every > 1)
       std::cout << fmt::format(
-          "\nOnly every {}th common time is compared, and each about the first that parts: runs that part "
-          "and "
-          "meet again in between are not seen.\n",
+          "\n"
+          "Only every {}th common time is compared, and every time near the first difference. A shorter "
+          "difference in between is not found.\n",
           found.every);
   }
   return study::first_to_part(found.curves) ? differs : ok;
@@ -288,28 +288,30 @@ int diff(const Context& context, const Options& options) try {
 Command add_diff(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   app.footer(
-      "Runs with different steps are compared at the times that both reach.  Exit codes: 0 they agree, 1 "
-      "they "
-      "part.\n  cylon diff dzhanibekov bullet bullet/gyro=none\n  cylon diff heavy_top ode@1/60 ode@1/240\n"
+      "Runs with different steps are compared at their common times.  Exit codes: 0 the runs agree, 1 they "
+      "differ.\n"
+      "  cylon diff dzhanibekov bullet bullet/gyro=none\n"
+      "  cylon diff heavy_top ode@1/60 ode@1/240\n"
       "  cylon diff gas in-house other_machine.csv --tolerance 0     the first bit that differs");
   app.add_option("file", options->file, "A scenario file, or the name of a shipped scenario")
       ->type_name("FILE")
       ->required();
   const char* what =
-      "An engine with its variant, and its step after '@': bullet/gyro=none@1/240; or the states that "
-      "`cylon simulate --out` wrote (*.csv)";
+      "Engine, optional variant, optional step after '@': bullet/gyro=none@1/240; or a CSV file from `cylon "
+      "simulate --out`";
   app.add_option("a", options->a, what)->type_name("RUN")->required();
-  app.add_option("b", options->b, "The other one")->type_name("RUN")->required();
-  app.add_option("--dt", options->dt, "Step of runs without '@' [s]; the scenario's nominal step otherwise")
+  app.add_option("b", options->b, "The second run, in the same form")->type_name("RUN")->required();
+  app.add_option("--dt", options->dt, "Step of runs without '@' [s]; default: the scenario's nominal step")
       ->type_name("S");
   app.add_option(
          "--tolerance", options->tolerance,
-         "How far they may be apart, relative to the scene's own length, speed, mass; 0: not by a bit")
+         "Allowed difference, relative to the length, speed and mass of the scene; 0: all bits must agree")
       ->type_name("T")
       ->capture_default_str()
       ->check(in_range(0.0, 1e300));
-  app.add_flag("--json", options->json, "As JSON, with the distances at every time");
-  app.add_option("--csv", options->csv, "The distances at every time; - is stdout")->type_name("FILE");
+  app.add_flag("--json", options->json, "Print JSON, with the differences at every time");
+  app.add_option("--csv", options->csv, "Write the differences at every time as CSV; - is stdout")
+      ->type_name("FILE");
   add_timeout_option(app, options->timeout);
   add_worker_option(app, options->workers);
   return [=, &context] { return diff(context, *options); };

@@ -43,9 +43,9 @@ Command add_doctor(App&, const Context& context) {
         const bool listed = expectations && expectations->version_listed(engine.name, engine.version);
         return fmt::format(
             "{} {}, {}{}", engine.name, engine.version, engine.precision,
-            listed ? "" : " (unlisted: expected.toml does not know this version, its verdicts may differ)");
+            listed ? "" : " (expected.toml has no row for this version, so verdicts may differ)");
       });
-    std::cout << (sound ? "Everything needed is here.\n"
+    std::cout << (sound ? "Everything needed is installed.\n"
                         : "Something is missing; see FAIL above. ./run builds what this checkout needs.\n");
     return sound ? ok : harness_failure;
   };

@@ -63,9 +63,10 @@ std::string text(const process::EngineRow& row, const core::Engine& engine) {
     if (!row.path.empty() && path.name != row.path) continue;
     out += fmt::format("  path {}: {}\n", path.name, path.summary);
     for (const core::Setting& s : path.settings)
-      out += fmt::format("    {} = {} (engine's own: {}): {}\n", s.name, s.value, s.engine_default, s.reason);
+      out +=
+          fmt::format("    {} = {} (engine default: {}): {}\n", s.name, s.value, s.engine_default, s.reason);
     for (const std::string& sentence : path.unforceable)
-      out += fmt::format("    not to be switched off: {}\n", sentence);
+      out += fmt::format("    known limit: {}\n", sentence);
   }
   for (const core::Scheme& s : engine.schemes)
     out += fmt::format("  integrator {}: order {}{}{}{}\n", s.name, s.order,
@@ -74,7 +75,7 @@ std::string text(const process::EngineRow& row, const core::Engine& engine) {
   for (const core::Option& o : engine.options) {
     const std::string values = o.values.empty() ? "NUMBER" : fmt::format("{}", fmt::join(o.values, "|"));
     out +=
-        fmt::format("  option {}={} (engine's own: {}): {}\n", o.name, values, o.engine_default, o.meaning);
+        fmt::format("  option {}={} (engine default: {}): {}\n", o.name, values, o.engine_default, o.meaning);
   }
   return out + '\n';
 }
@@ -106,7 +107,7 @@ int engines(const Context& context, const Options& options) {
   if (!found) {
     std::vector<std::string> ids;
     for (const process::EngineRow& engine : table) ids.push_back(engine.id);
-    std::cerr << plain(fmt::format("nothing selected: no engine '{}'{} (engines: {})\n",
+    std::cerr << plain(fmt::format("nothing selected: no engine matches '{}'{} (engines: {})\n",
                                    fmt::join(options.globs, "', '"),
                                    core::did_you_mean(options.globs.front(), ids), fmt::join(ids, ", ")));
   }
@@ -118,13 +119,12 @@ int engines(const Context& context, const Options& options) {
 
 Command add_engines(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
-  app.add_option("globs", options->globs, "Only these engines")->type_name("GLOB");
+  app.add_option("globs", options->globs, "List only these engines")->type_name("GLOB");
   app.add_flag("--json", options->json, "As JSON");
-  app.add_flag(
-      "--fingerprint", options->fingerprint,
-      "What each engine does, by the marks that a dozen small scenes leave: scheme, order, gyroscopic "
-      "torque, restitution, friction, hidden limits; takes variants too (bullet/gyro=none)");
-  app.add_flag("--names", options->names, "Ids alone");
+  app.add_flag("--fingerprint", options->fingerprint,
+               "Measure what each engine does, with a dozen small scenes: integrator, order, gyroscopic "
+               "torque, restitution, friction, hidden limits. Accepts variants (bullet/gyro=none)");
+  app.add_flag("--names", options->names, "Print the ids only");
   add_worker_option(app, options->workers);
   return [=, &context] { return engines(context, *options); };
 }

@@ -16,7 +16,7 @@ namespace {
 using nlohmann::ordered_json;
 
 std::string text(const std::string& id, const std::vector<study::Finding>& findings) {
-  std::string out = id + ", by what it does:\n";
+  std::string out = id + ", measured behaviour:\n";
   for (std::size_t i = 0; i < findings.size(); ++i)
     out += fmt::format("  {:<18} {}\n  {:<18}   {}\n", study::probes()[i].name, findings[i].answer, "",
                        findings[i].evidence);

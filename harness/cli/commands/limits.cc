@@ -67,8 +67,8 @@ Wanted wanted(const Context& context, const std::vector<std::string>& words) {
         known = true;
       }
     if (!known)
-      throw core::InputError(fmt::format("'{}' is no family of limits{} and no scenario (families: {})", word,
-                                         core::did_you_mean(word, names), fmt::join(names, ", ")));
+      throw core::InputError(fmt::format("'{}' is neither a family of limits{} nor a scenario (families: {})",
+                                         word, core::did_you_mean(word, names), fmt::join(names, ", ")));
   }
   return all;
 }
@@ -110,8 +110,9 @@ std::vector<Task> entrants(const Context& context, const Options& options) {
   for (const std::string& glob : options.integrators)
     if (std::none_of(schemes.begin(), schemes.end(),
                      [&](const std::string& scheme) { return scenario::glob_match(glob, scheme); }))
-      throw core::InputError(fmt::format("--integrator '{}': none of these engines has it{} (schemes: {})",
-                                         glob, core::did_you_mean(glob, schemes), fmt::join(schemes, ", ")));
+      throw core::InputError(
+          fmt::format("--integrator '{}': none of these engines has it{} (integrators: {})", glob,
+                      core::did_you_mean(glob, schemes), fmt::join(schemes, ", ")));
   return all;
 }
 
@@ -136,7 +137,7 @@ LimitRow search_step(const Task& task, const process::Limits& limits) {
   LimitRow row{"step of " + scenario.name,
                "largest step",
                "s",
-               "a claim of the scenario is not met",
+               "a claim of the scenario fails",
                task.engine.id,
                task.scheme,
                "",
@@ -165,7 +166,7 @@ LimitRow search(const Task& task, const process::Limits& limits) {
     row.family = task.family ? task.family->name : "step of " + task.scenario->name;
     row.asks = task.family ? task.family->asks : "largest step";
     row.unit = task.family ? task.family->unit : "s";
-    row.breaks = task.family ? task.family->breaks : "a claim of the scenario is not met";
+    row.breaks = task.family ? task.family->breaks : "a claim of the scenario fails";
     row.engine = task.engine.id, row.scheme = task.scheme;
     row.unsupported = why.reason;
     return row;
@@ -212,7 +213,7 @@ int limits(const Context& context, const Options& options) {
   for (const study::Family* family : want.families) add(family, nullptr);
   for (const auto& scenario : want.scenarios) add(nullptr, scenario.get());
   if (tasks.empty()) {
-    std::cerr << "nothing selected; `cylon engines --names` says what engines there are\n";
+    std::cerr << "nothing selected; see `cylon engines --names`\n";
     return nothing_selected;
   }
   const auto rows = search_all(tasks, worker_count(options.jobs), {.run_seconds = options.timeout});
@@ -226,13 +227,14 @@ int limits(const Context& context, const Options& options) {
 std::string family_list() {
   std::string text = "Families:\n";
   for (const study::Family& family : study::families())
-    text += fmt::format("  {:<17} {}; breaks: {}\n", family.name, family.asks, family.breaks);
+    text += fmt::format("  {:<17} {}; fails when: {}\n", family.name, family.asks, family.breaks);
   return text +
-         "\nOf a scenario (a file, or a glob over the shipped ones) the largest step is sought at which all "
-         "its\n"
-         "claims are met. Where theory has a value it stands beside the measured one. Exit code 0: the "
-         "limits\n"
-         "are facts about engines, not test results.";
+         "\n"
+         "For a scenario (a file, or a glob over the shipped ones) the command finds the largest step that "
+         "meets\n"
+         "all claims. It prints the theoretical value where one is known. The exit code is 0: limits are "
+         "measured\n"
+         "facts, not test results.";
 }
 
 }  // namespace
@@ -241,13 +243,13 @@ Command add_limits(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   app.footer(family_list());
   app.add_option("words", options->words,
-                 "Globs over the families below, scenario files or globs; none: all families")
+                 "Families below, scenario files, or globs over both. Default: all families")
       ->type_name("FAMILY|FILE|GLOB");
   add_engines_option(app, options->engines, fmt::format("{}", fmt::join(process::compared_engines(), ", ")));
   add_integrators_option(app, options->integrators, "each engine's default");
   app.add_option("--json", options->json, "Write the rows as JSON; - is stdout")->type_name("FILE");
   app.add_option("--csv", options->csv, "Write the rows as CSV; - is stdout")->type_name("FILE");
-  add_jobs_option(app, options->jobs, "Searches at one time; all processors otherwise");
+  add_jobs_option(app, options->jobs, "Number of searches to run at the same time; default: all processors");
   add_timeout_option(app, options->timeout);
   add_worker_option(app, options->workers);
   return [=, &context] { return limits(context, *options); };

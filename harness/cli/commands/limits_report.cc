@@ -21,8 +21,8 @@ std::string limit_text(const LimitRow& row) {
   if (!row.unsupported.empty()) return "unsupported";
   const bool falls = row.limit.kind != Kind::found;
   if (!falls) return fmt::format("{:.4g}", row.value);
-  return row.limit.kind == Kind::none ? fmt::format("none to {:.4g}", row.limit.holds)
-                                      : fmt::format("breaks at {:.4g}", row.limit.breaks);
+  return row.limit.kind == Kind::none ? fmt::format("no limit up to {:.4g}", row.limit.holds)
+                                      : fmt::format("fails at {:.4g}", row.limit.breaks);
 }
 
 std::string theory_text(const LimitRow& row) {
@@ -36,7 +36,7 @@ std::string remark(const LimitRow& row) {
   if (!row.unsupported.empty()) return row.unsupported;
   std::string text = row.limit.what;
   if (!row.limit.holds_again.empty())
-    text += fmt::format("{}not the only one: holds again at {:.4g}", text.empty() ? "" : "; ",
+    text += fmt::format("{}not the only limit: works again at {:.4g}", text.empty() ? "" : "; ",
                         fmt::join(row.limit.holds_again, ", "));
   return text;
 }

@@ -86,10 +86,10 @@ int list(const Context& context, const Options& options) {
 
 Command add_list(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
-  app.add_option("globs", options->globs, "Only these scenarios")->type_name("GLOB");
-  app.add_option("--tag", options->tags, "Only scenarios with this tag; may be given again")
+  app.add_option("globs", options->globs, "List only these scenarios")->type_name("GLOB");
+  app.add_option("--tag", options->tags, "List only scenarios with this tag. Repeatable")
       ->allow_extra_args(false);
-  app.add_flag("--json", options->json, "As JSON, with claims and tolerances");
+  app.add_flag("--json", options->json, "Print JSON, with claims and tolerances");
   app.add_flag("--names", options->names, "Names alone");
   return [=, &context] { return list(context, *options); };
 }

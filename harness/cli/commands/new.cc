@@ -20,7 +20,7 @@ Command add_new(App& app, const Context&) {
   app.add_option("name", options->name, "Name of the scenario: letters, digits, '_' and '-'")
       ->required()
       ->type_name("NAME");
-  app.add_option("--dir", options->folder, "Where to write NAME.toml")
+  app.add_option("--dir", options->folder, "Folder in which to write NAME.toml")
       ->type_name("FOLDER")
       ->capture_default_str();
   return [=] {
@@ -28,11 +28,11 @@ Command add_new(App& app, const Context&) {
             std::string::npos ||
         options->name.empty())
       throw core::InputError(
-          fmt::format("'{}' is no name for a scenario: use letters, digits, '_' and '-'", options->name));
+          fmt::format("'{}' is not a valid scenario name: use letters, digits, '_' and '-'", options->name));
     const std::filesystem::path file =
         (std::filesystem::path(options->folder) / (options->name + ".toml")).lexically_normal();
     if (std::filesystem::exists(file))
-      throw core::InputError(fmt::format("{} exists already; it is left as it is", file.string()));
+      throw core::InputError(fmt::format("{} already exists; nothing was written", file.string()));
     write_whole(file.string(), scenario::template_toml(options->name));
     std::cout << fmt::format("{}: written. Next:\n  cylon validate {}\n  cylon run {}\n",
                              plain(file.string()), shell_word(file.string()), shell_word(file.string()));

@@ -60,8 +60,7 @@ int plan(const Context& context, const Options& options) {
   if (outcome.status != results::Status::pass) return report_failure(options.asked.engine, outcome);
   const core::Terms& terms = outcome.terms;
   if (terms.plan.empty())
-    throw core::InputError(fmt::format(
-        "engine '{}' tells no plan: it does not say what it does and leaves out for a scene", engine.id));
+    throw core::InputError(fmt::format("engine '{}' reports no plan of its stages", engine.id));
   if (options.json) {
     std::cout << to_json(scenario.name, engine.id, terms).dump(2, ' ', true) << '\n';
     return ok;

@@ -1,4 +1,4 @@
-// cylon report: a page from what other commands wrote; nothing is simulated.
+// cylon report: builds a report from the output of other commands; nothing is simulated.
 #include "harness/cli/commands/app.h"
 #include "harness/cli/input.h"
 #include "harness/cli/output.h"
@@ -42,8 +42,8 @@ const std::array kinds = {
     Kind{"cylon run --json", [](const Json& json) { return json.contains("verdicts"); },
          [](const std::string& text, const std::string& path, reports::HtmlReport& report) {
            if (!report.results.empty())
-             throw core::InputError(path +
-                                    ": a report has one file of verdicts; --baseline takes an earlier one");
+             throw core::InputError(
+                 path + ": a report takes one file of verdicts; use --baseline for an earlier one");
            reports::read_json(text, path);
            report.results = text;
          }},
@@ -91,8 +91,8 @@ void take(const std::string& path, reports::HtmlReport& report) {
     if (json.is_object() && kind.is(json)) return kind.take(text, path, report);
     known.emplace_back(kind.written_by);
   }
-  throw core::InputError(fmt::format("{}: {}; a report takes what is written by {}", path,
-                                     json.is_discarded() ? "no JSON" : "none of Cylon's documents",
+  throw core::InputError(fmt::format("{}: {}; a report takes files written by {}", path,
+                                     json.is_discarded() ? "no JSON" : "not a document of Cylon",
                                      fmt::join(known, ", ")));
 }
 
@@ -122,7 +122,8 @@ int run(const Context& context, const Options& options) {
   }
   const reports::ConsoleOptions style{.width = context.width, .utf8 = context.utf8, .colour = context.colour};
   if (options.html.empty()) {
-    if (verdicts.empty()) throw core::InputError("--html FILE: only verdicts can be shown without a page");
+    if (verdicts.empty())
+      throw core::InputError("--html FILE is needed: without it only verdicts can be shown");
     std::cout << reports::console_matrix(verdicts, style);
     return ok;
   }
@@ -138,20 +139,19 @@ int run(const Context& context, const Options& options) {
 
 Command add_report(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
-  app.add_option(
-         "files", options->files,
-         "What `run --json`, `run --traces`, `trade --json`, `track compare --json` and `track history "
-         "--json` wrote, in any order; each is known by its content; - is stdin")
+  app.add_option("files", options->files,
+                 "Files written by `run --json`, `run --traces`, `trade --json`, `track compare --json` and "
+                 "`track history --json`, in any order; - is stdin")
       ->type_name("FILE")
       ->required();
   app.add_option("--html", options->html,
-                 "The page: one file that opens from disk; - is stdout. Otherwise the matrix is printed")
+                 "Write the report as one HTML file; - is stdout. Without this option the matrix is printed")
       ->type_name("FILE");
   app.add_option("--baseline", options->baseline,
-                 "An earlier file of `run --json`; the page says what changed since")
+                 "An earlier file of `run --json`; the report shows the changes since then")
       ->type_name("FILE");
   app.add_option("--title", options->title,
-                 "The page's title; how many scenarios and engines there are otherwise")
+                 "Title of the report. Default: the number of scenarios and engines")
       ->type_name("TEXT");
   return [=, &context] { return run(context, *options); };
 }

@@ -185,7 +185,7 @@ int run(const Context& context, const Options& options) {
                                           options.traces};
   require_writable(files);
   if (!options.plots.empty() && !fs::is_directory(options.plots))
-    throw core::InputError(fmt::format("--plots {}: there is no such folder", options.plots));
+    throw core::InputError(fmt::format("--plots {}: no such folder", options.plots));
   const fs::path expected = context.scenarios / "expected.toml";
   const auto expectations =
       fs::exists(expected) ? scenario::Expectations::load(expected) : scenario::Expectations();
@@ -193,14 +193,14 @@ int run(const Context& context, const Options& options) {
   Journal journal(".cylon/journal.jsonl");
   const Journal::Content last = options.resume || options.rerun_failed ? journal.read() : Journal::Content();
   if (options.rerun_failed && !last.request) {
-    std::cerr << "nothing to run again: there was no run in this folder\n";
+    std::cerr << "nothing to run again: this folder has no earlier run\n";
     return nothing_selected;
   }
   // With nothing said but --resume or --rerun-failed, what the last run was asked for.
   const Request request = last.request && options.request == Request() ? *last.request : options.request;
   Selection selection = select(context, request);
   if (selection.cells.empty()) {
-    std::cerr << "nothing selected; `cylon list --names` and `cylon engines --names` say what there is\n";
+    std::cerr << "nothing selected; see `cylon list --names` and `cylon engines --names`\n";
     return nothing_selected;
   }
   if (options.rerun_failed) {
@@ -222,7 +222,7 @@ int run(const Context& context, const Options& options) {
   try {
     rows = run_cells(context, options, expectations, last, journal, selection.cells);
   } catch (const process::Interrupted&) {
-    std::cerr << "interrupted; `cylon run --resume` in this folder goes on from here\n";
+    std::cerr << "interrupted; continue with `cylon run --resume` in this folder\n";
     return interrupted;
   }
 
@@ -253,30 +253,28 @@ Command add_run(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   Request& request = options->request;
   add_selection_options(app, request);
-  app.add_flag(
-      "--metamorphic", request.metamorphic,
-      "In place of the claims, what mechanics requires of any two runs of one engine: the moved, turned, "
-      "mirrored, boosted, rescaled scene moves likewise, the film runs backwards; needs no truth, so it "
-      "serves any scene");
+  app.add_flag("--metamorphic", request.metamorphic,
+               "Check symmetries of mechanics instead of the claims: a moved, rotated, mirrored, boosted or "
+               "rescaled scene must move alike, and time must be reversible. Needs no exact solution, so it "
+               "works for any scene");
   app.add_option("--tolerance-scale", request.tolerance_scale,
-                 "Multiplies every tolerance; 0: nothing passes and every residual shows. Reports say so")
+                 "Factor on every tolerance; 0 makes every claim fail and so shows every residual. Reports "
+                 "mention it")
       ->type_name("X")
       ->capture_default_str()
       ->check(in_range(0.0, 1e300));
-  app.add_option(
-         "--spread", request.copies,
-         "Also N runs that start one ulp apart, and how far from the first they end; a scenario tagged "
-         "chaos has two by itself")
+  app.add_option("--spread", request.copies,
+                 "Add N runs whose initial states differ by one ulp, and report how far they end from the "
+                 "first. Default for scenarios tagged chaos: 2")
       ->type_name("N")
       ->check(in_range(1, 1000));
   app.add_option("--json", options->json, "Write the rows as JSON; - is stdout")->type_name("FILE");
   app.add_option("--junit", options->junit, "Write the rows as JUnit XML; - is stdout")->type_name("FILE");
   app.add_option("--csv", options->csv, "Write the rows as CSV; - is stdout")->type_name("FILE");
-  app.add_option("--html", options->html,
-                 "Write the report as one HTML file that opens from disk; - is stdout")
+  app.add_option("--html", options->html, "Write the report as one HTML file; - is stdout")
       ->type_name("FILE");
   app.add_option("--traces", options->traces,
-                 "Write what the runs looked like, for a later `cylon report`; - is stdout")
+                 "Write the trajectories, for a later `cylon report`; - is stdout")
       ->type_name("FILE");
   app.add_choice(
          "--trajectories", {"none", "fail", "all"},
@@ -285,24 +283,25 @@ Command add_run(App& app, const Context& context) {
                                    : word == "fail" ? Trajectories::fail
                                                     : Trajectories::all;
          },
-         "Whose motion the report holds: none, fail (scenarios in which something failed) or all, "
-         "failures first, as far as 12 MB go")
+         "Trajectories in the report: none, fail (scenarios with a failure) or all; failures first, at most "
+         "12 MB")
       ->type_name("none|fail|all")
       ->default_str("all");
   app.add_option("--plots", options->plots,
-                 "Write a picture per scenario, errors-SCENARIO.svg: the errors of all runs over time")
+                 "Write a plot of the errors over time for each scenario, errors-SCENARIO.svg")
       ->type_name("FOLDER");
   app.add_flag("--charts", options->charts, "Draw each claim's error over time in the terminal");
-  add_jobs_option(app, options->jobs, "Cells at one time; all processors otherwise");
+  add_jobs_option(app, options->jobs, "Number of cells to run at the same time; default: all processors");
   add_timeout_option(app, options->timeout);
   add_memory_option(app, options->memory);
   const Option rerun =
       app.add_flag("--rerun-failed", options->rerun_failed,
-                   "Only the cells that differed in the last run in this folder (.cylon/journal.jsonl)");
+                   "Run only the cells that differed in the last run in this folder (.cylon/journal.jsonl)");
   app.add_flag("--resume", options->resume,
-               "Go on with the last run in this folder: cells that are done are not run again")
+               "Continue the last run in this folder: finished cells are not run again")
       ->excludes(rerun);
-  app.add_flag("-v,--verbose", options->verbose, "Every claim of every cell, with the engine's settings");
+  app.add_flag("-v,--verbose", options->verbose,
+               "Print every claim of every cell, with the engine's settings");
   return [=, &context] { return run(context, *options); };
 }
 

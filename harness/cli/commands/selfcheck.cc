@@ -83,13 +83,15 @@ int selfcheck(const Context& context, bool json) {
     for (const Reproduction& row : rows) out.push_back(to_json(row));
     std::cout << out.dump(2, ' ', true) << '\n';
   } else {
-    std::cout << plain(text(rows))
-              << fmt::format(
-                     "\n{} published numbers: {} reproduced, {} differ with an explanation, {} without\n",
-                     all, reproduced, as_explained - count([](const Reproduction& row) {
-                                        return row.reproduced() && row.as_explained();
-                                      }),
-                     all - as_explained);
+    std::cout
+        << plain(text(rows))
+        << fmt::format(
+               "\n"
+               "{} published numbers: {} reproduced, {} differ with a known reason, {} differ without\n",
+               all, reproduced, as_explained - count([](const Reproduction& row) {
+                                  return row.reproduced() && row.as_explained();
+                                }),
+               all - as_explained);
   }
   return as_explained == all ? ok : differs;
 }

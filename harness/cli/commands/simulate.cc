@@ -38,7 +38,7 @@ std::int64_t step_at(double t, double dt, std::int64_t last, bool nearest) {
     throw core::InputError(fmt::format("--at {}: must lie in [0, {}] s", t, static_cast<double>(last) * dt));
   if (!nearest && std::abs(ratio - step) > 1e-9 * std::max(1.0, ratio))
     throw core::InputError(
-        fmt::format("--at {}: is not a multiple of the step {} s; the nearest is {} s (or say --nearest)", t,
+        fmt::format("--at {}: is not a multiple of the step {} s; the nearest is {} s (or use --nearest)", t,
                     dt, step * dt));
   return static_cast<std::int64_t>(step);
 }
@@ -67,7 +67,7 @@ std::int64_t stride(const Options& options, double dt) {
   if (options.every == 0) return 0;
   if (!options.nearest && std::abs(ratio - steps) > 1e-9 * std::max(1.0, ratio))
     throw core::InputError(
-        fmt::format("--every {}: is not a multiple of the step {} s; the nearest is {} s (or say --nearest)",
+        fmt::format("--every {}: is not a multiple of the step {} s; the nearest is {} s (or use --nearest)",
                     options.every, dt, steps * dt));
   return static_cast<std::int64_t>(std::min(steps, 9e15));
 }
@@ -90,7 +90,7 @@ double grid(const Options& options, const scenario::Scenario& scenario) {
   constexpr double most = 1e6;  // samples
   if (scenario.duration / dt > most)
     throw core::InputError(
-        fmt::format("--at: the times have no common grid coarser than {} s; say --dt, or round them",
+        fmt::format("--at: the times have no common step larger than {} s; set --dt, or round the times",
                     scenario.duration / most));
   return dt;
 }
@@ -148,7 +148,7 @@ int simulate(const Context& context, const Options& options) {
   const std::string finding = nonsense(*outcome.recording);
   if (finding.empty()) return ok;
   std::cerr << plain(
-      fmt::format("{}: {}; a smaller step, or another scheme, may help\n", options.asked.engine, finding));
+      fmt::format("{}: {}; try a smaller step or another integrator\n", options.asked.engine, finding));
   return differs;
 }
 
@@ -165,8 +165,8 @@ Command add_simulate(App& app, const Context& context) {
       ->type_name("S")
       ->excludes(at)
       ->check(positive(1e9));
-  app.add_flag("--nearest", options->nearest, "Take the nearest step for a time between steps");
-  app.add_option("--out", options->out, "CSV file, written whole or not at all; - is stdout")
+  app.add_flag("--nearest", options->nearest, "Use the nearest step for a time between two steps");
+  app.add_option("--out", options->out, "CSV file, written completely or not at all; - is stdout")
       ->type_name("FILE")
       ->capture_default_str();
   add_timeout_option(app, options->timeout);

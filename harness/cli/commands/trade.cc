@@ -128,7 +128,7 @@ int trade(const Context& context, const Options& options) {
   request.patterns = options.patterns;
   const Selection selection = select(context, request);
   if (selection.scenarios.empty()) {
-    std::cerr << "nothing selected; `cylon list --names` says what there is\n";
+    std::cerr << "nothing selected; see `cylon list --names`\n";
     return nothing_selected;
   }
   TradeJournal journal(".cylon/trade.jsonl", options.resume);
@@ -144,7 +144,7 @@ int trade(const Context& context, const Options& options) {
                   << reports::trade_text(tables.back(), style, options.verbose) << std::flush;
     }
   } catch (const process::Interrupted&) {
-    std::cerr << "interrupted; the same command with --resume, in this folder, goes on from here\n";
+    std::cerr << "interrupted; repeat the command with --resume in this folder to continue\n";
     return interrupted;
   }
   const std::string json = reports::trade_json(tables, provenance_now(context));
@@ -174,61 +174,60 @@ Command add_trade(App& app, const Context& context) {
                  "Scenario names, globs or files, several joined by ':', excluded with '-'")
       ->type_name("FILE|GLOB")
       ->required();
-  add_engines_option(app, options->wanted.engines, "all, with the variants that matter to the scene");
-  add_integrators_option(app, options->wanted.integrators, "all schemes of each engine");
+  add_engines_option(app, options->wanted.engines, "all, with the variants that affect the scene");
+  add_integrators_option(app, options->wanted.integrators, "all integrators of each engine");
   add_steps_option(app, options->steps,
-                   "a ladder of steps, each half of the one before, from about 64 times the nominal one");
-  app.add_option("--steps", options->rungs, "How many steps the ladder has at most")
+                   "a series of steps, each half of the one before, from about 64 times the nominal step");
+  app.add_option("--steps", options->rungs, "Largest number of steps in the series")
       ->type_name("N")
       ->capture_default_str()
       ->check(in_range(1, 40));
-  app.add_option("--work", options->work, "Bodies times steps that one run may take; the ladder ends there")
+  app.add_option("--work", options->work,
+                 "Largest number of bodies times steps of one run; the series of steps ends there")
       ->type_name("N")
       ->capture_default_str()
       ->check(positive(1e12));
-  app.add_option(
-         "--tolerance", options->tolerances,
-         "For schemes that control their error: the tolerances to try. May be given again; 1e-2, 1e-3, "
-         "... 1e-12 otherwise")
+  app.add_option("--tolerance", options->tolerances,
+                 "Tolerances to try with integrators that control their error. Repeatable. Default: 1e-2, "
+                 "1e-3, ... 1e-12")
       ->type_name("T")
       ->allow_extra_args(false)
       ->check(positive(1));
   app.add_option("--observable", options->observable,
-                 "The error that decides orders and the front: trajectory, position, energy, events, …; the "
-                 "trajectory where there is a truth, otherwise")
+                 "Quantity whose error decides orders and the Pareto front: trajectory, position, energy, "
+                 "events, …; default: trajectory where an exact solution is known")
       ->type_name("NAME");
-  app.add_option("--target", options->target, "An error that you need: its cost gets a column and a line")
+  app.add_option("--target", options->target, "An error of interest: the tables show the cost to reach it")
       ->type_name("X")
       ->check(positive(1e6));
   app.add_option("--rounds", options->rounds,
-                 "How often every setting is timed, in turns; the least time counts. 0: no times")
+                 "Number of timings of each setting, interleaved; the shortest counts. 0: no timing")
       ->type_name("N")
       ->capture_default_str()
       ->check(in_range(0, 1000));
-  add_jobs_option(
-      app, options->jobs,
-      "Runs at one time while errors are measured; all processors otherwise. Timing is one at a time");
+  add_jobs_option(app, options->jobs,
+                  "Number of runs at the same time while errors are measured; default: all processors. Timed "
+                  "runs never overlap");
   add_timeout_option(app, options->timeout);
-  app.add_option("--json", options->json, "Write the tables as JSON, times apart; - is stdout")
+  app.add_option("--json", options->json,
+                 "Write the tables as JSON, with times in a separate part; - is stdout")
       ->type_name("FILE");
-  app.add_option("--csv", options->csv, "Write a row per point as CSV; - is stdout")->type_name("FILE");
-  app.add_option("--svg", options->svg, "Draw error against cost; of several scenarios FILE-scenario.svg")
+  app.add_option("--csv", options->csv, "Write one row per point as CSV; - is stdout")->type_name("FILE");
+  app.add_option("--svg", options->svg,
+                 "Plot error against cost; with several scenarios, as FILE-scenario.svg")
       ->type_name("FILE");
-  app.add_option("--html", options->html,
-                 "Write the plots and tables as one page that opens from disk; - is stdout")
+  app.add_option("--html", options->html, "Write the plots and tables as one HTML file; - is stdout")
       ->type_name("FILE");
-  app.add_flag("--resume", options->resume,
-               "Go on with a sweep that was interrupted in this folder (.cylon/trade.jsonl): what is done is "
-               "not run again");
+  app.add_flag(
+      "--resume", options->resume,
+      "Continue an interrupted sweep in this folder (.cylon/trade.jsonl): finished runs are not repeated");
   app.add_flag("-v,--verbose", options->verbose,
-               "Every point with all its errors, and by whom it is dominated");
+               "Print every point with all its errors and the point that dominates it");
   add_worker_option(app, options->workers);
   app.footer(
-      "Cost is the CPU time of the worker's thread for all steps, between which nothing is read, after a "
-      "run\n"
-      "that warms up; the least of the repetitions, every setting in turn. Loading is left out, but for "
-      "schemes\n"
-      "that control their error, which may solve while they load. Errors do not depend on times; the front "
+      "Cost is the CPU time of the worker's thread for all steps, without output, after a warm-up run. The\n"
+      "shortest of several interleaved repetitions counts. Load time counts only for integrators with error\n"
+      "control, because they may solve while they load. Errors do not depend on times; the Pareto front "
       "does.");
   return [=, &context] { return trade(context, *options); };
 }

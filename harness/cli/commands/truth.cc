@@ -164,10 +164,9 @@ int truth(const Context& context, const Options& options) {
     throw core::InputError(fmt::format("{}: {}", scenario.name, error.what()));
   }
   if (options.conditioning && !found.impacts.empty())
-    throw core::InputError(
-        fmt::format("{}: --conditioning: a blow at {:.6g} s, and how errors grow is not "
-                    "followed across blows",
-                    scenario.name, found.impacts.front().time.middle()));
+    throw core::InputError(fmt::format(
+        "{}: --conditioning: there is an impact at {:.6g} s, and error growth is not computed across impacts",
+        scenario.name, found.impacts.front().time.middle()));
   if (options.conditioning)
     std::cout << conditioning_table(found);
   else if (options.out.empty())
@@ -177,7 +176,7 @@ int truth(const Context& context, const Options& options) {
   std::cerr << fmt::format("{}: radius {:.2g} proven, {} bits, {} steps\n", scenario.name, found.radius,
                            found.bits, found.steps);
   if (found.reached) return ok;
-  std::cerr << fmt::format("{}: {}; more --bits may help\n", scenario.name, found.reason);
+  std::cerr << fmt::format("{}: {}; try a larger --bits\n", scenario.name, found.reason);
   return inconclusive;
 }
 
@@ -186,27 +185,28 @@ int truth(const Context& context, const Options& options) {
 Command add_truth(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   app.add_option("file", options->file,
-                 "Scenario file, or the name of a shipped scenario; smooth, or with blows of spheres")
+                 "Scenario file, or the name of a shipped scenario: smooth motion, or impacts of spheres")
       ->type_name("FILE")
       ->required();
   const Option at = app.add_option("--at", options->at, "Times to print [s], separated by commas: 0,0.5,1")
                         ->type_name("S")
                         ->delimiter(',');
-  app.add_option("--every", options->every, "Print every S seconds; without it and --at, 33 even times")
+  app.add_option("--every", options->every,
+                 "Print every S seconds. Default without --at: 33 evenly spaced times")
       ->type_name("S")
       ->excludes(at)
       ->check(positive(1e9));
-  app.add_option("--radius", options->radius, "To prove of every number, in its SI unit")
+  app.add_option("--radius", options->radius, "Error bound to prove for every number, in its SI unit")
       ->capture_default_str()
       ->check(in_range(1e-250, 1.0));
   app.add_option("--digits", options->digits, "Significant digits to print")
       ->capture_default_str()
       ->check(in_range(3, 300));
-  app.add_option("--bits", options->bits, "Most bits of precision to try")
+  app.add_option("--bits", options->bits, "Largest precision to try [bits]")
       ->capture_default_str()
       ->check(in_range(128, 100000));
   app.add_flag("--conditioning", options->conditioning,
-               "Print how much an error of the initial state has grown at each time instead");
+               "Print instead how much an error of the initial state has grown at each time");
   app.add_option("--out", options->out,
                  "JSON file in the format truth/1, for follows = { file = … }; - is stdout")
       ->type_name("FILE");

@@ -17,9 +17,9 @@ Command add_validate(App& app, const Context& context) {
   };
   const auto options = std::make_shared<Options>();
   app.add_option("files", options->files,
-                 "Scenario files, or names of shipped scenarios; none: all shipped ones")
+                 "Scenario files, or names of shipped scenarios. Default: all shipped scenarios")
       ->type_name("FILE");
-  app.add_flag("--schema", options->schema, "Print the JSON Schema of the format instead");
+  app.add_flag("--schema", options->schema, "Print the JSON Schema of the scenario format instead");
   return [=, &context] {
     if (options->schema) {
       std::cout << scenario::schema_json();

@@ -43,7 +43,7 @@ void open_browser(const std::string& url) {
   posix_spawn_file_actions_addopen(&quiet, 1, "/dev/null", 1, 0);
   posix_spawn_file_actions_addopen(&quiet, 2, "/dev/null", 1, 0);
   if (posix_spawnp(&pid, program.c_str(), &quiet, nullptr, argv, environ) != 0)
-    std::cerr << "no browser was opened: there is no xdg-open\n";
+    std::cerr << "no browser was opened: xdg-open is not installed\n";
   posix_spawn_file_actions_destroy(&quiet);
 }
 
@@ -111,32 +111,29 @@ Command add_view(App& app, const Context& context) {
   app.add_option("file", options->file, "A scenario file, or the name of a shipped scenario")
       ->type_name("FILE")
       ->required();
-  app.add_option("--engine", options->engines, "Engines that run side by side; in-house where none is given")
+  app.add_option("--engine", options->engines, "Engines to run side by side. Default: in-house")
       ->type_name("ID")
       ->allow_extra_args(false);
   app.add_option("--integrator", options->integrator,
-                 "One of the engine's schemes, as `cylon engines` names them")
+                 "One of the engine's integrators (`cylon engines` lists them)")
       ->type_name("NAME");
   add_step_option(app, options->dt);
-  app.add_option("--port", options->port, "Port on 127.0.0.1; 0: any that is free")
+  app.add_option("--port", options->port, "Port on 127.0.0.1; 0: any free port")
       ->type_name("N")
       ->check(in_range(0, 65535));
   app.add_flag("--no-open", options->no_open, "Do not open the browser");
-  app.add_flag("--paused", options->paused, "Wait for play");
+  app.add_flag("--paused", options->paused, "Start paused");
   app.add_option("--speed", options->speed, "Simulated seconds per second")
       ->type_name("X")
       ->capture_default_str()
       ->check(in_range(0.01, 100.0));
-  app.add_option(
-         "--record", options->record,
-         "FILE.toml: what happened, as a scenario with the recorded motion beside it, on reset and at the "
-         "end; else a folder for the frames that the page sends")
+  app.add_option("--record", options->record,
+                 "FILE.toml: save the session as a scenario with its recorded motion, on reset and at the "
+                 "end. FOLDER: save the frames that the page sends")
       ->type_name("FILE.toml|FOLDER");
-  app.add_option("--for", options->seconds, "End after so many seconds")
-      ->type_name("S")
-      ->check(positive(1e9));
+  app.add_option("--for", options->seconds, "Stop after S seconds")->type_name("S")->check(positive(1e9));
   add_worker_option(app, options->workers);
-  app.footer("Ends on Ctrl-C, with 0.  The page is served on 127.0.0.1 alone.");
+  app.footer("Ctrl-C stops the viewer (exit code 0).  The page is served on 127.0.0.1 only.");
   return [=, &context] {
     if (options->engines.empty()) options->engines = {"in-house"};
     return view_scenario(context, *options);

@@ -1,4 +1,4 @@
-// Whether what is read is what was written.
+// Integrity check of the store: digests and references.
 #include "harness/tracking/store/database.h"
 #include "harness/tracking/store/store.h"
 
@@ -35,7 +35,7 @@ void require_digests(Database& database, const char* sql, const std::vector<Row>
   }
   for (const Row& row : rows)
     if (const auto [key, word] = key_and_word(row); stored[key] != digest(row))
-      findings.push_back(fmt::format("what is kept of {} is not what was stored", clean(word)));
+      findings.push_back(fmt::format("the stored values of {} have changed", clean(word)));
 }
 
 }  // namespace
@@ -49,7 +49,8 @@ std::vector<std::string> Store::check() const {
   }
   {
     Query row = database_->query("PRAGMA foreign_key_check");
-    while (row.step()) findings.push_back(fmt::format("table {}: a row refers to none", clean(row.text())));
+    while (row.step())
+      findings.push_back(fmt::format("table {}: a row has a dangling reference", clean(row.text())));
   }
   if (!findings.empty()) return findings;    // what is read of damaged pages means nothing
   std::map<std::string, std::string> names;  // which hold the step as it was given
@@ -62,7 +63,7 @@ std::vector<std::string> Store::check() const {
   }
   for (const Cell& cell : cells())
     if (cell_hash(cell) != cell.hash || names[cell.hash] != cell.name())
-      findings.push_back(fmt::format("cell {} ({}) is not what its hash says", cell.hash, cell.name()));
+      findings.push_back(fmt::format("cell {} ({}) does not match its hash", cell.hash, cell.name()));
   require_digests(
       *database_, "SELECT uid, digest FROM run", runs(),
       [](const RunInfo& run) { return std::pair(run.uid, run.revision); }, findings);
@@ -77,7 +78,7 @@ std::vector<std::string> Store::check() const {
     for (const Result& result : results(run.id)) {
       const auto stored = digests.find(result.cell.hash);
       if (stored == digests.end() || stored->second != digest(result))
-        findings.push_back(fmt::format("run {} of {}: the values of {} are not those that were stored",
+        findings.push_back(fmt::format("run {} of {}: the values of {} have changed since they were stored",
                                        run.id, run.revision, result.cell.name()));
     }
   }

@@ -22,10 +22,10 @@ struct Row {
 // The first row that fits; {} is SQLite's own message.
 constexpr Row rows[] = {
     {SQLITE_NOTADB,
-     "is no store: not a database of SQLite, or its first page is damaged; it is left as it is: name another "
+     "is not a store: not an SQLite database, or its first page is damaged; it was not changed: name another "
      "with --store, or restore a backup"},
     {SQLITE_CORRUPT,
-     "is damaged ({}); it is left as it is: restore a backup, or save what can be read with `sqlite3 FILE "
+     "is damaged ({}); it was not changed: restore a backup, or save what can be read with `sqlite3 FILE "
      ".recover`"},
     {SQLITE_FULL, no_room},
     {SQLITE_IOERR_WRITE, no_room},
@@ -47,7 +47,7 @@ constexpr Row rows[] = {
      "it, "
      "or copy the store to a folder that can be written and name it with --store"},
     {SQLITE_NOMEM, "there is not enough memory to read it"},
-    {SQLITE_IOERR_SHORT_READ, "is cut off; it is left as it is: restore a backup"},
+    {SQLITE_IOERR_SHORT_READ, "is cut off; it was not changed: restore a backup"},
     {SQLITE_IOERR,
      "could not be read or written ({}); what was stored before is kept: look after the disk, then try "
      "again"},

@@ -135,12 +135,12 @@ std::int64_t require_ours(Database& database, std::span<const char* const> scrip
   const bool empty = database.number("SELECT count(*) FROM sqlite_schema") == 0;
   if (mark == 0 && version == 0 && empty) return 0;
   if (mark != application_id)
-    database.fail("is a database, but no store of Cylon; it is left as it is: name another with --store");
+    database.fail("is a database, but not a store of Cylon; it was not changed: name another with --store");
   const auto newest = static_cast<std::int64_t>(scripts.size());
   if (version > newest)
     database.fail(
-        fmt::format("was written by a newer Cylon (schema {}, this one reads up to {}); it is left as "
-                    "it is: use that Cylon, or name another with --store",
+        fmt::format("was written by a newer Cylon (schema {}, this one reads up to {}); it was not changed: "
+                    "use that Cylon, or name another with --store",
                     version, newest));
   return version;
 }

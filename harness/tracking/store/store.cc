@@ -48,13 +48,13 @@ void require_whole(Database& database, const fs::path& file) {
 
 std::unique_ptr<Database> open_to_read(const fs::path& file) {
   std::error_code ignored;
-  if (!fs::exists(file, ignored)) refuse(file, "there is no store here; `cylon track record` begins one");
+  if (!fs::exists(file, ignored)) refuse(file, "no such store; `cylon track record` creates one");
   const fs::path folder = fs::absolute(file).parent_path();
   const bool frozen = access(folder.c_str(), W_OK) != 0 && !has_log(file);
   auto database = frozen ? std::make_unique<Database>(file, immutable(file), SQLITE_OPEN_READONLY)
                          : std::make_unique<Database>(file, file.string(), SQLITE_OPEN_READONLY);
   const std::int64_t version = require_ours(*database);
-  if (version == 0) refuse(file, "is empty; `cylon track record` begins a store");
+  if (version == 0) refuse(file, "is empty; `cylon track record` creates a store");
   if (version < static_cast<std::int64_t>(migrations().size()))
     refuse(file, "was written by an older Cylon; any command that writes to it brings it up to date");
   require_whole(*database, file);

@@ -1,4 +1,4 @@
-// The questions that a store answers.
+// Queries of the store.
 #include "harness/tracking/store/database.h"
 #include "harness/tracking/store/store.h"
 
@@ -53,7 +53,7 @@ Metric read_metric(Query& row) {
 template <class Map>
 auto& known(const Database& database, Map& map, std::int64_t id) {
   const auto found = map.find(id);
-  if (found == map.end()) database.fail(SQLITE_CORRUPT, "a row refers to none");
+  if (found == map.end()) database.fail(SQLITE_CORRUPT, "a row has a dangling reference");
   return found->second;
 }
 

@@ -229,7 +229,7 @@ std::optional<std::string> unsupported_joint(const core::Scene& scene, const cor
   const auto locked = [&](int body) {
     return body == core::world || scene.bodies[static_cast<std::size_t>(body)].locked;
   };
-  if (locked(joint.body) && locked(joint.to)) return "A joint between two things that cannot move.";
+  if (locked(joint.body) && locked(joint.to)) return "The joint connects two bodies that cannot move.";
   return std::nullopt;
 }
 
@@ -239,7 +239,7 @@ std::optional<std::string> unsupported_multibody(const core::Scene& scene) {
     const bool hung = joint.to == core::world &&
                       (joint.type == core::JointType::ball || joint.type == core::JointType::hinge);
     if (!hung || ++joints[static_cast<std::size_t>(joint.body)] > 1)
-      return "The multibody path takes one ball or hinge joint per body, to the world.";
+      return "The multibody path supports one ball or hinge joint per body, to the world only.";
   }
   return std::nullopt;
 }

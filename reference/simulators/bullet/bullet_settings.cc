@@ -26,19 +26,20 @@ struct Knob {
   const char* meaning;
 };
 constexpr Knob knobs[] = {
-    {"erp", "m_erp", 0.2, 0, 1, "share of a joint's position error removed per step"},
-    {"erp2", "m_erp2", 0.2, 0, 1, "share of a penetration removed per step"},
+    {"erp", "m_erp", 0.2, 0, 1, "fraction of a joint's position error removed per step"},
+    {"erp2", "m_erp2", 0.2, 0, 1, "fraction of a penetration removed per step"},
     {"cfm", "m_globalCfm", 0, 0, infinity, "constraint force mixing of contacts and joints"},
     {"iterations", "m_numIterations", 10, 1, 1e6, "sweeps of the constraint solver per step"},
-    {"warm-starting", "m_warmstartingFactor", 0.85, 0, 1, "share of the last impulses to start from"},
+    {"warm-starting", "m_warmstartingFactor", 0.85, 0, 1,
+     "fraction of the last impulses used as the initial guess"},
     {"restitution-threshold", "m_restitutionVelocityThreshold", 0.2, 0, infinity,
-     "approach speed below which nothing bounces [m/s]"},
+     "approach speed below which there is no restitution [m/s]"},
     {"split-threshold", "m_splitImpulsePenetrationThreshold", -0.04, -infinity, infinity,
      "gap above which penetration is corrected through the velocity; rigid paths only [m]"},
     {"contact-threshold", "contactProcessingThreshold", no_limit, 0, infinity,
      "gap up to which a contact is solved before it touches [m]"},
     {"max-gyroscopic-force", "m_maxGyroscopicForce", 100, 0, infinity,
-     "cap of the explicit gyroscopic torque; rigid paths only [N m]"},
+     "limit of the explicit gyroscopic torque; rigid paths only [N m]"},
 };
 
 // A number that a path sets.
@@ -47,15 +48,16 @@ struct Forced {
   double value;
   const char* reason;
 };
-constexpr Forced all_bounce = {"restitution-threshold", 0, "slow impacts bounce too"};
+constexpr Forced all_bounce = {"restitution-threshold", 0, "slow impacts must bounce too"};
 constexpr Forced no_early_contact = {
-    "contact-threshold", 0, "a contact solved before it touches shortens or kills the bounce by gap/dt"};
+    "contact-threshold", 0,
+    "a contact solved before it touches reduces or removes the rebound speed, by gap/dt"};
 constexpr std::array<Forced, 4> bounce_rigid = {{
     all_bounce,
     no_early_contact,
     {"erp2", 0,
-     "correcting penetration adds energy to every bounce: as speed (Baumgarte) or as height (split)"},
-    {"split-threshold", 0, "where a run asks for erp2 again, the correction stays out of the velocity"},
+     "penetration correction adds energy to every bounce, as speed (Baumgarte) or as height (split impulse)"},
+    {"split-threshold", 0, "if a run sets erp2, the correction must not change the velocity"},
 }};
 constexpr std::array<Forced, 3> bounce_multibody = {{
     all_bounce,
@@ -68,7 +70,7 @@ std::string text(double value) { return value >= no_limit ? "no limit" : fmt::fo
 const Knob& knob(std::string_view option) {
   for (const Knob& k : knobs)
     if (k.option == option) return k;
-  throw std::logic_error(fmt::format("no knob '{}'", option));
+  throw std::logic_error(fmt::format("unknown setting '{}'", option));
 }
 
 core::Setting setting(const Forced& forced) {
@@ -79,20 +81,20 @@ core::Setting setting(const Forced& forced) {
 // What every path sets that no option changes.
 std::vector<core::Setting> always() {
   return {
-      {"stepSimulation", "(dt, 0)", "(dt, 1, 1/60)", "one step of exactly dt, whatever dt is"},
+      {"stepSimulation", "(dt, 0)", "(dt, 1, 1/60)", "exactly one step of dt, for every dt"},
       {"activation state", "DISABLE_DEACTIVATION", "ACTIVE_TAG", "no body falls asleep"},
       {"combined restitution and friction", "of the pair", "product of the bodies'",
-       "only the pair's value is physics"},
-      {"margin of all but spheres and capsules", "0", "0.04 m", "edges as sharp as the scene says"},
+       "the scene gives the values of the pair"},
+      {"margin of all but spheres and capsules", "0", "0.04 m", "edges must be as sharp as in the scene"},
       {"springs, drag, drive, thrust, attraction", "force of the state before the step", "none",
-       "Bullet has no such forces; held over the step"},
+       "Bullet has no such forces; they are constant during the step"},
   };
 }
 
 std::vector<core::Setting> always_multibody() {
   std::vector<core::Setting> settings = always();
-  settings.push_back({"linear and angular damping", "0", "0.04", "nothing in the scene damps"});
-  settings.push_back({"maxCoordinateVelocity", text(no_limit), "100", "no silent cap of any speed"});
+  settings.push_back({"linear and angular damping", "0", "0.04", "the scene has no damping of its own"});
+  settings.push_back({"maxCoordinateVelocity", text(no_limit), "100", "no hidden limit of the speed"});
   settings.push_back({"canSleep", "false", "given by the user", "no body falls asleep"});
   return settings;
 }
@@ -104,13 +106,13 @@ std::vector<core::Setting> with(std::vector<core::Setting> settings, std::span<c
 
 // What Bullet does all the same.
 const std::vector<std::string> unforceable_everywhere = {
-    "A rotation of more than pi/4 per step is cut: the body turns 2 atan(w dt/(pi/4) tan(pi/8)).",
-    "Every scheme but semi-implicit Euler is missing: motion is first order in dt.",
-    "Where pairs bounce, an impact is answered in the step after the bodies overlap, up to dt late; where "
-    "none does, a contact is made up to 0.02 m ahead and may be answered early.",
-    "Several contacts are solved by a fixed number of sweeps; simultaneous impacts come out neither as a "
-    "sequence nor as one simultaneous impact.",
-    "Friction acts along one direction per contact, that of sliding, chosen anew each step.",
+    "A rotation of more than pi/4 per step is reduced: the body rotates by 2 atan(w dt/(pi/4) tan(pi/8)).",
+    "Semi-implicit Euler is the only integrator: motion is first order in dt.",
+    "If a pair has restitution, an impact acts in the step after the bodies overlap, up to dt late. If no "
+    "pair has, a contact is created up to 0.02 m ahead and may act early.",
+    "Several contacts are solved by a fixed number of sweeps; the result of simultaneous impacts is neither "
+    "that of a sequence nor that of one simultaneous impact.",
+    "Friction acts along one direction per contact, the direction of sliding, which is updated each step.",
     "Contacts are kept in a cache of at most four points per pair, with a breaking distance of 0.02 m.",
     "The world runs on one thread; Debian's build has no task scheduler.",
 };
@@ -118,8 +120,8 @@ const std::vector<std::string> unforceable_everywhere = {
 std::vector<std::string> unforceable_multibody() {
   std::vector<std::string> sentences = unforceable_everywhere;
   sentences.emplace_back(
-      "A bounce aims at e times the approach speed after the step's gravity: it gains |g| dt.");
-  sentences.emplace_back("The gyroscopic term is explicit or absent; an implicit one is not offered.");
+      "Restitution uses the approach speed after gravity acts in the step, so a bounce gains |g| dt.");
+  sentences.emplace_back("The gyroscopic term is explicit or absent; there is no implicit form.");
   sentences.emplace_back("Penetration is corrected through the velocity only; split impulses are ignored.");
   return sentences;
 }

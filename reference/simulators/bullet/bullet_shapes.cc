@@ -77,7 +77,7 @@ std::optional<std::string> untouchable(const core::Shape& shape) {
   for (const core::Part& part : parts_of(shape)) {
     if (std::holds_alternative<core::Disc>(part.shape)) return "Bullet has no disc without thickness.";
     if (std::holds_alternative<core::Mesh>(part.shape))
-      return "Bullet's moving meshes collide by another algorithm, which is not offered; use a hull.";
+      return "Moving meshes need another collision algorithm of Bullet, which is not supported; use a hull.";
   }
   return std::nullopt;
 }

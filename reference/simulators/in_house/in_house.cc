@@ -1,5 +1,5 @@
-// The in-house engine behind the common interface.  It has no way in that others have not: it gets a Scene
-// and a Setup.
+// The in-house engine behind the common interface.  It gets only a Scene and a Setup, like every other
+// engine.
 #include "engine/world.h"
 #include "harness/core/input_error.h"
 #include "harness/core/simulator.h"
@@ -29,16 +29,17 @@ constexpr int closed_form_order = 8;  // of a motion in closed form: no lower th
 std::vector<core::Path> paths() {
   core::Path events{.name = "events",
                     .summary =
-                        "Impacts and changes of contact are located in time; between them the motion "
-                        "is in closed form or follows the scheme.",
+                        "Impacts and contact changes are located in time; between them a closed form or the "
+                        "integrator gives the motion.",
                     .settings = {},
-                    .unforceable = {"Bouncing that would go on for ever in a finite time ends in rest.",
-                                    "A thin body does not turn about an axis without inertia."}};
-  core::Path stepping{.name = "stepping",
-                      .summary = "Fixed steps; contacts by sequential impulses at the end of each.",
-                      .settings = {},
-                      .unforceable = {"A contact is noticed at the end of a step.",
-                                      "A thin body does not turn about an axis without inertia."}};
+                    .unforceable = {"Infinitely many bounces in a finite time end in rest.",
+                                    "A thin body cannot spin about an axis of zero inertia."}};
+  core::Path stepping{
+      .name = "stepping",
+      .summary = "Fixed steps; sequential impulses solve the contacts at the end of each step.",
+      .settings = {},
+      .unforceable = {"A contact is detected at the end of a step.",
+                      "A thin body cannot spin about an axis of zero inertia."}};
   return {events, stepping};
 }
 
@@ -50,14 +51,14 @@ core::Engine describe() {
   engine.paths = paths();
   engine.default_path_rule = engine::method_rule;
   engine.schemes.push_back({"auto", closed_form_order,
-                            "what the motion conserves, to the tolerance; closed forms to rounding", true});
+                            "all conserved quantities to the tolerance; to rounding in closed forms", true});
   for (const engine::Scheme& row : engine::schemes())
     engine.schemes.push_back(
         {std::string(row.name), row.order, std::string(row.conserves), row.kind == engine::Kind::adaptive});
   engine.options.push_back({"model",
                             {"planned", "full"},
                             "planned",
-                            "planned: only the stages that the scene requires; full: all of them"});
+                            "planned: only the stages that the scene needs; full: all stages"});
   engine.options.push_back({"joints",
                             {"reduced", "constraints"},
                             "reduced",
@@ -88,7 +89,7 @@ int sweeps_of(const std::string& value) {
   const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), sweeps);
   if (error != std::errc{} || end != value.data() + value.size() || sweeps < 1 || sweeps > 1000)
     throw std::invalid_argument(
-        fmt::format("in-house: sweeps = '{}' is no whole number in [1, 1000]", value));
+        fmt::format("in-house: sweeps = '{}' is not a whole number in [1, 1000]", value));
   return sweeps;
 }
 

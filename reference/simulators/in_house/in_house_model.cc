@@ -76,7 +76,7 @@ std::optional<std::string> add(const core::Water& w, const Scene& scene, Model& 
     auto shape = in_house_shape(scene.bodies[i].shape);
     if (const Missing* what = std::get_if<Missing>(&shape)) {
       if (!scene.bodies[i].locked)
-        return fmt::format("body '{}' is {}, of which the engine does not know how much lies under water",
+        return fmt::format("body '{}' is {}, whose submerged volume the engine cannot compute",
                            scene.bodies[i].name, *what);
       shape = engine::Shape();
     }
@@ -162,7 +162,7 @@ std::string name_of_other(const Scene& scene, const core::Pair& pair) {
 
 std::optional<std::string> add_contacts(const Scene& scene, Model& model) {
   if (const auto pair = core::pair_without_material(scene))
-    return fmt::format("'{}' and '{}' may touch and the scene states no material for them",
+    return fmt::format("'{}' and '{}' may touch, but the scene has no material for them",
                        body_of(scene, pair->body).name, name_of_other(scene, *pair));
   const core::Surfaces surfaces = core::surfaces(scene);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -173,7 +173,7 @@ std::optional<std::string> add_contacts(const Scene& scene, Model& model) {
     if (!collides) continue;
     auto shape = in_house_shape(body.shape);
     if (const Missing* what = std::get_if<Missing>(&shape))
-      return fmt::format("body '{}' may touch and is {}, for which the engine has no collision shape",
+      return fmt::format("body '{}' may touch, but is {}, for which the engine has no collision shape",
                          body.name, *what);
     model.shapes.back() = std::get<engine::Shape>(std::move(shape));
   }

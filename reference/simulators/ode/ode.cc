@@ -228,7 +228,7 @@ void Ode::step() {
   dSpaceCollide(world_->space, this,
                 [](void* me, dGeomID a, dGeomID b) { static_cast<Ode*>(me)->collide(a, b); });
   const int done = settings_.quick ? dWorldQuickStep(world_->id, dt_) : dWorldStep(world_->id, dt_);
-  if (!done) throw std::runtime_error("ODE found no memory for the step");
+  if (!done) throw std::runtime_error("ODE could not allocate memory for the step");
   if (keep_) note_contacts();
   dJointGroupEmpty(world_->contacts);
   ++steps_;

@@ -21,8 +21,8 @@ const char* missing(const core::Shape& shape) {
       Overloaded{[](const core::Cone&) { return "a cone"; },
                  [](const core::Rod&) { return "a rod, which has no thickness"; },
                  [](const core::Disc&) { return "a disc, which has no thickness"; },
-                 [](const core::Hull&) { return "a hull, of which it wants the faces as well"; },
-                 [](const core::Mesh&) { return "a mesh as a solid, only as a shell"; },
+                 [](const core::Hull&) { return "a hull that is given without faces"; },
+                 [](const core::Mesh&) { return "a mesh as a solid (only as a surface)"; },
                  [](const core::Compound& compound) -> const char* {
                    for (const core::Part& part : compound.parts)
                      if (const char* what = std::visit([](const auto& s) { return missing(s); }, part.shape))
@@ -47,7 +47,8 @@ Reason against(const core::Body& body) {
 
 Reason against(const Scene& scene, const core::Force& force) {
   if (const auto* thrust = std::get_if<core::Thrust>(&force); thrust && thrust->mass_rate != 0)
-    return fmt::format("ODE has no body of changing mass, which '{}' is.", body(scene, thrust->body).name);
+    return fmt::format("ODE does not support a body of changing mass, such as '{}'.",
+                       body(scene, thrust->body).name);
   if (std::holds_alternative<core::Water>(force)) return "ODE has no water.";
   return {};
 }
@@ -56,12 +57,12 @@ Reason against(const Scene& scene, const core::Pair& pair) {
   for (const int i : {pair.body, pair.other}) {
     if (i == core::world) continue;
     if (const char* what = missing(body(scene, i).shape))
-      return fmt::format("ODE cannot collide {}, as '{}' is.", what, body(scene, i).name);
+      return fmt::format("ODE cannot collide {}; body '{}' is one.", what, body(scene, i).name);
   }
   if (core::material_of(scene, pair)) return {};
   const std::string& other = pair.plane >= 0 ? scene.planes[static_cast<std::size_t>(pair.plane)].name
                                              : body(scene, pair.other).name;
-  return fmt::format("'{}' may touch '{}', and the scene states no material between them.",
+  return fmt::format("'{}' may touch '{}', but the scene has no material for them.",
                      body(scene, pair.body).name, other);
 }
 

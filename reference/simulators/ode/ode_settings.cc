@@ -23,53 +23,55 @@ constexpr const char* scheme_name = "semi-implicit-euler";
 std::string text(double x) { return fmt::format("{}", x); }
 
 std::vector<Setting> table(const OdeSettings& run) {
-  const std::string caller = "none: the caller's";
+  const std::string caller = "none: set by the caller";
   std::vector<Setting> settings = {
       {"solver", run.quick ? "dWorldQuickStep" : "dWorldStep", caller, "the path"},
       {"rotation", run.finite_rotation ? "finite" : "infinitesimal", "infinitesimal",
-       "finite turns a body by |w| dt; infinitesimal turns it by 2 atan(|w| dt/2)"},
-      {"gyro", run.gyro ? "on" : "off", "on", "without w x L the motion is wrong though its energy is kept"},
-      {"erp", text(run.erp), "0.2", "set before any joint is made, which copies it"},
-      {"cfm", text(run.cfm), "1e-10", "set before any joint is made, which copies it"},
-      {"auto_disable", "off", "off", "the bodies of a scene never sleep"},
-      {"damping", "0", "0", "only the scene's own drag may take energy"},
+       "finite rotates a body by |w| dt; infinitesimal by 2 atan(|w| dt/2)"},
+      {"gyro", run.gyro ? "on" : "off", "on",
+       "without w x L the motion is wrong although its energy is conserved"},
+      {"erp", text(run.erp), "0.2", "set before joints are created, because they copy it"},
+      {"cfm", text(run.cfm), "1e-10", "set before joints are created, because they copy it"},
+      {"auto_disable", "off", "off", "bodies must not be put to sleep"},
+      {"damping", "0", "0", "only the drag of the scene may remove energy"},
       {"contact_mode", "dContactApprox1 | dContactBounce", caller,
        "without Approx1 the friction coefficient is a force limit; without Bounce nothing bounces"},
-      {"mu, bounce", "the pair's", caller, "ODE takes both per contact: the material as the scene states it"},
+      {"mu, bounce", "the pair's", caller, "ODE reads both for each contact: the values of the scene"},
       {"bounce_vel", "0", caller, "no approach speed below which restitution is dropped"},
-      {"contact_surface_layer", "0", "0", "no depth at which contacts rest"},
-      {"contact_max_correcting_vel", "inf", "inf", "the engine's own"},
-      {"contacts", text(run.contacts), caller, "a box's face on a box's has eight corners at most"},
-      {"broad_phase", "dHashSpace", caller, "the engine's own for many bodies"},
+      {"contact_surface_layer", "0", "0", "contacts rest without penetration"},
+      {"contact_max_correcting_vel", "inf", "inf", "the default of the engine"},
+      {"contacts", text(run.contacts), caller, "two box faces share at most eight contact points"},
+      {"broad_phase", "dHashSpace", caller, "the default of the engine for many bodies"},
       {"threading", "self-threaded, one per world", "one shared by all worlds",
-       "two worlds that share one abort the process when two threads step them"},
+       "two worlds with shared threading abort the process if two threads step them"},
   };
   if (run.quick) {
-    settings.push_back({"iterations", text(run.iterations), "20", "the engine's own"});
-    settings.push_back({"over_relaxation", text(ode_over_relaxation), "1.3", "the engine's own"});
+    settings.push_back({"iterations", text(run.iterations), "20", "the default of the engine"});
+    settings.push_back({"over_relaxation", text(ode_over_relaxation), "1.3", "the default of the engine"});
     settings.push_back({"random_seed", "0 at load", "goes on from the last world",
-                        "rows are shuffled at random; reseeded, a repeated run has the same bits"});
+                        "rows are shuffled at random; the same seed gives the same bits in a repeated run"});
   }
   return settings;
 }
 
 std::vector<std::string> unforceable(bool quick) {
   std::vector<std::string> sentences = {
-      "Friction is a pyramid along two tangents that ODE chooses, not a cone.",
-      "The gyroscopic term is an implicit form that loses energy; it can be left out, not made exact.",
-      "Contacts are found in the state at the start of a step, so an impact is felt up to one step late.",
-      "Restitution reflects the approach speed from before the forces of the step act.",
-      "There is no continuous collision detection: what is crossed within one step is not felt.",
-      "Impacts at one instant are one complementarity problem, whatever order the scene asks for.",
+      "Friction is a pyramid along two tangents that ODE chooses, not a Coulomb cone.",
+      "The gyroscopic term is implicit and loses energy; it can be switched off, but there is no exact form.",
+      "Contacts are detected at the start of a step, so an impact acts up to one step late.",
+      "Restitution uses the approach speed before the forces of the step act.",
+      "There is no continuous collision detection: a fast body can pass through another within one step.",
+      "Impacts at one instant are solved as one complementarity problem, whatever order the scene requests.",
   };
   if (quick) {
-    sentences.emplace_back("QuickStep ends after its number of iterations, whatever the residual.");
+    sentences.emplace_back("QuickStep stops after a fixed number of iterations, whatever the residual.");
     sentences.emplace_back(
-        "The random sequence is one per process: worlds stepped in turn disturb each other.");
+        "All worlds of a process share one random sequence, so worlds that are stepped in turn affect each "
+        "other.");
   } else {
     sentences.emplace_back(
-        "Dantzig's solver gives up on redundant or exactly touching contacts ('LCP internal error, s <= 0') "
-        "and drops their impulses.");
+        "Dantzig's solver fails on redundant or exactly touching contacts ('LCP internal error, s <= 0') and "
+        "drops their impulses.");
   }
   return sentences;
 }
@@ -78,8 +80,8 @@ core::Path path(bool quick) {
   OdeSettings run;
   run.quick = quick;
   return {quick ? "quick" : "step",
-          quick ? "projected successive over-relaxation, for piles"
-                : "Dantzig's direct solution, for joints and few contacts",
+          quick ? "projected successive over-relaxation, intended for piles"
+                : "Dantzig's direct solver, intended for joints and few contacts",
           table(run), unforceable(quick)};
 }
 

@@ -1,4 +1,4 @@
-// composite_body holds no motion but mass properties: the loader's compound against the file.
+// Compares the mass properties of the loader's compound with the file composite_body.
 #include "harness/scenario/scenario.h"
 #include "tests/conformance/accuracy/truth/truth_file.h"
 

@@ -48,7 +48,7 @@ TEST(ShippedTruths, StartWhereTheirScenesStart) {
   EXPECT_GT(seen, 150);
 }
 
-TEST(ShippedTruths, LieOnTheNominalGrid) {
+TEST(ShippedTruths, LieOnNominalGrid) {
   for (const scenario::Scenario& scenario : shipped())
     for (const core::Claim& claim : scenario.claims) {
       if (!claim.truth) continue;

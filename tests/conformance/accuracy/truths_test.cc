@@ -37,7 +37,7 @@ double allowed(const std::string& file, const TruthScene& scene) {
 
 class Truths : public testing::TestWithParam<std::string> {};
 
-TEST_P(Truths, TheEngineFollowsTheFile) {
+TEST_P(Truths, EngineAgreesWithFile) {
   const auto simulator = core::make_simulator();
   core::Setup setup;
   setup.integrator = "auto";
@@ -79,14 +79,14 @@ std::vector<std::string> moving() {
 INSTANTIATE_TEST_SUITE_P(Files, Truths, testing::ValuesIn(moving()),
                          [](const auto& parameter) { return parameter.param; });
 
-TEST(TruthFiles, NoneIsMissing) {
+TEST(TruthFiles, AllExist) {
   EXPECT_EQ(truth_names().size(), 46u);
   for (const auto& [name, exception] : exceptions)
     EXPECT_EQ(std::ranges::count(truth_names(), name), 1) << name;
 }
 
 // The comparison itself is tested on motions that are wrong by a known amount.
-TEST(TruthFiles, AnErrorIsSeen) {
+TEST(TruthFiles, DetectsError) {
   for (const std::string& name : moving()) {
     for (const TruthScene& truth : truth_scenes(name)) {
       const Sample& sample = truth.samples.back();

@@ -1,4 +1,4 @@
-// Motions that must follow from each other: boosted, run back, fallen, split, added, glued.
+// Related motions: boost, time reversal, free fall, split runs, superposition, fixed joints.
 #include "tests/conformance/metamorphic/random_scenes.h"
 
 namespace cylon::core {
@@ -23,7 +23,7 @@ State turned_round(State state) {
 }
 
 // 3. Isolated bodies: p + u t, v + u, the same turns.  Errata 2.
-TEST(Relation3, ABoostIsCarriedAlong) {
+TEST(Relation3, BoostAddsUniformMotion) {
   for (int seed = 0; seed < scene_count; ++seed) {
     const Scene scene = random_scene(seed, isolated);
     const Vector3 u = Random(seed + 1000).vector(3);
@@ -37,7 +37,7 @@ TEST(Relation3, ABoostIsCarriedAlong) {
 }
 
 // 5. Without losses the film runs backwards; reversible schemes to rounding, auto to its tolerance.
-TEST(Relation5, TheFilmRunsBackwards) {
+TEST(Relation5, MotionIsTimeReversible) {
   for (int seed = 0; seed < scene_count; ++seed) {
     const std::string names[] = {"velocity-verlet", "yoshida4", "stormer-verlet", "yoshida6", "auto"};
     const std::string& scheme = names[seed % 5];
@@ -49,7 +49,7 @@ TEST(Relation5, TheFilmRunsBackwards) {
 }
 
 // 9. In uniform gravity an isolated system only falls: p + g t^2/2, v + g t.
-TEST(Relation9, AllFallAlike) {
+TEST(Relation9, FreeFallDoesNotDependOnMass) {
   for (int seed = 0; seed < scene_count; ++seed) {
     const std::string scheme = scheme_of(seed);
     const Scene scene = random_scene(seed, isolated);
@@ -124,7 +124,7 @@ Scene heavy_top(Random& random, double moment, double about_axis, double spin) {
 }
 
 // 13. The path of a symmetric top's axis depends on I3 w3 alone.
-TEST(Relation13, ATopsAxisKnowsOnlyI3TimesItsSpin) {
+TEST(Relation13, AxisOfTopDependsOnlyOnI3TimesSpin) {
   for (int seed = 0; seed < scene_count; ++seed) {
     const std::string scheme = scheme_of(seed);
     Random first(seed), second(seed);
@@ -143,7 +143,7 @@ TEST(Relation13, ATopsAxisKnowsOnlyI3TimesItsSpin) {
 }
 
 // 14. Drag by c L slows a free top's clock: q(t) = q_free((1 - e^-ct)/c), w = e^-ct w_free.
-TEST(Relation14, ADampedTopIsAFreeOneWithASlowerClock) {
+TEST(Relation14, DampedTopIsFreeTopInScaledTime) {
   for (int seed = 0; seed < scene_count; ++seed) {
     Random random(seed);
     Scene free;
@@ -161,7 +161,7 @@ TEST(Relation14, ADampedTopIsAFreeOneWithASlowerClock) {
 }
 
 // 15. Parts that are held fast are one body: summed mass, centre and I = sum R I R^T + m (d^2 1 - d d^T).
-TEST(Relation15, GluedPartsAreOneBody) {
+TEST(Relation15, FixedPartsActAsOneBody) {
   for (int seed = 0; seed < scene_count; ++seed) {
     Random random(seed);
     Scene parts, whole;

@@ -1,5 +1,5 @@
-// The same scene in other words must move the same: moved, turned, mirrored, in other units, with other axes,
-// in another order.  Nothing here knows a solution.
+// Translated, rotated, mirrored and rescaled scenes, and scenes with other body axes or body order, must have
+// the same motion.  No test here needs an exact solution.
 #include "harness/study/restate.h"
 #include "tests/conformance/metamorphic/random_scenes.h"
 
@@ -32,14 +32,14 @@ void expect_relation(const Restatement& change, const Ingredients& use, bool to_
 // Impacts are located to rounding, and what they change is changed at times that differ by as much.
 const Ingredients smooth = {}, bouncing = {.contacts = true}, rough = {.contacts = true, .friction = 0.3};
 
-TEST(Relation1, TranslationMovesTheMotion) {
+TEST(Relation1, TranslatedSceneHasTranslatedMotion) {
   const Vector3 a = {0.7, -1.3, 0.4};
   Restatement change;
   change.move = a;
   for (const Ingredients& use : {smooth, bouncing, rough}) expect_relation(change, use);
 }
 
-TEST(Relation2, RotationTurnsTheMotion) {
+TEST(Relation2, RotatedSceneHasRotatedMotion) {
   const Quaternion s = Quaternion(0.7, -0.2, 0.5, 0.3).normalized();
   Restatement change;
   change.turn = s.toRotationMatrix();
@@ -47,7 +47,7 @@ TEST(Relation2, RotationTurnsTheMotion) {
 }
 
 // M = diag(-1, 1, 1) in the world and in body axes: w -> -M w, (w, x, y, z) -> (w, x, -y, -z).
-TEST(Relation4, AMirrorShowsAPossibleMotion) {
+TEST(Relation4, MirroredSceneHasMirroredMotion) {
   Restatement change;
   change.turn = change.own = Vector3(-1, 1, 1).asDiagonal();
   for (const Ingredients& use : {smooth, bouncing, rough}) expect_relation(change, use);
@@ -66,14 +66,14 @@ TEST(Relation6, ScalingByAnyUnit) {
   for (const Ingredients& use : {smooth, bouncing, rough}) expect_relation(change, use);
 }
 
-TEST(Relation7, MassAloneChangesNothing) {
+TEST(Relation7, CommonMassFactorHasNoEffect) {
   Restatement change;
   change.mass = 3.7;
   for (const Ingredients& use : {smooth, bouncing, rough}) expect_relation(change, use);
 }
 
 // Other axes in the body: q' = q c, I' = C^T I C, a' = C^T a.  Errata 40, 42.
-TEST(Relation8, BodyAxesAreANameOnly) {
+TEST(Relation8, BodyAxesHaveNoEffect) {
   const Quaternion c = Quaternion(0.4, 0.6, -0.3, 0.5).normalized();
   Restatement change;
   change.own = c.conjugate().toRotationMatrix();
@@ -81,7 +81,7 @@ TEST(Relation8, BodyAxesAreANameOnly) {
 }
 
 // Errata 66: the order of the bodies is no part of the physics.
-TEST(Relation10, TheOrderOfBodiesDoesNotMatter) {
+TEST(Relation10, BodyOrderHasNoEffect) {
   for (const Ingredients& use : {smooth, bouncing}) {
     for (int seed = 0; seed < scene_count; ++seed) {
       const Scene scene = random_scene(seed, use);
@@ -104,7 +104,7 @@ TEST(Relation10, TheOrderOfBodiesDoesNotMatter) {
 }
 
 // The relations can fail: half a change is none.
-TEST(NegativeControl, AHalfHeartedMirrorIsFoundOut) {
+TEST(NegativeControl, DetectsIncompleteMirror) {
   Restatement change;
   change.turn = Vector3(-1, 1, 1).asDiagonal();  // and not the bodies
   const Scene scene = random_scene(3, smooth);

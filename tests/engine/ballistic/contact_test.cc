@@ -35,7 +35,7 @@ TEST(BallisticContact, GrazingHitsAndMisses) {
 // One sphere hits two that touch, symmetrically (m = 1, e = 1): all at once gives the symmetric answer
 //   J each = 2 v cos / (1/m + 2 cos^2/m),  cos = sqrt 3/2;   v0' = v (1 - 4 cos^2 / (1 + 2 cos^2)) = -v/5
 // one after another does not; both keep momentum and energy.
-TEST(BallisticContact, ThreeSpheresAtOnce) {
+TEST(BallisticContact, SimultaneousImpactOfThreeSpheres) {
   const Quaternion turn = exponential({Real(0.2), Real(-0.6), Real(1.1)});
   const Real cosine = std::sqrt(Real(3)) / 2, v = Real(1.7);
   Vector3 left, right;
@@ -62,7 +62,7 @@ TEST(BallisticContact, ThreeSpheresAtOnce) {
 
 // Newton's cradle all at once: the complementarity problem of a chain, solved here by elimination.  With one
 // ball in, J_1 = 2 (n-1)/n and the rest linear: v = (-1 + 2/n, 2/n, ..., 2/n).
-TEST(BallisticContact, CradleAllAtOnce) {
+TEST(BallisticContact, SimultaneousImpactsOfCradle) {
   Model model = spheres_of({1, 0});
   model.impacts = Impacts::simultaneous;
   const Vector3 line(Real(0.48), Real(-0.6), Real(0.64));
@@ -78,7 +78,7 @@ TEST(BallisticContact, CradleAllAtOnce) {
 }
 
 // A corner takes back both components, in either manner.
-TEST(BallisticContact, CornerReturnsTheSphere) {
+TEST(BallisticContact, CornerReflectsSphere) {
   for (const Impacts impacts : {Impacts::sequential, Impacts::simultaneous}) {
     Model model = spheres_of({1, 0});
     model.impacts = impacts;
@@ -114,7 +114,7 @@ TEST(BallisticContact, NoRestitution) {
 
 // Newton's law for any angle of a plane, and a general inertia factor (hollow sphere 2/3): rolling starts
 // when the slip has gone, at u0 / (g mu (1 + 1/factor)); the velocity lost is u0 / (1 + 1/factor).
-TEST(BallisticContact, SlipOfAnyInertiaEnds) {
+TEST(BallisticContact, SlipEndsForAnyInertia) {
   for (const Real factor : {Real(0.4), Real(2) / 3, Real(0.1), Real(1)}) {
     const Real mu = Real(0.21), k = 1 + 1 / factor;
     Model model = spheres_of({Real(0.5), mu}, down);
@@ -228,7 +228,7 @@ TEST(BallisticContact, SlidingSphereMeetsARestingOne) {
 }
 
 // Falls on a locked sphere, off its top: the first hit is where the vertical parabola meets the circle.
-TEST(BallisticContact, LockedSphereIsAWall) {
+TEST(BallisticContact, LockedSphereActsAsWall) {
   Model model = spheres_of({Real(0.8), 0}, down);
   add_sphere(model, 1, Real(0.2), {Real(0.3), 2, Real(0.1)}, Vector3::Zero());
   add_sphere(model, 5, Real(0.6), Vector3::Zero(), Vector3::Zero(), Vector3::Zero(), Real(0.4), true);
@@ -246,7 +246,7 @@ TEST(BallisticContact, LockedSphereIsAWall) {
 
 // Ever shorter bounces on a slope: when they end the velocity along the slope is that of a slide that gravity
 // pulls all the time, because without friction nothing else acts along it.
-TEST(BallisticContact, BouncesOnASlopeEndInSliding) {
+TEST(BallisticContact, BouncesOnSlopeEndInSliding) {
   const Vector3 n = Vector3(Real(0.3), 1, Real(-0.2)).normalized();
   Model model = spheres_of({Real(0.5), 0}, down);
   add_plane(model, n, Real(0.7));
@@ -271,7 +271,7 @@ struct Limit {
 };
 
 // What it does not know is detected and handed over with the state at that instant.
-TEST(BallisticContact, HandsOverWhatItCannotExpress) {
+TEST(BallisticContact, HandsOverUnsupportedStates) {
   std::vector<Limit> limits;
   {
     Model model = spheres_of({Real(0.5), 0}, down);  // a ball in a groove
@@ -334,7 +334,7 @@ TEST(BallisticContact, HandsOverWhatItCannotExpress) {
   }
 }
 
-TEST(BallisticContact, SaysWhatItDoesNotApplyTo) {
+TEST(BallisticContact, GivesReasonWhereItDoesNotApply) {
   Model good = spheres_of({Real(0.5), Real(0.2)}, down);
   add_sphere(good, 1, Real(0.5), {0, 1, 0}, Vector3::Zero());
   EXPECT_TRUE(ballistic_applies(good));
@@ -345,25 +345,25 @@ TEST(BallisticContact, SaysWhatItDoesNotApplyTo) {
     return ballistic_unsupported(model).value_or("");
   };
   EXPECT_EQ(reason([](Model& m) { m.forces.springs.emplace_back(); }),
-            "another force than uniform gravity acts");
+            "a force other than uniform gravity acts");
   EXPECT_EQ(reason([](Model& m) { m.forces.drags.emplace_back(); }),
-            "another force than uniform gravity acts");
+            "a force other than uniform gravity acts");
   EXPECT_EQ(reason([](Model& m) { m.joints.emplace_back(); }), "there are joints");
   EXPECT_EQ(reason([](Model& m) { m.frame.emplace(); }), "the frame rotates");
-  EXPECT_EQ(reason([](Model& m) { m.shapes[0] = Box{}; }), "body 0 has another shape than a sphere");
+  EXPECT_EQ(reason([](Model& m) { m.shapes[0] = Box{}; }), "body 0 is not a sphere");
   EXPECT_EQ(reason([](Model& m) { m.bodies[0].inverse_mass = 0; }), "body 0 is pinned");
   const auto lopsided = [](Model& m) {
     m.bodies[0] = make_body(1, Vector3(Real(0.1), Real(0.2), Real(0.25)).asDiagonal());
     m.motions[0].angular_momentum = {1, 2, 3};
     m.materials[0].friction = 0;
   };
-  EXPECT_EQ(reason(lopsided), "body 0 spins and its inertia has three different moments");
+  EXPECT_EQ(reason(lopsided), "body 0 spins and has three different principal moments");
   const auto rough = [&](Model& m) {
     lopsided(m);
     m.materials[0].friction = Real(0.1);
     add_plane(m, Vector3::UnitY(), 0);
   };
-  EXPECT_EQ(reason(rough), "body 0 may be turned by friction and its inertia is not a sphere's");
+  EXPECT_EQ(reason(rough), "body 0 can be rotated by friction and its inertia is not that of a sphere");
 }
 
 // A symmetric top that cannot be turned by what it touches goes on as a free top, through the bounce.

@@ -1,4 +1,4 @@
-// Meetings computed side by side: the bits of those computed one by one.
+// Impact times computed in vector form have the same bits as those computed one by one.
 #include "engine/ballistic/crowd.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ Flight flight(std::mt19937& random, const Vector3& gravity) {
 
 class Meetings : public testing::TestWithParam<Real> {};
 
-TEST_P(Meetings, OfACrowdHaveTheBitsOfSingleOnes) {
+TEST_P(Meetings, VectorizedBitsAgreeWithSinglePairs) {
   std::mt19937 random(7);
   const Vector3 gravity = GetParam() * Vector3(Real(0.3), Real(-9.81), Real(0.7));
   int met = 0, near = 0;

@@ -34,7 +34,7 @@ TEST(BallisticGas, EnergyStaysToRounding) {
   EXPECT_LE(std::abs(energy(model, end.motions) / energy(model, model.motions) - 1), 450 * rounding);
 }
 
-TEST(BallisticGas, NothingLeavesAClosedBox) {
+TEST(BallisticGas, SpheresStayInClosedBox) {
   for (const Real e : {Real(1), Real(0.9)}) {
     Model model = spheres_of({e, Real(0.3)}, {Real(0.4), Real(-0.9), Real(0.2)});
     const Quaternion r = exponential({Real(0.4), Real(-0.8), Real(0.3)});
@@ -100,7 +100,7 @@ TEST(BallisticGas, MomentumAndAngularMomentumStayToRounding) {
 }
 
 // Negative control: friction does turn, restitution below 1 does lose energy.
-TEST(BallisticGas, FrictionAndRestitutionAreSeen) {
+TEST(BallisticGas, FrictionAndRestitutionAct) {
   const Model smooth = boxed_gas(4, {1, 0}, 5), rough = boxed_gas(4, {1, Real(0.4)}, 5),
               soft = boxed_gas(4, {Real(0.9), 0}, 5);
   const double start = energy(smooth, smooth.motions);
@@ -127,7 +127,7 @@ TEST(BallisticGas, TimeReversal) {
 
 // The stepper's clock does not enter: the same events, with the same bits, however the time is cut into
 // steps.
-TEST(BallisticGas, StepSizeDoesNotChangeABit) {
+TEST(BallisticGas, BitsDoNotDependOnStep) {
   const Model model = free_gas(21);
   const Outcome coarse = run(model, 2.0, 1), fine = run(model, 1.0 / 128, 256);
   ASSERT_EQ(coarse.impacts.size(), fine.impacts.size());
@@ -149,7 +149,7 @@ TEST(BallisticGas, SplitRun) {
 
 // The order in which bodies are given is not seen by a bit: a pair's event is computed from the pair alone.
 // (Unless two events fall on one instant, which they do not here.)
-TEST(BallisticGas, OrderOfBodiesDoesNotChangeABit) {
+TEST(BallisticGas, BitsDoNotDependOnBodyOrder) {
   const Model model = boxed_gas(4, {1, Real(0.2)}, 17, true);
   const std::size_t n = model.bodies.size();
   Model shuffled = model;

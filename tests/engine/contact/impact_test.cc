@@ -85,7 +85,7 @@ TEST(ContactImpact, RoughBall) {
 
 // Spheres slide in a direction that does not change.  March: dP_n steps, friction against the slip of the
 // moment (G. Darboux 1880, J. Keller 1986), until the normal speed is -e times the first.
-TEST(ContactImpact, AgreesWithAMarchWhereSlipKeepsItsDirection) {
+TEST(ContactImpact, AgreesWithIntegrationAtConstantSlipDirection) {
   const Vector3 n = Vector3::UnitY();
   for (const Real mu : {0.05, 0.2, 0.35, 0.8}) {
     Scene s = ball({1.3, -2.1, -0.6}, {2.2, -0.4, 3.1}, 0.7, mu);
@@ -147,7 +147,7 @@ Scene random_scene(Random& random, int points) {
   return s;
 }
 
-TEST(ContactImpact, ObeysItsLawsOverRandomImpacts) {
+TEST(ContactImpact, RandomImpactsObeyContactLaws) {
   Random random;
   int inexact = 0, lowered = 0;
   for (int trial = 0; trial < 10000; ++trial) {
@@ -188,7 +188,7 @@ TEST(ContactImpact, ObeysItsLawsOverRandomImpacts) {
   EXPECT_LE(inexact, 10);  // a part in a thousand, of configurations with frictions up to 1.2
 }
 
-TEST(ContactImpact, TurnsWithTheScene) {
+TEST(ContactImpact, RotatesWithTheScene) {
   Random random;
   for (int trial = 0; trial < 200; ++trial) {
     Scene s = random_scene(random, 1 + trial % 3);
@@ -208,7 +208,7 @@ TEST(ContactImpact, TurnsWithTheScene) {
   }
 }
 
-TEST(ContactImpact, SameBitsAgain) {
+TEST(ContactImpact, RepeatsBits) {
   Random one, two;
   for (int trial = 0; trial < 50; ++trial) {
     Scene a = random_scene(one, 4), b = random_scene(two, 4);
@@ -218,7 +218,7 @@ TEST(ContactImpact, SameBitsAgain) {
   }
 }
 
-TEST(ContactImpact, WithoutRestitutionNothingBouncesAndWithoutFrictionNothingSticks) {
+TEST(ContactImpact, ZeroRestitutionAndZeroFriction) {
   Scene plastic = ball({3, -4, 1}, {1, 2, 3}, 0, 0.3);
   plastic.strike_all();
   EXPECT_NEAR(plastic.speed(0).y(), 0, 1e-15);

@@ -1,4 +1,4 @@
-// How lasting contacts press and hold: statics in closed form, margins, and the rates of touches by
+// Forces of persistent contacts: statics in closed form, margins, and rates of contact points by
 // differences.
 #include "tests/engine/contact/contact_fixtures.h"
 
@@ -38,7 +38,7 @@ Vector3 total(const Support& s) {
 }
 
 // tan(th) against mu, to a part in 1e9 on both sides, in any direction: the cone is round.
-TEST(ContactSupport, StickEndsAtTheAngleOfFriction) {
+TEST(ContactSupport, StickEndsAtFrictionAngle) {
   const Real mu = 0.47;
   for (const Real heading : {0.0, 0.4, 0.9, 1.7, 2.6}) {
     for (const Real off : {-1e-9, 1e-9}) {
@@ -63,7 +63,7 @@ TEST(ContactSupport, WithoutFrictionNothingSticks) {
   EXPECT_NEAR(total(s).norm(), 9.81 * std::cos(0.01), 1e-12);
 }
 
-TEST(ContactSupport, SlidingForceIsAgainstTheSlip) {
+TEST(ContactSupport, FrictionOpposesSlip) {
   for (const Real heading : {0.0, 0.8, 2.1}) {
     const Model model = box_on_slope(0.2, 0.3, {0.5, 0.1, 0.4}, heading, {0.3, 0, -0.4});
     const Support s = support_of(model);
@@ -92,7 +92,7 @@ TEST(ContactSupport, HighBoxTips) {
 }
 
 // normal', path and curvature of round touches against central differences of touches on a free motion.
-TEST(ContactSupport, RatesOfTouches) {
+TEST(ContactSupport, RatesOfContactPoints) {
   const Shape shapes[] = {Sphere{0.4},          Box{{0.5, 0.3, 0.6}}, Box{{0.5, 0.3, 0.6}},
                           Box{{0.5, 0.3, 0.6}}, Capsule{0.2, 0.5},    Capsule{0.2, 0.5}};
   const Vector3 places[] = {{0.4, 0.5, -0.3}, {0.1, 0.6, 0.2}, {0.8, 0.55, 0.2},

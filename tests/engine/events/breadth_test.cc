@@ -1,4 +1,4 @@
-// Every kind of pair dropped, thrown and turned: what holds of all of them, between any two steps.
+// Every kind of pair, dropped, thrown and rotated: the contact laws hold between any two steps.
 #include "engine/geometry/hull.h"
 #include "tests/engine/contact/contact_fixtures.h"
 
@@ -119,7 +119,7 @@ void check(const Scene& scene) {
         << scene.name << ": " << remark;
 }
 
-TEST(EventBreadth, LawsHoldBetweenAnyTwoSteps) {
+TEST(EventBreadth, ContactLawsHoldBetweenSteps) {
   for (const Scene& scene : scenes()) check(scene);
 }
 

@@ -37,7 +37,7 @@ TEST(EventContact, RestIsExact) {
 }
 
 // Steeper than friction holds, the same box slides: the test above could have failed.
-TEST(EventContact, SteepBoxDoesNotRest) {
+TEST(EventContact, BoxOnSteepSlopeSlides) {
   const Quaternion turn = exponential(Vector3(0.1, 0.7, -0.6));
   Model box = with_plane(turn * Vector3::UnitY(), 0.3, {0.4, 0.5});
   add_box(box, 1.7, {0.5, 0.3, 0.4}, turn * Vector3(0.2, 0.6, -0.1), turn, Vector3::Zero(), Vector3::Zero());
@@ -69,7 +69,7 @@ TEST(EventContact, IsolatedBodiesConserveMomenta) {
   EXPECT_LT((run.angular_momentum() - l).norm(), 1e-11);  // flight between impacts at the scheme's tolerance
 }
 
-TEST(EventContact, NothingTunnels) {
+TEST(EventContact, NoTunnelling) {
   // A ball of 1 cm at 700 m/s against one of 2 cm: in one step it passes 14 m.
   Model model = without_plane({1, 0});
   add_sphere(model, 0.1, 0.01, {-5, 0.003, 0}, {700, 0, 0}, Vector3::Zero());
@@ -128,7 +128,7 @@ TEST(EventContact, SphereRollsOffALockedBall) {
   EXPECT_NEAR(energy, v * v / 2 + gravity * far * cosine + v * won_speed, Real(0.15) * v * won_speed);
 }
 
-TEST(EventContact, FixedStepsKeepTheirOrderThroughImpacts) {
+TEST(EventContact, FixedStepsKeepOrderThroughImpacts) {
   // A damped, bouncing ball: drag makes the flight inexact, the impact is located inside the step.
   const auto end = [](double dt) {
     Model model = with_plane(Vector3(0.2, 1, -0.1).normalized(), 0, {0.7, 0.2});
@@ -144,7 +144,7 @@ TEST(EventContact, FixedStepsKeepTheirOrderThroughImpacts) {
   EXPECT_GT(order, 3.5);
 }
 
-TEST(EventContact, SplittingsTakeContactsToo) {
+TEST(EventContact, SplittingsSupportContacts) {
   Model model = with_plane(Vector3::UnitY(), 0, {0, 0.3});
   add_sphere(model, 1, 0.5, {0, 0.5, 0}, {5, 0, 0}, Vector3::Zero());
   Trial run(model, 0.02, "velocity-verlet");
@@ -152,7 +152,7 @@ TEST(EventContact, SplittingsTakeContactsToo) {
   EXPECT_NEAR(run.motion(0).position.x(), 7.48958094960716192695, 1e-11);
 }
 
-TEST(EventContact, SameBitsAgain) {
+TEST(EventContact, RepeatsBits) {
   std::vector<Vector3> ends;
   for (int i = 0; i < 2; ++i) {
     Model model = with_plane(Vector3(0.1, 1, 0.2).normalized(), 0, {0.4, 0.3});

@@ -12,7 +12,7 @@ constexpr double g = 9.81;
 
 // A pendulum swings from its wall, at the bottom, and back:  2 sqrt(L/g) K(k_n) between strikes, with
 // L = (l^2 + 2/5 r^2)/l and k_n = e^n sin(theta_0/2), for the speed at the bottom is 2 sqrt(g L) k.
-TEST(EventExact, APendulumStrikesItsWall) {
+TEST(EventExact, PendulumStrikesWall) {
   const double l = 0.8, r = 0.1, angle = 1.1, length = (l * l + 0.4 * r * r) / l;
   const Quaternion turn = exponential(Vector3(0, 0.7, 0));
   for (const double e : {1.0, 0.7}) {
@@ -47,7 +47,7 @@ TEST(EventExact, APendulumStrikesItsWall) {
 // A ball hangs on a spring over a plane that it strikes.  With y = 0 where spring and weight balance, d above
 // the plane, and w = sqrt(k/m):  y = A cos(w t) meets -d at acos(-d/A)/w;  from there with speed u it is back
 // after 2/w (pi - atan(u/(w d))).
-TEST(EventExact, ABallOnASpringStrikesAPlane) {
+TEST(EventExact, BallOnSpringStrikesPlane) {
   const double m = 1.3, k = 40, rest = 0.5, r = 0.1, d = 0.15, amplitude = 0.4, e = 0.8;
   const double w = std::sqrt(k / m), anchor = d + r + rest + m * g / k;
   Model model = with_plane(Vector3::UnitY(), 0, {e, 0.3});
@@ -71,7 +71,7 @@ TEST(EventExact, ABallOnASpringStrikesAPlane) {
 
 // A ball that spins and slides any way on a level plane.  Slip u = v - r w x n keeps its direction d and
 // loses 7/2 mu g t; until it ends  v = v_0 - mu g t d,  w = w_0 + 5/2 mu g t (n x d)/r;  then it rolls.
-TEST(EventExact, ASpinningBallSlidesAslantAndRolls) {
+TEST(EventExact, SpinningBallSlidesObliquelyThenRolls) {
   struct Case {
     double mu;
     Vector3 v, w;
@@ -133,7 +133,7 @@ TEST(EventExact, OneBallStrikesTwoThatTouch) {
 
 // Three balls that springs press together turn as one:  N = sqrt(3) stays, for all three of them touch.
 // Without friction none of them spins:  p_i = R(w t) p_i(0).
-TEST(EventExact, ThreeBallsPressedTogetherTurnAsOne) {
+TEST(EventExact, ThreePressedBallsRotateTogether) {
   Model model = without_plane({0.5, 0});
   const Vector3 axis = Vector3(0.2, 0.5, 1).normalized(), arm = axis.unitOrthogonal();
   const double r = 0.2, out = 2 * r / std::sqrt(3.0), w = 1.3;

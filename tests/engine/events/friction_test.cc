@@ -1,11 +1,11 @@
-// Friction of any size: what slides or sticks takes energy or leaves it, and never gives any.
+// Friction of any size never adds energy, in sliding and in sticking.
 #include "tests/engine/contact/contact_fixtures.h"
 
 namespace cylon::engine {
 namespace {
 
 // A ball rolls, slips and leaves a locked ball; friction grows without bound.
-TEST(EventFriction, LeavingABallGivesNoEnergy) {
+TEST(EventFriction, SeparationAddsNoEnergy) {
   for (const Real mu : {Real(1), Real(10), Real(50), Real(1e3), Real(1e4), Real(1e5), Real(1e6)}) {
     Model model = with_plane(Vector3::UnitY(), -50, {0, mu});
     add_sphere(model, 1, 1, Vector3::Zero(), Vector3::Zero(), Vector3::Zero(), true);
@@ -29,7 +29,7 @@ TEST(EventFriction, LeavingABallGivesNoEnergy) {
 
 // A thin rod on a rough floor, tilted and pushed so that friction digs it in (Painleve): above mu = 4/3 there
 // are slips for which no finite force keeps the contact.
-TEST(EventFriction, DiggingInGivesNoEnergy) {
+TEST(EventFriction, JammingAddsNoEnergy) {
   for (const Real mu : {Real(0.5), Real(1), Real(2), Real(5), Real(100), Real(1e6)}) {
     for (const Real speed : {Real(0.3), Real(3), Real(-3)}) {
       Model model = with_plane(Vector3::UnitY(), 0, {0, mu});
@@ -55,7 +55,7 @@ TEST(EventFriction, DiggingInGivesNoEnergy) {
 }
 
 // A box and a ball thrown at a corner of three rough planes.
-TEST(EventFriction, ThrownIntoACornerGivesNoEnergy) {
+TEST(EventFriction, CornerImpactAddsNoEnergy) {
   for (const Real mu : {Real(0.2), Real(1), Real(30), Real(1e6)}) {
     for (const bool ball : {false, true}) {
       Model model = with_plane(Vector3(0.2, 1, 0.1).normalized(), 0, {0.3, mu});

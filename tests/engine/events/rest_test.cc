@@ -1,4 +1,4 @@
-// Where motions that touch end: rest after infinitely many bounces, slip that jams, impacts declared
+// Final states with contact: rest after infinitely many bounces, jamming, impacts declared
 // simultaneous.
 #include "tests/engine/contact/contact_fixtures.h"
 
@@ -27,7 +27,7 @@ TEST(EventRest, BouncesOnASmoothInclineEndInSliding) {
 // A slender rod that slides, leaning, digs itself in above a friction of 4/3 (P. Painleve 1895; F. Genot and
 // B. Brogliato, Eur. J. Mech. A 18 (1999) 653); far below it, it just falls over.  The law has no force
 // there: it must be said.
-TEST(EventRest, ARodThatJamsIsSaid) {
+TEST(EventRest, ReportsJammedRod) {
   struct Case {
     Real mu, speed;
     bool jams;

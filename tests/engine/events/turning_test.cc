@@ -49,7 +49,7 @@ class Turn {
 // A ball is thrown up an incline, all but straight.  Its slip u falls to nearly nothing and turns round, or
 // ends and it rolls.  u_x changes by (1 + 5/2) F/m where v_x does by F/m, so
 //   v = v_0 + g_t t + 2/7 (u - u_0 - g_t t).
-TEST(EventTurning, SlipPassesThroughAnySmallSpeed) {
+TEST(EventTurning, SlipPassesThroughSmallSpeeds) {
   const Vector3 normal(std::sin(theta), std::cos(theta), 0), down(std::cos(theta), -std::sin(theta), 0);
   constexpr double time = 0.5, radius = 0.2;
   for (const double friction : {0.1, 0.13, 0.2}) {  // 0.83, 1.08 and 1.66 times what would end slip

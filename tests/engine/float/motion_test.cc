@@ -1,4 +1,4 @@
-// The engine in single precision against closed forms in double, each within what float's rounding is worth.
+// The engine in single precision against closed forms in double, within the rounding of float.
 #include "tests/engine/float/fixtures.h"
 
 namespace cylon::engine {
@@ -10,7 +10,7 @@ using Double3 = Eigen::Vector3d;
 
 // A symmetric top: L stays, and the axis turns about it at |L|/b.  L. D. Landau, E. M. Lifshitz, Mechanics,
 // section 33.
-TEST(FloatMotion, ASymmetricTopsAxisGoesRoundItsMomentum) {
+TEST(FloatMotion, AxisOfSymmetricTopPrecesses) {
   Model model;
   add_body(model, make_body(2, general_inertia(real(0.5), real(0.5), real(0.8))), {1, 2, 3},
            {real(0.4), 1, real(-0.3)}, {0, 0, 0}, {3, 1, -1});
@@ -35,7 +35,7 @@ TEST(FloatMotion, ASymmetricTopsAxisGoesRoundItsMomentum) {
 // ---- Impacts in time ---------------------------------------------------------------------------------
 
 // A ball let go from a height h: t_1 = sqrt(2h/g), then 2 e^k t_1 between bounces.
-TEST(FloatMotion, BouncesComeWhenTheyMust) {
+TEST(FloatMotion, BouncesOccurAtExactTimes) {
   const double height = 0.8, e = 0.75, fall = std::sqrt(2 * height / 9.81);
   for (const char* scheme : {"auto", "rk4", "velocity-verlet"}) {
     const Outcome end = run(ball_over_plane(real(height), real(e)), scheme, 2.0, 200);
@@ -54,7 +54,7 @@ TEST(FloatMotion, BouncesComeWhenTheyMust) {
 // A scheme of first order comes down later within a step than the cubic between its ends does: the impact was
 // taken for a graze, the ball stood inside the plane, parted, and was found to meet it at that instant for
 // ever.
-TEST(FloatMotion, AStepOfFirstOrderDoesNotMissItsImpact) {
+TEST(FloatMotion, FirstOrderStepDoesNotMissImpact) {
   for (const char* scheme : {"symplectic-euler", "explicit-euler"}) {
     const Model model = ball_over_plane(real(0.5), real(0.6));
     Real deepest = 0;
@@ -122,7 +122,7 @@ double spring_error(double decay, Real tolerance, std::vector<std::string>& rema
 }
 
 // In closed form a sample is rounded once, whatever the time.
-TEST(FloatModes, ErrByARounding) {
+TEST(FloatModes, AreExactToRounding) {
   std::vector<std::string> remarks;
   EXPECT_LT(spring_error(0, 0, remarks), 2 * static_cast<double>(rounding));
 }
@@ -136,7 +136,7 @@ TEST(FloatAuto, KeepsItsOwnTolerance) {
 }
 
 // 1e-8 is a tenth of a rounding: it must be said, and the motion must be the best that there is.
-TEST(FloatAuto, SaysThatATenthOfARoundingIsOutOfReach) {
+TEST(FloatAuto, ReportsToleranceBelowRounding) {
   std::vector<std::string> remarks;
   EXPECT_LT(spring_error(decay, real(1e-8), remarks), 1e-4);
   ASSERT_FALSE(remarks.empty());

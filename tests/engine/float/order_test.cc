@@ -1,4 +1,4 @@
-// Orders in single precision: seen only between steps that are too large and errors that are rounding.
+// Orders in single precision: observable only between too large steps and the rounding floor.
 #include "tests/engine/float/fixtures.h"
 
 namespace cylon::engine {
@@ -13,7 +13,7 @@ Real rounded(int n) { return 30 * std::sqrt(static_cast<Real>(n)) * rounding; }
 // Two steps in a row that are clear of rounding, the finer of them below 0.05 (places and momenta are of size
 // 1), lie where the first term of the error leads.  Orders 6 and 8 have no such two: what a step of 1/16
 // leaves is rounding.
-TEST_P(FloatOrder, IsSeenAboveRounding) {
+TEST_P(FloatOrder, IsObservedAboveRounding) {
   const Scheme& scheme = GetParam();
   const Model model = coupled_bodies();
   const auto exact = run(model, "rk8", 1, 256).motions;

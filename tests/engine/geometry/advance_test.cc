@@ -1,4 +1,4 @@
-// The bound that keeps things from tunnelling: in no motion within its speeds do the shapes touch before it.
+// The bound that prevents tunnelling: no motion within the speed limits makes the shapes touch earlier.
 #include "engine/geometry/advance.h"
 
 #include "tests/engine/geometry/geometry_shapes.h"
@@ -48,7 +48,7 @@ TEST(GeometryAdvance, NeverOverstepsAnImpact) {
 }
 
 // A needle shot through a thin wall: advanced again and again it arrives at the wall and stops there.
-TEST(GeometryAdvance, ABulletDoesNotPassAThinWall) {
+TEST(GeometryAdvance, FastBodyDoesNotPassThinWall) {
   const Shape wall = Box{{2, Real(0.001), 2}}, bullet = Capsule{Real(0.004), Real(0.01)};
   const Vector3 velocity(30, -900, 20), spin(300, 20, -100);
   const Flight flight{

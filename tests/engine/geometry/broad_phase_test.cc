@@ -1,4 +1,4 @@
-// The broad phase against asking every pair.
+// The broad phase against a test of all pairs.
 #include "engine/geometry/broad_phase.h"
 
 #include "tests/engine/geometry/geometry_shapes.h"
@@ -44,7 +44,7 @@ std::vector<Bounds> scene(const Scene& s, std::uint64_t seed) {
   return all;
 }
 
-TEST(GeometryBroadPhase, FindsThePairsThatAskingAllFinds) {
+TEST(GeometryBroadPhase, AgreesWithAllPairsTest) {
   BroadPhase phase;  // one for all scenes: nothing of one is left in the next
   const Real infinity = std::numeric_limits<Real>::infinity();
   for (const Scene& s :
@@ -67,7 +67,7 @@ TEST(GeometryBroadPhase, FindsThePairsThatAskingAllFinds) {
 }
 
 // A lattice of touching cubes: neighbours share planes exactly, and all of them are pairs.
-TEST(GeometryBroadPhase, CountsTouchingAsMeeting) {
+TEST(GeometryBroadPhase, TouchingBoxesAreAPair) {
   std::vector<Bounds> all;
   for (int x = 0; x < 6; ++x)
     for (int y = 0; y < 6; ++y)

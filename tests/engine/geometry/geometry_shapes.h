@@ -82,8 +82,7 @@ inline const std::vector<Named>& shapes() {
   return all;
 }
 
-// ---- The slow way
-// ------------------------------------------------------------------------------------------
+// ---- The slow way ----------------------------------------------------------------------------------
 
 struct Solid {  // world axes
   std::vector<Vector3> vertices, normals;

@@ -1,4 +1,4 @@
-// Hulls: polyhedra by Euler, hold their points, have the volume that they must; and which meshes are convex.
+// Hulls: Euler's formula, contained points, volume; and which meshes are convex.
 #include "engine/geometry/hull.h"
 
 #include "tests/engine/geometry/geometry_shapes.h"
@@ -69,7 +69,7 @@ Real slow_volume(const std::vector<Vector3>& points) {
   return sum;
 }
 
-TEST(GeometryHull, OfRandomCloudsIsAPolyhedronThatHoldsThem) {
+TEST(GeometryHull, HullOfRandomPointsContainsThem) {
   for (const int count : {4, 5, 8, 25, 60, 400}) {
     Sequence random(static_cast<std::uint64_t>(count));
     std::vector<Vector3> points;
@@ -89,7 +89,7 @@ TEST(GeometryHull, HasTheVolumeOfItsPoints) {
 }
 
 // Every way in which points can lie in the planes and lines of others; turned, so that rounding has its say.
-TEST(GeometryHull, OfALatticeIsABox) {
+TEST(GeometryHull, HullOfLatticeIsBox) {
   for (const Vector3& turn :
        {Vector3(0, 0, 0), Vector3(Real(0.3), Real(-0.7), Real(0.4)), Vector3(2, 1, -1)}) {
     const Matrix3 r = exponential(turn).toRotationMatrix();
@@ -115,7 +115,7 @@ TEST(GeometryHull, MergesTheTrianglesOfAPrism) {
   }
 }
 
-TEST(GeometryHull, KeepsSliversAndSmallThings) {
+TEST(GeometryHull, KeepsThinAndSmallHulls) {
   Sequence random(9);
   for (const Vector3& scale : {Vector3(1, Real(1e-4), 1), Vector3(1, Real(1e-4), Real(1e-4)),
                                Vector3(Real(1e-5), Real(1e-5), Real(1e-5)), Vector3(1000, 2000, 500)}) {
@@ -132,7 +132,7 @@ TEST(GeometryHull, IsTheSameForTheSamePoints) {
   EXPECT_EQ(a.normals, b.normals);
 }
 
-TEST(GeometryHull, SaysWhyThereIsNone) {
+TEST(GeometryHull, GivesReasonForNoHull) {
   const auto reason = [](const std::vector<Vector3>& points) -> std::string {
     try {
       make_hull(points);
@@ -161,7 +161,7 @@ Triangles triangles(const Hull& hull) {
   return result;
 }
 
-TEST(GeometryConvex, TellsConvexMeshes) {
+TEST(GeometryConvex, RecognizesConvexMeshes) {
   const Matrix3 turn = exponential({Real(0.3), Real(-0.7), Real(0.4)}).toRotationMatrix();
   for (const Hull& hull : {prism(4, 1, Real(0.5)), prism(20, 1, Real(0.01)), cloud_hull(50, 3)}) {
     std::vector<Vector3> vertices;
@@ -186,7 +186,7 @@ TEST(GeometryConvex, TellsConvexMeshes) {
 
 // The seed takes a body for convex where the centre of mass is inside; that of a thick L is, and it is not
 // convex (errata 37).
-TEST(GeometryConvex, AnLIsNotConvex) {
+TEST(GeometryConvex, LShapeIsNotConvex) {
   const std::vector<std::array<Real, 2>> outline = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
   std::vector<Vector3> vertices;
   for (const Real z : {0, 1})

@@ -1,4 +1,4 @@
-// Manifolds: how many points, where, how deep, and that they keep their numbers.
+// Contact manifolds: number, position and depth of points, and constant point ids.
 #include "engine/geometry/manifold.h"
 
 #include "tests/engine/geometry/geometry_shapes.h"
@@ -53,7 +53,7 @@ Shape as_hull(const Shape& shape) {
 }
 
 // Side lengths 1 and 1.4, turned about the common normal; the common area by hand.
-TEST(GeometryManifold, OfFacesCoversTheirCommonArea) {
+TEST(GeometryManifold, FaceContactCoversCommonArea) {
   const Shape square = Box{{Real(0.5), Real(0.4), Real(0.5)}}, plate = Box{{Real(0.7), Real(0.3), Real(0.7)}};
   struct Case {
     Vector3 shift;
@@ -91,7 +91,7 @@ TEST(GeometryManifold, OfFacesCoversTheirCommonArea) {
       }
 }
 
-TEST(GeometryManifold, KeepsItsNumbersWhenTheBodiesMoveALittle) {
+TEST(GeometryManifold, KeepsPointIdsUnderSmallMotion) {
   const Shape a = Box{{Real(0.5), Real(0.4), Real(0.5)}};
   for (const auto& [shape, other] : {std::pair(a, Shape(Box{{Real(0.7), Real(0.3), Real(0.7)}})),
                                      std::pair(a, Shape(prism(12, Real(0.6), Real(0.3))))}) {
@@ -112,7 +112,7 @@ TEST(GeometryManifold, KeepsItsNumbersWhenTheBodiesMoveALittle) {
   }
 }
 
-TEST(GeometryManifold, OfCrossingEdgesIsOnePoint) {
+TEST(GeometryManifold, CrossingEdgesGiveOnePoint) {
   const Shape box = Box{{Real(0.5), Real(0.4), Real(0.6)}};
   const Real quarter = Real(3.14159265358979323846) / 4;
   // one edge up along z, the other edge down along x
@@ -130,7 +130,7 @@ TEST(GeometryManifold, OfCrossingEdgesIsOnePoint) {
 }
 
 // A box let down on another by less than any rounding keeps its four corners, whichever axis wins.
-TEST(GeometryManifold, RestingBoxesLoseNoCornerToRounding) {
+TEST(GeometryManifold, RestingBoxesKeepAllCorners) {
   const Shape box = Box{{Real(0.5), Real(0.5), Real(0.5)}};
   Sequence random(8);
   for (int k = 0; k < 200; ++k) {
@@ -161,7 +161,7 @@ TEST(GeometryManifold, OfAPlaneHasTheCornersWithinTheMargin) {
 
 // A prism of 20 corners on a plane: at most 8 of them, and still most of its area.  Seven directions find
 // corners within 9 degrees of them, so the hull holds a heptagon turned by up to that: more than 0.8 of it.
-TEST(GeometryManifold, ThinsToTheOutermostAndTheDeepest) {
+TEST(GeometryManifold, ReducesToOutermostAndDeepestPoints) {
   const Shape drum = prism(20, Real(0.5), Real(0.4));
   const Real whole = 10 * Real(0.25) * std::sin(Real(3.14159265358979323846) / 10);
   for (const Real lean : {Real(0), Real(0.01)}) {
@@ -180,7 +180,7 @@ TEST(GeometryManifold, ThinsToTheOutermostAndTheDeepest) {
   }
 }
 
-TEST(GeometryManifold, OfCapsulesLyingOnSomethingHasTwoPoints) {
+TEST(GeometryManifold, LyingCapsuleHasTwoPoints) {
   const Matrix3 lying = exponential({0, 0, Real(3.14159265358979323846) / 2}).toRotationMatrix();
   const Shape capsule = Capsule{Real(0.2), Real(0.4)}, rod = Capsule{0, Real(0.4)};
   const Pose ground = general({{0, Real(-0.5), 0}, about_y(0)});

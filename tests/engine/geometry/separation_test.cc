@@ -1,4 +1,4 @@
-// The signed distance of every pair of shapes against the slow way, and against what it must be by symmetry.
+// The signed distance of every pair of shapes against a slow reference method, and under symmetries.
 #include "engine/geometry/separation.h"
 
 #include "tests/engine/geometry/geometry_shapes.h"
@@ -48,7 +48,7 @@ void for_all_pairs(int poses, Check&& check) {
 Separation of(const Placed& x) { return separation(x.body->shape, x.pose, x.other->shape, x.other_pose); }
 Real rounding(const Placed& x) { return rounding(x.body->shape, x.other->shape, x.pose, x.other_pose); }
 
-TEST(GeometrySeparation, IsTheSlowDistanceOverAllPairs) {
+TEST(GeometrySeparation, AgreesWithReferenceDistanceForAllPairs) {
   Real worst = 0;
   int overlapping = 0, apart = 0;
   for_all_pairs(60, [&](const Placed& x) {
@@ -63,7 +63,7 @@ TEST(GeometrySeparation, IsTheSlowDistanceOverAllPairs) {
   EXPECT_GT(apart, 500);
 }
 
-TEST(GeometrySeparation, OfLargeHullsIsTheSlowDistance) {
+TEST(GeometrySeparation, AgreesWithReferenceDistanceForLargeHulls) {
   const Shape a = cloud_hull(150, 3), b = cloud_hull(120, 4);
   Sequence random(5);
   for (const Real apart : {Real(2.1), Real(1.97), Real(1.6), Real(0.4)}) {
@@ -72,7 +72,7 @@ TEST(GeometrySeparation, OfLargeHullsIsTheSlowDistance) {
   }
 }
 
-TEST(GeometrySeparation, FlipsWithTheOrderOfThePair) {
+TEST(GeometrySeparation, NormalFlipsWithPairOrder) {
   for_all_pairs(40, [&](const Placed& x) {
     const Separation there = of(x), back = separation(x.other->shape, x.other_pose, x.body->shape, x.pose);
     ASSERT_NEAR(there.gap, back.gap, rounding(x)) << x.label();
@@ -99,7 +99,7 @@ TEST(GeometrySeparation, IsTheSameAfterACommonMotion) {
   });
 }
 
-TEST(GeometrySeparation, WitnessesAreOnTheShapesAndTheGapApart) {
+TEST(GeometrySeparation, WitnessPointsLieOnShapesAtTheDistance) {
   const Shape point = Sphere{0};
   for_all_pairs(40, [&](const Placed& x) {
     const Separation s = of(x);
@@ -115,7 +115,7 @@ TEST(GeometrySeparation, WitnessesAreOnTheShapesAndTheGapApart) {
 
 // d(gap)/dt = n.v.  By central differences over 2 h v: their error is the gap's curvature, at most
 // 1/(distance of the cores) and with jumps, times h.
-TEST(GeometrySeparation, ChangesAsTheNormalSays) {
+TEST(GeometrySeparation, GradientIsTheNormal) {
   Sequence random(31);
   const Real h = std::pow(eps, Real(0.375));
   for_all_pairs(40, [&](const Placed& x) {
@@ -132,7 +132,7 @@ TEST(GeometrySeparation, ChangesAsTheNormalSays) {
 }
 
 // Overlapping by d, a move by d along the normal is just enough, and no shorter move in any direction is.
-TEST(GeometrySeparation, DepthIsTheLeastWayOut) {
+TEST(GeometrySeparation, DepthIsShortestTranslationOut) {
   Sequence random(41);
   int seen = 0;
   for_all_pairs(40, [&](const Placed& x) {
@@ -187,7 +187,7 @@ TEST(GeometrySeparation, OfAPlaneIsTheLowestPoint) {
 
 // Seed eq. 100-102 compare areas by <= and lose interior points to rounding: errata 34.  Here every point
 // over a face is at the face's distance.
-TEST(GeometrySeparation, NoPointOverAFaceIsLost) {
+TEST(GeometrySeparation, FindsClosestPointOverAnyFace) {
   const Shape corner = Sphere{0}, box = Box{{Real(0.7), Real(0.4), Real(0.9)}};
   Sequence random(61);
   const Pose pose{{Real(0.2), Real(0.1), Real(-0.4)}, random.rotation()};
@@ -212,13 +212,13 @@ TEST(GeometrySeparation, AThinBarAboveACubeIsApart) {
             0);  // and here it is not
 }
 
-TEST(GeometrySeparation, OfNothingIsInfinite) {
+TEST(GeometrySeparation, IsInfiniteWithoutShape) {
   EXPECT_EQ(separation(Shape{}, {}, Sphere{1}, {}).gap, std::numeric_limits<Real>::infinity());
   EXPECT_EQ(separation(Box{{1, 1, 1}}, {}, Shape{}, {}).gap, std::numeric_limits<Real>::infinity());
   EXPECT_EQ(separation(Shape{}, {}, Plane{}).gap, std::numeric_limits<Real>::infinity());
 }
 
-TEST(GeometryBounds, HoldTheShapeAndNoMore) {
+TEST(GeometryBounds, AreTight) {
   Sequence random(71);
   for (const Named& body : shapes())
     for (int k = 0; k < 10; ++k) {

@@ -158,7 +158,7 @@ void expect_seen() {
 }
 
 // The measure itself: one coefficient off by 1e-4 of itself is found out in every scheme.
-TEST(LongOrder, SeesASpoiledCoefficient) {
+TEST(LongOrder, DetectsWrongCoefficient) {
   []<std::size_t... Row>(std::index_sequence<Row...>) { (expect_seen<Row>(), ...); }
   (std::make_index_sequence<scheme_table.size()>{});
 }

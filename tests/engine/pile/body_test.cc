@@ -195,7 +195,7 @@ TEST(PileBody, JointsHold) {
   EXPECT_LT(lowest, Real(-1));
 }
 
-TEST(PileBody, ThreadsDoNotMatterToTheLastBit) {
+TEST(PileBody, BitsDoNotDependOnThreads) {
   Model model = pile_model(0, Real(0.5));
   for (int i = 0; i < 48; ++i) {
     const int layer = i / 16;

@@ -56,7 +56,7 @@ TEST(PileMirror, DominoesStayInTheirPlane) {
   }
 }
 
-TEST(PileMirror, OrderOfTheBodiesIsNoMatter) {
+TEST(PileMirror, DoesNotDependOnBodyOrder) {
   const auto one = fallen(false, 1200), other = fallen(true, 1200);
   for (std::size_t i = 0; i < one.size(); ++i) {
     EXPECT_LT((one[i].position - other[i].position).norm(), allowed) << i;
@@ -64,7 +64,7 @@ TEST(PileMirror, OrderOfTheBodiesIsNoMatter) {
   }
 }
 
-TEST(PileMirror, DominoesMeetTheLawsOfContact) {
+TEST(PileMirror, DominoesObeyContactLaws) {
   pile::BodyPile pile(dominoes(false), dt, PileSettings{});
   after(pile, 1200);
   EXPECT_LT(pile.residual(), sizeof(Real) == 8 ? 1e-9 : 1e-4);  // was 4e-6 m/s
@@ -86,7 +86,7 @@ TEST(PileMirror, EightDominoesComeToRestInTheirPlane) {
 }
 
 // A spin that is next to nothing keeps an orientation an orientation.
-TEST(PileMirror, TinySpinTurnsNothing) {
+TEST(PileMirror, TinySpinChangesNothing) {
   Model model = pile_model(0, 0, false);
   add_box(model, 1, Vector3(Real(0.05), Real(0.5), Real(0.25)), Vector3::Zero());
   model.motions[0].angular_momentum = Vector3(0, Real(-5.5e-33), 0);

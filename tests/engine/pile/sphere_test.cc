@@ -183,7 +183,7 @@ std::vector<Motion> run(const Model& model, int threads, int steps) {
   return after(*make_pile(model, 1. / 60, settings), steps);
 }
 
-TEST(PileSphere, ThreadsDoNotMatterToTheLastBit) {
+TEST(PileSphere, BitsDoNotDependOnThreads) {
   const Model model = ball_pile(12, 16, 0, Real(0.5));  // 2304 balls: three blocks
   const auto one = run(model, 1, 90), two = run(model, 2, 90), four = run(model, 4, 90);
   EXPECT_TRUE(same_bits(one, two));
@@ -205,7 +205,7 @@ TEST(PileSphere, OrderOfBodiesChangesOnlyWhatTouches) {
   EXPECT_LT(deepest(reversed, b), Real(0.02));
 }
 
-TEST(PileSphere, OverlapsAndCoincidentCentresComeApartQuietly) {
+TEST(PileSphere, OverlapsSeparateWithoutEnergy) {
   Model model = pile_model(0, Real(0.5));
   for (int i = 0; i < 4; ++i) add_ball(model, 1, Real(0.5), Vector3(Real(0.1), Real(0.4), Real(0.2)));
   add_ball(model, 1, Real(0.5), Vector3(Real(0.3), Real(-0.3), Real(0.2)));

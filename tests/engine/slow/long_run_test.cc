@@ -1,4 +1,4 @@
-// Ten million steps: a spring, a top on its tip and a box at rest drift as theory says, and no more.
+// Ten million steps: a spring, a top on its tip and a box at rest drift no more than theory predicts.
 #include "tests/engine/fixtures.h"
 
 #include "engine/pile/pile.h"
@@ -55,7 +55,7 @@ TEST(LongRun, VerletsSpringKeepsEnergyAndPhase) {
 }
 
 // RK4 loses by the step: |R(ih)|^2 = 1 - h^6/72 + h^8/576.
-TEST(LongRun, RungeKuttasSpringLosesWhatTheoryTakes) {
+TEST(LongRun, RungeKuttaEnergyLossAgreesWithTheory) {
   constexpr double h = 0.05;
   World world = oscillator("rk4", h);
   world.advance(steps);
@@ -73,7 +73,7 @@ double energy_of_top(const World& world, const Vector3& gravity) {
 
 // A symplectic scheme follows a nearby Hamiltonian over times exponential in 1/h (Hairer, Lubich, Wanner,
 // IX.8): the energy stays in a band of O(h^2) and its mean does not move; the vertical part of L is kept.
-TEST(LongRun, VerletsTopKeepsItsEnergysBand) {
+TEST(LongRun, VerletTopKeepsEnergyBounded) {
   const Model model = heavy_top();
   Options options;
   options.scheme = "velocity-verlet", options.dt = 1.0 / 512;

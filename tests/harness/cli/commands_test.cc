@@ -47,7 +47,7 @@ TEST_F(CommandLine, ExitCodesAndMessages) {
       {"run projectile --engine in-house", 0, "4 pass"},
       {"run projectile --engine ode --dt 0.1", 1, "where expected.toml says nothing"},
       {"run projectile --engine in-house --json - --csv -", 2, "'-' is given twice"},
-      {"simulate projectile --at 0.0005", 2, "the nearest is 0.001 s (or say --nearest)"},
+      {"simulate projectile --at 0.0005", 2, "the nearest is 0.001 s (or use --nearest)"},
       {"simulate projectile --every 0.0015", 2, "--every 0.0015: is not a multiple"},
       {"simulate projectile --at 9", 2, "must lie in [0, 0.8] s"},
       {"simulate projectile --integrator rk5", 2, "did you mean 'rk4'?"},
@@ -63,7 +63,7 @@ TEST_F(CommandLine, ExitCodesAndMessages) {
 }
 
 // An option takes the one word behind it, wherever it stands, and no scenario after that.
-TEST_F(CommandLine, OptionsLeaveTheWordsAfterTheirValueAlone) {
+TEST_F(CommandLine, OptionsTakeOneValueEach) {
   const auto commands = [&](const std::string& arguments) {
     const Ran ran = cylon("run " + arguments + " --json -");
     EXPECT_TRUE(ran.code == 0 || ran.code == 1) << arguments << ran.err;
@@ -87,7 +87,7 @@ TEST_F(CommandLine, OptionsLeaveTheWordsAfterTheirValueAlone) {
   EXPECT_EQ(listed.out, "spring_pendulum\n") << listed.err;
 }
 
-TEST_F(CommandLine, BadInputLeavesTheOldReportAlone) {
+TEST_F(CommandLine, BadInputKeepsOldReport) {
   const std::string good = shipped("projectile");
   const struct {
     const char *from, *to, *says;
@@ -118,7 +118,7 @@ TEST_F(CommandLine, BadInputLeavesTheOldReportAlone) {
   for (const char* file : {"empty.toml", "folder.toml"}) EXPECT_EQ(cylon(std::string("run ") + file).code, 2);
 }
 
-TEST_F(CommandLine, ALinkStaysALinkAndADeviceADevice) {
+TEST_F(CommandLine, OutputKeepsLinksAndDevices) {
   write("target.csv", "");
   std::filesystem::create_symlink("target.csv", folder / "link.csv");
   EXPECT_EQ(cylon("run projectile --engine in-house --csv link.csv --json /dev/null").code, 0);
@@ -147,7 +147,7 @@ TEST_F(CommandLine, SimulateFollowsTheParabola) {
 }
 
 // The command beside a row, run as it stands in the same folder, gives the same number.
-TEST_F(CommandLine, TheCommandOfARowGivesItAgain) {
+TEST_F(CommandLine, CommandOfRowReproducesIt) {
   write("mine.toml", shipped("projectile"));
   write("projectile.toml",
         replaced(shipped("projectile"), "velocity = [3, 4, 0.5]", "velocity = [3, 5, 0.5]"));
@@ -170,7 +170,7 @@ TEST_F(CommandLine, TheCommandOfARowGivesItAgain) {
 }
 
 // Somebody's own projectile.toml is not judged by what expected.toml says of the shipped one.
-TEST_F(CommandLine, AForeignFileBorrowsNoExpectations) {
+TEST_F(CommandLine, ForeignFileHasNoExpectations) {
   write("projectile.toml",
         replaced(shipped("projectile"), "velocity = [3, 4, 0.5]", "velocity = [3, 5, 0.5]"));
   EXPECT_EQ(cylon("run projectile --engine ode").code, 0);
@@ -190,7 +190,7 @@ TEST_F(CommandLine, RerunFailedAndResumeRememberTheRequest) {
   EXPECT_NE(cylon("run --resume").err.find("resumed: 1 of 2 cells"), std::string::npos);
 }
 
-TEST_F(CommandLine, AnInterruptedRunGoesOn) {
+TEST_F(CommandLine, ResumesInterruptedRun) {
   const auto one_cell_is_done = [&] {  // two lines: what was asked for, and the cell
     const std::string journal = read(".cylon/journal.jsonl");
     return std::count(journal.begin(), journal.end(), '\n') >= 2;

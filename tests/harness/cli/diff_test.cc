@@ -15,7 +15,7 @@ TEST_F(CommandLine, DiffOfARunWithItselfAgreesToTheBit) {
 }
 
 // Without the gyroscopic torque the body keeps its angular velocity: it parts at once, in that.
-TEST_F(CommandLine, DiffFindsWhereTheyPart) {
+TEST_F(CommandLine, DiffFindsFirstDifference) {
   const Ran ran = cylon("diff dzhanibekov bullet bullet/gyro=none --json");
   ASSERT_EQ(ran.code, 1) << ran.err;
   const json found = json::parse(ran.out);

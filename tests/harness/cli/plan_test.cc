@@ -80,7 +80,7 @@ TEST_F(CommandLine, ToleranceNeedsNoStep) {
 }
 
 // A remark stands in the row that it concerns.
-TEST_F(CommandLine, RemarksReachTheRows) {
+TEST_F(CommandLine, RemarksAppearInRows) {
   const Ran ran = cylon("run projectile --json -" + controlled);
   const json verdicts = json::parse(ran.out).at("verdicts");
   ASSERT_FALSE(verdicts.empty());
@@ -116,7 +116,7 @@ TEST_F(CommandLine, InHousePlansAndTakesATolerance) {
 }
 
 // Galilei: a frame that only moves changes nothing; one that turns does.
-TEST_F(CommandLine, AFrameThatOnlyMovesChangesNothing) {
+TEST_F(CommandLine, UniformlyMovingFrameChangesNothing) {
   const std::string whole = shipped("spring_orbit");
   const std::string scene = whole.substr(0, whole.find("[[claim]]"));
   const auto run = [&](const std::string& frame) {
@@ -131,7 +131,7 @@ TEST_F(CommandLine, AFrameThatOnlyMovesChangesNothing) {
 }
 
 // Input that no motion follows from is an error before the run, or a message after it, never silence.
-TEST_F(CommandLine, WhatCannotBeFollowedSaysSo) {
+TEST_F(CommandLine, TruthGivesReasonWhenItCannotCertify) {
   const std::string head = "title = 'x'\nstory = 'x'\nduration = 1.0\nstep = 0.01\n";
   const std::string ball = "[[body]]\nname = 'a'\nmass = 1\nposition = [1, 0, 0]\n";
   const struct {

@@ -15,7 +15,7 @@ json index_of(const std::string& page) {
   return json::parse(reports::gunzip(reports::from_base64(page.substr(begin, end - begin)), 1 << 28));
 }
 
-TEST_F(CommandLine, ReportOfARunHasATracePerCell) {
+TEST_F(CommandLine, ReportOfRunHasTracePerCell) {
   const Ran ran = cylon("run projectile spring_orbit --engine in-house --engine ode --html r.html");
   ASSERT_EQ(ran.code, 0) << ran.err;
   const json index = index_of(read("r.html"));
@@ -81,7 +81,7 @@ TEST_F(CommandLine, ReportOfAnEngineThatCrashesSaysThatThereIsNoRecording) {
       << index["omitted_traces"];
 }
 
-TEST_F(CommandLine, ReportTakesTheDocumentsOfOtherCommands) {
+TEST_F(CommandLine, ReportReadsDocumentsOfOtherCommands) {
   ASSERT_EQ(cylon("trade projectile --engine in-house --json trade.json --html trade.html --work 4096").code,
             0);
   EXPECT_EQ(index_of(read("trade.html"))["trades"][0], json::parse(read("trade.json")));
@@ -111,7 +111,7 @@ TEST_F(CommandLine, ReportRefusals) {
       {". --html r.html", ".: cannot be read"},
       {"empty --html r.html", "empty: no JSON"},
       {"half.json --html r.html", "half.json: no JSON"},
-      {"other.json --html r.html", "other.json: none of Cylon's documents"},
+      {"other.json --html r.html", "other.json: not a document of Cylon"},
       {"line.jsonl --html r.html", "line.jsonl:1: "},
       {"v.json v.json --html r.html", "v.json: a report has one file of verdicts"},
       {"v.json --html no/folder/r.html", "no/folder/r.html"},
@@ -126,7 +126,7 @@ TEST_F(CommandLine, ReportRefusals) {
   }
 }
 
-TEST_F(CommandLine, ReportWithoutAPageIsTheMatrix) {
+TEST_F(CommandLine, ReportWithoutHtmlPrintsMatrix) {
   ASSERT_EQ(cylon("run projectile --engine in-house --json v.json").code, 0);
   const Ran ran = cylon("report v.json");
   EXPECT_EQ(ran.code, 0);

@@ -20,7 +20,7 @@ constexpr const char* small =
     "5 "
     "--rounds 1";
 
-TEST_F(Trade, ResumedIsAsUninterrupted) {
+TEST_F(Trade, ResumedSweepEqualsUninterrupted) {
   ASSERT_EQ(cylon(std::string(small) + " --json whole.json").code, 0);
   const std::string journal = read(".cylon/trade.jsonl");
   // What an interruption leaves: some lines, and half of one.
@@ -40,7 +40,7 @@ TEST_F(Trade, AnInterruptionExits130AndKeepsWhatIsDone) {
   EXPECT_FALSE(std::filesystem::exists(folder / "never.json"));
 }
 
-TEST_F(Trade, AJournalOfAnotherContentIsNotBelieved) {
+TEST_F(Trade, IgnoresJournalOfOtherContent) {
   write("mine.toml", shipped("projectile"));
   const std::string command = "trade mine.toml --engine ode --steps 4 --rounds 0 --json ";
   ASSERT_EQ(cylon(command + "a.json").code, 0);
@@ -49,7 +49,7 @@ TEST_F(Trade, AJournalOfAnotherContentIsNotBelieved) {
   EXPECT_NE(tables("a.json")[0]["series"][0]["points"], tables("b.json")[0]["series"][0]["points"]);
 }
 
-TEST_F(Trade, AnEngineThatBreaksIsARow) {
+TEST_F(Trade, FailedEngineGetsARow) {
   for (const auto& [mode, status] : std::vector<std::pair<std::string, std::string>>{
            {"abort_in_run", "crash"}, {"nan", "non-finite"}, {"nonsense", "pass"}}) {
     const Ran ran = cylon(
@@ -66,7 +66,7 @@ TEST_F(Trade, AnEngineThatBreaksIsARow) {
   }
 }
 
-TEST_F(Trade, WhatTheSceneAloneKeepsIsMeasuredWhereNothingIsClaimed) {
+TEST_F(Trade, MeasuresConservationWithoutClaims) {
   write("bare.toml",
         "title = 'Two on a spring'\nduration = 2\nstep = 0.01\n"
         "[[body]]\nname = 'a'\nmass = 1\nposition = [0.3, 0.1, -0.2]\nvelocity = [0, 1, 0.5]\n"
@@ -87,7 +87,7 @@ TEST_F(Trade, WhatTheSceneAloneKeepsIsMeasuredWhereNothingIsClaimed) {
   EXPECT_NEAR(table["series"][1]["observed_order"].get<double>(), 1, 0.1);
 }
 
-TEST_F(Trade, BadRequestsAreSaid) {
+TEST_F(Trade, RejectsBadRequests) {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"trade projectil", "did you mean 'projectile'"},
       {"trade projectile --engine oed", "ode"},

@@ -1,5 +1,5 @@
-// The event finder on motions known in closed form: each kind, its order, its numbers; what must not be taken
-// for an event; and runs that lack one.
+// The event finder on motions in closed form: kind, order and quantities of each event; motions without
+// events; and runs that lack one.
 #include "harness/core/event_find.h"
 
 #include "harness/core/event_signal.h"
@@ -195,7 +195,7 @@ TEST_P(EventFind, LocatesOnArcsToFourthOrder) {
   EXPECT_LT(fine, std::max(1e-13, coarse / 100));  // 4^4 = 256 in the limit
 }
 
-TEST_P(EventFind, ReadsItsNumbers) {
+TEST_P(EventFind, ReadsEventQuantities) {
   const Row& row = GetParam();
   const auto events = find_events(asked(row), row.scene, record(row.motion, 0.005, 1400));
   for (const Event& event : events) {
@@ -211,7 +211,7 @@ TEST_P(EventFind, ReadsItsNumbers) {
 }
 
 // The same in a truth, which is known at any time: to rounding, and within the bound that is stated.
-TEST_P(EventFind, LocatesInATruthWithinItsBound) {
+TEST_P(EventFind, LocatesEventsOfTruthWithinBound) {
   const Row& row = GetParam();
   Truth truth{.state = row.motion, .error = {1e-13, 1e-13, 1e-13, 1e-13, 0}};
   const Truth found = with_events(asked(row), row.scene, truth, 7, 0.005);
@@ -228,7 +228,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, EventFind, testing::ValuesIn(rows),
 
 // ---- What is none --------------------------------------------------------------------------------
 
-TEST(EventFindNone, NoiseAboutZeroIsNoEvent) {
+TEST(EventFindNone, IgnoresNoiseAboutZero) {
   const Row& row = rows[2];
   const Motion shaken = [](double t) {
     State state = flipping(t);
@@ -241,7 +241,7 @@ TEST(EventFindNone, NoiseAboutZeroIsNoEvent) {
   for (std::size_t i = 0; i < noisy.size(); ++i) EXPECT_NEAR(noisy[i].time, smooth[i].time, 2e-3);
 }
 
-TEST(EventFindNone, RestAndFlightHaveNone) {
+TEST(EventFindNone, FindsNoneAtRestAndInFlight) {
   const Motion still = [](double) { return State(1); };
   for (const Row& row : rows)
     EXPECT_TRUE(find_events(asked(row), row.scene, record(still, 0.01, 100)).empty()) << name(row.kind);
@@ -253,7 +253,7 @@ TEST(EventFindNone, RestAndFlightHaveNone) {
   EXPECT_TRUE(find_events(asked(rows[6]), rows[6].scene, record(above, 0.01, 200)).empty());
 }
 
-TEST(EventFindNone, WhyASceneHasNoSuchEvent) {
+TEST(EventFindNone, GivesReasonWhySceneHasNoEvent) {
   const Scene plain = one_body({1, 1, 1});
   const auto why = [&](EventKind kind) {
     return event_undefined({.quantity = Quantity::event, .event = kind}, plain).value_or("");
@@ -292,7 +292,7 @@ Measured judged(const Motion& motion, int index, EventQuantity quantity) {
   return measure(claim, row.scene, {&run, 1}, 20);
 }
 
-TEST(EventClaim, ARunThatMissesFlipsIsFoundOut) {
+TEST(EventClaim, DetectsMissingFlips) {
   for (const EventQuantity quantity : {EventQuantity::time, EventQuantity::period}) {
     const Measured good = judged(flipping, 3, quantity);
     EXPECT_FALSE(good.broken) << good.detail;
@@ -306,7 +306,7 @@ TEST(EventClaim, ARunThatMissesFlipsIsFoundOut) {
 }
 
 // Three collisions in a row; two in the other order; one too few; one too many.
-TEST(EventClaim, TheOrderOfCollisionsIsASequence) {
+TEST(EventClaim, CollisionOrderIsASequence) {
   Scene scene = one_body({1, 1, 1});
   for (const char* another : {"b", "c", "d"})
     scene.bodies.push_back(scene.bodies[0]), scene.bodies.back().name = another;

@@ -88,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(Shipped, TruthEvents, testing::ValuesIn(rows), [](const
 });
 
 // Nothing is missed between the samples at which a truth is scanned: five times as many find the same.
-TEST(TruthEventsFound, AreAllThereAre) {
+TEST(TruthEventsFound, AreComplete) {
   for (const char* name : {"dzhanibekov", "heavy_top", "spring_orbit"}) {
     const auto scenario = scenario::load(std::filesystem::path(CYLON_SOURCE_DIR) / "scenarios" /
                                           (std::string(name) + ".toml"));

@@ -1,4 +1,4 @@
-// The event watch on arcs known in closed form, and on what must not be taken for a bounce.
+// The event watch on arcs in closed form, and on motions that are not bounces.
 #include "harness/core/event_watch.h"
 
 #include <gtest/gtest.h>
@@ -70,7 +70,7 @@ TEST(EventWatch, FindsBouncesAndApexesOfExactArcsToRounding) {
   }
 }
 
-TEST(EventWatch, TakesASmoothTurnForNoBounce) {  // a ball on a stiff spring, with gravity
+TEST(EventWatch, IgnoresSmoothTurningPoints) {  // a ball on a stiff spring, with gravity
   const auto events = watch(ball_over_floor(), 0.001, 2000, [](double t, BodyState& s) {
     s.position = {0, 1 + 0.3 * std::cos(20 * t), 0};
     s.velocity = {0, -6 * std::sin(20 * t), 0};
@@ -78,7 +78,7 @@ TEST(EventWatch, TakesASmoothTurnForNoBounce) {  // a ball on a stiff spring, wi
   for (const Event& event : events) EXPECT_EQ(event.kind, EventKind::apex);
 }
 
-TEST(EventWatch, TakesRestForNoBounce) {  // dropped once, then jitter of one part in 10^9 for ever
+TEST(EventWatch, IgnoresRestingContact) {  // dropped once, then jitter of one part in 10^9 for ever
   const auto events = watch(ball_over_floor(), 0.01, 1000, [](double t, BodyState& s) {
     if (t < 0.3) return bounce(0.5, 0, t, s);
     s.position = {0, 0.5, 0};
@@ -107,7 +107,7 @@ TEST(EventWatch, CountsPerPair) {
 }
 
 // A third body hits the farther of two that approach each other, a metre apart: they part without having met.
-TEST(EventWatch, TakesWhatAThirdBodyDoesForNoBounce) {
+TEST(EventWatch, IgnoresImpulsesFromThirdBody) {
   Scene scene;
   scene.bodies.resize(2);
   for (std::size_t i = 0; i < 2; ++i) scene.bodies[i].shape = Sphere{0.5}, scene.bodies[i].collide = true;

@@ -66,7 +66,7 @@ TEST(Observable, EnergyIsTheSumOfItsTerms) {
   EXPECT_NEAR(value({.quantity = Quantity::energy}, scene, state), expected, 1e-12);
 }
 
-TEST(Observable, AngularMomentumMovesWithItsPoint) {
+TEST(Observable, AngularMomentumDependsOnItsPoint) {
   const Scene scene = general_scene();
   const State state = initial_state(scene);
   Values origin, shifted, momentum;
@@ -78,7 +78,7 @@ TEST(Observable, AngularMomentumMovesWithItsPoint) {
   EXPECT_LT((difference - about.cross(Vector3(momentum[0].head<3>()))).norm(), 1e-13);
 }
 
-TEST(Distance, OfOrientationsIsTheAngleWhateverTheSign) {
+TEST(Distance, OrientationDistanceIgnoresSign) {
   const Observable q{.quantity = Quantity::orientation};
   const auto of = [](const Quaternion& r) { return Values{{r.w(), r.x(), r.y(), r.z()}}; };
   const Quaternion r(Eigen::AngleAxisd(1.1, Vector3(1, 2, 3).normalized()));
@@ -90,7 +90,7 @@ TEST(Distance, OfOrientationsIsTheAngleWhateverTheSign) {
   }
 }
 
-TEST(Distance, KeepsNaNWhereverItStands) {
+TEST(Distance, PropagatesNaN) {
   for (const Quantity quantity :
        {Quantity::position, Quantity::orientation, Quantity::axis, Quantity::energy}) {
     const Observable q{.quantity = quantity};
@@ -109,7 +109,7 @@ TEST(SymmetryAxis, IsThatOfTheDistinctMoment) {
   EXPECT_FALSE(symmetry_axis(rigid("", 1, {2, 2, 2})));
 }
 
-TEST(Gap, OfEveryShapeAgainstATiltedPlane) {
+TEST(Gap, OfEveryShapeToTiltedPlane) {
   const Vector3 normal = Vector3(1, 2, -0.5).normalized();
   struct Row {
     const char* what;
@@ -204,7 +204,7 @@ TEST(Measure, AllowsAbsolutePlusRelativeOfTheInitialValue) {
   EXPECT_NEAR(p.measured().allowed, 0.75, 1e-15);
 }
 
-TEST(Measure, SaysWhereARunBrokeAndDoesNotLoseTheNaN) {
+TEST(Measure, ReportsFirstNonFiniteStep) {
   Parabola p;
   EXPECT_EQ(first_bad_step(p.recording), std::nullopt);
   p.recording.states[3][0].position.x() = 1e308;  // large is not broken
@@ -275,7 +275,7 @@ TEST(ObservedOrder, IsTheSlope) {
   EXPECT_NEAR(observed_order(dt, error), 4, 1e-12);
 }
 
-TEST(Judge, KnowsItsBounds) {
+TEST(Judge, AcceptsValuesUpToTheBound) {
   EXPECT_EQ(judge(1.0, 1.0), Status::pass);
   EXPECT_EQ(judge(std::nextafter(1.0, 2), 1.0), Status::low_quality);
   EXPECT_EQ(judge(10.0, 1.0), Status::low_quality);

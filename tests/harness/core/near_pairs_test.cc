@@ -51,7 +51,7 @@ std::vector<double> pair_by_pair(const Scene& scene, const State& state) {
 
 bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
-TEST(NearPairs, MeasureTheSameGapsAsAllPairs) {
+TEST(NearPairs, GapsAgreeWithAllPairs) {
   const Field fields[] = {{"dense", 3, 0.1, 0.3, 0},
                           {"one size", 4, 0.25, 0.25, 0},
                           {"a few giants", 9, 0.05, 6, 0},
@@ -84,7 +84,7 @@ TEST(NearPairs, MeasureTheSameGapsAsAllPairs) {
   EXPECT_GT(poisoned, 2);
 }
 
-TEST(NearPairs, AreFewWhereBodiesAreMany) {
+TEST(NearPairs, AreFewForManyBodies) {
   std::mt19937 random(11);
   const Scene scene = scene_of({"gas", 40, 0.2, 0.4, 0}, 20000, random);
   const std::size_t pairs = near_pairs(scene, initial_state(scene)).size();
@@ -93,7 +93,7 @@ TEST(NearPairs, AreFewWhereBodiesAreMany) {
 }
 
 // A body of another shape that may touch a body has no gap; beside planes it has.
-TEST(NearPairs, LeaveShapesWithoutAGapToTheirReason) {
+TEST(NearPairs, ShapesWithoutGapGiveReason) {
   std::mt19937 random(13);
   Scene scene = scene_of({"gas", 4, 0.2, 0.4, 0}, 10, random);
   const Observable q{.quantity = Quantity::normal_gap};

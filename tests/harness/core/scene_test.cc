@@ -26,7 +26,7 @@ TEST(TouchingPairs, AreBodiesFirstThenPlanesAndLeaveOutWhatCannotTouch) {
   EXPECT_EQ(touching_pairs(scene), expected);
 }
 
-TEST(MaterialOf, AnExactPairWinsOverOneStarOverTwo) {
+TEST(MaterialOf, ExactPairPrecedesWildcards) {
   Scene scene;
   scene.bodies = {ball("a"), ball("b"), ball("c")};
   scene.planes = {{.name = "floor"}};

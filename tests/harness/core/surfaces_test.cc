@@ -45,7 +45,7 @@ void expect_same_as_pair_by_pair(const Scene& scene) {
 }
 
 // Random tables of materials over a few names, "*" among them, often with the same pair twice.
-TEST(Surfaces, SayWhatMaterialOfSaysOfEveryPair) {
+TEST(Surfaces, AgreeWithMaterialOf) {
   std::mt19937 random(20260101);
   for (int trial = 0; trial < 300; ++trial) {
     Scene scene;
@@ -65,7 +65,7 @@ TEST(Surfaces, SayWhatMaterialOfSaysOfEveryPair) {
 }
 
 // 10^5 bodies of which every second was named in a material of its own, all with the same numbers.
-TEST(Surfaces, AreFewWhereManyNamesMeanTheSame) {
+TEST(Surfaces, AreMergedForEqualMaterials) {
   Scene scene;
   for (int i = 0; i < 100'000; ++i) scene.bodies.push_back(ball("b" + std::to_string(i)));
   scene.planes = {{.name = "floor"}};

@@ -1,4 +1,4 @@
-// What comes back from workers that behave, the documented example of a foreign engine among them.
+// Answers of correct workers, including the documented example of a foreign engine.
 #include "tests/harness/process/fixture.h"
 
 #include "harness/core/input_error.h"
@@ -15,7 +15,7 @@ using results::Status;
 
 const Limits limits = {20, 30, std::size_t{2} << 30};
 
-TEST(Client, KeepsTheStartTheStrideTheExtrasAndTheEnd) {
+TEST(Client, KeepsFirstEveryNthRequestedAndLastState) {
   const core::Scene scene = two_bodies();
   RunRequest request = request_of(scene, 107, 25);
   request.at = {60, 3, 0, 50, 3, 61};
@@ -38,7 +38,7 @@ TEST(Client, KeepsTheStartTheStrideTheExtrasAndTheEnd) {
   EXPECT_TRUE(recording.events.empty());
 }
 
-TEST(Client, RepetitionsAreTimedAndNothingElse) {
+TEST(Client, OnlyRepetitionsAreTimed) {
   const core::Scene scene = two_bodies();
   RunRequest request = request_of(scene, 107, 25);
   const RunOutcome once = run(scripted("good"), request, limits);
@@ -55,14 +55,14 @@ TEST(Client, RepetitionsAreTimedAndNothingElse) {
   EXPECT_EQ(thrice.recording->states.back()[1].position, once.recording->states.back()[1].position);
 }
 
-TEST(Client, NoStepsIsTheStartAlone) {
+TEST(Client, ZeroStepsGiveInitialStateOnly) {
   const core::Scene scene = two_bodies();
   const RunOutcome outcome = run(scripted("good"), request_of(scene, 0), limits);
   ASSERT_EQ(outcome.status, Status::pass) << outcome.reason;
   EXPECT_EQ(outcome.recording->steps, std::vector<std::int64_t>{0});
 }
 
-TEST(Client, AnImpossibleSetupIsTheUsersError) {
+TEST(Client, ImpossibleSetupIsInputError) {
   const core::Scene scene = two_bodies();
   EngineChoice choice = scripted("good");
   choice.options["gyro"] = "none";
@@ -75,7 +75,7 @@ TEST(Client, AnImpossibleSetupIsTheUsersError) {
   EXPECT_FALSE(has_children());
 }
 
-TEST(Client, RequestsOutsideTheirDomainAreRefused) {
+TEST(Client, RejectsRequestsOutOfRange) {
   const core::Scene scene = two_bodies();
   RunRequest request = request_of(scene, 10);
   request.at = {11};
@@ -100,7 +100,7 @@ TEST(Client, DescribesAnEngine) {
 }
 
 // 20 MB of scene go down while the worker has not read a byte, and 2 MB states come up.
-TEST(Client, ALargeSceneDoesNotBlock) {
+TEST(Client, LargeSceneDoesNotBlock) {
   core::Scene scene;
   for (int i = 0; i < 20000; ++i)
     scene.bodies.push_back(
@@ -156,7 +156,7 @@ TEST(ForeignEngine, SwingsWithOrderTwo) {
 // The harness watches where the worker cannot: a bounce of a body that turns round at a plane by a spring
 // would not be one, so the scripted engine's uniform motion must give none, and the states asked for all the
 // same.
-TEST(ForeignEngine, TheHarnessWatchesForIt) {
+TEST(ForeignEngine, HarnessFindsEventsForIt) {
   core::Scene scene = two_bodies();
   for (core::Body& body : scene.bodies) body.shape = core::Sphere{0.1}, body.collide = true;
   scene.planes = {{"floor", Vector3::UnitY(), -10}};
@@ -168,7 +168,7 @@ TEST(ForeignEngine, TheHarnessWatchesForIt) {
   for (const core::Event& event : outcome.recording->events) EXPECT_NE(event.kind, core::EventKind::bounce);
 }
 
-TEST(ForeignEngine, SaysWhatItCannotDo) {
+TEST(ForeignEngine, ReportsUnsupportedScenes) {
   core::Scene scene = two_bodies();
   scene.bodies[1].collide = true;
   const RunOutcome outcome = run(python(example), request_of(scene, 1), limits);

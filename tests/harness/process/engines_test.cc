@@ -1,4 +1,4 @@
-// How an engine is asked for by name.
+// Parsing of engine names and variants.
 #include "harness/process/engines.h"
 #include "harness/core/input_error.h"
 #include "harness/process/engine_table.h"
@@ -22,7 +22,7 @@ std::string complaint(std::string_view text) {
   return "accepted";
 }
 
-TEST(Engines, AnIdIsAWorkerAndAPath) {
+TEST(Engines, IdNamesWorkerAndPath) {
   const EngineChoice choice = parse_engine("bullet-multibody-float", rows);
   EXPECT_EQ(choice.row.command, std::vector<std::string>{"/opt/cylon/cylon-worker-bullet-f32"});
   EXPECT_EQ(choice.path, "multibody");

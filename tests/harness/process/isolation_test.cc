@@ -1,4 +1,4 @@
-// Whatever a worker does, the harness says what it was, soon, and leaves no process behind.
+// For every fault of a worker, the harness reports the fault in time and leaves no process behind.
 #include "tests/harness/process/fixture.h"
 
 #include <gtest/gtest.h>

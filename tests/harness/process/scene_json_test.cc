@@ -1,4 +1,4 @@
-// A scene survives the way to a worker: every field, every double, bit by bit.
+// A scene reaches a worker unchanged: every field and every double, bit by bit.
 #include "harness/process/json_fields.h"
 #include "harness/process/messages.h"
 #include "harness/process/scene_json.h"
@@ -212,7 +212,7 @@ class Dice {
   std::mt19937_64 bits_;
 };
 
-TEST(SceneJson, EveryFieldComesBackBitByBit) {
+TEST(SceneJson, RoundTripsEveryFieldBitByBit) {
   for (unsigned seed = 0; seed < 200; ++seed) {
     const Scene scene = Dice(seed).scene();
     const Scene back = scene_from_json(json::parse(line(to_json(scene))));
@@ -220,7 +220,7 @@ TEST(SceneJson, EveryFieldComesBackBitByBit) {
   }
 }
 
-TEST(SceneJson, TheComparisonSeesASingleBit) {  // the test's own negative control
+TEST(SceneJson, ComparisonDetectsOneBit) {  // the test's own negative control
   const Scene scene = Dice(1).scene();
   Scene other = scene;
   other.bodies[4].initial.velocity.z() = std::nextafter(other.bodies[4].initial.velocity.z(), 1.0);

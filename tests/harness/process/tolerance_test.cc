@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-TEST(Tolerance, IsSentOnlyWhereItIsAskedFor) {
+TEST(Tolerance, IsSentOnlyWhenGiven) {
   const core::Scene scene = two_bodies();
   core::Setup setup;
   setup.dt = 0.01;
@@ -28,7 +28,7 @@ TEST(Tolerance, IsSentOnlyWhereItIsAskedFor) {
   }
 }
 
-TEST(Tolerance, SchemesSayWhetherTheyTakeOne) {
+TEST(Tolerance, IntegratorsDeclareSupport) {
   Hello hello;
   hello.engine = {"x", "1", "double", {}, "", {{"a", 2, "", false}, {"b", 8, "all", true}}, {}};
   json message = hello_json(hello);
@@ -39,23 +39,23 @@ TEST(Tolerance, SchemesSayWhetherTheyTakeOne) {
   EXPECT_FALSE(hello_from_json(message).engine.schemes[1].adaptive);
 }
 
-TEST(Plan, TravelsWithTheTerms) {
+TEST(Plan, IsPartOfTheTerms) {
   core::Terms terms;
-  terms.plan = {{"rotation", true, "a body spins"}, {"detection", false, "nothing may touch"}};
+  terms.plan = {{"rotation", true, "a body spins"}, {"detection", false, "no bodies can touch"}};
   json message = terms_json(terms);
   const core::Terms back = terms_from_json(message);
   ASSERT_EQ(back.plan.size(), 2u);
   EXPECT_EQ(back.plan[0].name, "rotation");
   EXPECT_TRUE(back.plan[0].in);
   EXPECT_FALSE(back.plan[1].in);
-  EXPECT_EQ(back.plan[1].reason, "nothing may touch");
+  EXPECT_EQ(back.plan[1].reason, "no bodies can touch");
   message["plan"][0]["inn"] = true;
   EXPECT_THROW(terms_from_json(message), std::runtime_error);
   message.erase("plan");  // an older worker
   EXPECT_TRUE(terms_from_json(message).plan.empty());
 }
 
-TEST(Remarks, TravelWithTheEndOfARun) {
+TEST(Remarks, ArriveWithEndOfRun) {
   Done done{7, 2, 5.0, 3.0, {"tolerance 1e-10 was not reached", "3e-9 was"}};
   json message = done_json(done);
   EXPECT_EQ(done_from_json(message).remarks, done.remarks);
@@ -81,14 +81,14 @@ TEST(Tolerance, ReachesTheWorkerAndItsRemarksTheRecording) {
   EXPECT_EQ(outcome.terms.plan.size(), 2u);
 }
 
-TEST(Tolerance, IsRefusedWhereNobodyWouldKeepIt) {
+TEST(Tolerance, IsRejectedWithoutErrorControl) {
   const core::Scene scene = two_bodies();
   const struct {
     const char *mode, *integrator, *says;
   } cases[] = {
       {"good", "", "engine 'test' has no error-controlled scheme"},
-      {"adaptive", "", "its default scheme does not control its error"},
-      {"adaptive", "stiff", "scheme 'stiff' does not control its error"},
+      {"adaptive", "", "its default integrator does not control its error"},
+      {"adaptive", "stiff", "integrator 'stiff' does not control its error"},
       {"adaptive", "stiff", "(schemes that do: controlled)"},
   };
   for (const auto& c : cases) {

@@ -182,7 +182,7 @@ TEST(WorkerLoop, AFrameIsFullAt256KiB) {
 }
 
 // t_n = (2n - 1) sqrt(2h/g), |v| = sqrt(2gh); apexes of height h between.
-TEST(WorkerLoop, WatchesWhatItIsAskedTo) {
+TEST(WorkerLoop, ReportsRequestedEventsOnly) {
   Toy toy;
   const Answers answers =
       serve_all(toy, {load_of(ball(), 0.001), run_request({2000, 500, {}, {{0, core::world, 0}}})}, 1);
@@ -200,7 +200,7 @@ TEST(WorkerLoop, WatchesWhatItIsAskedTo) {
 }
 
 // The pieces of a run are the run; each ends with its own contacts, and the steps of each count from 1.
-TEST(WorkerLoop, GoesOnFromWhereARunEnded) {
+TEST(WorkerLoop, ContinuesFromEndOfRun) {
   const auto piece = [](std::int64_t steps, std::int64_t every, bool resume) {
     process::Run run{steps, every, {}, {}};
     run.resume = resume, run.contacts = true;
@@ -220,7 +220,7 @@ TEST(WorkerLoop, GoesOnFromWhereARunEnded) {
   EXPECT_EQ(whole.kept, 0);
 }
 
-TEST(WorkerLoop, GoesOnOnlyWhereThereIsSomethingToGoOnWith) {
+TEST(WorkerLoop, ContinuesOnlyAfterARun) {
   Toy toy;
   json on = run_request({1, 1, {}, {}});
   on["continue"] = true;
@@ -237,7 +237,7 @@ TEST(WorkerLoop, GoesOnOnlyWhereThereIsSomethingToGoOnWith) {
 }
 
 // step_ns is the time of the steps and of nothing else, however densely they are recorded.
-TEST(WorkerLoop, TimesTheStepsAlone) {
+TEST(WorkerLoop, TimesStepsOnly) {
   for (const std::int64_t every : {1, 7, 2000}) {
     Toy toy;
     toy.burn_ns = 20e3;
@@ -248,7 +248,7 @@ TEST(WorkerLoop, TimesTheStepsAlone) {
 }
 
 // The load's time is told apart from the steps', though the engine burns time in both.
-TEST(WorkerLoop, TellsTheLoadsTimeApart) {
+TEST(WorkerLoop, ReportsLoadTimeSeparately) {
   Toy toy;
   toy.load_burn_ns = 5e6;
   const Answers answers = serve_all(toy, {load_of(ball()), run_request({10, 1, {}, {}})}, 1);

@@ -1,4 +1,4 @@
-// What cannot be is refused, with the place, the value and what would be valid.
+// Invalid scenarios are rejected with the place, the value and the valid range.
 #include "harness/core/input_error.h"
 #include "harness/scenario/scenario.h"
 
@@ -267,7 +267,7 @@ TEST_P(Refuses, WithPlaceAndReason) {
 INSTANTIATE_TEST_SUITE_P(Loader, Refuses, testing::ValuesIn(bad()),
                          [](const auto& row) { return row.param.name; });
 
-TEST(LoaderBase, TheTextsThatTheBadOnesStartFromAreGood) {
+TEST(LoaderBase, BaseTextsAreValid) {
   EXPECT_EQ(refusal(ball), "");
   EXPECT_EQ(refusal(sphere), "");
   EXPECT_EQ(refusal(ball + claim + good_claim), "");
@@ -276,7 +276,7 @@ TEST(LoaderBase, TheTextsThatTheBadOnesStartFromAreGood) {
 
 const fs::path data = fs::path(CYLON_SOURCE_DIR) / "tests/data";
 
-TEST(LoaderFiles, BadFilesGiveThePlace) {
+TEST(LoaderFiles, ErrorsGiveLineAndColumn) {
   EXPECT_NE(load_refusal(data / "bad/unclosed_string.toml").find("unclosed_string.toml:1:"),
             std::string::npos);
   EXPECT_NE(load_refusal(data / "bad/binary.toml").find("binary.toml:1:"), std::string::npos);
@@ -288,7 +288,7 @@ TEST(LoaderFiles, BadFilesGiveThePlace) {
   EXPECT_NE(load_refusal(data / "bad").find("is a directory"), std::string::npos);
 }
 
-TEST(LoaderFiles, RefusesAHundredMegabytesOfGarbageWithoutReadingThem) {
+TEST(LoaderFiles, RejectsHugeFileWithoutReadingIt) {
   const fs::path path = fs::path(testing::TempDir()) / "cylon_loader_garbage.toml";
   { std::ofstream(path) << "garbage"; }
   fs::resize_file(path, 100u << 20);
@@ -297,7 +297,7 @@ TEST(LoaderFiles, RefusesAHundredMegabytesOfGarbageWithoutReadingThem) {
   EXPECT_NE(message.find("104857600 bytes, but at most 16777216 (16 MB)"), std::string::npos) << message;
 }
 
-TEST(LoaderFiles, RefusesWhatIsNoFile) {
+TEST(LoaderFiles, RejectsNonRegularFiles) {
   EXPECT_NE(load_refusal("/dev/null").find("is not a regular file"), std::string::npos);
 }
 

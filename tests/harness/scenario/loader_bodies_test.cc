@@ -172,7 +172,7 @@ TEST(Generators, CloudIsTheSameEverywhere) {
   EXPECT_EQ(s.scene.bodies[0].initial.position.x(), static_cast<double>(0xe220a8397b1dcdafu >> 11) * 0x1p-53);
 }
 
-TEST(Materials, AGeneratorsNameStandsForItsBodies) {
+TEST(Materials, GeneratorNameMeansAllItsBodies) {
   const auto s = parse(head +
                            "[[lattice]]\nname = \"b\"\nmass = 1\nposition = [0, 5, 0]\ncount = [3, 1, "
                            "1]\nspacing = [2, 0, 0]\n"

@@ -29,7 +29,7 @@ const std::string head =
     "duration = 0.8\nstep = 0.025\ngravity = [0, -9.81, 0]\n[[body]]\nname = \"body\"\nmass = 1\n"
     "position = [0, 1, 0]\nvelocity = [3, 4, 0.5]\n";
 
-TEST(Claims, LabelsSayWhatIsClaimed) {
+TEST(Claims, LabelsNameTheClaim) {
   const std::string t = "tolerance = { absolute = 1, reason = \"r\" }\n";
   const auto s = parse(head + "[[claim]]\nconserves = \"linear_momentum\"\ncomponent = \"horizontal\"\n" + t +
                            "[[claim]]\nfollows = \"projectile\"\nobservable = \"position\"\nbody = "
@@ -51,7 +51,7 @@ TEST(Claims, LabelsSayWhatIsClaimed) {
   EXPECT_EQ(s.claims[2].tolerance.constant, 2);
 }
 
-TEST(Claims, RecordedDataIsATruthAtItsOwnTimes) {
+TEST(Claims, RecordedDataIsComparedAtItsTimes) {
   const auto s = parse(head +
                            "[[claim]]\nfollows = { file = \"truth/projectile.json\" }\nobservable = "
                            "\"position\"\nuntil = 0.4\n"

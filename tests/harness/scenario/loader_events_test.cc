@@ -22,7 +22,7 @@ const std::string orbit =
 const std::string event = "[[claim]]\nfollows = \"spring_orbit\"\nobservable = \"event\"\n";
 const std::string within = "tolerance = { relative = 1e-3, reason = \"r\" }\n";
 
-TEST(EventClaims, SayWhichEventAndWhichOfItsNumbers) {
+TEST(EventClaims, NameEventAndQuantity) {
   const auto s = scenario::parse(
       orbit + event + "event = \"apsis\"\nbody = \"bob\"\nindex = 3\nquantity = \"period\"\n" + within +
           event + "event = \"apsis\"\nbody = \"bob\"\nto = \"other\"\nquantity = \"distance\"\n" + within +

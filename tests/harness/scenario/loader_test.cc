@@ -57,7 +57,7 @@ TEST(Loader, StepsAreKeptAsWritten) {
     EXPECT_THROW(scenario::parse_step(bad), core::InputError) << bad;
 }
 
-TEST(Loader, EveryForceAndJointArrives) {
+TEST(Loader, ReadsEveryForceAndJoint) {
   const auto s = parse(head + R"(
 gravity = [0, 0, -1]
 impacts = "simultaneous"
@@ -146,7 +146,7 @@ TEST(Loader, RoundedVelocitiesAreCompletedByTheJoint) {
   EXPECT_NEAR(top.velocity.z(), -0.2598, 2e-6);
 }
 
-TEST(Loader, TheHashIsOfTheBytes) {
+TEST(Loader, HashCoversTheBytes) {
   const std::string text = head + "[[body]]\nname = \"a\"\nmass = 1\n";
   EXPECT_EQ(parse(text, "a.toml").hash, parse(text, "b.toml").hash);
   EXPECT_NE(parse(text, "a.toml").hash, parse(text + "#", "a.toml").hash);
@@ -199,7 +199,7 @@ TEST(Shipped, ParametersOfTheReferenceScenes) {
 }
 
 // Property: whatever bytes arrive, the loader returns a scenario or throws InputError; nothing else.
-TEST(Fuzz, MutatedScenariosLoadOrAreRefused) {
+TEST(Fuzz, MutatedScenariosLoadOrGiveInputError) {
   const std::vector<std::string> seeds = {scenario::read_file(folder / "heavy_top.toml"),
                                           scenario::read_file(folder / "two_sphere_oblique.toml"),
                                           scenario::template_toml("fuzz")};

@@ -26,7 +26,7 @@ class Advise : public CommandLine {
 // Symplectic Euler throws the ball g dt T/2 too low: 9.81 0.8/2 dt of the 3.3 m that it comes to, so the
 // dearest step within a hundredth, less the margin of 15 %, is 7.4e-3 s, and steps lie a factor of 2^(1/4)
 // apart.
-TEST_F(Advise, FindsTheStepThatTheLawSays) {
+TEST_F(Advise, FindsStepPredictedByOrder) {
   for (const std::string engine : {"ode", "bullet"}) {
     const auto json = advice("projectile --tolerance 1e-2 --no-features --engine " + engine, 0);
     const auto pick = json["engines"][0]["pick"];
@@ -40,26 +40,26 @@ TEST_F(Advise, FindsTheStepThatTheLawSays) {
   }
 }
 
-TEST_F(Advise, SaysHowNearAnEngineComesThatCannot) {
+TEST_F(Advise, ReportsBestErrorWhenToleranceIsUnreachable) {
   const auto json = advice("dzhanibekov --tolerance 1e-3 --work 20000 --engine ode --no-features", 1);
   EXPECT_TRUE(json["engines"][0]["pick"].is_null());
   EXPECT_GT(json["engines"][0]["best"]["error"].get<double>(), 0.1);
   EXPECT_NE(out.find("not reachable: best error seen"), std::string::npos) << out;
 }
 
-TEST_F(Advise, AnEngineThatCannotSaysWhy) {
+TEST_F(Advise, GivesReasonWhenEngineCannotRun) {
   const auto json = advice("spherical_pendulum --tolerance 1e-2 --engine bullet --no-features", 1);
   EXPECT_NE(json["engines"][0]["reason"].get<std::string>().find("distance joint"), std::string::npos);
   EXPECT_NE(out.find("distance joint"), std::string::npos) << out;
 }
 
-TEST_F(Advise, ABudgetThatIsTooSmallIsSaid) {
+TEST_F(Advise, ReportsBudgetTooSmall) {
   const auto json = advice("projectile --tolerance 1e-2 --budget 1e-9 --engine ode --no-features", 1);
   EXPECT_TRUE(json["engines"][0]["over_budget"].get<bool>());
   EXPECT_NE(out.find("over the budget"), std::string::npos);
 }
 
-TEST_F(Advise, PricesOnlyWhatTheSceneHas) {
+TEST_F(Advise, PricesOnlyFeaturesOfTheScene) {
   const auto names = [](const nlohmann::json& json) {
     std::vector<std::string> features;
     for (const auto& f : json["features"]) features.push_back(f["feature"]);
@@ -74,7 +74,7 @@ TEST_F(Advise, PricesOnlyWhatTheSceneHas) {
             (std::vector<std::string>{"gyroscopic term", "friction", "contacts"}));
 }
 
-TEST_F(Advise, BadRequestsAreSaid) {
+TEST_F(Advise, RejectsBadRequests) {
   for (const auto& [command, word] :
        std::vector<std::pair<std::string, std::string>>{{"advise", "which scenario"},
                                                         {"advise projectil", "did you mean"},
@@ -93,7 +93,7 @@ scenario::Scenario shipped_scenario(const std::string& name) {
 
 // A start that moved, with the truth of the new scene: at t = 0 the two agree, later they part from the old
 // one.
-TEST(Varied, HasTheTruthOfTheNewStart) {
+TEST(Varied, HasTruthOfChangedInitialState) {
   for (const char* name :
        {"spring_orbit", "heavy_top", "dzhanibekov", "bouncing_sphere", "double_pendulum"}) {
     const scenario::Scenario old = shipped_scenario(name);
@@ -110,11 +110,11 @@ TEST(Varied, HasTheTruthOfTheNewStart) {
   }
 }
 
-TEST(Varied, RecordedDataIsOfOneStart) {
+TEST(Varied, RecordedDataCannotBeVaried) {
   EXPECT_FALSE(scenario::varied(shipped_scenario("double_pendulum_rods"), 0.01));
 }
 
-TEST(FineSteps, AreMultiplesAndNoFurtherApartThanAsked) {
+TEST(FineSteps, AreMultiplesWithinRequestedSpacing) {
   for (const auto& [per_octave, most] : {std::pair(4, 1.3), std::pair(2, 1.5)}) {
     const auto steps = study::fine_steps(78, 100000, per_octave);
     EXPECT_EQ(steps.front(), 78);

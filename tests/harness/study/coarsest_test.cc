@@ -1,4 +1,4 @@
-// The search for the coarsest setting that serves, against looking at every one of them.
+// The search for the coarsest sufficient setting, against an exhaustive search.
 #include "harness/study/coarsest.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ std::vector<double> law(double order, double constant, double floor) {
 
 double digits(double order) { return 0.25 * order * std::log10(2.0); }
 
-TEST(Coarsest, FindsWhatLookingAtAllFinds) {
+TEST(Coarsest, AgreesWithExhaustiveSearch) {
   for (const double order : {1.0, 2.0, 4.0, 8.0})
     for (const double constant : {0.2, 30.0})
       for (const double target : {1e-1, 3e-3, 1e-5, 1e-9})
@@ -41,7 +41,7 @@ TEST(Coarsest, FindsWhatLookingAtAllFinds) {
         }
 }
 
-TEST(Coarsest, SaysTheBestWhereNothingServes) {
+TEST(Coarsest, ReportsBestErrorWhenNoStepSuffices) {
   const std::vector<double> errors = law(2, 0.5, 1e-3);
   std::map<std::size_t, double> seen;
   const Coarsest found =
@@ -52,7 +52,7 @@ TEST(Coarsest, SaysTheBestWhereNothingServes) {
 
 // Rounding makes a narrow valley, deeper than the law goes, between settings that all miss: the leaps must
 // not end beyond it, and a floor twice as high must not be walked step by step.
-TEST(Coarsest, FindsANarrowValleyNearTheFloorAndOnlyThere) {
+TEST(Coarsest, FindsNarrowMinimumNearRoundingFloorOnly) {
   for (const double floor : {1.3e-3, 2.7e-3})
     for (const std::size_t valley : {38u, 44u, 52u}) {
       std::vector<double> errors = law(1, 0.5, floor);
@@ -70,7 +70,7 @@ TEST(Coarsest, FindsANarrowValleyNearTheFloorAndOnlyThere) {
     }
 }
 
-TEST(Coarsest, AsksNothingTwice) {
+TEST(Coarsest, EvaluatesEachStepOnce) {
   const std::vector<double> errors = law(1, 0.3, 0);
   std::map<std::size_t, double> seen;
   std::map<std::size_t, int> asked;
@@ -79,13 +79,13 @@ TEST(Coarsest, AsksNothingTwice) {
   for (const auto& [i, times] : asked) EXPECT_EQ(times, 1) << i;
 }
 
-TEST(Coarsest, AnExactAnswerLeadsToTheCoarsest) {
+TEST(Coarsest, ExactResultLeadsToCoarsestStep) {
   std::map<std::size_t, double> seen;
   const Coarsest found = coarsest([](std::size_t) { return 0.0; }, 40, 1e-3, 1, 30, seen);
   EXPECT_EQ(found.pick, 0u);
 }
 
-TEST(Coarsest, AllRunsLostEndsTheSearch) {
+TEST(Coarsest, SearchEndsWhenAllRunsFail) {
   std::map<std::size_t, double> seen;
   const Coarsest found = coarsest([](std::size_t) { return NAN; }, 40, 1e-3, 1, 3, seen);
   EXPECT_FALSE(found.pick);

@@ -1,4 +1,4 @@
-// The least time that can be believed.
+// The shortest valid time of several timings.
 #include "harness/study/cost.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace cylon::study {
 namespace {
 
-TEST(Cost, IsTheLeastTimeThatIsNoGlitch) {
+TEST(Cost, IsShortestValidTime) {
   const process::Repetition t =
       typical_least({{3.1, 20.4}, {3.0, 20.0}, {9.9, 2.0}, {0.4, 21.7}, {3.3, 88.0}});
   EXPECT_EQ(t.load_seconds, 3.0);   // 0.4 is a clock that stood
@@ -16,7 +16,7 @@ TEST(Cost, IsTheLeastTimeThatIsNoGlitch) {
   EXPECT_EQ(alone.step_seconds, 2.5);
 }
 
-TEST(Cost, CountsTheLoadOfWhatMaySolveThere) {
+TEST(Cost, CountsLoadTimeOfAdaptiveIntegrators) {
   const process::Repetition time{0.25, 2};
   EXPECT_EQ(cost(time, false, 4), 0.5);
   EXPECT_EQ(cost(time, true, 4), 0.5625);

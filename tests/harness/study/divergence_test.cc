@@ -1,4 +1,4 @@
-// Where two motions part: on motions whose distance is known, and never where there is none.
+// The first difference of two motions: on motions of known distance, and on equal motions.
 #include "harness/study/divergence.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace cylon::study {
 namespace {
 
-TEST(CommonMultiple, TheLeastOneOrNone) {
+TEST(CommonMultiple, FindsLeastCommonMultipleIfAny) {
   const struct {
     double a, b;
     std::int64_t of_a, of_b;  // 0: none
@@ -62,7 +62,7 @@ class Divergence : public testing::Test {
   core::Motion track, other;
 };
 
-TEST_F(Divergence, EqualTracksNeverPart) {
+TEST_F(Divergence, EqualRunsDoNotDiffer) {
   const auto all = curves(0);
   EXPECT_EQ(all.size(), 7u);
   EXPECT_EQ(first_to_part(all), nullptr);
@@ -84,7 +84,7 @@ TEST_F(Divergence, FindsSampleBodyAndQuantity) {
   EXPECT_EQ(of(curves(0), core::Quantity::position).first, 3u);
 }
 
-TEST_F(Divergence, AllowedFollowsTheScene) {
+TEST_F(Divergence, AllowedScalesWithScene) {
   const auto all = curves(0.5);
   const struct {
     core::Quantity quantity;
@@ -100,12 +100,12 @@ TEST_F(Divergence, AllowedFollowsTheScene) {
     EXPECT_DOUBLE_EQ(of(all, c.quantity).allowed, c.allowed) << core::name(c.quantity);
 }
 
-TEST_F(Divergence, AQuaternionAndItsNegativeAreOneOrientation) {
+TEST_F(Divergence, QuaternionSignIsIgnored) {
   for (core::State& state : other.states) state[2].orientation.coeffs() *= -1;
   EXPECT_EQ(first_to_part(curves(0)), nullptr);
 }
 
-TEST_F(Divergence, OneBitIsSeenAtToleranceZero) {
+TEST_F(Divergence, ZeroToleranceDetectsOneBit) {
   double& v = other.states[5][2].velocity.y();
   v = std::nextafter(v, 1.0);
   const auto all = curves(0);
@@ -116,7 +116,7 @@ TEST_F(Divergence, OneBitIsSeenAtToleranceZero) {
   EXPECT_EQ(first_to_part(curves(1e-12)), nullptr);
 }
 
-TEST_F(Divergence, NotANumberParts) {
+TEST_F(Divergence, NaNCountsAsDifference) {
   other.states[6][0].position.x() = std::numeric_limits<double>::quiet_NaN();
   const auto all = curves(1e6);
   const Curve* first = first_to_part(all);
@@ -126,7 +126,7 @@ TEST_F(Divergence, NotANumberParts) {
 }
 
 // Of several that part at one sample, the one that is farthest beyond what is allowed leads.
-TEST_F(Divergence, TheWorstOfASampleLeads) {
+TEST_F(Divergence, ReportsLargestDifferenceOfSample) {
   other.states[2][0].position.x() += 0.3;          // 0.2 L
   other.states[2][0].angular_velocity.z() += 1.5;  // half of its scale
   const auto all = curves(1e-3);

@@ -34,7 +34,7 @@ TEST(FindLimit, AKnownThresholdIsFoundToHalfAPercent) {
   }
 }
 
-TEST(FindLimit, DownwardTheSmallestThatHolds) {
+TEST(FindLimit, FindsSmallestValueDownward) {
   for (const double threshold : {3.3e-7, 0.02, 0.9}) {
     const Range range{.low = 1e-9, .high = 1, .downward = true};
     const Limit limit = find_limit(range, [=](double x) { return Probed{x >= threshold, "too little"}; });
@@ -45,7 +45,7 @@ TEST(FindLimit, DownwardTheSmallestThatHolds) {
   }
 }
 
-TEST(FindLimit, WholeNumbersToTheLastOne) {
+TEST(FindLimit, FindsExactIntegerLimit) {
   for (const int threshold : {1, 2, 7, 37, 63}) {
     const Range range{.low = 1, .high = 64, .whole = true};
     const Limit limit = find_limit(range, breaks_above(threshold + 0.5));
@@ -55,7 +55,7 @@ TEST(FindLimit, WholeNumbersToTheLastOne) {
   }
 }
 
-TEST(FindLimit, OneThatNeverBreaksSaysSoAndHowFar) {
+TEST(FindLimit, ReportsRangeWithoutLimit) {
   const Range range{.low = 1, .high = 500};
   const Limit limit = find_limit(range, [](double) { return Probed{}; });
   EXPECT_EQ(limit.kind, Limit::Kind::none);
@@ -63,7 +63,7 @@ TEST(FindLimit, OneThatNeverBreaksSaysSoAndHowFar) {
   EXPECT_TRUE(limit.what.empty());
 }
 
-TEST(FindLimit, OneThatNeverHoldsSaysSoAndWhere) {
+TEST(FindLimit, ReportsRangeThatAlwaysFails) {
   const Limit limit = find_limit({.low = 0.25, .high = 500}, [](double) { return Probed{false, "gone"}; });
   EXPECT_EQ(limit.kind, Limit::Kind::nowhere);
   EXPECT_DOUBLE_EQ(limit.breaks, 0.25);
@@ -71,7 +71,7 @@ TEST(FindLimit, OneThatNeverHoldsSaysSoAndWhere) {
 }
 
 // Bisection would answer either edge and hide the other.
-TEST(FindLimit, WhatHoldsAgainBeyondTheLimitIsReported) {
+TEST(FindLimit, ReportsRecoveryBeyondLimit) {
   const Range range{.low = 0.1, .high = 1000};
   const Limit limit = find_limit(range, [](double x) { return Probed{x < 3 || x > 50, "in the gap"}; });
   EXPECT_EQ(limit.kind, Limit::Kind::found);
@@ -82,7 +82,7 @@ TEST(FindLimit, WhatHoldsAgainBeyondTheLimitIsReported) {
 }
 
 // A window of instability a hundredth wide, far below where it breaks for good.
-TEST(FindLimit, ANarrowWindowIsFoundWhereTheoryPoints) {
+TEST(FindLimit, FindsNarrowWindowNearTheory) {
   const Range range{.low = 0.01, .high = 100};
   const auto probe = [](double x) { return Probed{!((x > 2 && x < 2.02) || x > 6), "grew"}; };
   EXPECT_NEAR(find_limit(range, probe).value(range), 6, 6 * half_a_percent) << "without theory it is missed";
@@ -94,7 +94,7 @@ TEST(FindLimit, ANarrowWindowIsFoundWhereTheoryPoints) {
   EXPECT_TRUE(just_beyond(std::nullopt, range).empty());
 }
 
-TEST(FindLimit, RefusesARangeThatIsNone) {
+TEST(FindLimit, RejectsInvalidRange) {
   const auto never = [](double) { return Probed{}; };
   EXPECT_THROW(find_limit({.low = 0, .high = 1}, never), std::invalid_argument);
   EXPECT_THROW(find_limit({.low = 2, .high = 1}, never), std::invalid_argument);
@@ -133,7 +133,7 @@ TEST(Families, TheSpringFamilyMeasuresWhatTheRunnerDoes) {
   }
 }
 
-TEST(Families, NamesAreUniqueAndEachSaysWhatBreaks) {
+TEST(Families, NamesAreUniqueAndFailureIsDescribed) {
   std::set<std::string> names;
   for (const Family& row : families()) {
     EXPECT_TRUE(names.insert(row.name).second) << row.name;

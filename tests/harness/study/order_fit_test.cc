@@ -1,4 +1,4 @@
-// Orders and floors of errors made by hand: C dt^p + floor, with scatter, lost motions and NaN.
+// Orders and floors of synthetic errors: C dt^p + floor, with scatter, failed runs and NaN.
 #include "harness/study/order_fit.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ class MadeErrors : public testing::TestWithParam<Case> {};
 
 // Four points a factor of two apart, a tenth off each: the slope of the ends is off by 0.2/(3 ln 2) at most,
 // 0.1.
-TEST_P(MadeErrors, GiveTheirOrderAndTheirFloor) {
+TEST_P(MadeErrors, RecoverOrderAndFloor) {
   const auto [order, constant, floor, count] = GetParam();
   for (unsigned seed = 1; seed <= 20; ++seed) {
     const OrderFit fit = fit_order(made(order, constant, floor, count, seed), 0, eps);
@@ -63,7 +63,7 @@ TEST(OrderFit, AnErrorThatNeverFallsHasNoOrder) {
   EXPECT_FALSE(fit.floor);  // three radians are no rounding
 }
 
-TEST(OrderFit, LostMotionsAndFailedRunsDoNotCount) {
+TEST(OrderFit, IgnoresFailedRuns) {
   auto points = made(2, 0.4, 0, 9, 3);
   points.insert(points.begin(), {{0.5, 2.9}, {0.25, 3.1}});
   points[4].error = std::nan("");
@@ -73,7 +73,7 @@ TEST(OrderFit, LostMotionsAndFailedRunsDoNotCount) {
   EXPECT_NEAR(*fit.order, 2, 0.15);
 }
 
-TEST(OrderFit, WhatLiesBelowTheTruthsOwnErrorIsItsFloor) {
+TEST(OrderFit, TruthErrorIsTheFloor) {
   std::vector<StepError> exact;
   for (int i = 0; i < 6; ++i) exact.push_back({std::ldexp(0.1, -i), i % 2 ? 2e-15 : 0.0});
   const OrderFit fit = fit_order(exact, 1e-14, eps);
@@ -84,7 +84,7 @@ TEST(OrderFit, WhatLiesBelowTheTruthsOwnErrorIsItsFloor) {
 }
 
 // An error that stalls at a thousandth is no rounding, and is not called one.
-TEST(OrderFit, AStallIsNoRounding) {
+TEST(OrderFit, StallIsNotRoundingFloor) {
   const OrderFit fit = fit_order(made(1, 8.0, 1e-3, 16, 5), 0, eps);
   ASSERT_TRUE(fit.floor);
   EXPECT_FALSE(fit.rounding);

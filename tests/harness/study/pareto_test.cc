@@ -1,4 +1,4 @@
-// Which settings nobody beats: points drawn by hand, and every pair of a random cloud.
+// Pareto fronts: of points drawn by hand, and of random points against the definition.
 #include "harness/study/pareto.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ TEST(Pareto, EqualPointsShareTheFrontAndEqualErrorsDoNot) {
   EXPECT_EQ(standing[3].by, 0u);
 }
 
-TEST(Pareto, WhatIsNotFiniteIsNoPointAndBeatsNobody) {
+TEST(Pareto, IgnoresNonFinitePoints) {
   const std::vector<Tradeoff> points = {{nan, 0.0}, {0, nan}, {0, INFINITY}, {7, 0.5}, {INFINITY, 0}};
   const auto standing = pareto(points);
   for (const std::size_t i : {0u, 1u, 2u, 4u}) {

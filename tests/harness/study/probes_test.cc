@@ -1,4 +1,4 @@
-// An engine is told by what it does: a small one that can be wrong in many ways, each found by its probe, and
+// The probes identify engines by their motion: a small engine with many faults, each found by its probe, and
 // the engines that are built in, whose schemes are known from their sources.
 #include "harness/study/probes.h"
 
@@ -120,7 +120,7 @@ std::map<std::string, Finding> ask(const Runner& run) {
   return by_name;
 }
 
-TEST(Probes, TellASmallEngineByWhatItDoes) {
+TEST(Probes, IdentifySmallEngine) {
   struct Row {
     const char* probe;
     const char* answer;
@@ -134,16 +134,16 @@ TEST(Probes, TellASmallEngineByWhatItDoes) {
       {"spring", "order 1.0, energy bounded", {}},
       {"spring", "order 2.0, energy bounded", {.scheme = Traits::verlet}},
       {"gyroscopic torque", "off", {.gyroscopic = Traits::off}},
-      {"gyroscopic torque", "explicit: feeds energy", {.gyroscopic = Traits::from_body}},
+      {"gyroscopic torque", "explicit: adds energy", {.gyroscopic = Traits::from_body}},
       {"gyroscopic torque", "on, order 2", {}},
-      {"turn of a step", "exact up to 3 rad a step", {}},
-      {"turn of a step", "approximate at any step", {.linear_turns = true}},
-      {"restitution", "speed before the step's gravity", {}},
-      {"restitution", "speed after the step's gravity", {.target = Traits::after}},
-      {"slow bounces", "restitution holds down to 0.01 m/s", {}},
+      {"rotation per step", "exact up to 3 rad a step", {}},
+      {"rotation per step", "approximate at every angle", {.linear_turns = true}},
+      {"restitution", "speed before gravity acts in the step", {}},
+      {"restitution", "speed after gravity acts in the step", {.target = Traits::after}},
+      {"slow bounces", "restitution is applied down to 0.01 m/s", {}},
       {"slow bounces", "restitution is lost at 0.3 m/s and below", {.threshold = 0.5}},
-      {"friction", "Coulomb's cone", {}},
-      {"friction", "a pyramid: depends on the direction", {.pyramid = true}},
+      {"friction", "Coulomb cone", {}},
+      {"friction", "friction pyramid: depends on the direction", {.pyramid = true}},
       {"speed limit", "none up to 1e5 m/s", {}},
       {"speed limit", "500 m/s", {.speed_limit = 500}},
       {"spin limit", "none up to 1e4 rad/s", {}},
@@ -151,7 +151,7 @@ TEST(Probes, TellASmallEngineByWhatItDoes) {
       {"damping", "none", {}},
       {"damping", "linear 0.0392/s, angular 0/s", {.damping = 0.04}},
       {"sleeping", "never", {}},
-      {"sleeping", "slow bodies are put to sleep", {.sleeps = true}},
+      {"sleeping", "slow bodies are stopped", {.sleeps = true}},
       {"precision", "double", {}},
       {"precision", "single", {.single = true}},
   };
@@ -163,12 +163,12 @@ TEST(Probes, TellASmallEngineByWhatItDoes) {
 }
 
 // Explicit Euler on a spring gains order late: at these steps its error is growth itself.
-TEST(Probes, ExplicitEulersSpringIsSeenToGrow) {
+TEST(Probes, DetectEnergyGrowthOfExplicitEuler) {
   const Finding found = ask(Small({.scheme = Traits::explicit_euler}))["spring"];
   EXPECT_NE(found.answer.find("energy grows"), std::string::npos) << found.answer << "; " << found.evidence;
 }
 
-TEST(Probes, AnEngineThatDoesNotSurviveIsAnswered) {
+TEST(Probes, ReportCrashOfEngine) {
   const Runner broken = [](const Scene&, double, std::int64_t, std::int64_t) -> core::Recording {
     throw RunFailed{{.status = results::Status::crash, .reason = "signal 11"}};
   };

@@ -1,5 +1,5 @@
-// The relations of mechanics on engines that are right, and wrong in one way each: each fault is found by the
-// relation that is made for it, and nothing is held against the right one.
+// Metamorphic relations on a correct engine and on engines with one fault each: each fault is found by its
+// relation, and the correct engine passes all.
 #include "harness/study/relations.h"
 #include "harness/study/restate.h"
 
@@ -158,7 +158,7 @@ const std::vector<Scene>& scenes() {
 // Rounding of 1000 steps, grown tenfold; what Verlet makes of free fall is exact.
 constexpr double rounding = 1e-10;
 
-TEST(Relations, NothingIsHeldAgainstARightEngine) {
+TEST(Relations, CorrectEnginePassesAll) {
   std::map<std::string, int> asked;
   for (const Scene& s : scenes())
     for (const auto& [name, value] : deviations(Fault::none, s)) {
@@ -168,7 +168,7 @@ TEST(Relations, NothingIsHeldAgainstARightEngine) {
   EXPECT_EQ(asked.size(), relations().size());  // the scenes give every relation something to say
 }
 
-TEST(Relations, EachFaultIsFoundByTheRelationMadeForIt) {
+TEST(Relations, EachFaultIsFoundByItsRelation) {
   const std::pair<Fault, const char*> table[] = {
       {Fault::grid, "translation"},     {Fault::slow_along_x, "rotation"},
       {Fault::magnetic, "mirror"},      {Fault::medium, "boost"},
@@ -189,7 +189,7 @@ TEST(Relations, EachFaultIsFoundByTheRelationMadeForIt) {
   }
 }
 
-TEST(Relations, SayNothingWhereTheyDoNotHold) {
+TEST(Relations, AreSkippedWhereTheyDoNotHold) {
   const auto reason = [](const char* name, const Scene& s) {
     for (const Relation& relation : relations())
       if (relation.name == name) return relation.undefined_in(s).value_or("");
@@ -209,7 +209,7 @@ TEST(Relations, SayNothingWhereTheyDoNotHold) {
 }
 
 // The motion of a restated scene's start is the restated start: mass, energy and inertia in the new words.
-TEST(Restatement, TellsOneSceneInOtherWords) {
+TEST(Restatement, DescribesTheSameScene) {
   Scene s = scene(true, 0.7);
   s.bodies[0].shape = core::Hull{{{0.1, 0, 0}, {0, 0.2, 0}, {0, 0, 0.3}, {-0.1, -0.1, 0}}};
   s.bodies[0].collide = true;

@@ -32,7 +32,7 @@ core::Recording truth_as_run(const scenario::Scenario& scenario, std::int64_t st
 }
 
 // A hundredth of a metre off all the time, of a motion that reaches 1.5 m.
-TEST(Yardstick, MeasuresWhatARunIsOffByAsAPartOfTheMotion) {
+TEST(Yardstick, MeasuresErrorRelativeToMotion) {
   const scenario::Scenario scenario = shipped("spring_orbit");
   const Yardstick yardstick(scenario, 100);
   EXPECT_EQ(yardstick.measures()[yardstick.principal()].name, "trajectory");
@@ -44,7 +44,7 @@ TEST(Yardstick, MeasuresWhatARunIsOffByAsAPartOfTheMotion) {
   EXPECT_GT(off[yardstick.find("energy")], 1e-3);  // the spring is stretched otherwise
 }
 
-TEST(Yardstick, NaNIsNoError) {
+TEST(Yardstick, RejectsNaN) {
   const scenario::Scenario scenario = shipped("projectile");
   const Yardstick yardstick(scenario, 20);
   core::Recording run = truth_as_run(scenario, 800, 40, {0, 0, 0});
@@ -52,13 +52,13 @@ TEST(Yardstick, NaNIsNoError) {
   for (const double e : yardstick.errors(run)) EXPECT_TRUE(std::isnan(e));
 }
 
-TEST(Yardstick, AnUnknownMeasureIsRefusedWithTheNearest) {
+TEST(Yardstick, UnknownMeasureSuggestsNearest) {
   const scenario::Scenario scenario = shipped("projectile");
   const Yardstick yardstick(scenario, 20);
   EXPECT_THROW(yardstick.find("energi"), core::InputError);
 }
 
-TEST(Conserved, IsWhatThePartsOfTheSceneAllow) {
+TEST(Conserved, FollowsFromPartsOfTheScene) {
   using core::Quantity;
   const auto of = [](const char* name) { return conserved(shipped(name).scene); };
   EXPECT_EQ(of("spring_orbit"), (std::vector{Quantity::energy}));  // its pin takes up momentum
@@ -84,7 +84,7 @@ TEST(Ladder, HasMultiplesOfItsSamplesAroundTheNominalStep) {
   }
 }
 
-TEST(Ladder, TheUsersStepsMustShareTimes) {
+TEST(Ladder, GivenStepsNeedCommonTimes) {
   const scenario::Scenario scenario = shipped("bouncing_sphere");
   const Ladder steps = ladder(scenario, std::vector<double>{1.0 / 60, 1.0 / 240, 0.01});
   EXPECT_EQ(steps.steps, (std::vector<std::int64_t>{300, 500, 1200}));

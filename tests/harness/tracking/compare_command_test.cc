@@ -55,7 +55,7 @@ TEST_F(CompareCommand, ExitCodesAndMessages) {
   }
 }
 
-TEST_F(CompareCommand, TheCommandOfACellComparesItAgain) {
+TEST_F(CompareCommand, CommandOfCellReproducesIt) {
   add_impostor();
   const Ran ran =
       cylon(std::string("track compare --candidate impostor --no-time --instructions off --baseline ") +
@@ -69,7 +69,7 @@ TEST_F(CompareCommand, TheCommandOfACellComparesItAgain) {
 }
 
 // An engine of the user's own: the older build goes by --baseline-worker.
-TEST_F(CompareCommand, AnEngineElsewhereIsComparedByItsWorkers) {
+TEST_F(CompareCommand, ComparesExternalEngineByWorkers) {
   const std::string engine = CYLON_SOURCE_DIR "/docs/examples/foreign_engine.py";
   write("new.py", replaced(read(engine), "import", "# the newer build\nimport"));
   const std::string words =
@@ -81,7 +81,7 @@ TEST_F(CompareCommand, AnEngineElsewhereIsComparedByItsWorkers) {
   EXPECT_EQ(cylon(words).code, 2);  // compared with what?
 }
 
-TEST_F(CompareCommand, AStoredRunIsComparedInItsResults) {
+TEST_F(CompareCommand, ComparesResultsWithStoredRun) {
   ASSERT_EQ(cylon("track record projectile --engine in-house --label before").code, 0);
   add_impostor();
   const std::string quick = " projectile --engine in-house --instructions off";
@@ -99,7 +99,7 @@ TEST_F(CompareCommand, AStoredRunIsComparedInItsResults) {
 // A revision is built in a worktree by the preset `release` and the name of the worker alone, so that a
 // repository of a few lines will do: its revision v1 has the in-house worker, and not ODE's; v2 cannot be
 // built.
-TEST_F(CompareCommand, ARevisionIsBuiltOnceAndKept) {
+TEST_F(CompareCommand, BuildsRevisionOnce) {
   std::filesystem::create_directories(folder / "repo/scenarios");
   write("repo/scenarios/projectile.toml", shipped("projectile"));
   write("repo/CMakePresets.json",
@@ -128,7 +128,7 @@ TEST_F(CompareCommand, ARevisionIsBuiltOnceAndKept) {
   EXPECT_NE(broken.err.find("cylon-worker-in-house cannot be built, see "), std::string::npos) << broken.err;
 }
 
-TEST(ExitCode, InconclusiveCountsWhereItIsAskedFor) {
+TEST(ExitCode, InconclusiveFailsOnlyWithStrict) {
   const auto with = [](Finding finding, bool reliable) {
     results::ComparisonReport report;
     report.reliable = reliable;

@@ -1,4 +1,4 @@
-// Comparisons as JUnit, Markdown, JSON and text, with names that would like to be markup.
+// Comparisons as JUnit, Markdown, JSON and text, with names that contain markup.
 #include "reports/comparison.h"
 #include "reports/markdown.h"
 
@@ -60,7 +60,7 @@ TEST(ComparisonReports, JunitCountsAndEscapes) {
   EXPECT_NE(xml.find("x 1.052 (1.047 … 1.058)"), std::string::npos) << xml;
 }
 
-TEST(ComparisonReports, MarkdownKeepsItsTableAndCallsNobody) {
+TEST(ComparisonReports, MarkdownEscapesTableAndMentions) {
   const std::string text = to_markdown(report());
   EXPECT_EQ(text.find("<script"), std::string::npos);
   EXPECT_EQ(text.find("</td>"), std::string::npos);
@@ -96,7 +96,7 @@ TEST(ComparisonReports, HeadlinesFollowTheFindings) {
     EXPECT_NE(text.find("environment unreliable"), std::string::npos) << text;
 }
 
-TEST(ComparisonReports, JsonIsWholeAndTextCommandsNoTerminal) {
+TEST(ComparisonReports, JsonIsCompleteAndTextIsEscaped) {
   ComparisonReport r = report();
   r.cells[0].time->ratio = std::numeric_limits<double>::quiet_NaN();
   const auto json = nlohmann::json::parse(to_json(r));
@@ -110,7 +110,7 @@ TEST(ComparisonReports, JsonIsWholeAndTextCommandsNoTerminal) {
             std::string::npos);
 }
 
-TEST(ComparisonReports, NothingAtAllIsSaidToo) {
+TEST(ComparisonReports, ReportsEmptyComparison) {
   const ComparisonReport none;
   EXPECT_NE(to_junit(none).find("tests=\"0\""), std::string::npos);
   EXPECT_NE(to_markdown(none).find("nothing was compared"), std::string::npos);

@@ -1,5 +1,5 @@
-// Two builds compared: the order of the pairs, what a drifting machine makes of it, what is skipped, what is
-// found.
+// Comparison of two builds: order of the pairs, effect of machine drift, skipped cells and
+// findings.
 #include "harness/study/compare.h"
 
 #include "harness/scenario/scenario.h"
@@ -20,7 +20,7 @@ using results::Finding;
 
 // ---- Pairs -------------------------------------------------------------------------------------------
 
-TEST(PairedTimes, TakesTheTwoInTheOrderAbbaBaab) {
+TEST(PairedTimes, RunsInOrderAbbaBaab) {
   std::string order;
   const auto take = [&](char name) {
     return [&order, name] {
@@ -53,7 +53,7 @@ results::ComparedTime timed(Drifting& machine, double first, double second) {
   return pairs.summary();
 }
 
-TEST(PairedTimes, ADriftingMachineIsNoRegressionAndHidesNone) {
+TEST(PairedTimes, MachineDriftNeitherCausesNorHidesRegressions) {
   Drifting machine;
   EXPECT_EQ(timed(machine, 1.3, 1.3).finding, Finding::same);
   const results::ComparedTime slower = timed(machine, 1.3, 1.3 * 1.06);
@@ -67,7 +67,7 @@ TEST(PairedTimes, ADriftingMachineIsNoRegressionAndHidesNone) {
   EXPECT_GT(after / before, 1.05);
 }
 
-TEST(PairedTimes, AFailureEndsThemAndIsTold) {
+TEST(PairedTimes, StopsAndReportsFailure) {
   int taken = 0;
   PairedTimes pairs(
       [] {
@@ -83,7 +83,7 @@ TEST(PairedTimes, AFailureEndsThemAndIsTold) {
   EXPECT_EQ(pairs.log_ratios().size(), 2u);
 }
 
-TEST(PairedTimes, FewerPairsKeepTheWholeRisk) {
+TEST(PairedTimes, FewerPairsKeepErrorRate) {
   for (const int most : {8, 10, 11, 24, 40}) {
     const statistics::PairedRule rule = up_to({}, most);
     EXPECT_EQ(rule.looks.back().pairs, most);
@@ -94,7 +94,7 @@ TEST(PairedTimes, FewerPairsKeepTheWholeRisk) {
   EXPECT_THROW(up_to({}, 7), std::invalid_argument);
 }
 
-TEST(Sampler, TheLeastOfSumsOfNeighbours) {
+TEST(Sampler, TakesLeastSumOfNeighbours) {
   const std::vector<process::Repetition> all = {{9, 3}, {9, 5}, {1, 4}, {1, 2.5}, {0.5, 1}};
   EXPECT_DOUBLE_EQ(least_of(all, 1, false), 1);
   EXPECT_DOUBLE_EQ(least_of(all, 2, false), 3.25);  // 4 + 2.5; the odd one out counts for nothing
@@ -134,7 +134,7 @@ TEST(Metrics, ErrorsAndOrdersByTheirRules) {
   }
 }
 
-TEST(Metrics, RoundingIsNoRegressionAndNoOrderIsNoOrder) {
+TEST(Metrics, IgnoresRoundingAndMissingOrders) {
   results::Comparison row;
   row.metrics =
       compare_profiles(profile_with(2e-14, 5e-13, 1.44, "a"), profile_with(3e-13, 5e-13, 0.61, "a"));
@@ -169,7 +169,7 @@ results::Comparison with_time(Finding finding, double ratio, double p) {
   return c;
 }
 
-TEST(Gate, HolmLetsTheWeakerOnesFollowAndNoneAlone) {
+TEST(Gate, HolmConfirmsWeakerRegressionsOnlyAfterStronger) {
   // alpha = 0.01, m = 3: 0.002 x 3 and 0.004 x 2 are confirmed, 0.02 is not.
   std::vector<results::Comparison> cells = {with_time(Finding::inconclusive, 1.04, 0.004),
                                             with_time(Finding::regressed, 1.09, 0.002),
@@ -185,7 +185,7 @@ TEST(Gate, HolmLetsTheWeakerOnesFollowAndNoneAlone) {
 }
 
 // A baseline that alternates between two speeds with the order of the pairs is told from itself.
-TEST(SelfCheck, AnEnvironmentThatTellsTheBaselineFromItselfIsBelievedInNoTime) {
+TEST(SelfCheck, UnreliableEnvironmentGivesNoTimes) {
   int taken = 0;
   const auto alternating = [&] {
     const int pair = taken / 2, place = taken++ % 2;
@@ -250,14 +250,14 @@ class Sides : public testing::Test {
   scenario::Scenario scenario;
 };
 
-TEST_F(Sides, TheSameBinaryElsewhereIsSkipped) {
+TEST_F(Sides, SkipsIdenticalBinary) {
   const results::Comparison c =
       compared(side("one", "cylon-worker-in-house"), side("two", "cylon-worker-in-house"));
   EXPECT_EQ(c.finding, Finding::skipped);
   EXPECT_NE(c.reason.find("identical"), std::string::npos) << c.reason;
 }
 
-TEST_F(Sides, ALessAccurateEngineIsFoundAndTheOtherWayRoundIsAnImprovement) {
+TEST_F(Sides, DetectsLowerAndHigherAccuracy) {
   const Side right = side("right", "cylon-worker-in-house"), wrong = side("wrong", "cylon-worker-bullet-f64");
   const results::Comparison worse = compared(right, wrong), better = compared(wrong, right);
   EXPECT_EQ(worse.finding, Finding::regressed);
@@ -265,7 +265,7 @@ TEST_F(Sides, ALessAccurateEngineIsFoundAndTheOtherWayRoundIsAnImprovement) {
   EXPECT_EQ(better.finding, Finding::improved);
 }
 
-TEST_F(Sides, WhatFailsNowHasRegressedAndWhatIsNotThereIsSaid) {
+TEST_F(Sides, NewFailureIsRegressionAndMissingIsReported) {
   const Side good = side("good", "cylon-worker-in-house"), dead = side("dead", "#!/bin/sh\nexit 1\n");
   const Side gone = side("gone", "#!/bin/sh\nkill -SEGV $$\n");
   const Side none{"none", process::default_engines(folder / "none")};
@@ -285,7 +285,7 @@ TEST_F(Sides, WhatFailsNowHasRegressedAndWhatIsNotThereIsSaid) {
   }
 }
 
-TEST_F(Sides, ContentDecidesWhatIsTheSame) {
+TEST_F(Sides, ContentDecidesEquality) {
   const auto hash = [&](const Side& s) { return content_hash(s.engines.front().command); };
   EXPECT_EQ(hash(side("a", "#!/bin/sh\nexit 1\n")), hash(side("b", "#!/bin/sh\nexit 1\n")));
   EXPECT_NE(hash(side("c", "#!/bin/sh\nexit 1\n")), hash(side("d", "#!/bin/sh\nexit 2\n")));

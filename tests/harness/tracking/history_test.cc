@@ -82,7 +82,7 @@ TEST_F(History, FlatHistoriesHaveNoChange) {
   }
 }
 
-TEST_F(History, AccuracyAndVersionsAreBesideSpeed) {
+TEST_F(History, ShowsAccuracyAndVersionsWithSpeed) {
   make_up(file(), {.revisions = 30, .version_at = 17, .error_at = 21});
   const HistoryRow error = row("in-house", "error:*"), hash = row("in-house", "state_hash");
   EXPECT_EQ(changed_at(error), (std::vector<std::string>{"rev021"}));
@@ -161,7 +161,7 @@ TEST_F(History, StatesSurvive) {
   EXPECT_EQ(after.changes[0].note, "exact friction");
 }
 
-TEST_F(History, WhatIsNotThereIsRefused) {
+TEST_F(History, RejectsUnknownNames) {
   make_up(file(), {.revisions = 24, .steps = {{12, 1.1}}});
   const std::string id = row("in-house", "cpu_ratio:*").changes.at(0).id;
   std::string near = id;
@@ -193,7 +193,7 @@ TEST_F(History, WhatIsNotThereIsRefused) {
 }
 
 // A change that somebody acknowledged and that later runs take away is not forgotten.
-TEST_F(History, AnAcknowledgedChangeThatIsGoneIsSaid) {
+TEST_F(History, ReportsAcknowledgedChangeThatVanished) {
   make_up(file(), {.revisions = 24});
   {
     store::Store store = store::Store::open(file(), store::Mode::write);

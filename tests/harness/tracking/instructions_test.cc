@@ -43,7 +43,7 @@ TEST(Instructions, StepsToCountFollowFromTheSceneAlone) {
     EXPECT_EQ(steps_to_count(c.bodies, c.steps), c.expected) << c.bodies << ' ' << c.steps;
 }
 
-TEST(Instructions, OffSaysWhyNothingIsCounted) {
+TEST(Instructions, GivesReasonWhenOff) {
   const InstructionCount none = count_instructions(
       engine("in-house"), {.scene = &spring().scene, .dt = 0.001, .steps = 5}, {}, Counter::off);
   EXPECT_FALSE(none.instructions);
@@ -52,7 +52,7 @@ TEST(Instructions, OffSaysWhyNothingIsCounted) {
 }
 
 // Whatever this machine counts with: the same program counts the same, and more work counts more.
-TEST(Instructions, CountsAreRepeatedAndFollowTheWork) {
+TEST(Instructions, CountsRepeatAndScaleWithWork) {
   if (find_counter().counter == Counter::off) {
     EXPECT_NE(find_counter().why.find("valgrind"), std::string::npos);  // and says so
     return;
@@ -70,7 +70,7 @@ TEST(Instructions, CountsAreRepeatedAndFollowTheWork) {
 }
 
 // A worker without symbols is counted whole; what is not a step still drops out.
-TEST(Instructions, AWorkerWithoutSymbolsIsCountedWhole) {
+TEST(Instructions, CountsWholeWorkerWithoutSymbols) {
   if (find_counter().counter != Counter::callgrind) return;
   const fs::path folder = fs::temp_directory_path() / "cylon-stripped-worker";
   fs::create_directories(folder);
@@ -89,7 +89,7 @@ TEST(Instructions, AWorkerWithoutSymbolsIsCountedWhole) {
   EXPECT_NEAR(measured / exact, 1, 0.01);  // what it prints at the end differs by some hundred instructions
 }
 
-TEST(Instructions, AnEngineThatCannotRunGivesNoCount) {
+TEST(Instructions, GivesNoCountIfEngineFails) {
   process::EngineChoice none = engine("in-house");
   none.row.command = {"/bin/false"};
   const InstructionCount count_of_none = count(none);

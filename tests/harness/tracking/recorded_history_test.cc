@@ -12,7 +12,7 @@ namespace {
 
 class Recorded : public CommandLine {};
 
-TEST_F(Recorded, StepsAreAtTheirRevisionAndNowhereElse) {
+TEST_F(Recorded, ChangePointsAreAtTheirRevisionOnly) {
   const std::filesystem::path data =
       std::filesystem::path(CYLON_SOURCE_DIR) / "tests/data/tracking/steps.jsonl";
   store::Store store = store::Store::open(folder / "history.db", store::Mode::write);

@@ -43,7 +43,7 @@ class KilledRecording : public cli::CommandLine {
   }
 };
 
-TEST_F(KilledRecording, LosesTheCellInFlightAtMostAndGoesOnToTheSameResult) {
+TEST_F(KilledRecording, LosesAtMostOneCellAndResumesToSameResult) {
   const auto start = std::chrono::steady_clock::now();
   ASSERT_EQ(cylon(fmt::format("track record {} --store whole.db", selection)).code, 0);
   const std::chrono::duration<double> whole = std::chrono::steady_clock::now() - start;
@@ -89,7 +89,7 @@ TEST_F(KilledRecording, LosesTheCellInFlightAtMostAndGoesOnToTheSameResult) {
   EXPECT_GE(in_the_middle, 3) << "the moments must fall into the recording";
 }
 
-TEST_F(KilledRecording, IsNotMixedWithOtherBinariesOrAnotherSelection) {
+TEST_F(KilledRecording, DoesNotResumeWithOtherBinariesOrSelection) {
   write("slow.sh", "#!/bin/sh\nexec cylon-worker-in-house\n");
   shell(
       "chmod +x slow.sh; { cylon track record 'two_sphere*' --engine mine --worker mine=./slow.sh --store "
@@ -105,7 +105,7 @@ TEST_F(KilledRecording, IsNotMixedWithOtherBinariesOrAnotherSelection) {
   EXPECT_NE(ran.err.find("other binaries"), std::string::npos) << ran.err;
 }
 
-TEST_F(KilledRecording, OfACompleteOneThereIsNothingToResume) {
+TEST_F(KilledRecording, CompleteRecordingHasNothingToResume) {
   ASSERT_EQ(cylon("track record projectile --engine in-house --repetitions 0 --store h.db").code, 0);
   const cli::Ran ran = cylon("track record --resume --store h.db");
   EXPECT_EQ(ran.code, 2);

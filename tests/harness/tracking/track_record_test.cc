@@ -1,4 +1,4 @@
-// What a recording keeps of a cell, read back from the store.
+// The data that a recording stores for a cell, read back from the store.
 #include "harness/tracking/store/store.h"
 #include "tests/harness/cli/fixture.h"
 
@@ -49,7 +49,7 @@ TEST_F(Recorded, CellsHaveErrorsOrdersHashesTimesAndMemory) {
 }
 
 // The same binary beside itself costs the same, as near as a busy machine tells.
-TEST_F(Recorded, TimesAreHeldToAPinnedBinary) {
+TEST_F(Recorded, TimesAreRelativeToPinnedBinary) {
   ASSERT_EQ(cylon("track pin v1 --engine in-house --store h.db").code, 0);
   const cli::Ran ran = cylon("track record spring_orbit --engine in-house --repetitions 4 --store h.db");
   ASSERT_EQ(ran.code, 0) << ran.err;
@@ -63,7 +63,7 @@ TEST_F(Recorded, TimesAreHeldToAPinnedBinary) {
   EXPECT_NE(changed.err.find("'v1' is gone or changed"), std::string::npos) << changed.err;
 }
 
-TEST_F(Recorded, AnEngineThatCrashesIsAVerdictOfTheHistoryToo) {
+TEST_F(Recorded, StoresVerdictOfCrashedEngine) {
   write("broken.sh", "#!/bin/sh\nexit 3\n");
   const cli::Ran ran = shell(
       "chmod +x broken.sh; exec cylon track record projectile --engine mine --worker mine=./broken.sh "
@@ -77,7 +77,7 @@ TEST_F(Recorded, AnEngineThatCrashesIsAVerdictOfTheHistoryToo) {
   EXPECT_TRUE(results[0].samples.empty());
 }
 
-TEST_F(Recorded, TheHistoryGoesOutAndInOnTheCommandLine) {
+TEST_F(Recorded, HistoryRoundTripsOnCommandLine) {
   ASSERT_EQ(cylon("track record projectile --engine in-house --engine ode --repetitions 2 --store h.db").code,
             0);
   ASSERT_EQ(cylon("track export a.jsonl --store h.db").code, 0);

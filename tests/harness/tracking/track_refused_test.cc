@@ -1,5 +1,5 @@
-// Where the history cannot be written the command says so in one sentence with the file and what to do, exits
-// with 2, and what was stored before is the same to the byte.
+// If the history cannot be written, the command prints one sentence with the file and a remedy, exits with 2,
+// and leaves the stored data unchanged to the byte.
 #include "harness/tracking/store/json_lines.h"
 #include "tests/harness/cli/fixture.h"
 
@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* record = "track record projectile --engine in-house --repetitions 0 --store h.db";
 
-class Refused : public cli::CommandLine {
+class TrackStore : public cli::CommandLine {
  protected:
   void SetUp() override {
     cli::CommandLine::SetUp();
@@ -38,15 +38,16 @@ class Refused : public cli::CommandLine {
  private:
   std::string before_;
 };
+using TrackRecord = TrackStore;
 
-TEST_F(Refused, WhereTheFileIsReadOnly) {
+TEST_F(TrackStore, ReportsReadOnlyFile) {
   fs::permissions(folder / "h.db", fs::perms::owner_read);
   expect_refused("", record, "read-only");
   expect_refused("", "track pin v1 --store h.db", "read-only");
   expect_the_same();
 }
 
-TEST_F(Refused, WhereTheFolderIsReadOnlyButItMayBeRead) {
+TEST_F(TrackStore, ReadsFromReadOnlyFolder) {
   for (const char* beside : {"h.db-wal", "h.db-shm"}) fs::remove(folder / beside);
   fs::permissions(folder, fs::perms::owner_read | fs::perms::owner_exec);
   expect_refused("", record, "folder cannot be written");
@@ -61,7 +62,7 @@ TEST_F(Refused, WhereTheFolderIsReadOnlyButItMayBeRead) {
 }
 
 // A limit of the file size stands for a full disk: both end a write in the middle.
-TEST_F(Refused, WhereThereIsNoRoom) {
+TEST_F(TrackStore, ReportsFullDisk) {
   const auto blocks =
       fs::file_size(folder / "h.db") / 1024;  // of the log, which holds each changed page whole
   const cli::Ran ran =
@@ -78,7 +79,7 @@ TEST_F(Refused, WhereThereIsNoRoom) {
   EXPECT_GT(store.results(2).size(), 4u);
 }
 
-TEST_F(Refused, WhereAnotherWriterDoesNotEnd) {
+TEST_F(TrackStore, ReportsBusyStore) {
   sqlite3* other = nullptr;
   ASSERT_EQ(sqlite3_open((folder / "h.db").c_str(), &other), SQLITE_OK);
   ASSERT_EQ(sqlite3_exec(other, "BEGIN IMMEDIATE", nullptr, nullptr, nullptr), SQLITE_OK);
@@ -88,7 +89,7 @@ TEST_F(Refused, WhereAnotherWriterDoesNotEnd) {
   expect_the_same();
 }
 
-TEST_F(Refused, WhereAnImportIsMalformedNothingOfItStays) {
+TEST_F(TrackStore, MalformedImportAddsNothing) {
   write("good.csv", "revision,scenario,engine,metric,kind,value\n1,a,b,c,time,2\n");
   write("bad.csv", "revision,scenario,engine,metric,kind,value\n1,a,b,c,time,2\n1,a,b,d,time,fast\n");
   const cli::Ran ran = cylon("track import good.csv bad.csv --store h.db");
@@ -98,7 +99,7 @@ TEST_F(Refused, WhereAnImportIsMalformedNothingOfItStays) {
 }
 
 // Two at one time: each waits for the other's cells, and neither loses one.
-TEST_F(Refused, IsNoneOfTwoRecordingsAtOneTime) {
+TEST_F(TrackRecord, RejectsConcurrentRecording) {
   const std::string both = "track record 'two_sphere_head_on*' --engine ode --repetitions 0 --store h.db";
   const cli::Ran ran =
       shell(fmt::format("{{ cylon {0} & p=$!; cylon {0}; a=$?; wait $p; b=$?; exit $((a + b)); }}", both));

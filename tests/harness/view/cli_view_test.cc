@@ -1,4 +1,4 @@
-// cylon view as it is typed: it says where it is, ends on Ctrl-C with 0 and leaves nothing behind.
+// The command cylon view: prints its address, ends on Ctrl-C with 0 and leaves no process behind.
 #include "tests/harness/cli/fixture.h"
 
 #include <filesystem>
@@ -20,7 +20,7 @@ class View : public CommandLine {
   }
 };
 
-TEST_F(View, EndsOnInterruptWithItsWorkers) {
+TEST_F(View, InterruptStopsWorkers) {
   int workers = 0;
   const auto shown = [&] {
     if (read(".out").find("http://127.0.0.1:") == std::string::npos) return false;
@@ -35,7 +35,7 @@ TEST_F(View, EndsOnInterruptWithItsWorkers) {
   EXPECT_EQ(left_over(), 0);
 }
 
-TEST_F(View, WhatItRecordedPasses) {
+TEST_F(View, RecordingPassesItsClaim) {
   const Ran ran = cylon("view bouncing_sphere --engine ode --dt 1/240 --no-open --for 1 --record run.toml");
   ASSERT_EQ(ran.code, 0) << ran.err;
   EXPECT_NE(ran.out.find("recorded run.toml"), std::string::npos) << ran.out;
@@ -51,7 +51,7 @@ TEST_F(View, PausedRecordsNothing) {
   EXPECT_FALSE(fs::exists(folder / "run.toml"));
 }
 
-TEST_F(View, SaysWhichEngineCannot) {
+TEST_F(View, NamesUnsupportedEngine) {
   const Ran ran =
       cylon("view two_body_spring --engine ode --worker mine=false --engine mine --no-open --for 0.1");
   EXPECT_EQ(ran.code, 2);
@@ -61,7 +61,7 @@ TEST_F(View, SaysWhichEngineCannot) {
   EXPECT_NE(frame.err.find("bullet: unsupported: "), std::string::npos) << frame.err;
 }
 
-TEST_F(View, RefusesWhatCannotBe) {
+TEST_F(View, RejectsInvalidRequests) {
   for (const char* arguments :
        {"view", "view no_such_scene", "view gas --engine bulet", "view gas --engine ode --integrator rk4",
         "view gas --dt 0", "view gas --speed 0", "view gas --speed 1000", "view gas --port 70000",

@@ -52,7 +52,7 @@ core::Scene joined_by(JointType type) {
   return scene;
 }
 
-TEST(JointHold, AKickOfAFreeBodyIsTheKickAlone) {
+TEST(JointHold, KickOfFreeBodyIsUnchanged) {
   core::Scene scene = hinged_pair();
   scene.joints.clear();
   core::State state = core::initial_state(scene);
@@ -66,7 +66,7 @@ TEST(JointHold, AKickOfAFreeBodyIsTheKickAlone) {
 // The velocities fit to rounding, and the energy is least among those that do: what the joints add does no
 // work on any motion that they allow (Gauss).  For the two bodies joined to each other alone momentum is the
 // kick.
-TEST(JointHold, AKickOnJointsFitsThem) {
+TEST(JointHold, KickSatisfiesJoints) {
   const Vector3 impulse(0.3, -1.1, 0.7);
   for (const JointType type : {JointType::ball, JointType::hinge, JointType::distance, JointType::fixed})
     for (const bool free : {false, true}) {
@@ -90,7 +90,7 @@ TEST(JointHold, AKickOnJointsFitsThem) {
 }
 
 // Two joints that say the same make the equations singular.
-TEST(JointHold, TheSameJointTwiceIsNoHarm) {
+TEST(JointHold, DuplicateJointChangesNothing) {
   core::Scene once = hinged_pair(), twice = once;
   twice.joints.push_back(twice.joints[1]);
   core::State a = core::initial_state(once), b = a;
@@ -137,7 +137,7 @@ TEST(Resume, JointsDoNotDrift) {
               1e-14);
 }
 
-TEST(Resume, MassesAreAsTheyAreByThen) {
+TEST(Resume, KeepsCurrentMasses) {
   core::Scene rocket = process::two_bodies();
   rocket.forces = {core::Thrust{.body = 0, .mass_rate = -0.125, .exhaust_velocity = Vector3(0, -3, 0)}};
   const core::Scene later = process::resumed(rocket, {}, core::initial_state(rocket), 2);
@@ -145,7 +145,7 @@ TEST(Resume, MassesAreAsTheyAreByThen) {
   EXPECT_EQ(later.bodies[1].mass, rocket.bodies[1].mass);
 }
 
-TEST(Resume, ForcesThatKnowTheTimeCannotBeBegunAnew) {
+TEST(Resume, TimeDependentForcesCannotResume) {
   core::Scene scene = process::two_bodies();
   const std::pair<core::Force, bool> rows[] = {{core::Drive{0, {1, 0, 0}, 2}, true},
                                                {core::Drive{0, {1, 0, 0}, 0}, false},

@@ -1,4 +1,4 @@
-// One engine in pieces: the same bits as at a stretch, the contacts of its last step, and what ends it.
+// A live run in pieces: the same bits as one run, the contacts of the last step, and the ways it ends.
 #include "tests/harness/view/fixture.h"
 
 #include <cmath>
@@ -25,7 +25,7 @@ struct Runner {
 };
 
 // Contacts are asked for in each piece and in none of the run: they change no bit either.
-TEST(LiveRun, PiecesAreTheBitsOfOneRun) {
+TEST(LiveRun, PiecesGiveBitsOfOneRun) {
   core::Scene bouncing = ball_on_floor(0.3, {0.4, -1, 0.2}, 0.6);
   core::Scene two = bouncing;
   two.bodies.push_back(two.bodies[0]);
@@ -51,7 +51,7 @@ TEST(LiveRun, PiecesAreTheBitsOfOneRun) {
 
 // m g dt: over a step the floor takes what gravity gives, to the number's rounding; ODE's constraint force
 // mixing and error reduction leave 1e-12 (measured).
-TEST(LiveRun, ABallAtRestPressesWithItsWeight) {
+TEST(LiveRun, ContactForceOfBallIsItsWeight) {
   const struct {
     const char* engine;
     double part;
@@ -83,7 +83,7 @@ TEST(LiveRun, ABallAtRestPressesWithItsWeight) {
 // the lower one takes of the upper one's points is that one's.  Ours ends where all velocities are met to 256
 // roundings of what the impulses of one contact give, arms and inertias included: 6e-14, and some times that
 // in the sum of eight (measured 7e-13); ODE solves directly; Bullet's sequential impulses leave 1.4e-4.
-TEST(LiveRun, BoxesPressWithTheirWeights) {
+TEST(LiveRun, ContactForcesOfBoxesAreTheirWeights) {
   const struct {
     const char* engine;
     double part;
@@ -132,7 +132,7 @@ TEST(LiveRun, ABounceHasItsImpulse) {
 
 // Two balls, or a ball and a locked one, in either order: equal to a body's change of momentum, towards
 // `body`.
-TEST(LiveRun, PairsTellWhoPressesWhom) {
+TEST(LiveRun, ContactPairsNameBothBodies) {
   for (const bool locked : {false, true})
     for (const bool swapped : {false, true})
       for (const char* id : {"in-house", "bullet", "ode"}) {
@@ -168,7 +168,7 @@ TEST(LiveRun, PairsTellWhoPressesWhom) {
 }
 
 // A worker that is not live is loaded anew for each piece; x = x_0 + v t all the same.
-TEST(LiveRun, AWorkerWithoutLiveIsLoadedAnew) {
+TEST(LiveRun, WorkerWithoutLiveModeIsReloaded) {
   const core::Scene scene = process::two_bodies();
   LiveRun live(process::scripted("good"), limits);
   EXPECT_FALSE(live.live());
@@ -187,7 +187,7 @@ TEST(LiveRun, AWorkerWithoutLiveIsLoadedAnew) {
   EXPECT_THROW(live.advance(1), Failure);
 }
 
-TEST(LiveRun, AnEnginesEndIsAFailureOfItsKind) {
+TEST(LiveRun, EngineExitGivesItsStatus) {
   const struct {
     const char* mode;
     results::Status status;

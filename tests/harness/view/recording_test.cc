@@ -1,4 +1,4 @@
-// What happened, as a scenario: it validates, the same engine passes it, and another scene does not.
+// A recorded session as a scenario: it validates, the same engine passes it, and another scene fails it.
 #include "harness/view/record_file.h"
 
 #include "harness/core/input_error.h"
@@ -25,7 +25,7 @@ class RecordingTest : public testing::Test {
 
 // Kicked in mid-flight, recorded, loaded, run again: the same engine's motion to the last bit, and another
 // that the claims tell from it.
-TEST_F(RecordingTest, TheSameEnginePassesWhatItDid) {
+TEST_F(RecordingTest, SameEnginePassesItsRecording) {
   for (const char* id : {"ode", "bullet", "in-house"}) {
     for (const bool jointed : {false, true}) {
       Session session(scenario(jointed ? hinged_pair() : ball_on_floor(0.4, {0.3, 0, 0}, 0.7)),
@@ -57,7 +57,7 @@ TEST_F(RecordingTest, TheSameEnginePassesWhatItDid) {
   }
 }
 
-TEST_F(RecordingTest, FilesThatAreThereAreKept) {
+TEST_F(RecordingTest, ExistingFilesAreKept) {
   Session session(scenario(ball_on_floor(2, {0.3, 0, 0}, 0.7)), options("ode"));
   advance_to(session, 0.2);
   const fs::path wanted = folder_ / "what.toml";
@@ -69,7 +69,7 @@ TEST_F(RecordingTest, FilesThatAreThereAreKept) {
 }
 
 // Memory is bounded: of a long run every other sample goes, again and again, and the end is always there.
-TEST_F(RecordingTest, ALongRunIsThinnedNotCut) {
+TEST_F(RecordingTest, LongRunIsThinned) {
   core::Scene scene;
   for (int i = 0; i < 400; ++i)
     scene.bodies.push_back(process::point("b" + std::to_string(i), {1.5 * i, 0, 0}, {0, 1, 0}));

@@ -100,7 +100,7 @@ TEST(ScenarioText, EveryShippedSceneIsReadBackToTheLastBit) {
   EXPECT_GT(read, 100);
 }
 
-TEST(ScenarioText, TheComparisonSeesOneBit) {  // the test's own negative control
+TEST(ScenarioText, ComparisonDetectsOneBit) {  // the test's own negative control
   const core::Scene scene = framed();
   core::Scene other = scene;
   double& x = other.bodies[1].initial.velocity.z();
@@ -136,7 +136,7 @@ TEST(Toml, ReadsBackAsTheSameValues) {
   EXPECT_FALSE(read.contains("none"));
 }
 
-TEST(Toml, WhatItCannotSayIsRefused) {
+TEST(Toml, RejectsUnsupportedValues) {
   EXPECT_THROW(to_toml(Json{{"a", nullptr}}), std::invalid_argument);
   EXPECT_THROW(to_toml(Json::array({1})), std::invalid_argument);
 }

@@ -1,4 +1,4 @@
-// The viewer's server: for the page that it gave out, and nobody else.
+// The viewer's server answers only the page that it served.
 #include "harness/view/server.h"
 
 #include "harness/core/input_error.h"
@@ -98,7 +98,7 @@ TEST_F(ServerTest, GivesOutThePageWithItsRules) {
 }
 
 // Name, origin and token, one by one; with all of them right, and only then, it answers.
-TEST_F(ServerTest, AnswersNobodyElse) {
+TEST_F(ServerTest, RejectsOtherHosts) {
   const std::string right = "127.0.0.1:" + std::to_string(server_->port());
   const std::string by_name = "localhost:" + std::to_string(server_->port()), token = server_->token();
   std::string wrong = token;
@@ -136,7 +136,7 @@ TEST_F(ServerTest, AnswersNobodyElse) {
   EXPECT_EQ(client().Get("/api/session", many)->status, 431);
 }
 
-TEST_F(ServerTest, HasNothingElse) {
+TEST_F(ServerTest, UnknownPathsGive404) {
   for (const char* path : {"/favicon.ico", "/api", "/api/", "/api/nothing", "/../../../../etc/passwd",
                            "/%2e%2e/%2e%2e/etc/passwd", "/harness", "//"}) {
     const auto answer = client().Get(path, token());
@@ -148,7 +148,7 @@ TEST_F(ServerTest, HasNothingElse) {
   EXPECT_EQ(client().Get("/api/command", token())->status, 404);
 }
 
-TEST_F(ServerTest, CommandsAreObeyedOrRefusedWithAReason) {
+TEST_F(ServerTest, ExecutesOrRejectsCommandsWithReason) {
   EXPECT_EQ(command(R"({"do": "pause"})", token()), 200);
   const auto refused =
       client().Post("/api/command", token(), R"({"do": "speed", "value": -3})", "application/json");
@@ -162,7 +162,7 @@ TEST_F(ServerTest, CommandsAreObeyedOrRefusedWithAReason) {
   EXPECT_EQ(json::parse(session->body)["playing"], false);
 }
 
-TEST_F(ServerTest, TwoStreamsRunAndMoreThanFourDoNot) {
+TEST_F(ServerTest, AcceptsAtMostFourStreams) {
   auto one = client(), two = client();
   int states[2] = {};
   std::thread second(
@@ -197,7 +197,7 @@ TEST_F(ServerTest, TwoStreamsRunAndMoreThanFourDoNot) {
 }
 
 // Somebody who opens a stream and reads nothing: time goes on for the others.
-TEST_F(ServerTest, ASlowReaderHoldsNobodyUp) {
+TEST_F(ServerTest, SlowReaderDoesNotBlockOthers) {
   const int slow = ::socket(AF_INET, SOCK_STREAM, 0);
   const int little = 4096;
   ::setsockopt(slow, SOL_SOCKET, SO_RCVBUF, &little, sizeof little);
@@ -219,7 +219,7 @@ TEST_F(ServerTest, ASlowReaderHoldsNobodyUp) {
 }
 
 // Not even the machine's own other addresses.
-TEST_F(ServerTest, ListensOnLoopbackAlone) {
+TEST_F(ServerTest, ListensOnLoopbackOnly) {
   ifaddrs* all = nullptr;
   ASSERT_EQ(::getifaddrs(&all), 0);
   std::vector<std::string> others = {"127.0.0.2"};
@@ -238,11 +238,11 @@ TEST_F(ServerTest, ListensOnLoopbackAlone) {
   EXPECT_TRUE(client().Get("/"));
 }
 
-TEST_F(ServerTest, APortThatIsTakenIsAnError) {
+TEST_F(ServerTest, PortInUseIsAnError) {
   EXPECT_THROW(Server(*host_, nullptr, server_->port()), core::InputError);
 }
 
-TEST_F(ServerTest, KeepsFramesThatArePictures) {
+TEST_F(ServerTest, StoresPngFramesOnly) {
   const std::string png = std::string("\x89PNG\r\n\x1a\n", 8) + std::string(100'000, 'x');
   const auto frame = [&](const std::string& query, const std::string& body) {
     return client().Post("/api/frame" + query, token(), body, "image/png")->status;

@@ -1,4 +1,4 @@
-// What the viewer runs, without sockets and without a clock.
+// A viewer session, without sockets and without a clock.
 #include "harness/view/bad_command.h"
 #include "harness/view/messages.h"
 #include "tests/harness/view/fixture.h"
@@ -35,7 +35,7 @@ json header_of(const std::string& message, std::size_t payload) {
 }
 
 // Whatever comes, it is refused with a sentence that names the key, and nothing has changed.
-TEST(Session, RefusesWhatCannotBe) {
+TEST(Session, RejectsInvalidCommands) {
   core::Scene scene = ball_on_floor(1, {0.1, 0, 0}, 0.5);
   scene.bodies.push_back(scene.bodies[0]);
   scene.bodies[1].name = "wall.1", scene.bodies[1].locked = true, scene.bodies[1].initial.position.x() = 3;
@@ -131,7 +131,7 @@ TEST(Session, TimeFollowsSpeedAndStopsWhenPaused) {
 }
 
 // Without gravity momentum changes by the kick and by nothing else, in every lane.
-TEST(Session, AKickIsItsMomentum) {
+TEST(Session, KickAddsItsMomentum) {
   core::Scene scene = ball_on_floor(4, {0.1, 0.2, 0.3}, 0.5);
   scene.forces.clear();
   Session session = session_of(scene, options("bullet"));
@@ -172,7 +172,7 @@ TEST(Session, AKickOnAPendulumKeepsItHanging) {
 
 // The spring's energy stands in the sum, and its damping only takes: with that the sum falls, and the body
 // comes to the pin as near as its weight lets it.
-TEST(Session, APullDrawsToThePinAndGivesNoEnergy) {
+TEST(Session, PullAddsNoEnergy) {
   core::Scene scene = ball_on_floor(4, {0.1, 0.2, 0.3}, 0.5);
   Session session = session_of(scene, options("in-house", "rk4"));
   advance_to(session, 0.2);
@@ -225,7 +225,7 @@ TEST(Session, ParametersChangeWhileItRuns) {
 }
 
 // Lanes fail one by one, each with its reason; the others go on, and a reset tries again.
-TEST(Session, AnEngineThatFailsIsALaneThatFailed) {
+TEST(Session, FailedEngineFailsItsLane) {
   SessionOptions settings = options("ode");
   for (const char* mode : {"abort_in_run", "loop_in_run", "nan"}) {
     process::EngineRow row = process::scripted(mode).row;
@@ -255,7 +255,7 @@ TEST(Session, AnEngineThatFailsIsALaneThatFailed) {
 }
 
 // Bullet has no distance joint: that lane says so, at once.
-TEST(Session, AnEngineThatCannotIsUnsupported) {
+TEST(Session, UnsupportedEngineIsReported) {
   core::Scene scene = process::two_bodies();
   scene.joints = {{core::JointType::distance, 0, 1, Vector3::Zero(), Vector3::UnitY(),
                    (scene.bodies[0].initial.position - scene.bodies[1].initial.position).norm()}};
@@ -269,7 +269,7 @@ TEST(Session, AnEngineThatCannotIsUnsupported) {
 }
 
 // A force that knows the time: changes wait for a reset.
-TEST(Session, ADrivenSceneIsBegunAnewOnlyFromItsStart) {
+TEST(Session, DrivenSceneRestartsOnlyFromTimeZero) {
   core::Scene scene = process::two_bodies();
   scene.forces = {core::Drive{0, {1, 0, 0}, 2}};
   Session session = session_of(scene, options("ode"));
@@ -283,7 +283,7 @@ TEST(Session, ADrivenSceneIsBegunAnewOnlyFromItsStart) {
 }
 
 // As live.ts has them: keys, numbers, and float32 states in the lanes' order.
-TEST(Session, MessagesAreAsThePageReadsThem) {
+TEST(Session, MessagesMatchPageFormat) {
   core::Scene scene = ball_on_floor(0, {0, 0, 0}, 0);
   scene.bodies[0].name = "ball \"\xff<script>";
   Session session = session_of(scene, options("bullet"));

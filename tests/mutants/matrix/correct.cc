@@ -1,4 +1,4 @@
-// Simulators that are right, each within what it promises: nobody may accuse them.
+// Correct simulators, each within its declared accuracy: every judge must accept them.
 #include "tests/mutants/matrix/seed/engine.h"
 #include "tests/mutants/matrix/subject.h"
 

@@ -1,4 +1,4 @@
-// Faults of engines at large, as masks of the in-house engine.
+// Typical faults of engines, as wrappers around the in-house engine.
 #include "tests/mutants/matrix/decorator.h"
 
 namespace cylon::mutants {

@@ -1,4 +1,4 @@
-// Judges that know no truth: the same motion in other words must be the same motion.
+// Judges without exact solutions: a transformed scene must have the transformed motion.
 #include "harness/core/observable.h"
 #include "tests/mutants/matrix/judge.h"
 #include "tests/mutants/matrix/restated.h"

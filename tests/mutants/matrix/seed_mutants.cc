@@ -1,4 +1,4 @@
-// The seed document's errata, each left in alone in an engine of its structure.
+// The errata of the seed document, each as the single fault of an engine of its structure.
 #include "tests/mutants/matrix/seed/engine.h"
 #include "tests/mutants/matrix/subject.h"
 

@@ -90,7 +90,7 @@ TEST(Refusals, TheSceneItselfIsServed) {
 }
 
 // A radius that the allowed precision cannot give is said, with the best one.
-TEST(Refusals, ARadiusOutOfReachIsSaid) {
+TEST(Refusals, ReportsUnreachableRadius) {
   core::Scene scene = ball_in_the_air();
   scene.forces.emplace_back(core::Spring{0, {0, 0, 0}, core::world, {0, 2, 0}, 10, 0.2});
   const double times[] = {5.0};

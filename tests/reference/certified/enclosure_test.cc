@@ -1,4 +1,4 @@
-// The enclosure encloses, does not grow by itself, and fails to enclose what it must not: negative controls.
+// The enclosure contains the solution, does not grow by itself, and excludes wrong solutions.
 #include "reference/certified/flow.h"
 #include "reference/certified/solve.h"
 
@@ -109,7 +109,7 @@ class Enclosures : public testing::TestWithParam<Case> {};
 constexpr Effort coarse{.step_error = 1e-12, .bits = 128}, fine{.step_error = 1e-34, .bits = 192};
 
 // The fine enclosure is some 1e-30 wide: where it meets the coarse one, that one holds the solution to 1e-30.
-TEST_P(Enclosures, HoldTheSolution) {
+TEST_P(Enclosures, ContainTheSolution) {
   const std::vector<Ball> truth = end_of(GetParam().scene(), GetParam().time, fine),
                           rough = end_of(GetParam().scene(), GetParam().time, coarse);
   EXPECT_LT(largest_radius(truth), 1e-27);
@@ -118,7 +118,7 @@ TEST_P(Enclosures, HoldTheSolution) {
 }
 
 // Negative control: what the polynomials leave out, left out of the bound.
-TEST_P(Enclosures, MissItWithoutRemainder) {
+TEST_P(Enclosures, ExcludeSolutionWithoutRemainderTerm) {
   Effort blind = coarse;
   blind.remainder = false;
   const std::vector<Ball> truth = end_of(GetParam().scene(), GetParam().time, fine),
@@ -127,7 +127,7 @@ TEST_P(Enclosures, MissItWithoutRemainder) {
 }
 
 // Negative control: a mass that is off by 1e-9.
-TEST_P(Enclosures, MissAnotherScene) {
+TEST_P(Enclosures, ExcludeSolutionOfOtherScene) {
   core::Scene other = GetParam().scene();
   other.bodies[0].mass *= 1 + 1e-9;
   const Effort middling{.step_error = 1e-20, .bits = 128};
@@ -138,7 +138,7 @@ TEST_P(Enclosures, MissAnotherScene) {
 
 // The state moves as its rate says: central differences of positions are the velocities, to h^2 times a third
 // derivative of some hundreds.
-TEST_P(Enclosures, KeepVelocityAndPlaceTogether) {
+TEST_P(Enclosures, KeepPositionAndVelocityCorrelated) {
   constexpr double h = 1e-6;
   const double t = GetParam().time;
   const Certificate found = certify(GetParam().scene(), std::vector<double>{t - h, t, t + h});
@@ -155,7 +155,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Enclosures,
                          [](const auto& parameter) { return parameter.param.name; });
 
 // A thousand periods turn the set a thousand times; a box with fixed axes would grow by e^(2 pi) in each.
-TEST(Enclosure, OfAnOscillatorDoesNotWrap) {
+TEST(Enclosure, OscillatorHasNoWrappingEffect) {
   core::Scene scene;
   scene.bodies = {body("bob", {0.3, -0.8, 0.5}, {0.7, 0.2, -0.9})};
   constexpr double stiffness = 7.1;
@@ -181,7 +181,7 @@ TEST(Enclosure, OfAnOscillatorDoesNotWrap) {
 }
 
 // Numbers of the scene that are known to a radius widen the result by what the motion makes of it, not less.
-TEST(Enclosure, HoldsAllScenesWithinTheirRadii) {
+TEST(Enclosure, ContainsAllScenesWithinTheirRadii) {
   const double t[] = {1.0};
   const Certificate wide = certify(tumblers(), t, {}, [](double x) {
     Ball ball(x);

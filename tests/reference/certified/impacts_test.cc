@@ -114,7 +114,7 @@ TEST_P(Blow, ExactSolutionIsEnclosed) {
   EXPECT_TRUE(std::isnan(found.samples[0].conditioning)) << "not followed across blows";
 }
 
-TEST_P(Blow, AnotherRestitutionIsNotEnclosed) {
+TEST_P(Blow, ExcludesSolutionOfOtherRestitution) {
   const Exact& want = GetParam();
   const double times[] = {want.time};
   EXPECT_FALSE(encloses(certify(want.scene(want.restitution + 1e-9), times), want));
@@ -123,7 +123,7 @@ TEST_P(Blow, AnotherRestitutionIsNotEnclosed) {
 INSTANTIATE_TEST_SUITE_P(Scenes, Blow, testing::ValuesIn(exact),
                          [](const auto& parameter) { return parameter.param.name; });
 
-TEST(Blow, LeavesTheSpin) {
+TEST(Blow, KeepsSpin) {
   const double times[] = {1.125};
   const Certificate found = certify(bouncing(0.5), times);
   const Ball want(0.5);
@@ -131,7 +131,7 @@ TEST(Blow, LeavesTheSpin) {
 }
 
 // One scene, its restitutions and their velocities from the file; e = 0 is refused below.
-TEST(Blow, AgreesWithTheFileOfHeadOnImpacts) {
+TEST(Blow, AgreesWithTruthFileOfHeadOnImpacts) {
   const accuracy::json file = accuracy::read_truth("two_sphere_head_on");
   int compared = 0;
   for (const accuracy::json& event : file["events"]) {
@@ -161,7 +161,7 @@ TEST(Blow, AgreesWithTheFileOfHeadOnImpacts) {
 }
 
 // Each ball passes on (1 + e)/2 = 0.95 of its speed and keeps 0.05; the scene's numbers are decimals.
-TEST(Blow, GoesThroughTheCradle) {
+TEST(Blow, EnclosesImpactsOfCradle) {
   const scenario::Scenario scenario =
       scenario::load(std::string(CYLON_SOURCE_DIR) + "/scenarios/newtons_cradle_gapped.toml");
   const double times[] = {scenario.duration};
@@ -227,13 +227,13 @@ bool keeps_energy(double restitution) {
   return arb_overlaps(first.get(), last.get()) != 0;
 }
 
-TEST(Blow, KeepsTheEnergyWhereElasticAlone) {
+TEST(Blow, ConservesEnergyOnlyIfElastic) {
   EXPECT_TRUE(keeps_energy(1));
   EXPECT_FALSE(keeps_energy(1 - 1e-9));
 }
 
 // A coarse solution holds a much finer one.
-TEST(Blow, CoarseBallsHoldTheFineOnes) {
+TEST(Blow, CoarseEnclosureContainsFineOne) {
   const double times[] = {0.7, 1.9, 3};
   const Certificate coarse = certify(between_walls(0.83), times, {.radius = 1e-6, .most_bits = 128}),
                     fine = certify(between_walls(0.83), times, {.radius = 1e-40});

@@ -70,7 +70,7 @@ std::string complaint(const std::string& text) {
   return "accepted";
 }
 
-TEST_F(CertifiedClaims, AreKnownAtAnyTimeWithTheirError) {
+TEST_F(CertifiedClaims, HaveErrorBoundAtAnyTime) {
   const Scenario scenario = parse(bobs(1, thousandth), "bobs.toml");
   const core::Claim& claim = scenario.claims.at(0);
   EXPECT_EQ(claim.label, "position follows certified");
@@ -82,7 +82,7 @@ TEST_F(CertifiedClaims, AreKnownAtAnyTimeWithTheirError) {
 
 // An ulp times the conditioning reaches a tenth of the tolerance: a thousand times the tolerance is later by
 // a fixed time, not a thousand times later.
-TEST_F(CertifiedClaims, TheHorizonIsWhereAnUlpIsSeen) {
+TEST_F(CertifiedClaims, HorizonIsWhereOneUlpMatters) {
   const auto horizon = [&](double tolerance) {
     const std::string claim = fmt::format(
         "until = \"horizon\"\ntolerance = {{ absolute = {}, reason = \"convention: some fraction of a rod\" "
@@ -102,12 +102,12 @@ TEST_F(CertifiedClaims, TheHorizonIsWhereAnUlpIsSeen) {
   EXPECT_NEAR(std::remainder(loose, 30.0 / 200), 0, 1e-9);
 }
 
-TEST_F(CertifiedClaims, BeyondTheHorizonThereIsNoTruth) {
+TEST_F(CertifiedClaims, HaveNoTruthBeyondHorizon) {
   EXPECT_NE(complaint(bobs(60, thousandth)).find("no engine can follow; say until = \"horizon\""),
             std::string::npos);
 }
 
-TEST_F(CertifiedClaims, ThatCannotBeSayWhy) {
+TEST_F(CertifiedClaims, ErrorGivesReason) {
   const std::string touching = R"(
 [[plane]]
 name = "floor"

@@ -80,7 +80,7 @@ TEST_F(CertifiedTruth, IsWithinItsErrorOfTheBalls) {
   EXPECT_THROW(found.truth.state(3.1), std::invalid_argument);
 }
 
-TEST_F(CertifiedTruth, IsKeptAndKnownAgain) {
+TEST_F(CertifiedTruth, IsReadBackFromCache) {
   const Solution first = solution(pendulum(), 1);
   ASSERT_EQ(files().size(), 1u);
   const auto written = fs::last_write_time(files()[0]);
@@ -102,7 +102,7 @@ TEST_F(CertifiedTruth, IsKeptAndKnownAgain) {
   EXPECT_EQ(files().size(), 3u) << "and so is the horizon";
 }
 
-TEST_F(CertifiedTruth, ADamagedFileIsWrittenAnew) {
+TEST_F(CertifiedTruth, RewritesDamagedCacheFile) {
   const core::State want = solution(pendulum(), 1).truth.state(0.6);
   const fs::path file = files().at(0);
   std::string bytes;
@@ -122,7 +122,7 @@ TEST_F(CertifiedTruth, ADamagedFileIsWrittenAnew) {
   }
 }
 
-TEST_F(CertifiedTruth, NeedsNoCache) {
+TEST_F(CertifiedTruth, WorksWithoutCache) {
   ::setenv("CYLON_CACHE", "off", 1);
   EXPECT_FALSE(cache_folder().has_value());
   const core::Vector3 want = solution(pendulum(), 1).truth.state(0.6)[0].position;
@@ -133,7 +133,7 @@ TEST_F(CertifiedTruth, NeedsNoCache) {
 }
 
 // Lengths grow with the motion's own rate: a pendulum upright multiplies an error by cosh(sqrt(g/l) t).
-TEST_F(CertifiedTruth, KnowsHowErrorsGrow) {
+TEST_F(CertifiedTruth, ReportsErrorGrowth) {
   core::Scene scene = pendulum();
   scene.bodies[0].initial.position = {0.1, 0.4 + 0.5, 0.2};
   scene.bodies[0].initial.angular_velocity = {0, 1e-3, 0};

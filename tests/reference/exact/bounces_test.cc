@@ -40,7 +40,7 @@ TEST(Bounces, closed_sums_agree_with_the_recursion) {
   }
 }
 
-TEST(Bounces, a_hit_conserves_what_it_must) {
+TEST(Bounces, impact_conserves_momentum) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     RandomScenes random(seed);
     core::Scene scene = ReferenceFile("two_sphere_oblique").scene;

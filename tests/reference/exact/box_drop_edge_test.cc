@@ -84,7 +84,7 @@ double second_contact(const core::Scene& scene) {
 }
 
 // E and the angular momentum about the edge: kept with e = 1, and always.
-TEST(BoxDropEdge, keeps_what_a_blow_keeps) {
+TEST(BoxDropEdge, impact_conserves_momenta) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     SCOPED_TRACE(seed);
     RandomScenes random(seed);

@@ -157,7 +157,7 @@ TEST_P(ContactLaws, impacts) {
   EXPECT_GE(looked, std::string(GetParam()) == "sliding_block" ? 0 : 10);
 }
 
-TEST_P(ContactLaws, no_penetration_and_no_energy_from_nothing) {
+TEST_P(ContactLaws, no_penetration_and_no_energy_gain) {
   for (unsigned seed = 1; seed <= seeds; ++seed) {
     SCOPED_TRACE(seed);
     const core::Scene scene = ContactScenes(seed).scene(GetParam());

@@ -98,7 +98,7 @@ TEST(RodOffcentreHit, reference_file) {
                  truth.error.orientation);
 }
 
-TEST(RodOffcentreHit, keeps_what_a_blow_keeps) {
+TEST(RodOffcentreHit, impact_conserves_momenta) {
   const double horizon = 2;
   int hits = 0;
   for (unsigned seed = 1; seed <= 10; ++seed) {

@@ -101,8 +101,7 @@ TEST(SmoothForms, kepler_by_the_textbook) {
   }
 }
 
-// ---- Linear equations
-// ----------------------------------------------------------------------------------------
+// ---- Linear equations ------------------------------------------------------------------------------
 
 TEST(SmoothForms, exponential_differences_are_smooth_and_symmetric) {
   using C = WideComplex;
@@ -236,8 +235,7 @@ TEST(SmoothForms, little_mass_flows) {
   }
 }
 
-// ---- Frames
-// --------------------------------------------------------------------------------------------------
+// ---- Frames ----------------------------------------------------------------------------------------
 
 TEST(SmoothForms, straight_line_from_a_carousel) {
   core::Scene scene;
@@ -257,8 +255,7 @@ TEST(SmoothForms, straight_line_from_a_carousel) {
   }
 }
 
-// ---- Pendulums: on a hinge, on a rod, and as a top without spin on its tip
-// -------------------------------------
+// ---- Pendulums: on a hinge, on a rod, and as a top without spin on its tip -------------------------
 
 core::Scene pendulum(double angle, double rate, core::JointType type) {
   core::Scene scene;

@@ -48,7 +48,7 @@ TEST_P(SmoothLaws, equations_of_motion) {
 }
 
 // Negative control: the truth of another mass, or of another number where the mass drops out, is seen.
-TEST_P(SmoothLaws, a_wrong_parameter_is_seen) {
+TEST_P(SmoothLaws, detects_wrong_parameter) {
   const core::Scene scene = SmoothScenes(3).scene(GetParam());
   const core::Truth truth = make(GetParam(), scene, 5);
   double worst = 0;

@@ -1,4 +1,4 @@
-// Files with `bodies` and `trajectory`: their words are the scene's words.
+// Files with `bodies` and `trajectory`: their keys have the same names as in a scene.
 #include "tests/conformance/accuracy/truth/truth_file.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Files that hold several cases, or that say what happens in words of their own.
+// Files that hold several cases, or that use keys of their own.
 #include "tests/conformance/accuracy/truth/truth_file.h"
 
 #include <cmath>
@@ -51,8 +51,7 @@ std::string case_name(const std::string& name, std::size_t index) {
   return name + "/" + std::to_string(index + 1);
 }
 
-// ---- Inclines: d = (cos th, -sin th, 0) downhill, n = (sin th, cos th, 0); the body's x axis along d
-// -------
+// ---- Inclines: d = (cos th, -sin th, 0) downhill, n = (sin th, cos th, 0); the body's x axis along d ----
 
 struct Incline {
   Vector3 down, normal;
@@ -114,8 +113,7 @@ std::vector<TruthScene> rolling_sphere_incline(const std::string& name, const js
   return result;
 }
 
-// ---- A stack that stands
-// -----------------------------------------------------------------------------------
+// ---- A stack that stands ---------------------------------------------------------------------------
 
 std::vector<TruthScene> cube_stack(const std::string& name, const json& file) {
   std::vector<TruthScene> result;
@@ -140,8 +138,7 @@ std::vector<TruthScene> cube_stack(const std::string& name, const json& file) {
   return result;
 }
 
-// ---- Uniform motion between blows
-// --------------------------------------------------------------------------
+// ---- Uniform motion between blows ------------------------------------------------------------------
 
 struct Blow {
   double time = 0;
@@ -276,8 +273,7 @@ std::vector<TruthScene> rough_ball_bounce(const std::string& name, const json& f
   return result;
 }
 
-// ---- A box on its edge: up to the second blow, a twentieth of a second after the first
-// -----------------------
+// ---- A box on its edge: up to the second blow, a twentieth of a second after the first -------------
 
 std::vector<TruthScene> box_drop_edge(const std::string& name, const json& file) {
   TruthScene one{name, {}, {}};

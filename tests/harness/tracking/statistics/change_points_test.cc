@@ -140,7 +140,7 @@ TEST(ChangePoints, Edges) {
 }
 
 // A step below the magnitude is none, however certain; one outlier is none, however large.
-TEST(ChangePoints, SmallStepsAndOutliersAreNone) {
+TEST(ChangePoints, IgnoresSmallStepsAndOutliers) {
   std::mt19937_64 random(59);
   EXPECT_TRUE(change_points(ratios(200, {{100, 1.015}}, 0.001, random)).empty());
   EXPECT_EQ(change_points(ratios(200, {{100, 1.015}}, 0.001, random), {.min_magnitude = 0.01}).size(), 1U);
@@ -152,7 +152,7 @@ TEST(ChangePoints, SmallStepsAndOutliersAreNone) {
 }
 
 // A history grows: a point that is found stays where it is when flat revisions follow.
-TEST(ChangePoints, StayWhereTheyAre) {
+TEST(ChangePoints, DoNotMoveWhenDataIsAdded) {
   std::mt19937_64 random(61);
   const std::vector<double> series = ratios(200, {{70, 1.05}}, 0.002, random);
   for (std::size_t size = 74; size <= series.size(); size += 6) {

@@ -24,7 +24,7 @@ double energy(const std::vector<double>& x, std::size_t cut) {
          (2 * mean_distance(a, b, false) - mean_distance(a, a, true) - mean_distance(b, b, true));
 }
 
-TEST(EnergyDistance, IsItsDefinition) {
+TEST(EnergyDistance, AgreesWithItsDefinition) {
   std::mt19937_64 random(41);
   std::student_t_distribution<double> t(2);
   for (const std::size_t size : {4U, 5U, 17U, 50U}) {
@@ -54,7 +54,7 @@ TEST(EnergyDistance, WorkedByHand) {
 
 // A step is where the statistic is largest; a change of spread alone shows as well, which means would not
 // see.
-TEST(EnergyDistance, SeesSpreadToo) {
+TEST(EnergyDistance, DetectsDifferentSpread) {
   std::mt19937_64 random(43);
   std::normal_distribution<double> normal;
   std::vector<double> x(200);

@@ -65,7 +65,7 @@ TEST(HodgesLehmann, IntervalInvertsTheTest) {
 }
 
 // Ten values, tail 0.001: from the least to the greatest, whose 98 % a normal approximation would cut off.
-TEST(HodgesLehmann, TenOfTen) {
+TEST(HodgesLehmann, TenPairsOfOneSign) {
   std::mt19937_64 random(13);
   const std::vector<double> x = sample(random, 10);
   const Interval interval = hodges_lehmann_interval(x, 0.001);

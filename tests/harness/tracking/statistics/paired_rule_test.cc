@@ -1,4 +1,4 @@
-// The rule decides what it should at the level that it claims, on noise that no textbook allows.
+// The paired rule keeps its error rates, also on heavy-tailed noise.
 #include "harness/tracking/statistics/paired_rule.h"
 
 #include "harness/tracking/statistics/signed_rank.h"

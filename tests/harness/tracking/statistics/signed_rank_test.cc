@@ -111,7 +111,7 @@ TEST(SignedRank, RanksOfTiesAndZeros) {
 // Pratt's reason: a hypothesis "centre <= m" that is harder to refuse for a larger m.  The differences are
 // continuous, and m steps onto a value and past it.  To leave zeros out before the ranking, as Wilcoxon did,
 // breaks the order of the p values; the negative control shows it on the same numbers.
-TEST(SignedRank, ALargerShiftIsNeverEasierToRefuse) {
+TEST(SignedRank, PValueIsMonotonicInShift) {
   const auto dropping = [](std::vector<double> d, double shift) {
     std::erase(d, shift);
     return p_above(d, shift);
@@ -133,7 +133,7 @@ TEST(SignedRank, ALargerShiftIsNeverEasierToRefuse) {
   EXPECT_GT(dropped, 0);
 }
 
-TEST(SignedRank, WhatIsNotFiniteIsRefused) {
+TEST(SignedRank, RejectsNonFiniteValues) {
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     const double d[] = {0.1, bad, 0.3};

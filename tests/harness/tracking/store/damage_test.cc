@@ -73,13 +73,13 @@ class Damage : public Folder {
   }
 };
 
-TEST_F(Damage, OfANewerSchemaIsLeftToANewerCylon) {
+TEST_F(Damage, RejectsNewerSchema) {
   fill(file);
   raw("PRAGMA user_version = 99");
   expect_refused("written by a newer Cylon (schema 99");
 }
 
-TEST_F(Damage, OfANewerSchemaThatStandsInTheLogAlone) {
+TEST_F(Damage, RejectsNewerSchemaInWriteAheadLog) {
   fill(file);
   in_a_process_that_dies([&] {
     sqlite3* handle = nullptr;
@@ -90,20 +90,20 @@ TEST_F(Damage, OfANewerSchemaThatStandsInTheLogAlone) {
   expect_refused("written by a newer Cylon (schema 98");
 }
 
-TEST_F(Damage, OfFilesThatAreNoStore) {
+TEST_F(Damage, RejectsFilesThatAreNotStores) {
   write(file, "run,revision\n1,2\n");
   expect_refused("is no store");
   write(file, std::string(100'000, '\x5a'));
   expect_refused("is no store");
   fs::remove(file);
   raw("CREATE TABLE of_somebody_else (x); INSERT INTO of_somebody_else VALUES (1)");
-  expect_refused("is a database, but no store of Cylon");
+  expect_refused("is a database, but not a store of Cylon");
   fs::remove(file);
   fs::create_directory(file);
   EXPECT_THROW(Store::open(file, Mode::write), core::InputError);
 }
 
-TEST_F(Damage, ReadingMakesNoStore) {
+TEST_F(Damage, ReadingCreatesNoStore) {
   EXPECT_THROW(Store::open(file, Mode::read), core::InputError);
   EXPECT_FALSE(fs::exists(file));
   write(file, "");
@@ -111,7 +111,7 @@ TEST_F(Damage, ReadingMakesNoStore) {
   EXPECT_EQ(fs::file_size(file), 0u);
 }
 
-TEST_F(Damage, OfACutFileIsSeenWhereverItIsCut) {
+TEST_F(Damage, DetectsTruncationAnywhere) {
   fill(file);
   const std::string whole = bytes_of(file);
   for (const double share : {0.001, 0.03, 0.31, 0.62, 0.97, 0.9999}) {
@@ -130,7 +130,7 @@ TEST_F(Damage, OfACutFileIsSeenWhereverItIsCut) {
 }
 
 // One to four bits of one byte, anywhere: either it is found out, or it was of no consequence.  Both happen.
-TEST_F(Damage, OfAFlippedByteNeverPassesForSound) {
+TEST_F(Damage, DetectsFlippedByte) {
   fill(file);
   const std::string whole = bytes_of(file), truth = exported(file);
   std::mt19937 random(20240501);
@@ -164,7 +164,7 @@ TEST_F(Damage, OfAFlippedByteNeverPassesForSound) {
   EXPECT_GT(harmless, 30);
 }
 
-TEST_F(Damage, OfPagesKeepsAWriterFromAdding) {
+TEST_F(Damage, DamagedPagesPreventWriting) {
   fill(file);
   std::string bytes = bytes_of(file);
   for (std::size_t page = 4; page < 8; ++page) bytes.replace(page * 4096, 64, std::string(64, '\x01'));
@@ -172,7 +172,7 @@ TEST_F(Damage, OfPagesKeepsAWriterFromAdding) {
   EXPECT_THROW(Store::open(file, Mode::write).begin_run(run("r3")), core::InputError);
 }
 
-TEST_F(Damage, OfAProcessThatDiedLosesNothingThatWasAdded) {
+TEST_F(Damage, KilledProcessLosesNoCommittedData) {
   fill(file);
   in_a_process_that_dies([&] {
     auto* store = new Store(Store::open(file, Mode::write));  // which nobody closes

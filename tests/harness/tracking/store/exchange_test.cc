@@ -52,7 +52,7 @@ TEST_F(Exchange, OfJsonLinesIsTheSameBytesAgain) {
   EXPECT_TRUE(second.check().empty());
 }
 
-TEST_F(Exchange, AddsNothingTwice) {
+TEST_F(Exchange, RepeatedImportAddsNothing) {
   Store store = fresh("a");
   fill(store);
   const std::string lines = text_of(store, write_json_lines);

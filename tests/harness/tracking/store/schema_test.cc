@@ -1,4 +1,4 @@
-// Older files become today's, forward only, all of it or nothing.
+// Older files are migrated to the current schema, completely or not at all.
 #include "harness/tracking/store/schema.h"
 #include "harness/core/input_error.h"
 #include "tests/harness/tracking/store/fixture.h"
@@ -13,7 +13,7 @@ constexpr const char* second = "ALTER TABLE t ADD COLUMN y INTEGER NOT NULL DEFA
 constexpr const char* third = "UPDATE t SET y = x * x";
 constexpr const char* broken = "UPDATE t SET y = 0; UPDATE t SET z = 1";
 
-TEST_F(Schemas, GrowFromAnyEarlierOne) {
+TEST_F(Schemas, MigrateFromAnyEarlierVersion) {
   const std::vector<const char*> scripts = {first, second, third};
   for (std::size_t begun = 1; begun <= scripts.size(); ++begun) {
     const auto path = folder / std::to_string(begun);
@@ -28,7 +28,7 @@ TEST_F(Schemas, GrowFromAnyEarlierOne) {
   }
 }
 
-TEST_F(Schemas, StayWhatTheyAreWhereAScriptFails) {
+TEST_F(Schemas, FailedMigrationChangesNothing) {
   const std::vector<const char*> good = {first, second}, bad = {first, second, third, broken};
   Database database(file, file.string(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
   migrate(database, good);
@@ -37,7 +37,7 @@ TEST_F(Schemas, StayWhatTheyAreWhereAScriptFails) {
   EXPECT_EQ(database.number("SELECT sum(y) FROM t"), 14);
 }
 
-TEST_F(Schemas, OfLaterProgramsAreRefused) {
+TEST_F(Schemas, RejectNewerVersion) {
   const std::vector<const char*> scripts = {first, second, third};
   Database database(file, file.string(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
   migrate(database, scripts);

@@ -1,4 +1,4 @@
-// What goes into the store comes out of it, in this process and the next, in this order and no other.
+// The store returns what was stored, in the defined order, in this process and in the next.
 #include "harness/tracking/store/store.h"
 
 #include "harness/core/input_error.h"
@@ -71,7 +71,7 @@ TEST_F(Stores, OrderASeriesByRevisionThenByRecording) {
   EXPECT_TRUE(store.series("nothing*", "*").empty());
 }
 
-TEST_F(Stores, KeepEveryRepetitionAndANumberThatIsNone) {
+TEST_F(Stores, KeepRepetitionsAndNaN) {
   Store store = Store::open(file, Mode::write);
   const std::int64_t id = store.begin_run(run("r1"));
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
@@ -86,7 +86,7 @@ TEST_F(Stores, KeepEveryRepetitionAndANumberThatIsNone) {
 }
 
 // Another value of any field is another cell; the way in which a step is written is none.
-TEST(Cells, AreKnownByTheirContent) {
+TEST(Cells, AreIdentifiedByContent) {
   const Cell base = result("tumbling", 0.0125, {}).cell;
   const std::string hash = cell_hash(base);
   std::string Cell::*const fields[] = {&Cell::scenario,   &Cell::scenario_hash, &Cell::engine,  &Cell::path,
@@ -107,7 +107,7 @@ TEST(Cells, AreKnownByTheirContent) {
   EXPECT_NE(cell_hash(moved), hash);
 }
 
-TEST_F(Stores, DoNotTakeACellTwiceAndKeepTheFirst) {
+TEST_F(Stores, IgnoreRepeatedCell) {
   Store store = Store::open(file, Mode::write);
   const std::int64_t id = store.begin_run(run("r1"));
   const Result first = result("tumbling", 0.0125, {1});
@@ -117,7 +117,7 @@ TEST_F(Stores, DoNotTakeACellTwiceAndKeepTheFirst) {
   EXPECT_EQ(digest(store.results(id)[0]), digest(first));
 }
 
-TEST_F(Stores, KeepNothingOfATransactionThatFails) {
+TEST_F(Stores, FailedTransactionChangesNothing) {
   Store store = Store::open(file, Mode::write);
   EXPECT_THROW(store.in_one_transaction([&] {
     store.add(store.begin_run(run("r1")), result("tumbling", 0.0125, {1}));
@@ -128,7 +128,7 @@ TEST_F(Stores, KeepNothingOfATransactionThatFails) {
   EXPECT_TRUE(store.cells().empty());
 }
 
-TEST_F(Stores, GiveRunsOfTheSameWordsDifferentNames) {
+TEST_F(Stores, GiveEqualRunsDifferentIds) {
   Store store = Store::open(file, Mode::write);
   store.begin_run(run("r1"));
   store.begin_run(run("r1"));
@@ -137,7 +137,7 @@ TEST_F(Stores, GiveRunsOfTheSameWordsDifferentNames) {
   EXPECT_NE(runs[0].uid, runs[1].uid);
 }
 
-TEST_F(Stores, FindARunByWhatAUserKnowsOfIt) {
+TEST_F(Stores, FindRunByNumberLabelOrRevision) {
   Store store = Store::open(file, Mode::write);
   RunInfo labelled = run("r1");
   labelled.label = "before";
@@ -166,7 +166,7 @@ TEST_F(Stores, KeepAnchorsAndChangePointsAndLetThemBeSetAnew) {
   EXPECT_THROW(store.set({"s/cpu_seconds", "r2", "forgotten", "", ""}), core::InputError);
 }
 
-TEST_F(Stores, EscapeWhatAnEngineSaysInStrangeBytes) {
+TEST_F(Stores, EscapeInvalidBytesOfEngines) {
   Store store = Store::open(file, Mode::write);
   const std::int64_t id = store.begin_run(run("r1"));
   Result given = result("tumbling", 0.0125, {1});
