@@ -13,7 +13,7 @@
 namespace cylon::core {
 namespace {
 
-using Reading = EventSignal::Reading;
+using Reading = EventReading;
 constexpr double whole_turn = 2 * std::numbers::pi;
 constexpr double rest = 1e-6;                   // of the largest signal: less is noise about zero
 constexpr double sliding = 1e-2, stuck = 1e-3;  // of the largest slip speed
@@ -75,10 +75,18 @@ std::vector<std::size_t> ends_of_slip(const Series& series) {
 }
 
 // Signals below `noise` have no sign.
-std::vector<std::size_t> brackets(EventKind kind, const Series& series, double noise) {
-  if (kind == EventKind::roll) return ends_of_slip(series);
-  if (kind == EventKind::precession) return whole_turns(series);
-  return sign_changes(series, std::max(rest * largest(series), noise));
+std::vector<std::size_t> brackets(EventSearch search, const Series& series, double noise) {
+  switch (search) {
+    case EventSearch::end_of_slip:
+      return ends_of_slip(series);
+    case EventSearch::whole_turn:
+      return whole_turns(series);
+    case EventSearch::sign_change:
+      return sign_changes(series, std::max(rest * largest(series), noise));
+    case EventSearch::watch:
+      break;
+  }
+  return {};
 }
 
 // The polynomial through up to four readings, s counted in steps from sample `before`.
@@ -136,12 +144,10 @@ double slip_root(const Series& series, std::size_t before) {
   return root <= 10 ? root : 1;
 }
 
-Event event_of(EventKind kind, const Pair& pair, int index, double time, double value, double azimuth) {
-  Event event{.kind = kind, .pair = pair, .index = index, .time = time};
-  if (kind == EventKind::apsis) event.distance = value;
-  if (kind == EventKind::turn) event.height = value;
-  if (kind == EventKind::nutation || kind == EventKind::precession)
-    event.angle = value, event.azimuth = azimuth;
+Event event_of(const EventRow& row, const Pair& pair, int index, double time, double value, double azimuth) {
+  Event event{.kind = row.type.kind, .pair = pair, .index = index, .time = time};
+  if (row.value) event.*row.value = value;
+  event.azimuth = azimuth;
   return event;
 }
 
@@ -154,21 +160,21 @@ void sort_by_time(std::vector<Event>& events) {
                    [](const Event& a, const Event& b) { return a.time < b.time; });
 }
 
-std::vector<Event> find_on_arcs(EventKind kind, const Pair& pair, const Series& series, double dt) {
+std::vector<Event> find_on_arcs(const EventRow& row, const Pair& pair, const Series& series, double dt) {
   std::vector<Event> events;
-  for (const std::size_t before : brackets(kind, series, 0)) {
+  for (const std::size_t before : brackets(row.search, series, 0)) {
     const int index = static_cast<int>(events.size()) + 1;
-    const Arc arc(series, before, kind == EventKind::crossing);
+    const Arc arc(series, before, row.force_jumps);
     const double start = static_cast<double>(before);
-    if (kind == EventKind::roll) {
-      events.push_back(event_of(kind, pair, index, (start + slip_root(series, before)) * dt, 0, 0));
+    if (row.search == EventSearch::end_of_slip) {
+      events.push_back(event_of(row, pair, index, (start + slip_root(series, before)) * dt, 0, 0));
       continue;
     }
-    const bool turns = kind == EventKind::precession;
+    const bool turns = row.search == EventSearch::whole_turn;
     const double goal = turns ? whole_turns_at(series, before, events.size() + 1) : 0;
     double Reading::*const what = turns ? &Reading::azimuth : &Reading::x;
     const double s = bisect([&](double x) { return arc.at(x, what) - goal; }, 0, 1);
-    events.push_back(event_of(kind, pair, index, (start + s) * dt, arc.at(s, &Reading::value),
+    events.push_back(event_of(row, pair, index, (start + s) * dt, arc.at(s, &Reading::value),
                               turns ? goal : arc.at(s, &Reading::azimuth)));
   }
   return events;
@@ -183,6 +189,7 @@ struct Located {
 
 Located locate(const Observable& q, const Scene& scene, const Truth& truth, const Pair& pair, double horizon,
                double step) {
+  const EventRow& row = event_row(q.event);
   const EventSignal signal(q, scene, pair);
   const auto read = [&](double t) { return signal(truth.state(t), t); };
   const auto count = static_cast<std::size_t>(std::clamp(std::ceil(horizon / step), 64.0, 2048.0));
@@ -195,28 +202,29 @@ Located locate(const Observable& q, const Scene& scene, const Truth& truth, cons
   Located located;
   const double still = 1e-9 * largest(series);
   const double noise = 10 * signal.error(truth.state(0), truth.error).x;
-  for (const std::size_t before : brackets(q.event, series, noise)) {
+  for (const std::size_t before : brackets(row.search, series, noise)) {
     const double a = static_cast<double>(before) * dt, b = std::min(a + dt, horizon);
-    const bool turns = q.event == EventKind::precession;
+    const bool turns = row.search == EventSearch::whole_turn;
     const double goal = turns ? whole_turns_at(series, before, located.events.size() + 1) : 0;
     const auto unwrapped = [&](double t) {
       const double near = series[before].azimuth;
       return near + std::remainder(read(t).azimuth - start - near, whole_turn);
     };
+    const bool slides = row.search == EventSearch::end_of_slip;
     const std::function<double(double)> zero = [&](double t) {
       if (turns) return unwrapped(t) - goal;
-      return q.event == EventKind::roll ? read(t).x - still : read(t).x;
+      return slides ? read(t).x - still : read(t).x;
     };
     const double t = bisect(zero, a, b);
-    located.events.push_back(event_of(q.event, pair, static_cast<int>(located.events.size()) + 1, t,
+    located.events.push_back(event_of(row, pair, static_cast<int>(located.events.size()) + 1, t,
                                       read(t).value, turns ? goal : unwrapped(t)));
     // |dt| <= |dx| / |slope|, the slope from before the event, where nothing has jumped yet.
     const State state = truth.state(t);
-    const EventSignal::Error error = signal.error(state, truth.error);
+    const EventError error = signal.error(state, truth.error);
     const double earlier = std::max(0.0, t - dt / 8);
     const double slope = std::abs(zero(t) - zero(earlier)) / (t - earlier);
     const double ulp = 4 * (std::nextafter(t, HUGE_VAL) - t);
-    const double size = (turns ? error.azimuth : error.x) + (q.event == EventKind::roll ? still : 0);
+    const double size = (turns ? error.azimuth : error.x) + (slides ? still : 0);
     located.error = worst(size / slope + ulp, located.error);
   }
   return located;
@@ -233,7 +241,7 @@ std::vector<Event> watch(const Observable& q, const Scene& scene, const Truth& t
 
 }  // namespace
 
-bool watched(EventKind kind) { return kind == EventKind::bounce || kind == EventKind::apex; }
+bool watched(EventKind kind) { return event_row(kind).search == EventSearch::watch; }
 
 std::vector<Event> find_events(const Observable& q, const Scene& scene, const Recording& recording) {
   if (watched(q.event)) return recording.events;
@@ -245,7 +253,7 @@ std::vector<Event> find_events(const Observable& q, const Scene& scene, const Re
     const double start = signal(recording.states[0], 0).azimuth;
     for (std::size_t i = 0; i < recording.states.size(); ++i)
       append(series, start, signal(recording.states[i], recording.time(i)));
-    const auto found = find_on_arcs(q.event, pair, series, recording.dt);
+    const auto found = find_on_arcs(event_row(q.event), pair, series, recording.dt);
     events.insert(events.end(), found.begin(), found.end());
   }
   sort_by_time(events);

@@ -1,6 +1,8 @@
 #include "harness/core/measure.h"
 
 #include "harness/core/event_find.h"
+#include "harness/core/event_rows.h"
+#include "harness/core/observable_rows.h"
 #include "harness/core/worst.h"
 
 #include <fmt/format.h>
@@ -68,7 +70,7 @@ double reduce(Reduction reduction, const Series& series) {
 bool asked_for(const Observable& q, const Event& event) {
   return event.kind == q.event && (q.event_quantity == EventQuantity::order || event.index == q.index) &&
          (!q.body || *q.body == event.pair.body || *q.body == event.pair.other) &&
-         (q.event != EventKind::apsis || event.pair.other == q.to.value_or(world));
+         (!event_row(q.event).of_two_bodies || event.pair.other == q.to.value_or(world));
 }
 
 std::vector<Event> asked_for(const Claim& claim, const std::vector<Event>& events) {
@@ -226,18 +228,15 @@ double scale(const Claim& claim, const Scene& scene, double duration) {
           size = worst(std::abs(quantity(claim.truth->events, event, q.event_quantity).value_or(0)), size);
     return size;
   }
+  const ObservableRow& row = observable_row(q.quantity);
   Values values;
-  if (!claim.truth) {
-    if (q.quantity == Quantity::energy) return energy_scale(scene, initial_state(scene));
-    evaluate(q, scene, initial_state(scene), values);
-    return magnitude(q, values);
-  }
-  const auto size_at = [&](double t) {
-    const State state = claim.truth->state(t);
-    if (q.quantity == Quantity::energy) return energy_scale(scene, state);
+  const auto size_of = [&](const State& state) {
+    if (row.scale) return row.scale(scene, state);
     evaluate(q, scene, state, values);
-    return magnitude(q, values);
+    return row.magnitude(values);
   };
+  if (!claim.truth) return size_of(initial_state(scene));
+  const auto size_at = [&](double t) { return size_of(claim.truth->state(t)); };
   double size = 0;
   if (!claim.truth->times.empty()) {
     for (const double t : claim.truth->times) size = worst(size_at(t), size);

@@ -1,0 +1,365 @@
+#include "harness/core/observable_rows.h"
+
+#include "harness/core/anchor.h"
+#include "harness/core/event_signal.h"
+#include "harness/core/near_pairs.h"
+#include "harness/core/potential.h"
+#include "harness/core/surfaces.h"
+#include "harness/core/worst.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace cylon::core {
+namespace {
+
+using Entry = Eigen::Vector4d;
+
+Entry vector(const Vector3& v, Component component) {
+  switch (component) {
+    case Component::all:
+      return {v.x(), v.y(), v.z(), 0};
+    case Component::x:
+      return {v.x(), 0, 0, 0};
+    case Component::y:
+      return {v.y(), 0, 0, 0};
+    case Component::z:
+      return {v.z(), 0, 0, 0};
+    case Component::horizontal:
+      return {v.x(), v.z(), 0, 0};
+  }
+  return {};
+}
+
+Entry scalar(double x) { return {x, 0, 0, 0}; }
+
+// ---- Bodies that an observable concerns --------------------------------------------------------
+
+// Calls use(body, state) for the observable's body, or for all.
+template <class Use>
+void each_body(const Observable& q, const Scene& scene, const State& state, Use use) {
+  const std::size_t first = q.body ? static_cast<std::size_t>(*q.body) : 0;
+  const std::size_t last = q.body ? first + 1 : state.size();
+  for (std::size_t i = first; i < last; ++i) use(scene.bodies[i], state[i]);
+}
+
+template <class Term>
+double sum(const Observable& q, const Scene& scene, const State& state, Term term) {
+  double total = 0;
+  each_body(q, scene, state, [&](const Body& body, const BodyState& s) { total += term(body, s); });
+  return total;
+}
+
+bool concerns(const Observable& q, int body, int other) {
+  return !q.body || *q.body == body || *q.body == other;
+}
+
+// ---- Distances and magnitudes --------------------------------------------------------------------
+
+double norm(const Entry& v) { return v.norm(); }
+
+double norm_of_difference(const Entry& a, const Entry& b) { return (a - b).norm(); }
+
+// Of two quaternions: 4 asin(|q - q'| / 2) after the sign fix.
+double rotation_angle(const Entry& a, const Entry& b) {
+  const double chord = std::min((a - b).norm(), (a + b).norm());
+  return std::isnan((a - b).norm()) ? std::nan("") : 4 * std::asin(std::min(1.0, chord / 2));
+}
+
+// Of two unit vectors: 2 asin(|a - b| / 2), exact for small angles, where acos of a product is not.
+double axis_angle(const Entry& a, const Entry& b) {
+  const double chord = (a - b).norm();
+  return std::isnan(chord) ? chord : 2 * std::asin(std::min(1.0, chord / 2));
+}
+
+template <double (*apart)(const Entry&, const Entry&)>
+double worst_of(const Values& a, const Values& b) {
+  double result = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) result = worst(apart(a[i], b[i]), result);
+  return result;
+}
+
+template <double (*size)(const Entry&)>
+double largest_of(const Values& values) {
+  double result = 0;
+  for (const Entry& v : values) result = worst(size(v), result);
+  return result;
+}
+
+double no_magnitude(const Values&) { return 0; }  // angles
+
+// The worst difference of two lists of gaps, both in the order of their pairs; who is in one alone is apart
+// in the other.
+double overlap_distance(const Values& a, const Values& b) {
+  const auto pair = [](const Entry& v) { return std::array{v[1], v[3], v[2]}; };
+  double result = 0;
+  auto x = a.begin(), y = b.begin();
+  while (x != a.end() || y != b.end()) {
+    const bool only_x = y == b.end() || (x != a.end() && pair(*x) < pair(*y));
+    const bool only_y = x == a.end() || (y != b.end() && pair(*y) < pair(*x));
+    result = worst(std::abs((only_y ? 0 : x->x()) - (only_x ? 0 : y->x())), result);
+    if (!only_y) ++x;
+    if (!only_x) ++y;
+  }
+  return result;
+}
+
+double depth(const Entry& overlap) { return std::abs(overlap.x()); }  // the other numbers say whose
+
+// ---- Errors that are those of the state -----------------------------------------------------------
+
+template <double StateError::*which>
+double error_of_state(const Observable&, const Scene&, const State&, const StateError& e) {
+  return e.*which;
+}
+
+std::optional<std::string> always_defined(const Observable&, const Scene&) { return std::nullopt; }
+
+// ---- Motion of each body ----------------------------------------------------------------------------
+
+template <Vector3 BodyState::*what>
+void vector_of_each(const Observable& q, const Scene& scene, const State& state, Values& values) {
+  each_body(q, scene, state,
+            [&](const Body&, const BodyState& s) { values.push_back(vector(s.*what, q.component)); });
+}
+
+void orientation_of_each(const Observable& q, const Scene& scene, const State& state, Values& values) {
+  each_body(q, scene, state, [&](const Body&, const BodyState& s) {
+    values.emplace_back(s.orientation.w(), s.orientation.x(), s.orientation.y(), s.orientation.z());
+  });
+}
+
+void axis_of_each(const Observable& q, const Scene& scene, const State& state, Values& values) {
+  each_body(q, scene, state, [&](const Body& body, const BodyState& s) {
+    values.push_back(vector(s.orientation * symmetry_axis(body).value_or(Vector3::UnitY()), Component::all));
+  });
+}
+
+std::optional<std::string> axis_undefined(const Observable& q, const Scene& scene) {
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    if ((!q.body || static_cast<std::size_t>(*q.body) == i) && !symmetry_axis(scene.bodies[i]))
+      return "body '" + scene.bodies[i].name +
+             "' has no axis of symmetry (two equal principal moments and a third)";
+  return std::nullopt;
+}
+
+// ---- Momenta ------------------------------------------------------------------------------------------
+
+// L_spin = R I0 R^T w.
+Vector3 spin(const Body& body, const BodyState& s) {
+  return s.orientation * (body.inertia * (s.orientation.conjugate() * s.angular_velocity));
+}
+
+double largest_moment(const Body& body) { return principal_axes(body.inertia).moments.maxCoeff(); }
+
+// |d(I w)| <= I |dw| + 2 I |w| dtheta, with I the largest principal moment.
+double spin_error(const Body& body, const BodyState& s, const StateError& e) {
+  return largest_moment(body) * (e.angular_velocity + 2 * s.angular_velocity.norm() * e.orientation);
+}
+
+// p = sum m v
+void linear_momentum(const Observable& q, const Scene& scene, const State& state, Values& values) {
+  Vector3 total = Vector3::Zero();
+  each_body(q, scene, state, [&](const Body& body, const BodyState& s) { total += body.mass * s.velocity; });
+  values.push_back(vector(total, q.component));
+}
+
+// |dp| <= sum m |dv|
+double linear_momentum_error(const Observable& q, const Scene& scene, const State& state,
+                             const StateError& e) {
+  return sum(q, scene, state, [&](const Body& body, const BodyState&) { return body.mass * e.velocity; });
+}
+
+// L = sum (x - about) x m v + R I0 R^T w
+void angular_momentum(const Observable& q, const Scene& scene, const State& state, Values& values) {
+  Vector3 total = Vector3::Zero();
+  each_body(q, scene, state, [&](const Body& body, const BodyState& s) {
+    total += (s.position - q.about).cross(body.mass * s.velocity) + spin(body, s);
+  });
+  values.push_back(vector(total, q.component));
+}
+
+// |dL| <= sum m (|x - about| |dv| + |v| |dx|) + |d(I w)|
+double angular_momentum_error(const Observable& q, const Scene& scene, const State& state,
+                              const StateError& e) {
+  return sum(q, scene, state, [&](const Body& body, const BodyState& s) {
+    return body.mass * ((s.position - q.about).norm() * e.velocity + s.velocity.norm() * e.position) +
+           spin_error(body, s, e);
+  });
+}
+
+// ---- Energies -----------------------------------------------------------------------------------------
+
+// m v^2/2 + w.I0 w/2, the second in body axes.
+double kinetic(const Body& body, const BodyState& s) {
+  const Vector3 w = s.orientation.conjugate() * s.angular_velocity;
+  return 0.5 * body.mass * s.velocity.squaredNorm() + 0.5 * w.dot(body.inertia * w);
+}
+
+double kinetic_total(const Scene& scene, const State& state) {
+  double total = 0;
+  for (std::size_t i = 0; i < state.size(); ++i) total += kinetic(scene.bodies[i], state[i]);
+  return total;
+}
+
+double potential_total(const Scene& scene, const State& state, double (*size)(double)) {
+  double total = 0;
+  for (const Force& force : scene.forces) total += potential(force, scene, state, size);
+  return total;
+}
+
+void kinetic_energy(const Observable& q, const Scene& scene, const State& state, Values& values) {
+  values.push_back(scalar(sum(q, scene, state, kinetic)));
+}
+
+// |dT| <= sum m |v| |dv| + I |w| (|dw| + |w| dtheta), with I the largest principal moment.
+double kinetic_energy_error(const Observable& q, const Scene& scene, const State& state,
+                            const StateError& e) {
+  return sum(q, scene, state, [&](const Body& body, const BodyState& s) {
+    return body.mass * s.velocity.norm() * e.velocity +
+           largest_moment(body) * s.angular_velocity.norm() *
+               (e.angular_velocity + s.angular_velocity.norm() * e.orientation);
+  });
+}
+
+void energy(const Observable&, const Scene& scene, const State& state, Values& values) {
+  values.push_back(
+      scalar(kinetic_total(scene, state) + potential_total(scene, state, [](double x) { return x; })));
+}
+
+// |dE| <= |dT| + sum |dU|
+double energy_error(const Observable& q, const Scene& scene, const State& state, const StateError& e) {
+  double total = kinetic_energy_error(q, scene, state, e);
+  for (const Force& force : scene.forces) total += potential_error(force, scene, state, e);
+  return total;
+}
+
+// ---- Gaps -----------------------------------------------------------------------------------------------
+
+bool only_spheres_collide(const Scene& scene) {
+  return std::all_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& body) {
+    return !collides(body) || std::holds_alternative<Sphere>(body.shape);
+  });
+}
+
+std::optional<std::string> normal_gap_undefined(const Observable& q, const Scene& scene) {
+  std::optional<std::string> why = "no two things in the scene may touch";
+  const auto undefined = [&](const Pair& pair) { return (why = gap_undefined(scene, pair)).has_value(); };
+  if (q.body) {
+    for (const Pair& pair : touching_pairs(scene, *q.body))
+      if (undefined(pair)) break;
+  } else if (only_spheres_collide(scene)) {
+    any_touching_pair(scene, [&](const Pair&) { return why.reset(), true; });
+  } else {
+    any_touching_pair(scene, undefined);
+  }
+  return why;
+}
+
+void normal_gap(const Observable& q, const Scene& scene, const State& state, Values& values) {
+  for (const Pair& pair : q.body ? touching_pairs(scene, *q.body) : near_pairs(scene, state)) {
+    const double g = gap(scene, pair, state);
+    if (!(g >= 0)) values.emplace_back(g, pair.body, pair.other, pair.plane);  // NaN stays
+  }
+}
+
+// A point of the world at t = 0 in the frame of a body.
+Vector3 in_frame_of(const Scene& scene, int body, const Vector3& point) {
+  if (body == world) return point;
+  const BodyState& s = scene.bodies[static_cast<std::size_t>(body)].initial;
+  return s.orientation.conjugate() * (point - s.position);
+}
+
+// Of a distance joint |d| - length between the centres, or between a centre and a point of the world; of the
+// others the distance of the two anchors.
+double gap_of(const Scene& scene, const Joint& joint, const State& state) {
+  switch (joint.type) {
+    case JointType::distance:
+      return (anchor(state, joint.to, joint.to == world ? joint.point : Vector3(Vector3::Zero())) -
+              anchor(state, joint.body, Vector3::Zero()))
+                 .norm() -
+             joint.length;
+    case JointType::ball:
+    case JointType::hinge:
+    case JointType::fixed:
+      return (anchor(state, joint.to, in_frame_of(scene, joint.to, joint.point)) -
+              anchor(state, joint.body, in_frame_of(scene, joint.body, joint.point)))
+          .norm();
+  }
+  return 0;
+}
+
+std::optional<std::string> joint_gap_undefined(const Observable&, const Scene& scene) {
+  if (scene.joints.empty()) return "the scene has no joint";
+  return std::nullopt;
+}
+
+void joint_gap(const Observable& q, const Scene& scene, const State& state, Values& values) {
+  for (const Joint& joint : scene.joints)
+    if (concerns(q, joint.body, joint.to)) values.push_back(scalar(gap_of(scene, joint, state)));
+}
+
+// |dg| <= 2 (|dx| + arm dtheta), with the longest arm of all joints.
+double joint_gap_error(const Observable&, const Scene& scene, const State&, const StateError& e) {
+  double arm = 0;
+  for (const Joint& joint : scene.joints)
+    arm = std::max(
+        arm, (joint.point - scene.bodies[static_cast<std::size_t>(joint.body)].initial.position).norm());
+  return 2 * (e.position + arm * e.orientation);
+}
+
+// ---- Events have numbers of their own: event_rows.h ------------------------------------------------------
+
+void no_values(const Observable&, const Scene&, const State&, Values&) {}
+
+double no_error(const Observable&, const Scene&, const State&, const StateError&) { return 0; }
+
+// ---- The table
+// ---------------------------------------------------------------------------------------------
+
+constexpr auto norms = worst_of<norm_of_difference>;
+constexpr auto largest = largest_of<norm>;
+
+constexpr std::array rows = {
+    ObservableRow{Quantity::position, "position", "m", always_defined, vector_of_each<&BodyState::position>,
+                  norms, largest, nullptr, error_of_state<&StateError::position>},
+    ObservableRow{Quantity::velocity, "velocity", "m/s", always_defined, vector_of_each<&BodyState::velocity>,
+                  norms, largest, nullptr, error_of_state<&StateError::velocity>},
+    ObservableRow{Quantity::orientation, "orientation", "rad", always_defined, orientation_of_each,
+                  worst_of<rotation_angle>, no_magnitude, nullptr, error_of_state<&StateError::orientation>},
+    ObservableRow{Quantity::axis, "axis", "rad", axis_undefined, axis_of_each, worst_of<axis_angle>,
+                  no_magnitude, nullptr, error_of_state<&StateError::orientation>},
+    ObservableRow{Quantity::angular_velocity, "angular_velocity", "rad/s", always_defined,
+                  vector_of_each<&BodyState::angular_velocity>, norms, largest, nullptr,
+                  error_of_state<&StateError::angular_velocity>},
+    ObservableRow{Quantity::linear_momentum, "linear_momentum", "kg m/s", always_defined, linear_momentum,
+                  norms, largest, nullptr, linear_momentum_error},
+    ObservableRow{Quantity::angular_momentum, "angular_momentum", "kg m^2/s", always_defined,
+                  angular_momentum, norms, largest, nullptr, angular_momentum_error},
+    ObservableRow{Quantity::energy, "energy", "J", always_defined, energy, norms, largest, energy_scale,
+                  energy_error},
+    ObservableRow{Quantity::kinetic_energy, "kinetic_energy", "J", always_defined, kinetic_energy, norms,
+                  largest, nullptr, kinetic_energy_error},
+    ObservableRow{Quantity::normal_gap, "normal_gap", "m", normal_gap_undefined, normal_gap, overlap_distance,
+                  largest_of<depth>, nullptr, error_of_state<&StateError::position>},
+    ObservableRow{Quantity::joint_gap, "joint_gap", "m", joint_gap_undefined, joint_gap, norms, largest,
+                  nullptr, joint_gap_error},
+    ObservableRow{Quantity::event, "event", "", event_undefined, no_values, norms, largest, nullptr,
+                  no_error},
+};
+static_assert([] {
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (static_cast<std::size_t>(rows[i].quantity) != i) return false;
+  return rows.back().quantity == Quantity::event;
+}());
+
+}  // namespace
+
+const ObservableRow& observable_row(Quantity quantity) { return rows[static_cast<std::size_t>(quantity)]; }
+
+double energy_scale(const Scene& scene, const State& state) {
+  return kinetic_total(scene, state) + potential_total(scene, state, [](double x) { return std::abs(x); });
+}
+
+}  // namespace cylon::core
