@@ -58,7 +58,7 @@ Finding compare_times(const std::string& root, const Cell& cell, const std::stri
     throw core::InputError(fmt::format("{}: {}", cell.scenario, failure));
   const results::ComparedTime time = pairs.summary();
   fmt::print("{},{},{},{},{},{:.4f},{:.4f},{:.4f},{}\n", what, trial, cell.scenario, cell.engine,
-             core::name(time.finding), time.ratio, time.low, time.high, time.pairs);
+             results::name(time.finding), time.ratio, time.low, time.high, time.pairs);
   std::fflush(stdout);
   return time.finding;
 }

@@ -76,7 +76,7 @@ inline core::Recording play(const process::EngineChoice& engine, const core::Sce
   process::RunOutcome outcome = process::run(engine, request, limits);
   if (!outcome.recording)
     throw std::runtime_error(
-        fmt::format("{}: {}: {}", engine.id, core::name(outcome.status), outcome.reason));
+        fmt::format("{}: {}: {}", engine.id, results::name(outcome.status), outcome.reason));
   return *outcome.recording;
 }
 

@@ -144,7 +144,7 @@ TEST(Unsupported, EveryReasonIsASentence) {
     request.steps = 5;
     const auto engine = process::parse_engine(refusal.engine, process::default_engines(CYLON_BINARY_DIR));
     const process::RunOutcome outcome = process::run(engine, request, limits);
-    EXPECT_EQ(core::name(outcome.status), "unsupported")
+    EXPECT_EQ(results::name(outcome.status), "unsupported")
         << refusal.engine << " should say: " << refusal.reason << "\n"
         << outcome.reason;
     EXPECT_NE(outcome.reason.find(refusal.reason), std::string::npos)

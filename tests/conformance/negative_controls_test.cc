@@ -136,7 +136,7 @@ TEST(Impostors, EachIsDetectedAndTheRunContinues) {
   EXPECT_EQ(reported, cells.size());
   for (const std::size_t good : {std::size_t{0}, cells.size() - 1})
     for (const Verdict& verdict : rows[good])
-      EXPECT_EQ(core::name(verdict.status), "pass")
+      EXPECT_EQ(results::name(verdict.status), "pass")
           << verdict.engine << ", " << verdict.claim << ": " << verdict.detail;
 
   for (std::size_t i = 0; i < std::size(impostors); ++i) {
@@ -144,9 +144,9 @@ TEST(Impostors, EachIsDetectedAndTheRunContinues) {
     const Verdict &position = row(rows[i + 1], "position follows"),
                   &momentum = row(rows[i + 1], "linear_momentum");
     EXPECT_EQ(position.engine, std::string("mine-") + impostor.mode);
-    EXPECT_EQ(core::name(position.status), core::name(impostor.status))
+    EXPECT_EQ(results::name(position.status), results::name(impostor.status))
         << impostor.mode << ": " << position.detail;
-    EXPECT_EQ(core::name(momentum.status), core::name(impostor.momentum_status)) << impostor.mode;
+    EXPECT_EQ(results::name(momentum.status), results::name(impostor.momentum_status)) << impostor.mode;
     EXPECT_NE(position.detail.find(impostor.detail), std::string::npos)
         << impostor.mode << ": " << position.detail;
     if (impostor.status == Status::non_finite)

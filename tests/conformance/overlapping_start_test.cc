@@ -94,7 +94,7 @@ TEST(OverlappingStart, DeepOverlapIsRejectedAndShallowStaysFinite) {
           EXPECT_TRUE(body.position.allFinite() && body.velocity.norm() < 10) << row.name << ", " << id;
         continue;
       }
-      EXPECT_EQ(core::name(outcome.status), "unsupported") << row.name << ", " << id;
+      EXPECT_EQ(results::name(outcome.status), "unsupported") << row.name << ", " << id;
       for (const char* word : {"'upper'", "'lower'", row.said})
         EXPECT_NE(outcome.reason.find(word), std::string::npos)
             << row.name << ", " << id << ": " << outcome.reason;
@@ -107,7 +107,7 @@ TEST(OverlappingStart, OtherEnginesAcceptIt) {
       const bool hull = std::holds_alternative<core::Hull>(row.one);
       if (hull && std::string(id) == "ode") continue;  // it collides no hulls at all
       const process::RunOutcome outcome = outcome_of(id, scene_of(row));
-      EXPECT_NE(core::name(outcome.status), "unsupported")
+      EXPECT_NE(results::name(outcome.status), "unsupported")
           << row.name << ", " << id << ": " << outcome.reason;
     }
 }

@@ -140,7 +140,7 @@ TEST_P(Theory, BoundsTheErrorClosely) {
   const Row& row = GetParam();
   const std::string engine_id = std::string("in-house/integrator=") + row.scheme;
   const results::Verdict whole = judged(row, 1.02, engine_id);  // two hundredths for the terms that follow
-  EXPECT_EQ(core::name(whole.status), "pass")
+  EXPECT_EQ(results::name(whole.status), "pass")
       << whole.measured << " of " << whole.allowed << "; " << whole.detail;
   RecordProperty("detail", whole.detail);
   if (row.least == 0) {
@@ -149,7 +149,7 @@ TEST_P(Theory, BoundsTheErrorClosely) {
   }
   EXPECT_GT(whole.measured, row.least * whole.allowed / 1.02);
   EXPECT_NE(whole.detail.find("observed order"), std::string::npos) << whole.detail;
-  EXPECT_NE(core::name(judged(row, 0.5, engine_id).status), "pass") << "half the constant";
+  EXPECT_NE(results::name(judged(row, 0.5, engine_id).status), "pass") << "half the constant";
 }
 
 INSTANTIATE_TEST_SUITE_P(InHouse, Theory, testing::ValuesIn(rows), [](const auto& row) {
@@ -178,7 +178,7 @@ TEST(TheoryClaim, ServesSchemesOfDifferentOrders) {
                           Case{"in-house", 400, "the scheme chooses its own steps, held to order 4"},
                           Case{"ode", 1e4, "declared 1"}}) {
     const results::Verdict verdict = conformance::verdict(scenario, row.engine, scenario.duration / row.steps);
-    EXPECT_EQ(core::name(verdict.status), "pass")
+    EXPECT_EQ(results::name(verdict.status), "pass")
         << row.engine << ": " << verdict.measured << " of " << verdict.allowed << "; " << verdict.detail;
     EXPECT_NE(verdict.detail.find(row.detail), std::string::npos) << row.engine << ": " << verdict.detail;
   }
@@ -189,7 +189,7 @@ TEST(TheoryClaim, NoConstantForOrderFails) {
   const auto scenario = spring("{ order = true, constants = { 4 = 1.0 }, reason = \"truncation: theory\" }");
   const results::Verdict verdict =
       conformance::verdict(scenario, "in-house/integrator=velocity-verlet", scenario.duration / 1e3);
-  EXPECT_EQ(core::name(verdict.status), "fail");
+  EXPECT_EQ(results::name(verdict.status), "fail");
   EXPECT_NE(verdict.detail.find("no constant for order 2 or less"), std::string::npos) << verdict.detail;
 }
 

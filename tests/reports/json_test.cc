@@ -225,7 +225,7 @@ TEST(Csv, ParsesBackWithEveryDigit) {
   for (std::size_t i = 0; i < 100; ++i) {
     ASSERT_EQ(lines[i + 1].size(), lines[0].size());
     EXPECT_EQ(std::strtod(lines[i + 1][column(lines[0], "measured")].c_str(), nullptr), verdicts[i].measured);
-    EXPECT_EQ(lines[i + 1][column(lines[0], "status")], core::name(verdicts[i].status));
+    EXPECT_EQ(lines[i + 1][column(lines[0], "status")], results::name(verdicts[i].status));
   }
 }
 

@@ -57,7 +57,7 @@ TEST_P(Isolation, IsAVerdict) {
   const auto start = std::chrono::steady_clock::now();
   const RunOutcome outcome = run(scripted(misdeed.mode), request_of(scene, 100, 10), these);
   EXPECT_LT(seconds_since(start), misdeed.seconds + 10);
-  EXPECT_EQ(core::name(outcome.status), core::name(misdeed.status)) << outcome.reason;
+  EXPECT_EQ(results::name(outcome.status), results::name(misdeed.status)) << outcome.reason;
   EXPECT_NE(outcome.reason.find(misdeed.reason), std::string::npos) << outcome.reason;
   EXPECT_FALSE(outcome.recording.has_value());
   EXPECT_LE(outcome.stderr_tail.size(), 4096u);
