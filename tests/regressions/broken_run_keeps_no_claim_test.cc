@@ -32,7 +32,7 @@ until     = 0.5
 tolerance = { absolute = 1e-9, reason = "rounding" }
 )",
                                                       "drifting.toml");
-  const std::string script = std::string(CYLON_SOURCE_DIR) + "/tests/harness/process/scripted_worker.py";
+  const std::string script = CYLON_SOURCE_DIR "/tests/harness/process/scripted_worker.py";
   const process::EngineChoice engine = {"mine", {"mine", {"python3", script, "nan"}, ""}, "", "", {}};
   const auto rows = run({&scenario, engine, 0.01, "0.01"}, {60, 60, 0}, {});
   ASSERT_EQ(rows.size(), 2u);
