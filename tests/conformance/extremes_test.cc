@@ -43,8 +43,8 @@ const std::vector<Verdict>& rows() {
 
 std::string place(const Verdict& row) {
   return fmt::format("{} of {} on {}: {} (expected {}) {:.17g}, allowed {:.17g}; {}", row.claim, row.scenario,
-                     row.engine, results::name(row.status), results::name(row.expected), row.measured, row.allowed,
-                     row.detail);
+                     row.engine, results::name(row.status), results::name(row.expected), row.measured,
+                     row.allowed, row.detail);
 }
 
 TEST(Extremes, EveryVerdictIsAsExpected) {
