@@ -3,6 +3,7 @@
 // that breaks within a claim's horizon now is non-finite for it, whatever the claim reads; a claim whose
 // horizon ends before is judged as ever.
 #include "harness/study/cell.h"
+#include "tests/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -32,7 +33,7 @@ until     = 0.5
 tolerance = { absolute = 1e-9, reason = "rounding" }
 )",
                                                       "drifting.toml");
-  const std::string script = std::string(CYLON_SOURCE_DIR) + "/tests/harness/process/scripted_worker.py";
+  const std::string script = std::string(source_dir) + "/tests/harness/process/scripted_worker.py";
   const process::EngineChoice engine = {"mine", {"mine", {"python3", script, "nan"}, ""}, "", "", {}};
   const auto rows = run({&scenario, engine, 0.01, "0.01"}, {60, 60, 0}, {});
   ASSERT_EQ(rows.size(), 2u);
