@@ -35,19 +35,25 @@ function(layer name)
   compiled_as(${name} ${ARG_KIND})
 endfunction()
 
-# simulator(build ADAPTER name USES engine LINKS its target): library sim_<build> and executable cylon-worker-<build>.
+# simulator(build ADAPTER name USES engine LINKS its target KIND kind LATER): library sim_<build> and executable
+# cylon-worker-<build>.  The target `cylon` builds the workers of those that are not LATER; `engines` builds every worker.
+add_custom_target(engines)
 function(simulator build)
-  cmake_parse_arguments(ARG "" "ADAPTER;USES;LINKS" "" ${ARGN})
+  cmake_parse_arguments(ARG "LATER" "ADAPTER;USES;LINKS;KIND" "" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS reference/simulators/${ARG_ADAPTER}/*.cc)
   string(REPLACE "-" "_" library sim_${build})
   add_library(${library} STATIC ${sources})
   target_link_libraries(${library} PUBLIC core PRIVATE ${ARG_LINKS} warnings)
   declare(${library} KIND simulator PLACES reference/simulators/${ARG_ADAPTER}/ PUBLIC core PRIVATE ${ARG_USES})
-  compiled_as(${library} numbers)
+  compiled_as(${library} ${ARG_KIND})
   add_executable(cylon-worker-${build} reference/workers/main.cc)
-  target_link_libraries(cylon-worker-${build} PRIVATE process ${library} warnings)
+  # The engine comes first: of templates that it shares with other layers the linker takes its, which are optimised most.
+  target_link_libraries(cylon-worker-${build} PRIVATE ${library} ${ARG_LINKS} process warnings)
   declare(cylon-worker-${build} KIND program PLACES reference/workers/ PRIVATE process)
-  set_property(GLOBAL APPEND PROPERTY cylon_workers cylon-worker-${build})
+  add_dependencies(engines cylon-worker-${build})
+  if(NOT ARG_LATER)
+    set_property(GLOBAL APPEND PROPERTY cylon_workers cylon-worker-${build})
+  endif()
 endfunction()
 
 function(program name)
@@ -57,7 +63,21 @@ function(program name)
   target_link_libraries(${name} PRIVATE ${ARG_USES} warnings)
   declare(${name} KIND program PLACES ${ARG_SOURCE} PRIVATE ${ARG_USES})
   add_dependencies(${name} ${workers})
+  add_dependencies(tests ${name} engines)
 endfunction()
+
+# All that ctest runs.
+add_custom_target(tests)
+
+# tests/paths.h: the one source that knows where the repository and the build stand.
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/test_paths.cc CONTENT [[
+#include "tests/paths.h"
+const char* const cylon::source_dir = "@PROJECT_SOURCE_DIR@";
+const char* const cylon::binary_dir = "@PROJECT_BINARY_DIR@";
+]] @ONLY)
+add_library(test_paths STATIC ${PROJECT_BINARY_DIR}/test_paths.cc)
+target_include_directories(test_paths PUBLIC ${PROJECT_SOURCE_DIR})
+declare(test_paths KIND layer PLACES tests/paths.h)
 
 # test_suite(name FOLDER folder USES libraries… SHARES files…): one executable for every *_test.cc under a folder (a
 # suite inside another's folder is declared before it), and for files of another suite that hold of these libraries too.
@@ -65,12 +85,11 @@ function(test_suite name)
   cmake_parse_arguments(ARG "" "FOLDER" "USES;SHARES" ${ARGN})
   own_sources(sources ${ARG_FOLDER} *_test.cc)
   add_executable(${name}_tests ${sources} ${ARG_SHARES})
-  target_compile_definitions(${name}_tests PRIVATE
-    CYLON_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CYLON_BINARY_DIR="${PROJECT_BINARY_DIR}")
   target_include_directories(${name}_tests PRIVATE ${PROJECT_SOURCE_DIR})
-  target_link_libraries(${name}_tests PRIVATE ${ARG_USES} GTest::gtest_main warnings)
-  declare(${name}_tests KIND tests PLACES ${ARG_FOLDER}/ PRIVATE ${ARG_USES} GTest::gtest_main)
+  target_link_libraries(${name}_tests PRIVATE ${ARG_USES} test_paths GTest::gtest_main warnings)
+  declare(${name}_tests KIND tests PLACES ${ARG_FOLDER}/ PRIVATE ${ARG_USES} test_paths GTest::gtest_main)
   compiled_as(${name}_tests test)
+  add_dependencies(tests ${name}_tests)
   gtest_discover_tests(${name}_tests TEST_PREFIX "${name}/" DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${name})
 endfunction()
 
@@ -104,9 +123,12 @@ function(web_tests)
   set_tests_properties(web_bundle_is_current PROPERTIES LABELS web)
 endfunction()
 
+# bench(name USES libraries…): `benches` builds them all, `all` builds none.
+add_custom_target(benches)
 function(bench name)
   cmake_parse_arguments(ARG "" "" "USES" ${ARGN})
-  add_executable(${name} bench/${name}.cc)
+  add_executable(${name} EXCLUDE_FROM_ALL bench/${name}.cc)
+  add_dependencies(benches ${name})
   target_link_libraries(${name} PRIVATE ${ARG_USES} benchmark::benchmark warnings)
   declare(${name} KIND bench PLACES bench/${name}.cc PRIVATE ${ARG_USES} benchmark::benchmark bench)
   declare(bench KIND bench PLACES bench/ PRIVATE ${ARG_USES} benchmark::benchmark)  # what benches share

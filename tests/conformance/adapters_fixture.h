@@ -4,6 +4,7 @@
 
 #include "harness/process/client.h"
 #include "harness/process/engines.h"
+#include "tests/paths.h"
 #include "tests/reference/exact/random_scenes.h"
 
 #include <fmt/format.h>
@@ -33,7 +34,7 @@ struct Subject {
   /// Unit roundoff: half the distance between 1 and the next number.
   double unit() const { return single ? 0x1p-24 : 0x1p-53; }
   process::EngineChoice choice() const {
-    return process::parse_engine(id, process::default_engines(CYLON_BINARY_DIR));
+    return process::parse_engine(id, process::default_engines(binary_dir));
   }
 };
 

@@ -1,6 +1,7 @@
 // An invalid setup is an input error whose message names the mistake and the nearest valid value.
 #include "harness/core/input_error.h"
 #include "tests/conformance/adapters_fixture.h"
+#include "tests/paths.h"
 
 #include <cmath>
 
@@ -46,7 +47,7 @@ const Mistake mistakes[] = {
 TEST(Setup, EveryMistakeIsNamed) {
   const core::Scene scene = three_bodies(71);
   for (const Mistake& mistake : mistakes) {
-    const auto engine = process::parse_engine(mistake.engine, process::default_engines(CYLON_BINARY_DIR));
+    const auto engine = process::parse_engine(mistake.engine, process::default_engines(binary_dir));
     try {
       last(engine, scene, 1e-3, 1);
       ADD_FAILURE() << mistake.engine << " was taken";

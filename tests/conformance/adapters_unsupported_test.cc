@@ -1,6 +1,7 @@
 // Every reason for which an adapter refuses a scene, provoked once: an honest sentence instead of an
 // approximation.
 #include "tests/conformance/adapters_fixture.h"
+#include "tests/paths.h"
 
 #include <functional>
 
@@ -142,7 +143,7 @@ TEST(Unsupported, EveryReasonIsASentence) {
     request.scene = &refusal.scene;
     request.setup.dt = 1e-3;
     request.steps = 5;
-    const auto engine = process::parse_engine(refusal.engine, process::default_engines(CYLON_BINARY_DIR));
+    const auto engine = process::parse_engine(refusal.engine, process::default_engines(binary_dir));
     const process::RunOutcome outcome = process::run(engine, request, limits);
     EXPECT_EQ(results::name(outcome.status), "unsupported")
         << refusal.engine << " should say: " << refusal.reason << "\n"
@@ -175,7 +176,7 @@ TEST(Unsupported, IgnoresIrrelevantFeatures) {
     s.bodies[0].locked = s.bodies[1].locked = true;
   });
   for (const char* id : {"in-house", "ode", "ode-quick"}) {
-    const auto engine = process::parse_engine(id, process::default_engines(CYLON_BINARY_DIR));
+    const auto engine = process::parse_engine(id, process::default_engines(binary_dir));
     EXPECT_TRUE(last(engine, both_locked, 1e-3, 5)[2].position.allFinite()) << id;
   }
 }

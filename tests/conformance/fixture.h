@@ -3,11 +3,12 @@
 #pragma once
 
 #include "harness/process/engines.h"
-#include "harness/study/cell.h"
 #include "harness/scenario/expected.h"
 #include "harness/scenario/input.h"
 #include "harness/scenario/scenario.h"
 #include "harness/scenario/suite.h"
+#include "harness/study/cell.h"
+#include "tests/paths.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -17,17 +18,17 @@
 namespace cylon::conformance {
 
 inline std::filesystem::path source(const std::string& path) {
-  return std::filesystem::path(CYLON_SOURCE_DIR) / path;
+  return std::filesystem::path(source_dir) / path;
 }
 
 inline scenario::Scenario shipped(const std::string& name) {
   const std::filesystem::path plain = source("scenarios/" + name + ".toml");
   return scenario::load(std::filesystem::exists(plain) ? plain
-                                                        : source("scenarios/extremes/" + name + ".toml"));
+                                                       : source("scenarios/extremes/" + name + ".toml"));
 }
 
 inline process::EngineChoice engine(const std::string& id) {
-  return process::parse_engine(id, process::default_engines(CYLON_BINARY_DIR));
+  return process::parse_engine(id, process::default_engines(binary_dir));
 }
 
 /// A claim of the scenario's own scene and truth: the quantity, unjudged, over [0, duration].

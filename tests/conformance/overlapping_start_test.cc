@@ -1,6 +1,7 @@
 // Bodies that are in one another at t = 0: the in-house engine refuses deep overlaps, naming both bodies and
 // the depth, and takes shallow ones; Bullet and ODE take all, each with what it makes of them.
 #include "tests/conformance/adapters_fixture.h"
+#include "tests/paths.h"
 
 namespace cylon::conformance {
 namespace {
@@ -81,7 +82,7 @@ process::RunOutcome outcome_of(const char* id, const core::Scene& scene) {
   request.scene = &scene;
   request.setup.dt = 1. / 240;
   request.steps = 24;
-  return process::run(process::parse_engine(id, process::default_engines(CYLON_BINARY_DIR)), request, limits);
+  return process::run(process::parse_engine(id, process::default_engines(binary_dir)), request, limits);
 }
 
 TEST(OverlappingStart, DeepOverlapIsRejectedAndShallowStaysFinite) {

@@ -4,6 +4,7 @@
 
 #include "engine/integrators/advance.h"
 #include "tests/engine/scheme_systems.h"
+#include "tests/paths.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -213,7 +214,7 @@ struct Recorded {
 class RecordedTop : public testing::TestWithParam<Recorded> {};
 
 TEST_P(RecordedTop, MeetsItsClaim) {
-  std::ifstream file(std::string(CYLON_SOURCE_DIR) + "/tests/data/truth/" + GetParam().name + ".json");
+  std::ifstream file(std::string(source_dir) + "/tests/data/truth/" + GetParam().name + ".json");
   const auto json = nlohmann::json::parse(file);
   const auto number = [](const nlohmann::json& x) { return std::stod(x.get<std::string>()); };
   const auto vector = [&](const nlohmann::json& x) {

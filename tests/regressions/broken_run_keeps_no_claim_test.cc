@@ -3,6 +3,7 @@
 // that breaks within a claim's horizon now is non-finite for it, whatever the claim reads; a claim whose
 // horizon ends before is judged as ever.
 #include "harness/study/cell.h"
+#include "tests/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -32,14 +33,14 @@ until     = 0.5
 tolerance = { absolute = 1e-9, reason = "rounding" }
 )",
                                                       "drifting.toml");
-  const std::string script = CYLON_SOURCE_DIR "/tests/harness/process/scripted_worker.py";
+  const std::string script = std::string(source_dir) + "/tests/harness/process/scripted_worker.py";
   const process::EngineChoice engine = {"mine", {"mine", {"python3", script, "nan"}, ""}, "", "", {}};
   const auto rows = run({&scenario, engine, 0.01, "0.01"}, {60, 60, 0}, {});
   ASSERT_EQ(rows.size(), 2u);
-  EXPECT_EQ(results::name(rows[0].status), "non-finite") << rows[0].claim;
+  EXPECT_EQ(core::name(rows[0].status), "non-finite") << rows[0].claim;
   EXPECT_EQ(rows[0].first_bad_step, 51);
   EXPECT_TRUE(std::isnan(rows[0].measured));
-  EXPECT_EQ(results::name(rows[1].status), "pass") << rows[1].claim;
+  EXPECT_EQ(core::name(rows[1].status), "pass") << rows[1].claim;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 // The adapter sets the margin to zero.
 #include "harness/core/observable.h"
 #include "harness/process/client.h"
+#include "tests/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +31,7 @@ TEST(BulletRoundedEdges, ATiltedCylinderMeetsTheFloorWithItsEdge) {
     request.scene = &scene;
     request.setup.dt = dt;
     request.steps = 200;
-    const RunOutcome outcome = run(parse_engine(id, default_engines(CYLON_BINARY_DIR)), request, {60, 60, 0});
+    const RunOutcome outcome = run(parse_engine(id, default_engines(binary_dir)), request, {60, 60, 0});
     ASSERT_TRUE(outcome.recording) << id << ": " << outcome.reason;
     double deepest = 0;
     for (const core::State& state : outcome.recording->states)

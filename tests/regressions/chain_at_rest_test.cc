@@ -2,6 +2,7 @@
 // speeds were the rounding of the joints' forces, 1e-13 m/s, the tolerance was relative to these, and no step
 // was short enough.  A speed is small against what gravity gives over the chain's length.
 #include "harness/process/client.h"
+#include "tests/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -37,7 +38,7 @@ TEST(ChainAtRest, StaysAtRestForAnyLength) {
     request.scene = &scene;
     request.setup.dt = 1. / 60;
     request.steps = request.every = 54;
-    const RunOutcome outcome = run(parse_engine("in-house", default_engines(CYLON_BINARY_DIR)), request);
+    const RunOutcome outcome = run(parse_engine("in-house", default_engines(binary_dir)), request);
     ASSERT_TRUE(outcome.recording) << outcome.reason;
     EXPECT_TRUE(outcome.recording->remarks.empty()) << links << ": " << outcome.recording->remarks.front();
     // A hundred roundings of the chain's length.
@@ -64,7 +65,7 @@ TEST(SpinWithoutInertia, IsRejectedWithBodyName) {
   request.scene = &scene;
   request.setup.dt = 0.01;
   request.steps = 1;
-  const auto engine = parse_engine("in-house", default_engines(CYLON_BINARY_DIR));
+  const auto engine = parse_engine("in-house", default_engines(binary_dir));
   const RunOutcome refused = run(engine, request);
   EXPECT_EQ(refused.status, results::Status::unsupported);
   EXPECT_NE(refused.reason.find("body 'needle' turns at 0.5 rad/s"), std::string::npos) << refused.reason;

@@ -3,6 +3,7 @@
 // steps.
 #include "bench/pile.h"
 #include "harness/process/client.h"
+#include "tests/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@ TEST(ManySpheresSettle, SwitchToFixedStepsAtFirstPersistentContact) {
     request.scene = &scene;
     request.setup.dt = 1. / 60;
     request.steps = request.every = 240;
-    const RunOutcome outcome = run(parse_engine(id, default_engines(CYLON_BINARY_DIR)), request);
+    const RunOutcome outcome = run(parse_engine(id, default_engines(binary_dir)), request);
     ASSERT_TRUE(outcome.recording) << id << ": " << outcome.reason;
     ASSERT_FALSE(outcome.recording->remarks.empty());
     EXPECT_NE(outcome.recording->remarks.front().find("in fixed steps"), std::string::npos)

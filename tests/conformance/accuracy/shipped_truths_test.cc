@@ -2,6 +2,7 @@
 // known at times that a run visits.
 #include "harness/scenario/scenario.h"
 #include "tests/conformance/accuracy/runner.h"
+#include "tests/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@ namespace fs = std::filesystem;
 std::vector<scenario::Scenario> shipped() {
   std::vector<scenario::Scenario> result;
   std::set<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(fs::path(CYLON_SOURCE_DIR) / "scenarios"))
+  for (const auto& entry : fs::directory_iterator(fs::path(source_dir) / "scenarios"))
     if (entry.path().extension() == ".toml" && entry.path().stem() != "expected") files.insert(entry.path());
   for (const fs::path& file : files) result.push_back(scenario::load(file));
   return result;

@@ -3,6 +3,7 @@
 
 #include "engine/ballistic/ballistic.h"
 #include "tests/engine/same_bits.h"
+#include "tests/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ namespace cylon::engine::ballistic_test {
 inline constexpr Real ulp = std::numeric_limits<Real>::epsilon();
 
 inline nlohmann::json truth(const std::string& name) {
-  std::ifstream in(std::string(CYLON_SOURCE_DIR) + "/tests/data/truth/" + name + ".json");
+  std::ifstream in(std::string(source_dir) + "/tests/data/truth/" + name + ".json");
   return nlohmann::json::parse(in);
 }
 

@@ -1,5 +1,6 @@
 // The command line as a user meets it: exit codes, messages, files, and commands that give a row again.
 #include "tests/harness/cli/fixture.h"
+#include "tests/paths.h"
 
 #include <nlohmann/json.hpp>
 
@@ -10,7 +11,8 @@ namespace {
 
 using nlohmann::json;
 
-const std::string foreign = "--worker 'mine=python3 " CYLON_SOURCE_DIR "/docs/examples/foreign_engine.py'";
+const std::string foreign =
+    "--worker 'mine=python3 " + std::string(source_dir) + "/docs/examples/foreign_engine.py'";
 
 struct Case {
   const char* arguments;
@@ -197,7 +199,8 @@ TEST_F(CommandLine, ResumesInterruptedRun) {
   };
   // The second cell's engine hangs as long as a file stands there, so that the signal always finds the run
   // going.
-  write("engine.sh", "[ -e hang ] && exec sleep 100\nexec " CYLON_BINARY_DIR "/cylon-worker-in-house\n");
+  write("engine.sh",
+        "[ -e hang ] && exec sleep 100\nexec " + std::string(binary_dir) + "/cylon-worker-in-house\n");
   write("hang", "");
   const Ran cut =
       shell("exec cylon run projectile -j 1 --worker 'slow=sh engine.sh' --engine in-house --engine slow",

@@ -1,6 +1,8 @@
 // Runs the real binary in a folder of its own and keeps what it printed.
 #pragma once
 
+#include "tests/paths.h"
+
 #include <gtest/gtest.h>
 
 #include <fcntl.h>
@@ -43,14 +45,14 @@ class CommandLine : public testing::Test {
     return text.str();
   }
   std::string shipped(const std::string& name) const {
-    return read(std::filesystem::path(CYLON_SOURCE_DIR) / "scenarios" / (name + ".toml"));
+    return read(std::filesystem::path(source_dir) / "scenarios" / (name + ".toml"));
   }
 
   /// A shell line in the folder, with `cylon` in PATH and no terminal; SIGINT as soon as `interrupt_when`
   /// says.
   Ran shell(const std::string& line, const std::function<bool()>& interrupt_when = {}) const {
     const std::string script =
-        "cd '" + folder.string() + "' && export PATH='" CYLON_BINARY_DIR "':\"$PATH\" && " + line;
+        "cd '" + folder.string() + "' && export PATH='" + std::string(binary_dir) + "':\"$PATH\" && " + line;
     const std::string out = (folder / ".out").string(), err = (folder / ".err").string();
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);

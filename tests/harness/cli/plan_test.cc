@@ -1,5 +1,6 @@
 // `cylon plan`, and tolerances on the command line, against a worker that has both.
 #include "tests/harness/cli/fixture.h"
+#include "tests/paths.h"
 
 #include <nlohmann/json.hpp>
 
@@ -10,10 +11,10 @@ namespace {
 
 using nlohmann::json;
 
-const std::string controlled = " --engine mine --worker 'mine=python3 " CYLON_SOURCE_DIR
+const std::string controlled = " --engine mine --worker 'mine=python3 " + std::string(source_dir) +
                                "/tests/harness/process/scripted_worker.py adaptive'";
 const std::string foreign =
-    " --engine mine --worker 'mine=python3 " CYLON_SOURCE_DIR "/docs/examples/foreign_engine.py'";
+    " --engine mine --worker 'mine=python3 " + std::string(source_dir) + "/docs/examples/foreign_engine.py'";
 
 TEST_F(CommandLine, PlanPrintsEveryStageWithItsReason) {
   const Ran ran = cylon("plan projectile" + controlled);

@@ -1,5 +1,6 @@
 // `cylon trade` as its user runs it: interrupted and resumed, with engines that break.
 #include "tests/harness/cli/fixture.h"
+#include "tests/paths.h"
 
 #include <nlohmann/json.hpp>
 
@@ -10,8 +11,8 @@ class Trade : public CommandLine {
  protected:
   nlohmann::json tables(const std::string& file) const { return nlohmann::json::parse(read(file))["tables"]; }
   static std::string broken(const std::string& mode) {
-    return "--worker 'broken=python3 " CYLON_SOURCE_DIR "/tests/harness/process/scripted_worker.py " + mode +
-           "'";
+    return "--worker 'broken=python3 " + std::string(source_dir) +
+           "/tests/harness/process/scripted_worker.py " + mode + "'";
   }
 };
 

@@ -4,6 +4,7 @@
 #include "harness/core/event_find.h"
 #include "harness/core/measure.h"
 #include "harness/scenario/scenario.h"
+#include "tests/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -65,8 +66,8 @@ core::Claim claim_of(const scenario::Scenario& scenario, const Row& row) {
 
 TEST_P(TruthEvents, HaveTheKnownValuesWithinTheirBounds) {
   const Row& row = GetParam();
-  const auto scenario = scenario::load(std::filesystem::path(CYLON_SOURCE_DIR) / "scenarios" /
-                                        (std::string(row.scenario) + ".toml"));
+  const auto scenario =
+      scenario::load(std::filesystem::path(source_dir) / "scenarios" / (std::string(row.scenario) + ".toml"));
   const core::Claim claim = claim_of(scenario, row);
   bool found = false;
   for (const core::Event& event : claim.truth->events) {
@@ -90,8 +91,8 @@ INSTANTIATE_TEST_SUITE_P(Shipped, TruthEvents, testing::ValuesIn(rows), [](const
 // Nothing is missed between the samples at which a truth is scanned: five times as many find the same.
 TEST(TruthEventsFound, AreComplete) {
   for (const char* name : {"dzhanibekov", "heavy_top", "spring_orbit"}) {
-    const auto scenario = scenario::load(std::filesystem::path(CYLON_SOURCE_DIR) / "scenarios" /
-                                          (std::string(name) + ".toml"));
+    const auto scenario =
+        scenario::load(std::filesystem::path(source_dir) / "scenarios" / (std::string(name) + ".toml"));
     for (const core::Claim& claim : scenario.claims) {
       if (claim.observable.quantity != core::Quantity::event) continue;
       core::Truth plain = *claim.truth;

@@ -1,5 +1,6 @@
 // Parsing of engine names and variants.
 #include "harness/process/engines.h"
+#include "tests/paths.h"
 #include "harness/core/input_error.h"
 #include "harness/process/engine_table.h"
 
@@ -41,7 +42,7 @@ TEST(Engines, AVariantSetsOptionsPathAndIntegrator) {
 }
 
 TEST(Engines, FollowTheTableOfEngines) {
-  std::ifstream table(CYLON_SOURCE_DIR "/reference/simulators/engines.txt");
+  std::ifstream table(std::string(source_dir) + "/reference/simulators/engines.txt");
   std::vector<std::string> ids, compared;
   for (std::string line; std::getline(table, line);) {
     if (line.starts_with('#')) continue;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "harness/process/client.h"
+#include "tests/paths.h"
 
 #include <sys/wait.h>
 
@@ -11,7 +12,7 @@
 namespace cylon::process {
 
 inline EngineChoice python(const std::string& script, const std::string& mode = {}) {
-  EngineRow row{"test", {"python3", std::string(CYLON_SOURCE_DIR) + "/" + script}, ""};
+  EngineRow row{"test", {"python3", std::string(source_dir) + "/" + script}, ""};
   if (!mode.empty()) row.command.push_back(mode);
   return {"test", row, "", "", {}};
 }

@@ -1,6 +1,7 @@
 // Invalid scenarios are rejected with the place, the value and the valid range.
 #include "harness/core/input_error.h"
 #include "harness/scenario/scenario.h"
+#include "tests/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -274,7 +275,7 @@ TEST(LoaderBase, BaseTextsAreValid) {
   EXPECT_EQ(refusal(ball + claim + "sample = 0.02\nuntil = 1\n" + good_claim), "");
 }
 
-const fs::path data = fs::path(CYLON_SOURCE_DIR) / "tests/data";
+const fs::path data = fs::path(cylon::source_dir) / "tests/data";
 
 TEST(LoaderFiles, ErrorsGiveLineAndColumn) {
   EXPECT_NE(load_refusal(data / "bad/unclosed_string.toml").find("unclosed_string.toml:1:"),

@@ -3,6 +3,7 @@
 #include "harness/scenario/inertia.h"
 #include "harness/scenario/polyhedron.h"
 #include "harness/scenario/scenario.h"
+#include "tests/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@ using namespace cylon;
 using core::Vector3;
 using scenario::parse;
 
-const std::string data = std::string(CYLON_SOURCE_DIR) + "/tests/data/";
+const std::string data = std::string(source_dir) + "/tests/data/";
 const std::string head = "duration = 1\nstep = 0.1\n";
 
 Vector3 moments(const core::Shape& shape, double mass) {

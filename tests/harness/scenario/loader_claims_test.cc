@@ -2,9 +2,11 @@
 #include "harness/core/input_error.h"
 #include "harness/scenario/expected.h"
 #include "harness/scenario/glob.h"
+#include "harness/scenario/input.h"
 #include "harness/scenario/recorded_truth.h"
 #include "harness/scenario/scenario.h"
 #include "harness/scenario/suite.h"
+#include "tests/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +26,7 @@ using namespace cylon;
 using scenario::glob_match;
 using scenario::parse;
 
-const fs::path root = CYLON_SOURCE_DIR;
+const fs::path root = source_dir;
 const std::string head =
     "duration = 0.8\nstep = 0.025\ngravity = [0, -9.81, 0]\n[[body]]\nname = \"body\"\nmass = 1\n"
     "position = [0, 1, 0]\nvelocity = [3, 4, 0.5]\n";
@@ -197,8 +199,8 @@ TEST(Suite, SimBenchmarkHasThePublishedTable) {
   EXPECT_TRUE(glob_match(suite.claim, scenario.claims.at(0).label));
   EXPECT_THROW(
       scenario::parse_suite("scenarios = [\"*\"]\nengines = [\"a\"]\nsteps = [1]\n[[published]]\nengine = "
-                             "\"b\"\ndt = 1\nvalue = \"1\"\nsource = \"s\"\n",
-                             "s.toml"),
+                            "\"b\"\ndt = 1\nvalue = \"1\"\nsource = \"s\"\n",
+                            "s.toml"),
       core::InputError);
 }
 

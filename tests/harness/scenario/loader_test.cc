@@ -2,6 +2,7 @@
 #include "harness/core/input_error.h"
 #include "harness/scenario/input.h"
 #include "harness/scenario/scenario.h"
+#include "tests/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 using namespace cylon;
 using scenario::parse;
 
-const fs::path folder = fs::path(CYLON_SOURCE_DIR) / "scenarios";
+const fs::path folder = fs::path(source_dir) / "scenarios";
 const std::string head = "duration = 1\nstep = \"1/60\"\n";
 
 TEST(Loader, DefaultsOfABody) {

@@ -3,6 +3,7 @@
 #include "harness/scenario/vary.h"
 #include "harness/study/ladder.h"
 #include "tests/harness/cli/fixture.h"
+#include "tests/paths.h"
 
 #include <nlohmann/json.hpp>
 
@@ -88,7 +89,7 @@ TEST_F(Advise, RejectsBadRequests) {
 }
 
 scenario::Scenario shipped_scenario(const std::string& name) {
-  return scenario::load(std::string(CYLON_SOURCE_DIR) + "/scenarios/" + name + ".toml");
+  return scenario::load(std::string(source_dir) + "/scenarios/" + name + ".toml");
 }
 
 // A start that moved, with the truth of the new scene: at t = 0 the two agree, later they part from the old

@@ -3,6 +3,7 @@
 
 #include "harness/core/input_error.h"
 #include "harness/study/ladder.h"
+#include "tests/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +16,7 @@ namespace cylon::study {
 namespace {
 
 scenario::Scenario shipped(const std::string& name) {
-  return scenario::load(std::string(CYLON_SOURCE_DIR) + "/scenarios/" + name + ".toml");
+  return scenario::load(std::string(source_dir) + "/scenarios/" + name + ".toml");
 }
 
 // The truth itself as a run, each state moved by `off`.

@@ -1,6 +1,7 @@
 // `cylon track compare` and `cylon track gate` as a user meets them.
 #include "harness/tracking/track_compare.h"
 #include "tests/harness/cli/fixture.h"
+#include "tests/paths.h"
 
 #include <nlohmann/json.hpp>
 
@@ -17,15 +18,14 @@ class CompareCommand : public CommandLine {
   /// accurate.
   void add_impostor() const {
     std::filesystem::create_directory(folder / "impostor");
-    std::filesystem::copy_file(CYLON_BINARY_DIR "/cylon-worker-bullet-f64",
+    std::filesystem::copy_file(std::string(binary_dir) + "/cylon-worker-bullet-f64",
                                folder / "impostor/cylon-worker-in-house");
   }
 };
 
 TEST_F(CompareCommand, ExitCodesAndMessages) {
   add_impostor();
-  const std::string build = CYLON_BINARY_DIR,
-                    quick = " projectile --engine in-house --no-time --instructions off";
+  const std::string build = binary_dir, quick = " projectile --engine in-house --no-time --instructions off";
   const struct {
     std::string arguments;
     int code;
@@ -59,7 +59,7 @@ TEST_F(CompareCommand, CommandOfCellReproducesIt) {
   add_impostor();
   const Ran ran =
       cylon(std::string("track compare --candidate impostor --no-time --instructions off --baseline ") +
-            CYLON_BINARY_DIR + " projectile --engine in-house --dt 1/50 --json - --junit j.xml");
+            std::string(binary_dir) + " projectile --engine in-house --dt 1/50 --json - --junit j.xml");
   ASSERT_EQ(ran.code, 1) << ran.err;
   const auto row = nlohmann::json::parse(ran.out).at("cells").at(0);
   EXPECT_EQ(row.at("finding"), "regressed");
@@ -70,7 +70,7 @@ TEST_F(CompareCommand, CommandOfCellReproducesIt) {
 
 // An engine of the user's own: the older build goes by --baseline-worker.
 TEST_F(CompareCommand, ComparesExternalEngineByWorkers) {
-  const std::string engine = CYLON_SOURCE_DIR "/docs/examples/foreign_engine.py";
+  const std::string engine = std::string(source_dir) + "/docs/examples/foreign_engine.py";
   write("new.py", replaced(read(engine), "import", "# the newer build\nimport"));
   const std::string words =
       "track gate --instructions off --no-time projectile --engine mine --worker 'mine=python3 " +
@@ -106,8 +106,8 @@ TEST_F(CompareCommand, BuildsRevisionOnce) {
         R"({"version": 5, "configurePresets": [{"name": "release", "generator": "Ninja"}]})");
   const std::string project =
       "cmake_minimum_required(VERSION 3.25)\nproject(small LANGUAGES NONE)\n"
-      "add_custom_target(cylon-worker-in-house COMMAND ${CMAKE_COMMAND} -E copy " CYLON_BINARY_DIR
-      "/cylon-worker-bullet-f64 ${CMAKE_BINARY_DIR}/cylon-worker-in-house)\n";
+      "add_custom_target(cylon-worker-in-house COMMAND ${CMAKE_COMMAND} -E copy " +
+      std::string(binary_dir) + "/cylon-worker-bullet-f64 ${CMAKE_BINARY_DIR}/cylon-worker-in-house)\n";
   write("repo/CMakeLists.txt", project);
   const std::string git = "git -C repo -c user.name=n -c user.email=e ";
   const std::string commit = git + "add . && " + git + "commit -q -m change";

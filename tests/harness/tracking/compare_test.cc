@@ -4,6 +4,7 @@
 
 #include "harness/scenario/scenario.h"
 #include "harness/study/paired_times.h"
+#include "tests/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -219,7 +220,7 @@ class Sides : public testing::Test {
     std::string name = (fs::temp_directory_path() / "cylon-sides-XXXXXX").string();
     ASSERT_NE(::mkdtemp(name.data()), nullptr);
     folder = name;
-    scenario = scenario::load(CYLON_SOURCE_DIR "/scenarios/projectile.toml");
+    scenario = scenario::load(std::string(source_dir) + "/scenarios/projectile.toml");
   }
   void TearDown() override { fs::remove_all(folder); }
 
@@ -231,7 +232,7 @@ class Sides : public testing::Test {
       std::ofstream(place) << worker;
       fs::permissions(place, fs::perms::owner_all);
     } else {
-      fs::copy_file(fs::path(CYLON_BINARY_DIR) / worker, place);
+      fs::copy_file(fs::path(binary_dir) / worker, place);
     }
     return {name, process::default_engines(folder / name)};
   }
@@ -239,7 +240,7 @@ class Sides : public testing::Test {
   results::Comparison compared(const Side& before, const Side& after) const {
     Cell cell;
     cell.scenario = &scenario;
-    cell.engine = process::parse_engine("in-house", process::default_engines(CYLON_BINARY_DIR));
+    cell.engine = process::parse_engine("in-house", process::default_engines(binary_dir));
     cell.dt = scenario.step, cell.dt_text = scenario.step_text;
     CompareOptions options;
     options.time = false;

@@ -2,6 +2,7 @@
 #include "harness/study/instructions.h"
 
 #include "harness/scenario/scenario.h"
+#include "tests/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -15,12 +16,13 @@ namespace {
 namespace fs = std::filesystem;
 
 const scenario::Scenario& spring() {
-  static const scenario::Scenario scenario = scenario::load(CYLON_SOURCE_DIR "/scenarios/spring_orbit.toml");
+  static const scenario::Scenario scenario =
+      scenario::load(std::string(source_dir) + "/scenarios/spring_orbit.toml");
   return scenario;
 }
 
 process::EngineChoice engine(const std::string& id) {
-  return process::parse_engine(id, process::default_engines(CYLON_BINARY_DIR));
+  return process::parse_engine(id, process::default_engines(binary_dir));
 }
 
 InstructionCount count(const process::EngineChoice& choice, std::int64_t steps = 150,
@@ -76,7 +78,9 @@ TEST(Instructions, CountsWholeWorkerWithoutSymbols) {
   fs::create_directories(folder);
   const fs::path bare = folder / "cylon-worker-in-house";
   ASSERT_EQ(
-      std::system(("strip -o " + bare.string() + " " CYLON_BINARY_DIR "/cylon-worker-in-house").c_str()), 0);
+      std::system(
+          ("strip -o " + bare.string() + " " + std::string(binary_dir) + "/cylon-worker-in-house").c_str()),
+      0);
   process::EngineChoice stripped = engine("in-house/integrator=rk4");
   stripped.row.command = {bare.string()};
   const InstructionCount whole = count(stripped), steps = count(engine("in-house/integrator=rk4"), 150, 150);

@@ -4,6 +4,7 @@
 #include "harness/tracking/store/json_lines.h"
 #include "harness/tracking/track_history_rows.h"
 #include "tests/harness/cli/fixture.h"
+#include "tests/paths.h"
 
 namespace cylon::tracking {
 
@@ -13,8 +14,7 @@ namespace {
 class Recorded : public CommandLine {};
 
 TEST_F(Recorded, ChangePointsAreAtTheirRevisionOnly) {
-  const std::filesystem::path data =
-      std::filesystem::path(CYLON_SOURCE_DIR) / "tests/data/tracking/steps.jsonl";
+  const std::filesystem::path data = std::filesystem::path(source_dir) / "tests/data/tracking/steps.jsonl";
   store::Store store = store::Store::open(folder / "history.db", store::Mode::write);
   ASSERT_EQ(store::read_json_lines(store, read(data), data.string()).runs, 42U);
 
@@ -46,7 +46,7 @@ TEST_F(Recorded, ChangePointsAreAtTheirRevisionOnly) {
 }
 
 TEST_F(Recorded, OnTheCommandLine) {
-  const std::string data = CYLON_SOURCE_DIR "/tests/data/tracking/steps.jsonl";
+  const std::string data = std::string(source_dir) + "/tests/data/tracking/steps.jsonl";
   EXPECT_EQ(cylon("track import '" + data + "' --store history.db").code, 0);
   const Ran page = cylon("track history --store history.db --changes");
   EXPECT_EQ(page.code, 0) << page.err;

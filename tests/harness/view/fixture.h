@@ -4,6 +4,7 @@
 #include "harness/process/live.h"
 #include "harness/view/session.h"
 #include "tests/harness/process/fixture.h"
+#include "tests/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@ namespace cylon::view {
 
 inline const process::Limits limits = {20, 20, std::size_t{2} << 30};
 
-inline std::vector<process::EngineRow> rows() { return process::default_engines(CYLON_BINARY_DIR); }
+inline std::vector<process::EngineRow> rows() { return process::default_engines(binary_dir); }
 
 inline process::EngineChoice engine(const std::string& id) { return process::parse_engine(id, rows()); }
 

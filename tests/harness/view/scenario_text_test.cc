@@ -4,6 +4,7 @@
 #include "harness/process/scene_json.h"
 #include "harness/view/toml.h"
 #include "tests/harness/view/fixture.h"
+#include "tests/paths.h"
 
 #include <toml++/toml.h>
 
@@ -91,7 +92,8 @@ TEST(ScenarioText, IsReadBackAsTheSameScene) {
 TEST(ScenarioText, EveryShippedSceneIsReadBackToTheLastBit) {
   int read = 0;
   for (const char* folder : {"/scenarios", "/scenarios/extremes"})
-    for (const fs::directory_entry& entry : fs::directory_iterator(CYLON_SOURCE_DIR + std::string(folder))) {
+    for (const fs::directory_entry& entry :
+         fs::directory_iterator(std::string(source_dir) + std::string(folder))) {
       if (entry.path().extension() != ".toml" || entry.path().stem() == "expected") continue;
       const core::Scene scene = scenario::load(entry.path()).scene;
       EXPECT_EQ(bits(read_again(scene)), bits(scene)) << entry.path();

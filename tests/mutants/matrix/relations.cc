@@ -3,6 +3,7 @@
 #include "tests/mutants/matrix/judge.h"
 #include "tests/mutants/matrix/restated.h"
 #include "tests/mutants/matrix/scenes.h"
+#include "tests/paths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,7 @@ constexpr std::int64_t steps = 616;  // the box has landed
 constexpr double duration = dt * steps;
 
 Scene scene_of(const char* file) {
-  return scenario::load(std::filesystem::path(CYLON_SOURCE_DIR) / "scenarios" / file).scene;
+  return scenario::load(std::filesystem::path(source_dir) / "scenarios" / file).scene;
 }
 
 // Two bodies on a damped spring that ends off their centres; nothing acts from outside.

@@ -2,6 +2,7 @@
 
 #include "harness/core/measure.h"
 #include "harness/core/recording.h"
+#include "tests/paths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +38,7 @@ core::Truth remembered(const core::Truth& truth, double spacing, double until) {
 }  // namespace
 
 Examined examine(const SceneRow& row) {
-  Examined result{scenario::load(std::filesystem::path(CYLON_SOURCE_DIR) / row.file), row, {}, {}};
+  Examined result{scenario::load(std::filesystem::path(source_dir) / row.file), row, {}, {}};
   scenario::Scenario& scenario = result.scenario;
   if (row.duration > 0) scenario.duration = row.duration;
   if (row.step > 0) scenario.step = row.step;

@@ -3,6 +3,7 @@
 #include "harness/scenario/scenario.h"
 #include "reference/certified/solve.h"
 #include "tests/conformance/accuracy/truth/truth_file.h"
+#include "tests/paths.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -163,7 +164,7 @@ TEST(Blow, AgreesWithTruthFileOfHeadOnImpacts) {
 // Each ball passes on (1 + e)/2 = 0.95 of its speed and keeps 0.05; the scene's numbers are decimals.
 TEST(Blow, EnclosesImpactsOfCradle) {
   const scenario::Scenario scenario =
-      scenario::load(std::string(CYLON_SOURCE_DIR) + "/scenarios/newtons_cradle_gapped.toml");
+      scenario::load(std::string(source_dir) + "/scenarios/newtons_cradle_gapped.toml");
   const double times[] = {scenario.duration};
   const Certificate found =
       certify(scenario.scene, times, {}, [](double x) { return Ball(fmt::format("{}", x), 256); });

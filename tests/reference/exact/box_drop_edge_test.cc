@@ -1,6 +1,7 @@
 // A box that falls on its edge: the reference file, other tilts and spins against what a blow keeps,
 // refusals.
 #include "reference/exact/solutions.h"
+#include "tests/paths.h"
 #include "tests/reference/exact/random_scenes.h"
 #include "tests/reference/exact/reference_file.h"
 
@@ -31,7 +32,7 @@ core::Scene scene_of(const core::Vector3& half, double mass, double tilt, double
 }
 
 json reference() {
-  std::ifstream in(std::string(CYLON_SOURCE_DIR) + "/tests/data/truth/box_drop_edge.json");
+  std::ifstream in(std::string(source_dir) + "/tests/data/truth/box_drop_edge.json");
   return json::parse(in);
 }
 

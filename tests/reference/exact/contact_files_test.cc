@@ -1,5 +1,6 @@
 // The solutions with contacts against reference files that hold cases and events in place of trajectories.
 #include "reference/exact/catalogue.h"
+#include "tests/paths.h"
 #include "tests/reference/exact/reference_file.h"
 
 #include <fmt/core.h>
@@ -16,7 +17,7 @@ core::Truth make(std::string_view name, const core::Scene& scene, double horizon
 }
 
 json read(const std::string& name) {
-  std::ifstream in(std::string(CYLON_SOURCE_DIR) + "/tests/data/truth/" + name + ".json");
+  std::ifstream in(std::string(source_dir) + "/tests/data/truth/" + name + ".json");
   return json::parse(in);
 }
 

@@ -4,6 +4,7 @@
 #include "harness/core/scene.h"
 
 #include "tests/conformance/accuracy/truth/truth_file.h"
+#include "tests/paths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +28,7 @@ inline core::Quaternion quaternion(const json& j) {
 
 struct ReferenceFile {
   explicit ReferenceFile(const std::string& name) {
-    std::ifstream in(std::string(CYLON_SOURCE_DIR) + "/tests/data/truth/" + name + ".json");
+    std::ifstream in(std::string(source_dir) + "/tests/data/truth/" + name + ".json");
     if (!in) throw std::runtime_error("no reference file " + name);
     data = json::parse(in);
     read_bodies();

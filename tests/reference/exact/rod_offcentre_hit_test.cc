@@ -1,6 +1,7 @@
 // A sphere that strikes a box off its centre: the reference file, and for boxes in any position what the blow
 // must keep, momentum and angular momentum, and with e = 1 energy.
 #include "reference/exact/solutions.h"
+#include "tests/paths.h"
 #include "tests/reference/exact/random_scenes.h"
 #include "tests/reference/exact/reference_file.h"
 
@@ -41,7 +42,7 @@ core::Scene from(const json& data) {
 }
 
 json reference() {
-  std::ifstream in(std::string(CYLON_SOURCE_DIR) + "/tests/data/truth/rod_offcentre_hit.json");
+  std::ifstream in(std::string(source_dir) + "/tests/data/truth/rod_offcentre_hit.json");
   return json::parse(in);
 }
 

@@ -1,5 +1,6 @@
 // Files with `bodies` and `trajectory`: their keys have the same names as in a scene.
 #include "tests/conformance/accuracy/truth/truth_file.h"
+#include "tests/paths.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -11,7 +12,7 @@
 namespace cylon::accuracy {
 namespace {
 
-const std::filesystem::path folder = std::filesystem::path(CYLON_SOURCE_DIR) / "tests/data/truth";
+const std::filesystem::path folder = std::filesystem::path(source_dir) / "tests/data/truth";
 
 const json& list(const json& file, const char* key) {
   static const json none = json::array();
