@@ -110,7 +110,7 @@ constexpr Impostor impostors[] = {
     {"nonsense", Status::fail, Status::pass, ""},
     {"abort_in_run", Status::crash, Status::crash, "killed by SIGABRT: Assertion 'mass > 0' failed"},
     {"exit_0_in_run", Status::crash, Status::crash, "exited 0 before done"},
-    {"error_in_run", Status::crash, Status::crash, "gave up after step 50: Jacobian is singular"},
+    {"error_in_run", Status::crash, Status::crash, "stopped after step 50: Jacobian is singular"},
     {"loop_in_run", Status::timeout, Status::timeout, "no end of 'run' within 3 s"},
     {"garbage_in_run", Status::protocol, Status::protocol, "Warning: friction too high"},
     {"backward", Status::protocol, Status::protocol, "where step"},

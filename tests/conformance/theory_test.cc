@@ -36,8 +36,8 @@ follows = "projectile"
 observable = "position"
 tolerance = {}
 )",
-                                      tolerance),
-                          "theory_projectile.toml");
+                                     tolerance),
+                         "theory_projectile.toml");
 }
 
 // x = A cos(w t), A = 1.3 m, w = 2.5 rad/s, let go at rest; T = 2.25 periods, where the phase's error shows
@@ -63,8 +63,8 @@ observable = "position"
 sample = "step"
 tolerance = {}
 )",
-                                      4.5 * pi / w, 4.5 * pi / w / 1000, tolerance),
-                          "theory_spring.toml");
+                                     4.5 * pi / w, 4.5 * pi / w / 1000, tolerance),
+                         "theory_spring.toml");
 }
 
 // Turns by 3 rad/s about its principal axis y, for ever.
@@ -85,8 +85,8 @@ follows = "free_asymmetric_top"
 observable = "orientation"
 tolerance = {}
 )",
-                                      tolerance),
-                          "theory_top.toml");
+                                     tolerance),
+                         "theory_top.toml");
 }
 
 // ---- Constants -----------------------------------------------------------------------------------
@@ -175,7 +175,7 @@ TEST(TheoryClaim, ServesSchemesOfDifferentOrders) {
                           Case{"in-house/integrator=symplectic-euler", 1e4, "declared 1"},
                           Case{"in-house/integrator=velocity-verlet", 1e3, "declared 2"},
                           Case{"in-house/integrator=rk4", 400, "declared 4"},
-                          Case{"in-house", 400, "the scheme chooses its own steps, held to order 4"},
+                          Case{"in-house", 400, "the integrator chooses its own steps, held to order 4"},
                           Case{"ode", 1e4, "declared 1"}}) {
     const results::Verdict verdict = conformance::verdict(scenario, row.engine, scenario.duration / row.steps);
     EXPECT_EQ(results::name(verdict.status), "pass")

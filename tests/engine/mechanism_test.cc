@@ -14,7 +14,7 @@ class Mechanism : public EveryScheme {
     if (can) {
       EXPECT_EQ(reason, "");
     } else {
-      EXPECT_NE(reason.find("cannot keep joints"), std::string::npos) << reason;
+      EXPECT_NE(reason.find("cannot integrate joints"), std::string::npos) << reason;
     }
     return can;
   }

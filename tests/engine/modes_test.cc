@@ -177,19 +177,19 @@ struct Refused {
 // What is not linear is integrated.
 TEST(Modes, ApplyToLinearForcesOnly) {
   const Refused table[] = {
-      {"leaves the line", [](Model& m) { m.motions[1].momentum.y() = 1e-9; }, "turn"},
-      {"beside the line", [](Model& m) { m.motions[1].position.z() += 1e-9; }, "turn"},
-      {"pulled off the line", [](Model& m) { m.forces.gravity.y() = -1e-9; }, "turn"},
-      {"driven off the line", [](Model& m) { m.forces.drives[0].force.z() = 1e-9; }, "turn"},
-      {"passes through its neighbour", [](Model& m) { m.motions[1].momentum.x() = -9; }, "shrink"},
-      {"drawn to the pin", [](Model& m) { m.forces.gravity.x() = -60; }, "shrink"},
+      {"leaves the line", [](Model& m) { m.motions[1].momentum.y() = 1e-9; }, "rotate"},
+      {"beside the line", [](Model& m) { m.motions[1].position.z() += 1e-9; }, "rotate"},
+      {"pulled off the line", [](Model& m) { m.forces.gravity.y() = -1e-9; }, "rotate"},
+      {"driven off the line", [](Model& m) { m.forces.drives[0].force.z() = 1e-9; }, "rotate"},
+      {"passes through its neighbour", [](Model& m) { m.motions[1].momentum.x() = -9; }, "zero length"},
+      {"drawn to the pin", [](Model& m) { m.forces.gravity.x() = -60; }, "zero length"},
       {"driven at resonance",
        [](Model& m) {
          const ModeGroup group = normal_modes(m).groups.at(0);
          m.forces.drives[0].frequency = group.frequencies[1];
        },
        "grow"},
-      {"in one place", [](Model& m) { m.motions[0].position.x() = 0; }, "shrink"},
+      {"in one place", [](Model& m) { m.motions[0].position.x() = 0; }, "zero length"},
       {"damped", [](Model& m) { m.forces.springs[0].damping = 0.1; }, "damped"},
       {"attracted",
        [](Model& m) {

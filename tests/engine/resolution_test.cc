@@ -132,15 +132,15 @@ TEST(Resolution, SpringOfZeroLengthIsAccepted) {
 TEST(Resolution, InDoubleTenMillionMetresAreNearAndTenBillionKilometresFar) {
   EXPECT_EQ(unsupported(ball(1e7), automatic()), "");
   EXPECT_EQ(unsupported(ball(1e13), automatic()),
-            "body 0 is 1e+13 m out, where a unit in the last place of double precision is 0.00195 m: more "
-            "than 1/512 of its half-width, 0.37 m");
+            "body 0 is 1e+13 m from the origin, where one ulp of double precision is 0.00195 m: more than "
+            "1/512 of its half-width, 0.37 m");
 }
 #else
 TEST(Resolution, InFloatAKilometreIsNearAndTenThousandFar) {
   EXPECT_EQ(unsupported(ball(1e3F), automatic()), "");
   EXPECT_EQ(unsupported(ball(1e7F), automatic()),
-            "body 0 is 1e+07 m out, where a unit in the last place of single precision is 1 m: more than "
-            "1/512 of its half-width, 0.37 m");
+            "body 0 is 1e+07 m from the origin, where one ulp of single precision is 1 m: more than 1/512 of "
+            "its half-width, 0.37 m");
 }
 #endif
 

@@ -31,7 +31,7 @@ std::vector<std::string> lines(const std::string& text) {
 TEST(ErrorChart, AnExponentialIsAStraightLine) {
   const auto rows = lines(error_chart(growing("position", 1, 1e-2), {.width = 60, .utf8 = false}));
   ASSERT_EQ(rows.size(), 9u);
-  EXPECT_EQ(rows[0], "position, allowed 0.01 m: first beyond it at t = 5.05 s, step 505");
+  EXPECT_EQ(rows[0], "position, allowed 0.01 m: first exceeded at t = 5.05 s, step 505");
   EXPECT_EQ(rows[1].substr(0, 9), "    1e0 |");
   EXPECT_EQ(rows[7].substr(0, 9), "   1e-4 |");
   EXPECT_EQ(rows[4].substr(0, 9), "allowed |") << "1e-2 is half-way between 1e-4 and 1";
@@ -65,7 +65,7 @@ TEST(ErrorChart, NonFiniteValuesLeaveGap) {
   for (std::size_t row = 1; row <= 7; ++row)
     EXPECT_EQ(rows[row].find('*', 9 + 26), std::string::npos) << rows[row];
   for (double& value : curve.value) value = 0;
-  EXPECT_NE(error_chart(curve, {}).find("no error to be drawn"), std::string::npos);
+  EXPECT_NE(error_chart(curve, {}).find("no error to plot"), std::string::npos);
 }
 
 TEST(ErrorChart, EscapesControlSequencesInNames) {

@@ -90,7 +90,7 @@ TEST(Html, CountsTracesBeyondSizeLimit) {
   const json index = index_of(page);
   EXPECT_EQ(index["traces"].size(), 2u);
   EXPECT_EQ(index["traces"][1]["engine"], "b");
-  EXPECT_EQ(index["omitted_traces"], "2 more would make this file larger than can be mailed");
+  EXPECT_EQ(index["omitted_traces"], "2 more were left out to limit the size of this file");
   EXPECT_LT(page.size(), 15u << 20);
 }
 

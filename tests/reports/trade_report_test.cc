@@ -110,7 +110,7 @@ TEST(TradeReport, TextSaysOrderFloorCostAndFront) {
   EXPECT_NE(text.find("no finite run: crash"), std::string::npos);
   EXPECT_EQ(text.find('\x1b'), std::string::npos);
   t.truth.clear();
-  EXPECT_NE(trade_text(t, {}, false).find("no truth is known"), std::string::npos);
+  EXPECT_NE(trade_text(t, {}, false).find("no exact solution is known"), std::string::npos);
   EXPECT_NE(trade_text({}, {}, false).find("nothing to measure"), std::string::npos);
 }
 

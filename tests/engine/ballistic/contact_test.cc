@@ -285,7 +285,7 @@ TEST(BallisticContact, HandsOverUnsupportedStates) {
     add_plane(model, {0, 1, 0}, 0);
     add_sphere(model, 1, Real(0.5), {0, Real(0.5), 0}, Vector3::Zero());
     add_sphere(model, 1, Real(0.5), {0, Real(1.75), 0}, Vector3::Zero());
-    limits.push_back({"stack", "hit without end", model});
+    limits.push_back({"stack", "has too many impacts", model});
   }
   {
     Model model = spheres_of({Real(0.5), 0}, down);  // the same, at rest from the beginning

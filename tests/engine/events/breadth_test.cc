@@ -54,7 +54,7 @@ std::vector<Scene> scenes() {
     add_shape(model, 2, Box{{1, 0.3, 1}}, Vector3::Zero(), exponential(Vector3(0.1, 0.3, -0.05)),
               Vector3::Zero(), Vector3::Zero(), true);
     add_shape(model, 0.7, shape, {0.05, 1.1, -0.1}, q, v / 4, w);
-    result.push_back({name + " on a locked box", 2, model, -1, 2, name == "capsule" ? "by iteration" : ""});
+    result.push_back({name + " on a locked box", 2, model, -1, 2, name == "capsule" ? "iteratively" : ""});
 
     model = without_plane({0.6, 0.4});
     add_shape(model, 1.3, box, {-0.9, 0.03, 0.05}, exponential(Vector3(0.3, 0.2, -0.4)), {2, 0.1, 0},
@@ -66,7 +66,7 @@ std::vector<Scene> scenes() {
   add_shape(pile, 2, Box{{0.5, 0.25, 0.5}}, {0.1, 0.3, 0}, exponential(Vector3(0, 0.4, 0.05)),
             Vector3::Zero(), Vector3::Zero());
   add_shape(pile, 1, box, {0.2, 0.95, 0.1}, exponential(Vector3(0.1, -0.3, 0.2)), {0.2, 0, 0}, {0, 1, 0});
-  result.push_back({"box on box on a plane", 4, pile, -1, 0.28, "by iteration"});
+  result.push_back({"box on box on a plane", 4, pile, -1, 0.28, "iteratively"});
 
   // Three balls that touch each other, and a fourth that is thrown among them.
   Model rack = without_plane({0.8, 0.2});

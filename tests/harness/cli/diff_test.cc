@@ -79,8 +79,8 @@ TEST_F(CommandLine, DiffRefusals) {
   } cases[] = {
       {"projectile in-house empty.csv", "empty.csv:1:1: the first line must be 'time,body,"},
       {"projectile in-house header.csv", "no states"},
-      {"projectile in-house short.csv", "short.csv:2:1: 15 columns are due"},
-      {"projectile in-house word.csv", "word.csv:2:1: column 12: '0.5x' is no number"},
+      {"projectile in-house short.csv", "short.csv:2:1: 15 columns are needed"},
+      {"projectile in-house word.csv", "word.csv:2:1: column 12: '0.5x' is not a number"},
       {"projectile in-house stranger.csv", "stranger.csv:2:1: column 2: the scene has no body 'nobody'"},
       {"projectile in-house back.csv", "does not follow"},
       {"projectile in-house missing.csv", "missing.csv: cannot be read"},

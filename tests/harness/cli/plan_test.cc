@@ -40,18 +40,18 @@ TEST_F(CommandLine, PlanAndToleranceRefusals) {
     int code;
     const char* says;
   } cases[] = {
-      {"plan projectile" + foreign, 2, "engine 'mine' tells no plan"},
+      {"plan projectile" + foreign, 2, "engine 'mine' reports no plan"},
       {"plan projectle", 2, "did you mean 'projectile'?"},
       {"plan heavy_top" + foreign, 2, "unsupported: no joint"},
       {"plan projectile --engine bulet", 2, "did you mean 'bullet'?"},
       {"plan projectile --model full" + foreign, 2, "no options"},
       {"plan projectile --engine in-house/model=planned --model full", 2, "states another"},
-      {"simulate projectile --tolerance 1e-6" + foreign, 2, "has no error-controlled scheme"},
-      {"simulate projectile --tolerance 1e-6" + controlled, 2, "(schemes that do: controlled)"},
+      {"simulate projectile --tolerance 1e-6" + foreign, 2, "has no integrator with error control"},
+      {"simulate projectile --tolerance 1e-6" + controlled, 2, "(integrators that do: controlled)"},
       {"simulate projectile --tolerance 0", 2, "must be a number > 0"},
       {"simulate projectile --tolerance -1", 2, "must be a number > 0"},
       {"simulate projectile --tolerance 1e-6 --at 0.1234567,0.2 --integrator controlled" + controlled, 2,
-       "no common grid"},
+       "no common step"},
   };
   for (const auto& c : cases) {
     const Ran ran = cylon(c.arguments);
@@ -110,7 +110,7 @@ TEST_F(CommandLine, InHousePlansAndTakesATolerance) {
   }
   EXPECT_EQ(cylon("simulate spring_zero_length --tolerance 1e-6 --at 0.7654").code, 0);
   EXPECT_NE(cylon("simulate spring_zero_length --tolerance 1e-6 --integrator rk4")
-                .err.find("schemes that do: auto"),
+                .err.find("integrators that do: auto"),
             std::string::npos);
   EXPECT_NE(cylon("plan projectile --model ful").err.find("did you mean 'full'?"), std::string::npos);
   EXPECT_NE(cylon("engines in-house").out.find("takes a tolerance"), std::string::npos);
@@ -149,7 +149,7 @@ TEST_F(CommandLine, TruthGivesReasonWhenItCannotCertify) {
       {ball + "collide = true\nshape = { type = 'cone', radius = 0.1, length = 0.2 }\n[[plane]]\nname = "
               "'floor'\n"
               "normal = [1, 0, 0]\n[[material]]\nbetween = ['*', '*']\nrestitution = 0\nfriction = 0\n",
-       "", 2, "unsupported: body 'a' may touch and is a cone"},
+       "", 2, "unsupported: body 'a' may touch, but is a cone"},
   };
   for (const auto& c : cases) {
     write("mine.toml", head + c.text);

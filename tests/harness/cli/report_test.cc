@@ -113,7 +113,7 @@ TEST_F(CommandLine, ReportRefusals) {
       {"half.json --html r.html", "half.json: no JSON"},
       {"other.json --html r.html", "other.json: not a document of Cylon"},
       {"line.jsonl --html r.html", "line.jsonl:1: "},
-      {"v.json v.json --html r.html", "v.json: a report has one file of verdicts"},
+      {"v.json v.json --html r.html", "v.json: a report takes one file of verdicts"},
       {"v.json --html no/folder/r.html", "no/folder/r.html"},
       {"v.json --baseline other.json --html r.html", "other.json"},
       {". --html r.html", ".: "},

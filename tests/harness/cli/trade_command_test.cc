@@ -79,7 +79,7 @@ TEST_F(Trade, MeasuresConservationWithoutClaims) {
       "t.json");
   ASSERT_EQ(ran.code, 0) << ran.err;
   const auto table = tables("t.json")[0];
-  EXPECT_NE(table["truth"].get<std::string>().find("uncertified"), std::string::npos);
+  EXPECT_NE(table["truth"].get<std::string>().find("not certified"), std::string::npos);
   std::vector<std::string> names;
   for (const auto& m : table["measures"]) names.push_back(m["name"]);
   EXPECT_EQ(names, (std::vector<std::string>{"trajectory", "position", "orientation", "energy",

@@ -326,9 +326,9 @@ TEST(EventClaim, CollisionOrderIsASequence) {
     const char* detail;
   };
   for (const Case& row :
-       {Case{{0, 1, 2}, 0, ""}, Case{{0, 2, 1}, 2, "collision 2 is of c and d where b and c is due"},
-        Case{{0, 1}, 1, "collision 3 is of nothing where c and d is due"},
-        Case{{0, 1, 2, 0}, 1, "collision 4 is of body and b where nothing is due"}}) {
+       {Case{{0, 1, 2}, 0, ""}, Case{{0, 2, 1}, 2, "collision 2 is of c and d, but b and c was expected"},
+        Case{{0, 1}, 1, "collision 3 is of nothing, but c and d was expected"},
+        Case{{0, 1, 2, 0}, 1, "collision 4 is of body and b, but nothing was expected"}}) {
     Recording run;
     run.dt = 0.1;
     run.events = sequence(row.run);

@@ -86,10 +86,10 @@ TEST(Tolerance, IsRejectedWithoutErrorControl) {
   const struct {
     const char *mode, *integrator, *says;
   } cases[] = {
-      {"good", "", "engine 'test' has no error-controlled scheme"},
+      {"good", "", "engine 'test' has no integrator with error control"},
       {"adaptive", "", "its default integrator does not control its error"},
       {"adaptive", "stiff", "integrator 'stiff' does not control its error"},
-      {"adaptive", "stiff", "(schemes that do: controlled)"},
+      {"adaptive", "stiff", "(integrators that do: controlled)"},
   };
   for (const auto& c : cases) {
     RunRequest request = request_of(scene, 10);

@@ -77,7 +77,7 @@ TEST_F(Advise, PricesOnlyFeaturesOfTheScene) {
 
 TEST_F(Advise, RejectsBadRequests) {
   for (const auto& [command, word] :
-       std::vector<std::pair<std::string, std::string>>{{"advise", "which scenario"},
+       std::vector<std::pair<std::string, std::string>>{{"advise", "a scenario is missing"},
                                                         {"advise projectil", "did you mean"},
                                                         {"advise projectile --tolerance 0", "--tolerance"},
                                                         {"advise projectile --observable energi", "energy"},

@@ -141,7 +141,7 @@ TEST(Probes, IdentifySmallEngine) {
       {"restitution", "speed before gravity acts in the step", {}},
       {"restitution", "speed after gravity acts in the step", {.target = Traits::after}},
       {"slow bounces", "restitution is applied down to 0.01 m/s", {}},
-      {"slow bounces", "restitution is lost at 0.3 m/s and below", {.threshold = 0.5}},
+      {"slow bounces", "no restitution at 0.3 m/s and below", {.threshold = 0.5}},
       {"friction", "Coulomb cone", {}},
       {"friction", "friction pyramid: depends on the direction", {.pyramid = true}},
       {"speed limit", "none up to 1e5 m/s", {}},

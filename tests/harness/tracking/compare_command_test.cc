@@ -33,7 +33,7 @@ TEST_F(CompareCommand, ExitCodesAndMessages) {
   } cases[] = {
       {"compare --help", 0, "--baseline-worker"},
       {"gate --help", 0, "Holm"},
-      {"compare projectile", 2, "say what to compare with"},
+      {"compare projectile", 2, "--baseline is missing"},
       {"compare --baseline nosuch projectile", 2, "is no build folder, no binary, no git revision"},
       {"compare --baseline . projectile", 2, "there is no cylon-worker-* in this folder"},
       {"compare --baseline run:7 projectile", 2, "history"},
@@ -88,7 +88,7 @@ TEST_F(CompareCommand, ComparesResultsWithStoredRun) {
   const Ran same = cylon("track compare --baseline run:before" + quick);
   EXPECT_EQ(same.code, 0) << same.out << same.err;
   EXPECT_NE(same.out.find("1 same"), std::string::npos) << same.out;
-  EXPECT_NE(same.out.find("times are not compared with a past moment"), std::string::npos) << same.out;
+  EXPECT_NE(same.out.find("times are not compared with a stored run"), std::string::npos) << same.out;
   EXPECT_EQ(cylon("track compare --baseline before --candidate impostor" + quick).code, 1);
   write("projectile.toml", replaced(shipped("projectile"), "mass     = 1.0", "mass     = 1.5"));
   const Ran other =

@@ -278,7 +278,7 @@ TEST_F(Sides, NewFailureIsRegressionAndMissingIsReported) {
                {dead, good, Finding::improved, "the baseline did not run"},
                {dead, gone, Finding::skipped, "neither build runs"},
                {none, good, Finding::skipped, "none has no worker for 'in-house'"},
-               {good, none, Finding::regressed, "none has no worker for 'in-house' any more"}};
+               {good, none, Finding::regressed, "none no longer has a worker for 'in-house'"}};
   for (const auto& c : cases) {
     const results::Comparison row = compared(c.before, c.after);
     EXPECT_EQ(row.finding, c.finding) << c.says;

@@ -112,7 +112,7 @@ TEST_P(Blow, ExactSolutionIsEnclosed) {
     EXPECT_TRUE(arb_contains(found.impacts[k].time.get(), time.get()));
     EXPECT_LT(found.impacts[k].time.radius(), 1e-20);
   }
-  EXPECT_TRUE(std::isnan(found.samples[0].conditioning)) << "not followed across blows";
+  EXPECT_TRUE(std::isnan(found.samples[0].conditioning)) << "not computed across impacts";
 }
 
 TEST_P(Blow, ExcludesSolutionOfOtherRestitution) {

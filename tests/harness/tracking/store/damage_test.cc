@@ -92,9 +92,9 @@ TEST_F(Damage, RejectsNewerSchemaInWriteAheadLog) {
 
 TEST_F(Damage, RejectsFilesThatAreNotStores) {
   write(file, "run,revision\n1,2\n");
-  expect_refused("is no store");
+  expect_refused("is not a store");
   write(file, std::string(100'000, '\x5a'));
-  expect_refused("is no store");
+  expect_refused("is not a store");
   fs::remove(file);
   raw("CREATE TABLE of_somebody_else (x); INSERT INTO of_somebody_else VALUES (1)");
   expect_refused("is a database, but not a store of Cylon");
