@@ -44,27 +44,10 @@ void fit_joint(Json& row) {
     row.erase("point");
 }
 
-// The same row with the words first that say what it is.
-Json led(const nlohmann::json& row) {
-  Json result = Json::object();
-  for (const char* key : {"name", "type", "body", "to"})
-    if (row.contains(key)) result[key] = row[key];
-  result.update(row);
-  return result;
-}
-
 }  // namespace
 
 Json scene_keys(const core::Scene& scene) {
-  Json result = Json::object();
-  const nlohmann::json of_workers = process::to_json(scene);
-  for (const auto& [key, value] : of_workers.items()) {
-    Json& place = result[key] = value;
-    if (value.is_array() && !value.empty() && value[0].is_object()) {
-      place = Json::array();
-      for (const auto& row : value) place.push_back(led(row));
-    }
-  }
+  Json result = process::to_ordered_json(scene);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) fit_body(result["body"][i], scene.bodies[i]);
   for (Json& row : result["thrust"]) fit_thrust(row);
   for (Json& row : result["joint"]) fit_joint(row);

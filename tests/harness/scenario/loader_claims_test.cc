@@ -204,13 +204,6 @@ TEST(Suite, SimBenchmarkHasThePublishedTable) {
       core::InputError);
 }
 
-// Refresh with CYLON_UPDATE_SCHEMA=1 in the environment.
-TEST(Schema, TheCommittedFileIsCurrent) {
-  const fs::path file = root / "scenarios/scenario.schema.json";
-  if (std::getenv("CYLON_UPDATE_SCHEMA")) std::ofstream(file) << scenario::schema_json();
-  EXPECT_EQ(scenario::read_file(file), scenario::schema_json());
-}
-
 // Whether a table's keys are all known to an object schema, below it as well.
 bool known(const toml::table& table, const nlohmann::json& schema);
 
