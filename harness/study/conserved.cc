@@ -12,6 +12,8 @@ struct Part {
   bool conservative = true, internal = true;
 };
 
+constexpr Part spoils{false, false};
+
 Part part(const core::Force& force) {
   return std::visit(core::Overloaded{
                         [](const core::UniformGravity& g) {
@@ -23,9 +25,10 @@ Part part(const core::Force& force) {
                         [](const core::Attraction&) {
                           return Part{true, true};
                         },
-                        [](const auto&) {
-                          return Part{false, false};
-                        },
+                        [](const core::Drag&) { return spoils; },
+                        [](const core::Thrust&) { return spoils; },
+                        [](const core::Drive&) { return spoils; },
+                        [](const core::Water&) { return spoils; },
                     },
                     force);
 }

@@ -10,34 +10,22 @@ namespace {
 
 using core::Quantity;
 
-constexpr Quantity quantities[] = {
-    Quantity::position,        Quantity::orientation,      Quantity::velocity, Quantity::angular_velocity,
-    Quantity::linear_momentum, Quantity::angular_momentum, Quantity::energy,
+// What two runs are compared in, whether each body has a value of its own, and the size of that in a scene.
+struct Row {
+  Quantity quantity;
+  bool of_bodies;
+  double (*size)(const Scales&, double mass);
 };
-
-bool of_bodies(Quantity quantity) {
-  return quantity == Quantity::position || quantity == Quantity::orientation ||
-         quantity == Quantity::velocity || quantity == Quantity::angular_velocity;
-}
-
-double size_of(Quantity quantity, const Scales& scales, double mass) {
-  switch (quantity) {
-    case Quantity::position:
-      return scales.length;
-    case Quantity::velocity:
-      return scales.speed;
-    case Quantity::angular_velocity:
-      return scales.angular_velocity;
-    case Quantity::linear_momentum:
-      return mass * scales.speed;
-    case Quantity::angular_momentum:
-      return mass * scales.speed * scales.length;
-    case Quantity::energy:
-      return mass * scales.speed * scales.speed / 2;
-    default:
-      return 1;  // orientation [rad]
-  }
-}
+constexpr Row rows[] = {
+    {Quantity::position, true, [](const Scales& s, double) { return s.length; }},
+    {Quantity::orientation, true, [](const Scales&, double) { return 1.0; }},  // [rad]
+    {Quantity::velocity, true, [](const Scales& s, double) { return s.speed; }},
+    {Quantity::angular_velocity, true, [](const Scales& s, double) { return s.angular_velocity; }},
+    {Quantity::linear_momentum, false, [](const Scales& s, double mass) { return mass * s.speed; }},
+    {Quantity::angular_momentum, false,
+     [](const Scales& s, double mass) { return mass * s.speed * s.length; }},
+    {Quantity::energy, false, [](const Scales& s, double mass) { return mass * s.speed * s.speed / 2; }},
+};
 
 // NaN is farther than any number.
 bool farther(double a, double b) { return std::isnan(a) ? !std::isnan(b) : a > b; }
@@ -47,11 +35,12 @@ struct Apart {
   int body = -1;
 };
 
-Apart apart(const core::Observable& q, const core::Scene& scene, const core::State& a, const core::State& b) {
+Apart apart(const core::Observable& q, bool of_bodies, const core::Scene& scene, const core::State& a,
+            const core::State& b) {
   core::Values ours, theirs;
   core::evaluate(q, scene, a, ours);
   core::evaluate(q, scene, b, theirs);
-  if (!of_bodies(q.quantity)) return {core::distance(q, ours, theirs), -1};
+  if (!of_bodies) return {core::distance(q, ours, theirs), -1};
   Apart worst{0, 0};
   for (std::size_t i = 0; i < ours.size(); ++i) {
     const double d = core::distance(q, {ours[i]}, {theirs[i]});
@@ -69,14 +58,14 @@ std::vector<Curve> divergence(const core::Scene& scene, double duration, const c
   for (const core::Body& body : scene.bodies)
     if (!body.locked) mass += body.mass;
   std::vector<Curve> curves;
-  for (const Quantity quantity : quantities) {
+  for (const Row& row : rows) {
     core::Observable q;
-    q.quantity = quantity;
+    q.quantity = row.quantity;
     Curve curve;
-    curve.quantity = quantity, curve.unit = core::unit(q);
-    curve.allowed = tolerance * size_of(quantity, unit, mass);
+    curve.quantity = row.quantity, curve.unit = core::unit(q);
+    curve.allowed = tolerance * row.size(unit, mass);
     for (std::size_t i = 0; i < a.states.size(); ++i) {
-      const Apart here = apart(q, scene, a.states[i], b.states[i]);
+      const Apart here = apart(q, row.of_bodies, scene, a.states[i], b.states[i]);
       if (!curve.first && !(here.distance <= curve.allowed)) curve.first = i;
       if (i > 0 && farther(here.distance, curve.distance[curve.largest])) curve.largest = i;
       curve.distance.push_back(here.distance);

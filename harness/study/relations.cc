@@ -259,7 +259,8 @@ double order(const Subject& s, const Runner& run) {
     std::visit(core::Overloaded{[](core::UniformGravity&) {}, [](core::Water&) {},
                                 [&](core::Spring& k) { move(k.body), move(k.to); },
                                 [&](core::Attraction& a) { move(a.body), move(a.to); },
-                                [&](auto& acts) { move(acts.body); }},
+                                [&](core::Drag& d) { move(d.body); }, [&](core::Thrust& t) { move(t.body); },
+                                [&](core::Drive& d) { move(d.body); }},
                f);
   for (core::Joint& j : scene.joints) move(j.body), move(j.to);
   return worst(s, again(s, run, scene), [](State plain, double) {

@@ -24,7 +24,9 @@ double size(const core::Primitive& shape) {
                         [](const core::Box& s) { return s.half_extents.norm(); },
                         [&](const core::Hull& s) { return farthest(s.vertices); },
                         [&](const core::Mesh& s) { return farthest(s.vertices); },
-                        [](const auto& s) { return std::hypot(s.radius, s.length); },
+                        [](const core::Capsule& s) { return std::hypot(s.radius, s.length); },
+                        [](const core::Cylinder& s) { return std::hypot(s.radius, s.length); },
+                        [](const core::Cone& s) { return std::hypot(s.radius, s.length); },
                     },
                     shape);
 }

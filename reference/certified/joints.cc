@@ -110,9 +110,16 @@ struct Rows {
     if (joint.type == core::JointType::distance) return distance(joint);
     const bool pin = holds_pin(index, joint.body) || holds_pin(index, joint.to);
     if (!pin) together(joint);
-    if (pin && joint.type == core::JointType::hinge) return;
-    if (joint.type == core::JointType::hinge) hinge(joint);
-    if (joint.type == core::JointType::fixed) fixed(joint);
+    switch (joint.type) {
+      case core::JointType::hinge:
+        if (!pin) hinge(joint);
+        return;
+      case core::JointType::fixed:
+        return fixed(joint);
+      case core::JointType::ball:
+      case core::JointType::distance:
+        return;
+    }
   }
 };
 

@@ -15,10 +15,16 @@ class Nudges {
     for (std::size_t f = 0; f < scene.forces.size(); ++f) force(f);
     for (std::size_t j = 0; j < scene.joints.size(); ++j) {
       vector([j](core::Scene & s) -> auto& { return s.joints[j].point; });
-      if (scene.joints[j].type == core::JointType::hinge) {
-        vector([j](core::Scene & s) -> auto& { return s.joints[j].axis; });
-      } else if (scene.joints[j].type == core::JointType::distance) {
-        number([j](core::Scene & s) -> auto& { return s.joints[j].length; });
+      switch (scene.joints[j].type) {
+        case core::JointType::hinge:
+          vector([j](core::Scene & s) -> auto& { return s.joints[j].axis; });
+          break;
+        case core::JointType::distance:
+          number([j](core::Scene & s) -> auto& { return s.joints[j].length; });
+          break;
+        case core::JointType::ball:
+        case core::JointType::fixed:
+          break;
       }
     }
     for (std::size_t p = 0; p < scene.planes.size(); ++p) {

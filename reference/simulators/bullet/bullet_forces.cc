@@ -85,7 +85,11 @@ struct Reason {
     return "Bullet has no changing mass (thrust with mass_rate).";
   }
   std::optional<std::string> operator()(const core::Water&) const { return "Bullet has no water."; }
-  std::optional<std::string> operator()(const auto&) const { return std::nullopt; }
+  std::optional<std::string> operator()(const core::UniformGravity&) const { return std::nullopt; }
+  std::optional<std::string> operator()(const core::Spring&) const { return std::nullopt; }
+  std::optional<std::string> operator()(const core::Drag&) const { return std::nullopt; }
+  std::optional<std::string> operator()(const core::Drive&) const { return std::nullopt; }
+  std::optional<std::string> operator()(const core::Attraction&) const { return std::nullopt; }
 };
 
 }  // namespace

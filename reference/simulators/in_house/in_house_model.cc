@@ -132,11 +132,23 @@ core::Quaternion orientation_of(const Scene& scene, int body) {
   return body == core::world ? core::Quaternion::Identity() : body_of(scene, body).initial.orientation;
 }
 
+engine::Joint::Type type_of(core::JointType type) {
+  switch (type) {
+    case core::JointType::ball:
+      return engine::Joint::Type::ball;
+    case core::JointType::hinge:
+      return engine::Joint::Type::hinge;
+    case core::JointType::distance:
+      return engine::Joint::Type::distance;
+    case core::JointType::fixed:
+      break;
+  }
+  return engine::Joint::Type::fixed;
+}
+
 engine::Joint joint_of(const Scene& scene, const core::Joint& joint) {
-  constexpr engine::Joint::Type types[] = {engine::Joint::Type::ball, engine::Joint::Type::hinge,
-                                           engine::Joint::Type::distance, engine::Joint::Type::fixed};
   engine::Joint result;
-  result.type = types[static_cast<std::size_t>(joint.type)];
+  result.type = type_of(joint.type);
   result.body = joint.body;
   result.to = joint.to;
   if (joint.type == core::JointType::distance) {  // joins centres, or a centre and a point of the world

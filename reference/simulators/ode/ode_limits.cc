@@ -29,7 +29,11 @@ const char* missing(const core::Shape& shape) {
                        return what;
                    return nullptr;
                  },
-                 [](const auto&) -> const char* { return nullptr; }},
+                 [](const std::monostate&) -> const char* { return nullptr; },
+                 [](const core::Sphere&) -> const char* { return nullptr; },
+                 [](const core::Box&) -> const char* { return nullptr; },
+                 [](const core::Capsule&) -> const char* { return nullptr; },
+                 [](const core::Cylinder&) -> const char* { return nullptr; }},
       shape);
 }
 

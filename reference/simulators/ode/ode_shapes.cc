@@ -23,19 +23,24 @@ struct Geom {
 };
 
 Geom make(dSpaceID space, const core::Primitive& shape) {
-  return std::visit(Overloaded{[&](const core::Sphere& s) { return Geom{dCreateSphere(space, s.radius)}; },
-                               [&](const core::Box& s) {
-                                 const Vector3 sides = 2 * s.half_extents;
-                                 return Geom{dCreateBox(space, sides.x(), sides.y(), sides.z())};
-                               },
-                               [&](const core::Capsule& s) {
-                                 return Geom{dCreateCapsule(space, s.radius, s.length), z_to_y};
-                               },
-                               [&](const core::Cylinder& s) {
-                                 return Geom{dCreateCylinder(space, s.radius, s.length), z_to_y};
-                               },
-                               [](const auto&) { return Geom{}; }},
-                    shape);
+  return std::visit(
+      Overloaded{[&](const core::Sphere& s) { return Geom{dCreateSphere(space, s.radius)}; },
+                 [&](const core::Box& s) {
+                   const Vector3 sides = 2 * s.half_extents;
+                   return Geom{dCreateBox(space, sides.x(), sides.y(), sides.z())};
+                 },
+                 [&](const core::Capsule& s) {
+                   return Geom{dCreateCapsule(space, s.radius, s.length), z_to_y};
+                 },
+                 [&](const core::Cylinder& s) {
+                   return Geom{dCreateCylinder(space, s.radius, s.length), z_to_y};
+                 },
+                 [](const std::monostate&) { return Geom{}; },
+                 // ode_limit refuses these.
+                 [](const core::Cone&) { return Geom{}; }, [](const core::Rod&) { return Geom{}; },
+                 [](const core::Disc&) { return Geom{}; }, [](const core::Hull&) { return Geom{}; },
+                 [](const core::Mesh&) { return Geom{}; }},
+      shape);
 }
 
 // p and q: the primitive in the body frame.

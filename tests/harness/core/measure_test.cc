@@ -10,6 +10,7 @@
 namespace {
 
 using namespace cylon::core;
+using namespace cylon::results;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 Body rigid(const std::string& name, double mass, const Vector3& moments) {
