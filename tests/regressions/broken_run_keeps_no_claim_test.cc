@@ -37,10 +37,10 @@ tolerance = { absolute = 1e-9, reason = "rounding" }
   const process::EngineChoice engine = {"mine", {"mine", {"python3", script, "nan"}, ""}, "", "", {}};
   const auto rows = run({&scenario, engine, 0.01, "0.01"}, {60, 60, 0}, {});
   ASSERT_EQ(rows.size(), 2u);
-  EXPECT_EQ(core::name(rows[0].status), "non-finite") << rows[0].claim;
+  EXPECT_EQ(results::name(rows[0].status), "non-finite") << rows[0].claim;
   EXPECT_EQ(rows[0].first_bad_step, 51);
   EXPECT_TRUE(std::isnan(rows[0].measured));
-  EXPECT_EQ(core::name(rows[1].status), "pass") << rows[1].claim;
+  EXPECT_EQ(results::name(rows[1].status), "pass") << rows[1].claim;
 }
 
 }  // namespace
