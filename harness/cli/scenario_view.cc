@@ -8,6 +8,7 @@ namespace cylon::cli {
 using Json = nlohmann::ordered_json;
 
 Json scenario_facts(const scenario::Scenario& scenario) {
+  scenario::require_prepared(scenario);
   Json claims = Json::array();
   for (const core::Claim& claim : scenario.claims)
     claims.push_back({{"label", claim.label},

@@ -200,7 +200,7 @@ bool is_stranger(const Context& context, const scenario::Scenario& scenario) {
   const auto own = own_scenario(context, scenario.name);
   std::error_code ignored;
   if (!own || fs::equivalent(*own, scenario.file, ignored)) return false;
-  return scenario::load(*own).hash != scenario.hash;
+  return scenario::read(*own).hash != scenario.hash;
 }
 
 // `cylon run SCENARIO --engine ID --dt S`, with the worker of an engine that is not built in.
@@ -238,7 +238,7 @@ Selection select(const Context& context, const Request& request) {
 
   std::set<std::string> labels;
   for (const auto& [given, file] : chosen) {
-    auto scenario = std::make_unique<scenario::Scenario>(scenario::load(file));
+    auto scenario = std::make_unique<scenario::Scenario>(scenario::read(file));
     const std::string known_as = is_stranger(context, *scenario) ? given : scenario->name;
     if (!labels.insert(scenario->name).second) scenario->name = given;  // two of one name in one report
     const std::vector<Step> nominal = {{scenario->step_text, scenario->step}};
@@ -252,7 +252,9 @@ Selection select(const Context& context, const Request& request) {
                                    request.metamorphic ? study::Exam::relations : study::Exam::claims,
                                    request.tolerance_scale, request.copies});
     }
-    if (used) selection.scenarios.push_back(std::move(scenario));
+    if (!used) continue;
+    scenario::prepare(*scenario);
+    selection.scenarios.push_back(std::move(scenario));
   }
   return selection;
 }

@@ -42,7 +42,7 @@ struct Claim {
   std::string label;  ///< Unique in its scenario: "axis follows heavy_top", "energy".
   Observable observable;
   std::string follows;         ///< Name of the truth; empty: the observable keeps its initial value.
-  std::optional<Truth> truth;  ///< Present exactly when `follows` is not empty.
+  std::optional<Truth> truth;  ///< What it follows, once that is known; cannot be measured before.
   double truth_error = 0;      ///< Its bound in the observable's unit.
   Reduction reduction = Reduction::max;
   double until = std::numeric_limits<double>::infinity();  ///< Horizon [s].

@@ -10,11 +10,18 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <stdexcept>
 
 namespace cylon::core {
 namespace {
 
 double horizon(const Claim& claim, double duration) { return std::min(claim.until, duration); }
+
+// A claim that follows a truth is never measured against anything else.
+void require_truth(const Claim& claim) {
+  if (!claim.follows.empty() && !claim.truth)
+    throw std::logic_error(fmt::format("{}: the truth '{}' is not there", claim.label, claim.follows));
+}
 
 // Whether the claim looks at the sample after `step` steps.
 class Chosen {
@@ -182,6 +189,7 @@ void measure_order_of_scheme(const Claim& claim, const Scene& scene, std::span<c
 }  // namespace
 
 Series deviation(const Claim& claim, const Scene& scene, const Recording& recording) {
+  require_truth(claim);
   Series series;
   const Chosen chosen(claim, recording.dt, recording.steps.empty() ? 0 : recording.steps.back());
   Values start, want, got;
@@ -219,6 +227,7 @@ double observed_order(std::span<const double> dt, std::span<const double> error)
 }
 
 double scale(const Claim& claim, const Scene& scene, double duration) {
+  require_truth(claim);
   const Observable& q = claim.observable;
   if (q.quantity == Quantity::event) {
     double size = 0;
@@ -253,6 +262,7 @@ int runs_needed(const Claim& claim) {
 
 Measured measure(const Claim& claim, const Scene& scene, std::span<const Recording> recordings,
                  double duration) {
+  require_truth(claim);
   const Recording& recording = recordings.front();
   const Tolerance& tolerance = claim.tolerance;
   Measured result;

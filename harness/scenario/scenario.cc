@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
+#include <utility>
 
 namespace cylon::scenario {
 namespace {
@@ -24,12 +25,10 @@ void require_whole_steps(const Table& root, double duration, double step) {
   }
 }
 
-}  // namespace
-
-Scenario parse(std::string_view text, const std::string& file_name) {
+Scenario read(std::string_view text, const std::string& file_name) {
   const std::filesystem::path path(file_name);
-  const Document document(text, file_name, scenario_keys());
-  const Table root = document.root();
+  const auto document = std::make_shared<const Document>(text, file_name, scenario_keys());
+  const Table root = document->root();
 
   Scenario scenario;
   scenario.name = path.stem().string();
@@ -40,7 +39,7 @@ Scenario parse(std::string_view text, const std::string& file_name) {
   scenario.sources = root.texts("sources");
   scenario.duration = root.number("duration");
   scenario.step = read_step(root);
-  scenario.step_text = document.written(root, "step");
+  scenario.step_text = document->written(root, "step");
   require_whole_steps(root, scenario.duration, scenario.step);
 
   Draft draft;
@@ -55,13 +54,41 @@ Scenario parse(std::string_view text, const std::string& file_name) {
   read_joints(root, draft);
   read_materials(root, draft);
   refuse_overlaps(draft);
-  scenario.claims = read_claims(root, draft, scenario.duration, scenario.step);
+  ReadClaims claims = read_claims(root, draft, scenario.duration, scenario.step);
+  scenario.claims = std::move(claims.claims);
+  if (!claims.certified.empty())
+    scenario.unsolved = std::make_shared<const CertifiedClaims>(document, std::move(claims.certified));
 
   scenario.scene = std::move(draft.scene);
   scenario.hash = draft.fingerprint.hex();
   return scenario;
 }
 
-Scenario load(const std::filesystem::path& path) { return parse(read_file(path), path.string()); }
+}  // namespace
+
+Scenario read(const std::filesystem::path& path) { return read(read_file(path), path.string()); }
+
+void prepare(Scenario& scenario) {
+  if (!scenario.unsolved) return;
+  scenario.claims = scenario.unsolved->solved(scenario);
+  scenario.unsolved = nullptr;
+}
+
+void require_prepared(const Scenario& scenario) {
+  if (scenario.unsolved)
+    throw std::logic_error(fmt::format("{}: the certified truths are not solved", scenario.name));
+}
+
+Scenario load(const std::filesystem::path& path) {
+  Scenario scenario = read(path);
+  prepare(scenario);
+  return scenario;
+}
+
+Scenario parse(std::string_view text, const std::string& file_name) {
+  Scenario scenario = read(text, file_name);
+  prepare(scenario);
+  return scenario;
+}
 
 }  // namespace cylon::scenario

@@ -5,11 +5,14 @@
 #include "harness/core/scene.h"
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace cylon::scenario {
+
+class CertifiedClaims;
 
 struct Scenario {
   std::string name;  ///< The file's name without its ending.
@@ -23,14 +26,26 @@ struct Scenario {
   core::Scene scene;
   std::vector<core::Claim> claims;
   std::string hash;  ///< FNV-1a 64 of the file and of every file that it names, as 16 hex digits.
+  std::shared_ptr<const CertifiedClaims> unsolved = nullptr;  ///< Claims without their truth: see prepare().
 };
 
 /// Reads a scenario file.  Throws core::InputError "file:line:column: …" for all that cannot be: a file that
 /// is missing, a folder, empty or over 16 MB; bad TOML; unknown keys, with the nearest valid one; impossible
-/// values, with the valid range.
+/// values, with the valid range.  Claims that follow the certified truth do not have it yet.
+Scenario read(const std::filesystem::path&);
+
+/// Solves the certified truths and checks the tolerances of the claims that follow them.  Throws
+/// core::InputError at the claim.  Does nothing where all claims have their truths.  Scenarios that are
+/// judged must be prepared.
+void prepare(Scenario&);
+
+/// Throws std::logic_error unless the scenario is prepared.
+void require_prepared(const Scenario&);
+
+/// read() and prepare().
 Scenario load(const std::filesystem::path&);
 
-/// The same from text; files that it names are looked for beside `file_name`.
+/// load() from text; files that it names are looked for beside `file_name`.
 Scenario parse(std::string_view text, const std::string& file_name);
 
 /// JSON Schema (draft 2020-12) of a scenario file, from the same key tables that the reader uses.

@@ -1,9 +1,9 @@
 #include "harness/scenario/vary.h"
 
 #include "harness/core/event_find.h"
+#include "harness/scenario/certified_truth.h"
 #include "reference/certified/truth.h"
 #include "reference/exact/catalogue.h"
-#include "harness/scenario/certified_truth.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -63,6 +63,7 @@ void follow(core::Claim& claim, const Scenario& scenario) {
 }  // namespace
 
 std::optional<Scenario> varied(const Scenario& scenario, double amount) {
+  require_prepared(scenario);
   for (const auto change : changes) {
     Scenario result = scenario;
     if (!change(result.scene, 1 + amount)) continue;

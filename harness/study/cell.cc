@@ -129,6 +129,7 @@ void measure_spread(const Cell& cell, const Sampling& plan, const process::Limit
 }  // namespace
 
 Sampling sampling(const Scenario& scenario, double dt) {
+  scenario::require_prepared(scenario);
   Sampling plan;
   plan.steps = steps_of(scenario, scenario.duration, dt, "the duration");
   plan.watch = watched(scenario);

@@ -15,6 +15,7 @@ namespace {
 
 // Whether every time of every recorded truth is one of k T/M.
 bool has_all_times(const scenario::Scenario& scenario, std::int64_t samples) {
+  scenario::require_prepared(scenario);
   for (const core::Claim& claim : scenario.claims) {
     if (!claim.truth) continue;
     for (const double t : claim.truth->times) {
@@ -26,6 +27,7 @@ bool has_all_times(const scenario::Scenario& scenario, std::int64_t samples) {
 }
 
 bool has_times(const scenario::Scenario& scenario) {
+  scenario::require_prepared(scenario);
   return std::any_of(scenario.claims.begin(), scenario.claims.end(),
                      [](const core::Claim& c) { return c.truth && !c.truth->times.empty(); });
 }

@@ -25,6 +25,7 @@ std::int64_t parts_for(const std::vector<double>& times, double duration, std::i
 }  // namespace
 
 StepSearch step_search(const scenario::Scenario& scenario) {
+  scenario::require_prepared(scenario);
   const std::int64_t nominal = core::whole_steps(scenario.duration, scenario.step);
   StepSearch search;
   for (const core::Claim& claim : scenario.claims) {

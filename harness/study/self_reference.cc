@@ -11,6 +11,7 @@ namespace cylon::study {
 std::optional<Reference> self_reference(const scenario::Scenario& scenario, std::int64_t samples,
                                         std::span<const process::EngineRow> rows,
                                         const process::Limits& limits) {
+  scenario::require_prepared(scenario);
   constexpr double tolerance = 1e-11;
   const auto follows = [](const core::Claim& claim) { return claim.truth.has_value(); };
   const auto row =

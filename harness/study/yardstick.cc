@@ -44,6 +44,7 @@ core::Truth truth_of(const Reference& reference, double duration) {
 Yardstick::Yardstick(const scenario::Scenario& scenario, std::int64_t samples,
                      const std::optional<Reference>& reference)
     : scenario_(&scenario), samples_(samples) {
+  scenario::require_prepared(scenario);
   std::map<std::string, std::vector<core::State>> states;  // of a truth, at the samples; made once
   std::set<Quantity> constant;
   std::set<std::string> truths;

@@ -261,7 +261,7 @@ std::string csv(const Found& found) {
 
 int diff(const Context& context, const Options& options) try {
   if (!options.csv.empty()) require_writable(options.csv);
-  const scenario::Scenario scenario = scenario::load(find_scenario(context, options.file));
+  const scenario::Scenario scenario = scenario::read(find_scenario(context, options.file));
   const Side a = side(context, options, scenario, options.a), b = side(context, options, scenario, options.b);
   const Found found = compare(options, scenario, a, b);
   if (!options.csv.empty()) write_whole(options.csv, csv(found));

@@ -1,6 +1,6 @@
 // cylon doctor
-#include "harness/cli/commands/app.h"
 #include "harness/cli/command_line.h"
+#include "harness/cli/commands/app.h"
 
 #include "harness/core/input_error.h"
 #include "harness/process/client.h"
@@ -29,8 +29,9 @@ Command add_doctor(App&, const Context& context) {
     check("processors", [] { return fmt::format("{}", std::thread::hardware_concurrency()); });
     check("scenarios", [&] {
       const auto files = scenario_files(context);
-      for (const auto& file : files) scenario::load(file);
-      return fmt::format("{} valid in {}", files.size(), context.scenarios.string());
+      for (const auto& file : files) scenario::read(file);
+      return fmt::format("{} valid in {}; `cylon validate` also checks their certified truths", files.size(),
+                         context.scenarios.string());
     });
     std::optional<scenario::Expectations> expectations;
     check("expected.toml", [&] {

@@ -1,6 +1,6 @@
 // cylon list
-#include "harness/cli/commands/app.h"
 #include "harness/cli/command_line.h"
+#include "harness/cli/commands/app.h"
 #include "harness/cli/scenario_view.h"
 
 #include "harness/core/claim.h"
@@ -30,10 +30,13 @@ bool selected(const scenario::Scenario& scenario, const Options& options) {
 }
 
 // "bouncing_sphere to 9e-13 m": the first truth that is followed and its bound on its own error; "no truth".
+// A certified truth is not solved for a list, so its bound is not known: "certified".
 std::string truth_of(const scenario::Scenario& scenario) {
   for (const core::Claim& claim : scenario.claims)
-    if (claim.truth)
-      return fmt::format("{} to {:.0e} {}", claim.follows, claim.truth_error, core::unit(claim.observable));
+    if (!claim.follows.empty())
+      return claim.truth ? fmt::format("{} to {:.0e} {}", claim.follows, claim.truth_error,
+                                       core::unit(claim.observable))
+                         : claim.follows;
   return "no truth";
 }
 
@@ -55,7 +58,7 @@ int list(const Context& context, const Options& options) {
   std::vector<scenario::Scenario> found;
   std::vector<std::string> names, tags;
   for (const auto& file : scenario_files(context)) {
-    scenario::Scenario scenario = scenario::load(file);
+    scenario::Scenario scenario = scenario::read(file);
     names.push_back(scenario.name);
     for (const std::string& tag : scenario.tags)
       if (std::find(tags.begin(), tags.end(), tag) == tags.end()) tags.push_back(tag);
@@ -64,7 +67,10 @@ int list(const Context& context, const Options& options) {
   if (found.empty()) std::cerr << nothing_found(options, names, tags) << '\n';
   if (options.json) {
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-    for (const auto& scenario : found) rows.push_back(scenario_facts(scenario));
+    for (auto& scenario : found) {
+      scenario::prepare(scenario);
+      rows.push_back(scenario_facts(scenario));
+    }
     std::cout << rows.dump(2, ' ', true) << '\n';
   } else if (options.names) {
     for (const auto& scenario : found) std::cout << scenario.name << '\n';

@@ -50,7 +50,7 @@ ordered_json to_json(const std::string& scenario, const std::string& engine, con
 }
 
 int plan(const Context& context, const Options& options) {
-  const scenario::Scenario scenario = scenario::load(find_scenario(context, options.asked.file));
+  const scenario::Scenario scenario = scenario::read(find_scenario(context, options.asked.file));
   const process::EngineChoice engine = choose(context, options.asked);
   process::RunRequest request;
   request.scene = &scenario.scene;

@@ -110,7 +110,7 @@ std::string nonsense(const core::Recording& recording) {
 
 int simulate(const Context& context, const Options& options) {
   require_writable(options.out);
-  const scenario::Scenario scenario = scenario::load(find_scenario(context, options.asked.file));
+  const scenario::Scenario scenario = scenario::read(find_scenario(context, options.asked.file));
   const process::EngineChoice engine = choose(context, options.asked);
   const double dt = grid(options, scenario);
   const bool own_grid = options.dt.empty() && dt != scenario.step;

@@ -1,6 +1,6 @@
 // cylon truth
-#include "harness/cli/commands/app.h"
 #include "harness/cli/command_line.h"
+#include "harness/cli/commands/app.h"
 #include "harness/cli/output.h"
 #include "reference/certified/solve.h"
 
@@ -155,7 +155,7 @@ std::string json(const core::Scene& scene, const std::string& name, const Option
 
 int truth(const Context& context, const Options& options) {
   if (!options.out.empty()) require_writable(options.out);
-  const scenario::Scenario scenario = scenario::load(find_scenario(context, options.file));
+  const scenario::Scenario scenario = scenario::read(find_scenario(context, options.file));
   const std::vector<double> times = times_of(options, scenario.duration);
   Certificate found;
   try {

@@ -1,9 +1,9 @@
 // cylon view
-#include "harness/cli/commands/app.h"
-#include "harness/cli/workers.h"
 #include "harness/cli/asked.h"
 #include "harness/cli/command_line.h"
+#include "harness/cli/commands/app.h"
 #include "harness/cli/options.h"
+#include "harness/cli/workers.h"
 
 #include "harness/core/input_error.h"
 #include "harness/process/child.h"
@@ -48,7 +48,7 @@ void open_browser(const std::string& url) {
 }
 
 std::unique_ptr<view::Session> make_session(const Context& context, const Options& options) {
-  scenario::Scenario scenario = scenario::load(find_scenario(context, options.file));
+  scenario::Scenario scenario = scenario::read(find_scenario(context, options.file));
   view::SessionOptions settings;
   settings.rows = with_workers(context, options.workers);
   settings.engines = view::available_engines(settings.rows, settings.limits);

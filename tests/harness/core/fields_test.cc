@@ -71,8 +71,8 @@ TEST(Fields, HaveOneKeyEach) {
   });
 }
 
-// Every member has a row: the rows' members do not overlap, and leave no more of the element than padding.  A flag can
-// hide in the padding; the round trip of scene_json_test.cc finds that one.
+// Every member has a row: the rows' members do not overlap, and leave no more of the element than padding.
+// A flag can hide in the padding; the round trip of scene_json_test.cc finds that one.
 TEST(Fields, CoverTheWholeElement) {
   for_each_element([]<class T>() {
     T element{};

@@ -1,5 +1,6 @@
 // `follows = "certified"` and `until = "horizon"` in a scenario file.
 #include "harness/core/input_error.h"
+#include "harness/core/measure.h"
 #include "harness/scenario/scenario.h"
 
 #include <fmt/format.h>
@@ -9,6 +10,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <stdexcept>
 
 namespace cylon::scenario {
 namespace {
@@ -78,6 +81,36 @@ TEST_F(CertifiedClaims, HaveErrorBoundAtAnyTime) {
   EXPECT_TRUE(claim.truth->times.empty());
   EXPECT_LT(claim.truth_error, 1e-14);
   EXPECT_NEAR(claim.truth->state(0.123)[0].position.norm(), 1, 1e-14);
+}
+
+// Reading a file integrates nothing; what it gives cannot be judged before it is prepared.
+TEST_F(CertifiedClaims, AreSolvedByPrepareAndNotByRead) {
+  const std::filesystem::path file = folder_ / "bobs.toml";
+  std::ofstream(file) << bobs(1, thousandth);
+  Scenario scenario = read(file);
+  EXPECT_FALSE(scenario.claims.at(0).truth.has_value());
+  EXPECT_THROW(require_prepared(scenario), std::logic_error);
+  EXPECT_THROW(core::scale(scenario.claims[0], scenario.scene, 1), std::logic_error);
+
+  prepare(scenario);
+  EXPECT_NO_THROW(require_prepared(scenario));
+  const Scenario parsed = parse(bobs(1, thousandth), "bobs.toml");
+  ASSERT_TRUE(scenario.claims[0].truth.has_value());
+  EXPECT_EQ(scenario.claims[0].truth_error, parsed.claims[0].truth_error);
+  EXPECT_EQ(scenario.claims[0].label, parsed.claims[0].label);
+}
+
+// The place of the claim is known still when its truth is looked at.
+TEST_F(CertifiedClaims, ThatFailWhenTheyArePreparedSayWhere) {
+  const std::filesystem::path file = folder_ / "bobs.toml";
+  std::ofstream(file) << bobs(60, thousandth);
+  Scenario scenario = read(file);
+  try {
+    prepare(scenario);
+    ADD_FAILURE() << "accepted";
+  } catch (const core::InputError& error) {
+    EXPECT_EQ(std::string(error.what()).find(file.string() + ":23:"), 0u) << error.what();
+  }
 }
 
 // An ulp times the conditioning reaches a tenth of the tolerance: a thousand times the tolerance is later by

@@ -1,0 +1,20 @@
+// Runs what is not in the journal yet, and keeps the journal.
+#pragma once
+
+#include "harness/cli/commands/run_options.h"
+#include "harness/cli/context.h"
+#include "harness/cli/journal.h"
+#include "harness/scenario/expected.h"
+#include "harness/study/cell.h"
+
+#include <vector>
+
+namespace cylon::cli {
+
+/// The rows of all cells, in order; with --resume those of the last journal where they are there and still
+/// hold.
+std::vector<results::Verdict> run_cells(const Context&, const RunOptions&, const scenario::Expectations&,
+                                        const Journal::Content& last, Journal&,
+                                        const std::vector<study::Cell>&);
+
+}  // namespace cylon::cli

@@ -1,0 +1,66 @@
+#include "harness/cli/commands/run_output.h"
+
+#include "harness/cli/output.h"
+#include "harness/cli/scenario_view.h"
+#include "reports/error_plot.h"
+#include "reports/html.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <ostream>
+
+namespace cylon::cli {
+
+namespace fs = std::filesystem;
+using results::Verdict;
+
+void print(const Context& context, const RunOptions& options, const std::vector<Verdict>& rows,
+           std::size_t cells) {
+  const reports::ConsoleOptions style{.width = context.width, .utf8 = context.utf8, .colour = context.colour};
+  if (options.verbose || cells == 1) std::cout << reports::console_details(rows, style) << '\n';
+  std::cout << reports::console_matrix(rows, style);
+}
+
+void write_report(const RunOptions& options, const Selection& selection, const Traces& traces,
+                  const std::vector<Verdict>& rows, const std::string& json) {
+  if (options.html.empty() && options.traces.empty()) return;
+  reports::HtmlReport report;
+  report.results = json;
+  for (const auto& scenario : selection.scenarios) report.scenarios.push_back(scenario_view(*scenario));
+  report.traces = traces.chosen(selection.cells, rows, options.trajectories, report.omitted_traces);
+  if (!options.html.empty()) write_whole(options.html, reports::to_html(report));
+  if (options.traces.empty()) return;
+  write_whole(options.traces, [&](std::ostream& out) {
+    for (const std::string& scenario : report.scenarios) out << scenario << '\n';
+    for (const reports::PackedTrace& trace : report.traces) out << reports::to_json_line(trace);
+  });
+}
+
+void print_charts(const Traces& traces, const reports::ConsoleOptions& style) {
+  for (const reports::Trace& trace : traces.errors()) {
+    if (trace.errors.empty()) continue;
+    std::cout << reports::shown(fmt::format("{} on {}, {}, dt {}", trace.scenario, trace.engine,
+                                            trace.integrator, trace.dt_text),
+                                style)
+              << "\n\n";
+    for (const reports::ErrorCurve& curve : trace.errors)
+      std::cout << reports::error_chart(curve, style) << '\n';
+  }
+}
+
+void write_plots(const std::string& folder, const Traces& traces) {
+  std::map<std::string, std::vector<const reports::Trace*>> by_scenario;
+  for (const reports::Trace& trace : traces.errors())
+    if (!trace.errors.empty()) by_scenario[trace.scenario].push_back(&trace);
+  for (const auto& [scenario, runs] : by_scenario) {
+    const reports::Plot plot = reports::error_plot(runs);
+    if (!plot.curves.empty())
+      write_whole((fs::path(folder) / fmt::format("errors-{}.svg", scenario)).string(),
+                  reports::to_svg(plot));
+  }
+}
+
+}  // namespace cylon::cli

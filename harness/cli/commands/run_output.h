@@ -1,0 +1,28 @@
+// What `cylon run` prints and writes beside its rows.
+#pragma once
+
+#include "harness/cli/commands/run_options.h"
+#include "harness/cli/context.h"
+#include "harness/cli/traces.h"
+#include "reports/console.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace cylon::cli {
+
+/// The matrix; before it every claim where that was asked for, or where there is one cell.
+void print(const Context&, const RunOptions&, const std::vector<results::Verdict>&, std::size_t cells);
+
+/// Writes the page, and the traces for a later page, where they were asked for.  `json`: the rows.
+void write_report(const RunOptions&, const Selection&, const Traces&, const std::vector<results::Verdict>&,
+                  const std::string& json);
+
+/// Prints the errors of each cell's claims over time under the cell's name.
+void print_charts(const Traces&, const reports::ConsoleOptions&);
+
+/// Writes a picture per scenario: the errors of the runs that share it.
+void write_plots(const std::string& folder, const Traces&);
+
+}  // namespace cylon::cli

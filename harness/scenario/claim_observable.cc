@@ -1,0 +1,111 @@
+#include "harness/scenario/claim_observable.h"
+
+#include "harness/core/event_find.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace cylon::scenario {
+namespace {
+
+using core::Observable;
+using core::Quantity;
+
+const std::vector<std::string> components = {"", "x", "y", "z", "horizontal"};
+
+// The words of an enumeration of core, in its own order.
+template <class Enum>
+std::vector<std::string> words(Enum last) {
+  std::vector<std::string> result;
+  for (int i = 0; i <= static_cast<int>(last); ++i) result.emplace_back(core::name(static_cast<Enum>(i)));
+  return result;
+}
+const std::vector<std::string> event_kinds = words(core::EventKind::crossing);
+const std::vector<std::string> event_quantities = words(core::EventQuantity::order);
+
+bool is_vector(Quantity q) {
+  return q == Quantity::position || q == Quantity::velocity || q == Quantity::angular_velocity ||
+         q == Quantity::linear_momentum || q == Quantity::angular_momentum;
+}
+bool is_angle(Quantity q) { return q == Quantity::orientation || q == Quantity::axis; }
+bool turns(Quantity q) { return is_angle(q) || q == Quantity::angular_velocity; }
+
+Quantity quantity_of(const Table& t, std::string_view key) {
+  for (int i = 0; i <= static_cast<int>(Quantity::event); ++i)
+    if (core::name(static_cast<Quantity>(i)) == t.text(key)) return static_cast<Quantity>(i);
+  t.fail(key, fmt::format("{} = '{}' is unknown", key, t.text(key)));
+}
+
+// Which event, and which of its numbers.
+void read_event(const Table& t, const Draft& draft, Observable& q) {
+  q.event = t.choice("event", event_kinds, core::EventKind::bounce);
+  const core::EventType& type = core::event_type(q.event);
+  q.index = static_cast<int>(t.whole("index", std::max(1, type.first_index)));
+  q.event_quantity = t.choice("quantity", event_quantities, core::EventQuantity::time);
+  if (t.has("to")) q.to = draft.body(t, "to");
+  refuse(t, {"to", "about"}, q.event != core::EventKind::apsis, "belongs to event = \"apsis\"");
+  refuse(t, {"about"}, q.to.has_value(), "does not go with 'to'");
+  refuse(t, {"index"}, q.event_quantity == core::EventQuantity::order,
+         "does not go with quantity = \"order\", which is that of all");
+  if (q.index < type.first_index)
+    t.fail("index", fmt::format("index = {}, but the events of kind '{}' count from {}", q.index, type.name,
+                                type.first_index));
+  if (std::ranges::find(type.quantities, q.event_quantity) == type.quantities.end()) {
+    std::vector<std::string_view> valid;
+    for (const core::EventQuantity which : type.quantities) valid.push_back(core::name(which));
+    t.fail("quantity", fmt::format("quantity = '{}', but event = '{}' has none; valid: {}",
+                                   core::name(q.event_quantity), type.name, fmt::join(valid, ", ")));
+  }
+  if (core::over_periods(q.event, q.event_quantity) && (q.index < 3 || q.index % 2 == 0))
+    t.fail(t.has("index") ? "index" : "quantity",
+           fmt::format("index = {}: the {} is a mean over whole periods of two, from event 1 to 3, 5, …",
+                       q.index, core::name(q.event_quantity)));
+}
+
+}  // namespace
+
+void refuse(const Table& t, std::initializer_list<const char*> keys, bool when, std::string_view why) {
+  for (const char* key : keys)
+    if (when && t.has(key)) t.fail(key, fmt::format("{} {}", key, why));
+}
+
+Observable read_observable(const Table& t, const Draft& draft) {
+  if (t.has("follows") == t.has("conserves"))
+    t.fail("[[claim]] needs either 'follows' (with 'observable') or 'conserves'");
+  if (t.has("conserves") && t.has("observable"))
+    t.fail("observable", "observable: 'conserves' names it already");
+  if (t.has("follows") && !t.has("observable"))
+    t.fail("follows", "a claim that follows a truth needs 'observable'");
+  const char* key = t.has("conserves") ? "conserves" : "observable";
+  Observable q;
+  q.quantity = quantity_of(t, key);
+  const bool event = q.quantity == Quantity::event;
+  if (event && t.has("conserves")) t.fail(key, "conserves: an event keeps no value; use 'follows'");
+  refuse(t, {"component"}, !is_vector(q.quantity),
+         fmt::format("belongs to vectors, and {} is none", core::name(q.quantity)));
+  refuse(t, {"about"}, q.quantity != Quantity::angular_momentum && !event,
+         "belongs to angular_momentum and to event = \"apsis\"");
+  refuse(t, {"event", "index", "quantity", "to"}, !event, "belongs to observable = \"event\"");
+  refuse(t, {"body"}, q.quantity == Quantity::energy,
+         "does not go with energy, which is the scene's; use kinetic_energy");
+  if (event && !t.has("event")) t.fail("observable", "observable = \"event\" needs 'event'");
+
+  if (t.has("body")) q.body = draft.body(t, "body");
+  q.component = t.choice("component", components, core::Component::all);
+  q.about = t.vector("about");
+  if (event) read_event(t, draft, q);
+
+  const auto point = [&](std::size_t i) { return draft.point[i]; };
+  bool only_points = q.body && point(static_cast<std::size_t>(*q.body));
+  if (!q.body) only_points = std::ranges::all_of(draft.point, [](bool p) { return p; });
+  if (turns(q.quantity) && only_points)
+    t.fail(key,
+           fmt::format("{}: a point (a body without shape and inertia) has none", core::name(q.quantity)));
+  if (const auto why = core::undefined_in(q, draft.scene))
+    t.fail(key, fmt::format("{}: {}", core::name(q.quantity), *why));
+  return q;
+}
+
+}  // namespace cylon::scenario

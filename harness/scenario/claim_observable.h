@@ -1,0 +1,18 @@
+// What a claim measures: the keys `conserves`, `observable`, `event`, `body`, `component`, …
+#pragma once
+
+#include "harness/core/observable.h"
+#include "harness/scenario/draft.h"
+
+#include <initializer_list>
+#include <string_view>
+
+namespace cylon::scenario {
+
+/// Fails at the first of the keys that is present, if `when`: "key why".
+void refuse(const Table&, std::initializer_list<const char*> keys, bool when, std::string_view why);
+
+/// Fails for an observable that the scene does not have, and for keys that belong to another observable.
+core::Observable read_observable(const Table& claim, const Draft&);
+
+}  // namespace cylon::scenario

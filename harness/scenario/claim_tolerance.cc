@@ -1,0 +1,74 @@
+#include "harness/scenario/claim_tolerance.h"
+
+#include "harness/core/measure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+namespace cylon::scenario {
+namespace {
+
+using core::Claim;
+using core::Quantity;
+using core::Reduction;
+
+bool is_angle(Quantity q) { return q == Quantity::orientation || q == Quantity::axis; }
+
+}  // namespace
+
+core::Tolerance read_tolerance(const Table& t, const Claim& claim) {
+  core::Tolerance result{t.number("absolute"), t.number("relative"), t.boolean("order"),
+                         t.number("constant"), t.text("reason"),     {}};
+  if (const auto constants = t.table("constants"))
+    for (int p = 1; p <= highest_order; ++p)
+      if (constants->has(std::to_string(p))) result.constants[p] = constants->number(std::to_string(p));
+  const char* given = t.has("constants") ? "constants" : "constant";
+  if (result.order != t.has(given) || (t.has("constant") && t.has("constants")))
+    t.fail(t.has(given) ? given : "order",
+           "order = true and constant belong together, or constants by order, one of the two: the bound is C "
+           "dt^p T");
+  if (t.has("constants") && result.constants.empty())
+    t.fail("constants", "constants = {}: say one for some order at least, { 1 = 4.9, 4 = 0.2 }");
+  if (result.order && (t.has("absolute") || t.has("relative")))
+    t.fail("order", "order = true sets the bound C dt^p T; absolute and relative do not go with it");
+  if (result.order && claim.reduction == Reduction::order)
+    t.fail("order", "order = true checks the order already; measure = \"order\" takes absolute");
+  if (!result.order && !t.has("absolute") && !t.has("relative"))
+    t.fail("tolerance needs 'absolute', 'relative', or 'order' with 'constant'");
+  if (t.has("relative") && is_angle(claim.observable.quantity))
+    t.fail("relative", fmt::format("relative: {} is an angle and has no scale; use absolute [rad]",
+                                   core::name(claim.observable.quantity)));
+  if (t.has("relative") && claim.reduction != Reduction::max && claim.reduction != Reduction::end)
+    t.fail("relative",
+           fmt::format("relative does not go with measure = \"{}\", whose unit is another; use absolute",
+                       core::name(claim.reduction)));
+  return result;
+}
+
+void check_tolerance(const Table& t, Claim& claim, const core::Scene& scene, double duration) {
+  const Table tolerance = *t.table("tolerance");
+  const double size = claim.tolerance.relative > 0 ? core::scale(claim, scene, duration) : 0;
+  if (claim.tolerance.relative > 0 && !(size > 0))
+    tolerance.fail(
+        "relative",
+        fmt::format(
+            "relative = {}: the {} is zero over the whole horizon, so nothing would be allowed; use absolute",
+            claim.tolerance.relative, core::name(claim.observable.quantity)));
+  if (!claim.truth) return;
+  claim.truth_error =
+      core::truth_error(claim.observable, scene, *claim.truth, std::min(claim.until, duration));
+  if (claim.tolerance.order || claim.reduction == Reduction::order)
+    return;  // their bound depends on the run's scheme
+  const double allowed = claim.tolerance.absolute + claim.tolerance.relative * size;
+  const double error =
+      claim.reduction == Reduction::mean_square ? claim.truth_error * claim.truth_error : claim.truth_error;
+  if (!(error <= allowed / 10))
+    tolerance.fail(fmt::format(
+        "tolerance: '{}' is itself only good to {:.3g} {}, but a tenth of the {:.3g} allowed is needed; "
+        "valid: {:.3g} or more",
+        claim.follows, error, core::unit(claim.observable), allowed, 10 * error));
+}
+
+}  // namespace cylon::scenario

@@ -1,0 +1,75 @@
+#include "harness/scenario/claim_truths.h"
+
+#include "harness/core/event_find.h"
+#include "harness/scenario/certified_truth.h"
+#include "harness/scenario/draft.h"
+#include "reference/exact/catalogue.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace cylon::scenario {
+
+using core::Claim;
+using core::Observable;
+
+const core::Truth& ExactTruths::at(const Table& t, const Claim& claim, double horizon) {
+  auto& known = truths_[{claim.follows, horizon}];
+  if (!known) known = make(t, claim.follows, horizon);
+  if (claim.observable.quantity != core::Quantity::event) return *known;
+  const Observable& q = claim.observable;
+  auto& located = events_[{claim.follows, horizon,
+                           fmt::format("{} {} {} {}", core::name(q.event), q.to.value_or(-1),
+                                       written(q.about), q.body.value_or(-1))}];
+  if (!located) located = core::with_events(q, scene_, *known, horizon, step_);
+  return *located;
+}
+
+core::Truth ExactTruths::make(const Table& t, const std::string& name, double horizon) const {
+  std::vector<std::string> names;
+  for (const exact::Solution& solution : exact::catalogue()) {
+    names.emplace_back(solution.name);
+    if (solution.name != name) continue;
+    try {
+      return solution.make(scene_, horizon);
+    } catch (const core::OutOfDomain& error) {
+      t.fail("follows", fmt::format("follows = '{}' does not serve this scene: {} (it serves: {})", name,
+                                    error.what(), solution.domain));
+    }
+  }
+  names.emplace_back(certified_name);
+  t.fail("follows", fmt::format("follows = '{}' is no exact solution{}; valid: {}", name,
+                                core::did_you_mean(name, names), fmt::join(names, ", ")));
+}
+
+void cut(const Table& t, core::Truth& recorded, double horizon) {
+  std::erase_if(recorded.times, [&](double time) { return time > horizon * (1 + 1e-9); });
+  if (recorded.times.empty())
+    t.fail("follows", fmt::format("follows: the data has no time up to {} s", horizon));
+}
+
+namespace {
+
+bool has_event(const core::Truth& truth, const Observable& q) {
+  return std::ranges::any_of(truth.events, [&](const core::Event& e) {
+    if (e.kind != q.event || (q.body && e.pair.body != *q.body && e.pair.other != *q.body)) return false;
+    if (q.event_quantity == core::EventQuantity::order) return true;
+    return e.index == q.index && core::quantity(truth.events, e, q.event_quantity).has_value();
+  });
+}
+
+}  // namespace
+
+void require_event(const Table& t, const Claim& claim, double horizon) {
+  if (!claim.truth || claim.observable.quantity != core::Quantity::event ||
+      has_event(*claim.truth, claim.observable))
+    return;
+  t.fail(t.has("index") ? "index" : "event",
+         fmt::format("'{}' has no {} {} with a {} up to {} s", claim.follows, t.text("event"),
+                     claim.observable.index, core::name(claim.observable.event_quantity), horizon));
+}
+
+}  // namespace cylon::scenario
