@@ -8,8 +8,8 @@
 // it comes in.
 #include "harness/cli/context.h"
 #include "harness/process/client.h"
-#include "harness/study/relations.h"
 #include "harness/scenario/scenario.h"
+#include "harness/study/relations.h"
 
 #include <fmt/format.h>
 

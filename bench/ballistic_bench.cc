@@ -198,8 +198,8 @@ friction = 0
 conserves = "energy"
 tolerance = {{ relative = 1, reason = "rounding" }}
 )",
-                                                     restitution),
-                                         "bounces.toml");
+                                                    restitution),
+                                        "bounces.toml");
   const engine::Model model = model_of(scenario.scene, {restitution, 0});
   heading("S2, bouncing sphere, 5 s; ratio = cpu / (ballistic, one step)", "max |dy|");
   const double own = seconds_per_bounce_run(model);

@@ -11,9 +11,9 @@
 #include "bench/own_run.h"
 #include "bench/reference_run.h"
 #include "bench/smooth_scenes.h"
+#include "harness/scenario/scenario.h"
 #include "reference/exact/catalogue.h"
 #include "reference/simulators/in_house/in_house_model.h"
-#include "harness/scenario/scenario.h"
 
 #include <fmt/format.h>
 

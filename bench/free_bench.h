@@ -50,10 +50,10 @@ gravity = [0, -9.81, 0]
 conserves = "energy"
 tolerance = {{ relative = 1, reason = "rounding" }}
 )",
-                                      free_cloud(static_cast<std::int64_t>(count),
-                                                 fmt::format("[{}]", fmt::join(kind.moments, ", ")),
-                                                 kind.spins ? "[0.3, 1.1, -0.4]" : "[0, 0, 0]")),
-                          "free_bodies.toml");
+                                     free_cloud(static_cast<std::int64_t>(count),
+                                                fmt::format("[{}]", fmt::join(kind.moments, ", ")),
+                                                kind.spins ? "[0.3, 1.1, -0.4]" : "[0, 0, 0]")),
+                         "free_bodies.toml");
 }
 
 inline engine::Model model_of(const core::Scene& scene) {

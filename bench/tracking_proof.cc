@@ -2,9 +2,9 @@
 // against itself, and how often a known slow-down or a known fault is found.  bench/tracking_proof.sh builds
 // what it compares.
 #include "harness/core/input_error.h"
+#include "harness/scenario/scenario.h"
 #include "harness/study/compare.h"
 #include "harness/study/paired_times.h"
-#include "harness/scenario/scenario.h"
 
 #include <fmt/format.h>
 

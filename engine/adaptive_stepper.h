@@ -1,8 +1,8 @@
 // Smooth motion by error-controlled steps, sampled between them by dense output.
 #pragma once
 
-#include "engine/root.h"
 #include "engine/integrators/dop853.h"
+#include "engine/root.h"
 #include "engine/system_stepper.h"
 
 #include <algorithm>

@@ -7,9 +7,9 @@
 #include "engine/contact/impact.h"
 #include "engine/contact/passage.h"
 #include "engine/contact/support.h"
-#include "engine/reduce.h"
 #include "engine/integrators/advance.h"
 #include "engine/integrators/dop853.h"
+#include "engine/reduce.h"
 #include "engine/stepper.h"
 
 #include <cstdint>

@@ -2,8 +2,8 @@
 
 #include "engine/free_bodies_lanes.h"
 #include "engine/free_rotation.h"
-#include "engine/plan.h"
 #include "engine/integrators/splittings.h"
+#include "engine/plan.h"
 
 #include <algorithm>
 #include <array>

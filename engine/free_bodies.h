@@ -2,9 +2,9 @@
 // by side, each block of them in one place of memory.
 #pragma once
 
+#include "engine/integrators/scheme.h"
 #include "engine/model.h"
 #include "engine/pile/threads.h"
-#include "engine/integrators/scheme.h"
 #include "engine/stepper.h"
 
 #include <cstdint>

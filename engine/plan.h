@@ -1,9 +1,9 @@
 // Model only what a scene requires: which stages a model needs, and why.
 #pragma once
 
+#include "engine/integrators/scheme.h"
 #include "engine/model.h"
 #include "engine/resolution.h"
-#include "engine/integrators/scheme.h"
 
 #include <string>
 #include <vector>

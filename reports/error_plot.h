@@ -1,9 +1,9 @@
 // Errors over time: as a picture for pages, as characters for terminals.
 #pragma once
 
-#include "reports/trace.h"
 #include "reports/console_options.h"
 #include "reports/plot.h"
+#include "reports/trace.h"
 
 #include <span>
 #include <string>

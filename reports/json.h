@@ -30,7 +30,7 @@ std::vector<results::Verdict> read_json(std::string_view document, const std::st
 /// A line of a journal, without the line feed.
 std::string to_json_line(const results::Verdict&);
 results::Verdict from_json_line(std::string_view line, const std::string& file = "journal",
-                             unsigned line_number = 1);
+                                unsigned line_number = 1);
 
 /// All rows of a journal.  A last line without a line feed is what an interrupted write leaves: it is
 /// dropped.

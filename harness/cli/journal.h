@@ -35,9 +35,9 @@ class Journal {
   explicit Journal(std::filesystem::path file) : file_(std::move(file)) {}
 
   struct Content {
-    std::optional<Request> request;                           ///< Absent: there was no run.
+    std::optional<Request> request;                              ///< Absent: there was no run.
     std::map<std::string, std::vector<results::Verdict>> cells;  ///< By key.
-    std::set<std::string> differing;                          ///< Names of cells that were not as expected.
+    std::set<std::string> differing;  ///< Names of cells that were not as expected.
   };
 
   /// The last run; a line cut off by a crash is left out.

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "harness/cli/context.h"
-#include "harness/study/cell.h"
 #include "harness/scenario/suite.h"
+#include "harness/study/cell.h"
 
 #include <memory>
 #include <string>

@@ -1,9 +1,9 @@
 // The traces of a run's cells, for its report.
 #pragma once
 
-#include "reports/trace.h"
 #include "harness/study/cell.h"
 #include "reports/html.h"
+#include "reports/trace.h"
 
 #include <mutex>
 #include <string>
@@ -33,7 +33,7 @@ class Traces {
  private:
   std::mutex adding_;
   std::vector<reports::PackedTrace> packed_;  // by cell; an empty block: there was no recording
-  std::vector<reports::Trace> errors_;           // without motions and totals
+  std::vector<reports::Trace> errors_;        // without motions and totals
 };
 
 }  // namespace cylon::cli

@@ -1,8 +1,8 @@
 // One child process at arm's length: spawned, fed, drained, limited, and always reaped.  Knows no protocol.
 #pragma once
 
-#include "harness/results/verdict.h"
 #include "harness/process/byte_queue.h"
+#include "harness/results/verdict.h"
 
 #include <sys/types.h>
 

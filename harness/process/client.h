@@ -4,9 +4,9 @@
 #include "harness/core/recording.h"
 #include "harness/core/scene.h"
 #include "harness/core/simulator.h"
-#include "harness/results/verdict.h"
 #include "harness/process/child.h"
 #include "harness/process/engines.h"
+#include "harness/results/verdict.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -122,7 +122,7 @@ Spawned spawn(const std::vector<std::string>& command, std::size_t memory_bytes)
     while (::waitpid(pid, nullptr, 0) < 0 && errno == EINTR) {
     }
     throw Failure(results::Status::unsupported, fmt::format("cannot start '{}': {}", command.front(),
-                                                         std::generic_category().message(error)));
+                                                            std::generic_category().message(error)));
   }
   for (const int fd : {in.write.get(), out.read.get(), err.read.get()})
     ::fcntl(fd, F_SETFL, ::fcntl(fd, F_GETFL) | O_NONBLOCK);

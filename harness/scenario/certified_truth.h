@@ -2,8 +2,8 @@
 #pragma once
 
 #include "harness/core/claim.h"
-#include "reference/certified/truth.h"
 #include "harness/scenario/reader.h"
+#include "reference/certified/truth.h"
 
 #include <map>
 #include <string_view>

@@ -39,8 +39,9 @@ std::vector<std::int64_t> fine_steps(std::int64_t samples, std::int64_t most, in
 /// searched on; a pick must meet the tolerance with the margin on all.  `done` is called after each
 /// search, one at a time.  Throws core::InputError for a setting that was asked for and is impossible,
 /// process::Interrupted.
-std::vector<results::EngineAdvice> advise(const std::vector<Start>& starts, const std::vector<Setting>& settings,
-                                       const AdviseOptions&, const std::function<void(const Setting&)>& done);
+std::vector<results::EngineAdvice> advise(const std::vector<Start>& starts,
+                                          const std::vector<Setting>& settings, const AdviseOptions&,
+                                          const std::function<void(const Setting&)>& done);
 
 /// A pick as a setting to run.
 Setting setting_of(const results::Pick&, const std::vector<Setting>& settings);

@@ -1,9 +1,9 @@
 // One scenario on one engine at one step: record, measure, judge.  The unit of every study.
 #pragma once
 
-#include "harness/results/verdict.h"
 #include "harness/process/client.h"
 #include "harness/process/engines.h"
+#include "harness/results/verdict.h"
 #include "harness/scenario/expected.h"
 #include "harness/scenario/scenario.h"
 

@@ -3,12 +3,12 @@
 #pragma once
 
 #include "harness/results/comparison.h"
-#include "harness/tracking/statistics/paired_rule.h"
 #include "harness/study/cell.h"
 #include "harness/study/instructions.h"
 #include "harness/study/profile.h"
 #include "harness/study/sampler.h"
 #include "harness/study/side.h"
+#include "harness/tracking/statistics/paired_rule.h"
 
 #include <functional>
 #include <string>
@@ -39,7 +39,7 @@ using CompareProgress = std::function<void(const std::string&)>;
 /// tell it from itself, no time of this run is believed.  A candidate that fails where the baseline does not
 /// has regressed. Throws what process::run throws.
 results::ComparisonReport compare(const std::vector<Cell>&, const Side& baseline, const Side& candidate,
-                               const CompareOptions&, const CompareProgress&);
+                                  const CompareOptions&, const CompareProgress&);
 
 /// A row with the cell's names and nothing compared yet.
 results::Comparison open_comparison(const Cell&);

@@ -96,9 +96,9 @@ std::vector<Feature> features(const core::Scene& scene, const Setting& setting,
 }
 
 std::vector<results::FeaturePrice> price_features(const Start& start, const std::vector<results::Pick>& picks,
-                                               const std::vector<Setting>& settings,
-                                               std::span<const process::EngineRow> rows, int rounds,
-                                               const process::Limits& limits) {
+                                                  const std::vector<Setting>& settings,
+                                                  std::span<const process::EngineRow> rows, int rounds,
+                                                  const process::Limits& limits) {
   const scenario::Scenario& scenario = *start.scenario;
   const std::int64_t samples = start.yardstick->samples();
   const Scales unit = scales(scenario.scene, scenario.duration);

@@ -25,8 +25,8 @@ std::vector<Feature> features(const core::Scene&, const Setting&, std::span<cons
 
 /// Each feature of each pick, with and without timed in turns.
 std::vector<results::FeaturePrice> price_features(const Start&, const std::vector<results::Pick>&,
-                                               const std::vector<Setting>&,
-                                               std::span<const process::EngineRow>, int rounds,
-                                               const process::Limits&);
+                                                  const std::vector<Setting>&,
+                                                  std::span<const process::EngineRow>, int rounds,
+                                                  const process::Limits&);
 
 }  // namespace cylon::study

@@ -12,13 +12,13 @@ namespace cylon::study {
 namespace {
 
 using Ask = std::vector<results::Verdict> (*)(const Cell&, const process::Limits&,
-                                           const scenario::Expectations&);
+                                              const scenario::Expectations&);
 
 }  // namespace
 
 std::vector<std::vector<results::Verdict>> run(const std::vector<Cell>& cells, const Pool& pool,
-                                            const scenario::Expectations& expectations,
-                                            const CellDone& done) {
+                                               const scenario::Expectations& expectations,
+                                               const CellDone& done) {
   std::vector<std::vector<results::Verdict>> rows(cells.size());
   std::vector<std::exception_ptr> errors(cells.size());
   std::atomic<std::size_t> next = 0;

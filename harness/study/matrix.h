@@ -20,6 +20,6 @@ using CellDone = std::function<void(std::size_t index, const std::vector<results
 /// core::InputError of the lowest index is thrown once the cells under way have ended; process::Interrupted
 /// as soon as the children are gone.
 std::vector<std::vector<results::Verdict>> run(const std::vector<Cell>& cells, const Pool&,
-                                            const scenario::Expectations&, const CellDone& done);
+                                               const scenario::Expectations&, const CellDone& done);
 
 }  // namespace cylon::study

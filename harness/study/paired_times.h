@@ -2,8 +2,8 @@
 #pragma once
 
 #include "harness/results/comparison.h"
-#include "harness/tracking/statistics/paired_rule.h"
 #include "harness/study/sampler.h"
+#include "harness/tracking/statistics/paired_rule.h"
 
 #include <functional>
 #include <string>

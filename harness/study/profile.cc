@@ -1,9 +1,9 @@
 #include "harness/study/profile.h"
 
 #include "harness/core/measure.h"
-#include "harness/tracking/statistics/metric_rules.h"
 #include "harness/study/paired_times.h"
 #include "harness/study/spread.h"
+#include "harness/tracking/statistics/metric_rules.h"
 
 #include <fmt/format.h>
 
@@ -92,7 +92,7 @@ std::string without_name(std::string sentence, std::string_view name) {
 }
 
 results::ComparedMetric judged(std::string name, MetricKind kind, double before, double after,
-                            double floor = 0) {
+                               double floor = 0) {
   const statistics::MetricResult result = statistics::judge(kind, before, after, floor);
   return {std::move(name), finding_of(result.outcome),
           without_name(result.sentence, statistics::rule_of(kind).subject)};

@@ -24,7 +24,7 @@ struct ClaimProfile {
 
 struct Profile {
   results::Status status = results::Status::pass;  ///< Of the run; the claims' verdicts are not asked.
-  std::string reason;                        ///< Empty when it passed.
+  std::string reason;                              ///< Empty when it passed.
   ExactFacts facts;
   std::vector<ClaimProfile> claims;  ///< In the order of the scenario; empty unless it passed.
   InstructionCount instructions;

@@ -3,7 +3,7 @@
 namespace cylon::study {
 
 results::Verdict open_row(const Cell& cell, const std::string& claim,
-                       const scenario::Expectations& expectations) {
+                          const scenario::Expectations& expectations) {
   results::Verdict row;
   row.scenario = cell.scenario->name;
   row.scenario_hash = cell.scenario->hash;

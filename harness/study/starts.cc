@@ -1,7 +1,7 @@
 #include "harness/study/starts.h"
 
-#include "harness/study/self_reference.h"
 #include "harness/scenario/vary.h"
+#include "harness/study/self_reference.h"
 
 #include <optional>
 #include <utility>

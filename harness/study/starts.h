@@ -19,8 +19,8 @@ struct Start {
 /// The scenario itself, and its variations by those parts (scenario::varied) as far as they exist.
 /// `observable`: a measure's name, or "" for the principal one.  Empty where the scenario has no measure.
 /// Throws core::InputError for an unknown observable.
-std::vector<Start> starts(const scenario::Scenario&, std::span<const double> variations,
-                          std::int64_t samples, const std::string& observable,
-                          std::span<const process::EngineRow>, const process::Limits&);
+std::vector<Start> starts(const scenario::Scenario&, std::span<const double> variations, std::int64_t samples,
+                          const std::string& observable, std::span<const process::EngineRow>,
+                          const process::Limits&);
 
 }  // namespace cylon::study

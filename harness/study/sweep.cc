@@ -85,8 +85,8 @@ Ran measure_run(const Setting& setting, const scenario::Scenario& scenario, cons
 }
 
 results::TradeTable sweep_errors(const scenario::Scenario& scenario, const Yardstick& yardstick,
-                              const Ladder& ladder, std::vector<Setting>& settings,
-                              const SweepOptions& options, Memory& memory, const SweepStep& done) {
+                                 const Ladder& ladder, std::vector<Setting>& settings,
+                                 const SweepOptions& options, Memory& memory, const SweepStep& done) {
   results::TradeTable table;
   table.scenario = scenario.name, table.scenario_hash = scenario.hash;
   table.duration = scenario.duration;

@@ -1,8 +1,8 @@
 // Every setting of a scenario run for its error, and then for its time: the rows of a work–precision table.
 #pragma once
 
-#include "harness/results/trade.h"
 #include "harness/process/client.h"
+#include "harness/results/trade.h"
 #include "harness/study/ladder.h"
 #include "harness/study/yardstick.h"
 
@@ -64,7 +64,8 @@ Ran measure_run(const Setting&, const scenario::Scenario&, const Yardstick&, std
 /// times. A default setting that the engine calls impossible is taken out of `settings`, which stay side by
 /// side with the series.
 results::TradeTable sweep_errors(const scenario::Scenario&, const Yardstick&, const Ladder&,
-                              std::vector<Setting>& settings, const SweepOptions&, Memory&, const SweepStep&);
+                                 std::vector<Setting>& settings, const SweepOptions&, Memory&,
+                                 const SweepStep&);
 
 /// The times of all points that passed, one run at a time: round r of every point before round r + 1, each in
 /// a worker of its own whose first run only warms it; repetitions until 20 ms have passed, of which the least

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "harness/core/recording.h"
-#include "harness/results/trade.h"
 #include "harness/process/client.h"
+#include "harness/results/trade.h"
 #include "harness/scenario/scenario.h"
 
 #include <cstdint>

@@ -21,8 +21,8 @@ std::optional<std::string> anchor_binary(const std::string& store_file, const st
 /// Each cell as the candidate runs it against the stored values: errors, hash, counts.  A cell whose scenario
 /// has another content than then is not compared, and says so.
 results::ComparisonReport compare_with_stored(const std::string& store_file, const store::RunInfo&,
-                                           const std::vector<study::Cell>&, const study::Side& candidate,
-                                           const study::CompareOptions&, const study::CompareProgress&);
+                                              const std::vector<study::Cell>&, const study::Side& candidate,
+                                              const study::CompareOptions&, const study::CompareProgress&);
 
 /// What the history has of a cell as a profile; `like` gives what it does not have.
 study::Profile profile_of(const store::Result&, const study::Profile& like);

@@ -1,9 +1,9 @@
 // The times of a cell for the history: fresh processes, in turn with those of the pinned binaries.
 #pragma once
 
-#include "harness/tracking/track_anchor.h"
 #include "harness/study/cell.h"
 #include "harness/tracking/store/model.h"
+#include "harness/tracking/track_anchor.h"
 
 #include <vector>
 

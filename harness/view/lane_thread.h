@@ -1,8 +1,8 @@
 // A thread with an engine of its own: it makes the worker, and the worker dies with it.  One task at a time.
 #pragma once
 
-#include "harness/results/verdict.h"
 #include "harness/process/live.h"
+#include "harness/results/verdict.h"
 
 #include <condition_variable>
 #include <cstdint>
@@ -20,7 +20,8 @@ struct LaneTask {
 };
 
 struct LaneResult {
-  results::Status status = results::Status::pass;  ///< Else the engine failed; a task with a scene may follow.
+  results::Status status =
+      results::Status::pass;  ///< Else the engine failed; a task with a scene may follow.
   std::string reason;
   std::optional<process::Piece> piece;  ///< Where it passed and there were steps.
 };

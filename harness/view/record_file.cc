@@ -76,8 +76,7 @@ Json claim(const char* observable, const std::string& data, double absolute, con
           {"tolerance", {{"absolute", absolute}, {"reason", reason}}}};
 }
 
-std::string scenario_text(const Recorder& recorder, const scenario::Scenario& from,
-                          const std::string& data) {
+std::string scenario_text(const Recorder& recorder, const scenario::Scenario& from, const std::string& data) {
   const LaneSpec& spec = recorder.spec();
   Json document = {{"title", from.title + " (recorded)"},
                    {"story", fmt::format("{} Recorded in the live viewer with {}.", from.story, spec.engine)},

@@ -1,8 +1,8 @@
 // What happened in the viewer, as a scenario that `cylon run` judges, with the recorded motion beside it.
 #pragma once
 
-#include "harness/view/recorder.h"
 #include "harness/scenario/scenario.h"
+#include "harness/view/recorder.h"
 
 #include <filesystem>
 

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "harness/process/engines.h"
+#include "harness/scenario/scenario.h"
 #include "harness/view/command.h"
 #include "harness/view/lane.h"
 #include "harness/view/recorder.h"
-#include "harness/scenario/scenario.h"
 
 #include <cstdint>
 #include <memory>

@@ -35,7 +35,7 @@ std::string test_name(const std::string& scenario, const std::string& scheme) {
 }
 
 scenario::Scenario cut(const std::string& name, core::Quantity quantity, core::Reduction reduction,
-                        double horizon) {
+                       double horizon) {
   scenario::Scenario scenario = shipped(name);
   scenario.duration = horizon;
   scenario.claims = {follows(scenario, quantity, reduction, 0)};

@@ -177,7 +177,8 @@ TEST(TheoryClaim, ServesSchemesOfDifferentOrders) {
                           Case{"in-house/integrator=rk4", 400, "declared 4"},
                           Case{"in-house", 400, "the integrator chooses its own steps, held to order 4"},
                           Case{"ode", 1e4, "declared 1"}}) {
-    const results::Verdict verdict = conformance::verdict(scenario, row.engine, scenario.duration / row.steps);
+    const results::Verdict verdict =
+        conformance::verdict(scenario, row.engine, scenario.duration / row.steps);
     EXPECT_EQ(results::name(verdict.status), "pass")
         << row.engine << ": " << verdict.measured << " of " << verdict.allowed << "; " << verdict.detail;
     EXPECT_NE(verdict.detail.find(row.detail), std::string::npos) << row.engine << ": " << verdict.detail;

@@ -1,7 +1,7 @@
 // JSON and CSV: what is written comes back, whatever an engine printed and whatever it measured.
+#include "reports/json.h"
 #include "harness/core/input_error.h"
 #include "reports/csv.h"
-#include "reports/json.h"
 
 #include <gtest/gtest.h>
 

@@ -2,11 +2,11 @@
 #include "harness/cli/commands/advise.h"
 
 #include "harness/cli/commands/app.h"
-#include "harness/cli/workers.h"
 #include "harness/cli/options.h"
 #include "harness/cli/output.h"
 #include "harness/cli/provenance.h"
 #include "harness/cli/selection.h"
+#include "harness/cli/workers.h"
 #include "harness/core/input_error.h"
 #include "harness/study/advise.h"
 #include "harness/study/features.h"

@@ -1,8 +1,8 @@
 // cylon engines
-#include "harness/cli/commands/app.h"
-#include "harness/cli/workers.h"
 #include "harness/cli/command_line.h"
+#include "harness/cli/commands/app.h"
 #include "harness/cli/commands/fingerprint.h"
+#include "harness/cli/workers.h"
 
 #include "harness/process/client.h"
 #include "harness/scenario/glob.h"

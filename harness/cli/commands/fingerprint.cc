@@ -1,8 +1,8 @@
 #include "harness/cli/commands/fingerprint.h"
 
 #include "harness/cli/command_line.h"
-#include "harness/study/probes.h"
 #include "harness/scenario/glob.h"
+#include "harness/study/probes.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

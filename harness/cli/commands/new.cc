@@ -1,6 +1,6 @@
 // cylon new
-#include "harness/cli/commands/app.h"
 #include "harness/cli/command_line.h"
+#include "harness/cli/commands/app.h"
 #include "harness/cli/output.h"
 
 #include "harness/core/input_error.h"

@@ -1,8 +1,8 @@
 #include "harness/tracking/store/samples_csv.h"
 
 #include "harness/core/input_error.h"
-#include "reports/csv.h"
 #include "harness/tracking/store/json_object.h"
+#include "reports/csv.h"
 #include "reports/text.h"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 // Parsing of engine names and variants.
 #include "harness/process/engines.h"
-#include "tests/paths.h"
 #include "harness/core/input_error.h"
 #include "harness/process/engine_table.h"
+#include "tests/paths.h"
 
 #include <gtest/gtest.h>
 

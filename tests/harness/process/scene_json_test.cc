@@ -1,7 +1,7 @@
 // A scene reaches a worker unchanged: every field and every double, bit by bit.
+#include "harness/process/scene_json.h"
 #include "harness/process/json_fields.h"
 #include "harness/process/messages.h"
-#include "harness/process/scene_json.h"
 
 #include <gtest/gtest.h>
 

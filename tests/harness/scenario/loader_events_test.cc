@@ -42,10 +42,10 @@ TEST(EventClaims, NameEventAndQuantity) {
 
 TEST(TheoryClaims, HaveConstantsByOrder) {
   const auto s = scenario::parse(orbit +
-                                      "[[claim]]\nfollows = \"spring_orbit\"\nobservable = "
-                                      "\"position\"\ntolerance = { order = true, constants = { "
-                                      "1 = 4.9, 4 = 0.25 }, reason = \"r\" }\n",
-                                  "theory.toml");
+                                     "[[claim]]\nfollows = \"spring_orbit\"\nobservable = "
+                                     "\"position\"\ntolerance = { order = true, constants = { "
+                                     "1 = 4.9, 4 = 0.25 }, reason = \"r\" }\n",
+                                 "theory.toml");
   EXPECT_EQ(s.claims.at(0).tolerance.constants, (std::map<int, double>{{1, 4.9}, {4, 0.25}}));
 }
 
