@@ -11,13 +11,13 @@ using FromString = nlohmann::detail::iterator_input_adapter<std::string::const_i
 using FromView = nlohmann::detail::iterator_input_adapter<const char*>;
 }  // namespace cylon::templates
 
-#define CYLON_JSON_TEMPLATES(prefix, Json)                                                    \
-  prefix template class nlohmann::detail::serializer<Json>;                                   \
-  prefix template class nlohmann::detail::json_sax_dom_parser<Json>;                          \
-  prefix template class nlohmann::detail::json_sax_dom_callback_parser<Json>;                 \
-  prefix template class nlohmann::detail::lexer<Json, cylon::templates::FromString>;          \
-  prefix template class nlohmann::detail::lexer<Json, cylon::templates::FromView>;            \
-  prefix template class nlohmann::detail::parser<Json, cylon::templates::FromString>;         \
+#define CYLON_JSON_TEMPLATES(prefix, Json)                                            \
+  prefix template class nlohmann::detail::serializer<Json>;                           \
+  prefix template class nlohmann::detail::json_sax_dom_parser<Json>;                  \
+  prefix template class nlohmann::detail::json_sax_dom_callback_parser<Json>;         \
+  prefix template class nlohmann::detail::lexer<Json, cylon::templates::FromString>;  \
+  prefix template class nlohmann::detail::lexer<Json, cylon::templates::FromView>;    \
+  prefix template class nlohmann::detail::parser<Json, cylon::templates::FromString>; \
   prefix template class nlohmann::detail::parser<Json, cylon::templates::FromView>;
 
 CYLON_JSON_TEMPLATES(extern, nlohmann::json)
