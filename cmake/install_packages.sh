@@ -19,7 +19,7 @@ while read -r probe package only; do
 done < <(cat cmake/packages.txt && engines)
 [ ${#missing[@]} -eq 0 ] && [ ${#missing_for_tests[@]} -eq 0 ] && exit 0
 
-echo "Installing: ${missing[*]} ${missing_for_tests[*]}" >&2
+echo "Installing these Debian packages, which takes a few minutes: ${missing[*]} ${missing_for_tests[*]}" >&2
 sudo=""
 if [ "$(id -u)" -ne 0 ]; then
   command -v sudo >/dev/null || { echo "Not root and no sudo: please install these Debian packages and try again." >&2; exit 2; }

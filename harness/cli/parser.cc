@@ -66,7 +66,7 @@ template Option App::add_option(const std::string&, std::vector<std::string>&, c
 template Option App::add_option(const std::string&, std::vector<double>&, const std::string&);
 
 Option App::add_choice(const std::string& names, std::vector<std::string> words,
-                       std::function<void(const std::string&)> take, const std::string& meaning) {
+                       const std::function<void(const std::string&)>& take, const std::string& meaning) {
   return Option(
       *app_->add_option_function<std::string>(names, take, meaning)->check(CLI::IsMember(std::move(words))));
 }

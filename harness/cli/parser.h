@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): the library calls itself so
 class App;
 class Option;
 class Validator;
@@ -56,7 +56,7 @@ class App {
   Option add_option(const std::string& names, Value& value, const std::string& meaning);
   /// One of some words, which is handed to `take`.
   Option add_choice(const std::string& names, std::vector<std::string> words,
-                    std::function<void(const std::string&)> take, const std::string& meaning);
+                    const std::function<void(const std::string&)>& take, const std::string& meaning);
   Option add_flag(const std::string& names, bool& value, const std::string& meaning);
   void footer(const std::string& text);
 
