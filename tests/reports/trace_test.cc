@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cylon::core {
+namespace cylon::reports {
 namespace {
+
+using namespace core;
 
 constexpr double dt = 0.01, speed = 1.75, duration = 12;
 
@@ -189,4 +191,4 @@ TEST(Trace, EmptyRecordingGivesEmptyTrace) {
 }
 
 }  // namespace
-}  // namespace cylon::core
+}  // namespace cylon::reports

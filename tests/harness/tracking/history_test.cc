@@ -37,9 +37,9 @@ struct Injected {
   std::uint64_t seed;
 };
 
-class Steps : public History, public testing::WithParamInterface<Injected> {};
+class HistorySteps : public History, public testing::WithParamInterface<Injected> {};
 
-TEST_P(Steps, AreFoundAtTheirRevision) {
+TEST_P(HistorySteps, AreFoundAtTheirRevision) {
   make_up(file(), {.steps = GetParam().steps, .seed = GetParam().seed});
   const HistoryRow found = row("in-house", "cpu_ratio:*");
   EXPECT_EQ(found.scale, Scale::ratio);
@@ -67,7 +67,7 @@ TEST_P(Steps, AreFoundAtTheirRevision) {
   EXPECT_TRUE(row("bullet", "cpu_ratio:*").changes.empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Injected, Steps,
+INSTANTIATE_TEST_SUITE_P(Injected, HistorySteps,
                          testing::Values(Injected{{{23, 1.03}}, 1}, Injected{{{23, 1.05}}, 2},
                                          Injected{{{41, 1.10}}, 3}, Injected{{{12, 1 / 1.05}}, 4},
                                          Injected{{{15, 1.03}, {30, 1.05}, {45, 1.10}}, 5},
