@@ -126,7 +126,7 @@ std::vector<Refusal> refusals() {
       {"ode", "ODE needs principal moments above zero; 'b' has one of 0 kg m^2.",
        with(three_bodies(86),
             [](core::Scene& s) { s.bodies[1].inertia = Vector3(0.2, 0, 0.2).asDiagonal(); })},
-      {"ode", "ODE cannot collide a cone, as 'a' is.", resting(core::Cone{0.1, 0.3})},
+      {"ode", "ODE cannot collide a cone; body 'a' is one.", resting(core::Cone{0.1, 0.3})},
       {"ode", "ODE cannot collide a rod", resting(core::Rod{0.3})},
       {"ode", "ODE cannot collide a disc", resting(core::Disc{0.3})},
       {"ode", "ODE cannot collide a hull", resting(hull)},

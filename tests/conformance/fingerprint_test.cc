@@ -37,7 +37,7 @@ constexpr Row rows[] = {
     {"ode", "free fall", "semi-implicit Euler"},
     {"ode", "restitution", "speed before gravity acts in the step"},
     {"ode", "friction", "friction pyramid: depends on the direction"},
-    {"ode", "rotation per step", "exact up to 3 rad a step"},
+    {"ode", "rotation per step", "exact up to 3 rad per step"},
     {"ode-quick", "friction", "friction pyramid: depends on the direction"},
 };
 

@@ -111,7 +111,7 @@ constexpr Impostor impostors[] = {
     {"abort_in_run", Status::crash, Status::crash, "killed by SIGABRT: Assertion 'mass > 0' failed"},
     {"exit_0_in_run", Status::crash, Status::crash, "exited 0 before done"},
     {"error_in_run", Status::crash, Status::crash, "stopped after step 50: Jacobian is singular"},
-    {"loop_in_run", Status::timeout, Status::timeout, "no end of 'run' within 3 s"},
+    {"loop_in_run", Status::timeout, Status::timeout, "'run' did not end within 3 s"},
     {"garbage_in_run", Status::protocol, Status::protocol, "Warning: friction too high"},
     {"backward", Status::protocol, Status::protocol, "where step"},
     {"wrong_start", Status::fail, Status::fail, "initial state read back differs: body 'rock' position"},

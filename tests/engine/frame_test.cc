@@ -135,7 +135,7 @@ TEST(Boost, OnlyAddsUniformMotion) {
 TEST(Refused, ContactsInRotatingFrame) {
   Model model = ball_over_plane(0.5, 0.5);
   model.frame = RotatingFrame{turning};
-  EXPECT_NE(unsupported(model, with("rk4", 0.01)).find("turning frame"), std::string::npos);
+  EXPECT_NE(unsupported(model, with("rk4", 0.01)).find("rotating frame"), std::string::npos);
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ TEST_F(Trade, RejectsBadRequests) {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"trade projectil", "did you mean 'projectile'"},
       {"trade projectile --engine oed", "ode"},
-      {"trade projectile --engine in-house --integrator rk5", "schemes"},
+      {"trade projectile --engine in-house --integrator rk5", "integrators"},
       {"trade projectile --observable energi", "energy"},
       {"trade projectile --dt 0.3", "--dt"},
       {"trade projectile --dt 0.8", "in common"},

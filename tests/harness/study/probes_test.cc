@@ -136,7 +136,7 @@ TEST(Probes, IdentifySmallEngine) {
       {"gyroscopic torque", "off", {.gyroscopic = Traits::off}},
       {"gyroscopic torque", "explicit: adds energy", {.gyroscopic = Traits::from_body}},
       {"gyroscopic torque", "on, order 2", {}},
-      {"rotation per step", "exact up to 3 rad a step", {}},
+      {"rotation per step", "exact up to 3 rad per step", {}},
       {"rotation per step", "approximate at every angle", {.linear_turns = true}},
       {"restitution", "speed before gravity acts in the step", {}},
       {"restitution", "speed after gravity acts in the step", {.target = Traits::after}},

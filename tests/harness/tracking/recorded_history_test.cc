@@ -11,9 +11,9 @@ namespace cylon::tracking {
 using namespace cli;
 namespace {
 
-class Recorded : public CommandLine {};
+class RecordedHistory : public CommandLine {};
 
-TEST_F(Recorded, ChangePointsAreAtTheirRevisionOnly) {
+TEST_F(RecordedHistory, ChangePointsAreAtTheirRevisionOnly) {
   const std::filesystem::path data = std::filesystem::path(source_dir) / "tests/data/tracking/steps.jsonl";
   store::Store store = store::Store::open(folder / "history.db", store::Mode::write);
   ASSERT_EQ(store::read_json_lines(store, read(data), data.string()).runs, 42U);
@@ -45,7 +45,7 @@ TEST_F(Recorded, ChangePointsAreAtTheirRevisionOnly) {
   EXPECT_EQ(ratios, 1U);
 }
 
-TEST_F(Recorded, OnTheCommandLine) {
+TEST_F(RecordedHistory, OnTheCommandLine) {
   const std::string data = std::string(source_dir) + "/tests/data/tracking/steps.jsonl";
   EXPECT_EQ(cylon("track import '" + data + "' --store history.db").code, 0);
   const Ran page = cylon("track history --store history.db --changes");

@@ -131,7 +131,7 @@ TEST(Domain, common_conditions) {
       expect_refused(name, with([](core::Scene& s) {
                        s.frame = core::Frame{{0, 0, 0}, {0, 1, 0}};
                      }),
-                     "turning frame");
+                     "rotating frame");
     }
     const std::pair<const char*, core::Force> forces[] = {
         {"drag on ", core::Drag{0, 1, 0, 0}},   {"thrust on ", core::Thrust{}},
