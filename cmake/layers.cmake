@@ -109,6 +109,15 @@ function(layering_test)
   set_tests_properties(layering PROPERTIES LABELS layering)
 endfunction()
 
+# gcc 12's own contraction, which no flag forbids (cmake/toolchain.cmake): none of it in what computes.
+function(contraction_test)
+  foreach(library ${ARGN})
+    add_test(NAME no_contraction_in_${library}
+             COMMAND sh -c "! objdump -d --no-show-raw-insn \"$0\" | grep -E 'vfm(addsub|subadd)'" $<TARGET_FILE:${library}>)
+    set_tests_properties(no_contraction_in_${library} PROPERTIES LABELS engine)
+  endforeach()
+endfunction()
+
 # The generated tables of README.md are what the program says today.
 function(readme_test)
   add_test(NAME readme_is_current COMMAND ${PROJECT_SOURCE_DIR}/docs/update.py --check --cylon $<TARGET_FILE:cylon>)
