@@ -40,19 +40,25 @@ double error(const UniformGravity& gravity, const Scene& scene, const State& sta
   return total;
 }
 
-// U = k (|d| - L)^2 / 2, d from anchor to anchor.
-double energy(const Spring& spring, const Scene&, const State& state, double (*size)(double)) {
+// |d| - L, d from anchor to anchor.
+double stretch(const Spring& spring, const State& state) {
   const Vector3 d = anchor(state, spring.to, spring.to_anchor) - anchor(state, spring.body, spring.anchor);
-  const double stretch = d.norm() - spring.rest_length;
-  return size(0.5 * spring.stiffness * stretch * stretch);
+  return d.norm() - spring.rest_length;
 }
 
-// |dU| <= k r 2 (|dx| + |a| |dtheta|), with r >= ||d| - L| from the triangle inequality.
+// U = k (|d| - L)^2 / 2
+double energy(const Spring& spring, const Scene&, const State& state, double (*size)(double)) {
+  const double x = stretch(spring, state);
+  return size(0.5 * spring.stiffness * x * x);
+}
+
+// |dU| <= k ||d| - L| (|dx_a| + |a| |dtheta_a| + |dx_b| + |b| |dtheta_b|); an end in the world does not move.
 double error(const Spring& spring, const Scene&, const State& state, const StateError& e) {
-  const BodyState& s = state[static_cast<std::size_t>(spring.body)];
-  const double reach =
-      s.position.norm() + spring.anchor.norm() + spring.to_anchor.norm() + spring.rest_length;
-  return spring.stiffness * reach * 2 * (e.position + spring.anchor.norm() * e.orientation);
+  const auto end = [&](int body, const Vector3& lever) {
+    return body == world ? 0 : e.position + lever.norm() * e.orientation;
+  };
+  return spring.stiffness * std::abs(stretch(spring, state)) *
+         (end(spring.body, spring.anchor) + end(spring.to, spring.to_anchor));
 }
 
 // Distance of the two centres.

@@ -90,6 +90,12 @@ TEST(TruthError, OfEnergyCoversEveryMovedStateOfAllConservativeForces) {
                                    .to_anchor = {0.4, 1.5, 0.2},
                                    .stiffness = 40,
                                    .rest_length = 0.5});
+  scene.forces.emplace_back(Spring{.body = 0,
+                                   .anchor = {0.1, -0.2, 0.1},
+                                   .to = 1,
+                                   .to_anchor = {-0.3, 0.1, 0.2},
+                                   .stiffness = 25,
+                                   .rest_length = 0.2});
   const StateError error{.position = 2e-6, .velocity = 3e-6, .orientation = 1e-6, .angular_velocity = 4e-6};
   const double allowed = bound(scene, error), start = value(scene, initial_state(scene));
   std::mt19937 random(20240611);
@@ -111,6 +117,37 @@ TEST(TruthError, OfEnergyCoversEveryMovedStateOfAllConservativeForces) {
   }
   EXPECT_LE(largest, allowed * (1 + 1e-5));
   EXPECT_GT(largest, allowed / 20) << "a bound that says nothing";
+}
+
+// Two bodies on one spring, far from the origin on the side of the second: the bound once forgot that end.
+TEST(TruthError, OfSpringCountsBothBodies) {
+  Scene scene = attracting();
+  scene.bodies[0].initial.position = {0.02, -0.01, 0.03};
+  scene.bodies[1].initial.position = {7, -4, 5};
+  scene.forces = {Spring{.body = 0, .to = 1, .stiffness = 40, .rest_length = 0.5}};
+  const double e = 1e-6;
+  const double change = change_on_approach(scene, e);
+  EXPECT_NEAR(bound(scene, {.position = e}), change, 1e-6 * change);
+}
+
+TEST(TruthError, OfSpringCountsTheLeverOfBothAnchors) {
+  Scene scene = attracting();
+  for (Body& body : scene.bodies) body.initial.orientation = Quaternion::Identity();
+  scene.bodies[0].initial.position = {1, 0, 0}, scene.bodies[1].initial.position = {3, 0, 0};
+  scene.bodies[0].initial.angular_velocity = scene.bodies[1].initial.angular_velocity = Vector3::Zero();
+  scene.forces = {Spring{.body = 0,
+                         .anchor = {0, 0.3, 0},
+                         .to = 1,
+                         .to_anchor = {0, 0.3, 0},
+                         .stiffness = 40,
+                         .rest_length = 0.5}};
+  const double e = 1e-6;  // both turn about z, the anchors apart
+  State plus = initial_state(scene), minus = plus;
+  const auto turned = [](double angle) { return Quaternion(Eigen::AngleAxisd(angle, Vector3::UnitZ())); };
+  plus[0].orientation = turned(e), plus[1].orientation = turned(-e);
+  minus[0].orientation = turned(-e), minus[1].orientation = turned(e);
+  const double change = std::abs(value(scene, plus) - value(scene, minus)) / 2;
+  EXPECT_NEAR(bound(scene, {.orientation = e}), change, 1e-6 * change);
 }
 
 TEST(EventTypes, StandInTheOrderOfTheirKinds) {
