@@ -20,7 +20,7 @@ const Body& body_of(const Scene& scene, const Pair& pair) {
   return scene.bodies[static_cast<std::size_t>(pair.body)];
 }
 
-// ---- Bounce, apex: EventWatch finds them --------------------------------------------------------------
+// ---- Bounce, apex: EventWatch finds them --------------------------------------------------------
 
 Reading no_signal(const Subject&, const State&, double) { return {}; }
 
@@ -34,7 +34,7 @@ Reason not_a_sphere(const Scene& scene, const Pair& pair) {
   return std::nullopt;
 }
 
-// ---- Roll ------------------------------------------------------------------------------------------------
+// ---- Roll ---------------------------------------------------------------------------------------
 
 // A pair counts as touching while its gap is within this part of the distance from the centre to the contact.
 constexpr double near = 1e-2;
@@ -77,7 +77,7 @@ Error slip_error(const Subject& subject, const State& state, const StateError& e
   return {2 * (e.velocity + arm(subject, state) * e.angular_velocity + spin * e.position), 0};
 }
 
-// ---- Flip, swing: w along an axis of the body -------------------------------------------------------------
+// ---- Flip, swing: w along an axis of the body ---------------------------------------------------
 
 std::optional<Vector3> intermediate_axis(const Body& body) {
   const PrincipalAxes principal = principal_axes(body.inertia);
@@ -134,7 +134,7 @@ Error spin_error(const Subject& subject, const State& state, const StateError& e
   return {e.angular_velocity + state[subject.body].angular_velocity.norm() * e.orientation, 0};
 }
 
-// ---- Apsis: d . d' = 0 -----------------------------------------------------------------------------------
+// ---- Apsis: d . d' = 0 --------------------------------------------------------------------------
 
 Reading approach(const Subject& subject, const State& state, double) {
   const BodyState& s = state[subject.body];
@@ -163,7 +163,7 @@ Reason distance_from_itself(const Scene& scene, const Pair& pair) {
   return "body '" + body_of(scene, pair).name + "' has no distance from itself";
 }
 
-// ---- Turn: up . v = 0 ------------------------------------------------------------------------------------
+// ---- Turn: up . v = 0 ---------------------------------------------------------------------------
 
 Reading climb(const Subject& subject, const State& state, double) {
   const BodyState& s = state[subject.body];
@@ -172,8 +172,7 @@ Reading climb(const Subject& subject, const State& state, double) {
 
 Error climb_error(const Subject&, const State&, const StateError& e) { return {e.velocity, 0}; }
 
-// ---- Nutation, precession: the axis about its pole
-// ----------------------------------------------------------
+// ---- Nutation, precession: the axis about its pole ----------------------------------------------
 
 void take_symmetry_axis(Subject& subject) {
   subject.axis = symmetry_axis(body_of(subject)).value_or(Vector3::UnitY());
@@ -206,8 +205,7 @@ Reason no_axis_or_pole(const Scene& scene, const Pair& pair) {
   return std::nullopt;
 }
 
-// ---- Crossing: the height over the water
-// ---------------------------------------------------------------------
+// ---- Crossing: the height over the water --------------------------------------------------------
 
 Reading height_over_water(const Subject& subject, const State& state, double t) {
   const BodyState& s = state[subject.body];
@@ -223,8 +221,7 @@ Reason no_water(const Scene& scene, const Pair&) {
   return "the scene has no water";
 }
 
-// ---- The table
-// -------------------------------------------------------------------------------------------------
+// ---- The table ----------------------------------------------------------------------------------
 
 using enum EventQuantity;
 

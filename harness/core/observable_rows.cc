@@ -34,7 +34,7 @@ Entry vector(const Vector3& v, Component component) {
 
 Entry scalar(double x) { return {x, 0, 0, 0}; }
 
-// ---- Bodies that an observable concerns --------------------------------------------------------
+// ---- Bodies that an observable concerns ---------------------------------------------------------
 
 // Calls use(body, state) for the observable's body, or for all.
 template <class Use>
@@ -55,7 +55,7 @@ bool concerns(const Observable& q, int body, int other) {
   return !q.body || *q.body == body || *q.body == other;
 }
 
-// ---- Distances and magnitudes --------------------------------------------------------------------
+// ---- Distances and magnitudes -------------------------------------------------------------------
 
 double norm(const Entry& v) { return v.norm(); }
 
@@ -107,7 +107,7 @@ double overlap_distance(const Values& a, const Values& b) {
 
 double depth(const Entry& overlap) { return std::abs(overlap.x()); }  // the other numbers say whose
 
-// ---- Errors that are those of the state -----------------------------------------------------------
+// ---- Errors that are those of the state ---------------------------------------------------------
 
 template <double StateError::*which>
 double error_of_state(const Observable&, const Scene&, const State&, const StateError& e) {
@@ -116,7 +116,7 @@ double error_of_state(const Observable&, const Scene&, const State&, const State
 
 std::optional<std::string> always_defined(const Observable&, const Scene&) { return std::nullopt; }
 
-// ---- Motion of each body ----------------------------------------------------------------------------
+// ---- Motion of each body ------------------------------------------------------------------------
 
 template <Vector3 BodyState::*what>
 void vector_of_each(const Observable& q, const Scene& scene, const State& state, Values& values) {
@@ -144,7 +144,7 @@ std::optional<std::string> axis_undefined(const Observable& q, const Scene& scen
   return std::nullopt;
 }
 
-// ---- Momenta ------------------------------------------------------------------------------------------
+// ---- Momenta ------------------------------------------------------------------------------------
 
 // L_spin = R I0 R^T w.
 Vector3 spin(const Body& body, const BodyState& s) {
@@ -189,7 +189,7 @@ double angular_momentum_error(const Observable& q, const Scene& scene, const Sta
   });
 }
 
-// ---- Energies -----------------------------------------------------------------------------------------
+// ---- Energies -----------------------------------------------------------------------------------
 
 // m v^2/2 + w.I0 w/2, the second in body axes.
 double kinetic(const Body& body, const BodyState& s) {
@@ -235,7 +235,7 @@ double energy_error(const Observable&, const Scene& scene, const State& state, c
   return total;
 }
 
-// ---- Gaps -----------------------------------------------------------------------------------------------
+// ---- Gaps ---------------------------------------------------------------------------------------
 
 bool only_spheres_collide(const Scene& scene) {
   return std::all_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& body) {
@@ -309,14 +309,13 @@ double joint_gap_error(const Observable&, const Scene& scene, const State&, cons
   return 2 * (e.position + arm * e.orientation);
 }
 
-// ---- Events have numbers of their own: event_rows.h ------------------------------------------------------
+// ---- Events have numbers of their own: event_rows.h ---------------------------------------------
 
 void no_values(const Observable&, const Scene&, const State&, Values&) {}
 
 double no_error(const Observable&, const Scene&, const State&, const StateError&) { return 0; }
 
-// ---- The table
-// ---------------------------------------------------------------------------------------------
+// ---- The table ----------------------------------------------------------------------------------
 
 constexpr auto norms = worst_of<norm_of_difference>;
 constexpr auto largest = largest_of<norm>;

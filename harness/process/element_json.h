@@ -215,4 +215,19 @@ class ElementReader {
   std::unordered_map<std::string, int> index_;
 };
 
+inline void ElementReader::read_faces(Fields& fields, const char* key, std::size_t vertices,
+                                      std::vector<std::array<std::int32_t, 3>>& faces) {
+  const auto count = static_cast<std::int64_t>(vertices);
+  fields.each(key, [&](const nlohmann::json& row, const std::string& place) {
+    if (!row.is_array() || row.size() != 3) throw MalformedMessage(place + ": expected three vertices");
+    std::array<std::int32_t, 3>& face = faces.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!row[i].is_number_integer() || row[i].get<std::int64_t>() < 0 ||
+          row[i].get<std::int64_t>() >= count)
+        throw MalformedMessage(fmt::format("{}: a vertex is an index below {}", place, count));
+      face[i] = row[i].get<std::int32_t>();
+    }
+  });
+}
+
 }  // namespace cylon::process

@@ -100,21 +100,6 @@ class Reader {
 
 }  // namespace
 
-void ElementReader::read_faces(Fields& fields, const char* key, std::size_t vertices,
-                               std::vector<std::array<std::int32_t, 3>>& faces) {
-  const auto count = static_cast<std::int64_t>(vertices);
-  fields.each(key, [&](const nlohmann::json& row, const std::string& place) {
-    if (!row.is_array() || row.size() != 3) throw MalformedMessage(place + ": expected three vertices");
-    std::array<std::int32_t, 3>& face = faces.emplace_back();
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (!row[i].is_number_integer() || row[i].get<std::int64_t>() < 0 ||
-          row[i].get<std::int64_t>() >= count)
-        throw MalformedMessage(fmt::format("{}: a vertex is an index below {}", place, count));
-      face[i] = row[i].get<std::int32_t>();
-    }
-  });
-}
-
 nlohmann::json to_json(const Scene& scene) { return write<nlohmann::json>(scene); }
 
 nlohmann::ordered_json to_ordered_json(const Scene& scene) { return write<nlohmann::ordered_json>(scene); }

@@ -1,6 +1,7 @@
 #include "harness/scenario/claim_observable.h"
 
 #include "harness/core/event_find.h"
+#include "harness/scenario/key_rows.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,13 +16,6 @@ using core::Quantity;
 
 const std::vector<std::string> components = {"", "x", "y", "z", "horizontal"};
 
-// The words of an enumeration of core, in its own order.
-template <class Enum>
-std::vector<std::string> words(Enum last) {
-  std::vector<std::string> result;
-  for (int i = 0; i <= static_cast<int>(last); ++i) result.emplace_back(core::name(static_cast<Enum>(i)));
-  return result;
-}
 const std::vector<std::string> event_kinds = words(core::EventKind::crossing);
 const std::vector<std::string> event_quantities = words(core::EventQuantity::order);
 
@@ -29,7 +23,6 @@ bool is_vector(Quantity q) {
   return q == Quantity::position || q == Quantity::velocity || q == Quantity::angular_velocity ||
          q == Quantity::linear_momentum || q == Quantity::angular_momentum;
 }
-bool is_angle(Quantity q) { return q == Quantity::orientation || q == Quantity::axis; }
 bool turns(Quantity q) { return is_angle(q) || q == Quantity::angular_velocity; }
 
 Quantity quantity_of(const Table& t, std::string_view key) {
@@ -65,6 +58,8 @@ void read_event(const Table& t, const Draft& draft, Observable& q) {
 }
 
 }  // namespace
+
+bool is_angle(Quantity q) { return q == Quantity::orientation || q == Quantity::axis; }
 
 void refuse(const Table& t, std::initializer_list<const char*> keys, bool when, std::string_view why) {
   for (const char* key : keys)

@@ -9,6 +9,9 @@
 
 namespace cylon::scenario {
 
+/// Whether the quantity is an angle, which has no size of its own to be relative to.
+bool is_angle(core::Quantity);
+
 /// Fails at the first of the keys that is present, if `when`: "key why".
 void refuse(const Table&, std::initializer_list<const char*> keys, bool when, std::string_view why);
 

@@ -1,6 +1,7 @@
 #include "harness/scenario/claim_tolerance.h"
 
 #include "harness/core/measure.h"
+#include "harness/scenario/claim_observable.h"
 
 #include <fmt/format.h>
 
@@ -8,15 +9,8 @@
 #include <string>
 
 namespace cylon::scenario {
-namespace {
-
 using core::Claim;
-using core::Quantity;
 using core::Reduction;
-
-bool is_angle(Quantity q) { return q == Quantity::orientation || q == Quantity::axis; }
-
-}  // namespace
 
 core::Tolerance read_tolerance(const Table& t, const Claim& claim) {
   core::Tolerance result{t.number("absolute"), t.number("relative"), t.boolean("order"),
@@ -60,7 +54,7 @@ void check_tolerance(const Table& t, Claim& claim, const core::Scene& scene, dou
   claim.truth_error =
       core::truth_error(claim.observable, scene, *claim.truth, std::min(claim.until, duration));
   if (claim.tolerance.order || claim.reduction == Reduction::order)
-    return;  // their bound depends on the run's scheme
+    return;  // their bound depends on the run's integrator
   const double allowed = claim.tolerance.absolute + claim.tolerance.relative * size;
   const double error =
       claim.reduction == Reduction::mean_square ? claim.truth_error * claim.truth_error : claim.truth_error;

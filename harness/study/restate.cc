@@ -130,6 +130,7 @@ core::Scene Restatement::operator()(core::Scene scene) const {
   for (core::Force& force : scene.forces) std::visit([&](auto& kind) { rule.element(kind); }, force);
   for (core::Joint& joint : scene.joints) rule.element(joint);
   for (core::Plane& plane : scene.planes) rule.element(plane);
+  for (core::Material& material : scene.materials) rule.element(material);
   if (scene.frame) rule.element(*scene.frame);
   return scene;
 }
