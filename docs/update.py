@@ -5,7 +5,8 @@
 
 BLOCKS says which page has which block.  A block stands between '<!-- name -->' and '<!-- /name -->'.
 Generated blocks contain verdicts and never times, so that they are the same on every run.
-Links and the paths of files in the text are checked too: each must exist.
+Links and the paths of files in the text are checked too: each must exist.  So are the keys of docs/scenario-format.md,
+against the JSON Schema that the program prints.
 """
 import argparse
 import difflib
@@ -193,6 +194,25 @@ def dead_links(name):
             yield f"{name}: there is no {path}"
 
 
+def property_names(schema):
+    """The keys of all tables of a JSON Schema."""
+    if isinstance(schema, list):
+        return set().union(*map(property_names, schema))
+    if not isinstance(schema, dict):
+        return set()
+    return set(schema.get("properties", ())) | set().union(*map(property_names, schema.values()))
+
+
+def wrong_keys(cylon):
+    """Keys that the reader knows and docs/scenario-format.md does not, and the other way round for required ones."""
+    page = (root / "docs/scenario-format.md").read_text()
+    block = re.search(r"<!-- scene-keys -->(.*)<!-- /scene-keys -->", page, re.S)[1]
+    known = {key for key in property_names(json.loads(output(cylon, "validate", "--schema"))) if not key.isdigit()}
+    told, required = set(re.findall(r"`\[*(\w+)\]*`", block)), set(re.findall(r"\*\*`(\w+)`\*\*", block))
+    return [f"docs/scenario-format.md: does not tell of the key '{key}'" for key in sorted(known - told)] + \
+        [f"docs/scenario-format.md: there is no key '{key}'" for key in sorted(required - known)]
+
+
 def pages():
     return subprocess.run(["git", "ls-files", "*.md"], cwd=root, capture_output=True, text=True).stdout.split()
 
@@ -202,7 +222,7 @@ def main():
     parser.add_argument("--check", action="store_true", help="change nothing; fail where a block is not current")
     parser.add_argument("--cylon", default="build/release/cylon", help="the program to ask")
     options = parser.parse_args()
-    wrong = [line for page in pages() for line in dead_links(page)]
+    wrong = [line for page in pages() for line in dead_links(page)] + wrong_keys(options.cylon)
     for page, blocks in BLOCKS.items():
         file = root / page
         old = new = file.read_text()

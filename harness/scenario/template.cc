@@ -37,7 +37,7 @@ shape    = { type = "sphere", radius = 0.1 }  # m; its inertia follows from it
 [[claim]]                 # an exact solution, which takes its parameters from the scene
 follows    = "projectile"
 observable = "position"   # position velocity orientation axis angular_velocity linear_momentum angular_momentum
-tolerance  = { absolute = 1e-9, reason = "rounding: a parabola is exact for every scheme of second order" }
+tolerance  = { absolute = 1e-9, reason = "rounding: a parabola is exact for every integrator of second order" }
 
 [[claim]]                 # or a quantity that must keep its value
 conserves  = "energy"

@@ -60,7 +60,7 @@ function Engines({ verdicts }: { verdicts: Verdict[] }) {
   return (
     <div class="scroll" tabIndex={0} role="region" aria-label="Engines">
       <table>
-        <caption>Engines, one row per version, precision, path, gyroscopic mode and scheme</caption>
+        <caption>Engines, one row per version, precision, path, gyroscopic mode and integrator</caption>
         <thead>
           <tr>
             {['engine', 'version', 'precision', 'path', 'gyroscopic', 'integrator', 'verdicts'].map(

@@ -13,7 +13,7 @@ export function Differs({ text = '!' }: { text?: string }) {
   return (
     <strong class="differs">
       <span aria-hidden="true">{text}</span>
-      <span class="unseen">not as expected.toml says</span>
+      <span class="unseen">differs from expected.toml</span>
     </strong>
   );
 }
@@ -21,5 +21,5 @@ export function Differs({ text = '!' }: { text?: string }) {
 /** What a screen reader says of a cell of the matrix. */
 export function spoken(status: Status, digits: number | null, differs: boolean): string {
   const won = isMeasured(status) && digits !== null ? `, ${digitsText(digits)} digits` : '';
-  return `${status}${won}${differs ? ', not as expected.toml says' : ''}`;
+  return `${status}${won}${differs ? ', differs from expected.toml' : ''}`;
 }

@@ -42,7 +42,7 @@ export function warnings(results: Results): string[] {
   scales.delete(1);
   if (scales.size > 0)
     out.push(
-      `All tolerances are multiplied by ${[...scales].join(', ')}: no verdict here is the exam's own.`,
+      `All tolerances are multiplied by ${[...scales].join(', ')}: the verdicts are not those of the stated tolerances.`,
     );
   const unlisted = new Map<string, number>();
   for (const v of results.verdicts)

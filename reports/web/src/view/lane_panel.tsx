@@ -76,7 +76,7 @@ export function LanePanel({ viewer, session }: { viewer: Viewer; session: Sessio
   return (
     <section class="panel">
       <h2>Lanes</h2>
-      <p class="muted">Engine, scheme and step [s]; the state is kept.</p>
+      <p class="muted">Engine, integrator and step [s]; the state is kept.</p>
       <ol class="lane-list">
         {lanes.map((lane, i) => (
           <li key={`${i} ${lane.engine} ${lane.integrator} ${lane.dt_text}`}>

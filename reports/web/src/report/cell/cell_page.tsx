@@ -51,7 +51,7 @@ function Heading({ cell, view }: { cell: Cell; view: ScenarioView | undefined })
         <StatusMark status={cell.worst} />
         {won} by the worst of {count(cell.verdicts.length, 'claim')}
         {cell.differs ? ' ' : '; as expected.toml says'}
-        {cell.differs ? <Differs text="not as expected.toml says" /> : null}
+        {cell.differs ? <Differs text="differs from expected.toml" /> : null}
       </p>
       {view ? (
         <>

@@ -1,4 +1,4 @@
-// How the engine was set for this run: what was forced, and what could not be switched off.
+// How the engine was set for this run: forced settings, and known limits.
 import type { ScenarioView, Verdict } from '../../shared/documents';
 import { duration, short } from '../numbers';
 import { Foreign, ForeignLines } from '../text';
@@ -69,7 +69,7 @@ export function Settings({ verdicts }: { verdicts: Verdict[] }) {
           </div>
         ))}
       </dl>
-      <h3>What could not be switched off</h3>
+      <h3>Known limits of the engine</h3>
       {stuck.length === 0 ? <p>Nothing is known.</p> : null}
       <ul>
         {stuck.map((text) => (

@@ -6,7 +6,7 @@ import { visible } from '../visible';
 import type { QueryError } from '../query/parse';
 
 const examples: [string, string][] = [
-  ['*:differs', 'some engine is not as expected.toml says'],
+  ['*:differs', 'some engine differs from expected.toml'],
   ['bullet:fail and ode:pass', 'one fails where another passes'],
   ['any:crash or any:timeout', 'any is short for *'],
   ['bullet*:digits<-2', 'some Bullet misses a tolerance by more than two digits'],

@@ -74,11 +74,11 @@ function Legend({ rows }: { rows: Row[] }) {
           </span>
         ))}
       <span>
-        <span class="number">+1.0</span> digits won (+) or lost (−) by the worst claim, log10(allowed /
-        measured);{' '}
+        <span class="number">+1.0</span> log10(allowed / measured) of the worst claim: + is better than
+        allowed, − is worse;{' '}
       </span>
       <span>
-        <Differs /> not as expected.toml says
+        <Differs /> differs from expected.toml
       </span>
     </p>
   );

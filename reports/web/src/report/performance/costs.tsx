@@ -33,7 +33,7 @@ export function Costs({ verdicts }: { verdicts: Verdict[] }) {
       <h3 id="costs-heading">CPU time per body-step, with the digits of the worst claim</h3>
       <p class="note">
         Timed once, while the verdicts were made and perhaps with other runs beside it: orders of magnitude.
-        To decide between builds there is <code>cylon track compare</code>, between engines and schemes{' '}
+        To decide between builds there is <code>cylon track compare</code>, between engines and integrators{' '}
         <code>cylon trade</code>.
       </p>
       <div class="scroll" tabIndex={0} role="region" aria-label="CPU time per body-step">

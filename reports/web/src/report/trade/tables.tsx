@@ -34,12 +34,12 @@ interface LegendProps {
 
 export function Legend({ list, hidden, toggle }: LegendProps) {
   return (
-    <div class="scroll" tabIndex={0} role="region" aria-label="Engines and schemes">
+    <div class="scroll" tabIndex={0} role="region" aria-label="Engines and integrators">
       <table>
-        <caption>Engines and schemes, with the order fitted to the errors</caption>
+        <caption>Engines and integrators, with the order fitted to the errors</caption>
         <Heads
           names={[
-            'engine and scheme',
+            'engine and integrator',
             'version',
             'order declared',
             'order fitted',
@@ -104,7 +104,7 @@ export function SettingsTable({ list, points, caption }: SettingsProps) {
           </caption>
           <Heads
             names={[
-              'engine and scheme',
+              'engine and integrator',
               'step and tolerance',
               'error',
               'CPU s per s',
