@@ -33,11 +33,12 @@ const Spec* tolerance_spec() {
           real("absolute", "", "In the observable's unit.", not_negative),
           real("relative", "", "Times the largest |truth| over the horizon; of a drift, the initial value.",
                not_negative),
-          plain("order", boolean, "The bound is C dt^p T, with p the integrator's order, which is checked too."),
+          plain("order", boolean,
+                "The bound is C dt^p T, with p the integrator's order, which is checked too."),
           real("constant", "unit/s^(p+1)", "Of that bound, whatever the order.", positive),
-          nested(
-              "constants", table, constants_spec,
-              "Of that bound by order: { 1 = 4.9, 4 = 0.2 }; an integrator is held to the highest up to its own."),
+          nested("constants", table, constants_spec,
+                 "Of that bound by order: { 1 = 4.9, 4 = 0.2 }; an integrator is held to the highest up to "
+                 "its own."),
           required(
               word("reason", "Rounding, truncation, convention or measured, and how the number follows."))}};
   return &spec;
