@@ -1,6 +1,6 @@
 // What a scene does not need, and what it would have cost: every scenario with the planned model and with the
 // full one
-// (`model=full`: every stage runs), the same scheme and step, ns of thread CPU time per body and step, and
+// (`model=full`: every stage runs), the same integrator and step, ns of thread CPU time per body and step, and
 // how far the two end apart, relative to the scene's own length, speed and turn.
 //   ablation_bench [SCENARIO…]      all otherwise
 // Then the price of each stage: the ratio, full over planned, of the scenarios whose plan leaves that stage
@@ -58,11 +58,11 @@ int main(int argc, char** argv) try {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   const cli::Context context = cli::make_context();
   const std::vector<std::string> wanted(argv + 1, argv + argc);
-  // A scheme of fixed steps where there is one to choose: both sides then do the same arithmetic for the
+  // An integrator of fixed steps where there is one to choose: both sides then do the same arithmetic for the
   // motion itself.
-  const std::string scheme = "in-house/integrator=velocity-verlet";
-  const auto planned = process::parse_engine(scheme, context.engines),
-             full = process::parse_engine(scheme + ",model=full", context.engines);
+  const std::string integrator = "in-house/integrator=velocity-verlet";
+  const auto planned = process::parse_engine(integrator, context.engines),
+             full = process::parse_engine(integrator + ",model=full", context.engines);
   std::map<std::string, std::vector<double>> ratios;
   fmt::print("{:<38} {:>10} {:>10} {:>8} {:>10}\n", "velocity-verlet, nominal step", "planned", "full [ns]",
              "ratio", "apart");

@@ -2,9 +2,9 @@
 //   engine_bench [WORD…]      only the scenes whose name contains a word
 // Error: the largest at T/4, T/2, 3T/4 and T against closed forms.  Cost: thread CPU time of the stepping and
 // of those four samples (the workers time their steps alone), the smallest of several runs, references and
-// this engine in turn.  `ours`: the scheme and the step that reach the error for the least, chosen knowing
+// this engine in turn.  `ours`: the integrator and the step that reach the error for the least, chosen knowing
 // the truth; the next three steps of the ladder must reach it too; where the plan knows a closed form that
-// costs less, that, and the scheme beside it (`in steps`) with its own ratios.  `default`: scheme auto, told
+// costs less, that, and the integrator beside it (`in steps`) with its own ratios.  `default`: integrator auto, told
 // nothing but the tolerance, its setting up and its second run included.  References: each engine's adapter
 // with its default path, its step halved until the error is reached, then once more by 1/sqrt 2; the cheaper
 // of its precisions.
@@ -30,7 +30,7 @@ void show(const char* who, const Run& r, double duration) {
              1e6 * r.cpu);
 }
 
-// `stepped`: of the scheme that stands beside a closed form.
+// `stepped`: of the integrator that stands beside a closed form.
 void verdict(const char* whom, double theirs, double ours, double untuned, double stepped, double target) {
   const auto met = [&](double cost) { return theirs / cost >= target ? "met" : "NOT MET"; };
   fmt::print("    vs {:<6} {:>9.0f}x", whom, theirs / ours);
@@ -68,10 +68,10 @@ void compare(const Case& c, const std::vector<process::EngineRow>& rows) {
     untuned.error = subject.error_of(exact_options, samples);
     untuned.cpu = subject.cost(exact_options, samples, true, 9);
     if (ours.how.empty()) {
-      fmt::print("    no scheme reaches it\n");
+      fmt::print("    no integrator reaches it\n");
       continue;
     }
-    const bool closed = !engine::make_plan(subject.model, exact_options).scheme;
+    const bool closed = !engine::make_plan(subject.model, exact_options).integrator;
     double stepped = INFINITY;
     if (closed) {
       untuned.how = "closed form (auto)";

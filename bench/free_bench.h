@@ -71,7 +71,7 @@ inline engine::Model model_of(const core::Scene& scene) {
   return model;
 }
 
-// Closed form after 1 s, by scheme auto.
+// Closed form after 1 s, by integrator auto.
 inline std::vector<engine::Motion> exact(const engine::Model& model) {
   engine::Options options;
   options.dt = 1;
@@ -121,7 +121,7 @@ struct Own {
 
 inline void run(Own& own, const engine::Model& model, const std::vector<engine::Motion>& truth) {
   engine::Options options;
-  options.scheme = "velocity-verlet", options.dt = dt;
+  options.integrator = "velocity-verlet", options.dt = dt;
   const engine::Plan plan = engine::make_plan(model, options);
   const auto stepper = engine::make_stepper(model, options, plan);
   std::vector<engine::Motion> motions;
@@ -223,7 +223,8 @@ inline void million(const Kind& kind) {
   };
   malloc_trim(0);
   const double before = resident();
-  engine::FreeBodies bodies(count, given, {0, Real(-9.81), 0}, *engine::find_scheme("velocity-verlet"), dt);
+  engine::FreeBodies bodies(count, given, {0, Real(-9.81), 0}, *engine::find_integrator("velocity-verlet"),
+                            dt);
   bodies.step();
   const double bytes = (resident() - before) / count;
   double ns = 1e30, in_runs = 1e30, speed = 0;

@@ -1,4 +1,4 @@
-// This engine on a smooth scene: the error and the cost of a scheme and a step, and the cheapest that reach
+// This engine on a smooth scene: the error and the cost of an integrator and a step, and the cheapest that reach
 // an error.
 #pragma once
 
@@ -42,9 +42,9 @@ struct Subject {
   std::unique_ptr<engine::Stepper> make(const engine::Options& options) const {
     return engine::make_stepper(model, options, engine::make_plan(model, options));
   }
-  engine::Options options(const std::string& scheme, std::int64_t steps, double tolerance = 0) const {
+  engine::Options options(const std::string& integrator, std::int64_t steps, double tolerance = 0) const {
     engine::Options o;
-    o.scheme = scheme, o.dt = duration / static_cast<double>(steps);
+    o.integrator = integrator, o.dt = duration / static_cast<double>(steps);
     o.tolerance = static_cast<engine::Real>(tolerance);
     return o;
   }
@@ -85,16 +85,16 @@ struct Subject {
   }
 };
 
-inline constexpr const char* schemes[] = {"velocity-verlet", "bm4", "rkn4", "bm6", "rkn6", "rk4", "rk8"};
+inline constexpr const char* integrators[] = {"velocity-verlet", "bm4", "rkn4", "bm6", "rkn6", "rk4", "rk8"};
 
-// The fewest steps of a ladder by which a scheme reaches an error, and keeps it.
-inline std::optional<std::int64_t> fewest(const Subject& s, const char* scheme, double target) {
-  const engine::Scheme& row = *engine::find_scheme(scheme);
+// The fewest steps of a ladder by which an integrator reaches an error, and keeps it.
+inline std::optional<std::int64_t> fewest(const Subject& s, const char* integrator, double target) {
+  const engine::Integrator& row = *engine::find_integrator(integrator);
   std::int64_t found = 0;
   int kept = 0;
   for (double n = 4 * samples; n < 4e6; n = std::max(n * 1.1, n + samples)) {
     const std::int64_t steps = samples * static_cast<std::int64_t>(n / samples);
-    const double error = s.error_of(s.options(scheme, steps), steps);
+    const double error = s.error_of(s.options(integrator, steps), steps);
     if (error <= target) {
       if (kept == 0) found = steps;
       if (++kept == 4) return found;
@@ -110,12 +110,12 @@ inline std::optional<std::int64_t> fewest(const Subject& s, const char* scheme, 
 
 inline Run tuned(const Subject& s, double target) {
   Run best;
-  for (const char* scheme : schemes) {
-    const auto steps = fewest(s, scheme, target);
+  for (const char* integrator : integrators) {
+    const auto steps = fewest(s, integrator, target);
     if (!steps) continue;
-    const auto o = s.options(scheme, *steps);
+    const auto o = s.options(integrator, *steps);
     const double cpu = s.cost(o, *steps, false, 15);
-    if (cpu < best.cpu) best = {scheme, static_cast<double>(*steps), s.error_of(o, *steps), cpu};
+    if (cpu < best.cpu) best = {integrator, static_cast<double>(*steps), s.error_of(o, *steps), cpu};
   }
   return best;
 }

@@ -34,12 +34,12 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
 
  public:
   AdaptiveStepper(S system, std::vector<Real> initial, Real tolerance, Time dt, Read read)
-      : Base(std::move(system), std::move(initial), dt, std::move(read)), scheme_(y_.size(), tolerance) {
+      : Base(std::move(system), std::move(initial), dt, std::move(read)), integrator_(y_.size(), tolerance) {
     if constexpr (Switching<S>) {
       watching_ = system_.switch_count() > 0;
       if (watching_) system_.watch(0, y_.data());
     }
-    scheme_.start(system_, 0, y_.data());
+    integrator_.start(system_, 0, y_.data());
   }
 
   void step() override {
@@ -49,12 +49,12 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
       if (turn_) {
         take_turn();
       } else {
-        going_ = scheme_.step(system_, scheme_.end() + farthest * dt_) == Ending::done;
+        going_ = integrator_.step(system_, integrator_.end() + farthest * dt_) == Ending::done;
         if (going_ && watching_) turn_ = first_turn();
       }
     }
     if (going_)
-      scheme_.at(system_, now, y_.data());
+      integrator_.at(system_, now, y_.data());
     else
       std::fill(y_.begin(), y_.end(), std::numeric_limits<Real>::quiet_NaN());
   }
@@ -65,7 +65,7 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
     if (!going_) {
       std::snprintf(text, sizeof text,
                     "integration stopped at t = %.17g s: no step is small enough for the tolerance",
-                    scheme_.end());
+                    integrator_.end());
       remarks.emplace_back(text);
     }
     if (slides_at_ > 0) {
@@ -79,8 +79,8 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
   }
 
  private:
-  static constexpr Time farthest = 1e6;  // steps of dt that one step of the scheme may span
-  static constexpr int looks = 8;        // for a change of sign within a step of the scheme
+  static constexpr Time farthest = 1e6;  // steps of dt that one step of the integrator may span
+  static constexpr int looks = 8;        // for a change of sign within a step of the integrator
   static constexpr int most_flips =
       200;  // in a step of dt; more is a force that pushes its switch back at once
 
@@ -89,16 +89,16 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
     std::size_t which;
   };
 
-  Time reached() const { return turn_ ? turn_->time : scheme_.end(); }
+  Time reached() const { return turn_ ? turn_->time : integrator_.end(); }
 
-  // The first switch in the last step of the scheme.
+  // The first switch in the last step of the integrator.
   std::optional<Turn> first_turn() {
     std::optional<Turn> first;
     if constexpr (Switching<S>) {
-      const Time begin = scheme_.begin(), span = scheme_.end() - begin;
+      const Time begin = integrator_.begin(), span = integrator_.end() - begin;
       const auto value = [&](std::size_t k, Real part) {
-        const Time t = part < 1 ? begin + static_cast<Time>(part) * span : scheme_.end();
-        scheme_.at(system_, t, y_.data());
+        const Time t = part < 1 ? begin + static_cast<Time>(part) * span : integrator_.end();
+        integrator_.at(system_, t, y_.data());
         return system_.switch_value(k, t, y_.data());
       };
       for (std::size_t k = 0; k < system_.switch_count(); ++k) {
@@ -122,7 +122,7 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
   void take_turn() {
     if constexpr (Switching<S>) {
       const Turn turn = *std::exchange(turn_, std::nullopt);
-      scheme_.at(system_, turn.time, y_.data());
+      integrator_.at(system_, turn.time, y_.data());
       if (++flips_ > most_flips) {
         system_.unwatch();
         watching_ = false;
@@ -131,13 +131,13 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
         system_.flip(turn.which);
       }
       last_turn_ = turn.which, last_turn_time_ = turn.time;
-      scheme_.start(system_, turn.time, y_.data(), true);
+      integrator_.start(system_, turn.time, y_.data(), true);
     }
   }
 
-  Dop853<S> scheme_;
+  Dop853<S> integrator_;
   bool going_ = true, watching_ = false;
-  std::optional<Turn> turn_;  // the next, within the last step of the scheme
+  std::optional<Turn> turn_;  // the next, within the last step of the integrator
   int flips_ = 0;
   std::size_t last_turn_ = 0;
   Time last_turn_time_ = -1, slides_at_ = 0;

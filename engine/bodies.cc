@@ -72,7 +72,7 @@ std::vector<Real> Bodies::initial() const {
 }
 
 // m(t) = m_0 + t dm/dt
-void Bodies::weigh(Time t) {
+void Bodies::update_masses(Time t) {
   if (!varies_) return;
   for (std::size_t i = 0; i < mass_.size(); ++i) {
     Body& body = model_.bodies[i];
@@ -108,7 +108,7 @@ void Bodies::find_loads(Time t, const Motion* motion, Real* powers) {
 }
 
 void Bodies::load(Time t, const Real* y) {
-  weigh(t);
+  update_masses(t);
   find_kinematics(motions(y));
   find_loads(t, motions(y), nullptr);
 }
@@ -118,7 +118,7 @@ void Bodies::gather(const Motion* motion) {
   for (const Joint& joint : model_.joints) add_rows(joint, model_.bodies, motion, rows_.rows);
 }
 
-// The same with unit quaternions: the stages of a scheme leave them, and the rows of joints take them as
+// The same with unit quaternions: the stages of an integrator leave them, and the rows of joints take them as
 // such.
 const Motion* Bodies::upright(const Motion* motion) {
   for (std::size_t i = 0; i < upright_.size(); ++i) {
@@ -130,7 +130,7 @@ const Motion* Bodies::upright(const Motion* motion) {
 
 void Bodies::rates(Time t, const Real* y, Real* rate) {
   const Motion* motion = holder_ || constrained() ? upright(motions(y)) : motions(y);
-  weigh(t);
+  update_masses(t);
   find_kinematics(motion);
   Real* powers = account_ ? rate + motion_size * kinematics_.size() : nullptr;
   find_loads(t, motion, powers);
@@ -179,7 +179,7 @@ void Bodies::kick(Time t, Real h, Real* y) {
   constexpr int terms = 12;
   const Real tiny = std::numeric_limits<Real>::epsilon() / 4;
   Real* works = y + motion_size * n;
-  weigh(t);
+  update_masses(t);
   find_kinematics(motion);
   find_loads(t, motion, account_ ? powers_.data() : nullptr);
   const auto account = [&] {
@@ -313,7 +313,7 @@ void Bodies::drift(Real h, Real* y) {
   rows_.project_velocities(model_.bodies, motions(y));
 }
 
-void Bodies::settle(Real* y) {
+void Bodies::project(Real* y) {
   Motion* motion = motions(y);
   for (std::size_t i = 0; i < kinematics_.size(); ++i) {
     if (!model_.bodies[i].turns) continue;

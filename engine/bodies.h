@@ -38,7 +38,7 @@ class Bodies {
   void rates(Time, const Real* y, Real* rate);
   void kick(Time, Real h, Real* y);
   void drift(Real h, Real* y);
-  void settle(Real* y);
+  void project(Real* y);
   /// For error control: the largest size so far of each component's kind over all bodies.
   void scales(const Real* y, Real* scale);
 
@@ -72,7 +72,7 @@ class Bodies {
   const std::vector<Kinematics>& kinematics() const { return kinematics_; }
 
  private:
-  void weigh(Time);
+  void update_masses(Time);
   void find_kinematics(const Motion*);
   void find_loads(Time, const Motion*, Real* powers);
   void free_drift(Real h, Real* y);

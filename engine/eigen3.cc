@@ -62,7 +62,7 @@ Real determinant(const Columns& v) {
 bool equal(Real lesser, Real greater) { return greater - lesser <= same * std::abs(greater); }
 
 // Makes one of what only rounding tells apart, and gives the axes that convention asks for.
-void settle(Numbers& moments, Columns& axes) {
+void canonicalise(Numbers& moments, Columns& axes) {
   for (Numbers& axis : axes) {
     axis = normalised(axis);
     point_forward(axis);
@@ -111,7 +111,7 @@ Principal principal(const Matrix3& symmetric) {
     moments[k] = a(order[k], order[k]);
     for (int i = 0; i < 3; ++i) sorted[k][static_cast<std::size_t>(i)] = axes(i, order[k]);
   }
-  settle(moments, sorted);
+  canonicalise(moments, sorted);
 
   Principal result;
   for (int i = 0; i < 3; ++i) {

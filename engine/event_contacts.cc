@@ -175,7 +175,7 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
 // is its impulse; elsewhere that is not known.
 void EventStepper::note_lasting(Time now, bool undisturbed) {
   if (held_.empty()) return;
-  const Support lasting = support(now, y_.data());
+  const ContactForces lasting = support(now, y_.data());
   for (std::size_t i = 0; i < held_.size(); ++i) {
     const TouchPoint& touch = touches_[i];
     Contact contact{touch.body,     touch.other,  candidates_[held_[i].candidate].plane,
@@ -202,7 +202,7 @@ void EventStepper::hold_spots(Time now, const std::vector<Spot>& touching) {
   rest_speed_ = Real(0.25) * slow_ulps * ulp * push * static_cast<Real>(dt_);
 
   std::vector<std::size_t> which;
-  Support support = find_holds(touching, slow, which);
+  ContactForces support = find_holds(touching, slow, which);
   if (!support.exact) {  // jams: see loosen()
     for (const std::size_t i : which) restless_[touching[i].held.candidate] = 1;
     if (loosen()) support = find_holds(touching, slow, which);
@@ -217,7 +217,7 @@ void EventStepper::hold_spots(Time now, const std::vector<Spot>& touching) {
   }
   if (held_.empty()) return;
   system_.set_holder(this);
-  system_.settle(y_.data());
+  system_.project(y_.data());
   resting_ = support.exact && nothing_moves(support);
 }
 
@@ -255,7 +255,7 @@ bool EventStepper::loosen() {
 }
 
 // Nothing moves, nothing pushes, and no force will come with time: what is so stays so.
-bool EventStepper::nothing_moves(const Support& support) const {
+bool EventStepper::nothing_moves(const ContactForces& support) const {
   const Model& model = system_.model();
   const Motion* motion = Bodies::motions(y_.data());
   if (!model.forces.drives.empty() || model.frame) return false;
@@ -267,8 +267,8 @@ bool EventStepper::nothing_moves(const Support& support) const {
 }
 
 // How the points are held that do not part, and which they are.
-Support EventStepper::find_holds(const std::vector<Spot>& touching, Real slow,
-                                 std::vector<std::size_t>& which) {
+ContactForces EventStepper::find_holds(const std::vector<Spot>& touching, Real slow,
+                                       std::vector<std::size_t>& which) {
   const std::vector<Body>& bodies = system_.model().bodies;
   const Motion* motion = Bodies::motions(y_.data());
   std::vector<TouchPoint> touches;
@@ -295,7 +295,7 @@ Support EventStepper::find_holds(const std::vector<Spot>& touching, Real slow,
   if (touches.empty()) return {};
   if (held_.empty()) guess.clear();
   const Instant instant{bodies, motion, system_.kinematics().data(), system_.loads().data()};
-  return find_support(touches, joint_rows(motion), instant, std::max(slow, left_slip_), guess);
+  return find_contact_forces(touches, joint_rows(motion), instant, std::max(slow, left_slip_), guess);
 }
 
 }  // namespace cylon::engine

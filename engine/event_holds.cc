@@ -68,11 +68,12 @@ void EventStepper::hold(Time, const std::vector<Body>& bodies, const Motion* mot
     holdings_.push_back(h.holding);
   }
   const std::vector<Row> joints = joint_rows(motion);
-  add_forces(hold_support(touches_, holdings_, joints, {bodies, motion, kinematics, loads}, slow_slip_),
-             loads, bodies.size());
+  add_forces(
+      held_contact_forces(touches_, holdings_, joints, {bodies, motion, kinematics, loads}, slow_slip_),
+      loads, bodies.size());
 }
 
-Support EventStepper::support(Time t, const Real* y) {
+ContactForces EventStepper::support(Time t, const Real* y) {
   system_.load(t, y);
   const Motion* motion = Bodies::motions(y);
   touches_.clear();
@@ -82,7 +83,7 @@ Support EventStepper::support(Time t, const Real* y) {
     holdings_.push_back(h.holding);
   }
   const Instant now{system_.model().bodies, motion, system_.kinematics().data(), system_.loads().data()};
-  return hold_support(touches_, holdings_, joint_rows(motion), now, slow_slip_);
+  return held_contact_forces(touches_, holdings_, joint_rows(motion), now, slow_slip_);
 }
 
 // The directions that slip has now.

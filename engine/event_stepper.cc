@@ -20,12 +20,12 @@ constexpr Time least_part = 1e-9;
 // Steps of error control over a part of one that was accepted: one, as a rule.
 constexpr int most_parts = 20;
 
-const Scheme& fixed_scheme(const Scheme& scheme) {
-  return scheme.kind == Kind::adaptive ? *find_scheme("rk8") : scheme;
+const Integrator& fixed_integrator(const Integrator& integrator) {
+  return integrator.kind == Kind::adaptive ? *find_integrator("rk8") : integrator;
 }
 
-const Scheme& lasting_scheme(const Scheme& scheme) {
-  return scheme.kind == Kind::runge_kutta ? scheme : *find_scheme("rk8");
+const Integrator& lasting_integrator(const Integrator& integrator) {
+  return integrator.kind == Kind::runge_kutta ? integrator : *find_integrator("rk8");
 }
 
 Real largest_reach(const std::vector<Candidate>& candidates) {
@@ -61,33 +61,33 @@ void ScaledBodies::scales(const Real* y, Real* scale) const {
   }
 }
 
-EventStepper::EventStepper(const Model& model, const Scheme& scheme, Time dt, Real tolerance, bool account,
-                           Time start)
-    : EventStepper(reduce(model), scheme, dt, tolerance, account, start) {}
+EventStepper::EventStepper(const Model& model, const Integrator& integrator, Time dt, Real tolerance,
+                           bool account, Time start)
+    : EventStepper(reduce(model), integrator, dt, tolerance, account, start) {}
 
-EventStepper::EventStepper(Reduced reduced, const Scheme& scheme, Time dt, Real tolerance, bool account,
-                           Time start)
+EventStepper::EventStepper(Reduced reduced, const Integrator& integrator, Time dt, Real tolerance,
+                           bool account, Time start)
     : system_(std::move(reduced.model), account),
       readings_(std::move(reduced.readings)),
       candidates_(find_candidates(system_.model())),
       account_(account),
-      adaptive_(scheme.kind == Kind::adaptive),
-      splits_(scheme.kind == Kind::splitting),
+      adaptive_(integrator.kind == Kind::adaptive),
+      splits_(integrator.kind == Kind::splitting),
       dt_(dt),
       start_time_(start),
       steps_(static_cast<std::int64_t>(std::floor(start / dt * (1 + 4e-16)))),
       y_(system_.initial()),
       start_(y_),
       rate_(y_.size()),
-      fixed_(fixed_scheme(scheme), y_.size()),
-      lasting_(lasting_scheme(scheme), y_.size()),
+      fixed_(fixed_integrator(integrator), y_.size()),
+      lasting_(lasting_integrator(integrator), y_.size()),
       scaled_(system_, largest_reach(candidates_),
               least_speed(system_.model(), largest_reach(candidates_), dt)),
       controlled_(y_.size(), tolerance),
       probe_(y_.size(), tolerance),
       loose_(candidates_.size(), 0),
       restless_(candidates_.size(), 0) {
-  system_.settle(y_.data());
+  system_.project(y_.data());
   resolve(start);
   impacts_.clear();
 }
@@ -124,7 +124,7 @@ void EventStepper::step() {
     crawled = 0;
     ++events;
     idle_ = after > no_time * dt_ ? 0 : idle_ + 1;
-    if (events == event_limit / 2) calm();
+    if (events == event_limit / 2) finish_plastically();
     blind_ = events == event_limit;
     if (idle_ >= idle_limit() && loosen()) idle_ = 0;
     resolve(now);
@@ -143,7 +143,7 @@ Time EventStepper::go_on(Time from, Time span, bool& event) {
   start_ = y_;
   turn_slips();
   const bool watches = !blind_ && !held_.empty() && idle_ < idle_limit();
-  Support before;
+  ContactForces before;
   if (watches) before = support(from, start_.data());
   const Time went = piece(from, span);
   const Real width = static_cast<Real>(went);
@@ -168,7 +168,7 @@ Time EventStepper::go_on(Time from, Time span, bool& event) {
   return std::min(went, static_cast<Time>(*first));
 }
 
-// The scheme from y_ to the end of its own step, at most over the span; says how far it came.
+// The integrator from y_ to the end of its own step, at most over the span; says how far it came.
 Time EventStepper::piece(Time from, Time span) {
   system_.set_holder(held_.empty() ? nullptr : this);
   if (!held_.empty() && at_rest(from) && at_rest(from + span)) return span;
@@ -221,8 +221,8 @@ bool EventStepper::at_rest(Time t) {
 int EventStepper::idle_limit() const { return 3 * static_cast<int>(held_.size()) + 3; }
 
 // Of a step that does not come to its end the rest is without bounces and friction.
-void EventStepper::calm() {
-  ++calmed_;
+void EventStepper::finish_plastically() {
+  ++plastic_steps_;
   plastic_ = true;
   std::fill(loose_.begin(), loose_.end(), char{1});
 }
@@ -250,8 +250,9 @@ std::vector<std::string> EventStepper::remarks() const {
     result.push_back("at " + std::to_string(wedged_) +
                      " instants friction grew without bound: an impulse stopped the slip");
   }
-  if (calmed_ > 0) {
-    result.push_back(std::to_string(calmed_) + " steps had more than " + std::to_string(event_limit / 2) +
+  if (plastic_steps_ > 0) {
+    result.push_back(std::to_string(plastic_steps_) + " steps had more than " +
+                     std::to_string(event_limit / 2) +
                      " events: for the rest of these steps, contacts had no restitution and no friction");
   }
   if (crowded_ > 0) {

@@ -1,12 +1,12 @@
-// A small system of any shapes, followed event by event: smooth motion by a scheme, and between the smooth
+// A small system of any shapes, followed event by event: smooth motion by an integrator, and between the smooth
 // pieces impacts, ends of slip, onsets of slip and partings, each located in time.
 #pragma once
 
 #include "engine/bodies.h"
 #include "engine/contact/candidate.h"
+#include "engine/contact/contact_force.h"
 #include "engine/contact/impact.h"
 #include "engine/contact/passage.h"
-#include "engine/contact/support.h"
 #include "engine/integrators/advance.h"
 #include "engine/integrators/dop853.h"
 #include "engine/reduce.h"
@@ -38,7 +38,7 @@ class ScaledBodies {
   void rates(Time t, const Real* y, Real* rate) { bodies_.rates(t, y, rate); }
   void kick(Time t, Real h, Real* y) { bodies_.kick(t, h, y); }
   void drift(Real h, Real* y) { bodies_.drift(h, y); }
-  void settle(Real* y) { bodies_.settle(y); }
+  void project(Real* y) { bodies_.project(y); }
   void scales(const Real* y, Real* scale) const;
 
  private:
@@ -48,10 +48,11 @@ class ScaledBodies {
 
 class EventStepper final : public Stepper, private Holder {
  public:
-  /// `tolerance`: per step, for adaptive schemes.  Splittings move what is free; while a contact lasts the
-  /// Runge-Kutta scheme rk8 does, for friction belongs to neither of their parts.
-  EventStepper(const Model&, const Scheme&, Time dt, Real tolerance, bool account = false, Time start = 0);
-  EventStepper(Reduced, const Scheme&, Time dt, Real tolerance, bool account, Time start);
+  /// `tolerance`: per step, for adaptive integrators.  Splittings move what is free; while a contact lasts the
+  /// Runge-Kutta integrator rk8 does, for friction belongs to neither of their parts.
+  EventStepper(const Model&, const Integrator&, Time dt, Real tolerance, bool account = false,
+               Time start = 0);
+  EventStepper(Reduced, const Integrator&, Time dt, Real tolerance, bool account, Time start);
   EventStepper(const EventStepper&) = delete;
   EventStepper& operator=(const EventStepper&) = delete;
   ~EventStepper() override = default;
@@ -85,20 +86,21 @@ class EventStepper final : public Stepper, private Holder {
   void turn_slips();
   std::optional<Real> contact_time(Time from, Real span, const std::vector<Real>& end);
   std::optional<Real> meeting_time(const Candidate&, bool held, Time from, Real span, const Motion* end);
-  std::optional<Real> change_time(Time from, Real span, const Support& before, const std::vector<Real>& end);
+  std::optional<Real> change_time(Time from, Real span, const ContactForces& before,
+                                  const std::vector<Real>& end);
   void resolve(Time now);
   std::vector<Spot> spots();
   void strike_spots(Time now, std::vector<Spot>&);
   void hold_spots(Time now, const std::vector<Spot>&);
-  Support find_holds(const std::vector<Spot>&, Real slow, std::vector<std::size_t>& which);
-  bool nothing_moves(const Support&) const;
+  ContactForces find_holds(const std::vector<Spot>&, Real slow, std::vector<std::size_t>& which);
+  bool nothing_moves(const ContactForces&) const;
   bool loosen();
-  void calm();
+  void finish_plastically();
   void wedge();
   void note_lasting(Time now, bool undisturbed);
   int idle_limit() const;
   TouchPoint touch_of(const HeldPoint&, const Motion*) const;
-  Support support(Time, const Real* y);
+  ContactForces support(Time, const Real* y);
   std::vector<Row> joint_rows(const Motion*) const;
   Real touch_margin(const Candidate&, const Motion*) const;
   bool holds(std::size_t candidate) const;
@@ -130,7 +132,7 @@ class EventStepper final : public Stepper, private Holder {
   std::vector<char> loose_;     // per candidate: without friction for the rest of this step
   std::vector<char> restless_;  // per candidate: what changed in the idle changes
   bool resting_ = false;        // nothing moves, and no force depends on time
-  long inexact_ = 0, failed_ = 0, crowded_ = 0, calmed_ = 0, loosened_ = 0, wedged_ = 0;
+  long inexact_ = 0, failed_ = 0, crowded_ = 0, plastic_steps_ = 0, loosened_ = 0, wedged_ = 0;
   std::vector<TouchPoint> touches_;
   std::vector<Holding> holdings_;
   Rows rows_;

@@ -19,7 +19,7 @@ constexpr Real touch_ulps = wide ? 4096 : 64;
 // A margin has changed its sign when it is this far on the other side, in ulps of its terms; more than the
 // rounding with which laws are judged, so that the change is then seen.
 constexpr Real change_ulps = 8192;
-// Places at which the passage sees surfaces meet and the scheme itself does not.
+// Places at which the passage sees surfaces meet and the integrator itself does not.
 constexpr int most_grazes = 8;
 // Flights down to 2^-30 of a piece are found where the passage sees only that surfaces meet.
 constexpr int most_halvings = 30;
@@ -135,9 +135,9 @@ std::optional<Real> EventStepper::meeting_time(const Candidate& c, bool held, Ti
 }
 
 // The first time within the piece at which a held point would pull, slip or stop slipping.
-std::optional<Real> EventStepper::change_time(Time from, Real span, const Support& before,
+std::optional<Real> EventStepper::change_time(Time from, Real span, const ContactForces& before,
                                               const std::vector<Real>& end) {
-  const Support after = support(from + static_cast<Time>(span), end.data());
+  const ContactForces after = support(from + static_cast<Time>(span), end.data());
   Real force = 0, speed = 0;
   for (std::size_t i = 0; i < held_.size(); ++i) {
     force = std::max({force, before.points[i].force.norm(), after.points[i].force.norm()});
@@ -147,8 +147,8 @@ std::optional<Real> EventStepper::change_time(Time from, Real span, const Suppor
   std::optional<Real> first;
   left_slip_ = 0;
   const auto look = [&](std::size_t i, What what, Real least) {
-    const auto margin = [&, i, what, least](const Support& s) {
-      const SupportPoint& p = s.points[i];
+    const auto margin = [&, i, what, least](const ContactForces& s) {
+      const ContactForce& p = s.points[i];
       return least + (what == What::presses ? p.normal : what == What::reserve ? p.reserve : p.slip_speed);
     };
     const Real m0 = margin(before), m1 = margin(after);

@@ -96,8 +96,8 @@ template <bool is_fast>
 
 }  // namespace
 
-std::string FreeBodies::not_free(const Model& model, const Scheme& scheme) {
-  if (scheme.kind != cylon::engine::Kind::splitting) return "the integrator is not a splitting";
+std::string FreeBodies::not_free(const Model& model, const Integrator& integrator) {
+  if (integrator.kind != cylon::engine::Kind::splitting) return "the integrator is not a splitting";
   if (can_touch(model)) return "bodies can touch";
   if (!model.forces.only_gravity()) return "a force other than gravity acts";
   if (!model.joints.empty()) return "the scene has joints";
@@ -109,22 +109,22 @@ std::string FreeBodies::not_free(const Model& model, const Scheme& scheme) {
   return "";
 }
 
-FreeBodies::FreeBodies(const Model& model, const Scheme& scheme, Time dt, int threads)
+FreeBodies::FreeBodies(const Model& model, const Integrator& integrator, Time dt, int threads)
     : FreeBodies(
           model.bodies.size(),
           [&](std::size_t i) {
             return Given{model.bodies[i], model.motions[i]};
           },
-          model.forces.gravity, scheme, dt, threads) {
-  assert(not_free(model, scheme).empty());
+          model.forces.gravity, integrator, dt, threads) {
+  assert(not_free(model, integrator).empty());
 }
 
 FreeBodies::FreeBodies(std::size_t count, const std::function<Given(std::size_t)>& given,
-                       const Vector3& gravity, const Scheme& scheme, Time dt, int threads)
+                       const Vector3& gravity, const Integrator& integrator, Time dt, int threads)
     : gravity_(gravity),
       dt_(static_cast<Real>(dt)),
-      own_share_(static_cast<Real>(own_share(scheme.splitting))),
-      parts_(rotation_parts(scheme.order)),
+      own_share_(static_cast<Real>(own_share(integrator.splitting))),
+      parts_(rotation_parts(integrator.order)),
       threads_(threads) {
   for (const double part : parts_) largest_part_ = std::max(largest_part_, std::abs(static_cast<Real>(part)));
   std::uint32_t counts[kinds] = {};

@@ -2,7 +2,7 @@
 // by side, each block of them in one place of memory.
 #pragma once
 
-#include "engine/integrators/scheme.h"
+#include "engine/integrators/integrator.h"
 #include "engine/model.h"
 #include "engine/pile/threads.h"
 #include "engine/stepper.h"
@@ -13,12 +13,12 @@
 
 namespace cylon::engine {
 
-/// Translation: every symmetric scheme carries free fall exactly, and each keeps the displacement per step s
-/// (the schemes differ in A, the share of a step's own kick that its own drifts see; 1/2 from order 2 on)
+/// Translation: every symmetric integrator carries free fall exactly, and each keeps the displacement per step s
+/// (the integrators differ in A, the share of a step's own kick that its own drifts see; 1/2 from order 2 on)
 ///   p' = p + s,  s' = s + h^2 g,  s = h K/m + A h^2 g
 /// Rotation: with H = |L|^2 x_1/2 + (x_0 - x_1) l_0^2/2 + (x_2 - x_1) l_2^2/2 of engine/free_rotation.h
 ///   symmetric bodies:  q' = a q b,  a = exp(h x_1 L),  b = exp(h (x_s - x_1) l_s e_s), both constant: exact
-///   others:  q' = a q (a composition of turns about e_0 and e_2): Strang's for schemes of order up to 2,
+///   others:  q' = a q (a composition of turns about e_0 and e_2): Strang's for integrators of order up to 2,
 ///   Blanes and Moan's S6 and S10 for order 4 and 6; truncation of that order, L exact.
 /// Bodies are independent: blocks may run on any number of threads, with the same bits.
 class FreeBodies final : public Stepper {
@@ -28,15 +28,15 @@ class FreeBodies final : public Stepper {
     Motion motion;
   };
 
-  /// Why a model or scheme is not one for this, or empty.
-  static std::string not_free(const Model&, const Scheme&);
+  /// Why a model or integrator is not one for this, or empty.
+  static std::string not_free(const Model&, const Integrator&);
 
   /// Requires not_free() to be empty.  threads: 0: as many as the machine has.
-  FreeBodies(const Model&, const Scheme&, Time dt, int threads = 1);
+  FreeBodies(const Model&, const Integrator&, Time dt, int threads = 1);
 
   /// The same without a Model in memory; `given` is asked twice for each body.
   FreeBodies(std::size_t count, const std::function<Given(std::size_t)>& given, const Vector3& gravity,
-             const Scheme&, Time dt, int threads = 1);
+             const Integrator&, Time dt, int threads = 1);
 
   void step() override { advance(1); }
   /// Steps in a row: each block stays in cache for all of them.  The bits of as many step().

@@ -68,7 +68,7 @@ inline bool same_moment(Real x, Real y) {
 }
 
 /// The orientation after a time h with constant angular momentum L (world axes): exact to rounding for every
-/// body and any h, made for short steps.  The drift of a splitting scheme.
+/// body and any h, made for short steps.  The drift of a splitting integrator.
 inline Quaternion free_flow(const Body& body, const Quaternion& orientation, const Vector3& angular_momentum,
                             Real h) {
   const Vector3& x = body.inverse_moments;

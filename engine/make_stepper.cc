@@ -22,12 +22,12 @@ namespace {
 
 Real bound(const Options& options) { return options.tolerance > 0 ? options.tolerance : default_tolerance(); }
 
-// Smooth motion of a System by a scheme, fixed or adaptive with a local tolerance.
+// Smooth motion of a System by an integrator, fixed or adaptive with a local tolerance.
 template <class S, class Read>
 std::unique_ptr<Stepper> smooth(const S& system, const std::vector<Real>& initial, const Plan& plan,
                                 const Options& options, Read read, const Model& model) {
-  if (plan.scheme->kind != Kind::adaptive)
-    return std::make_unique<SmoothStepper<S, Read>>(system, initial, *plan.scheme, options.dt, read);
+  if (plan.integrator->kind != Kind::adaptive)
+    return std::make_unique<SmoothStepper<S, Read>>(system, initial, *plan.integrator, options.dt, read);
   const auto run = [=](Real tolerance) -> std::unique_ptr<Stepper> {
     return std::make_unique<AdaptiveStepper<S, Read>>(system, initial, tolerance, options.dt, read);
   };
@@ -68,8 +68,8 @@ std::unique_ptr<Stepper> make_bodies(const Model& model, const Plan& plan, const
 
 std::unique_ptr<Stepper> make_events(const Model& model, const Plan& plan, const Options& options,
                                      Time start) {
-  const auto run = [=, scheme = plan.scheme](Real tolerance) -> std::unique_ptr<Stepper> {
-    return std::make_unique<EventStepper>(model, *scheme, options.dt, tolerance, options.account, start);
+  const auto run = [=, integrator = plan.integrator](Real tolerance) -> std::unique_ptr<Stepper> {
+    return std::make_unique<EventStepper>(model, *integrator, options.dt, tolerance, options.account, start);
   };
   if (!plan.verified) return run(bound(options));
   return std::make_unique<VerifiedStepper>(run, bound(options), options.dt, model.bodies);
@@ -85,23 +85,23 @@ PileSettings pile_settings(const Options& options) {
 
 std::unique_ptr<Stepper> make_stepper(const Model& model, const Options& options, const Plan& plan,
                                       Time start) {
-  switch (plan.method) {
-    case Method::exact:
+  switch (plan.path) {
+    case Path::exact:
       return std::make_unique<FreeStepper>(model, options.dt);
-    case Method::free:
-      return std::make_unique<FreeBodies>(model, *plan.scheme, options.dt);
-    case Method::modes:
+    case Path::free:
+      return std::make_unique<FreeBodies>(model, *plan.integrator, options.dt);
+    case Path::modes:
       return std::make_unique<ModesStepper>(model, options.dt);
-    case Method::points:
+    case Path::points:
       return model.bodies.size() == 1 ? make_points<1>(model, plan, options)
                                       : make_points<0>(model, plan, options);
-    case Method::bodies:
+    case Path::bodies:
       return make_bodies(model, plan, options);
-    case Method::ballistic:
+    case Path::ballistic:
       return make_ballistic(model, options.dt);
-    case Method::events:
+    case Path::events:
       return make_events(model, plan, options, start);
-    case Method::stepping:
+    case Path::stepping:
       return make_pile(model, options.dt, pile_settings(options));
   }
   return nullptr;

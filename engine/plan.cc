@@ -14,7 +14,7 @@ namespace cylon::engine {
 namespace {
 
 // More moving bodies than this that can touch are stepped, not followed event by event: spheres, and others.
-// Two boxes that settle on one another and on a plane bounce thousands of times in a step of 10 ms: 22 s of
+// Two boxes that project on one another and on a plane bounce thousands of times in a step of 10 ms: 22 s of
 // work.
 constexpr std::size_t most_followed = 8, most_followed_others = 1;
 
@@ -54,27 +54,26 @@ bool has_friction(const Model& model) {
   return any(model.materials, [](const Material& m) { return m.friction > 0; });
 }
 
-Method method_of(const Model& model, const Options& options) {
-  const bool chosen = options.scheme != "auto";
-  if (can_touch(model) || (options.full && options.method.empty() && !model.frame)) {
-    if (options.method == "stepping") return Method::stepping;
-    if (!chosen && !options.full && options.method.empty() && ballistic_applies(model))
-      return Method::ballistic;
-    if (options.method == "events" || few_touch(model)) return Method::events;
-    return Method::stepping;
+Path path_of(const Model& model, const Options& options) {
+  const bool chosen = options.integrator != "auto";
+  if (can_touch(model) || (options.full && options.path.empty() && !model.frame)) {
+    if (options.path == "stepping") return Path::stepping;
+    if (!chosen && !options.full && options.path.empty() && ballistic_applies(model)) return Path::ballistic;
+    if (options.path == "events" || few_touch(model)) return Path::events;
+    return Path::stepping;
   }
-  if (options.full) return Method::bodies;
-  if (!chosen && !options.account && moves_freely(model)) return Method::exact;
-  if (!chosen && !options.account && normal_modes(model).why_not.empty()) return Method::modes;
+  if (options.full) return Path::bodies;
+  if (!chosen && !options.account && moves_freely(model)) return Path::exact;
+  if (!chosen && !options.account && normal_modes(model).why_not.empty()) return Path::modes;
   if (chosen && !options.account && model.bodies.size() > many_free &&
-      FreeBodies::not_free(model, *find_scheme(options.scheme)).empty())
-    return Method::free;
-  if (!options.account && not_points(model).empty()) return Method::points;
-  return Method::bodies;
+      FreeBodies::not_free(model, *find_integrator(options.integrator)).empty())
+    return Path::free;
+  if (!options.account && not_points(model).empty()) return Path::points;
+  return Path::bodies;
 }
 
-bool is_closed(Method method) {
-  return method == Method::exact || method == Method::modes || method == Method::ballistic;
+bool is_closed(Path path) {
+  return path == Path::exact || path == Path::modes || path == Path::ballistic;
 }
 
 // What would have to know that the world turns; null: nothing.
@@ -121,24 +120,24 @@ class Stages {
     add("friction", contact && has_friction(model_), "at least one pair of surfaces has friction",
         contact ? "no pair of surfaces has friction" : nothing);
     add("contact solving", contact, "contacts can persist", nothing);
-    add("event location", plan_.method == Method::events || plan_.method == Method::ballistic,
+    add("event location", plan_.path == Path::events || plan_.path == Path::ballistic,
         "impacts and contact changes are located in time, not at the end of a step",
-        plan_.method == Method::stepping ? "contacts are resolved over whole steps" : nothing);
-    add("integration", plan_.scheme != nullptr,
-        plan_.scheme ? "integrator " + std::string(plan_.scheme->name) : std::string(),
-        plan_.method == Method::stepping ? "the stepping path has its own integrator"
-                                         : "the motion is in closed form");
-    add("closed form", is_closed(plan_.method),
-        plan_.method == Method::exact   ? "every body moves freely"
-        : plan_.method == Method::modes ? "all springs are linear: normal modes"
-                                        : "spheres move freely between impacts",
+        plan_.path == Path::stepping ? "contacts are resolved over whole steps" : nothing);
+    add("integration", plan_.integrator != nullptr,
+        plan_.integrator ? "integrator " + std::string(plan_.integrator->name) : std::string(),
+        plan_.path == Path::stepping ? "the stepping path has its own integrator"
+                                     : "the motion is in closed form");
+    add("closed form", is_closed(plan_.path),
+        plan_.path == Path::exact   ? "every body moves freely"
+        : plan_.path == Path::modes ? "all springs are linear: normal modes"
+                                    : "spheres move freely between impacts",
         "forces, joints, contacts or the chosen integrator need integration");
     add("error control", plan_.verified, "two solutions must agree within the tolerance",
-        plan_.method == Method::stepping ? "stepping uses a fixed step: its error is not controlled"
-        : plan_.scheme && plan_.scheme->kind == Kind::adaptive
+        plan_.path == Path::stepping ? "stepping uses a fixed step: its error is not controlled"
+        : plan_.integrator && plan_.integrator->kind == Kind::adaptive
             ? "the integrator controls the error of each step only"
-        : plan_.scheme ? "the integrator has a fixed step"
-                       : "the error of a closed form is rounding");
+        : plan_.integrator ? "the integrator has a fixed step"
+                           : "the error of a closed form is rounding");
     return std::move(stages_);
   }
 
@@ -151,7 +150,7 @@ class Stages {
   void count(const char* name, std::size_t n) {
     add(name, n > 0, std::to_string(n) + (n == 1 ? " acts" : " act"), "none in the scene");
   }
-  bool broad() const { return plan_.method == Method::stepping || (can_touch(model_) && !few_touch(model_)); }
+  bool broad() const { return plan_.path == Path::stepping || (can_touch(model_) && !few_touch(model_)); }
 
   // 6 n - m; a locked body has none, a point 3.
   void freedom() {
@@ -204,7 +203,7 @@ class Stages {
 
 }  // namespace
 
-const char* const method_rule =
+const char* const path_rule =
     "events: impacts and contact changes are located in time; used if at most 8 moving bodies can touch "
     "anything and at most 1 of them is not a sphere, or if only spheres in uniform gravity move. stepping: "
     "fixed steps with impulses; used otherwise.";
@@ -224,18 +223,19 @@ bool can_touch(const Model& model) {
 std::string unsupported(const Model& given, const Options& options, const Names& names) {
   Model model = given;
   model.reduce_joints = model.reduce_joints && !options.constraints;
-  const Scheme* scheme = find_scheme(options.scheme);
-  if (options.scheme != "auto" && !scheme) return "there is no integrator '" + options.scheme + "'";
-  if (!options.method.empty() && options.method != "events" && options.method != "stepping")
-    return "there is no path '" + options.method + "'";
-  if (scheme && !scheme->constraints && scheme->kind == Kind::splitting && !model.joints.empty() &&
-      !reduce(model).model.joints.empty()) {
-    return std::string(scheme->name) +
+  const Integrator* integrator = find_integrator(options.integrator);
+  if (options.integrator != "auto" && !integrator)
+    return "there is no integrator '" + options.integrator + "'";
+  if (!options.path.empty() && options.path != "events" && options.path != "stepping")
+    return "there is no path '" + options.path + "'";
+  if (integrator && !integrator->constraints && integrator->kind == Kind::splitting &&
+      !model.joints.empty() && !reduce(model).model.joints.empty()) {
+    return std::string(integrator->name) +
            " cannot integrate joints: only compositions of RATTLE steps keep the constraints";
   }
-  const bool stepping = can_touch(model) && method_of(model, options) == Method::stepping;
-  if (stepping && options.scheme != "auto")
-    return "the stepping path has its own integrator: " + options.scheme + " is for the path events";
+  const bool stepping = can_touch(model) && path_of(model, options) == Path::stepping;
+  if (stepping && options.integrator != "auto")
+    return "the stepping path has its own integrator: " + options.integrator + " is for the path events";
   if (const char* reason = not_in_a_turning_frame(model)) return reason;
   for (const Water& water : model.forces.waters) {
     if (water.mode != WaterMode::volume) continue;
@@ -244,17 +244,17 @@ std::string unsupported(const Model& given, const Options& options, const Names&
         return "the volume of a capsule below a water surface is not modelled";
     }
   }
-  return unresolved(model, method_of(model, options), names);
+  return unresolved(model, path_of(model, options), names);
 }
 
 Plan make_plan(const Model& model, const Options& options) {
   Plan plan;
-  plan.method = method_of(model, options);
-  const bool schemeless = is_closed(plan.method) || plan.method == Method::stepping;
-  plan.verified = !schemeless && options.scheme == "auto";
-  if (!schemeless) plan.scheme = find_scheme(plan.verified ? "dop853" : options.scheme);
+  plan.path = path_of(model, options);
+  const bool no_integrator = is_closed(plan.path) || plan.path == Path::stepping;
+  plan.verified = !no_integrator && options.integrator == "auto";
+  if (!no_integrator) plan.integrator = find_integrator(plan.verified ? "dop853" : options.integrator);
   const bool drags = model.forces.read_velocities();
-  if (plan.scheme) plan.order = drags ? plan.scheme->drag_order : plan.scheme->order;
+  if (plan.integrator) plan.order = drags ? plan.integrator->drag_order : plan.integrator->order;
   plan.stages = Stages(model, options, plan).list();
   return plan;
 }

@@ -1,7 +1,7 @@
 // Model only what a scene requires: which stages a model needs, and why.
 #pragma once
 
-#include "engine/integrators/scheme.h"
+#include "engine/integrators/integrator.h"
 #include "engine/model.h"
 #include "engine/resolution.h"
 
@@ -12,11 +12,11 @@ namespace cylon::engine {
 
 /// What a run is asked to be.
 struct Options {
-  std::string scheme = "auto";  ///< A row of schemes(), or auto.
-  Time dt = 0;                  ///< Step, and grid of the samples [s], > 0.
+  std::string integrator = "auto";  ///< A row of integrators(), or auto.
+  Time dt = 0;                      ///< Step, and grid of the samples [s], > 0.
   Real tolerance = 0;  ///< Of the scales of the motion; auto: bound on the global error; dop853: on the error
                        ///< of each step; 0: default_tolerance.
-  std::string method;  ///< "events" or "stepping"; "": by the plan's rule.
+  std::string path;    ///< "events" or "stepping"; "": by the plan's rule.
   int sweeps = 0;      ///< stepping: sweeps over the contacts in a step; 0: PileSettings' own.
   bool constraints = false;  ///< Keep all joints as constraints, in no reduced coordinates.
   bool full = false;         ///< Run every stage, needed or not.
@@ -27,7 +27,7 @@ struct Options {
 Real default_tolerance();
 
 /// How a model is carried through time.
-enum class Method {
+enum class Path {
   exact,      ///< Every body moves freely: closed form from t = 0.
   free,       ///< Many bodies that move freely, by fixed steps of a splitting.
   modes,      ///< Points on springs that pull linearly: normal modes, closed form from t = 0.
@@ -46,15 +46,16 @@ struct Stage {
 };
 
 struct Plan {
-  Method method = Method::bodies;
-  bool verified = false;           ///< Error-controlled, by two runs that must agree.
-  const Scheme* scheme = nullptr;  ///< Null where the motion is in closed form or the method has its own.
-  int order = 0;                   ///< Of the scheme, for this model's forces.
+  Path path = Path::bodies;
+  bool verified = false;  ///< Error-controlled, by two runs that must agree.
+  const Integrator* integrator =
+      nullptr;    ///< Null where the motion is in closed form or the path has its own.
+  int order = 0;  ///< Of the integrator, for this model's forces.
   std::vector<Stage> stages;
 };
 
-/// In words, the rule by which `method` follows from the model.
-extern const char* const method_rule;
+/// In words, the rule by which `path` follows from the model.
+extern const char* const path_rule;
 
 /// Whether anything in the model can touch.
 bool can_touch(const Model&);

@@ -18,7 +18,7 @@ namespace cylon::engine {
 /// empty where it is.
 std::string not_points(const Model&);
 
-/// What tells the schemes that the length of the state is a constant, where it is one.
+/// What tells the integrators that the length of the state is a constant, where it is one.
 template <std::size_t N>
 struct PointsSize {
   static constexpr std::size_t fixed_size = 6 * N;
@@ -85,7 +85,7 @@ class Points : public PointsSize<N> {
     }
   }
 
-  void settle(Real*) {}
+  void project(Real*) {}
 
   /// For error control: positions against the largest distance from the origin so far, momenta against the
   /// mass times the largest speed so far; what has been zero always, against 1.

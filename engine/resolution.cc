@@ -154,14 +154,14 @@ std::string numbered(Thing thing, int index) {
   return (thing == Thing::body ? "body " : "plane ") + std::to_string(index);
 }
 
-std::string unresolved(const Model& model, Method method, const Names& names) {
+std::string unresolved(const Model& model, Path path, const Names& names) {
   std::string reason = Places(model, names).coarse();
   const bool presses =
       !model.forces.only_gravity() || !model.forces.gravity.isZero(0) || !model.joints.empty();
-  const bool by_events = method == Method::events || method == Method::ballistic;
+  const bool by_events = path == Path::events || path == Path::ballistic;
   if (reason.empty() && by_events && presses) reason = touching_masses(model, names);
   // A pile's impulses go from body to body, by the mass of each alone: the ratio is in no sum.
-  if (reason.empty() && method != Method::stepping) reason = jointed_masses(model, names);
+  if (reason.empty() && path != Path::stepping) reason = jointed_masses(model, names);
   return reason;
 }
 

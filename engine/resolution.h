@@ -9,7 +9,7 @@
 
 namespace cylon::engine {
 
-enum class Method;
+enum class Path;
 
 /// How a thing of a model is called in a reason.
 enum class Thing { body, plane };
@@ -44,6 +44,6 @@ inline constexpr Real coarsest_mass = Real(1) / 1024;
 ///   to lie on each other where a force acts; of bodies on joints one carries another where it hangs on a
 ///   second joint.
 /// What a body meets later in the run is not known here.
-std::string unresolved(const Model&, Method, const Names&);
+std::string unresolved(const Model&, Path, const Names&);
 
 }  // namespace cylon::engine

@@ -28,7 +28,7 @@ inline Quaternion exponential(const Vector3& b) {
 }
 
 /// The matrix of the rotation by q/|q|, of any length above 0: exactly the same for all multiples of q, as
-/// the stages of a scheme make them.  Seed eq. 74 (errata 16-18) with 2/|q|^2 in place of 2.
+/// the stages of an integrator make them.  Seed eq. 74 (errata 16-18) with 2/|q|^2 in place of 2.
 inline Matrix3 rotation_matrix(const Quaternion& q) {
   const Real s = 2 / q.squaredNorm();
   const Real w = q.w(), x = q.x(), y = q.y(), z = q.z();

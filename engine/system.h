@@ -1,4 +1,4 @@
-// What a scheme needs of a system of differential equations on a flat state y of Reals.
+// What an integrator needs of a system of differential equations on a flat state y of Reals.
 #pragma once
 
 #include "engine/vector.h"
@@ -8,17 +8,17 @@
 
 namespace cylon::engine {
 
-/// y' = f(t, y), and its splitting in two parts that are each solved exactly (or far better than any scheme
+/// y' = f(t, y), and its splitting in two parts that are each solved exactly (or far better than any integrator
 /// composed of them): the drift, free motion without forces, and the kick, forces with the configuration
-/// frozen.  With joints the drift ends on them (SHAKE) and settle() returns the momenta to them, so that
-/// kick(h/2) drift(h) kick(h/2) settle() is RATTLE.
+/// frozen.  With joints the drift ends on them (SHAKE) and project() returns the momenta to them, so that
+/// kick(h/2) drift(h) kick(h/2) project() is RATTLE.
 template <class S>
 concept System = requires(S& s, const S& c, Time t, Real h, const Real* from, Real* y, Real* rate) {
   { c.size() } -> std::convertible_to<std::size_t>;  // length of y
   s.rates(t, from, rate);                            // rate = f(t, from)
   s.kick(t, h, y);  // momenta advance by h under the forces at (t, configuration)
   s.drift(h, y);    // configuration advances by h
-  s.settle(y);      // back to where exact motion lives: unit quaternions, closed joints; once per step
+  s.project(y);     // back to where exact motion lives: unit quaternions, closed joints; once per step
 };
 
 }  // namespace cylon::engine

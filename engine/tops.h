@@ -88,7 +88,7 @@ class Top {
   }
 
   /// The unit quaternion next to q.
-  void settle(Real* y) {
+  void project(Real* y) {
     const Real factor = (3 - (y[0] * y[0] + y[1] * y[1] + y[2] * y[2] + y[3] * y[3])) / 2;
     for (int i = 0; i < 4; ++i) y[i] *= factor;
   }

@@ -1,4 +1,4 @@
-// The scheme `auto`: a bound on the global error, shown by two runs that must agree.
+// The integrator `auto`: a bound on the global error, shown by two runs that must agree.
 #pragma once
 
 #include "engine/stepper.h"

@@ -22,7 +22,7 @@ World::World(Model model, const Options& options)
   assert(options_.dt > 0 && unsupported(model_, options_).empty());
   stepper_ = make_stepper(model_, options_, plan_);
   motions_ = model_.motions;
-  if (plan_.method == Method::ballistic) {
+  if (plan_.path == Path::ballistic) {
     ballistic_ = static_cast<Ballistic*>(stepper_.get());
     if (ballistic_->handover()) hand_over();
   }
@@ -41,25 +41,25 @@ void World::step() {
   }
   ++steps_;
   stepper_->read(motions_);
-  weigh();
+  update_masses();
 }
 
 void World::advance(std::int64_t n) {
   for (; ballistic_ && n > 0; --n) step();  // it may hand over after any of them
   if (n == 0) return;
-  // Schemes make one of kicks that meet in a run of steps, and other last bits with it: only free bodies run.
-  if (plan_.method == Method::free)
+  // Integrators make one of kicks that meet in a run of steps, and other last bits with it: only free bodies run.
+  if (plan_.path == Path::free)
     stepper_->advance(n);
   else
     for (std::int64_t i = 0; i < n; ++i) stepper_->step();
   impacts_ = stepper_->impacts();
   steps_ += n;
   stepper_->read(motions_);
-  weigh();
+  update_masses();
 }
 
 // The bodies' masses now, where they change.
-void World::weigh() {
+void World::update_masses() {
   for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
     Body& body = model_.bodies[i];
     if (body.mass_rate == 0) continue;
@@ -75,9 +75,9 @@ void World::hand_over() {
   ballistic_ = nullptr;
   Model model = model_;
   Options options = options_;
-  options.method.clear(), options.scheme = "rk4";  // what any scheme is given that is not the default
-  const bool by_events = make_plan(model, options).method == Method::events;
-  options.scheme = options_.scheme, options.method = by_events ? "events" : "stepping";
+  options.path.clear(), options.integrator = "rk4";  // what any integrator is given that is not the default
+  const bool by_events = make_plan(model, options).path == Path::events;
+  options.integrator = options_.integrator, options.path = by_events ? "events" : "stepping";
   const Time start = by_events ? from.time : time();
   model.motions = by_events ? from.motions : motions_;
   const Plan plan = make_plan(model, options);

@@ -56,7 +56,7 @@ class World {
 
  private:
   void hand_over();
-  void weigh();
+  void update_masses();
 
   Model model_;
   Options options_;

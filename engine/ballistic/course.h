@@ -68,7 +68,7 @@ class Course final : public Ballistic {
   void gather_plane(std::size_t body, std::size_t plane);
   void gather_pair(std::size_t body, std::size_t other);
 
-  // What an event does to a body: settle.cc
+  // What an event does to a body: after_event.cc
   Side side(std::size_t body) const;
   void take(std::size_t body, const Side&, Real speed);  // speed: of all that went into the new velocity
   void rest_on(std::size_t body, std::size_t plane, bool slips);

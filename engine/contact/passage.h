@@ -9,7 +9,7 @@
 namespace cylon::engine {
 
 /// Cubic in time through two states and their velocities; orientations by the rotation between the two.
-/// O(h^4).  Serves to find out where to look; what is found is then computed by the scheme itself.
+/// O(h^4).  Serves to find out where to look; what is found is then computed by the integrator itself.
 class Passage {
  public:
   /// Over a span [s] from `start` to `end`.

@@ -33,7 +33,7 @@ std::size_t length(const S& s) {
     return static_cast<std::size_t>(s.size());
 }
 
-/// Small systems whose length the compiler knows are written into each scheme whole.
+/// Small systems whose length the compiler knows are written into each integrator whole.
 template <System S>
 inline constexpr bool is_small = requires {
   S::fixed_size;
@@ -42,14 +42,14 @@ inline constexpr bool is_small = requires {
 /// Row `Row` of the table, as a type.
 template <std::size_t Row>
 struct TableRow {
-  static constexpr const Scheme& scheme = scheme_table[Row];
+  static constexpr const Integrator& integrator = integrator_table[Row];
 };
 
-/// Steps by the scheme `Row::scheme`.  Each is written out by the compiler with its coefficients as
+/// Steps by the integrator `Row::integrator`.  Each is written out by the compiler with its coefficients as
 /// constants.
 template <System S, class Row>
 struct Steps {
-  static constexpr const Scheme& row = Row::scheme;
+  static constexpr const Integrator& row = Row::integrator;
 
   static constexpr Coefficient part(std::size_t i) { return row.splitting.coefficients[i]; }
   static constexpr bool is_kick(std::size_t i) { return (i % 2 == 0) == (row.splitting.first == Part::kick); }
@@ -85,12 +85,12 @@ struct Steps {
         else
           s.drift(static_cast<Real>(h * end), y);
       }
-      s.settle(y);
+      s.project(y);
     }
   }
 
   /// The same with constraints: one RATTLE step after another, each over its weight.
-  ///   kick(w h/2) drift(w h) kick(w h/2) settle,  or  drift(w h/2) settle kick(w h) drift(w h/2) settle
+  ///   kick(w h/2) drift(w h) kick(w h/2) project,  or  drift(w h/2) project kick(w h) drift(w h/2) project
   /// H. C. Andersen, J. Comput. Phys. 52 (1983) 24; B. Leimkuhler, R. Skeel, J. Comput. Phys. 112 (1994) 117.
   static void rattle(S& s, Time t, Time h, Real* y, std::size_t steps, Real*) {
     assert(row.constraints);
@@ -108,11 +108,11 @@ struct Steps {
           s.kick(now + dt, half, y);
         } else {
           s.drift(half, y);
-          s.settle(y);
+          s.project(y);
           s.kick(now + dt / 2, whole, y);
           s.drift(half, y);
         }
-        s.settle(y);
+        s.project(y);
         now += dt;
       }
     }
@@ -147,12 +147,12 @@ struct Steps {
       [&]<std::size_t... I>(std::index_sequence<I...>) { (stage<I>(s, now, h, y, n, k, work), ...); }
       (std::make_index_sequence<stages>{});
       for (std::size_t i = 0; i < n; ++i) y[i] += dt * combination<Weights, stages>(k, n, i);
-      s.settle(y);
+      s.project(y);
     }
   }
 };
 
-// Not under a sanitizer, whose checks, written out in every scheme, take a compiler minutes.
+// Not under a sanitizer, whose checks, written out in every integrator, take a compiler minutes.
 #ifdef __SANITIZE_ADDRESS__
 #define CYLON_FLATTEN
 #else
@@ -166,18 +166,18 @@ CYLON_FLATTEN void flat(S& s, Time t, Time h, Real* y, std::size_t steps, Real* 
 }
 #undef CYLON_FLATTEN
 
-/// Carries the state of a System over fixed steps.  Holds the memory that its scheme needs.
+/// Carries the state of a System over fixed steps.  Holds the memory that its integrator needs.
 template <System S>
 class Advance {
  public:
-  /// Requires a row of schemes() that is not adaptive, and one that can keep constraints where the System has
+  /// Requires a row of integrators() that is not adaptive, and one that can keep constraints where the System has
   /// any; `size` is the length of the state.
-  Advance(const Scheme& scheme, std::size_t size) {
-    assert(scheme.kind != Kind::adaptive);
-    const std::size_t row = index(scheme.name);
+  Advance(const Integrator& integrator, std::size_t size) {
+    assert(integrator.kind != Kind::adaptive);
+    const std::size_t row = index(integrator.name);
     free_ = functions[row].free;
     constrained_ = functions[row].constrained;
-    if (scheme.kind == Kind::runge_kutta) work_.resize((scheme.tableau.weights.size() + 1) * size);
+    if (integrator.kind == Kind::runge_kutta) work_.resize((integrator.tableau.weights.size() + 1) * size);
   }
 
   /// One step, from t to t + h; h may be negative.
@@ -200,9 +200,9 @@ class Advance {
   template <std::size_t Row>
   static constexpr Pair pair() {
     using Step = Steps<S, TableRow<Row>>;
-    if constexpr (scheme_table[Row].kind == Kind::runge_kutta)
+    if constexpr (integrator_table[Row].kind == Kind::runge_kutta)
       return {chosen<&Step::runge_kutta>, chosen<&Step::runge_kutta>};
-    else if constexpr (scheme_table[Row].kind == Kind::splitting)
+    else if constexpr (integrator_table[Row].kind == Kind::splitting)
       return {chosen<&Step::splitting>, &Step::rattle};
     else
       return {};
@@ -211,11 +211,11 @@ class Advance {
   static constexpr auto functions = []<std::size_t... Row>(std::index_sequence<Row...>) {
     return std::array{pair<Row>()...};
   }
-  (std::make_index_sequence<scheme_table.size()>{});
+  (std::make_index_sequence<integrator_table.size()>{});
 
   static std::size_t index(std::string_view name) {
-    for (std::size_t i = 0; i < scheme_table.size(); ++i) {
-      if (scheme_table[i].name == name) return i;
+    for (std::size_t i = 0; i < integrator_table.size(); ++i) {
+      if (integrator_table[i].name == name) return i;
     }
     assert(false && "not a row of the table");
     return 0;

@@ -1,4 +1,4 @@
-// The number type of the schemes' coefficients.
+// The number type of the integrators' coefficients.
 #pragma once
 
 #include "engine/vector.h"

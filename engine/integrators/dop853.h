@@ -141,7 +141,7 @@ class Dop853 {
       sum = c[1 * n_ + i] + r * sum;
       y[i] = c[i] + x * sum;
     }
-    s.settle(y);
+    s.project(y);
   }
 
   Time next_step() const { return h_; }  ///< The step that will be tried next [s].
@@ -243,7 +243,7 @@ class Dop853 {
     }
     // A settling of the size of rounding would only add to it.
     std::copy_n(next_, n_, stage_);
-    s.settle(stage_);
+    s.project(stage_);
     Real moved = 0;
     for (std::size_t i = 0; i < n_; ++i) moved = std::max(moved, std::abs(stage_[i] - next_[i]) / scale_[i]);
     if (moved > 8 * std::numeric_limits<Real>::epsilon()) std::copy_n(stage_, n_, next_);

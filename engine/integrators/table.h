@@ -1,7 +1,7 @@
 // The rows.  The first is the default where nobody chooses.
 #pragma once
 
-#include "engine/integrators/scheme.h"
+#include "engine/integrators/integrator.h"
 #include "engine/integrators/splittings.h"
 #include "engine/integrators/tableaus.h"
 
@@ -13,7 +13,7 @@ inline constexpr std::string_view symplectic_conserves =
     "linear and angular momentum to rounding; energy bounded (symplectic) without damping, joints and "
     "impacts";
 
-inline constexpr std::array<Scheme, 13> scheme_table = {{
+inline constexpr std::array<Integrator, 13> integrator_table = {{
     {.name = "rk4",
      .order = 4,
      .drag_order = 4,

@@ -15,7 +15,7 @@ Matrix3 skew(const Vector3& r) {
 
 }  // namespace
 
-void weigh(Block& block, const std::vector<Mover>& movers) {
+void set_effective_mass(Block& block, const std::vector<Mover>& movers) {
   Matrix3 k = Matrix3::Zero();
   const auto add = [&](int body, const Vector3& arm) {
     if (body == fixed_world) return;

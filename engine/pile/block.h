@@ -69,7 +69,7 @@ inline void push(const Block& block, const Vector3& impulse, std::vector<Mover>&
 
 /// Fills mass and block_mass.  K = (1/m_a + 1/m_b) 1 - [r_a] I_a^-1 [r_a] - [r_b] I_b^-1 [r_b];  mass =
 /// 1/(n.K n),  block_mass = P (P K P + 1 - P)^-1 P.
-void weigh(Block&, const std::vector<Mover>&);
+void set_effective_mass(Block&, const std::vector<Mover>&);
 
 /// One sweep of projected Gauss-Seidel over one block: ends its own error, keeps J in the cone.
 void relax(Block&, std::vector<Mover>&);

@@ -169,25 +169,25 @@ void BodyPile::step() {
   impacts_.clear(), contacts_.clear();
   int parts = parts_of_step();
   if (parts > most_parts) parts = most_parts, too_fast_ = true;
-  for (int k = 0; k < parts; ++k) carry(static_cast<Time>(steps_) * dt_ + k * dt_ / parts, dt_ / parts);
+  for (int k = 0; k < parts; ++k) advance(static_cast<Time>(steps_) * dt_ + k * dt_ / parts, dt_ / parts);
   std::stable_sort(impacts_.begin(), impacts_.end(),
                    [](const Impact& a, const Impact& b) { return a.time < b.time; });
   ++steps_;
 }
 
-void BodyPile::carry(Time now, Time span) {
+void BodyPile::advance(Time now, Time span) {
   found_.find(motions_, movers_, span, blocks_);
   const bool direct = static_cast<int>(blocks_.size()) <= settings_.direct_points;
   const int parts = direct ? 1 : settings_.substeps;
   if (!direct) colour();
   if (isolated_) islands_.find(blocks_);
   if (keep_) pressed_.assign(blocks_.size(), 0);
-  for (int k = 0; k < parts; ++k) carry_part(now + k * span / parts, span / parts, direct);
+  for (int k = 0; k < parts; ++k) substep(now + k * span / parts, span / parts, direct);
   if (keep_) note_pressed();
-  take_overlaps_away(direct);
+  correct_positions(direct);
 }
 
-void BodyPile::take_overlaps_away(bool direct) {
+void BodyPile::correct_positions(bool direct) {
   set_kinematics();
   if (isolated_) islands_.note(motions_), before_ = motions_;
   const bool moved = overlaps_.displace(model_.bodies, blocks_, movers_, settings_.slop * found_.smallest(),
@@ -197,7 +197,7 @@ void BodyPile::take_overlaps_away(bool direct) {
   set_kinematics();
 }
 
-void BodyPile::carry_part(Time now, Time h, bool direct) {
+void BodyPile::substep(Time now, Time h, bool direct) {
   set_kinematics();
   if (isolated_) meet_halfway(blocks_, motions_);
   set_targets(now, static_cast<Real>(h));
@@ -209,7 +209,7 @@ void BodyPile::carry_part(Time now, Time h, bool direct) {
       residual_ = std::max(residual_, direct_.residual());
     }
   } else {
-    for (Block& block : blocks_) weigh(block, movers_);
+    for (Block& block : blocks_) set_effective_mass(block, movers_);
     sweep(true);
     sweep(false);
   }
@@ -263,7 +263,7 @@ void BodyPile::close_joints() {
           const Quaternion apart = q_a * (q_b * joint.relative).conjugate();
           error = (apart.w() < 0 ? -2 : 2) * apart.vec();
         }
-        weigh(block, movers_);
+        set_effective_mass(block, movers_);
         const Vector3 shift = -(block.block_mass * error);
         const auto move = [&](int body, const Vector3& arm, const Vector3& by) {
           const Mover& m = movers_[index(body)];

@@ -25,8 +25,8 @@ class BodyPile : public Stepper {
 
  private:
   int parts_of_step() const;
-  void carry(Time now, Time span);
-  void carry_part(Time now, Time h, bool direct);
+  void advance(Time now, Time span);
+  void substep(Time now, Time h, bool direct);
   void note_pressed();
   void set_kinematics();
   void kick(Time now, Real h);
@@ -34,7 +34,7 @@ class BodyPile : public Stepper {
   void sweep(bool warm);
   void carry_impulses();
   void drift(Real h);
-  void take_overlaps_away(bool direct);
+  void correct_positions(bool direct);
   void close_joints();
   void colour();
 

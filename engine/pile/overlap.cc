@@ -28,7 +28,7 @@ bool Overlaps::displace(const std::vector<Body>& bodies, const std::vector<Block
   if (direct) {
     direct_.solve(blocks_, bodies, movers_);
   } else {
-    for (Block& block : blocks_) weigh(block, movers_);
+    for (Block& block : blocks_) set_effective_mass(block, movers_);
     for (int sweep = 0; sweep < sweeps; ++sweep)
       for (Block& block : blocks_) relax(block, movers_);
   }

@@ -74,11 +74,11 @@ void piles() {
 
 void fields() {
   const Model model = free_field(1500);
-  for (const Scheme& scheme : schemes()) {
-    if (!FreeBodies::not_free(model, scheme).empty()) continue;
+  for (const Integrator& integrator : integrators()) {
+    if (!FreeBodies::not_free(model, integrator).empty()) continue;
     for (const int threads : {1, 2, 4}) {
-      FreeBodies field(model, scheme, 1. / 60, threads);
-      std::printf("free-%s %d %016llx\n", std::string(scheme.name).c_str(), threads,
+      FreeBodies field(model, integrator, 1. / 60, threads);
+      std::printf("free-%s %d %016llx\n", std::string(integrator.name).c_str(), threads,
                   static_cast<unsigned long long>(hash(after(field, 60))));
     }
   }

@@ -4,7 +4,9 @@
 namespace cylon::engine {
 namespace {
 
-Options automatic(Real tolerance, Time dt) { return {.scheme = "auto", .dt = dt, .tolerance = tolerance}; }
+Options automatic(Real tolerance, Time dt) {
+  return {.integrator = "auto", .dt = dt, .tolerance = tolerance};
+}
 
 // With drag on the point: without, the plan knows a closed form.
 constexpr double mass = 1.3, decay = 0.05;  // [kg], [1/s]
@@ -63,7 +65,7 @@ TEST_P(Bound, IsKeptOnATopWhoseSpinDecays) {
 
 INSTANTIATE_TEST_SUITE_P(Tolerances, Bound, testing::Values(1e-4, 1e-6, 1e-8, 1e-10, 1e-12));
 
-// At what scheme and step the samples are taken changes nothing beyond the tolerance.
+// At what integrator and step the samples are taken changes nothing beyond the tolerance.
 TEST(Auto, DoesNotDependOnTheSampleGrid) {
   for (const Model& model : {forced_bodies(), linked_bodies(true), heavy_top()}) {
     const auto coarse = run(model, automatic(1e-9, 0.5), 2).motions,

@@ -1,4 +1,4 @@
-// Error control, dense output and exits of the adaptive scheme.
+// Error control, dense output and exits of the adaptive integrator.
 #include "engine/integrators/dop853.h"
 
 #include "tests/engine/scheme_systems.h"
@@ -28,7 +28,7 @@ struct Oscillators {
   void drift(Real h, Real* y) {
     for (std::size_t i = 0; i < 3; ++i) y[i] += h * y[3 + i];
   }
-  void settle(Real*) {}
+  void project(Real*) {}
 
   std::vector<Real> exact(double t) const {
     std::vector<Real> y(6);
@@ -48,7 +48,7 @@ struct Single {
   void rates(Time t, const Real* from, Real* rate) { rate[0] = f(t, from[0]); }
   void kick(Time, Real, Real*) {}
   void drift(Real, Real*) {}
-  void settle(Real*) {}
+  void project(Real*) {}
 };
 template <class F>
 Single(F) -> Single<F>;
@@ -61,11 +61,11 @@ struct Result {
 
 template <System S>
 Result<S> solve(S system, std::vector<Real> y, double tolerance, double duration) {
-  Dop853<S> scheme(y.size(), tolerance);
-  EXPECT_EQ(scheme.advance(system, 0, duration, y.data()), Ending::done);
-  EXPECT_EQ(scheme.end(), duration);
-  EXPECT_EQ(scheme.evaluations(), 2 + 12 * scheme.accepted() + 11 * scheme.rejected());
-  return {y, scheme.evaluations()};
+  Dop853<S> integrator(y.size(), tolerance);
+  EXPECT_EQ(integrator.advance(system, 0, duration, y.data()), Ending::done);
+  EXPECT_EQ(integrator.end(), duration);
+  EXPECT_EQ(integrator.evaluations(), 2 + 12 * integrator.accepted() + 11 * integrator.rejected());
+  return {y, integrator.evaluations()};
 }
 
 // The error follows the tolerance: over eight decades the fitted power is 1, within 0.15 (section II.10 of
@@ -85,12 +85,12 @@ void expect_proportional(const S& system, const std::vector<Real>& start, const 
 TEST(Dop853, ItsErrorIsProportionalToTheTolerance) {
   SpringPoint spring;
   std::vector<Real> exact = SpringPoint::start();
-  Advance<SpringPoint>(*find_scheme("rk8"), 6).run(spring, 0, 10.0 / 4000, exact.data(), 4000);
+  Advance<SpringPoint>(*find_integrator("rk8"), 6).run(spring, 0, 10.0 / 4000, exact.data(), 4000);
   expect_proportional(SpringPoint{}, SpringPoint::start(), exact, 10);
 
   TiedBody body;
   exact = TiedBody::start();
-  Advance<TiedBody>(*find_scheme("rk8"), 7).run(body, 0, 10.0 / 4000, exact.data(), 4000);
+  Advance<TiedBody>(*find_integrator("rk8"), 7).run(body, 0, 10.0 / 4000, exact.data(), 4000);
   expect_proportional(TiedBody{}, TiedBody::start(), exact, 10);
 }
 
@@ -120,12 +120,12 @@ TEST(Dop853, KeepsLongMotionsOfABody) {
 TEST(Dop853, DenseOutputHasOrderSeven) {
   Oscillators system;
   const auto error = [&](double h, double place) {
-    Dop853<Oscillators> scheme(6, Real(1e3));  // whatever h is, it is accepted
-    scheme.start(system, 0, system.exact(0).data(), h);
-    EXPECT_EQ(scheme.step(system, h), Ending::done);
-    EXPECT_EQ(scheme.end(), h);
+    Dop853<Oscillators> integrator(6, Real(1e3));  // whatever h is, it is accepted
+    integrator.start(system, 0, system.exact(0).data(), h);
+    EXPECT_EQ(integrator.step(system, h), Ending::done);
+    EXPECT_EQ(integrator.end(), h);
     std::vector<Real> y(6);
-    scheme.at(system, place * h, y.data());
+    integrator.at(system, place * h, y.data());
     return distance(y, system.exact(place * h));
   };
   for (const double place : {0.1, 0.35, 0.5, 0.8})
@@ -134,23 +134,23 @@ TEST(Dop853, DenseOutputHasOrderSeven) {
 
 TEST(Dop853, DenseOutputIsContinuous) {
   SpringPoint system;
-  Dop853<SpringPoint> scheme(6, 1e-9);
-  scheme.start(system, 0, SpringPoint::start().data());
+  Dop853<SpringPoint> integrator(6, 1e-9);
+  integrator.start(system, 0, SpringPoint::start().data());
   std::vector<Real> before = SpringPoint::start(), y(6);
   SpringPoint other;
   std::vector<Real> exact = SpringPoint::start();
-  Advance<SpringPoint> fine(*find_scheme("rk8"), 6);
+  Advance<SpringPoint> fine(*find_integrator("rk8"), 6);
   double time = 0;
-  while (scheme.end() < 3) {
-    ASSERT_EQ(scheme.step(system, 1e9), Ending::done);
-    scheme.at(system, scheme.begin(), y.data());
+  while (integrator.end() < 3) {
+    ASSERT_EQ(integrator.step(system, 1e9), Ending::done);
+    integrator.at(system, integrator.begin(), y.data());
     EXPECT_LT(distance(y, before), 1e-15);
-    scheme.at(system, scheme.end(), y.data());
-    EXPECT_LT(distance(y, std::vector<Real>(scheme.state(), scheme.state() + 6)), 1e-15);
+    integrator.at(system, integrator.end(), y.data());
+    EXPECT_LT(distance(y, std::vector<Real>(integrator.state(), integrator.state() + 6)), 1e-15);
     before = y;
     for (const double place : {0.2, 0.5, 0.9}) {
-      const double t = scheme.begin() + place * (scheme.end() - scheme.begin());
-      scheme.at(system, t, y.data());
+      const double t = integrator.begin() + place * (integrator.end() - integrator.begin());
+      integrator.at(system, t, y.data());
       fine.run(other, time, (t - time) / 50, exact.data(), 50);
       time = t;
       EXPECT_LT(distance(y, exact), 1e-6)
@@ -161,40 +161,41 @@ TEST(Dop853, DenseOutputIsContinuous) {
 
 TEST(Dop853, SplitCallsReachTheirEndTimesExactly) {
   SpringPoint system;
-  Dop853<SpringPoint> scheme(6, 1e-10);
+  Dop853<SpringPoint> integrator(6, 1e-10);
   std::vector<Real> y = SpringPoint::start();
   for (int i = 0; i < 100; ++i) {
-    ASSERT_EQ(scheme.advance(system, i * 0.1, (i + 1) * 0.1, y.data()), Ending::done);
-    EXPECT_EQ(scheme.end(), (i + 1) * 0.1);
+    ASSERT_EQ(integrator.advance(system, i * 0.1, (i + 1) * 0.1, y.data()), Ending::done);
+    EXPECT_EQ(integrator.end(), (i + 1) * 0.1);
   }
   EXPECT_LT(distance(y, solve(SpringPoint{}, SpringPoint::start(), 1e-10, 10).y), 1e-8);
-  EXPECT_LE(scheme.accepted(), 2 * 100 + 100);  // its own steps are longer than 0.05
+  EXPECT_LE(integrator.accepted(), 2 * 100 + 100);  // its own steps are longer than 0.05
   // it went on: no rates were taken twice at a step's two ends
-  EXPECT_EQ(scheme.evaluations(), 2 + 12 * scheme.accepted() + 11 * scheme.rejected());
+  EXPECT_EQ(integrator.evaluations(), 2 + 12 * integrator.accepted() + 11 * integrator.rejected());
 
   y[3] = -y[3];  // an impact: starts anew, with the step that it had
-  const long evaluations = scheme.evaluations(), attempts = scheme.accepted() + scheme.rejected();
-  ASSERT_EQ(scheme.advance(system, 100 * 0.1, 10.05, y.data()), Ending::done);
-  EXPECT_LE(scheme.evaluations() - evaluations, 1 + 12 * (scheme.accepted() + scheme.rejected() - attempts));
+  const long evaluations = integrator.evaluations(), attempts = integrator.accepted() + integrator.rejected();
+  ASSERT_EQ(integrator.advance(system, 100 * 0.1, 10.05, y.data()), Ending::done);
+  EXPECT_LE(integrator.evaluations() - evaluations,
+            1 + 12 * (integrator.accepted() + integrator.rejected() - attempts));
 }
 
 TEST(Dop853, FailsWhenNoStepIsSmallEnough) {
   Single explosion{[](Time, Real y) { return y * y; }};  // 1/(1 - t)
-  Dop853<decltype(explosion)> scheme(1, 1e-10);
+  Dop853<decltype(explosion)> integrator(1, 1e-10);
   Real y = 1;
-  const Ending outcome = scheme.advance(explosion, 0, 2, &y);
+  const Ending outcome = integrator.advance(explosion, 0, 2, &y);
   EXPECT_NE(outcome, Ending::done);
-  EXPECT_NEAR(scheme.end(), 1, 1e-6);
-  EXPECT_LT(scheme.evaluations(), 100000);
+  EXPECT_NEAR(integrator.end(), 1, 1e-6);
+  EXPECT_LT(integrator.evaluations(), 100000);
 }
 
 TEST(Dop853, FailsOnNonFiniteRates) {
   Single hole{[](Time t, Real) { return t > 1 ? std::numeric_limits<Real>::quiet_NaN() : Real(1); }};
-  Dop853<decltype(hole)> scheme(1, 1e-10);
+  Dop853<decltype(hole)> integrator(1, 1e-10);
   Real y = 0;
-  EXPECT_EQ(scheme.advance(hole, 0, 2, &y), Ending::non_finite);
-  EXPECT_NEAR(scheme.end(), 1, 1e-10);
-  EXPECT_NEAR(y, scheme.end(), 1e-15);
+  EXPECT_EQ(integrator.advance(hole, 0, 2, &y), Ending::non_finite);
+  EXPECT_NEAR(integrator.end(), 1, 1e-10);
+  EXPECT_NEAR(y, integrator.end(), 1e-15);
 
   Single nothing{[](Time, Real) { return std::numeric_limits<Real>::quiet_NaN(); }};
   Dop853<decltype(nothing)> never(1, 1e-10);
@@ -203,21 +204,21 @@ TEST(Dop853, FailsOnNonFiniteRates) {
 
 TEST(Dop853, RestTakesOneStep) {
   Single rest{[](Time, Real) { return Real(0); }};
-  Dop853<decltype(rest)> scheme(1, 1e-10);
+  Dop853<decltype(rest)> integrator(1, 1e-10);
   Real y = 3;
-  EXPECT_EQ(scheme.advance(rest, 0, 1e6, &y), Ending::done);
+  EXPECT_EQ(integrator.advance(rest, 0, 1e6, &y), Ending::done);
   EXPECT_EQ(y, 3);
-  EXPECT_EQ(scheme.accepted(), 1);
+  EXPECT_EQ(integrator.accepted(), 1);
 }
 
 // A jump in the forces is stepped over at the tolerance, by rejected steps.
 TEST(Dop853, LocatesDiscontinuity) {
   Single jump{[](Time t, Real) { return t < 0.37 ? Real(1) : Real(-2); }};
-  Dop853<decltype(jump)> scheme(1, 1e-9);
+  Dop853<decltype(jump)> integrator(1, 1e-9);
   Real y = 0.1;
-  EXPECT_EQ(scheme.advance(jump, 0, 1, &y), Ending::done);
+  EXPECT_EQ(integrator.advance(jump, 0, 1, &y), Ending::done);
   EXPECT_NEAR(y, 0.1 + 0.37 - 2 * 0.63, 1e-7);
-  EXPECT_GT(scheme.rejected(), 3);
+  EXPECT_GT(integrator.rejected(), 3);
 }
 
 // The System's own scales: where it says that an error of 1 matters no more than one of 1e-6 elsewhere, steps

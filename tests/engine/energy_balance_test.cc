@@ -4,22 +4,22 @@
 namespace cylon::engine {
 namespace {
 
-Options accounting(std::string_view scheme, Time dt) {
-  Options options = with(scheme, dt);
+Options accounting(std::string_view integrator, Time dt) {
+  Options options = with(integrator, dt);
   options.account = true;
   return options;
 }
 
 // Kinetic energy gained less the works of all forces [J].
-Real missing(const Model& model, std::string_view scheme, Time duration, int steps) {
-  const Outcome end = run(model, accounting(scheme, duration / steps), steps);
+Real missing(const Model& model, std::string_view integrator, Time duration, int steps) {
+  const Outcome end = run(model, accounting(integrator, duration / steps), steps);
   EXPECT_EQ(end.works.size(), model.forces.count());
   Real works = 0;
   for (const Real w : end.works) works += w;
   return kinetic_energy(end.bodies, end.motions) - kinetic_energy(model.bodies, model.motions) - works;
 }
 
-class Balance : public EveryScheme {};
+class Balance : public EveryIntegrator {};
 
 // A kick's work is counted with the mean of the speeds before and after it, which is its gain of energy to
 // the last digit, and a drift has none: splittings balance without truncation.
@@ -41,8 +41,8 @@ TEST_P(Balance, IsKeptWithoutDrag) {
   }
 }
 
-// With drag and damping: Runge-Kutta schemes balance to their order; splittings count each kick's work with
-// the mean speed, which is second order whatever the scheme's.
+// With drag and damping: Runge-Kutta integrators balance to their order; splittings count each kick's work with
+// the mean speed, which is second order whatever the integrator's.
 TEST_P(Balance, HoldsToTruncationWithDrag) {
   const Model model = forced_bodies();
   const bool splitting = GetParam().kind == Kind::splitting;
@@ -137,10 +137,10 @@ TEST(Work, IsCountedOnlyOnRequest) { EXPECT_TRUE(run(forced_bodies(), "rk4", 0.1
 
 // The account changes nothing in the motion.
 TEST(Work, CountingDoesNotChangeMotion) {
-  for (const Scheme& scheme : fixed_schemes()) {
-    const Outcome a = run(forced_bodies(), with(scheme.name, 0.01), 100),
-                  b = run(forced_bodies(), accounting(scheme.name, 0.01), 100);
-    for (std::size_t i = 0; i < 2; ++i) EXPECT_TRUE(same_bits(a.motions[i], b.motions[i])) << scheme.name;
+  for (const Integrator& integrator : fixed_integrators()) {
+    const Outcome a = run(forced_bodies(), with(integrator.name, 0.01), 100),
+                  b = run(forced_bodies(), accounting(integrator.name, 0.01), 100);
+    for (std::size_t i = 0; i < 2; ++i) EXPECT_TRUE(same_bits(a.motions[i], b.motions[i])) << integrator.name;
   }
 }
 

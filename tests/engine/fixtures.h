@@ -1,7 +1,7 @@
 // Models with general values (no zeros, no axes), how they are run, and how far two motions are apart.
 #pragma once
 
-#include "engine/integrators/scheme.h"
+#include "engine/integrators/integrator.h"
 #include "engine/world.h"
 #include "tests/engine/same_bits.h"
 
@@ -156,11 +156,13 @@ inline Outcome run(const Model& model, const Options& options, int steps) {
   return run(model, options, steps, [](const World&) {});
 }
 
-inline Options with(std::string_view scheme, Time dt) { return {.scheme = std::string(scheme), .dt = dt}; }
+inline Options with(std::string_view integrator, Time dt) {
+  return {.integrator = std::string(integrator), .dt = dt};
+}
 
 /// After whole steps of duration / steps.
-inline Outcome run(const Model& model, std::string_view scheme, Time duration, int steps) {
-  return run(model, with(scheme, duration / steps), steps);
+inline Outcome run(const Model& model, std::string_view integrator, Time duration, int steps) {
+  return run(model, with(integrator, duration / steps), steps);
 }
 
 /// 4 asin(|q - q'|/2) after the sign fix [rad].
@@ -252,27 +254,27 @@ inline Real joint_gap(const std::vector<Motion>& motions, const Joint& joint) {
 }
 
 /// All rows that step by dt, without those that choose their own steps.
-inline std::vector<Scheme> fixed_schemes() {
-  std::vector<Scheme> rows;
-  for (const Scheme& row : schemes()) {
+inline std::vector<Integrator> fixed_integrators() {
+  std::vector<Integrator> rows;
+  for (const Integrator& row : integrators()) {
     if (row.kind != Kind::adaptive) rows.push_back(row);
   }
   return rows;
 }
 
-inline void PrintTo(const Scheme& scheme, std::ostream* out) { *out << scheme.name; }
+inline void PrintTo(const Integrator& integrator, std::ostream* out) { *out << integrator.name; }
 
-/// A readable name for a scheme's test: "velocity_verlet".
-inline std::string test_name(std::string_view scheme) {
-  std::string name(scheme);
+/// A readable name for an integrator's test: "velocity_verlet".
+inline std::string test_name(std::string_view integrator) {
+  std::string name(integrator);
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 }
 
-class EveryScheme : public testing::TestWithParam<Scheme> {};
+class EveryIntegrator : public testing::TestWithParam<Integrator> {};
 
 }  // namespace cylon::engine
 
-#define CYLON_EVERY_SCHEME(suite)                                                             \
-  INSTANTIATE_TEST_SUITE_P(Schemes, suite, testing::ValuesIn(cylon::engine::fixed_schemes()), \
+#define CYLON_EVERY_SCHEME(suite)                                                                     \
+  INSTANTIATE_TEST_SUITE_P(Integrators, suite, testing::ValuesIn(cylon::engine::fixed_integrators()), \
                            [](const auto& row) { return cylon::engine::test_name(row.param.name); })

@@ -178,9 +178,9 @@ TEST(Force, LockedBodyFeelsNoForceButExertsIt) {
   model.forces.gravity = {0, -9.81, 0};
   model.forces.springs.push_back({0, {0.3, 0, 0.1}, 1, {0.1, 0.2, 0.3}, 9, 0.5, 0.1});
   model.forces.attractions.push_back({1, 0, 0.7});
-  for (const char* scheme : {"rk4", "velocity-verlet", "yoshida6"}) {
-    const Outcome end = run(model, scheme, 1, 100);
-    EXPECT_TRUE(same_bits(end.motions[1], model.motions[1])) << scheme;
+  for (const char* integrator : {"rk4", "velocity-verlet", "yoshida6"}) {
+    const Outcome end = run(model, integrator, 1, 100);
+    EXPECT_TRUE(same_bits(end.motions[1], model.motions[1])) << integrator;
     EXPECT_GT((end.motions[0].position - model.motions[0].position).norm(), 0.5);
   }
   for (Motion& m : model.motions) m.angular_momentum.setZero();  // and as points
@@ -237,13 +237,13 @@ TEST(Drive, WithDragIsTheClosedForm) {
 
 // L' = -momentum L, exactly exponential whatever the body (errata 51).  A splitting solves it exactly.
 TEST(Drag, OfTheSpinDecaysExponentially) {
-  for (const char* scheme : {"rk4", "velocity-verlet", "bm6"}) {
+  for (const char* integrator : {"rk4", "velocity-verlet", "bm6"}) {
     Model model = free_top();
     model.forces.drags.push_back({0, 0, 0, 0.7});
-    const Outcome end = run(model, scheme, 2.0, 2000);
+    const Outcome end = run(model, integrator, 2.0, 2000);
     EXPECT_LT((end.motions[0].angular_momentum - std::exp(-1.4) * model.motions[0].angular_momentum).norm(),
               1e-12)
-        << scheme;
+        << integrator;
   }
 }
 
@@ -270,7 +270,7 @@ TEST(Thrust, ARocketFollowsTsiolkovsky) {
   const Vector3 v0 = {0.4, 1.0, -0.7}, boost = {30, -20, 10}, turn = {0.3, 0.5, -0.2}, g = {0.1, -9.81, 0.3};
   const Vector3 exhaust = {-0.5, -40, 0.3};
   const Real m0 = 5, rate = -0.8, t = 4;
-  for (const char* scheme : {"rk8", "yoshida6", "velocity-verlet"}) {
+  for (const char* integrator : {"rk8", "yoshida6", "velocity-verlet"}) {
     std::vector<Vector3> ends;
     for (const Vector3& u : {Vector3(Vector3::Zero()), boost}) {
       Model model;
@@ -279,22 +279,22 @@ TEST(Thrust, ARocketFollowsTsiolkovsky) {
       add_body(model, body, {0.2, 0.3, 0.4}, turn, v0 + u, {0, 0, 0});
       model.forces.gravity = g;
       model.forces.thrusts.push_back({.body = 0, .mass_rate = rate, .relative = true, .exchanged = exhaust});
-      const Outcome end = run(model, scheme, t, 400);
+      const Outcome end = run(model, integrator, t, 400);
       const Real m = m0 + rate * t;
       const Vector3 n = exponential(turn) * exhaust, k = end.motions[0].momentum;
       const Vector3 v = v0 + u + g * t + n * std::log(m / m0);
       const Vector3 p =
           model.motions[0].position + (v0 + u) * t + g * t * t / 2 - n * (t + m / rate * std::log(m0 / m));
-      const bool second = std::string(scheme) == "velocity-verlet";
+      const bool second = std::string(integrator) == "velocity-verlet";
       // Verlet: (h^2/12) times the third derivative of the force, 40 (0.8/1.8)^3 m/s^4, over 4 s
       const Real bound = second ? 1e-3 : 1e-9;
-      EXPECT_LT((k / m - v).norm(), bound) << scheme;
-      EXPECT_LT((end.motions[0].position - p).norm(), bound) << scheme;
+      EXPECT_LT((k / m - v).norm(), bound) << integrator;
+      EXPECT_LT((end.motions[0].position - p).norm(), bound) << integrator;
       ends.emplace_back(end.motions[0].position - u * t);
     }
     // A splitting freezes the mass in its kicks: only to its truncation.
-    EXPECT_LT((ends[0] - ends[1]).norm(), 2 * (std::string(scheme) == "velocity-verlet" ? 1e-3 : 1e-9))
-        << scheme;
+    EXPECT_LT((ends[0] - ends[1]).norm(), 2 * (std::string(integrator) == "velocity-verlet" ? 1e-3 : 1e-9))
+        << integrator;
   }
 }
 
@@ -358,8 +358,8 @@ TEST(Attraction, IsTheSameForBodiesThatSpin) {
   points.forces.attractions.push_back({0, 1, 0.7});
   Model spinning = points;
   spinning.motions[0].angular_momentum = {0.3, 0.1, -0.2};
-  EXPECT_EQ(make_plan(points, with("rk8", 0.01)).method, Method::points);
-  EXPECT_EQ(make_plan(spinning, with("rk8", 0.01)).method, Method::bodies);
+  EXPECT_EQ(make_plan(points, with("rk8", 0.01)).path, Path::points);
+  EXPECT_EQ(make_plan(spinning, with("rk8", 0.01)).path, Path::bodies);
   const Outcome a = run(points, "rk8", 1, 200), b = run(spinning, "rk8", 1, 200);
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_LT((a.motions[i].position - b.motions[i].position).norm(), 1e-14 * 10);

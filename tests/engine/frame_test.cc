@@ -24,7 +24,7 @@ Model in_frame(Model model) {
   return model;
 }
 
-class Frame : public EveryScheme {};
+class Frame : public EveryIntegrator {};
 
 // Free flight and free rotation: a straight line looks curved.  A splitting makes both exactly.
 TEST_P(Frame, FreeTopAgreesWithInertialSolution) {
@@ -120,15 +120,15 @@ TEST(Boost, OnlyAddsUniformMotion) {
   const Model model = coupled_bodies(0.4);
   Model boosted = model;
   for (std::size_t i = 0; i < 2; ++i) boosted.motions[i].momentum += model.bodies[i].mass * u;
-  for (const Scheme& scheme : fixed_schemes()) {
-    const Outcome a = run(model, scheme.name, 1, 400);
-    Outcome b = run(boosted, scheme.name, 1, 400);
+  for (const Integrator& integrator : fixed_integrators()) {
+    const Outcome a = run(model, integrator.name, 1, 400);
+    Outcome b = run(boosted, integrator.name, 1, 400);
     for (std::size_t i = 0; i < 2; ++i) {
       b.motions[i].position -= u;
       b.motions[i].momentum -= model.bodies[i].mass * u;
     }
-    // Schemes are covariant: only rounding of places some times as large, a few ulp a part
-    EXPECT_LT(distance(a.motions, b.motions), 400 * scheme.evaluations * 8e-16) << scheme.name;
+    // Integrators are covariant: only rounding of places some times as large, a few ulp a part
+    EXPECT_LT(distance(a.motions, b.motions), 400 * integrator.evaluations * 8e-16) << integrator.name;
   }
 }
 

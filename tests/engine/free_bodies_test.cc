@@ -46,20 +46,20 @@ Difference difference(const Model& model, const std::vector<Motion>& a, const st
   return d;
 }
 
-std::vector<Motion> carried(const Model& model, std::string_view scheme, Time dt, int steps,
+std::vector<Motion> carried(const Model& model, std::string_view integrator, Time dt, int steps,
                             int threads = 1) {
-  FreeBodies bodies(model, *find_scheme(scheme), dt, threads);
+  FreeBodies bodies(model, *find_integrator(integrator), dt, threads);
   bodies.advance(steps);
   std::vector<Motion> motions;
   bodies.read(motions);
   return motions;
 }
 
-// In closed form, by the plan for scheme auto.
+// In closed form, by the plan for integrator auto.
 std::vector<Motion> exact(const Model& model, Time t) {
   World world(model, {.dt = t});
   world.step();
-  EXPECT_EQ(world.plan().method, Method::exact);
+  EXPECT_EQ(world.plan().path, Path::exact);
   return world.motions();
 }
 
@@ -73,14 +73,14 @@ TEST_P(Exactly, SmoothSceneIsExactToRounding) {
     const Model model = free_bodies(GetParam(), 37, spin);
     constexpr int steps = 200;
     constexpr Time dt = 0.01;
-    for (const char* scheme : {"velocity-verlet", "stormer-verlet", "bm4", "rkn6"}) {
-      const Difference d = difference(model, carried(model, scheme, dt, steps), exact(model, steps * dt));
+    for (const char* integrator : {"velocity-verlet", "stormer-verlet", "bm4", "rkn6"}) {
+      const Difference d = difference(model, carried(model, integrator, dt, steps), exact(model, steps * dt));
       // positions reach 25 m, speeds 20 m/s, phases 2 s of 60 rad/s times up to 3 (the ratio of moments) and
       // sqrt 3 (three components); each step rounds a handful of times
-      EXPECT_LT(d.position, 4 * steps * epsilon * 25) << scheme;
-      EXPECT_LT(d.velocity, 4 * steps * epsilon * 20) << scheme;
-      EXPECT_LT(d.turn, 4 * steps * epsilon * (1 + Real(0.01) * 6 * spin)) << scheme;
-      EXPECT_EQ(d.spin, 0) << scheme;
+      EXPECT_LT(d.position, 4 * steps * epsilon * 25) << integrator;
+      EXPECT_LT(d.velocity, 4 * steps * epsilon * 20) << integrator;
+      EXPECT_LT(d.turn, 4 * steps * epsilon * (1 + Real(0.01) * 6 * spin)) << integrator;
+      EXPECT_EQ(d.spin, 0) << integrator;
     }
   }
 }
@@ -90,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, Exactly,
                                          Kind::symmetric_low));
 
 struct Order {
-  const char* scheme;
+  const char* integrator;
   int order;
   int steps;  // over 2 s
 };
@@ -101,18 +101,18 @@ TEST_P(FreeBodiesOrder, AsymmetricBodiesHaveOrderOfIntegrator) {
   const Model model = free_bodies(Kind::asymmetric, 37, 5);
   const auto end = exact(model, 2);
   const auto error = [&](int steps) {
-    return difference(model, carried(model, GetParam().scheme, 2.0 / steps, steps), end).turn;
+    return difference(model, carried(model, GetParam().integrator, 2.0 / steps, steps), end).turn;
   };
   const Real coarse = error(GetParam().steps), fine = error(2 * GetParam().steps);
   EXPECT_NEAR(std::log2(coarse / fine), GetParam().order, 0.15);
   EXPECT_GT(coarse, 1e-9);  // negative control: there is an error to see
 }
 
-INSTANTIATE_TEST_SUITE_P(Schemes, FreeBodiesOrder,
+INSTANTIATE_TEST_SUITE_P(Integrators, FreeBodiesOrder,
                          testing::Values(Order{"velocity-verlet", 2, 200}, Order{"bm4", 4, 60},
                                          Order{"bm6", 6, 25}),
                          [](const auto& row) {
-                           std::string name = row.param.scheme;
+                           std::string name = row.param.integrator;
                            std::erase(name, '-');
                            return name;
                          });
@@ -121,7 +121,7 @@ TEST(FreeBodies, SymplecticEulerAgreesWithSingleSteps) {
   const Model model = free_bodies(Kind::points, 9, 0);
   constexpr Time dt = 0.02;
   constexpr int steps = 50;
-  World world(model, {.scheme = "symplectic-euler", .dt = dt});
+  World world(model, {.integrator = "symplectic-euler", .dt = dt});
   for (int i = 0; i < steps; ++i) world.step();
   const Difference d = difference(model, carried(model, "symplectic-euler", dt, steps), world.motions());
   EXPECT_LT(d.position, 4 * steps * epsilon * 10);
@@ -158,7 +158,7 @@ TEST(FreeBodies, BitsDoNotDependOnThreadsOrRuns) {
     const Model model = free_bodies(kind, 3000, 3);
     const auto run = carried(model, "velocity-verlet", 0.01, 20);
     const auto threads = carried(model, "velocity-verlet", 0.01, 20, 0);
-    FreeBodies stepped(model, *find_scheme("velocity-verlet"), 0.01);
+    FreeBodies stepped(model, *find_integrator("velocity-verlet"), 0.01);
     for (int i = 0; i < 20; ++i) stepped.step();
     std::vector<Motion> one_by_one;
     stepped.read(one_by_one);
@@ -168,25 +168,25 @@ TEST(FreeBodies, BitsDoNotDependOnThreadsOrRuns) {
 }
 
 TEST(FreeBodies, PlanVectorizesOnlyManyBodies) {
-  const auto method = [](const Model& model, const char* scheme) {
-    return make_plan(model, {.scheme = scheme, .dt = 0.01}).method;
+  const auto path = [](const Model& model, const char* integrator) {
+    return make_plan(model, {.integrator = integrator, .dt = 0.01}).path;
   };
   const Model many = free_bodies(Kind::asymmetric, 65, 3);
-  EXPECT_EQ(method(many, "velocity-verlet"), Method::free);
-  EXPECT_EQ(method(many, "rk4"), Method::bodies);
-  EXPECT_EQ(method(many, "auto"), Method::exact);
-  EXPECT_EQ(method(free_bodies(Kind::asymmetric, 64, 3), "velocity-verlet"), Method::bodies);
+  EXPECT_EQ(path(many, "velocity-verlet"), Path::free);
+  EXPECT_EQ(path(many, "rk4"), Path::bodies);
+  EXPECT_EQ(path(many, "auto"), Path::exact);
+  EXPECT_EQ(path(free_bodies(Kind::asymmetric, 64, 3), "velocity-verlet"), Path::bodies);
   Model held = many;
   held.forces.springs.push_back({.body = 3, .stiffness = 2});
-  EXPECT_EQ(method(held, "velocity-verlet"), Method::bodies);
+  EXPECT_EQ(path(held, "velocity-verlet"), Path::bodies);
   Model locked = many;
   locked.bodies[5].locked = true;
-  EXPECT_EQ(method(locked, "velocity-verlet"), Method::bodies);
+  EXPECT_EQ(path(locked, "velocity-verlet"), Path::bodies);
 }
 
 TEST(FreeBodies, HoldsLessThan300BytesABody) {
   const Model model = free_bodies(Kind::asymmetric, 4096, 3);
-  const FreeBodies bodies(model, *find_scheme("velocity-verlet"), 0.01);
+  const FreeBodies bodies(model, *find_integrator("velocity-verlet"), 0.01);
   EXPECT_LT(bodies.memory() / 4096, 300u);
 }
 

@@ -79,7 +79,7 @@ TEST_P(FreeRotationOf, IsEulersEquationsSolved) {
   std::vector<Real> y(7);
   TiedBody::store(s.orientation, y.data());
   Vector3::Map(y.data() + 4) = s.momentum;
-  Advance<TiedBody> advance(*find_scheme("rk8"), y.size());
+  Advance<TiedBody> advance(*find_integrator("rk8"), y.size());
   const int steps = 2000;
   const double t = 10;
   advance.run(system, 0, t / steps, y.data(), steps);
@@ -184,7 +184,7 @@ TEST(FreeRotation, NearTheSeparatrix) {
     std::vector<Real> y(7);
     TiedBody::store(s.orientation, y.data());
     Vector3::Map(y.data() + 4) = s.momentum;
-    Advance<TiedBody> advance(*find_scheme("rk8"), y.size());
+    Advance<TiedBody> advance(*find_integrator("rk8"), y.size());
     const int steps = 4000;
     const double t = 12;
     advance.run(system, 0, t / steps, y.data(), steps);

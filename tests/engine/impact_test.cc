@@ -1,4 +1,4 @@
-// Impacts of whole runs: their law, their times, their end; fixed schemes and auto alike.
+// Impacts of whole runs: their law, their times, their end; fixed integrators and auto alike.
 #include "tests/engine/fixtures.h"
 
 namespace cylon::engine {
@@ -17,7 +17,7 @@ Real gap(const std::vector<Motion>& motions, const Model& model, std::size_t a, 
          std::get<Sphere>(model.shapes[b]).radius;
 }
 
-// Auto follows spheres in closed form, a chosen scheme event by event.
+// Auto follows spheres in closed form, a chosen integrator event by event.
 const std::vector<const char*> followed = {"auto", "rk4", "velocity-verlet", "yoshida6", "bm4"};
 
 // ---- The law ---------------------------------------------------------------------------------------
@@ -31,9 +31,9 @@ TEST_P(Restitution, OfTwoSpheresInAnObliqueImpact) {
   add_sphere(start, 1.3, 0.3, {0.1, 0.2, -0.4}, {1.1, 0.3, 0.2});
   add_sphere(start, 0.6, 0.2, {1.3, 0.5, -0.3}, {-0.7, -0.2, 0.1});
   make_touchable(start, e);
-  for (const char* scheme : followed) {
-    const Outcome all = run(start, scheme, 1.0, 10);
-    ASSERT_EQ(all.impacts.size(), 1u) << scheme;
+  for (const char* integrator : followed) {
+    const Outcome all = run(start, integrator, 1.0, 10);
+    ASSERT_EQ(all.impacts.size(), 1u) << integrator;
 
     // The time of contact from |d + v t| = r_a + r_b.
     const Vector3 d = start.motions[0].position - start.motions[1].position;
@@ -42,13 +42,13 @@ TEST_P(Restitution, OfTwoSpheresInAnObliqueImpact) {
     const Vector3 v = v_a - v_b;
     const Real b = d.dot(v),
                t = (-b - std::sqrt(b * b - v.squaredNorm() * (d.squaredNorm() - 0.25))) / v.squaredNorm();
-    EXPECT_NEAR(all.impacts[0].time, t, 1e-13) << scheme;
+    EXPECT_NEAR(all.impacts[0].time, t, 1e-13) << integrator;
 
     const Vector3 n = (d + t * v).normalized();
     const Vector3 impulse = -(1 + e) * v.dot(n) / (1 / 1.3 + 1 / 0.6) * n;
     const auto& after = all.motions;
-    EXPECT_LT((velocity(all.bodies[0], after[0]) - (v_a + impulse / 1.3)).norm(), 1e-13) << scheme;
-    EXPECT_LT((velocity(all.bodies[1], after[1]) - (v_b - impulse / 0.6)).norm(), 1e-13) << scheme;
+    EXPECT_LT((velocity(all.bodies[0], after[0]) - (v_a + impulse / 1.3)).norm(), 1e-13) << integrator;
+    EXPECT_LT((velocity(all.bodies[1], after[1]) - (v_b - impulse / 0.6)).norm(), 1e-13) << integrator;
     EXPECT_LT((momentum(after) - momentum(start.motions)).norm(), 1e-15);
     EXPECT_LT((angular_momentum(after) - angular_momentum(start.motions)).norm(), 1e-14);
     const Real loss = kinetic_energy(start.bodies, start.motions) - kinetic_energy(all.bodies, after);
@@ -59,17 +59,18 @@ TEST_P(Restitution, OfTwoSpheresInAnObliqueImpact) {
 
 TEST_P(Restitution, OfASphereOnAPlane) {
   const Model start = ball_over_plane(0.8, GetParam());
-  for (const char* scheme : followed) {
-    const Outcome all = run(start, scheme, 0.41, 41);  // t1 = 0.404 s
+  for (const char* integrator : followed) {
+    const Outcome all = run(start, integrator, 0.41, 41);  // t1 = 0.404 s
     ASSERT_GE(all.impacts.size(), 1u);
     const Real u = std::sqrt(2 * g * 0.8);
-    EXPECT_NEAR(all.impacts[0].approach, u, 1e-12) << scheme;
-    EXPECT_NEAR(all.impacts[0].separation, GetParam() * u, 1e-12) << scheme;
+    EXPECT_NEAR(all.impacts[0].approach, u, 1e-12) << integrator;
+    EXPECT_NEAR(all.impacts[0].separation, GetParam() * u, 1e-12) << integrator;
     const Vector3 n = start.planes[0].normal, v = velocity(all.bodies[0], all.motions[0]);
     EXPECT_LT((v - v.dot(n) * n - velocity(start.bodies[0], start.motions[0])).norm(),
               1e-14);  // sideways kept
     // An impulse through the centre: its arm and the normal are parallel but for rounding.
-    EXPECT_LT((all.motions[0].angular_momentum - start.motions[0].angular_momentum).norm(), 1e-15) << scheme;
+    EXPECT_LT((all.motions[0].angular_momentum - start.motions[0].angular_momentum).norm(), 1e-15)
+        << integrator;
   }
 }
 
@@ -77,16 +78,16 @@ INSTANTIATE_TEST_SUITE_P(Coefficients, Restitution, testing::Values(0.0, 0.8, 1.
 
 // ---- The times -------------------------------------------------------------------------------------
 
-// t_1 = sqrt(2h/g), t_{n+1} = t_n + 2 e^n u_1/g: these schemes follow a parabola exactly, at any step.
+// t_1 = sqrt(2h/g), t_{n+1} = t_n + 2 e^n u_1/g: these integrators follow a parabola exactly, at any step.
 TEST(ImpactTime, OfABouncingBallIsTheClosedForm) {
-  for (const std::string_view scheme : {"auto", "rk4", "velocity-verlet"}) {
+  for (const std::string_view integrator : {"auto", "rk4", "velocity-verlet"}) {
     for (const int steps : {50, 2000}) {
-      const Outcome all = run(ball_over_plane(2.0, 0.8), scheme, 5.0, steps);
+      const Outcome all = run(ball_over_plane(2.0, 0.8), integrator, 5.0, steps);
       ASSERT_GE(all.impacts.size(), 8u);
       Real t = std::sqrt(2 * 2.0 / g), u = g * t;
       for (std::size_t n = 0; n < 8; ++n) {
-        EXPECT_NEAR(all.impacts[n].time, t, 1e-11) << scheme << ' ' << steps << " bounce " << n + 1;
-        EXPECT_NEAR(all.impacts[n].separation, 0.8 * u, 1e-11) << scheme << " bounce " << n + 1;
+        EXPECT_NEAR(all.impacts[n].time, t, 1e-11) << integrator << ' ' << steps << " bounce " << n + 1;
+        EXPECT_NEAR(all.impacts[n].separation, 0.8 * u, 1e-11) << integrator << " bounce " << n + 1;
         u *= 0.8;
         t += 2 * u / g;
       }
@@ -99,18 +100,18 @@ TEST(ImpactTime, OfSpheresThatPassThroughEachOtherWithinAStep) {
   add_sphere(start, 1, 0.1, {-5.03, 0.02, 0.01}, {100, 0.1, 0.2});
   add_sphere(start, 1, 0.1, {0.2, 0.03, 0.02}, {0, 0.1, 0.2});
   make_touchable(start, 1);
-  for (const char* scheme : {"auto", "rk4"}) {
-    const Outcome all = run(start, scheme, 0.1, 1);  // 10 m in the one step
-    ASSERT_EQ(all.impacts.size(), 1u) << scheme;
+  for (const char* integrator : {"auto", "rk4"}) {
+    const Outcome all = run(start, integrator, 0.1, 1);  // 10 m in the one step
+    ASSERT_EQ(all.impacts.size(), 1u) << integrator;
     EXPECT_NEAR(all.impacts[0].time, (5.23 - std::sqrt(0.2 * 0.2 - 2e-4)) / 100, 1e-14);
     Model miss = start;
     miss.motions[0].position.y() = 0.24;  // negative control: a miss by a hundredth
-    EXPECT_TRUE(run(miss, scheme, 0.1, 1).impacts.empty()) << scheme;
+    EXPECT_TRUE(run(miss, integrator, 0.1, 1).impacts.empty()) << integrator;
   }
 }
 
 // With an impact inside a step the order holds only because the impact is at its own time.
-class Struck : public EveryScheme {};
+class Struck : public EveryIntegrator {};
 
 TEST_P(Struck, KeepsOrderThroughImpacts) {
   Model start;
@@ -140,24 +141,24 @@ CYLON_EVERY_SCHEME(Struck);
 // All bounces are over at t_1 + 2 e u_1 / (g (1 - e)); after it the ball slides on.
 TEST(Zeno, ABallComesToRestAndSlidesOn) {
   const Real e = 0.8, t1 = std::sqrt(2 * 0.5 / g), end_of_bounces = t1 * (1 + 2 * e / (1 - e));
-  for (const char* scheme : {"auto", "rk4", "rk8", "velocity-verlet", "yoshida4", "bm6", "rkn4"}) {
+  for (const char* integrator : {"auto", "rk4", "rk8", "velocity-verlet", "yoshida4", "bm6", "rkn4"}) {
     const Model start = ball_over_plane(0.5, e);
-    const Outcome all = run(start, scheme, 6.0, 600);
+    const Outcome all = run(start, integrator, 6.0, 600);
     const Vector3 v = velocity(all.bodies[0], all.motions[0]);
-    ASSERT_TRUE(all.motions[0].position.allFinite()) << scheme;
-    EXPECT_LT(std::abs(plane_gap(start, all.motions)), 1e-9) << scheme;
-    EXPECT_LT((v - velocity(start.bodies[0], start.motions[0])).norm(), 1e-8) << scheme;
-    EXPECT_GT(all.impacts.size(), 30u) << scheme;
-    EXPECT_NEAR(all.impacts.back().time, end_of_bounces, 1e-6) << scheme;
+    ASSERT_TRUE(all.motions[0].position.allFinite()) << integrator;
+    EXPECT_LT(std::abs(plane_gap(start, all.motions)), 1e-9) << integrator;
+    EXPECT_LT((v - velocity(start.bodies[0], start.motions[0])).norm(), 1e-8) << integrator;
+    EXPECT_GT(all.impacts.size(), 30u) << integrator;
+    EXPECT_NEAR(all.impacts.back().time, end_of_bounces, 1e-6) << integrator;
   }
 }
 
 TEST(Zeno, AnElasticBallNeverRests) {
   const Model start = ball_over_plane(0.02, 1);
-  for (const char* scheme : {"auto", "rk4"}) {
-    const Outcome all = run(start, scheme, 20.0, 200);  // 0.128 s a bounce, more than once in some steps
-    EXPECT_NEAR(energy(start, all.motions), energy(start, start.motions), 1e-11) << scheme;
-    EXPECT_EQ(all.impacts.size(), 157u) << scheme;  // (20 - t1) / (2 t1) + 1, t1 = 0.06386
+  for (const char* integrator : {"auto", "rk4"}) {
+    const Outcome all = run(start, integrator, 20.0, 200);  // 0.128 s a bounce, more than once in some steps
+    EXPECT_NEAR(energy(start, all.motions), energy(start, start.motions), 1e-11) << integrator;
+    EXPECT_EQ(all.impacts.size(), 157u) << integrator;  // (20 - t1) / (2 t1) + 1, t1 = 0.06386
   }
 }
 
@@ -170,11 +171,11 @@ TEST(Zeno, StackedBallsRestWithTheirWeight) {
   start.planes.push_back({Vector3::UnitY(), 0});
   start.forces.gravity = {0, -g, 0};
   make_touchable(start, 0.5);
-  for (const char* scheme : {"auto", "rk4", "velocity-verlet"}) {
-    const Outcome end = run(start, scheme, 1.0, 100);
+  for (const char* integrator : {"auto", "rk4", "velocity-verlet"}) {
+    const Outcome end = run(start, integrator, 1.0, 100);
     for (std::size_t i = 0; i < 3; ++i) {
-      EXPECT_LT((end.motions[i].position - start.motions[i].position).norm(), 1e-12) << scheme << i;
-      EXPECT_LT(end.motions[i].momentum.norm(), 1e-12) << scheme << i;
+      EXPECT_LT((end.motions[i].position - start.motions[i].position).norm(), 1e-12) << integrator << i;
+      EXPECT_LT(end.motions[i].momentum.norm(), 1e-12) << integrator << i;
     }
   }
 }
@@ -187,13 +188,13 @@ TEST(Zeno, InelasticCollapseEnds) {
   add_sphere(start, 0.1, 0.1, {0.05, 0, 0}, {0, 0, 0});
   add_sphere(start, 5, 0.1, {0.5, 0, 0}, {-1, 0, 0});
   make_touchable(start, 0.05);
-  for (const char* scheme : {"auto", "rk4"}) {
-    const Outcome all = run(start, scheme, 1.0, 50);
-    for (const Motion& m : all.motions) ASSERT_TRUE(m.position.allFinite()) << scheme;
-    EXPECT_LT((momentum(all.motions) - momentum(start.motions)).norm(), 1e-13) << scheme;
-    EXPECT_GT(gap(all.motions, start, 0, 1), -1e-9) << scheme;
-    EXPECT_GT(gap(all.motions, start, 1, 2), -1e-9) << scheme;
-    EXPECT_GT(all.impacts.size(), 3u) << scheme;
+  for (const char* integrator : {"auto", "rk4"}) {
+    const Outcome all = run(start, integrator, 1.0, 50);
+    for (const Motion& m : all.motions) ASSERT_TRUE(m.position.allFinite()) << integrator;
+    EXPECT_LT((momentum(all.motions) - momentum(start.motions)).norm(), 1e-13) << integrator;
+    EXPECT_GT(gap(all.motions, start, 0, 1), -1e-9) << integrator;
+    EXPECT_GT(gap(all.motions, start, 1, 2), -1e-9) << integrator;
+    EXPECT_GT(all.impacts.size(), 3u) << integrator;
   }
 }
 
@@ -204,12 +205,12 @@ TEST(Sequential, RowOfTouchingSpheresTransfersMotion) {
     add_sphere(start, 0.9, 0.25, {0.5 * i - (i == 0 ? 0.3 : 0), 0, 0}, {i == 0 ? 2.0 : 0.0, 0, 0});
   }
   make_touchable(start, 1);
-  for (const char* scheme : {"auto", "rk4"}) {
-    const Outcome all = run(start, scheme, 1.0, 10);
-    EXPECT_EQ(all.impacts.size(), 3u) << scheme;
+  for (const char* integrator : {"auto", "rk4"}) {
+    const Outcome all = run(start, integrator, 1.0, 10);
+    EXPECT_EQ(all.impacts.size(), 3u) << integrator;
     for (std::size_t i = 0; i < 4; ++i) {
       const Vector3 expected = {i == 3 ? 2.0 : 0.0, 0, 0};
-      EXPECT_LT((velocity(all.bodies[i], all.motions[i]) - expected).norm(), 1e-13) << scheme << i;
+      EXPECT_LT((velocity(all.bodies[i], all.motions[i]) - expected).norm(), 1e-13) << integrator << i;
     }
   }
 }
@@ -226,9 +227,9 @@ TEST(Resting, ContactEndsWhenPulledApart) {
   const Real expected =
       -g * s * s / 2 + a / (w * w) * (std::cos(w * t) - std::cos(w * t0)) + a / w * std::sin(w * t0) * s;
   ASSERT_GT(expected, 0.1);
-  for (const char* scheme : {"auto", "rk4", "rk8"}) {
-    const Outcome end = run(start, scheme, t, 1000);
-    EXPECT_NEAR(plane_gap(start, end.motions), expected, 1e-6) << scheme;
+  for (const char* integrator : {"auto", "rk4", "rk8"}) {
+    const Outcome end = run(start, integrator, t, 1000);
+    EXPECT_NEAR(plane_gap(start, end.motions), expected, 1e-6) << integrator;
   }
 }
 
@@ -241,14 +242,14 @@ TEST(Locked, DoNotMoveUnderImpactsAndForces) {
   make_touchable(start, 0.8);
   start.forces.gravity = {0, -g, 0};
   start.forces.springs.push_back({0, {0.1, 0.2, 0.3}, fixed_world, {3, 4, 5}, 50, 0.1, 0.2});
-  for (const char* scheme : {"auto", "rk4"}) {
-    const Outcome all = run(start, scheme, 1.0, 100);
+  for (const char* integrator : {"auto", "rk4"}) {
+    const Outcome all = run(start, integrator, 1.0, 100);
     EXPECT_EQ(all.motions[0].position, start.motions[0].position);
     EXPECT_EQ(all.motions[0].orientation.coeffs(), start.motions[0].orientation.coeffs());
     EXPECT_EQ(velocity(all.bodies[0], all.motions[0]), Vector3(Vector3::Zero()));
     EXPECT_EQ(angular_velocity(all.bodies[0], all.motions[0]), Vector3(Vector3::Zero()));
     ASSERT_GE(all.impacts.size(), 1u);  // 1 m below: v^2 = 1 + 2 g
-    EXPECT_NEAR(all.impacts[0].separation, 0.8 * std::sqrt(1 + 2 * g * 1.0), 1e-9) << scheme;
+    EXPECT_NEAR(all.impacts[0].separation, 0.8 * std::sqrt(1 + 2 * g * 1.0), 1e-9) << integrator;
   }
 }
 
@@ -267,13 +268,13 @@ TEST(Friction, OfARoughBallIsCoulombs) {
     const Vector3 j_t =
         sticks ? Vector3(-2.0 / 7 * mass * slip) : Vector3(-friction * j_n * slip.normalized());
     const Vector3 w_after = w + arm.cross(j_t) / (0.4 * mass * 0.25 * 0.25);
-    for (const char* scheme : {"auto", "rk4"}) {
-      const Outcome all = run(start, scheme, 0.26, 26);  // t1 = 0.2473 s
+    for (const char* integrator : {"auto", "rk4"}) {
+      const Outcome all = run(start, integrator, 0.26, 26);  // t1 = 0.2473 s
       ASSERT_EQ(all.impacts.size(), 1u);
       EXPECT_LT((angular_velocity(all.bodies[0], all.motions[0]) - w_after).norm(), 1e-12)
-          << scheme << friction;
+          << integrator << friction;
       const Vector3 after = velocity(all.bodies[0], all.motions[0]);
-      EXPECT_LT((after - after.dot(n) * n - v - j_t / mass).norm(), 1e-12) << scheme << friction;
+      EXPECT_LT((after - after.dot(n) * n - v - j_t / mass).norm(), 1e-12) << integrator << friction;
     }
   }
 }

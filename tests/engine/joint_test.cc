@@ -127,17 +127,17 @@ Model joined(Type type, bool off_centre = true) {
 TEST(Joined, FreeBodiesKeepMomentumAngularMomentumAndEnergy) {
   for (const Type type : {Type::ball, Type::hinge, Type::distance, Type::fixed}) {
     const Model model = joined(type);
-    for (const char* scheme : {"rk8", "velocity-verlet", "yoshida4"}) {
-      const Outcome end = run(model, scheme, 2, 2000);
+    for (const char* integrator : {"rk8", "velocity-verlet", "yoshida4"}) {
+      const Outcome end = run(model, integrator, 2, 2000);
       const int label = static_cast<int>(type);
       // rk8: energy and L to h^8, here rounding; RATTLE: L to rounding, energy to h^2 x 100 J/s^2
-      EXPECT_LT((momentum(end.motions) - momentum(model.motions)).norm(), 1e-12) << scheme << label;
+      EXPECT_LT((momentum(end.motions) - momentum(model.motions)).norm(), 1e-12) << integrator << label;
       EXPECT_LT((angular_momentum(end.motions) - angular_momentum(model.motions)).norm(), 1e-12)
-          << scheme << label;
+          << integrator << label;
       EXPECT_NEAR(energy(model, end.motions), energy(model, model.motions),
-                  std::string(scheme) == "velocity-verlet" ? 1e-4 : 1e-9)
-          << scheme << label;
-      EXPECT_LT(joint_gap(end.motions, model.joints[0]), 2e-14) << scheme << label;
+                  std::string(integrator) == "velocity-verlet" ? 1e-4 : 1e-9)
+          << integrator << label;
+      EXPECT_LT(joint_gap(end.motions, model.joints[0]), 2e-14) << integrator << label;
     }
   }
 }
@@ -191,9 +191,9 @@ Model chain() {
   return model;
 }
 
-class Chains : public EveryScheme {};
+class Chains : public EveryIntegrator {};
 
-// RATTLE has order 2, Yoshida's compositions of it 4 and 6, the Runge-Kutta schemes on accelerations theirs.
+// RATTLE has order 2, Yoshida's compositions of it 4 and 6, the Runge-Kutta integrators on accelerations theirs.
 TEST_P(Chains, HaveOrderOfIntegrator) {
   const Model model = chain();
   if (!unsupported(model, with(GetParam().name, 0.01)).empty()) return;
@@ -234,9 +234,9 @@ TEST(Redundant, ManyJointsAreOneFixed) {
     many.joints.push_back(
         {.body = 0, .anchor = at, .to = 1, .to_anchor = b.orientation.conjugate() * (x - b.position)});
   }
-  for (const char* scheme : {"rk8", "velocity-verlet"}) {
-    const Outcome a = run(fixed, scheme, 1, 500), b = run(many, scheme, 1, 500);
-    EXPECT_LT(distance(a.motions, b.motions), 1e-11) << scheme;
+  for (const char* integrator : {"rk8", "velocity-verlet"}) {
+    const Outcome a = run(fixed, integrator, 1, 500), b = run(many, integrator, 1, 500);
+    EXPECT_LT(distance(a.motions, b.motions), 1e-11) << integrator;
   }
 }
 

@@ -5,9 +5,9 @@
 namespace cylon::engine {
 namespace {
 
-class Mechanism : public EveryScheme {
+class Mechanism : public EveryIntegrator {
  protected:
-  // Which scheme can take joints between bodies; those that cannot say why.
+  // Which integrator can take joints between bodies; those that cannot say why.
   static bool takes(const Model& model) {
     const std::string reason = unsupported(model, with(GetParam().name, 0.01));
     const bool can = GetParam().constraints || GetParam().kind == Kind::runge_kutta;

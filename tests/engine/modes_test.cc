@@ -78,7 +78,7 @@ class Modes : public testing::TestWithParam<Network> {};
 // rk8 at 1/512 s errs by 1e-14 of the motion in 7 s, and knows nothing of modes.
 TEST_P(Modes, AgreeWithIntegration) {
   const Model& model = GetParam().model;
-  ASSERT_EQ(make_plan(model, with("auto", 0.1)).method, Method::modes) << normal_modes(model).why_not;
+  ASSERT_EQ(make_plan(model, with("auto", 0.1)).path, Path::modes) << normal_modes(model).why_not;
   World exact(model, with("auto", 7.0 / 16));
   World integrated(model, with("rk8", 1.0 / 512));
   for (int k = 1; k <= 16; ++k) {
@@ -203,7 +203,7 @@ TEST(Modes, ApplyToLinearForcesOnly) {
     EXPECT_NE(normal_modes(m).why_not.find(r.why), std::string::npos)
         << r.name << ": " << normal_modes(m).why_not;
     EXPECT_TRUE(normal_modes(m).groups.empty()) << r.name;
-    EXPECT_NE(make_plan(m, with("auto", 0.1)).method, Method::modes) << r.name;
+    EXPECT_NE(make_plan(m, with("auto", 0.1)).path, Path::modes) << r.name;
   }
   Model crowd;
   for (std::size_t i = 0; i <= most_tied; ++i) {

@@ -1,4 +1,4 @@
-// The observed order of each scheme on the engine's own systems: halve the step, fit the slope.
+// The observed order of each integrator on the engine's own systems: halve the step, fit the slope.
 #include "tests/engine/fixtures.h"
 
 #include <functional>
@@ -11,8 +11,8 @@ namespace {
 // steps that remain they may only seem better than they are.
 // Within a tenth they are seen in tests/engine/long, with more digits, and in tests/conformance/accuracy, by
 // a fit.
-void expect_order(Real slope, const Scheme& scheme, int order) {
-  if (scheme.order <= 4) {
+void expect_order(Real slope, const Integrator& integrator, int order) {
+  if (integrator.order <= 4) {
     EXPECT_NEAR(slope, order, 0.1);
   } else {
     EXPECT_GT(slope, order - 0.5);
@@ -23,12 +23,12 @@ using Error = std::function<Real(const std::vector<Motion>&, const std::vector<M
 
 // Halves the step until the error nears rounding (1e-13, grown by the motion).  The slope of the last two,
 // or, of high orders, over all steps that are neither too coarse nor too fine.
-Real observed_order(const Model& model, const Scheme& scheme, Time duration, const Error& error) {
-  const bool high = scheme.order >= 6;
+Real observed_order(const Model& model, const Integrator& integrator, Time duration, const Error& error) {
+  const bool high = integrator.order >= 6;
   const int most = high ? 2048 : 16384;
   const Real least = high ? 2e-11 : 2e-12;
   const auto exact = run(model, "rk8", duration, 4096).motions;
-  const auto error_of = [&](int n) { return error(run(model, scheme.name, duration, n).motions, exact); };
+  const auto error_of = [&](int n) { return error(run(model, integrator.name, duration, n).motions, exact); };
   std::vector<Real> errors;
   for (int n = 8; n <= most; n *= 2) {
     const Real e = error_of(n);
@@ -40,13 +40,13 @@ Real observed_order(const Model& model, const Scheme& scheme, Time duration, con
 }
 
 // Of a run: long for high orders, whose error would else be rounding at all but the largest steps.
-Time span(const Scheme& scheme) { return scheme.order >= 6 ? 4.0 : 1.0; }
+Time span(const Integrator& integrator) { return integrator.order >= 6 ? 4.0 : 1.0; }
 
 Real tilt(const std::vector<Motion>& a, const std::vector<Motion>& b) {
   return angle_between(a[0].orientation * Vector3::UnitY(), b[0].orientation * Vector3::UnitY());
 }
 
-class Order : public EveryScheme {};
+class Order : public EveryIntegrator {};
 
 TEST_P(Order, OfBodiesOnOffCentreSprings) {
   expect_order(observed_order(coupled_bodies(), GetParam(), span(GetParam()), distance), GetParam(),
@@ -58,7 +58,7 @@ TEST_P(Order, OfBodiesUnderEveryForce) {
                GetParam().drag_order);
 }
 
-// A splitting moves a free top by its exact flow; a Runge-Kutta scheme integrates its quaternion.
+// A splitting moves a free top by its exact flow; a Runge-Kutta integrator integrates its quaternion.
 TEST_P(Order, OfAFreeAsymmetricTop) {
   const Model model = free_top();
   if (GetParam().kind == Kind::splitting) {
@@ -85,15 +85,15 @@ TEST_P(Order, OfPointsOnSprings) {
   model.forces.springs.push_back({1, {0, 0, 0}, 0, {0, 0, 0}, 11.0, 0.6, 0});
   model.forces.drives.push_back({1, {0.9, 0.4, -1.1}, 2.3});
   model.forces.attractions.push_back({0, 1, 0.7});
-  EXPECT_EQ(make_plan(model, with(GetParam().name, 0.01)).method, Method::points);
+  EXPECT_EQ(make_plan(model, with(GetParam().name, 0.01)).path, Path::points);
   expect_order(observed_order(model, GetParam(), span(GetParam()), distance), GetParam(), GetParam().order);
 }
 
 CYLON_EVERY_SCHEME(Order);
 
-// The measure itself: a scheme that claims more than it does is found out.
+// The measure itself: an integrator that claims more than it does is found out.
 TEST(OrderMeasure, DetectsFalseClaim) {
-  Scheme boaster = *find_scheme("explicit-euler");
+  Integrator boaster = *find_integrator("explicit-euler");
   boaster.order = 2;
   EXPECT_GT(std::abs(observed_order(coupled_bodies(), boaster, 1.0, distance) - boaster.order), 0.5);
 }

@@ -29,7 +29,7 @@ Model point(const Vector3& spin = Vector3::Zero()) {
 struct Case {
   const char* name;
   std::function<Model()> model;
-  Method method;
+  Path path;
   std::vector<const char*> in;  // besides degrees of freedom and integration or closed form
 };
 
@@ -70,25 +70,25 @@ std::vector<Case> cases() {
   return {
       {"box on a locked box",
        [=] { return two_boxes(true); },
-       Method::events,
+       Path::events,
        {"rotation", "gravity", "detection", "impacts", "friction", "contact solving", "event location"}},
       {"box on box",
        [=] { return two_boxes(false); },
-       Method::stepping,
+       Path::stepping,
        {"rotation", "gravity", "broad phase", "detection", "impacts", "friction", "contact solving"}},
-      {"free point", [] { return point(); }, Method::exact, {}},
+      {"free point", [] { return point(); }, Path::exact, {}},
       {"falling point",
        [=] { return added(point(), [](Model& m) {
                m.forces.gravity = {0, -9.81, 0};
              }); },
-       Method::exact,
+       Path::exact,
        {"gravity"}},
-      {"free top", [] { return free_top(); }, Method::exact, {"rotation"}},
+      {"free top", [] { return free_top(); }, Path::exact, {"rotation"}},
       {"point on a spring",
        [=] {
          return added(point(), [](Model& m) { m.forces.springs.push_back({.body = 0, .stiffness = 3}); });
        },
-       Method::modes,
+       Path::modes,
        {"springs"}},
       {"spring with a rest length that turns",
        [=] {
@@ -96,24 +96,24 @@ std::vector<Case> cases() {
            m.forces.springs.push_back({.body = 0, .stiffness = 3, .rest_length = 0.4});
          });
        },
-       Method::points,
+       Path::points,
        {"springs"}},
       {"point with a drive",
        [=] { return added(point(), [](Model& m) {
                m.forces.drives.push_back({0, {1, 2, 3}, 4});
              }); },
-       Method::modes,
+       Path::modes,
        {"drive"}},
       {"dragged point",
        [=] { return added(point(), [](Model& m) {
                m.forces.drags.push_back({0, 0.3, 0, 0});
              }); },
-       Method::bodies,
+       Path::bodies,
        {"drag"}},
-      {"off-centre spring", [] { return coupled_bodies(); }, Method::bodies, {"rotation", "springs"}},
+      {"off-centre spring", [] { return coupled_bodies(); }, Path::bodies, {"rotation", "springs"}},
       {"every force",
        [] { return forced_bodies(); },
-       Method::bodies,
+       Path::bodies,
        {"rotation", "gravity", "springs", "drag", "drive"}},
       {"rocket",
        [=] {
@@ -123,40 +123,37 @@ std::vector<Case> cases() {
                {.body = 0, .mass_rate = -0.1, .relative = true, .exchanged = {0, -9, 0}});
          });
        },
-       Method::bodies,
+       Path::bodies,
        {"thrust", "variable mass"}},
-      {"heavy top",
-       [] { return heavy_top(); },
-       Method::bodies,
-       {"rotation", "gravity", "reduced coordinates"}},
+      {"heavy top", [] { return heavy_top(); }, Path::bodies, {"rotation", "gravity", "reduced coordinates"}},
       {"joint between free bodies",
        [] { return linked_bodies(false); },
-       Method::bodies,
+       Path::bodies,
        {"rotation", "joint constraints"}},
       {"double pendulum",
        [] { return linked_bodies(true); },
-       Method::bodies,
+       Path::bodies,
        {"rotation", "gravity", "reduced coordinates", "joint constraints"}},
       {"turning frame",
        [=] { return added(free_top(), [](Model& m) {
                m.frame = RotatingFrame{{0.1, 0.2, 0.3}};
              }); },
-       Method::bodies,
+       Path::bodies,
        {"rotation", "turning frame"}},
       {"ball over a plane",
        [] { return ball_over_plane(0.5, 0.5); },
-       Method::ballistic,
+       Path::ballistic,
        {"rotation", "gravity", "detection", "impacts", "contact solving", "event location"}},
       {"rough ball",
        [=] { return added(ball_over_plane(0.5, 0.5), [](Model& m) { make_touchable(m, 0.5, 0.3); }); },
-       Method::ballistic,
+       Path::ballistic,
        {"rotation", "gravity", "detection", "impacts", "friction", "contact solving", "event location"}},
       {"ball on a spring over a plane",
        [=] {
          return added(ball_over_plane(0.5, 0.5),
                       [](Model& m) { m.forces.springs.push_back({.body = 0, .stiffness = 3}); });
        },
-       Method::events,
+       Path::events,
        {"rotation", "gravity", "springs", "detection", "impacts", "contact solving", "event location"}},
       {"many boxes on a plane",
        [] {
@@ -170,7 +167,7 @@ std::vector<Case> cases() {
          make_touchable(m, 0, 0.4);
          return m;
        },
-       Method::stepping,
+       Path::stepping,
        {"rotation", "gravity", "broad phase", "detection", "impacts", "friction", "contact solving"}},
   };
 }
@@ -178,7 +175,7 @@ std::vector<Case> cases() {
 TEST(Plan, EachStageHasReason) {
   for (const Case& c : cases()) {
     const Plan plan = make_plan(c.model(), automatic());
-    EXPECT_EQ(plan.method, c.method) << c.name;
+    EXPECT_EQ(plan.path, c.path) << c.name;
     for (const char* name : optional_stages) {
       const bool expected = std::find_if(c.in.begin(), c.in.end(), [&](const char* n) {
                               return std::string_view(n) == name;
@@ -187,10 +184,9 @@ TEST(Plan, EachStageHasReason) {
     }
     for (const Stage& s : plan.stages) EXPECT_FALSE(s.reason.empty() && s.in) << c.name << ": " << s.name;
     for (const Stage& s : plan.stages) EXPECT_FALSE(s.reason.empty()) << c.name << ": " << s.name;
-    const bool closed =
-        c.method == Method::exact || c.method == Method::modes || c.method == Method::ballistic;
+    const bool closed = c.path == Path::exact || c.path == Path::modes || c.path == Path::ballistic;
     EXPECT_EQ(stage(plan, "closed form").in, closed) << c.name;
-    EXPECT_EQ(stage(plan, "integration").in, !closed && c.method != Method::stepping) << c.name;
+    EXPECT_EQ(stage(plan, "integration").in, !closed && c.path != Path::stepping) << c.name;
     EXPECT_EQ(stage(plan, "error control").in, plan.verified) << c.name;
   }
 }
@@ -220,13 +216,13 @@ TEST(Plan, CountsDegreesOfFreedom) {
             std::string::npos);
 }
 
-// A chosen scheme is never replaced by a closed form: it is what is looked at.
+// A chosen integrator is never replaced by a closed form: it is what is looked at.
 TEST(Plan, UsesChosenIntegrator) {
   for (const Case& c : cases()) {
-    if (c.method == Method::stepping) continue;
+    if (c.path == Path::stepping) continue;
     const Plan plan = make_plan(c.model(), with("velocity-verlet", 0.01));
-    ASSERT_NE(plan.scheme, nullptr) << c.name;
-    EXPECT_EQ(plan.scheme->name, "velocity-verlet");
+    ASSERT_NE(plan.integrator, nullptr) << c.name;
+    EXPECT_EQ(plan.integrator->name, "velocity-verlet");
     EXPECT_FALSE(plan.verified);
   }
 }
@@ -235,17 +231,17 @@ TEST(Plan, UsesChosenIntegrator) {
 // order.
 TEST(Plan, FullModelGivesSameMotion) {
   for (const Case& c : cases()) {
-    if (c.method == Method::stepping || c.method == Method::ballistic) continue;
-    for (const char* scheme : {"rk4", "rk8", "velocity-verlet", "yoshida6"}) {
+    if (c.path == Path::stepping || c.path == Path::ballistic) continue;
+    for (const char* integrator : {"rk4", "rk8", "velocity-verlet", "yoshida6"}) {
       const Model model = c.model();
-      Options lean = with(scheme, 0.01), full = lean;
+      Options lean = with(integrator, 0.01), full = lean;
       full.full = true;
       if (!unsupported(model, full).empty()) continue;  // contacts in a turning frame
       const Real apart = distance(run(model, lean, 100).motions, run(model, full, 100).motions);
-      // A Runge-Kutta scheme integrates a top's spin in full and has it in closed form in the lean plan.
+      // A Runge-Kutta integrator integrates a top's spin in full and has it in closed form in the lean plan.
       const bool top = std::string_view(c.name).find("top") != std::string_view::npos;
-      const bool truncates = top && find_scheme(scheme)->kind == Kind::runge_kutta;
-      EXPECT_LT(apart, truncates ? 1e-2 : 1e-11) << c.name << ' ' << scheme;
+      const bool truncates = top && find_integrator(integrator)->kind == Kind::runge_kutta;
+      EXPECT_LT(apart, truncates ? 1e-2 : 1e-11) << c.name << ' ' << integrator;
     }
   }
 }
@@ -253,14 +249,14 @@ TEST(Plan, FullModelGivesSameMotion) {
 TEST(Unsupported, GivesReason) {
   const auto reason = [](const Model& model, const Options& options) { return unsupported(model, options); };
   EXPECT_NE(reason(free_top(), with("leapfrog", 0.01)).find("leapfrog"), std::string::npos);
-  Options method = automatic();
-  method.method = "magic";
-  EXPECT_NE(reason(free_top(), method).find("magic"), std::string::npos);
+  Options wrong = automatic();
+  wrong.path = "magic";
+  EXPECT_NE(reason(free_top(), wrong).find("magic"), std::string::npos);
   EXPECT_NE(reason(linked_bodies(false), with("bm4", 0.01)).find("bm4"), std::string::npos);
   EXPECT_EQ(reason(heavy_top(), with("bm4", 0.01)), "");  // its joint is reduced
   EXPECT_EQ(reason(linked_bodies(false), automatic()), "");
   Options stepping = with("rk4", 0.01);
-  stepping.method = "stepping";
+  stepping.path = "stepping";
   EXPECT_NE(reason(ball_over_plane(1, 0.5), stepping).find("stepping"), std::string::npos);
 }
 

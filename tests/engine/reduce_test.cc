@@ -90,7 +90,7 @@ TEST(Reduced, AgreeWithConstraints) {
   }
 }
 
-// The schemes agree to their truncation: the difference falls with their order.
+// The integrators agree to their truncation: the difference falls with their order.
 TEST(Reduced, DifferFromConstraintsOnlyByTruncation) {
   for (const Pinned& p : pinned_models()) {
     const Model kept = by_constraints(p.model);
@@ -174,13 +174,13 @@ TEST(Reduced, AHeavyTopKeepsItsIntegrals) {
     const Vector3 about = angular_momentum(motions) - tip.cross(momentum(motions));
     return Vector3(energy(m, motions), about.y(), about.dot(motions[0].orientation * Vector3::UnitY()));
   };
-  for (const char* scheme : {"rk8", "velocity-verlet", "bm6"}) {
-    const Outcome end = run(m, scheme, 2, 4000);
+  for (const char* integrator : {"rk8", "velocity-verlet", "bm6"}) {
+    const Outcome end = run(m, integrator, 2, 4000);
     const Vector3 change = integrals(end.motions) - integrals(m.motions);
-    const bool splitting = std::string(scheme) != "rk8";
-    EXPECT_LT(std::abs(change[1]), 1e-12) << scheme;
-    EXPECT_LT(std::abs(change[2]), 1e-11) << scheme;
-    EXPECT_LT(std::abs(change[0]), splitting ? 1e-4 : 1e-10) << scheme;  // Verlet: h^2 x 100 J/s^2
+    const bool splitting = std::string(integrator) != "rk8";
+    EXPECT_LT(std::abs(change[1]), 1e-12) << integrator;
+    EXPECT_LT(std::abs(change[2]), 1e-11) << integrator;
+    EXPECT_LT(std::abs(change[0]), splitting ? 1e-4 : 1e-10) << integrator;  // Verlet: h^2 x 100 J/s^2
   }
 }
 

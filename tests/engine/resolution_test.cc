@@ -188,7 +188,7 @@ TEST(Resolution, AnyMassesWithoutContact) {
   EXPECT_EQ(unsupported(locked, automatic()), "");
 
   Options stepping = automatic();  // impulses go by the mass of each body alone
-  stepping.method = "stepping";
+  stepping.path = "stepping";
   EXPECT_EQ(unsupported(two_balls(1000 * crushing), stepping), "");
 }
 

@@ -14,18 +14,18 @@ Model reversed(Model model, const std::vector<Motion>& from) {
 }
 
 // How far the way back ends from the start.
-Real astray(const Model& model, std::string_view scheme, Time dt, int steps) {
-  const Outcome out = run(model, with(scheme, dt), steps);
-  const Outcome back = run(reversed(model, out.motions), with(scheme, dt), steps);
+Real astray(const Model& model, std::string_view integrator, Time dt, int steps) {
+  const Outcome out = run(model, with(integrator, dt), steps);
+  const Outcome back = run(reversed(model, out.motions), with(integrator, dt), steps);
   return distance(reversed(model, back.motions).motions, model.motions);
 }
 
-class Reversal : public EveryScheme {};
+class Reversal : public EveryIntegrator {};
 
 // Both ways round off at each part of each step, and the motion spreads what was rounded: within 1 s here by
 // no more than 10.  Measured below a fifth of it.
-Real rounding(const Scheme& scheme, int steps) {
-  return 2 * steps * (scheme.evaluations + 1) * 10 * std::numeric_limits<Real>::epsilon();
+Real rounding(const Integrator& integrator, int steps) {
+  return 2 * steps * (integrator.evaluations + 1) * 10 * std::numeric_limits<Real>::epsilon();
 }
 
 TEST_P(Reversal, LeadsBackFromSprings) {

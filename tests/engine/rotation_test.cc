@@ -41,9 +41,9 @@ TEST(Rotation, InverseDexpIsTheDerivativeOfTheLogarithm) {
   EXPECT_GT((2 * wrong.vec() - 2 * s * w).norm() / (2 * s), 1e-2);
 }
 
-class Spin : public EveryScheme {};
+class Spin : public EveryIntegrator {};
 
-// A ball that spins turns by w t, whatever the scheme and however small the step.
+// A ball that spins turns by w t, whatever the integrator and however small the step.
 TEST_P(Spin, OfABallIsExact) {
   Model start;
   const Vector3 w = {0.002, -0.003, 0.0035};

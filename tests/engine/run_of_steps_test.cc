@@ -19,31 +19,31 @@ Model points() {
 struct Row {
   const char* name;
   Model model;
-  Method method;
+  Path path;
   bool joints, timed;
 };
 
 std::vector<Row> rows() {
-  return {{"points", points(), Method::points, false, true},
-          {"bodies", forced_bodies(), Method::bodies, false, true},
-          {"top", heavy_top(), Method::bodies, false, false},
-          {"linked", linked_bodies(true), Method::bodies, true, false}};
+  return {{"points", points(), Path::points, false, true},
+          {"bodies", forced_bodies(), Path::bodies, false, true},
+          {"top", heavy_top(), Path::bodies, false, false},
+          {"linked", linked_bodies(true), Path::bodies, true, false}};
 }
 
-class RunOfSteps : public EveryScheme {};
+class RunOfSteps : public EveryIntegrator {};
 
 TEST_P(RunOfSteps, IsTheMotionOfSingleSteps) {
-  const Scheme& scheme = GetParam();
+  const Integrator& integrator = GetParam();
   constexpr int steps = 60;
   for (const Row& row : rows()) {
     SCOPED_TRACE(row.name);
-    const Options options = with(scheme.name, 0.01);
+    const Options options = with(integrator.name, 0.01);
     if (!unsupported(row.model, options).empty()) {
-      EXPECT_TRUE(row.joints && !scheme.constraints);
+      EXPECT_TRUE(row.joints && !integrator.constraints);
       continue;
     }
     const Plan plan = make_plan(row.model, options);
-    ASSERT_EQ(plan.method, row.method);
+    ASSERT_EQ(plan.path, row.path);
     const auto single = make_stepper(row.model, options, plan), many = make_stepper(row.model, options, plan);
     std::vector<Motion> a, b;
     for (int i = 0; i < steps; ++i) single->step();
@@ -54,7 +54,7 @@ TEST_P(RunOfSteps, IsTheMotionOfSingleSteps) {
     // 60 steps of at most 29 parts, each rounded by half an ulp of places and momenta up to 5, and grown
     // tenfold by the motion within 0.6 s.
     EXPECT_LT(distance(a, b), steps * 29 * 10 * 5 * 1.1e-16);
-    const bool merges = scheme.kind == Kind::splitting && scheme.reversible && !row.joints;
+    const bool merges = integrator.kind == Kind::splitting && integrator.reversible && !row.joints;
     if (!merges && !row.timed) {
       for (std::size_t i = 0; i < a.size(); ++i) EXPECT_TRUE(same_bits(a[i], b[i]));
     }

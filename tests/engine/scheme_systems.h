@@ -1,4 +1,4 @@
-// Systems on which schemes are tried: small, general, with known forces; they share nothing with the
+// Systems on which integrators are tried: small, general, with known forces; they share nothing with the
 // engine's.
 #pragma once
 
@@ -41,7 +41,7 @@ struct SpringPoint {
     Vector3::Map(y + 3) = std::exp(x) * Vector3(y + 3) + gain * h * force(t, Vector3(y));
   }
   void drift(Real h, Real* y) { Vector3::Map(y) += h / mass * Vector3(y + 3); }
-  void settle(Real*) {}
+  void project(Real*) {}
 
   /// Without drive and drag it is constant [J].
   Real energy(const Real* y) const {
@@ -88,7 +88,7 @@ struct TiedBody {
     Vector3::Map(y + 4) = std::exp(x) * Vector3(y + 4) + gain * h * torque(t, y);
   }
   void drift(Real h, Real* y) { store(free_flow(body, orientation(y), Vector3(y + 4), h), y); }
-  void settle(Real* y) { store(renormalised(orientation(y)), y); }
+  void project(Real* y) { store(renormalised(orientation(y)), y); }
 
   /// Without swing and drag it is constant [J].
   Real energy(const Real* y) const {
@@ -115,7 +115,7 @@ struct Orbit {
   }
   void kick(Time, Real h, Real* y) { Vector3::Map(y + 3) += h * force(Vector3(y)); }
   void drift(Real h, Real* y) { Vector3::Map(y) += h * Vector3(y + 3); }
-  void settle(Real*) {}
+  void project(Real*) {}
   static std::vector<Real> start() {
     return {Real(0.6), Real(0.3), Real(-0.2), Real(-0.5), Real(1.0), Real(0.4)};
   }
@@ -144,7 +144,7 @@ struct Pendulum {
     Vector3::Map(y) = a * p + step;
     Vector3::Map(y + 3) += (a - 1) * mass / h * p;
   }
-  void settle(Real* y) {
+  void project(Real* y) {
     const Vector3 p(y), k(y + 3);
     Vector3::Map(y + 3) -= k.dot(p) / p.squaredNorm() * p;
   }

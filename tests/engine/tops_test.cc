@@ -18,9 +18,9 @@ Model spherical_pendulum() {
   return model;
 }
 
-std::vector<Motion> carried(const Model& model, std::string_view scheme, Time duration, int steps,
+std::vector<Motion> carried(const Model& model, std::string_view integrator, Time duration, int steps,
                             bool full) {
-  Options options = {.scheme = std::string(scheme), .dt = duration / steps};
+  Options options = {.integrator = std::string(integrator), .dt = duration / steps};
   options.full = full;
   World world(model, options);
   for (int i = 0; i < steps; ++i) world.step();
@@ -51,10 +51,10 @@ TEST(Top, IsUsedWhereItApplies) {
 // a top at 25 rad/s each part's rounding of a turn adds up.
 TEST(Top, AgreesWithGeneralSplittings) {
   for (const Model& model : {heavy_top(), spherical_pendulum()}) {
-    for (const char* scheme : {"symplectic-euler", "velocity-verlet", "bm4", "rkn6"}) {
-      const Real difference =
-          apart(carried(model, scheme, 1.5, 300, false)[0], carried(model, scheme, 1.5, 300, true)[0]);
-      EXPECT_LT(difference, 300 * 30 * 4 * std::numeric_limits<Real>::epsilon()) << scheme;
+    for (const char* integrator : {"symplectic-euler", "velocity-verlet", "bm4", "rkn6"}) {
+      const Real difference = apart(carried(model, integrator, 1.5, 300, false)[0],
+                                    carried(model, integrator, 1.5, 300, true)[0]);
+      EXPECT_LT(difference, 300 * 30 * 4 * std::numeric_limits<Real>::epsilon()) << integrator;
     }
   }
 }
@@ -62,14 +62,14 @@ TEST(Top, AgreesWithGeneralSplittings) {
 TEST(Top, HasOrderOfIntegrator) {
   const Model model = heavy_top();
   const Motion exact = carried(model, "rk8", 0.8, 3000, true)[0];
-  for (const auto& [scheme, steps, order] : {std::tuple{"velocity-verlet", 200, 2},
-                                             {"bm4", 20, 4},
-                                             {"rkn4", 20, 4},
-                                             {"bm6", 10, 6},
-                                             {"rk4", 200, 4}}) {
-    const Real coarse = apart(carried(model, scheme, 0.8, steps, false)[0], exact);
-    const Real fine = apart(carried(model, scheme, 0.8, 2 * steps, false)[0], exact);
-    EXPECT_NEAR(std::log2(coarse / fine), order, 0.35) << scheme << " " << coarse << " " << fine;
+  for (const auto& [integrator, steps, order] : {std::tuple{"velocity-verlet", 200, 2},
+                                                 {"bm4", 20, 4},
+                                                 {"rkn4", 20, 4},
+                                                 {"bm6", 10, 6},
+                                                 {"rk4", 200, 4}}) {
+    const Real coarse = apart(carried(model, integrator, 0.8, steps, false)[0], exact);
+    const Real fine = apart(carried(model, integrator, 0.8, 2 * steps, false)[0], exact);
+    EXPECT_NEAR(std::log2(coarse / fine), order, 0.35) << integrator << " " << coarse << " " << fine;
     EXPECT_GT(fine, 1e-11);
   }
 }
@@ -91,7 +91,7 @@ TEST(Top, ConservesIntegralsOfTop) {
     top.kick(0, Real(0.01), y.data());
     top.drift(Real(0.02), y.data());
     top.kick(0, Real(0.01), y.data());
-    top.settle(y.data());
+    top.project(y.data());
   }
   // a few roundings of L in each of 1000 steps
   EXPECT_NEAR(along(y.data()), vertical, 4000 * std::numeric_limits<Real>::epsilon() * size);

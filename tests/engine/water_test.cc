@@ -199,9 +199,9 @@ TEST(Step, LiftsAndDragsSubmergedBodies) {
   model.forces.waters.push_back(water);
   const Real b = 0.8 / 1.4, t = 2;
   const Vector3 u = Vector3::UnitY() * (3 / 0.8), v0 = {0.5, -0.4, 0.2};
-  for (const char* scheme : {"rk8", "yoshida6"}) {
-    const Outcome end = run(model, scheme, t, 200);
-    EXPECT_LT((end.motions[0].momentum / 1.4 - u - (v0 - u) * std::exp(-b * t)).norm(), 1e-11) << scheme;
+  for (const char* integrator : {"rk8", "yoshida6"}) {
+    const Outcome end = run(model, integrator, t, 200);
+    EXPECT_LT((end.motions[0].momentum / 1.4 - u - (v0 - u) * std::exp(-b * t)).norm(), 1e-11) << integrator;
     EXPECT_LT((end.motions[0].angular_momentum - std::exp(-t) * model.motions[0].angular_momentum).norm(),
               1e-11);
   }

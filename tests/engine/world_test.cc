@@ -24,26 +24,26 @@ Model many_free() {
 struct Row {
   const char* name;
   Model model;
-  const char* scheme;
-  Method method;
+  const char* integrator;
+  Path path;
 };
 
 std::vector<Row> rows() {
-  return {{"free bodies side by side", many_free(), "velocity-verlet", Method::free},
-          {"closed form", many_free(), "auto", Method::exact},
-          {"a splitting whose kicks meet", coupled_bodies(), "velocity-verlet", Method::bodies},
-          {"forces of time", forced_bodies(), "rk4", Method::bodies},
-          {"two runs that agree", coupled_bodies(), "auto", Method::bodies},
-          {"impacts in closed form, handed over", ball_over_plane(Real(0.7), Real(0.6)), "auto",
-           Method::ballistic},
-          {"events", ball_over_plane(Real(0.7), Real(0.6)), "rk4", Method::events}};
+  return {
+      {"free bodies side by side", many_free(), "velocity-verlet", Path::free},
+      {"closed form", many_free(), "auto", Path::exact},
+      {"a splitting whose kicks meet", coupled_bodies(), "velocity-verlet", Path::bodies},
+      {"forces of time", forced_bodies(), "rk4", Path::bodies},
+      {"two runs that agree", coupled_bodies(), "auto", Path::bodies},
+      {"impacts in closed form, handed over", ball_over_plane(Real(0.7), Real(0.6)), "auto", Path::ballistic},
+      {"events", ball_over_plane(Real(0.7), Real(0.6)), "rk4", Path::events}};
 }
 
 TEST(World, AdvancesInRunsAsInSteps) {
   for (const Row& row : rows()) {
-    const Options options = with(row.scheme, 0.013);
+    const Options options = with(row.integrator, 0.013);
     World runs(row.model, options), steps(row.model, options);
-    ASSERT_EQ(runs.plan().method, row.method) << row.name;
+    ASSERT_EQ(runs.plan().path, row.path) << row.name;
     int taken = 0;
     for (const int n : {1, 2, 5, 40, 3, 64}) {
       runs.advance(n);

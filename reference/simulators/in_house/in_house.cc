@@ -49,10 +49,10 @@ core::Engine describe() {
   engine.version = "0.2";
   engine.precision = is_float ? "float" : "double";
   engine.paths = paths();
-  engine.default_path_rule = engine::method_rule;
+  engine.default_path_rule = engine::path_rule;
   engine.schemes.push_back({"auto", closed_form_order,
                             "all conserved quantities to the tolerance; to rounding in closed forms", true});
-  for (const engine::Scheme& row : engine::schemes())
+  for (const engine::Integrator& row : engine::integrators())
     engine.schemes.push_back(
         {std::string(row.name), row.order, std::string(row.conserves), row.kind == engine::Kind::adaptive});
   engine.options.push_back({"model",
@@ -110,8 +110,8 @@ engine::Options options_of(const core::Engine& engine, const core::Setup& setup)
     if (name == "model") options.full = value == "full";
     if (name == "joints") options.constraints = value == "constraints";
   }
-  options.method = setup.path;
-  if (!setup.integrator.empty()) options.scheme = setup.integrator;
+  options.path = setup.path;
+  if (!setup.integrator.empty()) options.integrator = setup.integrator;
   options.dt = setup.dt;
   options.tolerance = static_cast<engine::Real>(setup.tolerance);
   return options;
@@ -181,14 +181,14 @@ class InHouse final : public core::Simulator {
 
  private:
   core::Terms terms(const engine::Plan& plan, const engine::Options& options) const {
-    const bool stepping = plan.method == engine::Method::stepping;
+    const bool stepping = plan.path == engine::Path::stepping;
     const core::Path& path = engine().paths[stepping ? 1 : 0];
     core::Terms terms;
     terms.path = path.name;
-    terms.integrator = options.scheme;
-    terms.order = stepping ? 1 : plan.scheme ? plan.order : closed_form_order;
+    terms.integrator = options.integrator;
+    terms.order = stepping ? 1 : plan.integrator ? plan.order : closed_form_order;
     terms.gyroscopic = "exact";
-    if (plan.scheme && plan.scheme->kind == engine::Kind::adaptive) {
+    if (plan.integrator && plan.integrator->kind == engine::Kind::adaptive) {
       const double own = engine::default_tolerance();
       const double used = options.tolerance > 0 ? static_cast<double>(options.tolerance) : own;
       terms.settings.push_back({"tolerance", fmt::format("{:g}", used), fmt::format("{:g}", own),

@@ -1,7 +1,7 @@
-// The observed order of every fixed-step scheme of the engine, in double, on smooth reference scenes of every
+// The observed order of every fixed-step integrator of the engine, in double, on smooth reference scenes of every
 // kind: springs, drag, drive, two bodies, free and pivoted tops.  The steps are chosen by rule, the same for
-// all.  (tests/engine_long has the schemes alone, over more decades.)
-#include "engine/integrators/scheme.h"
+// all.  (tests/engine/long has the integrators alone, over more decades.)
+#include "engine/integrators/integrator.h"
 #include "tests/conformance/accuracy/runner.h"
 #include "tests/engine/order_fit.h"
 
@@ -71,61 +71,61 @@ Convergence converge(core::Simulator& simulator, const TruthScene& truth, const 
 
 class Order : public testing::TestWithParam<const char*> {};
 
-// Where a scheme cannot show its order: what it moves exactly, and what it moves to rounding by steps that
-// are long against the motion.  Any other scheme that does not show it fails.
+// Where an integrator cannot show its order: what it moves exactly, and what it moves to rounding by steps that
+// are long against the motion.  Any other integrator that does not show it fails.
 const std::map<std::string, std::vector<std::string>> blind = {{"kovalevskaya", {"rk8", "rkn6"}}};
 
-TEST_P(Order, OfEveryFixedStepSchemeIsTheDeclaredOne) {
+TEST_P(Order, OfEveryFixedStepIntegratorIsTheDeclaredOne) {
   const auto simulator = core::make_simulator();
   int seen = 0;
-  for (const core::Scheme& scheme : simulator->engine().schemes) {
-    if (scheme.adaptive) continue;
-    const TruthScene truth = beginning(GetParam(), scheme.order);
+  for (const core::Scheme& integrator : simulator->engine().schemes) {
+    if (integrator.adaptive) continue;
+    const TruthScene truth = beginning(GetParam(), integrator.order);
     core::Setup setup;
-    setup.integrator = scheme.name;
+    setup.integrator = integrator.name;
     setup.dt = grids(truth.samples).at(0).spacing;
-    SCOPED_TRACE(scheme.name);
+    SCOPED_TRACE(integrator.name);
     if (const auto reason = simulator->unsupported(truth.scene, setup)) {
-      fmt::print("{:22} {:20} {}\n", GetParam(), scheme.name, *reason);
+      fmt::print("{:22} {:20} {}\n", GetParam(), integrator.name, *reason);
       continue;
     }
     const int order = simulator->load(truth.scene, setup).order;  // as declared for this scene
-    const Convergence c = converge(*simulator, truth, setup, scheme.order);
+    const Convergence c = converge(*simulator, truth, setup, integrator.order);
     ++seen;
     if (c.exact) {
-      fmt::print("{:22} {:20} exact\n", GetParam(), scheme.name);
+      fmt::print("{:22} {:20} exact\n", GetParam(), integrator.name);
       continue;
     }
     const auto excused = blind.find(GetParam());
-    const bool none = excused != blind.end() && std::ranges::count(excused->second, scheme.name) > 0;
+    const bool none = excused != blind.end() && std::ranges::count(excused->second, integrator.name) > 0;
     EXPECT_EQ(!c.tells(), none) << c.step.size() << " steps between rounding, " << c.floor
                                 << ", and what is not small against the motion";
     if (!c.tells()) {
-      fmt::print("{:22} {:20} no room in double\n", GetParam(), scheme.name);
+      fmt::print("{:22} {:20} no room in double\n", GetParam(), integrator.name);
       continue;
     }
-    const bool reversible = engine::find_scheme(scheme.name)->reversible;
+    const bool reversible = engine::find_integrator(integrator.name)->reversible;
     const double fit = fitted_order(c.step, c.error, reversible);
     fmt::print("{:22} {:20} order {:6.3f} of {}  errors {:.1e} to {:.1e}  floor {:.1e}\n", GetParam(),
-               scheme.name, fit, order, c.error.front(), c.error.back(), c.floor);
+               integrator.name, fit, order, c.error.front(), c.error.back(), c.floor);
     EXPECT_NEAR(fit, order, reach);
   }
   EXPECT_GT(seen, 0);
 }
 
-// A scheme may refuse a scene, with a reason, but must show its order on most of them.
-TEST(OrderTest, EverySchemeIsSeenOnFourScenes) {
+// An integrator may refuse a scene, with a reason, but must show its order on most of them.
+TEST(OrderTest, EveryIntegratorIsSeenOnFourScenes) {
   const auto simulator = core::make_simulator();
-  for (const core::Scheme& scheme : simulator->engine().schemes) {
-    if (scheme.adaptive) continue;
+  for (const core::Scheme& integrator : simulator->engine().schemes) {
+    if (integrator.adaptive) continue;
     int seen = 0;
     for (const char* file : scenes) {
       core::Setup setup;
-      setup.integrator = scheme.name;
+      setup.integrator = integrator.name;
       setup.dt = 0.01;
-      seen += !simulator->unsupported(beginning(file, scheme.order).scene, setup);
+      seen += !simulator->unsupported(beginning(file, integrator.order).scene, setup);
     }
-    EXPECT_GE(seen, 4) << scheme.name;
+    EXPECT_GE(seen, 4) << integrator.name;
   }
 }
 

@@ -49,8 +49,8 @@ inline void add_box(Model& model, Real mass, const Vector3& half, const Vector3&
 }
 
 struct Trial {
-  explicit Trial(const Model& m, double step_size, const char* scheme = "dop853")
-      : model(m), stepper(m, *find_scheme(scheme), step_size, Real(1e-13)), dt(step_size) {
+  explicit Trial(const Model& m, double step_size, const char* integrator = "dop853")
+      : model(m), stepper(m, *find_integrator(integrator), step_size, Real(1e-13)), dt(step_size) {
     stepper.read(motions);
   }
 

@@ -66,7 +66,8 @@ TEST(EventContact, IsolatedBodiesConserveMomenta) {
   }
   EXPECT_GE(run.impacts.size(), 2u);
   EXPECT_LT((run.momentum() - k).norm(), 1e-14);
-  EXPECT_LT((run.angular_momentum() - l).norm(), 1e-11);  // flight between impacts at the scheme's tolerance
+  EXPECT_LT((run.angular_momentum() - l).norm(),
+            1e-11);  // flight between impacts at the integrator's tolerance
 }
 
 TEST(EventContact, NoTunnelling) {

@@ -37,38 +37,38 @@ TEST(FloatMotion, AxisOfSymmetricTopPrecesses) {
 // A ball let go from a height h: t_1 = sqrt(2h/g), then 2 e^k t_1 between bounces.
 TEST(FloatMotion, BouncesOccurAtExactTimes) {
   const double height = 0.8, e = 0.75, fall = std::sqrt(2 * height / 9.81);
-  for (const char* scheme : {"auto", "rk4", "velocity-verlet"}) {
-    const Outcome end = run(ball_over_plane(real(height), real(e)), scheme, 2.0, 200);
-    ASSERT_GE(end.impacts.size(), 4u) << scheme;
+  for (const char* integrator : {"auto", "rk4", "velocity-verlet"}) {
+    const Outcome end = run(ball_over_plane(real(height), real(e)), integrator, 2.0, 200);
+    ASSERT_GE(end.impacts.size(), 4u) << integrator;
     double expected = fall;
     for (int k = 0; k < 4; ++k) {
       // The gap is the difference of places of size 1.5 with some tens of roundings; over a speed of g t, and
       // that of the bounces before.
       const double bound = 200 * 1.5 * static_cast<double>(rounding) / (9.81 * fall * std::pow(e, k));
-      EXPECT_NEAR(end.impacts[static_cast<std::size_t>(k)].time, expected, bound) << scheme << " " << k;
+      EXPECT_NEAR(end.impacts[static_cast<std::size_t>(k)].time, expected, bound) << integrator << " " << k;
       expected += 2 * fall * std::pow(e, k + 1);
     }
   }
 }
 
-// A scheme of first order comes down later within a step than the cubic between its ends does: the impact was
+// An integrator of first order comes down later within a step than the cubic between its ends does: the impact was
 // taken for a graze, the ball stood inside the plane, parted, and was found to meet it at that instant for
 // ever.
 TEST(FloatMotion, FirstOrderStepDoesNotMissImpact) {
-  for (const char* scheme : {"symplectic-euler", "explicit-euler"}) {
+  for (const char* integrator : {"symplectic-euler", "explicit-euler"}) {
     const Model model = ball_over_plane(real(0.5), real(0.6));
     Real deepest = 0;
-    run(model, with(scheme, 0.005), 400,
+    run(model, with(integrator, 0.005), 400,
         [&](const World& world) { deepest = std::min(deepest, plane_gap(model, world.motions())); });
     // Impacts are located to rounding of the places, of size 1.5; the step in which one was missed is 1e-3
     // deep.
-    EXPECT_GT(deepest, -200 * rounding * real(1.5)) << scheme;
+    EXPECT_GT(deepest, -200 * rounding * real(1.5)) << integrator;
   }
 }
 
 // ---- What is conserved -------------------------------------------------------------------------------
 
-class FloatInvariant : public EveryScheme {};
+class FloatInvariant : public EveryIntegrator {};
 
 TEST_P(FloatInvariant, Momentum) {
   const Model model = coupled_bodies();
@@ -111,7 +111,7 @@ double spring_error(double decay, Real tolerance, std::vector<std::string>& rema
                 v0 = model.motions[0].momentum.cast<double>() / mass;
   double worst = 0;
   const Outcome end =
-      run(model, {.scheme = "auto", .dt = 0.1, .tolerance = tolerance}, 200, [&](const World& world) {
+      run(model, {.integrator = "auto", .dt = 0.1, .tolerance = tolerance}, 200, [&](const World& world) {
         const double t = world.time();
         const Double3 p =
             std::exp(-decay * t) * (p0 * std::cos(w * t) + (v0 + decay * p0) / w * std::sin(w * t));

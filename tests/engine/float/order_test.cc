@@ -4,7 +4,7 @@
 namespace cylon::engine {
 namespace {
 
-class FloatOrder : public EveryScheme {};
+class FloatOrder : public EveryIntegrator {};
 
 // Errors against the best that float has, rk8 with steps that leave truncation below rounding.  A run of n
 // steps rounds some sqrt(n) times, thirty of which are clear of it: the bound of what counts as rounding.
@@ -14,11 +14,11 @@ Real rounded(int n) { return 30 * std::sqrt(static_cast<Real>(n)) * rounding; }
 // 1), lie where the first term of the error leads.  Orders 6 and 8 have no such two: what a step of 1/16
 // leaves is rounding.
 TEST_P(FloatOrder, IsObservedAboveRounding) {
-  const Scheme& scheme = GetParam();
+  const Integrator& integrator = GetParam();
   const Model model = coupled_bodies();
   const auto exact = run(model, "rk8", 1, 256).motions;
-  const auto error_of = [&](int n) { return distance(run(model, scheme.name, 1, n).motions, exact); };
-  if (scheme.order >= 6) {
+  const auto error_of = [&](int n) { return distance(run(model, integrator.name, 1, n).motions, exact); };
+  if (integrator.order >= 6) {
     EXPECT_LT(error_of(64), rounded(64));
     return;
   }
@@ -29,9 +29,9 @@ TEST_P(FloatOrder, IsObservedAboveRounding) {
     if (last > 0 && error < real(0.05)) slope = std::log2(last / error);
     last = error;
   }
-  EXPECT_GT(slope, static_cast<Real>(scheme.order) - real(0.6));
-  if (scheme.order <= 2) {
-    EXPECT_NEAR(slope, scheme.order, 0.15);
+  EXPECT_GT(slope, static_cast<Real>(integrator.order) - real(0.6));
+  if (integrator.order <= 2) {
+    EXPECT_NEAR(slope, integrator.order, 0.15);
   }
 }
 

@@ -1,6 +1,6 @@
-// The observed order of every scheme, within a tenth.  In double the schemes of order 6 and 8 have a factor
+// The observed order of every integrator, within a tenth.  In double the integrators of order 6 and 8 have a factor
 // of two of steps between the first regular one and rounding; with the 64 bits of x87 the errors below span
-// seven decades.  The schemes are templates over the number type: what runs here is what the engine runs, its
+// seven decades.  The integrators are templates over the number type: what runs here is what the engine runs, its
 // coefficients with three more digits.
 #define CYLON_ENGINE_LONG  // of all that is included; nothing of the engine is linked
 
@@ -45,7 +45,7 @@ std::vector<Real> run(Stepping<S> stepping, S system, double duration, int steps
 // The engine's own way for a row, chosen by the compiler.
 template <System S, class Row>
 constexpr Stepping<S> stepping_of(bool joints) {
-  if constexpr (Row::scheme.kind == Kind::runge_kutta)
+  if constexpr (Row::integrator.kind == Kind::runge_kutta)
     return &Steps<S, Row>::runge_kutta;
   else
     return joints ? &Steps<S, Row>::rattle : &Steps<S, Row>::splitting;
@@ -55,7 +55,7 @@ constexpr Stepping<S> stepping_of(bool joints) {
 // (The first stage's would not do: rk8 is made so that its early stages are heard of in high orders alone.)
 template <std::size_t Row>
 struct Spoiled {
-  static constexpr const Scheme& original = scheme_table[Row];
+  static constexpr const Integrator& original = integrator_table[Row];
 
   template <std::size_t N>
   static constexpr std::array<Coefficient, N> copy(std::span<const Coefficient> from, std::size_t spoiled) {
@@ -70,8 +70,8 @@ struct Spoiled {
   static constexpr auto weights =
       copy<original.tableau.weights.size()>(original.tableau.weights, entries == 0 ? 0 : 99);
   static constexpr auto coefficients = copy<parts>(original.splitting.coefficients, 1);
-  static constexpr Scheme scheme = [] {
-    Scheme changed = original;
+  static constexpr Integrator integrator = [] {
+    Integrator changed = original;
     changed.splitting.coefficients = coefficients;
     changed.tableau.matrix = matrix;
     changed.tableau.weights = weights;
@@ -119,7 +119,7 @@ SpringPoint dragged() {
 
 template <std::size_t Row, System S>
 void expect_order(const Case<S>& c) {
-  constexpr const Scheme& row = scheme_table[Row];
+  constexpr const Integrator& row = integrator_table[Row];
   if constexpr (row.kind != Kind::adaptive) {
     const bool joints = constrained(c.system);
     if (joints && row.kind == Kind::splitting && !row.constraints) return;
@@ -135,7 +135,7 @@ void expect_order(const Case<S>& c) {
 template <System S>
 void expect_all(const Case<S>& c) {
   [&]<std::size_t... Row>(std::index_sequence<Row...>) { (expect_order<Row>(c), ...); }
-  (std::make_index_sequence<scheme_table.size()>{});
+  (std::make_index_sequence<integrator_table.size()>{});
 }
 
 TEST(LongOrder, OnADrivenSpring) { expect_all(Case<SpringPoint>{"spring", {}, false, 1.5}); }
@@ -143,11 +143,11 @@ TEST(LongOrder, OnADrivenSpringWithDrag) { expect_all(Case<SpringPoint>{"drag", 
 TEST(LongOrder, OnAnOrbit) { expect_all(Case<Orbit>{"orbit", {}, false, 2}); }
 TEST(LongOrder, OnARod) { expect_all(Case<Pendulum>{"rod", {}, false, 0.7}); }
 
-TEST(LongOrder, TheReferenceIsRk8) { EXPECT_EQ(scheme_table[2].name, "rk8"); }
+TEST(LongOrder, TheReferenceIsRk8) { EXPECT_EQ(integrator_table[2].name, "rk8"); }
 
 template <std::size_t Row>
 void expect_seen() {
-  constexpr const Scheme& row = scheme_table[Row];
+  constexpr const Integrator& row = integrator_table[Row];
   if constexpr (row.kind != Kind::adaptive) {
     const Seen seen = observed<SpringPoint>(stepping_of<SpringPoint, Spoiled<Row>>(false), {}, row.order,
                                             row.reversible, 1.5);
@@ -157,10 +157,10 @@ void expect_seen() {
   }
 }
 
-// The measure itself: one coefficient off by 1e-4 of itself is found out in every scheme.
+// The measure itself: one coefficient off by 1e-4 of itself is found out in every integrator.
 TEST(LongOrder, DetectsWrongCoefficient) {
   []<std::size_t... Row>(std::index_sequence<Row...>) { (expect_seen<Row>(), ...); }
-  (std::make_index_sequence<scheme_table.size()>{});
+  (std::make_index_sequence<integrator_table.size()>{});
 }
 
 }  // namespace

@@ -20,12 +20,12 @@ constexpr double n = static_cast<double>(steps);
 constexpr double eps = std::numeric_limits<Real>::epsilon();
 
 // m = k = 1 about the origin, from rest at 1 m.
-World oscillator(const char* scheme, double h) {
+World oscillator(const char* integrator, double h) {
   Model model;
   add_body(model, make_body(1, Matrix3::Zero()), {1, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0});
   model.forces.springs.push_back({0, {0, 0, 0}, fixed_world, {0, 0, 0}, 1, 0, 0});
   Options options;
-  options.scheme = scheme, options.dt = h;
+  options.integrator = integrator, options.dt = h;
   return World(model, options);
 }
 
@@ -71,12 +71,12 @@ double energy_of_top(const World& world, const Vector3& gravity) {
          body.mass * gravity.dot(m.position);
 }
 
-// A symplectic scheme follows a nearby Hamiltonian over times exponential in 1/h (Hairer, Lubich, Wanner,
+// A symplectic integrator follows a nearby Hamiltonian over times exponential in 1/h (Hairer, Lubich, Wanner,
 // IX.8): the energy stays in a band of O(h^2) and its mean does not move; the vertical part of L is kept.
 TEST(LongRun, VerletTopKeepsEnergyBounded) {
   const Model model = heavy_top();
   Options options;
-  options.scheme = "velocity-verlet", options.dt = 1.0 / 512;
+  options.integrator = "velocity-verlet", options.dt = 1.0 / 512;
   World world(model, options);
   const Motion& m = world.motions()[0];
   const Vector3 tip = model.joints[0].to_anchor;

@@ -1,4 +1,4 @@
-// The schemes that carry a System through time, as rows of one table: adding one is one row in table.h and,
+// The integrators that carry a System through time, as rows of one table: adding one is one row in table.h and,
 // if it is new, its coefficients.  Knows nothing of bodies.
 #pragma once
 
@@ -18,7 +18,7 @@ struct Composition {
   Part first = Part::kick;
   std::span<const Coefficient> coefficients;  ///< Those of each part sum to 1.
   /// The same step as a composition of velocity Verlet steps (or stormer_verlet, symplectic_euler), each over
-  /// its weight times h; empty where it is none.  A scheme can only keep constraints when it has them.
+  /// its weight times h; empty where it is none.  An integrator can only keep constraints when it has them.
   std::span<const Coefficient> weights;
 };
 
@@ -35,7 +35,7 @@ enum class Kind : unsigned char {
   adaptive      ///< Error-controlled; Dop853.
 };
 
-struct Scheme {
+struct Integrator {
   std::string_view name;
   int order = 1;        ///< Of the global error in smooth motion.
   int drag_order = 1;   ///< The same where forces depend on velocities.
@@ -49,10 +49,10 @@ struct Scheme {
   Tableau tableau = {};
 };
 
-/// All schemes.
-std::span<const Scheme> schemes();
+/// All integrators.
+std::span<const Integrator> integrators();
 
-/// The scheme of that name, or null.
-const Scheme* find_scheme(std::string_view name);
+/// The integrator of that name, or null.
+const Integrator* find_integrator(std::string_view name);
 
 }  // namespace cylon::engine

@@ -1,4 +1,4 @@
-#include "engine/contact/support.h"
+#include "engine/contact/contact_force.h"
 
 #include "engine/contact/response.h"
 
@@ -72,15 +72,15 @@ Assembly assemble(std::span<const TouchPoint> touches, std::span<const Row> join
 
 Vector2 tangent(const Matrix3& frame, const Vector3& v) { return {frame.col(1).dot(v), frame.col(2).dot(v)}; }
 
-Support report(const Assembly& a, std::span<const TouchPoint> touches, const std::vector<Hold>& holds,
-               const VectorX& force) {
-  Support support;
+ContactForces report(const Assembly& a, std::span<const TouchPoint> touches, const std::vector<Hold>& holds,
+                     const VectorX& force) {
+  ContactForces support;
   support.multipliers = a.response.multipliers(a.free, force);
   support.rows = a.response.rows();
   const VectorX rate = a.problem.response * force + a.problem.offset;
   for (std::size_t i = 0; i < touches.size(); ++i) {
     const Eigen::Index n = 3 * static_cast<Eigen::Index>(i);
-    SupportPoint p;
+    ContactForce p;
     p.holding.grip = holds[i].grip;
     p.holding.slip = a.frames[i].col(1) * holds[i].slip.x() + a.frames[i].col(2) * holds[i].slip.y();
     p.force = a.frames[i] * force.segment<3>(n);
@@ -108,7 +108,7 @@ struct Sums {
   std::vector<char> touched;
 };
 
-Sums sum_forces(const Support& support, const Load* loads, std::size_t bodies) {
+Sums sum_forces(const ContactForces& support, const Load* loads, std::size_t bodies) {
   Sums sums{{loads, loads + bodies}, std::vector<Load>(bodies), std::vector<char>(bodies, 0)};
   for (std::size_t i = 0; i < bodies; ++i) {
     sums.sizes[i].force = loads[i].force.cwiseAbs();
@@ -133,8 +133,8 @@ Sums sum_forces(const Support& support, const Load* loads, std::size_t bodies) {
 
 }  // namespace
 
-Support find_support(std::span<const TouchPoint> touches, std::span<const Row> joints, const Instant& now,
-                     Real slow, std::span<const Holding> guess) {
+ContactForces find_contact_forces(std::span<const TouchPoint> touches, std::span<const Row> joints,
+                                  const Instant& now, Real slow, std::span<const Holding> guess) {
   Assembly a = assemble(touches, joints, now);
   for (std::size_t i = 0; i < touches.size(); ++i) {
     Hold& hold = a.problem.hold[i];
@@ -153,18 +153,18 @@ Support find_support(std::span<const TouchPoint> touches, std::span<const Row> j
   start_from(a.problem, a.frames, guess);
   a.problem.most_sweeps = 200;
   const CoulombSolution solution = solve(a.problem);
-  Support support = report(a, touches, solution.hold, solution.force);
+  ContactForces support = report(a, touches, solution.hold, solution.force);
   support.exact = solution.exact;
   // What an even sharing would leave outside a cone is remembered as it was found.
   a.problem.start.resize(0);
   if (!solution.exact || obeys(a.problem, solution.hold, held_force(a.problem, solution.hold)))
     return support;
-  for (SupportPoint& point : support.points) point.holding.share = point.force;
+  for (ContactForce& point : support.points) point.holding.share = point.force;
   return support;
 }
 
-Support hold_support(std::span<const TouchPoint> touches, std::span<const Holding> holdings,
-                     std::span<const Row> joints, const Instant& now, Real slow) {
+ContactForces held_contact_forces(std::span<const TouchPoint> touches, std::span<const Holding> holdings,
+                                  std::span<const Row> joints, const Instant& now, Real slow) {
   Assembly a = assemble(touches, joints, now);
   start_from(a.problem, a.frames, holdings);
   std::vector<Hold> holds(touches.size());
@@ -187,13 +187,13 @@ Support hold_support(std::span<const TouchPoint> touches, std::span<const Holdin
     a.problem.friction[i] = 0;
   }
   if (pulls) force = held_force(a.problem, holds);
-  Support support = report(a, touches, holds, force);
+  ContactForces support = report(a, touches, holds, force);
   for (std::size_t i = 0; i < touches.size(); ++i)
     support.points[i].slip_speed = a.slips[i].dot(holdings[i].slip);
   return support;
 }
 
-bool balanced(const Support& support, const Instant& now) {
+bool balanced(const ContactForces& support, const Instant& now) {
   const Sums sums = sum_forces(support, now.loads, now.bodies.size());
   const auto vanishes = [](const Vector3& sum, const Vector3& size) {
     return sum.cwiseAbs().maxCoeff() <= 1024 * ulp * size.maxCoeff();
@@ -206,7 +206,7 @@ bool balanced(const Support& support, const Instant& now) {
   return true;
 }
 
-void add_forces(const Support& support, Load* loads, std::size_t bodies) {
+void add_forces(const ContactForces& support, Load* loads, std::size_t bodies) {
   const Sums sums = sum_forces(support, loads, bodies);
   const auto cleared = [](const Vector3& sum, const Vector3& size) {
     const Real rounding = 64 * ulp * size.maxCoeff();

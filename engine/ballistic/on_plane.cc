@@ -1,4 +1,4 @@
-#include "engine/ballistic/support.h"
+#include "engine/ballistic/on_plane.h"
 
 #include "engine/ballistic/encounter.h"
 

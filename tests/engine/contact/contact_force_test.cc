@@ -3,12 +3,12 @@
 #include "tests/engine/contact/contact_fixtures.h"
 
 #include "engine/contact/candidate.h"
-#include "engine/contact/support.h"
+#include "engine/contact/contact_force.h"
 
 namespace cylon::engine {
 namespace {
 
-Support support_of(const Model& model) {
+ContactForces forces_of(const Model& model) {
   Bodies system(model);
   const std::vector<Real> y = system.initial();
   const Motion* motion = Bodies::motions(y.data());
@@ -18,7 +18,7 @@ Support support_of(const Model& model) {
     if (t.gap < 1e-12) touches.push_back(t);
   }
   system.load(0, y.data());
-  return find_support(
+  return find_contact_forces(
       touches, {}, {system.model().bodies, motion, system.kinematics().data(), system.loads().data()}, 1e-12);
 }
 
@@ -31,22 +31,22 @@ Model box_on_slope(Real theta, Real mu, const Vector3& half, Real heading,
   return model;
 }
 
-Vector3 total(const Support& s) {
+Vector3 total(const ContactForces& s) {
   Vector3 sum = Vector3::Zero();
-  for (const SupportPoint& p : s.points) sum += p.force;
+  for (const ContactForce& p : s.points) sum += p.force;
   return sum;
 }
 
 // tan(th) against mu, to a part in 1e9 on both sides, in any direction: the cone is round.
-TEST(ContactSupport, StickEndsAtFrictionAngle) {
+TEST(ContactForce, StickEndsAtFrictionAngle) {
   const Real mu = 0.47;
   for (const Real heading : {0.0, 0.4, 0.9, 1.7, 2.6}) {
     for (const Real off : {-1e-9, 1e-9}) {
       const Real theta = std::atan(mu * (1 + off));
-      const Support s = support_of(box_on_slope(theta, mu, {0.5, 0.1, 0.4}, heading));
+      const ContactForces s = forces_of(box_on_slope(theta, mu, {0.5, 0.1, 0.4}, heading));
       ASSERT_EQ(s.points.size(), 4u);
       EXPECT_TRUE(s.exact);
-      for (const SupportPoint& p : s.points) {
+      for (const ContactForce& p : s.points) {
         EXPECT_EQ(p.holding.grip, off < 0 ? Grip::sticks : Grip::slides) << heading << " " << off;
         EXPECT_GT(p.normal, 0);
       }
@@ -57,16 +57,16 @@ TEST(ContactSupport, StickEndsAtFrictionAngle) {
   }
 }
 
-TEST(ContactSupport, WithoutFrictionNothingSticks) {
-  const Support s = support_of(box_on_slope(0.01, 0, {0.5, 0.1, 0.4}, 0.7));
-  for (const SupportPoint& p : s.points) EXPECT_EQ(p.holding.grip, Grip::slides);
+TEST(ContactForce, WithoutFrictionNothingSticks) {
+  const ContactForces s = forces_of(box_on_slope(0.01, 0, {0.5, 0.1, 0.4}, 0.7));
+  for (const ContactForce& p : s.points) EXPECT_EQ(p.holding.grip, Grip::slides);
   EXPECT_NEAR(total(s).norm(), 9.81 * std::cos(0.01), 1e-12);
 }
 
-TEST(ContactSupport, FrictionOpposesSlip) {
+TEST(ContactForce, FrictionOpposesSlip) {
   for (const Real heading : {0.0, 0.8, 2.1}) {
     const Model model = box_on_slope(0.2, 0.3, {0.5, 0.1, 0.4}, heading, {0.3, 0, -0.4});
-    const Support s = support_of(model);
+    const ContactForces s = forces_of(model);
     const Vector3 n = model.planes[0].normal, v = velocity(model.bodies[0], model.motions[0]);
     const Vector3 f = total(s);
     EXPECT_NEAR(f.dot(n), 9.81 * std::cos(0.2), 1e-12);
@@ -75,13 +75,13 @@ TEST(ContactSupport, FrictionOpposesSlip) {
 }
 
 // A high box on a slope steeper than its base: two of its four points let go, and it turns.
-TEST(ContactSupport, HighBoxTips) {
+TEST(ContactForce, HighBoxTips) {
   const Quaternion turn = exponential(Vector3(0, 0, -0.5));
   Model model = with_plane(turn * Vector3::UnitY(), 0, {0, 2});
   add_box(model, 1, {0.1, 0.5, 0.2}, turn * Vector3(0, 0.5, 0), turn, Vector3::Zero(), Vector3::Zero());
-  const Support s = support_of(model);
+  const ContactForces s = forces_of(model);
   int parts = 0;
-  for (const SupportPoint& p : s.points) {
+  for (const ContactForce& p : s.points) {
     parts += p.holding.grip == Grip::parts ? 1 : 0;
     if (p.holding.grip == Grip::parts) {
       EXPECT_GT(p.parting, 0.01);
@@ -92,7 +92,7 @@ TEST(ContactSupport, HighBoxTips) {
 }
 
 // normal', path and curvature of round touches against central differences of touches on a free motion.
-TEST(ContactSupport, RatesOfContactPoints) {
+TEST(ContactForce, RatesOfContactPoints) {
   const Shape shapes[] = {Sphere{0.4},          Box{{0.5, 0.3, 0.6}}, Box{{0.5, 0.3, 0.6}},
                           Box{{0.5, 0.3, 0.6}}, Capsule{0.2, 0.5},    Capsule{0.2, 0.5}};
   const Vector3 places[] = {{0.4, 0.5, -0.3}, {0.1, 0.6, 0.2}, {0.8, 0.55, 0.2},

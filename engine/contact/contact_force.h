@@ -23,7 +23,7 @@ struct Holding {
 };
 
 /// What a point does and how far it is from doing something else.
-struct SupportPoint {
+struct ContactForce {
   Holding holding;
   Vector3 force = Vector3::Zero();  ///< On `body`, world axes [N].
   Real normal = 0;                  ///< N [N]; < 0: it ought to part.
@@ -32,8 +32,8 @@ struct SupportPoint {
   Real parting = 0;                 ///< g'' with all forces [m/s^2].
 };
 
-struct Support {
-  std::vector<SupportPoint> points;
+struct ContactForces {
+  std::vector<ContactForce> points;
   VectorX multipliers;  ///< Of all rows, contacts first.
   std::vector<Row> rows;
   bool exact = true;
@@ -49,9 +49,9 @@ struct Instant {
 
 /// Decides how every point is held.  Points that move slower than `slow` [m/s] across the surface count as
 /// not slipping.  `guess`, one per point or none: how they were held before, which is kept if it still obeys.
-/// The shares of the result are such that hold_support() finds the same forces.
-Support find_support(std::span<const TouchPoint>, std::span<const Row> joints, const Instant&, Real slow,
-                     std::span<const Holding> guess = {});
+/// The shares of the result are such that held_contact_forces() finds the same forces.
+ContactForces find_contact_forces(std::span<const TouchPoint>, std::span<const Row> joints, const Instant&,
+                                  Real slow, std::span<const Holding> guess = {});
 
 /// The forces when that is decided: smooth functions of the state.  A sliding point that has come to move
 /// backwards keeps its force, so that slip goes through zero smoothly and its end can be found.  `slow` > 0
@@ -59,14 +59,14 @@ Support find_support(std::span<const TouchPoint>, std::span<const Row> joints, c
 ///   d = w/|w|,  w = u_p + sqrt(s^2 + slow^2) d_0,  s = u.d_0,  u_p = u - s d_0,  d_0 the slip of the
 ///   holding:
 /// the rate at which friction turns slip grows with 1/|u|, and so does the work to follow it.
-Support hold_support(std::span<const TouchPoint>, std::span<const Holding>, std::span<const Row> joints,
-                     const Instant&, Real slow);
+ContactForces held_contact_forces(std::span<const TouchPoint>, std::span<const Holding>,
+                                  std::span<const Row> joints, const Instant&, Real slow);
 
 /// Whether loads and support leave every body that can move without force and torque, to rounding.
-bool balanced(const Support&, const Instant&);
+bool balanced(const ContactForces&, const Instant&);
 
 /// Adds the forces to the loads; what is left of a sum that cancels to rounding is made exactly zero, so that
 /// what rests stays.
-void add_forces(const Support&, Load*, std::size_t bodies);
+void add_forces(const ContactForces&, Load*, std::size_t bodies);
 
 }  // namespace cylon::engine

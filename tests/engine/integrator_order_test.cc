@@ -22,23 +22,25 @@ int coarse_steps(int order) {
 }
 
 template <System S>
-std::vector<Real> run(S system, const Scheme& scheme, std::vector<Real> y, double duration, int steps) {
-  Advance<S>(scheme, y.size()).run(system, 0, duration / steps, y.data(), static_cast<std::size_t>(steps));
+std::vector<Real> run(S system, const Integrator& integrator, std::vector<Real> y, double duration,
+                      int steps) {
+  Advance<S>(integrator, y.size())
+      .run(system, 0, duration / steps, y.data(), static_cast<std::size_t>(steps));
   return y;
 }
 
 template <System S>
-double observed_order(const S& system, const Scheme& scheme, const std::vector<Real>& start, int order,
-                      double duration) {
+double observed_order(const S& system, const Integrator& integrator, const std::vector<Real>& start,
+                      int order, double duration) {
   const int n = coarse_steps(order);
-  const std::vector<Real> exact = run(system, *find_scheme("rk8"), start, duration, 1024);
-  const double coarse = distance(run(system, scheme, start, duration, n), exact);
-  const double fine = distance(run(system, scheme, start, duration, 2 * n), exact);
+  const std::vector<Real> exact = run(system, *find_integrator("rk8"), start, duration, 1024);
+  const double coarse = distance(run(system, integrator, start, duration, n), exact);
+  const double fine = distance(run(system, integrator, start, duration, 2 * n), exact);
   EXPECT_GT(fine, 5e-15) << "rounding, not truncation";
   return std::log2(coarse / fine);
 }
 
-class FixedStep : public testing::TestWithParam<Scheme> {};
+class FixedStep : public testing::TestWithParam<Integrator> {};
 
 TEST_P(FixedStep, HasItsOrderOnADrivenSpring) {
   EXPECT_NEAR(observed_order(SpringPoint{}, GetParam(), SpringPoint::start(), GetParam().order, 1.5),
@@ -53,13 +55,13 @@ TEST_P(FixedStep, HasItsOrderOnATiedBodyWithoutSymmetry) {
 TEST_P(FixedStep, HasItsOtherOrderWithDrag) {
   SpringPoint dragged;
   dragged.drag = 1.9;
-  const Scheme& row = GetParam();
+  const Integrator& row = GetParam();
   const double order = observed_order(dragged, row, SpringPoint::start(), row.drag_order, 1.5);
   EXPECT_NEAR(order, row.drag_order, reach_of(row.order));
 }
 
 TEST_P(FixedStep, HasItsOrderOnARodIfItKeepsConstraints) {
-  const Scheme& row = GetParam();
+  const Integrator& row = GetParam();
   if (!row.constraints) return;
   EXPECT_NEAR(observed_order(Pendulum{}, row, Pendulum::start(), row.order, 0.7), row.order, reach);
   const std::vector<Real> y = run(Pendulum{}, row, Pendulum::start(), 3, 300);
@@ -70,7 +72,7 @@ TEST_P(FixedStep, HasItsOrderOnARodIfItKeepsConstraints) {
 
 // Forward by n steps and back: the start again, to rounding, for the reversible; at its order for the others.
 TEST_P(FixedStep, RunsBackwardIfItIsReversible) {
-  const Scheme& row = GetParam();
+  const Integrator& row = GetParam();
   const auto there_and_back = [&](auto system, std::vector<Real> y) {
     const std::vector<Real> start = y;
     const std::size_t n = 50;
@@ -93,10 +95,10 @@ TEST_P(FixedStep, RunsBackwardIfItIsReversible) {
   }
 }
 
-// 100 and 400 periods: the energy error of a symplectic scheme does not grow, that of the others does, with
+// 100 and 400 periods: the energy error of a symplectic integrator does not grow, that of the others does, with
 // time; rk8 is left out, whose error here is rounding.
 template <System S>
-void expect_bounded_energy(S system, const Scheme& row, std::vector<Real> y, double h) {
+void expect_bounded_energy(S system, const Integrator& row, std::vector<Real> y, double h) {
   const Real start = system.energy(y.data());
   Advance<S> advance(row, y.size());
   double worst[2] = {};
@@ -113,7 +115,7 @@ void expect_bounded_energy(S system, const Scheme& row, std::vector<Real> y, dou
 }
 
 TEST_P(FixedStep, BoundsTheEnergyErrorIfItIsSymplectic) {
-  const Scheme& row = GetParam();
+  const Integrator& row = GetParam();
   if (row.order == 8) return;
   SpringPoint spring;
   spring.drive.setZero();
@@ -124,7 +126,7 @@ TEST_P(FixedStep, BoundsTheEnergyErrorIfItIsSymplectic) {
 }
 
 TEST_P(FixedStep, MakesTheSameStepsInARunWithLessWork) {
-  const Scheme& row = GetParam();
+  const Integrator& row = GetParam();
   SpringPoint one, many;
   std::vector<Real> a = SpringPoint::start(), b = a;
   Advance<SpringPoint> advance(row, a.size());
@@ -136,24 +138,24 @@ TEST_P(FixedStep, MakesTheSameStepsInARunWithLessWork) {
   EXPECT_EQ(many.kicks + many.evaluations, 40 * row.evaluations - (meets ? 39 : 0));
 }
 
-std::vector<Scheme> fixed_step() {
-  std::vector<Scheme> rows;
-  for (const Scheme& row : schemes()) {
+std::vector<Integrator> fixed_step() {
+  std::vector<Integrator> rows;
+  for (const Integrator& row : integrators()) {
     if (row.kind != Kind::adaptive) rows.push_back(row);
   }
   return rows;
 }
 
-INSTANTIATE_TEST_SUITE_P(Schemes, FixedStep, testing::ValuesIn(fixed_step()), [](const auto& row) {
+INSTANTIATE_TEST_SUITE_P(Integrators, FixedStep, testing::ValuesIn(fixed_step()), [](const auto& row) {
   std::string name(row.param.name);
   for (char& c : name) c = c == '-' ? '_' : c;
   return name;
 });
 
-// The measure itself: a scheme that claims more than it does is found out.
+// The measure itself: an integrator that claims more than it does is found out.
 TEST(OrderMeasure, DetectsFalselyClaimedOrder) {
   const double order =
-      observed_order(SpringPoint{}, *find_scheme("velocity-verlet"), SpringPoint::start(), 4, 1.5);
+      observed_order(SpringPoint{}, *find_integrator("velocity-verlet"), SpringPoint::start(), 4, 1.5);
   EXPECT_GT(std::abs(order - 4), 10 * reach);
 }
 

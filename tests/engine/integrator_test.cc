@@ -1,5 +1,5 @@
 // The coefficients of the table against all order conditions, and the declared properties of each row.
-#include "engine/integrators/scheme.h"
+#include "engine/integrators/integrator.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/Dense>
@@ -14,8 +14,8 @@ namespace {
 // Rounding of coefficients (<= 1.5, half an ulp 1e-16) through at most 30 factors of size <= 2.
 constexpr double rounding = 2e-14;
 
-std::string test_name(std::string_view scheme) {
-  std::string name(scheme);
+std::string test_name(std::string_view integrator) {
+  std::string name(integrator);
   for (char& c : name) c = c == '-' ? '_' : c;
   return name;
 }
@@ -151,12 +151,12 @@ Conditions conditions(const Tableau& rk, int order) {
   return result;
 }
 
-class SchemeRow : public testing::TestWithParam<Scheme> {};
+class SchemeRow : public testing::TestWithParam<Integrator> {};
 
-TEST_P(SchemeRow, IsFoundByItsName) { EXPECT_EQ(find_scheme(GetParam().name)->name, GetParam().name); }
+TEST_P(SchemeRow, IsFoundByItsName) { EXPECT_EQ(find_integrator(GetParam().name)->name, GetParam().name); }
 
 TEST_P(SchemeRow, MeetsTheConditionsOfItsOrderAndOfNoMore) {
-  const Scheme& row = GetParam();
+  const Integrator& row = GetParam();
   if (row.kind != Kind::splitting) {
     EXPECT_LT(conditions(row.tableau, row.order).worst, rounding);
     EXPECT_GT(conditions(row.tableau, row.order + 1).worst, 1e-8);  // least of all: rk8, 4e-6
@@ -173,7 +173,7 @@ TEST_P(SchemeRow, MeetsTheConditionsOfItsOrderAndOfNoMore) {
 }
 
 TEST_P(SchemeRow, CountsItsEvaluations) {
-  const Scheme& row = GetParam();
+  const Integrator& row = GetParam();
   std::size_t count = row.tableau.weights.size();
   if (row.kind == Kind::splitting)
     count = (row.splitting.coefficients.size() + (row.splitting.first == Part::kick ? 1 : 0)) / 2;
@@ -190,21 +190,21 @@ TEST_P(SchemeRow, KeepsConstraintsOnlyAsVerletSteps) {
   EXPECT_EQ(GetParam().constraints, !GetParam().splitting.weights.empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Table, SchemeRow, testing::ValuesIn(schemes().begin(), schemes().end()),
+INSTANTIATE_TEST_SUITE_P(Table, SchemeRow, testing::ValuesIn(integrators().begin(), integrators().end()),
                          [](const auto& row) { return test_name(row.param.name); });
 
 TEST(SchemeTable, HasNoNameTwiceAndNoOther) {
-  for (const Scheme& row : schemes()) EXPECT_EQ(find_scheme(row.name), &row);
-  EXPECT_EQ(find_scheme("rk5"), nullptr);
+  for (const Integrator& row : integrators()) EXPECT_EQ(find_integrator(row.name), &row);
+  EXPECT_EQ(find_integrator("rk5"), nullptr);
 }
 
 // The measures themselves: the number of trees is known, and a coefficient that is off by 1e-12 is seen.
 TEST(SchemeTable, ConditionsAreComplete) {
   const int count[] = {1, 1, 2, 4, 9, 20, 48, 115};
   for (int n = 1; n <= 8; ++n)
-    EXPECT_EQ(conditions(find_scheme("rk8")->tableau, n).trees, static_cast<std::size_t>(count[n - 1]));
+    EXPECT_EQ(conditions(find_integrator("rk8")->tableau, n).trees, static_cast<std::size_t>(count[n - 1]));
 
-  const Scheme& bm6 = *find_scheme("bm6");
+  const Integrator& bm6 = *find_integrator("bm6");
   std::vector<double> off(bm6.splitting.coefficients.begin(), bm6.splitting.coefficients.end());
   off[3] += 1e-12, off[5] -= 1e-12;
   EXPECT_GT(deviation({bm6.splitting.first, off, {}}, 3, false), rounding);

@@ -1,7 +1,7 @@
 // Applies an event: the new motion of a body, its record, or the handover to another stepper.
 #include "engine/ballistic/course.h"
 #include "engine/ballistic/encounter.h"
-#include "engine/ballistic/support.h"
+#include "engine/ballistic/on_plane.h"
 
 namespace cylon::engine::ballistic {
 
