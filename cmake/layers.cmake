@@ -83,10 +83,14 @@ add_library(test_paths STATIC ${PROJECT_BINARY_DIR}/test_paths.cc)
 target_include_directories(test_paths PUBLIC ${PROJECT_SOURCE_DIR})
 declare(test_paths KIND layer PLACES tests/paths.h)
 
-# test_suite(name FOLDER folder USES libraries… SHARES files…): one executable for every *_test.cc under a folder (a
-# suite inside another's folder is declared before it), and for files of another suite that hold of these libraries too.
+# ctest starts the tests of the greatest COST first, so that no long one runs alone at the end.
+set(long_test 100)
+
+# test_suite(name FOLDER folder USES libraries… SHARES files… AS_ONE fixtures…): one executable for every *_test.cc under a
+# folder (a suite inside another's folder is declared before it), and for files of another suite that hold of these
+# libraries too.  Each test is a process of its own; those of an AS_ONE fixture share one, for they judge one long run.
 function(test_suite name)
-  cmake_parse_arguments(ARG "" "FOLDER" "USES;SHARES" ${ARGN})
+  cmake_parse_arguments(ARG "" "FOLDER" "USES;SHARES;AS_ONE" ${ARGN})
   own_sources(sources ${ARG_FOLDER} *_test.cc)
   add_executable(${name}_tests ${sources} ${ARG_SHARES})
   target_include_directories(${name}_tests PRIVATE ${PROJECT_SOURCE_DIR})
@@ -94,7 +98,14 @@ function(test_suite name)
   declare(${name}_tests KIND tests PLACES ${ARG_FOLDER}/ PRIVATE ${ARG_USES} test_paths GTest::gtest_main)
   compiled_as(${name}_tests test)
   add_dependencies(tests ${name}_tests)
-  gtest_discover_tests(${name}_tests TEST_PREFIX "${name}/" DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${name})
+  set(alone "")
+  foreach(fixture ${ARG_AS_ONE})
+    string(APPEND alone ":${fixture}.*")
+    add_test(NAME ${name}/${fixture} COMMAND ${name}_tests --gtest_brief=1 --gtest_filter=${fixture}.*)
+    set_tests_properties(${name}/${fixture} PROPERTIES LABELS ${name} COST ${long_test})
+  endforeach()
+  gtest_discover_tests(${name}_tests TEST_FILTER "*-${alone}" TEST_PREFIX "${name}/" DISCOVERY_TIMEOUT 60
+                       PROPERTIES LABELS ${name})
 endfunction()
 
 # tool(name SOURCE file USES libraries…): an executable that a script builds when it needs it.
@@ -125,14 +136,14 @@ endfunction()
 # The generated tables of README.md are what the program says today.
 function(readme_test)
   add_test(NAME readme_is_current COMMAND ${PROJECT_SOURCE_DIR}/docs/update.py --check --cylon $<TARGET_FILE:cylon>)
-  set_tests_properties(readme_is_current PROPERTIES LABELS conformance)
+  set_tests_properties(readme_is_current PROPERTIES LABELS conformance COST ${long_test})
 endfunction()
 
 # The pages in a real browser, and whether the committed bundle is that of their sources.
 function(web_tests)
   add_test(NAME web COMMAND ${PROJECT_SOURCE_DIR}/tests/reports/web/run.sh ${PROJECT_BINARY_DIR})
   add_test(NAME web_bundle_is_current COMMAND ${PROJECT_SOURCE_DIR}/cmake/web_bundle.sh --check)
-  set_tests_properties(web PROPERTIES LABELS web SKIP_RETURN_CODE 77)
+  set_tests_properties(web PROPERTIES LABELS web SKIP_RETURN_CODE 77 COST ${long_test})
   set_tests_properties(web_bundle_is_current PROPERTIES LABELS web)
 endfunction()
 
