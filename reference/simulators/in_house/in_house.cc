@@ -50,10 +50,11 @@ core::Engine describe() {
   engine.precision = is_float ? "float" : "double";
   engine.paths = paths();
   engine.default_path_rule = engine::path_rule;
-  engine.schemes.push_back({"auto", closed_form_order,
-                            "all conserved quantities to the tolerance; to rounding in closed forms", true});
+  engine.integrators.push_back({"auto", closed_form_order,
+                                "all conserved quantities to the tolerance; to rounding in closed forms",
+                                true});
   for (const engine::Integrator& row : engine::integrators())
-    engine.schemes.push_back(
+    engine.integrators.push_back(
         {std::string(row.name), row.order, std::string(row.conserves), row.kind == engine::Kind::adaptive});
   engine.options.push_back({"model",
                             {"planned", "full"},
@@ -96,7 +97,7 @@ int sweeps_of(const std::string& value) {
 engine::Options options_of(const core::Engine& engine, const core::Setup& setup) {
   engine::Options options;
   if (!setup.path.empty()) require("path", setup.path, names(engine.paths));
-  if (!setup.integrator.empty()) require("integrator", setup.integrator, names(engine.schemes));
+  if (!setup.integrator.empty()) require("integrator", setup.integrator, names(engine.integrators));
   for (const auto& [name, value] : setup.options) {
     require("option", name, names(engine.options));
     if (name == "sweeps") {
