@@ -94,6 +94,12 @@ inline bool controls_its_error(const Engine& engine, const Terms& terms) {
   return ran && ran->adaptive;
 }
 
+/// What came of a scene that an engine was given.
+struct Loaded {
+  std::optional<std::string> unsupported = {};  ///< Why it cannot express the scene; else the terms hold.
+  Terms terms = {};
+};
+
 /// A point at which two surfaces pressed on each other during a step.
 struct Contact {
   Pair pair;

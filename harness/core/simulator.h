@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cylon::core {
@@ -26,6 +27,12 @@ class Simulator {
   /// Starts over from the scene's initial state.  Requires unsupported(scene, setup) to be empty.
   /// Throws std::invalid_argument, naming the nearest valid one, for an unknown path, integrator or option.
   virtual Terms load(const Scene&, const Setup&) = 0;
+
+  /// Both in one, for a simulator that translates the scene for either.
+  virtual Loaded load_if_supported(const Scene& scene, const Setup& setup) {
+    if (auto reason = unsupported(scene, setup)) return {.unsupported = std::move(reason)};
+    return {.terms = load(scene, setup)};
+  }
 
   /// Advances by exactly one dt.
   virtual void step() = 0;

@@ -15,6 +15,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 namespace cylon::simulators {
 namespace {
@@ -128,22 +129,18 @@ class InHouse final : public core::Simulator {
   }
 
   Reason unsupported(const core::Scene& scene, const core::Setup& setup) const override {
-    const engine::Options options = options_of(engine(), setup);
-    const InHouseModel converted = in_house_model(scene);
-    if (converted.missing) return converted.missing;
-    const auto names = [&](engine::Thing thing, int i) {
-      const auto k = static_cast<std::size_t>(i);
-      return fmt::format("'{}'", thing == engine::Thing::body ? scene.bodies[k].name : scene.planes[k].name);
-    };
-    const std::string reason = engine::unsupported(converted.model, options, names);
-    return reason.empty() ? deep_overlap(scene, converted.model) : Reason(reason);
+    return missing(scene, in_house_model(scene), options_of(engine(), setup));
   }
 
   core::Terms load(const core::Scene& scene, const core::Setup& setup) override {
+    return start(scene, in_house_model(scene).model, options_of(engine(), setup));
+  }
+
+  core::Loaded load_if_supported(const core::Scene& scene, const core::Setup& setup) override {
     const engine::Options options = options_of(engine(), setup);
-    world_.emplace(in_house_model(scene).model, options);
-    frame_ = scene.frame ? scene.frame->angular_velocity : core::Vector3(core::Vector3::Zero());
-    return terms(world_->plan(), options);
+    InHouseModel translated = in_house_model(scene);
+    if (Reason reason = missing(scene, translated, options)) return {.unsupported = std::move(reason)};
+    return {.terms = start(scene, std::move(translated.model), options)};
   }
 
   void step() override {
@@ -181,6 +178,23 @@ class InHouse final : public core::Simulator {
   }
 
  private:
+  static Reason missing(const core::Scene& scene, const InHouseModel& translated,
+                        const engine::Options& options) {
+    if (translated.missing) return translated.missing;
+    const auto names = [&](engine::Thing thing, int i) {
+      const auto k = static_cast<std::size_t>(i);
+      return fmt::format("'{}'", thing == engine::Thing::body ? scene.bodies[k].name : scene.planes[k].name);
+    };
+    const std::string reason = engine::unsupported(translated.model, options, names);
+    return reason.empty() ? deep_overlap(scene, translated.model) : Reason(reason);
+  }
+
+  core::Terms start(const core::Scene& scene, engine::Model model, const engine::Options& options) {
+    world_.emplace(std::move(model), options);
+    frame_ = scene.frame ? scene.frame->angular_velocity : core::Vector3(core::Vector3::Zero());
+    return terms(world_->plan(), options);
+  }
+
   core::Terms terms(const engine::Plan& plan, const engine::Options& options) const {
     const bool stepping = plan.path == engine::Path::stepping;
     const core::Path& path = engine().paths[stepping ? 1 : 0];
