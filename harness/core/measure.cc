@@ -153,16 +153,17 @@ double rounding(const Recording& recording, double size, double horizon) {
 // Of the runs at dt, dt/2, dt/4: value, bound C_p dt^p T + rounding, and the order itself, which must not
 // fall 0.1 below p.
 void measure_order_of_integrator(const Claim& claim, const Scene& scene,
-                                 std::span<const Recording> recordings, double duration, Measured& result) {
+                                 std::span<const Recording> recordings, double duration, const Reading& first,
+                                 Measured& result) {
   const Recording& coarsest = recordings.front();
   const double span = horizon(claim, duration);
-  const double floor = rounding(recordings.back(), scale(claim, scene, duration), span);
+  const double floor = rounding(recordings.back(), first.scale, span);
   const bool adaptive = chose_its_steps(coarsest);
   const int declared = coarsest.terms.order;
   std::vector<double> steps, errors;
   for (const Recording& run : recordings) {
     steps.push_back(run.dt);
-    errors.push_back(reduce(Reduction::max, deviation(claim, scene, run)));
+    errors.push_back(reduce(Reduction::max, &run == &coarsest ? first.series : deviation(claim, scene, run)));
   }
   const bool at_floor = *std::min_element(errors.begin(), errors.end()) <= floor;
   const bool meaningless = adaptive || at_floor;
@@ -260,24 +261,30 @@ int runs_needed(const Claim& claim) {
   return claim.tolerance.order || claim.reduction == Reduction::order ? 3 : 1;
 }
 
-Measured measure(const Claim& claim, const Scene& scene, std::span<const Recording> recordings,
-                 double duration) {
+Reading read(const Claim& claim, const Scene& scene, const Recording& recording, double duration) {
   require_truth(claim);
-  const Recording& recording = recordings.front();
   const Tolerance& tolerance = claim.tolerance;
-  Measured result;
+  Reading result;
+  if (claim.observable.quantity != Quantity::event) result.series = deviation(claim, scene, recording);
+  if (tolerance.relative > 0 || runs_needed(claim) > 1) result.scale = scale(claim, scene, duration);
   result.allowed = tolerance.absolute;
-  if (tolerance.relative > 0) result.allowed += tolerance.relative * scale(claim, scene, duration);
+  if (tolerance.relative > 0) result.allowed += tolerance.relative * result.scale;
+  return result;
+}
 
+Measured measure(const Claim& claim, const Scene& scene, std::span<const Recording> recordings,
+                 double duration, const Reading& first) {
+  Measured result;
+  result.allowed = first.allowed;
   if (claim.observable.quantity == Quantity::event) {
-    measure_event(claim, scene, recording, result);
+    measure_event(claim, scene, recordings.front(), result);
     return result;
   }
-  result.value = reduce(claim.reduction, deviation(claim, scene, recording));
+  result.value = reduce(claim.reduction, first.series);
   const int runs = runs_needed(claim);
   if (runs > 1 && std::isfinite(result.value))
     measure_order_of_integrator(claim, scene, recordings.first(static_cast<std::size_t>(runs)), duration,
-                                result);
+                                first, result);
   return result;
 }
 
