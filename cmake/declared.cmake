@@ -29,13 +29,9 @@ function(headers_in library)
   set_property(GLOBAL APPEND PROPERTY cylon_declared_engines "{\"library\": \"${library}\", \"folders\": ${folders}}")
 endfunction()
 
-# forbids(files header EXCEPT headers…): a rule finer than a layer; no such file reaches the header, through others neither,
-# but for those that are excepted.
+# forbids(files header): a rule finer than a layer; no such file reaches the header, through others neither.
 function(forbids files header)
-  cmake_parse_arguments(ARG "" "" "EXCEPT" ${ARGN})
-  json_list(except ${ARG_EXCEPT})
-  set_property(GLOBAL APPEND PROPERTY cylon_declared_forbidden
-    "{\"files\": \"${files}\", \"header\": \"${header}\", \"except\": ${except}}")
+  set_property(GLOBAL APPEND PROPERTY cylon_declared_forbidden "{\"files\": \"${files}\", \"header\": \"${header}\"}")
 endfunction()
 
 function(write_declared)

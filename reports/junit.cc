@@ -50,13 +50,13 @@ std::string element(const Verdict& v) {
 }
 
 std::string testcase(const Verdict& v) {
-  std::string scheme = v.integrator.empty() ? "" : ", " + v.integrator;
-  if (v.tolerance_scale != 1) scheme += fmt::format(", all tolerances times {:g}", v.tolerance_scale);
+  std::string integrator = v.integrator.empty() ? "" : ", " + v.integrator;
+  if (v.tolerance_scale != 1) integrator += fmt::format(", all tolerances times {:g}", v.tolerance_scale);
   const std::string errors =
       v.complaints.empty() ? "" : fmt::format("<system-err>{}</system-err>", xml(v.complaints));
   return fmt::format(
       "    <testcase classname=\"{}.{}\" name=\"{} [dt {}{}]\" time=\"{:.6f}\">{}{}</testcase>\n",
-      xml(v.scenario), xml(v.engine), xml(v.claim), xml(v.dt_text), xml(scheme),
+      xml(v.scenario), xml(v.engine), xml(v.claim), xml(v.dt_text), xml(integrator),
       std::isfinite(v.cpu_seconds) ? v.cpu_seconds : 0, element(v), errors);
 }
 

@@ -9,7 +9,7 @@
 
 namespace cylon::reports {
 
-/// All claims of one scenario at one step by one engine and scheme.
+/// All claims of one scenario at one step by one engine and integrator.
 struct Cell {
   /// By pass < unsupported < low-quality < fail < non-finite < timeout < crash < protocol.
   results::Status worst = results::Status::pass;

@@ -1,7 +1,5 @@
 #include "reports/trace.h"
 
-#include "harness/core/measure.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -81,21 +79,19 @@ bool has_first_violation(core::Reduction reduction) {
   return reduction == core::Reduction::max || reduction == core::Reduction::end;
 }
 
-ErrorCurve error_curve(const core::Claim& claim, const core::Scene& scene, double duration,
-                       const core::Recording& recording, std::size_t points) {
+ErrorCurve error_curve(const core::Claim& claim, const core::Reading& reading, double dt,
+                       std::size_t points) {
   ErrorCurve curve;
   curve.claim = claim.label;
   curve.unit = unit(claim.observable);
-  curve.allowed = claim.tolerance.absolute;
-  if (claim.tolerance.relative > 0) curve.allowed += claim.tolerance.relative * scale(claim, scene, duration);
-  const core::Series series = deviation(claim, scene, recording);
+  curve.allowed = reading.allowed;
+  const core::Series& series = reading.series;
   const std::size_t n = series.deviation.size();
   if (has_first_violation(claim.reduction) && !claim.tolerance.order) {
     const std::size_t begin = claim.reduction == core::Reduction::end && n > 0 ? n - 1 : 0;
     for (std::size_t i = begin; i < n && !curve.first_violation; ++i)
       if (!(series.deviation[i] <= curve.allowed))
-        curve.first_violation = {series.time[i], std::llround(series.time[i] / recording.dt),
-                                 series.deviation[i]};
+        curve.first_violation = {series.time[i], std::llround(series.time[i] / dt), series.deviation[i]};
   }
   // The last sample stands for itself, so that the curve ends where the run does.
   const std::size_t bins = std::min(n, std::max<std::size_t>(2, points)), rest = n > 0 ? n - 1 : 0;
@@ -165,15 +161,16 @@ std::vector<TraceEvent> events(const core::Scene& scene, const core::Recording& 
 
 }  // namespace
 
-Trace trace(const core::Scene& scene, const std::vector<core::Claim>& claims, double duration,
-            const core::Recording& recording, const TraceLimits& limits) {
+Trace trace(const core::Scene& scene, const std::vector<core::Claim>& claims,
+            std::span<const core::Reading> readings, const core::Recording& recording,
+            const TraceLimits& limits) {
   Trace result;
   const core::Claim* followed = shown(claims);
   result.motion = motion(recording, followed, limits);
   result.ghost = ghost(followed, result.motion);
-  for (const core::Claim& claim : claims)
-    if (claim.observable.quantity != core::Quantity::event)
-      result.errors.push_back(error_curve(claim, scene, duration, recording, limits.points));
+  for (std::size_t i = 0; i < claims.size(); ++i)
+    if (claims[i].observable.quantity != core::Quantity::event)
+      result.errors.push_back(error_curve(claims[i], readings[i], recording.dt, limits.points));
   result.totals = totals(scene, recording, limits.points);
   result.events = events(scene, recording, limits.points);
   result.remarks = recording.remarks;

@@ -2,13 +2,14 @@
 // Knows no file and no engine; judging reads the core::Recording, never this.
 #pragma once
 
-#include "harness/core/claim.h"
+#include "harness/core/measure.h"
 #include "harness/core/motion.h"
 #include "harness/core/recording.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -68,9 +69,10 @@ struct Trace {
   std::vector<std::string> remarks;
 };
 
-/// The trace of a recording.  Totals are energy, kinetic energy, momentum and angular momentum about the
-/// origin, those that the scene has; errors those of claims over states (events have none).
-Trace trace(const core::Scene&, const std::vector<core::Claim>&, double duration, const core::Recording&,
-            const TraceLimits& = {});
+/// The trace of a recording and its reading for each claim.  Totals are energy, kinetic energy, momentum and
+/// angular momentum about the origin, those that the scene has; errors those of claims over states (events have
+/// none).
+Trace trace(const core::Scene&, const std::vector<core::Claim>&, std::span<const core::Reading>,
+            const core::Recording&, const TraceLimits& = {});
 
 }  // namespace cylon::reports

@@ -25,7 +25,7 @@ std::string trade_csv(const std::vector<results::TradeTable>&);
 /// series, the front drawn through.
 Plot trade_plot(const results::TradeTable&);
 
-/// "in-house rk4", or the engine alone where it has one scheme in the table.
+/// "in-house rk4", or the engine alone where it has one integrator in the table.
 std::string trade_label(const results::TradeTable&, const results::TradeSeries&);
 
 /// "4.01, floor 3e-13 from 5/1248", "0.99, best 2e-3 at 5/39936", "never near, best 3e+00 at …".

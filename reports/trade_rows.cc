@@ -29,7 +29,7 @@ std::string engine_family(const std::string& engine) { return engine.substr(0, e
 std::string trade_label(const TradeTable& table, const TradeSeries& series) {
   const auto same = std::count_if(table.series.begin(), table.series.end(),
                                   [&](const TradeSeries& s) { return s.engine == series.engine; });
-  // A variant that states nothing but the scheme reads like any other series.
+  // A variant that states nothing but the integrator reads like any other series.
   const std::string stated = "/integrator=" + series.integrator;
   if (!series.integrator.empty() && series.engine.ends_with(stated))
     return fmt::format("{} {}", series.engine.substr(0, series.engine.size() - stated.size()),

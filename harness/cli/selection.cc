@@ -87,20 +87,21 @@ std::vector<std::string> engine_ids(const Context& context, const std::vector<En
   return ids;
 }
 
-// The choice itself, or a variant of it for each scheme that the globs match; one that states its scheme
-// keeps it. What the engine has is added to `schemes`.
+// The choice itself, or a variant of it for each integrator that the globs match; one that states its integrator
+// keeps it. What the engine has is added to `integrators`.
 std::vector<EngineChoice> with_integrators(const EngineChoice& choice, const std::vector<EngineRow>& rows,
                                            const std::vector<std::string>& globs,
-                                           std::vector<std::string>& schemes) try {
+                                           std::vector<std::string>& integrators) try {
   if (globs.empty()) return {choice};
   std::vector<EngineChoice> choices;
-  for (const core::Scheme& scheme : process::describe(choice).schemes) {
-    if (!contains(schemes, scheme.name)) schemes.push_back(scheme.name);
-    if (!any_match(globs, scheme.name) || (!choice.integrator.empty() && choice.integrator != scheme.name))
+  for (const core::Integrator& integrator : process::describe(choice).integrators) {
+    if (!contains(integrators, integrator.name)) integrators.push_back(integrator.name);
+    if (!any_match(globs, integrator.name) ||
+        (!choice.integrator.empty() && choice.integrator != integrator.name))
       continue;
     const char* joint = choice.id.find('/') == std::string::npos ? "/" : ",";
     choices.push_back(choice.integrator.empty()
-                          ? process::parse_engine(choice.id + joint + "integrator=" + scheme.name, rows)
+                          ? process::parse_engine(choice.id + joint + "integrator=" + integrator.name, rows)
                           : choice);
   }
   return choices;
@@ -116,7 +117,7 @@ std::vector<EngineChoice> choose_engines(const Context& context, const std::vect
                                          const Request& request, const std::vector<Pattern>& patterns,
                                          const scenario::Suite& suite) {
   std::vector<EngineChoice> engines;
-  std::vector<std::string> schemes;
+  std::vector<std::string> integrators;
   for (const std::string& id : engine_ids(context, rows, request, patterns, suite)) {
     EngineChoice choice;
     try {
@@ -124,16 +125,16 @@ std::vector<EngineChoice> choose_engines(const Context& context, const std::vect
     } catch (const core::InputError& error) {
       throw core::InputError(fmt::format("--engine: {}", error.what()));
     }
-    for (EngineChoice& variant : with_integrators(choice, rows, request.integrators, schemes))
+    for (EngineChoice& variant : with_integrators(choice, rows, request.integrators, integrators))
       if (std::none_of(engines.begin(), engines.end(),
                        [&](const EngineChoice& other) { return same(other, variant); }))
         engines.push_back(std::move(variant));
   }
   for (const std::string& word : request.integrators)
-    if (!is_glob(word) && !contains(schemes, word) && !schemes.empty())
+    if (!is_glob(word) && !contains(integrators, word) && !integrators.empty())
       throw core::InputError(
           fmt::format("--integrator '{}': none of these engines has it{} (integrators: {})", word,
-                      core::did_you_mean(word, schemes), fmt::join(schemes, ", ")));
+                      core::did_you_mean(word, integrators), fmt::join(integrators, ", ")));
   return engines;
 }
 

@@ -17,7 +17,7 @@ struct Request {
       patterns;  ///< SCENARIO[/ENGINE] globs; "a:b:-c" joins and excludes. None: the suite.
   std::vector<std::string> engines;  ///< Globs over the suite's engines and the registry, or ids of variants.
   std::vector<std::string> steps;    ///< None: the suite's, else each scenario's nominal step.
-  std::vector<std::string> integrators;  ///< Globs over each engine's schemes. None: its default.
+  std::vector<std::string> integrators;  ///< Globs over each engine's integrators. None: its default.
   std::vector<std::string> workers;      ///< NAME=COMMAND, engines of the user's own.
   std::string suite;                     ///< "": conformance.
   bool metamorphic = false;              ///< The relations of mechanics in place of the claims.

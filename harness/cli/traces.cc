@@ -35,11 +35,11 @@ std::map<Key, int> ranks(const std::vector<Verdict>& verdicts) {
 void Traces::watch(std::vector<study::Cell>& cells) {
   packed_.resize(cells.size()), errors_.resize(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i)
-    cells[i].seen = [this, i, &cell = cells[i]](const process::RunOutcome& outcome) {
+    cells[i].seen = [this, i, &cell = cells[i]](const process::RunOutcome& outcome,
+                                                std::span<const core::Reading> readings) {
       if (!outcome.recording) return;
       const scenario::Scenario& scenario = *cell.scenario;
-      reports::Trace trace =
-          reports::trace(scenario.scene, scenario.claims, scenario.duration, *outcome.recording);
+      reports::Trace trace = reports::trace(scenario.scene, scenario.claims, readings, *outcome.recording);
       trace.scenario = scenario.name, trace.engine = cell.engine.id;
       trace.integrator = outcome.terms.integrator, trace.dt_text = cell.dt_text;
       reports::PackedTrace packed = reports::pack(trace);

@@ -15,7 +15,7 @@ namespace cylon::core {
 /// allowed = absolute + relative S; or, where `order` is set, the bound of theory C_p dt^p T plus rounding,
 /// with p the order that the simulator declares, the observed order being checked as well.
 ///
-/// A scheme of order p is held to the constant of the highest order q <= p that has one: C_q dt^q T, and
+/// An integrator of order p is held to the constant of the highest order q <= p that has one: C_q dt^q T, and
 /// order q. One that chooses its own steps (dt is then only the grid) is held to the last constant by its
 /// value alone. Rounding is 64 eps sqrt(n) S (S = 1 for angles), eps of the engine's precision, n = T/dt;
 /// where an error comes that low, the slope means nothing and the value alone decides. Without a reason there

@@ -137,11 +137,11 @@ std::optional<std::pair<int, double>> constant_of(const Tolerance& tolerance, in
   return *std::prev(above);
 }
 
-// Whether the run chose its own steps.
-bool controls_its_error(const Recording& recording) {
-  return std::any_of(recording.engine.schemes.begin(), recording.engine.schemes.end(), [&](const Scheme& s) {
-    return s.name == recording.terms.integrator && s.adaptive && s.order == recording.terms.order;
-  });
+// Whether the run was of an integrator that chooses its steps, and went by it: events in between lower the order.
+bool chose_its_steps(const Recording& recording) {
+  const Engine& engine = recording.engine;
+  const Terms& terms = recording.terms;
+  return controls_its_error(engine, terms) && engine.integrator(terms.integrator)->order == terms.order;
 }
 
 // What rounding alone makes of n steps: 64 eps sqrt(n) S.
@@ -152,17 +152,18 @@ double rounding(const Recording& recording, double size, double horizon) {
 
 // Of the runs at dt, dt/2, dt/4: value, bound C_p dt^p T + rounding, and the order itself, which must not
 // fall 0.1 below p.
-void measure_order_of_scheme(const Claim& claim, const Scene& scene, std::span<const Recording> recordings,
-                             double duration, Measured& result) {
+void measure_order_of_integrator(const Claim& claim, const Scene& scene,
+                                 std::span<const Recording> recordings, double duration, const Reading& first,
+                                 Measured& result) {
   const Recording& coarsest = recordings.front();
   const double span = horizon(claim, duration);
-  const double floor = rounding(recordings.back(), scale(claim, scene, duration), span);
-  const bool adaptive = controls_its_error(coarsest);
+  const double floor = rounding(recordings.back(), first.scale, span);
+  const bool adaptive = chose_its_steps(coarsest);
   const int declared = coarsest.terms.order;
   std::vector<double> steps, errors;
   for (const Recording& run : recordings) {
     steps.push_back(run.dt);
-    errors.push_back(reduce(Reduction::max, deviation(claim, scene, run)));
+    errors.push_back(reduce(Reduction::max, &run == &coarsest ? first.series : deviation(claim, scene, run)));
   }
   const bool at_floor = *std::min_element(errors.begin(), errors.end()) <= floor;
   const bool meaningless = adaptive || at_floor;
@@ -260,23 +261,30 @@ int runs_needed(const Claim& claim) {
   return claim.tolerance.order || claim.reduction == Reduction::order ? 3 : 1;
 }
 
-Measured measure(const Claim& claim, const Scene& scene, std::span<const Recording> recordings,
-                 double duration) {
+Reading read(const Claim& claim, const Scene& scene, const Recording& recording, double duration) {
   require_truth(claim);
-  const Recording& recording = recordings.front();
   const Tolerance& tolerance = claim.tolerance;
-  Measured result;
+  Reading result;
+  if (claim.observable.quantity != Quantity::event) result.series = deviation(claim, scene, recording);
+  if (tolerance.relative > 0 || runs_needed(claim) > 1) result.scale = scale(claim, scene, duration);
   result.allowed = tolerance.absolute;
-  if (tolerance.relative > 0) result.allowed += tolerance.relative * scale(claim, scene, duration);
+  if (tolerance.relative > 0) result.allowed += tolerance.relative * result.scale;
+  return result;
+}
 
+Measured measure(const Claim& claim, const Scene& scene, std::span<const Recording> recordings,
+                 double duration, const Reading& first) {
+  Measured result;
+  result.allowed = first.allowed;
   if (claim.observable.quantity == Quantity::event) {
-    measure_event(claim, scene, recording, result);
+    measure_event(claim, scene, recordings.front(), result);
     return result;
   }
-  result.value = reduce(claim.reduction, deviation(claim, scene, recording));
+  result.value = reduce(claim.reduction, first.series);
   const int runs = runs_needed(claim);
   if (runs > 1 && std::isfinite(result.value))
-    measure_order_of_scheme(claim, scene, recordings.first(static_cast<std::size_t>(runs)), duration, result);
+    measure_order_of_integrator(claim, scene, recordings.first(static_cast<std::size_t>(runs)), duration,
+                                first, result);
   return result;
 }
 

@@ -28,6 +28,14 @@ double observed_order(std::span<const double> dt, std::span<const double> error)
 /// horizon, or the initial value; never taken from a run.
 double scale(const Claim&, const Scene&, double duration);
 
+/// One run against a claim: what its verdict is made of, and what its error curve shows.
+struct Reading {
+  Series series;       ///< Empty for events.
+  double scale = 0;    ///< scale(), where a tolerance or an order needs it.
+  double allowed = 0;  ///< absolute + relative x scale; the bound that an order sets is not in it.
+};
+Reading read(const Claim&, const Scene&, const Recording&, double duration);
+
 struct Measured {
   double value = 0;  ///< In the observable's unit (order: a number; rate: unit/s).
   double allowed = 0;
@@ -41,7 +49,12 @@ std::optional<std::int64_t> first_bad_step(const Recording&);
 /// How many runs, each at half the step of the one before, the claim needs: 1 or 3.
 int runs_needed(const Claim&);
 
-/// Recordings at dt, dt/2, … as runs_needed says; `duration` is the scenario's [s].
-Measured measure(const Claim&, const Scene&, std::span<const Recording>, double duration);
+/// Recordings at dt, dt/2, … as runs_needed says; `duration` is the scenario's [s]; `first`: the first of them, read.
+Measured measure(const Claim&, const Scene&, std::span<const Recording>, double duration,
+                 const Reading& first);
+inline Measured measure(const Claim& claim, const Scene& scene, std::span<const Recording> recordings,
+                        double duration) {
+  return measure(claim, scene, recordings, duration, read(claim, scene, recordings.front(), duration));
+}
 
 }  // namespace cylon::core

@@ -1,9 +1,9 @@
 // What a run leaves behind.  Everything downstream reads a Recording, never a Simulator.
 #pragma once
 
+#include "harness/core/engine.h"
 #include "harness/core/event.h"
 #include "harness/core/scene.h"
-#include "harness/core/simulator.h"
 
 #include <cstdint>
 #include <string>
@@ -26,7 +26,7 @@ struct Recording {
   std::vector<std::int64_t> steps;  ///< Ascending, from 0.
   std::vector<State> states;        ///< One per step kept.
   std::vector<Event> events;
-  Engine engine;                     ///< Who ran it: name, version, precision, and the scheme that ran.
+  Engine engine;                     ///< Who ran it: name, version, precision, and the integrator that ran.
   Terms terms;                       ///< With what settings.
   double cpu_seconds = 0;            ///< Thread CPU time of the steps alone.
   std::vector<std::string> remarks;  ///< What the engine says that a user must know of the run.

@@ -181,8 +181,8 @@ RunOutcome run(const EngineChoice& choice, const RunRequest& request, const Limi
     recording.engine.name = outcome.engine.name;
     recording.engine.version = outcome.engine.version;
     recording.engine.precision = outcome.engine.precision;
-    for (const core::Scheme& scheme : outcome.engine.schemes)
-      if (scheme.name == outcome.terms.integrator) recording.engine.schemes = {scheme};
+    if (const auto* ran = outcome.engine.integrator(outcome.terms.integrator))
+      recording.engine.integrators = {*ran};
     recording.terms = outcome.terms;
     recording.complaints = outcome.stderr_tail;
   }

@@ -1,9 +1,9 @@
 // The harness's side of the protocol: one scene, one engine, one worker process, and what came of it.
 #pragma once
 
+#include "harness/core/engine.h"
 #include "harness/core/recording.h"
 #include "harness/core/scene.h"
-#include "harness/core/simulator.h"
 #include "harness/process/child.h"
 #include "harness/process/engines.h"
 #include "harness/results/verdict.h"
@@ -55,7 +55,7 @@ struct RunOutcome {
 
 /// Runs a worker from spawn to end; no process is left behind.  Any number of threads may call it at once.
 /// Throws core::InputError where the worker calls the setup impossible (unknown path, integrator or option),
-/// or where a scheme that does not control its error is given a tolerance;
+/// or where an integrator that does not control its error is given a tolerance;
 /// Interrupted soon after interrupted() is set; std::invalid_argument for a request outside its domain.
 RunOutcome run(const EngineChoice&, const RunRequest&, const Limits& = {});
 

@@ -1,7 +1,7 @@
 // One engine on one scene in a worker process, advanced piece by piece for as long as somebody looks on.
 #pragma once
 
-#include "harness/core/simulator.h"
+#include "harness/core/engine.h"
 #include "harness/process/client.h"
 #include "harness/process/conversation.h"
 #include "harness/process/joint_hold.h"

@@ -83,9 +83,9 @@ json hello_json(const Hello& hello) {
                      {"summary", p.summary},
                      {"settings", settings_json(p.settings)},
                      {"unforceable", p.unforceable}});
-  json& schemes = result["schemes"] = json::array();
-  for (const core::Scheme& s : engine.schemes)
-    schemes.push_back(
+  json& integrators = result["schemes"] = json::array();
+  for (const core::Integrator& s : engine.integrators)
+    integrators.push_back(
         {{"name", s.name}, {"order", s.order}, {"conserves", s.conserves}, {"adaptive", s.adaptive}});
   json& options = result["options"] = json::array();
   for (const core::Option& o : engine.options)
@@ -116,7 +116,7 @@ Hello hello_from_json(const json& value) {
   });
   engine.default_path_rule = text_if(f, "default_path_rule");
   each_if(f, "schemes", [&](Fields& s) {
-    engine.schemes.push_back(
+    engine.integrators.push_back(
         {s.text("name"), order_if(s), text_if(s, "conserves"), s.find("adaptive") && s.flag("adaptive")});
   });
   each_if(f, "options", [&](Fields& o) {

@@ -1,8 +1,8 @@
 // The JSON lines of protocol version 1, one function per message and direction; docs/protocol.md is the text.
 #pragma once
 
+#include "harness/core/engine.h"
 #include "harness/core/event.h"
-#include "harness/core/simulator.h"
 
 #include <nlohmann/json.hpp>
 

@@ -26,11 +26,11 @@ core::Setup merged(const EngineChoice& choice, core::Setup setup) {
 void require_adaptive(const core::Engine& engine, const std::string& id, const core::Setup& setup) {
   if (setup.tolerance == 0) return;
   std::vector<std::string> adaptive;
-  for (const core::Scheme& scheme : engine.schemes) {
-    if (!scheme.adaptive) continue;
-    const bool is_default = setup.integrator.empty() && &scheme == &engine.schemes.front();
-    if (is_default || scheme.name == setup.integrator) return;
-    adaptive.push_back(scheme.name);
+  for (const core::Integrator& integrator : engine.integrators) {
+    if (!integrator.adaptive) continue;
+    const bool is_default = setup.integrator.empty() && &integrator == &engine.integrators.front();
+    if (is_default || integrator.name == setup.integrator) return;
+    adaptive.push_back(integrator.name);
   }
   if (adaptive.empty())
     throw core::InputError(fmt::format(

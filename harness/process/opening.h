@@ -1,7 +1,7 @@
 // How every conversation with a worker opens: hello, a scene, the state that was read back.
 #pragma once
 
-#include "harness/core/simulator.h"
+#include "harness/core/engine.h"
 #include "harness/process/conversation.h"
 #include "harness/process/engines.h"
 #include "harness/process/messages.h"
@@ -15,9 +15,9 @@ namespace cylon::process {
 /// Says hello under a deadline [s].  Throws Failure where the worker is unsupported or refuses.
 Hello introduce(Conversation&, double seconds);
 
-/// Loads a scene under a deadline [s] for that and all that follows.  What the choice states (path, scheme,
+/// Loads a scene under a deadline [s] for that and all that follows.  What the choice states (path, integrator,
 /// options) goes before the setup.  Throws Failure(unsupported); core::InputError where the worker calls the
-/// setup impossible, or where a scheme that does not control its error is given a tolerance.
+/// setup impossible, or where an integrator that does not control its error is given a tolerance.
 core::Terms open_scene(Conversation&, const EngineChoice&, const core::Scene&, const core::Setup&,
                        const core::Engine&, double seconds);
 

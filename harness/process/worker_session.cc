@@ -56,13 +56,12 @@ void WorkerSession::load(const json& request) {
 
 // Impossible setups are the user's mistake and an answer; whatever else load() throws is a crash.
 json WorkerSession::answer_to_load() try {
-  if (const std::optional<std::string> reason = simulator_.unsupported(scene_, setup_))
-    return {{"unsupported", *reason}};
   const double before = thread_cpu_ns();
-  const core::Terms terms = simulator_.load(scene_, setup_);
+  const core::Loaded loaded = simulator_.load_if_supported(scene_, setup_);
   load_ns_ = thread_cpu_ns() - before;
-  loaded_ = true;
-  return terms_json(terms);
+  loaded_ = !loaded.unsupported;
+  if (!loaded_) return {{"unsupported", *loaded.unsupported}};
+  return terms_json(loaded.terms);
 } catch (const core::InputError& error) {
   return {{"error", error.what()}};
 } catch (const std::invalid_argument& error) {

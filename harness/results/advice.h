@@ -24,7 +24,7 @@ struct Pick {
 struct EngineAdvice {
   std::string engine;             ///< Its row: "bullet".
   std::optional<Pick> pick;       ///< The cheapest that meets the tolerance; nothing: not reachable.
-  std::optional<Pick> runner_up;  ///< The next cheapest scheme or variant.
+  std::optional<Pick> runner_up;  ///< The next cheapest integrator or variant.
   std::optional<Pick> ten_times;  ///< The cheapest for a tenth of the tolerance, from the nominal start.
   std::optional<Pick> best;       ///< The least error seen, its cost not measured.
   bool over_budget = false;       ///< The pick costs more than was allowed.

@@ -20,12 +20,12 @@ struct TradeMeasure {
   double resolution = 0;  ///< Relative error of what it is measured against.
 };
 
-/// One run: an engine, a scheme, a step or a tolerance.
+/// One run: an engine, an integrator, a step or a tolerance.
 struct TradePoint {
   std::int64_t steps = 0;
-  double dt = 0;         ///< Step [s]; of a scheme that controls its error the grid of its samples.
+  double dt = 0;         ///< Step [s]; of an integrator that controls its error the grid of its samples.
   std::string dt_text;   ///< As --dt takes it: "5/1248".
-  double tolerance = 0;  ///< Of a scheme that controls its error; else 0.
+  double tolerance = 0;  ///< Of an integrator that controls its error; else 0.
   Status status = Status::pass;
   std::string reason;          ///< Where it did not pass.
   std::vector<double> errors;  ///< Relative, by measure, max over time; empty where it did not pass.
@@ -38,12 +38,12 @@ struct TradePoint {
   std::string dominated_by;  ///< A point of the front: "in-house bm6 at 5/1248"; empty: nobody.
 };
 
-/// The runs of one engine with one scheme, from the coarsest step to the finest.
+/// The runs of one engine with one integrator, from the coarsest step to the finest.
 struct TradeSeries {
   std::string engine;  ///< Its id: "bullet/gyro=none".
   std::string integrator, version, precision, path, gyroscopic;
   int declared = 0;       ///< The order that the engine declares; 0: it did not load.
-  bool adaptive = false;  ///< The scheme takes a tolerance in place of a step.
+  bool adaptive = false;  ///< The integrator takes a tolerance in place of a step.
   double order = std::numeric_limits<double>::quiet_NaN();  ///< Observed; NaN: none.
   double floor = std::numeric_limits<double>::quiet_NaN();  ///< Error that a finer step does not lower; NaN:
                                                             ///< none seen.

@@ -20,7 +20,7 @@ namespace {
 using results::EngineAdvice;
 using results::Pick;
 
-// The settings of a scheme from coarse to fine: steps, or tolerances on a fixed grid.
+// The settings of an integrator from coarse to fine: steps, or tolerances on a fixed grid.
 struct Row {
   std::vector<std::int64_t> steps;
   std::vector<double> tolerances;  // 0: none
@@ -29,9 +29,9 @@ struct Row {
   std::size_t size() const { return steps.size(); }
 };
 
-Row row_of(const core::Scheme& scheme, std::int64_t samples, std::int64_t most) {
+Row row_of(const core::Integrator& integrator, std::int64_t samples, std::int64_t most) {
   Row row;
-  if (scheme.adaptive) {
+  if (integrator.adaptive) {
     std::int64_t grid = samples;
     while (grid < 1024 && 2 * grid <= most) grid *= 2;
     for (int half = 1; half <= 26; ++half) {
@@ -43,11 +43,11 @@ Row row_of(const core::Scheme& scheme, std::int64_t samples, std::int64_t most) 
   }
   row.steps = fine_steps(samples, most);
   row.tolerances.assign(row.steps.size(), 0);
-  row.digits = 0.25 * std::log10(2.0) * std::max(1, scheme.order);
+  row.digits = 0.25 * std::log10(2.0) * std::max(1, integrator.order);
   return row;
 }
 
-// What was found for one scheme.
+// What was found for one integrator.
 struct Found {
   std::optional<Pick> pick, ten_times, best;
   double cpu = HUGE_VAL, ten_cpu = HUGE_VAL;  // of the recorded runs: a first guess of costs
@@ -65,7 +65,7 @@ class Search {
       : starts_(starts),
         setting_(setting),
         options_(options),
-        row_(row_of(setting.scheme, starts.front().yardstick->samples(),
+        row_(row_of(setting.integrator, starts.front().yardstick->samples(),
                     options.most / static_cast<std::int64_t>(starts.front().scenario->scene.bodies.size()))) {
   }
 
@@ -78,9 +78,9 @@ class Search {
     std::size_t guess = 0;
     const std::int64_t nominal = nominal_steps(*starts_.front().scenario);
     while (guess + 1 < row_.size() &&
-           (setting_.scheme.adaptive ? row_.tolerances[guess] > target : row_.steps[guess] < nominal))
+           (setting_.integrator.adaptive ? row_.tolerances[guess] > target : row_.steps[guess] < nominal))
       ++guess;
-    if (!setting_.scheme.adaptive && setting_.scheme.order > 1) guess /= 2;
+    if (!setting_.integrator.adaptive && setting_.integrator.order > 1) guess /= 2;
     std::map<std::size_t, double> seen;
     const Coarsest first = coarsest(error_at, row_.size(), target / margin, row_.digits, guess, seen);
     if (std::isfinite(first.best_error)) found.best = pick(first.best, first.best_error);
@@ -136,7 +136,7 @@ class Search {
 
   Pick pick(std::size_t i, double error) const {
     Pick p;
-    p.engine = setting_.engine.id, p.integrator = setting_.scheme.name;
+    p.engine = setting_.engine.id, p.integrator = setting_.integrator.name;
     p.steps = row_.steps[i], p.tolerance = row_.tolerances[i];
     p.dt = starts_.front().scenario->duration / static_cast<double>(p.steps);
     p.at = p.tolerance > 0 ? fmt::format("tolerance {:.1e}", p.tolerance)
@@ -188,7 +188,7 @@ std::vector<std::int64_t> fine_steps(std::int64_t samples, std::int64_t most, in
 
 Setting setting_of(const Pick& pick, const std::vector<Setting>& settings) {
   return *std::find_if(settings.begin(), settings.end(), [&](const Setting& s) {
-    return s.engine.id == pick.engine && s.scheme.name == pick.integrator;
+    return s.engine.id == pick.engine && s.integrator.name == pick.integrator;
   });
 }
 
@@ -207,14 +207,14 @@ void time_picks(const std::vector<Pick*>& picks, const core::Scene& scene,
       const Setting setting = setting_of(*picks[i], settings);
       Timed timed{setting.engine, {}, picks[i]->steps};
       timed.setup.dt = picks[i]->dt, timed.setup.tolerance = picks[i]->tolerance;
-      timed.setup.integrator = setting.scheme.name;
+      timed.setup.integrator = setting.integrator.name;
       const double guess =
           best[i] ? best[i]->step_seconds + best[i]->load_seconds
                   : 1e-6 * static_cast<double>(picks[i]->steps) * static_cast<double>(scene.bodies.size());
       const auto time = time_once(timed, scene, guess, limits);
       if (!time) continue;
       best[i] = best[i] ? least(*best[i], *time) : *time;
-      picks[i]->cost = cost(*best[i], setting.scheme.adaptive, duration);
+      picks[i]->cost = cost(*best[i], setting.integrator.adaptive, duration);
     }
 }
 

@@ -1,4 +1,4 @@
-// The cheapest setting of each engine that meets a tolerance: found along the scheme's order, and run from
+// The cheapest setting of each engine that meets a tolerance: found along the integrator's order, and run from
 // starts that had no part in the search.
 #pragma once
 

@@ -2,7 +2,6 @@
 
 #include "harness/core/event_find.h"
 #include "harness/core/input_error.h"
-#include "harness/core/measure.h"
 #include "harness/core/worst.h"
 #include "harness/study/row.h"
 #include "harness/study/spread.h"
@@ -66,9 +65,10 @@ Verdict blank(const Cell& cell, const Claim& claim, const Sampling& plan,
 }
 
 void judge(Verdict& row, const Claim& claim, const Cell& cell, std::span<const core::Recording> recordings,
-           std::optional<std::int64_t> first_bad_step) {
+           const core::Reading& reading, std::optional<std::int64_t> first_bad_step) {
   const Scenario& scenario = *cell.scenario;
-  const core::Measured measured = core::measure(claim, scenario.scene, recordings, scenario.duration);
+  const core::Measured measured =
+      core::measure(claim, scenario.scene, recordings, scenario.duration, reading);
   row.measured = measured.value;
   row.allowed = measured.allowed * cell.tolerance_scale;
   row.first_bad_step = first_bad_step;
@@ -168,11 +168,17 @@ std::vector<Verdict> run(const Cell& cell, const process::Limits& limits,
   int runs = 1;
   for (const Claim& claim : scenario.claims) runs = std::max(runs, core::runs_needed(claim));
   std::vector<core::Recording> recordings;
+  std::vector<core::Reading> readings;  // of the first run
   for (int i = 0; i < runs; ++i) {
     const double dt = std::ldexp(cell.dt, -i);
     const Sampling samples = i == 0 ? plan : sampling(scenario, dt);
     process::RunOutcome outcome = record(cell, scenario.scene, dt, samples, limits);
-    if (i == 0 && cell.seen) cell.seen(outcome);
+    if (i == 0) {
+      if (outcome.recording)
+        for (const Claim& claim : scenario.claims)
+          readings.push_back(core::read(claim, scenario.scene, *outcome.recording, scenario.duration));
+      if (cell.seen) cell.seen(outcome, readings);
+    }
     for (Verdict& row : rows) {
       if (i == 0) {
         sign(row, outcome.engine, outcome.terms, expectations);
@@ -185,7 +191,8 @@ std::vector<Verdict> run(const Cell& cell, const process::Limits& limits,
     recordings.push_back(std::move(*outcome.recording));
   }
   const auto bad = core::first_bad_step(recordings.front());
-  for (std::size_t i = 0; i < rows.size(); ++i) judge(rows[i], scenario.claims[i], cell, recordings, bad);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    judge(rows[i], scenario.claims[i], cell, recordings, readings[i], bad);
   if (!bad) measure_spread(cell, plan, limits, recordings.front(), rows);
   return rows;
 }

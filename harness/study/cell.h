@@ -1,6 +1,7 @@
 // One scenario on one engine at one step: record, measure, judge.  The unit of every study.
 #pragma once
 
+#include "harness/core/measure.h"
 #include "harness/process/client.h"
 #include "harness/process/engines.h"
 #include "harness/results/verdict.h"
@@ -8,6 +9,7 @@
 #include "harness/scenario/scenario.h"
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,8 +28,9 @@ struct Cell {
   Exam exam = Exam::claims;
   double tolerance_scale = 1;  ///< Multiplies all that is allowed, >= 0; at 0 nothing passes.
   int copies = 0;              ///< Runs that start one ulp apart, to see how far they spread.
-  /// Gets what came of the run at `dt` before it is judged; called by the thread that runs the cell.
-  std::function<void(const process::RunOutcome&)> seen;
+  /// Gets what came of the run at `dt`, and its reading for each claim where it reached the end; called by the
+  /// thread that runs the cell.
+  std::function<void(const process::RunOutcome&, std::span<const core::Reading>)> seen;
 };
 
 /// The steps at which a cell is recorded, and the pairs that are watched: what its claims need, no more.

@@ -53,11 +53,11 @@ struct Priced {
   std::string reason;
 };
 
-Priced run(const core::Scene& scene, const process::EngineChoice& engine, const std::string& scheme,
+Priced run(const core::Scene& scene, const process::EngineChoice& engine, const std::string& integrator,
            const results::Pick& pick, std::int64_t samples, const process::Limits& limits) {
   process::RunRequest request;
   request.scene = &scene;
-  request.setup.dt = pick.dt, request.setup.tolerance = pick.tolerance, request.setup.integrator = scheme;
+  request.setup.dt = pick.dt, request.setup.tolerance = pick.tolerance, request.setup.integrator = integrator;
   request.steps = pick.steps, request.every = pick.steps / samples;
   Priced priced;
   try {
@@ -82,16 +82,17 @@ std::vector<Feature> features(const core::Scene& scene, const Setting& setting,
       if (option.name == "gyro" && turns(scene) && !engine.options.contains("gyro") &&
           std::find(option.values.begin(), option.values.end(), off) != option.values.end())
         result.push_back({"gyroscopic term",
-                          process::parse_engine(with_option(engine.id, "gyro=" + off), rows), setting.scheme,
-                          scene});
+                          process::parse_engine(with_option(engine.id, "gyro=" + off), rows),
+                          setting.integrator, scene});
   for (const SceneFeature& feature : scene_features) {
     core::Scene without = scene;
-    if (feature.take(without)) result.push_back({feature.name, engine, setting.scheme, std::move(without)});
+    if (feature.take(without))
+      result.push_back({feature.name, engine, setting.integrator, std::move(without)});
   }
   for (const process::EngineRow& row : rows)
     if (row.id == engine.row.id + "-float")
       result.push_back({"double precision", process::parse_engine(with_row(engine.id, row.id), rows),
-                        setting.scheme, scene});
+                        setting.integrator, scene});
   return result;
 }
 
@@ -105,12 +106,13 @@ std::vector<results::FeaturePrice> price_features(const Start& start, const std:
   std::vector<results::FeaturePrice> prices;
   for (const results::Pick& pick : picks) {
     const Setting setting = setting_of(pick, settings);
-    const Priced with = run(scenario.scene, setting.engine, setting.scheme.name, pick, samples, limits);
+    const Priced with = run(scenario.scene, setting.engine, setting.integrator.name, pick, samples, limits);
     for (const Feature& feature : features(scenario.scene, setting, rows)) {
       results::FeaturePrice price;
       price.engine = fmt::format("{} {}", pick.engine, pick.integrator);
       price.feature = feature.name;
-      const Priced without = run(feature.scene, feature.engine, feature.scheme.name, pick, samples, limits);
+      const Priced without =
+          run(feature.scene, feature.engine, feature.integrator.name, pick, samples, limits);
       price.reason = with.reason.empty() ? without.reason : with.reason;
       if (price.reason.empty()) {
         double effect = 0;
@@ -118,7 +120,7 @@ std::vector<results::FeaturePrice> price_features(const Start& start, const std:
           effect = core::worst(apart(with.states[k], without.states[k], unit), effect);
         price.effect = effect;
         const Timed on{setting.engine,
-                       {.dt = pick.dt, .integrator = setting.scheme.name, .tolerance = pick.tolerance},
+                       {.dt = pick.dt, .integrator = setting.integrator.name, .tolerance = pick.tolerance},
                        pick.steps};
         Timed off = on;
         off.engine = feature.engine;
@@ -132,8 +134,8 @@ std::vector<results::FeaturePrice> price_features(const Start& start, const std:
           improve(best_on, time_once(on, scenario.scene, guess, limits));
           improve(best_off, time_once(off, feature.scene, guess, limits));
         }
-        if (best_on) price.with_cost = cost(*best_on, setting.scheme.adaptive, scenario.duration);
-        if (best_off) price.without_cost = cost(*best_off, setting.scheme.adaptive, scenario.duration);
+        if (best_on) price.with_cost = cost(*best_on, setting.integrator.adaptive, scenario.duration);
+        if (best_off) price.without_cost = cost(*best_off, setting.integrator.adaptive, scenario.duration);
       }
       prices.push_back(std::move(price));
     }

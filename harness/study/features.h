@@ -14,7 +14,7 @@ namespace cylon::study {
 struct Feature {
   std::string name;              ///< "friction"
   process::EngineChoice engine;  ///< That runs without it.
-  core::Scheme scheme;
+  core::Integrator integrator;
   core::Scene scene;  ///< Without it.
 };
 

@@ -19,7 +19,7 @@ constexpr double any_number = 1e300;
 constexpr double oscillates =
     1e9;  // of amplitudes of 1 m and below: an engine may stop growth at its own bound
 
-// Largest energy in the last quarter of a run over that in the first: a scheme that is stable turns within a
+// Largest energy in the last quarter of a run over that in the first: an integrator that is stable turns within a
 // few steps through all that its invariant ellipse holds, so the two agree; one that is not grows.
 std::optional<std::string> grown(const Recording& r,
                                  const std::function<double(const core::State&)>& energy) {
@@ -53,7 +53,7 @@ Probed spring_probe(const Runner& run, double w_dt) {
 }
 
 // Two equal bodies on a spring of 1 m: w^2 = 2 k/m.  A small amplitude, so that it stays linear where
-// a stable scheme's ellipse is long.
+// a stable integrator's ellipse is long.
 Probed stiffness_probe(const Runner& run, double k_dt2_over_m) {
   constexpr double amplitude = 1e-3, rest = 1;
   Scene scene = lone_ball({-rest / 2 - amplitude / 2, 0, 0}, Vector3::Zero());

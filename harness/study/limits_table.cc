@@ -13,14 +13,14 @@ using Theory = std::optional<double>;
 using Name = std::string_view;
 
 Theory nothing(Name, Name) { return std::nullopt; }
-Theory oscillation(Name, Name scheme) { return stable_oscillation(scheme); }
+Theory oscillation(Name, Name integrator) { return stable_oscillation(integrator); }
 // Two equal masses: (w dt)^2 = 2 k dt^2/m.
-Theory stiffness(Name, Name scheme) {
-  const Theory h = stable_oscillation(scheme);
+Theory stiffness(Name, Name integrator) {
+  const Theory h = stable_oscillation(integrator);
   return h ? Theory(*h * *h / 2) : std::nullopt;
 }
-Theory damping(Name, Name scheme) { return stable_damping(scheme); }
-Theory spring_run(Name, Name scheme) { return steps_until(scheme, 0.1, 0.5); }
+Theory damping(Name, Name integrator) { return stable_damping(integrator); }
+Theory spring_run(Name, Name integrator) { return steps_until(integrator, 0.1, 0.5); }
 
 // Bullet cuts a turn of more than pi/4 a step to 2 atan((x/(pi/4)) tan(pi/8)) (btTransformUtil); the turn at
 // which that is a hundredth of x, or of a radian, too little.

@@ -16,7 +16,7 @@ using Eigen::Vector2d;
 // ---- Explicit Runge-Kutta: R(z) = sum c_k z^k --------------------------------------------------------
 // p = s = 1 and 4: c_k = 1/k! (Hairer, Wanner, Solving ODEs II, IV.2).
 struct Polynomial {
-  std::string_view scheme;
+  std::string_view integrator;
   std::array<double, 5> c;
 };
 constexpr std::array polynomials = {
@@ -27,7 +27,7 @@ constexpr std::array polynomials = {
 // ---- Splittings: kicks v -= b h x and drifts x += a h v, by turns -------------------------------------
 // Half of a palindrome, middle last; `kick`: the first part is one.
 struct Splitting {
-  std::string_view scheme;
+  std::string_view integrator;
   bool kick;
   std::vector<double> half;
   bool palindrome = true;
@@ -113,25 +113,25 @@ std::optional<double> first(const std::function<bool(double)>& grows) {
 
 }  // namespace
 
-std::optional<StepMatrix> step_matrix(std::string_view scheme) {
+std::optional<StepMatrix> step_matrix(std::string_view integrator) {
   for (const Polynomial& p : polynomials)
-    if (p.scheme == scheme) return [&p](double h) { return power_series(p.c, h); };
+    if (p.integrator == integrator) return [&p](double h) { return power_series(p.c, h); };
   for (const Splitting& s : splittings())
-    if (s.scheme == scheme) return [&s](double h) { return product(s, h); };
+    if (s.integrator == integrator) return [&s](double h) { return product(s, h); };
   return std::nullopt;
 }
 
-std::optional<double> stable_oscillation(std::string_view scheme) {
-  const auto matrix = step_matrix(scheme);
+std::optional<double> stable_oscillation(std::string_view integrator) {
+  const auto matrix = step_matrix(integrator);
   if (!matrix) return std::nullopt;
   constexpr double rounding = 1e-12;
   return first([&](double h) { return radius((*matrix)(h)) > 1 + rounding; });
 }
 
-std::optional<double> stable_damping(std::string_view scheme) {
-  if (scheme == "semi-implicit-euler") return 2;  // the drag is a force before the step: v' = (1 - x) v
+std::optional<double> stable_damping(std::string_view integrator) {
+  if (integrator == "semi-implicit-euler") return 2;  // the drag is a force before the step: v' = (1 - x) v
   for (const Polynomial& p : polynomials)
-    if (p.scheme == scheme)
+    if (p.integrator == integrator)
       return first([&](double x) {
         double r = 0;
         for (std::size_t k = p.c.size(); k-- > 0;) r = r * -x + p.c[k];
@@ -140,8 +140,8 @@ std::optional<double> stable_damping(std::string_view scheme) {
   return std::nullopt;
 }
 
-std::optional<double> steps_until(std::string_view scheme, double h, double distance) {
-  const auto matrix = step_matrix(scheme);
+std::optional<double> steps_until(std::string_view integrator, double h, double distance) {
+  const auto matrix = step_matrix(integrator);
   if (!matrix) return std::nullopt;
   const Matrix2d m = (*matrix)(h);
   Vector2d made(1, 0);

@@ -43,7 +43,7 @@ const BodyState& end(const Recording& r) { return r.states.back().front(); }
 
 // ---- Free fall ---------------------------------------------------------------------------------------
 // n steps of dt: explicit Euler ends g T dt/2 too high, semi-implicit Euler as much too low, k sub-steps a
-// k-th of it, schemes of second order and above exactly.
+// k-th of it, integrators of second order and above exactly.
 Finding fall(const Runner& run) {
   constexpr double dt = 1.0 / 64, T = 1;
   Scene scene = ball({0, 10, 0}, {0.3, 1.1, -0.4});
@@ -53,16 +53,16 @@ Finding fall(const Runner& run) {
   const std::string evidence = fmt::format("final offset from the parabola: {:+.4f} g T dt", residual);
   if (std::abs(residual) < 1e-3) return {"second order or better", evidence};
   const double k = 1 / (2 * std::abs(residual));
-  const std::string scheme = residual > 0 ? "explicit Euler" : "semi-implicit Euler";
-  if (std::abs(k - 1) < 0.01) return {scheme, evidence};
+  const std::string integrator = residual > 0 ? "explicit Euler" : "semi-implicit Euler";
+  if (std::abs(k - 1) < 0.01) return {integrator, evidence};
   if (k > 1 && std::abs(k - std::round(k)) < 0.02 * k)
-    return {fmt::format("{} with {:.0f} sub-steps", scheme, k), evidence};
+    return {fmt::format("{} with {:.0f} sub-steps", integrator, k), evidence};
   return {"first order, not an Euler integrator", evidence};
 }
 
 // ---- A spring --------------------------------------------------------------------------------------
 // Order from the error at dt, dt/2, dt/4; where energy goes from its largest error in the first and the
-// second half: a symplectic scheme keeps it within a band.
+// second half: a symplectic integrator keeps it within a band.
 Finding spring(const Runner& run) {
   constexpr double k = 100, T = 2;
   const double w = std::sqrt(k);

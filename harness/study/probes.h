@@ -1,4 +1,4 @@
-// What an engine really does, found out by small scenes and told apart by what theory says each scheme leaves
+// What an engine really does, found out by small scenes and told apart by what theory says each integrator leaves
 // behind; nothing that the engine says of itself is read.
 #pragma once
 

@@ -29,12 +29,6 @@ process::RunOutcome record(const process::EngineChoice& engine, const core::Scen
   return process::run(engine, request, limits);
 }
 
-bool controls_its_error(const Recording& recording) {
-  return std::any_of(
-      recording.engine.schemes.begin(), recording.engine.schemes.end(),
-      [&](const core::Scheme& s) { return s.name == recording.terms.integrator && s.adaptive; });
-}
-
 bool is_event(const Claim& claim) { return claim.observable.quantity == core::Quantity::event; }
 
 double largest(const core::Series& series) {
@@ -76,10 +70,13 @@ ClaimProfile profile_of(const Claim& claim, const Scenario& scenario, std::span<
   ClaimProfile result{.claim = claim.label, .unit = core::unit(claim)};
   const auto needed = static_cast<std::size_t>(core::runs_needed(claim));
   if (recordings.size() < needed) return result;
-  result.error = core::measure(claim, scenario.scene, recordings.first(needed), scenario.duration).value;
+  const core::Reading reading = core::read(claim, scenario.scene, recording, scenario.duration);
+  result.error =
+      core::measure(claim, scenario.scene, recordings.first(needed), scenario.duration, reading).value;
   result.floor = floor_of(claim, scenario, recording);
-  if (recordings.size() < 2 || is_event(claim) || controls_its_error(recording)) return result;
-  const double coarse = largest(core::deviation(claim, scenario.scene, recording));
+  if (recordings.size() < 2 || is_event(claim) || core::controls_its_error(recording.engine, recording.terms))
+    return result;
+  const double coarse = largest(reading.series);
   const double fine = largest(core::deviation(claim, scenario.scene, recordings[1]));
   if (std::min(coarse, fine) > 10 * result.floor) result.order = std::log2(coarse / fine);
   return result;

@@ -30,11 +30,6 @@ process::RunOutcome repeat(const process::EngineChoice& engine, const core::Scen
   return process::run(engine, request, limits);
 }
 
-bool controls_its_error(const process::RunOutcome& outcome) {
-  return std::any_of(outcome.engine.schemes.begin(), outcome.engine.schemes.end(),
-                     [&](const core::Scheme& s) { return s.name == outcome.terms.integrator && s.adaptive; });
-}
-
 bool in_path(const char* program) {
   const char* path = std::getenv("PATH");
   std::istringstream folders(path ? path : "/usr/bin:/bin");
@@ -92,7 +87,7 @@ Planned plan_samples(const process::EngineChoice& engine, const core::Scene& sce
   for (int trial = 0; trial < 4; ++trial) {  // a run may cost more at its start than later
     const process::RunOutcome outcome = repeat(engine, scene, dt, plan.steps, 3, limits);
     if (outcome.status != results::Status::pass) return {std::nullopt, failure_of(outcome)};
-    plan.with_load = controls_its_error(outcome);
+    plan.with_load = core::controls_its_error(outcome.engine, outcome.terms);
     run_seconds = least_of(outcome.repetitions, 1, plan.with_load);
     if (run_seconds <= 1.5 * rule.most_seconds || plan.steps == 1) break;
     plan.steps = std::max<std::int64_t>(

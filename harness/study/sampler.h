@@ -43,7 +43,7 @@ struct SamplePlan {
   std::int64_t of = 0;     ///< Steps of the whole scenario.
   int runs = 1;            ///< In each repetition.
   int repetitions = 8;
-  bool with_load = false;  ///< The scheme controls its error, and may solve while it loads.
+  bool with_load = false;  ///< The integrator controls its error, and may solve while it loads.
 
   std::string says() const;  ///< "5000 steps, the least of 8 times 3 runs"
 };

@@ -7,7 +7,7 @@
 
 namespace cylon::study {
 
-/// The in-house engine's error-controlled scheme at its finest, where the scenario follows no truth and
+/// The in-house engine's error-controlled integrator at its finest, where the scenario follows no truth and
 /// nothing may touch (an impact magnifies, and a pile is chaos); nothing where the run fails or the engine
 /// says that it could not keep the tolerance.
 std::optional<Reference> self_reference(const scenario::Scenario&, std::int64_t samples,

@@ -147,7 +147,7 @@ void tumbling_brick(const Engines& engines, std::vector<Reproduction>& rows) {
 
 // ---- MuJoCo's free boxes ---------------------------------------------------------------------------------
 // engine_forward_test.cc, FreeBodyConservation: half sizes 0.1 0.2 0.3 m, 1 kg, w (1, 2, 3) rad/s, dt 0.01 s,
-// 500 steps; a comment gives E/E0 of the scheme that takes the gyroscopic torque explicitly in body axes.
+// 500 steps; a comment gives E/E0 of the integrator that takes the gyroscopic torque explicitly in body axes.
 void free_box(std::vector<Reproduction>& rows) {
   constexpr const char* source = "MuJoCo, FreeBodyConservation";
   const Vector3 moments = Vector3(0.04 + 0.09, 0.01 + 0.09, 0.01 + 0.04) / 3, w0(1, 2, 3);

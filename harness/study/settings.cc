@@ -73,18 +73,18 @@ std::vector<Setting> settings(const scenario::Scenario& scenario, std::span<cons
     for (const process::EngineRow& row : rows) ids.emplace_back(row.id, false);
 
   std::vector<Setting> result;
-  std::vector<std::string> schemes;
+  std::vector<std::string> integrators;
   const auto add = [&](const std::string& id, const core::Engine& engine, bool asked) {
     const process::EngineChoice choice = process::parse_engine(id, rows);
     bool any_fixed = false;
-    if (engine.schemes.empty()) result.push_back({choice, {}, true, asked});
-    for (const core::Scheme& scheme : engine.schemes) {
-      schemes.push_back(scheme.name);
-      const bool first_fixed = !scheme.adaptive && !any_fixed;
-      any_fixed |= !scheme.adaptive;
-      if (choice.integrator.empty() ? matches(request.integrators, scheme.name)
-                                    : scheme.name == choice.integrator)
-        result.push_back({choice, scheme, first_fixed, asked});
+    if (engine.integrators.empty()) result.push_back({choice, {}, true, asked});
+    for (const core::Integrator& integrator : engine.integrators) {
+      integrators.push_back(integrator.name);
+      const bool first_fixed = !integrator.adaptive && !any_fixed;
+      any_fixed |= !integrator.adaptive;
+      if (choice.integrator.empty() ? matches(request.integrators, integrator.name)
+                                    : integrator.name == choice.integrator)
+        result.push_back({choice, integrator, first_fixed, asked});
     }
   };
   for (const auto& [id, asked] : ids) {
@@ -99,13 +99,13 @@ std::vector<Setting> settings(const scenario::Scenario& scenario, std::span<cons
     }
   }
   for (const std::string& word : request.integrators)
-    if (!is_glob(word) && !schemes.empty() &&
-        std::find(schemes.begin(), schemes.end(), word) == schemes.end()) {
-      std::sort(schemes.begin(), schemes.end());
-      schemes.erase(std::unique(schemes.begin(), schemes.end()), schemes.end());
+    if (!is_glob(word) && !integrators.empty() &&
+        std::find(integrators.begin(), integrators.end(), word) == integrators.end()) {
+      std::sort(integrators.begin(), integrators.end());
+      integrators.erase(std::unique(integrators.begin(), integrators.end()), integrators.end());
       throw core::InputError(
           fmt::format("--integrator '{}': none of these engines has it{} (integrators: {})", word,
-                      core::did_you_mean(word, schemes), fmt::join(schemes, ", ")));
+                      core::did_you_mean(word, integrators), fmt::join(integrators, ", ")));
     }
   return result;
 }

@@ -1,4 +1,4 @@
-// Which engines, variants and schemes a scenario is tried with.
+// Which engines, variants and integrators a scenario is tried with.
 #pragma once
 
 #include "harness/study/sweep.h"
@@ -12,13 +12,13 @@ namespace cylon::study {
 struct SettingsRequest {
   std::vector<std::string> engines;      ///< Globs over the rows, or ids with variants; none: all, with those
                                          ///< variants that matter to the scene.
-  std::vector<std::string> integrators;  ///< Globs over the schemes; none: all.
+  std::vector<std::string> integrators;  ///< Globs over the integrators; none: all.
 };
 
-/// Engine by engine, variant by variant, scheme by scheme.  Where nothing is asked for: every row; of engines
+/// Engine by engine, variant by variant, integrator by integrator.  Where nothing is asked for: every row; of engines
 /// in double precision also every value of `gyro` and `rotation` that is not the engine's own, where a body
 /// turns, and the path "stepping" where something touches.  An engine that cannot be started has one setting
-/// without a scheme.  Throws core::InputError for unknown words, process::Interrupted.
+/// without an integrator.  Throws core::InputError for unknown words, process::Interrupted.
 std::vector<Setting> settings(const scenario::Scenario&, std::span<const process::EngineRow>,
                               const SettingsRequest&);
 

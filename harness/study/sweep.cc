@@ -61,7 +61,7 @@ std::string label(const TradeSeries& series) {
 Ran measure_run(const Setting& setting, const scenario::Scenario& scenario, const Yardstick& yardstick,
                 std::int64_t steps, double tolerance, const process::Limits& limits) {
   process::RunRequest request = yardstick.request(steps);
-  request.setup.integrator = setting.scheme.name;
+  request.setup.integrator = setting.integrator.name;
   request.setup.tolerance = tolerance;
   const process::RunOutcome outcome = process::run(setting.engine, request, limits);
   Ran ran;
@@ -97,7 +97,7 @@ results::TradeTable sweep_errors(const scenario::Scenario& scenario, const Yards
   table.by = options.by.value_or(yardstick.principal());
   table.series.resize(settings.size());
   std::vector<char> impossible(settings.size(), 0);
-  // Samples of a scheme that controls its error: enough to show its path, at the steps of the ladder.
+  // Samples of an integrator that controls its error: enough to show its path, at the steps of the ladder.
   constexpr std::int64_t enough = 1024;
   std::int64_t grid = ladder.samples;
   while (grid < enough && grid < ladder.steps.back()) grid *= 2;
@@ -106,8 +106,8 @@ results::TradeTable sweep_errors(const scenario::Scenario& scenario, const Yards
   in_parallel(settings.size(), options.workers, [&](std::size_t i) {
     const Setting& setting = settings[i];
     TradeSeries& series = table.series[i];
-    series.engine = setting.engine.id, series.integrator = setting.scheme.name;
-    series.adaptive = setting.scheme.adaptive;
+    series.engine = setting.engine.id, series.integrator = setting.integrator.name;
+    series.adaptive = setting.integrator.adaptive;
     const std::size_t rungs = series.adaptive ? options.tolerances.size() : ladder.steps.size();
     for (std::size_t k = 0; k < rungs; ++k) {
       const std::int64_t steps = series.adaptive ? grid : ladder.steps[k];

@@ -13,11 +13,11 @@
 
 namespace cylon::study {
 
-/// An engine with one of its schemes: what makes a series.
+/// An engine with one of its integrators: what makes a series.
 struct Setting {
   process::EngineChoice engine;  ///< With its integrator stated.
-  core::Scheme scheme;
-  bool first_fixed = false;  ///< It is the engine's first scheme of fixed steps.
+  core::Integrator integrator;
+  bool first_fixed = false;  ///< It is the engine's first integrator of fixed steps.
   bool asked = false;        ///< The user named it: what it cannot do is an error, not a row less.
 };
 
@@ -40,14 +40,14 @@ class Memory {
 };
 
 struct SweepOptions {
-  std::vector<double> tolerances;  ///< Of schemes that control their error, from coarse to fine.
+  std::vector<double> tolerances;  ///< Of integrators that control their error, from coarse to fine.
   std::optional<std::size_t> by;   ///< The measure that decides; the yardstick's principal one otherwise.
   int workers = 1;                 ///< Runs at one time, while errors are measured.
   int rounds = 3;                  ///< Of timing; 0: no times.
   process::Limits limits;
 };
 
-/// "in-house bm6", "bullet/gyro=none": engine and scheme as a table shows them.
+/// "in-house bm6", "bullet/gyro=none": engine and integrator as a table shows them.
 std::string label(const results::TradeSeries&);
 
 /// Called after each run, one at a time: the series, and whether it was a timing.
@@ -69,7 +69,7 @@ results::TradeTable sweep_errors(const scenario::Scenario&, const Yardstick&, co
 
 /// The times of all points that passed, one run at a time: round r of every point before round r + 1, each in
 /// a worker of its own whose first run only warms it; repetitions until 20 ms have passed, of which the least
-/// counts.  A scheme that controls its error may solve while it loads, so its load is part of its cost; of
+/// counts.  An integrator that controls its error may solve while it loads, so its load is part of its cost; of
 /// all others the steps alone are.
 void sweep_times(results::TradeTable&, const scenario::Scenario&, const std::vector<Setting>&,
                  const SweepOptions&, Memory&, const SweepStep&);

@@ -155,7 +155,7 @@ class Recorder {
                                cells.size());
     std::vector<process::RunOutcome> outcomes(todo.size());
     for (std::size_t i = 0; i < todo.size(); ++i)
-      todo[i].seen = [&outcomes, i](const process::RunOutcome& outcome) { outcomes[i] = outcome; };
+      todo[i].seen = [&outcomes, i](const process::RunOutcome& outcome, auto) { outcomes[i] = outcome; };
     std::size_t finished = 0;
     study::run(todo, {options_.jobs, limits_}, expectations_, [&](std::size_t i, const auto& rows) {
       add(todo[i], outcomes[i], rows);

@@ -18,13 +18,6 @@ constexpr double least_seconds = 1e-3;   // of what is timed at once: shorter ru
 constexpr double process_seconds = 0.1;  // that the repetitions of one process may take [s]
 constexpr int most_runs = 250, most_repetitions = 8;
 
-bool controls_its_error(const process::RunOutcome& outcome) {
-  const auto& schemes = outcome.engine.schemes;
-  return std::any_of(schemes.begin(), schemes.end(), [&](const core::Scheme& scheme) {
-    return scheme.name == outcome.terms.integrator && scheme.adaptive;
-  });
-}
-
 // The whole duration always, so that times of different days are times of the same work.
 study::SamplePlan plan_of(const study::Cell& cell, const process::RunOutcome& first) {
   const double run = std::max(first.recording->cpu_seconds, 1e-9);
@@ -35,7 +28,7 @@ study::SamplePlan plan_of(const study::Cell& cell, const process::RunOutcome& fi
   plan.runs = static_cast<int>(std::clamp(std::ceil(least_seconds / run), 1.0, double{most_runs}));
   plan.repetitions =
       static_cast<int>(std::clamp(process_seconds / (run * plan.runs), 1.0, double{most_repetitions}));
-  plan.with_load = controls_its_error(first);
+  plan.with_load = core::controls_its_error(first.engine, first.terms);
   return plan;
 }
 

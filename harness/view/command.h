@@ -10,7 +10,7 @@
 
 namespace cylon::view {
 
-/// An engine, a scheme and a step that run beside others.
+/// An engine, an integrator and a step that run beside others.
 struct LaneSpec {
   std::string engine;      ///< Id, with a variant after '/'.
   std::string integrator;  ///< "": the engine's default.

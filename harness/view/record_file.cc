@@ -65,12 +65,12 @@ double farthest(const Recorder& recorder) {
 }
 
 Json claim(const char* observable, const std::string& data, double absolute, const LaneSpec& spec) {
-  const std::string scheme =
+  const std::string integrator =
       spec.integrator.empty() ? spec.engine : fmt::format("{} ({})", spec.engine, spec.integrator);
   const std::string reason = fmt::format(
       "convention: {:g} of what moves; {} at a step of {} s repeats its own motion to rounding, and another "
       "engine shows here where it departs",
-      part, scheme, spec.dt_text);
+      part, integrator, spec.dt_text);
   return {{"follows", {{"file", data}}},
           {"observable", observable},
           {"tolerance", {{"absolute", absolute}, {"reason", reason}}}};

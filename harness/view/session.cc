@@ -30,7 +30,8 @@ std::vector<EngineInfo> available_engines(const std::vector<process::EngineRow>&
     try {
       const core::Engine engine = process::describe({row.id, row, row.path, "", {}}, limits);
       EngineInfo info{row.id, engine.version, {}};
-      for (const core::Scheme& scheme : engine.schemes) info.integrators.push_back(scheme.name);
+      for (const core::Integrator& integrator : engine.integrators)
+        info.integrators.push_back(integrator.name);
       engines.push_back(info);
     } catch (const process::Failure&) {
       continue;

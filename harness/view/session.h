@@ -42,7 +42,7 @@ struct PullNow {
 
 class Session {
  public:
-  /// Throws BadCommand where the first lane's engine, scheme or step is none.
+  /// Throws BadCommand where the first lane's engine, integrator or step is none.
   Session(scenario::Scenario, SessionOptions);
 
   /// Lets time pass: simulated time follows speed x seconds, and falls behind without haste where an engine

@@ -22,11 +22,11 @@ using core::Vector3;
 /// Room for a debug build with sanitizers on a machine under load.
 inline const process::Limits limits = {60, 120, std::size_t{4} << 30};
 
-/// An engine under test, and what may be expected of its arithmetic and of its scheme.
+/// An engine under test, and what may be expected of its arithmetic and of its integrator.
 struct Subject {
   const char* id;
   bool single = false;     ///< State in single precision.
-  int order = 1;           ///< Of the scheme in smooth motion.
+  int order = 1;           ///< Of the integrator in smooth motion.
   bool reduced = false;    ///< Joints by reduced coordinates: no gap by construction.
   bool iterative = false;  ///< Joints by sweeps that stop before they have converged.
   int start_units = 8;     ///< Roundings, in units, of a state on its way in and out.

@@ -143,7 +143,7 @@ TEST_P(Forces, DriveHasCorrectPhase) {
 }
 
 // Springs between bodies: forces are equal and opposite, so momentum stays to a hundred roundings; and on one
-// line, so angular momentum stays as well as the scheme keeps it.
+// line, so angular momentum stays as well as the integrator keeps it.
 TEST_P(Forces, SpringsKeepBothMomenta) {
   core::Scene scene = three_bodies(53);
   scene.forces = {core::Spring{0, anchor, 1, to_anchor, 17.0, 0.4, 1.9},

@@ -68,7 +68,7 @@ TEST(Setup, TimeRunsForward) {
       EXPECT_THROW(last(subject.choice(), scene, dt, 1), core::InputError) << subject.id << ", dt = " << dt;
 }
 
-// What an engine offers it also takes: every path, scheme and option of every worker, with each of its
+// What an engine offers it also takes: every path, integrator and option of every worker, with each of its
 // values.
 TEST(Setup, EverythingOfferedIsTaken) {
   const core::Scene scene = three_bodies(72);
@@ -84,10 +84,10 @@ TEST(Setup, EverythingOfferedIsTaken) {
       choice.path = path.name;
       takes(choice, path.name);
     }
-    for (const core::Scheme& scheme : engine.schemes) {
+    for (const core::Integrator& integrator : engine.integrators) {
       process::EngineChoice choice = plain;
-      choice.integrator = scheme.name;
-      takes(choice, scheme.name);
+      choice.integrator = integrator.name;
+      takes(choice, integrator.name);
     }
     for (const core::Option& option : engine.options)
       for (const std::string& value : option.values) {

@@ -26,7 +26,7 @@ study::Limit measured(const study::Family& row, const std::string& id,
 }
 
 struct Row {
-  const char *family, *engine, *name, *scheme;
+  const char *family, *engine, *name, *integrator;
 };
 
 // Wherever theory has a number; 1 %: find_limit gives half of it.
@@ -60,7 +60,7 @@ TEST(Limits, WithinOnePercentOfTheory) {
   for (const Row& row : table) {
     SCOPED_TRACE(std::string(row.family) + " on " + row.engine);
     const study::Family& f = family(row.family);
-    const auto theory = f.theory(row.name, row.scheme);
+    const auto theory = f.theory(row.name, row.integrator);
     ASSERT_TRUE(theory && *theory > 0 && std::isfinite(*theory));
     const study::Limit limit = measured(f, row.engine, theory);
     EXPECT_EQ(limit.kind, study::Limit::Kind::found);

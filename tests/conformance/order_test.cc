@@ -1,4 +1,4 @@
-// The observed order of the in-house engine's schemes on scenes with exact solutions, over the worker path:
+// The observed order of the in-house engine's integrators on scenes with exact solutions, over the worker path:
 // the slope of log(error) over log(dt) at dt, dt/2, dt/4.  Horizons and steps are such that the leading term
 // of the error outweighs the next by thirty times or more and the smallest error stands above rounding.
 #include "tests/conformance/fixture.h"
@@ -22,14 +22,14 @@ struct Row {
   const char* scenario;
   core::Quantity quantity;
   double horizon;  // [s]
-  const char* scheme;
+  const char* integrator;
   double dt;  // [s], the largest of three
   int order;
 };
-void PrintTo(const Row& row, std::ostream* out) { *out << row.scenario << " by " << row.scheme; }
+void PrintTo(const Row& row, std::ostream* out) { *out << row.scenario << " by " << row.integrator; }
 
-std::string test_name(const std::string& scenario, const std::string& scheme) {
-  std::string name = scenario + "_by_" + scheme;
+std::string test_name(const std::string& scenario, const std::string& integrator) {
+  std::string name = scenario + "_by_" + integrator;
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 }
@@ -42,7 +42,7 @@ scenario::Scenario cut(const std::string& name, core::Quantity quantity, core::R
   return scenario;
 }
 
-std::string by(const std::string& scheme) { return "in-house/integrator=" + scheme; }
+std::string by(const std::string& integrator) { return "in-house/integrator=" + integrator; }
 
 using enum core::Quantity;
 
@@ -75,7 +75,7 @@ class Order : public testing::TestWithParam<Row> {};
 TEST_P(Order, IsTheDeclaredOne) {
   const Row& row = GetParam();
   const auto scenario = cut(row.scenario, row.quantity, core::Reduction::order, row.horizon);
-  const results::Verdict verdict = conformance::verdict(scenario, by(row.scheme), row.dt);
+  const results::Verdict verdict = conformance::verdict(scenario, by(row.integrator), row.dt);
   // measure() takes the slope only above the rounding floor, and says so.
   ASSERT_TRUE(verdict.detail.starts_with("observed order")) << verdict.detail;
   EXPECT_TRUE(verdict.detail.ends_with("declared " + std::to_string(row.order))) << verdict.detail;
@@ -84,18 +84,18 @@ TEST_P(Order, IsTheDeclaredOne) {
 }
 
 INSTANTIATE_TEST_SUITE_P(InHouse, Order, testing::ValuesIn(smooth),
-                         [](const auto& row) { return test_name(row.param.scenario, row.param.scheme); });
+                         [](const auto& row) { return test_name(row.param.scenario, row.param.integrator); });
 
-// Where a scheme is exact there is no slope, only rounding, at any step.
+// Where an integrator is exact there is no slope, only rounding, at any step.
 struct Exact {
   const char* scenario;
   core::Quantity quantity;
   double horizon;  // [s]
-  const char* scheme;
+  const char* integrator;
   double dt;        // [s]
   double rounding;  // [unit]
 };
-void PrintTo(const Exact& row, std::ostream* out) { *out << row.scenario << " by " << row.scheme; }
+void PrintTo(const Exact& row, std::ostream* out) { *out << row.scenario << " by " << row.integrator; }
 
 const Exact exact[] = {
     // A parabola is what both integrate without error; a few eps of 4 m.
@@ -111,13 +111,13 @@ class Exactness : public testing::TestWithParam<Exact> {};
 TEST_P(Exactness, LeavesRoundingOnly) {
   const Exact& row = GetParam();
   const auto scenario = cut(row.scenario, row.quantity, core::Reduction::max, row.horizon);
-  EXPECT_LE(verdict(scenario, by(row.scheme), row.dt).measured, row.rounding);
+  EXPECT_LE(verdict(scenario, by(row.integrator), row.dt).measured, row.rounding);
   // The scene is no trivial one: explicit Euler fails it by far.
   EXPECT_GT(verdict(scenario, by("explicit-euler"), row.dt).measured, 1e6 * row.rounding);
 }
 
 INSTANTIATE_TEST_SUITE_P(InHouse, Exactness, testing::ValuesIn(exact),
-                         [](const auto& row) { return test_name(row.param.scenario, row.param.scheme); });
+                         [](const auto& row) { return test_name(row.param.scenario, row.param.integrator); });
 
 // Negative control: the same runs with the declared order raised by one are called broken.
 TEST(OrderMeasure, DetectsFalselyDeclaredOrder) {

@@ -1,5 +1,5 @@
-// Tolerances from theory, end to end: one claim C_p dt^p T with constants by order judges every scheme of the
-// in-house engine, value and order.  Each constant is the leading term of its scheme's error, so what is
+// Tolerances from theory, end to end: one claim C_p dt^p T with constants by order judges every integrator of the
+// in-house engine, value and order.  Each constant is the leading term of its integrator's error, so what is
 // measured comes close to what is allowed; with half the constant the same run fails.
 #include "tests/conformance/fixture.h"
 
@@ -18,7 +18,7 @@ using std::numbers::pi;
 
 // ---- Scenes --------------------------------------------------------------------------------------
 
-// Thrown upward: x(t) is a parabola.  Euler's schemes err by g T dt/2 at any step; order 2 and up is exact.
+// Thrown upward: x(t) is a parabola.  Euler's integrators err by g T dt/2 at any step; order 2 and up is exact.
 scenario::Scenario projectile(const std::string& tolerance) {
   return scenario::parse(fmt::format(R"(
 title = "Thrown"
@@ -94,13 +94,13 @@ tolerance = {}
 struct Row {
   const char* what;
   scenario::Scenario (*scene)(const std::string& tolerance);
-  const char* scheme;
+  const char* integrator;
   int order;
   double constant;  // of theory
   double steps;     // over the duration
-  double least;     // measured / allowed comes at least so close; 0: the scheme is exact here
+  double least;     // measured / allowed comes at least so close; 0: the integrator is exact here
 };
-void PrintTo(const Row& row, std::ostream* out) { *out << row.what << " by " << row.scheme; }
+void PrintTo(const Row& row, std::ostream* out) { *out << row.what << " by " << row.integrator; }
 
 const Row rows[] = {
     // v is late or early by g dt, on the average half of it: |error| = g t dt/2.
@@ -138,7 +138,7 @@ class Theory : public testing::TestWithParam<Row> {};
 
 TEST_P(Theory, BoundsTheErrorClosely) {
   const Row& row = GetParam();
-  const std::string engine_id = std::string("in-house/integrator=") + row.scheme;
+  const std::string engine_id = std::string("in-house/integrator=") + row.integrator;
   const results::Verdict whole = judged(row, 1.02, engine_id);  // two hundredths for the terms that follow
   EXPECT_EQ(results::name(whole.status), "pass")
       << whole.measured << " of " << whole.allowed << "; " << whole.detail;
@@ -153,14 +153,14 @@ TEST_P(Theory, BoundsTheErrorClosely) {
 }
 
 INSTANTIATE_TEST_SUITE_P(InHouse, Theory, testing::ValuesIn(rows), [](const auto& row) {
-  std::string name = std::string(row.param.what) + "_" + row.param.scheme;
+  std::string name = std::string(row.param.what) + "_" + row.param.integrator;
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 });
 
-// One claim for all: each scheme is held to the constant of its own order, or of the highest below; a scheme
+// One claim for all: each integrator is held to the constant of its own order, or of the highest below; an integrator
 // that chooses its own steps to the last, by its value alone.
-TEST(TheoryClaim, ServesSchemesOfDifferentOrders) {
+TEST(TheoryClaim, ServesIntegratorsOfDifferentOrders) {
   const auto scenario =
       spring(fmt::format("{{ order = true, constants = {{ 1 = {:.17g}, 2 = {:.17g}, 4 = {:.17g} }}, reason = "
                          "\"truncation: theory\" }}",
@@ -185,7 +185,7 @@ TEST(TheoryClaim, ServesSchemesOfDifferentOrders) {
   }
 }
 
-// A claim that knows high orders alone says nothing good of a scheme of low order.
+// A claim that knows high orders alone says nothing good of an integrator of low order.
 TEST(TheoryClaim, NoConstantForOrderFails) {
   const auto scenario = spring("{ order = true, constants = { 4 = 1.0 }, reason = \"truncation: theory\" }");
   const results::Verdict verdict =

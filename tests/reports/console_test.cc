@@ -83,7 +83,7 @@ TEST(Matrix, MarksCellsThatDiffer) {
   EXPECT_TRUE(contains(legend(fold({v}), plain), "! differs from expected"));
 }
 
-TEST(Matrix, SeveralStepsAndSchemesGetRowsAndColumnsOfTheirOwn) {
+TEST(Matrix, SeveralStepsAndIntegratorsGetRowsAndColumnsOfTheirOwn) {
   Verdict a = make("top", "in-house", Status::pass), b = a, c = a;
   a.integrator = b.integrator = "rk4";
   b.dt_text = "1/240";
@@ -94,7 +94,7 @@ TEST(Matrix, SeveralStepsAndSchemesGetRowsAndColumnsOfTheirOwn) {
   EXPECT_TRUE(matrix.cells[1][1].empty);
 }
 
-// It cannot name the scheme that it would have run.
+// It cannot name the integrator that it would have run.
 TEST(Matrix, UnsupportedSceneAddsNoColumn) {
   Verdict v = make("rocket", "bullet", Status::unsupported);
   v.integrator = "";

@@ -1,5 +1,5 @@
 // The picture that is known of these engines: Bullet and ODE are of first order everywhere, the in-house
-// schemes of the order that each declares, and neither Bullet nor ODE follows Dzhanibekov's nut.
+// integrators of the order that each declares, and neither Bullet nor ODE follows Dzhanibekov's nut.
 #include "tests/harness/cli/fixture.h"
 
 #include <nlohmann/json.hpp>
@@ -27,7 +27,7 @@ class Picture : public CommandLine {
 };
 
 // The last halvings of a ladder: the terms of the next order still move the slope by some hundredths;
-// the eighth-order scheme is better than it declares before its floor.
+// the eighth-order integrator is better than it declares before its floor.
 TEST_F(Picture, EveryEngineHasTheOrderThatItDeclares) {
   int fixed = 0;
   for (const auto& s : series("spring_orbit --work 65536 --engine in-house --engine bullet --engine ode")) {

@@ -61,11 +61,18 @@ Claim momentum_is_kept() {
   return claim;
 }
 
+Trace traced(const Scene& scene, const std::vector<Claim>& claims, const Recording& recording,
+             const TraceLimits& limits = {}) {
+  std::vector<Reading> readings;
+  for (const Claim& claim : claims) readings.push_back(read(claim, scene, recording, duration));
+  return trace(scene, claims, readings, recording, limits);
+}
+
 TEST(Trace, KeepsBothEndsAndNoMoreThanAsked) {
   const Scene scene = thrown();
   const Recording recording = run(scene, -1);
   for (const std::size_t most : {2u, 7u, 300u, 5000u}) {
-    const Trace got = trace(scene, {}, duration, recording, {.frames = most, .points = most});
+    const Trace got = traced(scene, {}, recording, {.frames = most, .points = most});
     const std::size_t n = std::min<std::size_t>(most, recording.steps.size());
     ASSERT_EQ(got.motion.time.size(), n);
     EXPECT_EQ(got.motion.states.size(), n);
@@ -81,7 +88,7 @@ TEST(Trace, ManyBodiesGetFewerFrames) {
   Scene scene = thrown();
   scene.bodies.resize(40, scene.bodies[0]);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) scene.bodies[i].name += std::to_string(i);
-  const Trace got = trace(scene, {}, duration, run(scene, -1), {.frames_bodies = 1000});
+  const Trace got = traced(scene, {}, run(scene, -1), {.frames_bodies = 1000});
   EXPECT_EQ(got.motion.states.size(), 25u);
 }
 
@@ -89,7 +96,7 @@ TEST(Trace, ManyBodiesGetFewerFrames) {
 TEST(Trace, ThinningKeepsSingleStepPeak) {
   const Scene scene = thrown();
   for (const std::int64_t peak : {1, 337, 1199}) {
-    const Trace got = trace(scene, {uniform_motion(scene)}, duration, run(scene, peak), {.points = 11});
+    const Trace got = traced(scene, {uniform_motion(scene)}, run(scene, peak), {.points = 11});
     ASSERT_EQ(got.errors.size(), 1u);
     const ErrorCurve& curve = got.errors[0];
     EXPECT_EQ(curve.value.size(), 11u);
@@ -107,7 +114,7 @@ TEST(Trace, ThinningKeepsSingleStepPeak) {
 
 TEST(Trace, NoViolationWithinTolerance) {
   const Scene scene = thrown();
-  const Trace got = trace(scene, {uniform_motion(scene), momentum_is_kept()}, duration, run(scene, -1));
+  const Trace got = traced(scene, {uniform_motion(scene), momentum_is_kept()}, run(scene, -1));
   ASSERT_EQ(got.errors.size(), 2u);
   for (const ErrorCurve& curve : got.errors) EXPECT_FALSE(curve.first_violation) << curve.claim;
 }
@@ -117,7 +124,7 @@ TEST(Trace, ANumberThatIsNotFiniteIsAViolation) {
   const Scene scene = thrown();
   Recording recording = run(scene, -1);
   for (std::size_t i = 700; i < recording.states.size(); ++i) recording.states[i][0].position.y() = NAN;
-  const Trace got = trace(scene, {uniform_motion(scene)}, duration, recording, {.points = 20});
+  const Trace got = traced(scene, {uniform_motion(scene)}, recording, {.points = 20});
   ASSERT_TRUE(got.errors[0].first_violation);
   EXPECT_EQ(got.errors[0].first_violation->step, 700);
   EXPECT_TRUE(std::isnan(got.errors[0].value.back()));
@@ -128,8 +135,8 @@ TEST(Trace, OnlyTheEndCountsForAClaimAboutTheEnd) {
   const Scene scene = thrown();
   Claim claim = uniform_motion(scene);
   claim.reduction = Reduction::end;
-  EXPECT_FALSE(trace(scene, {claim}, duration, run(scene, 337)).errors[0].first_violation);
-  const auto at_end = trace(scene, {claim}, duration, run(scene, 1200)).errors[0].first_violation;
+  EXPECT_FALSE(traced(scene, {claim}, run(scene, 337)).errors[0].first_violation);
+  const auto at_end = traced(scene, {claim}, run(scene, 1200)).errors[0].first_violation;
   ASSERT_TRUE(at_end);
   EXPECT_EQ(at_end->step, 1200);
 }
@@ -137,14 +144,14 @@ TEST(Trace, OnlyTheEndCountsForAClaimAboutTheEnd) {
 TEST(Trace, TruthIsSampledAtFrames) {
   const Scene scene = thrown();
   const Trace got =
-      trace(scene, {momentum_is_kept(), uniform_motion(scene)}, duration, run(scene, 337), {.frames = 33});
+      traced(scene, {momentum_is_kept(), uniform_motion(scene)}, run(scene, 337), {.frames = 33});
   ASSERT_TRUE(got.ghost);
   EXPECT_EQ(got.ghost->follows, "uniform_motion");
   EXPECT_EQ(got.ghost->source, "Newton's first law");
   ASSERT_EQ(got.ghost->motion.time, got.motion.time);
   for (std::size_t i = 0; i < got.motion.time.size(); ++i)
     EXPECT_DOUBLE_EQ(got.ghost->motion.states[i][0].position.x(), 0.5 + speed * got.motion.time[i]);
-  EXPECT_FALSE(trace(scene, {momentum_is_kept()}, duration, run(scene, 337)).ghost);
+  EXPECT_FALSE(traced(scene, {momentum_is_kept()}, run(scene, 337)).ghost);
 }
 
 // Beside a frame of another time the truth would seem to be off: recorded data are shown at frames of their
@@ -154,14 +161,13 @@ TEST(Trace, TruthFromRecordedDataIsAtItsTimes) {
   Claim recorded = uniform_motion(scene);
   recorded.follows = "data";
   recorded.truth->times = {0, 0.13, 2.71, 7.77, 12};
-  const Trace got = trace(scene, {recorded}, duration, run(scene, -1), {.frames = 40});
+  const Trace got = traced(scene, {recorded}, run(scene, -1), {.frames = 40});
   ASSERT_TRUE(got.ghost);
   EXPECT_EQ(got.ghost->motion.time.size(), 5u);
   EXPECT_LE(got.motion.time.size(), 40u);
   for (const double t : got.ghost->motion.time)
     EXPECT_NE(std::find(got.motion.time.begin(), got.motion.time.end(), t), got.motion.time.end()) << t;
-  const Trace both =
-      trace(scene, {recorded, uniform_motion(scene)}, duration, run(scene, -1), {.frames = 40});
+  const Trace both = traced(scene, {recorded, uniform_motion(scene)}, run(scene, -1), {.frames = 40});
   EXPECT_EQ(both.ghost->follows, "uniform_motion") << "one that is known at any time is preferred";
   EXPECT_EQ(both.ghost->motion.time, both.motion.time);
 }
@@ -171,7 +177,7 @@ TEST(Trace, TotalsAgreeWithScene) {
   const Scene scene = thrown();
   const Body& body = scene.bodies[0];
   const Vector3 p = body.mass * body.initial.velocity, L = body.initial.position.cross(p);
-  const Trace got = trace(scene, {}, duration, run(scene, -1));
+  const Trace got = traced(scene, {}, run(scene, -1));
   std::size_t vectors = 0;
   for (const TotalCurve& curve : got.totals) {
     if (curve.component.empty()) continue;
@@ -184,7 +190,7 @@ TEST(Trace, TotalsAgreeWithScene) {
 }
 
 TEST(Trace, EmptyRecordingGivesEmptyTrace) {
-  const Trace got = trace(thrown(), {uniform_motion(thrown())}, duration, Recording{});
+  const Trace got = traced(thrown(), {uniform_motion(thrown())}, Recording{});
   EXPECT_TRUE(got.motion.time.empty());
   EXPECT_FALSE(got.ghost);
   EXPECT_TRUE(got.errors[0].value.empty());

@@ -119,7 +119,7 @@ TEST(TradeReport, VariantWithIntegratorIsLabelledNormally) {
   t.series[0].engine = "in-house-float/integrator=rk4";
   EXPECT_EQ(trade_label(t, t.series[0]), "in-house-float rk4");
   t.series[0].engine = "bullet/gyro=none";
-  EXPECT_EQ(trade_label(t, t.series[0]), "bullet/gyro=none");  // it has one scheme in the table
+  EXPECT_EQ(trade_label(t, t.series[0]), "bullet/gyro=none");  // it has one integrator in the table
 }
 
 TEST(TradeReport, CheapestMeetsTheTarget) {

@@ -73,7 +73,7 @@ int run(const Context& context, Options options) {
       ++searched;
       if (context.progress)
         std::cerr << fmt::format("\r[{}/{}] {} {}\x1b[K", searched, settings.size(), setting.engine.id,
-                                 setting.scheme.name)
+                                 setting.integrator.name)
                   << std::flush;
     });
     if (!options.no_features)

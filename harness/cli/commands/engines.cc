@@ -24,7 +24,8 @@ struct Options {
 };
 
 ordered_json row(const process::EngineRow& row, const core::Engine& engine) {
-  ordered_json paths = ordered_json::array(), schemes = ordered_json::array(), knobs = ordered_json::array();
+  ordered_json paths = ordered_json::array(), integrators = ordered_json::array(),
+               knobs = ordered_json::array();
   for (const core::Path& path : engine.paths) {
     ordered_json settings = ordered_json::array();
     for (const core::Setting& s : path.settings)
@@ -35,8 +36,8 @@ ordered_json row(const process::EngineRow& row, const core::Engine& engine) {
                      {"settings", settings},
                      {"unforceable", path.unforceable}});
   }
-  for (const core::Scheme& s : engine.schemes)
-    schemes.push_back(
+  for (const core::Integrator& s : engine.integrators)
+    integrators.push_back(
         {{"name", s.name}, {"order", s.order}, {"conserves", s.conserves}, {"adaptive", s.adaptive}});
   for (const core::Option& o : engine.options)
     knobs.push_back({{"name", o.name},
@@ -50,7 +51,7 @@ ordered_json row(const process::EngineRow& row, const core::Engine& engine) {
           {"path", row.path},
           {"default_path_rule", engine.default_path_rule},
           {"paths", paths},
-          {"schemes", schemes},
+          {"schemes", integrators},
           {"options", knobs}};
 }
 
@@ -68,7 +69,7 @@ std::string text(const process::EngineRow& row, const core::Engine& engine) {
     for (const std::string& sentence : path.unforceable)
       out += fmt::format("    known limit: {}\n", sentence);
   }
-  for (const core::Scheme& s : engine.schemes)
+  for (const core::Integrator& s : engine.integrators)
     out += fmt::format("  integrator {}: order {}{}{}{}\n", s.name, s.order,
                        s.conserves.empty() ? "" : "; conserves ", s.conserves,
                        s.adaptive ? "; takes a tolerance" : "");

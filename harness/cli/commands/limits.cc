@@ -30,12 +30,12 @@ struct Options {
   double timeout = 60;
 };
 
-// One search: a family, or a scenario's step; on one engine and scheme.
+// One search: a family, or a scenario's step; on one engine and integrator.
 struct Task {
   const study::Family* family = nullptr;
   const scenario::Scenario* scenario = nullptr;
   process::EngineChoice engine;
-  std::string name, scheme;  // the engine's own
+  std::string name, integrator;  // the engine's own
 };
 
 struct Wanted {
@@ -73,7 +73,7 @@ Wanted wanted(const Context& context, const std::vector<std::string>& words) {
   return all;
 }
 
-// The engines asked for, each with each of its schemes that is asked for.
+// The engines asked for, each with each of its integrators that is asked for.
 std::vector<Task> entrants(const Context& context, const Options& options) {
   const auto rows = with_workers(context, options.workers);
   std::vector<std::string> ids;
@@ -85,42 +85,42 @@ std::vector<Task> entrants(const Context& context, const Options& options) {
       if (glob && scenario::glob_match(word, row.id)) ids.push_back(row.id);
   }
   std::vector<Task> all;
-  std::vector<std::string> schemes;
+  std::vector<std::string> integrators;
   for (const std::string& id : ids) {
     process::EngineChoice choice = process::parse_engine(id, rows);
     const core::Engine engine = process::describe(choice);
-    for (std::size_t i = 0; i < engine.schemes.size(); ++i) {
-      const std::string& scheme = engine.schemes[i].name;
-      schemes.push_back(scheme);
+    for (std::size_t i = 0; i < engine.integrators.size(); ++i) {
+      const std::string& integrator = engine.integrators[i].name;
+      integrators.push_back(integrator);
       const bool stated = !choice.integrator.empty();
       const bool taken =
-          stated ? choice.integrator == scheme
+          stated ? choice.integrator == integrator
           : options.integrators.empty()
               ? i == 0
               : std::any_of(options.integrators.begin(), options.integrators.end(),
-                            [&](const std::string& glob) { return scenario::glob_match(glob, scheme); });
+                            [&](const std::string& glob) { return scenario::glob_match(glob, integrator); });
       if (!taken) continue;
       Task task;
       task.engine = choice;
-      if (!stated && !options.integrators.empty()) task.engine.integrator = scheme;
-      task.name = engine.name, task.scheme = scheme;
+      if (!stated && !options.integrators.empty()) task.engine.integrator = integrator;
+      task.name = engine.name, task.integrator = integrator;
       all.push_back(task);
     }
   }
   for (const std::string& glob : options.integrators)
-    if (std::none_of(schemes.begin(), schemes.end(),
-                     [&](const std::string& scheme) { return scenario::glob_match(glob, scheme); }))
+    if (std::none_of(integrators.begin(), integrators.end(),
+                     [&](const std::string& integrator) { return scenario::glob_match(glob, integrator); }))
       throw core::InputError(
           fmt::format("--integrator '{}': none of these engines has it{} (integrators: {})", glob,
-                      core::did_you_mean(glob, schemes), fmt::join(schemes, ", ")));
+                      core::did_you_mean(glob, integrators), fmt::join(integrators, ", ")));
   return all;
 }
 
 LimitRow search_family(const Task& task, const process::Limits& limits) {
   const study::Family& family = *task.family;
-  LimitRow row{family.name, family.asks, family.unit, family.breaks, task.engine.id, task.scheme, "",
+  LimitRow row{family.name, family.asks, family.unit, family.breaks, task.engine.id, task.integrator, "",
                {},          0,           {}};
-  row.theory = family.theory(task.name, task.scheme);
+  row.theory = family.theory(task.name, task.integrator);
   const study::Runner runner = study::worker_runner(task.engine, limits);
   try {
     row.limit = study::limit_of(family, runner, row.theory);
@@ -139,7 +139,7 @@ LimitRow search_step(const Task& task, const process::Limits& limits) {
                "s",
                "a claim of the scenario fails",
                task.engine.id,
-               task.scheme,
+               task.integrator,
                "",
                {},
                0,
@@ -167,7 +167,7 @@ LimitRow search(const Task& task, const process::Limits& limits) {
     row.asks = task.family ? task.family->asks : "largest step";
     row.unit = task.family ? task.family->unit : "s";
     row.breaks = task.family ? task.family->breaks : "a claim of the scenario fails";
-    row.engine = task.engine.id, row.scheme = task.scheme;
+    row.engine = task.engine.id, row.integrator = task.integrator;
     row.unsupported = why.reason;
     return row;
   }

@@ -59,10 +59,10 @@ std::optional<double> LimitRow::ratio() const {
 }
 
 std::string limits_text(const std::vector<LimitRow>& rows, int) {
-  std::size_t wide = 6, scheme = 6;
+  std::size_t wide = 6, integrator = 10;
   for (const LimitRow& row : rows) {
     wide = std::max(wide, row.engine.size());
-    scheme = std::max(scheme, row.scheme.size());
+    integrator = std::max(integrator, row.integrator.size());
   }
   std::string out, family;
   for (const LimitRow& row : rows) {
@@ -70,14 +70,14 @@ std::string limits_text(const std::vector<LimitRow>& rows, int) {
       family = row.family;
       out += fmt::format("{}{}: {}{}; breaks: {}\n", out.empty() ? "" : "\n", row.family, row.asks,
                          row.unit.empty() ? "" : fmt::format(" [{}]", row.unit), row.breaks);
-      out += fmt::format("  {:<{}}  {:<{}}  {:<18} {:<24} {:<12} {:<7} {}\n", "engine", wide, "scheme",
-                         scheme, "limit", "holds … breaks", "theory", "ratio", "what broke");
+      out += fmt::format("  {:<{}}  {:<{}}  {:<18} {:<24} {:<12} {:<7} {}\n", "engine", wide, "integrator",
+                         integrator, "limit", "holds … breaks", "theory", "ratio", "what broke");
     }
     const bool bracket = row.unsupported.empty() && row.limit.kind == Kind::found;
     const auto ratio = row.ratio();
     // The ellipsis is one column and three bytes: fmt counts columns.
-    out += fmt::format("  {:<{}}  {:<{}}  {:<18} {:<24} {:<12} {:<7} {}\n", row.engine, wide, row.scheme,
-                       scheme, limit_text(row),
+    out += fmt::format("  {:<{}}  {:<{}}  {:<18} {:<24} {:<12} {:<7} {}\n", row.engine, wide, row.integrator,
+                       integrator, limit_text(row),
                        bracket ? fmt::format("{:.5g} … {:.5g}", row.limit.holds, row.limit.breaks) : "",
                        theory_text(row), ratio ? fmt::format("{:.4f}", *ratio) : "", remark(row));
   }
@@ -99,7 +99,7 @@ std::string limits_json(const std::vector<LimitRow>& rows) {
          {"unit", row.unit},
          {"breaks_when", row.breaks},
          {"engine", row.engine},
-         {"scheme", row.scheme},
+         {"scheme", row.integrator},
          {"kind", asked ? word(row.limit.kind) : "unsupported"},
          {"limit", asked && row.limit.kind == Kind::found ? ordered_json(row.value) : ordered_json()},
          {"holds", held ? ordered_json(row.limit.holds) : ordered_json()},
@@ -123,7 +123,7 @@ std::string limits_csv(const std::vector<LimitRow>& rows) {
     const bool asked = row.unsupported.empty();
     const Kind kind = row.limit.kind;
     out += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", quoted(row.family), quoted(row.engine),
-                       quoted(row.scheme), quoted(row.unit), asked ? word(kind) : "unsupported",
+                       quoted(row.integrator), quoted(row.unit), asked ? word(kind) : "unsupported",
                        asked && kind == Kind::found ? number(row.value) : "",
                        asked && kind != Kind::nowhere ? number(row.limit.holds) : "",
                        asked && kind != Kind::none ? number(row.limit.breaks) : "",

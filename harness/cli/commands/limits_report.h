@@ -9,9 +9,9 @@
 
 namespace cylon::cli {
 
-/// One family, or the step of one scenario, on one engine and scheme.
+/// One family, or the step of one scenario, on one engine and integrator.
 struct LimitRow {
-  std::string family, asks, unit, breaks, engine, scheme;
+  std::string family, asks, unit, breaks, engine, integrator;
   std::string unsupported;  ///< Why the engine cannot be asked; empty: it was.
   study::Limit limit;       ///< In the parameter's unit; of steps converted to seconds.
   double value = 0;

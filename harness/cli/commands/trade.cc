@@ -46,7 +46,7 @@ class Progress {
     ++(timing ? timings_ : runs_);
     if (on_)
       std::cerr << fmt::format("\r{}: {} runs, {} timings; {} {} at {}\x1b[K", scenario_, runs_, timings_,
-                               setting.engine.id, setting.scheme.name, point.dt_text)
+                               setting.engine.id, setting.integrator.name, point.dt_text)
                 << std::flush;
   }
 

@@ -75,7 +75,7 @@ std::string TradeJournal::key(const study::Setting& setting, std::int64_t steps,
   study::Cell cell;
   cell.scenario = scenario_;
   cell.engine = setting.engine;
-  return fmt::format("{} {} {} steps, {} samples, tolerance {}", cell_key(cell, ""), setting.scheme.name,
+  return fmt::format("{} {} {} steps, {} samples, tolerance {}", cell_key(cell, ""), setting.integrator.name,
                      steps, samples_, tolerance);
 }
 

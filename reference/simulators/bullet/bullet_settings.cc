@@ -175,7 +175,8 @@ core::Engine bullet_engine(std::string version, std::string precision) {
        with(always_multibody(), bounce_multibody), unforceable_multibody()},
   };
   engine.default_path_rule = "any restitution > 0 between a touching pair: rigid-bounce, else rigid";
-  engine.schemes = {{"semi-implicit-euler", 1, "linear momentum; symplectic without rotation and contact"}};
+  engine.integrators = {
+      {"semi-implicit-euler", 1, "linear momentum; symplectic without rotation and contact"}};
   engine.options = {
       {"gyro",
        {"implicit-body", "implicit-world", "explicit", "none"},
@@ -194,14 +195,14 @@ core::Engine bullet_engine(std::string version, std::string precision) {
 
 BulletSettings bullet_settings(const core::Engine& engine, const core::Setup& setup, bool bounces) {
   if (!setup.path.empty()) require("path", setup.path, names(engine.paths));
-  if (!setup.integrator.empty()) require("integrator", setup.integrator, names(engine.schemes));
+  if (!setup.integrator.empty()) require("integrator", setup.integrator, names(engine.integrators));
 
   BulletSettings settings;
   const bool by_rule = setup.path.empty() || setup.path == "rigid";
   settings.path = by_rule ? (bounces ? "rigid-bounce" : "rigid") : setup.path;
   settings.gyroscopic = settings.multibody() ? "explicit" : "implicit-body";
   settings.solver = "sequential-impulse";
-  settings.terms = {settings.path, engine.schemes[0].name, engine.schemes[0].order, "", {}, {}};
+  settings.terms = {settings.path, engine.integrators[0].name, engine.integrators[0].order, "", {}, {}};
   settings.terms.settings = settings.multibody() ? always_multibody() : always();
   settings.terms.unforceable = settings.multibody() ? unforceable_multibody() : unforceable_everywhere;
   for (const Knob& k : knobs) settings.number[k.option] = k.engine_default;

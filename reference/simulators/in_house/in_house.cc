@@ -15,6 +15,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 namespace cylon::simulators {
 namespace {
@@ -50,10 +51,11 @@ core::Engine describe() {
   engine.precision = is_float ? "float" : "double";
   engine.paths = paths();
   engine.default_path_rule = engine::path_rule;
-  engine.schemes.push_back({"auto", closed_form_order,
-                            "all conserved quantities to the tolerance; to rounding in closed forms", true});
+  engine.integrators.push_back({"auto", closed_form_order,
+                                "all conserved quantities to the tolerance; to rounding in closed forms",
+                                true});
   for (const engine::Integrator& row : engine::integrators())
-    engine.schemes.push_back(
+    engine.integrators.push_back(
         {std::string(row.name), row.order, std::string(row.conserves), row.kind == engine::Kind::adaptive});
   engine.options.push_back({"model",
                             {"planned", "full"},
@@ -96,7 +98,7 @@ int sweeps_of(const std::string& value) {
 engine::Options options_of(const core::Engine& engine, const core::Setup& setup) {
   engine::Options options;
   if (!setup.path.empty()) require("path", setup.path, names(engine.paths));
-  if (!setup.integrator.empty()) require("integrator", setup.integrator, names(engine.schemes));
+  if (!setup.integrator.empty()) require("integrator", setup.integrator, names(engine.integrators));
   for (const auto& [name, value] : setup.options) {
     require("option", name, names(engine.options));
     if (name == "sweeps") {
@@ -127,22 +129,18 @@ class InHouse final : public core::Simulator {
   }
 
   Reason unsupported(const core::Scene& scene, const core::Setup& setup) const override {
-    const engine::Options options = options_of(engine(), setup);
-    const InHouseModel converted = in_house_model(scene);
-    if (converted.missing) return converted.missing;
-    const auto names = [&](engine::Thing thing, int i) {
-      const auto k = static_cast<std::size_t>(i);
-      return fmt::format("'{}'", thing == engine::Thing::body ? scene.bodies[k].name : scene.planes[k].name);
-    };
-    const std::string reason = engine::unsupported(converted.model, options, names);
-    return reason.empty() ? deep_overlap(scene, converted.model) : Reason(reason);
+    return missing(scene, in_house_model(scene), options_of(engine(), setup));
   }
 
   core::Terms load(const core::Scene& scene, const core::Setup& setup) override {
+    return start(scene, in_house_model(scene).model, options_of(engine(), setup));
+  }
+
+  core::Loaded load_if_supported(const core::Scene& scene, const core::Setup& setup) override {
     const engine::Options options = options_of(engine(), setup);
-    world_.emplace(in_house_model(scene).model, options);
-    frame_ = scene.frame ? scene.frame->angular_velocity : core::Vector3(core::Vector3::Zero());
-    return terms(world_->plan(), options);
+    InHouseModel translated = in_house_model(scene);
+    if (Reason reason = missing(scene, translated, options)) return {.unsupported = std::move(reason)};
+    return {.terms = start(scene, std::move(translated.model), options)};
   }
 
   void step() override {
@@ -180,6 +178,23 @@ class InHouse final : public core::Simulator {
   }
 
  private:
+  static Reason missing(const core::Scene& scene, const InHouseModel& translated,
+                        const engine::Options& options) {
+    if (translated.missing) return translated.missing;
+    const auto names = [&](engine::Thing thing, int i) {
+      const auto k = static_cast<std::size_t>(i);
+      return fmt::format("'{}'", thing == engine::Thing::body ? scene.bodies[k].name : scene.planes[k].name);
+    };
+    const std::string reason = engine::unsupported(translated.model, options, names);
+    return reason.empty() ? deep_overlap(scene, translated.model) : Reason(reason);
+  }
+
+  core::Terms start(const core::Scene& scene, engine::Model model, const engine::Options& options) {
+    world_.emplace(std::move(model), options);
+    frame_ = scene.frame ? scene.frame->angular_velocity : core::Vector3(core::Vector3::Zero());
+    return terms(world_->plan(), options);
+  }
+
   core::Terms terms(const engine::Plan& plan, const engine::Options& options) const {
     const bool stepping = plan.path == engine::Path::stepping;
     const core::Path& path = engine().paths[stepping ? 1 : 0];

@@ -18,7 +18,7 @@ namespace {
 
 using core::Setting;
 
-constexpr const char* scheme_name = "semi-implicit-euler";
+constexpr const char* integrator_name = "semi-implicit-euler";
 
 std::string text(double x) { return fmt::format("{}", x); }
 
@@ -123,7 +123,7 @@ core::Engine ode_engine(std::string version) {
           "double",
           {path(false), path(true)},
           "always 'step'",
-          {{scheme_name, 1, "linear momentum"}},
+          {{integrator_name, 1, "linear momentum"}},
           {{"gyro", {"on", "off"}, "on", "the implicit gyroscopic torque"},
            {"rotation", {"finite", "infinitesimal"}, "infinitesimal", "how far w turns a body within dt"},
            {"erp", {}, "0.2", "share of a constraint's error corrected per step, in [0, 1]"},
@@ -135,7 +135,7 @@ core::Engine ode_engine(std::string version) {
 OdeSettings ode_settings(const core::Engine& engine, const core::Setup& setup) {
   OdeSettings run;
   run.quick = engine.paths[choice("path", setup.path, names(engine.paths))].name == "quick";
-  choice("integrator", setup.integrator, names(engine.schemes));
+  choice("integrator", setup.integrator, names(engine.integrators));
   for (const auto& [name, value] : setup.options) {
     const core::Option& option = engine.options[choice("option", name, names(engine.options))];
     const bool first = option.values.empty() || choice("value of option " + name, value, option.values) == 0;
@@ -154,7 +154,7 @@ OdeSettings ode_settings(const core::Engine& engine, const core::Setup& setup) {
 
 core::Terms ode_terms(const OdeSettings& run) {
   const core::Path row = path(run.quick);
-  return {row.name, scheme_name, 1, run.gyro ? "implicit" : "none", table(run), row.unforceable};
+  return {row.name, integrator_name, 1, run.gyro ? "implicit" : "none", table(run), row.unforceable};
 }
 
 }  // namespace cylon::simulators

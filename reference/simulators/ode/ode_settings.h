@@ -1,7 +1,7 @@
 // What may be set in ODE and what each path sets, as words and numbers; knows no ODE header.
 #pragma once
 
-#include "harness/core/simulator.h"
+#include "harness/core/engine.h"
 
 #include <string>
 

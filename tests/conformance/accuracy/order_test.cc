@@ -78,7 +78,7 @@ const std::map<std::string, std::vector<std::string>> blind = {{"kovalevskaya", 
 TEST_P(Order, OfEveryFixedStepIntegratorIsTheDeclaredOne) {
   const auto simulator = core::make_simulator();
   int seen = 0;
-  for (const core::Scheme& integrator : simulator->engine().schemes) {
+  for (const core::Integrator& integrator : simulator->engine().integrators) {
     if (integrator.adaptive) continue;
     const TruthScene truth = beginning(GetParam(), integrator.order);
     core::Setup setup;
@@ -116,7 +116,7 @@ TEST_P(Order, OfEveryFixedStepIntegratorIsTheDeclaredOne) {
 // An integrator may refuse a scene, with a reason, but must show its order on most of them.
 TEST(OrderTest, EveryIntegratorIsSeenOnFourScenes) {
   const auto simulator = core::make_simulator();
-  for (const core::Scheme& integrator : simulator->engine().schemes) {
+  for (const core::Integrator& integrator : simulator->engine().integrators) {
     if (integrator.adaptive) continue;
     int seen = 0;
     for (const char* file : scenes) {

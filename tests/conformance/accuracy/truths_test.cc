@@ -1,4 +1,4 @@
-// The engine against every reference solution that concerns motion: file x quantity, by its default scheme at
+// The engine against every reference solution that concerns motion: file x quantity, by its default integrator at
 // a tolerance.  The files were computed twice in 40 to 60 digits, most with a rigorous enclosure; nothing of
 // them shares code with the engine or with reference/exact.
 #include "tests/conformance/accuracy/runner.h"
@@ -25,7 +25,8 @@ struct Exception {
 const std::map<std::string, Exception> exceptions = {
     {"dzhanibekov",
      {1e-7,
-      "errors made on the way grow up to 2e4 times and more than the end value shows; stepping schemes in "
+      "errors made on the way grow up to 2e4 times and more than the end value shows; stepping integrators "
+      "in "
       "double reach 3e-9 to 8e-9 at best"}},
 };
 

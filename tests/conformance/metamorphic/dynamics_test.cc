@@ -29,56 +29,57 @@ TEST(Relation3, BoostAddsUniformMotion) {
     const Vector3 u = Random(seed + 1000).vector(3);
     Scene boosted = scene;
     for (Body& b : boosted.bodies) b.initial.velocity += u;
-    State expected = run(scene, with(scheme_of(seed)));
+    State expected = run(scene, with(integrator_of(seed)));
     for (BodyState& b : expected) b.position += duration * u, b.velocity += u;
-    EXPECT_LE(distance(run(boosted, with(scheme_of(seed))), expected), bound(scheme_of(seed)))
-        << "seed " << seed << ", " << scheme_of(seed);
+    EXPECT_LE(distance(run(boosted, with(integrator_of(seed))), expected), bound(integrator_of(seed)))
+        << "seed " << seed << ", " << integrator_of(seed);
   }
 }
 
-// 5. Without losses the film runs backwards; reversible schemes to rounding, auto to its tolerance.
+// 5. Without losses the film runs backwards; reversible integrators to rounding, auto to its tolerance.
 TEST(Relation5, MotionIsTimeReversible) {
   for (int seed = 0; seed < scene_count; ++seed) {
     const std::string names[] = {"velocity-verlet", "yoshida4", "stormer-verlet", "yoshida6", "auto"};
-    const std::string& scheme = names[seed % 5];
+    const std::string& integrator = names[seed % 5];
     const Scene scene = random_scene(seed, conservative);
-    const State there = run(scene, with(scheme));
-    const State home = turned_round(run(from(scene, turned_round(there)), with(scheme)));
-    EXPECT_LE(distance(home, initial_state(scene)), 10 * bound(scheme)) << "seed " << seed << ", " << scheme;
+    const State there = run(scene, with(integrator));
+    const State home = turned_round(run(from(scene, turned_round(there)), with(integrator)));
+    EXPECT_LE(distance(home, initial_state(scene)), 10 * bound(integrator))
+        << "seed " << seed << ", " << integrator;
   }
 }
 
 // 9. In uniform gravity an isolated system only falls: p + g t^2/2, v + g t.
 TEST(Relation9, FreeFallDoesNotDependOnMass) {
   for (int seed = 0; seed < scene_count; ++seed) {
-    const std::string scheme = scheme_of(seed);
+    const std::string integrator = integrator_of(seed);
     const Scene scene = random_scene(seed, isolated);
     const Vector3 g = Random(seed + 1000).vector(10);
     Scene falling = scene;
     falling.forces.emplace_back(UniformGravity{g});
-    State expected = run(scene, with(scheme));
+    State expected = run(scene, with(integrator));
     for (BodyState& b : expected) b.position += duration * duration / 2 * g, b.velocity += duration * g;
-    EXPECT_LE(distance(run(falling, with(scheme)), expected), bound(scheme))
-        << "seed " << seed << ", " << scheme;
+    EXPECT_LE(distance(run(falling, with(integrator)), expected), bound(integrator))
+        << "seed " << seed << ", " << integrator;
   }
 }
 
 // 11. A run that stops half-way and starts again from what was read; without a clock in the forces.
 TEST(Relation11, ARunMayBeSplit) {
   for (int seed = 0; seed < scene_count; ++seed) {
-    const std::string scheme = scheme_of(seed);
+    const std::string integrator = integrator_of(seed);
     Scene scene = random_scene(seed, {});
     std::erase_if(scene.forces, [](const Force& f) { return std::holds_alternative<Drive>(f); });
-    const State whole = run(scene, with(scheme)), half = run(scene, with(scheme), steps / 2);
-    EXPECT_LE(distance(run(from(scene, half), with(scheme), steps / 2), whole), 10 * bound(scheme))
-        << "seed " << seed << ", " << scheme;
+    const State whole = run(scene, with(integrator)), half = run(scene, with(integrator), steps / 2);
+    EXPECT_LE(distance(run(from(scene, half), with(integrator), steps / 2), whole), 10 * bound(integrator))
+        << "seed " << seed << ", " << integrator;
   }
 }
 
 // 12. Springs without length are linear: solutions add, axes do not know of each other.
 TEST(Relation12, SpringsWithoutLengthSuperpose) {
   for (int seed = 0; seed < scene_count; ++seed) {
-    const std::string scheme = scheme_of(seed);
+    const std::string integrator = integrator_of(seed);
     Random random(seed);
     Scene a;
     for (int i = 0; i < 3; ++i) {
@@ -97,13 +98,14 @@ TEST(Relation12, SpringsWithoutLengthSuperpose) {
       sum.bodies[i].initial.position += b.bodies[i].initial.position;
       sum.bodies[i].initial.velocity += b.bodies[i].initial.velocity;
     }
-    State expected = run(a, with(scheme));
-    const State other = run(b, with(scheme));
+    State expected = run(a, with(integrator));
+    const State other = run(b, with(integrator));
     for (std::size_t i = 0; i < 3; ++i) {
       expected[i].position += other[i].position;
       expected[i].velocity += other[i].velocity;
     }
-    EXPECT_LE(distance(run(sum, with(scheme)), expected), bound(scheme)) << "seed " << seed << ", " << scheme;
+    EXPECT_LE(distance(run(sum, with(integrator)), expected), bound(integrator))
+        << "seed " << seed << ", " << integrator;
   }
 }
 
@@ -126,18 +128,18 @@ Scene heavy_top(Random& random, double moment, double about_axis, double spin) {
 // 13. The path of a symmetric top's axis depends on I3 w3 alone.
 TEST(Relation13, AxisOfTopDependsOnlyOnI3TimesSpin) {
   for (int seed = 0; seed < scene_count; ++seed) {
-    const std::string scheme = scheme_of(seed);
+    const std::string integrator = integrator_of(seed);
     Random first(seed), second(seed);
     const Scene slow = heavy_top(first, 0.03, 0.04, 10), fast = heavy_top(second, 0.03, 0.02, 20);
-    const State a = run(slow, with(scheme)), b = run(fast, with(scheme));
+    const State a = run(slow, with(integrator)), b = run(fast, with(integrator));
     const Vector3 x = a[0].orientation * Vector3::UnitY(), y = b[0].orientation * Vector3::UnitY();
     // Splittings turn both exactly between kicks that know only the axis; a Runge-Kutta step errs by its own
     // truncation of each spin, which half the step shows.
-    const double truncation = scheme == "rk4" || scheme == "rk8"
-                                  ? 2 * (distance(a, run(slow, with(scheme, dt / 2), 2 * steps)) +
-                                         distance(b, run(fast, with(scheme, dt / 2), 2 * steps)))
+    const double truncation = integrator == "rk4" || integrator == "rk8"
+                                  ? 2 * (distance(a, run(slow, with(integrator, dt / 2), 2 * steps)) +
+                                         distance(b, run(fast, with(integrator, dt / 2), 2 * steps)))
                                   : 0;
-    EXPECT_LE((x - y).norm(), bound(scheme) + truncation) << "seed " << seed << ", " << scheme;
+    EXPECT_LE((x - y).norm(), bound(integrator) + truncation) << "seed " << seed << ", " << integrator;
     EXPECT_GT(angle(a[0].orientation, b[0].orientation), 1e-3);  // the spin itself differs
   }
 }

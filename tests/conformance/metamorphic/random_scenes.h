@@ -142,8 +142,8 @@ inline double bound(const std::string& integrator) {
   return integrator == "auto" ? 2 * 10 * 1e-10 : steps * 14 * 100 * std::numeric_limits<double>::epsilon();
 }
 
-/// One of the schemes, in turn, that take joints.
-inline std::string scheme_of(int seed) {
+/// One of the integrators, in turn, that take joints.
+inline std::string integrator_of(int seed) {
   const char* const names[] = {"rk4", "velocity-verlet", "yoshida4", "rk8", "auto"};
   return names[seed % 5];
 }

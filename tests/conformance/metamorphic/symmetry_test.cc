@@ -10,22 +10,22 @@ using study::Restatement;
 
 void expect_relation(const Restatement& change, const Ingredients& use, bool to_the_bit = false) {
   for (int seed = 0; seed < scene_count; ++seed) {
-    const std::string scheme = to_the_bit && scheme_of(seed) == "auto" ? "rk8" : scheme_of(seed);
+    const std::string integrator = to_the_bit && integrator_of(seed) == "auto" ? "rk8" : integrator_of(seed);
     const Scene scene = random_scene(seed, use);
-    const State plain = run(scene, with(scheme)),
-                changed = run(change(scene), with(scheme, change.time * dt));
+    const State plain = run(scene, with(integrator)),
+                changed = run(change(scene), with(integrator, change.time * dt));
     const double apart = distance(changed, change(plain));
     // The stages of a Runge-Kutta step leave the unit quaternions, and what it makes of those depends on the
     // axes: a turn is kept to the truncation of both runs, which half the step shows.
     const bool turns = !change.turn.isDiagonal() || !change.own.isDiagonal();  // a mirror turns no axis
-    const bool stages = turns && (scheme == "rk4" || scheme == "rk8");
+    const bool stages = turns && (integrator == "rk4" || integrator == "rk8");
     const auto halved = [&](const Scene& of, double step) {
-      return run(of, with(scheme, step / 2), 2 * steps);
+      return run(of, with(integrator, step / 2), 2 * steps);
     };
     const double truncation =
         stages ? 2 * (distance(plain, halved(scene, dt)) + distance(changed, halved(change(scene), dt))) : 0;
-    EXPECT_LE(apart, to_the_bit ? 0 : bound(scheme) * change.length + truncation)
-        << "seed " << seed << ", " << scheme;
+    EXPECT_LE(apart, to_the_bit ? 0 : bound(integrator) * change.length + truncation)
+        << "seed " << seed << ", " << integrator;
   }
 }
 
@@ -95,10 +95,10 @@ TEST(Relation10, BodyOrderHasNoEffect) {
         if (auto* d = std::get_if<Drive>(&f)) move(d->body);
       }
       for (Joint& j : other.joints) move(j.body), move(j.to);
-      State reversed = run(other, with(scheme_of(seed)));
+      State reversed = run(other, with(integrator_of(seed)));
       std::reverse(reversed.begin(), reversed.end());
-      EXPECT_LE(distance(reversed, run(scene, with(scheme_of(seed)))), bound(scheme_of(seed)))
-          << "seed " << seed << ", " << scheme_of(seed);
+      EXPECT_LE(distance(reversed, run(scene, with(integrator_of(seed)))), bound(integrator_of(seed)))
+          << "seed " << seed << ", " << integrator_of(seed);
     }
   }
 }

@@ -87,9 +87,9 @@ TEST(Client, RejectsRequestsOutOfRange) {
 TEST(Client, DescribesAnEngine) {
   EXPECT_EQ(describe(scripted("good"), limits).name, "scripted");
   const core::Engine example = describe(python("docs/examples/foreign_engine.py"), limits);
-  ASSERT_EQ(example.schemes.size(), 1u);
-  EXPECT_EQ(example.schemes[0].name, "verlet");
-  EXPECT_EQ(example.schemes[0].order, 2);
+  ASSERT_EQ(example.integrators.size(), 1u);
+  EXPECT_EQ(example.integrators[0].name, "verlet");
+  EXPECT_EQ(example.integrators[0].order, 2);
   try {
     describe(scripted("abort_in_hello"), limits);
     FAIL();

@@ -33,10 +33,10 @@ TEST(Tolerance, IntegratorsDeclareSupport) {
   hello.engine = {"x", "1", "double", {}, "", {{"a", 2, "", false}, {"b", 8, "all", true}}, {}};
   json message = hello_json(hello);
   const Hello back = hello_from_json(message);
-  EXPECT_FALSE(back.engine.schemes[0].adaptive);
-  EXPECT_TRUE(back.engine.schemes[1].adaptive);
+  EXPECT_FALSE(back.engine.integrators[0].adaptive);
+  EXPECT_TRUE(back.engine.integrators[1].adaptive);
   message["schemes"][1].erase("adaptive");  // an older worker
-  EXPECT_FALSE(hello_from_json(message).engine.schemes[1].adaptive);
+  EXPECT_FALSE(hello_from_json(message).engine.integrators[1].adaptive);
 }
 
 TEST(Plan, IsPartOfTheTerms) {

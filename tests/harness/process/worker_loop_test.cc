@@ -151,7 +151,7 @@ TEST(WorkerLoop, AnswersEveryCommandInTurn) {
                                      {{"cmd", "hello"}, {"protocol", 1}}},
                                     1);
   ASSERT_EQ(answers.lines.size(), 7u);  // and nothing after quit
-  EXPECT_EQ(hello_from_json(answers.lines[0]).engine.schemes[0].order, 9);
+  EXPECT_EQ(hello_from_json(answers.lines[0]).engine.integrators[0].order, 9);
   EXPECT_TRUE(hello_from_json(answers.lines[0]).events);
   EXPECT_EQ(answers.lines[1], json({{"unsupported", "no joints"}}));
   EXPECT_EQ(answers.lines[2], json({{"error", "unknown integrator 'magic'"}}));

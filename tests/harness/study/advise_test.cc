@@ -129,7 +129,7 @@ TEST(FineSteps, AreMultiplesWithinRequestedSpacing) {
   }
 }
 
-// Schemes of high order take steps of more than 64 times the nominal one, at which a sweep begins.
+// Integrators of high order take steps of more than 64 times the nominal one, at which a sweep begins.
 TEST(SearchSamples, BeginCoarserThanASweepWhereEnoughTimesAreLeft) {
   EXPECT_EQ(study::search_samples(shipped_scenario("spring_orbit")), 78);  // 20 s of 1/1000 s over 256
   for (const char* name : {"spring_orbit", "heavy_top", "bouncing_sphere", "projectile", "kepler"}) {

@@ -101,7 +101,7 @@ TEST(FindLimit, RejectsInvalidRange) {
   EXPECT_THROW(find_limit({.low = 1, .high = 2, .closeness = 1}, never), std::invalid_argument);
 }
 
-// An engine that is a table: each step multiplies the energy of the spring by what the scheme does.
+// An engine that is a table: each step multiplies the energy of the spring by what the integrator does.
 core::Recording oscillator(const core::Scene& scene, double dt, std::int64_t steps, std::int64_t every,
                            double kick) {
   core::Recording r;
@@ -145,7 +145,7 @@ TEST(Families, NamesAreUniqueAndFailureIsDescribed) {
 
 TEST(Theory, StabilityLimitsOfTheTextbooks) {
   const struct {
-    const char* scheme;
+    const char* integrator;
     double limit, within;
     const char* source;
   } table[] = {
@@ -158,9 +158,9 @@ TEST(Theory, StabilityLimitsOfTheTextbooks) {
       {"yoshida4", 1.5734, 1e-3, "Hairer, Lubich, Wanner, Geometric Numerical Integration"},
   };
   for (const auto& row : table) {
-    const auto limit = stable_oscillation(row.scheme);
-    ASSERT_TRUE(limit) << row.scheme;
-    EXPECT_NEAR(*limit, row.limit, row.within) << row.scheme << ": " << row.source;
+    const auto limit = stable_oscillation(row.integrator);
+    ASSERT_TRUE(limit) << row.integrator;
+    EXPECT_NEAR(*limit, row.limit, row.within) << row.integrator << ": " << row.source;
   }
   EXPECT_FALSE(stable_oscillation("auto"));
 }
@@ -168,7 +168,7 @@ TEST(Theory, StabilityLimitsOfTheTextbooks) {
 // Every matrix is a step of x'' = -x: determinant 1 where symplectic, and of its order.
 TEST(Theory, StepMatricesHaveTheirOrders) {
   const struct {
-    const char* scheme;
+    const char* integrator;
     int order;
   } table[] = {{"explicit-euler", 1},
                {"symplectic-euler", 1},
@@ -180,14 +180,14 @@ TEST(Theory, StepMatricesHaveTheirOrders) {
                {"bm4", 4},
                {"rkn4", 4}};
   for (const auto& row : table) {
-    const auto matrix = step_matrix(row.scheme);
-    ASSERT_TRUE(matrix) << row.scheme;
+    const auto matrix = step_matrix(row.integrator);
+    ASSERT_TRUE(matrix) << row.integrator;
     const auto error = [&](double h) {
       Eigen::Matrix2d exact;
       exact << std::cos(h), std::sin(h), -std::sin(h), std::cos(h);
       return ((*matrix)(h)-exact).norm();
     };
-    EXPECT_NEAR(std::log2(error(0.4) / error(0.2)), row.order + 1, 0.35) << row.scheme;
+    EXPECT_NEAR(std::log2(error(0.4) / error(0.2)), row.order + 1, 0.35) << row.integrator;
   }
 }
 

@@ -1,5 +1,5 @@
 // The probes identify engines by their motion: a small engine with many faults, each found by its probe, and
-// the engines that are built in, whose schemes are known from their sources.
+// the engines that are built in, whose integrators are known from their sources.
 #include "harness/study/probes.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ using core::Scene;
 using core::Vector3;
 
 struct Traits {
-  enum { semi_implicit, explicit_euler, verlet } scheme = semi_implicit;
+  enum { semi_implicit, explicit_euler, verlet } integrator = semi_implicit;
   enum { off, from_body, exact } gyroscopic = exact;
   enum { before, after } target = before;
   int sub_steps = 1;
@@ -56,12 +56,12 @@ class Small {
   void step(const Scene& scene, BodyState& s, double h) const {
     if (is_.sleeps && s.velocity.norm() < 0.01 && s.velocity.norm() > 0) s.velocity.setZero();
     const Vector3 v0 = s.velocity, a = acceleration(scene, s.position);
-    s.velocity += (is_.scheme == Traits::verlet ? h / 2 : h) * a;
+    s.velocity += (is_.integrator == Traits::verlet ? h / 2 : h) * a;
     touch(scene, s, v0, h);
     s.velocity *=
         std::min(1.0, is_.speed_limit / std::max(1e-300, s.velocity.norm())) * (1 - is_.damping * h);
-    s.position += h * (is_.scheme == Traits::explicit_euler ? v0 : s.velocity);
-    if (is_.scheme == Traits::verlet) s.velocity += h / 2 * acceleration(scene, s.position);
+    s.position += h * (is_.integrator == Traits::explicit_euler ? v0 : s.velocity);
+    if (is_.integrator == Traits::verlet) s.velocity += h / 2 * acceleration(scene, s.position);
     turn(scene.bodies[0], s, h);
     if (is_.single)  // volatile: gcc 12 -O3 takes two casts in a row for none in all places but one
       for (double& x : s.position) {
@@ -128,11 +128,11 @@ TEST(Probes, IdentifySmallEngine) {
   };
   const Row rows[] = {
       {"free fall", "semi-implicit Euler", {}},
-      {"free fall", "explicit Euler", {.scheme = Traits::explicit_euler}},
+      {"free fall", "explicit Euler", {.integrator = Traits::explicit_euler}},
       {"free fall", "semi-implicit Euler with 4 sub-steps", {.sub_steps = 4}},
-      {"free fall", "second order or better", {.scheme = Traits::verlet}},
+      {"free fall", "second order or better", {.integrator = Traits::verlet}},
       {"spring", "order 1.0, energy bounded", {}},
-      {"spring", "order 2.0, energy bounded", {.scheme = Traits::verlet}},
+      {"spring", "order 2.0, energy bounded", {.integrator = Traits::verlet}},
       {"gyroscopic torque", "off", {.gyroscopic = Traits::off}},
       {"gyroscopic torque", "explicit: adds energy", {.gyroscopic = Traits::from_body}},
       {"gyroscopic torque", "on, order 2", {}},
@@ -164,7 +164,7 @@ TEST(Probes, IdentifySmallEngine) {
 
 // Explicit Euler on a spring gains order late: at these steps its error is growth itself.
 TEST(Probes, DetectEnergyGrowthOfExplicitEuler) {
-  const Finding found = ask(Small({.scheme = Traits::explicit_euler}))["spring"];
+  const Finding found = ask(Small({.integrator = Traits::explicit_euler}))["spring"];
   EXPECT_NE(found.answer.find("energy grows"), std::string::npos) << found.answer << "; " << found.evidence;
 }
 

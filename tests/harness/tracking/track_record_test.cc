@@ -28,7 +28,7 @@ TEST_F(Recorded, CellsHaveErrorsOrdersHashesTimesAndMemory) {
   EXPECT_EQ(run.revision_order, 7);
   EXPECT_FALSE(run.machine.empty() || run.compiler.empty() || run.build.empty() || run.date.empty());
   const std::string verlet = "spring_orbit/*velocity-verlet@1/500", rk4 = "spring_orbit/*rk4@1/500";
-  // The order of a scheme is what it declares, to what the leading term leaves.
+  // The order of an integrator is what it declares, to what the leading term leaves.
   EXPECT_NEAR(values(store, verlet, "order:position follows*").at(0), 2, 0.2);
   EXPECT_NEAR(values(store, rk4, "order:position follows*").at(0), 4, 0.2);
   const auto seconds = values(store, rk4, "cpu_seconds");

@@ -6,12 +6,12 @@ namespace cylon::mutants {
 
 std::vector<Subject> correct_subjects() {
   std::vector<Subject> result;
-  for (const char* scheme : {"auto", "rk4", "explicit-euler", "symplectic-euler", "velocity-verlet",
-                             "stormer-verlet", "yoshida4", "dop853"}) {
+  for (const char* integrator : {"auto", "rk4", "explicit-euler", "symplectic-euler", "velocity-verlet",
+                                 "stormer-verlet", "yoshida4", "dop853"}) {
     Subject subject;
-    subject.name = std::string("in-house, ") + scheme;
+    subject.name = std::string("in-house, ") + integrator;
     subject.make = core::make_simulator;
-    subject.setup.integrator = scheme;
+    subject.setup.integrator = integrator;
     result.push_back(std::move(subject));
   }
   Subject seed;

@@ -91,8 +91,8 @@ std::vector<MaskedRow> faults_of_the_reading() {
        })},
       {"one step late", "the state of the step before", "projectile", "position follows * by theory",
        reading([](const Moment& m, State& state) { state = m.before; })},
-      {"velocities half a step late", "a staggered scheme's", "projectile", "velocity follows * by theory",
-       reading([](const Moment& m, State& state) {
+      {"velocities half a step late", "a staggered integrator's", "projectile",
+       "velocity follows * by theory", reading([](const Moment& m, State& state) {
          for (std::size_t i = 0; i < state.size(); ++i)
            state[i].velocity = (state[i].velocity + m.before[i].velocity) / 2;
        })},

@@ -52,8 +52,8 @@ Mask damped(double linear, double angular, double momentum) {
   });
 }
 
-Mask claims_to_be(const char* scheme, std::function<void(Terms&)> lie) {
-  return {.setup = [scheme](Setup& s) { s.integrator = scheme; }, .terms = std::move(lie)};
+Mask claims_to_be(const char* integrator, std::function<void(Terms&)> lie) {
+  return {.setup = [integrator](Setup& s) { s.integrator = integrator; }, .terms = std::move(lie)};
 }
 
 void auto_at_1e_10(Terms& terms) {
@@ -168,7 +168,7 @@ std::vector<MaskedRow> faults_of_the_scene() {
          }
          std::erase_if(s.joints, [](const core::Joint& joint) { return joint.to == core::world; });
        })},
-      {"energy-neutral, wrong phase", "a symplectic scheme that claims to bound its error", "spring_zero",
+      {"energy-neutral, wrong phase", "a symplectic integrator that claims to bound its error", "spring_zero",
        "position follows * by theory", claims_to_be("velocity-verlet", auto_at_1e_10)},
       {"order overstated", "first order, said to be second", "spring_zero", "position follows * order",
        claims_to_be("symplectic-euler", [](Terms& terms) { terms.order = 2; })},

@@ -1,8 +1,8 @@
 // A scenario as judge.  Each claim is asked as it stands in its file, of whoever promises to be that good,
-// and by theory, of everyone: with the scheme's order p and the motion's fastest rate Omega, an error of a
+// and by theory, of everyone: with the integrator's order p and the motion's fastest rate Omega, an error of a
 // quantity of size S over a time T is at most
 //   S (e^x - 1), x = (Omega h)^p Omega T   for a fixed step h: a part (Omega h)^(p+1) a step, compounded,
-//   10 tolerance S                         for a scheme that bounds its error (it may misjudge that by ten),
+//   10 tolerance S                         for an integrator that bounds its error (it may misjudge that by ten),
 //   10 tolerance S Omega T                 for one that bounds the error of each of its steps,
 // times what the motion magnifies; and it must fall as h^p does.
 #include "harness/core/measure.h"
@@ -32,14 +32,12 @@ constexpr double rounding_per_step = 10 * std::numeric_limits<double>::epsilon()
 struct Promise {
   int order = 1;
   bool adaptive = false;
-  double tolerance = 0;    ///< Of an adaptive scheme, relative.
+  double tolerance = 0;    ///< Of an adaptive integrator, relative.
   bool each_step = false;  ///< Whether that is of each step alone.
 };
 
 Promise promise_of(const core::Engine& engine, const core::Terms& terms) {
-  Promise promise{terms.order, false, 0, false};
-  for (const core::Scheme& scheme : engine.schemes)
-    if (scheme.name == terms.integrator) promise.adaptive = scheme.adaptive;
+  Promise promise{terms.order, core::controls_its_error(engine, terms), 0, false};
   for (const core::Setting& setting : terms.settings)
     if (setting.name == "tolerance") {
       promise.tolerance = std::stod(setting.value);

@@ -12,7 +12,7 @@ namespace cylon::mutants {
 enum class Forces {
   smooth,
   kinked,  ///< Friction changes its law within a step: no order shows, though the bound holds.
-  jumping  ///< A scheme of fixed steps is of first order.
+  jumping  ///< An integrator of fixed steps is of first order.
 };
 
 struct SceneRow {

@@ -22,7 +22,7 @@ core::Engine describe() {
   engine.name = "seed";
   engine.version = "1";
   engine.precision = "double";
-  engine.schemes = {{"leapfrog", 2, "linear and angular momentum", false}};
+  engine.integrators = {{"leapfrog", 2, "linear and angular momentum", false}};
   return engine;
 }
 
