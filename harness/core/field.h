@@ -5,9 +5,12 @@
 #include "harness/core/range.h"
 
 #include <array>
+#include <cstdint>
+#include <string>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
+#include <vector>
 
 namespace cylon::core {
 
@@ -27,8 +30,13 @@ struct About {
   Range range = {};
   bool required = false;  ///< Files must state it; of a body reference also: it is not the world.
   bool tunable = false;   ///< The viewer may change it while the scene runs.
+  /// Members of one rank > 0, larger by one factor, give the same phenomenon from another start and keep
+  /// joints and contacts closed.  Lower ranks are tried first.
+  int start_rank = 0;
+  static constexpr int start_ranks = 3;
   std::string_view meaning = {};
-  std::string_view pin = {};  ///< Key of the other end where it is a place of the world.
+  std::string_view absent = {};  ///< What an absent key means, where it is not the value of a new element.
+  std::string_view pin = {};     ///< Key of the other end where it is a place of the world.
   std::string_view pin_meaning = {};
   std::array<std::string_view, 4> words = {};  ///< Values of a text; trailing empty ones do not count.
 };
@@ -37,11 +45,15 @@ struct About {
 template <class Owner, class Member>
 struct Field {
   using Value = Member;
-  constexpr Field(std::string_view k, Member Owner::*m, const About& a) : key(k), member(m), about(a) {}
+  using When = bool (*)(const Owner&);
+  constexpr Field(std::string_view k, Member Owner::*m, const About& a,
+                  std::type_identity_t<When> w = nullptr)
+      : key(k), member(m), about(a), applies(w) {}
 
   std::string_view key;
   Member Owner::*member;
   About about;
+  When applies;  ///< To which elements the member belongs; null: to all.  Workers get it always.
 };
 
 /// The table of one element: `name`, as in files, and `fields`, in the order of files.
@@ -54,6 +66,12 @@ constexpr void for_each_field(T& element, Visit&& visit) {
   std::apply([&](const auto&... field) { (visit(field, element.*field.member), ...); },
              Element<std::remove_const_t<T>>::fields);
 }
+
+/// Names, words, flags and indices: the same in every unit and frame.
+template <class Value>
+inline constexpr bool is_word =
+    std::is_integral_v<Value> || std::is_enum_v<Value> || std::is_same_v<Value, std::string> ||
+    std::is_same_v<Value, std::string[2]> || std::is_same_v<Value, std::vector<std::array<std::int32_t, 3>>>;
 
 /// The words of an enumeration, in its order.
 template <class Enum>

@@ -5,6 +5,7 @@
 
 #include "harness/core/field.h"
 #include "harness/core/scene.h"
+#include "harness/core/shape_fields.h"
 #include "harness/core/unit.h"
 
 #include <array>
@@ -23,101 +24,11 @@ struct Words<Impacts> {
   static constexpr std::array<std::string_view, 2> list = {"sequential", "simultaneous"};
 };
 
-// ---- Shapes -------------------------------------------------------------------------------------
+// ---- Bodies -------------------------------------------------------------------------------------
 
 namespace field_tables {
-inline constexpr About radius{.unit = "m", .range = positive, .required = true, .meaning = "Radius."};
-inline constexpr About length{.unit = "m",
-                              .range = positive,
-                              .required = true,
-                              .meaning = "Length along body y; of a capsule, of its cylinder."};
-inline constexpr About on_body{.required = true, .meaning = "Name of the body."};
+inline constexpr About on_body{.required = true, .meaning = "Name of the body on which it acts."};
 }  // namespace field_tables
-
-template <>
-struct Element<Sphere> {
-  static constexpr std::string_view name = "sphere";
-  static constexpr std::tuple fields{Field{"radius", &Sphere::radius, field_tables::radius}};
-};
-template <>
-struct Element<Box> {
-  static constexpr std::string_view name = "box";
-  // Half extents are lengths along the body's axes, not the coordinates of a vector: no frame.
-  static constexpr std::tuple fields{Field{
-      "half_extents",
-      &Box::half_extents,
-      {.unit = "m", .range = positive, .required = true, .meaning = "Half the edges along body x, y, z."}}};
-};
-template <>
-struct Element<Capsule> {
-  static constexpr std::string_view name = "capsule";
-  static constexpr std::tuple fields{Field{"radius", &Capsule::radius, field_tables::radius},
-                                     Field{"length", &Capsule::length, field_tables::length}};
-};
-template <>
-struct Element<Cylinder> {
-  static constexpr std::string_view name = "cylinder";
-  static constexpr std::tuple fields{Field{"radius", &Cylinder::radius, field_tables::radius},
-                                     Field{"length", &Cylinder::length, field_tables::length}};
-};
-template <>
-struct Element<Cone> {
-  static constexpr std::string_view name = "cone";
-  static constexpr std::tuple fields{Field{"radius", &Cone::radius, field_tables::radius},
-                                     Field{"length", &Cone::length, field_tables::length}};
-};
-template <>
-struct Element<Rod> {
-  static constexpr std::string_view name = "rod";
-  static constexpr std::tuple fields{Field{"length", &Rod::length, field_tables::length}};
-};
-template <>
-struct Element<Disc> {
-  static constexpr std::string_view name = "disc";
-  static constexpr std::tuple fields{Field{"radius", &Disc::radius, field_tables::radius}};
-};
-template <>
-struct Element<Hull> {
-  static constexpr std::string_view name = "hull";
-  static constexpr std::tuple fields{Field{"vertices",
-                                           &Hull::vertices,
-                                           {.unit = "m",
-                                            .in = Expressed::body_axes,
-                                            .required = true,
-                                            .meaning = "The convex hull of these points."}}};
-};
-template <>
-struct Element<Mesh> {
-  static constexpr std::string_view name = "mesh";
-  static constexpr std::tuple fields{
-      Field{"vertices", &Mesh::vertices, {.unit = "m", .in = Expressed::body_axes}},
-      Field{"faces", &Mesh::faces, {.meaning = "Indices from 0, counter-clockwise seen from outside."}}};
-};
-template <>
-struct Element<Part> {
-  static constexpr std::string_view name = "part";
-  static constexpr std::tuple fields{
-      Field{"shape", &Part::shape, {}},
-      Field{"mass",
-            &Part::mass,
-            {.unit = "kg", .range = positive, .required = true, .meaning = "Mass of the part."}},
-      Field{"position",
-            &Part::position,
-            {.unit = "m",
-             .in = Expressed::body_axes,
-             .meaning = "Centre of mass of the part; the origin is moved to the common centre."}},
-      Field{"orientation",
-            &Part::orientation,
-            {.in = Expressed::body_axes, .meaning = "(w, x, y, z), part to body."}}};
-};
-template <>
-struct Element<Compound> {
-  static constexpr std::string_view name = "compound";
-  static constexpr std::tuple fields{
-      Field{"parts", &Compound::parts, {.required = true, .meaning = "Rigidly joined parts."}}};
-};
-
-// ---- Bodies -------------------------------------------------------------------------------------
 
 template <>
 struct Element<BodyState> {
@@ -126,17 +37,18 @@ struct Element<BodyState> {
       Field{"position",
             &BodyState::position,
             {.unit = "m", .in = Expressed::world_point, .meaning = "Of the centre of mass, world axes."}},
-      Field{"orientation",
-            &BodyState::orientation,
-            {.in = Expressed::world_vector, .meaning = "Unit (w, x, y, z), body to world."}},
       Field{"velocity",
             &BodyState::velocity,
             {.unit = "m/s",
              .in = Expressed::world_vector,
-             .meaning = "Of the centre of mass, world axes; must fit the joints."}},
+             .start_rank = 1,
+             .meaning = "Of the centre of mass, world axes; must satisfy the joints."}},
       Field{"angular_velocity",
             &BodyState::angular_velocity,
-            {.unit = "rad/s", .in = Expressed::world_axial, .meaning = "World axes."}}};
+            {.unit = "rad/s", .in = Expressed::world_axial, .start_rank = 1, .meaning = "In world axes."}},
+      Field{"orientation",
+            &BodyState::orientation,
+            {.in = Expressed::world_vector, .meaning = "Unit quaternion (w, x, y, z), body to world."}}};
 };
 /// The keys of `initial` stand beside those of the body.
 template <>
@@ -146,22 +58,27 @@ struct Element<Body> {
       Field{"name",
             &Body::name,
             {.required = true, .meaning = "Unique; forces, joints, materials and claims refer to it."}},
+      Field{"initial", &Body::initial, {}},
       Field{"mass",
             &Body::mass,
-            {.unit = "kg", .range = positive, .meaning = "Required, unless locked or a compound."}},
+            {.unit = "kg",
+             .range = positive,
+             .meaning = "Required, unless the body is locked or a compound.",
+             .absent = "1 if locked; of a compound the sum of its parts"}},
       Field{"inertia",
             &Body::inertia,
             {.unit = "kg m^2",
              .in = Expressed::body_axes,
-             .meaning = "Principal moments about the centre of mass in body axes, or nine numbers by rows; "
-                        "absent: from the shape; without a shape, mass x 1 m^2 about every axis, since a "
-                        "point has no orientation."}},
-      Field{"initial", &Body::initial, {}},
-      Field{"shape", &Body::shape, {.meaning = "Absent: a point or bare rigid body."}},
-      Field{"locked", &Body::locked, {.meaning = "Does not move, whatever acts on it."}},
+             .meaning = "Principal moments about the centre of mass in body axes, or the full tensor row by "
+                        "row, each moment > 0.",
+             .absent = "from the shape; without a shape mass x 1 m^2 about every axis"}},
+      Field{"shape",
+            &Body::shape,
+            {.meaning = "See below.", .absent = "a point, or a rigid body without a surface"}},
+      Field{"locked", &Body::locked, {.meaning = "The body never moves, whatever acts on it."}},
       Field{"collide",
             &Body::collide,
-            {.meaning = "Takes part in contacts; absent: true where there is a shape."}},
+            {.meaning = "The body takes part in contacts.", .absent = "true if it has a shape"}},
       Field{"color", &Body::color, {.meaning = "For viewers: \"#rrggbb\"."}}};
 };
 
@@ -172,69 +89,87 @@ template <>
 struct Element<UniformGravity> {
   static constexpr std::string_view name = "gravity";
   static constexpr std::string_view meaning = "Gravity, the same everywhere.";
-  static constexpr std::tuple fields{
-      Field{"gravity",
-            &UniformGravity::acceleration,
-            {.unit = "m/s^2", .in = Expressed::world_vector, .meaning = "Absent: none."}}};
+  static constexpr std::tuple fields{Field{"gravity",
+                                           &UniformGravity::acceleration,
+                                           {.unit = "m/s^2",
+                                            .in = Expressed::world_vector,
+                                            .start_rank = 2,
+                                            .meaning = "Acceleration of every body.",
+                                            .absent = "none"}}};
 };
 template <>
 struct Element<Spring> {
   static constexpr std::string_view name = "spring";
-  static constexpr std::string_view meaning = "A spring with damping.";
+  static constexpr std::string_view meaning =
+      "A spring with damping: with d from the anchor to the other end, F = (stiffness (|d| - rest_length) + "
+      "damping d|d|/dt) d/|d| on `body` and -F on `to`; zero at d = 0.";
   static constexpr std::tuple fields{
       Field{"body", &Spring::body, field_tables::on_body},
       Field{"anchor",
             &Spring::anchor,
             {.unit = "m", .in = Expressed::body_axes, .meaning = "On the body, body axes."}},
-      Field{"to", &Spring::to, {.meaning = "Name of the other body; or `pin`."}},
+      Field{"to", &Spring::to, {.meaning = "Name of the other body. Either this or `pin`."}},
       Field{"to_anchor",
             &Spring::to_anchor,
             {.unit = "m",
              .in = Expressed::other_end,
-             .meaning = "On the other body, its axes.",
+             .meaning = "On the body `to`, its axes.",
              .pin = "pin",
-             .pin_meaning = "A point of the world."}},
+             .pin_meaning = "A point of the world in place of `to`."}},
       Field{"stiffness",
             &Spring::stiffness,
             {.unit = "N/m",
              .range = not_negative,
              .required = true,
              .tunable = true,
-             .meaning = "F = stiffness (|d| - rest_length) along d."}},
-      Field{"rest_length", &Spring::rest_length, {.unit = "m", .range = not_negative, .tunable = true}},
+             .start_rank = 3,
+             .meaning = "Force per elongation."}},
+      Field{"rest_length",
+            &Spring::rest_length,
+            {.unit = "m", .range = not_negative, .tunable = true, .meaning = "Length without force."}},
       Field{"damping",
             &Spring::damping,
-            {.unit = "N s/m", .range = not_negative, .tunable = true, .meaning = "Along d."}}};
+            {.unit = "N s/m", .range = not_negative, .tunable = true, .meaning = "Along the spring."}}};
 };
 template <>
 struct Element<Drag> {
   static constexpr std::string_view name = "drag";
-  static constexpr std::string_view meaning = "Resistance of a medium.";
+  static constexpr std::string_view meaning =
+      "Resistance of a medium: F = -linear v; torque = -angular w - momentum L, with L the spin angular "
+      "momentum.";
   static constexpr std::tuple fields{
       Field{"body", &Drag::body, field_tables::on_body},
       Field{"linear",
             &Drag::linear,
-            {.unit = "kg/s", .range = not_negative, .tunable = true, .meaning = "F = -linear v."}},
+            {.unit = "kg/s", .range = not_negative, .tunable = true, .meaning = "Of the velocity."}},
       Field{"angular",
             &Drag::angular,
-            {.unit = "kg m^2/s", .range = not_negative, .tunable = true, .meaning = "Torque = -angular w."}},
-      Field{
-          "momentum",
-          &Drag::momentum,
-          {.unit = "1/s", .range = not_negative, .tunable = true, .meaning = "Torque = -momentum L_spin."}}};
+            {.unit = "kg m^2/s",
+             .range = not_negative,
+             .tunable = true,
+             .meaning = "Of the angular velocity."}},
+      Field{"momentum",
+            &Drag::momentum,
+            {.unit = "1/s",
+             .range = not_negative,
+             .tunable = true,
+             .meaning = "Of the spin angular momentum."}}};
 };
 template <>
 struct Element<Thrust> {
   static constexpr std::string_view name = "thrust";
-  static constexpr std::string_view meaning = "A motor, a rocket or accretion.";
+  static constexpr std::string_view meaning =
+      "A motor, a rocket or accretion: a constant force, or the momentum of the mass that leaves or arrives.";
   static constexpr std::tuple fields{
       Field{"body", &Thrust::body, field_tables::on_body},
       Field{"force",
             &Thrust::force,
-            {.unit = "N", .in = Expressed::body_axes, .meaning = "Constant, body axes; or `mass_rate`."}},
+            {.unit = "N", .in = Expressed::body_axes, .meaning = "In body axes. Either this or `mass_rate`."},
+            [](const Thrust& t) { return !t.exhaust_velocity && !t.exchanged_velocity; }},
       Field{"mass_rate",
             &Thrust::mass_rate,
-            {.unit = "kg/s", .meaning = "Of the body's mass; < 0 is a rocket."}},
+            {.unit = "kg/s", .meaning = "Of the mass of the body; < 0 is a rocket. Needs a velocity."},
+            [](const Thrust& t) { return t.exhaust_velocity || t.exchanged_velocity; }},
       Field{"exhaust_velocity",
             &Thrust::exhaust_velocity,
             {.unit = "m/s",
@@ -248,7 +183,8 @@ struct Element<Thrust> {
 template <>
 struct Element<Drive> {
   static constexpr std::string_view name = "drive";
-  static constexpr std::string_view meaning = "A harmonic force.";
+  static constexpr std::string_view meaning =
+      "A harmonic force: F = force cos(frequency t) at the centre of mass.";
   static constexpr std::tuple fields{
       Field{"body", &Drive::body, field_tables::on_body},
       Field{"force",
@@ -256,7 +192,7 @@ struct Element<Drive> {
             {.unit = "N",
              .in = Expressed::world_vector,
              .required = true,
-             .meaning = "Amplitude of F cos(frequency t), world axes."}},
+             .meaning = "Amplitude, world axes."}},
       Field{"frequency",
             &Drive::frequency,
             {.unit = "rad/s", .range = not_negative, .required = true, .meaning = "Angular frequency."}}};
@@ -264,7 +200,9 @@ struct Element<Drive> {
 template <>
 struct Element<Attraction> {
   static constexpr std::string_view name = "attraction";
-  static constexpr std::string_view meaning = "Gravity between two bodies.";
+  static constexpr std::string_view meaning =
+      "Gravity between two bodies: F = strength m m' d/|d|^3 on `body` and -F on `to`, with d from `body` to "
+      "`to`.";
   static constexpr std::tuple fields{
       Field{"body", &Attraction::body, field_tables::on_body},
       Field{"to", &Attraction::to, {.required = true, .meaning = "Name of the other body."}},
@@ -273,19 +211,17 @@ struct Element<Attraction> {
             {.unit = "m^3/(kg s^2)",
              .required = true,
              .tunable = true,
-             .meaning = "F = strength m m' / d^2; < 0 repels."}}};
+             .meaning = "The gravitational constant; < 0 repels."}}};
 };
 template <>
 struct Element<Water> {
   static constexpr std::string_view name = "water";
-  static constexpr std::string_view meaning = "A water surface.";
+  static constexpr std::string_view meaning = "A water surface; its two models: docs/scenario-format.md.";
   static constexpr std::tuple fields{
       Field{"level",
             &Water::level,
-            {.unit = "m",
-             .tunable = true,
-             .meaning = "Of the surface at rest; its waves: docs/scenario-format.md."}},
-      Field{"wave", &Water::wave, {.unit = "m", .range = not_negative, .meaning = "Amplitude."}},
+            {.unit = "m", .tunable = true, .meaning = "Height of the surface at rest."}},
+      Field{"wave", &Water::wave, {.unit = "m", .range = not_negative, .meaning = "Amplitude of the wave."}},
       Field{"speed", &Water::speed, {.unit = "rad/s", .meaning = "Of the wave's phase."}},
       Field{"buoyancy",  // two dimensions: nothing that needs one can be made for water
             &Water::buoyancy,
@@ -293,82 +229,101 @@ struct Element<Water> {
              .range = not_negative,
              .required = true,
              .tunable = true,
-             .meaning = "Mode step: the lift; mode volume: the density."}},
+             .meaning = "The density of the water in mode volume, the lift in mode step."}},
       Field{"drag",
             &Water::drag,
-            {.unit = "kg/s", .range = not_negative, .tunable = true, .meaning = "Below the surface."}},
+            {.unit = "kg/s",
+             .range = not_negative,
+             .tunable = true,
+             .meaning = "Of the velocity, below the surface."}},
       Field{"mode",
             &Water::mode,
-            {.meaning = "Archimedes, or a constant lift below the surface.", .words = {"volume", "step"}}}};
+            {.meaning = "Archimedes' law, or a constant lift below the surface.",
+             .words = {"volume", "step"}}}};
 };
 
 // ---- Joints, surfaces, the frame ------------------------------------------------------------------
 
-/// Which keys a joint of one type has in a file is the reader's affair.
 template <>
 struct Element<Joint> {
   static constexpr std::string_view name = "joint";
-  static constexpr std::string_view meaning = "A joint.";
+  static constexpr std::string_view meaning = "A joint between a body and another, or the world.";
   static constexpr std::tuple fields{
       Field{"type", &Joint::type, {.required = true, .meaning = "Kind of joint."}},
       Field{"body", &Joint::body, field_tables::on_body},
-      Field{"to", &Joint::to, {.meaning = "The other body; absent: the world."}},
+      Field{"to", &Joint::to, {.meaning = "Name of the other body.", .absent = "the world"}},
       Field{"point",
             &Joint::point,
             {.unit = "m",
              .in = Expressed::world_point,
              .required = true,
-             .meaning = "World coordinates at t = 0."}},
+             .meaning = "World coordinates at t = 0. A distance joint has it if there is no `to`; else it "
+                        "connects the two centres."},
+            [](const Joint& j) { return j.type != JointType::distance || j.to == world; }},
       Field{"axis",
             &Joint::axis,
             {.in = Expressed::world_vector,
              .required = true,
-             .meaning = "World axes at t = 0, any length but zero."}},
+             .meaning = "World axes at t = 0, any length but zero."},
+            [](const Joint& j) { return j.type == JointType::hinge; }},
       Field{"length",
             &Joint::length,
-            {.unit = "m", .range = positive, .meaning = "Absent: the distance at t = 0."}}};
+            {.unit = "m",
+             .range = positive,
+             .meaning = "Distance of the two ends.",
+             .absent = "the distance at t = 0"},
+            [](const Joint& j) { return j.type == JointType::distance; }}};
 };
 template <>
 struct Element<Plane> {
   static constexpr std::string_view name = "plane";
-  static constexpr std::string_view meaning = "A fixed half-space.";
+  static constexpr std::string_view meaning = "A fixed half-space, solid where normal . x < offset.";
   static constexpr std::tuple fields{
       Field{"name", &Plane::name, {.required = true, .meaning = "Unique among planes and bodies."}},
-      Field{"normal",
-            &Plane::normal,
-            {.in = Expressed::world_vector, .meaning = "Unit; solid where normal . x < offset; absent: y."}},
-      Field{"offset", &Plane::offset, {.unit = "m"}}};
+      Field{"normal", &Plane::normal, {.in = Expressed::world_vector, .meaning = "Unit vector, world axes."}},
+      Field{"offset",
+            &Plane::offset,
+            {.unit = "m", .meaning = "Of the surface from the origin along `normal`."}}};
 };
 template <>
 struct Element<Material> {
   static constexpr std::string_view name = "material";
-  static constexpr std::string_view meaning = "What happens where a pair touches.";
-  static constexpr std::tuple fields{
-      Field{"between",
-            &Material::between,
-            {.required = true,
-             .meaning = "Two names of bodies, planes or generators; \"*\" is all, an exact pair wins."}},
-      Field{"restitution",
-            &Material::restitution,
-            {.range = unit_interval, .required = true, .tunable = true, .meaning = "Of the pair."}},
-      Field{
-          "friction",
-          &Material::friction,
-          {.range = not_negative, .required = true, .tunable = true, .meaning = "Coulomb's, of the pair."}}};
+  static constexpr std::string_view meaning =
+      "What happens where a pair touches; all numbers are of the pair.";
+  static constexpr std::tuple fields{Field{"between",
+                                           &Material::between,
+                                           {.required = true,
+                                            .meaning = "Two names of bodies, planes or generators; \"*\" "
+                                                       "matches all, an exact pair wins over a pattern."}},
+                                     Field{"restitution",
+                                           &Material::restitution,
+                                           {.range = unit_interval,
+                                            .required = true,
+                                            .tunable = true,
+                                            .meaning = "Coefficient of restitution."}},
+                                     Field{"friction",
+                                           &Material::friction,
+                                           {.range = not_negative,
+                                            .required = true,
+                                            .tunable = true,
+                                            .meaning = "Coulomb's coefficient, static and kinetic."}}};
 };
 template <>
 struct Element<Frame> {
   static constexpr std::string_view name = "frame";
-  static constexpr std::string_view meaning = "The frame in which the initial state is given.";
+  static constexpr std::string_view meaning =
+      "The frame in which the whole scene is given, as seen from an inertial frame: initial state, pins, "
+      "planes, "
+      "gravity and results are all expressed in it. A frame that turns has fictitious forces; a frame that "
+      "only "
+      "moves changes nothing.";
   static constexpr std::tuple fields{
       Field{"velocity",
             &Frame::velocity,
-            {.unit = "m/s",
-             .in = Expressed::world_vector,
-             .meaning = "Of the frame in which the scene is given."}},
+            {.unit = "m/s", .in = Expressed::world_vector, .meaning = "Of its origin."}},
       Field{"angular_velocity",
             &Frame::angular_velocity,
-            {.unit = "rad/s", .in = Expressed::world_axial, .meaning = "Of that frame."}}};
+            {.unit = "rad/s", .in = Expressed::world_axial, .meaning = "About its origin."}}};
 };
 
 // ---- Every alternative has a table --------------------------------------------------------------
@@ -387,6 +342,25 @@ constexpr void for_each_shape(Visit&& visit) {
   [&]<class... Kind>(std::variant<std::monostate, Kind...>*) {
     (visit.template operator()<Kind>(), ...);
   }(static_cast<Any*>(nullptr));
+}
+
+/// The key of a member, that of a pin where the other end is a place of the world; its data() ends in a zero.
+template <class T>
+constexpr std::string_view key_of(const T& element, const auto& field) {
+  if constexpr (requires { element.to; })
+    if (!field.about.pin.empty() && element.to == world) return field.about.pin;
+  return field.key;
+}
+
+/// Calls visit(element) for each body, force, joint, plane, the frame and each material of a scene.
+template <class AScene, class Visit>
+void for_each_element(AScene& scene, Visit&& visit) {
+  for (auto& body : scene.bodies) visit(body);
+  for (auto& force : scene.forces) std::visit(visit, force);
+  for (auto& joint : scene.joints) visit(joint);
+  for (auto& plane : scene.planes) visit(plane);
+  if (scene.frame) visit(*scene.frame);
+  for (auto& material : scene.materials) visit(material);
 }
 
 }  // namespace cylon::core

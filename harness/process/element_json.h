@@ -12,19 +12,11 @@
 
 namespace cylon::process {
 
-/// The key of a member, that of a pin where the other end is a place of the world; its data() ends in a zero.
-template <class T>
-std::string_view key_of(const T& element, const auto& field) {
-  if constexpr (requires { element.to; })
-    if (!field.about.pin.empty() && element.to == core::world) return field.about.pin;
-  return field.key;
-}
-
 // ---- To JSON ------------------------------------------------------------------------------------
 
-template <class Json>
 class ElementWriter {
  public:
+  using Json = nlohmann::json;
   explicit ElementWriter(const core::Scene& scene) : scene_(scene) {}
 
   /// An object with every member.  Absent are: a body that is the world, an optional value and a shape that
@@ -45,7 +37,7 @@ class ElementWriter {
         add(row, value);
       } else if constexpr (std::is_same_v<Value, int>) {
         if (value != core::world)
-          row[key_of(element, field)] = scene_.bodies.at(static_cast<std::size_t>(value)).name;
+          row[core::key_of(element, field)] = scene_.bodies.at(static_cast<std::size_t>(value)).name;
         else if (field.about.required)
           throw std::invalid_argument(
               fmt::format("{}: '{}' must be a body", core::Element<T>::name, field.key));
@@ -54,7 +46,7 @@ class ElementWriter {
       } else if constexpr (std::is_same_v<Value, core::Shape>) {
         if (!std::holds_alternative<std::monostate>(value)) row[field.key] = json(value);
       } else {
-        row[key_of(element, field)] = json(value);
+        row[core::key_of(element, field)] = json(value);
       }
     });
   }
@@ -63,8 +55,8 @@ class ElementWriter {
   Json json(bool value) const { return value; }
   Json json(const std::string& value) const { return value; }
   Json json(const std::string (&pair)[2]) const { return {pair[0], pair[1]}; }
-  Json json(const core::Vector3& v) const { return vector_json<Json>(v); }
-  Json json(const core::Quaternion& q) const { return quaternion_json<Json>(q); }
+  Json json(const core::Vector3& v) const { return vector_json(v); }
+  Json json(const core::Quaternion& q) const { return quaternion_json(q); }
   Json json(const core::Matrix3& m) const {
     Json rows = Json::array();
     for (int row = 0; row < 3; ++row)
@@ -124,7 +116,7 @@ class ElementReader {
   void operator()(Fields& fields, T& element) const {
     core::for_each_field(element, [&](const auto& field, auto& value) {
       using Value = std::remove_cvref_t<decltype(value)>;
-      const char* key = key_of(element, field).data();
+      const char* key = core::key_of(element, field).data();
       if constexpr (std::is_same_v<Value, core::BodyState>) {
         (*this)(fields, value);
       } else if constexpr (std::is_same_v<Value, int>) {

@@ -12,44 +12,11 @@ namespace {
 
 using core::Scene;
 using core::Vector3;
-
-template <class Json>
-Json write(const Scene& scene) {
-  std::unordered_set<std::string> names;
-  for (const core::Body& body : scene.bodies)
-    if (!names.insert(body.name).second)
-      throw std::invalid_argument(fmt::format("two bodies are named '{}'", body.name));
-
-  const ElementWriter<Json> element(scene);
-  Json out = Json::object();
-  const auto rows = [&]<class T>(const std::vector<T>& elements) {
-    Json& array = out[core::Element<T>::name] = Json::array();
-    for (const T& e : elements) array.push_back(element(e));
-  };
-  rows(scene.bodies);
-  core::for_each_force([&]<class Kind>() { out[core::Element<Kind>::name] = Json::array(); });
-  std::optional<Vector3> gravity;  // no sum with zero: -0 stays -0
-  for (const core::Force& force : scene.forces)
-    std::visit(
-        [&]<class Kind>(const Kind& f) {
-          if constexpr (std::is_same_v<Kind, core::UniformGravity>)
-            gravity = gravity ? Vector3(*gravity + f.acceleration) : f.acceleration;
-          else
-            out[core::Element<Kind>::name].push_back(element(f));
-        },
-        force);
-  out[core::Element<core::UniformGravity>::name] = vector_json<Json>(gravity.value_or(Vector3::Zero()));
-  rows(scene.joints);
-  rows(scene.planes);
-  rows(scene.materials);
-  if (scene.frame) out[core::Element<core::Frame>::name] = element(*scene.frame);
-  out["impacts"] = core::Words<core::Impacts>::list[static_cast<std::size_t>(scene.impacts)];
-  return out;
-}
+using nlohmann::json;
 
 class Reader {
  public:
-  explicit Reader(const nlohmann::json& value) : top_(value, "") {}
+  explicit Reader(const json& value) : top_(value, "") {}
 
   Scene read() {
     each<core::Body>([&](Fields& fields, core::Body& body) {
@@ -65,7 +32,7 @@ class Reader {
     each<core::Joint>([&](Fields&, core::Joint& joint) { scene_.joints.push_back(joint); });
     each<core::Plane>([&](Fields&, core::Plane& plane) { scene_.planes.push_back(std::move(plane)); });
     each<core::Material>([&](Fields&, core::Material& m) { scene_.materials.push_back(std::move(m)); });
-    if (const nlohmann::json* value = top_.find("frame")) {
+    if (const json* value = top_.find("frame")) {
       Fields fields(*value, "frame");
       element_(fields, scene_.frame.emplace());
       fields.finish();
@@ -84,7 +51,7 @@ class Reader {
   // Every element of an array as an object whose keys are all read.
   template <class T, class Take>
   void each(Take take) {
-    top_.each(core::Element<T>::name.data(), [&](const nlohmann::json& value, const std::string& place) {
+    top_.each(core::Element<T>::name.data(), [&](const json& value, const std::string& place) {
       Fields fields(value, place);
       T element;
       element_(fields, element);
@@ -100,10 +67,39 @@ class Reader {
 
 }  // namespace
 
-nlohmann::json to_json(const Scene& scene) { return write<nlohmann::json>(scene); }
+json to_json(const Scene& scene) {
+  std::unordered_set<std::string> names;
+  for (const core::Body& body : scene.bodies)
+    if (!names.insert(body.name).second)
+      throw std::invalid_argument(fmt::format("two bodies are named '{}'", body.name));
 
-nlohmann::ordered_json to_ordered_json(const Scene& scene) { return write<nlohmann::ordered_json>(scene); }
+  const ElementWriter element(scene);
+  json out = json::object();
+  const auto rows = [&]<class T>(const std::vector<T>& elements) {
+    json& array = out[core::Element<T>::name] = json::array();
+    for (const T& e : elements) array.push_back(element(e));
+  };
+  rows(scene.bodies);
+  core::for_each_force([&]<class Kind>() { out[core::Element<Kind>::name] = json::array(); });
+  std::optional<Vector3> gravity;  // no sum with zero: -0 stays -0
+  for (const core::Force& force : scene.forces)
+    std::visit(
+        [&]<class Kind>(const Kind& f) {
+          if constexpr (std::is_same_v<Kind, core::UniformGravity>)
+            gravity = gravity ? Vector3(*gravity + f.acceleration) : f.acceleration;
+          else
+            out[core::Element<Kind>::name].push_back(element(f));
+        },
+        force);
+  out[core::Element<core::UniformGravity>::name] = vector_json(gravity.value_or(Vector3::Zero()));
+  rows(scene.joints);
+  rows(scene.planes);
+  rows(scene.materials);
+  if (scene.frame) out[core::Element<core::Frame>::name] = element(*scene.frame);
+  out["impacts"] = core::Words<core::Impacts>::list[static_cast<std::size_t>(scene.impacts)];
+  return out;
+}
 
-Scene scene_from_json(const nlohmann::json& value) { return Reader(value).read(); }
+Scene scene_from_json(const json& value) { return Reader(value).read(); }
 
 }  // namespace cylon::process

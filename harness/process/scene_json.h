@@ -14,9 +14,6 @@ namespace cylon::process {
 /// Throws std::invalid_argument where two bodies share a name, or an attraction points at the world.
 nlohmann::json to_json(const core::Scene&);
 
-/// The same with the keys in the order of the tables, for people.
-nlohmann::ordered_json to_ordered_json(const core::Scene&);
-
 /// Inverse of to_json up to the order of forces of different kinds: every double comes back with the same
 /// bits.  Zero gravity gives no force.  Throws MalformedMessage with the key.
 core::Scene scene_from_json(const nlohmann::json&);

@@ -8,14 +8,8 @@
 namespace cylon::process {
 
 /// [x, y, z]
-template <class Json = nlohmann::json>
-Json vector_json(const core::Vector3& v) {
-  return {v.x(), v.y(), v.z()};
-}
+inline nlohmann::json vector_json(const core::Vector3& v) { return {v.x(), v.y(), v.z()}; }
 /// [w, x, y, z]
-template <class Json = nlohmann::json>
-Json quaternion_json(const core::Quaternion& q) {
-  return {q.w(), q.x(), q.y(), q.z()};
-}
+inline nlohmann::json quaternion_json(const core::Quaternion& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 
 }  // namespace cylon::process

@@ -19,8 +19,9 @@ struct Checker {
     throw core::InputError(file, where.begin.line, where.begin.column, message);
   }
 
-  [[noreturn]] void wrong_type(const Key& key, const toml::node& node, std::string_view expected) const {
-    fail(node.source(), fmt::format("{} must be {}, not {}", key.name, expected, describe_type(node)));
+  [[noreturn]] void wrong_type(const Key& key, const toml::node& node) const {
+    fail(node.source(),
+         fmt::format("{} must be {}, not {}", key.name, form_of(key.kind), describe_type(node)));
   }
 
   static std::string describe_type(const toml::node& node) {
@@ -33,14 +34,14 @@ struct Checker {
     return "a date or time";
   }
 
-  double number(const Key& key, const toml::node& node, std::string_view expected) const {
+  double number(const Key& key, const toml::node& node) const {
     double x = 0;
     if (const auto* integer = node.as_integer()) {
       x = static_cast<double>(integer->get());
     } else if (const auto* real = node.as_floating_point()) {
       x = real->get();
     } else {
-      wrong_type(key, node, expected);
+      wrong_type(key, node);
     }
     if (!std::isfinite(x)) fail(node.source(), fmt::format("{} = {}, but must be finite", key.name, x));
     const Range& r = key.range;
@@ -49,14 +50,14 @@ struct Checker {
     return x;
   }
 
-  void whole(const Key& key, const toml::node& node, std::string_view expected) const {
-    if (!node.is_integer()) wrong_type(key, node, expected);
-    number(key, node, expected);
+  void whole(const Key& key, const toml::node& node) const {
+    if (!node.is_integer()) wrong_type(key, node);
+    number(key, node);
   }
 
-  void word(const Key& key, const toml::node& node, std::string_view expected = "a string") const {
+  void word(const Key& key, const toml::node& node) const {
     const auto* text = node.as_string();
-    if (!text) wrong_type(key, node, expected);
+    if (!text) wrong_type(key, node);
     if (text->get().empty()) fail(node.source(), fmt::format("{} is empty", key.name));
     if (key.choices.empty() || std::ranges::find(key.choices, text->get()) != key.choices.end()) return;
     unknown_word(key.name, text->get(), key.choices, node.source());
@@ -78,42 +79,47 @@ struct Checker {
     } catch (const core::InputError& error) {
       fail(node.source(), fmt::format("{}: {}", key.name, error.what()));
     }
-    Key positive = key;
-    positive.range = {.low = 0, .open = true};
-    positive.unit = "s";
-    number(positive, node, "a number or a string like \"1/60\"");
+    number(in_seconds(key), node);
   }
 
-  // An array of `size` (0: any number of) entries, each checked by `entry`.
+  static Key in_seconds(Key key) {
+    key.range = {.low = 0, .open = true};
+    key.unit = "s";
+    return key;
+  }
+
+  // An array of one of the sizes (none: any), each entry checked by `entry`.
   template <class Entry>
   void array(const Key& key, const toml::node& node, std::initializer_list<std::size_t> sizes,
-             std::string_view expected, Entry entry) const {
+             Entry entry) const {
     const auto* values = node.as_array();
     if (!values || (sizes.size() && std::ranges::find(sizes, values->size()) == sizes.end()))
-      wrong_type(key, node, expected);
+      wrong_type(key, node);
     for (const toml::node& value : *values) entry(value);
   }
 
-  void numbers(const Key& key, const toml::node& node, std::initializer_list<std::size_t> sizes,
-               std::string_view expected) const {
-    array(key, node, sizes, expected, [&](const toml::node& value) { number(key, value, expected); });
+  void numbers(const Key& key, const toml::node& node, std::initializer_list<std::size_t> sizes) const {
+    array(key, node, sizes, [&](const toml::node& value) { number(key, value); });
   }
-  void wholes(const Key& key, const toml::node& node, std::string_view expected) const {
-    array(key, node, {3}, expected, [&](const toml::node& value) { whole(key, value, expected); });
+  void wholes(const Key& key, const toml::node& node) const {
+    array(key, node, {3}, [&](const toml::node& value) { whole(key, value); });
   }
-  void texts(const Key& key, const toml::node& node, std::initializer_list<std::size_t> sizes,
-             std::string_view expected) const {
-    array(key, node, sizes, expected, [&](const toml::node& value) { word(key, value, expected); });
+  void texts(const Key& key, const toml::node& node, std::initializer_list<std::size_t> sizes) const {
+    array(key, node, sizes, [&](const toml::node& value) { word(key, value); });
   }
 
   // A positive time in seconds, or the one word that stands for it.
-  void seconds_or(const Key& key, const toml::node& node, const char* choice) const {
-    Key positive = key;
-    positive.choices = {choice};
-    positive.range = {.low = 0, .open = true};
-    positive.unit = "s";
-    return node.is_string() ? word(positive, node)
-                            : void(number(positive, node, fmt::format("a number or \"{}\"", choice)));
+  void seconds_or(Key key, const toml::node& node, const char* choice) const {
+    key.choices = {choice};
+    if (node.is_string())
+      word(key, node);
+    else
+      number(in_seconds(key), node);
+  }
+
+  void table(const Key& key, const toml::node& node) const {
+    if (!node.is_table()) wrong_type(key, node);
+    if (key.spec) table(*node.as_table(), *key.spec());
   }
 
   void value(const Key& key, const toml::node& node) const {
@@ -121,56 +127,42 @@ struct Checker {
       case Kind::text:
         return word(key, node);
       case Kind::number:
-        return void(number(key, node, "a number"));
+        return void(number(key, node));
       case Kind::whole:
-        return whole(key, node, "a whole number");
+        return whole(key, node);
       case Kind::boolean:
-        if (!node.is_boolean()) wrong_type(key, node, "true or false");
+        if (!node.is_boolean()) wrong_type(key, node);
         return;
       case Kind::vector:
-        return numbers(key, node, {3}, "three numbers [x, y, z]");
+        return numbers(key, node, {3});
       case Kind::counts:
-        return wholes(key, node, "three whole numbers");
+        return wholes(key, node);
       case Kind::quaternion:
-        return numbers(key, node, {4}, "four numbers [w, x, y, z]");
+        return numbers(key, node, {4});
       case Kind::moments:
-        return numbers(key, node, {3, 9}, "three principal moments or nine numbers");
-      case Kind::points: {
-        constexpr std::string_view expected = "an array of points [[x, y, z], …]";
-        return array(key, node, {}, expected, [&](const toml::node& p) { numbers(key, p, {3}, expected); });
-      }
-      case Kind::triangles: {
-        constexpr std::string_view expected = "an array of triangles [[0, 1, 2], …]";
-        return array(key, node, {}, expected, [&](const toml::node& t) { wholes(key, t, expected); });
-      }
+        return numbers(key, node, {3, 9});
+      case Kind::points:
+        return array(key, node, {}, [&](const toml::node& point) { numbers(key, point, {3}); });
+      case Kind::triangles:
+        return array(key, node, {}, [&](const toml::node& triangle) { wholes(key, triangle); });
       case Kind::texts:
-        return texts(key, node, {}, "an array of strings");
+        return texts(key, node, {});
       case Kind::pair:
-        return texts(key, node, {2}, "two names [\"a\", \"b\"]");
+        return texts(key, node, {2});
       case Kind::step:
         return step(key, node);
       case Kind::steps:
-        return array(key, node, {}, "an array of steps [0.001, \"1/60\"]",
-                     [&](const toml::node& s) { step(key, s); });
+        return array(key, node, {}, [&](const toml::node& s) { step(key, s); });
       case Kind::sample:
         return seconds_or(key, node, "step");
       case Kind::until:
         return seconds_or(key, node, "horizon");
-      case Kind::table: {
-        const auto* inner = node.as_table();
-        if (!inner) wrong_type(key, node, "a table");
-        if (key.spec) table(*inner, *key.spec());
-        return;
-      }
+      case Kind::table:
+        return table(key, node);
       case Kind::tables:
-        return array(key, node, {}, "an array of tables", [&](const toml::node& entry) {
-          if (!entry.is_table()) wrong_type(key, entry, "a table");
-          table(*entry.as_table(), *key.spec());
-        });
+        return array(key, node, {}, [&](const toml::node& entry) { table(key, entry); });
       case Kind::text_or_table:
-        if (node.is_string()) return word(key, node);
-        if (!node.is_table()) wrong_type(key, node, "a name or a table { file = \"…\" }");
-        return table(*node.as_table(), *key.spec());
+        return node.is_string() ? word(key, node) : table(key, node);
     }
   }
 
@@ -180,7 +172,7 @@ struct Checker {
     if (spec.tag.empty()) return keys;
     const toml::node* tag = t.get(spec.tag);
     if (!tag) fail(t.source(), fmt::format("{} needs '{}'", spec.label, spec.tag));
-    if (!tag->is_string()) wrong_type({.name = spec.tag}, *tag, "a string");
+    if (!tag->is_string()) wrong_type({.name = spec.tag}, *tag);
     const std::string& word = tag->as_string()->get();
     std::vector<std::string> names;
     for (const auto& variant : spec.variants) {

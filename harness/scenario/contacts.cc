@@ -91,7 +91,7 @@ void read_planes(const Table& root, Draft& draft) {
       t.fail("normal", fmt::format("normal = {} has the norm {}, but must be a unit vector within 1e-9{}",
                                    written(plane.normal), norm,
                                    norm > 0 ? "; normalised: " + written(plane.normal / norm) : ""));
-    plane.normal.normalize();
+    make_unit(plane.normal);
     draft.scene.planes.push_back(plane);
   }
 }

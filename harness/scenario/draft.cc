@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <cctype>
+#include <cmath>
+#include <limits>
 
 namespace cylon::scenario {
 
@@ -31,6 +32,11 @@ std::string Draft::read(const Table& table, std::string_view key) {
   } catch (const core::InputError& error) {
     table.fail(key, error.what());
   }
+}
+
+void make_unit(core::Vector3& v) {
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  if (!(std::abs(v.squaredNorm() - 1) <= rounding)) v.normalize();
 }
 
 std::string written(const core::Vector3& v) { return fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z()); }

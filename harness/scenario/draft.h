@@ -53,6 +53,9 @@ core::Shape read_shape(const Table&, Draft&);
 /// A unit quaternion, normalised within 1e-9; fails with the normalised value otherwise.
 core::Quaternion read_orientation(const Table&, std::string_view key);
 
+/// Divides by the norm unless that is 1 to rounding: what was made a unit vector once stays as it is.
+void make_unit(core::Vector3&);
+
 /// Bodies of a [[lattice]] and of a [[cloud]]: copies of the template at their places.
 std::vector<core::Body> lattice(const Table&, const core::Body& pattern);
 std::vector<core::Body> cloud(const Table&, const core::Body& pattern, const core::Scene& others);

@@ -46,11 +46,27 @@ constexpr Kind kind_of() {
   }
 }
 
+/// A value of a new element as a file would state it; empty where a file could not.
+template <class Value>
+std::string initial_text(const Value& value) {
+  if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, bool>)
+    return fmt::format("{}", value);
+  else if constexpr (std::is_same_v<Value, core::Vector3>)
+    return fmt::format("[{}, {}, {}]", value.x(), value.y(), value.z());
+  else if constexpr (std::is_same_v<Value, core::Quaternion>)
+    return fmt::format("[{}, {}, {}, {}]", value.w(), value.x(), value.y(), value.z());
+  else if constexpr (std::is_same_v<Value, std::string>)
+    return value.empty() ? "" : fmt::format("\"{}\"", value);
+  else
+    return {};
+}
+
 /// The keys of an element in the order of its table; tables inside it have no keys yet.
 template <class T>
 std::vector<Key> keys_of() {
   std::vector<Key> keys;
-  const auto add = [&]<class Owner, class Value>(const core::Field<Owner, Value>& field) {
+  const T initial{};
+  core::for_each_field(initial, [&]<class Value>(const auto& field, const Value& value) {
     const core::About& about = field.about;
     if constexpr (std::is_same_v<Value, core::BodyState>) {
       for (Key& key : keys_of<core::BodyState>()) keys.push_back(std::move(key));
@@ -59,19 +75,22 @@ std::vector<Key> keys_of() {
               .kind = kind_of<Value>(),
               .meaning = std::string(about.meaning),
               .unit = std::string(about.unit),
+              .absent = std::string(about.absent),
               .required = about.required,
               .range = about.range};
       for (const std::string_view word : about.words)
         if (!word.empty()) key.choices.emplace_back(word);
+      if constexpr (std::is_enum_v<Value>)
+        key.choices.assign(core::Words<Value>::list.begin(), core::Words<Value>::list.end());
       if (!about.pin.empty()) {
         Key pin = key;
         pin.name = about.pin, pin.meaning = about.pin_meaning;
         keys.push_back(std::move(pin));
       }
+      if (!key.required && !field.applies && key.absent.empty()) key.absent = initial_text(value);
       keys.push_back(std::move(key));
     }
-  };
-  std::apply([&](const auto&... field) { (add(field), ...); }, core::Element<T>::fields);
+  });
   return keys;
 }
 

@@ -72,7 +72,7 @@ core::Joint read_joint(const Table& t, Draft& draft) {
     t.fail("a distance joint needs 'to' (a body) or 'point' (of the world)");
   if (joint.type == core::JointType::hinge) {
     if (!(joint.axis.norm() > 0)) t.fail("axis", "axis = [0, 0, 0] has no direction");
-    joint.axis.normalize();
+    make_unit(joint.axis);
   }
 
   const auto& bodies = draft.scene.bodies;

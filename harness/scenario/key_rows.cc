@@ -34,5 +34,9 @@ Key required(Key key) {
   key.required = true;
   return key;
 }
+Key absent(std::string means, Key key) {
+  key.absent = std::move(means);
+  return key;
+}
 
 }  // namespace cylon::scenario

@@ -32,7 +32,8 @@ Key arrow(std::string name, std::string unit, std::string meaning, Range = any);
 /// A table, or tables, with keys of their own.
 Key nested(std::string name, Kind, const Spec* (*spec)(), std::string meaning);
 
-/// The same, and an error where it is absent.
+/// The same, and an error where it is absent; or with what it means then.
 Key required(Key);
+Key absent(std::string means, Key);
 
 }  // namespace cylon::scenario

@@ -17,9 +17,9 @@ using enum Kind;
 const Spec* row_spec() {
   static const Spec spec{
       .label = "[[row]]",
-      .keys = {required(word("engine", "Glob over engine ids.")), word("scenario", "Glob; absent: all."),
-               word("claim", "Glob over claim labels; absent: all."),
-               word("integrator", "Glob; absent: all."), plain("dt", steps, "Steps; absent: all."),
+      .keys = {required(word("engine", "Glob over engine ids.")), absent("all", word("scenario", "Glob.")),
+               absent("all", word("claim", "Glob over claim labels.")),
+               absent("all", word("integrator", "Glob.")), absent("all", plain("dt", steps, "Steps.")),
                required(word("status", "What the verdict will be.", words(results::Status::protocol))),
                required(word("reason", "Why.")), word("link", "Where it is discussed.")}};
   return &spec;
@@ -34,6 +34,50 @@ const Spec* published_spec() {
 
 }  // namespace
 
+std::string_view form_of(Kind kind) {
+  switch (kind) {
+    case text:
+      return "a string";
+    case number:
+      return "a number";
+    case whole:
+      return "a whole number";
+    case boolean:
+      return "true or false";
+    case vector:
+      return "three numbers [x, y, z]";
+    case counts:
+      return "three whole numbers";
+    case quaternion:
+      return "four numbers [w, x, y, z]";
+    case moments:
+      return "three principal moments or nine numbers";
+    case points:
+      return "an array of points [[x, y, z], …]";
+    case triangles:
+      return "an array of triangles [[0, 1, 2], …]";
+    case texts:
+      return "an array of strings";
+    case pair:
+      return "two names [\"a\", \"b\"]";
+    case step:
+      return "a number or a string like \"1/60\"";
+    case steps:
+      return "an array of steps [0.001, \"1/60\"]";
+    case sample:
+      return "a number or \"step\"";
+    case until:
+      return "a number or \"horizon\"";
+    case table:
+      return "a table";
+    case tables:
+      return "an array of tables";
+    case text_or_table:
+      return "a name or a table { file = \"…\" }";
+  }
+  return {};
+}
+
 std::string describe(const Range& range, const std::string& unit) {
   const bool low = std::isfinite(range.low), high = std::isfinite(range.high);
   const std::string suffix = unit.empty() ? "" : " " + unit;
@@ -47,19 +91,24 @@ std::string describe(const Range& range, const std::string& unit) {
 const Spec& scenario_keys() {
   static const Spec spec = [] {
     std::vector<Key> keys = {
-        word("title", "One line for people."),
+        absent("the name of the file", word("title", "One line for people.")),
         word("story", "Two to four sentences for people."),
-        plain("tags", texts, "For selection."),
+        plain("tags", texts, "For selection: `cylon list --tag TAG`."),
         plain("sources", texts,
               "Where the case was reported or proposed: \"owner/repository#number\" of GitHub, or a title."),
-        required(real("duration", "s", "A whole number of steps.", positive)),
-        required(plain("step", step, "Nominal step [s]: a number, or text like \"1/60\".")),
+        required(real("duration", "s", "Must be a whole number of steps.", positive)),
+        required(plain("step", step, "The nominal step [s], > 0: `0.001` or `\"1/60\"`.")),
         keys_of<core::UniformGravity>().front(),
-        word("impacts", "How several impacts at one instant resolve.",
-             {core::Words<core::Impacts>::list.begin(), core::Words<core::Impacts>::list.end()}),
+        absent("sequential",
+               word("impacts", "How several impacts at one instant are resolved.",
+                    {core::Words<core::Impacts>::list.begin(), core::Words<core::Impacts>::list.end()})),
         nested("body", tables, body_spec, "A rigid body."),
-        nested("lattice", tables, lattice_spec, "Equal bodies on a grid: name[0], name[1], …, x fastest."),
-        nested("cloud", tables, cloud_spec, "Equal bodies at random places that do not overlap: name[0], …")};
+        nested(
+            "lattice", tables, lattice_spec,
+            "Equal bodies on a grid, named name[0], name[1], … with x fastest; has all keys of a body, and:"),
+        nested("cloud", tables, cloud_spec,
+               "Equal bodies at random places that do not overlap, named name[0], name[1], …; has all keys "
+               "of a body, and:")};
     const auto add = [&]<class T>(std::type_identity<T>, Kind kind, const Spec* (*of)()) {
       keys.push_back(
           nested(std::string(core::Element<T>::name), kind, of, std::string(core::Element<T>::meaning)));
@@ -89,13 +138,13 @@ const Spec& expected_keys() {
 const Spec& suite_keys() {
   static const Spec spec{
       .label = "a suite",
-      .keys = {
-          word("title", "One line."), word("story", "What the suite reproduces."),
-          word("claim", "Glob over the claim labels that `published` speaks of; absent: all."),
-          required(plain("scenarios", texts, "Globs over scenario names.")),
-          required(plain("engines", texts, "Engine ids, with options: \"ode/erp=0,cfm=0\".")),
-          plain("steps", steps, "Numbers, or texts like \"1/60\"; absent: each scenario's nominal step."),
-          nested("published", tables, published_spec, "A published value.")}};
+      .keys = {word("title", "One line."), word("story", "What the suite reproduces."),
+               absent("all", word("claim", "Glob over the claim labels that `published` speaks of.")),
+               required(plain("scenarios", texts, "Globs over scenario names.")),
+               required(plain("engines", texts, "Engine ids, with options: \"ode/erp=0,cfm=0\".")),
+               absent("the nominal step of each scenario",
+                      plain("steps", steps, "Numbers, or texts like \"1/60\".")),
+               nested("published", tables, published_spec, "A published value.")}};
   return spec;
 }
 

@@ -5,11 +5,12 @@
 #include "harness/core/range.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cylon::scenario {
 
-/// What a key's value looks like in the file.
+/// What a key's value looks like in the file; in words: form_of().
 enum class Kind {
   text,        ///< "…", one of `choices` where there are any.
   number,      ///< 0.5 or 3
@@ -41,6 +42,7 @@ struct Key {
   Kind kind = Kind::text;
   std::string meaning = {};  ///< For people: the schema's description.
   std::string unit = {};
+  std::string absent = {};  ///< What an absent key means: a value as in the file, or words; empty: nothing.
   bool required = false;
   Range range = {};
   std::vector<std::string> choices = {};
@@ -58,6 +60,9 @@ struct Spec {
   std::string tag = {};
   std::vector<Variant> variants = {};
 };
+
+/// "a number", "three numbers [x, y, z]".
+std::string_view form_of(Kind);
 
 /// "> 0 kg", "in [0, 1]", ">= 0 N/m".
 std::string describe(const Range&, const std::string& unit);

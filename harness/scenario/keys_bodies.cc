@@ -27,8 +27,9 @@ std::vector<Spec::Variant> primitives() {
     variants.push_back({std::string(core::Element<Kind>::name), keys_of<Kind>()});
   });
   std::vector<Key>& mesh = variants.back().keys;
-  mesh.insert(mesh.begin(), word("file", "Wavefront OBJ beside the scenario; or vertices and faces."));
-  mesh.push_back(real("scale", "", "Factor on every coordinate; 1 when absent.", positive));
+  mesh.insert(mesh.begin(),
+              word("file", "Wavefront OBJ beside the scenario. Either this or `vertices` and `faces`."));
+  mesh.push_back(absent("1", real("scale", "", "Factor on all coordinates.", positive)));
   return variants;
 }
 
@@ -45,7 +46,8 @@ const Spec* part_keys() {
 const Spec* shape_keys() {
   static const Spec spec = [] {
     Spec s{.label = "shape",
-           .keys = {required(word("type", "Kind of shape; its axis lies along body y."))},
+           .keys = {required(word(
+               "type", "Kind of shape, centred on the centre of mass, axis of revolution along body y."))},
            .tag = "type",
            .variants = primitives()};
     s.variants.push_back({std::string(core::Element<core::Compound>::name),
@@ -74,21 +76,22 @@ const Spec* lattice_spec() {
                                               .range = {.low = 1}},
                                              required(arrow("spacing", "m",
                                                             "Between neighbours along x, y, z; "
-                                                            "`position` is the first one's."))}};
+                                                            "`position` is that of the first body."))}};
   return &spec;
 }
 
 const Spec* cloud_spec() {
   static const Spec spec{
       .label = "[[cloud]]",
-      .keys =
-          body_keys() +
-          std::vector<Key>{
-              required(integer("count", "Number of bodies.", {.low = 1})),
-              required(arrow("low", "m", "Least corner for the centres.")),
-              required(arrow("high", "m", "Greatest corner for the centres.")),
-              real("speed", "m/s", "Of each, in a random direction, on top of `velocity`.", not_negative),
-              integer("seed", "Same seed, same cloud, everywhere.", {.low = 0, .high = 9007199254740992.0})}};
+      .keys = body_keys() +
+              std::vector<Key>{
+                  required(integer("count", "Number of bodies.", {.low = 1})),
+                  required(arrow("low", "m", "Least corner for the centres.")),
+                  required(arrow("high", "m", "Greatest corner for the centres.")),
+                  absent("0", real("speed", "m/s", "Of each body in a random direction, added to `velocity`.",
+                                   not_negative)),
+                  absent("0", integer("seed", "The same seed gives the same cloud on every machine.",
+                                      {.low = 0, .high = 9007199254740992.0}))}};
   return &spec;
 }
 

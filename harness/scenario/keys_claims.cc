@@ -30,8 +30,10 @@ const Spec* tolerance_spec() {
   static const Spec spec{
       .label = "tolerance",
       .keys = {
-          real("absolute", "", "In the observable's unit.", not_negative),
-          real("relative", "", "Times the largest |truth| over the horizon; of a drift, the initial value.",
+          real("absolute", "", "In the unit of the observable.", not_negative),
+          real("relative", "",
+               "Times the largest |truth| over the horizon, or of a conserved quantity its initial value. "
+               "Added to `absolute`.",
                not_negative),
           plain("order", boolean,
                 "The bound is C dt^p T, with p the integrator's order, which is checked too."),
@@ -45,7 +47,7 @@ const Spec* tolerance_spec() {
 }
 // Each kind with what it is and the numbers that it has.
 std::string event_meaning() {
-  std::string text = "Of observable = \"event\".";
+  std::string text = "Of `observable = \"event\"`.";
   for (const core::EventType& type : core::event_types()) {
     text += fmt::format(" {}: {} (", type.name, type.meaning);
     for (const core::EventQuantity which : type.quantities)
@@ -61,21 +63,26 @@ const Spec* claim_spec() {
       .label = "[[claim]]",
       .keys = {
           nested("follows", text_or_table, follows_spec,
-                 "An exact solution by name, \"certified\" (any smooth scene), or { file = … }."),
+                 "The truth: an exact solution by name, \"certified\" (any smooth scene), or recorded data "
+                 "beside the scenario. Either this or `conserves`."),
           word("conserves", "The observable that keeps its initial value.", words(core::Quantity::event)),
-          word("observable", "What follows.", words(core::Quantity::event)),
-          word("body", "Absent: all; the worst counts, momenta and energies are totals."),
-          word("component", "Of a vector.", {"x", "y", "z", "horizontal"}),
-          arrow("about", "m", "Of angular_momentum and apsides; absent: the origin."),
-          plain("until", Kind::until,
-                "Horizon [s], or \"horizon\": as long as an error of one ulp stays below a tenth of the "
-                "tolerance, of follows = \"certified\"; absent: the duration."),
-          plain("sample", Kind::sample, "Time between samples, or \"step\" for every step."),
-          word("measure", "How the deviations become one number; absent: max.", words(core::Reduction::rate)),
+          word("observable", "With `follows`: what is compared.", words(core::Quantity::event)),
+          absent("all bodies: the worst counts, momenta and energies are totals",
+                 word("body", "Name of the body.")),
+          absent("the whole vector", word("component", "Of a vector.", {"x", "y", "z", "horizontal"})),
+          absent("the origin", arrow("about", "m", "Reference point of `angular_momentum` and of an apsis.")),
+          absent("the duration", plain("until", Kind::until,
+                                       "End of the claim [s]. \"horizon\", with `follows = \"certified\"`: "
+                                       "as long as an error of one "
+                                       "ulp stays below a tenth of the tolerance.")),
+          plain("sample", Kind::sample, "Time between samples [s], or every step."),
+          absent("max",
+                 word("measure", "How the deviations become one number.", words(core::Reduction::rate))),
           word("event", event_meaning(), words(core::EventKind::crossing)),
-          word("to", "Of event = \"apsis\": the other body; absent: `about`, a point of the world."),
-          integer("index", "Of the event, counted per pair or body; absent: 1.", {.low = 0, .high = 1e9}),
-          word("quantity", "Of the event; absent: time.", words(core::EventQuantity::order)),
+          absent("`about`, a point of the world", word("to", "Of `event = \"apsis\"`: the other body.")),
+          absent("1", integer("index", "Of the event, counted per pair or body.", {.low = 0, .high = 1e9})),
+          absent("time",
+                 word("quantity", "Of the event: which of its numbers.", words(core::EventQuantity::order))),
           required(nested("tolerance", table, tolerance_spec, "How well it must hold, and why."))}};
   return &spec;
 }

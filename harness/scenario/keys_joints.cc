@@ -1,26 +1,32 @@
 // Keys of joints: which of the table's a joint of each type has.
 #include "harness/scenario/field_keys.h"
-#include "harness/scenario/key_rows.h"
 #include "harness/scenario/key_tables.h"
-
-#include <algorithm>
 
 namespace cylon::scenario {
 
 const Spec* joint_spec() {
   static const Spec spec = [] {
-    const std::vector<Key> keys = keys_of<core::Joint>();
-    const auto key = [&](const char* name) { return *std::ranges::find(keys, name, &Key::name); };
-    return Spec{
-        .label = "[[joint]]",
-        .keys = {key("type"), key("body"), key("to")},
-        .tag = "type",
-        .variants = {{"ball", {key("point")}},
-                     {"hinge", {key("point"), key("axis")}},
-                     {"distance",
-                      {arrow("point", "m", "Of the world, where `to` is absent; else it joins the centres."),
-                       key("length")}},
-                     {"fixed", {key("point")}}}};
+    constexpr auto& types = core::Words<core::JointType>::list;
+    const std::vector<Key> all = keys_of<core::Joint>();
+    Spec result{.label = "[[joint]]", .tag = "type"};
+    for (std::size_t type = 0; type < types.size(); ++type) {
+      const core::Joint with_world{.type = static_cast<core::JointType>(type)};
+      core::Joint with_body = with_world;
+      with_body.to = 0;
+      Spec::Variant variant{.name = std::string(types[type])};
+      std::size_t next = 0;
+      core::for_each_field(with_world, [&](const auto& field, const auto&) {
+        Key key = all[next++];
+        if (!field.applies) {
+          if (type == 0) result.keys.push_back(std::move(key));
+        } else if (field.applies(with_world)) {
+          key.required &= field.applies(with_body);
+          variant.keys.push_back(std::move(key));
+        }
+      });
+      result.variants.push_back(std::move(variant));
+    }
+    return result;
   }();
   return &spec;
 }

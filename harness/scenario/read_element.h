@@ -24,9 +24,7 @@ T read_element(const Table& table, const Draft& draft) {
   T element;
   core::for_each_field(element, [&](const auto& field, auto& value) {
     using Value = std::remove_cvref_t<decltype(value)>;
-    std::string_view key = field.key;
-    if constexpr (requires { element.to; })
-      if (!field.about.pin.empty() && element.to == core::world) key = field.about.pin;
+    const std::string_view key = core::key_of(element, field);
     if constexpr (std::is_same_v<Value, double>) {
       value = table.number(key, value);
     } else if constexpr (std::is_same_v<Value, bool>) {

@@ -81,13 +81,23 @@ Json value_schema(const Key& key) {
   return {};
 }
 
+// For editors, which show the description only; the parts of it are for docs/update.py.
+std::string described(const Key& key) {
+  std::string text = key.meaning;
+  if (!key.unit.empty()) text += (text.empty() ? "[" : " [") + key.unit + "]";
+  if (!key.absent.empty()) text += (text.empty() ? "Default: " : " Default: ") + key.absent + ".";
+  return text;
+}
+
 Json object_schema(const std::vector<Key>& keys) {
   Json properties = Json::object(), required = Json::array();
   for (const Key& key : keys) {
     Json schema = value_schema(key);
-    std::string meaning = key.meaning;
-    if (!key.unit.empty()) meaning += (meaning.empty() ? "[" : " [") + key.unit + "]";
-    if (!meaning.empty()) schema["description"] = meaning;
+    schema["description"] = described(key);
+    schema["x-form"] = form_of(key.kind);
+    if (!key.meaning.empty()) schema["x-meaning"] = key.meaning;
+    if (!key.unit.empty()) schema["x-unit"] = key.unit;
+    if (!key.absent.empty()) schema["x-absent"] = key.absent;
     properties[key.name] = schema;
     if (key.required) required.push_back(key.name);
   }

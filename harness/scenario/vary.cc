@@ -1,43 +1,48 @@
 #include "harness/scenario/vary.h"
 
 #include "harness/core/event_find.h"
+#include "harness/core/fields.h"
 #include "harness/scenario/certified_truth.h"
 #include "reference/certified/truth.h"
 #include "reference/exact/catalogue.h"
 
 #include <algorithm>
 #include <stdexcept>
+#include <type_traits>
 
 namespace cylon::scenario {
 namespace {
 
-bool scale_velocities(core::Scene& scene, double factor) {
-  bool moves = false;
-  for (core::Body& body : scene.bodies) {
-    moves |= !body.initial.velocity.isZero(0) || !body.initial.angular_velocity.isZero(0);
-    body.initial.velocity *= factor, body.initial.angular_velocity *= factor;
+// Makes every number of one rank so much larger; whether any changed.
+class Larger {
+ public:
+  Larger(int rank, double factor) : rank_(rank), factor_(factor) {}
+
+  bool operator()(core::Scene& scene) {
+    core::for_each_element(scene, [&](auto& element) { scale(element); });
+    return changed_;
   }
-  return moves;
-}
 
-template <class Kind, class Change>
-bool change_forces(core::Scene& scene, const Change& change) {
-  bool any = false;
-  for (core::Force& force : scene.forces)
-    if (auto* found = std::get_if<Kind>(&force)) change(*found), any = true;
-  return any;
-}
+ private:
+  template <class T>
+  void scale(T& element) {
+    core::for_each_field(element, [&](const auto& field, auto& value) {
+      using Value = std::remove_cvref_t<decltype(value)>;
+      if constexpr (std::is_same_v<Value, core::BodyState>) {
+        scale(value);
+      } else if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, core::Vector3>) {
+        if (field.about.start_rank != rank_) return;
+        const Value was = value;
+        value *= factor_;
+        changed_ |= value != was;
+      }
+    });
+  }
 
-bool scale_gravity(core::Scene& scene, double factor) {
-  return change_forces<core::UniformGravity>(scene,
-                                             [&](core::UniformGravity& g) { g.acceleration *= factor; });
-}
-
-bool stiffen(core::Scene& scene, double factor) {
-  return change_forces<core::Spring>(scene, [&](core::Spring& s) { s.stiffness *= factor; });
-}
-
-constexpr bool (*changes[])(core::Scene&, double) = {scale_velocities, scale_gravity, stiffen};
+  const int rank_;
+  const double factor_;
+  bool changed_ = false;
+};
 
 core::Truth truth_of(const core::Claim& claim, const core::Scene& scene, double horizon) {
   if (claim.follows == certified_name) {
@@ -64,9 +69,9 @@ void follow(core::Claim& claim, const Scenario& scenario) {
 
 std::optional<Scenario> varied(const Scenario& scenario, double amount) {
   require_prepared(scenario);
-  for (const auto change : changes) {
+  for (int rank = 1; rank <= core::About::start_ranks; ++rank) {
     Scenario result = scenario;
-    if (!change(result.scene, 1 + amount)) continue;
+    if (!Larger(rank, 1 + amount)(result.scene)) continue;
     try {
       for (core::Claim& claim : result.claims) follow(claim, result);
       return result;

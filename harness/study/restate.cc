@@ -77,16 +77,9 @@ class Rule {
     } else if constexpr (std::is_same_v<Value, std::vector<core::Part>>) {
       for (core::Part& part : value) element(part);
     } else {
-      static_assert(is_a_word<Value>, "say how a value of this type is restated");
+      static_assert(core::is_word<Value>, "say how a value of this type is restated");
     }
   }
-
-  // Names, words, flags and indices are the same in every description.
-  template <class Value>
-  static constexpr bool is_a_word =
-      std::is_integral_v<Value> || std::is_enum_v<Value> || std::is_same_v<Value, std::string> ||
-      std::is_same_v<Value, std::string[2]> ||
-      std::is_same_v<Value, std::vector<std::array<std::int32_t, 3>>>;
 
   template <class T>
   Vector3 coordinates(const T& of, Expressed in, const Vector3& v) const {
@@ -126,12 +119,7 @@ core::State Restatement::operator()(core::State state) const {
 
 core::Scene Restatement::operator()(core::Scene scene) const {
   const Rule rule(*this);
-  for (core::Body& body : scene.bodies) rule.element(body);
-  for (core::Force& force : scene.forces) std::visit([&](auto& kind) { rule.element(kind); }, force);
-  for (core::Joint& joint : scene.joints) rule.element(joint);
-  for (core::Plane& plane : scene.planes) rule.element(plane);
-  for (core::Material& material : scene.materials) rule.element(material);
-  if (scene.frame) rule.element(*scene.frame);
+  core::for_each_element(scene, [&](auto& element) { rule.element(element); });
   return scene;
 }
 

@@ -1,9 +1,9 @@
 #include "harness/view/record_file.h"
 
+#include "harness/core/fields.h"
 #include "harness/core/input_error.h"
 #include "harness/process/vector_json.h"
-#include "harness/view/scenario_text.h"
-#include "harness/view/toml.h"
+#include "harness/scenario/writer.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -17,15 +17,21 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-using Json = nlohmann::ordered_json;
+using scenario::toml_number, scenario::toml_text;
 
 // Of distances and angles that any motion has: far more than the same engine's repetition is off, far less
 // than the eye sees.
 constexpr double part = 1e-6;
 
-json rows(const std::vector<core::State>& states, std::size_t body, json (*row)(const core::BodyState&)) {
-  json result = json::array();
-  for (const core::State& state : states) result.push_back(row(state[body]));
+json row(const core::Vector3& v) { return process::vector_json(v); }
+json row(const core::Quaternion& q) { return process::quaternion_json(q); }
+
+// One body's motion: an array over time for each of its variables.
+json trajectory_of(std::size_t body, const std::vector<core::State>& states) {
+  json result;
+  for (const core::State& state : states)
+    core::for_each_field(
+        state[body], [&](const auto& field, const auto& value) { result[field.key].push_back(row(value)); });
   return result;
 }
 
@@ -41,15 +47,7 @@ json motion(const Recorder& recorder) {
   for (std::size_t i = 0; i < recorder.scene().bodies.size(); ++i) {
     const std::string& name = recorder.scene().bodies[i].name;
     bodies.push_back({{"id", name}});
-    trajectory[name] = {
-        {"position",
-         rows(states, i, [](const core::BodyState& s) { return process::vector_json(s.position); })},
-        {"velocity",
-         rows(states, i, [](const core::BodyState& s) { return process::vector_json(s.velocity); })},
-        {"angular_velocity",
-         rows(states, i, [](const core::BodyState& s) { return process::vector_json(s.angular_velocity); })},
-        {"orientation",
-         rows(states, i, [](const core::BodyState& s) { return process::quaternion_json(s.orientation); })}};
+    trajectory[name] = trajectory_of(i, states);
   }
   return {{"schema", "truth/1"},
           {"t", std::move(times)},
@@ -64,29 +62,29 @@ double farthest(const Recorder& recorder) {
   return most;
 }
 
-Json claim(const char* observable, const std::string& data, double absolute, const LaneSpec& spec) {
-  const std::string integrator =
+std::string claim(const char* observable, const std::string& data, double absolute, const LaneSpec& spec) {
+  const std::string engine =
       spec.integrator.empty() ? spec.engine : fmt::format("{} ({})", spec.engine, spec.integrator);
   const std::string reason = fmt::format(
       "convention: {:g} of what moves; {} at a step of {} s repeats its own motion to rounding, and another "
       "engine shows here where it departs",
-      part, integrator, spec.dt_text);
-  return {{"follows", {{"file", data}}},
-          {"observable", observable},
-          {"tolerance", {{"absolute", absolute}, {"reason", reason}}}};
+      part, engine, spec.dt_text);
+  return fmt::format(
+      "\n[[claim]]\nfollows = {{file = {}}}\nobservable = \"{}\"\ntolerance = {{absolute = {}, reason = "
+      "{}}}\n",
+      toml_text(data), observable, toml_number(absolute), toml_text(reason));
 }
 
 std::string scenario_text(const Recorder& recorder, const scenario::Scenario& from, const std::string& data) {
   const LaneSpec& spec = recorder.spec();
-  Json document = {{"title", from.title + " (recorded)"},
-                   {"story", fmt::format("{} Recorded in the live viewer with {}.", from.story, spec.engine)},
-                   {"tags", {"recorded"}},
-                   {"duration", static_cast<double>(recorder.last_step()) * recorder.dt()},
-                   {"step", spec.dt_text}};
-  document.update(scene_keys(recorder.scene()));
-  document["claim"] = {claim("position", data, part * std::max(1.0, farthest(recorder)), spec),
-                       claim("orientation", data, part, spec)};
-  return to_toml(document);
+  const std::string story = fmt::format("{} Recorded in the live viewer with {}.", from.story, spec.engine);
+  return fmt::format("title = {}\nstory = {}\ntags = [\"recorded\"]\nduration = {}\nstep = {}\n",
+                     toml_text(from.title + " (recorded)"), toml_text(story),
+                     toml_number(static_cast<double>(recorder.last_step()) * recorder.dt()),
+                     toml_text(spec.dt_text)) +
+         scenario::to_toml(recorder.scene()) +
+         claim("position", data, part * std::max(1.0, farthest(recorder)), spec) +
+         claim("orientation", data, part, spec);
 }
 
 void write(const fs::path& path, const std::string& text) {

@@ -3,114 +3,79 @@
 #include "harness/core/fields.h"
 
 #include <type_traits>
-#include <utility>
 
 namespace cylon::exact {
 namespace {
 
 class Nudges {
  public:
-  Nudges(const core::Scene& scene, double step) : scene_(scene), step_(step) {
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b) body(b);
-    for (std::size_t f = 0; f < scene.forces.size(); ++f) force(f);
-    for (std::size_t j = 0; j < scene.joints.size(); ++j) {
-      vector([j](core::Scene & s) -> auto& { return s.joints[j].point; });
-      switch (scene.joints[j].type) {
-        case core::JointType::hinge:
-          vector([j](core::Scene & s) -> auto& { return s.joints[j].axis; });
-          break;
-        case core::JointType::distance:
-          number([j](core::Scene & s) -> auto& { return s.joints[j].length; });
-          break;
-        case core::JointType::ball:
-        case core::JointType::fixed:
-          break;
-      }
-    }
-    for (std::size_t p = 0; p < scene.planes.size(); ++p) {
-      vector([p](core::Scene & s) -> auto& { return s.planes[p].normal; });
-      number([p](core::Scene & s) -> auto& { return s.planes[p].offset; });
-    }
-    if (scene.frame) {
-      vector([](core::Scene & s) -> auto& { return s.frame->velocity; });
-      vector([](core::Scene & s) -> auto& { return s.frame->angular_velocity; });
-    }
-    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-      number([m](core::Scene & s) -> auto& { return s.materials[m].restitution; });
-      number([m](core::Scene & s) -> auto& { return s.materials[m].friction; });
-    }
+  Nudges(const core::Scene& scene, double step) : moved_(scene), step_(step) {
+    core::for_each_element(moved_, [&](auto& element) { nudge(element); });
   }
 
   std::vector<core::Scene> scenes;
 
  private:
-  template <class Access>
-  void number(Access access) {
-    core::Scene moved = scene_;
-    double& x = access(moved);
-    if (x == 0) return;
-    x += step_ * x;
-    scenes.push_back(std::move(moved));
+  // Every number of an element that matters, in the order of the table; words, flags and bodies stay.
+  template <class T>
+  void nudge(T& element) {
+    core::for_each_field(element, [&](const auto& field, auto& value) {
+      if (!field.applies || field.applies(element)) member(element, value);
+    });
   }
 
-  template <class Access>
-  void vector(Access access) {
-    for (int i = 0; i < 3; ++i) number([=](core::Scene & s) -> auto& { return access(s)[i]; });
+  template <class T, class Value>
+  void member(const T& of, Value& value) {
+    if constexpr (std::is_same_v<Value, double>) {
+      number(value);
+    } else if constexpr (std::is_same_v<Value, core::Vector3>) {
+      for (double& x : value) number(x);
+    } else if constexpr (std::is_same_v<Value, std::optional<core::Vector3>>) {
+      if (value) member(of, *value);
+    } else if constexpr (std::is_same_v<Value, core::Quaternion>) {
+      for (double& x : value.coeffs()) number(x);
+    } else if constexpr (std::is_same_v<Value, core::Matrix3>) {
+      tensor(value);
+    } else if constexpr (std::is_same_v<Value, core::BodyState>) {
+      nudge(value);
+    } else if constexpr (std::is_same_v<Value, core::Shape>) {
+      if (of.collide) std::visit([&](auto& shape) { of_shape(shape); }, value);
+    } else {
+      // Points of hulls and meshes and the parts of compounds are in no solution's domain.
+      static_assert(core::is_word<Value> || std::is_same_v<Value, std::vector<core::Vector3>> ||
+                        std::is_same_v<Value, std::vector<core::Part>>,
+                    "say how a value of this type is nudged");
+    }
   }
 
-  void body(std::size_t b) {
-    vector([b](core::Scene & s) -> auto& { return s.bodies[b].initial.position; });
-    vector([b](core::Scene & s) -> auto& { return s.bodies[b].initial.velocity; });
-    vector([b](core::Scene & s) -> auto& { return s.bodies[b].initial.angular_velocity; });
-    for (int i = 0; i < 4; ++i) {
-      number([=](core::Scene & s) -> auto& { return s.bodies[b].initial.orientation.coeffs()[i]; });
-    }
-    number([b](core::Scene & s) -> auto& { return s.bodies[b].mass; });
-    inertia(b);
-    if (!scene_.bodies[b].collide) return;
-    if (std::holds_alternative<core::Sphere>(scene_.bodies[b].shape)) {
-      number([b](core::Scene & s) -> auto& { return std::get<core::Sphere>(s.bodies[b].shape).radius; });
-    } else if (std::holds_alternative<core::Box>(scene_.bodies[b].shape)) {
-      vector([b](core::Scene & s) -> auto& { return std::get<core::Box>(s.bodies[b].shape).half_extents; });
-    }
+  void of_shape(std::monostate&) {}
+  template <class Shape>
+  void of_shape(Shape& shape) {
+    nudge(shape);
   }
+
+  void number(double& x) { entry(x, x, step_ * x); }
 
   // A full tensor goes through an eigenvalue solver, whose error is one of the tensor as a whole.
-  void inertia(std::size_t b) {
-    const core::Matrix3& tensor = scene_.bodies[b].inertia;
-    for (int i = 0; i < 3; ++i) {
-      for (int j = tensor.isDiagonal(0.0) ? i : 0; j <= i; ++j) {
-        core::Scene moved = scene_;
-        const double amount = step_ * (tensor.isDiagonal(0.0) ? tensor(i, j) : tensor.cwiseAbs().maxCoeff());
-        moved.bodies[b].inertia(i, j) += amount;
-        if (i != j) moved.bodies[b].inertia(j, i) += amount;
-        if (amount != 0) scenes.push_back(std::move(moved));
-      }
-    }
+  void tensor(core::Matrix3& m) {
+    const bool diagonal = m.isDiagonal(0.0);
+    const double largest = m.cwiseAbs().maxCoeff();
+    for (int i = 0; i < 3; ++i)
+      for (int j = diagonal ? i : 0; j <= i; ++j)
+        entry(m(i, j), m(j, i), step_ * (diagonal ? m(i, j) : largest));
   }
 
-  // Every number and every vector's coordinates, in the order of the table; words and bodies stay.
-  void force(std::size_t f) {
-    std::visit(
-        [&]<class Force>(const Force& own) {
-          core::for_each_field(own, [&](const auto& field, const auto& value) {
-            using Value = std::remove_cvref_t<decltype(value)>;
-            const auto member = [ f, at = field.member ](core::Scene & s) -> auto& {
-              return std::get<Force>(s.forces[f]).*at;
-            };
-            if constexpr (std::is_same_v<Value, double>) {
-              number(member);
-            } else if constexpr (std::is_same_v<Value, core::Vector3>) {
-              vector(member);
-            } else if constexpr (std::is_same_v<Value, std::optional<core::Vector3>>) {
-              if (value) vector([member](core::Scene & s) -> auto& { return *member(s); });
-            }
-          });
-        },
-        scene_.forces[f]);
+  // One number, or the two equal ones of a symmetric tensor, for one scene.
+  void entry(double& x, double& same, double amount) {
+    if (amount == 0) return;
+    const double was = x, other = same;
+    x += amount;
+    if (&same != &x) same += amount;
+    scenes.push_back(moved_);
+    x = was, same = other;
   }
 
-  const core::Scene& scene_;
+  core::Scene moved_;
   const double step_;
 };
 
