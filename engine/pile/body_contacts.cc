@@ -69,39 +69,30 @@ BodyContacts::BodyContacts(const Model& model) : model_(model) {
     if (half > 0) smallest_ = smallest_ > 0 ? std::min(smallest_, half) : half;
   }
   margin_.resize(model.bodies.size());
+  bounds_.resize(model.bodies.size());
 }
 
 Vector3 offset(const Block& block, const std::vector<Motion>& motions) {
   return point(block.anchor, block.a, motions) - point(block.to_anchor, block.b, motions);
 }
 
-// Sweep along the axis on which the bodies spread most.  Pairs in ascending order.
+// Bodies whose bounding balls, each with its margin, meet; in ascending order.
 void BodyContacts::find_pairs(const std::vector<Motion>& motions) {
-  Vector3 mean = Vector3::Zero(), spread = Vector3::Zero();
-  for (const Motion& motion : motions) mean += motion.position / static_cast<Real>(motions.size());
-  for (const Motion& motion : motions) spread += (motion.position - mean).cwiseAbs2();
-  Eigen::Index axis = 0;
-  spread.maxCoeff(&axis);
-  intervals_.clear();
+  constexpr Real most = std::numeric_limits<Real>::infinity();
+  const auto reach = [&](int i) { return radius_[index(i)] + margin_[index(i)]; };
   for (int i = 0; i < static_cast<int>(motions.size()); ++i) {
-    if (radius_[index(i)] == 0 && !std::holds_alternative<Sphere>(model_.shapes[index(i)])) continue;
-    if (model_.surfaces[index(i)] == no_surface) continue;
-    const Real reach = radius_[index(i)] + margin_[index(i)], at = motions[index(i)].position[axis];
-    intervals_.push_back({at - reach, at + reach, i});
+    const bool touches = model_.surfaces[index(i)] != no_surface &&
+                         (radius_[index(i)] > 0 || std::holds_alternative<Sphere>(model_.shapes[index(i)]));
+    const Vector3& p = motions[index(i)].position;
+    const Vector3 r = Vector3::Constant(touches ? reach(i) : -most);
+    bounds_[index(i)] = {p - r, p + r};
   }
-  std::sort(intervals_.begin(), intervals_.end(), [](const Interval& x, const Interval& y) {
-    return x.low < y.low || (x.low == y.low && x.body < y.body);
-  });
   pairs_.clear();
-  for (std::size_t i = 0; i < intervals_.size(); ++i)
-    for (std::size_t j = i + 1; j < intervals_.size() && intervals_[j].low <= intervals_[i].high; ++j) {
-      const int a = std::min(intervals_[i].body, intervals_[j].body),
-                b = std::max(intervals_[i].body, intervals_[j].body);
-      const Real reach = radius_[index(a)] + margin_[index(a)] + radius_[index(b)] + margin_[index(b)];
-      if ((motions[index(a)].position - motions[index(b)].position).squaredNorm() <= reach * reach)
-        pairs_.emplace_back(a, b);
-    }
-  std::sort(pairs_.begin(), pairs_.end());
+  for (const auto& [a, b] : broad_phase_.pairs(bounds_)) {
+    const Real far = reach(a) + reach(b);
+    if ((motions[index(a)].position - motions[index(b)].position).squaredNorm() <= far * far)
+      pairs_.emplace_back(a, b);
+  }
 }
 
 void BodyContacts::touch(const std::vector<Motion>& motions, int a, int b, int plane, Real margin,

@@ -1,6 +1,7 @@
 // Where bodies of any shape touch, or will within the step, as blocks; joints as blocks too.
 #pragma once
 
+#include "engine/geometry/broad_phase.h"
 #include "engine/pile/block.h"
 
 #include <utility>
@@ -20,11 +21,6 @@ class BodyContacts {
   Real smallest() const { return smallest_; }
 
  private:
-  struct Interval {
-    Real low, high;
-    int body;
-  };
-
   void find_pairs(const std::vector<Motion>&);
   void touch(const std::vector<Motion>&, int a, int b, int plane, Real margin, const std::vector<Block>& old,
              std::size_t& next, std::vector<Block>&);
@@ -33,7 +29,8 @@ class BodyContacts {
   const Model& model_;
   Real smallest_ = 0;
   std::vector<Real> radius_, margin_;
-  std::vector<Interval> intervals_;
+  std::vector<Bounds> bounds_;
+  BroadPhase broad_phase_;
   std::vector<std::pair<int, int>> pairs_;
   std::vector<Block> old_;
 };
