@@ -18,6 +18,7 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings)
     : model_(model),
+      masses_(model_.bodies),
       dt_(dt),
       settings_(settings),
       threads_(settings.threads),
@@ -55,7 +56,8 @@ void BodyPile::set_kinematics() {
   }
 }
 
-// K += F h, L += torque h; gravity alone needs no loads.
+// K += F h, L += torque h; gravity alone needs no loads.  Forces are those at the start, masses from here on those
+// at the end:  v = K(now + h)/m(now + h).
 void BodyPile::kick(Time now, Real h) {
   if (other_forces_) {
     kinematics_.resize(motions_.size()), loads_.resize(motions_.size());
@@ -70,6 +72,12 @@ void BodyPile::kick(Time now, Real h) {
     const Vector3 torque = other_forces_ ? loads_[i].torque : Vector3(Vector3::Zero());
     if (body.inverse_mass > 0) motions_[i].momentum += h * force;
     motions_[i].angular_momentum += h * torque;
+  }
+  masses_.set(now + static_cast<Time>(h), model_.bodies);
+  for (std::size_t i = 0; i < motions_.size(); ++i) {
+    const Body& body = model_.bodies[i];
+    if (body.locked) continue;
+    movers_[i].inverse_mass = body.inverse_mass;
     movers_[i].v = velocity(body, motions_[i]);
     movers_[i].w = movers_[i].inverse_inertia * motions_[i].angular_momentum;
   }

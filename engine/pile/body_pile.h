@@ -1,6 +1,7 @@
 // The stepper of a pile of bodies of any shape, and of jointed ones.
 #pragma once
 
+#include "engine/changing_masses.h"
 #include "engine/pile/body_contacts.h"
 #include "engine/pile/direct.h"
 #include "engine/pile/islands.h"
@@ -39,6 +40,7 @@ class BodyPile : public Stepper {
   void colour();
 
   Model model_;
+  ChangingMasses masses_;
   Time dt_;
   PileSettings settings_;
   Threads threads_;
