@@ -1,6 +1,10 @@
 #include "engine/forces.h"
 
+#include "engine/stability.h"
+
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cylon::engine {
 
@@ -134,6 +138,35 @@ void apply(const Water& water, Scene& scene) {
   }
 }
 
+// ---- How fast a force alone can make bodies react -------------------------------------------------------
+
+struct Rates {
+  Real square = 0;   // k/m [1/s^2]
+  Real damping = 0;  // c/m [1/s]
+};
+
+Real inverse_mass(const std::vector<Body>& bodies, int body) {
+  return body == fixed_world ? Real(0) : bodies[at(body)].inverse_mass;
+}
+Real largest_inverse_moment(const Body& body) { return body.inverse_moments.maxCoeff(); }
+
+Rates rates(const Spring& s, const std::vector<Body>& bodies) {
+  const Real mobility = inverse_mass(bodies, s.body) + inverse_mass(bodies, s.to);
+  return {s.stiffness * mobility, s.damping * mobility};
+}
+Rates rates(const Drag& d, const std::vector<Body>& bodies) {
+  const Body& body = bodies[at(d.body)];
+  return {0, std::max({d.linear * body.inverse_mass, d.angular * largest_inverse_moment(body), d.momentum})};
+}
+Rates rates(const Thrust&, const std::vector<Body>&) { return {}; }      // no more than the mass changes
+Rates rates(const Drive&, const std::vector<Body>&) { return {}; }       // of time alone
+Rates rates(const Attraction&, const std::vector<Body>&) { return {}; }  // as the distance is
+Rates rates(const Water& w, const std::vector<Body>& bodies) {
+  Real mobility = 0;
+  for (const Body& body : bodies) mobility = std::max(mobility, body.inverse_mass);
+  return {0, std::max(w.drag * mobility, w.mode == WaterMode::step ? Real(1) : Real(0))};
+}
+
 }  // namespace
 
 void apply(const Forces& forces, Time time, const std::vector<Body>& bodies, const Motion* motion,
@@ -152,6 +185,17 @@ void apply(const Forces& forces, Time time, const std::vector<Body>& bodies, con
   }
   account();
   each_force(forces, [&](const auto& force) { apply(force, scene), account(); });
+}
+
+//   h = (sqrt(c^2 + 4 k/m) - c)/(k/m) = 4/(sqrt(c^2 + 4 k/m) + c),  c here per mass
+StepLimit longest_step(const Forces& forces, const std::vector<Body>& bodies) {
+  StepLimit limit{std::numeric_limits<Real>::infinity(), ""};
+  each_force(forces, [&](const auto& force) {
+    const Rates r = rates(force, bodies);
+    const Real step = 4 / (std::sqrt(r.damping * r.damping + 4 * r.square) + r.damping);
+    if (step < limit.step) limit = {step, force.one};
+  });
+  return limit;
 }
 
 }  // namespace cylon::engine

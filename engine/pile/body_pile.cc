@@ -26,6 +26,8 @@ BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings)
       movers_(model.bodies.size()),
       found_(model_),
       islands_(model_),
+      limit_(longest_step(model_.forces, model_.bodies)),
+      struck_(model_.bodies.size(), 0),
       other_forces_(!model.forces.only_gravity()),
       isolated_(isolated(model)) {
   set_kinematics();
@@ -42,6 +44,15 @@ std::vector<std::string> BodyPile::remarks() const {
     text << "contact and joint equations were solved only to " << residual_ << " m/s";
     remarks.push_back(text.str());
   }
+  if (unstable_) {
+    std::ostringstream text;
+    text << "steps longer than " << limit_.step << " s are unstable: " << limit_.reason
+         << " is too stiff for them, and the motion may grow without limit";
+    remarks.push_back(text.str());
+  }
+  if (together_)
+    remarks.emplace_back(
+        "impacts = sequential was not kept: bounces of one body in one step were solved at once");
   return remarks;
 }
 
@@ -87,6 +98,7 @@ void BodyPile::kick(Time now, Real h) {
 //   u_n >= -e u_n(before) where the points meet within h;  else u_n >= -max(gap, 0)/h
 void BodyPile::set_targets(Time now, Real h) {
   const Real slow = 4 * model_.forces.gravity.norm() * h + std::numeric_limits<Real>::min();
+  std::fill(struck_.begin(), struck_.end(), char{0});
   for (std::size_t k = 0; k < blocks_.size(); ++k) {
     Block& block = blocks_[k];
     if (block.kind != Block::Kind::contact) continue;
@@ -100,8 +112,17 @@ void BodyPile::set_targets(Time now, Real h) {
     if (!impacts_.empty() && k > 0 && blocks_[k - 1].impact && blocks_[k - 1].a == block.a &&
         blocks_[k - 1].b == block.b && blocks_[k - 1].plane == block.plane)
       continue;  // points of one pair are one impact
+    if (block.restitution > 0) note_bounce(block);
     impacts_.push_back({now + static_cast<Time>(gap > 0 ? gap / -u : 0), block.a, block.b, block.plane, -u,
                         -block.restitution * u});
+  }
+}
+
+void BodyPile::note_bounce(const Block& block) {
+  for (const int body : {block.a, block.b}) {
+    if (body == fixed_world || model_.bodies[index(body)].locked) continue;
+    together_ = together_ || (struck_[index(body)] && model_.impacts == Impacts::sequential);
+    struck_[index(body)] = 1;
   }
 }
 
@@ -206,6 +227,7 @@ void BodyPile::correct_positions(bool direct) {
 }
 
 void BodyPile::substep(Time now, Time h, bool direct) {
+  unstable_ = unstable_ || static_cast<Real>(h) > limit_.step;
   set_kinematics();
   if (isolated_) meet_halfway(blocks_, motions_);
   set_targets(now, static_cast<Real>(h));

@@ -39,6 +39,13 @@ struct Truth {
   Real error = 0;  // apart from a run with twice the step
 };
 
+// Whether the run says that it left out events for the rest of a step: no bound holds then.
+bool gave_up(const Ran& run) {
+  return std::any_of(run.remarks.begin(), run.remarks.end(), [](const std::string& remark) {
+    return remark.find("for the rest of") != std::string::npos;
+  });
+}
+
 // Within the tolerance, or within what a run says of itself, or within the order of its steps: a path of first order
 // comes nearer in proportion to its step.
 void expect_same(const MixedScene& scene, const Truth& truth, Options options, const char* what) {
@@ -63,7 +70,7 @@ void expect_same(const MixedScene& scene, const Truth& truth, Options options, c
 }
 
 TEST(MixedScenes, MoveTheSameOnEveryPath) {
-  int refused = 0, unsure = 0;
+  int refused = 0, unsure = 0, left = 0;
   for (std::uint32_t k = 0; k < scenes; ++k) {
     const MixedScene scene = mixed_scene(k);
     SCOPED_TRACE(k);
@@ -80,6 +87,10 @@ TEST(MixedScenes, MoveTheSameOnEveryPath) {
     full.full = true;
     if (make_plan(model, full).path == Path::stepping) full.dt = 1. / 2048;
     Truth truth{run_to_end(model, half)};
+    if (gave_up(truth.run)) {
+      ++left;
+      continue;
+    }
     truth.error = apart(model.bodies, truth.run.motions, run_to_end(model, fixed).motions);
     unsure += truth.error > Real(1e-6);
     expect_same(scene, truth, automatic, "auto");
@@ -87,6 +98,7 @@ TEST(MixedScenes, MoveTheSameOnEveryPath) {
   }
   EXPECT_LE(refused, scenes / 8);
   EXPECT_LE(unsure, scenes / 20) << "the truth is too coarse";
+  EXPECT_LE(left, scenes / 100) << "events are left out too often";
   RecordProperty("refused", refused);
   RecordProperty("unsure", unsure);
 }
