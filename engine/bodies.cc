@@ -12,13 +12,10 @@
 
 namespace cylon::engine {
 
-Bodies::Bodies(Model model, bool account) : model_(std::move(model)), account_(account) {
+Bodies::Bodies(Model model, bool account)
+    : model_(std::move(model)), account_(account), masses_(model_.bodies) {
   const std::size_t n = model_.bodies.size();
-  for (const Body& body : model_.bodies) {
-    mass_.push_back(body.mass);
-    varies_ = varies_ || body.mass_rate != 0;
-  }
-  size_ = motion_size * n + (account_ ? model_.forces.count() : 0) + (varies_ ? 1 : 0);
+  size_ = motion_size * n + (account_ ? model_.forces.count() : 0) + (masses_.any() ? 1 : 0);
   kinematics_.resize(n);
   loads_.resize(n);
   first_.resize(n);
@@ -71,17 +68,6 @@ std::vector<Real> Bodies::initial() const {
   return y;
 }
 
-// m(t) = m_0 + t dm/dt
-void Bodies::update_masses(Time t) {
-  if (!varies_) return;
-  for (std::size_t i = 0; i < mass_.size(); ++i) {
-    Body& body = model_.bodies[i];
-    if (body.mass_rate == 0) continue;
-    body.mass = mass_[i] + static_cast<Real>(t) * body.mass_rate;
-    if (!body.locked && !body.pinned) body.inverse_mass = 1 / body.mass;
-  }
-}
-
 void Bodies::find_kinematics(const Motion* motion) {
   for (std::size_t i = 0; i < kinematics_.size(); ++i) {
     const Body& body = model_.bodies[i];
@@ -108,7 +94,7 @@ void Bodies::find_loads(Time t, const Motion* motion, Real* powers) {
 }
 
 void Bodies::load(Time t, const Real* y) {
-  update_masses(t);
+  masses_.set(t, model_.bodies);
   find_kinematics(motions(y));
   find_loads(t, motions(y), nullptr);
 }
@@ -130,13 +116,15 @@ const Motion* Bodies::upright(const Motion* motion) {
 
 void Bodies::rates(Time t, const Real* y, Real* rate) {
   const Motion* motion = holder_ || constrained() ? upright(motions(y)) : motions(y);
-  update_masses(t);
+  masses_.set(t, model_.bodies);
   find_kinematics(motion);
   Real* powers = account_ ? rate + motion_size * kinematics_.size() : nullptr;
   find_loads(t, motion, powers);
   if (holder_) {
     holder_->hold(t, model_.bodies, motion, kinematics_.data(), loads_.data());
   } else if (constrained()) {
+    for (std::size_t i = 0; i < loads_.size(); ++i)
+      pull_ = std::max(pull_, loads_[i].force.norm() / model_.bodies[i].mass);
     gather(motion);
     rows_.constrain_accelerations(model_.bodies, motion, kinematics_.data(), loads_.data());
   }
@@ -165,7 +153,7 @@ void Bodies::rates(Time t, const Real* y, Real* rate) {
       dl -= frame.cross(motion[i].angular_momentum);
     }
   }
-  if (varies_) rate[account_ ? model_.forces.count() : 0] = 1;
+  if (masses_.any()) rate[account_ ? model_.forces.count() : 0] = 1;
 }
 
 // K' = F, L' = torque with the configuration frozen.  Forces are affine in the momenta z,  z' = A z + b,  so
@@ -179,7 +167,7 @@ void Bodies::kick(Time t, Real h, Real* y) {
   constexpr int terms = 12;
   const Real tiny = std::numeric_limits<Real>::epsilon() / 4;
   Real* works = y + motion_size * n;
-  update_masses(t);
+  masses_.set(t, model_.bodies);
   find_kinematics(motion);
   find_loads(t, motion, account_ ? powers_.data() : nullptr);
   const auto account = [&] {
@@ -259,19 +247,19 @@ void Bodies::kick(Time t, Real h, Real* y) {
 void Bodies::free_drift(Real h, Real* y) {
   Motion* motion = motions(y);
   const std::size_t n = kinematics_.size();
-  Real* clock = varies_ ? y + size_ - 1 : nullptr;
+  Real* clock = masses_.any() ? y + size_ - 1 : nullptr;
   for (std::size_t i = 0; i < n; ++i) {
     const Body& body = model_.bodies[i];
     Motion& m = motion[i];
     if (body.mass_rate != 0) {  // p' = K/m(t):  the integral of 1/m is ln(m_1/m_0)/m'
-      const Real m0 = mass_[i] + *clock * body.mass_rate;
+      const Real m0 = masses_.at_start(i) + *clock * body.mass_rate;
       m.position += std::log1p(h * body.mass_rate / m0) / body.mass_rate * m.momentum;
     } else {
       m.position += h * velocity(body, m);
     }
     if (body.turns) m.orientation = free_flow(body, m.orientation, m.angular_momentum, h);
   }
-  if (varies_) *clock += h;
+  if (masses_.any()) *clock += h;
   if (model_.frame) turn_frame(h, motion);
 }
 
@@ -349,7 +337,10 @@ void Bodies::scales(const Real* y, Real* scale) {
   // Joints that carry weight shake bodies at rest by the rounding of their forces, which no step makes
   // smooth: a speed is small against what gravity gives over the scene's length, sqrt(g L), not against
   // nothing.
-  const Real at_rest = model_.joints.empty() ? 0 : std::sqrt(model_.forces.gravity.norm() * length_);
+  // So do other forces than gravity; what moves at more than the rounding of their speed is measured by itself.
+  Real at_rest = model_.joints.empty() ? 0 : std::sqrt(model_.forces.gravity.norm() * length_);
+  const Real shaken = std::sqrt(std::numeric_limits<Real>::epsilon() * pull_ * length_);
+  if (at_rest == 0 && speed_ > 0 && speed_ < shaken) at_rest = std::sqrt(pull_ * length_);
   const Real speed = std::max(speed_, at_rest);
   const Real turn = std::max(turn_, length_ > 0 ? at_rest / length_ : 0);
   const auto or_one = [](Real x) { return x > 0 ? x : Real(1); };

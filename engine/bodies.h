@@ -1,6 +1,7 @@
 // The general system of differential equations: rigid bodies under forces, joints and lasting contacts.
 #pragma once
 
+#include "engine/changing_masses.h"
 #include "engine/constraint.h"
 #include "engine/model.h"
 #include "engine/system.h"
@@ -72,7 +73,6 @@ class Bodies {
   const std::vector<Kinematics>& kinematics() const { return kinematics_; }
 
  private:
-  void update_masses(Time);
   void find_kinematics(const Motion*);
   void find_loads(Time, const Motion*, Real* powers);
   void free_drift(Real h, Real* y);
@@ -86,15 +86,16 @@ class Bodies {
 
   Model model_;
   std::vector<Switch> switches_;
-  bool account_ = false, varies_ = false, reads_velocities_ = false;
+  bool account_ = false, reads_velocities_ = false;
   std::size_t size_ = 0;
-  std::vector<Real> mass_;  // at t = 0
+  ChangingMasses masses_;
   std::vector<Kinematics> kinematics_;
   std::vector<Motion> upright_;
   std::vector<Load> loads_, first_, before_;
   std::vector<Real> powers_, change_, start_, probe_;
   Real length_ = 0, speed_ = 0, turn_ = 0;  // the largest that scales() has seen, as are
   std::vector<Real> spin_;                  // |L| of each body
+  Real pull_ = 0;                           // The largest |F|/m that joints have had to take up [m/s^2].
   Rows rows_;
   Holder* holder_ = nullptr;
 };

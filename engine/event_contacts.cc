@@ -258,7 +258,8 @@ bool EventStepper::loosen() {
 bool EventStepper::nothing_moves(const ContactForces& support) const {
   const Model& model = system_.model();
   const Motion* motion = Bodies::motions(y_.data());
-  if (!model.forces.drives.empty() || model.frame) return false;
+  if (model.frame || any_force(model.forces, [](const auto& force) { return force.reads_time(); }))
+    return false;
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {
     if (model.bodies[i].mass_rate != 0) return false;
     if (!motion[i].momentum.isZero(0) || !motion[i].angular_momentum.isZero(0)) return false;

@@ -1,7 +1,10 @@
 #include "engine/forces.h"
 
+#include "engine/stability.h"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cylon::engine {
 
@@ -15,6 +18,8 @@ struct Scene {
   const Motion* motion;
   const Kinematics* kinematics;
   Load* load;
+  Time time;
+  const Vector3& gravity;
   Real power = 0;  // of the force at work [W]
 
   // A force at an arm from the reference point.
@@ -94,8 +99,9 @@ void apply(const Thrust& thrust, Scene& scene) {
   scene.push(thrust.body, arm, force);
 }
 
-void apply(const Drive& drive, Time time, Scene& scene) {
-  const Real phase = static_cast<Real>(std::fmod(static_cast<double>(drive.frequency) * time, 2 * M_PI));
+void apply(const Drive& drive, Scene& scene) {
+  const Real phase =
+      static_cast<Real>(std::fmod(static_cast<double>(drive.frequency) * scene.time, 2 * M_PI));
   scene.push(drive.body, scene.centre(at(drive.body)), drive.force * std::cos(phase));
 }
 
@@ -111,7 +117,7 @@ void apply(const Attraction& pull, Scene& scene) {
   scene.push(pull.to, arm_b, -force);
 }
 
-void apply(const Water& water, const Vector3& gravity, Time time, Scene& scene) {
+void apply(const Water& water, Scene& scene) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     if (scene.bodies[i].locked) continue;
     const int body = static_cast<int>(i);
@@ -119,33 +125,53 @@ void apply(const Water& water, const Vector3& gravity, Time time, Scene& scene) 
     const Vector3 arm = scene.centre(i), centre = scene.motion[i].position + arm;
     const Vector3 velocity = k.velocity + k.angular_velocity.cross(arm);
     if (water.mode == WaterMode::step) {
-      if (!water.under(i, time, centre)) continue;
+      if (!water.under(i, scene.time, centre)) continue;
       scene.push(body, arm, water.buoyancy * Vector3::UnitY() - water.drag * velocity);
       scene.twist(body, -scene.motion[i].angular_momentum);
       continue;
     }
     const Submerged part =
-        submerged(water.shapes[i], scene.motion[i].position, k.rotation, water.surface(time, centre));
+        submerged(water.shapes[i], scene.motion[i].position, k.rotation, water.surface(scene.time, centre));
     if (part.volume <= 0) continue;
-    scene.push(body, part.centroid - scene.motion[i].position, -water.buoyancy * part.volume * gravity);
+    scene.push(body, part.centroid - scene.motion[i].position, -water.buoyancy * part.volume * scene.gravity);
     scene.push(body, arm, -water.drag * part.volume / part.whole * velocity);
   }
 }
 
-}  // namespace
+// ---- How fast a force alone can make bodies react -------------------------------------------------------
 
-bool Forces::read_velocities() const {
-  const auto damped = [](const Spring& spring) { return spring.damping != 0; };
-  const auto open = [](const Thrust& thrust) { return thrust.mass_rate != 0 && thrust.relative; };
-  const auto viscous = [](const Water& water) { return water.drag != 0 || water.mode == WaterMode::step; };
-  return !drags.empty() || std::any_of(springs.begin(), springs.end(), damped) ||
-         std::any_of(thrusts.begin(), thrusts.end(), open) ||
-         std::any_of(waters.begin(), waters.end(), viscous);
+struct Rates {
+  Real square = 0;   // k/m [1/s^2]
+  Real damping = 0;  // c/m [1/s]
+};
+
+Real inverse_mass(const std::vector<Body>& bodies, int body) {
+  return body == fixed_world ? Real(0) : bodies[at(body)].inverse_mass;
 }
+Real largest_inverse_moment(const Body& body) { return body.inverse_moments.maxCoeff(); }
+
+Rates rates(const Spring& s, const std::vector<Body>& bodies) {
+  const Real mobility = inverse_mass(bodies, s.body) + inverse_mass(bodies, s.to);
+  return {s.stiffness * mobility, s.damping * mobility};
+}
+Rates rates(const Drag& d, const std::vector<Body>& bodies) {
+  const Body& body = bodies[at(d.body)];
+  return {0, std::max({d.linear * body.inverse_mass, d.angular * largest_inverse_moment(body), d.momentum})};
+}
+Rates rates(const Thrust&, const std::vector<Body>&) { return {}; }      // no more than the mass changes
+Rates rates(const Drive&, const std::vector<Body>&) { return {}; }       // of time alone
+Rates rates(const Attraction&, const std::vector<Body>&) { return {}; }  // as the distance is
+Rates rates(const Water& w, const std::vector<Body>& bodies) {
+  Real mobility = 0;
+  for (const Body& body : bodies) mobility = std::max(mobility, body.inverse_mass);
+  return {0, std::max(w.drag * mobility, w.mode == WaterMode::step ? Real(1) : Real(0))};
+}
+
+}  // namespace
 
 void apply(const Forces& forces, Time time, const std::vector<Body>& bodies, const Motion* motion,
            const Kinematics* kinematics, Load* load, Real* powers) {
-  Scene scene{bodies, motion, kinematics, load};
+  Scene scene{bodies, motion, kinematics, load, time, forces.gravity};
   const auto account = [&] {
     if (powers) *powers++ = scene.power;
     scene.power = 0;
@@ -158,12 +184,18 @@ void apply(const Forces& forces, Time time, const std::vector<Body>& bodies, con
     }
   }
   account();
-  for (const Spring& spring : forces.springs) apply(spring, scene), account();
-  for (const Drag& drag : forces.drags) apply(drag, scene), account();
-  for (const Thrust& thrust : forces.thrusts) apply(thrust, scene), account();
-  for (const Drive& drive : forces.drives) apply(drive, time, scene), account();
-  for (const Attraction& pull : forces.attractions) apply(pull, scene), account();
-  for (const Water& water : forces.waters) apply(water, forces.gravity, time, scene), account();
+  each_force(forces, [&](const auto& force) { apply(force, scene), account(); });
+}
+
+//   h = (sqrt(c^2 + 4 k/m) - c)/(k/m) = 4/(sqrt(c^2 + 4 k/m) + c),  c here per mass
+StepLimit longest_step(const Forces& forces, const std::vector<Body>& bodies) {
+  StepLimit limit{std::numeric_limits<Real>::infinity(), ""};
+  each_force(forces, [&](const auto& force) {
+    const Rates r = rates(force, bodies);
+    const Real step = 4 / (std::sqrt(r.damping * r.damping + 4 * r.square) + r.damping);
+    if (step < limit.step) limit = {step, force.one};
+  });
+  return limit;
 }
 
 }  // namespace cylon::engine

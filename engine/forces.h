@@ -1,12 +1,47 @@
-// The forces that act without constraining: each adds its force and torque to the loads of its bodies.
+// The forces that act without constraining: each adds its force and torque to the loads of its bodies.  A kind of
+// force is a struct here with the facts that ForceKind asks for, a row of force_lists, and its law in forces.cc;
+// a method that does not name its feature (engine/methods.cc) does not get it.
 #pragma once
 
 #include "engine/body.h"
+#include "engine/features.h"
 #include "engine/water.h"
 
+#include <concepts>
+#include <optional>
+#include <tuple>
 #include <vector>
 
 namespace cylon::engine {
+
+/// The two ends of a force between two places.
+struct Ends {
+  int body = 0;
+  Vector3 anchor = Vector3::Zero();  ///< Body axes, from the reference point [m].
+  int to = fixed_world;
+  Vector3 to_anchor = Vector3::Zero();  ///< Axes of `to`; world coordinates where `to` is the world [m].
+  Real rest_length = 0;                 ///< [m]
+};
+
+/// What else than its law must be known of a kind of force.
+template <class F>
+concept ForceKind = requires(F force, Features& features, std::vector<char>& turns, int body,
+                             const Vector3& arm) {
+  { F::stage } -> std::convertible_to<const char*>;    // its row in a plan
+  { F::one } -> std::convertible_to<const char*>;      // "a spring"
+  { F::feature } -> std::convertible_to<Feature>;      // of its own
+  {force.add_features(features)};                      // all that it asks of a method, F::feature included
+  { force.reads_velocities() } -> std::same_as<bool>;  // affine in the momenta where it does
+  { force.reads_time() } -> std::same_as<bool>;        //
+  {
+    force.holds_in_turning_frame()
+    } -> std::same_as<bool>;                           // the law is the same there, for inertial velocities
+  { force.mark_turned(turns) } -> std::same_as<void>;  // sets what it may turn from rest
+  {
+    force.shift_anchors(body, arm)
+    } -> std::same_as<void>;  // moves the reference point of a body by `arm`, body axes
+  { force.ends() } -> std::same_as<std::optional<Ends>>;  // where it acts between two places
+};
 
 /// F = (stiffness (|d| - rest_length) + damping d|d|/dt) d/|d| on `body`, -F on `to`, at the anchors; d from
 /// the anchor on `body` to the anchor on `to`.  Seed eq. 19 (errata 5), pull towards the pin (errata 47),
@@ -19,6 +54,31 @@ struct Spring {
   Real stiffness = 0;                   ///< [N/m], >= 0.
   Real rest_length = 0;                 ///< [m], >= 0.
   Real damping = 0;                     ///< [N s/m], >= 0.
+
+  static constexpr const char* stage = "springs";
+  static constexpr const char* one = "a spring";
+  static constexpr Feature feature = Feature::spring;
+  void add_features(Features& features) const {
+    features.add(feature);
+    if (damping != 0) features.add(Feature::damped_spring);
+    if (pulls_off_centre(body, anchor) || pulls_off_centre(to, to_anchor))
+      features.add(Feature::off_centre_spring);
+  }
+  bool reads_velocities() const { return damping != 0; }
+  bool reads_time() const { return false; }
+  bool holds_in_turning_frame() const { return damping == 0 || to != fixed_world; }
+  void mark_turned(std::vector<char>& turns) const {
+    if (pulls_off_centre(body, anchor)) turns[static_cast<std::size_t>(body)] = 1;
+    if (pulls_off_centre(to, to_anchor)) turns[static_cast<std::size_t>(to)] = 1;
+  }
+  void shift_anchors(int end, const Vector3& arm) {
+    if (end == body) anchor -= arm;
+    if (end == to) to_anchor -= arm;
+  }
+  std::optional<Ends> ends() const { return Ends{body, anchor, to, to_anchor, rest_length}; }
+
+ private:
+  static bool pulls_off_centre(int end, const Vector3& at) { return end != fixed_world && !at.isZero(0); }
 };
 
 /// F = -linear v at the centre of mass, torque = -angular w - momentum L_spin.  Seed eq. 20, without the
@@ -28,6 +88,17 @@ struct Drag {
   Real linear = 0;    ///< [kg/s], >= 0.
   Real angular = 0;   ///< [kg m^2/s], >= 0.
   Real momentum = 0;  ///< [1/s], >= 0.
+
+  static constexpr const char* stage = "drag";
+  static constexpr const char* one = "drag";
+  static constexpr Feature feature = Feature::drag;
+  void add_features(Features& features) const { features.add(feature); }
+  bool reads_velocities() const { return true; }
+  bool reads_time() const { return false; }
+  bool holds_in_turning_frame() const { return false; }
+  void mark_turned(std::vector<char>&) const {}
+  void shift_anchors(int, const Vector3&) {}
+  std::optional<Ends> ends() const { return std::nullopt; }
 };
 
 /// A constant force in body axes at the centre of mass, or exchanged mass: dm/dt = Body::mass_rate brings in
@@ -40,6 +111,17 @@ struct Thrust {
   Real mass_rate = 0;               ///< [kg/s]; its part of Body::mass_rate.
   bool relative = false;  ///< `exchanged` is relative to the body, in body axes; else in world axes.
   Vector3 exchanged = Vector3::Zero();  ///< [m/s]
+
+  static constexpr const char* stage = "thrust";
+  static constexpr const char* one = "a thrust";
+  static constexpr Feature feature = Feature::thrust;
+  void add_features(Features& features) const { features.add(feature); }
+  bool reads_velocities() const { return mass_rate != 0 && relative; }
+  bool reads_time() const { return false; }
+  bool holds_in_turning_frame() const { return true; }
+  void mark_turned(std::vector<char>&) const {}
+  void shift_anchors(int, const Vector3&) {}
+  std::optional<Ends> ends() const { return std::nullopt; }
 };
 
 /// F = force cos(frequency t) at the centre of mass.
@@ -47,6 +129,17 @@ struct Drive {
   int body = 0;
   Vector3 force = Vector3::Zero();  ///< World axes [N].
   Real frequency = 0;               ///< [rad/s]
+
+  static constexpr const char* stage = "drive";
+  static constexpr const char* one = "a drive";
+  static constexpr Feature feature = Feature::drive;
+  void add_features(Features& features) const { features.add(feature); }
+  bool reads_velocities() const { return false; }
+  bool reads_time() const { return true; }
+  bool holds_in_turning_frame() const { return true; }
+  void mark_turned(std::vector<char>&) const {}
+  void shift_anchors(int, const Vector3&) {}
+  std::optional<Ends> ends() const { return std::nullopt; }
 };
 
 /// F = strength m_a m_b d/|d|^3 on `body`, -F on `to`, d from `body` to `to`, between centres of mass.  At
@@ -55,6 +148,17 @@ struct Attraction {
   int body = 0;
   int to = 0;
   Real strength = 0;  ///< [m^3/(kg s^2)]
+
+  static constexpr const char* stage = "attraction";
+  static constexpr const char* one = "an attraction";
+  static constexpr Feature feature = Feature::attraction;
+  void add_features(Features& features) const { features.add(feature); }
+  bool reads_velocities() const { return false; }
+  bool reads_time() const { return false; }
+  bool holds_in_turning_frame() const { return true; }
+  void mark_turned(std::vector<char>&) const {}
+  void shift_anchors(int, const Vector3&) {}
+  std::optional<Ends> ends() const { return Ends{body, Vector3::Zero(), to, Vector3::Zero(), 0}; }
 };
 
 /// All forces of a model; F = sum F_i, torque = sum r_i x F_i (seed eq. 17, 57, 58; errata 4).
@@ -68,14 +172,59 @@ struct Forces {
   std::vector<Water> waters;
 
   /// Gravity, then one per row above, in that order.
-  std::size_t count() const {
-    return 1 + springs.size() + drags.size() + thrusts.size() + drives.size() + attractions.size() +
-           waters.size();
-  }
+  std::size_t count() const;
   bool only_gravity() const { return count() == 1; }
   /// Whether any of them reads a velocity; all such are affine in the momenta.
   bool read_velocities() const;
 };
+
+/// The lists of Forces: all of them, in the order in which forces are applied and their works are accounted.
+inline constexpr std::tuple force_lists = {&Forces::springs, &Forces::drags,       &Forces::thrusts,
+                                           &Forces::drives,  &Forces::attractions, &Forces::waters};
+
+/// Calls visit(list) for each list.
+template <class AnyForces, class Visit>
+constexpr void each_force_list(AnyForces& forces, Visit&& visit) {
+  std::apply([&](auto... list) { (visit(forces.*list), ...); }, force_lists);
+}
+
+/// Calls visit(force) for each force but gravity.
+template <class Visit>
+void each_force(const Forces& forces, Visit&& visit) {
+  each_force_list(forces, [&](const auto& list) {
+    for (const auto& force : list) visit(force);
+  });
+}
+
+/// Whether a force but gravity satisfies `predicate`.
+template <class Predicate>
+bool any_force(const Forces& forces, Predicate&& predicate) {
+  bool any = false;
+  each_force(forces, [&](const auto& force) { any = any || predicate(force); });
+  return any;
+}
+
+inline std::size_t Forces::count() const {
+  std::size_t n = 1;
+  each_force_list(*this, [&](const auto& list) { n += list.size(); });
+  return n;
+}
+
+inline bool Forces::read_velocities() const {
+  return any_force(*this, [](const auto& force) { return force.reads_velocities(); });
+}
+
+// No list is left out, each kind states its facts, and no two share a feature.
+struct ForcesByLists {
+  Vector3 gravity;
+  std::vector<Spring> lists[std::tuple_size_v<decltype(force_lists)>];
+};
+static_assert(sizeof(Forces) == sizeof(ForcesByLists));
+static_assert(std::apply(
+    []<class... Kind>(std::vector<Kind> Forces::*...) {
+      return (ForceKind<Kind> && ...) && Features{Kind::feature...}.size() == sizeof...(Kind);
+    },
+    force_lists));
 
 /// Sets the loads.  Arrays have one entry per body.  `powers`, if any, has count() entries and gets the power
 /// of each force [W]: F.v + torque.w, the integrand of seed eq. 84 (errata 23).

@@ -98,15 +98,7 @@ template <bool is_fast>
 
 std::string FreeBodies::not_free(const Model& model, const Integrator& integrator) {
   if (integrator.kind != cylon::engine::Kind::splitting) return "the integrator is not a splitting";
-  if (can_touch(model)) return "bodies can touch";
-  if (!model.forces.only_gravity()) return "a force other than gravity acts";
-  if (!model.joints.empty()) return "the scene has joints";
-  if (model.frame) return "the frame rotates";
-  for (const Body& body : model.bodies) {
-    if (body.mass_rate != 0) return "a body gains or loses mass";
-    if (body.locked) return "a body is locked";
-  }
-  return "";
+  return missing(Method::free, model);
 }
 
 FreeBodies::FreeBodies(const Model& model, const Integrator& integrator, Time dt, int threads)

@@ -47,7 +47,8 @@ std::unique_ptr<Stepper> make_points(const Model& model, const Plan& plan, const
 
 std::unique_ptr<Stepper> make_bodies(const Model& model, const Plan& plan, const Options& options) {
   Reduced reduced = reduce(model);
-  if (!options.account && !options.full && Top::applies(reduced.model)) {
+  const bool asks_more = !(required(reduced.model, options) - supports(Method::top)).empty();
+  if (!asks_more && Top::applies(reduced.model)) {
     const Top top(reduced.model);
     const auto read = [reading = reduced.readings[0]](const Top& t, const Real* y,
                                                       std::vector<Motion>& motions) {

@@ -1,7 +1,7 @@
 #include "engine/normal_modes.h"
 
 #include "engine/jacobi.h"
-#include "engine/points.h"
+#include "engine/methods.h"
 
 #include <algorithm>
 #include <cmath>
@@ -249,8 +249,7 @@ class Builder {
 
 NormalModes normal_modes(const Model& model) {
   NormalModes modes;
-  modes.why_not = not_points(model);
-  if (modes.why_not.empty() && !model.forces.attractions.empty()) modes.why_not = "bodies attract each other";
+  modes.why_not = missing(Method::modes, model);
   if (!modes.why_not.empty()) return modes;
   std::vector<Index> rows(model.bodies.size());
   for (Group& group : groups_of(model)) {

@@ -2,12 +2,13 @@
 
 #include "engine/ballistic/ballistic.h"
 #include "engine/free_bodies.h"
+#include "engine/methods.h"
 #include "engine/normal_modes.h"
-#include "engine/points.h"
 #include "engine/reduce.h"
 #include "engine/turning.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace cylon::engine {
 
@@ -44,50 +45,70 @@ bool few_touch(const Model& model) {
   return touching_bodies(model) <= most_followed && others <= most_followed_others;
 }
 
-// Whether every body moves as if it were alone in uniform gravity.
-bool moves_freely(const Model& model) {
-  return !can_touch(model) && model.forces.only_gravity() && model.joints.empty() && !model.frame &&
-         !any(model.bodies, [](const Body& body) { return body.mass_rate != 0; });
-}
-
 bool has_friction(const Model& model) {
   return any(model.materials, [](const Material& m) { return m.friction > 0; });
 }
 
-Path path_of(const Model& model, const Options& options) {
-  const bool chosen = options.integrator != "auto";
-  if (can_touch(model) || (options.full && options.path.empty() && !model.frame)) {
-    if (options.path == "stepping") return Path::stepping;
-    if (!chosen && !options.full && options.path.empty() && ballistic_applies(model)) return Path::ballistic;
-    if (options.path == "events" || few_touch(model)) return Path::events;
-    return Path::stepping;
+// What the features do not say of a path: numbers of bodies, values, what the integrator is.
+struct Situation {
+  const Model& model;
+  const Options& options;
+  Features required;
+};
+
+struct Candidate {
+  Path path;
+  Method method;
+  bool (*fits)(const Situation&);
+};
+
+bool always(const Situation&) { return true; }
+bool has_contacts(const Situation& s) { return s.required.has(Feature::contact); }
+bool followed(const Situation& s) {
+  return has_contacts(s) && (s.required.has(Feature::path_events) || few_touch(s.model));
+}
+bool flies(const Situation& s) { return has_contacts(s) && ballistic_applies(s.model); }
+bool oscillates(const Situation& s) { return normal_modes(s.model).why_not.empty(); }
+bool many_fly(const Situation& s) {
+  return s.model.bodies.size() > many_free && s.required.has(Feature::chosen_integrator) &&
+         FreeBodies::not_free(s.model, *find_integrator(s.options.integrator)).empty();
+}
+
+// In order of preference: the first that supports all that is required, and fits, is taken.
+constexpr Candidate candidates[] = {
+    {Path::ballistic, Method::ballistic, flies},
+    {Path::events, Method::events, followed},
+    {Path::stepping, Method::body_steps, has_contacts},
+    {Path::exact, Method::exact, always},
+    {Path::modes, Method::modes, oscillates},
+    {Path::free, Method::free, many_fly},
+    {Path::points, Method::points, always},
+    {Path::bodies, Method::bodies, always},
+};
+
+std::optional<Path> path_of(const Model& model, const Options& options, Features also = {}) {
+  const Situation situation{model, options, required(model, options) | also};
+  for (const Candidate& c : candidates)
+    if ((situation.required - supports(c.method)).empty() && c.fits(situation)) return c.path;
+  return std::nullopt;
+}
+
+// Why path_of() finds none.
+std::string no_path(const Model& model, const Options& options) {
+  if (options.integrator != "auto") {
+    Options own = options;
+    own.integrator = "auto";
+    if (path_of(model, own) == Path::stepping)
+      return "the stepping path has its own integrator: " + options.integrator + " is for the path events";
   }
-  if (options.full) return Path::bodies;
-  if (!chosen && !options.account && moves_freely(model)) return Path::exact;
-  if (!chosen && !options.account && normal_modes(model).why_not.empty()) return Path::modes;
-  if (chosen && !options.account && model.bodies.size() > many_free &&
-      FreeBodies::not_free(model, *find_integrator(options.integrator)).empty())
-    return Path::free;
-  if (!options.account && not_points(model).empty()) return Path::points;
-  return Path::bodies;
+  const Features all = required(model, options);
+  Features nowhere = all;
+  for (const Candidate& c : candidates) nowhere = nowhere - supports(c.method);
+  return nowhere.empty() ? "no path of the engine supports all of this together: " + names(all)
+                         : "not modelled: " + names(nowhere);
 }
 
-bool is_closed(Path path) {
-  return path == Path::exact || path == Path::modes || path == Path::ballistic;
-}
-
-// What would have to know that the world turns; null: nothing.
-const char* not_in_a_turning_frame(const Model& model) {
-  if (!model.frame) return nullptr;
-  const auto& f = model.forces;
-  if (can_touch(model)) return "contacts in a rotating frame are not modelled";
-  if (any(model.joints, [](const Joint& j) { return j.body == fixed_world || j.to == fixed_world; }))
-    return "joints to the world in a rotating frame are not modelled";
-  if (any(f.springs, [](const Spring& s) { return s.damping != 0 && s.to == fixed_world; }) ||
-      !f.drags.empty() || !f.waters.empty())
-    return "drag in a rotating frame is not modelled";
-  return nullptr;
-}
+bool is_closed(Path path) { return path == Path::exact || path == Path::modes || path == Path::ballistic; }
 
 // The stages of a model, a line each.
 class Stages {
@@ -96,17 +117,12 @@ class Stages {
       : model_(model), options_(options), plan_(plan) {}
 
   std::vector<Stage> list() {
-    const Forces& f = model_.forces;
     const bool contact = can_touch(model_);
     freedom();
     rotation();
-    add("gravity", !f.gravity.isZero(0), "uniform gravity acts", "no uniform gravity");
-    count("springs", f.springs.size());
-    count("drag", f.drags.size());
-    count("thrust", f.thrusts.size());
-    count("drive", f.drives.size());
-    count("attraction", f.attractions.size());
-    count("water", f.waters.size());
+    add("gravity", !model_.forces.gravity.isZero(0), "uniform gravity acts", "no uniform gravity");
+    each_force_list(model_.forces,
+                    [&]<class Kind>(const std::vector<Kind>& list) { count(Kind::stage, list.size()); });
     add("variable mass", any(model_.bodies, [](const Body& b) { return b.mass_rate != 0; }),
         "a body gains or loses mass", "all masses are constant");
     add("turning frame", model_.frame.has_value(), "the scene is given in a rotating frame",
@@ -210,16 +226,6 @@ const char* const path_rule =
 
 Real default_tolerance() { return sizeof(Real) == 8 ? Real(1e-10) : Real(1e-4); }
 
-bool can_touch(const Model& model) {
-  std::size_t moving = 0, all = 0;
-  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
-    if (!touches(model, i)) continue;
-    ++all;
-    moving += !model.bodies[i].locked;
-  }
-  return moving > 0 && (all > 1 || !model.planes.empty());
-}
-
 std::string unsupported(const Model& given, const Options& options, const Names& names) {
   Model model = given;
   model.reduce_joints = model.reduce_joints && !options.constraints;
@@ -233,28 +239,19 @@ std::string unsupported(const Model& given, const Options& options, const Names&
     return std::string(integrator->name) +
            " cannot integrate joints: only compositions of RATTLE steps keep the constraints";
   }
-  const bool stepping = can_touch(model) && path_of(model, options) == Path::stepping;
-  if (stepping && options.integrator != "auto")
-    return "the stepping path has its own integrator: " + options.integrator + " is for the path events";
-  if (const char* reason = not_in_a_turning_frame(model)) return reason;
-  for (const Water& water : model.forces.waters) {
-    if (water.mode != WaterMode::volume) continue;
-    for (std::size_t i = 0; i < water.shapes.size(); ++i) {
-      if (std::holds_alternative<Capsule>(water.shapes[i]) && !model.bodies[i].locked)
-        return "the volume of a capsule below a water surface is not modelled";
-    }
-  }
-  return unresolved(model, path_of(model, options), names);
+  const std::optional<Path> path = path_of(model, options);
+  return path ? unresolved(model, *path, names) : no_path(model, options);
 }
 
-Plan make_plan(const Model& model, const Options& options) {
+Plan make_plan(const Model& model, const Options& options, Features also) {
   Plan plan;
-  plan.path = path_of(model, options);
+  plan.path = path_of(model, options, also).value();
   const bool no_integrator = is_closed(plan.path) || plan.path == Path::stepping;
   plan.verified = !no_integrator && options.integrator == "auto";
   if (!no_integrator) plan.integrator = find_integrator(plan.verified ? "dop853" : options.integrator);
   const bool drags = model.forces.read_velocities();
   if (plan.integrator) plan.order = drags ? plan.integrator->drag_order : plan.integrator->order;
+  if (plan.path == Path::stepping) plan.order = 1;
   plan.stages = Stages(model, options, plan).list();
   return plan;
 }

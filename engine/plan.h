@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/integrators/integrator.h"
+#include "engine/methods.h"
 #include "engine/model.h"
 #include "engine/resolution.h"
 
@@ -57,13 +58,10 @@ struct Plan {
 /// In words, the rule by which `path` follows from the model.
 extern const char* const path_rule;
 
-/// Whether anything in the model can touch.
-bool can_touch(const Model&);
-
 /// Why the options do not fit the model, or the engine's numbers do not, or "".
 std::string unsupported(const Model&, const Options&, const Names& = numbered);
 
-/// Requires unsupported() to be empty.
-Plan make_plan(const Model&, const Options&);
+/// Requires unsupported() to be empty.  `also`: what the path must support besides.
+Plan make_plan(const Model&, const Options&, Features also = {});
 
 }  // namespace cylon::engine

@@ -14,8 +14,7 @@
 
 namespace cylon::engine {
 
-/// Why a model is not one of points under gravity, undamped springs between centres, drives and attraction;
-/// empty where it is.
+/// What keeps a model from being one of points under forces that do not turn them; empty where nothing does.
 std::string not_points(const Model&);
 
 /// What tells the integrators that the length of the state is a constant, where it is one.

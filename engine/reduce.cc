@@ -60,7 +60,9 @@ void shift_anchors(Model& model, int body, const Vector3& shift) {
   const auto move = [&](int end, Vector3& anchor) {
     if (end == body) anchor -= shift;
   };
-  for (Spring& s : model.forces.springs) move(s.body, s.anchor), move(s.to, s.to_anchor);
+  each_force_list(model.forces, [&](auto& list) {
+    for (auto& force : list) force.shift_anchors(body, shift);
+  });
   for (Joint& j : model.joints) move(j.body, j.anchor), move(j.to, j.to_anchor);
 }
 

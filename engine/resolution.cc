@@ -50,16 +50,12 @@ class Places {
 
   std::string coarse() const {
     std::string reason = can_touch(model_) ? touching() : "";
-    for (const Spring& s : model_.forces.springs) {
-      if (!reason.empty()) return reason;
-      const Vector3 from = point(s.body, s.anchor), to = point(s.to, s.to_anchor);
-      reason = link("a spring", s.body, from, to, std::max(s.rest_length, (to - from).norm()));
-    }
-    for (const Attraction& a : model_.forces.attractions) {
-      if (!reason.empty()) return reason;
-      const Vector3 from = point(a.body, Vector3::Zero()), to = point(a.to, Vector3::Zero());
-      reason = link("an attraction", a.body, from, to, (to - from).norm());
-    }
+    each_force(model_.forces, [&](const auto& force) {
+      const std::optional<Ends> ends = force.ends();
+      if (!ends || !reason.empty()) return;
+      const Vector3 from = point(ends->body, ends->anchor), to = point(ends->to, ends->to_anchor);
+      reason = link(force.one, ends->body, from, to, std::max(ends->rest_length, (to - from).norm()));
+    });
     for (const Joint& j : model_.joints) {
       if (!reason.empty()) return reason;
       const Real other = j.to == fixed_world ? 0 : j.to_anchor.norm();

@@ -2,6 +2,7 @@
 // alone: a spherical pendulum is one.
 #pragma once
 
+#include "engine/methods.h"
 #include "engine/reduce.h"
 #include "engine/system.h"
 
@@ -22,10 +23,9 @@ class Top {
 
   /// Whether a reduced model is one.
   static bool applies(const Model& model) {
-    if (model.bodies.size() != 1 || !model.joints.empty() || !model.forces.only_gravity() || model.frame)
-      return false;
+    if (model.bodies.size() != 1 || !missing(Method::top, model).empty()) return false;
     const Body& body = model.bodies[0];
-    if (!body.pinned || body.hinged || body.locked || body.mass_rate != 0) return false;
+    if (!body.pinned) return false;
     const int s = symmetry_axis(body);
     if (s < 0) return false;
     const Vector3 axis = body.principal_axes * Vector3::Unit(s);

@@ -21,17 +21,15 @@ bool a_touch_turns(const Model& model, std::size_t body) {
 }  // namespace
 
 std::vector<char> bodies_that_turn(const Model& model) {
-  const bool floating = std::any_of(model.forces.waters.begin(), model.forces.waters.end(),
-                                    [](const Water& w) { return w.mode == WaterMode::volume; });
   std::vector<char> turns(model.bodies.size());
   for (std::size_t i = 0; i < turns.size(); ++i) {
-    turns[i] = model.bodies[i].pinned || a_touch_turns(model, i) || floating || model.frame.has_value() ||
+    turns[i] = model.bodies[i].pinned || a_touch_turns(model, i) || model.frame.has_value() ||
                !model.motions[i].angular_momentum.isZero(0);
   }
+  each_force(model.forces, [&](const auto& force) { force.mark_turned(turns); });
   const auto held_at = [&](int body, const Vector3& anchor) {
     if (body != fixed_world && !anchor.isZero(0)) turns[static_cast<std::size_t>(body)] = 1;
   };
-  for (const Spring& s : model.forces.springs) held_at(s.body, s.anchor), held_at(s.to, s.to_anchor);
   for (const Joint& j : model.joints) {
     const bool twists = j.type == Joint::Type::hinge || j.type == Joint::Type::fixed;
     held_at(j.body, twists ? Vector3(Vector3::Ones()) : j.anchor);

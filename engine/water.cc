@@ -1,9 +1,10 @@
-#include "engine/water.h"
+#include "engine/forces.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 
 namespace cylon::engine {
 
@@ -12,7 +13,7 @@ namespace {
 constexpr Real pi = std::numbers::pi_v<Real>;
 
 // A cap of depth d of a sphere:  V = pi d^2 (3r - d)/3,  centroid (3/4) (2r - d)^2/(3r - d) below the centre.
-Submerged below(const Sphere& sphere, const Vector3& position, Real height) {
+Submerged below(const Sphere& sphere, const Vector3& position, const Matrix3&, Real height) {
   const Real r = sphere.radius, d = std::clamp(height - (position.y() - r), Real(0), 2 * r);
   Submerged result{pi * d * d * (3 * r - d) / 3, 4 * pi / 3 * r * r * r, position};
   if (d > 0) result.centroid.y() -= Real(0.75) * (2 * r - d) * (2 * r - d) / (3 * r - d);
@@ -113,10 +114,23 @@ Real Water::surface(Time time, const Vector3& point) const {
 }
 
 Submerged submerged(const Shape& shape, const Vector3& position, const Matrix3& rotation, Real height) {
-  if (const auto* sphere = std::get_if<Sphere>(&shape)) return below(*sphere, position, height);
-  if (const auto* box = std::get_if<Box>(&shape)) return below(*box, position, rotation, height);
-  if (const auto* hull = std::get_if<Hull>(&shape)) return below(*hull, position, rotation, height);
-  return {0, 0, position};
+  return std::visit(
+      [&](const auto& s) -> Submerged {
+        if constexpr (requires { below(s, position, rotation, height); })
+          return below(s, position, rotation, height);
+        return {0, 0, position};
+      },
+      shape);
 }
+
+bool displaces(const Shape& shape) {
+  return std::visit(
+      []<class S>(const S& s) {
+        return std::is_same_v<S, std::monostate> || requires { below(s, Vector3(), Matrix3(), Real()); };
+      },
+      shape);
+}
+
+std::optional<Ends> Water::ends() const { return std::nullopt; }
 
 }  // namespace cylon::engine

@@ -2,11 +2,16 @@
 #pragma once
 
 #include "engine/body.h"
+#include "engine/features.h"
 #include "engine/shape.h"
 
+#include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace cylon::engine {
+
+struct Ends;
 
 /// How the lift follows from the depth.
 enum class WaterMode {
@@ -39,6 +44,20 @@ struct Water {
   bool under(std::size_t body, Time time, const Vector3& centre) const {
     return inside.empty() ? centre.y() < surface(time, centre) : inside[body] != 0;
   }
+
+  // Facts of this kind of force (engine/forces.h).
+  static constexpr const char* stage = "water";
+  static constexpr const char* one = "water";
+  static constexpr Feature feature = Feature::water;
+  void add_features(Features& features) const { features.add(feature); }
+  bool reads_velocities() const { return drag != 0 || mode == WaterMode::step; }
+  bool reads_time() const { return wave != 0 && speed != 0; }
+  bool holds_in_turning_frame() const { return false; }
+  void mark_turned(std::vector<char>& turns) const {
+    if (mode == WaterMode::volume) std::fill(turns.begin(), turns.end(), char{1});
+  }
+  void shift_anchors(int, const Vector3&) {}
+  std::optional<Ends> ends() const;
 };
 
 /// The part of a body below the horizontal plane y = height.
@@ -48,8 +67,10 @@ struct Submerged {
   Vector3 centroid = Vector3::Zero();  ///< World [m].
 };
 
-/// Sphere: cap.  Box and hull: the polyhedron cut by the plane.  Both exact.  Everything else displaces
-/// nothing.
+/// Sphere: cap.  Box and hull: the polyhedron cut by the plane.  Both exact.  A point displaces nothing, and
+/// for what displaces() denies there is no formula.
 Submerged submerged(const Shape&, const Vector3& position, const Matrix3& rotation, Real height);
+/// Whether submerged() knows the shape.
+bool displaces(const Shape&);
 
 }  // namespace cylon::engine

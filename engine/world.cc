@@ -4,6 +4,7 @@
 #include "engine/make_stepper.h"
 
 #include <cassert>
+#include <sstream>
 #include <utility>
 
 namespace cylon::engine {
@@ -18,7 +19,10 @@ Model with(Model model, const Options& options) {
 }  // namespace
 
 World::World(Model model, const Options& options)
-    : model_(with(std::move(model), options)), options_(options), plan_(make_plan(model_, options_)) {
+    : model_(with(std::move(model), options)),
+      masses_(model_.bodies),
+      options_(options),
+      plan_(make_plan(model_, options_)) {
   assert(options_.dt > 0 && unsupported(model_, options_).empty());
   stepper_ = make_stepper(model_, options_, plan_);
   motions_ = model_.motions;
@@ -26,7 +30,6 @@ World::World(Model model, const Options& options)
     ballistic_ = static_cast<Ballistic*>(stepper_.get());
     if (ballistic_->handover()) hand_over();
   }
-  for (const Body& body : model_.bodies) masses_.push_back(body.mass);
 }
 
 World::~World() = default;
@@ -41,7 +44,7 @@ void World::step() {
   }
   ++steps_;
   stepper_->read(motions_);
-  update_masses();
+  masses_.set(time(), model_.bodies);
 }
 
 void World::advance(std::int64_t n) {
@@ -55,17 +58,7 @@ void World::advance(std::int64_t n) {
   impacts_ = stepper_->impacts();
   steps_ += n;
   stepper_->read(motions_);
-  update_masses();
-}
-
-// The bodies' masses now, where they change.
-void World::update_masses() {
-  for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
-    Body& body = model_.bodies[i];
-    if (body.mass_rate == 0) continue;
-    body.mass = masses_[i] + static_cast<Real>(time()) * body.mass_rate;
-    if (!body.locked) body.inverse_mass = 1 / body.mass;
-  }
+  masses_.set(time(), model_.bodies);
 }
 
 // What spheres in free flight cannot express goes on event by event, from the instant at which it begins;
@@ -73,15 +66,12 @@ void World::update_masses() {
 void World::hand_over() {
   const Handover from = *ballistic_->handover();
   ballistic_ = nullptr;
-  Model model = model_;
-  Options options = options_;
-  options.path.clear(), options.integrator = "rk4";  // what any integrator is given that is not the default
-  const bool by_events = make_plan(model, options).path == Path::events;
-  options.integrator = options_.integrator, options.path = by_events ? "events" : "stepping";
+  const Plan plan = make_plan(model_, options_, {Feature::lasting_contact});
+  const bool by_events = plan.path == Path::events;
   const Time start = by_events ? from.time : time();
+  Model model = model_;
   model.motions = by_events ? from.motions : motions_;
-  const Plan plan = make_plan(model, options);
-  stepper_ = make_stepper(model, options, plan, start);
+  stepper_ = make_stepper(model, options_, plan, start);
   stepper_->keep_contacts(keep_contacts_);
   remarks_.push_back("closed form until t = " + std::to_string(start) + " s, then " +
                      (by_events ? "by events: " : "in fixed first-order steps: ") + from.reason);
@@ -90,6 +80,15 @@ void World::hand_over() {
 
 std::vector<std::string> World::remarks() const {
   std::vector<std::string> all = remarks_;
+  if (plan_.path == Path::stepping && options_.integrator == "auto") {
+    std::ostringstream text;
+    text << "path stepping: fixed steps of order " << plan_.order << " in dt = " << options_.dt << " s; ";
+    if (options_.tolerance > 0)
+      text << "the tolerance " << options_.tolerance << " that was asked for is not kept";
+    else
+      text << "the error is not controlled";
+    all.push_back(text.str());
+  }
   for (std::string& remark : stepper_->remarks()) all.push_back(std::move(remark));
   return all;
 }

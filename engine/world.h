@@ -1,6 +1,7 @@
 // A running simulation: carries a model through time by the plan that its scene asks for.
 #pragma once
 
+#include "engine/changing_masses.h"
 #include "engine/plan.h"
 #include "engine/reduce.h"
 #include "engine/stepper.h"
@@ -56,9 +57,9 @@ class World {
 
  private:
   void hand_over();
-  void update_masses();
 
   Model model_;
+  ChangingMasses masses_;
   Options options_;
   Plan plan_;
   std::unique_ptr<Stepper> stepper_;
@@ -66,7 +67,6 @@ class World {
   std::vector<std::string> remarks_;
   std::vector<Motion> motions_;
   std::vector<Impact> impacts_;
-  std::vector<Real> masses_;  // at t = 0
   std::int64_t steps_ = 0;
   bool keep_contacts_ = false;
 };

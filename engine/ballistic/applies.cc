@@ -1,6 +1,7 @@
 // Which models the ballistic stepper supports.
 #include "engine/ballistic/ballistic.h"
 #include "engine/ballistic/scene.h"
+#include "engine/methods.h"
 
 #include <limits>
 
@@ -62,10 +63,7 @@ bool meets_friction(const Model& model, std::size_t i) {
 }  // namespace ballistic
 
 std::optional<std::string> ballistic_unsupported(const Model& model) {
-  if (!model.forces.springs.empty() || !model.forces.drags.empty() || !model.forces.drives.empty())
-    return "a force other than uniform gravity acts";
-  if (!model.joints.empty()) return "there are joints";
-  if (model.frame) return "the frame rotates";
+  if (const std::string reason = missing(Method::ballistic, model); !reason.empty()) return reason;
   for (std::size_t i = 0; i < model.bodies.size(); ++i)
     if (auto reason = unsupported_body(model, i)) return reason;
   return {};

@@ -18,6 +18,7 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings)
     : model_(model),
+      masses_(model_.bodies),
       dt_(dt),
       settings_(settings),
       threads_(settings.threads),
@@ -25,6 +26,8 @@ BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings)
       movers_(model.bodies.size()),
       found_(model_),
       islands_(model_),
+      limit_(longest_step(model_.forces, model_.bodies)),
+      struck_(model_.bodies.size(), 0),
       other_forces_(!model.forces.only_gravity()),
       isolated_(isolated(model)) {
   set_kinematics();
@@ -41,6 +44,15 @@ std::vector<std::string> BodyPile::remarks() const {
     text << "contact and joint equations were solved only to " << residual_ << " m/s";
     remarks.push_back(text.str());
   }
+  if (unstable_) {
+    std::ostringstream text;
+    text << "steps longer than " << limit_.step << " s are unstable: " << limit_.reason
+         << " is too stiff for them, and the motion may grow without limit";
+    remarks.push_back(text.str());
+  }
+  if (together_)
+    remarks.emplace_back(
+        "impacts = sequential was not kept: bounces of one body in one step were solved at once");
   return remarks;
 }
 
@@ -55,7 +67,8 @@ void BodyPile::set_kinematics() {
   }
 }
 
-// K += F h, L += torque h; gravity alone needs no loads.
+// K += F h, L += torque h; gravity alone needs no loads.  Forces are those at the start, masses from here on those
+// at the end:  v = K(now + h)/m(now + h).
 void BodyPile::kick(Time now, Real h) {
   if (other_forces_) {
     kinematics_.resize(motions_.size()), loads_.resize(motions_.size());
@@ -70,6 +83,12 @@ void BodyPile::kick(Time now, Real h) {
     const Vector3 torque = other_forces_ ? loads_[i].torque : Vector3(Vector3::Zero());
     if (body.inverse_mass > 0) motions_[i].momentum += h * force;
     motions_[i].angular_momentum += h * torque;
+  }
+  masses_.set(now + static_cast<Time>(h), model_.bodies);
+  for (std::size_t i = 0; i < motions_.size(); ++i) {
+    const Body& body = model_.bodies[i];
+    if (body.locked) continue;
+    movers_[i].inverse_mass = body.inverse_mass;
     movers_[i].v = velocity(body, motions_[i]);
     movers_[i].w = movers_[i].inverse_inertia * motions_[i].angular_momentum;
   }
@@ -79,6 +98,7 @@ void BodyPile::kick(Time now, Real h) {
 //   u_n >= -e u_n(before) where the points meet within h;  else u_n >= -max(gap, 0)/h
 void BodyPile::set_targets(Time now, Real h) {
   const Real slow = 4 * model_.forces.gravity.norm() * h + std::numeric_limits<Real>::min();
+  std::fill(struck_.begin(), struck_.end(), char{0});
   for (std::size_t k = 0; k < blocks_.size(); ++k) {
     Block& block = blocks_[k];
     if (block.kind != Block::Kind::contact) continue;
@@ -92,8 +112,17 @@ void BodyPile::set_targets(Time now, Real h) {
     if (!impacts_.empty() && k > 0 && blocks_[k - 1].impact && blocks_[k - 1].a == block.a &&
         blocks_[k - 1].b == block.b && blocks_[k - 1].plane == block.plane)
       continue;  // points of one pair are one impact
+    if (block.restitution > 0) note_bounce(block);
     impacts_.push_back({now + static_cast<Time>(gap > 0 ? gap / -u : 0), block.a, block.b, block.plane, -u,
                         -block.restitution * u});
+  }
+}
+
+void BodyPile::note_bounce(const Block& block) {
+  for (const int body : {block.a, block.b}) {
+    if (body == fixed_world || model_.bodies[index(body)].locked) continue;
+    together_ = together_ || (struck_[index(body)] && model_.impacts == Impacts::sequential);
+    struck_[index(body)] = 1;
   }
 }
 
@@ -198,6 +227,7 @@ void BodyPile::correct_positions(bool direct) {
 }
 
 void BodyPile::substep(Time now, Time h, bool direct) {
+  unstable_ = unstable_ || static_cast<Real>(h) > limit_.step;
   set_kinematics();
   if (isolated_) meet_halfway(blocks_, motions_);
   set_targets(now, static_cast<Real>(h));

@@ -1,12 +1,14 @@
 // The stepper of a pile of bodies of any shape, and of jointed ones.
 #pragma once
 
+#include "engine/changing_masses.h"
 #include "engine/pile/body_contacts.h"
 #include "engine/pile/direct.h"
 #include "engine/pile/islands.h"
 #include "engine/pile/overlap.h"
 #include "engine/pile/settings.h"
 #include "engine/pile/threads.h"
+#include "engine/stability.h"
 #include "engine/stepper.h"
 
 namespace cylon::engine::pile {
@@ -28,6 +30,7 @@ class BodyPile : public Stepper {
   void advance(Time now, Time span);
   void substep(Time now, Time h, bool direct);
   void note_pressed();
+  void note_bounce(const Block&);
   void set_kinematics();
   void kick(Time now, Real h);
   void set_targets(Time now, Real h);
@@ -39,6 +42,7 @@ class BodyPile : public Stepper {
   void colour();
 
   Model model_;
+  ChangingMasses masses_;
   Time dt_;
   PileSettings settings_;
   Threads threads_;
@@ -57,6 +61,10 @@ class BodyPile : public Stepper {
   std::vector<Real> pressed_;  // per block, over the parts of the step [N s]; while contacts are kept
   long steps_ = 0;
   double residual_ = 0;
+  StepLimit limit_;
+  std::vector<char> struck_;  // bodies that a bounce changes in this part of a step
+  bool unstable_ = false;     // some part was longer than the limit
+  bool together_ = false;     // bounces that share a body were solved at once, though impacts are sequential
   bool too_fast_ = false, unsolved_ = false, other_forces_ = false, isolated_ = false;
 };
 

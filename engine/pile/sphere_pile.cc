@@ -35,10 +35,28 @@ SpherePile::SpherePile(const Model& model, Time dt, const PileSettings& settings
 }
 
 std::vector<std::string> SpherePile::remarks() const {
-  if (!too_fast_) return {};
-  return {
-      "bodies moved farther than half the smallest radius in a sixteenth of a step: they may have passed "
-      "through each other"};
+  std::vector<std::string> remarks;
+  if (followed_)
+    remarks.emplace_back(
+        "impacts = simultaneous was not kept: impacts of one body at one instant followed one another");
+  if (too_fast_)
+    remarks.emplace_back(
+        "bodies moved farther than half the smallest radius in a sixteenth of a step: they may have passed "
+        "through each other");
+  return remarks;
+}
+
+// Impacts that share a body and an instant, though they should have been resolved at once.
+void SpherePile::note_order() {
+  if (model_.impacts != Impacts::simultaneous) return;
+  for (std::size_t i = 0; i < impacts_.size(); ++i)
+    for (std::size_t k = i + 1; k < impacts_.size() && impacts_[k].time - impacts_[i].time < 1e-9 * dt_;
+         ++k) {
+      const auto in_first = [&](int body) {
+        return body != fixed_world && (body == impacts_[i].body || body == impacts_[i].other);
+      };
+      followed_ = followed_ || in_first(impacts_[k].body) || in_first(impacts_[k].other);
+    }
 }
 
 void SpherePile::order_bodies() {
@@ -78,6 +96,7 @@ void SpherePile::step() {
   for (int k = 0; k < parts; ++k) advance(static_cast<Time>(steps_) * dt_ + k * dt_ / parts, dt_ / parts);
   std::stable_sort(impacts_.begin(), impacts_.end(),
                    [](const Impact& a, const Impact& b) { return a.time < b.time; });
+  note_order();
   ++steps_;
 }
 

@@ -30,6 +30,7 @@ class SpherePile : public Stepper {
   void turn(Time span);
   void add_pressed();
   void note_pressed();
+  void note_order();
 
   Model model_;
   Time dt_;
@@ -43,6 +44,7 @@ class SpherePile : public Stepper {
       pressed_;  // per row of impulses, over the parts of the step [N s]; while contacts are kept
   long steps_ = 0;
   Real smallest_ = 0, largest_ = 0;  // radius
+  bool followed_ = false;  // impacts at one instant followed one another, though they are simultaneous
   bool too_fast_ = false, alone_ = false;
 };
 

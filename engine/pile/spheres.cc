@@ -1,5 +1,7 @@
 #include "engine/pile/spheres.h"
 
+#include "engine/methods.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -33,7 +35,7 @@ std::uint64_t spaced(std::uint64_t x) {
 }  // namespace
 
 bool only_spheres(const Model& model) {
-  if (!model.joints.empty() || !model.forces.only_gravity()) return false;
+  if (!missing(Method::sphere_steps, model).empty()) return false;
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {
     const Body& body = model.bodies[i];
     const bool ball = std::holds_alternative<Sphere>(model.shapes[i]) ||

@@ -2,8 +2,8 @@
 
 #include "harness/core/anchor.h"
 #include "harness/core/event_signal.h"
+#include "harness/core/force_law.h"
 #include "harness/core/near_pairs.h"
-#include "harness/core/potential.h"
 #include "harness/core/surfaces.h"
 #include "harness/core/worst.h"
 

@@ -1,8 +1,10 @@
 // Gravity, springs and the other forces.
+#include "harness/core/force_law.h"
 #include "harness/scenario/read_element.h"
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <utility>
 
 namespace cylon::scenario {
@@ -14,14 +16,13 @@ Vector3 world_point(const core::Body& body, const Vector3& local) {
   return body.initial.position + body.initial.orientation * local;
 }
 
-// What the key tables cannot say, one function per kind of force.
+// What the key tables cannot say of one kind of force.
 
 void check(const Table& t, const Draft& draft, const core::Spring& spring) {
   if (t.has("to") == t.has("pin"))
     t.fail("[[spring]] needs either 'to' (a body) or 'pin' (a point of the world)");
   if (t.has("pin") && t.has("to_anchor"))
     t.fail("to_anchor", "to_anchor belongs to 'to'; a pin is a point by itself");
-  if (spring.to == spring.body) t.fail("to", "a spring joins two different bodies");
   const auto& bodies = draft.scene.bodies;
   const Vector3 from = world_point(bodies[static_cast<std::size_t>(spring.body)], spring.anchor);
   const Vector3 end = spring.to == core::world
@@ -51,16 +52,17 @@ void check(const Table& t, const Draft&, const core::Thrust&) {
            "mass_rate needs either 'exhaust_velocity' (body axes) or 'exchanged_velocity' (world axes)");
 }
 
-void check(const Table& t, const Draft& draft, const core::Attraction& pull) {
-  const auto& bodies = draft.scene.bodies;
-  if (pull.to == pull.body) t.fail("to", "an attraction joins two different bodies");
-  if (bodies[static_cast<std::size_t>(pull.to)].initial.position ==
-      bodies[static_cast<std::size_t>(pull.body)].initial.position)
-    t.fail("to", "the two bodies start at one point, where the attraction is infinite");
+// What holds for every kind: two ends are two bodies, and the force is finite at the start.
+template <class Kind>
+void check_any(const Table& t, const Draft& draft, const Kind& force) {
+  if constexpr (requires { force.to; })
+    if (force.to == force.body)
+      t.fail("to", fmt::format("a force of kind {} joins two different bodies", core::Element<Kind>::name));
+  const auto same = [](double u) { return u; };
+  if (!std::isfinite(core::potential(force, draft.scene, core::initial_state(draft.scene), same)))
+    t.fail("to", fmt::format("the two bodies start at one point, where the {} is infinite",
+                             core::Element<Kind>::name));
 }
-
-void check(const Table&, const Draft&, const core::Drive&) {}
-void check(const Table&, const Draft&, const core::Water&) {}
 
 }  // namespace
 
@@ -73,7 +75,8 @@ void read_forces(const Table& root, Draft& draft) {
     } else {
       for (const Table& t : root.tables(name)) {
         auto force = read_element<Kind>(t, draft);
-        check(t, draft, force);
+        check_any(t, draft, force);
+        if constexpr (requires { check(t, draft, force); }) check(t, draft, force);
         forces.emplace_back(std::move(force));
       }
     }

@@ -1,45 +1,22 @@
 // Conserved quantities of a scene, from its parts: a part that is not listed as harmless breaks the law.
-#include "harness/core/overloaded.h"
+#include "harness/core/force_law.h"
 #include "harness/study/yardstick.h"
-
-#include <algorithm>
 
 namespace cylon::study {
 namespace {
 
-// Whether a force takes or gives energy; whether it acts between bodies of the scene alone.
+// Whether energy, and whether both momenta are conserved.
 struct Part {
   bool conservative = true, internal = true;
 };
-
-constexpr Part spoils{false, false};
-
-Part part(const core::Force& force) {
-  return std::visit(core::Overloaded{
-                        [](const core::UniformGravity& g) {
-                          return Part{true, g.acceleration.isZero(0)};
-                        },
-                        [](const core::Spring& s) {
-                          return Part{s.damping == 0, s.to != core::world};
-                        },
-                        [](const core::Attraction&) {
-                          return Part{true, true};
-                        },
-                        [](const core::Drag&) { return spoils; },
-                        [](const core::Thrust&) { return spoils; },
-                        [](const core::Drive&) { return spoils; },
-                        [](const core::Water&) { return spoils; },
-                    },
-                    force);
-}
 
 }  // namespace
 
 std::vector<core::Quantity> conserved(const core::Scene& scene) {
   Part whole;
   for (const core::Force& force : scene.forces) {
-    const Part p = part(force);
-    whole.conservative &= p.conservative, whole.internal &= p.internal;
+    const core::Broken broken = core::broken_by(force);
+    whole.conservative &= !broken.energy, whole.internal &= !broken.momentum;
   }
   for (const core::Joint& joint : scene.joints) whole.internal &= joint.to != core::world;
   for (const core::Body& body : scene.bodies) whole.internal &= !body.locked;

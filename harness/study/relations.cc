@@ -1,6 +1,7 @@
 #include "harness/study/relations.h"
 
-#include "harness/core/overloaded.h"
+#include "harness/core/fields.h"
+#include "harness/core/force_law.h"
 #include "harness/study/restate.h"
 
 #include <fmt/format.h>
@@ -32,9 +33,11 @@ bool any(const Scene& scene) {
                      [](const Force& f) { return std::holds_alternative<F>(f); });
 }
 
-bool pinned(const Force& f) {
-  const auto* spring = std::get_if<core::Spring>(&f);
-  return spring && spring->to == core::world;
+// The first reason, in the order of the forces.
+Reason broken(const Scene& scene, const char* core::Broken::*law) {
+  for (const Force& f : scene.forces)
+    if (const char* why = core::broken_by(f).*law) return why;
+  return {};
 }
 
 bool joined_to_world(const Scene& scene) {
@@ -50,28 +53,24 @@ bool touching(const Scene& scene) {
   return core::any_touching_pair(scene, [](const core::Pair&) { return true; });
 }
 
-Reason water(const Scene& scene) {
-  if (any<core::Water>(scene)) return "water has a place and axes of its own";
-  return {};
-}
+Reason placed(const Scene& scene) { return broken(scene, &core::Broken::restatement); }
 
-// What holds the scene to the world, other than uniform gravity.
-Reason anything_outside(const Scene& scene) {
-  if (const Reason why = water(scene)) return why;
+// What holds the scene to the world besides forces.
+Reason held(const Scene& scene) {
   if (scene.frame) return "the frame turns or moves";
-  if (std::any_of(scene.forces.begin(), scene.forces.end(), pinned)) return "a spring ends at the world";
   if (joined_to_world(scene)) return "a joint ends at the world";
   if (locked(scene)) return "a body is locked";
   if (!scene.planes.empty()) return "planes are at rest";
-  if (any<core::Drag>(scene)) return "drag is against a medium at rest";
   return {};
 }
 
+Reason anything_outside(const Scene& scene) {
+  if (const Reason why = broken(scene, &core::Broken::boost)) return why;
+  return held(scene);
+}
+
 Reason clocks(const Scene& scene) {
-  if (any<core::Drive>(scene)) return "a drive has a phase";
-  for (const Force& f : scene.forces)
-    if (const auto* t = std::get_if<core::Thrust>(&f); t && t->mass_rate != 0) return "a mass changes";
-  if (any<core::Water>(scene)) return "waves have a phase";
+  if (const Reason why = broken(scene, &core::Broken::any_instant)) return why;
   if (scene.frame) return "the frame turns";
   return {};
 }
@@ -189,19 +188,25 @@ double boost(const Subject& s, const Runner& run) {
   Scene scene = s.scene;
   for (Body& b : scene.bodies) b.initial.velocity += u;
   for (Force& f : scene.forces)
-    if (auto* t = std::get_if<core::Thrust>(&f); t && t->exchanged_velocity) *t->exchanged_velocity += u;
+    std::visit(
+        [&](auto& force) {
+          core::for_each_field(force, [&]<class Value>(const auto& field, Value& value) {
+            if (field.about.in != core::Expressed::world_vector || field.about.unit != "m/s") return;
+            if constexpr (std::is_same_v<Value, Vector3>) value += u;
+            if constexpr (std::is_same_v<Value, std::optional<Vector3>>)
+              if (value) *value += u;
+          });
+        },
+        f);
   return worst(s, again(s, run, scene), [&](State plain, double t) {
     for (BodyState& b : plain) b.position += t * u, b.velocity += u;
     return plain;
   });
 }
 
-// Mass that comes in at a velocity of its own does not fall with the bodies.
-Reason fed(const Scene& scene) {
-  for (const Force& f : scene.forces)
-    if (const auto* t = std::get_if<core::Thrust>(&f); t && t->exchanged_velocity)
-      return "mass is exchanged with something that does not fall";
-  return anything_outside(scene);
+Reason does_not_fall(const Scene& scene) {
+  if (const Reason why = broken(scene, &core::Broken::free_fall)) return why;
+  return held(scene);
 }
 
 // In uniform gravity an isolated system only falls: p + g t^2/2, v + g t.
@@ -219,9 +224,7 @@ double free_fall(const Subject& s, const Runner& run) {
 // Conservative and smooth: the film runs backwards.
 Reason irreversible(const Scene& scene) {
   if (const Reason why = clocks(scene)) return why;
-  if (any<core::Drag>(scene)) return "drag loses energy";
-  for (const Force& f : scene.forces)
-    if (const auto* k = std::get_if<core::Spring>(&f); k && k->damping > 0) return "a spring is damped";
+  if (const Reason why = broken(scene, &core::Broken::reversal)) return why;
   if (touching(scene)) return "bodies touch";
   return {};
 }
@@ -256,12 +259,13 @@ double order(const Subject& s, const Runner& run) {
   std::reverse(scene.bodies.begin(), scene.bodies.end());
   const auto move = [&](int& body) { body = body == core::world ? body : n - 1 - body; };
   for (Force& f : scene.forces)
-    std::visit(core::Overloaded{[](core::UniformGravity&) {}, [](core::Water&) {},
-                                [&](core::Spring& k) { move(k.body), move(k.to); },
-                                [&](core::Attraction& a) { move(a.body), move(a.to); },
-                                [&](core::Drag& d) { move(d.body); }, [&](core::Thrust& t) { move(t.body); },
-                                [&](core::Drive& d) { move(d.body); }},
-               f);
+    std::visit(
+        [&](auto& force) {
+          core::for_each_field(force, [&]<class Value>(const auto&, Value& value) {
+            if constexpr (std::is_same_v<Value, int>) move(value);
+          });
+        },
+        f);
   for (core::Joint& j : scene.joints) move(j.body), move(j.to);
   return worst(s, again(s, run, scene), [](State plain, double) {
     std::reverse(plain.begin(), plain.end());
@@ -290,14 +294,9 @@ double repetition(const Subject& s, const Runner& run) {
 Reason not_linear(const Scene& scene) {
   if (const Reason why = clocks(scene)) return why;
   if (!any<core::Spring>(scene)) return "there is no spring";
-  if (any<core::Attraction>(scene)) return "attraction is not linear";
+  if (const Reason why = broken(scene, &core::Broken::superposition)) return why;
   if (!scene.joints.empty()) return "joints are not linear";
   if (touching(scene)) return "bodies touch";
-  for (const Force& f : scene.forces)
-    if (const auto* k = std::get_if<core::Spring>(&f))
-      if (k->rest_length > 0 || k->damping > 0 || !k->anchor.isZero() ||
-          (k->to != core::world && !k->to_anchor.isZero()))
-        return "a spring has a length, a damper or an arm";
   return {};
 }
 
@@ -325,7 +324,7 @@ double superposition(const Subject& s, const Runner& run) {
 }
 
 Reason fixed_place(const Scene& scene) {
-  if (const Reason why = water(scene)) return why;
+  if (const Reason why = placed(scene)) return why;
   if (scene.frame && !scene.frame->angular_velocity.isZero()) return "the frame turns about its origin";
   return {};
 }
@@ -333,19 +332,19 @@ Reason fixed_place(const Scene& scene) {
 constexpr std::array table = {
     Relation{"repetition", "a repeated run gives the same bits", never, repetition, true},
     Relation{"translation", "a translated scene has the translated motion", fixed_place, translation},
-    Relation{"rotation", "a rotated scene has the rotated motion", water, turning},
-    Relation{"mirror", "a mirrored scene has the mirrored motion", water, mirror},
+    Relation{"rotation", "a rotated scene has the rotated motion", placed, turning},
+    Relation{"mirror", "a mirrored scene has the mirrored motion", placed, mirror},
     Relation{"boost", "a uniform velocity of an isolated scene is added to its motion", anything_outside,
              boost},
     Relation{"free fall", "additional uniform gravity makes an isolated scene fall and changes nothing else",
-             fed, free_fall},
-    Relation{"units", "other units of length, mass and time give the same motion in these units", water,
+             does_not_fall, free_fall},
+    Relation{"units", "other units of length, mass and time give the same motion in these units", placed,
              units},
-    Relation{"mass", "masses, inertias and forces times the same factor give the same motion", water,
+    Relation{"mass", "masses, inertias and forces times the same factor give the same motion", placed,
              heavier},
     Relation{"body axes", "other body axes give the same motion", shaped, body_axes},
     Relation{"body order", "the order of the bodies has no effect", alone, order},
-    Relation{"far body", "a distant body has no effect", water, far_body},
+    Relation{"far body", "a distant body has no effect", placed, far_body},
     Relation{"split run", "a run that is split in two halves gives the same motion", clocks, split},
     Relation{"time reversal", "without losses the motion is reversible in time", irreversible, reversal},
     Relation{"superposition",

@@ -1,3 +1,4 @@
+#include "harness/core/force_law.h"
 #include "harness/core/overloaded.h"
 #include "harness/study/relations.h"
 
@@ -71,15 +72,10 @@ Scales scales(const core::Scene& scene, double duration) {
   if (length == 0) length = std::max(first * duration, gravity * duration * duration / 2);
   if (length == 0) length = 1;
 
-  // v^2 = 2 g L; (k/m) L^2; G m / L.
+  // v^2 = 2 g L, and what each force adds.
   double squared = std::max({first * first, 2 * gravity * length, std::pow(turning * length, 2)});
-  for (const core::Force& f : scene.forces) {
-    const auto mass = [&](int body) { return scene.bodies[static_cast<std::size_t>(body)].mass; };
-    if (const auto* k = std::get_if<core::Spring>(&f))
-      squared = std::max(squared, k->stiffness / mass(k->body) * length * length);
-    if (const auto* a = std::get_if<core::Attraction>(&f))
-      squared = std::max(squared, a->strength * std::max(mass(a->body), mass(a->to)) / length);
-  }
+  for (const core::Force& f : scene.forces)
+    squared = std::max(squared, core::squared_speed(f, scene, length));
   const double speed = squared > 0 ? std::sqrt(squared) : length / duration;
   const bool impacts = core::any_touching_pair(scene, [](const core::Pair&) { return true; });
   return {impacts, length, speed, std::max(turning, speed / length)};

@@ -1,4 +1,5 @@
 // Scenes that the equations of this folder do not cover.
+#include "harness/core/fields.h"
 #include "reference/certified/builder.h"
 
 #include <fmt/format.h>
@@ -27,6 +28,19 @@ void check_thrust(const core::Scene& scene, const core::Thrust& thrust) {
   if (thrust.mass_rate != 0 && !thrust.exhaust_velocity && !thrust.exchanged_velocity)
     refuse(fmt::format("the mass of {} changes by {} kg/s, but at which velocity is not said",
                        name_of(scene, thrust.body), thrust.mass_rate));
+}
+
+// A reference to a body that files must state is not one to the world.
+void check_bodies(const core::Force& any_force) {
+  std::visit(
+      []<class Kind>(const Kind& force) {
+        core::for_each_field(force, []<class Value>(const auto& field, const Value& value) {
+          if constexpr (std::is_same_v<Value, int>)
+            if (field.about.required && value == core::world)
+              refuse(fmt::format("{} needs a body as its '{}'", core::Element<Kind>::name, field.key));
+        });
+      },
+      any_force);
 }
 
 void check_masses(const core::Scene& scene, double horizon) {
@@ -64,8 +78,7 @@ void check_domain(const core::Scene& scene, double horizon, Blows blows) {
     if (const auto* thrust = std::get_if<core::Thrust>(&force)) check_thrust(scene, *thrust);
     if (const auto* drag = std::get_if<core::Drag>(&force); drag && drag->momentum != 0 && turning)
       refuse("a drag on the angular momentum is not defined in a turning frame");
-    if (const auto* pull = std::get_if<core::Attraction>(&force); pull && pull->to == core::world)
-      refuse("an attraction needs two bodies");
+    check_bodies(force);
   }
 }
 

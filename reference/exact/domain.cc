@@ -1,6 +1,6 @@
 #include "reference/exact/domain.h"
 
-#include "harness/core/overloaded.h"
+#include "harness/core/fields.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,37 +9,20 @@
 namespace cylon::exact {
 namespace {
 
-// The table's word of the scenario file, and the body that the force acts on (world: all).
+// The word of the scenario file, and the body that the force acts on (world: all).
 struct ForceName {
   std::string_view kind;
   int body;
 };
 
 ForceName name_of(const core::Force& force) {
-  return std::visit(core::Overloaded{
-                        [](const core::UniformGravity&) {
-                          return ForceName{"gravity", core::world};
-                        },
-                        [](const core::Spring& f) {
-                          return ForceName{"spring", f.body};
-                        },
-                        [](const core::Drag& f) {
-                          return ForceName{"drag", f.body};
-                        },
-                        [](const core::Thrust& f) {
-                          return ForceName{"thrust", f.body};
-                        },
-                        [](const core::Drive& f) {
-                          return ForceName{"drive", f.body};
-                        },
-                        [](const core::Attraction& f) {
-                          return ForceName{"attraction", f.body};
-                        },
-                        [](const core::Water&) {
-                          return ForceName{"water", core::world};
-                        },
-                    },
-                    force);
+  return std::visit(
+      []<class Kind>(const Kind& f) {
+        ForceName name{core::Element<Kind>::name, core::world};
+        if constexpr (requires { f.body; }) name.body = f.body;
+        return name;
+      },
+      force);
 }
 
 }  // namespace

@@ -77,17 +77,17 @@ std::vector<Refusal> refusals() {
                                       [](core::Scene& s) { s.joints.push_back(s.joints[0]); });
   const core::Hull hull = {tetrahedron.vertices};
   return {
-      {"in-house", "contacts in a rotating frame are not modelled",
+      {"in-house", "not modelled: contacts in a rotating frame",
        with(resting(),
             [](core::Scene& s) {
               s.frame = core::Frame{{0, 0, 0}, {0.1, 0.2, 0}};
             })},
-      {"in-house", "joints to the world in a rotating frame are not modelled",
+      {"in-house", "not modelled: joints to the world in a rotating frame",
        with(jointed(core::JointType::hinge, 0, core::world),
             [](core::Scene& s) {
               s.frame = core::Frame{{0, 0, 0}, {0.1, 0.2, 0}};
             })},
-      {"in-house", "drag in a rotating frame is not modelled",
+      {"in-house", "not modelled: drag in a rotating frame",
        with(pushed(core::Drag{0, 1, 0, 0}),
             [](core::Scene& s) {
               s.frame = core::Frame{{0, 0, 0}, {0.1, 0.2, 0}};

@@ -344,12 +344,17 @@ TEST(BallisticContact, GivesReasonWhereItDoesNotApply) {
     EXPECT_FALSE(ballistic_applies(model));
     return ballistic_unsupported(model).value_or("");
   };
-  EXPECT_EQ(reason([](Model& m) { m.forces.springs.emplace_back(); }),
-            "a force other than uniform gravity acts");
-  EXPECT_EQ(reason([](Model& m) { m.forces.drags.emplace_back(); }),
-            "a force other than uniform gravity acts");
-  EXPECT_EQ(reason([](Model& m) { m.joints.emplace_back(); }), "there are joints");
-  EXPECT_EQ(reason([](Model& m) { m.frame.emplace(); }), "the frame rotates");
+  each_force_list(good.forces, [&]<class Kind>(const std::vector<Kind>&) {
+    const std::string why = reason([](Model& m) {
+      each_force_list(m.forces, []<class Other>(std::vector<Other>& list) {
+        if constexpr (std::is_same_v<Kind, Other>) list.emplace_back();
+      });
+    });
+    EXPECT_EQ(why, names({Kind::feature})) << Kind::stage;
+  });
+  EXPECT_EQ(reason([](Model& m) { m.bodies[0].mass_rate = Real(-0.1); }), "changing masses");
+  EXPECT_EQ(reason([](Model& m) { m.joints.emplace_back(); }), "ball joints");
+  EXPECT_EQ(reason([](Model& m) { m.frame.emplace(); }), "a rotating frame");
   EXPECT_EQ(reason([](Model& m) { m.shapes[0] = Box{}; }), "body 0 is not a sphere");
   EXPECT_EQ(reason([](Model& m) { m.bodies[0].inverse_mass = 0; }), "body 0 is pinned");
   const auto lopsided = [](Model& m) {

@@ -1,0 +1,167 @@
+#include "engine/methods.h"
+
+#include "engine/plan.h"
+
+#include <algorithm>
+#include <array>
+
+namespace cylon::engine {
+
+namespace {
+
+// All that one row names; a new feature is in none of them.
+constexpr Features all_forces = {Feature::spring,     Feature::damped_spring, Feature::off_centre_spring,
+                                 Feature::drag,       Feature::thrust,        Feature::drive,
+                                 Feature::attraction, Feature::water};
+constexpr Features all_joints = {Feature::ball_joint, Feature::hinge_joint, Feature::distance_joint,
+                                 Feature::fixed_joint};
+constexpr Features all_contacts = {
+    Feature::contact, Feature::lasting_contact, Feature::friction, Feature::sphere,
+    Feature::box,     Feature::capsule,         Feature::hull};
+constexpr Features rigid_bodies = {Feature::locked_body, Feature::spin, Feature::changing_mass};
+
+struct Row {
+  Method method;
+  Features features;
+};
+
+constexpr std::array rows = {
+    Row{Method::exact, {Feature::locked_body, Feature::spin}},
+    Row{Method::free, {Feature::spin, Feature::chosen_integrator}},
+    Row{Method::modes, {Feature::locked_body, Feature::spring, Feature::drive}},
+    Row{Method::points,
+        {Feature::locked_body, Feature::spring, Feature::drive, Feature::attraction,
+         Feature::chosen_integrator}},
+    Row{Method::top, {Feature::spin, Feature::pinned_body, Feature::chosen_integrator}},
+    Row{Method::bodies, rigid_bodies | all_forces | all_joints |
+                            Features{Feature::pinned_body, Feature::hinged_body, Feature::turning_frame,
+                                     Feature::chosen_integrator, Feature::account, Feature::every_stage}},
+    Row{Method::ballistic,
+        {Feature::locked_body, Feature::spin, Feature::contact, Feature::friction, Feature::sphere}},
+    Row{Method::events, rigid_bodies | all_forces | all_joints | all_contacts |
+                            Features{Feature::pinned_body, Feature::hinged_body, Feature::chosen_integrator,
+                                     Feature::account, Feature::every_stage, Feature::path_events}},
+    Row{Method::sphere_steps,
+        {Feature::locked_body, Feature::spin, Feature::contact, Feature::lasting_contact, Feature::friction,
+         Feature::sphere, Feature::every_stage, Feature::path_stepping}},
+    Row{Method::body_steps, rigid_bodies | all_forces | all_joints | all_contacts |
+                                Features{Feature::every_stage, Feature::path_stepping}},
+};
+
+constexpr bool one_row_each() {
+  if (rows.size() != static_cast<std::size_t>(Method::count)) return false;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (rows[i].method != static_cast<Method>(i)) return false;
+  return true;
+}
+static_assert(one_row_each(), "every method has a row, in the order of the enumeration");
+
+Feature feature_of(Joint::Type type) {
+  switch (type) {
+    case Joint::Type::ball:
+      return Feature::ball_joint;
+    case Joint::Type::hinge:
+      return Feature::hinge_joint;
+    case Joint::Type::distance:
+      return Feature::distance_joint;
+    case Joint::Type::fixed:
+      break;
+  }
+  return Feature::fixed_joint;
+}
+
+// The feature of a shape that may touch; a shape without one does not compile.
+void add_shape(const std::monostate&, Features&) {}
+void add_shape(const Sphere&, Features& features) { features.add(Feature::sphere); }
+void add_shape(const Box&, Features& features) { features.add(Feature::box); }
+void add_shape(const Capsule&, Features& features) { features.add(Feature::capsule); }
+void add_shape(const Hull&, Features& features) { features.add(Feature::hull); }
+
+bool may_touch(const Model& model, std::size_t body) {
+  return !model.surfaces.empty() && model.surfaces[body] != no_surface;
+}
+
+Features of_bodies(const Model& model) {
+  Features all;
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+    const Body& body = model.bodies[i];
+    if (body.locked) all.add(Feature::locked_body);
+    if (!model.motions[i].angular_momentum.isZero(0)) all.add(Feature::spin);
+    if (body.mass_rate != 0) all.add(Feature::changing_mass);
+    if (body.pinned) all.add(Feature::pinned_body);
+    if (body.hinged) all.add(Feature::hinged_body);
+  }
+  return all;
+}
+
+Features of_forces(const Model& model) {
+  Features all;
+  each_force(model.forces, [&](const auto& force) {
+    force.add_features(all);
+    if (model.frame && !force.holds_in_turning_frame()) all.add(Feature::force_in_turning_frame);
+  });
+  for (const Water& water : model.forces.waters)
+    for (std::size_t i = 0; i < water.shapes.size(); ++i)
+      if (water.mode == WaterMode::volume && !model.bodies[i].locked && !displaces(water.shapes[i]))
+        all.add(Feature::unknown_displacement);
+  return all;
+}
+
+Features of_joints(const Model& model) {
+  Features all;
+  for (const Joint& joint : model.joints) {
+    all.add(feature_of(joint.type));
+    if (model.frame && (joint.body == fixed_world || joint.to == fixed_world))
+      all.add(Feature::world_joint_in_turning_frame);
+  }
+  return all;
+}
+
+Features of_contacts(const Model& model) {
+  if (!can_touch(model)) return {};
+  Features all = {Feature::contact};
+  if (model.frame) all.add(Feature::contact_in_turning_frame);
+  for (std::size_t i = 0; i < model.bodies.size(); ++i)
+    if (may_touch(model, i)) std::visit([&](const auto& shape) { add_shape(shape, all); }, model.shapes[i]);
+  for (const Material& material : model.materials)
+    if (material.friction > 0) all.add(Feature::friction);
+  return all;
+}
+
+}  // namespace
+
+Features supports(Method method) { return rows[static_cast<std::size_t>(method)].features; }
+
+Features required(const Model& model) {
+  Features all = of_bodies(model) | of_forces(model) | of_joints(model) | of_contacts(model);
+  if (model.frame) all.add(Feature::turning_frame);
+  return all;
+}
+
+// A path is asked for only where something can touch.  The full model runs the stages of contacts too, where
+// it may.
+Features required(const Model& model, const Options& options) {
+  Features all = required(model);
+  if (options.integrator != "auto") all.add(Feature::chosen_integrator);
+  if (options.account) all.add(Feature::account);
+  if (options.full) all.add(Feature::every_stage);
+  if (options.full && options.path.empty() && !model.frame) all.add(Feature::contact);
+  if (!can_touch(model)) return all;
+  if (options.path == "events") all.add(Feature::path_events);
+  if (options.path == "stepping") all.add(Feature::path_stepping);
+  return all;
+}
+
+std::string missing(Method method, const Model& model) { return names(required(model) - supports(method)); }
+
+bool can_touch(const Model& model) {
+  std::size_t moving = 0, all = 0;
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+    if (!may_touch(model, i)) continue;
+    ++all;
+    moving += !model.bodies[i].locked;
+  }
+  return moving > 0 && (all > 1 || !model.planes.empty());
+}
+
+}  // namespace cylon::engine

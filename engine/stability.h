@@ -1,0 +1,21 @@
+// How long a step explicit integration of the forces may take.
+#pragma once
+
+#include "engine/forces.h"
+
+#include <string>
+
+namespace cylon::engine {
+
+struct StepLimit {
+  Real step = 0;  ///< Semi-implicit Euler is unstable in longer steps [s]; infinite where no force says so.
+  std::string reason;  ///< The force that says so.
+};
+
+/// From the stiffness k and the damping c of each force alone, against the masses m that it moves:
+///   h^2 k/m + 2 h c/m <= 4
+/// (the eigenvalues of p'' = -(k p + c p')/m on the unit circle).  Other forces only shorten it: what is longer is
+/// unstable for certain, what is shorter may be.
+StepLimit longest_step(const Forces&, const std::vector<Body>&);
+
+}  // namespace cylon::engine
