@@ -83,11 +83,11 @@ void Bodies::find_kinematics(const Motion* motion) {
   }
 }
 
-// The forces, and of hinged bodies only what turns them about their axis.
+// The forces, and of bodies with one axis only what turns them about it.
 void Bodies::find_loads(Time t, const Motion* motion, Real* powers) {
   apply(model_.forces, t, model_.bodies, motion, kinematics_.data(), loads_.data(), powers);
   for (std::size_t i = 0; i < loads_.size(); ++i) {
-    if (!model_.bodies[i].hinged) continue;
+    if (!model_.bodies[i].one_axis) continue;
     const Vector3 axis = kinematics_[i].rotation * model_.bodies[i].axis;
     loads_[i].torque = axis.dot(loads_[i].torque) * axis;
   }

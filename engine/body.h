@@ -22,7 +22,7 @@ struct Body {
   Real mass_rate = 0;                ///< dm/dt [kg/s]; what enters or leaves does so at the centre of mass.
   bool locked = false;               ///< Infinite mass: does not move, whatever acts on it.
   bool pinned = false;               ///< Its reference point stays where it is; it only turns,
-  bool hinged = false;               ///< and that only about `axis`,
+  bool one_axis = false;             ///< and that only about `axis`,
   Vector3 axis = Vector3::Zero();    ///< body axes, unit.
   bool turns = true;  ///< false: without spin, and nothing ever turns it; its orientation is left alone.
 };

@@ -15,8 +15,8 @@ enum class Feature : unsigned {
   locked_body,
   spin,  ///< A body has angular momentum at t = 0.
   changing_mass,
-  pinned_body,  ///< In reduced coordinates: only turns, about a pivot;
-  hinged_body,  ///< only about an axis.
+  pinned_body,    ///< In reduced coordinates: only turns, about a pivot;
+  one_axis_body,  ///< only about an axis.
   // Forces, at least one per kind (engine/forces.h).
   spring,
   damped_spring,
@@ -28,10 +28,10 @@ enum class Feature : unsigned {
   water,
   unknown_displacement,  ///< A body under water of a shape whose submerged volume has no formula.
   // Joints.
-  ball_joint,
-  hinge_joint,
-  distance_joint,
-  fixed_joint,
+  joint_together,
+  joint_at_length,
+  joint_about_axis,
+  joint_never,
   // Contacts, and the shapes of bodies that may touch something.
   contact,
   lasting_contact,  ///< One that free flight and a plane under a body do not express.

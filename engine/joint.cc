@@ -37,7 +37,7 @@ Row row_of(const Joint& joint) {
 }
 
 // c = x_a - x_b,  x = p + R r_0
-void add_ball(const Joint& joint, const End& a, const End& b, std::vector<Row>& rows) {
+void add_together(const Joint& joint, const End& a, const End& b, std::vector<Row>& rows) {
   for (int k = 0; k < 3; ++k) {
     Row row = row_of(joint);
     row.direction = Vector3::Unit(k);
@@ -52,7 +52,7 @@ void add_ball(const Joint& joint, const End& a, const End& b, std::vector<Row>& 
 
 // c = u.h_a for two u of body b square to its axis, h_a the axis on a.
 //   s = h x u,  c' = s.(w_a - w_b),  bias = s'.(w_a - w_b),  s' = (w_a x h) x u + h x (w_b x u)
-void add_axis(const Joint& joint, const End& a, const End& b, std::vector<Row>& rows) {
+void add_about_axis(const Joint& joint, const End& a, const End& b, std::vector<Row>& rows) {
   const Vector3 h = a.orientation * joint.axis;
   const Vector3 first = joint.to_axis.unitOrthogonal(), second = joint.to_axis.cross(first);
   const Vector3 w = a.angular_velocity - b.angular_velocity;
@@ -69,7 +69,7 @@ void add_axis(const Joint& joint, const End& a, const End& b, std::vector<Row>& 
 }
 
 // c = the rotation vector of R_a (R_b R_rel)^T,  c' = w_a - w_b  where c is small
-void add_orientation(const Joint& joint, const End& a, const End& b, std::vector<Row>& rows) {
+void add_never(const Joint& joint, const End& a, const End& b, std::vector<Row>& rows) {
   Quaternion error = a.orientation * (b.orientation * joint.relative).conjugate();
   if (error.w() < 0) error.coeffs() = -error.coeffs();
   for (int k = 0; k < 3; ++k) {
@@ -82,7 +82,7 @@ void add_orientation(const Joint& joint, const End& a, const End& b, std::vector
 }
 
 // d = x_a - x_b, n = d/|d|:  c = |d| - length,  c'' = n.(a_a - a_b) + (|d'|^2 - (n.d')^2)/|d|
-void add_distance(const Joint& joint, const End& a, const End& b, std::vector<Row>& rows) {
+void add_at_length(const Joint& joint, const End& a, const End& b, std::vector<Row>& rows) {
   const Vector3 d = a.place - b.place, v = a.velocity - b.velocity;
   const Real distance = d.norm();
   Row row = row_of(joint);
@@ -100,18 +100,59 @@ void add_distance(const Joint& joint, const End& a, const End& b, std::vector<Ro
 }  // namespace
 
 int row_count(Joint::Type type) {
-  constexpr int counts[] = {3, 5, 1, 6};
-  return counts[static_cast<std::size_t>(type)];
+  constexpr int of_place[] = {3, 1}, of_turn[] = {0, 2, 3};  // in the order of the enumerations
+  return of_place[static_cast<std::size_t>(type.place)] + of_turn[static_cast<std::size_t>(type.turn)];
 }
 
 void add_rows(const Joint& joint, const std::vector<Body>& bodies, const Motion* motion,
               std::vector<Row>& rows) {
   const End a = end_of(joint.body, joint.anchor, bodies, motion);
   const End b = end_of(joint.to, joint.to_anchor, bodies, motion);
-  if (joint.type == Joint::Type::distance) return add_distance(joint, a, b, rows);
-  add_ball(joint, a, b, rows);
-  if (joint.type == Joint::Type::hinge) add_axis(joint, a, b, rows);
-  if (joint.type == Joint::Type::fixed) add_orientation(joint, a, b, rows);
+  switch (joint.type.place) {
+    case Joint::Place::together:
+      add_together(joint, a, b, rows);
+      break;
+    case Joint::Place::at_length:
+      add_at_length(joint, a, b, rows);
+      break;
+  }
+  switch (joint.type.turn) {
+    case Joint::Turn::freely:
+      break;
+    case Joint::Turn::about_axis:
+      add_about_axis(joint, a, b, rows);
+      break;
+    case Joint::Turn::never:
+      add_never(joint, a, b, rows);
+      break;
+  }
+}
+
+Misfit misfit_of_place(const Joint& joint, const Vector3& apart) {
+  switch (joint.type.place) {
+    case Joint::Place::together:
+      break;
+    case Joint::Place::at_length: {
+      const Vector3 n = apart.normalized();
+      return {apart - joint.length * n, n * n.transpose()};
+    }
+  }
+  return {.error = apart};
+}
+
+Misfit misfit_of_turn(const Joint& joint, const Quaternion& body, const Quaternion& to) {
+  switch (joint.type.turn) {
+    case Joint::Turn::freely:
+      return {.space = Matrix3::Zero()};
+    case Joint::Turn::about_axis: {
+      const Vector3 axis = body * joint.axis;
+      return {(to * joint.to_axis).cross(axis), Matrix3::Identity() - axis * axis.transpose()};
+    }
+    case Joint::Turn::never:
+      break;
+  }
+  const Quaternion apart = body * (to * joint.relative).conjugate();
+  return {.error = (apart.w() < 0 ? -2 : 2) * apart.vec()};
 }
 
 }  // namespace cylon::engine

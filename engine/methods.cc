@@ -13,8 +13,8 @@ namespace {
 constexpr Features all_forces = {Feature::spring,     Feature::damped_spring, Feature::off_centre_spring,
                                  Feature::drag,       Feature::thrust,        Feature::drive,
                                  Feature::attraction, Feature::water};
-constexpr Features all_joints = {Feature::ball_joint, Feature::hinge_joint, Feature::distance_joint,
-                                 Feature::fixed_joint};
+constexpr Features all_joints = {Feature::joint_together, Feature::joint_at_length, Feature::joint_about_axis,
+                                 Feature::joint_never};
 constexpr Features all_contacts = {
     Feature::contact, Feature::lasting_contact, Feature::friction, Feature::sphere,
     Feature::box,     Feature::capsule,         Feature::hull};
@@ -34,12 +34,12 @@ constexpr std::array rows = {
          Feature::chosen_integrator}},
     Row{Method::top, {Feature::spin, Feature::pinned_body, Feature::chosen_integrator}},
     Row{Method::bodies, rigid_bodies | all_forces | all_joints |
-                            Features{Feature::pinned_body, Feature::hinged_body, Feature::turning_frame,
+                            Features{Feature::pinned_body, Feature::one_axis_body, Feature::turning_frame,
                                      Feature::chosen_integrator, Feature::account, Feature::every_stage}},
     Row{Method::ballistic,
         {Feature::locked_body, Feature::spin, Feature::contact, Feature::friction, Feature::sphere}},
     Row{Method::events, rigid_bodies | all_forces | all_joints | all_contacts |
-                            Features{Feature::pinned_body, Feature::hinged_body, Feature::chosen_integrator,
+                            Features{Feature::pinned_body, Feature::one_axis_body, Feature::chosen_integrator,
                                      Feature::account, Feature::every_stage, Feature::path_events}},
     Row{Method::sphere_steps,
         {Feature::locked_body, Feature::spin, Feature::contact, Feature::lasting_contact, Feature::friction,
@@ -56,18 +56,25 @@ constexpr bool one_row_each() {
 }
 static_assert(one_row_each(), "every method has a row, in the order of the enumeration");
 
-Feature feature_of(Joint::Type type) {
-  switch (type) {
-    case Joint::Type::ball:
-      return Feature::ball_joint;
-    case Joint::Type::hinge:
-      return Feature::hinge_joint;
-    case Joint::Type::distance:
-      return Feature::distance_joint;
-    case Joint::Type::fixed:
+void add_joint(Joint::Type type, Features& features) {
+  switch (type.place) {
+    case Joint::Place::together:
+      features.add(Feature::joint_together);
+      break;
+    case Joint::Place::at_length:
+      features.add(Feature::joint_at_length);
       break;
   }
-  return Feature::fixed_joint;
+  switch (type.turn) {
+    case Joint::Turn::freely:
+      break;
+    case Joint::Turn::about_axis:
+      features.add(Feature::joint_about_axis);
+      break;
+    case Joint::Turn::never:
+      features.add(Feature::joint_never);
+      break;
+  }
 }
 
 // The feature of a shape that may touch; a shape without one does not compile.
@@ -89,7 +96,7 @@ Features of_bodies(const Model& model) {
     if (!model.motions[i].angular_momentum.isZero(0)) all.add(Feature::spin);
     if (body.mass_rate != 0) all.add(Feature::changing_mass);
     if (body.pinned) all.add(Feature::pinned_body);
-    if (body.hinged) all.add(Feature::hinged_body);
+    if (body.one_axis) all.add(Feature::one_axis_body);
   }
   return all;
 }
@@ -110,7 +117,7 @@ Features of_forces(const Model& model) {
 Features of_joints(const Model& model) {
   Features all;
   for (const Joint& joint : model.joints) {
-    all.add(feature_of(joint.type));
+    add_joint(joint.type, all);
     if (model.frame && (joint.body == fixed_world || joint.to == fixed_world))
       all.add(Feature::world_joint_in_turning_frame);
   }

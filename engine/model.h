@@ -13,21 +13,30 @@ namespace cylon::engine {
 /// Holds two bodies together, or one to the world.  Anchors and axes in body axes; world coordinates where
 /// `to` is the world.
 struct Joint {
-  enum class Type {
-    ball,      ///< The anchors coincide.
-    hinge,     ///< The anchors coincide and so do the axes.
-    distance,  ///< The anchors keep a distance.
-    fixed      ///< The anchors coincide and the bodies do not turn against each other.
+  enum class Place {
+    together,  ///< The anchors coincide.
+    at_length  ///< The anchors keep the distance `length`.
   };
-  Type type = Type::ball;
+  enum class Turn {
+    freely,
+    about_axis,  ///< The axes coincide.
+    never        ///< The bodies do not turn against each other.
+  };
+  /// What a joint keeps; every kind of joint is a place and a turn.
+  struct Type {
+    Place place = Place::together;
+    Turn turn = Turn::freely;
+    friend bool operator==(const Type&, const Type&) = default;
+  };
+  Type type;
   int body = 0;
   Vector3 anchor = Vector3::Zero();  ///< [m]
   int to = fixed_world;
   Vector3 to_anchor = Vector3::Zero();           ///< [m]
-  Vector3 axis = Vector3::UnitY();               ///< Hinge: unit.
-  Vector3 to_axis = Vector3::UnitY();            ///< Hinge: unit.
-  Quaternion relative = Quaternion::Identity();  ///< Fixed: body to `to`, R_to^T R_body.
-  Real length = 0;                               ///< Distance: [m], > 0.
+  Vector3 axis = Vector3::UnitY();               ///< Of about_axis: unit.
+  Vector3 to_axis = Vector3::UnitY();            ///< Of about_axis: unit.
+  Quaternion relative = Quaternion::Identity();  ///< Of never: body to `to`, R_to^T R_body.
+  Real length = 0;                               ///< Of at_length: [m], > 0.
 };
 
 /// Physics of a pair of surfaces.

@@ -2,6 +2,7 @@
 
 #include "engine/ballistic/ballistic.h"
 #include "engine/free_bodies.h"
+#include "engine/joint.h"
 #include "engine/methods.h"
 #include "engine/normal_modes.h"
 #include "engine/reduce.h"
@@ -170,7 +171,6 @@ class Stages {
 
   // 6 n - m; a locked body has none, a point 3.
   void freedom() {
-    constexpr int taken[] = {3, 5, 1, 6};
     int freedom = 0, points = 0, locked = 0;
     const std::vector<char> turns = bodies_that_turn(model_);
     for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
@@ -180,7 +180,7 @@ class Stages {
       locked += model_.bodies[i].locked;
     }
     int m = 0;
-    for (const Joint& j : model_.joints) m += taken[static_cast<std::size_t>(j.type)];
+    for (const Joint& j : model_.joints) m += row_count(j.type);
     std::string reason = std::to_string(freedom - m) + " = " + std::to_string(freedom) + " of " +
                          std::to_string(model_.bodies.size()) + " bodies - " + std::to_string(m) +
                          " by joints";

@@ -1,6 +1,7 @@
 #include "engine/reduce.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace cylon::engine {
@@ -8,6 +9,23 @@ namespace cylon::engine {
 namespace {
 
 std::size_t at(int body) { return static_cast<std::size_t>(body); }
+
+// What a joint to the world may keep so that the body's own motion has coordinates without it.
+struct Reducible {
+  Joint::Type type;
+  const char* motion;  // that is left
+};
+constexpr Joint::Type about_point{Joint::Place::together, Joint::Turn::freely},
+    about_axis{Joint::Place::together, Joint::Turn::about_axis},
+    on_rod{Joint::Place::at_length, Joint::Turn::freely};
+constexpr std::array reducible = {Reducible{about_point, "turns about a point"},
+                                  Reducible{about_axis, "turns about an axis"},
+                                  Reducible{on_rod, "keeps its distance from a point"}};
+
+const Reducible* find_reducible(Joint::Type type) {
+  const auto* row = std::ranges::find(reducible, type, &Reducible::type);
+  return row == reducible.end() ? nullptr : row;
+}
 
 bool floats(const Model& model) {
   return std::any_of(model.forces.waters.begin(), model.forces.waters.end(),
@@ -24,9 +42,8 @@ bool is_point(const Model& model, int body) {
                       }) &&
          std::none_of(model.forces.thrusts.begin(), model.forces.thrusts.end(),
                       [&](const Thrust& t) { return t.body == body; }) &&
-         std::all_of(model.joints.begin(), model.joints.end(), [&](const Joint& j) {
-           return (j.body != body && j.to != body) || j.type == Joint::Type::distance;
-         });
+         std::all_of(model.joints.begin(), model.joints.end(),
+                     [&](const Joint& j) { return (j.body != body && j.to != body) || j.type == on_rod; });
 }
 
 // The inertia about a point from which the centre of mass lies at c; seed eq. 70, 71.
@@ -44,15 +61,15 @@ Body pinned_body(const Body& body, const Matrix3& inertia, const Vector3& centre
 }
 
 // Turns only about h:  I^-1 = h h^T / (h^T I h).
-Body hinged_body(const Body& body, const Matrix3& inertia, const Vector3& centre, const Vector3& h) {
-  Body hinged = pinned_body(body, inertia, centre);
+Body one_axis_body(const Body& body, const Matrix3& inertia, const Vector3& centre, const Vector3& h) {
+  Body pinned = pinned_body(body, inertia, centre);
   const Real inverse = 1 / h.dot(inertia * h);
-  hinged.hinged = true;
-  hinged.axis = h;
-  hinged.inverse_inertia = inverse * h * h.transpose();
-  hinged.inverse_moments = {inverse, 0, 0};
-  hinged.principal_axes = Quaternion::FromTwoVectors(Vector3::UnitX(), h);
-  return hinged;
+  pinned.one_axis = true;
+  pinned.axis = h;
+  pinned.inverse_inertia = inverse * h * h.transpose();
+  pinned.inverse_moments = {inverse, 0, 0};
+  pinned.principal_axes = Quaternion::FromTwoVectors(Vector3::UnitX(), h);
+  return pinned;
 }
 
 // Moves the reference point of a body by `shift` (body axes) in everything that is fastened to it.
@@ -72,7 +89,7 @@ void fasten(const Model& model, Joint& joint) {
   const auto place = [&](int body, const Vector3& anchor) -> Vector3 {
     return model.motions[at(body)].position + model.motions[at(body)].orientation * anchor;
   };
-  if (joint.type == Joint::Type::fixed || locked(joint.to) == locked(joint.body)) return;
+  if (!find_reducible(joint.type) || locked(joint.to) == locked(joint.body)) return;
   if (locked(joint.to)) {
     joint.to_anchor = place(joint.to, joint.to_anchor);
     joint.to_axis = model.motions[at(joint.to)].orientation * joint.to_axis;
@@ -87,6 +104,7 @@ void fasten(const Model& model, Joint& joint) {
   }
 }
 
+// Requires find_reducible(joint.type).
 bool pin(Reduced& reduced, const Joint& joint) {
   Model& model = reduced.model;
   const int i = joint.to == fixed_world ? joint.body : joint.to;
@@ -98,7 +116,7 @@ bool pin(Reduced& reduced, const Joint& joint) {
   if (body.locked || body.pinned) return false;
 
   Vector3 shift = anchor;  // the new reference point from the old, body axes
-  if (joint.type == Joint::Type::distance) {
+  if (joint.type == on_rod) {
     if (!anchor.isZero(0) || !is_point(model, i)) return false;
     // A rod without mass from the pivot to the point: c = R^T (p - x),  I = m (|c|^2 1 - c c^T).
     const Vector3 c = motion.orientation.conjugate() * (motion.position - place);
@@ -108,9 +126,9 @@ bool pin(Reduced& reduced, const Joint& joint) {
   } else {
     const Matrix3 inertia = shifted(body.inertia, body.mass, -anchor);
     reduced.readings[at(i)] = {true, false, {}, body.inertia};
-    body = joint.type == Joint::Type::ball
-               ? pinned_body(body, inertia, -anchor)
-               : hinged_body(body, inertia, -anchor, first ? joint.axis : joint.to_axis);
+    body = joint.type == about_axis
+               ? one_axis_body(body, inertia, -anchor, first ? joint.axis : joint.to_axis)
+               : pinned_body(body, inertia, -anchor);
   }
   shift_anchors(model, i, shift);
 
@@ -130,16 +148,15 @@ Reduced reduce(Model model) {
   reduced.readings.resize(m.bodies.size());
   if (!m.reduce_joints) return reduced;
   for (Joint& joint : m.joints) fasten(m, joint);
-  constexpr const char* names[] = {"ball joint", "hinge", "distance joint", "fixed joint"};
   for (std::size_t k = 0; k < m.joints.size();) {
     const Joint joint = m.joints[k];
     const int i = joint.to == fixed_world ? joint.body : joint.to;
     const bool to_world = (joint.to == fixed_world) != (joint.body == fixed_world);
     const bool touches = i != fixed_world && !m.surfaces.empty() && m.surfaces[at(i)] != no_surface;
-    if (to_world && joint.type != Joint::Type::fixed && !touches && !floats(m) && !m.frame &&
-        m.bodies[at(i)].mass_rate == 0 && pin(reduced, joint)) {
-      reduced.pinned.push_back("body " + std::to_string(i) + ": " +
-                               names[static_cast<std::size_t>(joint.type)]);
+    const Reducible* form = find_reducible(joint.type);
+    if (to_world && form && !touches && !floats(m) && !m.frame && m.bodies[at(i)].mass_rate == 0 &&
+        pin(reduced, joint)) {
+      reduced.pinned.push_back("body " + std::to_string(i) + " " + form->motion);
       m.joints.erase(m.joints.begin() + static_cast<std::ptrdiff_t>(k));
     } else {
       ++k;

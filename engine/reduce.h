@@ -10,9 +10,8 @@ namespace cylon::engine {
 
 /// How a body of a reduced model relates to the body that was given.
 struct Reading {
-  bool pinned = false;  ///< Its motion is that of the pivot.
-  bool keeps_orientation =
-      false;  ///< The rod that replaces a point on a distance joint turns; the point does not.
+  bool pinned = false;             ///< Its motion is that of the pivot.
+  bool keeps_orientation = false;  ///< The rod that replaces a point at a length turns; the point does not.
   Quaternion orientation = Quaternion::Identity();  ///< The one that it keeps.
   Matrix3 inertia = Matrix3::Zero();                ///< About the centre of mass, body axes [kg m^2].
 };
@@ -20,14 +19,14 @@ struct Reading {
 struct Reduced {
   Model model;
   std::vector<Reading> readings;    ///< One per body.
-  std::vector<std::string> pinned;  ///< For the plan: "body 0: ball joint", …
+  std::vector<std::string> pinned;  ///< For the plan: "body 0 turns about a point", …
 };
 
-/// Puts each body that a ball joint, a hinge, or a distance joint of a point holds to the world in
-/// coordinates in which that joint cannot open; the joint goes.  The reference point becomes the pivot, the
+/// Puts each body that a joint to the world lets turn about a point or about an axis, and each point that one
+/// keeps at a length, in coordinates in which that joint cannot open; the joint goes.  The reference point becomes the pivot, the
 /// inertia
 ///   I_p = I + m (|c|^2 1 - c c^T)   (seed eq. 70, 71; errata 15),
-/// about the hinge's axis h alone  h^T I_p h,  for a point on a rod  m l^2 (1 - n n^T).  Left as they are:
+/// about an axis h alone  h^T I_p h,  for a point on a rod  m l^2 (1 - n n^T).  Left as they are:
 /// bodies that can touch something or float, and second joints of a body.
 Reduced reduce(Model);
 

@@ -1,6 +1,7 @@
 #include "engine/pile/body_contacts.h"
 
 #include "engine/geometry/manifold.h"
+#include "engine/joint.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +43,10 @@ Vector3 point(const Vector3& anchor, int body, const std::vector<Motion>& motion
 }
 
 }  // namespace
+
+Quaternion orientation_of(int body, const std::vector<Motion>& motions) {
+  return body == fixed_world ? Quaternion(Quaternion::Identity()) : motions[index(body)].orientation;
+}
 
 Real half_width(const Shape& shape) {
   if (const auto* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;
@@ -144,8 +149,7 @@ void BodyContacts::touch(const std::vector<Motion>& motions, int a, int b, int p
   }
 }
 
-// ball, hinge, fixed: the anchors coincide; hinge, fixed: no turning across the axis, or at all; distance:
-// along the line between the anchors.
+// A block for the place of each joint, and one for its turn where it is not free.
 void BodyContacts::add_joints(const std::vector<Motion>& motions, const std::vector<Block>& old,
                               std::vector<Block>& blocks) const {
   std::size_t next = 0;
@@ -162,20 +166,12 @@ void BodyContacts::add_joints(const std::vector<Motion>& motions, const std::vec
     block.arm = point(joint.anchor, joint.body, motions) - motions[index(joint.body)].position;
     if (joint.to != fixed_world)
       block.to_arm = point(joint.to_anchor, joint.to, motions) - motions[index(joint.to)].position;
-    if (joint.type == Joint::Type::distance) {
-      const Vector3 d = offset(block, motions).normalized();
-      block.space = d * d.transpose();
-      block.gap = joint.length;
-    }
+    block.space = misfit_of_place(joint, offset(block, motions)).space;
     add(block);
-    if (joint.type == Joint::Type::ball || joint.type == Joint::Type::distance) continue;
+    if (joint.type.turn == Joint::Turn::freely) continue;
     block.kind = Block::Kind::align;
-    block.gap = 0;
-    const Quaternion& turn = motions[index(joint.body)].orientation;
-    if (joint.type == Joint::Type::hinge) {
-      const Vector3 axis = turn * joint.axis;
-      block.space = Matrix3::Identity() - axis * axis.transpose();
-    }
+    block.space =
+        misfit_of_turn(joint, orientation_of(joint.body, motions), orientation_of(joint.to, motions)).space;
     add(block);
   }
 }

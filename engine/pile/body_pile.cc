@@ -1,6 +1,7 @@
 #include "engine/pile/body_pile.h"
 
 #include "engine/free_rotation.h"
+#include "engine/joint.h"
 
 #include <algorithm>
 #include <bit>
@@ -271,30 +272,17 @@ void BodyPile::close_joints() {
       for (bool more = true; more && k < blocks_.size(); ++k) {
         Block& block = blocks_[k];
         const bool align = block.kind == Block::Kind::align;
-        more = !align && (joint.type == Joint::Type::hinge || joint.type == Joint::Type::fixed);
-        const Quaternion& q_a = motions_[index(block.a)].orientation;
-        const Quaternion q_b = block.b == fixed_world ? Quaternion(Quaternion::Identity())
-                                                      : motions_[index(block.b)].orientation;
-        Vector3 error;
+        more = !align && joint.type.turn != Joint::Turn::freely;
+        const Quaternion q_a = orientation_of(block.a, motions_), q_b = orientation_of(block.b, motions_);
         if (!align) {
           block.arm = q_a * block.anchor;
           if (block.b != fixed_world) block.to_arm = q_b * block.to_anchor;
-          error = offset(block, motions_);
-          if (joint.type == Joint::Type::distance) {
-            const Vector3 d = error.normalized();
-            block.space = d * d.transpose();
-            error -= joint.length * d;
-          }
-        } else if (joint.type == Joint::Type::hinge) {
-          error = (q_b * joint.to_axis).cross(q_a * joint.axis);
-          const Vector3 axis = q_a * joint.axis;
-          block.space = Matrix3::Identity() - axis * axis.transpose();
-        } else {
-          const Quaternion apart = q_a * (q_b * joint.relative).conjugate();
-          error = (apart.w() < 0 ? -2 : 2) * apart.vec();
         }
+        const Misfit misfit =
+            align ? misfit_of_turn(joint, q_a, q_b) : misfit_of_place(joint, offset(block, motions_));
+        block.space = misfit.space;
         set_effective_mass(block, movers_);
-        const Vector3 shift = -(block.block_mass * error);
+        const Vector3 shift = -(block.block_mass * misfit.error);
         const auto move = [&](int body, const Vector3& arm, const Vector3& by) {
           const Mover& m = movers_[index(body)];
           if (!align) motions_[index(body)].position += m.inverse_mass * by;

@@ -29,7 +29,7 @@ Eigen::Matrix3d inverse_of(const Eigen::Matrix3d& inertia) {
 }  // namespace
 
 bool isolated(const Model& model) {
-  const auto tied = [](const Body& body) { return body.locked || body.pinned || body.hinged; };
+  const auto tied = [](const Body& body) { return body.locked || body.pinned; };
   const auto to_world = [](const Joint& joint) { return joint.to == fixed_world; };
   return model.planes.empty() && std::none_of(model.bodies.begin(), model.bodies.end(), tied) &&
          std::none_of(model.joints.begin(), model.joints.end(), to_world);

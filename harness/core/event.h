@@ -18,7 +18,7 @@ enum class EventKind {
   apex,        ///< The largest gap of a pair after a bounce.  Index 0: before any bounce.
   roll,        ///< A touching pair that slid stops sliding: the contact point's slip speed reaches zero.
   flip,        ///< w on the body's intermediate principal axis changes sign.
-  swing,       ///< On a hinge, w along the hinge's axis changes sign: a swing ends.
+  swing,       ///< On a joint that leaves one rotation, w along its axis changes sign: a swing ends.
   apsis,       ///< The distance of the centre from `about`, or from `to`'s centre, turns: d . d' = 0.
   turn,        ///< The centre's height turns: up . v = 0.
   nutation,    ///< The angle between axis and pole turns: pole . (w x axis) = 0.

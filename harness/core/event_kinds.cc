@@ -100,33 +100,33 @@ Reason no_intermediate_axis(const Scene& scene, const Pair& pair) {
   return "body '" + body.name + "' has no intermediate axis (three different principal moments)";
 }
 
-// The hinge that a body turns on.
-const Joint* hinge_of(const Scene& scene, int body) {
+// The joint that leaves a body one rotation, about its axis.
+const Joint* axle_of(const Scene& scene, int body) {
   for (const Joint& joint : scene.joints)
-    if (joint.type == JointType::hinge && (joint.body == body || joint.to == body)) return &joint;
+    if (kind_of(joint.type).turns_about_axis() && (joint.body == body || joint.to == body)) return &joint;
   return nullptr;
 }
 
-void take_hinge(Subject& subject) {
-  const Joint* hinge = hinge_of(subject.scene, subject.pair.body);
-  if (!hinge) return;
-  subject.axis = body_of(subject).initial.orientation.conjugate() * hinge->axis;
-  subject.hinged_to = hinge->body == subject.pair.body ? hinge->to : hinge->body;
+void take_axle(Subject& subject) {
+  const Joint* axle = axle_of(subject.scene, subject.pair.body);
+  if (!axle) return;
+  subject.axis = body_of(subject).initial.orientation.conjugate() * axle->axis;
+  subject.turns_against = axle->body == subject.pair.body ? axle->to : axle->body;
 }
 
-Reason no_hinge(const Scene& scene, const Pair& pair) {
-  if (hinge_of(scene, pair.body)) return std::nullopt;
-  return "body '" + body_of(scene, pair).name + "' turns on no hinge";
+Reason no_axle(const Scene& scene, const Pair& pair) {
+  if (axle_of(scene, pair.body)) return std::nullopt;
+  return "body '" + body_of(scene, pair).name + "' has no joint that lets it turn about one axis";
 }
 
-// w . R a, less that of the body on the hinge's other side: the axis is fixed in both.
+// w . R a, less that of the body on the joint's other side: the axis is fixed in both.
 Reading spin_about_axis(const Subject& subject, const State& state, double) {
   const BodyState& s = state[subject.body];
   Reading reading;
   reading.x = s.angular_velocity.dot(s.orientation * subject.axis);
-  if (subject.hinged_to != world)
-    reading.x -=
-        state[static_cast<std::size_t>(subject.hinged_to)].angular_velocity.dot(s.orientation * subject.axis);
+  if (subject.turns_against != world)
+    reading.x -= state[static_cast<std::size_t>(subject.turns_against)].angular_velocity.dot(s.orientation *
+                                                                                             subject.axis);
   return reading;
 }
 
@@ -254,11 +254,13 @@ const auto& table() {  // in a function, because other sources ask for it before
                .signal = spin_about_axis,
                .error = spin_error,
                .undefined = no_intermediate_axis},
-      EventRow{.type = {EventKind::swing, "swing", "a swing about a hinge ends", false, 1, {time, period}},
-               .prepare = take_hinge,
-               .signal = spin_about_axis,
-               .error = spin_error,
-               .undefined = no_hinge},
+      EventRow{
+          .type =
+              {EventKind::swing, "swing", "a swing about the axis of a joint ends", false, 1, {time, period}},
+          .prepare = take_axle,
+          .signal = spin_about_axis,
+          .error = spin_error,
+          .undefined = no_axle},
       EventRow{.type = {EventKind::apsis,
                         "apsis",
                         "the distance from `about`, or from `to`, turns",

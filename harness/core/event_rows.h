@@ -17,7 +17,7 @@ struct EventSubject {
   Vector3 about, up, pole;          ///< See event.h; `about` as in Observable.
   Vector3 first, second;            ///< Two unit vectors across the pole, right-handed.
   Vector3 axis = Vector3::UnitY();  ///< In the body frame: the kind says which.
-  int hinged_to = world;            ///< Of kind swing.
+  int turns_against = world;        ///< Of kind swing: the other body of the joint.
   const Water* water = nullptr;
 };
 

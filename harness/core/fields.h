@@ -17,7 +17,11 @@ namespace cylon::core {
 
 template <>
 struct Words<JointType> {
-  static constexpr std::array<std::string_view, 4> list = {"ball", "hinge", "distance", "fixed"};
+  static constexpr auto list = [] {
+    std::array<std::string_view, joint_kinds.size()> names;
+    for (std::size_t i = 0; i < names.size(); ++i) names[i] = joint_kinds[i].name;
+    return names;
+  }();
 };
 template <>
 struct Words<Impacts> {
@@ -259,20 +263,20 @@ struct Element<Joint> {
              .required = true,
              .meaning = "World coordinates at t = 0. A distance joint has it if there is no `to`; else it "
                         "connects the two centres."},
-            [](const Joint& j) { return j.type != JointType::distance || j.to == world; }},
+            [](const Joint& j) { return !kind_of(j.type).joins_centres() || j.to == world; }},
       Field{"axis",
             &Joint::axis,
             {.in = Expressed::world_vector,
              .required = true,
              .meaning = "World axes at t = 0, any length but zero."},
-            [](const Joint& j) { return j.type == JointType::hinge; }},
+            [](const Joint& j) { return kind_of(j.type).has_axis(); }},
       Field{"length",
             &Joint::length,
             {.unit = "m",
              .range = positive,
              .meaning = "Distance of the two ends.",
              .absent = "the distance at t = 0"},
-            [](const Joint& j) { return j.type == JointType::distance; }}};
+            [](const Joint& j) { return kind_of(j.type).has_length(); }}};
 };
 template <>
 struct Element<Plane> {

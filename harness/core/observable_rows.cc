@@ -1,8 +1,8 @@
 #include "harness/core/observable_rows.h"
 
-#include "harness/core/anchor.h"
 #include "harness/core/event_signal.h"
 #include "harness/core/force_law.h"
+#include "harness/core/held_joint.h"
 #include "harness/core/near_pairs.h"
 #include "harness/core/surfaces.h"
 #include "harness/core/worst.h"
@@ -264,32 +264,6 @@ void normal_gap(const Observable& q, const Scene& scene, const State& state, Val
   }
 }
 
-// A point of the world at t = 0 in the frame of a body.
-Vector3 in_frame_of(const Scene& scene, int body, const Vector3& point) {
-  if (body == world) return point;
-  const BodyState& s = scene.bodies[static_cast<std::size_t>(body)].initial;
-  return s.orientation.conjugate() * (point - s.position);
-}
-
-// Of a distance joint |d| - length between the centres, or between a centre and a point of the world; of the
-// others the distance of the two anchors.
-double gap_of(const Scene& scene, const Joint& joint, const State& state) {
-  switch (joint.type) {
-    case JointType::distance:
-      return (anchor(state, joint.to, joint.to == world ? joint.point : Vector3(Vector3::Zero())) -
-              anchor(state, joint.body, Vector3::Zero()))
-                 .norm() -
-             joint.length;
-    case JointType::ball:
-    case JointType::hinge:
-    case JointType::fixed:
-      return (anchor(state, joint.to, in_frame_of(scene, joint.to, joint.point)) -
-              anchor(state, joint.body, in_frame_of(scene, joint.body, joint.point)))
-          .norm();
-  }
-  return 0;
-}
-
 std::optional<std::string> joint_gap_undefined(const Observable&, const Scene& scene) {
   if (scene.joints.empty()) return "the scene has no joint";
   return std::nullopt;
@@ -297,7 +271,7 @@ std::optional<std::string> joint_gap_undefined(const Observable&, const Scene& s
 
 void joint_gap(const Observable& q, const Scene& scene, const State& state, Values& values) {
   for (const Joint& joint : scene.joints)
-    if (concerns(q, joint.body, joint.to)) values.push_back(scalar(gap_of(scene, joint, state)));
+    if (concerns(q, joint.body, joint.to)) values.push_back(scalar(open_by(scene, joint, state)));
 }
 
 // |dg| <= 2 (|dx| + arm dtheta), with the longest arm of all joints.

@@ -6,6 +6,8 @@
 // the centre of mass, angular velocity in world axes.  Angular momentum is about the world origin.
 #pragma once
 
+#include "harness/core/joint_kinds.h"
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -163,16 +165,14 @@ struct Water {
 /// Closed on purpose: an adapter that misses a force does not compile.
 using Force = std::variant<UniformGravity, Spring, Drag, Thrust, Drive, Attraction, Water>;
 
-enum class JointType { ball, hinge, distance, fixed };
-
 struct Joint {
   JointType type = JointType::ball;
   int body = 0;
   int to = world;
   Vector3 point =
-      Vector3::Zero();  ///< World coordinates at t = 0 [m]; unused by distance between two bodies.
-  Vector3 axis = Vector3::UnitY();  ///< Of a hinge, world axes at t = 0, unit.
-  double length = 0;                ///< Of a distance joint [m].
+      Vector3::Zero();  ///< World coordinates at t = 0 [m]; unused by JointPlace::at_length of two bodies.
+  Vector3 axis = Vector3::UnitY();  ///< World axes at t = 0, unit; JointKind::has_axis.
+  double length = 0;                ///< [m]; JointKind::has_length.
 };
 
 /// Solid where normal . x < offset.

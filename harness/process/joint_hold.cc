@@ -1,5 +1,7 @@
 #include "harness/process/joint_hold.h"
 
+#include "harness/core/anchor.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -9,6 +11,8 @@
 namespace cylon::process {
 namespace {
 
+using core::HeldJoint;
+using core::JointRow;
 using core::Matrix3;
 using core::Quaternion;
 using core::Vector3;
@@ -16,67 +20,9 @@ using core::Vector3;
 constexpr int newton_steps = 10;
 constexpr double rounding = 64 * 0x1p-52;  // of the lengths involved
 
-struct End {
-  Vector3 position = Vector3::Zero();  // of the anchor [m]
-  Vector3 arm = Vector3::Zero();       // from the centre of mass [m]
-  Quaternion orientation = Quaternion::Identity();
-};
-
-End end_of(const core::State& state, int body, const Vector3& anchor) {
-  if (body == core::world) return {anchor, Vector3::Zero(), Quaternion::Identity()};
-  const core::BodyState& s = state[static_cast<std::size_t>(body)];
-  const Vector3 arm = s.orientation * anchor;
-  return {s.position + arm, arm, s.orientation};
-}
-
-// J v = d.v_a + s_a.w_a - d.v_b - s_b.w_b, and the gap that it changes.
-struct Row {
-  int body, to;
-  Vector3 direction, spin, to_spin;
-  double gap;
-  double scale;  // of the numbers whose difference the gap is
-};
-
-Vector3 rotation_vector(Quaternion q) {
-  if (q.w() < 0) q.coeffs() = -q.coeffs();
-  const double sine = q.vec().norm();
-  return sine > 0 ? Vector3(2 * std::atan2(sine, q.w()) / sine * q.vec()) : Vector3(Vector3::Zero());
-}
-
-void add_point_rows(const HeldJoint& j, const End& a, const End& b, std::vector<Row>& rows) {
-  const Vector3 apart = a.position - b.position;
-  const double scale = a.position.norm() + a.arm.norm() + b.position.norm() + b.arm.norm();
-  if (j.type == core::JointType::distance) {
-    const double length = apart.norm();
-    const Vector3 n = length > 0 ? Vector3(apart / length) : Vector3(Vector3::UnitY());
-    rows.push_back({j.body, j.to, n, a.arm.cross(n), b.arm.cross(n), length - j.length, scale});
-    return;
-  }
-  for (int k = 0; k < 3; ++k) {
-    const Vector3 e = Vector3::Unit(k);
-    rows.push_back({j.body, j.to, e, a.arm.cross(e), b.arm.cross(e), apart[k], scale});
-  }
-}
-
-void add_spin_row(const HeldJoint& j, const Vector3& about, const Vector3& error, std::vector<Row>& rows) {
-  rows.push_back({j.body, j.to, Vector3::Zero(), about, about, about.dot(error), 1});
-}
-
-std::vector<Row> rows_of(const std::vector<HeldJoint>& joints, const core::State& state) {
-  std::vector<Row> rows;
-  for (const HeldJoint& j : joints) {
-    const End a = end_of(state, j.body, j.anchor), b = end_of(state, j.to, j.to_anchor);
-    add_point_rows(j, a, b, rows);
-    if (j.type == core::JointType::hinge) {
-      const Vector3 axis = a.orientation * j.axis, error = (b.orientation * j.to_axis).cross(axis);
-      const Vector3 one = axis.unitOrthogonal();
-      add_spin_row(j, one, error, rows);
-      add_spin_row(j, axis.cross(one), error, rows);
-    } else if (j.type == core::JointType::fixed) {
-      const Vector3 error = rotation_vector(a.orientation * (b.orientation * j.turn).conjugate());
-      for (int k = 0; k < 3; ++k) add_spin_row(j, Vector3::Unit(k), error, rows);
-    }
-  }
+std::vector<JointRow> rows_of(const std::vector<HeldJoint>& joints, const core::State& state) {
+  std::vector<JointRow> rows;
+  for (const HeldJoint& joint : joints) add_rows(joint, state, rows);
   return rows;
 }
 
@@ -99,8 +45,8 @@ Mobility mobility(const core::Body& body, const Quaternion& orientation) {
 // The jointed bodies' rows as one matrix J, with M^-1 J^T beside it.
 class System {
  public:
-  System(const core::Scene& scene, const core::State& state, const std::vector<Row>& rows) {
-    for (const Row& row : rows)
+  System(const core::Scene& scene, const core::State& state, const std::vector<JointRow>& rows) {
+    for (const JointRow& row : rows)
       for (const int body : {row.body, row.to})
         if (body != core::world) places_.try_emplace(body, 6 * static_cast<Eigen::Index>(places_.size()));
     const auto count = static_cast<Eigen::Index>(rows.size()),
@@ -109,7 +55,7 @@ class System {
     back_.setZero(width, count);
     gaps_.resize(count);
     for (Eigen::Index i = 0; i < count; ++i) {
-      const Row& row = rows[static_cast<std::size_t>(i)];
+      const JointRow& row = rows[static_cast<std::size_t>(i)];
       gaps_[i] = row.gap;
       add(scene, state, i, row.body, row.direction, row.spin);
       add(scene, state, i, row.to, -row.direction, -row.to_spin);
@@ -152,47 +98,29 @@ class System {
 
 }  // namespace
 
-std::vector<HeldJoint> held_joints(const core::Scene& scene) {
-  std::vector<HeldJoint> held;
-  const auto of = [&](int body) {
-    return body == core::world ? core::BodyState{} : scene.bodies[static_cast<std::size_t>(body)].initial;
-  };
-  for (const core::Joint& joint : scene.joints) {
-    const core::BodyState a = of(joint.body), b = of(joint.to);
-    HeldJoint h{.type = joint.type, .body = joint.body, .to = joint.to, .length = joint.length};
-    if (joint.type == core::JointType::distance) {  // joins the centres, or a centre and a point of the world
-      if (joint.to == core::world) h.to_anchor = joint.point;
-    } else {
-      h.anchor = a.orientation.conjugate() * (joint.point - a.position);
-      h.to_anchor = b.orientation.conjugate() * (joint.point - b.position);
-      h.axis = a.orientation.conjugate() * joint.axis;
-      h.to_axis = b.orientation.conjugate() * joint.axis;
-      h.turn = b.orientation.conjugate() * a.orientation;
-    }
-    held.push_back(h);
-  }
-  return held;
-}
-
 core::Joint joint_at(const HeldJoint& held, const core::State& state) {
   // The world's end, or the end on `to`, is the one that does not move with the body's own errors.
-  const End a = end_of(state, held.body, held.anchor), b = end_of(state, held.to, held.to_anchor);
+  const Vector3 point = core::anchor(state, held.to, held.to_anchor);
+  const core::JointKind& kind = core::kind_of(held.type);
   core::Joint joint;
   joint.type = held.type;
   joint.body = held.body;
   joint.to = held.to;
-  joint.point = b.position;
-  if (held.type == core::JointType::hinge)
-    joint.axis = held.to == core::world ? held.to_axis : (b.orientation * held.to_axis).normalized();
-  joint.length = held.type == core::JointType::distance ? (a.position - b.position).norm() : held.length;
+  joint.point = point;
+  if (kind.has_axis()) {
+    const auto to = static_cast<std::size_t>(held.to);
+    joint.axis = held.to == core::world ? held.to_axis : (state[to].orientation * held.to_axis).normalized();
+  }
+  joint.length =
+      kind.has_length() ? (core::anchor(state, held.body, held.anchor) - point).norm() : held.length;
   return joint;
 }
 
 void fit(const core::Scene& scene, const std::vector<HeldJoint>& joints, core::State& state) {
   for (int step = 0; step < newton_steps && !joints.empty(); ++step) {
-    const std::vector<Row> rows = rows_of(joints, state);
+    const std::vector<JointRow> rows = rows_of(joints, state);
     if (std::all_of(rows.begin(), rows.end(),
-                    [](const Row& row) { return std::abs(row.gap) <= rounding * row.scale; }))
+                    [](const JointRow& row) { return std::abs(row.gap) <= rounding * row.scale; }))
       break;
     const System system(scene, state, rows);
     const Eigen::VectorXd change = system.correction(system.gaps());

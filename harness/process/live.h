@@ -55,7 +55,7 @@ class LiveRun {
   Hello hello_;
   core::Terms terms_;
   core::Scene scene_;
-  std::vector<HeldJoint> joints_;
+  std::vector<core::HeldJoint> joints_;
   core::Setup setup_;
   core::State state_;
   std::int64_t steps_ = 0;  // since load()

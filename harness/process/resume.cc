@@ -15,7 +15,7 @@ std::optional<std::string> not_resumable(const core::Scene& scene) {
   return std::nullopt;
 }
 
-core::Scene resumed(const core::Scene& given, const std::vector<HeldJoint>& joints, core::State state,
+core::Scene resumed(const core::Scene& given, const std::vector<core::HeldJoint>& joints, core::State state,
                     double t) {
   core::Scene scene = given;
   for (const core::Force& force : scene.forces)
@@ -30,7 +30,7 @@ core::Scene resumed(const core::Scene& given, const std::vector<HeldJoint>& join
   fit(scene, joints, state);
   for (std::size_t i = 0; i < state.size(); ++i) scene.bodies[i].initial = state[i];
   scene.joints.clear();
-  for (const HeldJoint& joint : joints) scene.joints.push_back(joint_at(joint, state));
+  for (const core::HeldJoint& joint : joints) scene.joints.push_back(joint_at(joint, state));
   return scene;
 }
 

@@ -18,6 +18,7 @@ std::optional<std::string> not_resumable(const core::Scene&);
 /// as they are by then, poses and velocities such as the joints allow, joints where they are now.  `joints`:
 /// those of the scene as it was given, so that nothing drifts however often it is begun anew.  Requires a
 /// finite state of as many bodies as the scene has, and not_resumable(scene) to be empty or t = 0.
-core::Scene resumed(const core::Scene&, const std::vector<HeldJoint>& joints, core::State state, double t);
+core::Scene resumed(const core::Scene&, const std::vector<core::HeldJoint>& joints, core::State state,
+                    double t);
 
 }  // namespace cylon::process

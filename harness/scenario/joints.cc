@@ -1,4 +1,5 @@
 // Joints, and initial velocities that they allow.
+#include "harness/core/held_joint.h"
 #include "harness/scenario/read_element.h"
 
 #include <fmt/format.h>
@@ -25,21 +26,14 @@ Vector3 spin_of(const core::Scene& scene, int body) {
                              : scene.bodies[static_cast<std::size_t>(body)].initial.angular_velocity;
 }
 
-// The part of the velocity difference that the joint forbids: all of it, or for a distance that along the
-// line.
-Vector3 forbidden(const core::Scene& scene, const core::Joint& joint, const Vector3& from,
-                  const Vector3& end) {
-  const Vector3 difference = velocity_at(scene, joint.body, from) - velocity_at(scene, joint.to, end);
-  if (joint.type != core::JointType::distance) return difference;
-  const Vector3 line = (end - from).normalized();
-  return line * line.dot(difference);
-}
-
 void check_velocity(const Table& t, Draft& draft, const core::Joint& joint, const Vector3& from,
                     const Vector3& end) {
   core::BodyState& s = draft.scene.bodies[static_cast<std::size_t>(joint.body)].initial;
   const Table& origin = draft.origin[static_cast<std::size_t>(joint.body)];
-  const Vector3 excess = forbidden(draft.scene, joint, from, end);
+  const core::JointKind& kind = core::kind_of(joint.type);
+  const Vector3 excess = core::forbidden_velocity(
+      kind.place, end - from,
+      velocity_at(draft.scene, joint.body, from) - velocity_at(draft.scene, joint.to, end));
   const double speeds = s.velocity.norm() + s.angular_velocity.norm() * (from - s.position).norm() +
                         velocity_at(draft.scene, joint.to, end).norm();
   const Vector3 consistent = s.velocity - excess;
@@ -51,10 +45,7 @@ void check_velocity(const Table& t, Draft& draft, const core::Joint& joint, cons
   if (joint.to == core::world && excess.norm() > 1e-12 * speeds) s.velocity = consistent;
 
   const Vector3 turning = s.angular_velocity - spin_of(draft.scene, joint.to);
-  const Vector3 twist = joint.type == core::JointType::fixed ? turning
-                        : joint.type == core::JointType::hinge
-                            ? Vector3(turning - joint.axis * joint.axis.dot(turning))
-                            : Vector3::Zero();
+  const Vector3 twist = core::forbidden_spin(kind.turn, joint.axis, turning);
   if (twist.norm() > typed * (s.angular_velocity.norm() + spin_of(draft.scene, joint.to).norm()))
     origin.fail("angular_velocity",
                 fmt::format("angular_velocity = {} breaks the {} joint of '{}' by {} rad/s; consistent: {}",
@@ -65,12 +56,13 @@ void check_velocity(const Table& t, Draft& draft, const core::Joint& joint, cons
 core::Joint read_joint(const Table& t, Draft& draft) {
   auto joint = read_element<core::Joint>(t, draft);
   if (joint.to == joint.body) t.fail("to", "a joint joins two different bodies, or one with the world");
-  const bool distance = joint.type == core::JointType::distance;
+  const core::JointKind& kind = core::kind_of(joint.type);
+  const bool distance = kind.joins_centres();
   if (distance && t.has("point") && t.has("to"))
     t.fail("point", "point: a distance between two bodies joins their centres");
   if (distance && !t.has("point") && !t.has("to"))
     t.fail("a distance joint needs 'to' (a body) or 'point' (of the world)");
-  if (joint.type == core::JointType::hinge) {
+  if (kind.has_axis()) {
     if (!(joint.axis.norm() > 0)) t.fail("axis", "axis = [0, 0, 0] has no direction");
     make_unit(joint.axis);
   }

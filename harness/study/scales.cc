@@ -61,7 +61,7 @@ Scales scales(const core::Scene& scene, double duration) {
         length = std::max(length, std::abs(p.normal.dot(b.initial.position) - p.offset));
   }
   for (const core::Joint& j : scene.joints)
-    if (j.type != core::JointType::distance || j.to == core::world) reach(j.point);
+    if (!core::kind_of(j.type).joins_centres() || j.to == core::world) reach(j.point);
   for (const core::Force& f : scene.forces) {
     if (const auto* g = std::get_if<core::UniformGravity>(&f)) gravity += g->acceleration.norm();
     if (const auto* k = std::get_if<core::Spring>(&f)) {

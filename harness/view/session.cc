@@ -44,7 +44,7 @@ Session::Session(scenario::Scenario scenario, SessionOptions options)
     : scenario_(std::move(scenario)),
       options_(std::move(options)),
       given_(scenario_.scene),
-      joints_(process::held_joints(given_)),
+      joints_(core::held_joints(given_)),
       playing_(options_.playing),
       speed_(options_.speed) {
   lanes_.push_back(make_lane(options_.lane));

@@ -95,7 +95,7 @@ class Session {
   scenario::Scenario scenario_;
   SessionOptions options_;
   core::Scene given_;
-  std::vector<process::HeldJoint> joints_;
+  std::vector<core::HeldJoint> joints_;
   std::vector<std::unique_ptr<Lane>> lanes_;
   std::optional<core::Spring> pull_;
   bool playing_, step_ = false;

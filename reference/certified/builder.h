@@ -21,10 +21,11 @@ struct Frozen {
   bool locked = false, turns = false;
   Expr mass;                ///< Of time, where mass comes or goes.
   Matrix inertia, inverse;  ///< About the centre of mass; of a pinned body the inverse is about the pivot, of
-                            ///< a hinged one about the hinge.
+                            ///< one with one axis about that axis.
   int pin =
       -1;  ///< The joint that holds a point of the body in the world; no states for place and velocity then.
-  Vector pivot, arm;  ///< That point of the world; from there to the centre of mass, body axes.
+  bool one_axis = false;  ///< And the pin leaves one axis: no equations for what it forbids.
+  Vector pivot, arm;      ///< That point of the world; from there to the centre of mass, body axes.
 };
 
 struct Builder {

@@ -72,7 +72,7 @@ struct Rows {
   }
 
   // d . d keeps its value: (d . d)''/2 = d' . d' + d . d''.
-  void distance(const core::Joint& joint) {
+  void at_length(const core::Joint& joint) {
     const End from = end(joint.body, 1), to = end(joint.to, -1);
     const Vector d = from.at->position - (to.at ? to.at->position : b.vector(joint.point));
     const Vector rate = from.at->velocity - (to.at ? to.at->velocity : b.zero());
@@ -83,7 +83,7 @@ struct Rows {
   }
 
   // Two directions perpendicular to the axis, the first from the unit vector that lies least along it.
-  void hinge(const core::Joint& joint) {
+  void about_axis(const core::Joint& joint) {
     const Vector axis = b.vector(joint.axis);
     int least = 0;
     joint.axis.cwiseAbs().minCoeff(&least);
@@ -94,31 +94,47 @@ struct Rows {
     perpendicular(joint, axis, cross(axis, across));
   }
 
-  void fixed(const core::Joint& joint) {
+  void never(const core::Joint& joint) {
     const auto unit = [&](int i) { return b.vector(core::Vector3::Unit(i)); };
     perpendicular(joint, unit(0), unit(1));
     perpendicular(joint, unit(0), unit(2));
     perpendicular(joint, unit(1), unit(2));
   }
 
-  bool holds_pin(int joint, int body) const {
-    return body != core::world && b.bodies[static_cast<std::size_t>(body)].pin == joint;
+  // The body that a joint pins, or null: its coordinates keep the place, and the axis where it has one.
+  const Frozen* pinned_by(int joint) const {
+    const core::Joint& j = b.scene.joints[static_cast<std::size_t>(joint)];
+    for (const int body : {j.body, j.to})
+      if (body != core::world && b.bodies[static_cast<std::size_t>(body)].pin == joint)
+        return &b.bodies[static_cast<std::size_t>(body)];
+    return nullptr;
   }
 
   void add(int index) {
     const core::Joint& joint = b.scene.joints[static_cast<std::size_t>(index)];
-    if (joint.type == core::JointType::distance) return distance(joint);
-    const bool pin = holds_pin(index, joint.body) || holds_pin(index, joint.to);
-    if (!pin) together(joint);
-    switch (joint.type) {
-      case core::JointType::hinge:
-        if (!pin) hinge(joint);
+    const core::JointKind& kind = core::kind_of(joint.type);
+    const Frozen* pinned = pinned_by(index);
+    if (!pinned) add_place(joint, kind.place);
+    if (!pinned || !pinned->one_axis) add_turn(joint, kind.turn);
+  }
+
+  void add_place(const core::Joint& joint, core::JointPlace place) {
+    switch (place) {
+      case core::JointPlace::together:
+        return together(joint);
+      case core::JointPlace::at_length:
+        return at_length(joint);
+    }
+  }
+
+  void add_turn(const core::Joint& joint, core::JointTurn turn) {
+    switch (turn) {
+      case core::JointTurn::freely:
         return;
-      case core::JointType::fixed:
-        return fixed(joint);
-      case core::JointType::ball:
-      case core::JointType::distance:
-        return;
+      case core::JointTurn::about_axis:
+        return about_axis(joint);
+      case core::JointTurn::never:
+        return never(joint);
     }
   }
 };

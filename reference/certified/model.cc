@@ -21,7 +21,7 @@ Matrix inverse_of(const Matrix& m) {
 
 bool is_joined(const Scene& scene, int body) {
   return std::ranges::any_of(scene.joints, [&](const core::Joint& j) {
-    return j.type != core::JointType::distance && (j.body == body || j.to == body);
+    return !core::kind_of(j.type).joins_centres() && (j.body == body || j.to == body);
   });
 }
 
@@ -50,7 +50,7 @@ Expr mass_of(const Builder& b, std::size_t body) {
   return mass;
 }
 
-// A ball, hinge or fixed joint to what does not move; in a turning frame or with changing mass bodies keep
+// A joint that keeps a point of the body in what does not move; in a turning frame or with changing mass bodies keep
 // their own centre.
 int pin_of(const Scene& scene, int body) {
   const auto still = [&](int other) {
@@ -63,7 +63,7 @@ int pin_of(const Scene& scene, int body) {
   if (has_turning_frame(scene) || varies || still(body)) return -1;
   for (std::size_t i = 0; i < scene.joints.size(); ++i) {
     const core::Joint& j = scene.joints[i];
-    if (j.type != core::JointType::distance &&
+    if (core::kind_of(j.type).place == core::JointPlace::together &&
         ((j.body == body && still(j.to)) || (j.to == body && still(j.body))))
       return static_cast<int>(i);
   }
@@ -116,7 +116,8 @@ void pin_at_start(Builder& b, std::size_t i) {
   f.arm = transposed(m.rotation) * (m.position - f.pivot);
   const Matrix inertia = about_pivot(b, f);
   const core::Joint& pin = b.scene.joints[static_cast<std::size_t>(f.pin)];
-  if (pin.type == core::JointType::hinge) {
+  f.one_axis = core::kind_of(pin.type).turns_about_axis();
+  if (f.one_axis) {
     // About an axis a alone: w' = a (a . torque)/(a . I_p a), and so for whatever else pulls.
     const Vector a = transposed(m.rotation) * b.vector(pin.axis);
     const Expr moment = dot(a, inertia * a);

@@ -3,6 +3,7 @@
 
 #include "engine/integrators/integrator.h"
 #include "engine/world.h"
+#include "tests/engine/joint_types.h"
 #include "tests/engine/same_bits.h"
 
 #include <gtest/gtest.h>
@@ -239,15 +240,15 @@ inline Real angle_between(const Vector3& a, const Vector3& b) {
 /// fixed one the angle between the bodies.  SI units mixed.
 inline Real joint_gap(const std::vector<Motion>& motions, const Joint& joint) {
   const Vector3 d = place(motions, joint.body, joint.anchor) - place(motions, joint.to, joint.to_anchor);
-  if (joint.type == Joint::Type::distance) return std::abs(d.norm() - joint.length);
+  if (joint.type == joint_types::distance) return std::abs(d.norm() - joint.length);
   const auto turn = [&](int body) -> Quaternion {
     if (body == fixed_world) return Quaternion::Identity();
     return motions[static_cast<std::size_t>(body)].orientation;
   };
   Real gap = d.norm();
-  if (joint.type == Joint::Type::hinge) {
+  if (joint.type == joint_types::hinge) {
     gap = std::max(gap, angle_between(turn(joint.body) * joint.axis, turn(joint.to) * joint.to_axis));
-  } else if (joint.type == Joint::Type::fixed) {
+  } else if (joint.type == joint_types::fixed) {
     gap = std::max(gap, angle(turn(joint.body), turn(joint.to) * joint.relative));
   }
   return gap;

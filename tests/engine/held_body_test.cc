@@ -16,7 +16,7 @@ TEST(HeldBodyWithoutGravity, StaysAtRest) {
     model.bodies[0].mass_rate = rate;
     const Vector3 point = {Real(0.5), Real(-0.1), Real(0.2)};
     const Quaternion turn = model.motions[0].orientation;
-    model.joints.push_back({.type = Joint::Type::fixed,
+    model.joints.push_back({.type = joint_types::fixed,
                             .body = 0,
                             .anchor = turn.conjugate() * (point - model.motions[0].position),
                             .to_anchor = point,

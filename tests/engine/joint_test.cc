@@ -4,6 +4,7 @@
 #include "engine/bodies.h"
 #include "engine/free_rotation.h"
 #include "tests/engine/fixtures.h"
+#include "tests/engine/joint_types.h"
 
 namespace cylon::engine {
 namespace {
@@ -37,7 +38,7 @@ Held held(Type type, bool to_world) {
   }
   j.axis = q_a.conjugate() * axis, j.to_axis = q_b.conjugate() * axis;
   j.relative = q_b.conjugate() * q_a;
-  if (type == Type::distance) {
+  if (type == joint_types::distance) {
     h.model.motions[0].position += Vector3(0.2, -0.4, 0.3);
     j.length = Vector3(0.2, -0.4, 0.3).norm();
   }
@@ -90,16 +91,18 @@ TEST_P(EveryJoint, RowsAreTheDerivativesOfTheirOffsets) {
     EXPECT_NEAR((after[k].offset - before[k].offset) / (2 * e),
                 rate(r.body, r.direction, r.lever) - rate(r.to, r.direction, r.to_lever), 3e-6)
         << k;
-    if (type == Type::fixed && k >= 3) continue;  // zero where both spin alike, which is where it is solved
+    if (type == joint_types::fixed && k >= 3)
+      continue;  // zero where both spin alike, which is where it is solved
     EXPECT_NEAR((after[k].offset - 2 * now[k].offset + before[k].offset) / (e * e),
                 r.bias + turning(r.body, r.lever) - turning(r.to, r.to_lever), 3e-6)
         << k;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Types, EveryJoint,
-    testing::Combine(testing::Values(Type::ball, Type::hinge, Type::distance, Type::fixed), testing::Bool()));
+INSTANTIATE_TEST_SUITE_P(Types, EveryJoint,
+                         testing::Combine(testing::Values(joint_types::ball, joint_types::hinge,
+                                                          joint_types::distance, joint_types::fixed),
+                                          testing::Bool()));
 
 // ---- In motion -------------------------------------------------------------------------------------
 
@@ -112,11 +115,11 @@ Model joined(Type type, bool off_centre = true) {
   if (!off_centre) h.joint.anchor.setZero();
   const Vector3 axis = a.orientation * h.joint.axis;
   Vector3 spin = w;
-  if (type == Type::hinge) spin += 2.5 * axis;
-  if (type == Type::ball || type == Type::distance) spin += Vector3(1.0, -2.0, 0.5);
+  if (type == joint_types::hinge) spin += 2.5 * axis;
+  if (type == joint_types::ball || type == joint_types::distance) spin += Vector3(1.0, -2.0, 0.5);
   Motion& b = m.motions[1];
   const Vector3 at = place(m.motions, 1, h.joint.to_anchor);
-  const Vector3 here = type == Type::distance ? at : place(m.motions, 0, h.joint.anchor);
+  const Vector3 here = type == joint_types::distance ? at : place(m.motions, 0, h.joint.anchor);
   const Vector3 v_at = v + w.cross(here - a.position);  // both anchors move as points of the first body
   b = make_motion(m.bodies[1], b.position, b.orientation, v_at - spin.cross(at - b.position), spin);
   if (!off_centre) h.joint.length = (a.position - at).norm();
@@ -125,7 +128,7 @@ Model joined(Type type, bool off_centre = true) {
 }
 
 TEST(Joined, FreeBodiesKeepMomentumAngularMomentumAndEnergy) {
-  for (const Type type : {Type::ball, Type::hinge, Type::distance, Type::fixed}) {
+  for (const Type type : {joint_types::ball, joint_types::hinge, joint_types::distance, joint_types::fixed}) {
     const Model model = joined(type);
     for (const char* integrator : {"rk8", "velocity-verlet", "yoshida4"}) {
       const Outcome end = run(model, integrator, 2, 2000);
@@ -144,7 +147,7 @@ TEST(Joined, FreeBodiesKeepMomentumAngularMomentumAndEnergy) {
 
 // Held fast, two bodies are one: the merged body moves as they do.
 TEST(Joined, AFixedJointMakesOneBody) {
-  const Model model = joined(Type::fixed);
+  const Model model = joined(joint_types::fixed);
   const Motion &a = model.motions[0], &b = model.motions[1];
   const Vector3 centre = (1.3 * a.position + 0.8 * b.position) / 2.1;
   Matrix3 inertia = Matrix3::Zero();  // in the axes of the first
@@ -171,7 +174,7 @@ TEST(Joined, AFixedJointMakesOneBody) {
 
 // A chain that hangs on the world by three kinds of joints at once.
 Model chain() {
-  Model model = joined(Type::hinge);
+  Model model = joined(joint_types::hinge);
   // A third body on a distance joint to the second, off centre at both ends.
   const Vector3 a = {0.1, 0.05, -0.1}, b = {0.05, -0.1, 0.08};
   const Vector3 from = place(model.motions, 1, a), v = [&] {
@@ -183,7 +186,7 @@ Model chain() {
   add_body(model, make_body(0.6, general_inertia(0.02, 0.03, 0.035)), from + rod - exponential(turn) * b,
            turn, v, {0, 0, 0});
   model.joints.push_back(
-      {.type = Type::distance, .body = 1, .anchor = a, .to = 2, .to_anchor = b, .length = rod.norm()});
+      {.type = joint_types::distance, .body = 1, .anchor = a, .to = 2, .to_anchor = b, .length = rod.norm()});
   model.forces.gravity = {0.2, -9.81, 0.4};
   // Forces that read velocities must not see momenta that the joints forbid.
   model.forces.drags.push_back({1, 0.4, 0.03, 0.2});
@@ -224,7 +227,7 @@ CYLON_EVERY_SCHEME(Chains);
 
 // Five ball joints between the same two bodies hold them as a fixed joint does; nothing overflows.
 TEST(Redundant, ManyJointsAreOneFixed) {
-  const Model fixed = joined(Type::fixed);
+  const Model fixed = joined(joint_types::fixed);
   Model many = fixed;
   many.joints.clear();
   for (const Vector3& at : {Vector3(0, 0, 0), Vector3(0.3, 0, 0.1), Vector3(0, 0.4, 0),

@@ -1,6 +1,7 @@
 // Mechanisms with every integrator: joints stay closed, orders and conservation laws hold, and runs repeat
 // bit by bit.
 #include "tests/engine/fixtures.h"
+#include "tests/engine/joint_types.h"
 
 namespace cylon::engine {
 namespace {
@@ -154,7 +155,7 @@ TEST(Redundant, TwoBallJointsMakeAHinge) {
   for (const Vector3& anchor : {a, b}) {
     model.joints.push_back({.body = 0, .anchor = anchor, .to_anchor = centre + exponential(turn) * anchor});
   }
-  hinged.joints.push_back({.type = Joint::Type::hinge,
+  hinged.joints.push_back({.type = joint_types::hinge,
                            .body = 0,
                            .anchor = a,
                            .to_anchor = model.joints[0].to_anchor,

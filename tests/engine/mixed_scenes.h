@@ -128,7 +128,9 @@ inline void add_joints(Dice& dice, Model& m, std::string& text) {
   const std::size_t n = m.bodies.size(), count = 1 + dice.below(2);
   for (std::size_t k = 0; k < count && k < n; ++k) {
     const int body = static_cast<int>(k), to = k + 1 < n && dice.one_in(2) ? body + 1 : fixed_world;
-    const auto type = static_cast<Joint::Type>(dice.below(4));
+    constexpr Joint::Type types[] = {joint_types::ball, joint_types::hinge, joint_types::distance,
+                                     joint_types::fixed};
+    const Joint::Type type = types[dice.below(4)];
     const auto turn = [&](int i) {
       return i == fixed_world ? Quaternion(Quaternion::Identity())
                               : m.motions[static_cast<std::size_t>(i)].orientation;
@@ -139,7 +141,7 @@ inline void add_joints(Dice& dice, Model& m, std::string& text) {
     const Vector3 point = to == fixed_world ? Vector3(place(body) + dice.vector(Real(0.4)))
                                             : Vector3((place(body) + place(to)) / 2 + dice.vector(Real(0.2)));
     Joint joint{.type = type, .body = body, .to = to};
-    if (type == Joint::Type::distance) {
+    if (type == joint_types::distance) {
       joint.to_anchor = to == fixed_world ? Vector3(place(body) + Vector3(Real(0.3), Real(0.7), Real(0.2)))
                                           : Vector3(Vector3::Zero());
       joint.length = (to == fixed_world ? joint.to_anchor : place(to)).operator-(place(body)).norm();

@@ -2,6 +2,7 @@
 #include "engine/plan.h"
 
 #include "tests/engine/fixtures.h"
+#include "tests/engine/joint_types.h"
 
 #include <functional>
 #include <map>
@@ -202,8 +203,8 @@ TEST(Plan, CountsDegreesOfFreedom) {
   EXPECT_EQ(freedom(heavy_top()), 3);
   EXPECT_EQ(freedom(linked_bodies(true)), 6);
   EXPECT_EQ(freedom(linked_bodies(false)), 9);
-  const std::map<Joint::Type, int> left = {
-      {Joint::Type::ball, 9}, {Joint::Type::hinge, 7}, {Joint::Type::distance, 11}, {Joint::Type::fixed, 6}};
+  const std::vector<std::pair<Joint::Type, int>> left = {
+      {joint_types::ball, 9}, {joint_types::hinge, 7}, {joint_types::distance, 11}, {joint_types::fixed, 6}};
   for (const auto& [type, expected] : left) {
     Model model = linked_bodies(false);
     model.joints[0].type = type;

@@ -2,6 +2,7 @@
 #include "engine/reduce.h"
 
 #include "tests/engine/fixtures.h"
+#include "tests/engine/joint_types.h"
 
 namespace cylon::engine {
 namespace {
@@ -41,7 +42,7 @@ std::vector<Pinned> pinned_models() {
                 w = {1.2, -0.7, 0.9};
   const Vector3 g = {0.3, -9.81, 0.7};
   const Matrix3 inertia = general_inertia(0.05, 0.07, 0.1);
-  for (const Type type : {Type::ball, Type::hinge}) {
+  for (const Type type : {joint_types::ball, joint_types::hinge}) {
     Model m;
     hang(m, type, anchor, pivot, turn, w, inertia, 1.3);
     m.forces.gravity = g;
@@ -49,13 +50,13 @@ std::vector<Pinned> pinned_models() {
     m.forces.drags.push_back({0, 0.3, 0.02, 0.1});
     m.forces.drives.push_back({0, {0.9, 0.4, -1.1}, 2.3});
     m.forces.thrusts.push_back({.body = 0, .force = {0.3, 0.2, 0.4}});
-    all.push_back({type == Type::ball ? "ball" : "hinge", m, 1});
+    all.push_back({type == joint_types::ball ? "ball" : "hinge", m, 1});
   }
   {  // a point on a rod
     Model m;
     const Vector3 arm = {0.4, -0.3, 0.5};
     add_body(m, make_body(1.3, Matrix3::Zero()), pivot + arm, {0, 0, 0}, w.cross(arm), {0, 0, 0});
-    m.joints.push_back({.type = Type::distance, .body = 0, .to_anchor = pivot, .length = arm.norm()});
+    m.joints.push_back({.type = joint_types::distance, .body = 0, .to_anchor = pivot, .length = arm.norm()});
     m.forces.gravity = g;
     m.forces.drags.push_back({0, 0.3, 0, 0});
     m.forces.springs.push_back({0, {0, 0, 0}, fixed_world, {0.6, 1.9, 0.4}, 25.0, 0.5, 0.6});
@@ -63,8 +64,8 @@ std::vector<Pinned> pinned_models() {
   }
   {  // two pinned bodies, a spring and attraction between them
     Model m;
-    hang(m, Type::ball, anchor, pivot, turn, w, inertia, 1.3);
-    hang(m, Type::hinge, {0.1, 0.25, -0.2}, {0.9, 0.4, -0.2}, {-0.3, 0.6, 0.2}, {0.4, 0.9, -0.8},
+    hang(m, joint_types::ball, anchor, pivot, turn, w, inertia, 1.3);
+    hang(m, joint_types::hinge, {0.1, 0.25, -0.2}, {0.9, 0.4, -0.2}, {-0.3, 0.6, 0.2}, {0.4, 0.9, -0.8},
          general_inertia(0.03, 0.05, 0.04), 0.8);
     m.forces.gravity = g;
     m.forces.springs.push_back({0, {0.2, 0.1, -0.3}, 1, {0.1, -0.2, 0.15}, 25.0, 0.5, 0.2});
@@ -155,10 +156,10 @@ TEST(Reduced, KeepsOtherBodies) {
   turning.frame = RotatingFrame{{0.1, 0.2, 0.3}};
   EXPECT_EQ(reduce(turning).model.joints.size(), 1u);
   Model fixed = base;
-  fixed.joints[0].type = Type::fixed;
+  fixed.joints[0].type = joint_types::fixed;
   EXPECT_EQ(reduce(fixed).model.joints.size(), 1u);
   Model off_centre = base;
-  off_centre.joints[0].type = Type::distance;
+  off_centre.joints[0].type = joint_types::distance;
   EXPECT_EQ(reduce(off_centre).model.joints.size(), 1u);
   Model losing = base;
   losing.bodies[0].mass_rate = -0.1;

@@ -2,6 +2,7 @@
 #include "engine/tops.h"
 
 #include "tests/engine/fixtures.h"
+#include "tests/engine/joint_types.h"
 
 namespace cylon::engine {
 namespace {
@@ -14,7 +15,7 @@ Model spherical_pendulum() {
   Motion& m = model.motions[0];
   const Vector3 d = m.position.normalized();
   m.momentum -= d * d.dot(m.momentum);  // along the sphere
-  model.joints.push_back({.type = Joint::Type::distance, .body = 0, .length = m.position.norm()});
+  model.joints.push_back({.type = joint_types::distance, .body = 0, .length = m.position.norm()});
   return model;
 }
 

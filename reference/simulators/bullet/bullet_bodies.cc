@@ -7,6 +7,8 @@
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 #include <btBulletDynamicsCommon.h>
 
+#include <stdexcept>
+
 namespace cylon::simulators {
 namespace {
 
@@ -133,14 +135,21 @@ class Multibody final : public BulletBody {
     const btVector3 axis = quatRotate(pose.getRotation().inverse(), to_bullet(joint.axis));
     const btQuaternion aligned = btQuaternion::getIdentity();
     const btScalar mass = to_bullet(body.mass);
-    const bool ball = joint.type == core::JointType::ball;
-    if (ball)
-      multibody_.setupSpherical(0, mass, moments, -1, aligned, btVector3(0, 0, 0), to_centre);
-    else
-      multibody_.setupRevolute(0, mass, moments, -1, aligned, axis, btVector3(0, 0, 0), to_centre);
+    btScalar rates[] = {spin.x(), spin.y(), spin.z()};
+    switch (joint.type) {
+      case core::JointType::ball:
+        multibody_.setupSpherical(0, mass, moments, -1, aligned, btVector3(0, 0, 0), to_centre);
+        break;
+      case core::JointType::hinge:
+        multibody_.setupRevolute(0, mass, moments, -1, aligned, axis, btVector3(0, 0, 0), to_centre);
+        rates[0] = spin.dot(axis);
+        break;
+      case core::JointType::distance:
+      case core::JointType::fixed:
+        throw std::logic_error("the multibody path was asked for a joint that it refuses");
+    }
     multibody_.finalizeMultiDof();
     multibody_.setBaseWorldTransform(btTransform(pose.getRotation(), to_bullet(joint.point)));
-    const btScalar rates[] = {ball ? spin.x() : spin.dot(axis), spin.y(), spin.z()};
     multibody_.setJointVelMultiDof(0, rates);
   }
 

@@ -1,5 +1,6 @@
 #include "reference/simulators/in_house/in_house_model.h"
 
+#include "harness/core/held_joint.h"
 #include "harness/core/overloaded.h"
 #include "harness/core/surfaces.h"
 #include "reference/simulators/in_house/in_house_shapes.h"
@@ -117,52 +118,39 @@ std::optional<std::string> add_forces(const Scene& scene, Model& model) {
 
 // ---- Joints --------------------------------------------------------------------------------------
 
-// A point, or a direction, of the world at t = 0 in the axes of a body or of the world.
-core::Vector3 point_in(const Scene& scene, int body, const core::Vector3& point) {
-  if (body == core::world) return point;
-  const core::BodyState& s = body_of(scene, body).initial;
-  return s.orientation.conjugate() * (point - s.position);
-}
-core::Vector3 direction_in(const Scene& scene, int body, const core::Vector3& direction) {
-  return body == core::world
-             ? direction
-             : core::Vector3(body_of(scene, body).initial.orientation.conjugate() * direction);
-}
-core::Quaternion orientation_of(const Scene& scene, int body) {
-  return body == core::world ? core::Quaternion::Identity() : body_of(scene, body).initial.orientation;
-}
-
-engine::Joint::Type type_of(core::JointType type) {
-  switch (type) {
-    case core::JointType::ball:
-      return engine::Joint::Type::ball;
-    case core::JointType::hinge:
-      return engine::Joint::Type::hinge;
-    case core::JointType::distance:
-      return engine::Joint::Type::distance;
-    case core::JointType::fixed:
+engine::Joint::Place place_of(core::JointPlace place) {
+  switch (place) {
+    case core::JointPlace::together:
       break;
+    case core::JointPlace::at_length:
+      return engine::Joint::Place::at_length;
   }
-  return engine::Joint::Type::fixed;
+  return engine::Joint::Place::together;
 }
 
-engine::Joint joint_of(const Scene& scene, const core::Joint& joint) {
-  engine::Joint result;
-  result.type = type_of(joint.type);
-  result.body = joint.body;
-  result.to = joint.to;
-  if (joint.type == core::JointType::distance) {  // joins centres, or a centre and a point of the world
-    if (joint.to == core::world) result.to_anchor = real(joint.point);
-  } else {
-    result.anchor = real(point_in(scene, joint.body, joint.point));
-    result.to_anchor = real(point_in(scene, joint.to, joint.point));
+engine::Joint::Turn turn_of(core::JointTurn turn) {
+  switch (turn) {
+    case core::JointTurn::freely:
+      break;
+    case core::JointTurn::about_axis:
+      return engine::Joint::Turn::about_axis;
+    case core::JointTurn::never:
+      return engine::Joint::Turn::never;
   }
-  result.axis = real(direction_in(scene, joint.body, joint.axis));
-  result.to_axis = real(direction_in(scene, joint.to, joint.axis));
-  result.relative =
-      real(core::Quaternion(orientation_of(scene, joint.to).conjugate() * orientation_of(scene, joint.body)));
-  result.length = real(joint.length);
-  return result;
+  return engine::Joint::Turn::freely;
+}
+
+engine::Joint joint_of(const core::HeldJoint& held) {
+  const core::JointKind& kind = core::kind_of(held.type);
+  return {.type = {place_of(kind.place), turn_of(kind.turn)},
+          .body = held.body,
+          .anchor = real(held.anchor),
+          .to = held.to,
+          .to_anchor = real(held.to_anchor),
+          .axis = real(held.axis),
+          .to_axis = real(held.to_axis),
+          .relative = real(held.turn),
+          .length = real(held.length)};
 }
 
 // ---- Contacts ------------------------------------------------------------------------------------
@@ -214,7 +202,7 @@ InHouseModel in_house_model(const Scene& scene) {
   if (result.missing) return result;
   result.missing = add_forces(scene, model);
   if (result.missing) return result;
-  for (const core::Joint& joint : scene.joints) model.joints.push_back(joint_of(scene, joint));
+  for (const core::HeldJoint& joint : core::held_joints(scene)) model.joints.push_back(joint_of(joint));
   result.missing = add_contacts(scene, model);
   // A frame that only moves changes nothing (Galilei); in one that turns, v + W x p and w + W are the
   // inertial ones.

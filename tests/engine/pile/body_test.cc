@@ -1,5 +1,6 @@
 // Piles of boxes and other shapes: stacks, ratios of masses, inclines, creep, joints.
 #include "engine/pile/body_pile.h"
+#include "tests/engine/joint_types.h"
 #include "tests/engine/pile/pile_fixtures.h"
 #include "tests/engine/same_bits.h"
 
@@ -173,11 +174,11 @@ TEST(PileBody, JointsHold) {
     model.surfaces.back() = no_surface;
   }
   const Vector3 left(Real(-0.5), 0, 0), right(Real(0.5), 0, 0);
-  model.joints.push_back({Joint::Type::ball, 0, left, fixed_world, Vector3::Zero()});
-  Joint hinge{Joint::Type::hinge, 1, left, 0, right};
+  model.joints.push_back({joint_types::ball, 0, left, fixed_world, Vector3::Zero()});
+  Joint hinge{joint_types::hinge, 1, left, 0, right};
   hinge.axis = hinge.to_axis = Vector3::UnitZ();
   model.joints.push_back(hinge);
-  model.joints.push_back({Joint::Type::fixed, 2, left, 1, right});
+  model.joints.push_back({joint_types::fixed, 2, left, 1, right});
   const auto stepper = make_pile(model, 1. / 240);
   std::vector<Motion> m;
   const double start = mechanical_energy(model, model.motions);

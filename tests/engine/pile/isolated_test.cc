@@ -4,6 +4,7 @@
 // Moving overlapping bodies apart used to change sum p x K by their displacements times their momenta, 6e-3
 // kg m^2/s here; impulses at two points that had drifted apart, in sweeps, by 5e-2; and restitution at
 // several points at once, or with friction, added up to 1.5 % to the energy in a step.
+#include "tests/engine/joint_types.h"
 #include "tests/engine/pile/pile_fixtures.h"
 
 #include <gtest/gtest.h>
@@ -130,7 +131,7 @@ INSTANTIATE_TEST_SUITE_P(All, PileIsolated, testing::ValuesIn(rows()));
 // Two boxes on a joint, struck by a third: closing the joint moves bodies too.
 TEST(PileIsolated, JointsKeepBothMomenta) {
   const Vector3 half(Real(0.5), Real(0.1), Real(0.15)), right(Real(0.6), 0, 0);
-  for (const auto type : {Joint::Type::ball, Joint::Type::hinge, Joint::Type::distance, Joint::Type::fixed})
+  for (const auto type : {joint_types::ball, joint_types::hinge, joint_types::distance, joint_types::fixed})
     for (const bool sweeps : {false, true}) {
       Model model = pile_model(Real(0.5), Real(0.3), false);
       model.forces.gravity.setZero();
@@ -140,7 +141,7 @@ TEST(PileIsolated, JointsKeepBothMomenta) {
       add_box(model, Real(0.7), half, Vector3(Real(0.2), -2, Real(0.1)), Vector3(0, 4, 0), Vector3(1, 2, 3));
       Joint joint{type, 0, right, 1, -right};
       joint.axis = joint.to_axis = Vector3::UnitZ();
-      if (type == Joint::Type::distance) {
+      if (type == joint_types::distance) {
         joint.anchor = right / 2, joint.to_anchor = -right / 2;
         joint.length = right.x();
       }

@@ -261,7 +261,7 @@ TEST(EventFindNone, GivesReasonWhySceneHasNoEvent) {
   EXPECT_EQ(why(EventKind::bounce), "no two things in the scene may touch");
   EXPECT_EQ(why(EventKind::roll), "no two things in the scene may touch");
   EXPECT_EQ(why(EventKind::flip), "body 'body' has no intermediate axis (three different principal moments)");
-  EXPECT_EQ(why(EventKind::swing), "body 'body' turns on no hinge");
+  EXPECT_EQ(why(EventKind::swing), "body 'body' has no joint that lets it turn about one axis");
   EXPECT_EQ(why(EventKind::apsis), "");
   EXPECT_EQ(why(EventKind::turn), "");
   EXPECT_EQ(why(EventKind::nutation),

@@ -10,9 +10,9 @@
 namespace cylon::view {
 namespace {
 
+using core::HeldJoint;
 using core::JointType;
 using core::Vector3;
-using process::HeldJoint;
 
 Vector3 velocity_at(const core::BodyState& s, const Vector3& point) {
   return s.velocity + s.angular_velocity.cross(point - s.position);
@@ -72,7 +72,7 @@ TEST(JointHold, KickSatisfiesJoints) {
     for (const bool free : {false, true}) {
       core::Scene scene = joined_by(type);
       if (free) scene.joints.erase(scene.joints.begin());
-      const auto joints = process::held_joints(scene);
+      const auto joints = core::held_joints(scene);
       core::State state = core::initial_state(scene);
       process::kick(scene, joints, state, 1, impulse);
       EXPECT_LE(broken(joints, state), 1e-14) << static_cast<int>(type);
@@ -94,15 +94,15 @@ TEST(JointHold, DuplicateJointChangesNothing) {
   core::Scene once = hinged_pair(), twice = once;
   twice.joints.push_back(twice.joints[1]);
   core::State a = core::initial_state(once), b = a;
-  process::kick(once, process::held_joints(once), a, 1, {0.3, -1.1, 0.7});
-  process::kick(twice, process::held_joints(twice), b, 1, {0.3, -1.1, 0.7});
+  process::kick(once, core::held_joints(once), a, 1, {0.3, -1.1, 0.7});
+  process::kick(twice, core::held_joints(twice), b, 1, {0.3, -1.1, 0.7});
   for (std::size_t i = 0; i < 2; ++i) EXPECT_LE((a[i].velocity - b[i].velocity).norm(), 1e-13);
 }
 
 TEST(JointHold, GapsCloseAndHingesAlign) {
   for (const JointType type : {JointType::ball, JointType::hinge, JointType::distance, JointType::fixed}) {
     const core::Scene scene = joined_by(type);
-    const auto joints = process::held_joints(scene);
+    const auto joints = core::held_joints(scene);
     core::State state = core::initial_state(scene);
     state[0].position += Vector3(0.01, -0.02, 0.005);
     state[1].orientation =
@@ -121,7 +121,7 @@ TEST(JointHold, GapsCloseAndHingesAlign) {
 // A scene that is begun anew a hundred times has the joints that it had.
 TEST(Resume, JointsDoNotDrift) {
   const core::Scene given = hinged_pair();
-  const auto joints = process::held_joints(given);
+  const auto joints = core::held_joints(given);
   process::LiveRun live(engine("ode"), limits);
   core::State state = core::initial_state(given);
   for (int i = 0; i < 100; ++i) {

@@ -1,0 +1,48 @@
+// What a joint keeps, as geometry: where its bodies carry it, how far it is open, what it forbids.
+// Knows no engine.
+#pragma once
+
+#include "harness/core/scene.h"
+
+#include <vector>
+
+namespace cylon::core {
+
+/// A joint as its bodies carry it.
+struct HeldJoint {
+  JointType type = JointType::ball;
+  int body = 0;
+  int to = world;
+  Vector3 anchor = Vector3::Zero();          ///< Axes of `body` [m].
+  Vector3 to_anchor = Vector3::Zero();       ///< Axes of `to`, or a point of the world [m].
+  Vector3 axis = Vector3::UnitY();           ///< Axes of `body`.
+  Vector3 to_axis = Vector3::UnitY();        ///< Axes of `to`, or of the world.
+  Quaternion turn = Quaternion::Identity();  ///< At t = 0: axes of `body` in those of `to`.
+  double length = 0;                         ///< [m]
+};
+
+/// The scene's joints as they hold its initial state.
+std::vector<HeldJoint> held_joints(const Scene&);
+
+/// J v = d.v_a + s_a.w_a - d.v_b - s_b.w_b = 0, and the gap that it changes.
+struct JointRow {
+  int body, to;
+  Vector3 direction, spin, to_spin;  ///< d, s_a, s_b: world axes.
+  double gap;                        ///< [m] or [rad]
+  double scale;                      ///< Of the numbers whose difference the gap is.
+};
+
+/// Adds the rows of a joint: what its place keeps, then what its turn does.
+void add_rows(const HeldJoint&, const State&, std::vector<JointRow>&);
+
+/// How far a joint of the scene is open [m]: distance of the two points, or what it is off its length by.
+double open_by(const Scene&, const Joint&, const State&);
+
+/// The part of v, the velocity of the one point relative to the other, that a joint forbids; the points are
+/// `apart`.
+Vector3 forbidden_velocity(JointPlace, const Vector3& apart, const Vector3& v);
+
+/// The part of w, the angular velocity of the one body relative to the other, that a joint forbids.
+Vector3 forbidden_spin(JointTurn, const Vector3& axis, const Vector3& w);
+
+}  // namespace cylon::core
