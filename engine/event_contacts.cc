@@ -3,6 +3,7 @@
 #include "engine/event_stepper.h"
 
 #include "engine/contact/response.h"
+#include "engine/geometry/core.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,12 +31,9 @@ constexpr Time zeno_return = wide ? 1e-6 : 1e-3;
 // Whether n is normal to a face of the shape, to a part in 1e8.
 bool has_face(const Shape& shape, const Vector3& n) {
   const Real nearly = 1 - Real(8) * std::sqrt(ulp) * std::sqrt(ulp) - Real(1e-8);
-  if (std::holds_alternative<Box>(shape)) return n.cwiseAbs().maxCoeff() > nearly;
-  if (const auto* hull = std::get_if<Hull>(&shape)) {
-    return std::any_of(hull->normals.begin(), hull->normals.end(),
-                       [&](const Vector3& face) { return std::abs(face.dot(n)) > nearly; });
-  }
-  return false;
+  const Core core(shape);
+  return std::any_of(core.normals, core.normals + core.face_count,
+                     [&](const Vector3& face) { return std::abs(face.dot(n)) > nearly; });
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "engine/resolution.h"
 
-#include "engine/pile/body_contacts.h"
+#include "engine/geometry/pose.h"
 #include "engine/plan.h"
 
 #include <algorithm>
@@ -70,7 +70,7 @@ class Places {
     Real least = std::numeric_limits<Real>::infinity();
     for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
       if (model_.surfaces[i] == no_surface) continue;
-      const Real half = pile::half_width(model_.shapes[i]);
+      const Real half = half_width(model_.shapes[i]);
       if (half > 0 && !model_.bodies[i].locked) least = std::min(least, half);
       const Real far = largest_coordinate(model_.motions[i].position);
       const std::string reason = lost(names_(Thing::body, static_cast<int>(i)), far, "its half-width", half);

@@ -1,5 +1,6 @@
 #include "engine/contact/candidate.h"
 
+#include "engine/geometry/core.h"
 #include "engine/geometry/manifold.h"
 
 #include <algorithm>
@@ -12,46 +13,33 @@ namespace {
 // Balls whose hull is the shape: what can touch a plane.
 std::vector<std::pair<Vector3, Real>> corners(const Shape& shape) {
   std::vector<std::pair<Vector3, Real>> result;
-  if (const auto* sphere = std::get_if<Sphere>(&shape)) {
-    result.emplace_back(Vector3::Zero(), sphere->radius);
-  } else if (const auto* box = std::get_if<Box>(&shape)) {
-    for (const Real x : {Real(-1), Real(1)}) {
-      for (const Real y : {Real(-1), Real(1)}) {
-        for (const Real z : {Real(-1), Real(1)})
-          result.emplace_back(box->half_extents.cwiseProduct(Vector3(x, y, z)), Real(0));
-      }
-    }
-  } else if (const auto* capsule = std::get_if<Capsule>(&shape)) {
-    for (const Real y : {Real(-1), Real(1)})
-      result.emplace_back(Vector3(0, y * capsule->half_length, 0), capsule->radius);
-  } else if (const auto* hull = std::get_if<Hull>(&shape)) {
-    for (const Vector3& v : hull->vertices) result.emplace_back(v, Real(0));
+  if (const auto box = rounded_box(shape)) {
+    const auto ends = [&](int axis) {
+      const Real half = box->half_extents[axis];
+      return half > 0 ? std::vector{-half, half} : std::vector{Real(0)};
+    };
+    for (const Real x : ends(0))
+      for (const Real y : ends(1))
+        for (const Real z : ends(2)) result.emplace_back(Vector3(x, y, z), box->radius);
+    return result;
   }
+  const Core core(shape);
+  for (int i = 0; i < core.vertex_count; ++i) result.emplace_back(core.vertices[i], core.radius);
   return result;
 }
 
 bool is_sphere(const Shape& s) { return std::holds_alternative<Sphere>(s); }
-bool has_round_core(const Shape& s) {
-  return is_sphere(s) || std::holds_alternative<Box>(s) || std::holds_alternative<Capsule>(s);
-}
 
-// The core of a shape (a point, a segment, a box) and the radius around it: the point of the core nearest to
-// x, body axes, and which axes it is free to slide along.
+// The point of a box nearest to x, body axes, which axes it is free to slide along, and the radius around it.
 struct Foot {
   Vector3 point;
   Vector3 free;  // 1 along a free axis, else 0
   Real radius;
 };
 
-Foot foot_of(const Shape& shape, const Vector3& x) {
-  Foot foot{Vector3::Zero(), Vector3::Zero(), 0};
-  Vector3 half = Vector3::Zero();
-  if (const auto* sphere = std::get_if<Sphere>(&shape)) foot.radius = sphere->radius;
-  if (const auto* box = std::get_if<Box>(&shape)) half = box->half_extents;
-  if (const auto* capsule = std::get_if<Capsule>(&shape)) {
-    foot.radius = capsule->radius;
-    half.y() = capsule->half_length;
-  }
+Foot foot_of(const RoundedBox& box, const Vector3& x) {
+  Foot foot{Vector3::Zero(), Vector3::Zero(), box.radius};
+  const Vector3& half = box.half_extents;
   for (Eigen::Index i = 0; i < 3; ++i) {
     foot.point[i] = std::clamp(x[i], -half[i], half[i]);
     foot.free[i] = std::abs(x[i]) < half[i] ? Real(1) : Real(0);
@@ -82,7 +70,8 @@ TouchPoint round_touch(const Candidate& c, const Model& model, const Motion* mot
   const Motion &a = motion[index(c.body)], &b = motion[index(c.other)];
   const Body &body = model.bodies[index(c.body)], &other = model.bodies[index(c.other)];
   const Matrix3 rotation = b.orientation.toRotationMatrix();
-  const Foot foot = foot_of(model.shapes[index(c.other)], rotation.transpose() * (a.position - b.position));
+  const Foot foot =
+      foot_of(*rounded_box(model.shapes[index(c.other)]), rotation.transpose() * (a.position - b.position));
   const Vector3 arm = rotation * foot.point;
   const Vector3 d = a.position - b.position - arm;
   const Real s = d.norm();
@@ -134,8 +123,8 @@ std::vector<Candidate> find_candidates(const Model& model) {
       Candidate c;
       const bool swap = !is_sphere(model.shapes[i]) && is_sphere(model.shapes[j]);
       const std::size_t a = swap ? j : i, b = swap ? i : j;
-      c.kind = is_sphere(model.shapes[a]) && has_round_core(model.shapes[b]) ? Candidate::Kind::round
-                                                                             : Candidate::Kind::general;
+      c.kind = is_sphere(model.shapes[a]) && rounded_box(model.shapes[b]) ? Candidate::Kind::round
+                                                                          : Candidate::Kind::general;
       c.body = static_cast<int>(a);
       c.other = static_cast<int>(b);
       c.pair = pair++;
@@ -168,9 +157,8 @@ Real gap_of(const Candidate& c, const Model& model, const Motion* motion) {
 }
 
 Real core_radius(const Shape& shape) {
-  if (const auto* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;
-  if (const auto* capsule = std::get_if<Capsule>(&shape)) return capsule->radius;
-  return 0;
+  const auto box = rounded_box(shape);
+  return box ? box->radius : Core(shape).radius;
 }
 
 void touches_of(const Candidate& c, const Model& model, const Motion* motion, Real margin,

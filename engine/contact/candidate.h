@@ -9,7 +9,7 @@ namespace cylon::engine {
 struct Candidate {
   enum class Kind {
     corner,  ///< A ball (radius 0: a point) fixed in `body`, against a plane.
-    round,   ///< A sphere against a sphere, a capsule or a box: one point.
+    round,   ///< A sphere against a rounded box: one point.
     general  ///< Any other pair: engine/geometry finds its points.
   };
   Kind kind = Kind::corner;

@@ -37,22 +37,20 @@ Separation between_points(const Vector3& a, Real radius_a, const Vector3& b, Rea
   return result;
 }
 
-Separation sphere_sphere(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose) {
-  return between_points(pose.position, std::get<Sphere>(body).radius, other_pose.position,
-                        std::get<Sphere>(other).radius, Vector3::UnitY(), 0);
+Separation closed_form(const Sphere& a, const Pose& pose, const Sphere& b, const Pose& other_pose) {
+  return between_points(pose.position, a.radius, other_pose.position, b.radius, Vector3::UnitY(), 0);
 }
 
-Separation sphere_capsule(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose) {
-  const auto& capsule = std::get<Capsule>(other);
+Separation closed_form(const Sphere& sphere, const Pose& pose, const Capsule& capsule,
+                       const Pose& other_pose) {
   const Vector3 along = other_pose.rotation.col(1);
   const Vector3 d = pose.position - other_pose.position;
   const Real t = std::clamp(along.dot(d), -capsule.half_length, capsule.half_length);
-  return between_points(pose.position, std::get<Sphere>(body).radius, other_pose.position + t * along,
-                        capsule.radius, any_across(along), capsule.half_length);
+  return between_points(pose.position, sphere.radius, other_pose.position + t * along, capsule.radius,
+                        any_across(along), capsule.half_length);
 }
 
-Separation capsule_capsule(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose) {
-  const auto &a = std::get<Capsule>(body), &b = std::get<Capsule>(other);
+Separation closed_form(const Capsule& a, const Pose& pose, const Capsule& b, const Pose& other_pose) {
   const Vector3 u = pose.rotation.col(1), w = other_pose.rotation.col(1);
   const SegmentPoints x = nearest_on_segments(Vector3::Zero(), u, a.half_length,
                                               other_pose.position - pose.position, w, b.half_length);
@@ -64,9 +62,9 @@ Separation capsule_capsule(const Shape& body, const Pose& pose, const Shape& oth
 
 // p: the centre in the box's axes, q: the point of the box nearest to it.  Outside gap = |p - q| - r along
 // p - q; inside gap = -(least way out) - r along that face's normal.
-Separation sphere_box(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose) {
-  const Real radius = std::get<Sphere>(body).radius;
-  const Vector3& half = std::get<Box>(other).half_extents;
+Separation closed_form(const Sphere& sphere, const Pose& pose, const Box& box, const Pose& other_pose) {
+  const Real radius = sphere.radius;
+  const Vector3& half = box.half_extents;
   const Vector3 p = other_pose.rotation.transpose() * (pose.position - other_pose.position);
   Vector3 q = p.cwiseMax(-half).cwiseMin(half), n = p - q;
   Real distance = n.norm();
@@ -84,6 +82,31 @@ Separation sphere_box(const Shape& body, const Pose& pose, const Shape& other, c
   result.other_point = other_pose.position + other_pose.rotation * q;
   result.point = pose.position - radius * result.normal;
   return result;
+}
+
+// The segments' common part along a, both ends of which are within the margin.
+Manifold closed_manifold(const Capsule& a, const Pose& pose, const Capsule& b, const Pose& other_pose,
+                         Real margin) {
+  const Separation s = closed_form(a, pose, b, other_pose);
+  const Vector3 u = pose.rotation.col(1), w = other_pose.rotation.col(1),
+                d = other_pose.position - pose.position;
+  const Real along = u.dot(w);
+  const Real middle = u.dot(d), reach = std::abs(along) * b.half_length;
+  const Real low = std::max(-a.half_length, middle - reach), high = std::min(a.half_length, middle + reach);
+  const bool parallel = std::abs(along) > Real(0.99);
+  if (!parallel || !(high > low) || !(s.gap < margin)) return one_point(s, margin);
+  Manifold result;
+  result.normal = s.normal;
+  result.count = 0;
+  for (const Real t : {low, high}) {
+    const Vector3 on_a = t * u, on_b = d + w * ((t - middle) / along);
+    const Real gap = s.normal.dot(on_a - on_b) - a.radius - b.radius;
+    if (!(gap < margin)) continue;
+    const Vector3 point = pose.position + on_a - (a.radius + gap / 2) * s.normal;
+    const auto feature = static_cast<std::uint32_t>(t == low ? 1 : 2);
+    result.points[static_cast<std::size_t>(result.count++)] = {point, gap, feature};
+  }
+  return result.count == 2 ? result : one_point(s, margin);
 }
 
 }  // namespace cylon::engine

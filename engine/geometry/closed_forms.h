@@ -1,15 +1,18 @@
-// The signed distances that have a formula.
+// The pairs of shapes that have a form of their own; all others take the general algorithms.
 #pragma once
 
-#include "engine/geometry/separation.h"
+#include "engine/geometry/manifold.h"
 
 namespace cylon::engine {
 
-/// As separation(); the shapes are what the name says, in its order.
-Separation sphere_sphere(const Shape&, const Pose&, const Shape&, const Pose&);
-Separation sphere_box(const Shape&, const Pose&, const Shape&, const Pose&);
-Separation sphere_capsule(const Shape&, const Pose&, const Shape&, const Pose&);
-Separation capsule_capsule(const Shape&, const Pose&, const Shape&, const Pose&);
+/// As separation().
+Separation closed_form(const Sphere&, const Pose&, const Sphere&, const Pose&);
+Separation closed_form(const Sphere&, const Pose&, const Box&, const Pose&);
+Separation closed_form(const Sphere&, const Pose&, const Capsule&, const Pose&);
+Separation closed_form(const Capsule&, const Pose&, const Capsule&, const Pose&);
+
+/// As manifold(): two points where they lie side by side.
+Manifold closed_manifold(const Capsule&, const Pose&, const Capsule&, const Pose&, Real margin);
 
 /// Of balls about two points `a` and `b`, world axes; `across` [any length > 0] is the normal where they
 /// coincide to rounding of `size` [m].

@@ -1,8 +1,9 @@
 #include "engine/geometry/manifold.h"
 
 #include "engine/geometry/clip.h"
+#include "engine/geometry/closed_forms.h"
+#include "engine/geometry/pair_table.h"
 #include "engine/geometry/reduce.h"
-#include "engine/geometry/segments.h"
 #include "engine/geometry/touch.h"
 
 #include <limits>
@@ -19,46 +20,9 @@ Manifold none() {
   return result;
 }
 
-Manifold one_point(const Separation& s, Real margin, std::uint32_t feature = 0) {
-  if (!(s.gap < margin)) return none();
-  Manifold result;
-  result.normal = s.normal;
-  result.count = 1;
-  result.points[0] = {(s.point + s.other_point) / 2, s.gap, feature};
-  return result;
-}
-
 Manifold from_separation(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose,
                          Real margin) {
   return one_point(separation(body, pose, other, other_pose), margin);
-}
-
-// ---- Two capsules: two points where they lie side by side ------------------------------------------------
-
-Manifold capsules(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose,
-                  Real margin) {
-  const Separation s = separation(body, pose, other, other_pose);
-  const auto &a = std::get<Capsule>(body), &b = std::get<Capsule>(other);
-  const Vector3 u = pose.rotation.col(1), w = other_pose.rotation.col(1),
-                d = other_pose.position - pose.position;
-  // Side by side: the segments' common part along a, both ends of which are within the margin.
-  const Real along = u.dot(w);
-  const Real middle = u.dot(d), reach = std::abs(along) * b.half_length;
-  const Real low = std::max(-a.half_length, middle - reach), high = std::min(a.half_length, middle + reach);
-  const bool parallel = std::abs(along) > Real(0.99);
-  if (!parallel || !(high > low) || !(s.gap < margin)) return one_point(s, margin);
-  Manifold result;
-  result.normal = s.normal;
-  result.count = 0;
-  for (const Real t : {low, high}) {
-    const Vector3 on_a = t * u, on_b = d + w * ((t - middle) / along);
-    const Real gap = s.normal.dot(on_a - on_b) - a.radius - b.radius;
-    if (!(gap < margin)) continue;
-    const Vector3 point = pose.position + on_a - (a.radius + gap / 2) * s.normal;
-    const auto feature = static_cast<std::uint32_t>(t == low ? 1 : 2);
-    result.points[static_cast<std::size_t>(result.count++)] = {point, gap, feature};
-  }
-  return result.count == 2 ? result : one_point(s, margin);
 }
 
 // ---- Polytopes: faces against faces, edges, points -------------------------------------------------------
@@ -129,17 +93,35 @@ Manifold polytopes(const Shape& body, const Pose& pose, const Shape& other, cons
 
 using Row = Manifold (*)(const Shape&, const Pose&, const Shape&, const Pose&, Real);
 
-// Rows and columns in the order of Shape: none, sphere, box, capsule, hull.
-constexpr std::array<std::array<Row, 5>, 5> table = {{
-    {from_separation, from_separation, from_separation, from_separation, from_separation},
-    {from_separation, from_separation, from_separation, from_separation, from_separation},
-    {from_separation, from_separation, polytopes, polytopes, polytopes},
-    {from_separation, from_separation, polytopes, capsules, polytopes},
-    {from_separation, from_separation, polytopes, polytopes, polytopes},
-}};
-static_assert(std::variant_size_v<Shape> == table.size());
+template <class A, class B>
+Manifold closed(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose,
+                Real margin) {
+  return closed_manifold(std::get<A>(body), pose, std::get<B>(other), other_pose, margin);
+}
+
+// A sphere touches in one point.
+template <class S>
+constexpr bool one_point_only = std::is_same_v<S, std::monostate> || std::is_same_v<S, Sphere>;
+
+constexpr auto table = pair_table([]<class A, class B>() -> Row {
+  if constexpr (one_point_only<A> || one_point_only<B>)
+    return from_separation;
+  else if constexpr (requires(const A& a, const B& b, const Pose& p) { closed_manifold(a, p, b, p, Real()); })
+    return closed<A, B>;
+  else
+    return polytopes;
+});
 
 }  // namespace
+
+Manifold one_point(const Separation& s, Real margin, std::uint32_t feature) {
+  if (!(s.gap < margin)) return none();
+  Manifold result;
+  result.normal = s.normal;
+  result.count = 1;
+  result.points[0] = {(s.point + s.other_point) / 2, s.gap, feature};
+  return result;
+}
 
 Manifold manifold(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose,
                   Real margin) {

@@ -30,4 +30,7 @@ struct Manifold {
 Manifold manifold(const Shape& body, const Pose&, const Shape& other, const Pose& other_pose, Real margin);
 Manifold manifold(const Shape& body, const Pose&, const Plane& other, Real margin);
 
+/// The point of a separation, where its gap < margin.
+Manifold one_point(const Separation&, Real margin, std::uint32_t feature = 0);
+
 }  // namespace cylon::engine

@@ -4,6 +4,8 @@
 #include "engine/body.h"
 #include "engine/shape.h"
 
+#include <optional>
+
 namespace cylon::engine {
 
 /// Body to world: x = position + rotation x_body.
@@ -21,6 +23,18 @@ struct Bounds {
 
 /// The radius of the ball about the reference point that holds the shape [m].  0 for monostate.
 Real bounding_radius(const Shape&);
+
+/// The least half-width of a shape [m], 0 where there is none: what a body may not jump over.
+Real half_width(const Shape&);
+
+/// All points within `radius` of a box about the reference point, body axes [m]; the box may be a segment or a
+/// point.
+struct RoundedBox {
+  Vector3 half_extents;
+  Real radius;
+};
+/// The shape as one; nothing where it is none.
+std::optional<RoundedBox> rounded_box(const Shape&);
 
 /// The least axis-aligned box that holds the shape.  Empty (low = inf, high = -inf) for monostate.
 Bounds bounds(const Shape&, const Pose&);

@@ -1,9 +1,9 @@
 #include "engine/geometry/separation.h"
 
 #include "engine/geometry/closed_forms.h"
+#include "engine/geometry/pair_table.h"
 #include "engine/geometry/touch.h"
 
-#include <array>
 #include <limits>
 
 namespace cylon::engine {
@@ -29,18 +29,28 @@ Separation swapped(const Shape& body, const Pose& pose, const Shape& other, cons
   return {s.gap, -s.normal, s.other_point, s.point};
 }
 
-constexpr Row ball_ball = sphere_sphere, ball_box = sphere_box, ball_rod = sphere_capsule,
-              rod_rod = capsule_capsule;
+template <class A, class B>
+Separation closed(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose) {
+  return closed_form(std::get<A>(body), pose, std::get<B>(other), other_pose);
+}
 
-// Rows and columns in the order of Shape: none, sphere, box, capsule, hull.
-constexpr std::array<std::array<Row, 5>, 5> table = {{
-    {nothing, nothing, nothing, nothing, nothing},
-    {nothing, ball_ball, ball_box, ball_rod, general},
-    {nothing, swapped<ball_box>, general, general, general},
-    {nothing, swapped<ball_rod>, swapped<general>, rod_rod, general},
-    {nothing, swapped<general>, swapped<general>, swapped<general>, general},
-}};
-static_assert(std::variant_size_v<Shape> == table.size());
+template <class A, class B>
+concept HasClosedForm = requires(const A& a, const B& b, const Pose& pose) {
+  closed_form(a, pose, b, pose);
+};
+
+constexpr auto table = pair_table([]<class A, class B>() -> Row {
+  if constexpr (std::is_same_v<A, std::monostate> || std::is_same_v<B, std::monostate>)
+    return nothing;
+  else if constexpr (HasClosedForm<A, B>)
+    return closed<A, B>;
+  else if constexpr (HasClosedForm<B, A>)
+    return swapped<closed<B, A>>;
+  else if constexpr (index_of<A>() <= index_of<B>())
+    return general;
+  else
+    return swapped<general>;
+});
 
 }  // namespace
 

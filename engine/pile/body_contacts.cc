@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace cylon::engine::pile {
 namespace {
@@ -46,25 +45,6 @@ Vector3 point(const Vector3& anchor, int body, const std::vector<Motion>& motion
 
 Quaternion orientation_of(int body, const std::vector<Motion>& motions) {
   return body == fixed_world ? Quaternion(Quaternion::Identity()) : motions[index(body)].orientation;
-}
-
-Real half_width(const Shape& shape) {
-  if (const auto* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;
-  if (const auto* box = std::get_if<Box>(&shape)) return box->half_extents.minCoeff();
-  if (const auto* capsule = std::get_if<Capsule>(&shape)) return capsule->radius;
-  if (const auto* hull = std::get_if<Hull>(&shape)) {
-    Real least = std::numeric_limits<Real>::max();
-    for (const auto& face : hull->faces) {
-      const Vector3 &p = hull->vertices[index(face[0])], &q = hull->vertices[index(face[1])],
-                    &r = hull->vertices[index(face[2])];
-      const Vector3 n = (q - p).cross(r - p).normalized();
-      Real depth = 0;
-      for (const Vector3& v : hull->vertices) depth = std::max(depth, n.dot(p - v));
-      least = std::min(least, depth / 2);
-    }
-    return least;
-  }
-  return 0;
 }
 
 BodyContacts::BodyContacts(const Model& model) : model_(model) {

@@ -35,9 +35,6 @@ class BodyContacts {
   std::vector<Block> old_;
 };
 
-/// The least half-width of a shape [m], 0 where there is none: what a body may not jump over.
-Real half_width(const Shape&);
-
 Quaternion orientation_of(int body, const std::vector<Motion>&);
 
 /// The gap of a contact, or the distance from one point to the other of a part of a joint, now.

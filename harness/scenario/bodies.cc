@@ -1,6 +1,6 @@
 // [[body]], and the template inside [[lattice]] and [[cloud]].
+#include "harness/core/solid.h"
 #include "harness/scenario/draft.h"
-#include "harness/scenario/inertia.h"
 #include "harness/scenario/read_element.h"
 
 #include <fmt/format.h>
@@ -57,7 +57,7 @@ core::Matrix3 read_inertia(const Table& table) {
   const double least = core::principal_axes(inertia).moments.minCoeff();
   if (!(least > 0))
     table.fail("inertia", fmt::format("inertia has the principal moment {}, but must be > 0 kg m^2", least));
-  if (const auto why = impossible(inertia)) table.fail("inertia", "inertia: " + *why);
+  if (const auto why = core::impossible(inertia)) table.fail("inertia", "inertia: " + *why);
   return inertia;
 }
 
@@ -65,9 +65,9 @@ core::Matrix3 read_inertia(const Table& table) {
 // mass.
 core::Matrix3 inertia_of_shape(const Table& table, core::Shape& shape, double mass) {
   try {
-    const MassProperties p = mass_properties(shape, mass);
-    if (const auto why = impossible(p.inertia)) throw std::invalid_argument(*why);
-    move(shape, -p.centre);
+    const core::MassProperties p = core::mass_properties(shape, mass);
+    if (const auto why = core::impossible(p.inertia)) throw std::invalid_argument(*why);
+    core::move(shape, -p.centre);
     return p.inertia;
   } catch (const std::invalid_argument& error) {
     table.fail("shape", fmt::format("shape: {}; or state `inertia`", error.what()));

@@ -1,7 +1,7 @@
 // Many bodies from one template.  The same file gives the same bodies on every platform: integer arithmetic
 // and correctly rounded operations (+ - * / sqrt) only.
+#include "harness/core/solid.h"
 #include "harness/scenario/draft.h"
-#include "harness/scenario/inertia.h"
 
 #include <fmt/format.h>
 
@@ -87,7 +87,7 @@ bool clear_of(const core::Scene& others, const Vector3& p, double radius) {
   for (const core::Plane& plane : others.planes)
     if (plane.normal.dot(p) - plane.offset < radius) return false;
   return std::none_of(others.bodies.begin(), others.bodies.end(), [&](const core::Body& body) {
-    return body.collide && (p - body.initial.position).norm() < radius + bounding_radius(body.shape);
+    return body.collide && (p - body.initial.position).norm() < radius + core::bounding_radius(body.shape);
   });
 }
 
@@ -115,7 +115,7 @@ std::vector<core::Body> cloud(const Table& table, const core::Body& pattern, con
   const Vector3 low = table.vector("low"), high = table.vector("high");
   if (!(low.array() <= high.array()).all())
     table.fail("low", fmt::format("low = {} must not exceed high = {}", written(low), written(high)));
-  const double radius = pattern.collide ? bounding_radius(pattern.shape) : 0;
+  const double radius = pattern.collide ? core::bounding_radius(pattern.shape) : 0;
   const double span = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
   if (radius > 0 && span / radius > 1e12) table.fail("high", "the box is more than 1e12 radii wide");
   const auto count = static_cast<std::size_t>(table.whole("count"));

@@ -1,49 +1,13 @@
 #include "harness/core/force_law.h"
-#include "harness/core/overloaded.h"
+#include "harness/core/solid.h"
 #include "harness/study/relations.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace cylon::study {
-namespace {
 
 using core::Vector3;
-
-// Distance of the farthest point of a shape from its centre [m].
-double size(const core::Primitive& shape) {
-  const auto farthest = [](const std::vector<Vector3>& points) {
-    double r = 0;
-    for (const Vector3& p : points) r = std::max(r, p.norm());
-    return r;
-  };
-  return std::visit(core::Overloaded{
-                        [](const std::monostate&) { return 0.0; },
-                        [](const core::Sphere& s) { return s.radius; },
-                        [](const core::Disc& s) { return s.radius; },
-                        [](const core::Rod& s) { return s.length / 2; },
-                        [](const core::Box& s) { return s.half_extents.norm(); },
-                        [&](const core::Hull& s) { return farthest(s.vertices); },
-                        [&](const core::Mesh& s) { return farthest(s.vertices); },
-                        [](const core::Capsule& s) { return std::hypot(s.radius, s.length); },
-                        [](const core::Cylinder& s) { return std::hypot(s.radius, s.length); },
-                        [](const core::Cone& s) { return std::hypot(s.radius, s.length); },
-                    },
-                    shape);
-}
-
-double size(const core::Shape& shape) {
-  if (const auto* compound = std::get_if<core::Compound>(&shape)) {
-    double r = 0;
-    for (const core::Part& part : compound->parts) r = std::max(r, part.position.norm() + size(part.shape));
-    return r;
-  }
-  return std::visit(core::Overloaded{[](const core::Compound&) { return 0.0; },
-                                     [](const auto& s) { return size(core::Primitive(s)); }},
-                    shape);
-}
-
-}  // namespace
 
 Scales scales(const core::Scene& scene, double duration) {
   Vector3 centre = Vector3::Zero();
@@ -53,7 +17,7 @@ Scales scales(const core::Scene& scene, double duration) {
   const auto reach = [&](const Vector3& p) { length = std::max(length, (p - centre).norm()); };
   for (const core::Body& b : scene.bodies) {
     reach(b.initial.position);
-    length = std::max(length, size(b.shape));
+    length = std::max(length, core::bounding_radius(b.shape));
     first = std::max(first, b.initial.velocity.norm());
     turning = std::max(turning, b.initial.angular_velocity.norm());
     if (b.collide)

@@ -353,7 +353,7 @@ TEST(BallisticContact, GivesReasonWhereItDoesNotApply) {
     EXPECT_EQ(why, names({Kind::feature})) << Kind::stage;
   });
   EXPECT_EQ(reason([](Model& m) { m.bodies[0].mass_rate = Real(-0.1); }), "changing masses");
-  EXPECT_EQ(reason([](Model& m) { m.joints.emplace_back(); }), "ball joints");
+  EXPECT_EQ(reason([](Model& m) { m.joints.emplace_back(); }), "joints at a point");
   EXPECT_EQ(reason([](Model& m) { m.frame.emplace(); }), "a rotating frame");
   EXPECT_EQ(reason([](Model& m) { m.shapes[0] = Box{}; }), "body 0 is not a sphere");
   EXPECT_EQ(reason([](Model& m) { m.bodies[0].inverse_mass = 0; }), "body 0 is pinned");

@@ -1,7 +1,7 @@
 // Mass properties of shapes and meshes, generators, materials of pairs.
 #include "harness/core/input_error.h"
-#include "harness/scenario/inertia.h"
-#include "harness/scenario/polyhedron.h"
+#include "harness/core/polyhedron.h"
+#include "harness/core/solid.h"
 #include "harness/scenario/scenario.h"
 #include "tests/paths.h"
 
@@ -21,7 +21,7 @@ const std::string data = std::string(source_dir) + "/tests/data/";
 const std::string head = "duration = 1\nstep = 0.1\n";
 
 Vector3 moments(const core::Shape& shape, double mass) {
-  return scenario::mass_properties(shape, mass).inertia.diagonal();
+  return core::mass_properties(shape, mass).inertia.diagonal();
 }
 
 TEST(Inertia, LimitsAndTextbookValues) {
@@ -54,18 +54,18 @@ TEST(Inertia, CapsuleAndConeAgreeWithPolyhedra) {
   EXPECT_TRUE(moments(capsule, 2).isApprox(moments(core::Capsule{0.5, 1.4}, 2), 1e-2));
   const auto cone = turned([](double s) { return std::pair((1 - s) * 0.8, 1.2 * s - 0.3); });
   EXPECT_TRUE(moments(cone, 2).isApprox(moments(core::Cone{0.8, 1.2}, 2), 1e-2));
-  EXPECT_LT(scenario::mass_properties(cone, 2).centre.norm(), 1e-3);
+  EXPECT_LT(core::mass_properties(cone, 2).centre.norm(), 1e-3);
 }
 
 TEST(Polyhedron, ShiftedTetrahedronIsExact) {
   const std::vector<Vector3> p = {{10, 0, 0}, {11, 0, 0}, {10, 1, 0}, {10, 0, 1}};
-  const auto solid = scenario::solid(p, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
+  const auto solid = core::solid(p, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
   EXPECT_NEAR(solid.volume, 1.0 / 6, 1e-15);
   EXPECT_TRUE(solid.centre.isApprox(Vector3(10.25, 0.25, 0.25), 1e-14));
   EXPECT_NEAR(solid.inertia(0, 0), 1.0 / 80, 1e-15);  // m (3/40), m = 1/6, about the centre
   EXPECT_NEAR(solid.inertia(0, 1), 1.0 / 480, 1e-15);
-  EXPECT_EQ(scenario::convex_hull(p).size(), 4u);
-  EXPECT_THROW(scenario::solid(p, {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}),
+  EXPECT_EQ(core::convex_hull(p).size(), 4u);
+  EXPECT_THROW(core::solid(p, {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}),
                std::invalid_argument);  // inside out
 }
 
@@ -81,7 +81,7 @@ TEST(Mesh, CubeFromObjIsCentredAndHasTheCubesInertia) {
   const auto& mesh = std::get<core::Mesh>(body.shape);
   EXPECT_EQ(mesh.vertices.size(), 8u);
   EXPECT_EQ(mesh.faces.size(), 12u);
-  EXPECT_NEAR(scenario::solid(mesh.vertices, mesh.faces).volume, 8, 1e-14);
+  EXPECT_NEAR(core::solid(mesh.vertices, mesh.faces).volume, 8, 1e-14);
   for (const Vector3& v : mesh.vertices) EXPECT_TRUE(v.cwiseAbs().isApprox(Vector3::Ones(), 1e-14));
   EXPECT_TRUE(body.inertia.isApprox(4 * core::Matrix3::Identity(), 1e-14));  // m a^2/6
   EXPECT_EQ(body.initial.position, Vector3(1, 2, 3));
@@ -120,7 +120,7 @@ TEST(Compound, InertiaIsSymmetricToTheLastBit) {
   const core::Quaternion turn(Eigen::AngleAxisd(0.3, Vector3(2, 3, 0).normalized()));
   const core::Compound hammer{{{core::Box{{0.08, 0.05, 0.05}}, 2, {0, 0.06, 0}, turn},
                                {core::Cylinder{0.02, 0.5}, 0.5, {0, -0.24, 0}, turn.conjugate()}}};
-  const core::Matrix3 inertia = scenario::mass_properties(hammer, 2.5).inertia;
+  const core::Matrix3 inertia = core::mass_properties(hammer, 2.5).inertia;
   EXPECT_EQ(inertia, core::Matrix3(inertia.transpose()));
   EXPECT_GT(std::abs(inertia(1, 2)), 1e-6);  // not because there is nothing there
 }

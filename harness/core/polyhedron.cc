@@ -1,4 +1,4 @@
-#include "harness/scenario/polyhedron.h"
+#include "harness/core/polyhedron.h"
 
 #include <fmt/format.h>
 
@@ -9,11 +9,9 @@
 #include <stdexcept>
 #include <utility>
 
-namespace cylon::scenario {
+namespace cylon::core {
 namespace {
 
-using core::Matrix3;
-using core::Vector3;
 using Edge = std::pair<std::int32_t, std::int32_t>;
 
 void require_closed(std::size_t vertices, const std::vector<Triangle>& faces) {
@@ -133,4 +131,4 @@ std::vector<Triangle> convex_hull(const std::vector<Vector3>& p) {
   return faces;
 }
 
-}  // namespace cylon::scenario
+}  // namespace cylon::core

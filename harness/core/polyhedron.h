@@ -7,23 +7,23 @@
 #include <cstdint>
 #include <vector>
 
-namespace cylon::scenario {
+namespace cylon::core {
 
 using Triangle = std::array<std::int32_t, 3>;
 
 /// A solid of density 1.
 struct Solid {
-  double volume = 0;                              ///< [m^3]
-  core::Vector3 centre = core::Vector3::Zero();   ///< [m]
-  core::Matrix3 inertia = core::Matrix3::Zero();  ///< About the centre [m^5].
+  double volume = 0;                  ///< [m^3]
+  Vector3 centre = Vector3::Zero();   ///< [m]
+  Matrix3 inertia = Matrix3::Zero();  ///< About the centre [m^5].
 };
 
 /// Integrals over the inside of a closed mesh with outward (counter-clockwise) faces.
 /// Throws std::invalid_argument, saying what is wrong: an index out of range, an edge that is not shared by
 /// exactly two faces of the same sense (open or inconsistent), or a volume that is not positive (inside out).
-Solid solid(const std::vector<core::Vector3>& vertices, const std::vector<Triangle>& faces);
+Solid solid(const std::vector<Vector3>& vertices, const std::vector<Triangle>& faces);
 
 /// Outward triangles of the convex hull.  Throws std::invalid_argument where the points span no volume.
-std::vector<Triangle> convex_hull(const std::vector<core::Vector3>& points);
+std::vector<Triangle> convex_hull(const std::vector<Vector3>& points);
 
-}  // namespace cylon::scenario
+}  // namespace cylon::core
