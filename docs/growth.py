@@ -24,6 +24,7 @@ ADAPTER = re.compile(r"reference/simulators/")
 WEB = re.compile(r"reports/web/src/.*\.tsx?$")
 BUILD = re.compile(r"(CMakeLists\.txt|run|test|cmake/.*|reference/simulators/engines\.txt)$")
 DATA = re.compile(r"scenarios/.*\.toml$")
+TRUTH = re.compile(r"reference/exact/(?!domain\.|nudges\.)")
 
 
 def is_production(path):
@@ -31,7 +32,14 @@ def is_production(path):
     return bool(CODE.match(path) and OURS.match(path) and not path.startswith("reports/web/"))
 
 
-# kind, example, what names it, which files are looked at (adapters are never).
+def is_open(path):
+    """Production that must know every kind of force, joint and shape.  An exact solution is about the kinds that it names and
+    refuses all others, so that a new kind does not touch it; what all of them share is looked at."""
+    return is_production(path) and not TRUTH.match(path)
+
+
+# kind, example, what names it, which files are looked at (adapters are never).  A joint is a row of what it keeps; whoever
+# writes its equations names what it keeps: of the hinge, turning about_axis only.
 THINGS = [
     ("scenario", "`tunnel_two_spheres`", r"\btunnel_two_spheres\b", lambda p: is_production(p) or DATA.match(p)),
     ("truth", "`kepler`", r"\bkepler\b", is_production),
@@ -39,9 +47,9 @@ THINGS = [
     ("integrator", "`bm6`", r"\bbm6\b", is_production),
     ("observable", "`joint_gap`", r"\bjoint_gap\b", is_production),
     ("event", "`nutation`", r"\bnutation\b", is_production),
-    ("force", "attraction", r"\b\w*[Aa]ttraction\w*\b", is_production),
-    ("joint", "hinge", r"\b\w*[Hh]inge\w*\b", is_production),
-    ("shape", "capsule", r"\b\w*[Cc]apsule\w*\b", is_production),
+    ("force", "attraction", r"\b\w*[Aa]ttraction\w*\b", is_open),
+    ("joint", "hinge", r"\b\w*[Hh]inge\w*\b|\babout_axis\b", is_open),
+    ("shape", "capsule", r"\b\w*[Cc]apsule\w*\b", is_open),
     ("report section", "`trade`", r"\bTradeSection\b", WEB.match),
 ]
 
