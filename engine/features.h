@@ -2,6 +2,7 @@
 // support it (engine/methods.h).
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -54,6 +55,57 @@ enum class Feature : unsigned {
   count
 };
 
+/// What a feature is called, for a reader.
+struct FeatureName {
+  Feature feature;
+  const char* text;
+};
+
+inline constexpr std::array feature_names = {
+    FeatureName{Feature::locked_body, "locked bodies"},
+    FeatureName{Feature::spin, "spinning bodies"},
+    FeatureName{Feature::changing_mass, "changing masses"},
+    FeatureName{Feature::pinned_body, "bodies pinned at a point"},
+    FeatureName{Feature::one_axis_body, "bodies held on an axis"},
+    FeatureName{Feature::spring, "springs"},
+    FeatureName{Feature::damped_spring, "damped springs"},
+    FeatureName{Feature::off_centre_spring, "springs that pull off centre"},
+    FeatureName{Feature::drag, "drag"},
+    FeatureName{Feature::thrust, "thrust"},
+    FeatureName{Feature::drive, "drives"},
+    FeatureName{Feature::attraction, "bodies that attract each other"},
+    FeatureName{Feature::water, "water"},
+    FeatureName{Feature::unknown_displacement, "the volume of a capsule below a water surface"},
+    FeatureName{Feature::joint_together, "joints at a point"},
+    FeatureName{Feature::joint_at_length, "joints at a length"},
+    FeatureName{Feature::joint_about_axis, "joints about an axis"},
+    FeatureName{Feature::joint_never, "joints that keep the orientation"},
+    FeatureName{Feature::contact, "contacts"},
+    FeatureName{Feature::lasting_contact, "contacts that persist"},
+    FeatureName{Feature::friction, "friction"},
+    FeatureName{Feature::sphere, "spheres that touch"},
+    FeatureName{Feature::box, "boxes that touch"},
+    FeatureName{Feature::capsule, "capsules that touch"},
+    FeatureName{Feature::hull, "hulls that touch"},
+    FeatureName{Feature::turning_frame, "a rotating frame"},
+    FeatureName{Feature::contact_in_turning_frame, "contacts in a rotating frame"},
+    FeatureName{Feature::world_joint_in_turning_frame, "joints to the world in a rotating frame"},
+    FeatureName{Feature::force_in_turning_frame, "drag in a rotating frame"},
+    FeatureName{Feature::chosen_integrator, "a chosen integrator"},
+    FeatureName{Feature::account, "the work of each force"},
+    FeatureName{Feature::every_stage, "option model = full"},
+    FeatureName{Feature::path_events, "the path events"},
+    FeatureName{Feature::path_stepping, "the path stepping"},
+};
+
+constexpr bool one_name_each() {
+  if (feature_names.size() != static_cast<std::size_t>(Feature::count)) return false;
+  for (std::size_t i = 0; i < feature_names.size(); ++i)
+    if (feature_names[i].feature != static_cast<Feature>(i)) return false;
+  return true;
+}
+static_assert(one_name_each(), "every feature has a name, in the order of the enumeration");
+
 /// A set of features.
 class Features {
  public:
@@ -80,6 +132,11 @@ class Features {
 };
 
 /// In words: "drag, joints to the world in a rotating frame"; empty for none.
-std::string names(Features);
+inline std::string names(Features features) {
+  std::string text;
+  for (const FeatureName& name : feature_names)
+    if (features.has(name.feature)) text += (text.empty() ? "" : ", ") + std::string(name.text);
+  return text;
+}
 
 }  // namespace cylon::engine

@@ -5,7 +5,6 @@
 
 #include "harness/core/field.h"
 #include "harness/core/scene.h"
-#include "harness/core/shape_fields.h"
 #include "harness/core/unit.h"
 
 #include <array>

@@ -7,12 +7,8 @@
 #pragma once
 
 #include "harness/core/joint_kinds.h"
+#include "harness/core/shapes.h"
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
-
-#include <array>
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -20,10 +16,6 @@
 #include <vector>
 
 namespace cylon::core {
-
-using Vector3 = Eigen::Vector3d;
-using Matrix3 = Eigen::Matrix3d;
-using Quaternion = Eigen::Quaterniond;
 
 /// Index of the fixed world where a body is asked for: the other end of a joint or a spring.
 inline constexpr int world = -1;
@@ -38,53 +30,6 @@ struct BodyState {
 
 /// One BodyState per body, in the order of Scene::bodies.
 using State = std::vector<BodyState>;
-
-// ---- Shapes: body frame, centred on the centre of mass, axis of revolution along body y. --------
-
-struct Sphere {
-  double radius = 0;  ///< [m]
-};
-struct Box {
-  Vector3 half_extents = Vector3::Zero();  ///< [m]
-};
-struct Capsule {
-  double radius = 0, length = 0;  ///< [m]; length of the cylindrical part.
-};
-struct Cylinder {
-  double radius = 0, length = 0;  ///< [m]
-};
-struct Cone {
-  double radius = 0, length = 0;  ///< [m]; tip towards +y; centre of mass length/4 above the base.
-};
-struct Rod {
-  double length = 0;  ///< [m]; no thickness.
-};
-struct Disc {
-  double radius = 0;  ///< [m]; no thickness.
-};
-struct Hull {
-  std::vector<Vector3> vertices;  ///< [m]; the convex hull of these points.
-};
-struct Mesh {
-  std::vector<Vector3> vertices;                   ///< [m]
-  std::vector<std::array<std::int32_t, 3>> faces;  ///< Counter-clockwise seen from outside.
-};
-
-/// monostate: a point, or a bare rigid body that nothing can touch.
-using Primitive = std::variant<std::monostate, Sphere, Box, Capsule, Cylinder, Cone, Rod, Disc, Hull, Mesh>;
-
-struct Part {
-  Primitive shape;
-  double mass = 0;                                  ///< [kg]
-  Vector3 position = Vector3::Zero();               ///< In the body frame [m].
-  Quaternion orientation = Quaternion::Identity();  ///< Part to body.
-};
-struct Compound {
-  std::vector<Part> parts;
-};
-
-using Shape =
-    std::variant<std::monostate, Sphere, Box, Capsule, Cylinder, Cone, Rod, Disc, Hull, Mesh, Compound>;
 
 // ---- Bodies, forces, constraints ---------------------------------------------------------------
 
