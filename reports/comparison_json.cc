@@ -1,15 +1,13 @@
 #include "reports/comparison.h"
 
-#include <nlohmann/json.hpp>
+#include "reports/json.h"
 
-#include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace cylon::reports {
 namespace {
 
 using nlohmann::ordered_json;
-
-ordered_json number(double x) { return std::isfinite(x) ? ordered_json(x) : ordered_json(); }
 
 ordered_json json_of(const results::ComparedTime& t) {
   return {{"finding", results::name(t.finding)},

@@ -90,14 +90,15 @@ TEST(Json, RoundTripsVerdictsAndProvenance) {
   Provenance provenance = build_and_machine();
   provenance.date = "2024-06-11T10:00:00Z";
   const std::string document = to_json(verdicts, provenance);
-  const std::vector<Verdict> back = read_json(document, "report.json");
+  const auto [back_provenance, back] = read_json(document, "report.json");
   ASSERT_EQ(back.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) expect_same(verdicts[i], back[i]);
   const auto json = nlohmann::json::parse(document);
   EXPECT_EQ(json["provenance"]["date"], "2024-06-11T10:00:00Z");
+  EXPECT_EQ(provenance_json(back_provenance), provenance_json(provenance));
   EXPECT_NE(json["provenance"]["compiler"], "");
   EXPECT_EQ(document, to_json(verdicts, provenance));
-  EXPECT_TRUE(read_json(to_json({}, {}), "empty").empty());
+  EXPECT_TRUE(read_json(to_json({}, {}), "empty").verdicts.empty());
 }
 
 TEST(Json, WritesEveryFieldInFixedOrder) {

@@ -147,8 +147,9 @@ int trade(const Context& context, const Options& options) {
     std::cerr << "interrupted; repeat the command with --resume in this folder to continue\n";
     return interrupted;
   }
-  const std::string json = reports::trade_json(tables, provenance_now(context));
-  if (!options.json.empty()) write_whole(options.json, json);
+  const auto json = reports::trade_json(tables, provenance_now(context));
+  if (!options.json.empty())
+    write_whole(options.json, json.dump(1, ' ', true, nlohmann::json::error_handler_t::replace) + '\n');
   if (!options.html.empty()) {
     reports::HtmlReport report;
     report.title = "Cylon: speed against accuracy";
