@@ -2,7 +2,7 @@
 
 #include "reports/console.h"
 #include "reports/gzip.h"
-#include "reports/matrix.h"
+#include "reports/verdict_matrix.h"
 #include "reports/web_bundle.h"
 #include "reports/xml.h"
 

@@ -1,6 +1,6 @@
 #include "reports/csv.h"
 #include "reports/json.h"
-#include "reports/trade.h"
+#include "reports/trade_report.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

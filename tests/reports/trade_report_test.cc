@@ -1,5 +1,5 @@
 // Renderings of a table whose every text is hostile: no cell, tag or string may break out.
-#include "reports/trade.h"
+#include "reports/trade_report.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,4 @@
 // cylon trade
-#include "reports/trade.h"
 #include "harness/cli/commands/app.h"
 #include "harness/cli/commands/trade_journal.h"
 #include "harness/cli/options.h"
@@ -13,6 +12,7 @@
 #include "harness/study/self_reference.h"
 #include "harness/study/settings.h"
 #include "reports/html.h"
+#include "reports/trade_report.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// Verdicts to a matrix of scenarios and engines: a cell is the worst of its claims (as reports/matrix.cc
+// Verdicts to a matrix of scenarios and engines: a cell is the worst of its claims (as reports/verdict_matrix.cc
 // folds).
 import type { Status, Verdict } from '../shared/documents';
 import { differs, digits, isMeasured, severity } from './status';

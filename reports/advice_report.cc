@@ -1,4 +1,4 @@
-#include "reports/advice.h"
+#include "reports/advice_report.h"
 
 #include "reports/json.h"
 #include "reports/text.h"
