@@ -1,15 +1,13 @@
-#include "reports/comparison.h"
+#include "reports/comparison_report.h"
+
+#include "reports/json.h"
 
 #include <nlohmann/json.hpp>
-
-#include <cmath>
 
 namespace cylon::reports {
 namespace {
 
 using nlohmann::ordered_json;
-
-ordered_json number(double x) { return std::isfinite(x) ? ordered_json(x) : ordered_json(); }
 
 ordered_json json_of(const results::ComparedTime& t) {
   return {{"finding", results::name(t.finding)},

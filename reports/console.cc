@@ -1,8 +1,8 @@
 #include "reports/console.h"
 
-#include "reports/matrix.h"
 #include "reports/sentence.h"
 #include "reports/text.h"
+#include "reports/verdict_matrix.h"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,8 @@
 #include "reports/html.h"
 
-#include "harness/core/input_error.h"
 #include "reports/console.h"
 #include "reports/gzip.h"
-#include "reports/json.h"
-#include "reports/matrix.h"
+#include "reports/verdict_matrix.h"
 #include "reports/web_bundle.h"
 #include "reports/xml.h"
 
@@ -16,18 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json document(const std::string& text, const char* what) {
-  if (text.empty()) return nullptr;
-  Json parsed = Json::parse(text, nullptr, /*allow_exceptions=*/false);
-  if (parsed.is_discarded()) throw core::InputError(fmt::format("{}: this is not JSON", what));
-  return parsed;
-}
-
-Json documents(const std::vector<std::string>& texts, const char* what) {
-  Json list = Json::array();
-  for (const std::string& text : texts) list.push_back(document(text, what));
-  return list;
-}
+Json shown(const std::optional<RunReport>& report) { return report ? document(*report) : Json(nullptr); }
 
 std::string block(std::size_t number, std::string_view packed) {
   return fmt::format("<script type=\"application/gzip;base64\" id=\"block-{}\">{}</script>\n", number,
@@ -53,8 +40,8 @@ std::string plain_matrix(const std::vector<results::Verdict>& verdicts, const Ma
 }  // namespace
 
 std::string to_html(const HtmlReport& report) {
-  std::vector<results::Verdict> verdicts;
-  if (!report.results.empty()) verdicts = read_json(report.results, "results");
+  const std::vector<results::Verdict> none;
+  const std::vector<results::Verdict>& verdicts = report.results ? report.results->verdicts : none;
   const Matrix matrix = fold(verdicts);
   const std::string heading =
       !report.title.empty() ? report.title
@@ -84,14 +71,14 @@ std::string to_html(const HtmlReport& report) {
 
   const Json index = {{"kind", "report"},
                       {"title", heading},
-                      {"results", document(report.results, "results")},
-                      {"scenarios", documents(report.scenarios, "a scenario")},
+                      {"results", shown(report.results)},
+                      {"scenarios", report.scenarios},
                       {"traces", entries},
                       {"omitted_traces", omitted},
-                      {"baseline", document(report.baseline, "the baseline")},
-                      {"trades", documents(report.trades, "a trade")},
-                      {"comparisons", documents(report.comparisons, "a comparison")},
-                      {"histories", documents(report.histories, "a history")}};
+                      {"baseline", shown(report.baseline)},
+                      {"trades", report.trades},
+                      {"comparisons", report.comparisons},
+                      {"histories", report.histories}};
   const std::string packed =
       base64(gzip(index.dump(-1, ' ', /*ensure_ascii=*/true, Json::error_handler_t::replace)));
   const std::string title = xml(heading);

@@ -1,25 +1,28 @@
 // The report that people look at: one file that opens from disk, without a network.
 #pragma once
 
-#include "harness/results/verdict.h"
-#include "reports/provenance.h"
+#include "reports/json.h"
 #include "reports/trace_block.h"
 
+#include <nlohmann/json.hpp>
+
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace cylon::reports {
 
-/// What a report shows.  Documents are JSON as the commands write it and stand in the page as they are.
+/// What a report shows.  Documents of other commands stand in the page as they are.
 struct HtmlReport {
-  std::string title;                   ///< "": how many scenarios and engines there are.
-  std::string results;                 ///< `cylon run --json`; "": none.
-  std::string baseline;                ///< The same of an earlier run, to say what changed; "": none.
-  std::vector<std::string> scenarios;  ///< What they are about (`ScenarioView` of documents.ts).
-  std::vector<PackedTrace> traces;     ///< In the order in which space is given to them.
-  std::string omitted_traces;          ///< Why some runs have none, a sentence; "": all have.
-  std::vector<std::string> trades, comparisons, histories;
+  using Documents = std::vector<nlohmann::ordered_json>;
+  std::string title;                  ///< "": how many scenarios and engines there are.
+  std::optional<RunReport> results;   ///< Of the run.
+  std::optional<RunReport> baseline;  ///< Of an earlier run, to say what changed.
+  Documents scenarios;                ///< What they are about (`ScenarioView` of documents.ts).
+  std::vector<PackedTrace> traces;    ///< In the order in which space is given to them.
+  std::string omitted_traces;         ///< Why some runs have none, a sentence; "": all have.
+  Documents trades, comparisons, histories;
 };
 
 /// Most that the traces of a report may take [bytes]: what is mailed stays under 15 MB.
@@ -27,7 +30,7 @@ inline constexpr std::size_t trace_budget = std::size_t{12} << 20;
 
 /// The whole page.  Traces beyond the budget are left out and counted in the page.  The matrix of the
 /// verdicts stands in it as a plain table too, for a reader without script.  The same report gives the same
-/// bytes. Throws core::InputError where a document is no JSON.
+/// bytes.
 std::string to_html(const HtmlReport&);
 
 }  // namespace cylon::reports

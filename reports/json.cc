@@ -16,18 +16,15 @@ namespace {
 using results::Verdict;
 using Json = nlohmann::ordered_json;
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 std::string text(const Json& json) {
   return json.dump(-1, ' ', /*ensure_ascii=*/true, Json::error_handler_t::replace);
 }
 
-Json to_object(const Provenance& p) {
-  return {
-      {"cylon", p.cylon}, {"revision", p.revision},         {"compiler", p.compiler},
-      {"flags", p.flags}, {"machine", p.machine},           {"os", p.os},
-      {"date", p.date},   {"command_line", p.command_line}, {"tolerance_scale", number(p.tolerance_scale)}};
-}
+constexpr std::pair<const char*, std::string Provenance::*> provenance_texts[] = {
+    {"cylon", &Provenance::cylon},       {"revision", &Provenance::revision},
+    {"compiler", &Provenance::compiler}, {"flags", &Provenance::flags},
+    {"machine", &Provenance::machine},   {"os", &Provenance::os},
+    {"date", &Provenance::date},         {"command_line", &Provenance::command_line}};
 
 // A member of a row that must exist, read as T; the row and the key stand in every error.
 struct Row {
@@ -140,6 +137,16 @@ Verdict from_row(const Json& json, const std::string& place) {
   return v;
 }
 
+Provenance provenance_from(const Json& json, const std::string& place) {
+  if (!json.is_object()) throw core::InputError(place + ": must be an object");
+  const Row row{json, place};
+  Provenance p;
+  for (const auto& [key, text] : provenance_texts)
+    if (json.contains(key)) p.*text = row.string(key);
+  if (json.contains("tolerance_scale")) p.tolerance_scale = row.real("tolerance_scale");
+  return p;
+}
+
 // nlohmann says "[json.exception.parse_error.101] parse error at line 2, column 3: …"; the place goes in
 // front.
 Json parse(std::string_view document, const std::string& file, unsigned first_line) {
@@ -158,6 +165,8 @@ Json parse(std::string_view document, const std::string& file, unsigned first_li
 }
 
 }  // namespace
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json row(const Verdict& v) {
   Json settings = Json::object();
@@ -196,16 +205,33 @@ Json row(const Verdict& v) {
           {"body_steps", v.body_steps}};
 }
 
+Json provenance_json(const Provenance& provenance) {
+  Json json;
+  for (const auto& [key, text] : provenance_texts) json[key] = provenance.*text;
+  json["tolerance_scale"] = number(provenance.tolerance_scale);
+  return json;
+}
+
+Json document(const RunReport& report) {
+  Json rows = Json::array();
+  for (const Verdict& v : report.verdicts) rows.push_back(row(v));
+  return {
+      {"schema", schema}, {"provenance", provenance_json(report.provenance)}, {"verdicts", std::move(rows)}};
+}
+
 std::string to_json(const std::vector<Verdict>& verdicts, const Provenance& provenance) {
   std::string out = fmt::format("{{\"schema\": {},\n\"provenance\": {},\n\"verdicts\": [", schema,
-                                text(to_object(provenance)));
+                                text(provenance_json(provenance)));
   for (std::size_t i = 0; i < verdicts.size(); ++i)
     (out += i == 0 ? "\n" : ",\n") += to_json_line(verdicts[i]);
   return out + (verdicts.empty() ? "]}\n" : "\n]}\n");
 }
 
-std::vector<Verdict> read_json(std::string_view document, const std::string& file) {
-  const Json json = parse(document, file, 1);
+RunReport read_json(std::string_view document, const std::string& file) {
+  return read_document(parse(document, file, 1), file);
+}
+
+RunReport read_document(const Json& json, const std::string& file) {
   if (!json.is_object() || !json.contains("schema") || !json.contains("verdicts"))
     throw core::InputError(file, 0, 0, "not a report: it needs \"schema\" and \"verdicts\"");
   if (json["schema"] != schema)
@@ -213,27 +239,20 @@ std::vector<Verdict> read_json(std::string_view document, const std::string& fil
         file, 0, 0, fmt::format("schema {}, but this program reads schema {}", text(json["schema"]), schema));
   if (!json["verdicts"].is_array()) throw core::InputError(file, 0, 0, "\"verdicts\" must be an array");
 
-  std::vector<Verdict> verdicts;
-  verdicts.reserve(json["verdicts"].size());
+  RunReport report;
+  if (json.contains("provenance"))
+    report.provenance = provenance_from(json["provenance"], file + ": \"provenance\"");
+  report.verdicts.reserve(json["verdicts"].size());
   for (const Json& item : json["verdicts"])
-    verdicts.push_back(from_row(item, fmt::format("{}: verdict {}", file, verdicts.size() + 1)));
-  return verdicts;
+    report.verdicts.push_back(
+        from_row(item, fmt::format("{}: verdict {}", file, report.verdicts.size() + 1)));
+  return report;
 }
 
 std::string to_json_line(const Verdict& verdict) { return text(row(verdict)); }
 
 Verdict from_json_line(std::string_view line, const std::string& file, unsigned line_number) {
   return from_row(parse(line, file, line_number), fmt::format("{}:{}", file, line_number));
-}
-
-std::vector<Verdict> read_journal(std::string_view journal, const std::string& file) {
-  std::vector<Verdict> verdicts;
-  unsigned line_number = 1;
-  for (std::size_t end = 0; (end = journal.find('\n')) != std::string_view::npos; ++line_number) {
-    verdicts.push_back(from_json_line(journal.substr(0, end), file, line_number));
-    journal.remove_prefix(end + 1);
-  }
-  return verdicts;
 }
 
 }  // namespace cylon::reports

@@ -15,25 +15,34 @@ namespace cylon::reports {
 /// Version of the format; a reader refuses any other.
 inline constexpr int schema = 1;
 
+/// A document of `cylon run --json`.
+struct RunReport {
+  Provenance provenance;
+  std::vector<results::Verdict> verdicts;
+};
+
+/// Null where the number is not finite.
+nlohmann::ordered_json number(double);
+
 /// One row: every named field in a fixed order, present in every row.  Numbers that are not finite are null.
 nlohmann::ordered_json row(const results::Verdict&);
+nlohmann::ordered_json provenance_json(const Provenance&);
 
-/// {"schema": 1, "provenance": {…}, "verdicts": […]}, one row per line, ASCII only (all else as \uNNNN, so
-/// that it is harmless on a options), doubles with the digits that give the same bits back (17 at most).
-/// Bytes that are no UTF-8 become U+FFFD.
+/// {"schema": 1, "provenance": {…}, "verdicts": […]}
+nlohmann::ordered_json document(const RunReport&);
+
+/// The same as text, one row per line, ASCII only (all else as \uNNNN, so that it is harmless on a terminal),
+/// doubles with the digits that give the same bits back (17 at most).  Bytes that are no UTF-8 become U+FFFD.
 std::string to_json(const std::vector<results::Verdict>&, const Provenance&);
 
-/// The rows of such a document.  Keys that it does not know are passed over.
+/// Reads such a document.  Keys that it does not know are passed over; what a provenance leaves out is empty.
 /// Throws core::InputError, with `file`, line and column or with the row and the key, for anything malformed.
-std::vector<results::Verdict> read_json(std::string_view document, const std::string& file);
+RunReport read_json(std::string_view document, const std::string& file);
+RunReport read_document(const nlohmann::ordered_json&, const std::string& file);
 
 /// A line of a journal, without the line feed.
 std::string to_json_line(const results::Verdict&);
 results::Verdict from_json_line(std::string_view line, const std::string& file = "journal",
                                 unsigned line_number = 1);
-
-/// All rows of a journal.  A last line without a line feed is what an interrupted write leaves: it is
-/// dropped.
-std::vector<results::Verdict> read_journal(std::string_view journal, const std::string& file);
 
 }  // namespace cylon::reports

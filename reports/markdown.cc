@@ -1,6 +1,6 @@
 #include "reports/markdown.h"
 
-#include "reports/comparison.h"
+#include "reports/comparison_report.h"
 #include "reports/text.h"
 
 #include <fmt/format.h>

@@ -2,6 +2,7 @@
 
 #include "harness/core/input_error.h"
 #include "reports/gzip.h"
+#include "reports/json.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -20,8 +21,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr double position_steps = 262144, orientation_step = 1.0 / 32768;
 constexpr const char* trace_format = "cylon-trace/1";
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 void append_u32(std::string& bytes, std::uint32_t value) {
   for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>((value >> shift) & 255);

@@ -1,5 +1,6 @@
 #include "reports/csv.h"
-#include "reports/trade.h"
+#include "reports/json.h"
+#include "reports/trade_report.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -14,8 +15,6 @@ using Json = nlohmann::ordered_json;
 using results::TradePoint;
 using results::TradeSeries;
 using results::TradeTable;
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 double per_body_step(const TradeTable& table, const TradePoint& p) {
   return p.step_seconds / static_cast<double>(p.steps * std::max<std::int64_t>(1, table.bodies));
@@ -93,18 +92,15 @@ std::string real(double value) { return std::isfinite(value) ? fmt::format("{:.1
 
 }  // namespace
 
-std::string trade_json(const std::vector<TradeTable>& tables, const Provenance& p) {
+Json trade_json(const std::vector<TradeTable>& tables, const Provenance& p) {
   Json all = Json::array(), times = Json::array();
   for (const TradeTable& table : tables) {
     all.push_back(to_object(table));
     add_times(table, times);
   }
-  const Json provenance = {{"cylon", p.cylon}, {"revision", p.revision},        {"compiler", p.compiler},
-                           {"flags", p.flags}, {"machine", p.machine},          {"os", p.os},
-                           {"date", p.date},   {"command_line", p.command_line}};
-  const Json whole = {
-      {"format", "cylon-trade/1"}, {"provenance", provenance}, {"tables", all}, {"times", times}};
-  return whole.dump(1, ' ', /*ensure_ascii=*/true, Json::error_handler_t::replace) + '\n';
+  Json provenance = provenance_json(p);
+  provenance.erase("tolerance_scale");
+  return {{"format", "cylon-trade/1"}, {"provenance", provenance}, {"tables", all}, {"times", times}};
 }
 
 std::string trade_csv(const std::vector<TradeTable>& tables) {

@@ -1,5 +1,5 @@
 // Common parts of the three renderings of a work–precision table: names, order texts, the plot.
-#include "reports/trade.h"
+#include "reports/trade_report.h"
 
 #include <fmt/format.h>
 

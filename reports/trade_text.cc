@@ -1,5 +1,5 @@
 #include "reports/text.h"
-#include "reports/trade.h"
+#include "reports/trade_report.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "harness/cli/journal.h"
 
-#include "harness/core/fingerprint.h"
+#include "harness/core/content_hash.h"
 #include "reports/json.h"
 
 #include <fmt/format.h>
@@ -19,15 +19,15 @@ std::string worker_hash(const std::vector<std::string>& command) {
   static std::map<std::vector<std::string>, std::string> known;
   const auto [found, fresh] = known.try_emplace(command);
   if (fresh) {
-    core::Fingerprint fingerprint;
+    core::ContentHash content;
     for (const std::string& word : command) {
-      fingerprint.add(word);
+      content.add(word);
       std::error_code ignored;
       if (!fs::is_regular_file(word, ignored)) continue;
       std::ifstream in(word, std::ios::binary);
-      fingerprint.add(std::string(std::istreambuf_iterator<char>(in), {}));
+      content.add(std::string(std::istreambuf_iterator<char>(in), {}));
     }
-    found->second = fingerprint.hex();
+    found->second = content.hex();
   }
   return found->second;
 }

@@ -28,11 +28,11 @@ Json scenario_facts(const scenario::Scenario& scenario) {
           {"claims", std::move(claims)}};
 }
 
-std::string scenario_view(const scenario::Scenario& scenario) {
+Json scenario_view(const scenario::Scenario& scenario) {
   Json view = {{"format", "cylon-scenario/1"}, {"hash", scenario.hash}};
   view.update(scenario_facts(scenario));
   view["scene"] = process::to_json(scenario.scene);
-  return view.dump(-1, ' ', /*ensure_ascii=*/true, Json::error_handler_t::replace);
+  return view;
 }
 
 }  // namespace cylon::cli

@@ -1,5 +1,4 @@
 #include "harness/core/event_rows.h"
-#include "harness/core/water_surface.h"
 
 #include <algorithm>
 #include <array>
@@ -206,6 +205,15 @@ Reason no_axis_or_pole(const Scene& scene, const Pair& pair) {
 }
 
 // ---- Crossing: the height over the water --------------------------------------------------------
+
+// Height of the surface above or below a point at a time [m].  Cells outside the table of mode "step" are as the
+// nearest one in it.
+double water_surface(const Water& water, const Vector3& point, double t) {
+  if (water.mode != "step") return water.level + water.wave * std::sin(point.x() - water.speed * t);
+  const auto cell = [](double x) { return std::clamp(std::trunc((x + 5) / 0.25), 0.0, 40.0); };
+  const double i = cell(point.x()), j = cell(point.z());
+  return water.level + water.wave / 2 * (std::sin(water.speed * t + i) + std::sin(i * j / 2));
+}
 
 Reading height_over_water(const Subject& subject, const State& state, double t) {
   const BodyState& s = state[subject.body];

@@ -50,7 +50,7 @@ struct RunOutcome {
   std::string reason;                   ///< One line; empty when it passed.
   std::string stderr_tail;              ///< At most 4 KiB.
   core::Engine engine;                  ///< As far as it got to introduce itself.
-  core::Terms terms;                    ///< As far as it got to load.
+  core::Terms terms{.order = 0};        ///< As far as it got to load; of order 0 before.
 };
 
 /// Runs a worker from spawn to end; no process is left behind.  Any number of threads may call it at once.

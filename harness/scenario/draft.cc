@@ -27,7 +27,7 @@ int Draft::body(const Table& table, std::string_view key) const {
 std::string Draft::read(const Table& table, std::string_view key) {
   try {
     std::string bytes = read_file(folder / table.text(key));
-    fingerprint.add(bytes);
+    content.add(bytes);
     return bytes;
   } catch (const core::InputError& error) {
     table.fail(key, error.what());

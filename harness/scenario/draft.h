@@ -1,7 +1,7 @@
 // A scene while it is read: where each body was written, which names a generator gave, which files were used.
 #pragma once
 
-#include "harness/core/fingerprint.h"
+#include "harness/core/content_hash.h"
 #include "harness/core/scene.h"
 #include "harness/scenario/reader.h"
 
@@ -21,7 +21,7 @@ struct Draft {
   std::vector<bool> point;                         ///< One per body: no shape and no inertia.
   std::map<std::string, std::vector<int>> groups;  ///< Bodies of each generator, by its name.
   std::filesystem::path folder;                    ///< Files are named relative to it.
-  core::Fingerprint fingerprint;
+  core::ContentHash content;
 
   /// Adds a body; fails at its `name` where that is taken.
   void add(const core::Body&, const Table&, bool is_point);
@@ -29,7 +29,7 @@ struct Draft {
   /// Index of the body that the key names; fails with the nearest valid name.
   int body(const Table&, std::string_view key) const;
 
-  /// The file that the key names, relative to the scenario; its bytes enter the fingerprint.
+  /// The file that the key names, relative to the scenario; its bytes enter the hash.
   std::string read(const Table&, std::string_view key);
 
  private:

@@ -1,6 +1,6 @@
 #include "harness/scenario/expected.h"
 
-#include "harness/core/fingerprint.h"
+#include "harness/core/content_hash.h"
 #include "harness/scenario/glob.h"
 #include "harness/scenario/reader.h"
 
@@ -24,9 +24,9 @@ Expectations Expectations::parse(std::string_view text, const std::string& file_
   const Document document(text, file_name, expected_keys());
   const Table root = document.root();
   Expectations result;
-  core::Fingerprint fingerprint;
-  fingerprint.add(text);
-  result.hash_ = fingerprint.hex();
+  core::ContentHash content;
+  content.add(text);
+  result.hash_ = content.hex();
   if (const auto versions = root.table("versions"))
     for (auto&& [engine, list] : versions->raw()) {
       auto& known = result.versions_[std::string(engine.str())];

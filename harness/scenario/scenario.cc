@@ -44,7 +44,7 @@ Scenario read(std::string_view text, const std::string& file_name) {
 
   Draft draft;
   draft.folder = path.parent_path();
-  draft.fingerprint.add(text);
+  draft.content.add(text);
   const auto& rules = core::Words<core::Impacts>::list;
   draft.scene.impacts = root.choice("impacts", {rules.begin(), rules.end()}, draft.scene.impacts);
   if (const auto frame = root.table("frame")) draft.scene.frame = read_element<core::Frame>(*frame, draft);
@@ -60,7 +60,7 @@ Scenario read(std::string_view text, const std::string& file_name) {
     scenario.unsolved = std::make_shared<const CertifiedClaims>(document, std::move(claims.certified));
 
   scenario.scene = std::move(draft.scene);
-  scenario.hash = draft.fingerprint.hex();
+  scenario.hash = draft.content.hex();
   return scenario;
 }
 

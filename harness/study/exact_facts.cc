@@ -1,6 +1,6 @@
 #include "harness/study/exact_facts.h"
 
-#include "harness/core/fingerprint.h"
+#include "harness/core/content_hash.h"
 
 #include <algorithm>
 #include <cstring>
@@ -8,7 +8,7 @@
 namespace cylon::study {
 
 ExactFacts exact_facts(const core::Recording& recording) {
-  core::Fingerprint hash;
+  core::ContentHash hash;
   const auto add = [&](const auto& value) {
     char bytes[sizeof value];
     std::memcpy(bytes, &value, sizeof value);

@@ -1,6 +1,6 @@
 #include "harness/study/side.h"
 
-#include "harness/core/fingerprint.h"
+#include "harness/core/content_hash.h"
 #include "harness/process/child.h"
 
 #include <unistd.h>
@@ -29,7 +29,7 @@ std::string file_hash(const fs::path& file) {
   Known now{fs::last_write_time(file, ignored), fs::file_size(file, ignored), ""};
   Known& before = known[file];
   if (!before.hash.empty() && before.written == now.written && before.size == now.size) return before.hash;
-  core::Fingerprint hash;
+  core::ContentHash hash;
   std::ifstream in(file, std::ios::binary);
   std::string block(std::size_t{1} << 20, '\0');
   while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0)
@@ -75,7 +75,7 @@ std::optional<process::EngineChoice> on(const Side& side, const process::EngineC
 }
 
 std::string content_hash(const std::vector<std::string>& command) {
-  core::Fingerprint hash;
+  core::ContentHash hash;
   for (const std::string& word : command) {
     std::error_code ignored;
     if (!fs::is_regular_file(word, ignored)) {

@@ -68,7 +68,7 @@ Ran measure_run(const Setting& setting, const scenario::Scenario& scenario, cons
   ran.integrator = outcome.terms.integrator;
   ran.version = outcome.engine.version, ran.precision = outcome.engine.precision;
   ran.path = outcome.terms.path, ran.gyroscopic = outcome.terms.gyroscopic;
-  ran.order = outcome.terms.path.empty() ? 0 : outcome.terms.order;
+  ran.order = outcome.terms.order;
   TradePoint& point = ran.point;
   point.steps = steps, point.dt = request.setup.dt, point.dt_text = step_text(scenario, steps);
   point.tolerance = tolerance;

@@ -25,7 +25,7 @@ struct Setting {
 struct Ran {
   results::TradePoint point;
   std::string integrator, version, precision, path, gyroscopic;
-  int order = 0;
+  int order = 0;           ///< Of the integrator; 0: the engine never loaded the scene.
   double cpu_seconds = 0;  ///< Of the recorded run: a first guess of its time.
 };
 

@@ -9,7 +9,7 @@
 #include "harness/study/paired_times.h"
 #include "harness/tracking/baseline.h"
 #include "harness/tracking/stored_baseline.h"
-#include "reports/comparison.h"
+#include "reports/comparison_report.h"
 #include "reports/markdown.h"
 
 #include <fmt/format.h>

@@ -1,8 +1,7 @@
 #include "harness/tracking/track_history_text.h"
+#include "reports/json.h"
 
 #include <nlohmann/json.hpp>
-
-#include <cmath>
 
 namespace cylon::tracking {
 
@@ -12,8 +11,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* scale_names[] = {"ratio", "absolute", "value", "text"};
 
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 Json points(const HistoryRow& row) {
   Json all = Json::array();
   for (const HistoryPoint& p : row.points) {
@@ -21,7 +18,7 @@ Json points(const HistoryRow& row) {
     if (row.scale == Scale::text)
       one["text"] = p.text;
     else
-      one["value"] = finite(p.value);
+      one["value"] = reports::number(p.value);
     all.push_back(std::move(one));
   }
   return all;
@@ -41,8 +38,8 @@ Json changes(const HistoryRow& row) {
                 {"sentence", c.sentence}};
     if (c.ratio) {
       one["ratio"] = *c.ratio;
-      one["ratio_low"] = finite(c.interval.low);
-      one["ratio_high"] = finite(c.interval.high);
+      one["ratio_low"] = reports::number(c.interval.low);
+      one["ratio_high"] = reports::number(c.interval.high);
       one["p"] = c.p;
     }
     all.push_back(std::move(one));

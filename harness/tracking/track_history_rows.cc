@@ -1,6 +1,6 @@
 #include "harness/tracking/track_history_rows.h"
 
-#include "harness/core/fingerprint.h"
+#include "harness/core/content_hash.h"
 #include "harness/scenario/glob.h"
 #include "harness/tracking/statistics/hodges_lehmann.h"
 #include "harness/tracking/track_history_changes.h"
@@ -59,11 +59,11 @@ HistoryRow row_of(const Series& series) {
 }  // namespace
 
 std::string change_id(const std::string& series, const std::string& revision) {
-  core::Fingerprint fingerprint;
+  core::ContentHash content;
   for (const std::string_view part :
        {std::string_view(revision), std::string_view("@"), std::string_view(series)})
-    fingerprint.add(part);  // the longer one last, which mixes revisions that differ in a digit
-  return fingerprint.hex().substr(0, 8);
+    content.add(part);  // the longer one last, which mixes revisions that differ in a digit
+  return content.hex().substr(0, 8);
 }
 
 std::vector<HistoryRow> history_rows(const store::Store& store, const HistorySelection& wanted) {

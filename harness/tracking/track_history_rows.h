@@ -1,7 +1,6 @@
 // The history of every series: ratios to the anchor, values, and where they changed.  Knows no terminal.
 #pragma once
 
-#include "harness/tracking/statistics/interval.h"
 #include "harness/tracking/statistics/outcome.h"
 #include "harness/tracking/store/store.h"
 

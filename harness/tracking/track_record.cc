@@ -8,7 +8,7 @@
 #include "harness/tracking/track_result.h"
 #include "harness/tracking/track_times.h"
 
-#include "harness/core/fingerprint.h"
+#include "harness/core/content_hash.h"
 #include "harness/study/instructions.h"
 #include "harness/study/matrix.h"
 #include "harness/study/side.h"
@@ -67,9 +67,9 @@ std::string build_of(const std::vector<study::Cell>& cells) {
   for (const study::Cell& cell : cells)
     if (auto& hash = hashes[cell.engine.row.id]; hash.empty())
       hash = study::content_hash(cell.engine.row.command);
-  core::Fingerprint fingerprint;
-  for (const auto& [engine, hash] : hashes) fingerprint.add(fmt::format("{}={};", engine, hash));
-  return fingerprint.hex();
+  core::ContentHash content;
+  for (const auto& [engine, hash] : hashes) content.add(fmt::format("{}={};", engine, hash));
+  return content.hex();
 }
 
 store::RunInfo new_run(const Context& context, const Options& options, const std::string& build) {
@@ -101,9 +101,9 @@ store::RunInfo unfinished(const Store& store, const Options& options) {
 }
 
 std::string asked_key(const study::Cell& cell, const std::string& expectations) {
-  core::Fingerprint fingerprint;
-  fingerprint.add(cell_key(cell, expectations));
-  return fingerprint.hex();
+  core::ContentHash content;
+  content.add(cell_key(cell, expectations));
+  return content.hex();
 }
 
 // Exact where nothing but the engine's steps is counted.

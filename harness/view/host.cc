@@ -1,8 +1,8 @@
 #include "harness/view/host.h"
 
 #include "harness/core/input_error.h"
-#include "harness/view/messages.h"
 #include "harness/view/record_file.h"
+#include "harness/view/viewer_messages.h"
 
 #include <fmt/format.h>
 

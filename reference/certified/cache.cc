@@ -1,6 +1,6 @@
 #include "reference/certified/cache.h"
 
-#include "harness/core/fingerprint.h"
+#include "harness/core/content_hash.h"
 
 #include <unistd.h>
 
@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::string_literals;
 
-// magic, key, fingerprint of the body, body: doubles and counts as the machine has them.
+// magic, key, hash of the body, body: doubles and counts as the machine has them.
 const std::string magic = "cylon certified solution 1, "s + (sizeof(double) == 8 ? "f64" : "?") + "\n";
 
 template <class T>
@@ -60,7 +60,7 @@ std::string body_of(const Dense& d) {
 }
 
 std::string seal(std::string_view body) {
-  core::Fingerprint print;
+  core::ContentHash print;
   print.add(body);
   return print.hex() + "\n";
 }

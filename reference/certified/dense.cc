@@ -1,6 +1,6 @@
 #include "reference/certified/dense.h"
 
-#include "harness/core/fingerprint.h"
+#include "harness/core/content_hash.h"
 #include "reference/certified/solve.h"
 
 #include <fmt/format.h>
@@ -216,7 +216,7 @@ Dense make_dense(const core::Scene& scene, double horizon) {
 std::string key_of(const core::Scene& scene, double horizon) {
   constexpr slong bits = 128;
   const Model model = make_model(scene, horizon, bits);
-  core::Fingerprint print;
+  core::ContentHash print;
   const auto add = [&](const Ball& x) {
     const std::unique_ptr<char, decltype(&flint_free)> text(arb_dump_str(x.get()), &flint_free);
     print.add(text.get()), print.add(";");

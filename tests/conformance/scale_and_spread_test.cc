@@ -66,7 +66,7 @@ TEST(ToleranceScale, AppearsInEveryReport) {
   }
   EXPECT_NE(reports::to_csv(rescaled).find("tolerance_scale"), std::string::npos);
   EXPECT_NE(reports::to_csv(rescaled), reports::to_csv(plain));
-  const auto again = reports::read_json(reports::to_json(rescaled, provenance), "again.json");
+  const auto again = reports::read_json(reports::to_json(rescaled, provenance), "again.json").verdicts;
   EXPECT_EQ(again.at(0).tolerance_scale, 3);
 }
 

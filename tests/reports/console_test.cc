@@ -1,7 +1,7 @@
 // The console: what a person must be able to read off it, on any terminal, whatever an engine printed.
 #include "reports/console.h"
-#include "reports/matrix.h"
 #include "reports/text.h"
+#include "reports/verdict_matrix.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Renderings of a table whose every text is hostile: no cell, tag or string may break out.
-#include "reports/trade.h"
+#include "reports/trade_report.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -44,7 +44,8 @@ TradeTable table() {
 }
 
 TEST(TradeReport, JsonKeepsEveryTextAndTimesStandApart) {
-  const auto json = nlohmann::json::parse(trade_json({table()}, {}));
+  const auto json = nlohmann::json::parse(
+      trade_json({table()}, {}).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
   const auto& series = json["tables"][0]["series"];
   EXPECT_EQ(series[0]["engine"], hostile);
   EXPECT_EQ(series[1]["points"][0]["reason"], hostile);

@@ -11,7 +11,7 @@
 #include "harness/study/advise.h"
 #include "harness/study/features.h"
 #include "harness/study/settings.h"
-#include "reports/advice.h"
+#include "reports/advice_report.h"
 
 #include <fmt/format.h>
 

@@ -12,6 +12,7 @@
 #include "harness/core/recording.h"
 #include "harness/scenario/input.h"
 #include "harness/study/divergence.h"
+#include "reports/json.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -214,7 +215,7 @@ std::string heading(const scenario::Scenario& scenario, const Side& a, const Sid
                      d, first->unit, first->allowed, first->unit);
 }
 
-ordered_json number(double x) { return std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr); }
+using reports::number;
 
 ordered_json to_json(const scenario::Scenario& scenario, const Options& options, const Found& found) {
   ordered_json curves = ordered_json::array();

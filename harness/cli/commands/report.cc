@@ -36,29 +36,28 @@ bool is_format(const Json& json, const char* format) {
 struct Kind {
   const char* written_by;
   bool (*is)(const Json&);
-  void (*take)(const std::string& text, const std::string& path, reports::HtmlReport&);
+  void (*take)(Json&&, const std::string& path, reports::HtmlReport&);
 };
 const std::array kinds = {
     Kind{"cylon run --json", [](const Json& json) { return json.contains("verdicts"); },
-         [](const std::string& text, const std::string& path, reports::HtmlReport& report) {
-           if (!report.results.empty())
+         [](Json&& json, const std::string& path, reports::HtmlReport& report) {
+           if (report.results)
              throw core::InputError(
                  path + ": a report takes one file of verdicts; use --baseline for an earlier one");
-           reports::read_json(text, path);
-           report.results = text;
+           report.results = reports::read_document(json, path);
          }},
     Kind{"cylon trade --json", [](const Json& json) { return is_format(json, "cylon-trade/1"); },
-         [](const std::string& text, const std::string&, reports::HtmlReport& report) {
-           report.trades.push_back(text);
+         [](Json&& json, const std::string&, reports::HtmlReport& report) {
+           report.trades.push_back(std::move(json));
          }},
     Kind{"cylon track compare --json",
          [](const Json& json) { return json.contains("cells") && json.contains("candidate"); },
-         [](const std::string& text, const std::string&, reports::HtmlReport& report) {
-           report.comparisons.push_back(text);
+         [](Json&& json, const std::string&, reports::HtmlReport& report) {
+           report.comparisons.push_back(std::move(json));
          }},
     Kind{"cylon track history --json", [](const Json& json) { return json.contains("series"); },
-         [](const std::string& text, const std::string&, reports::HtmlReport& report) {
-           report.histories.push_back(text);
+         [](Json&& json, const std::string&, reports::HtmlReport& report) {
+           report.histories.push_back(std::move(json));
          }},
 };
 
@@ -68,14 +67,14 @@ void take_traces(const std::string& text, const std::string& path, reports::Html
   std::string line;
   for (int number = 1; std::getline(lines, line); ++number) {
     const std::string place = fmt::format("{}:{}", path, number);
-    const Json json = Json::parse(line, nullptr, /*allow_exceptions=*/false);
+    Json json = Json::parse(line, nullptr, /*allow_exceptions=*/false);
     if (!json.is_object() || !is_format(json, "cylon-scenario/1")) {
       report.traces.push_back(reports::trace_from_json_line(line, place));
       continue;
     }
     if (!json.contains("name") || !json["name"].is_string())
       throw core::InputError(place + ": a scenario without its \"name\"");
-    report.scenarios.push_back(line);
+    report.scenarios.push_back(std::move(json));
   }
 }
 
@@ -85,10 +84,10 @@ void take(const std::string& path, reports::HtmlReport& report) {
   const Json line = Json::parse(first, nullptr, /*allow_exceptions=*/false);
   if (line.is_object() && (is_format(line, "cylon-scenario/1") || is_format(line, "cylon-trace/1")))
     return take_traces(text, path, report);
-  const Json json = Json::parse(text, nullptr, /*allow_exceptions=*/false);
+  Json json = Json::parse(text, nullptr, /*allow_exceptions=*/false);
   std::vector<std::string> known = {"cylon run --traces"};
   for (const Kind& kind : kinds) {
-    if (json.is_object() && kind.is(json)) return kind.take(text, path, report);
+    if (json.is_object() && kind.is(json)) return kind.take(std::move(json), path, report);
     known.emplace_back(kind.written_by);
   }
   throw core::InputError(fmt::format("{}: {}; a report takes files written by {}", path,
@@ -100,7 +99,7 @@ void take(const std::string& path, reports::HtmlReport& report) {
 void add_scenarios(const Context& context, const std::vector<results::Verdict>& verdicts,
                    reports::HtmlReport& report) {
   std::set<std::string> there;
-  for (const std::string& view : report.scenarios) there.insert(Json::parse(view).at("name"));
+  for (const Json& view : report.scenarios) there.insert(view.at("name"));
   for (const results::Verdict& v : verdicts) {
     if (!there.insert(v.scenario).second) continue;
     const auto file = own_scenario(context, v.scenario);
@@ -114,12 +113,9 @@ int run(const Context& context, const Options& options) {
   if (!options.html.empty()) require_writable(options.html);
   reports::HtmlReport report;
   for (const std::string& file : options.files) take(file, report);
-  std::vector<results::Verdict> verdicts;
-  if (!report.results.empty()) verdicts = reports::read_json(report.results, "results");
-  if (!options.baseline.empty()) {
-    report.baseline = read_whole(options.baseline, longest_file);
-    reports::read_json(report.baseline, options.baseline);
-  }
+  if (!options.baseline.empty())
+    report.baseline = reports::read_json(read_whole(options.baseline, longest_file), options.baseline);
+  const auto verdicts = report.results ? report.results->verdicts : std::vector<results::Verdict>();
   const reports::ConsoleOptions style{.width = context.width, .utf8 = context.utf8, .colour = context.colour};
   if (options.html.empty()) {
     if (verdicts.empty())

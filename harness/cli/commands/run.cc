@@ -100,11 +100,10 @@ int run(const Context& context, const RunOptions& options) {
   }
   reports::Provenance provenance = provenance_now(context);
   provenance.tolerance_scale = request.tolerance_scale;
-  const std::string json = reports::to_json(rows, provenance);
-  if (!options.json.empty()) write_whole(options.json, json);
+  if (!options.json.empty()) write_whole(options.json, reports::to_json(rows, provenance));
   if (!options.junit.empty()) write_whole(options.junit, reports::to_junit(rows));
   if (!options.csv.empty()) write_whole(options.csv, reports::to_csv(rows));
-  write_report(options, selection, traces, rows, json);
+  write_report(options, selection, traces, {provenance, rows});
   return exit_code(rows, published_differs);
 }
 

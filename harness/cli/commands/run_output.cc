@@ -11,6 +11,7 @@
 #include <iostream>
 #include <map>
 #include <ostream>
+#include <utility>
 
 namespace cylon::cli {
 
@@ -25,16 +26,18 @@ void print(const Context& context, const RunOptions& options, const std::vector<
 }
 
 void write_report(const RunOptions& options, const Selection& selection, const Traces& traces,
-                  const std::vector<Verdict>& rows, const std::string& json) {
+                  reports::RunReport results) {
   if (options.html.empty() && options.traces.empty()) return;
   reports::HtmlReport report;
-  report.results = json;
   for (const auto& scenario : selection.scenarios) report.scenarios.push_back(scenario_view(*scenario));
-  report.traces = traces.chosen(selection.cells, rows, options.trajectories, report.omitted_traces);
+  report.traces =
+      traces.chosen(selection.cells, results.verdicts, options.trajectories, report.omitted_traces);
+  report.results = std::move(results);
   if (!options.html.empty()) write_whole(options.html, reports::to_html(report));
   if (options.traces.empty()) return;
   write_whole(options.traces, [&](std::ostream& out) {
-    for (const std::string& scenario : report.scenarios) out << scenario << '\n';
+    for (const auto& scenario : report.scenarios)
+      out << scenario.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) << '\n';
     for (const reports::PackedTrace& trace : report.traces) out << reports::to_json_line(trace);
   });
 }

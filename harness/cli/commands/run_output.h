@@ -5,6 +5,7 @@
 #include "harness/cli/context.h"
 #include "harness/cli/traces.h"
 #include "reports/console.h"
+#include "reports/json.h"
 
 #include <cstddef>
 #include <string>
@@ -15,9 +16,8 @@ namespace cylon::cli {
 /// The matrix; before it every claim where that was asked for, or where there is one cell.
 void print(const Context&, const RunOptions&, const std::vector<results::Verdict>&, std::size_t cells);
 
-/// Writes the page, and the traces for a later page, where they were asked for.  `json`: the rows.
-void write_report(const RunOptions&, const Selection&, const Traces&, const std::vector<results::Verdict>&,
-                  const std::string& json);
+/// Writes the page, and the traces for a later page, where they were asked for.
+void write_report(const RunOptions&, const Selection&, const Traces&, reports::RunReport);
 
 /// Prints the errors of each cell's claims over time under the cell's name.
 void print_charts(const Traces&, const reports::ConsoleOptions&);

@@ -1,5 +1,4 @@
 // cylon trade
-#include "reports/trade.h"
 #include "harness/cli/commands/app.h"
 #include "harness/cli/commands/trade_journal.h"
 #include "harness/cli/options.h"
@@ -13,6 +12,7 @@
 #include "harness/study/self_reference.h"
 #include "harness/study/settings.h"
 #include "reports/html.h"
+#include "reports/trade_report.h"
 
 #include <fmt/format.h>
 
@@ -147,8 +147,9 @@ int trade(const Context& context, const Options& options) {
     std::cerr << "interrupted; repeat the command with --resume in this folder to continue\n";
     return interrupted;
   }
-  const std::string json = reports::trade_json(tables, provenance_now(context));
-  if (!options.json.empty()) write_whole(options.json, json);
+  const auto json = reports::trade_json(tables, provenance_now(context));
+  if (!options.json.empty())
+    write_whole(options.json, json.dump(1, ' ', true, nlohmann::json::error_handler_t::replace) + '\n');
   if (!options.html.empty()) {
     reports::HtmlReport report;
     report.title = "Cylon: speed against accuracy";

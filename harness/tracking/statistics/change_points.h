@@ -1,7 +1,7 @@
 // Since which revision a series is at another level: E-divisive means, as Otava (once Hunter) uses it.
 #pragma once
 
-#include "harness/tracking/statistics/interval.h"
+#include "harness/tracking/statistics/outcome.h"
 
 #include <cstddef>
 #include <span>

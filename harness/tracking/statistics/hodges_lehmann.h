@@ -2,7 +2,7 @@
 // sample may be outliers of one side before the estimate leaves (29 % of it, to be exact).
 #pragma once
 
-#include "harness/tracking/statistics/interval.h"
+#include "harness/tracking/statistics/outcome.h"
 
 #include <span>
 

@@ -1,10 +1,19 @@
-// What a comparison of two builds may say of one metric.
+// What a comparison of two builds may say of one metric, and how sure it is.
 #pragma once
 
-#include <optional>
+#include <array>
+#include <limits>
 #include <string_view>
 
 namespace cylon::statistics {
+
+/// A closed interval; the default knows nothing.
+struct Interval {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+
+  bool within(double bound) const { return -bound < low && high < bound; }
+};
 
 enum class Outcome {
   regressed,     ///< Worse by more than the threshold, confirmed.
@@ -16,7 +25,9 @@ enum class Outcome {
 };
 
 /// "regressed", "improved", "same", "changed", "more", "inconclusive".
-std::string_view name(Outcome);
-std::optional<Outcome> outcome_from(std::string_view);
+inline std::string_view name(Outcome outcome) {
+  constexpr std::array names = {"regressed", "improved", "same", "changed", "more", "inconclusive"};
+  return names.at(static_cast<std::size_t>(outcome));
+}
 
 }  // namespace cylon::statistics

@@ -2,7 +2,6 @@
 // difference is plain, more where it is not, and "inconclusive" in place of a guess.
 #pragma once
 
-#include "harness/tracking/statistics/interval.h"
 #include "harness/tracking/statistics/outcome.h"
 
 #include <limits>

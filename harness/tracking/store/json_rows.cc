@@ -1,10 +1,11 @@
 #include "harness/tracking/store/json_rows.h"
 
+#include "reports/json.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <concepts>
 #include <string_view>
 #include <type_traits>
@@ -82,7 +83,7 @@ void each(Of<ChangePoint> auto& p, auto&& field) {
 
 // ---- The two ways -----------------------------------------------------------------------------------------
 
-Ordered number(double value) { return std::isfinite(value) ? Ordered(value) : Ordered(nullptr); }
+using reports::number;
 
 struct Write {
   Ordered& out;

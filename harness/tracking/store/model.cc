@@ -1,6 +1,6 @@
 #include "harness/tracking/store/model.h"
 
-#include "harness/core/fingerprint.h"
+#include "harness/core/content_hash.h"
 #include "reports/text.h"
 
 #include <fmt/format.h>
@@ -18,11 +18,11 @@ constexpr std::array<std::string_view, 5> kinds = {"exact", "error", "time", "si
 constexpr std::size_t detail_bytes = 1000;
 
 // Each text with its length, so that "a", "bc" and "ab", "c" are two.
-void add(core::Fingerprint& fingerprint, std::initializer_list<std::string_view> texts) {
-  for (const std::string_view text : texts) fingerprint.add(fmt::format("{}:{}", text.size(), text));
+void add(core::ContentHash& content, std::initializer_list<std::string_view> texts) {
+  for (const std::string_view text : texts) content.add(fmt::format("{}:{}", text.size(), text));
 }
 
-void add(core::Fingerprint& fingerprint, double value) { fingerprint.add(fmt::format("{:.17g};", value)); }
+void add(core::ContentHash& content, double value) { content.add(fmt::format("{:.17g};", value)); }
 
 double storable(double value) {
   if (!std::isfinite(value)) return std::numeric_limits<double>::quiet_NaN();
@@ -50,56 +50,56 @@ std::string Cell::name() const {
 }
 
 std::string cell_hash(const Cell& c) {
-  core::Fingerprint fingerprint;
-  add(fingerprint, {c.scenario, c.scenario_hash, c.engine, c.path, c.integrator, c.precision, c.settings});
-  add(fingerprint, c.dt);
-  return fingerprint.hex();
+  core::ContentHash content;
+  add(content, {c.scenario, c.scenario_hash, c.engine, c.path, c.integrator, c.precision, c.settings});
+  add(content, c.dt);
+  return content.hex();
 }
 
 std::string run_uid(const RunInfo& r, std::int64_t ordinal) {
-  core::Fingerprint fingerprint;
-  add(fingerprint, {r.label, r.revision, r.date, r.machine, r.os, r.compiler, r.flags, r.build,
-                    r.command_line, r.request, r.note});
-  fingerprint.add(fmt::format("{}", ordinal));
-  return fingerprint.hex();
+  core::ContentHash content;
+  add(content, {r.label, r.revision, r.date, r.machine, r.os, r.compiler, r.flags, r.build, r.command_line,
+                r.request, r.note});
+  content.add(fmt::format("{}", ordinal));
+  return content.hex();
 }
 
 std::string series_id(const Cell& cell, const Metric& metric) { return cell.hash + "/" + metric.name; }
 
 std::string digest(const Result& given) {
   const Result r = canonical(given);
-  core::Fingerprint fingerprint;
-  add(fingerprint, {r.cell.hash, r.engine_version, r.asked});
+  core::ContentHash content;
+  add(content, {r.cell.hash, r.engine_version, r.asked});
   for (const Sample& s : r.samples) {
-    add(fingerprint, {s.metric.name, name(s.metric.kind), s.metric.unit, s.text});
-    fingerprint.add(fmt::format("{};", s.repetition));
-    add(fingerprint, s.value);
+    add(content, {s.metric.name, name(s.metric.kind), s.metric.unit, s.text});
+    content.add(fmt::format("{};", s.repetition));
+    add(content, s.value);
   }
   for (const Judgement& j : r.judgements) {
-    add(fingerprint, {j.claim, j.observable, j.unit, j.status, j.expected, j.detail});
-    for (const double value : {j.measured, j.allowed, j.truth_error}) add(fingerprint, value);
+    add(content, {j.claim, j.observable, j.unit, j.status, j.expected, j.detail});
+    for (const double value : {j.measured, j.allowed, j.truth_error}) add(content, value);
   }
-  return fingerprint.hex();
+  return content.hex();
 }
 
 std::string digest(const RunInfo& r) {
-  core::Fingerprint fingerprint;
-  add(fingerprint, {r.uid, r.label, r.revision, r.date, r.machine, r.os, r.compiler, r.flags, r.build,
-                    r.command_line, r.request, r.note});
-  fingerprint.add(fmt::format("{};", r.revision_order.value_or(0)));
-  return fingerprint.hex();
+  core::ContentHash content;
+  add(content, {r.uid, r.label, r.revision, r.date, r.machine, r.os, r.compiler, r.flags, r.build,
+                r.command_line, r.request, r.note});
+  content.add(fmt::format("{};", r.revision_order.value_or(0)));
+  return content.hex();
 }
 
 std::string digest(const Anchor& a) {
-  core::Fingerprint fingerprint;
-  add(fingerprint, {a.name, a.binary, a.build, a.date, a.note, a.run});
-  return fingerprint.hex();
+  core::ContentHash content;
+  add(content, {a.name, a.binary, a.build, a.date, a.note, a.run});
+  return content.hex();
 }
 
 std::string digest(const ChangePoint& p) {
-  core::Fingerprint fingerprint;
-  add(fingerprint, {p.series, p.revision, p.state, p.date, p.note});
-  return fingerprint.hex();
+  core::ContentHash content;
+  add(content, {p.series, p.revision, p.state, p.date, p.note});
+  return content.hex();
 }
 
 std::string twice(const Result& given) {

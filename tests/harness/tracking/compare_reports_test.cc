@@ -1,5 +1,5 @@
 // Comparisons as JUnit, Markdown, JSON and text, with names that contain markup.
-#include "reports/comparison.h"
+#include "reports/comparison_report.h"
 #include "reports/markdown.h"
 
 #include <gtest/gtest.h>

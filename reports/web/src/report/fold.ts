@@ -1,4 +1,4 @@
-// Verdicts to a matrix of scenarios and engines: a cell is the worst of its claims (as reports/matrix.cc
+// Verdicts to a matrix of scenarios and engines: a cell is the worst of its claims (as reports/verdict_matrix.cc
 // folds).
 import type { Status, Verdict } from '../shared/documents';
 import { differs, digits, isMeasured, severity } from './status';
@@ -71,9 +71,9 @@ function join(cell: Cell, verdict: Verdict): void {
   cell.verdicts.push(verdict);
 }
 
-/** Where a run without a scheme stands, as one that the engine could not express: with the engine's first
- * scheme. */
-function firstSchemes(verdicts: Verdict[]): Map<string, string> {
+/** Where a run without an integrator stands, as one that the engine could not express: with the engine's first
+ * integrator. */
+function firstIntegrators(verdicts: Verdict[]): Map<string, string> {
   const out = new Map<string, string>();
   for (const v of verdicts) if (v.integrator !== '' && !out.has(v.engine)) out.set(v.engine, v.integrator);
   return out;
@@ -82,11 +82,11 @@ function firstSchemes(verdicts: Verdict[]): Map<string, string> {
 export function fold(verdicts: Verdict[]): Matrix {
   const scenarios = new Labels();
   const engines = new Labels();
-  const schemes = firstSchemes(verdicts);
+  const integrators = firstIntegrators(verdicts);
   const cells: (Cell | undefined)[][] = [];
   for (const v of verdicts) {
     const row = (cells[scenarios.index(v.scenario, v.dt_text)] ??= []);
-    const j = engines.index(v.engine, v.integrator || (schemes.get(v.engine) ?? ''));
+    const j = engines.index(v.engine, v.integrator || (integrators.get(v.engine) ?? ''));
     const { scenario, engine, integrator, dt_text: dt, status: worst } = v;
     row[j] ??= { scenario, engine, integrator, dt, verdicts: [], worst, digits: null, differs: false };
     join(row[j], v);

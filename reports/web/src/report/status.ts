@@ -1,4 +1,4 @@
-// Statuses and digits, as the program prints them (reports/matrix.cc, reports/console_options.cc), but for
+// Statuses and digits, as the program prints them (reports/verdict_matrix.cc, reports/console_options.cc), but for
 // the sign of timeout: few fonts have the console's hourglass, or have it as a picture.
 import type { Status, Verdict } from '../shared/documents';
 

@@ -79,5 +79,5 @@ export type Command =
   | { do: 'kick'; body: number; impulse: Vector } // [N s] at the centre of mass, world axes, in every lane
   | { do: 'pull'; body: number; anchor: Vector; pin: Vector; stiffness: number } // a spring from a point of the body (body axes) to a point of the world; again: moves the pin
   | { do: 'release' }
-  | { do: 'lanes'; lanes: Lane[] } // engines, schemes, steps; the state is kept
+  | { do: 'lanes'; lanes: Lane[] } // engines, integrators, steps; the state is kept
   | { do: 'set'; key: string; value: number | Vector }; // "gravity", "spring.0.stiffness", "material.0.restitution", "body.ball.mass", …

@@ -1,4 +1,4 @@
-// Engines, schemes and steps: changed, added, removed.
+// Engines, integrators and steps: changed, added, removed.
 import { useState } from 'preact/hooks';
 
 import type { EngineInfo, Lane, Session } from '../shared/live';

@@ -9,7 +9,7 @@ export interface Point {
   series: number;
   dt: number; // [s]
   dtText: string;
-  tolerance: number | null; // of schemes that control their error
+  tolerance: number | null; // of integrators that control their error
   error: number | null;
   cost: number | null; // CPU seconds per simulated second
   perBodyStep: number | null; // [s]

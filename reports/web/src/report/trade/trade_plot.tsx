@@ -1,4 +1,4 @@
-// Error against cost, both logarithmic: a line per engine and scheme, a point per step, the front ringed.
+// Error against cost, both logarithmic: a line per engine and integrator, a point per step, the front ringed.
 import { useMemo, useState } from 'preact/hooks';
 
 import { lookOf, markerPath } from '../../shared/plot_marks';

@@ -1,4 +1,4 @@
-#include "reports/comparison.h"
+#include "reports/comparison_report.h"
 
 #include <fmt/format.h>
 

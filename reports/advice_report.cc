@@ -1,5 +1,6 @@
-#include "reports/advice.h"
+#include "reports/advice_report.h"
 
+#include "reports/json.h"
 #include "reports/text.h"
 
 #include <fmt/format.h>
@@ -20,8 +21,6 @@ std::string named(const Pick& pick) {
 std::string cost(double value) { return std::isfinite(value) ? fmt::format("{:.1e} s/s", value) : "no time"; }
 
 std::string ratio(double a, double b) { return std::isfinite(a / b) ? fmt::format("{:.2g}x", a / b) : "?"; }
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json to_object(const std::optional<Pick>& pick) {
   if (!pick) return nullptr;

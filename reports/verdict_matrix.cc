@@ -1,4 +1,4 @@
-#include "reports/matrix.h"
+#include "reports/verdict_matrix.h"
 
 #include "reports/sentence.h"
 #include "reports/text.h"

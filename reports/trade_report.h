@@ -6,6 +6,8 @@
 #include "reports/plot.h"
 #include "reports/provenance.h"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <string>
 #include <vector>
 
@@ -16,7 +18,7 @@ namespace cylon::reports {
 std::string trade_text(const results::TradeTable&, const ConsoleOptions&, bool every_point);
 
 /// All tables; times, which differ from run to run, stand apart in "times".
-std::string trade_json(const std::vector<results::TradeTable>&, const Provenance&);
+nlohmann::ordered_json trade_json(const std::vector<results::TradeTable>&, const Provenance&);
 
 /// A row per point; times are the last columns.
 std::string trade_csv(const std::vector<results::TradeTable>&);
