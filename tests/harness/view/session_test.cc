@@ -1,5 +1,5 @@
 // A viewer session, without sockets and without a clock.
-#include "harness/view/bad_command.h"
+#include "harness/view/command.h"
 #include "harness/view/viewer_messages.h"
 #include "tests/harness/view/fixture.h"
 

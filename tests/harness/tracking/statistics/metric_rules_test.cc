@@ -61,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(
         Row{size, 1000000, 1011000, 0, Outcome::regressed, "size rose by 1.1 %, from 1e+06 to 1.011e+06"},
         Row{size, 1000000, 900000, 0, Outcome::improved, "size fell by 10 %, from 1e+06 to 900000"}));
 
-TEST(MetricRulesTable, HashesAndNames) {
+TEST(MetricRulesTable, JudgesHashesAndFindsRules) {
   EXPECT_EQ(judge_hash("8f3a", "8f3a").outcome, Outcome::same);
   EXPECT_EQ(judge_hash("8f3a", "8f3b").outcome, Outcome::changed);
   EXPECT_EQ(judge_hash("8f3a", "8f3b").sentence, "hash changed, from 8f3a to 8f3b");
