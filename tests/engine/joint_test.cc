@@ -132,7 +132,7 @@ TEST(Joined, FreeBodiesKeepMomentumAngularMomentumAndEnergy) {
     const Model model = joined(type);
     for (const char* integrator : {"rk8", "velocity-verlet", "yoshida4"}) {
       const Outcome end = run(model, integrator, 2, 2000);
-      const int label = static_cast<int>(type);
+      const int label = joint_types::label(type);
       // rk8: energy and L to h^8, here rounding; RATTLE: L to rounding, energy to h^2 x 100 J/s^2
       EXPECT_LT((momentum(end.motions) - momentum(model.motions)).norm(), 1e-12) << integrator << label;
       EXPECT_LT((angular_momentum(end.motions) - angular_momentum(model.motions)).norm(), 1e-12)

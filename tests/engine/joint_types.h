@@ -11,4 +11,9 @@ using Turn = Joint::Turn;
 inline constexpr Joint::Type ball{Place::together, Turn::freely}, hinge{Place::together, Turn::about_axis},
     distance{Place::at_length, Turn::freely}, fixed{Place::together, Turn::never};
 
+/// Its place and its turn as two digits, for messages.
+inline int label(const Joint::Type& type) {
+  return 10 * static_cast<int>(type.place) + static_cast<int>(type.turn);
+}
+
 }  // namespace cylon::engine::joint_types

@@ -130,7 +130,8 @@ inline void add_joints(Dice& dice, Model& m, std::string& text) {
     const int body = static_cast<int>(k), to = k + 1 < n && dice.one_in(2) ? body + 1 : fixed_world;
     constexpr Joint::Type types[] = {joint_types::ball, joint_types::hinge, joint_types::distance,
                                      joint_types::fixed};
-    const Joint::Type type = types[dice.below(4)];
+    const std::size_t kind = dice.below(4);
+    const Joint::Type type = types[kind];
     const auto turn = [&](int i) {
       return i == fixed_world ? Quaternion(Quaternion::Identity())
                               : m.motions[static_cast<std::size_t>(i)].orientation;
@@ -154,7 +155,7 @@ inline void add_joints(Dice& dice, Model& m, std::string& text) {
       joint.relative = turn(to).conjugate() * turn(body);
     }
     m.joints.push_back(joint);
-    text += " joint" + std::to_string(static_cast<int>(type)) + (to == fixed_world ? "w" : "");
+    text += " joint" + std::to_string(kind) + (to == fixed_world ? "w" : "");
   }
   for (std::size_t i = 0; i < n; ++i)
     m.motions[i].momentum.setZero(), m.motions[i].angular_momentum.setZero();

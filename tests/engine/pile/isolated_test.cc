@@ -158,9 +158,9 @@ TEST(PileIsolated, JointsKeepBothMomenta) {
       stepper->read(end);
       EXPECT_GT(struck, 0u);
       const Real rounding = 10 * std::sqrt(Real(2400)) * eps * 10;  // of up to 10 kg m^2/s, as above
-      EXPECT_LT((momentum(end) - momentum(model.motions)).norm(), rounding) << static_cast<int>(type);
+      EXPECT_LT((momentum(end) - momentum(model.motions)).norm(), rounding) << joint_types::label(type);
       EXPECT_LT((angular_momentum(end) - angular_momentum(model.motions)).norm(), rounding)
-          << static_cast<int>(type) << (sweeps ? " sweeps" : " direct");
+          << joint_types::label(type) << (sweeps ? " sweeps" : " direct");
     }
 }
 
