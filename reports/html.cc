@@ -69,16 +69,17 @@ std::string to_html(const HtmlReport& report) {
     omitted += fmt::format("{}{} more were left out to limit the size of this file",
                            omitted.empty() ? "" : "; ", left_out);
 
-  const Json index = {{"kind", "report"},
-                      {"title", heading},
-                      {"results", shown(report.results)},
-                      {"scenarios", report.scenarios},
-                      {"traces", entries},
-                      {"omitted_traces", omitted},
-                      {"baseline", shown(report.baseline)},
-                      {"trades", report.trades},
-                      {"comparisons", report.comparisons},
-                      {"histories", report.histories}};
+  Json index = {{"kind", "report"},
+                {"title", heading},
+                {"results", shown(report.results)},
+                {"scenarios", report.scenarios},
+                {"traces", entries},
+                {"omitted_traces", omitted},
+                {"baseline", shown(report.baseline)}};
+  for (const Section& section : sections) {
+    const auto given = report.documents.find(section.key);
+    index[section.key] = given == report.documents.end() ? Json::array() : Json(given->second);
+  }
   const std::string packed =
       base64(gzip(index.dump(-1, ' ', /*ensure_ascii=*/true, Json::error_handler_t::replace)));
   const std::string title = xml(heading);

@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,16 +15,31 @@
 
 namespace cylon::reports {
 
-/// What a report shows.  Documents of other commands stand in the page as they are.
+using Documents = std::vector<nlohmann::ordered_json>;
+
+/// A part of the page that shows documents of another command as they are; `key` is that of the page's index.
+struct Section {
+  const char *key, *written_by;
+  bool (*holds)(const nlohmann::ordered_json& document);
+};
+inline constexpr std::array sections = {
+    Section{"trades", "cylon trade --json",
+            [](const auto& json) { return json.contains("format") && json["format"] == "cylon-trade/1"; }},
+    Section{"comparisons", "cylon track compare --json",
+            [](const auto& json) { return json.contains("cells") && json.contains("candidate"); }},
+    Section{"histories", "cylon track history --json",
+            [](const auto& json) { return json.contains("series"); }},
+};
+
+/// What a report shows.
 struct HtmlReport {
-  using Documents = std::vector<nlohmann::ordered_json>;
-  std::string title;                  ///< "": how many scenarios and engines there are.
-  std::optional<RunReport> results;   ///< Of the run.
-  std::optional<RunReport> baseline;  ///< Of an earlier run, to say what changed.
-  Documents scenarios;                ///< What they are about (`ScenarioView` of documents.ts).
-  std::vector<PackedTrace> traces;    ///< In the order in which space is given to them.
-  std::string omitted_traces;         ///< Why some runs have none, a sentence; "": all have.
-  Documents trades, comparisons, histories;
+  std::string title;                           ///< "": how many scenarios and engines there are.
+  std::optional<RunReport> results;            ///< Of the run.
+  std::optional<RunReport> baseline;           ///< Of an earlier run, to say what changed.
+  Documents scenarios;                         ///< What they are about (`ScenarioView` of documents.ts).
+  std::vector<PackedTrace> traces;             ///< In the order in which space is given to them.
+  std::string omitted_traces;                  ///< Why some runs have none, a sentence; "": all have.
+  std::map<std::string, Documents> documents;  ///< By the key of their section.
 };
 
 /// Most that the traces of a report may take [bytes]: what is mailed stays under 15 MB.

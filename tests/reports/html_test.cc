@@ -36,7 +36,8 @@ std::size_t count(const std::string& text, const std::string& word) {
 TEST(Html, HoldsItsDocuments) {
   HtmlReport report;
   report.results = RunReport{{}, {row("top", "in-house")}};
-  report.trades = {{{"format", "cylon-trade/1"}, {"tables", json::array()}, {"times", json::array()}}};
+  report.documents["trades"] = {
+      {{"format", "cylon-trade/1"}, {"tables", json::array()}, {"times", json::array()}}};
   const json index = index_of(to_html(report));
   EXPECT_EQ(index["results"]["verdicts"][0]["scenario"], "top");
   EXPECT_EQ(index["trades"].size(), 1u);

@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <array>
 #include <iostream>
 #include <set>
 #include <sstream>
@@ -31,35 +30,6 @@ constexpr std::size_t longest_file = std::size_t{256} << 20;  // [bytes]
 bool is_format(const Json& json, const char* format) {
   return json.contains("format") && json["format"] == format;
 }
-
-// A kind of file by what is in it, and where it goes.
-struct Kind {
-  const char* written_by;
-  bool (*is)(const Json&);
-  void (*take)(Json&&, const std::string& path, reports::HtmlReport&);
-};
-const std::array kinds = {
-    Kind{"cylon run --json", [](const Json& json) { return json.contains("verdicts"); },
-         [](Json&& json, const std::string& path, reports::HtmlReport& report) {
-           if (report.results)
-             throw core::InputError(
-                 path + ": a report takes one file of verdicts; use --baseline for an earlier one");
-           report.results = reports::read_document(json, path);
-         }},
-    Kind{"cylon trade --json", [](const Json& json) { return is_format(json, "cylon-trade/1"); },
-         [](Json&& json, const std::string&, reports::HtmlReport& report) {
-           report.trades.push_back(std::move(json));
-         }},
-    Kind{"cylon track compare --json",
-         [](const Json& json) { return json.contains("cells") && json.contains("candidate"); },
-         [](Json&& json, const std::string&, reports::HtmlReport& report) {
-           report.comparisons.push_back(std::move(json));
-         }},
-    Kind{"cylon track history --json", [](const Json& json) { return json.contains("series"); },
-         [](Json&& json, const std::string&, reports::HtmlReport& report) {
-           report.histories.push_back(std::move(json));
-         }},
-};
 
 // Lines of scenarios and traces.
 void take_traces(const std::string& text, const std::string& path, reports::HtmlReport& report) {
@@ -85,10 +55,20 @@ void take(const std::string& path, reports::HtmlReport& report) {
   if (line.is_object() && (is_format(line, "cylon-scenario/1") || is_format(line, "cylon-trace/1")))
     return take_traces(text, path, report);
   Json json = Json::parse(text, nullptr, /*allow_exceptions=*/false);
-  std::vector<std::string> known = {"cylon run --traces"};
-  for (const Kind& kind : kinds) {
-    if (json.is_object() && kind.is(json)) return kind.take(std::move(json), path, report);
-    known.emplace_back(kind.written_by);
+  std::vector<std::string> known = {"cylon run --traces", "cylon run --json"};
+  if (json.is_object() && json.contains("verdicts")) {
+    if (report.results)
+      throw core::InputError(path +
+                             ": a report takes one file of verdicts; use --baseline for an earlier one");
+    report.results = reports::read_document(json, path);
+    return;
+  }
+  for (const reports::Section& section : reports::sections) {
+    if (json.is_object() && section.holds(json)) {
+      report.documents[section.key].push_back(std::move(json));
+      return;
+    }
+    known.emplace_back(section.written_by);
   }
   throw core::InputError(fmt::format("{}: {}; a report takes files written by {}", path,
                                      json.is_discarded() ? "no JSON" : "not a document of Cylon",

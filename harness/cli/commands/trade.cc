@@ -153,7 +153,7 @@ int trade(const Context& context, const Options& options) {
   if (!options.html.empty()) {
     reports::HtmlReport report;
     report.title = "Cylon: speed against accuracy";
-    report.trades = {json};
+    report.documents["trades"] = {json};
     for (const auto& scenario : selection.scenarios) report.scenarios.push_back(scenario_view(*scenario));
     write_whole(options.html, reports::to_html(report));
   }
