@@ -5,8 +5,7 @@
 
 BLOCKS says which page has which block.  A block stands between '<!-- name -->' and '<!-- /name -->'.
 Generated blocks contain verdicts and never times, so that they are the same on every run.
-Links and the paths of files in the text are checked too: each must exist.  So are the keys of docs/scenario-format.md,
-against the JSON Schema that the program prints.
+Links and the paths of files in the text are checked too: each must exist.
 """
 import argparse
 import difflib
@@ -19,6 +18,9 @@ import shutil
 import subprocess
 import sys
 import tempfile
+
+sys.dont_write_bytecode = True  # no __pycache__ beside the pages
+import key_tables
 
 root = pathlib.Path(__file__).resolve().parent.parent
 
@@ -153,6 +155,11 @@ def commands(cylon):
     return fenced(text[text.index("Subcommands:"):])
 
 
+def key_block(make):
+    """A table of keys from the JSON Schema that the program prints."""
+    return lambda cylon: make(json.loads(output(cylon, "validate", "--schema")))
+
+
 # page -> its blocks, each with the function that makes it
 BLOCKS = {
     "README.md": {"run": three_engines},
@@ -162,6 +169,8 @@ BLOCKS = {
     "docs/published.md": {"published": published},
     "docs/fingerprint.md": {"fingerprint": fingerprint},
     "docs/commands.md": {"commands": commands},
+    "docs/scenario-format.md": {"scene-keys": key_block(key_tables.scene_keys)},
+    "docs/protocol.md": {"worker-keys": key_block(key_tables.worker_keys), "worker-shapes": key_block(key_tables.worker_shapes)},
     "docs/extremes.md": {"extremes": extremes, "extreme-verdicts": extreme_verdicts},
 }
 
@@ -194,25 +203,6 @@ def dead_links(name):
             yield f"{name}: there is no {path}"
 
 
-def property_names(schema):
-    """The keys of all tables of a JSON Schema."""
-    if isinstance(schema, list):
-        return set().union(*map(property_names, schema))
-    if not isinstance(schema, dict):
-        return set()
-    return set(schema.get("properties", ())) | set().union(*map(property_names, schema.values()))
-
-
-def wrong_keys(cylon):
-    """Keys that the reader knows and docs/scenario-format.md does not, and the other way round for required ones."""
-    page = (root / "docs/scenario-format.md").read_text()
-    block = re.search(r"<!-- scene-keys -->(.*)<!-- /scene-keys -->", page, re.S)[1]
-    known = {key for key in property_names(json.loads(output(cylon, "validate", "--schema"))) if not key.isdigit()}
-    told, required = set(re.findall(r"`\[*(\w+)\]*`", block)), set(re.findall(r"\*\*`(\w+)`\*\*", block))
-    return [f"docs/scenario-format.md: does not tell of the key '{key}'" for key in sorted(known - told)] + \
-        [f"docs/scenario-format.md: there is no key '{key}'" for key in sorted(required - known)]
-
-
 def pages():
     return subprocess.run(["git", "ls-files", "*.md"], cwd=root, capture_output=True, text=True).stdout.split()
 
@@ -222,7 +212,7 @@ def main():
     parser.add_argument("--check", action="store_true", help="change nothing; fail where a block is not current")
     parser.add_argument("--cylon", default="build/release/cylon", help="the program to ask")
     options = parser.parse_args()
-    wrong = [line for page in pages() for line in dead_links(page)] + wrong_keys(options.cylon)
+    wrong = [line for page in pages() for line in dead_links(page)]
     for page, blocks in BLOCKS.items():
         file = root / page
         old = new = file.read_text()

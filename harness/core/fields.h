@@ -57,6 +57,7 @@ struct Element<BodyState> {
 template <>
 struct Element<Body> {
   static constexpr std::string_view name = "body";
+  static constexpr std::string_view meaning = "A rigid body.";
   static constexpr std::tuple fields{
       Field{"name",
             &Body::name,
@@ -66,18 +67,19 @@ struct Element<Body> {
             &Body::mass,
             {.unit = "kg",
              .range = positive,
-             .meaning = "Required, unless the body is locked or a compound.",
-             .absent = "1 if locked; of a compound the sum of its parts"}},
+             .meaning = "Mass of the body.",
+             .absent = "1 if locked; of a compound the sum of its parts; else an error"}},
       Field{"inertia",
             &Body::inertia,
             {.unit = "kg m^2",
              .in = Expressed::body_axes,
-             .meaning = "Principal moments about the centre of mass in body axes, or the full tensor row by "
-                        "row, each moment > 0.",
+             .meaning = "About the centre of mass in body axes: the full tensor row by row, or in a file its "
+                        "principal moments; each moment > 0.",
              .absent = "from the shape; without a shape mass x 1 m^2 about every axis"}},
       Field{"shape",
             &Body::shape,
-            {.meaning = "See below.", .absent = "a point, or a rigid body without a surface"}},
+            {.meaning = "What can be touched, and what the inertia follows from.",
+             .absent = "a point, or a rigid body without a surface"}},
       Field{"locked", &Body::locked, {.meaning = "The body never moves, whatever acts on it."}},
       Field{"collide",
             &Body::collide,
@@ -219,7 +221,8 @@ struct Element<Attraction> {
 template <>
 struct Element<Water> {
   static constexpr std::string_view name = "water";
-  static constexpr std::string_view meaning = "A water surface; its two models: docs/scenario-format.md.";
+  static constexpr std::string_view meaning =
+      "A water surface; its two models are in docs/scenario-format.md#water.";
   static constexpr std::tuple fields{
       Field{"level",
             &Water::level,
@@ -260,20 +263,20 @@ struct Element<Joint> {
             {.unit = "m",
              .in = Expressed::world_point,
              .required = true,
-             .meaning = "World coordinates at t = 0. A distance joint has it if there is no `to`; else it "
-                        "connects the two centres."},
+             .meaning = "World coordinates at t = 0. Not of a distance joint of two bodies, which connects "
+                        "their centres."},
             [](const Joint& j) { return !kind_of(j.type).joins_centres() || j.to == world; }},
       Field{"axis",
             &Joint::axis,
             {.in = Expressed::world_vector,
              .required = true,
-             .meaning = "World axes at t = 0, any length but zero."},
+             .meaning = "Of a hinge, world axes at t = 0, any length but zero."},
             [](const Joint& j) { return kind_of(j.type).has_axis(); }},
       Field{"length",
             &Joint::length,
             {.unit = "m",
              .range = positive,
-             .meaning = "Distance of the two ends.",
+             .meaning = "Of a distance joint, between its two ends.",
              .absent = "the distance at t = 0"},
             [](const Joint& j) { return kind_of(j.type).has_length(); }}};
 };

@@ -56,7 +56,7 @@ std::string initial_text(const Value& value) {
   else if constexpr (std::is_same_v<Value, core::Quaternion>)
     return fmt::format("[{}, {}, {}, {}]", value.w(), value.x(), value.y(), value.z());
   else if constexpr (std::is_same_v<Value, std::string>)
-    return value.empty() ? "" : fmt::format("\"{}\"", value);
+    return value;
   else
     return {};
 }
@@ -71,12 +71,16 @@ std::vector<Key> keys_of() {
     if constexpr (std::is_same_v<Value, core::BodyState>) {
       for (Key& key : keys_of<core::BodyState>()) keys.push_back(std::move(key));
     } else {
+      const bool is_optional = std::is_same_v<Value, std::optional<core::Vector3>> ||
+                               std::is_same_v<Value, core::Shape> ||
+                               (std::is_same_v<Value, int> && !about.required) || !about.pin.empty();
       Key key{.name = std::string(field.key),
               .kind = kind_of<Value>(),
               .meaning = std::string(about.meaning),
               .unit = std::string(about.unit),
               .absent = std::string(about.absent),
               .required = about.required,
+              .worker = is_optional ? "optional" : "always",
               .range = about.range};
       for (const std::string_view word : about.words)
         if (!word.empty()) key.choices.emplace_back(word);

@@ -10,6 +10,9 @@ Key word(std::string name, std::string meaning, std::vector<std::string> choices
 Key plain(std::string name, Kind kind, std::string meaning) {
   return {.name = std::move(name), .kind = kind, .meaning = std::move(meaning)};
 }
+Key seconds(std::string name, Kind kind, std::string meaning) {
+  return {.name = std::move(name), .kind = kind, .meaning = std::move(meaning), .unit = "s"};
+}
 Key real(std::string name, std::string unit, std::string meaning, Range range) {
   return {.name = std::move(name),
           .kind = Kind::number,

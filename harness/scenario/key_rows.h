@@ -24,6 +24,9 @@ std::vector<std::string> words(Enum last) {
 /// A kind that has neither unit nor range.
 Key plain(std::string name, Kind, std::string meaning);
 
+/// A time in seconds, of which the kind says what else it may be.
+Key seconds(std::string name, Kind, std::string meaning);
+
 /// A number, a whole number, a vector whose numbers lie in the range.
 Key real(std::string name, std::string unit, std::string meaning, Range = any);
 Key integer(std::string name, std::string meaning, Range);

@@ -27,7 +27,7 @@ const Spec* row_spec() {
 const Spec* published_spec() {
   static const Spec spec{
       .label = "[[published]]",
-      .keys = {required(word("engine", "Id as in `engines`.")), required(plain("dt", step, "Step.")),
+      .keys = {required(word("engine", "Id as in `engines`.")), required(seconds("dt", step, "Step.")),
                required(word("value", "As published.")), required(word("source", "Where."))}};
   return &spec;
 }
@@ -97,22 +97,24 @@ const Spec& scenario_keys() {
         plain("sources", texts,
               "Where the case was reported or proposed: \"owner/repository#number\" of GitHub, or a title."),
         required(real("duration", "s", "Must be a whole number of steps.", positive)),
-        required(plain("step", step, "The nominal step [s], > 0: `0.001` or `\"1/60\"`.")),
+        required(seconds("step", step, "The nominal step: `0.001` or `\"1/60\"`.")),
         keys_of<core::UniformGravity>().front(),
         absent("sequential",
                word("impacts", "How several impacts at one instant are resolved.",
-                    {core::Words<core::Impacts>::list.begin(), core::Words<core::Impacts>::list.end()})),
-        nested("body", tables, body_spec, "A rigid body."),
-        nested(
-            "lattice", tables, lattice_spec,
-            "Equal bodies on a grid, named name[0], name[1], … with x fastest; has all keys of a body, and:"),
-        nested("cloud", tables, cloud_spec,
-               "Equal bodies at random places that do not overlap, named name[0], name[1], …; has all keys "
-               "of a body, and:")};
+                    {core::Words<core::Impacts>::list.begin(), core::Words<core::Impacts>::list.end()}))};
     const auto add = [&]<class T>(std::type_identity<T>, Kind kind, const Spec* (*of)()) {
       keys.push_back(
           nested(std::string(core::Element<T>::name), kind, of, std::string(core::Element<T>::meaning)));
+      keys.back().worker = kind == table ? "optional" : "always";
     };
+    add(std::type_identity<core::Body>{}, tables, body_spec);
+    keys.push_back(nested(
+        "lattice", tables, lattice_spec,
+        "Equal bodies on a grid, named name[0], name[1], … with x fastest. It has all keys of a body."));
+    keys.push_back(nested(
+        "cloud", tables, cloud_spec,
+        "Equal bodies at random places that do not overlap, named name[0], name[1], …. It has all keys "
+        "of a body."));
     core::for_each_force([&]<class Force>() {
       if constexpr (!std::is_same_v<Force, core::UniformGravity>)
         add(std::type_identity<Force>{}, tables, spec_of<Force>);

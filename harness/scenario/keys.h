@@ -44,6 +44,7 @@ struct Key {
   std::string unit = {};
   std::string absent = {};  ///< What an absent key means: a value as in the file, or words; empty: nothing.
   bool required = false;
+  std::string_view worker = {};  ///< Workers get the key "always" or "optional"; empty: never.
   Range range = {};
   std::vector<std::string> choices = {};
   const Spec* (*spec)() = nullptr;  ///< Of a table.

@@ -37,9 +37,9 @@ const Spec* tolerance_spec() {
                not_negative),
           plain("order", boolean,
                 "The bound is C dt^p T, with p the integrator's order, which is checked too."),
-          real("constant", "unit/s^(p+1)", "Of that bound, whatever the order.", positive),
+          real("constant", "unit/s^(p+1)", "C of that bound, whatever the order.", positive),
           nested("constants", table, constants_spec,
-                 "Of that bound by order: { 1 = 4.9, 4 = 0.2 }; an integrator is held to the highest up to "
+                 "C of that bound by order: { 1 = 4.9, 4 = 0.2 }; an integrator is held to the highest up to "
                  "its own."),
           required(
               word("reason", "Rounding, truncation, convention or measured, and how the number follows."))}};
@@ -71,11 +71,11 @@ const Spec* claim_spec() {
                  word("body", "Name of the body.")),
           absent("the whole vector", word("component", "Of a vector.", {"x", "y", "z", "horizontal"})),
           absent("the origin", arrow("about", "m", "Reference point of `angular_momentum` and of an apsis.")),
-          absent("the duration", plain("until", Kind::until,
-                                       "End of the claim [s]. \"horizon\", with `follows = \"certified\"`: "
-                                       "as long as an error of one "
-                                       "ulp stays below a tenth of the tolerance.")),
-          plain("sample", Kind::sample, "Time between samples [s], or every step."),
+          absent("the duration", seconds("until", Kind::until,
+                                         "End of the claim. \"horizon\", with `follows = \"certified\"`: "
+                                         "as long as an error of one "
+                                         "ulp stays below a tenth of the tolerance.")),
+          seconds("sample", Kind::sample, "Time between samples, or every step."),
           absent("max",
                  word("measure", "How the deviations become one number.", words(core::Reduction::rate))),
           word("event", event_meaning(), words(core::EventKind::crossing)),
@@ -83,7 +83,9 @@ const Spec* claim_spec() {
           absent("1", integer("index", "Of the event, counted per pair or body.", {.low = 0, .high = 1e9})),
           absent("time",
                  word("quantity", "Of the event: which of its numbers.", words(core::EventQuantity::order))),
-          required(nested("tolerance", table, tolerance_spec, "How well it must hold, and why."))}};
+          required(
+              nested("tolerance", table, tolerance_spec,
+                     "How well it must hold, and why: `absolute`, `relative` or their sum, or `order`."))}};
   return &spec;
 }
 

@@ -98,6 +98,7 @@ Json object_schema(const std::vector<Key>& keys) {
     if (!key.meaning.empty()) schema["x-meaning"] = key.meaning;
     if (!key.unit.empty()) schema["x-unit"] = key.unit;
     if (!key.absent.empty()) schema["x-absent"] = key.absent;
+    if (!key.worker.empty()) schema["x-worker"] = key.worker;
     properties[key.name] = schema;
     if (key.required) required.push_back(key.name);
   }
