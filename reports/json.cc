@@ -226,14 +226,4 @@ Verdict from_json_line(std::string_view line, const std::string& file, unsigned 
   return from_row(parse(line, file, line_number), fmt::format("{}:{}", file, line_number));
 }
 
-std::vector<Verdict> read_journal(std::string_view journal, const std::string& file) {
-  std::vector<Verdict> verdicts;
-  unsigned line_number = 1;
-  for (std::size_t end = 0; (end = journal.find('\n')) != std::string_view::npos; ++line_number) {
-    verdicts.push_back(from_json_line(journal.substr(0, end), file, line_number));
-    journal.remove_prefix(end + 1);
-  }
-  return verdicts;
-}
-
 }  // namespace cylon::reports

@@ -32,8 +32,4 @@ std::string to_json_line(const results::Verdict&);
 results::Verdict from_json_line(std::string_view line, const std::string& file = "journal",
                                 unsigned line_number = 1);
 
-/// All rows of a journal.  A last line without a line feed is what an interrupted write leaves: it is
-/// dropped.
-std::vector<results::Verdict> read_journal(std::string_view journal, const std::string& file);
-
 }  // namespace cylon::reports

@@ -2,7 +2,7 @@
 
 #include "harness/core/event_find.h"
 #include "harness/scenario/certified_truth.h"
-#include "harness/scenario/claim_label.h"
+#include "harness/scenario/claim_observable.h"
 #include "harness/scenario/claim_tolerance.h"
 #include "harness/scenario/claim_truths.h"
 #include "harness/scenario/scenario.h"

@@ -1,4 +1,4 @@
-#include "harness/scenario/check.h"
+// The key tables applied to a parsed document.
 
 #include "harness/core/input_error.h"
 #include "harness/scenario/reader.h"

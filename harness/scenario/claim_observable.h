@@ -1,7 +1,7 @@
-// What a claim measures: the keys `conserves`, `observable`, `event`, `body`, `component`, …
+// What a claim measures, and how it is called: the keys `conserves`, `observable`, `event`, `body`, `component`, …
 #pragma once
 
-#include "harness/core/observable.h"
+#include "harness/core/claim.h"
 #include "harness/scenario/draft.h"
 
 #include <initializer_list>
@@ -17,5 +17,9 @@ void refuse(const Table&, std::initializer_list<const char*> keys, bool when, st
 
 /// Fails for an observable that the scene does not have, and for keys that belong to another observable.
 core::Observable read_observable(const Table& claim, const Draft&);
+
+/// The name of a claim in reports and in expected.toml: "angular_momentum conserved, y", "event follows bouncing_sphere, apex 2 height".  No character has a
+/// meaning in globs.
+std::string label_of(const Table&, const core::Claim&);
 
 }  // namespace cylon::scenario

@@ -2,7 +2,6 @@
 
 #include "harness/core/recording.h"
 #include "harness/scenario/certified_truth.h"
-#include "harness/scenario/claim_label.h"
 #include "harness/scenario/claim_observable.h"
 #include "harness/scenario/claim_tolerance.h"
 #include "harness/scenario/claim_truths.h"

@@ -1,4 +1,4 @@
-// A row for each shape of key: what the tables of keys are written with.
+// What the tables of keys are written with: a row for each shape of key, and the tables themselves.
 #pragma once
 
 #include "harness/scenario/keys.h"
@@ -38,5 +38,12 @@ Key nested(std::string name, Kind, const Spec* (*spec)(), std::string meaning);
 /// The same, and an error where it is absent; or with what it means then.
 Key required(Key);
 Key absent(std::string means, Key);
+
+/// The tables of a scenario file, by what they are about.
+const Spec* body_spec();
+const Spec* lattice_spec();
+const Spec* cloud_spec();
+const Spec* joint_spec();
+const Spec* claim_spec();
 
 }  // namespace cylon::scenario

@@ -3,7 +3,6 @@
 #include "harness/results/verdict.h"
 #include "harness/scenario/field_keys.h"
 #include "harness/scenario/key_rows.h"
-#include "harness/scenario/key_tables.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,6 @@
 // Keys of bodies, their shapes and the generators.
 #include "harness/scenario/field_keys.h"
 #include "harness/scenario/key_rows.h"
-#include "harness/scenario/key_tables.h"
 
 #include <algorithm>
 

@@ -2,7 +2,6 @@
 #include "harness/core/claim.h"
 #include "harness/core/observable.h"
 #include "harness/scenario/key_rows.h"
-#include "harness/scenario/key_tables.h"
 
 #include <fmt/format.h>
 

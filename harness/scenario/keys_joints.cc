@@ -1,6 +1,6 @@
 // Keys of joints: which of the table's a joint of each type has.
 #include "harness/scenario/field_keys.h"
-#include "harness/scenario/key_tables.h"
+#include "harness/scenario/key_rows.h"
 
 namespace cylon::scenario {
 

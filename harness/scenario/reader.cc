@@ -1,7 +1,5 @@
 #include "harness/scenario/reader.h"
 
-#include "harness/scenario/check.h"
-
 #include <fmt/format.h>
 
 #include <utility>

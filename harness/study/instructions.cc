@@ -13,7 +13,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <memory>
 #include <system_error>
 #include <utility>
@@ -163,11 +162,6 @@ const CounterFound& find_counter() {
     return CounterFound{Counter::off, why + "; valgrind is not installed"};
   }();
   return found;
-}
-
-double InstructionCount::per_step() const {
-  if (!instructions || steps < 1) return std::numeric_limits<double>::quiet_NaN();
-  return static_cast<double>(*instructions) / static_cast<double>(steps);
 }
 
 std::int64_t steps_to_count(std::size_t bodies, std::int64_t steps) {

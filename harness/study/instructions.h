@@ -47,8 +47,6 @@ struct InstructionCount {
   /// worker prints too, and runs differ by some hundred in all.
   bool steps_alone = false;
   std::string remark;  ///< One sentence: what was counted, or why nothing.
-
-  double per_step() const;  ///< NaN where there is none.
 };
 
 /// The steps that are worth counting in a scene, a function of the scene alone, so that counts of different

@@ -2,7 +2,7 @@
 #include "harness/tracking/track_anchor.h"
 
 #include "harness/cli/command_line.h"
-#include "harness/cli/provenance.h"
+#include "harness/cli/provenance_now.h"
 #include "harness/cli/workers.h"
 #include "harness/study/side.h"
 #include "harness/tracking/track.h"

@@ -1,5 +1,5 @@
 // cylon track import
-#include "harness/cli/input.h"
+#include "harness/cli/read_whole.h"
 #include "harness/tracking/track.h"
 
 #include "harness/tracking/store/google_benchmark.h"

@@ -1,7 +1,7 @@
 // cylon track record
 #include "harness/cli/journal.h"
 #include "harness/cli/options.h"
-#include "harness/cli/provenance.h"
+#include "harness/cli/provenance_now.h"
 #include "harness/cli/selection.h"
 #include "harness/tracking/track.h"
 #include "harness/tracking/track_anchor.h"
@@ -9,8 +9,8 @@
 #include "harness/tracking/track_times.h"
 
 #include "harness/core/fingerprint.h"
+#include "harness/study/cell_pool.h"
 #include "harness/study/instructions.h"
-#include "harness/study/matrix.h"
 #include "harness/study/side.h"
 #include "reports/provenance.h"
 

@@ -1,6 +1,6 @@
 // cylon track ack, cylon track ignore: notes of users on a change in the history.
 #include "harness/cli/command_line.h"
-#include "harness/cli/provenance.h"
+#include "harness/cli/provenance_now.h"
 #include "harness/tracking/track.h"
 #include "harness/tracking/track_history_rows.h"
 

@@ -1,7 +1,6 @@
 #include "harness/view/command.h"
 
 #include "harness/process/json_fields.h"
-#include "harness/view/bad_command.h"
 
 #include <fmt/format.h>
 

@@ -3,12 +3,18 @@
 
 #include "harness/core/scene.h"
 
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 namespace cylon::view {
+
+/// A command that cannot be obeyed.  what() is a sentence that names the key and the value; the page shows it.
+struct BadCommand : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 /// An engine, an integrator and a step that run beside others.
 struct LaneSpec {

@@ -1,7 +1,7 @@
 #include "harness/view/frames.h"
 
 #include "harness/core/input_error.h"
-#include "harness/view/bad_command.h"
+#include "harness/view/command.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "harness/view/host.h"
 
 #include "harness/core/input_error.h"
-#include "harness/view/messages.h"
+#include "harness/view/page_messages.h"
 #include "harness/view/record_file.h"
 
 #include <fmt/format.h>

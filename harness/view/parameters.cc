@@ -1,7 +1,7 @@
 #include "harness/view/parameters.h"
 
 #include "harness/core/fields.h"
-#include "harness/view/bad_command.h"
+#include "harness/view/command.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include "harness/process/client.h"
 #include "harness/process/resume.h"
 #include "harness/scenario/input.h"
-#include "harness/view/bad_command.h"
+#include "harness/view/command.h"
 #include "harness/view/parameters.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 // solvers print is kept.
 #include "tests/conformance/fixture.h"
 
-#include "harness/study/matrix.h"
+#include "harness/study/cell_pool.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Negative controls: each engine with one known error must fail for this error, and must not stop the
 // checks of the other engines.
-#include "harness/study/matrix.h"
+#include "harness/study/cell_pool.h"
 #include "tests/conformance/fixture.h"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 
 #include "harness/cli/commands/published.h"
 #include "harness/scenario/input.h"
-#include "harness/study/matrix.h"
+#include "harness/study/cell_pool.h"
 #include "harness/study/relations.h"
 #include "reports/json.h"
 

@@ -168,18 +168,6 @@ TEST(Json, MalformedDocumentsAreRefusedWithThePlace) {
   }
 }
 
-TEST(Json, AJournalEndsAtItsLastWholeLine) {
-  const std::string line = to_json_line({}) + "\n";
-  EXPECT_EQ(read_journal("", "j").size(), 0u);
-  EXPECT_EQ(read_journal(line + line + line.substr(0, 40), "j").size(), 2u);
-  try {
-    read_journal(line + "{broken}\n" + line, "j");
-    FAIL() << "a broken line in the middle is damage, not an interrupted write";
-  } catch (const core::InputError& error) {
-    EXPECT_EQ(std::string(error.what()).substr(0, 4), "j:2:");
-  }
-}
-
 // ---- CSV ----------------------------------------------------------------------------------------
 
 // RFC 4180 by its grammar: fields, quoted or not, CRLF.

@@ -1,10 +1,10 @@
 // cylon advise
-#include "harness/cli/commands/advise.h"
+#include "harness/cli/commands/advise_verify.h"
 
 #include "harness/cli/commands/app.h"
 #include "harness/cli/options.h"
 #include "harness/cli/output.h"
-#include "harness/cli/provenance.h"
+#include "harness/cli/provenance_now.h"
 #include "harness/cli/selection.h"
 #include "harness/cli/workers.h"
 #include "harness/core/input_error.h"

@@ -1,5 +1,5 @@
 // cylon advise --verify
-#include "harness/cli/commands/advise.h"
+#include "harness/cli/commands/advise_verify.h"
 
 #include "harness/core/worst.h"
 #include "harness/study/ladder.h"

@@ -1,7 +1,7 @@
 // cylon report: builds a report from the output of other commands; nothing is simulated.
 #include "harness/cli/commands/app.h"
-#include "harness/cli/input.h"
 #include "harness/cli/output.h"
+#include "harness/cli/read_whole.h"
 #include "harness/cli/scenario_view.h"
 
 #include "reports/console.h"

@@ -6,7 +6,7 @@
 #include "harness/cli/commands/run_output.h"
 #include "harness/cli/journal.h"
 #include "harness/cli/output.h"
-#include "harness/cli/provenance.h"
+#include "harness/cli/provenance_now.h"
 #include "harness/core/input_error.h"
 #include "reports/csv.h"
 #include "reports/json.h"

@@ -1,7 +1,6 @@
 #include "harness/cli/commands/run_cells.h"
 
-#include "harness/cli/commands/run_progress.h"
-#include "harness/study/matrix.h"
+#include "harness/study/cell_pool.h"
 
 #include <fmt/format.h>
 
@@ -12,8 +11,37 @@
 #include <utility>
 
 namespace cylon::cli {
+namespace {
 
 using results::Verdict;
+
+// How far a run is: on one line that is written over, on a terminal; nothing elsewhere.
+class Progress {
+ public:
+  Progress(bool on, std::size_t total) : on_(on), total_(total) {}
+
+  void done(const study::Cell& cell, const std::vector<Verdict>& rows) {
+    ++finished_;
+    if (!on_) return;
+    clear();
+    if (!std::ranges::all_of(rows, &Verdict::as_expected))
+      std::cerr << fmt::format("differs: {} on {} at {}\n", cell.scenario->name, cell.engine.id,
+                               cell.dt_text);
+    std::cerr << fmt::format("\r[{}/{}] {} on {}\x1b[K", finished_, total_, cell.scenario->name,
+                             cell.engine.id)
+              << std::flush;
+  }
+
+  void clear() const {
+    if (on_) std::cerr << "\r\x1b[K" << std::flush;
+  }
+
+ private:
+  bool on_;
+  std::size_t total_, finished_ = 0;
+};
+
+}  // namespace
 
 std::vector<Verdict> run_cells(const Context& context, const RunOptions& options,
                                const scenario::Expectations& expectations, const Journal::Content& last,

@@ -7,7 +7,7 @@
 #include "harness/cli/options.h"
 #include "harness/cli/selection.h"
 #include "harness/scenario/glob.h"
-#include "harness/study/matrix.h"
+#include "harness/study/cell_pool.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

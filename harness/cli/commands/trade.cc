@@ -4,7 +4,7 @@
 #include "harness/cli/commands/trade_journal.h"
 #include "harness/cli/options.h"
 #include "harness/cli/output.h"
-#include "harness/cli/provenance.h"
+#include "harness/cli/provenance_now.h"
 #include "harness/cli/scenario_view.h"
 #include "harness/cli/selection.h"
 #include "harness/cli/workers.h"

@@ -7,7 +7,7 @@
 
 #include "harness/core/input_error.h"
 #include "harness/process/child.h"
-#include "harness/view/bad_command.h"
+#include "harness/view/command.h"
 #include "harness/view/frames.h"
 #include "harness/view/host.h"
 #include "harness/view/server.h"

@@ -42,12 +42,6 @@ const MetricRule& rule_of(MetricKind kind) {
                        [&](const MetricRule& rule) { return rule.kind == kind; });
 }
 
-std::optional<MetricKind> metric_kind_from(std::string_view text) {
-  for (const MetricRule& rule : metric_rules)
-    if (rule.name == text) return rule.kind;
-  return std::nullopt;
-}
-
 MetricResult judge(MetricKind kind, double before, double after, double floor) {
   const MetricRule& rule = rule_of(kind);
   if (!std::isfinite(before) || !std::isfinite(after)) return judge_non_finite(rule, before, after);

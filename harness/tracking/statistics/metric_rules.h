@@ -5,7 +5,6 @@
 #include "harness/tracking/statistics/outcome.h"
 
 #include <array>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -45,7 +44,6 @@ inline constexpr std::array<MetricRule, 5> metric_rules = {{
 
 /// The row of a kind; "exact", "error", "order", "size", "time".
 const MetricRule& rule_of(MetricKind);
-std::optional<MetricKind> metric_kind_from(std::string_view);
 
 struct MetricResult {
   Outcome outcome = Outcome::same;  ///< regressed, improved, same or changed.

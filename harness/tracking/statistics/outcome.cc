@@ -13,10 +13,4 @@ constexpr std::array<std::string_view, 6> names = {"regressed", "improved", "sam
 
 std::string_view name(Outcome outcome) { return names.at(static_cast<std::size_t>(outcome)); }
 
-std::optional<Outcome> outcome_from(std::string_view text) {
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (names[i] == text) return static_cast<Outcome>(i);
-  return std::nullopt;
-}
-
 }  // namespace cylon::statistics

@@ -1,7 +1,6 @@
 // What a comparison of two builds may say of one metric.
 #pragma once
 
-#include <optional>
 #include <string_view>
 
 namespace cylon::statistics {
@@ -17,6 +16,5 @@ enum class Outcome {
 
 /// "regressed", "improved", "same", "changed", "more", "inconclusive".
 std::string_view name(Outcome);
-std::optional<Outcome> outcome_from(std::string_view);
 
 }  // namespace cylon::statistics

@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
@@ -49,7 +48,6 @@ TEST(Instructions, GivesReasonWhenOff) {
   const InstructionCount none = count_instructions(
       engine("in-house"), {.scene = &spring().scene, .dt = 0.001, .steps = 5}, {}, Counter::off);
   EXPECT_FALSE(none.instructions);
-  EXPECT_TRUE(std::isnan(none.per_step()));
   EXPECT_NE(none.remark.find("not counted"), std::string::npos) << none.remark;
 }
 

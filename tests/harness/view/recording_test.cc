@@ -2,7 +2,7 @@
 #include "harness/view/record_file.h"
 
 #include "harness/core/input_error.h"
-#include "harness/view/bad_command.h"
+#include "harness/view/command.h"
 #include "harness/view/host.h"
 #include "tests/harness/view/fixture.h"
 

@@ -2,7 +2,7 @@
 #include "harness/view/server.h"
 
 #include "harness/core/input_error.h"
-#include "harness/view/messages.h"
+#include "harness/view/page_messages.h"
 #include "tests/harness/view/fixture.h"
 
 #include <httplib.h>

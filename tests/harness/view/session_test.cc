@@ -1,6 +1,6 @@
 // A viewer session, without sockets and without a clock.
-#include "harness/view/bad_command.h"
-#include "harness/view/messages.h"
+#include "harness/view/command.h"
+#include "harness/view/page_messages.h"
 #include "tests/harness/view/fixture.h"
 
 #include "harness/core/observable.h"

@@ -1,4 +1,4 @@
-#include "harness/cli/provenance.h"
+#include "harness/cli/provenance_now.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "harness/cli/input.h"
+#include "harness/cli/read_whole.h"
 
 #include "harness/core/input_error.h"
 

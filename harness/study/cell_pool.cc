@@ -1,4 +1,4 @@
-#include "harness/study/matrix.h"
+#include "harness/study/cell_pool.h"
 
 #include "harness/study/metamorphic.h"
 

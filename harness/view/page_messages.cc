@@ -1,4 +1,4 @@
-#include "harness/view/messages.h"
+#include "harness/view/page_messages.h"
 
 #include "harness/core/observable.h"
 #include "harness/process/scene_json.h"
