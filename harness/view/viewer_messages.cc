@@ -1,4 +1,5 @@
 #include "harness/view/viewer_messages.h"
+
 #include "harness/core/observable.h"
 #include "harness/process/scene_json.h"
 
