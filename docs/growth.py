@@ -48,7 +48,7 @@ THINGS = [
     ("observable", "`joint_gap`", r"\bjoint_gap\b", is_production),
     ("event", "`nutation`", r"\bnutation\b", is_production),
     ("force", "attraction", r"\b\w*[Aa]ttraction\w*\b", is_open),
-    ("joint", "hinge", r"\b\w*[Hh]inge\w*\b|\babout_axis\b", is_open),
+    ("joint", "hinge", r"\b\w*[Hh]inge\w*\b|\b(joint_)?about_axis\b", is_open),
     ("shape", "capsule", r"\b\w*[Cc]apsule\w*\b", is_open),
     ("report section", "`trade`", r"\bTradeSection\b", WEB.match),
 ]
