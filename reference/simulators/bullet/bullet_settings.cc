@@ -347,7 +347,7 @@ BulletSettings bullet_settings(const core::Engine& engine, const core::Setup& se
   settings.multibody = settings.path == "multibody" || experts.multibody;
   settings.gyroscopic = settings.multibody ? "explicit" : experts.gyroscopic;
   settings.solver = experts.solver;
-  settings.terms = {settings.path, engine.schemes[0].name, engine.schemes[0].order, "", {}, {}};
+  settings.terms = {settings.path, engine.integrators[0].name, engine.integrators[0].order, "", {}, {}};
   settings.terms.settings = shipped ? of_the_scene() : settings.multibody ? always_multibody() : always();
   settings.terms.unforceable = settings.multibody ? unforceable_multibody() : unforceable_rigid();
   for (const Knob& k : knobs) settings.number[k.option] = k.engine_default;

@@ -1,8 +1,7 @@
 // What may be set in Bullet and what each path sets, as words and numbers; knows no Bullet header.
 #pragma once
 
-#include "harness/core/scene.h"
-#include "harness/core/simulator.h"
+#include "harness/core/engine.h"
 
 #include <map>
 #include <string>

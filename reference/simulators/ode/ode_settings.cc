@@ -221,7 +221,7 @@ core::Engine ode_engine(std::string version) {
 OdeSettings ode_settings(const core::Engine& engine, const core::Setup& setup, const OdeKind& kind) {
   constexpr double most = std::numeric_limits<double>::max();
   OdeSettings run = of_path(engine.paths[choice("path", setup.path, names(engine.paths))].name, kind);
-  choice("integrator", setup.integrator, names(engine.schemes));
+  choice("integrator", setup.integrator, names(engine.integrators));
   for (const auto& [name, value] : setup.options) {
     const core::Option& option = engine.options[choice("option", name, names(engine.options))];
     const std::size_t word =
@@ -250,7 +250,7 @@ OdeSettings ode_settings(const core::Engine& engine, const core::Setup& setup, c
 }
 
 core::Terms ode_terms(const OdeSettings& run) {
-  return {run.path, scheme_name, 1, run.gyro ? "implicit" : "none", table(run), unforceable(run.quick)};
+  return {run.path, integrator_name, 1, run.gyro ? "implicit" : "none", table(run), unforceable(run.quick)};
 }
 
 }  // namespace cylon::simulators
