@@ -170,10 +170,10 @@ const std::vector<std::string> unforceable_everywhere = {
     "An impact acts in a whole step: the one after the bodies overlap, up to dt late, or, where a contact "
     "may be "
     "created before it touches, earlier; there is no time of impact within a step "
-    "(BulletDynamics/Dynamics/btDiscreteDynamicsWorld.cpp:474).",
+    "(BulletDynamics/Dynamics/btDiscreteDynamicsWorld.cpp:473).",
     "Impacts of one step are solved together, by sweeps or as one complementarity problem; their order in "
     "time "
-    "is not resolved (BulletDynamics/Dynamics/btDiscreteDynamicsWorld.cpp:481).",
+    "is not resolved (BulletDynamics/Dynamics/btDiscreteDynamicsWorld.cpp:480).",
     "At most four contact points are kept per pair "
     "(BulletCollision/NarrowPhaseCollision/btPersistentManifold.h:52).",
     "The world runs on one thread: Debian's build leaves BT_THREADSAFE out (debian/rules, "
@@ -184,8 +184,8 @@ std::vector<std::string> unforceable_rigid() {
   std::vector<std::string> sentences = unforceable_everywhere;
   sentences.emplace_back(
       "Semi-implicit Euler is the only integrator of btRigidBody "
-      "(BulletDynamics/Dynamics/btDiscreteDynamicsWorld.cpp:488, "
-      "BulletDynamics/Dynamics/btRigidBody.cpp:107).");
+      "(BulletDynamics/Dynamics/btDiscreteDynamicsWorld.cpp:486, "
+      "BulletDynamics/Dynamics/btRigidBody.cpp:102).");
   return sentences;
 }
 
@@ -202,11 +202,11 @@ std::vector<std::string> unforceable_multibody() {
       "(BulletDynamics/Featherstone/btMultiBodyConstraintSolver.cpp:812).");
   sentences.emplace_back(
       "There is no continuous collision detection: it is a sweep of rigid bodies "
-      "(BulletDynamics/Dynamics/btDiscreteDynamicsWorld.cpp:951).");
+      "(BulletDynamics/Dynamics/btDiscreteDynamicsWorld.cpp:950).");
   sentences.emplace_back(
       "With rk4, applied forces are constant during the step, and constraint impulses change the position "
       "one "
-      "step late (BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.cpp:400).");
+      "step late (BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.cpp:613).");
   return sentences;
 }
 

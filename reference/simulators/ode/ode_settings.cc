@@ -81,18 +81,18 @@ std::vector<std::string> unforceable(bool quick) {
       "(step.cpp:642, quickstep.cpp:1194).",
       "Contacts are detected at the start of a step, so an impact acts up to one step late: dSpaceCollide "
       "and "
-      "dCollide see one instant (collision_kernel.cpp).",
-      "Restitution uses the approach speed before the forces of the step act (joints/contact.cpp:184).",
+      "dCollide see one instant (collision_space.cpp:779).",
+      "Restitution uses the approach speed before the forces of the step act (joints/contact.cpp:188).",
       "There is no continuous collision detection: a fast body can pass through another within one step; a "
       "caller "
       "may cast rays of its own (ray.cpp).",
       "Impacts at one instant are solved as one complementarity problem, whatever order the scene requests "
-      "(lcp.cpp, quickstep.cpp).",
-      "Motion is semi-implicit Euler; there is no other integrator (util.cpp).",
+      "(lcp.cpp:1067, quickstep.cpp:1772).",
+      "Motion is semi-implicit Euler; there is no other integrator (util.cpp:583).",
   };
   if (quick) {
     sentences.emplace_back(
-        "QuickStep stops after a fixed number of iterations, whatever the residual (quickstep.cpp).");
+        "QuickStep stops after a fixed number of iterations, whatever the residual (quickstep.cpp:1772).");
   } else {
     sentences.emplace_back(
         "Dantzig's solver fails on redundant or exactly touching contacts ('LCP internal error, s <= 0') and "
@@ -101,7 +101,7 @@ std::vector<std::string> unforceable(bool quick) {
   return sentences;
 }
 
-// The callback of ODE's demo (demo/demo_boxstack.cpp:146), with the mu and bounce of the pair.
+// The callback of ODE's demo (demo/demo_boxstack.cpp:131), with the mu and bounce of the pair.
 OdeSettings as_shipped() {
   OdeSettings run;
   run.path = "as-shipped";
