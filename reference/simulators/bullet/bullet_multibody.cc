@@ -10,6 +10,7 @@
 #include <btBulletDynamicsCommon.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 namespace cylon::simulators {
@@ -122,12 +123,19 @@ class TreeBody {
     const btVector3 axis = quatRotate(pose.getRotation().inverse(), to_bullet(joint.axis));
     const btScalar mass = to_bullet(scene.bodies[at(child)].mass);
     const btVector3 moments = to_bullet(placing.principal.moments);
-    if (joint.type == core::JointType::ball)
-      multibody_.setupSpherical(link(i), mass, moments, parent_link, turn, to_point, to_centre);
-    else if (joint.type == core::JointType::hinge)
-      multibody_.setupRevolute(link(i), mass, moments, parent_link, turn, axis, to_point, to_centre);
-    else
-      multibody_.setupFixed(link(i), mass, moments, parent_link, turn, to_point, to_centre);
+    switch (joint.type) {
+      case core::JointType::ball:
+        multibody_.setupSpherical(link(i), mass, moments, parent_link, turn, to_point, to_centre);
+        return;
+      case core::JointType::hinge:
+        multibody_.setupRevolute(link(i), mass, moments, parent_link, turn, axis, to_point, to_centre);
+        return;
+      case core::JointType::fixed:
+        multibody_.setupFixed(link(i), mass, moments, parent_link, turn, to_point, to_centre);
+        return;
+      case core::JointType::distance:
+        throw std::logic_error("the multibody path was asked for a joint that it refuses");
+    }
   }
 
   void set_rates(const core::Scene& scene, const Tree& tree, const std::vector<Placing>& placings,
