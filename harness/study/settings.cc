@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 
 namespace cylon::study {
 namespace {
@@ -18,25 +19,42 @@ bool matches(const std::vector<std::string>& globs, const std::string& word) {
                                       [&](const std::string& g) { return scenario::glob_match(g, word); });
 }
 
-// The options whose every value makes a variant of its own where a body turns.
-constexpr const char* rotation_options[] = {"gyro", "rotation"};
+bool springs(const core::Scene& scene) {
+  return std::any_of(scene.forces.begin(), scene.forces.end(),
+                     [](const core::Force& force) { return std::holds_alternative<core::Spring>(force); });
+}
 
-std::vector<std::string> variants(const std::string& id, const core::Engine& engine,
-                                  const core::Scene& scene) {
+bool always(const core::Scene&) { return true; }
+
+// What makes a variant of its own where it can matter.
+struct Trial {
+  const char* name;
+  bool (*matters)(const core::Scene&);
+};
+// Options, in every value that is not the engine's own.
+constexpr Trial trial_options[] = {{"gyro", turns},
+                                   {"rotation", turns},
+                                   {"solver", touches},
+                                   {"friction-direction", touches},
+                                   {"springs", springs}};
+// Paths that an engine's first row does not take by itself.
+constexpr Trial trial_paths[] = {{"stepping", touches}, {"as-expert", always}};
+
+std::vector<std::string> variants(const std::string& id, const core::Engine& engine, const core::Scene& scene,
+                                  bool first_row) {
   std::vector<std::string> ids = {id};
   if (engine.precision == "float") return ids;
-  if (turns(scene))
+  for (const Trial& trial : trial_options)
     for (const core::Option& option : engine.options) {
-      if (std::find(std::begin(rotation_options), std::end(rotation_options), option.name) ==
-          std::end(rotation_options))
-        continue;
+      if (option.name != trial.name || !trial.matters(scene)) continue;
       for (const std::string& value : option.values)
         if (value != option.engine_default)
           ids.push_back(with_option(id, fmt::format("{}={}", option.name, value)));
     }
-  if (touches(scene) && std::any_of(engine.paths.begin() + (engine.paths.empty() ? 0 : 1), engine.paths.end(),
-                                    [](const core::Path& p) { return p.name == "stepping"; }))
-    ids.push_back(with_option(id, "path=stepping"));
+  for (const Trial& trial : trial_paths)
+    for (std::size_t i = 1; i < engine.paths.size(); ++i)
+      if (first_row && engine.paths[i].name == trial.name && trial.matters(scene))
+        ids.push_back(with_option(id, fmt::format("path={}", trial.name)));
   return ids;
 }
 
@@ -74,6 +92,7 @@ std::vector<Setting> settings(const scenario::Scenario& scenario, std::span<cons
 
   std::vector<Setting> result;
   std::vector<std::string> integrators;
+  std::set<std::vector<std::string>> seen;  // workers
   const auto add = [&](const std::string& id, const core::Engine& engine, bool asked) {
     const process::EngineChoice choice = process::parse_engine(id, rows);
     bool any_fixed = false;
@@ -91,8 +110,10 @@ std::vector<Setting> settings(const scenario::Scenario& scenario, std::span<cons
     const process::EngineChoice choice = process::parse_engine(id, rows);
     try {
       const core::Engine engine = process::describe(choice);
-      for (const std::string& variant :
-           request.engines.empty() ? variants(id, engine, scenario.scene) : std::vector<std::string>{id})
+      const bool first_row = seen.insert(choice.row.command).second;
+      for (const std::string& variant : request.engines.empty()
+                                            ? variants(id, engine, scenario.scene, first_row)
+                                            : std::vector<std::string>{id})
         add(variant, engine, asked);
     } catch (const process::Failure&) {
       result.push_back({choice, {}, true, asked});  // its failure is a row

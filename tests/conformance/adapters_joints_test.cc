@@ -11,12 +11,6 @@ namespace {
 class Joints : public EveryEngine {};
 INSTANTIATE_TEST_SUITE_P(Adapters, Joints, testing::ValuesIn(subjects), test_name);
 
-// Engines that join two bodies; reduced coordinates take the world alone (adapters_unsupported_test.cc).
-class JointsBetweenBodies : public EveryEngine {};
-INSTANTIATE_TEST_SUITE_P(Adapters, JointsBetweenBodies,
-                         testing::Values(subjects[0], subjects[1], subjects[2], subjects[5], subjects[6]),
-                         test_name);
-
 constexpr double duration = 0.4;
 
 // Body "a" on a ball joint to `to`, body "b" on a ball joint to "a", all turning as one at the start.
@@ -76,14 +70,13 @@ TEST_P(Joints, BallJointToWorldCloses) {
   for (const unsigned seed : {61u, 62u}) expect_closed(subject(), pendulum(seed, 1), "one link");
 }
 
-TEST_P(JointsBetweenBodies, ABallJointCloses) {
+TEST_P(Joints, ABallJointCloses) {
   for (const unsigned seed : {63u, 64u}) expect_closed(subject(), pendulum(seed, 2), "two links");
 }
 
 // The same motion in the limit: every engine goes to the in-house engine's own, which is of fourth order.
 TEST_P(Joints, AllEnginesAgreeOnPendulum) {
-  const int links = subject().reduced ? 1 : 2;
-  const core::Scene scene = pendulum(65, links);
+  const core::Scene scene = pendulum(65, 2);
   const core::State reference = last(subjects[0].choice(), scene, duration / 4000, 4000);
   const auto error = [&](std::int64_t steps) {
     return difference(last(subject().choice(), scene, duration / static_cast<double>(steps), steps),
@@ -95,7 +88,7 @@ TEST_P(Joints, AllEnginesAgreeOnPendulum) {
 
 // A joint to a locked body is a joint to the world in the same place; 400 steps of a double pendulum gather 5
 // units each.
-TEST_P(JointsBetweenBodies, ALockedBodyHolds) {
+TEST_P(Joints, ALockedBodyHolds) {
   const core::Scene hung = pendulum(66, 2);
   core::Scene held = hung;
   core::Body wall = exact::RandomScenes(67).body({0.3, 0.4, 0.5});

@@ -30,7 +30,11 @@ const Mistake mistakes[] = {
     {"bullet/iterations=2.5", {"iterations = '2.5'", "whole"}},
     {"bullet-float/gyro=expliict", {"did you mean 'explicit'?"}},
     {"bullet-multibody/gyro=implicit-body", {"on path multibody", "explicit, none"}},
-    {"bullet-multibody/solver=dantzig", {"on path multibody", "sequential-impulse"}},
+    {"bullet-multibody/solver=nncg", {"on path multibody", "sequential-impulse, dantzig"}},
+    {"bullet/rk4=on", {"option rk4 belongs to btMultiBody"}},
+    {"bullet-multibody/ccd=0.9", {"option ccd belongs to btRigidBody"}},
+    {"bullet/sleeping=yes", {"value of option sleeping 'yes'", "off, on"}},
+    {"bullet/plane-queries=1.5", {"plane-queries = '1.5'", "whole"}},
     {"bullet-multibody-float/erpp2=0", {"option 'erpp2'", "did you mean 'erp2'?"}},
     {"ode/path=stepp", {"path 'stepp'", "did you mean 'step'?"}},
     {"ode/integrator=semi-implicit-euller", {"did you mean 'semi-implicit-euler'?"}},
@@ -41,6 +45,8 @@ const Mistake mistakes[] = {
     {"ode/cfm=1e-3x", {"cfm = '1e-3x'"}},
     {"ode/contacts=9", {"contacts = '9'", "[1, 8]"}},
     {"ode/iterations=30", {"belongs to path 'quick'"}},
+    {"ode/springs=stif", {"'stif'", "did you mean 'stiff'?"}},
+    {"ode/contact-erp=2", {"contact-erp = '2'", "[0, 1]"}},
     {"ode-quick/iterations=0", {"iterations = '0'"}},
 };
 
@@ -92,8 +98,8 @@ TEST(Setup, EverythingOfferedIsTaken) {
     for (const core::Option& option : engine.options)
       for (const std::string& value : option.values) {
         process::EngineChoice choice = plain;
-        if (engine.name == "bullet" && subject.reduced)
-          choice.path = "rigid";  // multibody takes fewer, and says so
+        if (engine.name == "bullet")  // the paths take what their bodies have, and say so
+          choice.path = option.name == "rk4" ? "multibody" : "rigid";
         choice.options[option.name] = value;
         takes(choice, option.name + "=" + value);
       }

@@ -73,7 +73,7 @@ std::vector<Refusal> refusals() {
   const core::Scene both_locked = with(jointed(core::JointType::ball, 0, 1), [](core::Scene& s) {
     s.bodies[0].locked = s.bodies[1].locked = true;
   });
-  const core::Scene two_joints = with(jointed(core::JointType::ball, 0, core::world),
+  const core::Scene two_hinges = with(jointed(core::JointType::hinge, 0, core::world),
                                       [](core::Scene& s) { s.joints.push_back(s.joints[0]); });
   const core::Hull hull = {tetrahedron.vertices};
   return {
@@ -112,11 +112,8 @@ std::vector<Refusal> refusals() {
       {"bullet", "The joint connects two bodies that cannot move.", both_locked},
       {"bullet", "A pair that may touch has no material.", unstated},
       {"bullet-float", "A pair that may touch has no material.", half_stated},
-      {"bullet-multibody", "supports one ball or hinge joint per body, to the world",
-       jointed(core::JointType::ball, 0, 1)},
-      {"bullet-multibody", "supports one ball or hinge joint per body",
-       jointed(core::JointType::fixed, 0, core::world)},
-      {"bullet-multibody-float", "supports one ball or hinge joint per body", two_joints},
+      {"bullet-multibody", "btMultiBody has no hinge that closes a loop", two_hinges},
+      {"bullet-multibody-float", "btMultiBody has no hinge that closes a loop", two_hinges},
 
       {"ode", "ODE's world is an inertial frame", frame},
       {"ode", "ODE does not support a body of changing mass, such as 'a'.", pushed(rocket)},

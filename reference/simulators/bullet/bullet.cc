@@ -3,18 +3,24 @@
 #include "reference/simulators/bullet/bullet_bodies.h"
 #include "reference/simulators/bullet/bullet_border.h"
 #include "reference/simulators/bullet/bullet_forces.h"
+#include "reference/simulators/bullet/bullet_multibody.h"
 #include "reference/simulators/bullet/bullet_settings.h"
 #include "reference/simulators/bullet/bullet_shapes.h"
 #include "reference/simulators/bullet/bullet_surfaces.h"
 
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 #include <BulletDynamics/ConstraintSolver/btNNCGConstraintSolver.h>
+#include <BulletDynamics/Featherstone/btMultiBodyConstraint.h>
 #include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
+#include <BulletDynamics/Featherstone/btMultiBodyMLCPConstraintSolver.h>
 #include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
 #include <BulletDynamics/MLCPSolvers/btMLCPSolver.h>
 #include <btBulletDynamicsCommon.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -75,12 +81,15 @@ struct Solver {
 
 Solver make_solver(const BulletSettings& settings) {
   Solver result;
-  if (settings.multibody()) {
+  const bool direct = settings.solver == "dantzig";
+  if (direct) result.direct = std::make_unique<btDantzigSolver>();
+  if (settings.multibody && direct) {
+    result.solver = std::make_unique<btMultiBodyMLCPConstraintSolver>(result.direct.get());
+  } else if (settings.multibody) {
     result.solver = std::make_unique<btMultiBodyConstraintSolver>();
   } else if (settings.solver == "nncg") {
     result.solver = std::make_unique<btNNCGConstraintSolver>();
-  } else if (settings.solver == "dantzig") {
-    result.direct = std::make_unique<btDantzigSolver>();
+  } else if (direct) {
     result.solver = std::make_unique<btMLCPSolver>(result.direct.get());
   } else {
     result.solver = std::make_unique<btSequentialImpulseConstraintSolver>();
@@ -98,6 +107,27 @@ void apply(const BulletSettings& settings, btContactSolverInfo& info) {
   info.m_restitutionVelocityThreshold = number("restitution-threshold");
   info.m_splitImpulsePenetrationThreshold = number("split-threshold");
   info.m_maxGyroscopicForce = number("max-gyroscopic-force");
+  info.m_linearSlop = number("slop");
+  info.m_sor = number("relaxation");
+  info.m_splitImpulse = settings.on("split-impulse") ? 1 : 0;
+  if (settings.on("two-friction-directions")) info.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
+  if (settings.on("random-order")) info.m_solverMode |= SOLVER_RANDMIZE_ORDER;
+  if (settings.on("interleave")) info.m_solverMode |= SOLVER_INTERLEAVE_CONTACT_AND_FRICTION_CONSTRAINTS;
+}
+
+// Before anything is in the world: its collision algorithms read these when they are made.
+void apply(const BulletSettings& settings, btDefaultCollisionConfiguration& collisions) {
+  gContactBreakingThreshold = to_bullet(settings.number.at("breaking-threshold"));
+  const auto queries = [&](const char* option) { return static_cast<int>(settings.number.at(option)); };
+  if (queries("plane-queries") > 0) collisions.setPlaneConvexMultipointIterations(queries("plane-queries"));
+  if (queries("convex-queries") > 0)
+    collisions.setConvexConvexMultipointIterations(queries("convex-queries"));
+}
+
+// The margin of shapes: nothing where Bullet's own rule holds.
+std::optional<double> margin(const BulletSettings& settings) {
+  const double given = settings.number.at("margin");
+  return given == default_margin ? std::nullopt : std::optional(given);
 }
 
 // A body and what it touches: a body, or plane p as -1 - p.
@@ -115,7 +145,7 @@ class Run {
         surfaces_(scene_),
         dispatcher_(&config_),
         solver_(make_solver(settings)) {
-    if (settings.multibody()) {
+    if (settings.multibody) {
       world_ = std::make_unique<btMultiBodyDynamicsWorld>(
           &dispatcher_, &broadphase_, static_cast<btMultiBodyConstraintSolver*>(solver_.solver.get()),
           &config_);
@@ -124,10 +154,12 @@ class Run {
                                                          &config_);
     }
     world_->setGravity(to_bullet(gravity(scene_)));
+    world_->setApplySpeculativeContactRestitution(settings.on("speculative-restitution"));
+    apply(settings, config_);
     apply(settings, world_->getSolverInfo());
     for (std::size_t p = 0; p < scene_.planes.size(); ++p) add_plane(p, settings);
-    for (std::size_t i = 0; i < scene_.bodies.size(); ++i) add_body(i, settings);
-    if (!settings.multibody())
+    add_bodies(settings);
+    if (!settings.multibody)
       for (const core::Joint& joint : scene_.joints) add_joint(joint);
   }
 
@@ -179,21 +211,25 @@ class Run {
     planes_.push_back(make_rigid(ground, placing, settings, *world_));
   }
 
-  void add_body(std::size_t i, const BulletSettings& settings) {
-    const core::Body& body = scene_.bodies[i];
-    const core::PrincipalAxes principal = core::principal_axes(body.inertia);
-    const core::Shape bare;
-    const Placing placing{make_shape(body.collide ? body.shape : bare, principal.rotation, shapes_),
-                          principal, &surfaces_, surfaces_.of_body(i), static_cast<int>(i)};
-    if (!settings.multibody() || body.locked) {
-      bodies_.push_back(make_rigid(body, placing, settings, *world_));
-      return;
+  void add_bodies(const BulletSettings& settings) {
+    std::vector<Placing> placings;
+    for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
+      const core::Body& body = scene_.bodies[i];
+      const core::PrincipalAxes principal = core::principal_axes(body.inertia);
+      const core::Shape bare;
+      placings.push_back(
+          {make_shape(body.collide ? body.shape : bare, principal.rotation, margin(settings), shapes_),
+           principal, &surfaces_, surfaces_.of_body(i), static_cast<int>(i)});
     }
-    const core::Joint* hung = nullptr;
-    for (const core::Joint& joint : scene_.joints)
-      if (joint.body == static_cast<int>(i)) hung = &joint;
-    auto& world = static_cast<btMultiBodyDynamicsWorld&>(*world_);
-    bodies_.push_back(make_multibody(body, hung, placing, settings, world));
+    bodies_.resize(scene_.bodies.size());
+    for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
+      if (bodies_[i]) continue;  // in the tree of one before
+      if (!settings.multibody || scene_.bodies[i].locked)
+        bodies_[i] = make_rigid(scene_.bodies[i], placings[i], settings, *world_);
+      else
+        make_multibody(scene_, tree_of(scene_, static_cast<int>(i)), placings, settings,
+                       static_cast<btMultiBodyDynamicsWorld&>(*world_), bodies_, loops_);
+    }
   }
 
   void add_joint(const core::Joint& joint) {
@@ -219,6 +255,7 @@ class Run {
   Solver solver_;
   std::vector<std::unique_ptr<BulletBody>> planes_, bodies_;
   std::vector<std::unique_ptr<btTypedConstraint>> joints_;
+  std::vector<std::unique_ptr<btMultiBodyConstraint>> loops_;  // of multibodies
   std::unique_ptr<btDiscreteDynamicsWorld> world_;
 };
 
@@ -233,15 +270,26 @@ std::optional<std::string> unsupported_joint(const core::Scene& scene, const cor
   return std::nullopt;
 }
 
-std::optional<std::string> unsupported_multibody(const core::Scene& scene) {
-  std::vector<int> joints(scene.bodies.size(), 0);
-  for (const core::Joint& joint : scene.joints) {
-    const bool hung = joint.to == core::world &&
-                      (joint.type == core::JointType::ball || joint.type == core::JointType::hinge);
-    if (!hung || ++joints[static_cast<std::size_t>(joint.body)] > 1)
-      return "The multibody path supports one ball or hinge joint per body, to the world only.";
-  }
-  return std::nullopt;
+// What the paths look at.
+BulletKind kind_of(const core::Scene& scene) {
+  BulletKind kind;
+  kind.touches = core::any_touching_pair(scene, [](const core::Pair&) { return true; });
+  kind.bounces = Surfaces(scene).bounces();
+  double lightest = std::numeric_limits<double>::infinity(), heaviest = 0;
+  for (const core::Body& body : scene.bodies)
+    if (!body.locked) lightest = std::min(lightest, body.mass), heaviest = std::max(heaviest, body.mass);
+  if (heaviest > 0) kind.mass_ratio = heaviest / lightest;
+  const auto is_drag = [](const core::Force& f) { return std::holds_alternative<core::Drag>(f); };
+  const auto is_smooth = [&](const core::Force& f) {
+    return is_drag(f) || std::holds_alternative<core::UniformGravity>(f);
+  };
+  kind.tree = !kind.touches && std::all_of(scene.forces.begin(), scene.forces.end(), is_smooth) &&
+              !untreelike(scene) && all_hung(scene);
+  const bool balls = std::any_of(scene.joints.begin(), scene.joints.end(),
+                                 [](const core::Joint& j) { return j.type == core::JointType::ball; });
+  const bool drag = std::any_of(scene.forces.begin(), scene.forces.end(), is_drag);
+  kind.rk4_order = drag ? 1 : balls ? 2 : 4;
+  return kind;
 }
 
 class Bullet final : public core::Simulator {
@@ -264,12 +312,12 @@ class Bullet final : public core::Simulator {
     for (const core::Joint& joint : scene.joints)
       if (auto reason = unsupported_joint(scene, joint)) return reason;
     if (!Surfaces(scene).complete()) return "A pair that may touch has no material.";
-    if (setup.path == "multibody") return unsupported_multibody(scene);
+    if (setup.path == "multibody") return untreelike(scene);
     return std::nullopt;
   }
 
   core::Terms load(const core::Scene& scene, const core::Setup& setup) override {
-    const BulletSettings settings = bullet_settings(engine_, setup, Surfaces(scene).bounces());
+    const BulletSettings settings = bullet_settings(engine_, setup, kind_of(scene));
     run_.reset();
     run_ = std::make_unique<Run>(scene, settings, setup.dt);
     return settings.terms;

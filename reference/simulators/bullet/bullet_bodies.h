@@ -1,4 +1,4 @@
-// One moving thing of a Bullet world behind one interface: a btRigidBody or a btMultiBody.
+// One moving thing of a Bullet world behind one interface: a btRigidBody or a link of a btMultiBody.
 #pragma once
 
 #include "harness/core/scene.h"
@@ -10,7 +10,6 @@
 class btCollisionObject;
 class btCollisionShape;
 class btDiscreteDynamicsWorld;
-class btMultiBodyDynamicsWorld;
 class btRigidBody;
 
 namespace cylon::simulators {
@@ -41,11 +40,6 @@ struct Placing {
 /// Adds a btRigidBody to the world, static when the body is locked.
 std::unique_ptr<BulletBody> make_rigid(const core::Body&, const Placing&, const BulletSettings&,
                                        btDiscreteDynamicsWorld&);
-
-/// Adds a btMultiBody to the world: a free base without links; or, hung from the world by `joint` (ball or
-/// hinge), one link on a fixed base at the joint's point.
-std::unique_ptr<BulletBody> make_multibody(const core::Body&, const core::Joint* joint, const Placing&,
-                                           const BulletSettings&, btMultiBodyDynamicsWorld&);
 
 /// Gives a collision object its surface, its contact threshold and a wakeful life.
 void prepare(btCollisionObject&, const Placing&, const BulletSettings&);

@@ -30,4 +30,14 @@ inline core::Quaternion from_bullet(const btQuaternion& q) {
           static_cast<double>(q.z())};
 }
 
+// Bullet's body frame is turned from ours by the principal axes A: R_bullet = R A.
+inline btTransform pose_to_bullet(const core::Body& body, const core::PrincipalAxes& principal) {
+  return to_bullet(body.initial.orientation * principal.rotation, body.initial.position);
+}
+
+inline core::Quaternion orientation_from_bullet(const btQuaternion& orientation,
+                                                const core::Quaternion& principal) {
+  return (from_bullet(orientation) * principal.conjugate()).normalized();
+}
+
 }  // namespace cylon::simulators

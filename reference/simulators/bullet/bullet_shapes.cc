@@ -1,8 +1,12 @@
 #include "reference/simulators/bullet/bullet_shapes.h"
 
+#include "harness/core/overloaded.h"
 #include "reference/simulators/bullet/bullet_border.h"
 
 #include <btBulletCollisionCommon.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace cylon::simulators {
 namespace {
@@ -15,31 +19,32 @@ Shape* add(Shapes& shapes, Arguments... arguments) {
   return raw;
 }
 
-// Bullet grows hulls and cones by a margin of 0.04 m, and rounds the edges of boxes and cylinders with it.
-btCollisionShape* without_margin(btCollisionShape* shape) {
-  shape->setMargin(0);
-  return shape;
-}
-
 struct Make {
   Shapes& shapes;
+  std::optional<double> margin;
+
+  // Bullet grows hulls and cones by a margin of 0.04 m, and rounds the edges of boxes and cylinders with it.
+  btCollisionShape* with_margin(btCollisionShape* shape) const {
+    if (margin) shape->setMargin(to_bullet(*margin));
+    return shape;
+  }
 
   btCollisionShape* operator()(std::monostate) const { return add<btEmptyShape>(shapes); }
   btCollisionShape* operator()(const core::Sphere& s) const {
     return add<btSphereShape>(shapes, to_bullet(s.radius));
   }
   btCollisionShape* operator()(const core::Box& s) const {
-    return without_margin(add<btBoxShape>(shapes, to_bullet(s.half_extents)));
+    return with_margin(add<btBoxShape>(shapes, to_bullet(s.half_extents)));
   }
   btCollisionShape* operator()(const core::Capsule& s) const {
     return add<btCapsuleShape>(shapes, to_bullet(s.radius), to_bullet(s.length));
   }
   btCollisionShape* operator()(const core::Cylinder& s) const {
-    return without_margin(add<btCylinderShape>(
+    return with_margin(add<btCylinderShape>(
         shapes, btVector3(to_bullet(s.radius), to_bullet(s.length / 2), to_bullet(s.radius))));
   }
   btCollisionShape* operator()(const core::Cone& s) const {
-    return without_margin(add<btConeShape>(shapes, to_bullet(s.radius), to_bullet(s.length)));
+    return with_margin(add<btConeShape>(shapes, to_bullet(s.radius), to_bullet(s.length)));
   }
   btCollisionShape* operator()(const core::Rod& s) const {
     return (*this)(core::Hull{{{0, -s.length / 2, 0}, {0, s.length / 2, 0}}});
@@ -48,7 +53,7 @@ struct Make {
     auto* hull = add<btConvexHullShape>(shapes);
     for (const core::Vector3& v : s.vertices) hull->addPoint(to_bullet(v), false);
     hull->recalcLocalAabb();
-    return without_margin(hull);
+    return with_margin(hull);
   }
   btCollisionShape* operator()(const core::Disc&) const { return (*this)(std::monostate()); }
   btCollisionShape* operator()(const core::Mesh&) const { return (*this)(std::monostate()); }
@@ -82,12 +87,29 @@ std::optional<std::string> untouchable(const core::Shape& shape) {
   return std::nullopt;
 }
 
-btCollisionShape* make_shape(const core::Shape& shape, const core::Quaternion& rotation, Shapes& shapes) {
+double inner_radius(const core::Shape& shape) {
+  // A cone of half-angle a: its centre is a quarter up, and its side is 3/4 length sin a away.
+  const auto cone = [](const core::Cone& s) {
+    return s.length / 4 * std::min(1.0, 3 * s.radius / std::hypot(s.radius, s.length));
+  };
+  return std::visit(core::Overloaded{
+                        [](const core::Sphere& s) { return s.radius; },
+                        [](const core::Box& s) { return s.half_extents.minCoeff(); },
+                        [](const core::Capsule& s) { return s.radius; },
+                        [](const core::Cylinder& s) { return std::min(s.radius, s.length / 2); },
+                        cone,
+                        [](const auto&) { return 0.0; },
+                    },
+                    shape);
+}
+
+btCollisionShape* make_shape(const core::Shape& shape, const core::Quaternion& rotation,
+                             std::optional<double> margin, Shapes& shapes) {
   const std::vector<core::Part> parts = parts_of(shape);
   const core::Quaternion body_to_frame = rotation.conjugate();
   btCompoundShape* compound = nullptr;
   for (const core::Part& part : parts) {
-    btCollisionShape* const child = std::visit(Make{shapes}, part.shape);
+    btCollisionShape* const child = std::visit(Make{shapes, margin}, part.shape);
     const core::Quaternion turn = body_to_frame * part.orientation;
     const core::Vector3 shift = body_to_frame * part.position + turn * centre_of(part.shape);
     const bool round = std::holds_alternative<core::Sphere>(part.shape);
@@ -96,7 +118,7 @@ btCollisionShape* make_shape(const core::Shape& shape, const core::Quaternion& r
     if (!compound) compound = add<btCompoundShape>(shapes);
     compound->addChildShape(to_bullet(turn, shift), child);
   }
-  return compound ? compound : Make{shapes}(std::monostate());
+  return compound ? compound : Make{shapes, margin}(std::monostate());
 }
 
 btCollisionShape* make_shape(const core::Plane& plane, Shapes& shapes) {

@@ -5,6 +5,7 @@
 #include "reference/simulators/ode/ode_limits.h"
 #include "reference/simulators/ode/ode_settings.h"
 #include "reference/simulators/ode/ode_shapes.h"
+#include "reference/simulators/ode/ode_springs.h"
 
 #include <fmt/format.h>
 #include <ode/ode.h>
@@ -115,8 +116,9 @@ class Ode final : public core::Simulator {
   double dt_ = 0;
   std::int64_t steps_ = 0;
   std::unique_ptr<World> world_;
-  std::vector<dBodyID> bodies_;  // nullptr for a locked body
-  std::deque<Owner> owners_;     // geoms point at them
+  std::vector<dBodyID> bodies_;               // nullptr for a locked body
+  std::vector<const core::Force*> explicit_;  // forces of scene_ that are no joints
+  std::deque<Owner> owners_;                  // geoms point at them
   std::unordered_map<std::uint64_t, Surface> surfaces_;
   bool keep_ = false;          // feedback of the contacts of the next step
   std::deque<Touch> touches_;  // while it is kept; joints point at the feedback
@@ -128,8 +130,26 @@ std::optional<std::string> Ode::unsupported(const Scene& scene, const Setup& set
   return ode_limit(scene);
 }
 
+// What the path "as-expert" looks at.
+OdeKind kind_of(const Scene& scene) {
+  OdeKind kind;
+  kind.bounces = core::any_touching_pair(scene, [&](const core::Pair& pair) {
+    const std::optional<core::Material> material = core::material_of(scene, pair);
+    return material && material->restitution > 0;
+  });
+  kind.piles = core::any_touching_pair(scene, [&](const core::Pair& pair) {
+    return pair.other != core::world && !scene.bodies[at(pair.body)].locked &&
+           !scene.bodies[at(pair.other)].locked;
+  });
+  double lightest = dInfinity, heaviest = 0;
+  for (const Body& body : scene.bodies)
+    if (!body.locked) lightest = std::min(lightest, body.mass), heaviest = std::max(heaviest, body.mass);
+  if (heaviest > 0) kind.mass_ratio = heaviest / lightest;
+  return kind;
+}
+
 Terms Ode::load(const Scene& scene, const Setup& setup) {
-  settings_ = ode_settings(engine_, setup);
+  settings_ = ode_settings(engine_, setup, kind_of(scene));
   Library::enter();
   if (settings_.quick) dRandSetSeed(0);
 
@@ -139,9 +159,9 @@ Terms Ode::load(const Scene& scene, const Setup& setup) {
   dWorldSetERP(world_->id, settings_.erp);
   dWorldSetCFM(world_->id, settings_.cfm);
   dWorldSetQuickStepNumIterations(world_->id, settings_.iterations);
-  dWorldSetQuickStepW(world_->id, ode_over_relaxation);
+  dWorldSetQuickStepW(world_->id, settings_.over_relaxation);
   dWorldSetDamping(world_->id, 0, 0);
-  dWorldSetContactSurfaceLayer(world_->id, 0);
+  dWorldSetContactSurfaceLayer(world_->id, settings_.surface_layer);
   dWorldSetContactMaxCorrectingVel(world_->id, dInfinity);
 
   Vector3 gravity = Vector3::Zero();
@@ -158,6 +178,16 @@ Terms Ode::load(const Scene& scene, const Setup& setup) {
         &owners_.back());
   }
   for (const Joint& joint : scene_.joints) add_joint(joint);
+  explicit_.clear();
+  for (const core::Force& force : scene_.forces) {
+    const auto* spring = std::get_if<core::Spring>(&force);
+    const bool joint =
+        spring && (settings_.all_springs || (settings_.stiff_springs && ode_stiff(*spring, scene_, dt_)));
+    if (joint)
+      ode_add_spring(world_->id, *spring, scene_, bodies_, dt_);
+    else
+      explicit_.push_back(&force);
+  }
 
   return ode_terms(settings_);
 }
@@ -224,7 +254,7 @@ void Ode::add_joint(const Joint& joint) {
 
 void Ode::step() {
   const double t = static_cast<double>(steps_) * dt_;
-  for (const core::Force& force : scene_.forces) ode_apply(force, scene_, bodies_, t);
+  for (const core::Force* force : explicit_) ode_apply(*force, scene_, bodies_, t);
   dSpaceCollide(world_->space, this,
                 [](void* me, dGeomID a, dGeomID b) { static_cast<Ode*>(me)->collide(a, b); });
   const int done = settings_.quick ? dWorldQuickStep(world_->id, dt_) : dWorldStep(world_->id, dt_);
@@ -232,6 +262,27 @@ void Ode::step() {
   if (keep_) note_contacts();
   dJointGroupEmpty(world_->contacts);
   ++steps_;
+}
+
+// Velocity of a body's point at a place of the world [m/s]; what has no body rests.
+Vector3 velocity_at(dBodyID body, const dVector3& place) {
+  if (!body) return Vector3::Zero();
+  dVector3 v;
+  dBodyGetPointVel(body, place[0], place[1], place[2], v);
+  return {v[0], v[1], v[2]};
+}
+
+// The first friction direction of a contact: t = s/|s| with the slip s = v - (v.n) n of the first body's point
+// against the second's; ODE's own where |s| is too small to have a direction.
+void turn_along_slip(dContact& contact, dBodyID first, dBodyID second) {
+  constexpr double least_slip = 1e-9;  // [m/s]
+  const Vector3 normal(contact.geom.normal[0], contact.geom.normal[1], contact.geom.normal[2]);
+  const Vector3 v = velocity_at(first, contact.geom.pos) - velocity_at(second, contact.geom.pos);
+  const Vector3 slip = v - v.dot(normal) * normal;
+  contact.surface.mode &= ~dContactFDir1;
+  if (!(slip.norm() > least_slip)) return;
+  contact.surface.mode |= dContactFDir1;
+  for (int k = 0; k < 3; ++k) contact.fdir1[k] = slip[k] / slip.norm();
 }
 
 void Ode::collide(dGeomID a, dGeomID b) {
@@ -242,12 +293,18 @@ void Ode::collide(dGeomID a, dGeomID b) {
   if (n == 0) return;
   const Surface& s = surface(*static_cast<Owner*>(dGeomGetData(a)), *static_cast<Owner*>(dGeomGetData(b)));
   dContact contact{};
-  contact.surface.mode = dContactApprox1 | dContactBounce;
+  contact.surface.mode = dContactBounce;
+  if (settings_.coulomb) contact.surface.mode |= dContactApprox1;
+  if (settings_.contact_cfm >= 0) contact.surface.mode |= dContactSoftCFM;
+  contact.surface.soft_cfm = settings_.contact_cfm;
+  if (settings_.contact_erp >= 0) contact.surface.mode |= dContactSoftERP;
+  contact.surface.soft_erp = settings_.contact_erp;
   contact.surface.mu = s.friction;
   contact.surface.bounce = s.restitution;
-  contact.surface.bounce_vel = 0;
+  contact.surface.bounce_vel = settings_.bounce_velocity;
   for (int i = 0; i < n; ++i) {
     contact.geom = found[at(i)];
+    if (settings_.along_slip) turn_along_slip(contact, first, second);
     dJointID joint = dJointCreateContact(world_->id, world_->contacts, &contact);
     dJointAttach(joint, first, second);
     if (!keep_) continue;

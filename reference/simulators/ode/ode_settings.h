@@ -10,26 +10,40 @@ namespace cylon::simulators {
 /// Contacts per pair of shapes at most: a box's face on a box's face has eight corners.
 inline constexpr int ode_most_contacts = 8;
 
-/// Over-relaxation of QuickStep's sweeps; ODE's own default.
-inline constexpr double ode_over_relaxation = 1.3;
-
 /// One run's settings of ODE, every default written out.
 struct OdeSettings {
-  bool quick = false;           ///< dWorldQuickStep (projected SOR) in place of dWorldStep (Dantzig's LCP).
-  bool gyro = true;             ///< The implicit gyroscopic torque.
-  bool finite_rotation = true;  ///< Turns by |w| dt; else by 2 atan(|w| dt/2).
-  double erp = 0.2;             ///< Share of a constraint's error corrected per step, in [0, 1].
-  double cfm = 1e-10;           ///< Softness of a constraint, >= 0 [s/kg].
-  int iterations = 20;          ///< Sweeps of QuickStep, >= 1.
+  std::string path = "step";     ///< "step", "quick", "as-shipped" or "as-expert".
+  bool quick = false;            ///< dWorldQuickStep (projected SOR) in place of dWorldStep (Dantzig's LCP).
+  bool gyro = true;              ///< The implicit gyroscopic torque.
+  bool finite_rotation = true;   ///< Turns by |w| dt; else by 2 atan(|w| dt/2).
+  double erp = 0.2;              ///< Share of a constraint's error corrected per step, in [0, 1].
+  double cfm = 1e-10;            ///< Softness of a constraint, >= 0 [s/kg].
+  int iterations = 20;           ///< Sweeps of QuickStep, >= 1.
+  double over_relaxation = 1.3;  ///< Of QuickStep's sweeps, in (0, 2).
   int contacts = ode_most_contacts;  ///< Asked for per pair of shapes, from 1.
+  bool coulomb = true;               ///< dContactApprox1: friction is a coefficient; else a largest force.
+  bool along_slip = false;           ///< dContactFDir1: the first friction direction is that of the slip.
+  double bounce_velocity = 0;        ///< Approach speed up to which nothing bounces [m/s].
+  double contact_cfm = -1;           ///< dContactSoftCFM: a contact's own softness [s/kg]; < 0: the world's.
+  double contact_erp = -1;           ///< dContactSoftERP: a contact's own ERP, in [0, 1]; < 0: the world's.
+  double surface_layer = 0;          ///< Depth up to which contacts are left alone [m].
+  bool stiff_springs = false;        ///< Springs too stiff for an explicit force are soft joints (implicit).
+  bool all_springs = false;          ///< All springs are.
 };
 
 /// What ODE says of itself.
 core::Engine ode_engine(std::string version);
 
-/// The settings that a setup asks for.
+/// What the path "as-expert" looks at in a scene.
+struct OdeKind {
+  bool bounces = false;   ///< Some pair that may touch has restitution > 0.
+  bool piles = false;     ///< Some pair of moving bodies may touch.
+  double mass_ratio = 1;  ///< Of the heaviest moving body to the lightest.
+};
+
+/// The settings that a setup asks for, on a scene of a kind.
 /// Throws std::invalid_argument, naming the nearest valid one, for what ode_engine() does not offer.
-OdeSettings ode_settings(const core::Engine&, const core::Setup&);
+OdeSettings ode_settings(const core::Engine&, const core::Setup&, const OdeKind&);
 
 /// The same for the reports.
 core::Terms ode_terms(const OdeSettings&);

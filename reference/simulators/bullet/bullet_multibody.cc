@@ -1,0 +1,319 @@
+#include "reference/simulators/bullet/bullet_multibody.h"
+
+#include "reference/simulators/bullet/bullet_border.h"
+
+#include <BulletDynamics/Featherstone/btMultiBody.h>
+#include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
+#include <BulletDynamics/Featherstone/btMultiBodyFixedConstraint.h>
+#include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
+#include <BulletDynamics/Featherstone/btMultiBodyPoint2Point.h>
+#include <btBulletDynamicsCommon.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace cylon::simulators {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+bool still(const core::Scene& scene, int body) {
+  return body == core::world || scene.bodies[at(body)].locked;
+}
+
+// One btMultiBody: the base, which is the root or stands still, and the links.
+class TreeBody {
+ public:
+  TreeBody(const core::Scene& scene, const Tree& tree, const std::vector<Placing>& placings,
+           const BulletSettings& settings, btMultiBodyDynamicsWorld& world)
+      : hung_(tree.places[0].joint >= 0),
+        multibody_(static_cast<int>(tree.bodies.size()) - (hung_ ? 0 : 1),
+                   to_bullet(hung_ ? 0.0 : scene.bodies[at(tree.bodies[0])].mass),
+                   hung_ ? btVector3(0, 0, 0) : to_bullet(placings[at(tree.bodies[0])].principal.moments),
+                   hung_, settings.on("sleeping")) {
+    for (std::size_t i = 0; i < tree.bodies.size(); ++i)
+      if (link(i) >= 0) set_up(scene, tree, placings, i);
+    multibody_.finalizeMultiDof();
+    const core::Body& root = scene.bodies[at(tree.bodies[0])];
+    const btTransform pose = pose_to_bullet(root, placings[at(tree.bodies[0])].principal);
+    if (hung_) {
+      // The base stands at the joint's point, turned as the root is at the start, so the joint starts at zero.
+      const core::Joint& joint = scene.joints[at(tree.places[0].joint)];
+      multibody_.setBaseWorldTransform(btTransform(pose.getRotation(), to_bullet(joint.point)));
+    } else {
+      multibody_.setBaseWorldTransform(pose);
+      multibody_.setBaseVel(to_bullet(root.initial.velocity));
+      multibody_.setBaseOmega(to_bullet(root.initial.angular_velocity));
+    }
+    for (std::size_t i = 0; i < tree.bodies.size(); ++i)
+      if (link(i) >= 0) set_rates(scene, tree, placings, i);
+    multibody_.setLinearDamping(to_bullet(settings.number.at("damping")));
+    multibody_.setAngularDamping(to_bullet(settings.number.at("damping")));
+    multibody_.setMaxCoordinateVelocity(to_bullet(settings.number.at("max-coordinate-velocity")));
+    multibody_.setUseGyroTerm(settings.gyroscopic != "none");
+    multibody_.useRK4Integration(settings.on("rk4"));
+    multibody_.setHasSelfCollision(tree.bodies.size() > 1);
+    for (std::size_t i = 0; i < tree.bodies.size(); ++i) {
+      const core::Body& body = scene.bodies[at(tree.bodies[i])];
+      const Placing& placing = placings[at(tree.bodies[i])];
+      if (body.collide) collide(link(i), pose_to_bullet(body, placing.principal), placing, settings, world);
+    }
+    world.addMultiBody(&multibody_);
+  }
+
+  // The i-th body of the tree is this link; -1: the base.
+  int link(std::size_t i) const { return static_cast<int>(i) - (hung_ ? 0 : 1); }
+
+  core::BodyState state(int link, const core::Quaternion& principal) const {
+    const btQuaternion base = multibody_.getWorldToBaseRot();
+    if (link < 0)
+      return {from_bullet(multibody_.getBasePos()), orientation_from_bullet(base.inverse(), principal),
+              from_bullet(multibody_.getBaseVel()), from_bullet(multibody_.getBaseOmega())};
+    // Of the base and the links, each in its own axes.
+    const std::size_t all = at(multibody_.getNumLinks()) + 1;
+    std::vector<btVector3> spin(all), velocity(all);
+    multibody_.compTreeLinkVelocities(spin.data(), velocity.data());
+    const btQuaternion orientation = to_local(link, base).inverse();
+    return {from_bullet(multibody_.localPosToWorld(link, btVector3(0, 0, 0))),
+            orientation_from_bullet(orientation, principal),
+            from_bullet(quatRotate(orientation, velocity[at(link) + 1])),
+            from_bullet(quatRotate(orientation, spin[at(link) + 1]))};
+  }
+
+  void push(int link, const core::Vector3& force, const core::Vector3& torque) {
+    if (link < 0) {
+      multibody_.addBaseForce(to_bullet(force));
+      multibody_.addBaseTorque(to_bullet(torque));
+    } else {
+      multibody_.addLinkForce(link, to_bullet(force));
+      multibody_.addLinkTorque(link, to_bullet(torque));
+    }
+  }
+
+  btMultiBody& multibody() { return multibody_; }
+
+ private:
+  // World to link: the turn of each joint after that of its parent.
+  btQuaternion to_local(int link, const btQuaternion& base) const {
+    const btQuaternion parent =
+        multibody_.getParent(link) < 0 ? base : to_local(multibody_.getParent(link), base);
+    return multibody_.getParentToLocalRot(link) * parent;
+  }
+
+  // Vectors in the axes of the frames that they are used in: those of the parent's and of the link's centre.
+  void set_up(const core::Scene& scene, const Tree& tree, const std::vector<Placing>& placings,
+              std::size_t i) {
+    const int child = tree.bodies[i], parent = tree.places[i].parent;
+    const core::Joint& joint = scene.joints[at(tree.places[i].joint)];
+    const Placing& placing = placings[at(child)];
+    const btTransform pose = pose_to_bullet(scene.bodies[at(child)], placing.principal);
+    const btVector3 point = to_bullet(joint.point);
+    btQuaternion turn = btQuaternion::getIdentity();  // parent to child; the base of a hung root is aligned
+    btVector3 to_point(0, 0, 0);
+    int parent_link = -1;
+    if (parent != core::world) {
+      const btTransform of_parent = pose_to_bullet(scene.bodies[at(parent)], placings[at(parent)].principal);
+      turn = pose.getRotation().inverse() * of_parent.getRotation();
+      to_point = quatRotate(of_parent.getRotation().inverse(), point - of_parent.getOrigin());
+      parent_link = link(at(
+          static_cast<int>(std::find(tree.bodies.begin(), tree.bodies.end(), parent) - tree.bodies.begin())));
+    }
+    const btVector3 to_centre = quatRotate(pose.getRotation().inverse(), pose.getOrigin() - point);
+    const btVector3 axis = quatRotate(pose.getRotation().inverse(), to_bullet(joint.axis));
+    const btScalar mass = to_bullet(scene.bodies[at(child)].mass);
+    const btVector3 moments = to_bullet(placing.principal.moments);
+    switch (joint.type) {
+      case core::JointType::ball:
+        multibody_.setupSpherical(link(i), mass, moments, parent_link, turn, to_point, to_centre);
+        return;
+      case core::JointType::hinge:
+        multibody_.setupRevolute(link(i), mass, moments, parent_link, turn, axis, to_point, to_centre);
+        return;
+      case core::JointType::fixed:
+        multibody_.setupFixed(link(i), mass, moments, parent_link, turn, to_point, to_centre);
+        return;
+      case core::JointType::distance:
+        throw std::logic_error("the multibody path was asked for a joint that it refuses");
+    }
+  }
+
+  void set_rates(const core::Scene& scene, const Tree& tree, const std::vector<Placing>& placings,
+                 std::size_t i) {
+    const int child = tree.bodies[i], parent = tree.places[i].parent;
+    const core::Joint& joint = scene.joints[at(tree.places[i].joint)];
+    if (joint.type == core::JointType::fixed) return;
+    const btQuaternion to_child =
+        pose_to_bullet(scene.bodies[at(child)], placings[at(child)].principal).getRotation().inverse();
+    core::Vector3 relative = scene.bodies[at(child)].initial.angular_velocity;
+    if (parent != core::world) relative -= scene.bodies[at(parent)].initial.angular_velocity;
+    const btVector3 spin = quatRotate(to_child, to_bullet(relative));
+    const btVector3 axis = quatRotate(to_child, to_bullet(joint.axis));
+    const btScalar rates[] = {joint.type == core::JointType::ball ? spin.x() : spin.dot(axis), spin.y(),
+                              spin.z()};
+    multibody_.setJointVelMultiDof(link(i), rates);
+  }
+
+  void collide(int link, const btTransform& pose, const Placing& placing, const BulletSettings& settings,
+               btMultiBodyDynamicsWorld& world) {
+    colliders_.push_back(std::make_unique<btMultiBodyLinkCollider>(&multibody_, link));
+    btMultiBodyLinkCollider& collider = *colliders_.back();
+    collider.setCollisionShape(placing.shape);
+    collider.setWorldTransform(pose);
+    prepare(collider, placing, settings);
+    if (link < 0)
+      multibody_.setBaseCollider(&collider);
+    else
+      multibody_.getLink(link).m_collider = &collider;
+    world.addCollisionObject(&collider, btBroadphaseProxy::DefaultFilter, btBroadphaseProxy::AllFilter);
+  }
+
+  bool hung_;  // from the world
+  btMultiBody multibody_;
+  std::vector<std::unique_ptr<btMultiBodyLinkCollider>> colliders_;
+};
+
+// A body of the scene: a link of its tree.
+class Link final : public BulletBody {
+ public:
+  Link(std::shared_ptr<TreeBody> tree, int link, core::Quaternion principal)
+      : tree_(std::move(tree)), link_(link), principal_(std::move(principal)) {}
+
+  core::BodyState state() const override { return tree_->state(link_, principal_); }
+  void push(const core::Vector3& force, const core::Vector3& torque) override {
+    tree_->push(link_, force, torque);
+  }
+
+ private:
+  std::shared_ptr<TreeBody> tree_;
+  int link_;
+  core::Quaternion principal_;
+};
+
+// A place in the tree seen from the joint that would close a loop.
+struct End {
+  int link = -1;
+  btTransform pose;
+};
+
+std::unique_ptr<btMultiBodyConstraint> close(const core::Joint& joint, btMultiBody& body, const End& a,
+                                             const End* b) {
+  const btVector3 point = to_bullet(joint.point);
+  const btVector3 in_a = a.pose.invXform(point), in_b = b ? b->pose.invXform(point) : point;
+  if (joint.type == core::JointType::ball) {
+    if (b) return std::make_unique<btMultiBodyPoint2Point>(&body, a.link, &body, b->link, in_a, in_b);
+    return std::make_unique<btMultiBodyPoint2Point>(&body, a.link, static_cast<btRigidBody*>(nullptr), in_a,
+                                                    in_b);
+  }
+  const btMatrix3x3 turn_a = a.pose.getBasis().transpose();
+  const btMatrix3x3 turn_b = b ? b->pose.getBasis().transpose() : btMatrix3x3::getIdentity();
+  if (b)
+    return std::make_unique<btMultiBodyFixedConstraint>(&body, a.link, &body, b->link, in_a, in_b, turn_a,
+                                                        turn_b);
+  return std::make_unique<btMultiBodyFixedConstraint>(&body, a.link, static_cast<btRigidBody*>(nullptr), in_a,
+                                                      in_b, turn_a, turn_b);
+}
+
+}  // namespace
+
+Tree tree_of(const core::Scene& scene, int first) {
+  Tree tree;
+  std::vector<bool> used(scene.joints.size(), false);
+  const auto in_tree = [&](int body) {
+    return std::find(tree.bodies.begin(), tree.bodies.end(), body) != tree.bodies.end();
+  };
+  // Bodies that joints connect with those before, breadth first.
+  const auto grow = [&] {
+    for (std::size_t i = 0; i < tree.bodies.size(); ++i)
+      for (std::size_t j = 0; j < scene.joints.size(); ++j) {
+        const core::Joint& joint = scene.joints[j];
+        const int here = tree.bodies[i];
+        if (used[j] || (joint.body != here && joint.to != here)) continue;
+        const int there = joint.body == here ? joint.to : joint.body;
+        used[j] = true;
+        if (still(scene, there) || in_tree(there)) {
+          tree.loops.push_back(static_cast<int>(j));
+        } else {
+          tree.bodies.push_back(there);
+          tree.places.push_back({static_cast<int>(j), here});
+        }
+      }
+  };
+  tree.bodies = {first}, tree.places = {{}};
+  grow();
+  // Of the joints to what stands still, the first becomes the root's.
+  const auto to_world = std::find_if(tree.loops.begin(), tree.loops.end(), [&](int j) {
+    return still(scene, scene.joints[at(j)].body) || still(scene, scene.joints[at(j)].to);
+  });
+  if (to_world == tree.loops.end()) return tree;
+  const int root_joint = *to_world;
+  const core::Joint& joint = scene.joints[at(root_joint)];
+  tree = {};
+  used.assign(scene.joints.size(), false);
+  used[at(root_joint)] = true;
+  tree.bodies = {still(scene, joint.body) ? joint.to : joint.body};
+  tree.places = {{root_joint, core::world}};
+  grow();
+  return tree;
+}
+
+bool all_hung(const core::Scene& scene) {
+  std::vector<bool> hung(scene.bodies.size(), false);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const core::Body& body = scene.bodies[i];
+    if (hung[i] || body.locked) continue;
+    const Tree tree = tree_of(scene, static_cast<int>(i));
+    const core::Vector3 moments = core::principal_axes(body.inertia).moments;
+    const bool alone = tree.bodies.size() == 1;
+    const bool no_torque =
+        moments.maxCoeff() == moments.minCoeff() || body.initial.angular_velocity.isZero(0);
+    if (!tree.loops.empty() || (tree.places[0].joint < 0 && !(alone && no_torque))) return false;
+    for (const int j : tree.bodies) hung[at(j)] = true;
+  }
+  return true;
+}
+
+std::optional<std::string> untreelike(const core::Scene& scene) {
+  std::vector<bool> seen(scene.bodies.size(), false);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    if (seen[i] || scene.bodies[i].locked) continue;
+    const Tree tree = tree_of(scene, static_cast<int>(i));
+    for (const int body : tree.bodies) seen[at(body)] = true;
+    for (const int j : tree.loops)
+      if (scene.joints[at(j)].type == core::JointType::hinge)
+        return "btMultiBody has no hinge that closes a loop; it has ball and fixed constraints.";
+  }
+  return std::nullopt;
+}
+
+void make_multibody(const core::Scene& scene, const Tree& tree, const std::vector<Placing>& placings,
+                    const BulletSettings& settings, btMultiBodyDynamicsWorld& world,
+                    std::vector<std::unique_ptr<BulletBody>>& bodies,
+                    std::vector<std::unique_ptr<btMultiBodyConstraint>>& loops) {
+  const auto body = std::make_shared<TreeBody>(scene, tree, placings, settings, world);
+  for (std::size_t i = 0; i < tree.bodies.size(); ++i) {
+    const int of_scene = tree.bodies[i];
+    bodies[at(of_scene)] =
+        std::make_unique<Link>(body, body->link(i), placings[at(of_scene)].principal.rotation);
+  }
+  const auto end = [&](int of_scene) {
+    const auto place = std::find(tree.bodies.begin(), tree.bodies.end(), of_scene) - tree.bodies.begin();
+    return End{body->link(static_cast<std::size_t>(place)),
+               pose_to_bullet(scene.bodies[at(of_scene)], placings[at(of_scene)].principal)};
+  };
+  for (const int j : tree.loops) {
+    const core::Joint& joint = scene.joints[at(j)];
+    const bool turned = still(scene, joint.body);
+    const End a = end(turned ? joint.to : joint.body);
+    const int other = turned ? joint.body : joint.to;
+    if (still(scene, other)) {
+      loops.push_back(close(joint, body->multibody(), a, nullptr));
+    } else {
+      const End b = end(other);
+      loops.push_back(close(joint, body->multibody(), a, &b));
+    }
+    world.addMultiBodyConstraint(loops.back().get());
+  }
+}
+
+}  // namespace cylon::simulators

@@ -1,0 +1,37 @@
+// What `cylon advise` and `cylon trade` try where no engine is named: each setting where it can matter, and once.
+#include "harness/study/settings.h"
+#include "tests/conformance/fixture.h"
+
+#include <gtest/gtest.h>
+
+namespace cylon::conformance {
+namespace {
+
+// How often each id is tried with the first integrator that takes fixed steps.
+std::map<std::string, int> tried(const std::string& scenario) {
+  std::map<std::string, int> count;
+  for (const study::Setting& setting :
+       study::settings(shipped(scenario), process::default_engines(binary_dir), {}))
+    if (setting.first_fixed) ++count[setting.engine.id];
+  return count;
+}
+
+TEST(TriedSettings, AreThoseThatMatterToTheScene) {
+  std::map<std::string, int> slides = tried("friction_at_30_degrees"), falls = tried("projectile"),
+                             springs = tried("stiff_spring_1e6");
+  for (std::map<std::string, int>* ids : {&slides, &falls, &springs}) {
+    EXPECT_EQ((*ids)["bullet/path=as-expert"], 1);
+    EXPECT_EQ((*ids)["ode/path=as-expert"], 1);
+    EXPECT_FALSE(ids->contains("bullet-multibody/path=as-expert")) << "the same as bullet's";
+    EXPECT_FALSE(ids->contains("ode-quick/path=as-expert")) << "the same as ode's";
+  }
+  for (const char* id : {"bullet/solver=dantzig", "bullet/solver=nncg", "ode/friction-direction=slip"}) {
+    EXPECT_EQ(slides[id], 1) << id;
+    EXPECT_EQ(falls[id] + springs[id], 0) << id;
+  }
+  EXPECT_EQ(springs["ode/springs=stiff"], 1);
+  EXPECT_EQ(slides["ode/springs=stiff"] + falls["ode/springs=stiff"], 0);
+}
+
+}  // namespace
+}  // namespace cylon::conformance
