@@ -1,7 +1,7 @@
 #include "reference/simulators/in_house/in_house_overlap.h"
 
+#include "engine/geometry/pose.h"
 #include "engine/geometry/separation.h"
-#include "engine/pile/body_contacts.h"
 #include "harness/core/near_pairs.h"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ constexpr Real allowed = Real(0.1);  // of the least width
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-Real width(const engine::Shape& shape) { return 2 * engine::pile::half_width(shape); }
+Real width(const engine::Shape& shape) { return 2 * engine::half_width(shape); }
 
 // Bodies whose bounding balls meet, from a sweep along x; all of them with every plane.
 std::vector<core::Pair> pairs_of_any_shapes(const Model& model) {
