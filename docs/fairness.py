@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes the tables of docs/fairness.md: every setting of Bullet and ODE, and what it changes over all scenarios.
 
-    docs/fairness.py [--cylon build/release/cylon]
+    docs/fairness.py [--cylon build/release/cylon] [--kept FOLDER]
 
 Runs every scenario once for each setting below, which takes minutes, and reads defaults and forced values from the program.
 Fails where the program has an option that no line here tries.
@@ -84,14 +84,22 @@ def base_of(variant):
     return variant.split("/")[0]
 
 
-def judged(cylon, variants):
+def verdicts(cylon, variant, kept):
+    """The rows of all scenarios on one variant; kept in a folder, so that a run that was stopped goes on."""
+    file = kept / (re.sub(r"[^\w.=,-]", "_", variant) + ".json")
+    if not file.exists():
+        command = [cylon, "run", "*", "--engine", variant, "--json", str(file) + ".part"]
+        done = subprocess.run(command, cwd=root, capture_output=True, text=True)
+        if done.returncode not in (0, 1, 5):  # 5: an engine crashed, which is a verdict here
+            sys.exit(f"{' '.join(command)} ended with {done.returncode}:\n{done.stderr}")
+        pathlib.Path(str(file) + ".part").rename(file)
+    return json.loads(file.read_text())["verdicts"]
+
+
+def judged(cylon, variants, kept):
     """variant -> scenario -> its worst claim's status and log10(allowed/measured); and the runs' settings."""
-    command = [cylon, "run", "*", *(word for v in variants for word in ("--engine", v)), "--json", "-"]
-    done = subprocess.run(command, cwd=root, capture_output=True, text=True)
-    if done.returncode not in (0, 1):
-        sys.exit(f"{' '.join(command)} ended with {done.returncode}:\n{done.stderr}")
     worst, settings = {v: {} for v in variants}, {v: {} for v in variants}
-    for row in json.loads(done.stdout)["verdicts"]:
+    for row in (row for v in variants for row in verdicts(cylon, v, kept)):
         if row["measured"] is None or row["status"] not in RANK:
             digits = -math.inf
         elif row["measured"] == 0:
@@ -142,7 +150,10 @@ def listed(better, worse):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--cylon", default="build/release/cylon")
-    cylon = str(pathlib.Path(parser.parse_args().cylon).resolve())
+    parser.add_argument("--kept", default="build/fairness", help="folder of the runs that are done; remove it to run again")
+    options = parser.parse_args()
+    cylon, kept = str(pathlib.Path(options.cylon).resolve()), root / options.kept
+    kept.mkdir(parents=True, exist_ok=True)
     blocks = {}
     for engine, lines in SETTINGS.items():
         described = json.loads(subprocess.run([cylon, "engines", engine, "--json"], capture_output=True, text=True,
@@ -152,7 +163,7 @@ def main():
             sys.exit(f"{engine}: no line of SETTINGS tries {', '.join(sorted(untold))}")
         default = {o["name"]: o["engine_default"] for o in described["options"]}
         variants = list(dict.fromkeys(ROWS[engine] + [v for _, v, _, _ in lines]))
-        worst, settings = judged(cylon, variants)
+        worst, settings = judged(cylon, variants, kept)
         ours, expert = ROWS[engine][0], f"{engine}/path=as-expert"
         blocks[f"{engine}-rows"] = table(
             ["row", "pass", "within ten times", "fail", "unsupported", "crash, NaN or time-out"],
