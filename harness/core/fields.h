@@ -270,7 +270,7 @@ struct Element<Joint> {
             &Joint::axis,
             {.in = Expressed::world_vector,
              .required = true,
-             .meaning = "Of a hinge, world axes at t = 0, any length but zero."},
+             .meaning = "Of a joint about an axis, world axes at t = 0, any length but zero."},
             [](const Joint& j) { return kind_of(j.type).has_axis(); }},
       Field{"length",
             &Joint::length,
