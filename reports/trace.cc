@@ -30,9 +30,9 @@ const core::Claim* shown(const std::vector<core::Claim>& claims) {
 }
 
 // Evenly spread, and where recorded data know the truth.
-core::Motion motion(const core::Recording& recording, const core::Claim* followed,
-                    const TraceLimits& limits) {
-  core::Motion result;
+core::Trajectory motion(const core::Recording& recording, const core::Claim* followed,
+                        const TraceLimits& limits) {
+  core::Trajectory result;
   if (recording.states.empty()) return result;
   const std::size_t bodies = std::max<std::size_t>(1, recording.states.front().size());
   const std::size_t most = std::min(limits.frames, limits.frames_bodies / bodies);
@@ -56,7 +56,7 @@ core::Motion motion(const core::Recording& recording, const core::Claim* followe
 }
 
 // At the frames' times, as far as the truth goes; of recorded data at those of its times that are frames.
-std::optional<Ghost> ghost(const core::Claim* followed, const core::Motion& frames) {
+std::optional<Ghost> ghost(const core::Claim* followed, const core::Trajectory& frames) {
   if (!followed) return std::nullopt;
   const core::Truth& truth = *followed->truth;
   Ghost result{{}, followed->follows, truth.source};

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "harness/core/measure.h"
-#include "harness/core/motion.h"
 #include "harness/core/recording.h"
+#include "harness/core/trajectory.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -24,7 +24,7 @@ struct TraceLimits {
 
 /// The motion that a truth requires.
 struct Ghost {
-  core::Motion motion;
+  core::Trajectory motion;
   std::string follows, source;
 };
 
@@ -59,7 +59,7 @@ struct TraceEvent {
 
 struct Trace {
   std::string scenario, engine, integrator, dt_text;  ///< Whose run it is; the caller fills them in.
-  core::Motion motion;
+  core::Trajectory motion;
   /// Of the first claim with a truth that is known at any time, at the frames' times; else of one that
   /// follows recorded data, at those of its times that are frames.
   std::optional<Ghost> ghost;

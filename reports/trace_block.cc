@@ -87,7 +87,7 @@ class Arrays {
   std::string bytes_;
 };
 
-Json motion_json(const core::Motion& motion, Arrays& arrays) {
+Json motion_json(const core::Trajectory& motion, Arrays& arrays) {
   const std::size_t frames = motion.states.size();
   const std::size_t bodies = frames > 0 ? motion.states.front().size() : 0;
   const auto position = [&](std::size_t f, std::size_t c) {

@@ -22,7 +22,7 @@ class Reader {
     if (!in_) throw core::InputError(fmt::format("{}: cannot be read", file));
   }
 
-  core::Motion read() {
+  core::Trajectory read() {
     if (!next() || line_ != states_header)
       fail(fmt::format("the first line must be '{}', as `cylon simulate` writes it", states_header));
     while (next()) row();
@@ -106,13 +106,13 @@ class Reader {
   std::ifstream in_;
   std::string line_;
   unsigned number_ = 0;
-  core::Motion motion_;
+  core::Trajectory motion_;
   std::vector<bool> seen_;
 };
 
 }  // namespace
 
-core::Motion read_states(const std::string& file, const core::Scene& scene) {
+core::Trajectory read_states(const std::string& file, const core::Scene& scene) {
   return Reader(file, scene).read();
 }
 

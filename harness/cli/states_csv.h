@@ -1,7 +1,7 @@
 // The states that `cylon simulate --out` writes, read again.
 #pragma once
 
-#include "harness/core/motion.h"
+#include "harness/core/trajectory.h"
 
 #include <string>
 
@@ -12,6 +12,6 @@ inline constexpr const char* states_header = "time,body,px,py,pz,qw,qx,qy,qz,vx,
 
 /// Reads `file`: times ascend, and each has a row for every body of the scene, in any order.  Numbers that
 /// are not finite are taken as they are.  Throws core::InputError with file, line and column otherwise.
-core::Motion read_states(const std::string& file, const core::Scene&);
+core::Trajectory read_states(const std::string& file, const core::Scene&);
 
 }  // namespace cylon::cli

@@ -51,8 +51,8 @@ Apart apart(const core::Observable& q, bool of_bodies, const core::Scene& scene,
 
 }  // namespace
 
-std::vector<Curve> divergence(const core::Scene& scene, double duration, const core::Motion& a,
-                              const core::Motion& b, double tolerance) {
+std::vector<Curve> divergence(const core::Scene& scene, double duration, const core::Trajectory& a,
+                              const core::Trajectory& b, double tolerance) {
   const Scales unit = scales(scene, duration);
   double mass = 0;
   for (const core::Body& body : scene.bodies)

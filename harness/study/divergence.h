@@ -2,8 +2,8 @@
 // sample.
 #pragma once
 
-#include "harness/core/motion.h"
 #include "harness/core/observable.h"
+#include "harness/core/trajectory.h"
 
 #include <cstdint>
 #include <optional>
@@ -29,8 +29,8 @@ struct Curve {
 /// energy of all.  Allowed is `tolerance` times the scene's own scales L, V (study::scales) and its mass M:
 /// L, 1 rad, V, the angular velocity; M V, M V L, M V^2/2.  Requires as many states in both, at the same
 /// times, and tolerance >= 0; at 0 any difference counts.
-std::vector<Curve> divergence(const core::Scene&, double duration, const core::Motion&, const core::Motion&,
-                              double tolerance);
+std::vector<Curve> divergence(const core::Scene&, double duration, const core::Trajectory&,
+                              const core::Trajectory&, double tolerance);
 
 /// The curve that parts first; of several at one sample, that with the largest distance over what is allowed.
 /// Null where none does.

@@ -26,7 +26,7 @@
 namespace cylon::cli {
 namespace {
 
-using core::Motion;
+using core::Trajectory;
 using nlohmann::ordered_json;
 using study::Curve;
 
@@ -45,7 +45,7 @@ struct Side {
   process::EngineChoice engine;
   double dt = 0;              // [s]; 0: a file
   std::vector<double> times;  // of a file
-  Motion motion;
+  Trajectory motion;
 };
 
 /// An engine came to nothing; the message stands on stderr.
@@ -105,9 +105,9 @@ std::vector<double> common_times(const Side& a, const Side& b, double duration) 
 }
 
 // The side's states at those times, which it has.
-Motion states_at(const Side& side, const scenario::Scenario& scenario, std::span<const double> times,
-                 double timeout) {
-  Motion result;
+Trajectory states_at(const Side& side, const scenario::Scenario& scenario, std::span<const double> times,
+                     double timeout) {
+  Trajectory result;
   result.time.assign(times.begin(), times.end());
   if (side.dt == 0) {
     for (const double t : times) {
@@ -147,8 +147,8 @@ Found compare(const Options& options, const scenario::Scenario& scenario, const 
   Found found;
   found.every = (all.size() * scenario.scene.bodies.size() + most_states - 1) / most_states;
   const auto at = [&](const std::vector<double>& times) {
-    const Motion ours = states_at(a, scenario, times, options.timeout),
-                 theirs = states_at(b, scenario, times, options.timeout);
+    const Trajectory ours = states_at(a, scenario, times, options.timeout),
+                     theirs = states_at(b, scenario, times, options.timeout);
     found.times = times;
     found.curves = study::divergence(scenario.scene, scenario.duration, ours, theirs, options.tolerance);
   };

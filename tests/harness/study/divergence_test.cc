@@ -59,7 +59,7 @@ class Divergence : public testing::Test {
   }
 
   core::Scene scene;
-  core::Motion track, other;
+  core::Trajectory track, other;
 };
 
 TEST_F(Divergence, EqualRunsDoNotDiffer) {

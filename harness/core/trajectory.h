@@ -8,7 +8,7 @@
 namespace cylon::core {
 
 /// States at ascending times.
-struct Motion {
+struct Trajectory {
   std::vector<double> time;  ///< [s]
   std::vector<State> states;
 };
