@@ -41,9 +41,13 @@ enum class Reduction {
 struct Claim {
   std::string label;  ///< Unique in its scenario: "axis follows heavy_top", "energy".
   Observable observable;
-  std::string follows;         ///< Name of the truth; empty: the observable keeps its initial value.
+  std::string follows;         ///< Name of the truth; empty: compared with the observable's initial value.
   std::optional<Truth> truth;  ///< What it follows, once that is known; cannot be measured before.
   double truth_error = 0;      ///< Its bound in the observable's unit.
+  /// Set: the claim is one-sided.  The observable must at some sample differ from its initial value by this
+  /// much, and what is missing is measured: max(0, at_least - |Q(t) - Q(0)|), at the sample with the largest
+  /// difference up to the first one at or after `until`.  Of all bodies the one that changes most counts.
+  std::optional<double> at_least;
   Reduction reduction = Reduction::max;
   double until = std::numeric_limits<double>::infinity();  ///< Horizon [s].
   std::optional<double> sample;  ///< Time between samples [s]; 0: every step; absent: the default rule.

@@ -28,6 +28,8 @@ class Chosen {
  public:
   Chosen(const Claim& claim, double dt, std::int64_t last)
       : last_(last), until_(claim.until / dt * (1 + 1e-12)) {
+    // What must have changed by a time shows at the first step that is not before it.
+    if (claim.at_least) until_ = std::ceil(claim.until / dt * (1 - 1e-12));
     if (claim.truth && !claim.truth->times.empty())
       for (const double t : claim.truth->times) at_.insert(std::llround(t / dt));
     else if (claim.sample && *claim.sample > 0)
@@ -187,6 +189,12 @@ void measure_order_of_integrator(const Claim& claim, const Scene& scene,
   if (!meaningless && !(order >= p - 0.1)) result.broken = true;
 }
 
+// Of `at_least`, after a sample that is `apart` from the start.  NaN where a state is.
+double still_missing(double before, double at_least, double apart) {
+  if (std::isnan(apart)) return apart;
+  return std::max(0.0, at_least - apart) < before ? std::max(0.0, at_least - apart) : before;
+}
+
 }  // namespace
 
 Series deviation(const Claim& claim, const Scene& scene, const Recording& recording) {
@@ -194,6 +202,7 @@ Series deviation(const Claim& claim, const Scene& scene, const Recording& record
   Series series;
   const Chosen chosen(claim, recording.dt, recording.steps.empty() ? 0 : recording.steps.back());
   Values start, want, got;
+  double missing = claim.at_least.value_or(0);
   if (!claim.truth) evaluate(claim.observable, scene, initial_state(scene), start);
   for (std::size_t i = 0; i < recording.states.size(); ++i) {
     if (!chosen(recording.steps[i])) continue;
@@ -201,7 +210,9 @@ Series deviation(const Claim& claim, const Scene& scene, const Recording& record
     if (claim.truth) evaluate(claim.observable, scene, claim.truth->state(t), want);
     evaluate(claim.observable, scene, recording.states[i], got);
     series.time.push_back(t);
-    series.deviation.push_back(distance(claim.observable, got, claim.truth ? want : start));
+    const double apart = distance(claim.observable, got, claim.truth ? want : start);
+    if (claim.at_least) missing = still_missing(missing, *claim.at_least, apart);
+    series.deviation.push_back(claim.at_least ? missing : apart);
   }
   return series;
 }
@@ -229,6 +240,7 @@ double observed_order(std::span<const double> dt, std::span<const double> error)
 
 double scale(const Claim& claim, const Scene& scene, double duration) {
   require_truth(claim);
+  if (claim.at_least) return *claim.at_least;
   const Observable& q = claim.observable;
   if (q.quantity == Quantity::event) {
     double size = 0;
@@ -281,6 +293,9 @@ Measured measure(const Claim& claim, const Scene& scene, std::span<const Recordi
     return result;
   }
   result.value = reduce(claim.reduction, first.series);
+  if (claim.at_least)
+    result.detail = fmt::format("changed by {:.3g} {}{}", *claim.at_least - result.value,
+                                unit(claim.observable), result.value > 0 ? "" : " or more");
   const int runs = runs_needed(claim);
   if (runs > 1 && std::isfinite(result.value))
     measure_order_of_integrator(claim, scene, recordings.first(static_cast<std::size_t>(runs)), duration,

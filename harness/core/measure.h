@@ -15,7 +15,8 @@ namespace cylon::core {
 /// A claim's deviation at each of its samples.
 struct Series {
   std::vector<double> time;       ///< [s]
-  std::vector<double> deviation;  ///< |Q(t) - Q*(t)| or |Q(t) - Q(0)|, in the observable's unit.
+  std::vector<double> deviation;  ///< |Q(t) - Q*(t)|, |Q(t) - Q(0)|, or what is missing of `at_least` so
+                                  ///< far, in the observable's unit.
 };
 
 /// The samples that the claim asks for (its `sample`, its `until`, its truth's own times).

@@ -31,7 +31,9 @@ core::Tolerance read_tolerance(const Table& t, const Claim& claim) {
     t.fail("order", "order = true checks the order already; measure = \"order\" takes absolute");
   if (!result.order && !t.has("absolute") && !t.has("relative"))
     t.fail("tolerance needs 'absolute', 'relative', or 'order' with 'constant'");
-  if (t.has("relative") && is_angle(claim.observable.quantity))
+  if (result.order && claim.at_least)
+    t.fail("order", "order = true does not go with 'changes'; use absolute or relative");
+  if (t.has("relative") && !claim.at_least && is_angle(claim.observable.quantity))
     t.fail("relative", fmt::format("relative: {} is an angle and has no scale; use absolute [rad]",
                                    core::name(claim.observable.quantity)));
   if (t.has("relative") && claim.reduction != Reduction::max && claim.reduction != Reduction::end)

@@ -49,6 +49,7 @@ Yardstick::Yardstick(const scenario::Scenario& scenario, std::int64_t samples,
   std::set<Quantity> constant;
   std::set<std::string> truths;
   for (const Claim& claim : scenario.claims) {
+    if (claim.at_least) continue;  // says that something happens, and not how far off it is
     if (claim.observable.quantity == Quantity::event) {
       ask_event(claim);
       continue;
