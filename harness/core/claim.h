@@ -6,13 +6,14 @@
 
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace cylon::core {
 
-/// allowed = absolute + relative S; or, where `order` is set, the bound of theory C_p dt^p T plus rounding,
+/// allowed = absolute + relative S, with S the claim's scale (scale.h); or, where `order` is set, the bound of theory C_p dt^p T plus rounding,
 /// with p the order that the simulator declares, the observed order being checked as well.
 ///
 /// An integrator of order p is held to the constant of the highest order q <= p that has one: C_q dt^q T, and
@@ -38,6 +39,8 @@ enum class Reduction {
   rate          ///< Slope of the deviation against time, least squares.
 };
 
+class RequiredMotion;  // scale.h
+
 struct Claim {
   std::string label;  ///< Unique in its scenario: "axis follows heavy_top", "energy".
   Observable observable;
@@ -52,7 +55,16 @@ struct Claim {
   double until = std::numeric_limits<double>::infinity();  ///< Horizon [s].
   std::optional<double> sample;  ///< Time between samples [s]; 0: every step; absent: the default rule.
   Tolerance tolerance;
+  /// Without a truth: the motion that its scale is taken from, where another claim of the scenario knows it.
+  std::shared_ptr<const RequiredMotion> motion;
 };
+
+/// Throws std::logic_error where a claim follows a truth that is not there: it is never measured against
+/// anything else.
+void require_truth(const Claim&);
+
+/// Whether an observable of events speaks of this one.
+bool claimed(const Observable&, const Event&);
 
 std::string_view name(Reduction);
 

@@ -2,7 +2,7 @@
 
 #include "harness/core/event_find.h"
 #include "harness/core/event_rows.h"
-#include "harness/core/observable_rows.h"
+#include "harness/core/scale.h"
 #include "harness/core/worst.h"
 
 #include <fmt/format.h>
@@ -16,12 +16,6 @@ namespace cylon::core {
 namespace {
 
 double horizon(const Claim& claim, double duration) { return std::min(claim.until, duration); }
-
-// A claim that follows a truth is never measured against anything else.
-void require_truth(const Claim& claim) {
-  if (!claim.follows.empty() && !claim.truth)
-    throw std::logic_error(fmt::format("{}: the truth '{}' is not there", claim.label, claim.follows));
-}
 
 // Whether the claim looks at the sample after `step` steps.
 class Chosen {
@@ -76,16 +70,10 @@ double reduce(Reduction reduction, const Series& series) {
   return result;
 }
 
-bool asked_for(const Observable& q, const Event& event) {
-  return event.kind == q.event && (q.event_quantity == EventQuantity::order || event.index == q.index) &&
-         (!q.body || *q.body == event.pair.body || *q.body == event.pair.other) &&
-         (!event_row(q.event).of_two_bodies || event.pair.other == q.to.value_or(world));
-}
-
 std::vector<Event> asked_for(const Claim& claim, const std::vector<Event>& events) {
   std::vector<Event> chosen;
   for (const Event& event : events)
-    if (asked_for(claim.observable, event) && !(event.time > claim.until)) chosen.push_back(event);
+    if (claimed(claim.observable, event) && !(event.time > claim.until)) chosen.push_back(event);
   return chosen;
 }
 
@@ -159,7 +147,7 @@ void measure_order_of_integrator(const Claim& claim, const Scene& scene,
                                  Measured& result) {
   const Recording& coarsest = recordings.front();
   const double span = horizon(claim, duration);
-  const double floor = rounding(recordings.back(), first.scale, span);
+  const double floor = rounding(recordings.back(), first.largest, span);
   const bool adaptive = chose_its_steps(coarsest);
   const int declared = coarsest.terms.order;
   std::vector<double> steps, errors;
@@ -238,37 +226,6 @@ double observed_order(std::span<const double> dt, std::span<const double> error)
   return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-double scale(const Claim& claim, const Scene& scene, double duration) {
-  require_truth(claim);
-  if (claim.at_least) return *claim.at_least;
-  const Observable& q = claim.observable;
-  if (q.quantity == Quantity::event) {
-    double size = 0;
-    if (claim.truth)
-      for (const Event& event : claim.truth->events)
-        if (asked_for(q, event))
-          size = worst(std::abs(quantity(claim.truth->events, event, q.event_quantity).value_or(0)), size);
-    return size;
-  }
-  const ObservableRow& row = observable_row(q.quantity);
-  Values values;
-  const auto size_of = [&](const State& state) {
-    if (row.scale) return row.scale(scene, state);
-    evaluate(q, scene, state, values);
-    return row.magnitude(values);
-  };
-  if (!claim.truth) return size_of(initial_state(scene));
-  const auto size_at = [&](double t) { return size_of(claim.truth->state(t)); };
-  double size = 0;
-  if (!claim.truth->times.empty()) {
-    for (const double t : claim.truth->times) size = worst(size_at(t), size);
-    return size;
-  }
-  constexpr int samples = 256;
-  for (int i = 0; i <= samples; ++i) size = worst(size_at(horizon(claim, duration) * i / samples), size);
-  return size;
-}
-
 int runs_needed(const Claim& claim) {
   return claim.tolerance.order || claim.reduction == Reduction::order ? 3 : 1;
 }
@@ -278,9 +235,9 @@ Reading read(const Claim& claim, const Scene& scene, const Recording& recording,
   const Tolerance& tolerance = claim.tolerance;
   Reading result;
   if (claim.observable.quantity != Quantity::event) result.series = deviation(claim, scene, recording);
-  if (tolerance.relative > 0 || runs_needed(claim) > 1) result.scale = scale(claim, scene, duration);
+  if (runs_needed(claim) > 1) result.largest = largest_value(claim, scene, duration);
   result.allowed = tolerance.absolute;
-  if (tolerance.relative > 0) result.allowed += tolerance.relative * result.scale;
+  if (tolerance.relative > 0) result.allowed += tolerance.relative * scale(claim, scene, duration);
   return result;
 }
 

@@ -91,6 +91,7 @@ ReadClaims read_claims(const Table& root, Draft& draft, double duration, double 
     }
     result.claims.push_back(std::move(claim));
   }
+  bind_motion(result.claims, duration);
   return result;
 }
 

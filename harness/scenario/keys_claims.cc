@@ -31,7 +31,7 @@ const Spec* tolerance_spec() {
       .keys = {
           real("absolute", "", "In the unit of the observable.", not_negative),
           real("relative", "",
-               "Times the largest |truth| over the horizon, or of a conserved quantity its initial value. "
+               "Times the scale of the claim: the range of the required motion (docs/claims.md#scales). "
                "Added to `absolute`.",
                not_negative),
           plain("order", boolean,

@@ -224,7 +224,7 @@ TEST(Measure, HonoursHorizonAndSampling) {
   EXPECT_EQ(deviation(p.claim, p.scene, p.recording).time, (std::vector<double>{0, 1, 2}));
 }
 
-TEST(Measure, AllowsAbsolutePlusRelativeOfTheInitialValue) {
+TEST(Measure, AllowsAbsolutePlusRelativeOfTheScale) {
   Parabola p;
   p.claim.tolerance = {.absolute = 0.5, .relative = 0.25, .reason = "test"};
   EXPECT_NEAR(p.measured().allowed, 0.75, 1e-15);

@@ -1,6 +1,7 @@
 // Claims against exact and recorded truths, expectations, suites, the schema.
 #include "harness/core/input_error.h"
 #include "harness/core/measure.h"
+#include "harness/core/scale.h"
 #include "harness/scenario/expected.h"
 #include "harness/scenario/glob.h"
 #include "harness/scenario/input.h"

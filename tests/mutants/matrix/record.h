@@ -2,6 +2,7 @@
 #pragma once
 
 #include "harness/core/recording.h"
+#include "harness/core/simulator.h"
 #include "harness/study/cell.h"
 
 namespace cylon::mutants {
