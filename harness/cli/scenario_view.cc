@@ -18,6 +18,7 @@ Json scenario_facts(const scenario::Scenario& scenario) {
                       {"truth_error", claim.truth_error},
                       {"unit", core::unit(claim)},
                       {"until", claim.until},
+                      {"at_least", claim.at_least ? Json(*claim.at_least) : Json()},
                       {"absolute", claim.tolerance.absolute},
                       {"relative", claim.tolerance.relative},
                       {"tolerance_reason", claim.tolerance.reason}});

@@ -3,8 +3,11 @@
 #include "harness/core/event_rows.h"
 #include "harness/core/observable_rows.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 namespace cylon::core {
 namespace {
@@ -12,6 +15,17 @@ namespace {
 constexpr std::array<std::string_view, 5> reductions = {"max", "end", "mean_square", "order", "rate"};
 
 }  // namespace
+
+void require_truth(const Claim& claim) {
+  if (!claim.follows.empty() && !claim.truth)
+    throw std::logic_error(fmt::format("{}: the truth '{}' is not there", claim.label, claim.follows));
+}
+
+bool claimed(const Observable& q, const Event& event) {
+  return event.kind == q.event && (q.event_quantity == EventQuantity::order || event.index == q.index) &&
+         (!q.body || *q.body == event.pair.body || *q.body == event.pair.other) &&
+         (!event_row(q.event).of_two_bodies || event.pair.other == q.to.value_or(world));
+}
 
 std::string_view name(Reduction reduction) { return reductions[static_cast<std::size_t>(reduction)]; }
 

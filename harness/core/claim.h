@@ -6,13 +6,14 @@
 
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace cylon::core {
 
-/// allowed = absolute + relative S; or, where `order` is set, the bound of theory C_p dt^p T plus rounding,
+/// allowed = absolute + relative S, with S the claim's scale (scale.h); or, where `order` is set, the bound of theory C_p dt^p T plus rounding,
 /// with p the order that the simulator declares, the observed order being checked as well.
 ///
 /// An integrator of order p is held to the constant of the highest order q <= p that has one: C_q dt^q T, and
@@ -38,17 +39,32 @@ enum class Reduction {
   rate          ///< Slope of the deviation against time, least squares.
 };
 
+class RequiredMotion;  // scale.h
+
 struct Claim {
   std::string label;  ///< Unique in its scenario: "axis follows heavy_top", "energy".
   Observable observable;
-  std::string follows;         ///< Name of the truth; empty: the observable keeps its initial value.
+  std::string follows;         ///< Name of the truth; empty: compared with the observable's initial value.
   std::optional<Truth> truth;  ///< What it follows, once that is known; cannot be measured before.
   double truth_error = 0;      ///< Its bound in the observable's unit.
+  /// Set: the claim is one-sided.  The observable must at some sample differ from its initial value by this
+  /// much, and what is missing is measured: max(0, at_least - |Q(t) - Q(0)|), at the sample with the largest
+  /// difference up to the first one at or after `until`.  Of all bodies the one that changes most counts.
+  std::optional<double> at_least;
   Reduction reduction = Reduction::max;
   double until = std::numeric_limits<double>::infinity();  ///< Horizon [s].
   std::optional<double> sample;  ///< Time between samples [s]; 0: every step; absent: the default rule.
   Tolerance tolerance;
+  /// Without a truth: the motion that its scale is taken from, where another claim of the scenario knows it.
+  std::shared_ptr<const RequiredMotion> motion;
 };
+
+/// Throws std::logic_error where a claim follows a truth that is not there: it is never measured against
+/// anything else.
+void require_truth(const Claim&);
+
+/// Whether an observable of events speaks of this one.
+bool claimed(const Observable&, const Event&);
 
 std::string_view name(Reduction);
 

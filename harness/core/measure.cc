@@ -2,7 +2,7 @@
 
 #include "harness/core/event_find.h"
 #include "harness/core/event_rows.h"
-#include "harness/core/observable_rows.h"
+#include "harness/core/scale.h"
 #include "harness/core/worst.h"
 
 #include <fmt/format.h>
@@ -17,17 +17,13 @@ namespace {
 
 double horizon(const Claim& claim, double duration) { return std::min(claim.until, duration); }
 
-// A claim that follows a truth is never measured against anything else.
-void require_truth(const Claim& claim) {
-  if (!claim.follows.empty() && !claim.truth)
-    throw std::logic_error(fmt::format("{}: the truth '{}' is not there", claim.label, claim.follows));
-}
-
 // Whether the claim looks at the sample after `step` steps.
 class Chosen {
  public:
   Chosen(const Claim& claim, double dt, std::int64_t last)
       : last_(last), until_(claim.until / dt * (1 + 1e-12)) {
+    // What must have changed by a time shows at the first step that is not before it.
+    if (claim.at_least) until_ = std::ceil(claim.until / dt * (1 - 1e-12));
     if (claim.truth && !claim.truth->times.empty())
       for (const double t : claim.truth->times) at_.insert(std::llround(t / dt));
     else if (claim.sample && *claim.sample > 0)
@@ -74,16 +70,10 @@ double reduce(Reduction reduction, const Series& series) {
   return result;
 }
 
-bool asked_for(const Observable& q, const Event& event) {
-  return event.kind == q.event && (q.event_quantity == EventQuantity::order || event.index == q.index) &&
-         (!q.body || *q.body == event.pair.body || *q.body == event.pair.other) &&
-         (!event_row(q.event).of_two_bodies || event.pair.other == q.to.value_or(world));
-}
-
 std::vector<Event> asked_for(const Claim& claim, const std::vector<Event>& events) {
   std::vector<Event> chosen;
   for (const Event& event : events)
-    if (asked_for(claim.observable, event) && !(event.time > claim.until)) chosen.push_back(event);
+    if (claimed(claim.observable, event) && !(event.time > claim.until)) chosen.push_back(event);
   return chosen;
 }
 
@@ -157,7 +147,7 @@ void measure_order_of_integrator(const Claim& claim, const Scene& scene,
                                  Measured& result) {
   const Recording& coarsest = recordings.front();
   const double span = horizon(claim, duration);
-  const double floor = rounding(recordings.back(), first.scale, span);
+  const double floor = rounding(recordings.back(), first.largest, span);
   const bool adaptive = chose_its_steps(coarsest);
   const int declared = coarsest.terms.order;
   std::vector<double> steps, errors;
@@ -187,6 +177,12 @@ void measure_order_of_integrator(const Claim& claim, const Scene& scene,
   if (!meaningless && !(order >= p - 0.1)) result.broken = true;
 }
 
+// Of `at_least`, after a sample that is `apart` from the start.  NaN where a state is.
+double still_missing(double before, double at_least, double apart) {
+  if (std::isnan(apart)) return apart;
+  return std::max(0.0, at_least - apart) < before ? std::max(0.0, at_least - apart) : before;
+}
+
 }  // namespace
 
 Series deviation(const Claim& claim, const Scene& scene, const Recording& recording) {
@@ -194,6 +190,7 @@ Series deviation(const Claim& claim, const Scene& scene, const Recording& record
   Series series;
   const Chosen chosen(claim, recording.dt, recording.steps.empty() ? 0 : recording.steps.back());
   Values start, want, got;
+  double missing = claim.at_least.value_or(0);
   if (!claim.truth) evaluate(claim.observable, scene, initial_state(scene), start);
   for (std::size_t i = 0; i < recording.states.size(); ++i) {
     if (!chosen(recording.steps[i])) continue;
@@ -201,7 +198,9 @@ Series deviation(const Claim& claim, const Scene& scene, const Recording& record
     if (claim.truth) evaluate(claim.observable, scene, claim.truth->state(t), want);
     evaluate(claim.observable, scene, recording.states[i], got);
     series.time.push_back(t);
-    series.deviation.push_back(distance(claim.observable, got, claim.truth ? want : start));
+    const double apart = distance(claim.observable, got, claim.truth ? want : start);
+    if (claim.at_least) missing = still_missing(missing, *claim.at_least, apart);
+    series.deviation.push_back(claim.at_least ? missing : apart);
   }
   return series;
 }
@@ -227,36 +226,6 @@ double observed_order(std::span<const double> dt, std::span<const double> error)
   return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-double scale(const Claim& claim, const Scene& scene, double duration) {
-  require_truth(claim);
-  const Observable& q = claim.observable;
-  if (q.quantity == Quantity::event) {
-    double size = 0;
-    if (claim.truth)
-      for (const Event& event : claim.truth->events)
-        if (asked_for(q, event))
-          size = worst(std::abs(quantity(claim.truth->events, event, q.event_quantity).value_or(0)), size);
-    return size;
-  }
-  const ObservableRow& row = observable_row(q.quantity);
-  Values values;
-  const auto size_of = [&](const State& state) {
-    if (row.scale) return row.scale(scene, state);
-    evaluate(q, scene, state, values);
-    return row.magnitude(values);
-  };
-  if (!claim.truth) return size_of(initial_state(scene));
-  const auto size_at = [&](double t) { return size_of(claim.truth->state(t)); };
-  double size = 0;
-  if (!claim.truth->times.empty()) {
-    for (const double t : claim.truth->times) size = worst(size_at(t), size);
-    return size;
-  }
-  constexpr int samples = 256;
-  for (int i = 0; i <= samples; ++i) size = worst(size_at(horizon(claim, duration) * i / samples), size);
-  return size;
-}
-
 int runs_needed(const Claim& claim) {
   return claim.tolerance.order || claim.reduction == Reduction::order ? 3 : 1;
 }
@@ -266,9 +235,9 @@ Reading read(const Claim& claim, const Scene& scene, const Recording& recording,
   const Tolerance& tolerance = claim.tolerance;
   Reading result;
   if (claim.observable.quantity != Quantity::event) result.series = deviation(claim, scene, recording);
-  if (tolerance.relative > 0 || runs_needed(claim) > 1) result.scale = scale(claim, scene, duration);
+  if (runs_needed(claim) > 1) result.largest = largest_value(claim, scene, duration);
   result.allowed = tolerance.absolute;
-  if (tolerance.relative > 0) result.allowed += tolerance.relative * result.scale;
+  if (tolerance.relative > 0) result.allowed += tolerance.relative * scale(claim, scene, duration);
   return result;
 }
 
@@ -281,6 +250,9 @@ Measured measure(const Claim& claim, const Scene& scene, std::span<const Recordi
     return result;
   }
   result.value = reduce(claim.reduction, first.series);
+  if (claim.at_least)
+    result.detail = fmt::format("changed by {:.3g} {}{}", *claim.at_least - result.value,
+                                unit(claim.observable), result.value > 0 ? "" : " or more");
   const int runs = runs_needed(claim);
   if (runs > 1 && std::isfinite(result.value))
     measure_order_of_integrator(claim, scene, recordings.first(static_cast<std::size_t>(runs)), duration,

@@ -15,7 +15,8 @@ namespace cylon::core {
 /// A claim's deviation at each of its samples.
 struct Series {
   std::vector<double> time;       ///< [s]
-  std::vector<double> deviation;  ///< |Q(t) - Q*(t)| or |Q(t) - Q(0)|, in the observable's unit.
+  std::vector<double> deviation;  ///< |Q(t) - Q*(t)|, |Q(t) - Q(0)|, or what is missing of `at_least` so
+                                  ///< far, in the observable's unit.
 };
 
 /// The samples that the claim asks for (its `sample`, its `until`, its truth's own times).
@@ -24,14 +25,10 @@ Series deviation(const Claim&, const Scene&, const Recording&);
 /// Slope of log(error) against log(dt), least squares.
 double observed_order(std::span<const double> dt, std::span<const double> error);
 
-/// What a tolerance's `relative` is a fraction of: the largest |truth| at 257 even times over the
-/// horizon, or the initial value; never taken from a run.
-double scale(const Claim&, const Scene&, double duration);
-
 /// One run against a claim: what its verdict is made of, and what its error curve shows.
 struct Reading {
   Series series;       ///< Empty for events.
-  double scale = 0;    ///< scale(), where a tolerance or an order needs it.
+  double largest = 0;  ///< largest_value(), where an order needs it.
   double allowed = 0;  ///< absolute + relative x scale; the bound that an order sets is not in it.
 };
 Reading read(const Claim&, const Scene&, const Recording&, double duration);

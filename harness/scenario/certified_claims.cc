@@ -45,6 +45,7 @@ std::vector<core::Claim> CertifiedClaims::solved(const Scenario& scenario) const
     if (std::ranges::count(claims, claims[index].label, &core::Claim::label) > 1)
       table.fail(fmt::format("the claim '{}' is made twice", claims[index].label));
   }
+  bind_motion(claims, scenario.duration);
   return claims;
 }
 

@@ -1,6 +1,7 @@
 #include "harness/scenario/certified_truth.h"
 
 #include "harness/core/measure.h"
+#include "harness/core/scale.h"
 
 #include <fmt/format.h>
 

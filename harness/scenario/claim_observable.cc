@@ -67,17 +67,23 @@ void refuse(const Table& t, std::initializer_list<const char*> keys, bool when, 
 }
 
 Observable read_observable(const Table& t, const Draft& draft) {
-  if (t.has("follows") == t.has("conserves"))
-    t.fail("[[claim]] needs either 'follows' (with 'observable') or 'conserves'");
-  if (t.has("conserves") && t.has("observable"))
-    t.fail("observable", "observable: 'conserves' names it already");
+  if (t.has("follows") + t.has("conserves") + t.has("changes") != 1)
+    t.fail(
+        "[[claim]] needs either 'follows' (with 'observable') or 'conserves' or 'changes' (with 'at_least')");
+  for (const char* named : {"conserves", "changes"})
+    if (t.has(named) && t.has("observable"))
+      t.fail("observable", fmt::format("observable: '{}' names it already", named));
+  if (t.has("changes") != t.has("at_least"))
+    t.fail(t.has("changes") ? "changes" : "at_least", "changes and at_least belong together");
+  refuse(t, {"measure"}, t.has("changes"), "does not go with 'changes', of which the largest change counts");
   if (t.has("follows") && !t.has("observable"))
     t.fail("follows", "a claim that follows a truth needs 'observable'");
-  const char* key = t.has("conserves") ? "conserves" : "observable";
+  const char* key = t.has("conserves") ? "conserves" : t.has("changes") ? "changes" : "observable";
   Observable q;
   q.quantity = quantity_of(t, key);
   const bool event = q.quantity == Quantity::event;
-  if (event && t.has("conserves")) t.fail(key, "conserves: an event keeps no value; use 'follows'");
+  if (event && !t.has("follows"))
+    t.fail(key, fmt::format("{}: an event has no value at the start; use 'follows'", key));
   refuse(t, {"component"}, !is_vector(q.quantity),
          fmt::format("belongs to vectors, and {} is none", core::name(q.quantity)));
   refuse(t, {"about"}, q.quantity != Quantity::angular_momentum && !event,
@@ -106,7 +112,7 @@ Observable read_observable(const Table& t, const Draft& draft) {
 std::string label_of(const Table& t, const core::Claim& claim) {
   const Observable& q = claim.observable;
   std::string label(core::name(q.quantity));
-  label += claim.follows.empty() ? " conserved" : " follows " + claim.follows;
+  label += claim.at_least ? " changes" : claim.follows.empty() ? " conserved" : " follows " + claim.follows;
   if (q.quantity == Quantity::event)
     label += fmt::format(", {}{} {}", core::name(q.event),
                          q.event_quantity == core::EventQuantity::order ? "" : fmt::format(" {}", q.index),
@@ -116,7 +122,7 @@ std::string label_of(const Table& t, const core::Claim& claim) {
   if (q.component != core::Component::all) label += ", " + t.text("component");
   if (t.has("about")) label += fmt::format(", about {} {} {}", q.about.x(), q.about.y(), q.about.z());
   if (t.has("until")) label += fmt::format(", until {}{}", t.is_text("until") ? "horizon " : "", claim.until);
-  if (claim.reduction != core::Reduction::max) label += ", " + t.text("measure");
+  if (t.has("measure") && claim.reduction != core::Reduction::max) label += ", " + t.text("measure");
   if (claim.tolerance.order) label += ", order";
   return label;
 }

@@ -1,6 +1,7 @@
 #include "harness/scenario/claim_tolerance.h"
 
 #include "harness/core/measure.h"
+#include "harness/core/scale.h"
 #include "harness/scenario/claim_observable.h"
 
 #include <fmt/format.h>
@@ -31,7 +32,9 @@ core::Tolerance read_tolerance(const Table& t, const Claim& claim) {
     t.fail("order", "order = true checks the order already; measure = \"order\" takes absolute");
   if (!result.order && !t.has("absolute") && !t.has("relative"))
     t.fail("tolerance needs 'absolute', 'relative', or 'order' with 'constant'");
-  if (t.has("relative") && is_angle(claim.observable.quantity))
+  if (result.order && claim.at_least)
+    t.fail("order", "order = true does not go with 'changes'; use absolute or relative");
+  if (t.has("relative") && !claim.at_least && is_angle(claim.observable.quantity))
     t.fail("relative", fmt::format("relative: {} is an angle and has no scale; use absolute [rad]",
                                    core::name(claim.observable.quantity)));
   if (t.has("relative") && claim.reduction != Reduction::max && claim.reduction != Reduction::end)
@@ -43,14 +46,8 @@ core::Tolerance read_tolerance(const Table& t, const Claim& claim) {
 
 void check_tolerance(const Table& t, Claim& claim, const core::Scene& scene, double duration) {
   const Table tolerance = *t.table("tolerance");
-  const double size = claim.tolerance.relative > 0 ? core::scale(claim, scene, duration) : 0;
-  if (claim.tolerance.relative > 0 && !(size > 0))
-    tolerance.fail(
-        "relative",
-        fmt::format(
-            "relative = {}: the {} is zero over the whole horizon, so nothing would be allowed; use absolute",
-            claim.tolerance.relative, core::name(claim.observable.quantity)));
   if (!claim.truth) return;
+  const double size = claim.tolerance.relative > 0 ? core::scale(claim, scene, duration) : 0;
   claim.truth_error =
       core::truth_error(claim.observable, scene, *claim.truth, std::min(claim.until, duration));
   if (claim.tolerance.order || claim.reduction == Reduction::order)
@@ -63,6 +60,18 @@ void check_tolerance(const Table& t, Claim& claim, const core::Scene& scene, dou
         "tolerance: '{}' is itself only good to {:.3g} {}, but a tenth of the {:.3g} allowed is needed; "
         "valid: {:.3g} or more",
         claim.follows, error, core::unit(claim.observable), allowed, 10 * error));
+}
+
+void bind_motion(std::vector<Claim>& claims, double duration) {
+  const auto horizon = [&](const Claim& claim) { return std::min(claim.until, duration); };
+  const Claim* longest = nullptr;
+  for (const Claim& claim : claims)
+    if (claim.truth && (!longest || horizon(claim) > horizon(*longest))) longest = &claim;
+  if (!longest) return;
+  const auto motion = std::make_shared<core::RequiredMotion>(
+      *longest->truth, std::min(horizon(*longest), longest->truth->horizon));
+  for (Claim& claim : claims)
+    if (claim.follows.empty()) claim.motion = motion;
 }
 
 }  // namespace cylon::scenario

@@ -31,6 +31,7 @@ Claim parse_claim(const Table& t, const Draft& draft, double duration, double st
   Claim claim;
   claim.observable = read_observable(t, draft);
   claim.reduction = reduction_of(t);
+  if (t.has("changes")) claim.at_least = t.number("at_least"), claim.reduction = Reduction::end;
   const bool horizon = t.is_text("until");
   if (horizon && (!t.is_text("follows") || t.text("follows") != certified_name))
     t.fail("until", "until = \"horizon\" belongs to follows = \"certified\", which knows how errors grow");
@@ -90,6 +91,7 @@ ReadClaims read_claims(const Table& root, Draft& draft, double duration, double 
     }
     result.claims.push_back(std::move(claim));
   }
+  bind_motion(result.claims, duration);
   return result;
 }
 

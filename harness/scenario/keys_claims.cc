@@ -31,7 +31,7 @@ const Spec* tolerance_spec() {
       .keys = {
           real("absolute", "", "In the unit of the observable.", not_negative),
           real("relative", "",
-               "Times the largest |truth| over the horizon, or of a conserved quantity its initial value. "
+               "Times the scale of the claim: the range of the required motion (docs/claims.md#scales). "
                "Added to `absolute`.",
                not_negative),
           plain("order", boolean,
@@ -63,8 +63,12 @@ const Spec* claim_spec() {
       .keys = {
           nested("follows", text_or_table, follows_spec,
                  "The truth: an exact solution by name, \"certified\" (any smooth scene), or recorded data "
-                 "beside the scenario. Either this or `conserves`."),
+                 "beside the scenario. Either this or `conserves` or `changes`."),
           word("conserves", "The observable that keeps its initial value.", words(core::Quantity::event)),
+          word("changes",
+               "The observable that must differ from its initial value by `at_least`, at some time.",
+               words(core::Quantity::event)),
+          real("at_least", "", "Of `changes`, in the observable's unit.", positive),
           word("observable", "With `follows`: what is compared.", words(core::Quantity::event)),
           absent("all bodies: the worst counts, momenta and energies are totals",
                  word("body", "Name of the body.")),

@@ -3,6 +3,7 @@
 #include "harness/core/event_find.h"
 #include "harness/core/fields.h"
 #include "harness/scenario/certified_truth.h"
+#include "harness/scenario/claim_tolerance.h"
 #include "reference/certified/truth.h"
 #include "reference/exact/catalogue.h"
 
@@ -74,6 +75,7 @@ std::optional<Scenario> varied(const Scenario& scenario, double amount) {
     if (!Larger(rank, 1 + amount)(result.scene)) continue;
     try {
       for (core::Claim& claim : result.claims) follow(claim, result);
+      bind_motion(result.claims, result.duration);
       return result;
     } catch (const core::OutOfDomain&) {
       continue;

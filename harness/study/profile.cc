@@ -1,6 +1,7 @@
 #include "harness/study/profile.h"
 
 #include "harness/core/measure.h"
+#include "harness/core/scale.h"
 #include "harness/study/paired_times.h"
 #include "harness/study/spread.h"
 #include "harness/tracking/statistics/metric_rules.h"
@@ -40,7 +41,7 @@ double largest(const core::Series& series) {
 /// Of the claim's deviation, in the observable's unit.
 double floor_of(const Claim& claim, const Scenario& scenario, const Recording& recording) {
   const double epsilon = recording.engine.precision == "float" ? 0x1p-23 : 0x1p-52;
-  const double size = core::scale(claim, scenario.scene, scenario.duration);
+  const double size = core::largest_value(claim, scenario.scene, scenario.duration);
   const double steps = std::max(1.0, scenario.duration / recording.dt);
   return claim.truth_error + 64 * epsilon * std::sqrt(steps) * (size > 0 ? size : 1);
 }

@@ -3,6 +3,7 @@
 #include "harness/core/event_find.h"
 #include "harness/core/input_error.h"
 #include "harness/core/measure.h"
+#include "harness/core/scale.h"
 #include "harness/core/worst.h"
 
 #include <fmt/format.h>
@@ -49,6 +50,7 @@ Yardstick::Yardstick(const scenario::Scenario& scenario, std::int64_t samples,
   std::set<Quantity> constant;
   std::set<std::string> truths;
   for (const Claim& claim : scenario.claims) {
+    if (claim.at_least) continue;  // says that something happens, and not how far off it is
     if (claim.observable.quantity == Quantity::event) {
       ask_event(claim);
       continue;
@@ -103,7 +105,7 @@ void Yardstick::ask(Claim claim, const std::vector<core::State>* states, double 
   const core::Scene& scene = scenario_->scene;
   if (core::undefined_in(claim.observable, scene)) return;
   Question q;
-  const double size = core::scale(claim, scene, scenario_->duration);
+  const double size = core::largest_value(claim, scene, scenario_->duration);
   // A joint's gap at the start is rounding and no size: in m.
   q.scale = size > 0 && claim.observable.quantity != Quantity::joint_gap ? size : 1;
   const bool follows = claim.truth.has_value();
@@ -147,7 +149,7 @@ void Yardstick::ask(Claim claim, const std::vector<core::State>* states, double 
 void Yardstick::ask_event(const Claim& claim) {
   Question q;
   const bool order = claim.observable.event_quantity == core::EventQuantity::order;
-  const double size = order ? 0 : core::scale(claim, scenario_->scene, scenario_->duration);
+  const double size = order ? 0 : core::largest_value(claim, scenario_->scene, scenario_->duration);
   q.scale = size > 0 ? size : 1;
   q.measure = measure_named("events", "", claim.follows);
   results::TradeMeasure& measure = measures_[q.measure];

@@ -1,6 +1,8 @@
 // mutants [WORD…]: prints the kill matrix, of all or of the subjects with one of the words in their names;
 // exits 1 where a mutant lives or a right simulator is accused.
+// mutants --static: prints static_scenes.txt, the scenes in which nothing moves.
 #include "tests/mutants/matrix/matrix.h"
+#include "tests/mutants/matrix/shipped.h"
 
 #include <fmt/format.h>
 
@@ -23,11 +25,27 @@ std::vector<Subject> named(std::vector<Subject> subjects, const std::vector<std:
   return subjects;
 }
 
+void print_static_scenes() {
+  using namespace cylon::mutants;
+  fmt::print(
+      "# Shipped scenes in which no body moves a tenth of its size or turns by 0.1 rad.\n"
+      "# Generated: ./test mutants --static > tests/mutants/static_scenes.txt\n");
+  for (const auto& file : shipped_scenarios()) {
+    const auto scenario = cylon::scenario::load(file);
+    if (!dynamic(scenario, run_shipped(scenario, correct_subjects().front())))
+      fmt::print("{}\n", scenario.name);
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   using namespace cylon::mutants;
   const std::vector<std::string> words(argv + 1, argv + argc);
+  if (words == std::vector<std::string>{"--static"}) {
+    print_static_scenes();
+    return 0;
+  }
   const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const std::vector<Line> right = judge_all(named(correct_subjects(), words), threads),
                           wrong = judge_all(named(mutants(), words), threads);

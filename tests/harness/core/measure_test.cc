@@ -190,6 +190,31 @@ TEST(Measure, EachReductionOfAKnownSeries) {
   }
 }
 
+// What is missing of the least change, and by when: |x - 1| is 1 at 1 s and 4 at 2 s.
+TEST(Measure, LeastChangeMeasuresWhatIsMissing) {
+  struct Row {
+    double at_least, until, missing;
+  };
+  for (const Row& row : {Row{4, 2, 0}, Row{5, 2, 1}, Row{1, 1, 0}, Row{1.25, 1, 0.25}, Row{1, 0.9, 0},
+                         Row{0.25, 0.1, 0}, Row{0.5, 0.1, 0.25}}) {
+    Parabola p;
+    p.claim.at_least = row.at_least;
+    p.claim.reduction = Reduction::end;
+    p.claim.until = row.until;
+    EXPECT_NEAR(p.measured().value, row.missing, 1e-15) << row.at_least << " by " << row.until;
+  }
+}
+
+TEST(Measure, LeastChangeKeepsTheLargestOne) {
+  Parabola p;
+  p.claim.at_least = 3;
+  p.claim.reduction = Reduction::end;
+  p.recording.states[4] = p.recording.states[0];  // it comes back
+  EXPECT_NEAR(p.measured().value, 0.75, 1e-15);
+  p.recording.states[2][0].position.x() = nan;
+  EXPECT_TRUE(std::isnan(p.measured().value));
+}
+
 TEST(Measure, HonoursHorizonAndSampling) {
   Parabola p;
   p.claim.until = 1.0;
@@ -199,7 +224,7 @@ TEST(Measure, HonoursHorizonAndSampling) {
   EXPECT_EQ(deviation(p.claim, p.scene, p.recording).time, (std::vector<double>{0, 1, 2}));
 }
 
-TEST(Measure, AllowsAbsolutePlusRelativeOfTheInitialValue) {
+TEST(Measure, AllowsAbsolutePlusRelativeOfTheScale) {
   Parabola p;
   p.claim.tolerance = {.absolute = 0.5, .relative = 0.25, .reason = "test"};
   EXPECT_NEAR(p.measured().allowed, 0.75, 1e-15);

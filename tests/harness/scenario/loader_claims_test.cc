@@ -1,5 +1,7 @@
 // Claims against exact and recorded truths, expectations, suites, the schema.
 #include "harness/core/input_error.h"
+#include "harness/core/measure.h"
+#include "harness/core/scale.h"
 #include "harness/scenario/expected.h"
 #include "harness/scenario/glob.h"
 #include "harness/scenario/input.h"
@@ -51,6 +53,21 @@ TEST(Claims, LabelsNameTheClaim) {
   EXPECT_GT(s.claims[1].truth_error, 0);
   EXPECT_EQ(s.claims[2].label, "position follows projectile, order");
   EXPECT_EQ(s.claims[2].tolerance.constant, 2);
+}
+
+TEST(Claims, LeastChangeIsOneSided) {
+  const std::string t = "tolerance = { relative = 0.1, reason = \"r\" }\n";
+  const auto s =
+      parse(head + "[[claim]]\nchanges = \"position\"\nat_least = 2.5\nbody = \"body\"\nuntil = 0.4\n" + t,
+            "changes.toml");
+  EXPECT_EQ(s.claims[0].label, "position changes, body, until 0.4");
+  EXPECT_EQ(s.claims[0].at_least, 2.5);
+  EXPECT_EQ(core::scale(s.claims[0], s.scene, s.duration), 2.5);
+  for (const char* wrong : {"changes = \"position\"\n", "at_least = 1\nconserves = \"position\"\n",
+                            "changes = \"event\"\nat_least = 1\n", "changes = \"position\"\nat_least = 0\n",
+                            "changes = \"position\"\nat_least = 1\nconserves = \"position\"\n",
+                            "changes = \"position\"\nat_least = 1\nmeasure = \"end\"\n"})
+    EXPECT_THROW(parse(head + "[[claim]]\n" + wrong + t, "wrong.toml"), core::InputError) << wrong;
 }
 
 TEST(Claims, RecordedDataIsComparedAtItsTimes) {

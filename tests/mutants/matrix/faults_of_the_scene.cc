@@ -52,6 +52,14 @@ Mask damped(double linear, double angular, double momentum) {
   });
 }
 
+// Gravity and the free motion of a rigid body, and nothing that holds, pushes or meets it.
+void falls_freely(Scene& s) {
+  for (Body& body : s.bodies) body.collide = false;
+  s.planes.clear();
+  s.joints.clear();
+  std::erase_if(s.forces, [](const Force& f) { return !std::holds_alternative<core::UniformGravity>(f); });
+}
+
 Mask claims_to_be(const char* integrator, std::function<void(Terms&)> lie) {
   return {.setup = [integrator](Setup& s) { s.integrator = integrator; }, .terms = std::move(lie)};
 }
@@ -66,6 +74,8 @@ void auto_at_1e_10(Terms& terms) {
 std::vector<MaskedRow> faults_of_the_scene() {
   const Matrix3 cycle = (Matrix3() << 0, 1, 0, 0, 0, 1, 1, 0, 0).finished();
   return {
+      {"only falls", "no contact, no joint, no force but gravity", "bouncing", "position follows",
+       scene(falls_freely)},
       {"gravity twice", "by the scene and by the world", "projectile", "position follows",
        every<core::UniformGravity>([](auto& g) { g.acceleration *= 2; })},
       {"gravity leans", "by a millionth", "projectile", "linear_momentum",

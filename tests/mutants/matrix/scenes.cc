@@ -2,6 +2,7 @@
 
 #include "harness/core/measure.h"
 #include "harness/core/recording.h"
+#include "harness/core/scale.h"
 #include "tests/paths.h"
 
 #include <algorithm>
@@ -46,11 +47,13 @@ Examined examine(const SceneRow& row) {
   const double spacing = static_cast<double>(stride(steps)) * scenario.step;
   for (core::Claim& claim : scenario.claims) {
     claim.until = std::min(claim.until, scenario.duration);
-    const double size = core::scale(claim, scenario.scene, scenario.duration);
+    const double size = core::largest_value(claim, scenario.scene, scenario.duration);
     const bool gap = claim.observable.quantity == core::Quantity::normal_gap;
     const bool length = gap || claim.observable.quantity == core::Quantity::joint_gap;
     result.scales.push_back(size > 0 && !length ? size : 1);  // angles, gaps: a radian, a metre
-    result.shipped.push_back(claim.tolerance.absolute + claim.tolerance.relative * size);
+    result.shipped.push_back(claim.tolerance.absolute +
+                             claim.tolerance.relative *
+                                 core::scale(claim, scenario.scene, scenario.duration));
     if (claim.truth && claim.truth->times.empty() && claim.observable.quantity != core::Quantity::event)
       claim.truth = remembered(*claim.truth, spacing, scenario.duration);
     if (!gap) claim.sample = spacing;

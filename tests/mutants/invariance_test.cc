@@ -1,0 +1,236 @@
+// A verdict is of the motion, and not of how it is described: a scene, its truth and a recording of it that
+// are moved, turned, set going or measured in other units together are judged as before.
+#include "harness/core/event_find.h"
+#include "harness/core/event_rows.h"
+#include "harness/core/measure.h"
+#include "harness/core/scale.h"
+#include "harness/core/unit.h"
+#include "harness/scenario/claim_tolerance.h"
+#include "harness/study/restate.h"
+#include "tests/mutants/matrix/shipped.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <numbers>
+
+namespace cylon::mutants {
+namespace {
+
+using core::Claim;
+using core::Component;
+using core::Quantity;
+using core::State;
+using core::Vector3;
+using scenario::Scenario;
+
+/// A change of description, seen from a frame that moves on.
+struct Description {
+  const char* name;
+  study::Restatement words;
+  Vector3 boost = Vector3::Zero();  // in the new words [m/s]
+
+  // A value in `unit` is multiplied by this.
+  double factor(std::string unit) const {
+    if (unit == "J") unit = "kg m^2/s^2";
+    const core::Dimension d = core::dimension(unit);
+    return std::pow(words.mass, d.mass) * std::pow(words.length, d.length) * std::pow(words.time, d.time);
+  }
+  State operator()(const State& state, double time) const {
+    State result = words(state);
+    for (core::BodyState& s : result) s.position += words.time * time * boost, s.velocity += boost;
+    return result;
+  }
+};
+
+std::vector<core::Event> restated(std::vector<core::Event> events, const Description& d, const Vector3& up) {
+  for (core::Event& e : events) {
+    e.time *= d.factor("s"), e.speed *= d.factor("m/s"), e.distance *= d.factor("m");
+    e.height *= d.factor("m");
+    if (e.kind == core::EventKind::turn)
+      e.height += d.factor("m") * up.dot(d.words.turn.transpose() * d.words.move);
+  }
+  return events;
+}
+
+core::Truth restated(const core::Truth& truth, const Description& d, const Vector3& up) {
+  core::Truth result = truth;
+  result.state = [state = truth.state, d](double t) { return d(state(t / d.words.time), t / d.words.time); };
+  result.events = restated(truth.events, d, up);
+  result.horizon *= d.words.time;
+  for (double& t : result.times) t *= d.words.time;
+  if (!truth.times.empty())  // asked for at these times exactly
+    result.state = [state = truth.state, old = truth.times, times = result.times, d](double t) {
+      const auto near = std::ranges::min_element(times, {}, [t](double at) { return std::abs(at - t); });
+      const double then = old[static_cast<std::size_t>(near - times.begin())];
+      return d(state(then), then);
+    };
+  return result;
+}
+
+// x becomes z and z becomes x, but for a sign, in a quarter turn about y.
+Component turned(Component component) {
+  return component == Component::x ? Component::z : component == Component::z ? Component::x : component;
+}
+
+Claim restated(const Claim& claim, const Description& d, const Vector3& up) {
+  Claim result = claim;
+  const double unit = d.factor(std::string(core::unit(claim.observable)));
+  if (claim.truth) result.truth = restated(*claim.truth, d, up);
+  core::BodyState about;
+  about.position = claim.observable.about;
+  result.observable.about = d.words(about).position;
+  if (d.words.turn != core::Matrix3::Identity())
+    result.observable.component = turned(claim.observable.component);
+  result.until *= d.words.time;
+  if (result.sample) *result.sample *= d.words.time;
+  if (result.at_least) *result.at_least *= unit;
+  double reduced = unit;
+  if (claim.reduction == core::Reduction::mean_square) reduced = unit * unit;
+  if (claim.reduction == core::Reduction::rate) reduced = unit / d.words.time;
+  if (claim.reduction == core::Reduction::order) reduced = 1;
+  result.tolerance.absolute *= reduced;
+  result.tolerance.constant *= unit / std::pow(d.words.time, 2);
+  for (auto& [order, constant] : result.tolerance.constants)
+    constant *= unit / std::pow(d.words.time, order + 1);
+  return result;
+}
+
+Scenario restated(const Scenario& scenario, const Description& d) {
+  Scenario result = scenario;
+  const Vector3 up = core::event_up(scenario.scene);
+  result.scene = d.words(scenario.scene);
+  for (core::Body& body : result.scene.bodies) body.initial.velocity += d.boost;
+  for (core::Force& force : result.scene.forces)
+    if (auto* thrust = std::get_if<core::Thrust>(&force); thrust && thrust->exchanged_velocity)
+      *thrust->exchanged_velocity += d.boost;
+  result.duration *= d.words.time, result.step *= d.words.time;
+  result.claims.clear();
+  for (const Claim& claim : scenario.claims) result.claims.push_back(restated(claim, d, up));
+  scenario::bind_motion(result.claims, result.duration);
+  return result;
+}
+
+core::Recording restated(const core::Recording& recording, const Description& d, const Vector3& up) {
+  core::Recording result = recording;
+  result.dt *= d.words.time;
+  for (std::size_t i = 0; i < recording.states.size(); ++i)
+    result.states[i] = d(recording.states[i], recording.time(i));
+  result.events = restated(recording.events, d, up);
+  return result;
+}
+
+bool has_component(const Scenario& scenario) {
+  return std::ranges::any_of(scenario.claims,
+                             [](const Claim& claim) { return claim.observable.component != Component::all; });
+}
+
+bool has_water(const Scenario& scenario) {
+  return std::ranges::any_of(scenario.scene.forces,
+                             [](const core::Force& f) { return std::holds_alternative<core::Water>(f); });
+}
+
+bool has_gravity(const Scenario& scenario) {
+  return std::ranges::any_of(scenario.scene.forces, [](const core::Force& f) {
+    return std::holds_alternative<core::UniformGravity>(f);
+  });
+}
+
+// Those that the scene's physics allows.  Up is y without gravity, and a claim names axes of the world.
+std::vector<Description> descriptions(const Scenario& scenario) {
+  if (has_water(scenario)) return {};
+  std::vector<Description> result = {{"other units", {.length = 3, .mass = 7, .time = 0.5}}};
+  const double half = std::numbers::pi / 2;
+  core::Matrix3 turn = Eigen::AngleAxisd(half, Vector3::UnitY()).toRotationMatrix();
+  turn = turn.array().round();
+  if (!has_component(scenario) && has_gravity(scenario))
+    turn = core::Quaternion(0.5, -0.1, 0.7, 0.3).normalized().toRotationMatrix();
+  result.push_back({"turned", {.turn = turn}});
+  if (!scenario.scene.frame) result.push_back({"moved", {.move = {10, 10, -7}}});
+  if (!core::anything_fixed(scenario.scene)) result.push_back({"set going", {}, {0.7, -0.4, 1.1}});
+  return result;
+}
+
+class Descriptions : public testing::TestWithParam<std::filesystem::path> {};
+
+void expect_same_verdicts(const Scenario& scenario, const ShippedRun& run, const Description& d) {
+  const Scenario other = restated(scenario, d);
+  const core::Recording recording = restated(run.recording, d, core::event_up(scenario.scene));
+  for (std::size_t i = 0; i < scenario.claims.size(); ++i) {
+    const Claim& claim = other.claims[i];
+    if (core::runs_needed(claim) > 1) continue;  // one recording is at hand
+    const core::Measured m = core::measure(claim, other.scene, {&recording, 1}, other.duration);
+    const results::Status status = m.broken ? results::Status::fail : results::judge(m.value, m.allowed);
+    EXPECT_EQ(results::name(status), results::name(run.findings[i].status))
+        << d.name << ", " << claim.label << ": " << m.value << " of " << m.allowed << ", was "
+        << run.findings[i].measured << " of " << run.findings[i].allowed;
+    if (run.findings[i].allowed > 0 && claim.reduction <= core::Reduction::end) {
+      const double unit = d.factor(std::string(core::unit(claim.observable)));
+      EXPECT_NEAR(m.allowed / run.findings[i].allowed / unit, 1, 1e-6) << d.name << ", " << claim.label;
+    }
+  }
+}
+
+TEST_P(Descriptions, LeaveEveryVerdict) {
+  const Scenario scenario = scenario::load(GetParam());
+  for (const Subject& subject : decorated_mutants()) {
+    if (subject.name != "one step late" && subject.name != "frozen") continue;
+    const auto run = run_shipped(scenario, subject);
+    for (const Description& d : descriptions(scenario))
+      if (run && d.boost.isZero()) expect_same_verdicts(scenario, *run, d);
+  }
+  const auto right = run_shipped(scenario, correct_subjects().front());
+  for (const Description& d : descriptions(scenario))
+    if (right) expect_same_verdicts(scenario, *right, d);
+}
+
+std::string name_of(const testing::TestParamInfo<std::filesystem::path>& info) {
+  std::string name = info.param.stem().string();
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
+  return name;
+}
+INSTANTIATE_TEST_SUITE_P(All, Descriptions, testing::ValuesIn(shipped_scenarios()), name_of);
+
+// ---- No tolerance exceeds a tenth of its scale --------------------------------------------------
+
+// The in-house engine's run in place of a truth, for scenes that have none.
+std::shared_ptr<const core::RequiredMotion> recorded(const core::Recording& recording) {
+  core::Truth truth;
+  truth.state = [&recording](double t) {
+    const auto step = std::llround(t / recording.dt);
+    const auto found = std::ranges::lower_bound(recording.steps, step);
+    return recording.states[static_cast<std::size_t>(found - recording.steps.begin())];
+  };
+  const std::size_t stride = std::max<std::size_t>(1, recording.states.size() / 256);
+  for (std::size_t i = 0; i < recording.states.size(); i += stride) truth.times.push_back(recording.time(i));
+  auto motion = std::make_shared<core::RequiredMotion>(truth, recording.time(recording.states.size() - 1));
+  motion->path();  // while the recording is there
+  return motion;
+}
+
+class Tolerances : public testing::TestWithParam<std::filesystem::path> {};
+
+TEST_P(Tolerances, AreAtMostATenthOfTheirScale) {
+  const Scenario scenario = scenario::load(GetParam());
+  const auto run = run_shipped(scenario, correct_subjects().front());
+  for (Claim claim : scenario.claims) {
+    if (claim.tolerance.order || claim.reduction == core::Reduction::order) continue;  // by theory
+    const double allowed =
+        claim.tolerance.absolute +
+        (claim.tolerance.relative > 0
+             ? claim.tolerance.relative * core::scale(claim, scenario.scene, scenario.duration)
+             : 0);
+    if (claim.follows.empty() && !claim.motion && run) claim.motion = recorded(run->recording);
+    double scale = core::scale(claim, scenario.scene, scenario.duration);
+    if (claim.reduction == core::Reduction::mean_square) scale *= scale / 10;
+    if (claim.reduction == core::Reduction::rate) scale /= std::min(claim.until, scenario.duration);
+    EXPECT_LE(allowed, 0.1 * scale * (1 + 1e-6)) << claim.label << ": scale " << scale;
+  }
+}
+INSTANTIATE_TEST_SUITE_P(All, Tolerances, testing::ValuesIn(shipped_scenarios()), name_of);
+
+}  // namespace
+}  // namespace cylon::mutants

@@ -1,0 +1,54 @@
+// Every shipped scenario as a judge, by its own claims alone.
+#pragma once
+
+#include "harness/core/recording.h"
+#include "harness/results/verdict.h"
+#include "harness/scenario/scenario.h"
+#include "tests/mutants/matrix/subject.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cylon::mutants {
+
+/// All scenario files under scenarios/, in order of their names.
+std::vector<std::filesystem::path> shipped_scenarios();
+
+struct ShippedFinding {
+  std::string claim;
+  results::Status status = results::Status::pass;
+  double measured = 0, allowed = 0;
+};
+
+/// What one simulator makes of a scenario at its nominal step.
+struct ShippedRun {
+  core::Recording recording;             ///< At the nominal step.
+  std::vector<ShippedFinding> findings;  ///< One per claim.
+  bool passes() const;
+};
+
+/// Nothing where the simulator cannot express the scene.
+std::optional<ShippedRun> run_shipped(const scenario::Scenario&, const Subject&);
+
+/// Whether some body is ever farther from its start than a tenth of its size, or turned from it by more than
+/// 0.1 rad.
+bool moves(const core::Scene&, const std::vector<core::State>&);
+
+/// Whether two simulators ever put some body a tenth of its size, or 0.1 rad, apart.
+bool moves_apart(const core::Scene&, const std::vector<core::State>&, const std::vector<core::State>&);
+
+/// Whether the truths of the scenario, or the in-house engine's run, move.  Where there is neither, what
+/// `undecided()` says.
+bool dynamic(const scenario::Scenario&, const std::optional<ShippedRun>& in_house);
+
+/// A scene that the in-house engine refuses and that has no truth.
+struct Undecided {
+  const char* scenario;
+  bool dynamic;
+  const char* reason;
+};
+const std::vector<Undecided>& undecided();
+
+}  // namespace cylon::mutants

@@ -1,0 +1,16 @@
+// A simulator that simulates nothing and tells states that somebody else knows.  It takes any scene.
+#pragma once
+
+#include "tests/mutants/matrix/subject.h"
+
+#include <functional>
+
+namespace cylon::mutants {
+
+/// The state of the start for ever.
+Subject frozen();
+
+/// What `states` says of the sample before; the start at t = 0.
+Subject one_step_late(std::function<core::State(double t)> states);
+
+}  // namespace cylon::mutants

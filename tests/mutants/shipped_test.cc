@@ -1,0 +1,93 @@
+// Nobody passes by doing nothing: in every shipped scene that moves, a claim as it stands in the file accuses
+// an engine that stands still, one that lets everything fall freely where that is wrong, and one that answers
+// with the step before.
+#include "tests/mutants/matrix/shipped.h"
+#include "tests/mutants/matrix/told.h"
+#include "tests/paths.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <ostream>
+#include <set>
+
+namespace cylon::mutants {
+namespace {
+
+std::set<std::string> listed_as_static() {
+  std::ifstream file(std::filesystem::path(source_dir) / "tests/mutants/static_scenes.txt");
+  std::set<std::string> names;
+  for (std::string line; std::getline(file, line);)
+    if (!line.empty() && line.front() != '#') names.insert(line);
+  return names;
+}
+
+Subject mutant(const char* name) {
+  for (const Subject& subject : decorated_mutants())
+    if (subject.name == name) return subject;
+  throw std::logic_error(name);
+}
+
+std::string told(const ShippedRun& run) {
+  std::string text;
+  for (const ShippedFinding& f : run.findings)
+    text += "\n  " + f.claim + ": " + std::to_string(f.measured) + " of " + std::to_string(f.allowed);
+  return text;
+}
+
+// One that answers with the step before: of the in-house engine, or, where it refuses the scene, of the truth.
+std::optional<ShippedRun> late(const scenario::Scenario& scenario) {
+  if (auto run = run_shipped(scenario, mutant("one step late"))) return run;
+  for (const core::Claim& claim : scenario.claims)
+    if (claim.truth && claim.truth->times.empty())
+      return run_shipped(scenario, one_step_late(claim.truth->state));
+  return std::nullopt;
+}
+
+std::string name_of(const testing::TestParamInfo<std::filesystem::path>& info) {
+  std::string name = info.param.stem().string();
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
+  return name;
+}
+
+class Shipped : public testing::TestWithParam<std::filesystem::path> {};
+
+TEST_P(Shipped, AccusesWhoeverDoesNothing) {
+  const scenario::Scenario scenario = scenario::load(GetParam());
+  const auto right = run_shipped(scenario, correct_subjects().front());
+  const bool moving = dynamic(scenario, right);
+  EXPECT_EQ(!moving, listed_as_static().contains(scenario.name))
+      << "tests/mutants/static_scenes.txt is not current: mutants --static writes it";
+  if (right) {
+    EXPECT_TRUE(right->passes()) << "the in-house engine" << told(*right);
+  }
+  if (!moving) return;
+
+  const auto still = run_shipped(scenario, frozen());
+  EXPECT_FALSE(still->passes()) << "an engine that stands still passes" << told(*still);
+
+  const auto falling = run_shipped(scenario, mutant("only falls"));
+  const bool wrong =
+      falling && (!right || moves_apart(scenario.scene, right->recording.states, falling->recording.states));
+  if (wrong) {
+    EXPECT_FALSE(falling->passes()) << "an engine of free fall alone passes" << told(*falling);
+  }
+
+  if (const auto delayed = late(scenario)) {
+    EXPECT_FALSE(delayed->passes()) << "an engine that is a step late passes" << told(*delayed);
+  }
+}
+INSTANTIATE_TEST_SUITE_P(All, Shipped, testing::ValuesIn(shipped_scenarios()), name_of);
+
+TEST(StaticScenes, AreShipped) {
+  std::set<std::string> names;
+  for (const auto& file : shipped_scenarios()) names.insert(file.stem().string());
+  for (const std::string& name : listed_as_static()) EXPECT_TRUE(names.contains(name)) << name;
+  for (const Undecided& row : undecided()) EXPECT_TRUE(names.contains(row.scenario)) << row.scenario;
+}
+
+}  // namespace
+}  // namespace cylon::mutants
