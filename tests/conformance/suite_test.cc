@@ -137,7 +137,7 @@ TEST_F(Conformance, RowsAreTheSameForAnyNumberOfWorkersAndAgain) {
 TEST_F(Conformance, EveryTruthIsTenTimesFinerThanItsTolerance) {
   int truths = 0;
   for (const Verdict& row : rows_) {
-    if (row.claim.find("conserved") != std::string::npos) continue;
+    if (row.claim.find(" follows ") == std::string::npos) continue;
     EXPECT_LT(row.truth_error, row.allowed / 10) << place(row);
     EXPECT_GT(row.truth_error, 0) << place(row);
     ++truths;
@@ -148,7 +148,8 @@ TEST_F(Conformance, EveryTruthIsTenTimesFinerThanItsTolerance) {
 TEST(SimBenchmark, ReproducesEveryPublishedDigit) {
   const scenario::Suite table = suite("simbenchmark");
   ASSERT_EQ(table.published.size(), 10u);
-  const auto rows = run(cells_of(table), 2, {});
+  auto rows = run(cells_of(table), 2, {});
+  std::erase_if(rows, [&](const Verdict& row) { return row.claim != table.claim; });
   ASSERT_EQ(rows.size(), 10u) << "each published number has a row";
   const cli::Reproduction result = cli::reproduce(table, rows);
   EXPECT_TRUE(result.complete) << result.text;

@@ -68,7 +68,10 @@ bool pyramid(const Moment& m, std::size_t i, const core::Plane& plane, BodyState
 
 std::vector<MaskedRow> faults_of_the_motion() {
   return {
-      {"frozen", "the state of the start for ever", "projectile", "position follows",
+      {"frozen",
+       "the state of the start for ever",
+       "projectile",
+       "position follows",
        {.skips = [](std::int64_t) { return true; }}},
       {"speed limit", "4 m/s", "bouncing", "position follows",
        each([](const Moment&, std::size_t, BodyState& s) { return clamp(s.velocity, 4) > 1e-9; })},

@@ -26,7 +26,8 @@ class Told final : public core::Simulator {
   }
 
  private:
-  core::Engine engine_{.name = "told", .version = "1", .precision = "double", .integrators = {{.name = "none"}}};
+  core::Engine engine_{
+      .name = "told", .version = "1", .precision = "double", .integrators = {{.name = "none"}}};
   std::function<core::State(double)> states_;
   core::State start_;
   double dt_ = 0;
