@@ -1,6 +1,7 @@
 // `follows = "certified"` and `until = "horizon"` in a scenario file.
 #include "harness/core/input_error.h"
 #include "harness/core/measure.h"
+#include "harness/core/scale.h"
 #include "harness/scenario/scenario.h"
 
 #include <fmt/format.h>
