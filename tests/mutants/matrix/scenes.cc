@@ -56,7 +56,7 @@ Examined examine(const SceneRow& row) {
                                  core::scale(claim, scenario.scene, scenario.duration));
     if (claim.truth && claim.truth->times.empty() && claim.observable.quantity != core::Quantity::event)
       claim.truth = remembered(*claim.truth, spacing, scenario.duration);
-    if (!gap) claim.sample = spacing;
+    if (!gap && !claim.at_least) claim.sample = spacing;  // a least change is looked for at its own step
     claim.tolerance.relative = 0;
     claim.tolerance.absolute = result.shipped.back();
   }
