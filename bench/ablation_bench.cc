@@ -1,7 +1,7 @@
 // What a scene does not need, and what it would have cost: every scenario with the planned model and with the
 // full one
-// (`model=full`: every stage runs), the same integrator and step, ns of thread CPU time per body and step, and
-// how far the two end apart, relative to the scene's own length, speed and turn.
+// (`model=full`: every stage runs), the same integrator and step, ns of thread CPU time per body and step,
+// and how far the two end apart, relative to the scene's own length, speed and turn.
 //   ablation_bench [SCENARIO…]      all otherwise
 // Then the price of each stage: the ratio, full over planned, of the scenarios whose plan leaves that stage
 // out, median and extremes.  A stage alone cannot be switched on, so its row is the price of the company that

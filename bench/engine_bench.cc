@@ -2,12 +2,12 @@
 //   engine_bench [WORD…]      only the scenes whose name contains a word
 // Error: the largest at T/4, T/2, 3T/4 and T against closed forms.  Cost: thread CPU time of the stepping and
 // of those four samples (the workers time their steps alone), the smallest of several runs, references and
-// this engine in turn.  `ours`: the integrator and the step that reach the error for the least, chosen knowing
-// the truth; the next three steps of the ladder must reach it too; where the plan knows a closed form that
-// costs less, that, and the integrator beside it (`in steps`) with its own ratios.  `default`: integrator auto, told
-// nothing but the tolerance, its setting up and its second run included.  References: each engine's adapter
-// with its default path, its step halved until the error is reached, then once more by 1/sqrt 2; the cheaper
-// of its precisions.
+// this engine in turn.  `ours`: the integrator and the step that reach the error for the least, chosen
+// knowing the truth; the next three steps of the ladder must reach it too; where the plan knows a closed
+// form that costs less, that, and the integrator beside it (`in steps`) with its own ratios.  `default`:
+// integrator auto, told nothing but the tolerance, its setting up and its second run included.  References:
+// each engine's adapter with its default path, its step halved until the error is reached, then once more
+// by 1/sqrt 2; the cheaper of its precisions.
 #include "bench/own_run.h"
 #include "bench/reference_run.h"
 #include "bench/smooth_scenes.h"

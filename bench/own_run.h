@@ -1,5 +1,5 @@
-// This engine on a smooth scene: the error and the cost of an integrator and a step, and the cheapest that reach
-// an error.
+// This engine on a smooth scene: the error and the cost of an integrator and a step, and the cheapest that
+// reach an error.
 #pragma once
 
 #include "bench/cpu_time.h"

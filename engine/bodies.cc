@@ -337,7 +337,8 @@ void Bodies::scales(const Real* y, Real* scale) {
   // Joints that carry weight shake bodies at rest by the rounding of their forces, which no step makes
   // smooth: a speed is small against what gravity gives over the scene's length, sqrt(g L), not against
   // nothing.
-  // So do other forces than gravity; what moves at more than the rounding of their speed is measured by itself.
+  // So do other forces than gravity; what moves at more than the rounding of their speed is measured by
+  // itself.
   Real at_rest = model_.joints.empty() ? 0 : std::sqrt(model_.forces.gravity.norm() * length_);
   const Real shaken = std::sqrt(std::numeric_limits<Real>::epsilon() * pull_ * length_);
   if (at_rest == 0 && speed_ > 0 && speed_ < shaken) at_rest = std::sqrt(pull_ * length_);

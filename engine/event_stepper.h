@@ -1,5 +1,5 @@
-// A small system of any shapes, followed event by event: smooth motion by an integrator, and between the smooth
-// pieces impacts, ends of slip, onsets of slip and partings, each located in time.
+// A small system of any shapes, followed event by event: smooth motion by an integrator, and between the
+// smooth pieces impacts, ends of slip, onsets of slip and partings, each located in time.
 #pragma once
 
 #include "engine/bodies.h"
@@ -48,8 +48,8 @@ class ScaledBodies {
 
 class EventStepper final : public Stepper, private Holder {
  public:
-  /// `tolerance`: per step, for adaptive integrators.  Splittings move what is free; while a contact lasts the
-  /// Runge-Kutta integrator rk8 does, for friction belongs to neither of their parts.
+  /// `tolerance`: per step, for adaptive integrators.  Splittings move what is free; while a contact lasts
+  /// the Runge-Kutta integrator rk8 does, for friction belongs to neither of their parts.
   EventStepper(const Model&, const Integrator&, Time dt, Real tolerance, bool account = false,
                Time start = 0);
   EventStepper(Reduced, const Integrator&, Time dt, Real tolerance, bool account, Time start);

@@ -1,6 +1,6 @@
-// The forces that act without constraining: each adds its force and torque to the loads of its bodies.  A kind of
-// force is a struct here with the facts that ForceKind asks for, a row of force_lists, and its law in forces.cc;
-// a method that does not name its feature (engine/methods.cc) does not get it.
+// The forces that act without constraining: each adds its force and torque to the loads of its bodies.  A
+// kind of force is a struct here with the facts that ForceKind asks for, a row of force_lists, and its law
+// in forces.cc; a method that does not name its feature (engine/methods.cc) does not get it.
 #pragma once
 
 #include "engine/body.h"
@@ -32,14 +32,11 @@ concept ForceKind = requires(F force, Features& features, std::vector<char>& tur
   { F::feature } -> std::convertible_to<Feature>;      // of its own
   {force.add_features(features)};                      // all that it asks of a method, F::feature included
   { force.reads_velocities() } -> std::same_as<bool>;  // affine in the momenta where it does
-  { force.reads_time() } -> std::same_as<bool>;        //
-  {
-    force.holds_in_turning_frame()
-    } -> std::same_as<bool>;                           // the law is the same there, for inertial velocities
-  { force.mark_turned(turns) } -> std::same_as<void>;  // sets what it may turn from rest
-  {
-    force.shift_anchors(body, arm)
-    } -> std::same_as<void>;  // moves the reference point of a body by `arm`, body axes
+  { force.reads_time() } -> std::same_as<bool>;        // other than by the motion
+  // Its law is the same in a turning frame, for inertial velocities.
+  { force.holds_in_turning_frame() } -> std::same_as<bool>;
+  force.mark_turned(turns);                               // sets what it may turn from rest
+  force.shift_anchors(body, arm);                         // moves the reference point by `arm`, body axes
   { force.ends() } -> std::same_as<std::optional<Ends>>;  // where it acts between two places
 };
 

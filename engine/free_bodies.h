@@ -13,8 +13,9 @@
 
 namespace cylon::engine {
 
-/// Translation: every symmetric integrator carries free fall exactly, and each keeps the displacement per step s
-/// (the integrators differ in A, the share of a step's own kick that its own drifts see; 1/2 from order 2 on)
+/// Translation: every symmetric integrator carries free fall exactly, and each keeps the displacement per
+/// step s (the integrators differ in A, the share of a step's own kick that its own drifts see; 1/2 from
+/// order 2 on)
 ///   p' = p + s,  s' = s + h^2 g,  s = h K/m + A h^2 g
 /// Rotation: with H = |L|^2 x_1/2 + (x_0 - x_1) l_0^2/2 + (x_2 - x_1) l_2^2/2 of engine/free_rotation.h
 ///   symmetric bodies:  q' = a q b,  a = exp(h x_1 L),  b = exp(h (x_s - x_1) l_s e_s), both constant: exact

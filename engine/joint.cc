@@ -69,7 +69,7 @@ void add_about_axis(const Joint& joint, const End& a, const End& b, std::vector<
 }
 
 // c = the rotation vector of R_a (R_b R_rel)^T,  c' = w_a - w_b  where c is small
-void add_never(const Joint& joint, const End& a, const End& b, std::vector<Row>& rows) {
+void add_no_turn(const Joint& joint, const End& a, const End& b, std::vector<Row>& rows) {
   Quaternion error = a.orientation * (b.orientation * joint.relative).conjugate();
   if (error.w() < 0) error.coeffs() = -error.coeffs();
   for (int k = 0; k < 3; ++k) {
@@ -123,7 +123,7 @@ void add_rows(const Joint& joint, const std::vector<Body>& bodies, const Motion*
       add_about_axis(joint, a, b, rows);
       break;
     case Joint::Turn::never:
-      add_never(joint, a, b, rows);
+      add_no_turn(joint, a, b, rows);
       break;
   }
 }

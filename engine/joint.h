@@ -19,8 +19,8 @@ Misfit misfit_of_place(const Joint&, const Vector3& apart);
 Misfit misfit_of_turn(const Joint&, const Quaternion& body, const Quaternion& to);
 
 /// Adds the rows of a joint.  Solving c'' = 0 for their forces turns the mechanism into an ordinary
-/// differential equation that any integrator can integrate: E. Hairer, G. Wanner, Solving Ordinary Differential
-/// Equations II, section VII.1, index reduction.
+/// differential equation that any integrator can integrate: E. Hairer, G. Wanner, Solving Ordinary
+/// Differential Equations II, section VII.1, index reduction.
 void add_rows(const Joint&, const std::vector<Body>&, const Motion*, std::vector<Row>&);
 
 }  // namespace cylon::engine

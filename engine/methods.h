@@ -1,5 +1,5 @@
-// The methods of the engine, what each supports, and what a model asks of them.  A method gets a model only if it
-// supports all that the model asks; the tables say what a method can do, never what it cannot.
+// The methods of the engine, what each supports, and what a model asks of them.  A method gets a model only
+// if it supports all that the model asks; the tables say what a method can do, never what it cannot.
 #pragma once
 
 #include "engine/features.h"

@@ -16,7 +16,7 @@ namespace cylon::engine {
 namespace {
 
 // More moving bodies than this that can touch are stepped, not followed event by event: spheres, and others.
-// Two boxes that project on one another and on a plane bounce thousands of times in a step of 10 ms: 22 s of
+// Two boxes that settle on one another and on a plane bounce thousands of times in a step of 10 ms: 22 s of
 // work.
 constexpr std::size_t most_followed = 8, most_followed_others = 1;
 

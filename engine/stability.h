@@ -14,8 +14,9 @@ struct StepLimit {
 
 /// From the stiffness k and the damping c of each force alone, against the masses m that it moves:
 ///   h^2 k/m + 2 h c/m <= 4
-/// (the eigenvalues of p'' = -(k p + c p')/m on the unit circle).  Other forces only shorten it: what is longer is
-/// unstable for certain, what is shorter may be.
+/// (the eigenvalues of p'' = -(k p + c p')/m on the unit circle).  Other forces only shorten it: what is
+/// longer is unstable wherever that force acts in full (water: on a body that is submerged), what is shorter
+/// may be.
 StepLimit longest_step(const Forces&, const std::vector<Body>&);
 
 }  // namespace cylon::engine

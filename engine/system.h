@@ -8,10 +8,10 @@
 
 namespace cylon::engine {
 
-/// y' = f(t, y), and its splitting in two parts that are each solved exactly (or far better than any integrator
-/// composed of them): the drift, free motion without forces, and the kick, forces with the configuration
-/// frozen.  With joints the drift ends on them (SHAKE) and project() returns the momenta to them, so that
-/// kick(h/2) drift(h) kick(h/2) project() is RATTLE.
+/// y' = f(t, y), and its splitting in two parts that are each solved exactly (or far better than any
+/// integrator composed of them): the drift, free motion without forces, and the kick, forces with the
+/// configuration frozen.  With joints the drift ends on them (SHAKE) and project() returns the momenta to
+/// them, so that kick(h/2) drift(h) kick(h/2) project() is RATTLE.
 template <class S>
 concept System = requires(S& s, const S& c, Time t, Real h, const Real* from, Real* y, Real* rate) {
   { c.size() } -> std::convertible_to<std::size_t>;  // length of y

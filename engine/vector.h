@@ -1,6 +1,7 @@
 // The engine's number type and its vectors.  Everything is SI, right-handed; world axes unless said
 // otherwise.  The same sources are built twice: with CYLON_ENGINE_FLOAT the number type is float.  With
-// CYLON_ENGINE_LONG, for the headers of integrators/ alone, it has 64 bits: orders are seen far above rounding.
+// CYLON_ENGINE_LONG, for the headers of integrators/ alone, it has 64 bits: orders are seen far above
+// rounding.
 #pragma once
 
 #include <Eigen/Core>

@@ -50,7 +50,8 @@ void World::step() {
 void World::advance(std::int64_t n) {
   for (; ballistic_ && n > 0; --n) step();  // it may hand over after any of them
   if (n == 0) return;
-  // Integrators make one of kicks that meet in a run of steps, and other last bits with it: only free bodies run.
+  // Integrators make one of kicks that meet in a run of steps, and other last bits with it: only free
+  // bodies run.
   if (plan_.path == Path::free)
     stepper_->advance(n);
   else

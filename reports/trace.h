@@ -70,8 +70,8 @@ struct Trace {
 };
 
 /// The trace of a recording and its reading for each claim.  Totals are energy, kinetic energy, momentum and
-/// angular momentum about the origin, those that the scene has; errors those of claims over states (events have
-/// none).
+/// angular momentum about the origin, those that the scene has; errors those of claims over states (events
+/// have none).
 Trace trace(const core::Scene&, const std::vector<core::Claim>&, std::span<const core::Reading>,
             const core::Recording&, const TraceLimits& = {});
 

@@ -27,8 +27,8 @@ Real bounding_radius(const Shape&);
 /// The least half-width of a shape [m], 0 where there is none: what a body may not jump over.
 Real half_width(const Shape&);
 
-/// All points within `radius` of a box about the reference point, body axes [m]; the box may be a segment or a
-/// point.
+/// All points within `radius` of a box about the reference point, body axes [m]; the box may be a segment
+/// or a point.
 struct RoundedBox {
   Vector3 half_extents;
   Real radius;

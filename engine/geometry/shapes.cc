@@ -1,5 +1,5 @@
-// All that the engine knows of one shape by itself: a new shape is an overload in each of these visitors.  Two
-// shapes are then apart by the general algorithms, or by a form of their own in closed_forms.h.
+// All that the engine knows of one shape by itself: a new shape is an overload in each of these visitors.
+// Two shapes are then apart by the general algorithms, or by a form of their own in closed_forms.h.
 #include "engine/geometry/core.h"
 
 #include <algorithm>

@@ -170,8 +170,8 @@ CYLON_FLATTEN void flat(S& s, Time t, Time h, Real* y, std::size_t steps, Real* 
 template <System S>
 class Advance {
  public:
-  /// Requires a row of integrators() that is not adaptive, and one that can keep constraints where the System has
-  /// any; `size` is the length of the state.
+  /// Requires a row of integrators() that is not adaptive, and one that can keep constraints where the
+  /// System has any; `size` is the length of the state.
   Advance(const Integrator& integrator, std::size_t size) {
     assert(integrator.kind != Kind::adaptive);
     const std::size_t row = index(integrator.name);

@@ -1,5 +1,5 @@
-// The integrators that carry a System through time, as rows of one table: adding one is one row in table.h and,
-// if it is new, its coefficients.  Knows nothing of bodies.
+// The integrators that carry a System through time, as rows of one table: adding one is one row in table.h
+// and, if it is new, its coefficients.  Knows nothing of bodies.
 #pragma once
 
 #include "engine/integrators/coefficient.h"

@@ -35,6 +35,7 @@ class BodyContacts {
   std::vector<Block> old_;
 };
 
+/// Body to world; the identity for the world.
 Quaternion orientation_of(int body, const std::vector<Motion>&);
 
 /// The gap of a contact, or the distance from one point to the other of a part of a joint, now.

@@ -47,8 +47,8 @@ std::vector<std::string> BodyPile::remarks() const {
   }
   if (unstable_) {
     std::ostringstream text;
-    text << "steps longer than " << limit_.step << " s are unstable: " << limit_.reason
-         << " is too stiff for them, and the motion may grow without limit";
+    text << "steps longer than " << limit_.step << " s are unstable where " << limit_.reason
+         << " acts in full: the motion may grow without limit";
     remarks.push_back(text.str());
   }
   if (together_)
@@ -68,8 +68,8 @@ void BodyPile::set_kinematics() {
   }
 }
 
-// K += F h, L += torque h; gravity alone needs no loads.  Forces are those at the start, masses from here on those
-// at the end:  v = K(now + h)/m(now + h).
+// K += F h, L += torque h; gravity alone needs no loads.  Forces are those at the start, masses from here
+// on those at the end:  v = K(now + h)/m(now + h).
 void BodyPile::kick(Time now, Real h) {
   if (other_forces_) {
     kinematics_.resize(motions_.size()), loads_.resize(motions_.size());

@@ -87,8 +87,8 @@ std::vector<std::string> engine_ids(const Context& context, const std::vector<En
   return ids;
 }
 
-// The choice itself, or a variant of it for each integrator that the globs match; one that states its integrator
-// keeps it. What the engine has is added to `integrators`.
+// The choice itself, or a variant of it for each integrator that the globs match; one that states its
+// integrator keeps it. What the engine has is added to `integrators`.
 std::vector<EngineChoice> with_integrators(const EngineChoice& choice, const std::vector<EngineRow>& rows,
                                            const std::vector<std::string>& globs,
                                            std::vector<std::string>& integrators) try {

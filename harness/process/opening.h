@@ -15,9 +15,10 @@ namespace cylon::process {
 /// Says hello under a deadline [s].  Throws Failure where the worker is unsupported or refuses.
 Hello introduce(Conversation&, double seconds);
 
-/// Loads a scene under a deadline [s] for that and all that follows.  What the choice states (path, integrator,
-/// options) goes before the setup.  Throws Failure(unsupported); core::InputError where the worker calls the
-/// setup impossible, or where an integrator that does not control its error is given a tolerance.
+/// Loads a scene under a deadline [s] for that and all that follows.  What the choice states (path,
+/// integrator, options) goes before the setup.  Throws Failure(unsupported); core::InputError where the
+/// worker calls the setup impossible, or where an integrator that does not control its error is given a
+/// tolerance.
 core::Terms open_scene(Conversation&, const EngineChoice&, const core::Scene&, const core::Setup&,
                        const core::Engine&, double seconds);
 

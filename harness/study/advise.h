@@ -1,5 +1,5 @@
-// The cheapest setting of each engine that meets a tolerance: found along the integrator's order, and run from
-// starts that had no part in the search.
+// The cheapest setting of each engine that meets a tolerance: found along the integrator's order, and run
+// from starts that had no part in the search.
 #pragma once
 
 #include "harness/results/advice.h"

@@ -30,8 +30,8 @@ process::Repetition typical_least(std::vector<process::Repetition> times);
 /// The smaller of each time.
 process::Repetition least(const process::Repetition&, const process::Repetition&);
 
-/// CPU seconds per simulated second.  An integrator that controls its error may solve while it loads: there the
-/// load counts.
+/// CPU seconds per simulated second.  An integrator that controls its error may solve while it loads: there
+/// the load counts.
 double cost(const process::Repetition&, bool adaptive, double duration);
 
 }  // namespace cylon::study

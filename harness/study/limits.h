@@ -62,8 +62,8 @@ struct Family {
   Range range;
   /// Throws what the runner throws.
   Probed (*probe)(const Runner&, double);
-  /// What theory says of an engine (its name) and an integrator: the limit, 0 where it never holds, infinity where
-  /// it never breaks; nothing where theory says nothing.
+  /// What theory says of an engine (its name) and an integrator: the limit, 0 where it never holds,
+  /// infinity where it never breaks; nothing where theory says nothing.
   std::optional<double> (*theory)(std::string_view engine, std::string_view integrator);
 };
 

@@ -19,8 +19,8 @@ constexpr double any_number = 1e300;
 constexpr double oscillates =
     1e9;  // of amplitudes of 1 m and below: an engine may stop growth at its own bound
 
-// Largest energy in the last quarter of a run over that in the first: an integrator that is stable turns within a
-// few steps through all that its invariant ellipse holds, so the two agree; one that is not grows.
+// Largest energy in the last quarter of a run over that in the first: an integrator that is stable turns
+// within a few steps through all that its invariant ellipse holds, so the two agree; one that is not grows.
 std::optional<std::string> grown(const Recording& r,
                                  const std::function<double(const core::State&)>& energy) {
   double early = 0, late = 0;

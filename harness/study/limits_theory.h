@@ -12,8 +12,8 @@
 
 namespace cylon::study {
 
-/// One step of h = omega dt on (x, v/omega): (x, v)' = M (x, v).  Nothing for an integrator that is not known or
-/// that chooses its own steps.
+/// One step of h = omega dt on (x, v/omega): (x, v)' = M (x, v).  Nothing for an integrator that is not
+/// known or that chooses its own steps.
 using StepMatrix = std::function<Eigen::Matrix2d(double h)>;
 std::optional<StepMatrix> step_matrix(std::string_view integrator);
 

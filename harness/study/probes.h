@@ -1,5 +1,5 @@
-// What an engine really does, found out by small scenes and told apart by what theory says each integrator leaves
-// behind; nothing that the engine says of itself is read.
+// What an engine really does, found out by small scenes and told apart by what theory says each integrator
+// leaves behind; nothing that the engine says of itself is read.
 #pragma once
 
 #include "harness/study/runner.h"

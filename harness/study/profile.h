@@ -17,8 +17,8 @@ struct ClaimProfile {
   std::string claim, unit;
   double error = std::numeric_limits<double>::quiet_NaN();  ///< What the claim measures, in `unit`.
   double floor = 0;                                         ///< What rounding alone may make of it.
-  /// log2(e(dt)/e(dt/2)) of the largest deviation; NaN where the integrator chooses its steps, an error is at the
-  /// floor, or the claim is of an event.
+  /// log2(e(dt)/e(dt/2)) of the largest deviation; NaN where the integrator chooses its steps, an error is
+  /// at the floor, or the claim is of an event.
   double order = std::numeric_limits<double>::quiet_NaN();
 };
 

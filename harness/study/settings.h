@@ -15,12 +15,12 @@ struct SettingsRequest {
   std::vector<std::string> integrators;  ///< Globs over the integrators; none: all.
 };
 
-/// Engine by engine, variant by variant, integrator by integrator.  Where nothing is asked for: every row; of engines
-/// in double precision also every value that is not the engine's own of the options `gyro` and `rotation` where a
-/// body turns, `solver` and `friction-direction` where something may touch, `springs` where there are springs;
-/// and, once for each worker, the paths "stepping" where something may touch and "as-expert".  An engine that
-/// cannot be started has one setting without an integrator.  Throws core::InputError for unknown words,
-/// process::Interrupted.
+/// Engine by engine, variant by variant, integrator by integrator.  Where nothing is asked for: every row;
+/// of engines in double precision also every value that is not the engine's own of the options `gyro` and
+/// `rotation` where a body turns, `solver` and `friction-direction` where something may touch, `springs`
+/// where there are springs; and, once for each worker, the paths "stepping" where something may touch and
+/// "as-expert".  An engine that cannot be started has one setting without an integrator.  Throws
+/// core::InputError for unknown words, process::Interrupted.
 std::vector<Setting> settings(const scenario::Scenario&, std::span<const process::EngineRow>,
                               const SettingsRequest&);
 

@@ -11,7 +11,8 @@
 
 namespace cylon::view {
 
-/// A command that cannot be obeyed.  what() is a sentence that names the key and the value; the page shows it.
+/// A command that cannot be obeyed.  what() is a sentence that names the key and the value; the page shows
+/// it.
 struct BadCommand : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -50,8 +50,8 @@ Expr mass_of(const Builder& b, std::size_t body) {
   return mass;
 }
 
-// A joint that keeps a point of the body in what does not move; in a turning frame or with changing mass bodies keep
-// their own centre.
+// A joint that keeps a point of the body in what does not move; in a turning frame or with changing mass
+// bodies keep their own centre.
 int pin_of(const Scene& scene, int body) {
   const auto still = [&](int other) {
     return other == core::world || scene.bodies[static_cast<std::size_t>(other)].locked;

@@ -27,9 +27,10 @@ double top_error(const Subject& subject, const char* solution, unsigned seed, st
                     truth.state(duration));
 }
 
-// At dt = 0.5 ms a first-order integrator is within T w^2 dt of the truth, with w < 7 rad/s: 1.2e-2 rad; a wrong
-// convention is off by a radian.  And the error falls with dt as the integrator's order says, so it is the
-// integrator's and not the adapter's; until rounding, of which 1000 steps gather two units each at most.
+// At dt = 0.5 ms a first-order integrator is within T w^2 dt of the truth, with w < 7 rad/s: 1.2e-2 rad; a
+// wrong convention is off by a radian.  And the error falls with dt as the integrator's order says, so it
+// is the integrator's and not the adapter's; until rounding, of which 1000 steps gather two units each at
+// most.
 void expect_true_rotation(const Subject& subject, const char* solution) {
   for (unsigned seed = 21; seed <= 24; ++seed) {
     const double fine = top_error(subject, solution, seed, 1000),

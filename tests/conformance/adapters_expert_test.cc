@@ -1,4 +1,5 @@
-// What the options and paths of Bullet and ODE do, against closed forms that share nothing with either engine.
+// What the options and paths of Bullet and ODE do, against closed forms that share nothing with either
+// engine.
 #include "tests/conformance/adapters_fixture.h"
 
 #include <cmath>
@@ -54,8 +55,8 @@ core::Scene hinged() {
   return scene;
 }
 
-// Angle of that rod at time t: angle'' = -(m g l/I) cos(angle), by 20000 steps of the Störmer-Verlet scheme, twice, and
-// Richardson's extrapolation: an error below 1e-12.
+// Angle of that rod at time t: angle'' = -(m g l/I) cos(angle), by 20000 steps of the Störmer-Verlet
+// scheme, twice, and Richardson's extrapolation: an error below 1e-12.
 double rod_angle(double t) {
   const double rate = g * 0.5 / (1.0 / 12 + 0.25);
   const auto verlet = [&](int steps) {
@@ -120,8 +121,8 @@ core::Scene sliding(double angle, double friction) {
   return scene;
 }
 
-// Coulomb: v = v0 - mu g t, against the slip.  ODE's own two directions, at 30 degrees to it, brake each with mu N: by
-// mu g (cos + sin) along the slip at first.
+// Coulomb: v = v0 - mu g t, against the slip.  ODE's own two directions, at 30 degrees to it, brake each
+// with mu N: by mu g (cos + sin) along the slip at first.
 TEST(Expert, OdesFrictionAlongTheSlipIsCoulombs) {
   constexpr double angle = std::numbers::pi / 6, friction = 0.3, end = 1;
   const double speed = 6 - friction * g * end;
@@ -131,7 +132,8 @@ TEST(Expert, OdesFrictionAlongTheSlipIsCoulombs) {
   };
   for (const char* id : {"ode/friction-direction=slip", "ode/path=as-expert"})
     expect_within(fmt::format("slip at 30 degrees, {}", id), error(id), 1e-6);
-  // sqrt((6 cos - mu g)^2 + (6 sin - mu g)^2) with 6 sin = 3 and mu g = 2.943 m/s after a second: off by 1.5 m/s.
+  // sqrt((6 cos - mu g)^2 + (6 sin - mu g)^2) with 6 sin = 3 and mu g = 2.943 m/s after a second: off by
+  // 1.5 m/s.
   const Vector3 of_pyramid(6 * std::cos(angle) - friction * g, 0, 6 * std::sin(angle) - friction * g);
   EXPECT_NEAR(error("ode"), (of_pyramid - exact).norm(), 1e-6);
 }
@@ -191,7 +193,7 @@ TEST(Expert, OdesSoftSpringsStayForces) {
       0);
 }
 
-// ---- The rules ---------------------------------------------------------------------------------------------
+// ---- The rules ----------------------------------------------------------------------------------
 
 std::string set_to(const core::Terms& terms, const std::string& name) {
   for (const core::Setting& setting : terms.settings)

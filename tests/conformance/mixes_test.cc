@@ -1,6 +1,6 @@
-// Features that no shipped scenario puts into one scene, on the in-house engine: every force beside every other, a
-// rotating frame, compounds of meshes and hulls on a joint.  Each scene goes through all that is derived from the
-// tables of fields: reading, the worker's JSON, restatements.
+// Features that no shipped scenario puts into one scene, on the in-house engine: every force beside every
+// other, a rotating frame, compounds of meshes and hulls on a joint.  Each scene goes through all that is
+// derived from the tables of fields: reading, the worker's JSON, restatements.
 #include "tests/harness/cli/fixture.h"
 #include "tests/paths.h"
 

@@ -1,4 +1,5 @@
-// The observed order of the in-house engine's integrators on scenes with exact solutions, over the worker path:
+// The observed order of the in-house engine's integrators on scenes with exact solutions, over the worker
+// path:
 // the slope of log(error) over log(dt) at dt, dt/2, dt/4.  Horizons and steps are such that the leading term
 // of the error outweighs the next by thirty times or more and the smallest error stands above rounding.
 #include "tests/conformance/fixture.h"

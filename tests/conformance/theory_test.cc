@@ -1,6 +1,6 @@
-// Tolerances from theory, end to end: one claim C_p dt^p T with constants by order judges every integrator of the
-// in-house engine, value and order.  Each constant is the leading term of its integrator's error, so what is
-// measured comes close to what is allowed; with half the constant the same run fails.
+// Tolerances from theory, end to end: one claim C_p dt^p T with constants by order judges every integrator
+// of the in-house engine, value and order.  Each constant is the leading term of its integrator's error, so
+// what is measured comes close to what is allowed; with half the constant the same run fails.
 #include "tests/conformance/fixture.h"
 
 #include <fmt/format.h>
@@ -18,7 +18,8 @@ using std::numbers::pi;
 
 // ---- Scenes --------------------------------------------------------------------------------------
 
-// Thrown upward: x(t) is a parabola.  Euler's integrators err by g T dt/2 at any step; order 2 and up is exact.
+// Thrown upward: x(t) is a parabola.  Euler's integrators err by g T dt/2 at any step; order 2 and up is
+// exact.
 scenario::Scenario projectile(const std::string& tolerance) {
   return scenario::parse(fmt::format(R"(
 title = "Thrown"
@@ -158,8 +159,8 @@ INSTANTIATE_TEST_SUITE_P(InHouse, Theory, testing::ValuesIn(rows), [](const auto
   return name;
 });
 
-// One claim for all: each integrator is held to the constant of its own order, or of the highest below; an integrator
-// that chooses its own steps to the last, by its value alone.
+// One claim for all: each integrator is held to the constant of its own order, or of the highest below; an
+// integrator that chooses its own steps to the last, by its value alone.
 TEST(TheoryClaim, ServesIntegratorsOfDifferentOrders) {
   const auto scenario =
       spring(fmt::format("{{ order = true, constants = {{ 1 = {:.17g}, 2 = {:.17g}, 4 = {:.17g} }}, reason = "

@@ -1,4 +1,5 @@
-// What `cylon advise` and `cylon trade` try where no engine is named: each setting where it can matter, and once.
+// What `cylon advise` and `cylon trade` try where no engine is named: each setting where it can matter, and
+// once.
 #include "harness/study/settings.h"
 #include "tests/conformance/fixture.h"
 

@@ -41,8 +41,8 @@ TEST_P(Balance, IsKeptWithoutDrag) {
   }
 }
 
-// With drag and damping: Runge-Kutta integrators balance to their order; splittings count each kick's work with
-// the mean speed, which is second order whatever the integrator's.
+// With drag and damping: Runge-Kutta integrators balance to their order; splittings count each kick's work
+// with the mean speed, which is second order whatever the integrator's.
 TEST_P(Balance, HoldsToTruncationWithDrag) {
   const Model model = forced_bodies();
   const bool splitting = GetParam().kind == Kind::splitting;

@@ -1,6 +1,6 @@
-// A body that a fixed joint holds, pushed by a thrust, without gravity: the run ended after 0.02 s with NaN.  The speeds
-// were the rounding of the joint's force and error control was relative to these.  A speed below the rounding of
-// what the forces give over the scene's length is now measured by that.
+// A body that a fixed joint holds, pushed by a thrust, without gravity: the run ended after 0.02 s with
+// NaN.  The speeds were the rounding of the joint's force and error control was relative to these.  A speed
+// below the rounding of what the forces give over the scene's length is now measured by that.
 #include "tests/engine/fixtures.h"
 
 namespace cylon::engine {

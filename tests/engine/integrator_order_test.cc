@@ -95,8 +95,8 @@ TEST_P(FixedStep, RunsBackwardIfItIsReversible) {
   }
 }
 
-// 100 and 400 periods: the energy error of a symplectic integrator does not grow, that of the others does, with
-// time; rk8 is left out, whose error here is rounding.
+// 100 and 400 periods: the energy error of a symplectic integrator does not grow, that of the others does,
+// with time; rk8 is left out, whose error here is rounding.
 template <System S>
 void expect_bounded_energy(S system, const Integrator& row, std::vector<Real> y, double h) {
   const Real start = system.energy(y.data());

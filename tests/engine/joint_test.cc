@@ -196,7 +196,8 @@ Model chain() {
 
 class Chains : public EveryIntegrator {};
 
-// RATTLE has order 2, Yoshida's compositions of it 4 and 6, the Runge-Kutta integrators on accelerations theirs.
+// RATTLE has order 2, Yoshida's compositions of it 4 and 6, the Runge-Kutta integrators on accelerations
+// theirs.
 TEST_P(Chains, HaveOrderOfIntegrator) {
   const Model model = chain();
   if (!unsupported(model, with(GetParam().name, 0.01)).empty()) return;

@@ -1,5 +1,5 @@
-// Random models that mix features: forces, joints, shapes, contacts, changing masses, frames.  A model is made of its
-// number alone, so that a number in a message is the model.
+// Random models that mix features: forces, joints, shapes, contacts, changing masses, frames.  A model is
+// made of its number alone, so that a number in a message is the model.
 #pragma once
 
 #include "engine/features.h"
@@ -193,8 +193,8 @@ inline MixedScene mixed_scene(std::uint32_t number) {
         {Vector3(dice.between(Real(-0.1), Real(0.1)), 1, 0).normalized(), far ? Real(-100) : Real(-0.8)});
     make_touchable(m, dice.one_in(2) ? 0 : dice.between(Real(0.2), Real(0.8)),
                    dice.one_in(2) ? 0 : dice.between(Real(0.1), Real(0.6)));
-    // Either one body meets the plane, or all do without friction: a stepped impact with friction takes two steps, and
-    // what both leave is not what friction leaves at one instant.
+    // Either one body meets the plane, or all do without friction: a stepped impact with friction takes two
+    // steps, and what both leave is not what friction leaves at one instant.
     const bool alone = !far && dice.one_in(2);
     for (std::size_t i = 1; alone && i < n; ++i) m.surfaces[i] = no_surface;
     if (!far && !alone) m.materials[0].friction = 0;

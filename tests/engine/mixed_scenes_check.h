@@ -47,8 +47,8 @@ inline bool gave_up(const Ran& run) {
   });
 }
 
-// Within the tolerance, or within what a run says of itself, or within the order of its steps: a path of first order
-// comes nearer in proportion to its step.
+// Within the tolerance, or within what a run says of itself, or within the order of its steps: a path of
+// first order comes nearer in proportion to its step.
 inline void expect_same(const MixedScene& scene, const Truth& truth, Options options, const char* what) {
   const auto distance_of = [&](const Ran& run) {
     return apart(scene.model.bodies, truth.run.motions, run.motions);

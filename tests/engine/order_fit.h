@@ -22,12 +22,13 @@ inline std::vector<int> fine_ladder(int first, int last) {
 
 /// p of  log error = c + p log h + a h^k,  least squares.
 ///
-/// Why this and no straight line: on smooth motion the error of a one-step integrator of order p at a fixed time
-/// has the expansion  e(h) = e_p h^p + e_(p+k) h^(p+k) + ...  with k = 1, and k = 2 where the integrator is
-/// reversible, as then only even powers follow (E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary
-/// Differential Equations I, theorems II.8.1 and II.8.10).  So  log |e| = log |e_p| + p log h + a h^k +
-/// O(h^2k): the third term is the leading one of what bends the line, and with it the larger steps, which are
-/// further above rounding, tell the order too.  An integrator whose order is another does not get p back by a:
+/// Why this and no straight line: on smooth motion the error of a one-step integrator of order p at a fixed
+/// time has the expansion  e(h) = e_p h^p + e_(p+k) h^(p+k) + ...  with k = 1, and k = 2 where the
+/// integrator is reversible, as then only even powers follow (E. Hairer, S. P. Norsett, G. Wanner, Solving
+/// Ordinary Differential Equations I, theorems II.8.1 and II.8.10).  So  log |e| = log |e_p| + p log h + a
+/// h^k + O(h^2k): the third term is the leading one of what bends the line, and with it the larger steps,
+/// which are further above rounding, tell the order too.  An integrator whose order is another does not get
+/// p back by a:
 /// over the ladder log h goes on to fall where h^k vanishes.
 inline double fitted_order(const std::vector<double>& step, const std::vector<double>& error,
                            bool reversible) {

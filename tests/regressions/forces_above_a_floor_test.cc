@@ -1,7 +1,7 @@
-// Where spheres might touch something, the default path of the in-house engine dropped thrust, attraction, water and
-// changing mass: it listed the forces that closed-form flight does not know, and these were not in the list.  A body
-// pushed upwards lay on the floor.  In the stepping path masses never changed.  Now each method lists what it
-// supports.
+// Where spheres might touch something, the default path of the in-house engine dropped thrust, attraction,
+// water and changing mass: it listed the forces that closed-form flight does not know, and these were not
+// in the list.  A body pushed upwards lay on the floor.  In the stepping path masses never changed.  Now
+// each method lists what it supports.
 #include "harness/process/client.h"
 #include "tests/paths.h"
 

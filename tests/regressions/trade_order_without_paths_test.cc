@@ -1,5 +1,6 @@
 // `cylon trade` took a worker that names no path for one that had not loaded the scene: its series declared
-// order 0 and lost its integrator.  Now order 0 says that the scene was never loaded, whatever the worker names.
+// order 0 and lost its integrator.  Now order 0 says that the scene was never loaded, whatever the worker
+// names.
 #include "harness/study/sweep.h"
 #include "tests/paths.h"
 

@@ -72,8 +72,8 @@ std::int64_t stride(const Options& options, double dt) {
   return static_cast<std::int64_t>(std::min(steps, 9e15));
 }
 
-// The grid of the printed times.  An error-controlled integrator needs no step: without --dt the times that are
-// asked for make the grid, their greatest common divisor in nanoseconds.
+// The grid of the printed times.  An error-controlled integrator needs no step: without --dt the times that
+// are asked for make the grid, their greatest common divisor in nanoseconds.
 double grid(const Options& options, const scenario::Scenario& scenario) {
   if (!options.dt.empty()) return scenario::parse_step(options.dt);
   if (options.asked.tolerance == 0) return scenario.step;

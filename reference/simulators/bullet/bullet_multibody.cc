@@ -38,7 +38,8 @@ class TreeBody {
     const core::Body& root = scene.bodies[at(tree.bodies[0])];
     const btTransform pose = pose_to_bullet(root, placings[at(tree.bodies[0])].principal);
     if (hung_) {
-      // The base stands at the joint's point, turned as the root is at the start, so the joint starts at zero.
+      // The base stands at the joint's point, turned as the root is at the start, so the joint starts at
+      // zero.
       const core::Joint& joint = scene.joints[at(tree.places[0].joint)];
       multibody_.setBaseWorldTransform(btTransform(pose.getRotation(), to_bullet(joint.point)));
     } else {

@@ -30,15 +30,16 @@ struct Tree {
 Tree tree_of(const core::Scene&, int first);
 
 /// Whether each moving body hangs from the world by joints without loops, or is alone and without gyroscopic
-/// torque: what btMultiBody's Runge-Kutta 4 integrates to its order.  Of a free base it takes the orientation of the
-/// step's beginning in all four stages.
+/// torque: what btMultiBody's Runge-Kutta 4 integrates to its order.  Of a free base it takes the
+/// orientation of the step's beginning in all four stages.
 bool all_hung(const core::Scene&);
 
 /// Why the joints of a scene cannot be expressed by btMultiBody, or nothing.
 std::optional<std::string> untreelike(const core::Scene&);
 
-/// Adds one btMultiBody to the world: the bodies of the tree, of which body i goes into bodies[i].  `placings`
-/// in the order of the scene's bodies.  The joints that close loops become constraints, added to `loops`.
+/// Adds one btMultiBody to the world: the bodies of the tree, of which body i goes into bodies[i].
+/// `placings` in the order of the scene's bodies.  The joints that close loops become constraints, added to
+/// `loops`.
 void make_multibody(const core::Scene&, const Tree&, const std::vector<Placing>& placings,
                     const BulletSettings&, btMultiBodyDynamicsWorld&,
                     std::vector<std::unique_ptr<BulletBody>>& bodies,

@@ -210,7 +210,7 @@ std::vector<std::string> unforceable_multibody() {
   return sentences;
 }
 
-// ---- As an expert sets it: one rule, a function of the scene's kind ----------------------------------------
+// ---- As an expert sets it: one rule, a function of the scene's kind -----------------------------
 
 struct Expert {
   bool multibody = false;

@@ -18,14 +18,14 @@ using Shapes = std::vector<std::unique_ptr<btCollisionShape>>;
 /// Why a shape cannot touch anything in Bullet, or nothing.
 std::optional<std::string> untouchable(const core::Shape&);
 
-/// The shape in a frame that is turned by `rotation` (frame to body axes) from the body's.  `margin` [m] of all
-/// but spheres and capsules; absent: Bullet's own, at most 0.04 m.
+/// The shape in a frame that is turned by `rotation` (frame to body axes) from the body's.  `margin` [m] of
+/// all but spheres and capsules; absent: Bullet's own, at most 0.04 m.
 /// Requires untouchable(shape) to be empty; what nothing can touch becomes an empty shape.
 btCollisionShape* make_shape(const core::Shape&, const core::Quaternion& rotation,
                              std::optional<double> margin, Shapes&);
 
-/// Radius of the largest sphere about the centre of mass that is inside the shape [m]; 0 where there is none, or
-/// where the shape is a compound.
+/// Radius of the largest sphere about the centre of mass that is inside the shape [m]; 0 where there is
+/// none, or where the shape is a compound.
 double inner_radius(const core::Shape&);
 
 /// A static half-space.

@@ -272,8 +272,8 @@ Vector3 velocity_at(dBodyID body, const dVector3& place) {
   return {v[0], v[1], v[2]};
 }
 
-// The first friction direction of a contact: t = s/|s| with the slip s = v - (v.n) n of the first body's point
-// against the second's; ODE's own where |s| is too small to have a direction.
+// The first friction direction of a contact: t = s/|s| with the slip s = v - (v.n) n of the first body's
+// point against the second's; ODE's own where |s| is too small to have a direction.
 void turn_along_slip(dContact& contact, dBodyID first, dBodyID second) {
   constexpr double least_slip = 1e-9;  // [m/s]
   const Vector3 normal(contact.geom.normal[0], contact.geom.normal[1], contact.geom.normal[2]);

@@ -112,7 +112,7 @@ OdeSettings as_shipped() {
   return run;
 }
 
-// ---- As an expert sets it: one rule, a function of the scene's kind ----------------------------------------
+// ---- As an expert sets it: one rule, a function of the scene's kind -----------------------------
 
 constexpr const char* expert_rule =
     "friction along the slip; springs with dt^2 k + dt c > m are soft joints; where moving bodies may touch, "

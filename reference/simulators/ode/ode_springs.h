@@ -10,8 +10,8 @@ struct dxWorld;  // and its world
 
 namespace cylon::simulators {
 
-/// Whether a spring is too stiff for a force that is held over a step: dt^2 k + dt c > m, with the mass of the
-/// lighter end.  (A body on an explicit spring diverges beyond dt^2 k = 4 m.)
+/// Whether a spring is too stiff for a force that is held over a step: dt^2 k + dt c > m, with the mass of
+/// the lighter end.  (A body on an explicit spring diverges beyond dt^2 k = 4 m.)
 bool ode_stiff(const core::Spring&, const core::Scene&, double dt);
 
 /// Adds the joint whose force at the end of a step is that of the spring:

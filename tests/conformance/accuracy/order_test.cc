@@ -1,6 +1,6 @@
-// The observed order of every fixed-step integrator of the engine, in double, on smooth reference scenes of every
-// kind: springs, drag, drive, two bodies, free and pivoted tops.  The steps are chosen by rule, the same for
-// all.  (tests/engine/long has the integrators alone, over more decades.)
+// The observed order of every fixed-step integrator of the engine, in double, on smooth reference scenes of
+// every kind: springs, drag, drive, two bodies, free and pivoted tops.  The steps are chosen by rule, the
+// same for all.  (tests/engine/long has the integrators alone, over more decades.)
 #include "engine/integrators/integrator.h"
 #include "tests/conformance/accuracy/runner.h"
 #include "tests/engine/order_fit.h"
@@ -71,8 +71,8 @@ Convergence converge(core::Simulator& simulator, const TruthScene& truth, const 
 
 class Order : public testing::TestWithParam<const char*> {};
 
-// Where an integrator cannot show its order: what it moves exactly, and what it moves to rounding by steps that
-// are long against the motion.  Any other integrator that does not show it fails.
+// Where an integrator cannot show its order: what it moves exactly, and what it moves to rounding by steps
+// that are long against the motion.  Any other integrator that does not show it fails.
 const std::map<std::string, std::vector<std::string>> blind = {{"kovalevskaya", {"rk8", "rkn6"}}};
 
 TEST_P(Order, OfEveryFixedStepIntegratorIsTheDeclaredOne) {

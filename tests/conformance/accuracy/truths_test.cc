@@ -1,6 +1,6 @@
-// The engine against every reference solution that concerns motion: file x quantity, by its default integrator at
-// a tolerance.  The files were computed twice in 40 to 60 digits, most with a rigorous enclosure; nothing of
-// them shares code with the engine or with reference/exact.
+// The engine against every reference solution that concerns motion: file x quantity, by its default
+// integrator at a tolerance.  The files were computed twice in 40 to 60 digits, most with a rigorous
+// enclosure; nothing of them shares code with the engine or with reference/exact.
 #include "tests/conformance/accuracy/runner.h"
 
 #include <fmt/core.h>

@@ -38,7 +38,7 @@ struct Scene {
 Vector3 slope() { return Vector3(0.2, 1, -0.1).normalized(); }
 
 // One contact problem of the capsule that comes to lie on a box and some of the two boxes are solved by
-// iteration, which a remark says; the laws hold all the same.  Two boxes that project on one another and on a
+// iteration, which a remark says; the laws hold all the same.  Two boxes that settle on one another and on a
 // plane bounce thousands of times from 0.28 s on: docs/in-house.md, "Limits of contacts".
 std::vector<Scene> scenes() {
   const Quaternion q = exponential(Vector3(0.4, 0.5, 0.6));

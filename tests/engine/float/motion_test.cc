@@ -51,9 +51,9 @@ TEST(FloatMotion, BouncesOccurAtExactTimes) {
   }
 }
 
-// An integrator of first order comes down later within a step than the cubic between its ends does: the impact was
-// taken for a graze, the ball stood inside the plane, parted, and was found to meet it at that instant for
-// ever.
+// An integrator of first order comes down later within a step than the cubic between its ends does: the
+// impact was taken for a graze, the ball stood inside the plane, parted, and was found to meet it at that
+// instant for ever.
 TEST(FloatMotion, FirstOrderStepDoesNotMissImpact) {
   for (const char* integrator : {"symplectic-euler", "explicit-euler"}) {
     const Model model = ball_over_plane(real(0.5), real(0.6));

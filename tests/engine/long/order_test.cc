@@ -1,7 +1,7 @@
-// The observed order of every integrator, within a tenth.  In double the integrators of order 6 and 8 have a factor
-// of two of steps between the first regular one and rounding; with the 64 bits of x87 the errors below span
-// seven decades.  The integrators are templates over the number type: what runs here is what the engine runs, its
-// coefficients with three more digits.
+// The observed order of every integrator, within a tenth.  In double the integrators of order 6 and 8 have
+// a factor of two of steps between the first regular one and rounding; with the 64 bits of x87 the errors
+// below span seven decades.  The integrators are templates over the number type: what runs here is what the
+// engine runs, its coefficients with three more digits.
 #define CYLON_ENGINE_LONG  // of all that is included; nothing of the engine is linked
 
 #include "engine/integrators/advance.h"

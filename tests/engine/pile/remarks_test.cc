@@ -1,4 +1,5 @@
-// What the stepping path cannot keep, it says: steps too long for a force, and the order of impacts at one instant.
+// What the stepping path cannot keep, it says: steps too long for a force, and the order of impacts at one
+// instant.
 #include "tests/engine/fixtures.h"
 
 #include <functional>
