@@ -64,8 +64,9 @@ std::string trade_text(const TradeTable& table, const ConsoleOptions& options, b
   const auto safe = [&](const std::string& text) { return shown(text, options); };
   const std::string dots = options.utf8 ? "…" : "...";
   if (table.measures.empty())
-    return safe(
-        fmt::format("{}: nothing to measure: no exact solution and no conserved quantity\n", table.scenario));
+    return safe(fmt::format("{}: nothing to measure: no exact solution and no conserved quantity",
+                            table.scenario)) +
+           '\n';
   std::string out = head(table, options);
   const std::vector<double> errors = marks(table);
   const int reserved = 31 + 4 + 9 * static_cast<int>(errors.size());

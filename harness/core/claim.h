@@ -13,8 +13,9 @@
 
 namespace cylon::core {
 
-/// allowed = absolute + relative S, with S the claim's scale (scale.h); or, where `order` is set, the bound of theory C_p dt^p T plus rounding,
-/// with p the order that the simulator declares, the observed order being checked as well.
+/// allowed = absolute + relative S, with S the claim's scale (scale.h); or, where `order` is set, the bound
+/// of theory C_p dt^p T plus rounding, with p the order that the simulator declares, the observed order
+/// being checked as well.
 ///
 /// An integrator of order p is held to the constant of the highest order q <= p that has one: C_q dt^q T, and
 /// order q. One that chooses its own steps (dt is then only the grid) is held to the last constant by its

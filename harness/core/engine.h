@@ -1,5 +1,5 @@
-// What harness and engine tell each other, as data: what an engine says of itself, what a run asks of it, with
-// what terms it ran.  Knows no Simulator.
+// What harness and engine tell each other, as data: what an engine says of itself, what a run asks of it,
+// with what terms it ran.  Knows no Simulator.
 #pragma once
 
 #include "harness/core/scene.h"
@@ -65,8 +65,8 @@ struct Setup {
   std::string path;                            ///< "": a published function of the Scene alone.
   std::string integrator;                      ///< "": the engine's default.
   std::map<std::string, std::string> options;  ///< Settings overridden by a variant or a suite.
-  /// Of an adaptive integrator: bound on the global error at the samples, relative to the scales of the motion,
-  /// > 0; 0: the engine's own.
+  /// Of an adaptive integrator: bound on the global error at the samples, relative to the scales of the
+  /// motion, > 0; 0: the engine's own.
   double tolerance = 0;
 };
 

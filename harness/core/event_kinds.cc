@@ -206,8 +206,8 @@ Reason no_axis_or_pole(const Scene& scene, const Pair& pair) {
 
 // ---- Crossing: the height over the water --------------------------------------------------------
 
-// Height of the surface above or below a point at a time [m].  Cells outside the table of mode "step" are as the
-// nearest one in it.
+// Height of the surface above or below a point at a time [m].  Cells outside the table of mode "step" are
+// as the nearest one in it.
 double water_surface(const Water& water, const Vector3& point, double t) {
   if (water.mode != "step") return water.level + water.wave * std::sin(point.x() - water.speed * t);
   const auto cell = [](double x) { return std::clamp(std::trunc((x + 5) / 0.25), 0.0, 40.0); };

@@ -1,5 +1,5 @@
-// The mechanics of forces for those who judge motion: potential energies, and which laws and symmetries each force
-// leaves intact.
+// The mechanics of forces for those who judge motion: potential energies, and which laws and symmetries
+// each force leaves intact.
 #pragma once
 
 #include "harness/core/scene.h"
@@ -7,8 +7,8 @@
 
 namespace cylon::core {
 
-/// Why a law or a symmetry of mechanics does not hold where a force acts, in words; null where it holds.  What a
-/// force does not state does not hold.
+/// Why a law or a symmetry of mechanics does not hold where a force acts, in words; null where it holds.
+/// What a force does not state does not hold.
 struct Broken {
   static constexpr const char* unstated = "a force acts of which nobody has stated this";
 
@@ -25,7 +25,8 @@ struct Broken {
 Broken broken_by(const Force&);
 
 /// Sum of size(U_k) over the terms of the force's potential energy [J]; 0 for a force without a potential.
-double potential(const Force&, const Scene&, const State&, double (*size)(double));
+double potential(
+    const Force&, const Scene&, const State&, double (*size)(double) = [](double u) { return u; });
 
 /// First-order bound on the error of the potential energy that an error of the state makes [J].
 double potential_error(const Force&, const Scene&, const State&, const StateError&);

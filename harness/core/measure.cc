@@ -13,6 +13,12 @@
 #include <stdexcept>
 
 namespace cylon::core {
+
+std::int64_t last_step_of_change(const Claim& claim, double dt) {
+  constexpr double most = 0x1p62;
+  return static_cast<std::int64_t>(std::min(std::ceil(claim.until / dt * (1 - 1e-12)), most));
+}
+
 namespace {
 
 double horizon(const Claim& claim, double duration) { return std::min(claim.until, duration); }
@@ -21,9 +27,8 @@ double horizon(const Claim& claim, double duration) { return std::min(claim.unti
 class Chosen {
  public:
   Chosen(const Claim& claim, double dt, std::int64_t last)
-      : last_(last), until_(claim.until / dt * (1 + 1e-12)) {
-    // What must have changed by a time shows at the first step that is not before it.
-    if (claim.at_least) until_ = std::ceil(claim.until / dt * (1 - 1e-12));
+      : last_(claim.at_least ? std::min(last, last_step_of_change(claim, dt)) : last),
+        until_(claim.at_least ? static_cast<double>(last_) : claim.until / dt * (1 + 1e-12)) {
     if (claim.truth && !claim.truth->times.empty())
       for (const double t : claim.truth->times) at_.insert(std::llround(t / dt));
     else if (claim.sample && *claim.sample > 0)
@@ -127,7 +132,8 @@ std::optional<std::pair<int, double>> constant_of(const Tolerance& tolerance, in
   return *std::prev(above);
 }
 
-// Whether the run was of an integrator that chooses its steps, and went by it: events in between lower the order.
+// Whether the run was of an integrator that chooses its steps, and went by it: events in between lower the
+// order.
 bool chose_its_steps(const Recording& recording) {
   const Engine& engine = recording.engine;
   const Terms& terms = recording.terms;

@@ -19,6 +19,9 @@ struct Series {
                                   ///< far, in the observable's unit.
 };
 
+/// The step by which a least change must show: the first that is not before the claim's `until`.
+std::int64_t last_step_of_change(const Claim&, double dt);
+
 /// The samples that the claim asks for (its `sample`, its `until`, its truth's own times).
 Series deviation(const Claim&, const Scene&, const Recording&);
 
@@ -46,7 +49,8 @@ std::optional<std::int64_t> first_bad_step(const Recording&);
 /// How many runs, each at half the step of the one before, the claim needs: 1 or 3.
 int runs_needed(const Claim&);
 
-/// Recordings at dt, dt/2, … as runs_needed says; `duration` is the scenario's [s]; `first`: the first of them, read.
+/// Recordings at dt, dt/2, … as runs_needed says; `duration` is the scenario's [s]; `first`: the first of
+/// them, read.
 Measured measure(const Claim&, const Scene&, std::span<const Recording>, double duration,
                  const Reading& first);
 inline Measured measure(const Claim& claim, const Scene& scene, std::span<const Recording> recordings,

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 namespace cylon::core {
 namespace {
@@ -17,15 +16,30 @@ namespace {
 constexpr int samples = 256;
 constexpr double steady = 1e-3;  // of the next best scale: a range below it is none
 
+/// The times at which a truth is looked at, where it knows any: 0, `until`, and between them
+/// until frac(i (sqrt 5 - 1)/2), which no period divides.
+std::vector<double> times_of_range(double until) {
+  const double golden = (std::sqrt(5.0) - 1) / 2;
+  std::vector<double> times = {0, until};
+  for (int i = 1; i < samples; ++i) times.push_back(until * (i * golden - std::floor(i * golden)));
+  return times;
+}
+
+std::vector<double> even_times(double until) {
+  std::vector<double> times;
+  for (int i = 0; i <= samples; ++i) times.push_back(until * i / samples);
+  return times;
+}
+
 using Trajectory = std::vector<RequiredMotion::Instant>;
 
-Trajectory sampled(const Truth& truth, double until) {
+// At the times given, or at those of recorded data.
+Trajectory sampled(const Truth& truth, double until, const std::vector<double>& times) {
   Trajectory path;
   for (const double t : truth.times)
     if (t <= until * (1 + 1e-9)) path.push_back({t, truth.state(t)});
   if (truth.times.empty())
-    for (int i = 0; i <= samples; ++i)
-      path.push_back({until * i / samples, truth.state(until * i / samples)});
+    for (const double t : times) path.push_back({t, truth.state(t)});
   return path;
 }
 
@@ -43,11 +57,12 @@ Trajectory motion_of(const Claim& claim, const Scene& scene, double duration) {
   const double until = std::min(claim.until, duration);
   Trajectory path = {{0, initial_state(scene)}};
   if (claim.truth && claim.truth->state) {
-    const Trajectory more = sampled(*claim.truth, std::min(until, claim.truth->horizon));
+    const double end = std::min(until, claim.truth->horizon);
+    const Trajectory more = sampled(*claim.truth, end, times_of_range(end));
     path.insert(path.end(), more.begin(), more.end());
   } else if (claim.motion) {
-    for (const RequiredMotion::Instant& instant : claim.motion->path())
-      if (instant.time <= until * (1 + 1e-9)) path.push_back(instant);
+    const Trajectory& more = claim.motion->path(until);
+    path.insert(path.end(), more.begin(), more.end());
   }
   if (anything_fixed(scene)) return path;
   const Vector3 drift = velocity_of_centre(scene);
@@ -122,8 +137,6 @@ std::vector<Term> of_each_body(const Claim& claim, const Scene& scene, const Tra
 
 Vector3 scalar(double x) { return {x, 0, 0}; }
 
-double same(double x) { return x; }
-
 // A body's momenta, whole: what one of its components is exchanged for may be another.
 std::vector<Term> momenta(const Claim& claim, const Scene& scene, const Trajectory& path) {
   std::vector<Term> terms;
@@ -163,7 +176,7 @@ std::vector<Term> energies(const Claim& claim, const Scene& scene, const Traject
   std::vector<Term> terms = {kinetic(claim, scene, path)};
   for (const Force& force : scene.forces)
     terms.push_back(term(path, !std::holds_alternative<UniformGravity>(force),
-                         [&](const State& s) { return scalar(potential(force, scene, s, same)); }));
+                         [&](const State& s) { return scalar(potential(force, scene, s)); }));
   return terms;
 }
 
@@ -195,14 +208,20 @@ std::vector<Term> terms_of(const Claim& claim, const Scene& scene, const Traject
 
 // ---- Where nothing moves ------------------------------------------------------------------------
 
-double at_rest(const Claim& claim, const Scene& scene, double duration) {
-  double d = 0, m = 0, g = 0, smallest = std::numeric_limits<double>::infinity();
+double norm_of_gravity(const Scene& scene) {
+  double g = 0;
+  for (const Force& force : scene.forces)
+    if (const auto* gravity = std::get_if<UniformGravity>(&force)) g += gravity->acceleration.norm();
+  return g;
+}
+
+// Without gravity: what takes a body over its own size, or around a radian, within the duration.
+double at_rest(const Claim& claim, const Scene& scene, double duration, double g) {
+  double d = 0, m = 0, smallest = std::numeric_limits<double>::infinity();
   each_body(claim.observable, scene, [&](const Body& body, std::size_t) {
     d = std::max(d, size(body)), m = std::max(m, body.mass);
     smallest = std::min(smallest, size(body));
   });
-  for (const Force& force : scene.forces)
-    if (const auto* gravity = std::get_if<UniformGravity>(&force)) g += gravity->acceleration.norm();
   if (!(d > 0)) return 1;  // locked bodies alone
   const double speed = g > 0 ? g * duration : d / duration;
   switch (claim.observable.quantity) {
@@ -265,16 +284,19 @@ double scale_of_event(const Claim& claim, const Scene& scene, double duration) {
     most =
         worst(range(term(path, false, [&](const State& s) { return scalar(up.dot(s[i].position)); })), most);
   });
-  return most > 0 ? most : at_rest({.observable = {.quantity = Quantity::position}}, scene, duration);
+  return most > 0 ? most : at_rest({.observable = {.quantity = Quantity::position}}, scene, duration, 0);
 }
 
 }  // namespace
 
 RequiredMotion::RequiredMotion(Truth truth, double until) : truth_(std::move(truth)), until_(until) {}
 
-const Trajectory& RequiredMotion::path() const {
-  std::call_once(once_, [this] { path_ = sampled(truth_, until_); });
-  return path_;
+const Trajectory& RequiredMotion::path(double until) const {
+  const std::scoped_lock lock(mutex_);
+  const double end = std::min(until, until_);
+  const auto [place, is_new] = paths_.try_emplace(end);
+  if (is_new) place->second = sampled(truth_, end, times_of_range(end));
+  return place->second;
 }
 
 bool anything_fixed(const Scene& scene) {
@@ -289,7 +311,7 @@ double scale(const Claim& claim, const Scene& scene, double duration) {
   if (claim.at_least) return *claim.at_least;
   const Quantity quantity = claim.observable.quantity;
   if (quantity == Quantity::event) return scale_of_event(claim, scene, duration);
-  const double rest = at_rest(claim, scene, duration);
+  const double rest = at_rest(claim, scene, duration, norm_of_gravity(scene));
   if (quantity == Quantity::normal_gap || quantity == Quantity::joint_gap) return rest;
   const Trajectory path = motion_of(claim, scene, duration);
   if (quantity == Quantity::orientation || quantity == Quantity::axis) {
@@ -301,7 +323,7 @@ double scale(const Claim& claim, const Scene& scene, double duration) {
     moves = worst(range(p), moves);
     sizes = worst(size_of(p), sizes);
   }
-  if (!(sizes > steady * rest)) sizes = rest;
+  if (!(sizes > steady * at_rest(claim, scene, duration, 0))) sizes = rest;
   return moves <= steady * sizes ? sizes : moves;
 }
 
@@ -320,7 +342,8 @@ double largest_value(const Claim& claim, const Scene& scene, double duration) {
   double most = 0;
   const double until = std::min(claim.until, duration);
   for (const RequiredMotion::Instant& instant :
-       sampled(*claim.truth, claim.truth->times.empty() ? until : std::numeric_limits<double>::infinity()))
+       sampled(*claim.truth, claim.truth->times.empty() ? until : std::numeric_limits<double>::infinity(),
+               even_times(until)))
     most = worst(size_of_state(instant.state), most);
   return most;
 }

@@ -30,6 +30,8 @@ struct Truth {
   std::string source;                                        ///< Where the formula or the data come from.
   double horizon = std::numeric_limits<double>::infinity();  ///< [s]
   std::vector<double> times;  ///< Recorded data: the only times at which it is known.  Empty: any.
+  /// Recorded data may lack these of a body that moves; its states then hold what the scene starts with.
+  bool knows_velocity = true, knows_orientation = true, knows_angular_velocity = true;
 };
 
 /// A truth was asked for a scene outside its domain; the message says which condition failed.

@@ -1,4 +1,5 @@
-// What a claim measures, and how it is called: the keys `conserves`, `observable`, `event`, `body`, `component`, …
+// What a claim measures, and how it is called: the keys `conserves`, `observable`, `event`, `body`,
+// `component`, …
 #pragma once
 
 #include "harness/core/claim.h"
@@ -18,8 +19,8 @@ void refuse(const Table&, std::initializer_list<const char*> keys, bool when, st
 /// Fails for an observable that the scene does not have, and for keys that belong to another observable.
 core::Observable read_observable(const Table& claim, const Draft&);
 
-/// The name of a claim in reports and in expected.toml: "angular_momentum conserved, y", "event follows bouncing_sphere, apex 2 height".  No character has a
-/// meaning in globs.
+/// The name of a claim in reports and in expected.toml: "angular_momentum conserved, y", "event follows
+/// bouncing_sphere, apex 2 height".  No character has a meaning in globs.
 std::string label_of(const Table&, const core::Claim&);
 
 }  // namespace cylon::scenario

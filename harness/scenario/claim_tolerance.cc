@@ -1,6 +1,5 @@
 #include "harness/scenario/claim_tolerance.h"
 
-#include "harness/core/measure.h"
 #include "harness/core/scale.h"
 #include "harness/scenario/claim_observable.h"
 
@@ -41,6 +40,10 @@ core::Tolerance read_tolerance(const Table& t, const Claim& claim) {
     t.fail("relative",
            fmt::format("relative does not go with measure = \"{}\", whose unit is another; use absolute",
                        core::name(claim.reduction)));
+  if (claim.at_least && !(result.absolute + result.relative * *claim.at_least < *claim.at_least))
+    t.fail(t.has("absolute") ? "absolute" : "relative",
+           fmt::format("allows all of at_least = {} to be missing: no motion at all would pass; allow less",
+                       *claim.at_least));
   return result;
 }
 
@@ -66,7 +69,9 @@ void bind_motion(std::vector<Claim>& claims, double duration) {
   const auto horizon = [&](const Claim& claim) { return std::min(claim.until, duration); };
   const Claim* longest = nullptr;
   for (const Claim& claim : claims)
-    if (claim.truth && (!longest || horizon(claim) > horizon(*longest))) longest = &claim;
+    if (claim.truth && claim.truth->knows_velocity && claim.truth->knows_angular_velocity &&
+        (!longest || horizon(claim) > horizon(*longest)))
+      longest = &claim;
   if (!longest) return;
   const auto motion = std::make_shared<core::RequiredMotion>(
       *longest->truth, std::min(horizon(*longest), longest->truth->horizon));

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -32,6 +33,10 @@ Claim parse_claim(const Table& t, const Draft& draft, double duration, double st
   claim.observable = read_observable(t, draft);
   claim.reduction = reduction_of(t);
   if (t.has("changes")) claim.at_least = t.number("at_least"), claim.reduction = Reduction::end;
+  if (claim.at_least && is_angle(claim.observable.quantity) && !(*claim.at_least < std::numbers::pi))
+    t.fail("at_least", fmt::format("at_least = {}, but an angle between two directions is at most pi; "
+                                   "valid: less than pi",
+                                   *claim.at_least));
   const bool horizon = t.is_text("until");
   if (horizon && (!t.is_text("follows") || t.text("follows") != certified_name))
     t.fail("until", "until = \"horizon\" belongs to follows = \"certified\", which knows how errors grow");
@@ -60,10 +65,41 @@ Claim parse_claim(const Table& t, const Draft& draft, double duration, double st
   return claim;
 }
 
+// Why recorded data cannot say what is claimed, or "".  A point has neither orientation nor spin.
+std::string lacks(const core::Truth& truth, Quantity quantity, bool only_points) {
+  const std::string velocity = truth.knows_velocity ? "" : "velocity",
+                    orientation = truth.knows_orientation || only_points ? "" : "orientation",
+                    spin = truth.knows_angular_velocity || only_points ? "" : "angular_velocity";
+  switch (quantity) {
+    case Quantity::position:
+    case Quantity::event:
+      return "";
+    case Quantity::velocity:
+    case Quantity::linear_momentum:
+      return velocity;
+    case Quantity::orientation:
+    case Quantity::axis:
+    case Quantity::normal_gap:
+    case Quantity::joint_gap:
+      return orientation;
+    case Quantity::angular_velocity:
+      return spin;
+    case Quantity::angular_momentum:
+    case Quantity::energy:
+    case Quantity::kinetic_energy:
+      return !velocity.empty() ? velocity : !spin.empty() ? spin : orientation;
+  }
+  return "";
+}
+
 void follow(const Table& t, Draft& draft, ExactTruths& exact, Claim& claim, double duration) {
   const double horizon = std::min(claim.until, duration);
   if (const auto recorded = t.table("follows")) {
     claim.truth = parse_truth(draft.read(*recorded, "file"), claim.follows, draft.scene);
+    const bool only_points = std::ranges::all_of(draft.point, [](bool p) { return p; });
+    if (const std::string key = lacks(*claim.truth, claim.observable.quantity, only_points); !key.empty())
+      t.fail("observable", fmt::format("observable: '{}' of a body needs '{}', which the file {} lacks",
+                                       core::name(claim.observable.quantity), key, claim.follows));
     cut(t, *claim.truth, horizon);
   } else {
     claim.truth = exact.at(t, claim, horizon);

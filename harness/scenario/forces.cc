@@ -54,20 +54,21 @@ void check(const Table& t, const Draft&, const core::Thrust&) {
 
 // What holds for every kind: two ends are two bodies, and the force is finite at the start.
 template <class Kind>
-void check_any(const Table& t, const Draft& draft, const Kind& force) {
+void check_any(const Table& t, const Draft& draft, const core::State& start, const Kind& force) {
   if constexpr (requires { force.to; })
     if (force.to == force.body)
       t.fail("to", fmt::format("a force of kind {} joins two different bodies", core::Element<Kind>::name));
-  const auto same = [](double u) { return u; };
-  if (!std::isfinite(core::potential(force, draft.scene, core::initial_state(draft.scene), same)))
-    t.fail("to", fmt::format("the two bodies start at one point, where the {} is infinite",
-                             core::Element<Kind>::name));
+  if (!std::isfinite(core::potential(force, draft.scene, start)))
+    t.fail(fmt::format("the {} has no finite energy at the start: two places that coincide, or a number "
+                       "too large",
+                       core::Element<Kind>::name));
 }
 
 }  // namespace
 
 void read_forces(const Table& root, Draft& draft) {
   auto& forces = draft.scene.forces;
+  const core::State start = core::initial_state(draft.scene);
   core::for_each_force([&]<class Kind>() {
     constexpr std::string_view name = core::Element<Kind>::name;
     if constexpr (std::is_same_v<Kind, core::UniformGravity>) {
@@ -75,7 +76,7 @@ void read_forces(const Table& root, Draft& draft) {
     } else {
       for (const Table& t : root.tables(name)) {
         auto force = read_element<Kind>(t, draft);
-        check_any(t, draft, force);
+        check_any(t, draft, start, force);
         if constexpr (requires { check(t, draft, force); }) check(t, draft, force);
         forces.emplace_back(std::move(force));
       }

@@ -89,13 +89,16 @@ std::size_t find_body(const Reader& reader, const core::Scene& scene, const std:
 }
 
 void read_body(const Reader& reader, const Json& rows, const std::string& where, std::size_t body,
-               std::vector<core::State>& states) {
+               std::vector<core::State>& states, core::Truth& truth) {
   const std::size_t n = states.size();
   const auto p = reader.column(rows, "position", n, 3, where),
              v = reader.column(rows, "velocity", n, 3, where);
   const auto q = reader.column(rows, "orientation", n, 4, where),
              w = reader.column(rows, "angular_velocity", n, 3, where);
   if (p.empty()) reader.fail(where + " needs 'position'");
+  truth.knows_velocity &= !v.empty();
+  truth.knows_orientation &= !q.empty();
+  truth.knows_angular_velocity &= !w.empty();
   for (std::size_t i = 0; i < n; ++i) {
     core::BodyState& s = states[i][body];
     s.position = {p[i][0], p[i][1], p[i][2]};
@@ -196,6 +199,7 @@ core::Truth parse_truth(std::string_view json, const std::string& file, const co
   const Json& bodies = reader.member(root, "bodies", "the file");
   const Json& trajectory = reader.member(root, "trajectory", "the file");
   if (!bodies.is_array()) reader.fail("'bodies' must be an array");
+  core::Truth truth;
   std::vector<bool> known(scene.bodies.size(), false);
   for (const Json& entry : bodies) {
     const Json& id = reader.member(entry, "id", "each of 'bodies'");
@@ -203,7 +207,7 @@ core::Truth parse_truth(std::string_view json, const std::string& file, const co
     const std::string name = id.get<std::string>();
     const std::size_t body = find_body(reader, scene, name, bodies.size());
     read_body(reader, reader.member(trajectory, name.c_str(), "trajectory"), "trajectory." + name, body,
-              *states);
+              *states, truth);
     known[body] = true;
   }
   for (std::size_t i = 0; i < known.size(); ++i)
@@ -215,7 +219,6 @@ core::Truth parse_truth(std::string_view json, const std::string& file, const co
       root["agreement"].contains("max_abs_diff"))
     difference = std::abs(reader.number(root["agreement"]["max_abs_diff"], "agreement.max_abs_diff"));
 
-  core::Truth truth;
   truth.times = *times;
   truth.horizon = times->back();
   truth.error = error_of(*states, difference);

@@ -146,6 +146,7 @@ Sampling sampling(const Scenario& scenario, double dt) {
           at.insert(steps_of(scenario, t, dt, "a time of the recorded truth"));
       continue;
     }
+    if (claim.at_least) at.insert(std::min(plan.steps, core::last_step_of_change(claim, dt)));
     const std::int64_t stride =
         !claim.sample        ? core::sampling_stride(scenario.scene.bodies.size(), plan.steps, dt, 0)
         : *claim.sample == 0 ? 1

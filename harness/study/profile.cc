@@ -75,7 +75,8 @@ ClaimProfile profile_of(const Claim& claim, const Scenario& scenario, std::span<
   result.error =
       core::measure(claim, scenario.scene, recordings.first(needed), scenario.duration, reading).value;
   result.floor = floor_of(claim, scenario, recording);
-  if (recordings.size() < 2 || is_event(claim) || core::controls_its_error(recording.engine, recording.terms))
+  if (recordings.size() < 2 || is_event(claim) || claim.at_least ||
+      core::controls_its_error(recording.engine, recording.terms))
     return result;
   const double coarse = largest(reading.series);
   const double fine = largest(core::deviation(claim, scenario.scene, recordings[1]));

@@ -197,18 +197,18 @@ INSTANTIATE_TEST_SUITE_P(All, Descriptions, testing::ValuesIn(shipped_scenarios(
 // ---- No tolerance exceeds a tenth of its scale --------------------------------------------------
 
 // The in-house engine's run in place of a truth, for scenes that have none.
-std::shared_ptr<const core::RequiredMotion> recorded(const core::Recording& recording) {
+std::shared_ptr<const core::RequiredMotion> recorded(const core::Recording& run) {
   core::Truth truth;
-  truth.state = [&recording](double t) {
-    const auto step = std::llround(t / recording.dt);
-    const auto found = std::ranges::lower_bound(recording.steps, step);
-    return recording.states[static_cast<std::size_t>(found - recording.steps.begin())];
+  const auto kept = std::make_shared<const core::Recording>(run);
+  truth.state = [kept](double t) {
+    const auto step = std::llround(t / kept->dt);
+    const auto found = std::ranges::lower_bound(kept->steps, step);
+    return kept->states[static_cast<std::size_t>(found - kept->steps.begin())];
   };
+  const core::Recording& recording = *kept;
   const std::size_t stride = std::max<std::size_t>(1, recording.states.size() / 256);
   for (std::size_t i = 0; i < recording.states.size(); i += stride) truth.times.push_back(recording.time(i));
-  auto motion = std::make_shared<core::RequiredMotion>(truth, recording.time(recording.states.size() - 1));
-  motion->path();  // while the recording is there
-  return motion;
+  return std::make_shared<core::RequiredMotion>(truth, recording.time(recording.states.size() - 1));
 }
 
 class Tolerances : public testing::TestWithParam<std::filesystem::path> {};

@@ -37,7 +37,8 @@ std::string told(const ShippedRun& run) {
   return text;
 }
 
-// One that answers with the step before: of the in-house engine, or, where it refuses the scene, of the truth.
+// One that answers with the step before: of the in-house engine, or, where it refuses the scene, of the
+// truth.
 std::optional<ShippedRun> late(const scenario::Scenario& scenario) {
   if (auto run = run_shipped(scenario, mutant("one step late"))) return run;
   for (const core::Claim& claim : scenario.claims)
