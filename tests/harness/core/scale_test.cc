@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 namespace {
@@ -94,6 +95,52 @@ TEST(Scale, IsOfTheValueWhereThatDoesNotChange) {
   EXPECT_EQ(scale(claim_of(Quantity::angular_velocity), scene, T), 4);
   EXPECT_NEAR(scale(claim_of(Quantity::angular_momentum), scene, T), 0.3, 1e-15);
   EXPECT_NEAR(scale(claim_of(Quantity::energy), scene, T), 0.6, 1e-15);
+}
+
+// x = cos(2 pi n t/T) is 1 at every even time of which n is a multiple: no range there.
+TEST(Scale, SeesPeriodsThatDivideTheDuration) {
+  Scene scene = thrown({1, 0, 0}, {0, 0, 0});
+  scene.forces.clear();
+  for (const int periods : {1, 16, 64, 255, 256, 512, 1024}) {
+    Truth truth;
+    truth.state = [s = initial_state(scene), periods](double t) {
+      State state = s;
+      state[0].position.x() = std::cos(2 * std::numbers::pi * periods * t / T);
+      return state;
+    };
+    Claim claim = claim_of(Quantity::position);
+    claim.follows = "cosine", claim.truth = truth;
+    EXPECT_NEAR(scale(claim, scene, T), 2, 0.01) << periods;
+  }
+}
+
+// 1 cm of swing under gravity for 100 s: g T = 1000 m/s is no scale of its momentum.
+TEST(Scale, OfASlowMotionIsNotThatOfAFall) {
+  Scene scene = thrown({0, 0, 0}, {0, 0, 0});
+  constexpr double amplitude = 1e-2, duration = 100;
+  Truth truth;
+  truth.state = [s = initial_state(scene)](double t) {
+    State state = s;
+    state[0].position.x() = amplitude * std::sin(t), state[0].velocity.x() = amplitude * std::cos(t);
+    return state;
+  };
+  scene.planes = {{"floor", Vector3::UnitY(), -10}};
+  Claim claim = claim_of(Quantity::velocity);
+  claim.follows = "swing", claim.truth = truth;
+  EXPECT_NEAR(scale(claim, scene, duration), 2 * amplitude, 1e-4);
+  claim.observable.quantity = Quantity::linear_momentum;
+  EXPECT_NEAR(scale(claim, scene, duration), 3 * 2 * amplitude, 3e-4);
+}
+
+// A claim that conserves takes the motion up to its own end: 5 m of the fall in 1 s, not 20 m in 2 s.
+TEST(Scale, EndsWithTheClaim) {
+  const Scene scene = thrown({0, 0, 0}, {0, 0, 0});
+  Claim claim = claim_of(Quantity::energy);
+  claim.motion = std::make_shared<RequiredMotion>(fall(scene), T);
+  claim.until = 1;
+  EXPECT_NEAR(scale(claim, scene, T), 3 * g * 5, 1e-9);
+  claim.until = 10;
+  EXPECT_NEAR(scale(claim, scene, T), 3 * g * 20, 1e-8);
 }
 
 TEST(Scale, NeedsTheTruthThatIsFollowed) {

@@ -70,6 +70,50 @@ TEST(Claims, LeastChangeIsOneSided) {
     EXPECT_THROW(parse(head + "[[claim]]\n" + wrong + t, "wrong.toml"), core::InputError) << wrong;
 }
 
+std::string error_of(const std::string& scene, const std::string& file = "wrong.toml") {
+  try {
+    parse(scene, file);
+  } catch (const core::InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+// All that is required may not be allowed to be missing.
+TEST(Claims, LeastChangeLeavesSomethingToChange) {
+  const auto error = [](const std::string& keys, const std::string& tolerance) {
+    return error_of(head + "shape = { type = \"sphere\", radius = 0.5 }\n[[claim]]\nchanges = " + keys +
+                    "\nbody = \"body\"\ntolerance = { " + tolerance + ", reason = \"r\" }\n");
+  };
+  const std::string position = "\"position\"\nat_least = 0.5", axis = "\"orientation\"\nat_least = ";
+  EXPECT_EQ(error(position, "absolute = 0.4"), "");
+  EXPECT_NE(error(position, "absolute = 0.5").find("no motion at all would pass"), std::string::npos);
+  EXPECT_NE(error(position, "relative = 1").find("no motion at all would pass"), std::string::npos);
+  EXPECT_NE(error(axis + "3.2", "absolute = 0.1").find("at most pi"), std::string::npos);
+}
+
+// A recording without velocities holds those of the start, which are no truth.
+TEST(Claims, RecordedDataMustHaveWhatIsClaimed) {
+  const fs::path folder = fs::path(testing::TempDir()) / "recorded";
+  fs::create_directories(folder);
+  const std::string fall = R"("trajectory":{"body":{"position":[["0","1","0"],["3","0","1"]])";
+  std::ofstream(folder / "positions.json")
+      << R"({"schema":"truth/1","bodies":[{"id":"body"}],"t":["0","0.8"],)" << fall << "}}}";
+  std::ofstream(folder / "both.json") << R"({"schema":"truth/1","bodies":[{"id":"body"}],"t":["0","0.8"],)"
+                                      << fall << R"(,"velocity":[["3","4","0"],["3","-4","0"]]}}})";
+  const auto error = [&](const std::string& file, const std::string& observable) {
+    return error_of(head + "[[claim]]\nfollows = { file = \"" + file + "\" }\nobservable = \"" + observable +
+                        "\"\ntolerance = { absolute = 1, reason = \"r\" }\n",
+                    (folder / "scene.toml").string());
+  };
+  EXPECT_EQ(error("positions.json", "position"), "");
+  for (const char* needs : {"velocity", "linear_momentum", "kinetic_energy", "energy", "angular_momentum"}) {
+    EXPECT_NE(error("positions.json", needs).find("needs 'velocity', which the file"), std::string::npos)
+        << needs;
+    EXPECT_EQ(error("both.json", needs), "") << needs;
+  }
+}
+
 TEST(Claims, RecordedDataIsComparedAtItsTimes) {
   const auto s = parse(head +
                            "[[claim]]\nfollows = { file = \"truth/projectile.json\" }\nobservable = "
