@@ -351,7 +351,11 @@ void Bodies::scales(const Real* y, Real* scale) {
     std::fill(scale + 3, scale + 6, or_one(body.mass * speed));
     std::fill(scale + 6, scale + 10, Real(1));
     const Real inertia = body.inertia.diagonal().maxCoeff();
-    const Real spin = spin_[i] > 0 ? std::max(spin_[i], inertia * (at_rest > 0 ? turn : 0)) : inertia * turn;
+    Real spin = spin_[i] > 0 ? std::max(spin_[i], inertia * (at_rest > 0 ? turn : 0)) : inertia * turn;
+    // Forces that pass through the centre turn a body by the rounding of their torque, eps m v sqrt(I/m):
+    // such a spin is measured by what the same momentum at the body's radius of gyration would be.
+    const Real orbital = speed * std::sqrt(body.mass * inertia);
+    if (spin < 1000 * std::numeric_limits<Real>::epsilon() * orbital) spin = orbital;
     std::fill(scale + 10, scale + 13, or_one(spin));
   }
   std::fill(scale, scale + (size_ - motion_size * n), Real(1e30));  // works and the clock are not controlled

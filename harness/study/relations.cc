@@ -2,6 +2,7 @@
 
 #include "harness/core/fields.h"
 #include "harness/core/force_law.h"
+#include "harness/study/relations_composed.h"
 #include "harness/study/restate.h"
 
 #include <fmt/format.h>
@@ -10,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <map>
 
 namespace cylon::study {
 namespace {
@@ -23,7 +23,6 @@ using core::Recording;
 using core::Scene;
 using core::State;
 using core::Vector3;
-using Reason = std::optional<std::string>;
 
 // ---- What scenes hold -----------------------------------------------------------------------------
 
@@ -31,13 +30,6 @@ template <class F>
 bool any(const Scene& scene) {
   return std::any_of(scene.forces.begin(), scene.forces.end(),
                      [](const Force& f) { return std::holds_alternative<F>(f); });
-}
-
-// The first reason, in the order of the forces.
-Reason broken(const Scene& scene, const char* core::Broken::*law) {
-  for (const Force& f : scene.forces)
-    if (const char* why = core::broken_by(f).*law) return why;
-  return {};
 }
 
 bool joined_to_world(const Scene& scene) {
@@ -52,8 +44,6 @@ bool locked(const Scene& scene) {
 bool touching(const Scene& scene) {
   return core::any_touching_pair(scene, [](const core::Pair&) { return true; });
 }
-
-Reason placed(const Scene& scene) { return broken(scene, &core::Broken::restatement); }
 
 // What holds the scene to the world besides forces.
 Reason held(const Scene& scene) {
@@ -76,28 +66,6 @@ Reason clocks(const Scene& scene) {
 }
 
 Reason never(const Scene&) { return {}; }
-
-// ---- Comparing -------------------------------------------------------------------------------------
-
-// The other run's state at each sample against what the plain one requires there.
-double worst(const Subject& s, const Recording& other,
-             const std::function<State(const State&, double)>& required) {
-  std::map<std::int64_t, const State*> at;
-  for (std::size_t i = 0; i < other.steps.size(); ++i) at[other.steps[i]] = &other.states[i];
-  double result = 0;
-  for (std::size_t i = 0; i < s.plain.steps.size(); ++i) {
-    const auto found = at.find(s.plain.steps[i]);
-    if (found == at.end() || s.plain.time(i) > s.until * (1 + 1e-12)) continue;
-    const double d = apart(required(s.plain.states[i], s.plain.time(i)), *found->second, s.scales);
-    if (!(d <= result)) result = d;
-    if (std::isnan(result)) break;
-  }
-  return result;
-}
-
-Recording again(const Subject& s, const Runner& run, const Scene& scene, double time = 1) {
-  return run(scene, time * s.plain.dt, s.plain.steps.back(), s.every);
-}
 
 // The run of the restated scene, told in the plain words again.
 double restated(const Subject& s, const Runner& run, const Restatement& change) {
@@ -133,9 +101,6 @@ Matrix3 rotation(double angle, const Vector3& axis) {
 }
 
 // ---- The relations -----------------------------------------------------------------------------------
-
-// General values: no axis, no round number, nothing that an engine's grid could fit.
-const Vector3 along(0.73, -1.31, 0.47);
 
 double translation(const Subject& s, const Runner& run) {
   Restatement change;
@@ -248,44 +213,6 @@ double split(const Subject& s, const Runner& run) {
   return worst(s, rest, [](const State& plain, double) { return plain; });
 }
 
-Reason alone(const Scene& scene) {
-  if (scene.bodies.size() < 2) return "there is one body";
-  return {};
-}
-
-double order(const Subject& s, const Runner& run) {
-  Scene scene = s.scene;
-  const int n = static_cast<int>(scene.bodies.size());
-  std::reverse(scene.bodies.begin(), scene.bodies.end());
-  const auto move = [&](int& body) { body = body == core::world ? body : n - 1 - body; };
-  for (Force& f : scene.forces)
-    std::visit(
-        [&](auto& force) {
-          core::for_each_field(force, [&]<class Value>(const auto&, Value& value) {
-            if constexpr (std::is_same_v<Value, int>) move(value);
-          });
-        },
-        f);
-  for (core::Joint& j : scene.joints) move(j.body), move(j.to);
-  return worst(s, again(s, run, scene), [](State plain, double) {
-    std::reverse(plain.begin(), plain.end());
-    return plain;
-  });
-}
-
-// One more body, far away, at rest, that touches and pulls nothing.
-double far_body(const Subject& s, const Runner& run) {
-  Scene scene = s.scene;
-  Body far;
-  far.name = "far away";
-  far.inertia = Matrix3::Identity();
-  far.initial.position = 1000 * s.scales.length * Vector3(0.6, 0.5, -0.4);
-  scene.bodies.push_back(far);
-  Recording other = again(s, run, scene);
-  for (State& state : other.states) state.pop_back();
-  return worst(s, other, [](const State& plain, double) { return plain; });
-}
-
 double repetition(const Subject& s, const Runner& run) {
   return worst(s, again(s, run, s.scene), [](const State& plain, double) { return plain; });
 }
@@ -323,12 +250,6 @@ double superposition(const Subject& s, const Runner& run) {
                [](const State& plain, double) { return plain; });
 }
 
-Reason fixed_place(const Scene& scene) {
-  if (const Reason why = placed(scene)) return why;
-  if (scene.frame && !scene.frame->angular_velocity.isZero()) return "the frame turns about its origin";
-  return {};
-}
-
 constexpr std::array table = {
     Relation{"repetition", "a repeated run gives the same bits", never, repetition, true},
     Relation{"translation", "a translated scene has the translated motion", fixed_place, translation},
@@ -343,8 +264,17 @@ constexpr std::array table = {
     Relation{"mass", "masses, inertias and forces times the same factor give the same motion", placed,
              heavier},
     Relation{"body axes", "other body axes give the same motion", shaped, body_axes},
-    Relation{"body order", "the order of the bodies has no effect", alone, order},
+    Relation{"body order", "the order of the bodies has no effect", one_body, body_order},
+    Relation{"part order", "the order of forces, joints and planes has no effect", one_part, part_order},
+    Relation{"other points",
+             "joints and springs named from the other end, or from another point that they keep, act alike",
+             none_between, other_points},
     Relation{"far body", "a distant body has no effect", placed, far_body},
+    Relation{"bystander", "a scene and its copy far away each move as the scene does alone", no_room,
+             bystander},
+    Relation{"removal", "without a body that nothing joins, pulls or touches, the others move as before",
+             none_apart, removal},
+    Relation{"weld", "a body moves as the two that a fixed joint makes of it", none_to_split, weld},
     Relation{"split run", "a run that is split in two halves gives the same motion", clocks, split},
     Relation{"time reversal", "without losses the motion is reversible in time", irreversible, reversal},
     Relation{"superposition",

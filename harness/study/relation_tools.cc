@@ -1,0 +1,47 @@
+#include "harness/study/relation_tools.h"
+
+#include "harness/core/force_law.h"
+
+#include <cmath>
+#include <map>
+
+namespace cylon::study {
+
+using core::Recording;
+using core::Scene;
+using core::State;
+
+Reason broken(const Scene& scene, const char* core::Broken::*law) {
+  for (const core::Force& f : scene.forces)
+    if (const char* why = core::broken_by(f).*law) return why;
+  return {};
+}
+
+Reason placed(const Scene& scene) { return broken(scene, &core::Broken::restatement); }
+
+Reason fixed_place(const Scene& scene) {
+  if (const Reason why = placed(scene)) return why;
+  if (scene.frame && !scene.frame->angular_velocity.isZero()) return "the frame turns about its origin";
+  return {};
+}
+
+double worst(const Subject& s, const Recording& other,
+             const std::function<State(const State&, double)>& required) {
+  std::map<std::int64_t, const State*> at;
+  for (std::size_t i = 0; i < other.steps.size(); ++i) at[other.steps[i]] = &other.states[i];
+  double result = 0;
+  for (std::size_t i = 0; i < s.plain.steps.size(); ++i) {
+    const auto found = at.find(s.plain.steps[i]);
+    if (found == at.end() || s.plain.time(i) > s.until * (1 + 1e-12)) continue;
+    const double d = apart(required(s.plain.states[i], s.plain.time(i)), *found->second, s.scales);
+    if (!(d <= result)) result = d;
+    if (std::isnan(result)) break;
+  }
+  return result;
+}
+
+Recording again(const Subject& s, const Runner& run, const Scene& scene, double time) {
+  return run(scene, time * s.plain.dt, s.plain.steps.back(), s.every);
+}
+
+}  // namespace cylon::study
