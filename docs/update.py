@@ -124,7 +124,7 @@ def extremes(cylon):
     lines = ["| scenario | what happens | step | criterion | sources |", "|---|---|---|---|---|"]
     for row in json.loads(output(cylon, "list", "--json", "--tag", "extreme")):
         claims = "; ".join(f"{c['label']}: " + (f"at least {c['at_least']:g} {c['unit']}" if c["at_least"] else
-                           f"{c['absolute'] or c['relative']:g} " + (c["unit"] if c["absolute"] else "of its size"))
+                           f"{c['absolute'] or c['relative']:g} " + (c["unit"] if c["absolute"] else "of its scale"))
                            for c in row["claims"])
         lines.append(f"| {row['name']} | {row['title']} | {row['step']:.4g} s | {claims} | {', '.join(map(link, row['sources'])) or '–'} |")
     return "\n".join(lines)

@@ -69,12 +69,15 @@ void refuse(const Table& t, std::initializer_list<const char*> keys, bool when, 
 Observable read_observable(const Table& t, const Draft& draft) {
   if (t.has("follows") + t.has("conserves") + t.has("changes") != 1)
     t.fail(
-        "[[claim]] needs either 'follows' (with 'observable') or 'conserves' or 'changes' (with 'at_least')");
+        "[[claim]] needs exactly one of 'follows' (with 'observable'), 'conserves', 'changes' (with "
+        "'at_least')");
   for (const char* named : {"conserves", "changes"})
     if (t.has(named) && t.has("observable"))
       t.fail("observable", fmt::format("observable: '{}' names it already", named));
   if (t.has("changes") != t.has("at_least"))
-    t.fail(t.has("changes") ? "changes" : "at_least", "changes and at_least belong together");
+    t.fail(t.has("changes") ? "changes" : "at_least", t.has("changes")
+                                                          ? "changes: needs 'at_least', the least change"
+                                                          : "at_least: belongs to 'changes'");
   refuse(t, {"measure"}, t.has("changes"), "does not go with 'changes', of which the largest change counts");
   if (t.has("follows") && !t.has("observable"))
     t.fail("follows", "a claim that follows a truth needs 'observable'");
