@@ -58,7 +58,8 @@ class TreeBody {
     for (std::size_t i = 0; i < tree.bodies.size(); ++i) {
       const core::Body& body = scene.bodies[at(tree.bodies[i])];
       const Placing& placing = placings[at(tree.bodies[i])];
-      if (body.collide) collide(link(i), pose_to_bullet(body, placing.principal), placing, settings, world);
+      if (body.collide || !tree.loops.empty())
+        collide(link(i), pose_to_bullet(body, placing.principal), placing, body.collide, settings, world);
     }
     world.addMultiBody(&multibody_);
   }
@@ -155,8 +156,10 @@ class TreeBody {
     multibody_.setJointVelMultiDof(link(i), rates);
   }
 
-  void collide(int link, const btTransform& pose, const Placing& placing, const BulletSettings& settings,
-               btMultiBodyDynamicsWorld& world) {
+  // Bullet solves a constraint with the island of its ends' colliders, and leaves it out where they have
+  // none: what cannot touch has one all the same in a tree with loops, in no group.
+  void collide(int link, const btTransform& pose, const Placing& placing, bool touches,
+               const BulletSettings& settings, btMultiBodyDynamicsWorld& world) {
     colliders_.push_back(std::make_unique<btMultiBodyLinkCollider>(&multibody_, link));
     btMultiBodyLinkCollider& collider = *colliders_.back();
     collider.setCollisionShape(placing.shape);
@@ -166,7 +169,10 @@ class TreeBody {
       multibody_.setBaseCollider(&collider);
     else
       multibody_.getLink(link).m_collider = &collider;
-    world.addCollisionObject(&collider, btBroadphaseProxy::DefaultFilter, btBroadphaseProxy::AllFilter);
+    if (touches)
+      world.addCollisionObject(&collider, btBroadphaseProxy::DefaultFilter, btBroadphaseProxy::AllFilter);
+    else
+      world.addCollisionObject(&collider, 0, 0);
   }
 
   bool hung_;  // from the world
@@ -197,22 +203,28 @@ struct End {
   btTransform pose;
 };
 
-std::unique_ptr<btMultiBodyConstraint> close(const core::Joint& joint, btMultiBody& body, const End& a,
-                                             const End* b) {
+// A constraint that holds the joint's point of link a at that of link b, or of the world where b is null.
+std::unique_ptr<btMultiBodyConstraint> closing(const core::Joint& joint, btMultiBody& body, const End& a,
+                                               const End* b) {
   const btVector3 point = to_bullet(joint.point);
   const btVector3 in_a = a.pose.invXform(point), in_b = b ? b->pose.invXform(point) : point;
-  if (joint.type == core::JointType::ball) {
-    if (b) return std::make_unique<btMultiBodyPoint2Point>(&body, a.link, &body, b->link, in_a, in_b);
-    return std::make_unique<btMultiBodyPoint2Point>(&body, a.link, static_cast<btRigidBody*>(nullptr), in_a,
-                                                    in_b);
-  }
   const btMatrix3x3 turn_a = a.pose.getBasis().transpose();
   const btMatrix3x3 turn_b = b ? b->pose.getBasis().transpose() : btMatrix3x3::getIdentity();
-  if (b)
-    return std::make_unique<btMultiBodyFixedConstraint>(&body, a.link, &body, b->link, in_a, in_b, turn_a,
-                                                        turn_b);
-  return std::make_unique<btMultiBodyFixedConstraint>(&body, a.link, static_cast<btRigidBody*>(nullptr), in_a,
-                                                      in_b, turn_a, turn_b);
+  btRigidBody* const world = nullptr;
+  switch (joint.type) {
+    case core::JointType::ball:
+      if (b) return std::make_unique<btMultiBodyPoint2Point>(&body, a.link, &body, b->link, in_a, in_b);
+      return std::make_unique<btMultiBodyPoint2Point>(&body, a.link, world, in_a, in_b);
+    case core::JointType::fixed:
+      if (b)
+        return std::make_unique<btMultiBodyFixedConstraint>(&body, a.link, &body, b->link, in_a, in_b, turn_a,
+                                                            turn_b);
+      return std::make_unique<btMultiBodyFixedConstraint>(&body, a.link, world, in_a, in_b, turn_a, turn_b);
+    case core::JointType::hinge:
+    case core::JointType::distance:
+      break;
+  }
+  throw std::logic_error("the multibody path was asked to close a loop by a joint that it refuses");
 }
 
 }  // namespace
@@ -308,11 +320,12 @@ void make_multibody(const core::Scene& scene, const Tree& tree, const std::vecto
     const End a = end(turned ? joint.to : joint.body);
     const int other = turned ? joint.body : joint.to;
     if (still(scene, other)) {
-      loops.push_back(close(joint, body->multibody(), a, nullptr));
+      loops.push_back(closing(joint, body->multibody(), a, nullptr));
     } else {
       const End b = end(other);
-      loops.push_back(close(joint, body->multibody(), a, &b));
+      loops.push_back(closing(joint, body->multibody(), a, &b));
     }
+    loops.back()->setMaxAppliedImpulse(BT_LARGE_FLOAT);  // 100 N s by itself
     world.addMultiBodyConstraint(loops.back().get());
   }
 }

@@ -155,6 +155,8 @@ std::vector<core::Setting> always_multibody() {
   settings.push_back({"linear and angular damping", "0", "0.04", "the scene has no damping of its own"});
   settings.push_back({"maxCoordinateVelocity", text(no_limit), "100", "no hidden limit of the speed"});
   settings.push_back({"canSleep", "false", "given by the user", "no body falls asleep"});
+  settings.push_back({"maxAppliedImpulse of joints that close a loop", text(no_limit), "100 N s",
+                      "a joint must hold whatever pulls at it"});
   return settings;
 }
 
