@@ -3,6 +3,7 @@
 #include "tests/conformance/adapters_fixture.h"
 
 #include <cmath>
+#include <map>
 #include <numbers>
 
 namespace cylon::conformance {
@@ -38,7 +39,7 @@ TEST(Expert, BulletsRungeKuttaFollowsParabola) {
     return (last(choose(id), thrown(), dt, std::llround(end / dt))[0].position - exact).norm();
   };
   EXPECT_NEAR(error("bullet-multibody"), g * end * dt / 2, 1e-12);
-  expect_within("parabola by rk4", error("bullet-multibody/rk4=on"), 1e-12);
+  expect_within("parabola by rk4", error("bullet-multibody/integrator=runge-kutta-4"), 1e-12);
   expect_within("parabola as an expert", error("bullet/path=as-expert"), 1e-12);
 }
 
@@ -78,7 +79,8 @@ TEST(Expert, BulletsRungeKuttaIsOfFourthOrderOnAHinge) {
     const Vector3 at = last(choose(id), hinged(), end / static_cast<double>(steps), steps)[0].position;
     return std::abs(std::remainder(std::atan2(at.y(), at.x()) - exact, 2 * std::numbers::pi));
   };
-  const double coarse = error("bullet-multibody/rk4=on", 200), fine = error("bullet-multibody/rk4=on", 400);
+  const double coarse = error("bullet-multibody/integrator=runge-kutta-4", 200),
+               fine = error("bullet-multibody/integrator=runge-kutta-4", 400);
   expect_within("rod at 5 ms by rk4", fine, 2e-9);
   EXPECT_NEAR(std::log2(coarse / fine), 4, 0.4);
   EXPECT_NEAR(std::log2(error("bullet-multibody", 2000) / error("bullet-multibody", 4000)), 1, 0.1);
@@ -222,8 +224,8 @@ TEST(Expert, BulletsRuleLooksAtTheSceneAlone) {
   EXPECT_EQ(set_to(of(sliding(0, 0.3)), "m_numIterations"), "200");
   EXPECT_EQ(set_to(of(sliding(0, 0.3)), "m_erp2"), "");
   EXPECT_EQ(set_to(of(shot(0.5)), "m_erp2"), "0");
-  EXPECT_EQ(set_to(of(pile(1, 1)), "solver"), "sequential-impulse");
-  EXPECT_EQ(set_to(of(pile(1, 2000)), "solver"), "dantzig");
+  EXPECT_EQ(set_to(of(pile(1, 1)), "constraint solver"), "");
+  EXPECT_EQ(set_to(of(pile(1, 2000)), "constraint solver"), "dantzig");
 }
 
 TEST(Expert, OdesRuleLooksAtTheSceneAlone) {
@@ -236,17 +238,161 @@ TEST(Expert, OdesRuleLooksAtTheSceneAlone) {
   EXPECT_EQ(set_to(of(sliding(0, 0.3)), "contact_surface_layer"), "0.0001");
 }
 
-// As shipped, nothing is forced but what the harness asks of every engine.
-TEST(Expert, AsShippedForcesNothing) {
+// Boxes that stand apart and may meet.
+core::Scene apart() {
+  core::Scene scene = pile(1, 1);
+  scene.bodies[1].initial.position = {3, 0.1, 0};
+  return scene;
+}
+
+TEST(Expert, OdesRuleTellsAStackFromBodiesThatMayMeet) {
+  const core::Terms stack = terms("ode/path=as-expert", pile(1, 1)),
+                    meet = terms("ode/path=as-expert", apart());
+  EXPECT_EQ(set_to(stack, "solver"), "dWorldQuickStep");
+  EXPECT_EQ(set_to(stack, "soft_cfm"), "");
+  EXPECT_EQ(set_to(meet, "solver"), "dWorldStep");
+  EXPECT_EQ(set_to(meet, "soft_cfm"), "1e-05");
+}
+
+// As shipped, each setting has the engine's default, but what the scene states and one call a step.
+TEST(Expert, AsShippedKeepsTheEnginesDefaults) {
   const core::Terms bullet = terms("bullet/path=as-shipped", shot(0.5));
   EXPECT_EQ(bullet.settings.size(), 3u);
-  EXPECT_EQ(set_to(bullet, "activation state"), "");
+  EXPECT_EQ(set_to(bullet, "activation state, canSleep"), "");
   const core::Terms ode = terms("ode/path=as-shipped", shot(0.5));
   for (const core::Setting& setting : ode.settings) {
     const bool left_to_caller = setting.engine_default == "none: set by the caller";
     if (left_to_caller || setting.name == "threading") continue;
     EXPECT_EQ(setting.value, setting.engine_default) << setting.name;
   }
+  EXPECT_EQ(set_to(ode, "contact_mode"), "dContactBounce");
+  EXPECT_EQ(set_to(ode, "bounce_vel"), "0");
+  EXPECT_EQ(set_to(ode, "soft_cfm"), "");
+}
+
+// ---- What reports list ----------------------------------------------------------------------------
+
+// What a run sets is listed once, as it was, also where the path sets it otherwise.
+TEST(Listed, EachSettingOnceAndAsItRan) {
+  struct Case {
+    const char *id, *setting, *value;
+  };
+  for (const Case& c : {Case{"bullet/margin=0.03", "setMargin", "0.03"},
+                        {"bullet/sleeping=on", "activation state, canSleep", "on"},
+                        {"bullet/path=as-expert,solver=nncg", "constraint solver", "nncg"},
+                        {"bullet/path=as-expert,iterations=30", "m_numIterations", "30"},
+                        {"bullet-multibody/damping=0.1", "setLinearDamping, setAngularDamping", "0.1"},
+                        {"bullet-multibody/max-coordinate-velocity=50", "setMaxCoordinateVelocity", "50"},
+                        {"bullet-multibody/integrator=runge-kutta-4", "useRK4Integration", "on"},
+                        {"ode/path=as-expert,surface-layer=0.002", "contact_surface_layer", "0.002"}}) {
+    const core::Terms run = terms(c.id, pile(1, 2000));
+    std::map<std::string, int> count;
+    for (const core::Setting& setting : run.settings) ++count[setting.name];
+    for (const auto& [name, times] : count) EXPECT_EQ(times, 1) << c.id << " lists " << name;
+    EXPECT_EQ(set_to(run, c.setting), c.value) << c.id;
+  }
+}
+
+// Each path of each engine lists what its rule sets.
+TEST(Listed, PathsNameTheirRules) {
+  const core::Engine bullet = process::describe(choose("bullet"), limits),
+                     ode = process::describe(choose("ode"), limits);
+  const auto value = [](const core::Engine& engine, const char* path, const char* name) {
+    std::string found;
+    for (const core::Path& one : engine.paths)
+      if (one.name == path)
+        for (const core::Setting& setting : one.settings)
+          if (setting.name == name) found = setting.value;
+    return found;
+  };
+  EXPECT_EQ(value(bullet, "as-expert", "constraint solver"), "dantzig");
+  EXPECT_EQ(value(bullet, "as-expert", "m_numIterations"), "200");
+  EXPECT_EQ(value(bullet, "as-expert", "useRK4Integration"), "on");
+  EXPECT_EQ(value(ode, "as-expert", "solver"), "dWorldQuickStep");
+  EXPECT_EQ(value(ode, "as-expert", "soft_erp"), "0");
+  EXPECT_EQ(value(ode, "as-shipped", "rotation"), "infinitesimal");
+}
+
+// ---- Continuous detection ---------------------------------------------------------------------------
+
+// A body of another shape in the place of shot()'s sphere.
+core::Scene shot_of(const core::Shape& shape, const core::Matrix3& inertia) {
+  core::Scene scene = shot(0.5);
+  scene.bodies[0].shape = shape, scene.bodies[0].inertia = inertia;
+  return scene;
+}
+
+// It is listed where it acts: a hull is swept, also turned against its principal axes; a cone is no single
+// shape of Bullet's, nor is a box that is turned against them.
+TEST(Listed, ContinuousDetectionWhereSomethingIsSwept) {
+  const core::Hull octahedron = {
+      {{0.1, 0, 0}, {-0.1, 0, 0}, {0, 0.12, 0}, {0, -0.12, 0}, {0, 0, 0.1}, {0, 0, -0.1}}};
+  core::Matrix3 straight = Vector3(0.004, 0.005, 0.006).asDiagonal(), turned = straight;
+  turned(0, 1) = turned(1, 0) = 0.001;
+  struct Case {
+    const char* name;
+    core::Shape shape;
+    core::Matrix3 inertia;
+    bool swept;
+  };
+  for (const Case& c : {Case{"sphere", core::Sphere{0.1}, turned, true},
+                        {"box", core::Box{{0.1, 0.1, 0.1}}, straight, true},
+                        {"turned box", core::Box{{0.1, 0.1, 0.1}}, turned, false},
+                        {"hull", octahedron, straight, true},
+                        {"turned hull", octahedron, turned, true},
+                        {"cone", core::Cone{0.1, 0.3}, straight, false},
+                        {"rod", core::Rod{0.3}, straight, false}}) {
+    const core::Scene scene = shot_of(c.shape, c.inertia);
+    const std::string listed =
+        set_to(terms("bullet/ccd=0.9", scene), "setCcdSweptSphereRadius, setCcdMotionThreshold");
+    EXPECT_EQ(listed, c.swept ? "0.9" : "") << c.name;
+    const bool stops = last(choose("bullet/ccd=0.9"), scene, 1.0 / 60, 12)[0].position.x() < 0;
+    EXPECT_EQ(stops, c.swept) << c.name;
+  }
+}
+
+// ---- The order that Runge-Kutta 4 declares ------------------------------------------------------------
+
+// With a spring on a free body of one inertia: forces are those of the step's beginning, so it is one.
+TEST(Expert, BulletsRungeKuttaDeclaresItsOrder) {
+  const char* const id = "bullet-multibody/integrator=runge-kutta-4";
+  const auto declared = [&](const core::Scene& scene) { return terms(id, scene).order; };
+  core::Scene on_ball = hinged();
+  on_ball.joints[0].type = core::JointType::ball;
+  core::Scene looped = on_ball;
+  looped.joints.push_back(on_ball.joints[0]);
+  looped.joints[1].point = {0, 0, 0.4};
+  EXPECT_EQ(declared(thrown()), 4);
+  EXPECT_EQ(declared(hinged()), 4);
+  EXPECT_EQ(declared(on_ball), 2);
+  EXPECT_EQ(declared(looped), 1);
+  EXPECT_EQ(declared(sliding(0, 0.3)), 1);
+  EXPECT_EQ(declared(three_bodies(153)), 1) << "free bases that turn";
+
+  // x = rest + 0.05 cos(sqrt(k/m) t)
+  const core::Scene spring = on_spring(50, 0, 0.7, 0.05);
+  EXPECT_EQ(declared(spring), 1);
+  const auto error = [&](const core::Scene& scene, std::int64_t steps) {
+    const double x = last(choose(id), scene, 1.0 / static_cast<double>(steps), steps)[0].position.norm();
+    return std::abs(x - 0.7 - 0.05 * std::cos(std::sqrt(50 / 1.7)));
+  };
+  EXPECT_NEAR(std::log2(error(spring, 2000) / error(spring, 4000)), 1, 0.2);
+  // A top: it turns about its axis and falls.
+  core::Scene top = on_ball;
+  top.bodies[0].initial.angular_velocity = {6, 0, 0};
+  const core::State reference = last(choose("in-house/integrator=rk8"), top, 1e-3, 1000);
+  const auto top_error = [&](std::int64_t steps) {
+    const core::State at = last(choose(id), top, 1.0 / static_cast<double>(steps), steps);
+    return (at[0].position - reference[0].position).norm();
+  };
+  EXPECT_NEAR(std::log2(top_error(1000) / top_error(2000)), 2, 0.3);
+  // The loop makes a hinge of the two balls: the same motion as hinged().
+  const double end = 2, exact = rod_angle(end);
+  const auto angle_error = [&](const core::Scene& scene, std::int64_t steps) {
+    const Vector3 at = last(choose(id), scene, end / static_cast<double>(steps), steps)[0].position;
+    return std::abs(std::remainder(std::atan2(at.y(), at.x()) - exact, 2 * std::numbers::pi));
+  };
+  EXPECT_NEAR(std::log2(angle_error(looped, 2000) / angle_error(looped, 4000)), 1, 0.3);
 }
 
 }  // namespace

@@ -31,7 +31,21 @@ const Mistake mistakes[] = {
     {"bullet-float/gyro=expliict", {"did you mean 'explicit'?"}},
     {"bullet-multibody/gyro=implicit-body", {"on path multibody", "explicit, none"}},
     {"bullet-multibody/solver=nncg", {"on path multibody", "sequential-impulse, dantzig"}},
-    {"bullet/rk4=on", {"option rk4 belongs to btMultiBody"}},
+    {"bullet/damping=0.1", {"option damping belongs to btMultiBody"}},
+    {"bullet/cfm=inf", {"cfm = 'inf'", "finite"}},
+    {"bullet/cfm=1e39", {"cfm = '1e39'", "finite"}},
+    {"bullet/slop=-inf", {"slop = '-inf'", "finite"}},
+    {"bullet/relaxation=0", {"relaxation = '0'", "(0, 2)"}},
+    {"bullet/relaxation=2", {"relaxation = '2'", "(0, 2)"}},
+    {"bullet-multibody/max-coordinate-velocity=0", {"max-coordinate-velocity = '0'", "above 0"}},
+    // What would do nothing is refused.
+    {"bullet/speculative-restitution=on", {"speculative-restitution does nothing without ccd"}},
+    {"bullet/max-gyroscopic-force=9", {"max-gyroscopic-force does nothing without gyro=explicit"}},
+    {"bullet/split-impulse=off,split-threshold=0", {"does nothing without split-impulse=on"}},
+    {"bullet-multibody/split-threshold=0", {"option split-threshold belongs to btRigidBody"}},
+    {"bullet-multibody/max-gyroscopic-force=9", {"max-gyroscopic-force belongs to btRigidBody"}},
+    {"bullet-multibody/warm-starting=0", {"option warm-starting belongs to btRigidBody"}},
+    {"bullet-multibody/random-order=on", {"option random-order belongs to btRigidBody"}},
     {"bullet-multibody/ccd=0.9", {"option ccd belongs to btRigidBody"}},
     {"bullet/sleeping=yes", {"value of option sleeping 'yes'", "off, on"}},
     {"bullet/plane-queries=1.5", {"plane-queries = '1.5'", "whole"}},
@@ -44,7 +58,11 @@ const Mistake mistakes[] = {
     {"ode/erp=-0.1", {"erp = '-0.1'", "[0, 1]"}},
     {"ode/cfm=1e-3x", {"cfm = '1e-3x'"}},
     {"ode/contacts=9", {"contacts = '9'", "[1, 8]"}},
-    {"ode/iterations=30", {"belongs to path 'quick'"}},
+    {"ode/iterations=30", {"option iterations belongs to dWorldQuickStep"}},
+    {"ode/cfm=inf", {"cfm = 'inf'"}},
+    {"ode-quick/over-relaxation=0", {"over-relaxation = '0'", "(0, 2)"}},
+    {"ode-quick/over-relaxation=2", {"over-relaxation = '2'", "(0, 2)"}},
+    {"ode-quick/iterations=2.5", {"iterations = '2.5'", "whole"}},
     {"ode/springs=stif", {"'stif'", "did you mean 'stiff'?"}},
     {"ode/contact-erp=2", {"contact-erp = '2'", "[0, 1]"}},
     {"ode-quick/iterations=0", {"iterations = '0'"}},
@@ -93,14 +111,15 @@ TEST(Setup, EverythingOfferedIsTaken) {
     for (const core::Integrator& integrator : engine.integrators) {
       process::EngineChoice choice = plain;
       choice.integrator = integrator.name;
+      if (engine.name == "bullet" && integrator.order > 1) choice.path = "multibody";
       takes(choice, integrator.name);
     }
     for (const core::Option& option : engine.options)
       for (const std::string& value : option.values) {
         process::EngineChoice choice = plain;
-        if (engine.name == "bullet")  // the paths take what their bodies have, and say so
-          choice.path = option.name == "rk4" ? "multibody" : "rigid";
+        if (engine.name == "bullet") choice.path = "rigid";  // which has every word, and multibody fewer
         choice.options[option.name] = value;
+        if (option.name == "speculative-restitution") choice.options["ccd"] = "0.9";
         takes(choice, option.name + "=" + value);
       }
   }

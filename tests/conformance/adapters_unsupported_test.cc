@@ -114,6 +114,17 @@ std::vector<Refusal> refusals() {
       {"bullet-float", "A pair that may touch has no material.", half_stated},
       {"bullet-multibody", "btMultiBody has no hinge that closes a loop", two_hinges},
       {"bullet-multibody-float", "btMultiBody has no hinge that closes a loop", two_hinges},
+      // Which bodies the rule takes follows from the scene: an option that they lack is no mistake of the run.
+      {"bullet/path=as-expert,ccd=0.9", "option ccd belongs to btRigidBody",
+       jointed(core::JointType::ball, 0, core::world)},
+      {"bullet/path=as-expert,gyro=implicit-body", "btMultiBody has explicit, none",
+       jointed(core::JointType::ball, 0, core::world)},
+      {"bullet/path=as-expert,damping=0.1", "option damping belongs to btMultiBody", resting()},
+      {"bullet/path=as-expert,integrator=semi-implicit-euler", "takes runge-kutta-4 here",
+       jointed(core::JointType::ball, 0, core::world)},
+      {"bullet-float/path=as-expert,integrator=runge-kutta-4", "takes semi-implicit-euler here", resting()},
+      {"bullet/integrator=runge-kutta-4", "btRigidBody has semi-implicit Euler alone", resting()},
+      {"ode/path=as-expert,iterations=50", "option iterations belongs to dWorldQuickStep", resting()},
 
       {"ode", "ODE's world is an inertial frame", frame},
       {"ode", "ODE does not support a body of changing mass, such as 'a'.", pushed(rocket)},

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <span>
 
 namespace cylon::cli {
 namespace {
@@ -55,13 +56,25 @@ ordered_json row(const process::EngineRow& row, const core::Engine& engine) {
           {"options", knobs}};
 }
 
-std::string text(const process::EngineRow& row, const core::Engine& engine) {
+// Whether a path is to be shown with a row: its own; where it has none, each; and, with the first row of a
+// worker, those that no row of this worker means.
+bool shown(const core::Path& path, const process::EngineRow& row, std::span<const process::EngineRow> table) {
+  if (row.path.empty() || path.name == row.path) return true;
+  const auto same = [&](const process::EngineRow& other) { return other.command == row.command; };
+  const bool meant = std::ranges::any_of(
+      table, [&](const process::EngineRow& other) { return same(other) && other.path == path.name; });
+  const auto first = std::ranges::find_if(table, same);
+  return !meant && !first->path.empty() && first->id == row.id;
+}
+
+std::string text(const process::EngineRow& row, const core::Engine& engine,
+                 std::span<const process::EngineRow> table) {
   std::string out =
       fmt::format("{}: {} {}, {} precision\n", row.id, engine.name, engine.version, engine.precision);
   if (row.path.empty() && !engine.default_path_rule.empty())
     out += fmt::format("  path: {}\n", engine.default_path_rule);
   for (const core::Path& path : engine.paths) {
-    if (!row.path.empty() && path.name != row.path) continue;
+    if (!shown(path, row, table)) continue;
     out += fmt::format("  path {}: {}\n", path.name, path.summary);
     for (const core::Setting& s : path.settings)
       out +=
@@ -99,7 +112,7 @@ int engines(const Context& context, const Options& options) {
       if (options.json)
         rows.push_back(row(engine, description));
       else
-        std::cout << plain(text(engine, description));
+        std::cout << plain(text(engine, description, table));
     } catch (const process::Failure& failure) {
       ++broken;
       std::cerr << plain(fmt::format("{}: {}\n", engine.id, failure.what()));

@@ -3,6 +3,7 @@
 #include "reference/simulators/bullet/bullet_bodies.h"
 #include "reference/simulators/bullet/bullet_border.h"
 #include "reference/simulators/bullet/bullet_forces.h"
+#include "reference/simulators/bullet/bullet_knobs.h"
 #include "reference/simulators/bullet/bullet_multibody.h"
 #include "reference/simulators/bullet/bullet_settings.h"
 #include "reference/simulators/bullet/bullet_shapes.h"
@@ -271,24 +272,23 @@ std::optional<std::string> unsupported_joint(const core::Scene& scene, const cor
 }
 
 // What the paths look at.
-BulletKind kind_of(const core::Scene& scene) {
-  BulletKind kind;
-  kind.touches = core::any_touching_pair(scene, [](const core::Pair&) { return true; });
-  kind.bounces = Surfaces(scene).bounces();
-  double lightest = std::numeric_limits<double>::infinity(), heaviest = 0;
-  for (const core::Body& body : scene.bodies)
-    if (!body.locked) lightest = std::min(lightest, body.mass), heaviest = std::max(heaviest, body.mass);
-  if (heaviest > 0) kind.mass_ratio = heaviest / lightest;
-  const auto is_drag = [](const core::Force& f) { return std::holds_alternative<core::Drag>(f); };
-  const auto is_smooth = [&](const core::Force& f) {
-    return is_drag(f) || std::holds_alternative<core::UniformGravity>(f);
+BulletKind bullet_kind(const core::Scene& scene) {
+  BulletKind kind{core::scene_kind(scene)};
+  const auto is_smooth = [](const core::Force& f) {
+    return std::holds_alternative<core::Drag>(f) || std::holds_alternative<core::UniformGravity>(f);
   };
-  kind.tree = !kind.touches && std::all_of(scene.forces.begin(), scene.forces.end(), is_smooth) &&
-              !untreelike(scene) && all_hung(scene);
-  const bool balls = std::any_of(scene.joints.begin(), scene.joints.end(),
-                                 [](const core::Joint& j) { return j.type == core::JointType::ball; });
-  const bool drag = std::any_of(scene.forces.begin(), scene.forces.end(), is_drag);
-  kind.rk4_order = drag ? 1 : balls ? 2 : 4;
+  const bool hung = !untreelike(scene) && all_hung(scene);
+  kind.tree = !kind.touches && hung && std::ranges::all_of(scene.forces, is_smooth);
+  kind.loops = !untreelike(scene) && has_loops(scene);
+  kind.swept = std::ranges::any_of(scene.bodies, [](const core::Body& body) {
+    return !body.locked && body.collide &&
+           swept_radius(body.shape, core::principal_axes(body.inertia).rotation) > 0;
+  });
+  // All four stages take the forces, the impulses and the orientation of a free base from the step's
+  // beginning, and the orientation of a ball joint loses the fourth order.
+  const bool balls =
+      std::ranges::any_of(scene.joints, [](const core::Joint& j) { return j.type == core::JointType::ball; });
+  kind.rk4_order = !hung || kind.touches || kind.applied ? 1 : balls ? 2 : 4;
   return kind;
 }
 
@@ -312,12 +312,13 @@ class Bullet final : public core::Simulator {
     for (const core::Joint& joint : scene.joints)
       if (auto reason = unsupported_joint(scene, joint)) return reason;
     if (!Surfaces(scene).complete()) return "A pair that may touch has no material.";
-    if (setup.path == "multibody") return untreelike(scene);
-    return std::nullopt;
+    if (setup.path == "multibody")
+      if (auto reason = untreelike(scene)) return reason;
+    return bullet_settings(engine_, setup, bullet_kind(scene)).refused;
   }
 
   core::Terms load(const core::Scene& scene, const core::Setup& setup) override {
-    const BulletSettings settings = bullet_settings(engine_, setup, kind_of(scene));
+    const BulletSettings settings = bullet_settings(engine_, setup, bullet_kind(scene));
     run_.reset();
     run_ = std::make_unique<Run>(scene, settings, setup.dt);
     return settings.terms;

@@ -1,6 +1,7 @@
 #include "reference/simulators/bullet/bullet_bodies.h"
 
 #include "reference/simulators/bullet/bullet_border.h"
+#include "reference/simulators/bullet/bullet_knobs.h"
 #include "reference/simulators/bullet/bullet_shapes.h"
 
 #include <btBulletDynamicsCommon.h>
@@ -16,7 +17,7 @@ class Rigid final : public BulletBody {
     prepare(body_, placing, settings);
     body_.setFlags(gyroscopic_flag(settings.gyroscopic));
     // The motion threshold is below the radius at which a sphere could skip what it touches.
-    const double sphere = inner_radius(body.shape);
+    const double sphere = swept_radius(body.shape, placing.principal.rotation);
     if (settings.on("ccd") && !body.locked && sphere > 0) {
       body_.setCcdSweptSphereRadius(to_bullet(settings.number.at("ccd") * sphere));
       body_.setCcdMotionThreshold(to_bullet(sphere / 2));

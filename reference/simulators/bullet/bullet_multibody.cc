@@ -10,6 +10,7 @@
 #include <btBulletDynamicsCommon.h>
 
 #include <algorithm>
+#include <functional>
 #include <stdexcept>
 #include <utility>
 
@@ -53,7 +54,7 @@ class TreeBody {
     multibody_.setAngularDamping(to_bullet(settings.number.at("damping")));
     multibody_.setMaxCoordinateVelocity(to_bullet(settings.number.at("max-coordinate-velocity")));
     multibody_.setUseGyroTerm(settings.gyroscopic != "none");
-    multibody_.useRK4Integration(settings.on("rk4"));
+    multibody_.useRK4Integration(settings.runge_kutta);
     multibody_.setHasSelfCollision(tree.bodies.size() > 1);
     for (std::size_t i = 0; i < tree.bodies.size(); ++i) {
       const core::Body& body = scene.bodies[at(tree.bodies[i])];
@@ -270,32 +271,43 @@ Tree tree_of(const core::Scene& scene, int first) {
   return tree;
 }
 
-bool all_hung(const core::Scene& scene) {
-  std::vector<bool> hung(scene.bodies.size(), false);
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    const core::Body& body = scene.bodies[i];
-    if (hung[i] || body.locked) continue;
-    const Tree tree = tree_of(scene, static_cast<int>(i));
-    const core::Vector3 moments = core::principal_axes(body.inertia).moments;
-    const bool alone = tree.bodies.size() == 1;
-    const bool no_torque =
-        moments.maxCoeff() == moments.minCoeff() || body.initial.angular_velocity.isZero(0);
-    if (!tree.loops.empty() || (tree.places[0].joint < 0 && !(alone && no_torque))) return false;
-    for (const int j : tree.bodies) hung[at(j)] = true;
-  }
-  return true;
-}
+namespace {
 
-std::optional<std::string> untreelike(const core::Scene& scene) {
+// Shows the tree of each moving body once, until `found` says true; whether it did.
+bool any_tree(const core::Scene& scene, const std::function<bool(const Tree&)>& found) {
   std::vector<bool> seen(scene.bodies.size(), false);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     if (seen[i] || scene.bodies[i].locked) continue;
     const Tree tree = tree_of(scene, static_cast<int>(i));
     for (const int body : tree.bodies) seen[at(body)] = true;
-    for (const int j : tree.loops)
-      if (scene.joints[at(j)].type == core::JointType::hinge)
-        return "btMultiBody has no hinge that closes a loop; it has ball and fixed constraints.";
+    if (found(tree)) return true;
   }
+  return false;
+}
+
+}  // namespace
+
+bool has_loops(const core::Scene& scene) {
+  return any_tree(scene, [](const Tree& tree) { return !tree.loops.empty(); });
+}
+
+bool all_hung(const core::Scene& scene) {
+  return !any_tree(scene, [&](const Tree& tree) {
+    const core::Body& root = scene.bodies[at(tree.bodies[0])];
+    const core::Vector3 moments = core::principal_axes(root.inertia).moments;
+    const bool no_torque =
+        moments.maxCoeff() == moments.minCoeff() || root.initial.angular_velocity.isZero(0);
+    const bool alone = tree.bodies.size() == 1;
+    return !tree.loops.empty() || (tree.places[0].joint < 0 && !(alone && no_torque));
+  });
+}
+
+std::optional<std::string> untreelike(const core::Scene& scene) {
+  const bool hinge_closes = any_tree(scene, [&](const Tree& tree) {
+    return std::ranges::any_of(tree.loops,
+                               [&](int j) { return scene.joints[at(j)].type == core::JointType::hinge; });
+  });
+  if (hinge_closes) return "btMultiBody has no hinge that closes a loop; it has ball and fixed constraints.";
   return std::nullopt;
 }
 

@@ -34,6 +34,9 @@ Tree tree_of(const core::Scene&, int first);
 /// orientation of the step's beginning in all four stages.
 bool all_hung(const core::Scene&);
 
+/// Whether joints close a loop.
+bool has_loops(const core::Scene&);
+
 /// Why the joints of a scene cannot be expressed by btMultiBody, or nothing.
 std::optional<std::string> untreelike(const core::Scene&);
 

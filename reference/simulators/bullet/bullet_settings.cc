@@ -1,132 +1,107 @@
 #include "reference/simulators/bullet/bullet_settings.h"
 
 #include "harness/core/input_error.h"
+#include "reference/simulators/bullet/bullet_knobs.h"
+#include "reference/simulators/bullet/bullet_limits.h"
+#include "reference/simulators/bullet/bullet_rules.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <array>
-#include <charconv>
-#include <cmath>
-#include <limits>
-#include <span>
+#include <algorithm>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace cylon::simulators {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr const char* semi_implicit_euler = "semi-implicit-euler";
+constexpr const char* runge_kutta = "runge-kutta-4";
+constexpr const char* asked_for = "asked for by the run";
+const std::vector<std::string> off_on = {"off", "on"};
 
-enum class Kind { number, whole, flag };
-enum class Of { every_path, rigid, multibody };
+void require(const std::string& what, const std::string& given, const std::vector<std::string>& valid) {
+  if (std::ranges::find(valid, given) != valid.end()) return;
+  throw std::invalid_argument(fmt::format("bullet: no {} '{}'{} (valid: {})", what, given,
+                                          core::did_you_mean(given, valid), fmt::join(valid, ", ")));
+}
 
-// A number that Bullet lets its user set, or a flag: 0 or 1.
-struct Knob {
-  const char* option;
-  const char* setting;  // Bullet's own name
-  double engine_default;
-  double least, most;
+template <class Items>
+std::vector<std::string> names(const Items& items) {
+  std::vector<std::string> result;
+  for (const auto& item : items) result.push_back(item.name);
+  return result;
+}
+
+// ---- Options that are words -----------------------------------------------------------------------
+
+struct Word {
+  const char *option, *setting;
+  std::string BulletSettings::*value;
+  std::vector<std::string> of_rigid, of_multibody;  // the first is Bullet's own
   const char* meaning;
-  Kind kind = Kind::number;
-  Of of = Of::every_path;
+
+  const std::vector<std::string>& values(bool multibody) const { return multibody ? of_multibody : of_rigid; }
 };
-constexpr Knob knobs[] = {
-    {"erp", "m_erp", 0.2, 0, 1, "fraction of a joint's position error removed per step"},
-    {"erp2", "m_erp2", 0.2, 0, 1, "fraction of a penetration removed per step"},
-    {"cfm", "m_globalCfm", 0, 0, infinity, "constraint force mixing of contacts and joints"},
-    {"iterations", "m_numIterations", 10, 1, 1e6, "sweeps of the constraint solver per step", Kind::whole},
-    {"warm-starting", "m_warmstartingFactor", 0.85, 0, 1,
-     "fraction of the last impulses used as the initial guess"},
-    {"restitution-threshold", "m_restitutionVelocityThreshold", 0.2, 0, infinity,
-     "approach speed below which there is no restitution [m/s]"},
-    {"split-threshold", "m_splitImpulsePenetrationThreshold", -0.04, -infinity, infinity,
-     "gap above which penetration is corrected through the velocity; rigid paths only [m]"},
-    {"contact-threshold", "contactProcessingThreshold", no_limit, 0, infinity,
-     "gap up to which a contact is solved before it touches [m]"},
-    {"max-gyroscopic-force", "m_maxGyroscopicForce", 100, 0, infinity,
-     "limit of the explicit gyroscopic torque; rigid paths only [N m]"},
-    {"ccd", "setCcdSweptSphereRadius, setCcdMotionThreshold", 0, 0, 1,
-     "continuous collision detection: swept sphere, as a fraction of the largest sphere in the shape; it "
-     "sweeps "
-     "motions beyond half of that sphere's radius per step; 0: none; rigid paths only",
-     Kind::number, Of::rigid},
-    {"speculative-restitution", "setApplySpeculativeContactRestitution", 0, 0, 1,
-     "the contacts that ccd foresees bounce", Kind::flag, Of::rigid},
-    {"plane-queries", "setPlaneConvexMultipointIterations", 0, 0, 64,
-     "queries of a polyhedral shape, tilted a little, against a plane while fewer than 3 points are known",
-     Kind::whole},
-    {"convex-queries", "setConvexConvexMultipointIterations", 0, 0, 64, "the same between two convex shapes",
-     Kind::whole},
-    {"breaking-threshold", "gContactBreakingThreshold", 0.02, 0, infinity,
-     "distance at which a contact point is created or given up, as a fraction of the smaller shape's size"},
-    {"slop", "m_linearSlop", 0, -infinity, infinity, "gap that penetration is measured from [m]"},
-    {"relaxation", "m_sor", 1, 0, 2, "over-relaxation of the solver's sweeps"},
-    {"split-impulse", "m_splitImpulse", 1, 0, 1,
-     "deep penetration is corrected without changing the velocity", Kind::flag, Of::rigid},
-    {"two-friction-directions", "SOLVER_USE_2_FRICTION_DIRECTIONS", 0, 0, 1,
-     "friction along two directions per contact; multibody always has two", Kind::flag, Of::rigid},
-    {"random-order", "SOLVER_RANDMIZE_ORDER", 0, 0, 1, "constraints are solved in a random order",
-     Kind::flag},
-    {"interleave", "SOLVER_INTERLEAVE_CONTACT_AND_FRICTION_CONSTRAINTS", 0, 0, 1,
-     "each contact is followed by its friction", Kind::flag, Of::rigid},
-    {"sleeping", "activation state", 1, 0, 1, "slow bodies fall asleep; off on our paths", Kind::flag},
-    {"margin", "setMargin", default_margin, 0, infinity,
-     "margin of all but spheres and capsules, 0.04: at most that, by the shape's size; 0 on our paths [m]"},
-    {"damping", "setLinearDamping, setAngularDamping", 0.04, 0, infinity,
-     "of a multibody; 0 on our paths [1/s]", Kind::number, Of::multibody},
-    {"max-coordinate-velocity", "setMaxCoordinateVelocity", 100, 0, infinity,
-     "limit of a multibody's velocities; none on our paths [m/s, rad/s]", Kind::number, Of::multibody},
-    {"rk4", "useRK4Integration", 0, 0, 1,
-     "a multibody's motion between contacts by Runge-Kutta 4, in place of semi-implicit Euler", Kind::flag,
-     Of::multibody},
+const Word words[] = {
+    {"gyro",
+     "gyroscopic term",
+     &BulletSettings::gyroscopic,
+     {"implicit-body", "implicit-world", "explicit", "none"},
+     {"explicit", "none"},
+     "gyroscopic term w x I w; multibody offers explicit (its default) and none"},
+    {"solver",
+     "constraint solver",
+     &BulletSettings::solver,
+     {"sequential-impulse", "nncg", "dantzig"},
+     {"sequential-impulse", "dantzig"},
+     "constraint solver; multibody offers sequential-impulse and dantzig"},
 };
 
-// A number that a path sets.
-struct Forced {
+// ---- Options that only others make of use -------------------------------------------------------------
+
+struct Need {
   const char* option;
-  double value;
-  const char* reason;
+  bool (*met)(const BulletSettings&);
+  const char* what;
 };
-constexpr Forced all_bounce = {"restitution-threshold", 0, "slow impacts must bounce too"};
-constexpr Forced no_early_contact = {
-    "contact-threshold", 0,
-    "a contact solved before it touches reduces or removes the rebound speed, by gap/dt"};
-constexpr std::array<Forced, 4> bounce_rigid = {{
-    all_bounce,
-    no_early_contact,
-    {"erp2", 0,
-     "penetration correction adds energy to every bounce, as speed (Baumgarte) or as height (split impulse)"},
-    {"split-threshold", 0, "if a run sets erp2, the correction must not change the velocity"},
-}};
-constexpr std::array<Forced, 3> bounce_multibody = {{
-    all_bounce,
-    no_early_contact,
-    {"erp2", 0, "multibody contacts have no split impulse, so any correction adds energy to a bounce"},
-}};
+constexpr Need needs[] = {
+    {"speculative-restitution", [](const BulletSettings& s) { return s.on("ccd"); }, "ccd"},
+    {"max-gyroscopic-force", [](const BulletSettings& s) { return s.gyroscopic == "explicit"; },
+     "gyro=explicit"},
+    {"split-threshold", [](const BulletSettings& s) { return s.on("split-impulse"); }, "split-impulse=on"},
+};
 
-// What our paths set everywhere.  Its sentences are in always() and always_multibody().
-constexpr std::array<Forced, 4> ours = {{
-    {"sleeping", 0, ""},
-    {"margin", 0, ""},
-    {"damping", 0, ""},
-    {"max-coordinate-velocity", no_limit, ""},
-}};
+// ---- A path on a scene ----------------------------------------------------------------------------
 
-std::string text(double value) { return value >= no_limit ? "no limit" : fmt::format("{}", value); }
+// What is set, by the name of its option, and why; in the order in which it was first set.
+class Chosen {
+ public:
+  void note(const std::string& option, std::string reason) {
+    const auto at = std::ranges::find(all_, option, &std::pair<std::string, std::string>::first);
+    if (at == all_.end())
+      all_.emplace_back(option, std::move(reason));
+    else
+      at->second = std::move(reason);
+  }
+  const std::vector<std::pair<std::string, std::string>>& all() const { return all_; }
 
-std::string text(const Knob& k, double value) {
-  return k.kind == Kind::flag ? (value != 0 ? "on" : "off") : text(value);
-}
+ private:
+  std::vector<std::pair<std::string, std::string>> all_;
+};
 
-const Knob& knob(std::string_view option) {
-  for (const Knob& k : knobs)
-    if (k.option == option) return k;
-  throw std::logic_error(fmt::format("unknown setting '{}'", option));
-}
-
-core::Setting setting(const Forced& forced) {
-  const Knob& k = knob(forced.option);
-  return {k.setting, text(k, forced.value), text(k, k.engine_default), forced.reason};
+void set(BulletSettings& settings, const std::string& option, const std::string& value) {
+  if (option == "integrator") {
+    settings.runge_kutta = value == runge_kutta;
+    return;
+  }
+  for (const Word& word : words)
+    if (option == word.option) {
+      settings.*word.value = value;
+      return;
+    }
+  settings.number[option] = parse(knob(option), value);
 }
 
 // What every path does, as shipped or not.
@@ -140,162 +115,81 @@ std::vector<core::Setting> of_the_scene() {
   };
 }
 
-// What every path of ours sets.
-std::vector<core::Setting> always() {
-  std::vector<core::Setting> settings = of_the_scene();
-  settings.insert(settings.begin() + 1,
-                  {"activation state", "DISABLE_DEACTIVATION", "ACTIVE_TAG", "no body falls asleep"});
-  settings.insert(settings.begin() + 3, {"margin of all but spheres and capsules", "0", "0.04 m",
-                                         "edges must be as sharp as in the scene"});
+core::Setting setting(const BulletSettings& settings, const std::string& option, const std::string& reason) {
+  if (option == "integrator")
+    return {"useRK4Integration", settings.runge_kutta ? "on" : "off", "off", reason};
+  for (const Word& word : words)
+    if (option == word.option)
+      return {word.setting, settings.*word.value, word.values(settings.multibody).front(), reason};
+  const Knob& k = knob(option);
+  return {k.setting, text(k, settings.number.at(option)), text(k, k.engine_default), reason};
+}
+
+core::Setting no_limit_of_loops() {
+  return {"setMaxAppliedImpulse of joints that close a loop", "no limit", "100 N s",
+          "a joint must hold whatever pulls at it"};
+}
+
+// Bullet's own values, for bodies of one sort.
+BulletSettings own(bool multibody) {
+  BulletSettings settings;
+  settings.multibody = multibody;
+  for (const Word& word : words) settings.*word.value = word.values(multibody).front();
+  for (const Knob& k : knobs()) settings.number[k.option] = k.engine_default;
   return settings;
 }
 
-std::vector<core::Setting> always_multibody() {
-  std::vector<core::Setting> settings = always();
-  settings.push_back({"linear and angular damping", "0", "0.04", "the scene has no damping of its own"});
-  settings.push_back({"maxCoordinateVelocity", text(no_limit), "100", "no hidden limit of the speed"});
-  settings.push_back({"canSleep", "false", "given by the user", "no body falls asleep"});
-  settings.push_back({"maxAppliedImpulse of joints that close a loop", text(no_limit), "100 N s",
-                      "a joint must hold whatever pulls at it"});
-  return settings;
-}
-
-std::vector<core::Setting> with(std::vector<core::Setting> settings, std::span<const Forced> forced) {
-  for (const Forced& f : forced) settings.push_back(setting(f));
-  return settings;
-}
-
-// What Bullet does all the same; in brackets the place in the sources of Debian's version, below src/.
-const std::vector<std::string> unforceable_everywhere = {
-    "A rotation of more than pi/4 per step is reduced: the body rotates by 2 atan(w dt/(pi/4) tan(pi/8)) "
-    "(LinearMath/btTransformUtil.h:53, BulletDynamics/Featherstone/btMultiBody.cpp:1823).",
-    "An impact acts in a whole step: the one after the bodies overlap, up to dt late, or, where a contact "
-    "may be "
-    "created before it touches, earlier; there is no time of impact within a step "
-    "(BulletDynamics/Dynamics/btDiscreteDynamicsWorld.cpp:473).",
-    "Impacts of one step are solved together, by sweeps or as one complementarity problem; their order in "
-    "time "
-    "is not resolved (BulletDynamics/Dynamics/btDiscreteDynamicsWorld.cpp:480).",
-    "At most four contact points are kept per pair "
-    "(BulletCollision/NarrowPhaseCollision/btPersistentManifold.h:52).",
-    "The world runs on one thread: Debian's build leaves BT_THREADSAFE out (debian/rules, "
-    "LinearMath/btThreads.h:72).",
-};
-
-std::vector<std::string> unforceable_rigid() {
-  std::vector<std::string> sentences = unforceable_everywhere;
-  sentences.emplace_back(
-      "Semi-implicit Euler is the only integrator of btRigidBody "
-      "(BulletDynamics/Dynamics/btDiscreteDynamicsWorld.cpp:486, "
-      "BulletDynamics/Dynamics/btRigidBody.cpp:102).");
-  return sentences;
-}
-
-std::vector<std::string> unforceable_multibody() {
-  std::vector<std::string> sentences = unforceable_everywhere;
-  sentences.emplace_back(
-      "Restitution uses the approach speed after gravity acts in the step, so a bounce gains |g| dt "
-      "(BulletDynamics/Featherstone/btMultiBodyConstraintSolver.cpp:779).");
-  sentences.emplace_back(
-      "The gyroscopic term is explicit or absent; there is no implicit form "
-      "(BulletDynamics/Featherstone/btMultiBody.cpp:847).");
-  sentences.emplace_back(
-      "Penetration is corrected through the velocity only; the branch for split impulses is commented out "
-      "(BulletDynamics/Featherstone/btMultiBodyConstraintSolver.cpp:812).");
-  sentences.emplace_back(
-      "There is no continuous collision detection: it is a sweep of rigid bodies "
-      "(BulletDynamics/Dynamics/btDiscreteDynamicsWorld.cpp:950).");
-  sentences.emplace_back(
-      "With rk4, applied forces are constant during the step, and constraint impulses change the position "
-      "one "
-      "step late (BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.cpp:613).");
-  return sentences;
-}
-
-// ---- As an expert sets it: one rule, a function of the scene's kind -----------------------------
-
-struct Expert {
-  bool multibody = false;
-  const char* gyroscopic = "implicit-body";
-  const char* solver = "sequential-impulse";
-  std::vector<Forced> forced;
-};
-
-constexpr const char* expert_rule =
-    "btMultiBody with rk4 where nothing touches, no force but gravity and drag acts, every moving body hangs "
-    "from "
-    "the world by joints or has no gyroscopic torque, and masses are within a factor of 1000; else "
-    "btRigidBody. "
-    "What may touch: continuous collision detection, 200 sweeps, points of a plane by 3 queries, kept for "
-    "longer; "
-    "Dantzig's solver where masses differ by a factor of 1000; where a pair bounces, the contacts of "
-    "rigid-bounce";
-
-constexpr double wide_mass_ratio = 1000;
-
-constexpr std::array<Forced, 4> expert_contact = {{
-    {"ccd", 0.9, "fast bodies must not tunnel; a slow body's bits are the same"},
-    {"plane-queries", 3, "a box on a plane needs its corners in the first step"},
-    {"iterations", 200, "10 sweeps leave stacks and friction unsolved"},
-    {"breaking-threshold", 0.1, "points at rest must not be given up and found again"},
-}};
-constexpr Forced expert_rk4 = {"rk4", 1, "order 4 with hinges, 2 with ball joints; nothing needs a contact"};
-
-Expert expert(const BulletKind& kind) {
-  Expert result;
-  const bool wide = kind.mass_ratio >= wide_mass_ratio;
-  if (kind.tree && !wide) {
-    result.multibody = true;
-    result.forced = {expert_rk4};
-    return result;
+// All rules of a path, each with where it holds.
+core::Path path(const char* name, std::string summary, std::vector<std::string> limits) {
+  core::Path result{name, std::move(summary), of_the_scene(), std::move(limits)};
+  for (const BulletRule& rule : bullet_rules()) {
+    if (std::string_view(rule.path) != name) continue;
+    BulletSettings settings = own(std::string_view(name) == "multibody");
+    set(settings, rule.option, rule.value);
+    const std::string where = *rule.where ? fmt::format("{}: ", rule.where) : "";
+    result.settings.push_back(setting(settings, rule.option, where + rule.reason));
   }
-  if (wide) result.solver = "dantzig";
-  if (kind.touches) result.forced.assign(expert_contact.begin(), expert_contact.end());
-  if (kind.bounces) result.forced.insert(result.forced.end(), bounce_rigid.begin(), bounce_rigid.end());
+  if (std::string_view(name) == "multibody") result.settings.push_back(no_limit_of_loops());
   return result;
 }
 
-[[noreturn]] void refuse(const std::string& what, const std::string& given,
-                         const std::vector<std::string>& valid) {
-  throw std::invalid_argument(fmt::format("bullet: no {} '{}'{} (valid: {})", what, given,
-                                          core::did_you_mean(given, valid), fmt::join(valid, ", ")));
+std::vector<std::string> limits_of_both() {
+  std::vector<std::string> limits = unforceable_rigid();
+  for (const std::string& one : unforceable_multibody())
+    if (std::ranges::find(limits, one) == limits.end()) limits.push_back(one);
+  return limits;
 }
 
-void require(const std::string& what, const std::string& given, const std::vector<std::string>& valid) {
-  for (const std::string& name : valid)
-    if (name == given) return;
-  refuse(what, given, valid);
-}
-
-template <class Items>
-std::vector<std::string> names(const Items& items) {
-  std::vector<std::string> result;
-  for (const auto& item : items) result.push_back(item.name);
-  return result;
-}
-
-const std::vector<std::string> off_on = {"off", "on"};
-
-double parse(const Knob& k, const std::string& given) {
-  if (k.kind == Kind::flag) {
-    require(fmt::format("value of option {}", k.option), given, off_on);
-    return given == "on" ? 1 : 0;
+// Why bodies of this sort have not what the run asks for, or nothing.
+std::optional<std::string> missing(const BulletSettings& settings, const core::Setup& setup) {
+  const char* const sort = settings.multibody ? "btMultiBody" : "btRigidBody";
+  const char* const other = settings.multibody ? "btRigidBody" : "btMultiBody";
+  for (const auto& [option, value] : setup.options) {
+    for (const Word& word : words) {
+      const std::vector<std::string>& values = word.values(settings.multibody);
+      if (option == word.option && std::ranges::find(values, value) == values.end())
+        return fmt::format("no {} '{}' on path {}: {} has {}", option, value, settings.path, sort,
+                           fmt::join(values, ", "));
+    }
+    const auto k = std::ranges::find(knobs(), option, &Knob::option);
+    if (k != knobs().end() && k->of != KnobOf::every_path &&
+        (k->of == KnobOf::multibody) != settings.multibody)
+      return fmt::format("option {} belongs to {}, and path {} has {} here", option, other, settings.path,
+                         sort);
   }
-  double value = 0;
-  const auto [end, error] = std::from_chars(given.data(), given.data() + given.size(), value);
-  const bool whole = k.kind == Kind::whole;
-  if (error != std::errc() || end != given.data() + given.size() || !(value >= k.least && value <= k.most) ||
-      (whole && value != std::floor(value)))
-    throw std::invalid_argument(fmt::format("bullet: {} = '{}' is not a {}number in [{}, {}] ({})", k.option,
-                                            given, whole ? "whole " : "", k.least, k.most, k.meaning));
-  return value;
+  for (const Need& need : needs)
+    if (setup.options.contains(need.option) && !need.met(settings))
+      return fmt::format("option {} does nothing without {}", need.option, need.what);
+  return std::nullopt;
 }
 
-void require_path(const Knob& k, const BulletSettings& settings) {
-  if (k.of == Of::every_path || (k.of == Of::multibody) == settings.multibody) return;
-  throw std::invalid_argument(fmt::format("bullet: option {} belongs to {}, and path {} has none here",
-                                          k.option, k.of == Of::rigid ? "btRigidBody" : "btMultiBody",
-                                          settings.path));
+// Why the integrator that is asked for is not the path's, or nothing.
+std::optional<std::string> other_integrator(const BulletSettings& settings, const std::string& asked) {
+  if (asked.empty() || (asked == runge_kutta) == settings.runge_kutta) return std::nullopt;
+  if (settings.path == "as-expert")
+    return fmt::format("The rule of path as-expert takes {} here.",
+                       settings.runge_kutta ? runge_kutta : semi_implicit_euler);
+  return "btRigidBody has semi-implicit Euler alone; path multibody has runge-kutta-4.";
 }
 
 }  // namespace
@@ -306,33 +200,26 @@ core::Engine bullet_engine(std::string version, std::string precision) {
   engine.version = std::move(version);
   engine.precision = std::move(precision);
   engine.paths = {
-      {"rigid", "btRigidBody, contacts as Bullet sets them", always(), unforceable_rigid()},
-      {"rigid-bounce", "btRigidBody, contacts set so that a bounce keeps its energy",
-       with(always(), bounce_rigid), unforceable_rigid()},
-      {"multibody",
-       "btMultiBody: a tree for each set of bodies that joints connect; "
-       "m_restitutionVelocityThreshold, contactProcessingThreshold and m_erp2 are set only where a touching "
-       "pair bounces",
-       with(always_multibody(), bounce_multibody), unforceable_multibody()},
-      {"as-shipped", "btRigidBody, and every setting as Bullet has it by itself", of_the_scene(),
-       unforceable_rigid()},
-      {"as-expert", fmt::format("one rule for all scenes: {}", expert_rule), always(), unforceable_rigid()},
+      path("rigid", "btRigidBody, contacts as Bullet sets them", unforceable_rigid()),
+      path("rigid-bounce", "btRigidBody, contacts set so that a bounce keeps its energy",
+           unforceable_rigid()),
+      path("multibody", "btMultiBody: a tree for each set of bodies that joints connect",
+           unforceable_multibody()),
+      path("as-shipped", "btRigidBody, and every setting as Bullet has it by itself", unforceable_rigid()),
+      path("as-expert", fmt::format("one rule for all scenes: {}", expert_multibody), limits_of_both()),
   };
   engine.default_path_rule = "any restitution > 0 between a touching pair: rigid-bounce, else rigid";
   engine.integrators = {
-      {"semi-implicit-euler", 1, "linear momentum; symplectic without rotation and contact"}};
-  engine.options = {
-      {"gyro",
-       {"implicit-body", "implicit-world", "explicit", "none"},
-       "implicit-body",
-       "gyroscopic term w x I w; multibody offers explicit (its default) and none"},
-      {"solver",
-       {"sequential-impulse", "nncg", "dantzig"},
-       "sequential-impulse",
-       "constraint solver; multibody offers sequential-impulse and dantzig"},
+      {semi_implicit_euler, 1, "linear momentum; symplectic without rotation and contact"},
+      {runge_kutta, 4,
+       "nothing in particular; of btMultiBody alone; order 2 with ball joints, 1 with contacts, loops, "
+       "applied "
+       "forces, and a free base that turns"},
   };
-  for (const Knob& k : knobs)
-    engine.options.push_back({k.option, k.kind == Kind::flag ? off_on : std::vector<std::string>(),
+  for (const Word& word : words)
+    engine.options.push_back({word.option, word.of_rigid, word.of_rigid.front(), word.meaning});
+  for (const Knob& k : knobs())
+    engine.options.push_back({k.option, k.kind == KnobKind::flag ? off_on : std::vector<std::string>(),
                               text(k, k.engine_default), fmt::format("{}: {}", k.setting, k.meaning)});
   return engine;
 }
@@ -341,54 +228,44 @@ BulletSettings bullet_settings(const core::Engine& engine, const core::Setup& se
   if (!setup.path.empty()) require("path", setup.path, names(engine.paths));
   if (!setup.integrator.empty()) require("integrator", setup.integrator, names(engine.integrators));
 
-  BulletSettings settings;
   const bool by_rule = setup.path.empty() || setup.path == "rigid";
-  settings.path = by_rule ? (kind.bounces ? "rigid-bounce" : "rigid") : setup.path;
-  const bool shipped = settings.path == "as-shipped", by_expert = settings.path == "as-expert";
-  const Expert experts = by_expert ? expert(kind) : Expert();
-  settings.multibody = settings.path == "multibody" || experts.multibody;
-  settings.gyroscopic = settings.multibody ? "explicit" : experts.gyroscopic;
-  settings.solver = experts.solver;
-  settings.terms = {settings.path, engine.integrators[0].name, engine.integrators[0].order, "", {}, {}};
-  settings.terms.settings = shipped ? of_the_scene() : settings.multibody ? always_multibody() : always();
-  settings.terms.unforceable = settings.multibody ? unforceable_multibody() : unforceable_rigid();
-  for (const Knob& k : knobs) settings.number[k.option] = k.engine_default;
-  if (!shipped)
-    for (const Forced& forced : ours) settings.number[forced.option] = forced.value;
+  const std::string path = by_rule ? (kind.bounces ? "rigid-bounce" : "rigid") : setup.path;
+  const bool by_expert = path == "as-expert";
+  BulletSettings settings = own(path == "multibody" || (by_expert && expert_takes_multibody(kind)));
+  settings.path = path;
 
-  const auto force = [&](const Forced& forced) {
-    settings.number[forced.option] = forced.value;
-    if (!setup.options.contains(forced.option)) settings.terms.settings.push_back(setting(forced));
-  };
-  if (settings.path == "rigid-bounce")
-    for (const Forced& forced : bounce_rigid) force(forced);
-  if (settings.path == "multibody" && kind.bounces)
-    for (const Forced& forced : bounce_multibody) force(forced);
-  for (const Forced& forced : experts.forced) force(forced);
-  if (by_expert)
-    settings.terms.settings.push_back({"solver", settings.solver, "sequential-impulse", "the expert's rule"});
-
+  Chosen chosen;
+  for (const BulletRule& rule : bullet_rules())
+    if (rule.path == path && rule.applies(kind)) {
+      set(settings, rule.option, rule.value);
+      chosen.note(rule.option, rule.reason);
+    }
+  if (path == "multibody" && setup.integrator == runge_kutta) {
+    settings.runge_kutta = true;
+    chosen.note("integrator", asked_for);
+  }
   for (const auto& [option, value] : setup.options) {
     require("option", option, names(engine.options));
-    const char* const asked = "asked for by the run";
-    if (option == "gyro" || option == "solver") {
-      const std::vector<std::string> of_path =
-          !settings.multibody ? engine.options[option == "gyro" ? 0 : 1].values
-          : option == "gyro"  ? std::vector<std::string>{"explicit", "none"}
-                              : std::vector<std::string>{"sequential-impulse", "dantzig"};
-      require(option + " on path " + settings.path, value, of_path);
-      std::string& chosen = option == "gyro" ? settings.gyroscopic : settings.solver;
-      settings.terms.settings.push_back({option, value, chosen, asked});
-      chosen = value;
-    } else {
-      const Knob& k = knob(option);
-      require_path(k, settings);
-      settings.number[option] = parse(k, value);
-      settings.terms.settings.push_back({k.setting, value, text(k, k.engine_default), asked});
-    }
+    for (const Word& word : words)
+      if (option == word.option) require(option, value, word.of_rigid);
+    set(settings, option, value);
+    chosen.note(option, asked_for);
   }
-  if (settings.on("rk4")) settings.terms.integrator = "runge-kutta-4", settings.terms.order = kind.rk4_order;
+
+  settings.refused = missing(settings, setup);
+  if (settings.refused && !by_expert)
+    throw std::invalid_argument(fmt::format("bullet: {}", *settings.refused));
+  if (!settings.refused) settings.refused = other_integrator(settings, setup.integrator);
+
+  settings.terms.path = path;
+  settings.terms.integrator = settings.runge_kutta ? runge_kutta : semi_implicit_euler;
+  settings.terms.order = settings.runge_kutta ? kind.rk4_order : 1;
   settings.terms.gyroscopic = settings.gyroscopic;
+  settings.terms.settings = of_the_scene();
+  for (const auto& [option, reason] : chosen.all())
+    if (option != "ccd" || kind.swept) settings.terms.settings.push_back(setting(settings, option, reason));
+  if (settings.multibody && kind.loops) settings.terms.settings.push_back(no_limit_of_loops());
+  settings.terms.unforceable = settings.multibody ? unforceable_multibody() : unforceable_rigid();
   return settings;
 }
 

@@ -1,12 +1,15 @@
 #include "reference/simulators/bullet/bullet_shapes.h"
 
 #include "harness/core/overloaded.h"
+#include "harness/core/polyhedron.h"
 #include "reference/simulators/bullet/bullet_border.h"
 
 #include <btBulletCollisionCommon.h>
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
 
 namespace cylon::simulators {
 namespace {
@@ -76,6 +79,60 @@ std::vector<core::Part> parts_of(const core::Shape& shape) {
       shape);
 }
 
+// A part in Bullet's frame.
+struct Placed {
+  core::Primitive shape;
+  core::Quaternion turn;
+  core::Vector3 shift;
+
+  // Whether Bullet's own shape stands for it as it is; else it is the child of a compound.
+  bool alone() const {
+    const bool round = std::holds_alternative<core::Sphere>(shape);
+    return shift.isZero(0.0) && (round || turn.isApprox(core::Quaternion::Identity(), 0.0));
+  }
+};
+
+// In a frame that is turned by `rotation` (frame to body axes).  A hull is turned in its vertices.
+std::vector<Placed> placed(const core::Shape& shape, const core::Quaternion& rotation) {
+  std::vector<Placed> result;
+  const core::Quaternion body_to_frame = rotation.conjugate();
+  for (const core::Part& part : parts_of(shape)) {
+    const core::Quaternion turn = body_to_frame * part.orientation;
+    Placed one{part.shape, turn, body_to_frame * part.position + turn * centre_of(part.shape)};
+    if (auto* hull = std::get_if<core::Hull>(&one.shape)) {
+      for (core::Vector3& v : hull->vertices) v = turn * v + one.shift;
+      one.turn = core::Quaternion::Identity(), one.shift.setZero();
+    }
+    result.push_back(std::move(one));
+  }
+  return result;
+}
+
+// Of the largest sphere about the origin inside a shape that Bullet's own stands for [m]; 0: none.
+struct InnerRadius {
+  double operator()(const core::Sphere& s) const { return s.radius; }
+  double operator()(const core::Box& s) const { return s.half_extents.minCoeff(); }
+  double operator()(const core::Capsule& s) const { return s.radius; }
+  double operator()(const core::Cylinder& s) const { return std::min(s.radius, s.length / 2); }
+  // The nearest of the planes n.x = n.p that its faces lie in; 0 where the origin is outside, or no volume.
+  double operator()(const core::Hull& s) const try {
+    double least = std::numeric_limits<double>::infinity();
+    for (const core::Triangle& face : core::convex_hull(s.vertices)) {
+      const auto corner = [&](std::size_t i) { return s.vertices[static_cast<std::size_t>(face[i])]; };
+      const core::Vector3 normal = (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
+      least = std::min(least, normal.dot(corner(0)));
+    }
+    return std::max(0.0, least);
+  } catch (const std::invalid_argument&) {
+    return 0;
+  }
+  double operator()(const core::Cone&) const { return 0; }  // a compound: its centre is not Bullet's
+  double operator()(const core::Rod&) const { return 0; }
+  double operator()(const core::Disc&) const { return 0; }
+  double operator()(const core::Mesh&) const { return 0; }
+  double operator()(const std::monostate&) const { return 0; }
+};
+
 }  // namespace
 
 std::optional<std::string> untouchable(const core::Shape& shape) {
@@ -87,38 +144,21 @@ std::optional<std::string> untouchable(const core::Shape& shape) {
   return std::nullopt;
 }
 
-double inner_radius(const core::Shape& shape) {
-  // A cone of half-angle a: its centre is a quarter up, and its side is 3/4 length sin a away.
-  const auto cone = [](const core::Cone& s) {
-    return s.length / 4 * std::min(1.0, 3 * s.radius / std::hypot(s.radius, s.length));
-  };
-  return std::visit(core::Overloaded{
-                        [](const core::Sphere& s) { return s.radius; },
-                        [](const core::Box& s) { return s.half_extents.minCoeff(); },
-                        [](const core::Capsule& s) { return s.radius; },
-                        [](const core::Cylinder& s) { return std::min(s.radius, s.length / 2); },
-                        cone,
-                        [](const auto&) { return 0.0; },
-                    },
-                    shape);
+double swept_radius(const core::Shape& shape, const core::Quaternion& rotation) {
+  const std::vector<Placed> parts = placed(shape, rotation);
+  return parts.size() == 1 && parts[0].alone() ? std::visit(InnerRadius{}, parts[0].shape) : 0;
 }
 
 btCollisionShape* make_shape(const core::Shape& shape, const core::Quaternion& rotation,
                              std::optional<double> margin, Shapes& shapes) {
-  const std::vector<core::Part> parts = parts_of(shape);
-  const core::Quaternion body_to_frame = rotation.conjugate();
-  btCompoundShape* compound = nullptr;
-  for (const core::Part& part : parts) {
-    btCollisionShape* const child = std::visit(Make{shapes, margin}, part.shape);
-    const core::Quaternion turn = body_to_frame * part.orientation;
-    const core::Vector3 shift = body_to_frame * part.position + turn * centre_of(part.shape);
-    const bool round = std::holds_alternative<core::Sphere>(part.shape);
-    const bool turned = !round && !turn.isApprox(core::Quaternion::Identity(), 0.0);
-    if (parts.size() == 1 && !turned && shift.isZero(0.0)) return child;
-    if (!compound) compound = add<btCompoundShape>(shapes);
-    compound->addChildShape(to_bullet(turn, shift), child);
-  }
-  return compound ? compound : Make{shapes, margin}(std::monostate());
+  const std::vector<Placed> parts = placed(shape, rotation);
+  const Make make{shapes, margin};
+  if (parts.size() == 1 && parts[0].alone()) return std::visit(make, parts[0].shape);
+  if (parts.empty()) return make(std::monostate());
+  auto* const compound = add<btCompoundShape>(shapes);
+  for (const Placed& part : parts)
+    compound->addChildShape(to_bullet(part.turn, part.shift), std::visit(make, part.shape));
+  return compound;
 }
 
 btCollisionShape* make_shape(const core::Plane& plane, Shapes& shapes) {

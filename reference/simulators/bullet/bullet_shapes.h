@@ -24,9 +24,9 @@ std::optional<std::string> untouchable(const core::Shape&);
 btCollisionShape* make_shape(const core::Shape&, const core::Quaternion& rotation,
                              std::optional<double> margin, Shapes&);
 
-/// Radius of the largest sphere about the centre of mass that is inside the shape [m]; 0 where there is
-/// none, or where the shape is a compound.
-double inner_radius(const core::Shape&);
+/// Radius of the largest sphere about the centre of mass that is inside the shape [m]; 0 where there is none,
+/// or where make_shape() gives a compound, which Bullet's continuous collision detection does not sweep.
+double swept_radius(const core::Shape&, const core::Quaternion& rotation);
 
 /// A static half-space.
 btCollisionShape* make_shape(const core::Plane&, Shapes&);

@@ -60,7 +60,6 @@ Surfaces::Surfaces(const core::Scene& scene) {
       const std::optional<core::Material> m = material(scene, members[a], members[b]);
       if (m) table_[a * classes_ + b] = {m->restitution, m->friction, true};
       complete_ = complete_ && m;
-      bounces_ = bounces_ || (m && m->restitution > 0);
     }
 }
 

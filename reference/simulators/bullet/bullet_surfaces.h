@@ -22,9 +22,6 @@ class Surfaces {
   int of_plane(std::size_t plane) const { return plane_class_[plane]; }
   const Contact& between(int a, int b) const { return table_[index(a, b)]; }
 
-  /// Whether some pair that may touch has restitution > 0.
-  bool bounces() const { return bounces_; }
-
   /// Whether every pair that may touch has a material.
   bool complete() const { return complete_; }
 
@@ -36,7 +33,7 @@ class Surfaces {
   std::size_t classes_ = 1;
   std::vector<int> body_class_, plane_class_;
   std::vector<Contact> table_;
-  bool bounces_ = false, complete_ = true;
+  bool complete_ = true;
 };
 
 }  // namespace cylon::simulators

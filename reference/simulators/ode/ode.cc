@@ -114,6 +114,7 @@ class Ode final : public core::Simulator {
   OdeSettings settings_;
   Scene scene_;
   double dt_ = 0;
+  double gravity_ = 0;  // [m/s^2]
   std::int64_t steps_ = 0;
   std::unique_ptr<World> world_;
   std::vector<dBodyID> bodies_;               // nullptr for a locked body
@@ -125,31 +126,22 @@ class Ode final : public core::Simulator {
   std::vector<core::Contact> contacts_;
 };
 
-std::optional<std::string> Ode::unsupported(const Scene& scene, const Setup& setup) const {
-  if (!(setup.dt > 0)) return fmt::format("ODE steps forward only; dt = {} s.", setup.dt);
-  return ode_limit(scene);
-}
-
-// What the path "as-expert" looks at.
-OdeKind kind_of(const Scene& scene) {
-  OdeKind kind;
-  kind.bounces = core::any_touching_pair(scene, [&](const core::Pair& pair) {
-    const std::optional<core::Material> material = core::material_of(scene, pair);
-    return material && material->restitution > 0;
-  });
-  kind.piles = core::any_touching_pair(scene, [&](const core::Pair& pair) {
-    return pair.other != core::world && !scene.bodies[at(pair.body)].locked &&
-           !scene.bodies[at(pair.other)].locked;
-  });
-  double lightest = dInfinity, heaviest = 0;
-  for (const Body& body : scene.bodies)
-    if (!body.locked) lightest = std::min(lightest, body.mass), heaviest = std::max(heaviest, body.mass);
-  if (heaviest > 0) kind.mass_ratio = heaviest / lightest;
+// What the path "as-expert" looks at; the others look at nothing.
+OdeKind ode_kind(const Scene& scene, const Setup& setup) {
+  if (setup.path != "as-expert") return {};
+  OdeKind kind{core::scene_kind(scene)};
+  kind.stacked = kind.piles && ode_stacked(scene);
   return kind;
 }
 
+std::optional<std::string> Ode::unsupported(const Scene& scene, const Setup& setup) const {
+  if (!(setup.dt > 0)) return fmt::format("ODE steps forward only; dt = {} s.", setup.dt);
+  if (auto reason = ode_limit(scene)) return reason;
+  return ode_settings(engine_, setup, ode_kind(scene, setup)).refused;
+}
+
 Terms Ode::load(const Scene& scene, const Setup& setup) {
-  settings_ = ode_settings(engine_, setup, kind_of(scene));
+  settings_ = ode_settings(engine_, setup, ode_kind(scene, setup));
   Library::enter();
   if (settings_.quick) dRandSetSeed(0);
 
@@ -167,6 +159,7 @@ Terms Ode::load(const Scene& scene, const Setup& setup) {
   Vector3 gravity = Vector3::Zero();
   for (const core::Force& force : scene_.forces)
     if (const auto* uniform = std::get_if<core::UniformGravity>(&force)) gravity += uniform->acceleration;
+  gravity_ = gravity.norm();
   dWorldSetGravity(world_->id, gravity.x(), gravity.y(), gravity.z());
 
   for (const Body& body : scene_.bodies) add_body(body);
@@ -272,15 +265,15 @@ Vector3 velocity_at(dBodyID body, const dVector3& place) {
   return {v[0], v[1], v[2]};
 }
 
-// The first friction direction of a contact: t = s/|s| with the slip s = v - (v.n) n of the first body's
-// point against the second's; ODE's own where |s| is too small to have a direction.
-void turn_along_slip(dContact& contact, dBodyID first, dBodyID second) {
-  constexpr double least_slip = 1e-9;  // [m/s]
+// The first friction direction of a contact that slides: t = s/|s| with the slip s = v - (v.n) n of the first
+// body's point against the second's.  ODE's own where |s| <= `still`: what friction stops within the step has
+// no direction of its own, and what is left of it is the solver's residual.
+void turn_along_slip(dContact& contact, dBodyID first, dBodyID second, double still) {
   const Vector3 normal(contact.geom.normal[0], contact.geom.normal[1], contact.geom.normal[2]);
   const Vector3 v = velocity_at(first, contact.geom.pos) - velocity_at(second, contact.geom.pos);
   const Vector3 slip = v - v.dot(normal) * normal;
   contact.surface.mode &= ~dContactFDir1;
-  if (!(slip.norm() > least_slip)) return;
+  if (!(slip.norm() > still)) return;
   contact.surface.mode |= dContactFDir1;
   for (int k = 0; k < 3; ++k) contact.fdir1[k] = slip[k] / slip.norm();
 }
@@ -295,16 +288,16 @@ void Ode::collide(dGeomID a, dGeomID b) {
   dContact contact{};
   contact.surface.mode = dContactBounce;
   if (settings_.coulomb) contact.surface.mode |= dContactApprox1;
-  if (settings_.contact_cfm >= 0) contact.surface.mode |= dContactSoftCFM;
-  contact.surface.soft_cfm = settings_.contact_cfm;
-  if (settings_.contact_erp >= 0) contact.surface.mode |= dContactSoftERP;
-  contact.surface.soft_erp = settings_.contact_erp;
+  if (settings_.contact_cfm) contact.surface.mode |= dContactSoftCFM;
+  contact.surface.soft_cfm = settings_.contact_cfm.value_or(0);
+  if (settings_.contact_erp) contact.surface.mode |= dContactSoftERP;
+  contact.surface.soft_erp = settings_.contact_erp.value_or(0);
   contact.surface.mu = s.friction;
   contact.surface.bounce = s.restitution;
   contact.surface.bounce_vel = settings_.bounce_velocity;
   for (int i = 0; i < n; ++i) {
     contact.geom = found[at(i)];
-    if (settings_.along_slip) turn_along_slip(contact, first, second);
+    if (settings_.along_slip) turn_along_slip(contact, first, second, s.friction * gravity_ * dt_ + 1e-9);
     dJointID joint = dJointCreateContact(world_->id, world_->contacts, &contact);
     dJointAttach(joint, first, second);
     if (!keep_) continue;

@@ -5,6 +5,7 @@
 #include <ode/ode.h>
 
 #include <array>
+#include <vector>
 
 namespace cylon::simulators {
 namespace {
@@ -59,21 +60,60 @@ void place(const Geom& geom, const core::Body& body, dBodyID id, const Vector3& 
   }
 }
 
+std::vector<core::Part> parts_of(const core::Shape& shape) {
+  const auto alone = [](const auto& primitive) {
+    return std::vector{core::Part{primitive, 0, Vector3::Zero(), Quaternion::Identity()}};
+  };
+  return std::visit(Overloaded{[](const core::Compound& compound) { return compound.parts; }, alone}, shape);
+}
+
+void add(dSpaceID space, const core::Part& part, const core::Body& body, dBodyID id, void* owner) {
+  const Geom geom = make(space, part.shape);
+  if (!geom.id) return;
+  dGeomSetData(geom.id, owner);
+  place(geom, body, id, part.position, part.orientation);
+}
+
+// A shape that is larger by a factor; what ODE has no primitive for stays.
+core::Primitive grown(core::Primitive shape, double factor) {
+  std::visit(Overloaded{[&](core::Sphere& s) { s.radius *= factor; },
+                        [&](core::Box& s) { s.half_extents *= factor; },
+                        [&](core::Capsule& s) { s.radius *= factor, s.length *= factor; },
+                        [&](core::Cylinder& s) { s.radius *= factor, s.length *= factor; },
+                        [](std::monostate&) {}, [](core::Cone&) {}, [](core::Rod&) {}, [](core::Disc&) {},
+                        [](core::Hull&) {}, [](core::Mesh&) {}},
+             shape);
+  return shape;
+}
+
 }  // namespace
 
+bool ode_stacked(const core::Scene& scene) {
+  constexpr double factor = 1 + 1e-6;
+  dSpaceID space = dHashSpaceCreate(nullptr);
+  std::vector<std::size_t> owners(scene.bodies.size());  // geoms point at them
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    core::Body body = scene.bodies[i];
+    if (body.locked || !body.collide) continue;
+    owners[i] = i;
+    for (core::Part& part : parts_of(body.shape)) {
+      part.shape = grown(part.shape, factor);
+      add(space, part, body, nullptr, &owners[i]);
+    }
+  }
+  bool found = false;
+  dSpaceCollide(space, &found, [](void* result, dGeomID a, dGeomID b) {
+    dContactGeom contact;
+    auto& touching = *static_cast<bool*>(result);
+    touching =
+        touching || (dGeomGetData(a) != dGeomGetData(b) && dCollide(a, b, 1, &contact, sizeof contact) > 0);
+  });
+  dSpaceDestroy(space);
+  return found;
+}
+
 void ode_add_shape(dSpaceID space, const core::Body& body, dBodyID id, void* owner) {
-  const auto add = [&](const core::Primitive& shape, const Vector3& p, const Quaternion& q) {
-    const Geom geom = make(space, shape);
-    if (!geom.id) return;
-    dGeomSetData(geom.id, owner);
-    place(geom, body, id, p, q);
-  };
-  std::visit(Overloaded{[&](const core::Compound& compound) {
-                          for (const core::Part& part : compound.parts)
-                            add(part.shape, part.position, part.orientation);
-                        },
-                        [&](const auto& shape) { add(shape, Vector3::Zero(), Quaternion::Identity()); }},
-             body.shape);
+  for (const core::Part& part : parts_of(body.shape)) add(space, part, body, id, owner);
 }
 
 }  // namespace cylon::simulators

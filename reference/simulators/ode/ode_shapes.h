@@ -12,4 +12,7 @@ namespace cylon::simulators {
 /// Each carries `owner` as its data.  Shapes that ODE lacks are left out.
 void ode_add_shape(dxSpace*, const core::Body&, dxBody*, void* owner);
 
+/// Whether two moving bodies touch each other at the start, or would if each were larger by a millionth.
+bool ode_stacked(const core::Scene&);
+
 }  // namespace cylon::simulators

@@ -34,6 +34,7 @@ TEST_F(CommandLine, ExitCodesAndMessages) {
       {"list 'zzz*'", 4, "no scenario 'zzz*'"},
       {"list --tag spin", 4, "did you mean 'spring'?"},
       {"engines --names 'ode*'", 0, "ode\node-quick\n"},
+      {"engines ode", 0, "path as-expert: "},
       {"engines bulet", 4, "did you mean 'bullet'?"},
       {"validate projectile", 0, "ok: 1 body, 4 claims"},
       {"validate missing.toml", 2, "missing.toml: no such file"},

@@ -1,0 +1,71 @@
+#include "reference/simulators/bullet/bullet_rules.h"
+
+namespace cylon::simulators {
+namespace {
+
+bool bounces(const BulletKind& kind) { return kind.bounces; }
+bool touches(const BulletKind& kind) { return kind.touches; }
+bool wide(const BulletKind& kind) { return kind.wide(); }
+constexpr const char* a_pair_bounces = "where a pair bounces";
+constexpr const char* may_touch = "where bodies may touch";
+
+constexpr const char* no_sleep = "no body falls asleep";
+constexpr const char* sharp = "edges must be as sharp as in the scene";
+constexpr const char* no_damping = "the scene has no damping of its own";
+constexpr const char* no_hidden_limit = "no hidden limit of the speed";
+constexpr const char* all_bounce = "slow impacts must bounce too";
+constexpr const char* no_early_contact =
+    "a contact solved before it touches reduces or removes the rebound speed, by gap/dt";
+constexpr const char* no_push =
+    "penetration correction adds energy to every bounce, as speed (Baumgarte) or as height (split impulse)";
+constexpr const char* no_split_push = "if a run sets erp2, the correction must not change the velocity";
+
+constexpr BulletRule rules[] = {
+    {"rigid", "sleeping", "off", nullptr, "", no_sleep},
+    {"rigid", "margin", "0", nullptr, "", sharp},
+
+    {"rigid-bounce", "sleeping", "off", nullptr, "", no_sleep},
+    {"rigid-bounce", "margin", "0", nullptr, "", sharp},
+    {"rigid-bounce", "restitution-threshold", "0", nullptr, "", all_bounce},
+    {"rigid-bounce", "contact-threshold", "0", nullptr, "", no_early_contact},
+    {"rigid-bounce", "erp2", "0", nullptr, "", no_push},
+    {"rigid-bounce", "split-threshold", "0", nullptr, "", no_split_push},
+
+    {"multibody", "sleeping", "off", nullptr, "", no_sleep},
+    {"multibody", "margin", "0", nullptr, "", sharp},
+    {"multibody", "damping", "0", nullptr, "", no_damping},
+    {"multibody", "max-coordinate-velocity", "1e18", nullptr, "", no_hidden_limit},
+    {"multibody", "restitution-threshold", "0", bounces, a_pair_bounces, all_bounce},
+    {"multibody", "contact-threshold", "0", bounces, a_pair_bounces, no_early_contact},
+    {"multibody", "erp2", "0", bounces, a_pair_bounces,
+     "multibody contacts have no split impulse, so any correction adds energy to a bounce"},
+
+    {"as-expert", "sleeping", "off", nullptr, "", no_sleep},
+    {"as-expert", "margin", "0", nullptr, "", sharp},
+    {"as-expert", "damping", "0", expert_takes_multibody, "with btMultiBody", no_damping},
+    {"as-expert", "max-coordinate-velocity", "1e18", expert_takes_multibody, "with btMultiBody",
+     no_hidden_limit},
+    {"as-expert", "integrator", "runge-kutta-4", expert_takes_multibody, "with btMultiBody",
+     "order 4 with hinges, 2 with ball joints; nothing needs a contact"},
+    {"as-expert", "ccd", "0.9", touches, may_touch,
+     "fast bodies must not tunnel; a slow body's bits are the same"},
+    {"as-expert", "plane-queries", "3", touches, may_touch,
+     "a box on a plane needs its corners in the first step"},
+    {"as-expert", "iterations", "200", touches, may_touch, "10 sweeps leave stacks and friction unsolved"},
+    {"as-expert", "breaking-threshold", "0.1", touches, may_touch,
+     "points at rest must not be given up and found again"},
+    {"as-expert", "solver", "dantzig", wide, "where masses differ by a factor of 1000",
+     "sweeps carry a share of an impulse from body to body, and 200 are too few"},
+    {"as-expert", "restitution-threshold", "0", bounces, a_pair_bounces, all_bounce},
+    {"as-expert", "contact-threshold", "0", bounces, a_pair_bounces, no_early_contact},
+    {"as-expert", "erp2", "0", bounces, a_pair_bounces, no_push},
+    {"as-expert", "split-threshold", "0", bounces, a_pair_bounces, no_split_push},
+};
+
+}  // namespace
+
+std::span<const BulletRule> bullet_rules() { return rules; }
+
+bool expert_takes_multibody(const BulletKind& kind) { return kind.tree && !kind.wide(); }
+
+}  // namespace cylon::simulators

@@ -1,0 +1,161 @@
+#include "reference/simulators/ode/ode_options.h"
+
+#include "harness/core/input_error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <system_error>
+
+namespace cylon::simulators {
+namespace {
+
+using Run = OdeSettings;
+constexpr double largest = std::numeric_limits<double>::max();
+
+const OdeOption options[] = {
+    {"gyro",
+     {"on", "off"},
+     "on",
+     "the implicit gyroscopic torque",
+     [](Run& run, double i) { run.gyro = i == 0; }},
+    {"rotation",
+     {"finite", "infinitesimal"},
+     "infinitesimal",
+     "how far w turns a body within dt",
+     [](Run& run, double i) { run.finite_rotation = i == 0; }},
+    {"erp",
+     {},
+     "0.2",
+     "share of a constraint's error corrected per step, in [0, 1]",
+     [](Run& run, double x) { run.erp = x; },
+     0,
+     1},
+    {"cfm",
+     {},
+     "1e-10",
+     "softness of a constraint [s/kg]",
+     [](Run& run, double x) { run.cfm = x; },
+     0,
+     largest},
+    {"contacts",
+     {},
+     "none",
+     "contacts per pair of shapes, from 1 to 8",
+     [](Run& run, double x) { run.contacts = static_cast<int>(x); },
+     1,
+     ode_most_contacts,
+     false,
+     true},
+    {.name = "iterations",
+     .engine_default = "20",
+     .meaning = "sweeps per step, of dWorldQuickStep",
+     .set = [](Run& run, double x) { run.iterations = static_cast<int>(x); },
+     .least = 1,
+     .most = 1e9,
+     .whole = true,
+     .of_quick = true},
+    {"stepper",
+     {"step", "quick"},
+     "none",
+     "dWorldStep or dWorldQuickStep",
+     [](Run& run, double i) { run.quick = i == 1; }},
+    {.name = "over-relaxation",
+     .engine_default = "1.3",
+     .meaning = "of dWorldQuickStep's sweeps, in (0, 2)",
+     .set = [](Run& run, double x) { run.over_relaxation = x; },
+     .least = 0,
+     .most = 2,
+     .open = true,
+     .of_quick = true},
+    {"friction",
+     {"coefficient", "force"},
+     "force",
+     "what mu is: of the normal force (dContactApprox1), or the largest force itself",
+     [](Run& run, double i) { run.coulomb = i == 0; }},
+    {"friction-direction",
+     {"engine", "slip"},
+     "engine",
+     "first direction of a contact's friction pyramid: ODE's, or where it slides that of the slip "
+     "(dContactFDir1)",
+     [](Run& run, double i) { run.along_slip = i == 1; }},
+    {"bounce-velocity",
+     {},
+     "none",
+     "approach speed up to which nothing bounces [m/s]",
+     [](Run& run, double x) { run.bounce_velocity = x; },
+     0,
+     largest},
+    {"contact-cfm",
+     {},
+     "cfm",
+     "softness of contacts alone (dContactSoftCFM) [s/kg]",
+     [](Run& run, double x) { run.contact_cfm = x; },
+     0,
+     largest},
+    {"contact-erp",
+     {},
+     "erp",
+     "ERP of contacts alone (dContactSoftERP), in [0, 1]",
+     [](Run& run, double x) { run.contact_erp = x; },
+     0,
+     1},
+    {"surface-layer",
+     {},
+     "0",
+     "depth up to which contacts are left alone [m]",
+     [](Run& run, double x) { run.surface_layer = x; },
+     0,
+     largest},
+    {"springs",
+     {"force", "stiff", "joint"},
+     "none",
+     "springs as explicit forces, or as soft joints (implicit) where dt^2 k + dt c > m, or all",
+     [](Run& run, double i) { run.stiff_springs = i == 1, run.all_springs = i == 2; }},
+};
+
+double number(const OdeOption& option, const std::string& given) {
+  double x = 0;
+  const char* const end = given.data() + given.size();
+  const auto [stop, error] = std::from_chars(given.data(), end, x);
+  const bool inside =
+      option.open ? x > option.least && x < option.most : x >= option.least && x <= option.most;
+  if (error == std::errc() && stop == end && inside && (!option.whole || x == std::floor(x))) return x;
+  throw std::invalid_argument(fmt::format("ode: option {} = '{}' is not a {}number in {}{}, {}{}",
+                                          option.name, given, option.whole ? "whole " : "",
+                                          option.open ? '(' : '[', option.least, option.most,
+                                          option.open ? ')' : ']'));
+}
+
+}  // namespace
+
+std::span<const OdeOption> ode_options() { return options; }
+
+void ode_require(const std::string& kind, const std::string& word, const std::vector<std::string>& valid) {
+  if (std::ranges::find(valid, word) != valid.end()) return;
+  throw std::invalid_argument(
+      fmt::format("ode: unknown {} '{}'{}", kind, word, core::did_you_mean(word, valid)));
+}
+
+void ode_set(OdeSettings& run, const std::string& option, const std::string& given) {
+  const auto found = std::ranges::find(options, std::string_view(option),
+                                       [](const OdeOption& one) { return std::string_view(one.name); });
+  if (found == std::end(options)) {
+    std::vector<std::string> names;
+    for (const OdeOption& one : options) names.emplace_back(one.name);
+    ode_require("option", option, names);
+    return;
+  }
+  if (found->words.empty()) {
+    found->set(run, number(*found, given));
+    return;
+  }
+  ode_require("value of option " + option, given, found->words);
+  found->set(run, static_cast<double>(std::ranges::find(found->words, given) - found->words.begin()));
+}
+
+}  // namespace cylon::simulators
