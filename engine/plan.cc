@@ -240,7 +240,8 @@ std::string unsupported(const Model& given, const Options& options, const Names&
            " cannot integrate joints: only compositions of RATTLE steps keep the constraints";
   }
   const std::optional<Path> path = path_of(model, options);
-  return path ? unresolved(model, *path, names) : no_path(model, options);
+  if (!path) return no_path(model, options);
+  return options.force ? "" : unresolved(model, *path, names);
 }
 
 Plan make_plan(const Model& model, const Options& options, Features also) {

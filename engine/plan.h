@@ -22,6 +22,7 @@ struct Options {
   bool constraints = false;  ///< Keep all joints as constraints, in no reduced coordinates.
   bool full = false;         ///< Run every stage, needed or not.
   bool account = false;      ///< Integrate the work of each force.
+  bool force = false;        ///< Run a model that the numbers are too coarse for (engine/resolution.h).
 };
 
 /// What auto promises where nobody asks: 1e-10 in double, 1e-4 in float.

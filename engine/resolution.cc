@@ -32,16 +32,17 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 Real unit_in_last_place(Real x) {
   return std::nextafter(std::abs(x), std::numeric_limits<Real>::infinity()) - std::abs(x);
 }
+Vector3 units(const Vector3& p) { return p.unaryExpr(&unit_in_last_place); }
 Real largest_coordinate(const Vector3& p) { return p.cwiseAbs().maxCoeff(); }
 
-// A length [m] and how far out [m] it is to be told; a length of 0 says nothing.
-std::string lost(const std::string& who, Real far, const char* what, Real length) {
-  const Real unit = unit_in_last_place(far);
-  if (!(length > 0) || !(unit > coarsest_place * length)) return "";
-  return who +
-         text(" is %.6g m from the origin, where one ulp of %s is %.3g m: more than 1/%.0f of %s, %.6g m",
-              static_cast<double>(far), precision, static_cast<double>(unit),
-              1 / static_cast<double>(coarsest_place), what, static_cast<double>(length));
+// Who is so far out [m] that a length [m] is known to `error` [m]; a length of 0 says nothing.
+std::string lost(const std::string& who, Real far, Real error, const char* what, Real length) {
+  if (!(length > 0) || !(error > largest_error * length)) return "";
+  return who + text(
+                   " is %.6g m from the origin, where %s knows distances to %.3g m: more than a tenth of %s, "
+                   "%.6g m",
+                   static_cast<double>(far), precision, static_cast<double>(error), what,
+                   static_cast<double>(length));
 }
 
 class Places {
@@ -67,20 +68,37 @@ class Places {
 
  private:
   std::string touching() const {
-    Real least = std::numeric_limits<Real>::infinity();
+    const auto touches = [&](std::size_t i) { return model_.surfaces[i] != no_surface; };
+    std::size_t several = 0;
+    for (std::size_t i = 0; i < model_.bodies.size(); ++i) several += touches(i);
     for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
-      if (model_.surfaces[i] == no_surface) continue;
-      const Real half = half_width(model_.shapes[i]);
-      if (half > 0 && !model_.bodies[i].locked) least = std::min(least, half);
-      const Real far = largest_coordinate(model_.motions[i].position);
-      const std::string reason = lost(names_(Thing::body, static_cast<int>(i)), far, "its half-width", half);
+      if (!touches(i)) continue;
+      std::string reason = several > 1 ? beside_bodies(i) : "";
+      if (reason.empty() && !model_.bodies[i].locked) reason = beside_planes(i);
       if (!reason.empty()) return reason;
     }
-    if (std::isinf(least)) return "";
-    for (std::size_t i = 0; i < model_.planes.size(); ++i) {
+    return "";
+  }
+
+  std::string of_body(std::size_t i, Real error) const {
+    return lost(names_(Thing::body, static_cast<int>(i)), largest_coordinate(model_.motions[i].position),
+                error, "its half-width", half_width(model_.shapes[i]));
+  }
+
+  std::string beside_bodies(std::size_t i) const {
+    return of_body(i, units(model_.motions[i].position).norm());
+  }
+
+  std::string beside_planes(std::size_t i) const {
+    const Vector3 unit = units(model_.motions[i].position);
+    for (std::size_t k = 0; k < model_.planes.size(); ++k) {
+      const Plane& plane = model_.planes[k];
+      const Real place = plane.normal.cwiseAbs().dot(unit) / 2, offset = unit_in_last_place(plane.offset) / 2;
       const std::string reason =
-          lost(names_(Thing::plane, static_cast<int>(i)), std::abs(model_.planes[i].offset),
-               "the smallest half-width of a body that may touch it", least);
+          place >= offset
+              ? of_body(i, place + offset)
+              : lost(names_(Thing::plane, static_cast<int>(k)), std::abs(plane.offset), place + offset,
+                     "the half-width of a body that may touch it", half_width(model_.shapes[i]));
       if (!reason.empty()) return reason;
     }
     return "";
@@ -88,7 +106,8 @@ class Places {
 
   std::string link(const char* kind, int body, const Vector3& from, const Vector3& to, Real length) const {
     const Real far = std::max(largest_coordinate(from), largest_coordinate(to));
-    return lost(std::string(kind) + " of " + names_(Thing::body, body), far, "its length", length);
+    return lost(std::string(kind) + " of " + names_(Thing::body, body), far,
+                (units(from) + units(to)).norm() / 2, "its length", length);
   }
 
   Vector3 point(int body, const Vector3& anchor) const {
@@ -103,13 +122,13 @@ class Places {
 
 std::string outweighed(const Model& model, int light, int heavy, const Names& names) {
   const Real ratio = model.bodies[index(heavy)].mass / model.bodies[index(light)].mass;
-  if (!(epsilon * ratio > coarsest_mass)) return "";
+  if (!(epsilon / 2 * ratio > largest_error)) return "";
   return names(Thing::body, heavy) + text(" weighs %.3g times as much as ", static_cast<double>(ratio)) +
          names(Thing::body, light) +
          text(
-             ", which may carry it; above a ratio of %.4g, %s loses too many digits of the heavier mass in "
-             "the sum of the reciprocal masses",
-             static_cast<double>(coarsest_mass / epsilon), precision);
+             ", which may carry it; above a ratio of %.4g, %s knows the heavier one's part of the sum of the "
+             "reciprocal masses to no better than a tenth",
+             static_cast<double>(2 * largest_error / epsilon), precision);
 }
 
 // The lightest and the heaviest of the moving bodies that may touch.

@@ -43,7 +43,8 @@ nlohmann::json to_json(const Request& r) {
           {"suite", r.suite},
           {"metamorphic", r.metamorphic},
           {"tolerance_scale", r.tolerance_scale},
-          {"copies", r.copies}};
+          {"copies", r.copies},
+          {"force", r.force}};
 }
 
 Request request_from(const nlohmann::json& j) {
@@ -55,7 +56,8 @@ Request request_from(const nlohmann::json& j) {
           j.at("suite"),
           j.value("metamorphic", false),
           j.value("tolerance_scale", 1.0),
-          j.value("copies", 0)};
+          j.value("copies", 0),
+          j.value("force", false)};
 }
 
 std::string cell_key(const study::Cell& cell, const std::string& expectations_hash) {
@@ -67,6 +69,7 @@ std::string cell_name(const study::Cell& cell) {
   std::string asked = cell.exam == study::Exam::relations ? " --metamorphic" : "";
   if (cell.tolerance_scale != 1) asked += fmt::format(" --tolerance-scale {}", cell.tolerance_scale);
   if (cell.copies > 0) asked += fmt::format(" --spread {}", cell.copies);
+  if (cell.force) asked += " --force";
   return fmt::format("{} {} {}{}", cell.scenario->file, cell.engine.id, cell.dt_text, asked);
 }
 

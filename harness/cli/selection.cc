@@ -223,6 +223,7 @@ std::string unusual(const Request& request) {
   if (request.metamorphic) text += " --metamorphic";
   if (request.tolerance_scale != 1) text += fmt::format(" --tolerance-scale {}", request.tolerance_scale);
   if (request.copies > 0) text += fmt::format(" --spread {}", request.copies);
+  if (request.force) text += " --force";
   return text;
 }
 
@@ -251,7 +252,7 @@ Selection select(const Context& context, const Request& request) {
         selection.cells.push_back({scenario.get(), engine, dt, text, known_as,
                                    command_for(context, given, engine, text) + unusual(request),
                                    request.metamorphic ? study::Exam::relations : study::Exam::claims,
-                                   request.tolerance_scale, request.copies});
+                                   request.tolerance_scale, request.copies, request.force});
     }
     if (!used) continue;
     scenario::prepare(*scenario);

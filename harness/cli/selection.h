@@ -23,6 +23,7 @@ struct Request {
   bool metamorphic = false;              ///< The relations of mechanics in place of the claims.
   double tolerance_scale = 1;            ///< Multiplies every tolerance, >= 0.
   int copies = 0;                        ///< Runs that start one ulp apart.
+  bool force = false;                    ///< Run what an engine would refuse, where it can express it.
 
   bool operator==(const Request&) const = default;
 };

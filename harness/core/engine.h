@@ -68,6 +68,7 @@ struct Setup {
   /// Of an adaptive integrator: bound on the global error at the samples, relative to the scales of the
   /// motion, > 0; 0: the engine's own.
   double tolerance = 0;
+  bool force = false;  ///< Run what the engine would refuse as too hard for it, where it can express it.
 };
 
 /// A part of an engine's work on a scene, and why it is done or left out.
@@ -85,7 +86,8 @@ struct Terms {
   std::string gyroscopic;  ///< "exact", "implicit", "explicit", "none", …
   std::vector<Setting> settings;
   std::vector<std::string> unforceable;
-  std::vector<Stage> plan;  ///< What the engine does for this scene, in its order; empty: it does not tell.
+  std::vector<Stage> plan;   ///< What the engine does for this scene, in its order; empty: it does not tell.
+  bool closed_form = false;  ///< States are formulas of time: no steps, and dt is the sample grid alone.
 };
 
 /// Whether a run on these terms chose its own steps.

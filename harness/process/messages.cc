@@ -134,6 +134,7 @@ json load_request(const core::Scene& scene, const core::Setup& setup) {
                   {"path", setup.path}, {"integrator", setup.integrator}, {"options", setup.options}};
   // Left out where nobody asks for it: workers that are older than the key go on working.
   if (setup.tolerance > 0) request["tolerance"] = setup.tolerance;
+  if (setup.force) request["force"] = true;
   return request;
 }
 
@@ -155,6 +156,7 @@ core::Setup setup_from_json(const json& value) {
     setup.tolerance = f.number("tolerance");
     if (!(setup.tolerance > 0)) f.fail("tolerance", "must be positive");
   }
+  setup.force = f.find("force") && f.flag("force");
   f.finish();
   return setup;
 }
@@ -170,6 +172,7 @@ json terms_json(const core::Terms& terms) {
           {"gyroscopic", terms.gyroscopic},
           {"settings", settings_json(terms.settings)},
           {"unforceable", terms.unforceable},
+          {"closed_form", terms.closed_form},
           {"plan", std::move(plan)}};
 }
 
@@ -178,6 +181,7 @@ core::Terms terms_from_json(const json& value) {
   f.at("ok");
   core::Terms terms{text_if(f, "path"), text_if(f, "integrator"),   order_if(f), text_if(f, "gyroscopic"),
                     settings_if(f),     texts_if(f, "unforceable"), {}};
+  terms.closed_form = f.find("closed_form") && f.flag("closed_form");
   each_if(f, "plan", [&](Fields& s) {
     terms.plan.push_back({s.text("name"), s.flag("in"), text_if(s, "reason")});
   });

@@ -90,6 +90,7 @@ process::RunOutcome record(const Cell& cell, const core::Scene& scene, double dt
   process::RunRequest request;
   request.scene = &scene;
   request.setup.dt = dt;
+  request.setup.force = cell.force;
   request.steps = samples.steps, request.every = samples.every, request.at = samples.at,
   request.watch = samples.watch;
   return process::run(cell.engine, request, limits);

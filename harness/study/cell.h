@@ -28,6 +28,7 @@ struct Cell {
   Exam exam = Exam::claims;
   double tolerance_scale = 1;  ///< Multiplies all that is allowed, >= 0; at 0 nothing passes.
   int copies = 0;              ///< Runs that start one ulp apart, to see how far they spread.
+  bool force = false;          ///< Run what the engine would refuse, where it can express it.
   /// Gets what came of the run at `dt`, and its reading for each claim where it reached the end; called by
   /// the thread that runs the cell.
   std::function<void(const process::RunOutcome&, std::span<const core::Reading>)> seen;

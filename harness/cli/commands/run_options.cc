@@ -22,6 +22,10 @@ void add_options(App& app, const std::shared_ptr<RunOptions>& options) {
                  "first. Default for scenarios tagged chaos: 2")
       ->type_name("N")
       ->check(in_range(1, 1000));
+  app.add_flag(
+      "--force", request.force,
+      "Also run scenes that an engine refuses because they are too hard for it, and show the verdict. "
+      "A scene that it cannot express stays refused");
   app.add_option("--json", options->json, "Write the rows as JSON; - is stdout")->type_name("FILE");
   app.add_option("--junit", options->junit, "Write the rows as JUnit XML; - is stdout")->type_name("FILE");
   app.add_option("--csv", options->csv, "Write the rows as CSV; - is stdout")->type_name("FILE");

@@ -115,6 +115,7 @@ engine::Options options_of(const core::Engine& engine, const core::Setup& setup)
   options.path = setup.path;
   if (!setup.integrator.empty()) options.integrator = setup.integrator;
   options.dt = setup.dt;
+  options.force = setup.force;
   options.tolerance = static_cast<engine::Real>(setup.tolerance);
   return options;
 }
@@ -129,18 +130,24 @@ class InHouse final : public core::Simulator {
   }
 
   Reason unsupported(const core::Scene& scene, const core::Setup& setup) const override {
-    return missing(scene, in_house_model(scene), options_of(engine(), setup));
+    const engine::Options options = options_of(engine(), setup);
+    const InHouseModel translated = in_house_model(scene);
+    Reason reason = missing(scene, translated, options);
+    return reason || setup.force ? reason : doubt(scene, translated, options);
   }
 
   core::Terms load(const core::Scene& scene, const core::Setup& setup) override {
-    return start(scene, in_house_model(scene).model, options_of(engine(), setup));
+    const engine::Options options = options_of(engine(), setup);
+    return start(scene, in_house_model(scene), options);
   }
 
   core::Loaded load_if_supported(const core::Scene& scene, const core::Setup& setup) override {
     const engine::Options options = options_of(engine(), setup);
     InHouseModel translated = in_house_model(scene);
-    if (Reason reason = missing(scene, translated, options)) return {.unsupported = std::move(reason)};
-    return {.terms = start(scene, std::move(translated.model), options)};
+    Reason reason = missing(scene, translated, options);
+    if (!reason && !setup.force) reason = doubt(scene, translated, options);
+    if (reason) return {.unsupported = std::move(reason)};
+    return {.terms = start(scene, std::move(translated), options)};
   }
 
   void step() override {
@@ -164,7 +171,11 @@ class InHouse final : public core::Simulator {
     }
   }
 
-  std::vector<std::string> remarks() const override { return world_->remarks(); }
+  std::vector<std::string> remarks() const override {
+    std::vector<std::string> remarks = world_->remarks();
+    if (forced_) remarks.insert(remarks.begin(), "runs by force; else refused: " + *forced_);
+    return remarks;
+  }
 
   void keep_contacts(bool keep) override { world_->keep_contacts(keep); }
   std::vector<core::Contact> contacts() const override {
@@ -178,19 +189,33 @@ class InHouse final : public core::Simulator {
   }
 
  private:
-  static Reason missing(const core::Scene& scene, const InHouseModel& translated,
-                        const engine::Options& options) {
+  // What the engine cannot do, forced or not.
+  static Reason missing(const core::Scene& scene, const InHouseModel& translated, engine::Options options) {
     if (translated.missing) return translated.missing;
-    const auto names = [&](engine::Thing thing, int i) {
+    options.force = true;
+    return told(engine::unsupported(translated.model, options, names_of(scene)));
+  }
+
+  // Why a scene is refused that the engine could run.
+  static Reason doubt(const core::Scene& scene, const InHouseModel& translated, engine::Options options) {
+    if (translated.lost) return translated.lost;
+    options.force = false;
+    if (Reason reason = told(engine::unsupported(translated.model, options, names_of(scene)))) return reason;
+    return deep_overlap(scene, translated.model);
+  }
+
+  static Reason told(const std::string& reason) { return reason.empty() ? Reason() : Reason(reason); }
+
+  static engine::Names names_of(const core::Scene& scene) {
+    return [&scene](engine::Thing thing, int i) {
       const auto k = static_cast<std::size_t>(i);
       return fmt::format("'{}'", thing == engine::Thing::body ? scene.bodies[k].name : scene.planes[k].name);
     };
-    const std::string reason = engine::unsupported(translated.model, options, names);
-    return reason.empty() ? deep_overlap(scene, translated.model) : Reason(reason);
   }
 
-  core::Terms start(const core::Scene& scene, engine::Model model, const engine::Options& options) {
-    world_.emplace(std::move(model), options);
+  core::Terms start(const core::Scene& scene, InHouseModel translated, const engine::Options& options) {
+    forced_ = options.force ? doubt(scene, translated, options) : Reason();
+    world_.emplace(std::move(translated.model), options);
     frame_ = scene.frame ? scene.frame->angular_velocity : core::Vector3(core::Vector3::Zero());
     return terms(world_->plan(), options);
   }
@@ -203,6 +228,7 @@ class InHouse final : public core::Simulator {
     terms.integrator = options.integrator;
     terms.order = stepping ? 1 : plan.integrator ? plan.order : closed_form_order;
     terms.gyroscopic = "exact";
+    terms.closed_form = !stepping && !plan.integrator;
     if (plan.integrator && plan.integrator->kind == engine::Kind::adaptive) {
       const double own = engine::default_tolerance();
       const double used = options.tolerance > 0 ? static_cast<double>(options.tolerance) : own;
@@ -223,6 +249,7 @@ class InHouse final : public core::Simulator {
 
   std::optional<engine::World> world_;
   core::Vector3 frame_ = core::Vector3::Zero();  // how fast the scene's frame turns
+  Reason forced_;                                // why the run would be refused if nobody forced it
 };
 
 }  // namespace

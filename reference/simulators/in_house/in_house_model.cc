@@ -198,8 +198,7 @@ InHouseModel in_house_model(const Scene& scene) {
   InHouseModel result;
   Model& model = result.model;
   add_bodies(scene, model);
-  result.missing = lost_turn(scene, model);
-  if (result.missing) return result;
+  result.lost = lost_turn(scene, model);
   result.missing = add_forces(scene, model);
   if (result.missing) return result;
   for (const core::HeldJoint& joint : core::held_joints(scene)) model.joints.push_back(joint_of(joint));

@@ -13,6 +13,7 @@ namespace cylon::simulators {
 struct InHouseModel {
   engine::Model model;
   std::optional<std::string> missing;
+  std::optional<std::string> lost;  ///< What the model leaves out of the scene, for which a run is refused.
 };
 
 /// O(bodies): which surface meets which is told by classes, never pair by pair.

@@ -19,6 +19,11 @@ TEST(Tolerance, IsSentOnlyWhenGiven) {
   core::Setup setup;
   setup.dt = 0.01;
   EXPECT_FALSE(load_request(scene, setup).contains("tolerance"));
+  EXPECT_FALSE(load_request(scene, setup).contains("force"));  // workers that are older than the key go on
+  setup.force = true;
+  EXPECT_TRUE(setup_from_json(load_request(scene, setup)).force);
+  setup.force = false;
+  EXPECT_FALSE(setup_from_json(load_request(scene, setup)).force);
   setup.tolerance = 3e-7;
   EXPECT_EQ(setup_from_json(load_request(scene, setup)).tolerance, 3e-7);
   for (const json& wrong : {json(0), json(-1e-6), json("small"), json(nullptr)}) {
