@@ -21,6 +21,11 @@ std::int64_t last_step_of_change(const Claim& claim, double dt) {
 
 namespace {
 
+// "0.013 m"; a number without a unit stays alone.
+std::string with_unit(double value, std::string_view unit) {
+  return fmt::format("{:.3g}{}{}", value, unit.empty() ? "" : " ", unit);
+}
+
 double horizon(const Claim& claim, double duration) { return std::min(claim.until, duration); }
 
 // Whether the claim looks at the sample after `step` steps.
@@ -257,8 +262,9 @@ Measured measure(const Claim& claim, const Scene& scene, std::span<const Recordi
   }
   result.value = reduce(claim.reduction, first.series);
   if (claim.at_least)
-    result.detail = fmt::format("changed by {:.3g} {}{}", *claim.at_least - result.value,
-                                unit(claim.observable), result.value > 0 ? "" : " or more");
+    result.detail = fmt::format(
+        "changed by {}{}, required {}", with_unit(*claim.at_least - result.value, unit(claim.observable)),
+        result.value > 0 ? "" : " or more", with_unit(*claim.at_least, unit(claim.observable)));
   const int runs = runs_needed(claim);
   if (runs > 1 && std::isfinite(result.value))
     measure_order_of_integrator(claim, scene, recordings.first(static_cast<std::size_t>(runs)), duration,

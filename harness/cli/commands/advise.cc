@@ -38,7 +38,11 @@ std::vector<results::Pick> chosen(const results::Advice& advice) {
   return picks;
 }
 
+// Of no engine that ran anything, as `cylon trade` has it: 4.
 int exit_code(const results::Advice& advice) {
+  const bool ran = std::ranges::any_of(advice.engines,
+                                       [](const results::EngineAdvice& one) { return one.pick || one.best; });
+  if (!ran) return nothing_selected;
   const bool any = std::any_of(advice.engines.begin(), advice.engines.end(),
                                [](const results::EngineAdvice& one) { return one.pick && !one.over_budget; });
   return any ? ok : differs;
@@ -127,7 +131,7 @@ Command add_advise(App& app, const Context& context) {
   app.footer(
       "The search uses the order of each integrator. Each result is checked from other initial states\n"
       "(velocities or gravity changed by up to 1.6 %). Exit code 1: no engine meets the tolerance in the "
-      "budget.");
+      "budget;\n4: no engine can run the scene, or there is nothing to measure.");
   return [=, &context] { return run(context, *options); };
 }
 

@@ -49,7 +49,7 @@ TEST_F(Advise, ReportsBestErrorWhenToleranceIsUnreachable) {
 }
 
 TEST_F(Advise, GivesReasonWhenEngineCannotRun) {
-  const auto json = advice("spherical_pendulum --tolerance 1e-2 --engine bullet --no-features", 1);
+  const auto json = advice("spherical_pendulum --tolerance 1e-2 --engine bullet --no-features", 4);
   EXPECT_NE(json["engines"][0]["reason"].get<std::string>().find("distance joint"), std::string::npos);
   EXPECT_NE(out.find("distance joint"), std::string::npos) << out;
 }
