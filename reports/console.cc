@@ -208,7 +208,7 @@ std::string console_matrix(const std::vector<Verdict>& verdicts, const ConsoleOp
 
   const std::string warnings = rescaled(verdicts) + unlisted(verdicts, options);
   if (!out.empty()) out += '\n';
-  return out + warnings + summary(verdicts);
+  return out + warnings + refusals(matrix, options) + summary(verdicts);
 }
 
 }  // namespace cylon::reports

@@ -2,6 +2,7 @@
 
 #include "reports/console.h"
 #include "reports/gzip.h"
+#include "reports/text.h"
 #include "reports/verdict_matrix.h"
 #include "reports/web_bundle.h"
 #include "reports/xml.h"
@@ -45,9 +46,9 @@ std::string to_html(const HtmlReport& report) {
   const Matrix matrix = fold(verdicts);
   const std::string heading =
       !report.title.empty() ? report.title
-      : verdicts.empty()
-          ? "Cylon report"
-          : fmt::format("Cylon: {} scenarios on {} engines", matrix.scenarios.size(), matrix.engines.size());
+      : verdicts.empty()    ? "Cylon report"
+                            : fmt::format("Cylon: {} on {}", counted(matrix.scenarios.size(), "scenario"),
+                                          counted(matrix.engines.size(), "engine"));
   Json entries = Json::array();
   std::string blocks;
   std::size_t number = 0, used = 0, left_out = 0;
@@ -66,8 +67,8 @@ std::string to_html(const HtmlReport& report) {
   }
   std::string omitted = report.omitted_traces;
   if (left_out > 0)
-    omitted += fmt::format("{}{} more were left out to limit the size of this file",
-                           omitted.empty() ? "" : "; ", left_out);
+    omitted += fmt::format("{}{} more {} left out to limit the size of this file",
+                           omitted.empty() ? "" : "; ", left_out, left_out == 1 ? "was" : "were");
 
   Json index = {{"kind", "report"},
                 {"title", heading},

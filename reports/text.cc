@@ -115,6 +115,11 @@ std::string fitted(std::string_view text, int width, std::string_view ellipsis) 
   return out + std::string(static_cast<std::size_t>(std::max(0, width - display_width(out))), ' ');
 }
 
+std::string counted(std::size_t n, std::string_view one, std::string_view many) {
+  if (n == 1) return fmt::format("1 {}", one);
+  return many.empty() ? fmt::format("{} {}s", n, one) : fmt::format("{} {}", n, many);
+}
+
 std::string substituted(std::string_view text, std::span<const Substitute> table) {
   std::string out;
   for (const char c : text) {

@@ -40,6 +40,9 @@ std::string substituted(std::string_view text, std::span<const Substitute> table
 /// characters, else 1.  (Unicode TR 11, whole blocks.)
 int display_width(std::string_view);
 
+/// "1 engine", "3 engines", "0 bodies".
+std::string counted(std::size_t, std::string_view one, std::string_view many = "");
+
 /// The text followed by spaces up to `width` columns; a longer text is cut and ends in `ellipsis`.
 std::string fitted(std::string_view text, int width, std::string_view ellipsis);
 

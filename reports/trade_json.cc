@@ -1,5 +1,6 @@
 #include "reports/csv.h"
 #include "reports/json.h"
+#include "reports/step_matrix.h"
 #include "reports/trade_report.h"
 
 #include <fmt/format.h>
@@ -43,6 +44,7 @@ Json to_object(const TradeTable& table, const TradeSeries& series) {
           {"path", series.path},
           {"gyroscopic", series.gyroscopic},
           {"adaptive", series.adaptive},
+          {"closed_form", series.closed_form},
           {"declared_order", series.declared},
           {"observed_order", number(series.order)},
           {"floor", number(series.floor)},
@@ -69,7 +71,8 @@ Json to_object(const TradeTable& table) {
           {"samples", table.samples},
           {"by", table.measures.empty() ? Json(nullptr) : Json(table.measures[table.by].name)},
           {"measures", measures},
-          {"series", series}};
+          {"series", series},
+          {"cells", steps_json(table)}};
 }
 
 void add_times(const TradeTable& table, Json& times) {

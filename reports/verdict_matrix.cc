@@ -4,6 +4,7 @@
 #include "reports/text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -25,7 +26,7 @@ struct Meaning {
 // From best to worst.
 constexpr std::array meanings = {
     Meaning{Status::pass, "within tolerance"},
-    Meaning{Status::unsupported, "the engine does not support the scene"},
+    Meaning{Status::unsupported, "the engine refuses the scene"},
     Meaning{Status::low_quality, "within ten times the tolerance"},
     Meaning{Status::fail, "more than ten times the tolerance"},
     Meaning{Status::non_finite, "NaN or infinite"},
@@ -74,6 +75,16 @@ void join(Cell& cell, const Verdict& v) {
   cell.empty = false;
 }
 
+bool is_refused(const Cell& cell) { return !cell.empty && cell.worst == Status::unsupported; }
+
+void mark_avoidable(std::vector<Cell>& row, const std::vector<std::string>& engines) {
+  for (Cell& cell : row) {
+    if (!is_refused(cell)) continue;
+    for (std::size_t j = 0; j < row.size(); ++j)
+      if (!row[j].empty && row[j].worst == Status::pass) cell.passed_by.push_back(engines[j]);
+  }
+}
+
 std::vector<std::string> all_shown(const std::vector<std::string>& texts, const ConsoleOptions& options) {
   std::vector<std::string> out;
   for (const std::string& text : texts) out.push_back(shown(text, options));
@@ -113,6 +124,7 @@ Matrix fold(const std::vector<Verdict>& verdicts) {
   const auto row = scenarios.index(), column = engines.index();
   for (const Verdict& v : verdicts)
     join(matrix.cells[row.at({v.scenario, v.dt_text})][column.at({v.engine, integrator(v)})], v);
+  for (auto& cells : matrix.cells) mark_avoidable(cells, matrix.engines);
   return matrix;
 }
 
@@ -120,6 +132,7 @@ std::string cell_text(const Cell& cell, const ConsoleOptions& options) {
   if (cell.empty) return "";
   std::string text(glyph(cell.worst, options));
   if (is_measured(cell.worst)) text += fmt::format(" {:+.1f}", cell.digits);
+  if (!cell.passed_by.empty()) text += " avoidable";
   return cell.differs ? text + " !" : text;
 }
 
@@ -163,15 +176,44 @@ std::string draw(const Matrix& matrix, const ConsoleOptions& options) {
   return out;
 }
 
+std::string refusals(const Matrix& matrix, const ConsoleOptions& options) {
+  std::string counts, avoidable;
+  bool all = true;
+  for (std::size_t j = 0; j < matrix.engines.size(); ++j) {
+    std::size_t asked = 0, run = 0;
+    for (std::size_t i = 0; i < matrix.scenarios.size(); ++i) {
+      const Cell& cell = matrix.cells[i][j];
+      asked += !cell.empty, run += !cell.empty && !is_refused(cell);
+      if (!cell.passed_by.empty())
+        avoidable += shown(fmt::format("  {}: {}, which {} {}", matrix.engines[j], matrix.scenarios[i],
+                                       fmt::join(cell.passed_by, ", "),
+                                       cell.passed_by.size() == 1 ? "passes" : "pass"),
+                           options) +
+                     '\n';
+    }
+    all &= run == matrix.scenarios.size();
+    counts += fmt::format("{}{} {} of {}", counts.empty() ? "" : ", ", shown(matrix.engines[j], options), run,
+                          asked);
+  }
+  if (counts.empty()) return "";
+  const std::size_t n = matrix.engines.size();
+  std::string out = all ? fmt::format("scenes supported: all {} by {}\n", matrix.scenarios.size(),
+                                      n == 1 ? "the engine" : fmt::format("each of {} engines", n))
+                        : fmt::format("scenes supported: {}\n", counts);
+  if (!avoidable.empty()) out += "refused, though another engine passes:\n" + avoidable;
+  return out;
+}
+
 std::string legend(const Matrix& matrix, const ConsoleOptions& options) {
   std::set<Status> present;
-  bool differs = false, measured = false;
+  bool differs = false, measured = false, avoidable = false;
   for (const auto& row : matrix.cells) {
     for (const Cell& cell : row) {
       if (cell.empty) continue;
       present.insert(cell.worst);
       differs |= cell.differs;
       measured |= is_measured(cell.worst);
+      avoidable |= !cell.passed_by.empty();
     }
   }
   std::string out;
@@ -184,6 +226,7 @@ std::string legend(const Matrix& matrix, const ConsoleOptions& options) {
   };
   for (const auto& [status, words] : meanings)
     if (present.count(status)) add(glyph(status, options), words);
+  if (avoidable) add("avoidable:", "refused, though another engine passes");
   if (measured)
     add("+1.0:", "log10(allowed / measured) of the worst claim: + is better than allowed, - is worse");
   if (differs) add("!", "differs from expected.toml");

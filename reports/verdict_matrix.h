@@ -16,6 +16,8 @@ struct Cell {
   double digits = 99;    ///< Least over the measured claims.
   bool differs = false;  ///< Some claim is not as expected.
   bool empty = true;
+  std::vector<std::string>
+      passed_by;  ///< Of a refusal: the columns that pass the same row, so that it is avoidable.
 };
 
 /// A row per scenario (and step, where a scenario was run at several), a column per engine (and integrator,
@@ -27,11 +29,15 @@ struct Matrix {
 
 Matrix fold(const std::vector<results::Verdict>&);
 
-/// A cell as text: "✓ +3.2", "✗ -1.0 !"; "" for an empty one.
+/// A cell as text: "✓ +3.2", "✗ -1.0 !", "– avoidable"; "" for an empty one.
 std::string cell_text(const Cell&, const ConsoleOptions&);
 
 /// The matrix as text; where the terminal is too narrow for all engines, in blocks of columns.
 std::string draw(const Matrix&, const ConsoleOptions&);
+
+/// How many rows each engine runs at all, and each refusal of a row that another engine passes: an engine that refuses
+/// has not passed.
+std::string refusals(const Matrix&, const ConsoleOptions&);
 
 /// What the glyphs in this matrix mean.
 std::string legend(const Matrix&, const ConsoleOptions&);

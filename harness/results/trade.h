@@ -42,8 +42,9 @@ struct TradePoint {
 struct TradeSeries {
   std::string engine;  ///< Its id: "bullet/gyro=none".
   std::string integrator, version, precision, path, gyroscopic;
-  int declared = 0;       ///< The order that the engine declares; 0: it did not load.
-  bool adaptive = false;  ///< The integrator takes a tolerance in place of a step.
+  int declared = 0;          ///< The order that the engine declares; 0: it did not load.
+  bool adaptive = false;     ///< The integrator takes a tolerance in place of a step.
+  bool closed_form = false;  ///< The engine takes no steps: a step is the grid of the samples alone.
   double order = std::numeric_limits<double>::quiet_NaN();  ///< Observed; NaN: none.
   double floor = std::numeric_limits<double>::quiet_NaN();  ///< Error that a finer step does not lower; NaN:
                                                             ///< none seen.

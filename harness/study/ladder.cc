@@ -13,6 +13,9 @@
 namespace cylon::study {
 namespace {
 
+constexpr std::int64_t coarsest_multiple = 64;  // of the nominal step
+constexpr std::int64_t fewest = 16;             // samples
+
 // Whether every time of every recorded truth is one of k T/M.
 bool has_all_times(const scenario::Scenario& scenario, std::int64_t samples) {
   scenario::require_prepared(scenario);
@@ -50,10 +53,20 @@ std::int64_t coarsest_samples(const scenario::Scenario& scenario, std::int64_t d
   return nominal;
 }
 
-Ladder ladder(const scenario::Scenario& scenario, int rungs, std::int64_t most) {
-  constexpr std::int64_t fewest = 16;
+Ladder ladder_down_to(const scenario::Scenario& scenario, double finest) {
   Ladder result;
-  result.samples = coarsest_samples(scenario, 64, fewest);
+  result.samples = coarsest_samples(scenario, coarsest_multiple, fewest);
+  const std::int64_t most = std::max(
+      result.samples, static_cast<std::int64_t>(std::floor(scenario.duration / finest * (1 + 1e-9))));
+  for (std::int64_t steps = result.samples; steps <= most; steps *= 2) result.steps.push_back(steps);
+  const std::int64_t last = most / result.samples * result.samples;
+  if (10 * last >= 11 * result.steps.back()) result.steps.push_back(last);
+  return result;
+}
+
+Ladder ladder(const scenario::Scenario& scenario, int rungs, std::int64_t most) {
+  Ladder result;
+  result.samples = coarsest_samples(scenario, coarsest_multiple, fewest);
   std::int64_t steps = result.samples;
   for (int i = 0; i < rungs && (i == 0 || steps <= most); ++i, steps *= 2) result.steps.push_back(steps);
   return result;

@@ -24,6 +24,10 @@ std::int64_t coarsest_samples(const scenario::Scenario&, std::int64_t divisor, s
 /// the times of recorded truths allow, `rungs` in all, with at most `most` steps.  Always one rung at least.
 Ladder ladder(const scenario::Scenario&, int rungs, std::int64_t most);
 
+/// M, M 2, M 4, … steps from the same coarsest one, none below `finest` [s]; then, where it is a tenth finer
+/// than the last of these, the multiple of M whose step is nearest above `finest`.
+Ladder ladder_down_to(const scenario::Scenario&, double finest);
+
 /// The steps [s] that a user gives.  Throws core::InputError where one does not fit the duration, or where
 /// they have fewer than 8 times in common.
 Ladder ladder(const scenario::Scenario&, std::span<const double> steps);

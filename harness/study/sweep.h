@@ -25,7 +25,8 @@ struct Setting {
 struct Ran {
   results::TradePoint point;
   std::string integrator, version, precision, path, gyroscopic;
-  int order = 0;           ///< Of the integrator; 0: the engine never loaded the scene.
+  int order = 0;  ///< Of the integrator; 0: the engine never loaded the scene.
+  bool closed_form = false;
   double cpu_seconds = 0;  ///< Of the recorded run: a first guess of its time.
 };
 
@@ -44,6 +45,7 @@ struct SweepOptions {
   std::optional<std::size_t> by;   ///< The measure that decides; the yardstick's principal one otherwise.
   int workers = 1;                 ///< Runs at one time, while errors are measured.
   int rounds = 3;                  ///< Of timing; 0: no times.
+  std::vector<double> reach;       ///< Time only the coarsest points that meet one of them; none: all.
   process::Limits limits;
 };
 
@@ -67,7 +69,7 @@ results::TradeTable sweep_errors(const scenario::Scenario&, const Yardstick&, co
                                  std::vector<Setting>& settings, const SweepOptions&, Memory&,
                                  const SweepStep&);
 
-/// The times of all points that passed, one run at a time: round r of every point before round r + 1, each in
+/// The times of all points that passed (of those that options.reach asks for), one run at a time: round r of every point before round r + 1, each in
 /// a worker of its own whose first run only warms it; repetitions until 20 ms have passed, of which the least
 /// counts.  An integrator that controls its error may solve while it loads, so its load is part of its
 /// cost; of all others the steps alone are.

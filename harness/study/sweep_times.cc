@@ -1,6 +1,8 @@
+#include "harness/results/step_matrix.h"
 #include "harness/study/cost.h"
 #include "harness/study/sweep.h"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 
@@ -11,10 +13,15 @@ void sweep_times(results::TradeTable& table, const scenario::Scenario& scenario,
                  const SweepStep& done) {
   std::map<std::pair<std::size_t, std::size_t>, process::Repetition> best;
   for (int round = 0; round < options.rounds; ++round)
-    for (std::size_t i = 0; i < table.series.size(); ++i)
+    for (std::size_t i = 0; i < table.series.size(); ++i) {
+      const auto wanted = [&](std::size_t k) {
+        return options.reach.empty() || std::ranges::any_of(options.reach, [&](double error) {
+                 return results::coarsest_point(table, table.series[i], error) == k;
+               });
+      };
       for (std::size_t k = 0; k < table.series[i].points.size(); ++k) {
         const results::TradePoint& point = table.series[i].points[k];
-        if (point.status != results::Status::pass) continue;
+        if (point.status != results::Status::pass || !wanted(k)) continue;
         const Setting& setting = settings[i];
         std::optional<process::Repetition> time = memory.find_time(setting, point, round);
         if (!time) {
@@ -32,6 +39,7 @@ void sweep_times(results::TradeTable& table, const scenario::Scenario& scenario,
         if (!fresh) place->second = least(place->second, *time);
         if (done) done(setting, point, true);
       }
+    }
   for (const auto& [where, time] : best) {
     results::TradeSeries& series = table.series[where.first];
     results::TradePoint& point = series.points[where.second];

@@ -106,6 +106,27 @@ TEST(Matrix, UnsupportedSceneAddsNoColumn) {
   EXPECT_EQ(fold({v}).engines.size(), 1u) << "nor where it could take none";
 }
 
+TEST(Matrix, RefusalIsAvoidableWhereAnotherEnginePasses) {
+  const auto of = [](const char* engine, Status status) { return make("rocket", engine, status, 1e-3); };
+  const auto matrix = [&](Status other) {
+    return fold({of("bullet", Status::unsupported), of("ode", other), make("top", "ode", Status::pass)});
+  };
+  EXPECT_EQ(cell_text(matrix(Status::pass).cells[0][0], plain), "– avoidable");
+  EXPECT_EQ(refusals(matrix(Status::pass), plain),
+            "scenes supported: bullet 0 of 1, ode 2 of 2\n"
+            "refused, though another engine passes:\n  bullet: rocket, which ode passes\n");
+  EXPECT_TRUE(
+      contains(legend(matrix(Status::pass), plain), "avoidable: refused, though another engine passes"));
+  for (const Status other : {Status::low_quality, Status::fail, Status::unsupported, Status::crash}) {
+    EXPECT_EQ(cell_text(matrix(other).cells[0][0], plain), "–");
+    EXPECT_FALSE(contains(refusals(matrix(other), plain), "refused"));
+  }
+  EXPECT_EQ(refusals(fold({of("bullet", Status::fail), of("ode", Status::pass)}), plain),
+            "scenes supported: all 1 by each of 2 engines\n");
+  EXPECT_TRUE(contains(console_matrix({of("bullet", Status::unsupported), of("ode", Status::pass)}, plain),
+                       "scenes supported: bullet 0 of 1, ode 1 of 1\n"));
+}
+
 TEST(Matrix, FitsTerminalAndShowsAllEngines) {
   std::vector<Verdict> verdicts;
   for (int engine = 0; engine < 12; ++engine)

@@ -31,6 +31,7 @@ const std::vector<App::Row> commands = {
     {"truth", "Print the certified solution of a scenario, with its error bound", add_truth},
     {"run", "Run scenarios on engines and check every claim", add_run},
     {"report", "Build an HTML report from run, trade and track output", add_report},
+    {"matrix", "Print the coarsest step of each engine that meets an error, and its cost", add_matrix},
     {"trade", "Measure error and CPU time of each engine, integrator and step", add_trade},
     {"diff", "Find where two runs first differ, and by how much", add_diff},
     {"advise", "Find the cheapest setting of each engine that meets a tolerance", add_advise},

@@ -20,6 +20,7 @@ Command add_truth(App&, const Context&);
 Command add_run(App&, const Context&);
 Command add_report(App&, const Context&);
 Command add_trade(App&, const Context&);
+Command add_matrix(App&, const Context&);
 Command add_diff(App&, const Context&);
 Command add_advise(App&, const Context&);
 Command add_limits(App&, const Context&);

@@ -1,17 +1,13 @@
 // cylon trade
 #include "harness/cli/commands/app.h"
-#include "harness/cli/commands/trade_journal.h"
+#include "harness/cli/commands/trade_sweep.h"
 #include "harness/cli/options.h"
 #include "harness/cli/output.h"
-#include "harness/cli/provenance_now.h"
-#include "harness/cli/scenario_view.h"
 #include "harness/cli/selection.h"
 #include "harness/cli/workers.h"
 #include "harness/core/input_error.h"
 #include "harness/scenario/input.h"
-#include "harness/study/self_reference.h"
 #include "harness/study/settings.h"
-#include "reports/html.h"
 #include "reports/trade_report.h"
 
 #include <fmt/format.h>
@@ -31,29 +27,6 @@ struct Options {
   int rungs = 12, rounds = 3, jobs = 0;
   double work = 1 << 18, timeout = 60, target = 0;
   bool resume = false, verbose = false;
-};
-
-// One line on a terminal, written over; nothing elsewhere.
-class Progress {
- public:
-  Progress(bool on, std::string scenario) : on_(on), scenario_(std::move(scenario)) {}
-  ~Progress() {
-    if (on_) std::cerr << "\r\x1b[K" << std::flush;
-  }
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-  void operator()(const study::Setting& setting, const results::TradePoint& point, bool timing) {
-    ++(timing ? timings_ : runs_);
-    if (on_)
-      std::cerr << fmt::format("\r{}: {} runs, {} timings; {} {} at {}\x1b[K", scenario_, runs_, timings_,
-                               setting.engine.id, setting.integrator.name, point.dt_text)
-                << std::flush;
-  }
-
- private:
-  bool on_;
-  std::string scenario_;
-  int runs_ = 0, timings_ = 0;
 };
 
 study::Ladder ladder_for(const Options& options, const scenario::Scenario& scenario) {
@@ -80,28 +53,12 @@ study::SweepOptions sweep_options(const Options& options) {
   return sweep;
 }
 
-results::TradeTable sweep(const Context& context, const Options& options, const scenario::Scenario& scenario,
-                          TradeJournal& journal) {
+results::TradeTable sweep_of(const Context& context, const Options& options,
+                             const scenario::Scenario& scenario, TradeJournal& journal) {
   const auto rows = with_workers(context, options.workers);
-  study::SweepOptions how = sweep_options(options);
-  const study::Ladder ladder = ladder_for(options, scenario);
-  const auto reference = study::self_reference(scenario, ladder.samples, rows, how.limits);
-  const study::Yardstick yardstick(scenario, ladder.samples, reference);
-  results::TradeTable table;
-  if (yardstick.measures().empty()) {
-    table.scenario = scenario.name;
-    return table;
-  }
-  if (!options.observable.empty()) how.by = yardstick.find(options.observable);
-  journal.turn_to(scenario, ladder.samples);
-  std::vector<study::Setting> settings = study::settings(scenario, rows, options.wanted);
-  Progress progress(context.progress, scenario.name);
-  const auto step = [&](const study::Setting& setting, const results::TradePoint& point, bool timing) {
-    progress(setting, point, timing);
-  };
-  table = study::sweep_errors(scenario, yardstick, ladder, settings, how, journal, step);
-  study::sweep_times(table, scenario, settings, how, journal, step);
-  study::mark_front(table);
+  const Sweep plan{scenario, rows, ladder_for(options, scenario), sweep_options(options), options.observable};
+  results::TradeTable table =
+      sweep(context, plan, journal, [&] { return study::settings(scenario, rows, options.wanted); });
   table.target = options.target;
   return table;
 }
@@ -113,13 +70,6 @@ std::string svg_name(const std::string& given, const std::string& scenario, bool
   return (path.parent_path() /
           fmt::format("{}-{}{}", path.stem().string(), scenario, path.extension().string()))
       .string();
-}
-
-int exit_code(const std::vector<results::TradeTable>& tables) {
-  bool any = false;
-  for (const results::TradeTable& table : tables)
-    for (const results::TradeSeries& series : table.series) any |= !series.points.empty();
-  return any ? ok : nothing_selected;
 }
 
 int trade(const Context& context, const Options& options) {
@@ -138,7 +88,7 @@ int trade(const Context& context, const Options& options) {
   const reports::ConsoleOptions style{.width = context.width, .utf8 = context.utf8, .colour = context.colour};
   try {
     for (const auto& scenario : selection.scenarios) {
-      tables.push_back(sweep(context, options, *scenario, journal));
+      tables.push_back(sweep_of(context, options, *scenario, journal));
       if (!quiet)
         std::cout << (tables.size() > 1 ? "\n" : "")
                   << reports::trade_text(tables.back(), style, options.verbose) << std::flush;
@@ -147,16 +97,7 @@ int trade(const Context& context, const Options& options) {
     std::cerr << "interrupted; repeat the command with --resume in this folder to continue\n";
     return interrupted;
   }
-  const auto json = reports::trade_json(tables, provenance_now(context));
-  if (!options.json.empty())
-    write_whole(options.json, json.dump(1, ' ', true, nlohmann::json::error_handler_t::replace) + '\n');
-  if (!options.html.empty()) {
-    reports::HtmlReport report;
-    report.title = "Cylon: speed against accuracy";
-    report.documents["trades"] = {json};
-    for (const auto& scenario : selection.scenarios) report.scenarios.push_back(scenario_view(*scenario));
-    write_whole(options.html, reports::to_html(report));
-  }
+  write_tables(context, selection, tables, "Cylon: speed against accuracy", options.json, options.html);
   if (!options.csv.empty()) write_whole(options.csv, reports::trade_csv(tables));
   if (!options.svg.empty())
     for (const results::TradeTable& table : tables)

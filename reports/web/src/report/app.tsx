@@ -89,7 +89,7 @@ export function App({ index }: { index: Index }) {
         </a>
         <h1>{visible(index.title)}</h1>
         <ThemeButton />
-        <VerdictLine index={index} />
+        <VerdictLine index={index} matrix={matrix} />
         <Navigation index={index} open={name ? '' : section.id} />
       </header>
       <main id="content" ref={content} tabIndex={-1}>

@@ -16,6 +16,7 @@ export interface Cell extends CellName {
   worst: Status;
   digits: number | null; // the least of the measured claims; null: none is
   differs: boolean;
+  passedBy: string[]; // of a refusal: the columns that pass the same row, so that it is avoidable
 }
 
 export interface Column {
@@ -71,6 +72,11 @@ function join(cell: Cell, verdict: Verdict): void {
   cell.verdicts.push(verdict);
 }
 
+function markAvoidable(row: Row, columns: Column[]): void {
+  const passing = columns.filter((_, j) => row.cells[j]?.worst === 'pass').map(({ label }) => label);
+  for (const cell of row.cells) if (cell?.worst === 'unsupported') cell.passedBy = passing;
+}
+
 /** Where a run without an integrator stands, as one that the engine could not express: with the engine's first
  * integrator. */
 function firstIntegrators(verdicts: Verdict[]): Map<string, string> {
@@ -88,7 +94,7 @@ export function fold(verdicts: Verdict[]): Matrix {
     const row = (cells[scenarios.index(v.scenario, v.dt_text)] ??= []);
     const j = engines.index(v.engine, v.integrator || (integrators.get(v.engine) ?? ''));
     const { scenario, engine, integrator, dt_text: dt, status: worst } = v;
-    row[j] ??= { scenario, engine, integrator, dt, verdicts: [], worst, digits: null, differs: false };
+    row[j] ??= { scenario, engine, integrator, dt, verdicts: [], worst, digits: null, differs: false, passedBy: [] };
     join(row[j], v);
   }
   const columns = engines
@@ -100,7 +106,14 @@ export function fold(verdicts: Verdict[]): Matrix {
     label,
     cells: columns.map((_, j) => cells[i]?.[j] ?? null),
   }));
+  for (const row of rows) markAvoidable(row, columns);
   return { columns, rows };
+}
+
+/** Rows that a column runs at all, of those that it was asked for. */
+export function supported(matrix: Matrix, column: number): { run: number; asked: number } {
+  const cells = matrix.rows.flatMap((row) => row.cells[column] ?? []);
+  return { run: cells.filter((cell) => cell.worst !== 'unsupported').length, asked: cells.length };
 }
 
 export function find(matrix: Matrix, name: CellName): Cell | null {
@@ -117,7 +130,8 @@ export function badness(row: Row): [number, number, number] {
   for (const cell of row.cells) {
     if (!cell) continue;
     if (cell.differs) different = 1;
-    worst = Math.max(worst, severity(cell.worst));
+    // A refusal that another engine shows to be avoidable counts as a failure.
+    worst = Math.max(worst, severity(cell.passedBy.length > 0 ? 'fail' : cell.worst));
     least = Math.min(least, cell.digits ?? 100);
   }
   return [different, worst, -least];

@@ -2,7 +2,9 @@
 import { useMemo } from 'preact/hooks';
 
 import type { Index, Provenance } from '../shared/documents';
+import { cellAddress, link } from './address';
 import { type Change, changes, kinds } from './changes';
+import { type Matrix, supported } from './fold';
 import { count, digitsText, withUnit } from './numbers';
 import { worstFirst } from './status';
 import { StatusMark } from './status_mark';
@@ -100,7 +102,42 @@ function Changes({ list, baseline, scale }: ChangesProps) {
   );
 }
 
-export function VerdictLine({ index }: { index: Index }) {
+/** How many rows each engine runs, and refusals that another engine shows to be avoidable. */
+function Supported({ matrix }: { matrix: Matrix }) {
+  const counts = matrix.columns.map(({ label }, j) => ({ label, ...supported(matrix, j) }));
+  const all = counts.every(({ run }) => run === matrix.rows.length);
+  const avoidable = matrix.rows.flatMap((row) => row.cells.filter((cell) => cell && cell.passedBy.length > 0));
+  return (
+    <>
+      <p class="supported">
+        Scenes supported:{' '}
+        {all
+          ? `all ${matrix.rows.length} by ${counts.length === 1 ? 'the engine' : `each of ${counts.length} engines`}`
+          : counts.map(({ label, run, asked }) => `${visible(label)} ${run} of ${asked}`).join(', ')}
+        .
+      </p>
+      {avoidable.length > 0 ? (
+        <details class="supported">
+          <summary>
+            <strong>{count(avoidable.length, 'refusal')}</strong> that another engine shows to be avoidable
+          </summary>
+          <ul>
+            {avoidable.map((cell, i) => (
+              <li key={i}>
+                <a href={link(cellAddress(cell!))}>
+                  {visible(cell!.engine)}: {visible(cell!.scenario)}
+                </a>
+                , which {visible(cell!.passedBy.join(', '))} {cell!.passedBy.length === 1 ? 'passes' : 'pass'}
+              </li>
+            ))}
+          </ul>
+        </details>
+      ) : null}
+    </>
+  );
+}
+
+export function VerdictLine({ index, matrix }: { index: Index; matrix: Matrix }) {
   const all = useMemo(() => summary(index.results.verdicts), [index]);
   const cautions = useMemo(() => warnings(index.results), [index]);
   return (
@@ -110,6 +147,7 @@ export function VerdictLine({ index }: { index: Index }) {
       ) : (
         <p class="verdict-line">No verdicts: cylon run --json FILE makes them.</p>
       )}
+      {all.total > 0 ? <Supported matrix={matrix} /> : null}
       {cautions.length > 0 ? (
         <ul class="warnings" aria-label="Warnings">
           {cautions.map((text) => (

@@ -5,6 +5,7 @@ import type { Index } from '../shared/documents';
 import { HistorySection } from './history/history_section';
 import { PerformanceSection } from './performance/performance_section';
 import { ProvenanceSection } from './provenance';
+import { StepsSection } from './steps/steps_section';
 import { TradeSection } from './trade/trade_section';
 
 export interface Section {
@@ -18,6 +19,12 @@ const sum = (list: { length: number }[]) => list.reduce((n, { length }) => n + l
 
 export const sections: Section[] = [
   { id: 'matrix', label: 'Verdicts', view: null, size: (index) => index.results.verdicts.length },
+  {
+    id: 'steps',
+    label: 'Steps',
+    view: StepsSection,
+    size: (index) => sum(index.trades.map((t) => t.tables.filter(({ cells }) => cells))),
+  },
   {
     id: 'trade',
     label: 'Speed against accuracy',

@@ -11,7 +11,7 @@ export interface Look {
 /** From best to worst. */
 export const looks: Record<Status, Look> = {
   pass: { glyph: '\u2713', meaning: 'within tolerance', tone: 'pass' },
-  unsupported: { glyph: '\u2013', meaning: 'the engine cannot express the scene', tone: 'unsupported' },
+  unsupported: { glyph: '\u2013', meaning: 'the engine refuses the scene', tone: 'unsupported' },
   'low-quality': { glyph: '~', meaning: 'within ten times the tolerance', tone: 'low-quality' },
   fail: { glyph: '\u2717', meaning: 'beyond that', tone: 'fail' },
   'non-finite': { glyph: '\u221e non-finite', meaning: 'NaN or infinite', tone: 'broken' },

@@ -26,7 +26,7 @@ export function summary(verdicts: Verdict[]): Summary {
   return {
     total: verdicts.length,
     differ,
-    differText: named(`${differ.length} differ`, differ),
+    differText: named(`${differ.length} ${differ.length === 1 ? 'differs' : 'differ'}`, differ),
     expectedText: named(`${expected.length} as expected`, expected),
     passText: `${passed} pass`,
   };
@@ -52,8 +52,8 @@ export function warnings(results: Results): string[] {
     }
   for (const [name, n] of unlisted)
     out.push(
-      `${name} is a version that expected.toml does not list: ` +
-        `${count(n, 'verdict')} held to a table of other versions.`,
+      `expected.toml does not list ${name}: ` +
+        `${count(n, 'verdict')} ${n === 1 ? 'is' : 'are'} compared with the expectations for other versions.`,
     );
   return out;
 }

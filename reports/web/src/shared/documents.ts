@@ -113,6 +113,7 @@ export interface ScenarioView {
     truth_error: number | null;
     unit: string;
     until: number | null; // horizon [s]; null: the whole duration
+    at_least?: number | null; // least change that is claimed, in the unit; null or absent: none is
     absolute: number; // in the unit
     relative: number; // of the largest |truth|
     tolerance_reason: string;
@@ -215,12 +216,20 @@ export interface Trade {
       path: string;
       gyroscopic: string;
       adaptive: boolean;
+      closed_form?: boolean; // the engine takes no steps
       declared_order: number;
       observed_order: number | null;
       floor: number | null;
       floor_is_rounding: boolean;
       reason: string;
       points: { steps: number; dt: number; dt_text: string; tolerance: number | null; status: Status; reason: string; errors: Record<string, number | null> }[];
+    }[];
+    /** One per engine: which step it needs (harness/results/step_matrix.h). */
+    cells?: {
+      series: number;
+      refusal: string; // why the engine does not run the scene; "": it does
+      avoidable: string; // engines that can, "bullet, ode"
+      reach: { error: number; point: number | null; coarsest_tried: boolean; why: string }[];
     }[];
   }[];
   /** Costs, apart from what repeats bit for bit. */

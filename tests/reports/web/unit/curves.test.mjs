@@ -60,6 +60,13 @@ test('motions part at the first frame beyond the limit, whatever frames the othe
   assert.deepEqual(parting(lost, a, 0.75), { time: 1, body: 0, distance: Infinity });
 });
 
+test('a truth that is known at one time is a place in the picture, and not all of it', () => {
+  const path = frames([0, 1], (t) => [-2 + 5 * t, t, 0]);
+  const place = frames([1], () => [5, -0.5, 0]);
+  assert.deepEqual(framed(place, [path, null]), { min: [-2, -0.5, 0], max: [5, 1, 0] });
+  assert.deepEqual(framed(place, [null]), { min: [5, -0.5, 0], max: [5, -0.5, 0] });
+});
+
 test('cameras hold the truth, else the smaller motion', () => {
   const near = frames([0, 1], still);
   const far = frames([0, 1], (t) => still(t).map((x) => x + 1000 * t));

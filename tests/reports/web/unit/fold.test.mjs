@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import { load } from '../bundle_for_test.mjs';
 import { verdict } from './verdicts.mjs';
 
-const { fold, find, badness } = await load('report/fold.ts');
+const { fold, find, badness, supported } = await load('report/fold.ts');
 const { digits, statuses } = await load('report/status.ts');
 const { summary, warnings } = await load('report/summary.ts');
 const { changes } = await load('report/changes.ts');
@@ -121,7 +121,7 @@ test('scaled tolerances and unlisted versions are warned of', () => {
   assert.match(warnings(results([verdict({ tolerance_scale: 3 })]))[0], /multiplied by 3/);
   assert.match(
     warnings(results([verdict({ version_listed: false }), verdict({ version_listed: false })]))[0],
-    /ode 0.16.2 .* 2 verdicts/,
+    /ode 0.16.2: 2 verdicts are /,
   );
 });
 
@@ -168,4 +168,24 @@ test('claims with the same words are told apart by their order', () => {
   const twice = (a, b) => [verdict({ measured: a }), verdict({ measured: b })];
   assert.equal(changes(twice(0.003, 0.008), twice(0.003, 0.008)).length, 0);
   assert.equal(changes(twice(0.003, 0.009), twice(0.003, 0.004)).length, 1);
+});
+
+test('a refusal of a row that another column passes is avoidable, and counts as a failure', () => {
+  const of = (engine, status) => verdict({ engine, status, expected: status });
+  const matrix = fold([of('bullet', 'unsupported'), of('ode', 'pass'), of('in-house', 'fail')]);
+  const [refused, passed, failed] = matrix.rows[0].cells;
+  assert.deepEqual([refused.passedBy, passed.passedBy, failed.passedBy], [['ode'], [], []]);
+  assert.deepEqual(supported(matrix, 0), { run: 0, asked: 1 });
+  assert.deepEqual(supported(matrix, 1), { run: 1, asked: 1 });
+  const alone = fold([of('bullet', 'unsupported'), of('ode', 'fail')]);
+  assert.deepEqual(alone.rows[0].cells[0].passedBy, []);
+  const unavoidable = fold([of('bullet', 'unsupported'), of('ode', 'low-quality')]);
+  const avoidable = fold([of('bullet', 'unsupported'), of('ode', 'pass')]);
+  assert.ok(badness(avoidable.rows[0])[1] > badness(unavoidable.rows[0])[1]);
+});
+
+test('one verdict differs, two differ', () => {
+  const differing = verdict({ status: 'fail', expected: 'pass' });
+  assert.equal(summary([differing]).differText, '1 differs (1 fail)');
+  assert.equal(summary([differing, differing]).differText, '2 differ (2 fail)');
 });

@@ -31,12 +31,22 @@ export function claimRows(
   }));
 }
 
+function untilText({ until }: Claim): string {
+  return until === null ? '' : `, until ${short(until)} s`;
+}
+
+/** A claim that something happens has no truth: it asks for a change. */
+function Asked({ claim, verdict }: { claim: Claim | null; verdict: Verdict }) {
+  if (claim?.at_least == null) return <>truth: <Truth claim={claim} verdict={verdict} /></>;
+  return <>must change by at least {withUnit(claim.at_least, claim.unit) + untilText(claim)}</>;
+}
+
 function Truth({ claim, verdict: v }: { claim: Claim | null; verdict: Verdict }) {
   const bound = v.truth_error === null ? '' : `known to ${withUnit(v.truth_error, v.unit)}`;
   if (claim === null) return <>{bound || 'not told'}</>;
   const name = claim.follows === '' ? 'its initial value' : claim.follows;
   const source = claim.source ? `: ${claim.source}` : '';
-  const until = claim.until === null ? '' : `, until ${short(claim.until)} s`;
+  const until = untilText(claim);
   return <>{visible(name + source) + (bound ? ` (${bound})` : '') + until}</>;
 }
 
@@ -75,7 +85,7 @@ function Notes({ row: { verdict: v, claim } }: { row: ClaimRow }) {
         </li>
       ) : null}
       <li>
-        truth: <Truth claim={claim} verdict={v} />
+        <Asked claim={claim} verdict={v} />
       </li>
       <li>
         tolerance: <Foreign text={v.reason} />

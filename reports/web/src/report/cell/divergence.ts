@@ -24,15 +24,22 @@ export function extent({ min, max }: Bounds): number {
   return Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
 }
 
-/** What the cameras hold: the truth where it is known, else the smaller of the motions, as one that flies off
- * would leave the other a dot. */
+function joined(a: Bounds, b: Bounds): Bounds {
+  const [min, max] = [a.min.map((x, i) => Math.min(x, b.min[i]!)), a.max.map((x, i) => Math.max(x, b.max[i]!))];
+  return { min: [min[0]!, min[1]!, min[2]!], max: [max[0]!, max[1]!, max[2]!] };
+}
+
+/** What the cameras hold: the path of the truth where it is known at several times, else the smaller of the motions,
+ * as one that flies off would leave the other a dot.  A truth that is known at one time is a place and no path: the
+ * box is that of the smaller motion and the place. */
 export function framed(ghost: Frames | null, sides: (Frames | null)[]): Bounds | null {
-  const own = ghost ? boundsOf(ghost.position) : null;
-  if (own) return own;
+  const truth = ghost ? boundsOf(ghost.position) : null;
+  if (truth && ghost!.time.length > 1) return truth;
   const all = sides
     .flatMap((frames) => (frames ? [boundsOf(frames.position)] : []))
     .filter((b): b is Bounds => b !== null);
-  return all.sort((a, b) => extent(a) - extent(b))[0] ?? null;
+  const motion = all.sort((a, b) => extent(a) - extent(b))[0] ?? null;
+  return motion && truth ? joined(motion, truth) : (motion ?? truth);
 }
 
 export interface Parting {

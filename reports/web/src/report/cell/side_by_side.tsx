@@ -5,6 +5,7 @@ import type { Frames, TraceBlock } from '../../shared/block';
 import type { Scene, TraceEntry } from '../../shared/documents';
 import type { TimeCursor } from '../../shared/plot_cursor';
 import { go } from '../address';
+import { count } from '../numbers';
 import { visible } from '../visible';
 import type { Bounds } from './divergence';
 import { CameraLink, Pane } from './pane';
@@ -24,7 +25,8 @@ export function sideOf(title: string, block: TraceBlock): Side {
 /** A truth that is recorded data is known at its own times, which are fewer than the frames. */
 function fewTimes({ ghost, frames }: Side): string {
   if (!ghost || ghost.time.length >= frames.time.length) return '';
-  return `It is known at ${ghost.time.length} times and shown at those alone. `;
+  const times = count(ghost.time.length, 'time');
+  return `It is known at ${times} and shown at no other. `;
 }
 
 export function entryKey(entry: TraceEntry): string {

@@ -16,6 +16,7 @@ const examples: [string, string][] = [
     'tags of the scenario, claims or observables; * and ? in all names',
   ],
   ['scenario:heavy_* columns:ode*,bullet', 'rows by name; only these columns (columns:-ode* leaves out)'],
+  ['columns:-in-house*', 'without the in-house engine'],
   ['"not a spring"', 'plain or quoted words are looked for in names and titles'],
 ];
 

@@ -73,6 +73,12 @@ function Legend({ rows }: { rows: Row[] }) {
             ;{' '}
           </span>
         ))}
+      {rows.some((row) => row.cells.some((cell) => cell && cell.passedBy.length > 0)) ? (
+        <span>
+          <span class="status avoidable">{looks.unsupported.glyph} avoidable</span> refused, though another engine
+          passes;{' '}
+        </span>
+      ) : null}
       <span>
         <span class="number">+1.0</span> log10(allowed / measured) of the worst claim: + is better than
         allowed, − is worse;{' '}

@@ -16,6 +16,7 @@ function CellLink({ cell, row, column }: { cell: Cell; row: number; column: numb
   const { glyph } = looks[cell.worst];
   const won = isMeasured(cell.worst) && cell.digits !== null ? ` ${digitsText(cell.digits)}` : '';
   const name = visible(`${cell.scenario}, ${cell.engine}`);
+  const avoidable = cell.passedBy.length > 0 ? ' avoidable' : '';
   return (
     <a
       href={link(cellAddress(cell))}
@@ -23,12 +24,17 @@ function CellLink({ cell, row, column }: { cell: Cell; row: number; column: numb
       tabIndex={-1}
       data-row={row}
       data-column={column}
-      aria-label={`${name}: ${spoken(cell.worst, cell.digits, cell.differs)}`}
+      aria-label={`${name}: ${spoken(cell.worst, cell.digits, cell.differs)}${avoidable}`}
     >
-      {glyph + won}
+      {glyph + won + avoidable}
       {cell.differs ? <Differs /> : null}
     </a>
   );
+}
+
+function toneOf(cell: Cell): string {
+  const tone = cell.passedBy.length > 0 ? 'avoidable' : looks[cell.worst].tone;
+  return `${tone}${cell.differs ? ' has-differs' : ''}`;
 }
 
 function Empty({ row, column }: { row: number; column: number }) {
@@ -63,7 +69,7 @@ const Line = memo(({ row, index, title, shown }: LineProps) => (
       return (
         <td
           key={j}
-          class={cell ? `${looks[cell.worst].tone}${cell.differs ? ' has-differs' : ''}` : undefined}
+          class={cell ? toneOf(cell) : undefined}
         >
           {cell ? (
             <CellLink cell={cell} row={index} column={column} />

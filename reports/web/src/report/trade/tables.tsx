@@ -64,7 +64,9 @@ export function Legend({ list, hidden, toggle }: LegendProps) {
               </th>
               <td>
                 {visible(
-                  `${series.of.version}, ${series.of.precision}, ${series.of.path}, ${series.of.gyroscopic}`,
+                  [series.of.version, series.of.precision, series.of.path, series.of.gyroscopic]
+                    .filter(Boolean)
+                    .join(', '),
                 )}
               </td>
               <td class="number">{series.of.adaptive ? 'to tolerance' : series.of.declared_order}</td>

@@ -86,10 +86,11 @@ function Plot({ index, entry }: { index: Index; entry: Entry }) {
         {visible(axisText(measure))}; the reference itself is known to {short(measure.resolution)}.
         Truth: {visible(table.truth || 'none')}; {short(table.duration)} s,{' '}
         {count(table.bodies, 'body', 'bodies')}.
-        Ringed: nothing is both cheaper and better
+        Ringed (the Pareto front): no other setting is both faster and more accurate
         {measure.name === table.by ? '.' : ' by this measure.'}
         {lost.length > 0
-          ? ` The last table has ${count(lost.length, 'setting')} without a finite error above 0 or a cost.`
+          ? ` ${count(lost.length, 'setting')} cannot be drawn, because the error is 0 or not finite, or because no ` +
+            'time was measured. The last table lists them.'
           : ''}
       </p>
       <TradePlot
@@ -103,12 +104,12 @@ function Plot({ index, entry }: { index: Index; entry: Entry }) {
       <SettingsTable
         list={list}
         points={points.filter((p) => isDrawn(p) && p.onFront)}
-        caption="Nothing is both cheaper and better"
+        caption="Pareto front: no other setting is both faster and more accurate"
       />
       <SettingsTable
         list={list}
         points={points.filter((p) => isDrawn(p) && !p.onFront)}
-        caption="Dominated settings"
+        caption="Other settings, each with one that is both faster and more accurate"
       />
       <SettingsTable list={list} points={lost} caption="Not drawn" />
     </>

@@ -1,0 +1,141 @@
+// cylon matrix
+#include "harness/cli/commands/app.h"
+#include "harness/cli/commands/trade_sweep.h"
+#include "harness/cli/options.h"
+#include "harness/cli/output.h"
+#include "harness/cli/workers.h"
+#include "harness/scenario/input.h"
+#include "harness/study/settings.h"
+#include "reports/step_matrix.h"
+
+#include <fmt/format.h>
+
+#include <iostream>
+#include <set>
+
+namespace cylon::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> patterns, workers;
+  study::SettingsRequest wanted;
+  std::string observable, json, html, at;
+  int rounds = 3, jobs = 0;
+  double finest = 1e-4, timeout = 60;
+  bool resume = false, others = false;
+};
+
+bool is_in_house(const std::string& id) {
+  const std::string row = id.substr(0, id.find('/'));
+  return row == "in-house" || row == "in-house-float";
+}
+
+// Of each engine the integrator that it takes by itself; where that one controls its error, also the first of
+// fixed steps, for scenes that the engine steps through in any case.
+std::vector<study::Setting> usual_ones(std::vector<study::Setting> all) {
+  std::vector<study::Setting> kept;
+  std::set<std::string> seen;
+  for (study::Setting& setting : all) {
+    const bool first = seen.insert(setting.engine.id).second;
+    if (first || setting.first_fixed) kept.push_back(std::move(setting));
+  }
+  return kept;
+}
+
+std::vector<study::Setting> settings_of(const Options& options, const scenario::Scenario& scenario,
+                                        const std::vector<process::EngineRow>& rows) {
+  study::SettingsRequest wanted = options.wanted;
+  if (wanted.engines.empty()) wanted.engines = {"*"};  // every row, without the variants that `trade` adds
+  std::vector<study::Setting> settings = study::settings(scenario, rows, wanted);
+  if (options.others) std::erase_if(settings, [](const auto& s) { return is_in_house(s.engine.id); });
+  return wanted.integrators.empty() ? usual_ones(std::move(settings)) : settings;
+}
+
+results::TradeTable sweep_of(const Context& context, const Options& options,
+                             const scenario::Scenario& scenario, TradeJournal& journal) {
+  const auto rows = with_workers(context, options.workers);
+  study::SweepOptions how;
+  how.tolerances.assign(results::reach_errors.begin(), results::reach_errors.end());
+  how.reach = how.tolerances;
+  how.workers = worker_count(options.jobs);
+  how.rounds = options.rounds;
+  how.limits.run_seconds = options.timeout;
+  const Sweep plan{scenario, rows, study::ladder_down_to(scenario, options.finest), how, options.observable};
+  return sweep(context, plan, journal, [&] { return settings_of(options, scenario, rows); });
+}
+
+int matrix(const Context& context, const Options& options) {
+  require_writable(std::vector<std::string>{options.json, options.html});
+  const double at = options.at.empty() ? 0 : scenario::parse_step(options.at);
+  Request request;
+  request.patterns = options.patterns;
+  const Selection selection = select(context, request);
+  if (selection.scenarios.empty()) {
+    std::cerr << "nothing selected; see `cylon list --names`\n";
+    return nothing_selected;
+  }
+  TradeJournal journal(".cylon/matrix.jsonl", options.resume);
+  if (options.resume) std::cerr << fmt::format("resumed: {} runs are done already\n", journal.known());
+  std::vector<results::TradeTable> tables;
+  try {
+    for (const auto& scenario : selection.scenarios)
+      tables.push_back(sweep_of(context, options, *scenario, journal));
+  } catch (const process::Interrupted&) {
+    std::cerr << "interrupted; repeat the command with --resume in this folder to continue\n";
+    return interrupted;
+  }
+  const reports::ConsoleOptions style{.width = context.width, .utf8 = context.utf8, .colour = context.colour};
+  if (options.json != "-" && options.html != "-")
+    std::cout << (at > 0 ? reports::digits_text(tables, at, style) : reports::steps_text(tables, style));
+  write_tables(context, selection, tables, "Cylon: which step an engine needs", options.json, options.html);
+  return exit_code(tables);
+}
+
+}  // namespace
+
+Command add_matrix(App& app, const Context& context) {
+  const auto options = std::make_shared<Options>();
+  app.add_option(
+         "patterns", options->patterns,
+         "Scenario names, globs or files, several joined by ':', excluded with '-'. Default: the suite "
+         "conformance")
+      ->type_name("FILE|GLOB");
+  add_engines_option(app, options->wanted.engines, "all");
+  app.add_flag("--others", options->others, "Leave out the in-house engine");
+  add_integrators_option(app, options->wanted.integrators, "each engine's default");
+  app.add_option("--at", options->at,
+                 "Print digits, -log10 of the error, at the coarsest tried step of at most S [s] instead")
+      ->type_name("S");
+  app.add_option("--finest", options->finest, "Finest step that is tried [s]")
+      ->type_name("S")
+      ->capture_default_str()
+      ->check(positive(1e6));
+  app.add_option("--observable", options->observable,
+                 "Quantity whose error decides: trajectory, position, energy, events, …; default: trajectory "
+                 "where an exact solution is known")
+      ->type_name("NAME");
+  app.add_option("--rounds", options->rounds,
+                 "Number of timings of each setting, interleaved; the shortest counts. 0: no timing")
+      ->type_name("N")
+      ->capture_default_str()
+      ->check(in_range(0, 1000));
+  add_jobs_option(app, options->jobs,
+                  "Number of runs at the same time while errors are measured; default: all processors. Timed "
+                  "runs never overlap");
+  add_timeout_option(app, options->timeout);
+  app.add_option("--json", options->json,
+                 "Write the sweeps as `cylon trade --json` does, for `cylon report`; - is stdout")
+      ->type_name("FILE");
+  app.add_option("--html", options->html, "Write the matrix and the plots as one HTML file; - is stdout")
+      ->type_name("FILE");
+  app.add_flag(
+      "--resume", options->resume,
+      "Continue an interrupted sweep in this folder (.cylon/matrix.jsonl): finished runs are not repeated");
+  add_worker_option(app, options->workers);
+  app.footer(
+      "Steps are halved from about 64 times the nominal one. Errors do not depend on times. Exit code 4: no\n"
+      "engine ran anything.");
+  return [=, &context] { return matrix(context, *options); };
+}
+
+}  // namespace cylon::cli

@@ -1,0 +1,87 @@
+#include "harness/cli/commands/trade_sweep.h"
+
+#include "harness/cli/output.h"
+#include "harness/cli/provenance_now.h"
+#include "harness/cli/scenario_view.h"
+#include "harness/study/self_reference.h"
+#include "reports/html.h"
+#include "reports/trade_report.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <iostream>
+
+namespace cylon::cli {
+namespace {
+
+// One line on a terminal, written over; nothing elsewhere.
+class Progress {
+ public:
+  Progress(bool on, std::string scenario) : on_(on), scenario_(std::move(scenario)) {}
+  ~Progress() {
+    if (on_) std::cerr << "\r\x1b[K" << std::flush;
+  }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  void operator()(const study::Setting& setting, const results::TradePoint& point, bool timing) {
+    ++(timing ? timings_ : runs_);
+    if (on_)
+      std::cerr << fmt::format("\r{}: {} runs, {} timings; {} {} at {}\x1b[K", scenario_, runs_, timings_,
+                               setting.engine.id, setting.integrator.name, point.dt_text)
+                << std::flush;
+  }
+
+ private:
+  bool on_;
+  std::string scenario_;
+  int runs_ = 0, timings_ = 0;
+};
+
+}  // namespace
+
+results::TradeTable sweep(const Context& context, const Sweep& plan, TradeJournal& journal,
+                          const std::function<std::vector<study::Setting>()>& wanted) {
+  study::SweepOptions how = plan.how;
+  const auto reference = study::self_reference(plan.scenario, plan.ladder.samples, plan.rows, how.limits);
+  const study::Yardstick yardstick(plan.scenario, plan.ladder.samples, reference);
+  results::TradeTable table;
+  if (yardstick.measures().empty()) {
+    table.scenario = plan.scenario.name;
+    return table;
+  }
+  if (!plan.observable.empty()) how.by = yardstick.find(plan.observable);
+  journal.turn_to(plan.scenario, plan.ladder.samples);
+  std::vector<study::Setting> settings = wanted();
+  Progress progress(context.progress, plan.scenario.name);
+  const auto step = [&](const study::Setting& setting, const results::TradePoint& point, bool timing) {
+    progress(setting, point, timing);
+  };
+  table = study::sweep_errors(plan.scenario, yardstick, plan.ladder, settings, how, journal, step);
+  study::sweep_times(table, plan.scenario, settings, how, journal, step);
+  study::mark_front(table);
+  return table;
+}
+
+int exit_code(const std::vector<results::TradeTable>& tables) {
+  bool any = false;
+  for (const results::TradeTable& table : tables)
+    for (const results::TradeSeries& series : table.series) any |= !series.points.empty();
+  return any ? ok : nothing_selected;
+}
+
+void write_tables(const Context& context, const Selection& selection,
+                  const std::vector<results::TradeTable>& tables, const std::string& title,
+                  const std::string& json, const std::string& html) {
+  const auto document = reports::trade_json(tables, provenance_now(context));
+  if (!json.empty())
+    write_whole(json, document.dump(1, ' ', true, nlohmann::json::error_handler_t::replace) + '\n');
+  if (html.empty()) return;
+  reports::HtmlReport report;
+  report.title = title;
+  report.documents["trades"] = {document};
+  for (const auto& scenario : selection.scenarios) report.scenarios.push_back(scenario_view(*scenario));
+  write_whole(html, reports::to_html(report));
+}
+
+}  // namespace cylon::cli

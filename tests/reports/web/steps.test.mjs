@@ -1,0 +1,54 @@
+// The matrix of steps in a real browser: other people's engines first, ours by one click, digits by another.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import test, { before } from 'node:test';
+import { accessibilityFaults, open, run, scratch } from './browser.mjs';
+
+const folder = scratch();
+const url = `file://${join(folder, 'm.html')}`;
+let table;
+
+before(() => {
+  run(folder, ['matrix', 'projectile', '--engine', 'in-house', '--engine', 'ode', '--rounds', '1', '--html', 'm.html',
+    '--json', 'm.json']);
+  [table] = JSON.parse(readFileSync(join(folder, 'm.json'), 'utf8')).tables;
+});
+
+const heads = (page) => page.locator('table.steps > thead th').allTextContents();
+
+test('the in-house engine is left out until it is asked for, and its closed form has no step', async () => {
+  const page = await open(url);
+  assert.deepEqual(await heads(page), ['scenario', 'ode']);
+  await page.getByRole('checkbox', { name: 'with the in-house engine' }).check();
+  assert.deepEqual(await heads(page), ['scenario', 'in-house', 'ode']);
+  const text = await page.locator('table.steps > tbody > tr > td').first().innerText();
+  assert.match(text, /no steps/);
+  assert.match(text, /closed form/);
+  assert.doesNotMatch(text, /\bms\b/);
+  assert.deepEqual(page.faults, []);
+});
+
+test('a cell says the step that the sweep found, or why there is none', async () => {
+  const page = await open(url);
+  const text = await page.locator('table.steps > tbody > tr > td').first().innerText();
+  const cell = table.cells.find(({ series }) => table.series[series].engine === 'ode');
+  const { points } = table.series[cell.series];
+  for (const { point, why } of cell.reach)
+    assert.ok(text.includes(point === null ? why : `${1000 * points[point].dt >= 1 ? 1000 * points[point].dt : 1e6 * points[point].dt}`), text);
+});
+
+test('one choice shows digits at a step', async () => {
+  const page = await open(url);
+  await page.getByLabel('show').selectOption('0.001');
+  const text = await page.locator('table.steps > tbody > tr > td').first().innerText();
+  const { points } = table.series.find(({ engine }) => engine === 'ode');
+  const digits = -Math.log10(points.find(({ dt }) => dt <= 0.001 * (1 + 1e-9)).errors.trajectory);
+  assert.ok(text.startsWith(digits.toFixed(1)), text);
+});
+
+for (const scheme of ['light', 'dark'])
+  test(`axe-core finds no serious fault, ${scheme}`, async () => {
+    const page = await open(url, { scheme });
+    assert.deepEqual(await accessibilityFaults(page), []);
+  });

@@ -1,0 +1,66 @@
+// The matrix of steps: which engines it shows, costs joined to their steps, digits at a step.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { load } from '../bundle_for_test.mjs';
+
+const { digitsAt, foldSteps, isInHouse } = await load('report/steps/fold_steps.ts');
+
+const series = (engine, errors, change = {}) => ({
+  engine,
+  integrator: 'semi-implicit-euler',
+  version: '3.24',
+  observed_order: 1.02,
+  adaptive: false,
+  closed_form: false,
+  points: errors.map((error, i) => ({ dt: 0.032 / 2 ** i, dt_text: `s${i}`, tolerance: null, errors: { trajectory: error } })),
+  ...change,
+});
+
+const trade = {
+  tables: [
+    {
+      scenario: 'throw',
+      by: 'trajectory',
+      measures: [{ name: 'trajectory', against: 'projectile' }],
+      series: [series('bullet', [0.03, 0.014, 0.006, 0.003]), series('in-house', [], { closed_form: true })],
+      cells: [
+        { series: 0, refusal: '', avoidable: '', reach: [{ error: 1e-2, point: 2, coarsest_tried: false, why: '' }, { error: 1e-3, point: null, coarsest_tried: false, why: 'order 1.0' }] },
+        { series: 1, refusal: 'too heavy', avoidable: 'bullet', reach: [] },
+      ],
+    },
+    { scenario: 'from an older program', by: 'trajectory', measures: [], series: [] },
+  ],
+  times: [
+    { scenario: 'throw', engine: 'bullet', integrator: 'semi-implicit-euler', dt_text: 's2', tolerance: null, cpu_seconds_per_second: 0.0025 },
+    { scenario: 'other', engine: 'bullet', integrator: 'semi-implicit-euler', dt_text: 's2', tolerance: null, cpu_seconds_per_second: 7 },
+  ],
+};
+
+test('a step stands with its own cost, and what is not reached with its reason', () => {
+  const { engines, rows } = foldSteps([trade]);
+  assert.deepEqual(engines, ['bullet', 'in-house']);
+  assert.equal(rows.length, 1);
+  const { reach, order } = rows[0].cells.get('bullet');
+  assert.equal(order, 1.02);
+  assert.deepEqual(reach[0], { error: 0.01, step: 0.008, tolerance: null, cost: 0.0025, coarsestTried: false, why: '' });
+  assert.deepEqual([reach[1].step, reach[1].cost, reach[1].why], [null, null, 'order 1.0']);
+  assert.equal(rows[0].cells.get('in-house').avoidable, 'bullet');
+});
+
+test('digits are of the coarsest tried step that is not coarser', () => {
+  const cell = foldSteps([trade]).rows[0].cells.get('bullet');
+  assert.equal(digitsAt(cell, 0.01).dt, 0.008);
+  assert.ok(Math.abs(digitsAt(cell, 0.01).digits + Math.log10(0.006)) < 1e-12);
+  assert.equal(digitsAt(cell, 0.008).dt, 0.008);
+  assert.equal(digitsAt(cell, 1e-5), null);
+});
+
+for (const [engine, ours] of [
+  ['in-house', true],
+  ['in-house-float', true],
+  ['in-house/integrator=rk4', true],
+  ['in-house-of-somebody', false],
+  ['bullet', false],
+])
+  test(`${engine} is ${ours ? '' : 'not '}the in-house engine`, () => assert.equal(isInHouse(engine), ours));
