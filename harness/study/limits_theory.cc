@@ -45,7 +45,7 @@ std::vector<double> verlets(std::initializer_list<double> half_weights) {
 
 const std::vector<Splitting>& splittings() {
   static const std::vector<Splitting> table = {
-      {"symplectic-euler", true, {1, 1}, false},
+      {"lie-trotter", true, {1, 1}, false},
       {"semi-implicit-euler", true, {1, 1}, false},
       {"velocity-verlet", true, {0.5, 1}},
       {"stormer-verlet", false, {0.5, 1}},

@@ -15,7 +15,7 @@ struct Mistake {
 
 const Mistake mistakes[] = {
     {"in-house/path=event", {"path 'event'", "did you mean 'events'?"}},
-    {"in-house/integrator=rk5", {"integrator 'rk5'", "did you mean 'rk4'?", "symplectic-euler"}},
+    {"in-house/integrator=rk5", {"integrator 'rk5'", "did you mean 'rk4'?", "lie-trotter"}},
     {"in-house/integrator=velocity-verlt", {"did you mean 'velocity-verlet'?"}},
     {"in-house/erp=0", {"option 'erp'", "valid: model"}},
     {"in-house-float/model=ful", {"model 'ful'", "did you mean 'full'?"}},

@@ -23,7 +23,7 @@ constexpr Row rows[] = {
     {"in-house", "friction", "Coulomb cone"},
     {"in-house-float", "precision", "single"},
     {"in-house/integrator=explicit-euler", "free fall", "explicit Euler"},
-    {"in-house/integrator=symplectic-euler", "spring", "order 1.0, energy bounded"},
+    {"in-house/integrator=lie-trotter", "spring", "order 1.0, energy bounded"},
     {"in-house/integrator=velocity-verlet", "spring", "order 2.0, energy bounded"},
     {"in-house/integrator=rk4", "spring", "order 4.0, energy decays"},
     {"bullet", "free fall", "semi-implicit Euler"},

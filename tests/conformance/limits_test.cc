@@ -32,7 +32,7 @@ struct Row {
 // Wherever theory has a number; 1 %: find_limit gives half of it.
 TEST(Limits, WithinOnePercentOfTheory) {
   const Row table[] = {
-      {"spring", "in-house/integrator=symplectic-euler", "in-house", "symplectic-euler"},
+      {"spring", "in-house/integrator=lie-trotter", "in-house", "lie-trotter"},
       {"spring", "in-house/integrator=velocity-verlet", "in-house", "velocity-verlet"},
       {"spring", "in-house/integrator=stormer-verlet", "in-house", "stormer-verlet"},
       {"spring", "in-house/integrator=rk4", "in-house", "rk4"},
@@ -44,7 +44,7 @@ TEST(Limits, WithinOnePercentOfTheory) {
       {"spring", "bullet-float", "bullet", "semi-implicit-euler"},
       {"spring", "bullet-multibody", "bullet", "semi-implicit-euler"},
       {"spring", "ode", "ode", "semi-implicit-euler"},
-      {"stiffness", "in-house/integrator=symplectic-euler", "in-house", "symplectic-euler"},
+      {"stiffness", "in-house/integrator=lie-trotter", "in-house", "lie-trotter"},
       {"stiffness", "in-house/integrator=rk4", "in-house", "rk4"},
       {"stiffness", "bullet", "bullet", "semi-implicit-euler"},
       {"stiffness", "ode", "ode", "semi-implicit-euler"},

@@ -18,7 +18,7 @@ TEST_P(Mix, PassesItsClaimsByErrorControlAndByFixedSteps) {
 }
 
 TEST_P(Mix, IsSeenByItsClaimsWhenAStepIsTooCoarse) {
-  const Ran ran = shell("cylon run " + file() + " --engine in-house/integrator=symplectic-euler --dt 1/100");
+  const Ran ran = shell("cylon run " + file() + " --engine in-house/integrator=lie-trotter --dt 1/100");
   EXPECT_EQ(ran.code, 1) << ran.out << ran.err;
   EXPECT_NE(ran.out.find(" fail)"), std::string::npos) << ran.out;
 }

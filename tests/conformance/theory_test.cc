@@ -106,7 +106,7 @@ void PrintTo(const Row& row, std::ostream* out) { *out << row.what << " by " << 
 const Row rows[] = {
     // v is late or early by g dt, on the average half of it: |error| = g t dt/2.
     {"projectile", projectile, "explicit-euler", 1, 9.81 / 2, 50, 0.99},
-    {"projectile", projectile, "symplectic-euler", 1, 9.81 / 2, 50, 0.99},
+    {"projectile", projectile, "lie-trotter", 1, 9.81 / 2, 50, 0.99},
     {"projectile", projectile, "velocity-verlet", 2, 1, 50, 0},
     {"projectile", projectile, "rk4", 4, 1, 50, 0},
     // x'' = -w^2 x turns z = x + i v/w by a factor per step; with h = w dt,
@@ -115,13 +115,13 @@ const Row rows[] = {
     //   RK4: exp(i h) without its term (i h)^5/120: behind by A w^5 T dt^4/120;
     //   symplectic Euler: the same angle h' as Verlet, half a step beside it: A w dt/2 at most, whatever T.
     {"spring", spring, "explicit-euler", 1, amplitude* w* w / 2, 2e4, 0.88},
-    {"spring", spring, "symplectic-euler", 1, amplitude / (9 * pi) * w* w, 4e3, 0.9},
+    {"spring", spring, "lie-trotter", 1, amplitude / (9 * pi) * w* w, 4e3, 0.9},
     {"spring", spring, "velocity-verlet", 2, amplitude* w* w* w / 24, 1e3, 0.9},
     {"spring", spring, "rk4", 4, amplitude* std::pow(w, 5) / 120, 400, 0.9},
     // q' = w q/2: RK4 leaves out (i w dt/2)^5/120 of the half angle, so the angle is behind by w^5 T
     // dt^4/1920.
     {"top", top, "rk4", 4, std::pow(spin, 5) / 1920, 200, 0.9},
-    {"top", top, "symplectic-euler", 1, 1, 100, 0},
+    {"top", top, "lie-trotter", 1, 1, 100, 0},
     {"top", top, "velocity-verlet", 2, 1, 100, 0},
 };
 
@@ -173,7 +173,7 @@ TEST(TheoryClaim, ServesIntegratorsOfDifferentOrders) {
     const char* detail;
   };
   for (const Case& row : {Case{"in-house/integrator=explicit-euler", 1e4, "declared 1"},
-                          Case{"in-house/integrator=symplectic-euler", 1e4, "declared 1"},
+                          Case{"in-house/integrator=lie-trotter", 1e4, "declared 1"},
                           Case{"in-house/integrator=velocity-verlet", 1e3, "declared 2"},
                           Case{"in-house/integrator=rk4", 400, "declared 4"},
                           Case{"in-house", 400, "the integrator chooses its own steps, held to order 4"},

@@ -55,7 +55,7 @@ TEST(FloatMotion, BouncesOccurAtExactTimes) {
 // impact was taken for a graze, the ball stood inside the plane, parted, and was found to meet it at that
 // instant for ever.
 TEST(FloatMotion, FirstOrderStepDoesNotMissImpact) {
-  for (const char* integrator : {"symplectic-euler", "explicit-euler"}) {
+  for (const char* integrator : {"lie-trotter", "explicit-euler"}) {
     const Model model = ball_over_plane(real(0.5), real(0.6));
     Real deepest = 0;
     run(model, with(integrator, 0.005), 400,

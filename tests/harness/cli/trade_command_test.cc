@@ -17,7 +17,7 @@ class Trade : public CommandLine {
 };
 
 constexpr const char* small =
-    "trade projectile --engine in-house --integrator rk4 --integrator symplectic-euler --engine ode --steps "
+    "trade projectile --engine in-house --integrator rk4 --integrator lie-trotter --engine ode --steps "
     "5 "
     "--rounds 1";
 

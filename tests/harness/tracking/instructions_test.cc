@@ -57,7 +57,7 @@ TEST(Instructions, CountsRepeatAndScaleWithWork) {
     EXPECT_NE(find_counter().why.find("valgrind"), std::string::npos);  // and says so
     return;
   }
-  const auto rk4 = engine("in-house/integrator=rk4"), euler = engine("in-house/integrator=symplectic-euler");
+  const auto rk4 = engine("in-house/integrator=rk4"), euler = engine("in-house/integrator=lie-trotter");
   const InstructionCount first = count(rk4), again = count(rk4), cheap = count(euler),
                          longer = count(rk4, 300);
   ASSERT_TRUE(first.instructions && again.instructions && cheap.instructions && longer.instructions)

@@ -6,7 +6,7 @@ namespace cylon::mutants {
 
 std::vector<Subject> correct_subjects() {
   std::vector<Subject> result;
-  for (const char* integrator : {"auto", "rk4", "explicit-euler", "symplectic-euler", "velocity-verlet",
+  for (const char* integrator : {"auto", "rk4", "explicit-euler", "lie-trotter", "velocity-verlet",
                                  "stormer-verlet", "yoshida4", "dop853"}) {
     Subject subject;
     subject.name = std::string("in-house, ") + integrator;

@@ -181,7 +181,7 @@ std::vector<MaskedRow> faults_of_the_scene() {
       {"energy-neutral, wrong phase", "a symplectic integrator that claims to bound its error", "spring_zero",
        "position follows * by theory", claims_to_be("velocity-verlet", auto_at_1e_10)},
       {"order overstated", "first order, said to be second", "spring_zero", "position follows * order",
-       claims_to_be("symplectic-euler", [](Terms& terms) { terms.order = 2; })},
+       claims_to_be("lie-trotter", [](Terms& terms) { terms.order = 2; })},
       {"impacts at the end of a step",
        "said to be located",
        "bouncing",
