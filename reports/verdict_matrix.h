@@ -35,8 +35,8 @@ std::string cell_text(const Cell&, const ConsoleOptions&);
 /// The matrix as text; where the terminal is too narrow for all engines, in blocks of columns.
 std::string draw(const Matrix&, const ConsoleOptions&);
 
-/// How many rows each engine runs at all, and each refusal of a row that another engine passes: an engine that refuses
-/// has not passed.
+/// How many rows each engine runs at all, and each refusal of a row that another engine passes: an engine
+/// that refuses has not passed.
 std::string refusals(const Matrix&, const ConsoleOptions&);
 
 /// What the glyphs in this matrix mean.

@@ -16,8 +16,8 @@ inline Real size(const Vector3& v) { return v.lpNorm<1>(); }
 /// x, or 0 where it may be the rounding of zero.
 inline Real rounded(Real x, Real scale) { return std::abs(x) <= rounding * scale ? Real(0) : x; }
 
-/// Distance that separates touching from apart [m].  The rounding of n.p is that of its terms: a coordinate along the
-/// plane, however large, has no part in it.
+/// Distance that separates touching from apart [m].  The rounding of n.p is that of its terms: a coordinate
+/// along the plane, however large, has no part in it.
 inline Real touching(const Flight& f, const Plane& plane) {
   const Real terms = plane.normal.cwiseAbs().dot(f.position.cwiseAbs());
   return rounding * (terms + std::abs(plane.offset) + f.radius);

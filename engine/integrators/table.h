@@ -47,8 +47,9 @@ inline constexpr std::array<Integrator, 13> integrator_table = {{
      .conserves = "linear momentum to rounding; all else to the tolerance",
      .tableau = {dop853::nodes, dop853::matrix, dop853::weights}},
 
-    // Lie and Trotter's splitting: the momenta by the forces, then free motion with the new momenta (errata 13), in which
-    // a body turns exactly.  Of points it is symplectic Euler; of bodies that turn it is more, hence the name.
+    // Lie and Trotter's splitting: the momenta by the forces, then free motion with the new momenta (errata
+    // 13), in which a body turns exactly.  Of points it is symplectic Euler; of bodies that turn it is more,
+    // hence the name.
     {.name = "lie-trotter",
      .order = 1,
      .drag_order = 1,

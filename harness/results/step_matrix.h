@@ -38,7 +38,8 @@ std::optional<std::size_t> coarsest_point(const TradeTable&, const TradeSeries&,
 std::string why_not_reached(const TradeTable&, const TradeSeries&, double error);
 
 /// A cell for each engine of the table, in its order.  Of an engine with several series the first that has
-/// points counts, but no integrator with error control where the engine goes by fixed steps (path "stepping").
+/// points counts, but no integrator with error control where the engine goes by fixed steps (path
+/// "stepping").
 std::vector<StepCell> step_cells(const TradeTable&);
 
 /// -log10 of the error at the coarsest step of at most `dt`, and that point; nothing: no finite error there.

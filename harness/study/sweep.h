@@ -69,10 +69,10 @@ results::TradeTable sweep_errors(const scenario::Scenario&, const Yardstick&, co
                                  std::vector<Setting>& settings, const SweepOptions&, Memory&,
                                  const SweepStep&);
 
-/// The times of all points that passed (of those that options.reach asks for), one run at a time: round r of every point before round r + 1, each in
-/// a worker of its own whose first run only warms it; repetitions until 20 ms have passed, of which the least
-/// counts.  An integrator that controls its error may solve while it loads, so its load is part of its
-/// cost; of all others the steps alone are.
+/// The times of all points that passed (of those that options.reach asks for), one run at a time: round r of
+/// every point before round r + 1, each in a worker of its own whose first run only warms it; repetitions
+/// until 20 ms have passed, of which the least counts.  An integrator that controls its error may solve while
+/// it loads, so its load is part of its cost; of all others the steps alone are.
 void sweep_times(results::TradeTable&, const scenario::Scenario&, const std::vector<Setting>&,
                  const SweepOptions&, Memory&, const SweepStep&);
 

@@ -81,9 +81,9 @@ constexpr struct {
   double epsilon;
 } precisions[] = {{"in-house", 2.220446049250313e-16}, {"in-house-float", 1.1920928955078125e-7}};
 
-// The places of both ends of the spring are known to half a unit u in x and in z, so its length of 1.5 m to sqrt 2 u
-// (engine/resolution.h), and u is epsilon x or up to half of that: a hundredth of the orbit is lost where the bound
-// says so.
+// The places of both ends of the spring are known to half a unit u in x and in z, so its length of 1.5 m to
+// sqrt 2 u (engine/resolution.h), and u is epsilon x or up to half of that: a hundredth of the orbit is lost
+// where the bound says so.
 TEST(Limits, TheOrbitIsLostWhereTheStoredPlacesSay) {
   study::Family origin = family("origin");
   for (const auto& row : precisions) {
@@ -111,8 +111,8 @@ study::Probed fall_at(const study::Runner& run, double x) {
   return {};
 }
 
-// Where an engine refuses beyond a value that holds, that value is its limit: where the distance to the floor is known
-// to u, which is a tenth of the ball's half-width.
+// Where an engine refuses beyond a value that holds, that value is its limit: where the distance to the floor
+// is known to u, which is a tenth of the ball's half-width.
 TEST(Limits, UnsupportedValueIsALimit) {
   study::Family floor = family("origin");
   floor.probe = fall_at;

@@ -1,5 +1,6 @@
-// A ball far along a floor did not fall: what counts as touching grew with the ball's distance from the origin, though
-// only the height above the floor is rounded.  At 10^7 m in single precision that was ten metres.
+// A ball far along a floor did not fall: what counts as touching grew with the ball's distance from the
+// origin, though only the height above the floor is rounded.  At 10^7 m in single precision that was ten
+// metres.
 #include "harness/process/client.h"
 #include "tests/paths.h"
 

@@ -1,4 +1,5 @@
-// One scenario swept over settings and steps, with progress on the terminal: for `cylon trade` and `cylon matrix`.
+// One scenario swept over settings and steps, with progress on the terminal: for `cylon trade` and `cylon
+// matrix`.
 #pragma once
 
 #include "harness/cli/commands/trade_journal.h"
@@ -21,8 +22,8 @@ struct Sweep {
   std::string observable;  ///< That decides; "": the principal one.
 };
 
-/// Errors, times and the front; a table without measures where there is nothing to measure.  `settings` is asked
-/// once it is known that there is.
+/// Errors, times and the front; a table without measures where there is nothing to measure.  `settings` is
+/// asked once it is known that there is.
 results::TradeTable sweep(const Context&, const Sweep&, TradeJournal&,
                           const std::function<std::vector<study::Setting>()>& settings);
 

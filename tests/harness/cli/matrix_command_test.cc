@@ -23,7 +23,8 @@ TEST_F(MatrixCommand, GivesTheCoarsestStepOfEachEngineAndNoStepOfAClosedForm) {
   ASSERT_EQ(ode["engine"], "ode");
   const auto& reach = table["cells"][1]["reach"];
   ASSERT_EQ(reach.size(), 3u);
-  // The error of semi-implicit Euler in free fall is g dt T/2 of the path: each digit takes ten times the steps.
+  // The error of semi-implicit Euler in free fall is g dt T/2 of the path: each digit takes ten times the
+  // steps.
   for (int i = 0; i < 2; ++i) {
     ASSERT_FALSE(reach[i]["point"].is_null()) << reach[i];
     const auto& point = ode["points"][reach[i]["point"].get<std::size_t>()];
