@@ -93,9 +93,9 @@ std::vector<Refusal> refusals() {
               s.frame = core::Frame{{0, 0, 0}, {0.1, 0.2, 0}};
             })},
       {"in-house/integrator=bm4", "bm4 cannot integrate joints", jointed(core::JointType::ball, 0, 1)},
-      {"in-house-float", "'a' is 1e+07 m from the origin, where one ulp of single precision is 1 m",
+      {"in-house-float", "'a' is 1e+07 m from the origin, where single precision knows distances to 0.134 m",
        with(resting(), [](core::Scene& s) { s.bodies[0].initial.position.x() = 1e7; })},
-      {"in-house", "'floor' is 1e+16 m from the origin, where one ulp of double precision is 2 m",
+      {"in-house", "'floor' is 1e+16 m from the origin, where double precision knows distances to 1 m",
        with(resting(), [](core::Scene& s) { s.planes[0].offset = -1e16; })},
       {"in-house", "body 'a' may touch, but is a cone", resting(core::Cone{0.1, 0.3})},
       {"in-house-float", "body 'a' may touch, but is a compound", resting(compound_of(core::Sphere{0.1}))},
