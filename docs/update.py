@@ -18,6 +18,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import tomllib
 
 sys.dont_write_bytecode = True  # no __pycache__ beside the pages
 import key_tables
@@ -151,6 +152,39 @@ def fingerprint(cylon):
     return "\n".join(lines)
 
 
+def counterfactual(c):
+    """One tested pair of runs, in words."""
+    changed = [f"{what} `{c[key]}`" for key, what in (("other_scenario", "the scene"), ("other_engine", "the engine")) if key in c]
+    if "other_dt" in c:
+        changed.append(f"a step of {c['other_dt']} s")
+    if "becomes" in c:
+        then = c["becomes"]
+    elif "at_least" not in c:
+        then = f"at most {c['at_most']:g} times the error"
+    elif "at_most" not in c:
+        then = f"at least {c['at_least']:g} times the error"
+    else:
+        then = f"{c['at_least']:g} to {c['at_most']:g} times the error"
+    claim = c["claim"].replace("*", "…")
+    return f"{c['scenario']}, {claim}, `{c['engine']}`: with {', '.join(changed)} {then}"
+
+
+def causes(_):
+    rows = tomllib.loads((root / "scenarios/data/expected_rows.toml").read_text())["row"]
+    lines = []
+    for cause in tomllib.loads((root / "scenarios/expected.toml").read_text())["cause"]:
+        own = [row for row in rows if row["cause"] == cause["name"]]
+        scenarios = sorted({row["scenario"] for row in own})
+        engines = list(dict.fromkeys(row["engine"] for row in own))
+        lines += ["", f"## {cause['name']}", "", cause["mechanism"], "",
+                  f"- Where: {'; '.join(cause['source'])}.", f"- Size: {cause['law']}.",
+                  f"- Explains {len(own)} verdicts on {', '.join(engines)}: {', '.join(scenarios)}."]
+        if "note" in cause:
+            lines.append(f"- Note: {cause['note']}")
+        lines += ["- Tested:"] + [f"  - {counterfactual(c)}" for c in cause["counterfactual"]]
+    return "\n".join(lines[1:])
+
+
 def commands(cylon):
     text = output(cylon, "--help")
     return fenced(text[text.index("Subcommands:"):])
@@ -166,6 +200,7 @@ BLOCKS = {
     "README.md": {"run": three_engines},
     "docs/tutorial.md": {"scene": tutorial_scene, "engines": tutorial_engines, "steps": tutorial_steps, "own": tutorial_own},
     "docs/results.md": {"matrix": matrix},
+    "docs/causes.md": {"causes": causes},
     "docs/scenarios.md": {"scenarios": scenarios},
     "docs/published.md": {"published": published},
     "docs/fingerprint.md": {"fingerprint": fingerprint},

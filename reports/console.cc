@@ -77,7 +77,7 @@ Line claim_line(const Verdict& v, const ConsoleOptions& options) {
     return fmt::format("{:.4g} {}", value, shown(v.unit, options));
   };
   std::string status(results::name(v.status));
-  if (!v.as_expected()) status += fmt::format(" (expected {}) !", results::name(v.expected));
+  if (!v.as_expected()) status += fmt::format(" (expected {}) !", expectation(v));
   const std::string& why = v.detail.empty() ? v.tolerance_reason : v.detail;
   return {shown(v.claim, options),
           measured ? with_unit(v.measured) : "",

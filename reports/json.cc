@@ -127,6 +127,8 @@ Verdict from_row(const Json& json, const std::string& place) {
   v.truth_error = row.real("truth_error");
   v.status = row.status("status");
   v.expected = row.status("expected");
+  if (!row.at("expected_size").is_null()) v.expected_size = row.real("expected_size");
+  v.expected_within = row.real("expected_within");
   v.expected_reason = row.string("expected_reason");
   v.tolerance_reason = row.string("reason");
   v.detail = row.string("detail");
@@ -196,6 +198,9 @@ Json row(const Verdict& v) {
           {"truth_error", number(v.truth_error)},
           {"status", results::name(v.status)},
           {"expected", results::name(v.expected)},
+          {"expected_size", v.expected_size ? number(*v.expected_size) : Json(nullptr)},
+          {"expected_within", number(v.expected_within)},
+          {"as_expected", v.as_expected()},
           {"expected_reason", v.expected_reason},
           {"reason", v.tolerance_reason},
           {"detail", v.detail},

@@ -33,10 +33,15 @@ bool is_measured(results::Status status) {
          status == results::Status::fail;
 }
 
+std::string expectation(const results::Verdict& v) {
+  if (!v.expected_size) return std::string(results::name(v.expected));
+  return fmt::format("{:.3g} within a factor of {:g}", *v.expected_size, v.expected_within);
+}
+
 std::string sentence(const results::Verdict& v) {
-  const std::string expectation = v.as_expected() ? v.status == results::Status::pass ? "" : " (as expected)"
-                                                  : fmt::format(" (expected {})", results::name(v.expected));
-  std::string line = fmt::format("{}{}{}", results::name(v.status), expectation, what_happened(v));
+  const std::string expected = v.as_expected() ? v.status == results::Status::pass ? "" : " (as expected)"
+                                               : fmt::format(" (expected {})", reports::expectation(v));
+  std::string line = fmt::format("{}{}{}", results::name(v.status), expected, what_happened(v));
   if (!v.expected_reason.empty()) line += fmt::format("; expected.toml: {}", quoted(v.expected_reason));
   return line;
 }

@@ -44,4 +44,11 @@ double digits(double measured, double allowed) {
   return std::clamp(std::log10(allowed / measured), -99.0, 99.0);
 }
 
+bool Verdict::as_expected() const {
+  if (!expected_size) return status == expected;
+  if (status != Status::pass && status != Status::low_quality && status != Status::fail) return false;
+  if (status == Status::pass && *expected_size <= allowed) return true;
+  return *expected_size / expected_within <= measured && measured <= *expected_size * expected_within;
+}
+
 }  // namespace cylon::results

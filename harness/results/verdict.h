@@ -47,13 +47,18 @@ struct Verdict {
   std::string detail;              ///< Why unsupported, how it crashed, what went wrong.
   std::string complaints;          ///< The end of the engine's stderr.
   Status expected = Status::pass;  ///< What expected.toml says; pass where it says nothing.
+  std::optional<double>
+      expected_size;           ///< What was measured when the cause was found; absent: the status says all.
+  double expected_within = 1;  ///< Factor by which `measured` may differ from it.
   std::string expected_reason;
   bool version_listed = true;  ///< Whether expected.toml knows this engine version.
   double cpu_seconds = 0;
   std::int64_t body_steps = 0;
   std::string reproduce;  ///< The command that gives this row again.
 
-  bool as_expected() const { return status == expected; }
+  /// Whether the status is the expected one; where a size is known, whether the result is neither far worse
+  /// nor far better: measured within [expected_size / expected_within, expected_size expected_within].
+  bool as_expected() const;
 };
 
 }  // namespace cylon::results

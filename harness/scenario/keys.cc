@@ -13,14 +13,52 @@ namespace {
 
 using enum Kind;
 
+const Spec* explains_spec() {
+  static const Spec spec{.label = "[[cause.explains]]",
+                         .keys = {required(word("engine", "Globs over engine ids.")),
+                                  required(word("scenario", "Globs over scenario names.")),
+                                  absent("all", word("claim", "Globs over claim labels."))}};
+  return &spec;
+}
+const Spec* counterfactual_spec() {
+  static const Spec spec{
+      .label = "[[cause.counterfactual]]",
+      .keys = {
+          required(word("scenario", "Where the symptom is seen.")),
+          required(word("claim", "Glob that matches one claim.")),
+          required(word("engine", "Id of the engine.")),
+          absent("the scenario's own", seconds("dt", step, "Step.")),
+          absent("the same", word("other_scenario", "Another scene, to compare with.")),
+          absent("the same", word("other_claim", "Glob that matches one claim of the other run.")),
+          absent("the same", word("other_engine", "Another engine, or setting.")),
+          absent("the same", seconds("other_dt", step, "Another step.")),
+          word("becomes", "The other run's verdict.", words(results::Status::protocol)),
+          absent("0", real("at_least", "", "Error of the other run over that of the first.", not_negative)),
+          absent("no limit", real("at_most", "", "The same, from above.", positive))}};
+  return &spec;
+}
+const Spec* cause_spec() {
+  static const Spec spec{
+      .label = "[[cause]]",
+      .keys = {
+          required(word("name", "Short, for the rows and reports.")),
+          required(word("mechanism", "What happens in the engine.")),
+          required(plain("source", texts, "Where: \"engine: file:line function\".")),
+          required(word("law", "Formula of the size.")), word("note", "What was tried and is not the cause."),
+          absent("none", real("power", "", "Of the step, in the law.")),
+          absent("3", real("within", "", "Factor by which another measurement may differ.", core::Range{1})),
+          nested("explains", tables, explains_spec, "Cells that the cause explains."),
+          nested("counterfactual", tables, counterfactual_spec, "A pair of runs that tests the cause.")}};
+  return &spec;
+}
 const Spec* row_spec() {
   static const Spec spec{
       .label = "[[row]]",
-      .keys = {required(word("engine", "Glob over engine ids.")), absent("all", word("scenario", "Glob.")),
-               absent("all", word("claim", "Glob over claim labels.")),
-               absent("all", word("integrator", "Glob.")), absent("all", plain("dt", steps, "Steps.")),
-               required(word("status", "What the verdict will be.", words(results::Status::protocol))),
-               required(word("reason", "Why.")), word("link", "Where it is discussed.")}};
+      .keys = {required(word("cause", "Name in expected.toml.")), required(word("scenario", "Name.")),
+               required(word("engine", "Id.")), required(seconds("dt", step, "Step.")),
+               required(word("claim", "Label.")),
+               required(word("status", "The verdict.", words(results::Status::protocol))),
+               real("measured", "", "In the observable's unit; absent: the status says all.")}};
   return &spec;
 }
 const Spec* published_spec() {
@@ -131,8 +169,15 @@ const Spec& scenario_keys() {
 const Spec& expected_keys() {
   static const Spec spec{
       .label = "expected.toml",
-      .keys = {{.name = "versions", .kind = table, .meaning = "Engine glob = list of version globs."},
-               nested("row", tables, row_spec, "One expectation; the last row that matches wins.")}};
+      .keys = {
+          {.name = "versions", .kind = table, .meaning = "Engine glob = list of version globs."},
+          nested("cause", tables, cause_spec, "Why some verdicts are no pass; the first that matches.")}};
+  return spec;
+}
+
+const Spec& expected_row_keys() {
+  static const Spec spec{.label = "expected_rows.toml",
+                         .keys = {nested("row", tables, row_spec, "One verdict that is no pass.")}};
   return spec;
 }
 

@@ -74,8 +74,9 @@ const Spec& scenario_keys();
 /// Of `tolerance.constants`: 1 to this.
 inline constexpr int highest_order = 12;
 
-/// scenarios/expected.toml and scenarios/suites/*.toml.
+/// scenarios/expected.toml, scenarios/data/expected_rows.toml and scenarios/suites/*.toml.
 const Spec& expected_keys();
+const Spec& expected_row_keys();
 const Spec& suite_keys();
 
 }  // namespace cylon::scenario

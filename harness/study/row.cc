@@ -12,9 +12,11 @@ results::Verdict open_row(const Cell& cell, const std::string& claim,
   row.dt_text = cell.dt_text;
   row.claim = claim;
   row.reproduce = cell.reproduce;
-  const auto expected = expectations.find(cell.known_as.empty() ? row.scenario : cell.known_as,
-                                          cell.engine.id, cell.engine.integrator, cell.dt, claim);
+  const auto expected =
+      expectations.find(cell.known_as.empty() ? row.scenario : cell.known_as, cell.engine.id, cell.dt, claim);
   row.expected = expected.status;
+  row.expected_size = expected.size;
+  row.expected_within = expected.within;
   row.expected_reason = expected.reason;
   return row;
 }

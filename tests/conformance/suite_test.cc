@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <memory>
 #include <set>
 #include <vector>
@@ -93,25 +94,25 @@ TEST_F(Conformance, TheInHouseDefaultPassesEveryClaim) {
   EXPECT_GT(claims, 0);
 }
 
-// Looked up for every scenario and engine that some suite names, at the nominal step; nothing is run.
-TEST_F(Conformance, EveryExpectationMatchesAVerdict) {
-  std::set<std::string> scenarios, engines, decided;
+// Rows name exact cells: each must be a claim, or a relation, of a shipped scenario on an engine of a suite.
+TEST_F(Conformance, EveryExpectationIsOfAVerdict) {
+  std::set<std::string> engines = {"in-house-float"};  // the catalogue in single precision is no suite
   for (const std::string name : {"conformance", "simbenchmark", "catalogue", "extremes"}) {
     const scenario::Suite s = suite(name);
-    scenarios.insert(s.scenarios.begin(), s.scenarios.end());
     engines.insert(s.engines.begin(), s.engines.end());
   }
-  for (const std::string& name : scenarios) {
-    const scenario::Scenario scenario = shipped(name);
-    std::vector<std::string> claims;
-    for (const core::Claim& claim : scenario.claims) claims.push_back(claim.label);
-    for (const study::Relation& relation : study::relations())
-      claims.push_back(fmt::format("relation {}", relation.name));
-    for (const std::string& id : engines)
-      for (const std::string& claim : claims)
-        decided.insert(expectations_.find(name, id, engine(id).integrator, scenario.step, claim).place);
+  std::map<std::string, std::set<std::string>> claims;
+  for (const auto& row : expectations_.rows()) {
+    auto& of = claims[row.scenario];
+    if (of.empty()) {
+      for (const core::Claim& claim : shipped(row.scenario).claims) of.insert(claim.label);
+      for (const study::Relation& relation : study::relations())
+        of.insert(fmt::format("relation {}", relation.name));
+    }
+    EXPECT_TRUE(of.contains(row.claim)) << row.claim << " of " << row.scenario;
+    EXPECT_TRUE(engines.contains(row.engine)) << row.engine;
   }
-  for (const std::string& row : expectations_.unused(decided)) ADD_FAILURE() << row;
+  EXPECT_GT(claims.size(), 100u);
 }
 
 TEST_F(Conformance, EveryMetamorphicRelationIsAsExpected) {

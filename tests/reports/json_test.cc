@@ -49,6 +49,8 @@ Verdict random_verdict(std::mt19937& random) {
   if (random() % 2) v.first_bad_step = static_cast<std::int64_t>(random());
   v.status = static_cast<Status>(random() % 8);
   v.expected = static_cast<Status>(random() % 8);
+  if (random() % 2) v.expected_size = random_number(random);
+  v.expected_within = random_number(random);
   v.version_listed = random() % 2;
   v.body_steps = static_cast<std::int64_t>(std::uint64_t{random()} << 31 | random());
   return v;
@@ -69,6 +71,8 @@ void expect_same(const Verdict& a, const Verdict& b) {
   EXPECT_EQ(a.first_bad_step, b.first_bad_step);
   EXPECT_EQ(a.status, b.status);
   EXPECT_EQ(a.expected, b.expected);
+  EXPECT_EQ(a.expected_size, b.expected_size);
+  EXPECT_EQ(a.expected_within, b.expected_within);
   EXPECT_EQ(a.version_listed, b.version_listed);
   EXPECT_EQ(a.body_steps, b.body_steps);
 }

@@ -2,7 +2,6 @@
 #include "harness/core/input_error.h"
 #include "harness/core/measure.h"
 #include "harness/core/scale.h"
-#include "harness/scenario/expected.h"
 #include "harness/scenario/glob.h"
 #include "harness/scenario/input.h"
 #include "harness/scenario/recorded_truth.h"
@@ -184,67 +183,6 @@ TEST(Glob, StarsAndQuestionMarks) {
   EXPECT_FALSE(glob_match("a*b", "a-b-c"));
   EXPECT_FALSE(glob_match("", "a"));
   EXPECT_FALSE(glob_match("*a*a*a*a*a*a*a*a*a*a*a*a*b", std::string(5000, 'a')));  // at once
-}
-
-const std::string rows = R"([versions]
-"bullet*" = ["3.24"]
-"in-house" = ["*"]
-[[row]]
-engine = "bullet*"
-status = "fail"
-reason = "first order"
-[[row]]
-engine = "bullet"
-scenario = "projectile"
-claim = "energy*"
-dt = [0.001, "1/60"]
-status = "low-quality"
-reason = "nearly"
-link = "doc"
-[[row]]
-engine = "nobody"
-status = "crash"
-reason = "never"
-)";
-
-TEST(Expected, TheLastMatchingRowWins) {
-  const auto e = scenario::Expectations::parse(rows, "e.toml");
-  EXPECT_EQ(e.unused({}).size(), 3u);
-  EXPECT_EQ(e.find("projectile", "in-house", "rk4", 0.001, "energy conserved").status, results::Status::pass);
-  const auto exact = e.find("projectile", "bullet", "semi-implicit-euler", 1.0 / 60, "energy conserved");
-  EXPECT_EQ(exact.status, results::Status::low_quality);
-  EXPECT_EQ(exact.reason, "nearly");
-  EXPECT_EQ(exact.link, "doc");
-  EXPECT_EQ(e.find("projectile", "bullet", "x", 0.01, "energy conserved").status, results::Status::fail);
-  EXPECT_EQ(e.find("projectile", "bullet-float", "x", 0.001, "energy conserved").reason, "first order");
-  const auto unused = e.unused({"e.toml:4", exact.place});
-  ASSERT_EQ(unused.size(), 1u);
-  EXPECT_EQ(unused[0], "e.toml:16: engine 'nobody', scenario '*', claim '*'");
-  EXPECT_TRUE(e.version_listed("bullet-multibody/gyro=none", "3.24"));
-  EXPECT_FALSE(e.version_listed("bullet", "3.25"));
-  EXPECT_FALSE(e.version_listed("ode", "3.24"));
-  EXPECT_TRUE(e.version_listed("in-house/x=1", "0.1.0"));
-}
-
-TEST(Expected, BadRows) {
-  const auto refusal = [](const std::string& text) {
-    try {
-      scenario::Expectations::parse(text, "e.toml");
-      return std::string();
-    } catch (const core::InputError& error) {
-      return std::string(error.what());
-    }
-  };
-  const std::string row = "[[row]]\nengine = \"a\"\n";
-  EXPECT_NE(refusal(row + "status = \"failed\"\nreason = \"r\"\n")
-                .find("e.toml:3:10: status = 'failed' is unknown, did you mean 'fail'?"),
-            std::string::npos);
-  EXPECT_NE(refusal(row + "status = \"fail\"\n").find("e.toml:1:1: [[row]] needs 'reason'"),
-            std::string::npos);
-  EXPECT_NE(refusal(row + "status = \"fail\"\nreason = \"r\"\nscene = \"x\"\n").find("unknown key 'scene'"),
-            std::string::npos);
-  EXPECT_NE(refusal("[versions]\node = 3\n").find("must be an array of strings"), std::string::npos);
-  EXPECT_EQ(refusal(scenario::read_file(root / "scenarios/expected.toml")), "");
 }
 
 TEST(Suite, SimBenchmarkHasThePublishedTable) {

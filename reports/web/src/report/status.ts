@@ -39,7 +39,7 @@ export function digits(measured: number | null, allowed: number | null): number 
 }
 
 export function differs(verdict: Verdict): boolean {
-  return verdict.status !== verdict.expected;
+  return !verdict.as_expected;
 }
 
 /** Best first; what was not measured by severity alone. */

@@ -31,6 +31,9 @@ export interface Verdict {
   truth_error: number | null;
   status: Status;
   expected: Status;
+  expected_size: number | null;
+  expected_within: number; // a factor
+  as_expected: boolean;
   expected_reason: string;
   reason: string; // the tolerance's
   detail: string;

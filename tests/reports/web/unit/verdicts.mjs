@@ -1,7 +1,7 @@
 // Verdicts for the tests of the report's logic: a row with general values, of which a test changes what it is
 // about.
 export function verdict(change = {}) {
-  return {
+  const row = {
     scenario: 'heavy_top',
     scenario_hash: 'f1c5',
     engine: 'ode',
@@ -24,6 +24,8 @@ export function verdict(change = {}) {
     truth_error: 1.5e-12,
     status: 'low-quality',
     expected: 'low-quality',
+    expected_size: null,
+    expected_within: 1,
     expected_reason: '',
     reason: 'convention',
     detail: '',
@@ -36,4 +38,5 @@ export function verdict(change = {}) {
     reproduce: 'cylon run heavy_top --engine ode',
     ...change,
   };
+  return { as_expected: row.status === row.expected, ...row };
 }

@@ -119,7 +119,7 @@ function Line({ row, shown, toggle, reasons }: LineProps) {
           <Violation curve={curve} verdict={v} />
         </td>
         <td class="expected">
-          {v.expected}
+          {v.expected_size === null ? v.expected : `${withUnit(v.expected_size, v.unit)} within ×${v.expected_within}`}
           {differs(v) ? <Differs text="differs" /> : null}
         </td>
       </tr>

@@ -1,0 +1,112 @@
+// Every cause of scenarios/expected.toml was tested: its counterfactuals are run and hold, and one of them
+// follows the law of its size where the law has a power of the step.
+#include "tests/conformance/fixture.h"
+
+#include "harness/scenario/glob.h"
+#include "harness/study/cell_pool.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace cylon::conformance {
+namespace {
+
+using results::Verdict;
+using scenario::Cause;
+using scenario::Counterfactual;
+
+const scenario::Expectations& expectations() {
+  static const auto loaded = scenario::Expectations::load(source("scenarios/expected.toml"));
+  return loaded;
+}
+
+double step_of(const scenario::Scenario& scenario, const std::string& dt) {
+  return dt.empty() ? scenario.step : scenario::parse_step(dt);
+}
+
+// The verdict on the one claim that the glob matches; a run is made once.
+Verdict verdict(const std::string& name, const std::string& engine_id, const std::string& dt,
+                const std::string& claim) {
+  static std::map<std::tuple<std::string, std::string, std::string, bool>, std::vector<Verdict>> runs;
+  const bool relation = claim.starts_with("relation ");
+  auto& rows = runs[{name, engine_id, dt, relation}];
+  if (rows.empty()) {
+    const scenario::Scenario scenario = shipped(name);
+    study::Cell cell{&scenario, engine(engine_id), step_of(scenario, dt),
+                     dt.empty() ? scenario.step_text : dt};
+    if (relation) cell.exam = study::Exam::relations;
+    rows = study::run({cell}, {.workers = 1, .limits = {}}, {}, {}).at(0);
+  }
+  std::vector<Verdict> found;
+  for (const Verdict& row : rows)
+    if (scenario::glob_match(claim, row.claim)) found.push_back(row);
+  if (found.size() != 1)
+    throw std::invalid_argument(fmt::format("'{}' matches {} claims of {}", claim, found.size(), name));
+  return found[0];
+}
+
+struct Tested {
+  const Cause* cause;
+};
+void PrintTo(const Tested& tested, std::ostream* out) { *out << tested.cause->name; }
+
+std::vector<Tested> causes() {
+  std::vector<Tested> all;
+  for (const Cause& cause : expectations().causes()) all.push_back({&cause});
+  return all;
+}
+
+class Causes : public testing::TestWithParam<Tested> {};
+
+TEST_P(Causes, HoldUnderTheirCounterfactuals) {
+  for (const Counterfactual& c : GetParam().cause->counterfactuals) {
+    const Verdict first = verdict(c.scenario, c.engine, c.dt, c.claim);
+    const Verdict other = verdict(c.other_scenario, c.other_engine, c.other_dt, c.other_claim);
+    EXPECT_EQ(refutation(c, first, other), "")
+        << c.place << ": " << c.claim << " of " << c.scenario << " on " << c.engine << ", then of "
+        << c.other_scenario << " on " << c.other_engine << (c.other_dt.empty() ? "" : " at ") << c.other_dt;
+    const Cause* why = expectations().explain(c.scenario, c.engine, first.claim);
+    EXPECT_EQ(why, GetParam().cause) << c.place << " tests what " << (why ? why->name : "no cause")
+                                     << " explains";
+  }
+}
+
+TEST_P(Causes, HaveACounterfactualForThePowerOfTheirLaw) {
+  const Cause& cause = *GetParam().cause;
+  if (!cause.power) return;
+  EXPECT_TRUE(std::ranges::any_of(cause.counterfactuals, [&](const Counterfactual& c) {
+    if (c.other_dt == c.dt || c.becomes || c.other_engine != c.engine || c.other_scenario != c.scenario)
+      return false;
+    const scenario::Scenario scenario = shipped(c.scenario);
+    const double ratio = std::pow(step_of(scenario, c.other_dt) / step_of(scenario, c.dt), *cause.power);
+    return c.low <= ratio && ratio <= c.high && c.low >= ratio / 2 && c.high <= 2 * ratio;
+  })) << cause.law;
+}
+
+TEST_P(Causes, NameTheirSource) {
+  for (const std::string& place : GetParam().cause->source) {
+    const auto colon = place.find(": ");
+    ASSERT_NE(colon, std::string::npos) << place;
+    const std::string who = place.substr(0, colon), where = place.substr(colon + 2);
+    if (who == "in-house")
+      EXPECT_TRUE(std::filesystem::exists(source(where))) << place;
+    else
+      EXPECT_TRUE((who == "bullet" || who == "ode") && where.find(':') != std::string::npos) << place;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Expected, Causes, testing::ValuesIn(causes()),
+                         [](const auto& tested) { return tested.param.cause->name; });
+
+}  // namespace
+}  // namespace cylon::conformance
