@@ -46,7 +46,9 @@ def main():
                 sys.exit(f"cylon {' '.join(words)} ended with {done.returncode}:\n{done.stderr}")
             text = (f"Measured on {processor()}, {os.cpu_count()} processors, on {datetime.date.today()}, by "
                     f"`cylon {' '.join(words)}`:\n\n```\n{done.stdout.rstrip()}\n```\n\n"
-                    f"`docs/{pathlib.Path(__file__).name}` repeats the measurement.")
+                    f"`docs/{pathlib.Path(__file__).name}` repeats the measurement. Times depend on the machine"
+                    f"{', which was busy with other work' + chr(10) + 'as well' if os.getloadavg()[0] > 1.5 else ''};"
+                    " steps and orders do not.")
             before, rest = page.read_text().split(begin)
             page.write_text(f"{before}{begin}\n\n{text}\n\n{end}{rest.split(end)[1]}")
 
