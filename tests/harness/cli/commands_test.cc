@@ -157,7 +157,7 @@ TEST_F(CommandLine, CommandOfRowReproducesIt) {
   const std::string cases[] = {
       "projectile --engine ode --engine bullet/gyro=none --dt 0.1", "mine.toml --engine ode --dt 1/50",
       "./projectile.toml projectile --engine ode", "projectile --engine mine " + foreign,
-      "projectile --integrator 'sym*' --engine in-house"};
+      "projectile --integrator 'lie*' --engine in-house"};
   for (const std::string& arguments : cases) {
     const Ran first = cylon("run " + arguments + " --json -");
     ASSERT_TRUE(first.code == 0 || first.code == 1) << arguments << first.err;
