@@ -252,6 +252,8 @@ TEST(Expert, OdesRuleTellsAStackFromBodiesThatMayMeet) {
   EXPECT_EQ(set_to(stack, "soft_cfm"), "");
   EXPECT_EQ(set_to(meet, "solver"), "dWorldStep");
   EXPECT_EQ(set_to(meet, "soft_cfm"), "1e-05");
+  EXPECT_NE(set_to(stack, "contact_mode").find("dContactFDir1"), std::string::npos);
+  EXPECT_EQ(set_to(meet, "contact_mode").find("dContactFDir1"), std::string::npos);
 }
 
 // As shipped, each setting has the engine's default, but what the scene states and one call a step.

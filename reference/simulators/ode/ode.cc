@@ -114,7 +114,6 @@ class Ode final : public core::Simulator {
   OdeSettings settings_;
   Scene scene_;
   double dt_ = 0;
-  double gravity_ = 0;  // [m/s^2]
   std::int64_t steps_ = 0;
   std::unique_ptr<World> world_;
   std::vector<dBodyID> bodies_;               // nullptr for a locked body
@@ -159,7 +158,6 @@ Terms Ode::load(const Scene& scene, const Setup& setup) {
   Vector3 gravity = Vector3::Zero();
   for (const core::Force& force : scene_.forces)
     if (const auto* uniform = std::get_if<core::UniformGravity>(&force)) gravity += uniform->acceleration;
-  gravity_ = gravity.norm();
   dWorldSetGravity(world_->id, gravity.x(), gravity.y(), gravity.z());
 
   for (const Body& body : scene_.bodies) add_body(body);
@@ -265,15 +263,15 @@ Vector3 velocity_at(dBodyID body, const dVector3& place) {
   return {v[0], v[1], v[2]};
 }
 
-// The first friction direction of a contact that slides: t = s/|s| with the slip s = v - (v.n) n of the first
-// body's point against the second's.  ODE's own where |s| <= `still`: what friction stops within the step has
-// no direction of its own, and what is left of it is the solver's residual.
-void turn_along_slip(dContact& contact, dBodyID first, dBodyID second, double still) {
+// The first friction direction of a contact: t = s/|s| with the slip s = v - (v.n) n of the first body's
+// point against the second's; ODE's own where |s| is too small to have a direction.
+void turn_along_slip(dContact& contact, dBodyID first, dBodyID second) {
+  constexpr double least_slip = 1e-9;  // [m/s]
   const Vector3 normal(contact.geom.normal[0], contact.geom.normal[1], contact.geom.normal[2]);
   const Vector3 v = velocity_at(first, contact.geom.pos) - velocity_at(second, contact.geom.pos);
   const Vector3 slip = v - v.dot(normal) * normal;
   contact.surface.mode &= ~dContactFDir1;
-  if (!(slip.norm() > still)) return;
+  if (!(slip.norm() > least_slip)) return;
   contact.surface.mode |= dContactFDir1;
   for (int k = 0; k < 3; ++k) contact.fdir1[k] = slip[k] / slip.norm();
 }
@@ -297,7 +295,7 @@ void Ode::collide(dGeomID a, dGeomID b) {
   contact.surface.bounce_vel = settings_.bounce_velocity;
   for (int i = 0; i < n; ++i) {
     contact.geom = found[at(i)];
-    if (settings_.along_slip) turn_along_slip(contact, first, second, s.friction * gravity_ * dt_ + 1e-9);
+    if (settings_.along_slip) turn_along_slip(contact, first, second);
     dJointID joint = dJointCreateContact(world_->id, world_->contacts, &contact);
     dJointAttach(joint, first, second);
     if (!keep_) continue;

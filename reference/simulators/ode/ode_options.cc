@@ -80,8 +80,7 @@ const OdeOption options[] = {
     {"friction-direction",
      {"engine", "slip"},
      "engine",
-     "first direction of a contact's friction pyramid: ODE's, or where it slides that of the slip "
-     "(dContactFDir1)",
+     "first direction of a contact's friction pyramid: ODE's, or that of the slip (dContactFDir1)",
      [](Run& run, double i) { run.along_slip = i == 1; }},
     {"bounce-velocity",
      {},

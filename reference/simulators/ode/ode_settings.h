@@ -23,10 +23,10 @@ struct OdeSettings {
   double cfm = 1e-10;            ///< Softness of a constraint, >= 0 [s/kg].
   int iterations = 20;           ///< Sweeps of QuickStep, >= 1.
   double over_relaxation = 1.3;  ///< Of QuickStep's sweeps, in (0, 2).
-  int contacts = ode_most_contacts;  ///< Asked for per pair of shapes, from 1.
-  bool coulomb = false;              ///< dContactApprox1: friction is a coefficient; else a largest force.
-  bool along_slip = false;     ///< dContactFDir1: a sliding contact's first friction direction is its slip's.
-  double bounce_velocity = 0;  ///< Approach speed up to which nothing bounces [m/s].
+  int contacts = ode_most_contacts;   ///< Asked for per pair of shapes, from 1.
+  bool coulomb = false;               ///< dContactApprox1: friction is a coefficient; else a largest force.
+  bool along_slip = false;            ///< dContactFDir1: the first friction direction is that of the slip.
+  double bounce_velocity = 0;         ///< Approach speed up to which nothing bounces [m/s].
   std::optional<double> contact_cfm;  ///< dContactSoftCFM: a contact's own softness [s/kg].
   std::optional<double> contact_erp;  ///< dContactSoftERP: a contact's own ERP, in [0, 1].
   double surface_layer = 0;           ///< Depth up to which contacts are left alone [m].
