@@ -388,13 +388,6 @@ TEST(Expert, BulletsRungeKuttaDeclaresItsOrder) {
     return (at[0].position - reference[0].position).norm();
   };
   EXPECT_NEAR(std::log2(top_error(1000) / top_error(2000)), 2, 0.3);
-  // The loop makes a hinge of the two balls: the same motion as hinged().
-  const double end = 2, exact = rod_angle(end);
-  const auto angle_error = [&](const core::Scene& scene, std::int64_t steps) {
-    const Vector3 at = last(choose(id), scene, end / static_cast<double>(steps), steps)[0].position;
-    return std::abs(std::remainder(std::atan2(at.y(), at.x()) - exact, 2 * std::numbers::pi));
-  };
-  EXPECT_NEAR(std::log2(angle_error(looped, 2000) / angle_error(looped, 4000)), 1, 0.3);
 }
 
 }  // namespace
