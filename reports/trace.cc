@@ -76,7 +76,7 @@ std::optional<Ghost> ghost(const core::Claim* followed, const core::Trajectory& 
 
 // A violation is one of the number that the claim is about; a mean or a slope over time has no first one.
 bool has_first_violation(core::Reduction reduction) {
-  return reduction == core::Reduction::max || reduction == core::Reduction::end;
+  return reduction == core::Reduction::max || reduction == core::Reduction::end || core::one_sided(reduction);
 }
 
 ErrorCurve error_curve(const core::Claim& claim, const core::Reading& reading, double dt,

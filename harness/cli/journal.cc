@@ -42,6 +42,7 @@ nlohmann::json to_json(const Request& r) {
           {"workers", r.workers},
           {"suite", r.suite},
           {"metamorphic", r.metamorphic},
+          {"theory", r.theory},
           {"tolerance_scale", r.tolerance_scale},
           {"copies", r.copies},
           {"force", r.force}};
@@ -55,6 +56,7 @@ Request request_from(const nlohmann::json& j) {
           j.at("workers"),
           j.at("suite"),
           j.value("metamorphic", false),
+          j.value("theory", false),
           j.value("tolerance_scale", 1.0),
           j.value("copies", 0),
           j.value("force", false)};
@@ -66,7 +68,9 @@ std::string cell_key(const study::Cell& cell, const std::string& expectations_ha
 }
 
 std::string cell_name(const study::Cell& cell) {
-  std::string asked = cell.exam == study::Exam::relations ? " --metamorphic" : "";
+  std::string asked = cell.exam == study::Exam::relations ? " --metamorphic"
+                      : cell.exam == study::Exam::theory  ? " --theory"
+                                                          : "";
   if (cell.tolerance_scale != 1) asked += fmt::format(" --tolerance-scale {}", cell.tolerance_scale);
   if (cell.copies > 0) asked += fmt::format(" --spread {}", cell.copies);
   if (cell.force) asked += " --force";

@@ -221,10 +221,16 @@ std::string command_for(const Context& context, const std::string& given, const 
 std::string unusual(const Request& request) {
   std::string text;
   if (request.metamorphic) text += " --metamorphic";
+  if (request.theory) text += " --theory";
   if (request.tolerance_scale != 1) text += fmt::format(" --tolerance-scale {}", request.tolerance_scale);
   if (request.copies > 0) text += fmt::format(" --spread {}", request.copies);
   if (request.force) text += " --force";
   return text;
+}
+
+study::Exam exam_of(const Request& request) {
+  if (request.metamorphic) return study::Exam::relations;
+  return request.theory ? study::Exam::theory : study::Exam::claims;
 }
 
 }  // namespace
@@ -251,8 +257,7 @@ Selection select(const Context& context, const Request& request) {
       for (const auto& [text, dt] : steps.empty() ? nominal : steps)
         selection.cells.push_back({scenario.get(), engine, dt, text, known_as,
                                    command_for(context, given, engine, text) + unusual(request),
-                                   request.metamorphic ? study::Exam::relations : study::Exam::claims,
-                                   request.tolerance_scale, request.copies, request.force});
+                                   exam_of(request), request.tolerance_scale, request.copies, request.force});
     }
     if (!used) continue;
     scenario::prepare(*scenario);

@@ -21,6 +21,7 @@ struct Request {
   std::vector<std::string> workers;      ///< NAME=COMMAND, engines of the user's own.
   std::string suite;                     ///< "": conformance.
   bool metamorphic = false;              ///< The relations of mechanics in place of the claims.
+  bool theory = false;                   ///< The claims by theory in place of the scenario's own.
   double tolerance_scale = 1;            ///< Multiplies every tolerance, >= 0.
   int copies = 0;                        ///< Runs that start one ulp apart.
   bool force = false;                    ///< Run what an engine would refuse, where it can express it.

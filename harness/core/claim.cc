@@ -12,7 +12,8 @@
 namespace cylon::core {
 namespace {
 
-constexpr std::array<std::string_view, 5> reductions = {"max", "end", "mean_square", "order", "rate"};
+constexpr std::array<std::string_view, 7> reductions = {"max",  "end",      "mean_square", "order",
+                                                        "rate", "increase", "decrease"};
 
 }  // namespace
 
@@ -22,7 +23,7 @@ void require_truth(const Claim& claim) {
 }
 
 bool claimed(const Observable& q, const Event& event) {
-  return event.kind == q.event && (q.event_quantity == EventQuantity::order || event.index == q.index) &&
+  return event.kind == q.event && (of_all(q.event_quantity) || event.index == q.index) &&
          (!q.body || *q.body == event.pair.body || *q.body == event.pair.other) &&
          (!event_row(q.event).of_two_bodies || event.pair.other == q.to.value_or(world));
 }
@@ -40,6 +41,8 @@ std::string unit(const Claim& claim) {
       return "";
     case Reduction::max:
     case Reduction::end:
+    case Reduction::increase:
+    case Reduction::decrease:
       return base;
   }
   return base;

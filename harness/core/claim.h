@@ -37,7 +37,9 @@ enum class Reduction {
   end,          ///< Deviation at the end.
   mean_square,  ///< Mean over time of the squared deviation, each sample weighted by the step after it.
   order,        ///< Observed order of convergence of the largest deviation under halving of the step.
-  rate          ///< Slope of the deviation against time, least squares.
+  rate,         ///< Slope of the deviation against time, least squares.
+  increase,     ///< One-sided: the largest rise of the value above its least one so far, the start included.
+  decrease      ///< One-sided: the largest fall below its greatest one so far.
 };
 
 class RequiredMotion;  // scale.h
@@ -68,6 +70,11 @@ void require_truth(const Claim&);
 bool claimed(const Observable&, const Event&);
 
 std::string_view name(Reduction);
+
+/// Whether the claim forbids one direction of change alone.
+constexpr bool one_sided(Reduction reduction) {
+  return reduction == Reduction::increase || reduction == Reduction::decrease;
+}
 
 /// Of the measured number: the observable's, squared for mean_square, per second for rate, none for order.
 std::string unit(const Claim&);

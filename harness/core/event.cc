@@ -69,11 +69,12 @@ constexpr std::array rows = {
     EventQuantityRow{EventQuantity::period, "period", "s", mean_period, period_error},
     EventQuantityRow{EventQuantity::rate, "rate", "rad/s", mean_rate, rate_error},
     EventQuantityRow{EventQuantity::order, "order", "", not_a_number, no_error},
+    EventQuantityRow{EventQuantity::count, "count", "", not_a_number, no_error},
 };
 static_assert([] {
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (static_cast<std::size_t>(rows[i].quantity) != i) return false;
-  return rows.back().quantity == EventQuantity::order;
+  return rows.back().quantity == EventQuantity::count;
 }());
 
 }  // namespace

@@ -35,8 +35,14 @@ enum class EventQuantity {
   period,    ///< 2 (t_k - t_1)/(k - 1), k = 3, 5, …: the mean over whole periods of two turns or flips [s].
   rate,  ///< Of the azimuth about the pole: precession: since t = 0; nutation: from event 1 to k = 3, 5, …,
          ///< over whole periods.  Right-handed about the pole is positive [rad/s].
-  order  ///< Bounces: how many of the sequence of pairs are not at their place [1].
+  order,  ///< Bounces: how many of the sequence of pairs are not at their place [1].
+  count   ///< How many there are [1].
 };
+
+/// Whether the number is of all events of a kind, and not of one of them.
+constexpr bool of_all(EventQuantity which) {
+  return which == EventQuantity::order || which == EventQuantity::count;
+}
 
 struct Event {
   EventKind kind = EventKind::bounce;
@@ -66,7 +72,7 @@ std::string_view unit(EventQuantity);
 /// Whether the quantity is a mean over whole periods, which an index of 3, 5, … ends.
 bool over_periods(EventKind, EventQuantity);
 
-/// A number of `event`, which stands in `all`; nothing where it is not known.  Not for order.
+/// A number of `event`, which stands in `all`; nothing where it is not known.  Not for what is of_all.
 std::optional<double> quantity(std::span<const Event> all, const Event& event, EventQuantity);
 
 }  // namespace cylon::core

@@ -25,14 +25,6 @@ Reading no_signal(const Subject&, const State&, double) { return {}; }
 
 Error no_error(const Subject&, const State&, const StateError&) { return {}; }
 
-Reason not_a_sphere(const Scene& scene, const Pair& pair) {
-  if (auto why = gap_undefined(scene, pair)) return why;
-  const Body& body = body_of(scene, pair);
-  if (!std::holds_alternative<Sphere>(body.shape))
-    return "bounces and apexes are watched on spheres; '" + body.name + "' is none";
-  return std::nullopt;
-}
-
 // ---- Roll ---------------------------------------------------------------------------------------
 
 // A pair counts as touching while its gap is within this part of the distance from the centre to the contact.
@@ -48,6 +40,16 @@ double arm(const Subject& subject, const State& state) {
   if (subject.pair.plane < 0) return radius(body_of(subject));
   const Plane& plane = subject.scene.planes[static_cast<std::size_t>(subject.pair.plane)];
   return plane.normal.dot(state[subject.body].position) - plane.offset;
+}
+
+Reason no_contact_point(const Scene& scene, const Pair& pair) {
+  if (pair.plane >= 0) return std::nullopt;
+  for (const int index : {pair.body, pair.other}) {
+    const Body& body = scene.bodies[static_cast<std::size_t>(index)];
+    if (!std::holds_alternative<Sphere>(body.shape))
+      return "the slip between two bodies is computed for spheres only; '" + body.name + "' is none";
+  }
+  return std::nullopt;
 }
 
 // v of the bodies' material at the contact, relative to each other and along the surfaces:
@@ -235,52 +237,59 @@ using enum EventQuantity;
 
 const auto& table() {  // in a function, because other sources ask for it before main
   static const std::array rows = {
-      EventRow{
-          .type =
-              {EventKind::bounce, "bounce", "a pair touches and separates", true, 1, {time, speed, order}},
-          .search = EventSearch::watch,
-          .signal = no_signal,
-          .error = no_error,
-          .undefined = not_a_sphere},
-      EventRow{.type = {EventKind::apex, "apex", "the largest gap after a bounce", true, 0, {time, height}},
+      EventRow{.type = {EventKind::bounce,
+                        "bounce",
+                        "a pair touches and separates",
+                        true,
+                        1,
+                        {time, speed, order, count}},
                .search = EventSearch::watch,
                .signal = no_signal,
                .error = no_error,
-               .undefined = not_a_sphere},
-      EventRow{.type = {EventKind::roll, "roll", "a touching pair stops sliding", true, 1, {time}},
+               .undefined = gap_undefined},
+      EventRow{
+          .type = {EventKind::apex, "apex", "the largest gap after a bounce", true, 0, {time, height, count}},
+          .search = EventSearch::watch,
+          .signal = no_signal,
+          .error = no_error,
+          .undefined = gap_undefined},
+      EventRow{.type = {EventKind::roll, "roll", "a touching pair stops sliding", true, 1, {time, count}},
                .search = EventSearch::end_of_slip,
                .signal = slip,
                .error = slip_error,
-               .undefined = gap_undefined},
+               .undefined = no_contact_point},
       EventRow{.type = {EventKind::flip,
                         "flip",
                         "the spin about the intermediate axis changes sign",
                         false,
                         1,
-                        {time, period}},
+                        {time, period, count}},
                .prepare = take_intermediate_axis,
                .signal = spin_about_axis,
                .error = spin_error,
                .undefined = no_intermediate_axis},
-      EventRow{
-          .type =
-              {EventKind::swing, "swing", "a swing about the axis of a joint ends", false, 1, {time, period}},
-          .prepare = take_axle,
-          .signal = spin_about_axis,
-          .error = spin_error,
-          .undefined = no_axle},
+      EventRow{.type = {EventKind::swing,
+                        "swing",
+                        "a swing about the axis of a joint ends",
+                        false,
+                        1,
+                        {time, period, count}},
+               .prepare = take_axle,
+               .signal = spin_about_axis,
+               .error = spin_error,
+               .undefined = no_axle},
       EventRow{.type = {EventKind::apsis,
                         "apsis",
                         "the distance from `about`, or from `to`, turns",
                         false,
                         1,
-                        {time, distance, period}},
+                        {time, distance, period, count}},
                .of_two_bodies = true,
                .value = &Event::distance,
                .signal = approach,
                .error = approach_error,
                .undefined = distance_from_itself},
-      EventRow{.type = {EventKind::turn, "turn", "the height turns", false, 1, {time, height, period}},
+      EventRow{.type = {EventKind::turn, "turn", "the height turns", false, 1, {time, height, period, count}},
                .value = &Event::height,
                .signal = climb,
                .error = climb_error},
@@ -289,7 +298,7 @@ const auto& table() {  // in a function, because other sources ask for it before
                         "the axis' angle from its pole turns",
                         false,
                         1,
-                        {time, angle, period, rate}},
+                        {time, angle, period, rate, count}},
                .rate_over_periods = true,
                .value = &Event::angle,
                .prepare = take_symmetry_axis,
@@ -301,20 +310,23 @@ const auto& table() {  // in a function, because other sources ask for it before
                         "the axis has gone round its pole once more",
                         false,
                         1,
-                        {time, angle, rate}},
+                        {time, angle, rate, count}},
                .search = EventSearch::whole_turn,
                .value = &Event::angle,
                .prepare = take_symmetry_axis,
                .signal = tilt,
                .error = tilt_error,
                .undefined = no_axis_or_pole},
-      EventRow{
-          .type =
-              {EventKind::crossing, "crossing", "the centre crosses the water's surface", false, 1, {time}},
-          .force_jumps = true,
-          .signal = height_over_water,
-          .error = height_error,
-          .undefined = no_water},
+      EventRow{.type = {EventKind::crossing,
+                        "crossing",
+                        "the centre crosses the water's surface",
+                        false,
+                        1,
+                        {time, count}},
+               .force_jumps = true,
+               .signal = height_over_water,
+               .error = height_error,
+               .undefined = no_water},
   };
   return rows;
 }

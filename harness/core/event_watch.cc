@@ -9,14 +9,6 @@
 namespace cylon::core {
 namespace {
 
-// d(gap)/dt of spheres and points: along the plane's normal, or along the line of centres.
-double gap_rate(const Scene& scene, const Pair& pair, const State& state) {
-  const BodyState& a = state[static_cast<std::size_t>(pair.body)];
-  if (pair.plane >= 0) return scene.planes[static_cast<std::size_t>(pair.plane)].normal.dot(a.velocity);
-  const BodyState& b = state[static_cast<std::size_t>(pair.other)];
-  return (b.position - a.position).normalized().dot(b.velocity - a.velocity);
-}
-
 // The root of g + u s + a s^2/2 nearest to s = 0, in the form that does not cancel:
 // s = -2 g / (u + sign(u) sqrt(u^2 - 2 a g)); without a root, the vertex s = -u/a.
 double nearest_root(double g, double u, double a) {

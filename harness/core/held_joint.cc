@@ -79,14 +79,21 @@ void add_turn(const HeldJoint& j, const End& a, const End& b, std::vector<JointR
   }
 }
 
+Quaternion turn_at_start(const Scene& scene, int body) {
+  if (body == world) return Quaternion::Identity();
+  return scene.bodies[static_cast<std::size_t>(body)].initial.orientation;
+}
+
+Quaternion turn_now(const State& state, int body) {
+  if (body == world) return Quaternion::Identity();
+  return state[static_cast<std::size_t>(body)].orientation;
+}
+
 }  // namespace
 
 std::vector<HeldJoint> held_joints(const Scene& scene) {
   std::vector<HeldJoint> held;
-  const auto turn_of = [&](int body) {
-    return body == world ? Quaternion(Quaternion::Identity())
-                         : scene.bodies[static_cast<std::size_t>(body)].initial.orientation;
-  };
+  const auto turn_of = [&](int body) { return turn_at_start(scene, body); };
   for (const Joint& joint : scene.joints) {
     const auto in_axes_of = [&](int body) {
       return body == world ? joint.axis : Vector3(turn_of(body).conjugate() * joint.axis);
@@ -121,6 +128,25 @@ double open_by(const Scene& scene, const Joint& joint, const State& state) {
       return apart - joint.length;
   }
   return apart;
+}
+
+double turned_by(const Scene& scene, const Joint& joint, const State& state) {
+  // How a body has turned since the start, in world axes.
+  const auto since = [&](int body) {
+    return Quaternion(turn_now(state, body) * turn_at_start(scene, body).conjugate());
+  };
+  const Quaternion ours = since(joint.body), theirs = since(joint.to);
+  switch (kind_of(joint.type).turn) {
+    case JointTurn::freely:
+      break;
+    case JointTurn::about_axis: {
+      const Vector3 a = ours * joint.axis, b = theirs * joint.axis;
+      return std::atan2(a.cross(b).norm(), a.dot(b));
+    }
+    case JointTurn::never:
+      return rotation_vector(theirs.conjugate() * ours).norm();
+  }
+  return 0;
 }
 
 Vector3 forbidden_velocity(JointPlace place, const Vector3& apart, const Vector3& v) {

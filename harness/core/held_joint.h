@@ -38,6 +38,11 @@ void add_rows(const HeldJoint&, const State&, std::vector<JointRow>&);
 /// How far a joint of the scene is open [m]: distance of the two points, or what it is off its length by.
 double open_by(const Scene&, const Joint&, const State&);
 
+/// How far the bodies of a joint of the scene are turned against each other as it forbids [rad]: the angle
+/// between its axis in the one and in the other, or that of their relative turn since t = 0; 0 for a joint that lets
+/// them turn freely.
+double turned_by(const Scene&, const Joint&, const State&);
+
 /// The part of v, the velocity of the one point relative to the other, that a joint forbids; the points are
 /// `apart`.
 Vector3 forbidden_velocity(JointPlace, const Vector3& apart, const Vector3& v);

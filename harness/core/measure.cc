@@ -59,6 +59,8 @@ double reduce(Reduction reduction, const Series& series) {
       return n ? series.deviation.back() : 0;
     case Reduction::max:
     case Reduction::order:
+    case Reduction::increase:
+    case Reduction::decrease:
       for (const double d : series.deviation) result = worst(d, result);
       return result;
     case Reduction::mean_square: {
@@ -109,10 +111,18 @@ void measure_order(const Claim& claim, const Scene& scene, const Recording& reco
   }
 }
 
+// How many events there are too many, or too few.
+void measure_count(const Claim& claim, const std::vector<Event>& found, Measured& result) {
+  const std::size_t want = asked_for(claim, claim.truth->events).size(), got = asked_for(claim, found).size();
+  result.value = std::abs(static_cast<double>(got) - static_cast<double>(want));
+  if (got != want) result.detail = fmt::format("{} came, but {} were expected", got, want);
+}
+
 void measure_event(const Claim& claim, const Scene& scene, const Recording& recording, Measured& result) {
   const Observable& q = claim.observable;
   if (q.event_quantity == EventQuantity::order) return measure_order(claim, scene, recording, result);
   const std::vector<Event> found = find_events(q, scene, recording);
+  if (q.event_quantity == EventQuantity::count) return measure_count(claim, found, result);
   for (const Event& want : asked_for(claim, claim.truth->events)) {
     const double due = quantity(claim.truth->events, want, q.event_quantity).value_or(0);
     const auto event = std::find_if(found.begin(), found.end(), [&](const Event& e) {
@@ -194,6 +204,28 @@ double still_missing(double before, double at_least, double apart) {
   return std::max(0.0, at_least - apart) < before ? std::max(0.0, at_least - apart) : before;
 }
 
+// How far each entry of an observable of one number has risen above its least value so far, or fallen below
+// its greatest; the worst counts.
+class OneSided {
+ public:
+  OneSided(Reduction reduction, const Values& start) : sense_(reduction == Reduction::increase ? 1 : -1) {
+    for (const auto& entry : start) least_.push_back(sense_ * entry.sum());
+  }
+  double operator()(const Values& now) {
+    double most = 0;
+    for (std::size_t i = 0; i < least_.size(); ++i) {
+      const double x = sense_ * now[i].sum();  // one coordinate, and zeros
+      most = worst(x - least_[i], most);
+      least_[i] = std::min(least_[i], x);
+    }
+    return most;
+  }
+
+ private:
+  double sense_;
+  std::vector<double> least_;
+};
+
 }  // namespace
 
 Series deviation(const Claim& claim, const Scene& scene, const Recording& recording) {
@@ -203,13 +235,16 @@ Series deviation(const Claim& claim, const Scene& scene, const Recording& record
   Values start, want, got;
   double missing = claim.at_least.value_or(0);
   if (!claim.truth) evaluate(claim.observable, scene, initial_state(scene), start);
+  OneSided one_way(claim.reduction, start);
   for (std::size_t i = 0; i < recording.states.size(); ++i) {
     if (!chosen(recording.steps[i])) continue;
     const double t = recording.time(i);
     if (claim.truth) evaluate(claim.observable, scene, claim.truth->state(t), want);
     evaluate(claim.observable, scene, recording.states[i], got);
     series.time.push_back(t);
-    const double apart = distance(claim.observable, got, claim.truth ? want : start);
+    const double apart = one_sided(claim.reduction)
+                             ? one_way(got)
+                             : distance(claim.observable, got, claim.truth ? want : start);
     if (claim.at_least) missing = still_missing(missing, *claim.at_least, apart);
     series.deviation.push_back(claim.at_least ? missing : apart);
   }

@@ -15,8 +15,8 @@ namespace cylon::core {
 /// A claim's deviation at each of its samples.
 struct Series {
   std::vector<double> time;       ///< [s]
-  std::vector<double> deviation;  ///< |Q(t) - Q*(t)|, |Q(t) - Q(0)|, or what is missing of `at_least` so
-                                  ///< far, in the observable's unit.
+  std::vector<double> deviation;  ///< |Q(t) - Q*(t)|, |Q(t) - Q(0)|, what is missing of `at_least` so far, or
+                                  ///< the rise or fall of a one-sided claim, in the observable's unit.
 };
 
 /// The step by which a least change must show: the first that is not before the claim's `until`.

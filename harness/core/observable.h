@@ -12,18 +12,19 @@
 namespace cylon::core {
 
 enum class Quantity {
-  position,          ///< Of each body [m].
-  velocity,          ///< Of each body [m/s].
-  orientation,       ///< Of each body; distance 4 asin(|q - q'|/2) after the sign fix, in [0, pi] [rad].
-  axis,              ///< Symmetry axis of each body in world axes; distance is the angle [rad].
-  angular_velocity,  ///< Of each body, world axes [rad/s].
-  linear_momentum,   ///< Total, or of one body [kg m/s].
-  angular_momentum,  ///< Total, or of one body, about `about` [kg m^2/s].
-  energy,            ///< Kinetic plus potential of the scene's forces [J].
-  kinetic_energy,    ///< Total, or of one body [J].
-  normal_gap,        ///< min(0, gap) of each touching pair: 0 while apart, minus the depth inside [m].
-  joint_gap,         ///< Distance between the two anchors of each joint, less its length [m].
-  event              ///< A number of one event: event.h.
+  position,           ///< Of each body [m].
+  velocity,           ///< Of each body [m/s].
+  orientation,        ///< Of each body; distance 4 asin(|q - q'|/2) after the sign fix, in [0, pi] [rad].
+  axis,               ///< Symmetry axis of each body in world axes; distance is the angle [rad].
+  angular_velocity,   ///< Of each body, world axes [rad/s].
+  linear_momentum,    ///< Total, or of one body [kg m/s].
+  angular_momentum,   ///< Total, or of one body, about `about` [kg m^2/s].
+  energy,             ///< Kinetic plus potential of the scene's forces [J].
+  kinetic_energy,     ///< Total, or of one body [J].
+  normal_gap,         ///< min(0, gap) of each touching pair: 0 while apart, minus the depth inside [m].
+  joint_gap,          ///< Distance between the two anchors of each joint, less its length [m].
+  angular_joint_gap,  ///< Angle by which each joint's bodies are turned as it forbids [rad].
+  event               ///< A number of one event: event.h.
 };
 
 enum class Component { all, x, y, z, horizontal };
@@ -62,9 +63,12 @@ double magnitude(const Observable&, const Values&);
 /// [J].
 double energy_scale(const Scene&, const State&);
 
-/// Gap between the surfaces of a pair, negative inside [m].  Spheres and points against planes and
-/// spheres; boxes, cylinders, capsules, cones, discs, rods and hulls against planes.
+/// Gap between the surfaces of a pair, negative inside [m].  Against a plane of any body; of two bodies where
+/// both are convex or compounds of convex parts: minus the depth of the deepest two parts.
 double gap(const Scene&, const Pair&, const State&);
+
+/// d gap/dt for rigid bodies: the relative speed along the normal of the two points that are nearest [m/s].
+double gap_rate(const Scene&, const Pair&, const State&);
 
 /// Why gap() does not serve a pair, or nothing when it does.
 std::optional<std::string> gap_undefined(const Scene&, const Pair&);

@@ -4,6 +4,7 @@
 #include "harness/core/force_law.h"
 #include "harness/core/held_joint.h"
 #include "harness/core/near_pairs.h"
+#include "harness/core/solid.h"
 #include "harness/core/surfaces.h"
 #include "harness/core/worst.h"
 
@@ -257,8 +258,17 @@ std::optional<std::string> normal_gap_undefined(const Observable& q, const Scene
   return why;
 }
 
+// By the balls around two bodies; false where a number is none.
+bool surely_apart(const Scene& scene, const Pair& pair, const State& state) {
+  if (pair.plane >= 0) return false;
+  const auto a = static_cast<std::size_t>(pair.body), b = static_cast<std::size_t>(pair.other);
+  const double reach = bounding_radius(scene.bodies[a].shape) + bounding_radius(scene.bodies[b].shape);
+  return (state[a].position - state[b].position).norm() > reach;
+}
+
 void normal_gap(const Observable& q, const Scene& scene, const State& state, Values& values) {
   for (const Pair& pair : q.body ? touching_pairs(scene, *q.body) : near_pairs(scene, state)) {
+    if (surely_apart(scene, pair, state)) continue;
     const double g = gap(scene, pair, state);
     if (!(g >= 0)) values.emplace_back(g, pair.body, pair.other, pair.plane);  // NaN stays
   }
@@ -281,6 +291,23 @@ double joint_gap_error(const Observable&, const Scene& scene, const State&, cons
     arm = std::max(
         arm, (joint.point - scene.bodies[static_cast<std::size_t>(joint.body)].initial.position).norm());
   return 2 * (e.position + arm * e.orientation);
+}
+
+std::optional<std::string> angular_joint_gap_undefined(const Observable& q, const Scene& scene) {
+  for (const Joint& joint : scene.joints)
+    if (concerns(q, joint.body, joint.to) && kind_of(joint.type).turn != JointTurn::freely)
+      return std::nullopt;
+  return "no joint there keeps bodies from turning against each other";
+}
+
+void angular_joint_gap(const Observable& q, const Scene& scene, const State& state, Values& values) {
+  for (const Joint& joint : scene.joints)
+    if (concerns(q, joint.body, joint.to)) values.push_back(scalar(turned_by(scene, joint, state)));
+}
+
+// Each of the two bodies may be turned.
+double angular_joint_gap_error(const Observable&, const Scene&, const State&, const StateError& e) {
+  return 2 * e.orientation;
 }
 
 // ---- Events have numbers of their own: event_rows.h ---------------------------------------------
@@ -318,6 +345,8 @@ constexpr std::array rows = {
                   largest_of<depth>, nullptr, error_of_state<&StateError::position>},
     ObservableRow{Quantity::joint_gap, "joint_gap", "m", joint_gap_undefined, joint_gap, norms, largest,
                   nullptr, joint_gap_error},
+    ObservableRow{Quantity::angular_joint_gap, "angular_joint_gap", "rad", angular_joint_gap_undefined,
+                  angular_joint_gap, norms, no_magnitude, nullptr, angular_joint_gap_error},
     ObservableRow{Quantity::event, "event", "", event_undefined, no_values, norms, largest, nullptr,
                   no_error},
 };

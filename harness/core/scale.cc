@@ -200,6 +200,7 @@ std::vector<Term> terms_of(const Claim& claim, const Scene& scene, const Traject
     case Quantity::axis:
     case Quantity::normal_gap:
     case Quantity::joint_gap:
+    case Quantity::angular_joint_gap:
     case Quantity::event:
       return {};
   }
@@ -231,6 +232,7 @@ double at_rest(const Claim& claim, const Scene& scene, double duration, double g
       return speed;
     case Quantity::orientation:
     case Quantity::axis:
+    case Quantity::angular_joint_gap:
       return 1;
     case Quantity::angular_velocity:
       return 1 / duration;
@@ -312,7 +314,9 @@ double scale(const Claim& claim, const Scene& scene, double duration) {
   const Quantity quantity = claim.observable.quantity;
   if (quantity == Quantity::event) return scale_of_event(claim, scene, duration);
   const double rest = at_rest(claim, scene, duration, norm_of_gravity(scene));
-  if (quantity == Quantity::normal_gap || quantity == Quantity::joint_gap) return rest;
+  if (quantity == Quantity::normal_gap || quantity == Quantity::joint_gap ||
+      quantity == Quantity::angular_joint_gap)
+    return rest;
   const Trajectory path = motion_of(claim, scene, duration);
   if (quantity == Quantity::orientation || quantity == Quantity::axis) {
     const double turned = range_of_angles(claim, scene, path);

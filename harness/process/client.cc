@@ -36,6 +36,33 @@ Run requested(const RunRequest& request) {
   return run;
 }
 
+/// Holds the CPU time that a worker tells of its steps against what its processes used meanwhile: more it cannot have
+/// been.  Where next to nothing but steps was done, it cannot have been less than half of it either.
+class CpuWitness {
+ public:
+  explicit CpuWitness(const Conversation& worker) : worker_(worker), before_(worker.cpu_seconds()) {}
+
+  void require_at_most_used(double told) const {
+    const double used = worker_.cpu_seconds() - before_;
+    if (!(told > used + slack)) return;
+    // A worker behind a shell, or with helpers: what its group used since it was started.
+    if (told > worker_.group_cpu_seconds() + slack)
+      broken(fmt::format(
+          "step_ns: {:.3g} s of CPU time for the steps, but its processes used {:.3g} s in all", told, used));
+  }
+  void require_half_of_used(double told) const {
+    const double used = worker_.cpu_seconds() - before_;
+    if (2 * told + slack < used)
+      broken(fmt::format("step_ns: {:.3g} s of CPU time for the steps, but its process used {:.3g} s", told,
+                         used));
+  }
+
+ private:
+  static constexpr double slack = 0.05;  // ticks of the kernel, requests, one state [s]
+  const Conversation& worker_;
+  double before_;
+};
+
 /// Asks for the run and collects it.  A worker that cannot watch is asked for every step instead, and the
 /// harness watches and keeps what was wanted.
 class Recorder {
@@ -54,6 +81,7 @@ class Recorder {
   }
 
   core::Recording record(Conversation& worker) {
+    const CpuWitness witness(worker);
     worker.ask(run_request(asked_));
     for (;;) {
       const std::variant<json, Frame> message = worker.next();
@@ -69,6 +97,7 @@ class Recorder {
       } else {
         require_ok(answer, "run");
         finish(done_from_json(answer));
+        witness.require_at_most_used(times_.step_seconds);
         return std::move(recording_);
       }
     }
@@ -132,7 +161,9 @@ Repetition repeat(Conversation& worker, const EngineChoice& choice, const RunReq
   core::State start = read_start(worker, request.scene->bodies.size());
   Recorder recorder(*request.scene, {request.steps, std::max<std::int64_t>(1, request.steps), {}, {}},
                     hello.events, request.setup.dt, std::move(start));
+  const CpuWitness witness(worker);
   recorder.record(worker);
+  witness.require_half_of_used(recorder.times().step_seconds);
   return recorder.times();
 }
 

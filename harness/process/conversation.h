@@ -43,6 +43,8 @@ class Conversation {
   std::string finish(double seconds);
   void kill() { child_.kill(); }
   std::size_t peak_bytes() const { return child_.peak_bytes(); }
+  double cpu_seconds() const { return child_.cpu_seconds(); }
+  double group_cpu_seconds() const { return child_.group_cpu_seconds(); }
   std::string complaints() const { return child_.complaints(); }
 
  private:

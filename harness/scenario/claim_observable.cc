@@ -17,13 +17,23 @@ using core::Quantity;
 const std::vector<std::string> components = {"", "x", "y", "z", "horizontal"};
 
 const std::vector<std::string> event_kinds = words(core::EventKind::crossing);
-const std::vector<std::string> event_quantities = words(core::EventQuantity::order);
+const std::vector<std::string> event_quantities = words(core::EventQuantity::count);
 
 bool is_vector(Quantity q) {
   return q == Quantity::position || q == Quantity::velocity || q == Quantity::angular_velocity ||
          q == Quantity::linear_momentum || q == Quantity::angular_momentum;
 }
+bool is_number(const Observable& q) {
+  return q.quantity == Quantity::energy || q.quantity == Quantity::kinetic_energy ||
+         (is_vector(q.quantity) && q.component != core::Component::all &&
+          q.component != core::Component::horizontal);
+}
 bool turns(Quantity q) { return is_angle(q) || q == Quantity::angular_velocity; }
+
+bool one_sided(const Table& t) {
+  const std::string measure = t.text("measure", "max");
+  return measure == core::name(core::Reduction::increase) || measure == core::name(core::Reduction::decrease);
+}
 
 Quantity quantity_of(const Table& t, std::string_view key) {
   for (int i = 0; i <= static_cast<int>(Quantity::event); ++i)
@@ -40,8 +50,9 @@ void read_event(const Table& t, const Draft& draft, Observable& q) {
   if (t.has("to")) q.to = draft.body(t, "to");
   refuse(t, {"to", "about"}, q.event != core::EventKind::apsis, "belongs to event = \"apsis\"");
   refuse(t, {"about"}, q.to.has_value(), "does not go with 'to'");
-  refuse(t, {"index"}, q.event_quantity == core::EventQuantity::order,
-         "does not go with quantity = \"order\", which is that of all");
+  refuse(
+      t, {"index"}, core::of_all(q.event_quantity),
+      fmt::format("does not go with quantity = \"{}\", which is that of all", core::name(q.event_quantity)));
   if (q.index < type.first_index)
     t.fail("index", fmt::format("index = {}, but the events of kind '{}' count from {}", q.index, type.name,
                                 type.first_index));
@@ -59,7 +70,9 @@ void read_event(const Table& t, const Draft& draft, Observable& q) {
 
 }  // namespace
 
-bool is_angle(Quantity q) { return q == Quantity::orientation || q == Quantity::axis; }
+bool is_angle(Quantity q) {
+  return q == Quantity::orientation || q == Quantity::axis || q == Quantity::angular_joint_gap;
+}
 
 void refuse(const Table& t, std::initializer_list<const char*> keys, bool when, std::string_view why) {
   for (const char* key : keys)
@@ -107,6 +120,11 @@ Observable read_observable(const Table& t, const Draft& draft) {
   if (turns(q.quantity) && only_points)
     t.fail(key,
            fmt::format("{}: a point (a body without shape and inertia) has none", core::name(q.quantity)));
+  if (one_sided(t) && (!t.has("conserves") || !is_number(q)))
+    t.fail("measure",
+           fmt::format("measure = \"{}\" belongs to 'conserves' with an energy, or with component = "
+                       "\"x\", \"y\" or \"z\" of a vector: what neither rises nor falls is no number",
+                       t.text("measure")));
   if (const auto why = core::undefined_in(q, draft.scene))
     t.fail(key, fmt::format("{}: {}", core::name(q.quantity), *why));
   return q;
@@ -115,17 +133,22 @@ Observable read_observable(const Table& t, const Draft& draft) {
 std::string label_of(const Table& t, const core::Claim& claim) {
   const Observable& q = claim.observable;
   std::string label(core::name(q.quantity));
-  label += claim.at_least ? " changes" : claim.follows.empty() ? " conserved" : " follows " + claim.follows;
+  label += claim.at_least                                 ? " changes"
+           : claim.reduction == core::Reduction::increase ? " never rises"
+           : claim.reduction == core::Reduction::decrease ? " never falls"
+           : claim.follows.empty()                        ? " conserved"
+                                                          : " follows " + claim.follows;
   if (q.quantity == Quantity::event)
     label += fmt::format(", {}{} {}", core::name(q.event),
-                         q.event_quantity == core::EventQuantity::order ? "" : fmt::format(" {}", q.index),
+                         core::of_all(q.event_quantity) ? "" : fmt::format(" {}", q.index),
                          core::name(q.event_quantity));
   if (t.has("body")) label += ", " + t.text("body");
   if (t.has("to")) label += ", to " + t.text("to");
   if (q.component != core::Component::all) label += ", " + t.text("component");
   if (t.has("about")) label += fmt::format(", about {} {} {}", q.about.x(), q.about.y(), q.about.z());
   if (t.has("until")) label += fmt::format(", until {}{}", t.is_text("until") ? "horizon " : "", claim.until);
-  if (t.has("measure") && claim.reduction != core::Reduction::max) label += ", " + t.text("measure");
+  if (t.has("measure") && claim.reduction != core::Reduction::max && !core::one_sided(claim.reduction))
+    label += ", " + t.text("measure");
   if (claim.tolerance.order) label += ", order";
   return label;
 }

@@ -31,12 +31,14 @@ core::Tolerance read_tolerance(const Table& t, const Claim& claim) {
     t.fail("order", "order = true checks the order already; measure = \"order\" takes absolute");
   if (!result.order && !t.has("absolute") && !t.has("relative"))
     t.fail("tolerance needs 'absolute', 'relative', or 'order' with 'constant'");
-  if (result.order && claim.at_least)
-    t.fail("order", "order = true does not go with 'changes'; use absolute or relative");
+  if (result.order && (claim.at_least || core::one_sided(claim.reduction)))
+    t.fail("order",
+           "order = true does not go with 'changes', nor with a claim of one side; use absolute or relative");
   if (t.has("relative") && !claim.at_least && is_angle(claim.observable.quantity))
     t.fail("relative", fmt::format("relative: {} is an angle and has no scale; use absolute [rad]",
                                    core::name(claim.observable.quantity)));
-  if (t.has("relative") && claim.reduction != Reduction::max && claim.reduction != Reduction::end)
+  if (t.has("relative") && claim.reduction != Reduction::max && claim.reduction != Reduction::end &&
+      !core::one_sided(claim.reduction))
     t.fail("relative",
            fmt::format("relative does not go with measure = \"{}\", whose unit is another; use absolute",
                        core::name(claim.reduction)));

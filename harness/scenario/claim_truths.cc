@@ -56,7 +56,7 @@ namespace {
 bool has_event(const core::Truth& truth, const Observable& q) {
   return std::ranges::any_of(truth.events, [&](const core::Event& e) {
     if (e.kind != q.event || (q.body && e.pair.body != *q.body && e.pair.other != *q.body)) return false;
-    if (q.event_quantity == core::EventQuantity::order) return true;
+    if (core::of_all(q.event_quantity)) return true;
     return e.index == q.index && core::quantity(truth.events, e, q.event_quantity).has_value();
   });
 }
@@ -64,7 +64,8 @@ bool has_event(const core::Truth& truth, const Observable& q) {
 }  // namespace
 
 void require_event(const Table& t, const Claim& claim, double horizon) {
-  if (!claim.truth || claim.observable.quantity != core::Quantity::event ||
+  const bool none_is_right = claim.observable.event_quantity == core::EventQuantity::count;
+  if (!claim.truth || claim.observable.quantity != core::Quantity::event || none_is_right ||
       has_event(*claim.truth, claim.observable))
     return;
   t.fail(t.has("index") ? "index" : "event",

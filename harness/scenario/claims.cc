@@ -22,7 +22,7 @@ using core::Quantity;
 using core::Reduction;
 
 Reduction reduction_of(const Table& t) {
-  for (int i = 0; i <= static_cast<int>(Reduction::rate); ++i)
+  for (int i = 0; i <= static_cast<int>(Reduction::decrease); ++i)
     if (core::name(static_cast<Reduction>(i)) == t.text("measure", "max")) return static_cast<Reduction>(i);
   t.fail("measure", "measure is unknown");
 }
@@ -81,6 +81,7 @@ std::string lacks(const core::Truth& truth, Quantity quantity, bool only_points)
     case Quantity::axis:
     case Quantity::normal_gap:
     case Quantity::joint_gap:
+    case Quantity::angular_joint_gap:
       return orientation;
     case Quantity::angular_velocity:
       return spin;

@@ -45,5 +45,9 @@ const Spec* lattice_spec();
 const Spec* cloud_spec();
 const Spec* joint_spec();
 const Spec* claim_spec();
+const Spec* theory_spec();
+
+/// The words of Theory::Forces.
+const std::vector<std::string>& forces_of_theory();
 
 }  // namespace cylon::scenario

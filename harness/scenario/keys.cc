@@ -161,6 +161,9 @@ const Spec& scenario_keys() {
     add(std::type_identity<core::Material>{}, tables, spec_of<core::Material>);
     add(std::type_identity<core::Frame>{}, table, spec_of<core::Frame>);
     keys.push_back(nested("claim", tables, claim_spec, "What must hold, and how well."));
+    keys.push_back(
+        nested("theory", table, theory_spec,
+               "How fast the motion goes, for the claims by theory (docs/claims.md#claims-by-theory)."));
     return Spec{.label = "a scenario", .keys = keys};
   }();
   return spec;

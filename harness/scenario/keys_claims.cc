@@ -57,6 +57,27 @@ std::string event_meaning() {
 }
 }  // namespace
 
+const std::vector<std::string>& forces_of_theory() {
+  static const std::vector<std::string> words = {"smooth", "kinked", "jumping"};
+  return words;
+}
+
+const Spec* theory_spec() {
+  static const Spec spec{
+      .label = "[theory]",
+      .keys = {
+          required(real("rate", "1/s", "The fastest rate of the motion.", positive)),
+          absent("1", real("magnification", "", "What the motion itself makes of an error.", {.low = 1})),
+          absent("smooth",
+                 word("forces",
+                      "kinked: friction changes its law within a step, and no order shows. jumping: forces "
+                      "jump or bodies strike, and fixed steps are of first order.",
+                      forces_of_theory())),
+          absent("the duration", real("until", "s", "How far it goes: a whole number of steps.", positive)),
+          required(word("reason", "Where the rate comes from."))}};
+  return &spec;
+}
+
 const Spec* claim_spec() {
   static const Spec spec{
       .label = "[[claim]]",
@@ -80,12 +101,12 @@ const Spec* claim_spec() {
                                          "ulp stays below a tenth of the tolerance.")),
           seconds("sample", Kind::sample, "Time between samples, or every step."),
           absent("max",
-                 word("measure", "How the deviations become one number.", words(core::Reduction::rate))),
+                 word("measure", "How the deviations become one number.", words(core::Reduction::decrease))),
           word("event", event_meaning(), words(core::EventKind::crossing)),
           absent("`about`, a point of the world", word("to", "Of `event = \"apsis\"`: the other body.")),
           absent("1", integer("index", "Of the event, counted per pair or body.", {.low = 0, .high = 1e9})),
           absent("time",
-                 word("quantity", "Of the event: which of its numbers.", words(core::EventQuantity::order))),
+                 word("quantity", "Of the event: which of its numbers.", words(core::EventQuantity::count))),
           required(
               nested("tolerance", table, tolerance_spec,
                      "How well it must hold, and why: `absolute`, `relative` or their sum, or `order`."))}};

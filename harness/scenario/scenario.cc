@@ -3,6 +3,7 @@
 #include "harness/core/recording.h"
 #include "harness/scenario/claims.h"
 #include "harness/scenario/draft.h"
+#include "harness/scenario/key_rows.h"
 #include "harness/scenario/read_element.h"
 
 #include <fmt/format.h>
@@ -17,12 +18,27 @@ double read_step(const Table& root) {
   return root.is_text("step") ? parse_step(root.text("step")) : root.number("step");
 }
 
-void require_whole_steps(const Table& root, double duration, double step) {
+void require_whole_steps(const Table& t, const char* key, double time, double step) {
   try {
-    core::whole_steps(duration, step);
+    core::whole_steps(time, step);
   } catch (const std::invalid_argument& error) {
-    root.fail("duration", fmt::format("duration = {}: {}", duration, error.what()));
+    t.fail(key, fmt::format("{} = {}: {}", key, time, error.what()));
   }
+}
+
+std::optional<Theory> read_theory(const Table& root, double duration, double step) {
+  const auto t = root.table("theory");
+  if (!t) return std::nullopt;
+  Theory theory{.rate = t->number("rate"),
+                .magnification = t->number("magnification", 1),
+                .forces = t->choice("forces", forces_of_theory(), Theory::Forces::smooth),
+                .until = t->number("until", duration),
+                .reason = t->text("reason")};
+  if (theory.until > duration)
+    t->fail("until",
+            fmt::format("until = {}, but must be in (0, {}] s, the duration", theory.until, duration));
+  require_whole_steps(*t, "until", theory.until, step);
+  return theory;
 }
 
 Scenario read(std::string_view text, const std::string& file_name) {
@@ -40,7 +56,8 @@ Scenario read(std::string_view text, const std::string& file_name) {
   scenario.duration = root.number("duration");
   scenario.step = read_step(root);
   scenario.step_text = document->written(root, "step");
-  require_whole_steps(root, scenario.duration, scenario.step);
+  require_whole_steps(root, "duration", scenario.duration, scenario.step);
+  scenario.theory = read_theory(root, scenario.duration, scenario.step);
 
   Draft draft;
   draft.folder = path.parent_path();

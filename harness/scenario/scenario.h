@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,20 @@
 namespace cylon::scenario {
 
 class CertifiedClaims;
+
+/// What the order or the error bound that an integrator states means for the errors in this scenario: study/theory.h.
+struct Theory {
+  enum class Forces {
+    smooth,
+    kinked,  ///< Friction changes its law within a step: no order shows, though the bound holds.
+    jumping  ///< Forces jump or bodies strike: fixed steps are of first order.
+  };
+  double rate = 0;           ///< The fastest of the motion [1/s], > 0.
+  double magnification = 1;  ///< What the motion itself makes of an error, >= 1.
+  Forces forces = Forces::smooth;
+  double until = 0;    ///< How far it goes [s], a whole number of steps.
+  std::string reason;  ///< Where the rate comes from.
+};
 
 struct Scenario {
   std::string name;  ///< The file's name without its ending.
@@ -25,7 +40,8 @@ struct Scenario {
   std::string step_text;             ///< As written: "1/60" or "0.001".
   core::Scene scene;
   std::vector<core::Claim> claims;
-  std::string hash;  ///< FNV-1a 64 of the file and of every file that it names, as 16 hex digits.
+  std::optional<Theory> theory;  ///< Absent: nothing is claimed by theory.
+  std::string hash;              ///< FNV-1a 64 of the file and of every file that it names, as 16 hex digits.
   std::shared_ptr<const CertifiedClaims> unsolved = nullptr;  ///< Claims without their truth: see prepare().
 };
 

@@ -15,8 +15,9 @@
 
 namespace cylon::study {
 
-/// What a cell is asked: what its scenario claims, or what mechanics requires of any two runs.
-enum class Exam { claims, relations };
+/// What a cell is asked: what its scenario claims, what mechanics requires of any two runs, or what the
+/// integrator's own promise requires (theory.h).
+enum class Exam { claims, relations, theory };
 
 struct Cell {
   const scenario::Scenario* scenario = nullptr;

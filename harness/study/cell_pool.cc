@@ -1,6 +1,7 @@
 #include "harness/study/cell_pool.h"
 
 #include "harness/study/metamorphic.h"
+#include "harness/study/theory.h"
 
 #include <algorithm>
 #include <atomic>
@@ -13,6 +14,18 @@ namespace {
 
 using Ask = std::vector<results::Verdict> (*)(const Cell&, const process::Limits&,
                                               const scenario::Expectations&);
+
+Ask examination(Exam exam) {
+  switch (exam) {
+    case Exam::relations:
+      return relate;
+    case Exam::theory:
+      return theorize;
+    case Exam::claims:
+      break;
+  }
+  return run;
+}
 
 }  // namespace
 
@@ -28,8 +41,7 @@ std::vector<std::vector<results::Verdict>> run(const std::vector<Cell>& cells, c
   const auto work = [&] {
     for (std::size_t i = 0; !stop && (i = next++) < cells.size();) {
       try {
-        const auto ask = cells[i].exam == Exam::claims ? static_cast<Ask>(run) : relate;
-        rows[i] = ask(cells[i], pool.limits, expectations);
+        rows[i] = examination(cells[i].exam)(cells[i], pool.limits, expectations);
         const std::scoped_lock lock(reporting);
         if (done) done(i, rows[i]);
       } catch (...) {

@@ -51,7 +51,7 @@ std::vector<Verdict> relate(const Cell& cell, const process::Limits& limits,
     Verdict row = open_row(cell, fmt::format("relation {}", relation.name), expectations);
     row.observable = "state", row.unit = "1";
     row.sampling = every == 1 ? "every step" : fmt::format("every {} steps", every);
-    row.allowed = relation.exact ? 0 : 1e-3;
+    row.allowed = relation.exact ? 0 : allowed_of_relations;
     row.tolerance_reason =
         relation.exact ? fmt::format("{}: exact in any arithmetic", relation.says)
                        : fmt::format("{}: convention: 1/1000 of the scales of the scene", relation.says);

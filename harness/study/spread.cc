@@ -21,6 +21,11 @@ double event_spread(const core::Claim& claim, const core::Scene& scene, const co
       differing += i < ours.size() && i < theirs.size() && ours[i].pair == theirs[i].pair ? 0 : 1;
     return differing;
   }
+  if (q.event_quantity == core::EventQuantity::count) {
+    const auto of_claim = [&](const core::Event& event) { return core::claimed(q, event); };
+    return std::abs(
+        static_cast<double>(std::ranges::count_if(ours, of_claim) - std::ranges::count_if(theirs, of_claim)));
+  }
   double result = 0;
   for (const core::Event& event : ours) {
     if (event.kind != q.event || event.index != q.index) continue;

@@ -148,8 +148,8 @@ void Yardstick::ask(Claim claim, const std::vector<core::State>* states, double 
 
 void Yardstick::ask_event(const Claim& claim) {
   Question q;
-  const bool order = claim.observable.event_quantity == core::EventQuantity::order;
-  const double size = order ? 0 : core::largest_value(claim, scenario_->scene, scenario_->duration);
+  const bool of_all = core::of_all(claim.observable.event_quantity);
+  const double size = of_all ? 0 : core::largest_value(claim, scenario_->scene, scenario_->duration);
   q.scale = size > 0 ? size : 1;
   q.measure = measure_named("events", "", claim.follows);
   results::TradeMeasure& measure = measures_[q.measure];

@@ -129,6 +129,21 @@ TEST_F(Conformance, EveryMetamorphicRelationIsAsExpected) {
   EXPECT_GT(in_house, 60) << "eight scenes, a dozen relations less those that say nothing of them";
 }
 
+// Whoever states an order or a bound is held to it: in-house, each of its schemes, Bullet and ODE.
+TEST_F(Conformance, EveryClaimByTheoryIsAsExpected) {
+  Cells cells = cells_of(suite("conformance"));
+  for (study::Cell& cell : cells.cells) cell.exam = study::Exam::theory;
+  const auto rows = run(cells, 2, expectations_);
+  int in_house = 0;
+  for (const Verdict& row : rows) {
+    EXPECT_TRUE(row.as_expected()) << place(row) << ": " << row.measured << " of " << row.allowed;
+    if (!row.engine.starts_with("in-house") || row.engine == "in-house-float") continue;
+    EXPECT_EQ(row.status, results::Status::pass) << place(row);
+    ++in_house;
+  }
+  EXPECT_GT(in_house, 100) << "eight scenes, five schemes, two claims or more";
+}
+
 TEST_F(Conformance, RowsAreTheSameForAnyNumberOfWorkersAndAgain) {
   const std::string first = content(rows_);
   EXPECT_EQ(content(run(cells_, 1, expectations_)), first) << "one worker";

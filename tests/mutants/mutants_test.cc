@@ -20,9 +20,10 @@ std::string name_of(const testing::TestParamInfo<Subject>& info) {
 }
 
 class Mutant : public testing::TestWithParam<Subject> {};
-TEST_P(Mutant, IsCaughtByItsClaim) {
-  const Line line = judge_one(GetParam());
+TEST_P(Mutant, IsCaughtByItsClaimAndByShippedOnes) {
+  const Line line = judge_until_shipped_death(GetParam());
   EXPECT_TRUE(line.caught) << GetParam().fault << "\n" << line.subject.judge << ", " << line.seen;
+  EXPECT_TRUE(line.dies_shipped()) << GetParam().fault << "\nno claim that is shipped accuses it";
 }
 INSTANTIATE_TEST_SUITE_P(All, Mutant, testing::ValuesIn(mutants()), name_of);
 

@@ -11,6 +11,11 @@ void add_options(App& app, const std::shared_ptr<RunOptions>& options) {
                "Check symmetries of mechanics instead of the claims: a moved, rotated, mirrored, boosted or "
                "rescaled scene must move alike, and time must be reversible. Needs no exact solution, so it "
                "works for any scene");
+  app.add_flag(
+      "--theory", request.theory,
+      "Hold each engine to what its integrator promises, instead of the claims as they stand: errors "
+      "within the bound of its declared order or tolerance, and falling with the step as declared. "
+      "Serves the scenarios that state how fast they go (docs/claims.md)");
   app.add_option("--tolerance-scale", request.tolerance_scale,
                  "Factor on every tolerance; 0 makes every claim fail and so shows every residual. Reports "
                  "mention it")

@@ -215,6 +215,61 @@ TEST(Measure, LeastChangeKeepsTheLargestOne) {
   EXPECT_TRUE(std::isnan(p.measured().value));
 }
 
+// x = 1, 1.25, 2, 3.25, 5, and then as the row says.
+TEST(Measure, OneSidedClaimsSeeOneDirection) {
+  struct Row {
+    double third, last, rise, fall;
+  };
+  for (const Row& row : {Row{2, 5, 4, 0}, Row{0.5, 0.75, 2.75, 2.5}, Row{2, 3, 2.25, 0.25},
+                         Row{-1, -2, 4.25, 5.25}, Row{nan, 5, nan, nan}}) {
+    Parabola p;
+    p.claim.observable.component = Component::x;
+    p.recording.states[2][0].position.x() = row.third;
+    p.recording.states[4][0].position.x() = row.last;
+    p.claim.reduction = Reduction::increase;
+    const double rise = p.measured().value;
+    p.claim.reduction = Reduction::decrease;
+    const double fall = p.measured().value;
+    if (std::isnan(row.rise)) {
+      EXPECT_TRUE(std::isnan(rise) && std::isnan(fall));
+      continue;
+    }
+    EXPECT_NEAR(rise, row.rise, 1e-15) << row.third << ' ' << row.last;
+    EXPECT_NEAR(fall, row.fall, 1e-15) << row.third << ' ' << row.last;
+  }
+}
+
+// The start counts, whatever the run says that it was.
+TEST(Measure, OneSidedClaimsStartWithTheScene) {
+  Parabola p;
+  p.claim.observable.component = Component::x;
+  p.claim.reduction = Reduction::increase;
+  for (State& state : p.recording.states) state[0].position.x() = 1.5;
+  EXPECT_NEAR(p.measured().value, 0.5, 1e-15);
+}
+
+TEST(Measure, CountsEvents) {
+  Parabola p;
+  p.claim.observable = {.quantity = Quantity::event, .event_quantity = EventQuantity::count};
+  const auto events = [](int count) {
+    std::vector<Event> result;
+    for (int i = 1; i <= count; ++i) result.push_back({.pair = {0, world, 0}, .index = i, .time = 0.1 * i});
+    return result;
+  };
+  p.claim.follows = "test";
+  p.claim.truth = Truth{.events = events(3)};
+  p.claim.tolerance = {.reason = "test"};
+  for (const int came : {0, 2, 3, 7}) {
+    p.recording.events = events(came);
+    EXPECT_EQ(p.measured().value, std::abs(came - 3)) << came;
+    EXPECT_EQ(p.measured().detail.empty(), came == 3);
+  }
+  p.claim.until = 0.25;  // two are expected by then
+  EXPECT_EQ(p.measured().value, 0);
+  p.recording.events = events(1);
+  EXPECT_EQ(p.measured().value, 1);
+}
+
 TEST(Measure, HonoursHorizonAndSampling) {
   Parabola p;
   p.claim.until = 1.0;

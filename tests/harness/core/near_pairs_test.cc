@@ -92,7 +92,7 @@ TEST(NearPairs, AreFewForManyBodies) {
   EXPECT_GT(pairs, 20000u);
 }
 
-// A body of another shape that may touch a body has no gap; beside planes it has.
+// A mesh that may touch a body has no gap; beside planes it has.  A box has one.
 TEST(NearPairs, ShapesWithoutGapGiveReason) {
   std::mt19937 random(13);
   Scene scene = scene_of({"gas", 4, 0.2, 0.4, 0}, 10, random);
@@ -100,6 +100,8 @@ TEST(NearPairs, ShapesWithoutGapGiveReason) {
   EXPECT_FALSE(undefined_in(q, scene));
   scene.bodies[3].shape = Box{{0.1, 0.2, 0.3}}, scene.bodies[3].collide = true,
   scene.bodies[3].locked = false;
+  EXPECT_FALSE(undefined_in(q, scene));
+  scene.bodies[3].shape = Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {}};
   EXPECT_TRUE(undefined_in(q, scene));
   for (Body& body : scene.bodies) body.collide = &body == &scene.bodies[3];
   EXPECT_FALSE(undefined_in(q, scene));

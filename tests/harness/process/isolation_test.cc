@@ -99,6 +99,7 @@ constexpr Misdeed misdeeds[] = {
     {"backward", Status::protocol, "a state of step 58 where step 60 was expected", 1},
     {"unwatched_event", Status::protocol, "an event of a pair that was not to be watched", 1},
     {"miscounts", Status::protocol, "10 frames came, 11 were announced", 1},
+    {"boasts", Status::protocol, "step_ns: 5 s of CPU time for the steps, but its processes used", 1},
     {"misspells", Status::protocol, "step_ns: missing", 1},
     {"protocol_2", Status::protocol, "protocol: this harness speaks 1, the worker 2", 1},
     {"wrong_start", Status::fail, "initial state read back differs: body 'a' position", 1},
@@ -115,6 +116,20 @@ TEST(IsolationAlone, ChatterOnStderrNeitherBlocksNorGrows) {
   EXPECT_TRUE(outcome.stderr_tail.ends_with("last complaint\n"));
   EXPECT_LE(outcome.stderr_tail.size(), 4096u);
   EXPECT_EQ(outcome.recording->complaints, outcome.stderr_tail);
+}
+
+// Where times are measured, nothing but steps is done: who tells less than half of what was used hides it.
+TEST(IsolationAlone, TimesThatHideWorkAreRefused) {
+  const core::Scene scene = two_bodies();
+  RunRequest request = request_of(scene, 100, 10);
+  EXPECT_EQ(run(scripted("hides"), request, limits).status, Status::pass) << "recording costs what it costs";
+  request.repetitions = 1;
+  const RunOutcome outcome = run(scripted("hides"), request, limits);
+  EXPECT_EQ(outcome.status, Status::protocol);
+  EXPECT_NE(outcome.reason.find("step_ns: 0.0001 s of CPU time for the steps, but its process used"),
+            std::string::npos)
+      << outcome.reason;
+  EXPECT_EQ(run(scripted("good"), request, limits).status, Status::pass);
 }
 
 TEST(IsolationAlone, NumbersThatAreNotFiniteAreAResult) {

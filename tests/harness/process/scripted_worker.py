@@ -123,6 +123,12 @@ def run(bodies, dt, request):
         done["frames"] += 1
     if MODE == "adaptive":
         done["remarks"] = [f"tolerance {tolerance:g} was not reached: 0.5 was"]
+    if MODE == "boasts":
+        done["step_ns"] = 5e9
+    if MODE == "hides":  # what the steps cost
+        until = time.process_time() + 0.2
+        while time.process_time() < until:
+            pass
     if MODE == "misspells":
         done["setp_ns"] = done.pop("step_ns")
     say(done)

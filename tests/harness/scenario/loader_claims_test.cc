@@ -113,6 +113,41 @@ TEST(Claims, RecordedDataMustHaveWhatIsClaimed) {
   }
 }
 
+TEST(Claims, OneSidedMeasuresAreOfNumbers) {
+  const std::string t = "tolerance = { relative = 0.1, reason = \"r\" }\n";
+  const auto s = parse(head + "[[claim]]\nconserves = \"energy\"\nmeasure = \"increase\"\n" + t +
+                           "[[claim]]\nconserves = \"velocity\"\nbody = \"body\"\ncomponent = \"y\"\n"
+                           "measure = \"decrease\"\n" +
+                           t,
+                       "one_sided.toml");
+  EXPECT_EQ(s.claims[0].label, "energy never rises");
+  EXPECT_EQ(s.claims[1].label, "velocity never falls, body, y");
+  EXPECT_EQ(s.claims[1].reduction, core::Reduction::decrease);
+  for (const char* wrong :
+       {"conserves = \"velocity\"\nmeasure = \"increase\"\n",
+        "conserves = \"velocity\"\ncomponent = \"horizontal\"\nmeasure = \"increase\"\n",
+        "follows = \"projectile\"\nobservable = \"velocity\"\ncomponent = \"x\"\nmeasure = \"decrease\"\n",
+        "changes = \"energy\"\nat_least = 1\nmeasure = \"increase\"\n"})
+    EXPECT_THROW(parse(head + "[[claim]]\n" + wrong + t, "wrong.toml"), core::InputError) << wrong;
+}
+
+TEST(Claims, TheoryStatesARate) {
+  const auto s =
+      parse(head + "[theory]\nrate = 3\nuntil = 0.4\nforces = \"jumping\"\nreason = \"r\"\n", "t.toml");
+  ASSERT_TRUE(s.theory);
+  EXPECT_EQ(s.theory->rate, 3);
+  EXPECT_EQ(s.theory->until, 0.4);
+  EXPECT_EQ(s.theory->magnification, 1);
+  EXPECT_EQ(s.theory->forces, scenario::Theory::Forces::jumping);
+  EXPECT_FALSE(parse(head, "none.toml").theory);
+  EXPECT_EQ(parse(head + "[theory]\nrate = 3\nreason = \"r\"\n", "t.toml").theory->until, 0.8);
+  for (const char* wrong :
+       {"rate = 0\nreason = \"r\"\n", "rate = 3\n", "reason = \"r\"\n",
+        "rate = 3\nuntil = 0.9\nreason = \"r\"\n", "rate = 3\nuntil = 0.41\nreason = \"r\"\n",
+        "rate = 3\nmagnification = 0.5\nreason = \"r\"\n", "rate = 3\nforces = \"wild\"\nreason = \"r\"\n"})
+    EXPECT_THROW(parse(head + "[theory]\n" + wrong, "wrong.toml"), core::InputError) << wrong;
+}
+
 TEST(Claims, RecordedDataIsComparedAtItsTimes) {
   const auto s = parse(head +
                            "[[claim]]\nfollows = { file = \"truth/projectile.json\" }\nobservable = "

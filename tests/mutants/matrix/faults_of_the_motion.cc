@@ -108,24 +108,78 @@ std::vector<MaskedRow> faults_of_the_motion() {
          s.angular_velocity.z() += 1e-6;
          return true;
        })},
+      {"gains at each blow", "a thousandth of its speed", "bouncing", "position follows",
+       at_blows([](const Moment&, std::size_t, const core::Plane&, BodyState& s) {
+         s.velocity *= 1 + 1e-3;
+         return true;
+       })},
+      {"blows turn aside", "a thousandth of the speed goes sideways", "bouncing", "linear_momentum",
+       at_blows([](const Moment&, std::size_t, const core::Plane& plane, BodyState& s) {
+         s.velocity += 1e-3 * s.velocity.norm() * plane.normal.unitOrthogonal();
+         return true;
+       })},
+      {"thermostat", "blows that lose energy get it back", "bouncing", "position follows",
+       at_blows([](const Moment& m, std::size_t i, const core::Plane&, BodyState& s) {
+         s.velocity *= m.before[i].velocity.norm() / s.velocity.norm();
+         return true;
+       })},
+      {"thermostat of the third", "the energy that a blow takes goes to another body", "room",
+       "energy never rises", tampers([](const Moment& m, State& state) {
+         if (state.size() < 3) return false;
+         for (std::size_t i = 0; i < state.size(); ++i)
+           if (struck_by(m, i, state[i])) {
+             BodyState& other = state[(i + 1) % state.size()];
+             other.velocity *= 1.05;
+             return true;
+           }
+         return false;
+       })},
+      {"leaks 1e-9 a step", "of every speed", "spring_zero", "theory: energy conserved",
+       each([](const Moment&, std::size_t, BodyState& s) {
+         s.velocity *= 1 - 1e-9;
+         return true;
+       })},
+      {"gains 1e-9 a step", "of every speed", "spring_zero", "theory: energy conserved",
+       each([](const Moment&, std::size_t, BodyState& s) {
+         s.velocity *= 1 + 1e-9;
+         return true;
+       })},
+      {"keeps |w|", "whatever its direction does", "dzhanibekov", "energy",
+       each([](const Moment& m, std::size_t i, BodyState& s) {
+         const double before = m.before[i].angular_velocity.norm();
+         if (!(before > 0) || m.step < 2) return false;
+         s.angular_velocity *= before / s.angular_velocity.norm();
+         return true;
+       })},
+      {"wakes late", "velocities stand still for ten steps after the first", "spring_zero",
+       "theory: position follows", tampers([](const Moment& m, State& state) {
+         if (m.step < 2 || m.step > 11) return false;
+         state = m.before;
+         return true;
+       })},
+      {"drifts with the step", "1e-9 m aside a step", "spring_orbit", "theory: position follows",
+       each([](const Moment&, std::size_t, BodyState& s) {
+         s.position.x() += 1e-9;
+         return true;
+       })},
       {"pushed out", "a millimetre after each blow", "two_walls", "position follows",
        at_blows([](const Moment&, std::size_t, const core::Plane& plane, BodyState& s) {
          s.position += 1e-3 * plane.normal;
          return true;
        })},
       {"forgets its fractions", "positions are kept in float every 64 steps", "spring_zero",
-       "position follows * by theory", tampers([](const Moment& m, State& state) {
+       "theory: position follows", tampers([](const Moment& m, State& state) {
          if (m.step % 64) return false;
          for (BodyState& s : state) s.position = s.position.cast<float>().cast<double>();
          return true;
        })},
-      {"kicked once", "1e-6 m/s at the 100th step", "spring_orbit", "position follows * by theory",
+      {"kicked once", "1e-6 m/s at the 100th step", "spring_orbit", "theory: position follows",
        each([](const Moment& m, std::size_t, BodyState& s) {
          if (m.step == 100) s.velocity.x() += 1e-6;
          return m.step == 100;
        })},
       {"angular momentum traded", "each tenth of a second w shrinks by 1e-7", "hammer",
-       "angular_momentum conserved by theory", each([](const Moment& m, std::size_t, BodyState& s) {
+       "theory: angular_momentum conserved", each([](const Moment& m, std::size_t, BodyState& s) {
          if (m.step % 100) return false;
          s.angular_velocity *= 1 - 1e-7;
          return true;

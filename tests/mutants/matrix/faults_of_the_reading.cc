@@ -1,5 +1,6 @@
 #include "tests/mutants/matrix/decorator.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -67,7 +68,7 @@ std::vector<MaskedRow> faults_of_the_reading() {
        reading([](const Moment&, State& state) {
          for (BodyState& s : state) s.position.z() += 1e-4;
        })},
-      {"offset", "a tenth of a millimetre aside once it moves", "projectile", "position follows * by theory",
+      {"offset", "a tenth of a millimetre aside once it moves", "projectile", "theory: position follows",
        each([](const Moment&, BodyState& s) { s.position.x() += 1e-4; })},
       {"time reversed", "the right orbit, the other way round", "spring_zero", "position follows",
        backwards()},
@@ -81,7 +82,7 @@ std::vector<MaskedRow> faults_of_the_reading() {
          const Quaternion q = s.orientation;
          s.orientation = Quaternion(q.x(), q.y(), q.z(), q.w());
        })},
-      {"quaternion grows", "not normalised, 1e-9 a step", "constant_spin", "orientation follows * by theory",
+      {"quaternion grows", "not normalised, 1e-9 a step", "constant_spin", "theory: orientation follows",
        each([](const Moment& m, BodyState& s) {
          s.orientation.coeffs() *= 1 + 1e-9 * static_cast<double>(m.step);
        })},
@@ -89,22 +90,62 @@ std::vector<MaskedRow> faults_of_the_reading() {
        each([](const Moment&, BodyState& s) {
          s.angular_velocity = s.orientation.conjugate() * s.angular_velocity;
        })},
-      {"one step late", "the state of the step before", "projectile", "position follows * by theory",
+      {"one step late", "the state of the step before", "projectile", "theory: position follows",
        reading([](const Moment& m, State& state) { state = m.before; })},
-      {"velocities half a step late", "a staggered integrator's", "projectile",
-       "velocity follows * by theory", reading([](const Moment& m, State& state) {
+      {"velocities half a step late", "a staggered integrator's", "projectile", "theory: velocity follows",
+       reading([](const Moment& m, State& state) {
          for (std::size_t i = 0; i < state.size(); ++i)
            state[i].velocity = (state[i].velocity + m.before[i].velocity) / 2;
        })},
-      {"told in float", "positions and velocities", "projectile", "position follows * by theory",
+      {"told in float", "positions and velocities", "projectile", "theory: position follows",
        each([](const Moment&, BodyState& s) {
          s.position = to_float(s.position), s.velocity = to_float(s.velocity);
        })},
-      {"quaternions in float", "and normalised again", "constant_spin", "orientation follows * by theory",
+      {"quaternions in float", "and normalised again", "constant_spin", "theory: orientation follows",
        each([](const Moment&, BodyState& s) {
          for (double& c : s.orientation.coeffs()) c = static_cast<float>(c);
          s.orientation.normalize();
        })},
+      {"inverted between samples", "velocities turn round at odd steps", "projectile",
+       "theory: velocity follows", each([](const Moment& m, BodyState& s) {
+         if (m.step % 2) reverse(s);
+       })},
+      {"orientation a step late", "the rest is on time", "constant_spin", "theory: orientation follows",
+       reading([](const Moment& m, State& state) {
+         for (std::size_t i = 0; i < state.size(); ++i) state[i].orientation = m.before[i].orientation;
+       })},
+      {"spin a step late", "the rest is on time", "damped_top", "theory: angular_velocity follows",
+       reading([](const Moment& m, State& state) {
+         for (std::size_t i = 0; i < state.size(); ++i)
+           state[i].angular_velocity = m.before[i].angular_velocity;
+       })},
+      {"bodies in the wrong order", "the last one is told first", "spring_chain", "position follows",
+       reading([](const Moment& m, State& state) {
+         if (m.step > 0) std::reverse(state.begin(), state.end());
+       })},
+      {"the first for the second", "two rows are one", "spring_chain", "position follows",
+       reading([](const Moment& m, State& state) {
+         if (m.step > 0 && state.size() > 1) state[1] = state[0];
+       })},
+      {"degrees", "w in degrees a second", "damped_top", "angular_velocity follows",
+       each([](const Moment&, BodyState& s) { s.angular_velocity *= 180 / 3.14159265358979; })},
+      {"rounded to a micrometre", "as a file format does", "projectile", "theory: position follows",
+       each([](const Moment&, BodyState& s) { s.position = (s.position * 1e6).array().round() * 1e-6; })},
+      {"speeds rounded to 1e-6", "as a file format does", "tilted_gravity", "theory: velocity follows",
+       each([](const Moment&, BodyState& s) { s.velocity = (s.velocity * 1e6).array().round() * 1e-6; })},
+      {"wraps at four metres", "a world without an edge", "rocket", "velocity follows",
+       each([](const Moment&, BodyState& s) { s.velocity = s.velocity.cwiseMin(4).cwiseMax(-4); })},
+      {"position extrapolated", "half a step ahead along v", "spring_zero", "theory: position follows",
+       each([](const Moment& m, BodyState& s) { s.position += 0.5 * m.dt * s.velocity; })},
+      {"smoothed", "the mean of two steps", "spring_zero", "theory: position follows",
+       reading([](const Moment& m, State& state) {
+         for (std::size_t i = 0; i < state.size(); ++i)
+           state[i].position = (state[i].position + m.before[i].position) / 2;
+       })},
+      {"ripples", "1e-7 m from step to step", "projectile", "theory: position follows",
+       each([](const Moment& m, BodyState& s) { s.position.x() += m.step % 2 ? 1e-7 : -1e-7; })},
+      {"grows", "lengths stretch by 1e-8 a step", "spring_zero", "theory: position follows",
+       each([](const Moment& m, BodyState& s) { s.position *= 1 + 1e-8 * static_cast<double>(m.step); })},
       {"far bodies coarsen", "positions in 2^-24 of the farthest, beyond 1 km", "far body", "motion",
        reading([](const Moment&, State& state) {
          const double size = spread(state), grain = std::ldexp(size, -24);
@@ -128,12 +169,12 @@ std::vector<MaskedRow> faults_of_the_reading() {
          const double share = static_cast<double>(m.run) * 0.6180339887498949;
          s.position.x() += 1e-14 * (share - std::floor(share));
        })},
-      {"sinks", "a hundredth of a millimetre a second", "cube_stack", "position conserved by theory",
+      {"sinks", "a hundredth of a millimetre a second", "cube_stack", "theory: position conserved",
        each([](const Moment& m, BodyState& s) {
          s.position.y() -= 1e-5 * static_cast<double>(m.step) * m.dt;
        })},
       {"steady offset of w", "a gyroscope's bias, 1e-6 rad/s", "damped_top",
-       "angular_velocity follows * by theory",
+       "theory: angular_velocity follows",
        each([](const Moment&, BodyState& s) { s.angular_velocity.z() += 1e-6; })},
   };
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <string_view>
 #include <thread>
 
 namespace cylon::mutants {
@@ -14,13 +15,18 @@ MatrixCell cell_of(const std::vector<Finding>& findings) {
   cell.run = true;
   for (const Finding& finding : findings) {
     cell.guilty = cell.guilty || finding.guilty();
+    cell.own = cell.own || (finding.guilty() && finding.of_file());
+    cell.claim = cell.claim || (finding.guilty() && !finding.of_relation());
     if (&finding == &findings.front() || finding.margin() > cell.worst.margin()) cell.worst = finding;
   }
   return cell;
 }
 
-// A prefix of the label, or a beginning and an end with a * between them.
-bool matches(const std::string& label, const std::string& claim) {
+// A prefix of the label, or a beginning and an end with a * between them; by theory or as the file has it, where
+// the claim does not say which.
+bool matches(std::string label, const std::string& claim) {
+  constexpr std::string_view by_theory = "theory: ";
+  if (label.starts_with(by_theory) && !claim.starts_with(by_theory)) label.erase(0, by_theory.size());
   const std::size_t star = claim.find('*');
   if (star == std::string::npos) return label.starts_with(claim);
   return label.starts_with(claim.substr(0, star)) && label.ends_with(claim.substr(star + 1));
@@ -55,6 +61,33 @@ Line judged(const Subject& subject, bool all) {
 
 bool Line::guilty() const {
   return std::any_of(cells.begin(), cells.end(), [](const MatrixCell& cell) { return cell.guilty; });
+}
+
+bool Line::dies_of_own() const {
+  for (std::size_t j = 0; j < cells.size(); ++j)
+    if (cells[j].own && judges()[j].shipped) return true;
+  return false;
+}
+
+bool Line::dies_of_claims() const {
+  for (std::size_t j = 0; j < cells.size(); ++j)
+    if (cells[j].claim && judges()[j].shipped) return true;
+  return false;
+}
+
+bool Line::dies_shipped() const {
+  for (std::size_t j = 0; j < cells.size(); ++j)
+    if (cells[j].guilty && judges()[j].shipped) return true;
+  return false;
+}
+
+Line judge_until_shipped_death(const Subject& subject) {
+  Line line = judge_one(subject);
+  for (std::size_t j = 0; j < judges().size() && !line.dies_shipped(); ++j) {
+    if (!judges()[j].shipped || line.cells[j].run) continue;
+    if (const auto findings = judges()[j].findings(subject)) line.cells[j] = cell_of(*findings);
+  }
+  return line;
 }
 
 Line judge_all(const Subject& subject) { return judged(subject, true); }

@@ -36,6 +36,8 @@ std::string signature(const Line& line) {
   return text;
 }
 
+const char* cross(bool dies) { return dies ? " x " : " . "; }
+
 constexpr std::size_t width = 44;
 
 }  // namespace
@@ -44,12 +46,13 @@ std::string print(const std::vector<Line>& lines) {
   std::string text;
   for (std::size_t j = 0; j < judges().size(); ++j)
     text += fmt::format("{:>3} {:<18} {}\n", j + 1, judges()[j].name, judges()[j].asks);
-  text += fmt::format("\n{:{}}", "", width);
+  text += fmt::format("\n{:{}}own thy rel", "", width);
   for (std::size_t j = 0; j < judges().size(); ++j) text += fmt::format("{:>3}", j + 1);
   text += "\n";
   for (const Line& line : lines)
-    text +=
-        fmt::format("{:<{}.{}}{}  {}\n", title(line.subject), width, width, marks(line), line.subject.fault);
+    text += fmt::format("{:<{}.{}} {} {} {}{}  {}\n", title(line.subject), width, width,
+                        cross(line.dies_of_own()), cross(line.dies_of_claims()), cross(line.dies_shipped()),
+                        marks(line), line.subject.fault);
 
   std::map<std::string, std::vector<const Line*>> alike;
   for (const Line& line : lines)
@@ -61,6 +64,8 @@ std::string print(const std::vector<Line>& lines) {
     text += "\n";
   }
   for (const Line& line : lines) {
+    if (!line.subject.fault.empty() && !line.dies_shipped())
+      text += fmt::format("ALIVE UNDER ALL THAT IS SHIPPED {}\n", title(line.subject));
     if (!line.subject.fault.empty() && !line.caught)
       text += fmt::format("ALIVE {}: judge {}, {}\n", title(line.subject), line.subject.judge, line.seen);
     if (!line.subject.fault.empty()) continue;
@@ -79,8 +84,14 @@ std::string summary(const std::vector<Line>& mutants, const std::vector<Line>& c
   for (const Line& line : correct)
     accusations +=
         std::count_if(line.cells.begin(), line.cells.end(), [](const MatrixCell& c) { return c.guilty; });
-  return fmt::format("{} mutants, {} killed, {} alive, {} false accusations", mutants.size(), killed,
-                     static_cast<std::ptrdiff_t>(mutants.size()) - killed, accusations);
+  return fmt::format(
+      "{} mutants: {} die of the scenes' own claims, {} with those by theory, {} with relations; all judges: "
+      "{} killed, "
+      "{} alive, {} false accusations",
+      mutants.size(), std::ranges::count_if(mutants, &Line::dies_of_own),
+      std::ranges::count_if(mutants, &Line::dies_of_claims),
+      std::ranges::count_if(mutants, &Line::dies_shipped), killed,
+      static_cast<std::ptrdiff_t>(mutants.size()) - killed, accusations);
 }
 
 }  // namespace cylon::mutants

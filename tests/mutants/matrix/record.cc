@@ -11,6 +11,7 @@ core::Recording record(core::Simulator& simulator, const core::Scene& scene, con
   core::Recording result;
   result.dt = setup.dt;
   result.terms = simulator.load(scene, setup);
+  result.engine = simulator.engine();
   core::EventWatch watch(scene, plan.watch, setup.dt);
   core::State state(scene.bodies.size());
   for (std::int64_t step = 0; step <= plan.steps; ++step) {

@@ -100,7 +100,7 @@ class Runner {
 };
 
 Judge restating(const char* name, const char* asks, Scene scene, const Restated& change) {
-  return {name, asks, [scene = std::move(scene), change](const Subject& subject) -> Findings {
+  return {name, asks, false, [scene = std::move(scene), change](const Subject& subject) -> Findings {
             Runner run(subject);
             const Scene other = change(scene);
             if (!run.takes(scene) || !run.takes(other)) return std::nullopt;
@@ -112,7 +112,7 @@ Judge restating(const char* name, const char* asks, Scene scene, const Restated&
 // `same` gives the motion once more, by another way; `exactly`: to the bit.
 Judge again(const char* name, const char* asks, const Scene& scene,
             const std::function<State(Runner&, const Scene&)>& same, bool exactly = false) {
-  return {name, asks, [=](const Subject& subject) -> Findings {
+  return {name, asks, false, [=](const Subject& subject) -> Findings {
             Runner run(subject);
             if (!run.takes(scene)) return std::nullopt;
             const State once = run.end_of(scene);
@@ -205,7 +205,7 @@ std::vector<Judge> relation_judges() {
       again(
           "same again", "Three balls at one instant, twice: the same bits", break_shot(),
           [](Runner& run, const Scene& scene) { return run.end_of(scene); }, true),
-      {"rough edge", "A blow's normal and tangent know of each other", edge_leaves_as_newton_says},
+      {"rough edge", "A blow's normal and tangent know of each other", false, edge_leaves_as_newton_says},
   };
 }
 

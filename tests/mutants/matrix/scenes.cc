@@ -13,8 +13,10 @@
 namespace cylon::mutants {
 namespace {
 
-// The largest number of even samples, at most 256, that the steps can be cut into.
+// The largest number of even samples, at most 256, that many steps can be cut into.
 std::int64_t stride(std::int64_t steps) {
+  constexpr std::int64_t few = 1024;  // all of them
+  if (steps <= few) return 1;
   for (std::int64_t samples = std::min<std::int64_t>(256, steps); samples > 1; --samples)
     if (steps % samples == 0) return steps / samples;
   return steps;
@@ -39,18 +41,16 @@ core::Truth remembered(const core::Truth& truth, double spacing, double until) {
 }  // namespace
 
 Examined examine(const SceneRow& row) {
-  Examined result{scenario::load(std::filesystem::path(source_dir) / row.file), row, {}, {}};
+  Examined result{scenario::load(std::filesystem::path(source_dir) / row.file), {}};
   scenario::Scenario& scenario = result.scenario;
-  if (row.duration > 0) scenario.duration = row.duration;
   if (row.step > 0) scenario.step = row.step;
+  if (scenario.theory && row.duration > 0) scenario.theory->until = row.duration;
+  if (scenario.theory) scenario.duration = scenario.theory->until;
   const std::int64_t steps = core::whole_steps(scenario.duration, scenario.step);
   const double spacing = static_cast<double>(stride(steps)) * scenario.step;
   for (core::Claim& claim : scenario.claims) {
     claim.until = std::min(claim.until, scenario.duration);
-    const double size = core::largest_value(claim, scenario.scene, scenario.duration);
     const bool gap = claim.observable.quantity == core::Quantity::normal_gap;
-    const bool length = gap || claim.observable.quantity == core::Quantity::joint_gap;
-    result.scales.push_back(size > 0 && !length ? size : 1);  // angles, gaps: a radian, a metre
     result.shipped.push_back(claim.tolerance.absolute +
                              claim.tolerance.relative *
                                  core::scale(claim, scenario.scene, scenario.duration));

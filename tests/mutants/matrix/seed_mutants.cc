@@ -56,7 +56,7 @@ constexpr Row rows[] = {
     {44, "stale v", "forces see the velocities of the step before", "projectile_drag", "position follows"},
     {45, "theta < 1e-5", "small turns are none", "slow_spin", "orientation follows"},
     {46, "float R", "orientation in single precision, not normalised", "constant_spin",
-     "orientation follows"},
+     "theory: order of orientation"},
     {47, "vertex - pin", "a pinned spring pushes", "spring_zero", "position follows"},
     {48, "no guard", "a spring of no length divides by it", "driven_spring", "finite"},
     {49, "gamma v dt", "drag times dt", "projectile_drag", "position follows"},
@@ -74,7 +74,7 @@ constexpr Row rows[] = {
     {61, "inv_m, inv_I", "not updated in merging", "hammer", "orientation follows"},
     {62, "cube.p = theta", "parts sit at their rotation vectors", "hammer", "orientation follows"},
     {64, "K = R (0,0,5)", "momentum is set, not pushed", "airplane", "velocity follows"},
-    {65, "evolve", "impacts at the end of the step", "bouncing", "position follows"},
+    {65, "evolve", "impacts at the end of the step", "oblique", "*"},
     {66, "set<Body*>", "contacts in the order of addresses", "same again", "motion"},
     {67, "stale vertices", "the first step's anchors", "two_body_spring", "position follows"},
 };
