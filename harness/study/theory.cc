@@ -183,6 +183,7 @@ std::vector<Verdict> theorize(const Cell& cell, const process::Limits& limits,
     process::RunRequest request;
     request.scene = &cut.scene;
     request.setup.dt = dt;
+    request.setup.force = cell.force;
     request.steps = plan.steps, request.every = plan.every, request.at = plan.at;
     last = process::run(cell.engine, request, limits);
     if (last.status != results::Status::pass || !last.recording) throw RunFailed{last};
