@@ -35,17 +35,10 @@ std::string worker_hash(const std::vector<std::string>& command) {
 }  // namespace
 
 nlohmann::json to_json(const Request& r) {
-  return {{"patterns", r.patterns},
-          {"engines", r.engines},
-          {"steps", r.steps},
-          {"integrators", r.integrators},
-          {"workers", r.workers},
-          {"suite", r.suite},
-          {"metamorphic", r.metamorphic},
-          {"theory", r.theory},
-          {"tolerance_scale", r.tolerance_scale},
-          {"copies", r.copies},
-          {"force", r.force}};
+  return {{"patterns", r.patterns},       {"engines", r.engines}, {"steps", r.steps},
+          {"integrators", r.integrators}, {"workers", r.workers}, {"suite", r.suite},
+          {"metamorphic", r.metamorphic}, {"theory", r.theory},   {"tolerance_scale", r.tolerance_scale},
+          {"copies", r.copies},           {"force", r.force}};
 }
 
 Request request_from(const nlohmann::json& j) {

@@ -79,7 +79,8 @@ struct Mean {
   }
 };
 
-// The point of the affine hull of n + 1 corners that is nearest to the origin; nothing where it does not lie between
+// The point of the affine hull of n + 1 corners that is nearest to the origin; nothing where it does not lie
+// between
 // them:  sum e_i w_i = -c_0 in the sense of least squares, e_i = c_i - c_0.
 template <int n>
 std::optional<Mean> nearest_between(const std::vector<Corner>& corners) {
@@ -211,7 +212,8 @@ class Polytope {
           horizon.erase(twin);  // between two faces that go
       }
     }
-    // Rounding: it would see all, or what it sees has holes.  A closed polytope of v corners has 2 v - 4 faces at most.
+    // Rounding: it would see all, or what it sees has holes.  A closed polytope of v corners has 2 v - 4
+    // faces at most.
     const auto seen = static_cast<std::size_t>(std::count_if(faces_.begin(), faces_.end(), sees));
     if (horizon.empty() || faces_.size() - seen + horizon.size() > 2 * (corners_.size() + 1) - 4)
       return false;
@@ -268,7 +270,8 @@ class Polytope {
   double thin_ = 0;
 };
 
-// Of overlapping cores: the least way out.  Along any direction the way out is an upper bound of it, and the nearest
+// Of overlapping cores: the least way out.  Along any direction the way out is an upper bound of it, and the
+// nearest
 // face of the polytope a lower one.
 Nearest depth_of_cores(const Placed& a, const Placed& b, double size) {
   constexpr int most = 400;

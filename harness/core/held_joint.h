@@ -39,7 +39,8 @@ void add_rows(const HeldJoint&, const State&, std::vector<JointRow>&);
 double open_by(const Scene&, const Joint&, const State&);
 
 /// How far the bodies of a joint of the scene are turned against each other as it forbids [rad]: the angle
-/// between its axis in the one and in the other, or that of their relative turn since t = 0; 0 for a joint that lets
+/// between its axis in the one and in the other, or that of their relative turn since t = 0; 0 for a joint
+/// that lets
 /// them turn freely.
 double turned_by(const Scene&, const Joint&, const State&);
 

@@ -15,7 +15,8 @@ namespace cylon::scenario {
 
 class CertifiedClaims;
 
-/// What the order or the error bound that an integrator states means for the errors in this scenario: study/theory.h.
+/// What the order or the error bound that an integrator states means for the errors in this scenario:
+/// study/theory.h.
 struct Theory {
   enum class Forces {
     smooth,

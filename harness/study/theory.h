@@ -1,5 +1,6 @@
 // What an integrator promises by the order or the error bound that it states, and whether a run keeps it.  A
-// scenario says how fast its motion goes (`[theory]`); the bound follows from that, for every engine by its own
+// scenario says how fast its motion goes (`[theory]`); the bound follows from that, for every engine by its
+// own
 // promise: one of first order is not asked for more, and one that bounds its error is not let off with less.
 #pragma once
 
@@ -24,13 +25,13 @@ Promise promise_of(const core::Engine&, const core::Terms&);
 /// The bound on the error of a quantity, in a run of step h over a time T.  With p the order, W the fastest
 /// rate of the motion, M what the motion itself makes of an error, S the claim's scale:
 ///
-///   M S (e^(d x) - 1), x = (W h)^p W T   of a fixed step h: a part (W h)^(p+1) a step, compounded, with d = 2 for
-///                                        energies and angular momenta, products of two that err, else 1;
-///   10 tolerance M S                     of an integrator that bounds its error, which it may misjudge by ten;
+///   M S (e^(d x) - 1), x = (W h)^p W T   of a fixed step h: a part (W h)^(p+1) a step, compounded;
+///   10 tolerance M S                     of an integrator that bounds its error; it may misjudge by ten;
 ///   10 tolerance M S W T                 of one that bounds the error of each of its steps;
 ///
-/// p is 1 for fixed steps where forces jump.  Rounding is allowed in addition: M times ten roundings of the largest
-/// value a step, all of one sign.  So is the truth's own error.
+/// d is 2 for energies and angular momenta, products of two quantities that err, else 1.  p is 1 for fixed
+/// steps where forces jump.  Rounding is allowed in addition: M times ten roundings of the largest value a
+/// step, all of one sign.  So is the truth's own error.
 struct Bound {
   double allowed = 0;   ///< [the observable's unit]
   double rounding = 0;  ///< The part of it that is rounding.
@@ -48,12 +49,15 @@ struct TheoryFinding {
   std::string reason, detail;
 };
 
-/// The scenario as far as its theory goes, with the claims that theory speaks of: those of no event, measured by
+/// The scenario as far as its theory goes, with the claims that theory speaks of: those of no event,
+/// measured by
 /// their largest or last deviation.  Requires scenario.theory.
 scenario::Scenario cut_to_theory(const scenario::Scenario&);
 
-/// `run(k)`: a recording of the cut scenario at step/2^k, asked for with k = 0, and 1 and 2 where an order shows.
-/// The order of a truth-following claim is asked of fixed steps in smooth motion, where the bound is below a tenth
+/// `run(k)`: a recording of the cut scenario at step/2^k, asked for with k = 0, and 1 and 2 where an order
+/// shows.
+/// The order of a truth-following claim is asked of fixed steps in smooth motion, where the bound is below a
+/// tenth
 /// of the scale and the errors are above rounding; it must not fall short of the promise by more than a half.
 std::vector<TheoryFinding> judge_by_theory(const scenario::Scenario& cut, double step,
                                            const std::function<core::Recording(int k)>& run);

@@ -1,4 +1,5 @@
-// The angle by which a joint's bodies are turned as it forbids, against bodies that are turned by known angles.
+// The angle by which a joint's bodies are turned as it forbids, against bodies that are turned by known
+// angles.
 #include "harness/core/observable.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// The gap between two convex bodies is the largest separation over all directions: attained along its normal, and
+// The gap between two convex bodies is the largest separation over all directions: attained along its
+// normal, and
 // exceeded along no other.
 #include "harness/core/convex.h"
 #include "harness/core/observable.h"

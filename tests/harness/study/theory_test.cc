@@ -1,4 +1,5 @@
-// Claims by theory on an oscillator whose errors are known: who keeps a promise passes, who breaks it does not.
+// Claims by theory on an oscillator whose errors are known: who keeps a promise passes, who breaks it does
+// not.
 #include "harness/study/theory.h"
 
 #include <gtest/gtest.h>

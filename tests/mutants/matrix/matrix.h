@@ -41,7 +41,8 @@ std::vector<Line> judge_all(const std::vector<Subject>&, int threads);
 /// The table with its legend, one line per subject, and the groups of mutants that it cannot tell apart.
 std::string print(const std::vector<Line>&);
 
-/// "N mutants: O die of the scenes' own claims, T with those by theory, R with relations; all judges: K killed,
+/// "N mutants: O die of the scenes' own claims, T with those by theory, R with relations; all judges: K
+/// killed,
 /// A alive, F false accusations".
 std::string summary(const std::vector<Line>& mutants, const std::vector<Line>& correct);
 

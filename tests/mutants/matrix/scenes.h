@@ -17,7 +17,8 @@ struct SceneRow {
 
 const std::vector<SceneRow>& scene_rows();
 
-/// A scenario cut to its duration, with every step or, of more than 1024, at most 256 samples a claim, and what its claims allow.
+/// A scenario cut to its duration, with every step or, of more than 1024, at most 256 samples a claim, and
+/// what its claims allow.
 struct Examined {
   scenario::Scenario scenario;
   std::vector<double> shipped;  ///< What each claim allows as it stands in its file.
