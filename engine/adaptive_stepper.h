@@ -33,13 +33,15 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
   using Base::dt_, Base::steps_, Base::system_, Base::y_;
 
  public:
-  AdaptiveStepper(S system, std::vector<Real> initial, Real tolerance, Time dt, Read read)
-      : Base(std::move(system), std::move(initial), dt, std::move(read)), integrator_(y_.size(), tolerance) {
+  AdaptiveStepper(S system, std::vector<Real> initial, Real tolerance, Time dt, Read read, std::int64_t first)
+      : Base(std::move(system), std::move(initial), dt, std::move(read), first),
+        integrator_(y_.size(), tolerance) {
+    const Time start = static_cast<Time>(first) * dt;
     if constexpr (Switching<S>) {
       watching_ = system_.switch_count() > 0;
-      if (watching_) system_.watch(0, y_.data());
+      if (watching_) system_.watch(start, y_.data());
     }
-    integrator_.start(system_, 0, y_.data());
+    integrator_.start(system_, start, y_.data());
   }
 
   void step() override {

@@ -49,6 +49,7 @@ enum class Feature : unsigned {
   // Of the run.
   chosen_integrator,
   account,        ///< The work of each force.
+  late_start,     ///< The run begins at another time than 0: parts of a scene that meet begin anew.
   every_stage,    ///< Option model = full.
   path_events,    ///< This path was asked for.
   path_stepping,  ///< This one.
@@ -94,6 +95,7 @@ inline constexpr std::array feature_names = {
                 "drag, water or a spring damped against the world in a rotating frame"},
     FeatureName{Feature::chosen_integrator, "a chosen integrator"},
     FeatureName{Feature::account, "the work of each force"},
+    FeatureName{Feature::late_start, "a start at another time than 0"},
     FeatureName{Feature::every_stage, "option model = full"},
     FeatureName{Feature::path_events, "the path events"},
     FeatureName{Feature::path_stepping, "the path stepping"},

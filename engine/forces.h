@@ -5,8 +5,10 @@
 
 #include "engine/body.h"
 #include "engine/features.h"
+#include "engine/numbering.h"
 #include "engine/water.h"
 
+#include <array>
 #include <concepts>
 #include <optional>
 #include <tuple>
@@ -23,10 +25,13 @@ struct Ends {
   Real rest_length = 0;                 ///< [m]
 };
 
+/// The body that a force acts on, and the second if there is one; else the world.
+using Acted = std::array<int, 2>;
+
 /// What else than its law must be known of a kind of force.
 template <class F>
 concept ForceKind = requires(F force, Features& features, std::vector<char>& turns, int body,
-                             const Vector3& arm) {
+                             const Vector3& arm, const Numbering& part) {
   { F::stage } -> std::convertible_to<const char*>;    // its row in a plan
   { F::one } -> std::convertible_to<const char*>;      // "a spring"
   { F::feature } -> std::convertible_to<Feature>;      // of its own
@@ -35,9 +40,11 @@ concept ForceKind = requires(F force, Features& features, std::vector<char>& tur
   { force.reads_time() } -> std::same_as<bool>;        // other than by the motion
   // Its law is the same in a turning frame, for inertial velocities.
   { force.holds_in_turning_frame() } -> std::same_as<bool>;
-  force.mark_turned(turns);                               // sets what it may turn from rest
-  force.shift_anchors(body, arm);                         // moves the reference point by `arm`, body axes
-  { force.ends() } -> std::same_as<std::optional<Ends>>;  // where it acts between two places
+  force.mark_turned(turns);                                   // sets what it may turn from rest
+  force.shift_anchors(body, arm);                             // moves the reference point by `arm`, body axes
+  { force.ends() } -> std::same_as<std::optional<Ends>>;      // where it acts between two places
+  { force.acts_on() } -> std::same_as<std::optional<Acted>>;  // nothing: on every body
+  force.renumber(part);                                       // as the force of a part of the model
 };
 
 /// F = (stiffness (|d| - rest_length) + damping d|d|/dt) d/|d| on `body`, -F on `to`, at the anchors; d from
@@ -73,6 +80,8 @@ struct Spring {
     if (end == to) to_anchor -= arm;
   }
   std::optional<Ends> ends() const { return Ends{body, anchor, to, to_anchor, rest_length}; }
+  std::optional<Acted> acts_on() const { return Acted{body, to}; }
+  void renumber(const Numbering& part) { body = part(body), to = part(to); }
 
  private:
   static bool pulls_off_centre(int end, const Vector3& at) { return end != fixed_world && !at.isZero(0); }
@@ -96,6 +105,8 @@ struct Drag {
   void mark_turned(std::vector<char>&) const {}
   void shift_anchors(int, const Vector3&) {}
   std::optional<Ends> ends() const { return std::nullopt; }
+  std::optional<Acted> acts_on() const { return Acted{body, fixed_world}; }
+  void renumber(const Numbering& part) { body = part(body); }
 };
 
 /// A constant force in body axes at the centre of mass, or exchanged mass: dm/dt = Body::mass_rate brings in
@@ -119,6 +130,8 @@ struct Thrust {
   void mark_turned(std::vector<char>&) const {}
   void shift_anchors(int, const Vector3&) {}
   std::optional<Ends> ends() const { return std::nullopt; }
+  std::optional<Acted> acts_on() const { return Acted{body, fixed_world}; }
+  void renumber(const Numbering& part) { body = part(body); }
 };
 
 /// F = force cos(frequency t) at the centre of mass.
@@ -137,6 +150,8 @@ struct Drive {
   void mark_turned(std::vector<char>&) const {}
   void shift_anchors(int, const Vector3&) {}
   std::optional<Ends> ends() const { return std::nullopt; }
+  std::optional<Acted> acts_on() const { return Acted{body, fixed_world}; }
+  void renumber(const Numbering& part) { body = part(body); }
 };
 
 /// F = strength m_a m_b d/|d|^3 on `body`, -F on `to`, d from `body` to `to`, between centres of mass.  At
@@ -156,6 +171,8 @@ struct Attraction {
   void mark_turned(std::vector<char>&) const {}
   void shift_anchors(int, const Vector3&) {}
   std::optional<Ends> ends() const { return Ends{body, Vector3::Zero(), to, Vector3::Zero(), 0}; }
+  std::optional<Acted> acts_on() const { return Acted{body, to}; }
+  void renumber(const Numbering& part) { body = part(body), to = part(to); }
 };
 
 /// All forces of a model; F = sum F_i, torque = sum r_i x F_i (seed eq. 17, 57, 58; errata 4).

@@ -13,6 +13,9 @@
 
 namespace cylon::engine {
 
+/// More bodies than this that move freely are stepped side by side, by a chosen integrator.
+inline constexpr std::size_t many_free = 64;
+
 /// Translation: every symmetric integrator carries free fall exactly, and each keeps the displacement per
 /// step s (the integrators differ in A, the share of a step's own kick that its own drifts see; 1/2 from
 /// order 2 on)

@@ -14,38 +14,44 @@
 #include "engine/tops.h"
 #include "engine/verified_stepper.h"
 
+#include <cmath>
 #include <utility>
 
 namespace cylon::engine {
 
 namespace {
 
+std::int64_t step_at(Time start, const Options& options) { return std::llround(start / options.dt); }
+
 Real bound(const Options& options) { return options.tolerance > 0 ? options.tolerance : default_tolerance(); }
 
 // Smooth motion of a System by an integrator, fixed or adaptive with a local tolerance.
 template <class S, class Read>
 std::unique_ptr<Stepper> smooth(const S& system, const std::vector<Real>& initial, const Plan& plan,
-                                const Options& options, Read read, const Model& model) {
+                                const Options& options, Read read, const Model& model, std::int64_t first) {
   if (plan.integrator->kind != Kind::adaptive)
-    return std::make_unique<SmoothStepper<S, Read>>(system, initial, *plan.integrator, options.dt, read);
+    return std::make_unique<SmoothStepper<S, Read>>(system, initial, *plan.integrator, options.dt, read,
+                                                    first);
   const auto run = [=](Real tolerance) -> std::unique_ptr<Stepper> {
-    return std::make_unique<AdaptiveStepper<S, Read>>(system, initial, tolerance, options.dt, read);
+    return std::make_unique<AdaptiveStepper<S, Read>>(system, initial, tolerance, options.dt, read, first);
   };
   if (!plan.verified) return run(bound(options));
-  return std::make_unique<VerifiedStepper>(run, bound(options), options.dt, model.bodies);
+  return std::make_unique<VerifiedStepper>(run, bound(options), options.dt, model.bodies, first);
 }
 
 template <std::size_t N>
-std::unique_ptr<Stepper> make_points(const Model& model, const Plan& plan, const Options& options) {
+std::unique_ptr<Stepper> make_points(const Model& model, const Plan& plan, const Options& options,
+                                     std::int64_t first) {
   const Points<N> system(model);
   const auto read = [start = model.motions](const Points<N>& s, const Real* y, std::vector<Motion>& motions) {
     motions = start;
     s.read(y, motions);
   };
-  return smooth(system, system.initial(model.motions), plan, options, read, model);
+  return smooth(system, system.initial(model.motions), plan, options, read, model, first);
 }
 
-std::unique_ptr<Stepper> make_bodies(const Model& model, const Plan& plan, const Options& options) {
+std::unique_ptr<Stepper> make_bodies(const Model& model, const Plan& plan, const Options& options,
+                                     std::int64_t first) {
   Reduced reduced = reduce(model);
   const bool asks_more = !(required(reduced.model, options) - supports(Method::top)).empty();
   if (!asks_more && Top::applies(reduced.model)) {
@@ -54,7 +60,7 @@ std::unique_ptr<Stepper> make_bodies(const Model& model, const Plan& plan, const
                                                       std::vector<Motion>& motions) {
       motions.assign(1, engine::read(t.body(), reading, t.motion(y)));
     };
-    return smooth(top, top.initial(), plan, options, read, model);
+    return smooth(top, top.initial(), plan, options, read, model, first);
   }
   const Bodies system(std::move(reduced.model), options.account);
   const auto read = [readings = std::move(reduced.readings)](const Bodies& s, const Real* y,
@@ -64,7 +70,7 @@ std::unique_ptr<Stepper> make_bodies(const Model& model, const Plan& plan, const
       motions[i] = engine::read(s.model().bodies[i], readings[i], Bodies::motions(y)[i]);
     }
   };
-  return smooth(system, system.initial(), plan, options, read, model);
+  return smooth(system, system.initial(), plan, options, read, model, first);
 }
 
 std::unique_ptr<Stepper> make_events(const Model& model, const Plan& plan, const Options& options,
@@ -73,7 +79,8 @@ std::unique_ptr<Stepper> make_events(const Model& model, const Plan& plan, const
     return std::make_unique<EventStepper>(model, *integrator, options.dt, tolerance, options.account, start);
   };
   if (!plan.verified) return run(bound(options));
-  return std::make_unique<VerifiedStepper>(run, bound(options), options.dt, model.bodies);
+  return std::make_unique<VerifiedStepper>(run, bound(options), options.dt, model.bodies,
+                                           step_at(start, options));
 }
 
 PileSettings pile_settings(const Options& options) {
@@ -86,6 +93,7 @@ PileSettings pile_settings(const Options& options) {
 
 std::unique_ptr<Stepper> make_stepper(const Model& model, const Options& options, const Plan& plan,
                                       Time start) {
+  const std::int64_t first = step_at(start, options);
   switch (plan.path) {
     case Path::exact:
       return std::make_unique<FreeStepper>(model, options.dt);
@@ -94,16 +102,16 @@ std::unique_ptr<Stepper> make_stepper(const Model& model, const Options& options
     case Path::modes:
       return std::make_unique<ModesStepper>(model, options.dt);
     case Path::points:
-      return model.bodies.size() == 1 ? make_points<1>(model, plan, options)
-                                      : make_points<0>(model, plan, options);
+      return model.bodies.size() == 1 ? make_points<1>(model, plan, options, first)
+                                      : make_points<0>(model, plan, options, first);
     case Path::bodies:
-      return make_bodies(model, plan, options);
+      return make_bodies(model, plan, options, first);
     case Path::ballistic:
       return make_ballistic(model, options.dt);
     case Path::events:
       return make_events(model, plan, options, start);
     case Path::stepping:
-      return make_pile(model, options.dt, pile_settings(options));
+      return make_pile(model, options.dt, pile_settings(options), first);
   }
   return nullptr;
 }

@@ -26,26 +26,29 @@ struct Row {
 };
 
 constexpr std::array rows = {
-    Row{Method::exact, {Feature::locked_body, Feature::spin}},
-    Row{Method::free, {Feature::spin, Feature::chosen_integrator}},
+    Row{Method::exact, {Feature::locked_body, Feature::spin, Feature::late_start}},
+    Row{Method::free, {Feature::spin, Feature::chosen_integrator, Feature::late_start}},
     Row{Method::modes, {Feature::locked_body, Feature::spring, Feature::drive}},
     Row{Method::points,
         {Feature::locked_body, Feature::spring, Feature::drive, Feature::attraction,
-         Feature::chosen_integrator}},
-    Row{Method::top, {Feature::spin, Feature::pinned_body, Feature::chosen_integrator}},
+         Feature::chosen_integrator, Feature::late_start}},
+    Row{Method::top, {Feature::spin, Feature::pinned_body, Feature::chosen_integrator, Feature::late_start}},
     Row{Method::bodies, rigid_bodies | all_forces | all_joints |
                             Features{Feature::pinned_body, Feature::one_axis_body, Feature::turning_frame,
-                                     Feature::chosen_integrator, Feature::account, Feature::every_stage}},
+                                     Feature::chosen_integrator, Feature::account, Feature::late_start,
+                                     Feature::every_stage}},
     Row{Method::ballistic,
-        {Feature::locked_body, Feature::spin, Feature::contact, Feature::friction, Feature::sphere}},
-    Row{Method::events, rigid_bodies | all_forces | all_joints | all_contacts |
-                            Features{Feature::pinned_body, Feature::one_axis_body, Feature::chosen_integrator,
-                                     Feature::account, Feature::every_stage, Feature::path_events}},
+        {Feature::locked_body, Feature::spin, Feature::contact, Feature::friction, Feature::sphere,
+         Feature::late_start}},
+    Row{Method::events,
+        rigid_bodies | all_forces | all_joints | all_contacts |
+            Features{Feature::pinned_body, Feature::one_axis_body, Feature::chosen_integrator,
+                     Feature::account, Feature::late_start, Feature::every_stage, Feature::path_events}},
     Row{Method::sphere_steps,
         {Feature::locked_body, Feature::spin, Feature::contact, Feature::lasting_contact, Feature::friction,
-         Feature::sphere, Feature::every_stage, Feature::path_stepping}},
+         Feature::sphere, Feature::late_start, Feature::every_stage, Feature::path_stepping}},
     Row{Method::body_steps, rigid_bodies | all_forces | all_joints | all_contacts |
-                                Features{Feature::every_stage, Feature::path_stepping}},
+                                Features{Feature::late_start, Feature::every_stage, Feature::path_stepping}},
 };
 
 constexpr bool one_row_each() {

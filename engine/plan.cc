@@ -20,9 +20,6 @@ namespace {
 // work.
 constexpr std::size_t most_followed = 8, most_followed_others = 1;
 
-// More bodies than this that move freely are stepped side by side.
-constexpr std::size_t many_free = 64;
-
 template <class Range, class Predicate>
 bool any(const Range& range, Predicate predicate) {
   return std::any_of(range.begin(), range.end(), predicate);

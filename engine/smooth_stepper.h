@@ -15,8 +15,10 @@ class SmoothStepper final : public SystemStepper<S, Read> {
   using Base::dt_, Base::steps_, Base::system_, Base::y_;
 
  public:
-  SmoothStepper(S system, std::vector<Real> initial, const Integrator& integrator, Time dt, Read read)
-      : Base(std::move(system), std::move(initial), dt, std::move(read)), advance_(integrator, y_.size()) {}
+  SmoothStepper(S system, std::vector<Real> initial, const Integrator& integrator, Time dt, Read read,
+                std::int64_t first)
+      : Base(std::move(system), std::move(initial), dt, std::move(read), first),
+        advance_(integrator, y_.size()) {}
 
   void step() override {
     advance_(system_, static_cast<Time>(steps_) * dt_, dt_, y_.data());

@@ -10,12 +10,13 @@
 
 namespace cylon::engine {
 
-/// `Read` copies the state into motions:  void(const S&, const Real* y, std::vector<Motion>&).
+/// `Read` copies the state into motions:  void(const S&, const Real* y, std::vector<Motion>&).  `initial` is the
+/// state at t = first dt.
 template <System S, class Read>
 class SystemStepper : public Stepper {
  public:
-  SystemStepper(S system, std::vector<Real> initial, Time dt, Read read)
-      : system_(std::move(system)), y_(std::move(initial)), dt_(dt), read_(std::move(read)) {}
+  SystemStepper(S system, std::vector<Real> initial, Time dt, Read read, std::int64_t first)
+      : system_(std::move(system)), y_(std::move(initial)), dt_(dt), steps_(first), read_(std::move(read)) {}
 
   void read(std::vector<Motion>& motions) const final { read_(system_, y_.data(), motions); }
   const Real* works() const final {
@@ -29,7 +30,7 @@ class SystemStepper : public Stepper {
   S system_;
   std::vector<Real> y_;
   Time dt_;
-  std::int64_t steps_ = 0;
+  std::int64_t steps_;
 
  private:
   Read read_;

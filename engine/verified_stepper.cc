@@ -12,7 +12,7 @@ namespace {
 
 // Below this a local tolerance is rounding.
 constexpr Real least = std::numeric_limits<Real>::epsilon() / 2;
-constexpr Real first = Real(0.1);  // of the bound: errors of single steps add up
+constexpr Real first_share = Real(0.1);  // of the bound: errors of single steps add up
 
 // The angle between two orientations.
 Real angle(const Quaternion& a, const Quaternion& b) {
@@ -24,12 +24,14 @@ Real share(Real difference, Real scale) { return difference == 0 ? 0 : differenc
 
 }  // namespace
 
-VerifiedStepper::VerifiedStepper(MakeRun make, Real bound, Time dt, std::vector<Body> bodies)
+VerifiedStepper::VerifiedStepper(MakeRun make, Real bound, Time dt, std::vector<Body> bodies,
+                                 std::int64_t first)
     : make_(std::move(make)),
       bound_(bound),
       dt_(dt),
-      tolerance_(std::max(bound * first / 10, least)),
-      bodies_(std::move(bodies)) {
+      tolerance_(std::max(bound * first_share / 10, least)),
+      bodies_(std::move(bodies)),
+      first_(first) {
   coarse_ = make_(10 * tolerance_);
   fine_ = make_(tolerance_);
   fine_->read(fine_motion_);
@@ -80,7 +82,7 @@ Real VerifiedStepper::parted() {
   return std::isfinite(error) ? error : std::numeric_limits<Real>::infinity();
 }
 
-// The finer run becomes the coarser one; another starts from t = 0 at a tenth of its tolerance.
+// The finer run becomes the coarser one; another starts from the start at a tenth of its tolerance.
 void VerifiedStepper::tighten() {
   tolerance_ = std::max(tolerance_ / 10, least);
   coarse_ = std::move(fine_);
@@ -97,7 +99,8 @@ std::vector<std::string> VerifiedStepper::remarks() const {
         text, sizeof text,
         "auto: from sample %lld on the tolerance %.1e is not reached: solutions at the two finest local "
         "tolerances differ by up to %.1e of the scales of the motion (chaos or ill-conditioning)",
-        static_cast<long long>(missed_at_), static_cast<double>(bound_), static_cast<double>(worst_));
+        static_cast<long long>(first_ + missed_at_), static_cast<double>(bound_),
+        static_cast<double>(worst_));
     remarks.emplace_back(text);
   }
   return remarks;

@@ -9,18 +9,19 @@
 
 namespace cylon::engine {
 
-/// A run from t = 0 with a tolerance for the error made in each of its own steps.
+/// A run from its start with a tolerance for the error made in each of its own steps.
 using MakeRun = std::function<std::unique_ptr<Stepper>(Real local_tolerance)>;
 
 /// Runs at a local tolerance and, beside it, at a tenth of that.  Where their samples part by more than
-/// `bound` of the motion's scales, both tolerances fall to a tenth and the finer run starts again from t = 0,
+/// `bound` of the motion's scales, both tolerances fall to a tenth and the finer run starts again from its start,
 /// up to the same sample.  A sample is the finer run's, and is given out once both agree on it; at the end of
 /// what the number type can resolve it is given out all the same, and a remark says how far they part.  A
 /// sample within a step of an impact may part by as much as the impact changes it; it is compared again one
 /// step later.
 class VerifiedStepper final : public Stepper {
  public:
-  VerifiedStepper(MakeRun, Real bound, Time dt, std::vector<Body> bodies);
+  /// `first`: the step at which the runs start.
+  VerifiedStepper(MakeRun, Real bound, Time dt, std::vector<Body> bodies, std::int64_t first = 0);
 
   void step() override;
   void read(std::vector<Motion>& motions) const override { motions = fine_motion_; }
@@ -44,8 +45,8 @@ class VerifiedStepper final : public Stepper {
   std::vector<Body> bodies_;
   std::unique_ptr<Stepper> coarse_, fine_;
   std::vector<Motion> coarse_motion_, fine_motion_;
-  Real length_ = 0, speed_ = 0, turn_ = 0;  // the motion's scales so far [m, m/s, rad/s]
-  std::int64_t steps_ = 0, missed_at_ = -1;
+  Real length_ = 0, speed_ = 0, turn_ = 0;           // the motion's scales so far [m, m/s, rad/s]
+  std::int64_t first_, steps_ = 0, missed_at_ = -1;  // steps since the start
   Real worst_ = 0;
   bool waiting_ = false;  // for a sample away from an impact
 };

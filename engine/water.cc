@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <type_traits>
+#include <utility>
 
 namespace cylon::engine {
 
@@ -132,5 +133,14 @@ bool displaces(const Shape& shape) {
 }
 
 std::optional<Ends> Water::ends() const { return std::nullopt; }
+
+void Water::renumber(const Numbering& part) {
+  const auto pick = [&](auto& list) {
+    if (list.empty()) return;
+    auto whole = std::exchange(list, {});
+    for (const int body : part.bodies()) list.push_back(whole[static_cast<std::size_t>(body)]);
+  };
+  pick(shapes), pick(inside);
+}
 
 }  // namespace cylon::engine

@@ -3,9 +3,11 @@
 
 #include "engine/body.h"
 #include "engine/features.h"
+#include "engine/numbering.h"
 #include "engine/shape.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -58,6 +60,8 @@ struct Water {
   }
   void shift_anchors(int, const Vector3&) {}
   std::optional<Ends> ends() const;
+  std::optional<std::array<int, 2>> acts_on() const { return std::nullopt; }
+  void renumber(const Numbering& part);
 };
 
 /// The part of a body below the horizontal plane y = height.

@@ -1,8 +1,9 @@
 #include "engine/world.h"
 
-#include "engine/ballistic/ballistic.h"
-#include "engine/make_stepper.h"
+#include "engine/islands/joined_plan.h"
+#include "engine/islands/unions.h"
 
+#include <algorithm>
 #include <cassert>
 #include <sstream>
 #include <utility>
@@ -11,86 +12,345 @@ namespace cylon::engine {
 
 namespace {
 
+constexpr std::size_t most_named = 6, most_remarks = 8;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
 Model with(Model model, const Options& options) {
   if (options.constraints) model.reduce_joints = false;
   return model;
 }
 
+std::string shown(Time t) {
+  std::ostringstream text;
+  text << t;
+  return text.str();
+}
+
+bool is_finite(const Motion& m) {
+  return m.position.allFinite() && m.momentum.allFinite() && m.orientation.coeffs().allFinite() &&
+         m.angular_momentum.allFinite();
+}
+
+// Whether there is nothing to part: everything runs on purpose, or every body moves by itself in one run.
+bool one_by_nature(const Model& model, const Options& options) {
+  if (options.full || options.account) return true;
+  if (!model.joints.empty() || !model.forces.only_gravity() || can_touch(model) || model.frame ||
+      std::any_of(model.bodies.begin(), model.bodies.end(),
+                  [](const Body& b) { return b.locked || b.mass_rate != 0; }))
+    return false;
+  const Path path = make_plan(model, options).path;
+  return path == Path::exact || path == Path::free;
+}
+
 }  // namespace
 
-World::World(Model model, const Options& options)
-    : model_(with(std::move(model), options)),
-      masses_(model_.bodies),
-      options_(options),
-      plan_(make_plan(model_, options_)) {
-  assert(options_.dt > 0 && unsupported(model_, options_).empty());
-  stepper_ = make_stepper(model_, options_, plan_);
-  motions_ = model_.motions;
-  if (plan_.path == Path::ballistic) {
-    ballistic_ = static_cast<Ballistic*>(stepper_.get());
-    if (ballistic_->handover()) hand_over();
-  }
+World::World(Model model, const Options& options, Names names)
+    : model_(std::make_shared<const Model>(with(std::move(model), options))),
+      names_(std::move(names)),
+      masses_(model_->bodies),
+      options_(options) {
+  assert(options_.dt > 0 && unsupported(*model_, options_).empty());
+  if (masses_.any()) bodies_ = model_->bodies;
+  if (!one_by_nature(*model_, options_)) divide();
+  if (islands_.empty()) islands_.push_back({{}, {}, {}, std::make_unique<Run>(model_, options_), false, {}});
+  set_plan();
 }
 
 World::~World() = default;
 
-void World::step() {
-  stepper_->step();
-  impacts_ = stepper_->impacts();
-  if (ballistic_ && ballistic_->handover()) {
-    hand_over();
-    stepper_->step();
-    impacts_.insert(impacts_.end(), stepper_->impacts().begin(), stepper_->impacts().end());
+// The islands at t = 0.
+void World::divide() {
+  interactions_.emplace(*model_, options_.dt);
+  const std::size_t n = interactions_->clusters().size();
+  if (n == 0) return;  // nothing moves
+  motions_ = model_->motions;
+  island_of_.resize(n);
+  ranges_.resize(model_->bodies.size());
+  std::vector<std::size_t> all(n), flying;
+  for (std::size_t c = 0; c < n; ++c) all[c] = c;
+  if (watches()) {
+    find_accelerations();
+    for (const std::size_t c : all) look(c);
   }
+  // What flies alone is one run, if that takes each body by itself.
+  std::vector<std::vector<std::size_t>> groups = interactions_->groups(ranges_, all);
+  std::erase_if(groups, [&](const auto& group) {
+    const bool flies = group.size() == 1 && interactions_->flies(group[0]);
+    if (flies) flying.push_back(group[0]);
+    return flies;
+  });
+  if (!add_flight(flying))
+    for (const std::size_t c : flying) groups.push_back({c});
+  std::sort(groups.begin(), groups.end());
+  for (auto& group : groups) add_island(std::move(group), motions_, 0);
+}
+
+bool World::add_flight(const std::vector<std::size_t>& clusters) {
+  if (clusters.size() < 2) return false;
+  islands::Part part = interactions_->flight(clusters, motions_);
+  auto run = std::make_unique<Run>(std::make_shared<const Model>(std::move(part.model)), options_);
+  if (run->plan().path != Path::exact && run->plan().path != Path::free) return false;
+  for (const std::size_t c : clusters) island_of_[c] = islands_.size();
+  islands_.push_back({clusters, std::move(part.bodies), {}, std::move(run), true, {}});
+  return true;
+}
+
+void World::add_island(std::vector<std::size_t> clusters, const std::vector<Motion>& motions,
+                       std::int64_t first) {
+  islands::Part part = interactions_->part(clusters, motions);
+  Options options = options_;
+  // An island of a scene that can be stepped but, by its masses, not be followed event by event.
+  if (!unsupported(part.model, options).empty()) options.path = "stepping";
+  for (const std::size_t c : clusters) island_of_[c] = islands_.size();
+  auto run = std::make_unique<Run>(std::make_shared<const Model>(std::move(part.model)), options, first);
+  run->keep_contacts(keep_contacts_);
+  islands_.push_back(
+      {std::move(clusters), std::move(part.bodies), std::move(part.planes), std::move(run), false, {}});
+}
+
+void World::step() {
+  if (watches()) before_ = motions_;
+  for (Island& island : islands_) island.run->step();
   ++steps_;
-  stepper_->read(motions_);
-  masses_.set(time(), model_.bodies);
+  take();
+  if (watches()) watch();
 }
 
 void World::advance(std::int64_t n) {
-  for (; ballistic_ && n > 0; --n) step();  // it may hand over after any of them
-  if (n == 0) return;
-  // Integrators make one of kicks that meet in a run of steps, and other last bits with it: only free
-  // bodies run.
-  if (plan_.path == Path::free)
-    stepper_->advance(n);
-  else
-    for (std::int64_t i = 0; i < n; ++i) stepper_->step();
-  impacts_ = stepper_->impacts();
+  if (watches()) {
+    for (; n > 0; --n) step();
+    return;
+  }
+  for (Island& island : islands_) island.run->advance(n);
   steps_ += n;
-  stepper_->read(motions_);
-  masses_.set(time(), model_.bodies);
+  take();
 }
 
-// What spheres in free flight cannot express goes on event by event, from the instant at which it begins;
-// where many may touch, in fixed steps, from the step in which it begins.
-void World::hand_over() {
-  const Handover from = *ballistic_->handover();
-  ballistic_ = nullptr;
-  const Plan plan = make_plan(model_, options_, {Feature::lasting_contact});
-  const bool by_events = plan.path == Path::events;
-  const Time start = by_events ? from.time : time();
-  Model model = model_;
-  model.motions = by_events ? from.motions : motions_;
-  stepper_ = make_stepper(model, options_, plan, start);
-  stepper_->keep_contacts(keep_contacts_);
-  remarks_.push_back("closed form until t = " + std::to_string(start) + " s, then " +
-                     (by_events ? "by events: " : "in fixed first-order steps: ") + from.reason);
-  if (!by_events) impacts_.clear();  // the whole step again
+void World::keep_contacts(bool keep) {
+  keep_contacts_ = keep;
+  for (Island& island : islands_) island.run->keep_contacts(keep);
+}
+
+// Motions, impacts and contacts of all islands, by the numbers of the whole model.
+void World::take() {
+  masses_.set(time(), bodies_);
+  impacts_.clear(), contacts_.clear();
+  for (const Island& island : islands_) take(island);
+  if (islands_.size() > 1) sort_impacts();
+}
+
+void World::take(const Island& island) {
+  if (is_whole(island)) {
+    impacts_ = island.run->impacts();
+    if (keep_contacts_) contacts_ = island.run->contacts();
+    return;
+  }
+  const std::vector<Motion>& motions = island.run->motions();
+  for (std::size_t i = 0; i < motions.size(); ++i)
+    if (island.left.empty() || !island.left[i]) motions_[at(island.bodies[i])] = motions[i];
+  const auto numbered = [&](auto touch) {
+    touch.body = island.bodies[at(touch.body)];
+    if (touch.other != fixed_world) touch.other = island.bodies[at(touch.other)];
+    if (touch.plane >= 0) touch.plane = island.planes[at(touch.plane)];
+    return touch;
+  };
+  for (const Impact& impact : island.run->impacts()) impacts_.push_back(numbered(impact));
+  if (!keep_contacts_) return;
+  for (const Contact& contact : island.run->contacts()) contacts_.push_back(numbered(contact));
+}
+
+void World::sort_impacts() {
+  std::stable_sort(impacts_.begin(), impacts_.end(),
+                   [](const Impact& a, const Impact& b) { return a.time < b.time; });
+}
+
+// ---- What may meet ----------------------------------------------------------------------------------
+
+void World::find_accelerations() {
+  const std::size_t n = motions_.size();
+  accelerations_.assign(n, 0);
+  if (model_->forces.only_gravity()) return;
+  std::vector<Kinematics> kinematics(n);
+  std::vector<Load> loads(n);
+  for (std::size_t i = 0; i < n; ++i)
+    kinematics[i] = {motions_[i].orientation.toRotationMatrix(), velocity(bodies()[i], motions_[i]),
+                     angular_velocity(bodies()[i], motions_[i])};
+  apply(model_->forces, time(), bodies(), motions_.data(), kinematics.data(), loads.data());
+  for (std::size_t i = 0; i < n; ++i)
+    accelerations_[i] = (bodies()[i].inverse_mass * loads[i].force - model_->forces.gravity).norm();
+}
+
+void World::look(std::size_t cluster) {
+  for (const int body : interactions_->touching(cluster))
+    ranges_[at(body)] =
+        interactions_->range(body, bodies()[at(body)], motions_[at(body)], accelerations_[at(body)]);
+}
+
+// After a step.  Every `ahead` steps all ranges are made anew, and besides those of a cluster with a body that
+// will leave its own in the next step: what is looked at when depends on that cluster alone.
+void World::watch() {
+  const bool all = steps_ % islands::Interactions::ahead == 0;
+  if (all) find_accelerations();
+  std::vector<std::size_t> looked;
+  std::vector<char> jumped(interactions_->clusters().size(), 0);
+  for (const std::size_t c : interactions_->open()) {
+    bool leaves = all;
+    for (const int body : interactions_->touching(c)) {
+      const islands::Range& range = ranges_[at(body)];
+      if (range.for_ever) continue;
+      const Motion& motion = motions_[at(body)];
+      const Real way = (motion.position - range.ball.centre).norm();
+      const Real next = velocity(bodies()[at(body)], motion).norm() * static_cast<Real>(options_.dt);
+      leaves = leaves || way + next > range.ball.radius;
+      jumped[c] = jumped[c] || way > range.ball.radius;
+    }
+    if (!leaves) continue;
+    look(c);
+    looked.push_back(c);
+  }
+  bool changed = merge(looked, jumped);
+  if (all) changed = part() || changed;
+  if (changed) set_plan();
+}
+
+// Islands of which two may meet become one.  What has left its range within the step may have met something
+// in it: that step is made again.
+bool World::merge(const std::vector<std::size_t>& looked, const std::vector<char>& jumped) {
+  const std::size_t n = interactions_->clusters().size();
+  islands::Unions unions(n);
+  for (const Island& island : islands_)
+    for (const std::size_t c : island.clusters)
+      if (!island.flies) unions.join(island.clusters.front(), c);
+  std::vector<std::size_t> met;
+  for (const std::size_t c : looked)
+    for (const std::size_t other : interactions_->open())
+      if (unions.find(c) != unions.find(other) && interactions_->may_meet(c, other, ranges_))
+        unions.join(c, other), met.push_back(c);
+  if (met.empty()) return false;
+
+  std::vector<std::vector<std::size_t>> merged;  // clusters of the new islands
+  for (std::size_t root = 0; root < n; ++root) {
+    if (std::none_of(met.begin(), met.end(), [&](std::size_t c) { return unions.find(c) == root; })) continue;
+    merged.emplace_back();
+    for (std::size_t c = root; c < n; ++c)
+      if (unions.find(c) == root) merged.back().push_back(c);
+  }
+  for (std::vector<std::size_t>& clusters : merged) {
+    const bool again =
+        std::any_of(clusters.begin(), clusters.end(), [&](std::size_t c) { return jumped[c] != 0; });
+    for (const std::size_t c : clusters) leave(c);
+    const std::int64_t first = again ? steps_ - 1 : steps_;
+    if (again) forget(clusters);
+    add_island(std::move(clusters), again ? before_ : motions_, first);
+    Island& island = islands_.back();
+    if (again) {
+      island.run->step();
+      take(island);
+      sort_impacts();
+      for (const std::size_t c : island.clusters) look(c);
+    }
+    note("from t = " + shown(static_cast<Time>(first) * options_.dt) +
+         " s on these may meet and are one part: " + named(island));
+  }
+  drop_empty();
+  return true;
+}
+
+// An island in fixed steps of which parts cannot meet in twice the time ahead.
+bool World::part() {
+  const std::size_t before = islands_.size();
+  for (std::size_t k = 0; k < before; ++k) {
+    if (islands_[k].clusters.size() < 2 || !islands_[k].run->is_stepped()) continue;
+    const std::vector<Motion>& motions = islands_[k].run->motions();
+    if (!std::all_of(motions.begin(), motions.end(), [](const Motion& m) { return is_finite(m); })) continue;
+    std::vector<islands::Range> wide = ranges_;
+    for (const std::size_t c : islands_[k].clusters)
+      for (const int body : interactions_->touching(c))
+        wide[at(body)] =
+            interactions_->range(body, bodies()[at(body)], motions_[at(body)], accelerations_[at(body)], 2);
+    auto groups = interactions_->groups(wide, islands_[k].clusters);
+    if (groups.size() < 2) continue;
+    for (const std::size_t c : islands_[k].clusters) leave(c);
+    for (auto& group : groups) {
+      add_island(std::move(group), motions_, steps_);
+      note("from t = " + shown(time()) + " s on a part of its own: " + named(islands_.back()));
+    }
+  }
+  if (islands_.size() == before) return false;
+  drop_empty();
+  return true;
+}
+
+// Takes a cluster out of its island, before it goes to another.
+void World::leave(std::size_t cluster) {
+  Island& island = islands_[island_of_[cluster]];
+  if (!island.run) return;
+  if (!island.flies) {
+    for (const std::string& remark : island.run->remarks())
+      note("until t = " + shown(time()) + " s " + named(island) + ": " + remark);
+    island.run.reset();
+    return;
+  }
+  const int body = interactions_->clusters()[cluster].bodies.front();
+  island.left.resize(island.bodies.size(), 0);
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) island.left[i] |= island.bodies[i] == body;
+  std::erase(island.clusters, cluster);
+  if (island.clusters.empty()) island.run.reset();
+}
+
+// What these clusters touched in the last step, which is made again.
+void World::forget(const std::vector<std::size_t>& clusters) {
+  std::vector<char> gone(motions_.size() + 1, 0);  // the last: the world
+  for (const std::size_t c : clusters)
+    for (const int body : interactions_->clusters()[c].bodies) gone[at(body)] = 1;
+  const auto touched = [&](const auto& touch) {
+    return gone[at(touch.body)] || (touch.other != fixed_world && gone[at(touch.other)]);
+  };
+  std::erase_if(impacts_, touched);
+  std::erase_if(contacts_, touched);
+}
+
+void World::drop_empty() {
+  std::erase_if(islands_, [](const Island& island) { return !island.run; });
+  std::sort(islands_.begin(), islands_.end(),
+            [](const Island& a, const Island& b) { return a.clusters.front() < b.clusters.front(); });
+  for (std::size_t k = 0; k < islands_.size(); ++k)
+    for (const std::size_t c : islands_[k].clusters) island_of_[c] = k;
+}
+
+// ---- What is said -----------------------------------------------------------------------------------
+
+void World::set_plan() {
+  std::vector<islands::NamedPlan> plans;
+  for (const Island& island : islands_) plans.push_back({named(island), &island.run->plan()});
+  plan_ = islands::joined_plan(plans);
+}
+
+void World::note(const std::string& what) {
+  if (notes_.size() < most_remarks)
+    notes_.push_back(what);
+  else
+    ++more_notes_;
+}
+
+// The moving bodies of an island.
+std::string World::named(const Island& island) const {
+  std::string text;
+  std::size_t count = 0;
+  for (const std::size_t c : island.clusters)
+    for (const int body : interactions_->clusters()[c].bodies)
+      if (count++ < most_named) text += (text.empty() ? "" : ", ") + names_(Thing::body, body);
+  if (count > most_named) text += " and " + std::to_string(count - most_named) + " more";
+  return text;
 }
 
 std::vector<std::string> World::remarks() const {
-  std::vector<std::string> all = remarks_;
-  if (plan_.path == Path::stepping && options_.integrator == "auto") {
-    std::ostringstream text;
-    text << "path stepping: fixed steps of order " << plan_.order << " in dt = " << options_.dt << " s; ";
-    if (options_.tolerance > 0)
-      text << "the tolerance " << options_.tolerance << " that was asked for is not kept";
-    else
-      text << "the error is not controlled";
-    all.push_back(text.str());
-  }
-  for (std::string& remark : stepper_->remarks()) all.push_back(std::move(remark));
+  std::vector<std::string> all = notes_;
+  if (more_notes_ > 0) all.push_back(std::to_string(more_notes_) + " more such changes of parts");
+  for (const Island& island : islands_)
+    for (const std::string& remark : island.run->remarks())
+      all.push_back(islands_.size() > 1 ? named(island) + ": " + remark : remark);
   return all;
 }
 

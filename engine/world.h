@@ -1,23 +1,27 @@
-// A running simulation: carries a model through time by the plan that its scene asks for.
+// A running simulation: the islands of a scene, each with a method and a step of its own.
 #pragma once
 
 #include "engine/changing_masses.h"
-#include "engine/plan.h"
-#include "engine/reduce.h"
-#include "engine/stepper.h"
+#include "engine/islands/islands.h"
+#include "engine/run.h"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 namespace cylon::engine {
 
-class Ballistic;
-
+/// An island is a part of the scene that nothing outside can act on: bodies that joints or forces tie together,
+/// and bodies that may touch in the steps ahead (engine/islands/islands.h), with the planes and locked bodies
+/// that they may ever touch.  Each runs as it would alone, to the last bit.  Islands whose bodies may meet
+/// become one, which begins anew from the state at that step; an island that is stepped parts again where its
+/// parts cannot meet.  With Options::full or Options::account the scene is one island.
 class World {
  public:
   /// Starts at t = 0.  Requires unsupported(model, options) to be empty, options.dt > 0, one motion and one
   /// shape per body.
-  World(Model, const Options&);
+  /// `names`: what bodies are called in the plan and in remarks.
+  World(Model, const Options&, Names names = numbered);
   World(const World&) = delete;
   World& operator=(const World&) = delete;
   ~World();
@@ -30,43 +34,84 @@ class World {
   void advance(std::int64_t n);
 
   Time time() const { return static_cast<Time>(steps_) * options_.dt; }
+
+  /// Of all islands as they are now: what any of them needs, and path, integrator and order of the island with
+  /// the least order.
   const Plan& plan() const { return plan_; }
+
+  std::size_t island_count() const { return islands_.size(); }
 
   /// The bodies as given, with their masses now; velocity() and angular_velocity() of a motion that was read
   /// need them.
-  const std::vector<Body>& bodies() const { return model_.bodies; }
+  const std::vector<Body>& bodies() const { return masses_.any() ? bodies_ : model_->bodies; }
 
   /// The motion now, of centres of mass.
-  const std::vector<Motion>& motions() const { return motions_; }
+  const std::vector<Motion>& motions() const { return whole() ? islands_[0].run->motions() : motions_; }
 
   /// The impacts of the last step, in order of time.
   const std::vector<Impact>& impacts() const { return impacts_; }
 
   /// Whether contacts() is wanted of the steps to come; the motion is the same.
-  void keep_contacts(bool keep) { stepper_->keep_contacts(keep_contacts_ = keep); }
+  void keep_contacts(bool keep);
 
   /// The contacts of the last step, if it was made with contacts kept.
-  const std::vector<Contact>& contacts() const { return stepper_->contacts(); }
+  const std::vector<Contact>& contacts() const { return contacts_; }
 
   /// The work done by each force since t = 0 [J], gravity first, in the order of Forces; null where not
   /// accounted.
-  const Real* works() const { return stepper_->works(); }
+  const Real* works() const { return whole() ? islands_[0].run->works() : nullptr; }
 
   /// What a user must know of the run so far.
   std::vector<std::string> remarks() const;
 
  private:
-  void hand_over();
+  struct Island {
+    std::vector<std::size_t> clusters;  // none: the island is the whole model
+    std::vector<int> bodies, planes;    // of the whole model, in the order of the run's
+    std::unique_ptr<Run> run;
+    bool flies = false;      // bodies that move by themselves, in one run
+    std::vector<char> left;  // those that are in another island now; empty: none
+  };
 
-  Model model_;
+  static bool is_whole(const Island& island) { return island.clusters.empty(); }
+  bool whole() const { return is_whole(islands_.front()); }
+  bool watches() const { return interactions_ && interactions_->may_meet(); }
+  void divide();
+  bool add_flight(const std::vector<std::size_t>& clusters);
+  void add_island(std::vector<std::size_t> clusters, const std::vector<Motion>&, std::int64_t first);
+  void take();
+  void take(const Island&);
+  void sort_impacts();
+
+  void watch();
+  void find_accelerations();
+  void look(std::size_t cluster);
+  bool merge(const std::vector<std::size_t>& looked, const std::vector<char>& jumped);
+  bool part();
+  void leave(std::size_t cluster);
+  void forget(const std::vector<std::size_t>& clusters);
+  void drop_empty();
+
+  void set_plan();
+  void note(const std::string& what);
+  std::string named(const Island&) const;
+
+  std::shared_ptr<const Model> model_;
+  Names names_;
+  std::vector<Body> bodies_;  // with their masses now, where they change
   ChangingMasses masses_;
   Options options_;
   Plan plan_;
-  std::unique_ptr<Stepper> stepper_;
-  Ballistic* ballistic_ = nullptr;  // stepper_, while it is one
-  std::vector<std::string> remarks_;
-  std::vector<Motion> motions_;
+  std::optional<islands::Interactions> interactions_;
+  std::vector<Island> islands_;
+  std::vector<std::size_t> island_of_;  // per cluster
+  std::vector<islands::Range> ranges_;  // per body
+  std::vector<Real> accelerations_;     // per body, beside gravity [m/s^2]
+  std::vector<std::string> notes_;
+  std::size_t more_notes_ = 0;
+  std::vector<Motion> motions_, before_;
   std::vector<Impact> impacts_;
+  std::vector<Contact> contacts_;
   std::int64_t steps_ = 0;
   bool keep_contacts_ = false;
 };

@@ -17,7 +17,7 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings)
+BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings, std::int64_t first)
     : model_(model),
       masses_(model_.bodies),
       dt_(dt),
@@ -27,6 +27,7 @@ BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings)
       movers_(model.bodies.size()),
       found_(model_),
       islands_(model_),
+      steps_(first),
       limit_(longest_step(model_.forces, model_.bodies)),
       struck_(model_.bodies.size(), 0),
       other_forces_(!model.forces.only_gravity()),

@@ -15,7 +15,7 @@ namespace cylon::engine::pile {
 
 class BodyPile : public Stepper {
  public:
-  BodyPile(const Model&, Time dt, const PileSettings&);
+  BodyPile(const Model&, Time dt, const PileSettings&, std::int64_t first = 0);
 
   void step() override;
   void read(std::vector<Motion>& motions) const override { motions = motions_; }
@@ -59,7 +59,7 @@ class BodyPile : public Stepper {
   std::vector<Load> loads_;
   std::vector<Impact> impacts_;
   std::vector<Real> pressed_;  // per block, over the parts of the step [N s]; while contacts are kept
-  long steps_ = 0;
+  std::int64_t steps_;
   double residual_ = 0;
   StepLimit limit_;
   std::vector<char> struck_;  // bodies that a bounce changes in this part of a step

@@ -5,9 +5,10 @@
 
 namespace cylon::engine {
 
-std::unique_ptr<Stepper> make_pile(const Model& model, Time dt, const PileSettings& settings) {
-  if (pile::only_spheres(model)) return std::make_unique<pile::SpherePile>(model, dt, settings);
-  return std::make_unique<pile::BodyPile>(model, dt, settings);
+std::unique_ptr<Stepper> make_pile(const Model& model, Time dt, const PileSettings& settings,
+                                   std::int64_t first) {
+  if (pile::only_spheres(model)) return std::make_unique<pile::SpherePile>(model, dt, settings, first);
+  return std::make_unique<pile::BodyPile>(model, dt, settings, first);
 }
 
 }  // namespace cylon::engine

@@ -5,6 +5,7 @@
 #include "engine/pile/settings.h"
 #include "engine/stepper.h"
 
+#include <cstdint>
 #include <memory>
 
 namespace cylon::engine {
@@ -13,6 +14,7 @@ namespace cylon::engine {
 /// own, structure of arrays and eight contacts at once.  First order in dt; nothing passes through anything
 /// as long as no body moves farther than half its smallest half-width in dt / 16; remarks() says when one
 /// did.  Another order of the bodies is another order of the sweeps, and another, equally good, solution.
-std::unique_ptr<Stepper> make_pile(const Model&, Time dt, const PileSettings& = {});
+/// `first`: the step at which it starts.
+std::unique_ptr<Stepper> make_pile(const Model&, Time dt, const PileSettings& = {}, std::int64_t first = 0);
 
 }  // namespace cylon::engine

@@ -17,7 +17,7 @@ int blocks_of(const Model& model) {
 
 }  // namespace
 
-SpherePile::SpherePile(const Model& model, Time dt, const PileSettings& settings)
+SpherePile::SpherePile(const Model& model, Time dt, const PileSettings& settings, std::int64_t first)
     : model_(model),
       dt_(dt),
       settings_(settings),
@@ -25,6 +25,8 @@ SpherePile::SpherePile(const Model& model, Time dt, const PileSettings& settings
       spheres_(model, blocks_of(model)),
       found_(model_, threads_),
       impacts_found_(model),
+      first_(first),
+      steps_(first),
       alone_(isolated(model)) {
   for (int i = 0; i < spheres_.count; ++i) {
     const Real r = spheres_.p(i)[3];
@@ -89,7 +91,7 @@ int SpherePile::parts_of_step() const {
 }
 
 void SpherePile::step() {
-  if (steps_ % steps_between_orders == 0) order_bodies();
+  if ((steps_ - first_) % steps_between_orders == 0) order_bodies();
   impacts_.clear(), contacts_.clear();
   int parts = parts_of_step();
   if (parts > most_parts) parts = most_parts, too_fast_ = true;

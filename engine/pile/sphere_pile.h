@@ -10,7 +10,7 @@ namespace cylon::engine::pile {
 class SpherePile : public Stepper {
  public:
   /// Requires only_spheres(model).
-  SpherePile(const Model&, Time dt, const PileSettings&);
+  SpherePile(const Model&, Time dt, const PileSettings&, std::int64_t first = 0);
 
   void step() override;
   void read(std::vector<Motion>& motions) const override { spheres_.read(model_.bodies, motions); }
@@ -42,7 +42,7 @@ class SpherePile : public Stepper {
   std::vector<Impact> impacts_;
   std::vector<Real>
       pressed_;  // per row of impulses, over the parts of the step [N s]; while contacts are kept
-  long steps_ = 0;
+  std::int64_t first_, steps_;
   Real smallest_ = 0, largest_ = 0;  // radius
   bool followed_ = false;  // impacts at one instant followed one another, though they are simultaneous
   bool too_fast_ = false, alone_ = false;

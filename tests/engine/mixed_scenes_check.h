@@ -47,6 +47,14 @@ inline bool gave_up(const Ran& run) {
   });
 }
 
+// Whether a run, or a part of the scene for some time of it, went in first-order steps: it says so.
+inline bool was_stepped(const Ran& run) {
+  return run.path == Path::stepping ||
+         std::any_of(run.remarks.begin(), run.remarks.end(), [](const std::string& remark) {
+           return remark.find("path stepping") != std::string::npos;
+         });
+}
+
 // Within the tolerance, or within what a run says of itself, or within the order of its steps: a path of
 // first order comes nearer in proportion to its step.
 inline void expect_same(const MixedScene& scene, const Truth& truth, Options options, const char* what) {
@@ -56,7 +64,7 @@ inline void expect_same(const MixedScene& scene, const Truth& truth, Options opt
   Ran run = run_to_end(scene.model, options);
   Real d = distance_of(run);
   Real allowed = std::max(run.remarks.empty() ? Real(1e-7) : Real(1e-3), 10 * truth.error);
-  if (run.path == Path::stepping) {
+  if (was_stepped(run)) {
     allowed = std::max(40 * static_cast<Real>(options.dt), 10 * truth.error);
     for (int finer = 0; finer < 2 && !(d <= allowed); ++finer) {
       allowed = std::max(d / 4, 10 * truth.error);

@@ -207,15 +207,19 @@ class InHouse final : public core::Simulator {
   static Reason told(const std::string& reason) { return reason.empty() ? Reason() : Reason(reason); }
 
   static engine::Names names_of(const core::Scene& scene) {
-    return [&scene](engine::Thing thing, int i) {
-      const auto k = static_cast<std::size_t>(i);
-      return fmt::format("'{}'", thing == engine::Thing::body ? scene.bodies[k].name : scene.planes[k].name);
+    const auto list = [](const auto& things) {
+      std::vector<std::string> names;
+      for (const auto& thing : things) names.push_back(fmt::format("'{}'", thing.name));
+      return names;
+    };
+    return [bodies = list(scene.bodies), planes = list(scene.planes)](engine::Thing thing, int i) {
+      return (thing == engine::Thing::body ? bodies : planes)[static_cast<std::size_t>(i)];
     };
   }
 
   core::Terms start(const core::Scene& scene, InHouseModel translated, const engine::Options& options) {
     forced_ = options.force ? doubt(scene, translated, options) : Reason();
-    world_.emplace(std::move(translated.model), options);
+    world_.emplace(std::move(translated.model), options, names_of(scene));
     frame_ = scene.frame ? scene.frame->angular_velocity : core::Vector3(core::Vector3::Zero());
     return terms(world_->plan(), options);
   }

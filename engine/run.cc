@@ -1,0 +1,102 @@
+#include "engine/run.h"
+
+#include "engine/ballistic/ballistic.h"
+#include "engine/make_stepper.h"
+
+#include <cassert>
+#include <sstream>
+#include <utility>
+
+namespace cylon::engine {
+
+namespace {
+
+Features late(std::int64_t first) { return first > 0 ? Features{Feature::late_start} : Features{}; }
+
+}  // namespace
+
+Run::Run(std::shared_ptr<const Model> model, const Options& options, std::int64_t first)
+    : model_(std::move(model)),
+      options_(options),
+      plan_(make_plan(*model_, options_, late(first))),
+      start_(static_cast<Time>(first) * options.dt),
+      motions_(model_->motions),
+      steps_(first),
+      stepped_(plan_.path == Path::stepping) {
+  assert(options_.dt > 0 && unsupported(*model_, options_).empty());
+  stepper_ = make_stepper(*model_, options_, plan_, start_);
+  if (plan_.path == Path::ballistic) {
+    ballistic_ = static_cast<Ballistic*>(stepper_.get());
+    if (ballistic_->handover()) hand_over();
+  }
+}
+
+Run::~Run() = default;
+
+void Run::step() {
+  stepper_->step();
+  take_impacts();
+  if (ballistic_ && ballistic_->handover()) {
+    hand_over();
+    stepper_->step();
+    impacts_.insert(impacts_.end(), stepper_->impacts().begin(), stepper_->impacts().end());
+  }
+  ++steps_;
+  stepper_->read(motions_);
+}
+
+void Run::advance(std::int64_t n) {
+  for (; ballistic_ && n > 0; --n) step();  // it may hand over after any of them
+  if (n == 0) return;
+  // Integrators make one of kicks that meet in a run of steps, and other last bits with it: only free
+  // bodies run.
+  if (plan_.path == Path::free)
+    stepper_->advance(n);
+  else
+    for (std::int64_t i = 0; i < n; ++i) stepper_->step();
+  take_impacts();
+  steps_ += n;
+  stepper_->read(motions_);
+}
+
+// The times of free flight count from its own start.
+void Run::take_impacts() {
+  impacts_ = stepper_->impacts();
+  if (!ballistic_ || start_ == 0) return;
+  for (Impact& impact : impacts_) impact.time += start_;
+}
+
+// What spheres in free flight cannot express goes on event by event, from the instant at which it begins;
+// where many may touch, in fixed steps, from the step in which it begins.
+void Run::hand_over() {
+  const Handover from = *ballistic_->handover();
+  ballistic_ = nullptr;
+  const Plan plan = make_plan(*model_, options_, Features{Feature::lasting_contact} | late(steps_));
+  const bool by_events = plan.path == Path::events;
+  const Time start = by_events ? start_ + from.time : time();
+  Model model = *model_;
+  model.motions = by_events ? from.motions : motions_;
+  stepper_ = make_stepper(model, options_, plan, start);
+  stepper_->keep_contacts(keep_contacts_);
+  stepped_ = plan.path == Path::stepping;
+  remarks_.push_back("closed form until t = " + std::to_string(start) + " s, then " +
+                     (by_events ? "by events: " : "in fixed first-order steps: ") + from.reason);
+  if (!by_events) impacts_.clear();  // the whole step again
+}
+
+std::vector<std::string> Run::remarks() const {
+  std::vector<std::string> all = remarks_;
+  if (plan_.path == Path::stepping && options_.integrator == "auto") {
+    std::ostringstream text;
+    text << "path stepping: fixed steps of order " << plan_.order << " in dt = " << options_.dt << " s; ";
+    if (options_.tolerance > 0)
+      text << "the tolerance " << options_.tolerance << " that was asked for is not kept";
+    else
+      text << "the error is not controlled";
+    all.push_back(text.str());
+  }
+  for (std::string& remark : stepper_->remarks()) all.push_back(std::move(remark));
+  return all;
+}
+
+}  // namespace cylon::engine

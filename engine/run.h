@@ -1,0 +1,64 @@
+// One island of a scene on its way through time, by the plan that its model asks for.
+#pragma once
+
+#include "engine/plan.h"
+#include "engine/stepper.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace cylon::engine {
+
+class Ballistic;
+
+class Run {
+ public:
+  /// Starts at t = first dt, with the model's motions then; its bodies are those of t = 0.  Requires
+  /// unsupported(model, options) to be empty, options.dt > 0, one motion and one shape per body.
+  Run(std::shared_ptr<const Model>, const Options&, std::int64_t first = 0);
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
+  ~Run();
+
+  /// Advances by exactly one step.
+  void step();
+
+  /// Advances by n steps, n >= 1: the bits of as many step(), for less, as nothing is read between them.
+  /// impacts() are then those of the last.
+  void advance(std::int64_t n);
+
+  Time time() const { return static_cast<Time>(steps_) * options_.dt; }
+  const Plan& plan() const { return plan_; }
+
+  /// Whether the motion goes on in fixed first-order steps now.
+  bool is_stepped() const { return stepped_; }
+
+  /// The motion now, of centres of mass.
+  const std::vector<Motion>& motions() const { return motions_; }
+
+  /// The impacts of the last step, in order of time.
+  const std::vector<Impact>& impacts() const { return impacts_; }
+
+  void keep_contacts(bool keep) { stepper_->keep_contacts(keep_contacts_ = keep); }
+  const std::vector<Contact>& contacts() const { return stepper_->contacts(); }
+  const Real* works() const { return stepper_->works(); }
+  std::vector<std::string> remarks() const;
+
+ private:
+  void hand_over();
+  void take_impacts();
+
+  std::shared_ptr<const Model> model_;
+  Options options_;
+  Plan plan_;
+  Time start_;  // [s]
+  std::unique_ptr<Stepper> stepper_;
+  Ballistic* ballistic_ = nullptr;  // stepper_, while it is one
+  std::vector<std::string> remarks_;
+  std::vector<Motion> motions_;
+  std::vector<Impact> impacts_;
+  std::int64_t steps_;
+  bool keep_contacts_ = false, stepped_ = false;
+};
+
+}  // namespace cylon::engine
