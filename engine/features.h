@@ -41,6 +41,7 @@ enum class Feature : unsigned {
   box,
   capsule,
   hull,
+  pairs_apart,  ///< Pairs of bodies that do not touch each other.
   // The frame, and what would have to know that it turns.
   turning_frame,
   contact_in_turning_frame,
@@ -88,6 +89,7 @@ inline constexpr std::array feature_names = {
     FeatureName{Feature::box, "boxes that touch"},
     FeatureName{Feature::capsule, "capsules that touch"},
     FeatureName{Feature::hull, "hulls that touch"},
+    FeatureName{Feature::pairs_apart, "pairs of bodies that do not touch each other"},
     FeatureName{Feature::turning_frame, "a rotating frame"},
     FeatureName{Feature::contact_in_turning_frame, "contacts in a rotating frame"},
     FeatureName{Feature::world_joint_in_turning_frame, "joints to the world in a rotating frame"},

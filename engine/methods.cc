@@ -17,7 +17,7 @@ constexpr Features all_joints = {Feature::joint_together, Feature::joint_at_leng
                                  Feature::joint_never};
 constexpr Features all_contacts = {
     Feature::contact, Feature::lasting_contact, Feature::friction, Feature::sphere,
-    Feature::box,     Feature::capsule,         Feature::hull};
+    Feature::box,     Feature::capsule,         Feature::hull,     Feature::pairs_apart};
 constexpr Features rigid_bodies = {Feature::locked_body, Feature::spin, Feature::changing_mass};
 
 struct Row {
@@ -131,6 +131,7 @@ Features of_contacts(const Model& model) {
   if (!can_touch(model)) return {};
   Features all = {Feature::contact};
   if (model.frame) all.add(Feature::contact_in_turning_frame);
+  if (!model.apart.empty()) all.add(Feature::pairs_apart);
   for (std::size_t i = 0; i < model.bodies.size(); ++i)
     if (may_touch(model, i)) std::visit([&](const auto& shape) { add_shape(shape, all); }, model.shapes[i]);
   for (const Material& material : model.materials)

@@ -5,6 +5,8 @@
 #include "engine/forces.h"
 #include "engine/shape.h"
 
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -58,6 +60,9 @@ struct RotatingFrame {
 
 inline constexpr int no_surface = -1;
 
+/// Two bodies, the lower first.
+using BodyPair = std::array<int, 2>;
+
 struct Model {
   std::vector<Body> bodies;
   std::vector<Motion> motions;  ///< At t = 0, one per body.
@@ -71,9 +76,16 @@ struct Model {
   std::vector<int> plane_surfaces;  ///< One per plane.
   std::vector<Material> materials;  ///< surface_count x surface_count, symmetric.
   int surface_count = 0;
+  std::vector<BodyPair>
+      apart;  ///< Ascending: pairs that do not touch each other, such as jointed neighbours.
   Impacts impacts = Impacts::sequential;
 
   std::optional<RotatingFrame> frame;
+
+  /// Whether two bodies may touch each other, as far as `apart` says.
+  bool may_touch(int a, int b) const {
+    return !std::binary_search(apart.begin(), apart.end(), BodyPair{std::min(a, b), std::max(a, b)});
+  }
 
   const Material& material(int surface, int other) const {
     const auto row = static_cast<std::size_t>(surface) * static_cast<std::size_t>(surface_count);

@@ -119,7 +119,9 @@ std::vector<Candidate> find_candidates(const Model& model) {
       ++pair;
     }
     for (std::size_t j = i + 1; j < model.bodies.size(); ++j) {
-      if (!touchable(j) || (model.bodies[i].locked && model.bodies[j].locked)) continue;
+      if (!touchable(j) || (model.bodies[i].locked && model.bodies[j].locked) ||
+          !model.may_touch(static_cast<int>(i), static_cast<int>(j)))
+        continue;
       Candidate c;
       const bool swap = !is_sphere(model.shapes[i]) && is_sphere(model.shapes[j]);
       const std::size_t a = swap ? j : i, b = swap ? i : j;

@@ -23,7 +23,8 @@ struct Candidate {
   Material material;
 };
 
-/// All candidates of a model, body by body, planes first.  A pair of which neither moves is none.
+/// All candidates of a model, body by body, planes first.  A pair of which neither moves is none, nor is one
+/// of model.apart.
 std::vector<Candidate> find_candidates(const Model&);
 
 /// The touch of a corner or round candidate, whatever its gap, with its rates.  Centres c_a, c_b of the round

@@ -134,6 +134,7 @@ bool Interactions::reaches(int body, const Plane& plane) const {
 }
 
 bool Interactions::reaches(int body, int locked) const {
+  if (!model_.may_touch(body, locked)) return false;
   const std::optional<Ball>& bound = bounds_[at(body)];
   if (!bound) return true;
   const Real reach =
@@ -142,6 +143,7 @@ bool Interactions::reaches(int body, int locked) const {
 }
 
 bool Interactions::may_touch(int a, int b) const {
+  if (!model_.may_touch(a, b)) return false;
   const std::optional<Ball>&one = bounds_[at(a)], &other = bounds_[at(b)];
   if (!one || !other) return true;
   return overlap({*one, bounding_radius(model_.shapes[at(a)]), true},
@@ -214,6 +216,12 @@ Part Interactions::part(const std::vector<std::size_t>& which, const std::vector
   model.planes = picked(model_.planes, part.planes);
   model.plane_surfaces = picked(model_.plane_surfaces, part.planes);
   number_surfaces(model_, model);
+  const auto here = [&](int body) {
+    return std::binary_search(part.bodies.begin(), part.bodies.end(), body) &&
+           std::binary_search(touched.begin(), touched.end(), body);
+  };
+  for (const BodyPair& pair : model_.apart)
+    if (here(pair[0]) && here(pair[1])) model.apart.push_back({numbering(pair[0]), numbering(pair[1])});
   model.impacts = model_.impacts;
   model.frame = model_.frame;
   model.reduce_joints = model_.reduce_joints;

@@ -75,7 +75,8 @@ void BodyContacts::find_pairs(const std::vector<Motion>& motions) {
   pairs_.clear();
   for (const auto& [a, b] : broad_phase_.pairs(bounds_)) {
     const Real far = reach(a) + reach(b);
-    if ((motions[index(a)].position - motions[index(b)].position).squaredNorm() <= far * far)
+    if (model_.may_touch(a, b) &&
+        (motions[index(a)].position - motions[index(b)].position).squaredNorm() <= far * far)
       pairs_.emplace_back(a, b);
   }
 }

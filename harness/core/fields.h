@@ -83,7 +83,8 @@ struct Element<Body> {
       Field{"locked", &Body::locked, {.meaning = "The body never moves, whatever acts on it."}},
       Field{"collide",
             &Body::collide,
-            {.meaning = "The body takes part in contacts.", .absent = "true if it has a shape"}},
+            {.meaning = "The body takes part in contacts, except with bodies that a joint ties to it.",
+             .absent = "true if it has a shape"}},
       Field{"color", &Body::color, {.meaning = "For viewers: \"#rrggbb\"."}}};
 };
 

@@ -84,8 +84,12 @@ std::vector<Pair> near_pairs(const Scene& scene, const State& state) {
   if (!all || all->empty()) return touching_pairs(scene);
   const auto locked = [&](int body) { return scene.bodies[static_cast<std::size_t>(body)].locked; };
   std::vector<Pair> pairs;
+  const auto jointed = jointed_pairs(scene);
+  const auto tied = [&](int a, int b) {
+    return std::binary_search(jointed.begin(), jointed.end(), std::array{std::min(a, b), std::max(a, b)});
+  };
   const auto add = [&](int a, int b) {
-    if (!(locked(a) && locked(b))) pairs.push_back({std::min(a, b), std::max(a, b), -1});
+    if (!(locked(a) && locked(b)) && !tied(a, b)) pairs.push_back({std::min(a, b), std::max(a, b), -1});
   };
   const double limit = large(*all);
   double widest = 0;

@@ -25,6 +25,10 @@ int match(const Material& material, const std::string& a, const std::string& b) 
   return std::max(both(0, 1), both(1, 0));
 }
 
+bool is_jointed(const std::vector<std::array<int, 2>>& jointed, int a, int b) {
+  return std::binary_search(jointed.begin(), jointed.end(), std::array{std::min(a, b), std::max(a, b)});
+}
+
 }  // namespace
 
 State initial_state(const Scene& scene) {
@@ -39,9 +43,10 @@ bool any_touching_pair(const Scene& scene, const std::function<bool(const Pair&)
   for (std::size_t i = 0; i < scene.bodies.size(); ++i)
     if (collides(scene.bodies[i])) solid.push_back(static_cast<int>(i));
   const auto locked = [&](int i) { return scene.bodies[static_cast<std::size_t>(i)].locked; };
+  const auto jointed = jointed_pairs(scene);
   for (auto a = solid.begin(); a != solid.end(); ++a) {
     for (auto b = std::next(a); b != solid.end(); ++b)
-      if (!(locked(*a) && locked(*b)) && found({*a, *b, -1})) return true;
+      if (!(locked(*a) && locked(*b)) && !is_jointed(jointed, *a, *b) && found({*a, *b, -1})) return true;
     for (int p = 0; !locked(*a) && p < static_cast<int>(scene.planes.size()); ++p)
       if (found({*a, world, p})) return true;
   }
@@ -61,9 +66,10 @@ std::vector<Pair> touching_pairs(const Scene& scene, int body) {
   std::vector<Pair> pairs;
   const Body& own = scene.bodies[static_cast<std::size_t>(body)];
   if (!collides(own)) return pairs;
+  const auto jointed = jointed_pairs(scene);
   for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) {
     const Body& other = scene.bodies[static_cast<std::size_t>(i)];
-    if (i != body && collides(other) && !(own.locked && other.locked))
+    if (i != body && collides(other) && !(own.locked && other.locked) && !is_jointed(jointed, i, body))
       pairs.push_back({std::min(i, body), std::max(i, body), -1});
   }
   for (int p = 0; !own.locked && p < static_cast<int>(scene.planes.size()); ++p)

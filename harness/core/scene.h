@@ -170,8 +170,8 @@ struct Pair {
 /// The motion at t = 0, in the order of Scene::bodies.
 State initial_state(const Scene&);
 
-/// Every pair that may touch: colliding bodies of which at least one moves, and colliding bodies
-/// with planes; bodies first by index, then planes.
+/// Every pair that may touch: colliding bodies of which at least one moves and that no joint ties, and
+/// colliding bodies with planes; bodies first by index, then planes.
 std::vector<Pair> touching_pairs(const Scene&);
 
 /// Those of touching_pairs that `body` is in, in the same order; O(bodies).

@@ -57,6 +57,15 @@ bool collides(const Body& body) {
   return body.collide && !std::holds_alternative<std::monostate>(body.shape);
 }
 
+std::vector<std::array<int, 2>> jointed_pairs(const Scene& scene) {
+  std::vector<std::array<int, 2>> pairs;
+  for (const Joint& joint : scene.joints)
+    if (joint.to != world) pairs.push_back({std::min(joint.body, joint.to), std::max(joint.body, joint.to)});
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
 Surfaces surfaces(const Scene& scene) {
   const std::map<std::string, Partners> known = partners(scene);
   static const Partners nobody;

@@ -3,6 +3,7 @@
 
 #include "harness/core/scene.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -10,6 +11,10 @@ namespace cylon::core {
 
 /// Whether anything may touch the body.
 bool collides(const Body&);
+
+/// Pairs of bodies that a joint ties, the lower index first, in ascending order: neighbours in a mechanism, which
+/// do not touch each other.
+std::vector<std::array<int, 2>> jointed_pairs(const Scene&);
 
 /// Bodies and planes in classes that no material of the scene tells apart, and one table over the classes.
 struct Surfaces {

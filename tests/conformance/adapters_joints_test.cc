@@ -103,5 +103,32 @@ TEST_P(Joints, ALockedBodyHolds) {
                 difference(state, last(subject().choice(), hung, 1e-3, 400)), 2000 * subject().unit());
 }
 
+// Balls that reach into each other's: with a joint between them that is no contact.
+TEST_P(Joints, NeighboursDoNotTouch) {
+  core::Scene scene = pendulum(31, 2);
+  scene.materials = {{{"*", "*"}, 0.5, 0.3}};
+  core::Scene solid = scene;
+  for (core::Body& body : solid.bodies) body.shape = core::Sphere{0.4}, body.collide = true;
+  const core::State bare = play(subject().choice(), scene, 0.002, 100).states.back();
+  const core::State end = play(subject().choice(), solid, 0.002, 100).states.back();
+  for (std::size_t i = 0; i < end.size(); ++i) {
+    EXPECT_EQ(end[i].position, bare[i].position) << i;
+    EXPECT_EQ(end[i].velocity, bare[i].velocity) << i;
+  }
+}
+
+// Without the joint between them the same balls push each other apart.
+TEST_P(Joints, OthersDoTouch) {
+  core::Scene scene = pendulum(31, 2);
+  scene.materials = {{{"*", "*"}, 0.5, 0.3}};
+  scene.joints.pop_back();
+  scene.bodies[1].initial.position = scene.bodies[0].initial.position + Vector3(0.79, 0, 0);
+  core::Scene solid = scene;
+  for (core::Body& body : solid.bodies) body.shape = core::Sphere{0.4}, body.collide = true;
+  const core::State bare = play(subject().choice(), scene, 0.002, 100).states.back();
+  const core::State end = play(subject().choice(), solid, 0.002, 100).states.back();
+  EXPECT_GT((end[1].position - bare[1].position).norm(), 1e-4);
+}
+
 }  // namespace
 }  // namespace cylon::conformance

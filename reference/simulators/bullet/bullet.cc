@@ -1,5 +1,6 @@
 // Bullet behind the Simulator interface.  Compiled twice: double (BT_USE_DOUBLE_PRECISION) and float.
 #include "harness/core/simulator.h"
+#include "harness/core/surfaces.h"
 #include "reference/simulators/bullet/bullet_bodies.h"
 #include "reference/simulators/bullet/bullet_border.h"
 #include "reference/simulators/bullet/bullet_forces.h"
@@ -21,6 +22,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -28,6 +30,28 @@
 
 namespace cylon::simulators {
 namespace {
+
+// ---- Jointed neighbours do not touch each other ----------------------------------------------------
+
+// Bullet's own rule by groups and masks, without pairs that a joint ties.
+struct JointedPairs final : btOverlapFilterCallback {
+  explicit JointedPairs(std::vector<std::array<int, 2>> jointed) : pairs(std::move(jointed)) {}
+
+  bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override {
+    const int one = owner(*a), other = owner(*b);
+    return (a->m_collisionFilterGroup & b->m_collisionFilterMask) != 0 &&
+           (b->m_collisionFilterGroup & a->m_collisionFilterMask) != 0 &&
+           !std::binary_search(pairs.begin(), pairs.end(),
+                               std::array{std::min(one, other), std::max(one, other)});
+  }
+
+  // The body's index; of a plane below zero.
+  static int owner(const btBroadphaseProxy& proxy) {
+    return static_cast<const btCollisionObject*>(proxy.m_clientObject)->getUserIndex2();
+  }
+
+  std::vector<std::array<int, 2>> pairs;
+};
 
 // ---- Materials: the pair's own values in place of Bullet's products -------------------------------
 
@@ -141,6 +165,7 @@ class Run {
  public:
   Run(core::Scene scene, const BulletSettings& settings, double dt)
       : scene_(std::move(scene)),
+        jointed_(core::jointed_pairs(scene_)),
         dt_(dt),
         applied_(has_applied_forces(scene_)),
         surfaces_(scene_),
@@ -154,6 +179,7 @@ class Run {
       world_ = std::make_unique<btDiscreteDynamicsWorld>(&dispatcher_, &broadphase_, solver_.solver.get(),
                                                          &config_);
     }
+    if (!jointed_.pairs.empty()) world_->getPairCache()->setOverlapFilterCallback(&jointed_);
     world_->setGravity(to_bullet(gravity(scene_)));
     world_->setApplySpeculativeContactRestitution(settings.on("speculative-restitution"));
     apply(settings, config_);
@@ -242,6 +268,7 @@ class Run {
   }
 
   core::Scene scene_;
+  JointedPairs jointed_;
   double dt_;
   bool applied_;
   std::int64_t steps_ = 0;

@@ -187,6 +187,7 @@ std::optional<std::string> add_contacts(const Scene& scene, Model& model) {
     const core::Material& material = scene.materials[static_cast<std::size_t>(row)];
     model.materials.back() = {real(material.restitution), real(material.friction)};
   }
+  for (const auto& [a, b] : core::jointed_pairs(scene)) model.apart.push_back({a, b});
   constexpr engine::Impacts rules[] = {engine::Impacts::sequential, engine::Impacts::simultaneous};
   model.impacts = rules[static_cast<std::size_t>(scene.impacts)];
   return std::nullopt;

@@ -58,6 +58,7 @@ std::optional<std::string> deep_overlap(const core::Scene& scene, const Model& m
   for (const core::Pair& pair : pairs_of(scene, model)) {
     const std::size_t a = index(pair.body);
     const bool plane = pair.plane >= 0;
+    if (!plane && !model.may_touch(pair.body, pair.other)) continue;
     if (model.bodies[a].locked && (plane || model.bodies[index(pair.other)].locked)) continue;
     Real thinner = width(model.shapes[a]);
     engine::Separation between;

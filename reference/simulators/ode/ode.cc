@@ -1,6 +1,7 @@
 // The adapter of ODE (Open Dynamics Engine), double precision: a Scene in, motion out.
 // Sees the simulator interface and ODE's headers; never a scenario, a claim or another adapter.
 #include "harness/core/simulator.h"
+#include "harness/core/surfaces.h"
 #include "reference/simulators/ode/ode_forces.h"
 #include "reference/simulators/ode/ode_limits.h"
 #include "reference/simulators/ode/ode_settings.h"
@@ -120,8 +121,9 @@ class Ode final : public core::Simulator {
   std::vector<const core::Force*> explicit_;  // forces of scene_ that are no joints
   std::deque<Owner> owners_;                  // geoms point at them
   std::unordered_map<std::uint64_t, Surface> surfaces_;
-  bool keep_ = false;          // feedback of the contacts of the next step
-  std::deque<Touch> touches_;  // while it is kept; joints point at the feedback
+  std::vector<std::array<int, 2>> jointed_;  // pairs of bodies
+  bool keep_ = false;                        // feedback of the contacts of the next step
+  std::deque<Touch> touches_;                // while it is kept; joints point at the feedback
   std::vector<core::Contact> contacts_;
 };
 
@@ -145,6 +147,7 @@ Terms Ode::load(const Scene& scene, const Setup& setup) {
   if (settings_.quick) dRandSetSeed(0);
 
   scene_ = scene, dt_ = setup.dt, steps_ = 0;
+  jointed_ = core::jointed_pairs(scene_);
   bodies_.clear(), owners_.clear(), surfaces_.clear();
   world_ = std::make_unique<World>();
   dWorldSetERP(world_->id, settings_.erp);
@@ -279,10 +282,14 @@ void turn_along_slip(dContact& contact, dBodyID first, dBodyID second) {
 void Ode::collide(dGeomID a, dGeomID b) {
   dBodyID first = dGeomGetBody(a), second = dGeomGetBody(b);
   if (first == second) return;  // both fixed, or two parts of one body
+  const Owner &owner = *static_cast<Owner*>(dGeomGetData(a)), &other = *static_cast<Owner*>(dGeomGetData(b));
+  if (std::binary_search(jointed_.begin(), jointed_.end(),
+                         std::array{std::min(owner.body, other.body), std::max(owner.body, other.body)}))
+    return;  // neighbours on a joint do not touch each other
   std::array<dContactGeom, ode_most_contacts> found;
   const int n = dCollide(a, b, settings_.contacts, found.data(), sizeof(dContactGeom));
   if (n == 0) return;
-  const Surface& s = surface(*static_cast<Owner*>(dGeomGetData(a)), *static_cast<Owner*>(dGeomGetData(b)));
+  const Surface& s = surface(owner, other);
   dContact contact{};
   contact.surface.mode = dContactBounce;
   if (settings_.coulomb) contact.surface.mode |= dContactApprox1;

@@ -1,7 +1,11 @@
 // Scene helpers: who may touch whom, with which material; principal axes.
 #include "harness/core/scene.h"
 
+#include "harness/core/near_pairs.h"
+
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace {
 
@@ -24,6 +28,20 @@ TEST(TouchingPairs, AreBodiesFirstThenPlanesAndLeaveOutWhatCannotTouch) {
   const std::vector<Pair> expected = {{0, 2, -1}, {0, 3, -1}, {0, 4, -1},   {0, world, 0},
                                       {2, 3, -1}, {2, 4, -1}, {2, world, 0}};
   EXPECT_EQ(touching_pairs(scene), expected);
+}
+
+TEST(TouchingPairs, LeaveOutJointedNeighbours) {
+  Scene scene;
+  scene.bodies = {ball("a"), ball("b"), ball("c"), ball("post")};
+  scene.bodies[3].locked = true;
+  for (std::size_t i = 0; i < 4; ++i) scene.bodies[i].initial.position = {0.6 * static_cast<double>(i), 0, 0};
+  scene.joints = {{.body = 1, .to = 0}, {.body = 2, .to = 3}, {.body = 0}};
+  const std::vector<Pair> expected = {{0, 2, -1}, {0, 3, -1}, {1, 2, -1}, {1, 3, -1}};
+  EXPECT_EQ(touching_pairs(scene), expected);
+  EXPECT_EQ(touching_pairs(scene, 1), (std::vector<Pair>{{1, 2, -1}, {1, 3, -1}}));
+  for (const Pair& pair : near_pairs(scene, initial_state(scene)))
+    EXPECT_TRUE(std::find(expected.begin(), expected.end(), pair) != expected.end())
+        << pair.body << ' ' << pair.other;
 }
 
 TEST(MaterialOf, ExactPairPrecedesWildcards) {
