@@ -31,7 +31,8 @@ BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings, st
       limit_(longest_step(model_.forces, model_.bodies)),
       struck_(model_.bodies.size(), 0),
       other_forces_(!model.forces.only_gravity()),
-      isolated_(isolated(model)) {
+      isolated_(isolated(model)),
+      paired_(any_force(model_.forces, [](const auto& force) { return force.ends().has_value(); })) {
   set_kinematics();
 }
 
@@ -80,7 +81,7 @@ void BodyPile::kick(Time now, Real h) {
   }
   for (std::size_t i = 0; i < motions_.size(); ++i) {
     const Body& body = model_.bodies[i];
-    if (body.locked) continue;
+    if (body.locked || !takes(i)) continue;
     const Vector3 force = other_forces_ ? loads_[i].force : Vector3(body.mass * model_.forces.gravity);
     const Vector3 torque = other_forces_ ? loads_[i].torque : Vector3(Vector3::Zero());
     if (body.inverse_mass > 0) motions_[i].momentum += h * force;
@@ -89,7 +90,7 @@ void BodyPile::kick(Time now, Real h) {
   masses_.set(now + static_cast<Time>(h), model_.bodies);
   for (std::size_t i = 0; i < motions_.size(); ++i) {
     const Body& body = model_.bodies[i];
-    if (body.locked) continue;
+    if (body.locked || !takes(i)) continue;
     movers_[i].inverse_mass = body.inverse_mass;
     movers_[i].v = velocity(body, motions_[i]);
     movers_[i].w = movers_[i].inverse_inertia * motions_[i].angular_momentum;
@@ -103,7 +104,7 @@ void BodyPile::set_targets(Time now, Real h) {
   std::fill(struck_.begin(), struck_.end(), char{0});
   for (std::size_t k = 0; k < blocks_.size(); ++k) {
     Block& block = blocks_[k];
-    if (block.kind != Block::Kind::contact) continue;
+    if (block.kind != Block::Kind::contact || !takes(block)) continue;
     const Real gap = block.gap + block.normal.dot(offset(block, motions_));
     const Real u = block.normal.dot(relative_velocity(block, movers_));
     const bool meets = u < 0 && gap + u * h <= 0;
@@ -135,6 +136,7 @@ void BodyPile::colour() {
   for (std::size_t from = 0, to = 0; from < blocks_.size(); from = to) {
     const int a = blocks_[from].a, b = blocks_[from].b;
     while (to < blocks_.size() && blocks_[to].a == a && blocks_[to].b == b) ++to;
+    if (!takes(blocks_[from])) continue;
     const bool two = b != fixed_world && movers_[index(b)].inverse_mass > 0;
     const std::uint64_t taken = used[index(a)] | (two ? used[index(b)] : 0);
     const int colour = std::min(std::countr_one(taken), 63);  // the last colour is swept by one thread
@@ -161,6 +163,7 @@ void BodyPile::sweep(bool warm) {
 // K += J, L += r x J: sums of opposite impulses at one point, so both momenta are kept to rounding.
 void BodyPile::carry_impulses() {
   for (const Block& block : blocks_) {
+    if (!takes(block)) continue;
     const auto one = [&](int body, const Vector3& arm, const Vector3& j) {
       Motion& motion = motions_[index(body)];
       if (block.kind == Block::Kind::align) {
@@ -180,7 +183,7 @@ void BodyPile::carry_impulses() {
 // keeps L and the energy.
 void BodyPile::drift(Real h) {
   for (std::size_t i = 0; i < motions_.size(); ++i) {
-    if (model_.bodies[i].locked) continue;
+    if (model_.bodies[i].locked || !takes(i)) continue;
     motions_[i].position += h * movers_[i].v;
     if (movers_[i].w.isZero(0)) continue;
     motions_[i].orientation =
@@ -208,14 +211,60 @@ void BodyPile::step() {
 
 void BodyPile::advance(Time now, Time span) {
   found_.find(motions_, movers_, span, blocks_);
-  const bool direct = static_cast<int>(blocks_.size()) <= settings_.direct_points;
-  const int parts = direct ? 1 : settings_.substeps;
-  if (!direct) colour();
   if (isolated_) islands_.find(blocks_);
   if (keep_) pressed_.assign(blocks_.size(), 0);
-  for (int k = 0; k < parts; ++k) substep(now + k * span / parts, span / parts, direct);
+  divide();
+  if (groups_.empty()) {
+    const bool direct = static_cast<int>(blocks_.size()) <= settings_.direct_points;
+    pass(now, span, direct);
+  } else if (swept_.blocks.empty()) {
+    pass(now, span, true);
+  } else {
+    taken_.assign(motions_.size(), 1);
+    for (const int body : swept_.bodies) taken_[index(body)] = model_.bodies[index(body)].locked;
+    pass(now, span, true);
+    taken_.assign(motions_.size(), 0);
+    for (const int body : swept_.bodies) taken_[index(body)] = 1;
+    pass(now, span, false);
+    taken_.clear();
+  }
   if (keep_) note_pressed();
-  correct_positions(direct);
+  if (groups_.empty())
+    correct_positions(static_cast<int>(blocks_.size()) <= settings_.direct_points);
+  else
+    correct_groups();
+}
+
+// Whether a pass advances what the block acts on.
+bool BodyPile::takes(const Block& block) const {
+  if (taken_.empty()) return true;
+  const std::size_t mover = index(model_.bodies[index(block.a)].locked ? block.b : block.a);
+  return taken_[mover] != 0;
+}
+
+// More blocks than are solved at once are solved group by group, and only those groups are swept that are larger
+// themselves.  Bodies of different groups must not act on each other, as groups of either kind move in parts of
+// the step of their own; what keeps momenta in isolated scenes takes all bodies in the same parts.
+void BodyPile::divide() {
+  groups_.clear(), swept_ = {};
+  if (static_cast<int>(blocks_.size()) <= settings_.direct_points || isolated_ || paired_) return;
+  for (Group& group : find_groups(blocks_, movers_)) {
+    if (static_cast<int>(group.blocks.size()) <= settings_.direct_points) {
+      groups_.push_back(std::move(group));
+      continue;
+    }
+    swept_.bodies.insert(swept_.bodies.end(), group.bodies.begin(), group.bodies.end());
+    swept_.blocks.insert(swept_.blocks.end(), group.blocks.begin(), group.blocks.end());
+  }
+  std::sort(swept_.bodies.begin(), swept_.bodies.end());
+  swept_.bodies.erase(std::unique(swept_.bodies.begin(), swept_.bodies.end()), swept_.bodies.end());
+  std::sort(swept_.blocks.begin(), swept_.blocks.end());
+}
+
+void BodyPile::pass(Time now, Time span, bool direct) {
+  const int parts = direct ? 1 : settings_.substeps;
+  if (!direct) colour();
+  for (int k = 0; k < parts; ++k) substep(now + k * span / parts, span / parts, direct);
 }
 
 void BodyPile::correct_positions(bool direct) {
@@ -228,6 +277,42 @@ void BodyPile::correct_positions(bool direct) {
   set_kinematics();
 }
 
+void BodyPile::correct_groups() {
+  set_kinematics();
+  const auto correct = [&](const Group& group, bool direct) {
+    lists_.gather(group, blocks_, model_.bodies, movers_, motions_);
+    if (!overlaps_.displace(lists_.bodies, lists_.blocks, lists_.movers, settings_.slop * found_.smallest(),
+                            settings_.relaxation, direct, lists_.motions))
+      return;
+    for (std::size_t i = 0; i < group.bodies.size(); ++i)
+      if (!model_.bodies[index(group.bodies[i])].locked) motions_[index(group.bodies[i])] = lists_.motions[i];
+  };
+  for (const Group& group : groups_) correct(group, true);
+  if (!swept_.blocks.empty()) correct(swept_, false);
+  close_joints();
+  set_kinematics();
+}
+
+// One by one where there are too many blocks for one solution.
+void BodyPile::solve_directly() {
+  const auto note = [&](bool solved) {
+    unsolved_ |= !solved;
+    residual_ = std::max(residual_, direct_.residual());
+  };
+  if (groups_.empty()) {
+    if (!blocks_.empty()) note(direct_.solve(blocks_, model_.bodies, movers_));
+    return;
+  }
+  for (const Group& group : groups_) {
+    lists_.gather(group, blocks_, model_.bodies, movers_, motions_);
+    note(direct_.solve(lists_.blocks, lists_.bodies, lists_.movers));
+    for (std::size_t k = 0; k < group.blocks.size(); ++k)
+      blocks_[index(group.blocks[k])].impulse = lists_.blocks[k].impulse;
+    for (std::size_t i = 0; i < group.bodies.size(); ++i)
+      if (!model_.bodies[index(group.bodies[i])].locked) movers_[index(group.bodies[i])] = lists_.movers[i];
+  }
+}
+
 void BodyPile::substep(Time now, Time h, bool direct) {
   unstable_ = unstable_ || static_cast<Real>(h) > limit_.step;
   set_kinematics();
@@ -236,10 +321,7 @@ void BodyPile::substep(Time now, Time h, bool direct) {
   kick(now, static_cast<Real>(h));
   if (isolated_) islands_.note(motions_);
   if (direct) {
-    if (!blocks_.empty()) {
-      unsolved_ |= !direct_.solve(blocks_, model_.bodies, movers_);
-      residual_ = std::max(residual_, direct_.residual());
-    }
+    solve_directly();
   } else {
     for (Block& block : blocks_) set_effective_mass(block, movers_);
     sweep(true);
@@ -247,7 +329,7 @@ void BodyPile::substep(Time now, Time h, bool direct) {
   }
   carry_impulses();
   for (std::size_t i = 0; keep_ && i < blocks_.size(); ++i)
-    pressed_[i] += blocks_[i].normal.dot(blocks_[i].impulse);
+    if (takes(blocks_[i])) pressed_[i] += blocks_[i].normal.dot(blocks_[i].impulse);
   if (isolated_) islands_.limit_energy(motions_), set_kinematics();
   drift(static_cast<Real>(h));
 }

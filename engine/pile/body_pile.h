@@ -4,6 +4,7 @@
 #include "engine/changing_masses.h"
 #include "engine/pile/body_contacts.h"
 #include "engine/pile/direct.h"
+#include "engine/pile/groups.h"
 #include "engine/pile/islands.h"
 #include "engine/pile/overlap.h"
 #include "engine/pile/settings.h"
@@ -28,7 +29,12 @@ class BodyPile : public Stepper {
  private:
   int parts_of_step() const;
   void advance(Time now, Time span);
+  void divide();
+  void pass(Time now, Time span, bool direct);
   void substep(Time now, Time h, bool direct);
+  void solve_directly();
+  bool takes(std::size_t body) const { return taken_.empty() || taken_[body] != 0; }
+  bool takes(const Block&) const;
   void note_pressed();
   void note_bounce(const Block&);
   void set_kinematics();
@@ -38,6 +44,7 @@ class BodyPile : public Stepper {
   void carry_impulses();
   void drift(Real h);
   void correct_positions(bool direct);
+  void correct_groups();
   void close_joints();
   void colour();
 
@@ -54,6 +61,10 @@ class BodyPile : public Stepper {
   Direct direct_;
   Overlaps overlaps_;
   Islands islands_;
+  std::vector<Group> groups_;  // of more blocks than direct_points, if they are solved group by group
+  Group swept_;                // the groups of them that are too large for that, as one
+  GroupLists lists_;
+  std::vector<char> taken_;  // bodies that a pass advances; empty: all
   std::vector<Motion> before_;
   std::vector<Kinematics> kinematics_;
   std::vector<Load> loads_;
@@ -66,6 +77,7 @@ class BodyPile : public Stepper {
   bool unstable_ = false;     // some part was longer than the limit
   bool together_ = false;     // bounces that share a body were solved at once, though impacts are sequential
   bool too_fast_ = false, unsolved_ = false, other_forces_ = false, isolated_ = false;
+  bool paired_ = false;  // a force acts between two bodies
 };
 
 }  // namespace cylon::engine::pile
