@@ -3,6 +3,7 @@
 #include "engine/ballistic/ballistic.h"
 #include "engine/free_bodies.h"
 #include "engine/joint.h"
+#include "engine/joint_rank.h"
 #include "engine/methods.h"
 #include "engine/normal_modes.h"
 #include "engine/reduce.h"
@@ -166,7 +167,7 @@ class Stages {
   }
   bool broad() const { return plan_.path == Path::stepping || (can_touch(model_) && !few_touch(model_)); }
 
-  // 6 n - m; a locked body has none, a point 3.
+  // 6 n - rank; a locked body has none, a point 3.
   void freedom() {
     int freedom = 0, points = 0, locked = 0;
     const std::vector<char> turns = bodies_that_turn(model_);
@@ -176,11 +177,15 @@ class Stages {
       points += point && !model_.bodies[i].locked;
       locked += model_.bodies[i].locked;
     }
-    int m = 0;
-    for (const Joint& j : model_.joints) m += row_count(j.type);
+    int rows = 0;
+    for (const Joint& j : model_.joints) rows += row_count(j.type);
+    const std::optional<int> rank = joint_rank(model_);
+    const int m = rank.value_or(rows);
     std::string reason = std::to_string(freedom - m) + " = " + std::to_string(freedom) + " of " +
                          std::to_string(model_.bodies.size()) + " bodies - " + std::to_string(m) +
                          " by joints";
+    if (!rank) reason += ", if no two of them say the same";
+    if (m < rows) reason += "; " + std::to_string(rows - m) + " conditions of joints follow from the others";
     if (points > 0) reason += "; points: " + std::to_string(points);
     if (locked > 0) reason += "; locked: " + std::to_string(locked);
     add("degrees of freedom", true, reason, "");

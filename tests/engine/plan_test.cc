@@ -217,6 +217,38 @@ TEST(Plan, CountsDegreesOfFreedom) {
             std::string::npos);
 }
 
+// Four hinges with parallel axes have 20 rows; they used to leave 18 - 20 = -2 degrees of freedom.
+TEST(Plan, CountsIndependentRowsOfJoints) {
+  Model linkage;
+  const Vector3 ends[] = {
+      {0, 0, 0}, {Real(0.3), 1, 0}, {Real(1.7), Real(1.2), 0}, {Real(1.4), Real(-0.1), 0}};
+  for (std::size_t i = 0; i < 3; ++i)
+    add_body(linkage, make_body(1, Matrix3::Identity()), (ends[i] + ends[i + 1]) / 2, {0, 0, 0}, {0, 0, 0},
+             {0, 0, 0});
+  for (int k = 0; k < 4; ++k) {
+    const Vector3 end = ends[static_cast<std::size_t>(k)];
+    const auto place = [&](int body) {
+      return body == fixed_world ? Vector3(Vector3::Zero())
+                                 : linkage.motions[static_cast<std::size_t>(body)].position;
+    };
+    const int body = std::min(k, 2), to = k == 0 || k == 3 ? fixed_world : k - 1;
+    linkage.joints.push_back({.type = joint_types::hinge,
+                              .body = body,
+                              .anchor = end - place(body),
+                              .to = to,
+                              .to_anchor = end - place(to),
+                              .axis = Vector3::UnitZ(),
+                              .to_axis = Vector3::UnitZ()});
+  }
+  const std::string reason = stage(make_plan(linkage, automatic()), "degrees of freedom").reason;
+  EXPECT_EQ(std::stoi(reason), 1) << reason;
+  EXPECT_NE(reason.find("3 conditions of joints follow from the others"), std::string::npos) << reason;
+  // An axis that is not parallel to the others holds all of it.
+  const Vector3 tilted = Vector3(Real(0.1), 0, 1).normalized();
+  linkage.joints[3].axis = linkage.joints[3].to_axis = tilted;
+  EXPECT_EQ(std::stoi(stage(make_plan(linkage, automatic()), "degrees of freedom").reason), 0);
+}
+
 // A chosen integrator is never replaced by a closed form: it is what is looked at.
 TEST(Plan, UsesChosenIntegrator) {
   for (const Case& c : cases()) {
