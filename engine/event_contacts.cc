@@ -36,6 +36,16 @@ bool has_face(const Shape& shape, const Vector3& n) {
                      [&](const Vector3& face) { return std::abs(face.dot(n)) > nearly; });
 }
 
+// Points of a general pair that are held count as touching up to so many margins.
+constexpr Real held_margin = 128;
+
+// Whether the balls that hold two bodies are farther apart than `margin`.
+bool are_apart(const Candidate& c, const Motion* motion, Real margin) {
+  if (c.other == fixed_world) return false;
+  const Real reach = Real(1.001) * (c.reach + c.other_reach) + margin;
+  return (motion[index(c.body)].position - motion[index(c.other)].position).squaredNorm() > reach * reach;
+}
+
 }  // namespace
 
 // All points that touch now.
@@ -47,6 +57,7 @@ std::vector<EventStepper::Spot> EventStepper::spots() {
   for (std::size_t i = 0; i < candidates_.size(); ++i) {
     const Candidate& c = candidates_[i];
     const Real margin = touch_margin(c, motion);
+    if (are_apart(c, motion, held_margin * margin)) continue;
     Spot spot;
     spot.held.candidate = i;
     if (c.kind != Candidate::Kind::general) {
@@ -55,7 +66,7 @@ std::vector<EventStepper::Spot> EventStepper::spots() {
       continue;
     }
     found.clear();
-    touches_of(c, model, motion, holds(i) ? 128 * margin : margin, found);
+    touches_of(c, model, motion, holds(i) ? held_margin * margin : margin, found);
     const Motion &a = motion[index(c.body)], &b = motion[index(c.other)];
     for (const TouchPoint& touch : found) {
       spot.held.general = true;

@@ -58,7 +58,8 @@ std::optional<Real> EventStepper::contact_time(Time from, Real span, const std::
   std::optional<Real> first;
   for (std::size_t i = 0; i < candidates_.size(); ++i) {
     const bool held = holds(i);
-    if (held && candidates_[i].kind != Candidate::Kind::general) continue;
+    if (held ? candidates_[i].kind != Candidate::Kind::general : passage_.stays_apart(candidates_[i]))
+      continue;
     const auto hit =
         meeting_time(candidates_[i], held, from, first.value_or(span), Bodies::motions(end.data()));
     if (hit && *hit <= first.value_or(span)) first = hit;

@@ -85,6 +85,14 @@ Real Passage::speed_bound(const Candidate& c) const {
   return Real(1.5) * (std::max({v0.norm(), v1.norm(), chord.norm() / span_}) + turning);
 }
 
+bool Passage::stays_apart(const Candidate& c) const {
+  if (c.other == fixed_world) return false;
+  const Leg &a = legs_[index(c.body)], &b = legs_[index(c.other)];
+  const Real reach = Real(1.001) * (c.reach + c.other_reach);
+  const Real start = (a.p0 - b.p0).norm() - reach, end = (a.p1 - b.p1).norm() - reach;
+  return start > 0 && end > 0 && start + end > speed_bound(c) * span_;
+}
+
 Real Passage::change_bound(const Candidate& c) const {
   const auto part = [&](const Leg& leg, Real reach) {
     const Real w = std::max(leg.w0.norm(), leg.w1.norm());
