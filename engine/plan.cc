@@ -222,7 +222,8 @@ class Stages {
 }  // namespace
 
 const char* const path_rule =
-    "events: impacts and contact changes are located in time; used if at most 8 moving bodies can touch "
+    "For each part of a scene that moves by itself. events: impacts and contact changes are located in time; "
+    "used if at most 8 moving bodies can touch "
     "anything and at most 1 of them is not a sphere, or if only spheres in uniform gravity move. stepping: "
     "fixed steps with impulses; used otherwise.";
 

@@ -10,8 +10,8 @@
 
 namespace cylon::engine {
 
-/// `Read` copies the state into motions:  void(const S&, const Real* y, std::vector<Motion>&).  `initial` is the
-/// state at t = first dt.
+/// `Read` copies the state into motions:  void(const S&, const Real* y, std::vector<Motion>&).  `initial` is
+/// the state at t = first dt.
 template <System S, class Read>
 class SystemStepper : public Stepper {
  public:

@@ -187,8 +187,8 @@ void World::look(std::size_t cluster) {
         interactions_->range(body, bodies()[at(body)], motions_[at(body)], accelerations_[at(body)]);
 }
 
-// After a step.  Every `ahead` steps all ranges are made anew, and besides those of a cluster with a body that
-// will leave its own in the next step: what is looked at when depends on that cluster alone.
+// After a step.  Every `ahead` steps all ranges are made anew, and besides those of a cluster with a body
+// that will leave its own in the next step: what is looked at when depends on that cluster alone.
 void World::watch() {
   const bool all = steps_ % islands::Interactions::ahead == 0;
   if (all) find_accelerations();

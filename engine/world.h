@@ -11,11 +11,11 @@
 
 namespace cylon::engine {
 
-/// An island is a part of the scene that nothing outside can act on: bodies that joints or forces tie together,
-/// and bodies that may touch in the steps ahead (engine/islands/islands.h), with the planes and locked bodies
-/// that they may ever touch.  Each runs as it would alone, to the last bit.  Islands whose bodies may meet
-/// become one, which begins anew from the state at that step; an island that is stepped parts again where its
-/// parts cannot meet.  With Options::full or Options::account the scene is one island.
+/// An island is a part of the scene that nothing outside can act on: bodies that joints or forces tie
+/// together, and bodies that may touch in the steps ahead (engine/islands/islands.h), with the planes and
+/// locked bodies that they may ever touch.  Each runs as it would alone, to the last bit.  Islands whose
+/// bodies may meet become one, which begins anew from the state at that step; an island that is stepped parts
+/// again where its parts cannot meet.  With Options::full or Options::account the scene is one island.
 class World {
  public:
   /// Starts at t = 0.  Requires unsupported(model, options) to be empty, options.dt > 0, one motion and one
@@ -35,8 +35,8 @@ class World {
 
   Time time() const { return static_cast<Time>(steps_) * options_.dt; }
 
-  /// Of all islands as they are now: what any of them needs, and path, integrator and order of the island with
-  /// the least order.
+  /// Of all islands as they are now: what any of them needs, and path, integrator and order of the island
+  /// with the least order.
   const Plan& plan() const { return plan_; }
 
   std::size_t island_count() const { return islands_.size(); }

@@ -20,8 +20,8 @@ class Passage {
   void at(Real s, std::vector<Motion>&) const;
 
   Real span() const { return span_; }
-  /// Whether the balls that hold two bodies tell that their surfaces stay apart all the way: with d the least gap
-  /// that they leave and v speed_bound(),  d(0) + d(span) > v span.  False for planes.
+  /// Whether the balls that hold two bodies tell that their surfaces stay apart all the way: with d the least
+  /// gap that they leave and v speed_bound(),  d(0) + d(span) > v span.  False for planes.
   bool stays_apart(const Candidate&) const;
   /// Bounds on the speed of approach of any points of the two bodies [m/s], and on its change [m/s^2].
   Real speed_bound(const Candidate&) const;

@@ -28,8 +28,8 @@ struct Ball {
   Real radius = 0;
 };
 
-/// Per body, the ball in which joints hold its reference point for all time: with x the place at which a chain
-/// of joints is fastened to the world or to a locked body,
+/// Per body, the ball in which joints hold its reference point for all time: with x the place at which a
+/// chain of joints is fastened to the world or to a locked body,
 ///   |p - x| <= sum over the joints of the chain of |anchor| + length + |anchor on the next body|
 /// and 1 % more, as joints close to rounding or to the error of a step.  Nothing where no chain does.
 std::vector<std::optional<Ball>> find_bounds(const Model&);

@@ -8,8 +8,8 @@
 
 namespace cylon::engine::islands {
 
-/// The model of some clusters.  `bodies` and `planes` are those of the whole model, ascending: bodies that move,
-/// locked ones that hold them or that they may touch, and planes that they may touch.
+/// The model of some clusters.  `bodies` and `planes` are those of the whole model, ascending: bodies that
+/// move, locked ones that hold them or that they may touch, and planes that they may touch.
 struct Part {
   Model model;
   std::vector<int> bodies, planes;
@@ -24,17 +24,18 @@ struct Range {
 
 /// What may touch what in a model, for all time and in the times ahead.
 ///
-/// For all time: a surface of a body and a plane or a locked body that the body's bound by joints reaches; all
-/// of them where it has no bound.  In the times ahead: two clusters of which two bodies that may touch have
-/// ranges that overlap.  The range of a body at p with speed v and acceleration a is
+/// For all time: a surface of a body and a plane or a locked body that the body's bound by joints reaches;
+/// all of them where it has no bound.  In the times ahead: two clusters of which two bodies that may touch
+/// have ranges that overlap.  The range of a body at p with speed v and acceleration a is
 ///   |x - p| <= max(|v| T + a T^2/2, radius of its shape),  T = ahead dt
-/// or its bound by joints where that is smaller.  It is no promise: Watch looks after every step whether bodies
-/// are still within it.
+/// or its bound by joints where that is smaller.  It is no promise: World looks after every step whether
+/// bodies are still within it.
 class Interactions {
  public:
   /// Steps for which ranges are made.
   static constexpr int ahead = 64;
-  /// Ranges of more bodies than this are not looked at: all that may touch something that moves are one island.
+  /// Ranges of more bodies than this are not looked at: all that may touch something that moves are one
+  /// island.
   static constexpr std::size_t most_watched = 512;
 
   Interactions(const Model&, Time dt);
@@ -55,7 +56,8 @@ class Interactions {
   /// The range of a moving body, `part` times as far ahead; `acceleration` beside gravity [m/s^2].
   Range range(int body, const Body&, const Motion&, Real acceleration, Real part = 1) const;
 
-  /// Groups of clusters that may touch in the times ahead, in the order of their first clusters; each ascending.
+  /// Groups of clusters that may touch in the times ahead, in the order of their first clusters; each
+  /// ascending.
   std::vector<std::vector<std::size_t>> groups(const std::vector<Range>&,
                                                const std::vector<std::size_t>& clusters) const;
 

@@ -13,9 +13,9 @@ struct NamedPlan {
   const Plan* plan = nullptr;
 };
 
-/// Path, integrator and order of the island with the least order (the first of them); each stage is in if it is
-/// in for any island, with the reasons.  A further stage, "islands", lists bodies and paths.  Requires at least
-/// one plan.
+/// Path, integrator and order of the island with the least order (the first of them); each stage is in if it
+/// is in for any island, with the reasons.  A further stage, "islands", lists bodies and paths.  Requires at
+/// least one plan.
 Plan joined_plan(const std::vector<NamedPlan>&);
 
 }  // namespace cylon::engine::islands

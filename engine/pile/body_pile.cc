@@ -242,9 +242,9 @@ bool BodyPile::takes(const Block& block) const {
   return taken_[mover] != 0;
 }
 
-// More blocks than are solved at once are solved group by group, and only those groups are swept that are larger
-// themselves.  Bodies of different groups must not act on each other, as groups of either kind move in parts of
-// the step of their own; what keeps momenta in isolated scenes takes all bodies in the same parts.
+// More blocks than are solved at once are solved group by group, and only those groups are swept that are
+// larger themselves.  Bodies of different groups must not act on each other, as groups of either kind move in
+// parts of the step of their own; what keeps momenta in isolated scenes takes all bodies in the same parts.
 void BodyPile::divide() {
   groups_.clear(), swept_ = {};
   if (static_cast<int>(blocks_.size()) <= settings_.direct_points || isolated_ || paired_) return;

@@ -21,8 +21,8 @@ struct PileSettings {
   /// last.
   Real slop = Real(2e-4);
 
-  /// Bodies that touch or are jointed, with at most this many contact points and parts of joints among them, are
-  /// solved to rounding by a direct method, in one part a step; larger groups by sweeps alone.
+  /// Bodies that touch or are jointed, with at most this many contact points and parts of joints among them,
+  /// are solved to rounding by a direct method, in one part a step; larger groups by sweeps alone.
   int direct_points = 512;
 };
 

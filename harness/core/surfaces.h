@@ -12,8 +12,8 @@ namespace cylon::core {
 /// Whether anything may touch the body.
 bool collides(const Body&);
 
-/// Pairs of bodies that a joint ties, the lower index first, in ascending order: neighbours in a mechanism, which
-/// do not touch each other.
+/// Pairs of bodies that a joint ties, the lower index first, in ascending order: neighbours in a mechanism,
+/// which do not touch each other.
 std::vector<std::array<int, 2>> jointed_pairs(const Scene&);
 
 /// Bodies and planes in classes that no material of the scene tells apart, and one table over the classes.

@@ -1,5 +1,5 @@
-// Parts of a scene that cannot act on each other move as each does alone, to the last bit, and with the method
-// of each; parts that may meet become one.
+// Parts of a scene that cannot act on each other move as each does alone, to the last bit, and with the
+// method of each; parts that may meet become one.
 #include "tests/engine/fixtures.h"
 #include "tests/engine/mixed_scenes.h"
 
@@ -237,8 +237,8 @@ TEST(Islands, PartAgain) {
   EXPECT_NEAR(world.motions()[1].momentum.x(), 6, 1e-9);
 }
 
-// Drives that cancel at t = 0 and push a ball 40 m within the first step, through the place of the box: nothing
-// at the start of the step tells that they meet in it.
+// Drives that cancel at t = 0 and push a ball 40 m within the first step, through the place of the box:
+// nothing at the start of the step tells that they meet in it.
 TEST(Islands, SeesWhatMeetsWithinOneStep) {
   Model model = two_boxes(30, 0);
   model.shapes[0] = Sphere{0.5};

@@ -1,7 +1,7 @@
 // One method was chosen for a whole scene.  Five boxes 100 m away from a spinning top put the top in fixed
-// first-order steps: it was off by 1.8 instead of 6e-12.  A floor 110 m below a double pendulum, which nothing
-// can reach, did the same: it lost 7.3 J in 10 s.  Neighbours on a joint collided, so a car was refused because
-// its wheels reach into its chassis.
+// first-order steps: it was off by 1.8 instead of 6e-12.  A floor 110 m below a double pendulum, which
+// nothing can reach, did the same: it lost 7.3 J in 10 s.  Neighbours on a joint collided, so a car was
+// refused because its wheels reach into its chassis.
 #include "harness/process/client.h"
 #include "tests/paths.h"
 
