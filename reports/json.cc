@@ -129,6 +129,7 @@ Verdict from_row(const Json& json, const std::string& place) {
   v.expected = row.status("expected");
   if (!row.at("expected_size").is_null()) v.expected_size = row.real("expected_size");
   v.expected_within = row.real("expected_within");
+  row.boolean("as_expected");  // follows from the others; only its place is checked
   v.expected_reason = row.string("expected_reason");
   v.tolerance_reason = row.string("reason");
   v.detail = row.string("detail");

@@ -122,7 +122,8 @@ TEST_P(Joints, OthersDoTouch) {
   core::Scene scene = pendulum(31, 2);
   scene.materials = {{{"*", "*"}, 0.5, 0.3}};
   scene.joints.pop_back();
-  scene.bodies[1].initial.position = scene.bodies[0].initial.position + Vector3(0.79, 0, 0);
+  scene.bodies[1].initial.position = scene.bodies[0].initial.position + Vector3(0.9, 0, 0);
+  scene.bodies[1].initial.velocity = scene.bodies[0].initial.velocity + Vector3(-6, 0, 0);
   core::Scene solid = scene;
   for (core::Body& body : solid.bodies) body.shape = core::Sphere{0.4}, body.collide = true;
   const core::State bare = play(subject().choice(), scene, 0.002, 100).states.back();

@@ -154,7 +154,7 @@ TEST(Islands, FullModelIsOneIsland) {
 // Random mixes of forces, joints and shapes without a surface to meet, put together two by two.
 TEST(Islands, RandomPartsMoveBitForBitAsAlone) {
   int tried = 0;
-  for (std::uint32_t k = 0; k < 120; ++k) {
+  for (std::uint32_t k = 0; k < 240; ++k) {
     MixedScene one = mixed_scene(2 * k), other = mixed_scene(2 * k + 1);
     if (one.model.frame || other.model.frame || !one.model.forces.waters.empty() ||
         !other.model.forces.waters.empty())

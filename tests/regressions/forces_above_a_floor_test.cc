@@ -97,12 +97,15 @@ TEST(ForcesAboveAFloor, WaterLiftsTheBall) {
   EXPECT_NEAR(end_of(scene, 0.01)[0].position.y(), 5 + (lift - 1) * g * duration * duration / 2, 1e-8);
 }
 
-// Two boxes are stepped: first order, so half the step has half the error.
+// Two boxes that something connects are stepped together: first order, so half the step has half the error.
 TEST(ForcesAboveAFloor, RocketLosesMassInTheSteppingPath) {
   core::Scene scene = above_a_floor(ball("rocket", 10, {0, 5, 0}));
   scene.bodies.push_back(ball("other", 1, {5, 0.1, 0}));
   for (core::Body& body : scene.bodies) body.shape = core::Box{{0.1, 0.1, 0.1}};
   scene.forces.emplace_back(engine_of(0));
+  core::Spring thread;  // so weak that it only makes them one island
+  thread.to = 1, thread.stiffness = 1e-9, thread.rest_length = 7;
+  scene.forces.emplace_back(thread);
   const double exact = rocket_height(5, 10, 1, 200, duration);
   const double error = end_of(scene, 0.002)[0].position.y() - exact,
                half = end_of(scene, 0.001)[0].position.y() - exact;

