@@ -59,9 +59,10 @@ void check_any(const Table& t, const Draft& draft, const core::State& start, con
     if (force.to == force.body)
       t.fail("to", fmt::format("a force of kind {} joins two different bodies", core::Element<Kind>::name));
   if (!std::isfinite(core::potential(force, draft.scene, start)))
-    t.fail(fmt::format("the {} has no finite energy at the start: two places that coincide, or a number "
-                       "too large",
-                       core::Element<Kind>::name));
+    t.fail(
+        fmt::format("the {} has no finite energy at the start: two places that coincide, or a number "
+                    "too large",
+                    core::Element<Kind>::name));
 }
 
 }  // namespace
