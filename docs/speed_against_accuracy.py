@@ -8,10 +8,11 @@ Errors and orders are the same on every run; times are of the machine, and of it
 import argparse
 import os
 import pathlib
-import platform
 import re
 import subprocess
 import sys
+
+import measured
 
 root = pathlib.Path(__file__).resolve().parent.parent
 page = root / "docs" / "speed-against-accuracy.md"
@@ -21,14 +22,6 @@ scenarios = ["projectile", "bouncing_sphere", "bouncing_sphere_elastic", "spring
              "free_symmetric_top", "dzhanibekov", "heavy_top"]
 engines = ["in-house", "in-house-float/integrator=velocity-verlet", "bullet", "bullet/gyro=none", "bullet-float",
            "bullet-multibody", "ode"]
-
-
-def processor():
-    """The processor's name, as Linux tells it."""
-    for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines():
-        if line.startswith("model name"):
-            return line.split(":", 1)[1].strip()
-    return platform.machine()
 
 
 def main():
@@ -45,11 +38,10 @@ def main():
         sys.exit(f"cylon trade ended with {done.returncode}:\n{done.stderr}")
     parts = re.split(rf"^(?=(?:{'|'.join(scenarios)}): )", done.stdout, flags=re.M)
     tables = {part.split(":", 1)[0]: part.rstrip() for part in parts if part.strip()}
-    text = [f"{begin}\n\nMeasured on {processor()} by\n\n```sh\ncylon trade " + " ".join(words) + "\n```"]
+    text = [f"Measured on {measured.processor()} by\n\n```sh\ncylon trade " + " ".join(words) + "\n```"]
     for name in scenarios:
         text.append(f"### {name}\n\n![{name}: error against cost](plots/trade-{name}.svg)\n\n```\n{tables[name]}\n```")
-    before, rest = page.read_text().split(begin)
-    page.write_text(before + "\n\n".join(text) + "\n\n" + end + rest.split(end)[1])
+    measured.put(page, begin, end, "\n\n".join(text))
 
 
 main()

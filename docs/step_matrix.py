@@ -9,10 +9,11 @@ import argparse
 import datetime
 import os
 import pathlib
-import platform
 import subprocess
 import sys
 import tempfile
+
+import measured
 
 root = pathlib.Path(__file__).resolve().parent.parent
 begin, end = "<!-- begin: steps -->", "<!-- end: steps -->"
@@ -23,14 +24,6 @@ pages = [
      ["in-house", "bullet", "bullet/path=as-expert", "bullet-float", "bullet-multibody", "ode", "ode/path=as-expert"]),
     (root / "README.md", ["bullet", "ode"]),
 ]
-
-
-def processor():
-    """The processor's name, as Linux tells it."""
-    for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines():
-        if line.startswith("model name"):
-            return line.split(":", 1)[1].strip()
-    return platform.machine()
 
 
 def main():
@@ -44,13 +37,12 @@ def main():
                                   text=True, env={**os.environ, "COLUMNS": "130", "LC_ALL": "C.UTF-8"})
             if done.returncode != 0:
                 sys.exit(f"cylon {' '.join(words)} ended with {done.returncode}:\n{done.stderr}")
-            text = (f"Measured on {processor()}, {os.cpu_count()} processors, on {datetime.date.today()}, by "
+            text = (f"Measured on {measured.processor()}, {os.cpu_count()} processors, on {datetime.date.today()}, by "
                     f"`cylon {' '.join(words)}`:\n\n```\n{done.stdout.rstrip()}\n```\n\n"
                     f"`docs/{pathlib.Path(__file__).name}` repeats the measurement. Times depend on the machine"
                     f"{', which was busy with other work' + chr(10) + 'as well' if os.getloadavg()[0] > 1.5 else ''};"
                     " steps and orders do not.")
-            before, rest = page.read_text().split(begin)
-            page.write_text(f"{before}{begin}\n\n{text}\n\n{end}{rest.split(end)[1]}")
+            measured.put(page, begin, end, text)
 
 
 main()

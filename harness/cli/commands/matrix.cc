@@ -67,28 +67,19 @@ results::TradeTable sweep_of(const Context& context, const Options& options,
 int matrix(const Context& context, const Options& options) {
   require_writable(std::vector<std::string>{options.json, options.html});
   const double at = options.at.empty() ? 0 : scenario::parse_step(options.at);
-  Request request;
-  request.patterns = options.patterns;
-  const Selection selection = select(context, request);
-  if (selection.scenarios.empty()) {
-    std::cerr << "nothing selected; see `cylon list --names`\n";
-    return nothing_selected;
-  }
-  TradeJournal journal(".cylon/matrix.jsonl", options.resume);
-  if (options.resume) std::cerr << fmt::format("resumed: {} runs are done already\n", journal.known());
-  std::vector<results::TradeTable> tables;
-  try {
-    for (const auto& scenario : selection.scenarios)
-      tables.push_back(sweep_of(context, options, *scenario, journal));
-  } catch (const process::Interrupted&) {
-    std::cerr << "interrupted; repeat the command with --resume in this folder to continue\n";
-    return interrupted;
-  }
-  const reports::ConsoleOptions style{.width = context.width, .utf8 = context.utf8, .colour = context.colour};
-  if (options.json != "-" && options.html != "-")
-    std::cout << (at > 0 ? reports::digits_text(tables, at, style) : reports::steps_text(tables, style));
-  write_tables(context, selection, tables, "Cylon: which step an engine needs", options.json, options.html);
-  return exit_code(tables);
+  const auto each = [&](const scenario::Scenario& scenario, TradeJournal& journal) {
+    return sweep_of(context, options, scenario, journal);
+  };
+  return sweep_each(context, {options.patterns, ".cylon/matrix.jsonl", options.resume}, each,
+                    [&](const Selection& selection, const std::vector<results::TradeTable>& tables) {
+                      const reports::ConsoleOptions style{
+                          .width = context.width, .utf8 = context.utf8, .colour = context.colour};
+                      if (options.json != "-" && options.html != "-")
+                        std::cout << (at > 0 ? reports::digits_text(tables, at, style)
+                                             : reports::steps_text(tables, style));
+                      write_tables(context, selection, tables, "Cylon: which step an engine needs",
+                                   options.json, options.html);
+                    });
 }
 
 }  // namespace

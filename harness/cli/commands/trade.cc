@@ -74,37 +74,27 @@ std::string svg_name(const std::string& given, const std::string& scenario, bool
 
 int trade(const Context& context, const Options& options) {
   require_writable(std::vector<std::string>{options.json, options.csv, options.svg, options.html});
-  Request request;
-  request.patterns = options.patterns;
-  const Selection selection = select(context, request);
-  if (selection.scenarios.empty()) {
-    std::cerr << "nothing selected; see `cylon list --names`\n";
-    return nothing_selected;
-  }
-  TradeJournal journal(".cylon/trade.jsonl", options.resume);
-  if (options.resume) std::cerr << fmt::format("resumed: {} runs are done already\n", journal.known());
-  std::vector<results::TradeTable> tables;
   const bool quiet = options.json == "-" || options.csv == "-" || options.svg == "-" || options.html == "-";
   const reports::ConsoleOptions style{.width = context.width, .utf8 = context.utf8, .colour = context.colour};
-  try {
-    for (const auto& scenario : selection.scenarios) {
-      tables.push_back(sweep_of(context, options, *scenario, journal));
-      if (!quiet)
-        std::cout << (tables.size() > 1 ? "\n" : "")
-                  << reports::trade_text(tables.back(), style, options.verbose) << std::flush;
-    }
-  } catch (const process::Interrupted&) {
-    std::cerr << "interrupted; repeat the command with --resume in this folder to continue\n";
-    return interrupted;
-  }
-  write_tables(context, selection, tables, "Cylon: speed against accuracy", options.json, options.html);
-  if (!options.csv.empty()) write_whole(options.csv, reports::trade_csv(tables));
-  if (!options.svg.empty())
-    for (const results::TradeTable& table : tables)
-      if (!table.measures.empty())
-        write_whole(svg_name(options.svg, table.scenario, tables.size() > 1),
-                    reports::to_svg(reports::trade_plot(table)));
-  return exit_code(tables);
+  bool first = true;
+  const auto each = [&](const scenario::Scenario& scenario, TradeJournal& journal) {
+    results::TradeTable table = sweep_of(context, options, scenario, journal);
+    if (!quiet)
+      std::cout << (first ? "" : "\n") << reports::trade_text(table, style, options.verbose) << std::flush;
+    first = false;
+    return table;
+  };
+  return sweep_each(context, {options.patterns, ".cylon/trade.jsonl", options.resume}, each,
+                    [&](const Selection& selection, const std::vector<results::TradeTable>& tables) {
+                      write_tables(context, selection, tables, "Cylon: speed against accuracy", options.json,
+                                   options.html);
+                      if (!options.csv.empty()) write_whole(options.csv, reports::trade_csv(tables));
+                      if (options.svg.empty()) return;
+                      for (const results::TradeTable& table : tables)
+                        if (!table.measures.empty())
+                          write_whole(svg_name(options.svg, table.scenario, tables.size() > 1),
+                                      reports::to_svg(reports::trade_plot(table)));
+                    });
 }
 
 }  // namespace

@@ -63,11 +63,30 @@ results::TradeTable sweep(const Context& context, const Sweep& plan, TradeJourna
   return table;
 }
 
-int exit_code(const std::vector<results::TradeTable>& tables) {
-  bool any = false;
+int sweep_each(const Context& context, const SweepRequest& request,
+               const std::function<results::TradeTable(const scenario::Scenario&, TradeJournal&)>& each,
+               const std::function<void(const Selection&, const std::vector<results::TradeTable>&)>& done) {
+  Request wanted;
+  wanted.patterns = request.patterns;
+  const Selection selection = select(context, wanted);
+  if (selection.scenarios.empty()) {
+    std::cerr << "nothing selected; see `cylon list --names`\n";
+    return nothing_selected;
+  }
+  TradeJournal journal(request.journal, request.resume);
+  if (request.resume) std::cerr << fmt::format("resumed: {} runs are done already\n", journal.known());
+  std::vector<results::TradeTable> tables;
+  try {
+    for (const auto& scenario : selection.scenarios) tables.push_back(each(*scenario, journal));
+  } catch (const process::Interrupted&) {
+    std::cerr << "interrupted; repeat the command with --resume in this folder to continue\n";
+    return interrupted;
+  }
+  done(selection, tables);
   for (const results::TradeTable& table : tables)
-    for (const results::TradeSeries& series : table.series) any |= !series.points.empty();
-  return any ? ok : nothing_selected;
+    for (const results::TradeSeries& series : table.series)
+      if (!series.points.empty()) return ok;
+  return nothing_selected;
 }
 
 void write_tables(const Context& context, const Selection& selection,

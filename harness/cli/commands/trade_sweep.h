@@ -27,8 +27,17 @@ struct Sweep {
 results::TradeTable sweep(const Context&, const Sweep&, TradeJournal&,
                           const std::function<std::vector<study::Setting>()>& settings);
 
-/// ok, or nothing_selected where no engine ran anything.
-int exit_code(const std::vector<results::TradeTable>&);
+struct SweepRequest {
+  std::vector<std::string> patterns;  ///< Of scenarios.
+  std::string journal;                ///< The file that --resume reads.
+  bool resume = false;
+};
+
+/// Sweeps each scenario that is selected by `each`, and gives all tables to `done`.  ok; nothing_selected
+/// where there is no scenario, or no engine ran anything; interrupted, with `done` not called.
+int sweep_each(const Context&, const SweepRequest&,
+               const std::function<results::TradeTable(const scenario::Scenario&, TradeJournal&)>& each,
+               const std::function<void(const Selection&, const std::vector<results::TradeTable>&)>& done);
 
 /// Writes the tables to the files that are named.
 void write_tables(const Context&, const Selection&, const std::vector<results::TradeTable>&,
