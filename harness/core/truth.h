@@ -26,6 +26,8 @@ struct Truth {
   /// Up to the horizon, in order of time.  Of a kind either all, with all that it has, or none: those are
   /// then found in the states (with_events), so that only closed forms need to stand here.
   std::vector<Event> events;
+  /// Where that list ends, if before the horizon: infinitely many bounces, data without events [s].
+  double events_until = std::numeric_limits<double>::infinity();
   StateError error;                                          ///< Bound on this truth's own error.
   std::string source;                                        ///< Where the formula or the data come from.
   double horizon = std::numeric_limits<double>::infinity();  ///< [s]

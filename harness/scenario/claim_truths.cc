@@ -64,7 +64,13 @@ bool has_event(const core::Truth& truth, const Observable& q) {
 }  // namespace
 
 void require_event(const Table& t, const Claim& claim, double horizon) {
-  const bool none_is_right = claim.observable.event_quantity == core::EventQuantity::count;
+  const core::EventQuantity quantity = claim.observable.event_quantity;
+  const bool none_is_right = quantity == core::EventQuantity::count;
+  if (claim.truth && core::of_all(quantity) && claim.truth->events_until < horizon)
+    t.fail("quantity",
+           fmt::format("'{}' tells its events up to {:.6g} s only, and a {} up to {:.6g} s is asked "
+                       "for; end the claim sooner with 'until'",
+                       claim.follows, claim.truth->events_until, core::name(quantity), horizon));
   if (!claim.truth || claim.observable.quantity != core::Quantity::event || none_is_right ||
       has_event(*claim.truth, claim.observable))
     return;

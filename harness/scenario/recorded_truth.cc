@@ -221,6 +221,7 @@ core::Truth parse_truth(std::string_view json, const std::string& file, const co
 
   truth.times = *times;
   truth.horizon = times->back();
+  if (!root.contains("events")) truth.events_until = 0;
   truth.error = error_of(*states, difference);
   truth.source = "recorded: " + file;
   truth.events = read_events(reader, root, scene);

@@ -77,6 +77,10 @@ core::Primitive primitive(const Table& table, Draft& draft) {
       result = mesh(table, draft);
     else
       result = read_element<Kind>(table, draft);
+    if constexpr (std::is_same_v<Kind, core::Hull>)
+      if (std::get<core::Hull>(result).vertices.size() < 4)
+        table.fail("vertices", fmt::format("vertices: a hull needs four points or more, but has {}",
+                                           std::get<core::Hull>(result).vertices.size()));
   });
   return result;
 }

@@ -56,6 +56,12 @@ std::int64_t coarsest_samples(const scenario::Scenario& scenario, std::int64_t d
 Ladder ladder_down_to(const scenario::Scenario& scenario, double finest) {
   Ladder result;
   result.samples = coarsest_samples(scenario, coarsest_multiple, fewest);
+  constexpr double most_steps = 0x1p40;
+  if (!(scenario.duration / finest <= most_steps))
+    throw core::InputError(
+        fmt::format("--finest: {:g} s is too fine for {}, which lasts {:g} s; valid: {:.2g} s "
+                    "or more",
+                    finest, scenario.name, scenario.duration, scenario.duration / most_steps));
   const std::int64_t most = std::max(
       result.samples, static_cast<std::int64_t>(std::floor(scenario.duration / finest * (1 + 1e-9))));
   for (std::int64_t steps = result.samples; steps <= most; steps *= 2) result.steps.push_back(steps);

@@ -3,6 +3,7 @@
 #include "harness/core/force_law.h"
 
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace cylon::study {
@@ -29,13 +30,13 @@ double worst(const Subject& s, const Recording& other,
              const std::function<State(const State&, double)>& required) {
   std::map<std::int64_t, const State*> at;
   for (std::size_t i = 0; i < other.steps.size(); ++i) at[other.steps[i]] = &other.states[i];
-  double result = 0;
+  double result = std::numeric_limits<double>::quiet_NaN();  // of no common sample
   for (std::size_t i = 0; i < s.plain.steps.size(); ++i) {
     const auto found = at.find(s.plain.steps[i]);
     if (found == at.end() || s.plain.time(i) > s.until * (1 + 1e-12)) continue;
     const double d = apart(required(s.plain.states[i], s.plain.time(i)), *found->second, s.scales);
-    if (!(d <= result)) result = d;
-    if (std::isnan(result)) break;
+    if (std::isnan(d)) return d;
+    result = std::fmax(result, d);
   }
   return result;
 }

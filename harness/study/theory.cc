@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -64,8 +65,10 @@ class Judge {
     found.allowed = bound.allowed;
     found.truth_error = claim.truth_error;
     found.reason = bound.reason;
+    const double scale = core::scale(claim, scenario_.scene, scenario_.duration);
+    found.binds = bound.allowed < scale;
     findings_.push_back(found);
-    const bool asymptotic = bound.allowed < 0.1 * core::scale(claim, scenario_.scene, scenario_.duration);
+    const bool asymptotic = bound.allowed < 0.1 * scale;
     if (claim.truth && !promise_.adaptive && asymptotic && theory_.forces == Theory::Forces::smooth)
       ask_order(claim, bound);
   }
@@ -75,7 +78,7 @@ class Judge {
     for (int k = 0; k <= finest; ++k) {
       errors.push_back(deviation(claim, k));
       steps.push_back(std::ldexp(step_, -k));
-      if (!(errors.back() > 4 * (bound.rounding + claim.truth_error))) return;
+      if (errors.back() <= 4 * (bound.rounding + claim.truth_error)) return;
     }
     const double order = core::observed_order(steps, errors);
     TheoryFinding found;
@@ -110,6 +113,17 @@ class Judge {
   std::vector<TheoryFinding> findings_;
 };
 
+double tolerance_of(const std::string& text) {
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error == std::errc() && stop == end && value > 0 && std::isfinite(value)) return value;
+  process::RunOutcome outcome;
+  outcome.status = results::Status::protocol;
+  outcome.reason = fmt::format("the engine states the tolerance '{}', which is no number above 0", text);
+  throw RunFailed{outcome};
+}
+
 bool theory_speaks_of(const Claim& claim, double until) {
   const auto known = [&](double t) { return t <= until; };
   return claim.observable.quantity != core::Quantity::event && claim.reduction <= core::Reduction::end &&
@@ -120,13 +134,13 @@ bool theory_speaks_of(const Claim& claim, double until) {
 }  // namespace
 
 Promise promise_of(const core::Engine& engine, const core::Terms& terms) {
-  Promise promise{terms.order, core::controls_its_error(engine, terms), 0, false};
+  Promise promise{terms.order, core::controls_its_error(engine, terms), closed_form, false};
+  if (!promise.adaptive) return promise;
   for (const core::Setting& setting : terms.settings)
     if (setting.name == "tolerance") {
-      promise.tolerance = std::stod(setting.value);
+      promise.tolerance = tolerance_of(setting.value);
       promise.each_step = setting.reason.find("each step") != std::string::npos;
     }
-  if (promise.adaptive && promise.tolerance == 0) promise.tolerance = closed_form;
   return promise;
 }
 
@@ -209,6 +223,12 @@ std::vector<Verdict> theorize(const Cell& cell, const process::Limits& limits,
       rows.push_back(row_of(found));
       Verdict& row = rows.back();
       row.status = results::judge(row.measured, row.allowed);
+      if (!found.binds && row.status != results::Status::non_finite) {
+        row.status = row.expected = results::Status::unsupported;
+        row.detail =
+            "Theory bounds nothing at this step: it allows an error as large as the motion. Take a "
+            "smaller step.";
+      }
       const bool nothing_passes = cell.tolerance_scale == 0;
       if (nothing_passes && row.status == results::Status::pass) row.status = results::Status::fail;
     }

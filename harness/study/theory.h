@@ -1,6 +1,5 @@
 // What an integrator promises by the order or the error bound that it states, and whether a run keeps it.  A
-// scenario says how fast its motion goes (`[theory]`); the bound follows from that, for every engine by its
-// own
+// scenario says how fast its motion goes (`[theory]`); the bound follows from that, for every engine by its own
 // promise: one of first order is not asked for more, and one that bounds its error is not let off with less.
 #pragma once
 
@@ -47,18 +46,17 @@ struct TheoryFinding {
   std::string observable, unit;
   double measured = 0, allowed = 0, truth_error = 0;
   std::string reason, detail;
+  bool binds = true;  ///< False where the bound is as large as the claim's scale: nothing could break it.
 };
 
-/// The scenario as far as its theory goes, with the claims that theory speaks of: those of no event,
-/// measured by
-/// their largest or last deviation.  Requires scenario.theory.
+/// The scenario as far as its theory goes, with the claims that theory speaks of: those of no event, measured
+/// by their largest or last deviation.  Requires scenario.theory.
 scenario::Scenario cut_to_theory(const scenario::Scenario&);
 
 /// `run(k)`: a recording of the cut scenario at step/2^k, asked for with k = 0, and 1 and 2 where an order
-/// shows.
-/// The order of a truth-following claim is asked of fixed steps in smooth motion, where the bound is below a
-/// tenth
-/// of the scale and the errors are above rounding; it must not fall short of the promise by more than a half.
+/// shows.  The order of a truth-following claim is asked of fixed steps in smooth motion, where the bound is
+/// below a tenth of the scale and the errors are above rounding; it must not fall short of the promise by more
+/// than a half.  Throws RunFailed where an engine states a tolerance that is no number above 0.
 std::vector<TheoryFinding> judge_by_theory(const scenario::Scenario& cut, double step,
                                            const std::function<core::Recording(int k)>& run);
 

@@ -171,6 +171,8 @@ core::Truth bouncing_sphere(const core::Scene& scene, double horizon) {
     along.acceleration += pull * normal;
     spheres.push_back({along, normal, Bounces(pull, gap, normal.dot(along.velocity), material->restitution)});
     list_events(spheres.back().bounces, i, horizon, truth.events);
+    if (material->restitution > 0)  // its bounces have no end
+      truth.events_until = std::min(truth.events_until, static_cast<double>(spheres.back().bounces.rest));
     const core::StateError e = bound(spheres.back().bounces, body, plane, r, g, horizon);
     truth.error = {.position = std::max(truth.error.position, e.position),
                    .velocity = std::max(truth.error.velocity, e.velocity),

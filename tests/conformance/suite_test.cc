@@ -138,10 +138,15 @@ TEST_F(Conformance, EveryClaimByTheoryIsAsExpected) {
   for (const Verdict& row : rows) {
     EXPECT_TRUE(row.as_expected()) << place(row) << ": " << row.measured << " of " << row.allowed;
     if (!row.engine.starts_with("in-house") || row.engine == "in-house-float") continue;
+    if (row.detail.starts_with("Theory bounds nothing")) {
+      EXPECT_EQ(row.status, results::Status::unsupported) << place(row);
+      continue;
+    }
     EXPECT_EQ(row.status, results::Status::pass) << place(row);
     ++in_house;
   }
-  EXPECT_GT(in_house, 100) << "eight scenes, five schemes, two claims or more";
+  EXPECT_GT(in_house, 90)
+      << "eight scenes, five schemes, two claims or more, less what first order leaves open";
 }
 
 TEST_F(Conformance, RowsAreTheSameForAnyNumberOfWorkersAndAgain) {

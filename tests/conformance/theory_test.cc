@@ -113,7 +113,7 @@ const Row rows[] = {
     //   explicit Euler: |1 + i h|^n = exp(n h^2/2): grows by A w^2 T dt/2, last seen at 2 of 2.25 periods;
     //   velocity Verlet: cos(h') = 1 - h^2/2, h' = h (1 + h^2/24): ahead by A w^3 T dt^2/24;
     //   RK4: exp(i h) without its term (i h)^5/120: behind by A w^5 T dt^4/120;
-    //   symplectic Euler: the same angle h' as Verlet, half a step beside it: A w dt/2 at most, whatever T.
+    //   Lie-Trotter: the same angle h' as Verlet, half a step beside it: A w dt/2 at most, whatever T.
     {"spring", spring, "explicit-euler", 1, amplitude* w* w / 2, 2e4, 0.88},
     {"spring", spring, "lie-trotter", 1, amplitude / (9 * pi) * w* w, 4e3, 0.9},
     {"spring", spring, "velocity-verlet", 2, amplitude* w* w* w / 24, 1e3, 0.9},

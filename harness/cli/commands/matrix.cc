@@ -4,6 +4,7 @@
 #include "harness/cli/options.h"
 #include "harness/cli/output.h"
 #include "harness/cli/workers.h"
+#include "harness/core/input_error.h"
 #include "harness/scenario/input.h"
 #include "harness/study/settings.h"
 #include "reports/step_matrix.h"
@@ -67,6 +68,9 @@ results::TradeTable sweep_of(const Context& context, const Options& options,
 int matrix(const Context& context, const Options& options) {
   require_writable(std::vector<std::string>{options.json, options.html});
   const double at = options.at.empty() ? 0 : scenario::parse_step(options.at);
+  if (at > 0 && at < options.finest)
+    throw core::InputError(
+        fmt::format("--at: {:g} s is below --finest, {:g} s: no such step is tried", at, options.finest));
   const auto each = [&](const scenario::Scenario& scenario, TradeJournal& journal) {
     return sweep_of(context, options, scenario, journal);
   };

@@ -13,10 +13,13 @@
 #include "reports/junit.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <set>
+#include <string>
 
 namespace cylon::cli {
 namespace {
@@ -41,6 +44,19 @@ int exit_code(const std::vector<Verdict>& rows, bool published_differs) {
   return published_differs || !as_expected(rows) ? differs : ok;
 }
 
+// Only scenes with a table [theory] can be asked by theory.
+void leave_out_without_theory(Selection& selection) {
+  std::set<std::string> without;
+  std::erase_if(selection.cells, [&](const study::Cell& cell) {
+    if (cell.scenario->theory) return false;
+    without.insert(cell.scenario->name);
+    return true;
+  });
+  if (!without.empty())
+    std::cerr << fmt::format("warning: --theory leaves out what has no table [theory]: {}\n",
+                             fmt::join(without, ", "));
+}
+
 int run(const Context& context, const RunOptions& options) {
   const std::vector<std::string> files = {options.json, options.junit, options.csv, options.html,
                                           options.traces};
@@ -60,6 +76,7 @@ int run(const Context& context, const RunOptions& options) {
   // With nothing said but --resume or --rerun-failed, what the last run was asked for.
   const Request request = last.request && options.request == Request() ? *last.request : options.request;
   Selection selection = select(context, request);
+  if (request.theory) leave_out_without_theory(selection);
   if (selection.cells.empty()) {
     std::cerr << "nothing selected; see `cylon list --names` and `cylon engines --names`\n";
     return nothing_selected;

@@ -7,15 +7,17 @@ namespace cylon::cli {
 void add_options(App& app, const std::shared_ptr<RunOptions>& options) {
   Request& request = options->request;
   add_selection_options(app, request);
-  app.add_flag("--metamorphic", request.metamorphic,
-               "Check symmetries of mechanics instead of the claims: a moved, rotated, mirrored, boosted or "
-               "rescaled scene must move alike, and time must be reversible. Needs no exact solution, so it "
-               "works for any scene");
+  const Option metamorphic = app.add_flag(
+      "--metamorphic", request.metamorphic,
+      "Check symmetries of mechanics instead of the claims: a moved, rotated, mirrored, boosted or "
+      "rescaled scene must move alike, and time must be reversible. Needs no exact solution, so it "
+      "works for any scene");
   app.add_flag(
-      "--theory", request.theory,
-      "Hold each engine to what its integrator promises, instead of the claims as they stand: errors "
-      "within the bound of its declared order or tolerance, and falling with the step as declared. "
-      "Serves the scenarios that state how fast they go (docs/claims.md)");
+         "--theory", request.theory,
+         "Hold each engine to what its integrator promises, instead of the claims as they stand: errors "
+         "within the bound of its declared order or tolerance, and falling with the step as declared. "
+         "Only scenarios with a table [theory] are run (docs/claims.md)")
+      ->excludes(metamorphic);
   app.add_option("--tolerance-scale", request.tolerance_scale,
                  "Factor on every tolerance; 0 makes every claim fail and so shows every residual. Reports "
                  "mention it")

@@ -86,6 +86,7 @@ int sweep_each(const Context& context, const SweepRequest& request,
   for (const results::TradeTable& table : tables)
     for (const results::TradeSeries& series : table.series)
       if (!series.points.empty()) return ok;
+  std::cerr << "no engine that is asked for ran a scenario\n";
   return nothing_selected;
 }
 

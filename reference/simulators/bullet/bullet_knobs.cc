@@ -42,7 +42,9 @@ constexpr Knob table[] = {
     {"plane-queries", "setPlaneConvexMultipointIterations", 0, 0, 64,
      "queries of a polyhedral shape, tilted a little, against a plane while fewer than 3 points are known",
      Kind::whole},
-    {"convex-queries", "setConvexConvexMultipointIterations", 0, 0, 64, "the same between two convex shapes",
+    {"convex-queries", "setConvexConvexMultipointIterations", 0, 0, 64,
+     "contact queries, tilted a little, between two convex shapes while fewer than 3 points are known; box "
+     "against box has an algorithm of its own",
      Kind::whole},
     {"breaking-threshold", "gContactBreakingThreshold", 0.02, 0, largest,
      "distance at which a contact point is created or given up, as a fraction of the smaller shape's size"},

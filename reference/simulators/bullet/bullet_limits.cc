@@ -50,9 +50,8 @@ std::vector<std::string> unforceable_multibody() {
       "There is no continuous collision detection: it is a sweep of rigid bodies "
       "(BulletDynamics/Dynamics/btDiscreteDynamicsWorld.cpp:950).");
   sentences.emplace_back(
-      "With rk4, applied forces are constant during the step, and constraint impulses change the position "
-      "one "
-      "step late (BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.cpp:613).");
+      "With runge-kutta-4, applied forces are constant during the step, and constraint impulses change the "
+      "position one step late (BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.cpp:613).");
   return sentences;
 }
 

@@ -56,6 +56,8 @@ constexpr BulletRule rules[] = {
      "points at rest must not be given up and found again"},
     {"as-expert", "solver", "dantzig", wide, "where masses differ by a factor of 1000",
      "sweeps carry a share of an impulse from body to body, and 200 are too few"},
+    {"as-expert", "warm-starting", "0", wide, "where masses differ by a factor of 1000",
+     "Dantzig's solver rejects a step whose last impulses reach 1000 N s, and sweeps solve it"},
     {"as-expert", "restitution-threshold", "0", bounces, a_pair_bounces, all_bounce},
     {"as-expert", "contact-threshold", "0", bounces, a_pair_bounces, no_early_contact},
     {"as-expert", "erp2", "0", bounces, a_pair_bounces, no_push},

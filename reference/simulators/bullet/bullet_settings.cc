@@ -212,9 +212,9 @@ core::Engine bullet_engine(std::string version, std::string precision) {
   engine.integrators = {
       {semi_implicit_euler, 1, "linear momentum; symplectic without rotation and contact"},
       {runge_kutta, 4,
-       "nothing in particular; of btMultiBody alone; order 2 with ball joints, 1 with contacts, loops, "
-       "applied "
-       "forces, and a free base that turns"},
+       "nothing in particular; only btMultiBody has it; order 2 with ball joints; order 1 with contacts, "
+       "loops, "
+       "applied forces or a free base that turns"},
   };
   for (const Word& word : words)
     engine.options.push_back({word.option, word.of_rigid, word.of_rigid.front(), word.meaning});
@@ -228,7 +228,7 @@ BulletSettings bullet_settings(const core::Engine& engine, const core::Setup& se
   if (!setup.path.empty()) require("path", setup.path, names(engine.paths));
   if (!setup.integrator.empty()) require("integrator", setup.integrator, names(engine.integrators));
 
-  const bool by_rule = setup.path.empty() || setup.path == "rigid";
+  const bool by_rule = setup.path.empty();
   const std::string path = by_rule ? (kind.bounces ? "rigid-bounce" : "rigid") : setup.path;
   const bool by_expert = path == "as-expert";
   BulletSettings settings = own(path == "multibody" || (by_expert && expert_takes_multibody(kind)));
@@ -262,8 +262,16 @@ BulletSettings bullet_settings(const core::Engine& engine, const core::Setup& se
   settings.terms.order = settings.runge_kutta ? kind.rk4_order : 1;
   settings.terms.gyroscopic = settings.gyroscopic;
   settings.terms.settings = of_the_scene();
-  for (const auto& [option, reason] : chosen.all())
-    if (option != "ccd" || kind.swept) settings.terms.settings.push_back(setting(settings, option, reason));
+  for (const auto& [option, reason] : chosen.all()) {
+    const auto need = std::ranges::find_if(needs, [&](const Need& n) { return option == n.option; });
+    if (need != std::end(needs) && !need->met(settings)) continue;  // a rule's, in force with another option
+    core::Setting one = setting(settings, option, reason);
+    if (option == "ccd" && !kind.swept) {
+      if (reason != asked_for) continue;
+      one.value = "none", one.reason = "asked for by the run, but no body here has a shape that is swept";
+    }
+    settings.terms.settings.push_back(one);
+  }
   if (settings.multibody && kind.loops) settings.terms.settings.push_back(no_limit_of_loops());
   settings.terms.unforceable = settings.multibody ? unforceable_multibody() : unforceable_rigid();
   return settings;

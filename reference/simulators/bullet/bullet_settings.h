@@ -20,7 +20,7 @@ struct BulletSettings {
   std::map<std::string, double> number;  ///< Every numeric option by its name.
   core::Terms terms;                     ///< The same for the reports.
 
-  /// Why the bodies that the path takes for this scene have not what the run asks for; nothing: they have.
+  /// Why this path cannot do what the run asks for on this scene; empty: it can.
   std::optional<std::string> refused;
 
   bool on(const char* option) const { return number.at(option) != 0; }

@@ -3,6 +3,7 @@
 #include "harness/core/input_error.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -124,10 +125,12 @@ double number(const OdeOption& option, const std::string& given) {
   const bool inside =
       option.open ? x > option.least && x < option.most : x >= option.least && x <= option.most;
   if (error == std::errc() && stop == end && inside && (!option.whole || x == std::floor(x))) return x;
-  throw std::invalid_argument(fmt::format("ode: option {} = '{}' is not a {}number in {}{}, {}{}",
-                                          option.name, given, option.whole ? "whole " : "",
-                                          option.open ? '(' : '[', option.least, option.most,
-                                          option.open ? ')' : ']'));
+  const std::string range = option.most == largest
+                                ? fmt::format("from {} on", option.least)
+                                : fmt::format("in {}{}, {}{}", option.open ? '(' : '[', option.least,
+                                              option.most, option.open ? ')' : ']');
+  throw std::invalid_argument(fmt::format("ode: option {} = '{}' is not a {}number {}", option.name, given,
+                                          option.whole ? "whole " : "finite ", range));
 }
 
 }  // namespace
@@ -136,8 +139,8 @@ std::span<const OdeOption> ode_options() { return options; }
 
 void ode_require(const std::string& kind, const std::string& word, const std::vector<std::string>& valid) {
   if (std::ranges::find(valid, word) != valid.end()) return;
-  throw std::invalid_argument(
-      fmt::format("ode: unknown {} '{}'{}", kind, word, core::did_you_mean(word, valid)));
+  throw std::invalid_argument(fmt::format("ode: no {} '{}'{} (valid: {})", kind, word,
+                                          core::did_you_mean(word, valid), fmt::join(valid, ", ")));
 }
 
 void ode_set(OdeSettings& run, const std::string& option, const std::string& given) {

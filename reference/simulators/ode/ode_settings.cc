@@ -128,17 +128,14 @@ std::vector<Setting> table(const OdeSettings& run) {
 std::vector<std::string> unforceable(bool quick) {
   std::vector<std::string> sentences = {
       "Friction is a pyramid: two directions, each with its own bound; the caller may choose the first for "
-      "each "
-      "contact (joints/contact.cpp:220).",
+      "each contact (joints/contact.cpp:220).",
       "The gyroscopic term is implicit and loses energy; it can be switched off, but there is no exact form "
       "(step.cpp:642, quickstep.cpp:1194).",
       "Contacts are detected at the start of a step, so an impact acts up to one step late: dSpaceCollide "
-      "and "
-      "dCollide see one instant (collision_space.cpp:779).",
+      "and dCollide see one instant (collision_space.cpp:779).",
       "Restitution uses the approach speed before the forces of the step act (joints/contact.cpp:188).",
       "There is no continuous collision detection: a fast body can pass through another within one step; a "
-      "caller "
-      "may cast rays of its own (ray.cpp).",
+      "caller may cast rays of its own (ray.cpp).",
       "Impacts at one instant are solved as one complementarity problem, whatever order the scene requests "
       "(lcp.cpp:1067, quickstep.cpp:1772).",
       "Motion is semi-implicit Euler; there is no other integrator (util.cpp:583).",
@@ -187,7 +184,7 @@ constexpr Rule rules[] = {
 
     {"as-expert", "rotation", "finite", nullptr, "", exact_turn},
     {"as-expert", "friction", "coefficient", nullptr, "", a_coefficient},
-    {"as-expert", "friction-direction", "slip", keeps_to_the_slip, "unless moving bodies may meet, as below",
+    {"as-expert", "friction-direction", "slip", keeps_to_the_slip, "except where soft_cfm is 1e-05, below",
      "one side of the pyramid lies on Coulomb's cone"},
     {"as-expert", "springs", "stiff", nullptr, "", "an explicit force diverges beyond dt^2 k = 4 m"},
     {"as-expert", "stepper", "quick", rests_in_a_stack, stack,
@@ -203,11 +200,12 @@ constexpr Rule rules[] = {
      "where nothing bounces and moving bodies touch the ground alone", "contacts at rest stay contacts"},
 };
 
-OdeSettings of_path(const std::string& path, const OdeKind& kind) {
+// On scenes of a kind, or, without one, what holds on all.
+OdeSettings of_path(const std::string& path, const OdeKind* kind) {
   OdeSettings run;
   run.path = path;
   for (const Rule& rule : rules)
-    if (rule.path == path && (!rule.holds || rule.holds(kind))) {
+    if (rule.path == path && (!rule.holds || (kind && rule.holds(*kind)))) {
       ode_set(run, rule.option, rule.value);
       run.reasons[rule.option] = rule.reason;
     }
@@ -216,7 +214,7 @@ OdeSettings of_path(const std::string& path, const OdeKind& kind) {
 
 // The table of a path: what it sets everywhere, then what it sets where.
 core::Path path(const std::string& name, std::string summary) {
-  const OdeSettings everywhere = of_path(name, {});
+  const OdeSettings everywhere = of_path(name, nullptr);
   core::Path result{name, std::move(summary), table(everywhere), unforceable(everywhere.quick)};
   for (const Rule& rule : rules) {
     if (rule.path != name || !rule.holds) continue;
@@ -266,7 +264,7 @@ core::Engine ode_engine(std::string version) {
 OdeSettings ode_settings(const core::Engine& engine, const core::Setup& setup, const OdeKind& kind) {
   if (!setup.path.empty()) ode_require("path", setup.path, names(engine.paths));
   if (!setup.integrator.empty()) ode_require("integrator", setup.integrator, names(engine.integrators));
-  OdeSettings run = of_path(setup.path.empty() ? engine.paths.front().name : setup.path, kind);
+  OdeSettings run = of_path(setup.path.empty() ? engine.paths.front().name : setup.path, &kind);
   for (const auto& [name, value] : setup.options) {
     ode_set(run, name, value);
     run.reasons[name] = "asked for by the run";

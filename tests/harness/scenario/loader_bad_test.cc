@@ -112,6 +112,8 @@ std::vector<Bad> bad() {
        "unknown key 'length' in shape; valid: type, radius"},
       {"radius_negative", ball + "shape = { type = \"sphere\", radius = -1 }\n",
        "bad.toml:6:37: radius = -1, but must be > 0 m"},
+      {"empty_hull", ball + "shape = { type = \"hull\", vertices = [] }\ninertia = [1, 1, 1]\n",
+       "a hull needs four points or more, but has 0"},
       {"flat_hull", ball + "shape = { type = \"hull\", vertices = [[0,0,0],[1,0,0],[0,0,1],[1,0,1]] }\n",
        "the points lie in one plane"},
       {"mesh_index", ball + "shape = { type = \"mesh\", vertices = [[0,0,0]], faces = [[0, 1, 2]] }\n",

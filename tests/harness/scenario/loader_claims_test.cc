@@ -91,6 +91,24 @@ TEST(Claims, LeastChangeLeavesSomethingToChange) {
   EXPECT_NE(error(axis + "3.2", "absolute = 0.1").find("at most pi"), std::string::npos);
 }
 
+// Infinitely many bounces have no count; nor has a recording without events one.
+TEST(Claims, CountsNeedAllEvents) {
+  const std::string start =
+      "duration = 2\nstep = 0.01\ngravity = [0, -10, 0]\n[[body]]\nname = \"body\"\nmass = 1\n"
+      "position = [0, 0.6, 0]\nshape = { type = \"sphere\", radius = 0.1 }\ncollide = true\n"
+      "[[plane]]\nname = \"floor\"\n[[material]]\nbetween = [\"*\", \"*\"]\nfriction = 0\n";
+  const auto error = [&](const std::string& restitution, const std::string& until) {
+    return error_of(start + "restitution = " + restitution +
+                    "\n[[claim]]\nfollows = \"bouncing_sphere\"\nobservable = \"event\"\nevent = \"bounce\"\n"
+                    "quantity = \"count\"\nbody = \"body\"\n" +
+                    until + "tolerance = { absolute = 0, reason = \"r\" }\n");
+  };
+  // It rests at sqrt(2 h/g) (1 + e)/(1 - e) = 0.949 s.
+  EXPECT_NE(error("0.5", "").find("tells its events up to 0.948"), std::string::npos) << error("0.5", "");
+  EXPECT_EQ(error("0.5", "until = 0.9\n"), "");
+  EXPECT_EQ(error("1", ""), "");
+}
+
 // A recording without velocities holds those of the start, which are no truth.
 TEST(Claims, RecordedDataMustHaveWhatIsClaimed) {
   const fs::path folder = fs::path(testing::TempDir()) / "recorded";

@@ -2,6 +2,8 @@
 // not.
 #include "harness/study/theory.h"
 
+#include "harness/study/runner.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -108,6 +110,25 @@ TEST(Theory, HoldsABoundedErrorToTenTimesItsBound) {
 TEST(Theory, AllowsTheRoundingOfThePrecision) {
   EXPECT_FALSE(kept(judged({.order = 8}, 1e-6, 0).at(value)));
   EXPECT_TRUE(kept(judged({.order = 8, .precision = "float"}, 1e-6, 0).at(value)));
+}
+
+// A bound as large as the motion lets an engine pass that stands still.
+TEST(Theory, SaysWhereItBoundsNothing) {
+  EXPECT_TRUE(judged({.order = 2}, 1, 2).at(value).binds);
+  EXPECT_FALSE(judged({.order = 2}, 1, 2, "magnification = 1e7\n").at(value).binds);
+  EXPECT_FALSE(judged({.order = 8, .tolerance = "0.1"}, 0, 0).at(value).binds);
+}
+
+TEST(Theory, TolerancesThatAreNoNumberAreAFailureOfTheWorker) {
+  for (const char* tolerance : {"tight", "1e-6x", "-1", "0", "nan", "inf", "1e999"}) {
+    try {
+      judged({.order = 8, .tolerance = tolerance}, 0, 0);
+      ADD_FAILURE() << tolerance;
+    } catch (const RunFailed& failed) {
+      EXPECT_EQ(failed.outcome.status, results::Status::protocol);
+      EXPECT_NE(failed.outcome.reason.find(tolerance), std::string::npos) << failed.outcome.reason;
+    }
+  }
 }
 
 TEST(Theory, GoesAsFarAsItsScenarioSays) {
