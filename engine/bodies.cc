@@ -62,8 +62,9 @@ void Bodies::unwatch() {
   for (Water& water : model_.forces.waters) water.inside.clear();
 }
 
-std::vector<Real> Bodies::initial() const {
+std::vector<Real> Bodies::initial(Time start) const {
   std::vector<Real> y(size_, 0);
+  if (masses_.any()) y.back() = static_cast<Real>(start);
   std::copy(model_.motions.begin(), model_.motions.end(), motions(y.data()));
   return y;
 }

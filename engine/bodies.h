@@ -33,8 +33,8 @@ class Bodies {
   explicit Bodies(Model, bool account = false);
 
   std::size_t size() const { return size_; }
-  /// The state at t = 0.
-  std::vector<Real> initial() const;
+  /// The state of the model's motions at `start`, the time of the clock then.
+  std::vector<Real> initial(Time start = 0) const;
 
   void rates(Time, const Real* y, Real* rate);
   void kick(Time, Real h, Real* y);

@@ -76,7 +76,7 @@ EventStepper::EventStepper(Reduced reduced, const Integrator& integrator, Time d
       dt_(dt),
       start_time_(start),
       steps_(static_cast<std::int64_t>(std::floor(start / dt * (1 + 4e-16)))),
-      y_(system_.initial()),
+      y_(system_.initial(start)),
       start_(y_),
       rate_(y_.size()),
       fixed_(fixed_integrator(integrator), y_.size()),

@@ -70,7 +70,8 @@ std::unique_ptr<Stepper> make_bodies(const Model& model, const Plan& plan, const
       motions[i] = engine::read(s.model().bodies[i], readings[i], Bodies::motions(y)[i]);
     }
   };
-  return smooth(system, system.initial(), plan, options, read, model, first);
+  return smooth(system, system.initial(static_cast<Time>(first) * options.dt), plan, options, read, model,
+                first);
 }
 
 std::unique_ptr<Stepper> make_events(const Model& model, const Plan& plan, const Options& options,

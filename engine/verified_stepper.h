@@ -16,8 +16,7 @@ using MakeRun = std::function<std::unique_ptr<Stepper>(Real local_tolerance)>;
 /// `bound` of the motion's scales, both tolerances fall to a tenth and the finer run starts again from its
 /// start, up to the same sample.  A sample is the finer run's, and is given out once both agree on it; at the
 /// end of what the number type can resolve it is given out all the same, and a remark says how far they part.
-///  A sample within a step of an impact may part by as much as the impact changes it; it is compared again
-//one
+/// A sample within a step of an impact may part by as much as the impact changes it; it is compared again one
 /// step later.
 class VerifiedStepper final : public Stepper {
  public:

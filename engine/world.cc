@@ -12,7 +12,7 @@ namespace cylon::engine {
 
 namespace {
 
-constexpr std::size_t most_named = 6, most_remarks = 8;
+constexpr std::size_t most_named = 6, most_remarks = 8, most_ended = 32;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -64,6 +64,9 @@ void World::divide() {
   interactions_.emplace(*model_, options_.dt);
   const std::size_t n = interactions_->clusters().size();
   if (n == 0) return;  // nothing moves
+  if (interactions_->too_many())
+    note("more than " + std::to_string(islands::Interactions::most_watched) +
+         " bodies may touch others: where they may be is not looked at, and they are one part");
   motions_ = model_->motions;
   island_of_.resize(n);
   ranges_.resize(model_->bodies.size());
@@ -100,8 +103,17 @@ void World::add_island(std::vector<std::size_t> clusters, const std::vector<Moti
                        std::int64_t first) {
   islands::Part part = interactions_->part(clusters, motions);
   Options options = options_;
-  // An island of a scene that can be stepped but, by its masses, not be followed event by event.
-  if (!unsupported(part.model, options).empty()) options.path = "stepping";
+  // An island of a scene that can be stepped but, by its masses, not be followed event by event.  Whether its
+  // numbers are fine enough was decided at t = 0.
+  if (const std::string why =
+          unsupported(first > 0 ? interactions_->part(clusters, model_->motions).model : part.model, options);
+      !why.empty()) {
+    options.path = "stepping";
+    if (first > 0)
+      note("from t = " + shown(static_cast<Time>(first) * options_.dt) + " s on in fixed steps, since " +
+           why);
+  }
+  options.force = options.force || first > 0;
   for (const std::size_t c : clusters) island_of_[c] = islands_.size();
   auto run = std::make_unique<Run>(std::make_shared<const Model>(std::move(part.model)), options, first);
   run->keep_contacts(keep_contacts_);
@@ -192,8 +204,8 @@ void World::look(std::size_t cluster) {
 void World::watch() {
   const bool all = steps_ % islands::Interactions::ahead == 0;
   if (all) find_accelerations();
-  std::vector<std::size_t> looked;
-  std::vector<char> jumped(interactions_->clusters().size(), 0);
+  looked_.clear();
+  jumped_.assign(interactions_->clusters().size(), 0);
   for (const std::size_t c : interactions_->open()) {
     bool leaves = all;
     for (const int body : interactions_->touching(c)) {
@@ -203,31 +215,33 @@ void World::watch() {
       const Real way = (motion.position - range.ball.centre).norm();
       const Real next = velocity(bodies()[at(body)], motion).norm() * static_cast<Real>(options_.dt);
       leaves = leaves || way + next > range.ball.radius;
-      jumped[c] = jumped[c] || way > range.ball.radius;
+      jumped_[c] = jumped_[c] || way > range.ball.radius;
     }
     if (!leaves) continue;
     look(c);
-    looked.push_back(c);
+    looked_.push_back(c);
   }
-  bool changed = merge(looked, jumped);
+  bool changed = false;
+  while (merge()) changed = true;
   if (all) changed = part() || changed;
   if (changed) set_plan();
 }
 
 // Islands of which two may meet become one.  What has left its range within the step may have met something
-// in it: that step is made again.
-bool World::merge(const std::vector<std::size_t>& looked, const std::vector<char>& jumped) {
+// in it: that step is made again, after which its bodies may meet others.  Whether any became one.
+bool World::merge() {
   const std::size_t n = interactions_->clusters().size();
   islands::Unions unions(n);
   for (const Island& island : islands_)
     for (const std::size_t c : island.clusters)
       if (!island.flies) unions.join(island.clusters.front(), c);
   std::vector<std::size_t> met;
-  for (const std::size_t c : looked)
+  for (const std::size_t c : looked_)
     for (const std::size_t other : interactions_->open())
       if (unions.find(c) != unions.find(other) && interactions_->may_meet(c, other, ranges_))
         unions.join(c, other), met.push_back(c);
   if (met.empty()) return false;
+  looked_.clear();
 
   std::vector<std::vector<std::size_t>> merged;  // clusters of the new islands
   for (std::size_t root = 0; root < n; ++root) {
@@ -238,7 +252,7 @@ bool World::merge(const std::vector<std::size_t>& looked, const std::vector<char
   }
   for (std::vector<std::size_t>& clusters : merged) {
     const bool again =
-        std::any_of(clusters.begin(), clusters.end(), [&](std::size_t c) { return jumped[c] != 0; });
+        std::any_of(clusters.begin(), clusters.end(), [&](std::size_t c) { return jumped_[c] != 0; });
     for (const std::size_t c : clusters) leave(c);
     const std::int64_t first = again ? steps_ - 1 : steps_;
     if (again) forget(clusters);
@@ -248,7 +262,11 @@ bool World::merge(const std::vector<std::size_t>& looked, const std::vector<char
       island.run->step();
       take(island);
       sort_impacts();
-      for (const std::size_t c : island.clusters) look(c);
+      for (const std::size_t c : island.clusters) {
+        look(c);
+        looked_.push_back(c);
+        jumped_[c] = 1;
+      }
     }
     note("from t = " + shown(static_cast<Time>(first) * options_.dt) +
          " s on these may meet and are one part: " + named(island));
@@ -287,8 +305,7 @@ void World::leave(std::size_t cluster) {
   Island& island = islands_[island_of_[cluster]];
   if (!island.run) return;
   if (!island.flies) {
-    for (const std::string& remark : island.run->remarks())
-      note("until t = " + shown(time()) + " s " + named(island) + ": " + remark);
+    note_end(island);
     island.run.reset();
     return;
   }
@@ -334,6 +351,18 @@ void World::note(const std::string& what) {
     ++more_notes_;
 }
 
+// What the run of an island had to say, once for the same words.
+void World::note_end(const Island& island) {
+  for (const std::string& remark : island.run->remarks()) {
+    const std::string text = named(island) + ": " + remark;
+    if (!said_.insert(text).second) continue;
+    if (ended_.size() < most_ended)
+      ended_.push_back("until t = " + shown(time()) + " s " + text);
+    else
+      ++more_ended_;
+  }
+}
+
 // The moving bodies of an island.
 std::string World::named(const Island& island) const {
   std::string text;
@@ -348,6 +377,8 @@ std::string World::named(const Island& island) const {
 std::vector<std::string> World::remarks() const {
   std::vector<std::string> all = notes_;
   if (more_notes_ > 0) all.push_back(std::to_string(more_notes_) + " more such changes of parts");
+  all.insert(all.end(), ended_.begin(), ended_.end());
+  if (more_ended_ > 0) all.push_back(std::to_string(more_ended_) + " more remarks of parts that have ended");
   for (const Island& island : islands_)
     for (const std::string& remark : island.run->remarks())
       all.push_back(islands_.size() > 1 ? named(island) + ": " + remark : remark);

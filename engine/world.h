@@ -8,13 +8,15 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
 
 namespace cylon::engine {
 
 /// An island is a part of the scene that nothing outside can act on: bodies that joints or forces tie
 /// together, and bodies that may touch in the steps ahead (engine/islands/islands.h), with the planes and
-/// locked bodies that they may ever touch.  Each runs as it would alone, to the last bit.  Islands whose
-/// bodies may meet become one, which begins anew from the state at that step; an island that is stepped parts
+/// locked bodies that they may ever touch.  Until it becomes one with another, each runs as it would alone, to
+/// the last bit.  Islands whose bodies may meet become one, which begins anew from the state at that step; an island that is stepped parts
 /// again where its parts cannot meet.  With Options::full or Options::account the scene is one island.
 class World {
  public:
@@ -86,7 +88,7 @@ class World {
   void watch();
   void find_accelerations();
   void look(std::size_t cluster);
-  bool merge(const std::vector<std::size_t>& looked, const std::vector<char>& jumped);
+  bool merge();
   bool part();
   void leave(std::size_t cluster);
   void forget(const std::vector<std::size_t>& clusters);
@@ -94,6 +96,7 @@ class World {
 
   void set_plan();
   void note(const std::string& what);
+  void note_end(const Island&);
   std::string named(const Island&) const;
 
   std::shared_ptr<const Model> model_;
@@ -107,8 +110,11 @@ class World {
   std::vector<std::size_t> island_of_;  // per cluster
   std::vector<islands::Range> ranges_;  // per body
   std::vector<Real> accelerations_;     // per body, beside gravity [m/s^2]
-  std::vector<std::string> notes_;
-  std::size_t more_notes_ = 0;
+  std::vector<std::size_t> looked_;     // clusters whose ranges are new
+  std::vector<char> jumped_;            // per cluster: it left its range within the step
+  std::vector<std::string> notes_, ended_;
+  std::set<std::string> said_;  // of parts that have ended
+  std::size_t more_notes_ = 0, more_ended_ = 0;
   std::vector<Motion> motions_, before_;
   std::vector<Impact> impacts_;
   std::vector<Contact> contacts_;

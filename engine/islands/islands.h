@@ -29,7 +29,7 @@ struct Range {
 /// have ranges that overlap.  The range of a body at p with speed v and acceleration a is
 ///   |x - p| <= max(|v| T + a T^2/2, radius of its shape),  T = ahead dt
 /// or its bound by joints where that is smaller.  It is no promise: World looks after every step whether
-/// bodies are still within it.
+/// bodies are still within it; one that leaves it and returns within a step is not seen.
 class Interactions {
  public:
   /// Steps for which ranges are made.
@@ -50,6 +50,8 @@ class Interactions {
 
   /// Whether clusters that are apart now may ever meet.
   bool may_meet() const { return may_meet_; }
+  /// Whether they could, but are more than are watched.
+  bool too_many() const { return open_.size() > 1 && !may_meet_; }
   /// Whether two clusters may, in the times ahead; ranges: one per body.
   bool may_meet(std::size_t, std::size_t, const std::vector<Range>&) const;
 

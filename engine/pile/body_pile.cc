@@ -32,7 +32,13 @@ BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings, st
       struck_(model_.bodies.size(), 0),
       other_forces_(!model.forces.only_gravity()),
       isolated_(isolated(model)),
-      paired_(any_force(model_.forces, [](const auto& force) { return force.ends().has_value(); })) {
+      paired_(any_force(model_.forces, [this](const auto& force) {
+        const std::optional<Acted> bodies = force.acts_on();
+        return bodies && std::ranges::all_of(*bodies, [this](int body) {
+                 return body != fixed_world && !model_.bodies[index(body)].locked;
+               });
+      })) {
+  masses_.set(static_cast<Time>(first) * dt, model_.bodies);
   set_kinematics();
 }
 
@@ -315,6 +321,7 @@ void BodyPile::solve_directly() {
 
 void BodyPile::substep(Time now, Time h, bool direct) {
   unstable_ = unstable_ || static_cast<Real>(h) > limit_.step;
+  masses_.set(now, model_.bodies);  // a pass before this one may have left those of its end
   set_kinematics();
   if (isolated_) meet_halfway(blocks_, motions_);
   set_targets(now, static_cast<Real>(h));

@@ -77,7 +77,7 @@ class BodyPile : public Stepper {
   bool unstable_ = false;     // some part was longer than the limit
   bool together_ = false;     // bounces that share a body were solved at once, though impacts are sequential
   bool too_fast_ = false, unsolved_ = false, other_forces_ = false, isolated_ = false;
-  bool paired_ = false;  // a force acts between two bodies
+  bool paired_ = false;  // a force acts between two bodies that move
 };
 
 }  // namespace cylon::engine::pile

@@ -254,6 +254,56 @@ TEST(Islands, SeesWhatMeetsWithinOneStep) {
   EXPECT_GT(world.motions()[1].momentum.x(), 0);
 }
 
+// The ball strikes a second one within the step, and that one flies on to a third in the steps after: the step
+// that is made again may lead to others.
+TEST(Islands, LooksForOthersAfterAStepThatIsMadeAgain) {
+  Model model = two_boxes(200, 0);
+  add(model, moved(two_boxes(1000, 0), {90000, 0, 0}));
+  for (Shape& shape : model.shapes) shape = Sphere{0.5};
+  model.bodies[0] = make_body(1000, Matrix3::Identity());
+  model.motions[0].momentum.setZero();
+  model.materials = {{1, 0}};
+  model.forces.drives.push_back({0, {Real(1e10), 0, 0}, 100});
+  model.forces.drives.push_back({0, {Real(-1e10), 0, 0}, 300});
+  Options options = with("auto", 0.01);
+  World parted(model, options);
+  options.full = true;
+  World whole(model, options);
+  ASSERT_EQ(parted.island_count(), 4u);
+  parted.advance(100), whole.advance(100);
+  for (std::size_t i = 0; i < model.bodies.size(); ++i)
+    EXPECT_NEAR(static_cast<double>(parted.motions()[i].position.x()),
+                static_cast<double>(whole.motions()[i].position.x()), 10)
+        << i << " of places up to 1.4e5 m";
+}
+
+// A rocket that becomes one with what it meets has burnt some of its mass: a late start knows how much.
+TEST(Islands, MassesGoOnWhereIslandsMerge) {
+  for (const bool stepped : {false, true})
+    for (const char* name : {"auto", "rk4", "velocity-verlet", "yoshida4"}) {
+      if (stepped && std::string(name) != "auto") continue;
+      Model model = two_boxes(12, 0);
+      if (!stepped)
+        for (Shape& shape : model.shapes) shape = Sphere{0.5};
+      model.bodies[0] = make_body(4, Matrix3::Identity());
+      model.bodies[0].mass_rate = -1;
+      model.motions[0].momentum.setZero();
+      model.forces.thrusts.push_back({0, {20, 0, 0}});
+      model.forces.drags.push_back({.body = 0, .linear = 1});
+      Options options = with(name, stepped ? 0.001 : 0.005);
+      World parted(model, options);
+      options.full = true;
+      World whole(model, options);
+      ASSERT_EQ(parted.island_count(), 2u);
+      for (World* world : {&parted, &whole})
+        while (world->time() < 2.5) world->step();
+      EXPECT_EQ(parted.island_count(), 1u);
+      EXPECT_NEAR(static_cast<double>(parted.motions()[0].position.x()),
+                  static_cast<double>(whole.motions()[0].position.x()), stepped ? 2e-2 : 1e-3)
+          << name << (stepped ? ", stepped" : "");
+    }
+}
+
 // Nothing reaches the floor: the motion is that without one, to the last bit.
 TEST(Islands, UnreachableFloorChangesNothing) {
   Model bare = linked_bodies(true);
