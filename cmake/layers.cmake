@@ -133,10 +133,11 @@ function(contraction_test)
   endforeach()
 endfunction()
 
-# The generated tables of README.md are what the program says today.
+# The generated tables of README.md and docs/ are what the program says today.
 function(readme_test)
   add_test(NAME readme_is_current COMMAND ${PROJECT_SOURCE_DIR}/docs/update.py --check --cylon $<TARGET_FILE:cylon>)
-  set_tests_properties(readme_is_current PROPERTIES LABELS conformance COST ${long_test})
+  add_test(NAME fairness_is_current COMMAND ${PROJECT_SOURCE_DIR}/docs/fairness.py --check --cylon $<TARGET_FILE:cylon>)
+  set_tests_properties(readme_is_current fairness_is_current PROPERTIES LABELS conformance COST ${long_test})
 endfunction()
 
 # The pages in a real browser, and whether the committed bundle is that of their sources.

@@ -251,7 +251,7 @@ core::Engine ode_engine(std::string version) {
             "which ODE leaves to its caller, the scene's friction and restitution and no "
             "other flag"),
        path("as-expert",
-            "dWorldStep or dWorldQuickStep; one rule for all scenes, whose settings say where "
+            "one rule for all scenes, by dWorldStep or dWorldQuickStep; its settings say where "
             "they hold")},
       "always 'step'",
       {{integrator_name, 1, "linear momentum"}},
