@@ -80,8 +80,7 @@ struct Mean {
 };
 
 // The point of the affine hull of n + 1 corners that is nearest to the origin; nothing where it does not lie
-// between
-// them:  sum e_i w_i = -c_0 in the sense of least squares, e_i = c_i - c_0.
+// between them:  sum e_i w_i = -c_0 in the sense of least squares, e_i = c_i - c_0.
 template <int n>
 std::optional<Mean> nearest_between(const std::vector<Corner>& corners) {
   Eigen::Matrix<double, 3, n> edges;
@@ -179,13 +178,36 @@ class Polytope {
     for (int k = 0; k < 3; ++k)
       for (const double sense : {1.0, -1.0}) found.push_back(corner(a, b, sense * Vector3::Unit(k)));
     std::array<std::size_t, 4> seed{};
-    if (!spanning(found, seed)) return false;
+    // What is thin has corners that few directions find: those across what is known of it.
+    for (int round = 0; !spanning(found, seed); ++round) {
+      if (round == 2) {
+        corners_ = found;
+        return false;
+      }
+      for (const Vector3& d : {flat_normal_, flat_normal_.cross(long_axis_).eval()})
+        for (const double sense : {1.0, -1.0}) found.push_back(corner(a, b, sense * d));
+    }
     for (const std::size_t i : seed) corners_.push_back(found[i]);
     const Vector3 e = corners_[1].at - corners_[0].at, f = corners_[2].at - corners_[0].at;
     if (e.cross(f).dot(corners_[3].at - corners_[0].at) > 0) std::swap(corners_[1], corners_[2]);
     for (const auto& face : {std::array<std::size_t, 3>{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}) add(face);
     for (const Corner& c : found) include(c);
     return true;
+  }
+
+  // Where start() found no volume: the unit normal of the flat difference, along which it has no width.
+  const Vector3& flat_normal() const { return flat_normal_; }
+
+  // Its point nearest to the origin, which lies in it: of all triangles of its corners.
+  Mean flat_foot() const {
+    Mean best{{{corners_[0], 1.0}}, corners_[0].at};
+    for (std::size_t i = 0; i < corners_.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        for (std::size_t k = 0; k < j; ++k) {
+          const Mean foot = nearest_of_simplex({corners_[i], corners_[j], corners_[k]});
+          if (foot.at.norm() < best.at.norm()) best = foot;
+        }
+    return best;
   }
 
   Face& nearest() {
@@ -233,7 +255,7 @@ class Polytope {
 
  private:
   // Four of the points whose tetrahedron has a volume, as large as comes.
-  bool spanning(const std::vector<Corner>& found, std::array<std::size_t, 4>& seed) const {
+  bool spanning(const std::vector<Corner>& found, std::array<std::size_t, 4>& seed) {
     const auto farthest = [&](auto measure) {
       std::size_t best = 0;
       for (std::size_t i = 0; i < found.size(); ++i)
@@ -244,9 +266,11 @@ class Polytope {
     const auto [j, length] = farthest([&](const Vector3& x) { return (x - p).norm(); });
     if (!(length > thin_)) return false;
     const Vector3 e = (found[j].at - p) / length;
+    long_axis_ = e, flat_normal_ = e.unitOrthogonal();
     const auto [k, width] = farthest([&](const Vector3& x) { return e.cross(x - p).norm(); });
     if (!(width > thin_)) return false;
-    const Vector3 n = e.cross(found[k].at - p) / width;
+    const Vector3 n = e.cross(found[k].at - p).normalized();
+    flat_normal_ = n;
     const auto [l, height] = farthest([&](const Vector3& x) { return std::abs(n.dot(x - p)); });
     seed = {0, j, k, l};
     return height > thin_;
@@ -267,19 +291,24 @@ class Polytope {
 
   std::vector<Corner> corners_;
   std::vector<Face> faces_;
+  Vector3 long_axis_ = Vector3::UnitX(), flat_normal_ = Vector3::UnitY();
   double thin_ = 0;
 };
 
 // Of overlapping cores: the least way out.  Along any direction the way out is an upper bound of it, and the
-// nearest
-// face of the polytope a lower one.
+// nearest face of the polytope a lower one.
 Nearest depth_of_cores(const Placed& a, const Placed& b, double size) {
   constexpr int most = 400;
   constexpr double fine = 1e-12;
   const Vector3 apart = b.position - a.position;
   Nearest best{0, apart.norm() > 0 ? Vector3(apart.normalized()) : Vector3::UnitY(), a.position, a.position};
   Polytope polytope;
-  if (!polytope.start(a, b, size)) return best;  // two thin bodies that cross
+  if (!polytope.start(a, b, size)) {  // two thin cores that cross, as of capsules
+    const Vector3& n = polytope.flat_normal();
+    best.normal = n.dot(apart) < 0 ? Vector3(-n) : n;
+    best.on_first = best.on_second = polytope.flat_foot().of_first();
+    return best;
+  }
   double depth = std::numeric_limits<double>::infinity();
   for (int i = 0; i < most; ++i) {
     Face& face = polytope.nearest();

@@ -1,5 +1,4 @@
-// The gap between two convex bodies and where it is, from support points alone: outside each other the
-// distance
+// The gap between two convex bodies and where it is, from support points alone: outside each other the distance
 // (Gilbert, Johnson, Keerthi 1988), inside the depth, the least way out (expanding polytope, van den Bergen
 // 2001).  Knows shapes, no scene; shares no code with any engine.
 #pragma once
@@ -26,17 +25,15 @@ struct Nearest {
   Vector3 on_second = Vector3::Zero();  ///< on_first + gap normal.
 };
 
-/// Of two convex shapes.  The gap is right to 1e-10 of the larger body's size for polyhedra, spheres,
-/// capsules and
-/// rods; for cylinders, cones and discs inside others to 1e-6.
+/// Of two convex shapes.  The gap is right to 1e-10 of the larger body's size for polyhedra, spheres, capsules
+/// and rods; for cylinders, cones and discs inside others to 1e-6.
 Nearest nearest(const Placed&, const Placed&);
 
 /// The convex parts of a shape in body axes; nothing where there are none: no shape, or a mesh.
 std::vector<Part> convex_parts(const Shape&);
 
-/// A point of a convex shape, or of a compound, that lies farthest along d, in the shape's own axes; equally
-/// far
-/// ones are taken as they come.
+/// A point of a convex shape, or of a compound, that lies farthest along d, in the shape's own axes; of equally
+/// far ones the first.
 Vector3 farthest_point(const Shape&, const Vector3& d);
 
 }  // namespace cylon::core

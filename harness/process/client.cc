@@ -36,9 +36,8 @@ Run requested(const RunRequest& request) {
   return run;
 }
 
-/// Holds the CPU time that a worker tells of its steps against what its processes used meanwhile: more it
-/// cannot have
-/// been.  Where next to nothing but steps was done, it cannot have been less than half of it either.
+/// Holds the CPU time that a worker tells of its steps against what its processes used meanwhile: it cannot have
+/// been more.  Where next to nothing but steps was done, it cannot have been less than half of it either.
 class CpuWitness {
  public:
   explicit CpuWitness(const Conversation& worker) : worker_(worker), before_(worker.cpu_seconds()) {}

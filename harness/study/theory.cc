@@ -136,11 +136,11 @@ bool theory_speaks_of(const Claim& claim, double until) {
 Promise promise_of(const core::Engine& engine, const core::Terms& terms) {
   Promise promise{terms.order, core::controls_its_error(engine, terms), closed_form, false};
   if (!promise.adaptive) return promise;
-  for (const core::Setting& setting : terms.settings)
-    if (setting.name == "tolerance") {
-      promise.tolerance = tolerance_of(setting.value);
-      promise.each_step = setting.reason.find("each step") != std::string::npos;
-    }
+  for (const core::Setting& setting : terms.settings) {
+    if (setting.name != "tolerance" && setting.name != "tolerance of a step") continue;
+    promise.tolerance = tolerance_of(setting.value);
+    promise.each_step = setting.name == "tolerance of a step";
+  }
   return promise;
 }
 

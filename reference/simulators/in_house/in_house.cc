@@ -236,7 +236,8 @@ class InHouse final : public core::Simulator {
     if (plan.integrator && plan.integrator->kind == engine::Kind::adaptive) {
       const double own = engine::default_tolerance();
       const double used = options.tolerance > 0 ? static_cast<double>(options.tolerance) : own;
-      terms.settings.push_back({"tolerance", fmt::format("{:g}", used), fmt::format("{:g}", own),
+      terms.settings.push_back({plan.verified ? "tolerance" : "tolerance of a step",
+                                fmt::format("{:g}", used), fmt::format("{:g}", own),
                                 plan.verified
                                     ? "bound on the error at the samples, of the scales of the motion"
                                     : "bound on the error of each step, of the scales of the motion"});

@@ -144,6 +144,23 @@ TEST(ConvexBoxes, StackedFlush) {
   EXPECT_NEAR(nearest(below, above).gap, 0, 1e-12) << "touching";
 }
 
+// Their axes have a point in common, and the least way out is along the common perpendicular of both.
+TEST(Convex, CrossingCapsulesPartAlongTheCommonPerpendicular) {
+  Random random{std::mt19937_64(13)};
+  const Primitive a = Capsule{0.2, 1.4}, b = Capsule{0.1, 1.0};
+  for (int i = 0; i < 200; ++i) {
+    const Placed first{&a, random.vector(3), random.turn()};
+    Placed second{&b, {}, random.turn()};
+    const Vector3 u = first.orientation * Vector3::UnitY(), v = second.orientation * Vector3::UnitY();
+    const Vector3 crossing = first.position + random.in(-0.6, 0.6) * u;
+    second.position = crossing + random.in(-0.4, 0.4) * v;
+    const Nearest found = nearest(first, second);
+    EXPECT_NEAR(found.gap, -0.3, 1e-12) << i;
+    EXPECT_NEAR(std::abs(found.normal.dot(u.cross(v).normalized())), 1, 1e-9) << i;
+    EXPECT_LT((found.on_first - 0.2 * found.normal - crossing).norm(), 1e-9) << i;
+  }
+}
+
 TEST(Convex, NumbersThatAreNotFiniteStay) {
   const Primitive box = Box{{0.5, 0.25, 0.4}};
   EXPECT_TRUE(std::isnan(nearest({&box, {1, 2, std::nan("")}}, {&box, {1, 2, 4}}).gap));

@@ -31,8 +31,8 @@ scenario::Scenario oscillator(const std::string& theory = "") {
 
 struct Promises {
   int order = 2;
-  std::string tolerance;  // empty: of fixed steps
-  std::string reason;
+  std::string tolerance;           // empty: of fixed steps
+  std::string name = "tolerance";  // of the setting
   std::string precision = "double";
 };
 
@@ -46,7 +46,7 @@ std::map<std::string, TheoryFinding> judged(const Promises& says, double size, d
     recording.engine.precision = says.precision;
     recording.engine.integrators = {{"scheme", says.order, "", !says.tolerance.empty()}};
     recording.terms.integrator = "scheme", recording.terms.order = says.order;
-    if (!says.tolerance.empty()) recording.terms.settings = {{"tolerance", says.tolerance, "", says.reason}};
+    if (!says.tolerance.empty()) recording.terms.settings = {{says.name, says.tolerance, "", ""}};
     const auto steps = std::llround(cut.duration / recording.dt);
     for (std::int64_t n = 0; n <= steps; ++n) {
       const double t = static_cast<double>(n) * recording.dt;
@@ -97,11 +97,11 @@ TEST(Theory, OrderIsNotAskedWhereItDoesNotShow) {
 }
 
 TEST(Theory, HoldsABoundedErrorToTenTimesItsBound) {
-  const auto allowed = [](const std::string& reason) {
-    return judged({.order = 8, .tolerance = "1e-6", .reason = reason}, 0, 1).at(value).allowed;
+  const auto allowed = [](const std::string& name) {
+    return judged({.order = 8, .tolerance = "1e-6", .name = name}, 0, 1).at(value).allowed;
   };
-  EXPECT_NEAR(allowed("bound on the error at the samples"), 10 * 1e-6 * 2 * amplitude, 1e-9);
-  EXPECT_NEAR(allowed("bound on the error of each step"), 10 * 1e-6 * 2 * amplitude * rate, 1e-8);
+  EXPECT_NEAR(allowed("tolerance"), 10 * 1e-6 * 2 * amplitude, 1e-9);
+  EXPECT_NEAR(allowed("tolerance of a step"), 10 * 1e-6 * 2 * amplitude * rate, 1e-8);
   EXPECT_FALSE(kept(judged({.order = 8, .tolerance = "1e-6"}, 3e-5, 0).at(value)));
   EXPECT_TRUE(kept(judged({.order = 8, .tolerance = "1e-6"}, 1e-5, 0).at(value)));
   EXPECT_FALSE(judged({.order = 8, .tolerance = "1e-6"}, 1e-5, 0).contains(order));

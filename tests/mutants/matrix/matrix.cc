@@ -22,8 +22,7 @@ MatrixCell cell_of(const std::vector<Finding>& findings) {
   return cell;
 }
 
-// A prefix of the label, or a beginning and an end with a * between them; by theory or as the file has it,
-// where
+// A prefix of the label, or a beginning and an end with a * between them; by theory or as the file has it, where
 // the claim does not say which.
 bool matches(std::string label, const std::string& claim) {
   constexpr std::string_view by_theory = "theory: ";
