@@ -50,45 +50,22 @@ void Rows::measure(const std::vector<Body>& bodies, const Motion* motion) {
       row.to_spin = inverse_inertia_times(bodies[at(row.to)], motion[at(row.to)].orientation, row.to_lever);
     }
   }
-  const std::size_t n = rows.size();
-  matrix_.resize(n * n);
-  factor_.resize(n * n);
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j <= i; ++j) matrix_[i * n + j] = coupling(rows[i], rows[j], bodies);
-  }
-  factor();
-}
-
-// A = L D L^T; D_i = 0 for rows that depend on those before.
-void Rows::factor() {
-  const std::size_t n = rows.size();
-  const auto l = [&](std::size_t i, std::size_t j) -> Real& { return factor_[i * n + j]; };
-  for (std::size_t i = 0; i < n; ++i) {
-    Real d = matrix_[i * n + i];
-    for (std::size_t j = 0; j < i; ++j) {
-      Real sum = matrix_[i * n + j];
-      for (std::size_t k = 0; k < j; ++k) sum -= l(i, k) * l(k, k) * l(j, k);
-      l(i, j) = l(j, j) > 0 ? sum / l(j, j) : 0;
-      d -= l(i, j) * l(i, j) * l(j, j);
-    }
-    l(i, i) = d > dependent * matrix_[i * n + i] ? d : 0;
-  }
+  // What is locked moves by no multiplier and couples nothing.
+  const auto end = [&](int body) {
+    return body == fixed_world || bodies[at(body)].locked ? SparseFactor::none : body;
+  };
+  ends_.clear();
+  for (const Row& row : rows) ends_.push_back({end(row.body), end(row.to)});
+  factor_.set_pattern(ends_);
+  factor_.factor([&](std::size_t i, std::size_t j) { return coupling(rows[i], rows[j], bodies); }, dependent);
 }
 
 // A lambda = -residual, lambda = 0 for dependent rows.
 void Rows::solve() {
-  const std::size_t n = rows.size();
-  const auto l = [&](std::size_t i, std::size_t j) { return factor_[i * n + j]; };
-  for (std::size_t i = 0; i < n; ++i) {
-    Real y = -rows[i].residual;
-    for (std::size_t j = 0; j < i; ++j) y -= l(i, j) * rows[j].lambda;
-    rows[i].lambda = l(i, i) > 0 ? y : 0;
-  }
-  for (std::size_t i = n; i-- > 0;) {
-    if (!(l(i, i) > 0)) continue;
-    rows[i].lambda /= l(i, i);
-    for (std::size_t j = i + 1; j < n; ++j) rows[i].lambda -= l(j, i) * rows[j].lambda;
-  }
+  lambda_.resize(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) lambda_[i] = -rows[i].residual;
+  factor_.solve(lambda_);
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].lambda = lambda_[i];
 }
 
 void Rows::constrain_accelerations(const std::vector<Body>& bodies, const Motion* motion,

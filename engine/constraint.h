@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/body.h"
+#include "engine/sparse_factor.h"
 
 #include <vector>
 
@@ -29,8 +30,8 @@ struct Row {
   Real lambda = 0;                    ///< The multiplier found.
 };
 
-/// Rows and the linear system (J M^-1 J^T) lambda = -residual that they share.  Dense: its work grows with
-/// the cube of the number of rows.  Rows that follow from others (two ball joints on one axis) get lambda =
+/// Rows and the linear system (J M^-1 J^T) lambda = -residual that they share, sparse: for chains and trees the
+/// work is linear in the number of rows.  Rows that follow from others (two ball joints on one axis) get lambda =
 /// 0.  Arrays of motion, kinematics and loads have one entry per body.
 class Rows {
  public:
@@ -59,11 +60,12 @@ class Rows {
   void project_loads(const std::vector<Body>&, Load*);
 
  private:
-  void factor();
   void solve();
   void add_forces(Load*) const;
 
-  std::vector<Real> matrix_, factor_;  // lower triangles, row-major
+  SparseFactor factor_;
+  std::vector<SparseFactor::Ends> ends_;
+  std::vector<Real> lambda_;
 };
 
 }  // namespace cylon::engine

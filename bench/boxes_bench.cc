@@ -1,0 +1,114 @@
+// A lattice of equal cubes dropped into an open box (edge 1 m, friction 0.5, no restitution, steps of 1/60 s
+// for 5 s): the in-house engine, Bullet and ODE's QuickStep through the same door, one after another in one
+// run, no engine with bodies that sleep.  A time never travels without its error: every row says how deep the
+// settled pile overlaps, and how far its cubes move in the last half second (the mean of all).
+//   boxes_bench [COUNT…]      100 and 1000 otherwise; 10000 takes about ten minutes
+#include "bench/pile.h"
+#include "bench/scaling/touching.h"
+#include "harness/process/client.h"
+#include "harness/process/engines.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace cylon;
+
+constexpr double step = 1. / 60;
+constexpr std::int64_t steps = 300, last = 30;  // the last half second
+
+struct Row {
+  std::string id;
+  double ns = INFINITY;                         // per body-step
+  double overlap = INFINITY, creep = INFINITY;  // [m]; [m/s]
+};
+
+core::Scene boxes(std::int64_t count) {
+  const auto side = static_cast<std::int64_t>(std::lround(std::cbrt(static_cast<double>(count))));
+  core::Scene scene = bench::pile(count, side, 0.6, 1.1);
+  for (core::Body& body : scene.bodies) {
+    body.shape = core::Box{core::Vector3::Constant(bench::radius)};
+    body.inertia = core::Matrix3::Identity() * (bench::mass * 4 * bench::radius * bench::radius / 6);
+  }
+  return scene;
+}
+
+double mean_distance(const core::State& a, const core::State& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i].position - b[i].position).norm();
+  return sum / static_cast<double>(a.size());
+}
+
+Row row(const std::string& id, const core::Scene& scene, const std::string& directory) {
+  process::RunRequest request;
+  request.scene = &scene;
+  request.setup.dt = step;
+  request.steps = steps;
+  request.every = last;
+  process::Limits limits;
+  limits.run_seconds = 3600;
+  const auto engine = process::parse_engine(id, process::default_engines(directory));
+  const auto outcome = process::run(engine, request, limits);
+  if (!outcome.recording) {
+    fmt::print("{:>7}  {:<30} {}\n", scene.bodies.size(), id, outcome.reason);
+    return {id};
+  }
+  const auto& states = outcome.recording->states;
+  const double body_steps = static_cast<double>(scene.bodies.size()) * steps;
+  const bench::Touching touching = bench::touching(scene, states.back(), std::sqrt(3.) * bench::radius, 1e-3);
+  const Row result{id, 1e9 * outcome.recording->cpu_seconds / body_steps, touching.deepest,
+                   mean_distance(states.back(), states[states.size() - 2]) / (step * last)};
+  fmt::print("{:>7}  {:<30} {:>10.0f} {:>12.3g} {:>12.3g} {:>9}\n", scene.bodies.size(), id, result.ns,
+             1e3 * result.overlap, 1e3 * result.creep, touching.pairs);
+  return result;
+}
+
+// The cheapest of ours that overlaps and creeps by a quarter of theirs, beside each of them.
+void verdict(std::span<const Row> ours, const Row& theirs, double wanted) {
+  if (!std::isfinite(theirs.ns)) return;  // it did not end: no ratio
+  const Row* best = nullptr;
+  for (const Row& r : ours)
+    if (r.overlap <= theirs.overlap / 4 && r.creep <= theirs.creep / 4 && (!best || r.ns < best->ns))
+      best = &r;
+  if (!best)
+    return fmt::print(
+        "         beside {}: NOT MET by any of ours: overlap <= {:.3g} mm, creep <= {:.3g} mm/s\n", theirs.id,
+        1e3 * theirs.overlap / 4, 1e3 * theirs.creep / 4);
+  fmt::print("         {} costs {:.2f} of {} at a quarter of its overlap and creep, target {:.1f}: {}\n",
+             best->id, best->ns / theirs.ns, theirs.id, wanted,
+             best->ns <= wanted * theirs.ns ? "met" : "NOT MET");
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);
+  const std::string directory = std::filesystem::canonical("/proc/self/exe").parent_path().string();
+  std::vector<std::int64_t> sizes;
+  for (int i = 1; i < count; ++i) sizes.push_back(std::stoll(arguments[i]));
+  if (sizes.empty()) sizes = {100, 1000};
+  fmt::print("{:>7}  {:<30} {:>10} {:>12} {:>12} {:>9}\n", "cubes", "engine", "ns/(b*s)", "overlap mm",
+             "creep mm/s", "contacts");
+  for (const std::int64_t size : sizes) {
+    const core::Scene scene = boxes(size);
+    std::vector<Row> rows;
+    for (const char* id : {"in-house", "in-house-float", "bullet/iterations=10", "bullet-float/iterations=10",
+                           "bullet/path=as-expert", "ode-quick/iterations=10"})
+      rows.push_back(row(id, scene, directory));
+    const std::span all(rows);
+    verdict(all.first(1), rows[2], size < 10'000 ? 0.5 : 0.4);
+    verdict(all.subspan(1, 1), rows[3], size < 10'000 ? 0.5 : 0.4);
+    verdict(all.first(1), rows[4], size < 10'000 ? 0.5 : 0.4);
+    verdict(all.first(2), rows[5], 0.4);
+  }
+}
