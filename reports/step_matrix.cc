@@ -167,8 +167,10 @@ std::string digits_text(const std::vector<TradeTable>& tables, double dt, const 
     out += trimmed(line);
   }
   return out +
-         fmt::format("\nDigits: -log10 of the relative error at the coarsest tried step of at most {}.\n",
-                     seconds(dt, options));
+         fmt::format(
+             "\nDigits: -log10 of the relative error at the coarsest tried step of at most {}; -: no run at "
+             "such a step.\n",
+             seconds(dt, options));
 }
 
 nlohmann::ordered_json steps_json(const TradeTable& table) {

@@ -3,19 +3,22 @@
 
 #include "reference/simulators/bullet/bullet_settings.h"
 
+#include <algorithm>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace cylon::simulators {
 
-/// One setting of a path where a scene is of a kind.
+/// One setting of some paths where a scene is of a kind.
 struct BulletRule {
-  const char* path;
+  std::vector<std::string_view> paths;
   const char *option, *value;        ///< As a user gives them; "integrator" is one here.
   bool (*holds)(const BulletKind&);  ///< Null: always.
   const char* where;                 ///< The same in words; "" for always.
   const char* reason;
 
+  bool of(std::string_view path) const { return std::ranges::find(paths, path) != paths.end(); }
   bool applies(const BulletKind& kind) const { return !holds || holds(kind); }
 };
 

@@ -143,7 +143,7 @@ BulletSettings own(bool multibody) {
 core::Path path(const char* name, std::string summary, std::vector<std::string> limits) {
   core::Path result{name, std::move(summary), of_the_scene(), std::move(limits)};
   for (const BulletRule& rule : bullet_rules()) {
-    if (std::string_view(rule.path) != name) continue;
+    if (!rule.of(name)) continue;
     BulletSettings settings = own(std::string_view(name) == "multibody");
     set(settings, rule.option, rule.value);
     const std::string where = *rule.where ? fmt::format("{}: ", rule.where) : "";
@@ -236,7 +236,7 @@ BulletSettings bullet_settings(const core::Engine& engine, const core::Setup& se
 
   Chosen chosen;
   for (const BulletRule& rule : bullet_rules())
-    if (rule.path == path && rule.applies(kind)) {
+    if (rule.of(path) && rule.applies(kind)) {
       set(settings, rule.option, rule.value);
       chosen.note(rule.option, rule.reason);
     }
