@@ -1,6 +1,7 @@
 #include "harness/study/theory.h"
 
 #include "harness/core/measure.h"
+#include "harness/core/observable_rows.h"
 #include "harness/core/scale.h"
 #include "harness/core/worst.h"
 #include "harness/study/row.h"
@@ -144,12 +145,31 @@ Promise promise_of(const core::Engine& engine, const core::Terms& terms) {
   return promise;
 }
 
+namespace {
+
+// What the rounding of the state alone makes of the quantity, in units of epsilon: its first-order error where
+// each place, velocity and turn is wrong by its own size.  A spring 10^6 m from the origin feels its length only
+// to the rounding of 10^6 m.
+double rounding_of_state(const Claim& claim, const core::Scene& scene) {
+  const core::State start = core::initial_state(scene);
+  core::StateError sizes{0, 0, 1, 0};
+  for (const core::BodyState& s : start) {
+    sizes.position = std::max(sizes.position, s.position.norm());
+    sizes.velocity = std::max(sizes.velocity, s.velocity.norm());
+    sizes.angular_velocity = std::max(sizes.angular_velocity, s.angular_velocity.norm());
+  }
+  return core::observable_row(claim.observable.quantity).error(claim.observable, scene, start, sizes);
+}
+
+}  // namespace
+
 Bound bound_of(const Scenario& scenario, const Claim& claim, double step, const Recording& run) {
   const Theory& theory = scenario.theory.value();
   const Promise promise = promise_of(run.engine, run.terms);
   const double scale = core::scale(claim, scenario.scene, scenario.duration);
   const double size = scale * theory.magnification, turns = theory.rate * scenario.duration;
-  const double largest = std::max(scale, core::largest_value(claim, scenario.scene, scenario.duration));
+  const double largest = std::max({scale, core::largest_value(claim, scenario.scene, scenario.duration),
+                                   rounding_of_state(claim, scenario.scene)});
   Bound bound;
   bound.rounding =
       roundings_a_step * epsilon_of(run.engine) * (scenario.duration / step) * largest * theory.magnification;

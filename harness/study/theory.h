@@ -29,8 +29,8 @@ Promise promise_of(const core::Engine&, const core::Terms&);
 ///   10 tolerance M S W T                 of one that bounds the error of each of its steps;
 ///
 /// d is 2 for energies and angular momenta, products of two quantities that err, else 1.  p is 1 for fixed
-/// steps where forces jump.  Rounding is allowed in addition: M times ten roundings of the largest value a
-/// step, all of one sign.  So is the truth's own error.
+/// steps where forces jump.  Rounding is allowed in addition: M times ten roundings a step, all of one
+/// sign, of the largest value or, where that is more, of the state that the value follows from.  So is the truth's own error.
 struct Bound {
   double allowed = 0;   ///< [the observable's unit]
   double rounding = 0;  ///< The part of it that is rounding.
