@@ -28,6 +28,10 @@ constexpr Real turning_part = wide ? Real(1e-8) : Real(1e-4);
 // What is cut off has the height a (1e-6 h)^2 / 8, 1e-18 m for a = g and h = 1 ms.
 constexpr Time zeno_return = wide ? 1e-6 : 1e-3;
 
+// Points of a general pair touch at any gap within the margin, so that what they fall is known to that only:
+// bounces lower than this part of it would go on without end.
+constexpr Real lowest_bounce = Real(0.25);
+
 // Whether n is normal to a face of the shape, to a part in 1e8.
 bool has_face(const Shape& shape, const Vector3& n) {
   const Real nearly = 1 - Real(8) * std::sqrt(ulp) * std::sqrt(ulp) - Real(1e-8);
@@ -48,15 +52,27 @@ bool are_apart(const Candidate& c, const Motion* motion, Real margin) {
 
 }  // namespace
 
-// All points that touch now.
-std::vector<EventStepper::Spot> EventStepper::spots() {
+// All points that touch now, or may within `ahead`.
+std::vector<EventStepper::Spot> EventStepper::spots(Real ahead) {
   const Model& model = system_.model();
+  const auto reach = [&](const Candidate& c) -> Real {
+    if (ahead == 0) return 0;
+    const auto speed = [&](int body, Real size) {
+      const Body& b = model.bodies[index(body)];
+      const Motion& m = Bodies::motions(y_.data())[index(body)];
+      return velocity(b, m).norm() + (rotates(b) ? size * angular_velocity(b, m).norm() : 0);
+    };
+    const Real closing =
+        speed(c.body, c.reach) + (c.other == fixed_world ? 0 : speed(c.other, c.other_reach));
+    return 2 * ahead * (closing + ahead * model.forces.gravity.norm());
+  };
   const Motion* motion = Bodies::motions(y_.data());
   std::vector<Spot> result;
   std::vector<TouchPoint> found;
+  work_ += 2 * static_cast<std::int64_t>(candidates_.size());
   for (std::size_t i = 0; i < candidates_.size(); ++i) {
     const Candidate& c = candidates_[i];
-    const Real margin = touch_margin(c, motion);
+    const Real margin = touch_margin(c, motion) + reach(c);
     if (are_apart(c, motion, held_margin * margin)) continue;
     Spot spot;
     spot.held.candidate = i;
@@ -137,12 +153,16 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
   for (std::size_t pass = 0; pass <= touches.size(); ++pass) {
     std::copy(before.begin(), before.end(), y_.begin());
     outcome = strike(touches, model.impacts, joints, bodies, motion);
+    work_ += outcome.rounds * cube(touches.size(), joints.size());
     bool again = false;
     for (std::size_t i = 0; i < touches.size(); ++i) {
       const Real u = rate_now(touches[i]);
       // A pull that is rounding (of gyroscopic terms that cancel) brings nothing back.
       const bool pulled = static_cast<Real>(dt_) * pulls[i] > speed_rounding(touches[i], bodies, motion);
-      const bool soon = pulled && 2 * u < static_cast<Real>(zeno_return * dt_) * pulls[i];
+      const Candidate& c = candidates_[touching[i].held.candidate];
+      const Real low = c.kind == Candidate::Kind::general ? lowest_bounce * touch_margin(c, motion) : 0;
+      const bool soon =
+          pulled && (2 * u < static_cast<Real>(zeno_return * dt_) * pulls[i] || u * u < 2 * pulls[i] * low);
       if (touches[i].restitution == 0 || outcome.approach[i] == 0 || !soon) continue;
       touches[i].restitution = 0;
       again = true;
@@ -207,7 +227,7 @@ void EventStepper::hold_spots(Time now, const std::vector<Spot>& touching) {
   }
   for (const Spot& s : touching) speed = std::max(speed, relative_velocity(s.touch, bodies, motion).norm());
   const Real slow = slow_ulps * ulp * (speed + push * static_cast<Real>(dt_));
-  slow_slip_ = turning_part * push * static_cast<Real>(dt_);
+  slow_slip_ = turning_part * haste_ * push * static_cast<Real>(dt_);
   rest_speed_ = Real(0.25) * slow_ulps * ulp * push * static_cast<Real>(dt_);
 
   std::vector<std::size_t> which;
@@ -305,6 +325,7 @@ ContactForces EventStepper::find_holds(const std::vector<Spot>& touching, Real s
   if (touches.empty()) return {};
   if (held_.empty()) guess.clear();
   const Instant instant{bodies, motion, system_.kinematics().data(), system_.loads().data()};
+  work_ += 4 * cube(touches.size(), 0);
   return find_contact_forces(touches, joint_rows(motion), instant, std::max(slow, left_slip_), guess);
 }
 

@@ -68,6 +68,7 @@ void EventStepper::hold(Time, const std::vector<Body>& bodies, const Motion* mot
     holdings_.push_back(h.holding);
   }
   const std::vector<Row> joints = joint_rows(motion);
+  work_ += cube(touches_.size(), joints.size());
   add_forces(
       held_contact_forces(touches_, holdings_, joints, {bodies, motion, kinematics, loads}, slow_slip_),
       loads, bodies.size());
@@ -83,6 +84,7 @@ ContactForces EventStepper::support(Time t, const Real* y) {
     holdings_.push_back(h.holding);
   }
   const Instant now{system_.model().bodies, motion, system_.kinematics().data(), system_.loads().data()};
+  work_ += cube(touches_.size(), system_.model().joints.size());
   return held_contact_forces(touches_, holdings_, joint_rows(motion), now, slow_slip_);
 }
 

@@ -2,19 +2,32 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace cylon::engine {
 
 namespace {
 
+// Operations that a run may spend: so many at once, and so many more in each step.  One is about 0.05 us.
+constexpr std::int64_t first_operations = 24'000'000, step_operations = 2'000;
 // Events in one step; half of them are followed as they are.  A ball that keeps 99 % of its speed bounces
 // 1400 times before its bounces end (zeno_return).
 constexpr int event_limit = 4000;
-// Smooth pieces in one step.
-constexpr int piece_limit = 100000;
+// The rest of a step whose events are not followed, in so many strides.
+constexpr int last_strides = 4;
+// Where operations are spent, one in so many steps looks whether all rests by now.
+constexpr std::int64_t resumed_steps = 64;
 // Pieces in a row that took no time: a slip that ends or begins is followed in some forty (each a third or
 // more of what is left); so many mean forces without bound.
 constexpr int crawl_limit = 200;
+// After so many pieces in a step, and again after each so many more, slips turn four times later, up to 1e-3 of
+// what gravity gives in a step.
+constexpr int hurried_pieces = 512, hurried_every = 64;
+constexpr Real most_haste = 1e5;
+// So many events and pieces in a row, while surfaces touch, in which less than this part of a step has passed:
+// a stride goes over what changes without end.  The first in parts of a step; each is twice the last.
+constexpr int crawl_rounds = 64;
+constexpr Time crawl_part = 1e-5, first_stride = 1e-7;
 // Where error control fails: the first fixed step, in parts of a step.
 constexpr Time least_part = 1e-9;
 // Steps of error control over a part of one that was accepted: one, as a rule.
@@ -86,7 +99,8 @@ EventStepper::EventStepper(Reduced reduced, const Integrator& integrator, Time d
       controlled_(y_.size(), tolerance),
       probe_(y_.size(), tolerance),
       loose_(candidates_.size(), 0),
-      restless_(candidates_.size(), 0) {
+      restless_(candidates_.size(), 0),
+      allowed_(first_operations) {
   system_.project(y_.data());
   resolve(start);
   impacts_.clear();
@@ -105,17 +119,36 @@ void EventStepper::step() {
   std::fill(restless_.begin(), restless_.end(), char{0});
   plastic_ = false;
   idle_ = rough_ = 0;
-  // Ends: every round is an event or a piece, of each there is a bounded number, and each is bounded work
-  // (go_on()).  Beyond the events nothing is watched until the end of the step; beyond the pieces what is
-  // left is one fixed step.
-  blind_ = false;
-  int events = 0, pieces = 0, crawled = 0;
-  while (now < end && pieces < piece_limit) {
+  allowed_ += step_operations;
+  rounds_ = 0, marked_ = now, stride_ = first_stride * dt_;
+  if (lost_ && (operations() <= allowed_ || steps_ % resumed_steps == 0)) {
+    lost_ = false;
+    resolve(now);
+  }
+  // Ends: every round is an event or a piece, each is bounded work (go_on()), and where the events or the
+  // operations that are allowed come to an end the rest of the step is a few strides.
+  int events = 0, pieces = 0, crawled = 0, strides = 0;
+  while (now < end) {
+    if (lost_ || events >= event_limit || (operations() > allowed_ && !resting_)) {
+      give_up(now, end);
+      break;
+    }
     bool event = false;
     const Time after = go_on(now, end - now, event);
     now = std::min(end, now + after);
+    if (now < end && crawls(now)) {
+      if (event) resolve(now);
+      const Time to = stride_ < end - now ? now + stride_ : end;
+      stride(now, to - now);
+      resolve(to);
+      stride_ *= 2;
+      marked_ = now = to;
+      ++strides, ++crawls_;
+      continue;
+    }
     if (!event) {
       ++pieces;
+      if (pieces >= hurried_pieces && pieces % hurried_every == 0) hurry();
       idle_ = 0;
       crawled = after < no_time * dt_ ? crawled + 1 : 0;
       if (crawled < crawl_limit || held_.empty()) continue;
@@ -125,24 +158,39 @@ void EventStepper::step() {
     ++events;
     idle_ = after > no_time * dt_ ? 0 : idle_ + 1;
     if (events == event_limit / 2) finish_plastically();
-    blind_ = events == event_limit;
     if (idle_ >= idle_limit() && loosen()) idle_ = 0;
     resolve(now);
   }
-  if (now < end) fixed_step(now, end - now);
-  if (blind_ || now < end) {
-    ++crowded_;
-    resolve(end);
-  }
+  if (pieces < hurried_every / 4) haste_ = std::max<Real>(1, haste_ / 4);
   if (std::any_of(held_.begin(), held_.end(), [](const HeldPoint& h) { return h.general; })) resolve(end);
-  if (keep_) note_lasting(end, events == 0 && pieces < piece_limit);
+  if (keep_) note_lasting(end, events == 0 && strides == 0 && now >= end);
+}
+
+// The rest of a step whose events are not followed.
+void EventStepper::give_up(Time now, Time end) {
+  if (crowded_++ == 0) crowded_since_ = now;
+  const Time part = (end - now) / last_strides;
+  for (int k = 0; k < last_strides; ++k) stride(now + k * part, part), close_gaps();
+  lost_ = true;
+}
+
+// Of a linear system of three rows a point and three to six a joint.
+std::int64_t EventStepper::cube(std::size_t points, std::size_t joints) {
+  const auto rows = static_cast<std::int64_t>(3 * points + 4 * joints);
+  return 20 + rows * rows * rows / 10;
+}
+
+std::int64_t EventStepper::operations() const {
+  const auto bodies = static_cast<std::int64_t>(system_.model().bodies.size());
+  return work_ + 3 * bodies * (controlled_.evaluations() + probe_.evaluations()) +
+         passage_.looks() * (2 + bodies);
 }
 
 // Goes on from y_ to the first event or to the end of a smooth piece; says how far.
 Time EventStepper::go_on(Time from, Time span, bool& event) {
   start_ = y_;
   turn_slips();
-  const bool watches = !blind_ && !held_.empty() && idle_ < idle_limit();
+  const bool watches = !held_.empty() && idle_ < idle_limit();
   ContactForces before;
   if (watches) before = support(from, start_.data());
   const Time went = piece(from, span);
@@ -151,11 +199,9 @@ Time EventStepper::go_on(Time from, Time span, bool& event) {
   passage_.set(system_.model().bodies, Bodies::motions(start_.data()), Bodies::motions(y_.data()), width);
   std::optional<Real> first;
   if (watches) first = change_time(from, width, before, end_state);
-  if (!blind_) {
-    if (const auto hit = contact_time(from, first.value_or(width), end_state)) {
-      first = hit;
-      left_slip_ = 0;
-    }
+  if (const auto hit = contact_time(from, first.value_or(width), end_state)) {
+    first = hit;
+    left_slip_ = 0;
   }
   event = first.has_value();
   if (!event) {
@@ -194,6 +240,7 @@ Time EventStepper::piece(Time from, Time span) {
 }
 
 void EventStepper::fixed_step(Time from, Time span) {
+  work_ += 16 * 3 * static_cast<std::int64_t>(system_.model().bodies.size());
   (held_.empty() ? fixed_ : lasting_)(system_, from, span, y_.data());
 }
 
@@ -210,6 +257,22 @@ void EventStepper::part(Time from, Real s) {
   if (probe_.end() < from + span) return fixed_step(from, span);
   std::copy_n(probe_.state(), y_.size(), y_.begin());
   if (account_) system_.load(from + span, y_.data());
+}
+
+// So slow a slip turns that the pieces would not come to an end: it turns later.
+void EventStepper::hurry() {
+  if (held_.empty() || haste_ >= most_haste) return;
+  haste_ *= 4, slow_slip_ *= 4;
+  late_slip_ = std::max(late_slip_, slow_slip_);
+  fresh_ = true;
+}
+
+// Whether what touches changes again and again while time hardly goes on.
+bool EventStepper::crawls(Time now) {
+  if (held_.empty() || ++rounds_ < crawl_rounds) return false;
+  const bool slow = now - marked_ < crawl_part * dt_;
+  rounds_ = 0, marked_ = now;
+  return slow;
 }
 
 bool EventStepper::at_rest(Time t) {
@@ -250,15 +313,29 @@ std::vector<std::string> EventStepper::remarks() const {
     result.push_back("at " + std::to_string(wedged_) +
                      " instants friction grew without bound: an impulse stopped the slip");
   }
+  if (crawls_ > 0) {
+    result.push_back(
+        "at " + std::to_string(crawls_) +
+        " instants contacts stuck and slipped in turn without end: an impulse within the friction "
+        "cones took them over a short time");
+  }
+  if (late_slip_ > 0) {
+    std::ostringstream text;
+    text << "friction turned slips slower than " << late_slip_
+         << " m/s late: velocities after such a slip are right to about that";
+    result.push_back(text.str());
+  }
   if (plastic_steps_ > 0) {
     result.push_back(std::to_string(plastic_steps_) + " steps had more than " +
                      std::to_string(event_limit / 2) +
                      " events: for the rest of these steps, contacts had no restitution and no friction");
   }
   if (crowded_ > 0) {
-    result.push_back(std::to_string(crowded_) +
-                     " steps had too many events or integration intervals: no events were located in the "
-                     "rest of these steps");
+    std::ostringstream text;
+    text << "from t = " << crowded_since_ << " s on, " << crowded_
+         << " steps had more events than are followed: the rest of these steps went in " << last_strides
+         << " parts of first order, without location of events";
+    result.push_back(text.str());
   }
   return result;
 }

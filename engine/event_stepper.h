@@ -62,6 +62,8 @@ class EventStepper final : public Stepper, private Holder {
   const std::vector<Impact>& impacts() const override { return impacts_; }
   const Real* works() const override { return account_ ? system_.works(y_.data()) : nullptr; }
   std::vector<std::string> remarks() const override;
+  std::int64_t operations() const override;
+  bool gave_up() const override { return crowded_ > 0; }
 
   /// What is held now.
   const std::vector<HeldPoint>& held() const { return held_; }
@@ -89,7 +91,13 @@ class EventStepper final : public Stepper, private Holder {
   std::optional<Real> change_time(Time from, Real span, const ContactForces& before,
                                   const std::vector<Real>& end);
   void resolve(Time now);
-  std::vector<Spot> spots();
+  std::vector<Spot> spots(Real ahead = 0);
+  void stride(Time from, Time span);
+  void close_gaps();
+  bool crawls(Time now);
+  void hurry();
+  void give_up(Time now, Time end);
+  static std::int64_t cube(std::size_t points, std::size_t joints);
   void strike_spots(Time now, std::vector<Spot>&);
   void hold_spots(Time now, const std::vector<Spot>&);
   ContactForces find_holds(const std::vector<Spot>&, Real slow, std::vector<std::size_t>& which);
@@ -120,19 +128,27 @@ class EventStepper final : public Stepper, private Holder {
   std::vector<Motion> scratch_;
   std::vector<Impact> impacts_;
   Real slow_slip_ = 0;          // slip slower than this does not turn as fast as it should [m/s]
+  Real haste_ = 1;              // slow_slip_ in units of the least that it may be
+  Real late_slip_ = 0;          // the largest slow_slip_ so far that was not the least [m/s]
   Real rest_speed_ = 0;         // what sticks on all points and is slower than this does not move [m/s]
   Real left_slip_ = 0;          // slip that the last event left over [m/s]
   int idle_ = 0;                // events in a row that took no time
   int rough_ = 0;               // pieces in a row that error control could not take
   bool fresh_ = true;           // the state or what is held has changed since controlled_'s last step
   bool by_rows_ = false;        // the last piece was a fixed step
+  int rounds_ = 0;              // events and pieces since marked_
+  Time marked_ = 0;             // [s]
+  Time stride_ = 0;             // the next stride of this step [s]
+  bool lost_ = false;           // the last step ended in strides: what touches is not known
   bool instant_ = false;        // all events of this instant are resolved
   bool plastic_ = false;        // for the rest of this step
-  bool blind_ = false;          // events are not looked for in the rest of this step
   std::vector<char> loose_;     // per candidate: without friction for the rest of this step
   std::vector<char> restless_;  // per candidate: what changed in the idle changes
   bool resting_ = false;        // nothing moves, and no force depends on time
-  long inexact_ = 0, failed_ = 0, crowded_ = 0, plastic_steps_ = 0, loosened_ = 0, wedged_ = 0;
+  long inexact_ = 0, failed_ = 0, crowded_ = 0, plastic_steps_ = 0, loosened_ = 0, wedged_ = 0, crawls_ = 0;
+  Time crowded_since_ = 0;  // [s]
+  std::int64_t work_ = 0;   // operations beside those of integrators and passage
+  std::int64_t allowed_;    // operations that may be spent by now
   std::vector<TouchPoint> touches_;
   std::vector<Holding> holdings_;
   Rows rows_;

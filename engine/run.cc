@@ -70,6 +70,7 @@ void Run::take_impacts() {
 // where many may touch, in fixed steps, from the step in which it begins.
 void Run::hand_over() {
   const Handover from = *ballistic_->handover();
+  spent_ += ballistic_->operations();
   ballistic_ = nullptr;
   const Plan plan = make_plan(*model_, options_, Features{Feature::lasting_contact} | late(steps_));
   const bool by_events = plan.path == Path::events;

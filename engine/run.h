@@ -43,6 +43,8 @@ class Run {
   const std::vector<Contact>& contacts() const { return stepper_->contacts(); }
   const Real* works() const { return stepper_->works(); }
   std::vector<std::string> remarks() const;
+  /// Work done so far (Stepper::operations()).
+  std::int64_t operations() const { return spent_ + stepper_->operations(); }
 
  private:
   void hand_over();
@@ -57,7 +59,7 @@ class Run {
   std::vector<std::string> remarks_;
   std::vector<Motion> motions_;
   std::vector<Impact> impacts_;
-  std::int64_t steps_;
+  std::int64_t steps_, spent_ = 0;  // spent_: operations of the stepper before a handover
   bool keep_contacts_ = false, stepped_ = false;
 };
 

@@ -62,6 +62,13 @@ class Stepper {
   /// accounted.
   virtual const Real* works() const { return nullptr; }
 
+  /// Work done so far, in operations of the computer to a factor of a few: the same for the same input,
+  /// whatever the machine.  0: not counted.
+  virtual std::int64_t operations() const { return 0; }
+
+  /// Whether a part of the run so far went in a way that no smaller tolerance makes better.
+  virtual bool gave_up() const { return false; }
+
   /// What a user must know of the run so far: a tolerance that could not be kept, and why.  Empty: nothing.
   virtual std::vector<std::string> remarks() const { return {}; }
 

@@ -48,7 +48,7 @@ void VerifiedStepper::step() {
       waiting_ = error > bound_;
       return;
     }
-    if (tolerance_ <= least || missed_at_ >= 0) {
+    if (tolerance_ <= least || missed_at_ >= 0 || fine_->gave_up()) {
       if (missed_at_ < 0) missed_at_ = steps_;
       worst_ = std::max(worst_, error);
       return;
@@ -85,6 +85,7 @@ Real VerifiedStepper::parted() {
 // The finer run becomes the coarser one; another starts from the start at a tenth of its tolerance.
 void VerifiedStepper::tighten() {
   tolerance_ = std::max(tolerance_ / 10, least);
+  spent_ += coarse_->operations();
   coarse_ = std::move(fine_);
   fine_ = make_(tolerance_);
   fine_->keep_contacts(keep_);

@@ -374,6 +374,12 @@ std::string World::named(const Island& island) const {
   return text;
 }
 
+std::int64_t World::operations() const {
+  std::int64_t sum = 0;
+  for (const Island& island : islands_) sum += island.run->operations();
+  return sum;
+}
+
 std::vector<std::string> World::remarks() const {
   std::vector<std::string> all = notes_;
   if (more_notes_ > 0) all.push_back(std::to_string(more_notes_) + " more such changes of parts");

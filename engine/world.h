@@ -63,6 +63,9 @@ class World {
   /// accounted.
   const Real* works() const { return whole() ? islands_[0].run->works() : nullptr; }
 
+  /// Work done so far by the islands that there are (Stepper::operations()).
+  std::int64_t operations() const;
+
   /// What a user must know of the run so far.
   std::vector<std::string> remarks() const;
 

@@ -103,6 +103,24 @@ void start_from(CoulombProblem& problem, const std::vector<Matrix3>& frames,
     problem.start.segment<3>(3 * static_cast<Eigen::Index>(i)) = frames[i].transpose() * holdings[i].share;
 }
 
+// A point at the edge of its cone that does not begin to move sticks: slip along a direction that it does not
+// take would be followed without end.
+void stick_where_still(const CoulombProblem& problem, CoulombSolution& solution) {
+  std::vector<Hold> holds = solution.hold;
+  bool any = false;
+  for (std::size_t i = 0; i < holds.size(); ++i) {
+    if (holds[i].grip != Grip::slides || holds[i].given || !(problem.friction[i] > 0)) continue;
+    Hold still = holds[i];
+    still.grip = Grip::sticks;
+    std::swap(still, holds[i]);
+    if (obeys(problem, holds, solution.force))
+      any = true;
+    else
+      std::swap(still, holds[i]);
+  }
+  if (any) solution.hold = std::move(holds);
+}
+
 struct Sums {
   std::vector<Load> loads, sizes;  // sums, and sums of the absolute values of their terms
   std::vector<char> touched;
@@ -152,7 +170,8 @@ ContactForces find_contact_forces(std::span<const TouchPoint> touches, std::span
   }
   start_from(a.problem, a.frames, guess);
   a.problem.most_sweeps = 200;
-  const CoulombSolution solution = solve(a.problem);
+  CoulombSolution solution = solve(a.problem);
+  if (solution.exact) stick_where_still(a.problem, solution);
   ContactForces support = report(a, touches, solution.hold, solution.force);
   support.exact = solution.exact;
   // What an even sharing would leave outside a cone is remembered as it was found.

@@ -18,6 +18,9 @@ Eigen::Index at(std::size_t point) { return 3 * static_cast<Eigen::Index>(point)
 // rounding times the condition of a well-posed contact (redundant ones stay at rounding itself).
 Real dependent() { return std::pow(ulp, Real(0.7)); }
 
+// Friction below this, squared, shares forces as this does: a tangent must still count as one.
+constexpr Real least_rough = Real(1e-6);
+
 // Rounding of f and u: the largest of each point's terms, with room for the sums over all points.
 struct Rounding {
   VectorX force, rate;  // per point
@@ -61,12 +64,14 @@ VectorX scales(const CoulombProblem& p) {
 // f = B x with the equations E (A f + q) = 0, one per unknown; least |x| when the tangential unknowns of
 // point i are measured in units of share_i; `start`: of all f = start' + B x instead, where start' is the
 // start with what the holds forbid left out.
+// `unique`: set to whether the equations leave one force only, whatever the shares.
 VectorX least_norm(const CoulombProblem& p, const std::vector<Hold>& hold, const VectorX& share,
-                   const VectorX& start = {}) {
+                   const VectorX& start = {}, bool* unique = nullptr) {
   const Eigen::Index size = p.offset.size();
   Eigen::Index unknowns = 0;
   for (const Hold& h : hold) unknowns += h.grip == Grip::sticks ? 3 : h.grip == Grip::slides ? 1 : 0;
   VectorX force = VectorX::Zero(size);
+  if (unique) *unique = unknowns == 0;
   if (unknowns == 0) return force;
   MatrixX basis = MatrixX::Zero(size, unknowns), equations = MatrixX::Zero(unknowns, size);
   Eigen::Index column = 0;
@@ -96,6 +101,7 @@ VectorX least_norm(const CoulombProblem& p, const std::vector<Hold>& hold, const
   const VectorX wanted = -(equations * (p.offset + p.response * from));
   const LeastNorm decomposition(system, dependent());
   VectorX x = decomposition.solve(wanted);
+  if (unique) *unique = decomposition.rank() == unknowns;
   x += decomposition.solve(VectorX(wanted - system * x));  // one refinement: rounding only is left
   return from + basis * x;
 }
@@ -305,18 +311,48 @@ VectorX held_force(const CoulombProblem& p, const std::vector<Hold>& hold) {
   if (p.start.size() > 0)
     return least_norm(p, hold, VectorX::Ones(static_cast<Eigen::Index>(hold.size())), p.start);
   const Eigen::Index k = static_cast<Eigen::Index>(hold.size());
-  VectorX share = VectorX::Ones(k);
-  VectorX f = least_norm(p, hold, share);
+  // Where normals can carry what friction could (a ball in a groove), friction leaves it to them.
+  Real roughest = 0;
+  for (const Real mu : p.friction) roughest = std::max(roughest, mu);
+  VectorX rough(k);
+  for (Eigen::Index i = 0; i < k; ++i)
+    rough[i] =
+        std::sqrt(std::clamp<Real>(p.friction[static_cast<std::size_t>(i)] * roughest, least_rough, 1));
+  VectorX share = rough;
+  bool unique = false;
+  VectorX f = least_norm(p, hold, share, {}, &unique);
   const bool sticks =
       std::any_of(hold.begin(), hold.end(), [](const Hold& h) { return h.grip == Grip::sticks; });
-  for (int pass = 0; sticks && k > 1 && pass < 3; ++pass) {
+  for (int pass = 0; sticks && !unique && k > 1 && pass < 3; ++pass) {
     Real mean = 0;
     for (Eigen::Index i = 0; i < k; ++i) mean += std::max<Real>(0, f[3 * i]) / static_cast<Real>(k);
     if (!(mean > 0)) break;
     for (Eigen::Index i = 0; i < k; ++i) {
-      share[i] = std::sqrt(std::clamp<Real>(f[3 * i] / mean, Real(1e-4), Real(1e4)));
+      share[i] = rough[i] * std::sqrt(std::clamp<Real>(f[3 * i] / mean, Real(1e-4), Real(1e4)));
     }
     f = least_norm(p, hold, share);
+  }
+  return f;
+}
+
+VectorX relaxed_force(const CoulombProblem& p, int rounds) {
+  VectorX f = VectorX::Zero(p.offset.size());
+  for (int round = 0; round < rounds; ++round) {
+    Real change = 0;
+    for (std::size_t i = 0; i < p.friction.size(); ++i) {
+      const Eigen::Index n = at(i);
+      const Matrix3 a = p.response.block<3, 3>(n, n);
+      if (!(a(0, 0) > 0)) continue;
+      const Vector3 old = f.segment<3>(n);
+      f[n] = std::max<Real>(0, old[0] - (p.response.row(n).dot(f) + p.offset[n]) / a(0, 0));
+      const Real stiff = std::max(a(1, 1), a(2, 2)), edge = p.friction[i] * f[n];
+      const Vector2 u = p.response.middleRows<2>(n + 1) * f + p.offset.segment<2>(n + 1);
+      const Vector2 held = stiff > 0 ? Vector2(old.tail<2>() - u / stiff) : Vector2(Vector2::Zero());
+      const Real size = held.norm();
+      f.segment<2>(n + 1) = size > edge ? Vector2(held * (edge / size)) : held;
+      change = std::max(change, (f.segment<3>(n) - old).norm());
+    }
+    if (change <= 16 * ulp * f.norm()) break;
   }
   return f;
 }

@@ -60,6 +60,12 @@ VectorX held_force(const CoulombProblem&, const std::vector<Hold>&);
 /// exactly, finds the holds, and Newton's method the forces for them.  Always ends; deterministic.
 CoulombSolution solve(const CoulombProblem&);
 
+/// The force after so many rounds over the points, fewer if it stops changing: each point takes what brings its
+/// normal rate to zero, not below no force, and its tangential rate as near to zero as its cone allows,
+///   f_n = max(0, f_n - u_n/A_nn),   f_t = f_t - u_t/A_tt, cut to mu f_n.
+/// Bounded work for any problem; near the law, not exact.
+VectorX relaxed_force(const CoulombProblem&, int rounds);
+
 /// Whether the force obeys the law for these holds, to rounding.
 bool obeys(const CoulombProblem&, const std::vector<Hold>&, const VectorX& force);
 

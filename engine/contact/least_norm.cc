@@ -10,6 +10,7 @@ LeastNorm::LeastNorm(const MatrixX& matrix, Real dependent) {
 }
 
 VectorX LeastNorm::solve(const VectorX& y) const { return decomposition_.solve(y); }
+Eigen::Index LeastNorm::rank() const { return decomposition_.rank(); }
 MatrixX LeastNorm::inverse() const { return decomposition_.pseudoInverse(); }
 
 }  // namespace cylon::engine

@@ -20,6 +20,7 @@ class LeastNorm {
 
   VectorX solve(const VectorX& y) const;
   MatrixX inverse() const;  ///< M^+
+  Eigen::Index rank() const;
 
  private:
   Eigen::CompleteOrthogonalDecomposition<MatrixX> decomposition_;

@@ -58,6 +58,7 @@ void Passage::set(const std::vector<Body>& bodies, const Motion* start, const Mo
 }
 
 void Passage::at(Real s, std::vector<Motion>& motion) const {
+  ++looks_;
   motion.resize(legs_.size());
   const Real x = span_ > 0 ? s / span_ : 0;
   for (std::size_t i = 0; i < legs_.size(); ++i) {

@@ -3,6 +3,7 @@
 
 #include "engine/contact/candidate.h"
 
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -20,6 +21,8 @@ class Passage {
   void at(Real s, std::vector<Motion>&) const;
 
   Real span() const { return span_; }
+  /// How often at() was asked.
+  std::int64_t looks() const { return looks_; }
   /// Whether the balls that hold two bodies tell that their surfaces stay apart all the way: with d the least
   /// gap that they leave and v speed_bound(),  d(0) + d(span) > v span.  False for planes.
   bool stays_apart(const Candidate&) const;
@@ -35,6 +38,7 @@ class Passage {
   };
   std::vector<Leg> legs_;
   Real span_ = 0;
+  mutable std::int64_t looks_ = 0;
 };
 
 struct Bracket {

@@ -1,0 +1,72 @@
+// EventStepper where following events one by one does not come to an end: a short time in one go, by impulses.
+#include "engine/contact/response.h"
+#include "engine/event_stepper.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cylon::engine {
+
+namespace {
+
+constexpr int most_rounds = 200;
+
+}  // namespace
+
+// Moreau's step over h:  momenta take the forces, K* = K + h F; impulses P take them to velocities that obey
+// the law of impact (engine/contact/impact.h) at all points that can meet within h at once,
+//   u+ = u* + A P,   u_n+ >= max(-e u_n-, -g/h),   Coulomb's law for P_t and u_t+,
+// and the bodies go on freely with those.  Slip that its friction can end within h ends.  Of first order, and
+// of bounded work whatever the contacts do.  J. J. Moreau, Unilateral contact and dry friction in finite
+// freedom dynamics (1988), sections 10-12.
+void EventStepper::stride(Time from, Time span) {
+  const std::vector<Body>& bodies = system_.model().bodies;
+  const Real h = static_cast<Real>(span);
+  Motion* motion = Bodies::motions(y_.data());
+  std::vector<TouchPoint> touches;
+  std::vector<Real> least;  // of u_n+ [m/s]
+  for (const Spot& spot : spots(h)) {
+    const TouchPoint& touch = touches.emplace_back(spot.touch);
+    const Real u = gap_rate(touch, bodies, motion);
+    const bool bounces = !plastic_ && u < -rest_speed_ && touch.gap + h * u < 0;
+    least.push_back(bounces ? -touch.restitution * u : -std::max(touch.gap, Real(0)) / h);
+  }
+  system_.set_holder(nullptr);
+  system_.kick(from, h, y_.data());
+  if (!touches.empty()) {
+    const std::vector<Row> joints = joint_rows(motion);
+    const Response response(touches, joints, bodies, motion);
+    VectorX free(static_cast<Eigen::Index>(response.rows().size()));
+    for (Eigen::Index i = 0; i < free.size(); ++i)
+      free[i] = row_speed(response.rows()[static_cast<std::size_t>(i)], bodies, motion);
+    VectorX offset = response.offset(free);
+    for (std::size_t i = 0; i < least.size(); ++i) offset[3 * static_cast<Eigen::Index>(i)] -= least[i];
+    const CoulombProblem problem = coulomb_problem(response, touches, std::move(offset));
+    apply_impulses(response.rows(), response.multipliers(free, relaxed_force(problem, most_rounds)), bodies,
+                   motion);
+    work_ += cube(touches.size(), joints.size());
+  }
+  held_.clear();
+  system_.set_holder(this);  // joints are closed by close_gaps()
+  system_.drift(h, y_.data());
+  resting_ = false;
+  fresh_ = instant_ = true;
+}
+
+// What the strides left of surfaces inside each other, and of joints apart.
+void EventStepper::close_gaps() {
+  const std::vector<Body>& bodies = system_.model().bodies;
+  Motion* motion = Bodies::motions(y_.data());
+  rows_.rows = joint_rows(motion);
+  for (const Spot& spot : spots()) {
+    if (spot.touch.gap > 0) continue;
+    std::vector<Row> three;
+    append_rows(spot.touch, bodies, motion, three);
+    three[0].offset = spot.touch.gap;
+    rows_.rows.push_back(three[0]);
+  }
+  system_.project(y_.data());
+  rows_.project_positions(bodies, motion);
+}
+
+}  // namespace cylon::engine
