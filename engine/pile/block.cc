@@ -13,6 +13,13 @@ Matrix3 skew(const Vector3& r) {
   return m;
 }
 
+// Of a body that slips friction is against u; steps by the block's mass, which turns u, would end along that.
+// ab/(a + b) of the two eigenvalues across the normal: no more than the lesser.
+Real slip_mass(const Matrix3& block_mass) {
+  const Real sum = block_mass.trace();
+  return sum > 0 ? (sum * sum - block_mass.squaredNorm()) / (2 * sum) : 0;
+}
+
 }  // namespace
 
 void set_effective_mass(Block& block, const std::vector<Mover>& movers) {
@@ -48,10 +55,15 @@ void relax(Block& block, std::vector<Mover>& movers) {
     const Real normal = std::max(j_n + block.mass * (block.target - u_n), Real(0));
     push(block, (normal - j_n) * n, movers);
     const Vector3 across = before - j_n * n;
-    Vector3 t = across - block.block_mass * relative_velocity(block, movers);
+    Vector3 u = relative_velocity(block, movers);
+    u -= n.dot(u) * n;
+    Vector3 t = across - block.block_mass * u;
+    const Real limit = block.friction * normal;
+    if (t.norm() > limit) {
+      t = across - slip_mass(block.block_mass) * u;
+      if (limit < t.norm()) t *= limit / t.norm();
+    }
     t -= n.dot(t) * n;
-    const Real limit = block.friction * normal, length = t.norm();
-    if (length > limit) t *= limit / length;
     push(block, t - across, movers);
     block.impulse = normal * n + t;
   } else {

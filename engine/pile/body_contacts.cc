@@ -11,6 +11,12 @@ namespace {
 
 constexpr Real spare_distance = Real(1e-6);  // of the bounding radius
 
+// Scenes of more moving bodies than this keep their contacts while two bodies move against each other by less
+// than `still` of their bounding radius.  What that leaves out is of second order: a gap is that of the same
+// two points along the turned normal.
+constexpr std::size_t few_bodies = 32;
+constexpr Real still = Real(1) / 4096, spare_margin = Real(1) / 64, skin = Real(1) / 8;
+
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // Leaves out points between two others: they hold nothing that the two do not, and where edges of faces lie
@@ -53,6 +59,8 @@ BodyContacts::BodyContacts(const Model& model) : model_(model) {
     const Real half = half_width(shape);
     if (half > 0) smallest_ = smallest_ > 0 ? std::min(smallest_, half) : half;
   }
+  persistent_ = static_cast<std::size_t>(std::count_if(model.bodies.begin(), model.bodies.end(),
+                                                       [](const Body& b) { return !b.locked; })) > few_bodies;
   margin_.resize(model.bodies.size());
   bounds_.resize(model.bodies.size());
 }
@@ -61,41 +69,119 @@ Vector3 offset(const Block& block, const std::vector<Motion>& motions) {
   return point(block.anchor, block.a, motions) - point(block.to_anchor, block.b, motions);
 }
 
-// Bodies whose bounding balls, each with its margin, meet; in ascending order.
-void BodyContacts::find_pairs(const std::vector<Motion>& motions) {
+// Pairs whose bounding balls, each with its margin and a skin, meet.
+void BodyContacts::find_near(const std::vector<Motion>& motions) {
   constexpr Real most = std::numeric_limits<Real>::infinity();
-  const auto reach = [&](int i) { return radius_[index(i)] + margin_[index(i)]; };
+  places_.resize(motions.size()), room_.resize(motions.size());
   for (int i = 0; i < static_cast<int>(motions.size()); ++i) {
     const bool touches = model_.surfaces[index(i)] != no_surface &&
                          (radius_[index(i)] > 0 || std::holds_alternative<Sphere>(model_.shapes[index(i)]));
-    const Vector3& p = motions[index(i)].position;
-    const Vector3 r = Vector3::Constant(touches ? reach(i) : -most);
+    const Vector3& p = places_[index(i)] = motions[index(i)].position;
+    room_[index(i)] = radius_[index(i)] + margin_[index(i)] + skin * radius_[index(i)];
+    const Vector3 r = Vector3::Constant(touches ? room_[index(i)] : -most);
     bounds_[index(i)] = {p - r, p + r};
   }
-  pairs_.clear();
+  near_.clear();
   for (const auto& [a, b] : broad_phase_.pairs(bounds_)) {
+    const bool moves = !model_.bodies[index(a)].locked || !model_.bodies[index(b)].locked;
+    if (moves && model_.may_touch(a, b)) near_.emplace_back(a, b);
+  }
+}
+
+// Bodies whose bounding balls, each with its margin, meet; in ascending order.
+void BodyContacts::find_pairs(const std::vector<Motion>& motions) {
+  const auto reach = [&](int i) { return radius_[index(i)] + margin_[index(i)]; };
+  bool holds = places_.size() == motions.size();
+  for (int i = 0; holds && i < static_cast<int>(motions.size()); ++i)
+    holds = (motions[index(i)].position - places_[index(i)]).norm() + reach(i) <= room_[index(i)];
+  if (!holds) find_near(motions);
+  pairs_.clear();
+  for (const auto& [a, b] : near_) {
     const Real far = reach(a) + reach(b);
-    if (model_.may_touch(a, b) &&
-        (motions[index(a)].position - motions[index(b)].position).squaredNorm() <= far * far)
+    if ((motions[index(a)].position - motions[index(b)].position).squaredNorm() <= far * far)
       pairs_.emplace_back(a, b);
   }
 }
 
+BodyContacts::Found BodyContacts::now(const std::vector<Motion>& motions, int a, int b, int plane) const {
+  const Motion& m = motions[index(a)];
+  const Quaternion back = m.orientation.conjugate();
+  if (b != fixed_world)
+    return {a,
+            b,
+            plane,
+            back * motions[index(b)].orientation,
+            back * (motions[index(b)].position - m.position),
+            Vector3::Zero(),
+            0};
+  const Plane& p = model_.planes[index(plane)];
+  return {a, b, plane, back, {p.normal.dot(m.position) - p.offset, 0, 0}, Vector3::Zero(), 0};
+}
+
+// Whether what was found before holds for `margin` now: with contacts, where the two have hardly moved against
+// each other; without, where they cannot have come within the margin.
+bool BodyContacts::holds(const Found& before, const Found& now, Real margin, bool any) const {
+  if (margin > before.margin) return false;
+  const Real radius =
+      now.b == fixed_world ? radius_[index(now.a)] : std::max(radius_[index(now.a)], radius_[index(now.b)]);
+  const Real turn = std::min((now.turn.coeffs() - before.turn.coeffs()).norm(),
+                             (now.turn.coeffs() + before.turn.coeffs()).norm());
+  const Real way = (now.shift - before.shift).norm() + 2 * radius * turn;
+  return way <= before.margin - margin && (!any || way <= still * radius);
+}
+
+// The same contacts again: their points are fixed to the bodies, the normal to a.
+void BodyContacts::keep(const std::vector<Motion>& motions, const Found& found, std::size_t from,
+                        std::size_t to, std::vector<Block>& blocks) {
+  if (from == to) return;
+  const Matrix3 turn_a = rotation_matrix(motions[index(found.a)].orientation);
+  const bool two = found.b != fixed_world;
+  const Matrix3 turn_b =
+      two ? rotation_matrix(motions[index(found.b)].orientation) : Matrix3(Matrix3::Identity());
+  const Vector3 normal = two ? Vector3(turn_a * found.normal) : old_[from].normal;
+  for (std::size_t k = from; k < to; ++k) {
+    blocks.push_back(old_[k]);
+    Block& block = blocks.back();
+    block.normal = normal;
+    block.arm = turn_a * block.anchor;
+    if (two) block.to_arm = turn_b * block.to_anchor;
+    block.impact = false, block.target = 0;
+  }
+}
+
 void BodyContacts::touch(const std::vector<Motion>& motions, int a, int b, int plane, Real margin,
-                         const std::vector<Block>& old, std::size_t& next, std::vector<Block>& blocks) {
+                         std::vector<Block>& blocks) {
+  // The old blocks are in the same order; planes come after bodies.
+  const auto before = [&](const auto& x) {
+    const int kind = x.b == fixed_world ? 1 : 0, mine = b == fixed_world ? 1 : 0;
+    if (kind != mine) return kind < mine;
+    return kind == 0 ? std::pair(x.a, x.b) < std::pair(a, b) : std::pair(x.a, x.plane) < std::pair(a, plane);
+  };
+  const auto same_pair = [&](const auto& x) { return x.a == a && x.b == b && x.plane == plane; };
+  const std::vector<Block>& old = old_;
+  std::size_t& next = next_;
+  while (next < old.size() && old[next].kind == Block::Kind::contact && before(old[next])) ++next;
+  if (persistent_) {
+    Found where = now(motions, a, b, plane);
+    while (next_found_ < old_found_.size() && before(old_found_[next_found_])) ++next_found_;
+    std::size_t to = next;
+    while (to < old.size() && old[to].kind == Block::Kind::contact && same_pair(old[to])) ++to;
+    if (next_found_ < old_found_.size() && same_pair(old_found_[next_found_]) &&
+        holds(old_found_[next_found_], where, margin, to > next)) {
+      found_.push_back(old_found_[next_found_]);
+      return keep(motions, found_.back(), next, to, blocks);
+    }
+    margin += spare_margin * radius_[index(a)];
+    where.margin = margin;
+    found_.push_back(where);
+  }
   const Pose pose_a = pose(motions[index(a)]);
   const Shape& shape = model_.shapes[index(a)];
   Manifold found = b == fixed_world
                        ? manifold(shape, pose_a, model_.planes[index(plane)], margin)
                        : manifold(shape, pose_a, model_.shapes[index(b)], pose(motions[index(b)]), margin);
   leave_out_between(found, spare_distance * radius_[index(a)]);
-  // The old blocks are in the same order; planes come after bodies.
-  const auto before = [&](const Block& x) {
-    const int kind = x.b == fixed_world ? 1 : 0, mine = b == fixed_world ? 1 : 0;
-    if (kind != mine) return kind < mine;
-    return kind == 0 ? std::pair(x.a, x.b) < std::pair(a, b) : std::pair(x.a, x.plane) < std::pair(a, plane);
-  };
-  while (next < old.size() && old[next].kind == Block::Kind::contact && before(old[next])) ++next;
+  if (persistent_) found_.back().normal = motions[index(a)].orientation.conjugate() * found.normal;
   const Material& material =
       model_.material(model_.surfaces[index(a)],
                       b == fixed_world ? model_.plane_surfaces[index(plane)] : model_.surfaces[index(b)]);
@@ -115,8 +201,7 @@ void BodyContacts::touch(const std::vector<Motion>& motions, int a, int b, int p
     // The same feature, or else the nearest point: corners that coincide take turns in naming a place.
     const Block* same = nullptr;
     Real nearest = radius_[index(a)] / 16;
-    for (std::size_t m = next; m < old.size() && old[m].a == a && old[m].b == b && old[m].plane == plane;
-         ++m) {
+    for (std::size_t m = next; m < old.size() && same_pair(old[m]); ++m) {
       if (old[m].kind != Block::Kind::contact) break;
       const Real distance =
           old[m].feature == block.feature ? Real(-1) : (old[m].anchor - block.anchor).norm();
@@ -162,14 +247,14 @@ void BodyContacts::find(const std::vector<Motion>& motions, const std::vector<Mo
   const Real h = static_cast<Real>(span), fall = model_.forces.gravity.norm() * h * h;
   for (std::size_t i = 0; i < motions.size(); ++i)
     margin_[i] = (movers[i].v.norm() + radius_[i] * movers[i].w.norm()) * h + fall + radius_[i] / 256;
-  std::swap(blocks, old_);
-  blocks.clear();
+  std::swap(blocks, old_), std::swap(found_, old_found_);
+  blocks.clear(), found_.clear();
+  next_ = next_found_ = 0;
   find_pairs(motions);
-  std::size_t next = 0;
   for (const auto& [a, b] : pairs_)
     if (movers[index(a)].inverse_mass > 0 || movers[index(b)].inverse_mass > 0 ||
         !movers[index(a)].inverse_inertia.isZero(0) || !movers[index(b)].inverse_inertia.isZero(0))
-      touch(motions, a, b, -1, margin_[index(a)] + margin_[index(b)], old_, next, blocks);
+      touch(motions, a, b, -1, margin_[index(a)] + margin_[index(b)], blocks);
   for (int i = 0; i < static_cast<int>(motions.size()); ++i) {
     if (model_.surfaces[index(i)] == no_surface || model_.bodies[index(i)].locked) continue;
     for (int k = 0; k < static_cast<int>(model_.planes.size()); ++k) {
@@ -177,7 +262,7 @@ void BodyContacts::find(const std::vector<Motion>& motions, const std::vector<Mo
       if (model_.plane_surfaces[index(k)] == no_surface) continue;
       if (plane.normal.dot(motions[index(i)].position) - plane.offset > radius_[index(i)] + margin_[index(i)])
         continue;
-      touch(motions, i, fixed_world, k, margin_[index(i)], old_, next, blocks);
+      touch(motions, i, fixed_world, k, margin_[index(i)], blocks);
     }
   }
   add_joints(motions, old_, blocks);

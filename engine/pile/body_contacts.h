@@ -21,9 +21,22 @@ class BodyContacts {
   Real smallest() const { return smallest_; }
 
  private:
+  /// Where the bodies of a pair were when their contacts were found: b in a's axes; of a plane its normal in
+  /// a's axes, and a's height.
+  struct Found {
+    int a, b, plane;
+    Quaternion turn;
+    Vector3 shift;
+    Vector3 normal;  // of the contacts, a's axes
+    Real margin;     // within which they were looked for
+  };
+
+  void find_near(const std::vector<Motion>&);
   void find_pairs(const std::vector<Motion>&);
-  void touch(const std::vector<Motion>&, int a, int b, int plane, Real margin, const std::vector<Block>& old,
-             std::size_t& next, std::vector<Block>&);
+  Found now(const std::vector<Motion>&, int a, int b, int plane) const;
+  bool holds(const Found& before, const Found& now, Real margin, bool any) const;
+  void touch(const std::vector<Motion>&, int a, int b, int plane, Real margin, std::vector<Block>&);
+  void keep(const std::vector<Motion>&, const Found&, std::size_t from, std::size_t to, std::vector<Block>&);
   void add_joints(const std::vector<Motion>&, const std::vector<Block>& old, std::vector<Block>&) const;
 
   const Model& model_;
@@ -31,8 +44,14 @@ class BodyContacts {
   std::vector<Real> radius_, margin_;
   std::vector<Bounds> bounds_;
   BroadPhase broad_phase_;
-  std::vector<std::pair<int, int>> pairs_;
+  std::vector<Vector3> places_;             // where the bodies were when near_ was found
+  std::vector<Real> room_;                  // how far each, with its reach, may go from there
+  std::vector<std::pair<int, int>> near_;   // pairs that may meet until one does
+  std::vector<std::pair<int, int>> pairs_;  // that may meet now
+  bool persistent_ = false;                 // contacts are kept while the bodies hardly move
+  std::vector<Found> found_, old_found_;    // per pair, in the order of the blocks
   std::vector<Block> old_;
+  std::size_t next_ = 0, next_found_ = 0;  // of the pair that is looked at, in old_ and old_found_
 };
 
 /// Body to world; the identity for the world.

@@ -3,6 +3,7 @@
 
 #include "engine/changing_masses.h"
 #include "engine/pile/body_contacts.h"
+#include "engine/pile/crowd.h"
 #include "engine/pile/direct.h"
 #include "engine/pile/groups.h"
 #include "engine/pile/islands.h"
@@ -30,6 +31,13 @@ class BodyPile : public Stepper {
   int parts_of_step() const;
   void advance(Time now, Time span);
   void divide();
+  bool is_crowd(const Group&) const;
+  void move_crowds(Time now, Time span);
+  bool rests(const Group&) const;
+  void lay_to_rest(Real span);
+  bool is_slow(const Group&, Real speed) const;
+  void meet(const Group&, Time now, Real h);
+  void note_impact(std::size_t block, Time now, Real gap, Real approach);
   void pass(Time now, Time span, bool direct);
   void substep(Time now, Time h, bool direct);
   void solve_directly();
@@ -61,8 +69,17 @@ class BodyPile : public Stepper {
   Direct direct_;
   Overlaps overlaps_;
   Islands islands_;
-  std::vector<Group> groups_;  // of more blocks than direct_points, if they are solved group by group
-  Group swept_;                // the groups of them that are too large for that, as one
+  bool divided_ = false;       // solved group by group:
+  std::vector<Group> groups_;  // these to rounding
+  std::size_t corrected_ = 0;  // of them; the others come from crowds_, whose overlaps sweeps remove
+  std::vector<Group> crowds_;  // these by sweeps, each by itself
+  std::vector<Group> resting_;
+  std::vector<int> rest_;                // per body: the blocks of its group when that came to rest
+  std::vector<char> still_, displaced_;  // per body: it hardly moved after the last step; per group
+  Group swept_;                          // these by sweeps with joints and all forces, as one
+  Crowd crowd_;
+  std::vector<Motion> kept_;  // of a group before it is swept, and its impulses
+  std::vector<Vector3> kept_impulses_;
   GroupLists lists_;
   std::vector<char> taken_;  // bodies that a pass advances; empty: all
   std::vector<Motion> before_;
@@ -76,6 +93,7 @@ class BodyPile : public Stepper {
   std::vector<char> struck_;  // bodies that a bounce changes in this part of a step
   bool unstable_ = false;     // some part was longer than the limit
   bool together_ = false;     // bounces that share a body were solved at once, though impacts are sequential
+  double swept_to_ = 0, swept_worst_ = 0;  // largest change of a velocity in the last sweep of a step [m/s]
   bool too_fast_ = false, unsolved_ = false, other_forces_ = false, isolated_ = false;
   bool paired_ = false;  // a force acts between two bodies that move
 };

@@ -13,7 +13,8 @@ namespace cylon::engine::pile {
 ///   d = (displacements, turns) minimises d.M d/2 subject to n.d >= share depth,  or depth where depth <= 0
 /// `direct`: solved to rounding, the same whatever the order of bodies and blocks; else by sweeps.  Joints
 /// stay closed to first order.  The common centre of mass stays; the angular momentum does not: p x K changes
-/// by d x K.  False where nothing was to be done.
+/// by d x K.  False where nothing was to be done: no overlap is
+/// deeper than `slop` by a thousandth of it.
 class Overlaps {
  public:
   bool displace(const std::vector<Body>&, const std::vector<Block>&, const std::vector<Mover>&, Real slop,

@@ -22,7 +22,13 @@ struct PileSettings {
   Real slop = Real(2e-4);
 
   /// Bodies that touch or are jointed, with at most this many contact points and parts of joints among them,
-  /// are solved to rounding by a direct method, in one part a step; larger groups by sweeps alone.
+  /// are solved to rounding by a direct method in every step, in one part a step; if all groups of this size
+  /// that move have together at most `exact_total` of them, so that the work is bounded.
+  int exact_points = 64;
+  int exact_total = 128;
+
+  /// So are other groups with at most this many, where they are at rest and sweeps do not hold them, and those
+  /// that sweeps cannot take: with joints, or with other forces than gravity.
   int direct_points = 512;
 };
 
