@@ -161,12 +161,11 @@ void Bodies::rates(Time t, const Real* y, Real* rate) {
 //   z(h) = z + sum_k h/(k+1)! (h A)^k f,   A u = f(z + u) - f(z),
 // the exact flow; without forces that read velocities the first term is all.  With joints f is what they
 // leave of the forces, P f:  the momenta that drag reads then never leave the joints.  (Forces that read none
-// may push against them; the drift takes that back.)
+// may push against them; the drift takes that back.)  Strong drag takes the flow in parts, each so short that
+// the series ends: twice as many until it does.
 void Bodies::kick(Time t, Real h, Real* y) {
   Motion* motion = motions(y);
   const std::size_t n = kinematics_.size();
-  constexpr int terms = 12;
-  const Real tiny = std::numeric_limits<Real>::epsilon() / 4;
   Real* works = y + motion_size * n;
   masses_.set(t, model_.bodies);
   find_kinematics(motion);
@@ -176,65 +175,30 @@ void Bodies::kick(Time t, Real h, Real* y) {
     for (std::size_t i = 0; i < powers_.size(); ++i) works[i] += h / 2 * powers_[i];
   };
   account();
-  const auto add = [&](Real factor, const std::vector<Load>& loads) {
-    for (std::size_t i = 0; i < n; ++i) {
-      const Body& body = model_.bodies[i];
-      if (body.locked) continue;
-      if (!body.pinned) motion[i].momentum += factor * loads[i].force;
-      if (body.turns) motion[i].angular_momentum += factor * loads[i].torque;
-    }
-  };
   if (holder_) {
     holder_->hold(t, model_.bodies, motion, kinematics_.data(), loads_.data());
-    add(h, loads_);
+    add_momenta(h, loads_, motion);
   } else if (!reads_velocities_) {
-    add(h, loads_);
+    add_momenta(h, loads_, motion);
   } else {
-    const auto project = [&] {
-      if (constrained()) rows_.project_loads(model_.bodies, loads_.data());
-    };
     if (constrained()) {
       gather(motion);
       rows_.measure(model_.bodies, motion);
-      project();
     }
-    first_ = loads_;   // f(z)
-    before_ = loads_;  // (h A)^k f
-    start_.assign(y, y + size_);
-    probe_ = start_;
-    Real factor = h;
-    // Forces and torques each against their own kind: in no unit is one of them small beside the other.
-    const auto sizes = [](const std::vector<Load>& loads) {
-      std::array<Real, 2> largest = {0, 0};
-      for (const Load& l : loads) {
-        largest[0] = std::max(largest[0], l.force.lpNorm<Eigen::Infinity>());
-        largest[1] = std::max(largest[1], l.torque.lpNorm<Eigen::Infinity>());
+    constexpr int most_halvings = 20;
+    std::vector<Motion> before(motion, motion + n);
+    int parts = 1;
+    for (int halved = 0; halved <= most_halvings; ++halved, parts *= 2) {
+      bool ends = true;
+      for (int k = 0; k < parts && ends; ++k) {
+        if (k > 0 || halved > 0) {
+          find_kinematics(motion);
+          find_loads(t, motion, nullptr);
+        }
+        ends = kick_by_series(t, h / static_cast<Real>(parts), y);
       }
-      return largest;
-    };
-    const std::array<Real, 2> whole = sizes(loads_);
-    add(factor, before_);
-    for (int k = 1; k < terms; ++k) {
-      factor /= static_cast<Real>(k + 1);
-      Motion* probe = motions(probe_.data());
-      const Motion* start = motions(start_.data());
-      for (std::size_t i = 0; i < n; ++i) {
-        if (!model_.bodies[i].pinned) probe[i].momentum = start[i].momentum + h * before_[i].force;
-        probe[i].angular_momentum = start[i].angular_momentum + h * before_[i].torque;
-      }
-      find_kinematics(probe);
-      find_loads(t, probe, nullptr);
-      project();
-      for (std::size_t i = 0; i < n; ++i) {
-        before_[i].force = loads_[i].force - first_[i].force;
-        before_[i].torque = loads_[i].torque - first_[i].torque;
-      }
-      add(factor, before_);
-      const std::array<Real, 2> term = sizes(before_);
-      const auto negligible = [&](std::size_t kind) {
-        return std::abs(factor) * term[kind] <= tiny * std::abs(h) * whole[kind];
-      };
-      if (negligible(0) && negligible(1)) break;
+      if (ends) break;
+      if (halved < most_halvings) std::copy(before.begin(), before.end(), motion);
     }
   }
   if (account_) {  // trapezoid: exact for forces that do not read velocities
@@ -242,6 +206,72 @@ void Bodies::kick(Time t, Real h, Real* y) {
     find_loads(t, motion, powers_.data());
     account();
   }
+}
+
+void Bodies::add_momenta(Real factor, const std::vector<Load>& loads, Motion* motion) const {
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    const Body& body = model_.bodies[i];
+    if (body.locked) continue;
+    if (!body.pinned) motion[i].momentum += factor * loads[i].force;
+    if (body.turns) motion[i].angular_momentum += factor * loads[i].torque;
+  }
+}
+
+// The series of kick(), from the loads at its start; false where it has not ended.
+bool Bodies::kick_by_series(Time t, Real h, Real* y) {
+  Motion* motion = motions(y);
+  const std::size_t n = kinematics_.size();
+  constexpr int terms = 12;
+  const Real tiny = std::numeric_limits<Real>::epsilon() / 4;
+  const auto project = [&] {
+    if (constrained()) rows_.project_loads(model_.bodies, loads_.data());
+  };
+  project();
+  first_ = loads_;   // f(z)
+  before_ = loads_;  // (h A)^k f
+  start_.assign(y, y + size_);
+  probe_ = start_;
+  Real factor = h;
+  // Forces and torques each against their own kind: in no unit is one of them small beside the other.
+  const auto sizes = [](const std::vector<Load>& loads) {
+    std::array<Real, 2> largest = {0, 0};
+    for (const Load& l : loads) {
+      largest[0] = std::max(largest[0], l.force.lpNorm<Eigen::Infinity>());
+      largest[1] = std::max(largest[1], l.torque.lpNorm<Eigen::Infinity>());
+    }
+    return largest;
+  };
+  const std::array<Real, 2> whole = sizes(loads_);
+  add_momenta(factor, before_, motion);
+  std::array<Real, 2> term = whole;
+  for (int k = 1; k < terms; ++k) {
+    factor /= static_cast<Real>(k + 1);
+    Motion* probe = motions(probe_.data());
+    const Motion* start = motions(start_.data());
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!model_.bodies[i].pinned) probe[i].momentum = start[i].momentum + h * before_[i].force;
+      probe[i].angular_momentum = start[i].angular_momentum + h * before_[i].torque;
+    }
+    find_kinematics(probe);
+    find_loads(t, probe, nullptr);
+    project();
+    for (std::size_t i = 0; i < n; ++i) {
+      before_[i].force = loads_[i].force - first_[i].force;
+      before_[i].torque = loads_[i].torque - first_[i].torque;
+    }
+    add_momenta(factor, before_, motion);
+    term = sizes(before_);
+    const auto negligible = [&](std::size_t kind) {
+      return std::abs(factor) * term[kind] <= tiny * std::abs(h) * whole[kind];
+    };
+    if (negligible(0) && negligible(1)) return true;
+  }
+  // The last term that was added stands for what is left out.
+  constexpr Real small = Real(1e-7);
+  const auto left = [&](std::size_t kind) {
+    return std::abs(factor) * term[kind] <= small * std::abs(h) * whole[kind];
+  };
+  return left(0) && left(1);
 }
 
 // Free motion: p along a line, R by the free rotation; seen from the turning frame, turned back.

@@ -75,6 +75,8 @@ class Bodies {
  private:
   void find_kinematics(const Motion*);
   void find_loads(Time, const Motion*, Real* powers);
+  void add_momenta(Real factor, const std::vector<Load>&, Motion*) const;
+  bool kick_by_series(Time t, Real h, Real* y);
   void free_drift(Real h, Real* y);
   void gather(const Motion*);
   const Motion* upright(const Motion*);

@@ -247,6 +247,20 @@ TEST(Drag, OfTheSpinDecaysExponentially) {
   }
 }
 
+// The flow of a kick is exact however strong the drag: its series alone gave 1e55 where gamma h = 20.
+TEST(Drag, StrongDragInASplittingIsExact) {
+  for (const Real gamma : {Real(3), Real(20), Real(200), Real(3000)}) {
+    Model model;
+    add_body(model, make_body(2, general_inertia(0.3, 0.4, 0.5)), {0.3, 1, 0.2}, {0.1, 0.2, 0.3}, {7, 9, -2},
+             {0, 0, 0});
+    model.forces.drags.push_back({0, 2 * gamma, 0, 0});
+    const Real t = 1;  // one step, of two kicks of a half
+    const Vector3 k = run(model, "velocity-verlet", t, 1).motions[0].momentum;
+    EXPECT_LT((k - std::exp(-gamma * t) * model.motions[0].momentum).norm(), 1e-7) << gamma;
+    EXPECT_LT(run(model, "velocity-verlet", t, 1).motions[0].position.norm(), 20) << gamma;
+  }
+}
+
 // m v' = m g - c v:  p = p0 + u t + (v0 - u)(1 - e^-bt)/b,  b = c/m,  u = g/b.  Errata 44, 49: from the first
 // step.
 TEST(Drag, OfAProjectileIsTheClosedForm) {
