@@ -78,13 +78,14 @@ std::vector<EventStepper::Spot> EventStepper::spots(Real ahead) {
     spot.held.candidate = i;
     if (c.kind != Candidate::Kind::general) {
       spot.touch = touch_of(spot.held, motion);
-      if (spot.touch.gap <= margin) result.push_back(spot);
+      if (spot.touch.gap <= margin && !inside_surface(spot.touch)) result.push_back(spot);
       continue;
     }
     found.clear();
     touches_of(c, model, motion, holds(i) ? held_margin * margin : margin, found);
     const Motion &a = motion[index(c.body)], &b = motion[index(c.other)];
     for (const TouchPoint& touch : found) {
+      if (inside_surface(touch)) continue;
       spot.held.general = true;
       const Real from_a = touch.gap / 2 + core_radius(model.shapes[index(c.body)]);
       const Real from_b = touch.gap / 2 + core_radius(model.shapes[index(c.other)]);
@@ -101,6 +102,19 @@ std::vector<EventStepper::Spot> EventStepper::spots(Real ahead) {
     }
   }
   return result;
+}
+
+// Whether a touch is on what is no surface, as the locked shapes beside it cover it.
+bool EventStepper::inside_surface(const TouchPoint& touch) const {
+  const std::vector<Body>& bodies = system_.model().bodies;
+  const Motion* motion = Bodies::motions(y_.data());
+  const auto covered = [&](int locked, int body, Real side) {
+    if (locked == fixed_world || !bodies[index(locked)].locked) return false;
+    const Vector3 on_locked = touch.position - side * touch.gap / 2 * touch.normal;
+    return seams_.covers(locked, on_locked, side * touch.normal, motion[index(body)].position);
+  };
+  return covered(touch.other, touch.body, 1) ||
+         (touch.other != fixed_world && covered(touch.body, touch.other, -1));
 }
 
 // Impacts of this instant, then which contacts last.

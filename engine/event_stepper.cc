@@ -8,8 +8,9 @@ namespace cylon::engine {
 
 namespace {
 
-// Operations that a run may spend: so many at once, and so many more in each step.  One is about 0.05 us.
-constexpr std::int64_t first_operations = 24'000'000, step_operations = 2'000;
+// Operations that a run may spend: so many at once, and in each step so many times what it takes to find the
+// forces at one instant.  One is about 0.05 us.
+constexpr std::int64_t first_operations = 24'000'000, step_operations = 60;
 // Events in one step; half of them are followed as they are.  A ball that keeps 99 % of its speed bounces
 // 1400 times before its bounces end (zeno_return).
 constexpr int event_limit = 4000;
@@ -83,6 +84,7 @@ EventStepper::EventStepper(Reduced reduced, const Integrator& integrator, Time d
     : system_(std::move(reduced.model), account),
       readings_(std::move(reduced.readings)),
       candidates_(find_candidates(system_.model())),
+      seams_(system_.model()),
       account_(account),
       adaptive_(integrator.kind == Kind::adaptive),
       splits_(integrator.kind == Kind::splitting),
@@ -119,7 +121,8 @@ void EventStepper::step() {
   std::fill(restless_.begin(), restless_.end(), char{0});
   plastic_ = false;
   idle_ = rough_ = 0;
-  allowed_ += step_operations;
+  allowed_ += step_operations * (3 * static_cast<std::int64_t>(system_.model().bodies.size()) +
+                                 cube(held_.size(), system_.model().joints.size()));
   rounds_ = 0, marked_ = now, stride_ = first_stride * dt_;
   if (lost_ && (operations() <= allowed_ || steps_ % resumed_steps == 0)) {
     lost_ = false;

@@ -7,6 +7,7 @@
 #include "engine/contact/contact_force.h"
 #include "engine/contact/impact.h"
 #include "engine/contact/passage.h"
+#include "engine/contact/seams.h"
 #include "engine/integrators/advance.h"
 #include "engine/integrators/dop853.h"
 #include "engine/reduce.h"
@@ -101,6 +102,7 @@ class EventStepper final : public Stepper, private Holder {
   void strike_spots(Time now, std::vector<Spot>&);
   void hold_spots(Time now, const std::vector<Spot>&);
   ContactForces find_holds(const std::vector<Spot>&, Real slow, std::vector<std::size_t>& which);
+  bool inside_surface(const TouchPoint&) const;
   bool nothing_moves(const ContactForces&) const;
   bool loosen();
   void finish_plastically();
@@ -116,6 +118,7 @@ class EventStepper final : public Stepper, private Holder {
   Bodies system_;
   std::vector<Reading> readings_;
   std::vector<Candidate> candidates_;
+  Seams seams_;
   bool account_, adaptive_, splits_;
   Time dt_, start_time_;
   std::int64_t steps_ = 0;

@@ -53,7 +53,7 @@ Quaternion orientation_of(int body, const std::vector<Motion>& motions) {
   return body == fixed_world ? Quaternion(Quaternion::Identity()) : motions[index(body)].orientation;
 }
 
-BodyContacts::BodyContacts(const Model& model) : model_(model) {
+BodyContacts::BodyContacts(const Model& model) : model_(model), seams_(model) {
   for (const Shape& shape : model.shapes) {
     radius_.push_back(bounding_radius(shape));
     const Real half = half_width(shape);
@@ -187,6 +187,7 @@ void BodyContacts::touch(const std::vector<Motion>& motions, int a, int b, int p
                       b == fixed_world ? model_.plane_surfaces[index(plane)] : model_.surfaces[index(b)]);
   for (int k = 0; k < found.count; ++k) {
     const ContactPoint& contact = found.points[index(k)];
+    if (inside_surface(motions, a, b, found.normal, contact)) continue;
     Block block;
     block.a = a, block.b = b, block.plane = plane;
     block.normal = found.normal, block.gap = contact.gap, block.feature = contact.feature;
@@ -213,6 +214,18 @@ void BodyContacts::touch(const std::vector<Motion>& motions, int a, int b, int p
     }
     blocks.push_back(block);
   }
+}
+
+// Whether a contact is on what is no surface, as the locked shapes beside it cover it.
+bool BodyContacts::inside_surface(const std::vector<Motion>& motions, int a, int b, const Vector3& n,
+                                  const ContactPoint& contact) const {
+  if (b == fixed_world) return false;
+  const auto covered = [&](int locked, int body, Real side) {
+    return model_.bodies[index(locked)].locked &&
+           seams_.covers(locked, contact.position - side * contact.gap / 2 * n, side * n,
+                         motions[index(body)].position);
+  };
+  return covered(b, a, 1) || covered(a, b, -1);
 }
 
 // A block for the place of each joint, and one for its turn where it is not free.

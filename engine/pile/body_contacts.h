@@ -1,7 +1,9 @@
 // Where bodies of any shape touch, or will within the step, as blocks; joints as blocks too.
 #pragma once
 
+#include "engine/contact/seams.h"
 #include "engine/geometry/broad_phase.h"
+#include "engine/geometry/manifold.h"
 #include "engine/pile/block.h"
 
 #include <utility>
@@ -37,9 +39,11 @@ class BodyContacts {
   bool holds(const Found& before, const Found& now, Real margin, bool any) const;
   void touch(const std::vector<Motion>&, int a, int b, int plane, Real margin, std::vector<Block>&);
   void keep(const std::vector<Motion>&, const Found&, std::size_t from, std::size_t to, std::vector<Block>&);
+  bool inside_surface(const std::vector<Motion>&, int a, int b, const Vector3& n, const ContactPoint&) const;
   void add_joints(const std::vector<Motion>&, const std::vector<Block>& old, std::vector<Block>&) const;
 
   const Model& model_;
+  Seams seams_;
   Real smallest_ = 0;
   std::vector<Real> radius_, margin_;
   std::vector<Bounds> bounds_;
