@@ -2,40 +2,32 @@
 
 #include "harness/core/input_error.h"
 #include "harness/view/command.h"
+#include "harness/view/http.h"
 #include "harness/view/page.h"
 
 #include <fmt/format.h>
-#include <httplib.h>
 #include <nlohmann/json.hpp>
-
-#include <fcntl.h>
-#include <sys/socket.h>
 
 #include <atomic>
 #include <charconv>
 #include <string_view>
-#include <thread>
 
 namespace cylon::view {
 namespace {
 
-using httplib::Request;
-using httplib::Response;
+using http::Answer;
+using http::Head;
 
 constexpr const char* loopback = "127.0.0.1";
 constexpr std::size_t largest_command = std::size_t{64} << 10,
                       largest_frame = std::size_t{32} << 20;  // [bytes]
-constexpr std::size_t connections = 8, most_headers = 100;
 constexpr int most_streams = 4;
 
-void answer(Response& response, int status, const nlohmann::json& body) {
-  response.status = status;
-  response.set_content(body.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace),
-                       "application/json");
+Answer json_answer(int status, const nlohmann::json& body) {
+  return {
+      status, "application/json", body.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace), {}};
 }
-void refuse(Response& response, int status, const std::string& why) {
-  answer(response, status, {{"error", why}});
-}
+Answer refusal(int status, const std::string& why) { return json_answer(status, {{"error", why}}); }
 
 // Without a hint, by the time it takes, of how much of it was right.
 bool same(std::string_view a, std::string_view b) {
@@ -46,15 +38,8 @@ bool same(std::string_view a, std::string_view b) {
   return difference == 0;
 }
 
-// The port is ours alone, and no child inherits the socket.
-void socket_options(socket_t socket) {
-  const int yes = 1;
-  ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-  ::fcntl(socket, F_SETFD, FD_CLOEXEC);
-}
-
-std::int64_t frame_number(const Request& request) {
-  const std::string text = request.get_param_value("n");
+std::int64_t frame_number(const Head& head) {
+  const std::string text = head.query.starts_with("n=") ? head.query.substr(2) : "";
   std::int64_t n = -1;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
   if (error != std::errc{} || end != text.data() + text.size())
@@ -67,108 +52,97 @@ std::int64_t frame_number(const Request& request) {
 struct Server::Parts {
   Host& host;
   Frames* frames;
-  httplib::Server http;
   std::string token = random_token();
-  int port = 0;
+  std::atomic<int> port = 0;
   std::atomic<int> streams = 0;
-  std::thread thread;
+  std::unique_ptr<http::Listener> listener;
 
   Parts(Host& h, Frames* f) : host(h), frames(f) {}
 
   void listen(int wanted) {
-    http.set_socket_options(socket_options);
-    http.set_tcp_nodelay(true);
-    http.new_task_queue = [] { return new httplib::ThreadPool(connections); };  // the server deletes it
-    http.set_keep_alive_max_count(1000);
-    http.set_keep_alive_timeout(1);
-    http.set_read_timeout(5);
-    http.set_write_timeout(5);  // a reader who takes nothing for so long is gone
-    http.set_payload_max_length(largest_frame);
-    http.set_default_headers({{"Content-Security-Policy", security_policy()},
-                              {"X-Content-Type-Options", "nosniff"},
-                              {"X-Frame-Options", "DENY"},
-                              {"Referrer-Policy", "no-referrer"},
-                              {"Cross-Origin-Resource-Policy", "same-origin"},
-                              {"Cache-Control", "no-store"}});
-    http.set_exception_handler([](const Request&, Response& response, const std::exception_ptr&) {
-      refuse(response, 500, "the server failed");
-    });
-    routes();
-    port = wanted == 0 ? http.bind_to_any_port(loopback) : wanted;
-    if (wanted != 0 ? !http.bind_to_port(loopback, wanted) : port <= 0)
+    http::Rules rules;
+    rules.headers = {{"Content-Security-Policy", security_policy()},
+                     {"X-Content-Type-Options", "nosniff"},
+                     {"X-Frame-Options", "DENY"},
+                     {"Referrer-Policy", "no-referrer"},
+                     {"Cross-Origin-Resource-Policy", "same-origin"},
+                     {"Cache-Control", "no-store"}};
+    rules.admit = [this](const Head& head) { return admit(head); };
+    rules.serve = [this](const Head& head, const std::string& body) { return serve(head, body); };
+    try {
+      listener = std::make_unique<http::Listener>(wanted, std::move(rules));
+    } catch (const std::exception&) {
       throw core::InputError(
           fmt::format("--port {}: cannot listen on this port; is another viewer running?", wanted));
-    thread = std::thread([this] { http.listen_after_bind(); });
-  }
-
-  // Who asks, and whether for this server by its name: 0, or the status of the refusal.
-  int refusal(const Request& request, bool api) const {
-    if (request.headers.size() > most_headers) return 431;
-    const std::string host_name = request.get_header_value("Host");
-    const std::string by_number = fmt::format("{}:{}", loopback, port),
-                      by_name = fmt::format("localhost:{}", port);
-    if (request.get_header_value_count("Host") != 1 || (host_name != by_number && host_name != by_name))
-      return 403;
-    if (request.has_header("Origin") && request.get_header_value("Origin") != "http://" + host_name)
-      return 403;
-    if (api && !same(request.get_header_value("X-Cylon-Token"), token)) return 403;
-    return 0;
-  }
-
-  template <class Handler>
-  httplib::Server::Handler guarded(bool api, Handler handler) {
-    return [this, api, handler](const Request& request, Response& response) {
-      if (const int status = refusal(request, api)) return refuse(response, status, "not for you");
-      try {
-        handler(request, response);
-      } catch (const BadCommand& error) {
-        refuse(response, 400, error.what());
-      }
-    };
-  }
-
-  void routes() {
-    http.Get("/", guarded(false, [this](const Request&, Response& response) {
-               response.set_content(page(token), "text/html; charset=utf-8");
-             }));
-    http.Get("/api/session", guarded(true, [this](const Request&, Response& response) {
-               response.set_content(host.session_json(), "application/json");
-             }));
-    http.Get("/api/stream", guarded(true, [this](const Request&, Response& response) { stream(response); }));
-    http.Post("/api/command", guarded(true, [this](const Request& request, Response& response) {
-                if (request.body.size() > largest_command)
-                  return refuse(response, 413,
-                                fmt::format("a command has at most {} bytes", largest_command));
-                host.command(request.body);
-                answer(response, 200, nlohmann::json::object());
-              }));
-    http.Post("/api/frame", guarded(true, [this](const Request& request, Response& response) {
-                if (!frames) throw BadCommand("no frames are kept: start with --record FOLDER/");
-                frames->keep(frame_number(request), request.body);
-                answer(response, 200, nlohmann::json::object());
-              }));
-    http.set_error_handler([](const Request&, Response& response) {
-      if (response.body.empty()) refuse(response, response.status, "not found");
-    });
-  }
-
-  void stream(Response& response) {
-    if (++streams > most_streams) {
-      --streams;
-      return refuse(response, 503, fmt::format("{} streams are open already", most_streams));
     }
+    port = listener->port();
+  }
+
+  struct Route {
+    std::string_view method, path;
+    std::size_t most;  ///< Of the body [bytes].
+  };
+  static constexpr Route routes[] = {
+      {"GET", "/", 0},
+      {"GET", "/api/session", 0},
+      {"GET", "/api/stream", 0},
+      {"POST", "/api/command", largest_command},
+      {"POST", "/api/frame", largest_frame},
+  };
+
+  static const Route* route(const Head& head) {
+    for (const Route& one : routes)
+      if (one.method == head.method && one.path == head.path) return &one;
+    return nullptr;
+  }
+
+  // Who asks, and whether for this server by its name; then whether there is such a thing, of that size.
+  std::optional<Answer> admit(const Head& head) const {
+    const std::string host_name = head.header("host");
+    if (host_name != fmt::format("{}:{}", loopback, port.load()) &&
+        host_name != fmt::format("localhost:{}", port.load()))
+      return refusal(403, "not for you");
+    if (head.headers.contains("origin") && head.header("origin") != "http://" + host_name)
+      return refusal(403, "not for you");
+    const Route* wanted = route(head);
+    if (wanted && wanted->path != "/" && !same(head.header("x-cylon-token"), token))
+      return refusal(403, "not for you");
+    if (!wanted) return refusal(404, "not found");
+    if (head.length > wanted->most)
+      return refusal(413, fmt::format("a body here has at most {} bytes", wanted->most));
+    return std::nullopt;
+  }
+
+  Answer serve(const Head& head, const std::string& body) try {
+    const std::string_view path = route(head)->path;
+    if (path == "/") return {200, "text/html; charset=utf-8", page(token), {}};
+    if (path == "/api/session") return {200, "application/json", host.session_json(), {}};
+    if (path == "/api/stream") return stream();
+    if (path == "/api/command") {
+      host.command(body);
+    } else {
+      if (!frames) throw BadCommand("no frames are kept: start with --record FOLDER/");
+      frames->keep(frame_number(head), body);
+    }
+    return json_answer(200, nlohmann::json::object());
+  } catch (const BadCommand& error) {
+    return refusal(400, error.what());
+  }
+
+  Answer stream() {
+    // Counted as long as somebody holds it.
+    struct Place {
+      std::atomic<int>& count;
+      bool free;
+      explicit Place(std::atomic<int>& c) : count(c), free(++c <= most_streams) {}
+      Place(const Place&) = delete;
+      Place& operator=(const Place&) = delete;
+      ~Place() { --count; }
+    };
+    const auto place = std::make_shared<Place>(streams);
+    if (!place->free) return refusal(503, fmt::format("{} streams are open already", most_streams));
     const auto seen = std::make_shared<Seen>();
-    response.set_chunked_content_provider(
-        "application/octet-stream",
-        [this, seen](std::size_t, httplib::DataSink& sink) {
-          const std::string message = host.newer(*seen);
-          if (message.empty()) {
-            sink.done();
-            return true;
-          }
-          return sink.write(message.data(), message.size());
-        },
-        [this](bool) { --streams; });
+    return {200, "application/octet-stream", "", [this, place, seen] { return host.newer(*seen); }};
   }
 };
 
@@ -178,15 +152,10 @@ Server::Server(Host& host, Frames* frames, int port) : parts_(std::make_unique<P
 
 Server::~Server() { stop(); }
 
-void Server::stop() {
-  if (!parts_->thread.joinable()) return;
-  while (!parts_->http.is_running()) std::this_thread::yield();  // it has just been started
-  parts_->http.stop();
-  parts_->thread.join();
-}
+void Server::stop() { parts_->listener->stop(); }
 
 int Server::port() const { return parts_->port; }
 const std::string& Server::token() const { return parts_->token; }
-std::string Server::url() const { return fmt::format("http://{}:{}/", loopback, parts_->port); }
+std::string Server::url() const { return fmt::format("http://{}:{}/", loopback, parts_->port.load()); }
 
 }  // namespace cylon::view

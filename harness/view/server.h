@@ -15,9 +15,10 @@ namespace cylon::view {
 ///
 /// Every request must name 127.0.0.1 or localhost with the port as its Host, so that no name that somebody
 /// else made to point here will do; an Origin, where there is one, must be the same; and every request under
-/// /api must bring the token, 128 random bits that stand in the page alone.  Bodies: 64 KiB (a frame: 32
-/// MiB); headers: 8 KiB a line, 100 of them; eight connections are served at once, at most four of them
-/// streams.  No folder is served.
+/// /api must bring the token, 128 random bits that stand in the page alone.  All this is asked before the
+/// body is read.  Bodies state their length, 64 KiB at most (a frame: 32 MiB); heads have at most 16 KiB and
+/// 100 headers.  A head has 3 s, a body 20 s.  32 connections are served at once, at most four of them
+/// streams; one more takes the place of the oldest that has not finished asking.  No folder is served.
 class Server {
  public:
   /// Listens on `port`, 0: any that is free.  Throws core::InputError where the port is taken.  `frames`:
