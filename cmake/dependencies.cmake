@@ -13,6 +13,7 @@ find_package(TBB REQUIRED)
 find_package(SQLite3 3.40 REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(PkgConfig REQUIRED)
+pkg_check_modules(SODIUM REQUIRED IMPORTED_TARGET libsodium)
 pkg_check_modules(HTTPLIB REQUIRED IMPORTED_TARGET cpp-httplib)  # with the flags that its library was built with
 
 # The double build needs the library *and* the define; pkg-config passes no define.
@@ -38,6 +39,7 @@ headers_of(arb                          "(arb|acb|arf|mag|flint/)")
 headers_of(TBB::tbb                     "(tbb|oneapi)/")
 headers_of(CLI11::CLI11                 CLI/)
 headers_of(SQLite::SQLite3              sqlite3)
+headers_of(PkgConfig::SODIUM            sodium)
 headers_of(PkgConfig::HTTPLIB           httplib)
 headers_of(ZLIB::ZLIB                   zlib)
 headers_of(GTest::gtest_main            "(gtest|gmock)/")

@@ -1,6 +1,7 @@
 #include "reports/json.h"
 
 #include "harness/core/input_error.h"
+#include "harness/input/json.h"
 
 #include <fmt/format.h>
 
@@ -154,16 +155,15 @@ Provenance provenance_from(const Json& json, const std::string& place) {
 // front.
 Json parse(std::string_view document, const std::string& file, unsigned first_line) {
   try {
-    return Json::parse(document);
-  } catch (const Json::parse_error& error) {
+    return input::parse_json<Json>(document);
+  } catch (const input::BadJson& error) {
+    if (error.byte == 0) throw core::InputError(file, first_line, 1, error.what());
     const std::size_t at = std::min(error.byte == 0 ? 0 : error.byte - 1, document.size());
     const std::string_view before = document.substr(0, at);
     const auto lines = static_cast<unsigned>(std::count(before.begin(), before.end(), '\n'));
     const std::size_t line_start = lines == 0 ? 0 : before.rfind('\n') + 1;
     throw core::InputError(file, first_line + lines, static_cast<unsigned>(at - line_start + 1),
-                           "this is not JSON");
-  } catch (const Json::exception& error) {  // a number beyond the range of a double
-    throw core::InputError(file, first_line, 1, error.what());
+                           error.what());
   }
 }
 

@@ -1,6 +1,7 @@
 #include "reports/trace_block.h"
 
 #include "harness/core/input_error.h"
+#include "harness/input/json.h"
 #include "reports/gzip.h"
 #include "reports/json.h"
 
@@ -187,7 +188,7 @@ std::string to_json_line(const PackedTrace& trace) {
 }
 
 PackedTrace trace_from_json_line(std::string_view line, const std::string& place) try {
-  const Json row = Json::parse(line);
+  const Json row = input::parse_json<Json>(line);
   if (row.at("format") != trace_format)
     throw core::InputError(fmt::format("\"format\" must be \"{}\"", trace_format));
   PackedTrace trace{row.at("scenario"), row.at("engine"), row.at("integrator"), row.at("dt_text"),

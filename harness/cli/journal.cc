@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <fstream>
 #include <iterator>
 
 namespace cylon::cli {
@@ -72,51 +73,37 @@ std::string cell_name(const study::Cell& cell) {
 
 Journal::Content Journal::read() const {
   Content content;
-  std::ifstream in(file_);
-  for (std::string line; std::getline(in, line);) {
-    try {
-      const nlohmann::json row = nlohmann::json::parse(line);
-      if (row.contains("request")) {
-        content.request = request_from(row.at("request"));
-        continue;
-      }
-      std::vector<results::Verdict> verdicts;
-      for (const auto& verdict : row.at("verdicts"))
-        verdicts.push_back(reports::from_json_line(verdict.get<std::string>()));
-      if (verdicts.empty()) continue;
-      const std::string cell = row.at("cell");
-      if (std::all_of(verdicts.begin(), verdicts.end(),
-                      [](const results::Verdict& v) { return v.as_expected(); })) {
-        content.differing.erase(cell);
-      } else {
-        content.differing.insert(cell);
-      }
-      content.cells[row.at("key").get<std::string>()] = std::move(verdicts);
-    } catch (const std::exception&) {
-      continue;
+  content.strange = file_.read([&](const nlohmann::json& row) {
+    if (row.contains("request")) {
+      content.request = request_from(row.at("request"));
+      return;
     }
-  }
+    std::vector<results::Verdict> verdicts;
+    for (const auto& verdict : row.at("verdicts"))
+      verdicts.push_back(reports::from_json_line(verdict.get<std::string>()));
+    if (verdicts.empty()) return;
+    const std::string cell = row.at("cell");
+    if (std::all_of(verdicts.begin(), verdicts.end(),
+                    [](const results::Verdict& v) { return v.as_expected(); })) {
+      content.differing.erase(cell);
+    } else {
+      content.differing.insert(cell);
+    }
+    content.cells[row.at("key").get<std::string>()] = std::move(verdicts);
+  });
   return content;
 }
 
 void Journal::open(const Request& request, bool append) {
-  std::error_code ignored;
-  fs::create_directories(file_.parent_path(), ignored);
-  if (!append) std::ofstream(file_, std::ios::trunc);
-  out_.open(file_, std::ios::app);
-  if (append) out_ << '\n';  // ends a line that a crash has cut off
-  out_ << nlohmann::json{{"request", to_json(request)}}.dump(-1, ' ', true,
-                                                             nlohmann::json::error_handler_t::replace)
-       << '\n'
-       << std::flush;
+  file_.open(append);
+  file_.add({{"request", to_json(request)}});
 }
 
 void Journal::add(const std::string& key, const study::Cell& cell,
                   const std::vector<results::Verdict>& verdicts) {
   nlohmann::json lines = nlohmann::json::array();
   for (const results::Verdict& verdict : verdicts) lines.push_back(reports::to_json_line(verdict));
-  const nlohmann::json line = {{"key", key}, {"cell", cell_name(cell)}, {"verdicts", lines}};
-  out_ << line.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) << '\n' << std::flush;
+  file_.add({{"key", key}, {"cell", cell_name(cell)}, {"verdicts", lines}});
 }
 
 }  // namespace cylon::cli

@@ -1,15 +1,16 @@
 // What a run has finished, cell by cell, so that it can be resumed after an interruption and its
 // differing cells run again.  A JSON line with what was asked for, then one per cell, in .cylon/journal.jsonl
-// of the working folder.
+// of the working folder, sealed: a journal names programs to run, so that of somebody else is not read.
 #pragma once
 
+#include "harness/cli/line_file.h"
 #include "harness/cli/selection.h"
 #include "harness/study/cell.h"
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <set>
@@ -38,20 +39,20 @@ class Journal {
     std::optional<Request> request;                              ///< Absent: there was no run.
     std::map<std::string, std::vector<results::Verdict>> cells;  ///< By key.
     std::set<std::string> differing;  ///< Names of cells that were not as expected.
+    std::size_t strange = 0;          ///< Lines that this user did not write here, or that are cut off.
   };
 
-  /// The last run; a line cut off by a crash is left out.
+  /// The last run.  Throws core::InputError for a file of more than 1 GiB.
   Content read() const;
 
-  /// Starts afresh, or goes on after what is there.
+  /// Starts afresh, or goes on after what is there.  Throws core::InputError where another run has it open.
   void open(const Request&, bool append);
 
-  /// Adds a finished cell and flushes it; a journal that cannot be written is silently none.
+  /// Adds a finished cell; where it cannot be written, stderr says so.
   void add(const std::string& key, const study::Cell&, const std::vector<results::Verdict>&);
 
  private:
-  std::filesystem::path file_;
-  std::ofstream out_;
+  LineFile file_;
 };
 
 }  // namespace cylon::cli

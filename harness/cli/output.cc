@@ -4,12 +4,17 @@
 
 #include <fmt/format.h>
 
+#include <fcntl.h>
+#include <stdlib.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <set>
+#include <system_error>
 
 namespace cylon::cli {
 
@@ -28,6 +33,23 @@ fs::path followed(const std::string& path) {
   std::error_code error;
   const fs::path target = fs::weakly_canonical(fs::absolute(path), error);
   return error ? fs::path(path) : target;
+}
+
+// An empty file beside the target that nobody had a chance to name before, so that no link leads elsewhere.
+fs::path draft_beside(const fs::path& target, const std::string& path) {
+  std::string name = target.string() + ".XXXXXX.partial";
+  const int fd = ::mkostemps(name.data(), 8, O_CLOEXEC);
+  if (fd < 0)
+    throw core::InputError(
+        fmt::format("{}: cannot be written: {}", path, std::generic_category().message(errno)));
+  // As any new file; where the target is there, as that.
+  struct stat before = {};
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  const mode_t mode = ::stat(target.c_str(), &before) == 0 ? before.st_mode & 07777u : 0666u & ~mask;
+  [[maybe_unused]] const int changed = ::fchmod(fd, mode);
+  ::close(fd);
+  return name;
 }
 
 }  // namespace
@@ -65,8 +87,7 @@ void write_whole(const std::string& path, const std::function<void(std::ostream&
   require_writable(path);
   const bool special = is_special(path);
   const fs::path target = followed(path);
-  const fs::path partial =
-      special ? fs::path(path) : fs::path(fmt::format("{}.{}.partial", target.string(), getpid()));
+  const fs::path partial = special ? fs::path(path) : draft_beside(target, path);
   std::ofstream out(partial, std::ios::binary);
   std::error_code error;
   try {

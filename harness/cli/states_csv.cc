@@ -1,6 +1,7 @@
 #include "harness/cli/states_csv.h"
 
 #include "harness/core/input_error.h"
+#include "reports/csv.h"
 
 #include <fmt/format.h>
 
@@ -9,6 +10,7 @@
 #include <charconv>
 #include <fstream>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace cylon::cli {
@@ -20,6 +22,9 @@ class Reader {
  public:
   Reader(const std::string& file, const core::Scene& scene) : file_(file), scene_(scene), in_(file) {
     if (!in_) throw core::InputError(fmt::format("{}: cannot be read", file));
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) index_.emplace(scene.bodies[i].name, i);
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i)  // as it is written, guarded against spreadsheets
+      index_.emplace(reports::csv_field(scene.bodies[i].name), i);
   }
 
   core::Trajectory read() {
@@ -78,10 +83,9 @@ class Reader {
   }
 
   std::size_t index(std::string_view name) const {
-    const auto& bodies = scene_.bodies;
-    const auto at = std::find_if(bodies.begin(), bodies.end(), [&](const auto& b) { return b.name == name; });
-    if (at == bodies.end()) fail(fmt::format("column 2: the scene has no body '{}'", name));
-    return static_cast<std::size_t>(at - bodies.begin());
+    const auto at = index_.find(std::string(name));
+    if (at == index_.end()) fail(fmt::format("column 2: the scene has no body '{}'", name));
+    return at->second;
   }
 
   void open(double time) {
@@ -108,6 +112,7 @@ class Reader {
   unsigned number_ = 0;
   core::Trajectory motion_;
   std::vector<bool> seen_;
+  std::unordered_map<std::string, std::size_t> index_;
 };
 
 }  // namespace

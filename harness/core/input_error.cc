@@ -23,6 +23,17 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+constexpr std::size_t longest_message = 2000;  // [bytes]: a hostile file may have a key of megabytes
+
+// Cut before a character of UTF-8.
+std::string shortened(std::string text) {
+  if (text.size() <= longest_message) return text;
+  std::size_t end = longest_message;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) --end;
+  text.resize(end);
+  return text + "…";
+}
+
 std::string place(const std::string& file, unsigned line, unsigned column) {
   if (line == 0) return file.empty() ? "" : file + ": ";
   return fmt::format("{}:{}:{}: ", file, line, column);
@@ -30,17 +41,23 @@ std::string place(const std::string& file, unsigned line, unsigned column) {
 
 }  // namespace
 
+InputError::InputError(const std::string& message) : std::runtime_error(shortened(message)) {}
+
 InputError::InputError(const std::string& in, unsigned at_line, unsigned at_column,
                        const std::string& message)
-    : std::runtime_error(place(in, at_line, at_column) + message),
+    : std::runtime_error(shortened(place(in, at_line, at_column) + message)),
       file(in),
       line(at_line),
       column(at_column) {}
 
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates) {
+  // A distance costs the product of both lengths, and a generator makes a million names.
+  constexpr std::size_t longest_word = 64, most_candidates = 10'000;
+  if (word.size() > longest_word) return "";
   const std::string* best = nullptr;
   std::size_t least = 0;
-  for (const std::string& candidate : candidates) {
+  for (const std::string& candidate : candidates.first(std::min(candidates.size(), most_candidates))) {
+    if (candidate.size() > longest_word) continue;
     const std::size_t distance = edit_distance(word, candidate);
     const std::size_t reach = std::max<std::size_t>(2, std::max(word.size(), candidate.size()) / 3);
     if (distance <= reach && (!best || distance < least)) best = &candidate, least = distance;

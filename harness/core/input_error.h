@@ -9,9 +9,10 @@
 
 namespace cylon::core {
 
-/// what() reads "file:line:column: message"; line 0 leaves the place out.  Programs exit with 2.
+/// what() reads "file:line:column: message", cut to 2000 bytes; line 0 leaves the place out.  Programs exit
+/// with 2.
 struct InputError : std::runtime_error {
-  explicit InputError(const std::string& message) : std::runtime_error(message) {}
+  explicit InputError(const std::string& message);
   InputError(const std::string& file, unsigned line, unsigned column, const std::string& message);
 
   std::string file;               ///< Empty where no file is at fault.
@@ -19,7 +20,8 @@ struct InputError : std::runtime_error {
 };
 
 /// ", did you mean 'x'?" for the candidate with the least edit distance, at most a third of the
-/// longer word away (two letters at least); else "".
+/// longer word away (two letters at least); else "".  Words of more than 64 bytes, and candidates beyond the
+/// first 10 000, are not looked at.
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);
 
 }  // namespace cylon::core

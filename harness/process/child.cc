@@ -29,6 +29,7 @@ constexpr std::size_t errors_kept = std::size_t{64} << 10;  // of stderr [bytes]
 constexpr std::size_t errors_chunk = std::size_t{16} << 10;
 constexpr std::size_t errors_reported = std::size_t{4} << 10;
 constexpr int tick_ms = 20;              // between two looks at memory, deadline and interruption
+constexpr int count_ms = 250;            // between two counts of its descendants' memory
 constexpr double goodbye_seconds = 0.5;  // from the end of output to the exit
 
 // A year stands for "no limit": the clock's range is finite.
@@ -64,14 +65,11 @@ std::string last_line(std::string_view text) {
 
 }  // namespace
 
-std::atomic<bool>& interrupted() {
-  static std::atomic<bool> flag{false};
-  return flag;
-}
-
-Child::Child(const std::vector<std::string>& command, std::size_t memory_bytes)
+Child::Child(const std::vector<std::string>& command, std::size_t memory_bytes, int kept)
     : command_(command), memory_bytes_(memory_bytes) {
-  const Spawned child = spawn(command, memory_bytes);
+  const std::scoped_lock lock(births());
+  const Spawned child = spawn(command, memory_bytes, mark_, kept);
+  owned_.emplace(child.pid);
   pid_ = child.pid, in_ = child.in, out_ = child.out, err_ = child.err;
 }
 
@@ -95,7 +93,12 @@ void Child::check_limits() {
   if (now < next_check_) return;
   next_check_ = now + std::chrono::milliseconds(tick_ms);
   if (memory_bytes_ == 0) return;
-  if (const std::size_t size = resident(pid_); size > memory_bytes_)
+  std::size_t size = resident(pid_);
+  if (now >= next_count_) {  // all processes are looked through for its descendants
+    size = std::max(size, Family(pid_, mark_).resident());
+    next_count_ = Clock::now() + std::chrono::milliseconds(count_ms);
+  }
+  if (size > memory_bytes_)
     throw Failure(results::Status::crash, fmt::format("memory limit: {} MiB resident, {} MiB allowed",
                                                       size >> 20, memory_bytes_ >> 20));
 }
@@ -207,11 +210,12 @@ std::string Child::finish(double seconds) {
 
 void Child::kill() {
   if (pid_ < 0) return;
-  // Its own children, too.
-  ::kill(-pid_, SIGKILL);
+  Family(pid_, mark_).kill();
+  owned_.reset();
   while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
   }
   pid_ = -1;
+  Family::reap_orphans();
   drain_errors();
 }
 

@@ -2,26 +2,21 @@
 #pragma once
 
 #include "harness/process/byte_queue.h"
+#include "harness/process/family.h"
+#include "harness/process/interruption.h"
 #include "harness/results/verdict.h"
 
 #include <sys/types.h>
 
-#include <atomic>
 #include <chrono>
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace cylon::process {
-
-/// Set it (a signal handler may) and every call that waits for a child kills it and throws Interrupted.
-std::atomic<bool>& interrupted();
-
-struct Interrupted : std::runtime_error {
-  Interrupted() : std::runtime_error("interrupted") {}
-};
 
 /// The child failed in a way that is a verdict: unsupported (it cannot start), crash, timeout or protocol.
 struct Failure : std::runtime_error {
@@ -33,9 +28,11 @@ struct Failure : std::runtime_error {
 /// with the thread that made it.  One object belongs to one thread; several threads may each have theirs.
 class Child {
  public:
-  /// `command` is looked up in PATH; `memory_bytes` limits the resident size, 0: no limit.
+  /// `command` is looked up in PATH; `memory_bytes` limits the resident size of it and its descendants
+  /// together, 0: no limit.
+  /// `kept`: a descriptor that it inherits beside its pipes; -1: none.
   /// Throws Failure(unsupported, "cannot start …") where exec fails.
-  Child(const std::vector<std::string>& command, std::size_t memory_bytes);
+  Child(const std::vector<std::string>& command, std::size_t memory_bytes, int kept = -1);
   ~Child();
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
@@ -65,7 +62,7 @@ class Child {
   /// signal.
   std::string finish(double seconds);
 
-  /// SIGKILL to its group, and reaps it.
+  /// SIGKILL to it and all its descendants, and reaps them.
   void kill();
 
   /// The most that was resident of it so far [bytes]; 0 where it is gone.
@@ -93,14 +90,17 @@ class Child {
   bool exited_within(double seconds);
 
   std::vector<std::string> command_;
+  std::string mark_ = new_mark();
   pid_t pid_ = -1;
+  std::optional<Owned> owned_;
   int signal_ = 0, code_ = 0;          // how it ended
   int in_ = -1, out_ = -1, err_ = -1;  // our ends
   std::string unsent_, errors_;
   ByteQueue output_;
   std::size_t sent_ = 0, memory_bytes_;
   bool output_ended_ = false;
-  Clock::time_point deadline_ = Clock::time_point::max(), next_check_ = Clock::time_point::min();
+  Clock::time_point deadline_ = Clock::time_point::max(), next_check_ = Clock::time_point::min(),
+                    next_count_ = Clock::time_point::min();
   double deadline_seconds_ = 0;
   std::string task_;
 };

@@ -1,6 +1,7 @@
 #include "harness/process/client.h"
 
 #include "harness/core/event_watch.h"
+#include "harness/core/input_error.h"
 #include "harness/process/conversation.h"
 #include "harness/process/json_fields.h"
 #include "harness/process/messages.h"
@@ -21,6 +22,9 @@ using nlohmann::json;
 
 [[noreturn]] void broken(const std::string& reason) { throw Failure(results::Status::protocol, reason); }
 
+constexpr double most_states = 4e7;             // of bodies: 4 GiB
+constexpr std::size_t most_events = 1'000'000;  // of a run
+
 Run requested(const RunRequest& request) {
   if (!request.scene) throw std::invalid_argument("a run needs a scene");
   if (request.steps < 0 || request.every < 1 || request.repetitions < 0)
@@ -33,6 +37,12 @@ Run requested(const RunRequest& request) {
   if (!run.at.empty() && (run.at.front() < 0 || run.at.back() > run.steps))
     throw std::invalid_argument("a step to keep lies outside the run");
   if (!run.at.empty() && run.at.front() == 0) run.at.erase(run.at.begin());
+  const double kept = 1.0 + static_cast<double>(run.steps / run.every) + static_cast<double>(run.at.size());
+  if (const double states = kept * static_cast<double>(request.scene->bodies.size()); states > most_states)
+    throw core::InputError(fmt::format(
+        "the run keeps {:.3g} states of bodies, at most {:g} fit in memory: take fewer samples, or a "
+        "shorter duration",
+        states, most_states));
   return run;
 }
 
@@ -128,6 +138,7 @@ class Recorder {
   void add(const core::Event& event) {
     if (std::find(asked_.watch.begin(), asked_.watch.end(), event.pair) == asked_.watch.end())
       broken("an event of a pair that was not to be watched");
+    if (recording_.events.size() >= most_events) broken(fmt::format("more than {} events", most_events));
     recording_.events.push_back(event);
   }
 

@@ -55,7 +55,8 @@ struct RunOutcome {
 
 /// Runs a worker from spawn to end; no process is left behind.  Any number of threads may call it at once.
 /// Throws core::InputError where the worker calls the setup impossible (unknown path, integrator or option),
-/// or where an integrator that does not control its error is given a tolerance;
+/// where an integrator that does not control its error is given a tolerance, or where the recording would not
+/// fit in memory;
 /// Interrupted soon after interrupted() is set; std::invalid_argument for a request outside its domain.
 RunOutcome run(const EngineChoice&, const RunRequest&, const Limits& = {});
 

@@ -1,5 +1,6 @@
 #include "harness/process/conversation.h"
 
+#include "harness/input/json.h"
 #include "harness/process/json_fields.h"
 #include "harness/process/messages.h"
 
@@ -29,6 +30,10 @@ std::string excerpt(std::string_view bytes) {
 }
 
 }  // namespace
+
+Conversation::Conversation(const std::vector<std::string>& command, std::size_t memory_bytes)
+    : filter_(sandboxing() ? std::make_unique<SandboxFilter>() : nullptr),
+      child_(filter_ ? sandboxed(command, *filter_) : command, memory_bytes, filter_ ? filter_->fd() : -1) {}
 
 void Conversation::ask(const json& command, double seconds) {
   child_.set_deadline(seconds, command.at("cmd").get<std::string>());
@@ -102,7 +107,7 @@ json Conversation::next_line() {
 Frame Conversation::next_frame() {
   std::variant<json, Frame> message = next();
   if (Frame* frame = std::get_if<Frame>(&message)) return *frame;
-  broken(fmt::format("a line where a frame was expected: '{}'", excerpt(std::get<json>(message).dump())));
+  broken(fmt::format("a line where a frame was expected: '{}'", input::shown(std::get<json>(message))));
 }
 
 std::string Conversation::finish(double seconds) {

@@ -3,10 +3,12 @@
 
 #include "harness/process/child.h"
 #include "harness/process/frame.h"
+#include "harness/process/sandbox.h"
 
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -21,8 +23,8 @@ struct Frame {
 
 class Conversation {
  public:
-  Conversation(const std::vector<std::string>& command, std::size_t memory_bytes)
-      : child_(command, memory_bytes) {}
+  /// In a sandbox where sandboxing() says so.
+  Conversation(const std::vector<std::string>& command, std::size_t memory_bytes);
 
   /// Sends a command and sets the deadline for everything that follows it.
   void ask(const nlohmann::json& command, double seconds);
@@ -51,6 +53,7 @@ class Conversation {
   bool complete_line(std::string_view output);
   bool complete_frame(std::string_view output);
 
+  std::unique_ptr<SandboxFilter> filter_;
   Child child_;
   std::size_t bodies_ = 0, taken_ = 0, searched_ = 0;
   bool frames_expected_ = false;

@@ -1,5 +1,7 @@
 #include "harness/process/json_fields.h"
 
+#include "harness/input/json.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,13 +13,11 @@ using nlohmann::json;
 
 json parse_object(std::string_view line) {
   try {
-    json value = json::parse(line);
+    json value = input::parse_json(line);
     if (!value.is_object()) throw MalformedMessage("a line must hold one JSON object");
     return value;
-  } catch (const json::parse_error& error) {
-    throw MalformedMessage(fmt::format("not JSON at byte {}", error.byte));
-  } catch (const json::out_of_range&) {  // 1e999
-    throw MalformedMessage("not JSON: a number beyond the range of a double");
+  } catch (const input::BadJson& error) {
+    throw MalformedMessage(error.what());
   }
 }
 

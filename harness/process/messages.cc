@@ -23,10 +23,26 @@ json settings_json(const std::vector<Setting>& settings) {
   return rows;
 }
 
+// What a worker says of itself stands in every row of every report.
+constexpr std::size_t longest_text = 4096, longest_list = 1000;
+
+std::string text_of(const Fields& fields, const char* key, std::string text) {
+  if (text.size() > longest_text) fields.fail(key, fmt::format("longer than {} bytes", longest_text));
+  return text;
+}
+
+std::string text(Fields& fields, const char* key) { return text_of(fields, key, fields.text(key)); }
+
+void require_short(Fields& fields, const char* key) {
+  if (fields.at(key).size() > longest_list)
+    fields.fail(key, fmt::format("more than {} entries", longest_list));
+}
+
 // Lists that a worker may leave out.
 template <class Row>
 void each_if(Fields& fields, const char* key, Row row) {
   if (!fields.find(key)) return;
+  require_short(fields, key);
   fields.each(key, [&](const json& value, const std::string& place) {
     Fields f(value, place);
     row(f);
@@ -34,14 +50,15 @@ void each_if(Fields& fields, const char* key, Row row) {
   });
 }
 
-std::string text_if(Fields& fields, const char* key) { return fields.find(key) ? fields.text(key) : ""; }
+std::string text_if(Fields& fields, const char* key) { return fields.find(key) ? text(fields, key) : ""; }
 
 std::vector<std::string> texts_if(Fields& fields, const char* key) {
   std::vector<std::string> result;
   if (!fields.find(key)) return result;
+  require_short(fields, key);
   fields.each(key, [&](const json& value, const std::string& place) {
     if (!value.is_string()) throw MalformedMessage(place + ": expected a string");
-    result.push_back(value.get<std::string>());
+    result.push_back(text_of(fields, key, value.get<std::string>()));
   });
   return result;
 }
@@ -49,7 +66,7 @@ std::vector<std::string> texts_if(Fields& fields, const char* key) {
 std::vector<Setting> settings_if(Fields& fields) {
   std::vector<Setting> result;
   each_if(fields, "settings", [&](Fields& f) {
-    result.push_back({f.text("name"), f.text("value"), text_if(f, "engine_default"), text_if(f, "reason")});
+    result.push_back({text(f, "name"), text(f, "value"), text_if(f, "engine_default"), text_if(f, "reason")});
   });
   return result;
 }
@@ -103,25 +120,25 @@ Hello hello_from_json(const json& value) {
     f.fail("protocol", fmt::format("this harness speaks {}, the worker {}", protocol_version, protocol));
   Hello hello;
   core::Engine& engine = hello.engine;
-  engine.name = f.text("engine");
-  engine.version = f.text("version");
-  engine.precision = f.text("precision");
+  engine.name = text(f, "engine");
+  engine.version = text(f, "version");
+  engine.precision = text(f, "precision");
   if (engine.precision != "double" && engine.precision != "float")
     f.fail("precision", "expected \"double\" or \"float\"");
   if (f.find("events")) hello.events = f.flag("events");
   if (f.find("live")) hello.live = f.flag("live");
   each_if(f, "paths", [&](Fields& p) {
     engine.paths.push_back(
-        {p.text("name"), text_if(p, "summary"), settings_if(p), texts_if(p, "unforceable")});
+        {text(p, "name"), text_if(p, "summary"), settings_if(p), texts_if(p, "unforceable")});
   });
   engine.default_path_rule = text_if(f, "default_path_rule");
   each_if(f, "schemes", [&](Fields& s) {
     engine.integrators.push_back(
-        {s.text("name"), order_if(s), text_if(s, "conserves"), s.find("adaptive") && s.flag("adaptive")});
+        {text(s, "name"), order_if(s), text_if(s, "conserves"), s.find("adaptive") && s.flag("adaptive")});
   });
   each_if(f, "options", [&](Fields& o) {
     engine.options.push_back(
-        {o.text("name"), texts_if(o, "values"), text_if(o, "engine_default"), text_if(o, "meaning")});
+        {text(o, "name"), texts_if(o, "values"), text_if(o, "engine_default"), text_if(o, "meaning")});
   });
   f.finish();
   return hello;
@@ -183,7 +200,7 @@ core::Terms terms_from_json(const json& value) {
                     settings_if(f),     texts_if(f, "unforceable"), {}};
   terms.closed_form = f.find("closed_form") && f.flag("closed_form");
   each_if(f, "plan", [&](Fields& s) {
-    terms.plan.push_back({s.text("name"), s.flag("in"), text_if(s, "reason")});
+    terms.plan.push_back({text(s, "name"), s.flag("in"), text_if(s, "reason")});
   });
   f.finish();
   return terms;
@@ -222,7 +239,12 @@ Run run_from_json(const json& value) {
         throw MalformedMessage(place + ": expected ascending steps in 1..steps");
       run.at.push_back(step.get<std::int64_t>());
     });
-  each_if(f, "watch", [&](Fields& row) { run.watch.push_back(pair(row)); });
+  if (f.find("watch"))
+    f.each("watch", [&](const json& row, const std::string& place) {
+      Fields fields(row, place);
+      run.watch.push_back(pair(fields));
+      fields.finish();
+    });
   run.resume = f.find("continue") && f.flag("continue");
   run.contacts = f.find("contacts") && f.flag("contacts");
   if (run.resume && !run.watch.empty()) f.fail("watch", "must be empty where a run continues");

@@ -50,6 +50,8 @@ std::optional<std::string> text_of(const json& answer, const char* key) {
   Fields fields(answer, "");
   std::string text = fields.text(key);
   fields.finish();
+  constexpr std::size_t most = 1000;  // [bytes]; it stands in every row of the cell
+  if (text.size() > most) text = text.substr(0, most) + "…";
   return text;
 }
 

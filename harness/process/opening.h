@@ -25,7 +25,8 @@ core::Terms open_scene(Conversation&, const EngineChoice&, const core::Scene&, c
 /// The state that follows a load.
 core::State read_start(Conversation&, std::size_t bodies);
 
-/// The text of an answer {"unsupported": …} or {"error": …}, or nothing when it is another message.
+/// The text of an answer {"unsupported": …} or {"error": …}, cut to 1000 bytes, or nothing when it is another
+/// message.
 std::optional<std::string> text_of(const nlohmann::json& answer, const char* key);
 
 /// Throws Failure(protocol) unless the answer is {"ok": what, …}.

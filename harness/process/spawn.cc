@@ -1,6 +1,7 @@
 #include "harness/process/spawn.h"
 
 #include "harness/process/child.h"
+#include "harness/process/family.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -70,13 +71,15 @@ Pipe make_pipe() {
 }
 
 // Between fork and exec: async-signal-safe calls only.  Returns when exec failed.
-void become(char* const* argv, int in, int out, int err, std::size_t memory_bytes) {
+void become(char* const* argv, char* const* environment, int in, int out, int err, std::size_t memory_bytes,
+            int kept) {
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   sigset_t none;
   sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
-  for (const int number : {SIGPIPE, SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGCHLD}) ::signal(number, SIG_DFL);
+  for (const int number : {SIGPIPE, SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGCHLD, SIGXFSZ})
+    ::signal(number, SIG_DFL);
   const rlimit no_core = {0, 0};
   ::setrlimit(RLIMIT_CORE, &no_core);
   if (limit_data && memory_bytes > 0) {
@@ -86,28 +89,38 @@ void become(char* const* argv, int in, int out, int err, std::size_t memory_byte
   if (::dup2(in, STDIN_FILENO) < 0 || ::dup2(out, STDOUT_FILENO) < 0 || ::dup2(err, STDERR_FILENO) < 0)
     return;
   ::close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);  // what libraries opened without the flag: sockets of a server
-  ::execvp(argv[0], argv);
+  if (kept >= 0) ::fcntl(kept, F_SETFD, 0);
+  ::execvpe(argv[0], argv, environment);
 }
 
 }  // namespace
 
-Spawned spawn(const std::vector<std::string>& command, std::size_t memory_bytes) {
+Spawned spawn(const std::vector<std::string>& command, std::size_t memory_bytes, const std::string& mark,
+              int kept) {
   if (command.empty()) throw Failure(results::Status::unsupported, "cannot start: the command is empty");
   static std::once_flag once;
-  std::call_once(once, [] { ::signal(SIGPIPE, SIG_IGN); });
+  std::call_once(once, [] {
+    ::signal(SIGPIPE, SIG_IGN);
+    adopt_orphans();
+  });
 
   std::vector<char*> argv;
   argv.reserve(command.size() + 1);
   for (const std::string& word : command)
     argv.push_back(const_cast<char*>(word.c_str()));  // NOLINT(*-const-cast): POSIX says exec reads only
   argv.push_back(nullptr);
+  std::vector<char*> environment;
+  for (char** word = environ; *word; ++word) environment.push_back(*word);
+  environment.push_back(const_cast<char*>(mark.c_str()));  // NOLINT(*-const-cast)
+  environment.push_back(nullptr);
   Pipe in = make_pipe(), out = make_pipe(), err = make_pipe(), failed = make_pipe();
   ::fcntl(out.read.get(), F_SETPIPE_SZ, pipe_bytes);
 
   const pid_t pid = ::fork();
   if (pid < 0) throw std::system_error(errno, std::generic_category(), "fork");
   if (pid == 0) {
-    become(argv.data(), in.read.get(), out.write.get(), err.write.get(), memory_bytes);
+    become(argv.data(), environment.data(), in.read.get(), out.write.get(), err.write.get(), memory_bytes,
+           kept);
     const int error = errno;
     [[maybe_unused]] const ssize_t told = ::write(failed.write.get(), &error, sizeof error);
     ::_exit(127);

@@ -18,8 +18,11 @@ struct Spawned {
 /// Runs `command` (looked up in PATH) as leader of a new process group, with default signal dispositions, no
 /// core dumps, killed by the kernel should the calling thread die.  RLIMIT_DATA is twice `memory_bytes`, the
 /// backstop against growth faster than polling sees; not under AddressSanitizer, whose shadow is larger.
-/// SIGPIPE is ignored in this process from the first call on.
-/// Throws Failure(unsupported, "cannot start …: reason") where exec fails, std::system_error where fork does.
-Spawned spawn(const std::vector<std::string>& command, std::size_t memory_bytes);
+/// It inherits no descriptor but the first three and `kept`.  `mark`, "NAME=value", is added to its
+/// environment.  SIGPIPE is ignored in this process from the first call on, and orphans below it become its
+/// children. Throws Failure(unsupported, "cannot start …: reason") where exec fails, std::system_error where
+/// fork does.
+Spawned spawn(const std::vector<std::string>& command, std::size_t memory_bytes, const std::string& mark,
+              int kept = -1);
 
 }  // namespace cylon::process

@@ -1,5 +1,6 @@
 // [[body]], and the template inside [[lattice]] and [[cloud]].
 #include "harness/core/solid.h"
+#include "harness/scenario/budget.h"
 #include "harness/scenario/draft.h"
 #include "harness/scenario/read_element.h"
 
@@ -13,12 +14,12 @@
 namespace cylon::scenario {
 namespace {
 
-constexpr std::size_t most_bodies = 1'000'000;
-
 void check_name(const Table& table, const std::string& name) {
   const bool bad = std::ranges::any_of(name, [](char c) {
     return std::iscntrl(static_cast<unsigned char>(c)) || c == ',' || c == '"' || c == '*' || c == '?';
   });
+  if (name.size() > budget::name)
+    table.fail("name", fmt::format("name: at most {} bytes are allowed", budget::name));
   if (bad) table.fail("name", "name: quotes, commas, *, ? and control characters are not allowed");
 }
 
@@ -99,6 +100,35 @@ core::Body read_body(const Table& table, Draft& draft) {
   return body;
 }
 
+// Points of hulls and meshes.
+std::size_t points_of(const core::Shape& shape) {
+  return std::visit(
+      []<class Kind>(const Kind& kind) -> std::size_t {
+        if constexpr (requires { kind.vertices.size(); }) {
+          return kind.vertices.size();
+        } else if constexpr (std::is_same_v<Kind, core::Compound>) {
+          std::size_t sum = 0;
+          for (const core::Part& part : kind.parts)
+            std::visit(
+                [&](const auto& of_part) {
+                  if constexpr (requires { of_part.vertices.size(); }) sum += of_part.vertices.size();
+                },
+                part.shape);
+          return sum;
+        } else {
+          return 0;
+        }
+      },
+      shape);
+}
+
+// The template of `copies` bodies.
+core::Body read_template(const Table& table, Draft& draft, double copies) {
+  core::Body body = read_body(table, draft);
+  draft.add_points(table, copies * static_cast<double>(points_of(body.shape)));
+  return body;
+}
+
 bool is_point(const Table& table) { return !table.has("shape") && !table.has("inertia"); }
 
 void add_group(const Table& table, const std::vector<core::Body>& bodies, Draft& draft) {
@@ -112,23 +142,25 @@ void add_group(const Table& table, const std::vector<core::Body>& bodies, Draft&
 }
 
 void refuse_too_many(const Table& table, const Draft& draft, double more) {
-  if (static_cast<double>(draft.scene.bodies.size()) + more > most_bodies)
-    table.fail("count", fmt::format("count: {} bodies, but at most {} are allowed", more, most_bodies));
+  if (static_cast<double>(draft.scene.bodies.size()) + more > static_cast<double>(budget::bodies))
+    table.fail("count", fmt::format("count: {} bodies, but at most {} are allowed", more, budget::bodies));
 }
 
 }  // namespace
 
 void read_bodies(const Table& root, Draft& draft) {
-  for (const Table& table : root.tables("body")) draft.add(read_body(table, draft), table, is_point(table));
+  for (const Table& table : root.tables("body"))
+    draft.add(read_template(table, draft, 1), table, is_point(table));
   for (const Table& table : root.tables("lattice")) {
     double count = 1;
     for (const double n : table.numbers("count")) count *= n;
     refuse_too_many(table, draft, count);
-    add_group(table, lattice(table, read_body(table, draft)), draft);
+    add_group(table, lattice(table, read_template(table, draft, count)), draft);
   }
   for (const Table& table : root.tables("cloud")) {
-    refuse_too_many(table, draft, static_cast<double>(table.whole("count")));
-    add_group(table, cloud(table, read_body(table, draft), draft.scene), draft);
+    const auto count = static_cast<double>(table.whole("count"));
+    refuse_too_many(table, draft, count);
+    add_group(table, cloud(table, read_template(table, draft, count), draft.scene), draft);
   }
   if (draft.scene.bodies.empty()) root.fail("the scene has no body; add a [[body]]");
 }

@@ -37,9 +37,9 @@ void solve(core::Claim& claim, const Table& t, const Scenario& scenario, Certifi
 CertifiedClaims::CertifiedClaims(std::shared_ptr<const Document> document, std::vector<CertifiedClaim> claims)
     : document_(std::move(document)), claims_(std::move(claims)) {}
 
-std::vector<core::Claim> CertifiedClaims::solved(const Scenario& scenario) const {
+std::vector<core::Claim> CertifiedClaims::solved(const Scenario& scenario, double most_work) const {
   std::vector<core::Claim> claims = scenario.claims;
-  CertifiedTruths truths;
+  CertifiedTruths truths(most_work);
   for (const auto& [index, table] : claims_) {
     solve(claims[index], table, scenario, truths);
     if (std::ranges::count(claims, claims[index].label, &core::Claim::label) > 1)

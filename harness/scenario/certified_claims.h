@@ -25,8 +25,9 @@ class CertifiedClaims {
 
   /// The scenario's claims, with the truth, its error, until = "horizon" and the label of each of these.
   /// Throws core::InputError where the certified truth does not serve the scene, does not reach the claim's
-  /// horizon, or is looser than a tenth of the tolerance.
-  std::vector<core::Claim> solved(const Scenario&) const;
+  /// horizon, or is looser than a tenth of the tolerance; certified::TooMuchWork where `most_work` is less
+  /// than budget::truth_work and is spent.
+  std::vector<core::Claim> solved(const Scenario&, double most_work) const;
 
  private:
   std::shared_ptr<const Document> document_;

@@ -2,10 +2,12 @@
 
 #include "harness/core/measure.h"
 #include "harness/core/scale.h"
+#include "harness/scenario/budget.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace cylon::scenario {
 
@@ -13,7 +15,12 @@ const certified::Solution& CertifiedTruths::at(const Table& claim, const core::S
   const auto place = known_.find(horizon);
   if (place != known_.end()) return place->second;
   try {
-    return known_.emplace(horizon, certified::solution(scene, horizon)).first->second;
+    certified::Solution solution = certified::solution(scene, horizon, most_work_ - work_);
+    work_ += solution.work;
+    return known_.emplace(horizon, std::move(solution)).first->second;
+  } catch (const certified::TooMuchWork& error) {
+    if (most_work_ < budget::truth_work) throw;
+    claim.fail("follows", fmt::format("follows = '{}': {}", certified_name, error.what()));
   } catch (const core::OutOfDomain& error) {
     claim.fail("follows",
                fmt::format("follows = '{}' does not serve this scene: {} (it serves: smooth scenes)",

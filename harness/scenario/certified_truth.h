@@ -13,15 +13,19 @@ namespace cylon::scenario {
 /// The name that a claim follows it by.
 inline constexpr std::string_view certified_name = "certified";
 
-/// The certified solutions of one scene, each made once per horizon.
+/// The certified solutions of one scene, each made once per horizon, within a budget for all of them.
 class CertifiedTruths {
  public:
+  explicit CertifiedTruths(double most_work) : most_work_(most_work) {}
+
   /// Over [0, horizon], or less where chaos takes the meaning from it.  Fails at the claim's `follows` where
-  /// the scene is not smooth.
+  /// the scene is not smooth or budget::truth_work is spent.  Throws certified::TooMuchWork where a smaller
+  /// budget is.
   const certified::Solution& at(const Table& claim, const core::Scene&, double horizon);
 
  private:
   std::map<double, certified::Solution> known_;
+  double most_work_, work_ = 0;
 };
 
 /// Fails unless the solution reaches the claim's whole horizon.

@@ -1,6 +1,7 @@
 #include "harness/scenario/claim_truths.h"
 
 #include "harness/core/event_find.h"
+#include "harness/scenario/budget.h"
 #include "harness/scenario/certified_truth.h"
 #include "harness/scenario/draft.h"
 #include "reference/exact/catalogue.h"
@@ -29,6 +30,9 @@ const core::Truth& ExactTruths::at(const Table& t, const Claim& claim, double ho
 }
 
 core::Truth ExactTruths::make(const Table& t, const std::string& name, double horizon) const {
+  if (scene_.bodies.size() > budget::bodies_of_truth)
+    t.fail("follows", fmt::format("follows = '{}': exact solutions serve scenes of at most {} bodies", name,
+                                  budget::bodies_of_truth));
   std::vector<std::string> names;
   for (const exact::Solution& solution : exact::catalogue()) {
     names.emplace_back(solution.name);

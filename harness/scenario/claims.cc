@@ -1,6 +1,7 @@
 #include "harness/scenario/claims.h"
 
 #include "harness/core/recording.h"
+#include "harness/scenario/budget.h"
 #include "harness/scenario/certified_truth.h"
 #include "harness/scenario/claim_observable.h"
 #include "harness/scenario/claim_tolerance.h"
@@ -93,10 +94,19 @@ std::string lacks(const core::Truth& truth, Quantity quantity, bool only_points)
   return "";
 }
 
+core::Truth recorded_truth(const Table& t, Draft& draft, const std::string& name) {
+  const std::string text = draft.read(t, "file");
+  try {
+    return parse_truth(text, name, draft.scene);
+  } catch (const core::InputError& error) {
+    t.fail("file", error.what());
+  }
+}
+
 void follow(const Table& t, Draft& draft, ExactTruths& exact, Claim& claim, double duration) {
   const double horizon = std::min(claim.until, duration);
   if (const auto recorded = t.table("follows")) {
-    claim.truth = parse_truth(draft.read(*recorded, "file"), claim.follows, draft.scene);
+    claim.truth = recorded_truth(*recorded, draft, claim.follows);
     const bool only_points = std::ranges::all_of(draft.point, [](bool p) { return p; });
     if (const std::string key = lacks(*claim.truth, claim.observable.quantity, only_points); !key.empty())
       t.fail("observable", fmt::format("observable: '{}' of a body needs '{}', which the file {} lacks",
@@ -114,6 +124,8 @@ ReadClaims read_claims(const Table& root, Draft& draft, double duration, double 
   ExactTruths exact(draft.scene, step);
   ReadClaims result;
   for (const Table& t : root.tables("claim")) {
+    if (result.claims.size() == budget::claims)
+      t.fail(fmt::format("a scenario has at most {} claims", budget::claims));
     Claim claim = parse_claim(t, draft, duration, step);
     const bool certified = claim.follows == certified_name && t.is_text("follows");
     // until = "horizon" has a label of its own once the horizon is known

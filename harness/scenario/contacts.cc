@@ -1,5 +1,7 @@
 // Planes, materials of pairs, and nothing inside anything else at the start.
+#include "harness/scenario/budget.h"
 #include "harness/scenario/read_element.h"
+#include "harness/scenario/sphere_grid.h"
 
 #include "harness/core/observable.h"
 #include "harness/core/surfaces.h"
@@ -8,8 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
+#include <utility>
 
 namespace cylon::scenario {
 namespace {
@@ -21,16 +23,19 @@ constexpr double overlap_allowed = 1e-9;  // [m]
 // Names that a material may state: bodies, planes, generators (all their bodies), "*".
 std::vector<std::string> resolve(const Table& t, const Draft& draft, const std::string& name) {
   if (name == "*") return {name};
-  std::vector<std::string> names;
   if (const auto group = draft.groups.find(name); group != draft.groups.end()) {
+    std::vector<std::string> names;
     for (const int body : group->second)
       names.push_back(draft.scene.bodies[static_cast<std::size_t>(body)].name);
     return names;
   }
-  for (const core::Body& body : draft.scene.bodies) names.push_back(body.name);
+  if (draft.has_body(name) ||
+      std::ranges::find(draft.scene.planes, name, &core::Plane::name) != draft.scene.planes.end())
+    return {name};
+  std::vector<std::string> names;
   for (const core::Plane& plane : draft.scene.planes) names.push_back(plane.name);
   for (const auto& [group, bodies] : draft.groups) names.push_back(group);
-  if (std::ranges::find(names, name) != names.end()) return {name};
+  for (const core::Body& body : draft.scene.bodies) names.push_back(body.name);
   t.fail("between", fmt::format("between: no body, plane or generator is called '{}'{}", name,
                                 core::did_you_mean(name, names)));
 }
@@ -50,31 +55,41 @@ void require_materials(const Draft& draft) {
 
 double size_of(const Vector3& p) { return std::max(1.0, p.cwiseAbs().maxCoeff()); }
 
-// Spheres in order of their least x; only those whose x intervals meet can overlap.
 void refuse_overlapping_spheres(const Draft& draft) {
-  struct Ball {
-    double low, radius;
-    std::size_t body;
-  };
   const auto& bodies = draft.scene.bodies;
-  std::vector<Ball> balls;
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (const auto* sphere = std::get_if<core::Sphere>(&bodies[i].shape); sphere && bodies[i].collide)
-      balls.push_back({bodies[i].initial.position.x() - sphere->radius, sphere->radius, i});
-  std::ranges::sort(balls, {}, &Ball::low);
-  for (auto a = balls.begin(); a != balls.end(); ++a)
-    for (auto b = std::next(a); b != balls.end() && b->low < a->low + 2 * a->radius; ++b) {
-      const core::Body &one = bodies[a->body], &other = bodies[b->body];
-      if (one.locked && other.locked) continue;
-      const Vector3 d = other.initial.position - one.initial.position;
-      const double gap = d.norm() - a->radius - b->radius;
-      if (gap < -overlap_allowed * size_of(one.initial.position))
-        draft.origin[std::max(a->body, b->body)].fail(
-            "position",
-            fmt::format(
-                "'{}' and '{}' overlap by {} m at the start; valid: {} m apart or more, or collide = false",
-                one.name, other.name, -gap, a->radius + b->radius));
+  SphereGrid locked, free;
+  std::size_t looked_at = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const auto* sphere = std::get_if<core::Sphere>(&bodies[i].shape);
+    if (!sphere || !bodies[i].collide) continue;
+    const auto overlap = [&](int other, double radius) {
+      const core::Body& that = bodies[static_cast<std::size_t>(other)];
+      return sphere->radius + radius - (bodies[i].initial.position - that.initial.position).norm();
+    };
+    const auto meets = [&](int other, const Vector3&, double radius) {
+      const double size = std::min(size_of(bodies[i].initial.position),
+                                   size_of(bodies[static_cast<std::size_t>(other)].initial.position));
+      return overlap(other, radius) > overlap_allowed * size;
+    };
+    const Vector3& at = bodies[i].initial.position;
+    int other = free.first(at, sphere->radius, looked_at, meets);
+    if (!bodies[i].locked)
+      if (const int held = locked.first(at, sphere->radius, looked_at, meets); held >= 0)
+        other = other < 0 ? held : std::min(other, held);
+    if (other >= 0) {
+      const auto& that = bodies[static_cast<std::size_t>(other)];
+      const double radius = std::get<core::Sphere>(that.shape).radius;
+      draft.origin[i].fail(
+          "position",
+          fmt::format("'{}' and '{}' overlap by {} m at the start; valid: {} m apart or more, "
+                      "or collide = false",
+                      that.name, bodies[i].name, overlap(other, radius), sphere->radius + radius));
     }
+    if (looked_at > budget::neighbours)
+      draft.origin[i].fail(
+          "position", fmt::format("'{}': too many spheres crowd here to look for overlaps", bodies[i].name));
+    (bodies[i].locked ? locked : free).add(static_cast<int>(i), at, sphere->radius);
+  }
 }
 
 }  // namespace
@@ -97,10 +112,11 @@ void read_planes(const Table& root, Draft& draft) {
 }
 
 void read_materials(const Table& root, Draft& draft) {
-  for (const core::Plane& plane : draft.scene.planes)
-    for (std::size_t i = 0; i < draft.scene.bodies.size(); ++i)
-      if (draft.scene.bodies[i].name == plane.name)
-        draft.origin[i].fail("name", fmt::format("name '{}' is taken by a plane", plane.name));
+  std::set<std::string> planes, named;
+  for (const core::Plane& plane : draft.scene.planes) planes.insert(plane.name);
+  for (std::size_t i = 0; i < draft.scene.bodies.size(); ++i)
+    if (planes.contains(draft.scene.bodies[i].name))
+      draft.origin[i].fail("name", fmt::format("name '{}' is taken by a plane", draft.scene.bodies[i].name));
   std::set<std::pair<std::string, std::string>> stated;
   for (const Table& t : root.tables("material")) {
     auto material = read_element<core::Material>(t, draft);
@@ -111,6 +127,16 @@ void read_materials(const Table& root, Draft& draft) {
       t.fail("between",
              fmt::format("between = [\"{}\", \"{}\"] makes {} pairs, but at most {} are listed; use \"*\"",
                          between[0], between[1], first.size() * second.size(), most));
+    if (draft.scene.materials.size() + first.size() * second.size() > budget::material_pairs)
+      t.fail("between", fmt::format("between: all materials together list more than {} pairs; use \"*\"",
+                                    budget::material_pairs));
+    named.insert(first.begin(), first.end());
+    named.insert(second.begin(), second.end());
+    if (named.size() > budget::material_names)
+      t.fail("between",
+             fmt::format("between: all materials together name more than {} bodies and planes; use "
+                         "\"*\"",
+                         budget::material_names));
     for (const std::string& a : first)
       for (const std::string& b : second) {
         if (!stated.insert(std::minmax(a, b)).second) {
@@ -128,6 +154,11 @@ void refuse_overlaps(const Draft& draft) {
   refuse_overlapping_spheres(draft);
   const core::Scene& scene = draft.scene;
   const core::State state = core::initial_state(scene);
+  const double looks =
+      static_cast<double>(scene.bodies.size() + draft.points) * static_cast<double>(scene.planes.size());
+  if (looks > static_cast<double>(budget::gaps))
+    draft.origin.back().fail(fmt::format(
+        "bodies, their points and {} planes are too many to look for overlaps", scene.planes.size()));
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     if (!scene.bodies[i].collide || scene.bodies[i].locked) continue;
     for (std::size_t p = 0; p < scene.planes.size(); ++p) {

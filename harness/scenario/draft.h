@@ -22,9 +22,17 @@ struct Draft {
   std::map<std::string, std::vector<int>> groups;  ///< Bodies of each generator, by its name.
   std::filesystem::path folder;                    ///< Files are named relative to it.
   core::ContentHash content;
+  std::size_t points = 0;    ///< Of hulls and meshes so far.
+  double hull_work = 0;      ///< Sum of the squares of the points of hulls so far.
+  std::uintmax_t bytes = 0;  ///< Of the files named so far.
 
-  /// Adds a body; fails at its `name` where that is taken.
+  /// Adds a body; fails at its `name` where that is taken, and where a number of it is not finite.
   void add(const core::Body&, const Table&, bool is_point);
+
+  /// Whether a body has that name.
+  bool has_body(const std::string& name) const { return index_.contains(name); }
+  /// Fails where `more` points would be too many in all.
+  void add_points(const Table&, double more);
 
   /// Index of the body that the key names; fails with the nearest valid name.
   int body(const Table&, std::string_view key) const;

@@ -1,14 +1,14 @@
 // Many bodies from one template.  The same file gives the same bodies on every platform: integer arithmetic
 // and correctly rounded operations (+ - * / sqrt) only.
 #include "harness/core/solid.h"
+#include "harness/scenario/budget.h"
 #include "harness/scenario/draft.h"
+#include "harness/scenario/sphere_grid.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 
 namespace cylon::scenario {
 namespace {
@@ -48,48 +48,39 @@ class Random {
   std::uint64_t state_;
 };
 
-// Balls of one radius, no two closer than their diameter; cells of that size, so neighbours suffice.
-class Packing {
+// Places for balls of one radius that keep clear of each other and of what is there already.
+class Places {
  public:
-  explicit Packing(double radius) : diameter_(2 * radius) {}
+  Places(const core::Scene& others, double radius) : planes_(others.planes), radius_(radius) {
+    if (radius_ == 0) return;
+    for (const core::Body& body : others.bodies)
+      if (body.collide)
+        balls_.add(0, body.initial.position, std::min(core::bounding_radius(body.shape), 1e300));
+  }
 
-  bool fits(const Vector3& p) const {
-    if (diameter_ == 0) return true;
-    const Cell c = cell(p);
-    for (std::int64_t x = c[0] - 1; x <= c[0] + 1; ++x)
-      for (std::int64_t y = c[1] - 1; y <= c[1] + 1; ++y)
-        for (std::int64_t z = c[2] - 1; z <= c[2] + 1; ++z) {
-          const auto found = cells_.find({x, y, z});
-          if (found == cells_.end()) continue;
-          for (const Vector3& other : found->second)
-            if ((p - other).norm() < diameter_) return false;
-        }
-    return true;
+  bool fits(const Vector3& p) {
+    if (radius_ == 0) return true;
+    ++looked_at_;
+    for (const core::Plane& plane : planes_)
+      if (plane.normal.dot(p) - plane.offset < radius_) return false;
+    looked_at_ += planes_.size();
+    return balls_.first(p, radius_, looked_at_, [&](int, const Vector3& centre, double radius) {
+      return (p - centre).norm() < radius_ + radius;
+    }) < 0;
   }
 
   void add(const Vector3& p) {
-    if (diameter_ > 0) cells_[cell(p)].push_back(p);
+    if (radius_ > 0) balls_.add(0, p, radius_);
   }
+
+  bool crowded() const { return looked_at_ > budget::neighbours; }
 
  private:
-  using Cell = std::array<std::int64_t, 3>;
-  Cell cell(const Vector3& p) const {
-    Cell c;
-    for (int i = 0; i < 3; ++i)
-      c[static_cast<std::size_t>(i)] = static_cast<std::int64_t>(std::floor(p[i] / diameter_));
-    return c;
-  }
-  double diameter_;
-  std::map<Cell, std::vector<Vector3>> cells_;
+  const std::vector<core::Plane>& planes_;
+  double radius_;
+  SphereGrid balls_;
+  std::size_t looked_at_ = 0;
 };
-
-bool clear_of(const core::Scene& others, const Vector3& p, double radius) {
-  for (const core::Plane& plane : others.planes)
-    if (plane.normal.dot(p) - plane.offset < radius) return false;
-  return std::none_of(others.bodies.begin(), others.bodies.end(), [&](const core::Body& body) {
-    return body.collide && (p - body.initial.position).norm() < radius + core::bounding_radius(body.shape);
-  });
-}
 
 std::string indexed(const std::string& name, std::size_t i) { return fmt::format("{}[{}]", name, i); }
 
@@ -122,22 +113,27 @@ std::vector<core::Body> cloud(const Table& table, const core::Body& pattern, con
   const double speed = table.number("speed");
   if (pattern.locked && speed > 0) table.fail("speed", "speed: a locked body does not move");
   Random random(static_cast<std::uint64_t>(table.whole("seed")));
-  Packing packing(radius);
+  Places places(others, radius);
   std::vector<core::Body> bodies;
   while (bodies.size() < count) {
     constexpr int most_tries = 10'000;
     int tries = 0;
     Vector3 place = random.in_box(low, high);
-    while (!packing.fits(place) || (radius > 0 && !clear_of(others, place, radius))) {
+    while (!places.fits(place)) {
       if (++tries == most_tries)
         table.fail(
             "count",
             fmt::format("count = {}: only {} of radius {} m found a place that overlaps nothing; take fewer "
                         "or a larger box",
                         count, bodies.size(), radius));
+      if (places.crowded())
+        table.fail("count",
+                   fmt::format("count = {}: after {} the search for free places takes too long; take "
+                               "fewer or a larger box",
+                               count, bodies.size()));
       place = random.in_box(low, high);
     }
-    packing.add(place);
+    places.add(place);
     core::Body body = pattern;
     body.name = indexed(pattern.name, bodies.size());
     body.initial.position = place;

@@ -4,10 +4,13 @@
 
 #include <fmt/format.h>
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <system_error>
 
@@ -35,11 +38,27 @@ std::string read_file(const std::filesystem::path& path) {
   if (!std::filesystem::is_regular_file(status)) throw refuse("is not a regular file");
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (error) throw refuse(error.message());
-  if (size > largest_input)
-    throw refuse(fmt::format("{} bytes, but at most {} (16 MB) are read", size, largest_input));
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw refuse("cannot be opened for reading");
-  return {std::istreambuf_iterator<char>(in), {}};
+  const auto too_large = [&](std::uintmax_t bytes) {
+    return refuse(fmt::format("{} bytes, but at most {} (16 MB) are read", bytes, largest_input));
+  };
+  if (size > largest_input) throw too_large(size);
+  // Files under /proc say that they are regular and empty; what they hold may be endless, or never come.
+  const int fd = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  if (fd < 0) throw refuse("cannot be opened for reading");
+  std::string text;
+  std::array<char, 1 << 16> piece;
+  ssize_t n = 0;
+  while (text.size() <= largest_input) {
+    n = ::read(fd, piece.data(), piece.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) break;
+    text.append(piece.data(), static_cast<std::size_t>(n));
+  }
+  const int problem = errno;
+  ::close(fd);
+  if (n < 0) throw refuse(std::generic_category().message(problem));
+  if (text.size() > largest_input) throw too_large(text.size());
+  return text;
 }
 
 double parse_step(std::string_view text) {

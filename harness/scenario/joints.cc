@@ -63,7 +63,7 @@ core::Joint read_joint(const Table& t, Draft& draft) {
   if (distance && !t.has("point") && !t.has("to"))
     t.fail("a distance joint needs 'to' (a body) or 'point' (of the world)");
   if (kind.has_axis()) {
-    if (!(joint.axis.norm() > 0)) t.fail("axis", "axis = [0, 0, 0] has no direction");
+    if (!(joint.axis.cwiseAbs().maxCoeff() > 0)) t.fail("axis", "axis = [0, 0, 0] has no direction");
     make_unit(joint.axis);
   }
 

@@ -1,5 +1,7 @@
 #include "harness/scenario/reader.h"
 
+#include "harness/scenario/toml_depth.h"
+
 #include <fmt/format.h>
 
 #include <utility>
@@ -111,10 +113,12 @@ void Table::fail(std::string_view key, const std::string& message) const {
 void Table::fail(const std::string& message) const { fail("", message); }
 
 Document::Document(std::string_view text, const std::string& file, const Spec& spec)
-    : file_(std::make_unique<std::string>(file)), label_(spec.label), lines_(split_lines(text)) {
+    : file_(std::make_unique<std::string>(file)), label_(spec.label) {
   if (text.size() > largest_input)
     throw core::InputError(
         fmt::format("{}: {} bytes, but at most {} (16 MB) are read", file, text.size(), largest_input));
+  require_shallow_toml(text, file);
+  lines_ = split_lines(text);
   try {
     table_ = std::make_unique<toml::table>(toml::parse(text, std::string_view(*file_)));
   } catch (const toml::parse_error& error) {

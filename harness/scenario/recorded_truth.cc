@@ -1,6 +1,8 @@
 #include "harness/scenario/recorded_truth.h"
 
 #include "harness/core/input_error.h"
+#include "harness/input/json.h"
+#include "harness/scenario/budget.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -35,7 +37,8 @@ struct Reader {
         x = text.find("e-") != std::string::npos ? 0.0 : std::nan("");
       if (end != text.data() + text.size() || error == std::errc::invalid_argument) x = std::nan("");
     }
-    if (!std::isfinite(x)) fail(fmt::format("{} holds {}, which is no finite number", where, value.dump()));
+    if (!std::isfinite(x))
+      fail(fmt::format("{} holds {}, which is no finite number", where, input::shown(value)));
     return x;
   }
 
@@ -63,6 +66,14 @@ struct Reader {
     return rows;
   }
 };
+
+Json parsed(std::string_view text, const Reader& reader) {
+  try {
+    return input::parse_json(text);
+  } catch (const input::BadJson& error) {
+    reader.fail(error.what());
+  }
+}
 
 std::vector<double> read_times(const Reader& reader, const Json& root) {
   const Json& t = reader.member(root, "t", "the file");
@@ -136,7 +147,7 @@ core::Event read_event(const Reader& reader, const Json& row, const core::Scene&
   if (type == types.end()) {
     std::vector<std::string> names;
     for (const core::EventType& one : types) names.emplace_back(one.name);
-    reader.fail(fmt::format("events: kind = {}, valid: {}", kind.dump(), fmt::join(names, ", ")));
+    reader.fail(fmt::format("events: kind = {}, valid: {}", input::shown(kind), fmt::join(names, ", ")));
   }
   core::Event event;
   event.kind = type->kind;
@@ -158,6 +169,9 @@ std::vector<core::Event> read_events(const Reader& reader, const Json& root, con
   std::vector<core::Event> events;
   if (!root.contains("events")) return events;
   if (!root["events"].is_array()) reader.fail("'events' must be an array");
+  if (root["events"].size() > budget::data_events)
+    reader.fail(fmt::format("'events' has {} rows, but at most {} are read", root["events"].size(),
+                            budget::data_events));
   for (const Json& row : root["events"]) {
     if (!row.contains("kind") && row.contains("t"))
       continue;  // a note in words of its own, {"type": …, "t": …}
@@ -189,10 +203,9 @@ core::StateError error_of(const std::vector<core::State>& states, double differe
 
 core::Truth parse_truth(std::string_view json, const std::string& file, const core::Scene& scene) {
   const Reader reader{file};
-  const Json root = Json::parse(json, nullptr, false);
-  if (root.is_discarded()) reader.fail("is no JSON");
+  const Json root = parsed(json, reader);
   const Json& schema = reader.member(root, "schema", "the file");
-  if (schema != "truth/1") reader.fail(fmt::format("schema = {}, valid: \"truth/1\"", schema.dump()));
+  if (schema != "truth/1") reader.fail(fmt::format("schema = {}, valid: \"truth/1\"", input::shown(schema)));
 
   auto times = std::make_shared<std::vector<double>>(read_times(reader, root));
   auto states = std::make_shared<std::vector<core::State>>(times->size(), core::initial_state(scene));

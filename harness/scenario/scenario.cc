@@ -1,6 +1,7 @@
 #include "harness/scenario/scenario.h"
 
 #include "harness/core/recording.h"
+#include "harness/scenario/budget.h"
 #include "harness/scenario/claims.h"
 #include "harness/scenario/draft.h"
 #include "harness/scenario/key_rows.h"
@@ -87,8 +88,19 @@ Scenario read(const std::filesystem::path& path) { return read(read_file(path), 
 
 void prepare(Scenario& scenario) {
   if (!scenario.unsolved) return;
-  scenario.claims = scenario.unsolved->solved(scenario);
+  scenario.claims = scenario.unsolved->solved(scenario, budget::truth_work);
   scenario.unsolved = nullptr;
+}
+
+bool prepare_soon(Scenario& scenario) {
+  if (!scenario.unsolved) return true;
+  try {
+    scenario.claims = scenario.unsolved->solved(scenario, budget::soon);
+  } catch (const certified::TooMuchWork&) {
+    return false;
+  }
+  scenario.unsolved = nullptr;
+  return true;
 }
 
 void require_prepared(const Scenario& scenario) {

@@ -56,6 +56,10 @@ Scenario read(const std::filesystem::path&);
 /// judged must be prepared.
 void prepare(Scenario&);
 
+/// prepare() as far as that takes some seconds; false where the certified truths take more (budget::soon),
+/// and the scenario is as it was.
+bool prepare_soon(Scenario&);
+
 /// Throws std::logic_error unless the scenario is prepared.
 void require_prepared(const Scenario&);
 

@@ -1,4 +1,5 @@
 // shape = { type = … } -> core::Shape.
+#include "harness/scenario/budget.h"
 #include "harness/scenario/draft.h"
 #include "harness/scenario/read_element.h"
 
@@ -63,6 +64,11 @@ core::Mesh mesh(const Table& table, Draft& draft) {
     }
   }
   if (result.vertices.empty() || result.faces.empty()) table.fail("a mesh needs vertices and faces");
+  for (const auto& face : result.faces)
+    for (const std::int32_t i : face)
+      if (i < 0 || static_cast<std::size_t>(i) >= result.vertices.size())
+        table.fail("file", fmt::format("{}: a face names vertex {}, but there are {}", table.text("file"),
+                                       static_cast<std::int64_t>(i) + 1, result.vertices.size()));
   const double scale = table.number("scale", 1);
   for (core::Vector3& vertex : result.vertices) vertex *= scale;
   return result;
@@ -77,10 +83,16 @@ core::Primitive primitive(const Table& table, Draft& draft) {
       result = mesh(table, draft);
     else
       result = read_element<Kind>(table, draft);
-    if constexpr (std::is_same_v<Kind, core::Hull>)
-      if (std::get<core::Hull>(result).vertices.size() < 4)
-        table.fail("vertices", fmt::format("vertices: a hull needs four points or more, but has {}",
-                                           std::get<core::Hull>(result).vertices.size()));
+    if constexpr (std::is_same_v<Kind, core::Hull>) {
+      const std::size_t points = std::get<core::Hull>(result).vertices.size();
+      if (points < 4)
+        table.fail("vertices", fmt::format("vertices: a hull needs four points or more, but has {}", points));
+      draft.hull_work += static_cast<double>(points) * static_cast<double>(points);
+      if (draft.hull_work > budget::hull_work)
+        table.fail("vertices",
+                   fmt::format("vertices: the hulls of this scenario have too many points, the last one {}",
+                               points));
+    }
   });
   return result;
 }

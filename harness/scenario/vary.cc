@@ -2,6 +2,7 @@
 
 #include "harness/core/event_find.h"
 #include "harness/core/fields.h"
+#include "harness/scenario/budget.h"
 #include "harness/scenario/certified_truth.h"
 #include "harness/scenario/claim_tolerance.h"
 #include "reference/certified/truth.h"
@@ -47,7 +48,7 @@ class Larger {
 
 core::Truth truth_of(const core::Claim& claim, const core::Scene& scene, double horizon) {
   if (claim.follows == certified_name) {
-    certified::Solution solution = certified::solution(scene, horizon);
+    certified::Solution solution = certified::solution(scene, horizon, budget::truth_work);
     if (solution.lost) throw core::OutOfDomain("the certified solution ends before the horizon");
     return std::move(solution.truth);
   }

@@ -1,19 +1,43 @@
 #include "harness/study/cell_pool.h"
 
+#include "harness/core/input_error.h"
 #include "harness/study/metamorphic.h"
+#include "harness/study/parallel.h"
+#include "harness/study/row.h"
 #include "harness/study/theory.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <atomic>
 #include <exception>
 #include <mutex>
-#include <thread>
+#include <utility>
 
 namespace cylon::study {
 namespace {
 
-using Ask = std::vector<results::Verdict> (*)(const Cell&, const process::Limits&,
-                                              const scenario::Expectations&);
+using results::Status;
+using results::Verdict;
+
+using Ask = std::vector<Verdict> (*)(const Cell&, const process::Limits&, const scenario::Expectations&);
+
+// One row for each claim of a cell that has no run to be judged by.
+std::vector<Verdict> without_run(const Cell& cell, const scenario::Expectations& expectations, Status status,
+                                 const std::string& why) {
+  std::vector<std::string> labels;
+  if (cell.exam == Exam::claims)
+    for (const core::Claim& claim : cell.scenario->claims) labels.push_back(claim.label);
+  if (labels.empty()) labels.emplace_back(cell.exam == Exam::theory ? "theory" : "relations");
+  std::vector<Verdict> rows;
+  for (const std::string& label : labels) {
+    Verdict row = open_row(cell, label, expectations);
+    row.status = status;
+    row.detail = why;
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
 
 Ask examination(Exam exam) {
   switch (exam) {
@@ -29,35 +53,56 @@ Ask examination(Exam exam) {
 
 }  // namespace
 
-std::vector<std::vector<results::Verdict>> run(const std::vector<Cell>& cells, const Pool& pool,
-                                               const scenario::Expectations& expectations,
-                                               const CellDone& done) {
-  std::vector<std::vector<results::Verdict>> rows(cells.size());
-  std::vector<std::exception_ptr> errors(cells.size());
+Matrix run(const std::vector<Cell>& cells, const Pool& pool, const scenario::Expectations& expectations,
+           const CellDone& done) {
+  Matrix matrix;
+  matrix.rows.resize(cells.size());
+  std::vector<std::string> refused(cells.size()), failed(cells.size());
   std::atomic<std::size_t> next = 0;
   std::atomic<bool> stop = false;
+  std::exception_ptr of_done;
   std::mutex reporting;
 
+  // Whether the cell has rows that hold.
+  const auto run_cell = [&](std::size_t i) {
+    try {
+      matrix.rows[i] = examination(cells[i].exam)(cells[i], pool.limits, expectations);
+    } catch (const process::Interrupted&) {
+      stop = true;
+      return false;
+    } catch (const core::InputError& error) {
+      refused[i] = error.what();
+      matrix.rows[i] = without_run(cells[i], expectations, Status::unsupported, error.what());
+    } catch (const std::exception& error) {  // no process, no memory
+      failed[i] = fmt::format("the harness failed: {}", error.what());
+      matrix.rows[i] = without_run(cells[i], expectations, Status::crash, failed[i]);
+      return false;
+    }
+    return true;
+  };
   const auto work = [&] {
     for (std::size_t i = 0; !stop && (i = next++) < cells.size();) {
+      if (!run_cell(i)) continue;
+      const std::scoped_lock lock(reporting);
       try {
-        rows[i] = examination(cells[i].exam)(cells[i], pool.limits, expectations);
-        const std::scoped_lock lock(reporting);
-        if (done) done(i, rows[i]);
-      } catch (...) {
-        errors[i] = std::current_exception();
+        if (done && !of_done) done(i, matrix.rows[i]);
+      } catch (...) {  // it cannot be kept, nor can the next
+        of_done = std::current_exception();
         stop = true;
       }
     }
   };
-  const std::size_t workers = std::min(cells.size(), static_cast<std::size_t>(std::max(1, pool.workers)));
-  std::vector<std::thread> threads;
-  for (std::size_t i = 1; i < workers; ++i) threads.emplace_back(work);
-  work();
-  for (std::thread& thread : threads) thread.join();
-  for (const std::exception_ptr& error : errors)
-    if (error) std::rethrow_exception(error);
-  return rows;
+  on_threads(std::min(cells.size(), static_cast<std::size_t>(std::max(1, pool.workers))), work);
+  if (of_done) std::rethrow_exception(of_done);
+  matrix.interrupted = stop;
+  const auto tell = [&](std::vector<std::string>& from, std::vector<std::string>& to) {
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      if (!from[i].empty())
+        to.push_back(fmt::format("{} on {}: {}", cells[i].scenario->name, cells[i].engine.id, from[i]));
+  };
+  tell(refused, matrix.refused);
+  tell(failed, matrix.failed);
+  return matrix;
 }
 
 }  // namespace cylon::study

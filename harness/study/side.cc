@@ -1,7 +1,7 @@
 #include "harness/study/side.h"
 
-#include "harness/core/content_hash.h"
 #include "harness/process/child.h"
+#include "harness/seal/sha256.h"
 
 #include <unistd.h>
 
@@ -29,12 +29,8 @@ std::string file_hash(const fs::path& file) {
   Known now{fs::last_write_time(file, ignored), fs::file_size(file, ignored), ""};
   Known& before = known[file];
   if (!before.hash.empty() && before.written == now.written && before.size == now.size) return before.hash;
-  core::ContentHash hash;
   std::ifstream in(file, std::ios::binary);
-  std::string block(std::size_t{1} << 20, '\0');
-  while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0)
-    hash.add({block.data(), static_cast<std::size_t>(in.gcount())});
-  now.hash = hash.hex();
+  now.hash = seal::sha256(std::string(std::istreambuf_iterator<char>(in), {}));
   before = now;
   return now.hash;
 }
@@ -75,17 +71,17 @@ std::optional<process::EngineChoice> on(const Side& side, const process::EngineC
 }
 
 std::string content_hash(const std::vector<std::string>& command) {
-  core::ContentHash hash;
+  std::string content;
   for (const std::string& word : command) {
     std::error_code ignored;
     if (!fs::is_regular_file(word, ignored)) {
-      hash.add(word + "\n");
+      content += word + "\n";
       continue;
     }
-    hash.add(file_hash(word) + "\n");
-    for (const fs::path& library : libraries(word)) hash.add(file_hash(library) + "\n");
+    content += file_hash(word) + "\n";
+    for (const fs::path& library : libraries(word)) content += file_hash(library) + "\n";
   }
-  return hash.hex();
+  return seal::sha256(content).substr(0, 16);
 }
 
 }  // namespace cylon::study

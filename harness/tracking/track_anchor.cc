@@ -60,6 +60,13 @@ int pin(const Context& context, const Options& options) {
   return ok;
 }
 
+// Below the folder of the store's anchors, whatever the store says.
+bool is_inside(const fs::path& program) {
+  const fs::path plain_path = program.lexically_normal();
+  return plain_path == program && program.is_relative() && program.begin() != program.end() &&
+         *program.begin() == "anchors";
+}
+
 }  // namespace
 
 std::vector<PinnedEngine> pinned_engines(const store::Store& store, const fs::path& store_file) {
@@ -73,6 +80,13 @@ std::vector<PinnedEngine> pinned_engines(const store::Store& store, const fs::pa
     for (std::string word; words >> word;) engine.row.command.push_back(word);
     if (engine.row.command.empty()) continue;
     std::string& program = engine.row.command.front();
+    if (!store.is_own(anchor) || !is_inside(program)) {
+      std::cerr << plain(
+          fmt::format("anchor '{0}' was not pinned by you here, so its program is not run; pin your "
+                      "own: `cylon track pin {0}`\n",
+                      anchor.name));
+      continue;
+    }
     program = (store_file.parent_path() / program).string();
     std::error_code ignored;
     if (!fs::is_regular_file(program, ignored) || study::content_hash(engine.row.command) != anchor.build)

@@ -46,6 +46,7 @@ int import(const Options& options) {
   for (const std::string& file : options.files)
     texts.emplace_back(file == "-" ? "stdin" : file, read_whole(file));
   store::Store store = store::Store::open(options.store, store::Mode::write);
+  store.set_author(store::Author::import);
   Imported all;
   store.in_one_transaction([&] {
     for (const auto& [name, text] : texts) {

@@ -1,14 +1,18 @@
 // cylon track record
+#include "harness/cli/command_line.h"
 #include "harness/cli/journal.h"
 #include "harness/cli/options.h"
 #include "harness/cli/provenance_now.h"
 #include "harness/cli/selection.h"
+#include "harness/tracking/run_lock.h"
 #include "harness/tracking/track.h"
 #include "harness/tracking/track_anchor.h"
 #include "harness/tracking/track_result.h"
 #include "harness/tracking/track_times.h"
 
 #include "harness/core/content_hash.h"
+#include "harness/input/json.h"
+#include "harness/process/interruption.h"
 #include "harness/study/cell_pool.h"
 #include "harness/study/instructions.h"
 #include "harness/study/side.h"
@@ -56,7 +60,7 @@ nlohmann::json to_json(const Request& request, const Measured& m) {
 }
 
 void restore(const std::string& text, Options& options) {
-  const auto j = nlohmann::json::parse(text);
+  const auto j = input::parse_json(text);
   options.request = request_from(j.at("request"));
   options.measured = {j.at("repetitions"), j.at("orders"), j.at("instructions"), j.at("timeout"),
                       j.at("memory")};
@@ -157,23 +161,31 @@ class Recorder {
     for (std::size_t i = 0; i < todo.size(); ++i)
       todo[i].seen = [&outcomes, i](const process::RunOutcome& outcome, auto) { outcomes[i] = outcome; };
     std::size_t finished = 0;
-    study::run(todo, {options_.jobs, limits_}, expectations_, [&](std::size_t i, const auto& rows) {
-      add(todo[i], outcomes[i], rows);
-      outcomes[i] = {};
-      if (options_.verbose)
-        std::cout << fmt::format("stored {} on {} at {}\n", todo[i].scenario->name, todo[i].engine.id,
-                                 todo[i].dt_text)
-                  << std::flush;
-      if (context_.progress)
-        std::cerr << fmt::format("\r[{}/{}] {} on {}\x1b[K", ++finished, todo.size(), todo[i].scenario->name,
-                                 todo[i].engine.id)
-                  << std::flush;
-    });
+    const study::Matrix matrix =
+        study::run(todo, {options_.jobs, limits_}, expectations_, [&](std::size_t i, const auto& rows) {
+          add(todo[i], outcomes[i], rows);
+          outcomes[i] = {};
+          if (options_.verbose)
+            std::cout << fmt::format("stored {} on {} at {}\n", todo[i].scenario->name, todo[i].engine.id,
+                                     todo[i].dt_text)
+                      << std::flush;
+          if (context_.progress)
+            std::cerr << fmt::format("\r[{}/{}] {} on {}\x1b[K", ++finished, todo.size(),
+                                     todo[i].scenario->name, todo[i].engine.id)
+                      << std::flush;
+        });
     if (context_.progress) std::cerr << "\r\x1b[K" << std::flush;
+    for (const auto& list : {matrix.refused, matrix.failed})
+      for (const std::string& line : list) std::cerr << "error: " << plain(line) << '\n';
+    if (matrix.interrupted) throw process::Interrupted();
+    refused_ = !matrix.refused.empty();
+    failed_ = !matrix.failed.empty();
   }
 
   std::size_t differing() const { return differing_; }
   bool engine_absent() const { return absent_; }
+  bool refused() const { return refused_; }  ///< An engine called what it was asked impossible.
+  bool failed() const { return failed_; }    ///< Cells are missing, because the harness failed in them.
 
  private:
   void add(const study::Cell& cell, const process::RunOutcome& outcome, const std::vector<Verdict>& rows) {
@@ -207,18 +219,27 @@ class Recorder {
   process::Limits limits_;
   scenario::Expectations expectations_;
   std::size_t differing_ = 0;
-  bool absent_ = false;
+  bool absent_ = false, refused_ = false, failed_ = false;
 };
 
 int record(const Context& context, Options options) {
   if (options.resume && options.request != Request())
     throw core::InputError("--resume continues with the earlier selection: do not give a new one");
+  RunLock lock(options.store);
   std::optional<Store> store;
   store::RunInfo run;
   if (options.resume) {
     Store::open(options.store, store::Mode::read);  // which must be there
     store.emplace(Store::open(options.store, store::Mode::write));
     run = unfinished(*store, options);
+    // What it asks for may name programs.
+    if (!store->is_own(run))
+      throw core::InputError(
+          options.store, 0, 0,
+          fmt::format(
+              "run {} was imported, or begun by somebody else: it cannot be resumed here; start a new one "
+              "without --resume",
+              run.id));
     restore(run.request, options);
   }
   const Selection selection = select(context, options.request);
@@ -238,19 +259,27 @@ int record(const Context& context, Options options) {
     run = new_run(context, options, build);
     run.id = store->begin_run(run);
   }
+  lock.hold(run.id);
   Recorder recorder(context, options, *store, run.id);
+  const process::Interruptible until_told;
   try {
     recorder.record(selection.cells);
   } catch (const process::Interrupted&) {
     std::cerr << "interrupted; continue with `cylon track record --resume`\n";
     return interrupted;
   }
+  if (recorder.failed()) {
+    std::cerr << "cells are missing; continue with `cylon track record --resume`\n";
+    return harness_failure;
+  }
   store->finish_run(run.id);
   std::cout << fmt::format("{}: run {} of {}, {} cells{}\n", options.store, run.id,
-                           run.revision.empty() ? "no revision" : run.revision, selection.cells.size(),
+                           run.revision.empty() ? "no revision" : plain_line(run.revision),
+                           selection.cells.size(),
                            recorder.differing() == 0
                                ? ""
                                : fmt::format(", {} of them differ from expected.toml", recorder.differing()));
+  if (recorder.refused()) return bad_input;
   return recorder.engine_absent() ? harness_failure : ok;
 }
 

@@ -1,7 +1,9 @@
 #include "reference/certified/cache.h"
 
-#include "harness/core/content_hash.h"
+#include "harness/seal/seal.h"
 
+#include <fcntl.h>
+#include <stdlib.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -16,8 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::string_literals;
 
-// magic, key, hash of the body, body: doubles and counts as the machine has them.
-const std::string magic = "cylon certified solution 1, "s + (sizeof(double) == 8 ? "f64" : "?") + "\n";
+// magic, key, seal of the body, body: doubles and counts as the machine has them.
+const std::string magic = "cylon certified solution 3, "s + (sizeof(double) == 8 ? "f64" : "?") + "\n";
 
 template <class T>
 void put(std::string& bytes, const T& value) {
@@ -56,13 +58,13 @@ std::string body_of(const Dense& d) {
   std::string bytes;
   put(bytes, d.bodies), put(bytes, d.starts), put(bytes, d.first), put(bytes, d.coefficients);
   put(bytes, d.horizon), put(bytes, d.error), put(bytes, d.ulp), put(bytes, d.lost);
+  put(bytes, d.work);
   return bytes;
 }
 
-std::string seal(std::string_view body) {
-  core::ContentHash print;
-  print.add(body);
-  return print.hex() + "\n";
+// Under the user's key: a truth that somebody else put there is none.
+std::string sealed(const std::string& key, std::string_view body) {
+  return seal::seal("certified " + key, body) + "\n";
 }
 
 std::optional<fs::path> file_of(const std::string& key) {
@@ -98,14 +100,17 @@ std::optional<Dense> load(const std::string& key) {
   std::stringstream stream;
   stream << in.rdbuf();
   const std::string bytes = stream.str(), head = magic + key + "\n";
-  const std::size_t seal_size = 17;
-  if (!in || !bytes.starts_with(head) || bytes.size() < head.size() + seal_size) return std::nullopt;
-  const std::string_view body = std::string_view(bytes).substr(head.size() + seal_size);
-  if (std::string_view(bytes).substr(head.size(), seal_size) != seal(body)) return std::nullopt;
+  if (!in || !bytes.starts_with(head)) return std::nullopt;
+  const std::string_view rest = std::string_view(bytes).substr(head.size());
+  const std::size_t end = rest.find('\n');
+  if (end == std::string_view::npos) return std::nullopt;
+  const std::string_view body = rest.substr(end + 1);
+  if (!seal::holds(rest.substr(0, end), "certified " + key, body)) return std::nullopt;
   Dense d;
   Taker taker{body};
   taker.take(d.bodies), taker.take(d.starts), taker.take(d.first), taker.take(d.coefficients);
   taker.take(d.horizon), taker.take(d.error), taker.take(d.ulp), taker.take(d.lost);
+  taker.take(d.work);
   if (!taker.good || !taker.bytes.empty() || !sound(d)) return std::nullopt;
   return d;
 }
@@ -115,11 +120,14 @@ void keep(const std::string& key, const Dense& d) {
   if (!file) return;
   std::error_code error;
   fs::create_directories(file->parent_path(), error);
-  const fs::path temporary = file->string() + "." + std::to_string(::getpid());
+  std::string temporary = file->string() + ".XXXXXX";
+  const int draft = ::mkostemp(temporary.data(), O_CLOEXEC);
+  if (draft < 0) return;
+  ::close(draft);
   {
     const std::string body = body_of(d);
     std::ofstream out(temporary, std::ios::binary);
-    out << magic << key << "\n" << seal(body) << body;
+    out << magic << key << "\n" << sealed(key, body) << body;
     out.close();
     if (!out) return void(fs::remove(temporary, error));
   }

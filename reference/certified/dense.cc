@@ -188,7 +188,27 @@ core::State Dense::at(double t) const {
   return state;
 }
 
-Dense make_dense(const core::Scene& scene, double horizon) {
+namespace {
+
+// Each node of the graph, for its value and for its derivative by each state, costs a convolution of all
+// orders.
+double work_of(const Model& model, int order, slong bits) {
+  return static_cast<double>(model.graph.size()) * (1.0 + static_cast<double>(model.graph.states().size())) *
+         order * order * (static_cast<double>(bits) / 128);
+}
+
+}  // namespace
+
+void require_work(double work, double most, double time) {
+  if (work > most)
+    throw TooMuchWork(
+        fmt::format("certified: more work than a scenario may ask for, by {:.6g} s of its time; take fewer "
+                    "bodies or a shorter time, or store the truth once with `cylon truth --out`",
+                    time));
+}
+
+Dense make_dense(const core::Scene& scene, double horizon, double most_work) {
+  double work = 0;
   Attempts attempts(goal);
   std::string stuck;
   double radius = 0, best_radius = std::numeric_limits<double>::infinity();
@@ -199,9 +219,16 @@ Dense make_dense(const core::Scene& scene, double horizon) {
     dense.bodies = scene.bodies.size();
     dense.horizon = horizon;
     const Model model = make_model(scene, horizon, attempts.effort().bits);
+    constexpr int least_order = 20;
+    const slong bits = attempts.effort().bits;
+    require_work(work + work_of(model, least_order, bits), most_work, 0);
     Recorder recorder(model, dense);
     try {
-      follow(model, horizon, attempts.effort(), std::ref(recorder));
+      follow(model, horizon, attempts.effort(), [&](const Step& step) {
+        work += work_of(model, step.tails->order(), bits);
+        require_work(work, most_work, step.start);
+        return recorder(step);
+      });
       dense.error = recorder.error();
       radius = recorder.radius();
       if (radius < best_radius) best_radius = radius, best = std::move(dense);
@@ -210,6 +237,7 @@ Dense make_dense(const core::Scene& scene, double horizon) {
     }
   } while (attempts.next(radius));
   if (!std::isfinite(best_radius)) throw core::OutOfDomain("certified: " + stuck);
+  best.work = work;
   return best;
 }
 

@@ -18,12 +18,16 @@ struct Dense {
   core::StateError error;
   std::vector<Amplified> ulp;
   bool lost = false;
+  double work = 0;  ///< As Solution has it.
 
   core::State at(double t) const;
 };
 
-/// Solves and rounds.  Throws core::OutOfDomain.
-Dense make_dense(const core::Scene&, double horizon);
+/// Solves and rounds.  Throws core::OutOfDomain; TooMuchWork where it takes more than `most_work`.
+Dense make_dense(const core::Scene&, double horizon, double most_work);
+
+/// Throws TooMuchWork where the work up to `time` exceeds `most`.
+void require_work(double work, double most, double time);
 
 /// Known again by this: the equations themselves, their numbers, the initial state and the horizon, as 16 hex
 /// digits.  Names and colours do not count.

@@ -92,10 +92,12 @@ void list_events(const Bounces& b, int body, double horizon, std::vector<core::E
                       .speed = 0,
                       .height = static_cast<double>(low + u * u / (2 * b.pull))});
   };
+  constexpr std::size_t most_events = 1'000'000;
   if (b.rate > 0) apex(0, 0, b.gap, b.rate);
   for (int n = 1; b.impact > 0; ++n) {
     const Wide t = b.time(n), u = b.speed(n);
     if (t > horizon || 2 * u / b.pull < shortest_flight) break;
+    if (events.size() > most_events) refuse(name, "more than 1000000 events before the horizon");
     events.push_back({.kind = core::EventKind::bounce,
                       .pair = pair,
                       .index = n,

@@ -1,6 +1,7 @@
 #include "reference/exact/nudges.h"
 
 #include "harness/core/fields.h"
+#include "harness/core/truth.h"
 
 #include <type_traits>
 
@@ -71,6 +72,12 @@ class Nudges {
     const double was = x, other = same;
     x += amount;
     if (&same != &x) same += amount;
+    // A copy of the scene for each number of each body.
+    constexpr std::size_t most_copies = 400'000;  // of bodies
+    if ((scenes.size() + 1) * moved_.bodies.size() > most_copies)
+      throw core::OutOfDomain(
+          "it bounds its error by moving each number of the scene, and this scene has too "
+          "many bodies for that");
     scenes.push_back(moved_);
     x = was, same = other;
   }

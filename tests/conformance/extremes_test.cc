@@ -31,7 +31,7 @@ std::vector<Verdict> run_all() {
   }
   const auto expectations = scenario::Expectations::load(source("scenarios/expected.toml"));
   std::vector<Verdict> rows;
-  for (auto& cell : study::run(cells, {.workers = 2, .limits = {}}, expectations, {}))
+  for (auto& cell : study::run(cells, {.workers = 2, .limits = {}}, expectations, {}).rows)
     rows.insert(rows.end(), cell.begin(), cell.end());
   return rows;
 }
@@ -72,8 +72,8 @@ TEST(Extremes, NoCellEndsInTimeoutOrProtocolError) {
   }
 }
 
-// A solver that complains and goes on is a finding: what it printed stands in the row.  docs/extremes.md names
-// these ten scenes.
+// A solver that complains and goes on is a finding: what it printed stands in the row.  docs/extremes.md
+// names these ten scenes.
 TEST(Extremes, OdeSolverComplainsInTenScenes) {
   const std::set<std::string> ten = {
       "cradle_60hz",      "creep_at_nine_tenths", "far_bystander",   "far_pyramid", "mass_ratio_100",

@@ -44,7 +44,7 @@ Cells cells_of(const scenario::Suite& suite) {
 
 std::vector<Verdict> run(const Cells& all, int workers, const scenario::Expectations& expectations) {
   std::vector<Verdict> rows;
-  for (auto& cell : study::run(all.cells, {.workers = workers, .limits = {}}, expectations, {}))
+  for (auto& cell : study::run(all.cells, {.workers = workers, .limits = {}}, expectations, {}).rows)
     rows.insert(rows.end(), cell.begin(), cell.end());
   return rows;
 }

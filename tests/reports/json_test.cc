@@ -151,7 +151,7 @@ std::string refusal(const std::string& document) {
 }
 
 TEST(Json, MalformedDocumentsAreRefusedWithThePlace) {
-  EXPECT_EQ(refusal("{\"schema\": 1,\n  oops}"), "report.json:2:3: this is not JSON");
+  EXPECT_EQ(refusal("{\"schema\": 1,\n  oops}"), "report.json:2:3: not JSON at byte 17");
   EXPECT_NE(refusal("").find("report.json:1:1"), std::string::npos);
   EXPECT_NE(refusal("[]").find("not a report"), std::string::npos);
   EXPECT_NE(refusal("{\"schema\":2,\"verdicts\":[]}").find("schema 2"), std::string::npos);

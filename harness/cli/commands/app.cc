@@ -1,7 +1,8 @@
 #include "harness/cli/commands/app.h"
 
 #include "harness/cli/command_line.h"
-#include "harness/process/child.h"
+#include "harness/process/interruption.h"
+#include "harness/process/sandbox.h"
 #include "harness/tracking/track.h"
 #include "reports/text.h"
 
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -83,7 +85,13 @@ int refuse(const CLI::App& app, const CLI::ParseError& error) {
   return bad_input;
 }
 
-void interrupt(int) { process::interrupted() = true; }
+// A full disk or a closed pipe shows in the stream alone, and what was cut must not look whole.
+int with_whole_output(int code) {
+  std::cout.flush();
+  if (std::fflush(stdout) == 0 && std::cout) return code;
+  std::cerr << "error: stdout cannot be written: what it has got is not whole\n";
+  return code == bad_input || code == interrupted ? code : harness_failure;
+}
 
 }  // namespace
 
@@ -106,15 +114,23 @@ void show(const core::InputError& error) {
 }
 
 int main(int argc, char** argv) {
-  std::signal(SIGINT, interrupt);
-  std::signal(SIGTERM, interrupt);
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file at its limit is a write that fails
   CLI::App app{"Cylon: run the same scenes on several physics engines and compare them with exact solutions.",
                "cylon"};
   app.set_version_flag("--version", "cylon " CYLON_VERSION);
   app.add_flag_callback(
       "--no-cache", [] { ::setenv("CYLON_CACHE", "off", 1); },
       "Compute certified solutions anew and do not cache them (like CYLON_CACHE=off)");
+  app.add_flag_callback(
+      "--sandbox",
+      [] {
+        process::require_sandbox();
+        process::sandboxing() = true;
+      },
+      "Run engines in a sandbox (bubblewrap): no network, no files but read-only ones of the system, of this "
+      "folder "
+      "and of the engine");
   app.footer(
       "Exit codes: 0 all as expected, 1 a verdict differs or a regression is confirmed, 2 bad input, 3 "
       "undecided (with --strict), 4 nothing selected, 5 internal failure, 130 interrupted.");
@@ -125,11 +141,9 @@ int main(int argc, char** argv) {
   try {
     if (argc > 1) refuse_unknown_command(argv[1]);
     app.parse(argc, argv);
-    const int code = chosen();
-    std::cout.flush();
-    return code;
+    return with_whole_output(chosen());
   } catch (const CLI::Success& success) {
-    return app.exit(success);  // --help and --version
+    return with_whole_output(app.exit(success));  // --help and --version
   } catch (const CLI::ParseError& error) {
     if (argc > 1) return refuse(app, error);
     std::cerr << app.help();

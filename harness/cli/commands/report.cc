@@ -3,6 +3,7 @@
 #include "harness/cli/output.h"
 #include "harness/cli/read_whole.h"
 #include "harness/cli/scenario_view.h"
+#include "harness/input/json.h"
 
 #include "reports/console.h"
 #include "reports/html.h"
@@ -31,13 +32,30 @@ bool is_format(const Json& json, const char* format) {
   return json.contains("format") && json["format"] == format;
 }
 
+// The value of a line that may be JSON; discarded where it is none.
+Json line_json(std::string_view line) {
+  try {
+    return input::parse_json<Json>(line);
+  } catch (const input::BadJson&) {
+    return Json::value_t::discarded;
+  }
+}
+
+Json whole_json(const std::string& text, const std::string& path) {
+  try {
+    return input::parse_json<Json>(text);
+  } catch (const input::BadJson& error) {
+    throw core::InputError(fmt::format("{}: {}", path, error.what()));
+  }
+}
+
 // Lines of scenarios and traces.
 void take_traces(const std::string& text, const std::string& path, reports::HtmlReport& report) {
   std::istringstream lines(text);
   std::string line;
   for (int number = 1; std::getline(lines, line); ++number) {
     const std::string place = fmt::format("{}:{}", path, number);
-    Json json = Json::parse(line, nullptr, /*allow_exceptions=*/false);
+    Json json = line_json(line);
     if (!json.is_object() || !is_format(json, "cylon-scenario/1")) {
       report.traces.push_back(reports::trace_from_json_line(line, place));
       continue;
@@ -51,10 +69,10 @@ void take_traces(const std::string& text, const std::string& path, reports::Html
 void take(const std::string& path, reports::HtmlReport& report) {
   const std::string text = read_whole(path, longest_file);
   const std::string first = text.substr(0, text.find('\n'));
-  const Json line = Json::parse(first, nullptr, /*allow_exceptions=*/false);
+  const Json line = line_json(first);
   if (line.is_object() && (is_format(line, "cylon-scenario/1") || is_format(line, "cylon-trace/1")))
     return take_traces(text, path, report);
-  Json json = Json::parse(text, nullptr, /*allow_exceptions=*/false);
+  Json json = whole_json(text, path);
   std::vector<std::string> known = {"cylon run --traces", "cylon run --json"};
   if (json.is_object() && json.contains("verdicts")) {
     if (report.results)
@@ -70,8 +88,7 @@ void take(const std::string& path, reports::HtmlReport& report) {
     }
     known.emplace_back(section.written_by);
   }
-  throw core::InputError(fmt::format("{}: {}; a report takes files written by {}", path,
-                                     json.is_discarded() ? "no JSON" : "not a document of Cylon",
+  throw core::InputError(fmt::format("{}: not a document of Cylon; a report takes files written by {}", path,
                                      fmt::join(known, ", ")));
 }
 

@@ -1,4 +1,5 @@
 // cylon run
+#include "harness/cli/command_line.h"
 #include "harness/cli/commands/app.h"
 #include "harness/cli/commands/published.h"
 #include "harness/cli/commands/run_cells.h"
@@ -8,6 +9,7 @@
 #include "harness/cli/output.h"
 #include "harness/cli/provenance_now.h"
 #include "harness/core/input_error.h"
+#include "harness/process/interruption.h"
 #include "reports/csv.h"
 #include "reports/json.h"
 #include "reports/junit.h"
@@ -18,6 +20,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <set>
 #include <string>
 
@@ -73,6 +76,14 @@ int run(const Context& context, const RunOptions& options) {
     std::cerr << "nothing to run again: this folder has no earlier run\n";
     return nothing_selected;
   }
+  if (last.strange > 0)
+    std::cerr << fmt::format(
+        "{} lines of .cylon/journal.jsonl are cut off, or were not written by you in this folder; they are "
+        "not "
+        "used\n",
+        last.strange);
+  if (options.resume && !last.request && last.strange > 0 && options.request == Request())
+    throw core::InputError("--resume: this folder has no run of yours; say what to run");
   // With nothing said but --resume or --rerun-failed, what the last run was asked for.
   const Request request = last.request && options.request == Request() ? *last.request : options.request;
   Selection selection = select(context, request);
@@ -96,13 +107,10 @@ int run(const Context& context, const RunOptions& options) {
   Traces traces;
   if (options.wants_traces()) traces.watch(selection.cells);
   journal.open(request, options.resume);
+  const process::Interruptible until_told;
+  study::Matrix matrix = run_cells(context, options, expectations, last, journal, selection.cells);
   std::vector<Verdict> rows;
-  try {
-    rows = run_cells(context, options, expectations, last, journal, selection.cells);
-  } catch (const process::Interrupted&) {
-    std::cerr << "interrupted; continue with `cylon run --resume` in this folder\n";
-    return interrupted;
-  }
+  for (auto& cell : matrix.rows) std::move(cell.begin(), cell.end(), std::back_inserter(rows));
 
   if (!options.plots.empty()) write_plots(options.plots, traces);
   const bool quiet = std::find(files.begin(), files.end(), "-") != files.end();
@@ -121,6 +129,14 @@ int run(const Context& context, const RunOptions& options) {
   if (!options.junit.empty()) write_whole(options.junit, reports::to_junit(rows));
   if (!options.csv.empty()) write_whole(options.csv, reports::to_csv(rows));
   write_report(options, selection, traces, {provenance, rows});
+  for (const auto& list : {matrix.refused, matrix.failed})
+    for (const std::string& line : list) std::cerr << "error: " << plain(line) << '\n';
+  if (matrix.interrupted)
+    std::cerr << "interrupted: the reports hold what is done; continue with `cylon run --resume` in this "
+                 "folder\n";
+  if (!matrix.refused.empty()) return bad_input;
+  if (matrix.interrupted) return interrupted;
+  if (!matrix.failed.empty()) return harness_failure;
   return exit_code(rows, published_differs);
 }
 

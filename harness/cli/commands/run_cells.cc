@@ -1,12 +1,9 @@
 #include "harness/cli/commands/run_cells.h"
 
-#include "harness/study/cell_pool.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iostream>
-#include <iterator>
 #include <string>
 #include <utility>
 
@@ -43,9 +40,9 @@ class Progress {
 
 }  // namespace
 
-std::vector<Verdict> run_cells(const Context& context, const RunOptions& options,
-                               const scenario::Expectations& expectations, const Journal::Content& last,
-                               Journal& journal, const std::vector<study::Cell>& cells) {
+study::Matrix run_cells(const Context& context, const RunOptions& options,
+                        const scenario::Expectations& expectations, const Journal::Content& last,
+                        Journal& journal, const std::vector<study::Cell>& cells) {
   std::vector<std::vector<Verdict>> rows(cells.size());
   std::vector<std::string> keys;
   std::vector<std::size_t> todo;
@@ -68,16 +65,15 @@ std::vector<Verdict> run_cells(const Context& context, const RunOptions& options
   const study::Pool pool{.workers = worker_count(options.jobs),
                          .limits = {.run_seconds = options.timeout,
                                     .memory_bytes = static_cast<std::size_t>(options.memory * 1073741824.0)}};
-  auto fresh =
+  study::Matrix fresh =
       study::run(to_run, pool, expectations, [&](std::size_t i, const std::vector<Verdict>& verdicts) {
         journal.add(keys[todo[i]], to_run[i], verdicts);
         progress.done(to_run[i], verdicts);
       });
   progress.clear();
-  for (std::size_t i = 0; i < todo.size(); ++i) rows[todo[i]] = std::move(fresh[i]);
-  std::vector<Verdict> flat;
-  for (auto& cell : rows) std::move(cell.begin(), cell.end(), std::back_inserter(flat));
-  return flat;
+  for (std::size_t i = 0; i < todo.size(); ++i) rows[todo[i]] = std::move(fresh.rows[i]);
+  fresh.rows = std::move(rows);
+  return fresh;
 }
 
 }  // namespace cylon::cli

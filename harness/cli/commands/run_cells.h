@@ -5,16 +5,15 @@
 #include "harness/cli/context.h"
 #include "harness/cli/journal.h"
 #include "harness/scenario/expected.h"
-#include "harness/study/cell.h"
+#include "harness/study/cell_pool.h"
 
 #include <vector>
 
 namespace cylon::cli {
 
-/// The rows of all cells, in order; with --resume those of the last journal where they are there and still
-/// hold.
-std::vector<results::Verdict> run_cells(const Context&, const RunOptions&, const scenario::Expectations&,
-                                        const Journal::Content& last, Journal&,
-                                        const std::vector<study::Cell>&);
+/// What came of all cells, in order; with --resume the rows of the last journal where they are there and
+/// still hold.
+study::Matrix run_cells(const Context&, const RunOptions&, const scenario::Expectations&,
+                        const Journal::Content& last, Journal&, const std::vector<study::Cell>&);
 
 }  // namespace cylon::cli

@@ -27,7 +27,7 @@ std::vector<Reproduction> of_suite(const Context& context, const std::string& na
   request.suite = name;
   const Selection selection = select(context, request);
   const study::Pool pool{.workers = worker_count(0), .limits = {}};
-  const auto cells = study::run(selection.cells, pool, {}, {});
+  const auto cells = study::run(selection.cells, pool, {}, {}).rows;
   std::vector<Reproduction> rows;
   for (const auto& published : selection.suite.published)
     for (std::size_t i = 0; i < cells.size(); ++i) {

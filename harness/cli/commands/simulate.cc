@@ -11,6 +11,7 @@
 #include "harness/core/recording.h"
 #include "harness/process/client.h"
 #include "harness/scenario/input.h"
+#include "reports/csv.h"
 
 #include <fmt/format.h>
 
@@ -47,12 +48,14 @@ std::string csv(const core::Scene& scene, const core::Recording& recording,
                 const std::set<std::int64_t>& wanted) {
   std::string text = fmt::format("{}\n", states_header);
   const auto to = std::back_inserter(text);
+  std::vector<std::string> names;
+  for (const core::Body& body : scene.bodies) names.push_back(reports::csv_field(body.name));
   for (std::size_t i = 0; i < recording.steps.size(); ++i) {
     if (!wanted.empty() && !wanted.contains(recording.steps[i])) continue;
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
       const core::BodyState& s = recording.states[i][b];
       fmt::format_to(to, "{:.17g},{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}",
-                     recording.time(i), scene.bodies[b].name, s.position.x(), s.position.y(), s.position.z(),
+                     recording.time(i), names[b], s.position.x(), s.position.y(), s.position.z(),
                      s.orientation.w(), s.orientation.x(), s.orientation.y(), s.orientation.z());
       fmt::format_to(to, ",{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", s.velocity.x(), s.velocity.y(),
                      s.velocity.z(), s.angular_velocity.x(), s.angular_velocity.y(), s.angular_velocity.z());

@@ -47,25 +47,17 @@ study::Ran from_json(const json& j) {
   return ran;
 }
 
-std::string dumped(const json& line) { return line.dump(-1, ' ', true, json::error_handler_t::replace); }
-
 }  // namespace
 
-TradeJournal::TradeJournal(const std::filesystem::path& file, bool resume) {
-  std::error_code ignored;
-  std::filesystem::create_directories(file.parent_path(), ignored);
-  std::ifstream in(file);
-  for (std::string line; resume && std::getline(in, line);) try {
-      const json row = json::parse(line);
+TradeJournal::TradeJournal(const std::filesystem::path& file, bool resume) : file_(file) {
+  if (resume)
+    file_.read([&](const json& row) {
       if (row.contains("ran"))
         runs_[row.at("key")] = from_json(row.at("ran"));
       else
         times_[row.at("key")] = {row.at("load"), row.at("step")};
-    } catch (const std::exception&) {
-      continue;
-    }
-  out_.open(file, resume ? std::ios::app : std::ios::trunc);
-  if (resume) out_ << '\n';  // ends a line that a crash has cut off
+    });
+  file_.open(resume);
 }
 
 void TradeJournal::turn_to(const scenario::Scenario& scenario, std::int64_t samples) {
@@ -89,8 +81,7 @@ std::optional<study::Ran> TradeJournal::find(const study::Setting& setting, std:
 }
 
 void TradeJournal::keep(const study::Setting& setting, const study::Ran& ran) {
-  out_ << dumped({{"key", key(setting, ran.point.steps, ran.point.tolerance)}, {"ran", to_json(ran)}}) << '\n'
-       << std::flush;
+  file_.add({{"key", key(setting, ran.point.steps, ran.point.tolerance)}, {"ran", to_json(ran)}});
 }
 
 std::optional<process::Repetition> TradeJournal::find_time(const study::Setting& setting,
@@ -102,11 +93,9 @@ std::optional<process::Repetition> TradeJournal::find_time(const study::Setting&
 
 void TradeJournal::keep_time(const study::Setting& setting, const results::TradePoint& point, int round,
                              const process::Repetition& time) {
-  out_ << dumped({{"key", fmt::format("{} #{}", key(setting, point.steps, point.tolerance), round)},
-                  {"load", time.load_seconds},
-                  {"step", time.step_seconds}})
-       << '\n'
-       << std::flush;
+  file_.add({{"key", fmt::format("{} #{}", key(setting, point.steps, point.tolerance), round)},
+             {"load", time.load_seconds},
+             {"step", time.step_seconds}});
 }
 
 }  // namespace cylon::cli

@@ -2,10 +2,10 @@
 // .cylon/trade.jsonl of the working folder, keyed by the content of what was run.
 #pragma once
 
+#include "harness/cli/line_file.h"
 #include "harness/study/sweep.h"
 
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <string>
 
@@ -13,8 +13,8 @@ namespace cylon::cli {
 
 class TradeJournal final : public study::Memory {
  public:
-  /// Starts afresh, or reads what is there and goes on after it; a line cut off by a crash is left out.  A
-  /// file that cannot be written is silently none.
+  /// Starts afresh, or reads what is there and goes on after it; a line cut off by a crash is left out.
+  /// Throws core::InputError where another sweep has the file open.
   TradeJournal(const std::filesystem::path& file, bool resume);
 
   /// The scenario whose runs follow, and how many common times they are looked at.
@@ -33,7 +33,7 @@ class TradeJournal final : public study::Memory {
  private:
   std::string key(const study::Setting&, std::int64_t steps, double tolerance) const;
 
-  std::ofstream out_;
+  LineFile file_;
   std::map<std::string, study::Ran> runs_;
   std::map<std::string, process::Repetition> times_;
   const scenario::Scenario* scenario_ = nullptr;

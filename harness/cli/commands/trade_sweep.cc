@@ -3,6 +3,7 @@
 #include "harness/cli/output.h"
 #include "harness/cli/provenance_now.h"
 #include "harness/cli/scenario_view.h"
+#include "harness/process/interruption.h"
 #include "harness/study/self_reference.h"
 #include "reports/html.h"
 #include "reports/trade_report.h"
@@ -76,13 +77,19 @@ int sweep_each(const Context& context, const SweepRequest& request,
   TradeJournal journal(request.journal, request.resume);
   if (request.resume) std::cerr << fmt::format("resumed: {} runs are done already\n", journal.known());
   std::vector<results::TradeTable> tables;
+  const process::Interruptible until_told;
+  bool whole = true;
   try {
     for (const auto& scenario : selection.scenarios) tables.push_back(each(*scenario, journal));
   } catch (const process::Interrupted&) {
-    std::cerr << "interrupted; repeat the command with --resume in this folder to continue\n";
+    whole = false;
+  }
+  if (whole || !tables.empty()) done(selection, tables);
+  if (!whole) {
+    std::cerr << "interrupted: what is written holds the scenarios that are done; repeat the command with "
+                 "--resume in this folder to continue\n";
     return interrupted;
   }
-  done(selection, tables);
   for (const results::TradeTable& table : tables)
     for (const results::TradeSeries& series : table.series)
       if (!series.points.empty()) return ok;

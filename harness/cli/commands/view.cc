@@ -6,7 +6,7 @@
 #include "harness/cli/workers.h"
 
 #include "harness/core/input_error.h"
-#include "harness/process/child.h"
+#include "harness/process/interruption.h"
 #include "harness/view/command.h"
 #include "harness/view/frames.h"
 #include "harness/view/host.h"
@@ -84,9 +84,11 @@ int view_scenario(const Context& context, const Options& options) {
   std::string name = options.record;
   for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   const bool file = name.ends_with(".toml");
+  auto session = make_session(context, options);
+  const process::Interruptible until_told;
   std::unique_ptr<view::Frames> frames;
   if (!options.record.empty() && !file) frames = std::make_unique<view::Frames>(options.record);
-  view::Host host(make_session(context, options), file ? options.record : "", say);
+  view::Host host(std::move(session), file ? options.record : "", say);
   view::Server server(host, frames.get(), options.port);
   say(server.url());
   for (const std::string& line : host.failures()) std::cerr << plain(line) << '\n';

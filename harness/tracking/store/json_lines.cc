@@ -1,6 +1,7 @@
 #include "harness/tracking/store/json_lines.h"
 
 #include "harness/core/input_error.h"
+#include "harness/input/json.h"
 #include "harness/tracking/store/json_object.h"
 #include "harness/tracking/store/json_rows.h"
 
@@ -41,7 +42,7 @@ class Reader {
  private:
   void head(const json& value) {
     if (value != json_lines_version)
-      place_.refuse(fmt::format("\"cylon_history\" is version {}, this program reads {}", value.dump(),
+      place_.refuse(fmt::format("\"cylon_history\" is version {}, this program reads {}", input::shown(value),
                                 json_lines_version));
     headed_ = true;
   }
@@ -95,7 +96,7 @@ class Reader {
     const std::vector<Anchor> here = store_.anchors();
     if (std::none_of(here.begin(), here.end(),
                      [&](const Anchor& other) { return other.name == a.name && other.date > a.date; }))
-      store_.pin(a);
+      store_.pin(a, Author::import);
   }
 
   void change_point(const json& value) {
@@ -104,7 +105,7 @@ class Reader {
     if (std::none_of(here.begin(), here.end(), [&](const ChangePoint& other) {
           return other.series == p.series && other.revision == p.revision && other.date > p.date;
         }))
-      store_.set(p);
+      store_.set(p, Author::import);
   }
 
   static constexpr std::pair<const char*, void (Reader::*)(const json&)> readers[] = {

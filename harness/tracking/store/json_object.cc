@@ -1,6 +1,7 @@
 #include "harness/tracking/store/json_object.h"
 
 #include "harness/core/input_error.h"
+#include "harness/input/json.h"
 #include "reports/text.h"
 
 #include <fmt/format.h>
@@ -14,9 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-std::string shown(const json& value) {
-  return reports::head(value.dump(-1, ' ', true, json::error_handler_t::replace), 60);
-}
+using input::shown;
 
 }  // namespace
 
@@ -82,16 +81,15 @@ void JsonObject::finish() const {
 
 json parse_json(std::string_view text, const Place& place) {
   try {
-    return json::parse(text);
-  } catch (const json::parse_error& error) {
+    return input::parse_json(text);
+  } catch (const input::BadJson& error) {
+    if (error.byte == 0) place.refuse(error.what());
     const std::string_view before =
         text.substr(0, std::min(error.byte == 0 ? 0 : error.byte - 1, text.size()));
     const auto lines = static_cast<unsigned>(std::count(before.begin(), before.end(), '\n'));
     const std::size_t start = lines == 0 ? 0 : before.rfind('\n') + 1;
     throw core::InputError(place.file, place.line + lines, static_cast<unsigned>(before.size() - start + 1),
-                           fmt::format("this is not JSON: '{}'", reports::head(text.substr(start), 40)));
-  } catch (const json::exception& error) {  // a number beyond the range of a double
-    place.refuse(error.what());
+                           fmt::format("{}: '{}'", error.what(), reports::head(text.substr(start), 40)));
   }
 }
 

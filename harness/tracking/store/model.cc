@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
+#include <iterator>
 #include <tuple>
 
 namespace cylon::store {
@@ -18,11 +19,20 @@ constexpr std::array<std::string_view, 5> kinds = {"exact", "error", "time", "si
 constexpr std::size_t detail_bytes = 1000;
 
 // Each text with its length, so that "a", "bc" and "ab", "c" are two.
-void add(core::ContentHash& content, std::initializer_list<std::string_view> texts) {
-  for (const std::string_view text : texts) content.add(fmt::format("{}:{}", text.size(), text));
+void add(std::string& content, std::initializer_list<std::string_view> texts) {
+  for (const std::string_view text : texts)
+    fmt::format_to(std::back_inserter(content), "{}:{}", text.size(), text);
 }
 
-void add(core::ContentHash& content, double value) { content.add(fmt::format("{:.17g};", value)); }
+void add(std::string& content, double value) {
+  fmt::format_to(std::back_inserter(content), "{:.17g};", value);
+}
+
+std::string hash_of(std::string_view content) {
+  core::ContentHash hash;
+  hash.add(content);
+  return hash.hex();
+}
 
 double storable(double value) {
   if (!std::isfinite(value)) return std::numeric_limits<double>::quiet_NaN();
@@ -50,57 +60,62 @@ std::string Cell::name() const {
 }
 
 std::string cell_hash(const Cell& c) {
-  core::ContentHash content;
+  std::string content;
   add(content, {c.scenario, c.scenario_hash, c.engine, c.path, c.integrator, c.precision, c.settings});
   add(content, c.dt);
-  return content.hex();
+  return hash_of(content);
 }
 
 std::string run_uid(const RunInfo& r, std::int64_t ordinal) {
-  core::ContentHash content;
+  std::string content;
   add(content, {r.label, r.revision, r.date, r.machine, r.os, r.compiler, r.flags, r.build, r.command_line,
                 r.request, r.note});
-  content.add(fmt::format("{}", ordinal));
-  return content.hex();
+  content += fmt::format("{}", ordinal);
+  return hash_of(content);
 }
 
 std::string series_id(const Cell& cell, const Metric& metric) { return cell.hash + "/" + metric.name; }
 
-std::string digest(const Result& given) {
+std::string content_of(const Result& given) {
   const Result r = canonical(given);
-  core::ContentHash content;
+  std::string content;
   add(content, {r.cell.hash, r.engine_version, r.asked});
   for (const Sample& s : r.samples) {
     add(content, {s.metric.name, name(s.metric.kind), s.metric.unit, s.text});
-    content.add(fmt::format("{};", s.repetition));
+    content += fmt::format("{};", s.repetition);
     add(content, s.value);
   }
   for (const Judgement& j : r.judgements) {
     add(content, {j.claim, j.observable, j.unit, j.status, j.expected, j.detail});
     for (const double value : {j.measured, j.allowed, j.truth_error}) add(content, value);
   }
-  return content.hex();
+  return content;
 }
 
-std::string digest(const RunInfo& r) {
-  core::ContentHash content;
+std::string content_of(const RunInfo& r) {
+  std::string content;
   add(content, {r.uid, r.label, r.revision, r.date, r.machine, r.os, r.compiler, r.flags, r.build,
                 r.command_line, r.request, r.note});
-  content.add(fmt::format("{};", r.revision_order.value_or(0)));
-  return content.hex();
+  content += fmt::format("{};", r.revision_order.value_or(0));
+  return content;
 }
 
-std::string digest(const Anchor& a) {
-  core::ContentHash content;
+std::string content_of(const Anchor& a) {
+  std::string content;
   add(content, {a.name, a.binary, a.build, a.date, a.note, a.run});
-  return content.hex();
+  return content;
 }
 
-std::string digest(const ChangePoint& p) {
-  core::ContentHash content;
+std::string content_of(const ChangePoint& p) {
+  std::string content;
   add(content, {p.series, p.revision, p.state, p.date, p.note});
-  return content.hex();
+  return content;
 }
+
+std::string digest(const Result& r) { return hash_of(content_of(r)); }
+std::string digest(const RunInfo& r) { return hash_of(content_of(r)); }
+std::string digest(const Anchor& a) { return hash_of(content_of(a)); }
+std::string digest(const ChangePoint& p) { return hash_of(content_of(p)); }
 
 std::string twice(const Result& given) {
   const Result r = canonical(given);

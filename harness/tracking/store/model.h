@@ -126,6 +126,13 @@ std::string run_uid(const RunInfo&, std::int64_t ordinal);
 /// "<cell hash>/<metric>".
 std::string series_id(const Cell&, const Metric&);
 
+/// Every value of it in one text, two of which are equal exactly when the values are: of a result in any
+/// order of its samples and judgements; of a run all but its id and whether it is complete.
+std::string content_of(const Result&);
+std::string content_of(const RunInfo&);
+std::string content_of(const Anchor&);
+std::string content_of(const ChangePoint&);
+
 /// Of a result's every value, in any order of its samples and judgements.
 std::string digest(const Result&);
 /// Of all fields; of a run all but its id and whether it is complete.

@@ -123,7 +123,17 @@ CREATE TABLE change_point (
 ) STRICT, WITHOUT ROWID;
 )";
 
-constexpr const char* scripts_of_today[] = {tables};
+// Schema 2.  Seals (harness/seal) of what this store's user wrote; what was imported has none.
+constexpr const char* seals = R"(
+CREATE TABLE seal (
+  kind TEXT NOT NULL CHECK (kind IN ('run', 'result', 'anchor', 'change_point')),
+  id   TEXT NOT NULL,
+  mac  TEXT NOT NULL,
+  PRIMARY KEY (kind, id)
+) STRICT, WITHOUT ROWID;
+)";
+
+constexpr const char* scripts_of_today[] = {tables, seals};
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 #include "harness/core/input_error.h"
 #include "harness/tracking/store/database.h"
 #include "harness/tracking/store/schema.h"
+#include "harness/tracking/store/sealed.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -190,6 +191,8 @@ std::int64_t Store::begin_run(const RunInfo& given) {
     run.uid = run_uid(run, ordinal++);
   } while (has_run(*database_, run.uid, id));
   id = insert(*database_, run);
+  for (const RunInfo& begun : runs())  // with the place in the history that it was given
+    if (begun.id == id) write_seal(*database_, sealed(begun, ""), Author::user);
   transaction.commit();
   return id;
 }
@@ -227,14 +230,20 @@ void Store::add(std::int64_t run, const Result& given) {
         .bind(cell, id_of(*database_, j), run, j.status, j.expected, j.measured, j.allowed, j.truth_error,
               j.detail)
         .run();
+  write_seal(*database_, sealed(result, uid_of(*database_, run)), author_);
   transaction.commit();
 }
 
-void Store::finish_run(std::int64_t run) {
-  database_->query("UPDATE run SET complete = 1 WHERE id = ?").bind(run).run();
+void Store::finish_run(std::int64_t id) {
+  Transaction transaction(*database_);
+  database_->query("UPDATE run SET complete = 1 WHERE id = ?").bind(id).run();
+  for (const RunInfo& run : runs())
+    if (run.id == id) write_seal(*database_, sealed(run, seals_of_results(*database_, id)), author_);
+  transaction.commit();
 }
 
-void Store::pin(const Anchor& given) {
+void Store::pin(const Anchor& given, Author author) {
+  Transaction transaction(*database_);
   const Anchor a = {clean(given.name), clean(given.binary), clean(given.build),
                     clean(given.date), clean(given.note),   clean(given.run)};
   database_
@@ -244,9 +253,12 @@ void Store::pin(const Anchor& given) {
           "?, ?)")
       .bind(a.name, a.binary, a.build, a.date, a.note, a.run, digest(a))
       .run();
+  write_seal(*database_, sealed(a), author);
+  transaction.commit();
 }
 
-void Store::set(const ChangePoint& given) {
+void Store::set(const ChangePoint& given, Author author) {
+  Transaction transaction(*database_);
   const ChangePoint p = {clean(given.series), clean(given.revision), given.state, clean(given.date),
                          clean(given.note)};
   database_
@@ -256,6 +268,8 @@ void Store::set(const ChangePoint& given) {
           "?, ?, ?)")
       .bind(p.series, p.revision, p.state, p.date, p.note, digest(p))
       .run();
+  write_seal(*database_, sealed(p), author);
+  transaction.commit();
 }
 
 void Store::in_one_transaction(const std::function<void()>& work) {

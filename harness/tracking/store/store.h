@@ -4,6 +4,7 @@
 
 #include "harness/tracking/store/model.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -18,6 +19,17 @@ class Database;
 /// read: the file must be there, and is not changed.  write: it is made where it is missing, and brought up
 /// to this program's schema where it is older.
 enum class Mode { read, write };
+
+/// Who says what is stored: the user of this program, whose key seals it, or a file that is imported.
+enum class Author { user, import };
+
+/// Who stands behind the rows of a store (harness/seal).
+struct Seals {
+  std::size_t own = 0;      ///< Rows that bear this user's seal, which holds.
+  std::size_t foreign = 0;  ///< Rows without a seal, or with that of another key: imported, or older.
+  std::vector<std::string>
+      broken;  ///< A sentence for each row that was changed after this user had sealed it.
+};
 
 /// One open store.  Every member throws core::InputError, in one sentence that names the file and what to do,
 /// where the file cannot be read or written: it is no store, of a newer schema, damaged, read-only, locked by
@@ -40,11 +52,13 @@ class Store {
   void add(std::int64_t run, const Result&);
   void finish_run(std::int64_t run);
   /// Sets the anchor of that name.
-  void pin(const Anchor&);
+  void pin(const Anchor&, Author = Author::user);
   /// Sets what is known of that series at that revision.
-  void set(const ChangePoint&);
+  void set(const ChangePoint&, Author = Author::user);
   /// All that `work` writes in one transaction: kept whole, or not at all where it throws.
   void in_one_transaction(const std::function<void()>& work);
+  /// Whose results add() is given from now on: the user's at first.
+  void set_author(Author author) { author_ = author; }
   /// A run from another store, with its uid; false where it is here already.  `id` is then its id here.
   bool import_run(const RunInfo&, std::int64_t& id);
 
@@ -67,6 +81,11 @@ class Store {
   std::string stored_digest(std::int64_t run, const std::string& cell_hash) const;
   std::vector<Anchor> anchors() const;
   std::vector<ChangePoint> change_points() const;
+  /// Whether this user set the anchor, or began the run, with this program, and nobody changed it since.
+  bool is_own(const Anchor&) const;
+  bool is_own(const RunInfo&) const;
+  /// Verifies every seal, by reading everything.
+  Seals seals() const;
   /// What is damaged, a sentence each, by reading everything: the pages, the references between tables, and
   /// the digest of every result, run and cell.
   std::vector<std::string> check() const;
@@ -74,6 +93,7 @@ class Store {
  private:
   explicit Store(std::unique_ptr<Database>);
   std::unique_ptr<Database> database_;
+  Author author_ = Author::user;
 };
 
 }  // namespace cylon::store

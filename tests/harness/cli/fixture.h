@@ -51,8 +51,9 @@ class CommandLine : public testing::Test {
   /// A shell line in the folder, with `cylon` in PATH and no terminal; SIGINT as soon as `interrupt_when`
   /// says.
   Ran shell(const std::string& line, const std::function<bool()>& interrupt_when = {}) const {
-    const std::string script =
-        "cd '" + folder.string() + "' && export PATH='" + std::string(binary_dir) + "':\"$PATH\" && " + line;
+    const std::string script = "cd '" + folder.string() +
+                               "' || exit 99; export CYLON_KEY=\"$PWD/.key\" PATH='" +
+                               std::string(binary_dir) + "':\"$PATH\"; " + line;
     const std::string out = (folder / ".out").string(), err = (folder / ".err").string();
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);

@@ -1,4 +1,5 @@
 // For every fault of a worker, the harness reports the fault in time and leaves no process behind.
+#include "harness/core/input_error.h"
 #include "tests/harness/process/fixture.h"
 
 #include <gtest/gtest.h>
@@ -77,6 +78,9 @@ constexpr Misdeed misdeeds[] = {
     {"exit_7_in_load", Status::crash, "exited 7 before done", 1},
     {"error_in_run", Status::crash, "stopped after step 50: Jacobian is singular", 1},
     {"orphan_in_run", Status::crash, "exited 3 before done", 1},
+    {"stray_in_load", Status::crash, "exited 3 before done", 1},
+    {"stray_in_run", Status::crash, "exited 3 before done", 1},
+    {"family_memory_in_load", Status::crash, "memory limit", 5},
     {"loop_in_hello", Status::timeout, "'hello' did not end within 2 s", 2},
     {"loop_in_load", Status::timeout, "'load' did not end within 2 s", 2},
     {"loop_in_run", Status::timeout, "'run' did not end within 2 s", 2},
@@ -89,6 +93,9 @@ constexpr Misdeed misdeeds[] = {
     {"close_stdout_in_run", Status::protocol, "closed its output before the end and kept running", 1},
     {"huge_line_in_hello", Status::protocol, "a line of more than 16 MiB", 1},
     {"huge_line_in_run", Status::protocol, "a line of more than 16 MiB", 1},
+    {"deep_line_in_hello", Status::protocol, "nested more than 64 deep at byte", 1},
+    {"deep_line_in_load", Status::protocol, "nested more than 64 deep at byte", 1},
+    {"deep_line_in_run", Status::protocol, "nested more than 64 deep at byte", 1},
     {"memory_in_load", Status::crash, "emory", 2},
     {"bad_magic", Status::protocol, "neither a JSON line nor a frame: 'CYLG", 1},
     {"wrong_bodies", Status::protocol,
@@ -98,6 +105,7 @@ constexpr Misdeed misdeeds[] = {
     {"garbage_in_frame", Status::protocol, "", 1},
     {"backward", Status::protocol, "a state of step 58 where step 60 was expected", 1},
     {"unwatched_event", Status::protocol, "an event of a pair that was not to be watched", 1},
+    {"long_version", Status::protocol, "version: longer than 4096 bytes", 1},
     {"miscounts", Status::protocol, "10 frames came, 11 were announced", 1},
     {"boasts", Status::protocol, "step_ns: 5 s of CPU time for the steps, but its processes used", 1},
     {"misspells", Status::protocol, "step_ns: missing", 1},
@@ -166,6 +174,16 @@ TEST(IsolationAlone, AWorkerThatCannotStartIsUnsupported) {
   EXPECT_EQ(outcome.reason, "cannot start '/dev/null': Permission denied");
   EXPECT_EQ(outcome_of({}).status, Status::unsupported);
   EXPECT_FALSE(has_children());
+}
+
+TEST(IsolationAlone, FloodsOfEventsAndStatesAreRefused) {
+  const core::Scene scene = two_bodies();
+  RunRequest request = request_of(scene, 100, 10);
+  request.watch = {{0, 1, -1}};
+  const RunOutcome outcome = run(scripted("event_flood"), request, {60, 60, std::size_t{1} << 30});
+  EXPECT_EQ(results::name(outcome.status), "protocol");
+  EXPECT_EQ(outcome.reason, "more than 1000000 events");
+  EXPECT_THROW(run(scripted("good"), request_of(scene, 9'000'000'000'000'000, 1), limits), core::InputError);
 }
 
 TEST(IsolationAlone, InterruptionEndsARunAtOnce) {

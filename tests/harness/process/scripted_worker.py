@@ -68,6 +68,10 @@ def misbehave(at):
         out.write(b"{" + b" " * (40 << 20))
         out.flush()
         forever()
+    if MODE == f"deep_line_in_{at}":
+        out.write(b'{"ok":' + b"[" * 4000000 + b"]" * 4000000 + b"}\n")
+        out.flush()
+        forever()
     if MODE == f"memory_in_{at}":
         hog = []
         while True:
@@ -79,6 +83,45 @@ def misbehave(at):
         if os.fork() == 0:
             forever()
         os._exit(3)
+    if MODE == f"stray_in_{at}":  # out of the group, and of the parent's reach
+        if os.fork() == 0:
+            os.setsid()
+            if os.fork() == 0:
+                forever()
+            os._exit(0)
+        os.wait()
+        os._exit(3)
+    if MODE == f"family_memory_in_{at}":  # 5 * 80 MiB, each by itself within the limit
+        for _ in range(5):
+            if os.fork() == 0:
+                hog = bytearray(b"x") * (80 << 20)
+                forever()
+        forever()
+    if MODE == f"spies_in_{at}":  # says what it can see and do
+        import socket
+        found = []
+        for path in (os.environ.get("SPY_FILE", ""), os.path.expanduser("~/.config/cylon/key")):
+            if path and os.path.exists(path):
+                found.append(f"reads {path}")
+        for path in ("written_by_worker", "/usr/written_by_worker"):
+            try:
+                open(path, "w").close()
+                found.append(f"writes {path}")
+            except OSError:
+                pass
+        if len([p for p in os.listdir("/proc") if p.isdigit()]) > 5:
+            found.append("sees processes")
+        try:
+            socket.create_connection(("127.0.0.1", int(os.environ["SPY_PORT"])), 2)
+            found.append("connects")
+        except OSError:
+            pass
+        import ctypes
+        if ctypes.CDLL(None).ptrace(16, 1, 0, 0) == 0 or ctypes.get_errno() not in (0, 1):
+            found.append("traces")
+        print("found: " + ", ".join(found), file=sys.stderr, flush=True)
+    if MODE == "event_flood" and at == "run":
+        out.write(b'{"event":{"kind":"bounce","body":0,"other":1,"plane":-1,"index":1,"time":0.1,"speed":1,"height":0}}\n' * 1100000)
     if MODE == f"slow_{at}":
         time.sleep(30)
 
@@ -140,8 +183,9 @@ for text in sys.stdin:
     cmd = request["cmd"]
     if cmd == "hello":
         misbehave("hello")
-        say({"ok": "hello", "protocol": 2 if MODE == "protocol_2" else 1, "engine": "scripted", "version": MODE,
-             "precision": "double", "events": False,
+        say({"ok": "hello", "protocol": 2 if MODE == "protocol_2" else 1, "engine": "scripted",
+             "version": "v" * (15 << 20) if MODE == "long_version" else MODE,
+             "precision": "double", "events": MODE == "event_flood",
              **({"schemes": [{"name": "stiff"}, {"name": "controlled", "order": 5, "adaptive": True}]}
                 if MODE == "adaptive" else {})})
     elif cmd == "load":
@@ -149,6 +193,8 @@ for text in sys.stdin:
         bodies, dt, tolerance = request["scene"]["body"], request["dt"], request.get("tolerance", 0)
         if MODE == "unsupported":
             say({"unsupported": "no bodies at all"})
+        elif MODE == "refuses_load":
+            say({"error": "this worker takes no scene"})
         elif request["options"]:
             say({"error": f"unknown option '{list(request['options'])[0]}'"})
         else:

@@ -211,7 +211,7 @@ TEST(Claims, BadRecordedData) {
   };
   const std::string start = R"({"schema":"truth/1","bodies":[{"id":"body"}],)";
   EXPECT_EQ(refusal(start + R"("t":["0"],"trajectory":{"body":{"position":[["0","1e-400","2"]]}}})"), "");
-  EXPECT_EQ(refusal("{"), "d.json: is no JSON");
+  EXPECT_EQ(refusal("{"), "d.json: not JSON at byte 2");
   EXPECT_NE(refusal("[]").find("needs 'schema'"), std::string::npos);
   EXPECT_NE(refusal(R"({"schema":"truth/2"})").find("valid: \"truth/1\""), std::string::npos);
   EXPECT_NE(refusal(start + R"("t":["1","0"],"trajectory":{}})").find("times must ascend"),

@@ -23,6 +23,7 @@ class Folder : public testing::Test {
     ASSERT_NE(::mkdtemp(name.data()), nullptr);
     folder = name;
     file = folder / "history.db";
+    ::setenv("CYLON_KEY", (folder / "key").c_str(), 1);
   }
   void TearDown() override { std::filesystem::remove_all(folder); }
 

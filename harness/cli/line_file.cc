@@ -1,0 +1,112 @@
+#include "harness/cli/line_file.h"
+
+#include "harness/cli/command_line.h"
+#include "harness/core/input_error.h"
+#include "harness/input/json.h"
+#include "harness/seal/seal.h"
+
+#include <fmt/format.h>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace cylon::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr std::uintmax_t largest_journal = std::uintmax_t{1} << 30;  // [bytes]
+
+std::string text_of(const json& value) { return value.dump(-1, ' ', true, json::error_handler_t::replace); }
+
+bool write_all(int fd, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t n = ::write(fd, bytes.data(), bytes.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(n));
+  }
+  return true;
+}
+
+}  // namespace
+
+LineFile::~LineFile() {
+  if (fd_ >= 0) ::close(fd_);
+}
+
+// The folder belongs to it: a journal that was copied from another folder is not this one's.
+std::string LineFile::purpose() const {
+  std::error_code ignored;
+  return "journal " + fs::weakly_canonical(fs::absolute(file_, ignored), ignored).string();
+}
+
+std::size_t LineFile::read(const std::function<void(const json&)>& take) const {
+  std::error_code error;
+  if (!fs::is_regular_file(file_, error)) return 0;
+  if (const auto size = fs::file_size(file_, error); !error && size > largest_journal)
+    throw core::InputError(fmt::format("{}: {} bytes, but at most 1 GiB are read", file_.string(), size));
+  const std::string place = purpose();
+  std::size_t strange = 0;
+  std::ifstream in(file_, std::ios::binary);
+  for (std::string line; std::getline(in, line);) {
+    if (line.empty()) continue;
+    try {
+      json object = input::parse_json(line);
+      const std::string mac = object.at("seal").get<std::string>();
+      object.erase("seal");
+      if (!seal::holds(mac, place, text_of(object))) throw input::BadJson(0, "the seal does not hold");
+      take(object);
+    } catch (const std::exception&) {
+      ++strange;
+    }
+  }
+  return strange;
+}
+
+void LineFile::open(bool append) {
+  std::error_code ignored;
+  fs::create_directories(file_.parent_path(), ignored);
+  fd_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0666);
+  if (fd_ < 0) return give_up(errno);
+  if (::flock(fd_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    throw core::InputError(
+        fmt::format("{}: another cylon is at work in this folder; wait for its end, or use another folder",
+                    file_.string()));
+  struct stat status = {};
+  if (::fstat(fd_, &status) != 0 || !S_ISREG(status.st_mode)) return give_up(EINVAL);
+  if (!append) {
+    if (::ftruncate(fd_, 0) != 0) give_up(errno);
+    return;
+  }
+  char last = '\n';
+  if (status.st_size > 0 && ::pread(fd_, &last, 1, status.st_size - 1) != 1) return give_up(errno);
+  if (last != '\n' && !write_all(fd_, "\n")) give_up(errno);  // ends a line that a crash has cut off
+}
+
+void LineFile::add(const json& object) {
+  if (fd_ < 0) return;
+  json sealed = object;
+  sealed["seal"] = seal::seal(purpose(), text_of(object));
+  if (!write_all(fd_, text_of(sealed) + '\n')) give_up(errno);
+}
+
+void LineFile::give_up(int error) {
+  std::cerr << plain(fmt::format("warning: {} cannot be written ({}); what follows cannot be resumed\n",
+                                 file_.string(), std::generic_category().message(error)));
+  if (fd_ >= 0) ::close(fd_);
+  fd_ = -1;
+}
+
+}  // namespace cylon::cli

@@ -1,0 +1,63 @@
+// A worker and all that descend from it, wherever they have gone: children of its own, and those that left
+// its group or lost their parent.
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstddef>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace cylon::process {
+
+/// From now on, processes below this one that lose their parent become children of this one, not of init.
+void adopt_orphans();
+
+/// A child that its owner waits for, until this ends.  Hold births() from its fork until it is one of these,
+/// so that nobody takes it for an orphan.
+class Owned {
+ public:
+  explicit Owned(pid_t);
+  ~Owned();
+  Owned(const Owned&) = delete;
+  Owned& operator=(const Owned&) = delete;
+
+ private:
+  pid_t pid_;
+};
+std::mutex& births();
+
+/// "CYLON_WORKER=<this process>.<n>", another at every call: what a worker's descendants inherit in their
+/// environment, so that an orphan is known to be of its family.
+std::string new_mark();
+
+class Family {
+ public:
+  Family(pid_t worker, std::string mark) : worker_(worker), mark_(std::move(mark)) {}
+
+  /// Resident memory of the worker and its descendants together [bytes]; what several share counts once.
+  /// Looks through all processes of the machine.
+  std::size_t resident() const;
+
+  /// SIGKILL to the worker's group and to all descendants, again until none is left, and reaps them;
+  /// the worker itself is the caller's to reap.  A descendant that hides its environment and
+  /// outlives its parents escapes.
+  void kill();
+
+  /// Reaps every child of this process that has ended and is nobody's own; call it when the worker is gone.
+  static void reap_orphans();
+
+ private:
+  struct Relative {
+    pid_t pid = 0, parent = 0, group = 0;
+    bool dead = false;  // a zombie
+  };
+  static std::vector<Relative> processes();
+  std::vector<Relative> living() const;
+
+  pid_t worker_;
+  std::string mark_;
+};
+
+}  // namespace cylon::process

@@ -1,0 +1,37 @@
+// What an engine that is not one's own may see and do: by bubblewrap, where that is installed.
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <vector>
+
+namespace cylon::process {
+
+/// Whether workers run in a sandbox from now on (`cylon --sandbox`).
+std::atomic<bool>& sandboxing();
+
+/// Throws core::InputError where bubblewrap is not installed, or may not make namespaces here.
+void require_sandbox();
+
+/// A descriptor that closes with its owner.
+class SandboxFilter {
+ public:
+  /// A filter for bubblewrap's --seccomp: the system calls that no engine needs and that reach the kernel's
+  /// administration give EPERM: tracing, mounting, namespaces, keys, modules, clocks, BPF, io_uring.  Without
+  /// a descriptor where this processor has no list.
+  SandboxFilter();
+  ~SandboxFilter();
+  SandboxFilter(const SandboxFilter&) = delete;
+  SandboxFilter& operator=(const SandboxFilter&) = delete;
+  int fd() const { return fd_; }  ///< -1: none.
+
+ private:
+  int fd_ = -1;
+};
+
+/// The command in namespaces of its own: no network, no other processes, no devices; system folders, the
+/// working folder and the folders of the files that it names read-only, an empty /tmp; everything else, the
+/// home folder with the user's key among it, is not there.  It ends with its parent.
+std::vector<std::string> sandboxed(const std::vector<std::string>& command, const SandboxFilter&);
+
+}  // namespace cylon::process

@@ -1,0 +1,33 @@
+#include "harness/tracking/run_lock.h"
+
+#include "harness/core/input_error.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+namespace cylon::tracking {
+
+RunLock::~RunLock() {
+  if (fd_ >= 0) ::close(fd_);
+}
+
+void RunLock::hold(std::int64_t id) {
+  fd_ = ::open(store_.c_str(), O_RDWR | O_CLOEXEC);
+  struct flock byte = {};
+  byte.l_type = F_WRLCK;
+  byte.l_whence = SEEK_SET;
+  byte.l_start = (off_t{1} << 61) + id;
+  byte.l_len = 1;
+  if (fd_ >= 0 && ::fcntl(fd_, F_OFD_SETLK, &byte) == 0) return;
+  if (errno == EAGAIN || errno == EACCES)
+    throw core::InputError(store_.string(), 0, 0,
+                           fmt::format("another cylon is recording run {}; wait for its end", id));
+  throw core::InputError(store_.string(), 0, 0,
+                         fmt::format("cannot be locked: {}", std::generic_category().message(errno)));
+}
+
+}  // namespace cylon::tracking

@@ -1,0 +1,77 @@
+#include "harness/input/json.h"
+#include "tests/paths.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <string>
+
+namespace cylon::input {
+namespace {
+
+std::string nested(std::size_t depth, const std::string& inner) {
+  return std::string(depth, '[') + inner + std::string(depth, ']');
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    parse_json(text);
+  } catch (const BadJson& error) {
+    return error.what();
+  }
+  return "taken";
+}
+
+TEST(Json, DepthIsBoundedAndPlacesAreTold) {
+  EXPECT_EQ(refusal(nested(deepest_json, "1")), "taken");
+  EXPECT_EQ(refusal(nested(deepest_json + 1, "1")), "nested more than 64 deep at byte 65");
+  EXPECT_EQ(refusal("{\"a\":" + nested(deepest_json, "1") + "}"), "nested more than 64 deep at byte 69");
+  EXPECT_EQ(refusal(std::string(10'000'000, '[')), "nested more than 64 deep at byte 65");
+  EXPECT_EQ(refusal("[1, 2"), "not JSON at byte 6");
+  EXPECT_EQ(refusal("[-1e999]"), "not JSON: a number beyond the range of a double");
+}
+
+TEST(Json, BracketsInsideStringsDoNotCount) {
+  const std::string brackets(1000, '[');
+  EXPECT_EQ(parse_json("{\"a\": \"" + brackets + "\"}")["a"], brackets);
+  EXPECT_EQ(parse_json(R"(["\"[[[", "\\", []])").size(), 3u);
+  // One behind another is not one inside another.
+  std::string flat = "[0";
+  for (int i = 0; i < 1000; ++i) flat += ",[[]]";
+  EXPECT_EQ(parse_json(flat + "]").size(), 1001u);
+}
+
+TEST(Json, ShowsStrangersValuesInBounds) {
+  EXPECT_EQ(shown(parse_json("1.5")), "1.5");
+  EXPECT_EQ(shown(parse_json("null")), "null");
+  EXPECT_EQ(shown(parse_json("[[], []]")), "an array of 2");
+  EXPECT_EQ(shown(parse_json(R"({"a": {}})")), "an object of 1 keys");
+  EXPECT_EQ(shown(nlohmann::json("\x1b[31m\xff")), R"("\u001b[31m\ufffd")");
+  EXPECT_LT(shown(nlohmann::json(std::string(1 << 20, 'x'))).size(), 100u);
+}
+
+// A parse elsewhere would be one without the bound.
+TEST(Json, IsParsedInOnePlace) {
+  namespace fs = std::filesystem;
+  const std::regex parse("json::parse|Json::parse|json::accept|json::sax_parse");
+  int files = 0;
+  for (const char* folder : {"harness", "reports", "reference", "engine"})
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(source_dir) / folder)) {
+      const std::string path = entry.path().string();
+      if (!(path.ends_with(".cc") || path.ends_with(".h")) || path.ends_with("harness/input/json.h"))
+        continue;
+      ++files;
+      std::ifstream in(path);
+      for (std::string line; std::getline(in, line);) {
+        std::smatch found;
+        if (!std::regex_search(line, found, parse)) continue;
+        EXPECT_EQ(found.suffix().str().substr(0, 6), "_error") << path << ": " << line;
+      }
+    }
+  EXPECT_GT(files, 500);
+}
+
+}  // namespace
+}  // namespace cylon::input

@@ -1,0 +1,108 @@
+// A stdout or a journal that could not be written was exit code 0 and silence, a file size limit killed
+// `run`, two runs in one folder cut each other's journal, and a signal while files are read did nothing for
+// minutes.
+#include "tests/harness/cli/fixture.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace cylon::cli {
+namespace {
+
+using OutputsThatFail = CommandLine;
+
+TEST_F(OutputsThatFail, AFullDiskIsAnError) {
+  for (const char* command :
+       {"list --names", "engines --names", "--help", "run projectile --engine in-house --json -",
+        "simulate projectile --engine in-house --out -"}) {
+    const Ran ran = shell("exec cylon " + std::string(command) + " > /dev/full");
+    EXPECT_EQ(ran.code, 5) << command;
+    EXPECT_NE(ran.err.find("stdout cannot be written"), std::string::npos) << command << ran.err;
+  }
+}
+
+TEST_F(OutputsThatFail, AJournalThatCannotBeWrittenIsTold) {
+  // 1 block of 512 bytes: the first line fits, the cell's does not.
+  const Ran ran = shell("ulimit -f 1; exec cylon run projectile --engine in-house >/dev/null");
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.err.find(".cylon/journal.jsonl cannot be written (File too large)"), std::string::npos)
+      << ran.err;
+  write("file", "");
+  const Ran blocked =
+      shell("rm -r .cylon; ln -s ../file .cylon; exec cylon run projectile --engine in-house");
+  EXPECT_EQ(blocked.code, 0) << blocked.err;
+  EXPECT_NE(blocked.err.find("what follows cannot be resumed"), std::string::npos) << blocked.err;
+}
+
+TEST_F(OutputsThatFail, TwoRunsInOneFolderDoNotShareAJournal) {
+  write("engine.sh", "touch started; sleep 1\nexec " + std::string(binary_dir) + "/cylon-worker-in-house\n");
+  const Ran ran = shell(
+      "cylon run projectile --worker 'slow=sh engine.sh' --engine slow > first.txt 2>&1 & "
+      "while [ ! -e started ]; do sleep 0.02; done; cylon run projectile --engine in-house; code=$?; wait; "
+      "exit $code");
+  EXPECT_EQ(ran.code, 2) << ran.out << ran.err;
+  EXPECT_NE(ran.err.find("another cylon is at work in this folder"), std::string::npos) << ran.err;
+  EXPECT_NE(read("first.txt").find(" verdicts: "), std::string::npos);
+}
+
+// Somebody else's journal names programs; none of them is run.
+TEST_F(OutputsThatFail, AJournalOfAnotherUserIsNotRead) {
+  write("engine.sh", "touch ran\nexec " + std::string(binary_dir) + "/cylon-worker-in-house\n");
+  ASSERT_EQ(cylon("run projectile --worker 'mine=sh engine.sh' --engine mine").code, 0);
+  EXPECT_NE(cylon("run --resume").err.find("resumed: 1 of 1 cells"), std::string::npos);
+  const std::string journal = read(".cylon/journal.jsonl");
+  for (const std::string& change :
+       {std::string("rm .key ran"), std::string("rm ran; mkdir b; cp -r .cylon b; cd b")}) {
+    write(".cylon/journal.jsonl", journal);
+    const Ran ran = shell(change + "; exec cylon run --resume");
+    EXPECT_EQ(ran.code, 2) << change << ran.out << ran.err;
+    EXPECT_NE(ran.err.find("were not written by you in this folder"), std::string::npos) << ran.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "ran")) << change;
+    shell("touch ran");
+  }
+}
+
+TEST_F(OutputsThatFail, AnInterruptedRunReportsWhatIsDone) {
+  write("engine.sh",
+        "[ -e hang ] && exec sleep 100\nexec " + std::string(binary_dir) + "/cylon-worker-in-house\n");
+  write("hang", "");
+  const Ran ran = shell(
+      "exec cylon run projectile -j 1 --worker 'slow=sh engine.sh' --engine in-house --engine slow --json "
+      "out.json",
+      [&] {
+        const std::string journal = read(".cylon/journal.jsonl");
+        return std::count(journal.begin(), journal.end(), '\n') >= 2;
+      });
+  EXPECT_EQ(ran.code, 130) << ran.err;
+  const auto verdicts = nlohmann::json::parse(read("out.json")).at("verdicts");
+  EXPECT_FALSE(verdicts.empty());
+  for (const auto& row : verdicts) EXPECT_EQ(row.at("engine"), "in-house");
+}
+
+TEST_F(OutputsThatFail, ASignalEndsTheReading) {
+  // Certified truths of stars for hundreds of seconds.
+  write("slow.toml", [] {
+    std::string text = "duration = 1000\nstep = 0.001\n";
+    for (int i = 0; i < 20; ++i) {
+      text += "[[body]]\nname = \"b" + std::to_string(i) + "\"\nmass = 1\nposition = [" +
+              std::to_string(i * 1.1) + ", " + std::to_string(i * i * 0.3) + ", " + std::to_string(i % 3) +
+              "]\n";
+      for (int j = 0; j < i; ++j)
+        text += "[[attraction]]\nbody = \"b" + std::to_string(i) + "\"\nto = \"b" + std::to_string(j) +
+                "\"\nstrength = 1\n";
+    }
+    return text +
+           "[[claim]]\nfollows = \"certified\"\nobservable = \"position\"\nuntil = \"horizon\"\n"
+           "tolerance = { absolute = 1e-3, reason = \"r\" }\n";
+  }());
+  for (const char* signal : {"INT", "TERM"}) {
+    // bash's background jobs ignore SIGINT, so timeout sends it.
+    const Ran ran =
+        shell(std::string("timeout -s ") + signal + " 1 env CYLON_CACHE=off cylon validate slow.toml");
+    EXPECT_EQ(ran.code, 124) << signal << ran.out << ran.err;  // timeout's word for "it had to be ended"
+  }
+}
+
+}  // namespace
+}  // namespace cylon::cli
