@@ -140,6 +140,12 @@ function(readme_test)
   set_tests_properties(readme_is_current fairness_is_current PROPERTIES LABELS conformance COST ${long_test})
 endfunction()
 
+# hostile_test(script words…): tests/hostile/<script>.py, which attacks the program with files, texts and engines.
+function(hostile_test script)
+  add_test(NAME hostile/${script} COMMAND ${PROJECT_SOURCE_DIR}/tests/hostile/${script}.py $<TARGET_FILE:cylon> ${ARGN})
+  set_tests_properties(hostile/${script} PROPERTIES LABELS hostile COST ${long_test})
+endfunction()
+
 # The pages in a real browser, and whether the committed bundle is that of their sources.
 function(web_tests)
   add_test(NAME web COMMAND ${PROJECT_SOURCE_DIR}/tests/reports/web/run.sh ${PROJECT_BINARY_DIR})

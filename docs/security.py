@@ -1,0 +1,46 @@
+#!/usr/bin/env python3
+"""Writes the table of docs/security.md: what is tried against the program, how often, and what fails.
+
+    docs/security.py [--cylon build/release/cylon]
+"""
+import argparse
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+ROWS = [
+    ("hostile scenario files", "tests/hostile/corpus.py"),
+    ("engines that misbehave, beside a healthy one", "tests/hostile/misdeeds.py"),
+    ("the same in the sandbox", "tests/hostile/misdeeds.py --sandbox"),
+    ("hostile texts through every output", "tests/hostile/texts.py"),
+    ("mutated scenarios, reports, stores' exports and journals", "tests/hostile/mutants.py"),
+]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--cylon", default="build/release/cylon")
+    options = parser.parse_args()
+    lines = ["| what | tried | open | worst | command |", "|---|---|---|---|---|"]
+    failed = 0
+    for what, command in ROWS:
+        script, *words = command.split()
+        ran = subprocess.run([ROOT / script, options.cylon, *words], cwd=ROOT, capture_output=True, text=True, check=False)
+        print(ran.stdout, end="", file=sys.stderr)
+        count = json.loads(ran.stdout.splitlines()[-1])
+        failed += count["failed"]
+        worst = f"{count['cpu_seconds']} s of CPU, {count['megabytes']} MB" if "megabytes" in count else ""
+        shown = " ".join([script, "build/release/cylon", *words])
+        lines.append(f"| {what} | {count['tried']} | {count['failed']} | {worst} | `{shown}` |")
+    page = ROOT / "docs/security.md"
+    text = re.sub(r"(?s)(<!-- security -->\n).*?(<!-- /security -->)",
+                  lambda block: block[1] + "\n".join(lines) + "\n" + block[2], page.read_text())
+    page.write_text(text)
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
