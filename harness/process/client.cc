@@ -73,12 +73,27 @@ class CpuWitness {
   double before_;
 };
 
+/// An orientation that is none would pass every claim that does not look at it.  What is not finite is judged
+/// later.
+void require_unit_orientations(const core::Scene& scene, const core::State& state, std::int64_t step) {
+  constexpr double off = 1e-3;
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    const double length = state[i].orientation.norm();
+    if (!std::isfinite(length) || std::abs(length - 1) <= off) continue;
+    throw Failure(
+        results::Status::fail,
+        fmt::format("step {}: the orientation of body '{}' has length {:.4g}, which must be 1 to {:g}", step,
+                    scene.bodies[i].name, length, off));
+  }
+}
+
 /// Asks for the run and collects it.  A worker that cannot watch is asked for every step instead, and the
 /// harness watches and keeps what was wanted.
 class Recorder {
  public:
   Recorder(const core::Scene& scene, const Run& wanted, bool worker_watches, double dt, core::State start)
-      : wanted_(wanted),
+      : scene_(scene),
+        wanted_(wanted),
         asked_(wanted),
         here_(!wanted.watch.empty() && !worker_watches),
         watch_(scene, here_ ? wanted.watch : std::vector<core::Pair>{}, dt),
@@ -127,6 +142,7 @@ class Recorder {
       if (step != static_cast<std::uint64_t>(due))
         broken(fmt::format("a state of step {} where step {} was expected", step, due));
       unpack_state(bytes, state_);
+      require_unit_orientations(scene_, state_, due);
       last_ = due;
       if (here_) watch_.observe(due, state_);
       if (due != next_sample(wanted_, recording_.steps.back())) continue;
@@ -156,6 +172,7 @@ class Recorder {
     recording_.remarks = done.remarks;
   }
 
+  const core::Scene& scene_;
   Run wanted_, asked_;
   bool here_;  // whether the harness watches
   core::EventWatch watch_;

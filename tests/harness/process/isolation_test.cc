@@ -111,6 +111,8 @@ constexpr Misdeed misdeeds[] = {
     {"misspells", Status::protocol, "step_ns: missing", 1},
     {"protocol_2", Status::protocol, "protocol: this harness speaks 1, the worker 2", 1},
     {"wrong_start", Status::fail, "initial state read back differs: body 'a' position", 1},
+    {"long_quaternion", Status::fail, "step 60: the orientation of body 'a' has length 1.5, which must be 1",
+     1},
     {"unsupported", Status::unsupported, "no bodies at all", 1},
 };
 INSTANTIATE_TEST_SUITE_P(Process, Isolation, testing::ValuesIn(misdeeds),

@@ -32,7 +32,8 @@ def state(bodies, t, junk=""):
             x = [float("nan"), float("inf"), x[2]]
         if junk == "nonsense":  # finite, and nowhere
             x = [1e30, -1e30, 1e30]
-        rows.append(struct.pack("<13d", *x, *b["orientation"], *b["velocity"], *b["angular_velocity"]))
+        q = [1.5 * u for u in b["orientation"]] if junk == "long_quaternion" else b["orientation"]
+        rows.append(struct.pack("<13d", *x, *q, *b["velocity"], *b["angular_velocity"]))
     return b"".join(rows)
 
 
