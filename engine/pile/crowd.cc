@@ -27,8 +27,8 @@ Stiffness stiffness(Real h) {
 }
 
 // K d = d/m + (I^-1 (r x d)) x r
-Vector3 response(const Matrix3& inverse_inertia, Real inverse_mass, const Vector3& arm, const Vector3& d) {
-  return inverse_mass * d + Vector3(inverse_inertia * arm.cross(d)).cross(arm);
+Quad response(const QuadMatrix& inverse_inertia, Real inverse_mass, const Quad& arm, const Quad& d) {
+  return inverse_mass * d + cross(inverse_inertia * cross(arm, d), arm);
 }
 
 }  // namespace
@@ -37,16 +37,16 @@ void Crowd::take(const Group& group, const Step& step, const std::vector<Body>& 
                  const std::vector<Mover>& movers, const std::vector<Block>& blocks,
                  const std::vector<Motion>& motions) {
   place_.resize(bodies.size());
-  body_.clear(), members_.clear();
+  body_.clear(), members_.clear(), spins_.clear();
   for (const int body : group.bodies) {
     const Mover& m = movers[index(body)];
     place_[index(body)] = -1;
     if (!moves(m)) continue;
     place_[index(body)] = static_cast<int>(members_.size());
     body_.push_back(body);
-    members_.push_back({m.v, m.w, Vector3::Zero(), Vector3::Zero(), m.inverse_inertia, m.inverse_mass});
+    members_.push_back({quad(m.v), quad(m.w), Quad{}, Quad{}, quads(m.inverse_inertia), m.inverse_mass});
+    spins_.push_back(m.w);
   }
-  start_ = members_;
   const Real share = 1 / static_cast<Real>(step.parts);
   pairs_.clear(), spots_.clear(), block_.clear();
   for (std::size_t from = 0, to = 0; from < group.blocks.size(); from = to) {
@@ -68,11 +68,11 @@ void Crowd::add_pair(const Group& group, std::size_t from, std::size_t to, Real 
   pair.a = turned ? b : a, pair.b = turned ? -1 : b;
   pair.first = spots_.size(), pair.count = static_cast<int>(to - from);
   pair.sign = turned ? Real(-1) : Real(1);
-  pair.n = pair.sign * first.normal;
+  const Vector3 n = pair.sign * first.normal;
   int least = 0;
-  pair.n.cwiseAbs().minCoeff(&least);
-  pair.t1 = pair.n.cross(Vector3::Unit(least)).normalized();
-  pair.t2 = pair.n.cross(pair.t1);
+  n.cwiseAbs().minCoeff(&least);
+  const Vector3 t1 = n.cross(Vector3::Unit(least)).normalized(), t2 = n.cross(t1);
+  pair.n = quad(n), pair.t1 = quad(t1), pair.t2 = quad(t2);
   pair.friction = first.friction;
   const Matrix3 r_a = rotation_matrix(motions[index(first.a)].orientation);
   const Matrix3 r_b = first.b == fixed_world ? Matrix3(Matrix3::Identity())
@@ -84,11 +84,11 @@ void Crowd::add_pair(const Group& group, std::size_t from, std::size_t to, Real 
     const Vector3 to_centre =
         first.b == fixed_world ? Vector3(Vector3::Zero()) : motions[index(first.b)].position;
     spot.gap = block.gap + first.normal.dot((motions[index(first.a)].position - to_centre) + (arm - to_arm));
-    spot.arm = turned ? to_arm : arm;
-    spot.to_arm = turned ? arm : to_arm;
+    spot.arm = quad(turned ? to_arm : arm);
+    spot.to_arm = quad(turned ? arm : to_arm);
     const Vector3 j = pair.sign * share * block.impulse;
-    spot.normal = std::max(pair.n.dot(j), Real(0));
-    spot.across_1 = pair.t1.dot(j), spot.across_2 = pair.t2.dot(j);
+    spot.normal = std::max(n.dot(j), Real(0));
+    spot.across_1 = t1.dot(j), spot.across_2 = t2.dot(j);
     spot.all_normal = 0;
     spot.bounce = block.restitution > 0 ? block.restitution * block.approach : 0;
     spots_.push_back(spot);
@@ -102,18 +102,18 @@ void Crowd::set_masses(const Pair& pair) {
   const Member& a = members_[index(pair.a)];
   for (std::size_t k = pair.first; k < pair.first + index(pair.count); ++k) {
     Spot& spot = spots_[k];
-    const auto k_times = [&](const Vector3& d) {
-      Vector3 u = response(a.inverse_inertia, a.inverse_mass, spot.arm, d);
+    const auto k_times = [&](const Quad& d) {
+      Quad u = response(a.inverse_inertia, a.inverse_mass, spot.arm, d);
       if (pair.b >= 0) {
         const Member& b = members_[index(pair.b)];
         u += response(b.inverse_inertia, b.inverse_mass, spot.to_arm, d);
       }
       return u;
     };
-    const Real along = pair.n.dot(k_times(pair.n));
+    const Real along = dot(pair.n, k_times(pair.n));
     spot.mass = along > 0 ? 1 / along : 0;
-    const Vector3 one = k_times(pair.t1), two = k_times(pair.t2);
-    const Real k_11 = pair.t1.dot(one), k_12 = pair.t1.dot(two), k_22 = pair.t2.dot(two);
+    const Quad one = k_times(pair.t1), two = k_times(pair.t2);
+    const Real k_11 = dot(pair.t1, one), k_12 = dot(pair.t1, two), k_22 = dot(pair.t2, two);
     const Real determinant = k_11 * k_22 - k_12 * k_12;
     const Real inverse = determinant > 0 ? 1 / determinant : 0;
     spot.mass_11 = inverse * k_22, spot.mass_12 = -inverse * k_12, spot.mass_22 = inverse * k_11;
@@ -126,7 +126,7 @@ void Crowd::set_masses(const Pair& pair) {
 // the ground.
 void Crowd::order(const Vector3& gravity, const std::vector<Motion>& motions) {
   for (Pair& pair : pairs_)
-    pair.depth = gravity.dot(motions[index(body_[index(pair.a)])].position + spots_[pair.first].arm);
+    pair.depth = gravity.dot(motions[index(body_[index(pair.a)])].position + vector(spots_[pair.first].arm));
   std::stable_sort(pairs_.begin(), pairs_.end(),
                    [](const Pair& one, const Pair& other) { return one.depth < other.depth; });
 }
@@ -135,24 +135,24 @@ namespace {
 
 // What an impulse does to a member, held by value while a pair is swept.
 struct Moving {
-  Vector3 v, w;
+  Quad v, w;
 };
 
 template <class Member>
-void apply(Moving& x, const Member& m, const Vector3& arm, const Vector3& j) {
+[[gnu::always_inline]] inline void apply(Moving& x, const Member& m, const Quad& arm, const Quad& j) {
   x.v += m.inverse_mass * j;
-  x.w += m.inverse_inertia * arm.cross(j);
+  x.w += m.inverse_inertia * cross(arm, j);
 }
 
 }  // namespace
 
 // The impulses of the part before.
 void Crowd::push(const Pair& pair) {
-  Vector3 force = Vector3::Zero(), torque = force, to_torque = force;
+  Quad force = {}, torque = {}, to_torque = {};
   for (std::size_t k = pair.first; k < pair.first + index(pair.count); ++k) {
     const Spot& spot = spots_[k];
-    const Vector3 j = spot.normal * pair.n + spot.across_1 * pair.t1 + spot.across_2 * pair.t2;
-    force += j, torque += spot.arm.cross(j), to_torque += spot.to_arm.cross(j);
+    const Quad j = spot.normal * pair.n + spot.across_1 * pair.t1 + spot.across_2 * pair.t2;
+    force += j, torque += cross(spot.arm, j), to_torque += cross(spot.to_arm, j);
   }
   Member& a = members_[index(pair.a)];
   a.v += a.inverse_mass * force, a.w += a.inverse_inertia * torque;
@@ -165,28 +165,29 @@ template <bool two>
 Real Crowd::sweep(const Pair& pair, const Sweep& how) {
   Member& a = members_[index(pair.a)];
   Member* b = two ? &members_[index(pair.b)] : nullptr;
-  Moving at_a = {a.v, a.w}, at_b = two ? Moving{b->v, b->w} : Moving{Vector3::Zero(), Vector3::Zero()};
-  const Vector3 moved = two ? Vector3(a.moved - b->moved) : a.moved;
+  Moving at_a = {a.v, a.w}, at_b = two ? Moving{b->v, b->w} : Moving{Quad{}, Quad{}};
+  Quad moved = a.moved;
+  if constexpr (two) moved -= b->moved;
   const auto velocity = [&](const Spot& spot) {
-    Vector3 u = at_a.v + at_a.w.cross(spot.arm);
-    if constexpr (two) u -= at_b.v + at_b.w.cross(spot.to_arm);
+    Quad u = at_a.v + cross(at_a.w, spot.arm);
+    if constexpr (two) u -= at_b.v + cross(at_b.w, spot.to_arm);
     return u;
   };
-  const auto give = [&](const Spot& spot, const Vector3& j) {
+  const auto give = [&](const Spot& spot, const Quad& j) {
     apply(at_a, a, spot.arm, j);
-    if constexpr (two) apply(at_b, *b, spot.to_arm, Vector3(-j));
+    if constexpr (two) apply(at_b, *b, spot.to_arm, -j);
   };
   Real worst = 0;
   for (std::size_t k = pair.first; k < pair.first + index(pair.count); ++k) {
     Spot& spot = spots_[k];
-    Vector3 way = moved + a.turned.cross(spot.arm);
-    if constexpr (two) way -= b->turned.cross(spot.to_arm);
-    const Real s = spot.gap + pair.n.dot(way);
+    Quad way = moved + cross(a.turned, spot.arm);
+    if constexpr (two) way -= cross(b->turned, spot.to_arm);
+    const Real s = spot.gap + dot(pair.n, way);
     const bool soft = !how.relaxes && s <= 0;
     const Real target = s > 0  ? -s * how.inverse_h
                         : soft ? how.rate * std::max(-s - how.slop, Real(0))
                                : Real(0);
-    const Real u_n = pair.n.dot(velocity(spot));
+    const Real u_n = dot(pair.n, velocity(spot));
     const Real step =
         soft ? how.stiff * spot.mass * (target - u_n) - how.bleed * spot.normal : spot.mass * (target - u_n);
     const Real normal = std::max(spot.normal + step, Real(0));
@@ -200,8 +201,8 @@ Real Crowd::sweep(const Pair& pair, const Sweep& how) {
       worst = std::max(worst, std::abs(change) / spot.mass);
       continue;
     }
-    const Vector3 u = velocity(spot);
-    const Real u_1 = pair.t1.dot(u), u_2 = pair.t2.dot(u);
+    const Quad u = velocity(spot);
+    const Real u_1 = dot(pair.t1, u), u_2 = dot(pair.t2, u);
     Real across_1 = spot.across_1 - (spot.mass_11 * u_1 + spot.mass_12 * u_2);
     Real across_2 = spot.across_2 - (spot.mass_12 * u_1 + spot.mass_22 * u_2);
     if (across_1 * across_1 + across_2 * across_2 > limit * limit) {
@@ -227,12 +228,13 @@ void Crowd::bounce(const Pair& pair) {
   for (std::size_t k = pair.first; k < pair.first + index(pair.count); ++k) {
     Spot& spot = spots_[k];
     if (!(spot.bounce > 0) || !(spot.all_normal > 0)) continue;
-    Vector3 u = a.v + a.w.cross(spot.arm);
+    Quad u = a.v + cross(a.w, spot.arm);
     Member* b = pair.b >= 0 ? &members_[index(pair.b)] : nullptr;
-    if (b) u -= b->v + b->w.cross(spot.to_arm);
-    const Real j = std::max(spot.mass * (spot.bounce - pair.n.dot(u)), Real(0));
-    a.v += a.inverse_mass * j * pair.n, a.w += a.inverse_inertia * spot.arm.cross(j * pair.n);
-    if (b) b->v -= b->inverse_mass * j * pair.n, b->w -= b->inverse_inertia * spot.to_arm.cross(j * pair.n);
+    if (b) u -= b->v + cross(b->w, spot.to_arm);
+    const Real j = std::max(spot.mass * (spot.bounce - dot(pair.n, u)), Real(0));
+    a.v += (a.inverse_mass * j) * pair.n, a.w += a.inverse_inertia * cross(spot.arm, j * pair.n);
+    if (b)
+      b->v -= (b->inverse_mass * j) * pair.n, b->w -= b->inverse_inertia * cross(spot.to_arm, j * pair.n);
     spot.all_normal += j;
   }
 }
@@ -244,6 +246,7 @@ void Crowd::advance(const Group& group, const Step& step, const std::vector<Body
   order(step.gravity, motions);
   const Real h = step.span / static_cast<Real>(step.parts);
   const Stiffness stiff = stiffness(h);
+  const Quad fall = quad(h * step.gravity);
   residual_ = 0;
   const auto sweep_all = [&](const Sweep& how) {
     for (Pair& pair : pairs_) {
@@ -253,7 +256,7 @@ void Crowd::advance(const Group& group, const Step& step, const std::vector<Body
   };
   for (int part = 0; part < step.parts; ++part) {
     for (Member& m : members_)
-      if (m.inverse_mass > 0) m.v += h * step.gravity;
+      if (m.inverse_mass > 0) m.v += fall;
     for (const Pair& pair : pairs_) push(pair);
     sweep_all({1 / h, stiff.rate, step.slop, stiff.share, stiff.bleed, false, false});
     for (Member& m : members_) m.moved += h * m.v, m.turned += h * m.w;
@@ -272,16 +275,18 @@ void Crowd::give(const Step& step, const std::vector<Body>& bodies, std::vector<
     const Body& body = bodies[index(body_[i])];
     Motion& motion = motions[index(body_[i])];
     const Matrix3 r = rotation_matrix(motion.orientation);
-    if (m.inverse_mass > 0) motion.momentum = body.mass * m.v;
-    motion.angular_momentum += r * (body.inertia * (r.transpose() * (m.w - start_[i].w)));
-    motion.position += m.moved;
-    if (!m.turned.isZero(0)) motion.orientation = engine::turned(motion.orientation, m.turned);
+    if (m.inverse_mass > 0) motion.momentum = body.mass * vector(m.v);
+    motion.angular_momentum += r * (body.inertia * (r.transpose() * (vector(m.w) - spins_[i])));
+    motion.position += vector(m.moved);
+    const Vector3 turned = vector(m.turned);
+    if (!turned.isZero(0)) motion.orientation = engine::turned(motion.orientation, turned);
   }
   for (const Pair& pair : pairs_)
     for (std::size_t k = pair.first; k < pair.first + index(pair.count); ++k) {
       const Spot& spot = spots_[k];
-      blocks[block_[k]].impulse = static_cast<Real>(step.parts) * pair.sign *
-                                  (spot.normal * pair.n + spot.across_1 * pair.t1 + spot.across_2 * pair.t2);
+      blocks[block_[k]].impulse =
+          static_cast<Real>(step.parts) * pair.sign *
+          vector(spot.normal * pair.n + spot.across_1 * pair.t1 + spot.across_2 * pair.t2);
       if (pressed) (*pressed)[block_[k]] += spot.all_normal;
     }
 }

@@ -3,6 +3,7 @@
 
 #include "engine/pile/block.h"
 #include "engine/pile/groups.h"
+#include "engine/pile/quad.h"
 
 #include <vector>
 
@@ -36,12 +37,12 @@ class Crowd {
 
  private:
   struct Member {
-    Vector3 v, w, moved, turned;  // the last two since the start of the step
-    Matrix3 inverse_inertia;
+    Quad v, w, moved, turned;  // the last two since the start of the step
+    QuadMatrix inverse_inertia;
     Real inverse_mass;
   };
   struct Spot {
-    Vector3 arm = Vector3::Zero(), to_arm = Vector3::Zero();
+    Quad arm = {}, to_arm = {};
     Real gap = 0, mass = 0;                       // the inverse of K along the normal
     Real mass_11 = 0, mass_12 = 0, mass_22 = 0;   // and across it
     Real slip_mass = 0;                           // no more than the least of that
@@ -53,8 +54,8 @@ class Crowd {
     int a, b;  // places in members_; b < 0: what does not move
     std::size_t first;
     int count;
-    Vector3 n, t1, t2;  // towards a
-    Real sign;          // of the impulse on a in the block's own order
+    Quad n, t1, t2;  // towards a
+    Real sign;       // of the impulse on a in the block's own order
     Real friction, depth;
   };
   struct Sweep {
@@ -77,7 +78,8 @@ class Crowd {
 
   std::vector<int> place_;  // of all bodies; -1: not a member that moves
   std::vector<int> body_;   // of a member
-  std::vector<Member> members_, start_;
+  std::vector<Member> members_;
+  std::vector<Vector3> spins_;  // of members at the start
   std::vector<Pair> pairs_;
   std::vector<Spot> spots_;
   std::vector<std::size_t> block_;  // of each spot
