@@ -149,12 +149,25 @@ void Family::kill() {
   }
 }
 
-// An orphan that has ended shows no environment any more; but nobody else waits for it.
+// An orphan that ends shows no environment any more, a little before it is a zombie; nobody else waits for it.
 void Family::reap_orphans() {
   const pid_t self = ::getpid();
-  const std::scoped_lock lock(births());
-  for (const Relative& one : processes())
-    if (one.parent == self && one.dead && !owned().contains(one.pid)) ::waitpid(one.pid, nullptr, WNOHANG);
+  constexpr int rounds = 1000;
+  for (int round = 0; round < rounds; ++round) {
+    bool dying = false;
+    {
+      const std::scoped_lock lock(births());
+      for (const Relative& one : processes()) {
+        if (one.parent != self || owned().contains(one.pid)) continue;
+        if (one.dead)
+          ::waitpid(one.pid, nullptr, WNOHANG);
+        else
+          dying = dying || read_proc(one.pid, "environ").empty();
+      }
+    }
+    if (!dying) return;
+    ::usleep(500);
+  }
 }
 
 }  // namespace cylon::process
