@@ -7,7 +7,8 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 
 # gcc 12 makes one rounding of a*b - c*d beside a*b + c*d (vfmaddsub) when it vectorises straight-line code, whatever
 # -ffp-contract says.  These are the files in which it did; tests/determinism.sh looks for others.
-set_source_files_properties(engine/body.cc engine/contact/coulomb_point.cc engine/event_holds.cc engine/pile/islands.cc
+set_source_files_properties(engine/body.cc engine/contact/coulomb_point.cc engine/event_holds.cc
+                            engine/pile/body_contacts.cc engine/pile/crowd.cc engine/pile/islands.cc
   PROPERTIES COMPILE_OPTIONS $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>
              SKIP_PRECOMPILE_HEADERS ON)  # gcc takes the options of a precompiled header in place of the source's own
 

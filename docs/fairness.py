@@ -114,7 +114,8 @@ def digest(cylon, engine):
 def run(cylon, scenarios, variant, file):
     """Verdicts of some scenarios on one variant, as JSON in a file."""
     command = [cylon, "run", *scenarios, "--engine", variant, "--json", str(file)]
-    done = subprocess.run(command, cwd=root, capture_output=True, text=True)
+    with tempfile.TemporaryDirectory() as folder:  # one run at a time may work in a folder
+        done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
     if done.returncode not in (0, 1, 5):  # 5: an engine crashed, which is a verdict here
         sys.exit(f"{' '.join(command)} ended with {done.returncode}:\n{done.stderr}")
     return json.loads(pathlib.Path(file).read_text())["verdicts"]

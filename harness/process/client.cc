@@ -73,18 +73,18 @@ class CpuWitness {
   double before_;
 };
 
-/// An orientation that is none would pass every claim that does not look at it.  What is not finite is judged
-/// later.
-void require_unit_orientations(const core::Scene& scene, const core::State& state, std::int64_t step) {
+/// Why an orientation of the state is none, or nothing: it would pass every claim that does not look at it.
+/// What is not finite is judged later.
+std::optional<std::string> no_orientation(const core::Scene& scene, const core::State& state,
+                                          std::int64_t step) {
   constexpr double off = 1e-3;
   for (std::size_t i = 0; i < state.size(); ++i) {
     const double length = state[i].orientation.norm();
-    if (!std::isfinite(length) || std::abs(length - 1) <= off) continue;
-    throw Failure(
-        results::Status::fail,
-        fmt::format("step {}: the orientation of body '{}' has length {:.4g}, which must be 1 to {:g}", step,
-                    scene.bodies[i].name, length, off));
+    if (std::isfinite(length) && std::abs(length - 1) > off)
+      return fmt::format("step {}: the orientation of body '{}' has length {:.4g}, which must be 1 to {:g}",
+                         step, scene.bodies[i].name, length, off);
   }
+  return std::nullopt;
 }
 
 /// Asks for the run and collects it.  A worker that cannot watch is asked for every step instead, and the
@@ -142,7 +142,7 @@ class Recorder {
       if (step != static_cast<std::uint64_t>(due))
         broken(fmt::format("a state of step {} where step {} was expected", step, due));
       unpack_state(bytes, state_);
-      require_unit_orientations(scene_, state_, due);
+      if (!no_orientation_) no_orientation_ = no_orientation(scene_, state_, due);
       last_ = due;
       if (here_) watch_.observe(due, state_);
       if (due != next_sample(wanted_, recording_.steps.back())) continue;
@@ -163,6 +163,7 @@ class Recorder {
       broken(fmt::format("done after step {} of {}", std::min(last_, done.steps), asked_.steps));
     if (done.frames != frames_)
       broken(fmt::format("{} frames came, {} were announced", frames_, done.frames));
+    if (no_orientation_) throw Failure(results::Status::fail, *no_orientation_);
     if (here_) recording_.events = watch_.take();
     const auto key = [](const core::Event& e) { return std::isnan(e.time) ? HUGE_VAL : e.time; };
     std::stable_sort(recording_.events.begin(), recording_.events.end(),
@@ -178,6 +179,7 @@ class Recorder {
   core::EventWatch watch_;
   core::State state_;
   core::Recording recording_;
+  std::optional<std::string> no_orientation_;  // the first
   Repetition times_;
   std::int64_t last_ = 0, frames_ = 0;
 };

@@ -45,7 +45,10 @@ Verdict verdict(const std::string& name, const std::string& engine_id, const std
     study::Cell cell{&scenario, engine(engine_id), step_of(scenario, dt),
                      dt.empty() ? scenario.step_text : dt};
     if (relation) cell.exam = study::Exam::relations;
-    rows = study::run({cell}, {.workers = 1, .limits = {}}, {}, {}).at(0);
+    const study::Matrix matrix = study::run({cell}, {.workers = 1, .limits = {}}, {}, {});
+    for (const auto& complaints : {matrix.refused, matrix.failed})
+      if (!complaints.empty()) throw std::invalid_argument(complaints.front());
+    rows = matrix.rows.at(0);
   }
   std::vector<Verdict> found;
   for (const Verdict& row : rows)

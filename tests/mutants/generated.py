@@ -24,6 +24,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 
 root = pathlib.Path(__file__).resolve().parent.parent.parent
 
@@ -128,7 +129,7 @@ def build(options, changes):
 
 def set_programs_aside(options):
     """Copies of the programs, which no later build replaces; beside the build folder, where cylon finds its scenarios."""
-    options.programs = options.build.parent / "mutated"
+    options.programs = (options.build.parent / "mutated").resolve()
     options.programs.mkdir(exist_ok=True)
     for name in ("cylon", "cylon-worker-mutated"):
         shutil.copy2(options.build / name, options.programs / name)
@@ -143,8 +144,9 @@ def claims(options, scene, spec):
     """claim -> status of one run, as its file states it and by theory."""
     found = {}
     for way in ([], ["--theory"]):
-        done = subprocess.run([options.programs / "cylon", "run", scene, "--worker", spec, "--engine", "mutated", *way,
-                               "--timeout", "10", "--json", "-"], capture_output=True, text=True, cwd=root)
+        with tempfile.TemporaryDirectory() as folder:  # one run at a time may work in a folder
+            done = subprocess.run([options.programs / "cylon", "run", scene, "--worker", spec, "--engine", "mutated",
+                                   *way, "--timeout", "10", "--json", "-"], capture_output=True, text=True, cwd=folder)
         try:
             rows = json.loads(done.stdout)["verdicts"]
         except (ValueError, KeyError):
