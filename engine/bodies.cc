@@ -198,7 +198,13 @@ void Bodies::kick(Time t, Real h, Real* y) {
         ends = kick_by_series(t, h / static_cast<Real>(parts), y);
       }
       if (ends) break;
-      if (halved < most_halvings) std::copy(before.begin(), before.end(), motion);
+      if (halved < most_halvings) {
+        std::copy(before.begin(), before.end(), motion);
+        continue;
+      }
+      // Not a number rather than a kick that stopped on its way.
+      for (std::size_t i = 0; i < n; ++i)
+        motion[i].momentum.setConstant(std::numeric_limits<Real>::quiet_NaN());
     }
   }
   if (account_) {  // trapezoid: exact for forces that do not read velocities

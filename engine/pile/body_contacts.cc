@@ -56,6 +56,7 @@ Quaternion orientation_of(int body, const std::vector<Motion>& motions) {
 BodyContacts::BodyContacts(const Model& model) : model_(model), seams_(model) {
   for (const Shape& shape : model.shapes) {
     radius_.push_back(bounding_radius(shape));
+    round_.push_back(std::holds_alternative<Sphere>(shape) || std::holds_alternative<Capsule>(shape));
     const Real half = half_width(shape);
     if (half > 0) smallest_ = smallest_ > 0 ? std::min(smallest_, half) : half;
   }
@@ -127,7 +128,9 @@ bool BodyContacts::holds(const Found& before, const Found& now, Real margin, boo
   const Real turn = std::min((now.turn.coeffs() - before.turn.coeffs()).norm(),
                              (now.turn.coeffs() + before.turn.coeffs()).norm());
   const Real way = (now.shift - before.shift).norm() + 2 * radius * turn;
-  return way <= before.margin - margin && (!any || way <= still * radius);
+  // The point of a round body does not turn with it: kept, it would have a lever that drives the body.
+  const bool round = round_[index(now.a)] || (now.b != fixed_world && round_[index(now.b)]);
+  return way <= before.margin - margin && (!any || (!round && way <= still * radius));
 }
 
 // The same contacts again: their points are fixed to the bodies, the normal to a.

@@ -46,6 +46,7 @@ class BodyContacts {
   Seams seams_;
   Real smallest_ = 0;
   std::vector<Real> radius_, margin_;
+  std::vector<char> round_;
   std::vector<Bounds> bounds_;
   BroadPhase broad_phase_;
   std::vector<Vector3> places_;             // where the bodies were when near_ was found

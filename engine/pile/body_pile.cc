@@ -237,7 +237,7 @@ void BodyPile::advance(Time now, Time span) {
   found_.find(motions_, movers_, span, blocks_);
   if (isolated_) islands_.find(blocks_);
   if (keep_) pressed_.assign(blocks_.size(), 0);
-  divide();
+  divide(static_cast<Real>(span));
   if (!divided_) {
     const bool direct = static_cast<int>(blocks_.size()) <= settings_.direct_points;
     pass(now, span, direct);
@@ -281,10 +281,14 @@ bool BodyPile::takes(const Block& block) const {
 // More blocks than are always solved to rounding are solved group by group.  Bodies of different groups must
 // not act on each other, as groups move in parts of the step of their own; what keeps momenta in isolated
 // scenes takes all bodies in the same parts.
-void BodyPile::divide() {
+void BodyPile::divide(Real span) {
   groups_.clear(), crowds_.clear(), resting_.clear(), swept_ = {};
   divided_ = static_cast<int>(blocks_.size()) > settings_.exact_points && !isolated_ && !paired_;
-  if (!divided_) return;
+  if (!divided_) {  // who rests is not asked, and may move
+    std::fill(rest_.begin(), rest_.end(), awake);
+    std::fill(still_.begin(), still_.end(), 0);
+    return;
+  }
   std::vector<Group> found = find_groups(blocks_, movers_);
   const auto is_small = [&](const Group& group) {
     return static_cast<int>(group.blocks.size()) <= settings_.exact_points;
@@ -299,7 +303,7 @@ void BodyPile::divide() {
       continue;
     }
     for (const int body : group.bodies) rest_[index(body)] = awake;
-    if (!(few && is_small(group)) && is_crowd(group)) {
+    if (!(few && is_small(group)) && is_crowd(group) && !bounces(group, span)) {
       crowds_.push_back(std::move(group));
     } else if (static_cast<int>(group.blocks.size()) <= settings_.direct_points) {
       groups_.push_back(std::move(group));
@@ -318,11 +322,25 @@ bool BodyPile::is_crowd(const Group& group) const {
   return !other_forces_ && !masses_.any() && blocks_[index(group.blocks.back())].kind == Block::Kind::contact;
 }
 
+// Whether a pair with restitution meets within two steps, faster than what gravity makes of a contact.  The
+// sweeps of a crowd take a blow as one pass over its points, which turns bodies and makes energy, and brake
+// what would cross in the next step.
+bool BodyPile::bounces(const Group& group, Real span) const {
+  const Real fall = model_.forces.gravity.norm() * span;
+  return std::any_of(group.blocks.begin(), group.blocks.end(), [&](int k) {
+    const Block& block = blocks_[index(k)];
+    const Real u = block.normal.dot(relative_velocity(block, movers_));
+    return block.restitution > 0 && u < -4 * fall && block.gap + 2 * (u - fall) * span <= 0;
+  });
+}
+
 // A group that nothing has joined or left since it came to rest, and on which only gravity acts, stays at rest.
 bool BodyPile::rests(const Group& group) const {
   return is_crowd(group) && std::all_of(group.bodies.begin(), group.bodies.end(), [&](int body) {
+           const Motion& motion = motions_[index(body)];
            return model_.bodies[index(body)].locked ||
-                  rest_[index(body)] == static_cast<int>(group.blocks.size());
+                  (rest_[index(body)] == static_cast<int>(group.blocks.size()) && motion.momentum.isZero(0) &&
+                   motion.angular_momentum.isZero(0));
          });
 }
 

@@ -30,7 +30,8 @@ class BodyPile : public Stepper {
  private:
   int parts_of_step() const;
   void advance(Time now, Time span);
-  void divide();
+  void divide(Real span);
+  bool bounces(const Group&, Real span) const;
   bool is_crowd(const Group&) const;
   void move_crowds(Time now, Time span);
   bool rests(const Group&) const;
