@@ -3,10 +3,9 @@
 // run, no engine with bodies that sleep.  A time never travels without its error: every row says how deep the
 // settled pile overlaps, and how far its cubes move in the last half second (the mean of all).
 //   boxes_bench [COUNT…]      100 and 1000 otherwise; 10000 takes about ten minutes
+#include "bench/engine_run.h"
 #include "bench/pile.h"
 #include "bench/scaling/touching.h"
-#include "harness/process/client.h"
-#include "harness/process/engines.h"
 
 #include <fmt/format.h>
 
@@ -50,23 +49,12 @@ double mean_distance(const core::State& a, const core::State& b) {
 }
 
 Row row(const std::string& id, const core::Scene& scene, const std::string& directory) {
-  process::RunRequest request;
-  request.scene = &scene;
-  request.setup.dt = step;
-  request.steps = steps;
-  request.every = last;
-  process::Limits limits;
-  limits.run_seconds = 3600;
-  const auto engine = process::parse_engine(id, process::default_engines(directory));
-  const auto outcome = process::run(engine, request, limits);
-  if (!outcome.recording) {
-    fmt::print("{:>7}  {:<30} {}\n", scene.bodies.size(), id, outcome.reason);
-    return {id};
-  }
-  const auto& states = outcome.recording->states;
+  const auto recording = bench::run_engine(id, scene, step, steps, last, directory);
+  if (!recording) return {id};
+  const auto& states = recording->states;
   const double body_steps = static_cast<double>(scene.bodies.size()) * steps;
   const bench::Touching touching = bench::touching(scene, states.back(), std::sqrt(3.) * bench::radius, 1e-3);
-  const Row result{id, 1e9 * outcome.recording->cpu_seconds / body_steps, touching.deepest,
+  const Row result{id, 1e9 * recording->cpu_seconds / body_steps, touching.deepest,
                    mean_distance(states.back(), states[states.size() - 2]) / (step * last)};
   fmt::print("{:>7}  {:<30} {:>10.0f} {:>12.3g} {:>12.3g} {:>9}\n", scene.bodies.size(), id, result.ns,
              1e3 * result.overlap, 1e3 * result.creep, touching.pairs);

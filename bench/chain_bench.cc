@@ -2,10 +2,9 @@
 // drift of the energy beside it (over m g 1 m), in steps of 1/240 s for half a second.  This engine in fixed steps of a
 // fourth-order and of a symplectic integrator, Bullet and ODE; none of them has collisions here.
 //   chain_bench [LINKS…]      10, 100 and 1000 otherwise
+#include "bench/engine_run.h"
 #include "harness/core/measure.h"
 #include "harness/core/observable.h"
-#include "harness/process/client.h"
-#include "harness/process/engines.h"
 
 #include <fmt/format.h>
 
@@ -52,19 +51,11 @@ double energy_drift(const core::Scene& scene, const core::State& end) {
 }
 
 void row(const std::string& id, const core::Scene& scene, const std::string& directory) {
-  process::RunRequest request;
-  request.scene = &scene;
-  request.setup.dt = 1. / 240;
-  request.steps = request.every = steps;
-  process::Limits limits;
-  limits.run_seconds = 120;
-  const auto outcome =
-      process::run(process::parse_engine(id, process::default_engines(directory)), request, limits);
-  if (!outcome.recording) return fmt::print("{:>6}  {:<38} {}\n", scene.bodies.size(), id, outcome.reason);
-  const double us = 1e6 * outcome.recording->cpu_seconds / static_cast<double>(steps);
+  const auto recording = bench::run_engine(id, scene, 1. / 240, steps, steps, directory);
+  if (!recording) return;
+  const double us = 1e6 * recording->cpu_seconds / static_cast<double>(steps);
   fmt::print("{:>6}  {:<38} {:>10.1f} {:>10.3f} {:>12.2e}\n", scene.bodies.size(), id, us,
-             us / static_cast<double>(scene.bodies.size()),
-             energy_drift(scene, outcome.recording->states.back()));
+             us / static_cast<double>(scene.bodies.size()), energy_drift(scene, recording->states.back()));
 }
 
 }  // namespace

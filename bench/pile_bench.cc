@@ -6,9 +6,8 @@
 // 5 s of 10^5 spheres are more than 400 s of Bullet or ODE each.  There all engines take the first 2 s, from
 // a lattice whose layers nearly touch, so that the whole pile presses from the first tenths of a second on:
 // what is timed is a pile under its weight, not a fall, though one that has not yet come to rest.
+#include "bench/engine_run.h"
 #include "bench/pile.h"
-#include "harness/process/client.h"
-#include "harness/process/engines.h"
 
 #include <fmt/format.h>
 
@@ -34,22 +33,11 @@ struct Row {
 };
 
 Row row(const std::string& id, const core::Scene& scene, int steps, const std::string& directory) {
-  process::RunRequest request;
-  request.scene = &scene;
-  request.setup.dt = step;
-  request.steps = steps;
-  request.every = steps;
-  process::Limits limits;
-  limits.run_seconds = 3600;
-  const auto engine = process::parse_engine(id, process::default_engines(directory));
-  const auto outcome = process::run(engine, request, limits);
-  if (!outcome.recording) {
-    fmt::print("{:>7}  {:<30} {}\n", scene.bodies.size(), id, outcome.reason);
-    return {id};
-  }
+  const auto recording = bench::run_engine(id, scene, step, steps, steps, directory);
+  if (!recording) return {id};
   const double body_steps = static_cast<double>(scene.bodies.size()) * steps;
-  const Row result{id, 1e9 * outcome.recording->cpu_seconds / body_steps,
-                   bench::overlap(scene, outcome.recording->states.back())};
+  const Row result{id, 1e9 * recording->cpu_seconds / body_steps,
+                   bench::overlap(scene, recording->states.back())};
   fmt::print("{:>7}  {:<30} {:>10.0f} {:>12.2f}\n", scene.bodies.size(), id, result.ns, 1e3 * result.overlap);
   return result;
 }

@@ -186,7 +186,7 @@ void Bodies::kick(Time t, Real h, Real* y) {
       rows_.measure(model_.bodies, motion);
     }
     constexpr int most_halvings = 20;
-    std::vector<Motion> before(motion, motion + n);
+    kicked_.assign(motion, motion + n);
     int parts = 1;
     for (int halved = 0; halved <= most_halvings; ++halved, parts *= 2) {
       bool ends = true;
@@ -199,7 +199,7 @@ void Bodies::kick(Time t, Real h, Real* y) {
       }
       if (ends) break;
       if (halved < most_halvings) {
-        std::copy(before.begin(), before.end(), motion);
+        std::copy(kicked_.begin(), kicked_.end(), motion);
         continue;
       }
       // Not a number rather than a kick that stopped on its way.
@@ -249,7 +249,6 @@ bool Bodies::kick_by_series(Time t, Real h, Real* y) {
   };
   const std::array<Real, 2> whole = sizes(loads_);
   add_momenta(factor, before_, motion);
-  std::array<Real, 2> term = whole;
   for (int k = 1; k < terms; ++k) {
     factor /= static_cast<Real>(k + 1);
     Motion* probe = motions(probe_.data());
@@ -266,18 +265,13 @@ bool Bodies::kick_by_series(Time t, Real h, Real* y) {
       before_[i].torque = loads_[i].torque - first_[i].torque;
     }
     add_momenta(factor, before_, motion);
-    term = sizes(before_);
+    const std::array<Real, 2> term = sizes(before_);
     const auto negligible = [&](std::size_t kind) {
       return std::abs(factor) * term[kind] <= tiny * std::abs(h) * whole[kind];
     };
     if (negligible(0) && negligible(1)) return true;
   }
-  // The last term that was added stands for what is left out.
-  constexpr Real small = Real(1e-7);
-  const auto left = [&](std::size_t kind) {
-    return std::abs(factor) * term[kind] <= small * std::abs(h) * whole[kind];
-  };
-  return left(0) && left(1);
+  return false;
 }
 
 // Free motion: p along a line, R by the free rotation; seen from the turning frame, turned back.

@@ -94,6 +94,7 @@ class Bodies {
   std::vector<Kinematics> kinematics_;
   std::vector<Motion> upright_;
   std::vector<Load> loads_, first_, before_;
+  std::vector<Motion> kicked_;  // at the start of a kick
   std::vector<Real> powers_, change_, start_, probe_;
   Real length_ = 0, speed_ = 0, turn_ = 0;  // the largest that scales() has seen, as are
   std::vector<Real> spin_;                  // |L| of each body

@@ -37,7 +37,6 @@ struct Block {
   int plane = -1;  ///< Index of the plane that b is.
   std::uint32_t feature = 0;
   bool impact = false;  ///< Meets within this part of the step.
-  Real approach = 0;    ///< Speed before the step's forces [m/s].
 
   Real mass = 0;       ///< Along the normal.
   Matrix3 block_mass;  ///< In `space`; contact: across the normal.

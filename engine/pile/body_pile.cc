@@ -125,7 +125,6 @@ void BodyPile::set_targets(Time now, Real h) {
     const Real gap = block.gap + block.normal.dot(offset(block, motions_));
     const Real u = block.normal.dot(relative_velocity(block, movers_));
     const bool meets = u < 0 && gap + u * h <= 0;
-    block.approach = meets ? -u : 0;
     block.target = meets && block.restitution > 0 ? -block.restitution * u : -std::max(gap, Real(0)) / h;
     block.impact = meets && -u > slow;
     if (block.impact) note_impact(k, now, gap, -u);
@@ -322,15 +321,14 @@ bool BodyPile::is_crowd(const Group& group) const {
   return !other_forces_ && !masses_.any() && blocks_[index(group.blocks.back())].kind == Block::Kind::contact;
 }
 
-// Whether a pair with restitution meets within two steps, faster than what gravity makes of a contact.  The
-// sweeps of a crowd take a blow as one pass over its points, which turns bodies and makes energy, and brake
-// what would cross in the next step.
+// Whether a pair with restitution meets within two steps, faster than what gravity gives in one: a crowd does
+// not bounce, and brakes what would cross in the next step.
 bool BodyPile::bounces(const Group& group, Real span) const {
   const Real fall = model_.forces.gravity.norm() * span;
   return std::any_of(group.blocks.begin(), group.blocks.end(), [&](int k) {
     const Block& block = blocks_[index(k)];
     const Real u = block.normal.dot(relative_velocity(block, movers_));
-    return block.restitution > 0 && u < -4 * fall && block.gap + 2 * (u - fall) * span <= 0;
+    return block.restitution > 0 && u < -fall && block.gap + 2 * (u - fall) * span <= 0;
   });
 }
 
@@ -412,7 +410,6 @@ void BodyPile::meet(const Group& group, Time now, Real h) {
     Block& block = blocks_[index(k)];
     const Real u = block.normal.dot(relative_velocity(block, movers_));
     const bool meets = u < 0 && block.gap + u * h <= 0;
-    block.approach = meets ? -u : 0;
     block.impact = meets && -u > slow;
     if (block.impact) note_impact(index(k), now, block.gap, -u);
   }

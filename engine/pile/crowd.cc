@@ -90,7 +90,6 @@ void Crowd::add_pair(const Group& group, std::size_t from, std::size_t to, Real 
     spot.normal = std::max(n.dot(j), Real(0));
     spot.across_1 = t1.dot(j), spot.across_2 = t2.dot(j);
     spot.all_normal = 0;
-    spot.bounce = block.restitution > 0 ? block.restitution * block.approach : 0;
     spots_.push_back(spot);
     block_.push_back(index(group.blocks[k]));
   }
@@ -222,23 +221,6 @@ Real Crowd::sweep(const Pair& pair, const Sweep& how) {
   return worst;
 }
 
-// Newton's law for what met within the step and was pressed: u_n >= e approach.
-void Crowd::bounce(const Pair& pair) {
-  Member& a = members_[index(pair.a)];
-  for (std::size_t k = pair.first; k < pair.first + index(pair.count); ++k) {
-    Spot& spot = spots_[k];
-    if (!(spot.bounce > 0) || !(spot.all_normal > 0)) continue;
-    Quad u = a.v + cross(a.w, spot.arm);
-    Member* b = pair.b >= 0 ? &members_[index(pair.b)] : nullptr;
-    if (b) u -= b->v + cross(b->w, spot.to_arm);
-    const Real j = std::max(spot.mass * (spot.bounce - dot(pair.n, u)), Real(0));
-    a.v += (a.inverse_mass * j) * pair.n, a.w += a.inverse_inertia * cross(spot.arm, j * pair.n);
-    if (b)
-      b->v -= (b->inverse_mass * j) * pair.n, b->w -= b->inverse_inertia * cross(spot.to_arm, j * pair.n);
-    spot.all_normal += j;
-  }
-}
-
 void Crowd::advance(const Group& group, const Step& step, const std::vector<Body>& bodies,
                     const std::vector<Mover>& movers, std::vector<Block>& blocks,
                     std::vector<Motion>& motions, std::vector<Real>* pressed) {
@@ -263,7 +245,6 @@ void Crowd::advance(const Group& group, const Step& step, const std::vector<Body
     sweep_all({1 / h, 0, 0, 1, 0, true, part + 1 == step.parts});
     for (Spot& spot : spots_) spot.all_normal += spot.normal;
   }
-  for (const Pair& pair : pairs_) bounce(pair);
   give(step, bodies, blocks, motions, pressed);
 }
 

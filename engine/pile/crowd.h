@@ -12,8 +12,8 @@ namespace cylon::engine::pile {
 /// A step in `parts` of length h; arms and inertias are those at its start.  In each part
 ///   v += g h;  impulses of the part before;  a sweep with u_n >= -s/h where s > 0, else a stiff spring;
 ///   x += h v;  a sweep with u_n >= -max(s, 0)/h, which takes back the velocities that removed overlaps
-/// with s the gap where the bodies are by now, s = gap + n.(dx_a - dx_b + dt_a x r_a - dt_b x r_b).  Then bounces
-/// from the approach before the step.  E. Catto, Solver2D, 2024 ("TGS" with relaxation); M. Macklin et al., Small
+/// with s the gap where the bodies are by now, s = gap + n.(dx_a - dx_b + dt_a x r_a - dt_b x r_b).  Nothing
+/// bounces.  E. Catto, Solver2D, 2024 ("TGS" with relaxation); M. Macklin et al., Small
 /// steps in physics simulation, SCA 2019.
 class Crowd {
  public:
@@ -48,7 +48,6 @@ class Crowd {
     Real slip_mass = 0;                           // no more than the least of that
     Real normal = 0, across_1 = 0, across_2 = 0;  // impulses [N s]
     Real all_normal = 0;                          // of all parts
-    Real bounce = 0;                              // velocity after it [m/s]; 0: none
   };
   struct Pair {
     int a, b;  // places in members_; b < 0: what does not move
@@ -72,7 +71,6 @@ class Crowd {
   void push(const Pair&);
   template <bool two>
   Real sweep(const Pair&, const Sweep&);
-  void bounce(const Pair&);
   void give(const Step&, const std::vector<Body>&, std::vector<Block>&, std::vector<Motion>&,
             std::vector<Real>* pressed) const;
 
