@@ -190,7 +190,8 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
     const Real pressed = touch.normal.dot(outcome.impulse[i]);
     if (!(pressed > 0)) continue;
     contacts_.push_back({touch.body, touch.other, candidates_[touching[i].held.candidate].plane,
-                         touch.position, touch.normal, pressed});
+                         touch.position, touch.normal, pressed,
+                         Vector3(outcome.impulse[i] - pressed * touch.normal)});
   }
 
   // One record per pair that met: its fastest point.
@@ -221,9 +222,13 @@ void EventStepper::note_lasting(Time now, bool undisturbed) {
   const ContactForces lasting = support(now, y_.data());
   for (std::size_t i = 0; i < held_.size(); ++i) {
     const TouchPoint& touch = touches_[i];
-    Contact contact{touch.body,     touch.other,  candidates_[held_[i].candidate].plane,
-                    touch.position, touch.normal, {}};
-    if (undisturbed && lasting.exact) contact.impulse = lasting.points[i].normal * static_cast<Real>(dt_);
+    Contact contact{touch.body, touch.other, candidates_[held_[i].candidate].plane, touch.position,
+                    touch.normal};
+    if (undisturbed && lasting.exact) {
+      const ContactForce& point = lasting.points[i];
+      contact.impulse = point.normal * static_cast<Real>(dt_);
+      contact.friction = static_cast<Real>(dt_) * (point.force - point.normal * touch.normal);
+    }
     contacts_.push_back(contact);
   }
 }

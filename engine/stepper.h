@@ -27,7 +27,9 @@ struct Contact {
   int plane = -1;                     ///< Index in Model::planes, or -1.
   Vector3 point = Vector3::Zero();    ///< World axes [m].
   Vector3 normal = Vector3::UnitY();  ///< Unit, towards `body`.
-  std::optional<Real> impulse;        ///< Along the normal, over the step [N s]; absent: not known.
+  std::optional<Real> impulse = {};   ///< Along the normal, over the step [N s]; absent: not known.
+  std::optional<Vector3> friction =
+      {};  ///< On `body`, across the normal, over the step [N s]; absent: not known.
 };
 
 class Stepper {

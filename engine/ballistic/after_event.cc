@@ -98,7 +98,7 @@ void Course::note_impact(const Impact& impact, bool alone) {
   const bool plane = impact.plane >= 0;
   const auto other = static_cast<std::size_t>(plane ? impact.plane : impact.other);
   const Vector3 p = flights_[body].position_at(now_);
-  Contact contact{impact.body, impact.other, impact.plane, {}, {}, {}};
+  Contact contact{.body = impact.body, .other = impact.other, .plane = impact.plane};
   contact.normal = plane ? model_.planes[other].normal : (p - flights_[other].position_at(now_)).normalized();
   contact.point = p - flights_[body].radius * contact.normal;
   const auto inverse_mass = [&](std::size_t i) {
@@ -109,7 +109,7 @@ void Course::note_impact(const Impact& impact, bool alone) {
   contacts_.push_back(contact);
 }
 
-// Bodies that planes bear: N = -m g.n.  Who came to rest within the step pressed for a part of it, not known
+// Bodies that planes bear: J = m (a - g) dt, of which N dt = -m g.n dt presses.  Who came to rest within the step pressed for a part of it, not known
 // here.
 void Course::note_lasting() {
   const Time begin = static_cast<Time>(steps_ - 1) * dt_, end = static_cast<Time>(steps_) * dt_;
@@ -117,10 +117,13 @@ void Course::note_lasting() {
     const Flight& flight = flights_[i];
     if (flight.support == in_flight) continue;
     const Vector3& n = model_.planes[static_cast<std::size_t>(flight.support)].normal;
-    Contact contact{static_cast<int>(i), fixed_world, flight.support, {}, n, {}};
+    Contact contact{.body = static_cast<int>(i), .plane = flight.support, .normal = n};
     contact.point = flight.position_at(end) - flight.radius * n;
-    if (flight.since <= begin)
-      contact.impulse = -model_.bodies[i].mass * model_.forces.gravity.dot(n) * static_cast<Real>(dt_);
+    if (flight.since <= begin) {
+      const Real mass_dt = model_.bodies[i].mass * static_cast<Real>(dt_);
+      contact.impulse = -mass_dt * model_.forces.gravity.dot(n);
+      contact.friction = mass_dt * (flight.acceleration - model_.forces.gravity) - *contact.impulse * n;
+    }
     contacts_.push_back(contact);
   }
 }

@@ -235,7 +235,7 @@ void BodyPile::step() {
 void BodyPile::advance(Time now, Time span) {
   found_.find(motions_, movers_, span, blocks_);
   if (isolated_) islands_.find(blocks_);
-  if (keep_) pressed_.assign(blocks_.size(), 0);
+  if (keep_) pressed_.assign(blocks_.size(), Vector3::Zero());
   divide(static_cast<Real>(span));
   if (!divided_) {
     const bool direct = static_cast<int>(blocks_.size()) <= settings_.direct_points;
@@ -264,7 +264,7 @@ void BodyPile::advance(Time now, Time span) {
   taken_.clear();
   for (const Group& group : resting_)
     for (const int k : group.blocks)
-      if (keep_) pressed_[index(k)] = blocks_[index(k)].normal.dot(blocks_[index(k)].impulse);
+      if (keep_) pressed_[index(k)] = blocks_[index(k)].impulse;
   if (keep_) note_pressed();
   correct_groups();
   lay_to_rest(static_cast<Real>(span));
@@ -389,7 +389,7 @@ void BodyPile::move_crowds(Time now, Time span) {
     for (std::size_t i = 0; i < group.bodies.size(); ++i) motions_[index(group.bodies[i])] = kept_[i];
     for (std::size_t i = 0; i < group.blocks.size(); ++i) {
       blocks_[index(group.blocks[i])].impulse = kept_impulses_[i];
-      if (keep_) pressed_[index(group.blocks[i])] = 0;
+      if (keep_) pressed_[index(group.blocks[i])].setZero();
     }
     groups_.push_back(std::move(group));
     return true;
@@ -486,7 +486,7 @@ void BodyPile::substep(Time now, Time h, bool direct) {
   }
   carry_impulses();
   for (std::size_t i = 0; keep_ && i < blocks_.size(); ++i)
-    if (takes(blocks_[i])) pressed_[i] += blocks_[i].normal.dot(blocks_[i].impulse);
+    if (takes(blocks_[i])) pressed_[i] += blocks_[i].impulse;
   if (isolated_) islands_.limit_energy(motions_), set_kinematics();
   drift(static_cast<Real>(h));
 }
@@ -495,10 +495,11 @@ void BodyPile::substep(Time now, Time h, bool direct) {
 void BodyPile::note_pressed() {
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     const Block& block = blocks_[i];
-    if (block.kind != Block::Kind::contact || !(pressed_[i] > 0)) continue;
+    const Real pressed = block.normal.dot(pressed_[i]);
+    if (block.kind != Block::Kind::contact || !(pressed > 0)) continue;
     const Motion& a = motions_[index(block.a)];
     contacts_.push_back({block.a, block.b, block.plane, a.position + a.orientation * block.anchor,
-                         block.normal, pressed_[i]});
+                         block.normal, pressed, Vector3(pressed_[i] - pressed * block.normal)});
   }
 }
 

@@ -87,7 +87,8 @@ class BodyPile : public Stepper {
   std::vector<Kinematics> kinematics_;
   std::vector<Load> loads_;
   std::vector<Impact> impacts_;
-  std::vector<Real> pressed_;  // per block, over the parts of the step [N s]; while contacts are kept
+  std::vector<Vector3>
+      pressed_;  // impulse on `a` per block, over the parts of the step [N s]; while contacts are kept
   std::int64_t steps_;
   double residual_ = 0;
   StepLimit limit_;

@@ -89,7 +89,6 @@ void Crowd::add_pair(const Group& group, std::size_t from, std::size_t to, Real 
     const Vector3 j = pair.sign * share * block.impulse;
     spot.normal = std::max(n.dot(j), Real(0));
     spot.across_1 = t1.dot(j), spot.across_2 = t2.dot(j);
-    spot.all_normal = 0;
     spots_.push_back(spot);
     block_.push_back(index(group.blocks[k]));
   }
@@ -223,7 +222,7 @@ Real Crowd::sweep(const Pair& pair, const Sweep& how) {
 
 void Crowd::advance(const Group& group, const Step& step, const std::vector<Body>& bodies,
                     const std::vector<Mover>& movers, std::vector<Block>& blocks,
-                    std::vector<Motion>& motions, std::vector<Real>* pressed) {
+                    std::vector<Motion>& motions, std::vector<Vector3>* pressed) {
   take(group, step, bodies, movers, blocks, motions);
   order(step.gravity, motions);
   const Real h = step.span / static_cast<Real>(step.parts);
@@ -243,14 +242,14 @@ void Crowd::advance(const Group& group, const Step& step, const std::vector<Body
     sweep_all({1 / h, stiff.rate, step.slop, stiff.share, stiff.bleed, false, false});
     for (Member& m : members_) m.moved += h * m.v, m.turned += h * m.w;
     sweep_all({1 / h, 0, 0, 1, 0, true, part + 1 == step.parts});
-    for (Spot& spot : spots_) spot.all_normal += spot.normal;
+    if (pressed) add_to(*pressed);
   }
-  give(step, bodies, blocks, motions, pressed);
+  give(step, bodies, blocks, motions);
 }
 
 // K = m v;  L += I (w - w_start) with I at the start: the sum of what the impulses gave.
 void Crowd::give(const Step& step, const std::vector<Body>& bodies, std::vector<Block>& blocks,
-                 std::vector<Motion>& motions, std::vector<Real>* pressed) const {
+                 std::vector<Motion>& motions) const {
   for (std::size_t i = 0; i < members_.size(); ++i) {
     const Member& m = members_[i];
     const Body& body = bodies[index(body_[i])];
@@ -263,13 +262,20 @@ void Crowd::give(const Step& step, const std::vector<Body>& bodies, std::vector<
     if (!turned.isZero(0)) motion.orientation = engine::turned(motion.orientation, turned);
   }
   for (const Pair& pair : pairs_)
-    for (std::size_t k = pair.first; k < pair.first + index(pair.count); ++k) {
-      const Spot& spot = spots_[k];
-      blocks[block_[k]].impulse =
-          static_cast<Real>(step.parts) * pair.sign *
-          vector(spot.normal * pair.n + spot.across_1 * pair.t1 + spot.across_2 * pair.t2);
-      if (pressed) (*pressed)[block_[k]] += spot.all_normal;
-    }
+    for (std::size_t k = pair.first; k < pair.first + index(pair.count); ++k)
+      blocks[block_[k]].impulse = static_cast<Real>(step.parts) * impulse(pair, k);
+}
+
+// On the block's first body, of the last part [N s].
+Vector3 Crowd::impulse(const Pair& pair, std::size_t k) const {
+  const Spot& spot = spots_[k];
+  return pair.sign * vector(spot.normal * pair.n + spot.across_1 * pair.t1 + spot.across_2 * pair.t2);
+}
+
+void Crowd::add_to(std::vector<Vector3>& pressed) const {
+  for (const Pair& pair : pairs_)
+    for (std::size_t k = pair.first; k < pair.first + index(pair.count); ++k)
+      pressed[block_[k]] += impulse(pair, k);
 }
 
 }  // namespace cylon::engine::pile

@@ -26,10 +26,10 @@ class Crowd {
 
   /// Advances the bodies of a group without joints, on which nothing but gravity and its contacts acts.  In:
   /// blocks as found, with the impulses of the step before, movers as of the motions.  Out: motions, and impulses
-  /// as if all parts were as the last; `pressed`, per block, grows by the normal impulses of all
+  /// as if all parts were as the last; `pressed`, per block, grows by the impulses of all
   /// parts [N s] (null: not wanted).
   void advance(const Group&, const Step&, const std::vector<Body>&, const std::vector<Mover>&,
-               std::vector<Block>&, std::vector<Motion>&, std::vector<Real>* pressed);
+               std::vector<Block>&, std::vector<Motion>&, std::vector<Vector3>* pressed);
 
   /// The largest change of a contact's velocity in the last sweep of advance(): how far it is from the
   /// solution [m/s].
@@ -47,7 +47,6 @@ class Crowd {
     Real mass_11 = 0, mass_12 = 0, mass_22 = 0;   // and across it
     Real slip_mass = 0;                           // no more than the least of that
     Real normal = 0, across_1 = 0, across_2 = 0;  // impulses [N s]
-    Real all_normal = 0;                          // of all parts
   };
   struct Pair {
     int a, b;  // places in members_; b < 0: what does not move
@@ -71,8 +70,9 @@ class Crowd {
   void push(const Pair&);
   template <bool two>
   Real sweep(const Pair&, const Sweep&);
-  void give(const Step&, const std::vector<Body>&, std::vector<Block>&, std::vector<Motion>&,
-            std::vector<Real>* pressed) const;
+  void give(const Step&, const std::vector<Body>&, std::vector<Block>&, std::vector<Motion>&) const;
+  Vector3 impulse(const Pair&, std::size_t spot) const;
+  void add_to(std::vector<Vector3>& pressed) const;
 
   std::vector<int> place_;  // of all bodies; -1: not a member that moves
   std::vector<int> body_;   // of a member

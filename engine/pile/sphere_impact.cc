@@ -105,7 +105,7 @@ void SphereImpacts::strike(const Approaching& pair, const Meeting& m, Spheres& s
     impact.other = spheres.id[static_cast<std::size_t>(pair.b)];
   impact.approach = -u_n, impact.separation = -pair.material.restitution * u_n;
   impacts.push_back(impact);
-  if (contacts) contacts->push_back({impact.body, impact.other, impact.plane, point, n, normal});
+  if (contacts) contacts->push_back({impact.body, impact.other, impact.plane, point, n, normal, tangential});
 }
 
 void SphereImpacts::resolve(const std::vector<Approaching>& pairs, Spheres& spheres, Time now, Time span,

@@ -124,7 +124,7 @@ void SpherePile::advance(Time now, Time span) {
   std::copy_n(velocity, spheres_.velocity.size(), before);
   for (std::size_t k = 0; k < numbers; ++k) velocity[k] += hr * kick[k];
   found_.sweep([&](const auto& batch) { warm_start(batch, velocity); });
-  if (keep_) pressed_.assign(found_.rows(), 0);
+  if (keep_) pressed_.assign(found_.rows(), {});
   for (int part = 0; part < n; ++part) {
     found_.sweep([&](auto& batch) { solve(batch, velocity, place, inverse_h); });
     if (keep_) add_pressed();
@@ -140,8 +140,11 @@ void SpherePile::advance(Time now, Time span) {
 // The impulses of one part of the step.
 void SpherePile::add_pressed() {
   found_.each([&](const auto& batch) {
-    for (int lane = 0; lane < lane_count; ++lane)
-      pressed_[static_cast<std::size_t>(batch.pair[lane])] += batch.impulse[lane];
+    for (int lane = 0; lane < lane_count; ++lane) {
+      Pressed& row = pressed_[static_cast<std::size_t>(batch.pair[lane])];
+      row.normal += batch.impulse[lane];
+      row.friction += Vector3(batch.tangential.x[lane], batch.tangential.y[lane], batch.tangential.z[lane]);
+    }
   });
 }
 
@@ -149,13 +152,14 @@ void SpherePile::add_pressed() {
 void SpherePile::note_pressed() {
   found_.each([&](const auto& batch) {
     for (int lane = 0; lane < lane_count; ++lane) {
-      const Real impulse = pressed_[static_cast<std::size_t>(batch.pair[lane])];
+      const Pressed& row = pressed_[static_cast<std::size_t>(batch.pair[lane])];
       const int a = batch.a[lane], b = batch.b[lane];
-      if (a >= spheres_.count || !(impulse > 0)) continue;
+      if (a >= spheres_.count || !(row.normal > 0)) continue;
       const Vector3 n(batch.normal.x[lane], batch.normal.y[lane], batch.normal.z[lane]);
       const Real* p = spheres_.p(a);
-      const auto id = [&](int row) { return spheres_.id[static_cast<std::size_t>(row)]; };
-      Contact contact{id(a), fixed_world, -1, Vector3(p[0], p[1], p[2]) - p[3] * n, n, impulse};
+      const auto id = [&](int i) { return spheres_.id[static_cast<std::size_t>(i)]; };
+      Contact contact{id(a), fixed_world, -1,          Vector3(p[0], p[1], p[2]) - p[3] * n,
+                      n,     row.normal,  row.friction};
       if (batch.plane)
         contact.plane = b;
       else

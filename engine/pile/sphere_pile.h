@@ -40,7 +40,11 @@ class SpherePile : public Stepper {
   SphereContacts found_;
   SphereImpacts impacts_found_;
   std::vector<Impact> impacts_;
-  std::vector<Real>
+  struct Pressed {
+    Real normal = 0;
+    Vector3 friction = Vector3::Zero();  // on the first sphere
+  };
+  std::vector<Pressed>
       pressed_;  // per row of impulses, over the parts of the step [N s]; while contacts are kept
   std::int64_t first_, steps_;
   Real smallest_ = 0, largest_ = 0;  // radius

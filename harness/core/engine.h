@@ -109,6 +109,8 @@ struct Contact {
   Vector3 normal = Vector3::UnitY();  ///< World, unit, towards pair.body.
   std::optional<double>
       impulse;  ///< Along the normal, over the step [N s]; absent: the engine does not tell.
+  std::optional<Vector3>
+      friction;  ///< On pair.body, across the normal, over the step, world axes [N s]; absent: not told.
 };
 
 }  // namespace cylon::core

@@ -1,5 +1,6 @@
 #include "harness/core/observable_rows.h"
 
+#include "harness/core/contact_balance.h"
 #include "harness/core/event_signal.h"
 #include "harness/core/force_law.h"
 #include "harness/core/held_joint.h"
@@ -310,7 +311,7 @@ double angular_joint_gap_error(const Observable&, const Scene&, const State&, co
   return 2 * e.orientation;
 }
 
-// ---- Events have numbers of their own: event_rows.h ---------------------------------------------
+// ---- Events and balances are not of one state: event_rows.h, contact_balance.h ------------------
 
 void no_values(const Observable&, const Scene&, const State&, Values&) {}
 
@@ -347,6 +348,10 @@ constexpr std::array rows = {
                   nullptr, joint_gap_error},
     ObservableRow{Quantity::angular_joint_gap, "angular_joint_gap", "rad", angular_joint_gap_undefined,
                   angular_joint_gap, norms, no_magnitude, nullptr, angular_joint_gap_error},
+    ObservableRow{Quantity::momentum_balance, "momentum_balance", "N", balance_undefined, no_values, norms,
+                  largest, nullptr, no_error},
+    ObservableRow{Quantity::angular_momentum_balance, "angular_momentum_balance", "N m", balance_undefined,
+                  no_values, norms, largest, nullptr, no_error},
     ObservableRow{Quantity::event, "event", "", event_undefined, no_values, norms, largest, nullptr,
                   no_error},
 };

@@ -6,6 +6,7 @@
 #include "harness/core/scene.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct Recording {
   std::vector<std::int64_t> steps;  ///< Ascending, from 0.
   std::vector<State> states;        ///< One per step kept.
   std::vector<Event> events;
+  std::optional<std::vector<Contact>> contacts;  ///< Of the last step; absent: not asked for, or not told.
   Engine engine;                     ///< Who ran it: name, version, precision, and the integrator that ran.
   Terms terms;                       ///< With what settings.
   double cpu_seconds = 0;            ///< Thread CPU time of the steps alone.

@@ -1,5 +1,6 @@
 #include "harness/core/scale.h"
 
+#include "harness/core/contact_balance.h"
 #include "harness/core/event_rows.h"
 #include "harness/core/force_law.h"
 #include "harness/core/observable_rows.h"
@@ -201,6 +202,8 @@ std::vector<Term> terms_of(const Claim& claim, const Scene& scene, const Traject
     case Quantity::normal_gap:
     case Quantity::joint_gap:
     case Quantity::angular_joint_gap:
+    case Quantity::momentum_balance:
+    case Quantity::angular_momentum_balance:
     case Quantity::event:
       return {};
   }
@@ -246,6 +249,10 @@ double at_rest(const Claim& claim, const Scene& scene, double duration, double g
     case Quantity::normal_gap:
     case Quantity::joint_gap:
       return 2 * smallest;
+    case Quantity::momentum_balance:
+      return m * speed / duration;
+    case Quantity::angular_momentum_balance:
+      return m * speed / duration * d;
     case Quantity::event:
       return 1;
   }
@@ -315,7 +322,7 @@ double scale(const Claim& claim, const Scene& scene, double duration) {
   if (quantity == Quantity::event) return scale_of_event(claim, scene, duration);
   const double rest = at_rest(claim, scene, duration, norm_of_gravity(scene));
   if (quantity == Quantity::normal_gap || quantity == Quantity::joint_gap ||
-      quantity == Quantity::angular_joint_gap)
+      quantity == Quantity::angular_joint_gap || of_last_step(quantity))
     return rest;
   const Trajectory path = motion_of(claim, scene, duration);
   if (quantity == Quantity::orientation || quantity == Quantity::axis) {

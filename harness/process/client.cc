@@ -31,7 +31,7 @@ Run requested(const RunRequest& request) {
     throw std::invalid_argument("a run needs steps >= 0, every >= 1 and repetitions >= 0");
   if (!(request.setup.tolerance >= 0) || !std::isfinite(request.setup.tolerance))
     throw std::invalid_argument("a tolerance must be finite and not negative");
-  Run run{request.steps, request.every, request.at, request.watch};
+  Run run{request.steps, request.every, request.at, request.watch, false, request.contacts};
   std::sort(run.at.begin(), run.at.end());
   run.at.erase(std::unique(run.at.begin(), run.at.end()), run.at.end());
   if (!run.at.empty() && (run.at.front() < 0 || run.at.back() > run.steps))
@@ -91,14 +91,15 @@ std::optional<std::string> no_orientation(const core::Scene& scene, const core::
 /// harness watches and keeps what was wanted.
 class Recorder {
  public:
-  Recorder(const core::Scene& scene, const Run& wanted, bool worker_watches, double dt, core::State start)
+  Recorder(const core::Scene& scene, const Run& wanted, const Hello& hello, double dt, core::State start)
       : scene_(scene),
         wanted_(wanted),
         asked_(wanted),
-        here_(!wanted.watch.empty() && !worker_watches),
+        here_(!wanted.watch.empty() && !hello.events),
         watch_(scene, here_ ? wanted.watch : std::vector<core::Pair>{}, dt),
         state_(start.size()) {
     if (here_) asked_ = {wanted.steps, 1, {}, {}};
+    asked_.contacts = wanted.contacts && hello.live;
     if (here_) watch_.observe(0, start);
     recording_.dt = dt;
     recording_.steps.push_back(0);
@@ -117,6 +118,9 @@ class Recorder {
       const json& answer = std::get<json>(message);
       if (answer.contains("event")) {
         add(event_from_json(answer));
+      } else if (answer.contains("contacts")) {
+        if (!asked_.contacts) broken("contacts that were not asked for");
+        recording_.contacts = contacts_from_json(answer, scene_.bodies.size(), scene_.planes.size());
       } else if (const auto reason = text_of(answer, "error")) {
         throw Failure(results::Status::crash, fmt::format("stopped after step {}: {}", last_, *reason));
       } else {
@@ -189,8 +193,8 @@ Repetition repeat(Conversation& worker, const EngineChoice& choice, const RunReq
                   const Hello& hello, const Limits& limits) {
   open_scene(worker, choice, *request.scene, request.setup, hello.engine, limits.run_seconds);
   core::State start = read_start(worker, request.scene->bodies.size());
-  Recorder recorder(*request.scene, {request.steps, std::max<std::int64_t>(1, request.steps), {}, {}},
-                    hello.events, request.setup.dt, std::move(start));
+  Recorder recorder(*request.scene, {request.steps, std::max<std::int64_t>(1, request.steps), {}, {}}, hello,
+                    request.setup.dt, std::move(start));
   const CpuWitness witness(worker);
   recorder.record(worker);
   witness.require_half_of_used(recorder.times().step_seconds);
@@ -225,7 +229,7 @@ RunOutcome run(const EngineChoice& choice, const RunRequest& request, const Limi
     core::State start = read_start(*worker, scene.bodies.size());
     if (const auto difference = read_back_difference(scene, start, hello.engine.precision))
       throw Failure(results::Status::fail, "initial state read back differs: " + *difference);
-    Recorder recorder(scene, wanted, hello.events, request.setup.dt, std::move(start));
+    Recorder recorder(scene, wanted, hello, request.setup.dt, std::move(start));
     core::Recording recording = recorder.record(*worker);
     outcome.peak_bytes = worker->peak_bytes();
     for (int i = 0; i < request.repetitions; ++i)

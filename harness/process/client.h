@@ -23,6 +23,7 @@ struct RunRequest {
   std::int64_t every = 1;         ///< Steps between samples, >= 1; the start and the end are always kept.
   std::vector<std::int64_t> at;   ///< Further steps to keep, in any order, in 0..steps.
   std::vector<core::Pair> watch;  ///< Pairs whose bounces and apexes are wanted.
+  bool contacts = false;          ///< Those of the last step are wanted, of an engine that tells them.
   int repetitions = 0;            ///< Runs after the first, in the same worker, of which only times are kept.
 };
 

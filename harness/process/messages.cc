@@ -302,6 +302,8 @@ json contacts_json(const std::vector<core::Contact>& contacts) {
                     {"point", {c.point.x(), c.point.y(), c.point.z()}},
                     {"normal", {c.normal.x(), c.normal.y(), c.normal.z()}},
                     {"impulse", told ? json(*c.impulse) : json(nullptr)}});
+    if (c.friction && c.friction->allFinite())
+      rows.back()["friction"] = {c.friction->x(), c.friction->y(), c.friction->z()};
   }
   return {{"contacts", std::move(rows)}};
 }
@@ -322,6 +324,7 @@ std::vector<core::Contact> contacts_from_json(const json& value, std::size_t bod
     c.point = f.vector("point");
     c.normal = f.vector("normal");
     if (!f.at("impulse").is_null()) c.impulse = f.number("impulse");
+    if (f.find("friction")) c.friction = f.vector("friction");
     f.finish();
     contacts.push_back(c);
   });

@@ -1,5 +1,6 @@
 #include "harness/scenario/claim_observable.h"
 
+#include "harness/core/contact_balance.h"
 #include "harness/core/event_find.h"
 #include "harness/scenario/key_rows.h"
 
@@ -100,6 +101,8 @@ Observable read_observable(const Table& t, const Draft& draft) {
   const bool event = q.quantity == Quantity::event;
   if (event && !t.has("follows"))
     t.fail(key, fmt::format("{}: an event has no value at the start; use 'follows'", key));
+  if (core::of_last_step(q.quantity) && !t.has("conserves"))
+    t.fail(key, fmt::format("{}: {} belongs to 'conserves'", key, core::name(q.quantity)));
   refuse(t, {"component"}, !is_vector(q.quantity),
          fmt::format("belongs to vectors, and {} is none", core::name(q.quantity)));
   refuse(t, {"about"}, q.quantity != Quantity::angular_momentum && !event,

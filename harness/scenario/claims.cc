@@ -1,5 +1,6 @@
 #include "harness/scenario/claims.h"
 
+#include "harness/core/contact_balance.h"
 #include "harness/core/recording.h"
 #include "harness/scenario/budget.h"
 #include "harness/scenario/certified_truth.h"
@@ -47,6 +48,8 @@ Claim parse_claim(const Table& t, const Draft& draft, double duration, double st
   if (t.has("until") && !horizon && claim.until > duration)
     t.fail("until", fmt::format("until = {}, but must be in (0, {}] s, the duration", claim.until, duration));
   refuse(t, {"sample", "measure"}, claim.observable.quantity == Quantity::event, "does not go with an event");
+  refuse(t, {"until", "sample", "measure"}, core::of_last_step(claim.observable.quantity),
+         "does not go with a balance, which is that of the last step");
   if (t.has("sample")) {
     claim.sample = t.is_text("sample") ? 0 : t.number("sample");
     try {
@@ -86,6 +89,9 @@ std::string lacks(const core::Truth& truth, Quantity quantity, bool only_points)
       return orientation;
     case Quantity::angular_velocity:
       return spin;
+    case Quantity::momentum_balance:
+    case Quantity::angular_momentum_balance:
+      return "";  // no truth is followed there
     case Quantity::angular_momentum:
     case Quantity::energy:
     case Quantity::kinetic_energy:

@@ -1,5 +1,6 @@
 #include "harness/study/cell.h"
 
+#include "harness/core/contact_balance.h"
 #include "harness/core/event_find.h"
 #include "harness/core/input_error.h"
 #include "harness/core/worst.h"
@@ -78,6 +79,11 @@ void judge(Verdict& row, const Claim& claim, const Cell& cell, std::span<const c
   const bool nothing_passes = cell.tolerance_scale == 0;  // a residual of zero neither
   if ((measured.broken || nothing_passes) && row.status != results::Status::non_finite)
     row.status = results::Status::fail;
+  if (core::of_last_step(claim.observable.quantity)) {
+    if (const auto what = core::untold(claim.observable, scenario.scene, recordings.front()))
+      row.status = results::Status::unsupported, row.measured = std::numeric_limits<double>::quiet_NaN(),
+      add_detail(row, *what);
+  }
   // A run that broke within the claim's horizon proves nothing, whatever the claim reads of its states.
   if (!first_bad_step || static_cast<double>(*first_bad_step) * row.dt > claim.until) return;
   row.status = results::Status::non_finite;
@@ -92,7 +98,7 @@ process::RunOutcome record(const Cell& cell, const core::Scene& scene, double dt
   request.setup.dt = dt;
   request.setup.force = cell.force;
   request.steps = samples.steps, request.every = samples.every, request.at = samples.at,
-  request.watch = samples.watch;
+  request.watch = samples.watch, request.contacts = samples.contacts;
   return process::run(cell.engine, request, limits);
 }
 
@@ -139,6 +145,11 @@ Sampling sampling(const Scenario& scenario, double dt) {
   for (const Claim& claim : scenario.claims) {
     if (claim.observable.quantity == core::Quantity::event) {
       if (!core::watched(claim.observable.event)) every = 1;  // found in the states of every step
+      continue;
+    }
+    if (core::of_last_step(claim.observable.quantity)) {
+      plan.contacts = true;
+      at.insert(std::max<std::int64_t>(1, plan.steps - 1));
       continue;
     }
     if (claim.truth && !claim.truth->times.empty()) {

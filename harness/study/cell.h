@@ -39,9 +39,10 @@ struct Cell {
 struct Sampling {
   std::int64_t steps = 0;
   std::int64_t every = 1;
-  std::vector<std::int64_t> at;  ///< Times of recorded truths, in steps.
+  std::vector<std::int64_t> at;  ///< Times of recorded truths and what else claims need, in steps.
   std::vector<core::Pair> watch;
-  std::string text;  ///< "every step", "every 25 steps"
+  bool contacts = false;  ///< Those of the last step.
+  std::string text;       ///< "every step", "every 25 steps"
 };
 
 /// Throws core::InputError where the step does not fit the duration, a claim's sampling, or a truth's times.

@@ -27,6 +27,7 @@ process::RunOutcome record(const process::EngineChoice& engine, const core::Scen
   request.scene = &scene;
   request.setup.dt = dt;
   request.steps = plan.steps, request.every = plan.every, request.at = plan.at, request.watch = plan.watch;
+  request.contacts = plan.contacts;
   return process::run(engine, request, limits);
 }
 

@@ -1,5 +1,6 @@
 #include "harness/study/spread.h"
 
+#include "harness/core/contact_balance.h"
 #include "harness/core/event_find.h"
 #include "harness/core/worst.h"
 
@@ -63,6 +64,9 @@ core::Scene one_ulp_apart(const core::Scene& scene, int copy, int copies) {
 double spread(const core::Claim& claim, const core::Scene& scene, const core::Recording& one,
               const core::Recording& other) {
   if (claim.observable.quantity == core::Quantity::event) return event_spread(claim, scene, one, other);
+  if (core::of_last_step(claim.observable.quantity))
+    return std::abs(core::contact_imbalance(claim.observable, scene, one) -
+                    core::contact_imbalance(claim.observable, scene, other));
   std::size_t last = 0;
   for (std::size_t i = 0; i < std::min(one.states.size(), other.states.size()); ++i)
     if (one.time(i) <= claim.until * (1 + 1e-12)) last = i;

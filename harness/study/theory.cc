@@ -1,5 +1,6 @@
 #include "harness/study/theory.h"
 
+#include "harness/core/contact_balance.h"
 #include "harness/core/measure.h"
 #include "harness/core/observable_rows.h"
 #include "harness/core/scale.h"
@@ -127,7 +128,8 @@ double tolerance_of(const std::string& text) {
 
 bool theory_speaks_of(const Claim& claim, double until) {
   const auto known = [&](double t) { return t <= until; };
-  return claim.observable.quantity != core::Quantity::event && claim.reduction <= core::Reduction::end &&
+  return claim.observable.quantity != core::Quantity::event &&
+         !core::of_last_step(claim.observable.quantity) && claim.reduction <= core::Reduction::end &&
          !claim.at_least &&
          !(claim.truth && !claim.truth->times.empty() && std::ranges::none_of(claim.truth->times, known));
 }

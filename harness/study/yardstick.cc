@@ -1,5 +1,6 @@
 #include "harness/study/yardstick.h"
 
+#include "harness/core/contact_balance.h"
 #include "harness/core/event_find.h"
 #include "harness/core/input_error.h"
 #include "harness/core/measure.h"
@@ -50,7 +51,8 @@ Yardstick::Yardstick(const scenario::Scenario& scenario, std::int64_t samples,
   std::set<Quantity> constant;
   std::set<std::string> truths;
   for (const Claim& claim : scenario.claims) {
-    if (claim.at_least) continue;  // says that something happens, and not how far off it is
+    // They say that something happens, or that forces are told right, and not how far off the motion is.
+    if (claim.at_least || core::of_last_step(claim.observable.quantity)) continue;
     if (claim.observable.quantity == Quantity::event) {
       ask_event(claim);
       continue;

@@ -119,6 +119,13 @@ core::Recording restated(const core::Recording& recording, const Description& d,
   for (std::size_t i = 0; i < recording.states.size(); ++i)
     result.states[i] = d(recording.states[i], recording.time(i));
   result.events = restated(recording.events, d, up);
+  if (result.contacts)
+    for (core::Contact& c : *result.contacts) {
+      c.point = d.factor("m") * (d.words.turn * c.point + d.words.move);
+      c.normal = d.words.turn * c.normal;
+      if (c.impulse) *c.impulse *= d.factor("kg m/s");
+      if (c.friction) c.friction = d.factor("kg m/s") * (d.words.turn * *c.friction);
+    }
   return result;
 }
 
@@ -162,7 +169,7 @@ void expect_same_verdicts(const Scenario& scenario, const ShippedRun& run, const
     const Claim& claim = other.claims[i];
     if (core::runs_needed(claim) > 1) continue;  // one recording is at hand
     const core::Measured m = core::measure(claim, other.scene, {&recording, 1}, other.duration);
-    const results::Status status = m.broken ? results::Status::fail : results::judge(m.value, m.allowed);
+    const results::Status status = status_of(claim, other.scene, recording, m);
     EXPECT_EQ(results::name(status), results::name(run.findings[i].status))
         << d.name << ", " << claim.label << ": " << m.value << " of " << m.allowed << ", was "
         << run.findings[i].measured << " of " << run.findings[i].allowed;

@@ -223,6 +223,10 @@ class Run {
         contact.point = from_bullet(point.getPositionWorldOnB());
         contact.normal = (turned ? -1 : 1) * from_bullet(point.m_normalWorldOnB);
         contact.impulse = static_cast<double>(point.getAppliedImpulse());
+        contact.friction =
+            (turned ? -1 : 1) *
+            (static_cast<double>(point.m_appliedImpulseLateral1) * from_bullet(point.m_lateralFrictionDir1) +
+             static_cast<double>(point.m_appliedImpulseLateral2) * from_bullet(point.m_lateralFrictionDir2));
         contacts.push_back(contact);
       }
     }

@@ -181,8 +181,9 @@ class InHouse final : public core::Simulator {
   std::vector<core::Contact> contacts() const override {
     std::vector<core::Contact> contacts;
     for (const engine::Contact& c : world_->contacts()) {
-      core::Contact told{{c.body, c.other, c.plane}, c.point.cast<double>(), c.normal.cast<double>(), {}};
+      core::Contact told{{c.body, c.other, c.plane}, c.point.cast<double>(), c.normal.cast<double>(), {}, {}};
       if (c.impulse) told.impulse = static_cast<double>(*c.impulse);
+      if (c.friction) told.friction = c.friction->cast<double>();
       contacts.push_back(told);
     }
     return contacts;

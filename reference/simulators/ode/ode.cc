@@ -87,6 +87,7 @@ struct Surface {
 struct Touch {
   core::Contact contact;
   Vector3 normal = Vector3::Zero();  // ODE's, into the joint's first body
+  bool turned = false;               // whether the contact's first body is the joint's second
   bool on_first = true;  // whether that body is one that moves: else the force is read at the second
   dJointFeedback feedback{};
 };
@@ -310,7 +311,7 @@ void Ode::collide(dGeomID a, dGeomID b) {
     const Owner &one = *static_cast<Owner*>(dGeomGetData(a)), &two = *static_cast<Owner*>(dGeomGetData(b));
     const dContactGeom& geom = found[at(i)];
     Touch& touch = touches_.emplace_back();
-    const bool turned = one.body == core::world;
+    const bool turned = touch.turned = one.body == core::world;
     touch.contact.pair = {turned ? two.body : one.body, turned ? one.body : two.body,
                           turned ? one.plane : two.plane};
     touch.contact.point = {geom.pos[0], geom.pos[1], geom.pos[2]};
@@ -321,16 +322,19 @@ void Ode::collide(dGeomID a, dGeomID b) {
   }
 }
 
-// The force along the normal, over the step.  A joint whose first body is the world is turned round by ODE:
+// The force along the normal and across it, over the step.  A joint whose first body is the world is turned round by ODE:
 // its feedback stands in the second place.
 void Ode::note_contacts() {
   contacts_.clear();
   for (Touch& touch : touches_) {
     const dReal* f = touch.on_first ? touch.feedback.f1 : touch.feedback.f2;
     const double sign = touch.on_first ? 1 : -1;
-    const double impulse = sign * touch.normal.dot(Vector3(f[0], f[1], f[2])) * dt_;
+    const Vector3 on_first = sign * dt_ * Vector3(f[0], f[1], f[2]);
+    const double impulse = touch.normal.dot(on_first);
     if (!(impulse > 0)) continue;
     touch.contact.impulse = impulse;
+    const Vector3 across = on_first - impulse * touch.normal;
+    touch.contact.friction = touch.turned ? Vector3(-across) : across;
     contacts_.push_back(touch.contact);
   }
   touches_.clear();

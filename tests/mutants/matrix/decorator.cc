@@ -51,6 +51,14 @@ class Masked final : public core::Simulator {
     if (mask_.reading) mask_.reading(moment(), state);
   }
 
+  void keep_contacts(bool keep) override { inner_->keep_contacts(keep); }
+  std::vector<core::Contact> contacts() const override {
+    std::vector<core::Contact> told = inner_->contacts();
+    if (mask_.telling)
+      for (core::Contact& contact : told) mask_.telling(contact);
+    return told;
+  }
+
  private:
   Moment moment() const { return {scene_, before_, step_, setup_.dt, run_}; }
 

@@ -24,6 +24,8 @@ Mask each(const std::function<void(const Moment&, BodyState&)>& change) {
   });
 }
 
+Mask telling(std::function<void(core::Contact&)> change) { return {.telling = std::move(change)}; }
+
 Vector3 to_float(const Vector3& v) { return v.cast<float>().cast<double>(); }
 
 void reverse(BodyState& s) { s.velocity = -s.velocity, s.angular_velocity = -s.angular_velocity; }
@@ -135,6 +137,16 @@ std::vector<MaskedRow> faults_of_the_reading() {
        each([](const Moment&, BodyState& s) { s.velocity = (s.velocity * 1e6).array().round() * 1e-6; })},
       {"wraps at four metres", "a world without an edge", "rocket", "velocity follows",
        each([](const Moment&, BodyState& s) { s.velocity = s.velocity.cwiseMin(4).cwiseMax(-4); })},
+      {"contact forces a percent off", "all of them, as they are told", "box_on_slab", "momentum_balance",
+       telling([](core::Contact& c) {
+         if (c.impulse) *c.impulse *= 1.01;
+       })},
+      {"contact points at the corner", "where the force acts is told a millimetre aside", "box_on_slab",
+       "angular_momentum_balance", telling([](core::Contact& c) { c.point.x() += 1e-3; })},
+      {"friction told backwards", "on the other body", "block_slides", "momentum_balance",
+       telling([](core::Contact& c) {
+         if (c.friction) *c.friction *= -1;
+       })},
       {"position extrapolated", "half a step ahead along v", "spring_zero", "theory: position follows",
        each([](const Moment& m, BodyState& s) { s.position += 0.5 * m.dt * s.velocity; })},
       {"smoothed", "the mean of two steps", "spring_zero", "theory: position follows",

@@ -15,6 +15,7 @@ core::Recording record(core::Simulator& simulator, const core::Scene& scene, con
   core::EventWatch watch(scene, plan.watch, setup.dt);
   core::State state(scene.bodies.size());
   for (std::int64_t step = 0; step <= plan.steps; ++step) {
+    if (plan.contacts && step == plan.steps) simulator.keep_contacts(true);
     if (step > 0) simulator.step();
     const bool kept = step % plan.every == 0 || step == plan.steps ||
                       std::binary_search(plan.at.begin(), plan.at.end(), step);
@@ -24,6 +25,7 @@ core::Recording record(core::Simulator& simulator, const core::Scene& scene, con
     if (kept) result.steps.push_back(step), result.states.push_back(state);
   }
   result.events = watch.take();
+  if (plan.contacts) result.contacts = simulator.contacts();
   return result;
 }
 

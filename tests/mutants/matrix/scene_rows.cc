@@ -34,6 +34,7 @@ const std::vector<SceneRow>& scene_rows() {
       {"rough_ball", "scenarios/rough_ball_bounce.toml"},
       {"slide_to_roll", "scenarios/slide_to_roll.toml"},
       {"box_edge", "scenarios/box_drop_edge.toml"},
+      {"block_slides", "scenarios/block_slides.toml"},
       {"block_stops", "scenarios/block_stops.toml"},
       {"cube_stack", "scenarios/cube_stack.toml"},
       {"hinge_tilted", "scenarios/hinge_tilted.toml"},

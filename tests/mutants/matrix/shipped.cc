@@ -1,5 +1,6 @@
 #include "tests/mutants/matrix/shipped.h"
 
+#include "harness/core/contact_balance.h"
 #include "harness/core/measure.h"
 #include "harness/core/recording.h"
 #include "harness/core/size.h"
@@ -56,6 +57,13 @@ bool ShippedRun::passes() const {
                      [](const ShippedFinding& f) { return f.status == results::Status::pass; });
 }
 
+results::Status status_of(const core::Claim& claim, const core::Scene& scene,
+                          const core::Recording& recording, const core::Measured& m) {
+  if (core::of_last_step(claim.observable.quantity) && core::untold(claim.observable, scene, recording))
+    return results::Status::unsupported;
+  return m.broken ? results::Status::fail : results::judge(m.value, m.allowed);
+}
+
 std::optional<ShippedRun> run_shipped(const scenario::Scenario& scenario, const Subject& subject) {
   core::Setup setup = subject.setup;
   setup.dt = scenario.step;
@@ -71,8 +79,8 @@ std::optional<ShippedRun> run_shipped(const scenario::Scenario& scenario, const 
   ShippedRun result;
   for (const core::Claim& claim : scenario.claims) {
     const core::Measured m = core::measure(claim, scenario.scene, recordings, scenario.duration);
-    const results::Status status = results::judge(m.value, m.allowed);
-    result.findings.push_back({claim.label, m.broken ? results::Status::fail : status, m.value, m.allowed});
+    const results::Status status = status_of(claim, scenario.scene, recordings.front(), m);
+    result.findings.push_back({claim.label, status, m.value, m.allowed});
   }
   result.recording = std::move(recordings.front());
   return result;

@@ -1,6 +1,7 @@
 // Every shipped scenario as a judge, by its own claims alone.
 #pragma once
 
+#include "harness/core/measure.h"
 #include "harness/core/recording.h"
 #include "harness/results/verdict.h"
 #include "harness/scenario/scenario.h"
@@ -28,6 +29,10 @@ struct ShippedRun {
   std::vector<ShippedFinding> findings;  ///< One per claim.
   bool passes() const;
 };
+
+/// Of what one run makes of a claim, as a cell of `cylon run` has it.
+results::Status status_of(const core::Claim&, const core::Scene&, const core::Recording&,
+                          const core::Measured&);
 
 /// Nothing where the simulator cannot express the scene.
 std::optional<ShippedRun> run_shipped(const scenario::Scenario&, const Subject&);
