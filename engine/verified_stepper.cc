@@ -100,7 +100,7 @@ std::vector<std::string> VerifiedStepper::remarks() const {
         text, sizeof text,
         "auto: from sample %lld on the tolerance %.1e is not reached: solutions at the two finest local "
         "tolerances differ by up to %.1e of the scales of the motion (chaos or ill-conditioning)",
-        static_cast<long long>(first_ + missed_at_), static_cast<double>(bound_),
+        static_cast<long long>(first_) + missed_at_, static_cast<double>(bound_),
         static_cast<double>(worst_));
     remarks.emplace_back(text);
   }

@@ -225,14 +225,15 @@ void BodyPile::step() {
   swept_to_ = 0;
   int parts = parts_of_step();
   if (parts > most_parts) parts = most_parts, too_fast_ = true;
-  for (int k = 0; k < parts; ++k) advance(static_cast<Time>(steps_) * dt_ + k * dt_ / parts, dt_ / parts);
+  for (int k = 0; k < parts; ++k)
+    advance_part(static_cast<Time>(steps_) * dt_ + k * dt_ / parts, dt_ / parts);
   std::stable_sort(impacts_.begin(), impacts_.end(),
                    [](const Impact& a, const Impact& b) { return a.time < b.time; });
   swept_worst_ = std::max(swept_worst_, swept_to_);
   ++steps_;
 }
 
-void BodyPile::advance(Time now, Time span) {
+void BodyPile::advance_part(Time now, Time span) {
   found_.find(motions_, movers_, span, blocks_);
   if (isolated_) islands_.find(blocks_);
   if (keep_) pressed_.assign(blocks_.size(), Vector3::Zero());

@@ -29,7 +29,7 @@ class BodyPile : public Stepper {
 
  private:
   int parts_of_step() const;
-  void advance(Time now, Time span);
+  void advance_part(Time now, Time span);
   void divide(Real span);
   bool bounces(const Group&, Real span) const;
   bool is_crowd(const Group&) const;

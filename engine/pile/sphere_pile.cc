@@ -95,14 +95,15 @@ void SpherePile::step() {
   impacts_.clear(), contacts_.clear();
   int parts = parts_of_step();
   if (parts > most_parts) parts = most_parts, too_fast_ = true;
-  for (int k = 0; k < parts; ++k) advance(static_cast<Time>(steps_) * dt_ + k * dt_ / parts, dt_ / parts);
+  for (int k = 0; k < parts; ++k)
+    advance_part(static_cast<Time>(steps_) * dt_ + k * dt_ / parts, dt_ / parts);
   std::stable_sort(impacts_.begin(), impacts_.end(),
                    [](const Impact& a, const Impact& b) { return a.time < b.time; });
   note_order();
   ++steps_;
 }
 
-void SpherePile::advance(Time now, Time span) {
+void SpherePile::advance_part(Time now, Time span) {
   const int n = settings_.substeps;
   const Time h = span / n;
   found_.find(spheres_, span, model_.forces.gravity.norm());

@@ -24,7 +24,7 @@ class SpherePile : public Stepper {
   void order_bodies();
   void set_kick();
   int parts_of_step() const;
-  void advance(Time now, Time span);
+  void advance_part(Time now, Time span);
   void advance_alone(Time span);
   void drift(Real h, bool again);
   void turn(Time span);

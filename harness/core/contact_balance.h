@@ -16,11 +16,6 @@
 
 namespace cylon::core {
 
-/// Whether the quantity is one of the two balances.
-constexpr bool of_last_step(Quantity quantity) {
-  return quantity == Quantity::momentum_balance || quantity == Quantity::angular_momentum_balance;
-}
-
 /// Why no balance can be drawn: forces other than contacts and uniform gravity act, or no body that moves may
 /// touch anything.
 std::optional<std::string> balance_undefined(const Observable&, const Scene&);

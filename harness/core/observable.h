@@ -29,6 +29,11 @@ enum class Quantity {
   event                      ///< A number of one event: event.h.
 };
 
+/// Whether it is one of the two balances, which are of a run's last step and not of a state.
+constexpr bool of_last_step(Quantity quantity) {
+  return quantity == Quantity::momentum_balance || quantity == Quantity::angular_momentum_balance;
+}
+
 enum class Component { all, x, y, z, horizontal };
 
 struct Observable {

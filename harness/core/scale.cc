@@ -1,6 +1,5 @@
 #include "harness/core/scale.h"
 
-#include "harness/core/contact_balance.h"
 #include "harness/core/event_rows.h"
 #include "harness/core/force_law.h"
 #include "harness/core/observable_rows.h"

@@ -37,7 +37,8 @@ Run requested(const RunRequest& request) {
   if (!run.at.empty() && (run.at.front() < 0 || run.at.back() > run.steps))
     throw std::invalid_argument("a step to keep lies outside the run");
   if (!run.at.empty() && run.at.front() == 0) run.at.erase(run.at.begin());
-  const double kept = 1.0 + static_cast<double>(run.steps / run.every) + static_cast<double>(run.at.size());
+  const double kept = 1.0 + std::floor(static_cast<double>(run.steps) / static_cast<double>(run.every)) +
+                      static_cast<double>(run.at.size());
   if (const double states = kept * static_cast<double>(request.scene->bodies.size()); states > most_states)
     throw core::InputError(fmt::format(
         "the run keeps {:.3g} states of bodies, at most {:g} fit in memory: take fewer samples, or a "

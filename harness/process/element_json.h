@@ -94,6 +94,13 @@ class ElementWriter {
 
 // ---- From JSON ----------------------------------------------------------------------------------
 
+/// How many there are for faces to name; 0 where the element has none.
+template <class Element>
+std::size_t vertices_of(const Element& element) {
+  if constexpr (requires { element.vertices; }) return element.vertices.size();
+  return 0;
+}
+
 /// Position of a text among the words; throws MalformedMessage.
 template <std::size_t N>
 std::size_t word(Fields& fields, const char* key, const std::array<std::string_view, N>& words) {
@@ -130,7 +137,7 @@ class ElementReader {
       } else if constexpr (std::is_same_v<Value, std::optional<core::Vector3>>) {
         if (fields.find(key)) value = fields.vector(key);
       } else if constexpr (std::is_same_v<Value, std::vector<std::array<std::int32_t, 3>>>) {
-        read_faces(fields, key, element.vertices.size(), value);
+        read_faces(fields, key, vertices_of(element), value);
       } else {
         read(fields, key, value);
       }

@@ -13,7 +13,7 @@ namespace cylon::process {
 std::vector<std::string> compared_engines() {
   std::vector<std::string> ids;
   for (const BuiltEngine& e : engine_table())
-    if (e.compared) ids.push_back(e.id);
+    if (e.compared) ids.emplace_back(e.id);
   return ids;
 }
 

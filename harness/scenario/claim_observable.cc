@@ -1,6 +1,5 @@
 #include "harness/scenario/claim_observable.h"
 
-#include "harness/core/contact_balance.h"
 #include "harness/core/event_find.h"
 #include "harness/scenario/key_rows.h"
 

@@ -1,6 +1,5 @@
 #include "harness/scenario/claims.h"
 
-#include "harness/core/contact_balance.h"
 #include "harness/core/recording.h"
 #include "harness/scenario/budget.h"
 #include "harness/scenario/certified_truth.h"

@@ -41,14 +41,14 @@ std::int64_t nominal_steps(const scenario::Scenario& scenario) {
   return std::max<std::int64_t>(1, std::llround(scenario.duration / scenario.step));
 }
 
-std::int64_t coarsest_samples(const scenario::Scenario& scenario, std::int64_t divisor, std::int64_t fewest) {
+std::int64_t coarsest_samples(const scenario::Scenario& scenario, std::int64_t divisor, std::int64_t least) {
   const std::int64_t nominal = nominal_steps(scenario);
   for (; divisor > 1; divisor /= 2) {
     // Only a divisor of the nominal steps is sure to meet recorded times.
     if (has_times(scenario) && (nominal % divisor != 0 || !has_all_times(scenario, nominal / divisor)))
       continue;
     const std::int64_t samples = (nominal + divisor / 2) / divisor;
-    if (samples >= fewest) return samples;
+    if (samples >= least) return samples;
   }
   return nominal;
 }

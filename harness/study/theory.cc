@@ -1,6 +1,5 @@
 #include "harness/study/theory.h"
 
-#include "harness/core/contact_balance.h"
 #include "harness/core/measure.h"
 #include "harness/core/observable_rows.h"
 #include "harness/core/scale.h"

@@ -1,6 +1,5 @@
 #include "harness/study/yardstick.h"
 
-#include "harness/core/contact_balance.h"
 #include "harness/core/event_find.h"
 #include "harness/core/input_error.h"
 #include "harness/core/measure.h"

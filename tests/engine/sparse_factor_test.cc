@@ -35,7 +35,7 @@ std::vector<Ends> ends_of(const Kind& kind, std::mt19937& random) {
 Matrix matrix_of(const std::vector<Ends>& ends, int bodies, std::mt19937& random) {
   std::uniform_real_distribution<double> entry(-1, 1);
   const auto n = static_cast<Eigen::Index>(ends.size());
-  Matrix j = Matrix::Zero(n, 6 * bodies);
+  Matrix j = Matrix::Zero(n, Eigen::Index{6} * bodies);
   for (Eigen::Index i = 0; i < n; ++i)
     for (const int body : ends[static_cast<std::size_t>(i)])
       for (int c = 0; body >= 0 && c < 6; ++c) j(i, 6 * body + c) = static_cast<Real>(entry(random));

@@ -21,7 +21,6 @@ namespace {
 
 using core::Claim;
 using core::Component;
-using core::Quantity;
 using core::State;
 using core::Vector3;
 using scenario::Scenario;

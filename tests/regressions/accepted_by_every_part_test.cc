@@ -37,7 +37,7 @@ std::vector<Seed> seeds() {
   std::vector<Seed> all;
   for (const char* folder : {"scenarios", "scenarios/extremes", "tests/data/mixes"})
     for (const auto& entry : fs::directory_iterator(fs::path(source_dir) / folder)) {
-      const fs::path path = entry.path();
+      const fs::path& path = entry.path();
       if (path.extension() != ".toml" || path.filename() == "expected.toml") continue;
       std::ifstream in(path, std::ios::binary);
       std::string text(std::istreambuf_iterator<char>(in), {});

@@ -147,9 +147,9 @@ TEST_F(HostileFiles, AMillionSpheresInOnePlaneAreRead) {
                                                      {0.001, 1e20, false},
                                                      {0.001, -1e300, false},
                                                      {1, 1e300, false}}) {
-    write("two.toml", head + ball + spheres + "[[body]]\nname = \"other\"\nmass = 1\nposition = [" +
-                          fmt::format("{}", x) + ", 0, 0]\nshape = { type = \"sphere\", radius = " +
-                          fmt::format("{}", radius) + " }\n" + material + claim);
+    write("two.toml", fmt::format("{}{}{}[[body]]\nname = \"other\"\nmass = 1\nposition = [{}, 0, 0]\n"
+                                  "shape = {{ type = \"sphere\", radius = {} }}\n{}{}",
+                                  head, ball, spheres, x, radius, material, claim));
     EXPECT_EQ(shell("ulimit -t 60; exec cylon validate two.toml").code, overlaps ? 2 : 0)
         << radius << " " << x;
   }

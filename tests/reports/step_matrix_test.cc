@@ -104,7 +104,7 @@ TEST(StepMatrix, SaysWhyNoStepServes) {
 TEST(StepMatrix, ARefusalIsAvoidableWhereAnotherEngineReachesAnError) {
   TradeSeries refused = stepped("ode", {}, std::nan(""));
   refused.reason = "no water";
-  const auto with = [&](std::vector<double> errors) {
+  const auto with = [&](const std::vector<double>& errors) {
     return results::step_cells(table_of({refused, stepped("bullet", errors, 1)}));
   };
   EXPECT_EQ(with({0.03, 0.009, 0.004})[0].avoidable, "bullet");

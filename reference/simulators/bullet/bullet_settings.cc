@@ -263,7 +263,7 @@ BulletSettings bullet_settings(const core::Engine& engine, const core::Setup& se
   settings.terms.gyroscopic = settings.gyroscopic;
   settings.terms.settings = of_the_scene();
   for (const auto& [option, reason] : chosen.all()) {
-    const auto need = std::ranges::find_if(needs, [&](const Need& n) { return option == n.option; });
+    const auto need = std::ranges::find(needs, option, &Need::option);
     if (need != std::end(needs) && !need->met(settings)) continue;  // a rule's, in force with another option
     core::Setting one = setting(settings, option, reason);
     if (option == "ccd" && !kind.swept) {

@@ -25,7 +25,7 @@ TEST_F(MatrixCommand, GivesTheCoarsestStepOfEachEngineAndNoStepOfAClosedForm) {
   ASSERT_EQ(reach.size(), 3u);
   // The error of semi-implicit Euler in free fall is g dt T/2 of the path: each digit takes ten times the
   // steps.
-  for (int i = 0; i < 2; ++i) {
+  for (std::size_t i = 0; i < 2; ++i) {
     ASSERT_FALSE(reach[i]["point"].is_null()) << reach[i];
     const auto& point = ode["points"][reach[i]["point"].get<std::size_t>()];
     EXPECT_LE(point["errors"]["trajectory"], reach[i]["error"]);

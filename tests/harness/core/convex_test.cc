@@ -62,7 +62,8 @@ struct Case {
 std::vector<Case> cases() {
   std::vector<Case> all;
   for (const auto& [a, first] : shapes())
-    for (const auto& [b, second] : shapes()) all.push_back({a + "_" + b, first, second});
+    for (const auto& [b, second] : shapes())
+      all.push_back({std::string(a).append("_").append(b), first, second});
   return all;
 }
 

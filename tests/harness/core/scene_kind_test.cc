@@ -47,7 +47,7 @@ TEST(SceneKind, BouncesOnlyWhereAPairThatMayTouchDoes) {
 TEST(SceneKind, SeesOtherForcesAndWideMasses) {
   Scene scene = court();
   scene.bodies[0].mass = 500;
-  scene.forces.push_back(Drag{0, 1, 0, 0});
+  scene.forces.emplace_back(Drag{0, 1, 0, 0});
   EXPECT_TRUE(scene_kind(scene).applied);
   EXPECT_TRUE(scene_kind(scene).wide());
 }

@@ -9,6 +9,7 @@
 #include "harness/scenario/suite.h"
 #include "tests/paths.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <toml++/toml.h>
@@ -66,7 +67,8 @@ TEST(Claims, LeastChangeIsOneSided) {
                             "changes = \"event\"\nat_least = 1\n", "changes = \"position\"\nat_least = 0\n",
                             "changes = \"position\"\nat_least = 1\nconserves = \"position\"\n",
                             "changes = \"position\"\nat_least = 1\nmeasure = \"end\"\n"})
-    EXPECT_THROW(parse(head + "[[claim]]\n" + wrong + t, "wrong.toml"), core::InputError) << wrong;
+    EXPECT_THROW(parse(fmt::format("{}[[claim]]\n{}{}", head, wrong, t), "wrong.toml"), core::InputError)
+        << wrong;
 }
 
 std::string error_of(const std::string& scene, const std::string& file = "wrong.toml") {
@@ -146,7 +148,8 @@ TEST(Claims, OneSidedMeasuresAreOfNumbers) {
         "conserves = \"velocity\"\ncomponent = \"horizontal\"\nmeasure = \"increase\"\n",
         "follows = \"projectile\"\nobservable = \"velocity\"\ncomponent = \"x\"\nmeasure = \"decrease\"\n",
         "changes = \"energy\"\nat_least = 1\nmeasure = \"increase\"\n"})
-    EXPECT_THROW(parse(head + "[[claim]]\n" + wrong + t, "wrong.toml"), core::InputError) << wrong;
+    EXPECT_THROW(parse(fmt::format("{}[[claim]]\n{}{}", head, wrong, t), "wrong.toml"), core::InputError)
+        << wrong;
 }
 
 TEST(Claims, TheoryStatesARate) {

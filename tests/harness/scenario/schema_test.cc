@@ -3,6 +3,7 @@
 #include "harness/scenario/scenario.h"
 #include "tests/paths.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -43,7 +44,7 @@ TEST(Schema, NamesTheKeysThatWorkersGet) {
         for (const json& row : is_list ? rows : json::array({rows})) {
           for (const auto& [key, value] : row.items()) {
             EXPECT_TRUE(keys.contains(key)) << file << ": " << name << "." << key << " is not in the schema";
-            seen.insert(name + "." + key);
+            seen.insert(fmt::format("{}.{}", name, key));
           }
           for (const auto& [key, when] : keys)
             EXPECT_TRUE(when != "always" || row.contains(key)) << file << ": " << name << "." << key;
@@ -53,7 +54,8 @@ TEST(Schema, NamesTheKeysThatWorkersGet) {
   for (const auto& [name, element] : elements.items())
     if (element.contains("x-worker") && name != "gravity") {
       for (const auto& [key, when] : worker_keys(element.value("items", element)))
-        EXPECT_TRUE(seen.contains(name + "." + key)) << name << "." << key << ": no scene has it";
+        EXPECT_TRUE(seen.contains(fmt::format("{}.{}", name, key)))
+            << name << "." << key << ": no scene has it";
     }
 }
 

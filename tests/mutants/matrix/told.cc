@@ -34,7 +34,7 @@ class Told final : public core::Simulator {
   std::int64_t step_ = 0;
 };
 
-Subject subject(const char* name, const char* fault, std::function<core::State(double)> states) {
+Subject subject(const char* name, const char* fault, const std::function<core::State(double)>& states) {
   Subject result;
   result.name = name;
   result.fault = fault;
@@ -47,7 +47,7 @@ Subject subject(const char* name, const char* fault, std::function<core::State(d
 Subject frozen() { return subject("frozen", "the state of the start for ever", nullptr); }
 
 Subject one_step_late(std::function<core::State(double t)> states) {
-  return subject("one step late", "the state of the step before", std::move(states));
+  return subject("one step late", "the state of the step before", states);
 }
 
 }  // namespace cylon::mutants
