@@ -35,7 +35,7 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
  public:
   AdaptiveStepper(S system, std::vector<Real> initial, Real tolerance, Time dt, Read read, std::int64_t first)
       : Base(std::move(system), std::move(initial), dt, std::move(read), first),
-        integrator_(y_.size(), tolerance) {
+        integrator_(system_.size(), tolerance) {
     const Time start = static_cast<Time>(first) * dt;
     if constexpr (Switching<S>) {
       watching_ = system_.switch_count() > 0;
@@ -58,7 +58,7 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
     if (going_)
       integrator_.at(system_, now, y_.data());
     else
-      std::fill(y_.begin(), y_.end(), std::numeric_limits<Real>::quiet_NaN());
+      std::fill_n(y_.begin(), system_.size(), std::numeric_limits<Real>::quiet_NaN());
   }
 
   std::vector<std::string> remarks() const override {

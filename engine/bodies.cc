@@ -15,13 +15,14 @@ namespace cylon::engine {
 Bodies::Bodies(Model model, bool account)
     : model_(std::move(model)), account_(account), masses_(model_.bodies) {
   const std::size_t n = model_.bodies.size();
-  size_ = motion_size * n + (account_ ? model_.forces.count() : 0) + (masses_.any() ? 1 : 0);
+  count_ = movable_end(model_.bodies);
+  extras_ = (account_ ? model_.forces.count() : 0) + (masses_.any() ? 1 : 0);
   kinematics_.resize(n);
   loads_.resize(n);
   first_.resize(n);
   before_.resize(n);
   spin_.resize(n, 0);
-  upright_.resize(n);
+  opened_ = upright_ = start_ = probe_ = model_.motions;
   powers_.resize(model_.forces.count());
   reads_velocities_ = model_.forces.read_velocities();
   int rows = 0;
@@ -30,6 +31,10 @@ Bodies::Bodies(Model model, bool account)
   change_.resize(static_cast<std::size_t>(rows));
   const std::vector<char> turning = bodies_that_turn(model_);
   for (std::size_t i = 0; i < n; ++i) model_.bodies[i].turns = turning[i] != 0;
+  for (std::size_t i = count_; i < n; ++i) {
+    kinematics_[i] = {rotation_matrix(model_.motions[i].orientation), Vector3::Zero(), Vector3::Zero()};
+    length_ = std::max(length_, model_.motions[i].position.norm());
+  }
   for (std::size_t w = 0; w < model_.forces.waters.size(); ++w) {
     if (model_.forces.waters[w].mode != WaterMode::step) continue;
     for (std::size_t i = 0; i < n; ++i) {
@@ -63,14 +68,14 @@ void Bodies::unwatch() {
 }
 
 std::vector<Real> Bodies::initial(Time start) const {
-  std::vector<Real> y(size_, 0);
-  if (masses_.any()) y.back() = static_cast<Real>(start);
+  std::vector<Real> y(extras_ + motion_size * model_.bodies.size(), 0);
+  if (masses_.any()) y[extras_ - 1] = static_cast<Real>(start);
   std::copy(model_.motions.begin(), model_.motions.end(), motions(y.data()));
   return y;
 }
 
 void Bodies::find_kinematics(const Motion* motion) {
-  for (std::size_t i = 0; i < kinematics_.size(); ++i) {
+  for (std::size_t i = 0; i < count_; ++i) {
     const Body& body = model_.bodies[i];
     Kinematics& k = kinematics_[i];
     k.velocity = velocity(body, motion[i]);
@@ -86,8 +91,8 @@ void Bodies::find_kinematics(const Motion* motion) {
 
 // The forces, and of bodies with one axis only what turns them about it.
 void Bodies::find_loads(Time t, const Motion* motion, Real* powers) {
-  apply(model_.forces, t, model_.bodies, motion, kinematics_.data(), loads_.data(), powers);
-  for (std::size_t i = 0; i < loads_.size(); ++i) {
+  apply(model_.forces, t, model_.bodies, count_, motion, kinematics_.data(), loads_.data(), powers);
+  for (std::size_t i = 0; i < count_; ++i) {
     if (!model_.bodies[i].one_axis) continue;
     const Vector3 axis = kinematics_[i].rotation * model_.bodies[i].axis;
     loads_[i].torque = axis.dot(loads_[i].torque) * axis;
@@ -95,9 +100,10 @@ void Bodies::find_loads(Time t, const Motion* motion, Real* powers) {
 }
 
 void Bodies::load(Time t, const Real* y) {
+  const Motion* motion = upright(y, false);
   masses_.set(t, model_.bodies);
-  find_kinematics(motions(y));
-  find_loads(t, motions(y), nullptr);
+  find_kinematics(motion);
+  find_loads(t, motion, nullptr);
 }
 
 void Bodies::gather(const Motion* motion) {
@@ -105,33 +111,47 @@ void Bodies::gather(const Motion* motion) {
   for (const Joint& joint : model_.joints) add_rows(joint, model_.bodies, motion, rows_.rows);
 }
 
-// The same with unit quaternions: the stages of an integrator leave them, and the rows of joints take them as
-// such.
-const Motion* Bodies::upright(const Motion* motion) {
-  for (std::size_t i = 0; i < upright_.size(); ++i) {
+// The motions of all bodies, from a state that need not have those that are locked; `turned`: with unit
+// quaternions.  The stages of an integrator leave them, and the rows of joints take them as such.
+const Motion* Bodies::upright(const Real* y, bool turned) {
+  const Motion* motion = motions(y);
+  if (!turned && count_ == model_.bodies.size()) return motion;
+  for (std::size_t i = 0; i < count_; ++i) {
     upright_[i] = motion[i];
-    upright_[i].orientation = motion[i].orientation.normalized();
+    if (turned) upright_[i].orientation = motion[i].orientation.normalized();
   }
   return upright_.data();
 }
 
+// The same to be changed; close() puts the change back.
+Motion* Bodies::open(Real* y) {
+  if (count_ == model_.bodies.size()) return motions(y);
+  std::copy_n(motions(y), count_, opened_.data());
+  return opened_.data();
+}
+
+void Bodies::close(const Motion* motion, Real* y) {
+  if (motion != motions(y)) std::copy_n(motion, count_, motions(y));
+}
+
 void Bodies::rates(Time t, const Real* y, Real* rate) {
-  const Motion* motion = holder_ || constrained() ? upright(motions(y)) : motions(y);
+  const Motion* motion = upright(y, holder_ || constrained());
   masses_.set(t, model_.bodies);
   find_kinematics(motion);
-  Real* powers = account_ ? rate + motion_size * kinematics_.size() : nullptr;
-  find_loads(t, motion, powers);
+  find_loads(t, motion, account_ ? rate : nullptr);
+  if (masses_.any()) rate[extras_ - 1] = 1;
+  rate += extras_;
   if (holder_) {
     holder_->hold(t, model_.bodies, motion, kinematics_.data(), loads_.data());
   } else if (constrained()) {
-    for (std::size_t i = 0; i < loads_.size(); ++i)
+    for (std::size_t i = 0; i < count_; ++i)
       pull_ = std::max(pull_, loads_[i].force.norm() / model_.bodies[i].mass);
     gather(motion);
     rows_.constrain_accelerations(model_.bodies, motion, kinematics_.data(), loads_.data());
   }
   const bool turning = model_.frame.has_value();
   const Vector3 frame = turning ? model_.frame->angular_velocity : Vector3(Vector3::Zero());
-  for (std::size_t i = 0; i < kinematics_.size(); ++i, rate += motion_size) {
+  for (std::size_t i = 0; i < count_; ++i, rate += motion_size) {
     Eigen::Map<Vector3> dp(rate), dk(rate + 3), dl(rate + 10);
     Eigen::Map<Eigen::Matrix<Real, 4, 1>> dq(rate + 6);
     const Body& body = model_.bodies[i];
@@ -154,7 +174,6 @@ void Bodies::rates(Time t, const Real* y, Real* rate) {
       dl -= frame.cross(motion[i].angular_momentum);
     }
   }
-  if (masses_.any()) rate[account_ ? model_.forces.count() : 0] = 1;
 }
 
 // K' = F, L' = torque with the configuration frozen.  Forces are affine in the momenta z,  z' = A z + b,  so
@@ -164,15 +183,13 @@ void Bodies::rates(Time t, const Real* y, Real* rate) {
 // may push against them; the drift takes that back.)  Strong drag takes the flow in parts, each so short that
 // the series ends: twice as many until it does.
 void Bodies::kick(Time t, Real h, Real* y) {
-  Motion* motion = motions(y);
-  const std::size_t n = kinematics_.size();
-  Real* works = y + motion_size * n;
+  Motion* motion = open(y);
   masses_.set(t, model_.bodies);
   find_kinematics(motion);
   find_loads(t, motion, account_ ? powers_.data() : nullptr);
   const auto account = [&] {
     if (!account_) return;
-    for (std::size_t i = 0; i < powers_.size(); ++i) works[i] += h / 2 * powers_[i];
+    for (std::size_t i = 0; i < powers_.size(); ++i) y[i] += h / 2 * powers_[i];
   };
   account();
   if (holder_) {
@@ -186,7 +203,7 @@ void Bodies::kick(Time t, Real h, Real* y) {
       rows_.measure(model_.bodies, motion);
     }
     constexpr int most_halvings = 20;
-    kicked_.assign(motion, motion + n);
+    kicked_.assign(motion, motion + count_);
     int parts = 1;
     for (int halved = 0; halved <= most_halvings; ++halved, parts *= 2) {
       bool ends = true;
@@ -195,7 +212,7 @@ void Bodies::kick(Time t, Real h, Real* y) {
           find_kinematics(motion);
           find_loads(t, motion, nullptr);
         }
-        ends = kick_by_series(t, h / static_cast<Real>(parts), y);
+        ends = kick_by_series(t, h / static_cast<Real>(parts), motion);
       }
       if (ends) break;
       if (halved < most_halvings) {
@@ -203,7 +220,7 @@ void Bodies::kick(Time t, Real h, Real* y) {
         continue;
       }
       // Not a number rather than a kick that stopped on its way.
-      for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t i = 0; i < count_; ++i)
         motion[i].momentum.setConstant(std::numeric_limits<Real>::quiet_NaN());
     }
   }
@@ -212,10 +229,11 @@ void Bodies::kick(Time t, Real h, Real* y) {
     find_loads(t, motion, powers_.data());
     account();
   }
+  close(motion, y);
 }
 
 void Bodies::add_momenta(Real factor, const std::vector<Load>& loads, Motion* motion) const {
-  for (std::size_t i = 0; i < loads.size(); ++i) {
+  for (std::size_t i = 0; i < count_; ++i) {
     const Body& body = model_.bodies[i];
     if (body.locked) continue;
     if (!body.pinned) motion[i].momentum += factor * loads[i].force;
@@ -224,9 +242,7 @@ void Bodies::add_momenta(Real factor, const std::vector<Load>& loads, Motion* mo
 }
 
 // The series of kick(), from the loads at its start; false where it has not ended.
-bool Bodies::kick_by_series(Time t, Real h, Real* y) {
-  Motion* motion = motions(y);
-  const std::size_t n = kinematics_.size();
+bool Bodies::kick_by_series(Time t, Real h, Motion* motion) {
   constexpr int terms = 12;
   const Real tiny = std::numeric_limits<Real>::epsilon() / 4;
   const auto project = [&] {
@@ -235,8 +251,8 @@ bool Bodies::kick_by_series(Time t, Real h, Real* y) {
   project();
   first_ = loads_;   // f(z)
   before_ = loads_;  // (h A)^k f
-  start_.assign(y, y + size_);
-  probe_ = start_;
+  std::copy_n(motion, count_, start_.data());
+  std::copy_n(motion, count_, probe_.data());
   Real factor = h;
   // Forces and torques each against their own kind: in no unit is one of them small beside the other.
   const auto sizes = [](const std::vector<Load>& loads) {
@@ -251,16 +267,14 @@ bool Bodies::kick_by_series(Time t, Real h, Real* y) {
   add_momenta(factor, before_, motion);
   for (int k = 1; k < terms; ++k) {
     factor /= static_cast<Real>(k + 1);
-    Motion* probe = motions(probe_.data());
-    const Motion* start = motions(start_.data());
-    for (std::size_t i = 0; i < n; ++i) {
-      if (!model_.bodies[i].pinned) probe[i].momentum = start[i].momentum + h * before_[i].force;
-      probe[i].angular_momentum = start[i].angular_momentum + h * before_[i].torque;
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (!model_.bodies[i].pinned) probe_[i].momentum = start_[i].momentum + h * before_[i].force;
+      probe_[i].angular_momentum = start_[i].angular_momentum + h * before_[i].torque;
     }
-    find_kinematics(probe);
-    find_loads(t, probe, nullptr);
+    find_kinematics(probe_.data());
+    find_loads(t, probe_.data(), nullptr);
     project();
-    for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t i = 0; i < count_; ++i) {
       before_[i].force = loads_[i].force - first_[i].force;
       before_[i].torque = loads_[i].torque - first_[i].torque;
     }
@@ -277,9 +291,8 @@ bool Bodies::kick_by_series(Time t, Real h, Real* y) {
 // Free motion: p along a line, R by the free rotation; seen from the turning frame, turned back.
 void Bodies::free_drift(Real h, Real* y) {
   Motion* motion = motions(y);
-  const std::size_t n = kinematics_.size();
-  Real* clock = masses_.any() ? y + size_ - 1 : nullptr;
-  for (std::size_t i = 0; i < n; ++i) {
+  Real* clock = masses_.any() ? y + extras_ - 1 : nullptr;
+  for (std::size_t i = 0; i < count_; ++i) {
     const Body& body = model_.bodies[i];
     Motion& m = motion[i];
     if (body.mass_rate != 0) {  // p' = K/m(t):  the integral of 1/m is ln(m_1/m_0)/m'
@@ -296,7 +309,7 @@ void Bodies::free_drift(Real h, Real* y) {
 
 void Bodies::turn_frame(Real h, Motion* motion) {
   const Quaternion back = exponential(-h * model_.frame->angular_velocity);
-  for (std::size_t i = 0; i < kinematics_.size(); ++i) {
+  for (std::size_t i = 0; i < count_; ++i) {
     if (model_.bodies[i].locked) continue;
     Motion& m = motion[i];
     m.position = back * m.position;
@@ -312,29 +325,38 @@ void Bodies::turn_frame(Real h, Motion* motion) {
 void Bodies::drift(Real h, Real* y) {
   if (!constrained() || holder_ || h == 0) return free_drift(h, y);
   constexpr int most = 60;
-  std::vector<Real>& before = start_;
-  before.assign(y, y + size_);
-  gather(motions(before.data()));
-  rows_.measure(model_.bodies, motions(before.data()));
+  std::copy_n(motions(y), count_, start_.data());
+  const Real clock = masses_.any() ? y[extras_ - 1] : 0;
+  gather(start_.data());
+  rows_.measure(model_.bodies, start_.data());
   Rows reached;
   reached.rows.reserve(rows_.rows.size());
   for (int i = 0; i < most; ++i) {
-    std::copy(before.begin(), before.end(), y);
+    std::copy_n(start_.data(), count_, motions(y));
+    if (masses_.any()) y[extras_ - 1] = clock;
     free_drift(h, y);
     reached.rows.clear();
-    for (const Joint& joint : model_.joints) add_rows(joint, model_.bodies, motions(y), reached.rows);
+    const Motion* end = upright(y, false);
+    for (const Joint& joint : model_.joints) add_rows(joint, model_.bodies, end, reached.rows);
     if (reached.closed()) break;
     for (std::size_t k = 0; k < change_.size(); ++k) change_[k] = reached.rows[k].offset;
-    rows_.push(change_, h, model_.bodies, motions(before.data()));
+    rows_.push(change_, h, model_.bodies, start_.data());
   }
   if (!reads_velocities_) return;  // else the kick must find momenta that the joints allow
-  gather(motions(y));
-  rows_.project_velocities(model_.bodies, motions(y));
+  Motion* motion = open(y);
+  gather(motion);
+  rows_.project_velocities(model_.bodies, motion);
+  close(motion, y);
 }
 
 void Bodies::project(Real* y) {
-  Motion* motion = motions(y);
-  for (std::size_t i = 0; i < kinematics_.size(); ++i) {
+  Motion* motion = open(y);
+  project(motion);
+  close(motion, y);
+}
+
+void Bodies::project(Motion* motion) {
+  for (std::size_t i = 0; i < count_; ++i) {
     if (!model_.bodies[i].turns) continue;
     Quaternion& q = motion[i].orientation;
     const Real error = q.squaredNorm() - 1;
@@ -357,8 +379,7 @@ void Bodies::project(Real* y) {
 // turn so far; what has been zero always, against 1.
 void Bodies::scales(const Real* y, Real* scale) {
   const Motion* motion = motions(y);
-  const std::size_t n = kinematics_.size();
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < count_; ++i) {
     const Body& body = model_.bodies[i];
     length_ = std::max({length_, motion[i].position.norm(), body.centre.norm()});
     speed_ = std::max(speed_, velocity(body, motion[i]).norm());
@@ -376,7 +397,9 @@ void Bodies::scales(const Real* y, Real* scale) {
   const Real speed = std::max(speed_, at_rest);
   const Real turn = std::max(turn_, length_ > 0 ? at_rest / length_ : 0);
   const auto or_one = [](Real x) { return x > 0 ? x : Real(1); };
-  for (std::size_t i = 0; i < n; ++i, scale += motion_size) {
+  std::fill_n(scale, extras_, Real(1e30));  // works and the clock are not controlled
+  scale += extras_;
+  for (std::size_t i = 0; i < count_; ++i, scale += motion_size) {
     const Body& body = model_.bodies[i];
     std::fill(scale, scale + 3, or_one(length_));
     std::fill(scale + 3, scale + 6, or_one(body.mass * speed));
@@ -389,7 +412,6 @@ void Bodies::scales(const Real* y, Real* scale) {
     if (spin < 1000 * std::numeric_limits<Real>::epsilon() * orbital) spin = orbital;
     std::fill(scale + 10, scale + 13, or_one(spin));
   }
-  std::fill(scale, scale + (size_ - motion_size * n), Real(1e30));  // works and the clock are not controlled
 }
 
 }  // namespace cylon::engine

@@ -22,8 +22,8 @@ class Holder {
   virtual void project(const std::vector<Body>&, Motion*) = 0;
 };
 
-/// y = one Motion per body, then the work done by each force where it is accounted, then the clock where a
-/// mass changes.
+/// y = the work done by each force where it is accounted, then the clock where a mass changes, then one Motion
+/// per body.  Locked bodies after the last one that can move are in no equation: size() leaves them out.
 ///   dp/dt = v - W x p,  dK/dt = F - W x K,  dq/dt = (w - W) q/2,  dL/dt = torque - W x L
 /// (seed eq. 57-60, 72; W the angular velocity of the frame: momenta are those of the inertial frame in the
 /// axes of the rotating one, which holds all fictitious forces), the forces of joints and contacts included.
@@ -32,8 +32,10 @@ class Bodies {
   /// `account`: integrate the work of each force, seed eq. 84.
   explicit Bodies(Model, bool account = false);
 
-  std::size_t size() const { return size_; }
-  /// The state of the model's motions at `start`, the time of the clock then.
+  std::size_t size() const { return extras_ + motion_size * count_; }
+  /// How many bodies are in size().
+  std::size_t count() const { return count_; }
+  /// The state of the model's motions at `start`, the time of the clock then; of all bodies.
   std::vector<Real> initial(Time start = 0) const;
 
   void rates(Time, const Real* y, Real* rate);
@@ -48,12 +50,10 @@ class Bodies {
 
   const Model& model() const { return model_; }
   Model& model() { return model_; }
-  static Motion* motions(Real* y) { return reinterpret_cast<Motion*>(y); }
-  static const Motion* motions(const Real* y) { return reinterpret_cast<const Motion*>(y); }
+  Motion* motions(Real* y) const { return reinterpret_cast<Motion*>(y + extras_); }
+  const Motion* motions(const Real* y) const { return reinterpret_cast<const Motion*>(y + extras_); }
   /// Work done by each force since t = 0 [J], in the order of apply(); null where it is not accounted.
-  const Real* works(const Real* y) const {
-    return account_ ? y + motion_size * model_.bodies.size() : nullptr;
-  }
+  const Real* works(const Real* y) const { return account_ ? y : nullptr; }
 
   /// Forces that switch on and off (the seed's water on a body): each is on or off until flip(), and wants to
   /// be flipped where switch_value() has changed its sign since; watch() sets them all to what the state
@@ -73,13 +73,16 @@ class Bodies {
   const std::vector<Kinematics>& kinematics() const { return kinematics_; }
 
  private:
+  void project(Motion*);
   void find_kinematics(const Motion*);
   void find_loads(Time, const Motion*, Real* powers);
   void add_momenta(Real factor, const std::vector<Load>&, Motion*) const;
-  bool kick_by_series(Time t, Real h, Real* y);
+  bool kick_by_series(Time t, Real h, Motion*);
   void free_drift(Real h, Real* y);
   void gather(const Motion*);
-  const Motion* upright(const Motion*);
+  Motion* open(Real* y);
+  void close(const Motion*, Real* y);
+  const Motion* upright(const Real* y, bool turned);
   void turn_frame(Real h, Motion*);
 
   struct Switch {
@@ -89,13 +92,13 @@ class Bodies {
   Model model_;
   std::vector<Switch> switches_;
   bool account_ = false, reads_velocities_ = false;
-  std::size_t size_ = 0;
+  std::size_t count_ = 0, extras_ = 0;  // extras_: Reals of y before the motions
   ChangingMasses masses_;
   std::vector<Kinematics> kinematics_;
-  std::vector<Motion> upright_;
+  std::vector<Motion> opened_, upright_, start_, probe_;  // of all bodies, those of locked ones for ever
   std::vector<Load> loads_, first_, before_;
   std::vector<Motion> kicked_;  // at the start of a kick
-  std::vector<Real> powers_, change_, start_, probe_;
+  std::vector<Real> powers_, change_;
   Real length_ = 0, speed_ = 0, turn_ = 0;  // the largest that scales() has seen, as are
   std::vector<Real> spin_;                  // |L| of each body
   Real pull_ = 0;                           // The largest |F|/m that joints have had to take up [m/s^2].

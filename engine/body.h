@@ -5,6 +5,7 @@
 #include "engine/vector.h"
 
 #include <cstddef>
+#include <vector>
 
 namespace cylon::engine {
 
@@ -54,6 +55,13 @@ struct Load {
 /// A body with its inverses.  Requires mass > 0 and a symmetric, positive semidefinite inertia; about an axis
 /// without inertia (a thin rod's own) the body does not turn.
 Body make_body(Real mass, const Matrix3& inertia, bool locked = false);
+
+/// Bodies from this one on are locked.
+inline std::size_t movable_end(const std::vector<Body>& bodies) {
+  std::size_t end = bodies.size();
+  while (end > 0 && bodies[end - 1].locked) --end;
+  return end;
+}
 
 /// The motion that has the given velocities.  K = m v, L = R I R^T w; seed eq. 11, 55, 72.
 Motion make_motion(const Body&, const Vector3& position, const Quaternion& orientation,

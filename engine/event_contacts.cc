@@ -15,6 +15,11 @@ namespace {
 
 constexpr Real ulp = std::numeric_limits<Real>::epsilon();
 constexpr bool wide = sizeof(Real) == 8;
+
+// Points nearer than this many ulps of the lengths around them touch, and at one instant: 3e-12 m at 3 m in
+// double, which at 1 m/s is 3e-12 s.
+constexpr Real touch_ulps = wide ? 4096 : 64;
+
 // Slower than this, in ulps of the speeds around, is not moving.
 constexpr Real slow_ulps = wide ? 1024 : 64;
 
@@ -43,6 +48,16 @@ bool has_face(const Shape& shape, const Vector3& n) {
 // Points of a general pair that are held count as touching up to so many margins.
 constexpr Real held_margin = 128;
 
+// Bound on the speed of any point of a body [m/s].
+Real surface_speed(const Body& body, const Motion& m, Real size) {
+  return velocity(body, m).norm() + (rotates(body) ? size * angular_velocity(body, m).norm() : 0);
+}
+
+// How far two surfaces may approach each other within `ahead`, twice.
+Real reach_of(Real ahead, Real closing, const Model& model) {
+  return 2 * ahead * (closing + ahead * model.forces.gravity.norm());
+}
+
 // Whether the balls that hold two bodies are farther apart than `margin`.
 bool are_apart(const Candidate& c, const Motion* motion, Real margin) {
   if (c.other == fixed_world) return false;
@@ -52,25 +67,41 @@ bool are_apart(const Candidate& c, const Motion* motion, Real margin) {
 
 }  // namespace
 
+Real EventStepper::touch_margin(const Candidate& c, const Motion* motion) const {
+  return touch_ulps * ulp * gap_scale(c, system_.model(), motion);
+}
+
+// The largest distance within which spots() looks at a pair.
+Real EventStepper::widest_margin(const Motion* motion, Real ahead) const {
+  const Model& model = system_.model();
+  Real outermost = outermost_, fastest = 0;
+  for (std::size_t i = 0; i < system_.count(); ++i) {
+    outermost = std::max(outermost, motion[i].position.norm() + reaches_[i]);
+    if (ahead > 0) fastest = std::max(fastest, surface_speed(model.bodies[i], motion[i], reaches_[i]));
+  }
+  return held_margin * (2 * touch_ulps * ulp * outermost + reach_of(ahead, 2 * fastest, model));
+}
+
 // All points that touch now, or may within `ahead`.
 std::vector<EventStepper::Spot> EventStepper::spots(Real ahead) {
   const Model& model = system_.model();
   const auto reach = [&](const Candidate& c) -> Real {
     if (ahead == 0) return 0;
     const auto speed = [&](int body, Real size) {
-      const Body& b = model.bodies[index(body)];
-      const Motion& m = Bodies::motions(y_.data())[index(body)];
-      return velocity(b, m).norm() + (rotates(b) ? size * angular_velocity(b, m).norm() : 0);
+      return surface_speed(model.bodies[index(body)], motions()[index(body)], size);
     };
-    const Real closing =
-        speed(c.body, c.reach) + (c.other == fixed_world ? 0 : speed(c.other, c.other_reach));
-    return 2 * ahead * (closing + ahead * model.forces.gravity.norm());
+    return reach_of(
+        ahead, speed(c.body, c.reach) + (c.other == fixed_world ? 0 : speed(c.other, c.other_reach)), model);
   };
-  const Motion* motion = Bodies::motions(y_.data());
+  const Motion* motion = motions();
   std::vector<Spot> result;
   std::vector<TouchPoint> found;
-  work_ += 2 * static_cast<std::int64_t>(candidates_.size());
-  for (std::size_t i = 0; i < candidates_.size(); ++i) {
+  const auto away = [&](std::size_t body, const Vector3& place) -> Real {
+    return (motion[body].position - place).norm();
+  };
+  const std::vector<std::size_t>& near = neighbours_.near(motion, widest_margin(motion, ahead), away);
+  work_ += 2 * static_cast<std::int64_t>(near.size());
+  for (const std::size_t i : near) {
     const Candidate& c = candidates_[i];
     const Real margin = touch_margin(c, motion) + reach(c);
     if (are_apart(c, motion, held_margin * margin)) continue;
@@ -107,7 +138,7 @@ std::vector<EventStepper::Spot> EventStepper::spots(Real ahead) {
 // Whether a touch is on what is no surface, as the locked shapes beside it cover it.
 bool EventStepper::inside_surface(const TouchPoint& touch) const {
   const std::vector<Body>& bodies = system_.model().bodies;
-  const Motion* motion = Bodies::motions(y_.data());
+  const Motion* motion = motions();
   const auto covered = [&](int locked, int body, Real side) {
     if (locked == fixed_world || !bodies[index(locked)].locked) return false;
     const Vector3 on_locked = touch.position - side * touch.gap / 2 * touch.normal;
@@ -135,7 +166,7 @@ void EventStepper::resolve(Time now) {
 void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
   const Model& model = system_.model();
   const std::vector<Body>& bodies = model.bodies;
-  Motion* motion = Bodies::motions(y_.data());
+  Motion* motion = motions();
   const auto rate_now = [&](const TouchPoint& t) { return gap_rate(t, bodies, motion); };
   const bool approaching = std::any_of(touching.begin(), touching.end(), [&](const Spot& s) {
     return rate_now(s.touch) < -std::max(rest_speed_, speed_rounding(s.touch, bodies, motion));
@@ -161,11 +192,11 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
     if (touch.other != fixed_world) parting -= side(touch.other, rows[0].to_spin);
     pulls.push_back(-parting);
   }
-  const std::vector<Real> before = y_;
+  copy(y_, before_);
   const std::vector<Row> joints = joint_rows(motion);
   ImpactOutcome outcome;
   for (std::size_t pass = 0; pass <= touches.size(); ++pass) {
-    std::copy(before.begin(), before.end(), y_.begin());
+    copy(before_, y_);
     outcome = strike(touches, model.impacts, joints, bodies, motion);
     work_ += outcome.rounds * cube(touches.size(), joints.size());
     bool again = false;
@@ -189,7 +220,7 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
     const TouchPoint& touch = touches[i];
     const Real pressed = touch.normal.dot(outcome.impulse[i]);
     if (!(pressed > 0)) continue;
-    contacts_.push_back({touch.body, touch.other, candidates_[touching[i].held.candidate].plane,
+    contacts_.push_back({given(touch.body), given(touch.other), candidates_[touching[i].held.candidate].plane,
                          touch.position, touch.normal, pressed,
                          Vector3(outcome.impulse[i] - pressed * touch.normal)});
   }
@@ -206,8 +237,8 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
     if (outcome.approach[fastest] <= std::max(rest_speed_, speed_rounding(touch, bodies, motion))) continue;
     Impact impact;
     impact.time = now;
-    impact.body = touch.body;
-    impact.other = touch.other;
+    impact.body = given(touch.body);
+    impact.other = given(touch.other);
     impact.plane = candidates_[touching[fastest].held.candidate].plane;
     impact.approach = outcome.approach[fastest];
     impact.separation = std::max<Real>(0, rate_now(touch));
@@ -222,8 +253,8 @@ void EventStepper::note_lasting(Time now, bool undisturbed) {
   const ContactForces lasting = support(now, y_.data());
   for (std::size_t i = 0; i < held_.size(); ++i) {
     const TouchPoint& touch = touches_[i];
-    Contact contact{touch.body, touch.other, candidates_[held_[i].candidate].plane, touch.position,
-                    touch.normal};
+    Contact contact{given(touch.body), given(touch.other), candidates_[held_[i].candidate].plane,
+                    touch.position, touch.normal};
     if (undisturbed && lasting.exact) {
       const ContactForce& point = lasting.points[i];
       contact.impulse = point.normal * static_cast<Real>(dt_);
@@ -236,10 +267,10 @@ void EventStepper::note_lasting(Time now, bool undisturbed) {
 // Contacts that do not part last: held points and how they are held.
 void EventStepper::hold_spots(Time now, const std::vector<Spot>& touching) {
   const std::vector<Body>& bodies = system_.model().bodies;
-  Motion* motion = Bodies::motions(y_.data());
+  Motion* motion = motions();
   system_.load(now, y_.data());
   Real speed = 0, push = 0;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
+  for (std::size_t i = 0; i < system_.count(); ++i) {
     if (bodies[i].locked) continue;
     speed = std::max(speed, velocity(bodies[i], motion[i]).norm());
     push = std::max(push, bodies[i].inverse_mass * system_.loads()[i].force.norm());
@@ -272,7 +303,7 @@ void EventStepper::hold_spots(Time now, const std::vector<Spot>& touching) {
 // Friction that grows without bound wedges what slips: it stops at once, or, where no impulse within the
 // cones stops it, does not rub for the rest of the step.
 void EventStepper::wedge() {
-  Motion* motion = Bodies::motions(y_.data());
+  Motion* motion = motions();
   touches_.clear();
   for (const HeldPoint& h : held_) {
     touches_.push_back(touch_of(h, motion));
@@ -305,21 +336,22 @@ bool EventStepper::loosen() {
 // Nothing moves, nothing pushes, and no force will come with time: what is so stays so.
 bool EventStepper::nothing_moves(const ContactForces& support) const {
   const Model& model = system_.model();
-  const Motion* motion = Bodies::motions(y_.data());
+  const Motion* motion = motions();
   if (model.frame || any_force(model.forces, [](const auto& force) { return force.reads_time(); }))
     return false;
-  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+  for (std::size_t i = 0; i < system_.count(); ++i) {
     if (model.bodies[i].mass_rate != 0) return false;
     if (!motion[i].momentum.isZero(0) || !motion[i].angular_momentum.isZero(0)) return false;
   }
-  return balanced(support, {model.bodies, motion, system_.kinematics().data(), system_.loads().data()});
+  return balanced(
+      support, {model.bodies, motion, system_.kinematics().data(), system_.loads().data(), system_.count()});
 }
 
 // How the points are held that do not part, and which they are.
 ContactForces EventStepper::find_holds(const std::vector<Spot>& touching, Real slow,
                                        std::vector<std::size_t>& which) {
   const std::vector<Body>& bodies = system_.model().bodies;
-  const Motion* motion = Bodies::motions(y_.data());
+  const Motion* motion = motions();
   std::vector<TouchPoint> touches;
   std::vector<Holding> guess;
   which.clear();
@@ -343,7 +375,7 @@ ContactForces EventStepper::find_holds(const std::vector<Spot>& touching, Real s
   }
   if (touches.empty()) return {};
   if (held_.empty()) guess.clear();
-  const Instant instant{bodies, motion, system_.kinematics().data(), system_.loads().data()};
+  const Instant instant{bodies, motion, system_.kinematics().data(), system_.loads().data(), system_.count()};
   work_ += 4 * cube(touches.size(), 0);
   return find_contact_forces(touches, joint_rows(motion), instant, std::max(slow, left_slip_), guess);
 }

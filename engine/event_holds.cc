@@ -71,19 +71,20 @@ void EventStepper::hold(Time, const std::vector<Body>& bodies, const Motion* mot
   work_ += cube(touches_.size(), joints.size());
   add_forces(
       held_contact_forces(touches_, holdings_, joints, {bodies, motion, kinematics, loads}, slow_slip_),
-      loads, bodies.size());
+      loads, system_.count());
 }
 
 ContactForces EventStepper::support(Time t, const Real* y) {
   system_.load(t, y);
-  const Motion* motion = Bodies::motions(y);
+  const Motion* motion = system_.motions(y);
   touches_.clear();
   holdings_.clear();
   for (const HeldPoint& h : held_) {
     touches_.push_back(touch_of(h, motion));
     holdings_.push_back(h.holding);
   }
-  const Instant now{system_.model().bodies, motion, system_.kinematics().data(), system_.loads().data()};
+  const Instant now{system_.model().bodies, motion, system_.kinematics().data(), system_.loads().data(),
+                    system_.count()};
   work_ += cube(touches_.size(), system_.model().joints.size());
   return held_contact_forces(touches_, holdings_, joint_rows(motion), now, slow_slip_);
 }
@@ -91,7 +92,7 @@ ContactForces EventStepper::support(Time t, const Real* y) {
 // The directions that slip has now.
 void EventStepper::turn_slips() {
   const std::vector<Body>& bodies = system_.model().bodies;
-  const Motion* motion = Bodies::motions(y_.data());
+  const Motion* motion = motions();
   for (HeldPoint& h : held_) {
     if (h.holding.grip != Grip::slides || h.holding.slip.isZero(0)) continue;
     const TouchPoint touch = touch_of(h, motion);
@@ -132,7 +133,7 @@ void EventStepper::project(const std::vector<Body>& bodies, Motion* motion) {
   gather(true);
   rows_.project_velocities(bodies, motion);
 
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
+  for (std::size_t i = 0; i < system_.count(); ++i) {
     bool sticks = false, slides = false;
     Real reach = 0;
     for (const HeldPoint& h : held_) {

@@ -1,5 +1,7 @@
 #include "engine/event_stepper.h"
 
+#include "engine/geometry/pose.h"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -48,6 +50,12 @@ Real largest_reach(const std::vector<Candidate>& candidates) {
   return reach > 0 ? reach : Real(1);
 }
 
+std::vector<std::size_t> numbers(const std::vector<Reading>& readings) {
+  std::vector<std::size_t> bodies;
+  for (const Reading& reading : readings) bodies.push_back(index(reading.body));
+  return bodies;
+}
+
 Real least_speed(const Model& model, Real reach, Time dt) {
   const Real h = static_cast<Real>(dt);
   return std::max(model.forces.gravity.norm() * h, reach / 100 / h);
@@ -55,18 +63,27 @@ Real least_speed(const Model& model, Real reach, Time dt) {
 
 }  // namespace
 
+ScaledBodies::ScaledBodies(Bodies& bodies, Real reach, Real least_speed)
+    : bodies_(bodies), reach_(reach), least_speed_(least_speed), least_length_(reach) {
+  const std::vector<Motion>& motions = bodies.model().motions;
+  for (std::size_t i = bodies.count(); i < motions.size(); ++i)
+    least_length_ = std::max(least_length_, motions[i].position.norm());
+}
+
 void ScaledBodies::scales(const Real* y, Real* scale) const {
   const std::vector<Body>& bodies = bodies_.model().bodies;
-  const Motion* motion = Bodies::motions(y);
-  Real length = reach_, speed = least_speed_, turn = 0;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
+  const Motion* motion = bodies_.motions(y);
+  Real length = least_length_, speed = least_speed_, turn = 0;
+  for (std::size_t i = 0; i < bodies_.count(); ++i) {
     length = std::max(length, motion[i].position.norm());
     speed = std::max(speed, velocity(bodies[i], motion[i]).norm());
     if (rotates(bodies[i])) turn = std::max(turn, angular_velocity(bodies[i], motion[i]).norm());
   }
   turn = std::max(turn, speed / reach_);
-  std::fill(scale, scale + bodies_.size(), Real(1e30));  // works and the clock are not controlled
-  for (std::size_t i = 0; i < bodies.size(); ++i, scale += motion_size) {
+  const std::size_t extras = bodies_.size() - motion_size * bodies_.count();
+  std::fill_n(scale, extras, Real(1e30));  // works and the clock are not controlled
+  scale += extras;
+  for (std::size_t i = 0; i < bodies_.count(); ++i, scale += motion_size) {
     std::fill(scale, scale + 3, length);
     std::fill(scale + 3, scale + 6, bodies[i].mass * speed);
     std::fill(scale + 6, scale + 10, Real(1));
@@ -83,7 +100,8 @@ EventStepper::EventStepper(Reduced reduced, const Integrator& integrator, Time d
                            bool account, Time start)
     : system_(std::move(reduced.model), account),
       readings_(std::move(reduced.readings)),
-      candidates_(find_candidates(system_.model())),
+      candidates_(find_candidates(system_.model(), numbers(readings_))),
+      neighbours_(candidates_, system_.model().bodies),
       seams_(system_.model()),
       account_(account),
       adaptive_(integrator.kind == Kind::adaptive),
@@ -93,16 +111,22 @@ EventStepper::EventStepper(Reduced reduced, const Integrator& integrator, Time d
       steps_(static_cast<std::int64_t>(std::floor(start / dt * (1 + 4e-16)))),
       y_(system_.initial(start)),
       start_(y_),
-      rate_(y_.size()),
-      fixed_(fixed_integrator(integrator), y_.size()),
-      lasting_(lasting_integrator(integrator), y_.size()),
+      end_(y_),
+      before_(y_),
+      rate_(system_.size()),
+      fixed_(fixed_integrator(integrator), system_.size()),
+      lasting_(lasting_integrator(integrator), system_.size()),
       scaled_(system_, largest_reach(candidates_),
               least_speed(system_.model(), largest_reach(candidates_), dt)),
-      controlled_(y_.size(), tolerance),
-      probe_(y_.size(), tolerance),
+      controlled_(system_.size(), tolerance),
+      probe_(system_.size(), tolerance),
       loose_(candidates_.size(), 0),
       restless_(candidates_.size(), 0),
       allowed_(first_operations) {
+  for (const Shape& shape : system_.model().shapes) reaches_.push_back(bounding_radius(shape));
+  reaches_.resize(readings_.size(), 0);
+  for (std::size_t i = system_.count(); i < readings_.size(); ++i)
+    outermost_ = std::max(outermost_, motions()[i].position.norm() + reaches_[i]);
   system_.project(y_.data());
   resolve(start);
   impacts_.clear();
@@ -121,7 +145,7 @@ void EventStepper::step() {
   std::fill(restless_.begin(), restless_.end(), char{0});
   plastic_ = false;
   idle_ = rough_ = 0;
-  allowed_ += step_operations * (3 * static_cast<std::int64_t>(system_.model().bodies.size()) +
+  allowed_ += step_operations * (3 * static_cast<std::int64_t>(system_.count()) +
                                  cube(held_.size(), system_.model().joints.size()));
   rounds_ = 0, marked_ = now, stride_ = first_stride * dt_;
   if (lost_ && (operations() <= allowed_ || steps_ % resumed_steps == 0)) {
@@ -184,25 +208,25 @@ std::int64_t EventStepper::cube(std::size_t points, std::size_t joints) {
 }
 
 std::int64_t EventStepper::operations() const {
-  const auto bodies = static_cast<std::int64_t>(system_.model().bodies.size());
+  const auto bodies = static_cast<std::int64_t>(system_.count());
   return work_ + 3 * bodies * (controlled_.evaluations() + probe_.evaluations()) +
          passage_.looks() * (2 + bodies);
 }
 
 // Goes on from y_ to the first event or to the end of a smooth piece; says how far.
 Time EventStepper::go_on(Time from, Time span, bool& event) {
-  start_ = y_;
+  copy(y_, start_);
   turn_slips();
   const bool watches = !held_.empty() && idle_ < idle_limit();
   ContactForces before;
   if (watches) before = support(from, start_.data());
   const Time went = piece(from, span);
   const Real width = static_cast<Real>(went);
-  const std::vector<Real> end_state = y_;
-  passage_.set(system_.model().bodies, Bodies::motions(start_.data()), Bodies::motions(y_.data()), width);
+  copy(y_, end_);
+  passage_.set(system_.model().bodies, system_.count(), system_.motions(start_.data()), motions(), width);
   std::optional<Real> first;
-  if (watches) first = change_time(from, width, before, end_state);
-  if (const auto hit = contact_time(from, first.value_or(width), end_state)) {
+  if (watches) first = change_time(from, width, before);
+  if (const auto hit = contact_time(from, first.value_or(width))) {
     first = hit;
     left_slip_ = 0;
   }
@@ -210,7 +234,7 @@ Time EventStepper::go_on(Time from, Time span, bool& event) {
   if (!event) {
     left_slip_ = 0;
     instant_ = false;
-    y_ = end_state;
+    copy(end_, y_);
     return went;
   }
   part(from, *first);
@@ -226,7 +250,7 @@ Time EventStepper::piece(Time from, Time span) {
     if (fresh_) controlled_.start(scaled_, from, y_.data(), controlled_.next_step());
     fresh_ = false;
     const Ending ending = controlled_.step(scaled_, from + span);
-    std::copy_n(controlled_.state(), y_.size(), y_.begin());
+    std::copy_n(controlled_.state(), system_.size(), y_.begin());
     if (account_) system_.load(controlled_.end(), y_.data());
     if (ending == Ending::done) {
       rough_ = 0;
@@ -234,7 +258,7 @@ Time EventStepper::piece(Time from, Time span) {
     }
     // Forces jump in here: a fixed step gets over it, the longer the more of them come in a row.
     ++failed_;
-    y_ = start_;
+    copy(start_, y_);
     fresh_ = by_rows_ = true;
     span = std::min(span, std::ldexp(least_part * dt_, rough_++));
   }
@@ -243,14 +267,14 @@ Time EventStepper::piece(Time from, Time span) {
 }
 
 void EventStepper::fixed_step(Time from, Time span) {
-  work_ += 16 * 3 * static_cast<std::int64_t>(system_.model().bodies.size());
+  work_ += 16 * 3 * static_cast<std::int64_t>(system_.count());
   (held_.empty() ? fixed_ : lasting_)(system_, from, span, y_.data());
 }
 
 // To s within the piece that began in start_.
 void EventStepper::part(Time from, Real s) {
   const Time span = static_cast<Time>(s);
-  y_ = start_;
+  copy(start_, y_);
   if (!(s > 0)) return;
   if (by_rows_) return fixed_step(from, span);
   probe_.start(scaled_, from, y_.data(), span);
@@ -258,7 +282,7 @@ void EventStepper::part(Time from, Real s) {
     if (probe_.step(scaled_, from + span) != Ending::done) break;
   }
   if (probe_.end() < from + span) return fixed_step(from, span);
-  std::copy_n(probe_.state(), y_.size(), y_.begin());
+  std::copy_n(probe_.state(), system_.size(), y_.begin());
   if (account_) system_.load(from + span, y_.data());
 }
 
@@ -293,11 +317,12 @@ void EventStepper::finish_plastically() {
   std::fill(loose_.begin(), loose_.end(), char{1});
 }
 
-void EventStepper::read(std::vector<Motion>& motions) const {
-  motions.resize(readings_.size());
-  for (std::size_t i = 0; i < motions.size(); ++i) {
-    motions[i] = engine::read(system_.model().bodies[i], readings_[i], Bodies::motions(y_.data())[i]);
-  }
+void EventStepper::read(std::vector<Motion>& given) const {
+  engine::read(system_.model().bodies, readings_, motions(), given);
+}
+
+void EventStepper::copy(const std::vector<Real>& from, std::vector<Real>& to) const {
+  std::copy_n(from.begin(), system_.size(), to.begin());
 }
 
 std::vector<std::string> EventStepper::remarks() const {

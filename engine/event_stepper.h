@@ -6,6 +6,7 @@
 #include "engine/contact/candidate.h"
 #include "engine/contact/contact_force.h"
 #include "engine/contact/impact.h"
+#include "engine/contact/neighbours.h"
 #include "engine/contact/passage.h"
 #include "engine/contact/seams.h"
 #include "engine/integrators/advance.h"
@@ -33,8 +34,7 @@ struct HeldPoint {
 /// shapes, speeds at least what gravity gives in a step and a hundredth of the reach in a step.
 class ScaledBodies {
  public:
-  ScaledBodies(Bodies& bodies, Real reach, Real least_speed)
-      : bodies_(bodies), reach_(reach), least_speed_(least_speed) {}
+  ScaledBodies(Bodies& bodies, Real reach, Real least_speed);
   std::size_t size() const { return bodies_.size(); }
   void rates(Time t, const Real* y, Real* rate) { bodies_.rates(t, y, rate); }
   void kick(Time t, Real h, Real* y) { bodies_.kick(t, h, y); }
@@ -45,6 +45,7 @@ class ScaledBodies {
  private:
   Bodies& bodies_;
   Real reach_, least_speed_;
+  Real least_length_;  // reach_, or what is farthest from the origin of all that is locked [m]
 };
 
 class EventStepper final : public Stepper, private Holder {
@@ -87,10 +88,9 @@ class EventStepper final : public Stepper, private Holder {
   void part(Time from, Real s);
   bool at_rest(Time);
   void turn_slips();
-  std::optional<Real> contact_time(Time from, Real span, const std::vector<Real>& end);
+  std::optional<Real> contact_time(Time from, Real span);
   std::optional<Real> meeting_time(const Candidate&, bool held, Time from, Real span, const Motion* end);
-  std::optional<Real> change_time(Time from, Real span, const ContactForces& before,
-                                  const std::vector<Real>& end);
+  std::optional<Real> change_time(Time from, Real span, const ContactForces& before);
   void resolve(Time now);
   std::vector<Spot> spots(Real ahead = 0);
   void stride(Time from, Time span);
@@ -109,6 +109,11 @@ class EventStepper final : public Stepper, private Holder {
   void wedge();
   void note_lasting(Time now, bool undisturbed);
   int idle_limit() const;
+  void copy(const std::vector<Real>& from, std::vector<Real>& to) const;
+  Motion* motions() { return system_.motions(y_.data()); }
+  const Motion* motions() const { return system_.motions(y_.data()); }
+  int given(int body) const { return body == fixed_world ? body : readings_[index(body)].body; }
+  Real widest_margin(const Motion*, Real ahead) const;
   TouchPoint touch_of(const HeldPoint&, const Motion*) const;
   ContactForces support(Time, const Real* y);
   std::vector<Row> joint_rows(const Motion*) const;
@@ -118,11 +123,15 @@ class EventStepper final : public Stepper, private Holder {
   Bodies system_;
   std::vector<Reading> readings_;
   std::vector<Candidate> candidates_;
+  Neighbours neighbours_;
+  std::vector<Real> reaches_;  // of the shapes [m]
+  Real outermost_ = 0;         // of the locked bodies, with their shapes, from the origin [m]
   Seams seams_;
   bool account_, adaptive_, splits_;
   Time dt_, start_time_;
   std::int64_t steps_ = 0;
-  std::vector<Real> y_, start_, rate_;
+  std::vector<Real> y_, start_, end_, before_,
+      rate_;  // states have the locked bodies too, which no step copies
   Advance<Bodies> fixed_, lasting_;
   ScaledBodies scaled_;
   Dop853<ScaledBodies> controlled_, probe_;  // along the motion; over parts of its last step

@@ -22,7 +22,7 @@ constexpr int most_rounds = 200;
 void EventStepper::stride(Time from, Time span) {
   const std::vector<Body>& bodies = system_.model().bodies;
   const Real h = static_cast<Real>(span);
-  Motion* motion = Bodies::motions(y_.data());
+  Motion* motion = motions();
   std::vector<TouchPoint> touches;
   std::vector<Real> least;  // of u_n+ [m/s]
   for (const Spot& spot : spots(h)) {
@@ -56,7 +56,7 @@ void EventStepper::stride(Time from, Time span) {
 // What the strides left of surfaces inside each other, and of joints apart.
 void EventStepper::close_gaps() {
   const std::vector<Body>& bodies = system_.model().bodies;
-  Motion* motion = Bodies::motions(y_.data());
+  Motion* motion = motions();
   rows_.rows = joint_rows(motion);
   for (const Spot& spot : spots()) {
     if (spot.touch.gap > 0) continue;

@@ -11,11 +11,7 @@ namespace cylon::engine {
 namespace {
 
 constexpr Real ulp = std::numeric_limits<Real>::epsilon();
-constexpr bool wide = sizeof(Real) == 8;
 
-// Points nearer than this many ulps of the lengths around them touch, and at one instant: 3e-12 m at 3 m in
-// double, which at 1 m/s is 3e-12 s.
-constexpr Real touch_ulps = wide ? 4096 : 64;
 // A margin has changed its sign when it is this far on the other side, in ulps of its terms; more than the
 // rounding with which laws are judged, so that the change is then seen.
 constexpr Real change_ulps = 8192;
@@ -44,24 +40,21 @@ bool approaches(const Candidate& c, const Model& model, const Motion* motion) {
 
 }  // namespace
 
-Real EventStepper::touch_margin(const Candidate& c, const Motion* motion) const {
-  return touch_ulps * ulp * gap_scale(c, system_.model(), motion);
-}
-
 bool EventStepper::holds(std::size_t candidate) const {
   return std::any_of(held_.begin(), held_.end(),
                      [&](const HeldPoint& h) { return h.candidate == candidate; });
 }
 
 // The first time within the piece at which surfaces meet that are apart.
-std::optional<Real> EventStepper::contact_time(Time from, Real span, const std::vector<Real>& end) {
+std::optional<Real> EventStepper::contact_time(Time from, Real span) {
+  const Motion *begin = system_.motions(start_.data()), *end = system_.motions(end_.data());
+  const auto away = [&](std::size_t body, const Vector3& place) { return passage_.farthest(body, place); };
   std::optional<Real> first;
-  for (std::size_t i = 0; i < candidates_.size(); ++i) {
+  for (const std::size_t i : neighbours_.near(begin, widest_margin(begin, 0), away)) {
     const bool held = holds(i);
     if (held ? candidates_[i].kind != Candidate::Kind::general : passage_.stays_apart(candidates_[i]))
       continue;
-    const auto hit =
-        meeting_time(candidates_[i], held, from, first.value_or(span), Bodies::motions(end.data()));
+    const auto hit = meeting_time(candidates_[i], held, from, first.value_or(span), end);
     if (hit && *hit <= first.value_or(span)) first = hit;
   }
   return first;
@@ -73,7 +66,7 @@ std::optional<Real> EventStepper::contact_time(Time from, Real span, const std::
 std::optional<Real> EventStepper::meeting_time(const Candidate& c, bool held, Time from, Real span,
                                                const Motion* end) {
   const Model& model = system_.model();
-  const Motion* begin = Bodies::motions(start_.data());
+  const Motion* begin = system_.motions(start_.data());
   const Real margin = touch_margin(c, begin);
   // Of a pair that is held a corner that comes down shows as depth; so deep counts.
   const Real least = held ? 64 * margin : margin / 4, began = gap_of(c, model, begin);
@@ -91,11 +84,11 @@ std::optional<Real> EventStepper::meeting_time(const Candidate& c, bool held, Ti
   const Real slack = smooth ? Real(0) : depth - level;
   const auto gap_after = [&](Real s) {
     part(from, s);
-    return gap_of(c, model, Bodies::motions(y_.data())) + level;
+    return gap_of(c, model, motions()) + level;
   };
   const auto rate_after = [&](Real s) {
     part(from, s);
-    const Motion* motion = Bodies::motions(y_.data());
+    const Motion* motion = motions();
     return gap_rate(touch_at(c, model, motion), model.bodies, motion);
   };
   // Where the gap goes through zero upwards, it is rounding, of a flight that has just begun: it ends where
@@ -136,9 +129,8 @@ std::optional<Real> EventStepper::meeting_time(const Candidate& c, bool held, Ti
 }
 
 // The first time within the piece at which a held point would pull, slip or stop slipping.
-std::optional<Real> EventStepper::change_time(Time from, Real span, const ContactForces& before,
-                                              const std::vector<Real>& end) {
-  const ContactForces after = support(from + static_cast<Time>(span), end.data());
+std::optional<Real> EventStepper::change_time(Time from, Real span, const ContactForces& before) {
+  const ContactForces after = support(from + static_cast<Time>(span), end_.data());
   Real force = 0, speed = 0;
   for (std::size_t i = 0; i < held_.size(); ++i) {
     force = std::max({force, before.points[i].force.norm(), after.points[i].force.norm()});

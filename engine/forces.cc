@@ -15,6 +15,7 @@ std::size_t at(int body) { return static_cast<std::size_t>(body); }
 // The bodies as the forces see them, and where their pushes go.
 struct Scene {
   const std::vector<Body>& bodies;
+  std::size_t count;  // the others are locked
   const Motion* motion;
   const Kinematics* kinematics;
   Load* load;
@@ -24,7 +25,7 @@ struct Scene {
 
   // A force at an arm from the reference point.
   void push(int body, const Vector3& arm, const Vector3& force) {
-    if (body == fixed_world) return;
+    if (body == fixed_world || bodies[at(body)].locked) return;
     load[at(body)].force += force;
     twist(body, arm.cross(force));
     power += force.dot(kinematics[at(body)].velocity);
@@ -118,7 +119,7 @@ void apply(const Attraction& pull, Scene& scene) {
 }
 
 void apply(const Water& water, Scene& scene) {
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+  for (std::size_t i = 0; i < scene.count; ++i) {
     if (scene.bodies[i].locked) continue;
     const int body = static_cast<int>(i);
     const Kinematics& k = scene.kinematics[i];
@@ -169,15 +170,15 @@ Rates rates(const Water& w, const std::vector<Body>& bodies) {
 
 }  // namespace
 
-void apply(const Forces& forces, Time time, const std::vector<Body>& bodies, const Motion* motion,
-           const Kinematics* kinematics, Load* load, Real* powers) {
-  Scene scene{bodies, motion, kinematics, load, time, forces.gravity};
+void apply(const Forces& forces, Time time, const std::vector<Body>& bodies, std::size_t count,
+           const Motion* motion, const Kinematics* kinematics, Load* load, Real* powers) {
+  Scene scene{bodies, count, motion, kinematics, load, time, forces.gravity};
   const auto account = [&] {
     if (powers) *powers++ = scene.power;
     scene.power = 0;
   };
   const bool weight = !forces.gravity.isZero(0);
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     load[i] = {};
     if (weight && !bodies[i].locked) {
       scene.push(static_cast<int>(i), scene.centre(i), bodies[i].mass * forces.gravity);

@@ -240,9 +240,10 @@ static_assert(std::apply(
     },
     force_lists));
 
-/// Sets the loads.  Arrays have one entry per body.  `powers`, if any, has count() entries and gets the power
-/// of each force [W]: F.v + torque.w, the integrand of seed eq. 84 (errata 23).
-void apply(const Forces&, Time, const std::vector<Body>&, const Motion*, const Kinematics*, Load*,
-           Real* powers = nullptr);
+/// Sets the loads of the first `count` bodies; those after them are locked, and nothing is done to loads of
+/// locked bodies but to clear them there.  Arrays have one entry per body.  `powers`, if any, has count()
+/// entries and gets the power of each force [W]: F.v + torque.w, the integrand of seed eq. 84 (errata 23).
+void apply(const Forces&, Time, const std::vector<Body>&, std::size_t count, const Motion*, const Kinematics*,
+           Load*, Real* powers = nullptr);
 
 }  // namespace cylon::engine

@@ -56,19 +56,17 @@ std::unique_ptr<Stepper> make_bodies(const Model& model, const Plan& plan, const
   const bool asks_more = !(required(reduced.model, options) - supports(Method::top)).empty();
   if (!asks_more && Top::applies(reduced.model)) {
     const Top top(reduced.model);
-    const auto read = [reading = reduced.readings[0]](const Top& t, const Real* y,
-                                                      std::vector<Motion>& motions) {
-      motions.assign(1, engine::read(t.body(), reading, t.motion(y)));
+    const auto read = [bodies = reduced.model.bodies, readings = reduced.readings](
+                          const Top& t, const Real* y, std::vector<Motion>& motions) {
+      const Motion motion = t.motion(y);
+      engine::read(bodies, readings, &motion, motions);
     };
     return smooth(top, top.initial(), plan, options, read, model, first);
   }
   const Bodies system(std::move(reduced.model), options.account);
   const auto read = [readings = std::move(reduced.readings)](const Bodies& s, const Real* y,
                                                              std::vector<Motion>& motions) {
-    motions.resize(readings.size());
-    for (std::size_t i = 0; i < motions.size(); ++i) {
-      motions[i] = engine::read(s.model().bodies[i], readings[i], Bodies::motions(y)[i]);
-    }
+    engine::read(s.model().bodies, readings, s.motions(y), motions);
   };
   return smooth(system, system.initial(static_cast<Time>(first) * options.dt), plan, options, read, model,
                 first);

@@ -1,7 +1,10 @@
 #include "engine/reduce.h"
 
+#include "engine/numbering.h"
+
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <utility>
 
 namespace cylon::engine {
@@ -120,12 +123,12 @@ bool pin(Reduced& reduced, const Joint& joint) {
     if (!anchor.isZero(0) || !is_point(model, i)) return false;
     // A rod without mass from the pivot to the point: c = R^T (p - x),  I = m (|c|^2 1 - c c^T).
     const Vector3 c = motion.orientation.conjugate() * (motion.position - place);
-    reduced.readings[at(i)] = {true, true, motion.orientation, body.inertia};
+    reduced.readings[at(i)] = {i, true, true, motion.orientation, body.inertia};
     body = pinned_body(body, shifted(Matrix3::Zero(), body.mass, c), c);
     shift = -c;
   } else {
     const Matrix3 inertia = shifted(body.inertia, body.mass, -anchor);
-    reduced.readings[at(i)] = {true, false, {}, body.inertia};
+    reduced.readings[at(i)] = {i, true, false, {}, body.inertia};
     body = joint.type == about_axis
                ? one_axis_body(body, inertia, -anchor, first ? joint.axis : joint.to_axis)
                : pinned_body(body, inertia, -anchor);
@@ -140,13 +143,35 @@ bool pin(Reduced& reduced, const Joint& joint) {
   return true;
 }
 
-}  // namespace
-
-Reduced reduce(Model model) {
-  Reduced reduced{std::move(model), {}, {}};
+// The same bodies, those that can move first.
+void order(Reduced& reduced) {
   Model& m = reduced.model;
-  reduced.readings.resize(m.bodies.size());
-  if (!m.reduce_joints) return reduced;
+  const auto moves = [&](int body) { return !m.bodies[at(body)].locked; };
+  std::vector<int> bodies(m.bodies.size());
+  std::iota(bodies.begin(), bodies.end(), 0);
+  if (std::is_partitioned(bodies.begin(), bodies.end(), moves)) return;
+  std::stable_partition(bodies.begin(), bodies.end(), moves);
+  const auto sort = [&](auto& list) {
+    if (list.empty()) return;
+    auto sorted = list;
+    for (std::size_t i = 0; i < bodies.size(); ++i) sorted[i] = list[at(bodies[i])];
+    list = std::move(sorted);
+  };
+  sort(m.bodies), sort(m.motions), sort(m.shapes), sort(m.surfaces), sort(reduced.readings);
+  const Numbering numbering(std::move(bodies));
+  for (Joint& joint : m.joints) joint.body = numbering(joint.body), joint.to = numbering(joint.to);
+  each_force_list(m.forces, [&](auto& list) {
+    for (auto& force : list) force.renumber(numbering);
+  });
+  for (BodyPair& pair : m.apart) {
+    const auto [low, high] = std::minmax(numbering(pair[0]), numbering(pair[1]));
+    pair = {low, high};
+  }
+  std::sort(m.apart.begin(), m.apart.end());
+}
+
+void reduce_joints(Reduced& reduced) {
+  Model& m = reduced.model;
   for (Joint& joint : m.joints) fasten(m, joint);
   for (std::size_t k = 0; k < m.joints.size();) {
     const Joint joint = m.joints[k];
@@ -162,7 +187,6 @@ Reduced reduce(Model model) {
       ++k;
     }
   }
-  return reduced;
 }
 
 Motion read(const Body& body, const Reading& reading, const Motion& motion) {
@@ -180,6 +204,25 @@ Motion read(const Body& body, const Reading& reading, const Motion& motion) {
     out.angular_momentum.setZero();
   }
   return out;
+}
+
+}  // namespace
+
+Reduced reduce(Model model) {
+  Reduced reduced{std::move(model), {}, {}};
+  reduced.readings.resize(reduced.model.bodies.size());
+  for (std::size_t i = 0; i < reduced.readings.size(); ++i) reduced.readings[i].body = static_cast<int>(i);
+  if (reduced.model.reduce_joints) reduce_joints(reduced);
+  order(reduced);
+  return reduced;
+}
+
+void read(const std::vector<Body>& bodies, const std::vector<Reading>& readings, const Motion* motions,
+          std::vector<Motion>& given) {
+  const std::size_t count = given.size() == readings.size() ? movable_end(bodies) : readings.size();
+  given.resize(readings.size());
+  for (std::size_t i = 0; i < count; ++i)
+    given[at(readings[i].body)] = read(bodies[i], readings[i], motions[i]);
 }
 
 }  // namespace cylon::engine

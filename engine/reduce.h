@@ -1,4 +1,4 @@
-// Reduced coordinates: a body that a joint holds to the world needs none for what the joint forbids.
+// Reduced coordinates: none for locked bodies, and none for what a joint to the world forbids.
 #pragma once
 
 #include "engine/model.h"
@@ -10,6 +10,7 @@ namespace cylon::engine {
 
 /// How a body of a reduced model relates to the body that was given.
 struct Reading {
+  int body = 0;                    ///< The body that was given.
   bool pinned = false;             ///< Its motion is that of the pivot.
   bool keeps_orientation = false;  ///< The rod that replaces a point at a length turns; the point does not.
   Quaternion orientation = Quaternion::Identity();  ///< The one that it keeps.
@@ -18,11 +19,11 @@ struct Reading {
 
 struct Reduced {
   Model model;
-  std::vector<Reading> readings;    ///< One per body.
+  std::vector<Reading> readings;    ///< One per body of `model`.
   std::vector<std::string> pinned;  ///< For the plan: "body 0 turns about a point", …
 };
 
-/// Puts each body that a joint to the world lets turn about a point or about an axis, and each point that one
+/// Locked bodies come last.  Puts each body that a joint to the world lets turn about a point or about an axis, and each point that one
 /// keeps at a length, in coordinates in which that joint cannot open; the joint goes.  The reference point
 /// becomes the pivot, the inertia
 ///   I_p = I + m (|c|^2 1 - c c^T)   (seed eq. 70, 71; errata 15),
@@ -30,7 +31,8 @@ struct Reduced {
 /// bodies that can touch something or float, and second joints of a body.
 Reduced reduce(Model);
 
-/// The motion of the centre of mass.
-Motion read(const Body&, const Reading&, const Motion&);
+/// The motions of the centres of mass, one per body that was given.  Resizes; what has that size already keeps
+/// the motions of bodies that are locked.
+void read(const std::vector<Body>&, const std::vector<Reading>&, const Motion*, std::vector<Motion>& given);
 
 }  // namespace cylon::engine

@@ -18,7 +18,7 @@ class SmoothStepper final : public SystemStepper<S, Read> {
   SmoothStepper(S system, std::vector<Real> initial, const Integrator& integrator, Time dt, Read read,
                 std::int64_t first)
       : Base(std::move(system), std::move(initial), dt, std::move(read), first),
-        advance_(integrator, y_.size()) {}
+        advance_(integrator, system_.size()) {}
 
   void step() override {
     advance_(system_, static_cast<Time>(steps_) * dt_, dt_, y_.data());

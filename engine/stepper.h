@@ -45,7 +45,8 @@ class Stepper {
     while (n-- > 0) step();
   }
 
-  /// The motion now, one per body of the model; resizes.
+  /// The motion now, one per body of the model.  Resizes; what has that size already may keep the motions of
+  /// bodies that are locked.
   virtual void read(std::vector<Motion>&) const = 0;
 
   /// The impacts of the last step, in order of time; none where nothing can touch.

@@ -35,6 +35,12 @@ VerifiedStepper::VerifiedStepper(MakeRun make, Real bound, Time dt, std::vector<
   coarse_ = make_(10 * tolerance_);
   fine_ = make_(tolerance_);
   fine_->read(fine_motion_);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (bodies_[i].locked)
+      length_ = std::max(length_, fine_motion_[i].position.norm());
+    else
+      movable_.push_back(i);
+  }
 }
 
 void VerifiedStepper::step() {
@@ -63,7 +69,7 @@ Real VerifiedStepper::parted() {
   coarse_->read(coarse_motion_);
   fine_->read(fine_motion_);
   Real position = 0, turn = 0, speed = 0, spin = 0;
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+  for (const std::size_t i : movable_) {
     const Motion &a = fine_motion_[i], &b = coarse_motion_[i];
     const Vector3 v_a = velocity(bodies_[i], a), v_b = velocity(bodies_[i], b);
     const Vector3 w_a = angular_velocity(bodies_[i], a), w_b = angular_velocity(bodies_[i], b);

@@ -24,7 +24,7 @@ class VerifiedStepper final : public Stepper {
   VerifiedStepper(MakeRun, Real bound, Time dt, std::vector<Body> bodies, std::int64_t first = 0);
 
   void step() override;
-  void read(std::vector<Motion>& motions) const override { motions = fine_motion_; }
+  void read(std::vector<Motion>& motions) const override { fine_->read(motions); }
   const std::vector<Impact>& impacts() const override { return fine_->impacts(); }
   void keep_contacts(bool keep) override {
     Stepper::keep_contacts(keep);
@@ -45,9 +45,11 @@ class VerifiedStepper final : public Stepper {
   Time dt_;
   Real tolerance_;  // of the finer run
   std::vector<Body> bodies_;
+  std::vector<std::size_t> movable_;  // of bodies_
   std::unique_ptr<Stepper> coarse_, fine_;
   std::vector<Motion> coarse_motion_, fine_motion_;
-  Real length_ = 0, speed_ = 0, turn_ = 0;           // the motion's scales so far [m, m/s, rad/s]
+  Real length_ = 0, speed_ = 0,
+       turn_ = 0;  // the motion's scales so far, locked bodies included [m, m/s, rad/s]
   std::int64_t first_, steps_ = 0, missed_at_ = -1;  // steps since the start
   Real worst_ = 0;
   std::int64_t spent_ = 0;  // operations of runs that were given up

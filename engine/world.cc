@@ -53,7 +53,8 @@ World::World(Model model, const Options& options, Names names)
   assert(options_.dt > 0 && unsupported(*model_, options_).empty());
   if (masses_.any()) bodies_ = model_->bodies;
   if (!one_by_nature(*model_, options_)) divide();
-  if (islands_.empty()) islands_.push_back({{}, {}, {}, std::make_unique<Run>(model_, options_), false, {}});
+  if (islands_.empty())
+    islands_.push_back({{}, {}, {}, {}, std::make_unique<Run>(model_, options_), false, {}});
   set_plan();
 }
 
@@ -67,7 +68,9 @@ void World::divide() {
   if (interactions_->too_many())
     note("more than " + std::to_string(islands::Interactions::most_watched) +
          " bodies may touch others: where they may be is not looked at, and they are one part");
-  motions_ = model_->motions;
+  motions_ = before_ = model_->motions;
+  for (std::size_t i = 0; i < motions_.size(); ++i)
+    if (!model_->bodies[i].locked) movable_.push_back(i);
   island_of_.resize(n);
   ranges_.resize(model_->bodies.size());
   std::vector<std::size_t> all(n), flying;
@@ -95,7 +98,8 @@ bool World::add_flight(const std::vector<std::size_t>& clusters) {
   auto run = std::make_unique<Run>(std::make_shared<const Model>(std::move(part.model)), options_);
   if (run->plan().path != Path::exact && run->plan().path != Path::free) return false;
   for (const std::size_t c : clusters) island_of_[c] = islands_.size();
-  islands_.push_back({clusters, std::move(part.bodies), {}, std::move(run), true, {}});
+  std::vector<std::size_t> all = movable(part.bodies);
+  islands_.push_back({clusters, std::move(part.bodies), {}, std::move(all), std::move(run), true, {}});
   return true;
 }
 
@@ -117,12 +121,26 @@ void World::add_island(std::vector<std::size_t> clusters, const std::vector<Moti
   for (const std::size_t c : clusters) island_of_[c] = islands_.size();
   auto run = std::make_unique<Run>(std::make_shared<const Model>(std::move(part.model)), options, first);
   run->keep_contacts(keep_contacts_);
-  islands_.push_back(
-      {std::move(clusters), std::move(part.bodies), std::move(part.planes), std::move(run), false, {}});
+  std::vector<std::size_t> moving = movable(part.bodies);
+  islands_.push_back({std::move(clusters),
+                      std::move(part.bodies),
+                      std::move(part.planes),
+                      std::move(moving),
+                      std::move(run),
+                      false,
+                      {}});
+}
+
+std::vector<std::size_t> World::movable(const std::vector<int>& bodies) const {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (!model_->bodies[at(bodies[i])].locked) places.push_back(i);
+  return places;
 }
 
 void World::step() {
-  if (watches()) before_ = motions_;
+  if (watches())
+    for (const std::size_t i : movable_) before_[i] = motions_[i];
   for (Island& island : islands_) island.run->step();
   ++steps_;
   take();
@@ -159,7 +177,7 @@ void World::take(const Island& island) {
     return;
   }
   const std::vector<Motion>& motions = island.run->motions();
-  for (std::size_t i = 0; i < motions.size(); ++i)
+  for (const std::size_t i : island.movable)
     if (island.left.empty() || !island.left[i]) motions_[at(island.bodies[i])] = motions[i];
   const auto numbered = [&](auto touch) {
     touch.body = island.bodies[at(touch.body)];
@@ -188,7 +206,7 @@ void World::find_accelerations() {
   for (std::size_t i = 0; i < n; ++i)
     kinematics[i] = {motions_[i].orientation.toRotationMatrix(), velocity(bodies()[i], motions_[i]),
                      angular_velocity(bodies()[i], motions_[i])};
-  apply(model_->forces, time(), bodies(), motions_.data(), kinematics.data(), loads.data());
+  apply(model_->forces, time(), bodies(), n, motions_.data(), kinematics.data(), loads.data());
   for (std::size_t i = 0; i < n; ++i)
     accelerations_[i] = (bodies()[i].inverse_mass * loads[i].force - model_->forces.gravity).norm();
 }

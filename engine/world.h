@@ -73,11 +73,13 @@ class World {
   struct Island {
     std::vector<std::size_t> clusters;  // none: the island is the whole model
     std::vector<int> bodies, planes;    // of the whole model, in the order of the run's
+    std::vector<std::size_t> movable;   // places in `bodies` of those that are not locked
     std::unique_ptr<Run> run;
     bool flies = false;      // bodies that move by themselves, in one run
     std::vector<char> left;  // those that are in another island now; empty: none
   };
 
+  std::vector<std::size_t> movable(const std::vector<int>& bodies) const;
   static bool is_whole(const Island& island) { return island.clusters.empty(); }
   bool whole() const { return is_whole(islands_.front()); }
   bool watches() const { return interactions_ && interactions_->may_meet(); }
@@ -119,6 +121,7 @@ class World {
   std::set<std::string> said_;  // of parts that have ended
   std::size_t more_notes_ = 0, more_ended_ = 0;
   std::vector<Motion> motions_, before_;
+  std::vector<std::size_t> movable_;  // bodies that are not locked
   std::vector<Impact> impacts_;
   std::vector<Contact> contacts_;
   std::int64_t steps_ = 0;

@@ -95,14 +95,19 @@ TouchPoint round_touch(const Candidate& c, const Model& model, const Motion* mot
 
 }  // namespace
 
-std::vector<Candidate> find_candidates(const Model& model) {
+std::vector<Candidate> find_candidates(const Model& model, const std::vector<std::size_t>& given) {
   std::vector<Candidate> result;
+  std::vector<std::size_t> bodies(model.bodies.size());  // in the order of the list
+  std::vector<char> locked;
+  for (std::size_t i = 0; i < bodies.size(); ++i) bodies[given.empty() ? i : given[i]] = i;
+  for (const std::size_t i : bodies) locked.push_back(model.bodies[i].locked);
   const auto touchable = [&](std::size_t i) {
     return i < model.surfaces.size() && model.surfaces[i] != no_surface &&
            !std::holds_alternative<std::monostate>(model.shapes[i]);
   };
   int pair = 0;
-  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+  for (std::size_t m = 0; m < bodies.size(); ++m) {
+    const std::size_t i = bodies[m];
     if (!touchable(i)) continue;
     for (std::size_t p = 0; p < model.planes.size() && !model.bodies[i].locked; ++p) {
       for (const auto& [centre, radius] : corners(model.shapes[i])) {
@@ -118,10 +123,10 @@ std::vector<Candidate> find_candidates(const Model& model) {
       }
       ++pair;
     }
-    for (std::size_t j = i + 1; j < model.bodies.size(); ++j) {
-      if (!touchable(j) || (model.bodies[i].locked && model.bodies[j].locked) ||
-          !model.may_touch(static_cast<int>(i), static_cast<int>(j)))
-        continue;
+    for (std::size_t k = m + 1; k < bodies.size(); ++k) {
+      if (locked[m] && locked[k]) continue;
+      const std::size_t j = bodies[k];
+      if (!touchable(j) || !model.may_touch(static_cast<int>(i), static_cast<int>(j))) continue;
       Candidate c;
       const bool swap = !is_sphere(model.shapes[i]) && is_sphere(model.shapes[j]);
       const std::size_t a = swap ? j : i, b = swap ? i : j;

@@ -24,8 +24,9 @@ struct Candidate {
 };
 
 /// All candidates of a model, body by body, planes first.  A pair of which neither moves is none, nor is one
-/// of model.apart.
-std::vector<Candidate> find_candidates(const Model&);
+/// of model.apart.  `given`: per body its number in a model of another order, which the list then has; empty:
+/// this one.
+std::vector<Candidate> find_candidates(const Model&, const std::vector<std::size_t>& given = {});
 
 /// The touch of a corner or round candidate, whatever its gap, with its rates.  Centres c_a, c_b of the round
 /// parts, s = |c_a - c_b|, W the angular velocity of what carries the normal:

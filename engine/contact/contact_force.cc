@@ -126,14 +126,15 @@ struct Sums {
   std::vector<char> touched;
 };
 
-Sums sum_forces(const ContactForces& support, const Load* loads, std::size_t bodies) {
-  Sums sums{{loads, loads + bodies}, std::vector<Load>(bodies), std::vector<char>(bodies, 0)};
-  for (std::size_t i = 0; i < bodies; ++i) {
+Sums sum_forces(const ContactForces& support, const Load* loads, std::size_t count) {
+  Sums sums{{loads, loads + count}, std::vector<Load>(count), std::vector<char>(count, 0)};
+  for (std::size_t i = 0; i < count; ++i) {
     sums.sizes[i].force = loads[i].force.cwiseAbs();
     sums.sizes[i].torque = loads[i].torque.cwiseAbs();
   }
   const auto add = [&](int body, const Vector3& force, const Vector3& torque) {
     const std::size_t i = index(body);
+    if (i >= count) return;
     sums.touched[i] = 1;
     sums.loads[i].force += force;
     sums.loads[i].torque += torque;
@@ -213,11 +214,11 @@ ContactForces held_contact_forces(std::span<const TouchPoint> touches, std::span
 }
 
 bool balanced(const ContactForces& support, const Instant& now) {
-  const Sums sums = sum_forces(support, now.loads, now.bodies.size());
+  const Sums sums = sum_forces(support, now.loads, now.count);
   const auto vanishes = [](const Vector3& sum, const Vector3& size) {
     return sum.cwiseAbs().maxCoeff() <= 1024 * ulp * size.maxCoeff();
   };
-  for (std::size_t i = 0; i < now.bodies.size(); ++i) {
+  for (std::size_t i = 0; i < now.count; ++i) {
     const Body& body = now.bodies[i];
     if (translates(body) && !vanishes(sums.loads[i].force, sums.sizes[i].force)) return false;
     if (rotates(body) && !vanishes(sums.loads[i].torque, sums.sizes[i].torque)) return false;
@@ -225,13 +226,13 @@ bool balanced(const ContactForces& support, const Instant& now) {
   return true;
 }
 
-void add_forces(const ContactForces& support, Load* loads, std::size_t bodies) {
-  const Sums sums = sum_forces(support, loads, bodies);
+void add_forces(const ContactForces& support, Load* loads, std::size_t count) {
+  const Sums sums = sum_forces(support, loads, count);
   const auto cleared = [](const Vector3& sum, const Vector3& size) {
     const Real rounding = 64 * ulp * size.maxCoeff();
     return Vector3(sum.unaryExpr([rounding](Real x) { return std::abs(x) <= rounding ? Real(0) : x; }));
   };
-  for (std::size_t i = 0; i < bodies; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     if (!sums.touched[i]) continue;
     loads[i].force = cleared(sums.loads[i].force, sums.sizes[i].force);
     loads[i].torque = cleared(sums.loads[i].torque, sums.sizes[i].torque);

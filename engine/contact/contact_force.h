@@ -45,6 +45,7 @@ struct Instant {
   const Motion* motion;
   const Kinematics* kinematics;
   const Load* loads;
+  std::size_t count;  ///< The bodies after so many are locked.
 };
 
 /// Decides how every point is held.  Points that move slower than `slow` [m/s] across the surface count as
@@ -65,8 +66,8 @@ ContactForces held_contact_forces(std::span<const TouchPoint>, std::span<const H
 /// Whether loads and support leave every body that can move without force and torque, to rounding.
 bool balanced(const ContactForces&, const Instant&);
 
-/// Adds the forces to the loads; what is left of a sum that cancels to rounding is made exactly zero, so that
+/// Adds the forces to the loads of the first `count` bodies; what is left of a sum that cancels to rounding is made exactly zero, so that
 /// what rests stays.
-void add_forces(const ContactForces&, Load*, std::size_t bodies);
+void add_forces(const ContactForces&, Load*, std::size_t count);
 
 }  // namespace cylon::engine

@@ -31,10 +31,13 @@ V cubic(const V& p0, const V& v0, const V& p1, const V& v1, Real h, Real x) {
 
 }  // namespace
 
-void Passage::set(const std::vector<Body>& bodies, const Motion* start, const Motion* end, Real span) {
+void Passage::set(const std::vector<Body>& bodies, std::size_t count, const Motion* start, const Motion* end,
+                  Real span) {
   span_ = span;
+  count_ = count;
+  const std::size_t changed = legs_.size() == bodies.size() ? count : bodies.size();
   legs_.resize(bodies.size());
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
+  for (std::size_t i = 0; i < changed; ++i) {
     Leg& leg = legs_[i];
     leg.start = start[i];
     leg.end = end[i];
@@ -59,9 +62,10 @@ void Passage::set(const std::vector<Body>& bodies, const Motion* start, const Mo
 
 void Passage::at(Real s, std::vector<Motion>& motion) const {
   ++looks_;
+  const std::size_t changed = motion.size() == legs_.size() ? count_ : legs_.size();
   motion.resize(legs_.size());
   const Real x = span_ > 0 ? s / span_ : 0;
-  for (std::size_t i = 0; i < legs_.size(); ++i) {
+  for (std::size_t i = 0; i < changed; ++i) {
     const Leg& leg = legs_[i];
     motion[i] = x < Real(0.5) ? leg.start : leg.end;
     if (!leg.moves) continue;
@@ -84,6 +88,13 @@ Real Passage::speed_bound(const Candidate& c) const {
     turning += std::max(b.w0.norm(), b.w1.norm()) * c.other_reach;
   }
   return Real(1.5) * (std::max({v0.norm(), v1.norm(), chord.norm() / span_}) + turning);
+}
+
+// A cubic is never faster than twice the largest of both end speeds and the mean speed.
+Real Passage::farthest(std::size_t body, const Vector3& place) const {
+  const Leg& leg = legs_[body];
+  const Real way = 2 * std::max({span_ * leg.v0.norm(), span_ * leg.v1.norm(), (leg.p1 - leg.p0).norm()});
+  return way + std::min((leg.p0 - place).norm(), (leg.p1 - place).norm());
 }
 
 bool Passage::stays_apart(const Candidate& c) const {

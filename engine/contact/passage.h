@@ -13,11 +13,11 @@ namespace cylon::engine {
 /// O(h^4).  Serves to find out where to look; what is found is then computed by the integrator itself.
 class Passage {
  public:
-  /// Over a span [s] from `start` to `end`.
-  void set(const std::vector<Body>&, const Motion* start, const Motion* end, Real span);
+  /// Over a span [s] from `start` to `end`.  The bodies after the first `count` are locked, and always the same.
+  void set(const std::vector<Body>&, std::size_t count, const Motion* start, const Motion* end, Real span);
 
   /// Positions, momenta and orientations after s, 0 <= s <= span; angular momenta are those of the nearer
-  /// end.
+  /// end.  Resizes; what has the size already has the motions of the locked bodies too.
   void at(Real s, std::vector<Motion>&) const;
 
   Real span() const { return span_; }
@@ -26,6 +26,8 @@ class Passage {
   /// Whether the balls that hold two bodies tell that their surfaces stay apart all the way: with d the least
   /// gap that they leave and v speed_bound(),  d(0) + d(span) > v span.  False for planes.
   bool stays_apart(const Candidate&) const;
+  /// A bound on how far a body is from a place at any time of the span [m].
+  Real farthest(std::size_t body, const Vector3& place) const;
   /// Bounds on the speed of approach of any points of the two bodies [m/s], and on its change [m/s^2].
   Real speed_bound(const Candidate&) const;
   Real change_bound(const Candidate&) const;
@@ -37,6 +39,7 @@ class Passage {
     bool moves = false;
   };
   std::vector<Leg> legs_;
+  std::size_t count_ = 0;
   Real span_ = 0;
   mutable std::int64_t looks_ = 0;
 };

@@ -1,5 +1,6 @@
 #include "engine/contact/seams.h"
 
+#include "engine/geometry/broad_phase.h"
 #include "engine/geometry/core.h"
 #include "engine/geometry/separation.h"
 
@@ -41,23 +42,25 @@ Real beyond(const Shape& shape, const Pose& pose, const Vector3& n, const Vector
 
 Seams::Seams(const Model& model)
     : shapes_(model.shapes), motions_(model.motions), beside_(model.bodies.size()) {
-  std::vector<int> locked;
-  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
-    if (!model.bodies[i].locked || i >= model.surfaces.size() || model.surfaces[i] == no_surface) continue;
-    if (std::holds_alternative<std::monostate>(shapes_[i])) continue;
-    locked.push_back(static_cast<int>(i));
-    size_ = std::max(size_, bounding_radius(shapes_[i]));
+  const auto is_obstacle = [&](std::size_t i) {
+    return model.bodies[i].locked && i < model.surfaces.size() && model.surfaces[i] != no_surface &&
+           !std::holds_alternative<std::monostate>(shapes_[i]);
+  };
+  for (std::size_t i = 0; i < shapes_.size(); ++i)
+    if (is_obstacle(i)) size_ = std::max(size_, bounding_radius(shapes_[i]));
+  const Vector3 near = Vector3::Constant(near_part * size_);
+  std::vector<Bounds> boxes;
+  for (std::size_t i = 0; i < shapes_.size(); ++i) {
+    boxes.push_back(bounds(is_obstacle(i) ? shapes_[i] : Shape(), pose(motions_[i])));
+    boxes.back() = {boxes.back().low - near, boxes.back().high + near};
   }
-  for (std::size_t k = 0; k < locked.size(); ++k) {
-    for (std::size_t m = k + 1; m < locked.size(); ++m) {
-      const auto a = static_cast<std::size_t>(locked[k]), b = static_cast<std::size_t>(locked[m]);
-      const Real reach = bounding_radius(shapes_[a]) + bounding_radius(shapes_[b]) + near_part * size_;
-      if ((motions_[a].position - motions_[b].position).squaredNorm() > reach * reach) continue;
-      if (separation(shapes_[a], pose(motions_[a]), shapes_[b], pose(motions_[b])).gap > near_part * size_)
-        continue;
-      beside_[a].push_back(locked[m]);
-      beside_[b].push_back(locked[k]);
-    }
+  BroadPhase broad_phase;
+  for (const auto& [one, other] : broad_phase.pairs(boxes)) {
+    const auto a = static_cast<std::size_t>(one), b = static_cast<std::size_t>(other);
+    if (separation(shapes_[a], pose(motions_[a]), shapes_[b], pose(motions_[b])).gap > near_part * size_)
+      continue;
+    beside_[a].push_back(other);
+    beside_[b].push_back(one);
   }
 }
 

@@ -94,7 +94,8 @@ void BodyPile::kick(Time now, Real h) {
     kinematics_.resize(motions_.size()), loads_.resize(motions_.size());
     for (std::size_t i = 0; i < motions_.size(); ++i)
       kinematics_[i] = {motions_[i].orientation.toRotationMatrix(), movers_[i].v, movers_[i].w};
-    apply(model_.forces, now, model_.bodies, motions_.data(), kinematics_.data(), loads_.data());
+    apply(model_.forces, now, model_.bodies, motions_.size(), motions_.data(), kinematics_.data(),
+          loads_.data());
   }
   for (std::size_t i = 0; i < motions_.size(); ++i) {
     const Body& body = model_.bodies[i];

@@ -25,8 +25,8 @@ Forced forced(const Model& model, Time t = 0) {
     f.kinematics.push_back({m.orientation.toRotationMatrix(), velocity(model.bodies[i], m),
                             angular_velocity(model.bodies[i], m)});
   }
-  apply(model.forces, t, model.bodies, model.motions.data(), f.kinematics.data(), f.loads.data(),
-        f.powers.data());
+  apply(model.forces, t, model.bodies, model.bodies.size(), model.motions.data(), f.kinematics.data(),
+        f.loads.data(), f.powers.data());
   return f;
 }
 

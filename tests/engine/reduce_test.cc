@@ -110,9 +110,7 @@ TEST(Reduced, AreReadAsCentresOfMass) {
   for (const Pinned& p : pinned_models()) {
     const Reduced reduced = reduce(p.model);
     std::vector<Motion> start;
-    for (std::size_t i = 0; i < p.model.bodies.size(); ++i) {
-      start.push_back(read(reduced.model.bodies[i], reduced.readings[i], reduced.model.motions[i]));
-    }
+    read(reduced.model.bodies, reduced.readings, reduced.model.motions.data(), start);
     EXPECT_LT(distance(start, p.model.motions), 1e-14) << p.name;
 
     const Time h = 1e-3;

@@ -11,7 +11,7 @@ namespace {
 ContactForces forces_of(const Model& model) {
   Bodies system(model);
   const std::vector<Real> y = system.initial();
-  const Motion* motion = Bodies::motions(y.data());
+  const Motion* motion = system.motions(y.data());
   std::vector<TouchPoint> touches;
   for (const Candidate& c : find_candidates(system.model())) {
     const TouchPoint t = touch_at(c, system.model(), motion);
@@ -19,7 +19,9 @@ ContactForces forces_of(const Model& model) {
   }
   system.load(0, y.data());
   return find_contact_forces(
-      touches, {}, {system.model().bodies, motion, system.kinematics().data(), system.loads().data()}, 1e-12);
+      touches, {},
+      {system.model().bodies, motion, system.kinematics().data(), system.loads().data(), system.count()},
+      1e-12);
 }
 
 Model box_on_slope(Real theta, Real mu, const Vector3& half, Real heading,
