@@ -331,6 +331,7 @@ void Bodies::drift(Real h, Real* y) {
   rows_.measure(model_.bodies, start_.data());
   Rows reached;
   reached.rows.reserve(rows_.rows.size());
+  bool closed = false;
   for (int i = 0; i < most; ++i) {
     std::copy_n(start_.data(), count_, motions(y));
     if (masses_.any()) y[extras_ - 1] = clock;
@@ -338,15 +339,25 @@ void Bodies::drift(Real h, Real* y) {
     reached.rows.clear();
     const Motion* end = upright(y, false);
     for (const Joint& joint : model_.joints) add_rows(joint, model_.bodies, end, reached.rows);
-    if (reached.closed()) break;
+    closed = reached.closed();
+    if (closed) break;
     for (std::size_t k = 0; k < change_.size(); ++k) change_[k] = reached.rows[k].offset;
     rows_.push(change_, h, model_.bodies, start_.data());
   }
+  // What the rounding of the iteration leaves is closed by project().
+  const auto is_open = [](const Row& row) { return !(std::abs(row.offset) <= 1000 * row.rounding); };
+  if (!closed && std::any_of(reached.rows.begin(), reached.rows.end(), is_open)) ++open_drifts_;
   if (!reads_velocities_) return;  // else the kick must find momenta that the joints allow
   Motion* motion = open(y);
   gather(motion);
   rows_.project_velocities(model_.bodies, motion);
   close(motion, y);
+}
+
+std::vector<std::string> Bodies::remarks() const {
+  if (open_drifts_ == 0) return {};
+  return {std::to_string(open_drifts_) +
+          " parts of steps ended with joints that the iteration did not close (SHAKE): the step is too long"};
 }
 
 void Bodies::project(Real* y) {

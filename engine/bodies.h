@@ -6,6 +6,7 @@
 #include "engine/model.h"
 #include "engine/system.h"
 
+#include <string>
 #include <vector>
 
 namespace cylon::engine {
@@ -44,6 +45,9 @@ class Bodies {
   void project(Real* y);
   /// For error control: the largest size so far of each component's kind over all bodies.
   void scales(const Real* y, Real* scale);
+
+  /// What a user must know of the steps so far.
+  std::vector<std::string> remarks() const;
 
   /// Whether joints are kept as constraints.
   bool constrained() const { return !model_.joints.empty(); }
@@ -104,6 +108,7 @@ class Bodies {
   Real pull_ = 0;                           // The largest |F|/m that joints have had to take up [m/s^2].
   Rows rows_;
   Holder* holder_ = nullptr;
+  long open_drifts_ = 0;  // after which joints were not closed
 };
 
 static_assert(System<Bodies>);

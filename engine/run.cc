@@ -2,6 +2,7 @@
 
 #include "engine/ballistic/ballistic.h"
 #include "engine/make_stepper.h"
+#include "engine/methods.h"
 
 #include <cassert>
 #include <sstream>
@@ -87,6 +88,8 @@ void Run::hand_over() {
 
 std::vector<std::string> Run::remarks() const {
   std::vector<std::string> all = remarks_;
+  if (!options_.path.empty() && !can_touch(*model_))
+    all.push_back("path " + options_.path + " was asked for, but nothing can touch: it is not taken");
   if (plan_.path == Path::stepping && options_.integrator == "auto") {
     std::ostringstream text;
     text << "path stepping: fixed steps of order " << plan_.order << " in dt = " << options_.dt << " s; ";

@@ -5,6 +5,7 @@
 #include "engine/system.h"
 
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,12 @@ class SystemStepper : public Stepper {
       : system_(std::move(system)), y_(std::move(initial)), dt_(dt), steps_(first), read_(std::move(read)) {}
 
   void read(std::vector<Motion>& motions) const final { read_(system_, y_.data(), motions); }
+  std::vector<std::string> remarks() const override {
+    if constexpr (requires { system_.remarks(); })
+      return system_.remarks();
+    else
+      return {};
+  }
   const Real* works() const final {
     if constexpr (requires { system_.works(y_.data()); })
       return system_.works(y_.data());

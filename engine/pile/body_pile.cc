@@ -2,6 +2,7 @@
 
 #include "engine/free_rotation.h"
 #include "engine/joint.h"
+#include "engine/pile/rest.h"
 
 #include <algorithm>
 #include <bit>
@@ -344,6 +345,13 @@ bool BodyPile::rests(const Group& group) const {
          });
 }
 
+bool BodyPile::is_on_edge(int body, const Group& group) const {
+  const Shape& shape = model_.shapes[index(body)];
+  const bool round = std::holds_alternative<Sphere>(shape) || std::holds_alternative<Capsule>(shape);
+  return !round && !model_.bodies[index(body)].locked &&
+         stands_on_a_line(body, group, blocks_, bounding_radius(shape));
+}
+
 // Groups that hardly move before and after a step: what is left of their velocities is the solver's.  A body
 // that turns back hardly moves only once.
 void BodyPile::lay_to_rest(Real span) {
@@ -352,7 +360,9 @@ void BodyPile::lay_to_rest(Real span) {
   const auto look = [&](const Group& group) {
     const auto was_still = [&](int body) { return model_.bodies[index(body)].locked || still_[index(body)]; };
     const bool now = is_crowd(group) && is_slow(group, speed);
-    const bool rest = now && std::all_of(group.bodies.begin(), group.bodies.end(), was_still);
+    const bool rest = now && std::all_of(group.bodies.begin(), group.bodies.end(), was_still) &&
+                      std::none_of(group.bodies.begin(), group.bodies.end(),
+                                   [&](int body) { return is_on_edge(body, group); });
     for (const int body : group.bodies) {
       still_[index(body)] = now;
       if (!rest || model_.bodies[index(body)].locked) continue;

@@ -37,6 +37,7 @@ class BodyPile : public Stepper {
   bool rests(const Group&) const;
   void lay_to_rest(Real span);
   bool is_slow(const Group&, Real speed) const;
+  bool is_on_edge(int body, const Group&) const;
   void meet(const Group&, Time now, Real h);
   void note_impact(std::size_t block, Time now, Real gap, Real approach);
   void pass(Time now, Time span, bool direct);
