@@ -71,26 +71,28 @@ std::string cell_name(const study::Cell& cell) {
   return fmt::format("{} {} {}{}", cell.scenario->file, cell.engine.id, cell.dt_text, asked);
 }
 
+void Journal::Content::take(const nlohmann::json& row) {
+  if (row.contains("request")) {
+    request = request_from(row.at("request"));
+    return;
+  }
+  std::vector<results::Verdict> verdicts;
+  for (const auto& verdict : row.at("verdicts"))
+    verdicts.push_back(reports::from_json_line(verdict.get<std::string>()));
+  if (verdicts.empty()) return;
+  const std::string cell = row.at("cell");
+  if (std::all_of(verdicts.begin(), verdicts.end(),
+                  [](const results::Verdict& v) { return v.as_expected(); })) {
+    differing.erase(cell);
+  } else {
+    differing.insert(cell);
+  }
+  cells[row.at("key").get<std::string>()] = std::move(verdicts);
+}
+
 Journal::Content Journal::read() const {
   Content content;
-  content.strange = file_.read([&](const nlohmann::json& row) {
-    if (row.contains("request")) {
-      content.request = request_from(row.at("request"));
-      return;
-    }
-    std::vector<results::Verdict> verdicts;
-    for (const auto& verdict : row.at("verdicts"))
-      verdicts.push_back(reports::from_json_line(verdict.get<std::string>()));
-    if (verdicts.empty()) return;
-    const std::string cell = row.at("cell");
-    if (std::all_of(verdicts.begin(), verdicts.end(),
-                    [](const results::Verdict& v) { return v.as_expected(); })) {
-      content.differing.erase(cell);
-    } else {
-      content.differing.insert(cell);
-    }
-    content.cells[row.at("key").get<std::string>()] = std::move(verdicts);
-  });
+  content.strange = file_.read([&](const nlohmann::json& row) { content.take(row); });
   return content;
 }
 

@@ -40,6 +40,9 @@ class Journal {
     std::map<std::string, std::vector<results::Verdict>> cells;  ///< By key.
     std::set<std::string> differing;  ///< Names of cells that were not as expected.
     std::size_t strange = 0;          ///< Lines that this user did not write here, or that are cut off.
+
+    /// Adds a line's object; throws std::exception where it is none of a journal.
+    void take(const nlohmann::json& row);
   };
 
   /// The last run.  Throws core::InputError for a file of more than 1 GiB.

@@ -2,27 +2,20 @@
 #pragma once
 
 #include "harness/process/byte_queue.h"
+#include "harness/process/failure.h"
 #include "harness/process/family.h"
 #include "harness/process/interruption.h"
-#include "harness/results/verdict.h"
 
 #include <sys/types.h>
 
 #include <chrono>
 #include <cstddef>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace cylon::process {
-
-/// The child failed in a way that is a verdict: unsupported (it cannot start), crash, timeout or protocol.
-struct Failure : std::runtime_error {
-  Failure(results::Status s, const std::string& reason) : std::runtime_error(reason), status(s) {}
-  results::Status status;
-};
 
 /// A process in a group of its own, with its stdin, stdout and stderr on pipes.  It dies with this object, or
 /// with the thread that made it.  One object belongs to one thread; several threads may each have theirs.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "harness/process/child.h"
-#include "harness/process/frame.h"
+#include "harness/process/message_reader.h"
 #include "harness/process/sandbox.h"
 
 #include <nlohmann/json.hpp>
@@ -10,16 +10,9 @@
 #include <cstddef>
 #include <memory>
 #include <string>
-#include <string_view>
-#include <variant>
 #include <vector>
 
 namespace cylon::process {
-
-struct Frame {
-  FrameHeader header;
-  std::string_view payload;  ///< Valid until the next message.
-};
 
 class Conversation {
  public:
@@ -32,11 +25,11 @@ class Conversation {
   void ask(const nlohmann::json& command);
 
   /// Frames are refused until the number of bodies is known.
-  void expect_bodies(std::size_t bodies) { bodies_ = bodies, frames_expected_ = true; }
+  void expect_bodies(std::size_t bodies) { reader_.expect_bodies(bodies); }
 
   /// The next message.  Throws Failure: protocol for anything that is neither a JSON object on a line of at
   /// most 16 MiB nor a frame whose sizes agree; crash, timeout, unsupported as the child does.
-  std::variant<nlohmann::json, Frame> next();
+  Message next();
   /// The next message, which must be of that kind.
   nlohmann::json next_line();
   Frame next_frame();
@@ -50,13 +43,9 @@ class Conversation {
   std::string complaints() const { return child_.complaints(); }
 
  private:
-  bool complete_line(std::string_view output);
-  bool complete_frame(std::string_view output);
-
   std::unique_ptr<SandboxFilter> filter_;
   Child child_;
-  std::size_t bodies_ = 0, taken_ = 0, searched_ = 0;
-  bool frames_expected_ = false;
+  MessageReader reader_;
 };
 
 }  // namespace cylon::process

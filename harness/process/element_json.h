@@ -94,13 +94,6 @@ class ElementWriter {
 
 // ---- From JSON ----------------------------------------------------------------------------------
 
-/// How many there are for faces to name; 0 where the element has none.
-template <class Element>
-std::size_t vertices_of(const Element& element) {
-  if constexpr (requires { element.vertices; }) return element.vertices.size();
-  return 0;
-}
-
 /// Position of a text among the words; throws MalformedMessage.
 template <std::size_t N>
 std::size_t word(Fields& fields, const char* key, const std::array<std::string_view, N>& words) {
@@ -137,7 +130,7 @@ class ElementReader {
       } else if constexpr (std::is_same_v<Value, std::optional<core::Vector3>>) {
         if (fields.find(key)) value = fields.vector(key);
       } else if constexpr (std::is_same_v<Value, std::vector<std::array<std::int32_t, 3>>>) {
-        read_faces(fields, key, vertices_of(element), value);
+        read_faces(fields, key, element, value);
       } else {
         read(fields, key, value);
       }
@@ -186,7 +179,8 @@ class ElementReader {
       fields.finish();
     });
   }
-  static void read_faces(Fields&, const char* key, std::size_t vertices,
+  template <class Mesh>
+  static void read_faces(Fields&, const char* key, const Mesh&,
                          std::vector<std::array<std::int32_t, 3>>& faces);
 
   // {"type": "sphere", …}; null is no shape.
@@ -214,9 +208,10 @@ class ElementReader {
   std::unordered_map<std::string, int> index_;
 };
 
-inline void ElementReader::read_faces(Fields& fields, const char* key, std::size_t vertices,
-                                      std::vector<std::array<std::int32_t, 3>>& faces) {
-  const auto count = static_cast<std::int64_t>(vertices);
+template <class Mesh>
+void ElementReader::read_faces(Fields& fields, const char* key, const Mesh& mesh,
+                               std::vector<std::array<std::int32_t, 3>>& faces) {
+  const auto count = static_cast<std::int64_t>(mesh.vertices.size());
   fields.each(key, [&](const nlohmann::json& row, const std::string& place) {
     if (!row.is_array() || row.size() != 3) throw MalformedMessage(place + ": expected three vertices");
     std::array<std::int32_t, 3>& face = faces.emplace_back();

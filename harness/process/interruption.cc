@@ -27,7 +27,7 @@ std::atomic<bool>& interrupted() {
   return flag;
 }
 
-Interruptible::Interruptible() { on_signals(interrupt, SA_RESETHAND); }
+Interruptible::Interruptible() { on_signals(interrupt, static_cast<int>(SA_RESETHAND)); }
 Interruptible::~Interruptible() { on_signals(SIG_DFL, 0); }
 
 }  // namespace cylon::process

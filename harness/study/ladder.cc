@@ -14,7 +14,7 @@ namespace cylon::study {
 namespace {
 
 constexpr std::int64_t coarsest_multiple = 64;  // of the nominal step
-constexpr std::int64_t fewest = 16;             // samples
+constexpr std::int64_t fewest_samples = 16;     // of a rung
 
 // Whether every time of every recorded truth is one of k T/M.
 bool has_all_times(const scenario::Scenario& scenario, std::int64_t samples) {
@@ -55,7 +55,7 @@ std::int64_t coarsest_samples(const scenario::Scenario& scenario, std::int64_t d
 
 Ladder ladder_down_to(const scenario::Scenario& scenario, double finest) {
   Ladder result;
-  result.samples = coarsest_samples(scenario, coarsest_multiple, fewest);
+  result.samples = coarsest_samples(scenario, coarsest_multiple, fewest_samples);
   constexpr double most_steps = 0x1p40;
   if (!(scenario.duration / finest <= most_steps))
     throw core::InputError(
@@ -72,7 +72,7 @@ Ladder ladder_down_to(const scenario::Scenario& scenario, double finest) {
 
 Ladder ladder(const scenario::Scenario& scenario, int rungs, std::int64_t most) {
   Ladder result;
-  result.samples = coarsest_samples(scenario, coarsest_multiple, fewest);
+  result.samples = coarsest_samples(scenario, coarsest_multiple, fewest_samples);
   std::int64_t steps = result.samples;
   for (int i = 0; i < rungs && (i == 0 || steps <= most); ++i, steps *= 2) result.steps.push_back(steps);
   return result;

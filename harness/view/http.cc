@@ -1,14 +1,14 @@
 #include "harness/view/http.h"
 
+#include "harness/view/http_head.h"
+
 #include <boost/asio.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 
 #include <algorithm>
 #include <atomic>
-#include <cctype>
 #include <chrono>
-#include <limits>
 #include <list>
 #include <mutex>
 #include <thread>
@@ -23,18 +23,14 @@ using boost::system::error_code;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 using Nothing = asio::awaitable<void>;
-using Parser = beast::http::request_parser<beast::http::string_body>;
 
-constexpr std::uint32_t longest_head = 16 << 10;  // [bytes]
-constexpr std::size_t most_headers = 100, most_connections = 32;
+constexpr std::size_t most_connections = 32;
 constexpr auto time_for_head = seconds(3), time_for_body = seconds(20), time_for_answer = seconds(5),
                time_between = seconds(5);  // of the client: to send, to take, to ask again
 // A stream keeps a thread while it waits for news; the viewer has four.
 constexpr int threads = 8;
 
 auto into(error_code& error) { return asio::redirect_error(asio::use_awaitable, error); }
-
-Answer plain(int status, std::string why) { return {status, "text/plain", std::move(why), {}}; }
 
 struct Connection {
   explicit Connection(asio::ip::tcp::socket socket) : stream(std::move(socket)) {}
@@ -43,39 +39,7 @@ struct Connection {
   std::atomic<bool> waiting = true;  // for a request: the first to go where there are too many
 };
 
-// What is wrong with a head that the parser took, if anything; else `head`.
-std::optional<Answer> read_head(const Parser& parser, Head& head) {
-  const auto& request = parser.get();
-  const auto text = [](auto view) { return std::string(view.data(), view.size()); };
-  if (request.version() != 11) return plain(400, "not a request of HTTP/1.1");
-  const std::string target = text(request.target());
-  if (!target.starts_with('/')) return plain(400, "not a request of HTTP/1.1");
-  const std::size_t mark = std::min(target.find('?'), target.size());
-  head.method = text(request.method_string());
-  head.path = target.substr(0, mark);
-  head.query = target.substr(std::min(mark + 1, target.size()));
-  for (const auto& line : request) {
-    std::string name = text(line.name_string());
-    for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    if (head.headers.size() == most_headers) return plain(431, "too many headers");
-    if (!head.headers.emplace(std::move(name), text(line.value())).second)
-      return plain(400, "a header twice");
-  }
-  if (head.headers.contains("transfer-encoding") || head.headers.contains("content-encoding"))
-    return plain(501, "bodies have a length and no encoding");
-  const bool has_body = head.method != "GET";
-  if (has_body && !parser.content_length()) return plain(411, "a body needs its length");
-  head.length = static_cast<std::size_t>(parser.content_length().value_or(0));
-  if (!has_body && head.length > 0) return plain(400, "a GET has no body");
-  return std::nullopt;
-}
-
 }  // namespace
-
-std::string Head::header(const std::string& lower_name) const {
-  const auto found = headers.find(lower_name);
-  return found == headers.end() ? "" : found->second;
-}
 
 struct Listener::Parts {
   Rules rules;
@@ -193,22 +157,14 @@ struct Listener::Parts {
     for (auto patience = time_for_head;; patience = time_between) {
       connection.waiting = true;
       Parser parser;
-      parser.header_limit(longest_head);
-      // The rules say what each may have; boost::none refuses every body in Boost 1.74.
-      parser.body_limit(std::numeric_limits<std::uint64_t>::max());
+      set_limits(parser);
       error_code error;
       connection.stream.expires_after(patience);
       co_await beast::http::async_read_header(connection.stream, connection.pending, parser, into(error));
-      if (error == beast::http::error::header_limit || error == beast::http::error::buffer_overflow) {
-        co_await send(connection, plain(431, "the head is too long"), true);
+      if (error) {
+        if (const auto complaint = answer_to(error)) co_await send(connection, *complaint, true);
         co_return;
       }
-      if (error && error.category() == make_error_code(beast::http::error::bad_field).category() &&
-          error != beast::http::error::end_of_stream && error != beast::http::error::partial_message) {
-        co_await send(connection, plain(400, error.message()), true);
-        co_return;
-      }
-      if (error) co_return;
       Head head;
       std::optional<Answer> refusal = read_head(parser, head);
       const bool broken = refusal.has_value();

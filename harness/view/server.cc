@@ -2,6 +2,7 @@
 
 #include "harness/core/input_error.h"
 #include "harness/view/command.h"
+#include "harness/view/gate.h"
 #include "harness/view/http.h"
 #include "harness/view/page.h"
 
@@ -18,25 +19,7 @@ namespace {
 using http::Answer;
 using http::Head;
 
-constexpr const char* loopback = "127.0.0.1";
-constexpr std::size_t largest_command = std::size_t{64} << 10,
-                      largest_frame = std::size_t{32} << 20;  // [bytes]
 constexpr int most_streams = 4;
-
-Answer json_answer(int status, const nlohmann::json& body) {
-  return {
-      status, "application/json", body.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace), {}};
-}
-Answer refusal(int status, const std::string& why) { return json_answer(status, {{"error", why}}); }
-
-// Without a hint, by the time it takes, of how much of it was right.
-bool same(std::string_view a, std::string_view b) {
-  unsigned char difference = a.size() == b.size() ? 0 : 1;
-  for (std::size_t i = 0; i < a.size() && i < b.size(); ++i)
-    difference |=
-        static_cast<unsigned char>(static_cast<unsigned char>(a[i]) ^ static_cast<unsigned char>(b[i]));
-  return difference == 0;
-}
 
 std::int64_t frame_number(const Head& head) {
   const std::string text = head.query.starts_with("n=") ? head.query.substr(2) : "";
@@ -67,7 +50,7 @@ struct Server::Parts {
                      {"Referrer-Policy", "no-referrer"},
                      {"Cross-Origin-Resource-Policy", "same-origin"},
                      {"Cache-Control", "no-store"}};
-    rules.admit = [this](const Head& head) { return admit(head); };
+    rules.admit = [this](const Head& head) { return refusal_of(head, port, token); };
     rules.serve = [this](const Head& head, const std::string& body) { return serve(head, body); };
     try {
       listener = std::make_unique<http::Listener>(wanted, std::move(rules));
@@ -78,43 +61,8 @@ struct Server::Parts {
     port = listener->port();
   }
 
-  struct Route {
-    std::string_view method, path;
-    std::size_t most;  ///< Of the body [bytes].
-  };
-  static constexpr Route routes[] = {
-      {"GET", "/", 0},
-      {"GET", "/api/session", 0},
-      {"GET", "/api/stream", 0},
-      {"POST", "/api/command", largest_command},
-      {"POST", "/api/frame", largest_frame},
-  };
-
-  static const Route* route(const Head& head) {
-    for (const Route& one : routes)
-      if (one.method == head.method && one.path == head.path) return &one;
-    return nullptr;
-  }
-
-  // Who asks, and whether for this server by its name; then whether there is such a thing, of that size.
-  std::optional<Answer> admit(const Head& head) const {
-    const std::string host_name = head.header("host");
-    if (host_name != fmt::format("{}:{}", loopback, port.load()) &&
-        host_name != fmt::format("localhost:{}", port.load()))
-      return refusal(403, "not for you");
-    if (head.headers.contains("origin") && head.header("origin") != "http://" + host_name)
-      return refusal(403, "not for you");
-    const Route* wanted = route(head);
-    if (wanted && wanted->path != "/" && !same(head.header("x-cylon-token"), token))
-      return refusal(403, "not for you");
-    if (!wanted) return refusal(404, "not found");
-    if (head.length > wanted->most)
-      return refusal(413, fmt::format("a body here has at most {} bytes", wanted->most));
-    return std::nullopt;
-  }
-
   Answer serve(const Head& head, const std::string& body) try {
-    const std::string_view path = route(head)->path;
+    const std::string& path = head.path;  // one of those that refusal_of() lets pass
     if (path == "/") return {200, "text/html; charset=utf-8", page(token), {}};
     if (path == "/api/session") return {200, "application/json", host.session_json(), {}};
     if (path == "/api/stream") return stream();
