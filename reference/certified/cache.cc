@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -57,7 +59,7 @@ struct Taker {
 std::string body_of(const Dense& d) {
   std::string bytes;
   put(bytes, d.bodies), put(bytes, d.starts), put(bytes, d.first), put(bytes, d.coefficients);
-  put(bytes, d.horizon), put(bytes, d.error), put(bytes, d.ulp), put(bytes, d.lost);
+  put(bytes, d.horizon), put(bytes, d.error), put(bytes, d.ulp), put(bytes, std::uint8_t{d.lost});
   put(bytes, d.work);
   return bytes;
 }
@@ -73,10 +75,17 @@ std::optional<fs::path> file_of(const std::string& key) {
   return *folder / "certified" / (key + ".bin");
 }
 
+// Dense::at() needs: steps in order of time, each with polynomials of one degree for all numbers.
 bool sound(const Dense& d) {
   if (d.bodies == 0 || d.starts.empty() || d.first.size() != d.starts.size() + 1) return false;
+  if (d.bodies > d.coefficients.size() / Dense::numbers) return false;
+  const auto finite = [](double t) { return std::isfinite(t); };
+  if (!std::ranges::all_of(d.starts, finite) || !std::ranges::is_sorted(d.starts) || !finite(d.horizon))
+    return false;
+  if (d.first.front() != 0) return false;
   for (std::size_t i = 0; i + 1 < d.first.size(); ++i)
-    if (d.first[i] >= d.first[i + 1]) return false;
+    if (d.first[i] >= d.first[i + 1] || (d.first[i + 1] - d.first[i]) % (d.bodies * Dense::numbers) != 0)
+      return false;
   return d.first.back() == d.coefficients.size();
 }
 
@@ -93,6 +102,18 @@ std::optional<fs::path> cache_folder() {
   return std::nullopt;
 }
 
+std::optional<Dense> parse_body(std::string_view body) {
+  Dense d;
+  Taker taker{body};
+  taker.take(d.bodies), taker.take(d.starts), taker.take(d.first), taker.take(d.coefficients);
+  std::uint8_t lost = 0;  // a bool has two values
+  taker.take(d.horizon), taker.take(d.error), taker.take(d.ulp), taker.take(lost);
+  taker.take(d.work);
+  if (!taker.good || !taker.bytes.empty() || lost > 1 || !sound(d)) return std::nullopt;
+  d.lost = lost == 1;
+  return d;
+}
+
 std::optional<Dense> load(const std::string& key) {
   const auto file = file_of(key);
   if (!file) return std::nullopt;
@@ -106,13 +127,7 @@ std::optional<Dense> load(const std::string& key) {
   if (end == std::string_view::npos) return std::nullopt;
   const std::string_view body = rest.substr(end + 1);
   if (!seal::holds(rest.substr(0, end), "certified " + key, body)) return std::nullopt;
-  Dense d;
-  Taker taker{body};
-  taker.take(d.bodies), taker.take(d.starts), taker.take(d.first), taker.take(d.coefficients);
-  taker.take(d.horizon), taker.take(d.error), taker.take(d.ulp), taker.take(d.lost);
-  taker.take(d.work);
-  if (!taker.good || !taker.bytes.empty() || !sound(d)) return std::nullopt;
-  return d;
+  return parse_body(body);
 }
 
 void keep(const std::string& key, const Dense& d) {

@@ -50,9 +50,11 @@ const std::set<std::string>& own_keys() {
   return keys;
 }
 
-std::string machine(const json& context) {
-  return fmt::format("{}, {} logical CPUs, {} MHz", context.value("host_name", "unknown host"),
-                     context.value("num_cpus", 0), context.value("mhz_per_cpu", 0));
+std::string machine(JsonObject& context) {
+  const auto number = [&](const char* key) { return context.has(key) ? context.integer(key, 0) : 0; };
+  return fmt::format("{}, {} logical CPUs, {} MHz",
+                     context.has("host_name") ? context.text("host_name") : "unknown host",
+                     number("num_cpus"), number("mhz_per_cpu"));
 }
 
 double seconds_per_unit(JsonObject& object) {
@@ -121,11 +123,10 @@ Imported read_google_benchmark(Store& store, std::string_view document, const st
   const Place place{file, 1};
   const json root = parse_json(document, place);
   JsonObject object(root, place, "the document");
-  const json& context = object.value("context");
-  JsonObject described(context, place, "\"context\"");
+  JsonObject described(object.value("context"), place, "\"context\"");
   RunInfo run = given;
   run.date = described.text("date");
-  run.machine = machine(context);
+  run.machine = machine(described);
   run.complete = true;
   run.uid = run_uid(run, 0);
   const std::string program = std::filesystem::path(described.text("executable")).filename().string();
