@@ -2,6 +2,7 @@
 # Installs what cmake/packages.txt and reference/simulators/engines.txt list and this machine lacks; says clearly what it cannot do.
 #   cmake/install_packages.sh        what the program needs
 #   cmake/install_packages.sh tests  and what only the tests need
+#   cmake/install_packages.sh fuzz   and what only ./test fuzz needs
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -13,6 +14,7 @@ while read -r probe package only; do
   declare -n list=missing${only:+_for_tests}
   case "$probe" in
     '#'* | '') continue ;;
+    file:*) compgen -G "${probe#file:}" >/dev/null || list+=("$package") ;;
     command:*) command -v "${probe#command:}" >/dev/null || list+=("$package") ;;
     header:*) compgen -G "/usr/include/${probe#header:}" >/dev/null || compgen -G "/usr/include/*-linux-gnu/${probe#header:}" >/dev/null || list+=("$package") ;;
   esac

@@ -13,6 +13,7 @@ set_source_files_properties(engine/body.cc engine/contact/coulomb_point.cc engin
              SKIP_PRECOMPILE_HEADERS ON)  # gcc takes the options of a precompiled header in place of the source's own
 
 option(CYLON_SANITIZE "AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
+option(CYLON_FUZZ "libFuzzer's programs and its counters in all code; needs clang" OFF)
 set(CYLON_MARCH "x86-64-v3" CACHE STRING "-march of every target")
 
 add_compile_options(-march=${CYLON_MARCH} -ffp-contract=off)
@@ -22,6 +23,9 @@ if(CYLON_SANITIZE)
   add_compile_options(-fsanitize=address,undefined -fno-sanitize=null,object-size,alignment,vptr
                       -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
+endif()
+if(CYLON_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 
 # Warnings are errors in our own code; foreign headers are SYSTEM.
