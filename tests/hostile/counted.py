@@ -8,11 +8,11 @@ FOLDER = pathlib.Path(__file__).resolve().parents[2] / "build/campaigns"
 
 
 class Counted:
-    """Numbers by part and key, written whole after every change."""
+    """Numbers by part and key, written whole after every change; without a name they are not kept."""
 
-    def __init__(self, name):
-        self.file = FOLDER / f"{name}.json"
-        self.parts = json.loads(self.file.read_text()) if self.file.exists() else {}
+    def __init__(self, name=None):
+        self.file = FOLDER / f"{name}.json" if name else None
+        self.parts = json.loads(self.file.read_text()) if name and self.file.exists() else {}
 
     def get(self, part, key):
         return self.parts.get(part, {}).get(key, 0)
@@ -21,6 +21,8 @@ class Counted:
         row = self.parts.setdefault(part, {})
         for key, number in numbers.items():
             row[key] = round(row.get(key, 0) + number, 3)
+        if not self.file:
+            return
         FOLDER.mkdir(parents=True, exist_ok=True)
         draft = self.file.with_suffix(".draft")
         draft.write_text(json.dumps(self.parts, indent=1, sort_keys=True) + "\n")

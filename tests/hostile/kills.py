@@ -1,0 +1,219 @@
+#!/usr/bin/env python3
+"""Kills commands at random moments and lets them go on.
+
+    tests/hostile/kills.py CYLON [--kills 1000] [--sample N] [--seed S] [run|trade|record|import …]
+
+A trial of run, trade or record is killed (SIGKILL) one to three times and resumed each time; one of import is repeated.
+In the end its output must be that of a command that nobody killed, times left out, and no whole line of a journal may be
+lost on the way.  Trial n is a function of seed and n.  Counts are kept in build/campaigns/kills.json, and a later call goes
+on with new trials until each command was killed as often as asked for; --sample makes N trials of each and keeps no count.
+The last line is JSON: tried (kills that met a living command), failed (trials), the same of each command."""
+import argparse
+import json
+import os
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+import time
+
+from counted import Counted
+
+SELECTION = ["projectile", "two_sphere_head_on", "--engine", "in-house", "--engine", "ode"]
+SAMPLES = ("exact", "error")  # kinds of samples that are the same on every run
+
+
+class Command:
+    """One command: how it begins, how it goes on, and what of its output must come again."""
+
+    def __init__(self, cylon, folder):
+        self.cylon, self.folder = cylon, folder
+
+    def start(self, words, here):
+        return subprocess.Popen([self.cylon, *words], cwd=here, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                stderr=subprocess.PIPE, text=True)
+
+    def words(self, here):
+        """Of the next call in this folder."""
+        return self.first if not self.begun(here) else self.again
+
+    def prepare(self):
+        """What all trials need."""
+
+    def lost(self, _here, _before):
+        return ""
+
+    def kept(self, _here):
+        return None
+
+
+def journal_lines(file):
+    """Whole lines of a journal."""
+    return file.read_bytes().split(b"\n")[:-1] if file.exists() else []
+
+
+class Run(Command):
+    journal = ".cylon/journal.jsonl"
+    first = ["run", *SELECTION, "--json", "out.json"]
+    again = ["run", "--resume", "--json", "out.json"]
+
+    def begun(self, here):
+        return bool(self.kept(here))
+
+    def kept(self, here):
+        return journal_lines(here / self.journal)
+
+    def lost(self, here, before):
+        now = set(self.kept(here))
+        return "" if all(line in now for line in before) else "a line of the journal is lost"
+
+    def facts(self, here):
+        rows = json.loads((here / "out.json").read_text())["verdicts"]
+        return [{k: v for k, v in row.items() if k not in ("cpu_seconds", "reproduce")} for row in rows]
+
+
+class Trade(Run):
+    journal = ".cylon/trade.jsonl"
+    first = ["trade", *SELECTION[1:], "--steps", "3", "--rounds", "0", "--json", "out.json"]
+    again = [*first, "--resume"]
+
+    def facts(self, here):
+        return json.loads((here / "out.json").read_text())["tables"]
+
+
+class Record(Command):
+    first = ["track", "record", *SELECTION, "--repetitions", "0", "--store", "h.db"]
+    again = ["track", "record", "--resume", "--store", "h.db"]
+
+    def exported(self, here):
+        """The lines of the store's export; none where there is no store yet."""
+        ran = subprocess.run([self.cylon, "track", "export", "--store", "h.db", "-"], cwd=here, capture_output=True,
+                             text=True, check=False)
+        return [json.loads(line) for line in ran.stdout.splitlines()]
+
+    def begun(self, here):
+        return any("run" in line for line in self.exported(here))
+
+    def complete(self, here):
+        return any(line["run"]["complete"] for line in self.exported(here) if "run" in line)
+
+    def words(self, here):
+        return None if self.complete(here) else super().words(here)
+
+    def facts(self, here):
+        checked = subprocess.run([self.cylon, "track", "check", "--store", "h.db"], cwd=here, capture_output=True,
+                                 text=True, check=False)
+        facts = [f"check: {checked.returncode}"]
+        for line in self.exported(here):
+            if "run" in line:
+                line = {"run": line["run"]["complete"]}
+            if "result" in line:
+                line["result"].pop("run")
+                line["result"]["samples"] = [s for s in line["result"]["samples"] if s["kind"] in SAMPLES]
+            facts.append(json.dumps(line, sort_keys=True))
+        return sorted(facts)
+
+
+class Import(Record):
+    """All of a file or nothing: after a kill the same import again gives the same store."""
+
+    def __init__(self, cylon, folder):
+        super().__init__(cylon, folder)
+        self.first = self.again = ["track", "import", str(folder / "many.jsonl"), "--store", "h.db"]
+
+    def prepare(self):
+        """A history of some hundred runs, so that there is time to be killed in."""
+        here = self.folder / "history"
+        here.mkdir()
+        self.start(Record.first, here).wait()
+        head, *rest = [json.dumps(line) for line in self.exported(here)]
+        lines = [head, *(line for line in rest if '"cell": {"hash"' in line and '"result"' not in line)]
+        of_run = [line for line in rest if line not in lines]
+        uid = next(json.loads(line)["run"]["uid"] for line in of_run if '"run": {' in line)
+        for n in range(400):
+            lines += [line.replace(uid, f"{n:08x}{uid[8:]}") for line in of_run]
+        (self.folder / "many.jsonl").write_text("\n".join(lines) + "\n")
+
+    def begun(self, here):
+        return False
+
+    def complete(self, here):
+        return False
+
+
+COMMANDS = {"run": Run, "trade": Trade, "record": Record, "import": Import}
+
+
+def trial(command, here, rng, seconds, expected):
+    """What is wrong after some kills, or ""; and how many kills met the command alive."""
+    kills = 0
+    for _ in range(rng.choice([1, 1, 2, 3])):
+        words = command.words(here)
+        if words is None:
+            break
+        child = command.start(words, here)
+        time.sleep(rng.uniform(0, 1.1 * seconds))
+        before = command.kept(here)
+        kills += child.poll() is None
+        child.kill()
+        child.wait()
+        child.stderr.close()
+        if before and (why := command.lost(here, before)):
+            return why, kills
+    words = command.words(here)
+    if words is not None:
+        child = command.start(words, here)
+        said = child.communicate()[1]
+        if child.returncode not in (0, 1):
+            return f"exit code {child.returncode} in the end: {said[:300]!r}", kills
+    return ("" if command.facts(here) == expected else "another output in the end"), kills
+
+
+def campaign(name, cylon, seed, wanted, add):
+    """Trials of one command as long as wanted() gives the number of the next."""
+    with tempfile.TemporaryDirectory(prefix="cylon-kills-") as folder_name:
+        folder = pathlib.Path(folder_name)
+        os.environ["CYLON_KEY"] = str(folder / "key")
+        command = COMMANDS[name](cylon, folder)
+        command.prepare()
+        whole = folder / "whole"
+        whole.mkdir()
+        start = time.monotonic()
+        command.start(command.first, whole).communicate()
+        seconds, expected = time.monotonic() - start, command.facts(whole)
+        while (number := wanted()) is not None:
+            with tempfile.TemporaryDirectory(dir=folder) as here:
+                bad, kills = trial(command, pathlib.Path(here), random.Random(f"{seed} {name} {number}"), seconds, expected)
+            add(name, trials=1, tried=kills, failed=int(bool(bad)))
+            if bad:
+                print(f"{name} {number}: {bad}", flush=True)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("cylon")
+    parser.add_argument("--kills", type=int, default=1000)
+    parser.add_argument("--sample", type=int)
+    parser.add_argument("--seed", type=int, default=20261123)
+    parser.add_argument("commands", nargs="*")
+    options = parser.parse_args()
+    counted = Counted(None if options.sample else "kills")
+
+    def wanted(name, kills):
+        trials = counted.get(name, "trials")
+        more = trials < options.sample if options.sample else counted.get(name, "tried") < kills
+        return trials if more else None
+
+    # In turns of fifty kills, so that a campaign that is stopped has asked all commands alike.
+    for kills in range(50, options.kills + 50, 50):
+        for name in options.commands or COMMANDS:
+            if wanted(name, kills) is not None:
+                campaign(name, os.path.abspath(options.cylon), options.seed, lambda: wanted(name, kills), counted.add)
+    failed = counted.total("failed")
+    print(json.dumps({"tried": counted.total("tried"), "failed": failed, "parts": counted.parts}))
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
