@@ -23,9 +23,9 @@ struct Reduced {
   std::vector<std::string> pinned;  ///< For the plan: "body 0 turns about a point", …
 };
 
-/// Locked bodies come last.  Puts each body that a joint to the world lets turn about a point or about an axis, and each point that one
-/// keeps at a length, in coordinates in which that joint cannot open; the joint goes.  The reference point
-/// becomes the pivot, the inertia
+/// Locked bodies come last.  Puts each body that a joint to the world lets turn about a point or about an axis,
+/// and each point that one keeps at a length, in coordinates in which that joint cannot open; the joint goes.
+/// The reference point becomes the pivot, the inertia
 ///   I_p = I + m (|c|^2 1 - c c^T)   (seed eq. 70, 71; errata 15),
 /// about an axis h alone  h^T I_p h,  for a point on a rod  m l^2 (1 - n n^T).  Left as they are:
 /// bodies that can touch something or float, and second joints of a body.
