@@ -132,9 +132,12 @@ def verdicts(cylon, variant, kept):
 
 
 def worst_of(rows):
-    """scenario -> its worst claim's status."""
+    """scenario -> its worst claim's status; claims that a run cannot answer count where none can be."""
     worst = {}
+    answered = {row["scenario"] for row in rows if row["status"] != "unsupported"}
     for row in rows:
+        if row["status"] == "unsupported" and row["scenario"] in answered:
+            continue
         if row["measured"] is None or row["status"] not in RANK:
             digits = -math.inf
         elif row["measured"] == 0:

@@ -267,7 +267,7 @@ Time EventStepper::piece(Time from, Time span) {
 }
 
 void EventStepper::fixed_step(Time from, Time span) {
-  work_ += std::int64_t{16 * 3} * static_cast<std::int64_t>(system_.count());
+  work_ += std::int64_t{48} * static_cast<std::int64_t>(system_.count());
   (held_.empty() ? fixed_ : lasting_)(system_, from, span, y_.data());
 }
 

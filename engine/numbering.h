@@ -13,7 +13,7 @@ class Numbering {
  public:
   /// `bodies`: of the whole model, each at most once.
   explicit Numbering(std::vector<int> bodies) : bodies_(std::move(bodies)) {
-    for (std::size_t i = 0; i < bodies_.size(); ++i) places_.push_back({bodies_[i], static_cast<int>(i)});
+    for (std::size_t i = 0; i < bodies_.size(); ++i) places_.emplace_back(bodies_[i], static_cast<int>(i));
     std::sort(places_.begin(), places_.end());
   }
 

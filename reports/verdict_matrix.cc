@@ -68,8 +68,10 @@ class Labels {
   std::map<std::string, int> count_;
 };
 
+// A claim that an engine cannot answer, as it tells no contact forces, is no refusal where it answers others.
 void join(Cell& cell, const Verdict& v) {
-  if (cell.empty || severity(v.status) > severity(cell.worst)) cell.worst = v.status;
+  const bool worse = v.status != Status::unsupported && severity(v.status) > severity(cell.worst);
+  if (cell.empty || cell.worst == Status::unsupported || worse) cell.worst = v.status;
   if (is_measured(v.status)) cell.digits = std::min(cell.digits, results::digits(v.measured, v.allowed));
   cell.differs |= !v.as_expected();
   cell.empty = false;

@@ -127,6 +127,16 @@ TEST(Matrix, RefusalIsAvoidableWhereAnotherEnginePasses) {
                        "scenes supported: bullet 0 of 1, ode 1 of 1\n"));
 }
 
+// An engine that tells no contact forces runs the scene all the same.
+TEST(Matrix, ClaimWithoutAnswerIsNoRefusal) {
+  const auto of = [](Status status) { return make("slab", "bullet", status, 1e-3); };
+  for (const Status other : {Status::pass, Status::low_quality, Status::fail, Status::crash}) {
+    EXPECT_EQ(fold({of(Status::unsupported), of(other)}).cells[0][0].worst, other);
+    EXPECT_EQ(fold({of(other), of(Status::unsupported)}).cells[0][0].worst, other);
+  }
+  EXPECT_EQ(fold({of(Status::unsupported), of(Status::unsupported)}).cells[0][0].worst, Status::unsupported);
+}
+
 TEST(Matrix, FitsTerminalAndShowsAllEngines) {
   std::vector<Verdict> verdicts;
   for (int engine = 0; engine < 12; ++engine)

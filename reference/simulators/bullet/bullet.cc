@@ -214,6 +214,8 @@ class Run {
       const btPersistentManifold& manifold = *dispatcher_.getManifoldByIndexInternal(m);
       const int first = manifold.getBody0()->getUserIndex2(), second = manifold.getBody1()->getUserIndex2();
       const bool turned = first < 0;  // the plane comes first
+      // Of who sleeps the impulses are those of its last step awake.
+      const bool awake = moves(*manifold.getBody0()) || moves(*manifold.getBody1());
       for (int i = 0; i < manifold.getNumContacts(); ++i) {
         const btManifoldPoint& point = manifold.getContactPoint(i);
         const bool solved = point.getDistance() <= manifold.getContactProcessingThreshold();
@@ -222,11 +224,7 @@ class Run {
         contact.pair = pair_of(turned ? second : first, turned ? first : second);
         contact.point = from_bullet(point.getPositionWorldOnB());
         contact.normal = (turned ? -1 : 1) * from_bullet(point.m_normalWorldOnB);
-        contact.impulse = static_cast<double>(point.getAppliedImpulse());
-        contact.friction =
-            (turned ? -1 : 1) *
-            (static_cast<double>(point.m_appliedImpulseLateral1) * from_bullet(point.m_lateralFrictionDir1) +
-             static_cast<double>(point.m_appliedImpulseLateral2) * from_bullet(point.m_lateralFrictionDir2));
+        if (awake) tell_impulse(point, turned, contact);
         contacts.push_back(contact);
       }
     }
@@ -234,6 +232,18 @@ class Run {
   }
 
  private:
+  static bool moves(const btCollisionObject& object) {
+    return object.isActive() && !object.isStaticOrKinematicObject();
+  }
+
+  static void tell_impulse(const btManifoldPoint& point, bool turned, core::Contact& contact) {
+    contact.impulse = static_cast<double>(point.getAppliedImpulse());
+    contact.friction =
+        (turned ? -1 : 1) *
+        (static_cast<double>(point.m_appliedImpulseLateral1) * from_bullet(point.m_lateralFrictionDir1) +
+         static_cast<double>(point.m_appliedImpulseLateral2) * from_bullet(point.m_lateralFrictionDir2));
+  }
+
   void add_plane(std::size_t p, const BulletSettings& settings) {
     core::Body ground;
     ground.locked = ground.collide = true;

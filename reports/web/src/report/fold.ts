@@ -62,8 +62,10 @@ class Labels {
   }
 }
 
+// A claim that an engine cannot answer is no refusal where it answers others.
 function join(cell: Cell, verdict: Verdict): void {
-  if (severity(verdict.status) > severity(cell.worst)) cell.worst = verdict.status;
+  const worse = verdict.status !== 'unsupported' && severity(verdict.status) > severity(cell.worst);
+  if (cell.worst === 'unsupported' || worse) cell.worst = verdict.status;
   if (isMeasured(verdict.status)) {
     const won = digits(verdict.measured, verdict.allowed);
     cell.digits = cell.digits === null ? won : Math.min(cell.digits, won);
