@@ -14,9 +14,10 @@ Model ball_on_floor(int n, bool last) {
   model.forces.gravity = {0, Real(-9.81), 0};
   const auto add_ball = [&] { add_sphere(model, 2, 0.4, {0.13, 1.3, 0.21}, {0.7, 0, -0.4}, {1, 2, 3}); };
   if (!last) add_ball();
+  const int half = n / 2;
   for (int x = 0; x < n; ++x)
     for (int z = 0; z < n; ++z)
-      add_box(model, 1, Vector3::Constant(0.5), {Real(x - n / 2), 0, Real(z - n / 2)}, Quaternion::Identity(),
+      add_box(model, 1, Vector3::Constant(0.5), {Real(x - half), 0, Real(z - half)}, Quaternion::Identity(),
               Vector3::Zero(), Vector3::Zero(), true);
   if (last) add_ball();
   return model;

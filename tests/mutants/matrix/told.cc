@@ -46,7 +46,7 @@ Subject subject(const char* name, const char* fault, const std::function<core::S
 
 Subject frozen() { return subject("frozen", "the state of the start for ever", nullptr); }
 
-Subject one_step_late(std::function<core::State(double t)> states) {
+Subject one_step_late(const std::function<core::State(double t)>& states) {
   return subject("one step late", "the state of the step before", states);
 }
 

@@ -11,6 +11,6 @@ namespace cylon::mutants {
 Subject frozen();
 
 /// What `states` says of the sample before; the start at t = 0.
-Subject one_step_late(std::function<core::State(double t)> states);
+Subject one_step_late(const std::function<core::State(double t)>& states);
 
 }  // namespace cylon::mutants
