@@ -216,14 +216,7 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
   }
   if (!outcome.exact) ++inexact_;
 
-  for (std::size_t i = 0; keep_ && i < touches.size(); ++i) {
-    const TouchPoint& touch = touches[i];
-    const Real pressed = touch.normal.dot(outcome.impulse[i]);
-    if (!(pressed > 0)) continue;
-    contacts_.push_back({given(touch.body), given(touch.other), candidates_[touching[i].held.candidate].plane,
-                         touch.position, touch.normal, pressed,
-                         Vector3(outcome.impulse[i] - pressed * touch.normal)});
-  }
+  for (std::size_t i = 0; keep_ && i < touches.size(); ++i) tell(touching[i], outcome.impulse[i]);
 
   // One record per pair that met: its fastest point.
   for (std::size_t i = 0; i < touches.size(); ++i) {
@@ -246,19 +239,47 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
   }
 }
 
-// What lasts at the end of a step.  Where it lasted all of it and nothing happened, its force times the step
-// is its impulse; elsewhere that is not known.
-void EventStepper::note_lasting(Time now, bool undisturbed) {
-  if (held_.empty()) return;
-  const ContactForces lasting = support(now, y_.data());
+// What pressed, and by what impulse [N s] on the first body.
+void EventStepper::tell(const Spot& spot, const Vector3& impulse) {
+  const TouchPoint& touch = spot.touch;
+  const Real pressed = touch.normal.dot(impulse);
+  if (!(pressed > 0)) return;
+  contacts_.push_back({given(touch.body), given(touch.other), candidates_[spot.held.candidate].plane,
+                       touch.position, touch.normal, pressed, Vector3(impulse - pressed * touch.normal)});
+}
+
+// What has lasted until an event: it pressed for a part of the step, and how hard is not known.
+void EventStepper::note_held() {
+  if (!keep_) return;
+  for (const HeldPoint& held : held_) {
+    const TouchPoint touch = touch_of(held, motions());
+    contacts_.push_back({given(touch.body), given(touch.other), candidates_[held.candidate].plane,
+                         touch.position, touch.normal});
+  }
+}
+
+// Of the contacts that are held; none where they do not obey the laws to rounding.
+std::vector<ContactForce> EventStepper::held_forces(Time now) {
+  if (held_.empty()) return {};
+  const std::int64_t work = work_;
+  ContactForces found = support(now, y_.data());
+  work_ = work;  // told or not, a step has the same work
+  return found.exact ? std::move(found.points) : std::vector<ContactForce>{};
+}
+
+// What lasts at the end of a step.  Where it lasted all of it and nothing happened, with the forces `begun`, its
+// impulse is J = (F_begun + F_now) dt/2 + O(dt^3); elsewhere that is not known.
+void EventStepper::note_lasting(Time now, const std::vector<ContactForce>& begun) {
+  const std::vector<ContactForce> lasting = held_forces(now);
+  const bool known = !lasting.empty() && begun.size() == lasting.size();
   for (std::size_t i = 0; i < held_.size(); ++i) {
-    const TouchPoint& touch = touches_[i];
+    const TouchPoint touch = touch_of(held_[i], motions());
     Contact contact{given(touch.body), given(touch.other), candidates_[held_[i].candidate].plane,
                     touch.position, touch.normal};
-    if (undisturbed && lasting.exact) {
-      const ContactForce& point = lasting.points[i];
-      contact.impulse = point.normal * static_cast<Real>(dt_);
-      contact.friction = static_cast<Real>(dt_) * (point.force - point.normal * touch.normal);
+    if (known) {
+      const Vector3 impulse = static_cast<Real>(dt_ / 2) * (begun[i].force + lasting[i].force);
+      contact.impulse = touch.normal.dot(impulse);
+      contact.friction = impulse - *contact.impulse * touch.normal;
     }
     contacts_.push_back(contact);
   }

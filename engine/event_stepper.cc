@@ -138,7 +138,7 @@ void EventStepper::step() {
   impacts_.clear(), contacts_.clear();
   ++steps_;
   if (resting_) {
-    if (keep_) note_lasting(end, true);
+    if (keep_) note_lasting(end, held_forces(end));
     return;
   }
   std::fill(loose_.begin(), loose_.end(), char{0});
@@ -152,6 +152,7 @@ void EventStepper::step() {
     lost_ = false;
     resolve(now);
   }
+  const std::vector<ContactForce> begun = keep_ ? held_forces(now) : std::vector<ContactForce>{};
   // Ends: every round is an event or a piece, each is bounded work (go_on()), and where the events or the
   // operations that are allowed come to an end the rest of the step is a few strides.
   int events = 0, pieces = 0, crawled = 0, strides = 0;
@@ -165,6 +166,7 @@ void EventStepper::step() {
     now = std::min(end, now + after);
     if (now < end && crawls(now)) {
       if (event) resolve(now);
+      note_held();
       const Time to = stride_ < end - now ? now + stride_ : end;
       stride(now, to - now);
       resolve(to);
@@ -186,16 +188,19 @@ void EventStepper::step() {
     idle_ = after > no_time * dt_ ? 0 : idle_ + 1;
     if (events == event_limit / 2) finish_plastically();
     if (idle_ >= idle_limit() && loosen()) idle_ = 0;
+    note_held();
     resolve(now);
   }
   if (pieces < hurried_every / 4) haste_ = std::max<Real>(1, haste_ / 4);
+  const bool undisturbed = events == 0 && strides == 0 && now >= end;
+  if (keep_) note_lasting(end, undisturbed ? begun : std::vector<ContactForce>{});
   if (std::any_of(held_.begin(), held_.end(), [](const HeldPoint& h) { return h.general; })) resolve(end);
-  if (keep_) note_lasting(end, events == 0 && strides == 0 && now >= end);
 }
 
 // The rest of a step whose events are not followed.
 void EventStepper::give_up(Time now, Time end) {
   if (crowded_++ == 0) crowded_since_ = now;
+  note_held();
   const Time part = (end - now) / last_strides;
   for (int k = 0; k < last_strides; ++k) stride(now + k * part, part), close_gaps();
   lost_ = true;

@@ -107,7 +107,10 @@ class EventStepper final : public Stepper, private Holder {
   bool loosen();
   void finish_plastically();
   void wedge();
-  void note_lasting(Time now, bool undisturbed);
+  void tell(const Spot&, const Vector3& impulse);
+  void note_held();
+  std::vector<ContactForce> held_forces(Time now);
+  void note_lasting(Time now, const std::vector<ContactForce>& begun);
   int idle_limit() const;
   void copy(const std::vector<Real>& from, std::vector<Real>& to) const;
   Motion* motions() { return system_.motions(y_.data()); }

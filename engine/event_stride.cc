@@ -25,7 +25,8 @@ void EventStepper::stride(Time from, Time span) {
   Motion* motion = motions();
   std::vector<TouchPoint> touches;
   std::vector<Real> least;  // of u_n+ [m/s]
-  for (const Spot& spot : spots(h)) {
+  const std::vector<Spot> spots = this->spots(h);
+  for (const Spot& spot : spots) {
     const TouchPoint& touch = touches.emplace_back(spot.touch);
     const Real u = gap_rate(touch, bodies, motion);
     const bool bounces = !plastic_ && u < -rest_speed_ && touch.gap + h * u < 0;
@@ -42,8 +43,14 @@ void EventStepper::stride(Time from, Time span) {
     VectorX offset = response.offset(free);
     for (std::size_t i = 0; i < least.size(); ++i) offset[3 * static_cast<Eigen::Index>(i)] -= least[i];
     const CoulombProblem problem = coulomb_problem(response, touches, std::move(offset));
-    apply_impulses(response.rows(), response.multipliers(free, relaxed_force(problem, most_rounds)), bodies,
-                   motion);
+    const VectorX impulses = response.multipliers(free, relaxed_force(problem, most_rounds));
+    apply_impulses(response.rows(), impulses, bodies, motion);
+    for (std::size_t i = 0; keep_ && i < touches.size(); ++i) {
+      Vector3 impulse = Vector3::Zero();
+      for (std::size_t k = 3 * i; k < 3 * i + 3; ++k)
+        impulse += impulses[static_cast<Eigen::Index>(k)] * response.rows()[k].direction;
+      tell(spots[i], impulse);
+    }
     work_ += cube(touches.size(), joints.size());
   }
   held_.clear();
