@@ -348,6 +348,7 @@ void Bodies::drift(Real h, Real* y) {
   const auto is_open = [](const Row& row) { return !(std::abs(row.offset) <= 1000 * row.rounding); };
   if (!closed && std::any_of(reached.rows.begin(), reached.rows.end(), is_open)) ++open_drifts_;
   if (!reads_velocities_) return;  // else the kick must find momenta that the joints allow
+  set_masses(y);
   Motion* motion = open(y);
   gather(motion);
   rows_.project_velocities(model_.bodies, motion);
@@ -360,7 +361,13 @@ std::vector<std::string> Bodies::remarks() const {
           " parts of steps ended with joints that the iteration did not close (SHAKE): the step is too long"};
 }
 
+// Those of the instant of y: the stages of an integrator end elsewhere.
+void Bodies::set_masses(const Real* y) {
+  if (masses_.any()) masses_.set(static_cast<Time>(y[extras_ - 1]), model_.bodies);
+}
+
 void Bodies::project(Real* y) {
+  set_masses(y);
   Motion* motion = open(y);
   project(motion);
   close(motion, y);

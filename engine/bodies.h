@@ -43,6 +43,8 @@ class Bodies {
   void kick(Time, Real h, Real* y);
   void drift(Real h, Real* y);
   void project(Real* y);
+  /// The masses at the instant of a state, which velocities of its momenta need.
+  void set_masses(const Real* y);
   /// For error control: the largest size so far of each component's kind over all bodies.
   void scales(const Real* y, Real* scale);
 

@@ -56,6 +56,11 @@ struct Load {
 /// without inertia (a thin rod's own) the body does not turn.
 Body make_body(Real mass, const Matrix3& inertia, bool locked = false);
 
+/// m a of the reference point under a load [N]: K' = F and K = m v, so m a = F - m' v.
+inline Vector3 accelerating(const Body& body, const Kinematics& k, const Load& load) {
+  return body.mass_rate == 0 ? load.force : Vector3(load.force - body.mass_rate * k.velocity);
+}
+
 /// Bodies from this one on are locked.
 inline std::size_t movable_end(const std::vector<Body>& bodies) {
   std::size_t end = bodies.size();

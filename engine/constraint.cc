@@ -71,11 +71,12 @@ void Rows::solve() {
 void Rows::constrain_accelerations(const std::vector<Body>& bodies, const Motion* motion,
                                    const Kinematics* kinematics, Load* load) {
   measure(bodies, motion);
-  // a = F/m,  s.alpha = (I^-1 s).(torque - w x L)
+  // a = (F - m' v)/m,  s.alpha = (I^-1 s).(torque - w x L)
   const auto acceleration = [&](int body, const Vector3& direction, const Vector3& spin) {
     const std::size_t i = at(body);
     const Vector3 gyroscopic = kinematics[i].angular_velocity.cross(motion[i].angular_momentum);
-    return bodies[i].inverse_mass * direction.dot(load[i].force) + spin.dot(load[i].torque - gyroscopic);
+    const Vector3 force = accelerating(bodies[i], kinematics[i], load[i]);
+    return bodies[i].inverse_mass * direction.dot(force) + spin.dot(load[i].torque - gyroscopic);
   };
   for (Row& row : rows) {
     row.residual = row.bias + acceleration(row.body, row.direction, row.spin);

@@ -152,6 +152,7 @@ bool EventStepper::inside_surface(const TouchPoint& touch) const {
 void EventStepper::resolve(Time now) {
   resting_ = false;
   fresh_ = instant_ = true;
+  system_.set_masses(y_.data());
   std::vector<Spot> touching = spots();
   if (touching.empty()) {
     held_.clear();
@@ -185,7 +186,8 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
     const auto side = [&](int body, const Vector3& spin) {
       const std::size_t i = index(body);
       const Vector3 gyroscopic = system_.kinematics()[i].angular_velocity.cross(motion[i].angular_momentum);
-      return bodies[i].inverse_mass * rows[0].direction.dot(system_.loads()[i].force) +
+      const Vector3 force = accelerating(bodies[i], system_.kinematics()[i], system_.loads()[i]);
+      return bodies[i].inverse_mass * rows[0].direction.dot(force) +
              spin.dot(system_.loads()[i].torque - gyroscopic);
     };
     Real parting = touch.curvature + side(touch.body, rows[0].spin);

@@ -40,6 +40,7 @@ class ScaledBodies {
   void kick(Time t, Real h, Real* y) { bodies_.kick(t, h, y); }
   void drift(Real h, Real* y) { bodies_.drift(h, y); }
   void project(Real* y) { bodies_.project(y); }
+  void set_masses(const Real* y) { bodies_.set_masses(y); }
   void scales(const Real* y, Real* scale) const;
 
  private:

@@ -12,11 +12,12 @@ namespace {
 
 constexpr Real ulp = std::numeric_limits<Real>::epsilon();
 
-// c'' of a row under the loads alone.  a = F/m,  s.alpha = (I^-1 s).(torque - w x L)
+// c'' of a row under the loads alone.  a = (F - m' v)/m,  s.alpha = (I^-1 s).(torque - w x L)
 Real free_acceleration(const Row& row, const Instant& now) {
   const auto side = [&](int body, const Vector3& spin) {
     const std::size_t i = index(body);
-    Real sum = now.bodies[i].inverse_mass * row.direction.dot(now.loads[i].force);
+    const Vector3 force = accelerating(now.bodies[i], now.kinematics[i], now.loads[i]);
+    Real sum = now.bodies[i].inverse_mass * row.direction.dot(force);
     if (rotates(now.bodies[i])) {
       const Vector3 gyroscopic = now.kinematics[i].angular_velocity.cross(now.motion[i].angular_momentum);
       sum += spin.dot(now.loads[i].torque - gyroscopic);
