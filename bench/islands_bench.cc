@@ -1,4 +1,4 @@
-// What a scene costs beside the sum of its parts: a spinning top, a brick, a bob on a spring, a bouncing ball
+// What locked bodies cost, and what a scene costs beside the sum of its parts: a spinning top, a brick, a bob on a spring, a bouncing ball
 // and a stack of five boxes, each alone and all together 50 m and more apart.  It prints whether all
 // motions at the end have the bits that they have alone.  Cost: thread CPU time of setting
 // up and 2 s in steps of 1 ms, the smallest of `repeats`, parts and whole in turn.
@@ -92,6 +92,31 @@ void run(const Model& model, Ran& ran) {
   ran.end = world.motions();
 }
 
+// A ball that falls on a floor of n x n locked cubes with flush tops, bounces and rolls.
+Model ball_on_cubes(int n) {
+  Model model = scene();
+  model.planes.clear(), model.plane_surfaces.clear();
+  model.materials = {{Real(0.3), Real(0.5)}};
+  for (int x = 0; x < n; ++x)
+    for (int z = 0; z < n; ++z)
+      add(model, make_body(1, Matrix3::Identity() / 6, true), {Real(x), 0, Real(z)}, {0, 0, 0}, {0, 0, 0},
+          Quaternion::Identity(), Box{Vector3::Constant(Real(0.5))});
+  const int middle = n / 2;
+  add(model, make_body(1, Matrix3::Identity() * Real(0.4 * 0.3 * 0.3)), {Real(middle), 2, Real(middle)},
+      {1, 0, Real(0.3)}, {0, 0, 0}, Quaternion::Identity(), Sphere{Real(0.3)});
+  return model;
+}
+
+void print_locked() {
+  for (const int n : {5, 30}) {
+    Ran ran;
+    const Model model = ball_on_cubes(n);
+    for (int r = 0; r < repeats; ++r) run(model, ran);
+    fmt::print("a ball on {:>3} locked cubes: {:.3f} s for {} steps{}\n", n * n, ran.cpu, steps,
+               n == 30 ? (ran.cpu <= 0.05 ? ", target 0.05: met" : ", target 0.05: NOT MET") : "");
+  }
+}
+
 int compare() {
   std::vector<Model> alone;
   Model whole = scene();
@@ -126,4 +151,7 @@ int compare() {
 }  // namespace
 }  // namespace cylon::bench
 
-int main() { return cylon::bench::compare(); }
+int main() {
+  cylon::bench::print_locked();
+  return cylon::bench::compare();
+}

@@ -2,17 +2,15 @@
 
 #include "engine/free_rotation.h"
 #include "engine/joint.h"
-#include "engine/pile/rest.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <sstream>
 
 namespace cylon::engine::pile {
 namespace {
 
-constexpr int most_parts = 16, separations = 4, awake = -1;
+constexpr int most_parts = 16, separations = 4;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -278,153 +276,6 @@ bool BodyPile::takes(const Block& block) const {
   if (taken_.empty()) return true;
   const std::size_t mover = index(model_.bodies[index(block.a)].locked ? block.b : block.a);
   return taken_[mover] != 0;
-}
-
-// More blocks than are always solved to rounding are solved group by group.  Bodies of different groups must
-// not act on each other, as groups move in parts of the step of their own; what keeps momenta in isolated
-// scenes takes all bodies in the same parts.
-void BodyPile::divide(Real span) {
-  groups_.clear(), crowds_.clear(), resting_.clear(), swept_ = {};
-  divided_ = static_cast<int>(blocks_.size()) > settings_.exact_points && !isolated_ && !paired_;
-  if (!divided_) {  // who rests is not asked, and may move
-    std::fill(rest_.begin(), rest_.end(), awake);
-    std::fill(still_.begin(), still_.end(), 0);
-    return;
-  }
-  std::vector<Group> found = find_groups(blocks_, movers_);
-  const auto is_small = [&](const Group& group) {
-    return static_cast<int>(group.blocks.size()) <= settings_.exact_points;
-  };
-  int small = 0;
-  for (const Group& group : found)
-    if (is_small(group) && !rests(group)) small += static_cast<int>(group.blocks.size());
-  const bool few = small <= settings_.exact_total;
-  for (Group& group : found) {
-    if (rests(group)) {
-      resting_.push_back(std::move(group));
-      continue;
-    }
-    for (const int body : group.bodies) rest_[index(body)] = awake;
-    if (!(few && is_small(group)) && is_crowd(group) && !bounces(group, span)) {
-      crowds_.push_back(std::move(group));
-    } else if (static_cast<int>(group.blocks.size()) <= settings_.direct_points) {
-      groups_.push_back(std::move(group));
-    } else {
-      swept_.bodies.insert(swept_.bodies.end(), group.bodies.begin(), group.bodies.end());
-      swept_.blocks.insert(swept_.blocks.end(), group.blocks.begin(), group.blocks.end());
-    }
-  }
-  std::sort(swept_.bodies.begin(), swept_.bodies.end());
-  swept_.bodies.erase(std::unique(swept_.bodies.begin(), swept_.bodies.end()), swept_.bodies.end());
-  std::sort(swept_.blocks.begin(), swept_.blocks.end());
-}
-
-// Blocks of joints come last.
-bool BodyPile::is_crowd(const Group& group) const {
-  return !other_forces_ && !masses_.any() && blocks_[index(group.blocks.back())].kind == Block::Kind::contact;
-}
-
-// Whether a pair with restitution meets within two steps, faster than what gravity gives in one: a crowd does
-// not bounce, and brakes what would cross in the next step.
-bool BodyPile::bounces(const Group& group, Real span) const {
-  const Real fall = model_.forces.gravity.norm() * span;
-  return std::any_of(group.blocks.begin(), group.blocks.end(), [&](int k) {
-    const Block& block = blocks_[index(k)];
-    const Real u = block.normal.dot(relative_velocity(block, movers_));
-    return block.restitution > 0 && u < -fall && block.gap + 2 * (u - fall) * span <= 0;
-  });
-}
-
-// A group that nothing has joined or left since it came to rest, and on which only gravity acts, stays at rest.
-bool BodyPile::rests(const Group& group) const {
-  return is_crowd(group) && std::all_of(group.bodies.begin(), group.bodies.end(), [&](int body) {
-           const Motion& motion = motions_[index(body)];
-           return model_.bodies[index(body)].locked ||
-                  (rest_[index(body)] == static_cast<int>(group.blocks.size()) && motion.momentum.isZero(0) &&
-                   motion.angular_momentum.isZero(0));
-         });
-}
-
-bool BodyPile::is_on_edge(int body, const Group& group) const {
-  const Shape& shape = model_.shapes[index(body)];
-  const bool round = std::holds_alternative<Sphere>(shape) || std::holds_alternative<Capsule>(shape);
-  return !round && !model_.bodies[index(body)].locked &&
-         stands_on_a_line(body, group, blocks_, bounding_radius(shape));
-}
-
-// Groups that hardly move before and after a step: what is left of their velocities is the solver's.  A body
-// that turns back hardly moves only once.
-void BodyPile::lay_to_rest(Real span) {
-  constexpr Real part = std::max(Real(1) / (1 << 20), 16 * std::numeric_limits<Real>::epsilon());
-  const Real speed = part * model_.forces.gravity.norm() * span;
-  const auto look = [&](const Group& group) {
-    const auto was_still = [&](int body) { return model_.bodies[index(body)].locked || still_[index(body)]; };
-    const bool now = is_crowd(group) && is_slow(group, speed);
-    const bool rest = now && std::all_of(group.bodies.begin(), group.bodies.end(), was_still) &&
-                      std::none_of(group.bodies.begin(), group.bodies.end(),
-                                   [&](int body) { return is_on_edge(body, group); });
-    for (const int body : group.bodies) {
-      still_[index(body)] = now;
-      if (!rest || model_.bodies[index(body)].locked) continue;
-      rest_[index(body)] = static_cast<int>(group.blocks.size());
-      motions_[index(body)].momentum.setZero(), motions_[index(body)].angular_momentum.setZero();
-      movers_[index(body)].v.setZero(), movers_[index(body)].w.setZero();
-    }
-  };
-  for (std::size_t k = 0; k < groups_.size(); ++k)
-    if (k >= corrected_ || !displaced_[k]) look(groups_[k]);
-  for (const Group& group : crowds_) look(group);
-}
-
-// By sweeps; where a group is at rest and they do not hold it, it is left to the direct solution, whose
-// impulses sweeps then keep.
-void BodyPile::move_crowds(Time now, Time span) {
-  const Real h = static_cast<Real>(span), fall = model_.forces.gravity.norm() * h;
-  const int parts = (7 * settings_.substeps + 9) / 10;  // two sweeps each
-  const Crowd::Step step = {model_.forces.gravity, h, parts, settings_.slop * found_.smallest() / 2};
-  std::erase_if(crowds_, [&](Group& group) {
-    const bool may_be_exact =
-        static_cast<int>(group.blocks.size()) <= settings_.direct_points && is_slow(group, fall / 1024);
-    if (may_be_exact) {
-      kept_.clear(), kept_impulses_.clear();
-      for (const int body : group.bodies) kept_.push_back(motions_[index(body)]);
-      for (const int k : group.blocks) kept_impulses_.push_back(blocks_[index(k)].impulse);
-    }
-    const std::size_t impacts = impacts_.size();
-    meet(group, now, h);
-    crowd_.advance(group, step, model_.bodies, movers_, blocks_, motions_, keep_ ? &pressed_ : nullptr);
-    if (!may_be_exact || !(crowd_.residual() > fall / 1024)) {
-      swept_to_ = std::max(swept_to_, static_cast<double>(crowd_.residual()));
-      return false;
-    }
-    impacts_.resize(impacts);
-    for (std::size_t i = 0; i < group.bodies.size(); ++i) motions_[index(group.bodies[i])] = kept_[i];
-    for (std::size_t i = 0; i < group.blocks.size(); ++i) {
-      blocks_[index(group.blocks[i])].impulse = kept_impulses_[i];
-      if (keep_) pressed_[index(group.blocks[i])].setZero();
-    }
-    groups_.push_back(std::move(group));
-    return true;
-  });
-}
-
-bool BodyPile::is_slow(const Group& group, Real speed) const {
-  return std::all_of(group.bodies.begin(), group.bodies.end(), [&](int body) {
-    const Mover& m = movers_[index(body)];
-    return m.v.norm() + bounding_radius(model_.shapes[index(body)]) * m.w.norm() <= speed;
-  });
-}
-
-// Which blocks meet within the step, for bounces and events: as set_targets.
-void BodyPile::meet(const Group& group, Time now, Real h) {
-  const Real slow = 4 * model_.forces.gravity.norm() * h + std::numeric_limits<Real>::min();
-  for (const int k : group.blocks) {
-    Block& block = blocks_[index(k)];
-    const Real u = block.normal.dot(relative_velocity(block, movers_));
-    const bool meets = u < 0 && block.gap + u * h <= 0;
-    block.impact = meets && -u > slow;
-    if (block.impact) note_impact(index(k), now, block.gap, -u);
-  }
 }
 
 void BodyPile::pass(Time now, Time span, bool direct) {

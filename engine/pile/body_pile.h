@@ -28,6 +28,7 @@ class BodyPile : public Stepper {
   double residual() const { return residual_; }
 
  private:
+  static constexpr int awake = -1;  // of rest_
   int parts_of_step() const;
   void advance_part(Time now, Time span);
   void divide(Real span);
