@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <stdexcept>
 
@@ -298,6 +299,13 @@ Measured measure(const Claim& claim, const Scene& scene, std::span<const Recordi
   if (claim.observable.quantity == Quantity::event) {
     measure_event(claim, scene, recordings.front(), result);
     return result;
+  }
+  if (of_last_step(claim.observable.quantity)) {
+    if (const auto what = untold(claim.observable, scene, recordings.front())) {
+      result.unanswered = true, result.detail = *what;
+      result.value = std::numeric_limits<double>::quiet_NaN();
+      return result;
+    }
   }
   result.value = reduce(claim.reduction, first.series);
   if (claim.at_least)

@@ -41,6 +41,8 @@ struct Measured {
   double allowed = 0;
   std::string detail;   ///< What the number alone does not say: a missing event, a lost order.
   bool broken = false;  ///< `detail` is a failure, whatever the number.
+  bool unanswered =
+      false;  ///< The engine does not tell what is asked; `detail` says what.  There is no number.
 };
 
 /// The step of the first recorded state with a number that is not finite; nothing where all are.

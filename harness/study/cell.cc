@@ -1,6 +1,5 @@
 #include "harness/study/cell.h"
 
-#include "harness/core/contact_balance.h"
 #include "harness/core/event_find.h"
 #include "harness/core/input_error.h"
 #include "harness/core/worst.h"
@@ -55,7 +54,9 @@ void add_detail(Verdict& row, const std::string& sentence) {
 Verdict blank(const Cell& cell, const Claim& claim, const Sampling& plan,
               const scenario::Expectations& expectations) {
   Verdict row = open_row(cell, claim.label, expectations);
-  row.sampling = claim.sample && *claim.sample > 0 ? fmt::format("every {} s", *claim.sample) : plan.text;
+  row.sampling = core::of_last_step(claim.observable.quantity) ? "the last step"
+                 : claim.sample && *claim.sample > 0           ? fmt::format("every {} s", *claim.sample)
+                                                               : plan.text;
   row.observable = core::name(claim.observable.quantity);
   row.unit = core::unit(claim);
   row.tolerance_scale = cell.tolerance_scale;
@@ -79,11 +80,7 @@ void judge(Verdict& row, const Claim& claim, const Cell& cell, std::span<const c
   const bool nothing_passes = cell.tolerance_scale == 0;  // a residual of zero neither
   if ((measured.broken || nothing_passes) && row.status != results::Status::non_finite)
     row.status = results::Status::fail;
-  if (core::of_last_step(claim.observable.quantity)) {
-    if (const auto what = core::untold(claim.observable, scenario.scene, recordings.front()))
-      row.status = results::Status::unsupported, row.measured = std::numeric_limits<double>::quiet_NaN(),
-      add_detail(row, *what);
-  }
+  if (measured.unanswered) row.status = results::Status::unsupported;
   // A run that broke within the claim's horizon proves nothing, whatever the claim reads of its states.
   if (!first_bad_step || static_cast<double>(*first_bad_step) * row.dt > claim.until) return;
   row.status = results::Status::non_finite;

@@ -1,5 +1,6 @@
 #include "harness/study/profile.h"
 
+#include "harness/core/contact_balance.h"
 #include "harness/core/measure.h"
 #include "harness/core/scale.h"
 #include "harness/study/paired_times.h"
@@ -77,6 +78,7 @@ ClaimProfile profile_of(const Claim& claim, const Scenario& scenario, std::span<
       core::measure(claim, scenario.scene, recordings.first(needed), scenario.duration, reading).value;
   result.floor = floor_of(claim, scenario, recording);
   if (recordings.size() < 2 || is_event(claim) || claim.at_least ||
+      core::of_last_step(claim.observable.quantity) ||
       core::controls_its_error(recording.engine, recording.terms))
     return result;
   const double coarse = largest(reading.series);
@@ -123,6 +125,9 @@ Profile profile(const Scenario& scenario, const process::EngineChoice& engine, d
   result.facts = exact_facts(recordings.front());
   const bool chaotic = std::find(scenario.tags.begin(), scenario.tags.end(), "chaos") != scenario.tags.end();
   for (const Claim& claim : scenario.claims) {
+    if (core::of_last_step(claim.observable.quantity) &&
+        core::untold(claim.observable, scenario.scene, recordings.front()))
+      continue;  // a balance without forces has no error
     ClaimProfile row = profile_of(claim, scenario, recordings);
     if (chaotic) row.floor += chaos(claim, scenario, engine, plan, recordings.front(), limits);
     row.floor = reduced(row.floor, claim, row.error, scenario.duration);

@@ -41,11 +41,12 @@ class Command:
     def prepare(self):
         """What all trials need."""
 
-    def lost(self, _here, _before):
-        return ""
-
     def kept(self, _here):
-        return None
+        """What a kill must leave."""
+
+    def lost(self, _here, _before):
+        """What is wrong after a kill, or ""."""
+        return ""
 
 
 def journal_lines(file):
@@ -65,7 +66,7 @@ class Run(Command):
         return journal_lines(here / self.journal)
 
     def lost(self, here, before):
-        now = set(self.kept(here))
+        now = set(journal_lines(here / self.journal))
         return "" if all(line in now for line in before) else "a line of the journal is lost"
 
     def facts(self, here):
@@ -116,7 +117,9 @@ class Record(Command):
 
 
 class Import(Record):
-    """All of a file or nothing: after a kill the same import again gives the same store."""
+    """All of a file or nothing; and after a kill the same import again gives the same store."""
+
+    runs = 400
 
     def __init__(self, cylon, folder):
         super().__init__(cylon, folder)
@@ -131,7 +134,7 @@ class Import(Record):
         lines = [head, *(line for line in rest if '"cell": {"hash"' in line and '"result"' not in line)]
         of_run = [line for line in rest if line not in lines]
         uid = next(json.loads(line)["run"]["uid"] for line in of_run if '"run": {' in line)
-        for n in range(400):
+        for n in range(self.runs):
             lines += [line.replace(uid, f"{n:08x}{uid[8:]}") for line in of_run]
         (self.folder / "many.jsonl").write_text("\n".join(lines) + "\n")
 
@@ -140,6 +143,10 @@ class Import(Record):
 
     def complete(self, here):
         return False
+
+    def lost(self, here, _before):
+        runs = sum("run" in line for line in self.exported(here))
+        return "" if runs in (0, self.runs) else f"{runs} of {self.runs} runs were imported"
 
 
 COMMANDS = {"run": Run, "trade": Trade, "record": Record, "import": Import}
@@ -159,7 +166,7 @@ def trial(command, here, rng, seconds, expected):
         child.kill()
         child.wait()
         child.stderr.close()
-        if before and (why := command.lost(here, before)):
+        if why := command.lost(here, before):
             return why, kills
     words = command.words(here)
     if words is not None:
@@ -168,6 +175,21 @@ def trial(command, here, rng, seconds, expected):
         if child.returncode not in (0, 1):
             return f"exit code {child.returncode} in the end: {said[:300]!r}", kills
     return ("" if command.facts(here) == expected else "another output in the end"), kills
+
+
+def control(cylon):
+    """What a trial must find: a journal that lost a line, a store that has a part of a file, and another output."""
+    with tempfile.TemporaryDirectory(prefix="cylon-kills-") as name:
+        here = pathlib.Path(name)
+        os.environ["CYLON_KEY"] = str(here / "key")
+        run, stored = Run(cylon, here), Import(cylon, here)
+        run.start(run.first, here).communicate()
+        whole, facts = run.kept(here), run.facts(here)
+        (here / Run.journal).write_bytes(b"\n".join(whole[:-1]) + b"\n")
+        stored.start(Record.first, here).communicate()
+        with tempfile.TemporaryDirectory(dir=here) as other:
+            another = trial(run, pathlib.Path(other), random.Random(1), 0.01, facts[1:])[0]
+        return bool(run.lost(here, whole) and stored.lost(here, None) and another)
 
 
 def campaign(name, cylon, seed, wanted, add):
@@ -205,6 +227,8 @@ def main():
         more = trials < options.sample if options.sample else counted.get(name, "tried") < kills
         return trials if more else None
 
+    if not control(os.path.abspath(options.cylon)):
+        sys.exit("the control was not found: what is lost would not be seen")
     # In turns of fifty kills, so that a campaign that is stopped has asked all commands alike.
     for kills in range(50, options.kills + 50, 50):
         for name in options.commands or COMMANDS:

@@ -168,7 +168,7 @@ void expect_same_verdicts(const Scenario& scenario, const ShippedRun& run, const
     const Claim& claim = other.claims[i];
     if (core::runs_needed(claim) > 1) continue;  // one recording is at hand
     const core::Measured m = core::measure(claim, other.scene, {&recording, 1}, other.duration);
-    const results::Status status = status_of(claim, other.scene, recording, m);
+    const results::Status status = status_of(m);
     EXPECT_EQ(results::name(status), results::name(run.findings[i].status))
         << d.name << ", " << claim.label << ": " << m.value << " of " << m.allowed << ", was "
         << run.findings[i].measured << " of " << run.findings[i].allowed;

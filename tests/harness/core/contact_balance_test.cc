@@ -1,5 +1,6 @@
 // The balance of a body on an incline, against forces that follow from Newton's law by hand.
 #include "harness/core/contact_balance.h"
+#include "harness/core/measure.h"
 
 #include <gtest/gtest.h>
 
@@ -133,6 +134,16 @@ TEST(ContactBalance, NeedsWhatTheEngineTells) {
     row.change(run);
     EXPECT_TRUE(untold(force, scene(), run)) << row.name;
   }
+  Claim claim;
+  claim.observable = force, claim.tolerance.absolute = 1e-9;
+  const Recording told = recording();
+  EXPECT_FALSE(measure(claim, scene(), {&told, 1}, 7 * dt).unanswered);
+  Recording silent = recording();
+  silent.contacts.reset();
+  const Measured measured = measure(claim, scene(), {&silent, 1}, 7 * dt);
+  EXPECT_TRUE(measured.unanswered) << "neither passed nor failed";
+  EXPECT_EQ(measured.detail, "the engine tells no contact forces");
+  EXPECT_TRUE(std::isnan(measured.value));
   Scene smooth = scene();
   smooth.materials.front().friction = 0;
   Recording run = recording();

@@ -1,6 +1,5 @@
 #include "tests/mutants/matrix/shipped.h"
 
-#include "harness/core/contact_balance.h"
 #include "harness/core/measure.h"
 #include "harness/core/recording.h"
 #include "harness/core/size.h"
@@ -57,11 +56,10 @@ bool ShippedRun::passes() const {
                      [](const ShippedFinding& f) { return f.status == results::Status::pass; });
 }
 
-results::Status status_of(const core::Claim& claim, const core::Scene& scene,
-                          const core::Recording& recording, const core::Measured& m) {
-  if (core::of_last_step(claim.observable.quantity) && core::untold(claim.observable, scene, recording))
-    return results::Status::unsupported;
-  return m.broken ? results::Status::fail : results::judge(m.value, m.allowed);
+results::Status status_of(const core::Measured& m) {
+  return m.unanswered ? results::Status::unsupported
+         : m.broken   ? results::Status::fail
+                      : results::judge(m.value, m.allowed);
 }
 
 std::optional<ShippedRun> run_shipped(const scenario::Scenario& scenario, const Subject& subject) {
@@ -79,7 +77,7 @@ std::optional<ShippedRun> run_shipped(const scenario::Scenario& scenario, const 
   ShippedRun result;
   for (const core::Claim& claim : scenario.claims) {
     const core::Measured m = core::measure(claim, scenario.scene, recordings, scenario.duration);
-    const results::Status status = status_of(claim, scenario.scene, recordings.front(), m);
+    const results::Status status = status_of(m);
     result.findings.push_back({claim.label, status, m.value, m.allowed});
   }
   result.recording = std::move(recordings.front());

@@ -31,8 +31,7 @@ struct ShippedRun {
 };
 
 /// Of what one run makes of a claim, as a cell of `cylon run` has it.
-results::Status status_of(const core::Claim&, const core::Scene&, const core::Recording&,
-                          const core::Measured&);
+results::Status status_of(const core::Measured&);
 
 /// Nothing where the simulator cannot express the scene.
 std::optional<ShippedRun> run_shipped(const scenario::Scenario&, const Subject&);
