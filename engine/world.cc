@@ -141,6 +141,7 @@ std::vector<std::size_t> World::movable(const std::vector<int>& bodies) const {
 void World::step() {
   if (watches())
     for (const std::size_t i : movable_) before_[i] = motions_[i];
+  if (keeps_reactions()) last_ = motions();
   for (Island& island : islands_) island.run->step();
   ++steps_;
   take();
@@ -148,7 +149,7 @@ void World::step() {
 }
 
 void World::advance(std::int64_t n) {
-  if (watches()) {
+  if (watches() || keeps_reactions()) {
     for (; n > 0; --n) step();
     return;
   }
@@ -159,7 +160,15 @@ void World::advance(std::int64_t n) {
 
 void World::keep_contacts(bool keep) {
   keep_contacts_ = keep;
+  last_.clear();
   for (Island& island : islands_) island.run->keep_contacts(keep);
+}
+
+std::optional<std::vector<Reaction>> World::reactions() const {
+  if (model_->joints.empty()) return std::vector<Reaction>();
+  if (last_.empty()) return std::nullopt;
+  const Time before = static_cast<Time>(steps_ - 1) * options_.dt;
+  return engine::reactions(*model_, {before, &last_}, {time(), &motions()}, contacts_);
 }
 
 // Motions, impacts and contacts of all islands, by the numbers of the whole model.

@@ -3,6 +3,7 @@
 
 #include "engine/changing_masses.h"
 #include "engine/islands/islands.h"
+#include "engine/reactions.h"
 #include "engine/run.h"
 
 #include <cstdint>
@@ -53,11 +54,15 @@ class World {
   /// The impacts of the last step, in order of time.
   const std::vector<Impact>& impacts() const { return impacts_; }
 
-  /// Whether contacts() is wanted of the steps to come; the motion is the same.
+  /// Whether contacts() and reactions() are wanted of the steps to come; the motion is the same.
   void keep_contacts(bool keep);
 
   /// The contacts of the last step, if it was made with contacts kept.
   const std::vector<Contact>& contacts() const { return contacts_; }
+
+  /// What the joints did in the last step, if it was made with contacts kept; else, and where contacts of it
+  /// do not tell their impulses, nothing.
+  std::optional<std::vector<Reaction>> reactions() const;
 
   /// The work done by each force since t = 0 [J], gravity first, in the order of Forces; null where not
   /// accounted.
@@ -82,6 +87,7 @@ class World {
   std::vector<std::size_t> movable(const std::vector<int>& bodies) const;
   static bool is_whole(const Island& island) { return island.clusters.empty(); }
   bool whole() const { return is_whole(islands_.front()); }
+  bool keeps_reactions() const { return keep_contacts_ && !model_->joints.empty(); }
   bool watches() const { return interactions_ && interactions_->may_meet(); }
   void divide();
   bool add_flight(const std::vector<std::size_t>& clusters);
@@ -126,6 +132,7 @@ class World {
   std::vector<Contact> contacts_;
   std::int64_t steps_ = 0;
   bool keep_contacts_ = false;
+  std::vector<Motion> last_;  // at the start of the last step, where contacts are kept and joints hold
 };
 
 }  // namespace cylon::engine

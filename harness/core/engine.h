@@ -113,4 +113,12 @@ struct Contact {
       friction;  ///< On pair.body, across the normal, over the step, world axes [N s]; absent: not told.
 };
 
+/// What a joint did to `Joint::body` during a step, world axes; to `Joint::to` the opposite, at the same point.
+struct Reaction {
+  std::size_t joint = 0;              ///< Index in Scene::joints.
+  Vector3 point = Vector3::Zero();    ///< Where the impulse acts [m].
+  Vector3 impulse = Vector3::Zero();  ///< Of the force, over the step [N s].
+  Vector3 moment = Vector3::Zero();   ///< Of the torque beside that of the impulse, over the step [N m s].
+};
+
 }  // namespace cylon::core

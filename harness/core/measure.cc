@@ -1,8 +1,8 @@
 #include "harness/core/measure.h"
 
-#include "harness/core/contact_balance.h"
 #include "harness/core/event_find.h"
 #include "harness/core/event_rows.h"
+#include "harness/core/force_balance.h"
 #include "harness/core/scale.h"
 #include "harness/core/worst.h"
 
@@ -234,7 +234,7 @@ Series deviation(const Claim& claim, const Scene& scene, const Recording& record
   require_truth(claim);
   if (of_last_step(claim.observable.quantity))
     return {{recording.time(recording.steps.size() - 1)},
-            {contact_imbalance(claim.observable, scene, recording)}};
+            {force_imbalance(claim.observable, scene, recording)}};
   Series series;
   const Chosen chosen(claim, recording.dt, recording.steps.empty() ? 0 : recording.steps.back());
   Values start, want, got;

@@ -24,7 +24,7 @@ enum class Quantity {
   normal_gap,         ///< min(0, gap) of each touching pair: 0 while apart, minus the depth inside [m].
   joint_gap,          ///< Distance between the two anchors of each joint, less its length [m].
   angular_joint_gap,  ///< Angle by which each joint's bodies are turned as it forbids [rad].
-  momentum_balance,   ///< Of each body over the last step: contact_balance.h [N].
+  momentum_balance,   ///< Of each body over the last step: force_balance.h [N].
   angular_momentum_balance,  ///< The same of its spin [N m].
   event                      ///< A number of one event: event.h.
 };

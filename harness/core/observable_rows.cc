@@ -1,7 +1,7 @@
 #include "harness/core/observable_rows.h"
 
-#include "harness/core/contact_balance.h"
 #include "harness/core/event_signal.h"
+#include "harness/core/force_balance.h"
 #include "harness/core/force_law.h"
 #include "harness/core/held_joint.h"
 #include "harness/core/near_pairs.h"
@@ -311,7 +311,7 @@ double angular_joint_gap_error(const Observable&, const Scene&, const State&, co
   return 2 * e.orientation;
 }
 
-// ---- Events and balances are not of one state: event_rows.h, contact_balance.h ------------------
+// ---- Events and balances are not of one state: event_rows.h, force_balance.h ------------------
 
 void no_values(const Observable&, const Scene&, const State&, Values&) {}
 

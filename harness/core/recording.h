@@ -27,7 +27,8 @@ struct Recording {
   std::vector<std::int64_t> steps;  ///< Ascending, from 0.
   std::vector<State> states;        ///< One per step kept.
   std::vector<Event> events;
-  std::optional<std::vector<Contact>> contacts;  ///< Of the last step; absent: not asked for, or not told.
+  std::optional<std::vector<Contact>> contacts;    ///< Of the last step; absent: not asked for, or not told.
+  std::optional<std::vector<Reaction>> reactions;  ///< Of the joints, likewise.
   Engine engine;                     ///< Who ran it: name, version, precision, and the integrator that ran.
   Terms terms;                       ///< With what settings.
   double cpu_seconds = 0;            ///< Thread CPU time of the steps alone.

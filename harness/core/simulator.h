@@ -49,13 +49,17 @@ class Simulator {
   /// best that was reached.  Empty: nothing.
   virtual std::vector<std::string> remarks() const { return {}; }
 
-  /// Whether contacts() will be asked for after the next step; some engines must know before it.  Changes
-  /// nothing in the motion.
+  /// Whether contacts() and reactions() will be asked for after the next step; some engines must know before
+  /// it.  Changes nothing in the motion.
   virtual void keep_contacts(bool) {}
 
   /// Where surfaces pressed on each other in the last step, which began with contacts kept.  Empty: nowhere,
   /// or the engine does not tell.
   virtual std::vector<Contact> contacts() const { return {}; }
+
+  /// What each joint that can move did in the last step, which began with contacts kept; absent: the engine
+  /// does not tell.
+  virtual std::optional<std::vector<Reaction>> reactions() const { return std::nullopt; }
 };
 
 /// The engine build that is linked into this executable; each sim_* library defines it once.

@@ -7,6 +7,7 @@
 #include "harness/process/messages.h"
 #include "harness/process/opening.h"
 #include "harness/process/read_back.h"
+#include "harness/process/run_messages.h"
 
 #include <fmt/format.h>
 
@@ -121,7 +122,9 @@ class Recorder {
         add(event_from_json(answer));
       } else if (answer.contains("contacts")) {
         if (!asked_.contacts) broken("contacts that were not asked for");
-        recording_.contacts = contacts_from_json(answer, scene_.bodies.size(), scene_.planes.size());
+        ConstraintForces told = constraint_forces_from_json(answer, scene_);
+        recording_.contacts = std::move(told.contacts);
+        recording_.reactions = std::move(told.reactions);
       } else if (const auto reason = text_of(answer, "error")) {
         throw Failure(results::Status::crash, fmt::format("stopped after step {}: {}", last_, *reason));
       } else {

@@ -4,6 +4,7 @@
 #include "harness/process/opening.h"
 #include "harness/process/read_back.h"
 #include "harness/process/resume.h"
+#include "harness/process/run_messages.h"
 
 #include <fmt/format.h>
 
@@ -91,7 +92,7 @@ Piece LiveRun::run(std::int64_t n, bool resume) {
     const json& answer = std::get<json>(message);
     if (answer.contains("contacts")) {
       if (!asked.contacts) broken("contacts that were not asked for");
-      piece.contacts = contacts_from_json(answer, scene_.bodies.size(), scene_.planes.size());
+      piece.contacts = constraint_forces_from_json(answer, scene_).contacts;
     } else if (const auto reason = text_of(answer, "error")) {
       throw Failure(results::Status::crash, "gave up: " + *reason);
     } else {

@@ -29,31 +29,6 @@ core::Setup setup_from_json(const nlohmann::json& load_request);
 nlohmann::json terms_json(const core::Terms&);
 core::Terms terms_from_json(const nlohmann::json&);
 
-/// Which steps to record, and which pairs to watch.
-struct Run {
-  std::int64_t steps = 0;        ///< >= 0
-  std::int64_t every = 1;        ///< >= 1
-  std::vector<std::int64_t> at;  ///< Ascending, in 1..steps.
-  std::vector<core::Pair> watch;
-  bool resume = false;    ///< From where the last run ended; steps count from there, and nothing is watched.
-  bool contacts = false;  ///< Those of the last step are wanted.
-};
-nlohmann::json run_request(const Run&);
-/// Throws MalformedMessage for steps out of range, too.
-Run run_from_json(const nlohmann::json&);
-
-/// The first step after `step` that is a multiple of `every`, stands in `at`, or is the last one.
-std::int64_t next_sample(const Run&, std::int64_t step);
-
-nlohmann::json event_json(const core::Event&);
-core::Event event_from_json(const nlohmann::json& line);
-
-/// Contacts of which a number is not finite are left out.
-nlohmann::json contacts_json(const std::vector<core::Contact>&);
-/// `bodies`, `planes`: how many the scene has.
-std::vector<core::Contact> contacts_from_json(const nlohmann::json& line, std::size_t bodies,
-                                              std::size_t planes);
-
 /// The end of a run.
 struct Done {
   std::int64_t steps = 0, frames = 0;

@@ -108,7 +108,9 @@ void WorkerSession::run(const Run& run) {
   }
   if (!frame.empty()) send();
   if (run.contacts) {
-    pipes_.write(contacts_json(run.steps > 0 ? simulator_.contacts() : std::vector<core::Contact>{}));
+    ConstraintForces told;
+    if (run.steps > 0) told = {simulator_.contacts(), simulator_.reactions()};
+    pipes_.write(constraint_forces_json(told));
     simulator_.keep_contacts(false);
   }
   done.step_ns = timer.total_ns();

@@ -4,6 +4,7 @@
 #include "harness/core/simulator.h"
 #include "harness/process/messages.h"
 #include "harness/process/pipes.h"
+#include "harness/process/run_messages.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #include "harness/study/profile.h"
 
-#include "harness/core/contact_balance.h"
+#include "harness/core/force_balance.h"
 #include "harness/core/measure.h"
 #include "harness/core/scale.h"
 #include "harness/study/paired_times.h"

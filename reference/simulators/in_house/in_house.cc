@@ -188,6 +188,14 @@ class InHouse final : public core::Simulator {
     }
     return contacts;
   }
+  std::optional<std::vector<core::Reaction>> reactions() const override {
+    const std::optional<std::vector<engine::Reaction>> found = world_->reactions();
+    if (!found) return std::nullopt;
+    std::vector<core::Reaction> told;
+    for (const engine::Reaction& r : *found)
+      told.push_back({r.joint, r.point.cast<double>(), r.impulse.cast<double>(), r.moment.cast<double>()});
+    return told;
+  }
 
  private:
   // What the engine cannot do, forced or not.

@@ -92,6 +92,13 @@ struct Touch {
   dJointFeedback feedback{};
 };
 
+// A joint of the scene, and what ODE tells of its force.
+struct Held {
+  std::size_t joint = 0;
+  bool on_first = true;  // whether the joint's first body is ODE's first
+  dJointFeedback feedback{};
+};
+
 class Ode final : public core::Simulator {
  public:
   Ode() { Library::enter(); }
@@ -103,12 +110,14 @@ class Ode final : public core::Simulator {
   void read(State&) const override;
   void keep_contacts(bool keep) override { keep_ = keep; }
   std::vector<core::Contact> contacts() const override { return contacts_; }
+  std::optional<std::vector<core::Reaction>> reactions() const override { return reactions_; }
 
  private:
   void add_body(const Body&);
-  void add_joint(const Joint&);
+  void add_joint(std::size_t);
   void collide(dGeomID, dGeomID);
   void note_contacts();
+  void note_reactions();
   const Surface& surface(const Owner&, const Owner&);
   dBodyID body(int i) const { return i == core::world ? nullptr : bodies_[at(i)]; }
 
@@ -126,6 +135,8 @@ class Ode final : public core::Simulator {
   bool keep_ = false;                        // feedback of the contacts of the next step
   std::deque<Touch> touches_;                // while it is kept; joints point at the feedback
   std::vector<core::Contact> contacts_;
+  std::deque<Held> held_;  // joints of the scene; they point at the feedback
+  std::vector<core::Reaction> reactions_;
 };
 
 // What the path "as-expert" looks at; the others look at nothing.
@@ -149,7 +160,7 @@ Terms Ode::load(const Scene& scene, const Setup& setup) {
 
   scene_ = scene, dt_ = setup.dt, steps_ = 0;
   jointed_ = core::jointed_pairs(scene_);
-  bodies_.clear(), owners_.clear(), surfaces_.clear();
+  bodies_.clear(), owners_.clear(), surfaces_.clear(), held_.clear();
   world_ = std::make_unique<World>();
   dWorldSetERP(world_->id, settings_.erp);
   dWorldSetCFM(world_->id, settings_.cfm);
@@ -172,7 +183,7 @@ Terms Ode::load(const Scene& scene, const Setup& setup) {
         dCreatePlane(world_->space, plane.normal.x(), plane.normal.y(), plane.normal.z(), plane.offset),
         &owners_.back());
   }
-  for (const Joint& joint : scene_.joints) add_joint(joint);
+  for (std::size_t j = 0; j < scene_.joints.size(); ++j) add_joint(j);
   explicit_.clear();
   for (const core::Force& force : scene_.forces) {
     const auto* spring = std::get_if<core::Spring>(&force);
@@ -212,11 +223,16 @@ void Ode::add_body(const Body& body) {
 }
 
 // The moving body comes first: ODE reverses a joint whose first body is the world.
-void Ode::add_joint(const Joint& joint) {
+void Ode::add_joint(std::size_t index) {
+  const Joint& joint = scene_.joints[index];
   dBodyID a = body(joint.body), b = body(joint.to);
   if (!a && !b) return;  // both ends are locked
   const auto attach = [&](dJointID id) {
-    return a ? dJointAttach(id, a, b) : dJointAttach(id, b, nullptr), id;
+    a ? dJointAttach(id, a, b) : dJointAttach(id, b, nullptr);
+    Held& held = held_.emplace_back();
+    held.joint = index, held.on_first = a != nullptr;
+    dJointSetFeedback(id, &held.feedback);
+    return id;
   };
   const Vector3& p = joint.point;
   switch (joint.type) {
@@ -254,7 +270,7 @@ void Ode::step() {
                 [](void* me, dGeomID a, dGeomID b) { static_cast<Ode*>(me)->collide(a, b); });
   const int done = settings_.quick ? dWorldQuickStep(world_->id, dt_) : dWorldStep(world_->id, dt_);
   if (!done) throw std::runtime_error("ODE could not allocate memory for the step");
-  if (keep_) note_contacts();
+  if (keep_) note_contacts(), note_reactions();
   dJointGroupEmpty(world_->contacts);
   ++steps_;
 }
@@ -338,6 +354,20 @@ void Ode::note_contacts() {
     contacts_.push_back(touch.contact);
   }
   touches_.clear();
+}
+
+// The force on the joint's first body or, where that is locked, the opposite of the force on the second; the
+// torque of the feedback is about the centre of mass of the body that ODE has first.
+void Ode::note_reactions() {
+  reactions_.clear();
+  for (const Held& held : held_) {
+    const Joint& joint = scene_.joints[held.joint];
+    const dReal *f = held.feedback.f1, *t = held.feedback.t1;
+    const dReal* x = dBodyGetPosition(body(held.on_first ? joint.body : joint.to));
+    const double over = held.on_first ? dt_ : -dt_;
+    reactions_.push_back(
+        {held.joint, {x[0], x[1], x[2]}, over * Vector3(f[0], f[1], f[2]), over * Vector3(t[0], t[1], t[2])});
+  }
 }
 
 // The pair's material; its names are compared once per pair, not once per contact.

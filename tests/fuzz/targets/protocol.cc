@@ -3,6 +3,7 @@
 #include "harness/process/message_reader.h"
 #include "harness/process/messages.h"
 #include "harness/process/opening.h"
+#include "harness/process/run_messages.h"
 #include "tests/fuzz/targets/targets.h"
 
 #include <nlohmann/json.hpp>
@@ -14,12 +15,21 @@ namespace {
 
 using namespace process;
 
-constexpr std::size_t bodies = 2, planes = 1;
+constexpr std::size_t bodies = 2;
+
+const core::Scene& scene() {
+  static const core::Scene two = [] {
+    core::Scene scene;
+    scene.bodies.resize(bodies), scene.planes.resize(1), scene.joints.resize(1);
+    return scene;
+  }();
+  return two;
+}
 
 // Every message that an engine may send, told apart by its keys as the harness does.
 void take(const nlohmann::json& line, MessageReader& reader) {
   if (line.contains("event")) return void(event_from_json(line));
-  if (line.contains("contacts")) return void(contacts_from_json(line, bodies, planes));
+  if (line.contains("contacts")) return void(constraint_forces_from_json(line, scene()));
   for (const char* key : {"unsupported", "error"})
     if (text_of(line, key)) return;
   const auto ok = line.find("ok");

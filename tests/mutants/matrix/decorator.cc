@@ -58,6 +58,12 @@ class Masked final : public core::Simulator {
       for (core::Contact& contact : told) mask_.telling(contact);
     return told;
   }
+  std::optional<std::vector<core::Reaction>> reactions() const override {
+    std::optional<std::vector<core::Reaction>> told = inner_->reactions();
+    if (mask_.reacting && told)
+      for (core::Reaction& reaction : *told) mask_.reacting(reaction);
+    return told;
+  }
 
  private:
   Moment moment() const { return {scene_, before_, step_, setup_.dt, run_}; }

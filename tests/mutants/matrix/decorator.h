@@ -27,6 +27,7 @@ struct Mask {
   std::function<bool(std::int64_t step)> skips;              ///< Whether this step is left out.
   std::function<void(const Moment&, core::State&)> reading;  ///< What is handed out.
   std::function<void(core::Contact&)> telling;               ///< What is told of each contact.
+  std::function<void(core::Reaction&)> reacting;             ///< What is told of each joint.
   /// Whether the state was changed; the engine starts again from it.
   std::function<bool(const Moment&, core::State&)> tampers;
 };

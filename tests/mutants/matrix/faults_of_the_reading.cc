@@ -24,6 +24,7 @@ Mask each(const std::function<void(const Moment&, BodyState&)>& change) {
   });
 }
 
+Mask reacting(std::function<void(core::Reaction&)> change) { return {.reacting = std::move(change)}; }
 Mask telling(std::function<void(core::Contact&)> change) { return {.telling = std::move(change)}; }
 
 Vector3 to_float(const Vector3& v) { return v.cast<float>().cast<double>(); }
@@ -143,6 +144,12 @@ std::vector<MaskedRow> faults_of_the_reading() {
        })},
       {"contact points at the corner", "where the force acts is told a millimetre aside", "box_on_slab",
        "angular_momentum_balance", telling([](core::Contact& c) { c.point.x() += 1e-3; })},
+      {"joint forces of the other body", "the opposite of each, as it is told", "hinge_tilted",
+       "momentum_balance", reacting([](core::Reaction& r) { r.impulse *= -1; })},
+      {"joint forces two percent off", "all of them, as they are told", "heavy_top", "momentum_balance",
+       reacting([](core::Reaction& r) { r.impulse *= 1.02; })},
+      {"joint moments left out", "of what is welded the force alone is told", "welded_beams",
+       "angular_momentum_balance", reacting([](core::Reaction& r) { r.moment.setZero(); })},
       {"friction told backwards", "on the other body", "block_slides", "momentum_balance",
        telling([](core::Contact& c) {
          if (c.friction) *c.friction *= -1;

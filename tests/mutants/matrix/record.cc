@@ -25,7 +25,7 @@ core::Recording record(core::Simulator& simulator, const core::Scene& scene, con
     if (kept) result.steps.push_back(step), result.states.push_back(state);
   }
   result.events = watch.take();
-  if (plan.contacts) result.contacts = simulator.contacts();
+  if (plan.contacts) result.contacts = simulator.contacts(), result.reactions = simulator.reactions();
   return result;
 }
 

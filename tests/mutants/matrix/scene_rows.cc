@@ -38,6 +38,7 @@ const std::vector<SceneRow>& scene_rows() {
       {"block_stops", "scenarios/block_stops.toml"},
       {"cube_stack", "scenarios/cube_stack.toml"},
       {"hinge_tilted", "scenarios/hinge_tilted.toml"},
+      {"welded_beams", "scenarios/welded_beams.toml"},
       {"fixed_arm", "scenarios/fixed_arm.toml"},
       {"spring_damper", "scenarios/spring_damper.toml"},
       {"tilted_gravity", "scenarios/tilted_gravity.toml"},

@@ -1,5 +1,5 @@
 // The balance of a body on an incline, against forces that follow from Newton's law by hand.
-#include "harness/core/contact_balance.h"
+#include "harness/core/force_balance.h"
 #include "harness/core/measure.h"
 
 #include <gtest/gtest.h>
@@ -54,18 +54,18 @@ Recording recording() {
 const Observable force{.quantity = Quantity::momentum_balance},
     moment{.quantity = Quantity::angular_momentum_balance};
 
-TEST(ContactBalance, IsZeroWhereForcesAreThoseThatActed) {
-  EXPECT_NEAR(contact_imbalance(force, scene(), recording()), 0, 1e-12);
+TEST(ForceBalance, IsZeroWhereForcesAreThoseThatActed) {
+  EXPECT_NEAR(force_imbalance(force, scene(), recording()), 0, 1e-12);
   Recording run = recording();
   run.contacts->front().point -= 0.2 * normal + 0 * up_the_slope;
   run.contacts->front().friction->setZero();
   Observable rests = moment;
   rests.body = 1;
-  EXPECT_NEAR(contact_imbalance(rests, scene(), run), 0, 1e-12);
+  EXPECT_NEAR(force_imbalance(rests, scene(), run), 0, 1e-12);
   EXPECT_FALSE(untold(force, scene(), run));
 }
 
-TEST(ContactBalance, IsWhatForcesAreOffBy) {
+TEST(ForceBalance, IsWhatForcesAreOffBy) {
   const struct {
     const char* name;
     void (*change)(Recording&);
@@ -90,11 +90,11 @@ TEST(ContactBalance, IsWhatForcesAreOffBy) {
   for (const auto& row : rows) {
     Recording run = recording();
     row.change(run);
-    EXPECT_NEAR(contact_imbalance(row.observable, scene(), run), row.expected, 1e-9) << row.name;
+    EXPECT_NEAR(force_imbalance(row.observable, scene(), run), row.expected, 1e-9) << row.name;
   }
 }
 
-TEST(ContactBalance, OfALockedBodyIsNotAsked) {
+TEST(ForceBalance, OfALockedBodyIsNotAsked) {
   Scene s = scene();
   EXPECT_FALSE(balance_undefined(force, s));
   EXPECT_TRUE(balance_undefined({.quantity = Quantity::momentum_balance, .body = 2}, s));
@@ -102,7 +102,7 @@ TEST(ContactBalance, OfALockedBodyIsNotAsked) {
   EXPECT_TRUE(balance_undefined({.quantity = Quantity::momentum_balance, .body = 1}, s)) << "touches nothing";
 }
 
-TEST(ContactBalance, IsNotDrawnWhereOtherForcesAct) {
+TEST(ForceBalance, IsNotDrawnWhereOtherForcesAct) {
   const struct {
     const char* name;
     void (*change)(Scene&);
@@ -110,7 +110,6 @@ TEST(ContactBalance, IsNotDrawnWhereOtherForcesAct) {
       {"drag", [](Scene& s) { s.forces.emplace_back(Drag{}); }},
       {"spring", [](Scene& s) { s.forces.emplace_back(Spring{}); }},
       {"frame", [](Scene& s) { s.frame.emplace(); }},
-      {"joint", [](Scene& s) { s.joints.emplace_back(); }},
   };
   for (const auto& row : rows) {
     Scene s = scene();
@@ -119,7 +118,7 @@ TEST(ContactBalance, IsNotDrawnWhereOtherForcesAct) {
   }
 }
 
-TEST(ContactBalance, NeedsWhatTheEngineTells) {
+TEST(ForceBalance, NeedsWhatTheEngineTells) {
   const struct {
     const char* name;
     void (*change)(Recording&);
@@ -150,7 +149,77 @@ TEST(ContactBalance, NeedsWhatTheEngineTells) {
   for (Contact& c : *run.contacts) c.friction.reset();
   EXPECT_FALSE(untold(force, smooth, run)) << "smooth surfaces have no friction to tell";
   run.steps.back() = 9;
-  EXPECT_THROW(static_cast<void>(contact_imbalance(force, scene(), run)), std::logic_error);
+  EXPECT_THROW(static_cast<void>(force_imbalance(force, scene(), run)), std::logic_error);
+}
+
+// A beam that a fixed joint holds at its end, and a ball that swings from the beam's other end:
+//   on the beam  (m + M) g + M l w^2  up and  m g b + (M g + M l w^2) 2 b  about its end, the lowest point passed.
+struct Hung {
+  static constexpr double beam = 1.5, ball = 0.7, half = 0.4, length = 0.9, rate = 1.3;
+  static Scene scene() {
+    Scene s;
+    s.bodies.resize(2);
+    s.bodies[0].mass = beam, s.bodies[0].initial.position = {half, 0, 0};
+    s.bodies[1].mass = ball, s.bodies[1].initial.position = {2 * half, -length, 0};
+    s.joints = {{JointType::fixed, 0, world}, {JointType::ball, 0, 1}};
+    s.forces = {UniformGravity{{0, -g, 0}}};
+    return s;
+  }
+  // v turns by w dt about the lowest point, from before it to after it.
+  static Recording recording() {
+    Recording r;
+    r.dt = dt;
+    State before = initial_state(scene()), now = before;
+    before[1].velocity = length * rate * Vector3(1, -rate * dt / 2, 0);
+    now[1].velocity = length * rate * Vector3(1, rate * dt / 2, 0);
+    r.steps = {3, 4}, r.states = {before, now};
+    const double pull = ball * (g + length * rate * rate);
+    r.contacts.emplace();
+    r.reactions = {{0, {half, 0, 0}, dt * Vector3(0, beam * g + pull, 0), dt * Vector3(0, 0, half * pull)},
+                   {1, {2 * half, 0, 0}, dt * Vector3(0, -pull, 0), Vector3::Zero()}};
+    return r;
+  }
+};
+
+TEST(ForceBalance, CountsWhatJointsDoToBothBodies) {
+  const Scene scene = Hung::scene();
+  Observable beam = moment;
+  beam.body = 0;
+  EXPECT_FALSE(balance_undefined(force, scene));
+  EXPECT_FALSE(untold(force, scene, Hung::recording()));
+  EXPECT_NEAR(force_imbalance(force, scene, Hung::recording()), 0, 1e-12);
+  EXPECT_NEAR(force_imbalance(beam, scene, Hung::recording()), 0, 1e-12);
+  const struct {
+    const char* name;
+    void (*change)(Recording&);
+    const Observable& observable;
+    double expected;
+  } rows[] = {
+      {"the force of the other body", [](Recording& r) { r.reactions->front().impulse *= -1; }, force,
+       2 * (Hung::beam * g + Hung::ball * (g + Hung::length * Hung::rate * Hung::rate))},
+      {"a joint that is not told", [](Recording& r) { r.reactions->pop_back(); }, force,
+       Hung::ball * (g + Hung::length * Hung::rate * Hung::rate)},
+      {"a moment that is not told", [](Recording& r) { r.reactions->front().moment.setZero(); }, beam,
+       Hung::half * Hung::ball * (g + Hung::length * Hung::rate * Hung::rate)},
+      {"a point a millimetre aside", [](Recording& r) { r.reactions->front().point.x() += 1e-3; }, beam,
+       1e-3 * (Hung::beam * g + Hung::ball * (g + Hung::length * Hung::rate * Hung::rate))},
+  };
+  for (const auto& row : rows) {
+    Recording run = Hung::recording();
+    row.change(run);
+    EXPECT_NEAR(force_imbalance(row.observable, scene, run), row.expected, 1e-9) << row.name;
+  }
+}
+
+TEST(ForceBalance, NeedsEveryJointThatHoldsTheBody) {
+  const Scene scene = Hung::scene();
+  Recording none = Hung::recording(), one = none;
+  none.reactions.reset(), one.reactions->erase(one.reactions->begin());
+  Observable ball = force;
+  ball.body = 1;
+  EXPECT_TRUE(untold(force, scene, none));
+  EXPECT_TRUE(untold(force, scene, one));
+  EXPECT_FALSE(untold(ball, scene, one)) << "the joint at the wall does not hold the ball";
 }
 
 }  // namespace

@@ -1,0 +1,92 @@
+#include "engine/reactions.h"
+
+#include "engine/changing_masses.h"
+#include "engine/constraint.h"
+#include "engine/joint.h"
+
+namespace cylon::engine {
+
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+bool told(const Model& model, const Contact& contact) {
+  const int other =
+      contact.plane >= 0 ? model.plane_surfaces[at(contact.plane)] : model.surfaces[at(contact.other)];
+  const bool rough = model.material(model.surfaces[at(contact.body)], other).friction > 0;
+  return contact.impulse && (contact.friction || !rough);
+}
+
+// Forces on all bodies but those of joints, and what they act on.
+struct Loaded {
+  std::vector<Body> bodies;
+  std::vector<Kinematics> kinematics;
+  std::vector<Load> loads;
+};
+
+Loaded loaded(const Model& model, const Snapshot& now, const std::vector<Contact>& contacts, Time dt) {
+  Loaded result{model.bodies, {}, std::vector<Load>(model.bodies.size())};
+  ChangingMasses masses(model.bodies);
+  masses.set(now.time, result.bodies);
+  const std::vector<Motion>& motions = *now.motions;
+  for (std::size_t i = 0; i < motions.size(); ++i)
+    result.kinematics.push_back({motions[i].orientation.toRotationMatrix(),
+                                 velocity(result.bodies[i], motions[i]),
+                                 angular_velocity(result.bodies[i], motions[i])});
+  apply(model.forces, now.time, result.bodies, motions.size(), motions.data(), result.kinematics.data(),
+        result.loads.data());
+  const auto press = [&](int body, const Vector3& point, const Vector3& force) {
+    if (body == fixed_world) return;
+    result.loads[at(body)].force += force;
+    result.loads[at(body)].torque += (point - motions[at(body)].position).cross(force);
+  };
+  for (const Contact& c : contacts) {
+    const Vector3 impulse = *c.impulse * c.normal + c.friction.value_or(Vector3::Zero());
+    press(c.body, c.point, impulse / static_cast<Real>(dt));
+    press(c.other, c.point, -impulse / static_cast<Real>(dt));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::optional<std::vector<Reaction>> reactions(const Model& model, const Snapshot& start, const Snapshot& end,
+                                               const std::vector<Contact>& contacts) {
+  for (const Contact& contact : contacts)
+    if (!told(model, contact)) return std::nullopt;
+  const auto moves = [&](int body) { return body != fixed_world && !model.bodies[at(body)].locked; };
+  std::vector<Reaction> result(model.joints.size());
+  const Time dt = end.time - start.time;
+  for (const Snapshot& now : {start, end}) {
+    Loaded all = loaded(model, now, contacts, dt);
+    const Motion* motions = now.motions->data();
+    Rows rows;
+    std::vector<std::size_t> first;  // row of each joint
+    for (const Joint& joint : model.joints) {
+      first.push_back(rows.rows.size());
+      if (moves(joint.body) || moves(joint.to)) add_rows(joint, all.bodies, motions, rows.rows);
+    }
+    first.push_back(rows.rows.size());
+    rows.constrain_accelerations(all.bodies, motions, all.kinematics.data(), all.loads.data());
+    for (std::size_t j = 0; j < model.joints.size(); ++j) {
+      const Joint& joint = model.joints[j];
+      const Motion& body = motions[at(joint.body)];
+      const Vector3 arm = body.orientation * joint.anchor;
+      Reaction& reaction = result[j];
+      reaction.joint = j, reaction.point = body.position + arm;
+      for (std::size_t r = first[j]; r < first[j + 1]; ++r) {
+        const Row& row = rows.rows[r];
+        const Real half = row.lambda * static_cast<Real>(dt) / 2;
+        reaction.impulse += half * row.direction;
+        reaction.moment += half * (row.lever - arm.cross(row.direction));
+      }
+    }
+  }
+  std::erase_if(result, [&](const Reaction& r) {
+    const Joint& joint = model.joints[r.joint];
+    return !moves(joint.body) && !moves(joint.to);
+  });
+  return result;
+}
+
+}  // namespace cylon::engine
