@@ -3,7 +3,7 @@
 #include "engine/event_stepper.h"
 
 #include "engine/contact/response.h"
-#include "engine/geometry/core.h"
+#include "engine/geometry/pose.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,14 +36,6 @@ constexpr Time zeno_return = wide ? 1e-6 : 1e-3;
 // Points of a general pair touch at any gap within the margin, so that what they fall is known to that only:
 // bounces lower than this part of it would go on without end.
 constexpr Real lowest_bounce = Real(0.25);
-
-// Whether n is normal to a face of the shape, to a part in 1e8.
-bool has_face(const Shape& shape, const Vector3& n) {
-  const Real nearly = 1 - Real(8) * std::sqrt(ulp) * std::sqrt(ulp) - Real(1e-8);
-  const Core core(shape);
-  return std::any_of(core.normals, core.normals + core.face_count,
-                     [&](const Vector3& face) { return std::abs(face.dot(n)) > nearly; });
-}
 
 // Points of a general pair that are held count as touching up to so many margins.
 constexpr Real held_margin = 128;
@@ -117,17 +109,8 @@ std::vector<EventStepper::Spot> EventStepper::spots(Real ahead) {
     const Motion &a = motion[index(c.body)], &b = motion[index(c.other)];
     for (const TouchPoint& touch : found) {
       if (inside_surface(touch)) continue;
-      spot.held.general = true;
-      const Real from_a = touch.gap / 2 + core_radius(model.shapes[index(c.body)]);
-      const Real from_b = touch.gap / 2 + core_radius(model.shapes[index(c.other)]);
-      const Vector3 x_a = touch.position + from_a * touch.normal;
-      const Vector3 x_b = touch.position - from_b * touch.normal;
-      spot.held.on_body = a.orientation.conjugate() * (x_a - a.position);
-      spot.held.on_other = b.orientation.conjugate() * (x_b - b.position);
-      spot.held.face_of_body =
-          !has_face(model.shapes[index(c.other)], b.orientation.conjugate() * touch.normal) &&
-          has_face(model.shapes[index(c.body)], a.orientation.conjugate() * touch.normal);
-      spot.held.normal = (spot.held.face_of_body ? a : b).orientation.conjugate() * touch.normal;
+      spot.held.facets = facets_at(model.shapes[index(c.body)], pose(a), model.shapes[index(c.other)],
+                                   pose(b), touch.position, touch.normal, touch.gap);
       spot.touch = touch_of(spot.held, motion);
       result.push_back(spot);
     }
@@ -377,6 +360,8 @@ ContactForces EventStepper::find_holds(const std::vector<Spot>& touching, Real s
   const Motion* motion = motions();
   std::vector<TouchPoint> touches;
   std::vector<Holding> guess;
+  std::vector<Vector3> places;  // of what was held
+  for (const HeldPoint& held : held_) places.push_back(touch_of(held, motion).position);
   which.clear();
   for (std::size_t i = 0; i < touching.size(); ++i) {
     TouchPoint touch = touching[i].touch.pair >= 0 ? touching[i].touch : TouchPoint{};
@@ -388,11 +373,11 @@ ContactForces EventStepper::find_holds(const std::vector<Spot>& touching, Real s
     // As it was held before: a point of the same candidate, of several the nearest.
     Holding before{Grip::parts};
     Real nearest = std::numeric_limits<Real>::infinity();
-    for (const HeldPoint& held : held_) {
-      const Real far = (held.on_body - touching[i].held.on_body).norm();
-      if (held.candidate != touching[i].held.candidate || !(far < nearest)) continue;
+    for (std::size_t k = 0; k < held_.size(); ++k) {
+      const Real far = (places[k] - touch.position).norm();
+      if (held_[k].candidate != touching[i].held.candidate || !(far < nearest)) continue;
       nearest = far;
-      before = held.holding;
+      before = held_[k].holding;
     }
     guess.push_back(before);
   }

@@ -2,6 +2,7 @@
 // correction of the gap.
 #include "engine/contact/response.h"
 #include "engine/event_stepper.h"
+#include "engine/geometry/pose.h"
 #include "engine/joint.h"
 
 #include <algorithm>
@@ -26,37 +27,28 @@ std::vector<Row> EventStepper::joint_rows(const Motion* motion) const {
 TouchPoint EventStepper::touch_of(const HeldPoint& held, const Motion* motion) const {
   const Candidate& c = candidates_[held.candidate];
   const Model& model = system_.model();
-  if (!held.general) {
-    TouchPoint touch = touch_at(c, model, motion);
-    if (loose_[held.candidate]) touch.friction = 0;
-    return touch;
-  }
-  const Motion &a = motion[index(c.body)], &b = motion[index(c.other)];
-  const Body &body = model.bodies[index(c.body)], &other = model.bodies[index(c.other)];
-  const Vector3 arm_a = a.orientation * held.on_body, arm_b = b.orientation * held.on_other;
-  const auto spin = [](const Body& which, const Motion& m) -> Vector3 {
-    return rotates(which) ? angular_velocity(which, m) : Vector3(Vector3::Zero());
-  };
-  const Vector3 w_a = spin(body, a), w_b = spin(other, b);
   TouchPoint touch;
-  touch.body = c.body;
-  touch.other = c.other;
-  touch.pair = c.pair;
-  touch.restitution = c.material.restitution;
-  touch.friction = loose_[held.candidate] ? 0 : c.material.friction;
-  touch.normal = (held.face_of_body ? a.orientation : b.orientation) * held.normal;
-  touch.turning = (held.face_of_body ? w_a : w_b).cross(touch.normal);
-  // Of cores c and radii r:  g = n . (c_a - c_b) - r_a - r_b,  x_a = c_a - r_a n,  x_b = c_b + r_b n;
-  // n . n'' = -|n'|^2.
-  const Real r_a = core_radius(model.shapes[index(c.body)]), r_b = core_radius(model.shapes[index(c.other)]);
-  const Vector3 v_a = velocity(body, a) + w_a.cross(arm_a), v_b = velocity(other, b) + w_b.cross(arm_b);
-  const Vector3 x_a = a.position + arm_a - r_a * touch.normal, x_b = b.position + arm_b + r_b * touch.normal;
-  touch.gap = touch.normal.dot(x_a - x_b);
-  touch.position = held.face_of_body ? x_b : x_a;
-  touch.path = held.face_of_body ? Vector3(v_b + r_b * touch.turning) : Vector3(v_a - r_a * touch.turning);
-  touch.curvature = touch.normal.dot(w_a.cross(w_a.cross(arm_a)) - w_b.cross(w_b.cross(arm_b))) +
-                    2 * touch.turning.dot(v_a - v_b) - (r_a + r_b) * touch.turning.squaredNorm();
+  if (held.facets) {
+    touch.body = c.body;
+    touch.other = c.other;
+    touch.pair = c.pair;
+    touch.restitution = c.material.restitution;
+    touch.friction = c.material.friction;
+    const std::size_t a = index(c.body), b = index(c.other);
+    place_touch(*held.facets, model.bodies[a], motion[a], core_radius(model.shapes[a]), model.bodies[b],
+                motion[b], core_radius(model.shapes[b]), touch);
+  } else {
+    touch = touch_at(c, model, motion);
+  }
+  if (loose_[held.candidate]) touch.friction = 0;
   return touch;
+}
+
+// How far a held point is from leaving its facets [m].
+Real EventStepper::room_of(const HeldPoint& held, const Motion* motion) const {
+  const Model& model = system_.model();
+  const std::size_t a = index(candidates_[held.candidate].body), b = index(candidates_[held.candidate].other);
+  return room_on(*held.facets, model.shapes[a], pose(motion[a]), model.shapes[b], pose(motion[b]));
 }
 
 void EventStepper::hold(Time, const std::vector<Body>& bodies, const Motion* motion,

@@ -194,7 +194,8 @@ void EventStepper::step() {
   if (pieces < hurried_every / 4) haste_ = std::max<Real>(1, haste_ / 4);
   const bool undisturbed = events == 0 && strides == 0 && now >= end;
   if (keep_) note_lasting(end, undisturbed ? begun : std::vector<ContactForce>{});
-  if (std::any_of(held_.begin(), held_.end(), [](const HeldPoint& h) { return h.general; })) resolve(end);
+  if (std::any_of(held_.begin(), held_.end(), [](const HeldPoint& h) { return h.facets.has_value(); }))
+    resolve(end);
 }
 
 // The rest of a step whose events are not followed.

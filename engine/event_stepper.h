@@ -5,6 +5,7 @@
 #include "engine/bodies.h"
 #include "engine/contact/candidate.h"
 #include "engine/contact/contact_force.h"
+#include "engine/contact/facets.h"
 #include "engine/contact/impact.h"
 #include "engine/contact/neighbours.h"
 #include "engine/contact/passage.h"
@@ -19,15 +20,11 @@
 
 namespace cylon::engine {
 
-/// A point that is held by a lasting contact.  Of a general pair its places on both bodies are kept for as
-/// long as the smooth piece lasts: a point of one on a face of the other; of round shapes the point of the
-/// core, for the surface's own point wanders where it rolls.
+/// A point that is held by a lasting contact.  Of a general pair it stays on its facets.
 struct HeldPoint {
   std::size_t candidate = 0;
   Holding holding;
-  bool general = false, face_of_body = false;
-  Vector3 on_body = Vector3::Zero(), on_other = Vector3::Zero();  ///< Body axes [m].
-  Vector3 normal = Vector3::UnitY();                              ///< Axes of the body with the face.
+  std::optional<FacetPair> facets;
 };
 
 /// Bodies with scales of error control that nothing at rest makes zero: lengths at least the reach of the
@@ -122,6 +119,7 @@ class EventStepper final : public Stepper, private Holder {
   ContactForces support(Time, const Real* y);
   std::vector<Row> joint_rows(const Motion*) const;
   Real touch_margin(const Candidate&, const Motion*) const;
+  Real room_of(const HeldPoint&, const Motion*) const;
   bool holds(std::size_t candidate) const;
 
   Bodies system_;

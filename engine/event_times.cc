@@ -92,9 +92,11 @@ std::optional<Real> EventStepper::meeting_time(const Candidate& c, bool held, Ti
     return gap_rate(touch_at(c, model, motion), model.bodies, motion);
   };
   // Where the gap goes through zero upwards, it is rounding, of a flight that has just begun: it ends where
-  // it falls again, if that is inside still; a flight too short to be bracketed is found by halving.
+  // it falls again, if that is inside still; a flight too short to be bracketed is found by halving.  Of a
+  // general pair, a flight that begins within the least depth begins at zero.
+  const Real nothing = smooth || held ? Real(0) : least;
   const auto meeting = [&](Real low, Real g_low, Real high, Real g_high) {
-    if (g_low > 0) {
+    if (g_low > (low > 0 ? Real(0) : nothing)) {
       const Real hit = root(gap_after, low, g_low, high, g_high);
       if (!smooth) return hit;
       low = hit;
@@ -164,6 +166,21 @@ std::optional<Real> EventStepper::change_time(Time from, Real span, const Contac
     if (held_[i].holding.grip == Grip::slides && rough)
       look(i, What::slip,
            before.points[i].slip_speed > 0 ? 0 : std::max(rest_speed_, 2 * left_slow * slow_slip_));
+  }
+  // Points that leave their facets: others touch there.
+  const Motion *begin = system_.motions(start_.data()), *end = system_.motions(end_.data());
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    if (!held_[i].facets) continue;
+    const Real room = room_of(held_[i], begin), left = room_of(held_[i], end);
+    if (!(room > 0 && left < 0)) continue;
+    const auto room_after = [&](Real s) {
+      part(from, s);
+      return room_of(held_[i], motions());
+    };
+    const Real t = root(room_after, Real(0), room, span, left);
+    if (first && t >= *first) continue;
+    first = t;
+    left_slip_ = 0;
   }
   return first;
 }

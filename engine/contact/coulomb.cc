@@ -234,10 +234,41 @@ std::vector<Hold> read_holds(const CoulombProblem& p, const VectorX& f, Real nea
   return hold;
 }
 
+// Where forces can be shared in many ways, an even sharing may lie outside the cones and another inside: from f
+// to the nearest forces that the holds allow, from there to the nearest inside the cones, and so on in turns.
+bool share_within_cones(const CoulombProblem& p, const std::vector<Hold>& hold, VectorX f, VectorX& shared) {
+  constexpr int most_turns = 30;
+  constexpr Real inner = Real(0.999);  // of the cones, so that the end is inside
+  const VectorX even = VectorX::Ones(static_cast<Eigen::Index>(hold.size()));
+  for (int turn = 0; turn < most_turns; ++turn) {
+    bool unique = false;
+    const VectorX allowed = least_norm(p, hold, even, f, &unique);
+    if (obeys(p, hold, allowed)) {
+      shared = allowed;
+      return true;
+    }
+    if (unique || !allowed.allFinite()) return false;
+    f = allowed;
+    for (std::size_t i = 0; i < hold.size(); ++i) {
+      // Onto |f_t| <= m f_n:  (f_n + m |f_t|)/(1 + m^2) times (1, m) on its edge, or its tip.
+      const Real m = inner * p.friction[i], size = f.segment<2>(at(i) + 1).norm();
+      if (hold[i].grip != Grip::sticks || size <= m * f[at(i)]) continue;
+      const Real along = std::max<Real>(0, (f[at(i)] + m * size) / (1 + m * m));
+      f[at(i)] = along;
+      f.segment<2>(at(i) + 1) *= m * along / size;
+    }
+  }
+  return false;
+}
+
 bool try_holds(const CoulombProblem& p, std::vector<Hold> hold, VectorX f, CoulombSolution& solution) {
   const VectorX first = held_force(p, hold);
   if (obeys(p, hold, first)) {  // Newton's method cannot better directions of slips that are all but zero
     solution.force = first;
+    solution.hold = hold;
+    return true;
+  }
+  if (share_within_cones(p, hold, f, solution.force)) {
     solution.hold = hold;
     return true;
   }
