@@ -34,9 +34,8 @@ std::string read_proc(pid_t pid, const char* file) {
   return text;
 }
 
-// One of the strings of its environment, as it was when it started.
-bool bears(pid_t pid, const std::string& mark) {
-  const std::string all = read_proc(pid, "environ");
+// Whether the mark is one of the strings of an environment.
+bool bears(const std::string& all, const std::string& mark) {
   for (std::size_t at = 0; at < all.size(); at = all.find('\0', at) + 1) {
     if (all.compare(at, mark.size() + 1, mark.c_str(), mark.size() + 1) == 0) return true;
     if (all.find('\0', at) == std::string::npos) break;
@@ -102,13 +101,19 @@ std::vector<Family::Relative> Family::processes() {
 }
 
 std::vector<Family::Relative> Family::living() const {
-  const std::vector<Relative> all = processes();
+  // While nothing is born, a child of this process that nobody owns is an orphan.
+  const std::scoped_lock lock(births());
+  std::vector<Relative> all = processes();
   const pid_t self = ::getpid();
   std::set<pid_t> known = {worker_};
-  for (const Relative& one : all)
-    if (one.group == worker_ ||
-        (one.parent == self && one.pid != worker_ && !one.dead && bears(one.pid, mark_)))
-      known.insert(one.pid);
+  for (Relative& one : all) {
+    if (one.group == worker_) known.insert(one.pid);
+    if (one.parent != self || one.dead || owned().contains(one.pid)) continue;
+    // Between the start of a program and its first instruction, and when it ends, there is none to read.
+    const std::string environment = read_proc(one.pid, "environ");
+    one.unknown = environment.empty();
+    if (bears(environment, mark_)) known.insert(one.pid);
+  }
   // Children of those that are known, and so on.
   for (std::size_t before = 0; before != known.size();) {
     before = known.size();
@@ -116,8 +121,10 @@ std::vector<Family::Relative> Family::living() const {
       if (known.contains(one.parent)) known.insert(one.pid);
   }
   std::vector<Relative> result;
-  for (const Relative& one : all)
-    if (one.pid != worker_ && known.contains(one.pid)) result.push_back(one);
+  for (Relative& one : all) {
+    if (known.contains(one.pid)) one.unknown = false;
+    if (one.pid != worker_ && (one.unknown || known.contains(one.pid))) result.push_back(one);
+  }
   return result;
 }
 
@@ -129,18 +136,21 @@ std::size_t Family::resident() const {
     return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
   }
   std::size_t sum = own_share(worker_);
-  for (const Relative& one : others) sum += own_share(one.pid);
+  for (const Relative& one : others)
+    if (!one.unknown) sum += own_share(one.pid);
   return sum;
 }
 
 void Family::kill() {
+  ::kill(worker_, SIGKILL);  // it may have left its group
   ::kill(-worker_, SIGKILL);
   const pid_t self = ::getpid();
-  constexpr int rounds = 1000;  // a family that grows as fast as it dies
+  constexpr int rounds = 2000;    // a family that grows as fast as it dies
+  constexpr int patience = 1000;  // rounds until an orphan that shows no environment is killed
   for (int round = 0; round < rounds; ++round) {
     bool alive = false;
     for (const Relative& one : living()) {
-      if (!one.dead) ::kill(one.pid, SIGKILL);
+      if (!one.dead && (!one.unknown || round >= patience)) ::kill(one.pid, SIGKILL);
       // Killed, it ends soon; then it is a zombie that only its parent can take away.
       alive = alive || (one.parent == self ? ::waitpid(one.pid, nullptr, WNOHANG) == 0 : !one.dead);
     }
@@ -149,25 +159,11 @@ void Family::kill() {
   }
 }
 
-// An orphan that ends shows no environment any more, a little before it is a zombie; nobody else waits for it.
 void Family::reap_orphans() {
   const pid_t self = ::getpid();
-  constexpr int rounds = 1000;
-  for (int round = 0; round < rounds; ++round) {
-    bool dying = false;
-    {
-      const std::scoped_lock lock(births());
-      for (const Relative& one : processes()) {
-        if (one.parent != self || owned().contains(one.pid)) continue;
-        if (one.dead)
-          ::waitpid(one.pid, nullptr, WNOHANG);
-        else
-          dying = dying || read_proc(one.pid, "environ").empty();
-      }
-    }
-    if (!dying) return;
-    ::usleep(500);
-  }
+  const std::scoped_lock lock(births());
+  for (const Relative& one : processes())
+    if (one.parent == self && one.dead && !owned().contains(one.pid)) ::waitpid(one.pid, nullptr, WNOHANG);
 }
 
 }  // namespace cylon::process

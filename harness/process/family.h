@@ -40,9 +40,10 @@ class Family {
   /// Looks through all processes of the machine.
   std::size_t resident() const;
 
-  /// SIGKILL to the worker's group and to all descendants, again until none is left, and reaps them;
-  /// the worker itself is the caller's to reap.  A descendant that hides its environment and
-  /// outlives its parents escapes.
+  /// SIGKILL to the worker, its group and all descendants, again until none is left, and reaps them;
+  /// the worker itself is the caller's to reap.  An orphan that shows no environment is waited for, because
+  /// a program that is just starting shows none either; after a thousand looks it is killed.  A
+  /// descendant that writes another environment and outlives its parents escapes.
   void kill();
 
   /// Reaps every child of this process that has ended and is nobody's own; call it when the worker is gone.
@@ -51,7 +52,8 @@ class Family {
  private:
   struct Relative {
     pid_t pid = 0, parent = 0, group = 0;
-    bool dead = false;  // a zombie
+    bool dead = false;     // a zombie
+    bool unknown = false;  // an orphan without an environment: perhaps of another family
   };
   static std::vector<Relative> processes();
   std::vector<Relative> living() const;

@@ -42,7 +42,11 @@ def spin():
 
 
 def sleeper():
-    os.execvp("sleep", ["sleep", "311.5"])  # misdeeds.py knows it by this number
+    os.execvp("sleep", ["sleep", "311.5"])
+
+
+def hidden_sleeper():
+    os.execve("/bin/sleep", ["sleep", "311.5"], {})
 
 
 def children(count, work):
@@ -50,6 +54,36 @@ def children(count, work):
         if os.fork() == 0:
             work()
             os._exit(0)
+
+
+def restless():
+    """Becomes a program of 1000 segments that starts itself again and again.  While the kernel lays out its memory, which
+    is nearly always, it has no environment that anybody could read."""
+    base, segments = 0x400000, 1000
+    code = bytes.fromhex("488b0c24 488d742408 488d54ce08 488d3d0e000000 b83b000000 0f05 b83c000000 0f05") + b"/proc/self/exe\0"
+    start = 64 + 56 * segments
+    head = struct.pack("<16sHHIQQQIHHHHHH", b"\x7fELF\2\1\1", 2, 62, 1, base + start, 64, 0, 0, 64, 56, segments, 64, 0, 0)
+    whole = start + len(code)
+    table = struct.pack("<IIQQQQQQ", 1, 5, 0, base, base, whole, whole, 4096)
+    for i in range(1, segments):
+        place = 0x10000000 + i * 8192
+        table += struct.pack("<IIQQQQQQ", 1, 4, 0, place, place, 4096, 4096, 4096)
+    program = f"restless{os.getpid()}"
+    with open(program, "wb") as out:
+        out.write(head + table + code)
+    os.chmod(program, 0o700)
+    os.execv(program, [program])
+
+
+def regroup():
+    child = os.fork()
+    if child == 0:
+        os.setpgid(0, 0)
+        spin()
+    while os.getpgid(child) != child:
+        pass
+    os.setpgid(0, child)
+    spin()
 
 
 def leave(work):
@@ -149,6 +183,9 @@ AT = {
     "children_of_the_dead": (ANYWHERE, lambda: (children(5, sleeper), os._exit(1))),
     "children_stay": (ANYWHERE + ("quit",), lambda: children(5, sleeper)),
     "children_leave": (ANYWHERE + ("quit",), lambda: children(5, leave(sleeper))),
+    "children_leave_and_restart": (ANYWHERE + ("quit",), lambda: (children(20, leave(restless)), os._exit(1))),
+    "children_hide": (("run", "quit"), lambda: children(2, leave(hidden_sleeper))),
+    "leaves_its_group": (("load", "run"), regroup),
     "child_holds_stdout": (ANYWHERE, lambda: hold_stdout(sleeper)),
     "stranger_holds_stdout": (ANYWHERE, lambda: hold_stdout(leave(sleeper))),
     "ignores_signals": (("run",), ignore_signals),

@@ -80,6 +80,7 @@ constexpr Misdeed misdeeds[] = {
     {"orphan_in_run", Status::crash, "exited 3 before done", 1},
     {"stray_in_load", Status::crash, "exited 3 before done", 1},
     {"stray_in_run", Status::crash, "exited 3 before done", 1},
+    {"regroups_in_run", Status::timeout, "'run' did not end within 2 s", 2},
     {"family_memory_in_load", Status::crash, "memory limit", 5},
     {"loop_in_hello", Status::timeout, "'hello' did not end within 2 s", 2},
     {"loop_in_load", Status::timeout, "'load' did not end within 2 s", 2},

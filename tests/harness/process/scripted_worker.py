@@ -92,6 +92,15 @@ def misbehave(at):
             os._exit(0)
         os.wait()
         os._exit(3)
+    if MODE == f"regroups_in_{at}":  # into its child's group
+        child = os.fork()
+        if child == 0:
+            os.setpgid(0, 0)
+            forever()
+        while os.getpgid(child) != child:
+            pass
+        os.setpgid(0, child)
+        forever()
     if MODE == f"family_memory_in_{at}":  # 5 * 80 MiB, each by itself within the limit
         for _ in range(5):
             if os.fork() == 0:
