@@ -160,7 +160,7 @@ void read_bodies(const Table& root, Draft& draft) {
   for (const Table& table : root.tables("cloud")) {
     const auto count = static_cast<double>(table.whole("count"));
     refuse_too_many(table, draft, count);
-    add_group(table, cloud(table, read_template(table, draft, count), draft.scene), draft);
+    add_group(table, cloud(table, read_template(table, draft, count), draft), draft);
   }
   if (draft.scene.bodies.empty()) root.fail("the scene has no body; add a [[body]]");
 }

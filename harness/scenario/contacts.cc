@@ -55,10 +55,9 @@ void require_materials(const Draft& draft) {
 
 double size_of(const Vector3& p) { return std::max(1.0, p.cwiseAbs().maxCoeff()); }
 
-void refuse_overlapping_spheres(const Draft& draft) {
+void refuse_overlapping_spheres(Draft& draft) {
   const auto& bodies = draft.scene.bodies;
   SphereGrid locked, free;
-  std::size_t looked_at = 0;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const auto* sphere = std::get_if<core::Sphere>(&bodies[i].shape);
     if (!sphere || !bodies[i].collide) continue;
@@ -72,9 +71,9 @@ void refuse_overlapping_spheres(const Draft& draft) {
       return overlap(other, radius) > overlap_allowed * size;
     };
     const Vector3& at = bodies[i].initial.position;
-    int other = free.first(at, sphere->radius, looked_at, meets);
+    int other = free.first(at, sphere->radius, draft.neighbours, meets);
     if (!bodies[i].locked)
-      if (const int held = locked.first(at, sphere->radius, looked_at, meets); held >= 0)
+      if (const int held = locked.first(at, sphere->radius, draft.neighbours, meets); held >= 0)
         other = other < 0 ? held : std::min(other, held);
     if (other >= 0) {
       const auto& that = bodies[static_cast<std::size_t>(other)];
@@ -85,7 +84,7 @@ void refuse_overlapping_spheres(const Draft& draft) {
                       "or collide = false",
                       that.name, bodies[i].name, overlap(other, radius), sphere->radius + radius));
     }
-    if (looked_at > budget::neighbours)
+    if (draft.neighbours > budget::neighbours)
       draft.origin[i].fail(
           "position", fmt::format("'{}': too many spheres crowd here to look for overlaps", bodies[i].name));
     (bodies[i].locked ? locked : free).add(static_cast<int>(i), at, sphere->radius);
@@ -150,7 +149,7 @@ void read_materials(const Table& root, Draft& draft) {
   require_materials(draft);
 }
 
-void refuse_overlaps(const Draft& draft) {
+void refuse_overlaps(Draft& draft) {
   refuse_overlapping_spheres(draft);
   const core::Scene& scene = draft.scene;
   const core::State state = core::initial_state(scene);

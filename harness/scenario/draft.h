@@ -22,9 +22,10 @@ struct Draft {
   std::map<std::string, std::vector<int>> groups;  ///< Bodies of each generator, by its name.
   std::filesystem::path folder;                    ///< Files are named relative to it.
   core::ContentHash content;
-  std::size_t points = 0;    ///< Of hulls and meshes so far.
-  double hull_work = 0;      ///< Sum of the squares of the points of hulls so far.
-  std::uintmax_t bytes = 0;  ///< Of the files named so far.
+  std::size_t points = 0;      ///< Of hulls and meshes so far.
+  double hull_work = 0;        ///< Sum of the squares of the points of hulls so far.
+  std::uintmax_t bytes = 0;    ///< Of the files named so far.
+  std::size_t neighbours = 0;  ///< Looked at for overlaps so far.
 
   /// Adds a body; fails at its `name` where that is taken, and where a number of it is not finite.
   void add(const core::Body&, const Table&, bool is_point);
@@ -53,7 +54,7 @@ void read_materials(const Table& root, Draft&);
 
 /// Every body read so far, and no other: fails where two spheres, or a body and a plane, overlap by more than
 /// 1e-9 m.
-void refuse_overlaps(const Draft&);
+void refuse_overlaps(Draft&);
 
 /// `shape` of a body, or of a part.
 core::Shape read_shape(const Table&, Draft&);
@@ -66,7 +67,7 @@ void make_unit(core::Vector3&);
 
 /// Bodies of a [[lattice]] and of a [[cloud]]: copies of the template at their places.
 std::vector<core::Body> lattice(const Table&, const core::Body& pattern);
-std::vector<core::Body> cloud(const Table&, const core::Body& pattern, const core::Scene& others);
+std::vector<core::Body> cloud(const Table&, const core::Body& pattern, Draft& others);
 
 /// "[x, y, z]" with all digits that matter.
 std::string written(const core::Vector3&);

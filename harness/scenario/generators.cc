@@ -51,8 +51,11 @@ class Random {
 // Places for balls of one radius that keep clear of each other and of what is there already.
 class Places {
  public:
-  Places(const core::Scene& others, double radius) : planes_(others.planes), radius_(radius) {
+  Places(const core::Scene& others, double radius, std::size_t& looked_at)
+      : planes_(others.planes), radius_(radius), looked_at_(looked_at) {
     if (radius_ == 0) return;
+    looked_at_ += 4 * others.bodies.size();  // what it costs to add one
+    if (crowded()) return;
     for (const core::Body& body : others.bodies)
       if (body.collide)
         balls_.add(0, body.initial.position, std::min(core::bounding_radius(body.shape), 1e300));
@@ -79,7 +82,7 @@ class Places {
   const std::vector<core::Plane>& planes_;
   double radius_;
   SphereGrid balls_;
-  std::size_t looked_at_ = 0;
+  std::size_t& looked_at_;
 };
 
 std::string indexed(const std::string& name, std::size_t i) { return fmt::format("{}[{}]", name, i); }
@@ -101,7 +104,7 @@ std::vector<core::Body> lattice(const Table& table, const core::Body& pattern) {
   return bodies;
 }
 
-std::vector<core::Body> cloud(const Table& table, const core::Body& pattern, const core::Scene& others) {
+std::vector<core::Body> cloud(const Table& table, const core::Body& pattern, Draft& others) {
   if (table.has("position")) table.fail("position", "position: a cloud lies between 'low' and 'high'");
   const Vector3 low = table.vector("low"), high = table.vector("high");
   if (!(low.array() <= high.array()).all())
@@ -113,25 +116,24 @@ std::vector<core::Body> cloud(const Table& table, const core::Body& pattern, con
   const double speed = table.number("speed");
   if (pattern.locked && speed > 0) table.fail("speed", "speed: a locked body does not move");
   Random random(static_cast<std::uint64_t>(table.whole("seed")));
-  Places places(others, radius);
+  Places places(others.scene, radius, others.neighbours);
   std::vector<core::Body> bodies;
   while (bodies.size() < count) {
     constexpr int most_tries = 10'000;
     int tries = 0;
     Vector3 place = random.in_box(low, high);
-    while (!places.fits(place)) {
+    for (; places.crowded() || !places.fits(place); place = random.in_box(low, high)) {
+      if (places.crowded())
+        table.fail("count",
+                   fmt::format("count = {}: after {} the search for free places takes too long; take "
+                               "fewer or a larger box",
+                               count, bodies.size()));
       if (++tries == most_tries)
         table.fail(
             "count",
             fmt::format("count = {}: only {} of radius {} m found a place that overlaps nothing; take fewer "
                         "or a larger box",
                         count, bodies.size(), radius));
-      if (places.crowded())
-        table.fail("count",
-                   fmt::format("count = {}: after {} the search for free places takes too long; take "
-                               "fewer or a larger box",
-                               count, bodies.size()));
-      place = random.in_box(low, high);
     }
     places.add(place);
     core::Body body = pattern;

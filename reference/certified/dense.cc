@@ -219,9 +219,8 @@ Dense make_dense(const core::Scene& scene, double horizon, double most_work) {
     dense.bodies = scene.bodies.size();
     dense.horizon = horizon;
     const Model model = make_model(scene, horizon, attempts.effort().bits);
-    constexpr int least_order = 20;
     const slong bits = attempts.effort().bits;
-    require_work(work + work_of(model, least_order, bits), most_work, 0);
+    require_work(work + work_of(model, order_of(attempts.effort()), bits), most_work, 0);
     Recorder recorder(model, dense);
     try {
       follow(model, horizon, attempts.effort(), [&](const Step& step) {

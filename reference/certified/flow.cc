@@ -11,11 +11,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-// Work per unit of time is about N^2/h with h = radius 10^(-digits/N), least at N = digits ln(10)/2.
-int best_order(double step_error) {
-  return std::clamp(static_cast<int>(std::ceil(-1.15 * std::log10(step_error))), 12, 400);
-}
-
 // Of the tangents: they multiply what is as small as the result's radius, and need no more than some digits.
 int tangent_order(int order) { return std::max(10, order / 2); }
 
@@ -24,7 +19,7 @@ class Flow {
   Flow(const Model& model, double horizon, const Effort& effort)
       : model_(model),
         effort_(effort),
-        order_(best_order(effort.step_error)),
+        order_(order_of(effort)),
         centre_(model.graph, order_, effort.bits),
         tails_(model.graph, order_),
         variation_(model.graph, tangent_order(order_)),
@@ -141,6 +136,11 @@ class Flow {
 };
 
 }  // namespace
+
+// Work per unit of time is about N^2/h with h = radius 10^(-digits/N), least at N = digits ln(10)/2.
+int order_of(const Effort& effort) {
+  return std::clamp(static_cast<int>(std::ceil(-1.15 * std::log10(effort.step_error))), 12, 400);
+}
 
 Ball Step::at(int node, double t) const {
   Ball since(t), begin(start);

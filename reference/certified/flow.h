@@ -50,6 +50,9 @@ class Step {
   Eigen::VectorXd sensitivity(int node, double t) const;
 };
 
+/// Of the polynomials of a step.
+int order_of(const Effort&);
+
 /// Integrates over [0, horizon] and shows every step, in order, until `show` says false.  Throws Stuck.
 void follow(const Model&, double horizon, const Effort&, const std::function<bool(const Step&)>& show);
 

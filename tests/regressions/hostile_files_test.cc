@@ -97,6 +97,19 @@ std::vector<Hostile> table() {
            "low = [0, 0, 0]\nhigh = [1, 1, 1]\n" +
            claim,
        "is not finite"},
+      {"crowded clouds, each of which is read in a second",
+       head +
+           [] {
+             std::string clouds;
+             for (int i = 0; i < 60; ++i)
+               clouds += "[[cloud]]\nname = \"c" + std::to_string(i) +
+                         "\"\nmass = 1\ncount = 2100\nseed = " + std::to_string(i) + "\nlow = [0, 0, " +
+                         std::to_string(30 * i) + "]\nhigh = [30, 30, " + std::to_string(30 * i + 29) +
+                         "]\n" + spheres;
+             return clouds;
+           }() +
+           material + claim,
+       "the search for free places takes too long"},
       {"a lattice that flies off the numbers",
        head + "[[lattice]]\nname = \"c\"\nmass = 1\ncount = [10, 1, 1]\nspacing = [1e308, 0, 0]\n" + claim,
        "is not finite"},
