@@ -200,6 +200,7 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
     if (!again) break;
   }
   if (!outcome.exact) ++inexact_;
+  if (!outcome.ended) ++unending_;
 
   for (std::size_t i = 0; keep_ && i < touches.size(); ++i) tell(touching[i], outcome.impulse[i]);
 

@@ -287,7 +287,10 @@ void EventStepper::part(Time from, Real s) {
   for (int i = 0; i < most_parts && probe_.end() < from + span; ++i) {
     if (probe_.step(scaled_, from + span) != Ending::done) break;
   }
-  if (probe_.end() < from + span) return fixed_step(from, span);
+  if (probe_.end() < from + span) {
+    ++failed_;
+    return fixed_step(from, span);
+  }
   std::copy_n(probe_.state(), system_.size(), y_.begin());
   if (account_) system_.load(from + span, y_.data());
 }
@@ -338,6 +341,19 @@ std::vector<std::string> EventStepper::remarks() const {
   }
   if (failed_ > 0)
     result.push_back(std::to_string(failed_) + " integration intervals did not reach the tolerance");
+  if (unwatched_ > 0) {
+    std::ostringstream text;
+    text << unwatched_
+         << " searches for surfaces that meet ended before they had seen all: surfaces may have been up to "
+         << unseen_ << " m inside each other unseen";
+    result.push_back(text.str());
+  }
+  if (unending_ > 0) {
+    result.push_back(
+        std::to_string(unending_) +
+        " impacts of several pairs did not come to an end one after another: they ended at once, "
+        "without restitution");
+  }
   if (loosened_ > 0) {
     result.push_back("at " + std::to_string(loosened_) +
                      " instants Coulomb friction had no solution, or stick and slip alternated too often: "

@@ -120,6 +120,7 @@ class EventStepper final : public Stepper, private Holder {
   std::vector<Row> joint_rows(const Motion*) const;
   Real touch_margin(const Candidate&, const Motion*) const;
   Real room_of(const HeldPoint&, const Motion*) const;
+  bool only_held_touches(const Candidate&, const Motion* begin, const Motion* end);
   bool holds(std::size_t candidate) const;
 
   Bodies system_;
@@ -159,7 +160,9 @@ class EventStepper final : public Stepper, private Holder {
   std::vector<char> loose_;     // per candidate: without friction for the rest of this step
   std::vector<char> restless_;  // per candidate: what changed in the idle changes
   bool resting_ = false;        // nothing moves, and no force depends on time
-  long inexact_ = 0, failed_ = 0, crowded_ = 0, plastic_steps_ = 0, loosened_ = 0, wedged_ = 0, crawls_ = 0;
+  long inexact_ = 0, failed_ = 0, crowded_ = 0, plastic_steps_ = 0, loosened_ = 0, wedged_ = 0, crawls_ = 0,
+       unwatched_ = 0, unending_ = 0;
+  Real unseen_ = 0;         // how deep surfaces may have been in each other where the search ended [m]
   Time crowded_since_ = 0;  // [s]
   std::int64_t work_ = 0;   // operations beside those of integrators and passage
   std::int64_t allowed_;    // operations that may be spent by now

@@ -3,6 +3,7 @@
 #include "engine/root.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -45,6 +46,34 @@ bool EventStepper::holds(std::size_t candidate) const {
                      [&](const HeldPoint& h) { return h.candidate == candidate; });
 }
 
+// Whether the one point at which a pair is held is the only one at which it can touch within the piece.
+bool EventStepper::only_held_touches(const Candidate& c, const Motion* begin, const Motion* end) {
+  const HeldPoint* only = nullptr;
+  for (const HeldPoint& held : held_) {
+    if (&candidates_[held.candidate] != &c) continue;
+    if (only) return false;
+    only = &held;
+  }
+  if (!only || !only->facets) return false;
+  const std::size_t a = index(c.body), b = index(c.other);
+  const std::vector<Shape>& shapes = system_.model().shapes;
+  const Turning bounds{passage_.spin_bound(a), passage_.spin_bound(b), passage_.speed_bound(c)};
+  const auto all_of = [&](int parts) {
+    const Real width = passage_.span() / static_cast<Real>(parts);
+    std::array<Motion, 2> from = {begin[a], begin[b]};
+    for (int k = 1; k <= parts; ++k) {
+      if (k < parts) passage_.at(static_cast<Real>(k) * width, scratch_);
+      const Motion* const to = k < parts ? scratch_.data() : end;
+      if (!only_facets_touch(*only->facets, shapes[a], shapes[b], from[0], to[a], from[1], to[b], bounds,
+                             width))
+        return false;
+      from = {to[a], to[b]};
+    }
+    return true;
+  };
+  return all_of(1) || all_of(8) || all_of(64);
+}
+
 // The first time within the piece at which surfaces meet that are apart.
 std::optional<Real> EventStepper::contact_time(Time from, Real span) {
   const Motion *begin = system_.motions(start_.data()), *end = system_.motions(end_.data());
@@ -69,7 +98,11 @@ std::optional<Real> EventStepper::meeting_time(const Candidate& c, bool held, Ti
   const Motion* begin = system_.motions(start_.data());
   const Real margin = touch_margin(c, begin);
   // Of a pair that is held a corner that comes down shows as depth; so deep counts.
-  const Real least = held ? 64 * margin : margin / 4, began = gap_of(c, model, begin);
+  const Real least = held ? 64 * margin : margin / 4;
+  work_ += 2 * static_cast<std::int64_t>(system_.count());
+  if (held && only_held_touches(c, begin, end)) return std::nullopt;
+  if (passage_.stays_on_face(c, model, held, least)) return std::nullopt;
+  const Real began = gap_of(c, model, begin);
   const bool inside = began < -least;
   if (inside && !instant_ && approaches(c, model, begin)) return Real(0);
   const Real level = inside ? -began : held ? least : Real(0);
@@ -81,6 +114,7 @@ std::optional<Real> EventStepper::meeting_time(const Candidate& c, bool held, Ti
     if (ends_inside && passage_.span() <= span && approaches(c, model, end)) return span;
     return std::nullopt;
   }
+  if (inside && passage_.stays_on_face(c, model, held, depth)) return std::nullopt;
   const Real slack = smooth ? Real(0) : depth - level;
   const auto gap_after = [&](Real s) {
     part(from, s);
@@ -117,15 +151,18 @@ std::optional<Real> EventStepper::meeting_time(const Candidate& c, bool held, Ti
   };
   const Real rate = smooth ? gap_rate(touch_at(c, model, begin), model.bodies, begin) : Real(0);
   Real low = 0, g_low = g_start;
+  Real unseen = 0;
   for (int i = 0; i < most_grazes; ++i) {
-    const auto bracket = first_closing(c, model, passage_, low, rate, depth, scratch_);
+    const auto bracket = first_closing(c, model, passage_, low, rate, depth, scratch_, unseen);
     if (!bracket || bracket->open > span) break;
+    if (i + 1 == most_grazes) unseen = std::max(unseen, depth);
     const Real g_open = gap_after(bracket->open), g_closed = gap_after(bracket->closed);
     if (g_open > 0) low = bracket->open, g_low = g_open;
     if (g_closed < (g_low > 0 ? Real(0) : -slack)) return meeting(low, g_low, bracket->closed, g_closed);
     low = bracket->closed;
     g_low = g_closed;
   }
+  if (unseen > 0) ++unwatched_, unseen_ = std::max(unseen_, unseen);
   if (!ends_inside || span < passage_.span()) return std::nullopt;
   return meeting(low, g_low, passage_.span(), g_end);
 }

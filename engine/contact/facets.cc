@@ -269,6 +269,57 @@ void place_touch(const FacetPair& p, const Body& body, const Motion& motion, Rea
   }
 }
 
+bool only_facets_touch(const FacetPair& p, const Shape& body, const Shape& other, const Motion& start,
+                       const Motion& end, const Motion& other_start, const Motion& other_end,
+                       const Turning& bounds, Real span) {
+  using Law = FacetPair::Law;
+  if (p.law == Law::flush) return false;
+  const Core a(body), b(other);
+  const Body still = make_body(1, Matrix3::Identity(), true);  // only places are asked for
+  struct End {
+    Carried a, b;
+    Nearest near;
+  };
+  const auto at = [&](const Motion& m, const Motion& o) -> End {
+    const Carried first{still, m}, second{still, o};
+    return {first, second, nearest(p, first, second)};
+  };
+  const End first = at(start, other_start), last = at(end, other_end);
+  // |n'|: that of the body with the face; two edges: 1/sin of the angle between them times that of both; round:
+  // the relative speed over the distance of the cores besides.
+  const Real both = bounds.body + bounds.other;
+  const auto sine = [&](const End& e) {
+    return (e.a.turn * p.body.along).cross(e.b.turn * p.other.along).norm();
+  };
+  const bool edges = p.body.half > 0 && p.other.half > 0;
+  Real turning = p.law == Law::face_of_other ? bounds.other : bounds.body;
+  if (p.law == Law::edges || p.law == Law::round) {
+    turning = both;
+    const Real least = std::min(sine(first), sine(last)) - both * span;
+    if (edges && !(least > least_sine)) return false;
+    if (edges) turning = both / least;
+    if (p.law == Law::round) turning += both + bounds.speed / (a.radius + b.radius);
+  }
+  const auto clear = [&](const Core& core, const Facet& facet, Real spin, const auto& turn, Real side) {
+    for (int i = 0; i < core.vertex_count; ++i) {
+      const Vector3 way = core.vertices[i] - facet.at;
+      const bool own = facet.kind == Facet::Kind::edge
+                           ? (way - facet.along.dot(way) * facet.along).norm() <= same * core.size
+                           : way.norm() <= same * core.size;
+      if (own) continue;
+      const Real f = side * first.near.n.dot(turn(first) * way), g = side * last.near.n.dot(turn(last) * way);
+      if (!(f + g > way.norm() * (spin + turning) * span)) return false;
+    }
+    return true;
+  };
+  return (p.law == Law::face_of_body ||
+          clear(
+              a, p.body, bounds.body, [](const End& e) { return e.a.turn; }, 1)) &&
+         (p.law == Law::face_of_other ||
+          clear(
+              b, p.other, bounds.other, [](const End& e) { return e.b.turn; }, -1));
+}
+
 Real room_on(const FacetPair& p, const Shape& body, const Pose& pose, const Shape& other,
              const Pose& other_pose) {
   using Law = FacetPair::Law;

@@ -43,6 +43,20 @@ FacetPair facets_at(const Shape& body, const Pose&, const Shape& other, const Po
 void place_touch(const FacetPair&, const Body&, const Motion&, Real radius, const Body& other,
                  const Motion& other_motion, Real other_radius, TouchPoint&);
 
+/// Bounds over a span of time on how fast both bodies turn [rad/s], and on the relative speed of their surfaces
+/// [m/s].
+struct Turning {
+  Real body = 0, other = 0, speed = 0;
+};
+
+/// Whether nothing but the facets can touch within a span [s], if these do all the time.  The cores lie on the two
+/// sides of the planes across n through the facets as long as  f_i = n.(x_i - x) > 0  for all vertices x_i beside
+/// the facet at x, and
+///   2 f_i >= f_i(0) + f_i(span) - |x_i - x| (|W| + |n'|) span.
+bool only_facets_touch(const FacetPair&, const Shape& body, const Shape& other, const Motion& start,
+                       const Motion& end, const Motion& other_start, const Motion& other_end,
+                       const Turning& bounds, Real span);
+
 /// How far the touch is from leaving its facets [m], with some slack: at less than zero other facets touch.
 Real room_on(const FacetPair&, const Shape& body, const Pose&, const Shape& other, const Pose& other_pose);
 

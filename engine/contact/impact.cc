@@ -159,6 +159,7 @@ ImpactOutcome strike(std::span<const TouchPoint> touches, Impacts impacts, std::
     }
     if (!any) return outcome;
   }
+  outcome.ended = false;
   members.resize(touches.size());
   for (std::size_t i = 0; i < members.size(); ++i) members[i] = i;
   solve_group(members, 0, nullptr);

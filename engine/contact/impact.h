@@ -24,6 +24,7 @@ struct ImpactOutcome {
   std::vector<Real> approach;  ///< Of each point: the largest -u_n that it was struck with [m/s]; 0 if never.
   int rounds = 0;              ///< Groups that were solved.
   bool exact = true;           ///< Every group obeys the law to rounding.
+  bool ended = true;           ///< Sequential: nothing approached before the rounds were over.
 };
 
 /// All the points at once.  `joints` keep their rates through the impact.  `memory`: how such an impact held

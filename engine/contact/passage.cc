@@ -1,14 +1,17 @@
 #include "engine/contact/passage.h"
 
+#include "engine/geometry/core.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace cylon::engine {
 
 namespace {
 
-// Of a pair in one part of a step; more means that it grazes along, and the end of the step decides.
-constexpr int most_looks = 400;
+// Of a pair that grazes along, parts narrower than this one of the span are not searched further.
+constexpr Real least_part = Real(1) / 128;
 
 Vector3 logarithm(const Quaternion& q) {
   const Quaternion p = q.w() < 0 ? Quaternion(-q.coeffs()) : q;
@@ -27,6 +30,13 @@ template <class V>
 V cubic(const V& p0, const V& v0, const V& p1, const V& v1, Real h, Real x) {
   const V d = p1 - p0;
   return p0 + x * (h * v0 + x * (3 * d - h * (2 * v0 + v1) + x * (h * (v0 + v1) - 2 * d)));
+}
+
+// d/ds of that, s = h x.
+template <class V>
+V slope(const V& p0, const V& v0, const V& p1, const V& v1, Real h, Real x) {
+  const V d = (p1 - p0) / h;
+  return v0 + x * (2 * (3 * d - 2 * v0 - v1) + x * 3 * (v0 + v1 - 2 * d));
 }
 
 }  // namespace
@@ -90,6 +100,11 @@ Real Passage::speed_bound(const Candidate& c) const {
   return Real(1.5) * (std::max({v0.norm(), v1.norm(), chord.norm() / span_}) + turning);
 }
 
+Real Passage::spin_bound(std::size_t body) const {
+  const Leg& leg = legs_[body];
+  return leg.moves ? Real(1.5) * std::max({leg.w0.norm(), leg.w1.norm(), leg.turn.norm() / span_}) : 0;
+}
+
 // A cubic is never faster than twice the largest of both end speeds and the mean speed.
 Real Passage::farthest(std::size_t body, const Vector3& place) const {
   const Leg& leg = legs_[body];
@@ -120,8 +135,130 @@ Real Passage::change_bound(const Candidate& c) const {
   return 2 * sum;
 }
 
+// Bounds on the derivatives along the way of a body: of its place, d[k], and of its rotation matrix, r[k].
+struct Passage::Growth {
+  std::array<Real, 5> d{}, r{};
+};
+
+// The rotation vector theta goes as a cubic, theta' as a quadratic with the values b_0, b_2 at the ends and the
+// mean (b_0 + b_1 + b_2)/3; a quadratic is no longer than the longest of its three.  Of R = exp(theta) R_0:
+//   |R'| <= a_1,  |R''| <= a_1^2 + a_2,  ...  (Bell's polynomials), a_k the bound on theta's derivatives.
+Passage::Growth Passage::growth(const Leg& leg) const {
+  const auto bounds = [&](const Vector3& b_0, const Vector3& mean, const Vector3& b_2) {
+    const Vector3 b_1 = 3 * mean - b_0 - b_2;
+    const Real first = 2 / span_ * (b_1 - b_0).norm(), second = 2 / span_ * (b_2 - b_1).norm();
+    return std::array<Real, 3>{std::max({b_0.norm(), b_1.norm(), b_2.norm()}), std::max(first, second),
+                               2 / (span_ * span_) * (b_2 - 2 * b_1 + b_0).norm()};
+  };
+  Growth g;
+  g.r[0] = 1;
+  if (!leg.moves) return g;
+  const auto [v, a, j] = bounds(leg.v0, (leg.p1 - leg.p0) / span_, leg.v1);
+  g.d = {0, v, a, j, 0};
+  const Vector3 end_rate = leg.turn.isZero(0) ? Vector3(Vector3::Zero()) : inverse_dexp(leg.turn, leg.w1);
+  const auto [w, w1, w2] = bounds(leg.turn.isZero(0) ? end_rate : leg.w0, leg.turn / span_, end_rate);
+  g.r = {1, w, w * w + w1, w * w * w + 3 * w * w1 + w2,
+         w * w * w * w + 6 * w * w * w1 + 3 * w1 * w1 + 4 * w * w2};
+  return g;
+}
+
+Passage::Place Passage::place(const Leg& leg, Real s) const {
+  if (s <= 0 || !leg.moves) return {leg.start.orientation.toRotationMatrix(), leg.p0, leg.v0, leg.w0};
+  if (s >= span_) return {leg.end.orientation.toRotationMatrix(), leg.p1, leg.v1, leg.w1};
+  const Real x = s / span_;
+  Place result;
+  result.p = cubic(leg.p0, leg.v0, leg.p1, leg.v1, span_, x);
+  result.v = slope(leg.p0, leg.v0, leg.p1, leg.v1, span_, x);
+  if (leg.turn.isZero(0)) {
+    result.turn = leg.start.orientation.toRotationMatrix();
+    return result;
+  }
+  // w = theta' + (1 - cos a)/a^2 theta x theta' + (a - sin a)/a^3 theta x (theta x theta'),  a = |theta|
+  const Vector3 zero = Vector3::Zero(), end_rate = inverse_dexp(leg.turn, leg.w1);
+  const Vector3 theta = cubic(zero, leg.w0, leg.turn, end_rate, span_, x);
+  const Vector3 theta_rate = slope(zero, leg.w0, leg.turn, end_rate, span_, x);
+  const Vector3 across = theta.cross(theta_rate);
+  const Real a = theta.norm();
+  const bool small = a < Real(1e-3);
+  const Real c_1 = small ? Real(0.5) - a * a / 24 : (1 - std::cos(a)) / (a * a);
+  const Real c_2 = small ? 1 / Real(6) - a * a / 120 : (a - std::sin(a)) / (a * a * a);
+  result.w = theta_rate + c_1 * across + c_2 * theta.cross(across);
+  result.turn = (exponential(theta) * leg.start.orientation).toRotationMatrix();
+  return result;
+}
+
+bool Passage::stays_above(const Leg& carrier, const Shape& shape, const Leg& visitor, const Shape& above,
+                          bool held, Real depth) const {
+  const Core below(shape), over(above);
+  const Real radii = below.radius + over.radius;
+  struct End {
+    Place carrier, visitor;
+  };
+  const auto height = [&](const End& e, int face, const Vector3& vertex) {
+    const Vector3 x = e.visitor.p + e.visitor.turn * vertex - e.carrier.p;
+    return below.normals[face].dot(e.carrier.turn.transpose() * x - below.vertices[below.faces[face][0]]) -
+           radii;
+  };
+  const auto rate = [&](const End& e, int face, const Vector3& vertex) {
+    const Vector3 arm = e.visitor.turn * vertex, x = e.visitor.p + arm - e.carrier.p;
+    const Vector3 seen = e.visitor.v + e.visitor.w.cross(arm) - e.carrier.v - e.carrier.w.cross(x);
+    return (e.carrier.turn * below.normals[face]).dot(seen);
+  };
+  // f = n.R_c^T (D + R_v x), D the way between the two: products of their derivatives.
+  const Growth c = growth(carrier), v = growth(visitor);
+  constexpr std::array<Real, 5> binomial = {1, 4, 6, 4, 1};
+  std::array<Real, 5> apart;
+  apart[0] = (visitor.p0 - carrier.p0).norm() + span_ * (c.d[1] + v.d[1]);
+  for (std::size_t k = 1; k < 5; ++k) apart[k] = c.d[k] + v.d[k];
+  Real fourth = 0;
+  for (std::size_t k = 0; k < 5; ++k)
+    fourth += binomial[k] * c.r[k] * (apart[4 - k] + over.size * v.r[4 - k]);
+  // So many parts that what is not known of each is half the depth.
+  const Real whole = span_ * span_ * span_ * span_ / 384 * fourth;
+  const Real wanted = std::ceil(std::sqrt(std::sqrt(2 * whole / depth)));
+  constexpr int most_parts = 16;
+  if (!(wanted <= most_parts)) return false;
+  const int parts = std::max(1, static_cast<int>(wanted));
+  const Real n = static_cast<Real>(parts), width = span_ / n, curved = whole / (n * n * n * n);
+  std::array<End, most_parts + 1> ends;
+  for (int i = 0; i <= parts; ++i) {
+    const Real s = i == parts ? span_ : static_cast<Real>(i) * width;
+    ends[static_cast<std::size_t>(i)] = {place(carrier, s), place(visitor, s)};
+  }
+  const auto stays = [&](int face) {
+    for (int k = 0; k < over.vertex_count; ++k) {
+      const Vector3& x = over.vertices[k];
+      Real f = height(ends[0], face, x);
+      const auto rests = [&](const End& e) {
+        return std::max(std::abs(height(e, face, x)), span_ * std::abs(rate(e, face, x))) < depth;
+      };
+      if (held && rests(ends[0]) && rests(ends[static_cast<std::size_t>(parts)])) continue;
+      for (int i = 0; i < parts; ++i) {
+        const End &from = ends[static_cast<std::size_t>(i)], &to = ends[static_cast<std::size_t>(i + 1)];
+        const Real g = height(to, face, x);
+        if (!(std::min(f, g) - curved > -depth)) return false;
+        const Real bent = std::min(f + width / 3 * rate(from, face, x), g - width / 3 * rate(to, face, x));
+        if (!(bent - curved > -depth)) return false;
+        f = g;
+      }
+    }
+    return true;
+  };
+  for (int face = 0; face < below.face_count; ++face)
+    if (stays(face)) return true;
+  return false;
+}
+
+bool Passage::stays_on_face(const Candidate& c, const Model& model, bool held, Real depth) const {
+  if (c.kind != Candidate::Kind::general) return false;
+  const std::size_t a = index(c.body), b = index(c.other);
+  return stays_above(legs_[b], model.shapes[b], legs_[a], model.shapes[a], held, depth) ||
+         stays_above(legs_[a], model.shapes[a], legs_[b], model.shapes[b], held, depth);
+}
+
 std::optional<Bracket> first_closing(const Candidate& c, const Model& model, const Passage& passage,
-                                     Real from, Real start_rate, Real margin, std::vector<Motion>& scratch) {
+                                     Real from, Real start_rate, Real margin, std::vector<Motion>& scratch,
+                                     Real& unseen) {
   const Real span = passage.span();
   const auto gap = [&](Real s) {
     passage.at(s, scratch);
@@ -143,17 +280,22 @@ std::optional<Bracket> first_closing(const Candidate& c, const Model& model, con
     Real a, g_a, b, g_b;
   };
   std::vector<Part> todo = {{from, g_from, span, g_end}};
-  for (int looks = 0; !todo.empty() && looks < most_looks; ++looks) {
+  while (!todo.empty()) {
     const Part p = todo.back();
     todo.pop_back();
     const Real w = p.b - p.a;
     const bool apart =
         p.g_a + p.g_b - v * w > 0 || (smooth && std::min(p.g_a, p.g_b) - b * w * w / 8 > -margin);
     if (apart) continue;
-    const bool narrow = w < span / 16 || looks > most_looks / 2;
+    const bool narrow = w < span / 16;
     if (narrow && p.g_a >= -margin && p.g_b < -margin) return Bracket{p.a, p.b};
     if (narrow && p.g_a < -margin && p.g_b < -margin) continue;
-    if (w < span * 64 * std::numeric_limits<Real>::epsilon()) continue;
+    const bool grazes = std::max(p.g_a, p.g_b) < v * w / 8;  // else it may pass, in a part of this one
+    if ((w <= span * least_part && grazes) || w < span * 64 * std::numeric_limits<Real>::epsilon()) {
+      const Real by_rate = (v * w - p.g_a - p.g_b) / 2, by_change = b * w * w / 8 - std::min(p.g_a, p.g_b);
+      unseen = std::max(unseen, smooth ? std::min(by_rate, by_change) : by_rate);
+      continue;
+    }
     const Real middle = p.a + w / 2, g = gap(middle);
     todo.push_back({middle, g, p.b, p.g_b});
     todo.push_back({p.a, p.g_a, middle, g});

@@ -31,6 +31,13 @@ class Passage {
   /// Bounds on the speed of approach of any points of the two bodies [m/s], and on its change [m/s^2].
   Real speed_bound(const Candidate&) const;
   Real change_bound(const Candidate&) const;
+  /// A bound on how fast a body turns [rad/s].
+  Real spin_bound(std::size_t body) const;
+  /// Whether one of two polytopes stays above one face of the other, by more than -depth [m], all the way: what
+  /// rests or slides on a face does, at gap 0.  With f the height of a vertex of one over the face and w the span,
+  ///   f >= min(f_0, f_0 + w f_0'/3, f_w - w f_w'/3, f_w) - w^4/384 max |f^(4)|,
+  /// in up to 16 parts of the span.  Of a pair that is `held`, vertices on the face at both ends are held there.
+  bool stays_on_face(const Candidate&, const Model&, bool held, Real depth) const;
 
  private:
   struct Leg {
@@ -38,6 +45,16 @@ class Passage {
     Motion start, end;
     bool moves = false;
   };
+  struct Place {
+    Matrix3 turn = Matrix3::Identity();
+    Vector3 p = Vector3::Zero(), v = Vector3::Zero(), w = Vector3::Zero();
+  };
+  struct Growth;
+  Place place(const Leg&, Real s) const;
+  Growth growth(const Leg&) const;
+  bool stays_above(const Leg& carrier, const Shape&, const Leg& visitor, const Shape& above, bool held,
+                   Real depth) const;
+
   std::vector<Leg> legs_;
   std::size_t count_ = 0;
   Real span_ = 0;
@@ -52,8 +69,10 @@ struct Bracket {
 /// of the span are left out only where the gap cannot close: in them it lies above
 ///   (g_a + g_b - V w)/2   and, for one smooth point,   min(g_a, g_b) - B w^2/8,
 /// V and B the bounds on the gap's rate and its change, w the width; and where it is closed at both ends of a
-/// short part.  `start_rate`: the gap's rate at 0 [m/s].
+/// short part.  `start_rate`: the gap's rate at 0 [m/s].  Parts of 1/128 of the span are not searched
+/// further; `unseen` is raised to how deep the surfaces may be in each other in one of them [m].
 std::optional<Bracket> first_closing(const Candidate&, const Model&, const Passage&, Real from,
-                                     Real start_rate, Real margin, std::vector<Motion>& scratch);
+                                     Real start_rate, Real margin, std::vector<Motion>& scratch,
+                                     Real& unseen);
 
 }  // namespace cylon::engine

@@ -108,7 +108,7 @@ void SphereImpacts::strike(const Approaching& pair, const Meeting& m, Spheres& s
   if (contacts) contacts->push_back({impact.body, impact.other, impact.plane, point, n, normal, tangential});
 }
 
-void SphereImpacts::resolve(const std::vector<Approaching>& pairs, Spheres& spheres, Time now, Time span,
+bool SphereImpacts::resolve(const std::vector<Approaching>& pairs, Spheres& spheres, Time now, Time span,
                             std::vector<Impact>& impacts, std::vector<Contact>* contacts) {
   const Real h = static_cast<Real>(span), never = std::numeric_limits<Real>::max();
   since_.resize(static_cast<std::size_t>(spheres.count)), next_.resize(since_.size());
@@ -135,7 +135,7 @@ void SphereImpacts::resolve(const std::vector<Approaching>& pairs, Spheres& sphe
         later = true;
     }
     if (any) continue;
-    if (!later) return;
+    if (!later) return true;
     // Nothing does: of what meets later, what both bodies meet first.
     for (const Approaching& pair : pairs) {
       const auto [a, b] = bodies(pair);
@@ -153,6 +153,8 @@ void SphereImpacts::resolve(const std::vector<Approaching>& pairs, Spheres& sphe
       next_[a] = next_[b] = -1;  // the others look again
     }
   }
+  return std::none_of(pairs.begin(), pairs.end(),
+                      [&](const Approaching& pair) { return meeting(pair, spheres, h).time >= 0; });
 }
 
 }  // namespace cylon::engine::pile

@@ -23,8 +23,8 @@ class SphereImpacts {
   ///   u_n' = -e u_n,  |J_t| <= friction J_n;  p += t (v - v'), so that p + v' h is on the broken path.
   /// Repeated until nothing approaches, at most 64 times: one impact can make another (Newton's cradle), or
   /// unmake it (a ball in a corner), so each body meets others in the order of time.
-  /// Adds the contacts to `contacts` where it is not null.
-  void resolve(const std::vector<Approaching>&, Spheres&, Time now, Time span, std::vector<Impact>&,
+  /// Adds the contacts to `contacts` where it is not null.  Says whether nothing approached at the end.
+  bool resolve(const std::vector<Approaching>&, Spheres&, Time now, Time span, std::vector<Impact>&,
                std::vector<Contact>* contacts);
 
  private:

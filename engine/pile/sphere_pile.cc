@@ -45,6 +45,10 @@ std::vector<std::string> SpherePile::remarks() const {
     remarks.emplace_back(
         "bodies moved farther than half the smallest radius in a sixteenth of a step: they may have passed "
         "through each other");
+  if (unending_)
+    remarks.emplace_back(
+        "impacts of spheres within a part of a step did not come to an end in the rounds that are made: what "
+        "still approached met in the next part, as a contact");
   return remarks;
 }
 
@@ -107,7 +111,9 @@ void SpherePile::advance_part(Time now, Time span) {
   const int n = settings_.substeps;
   const Time h = span / n;
   found_.find(spheres_, span, model_.forces.gravity.norm());
-  impacts_found_.resolve(found_.approaching(), spheres_, now, span, impacts_, keep_ ? &contacts_ : nullptr);
+  if (!impacts_found_.resolve(found_.approaching(), spheres_, now, span, impacts_,
+                              keep_ ? &contacts_ : nullptr))
+    unending_ = true;
   if (alone_) {
     advance_alone(span);  // impacts alone: nothing rests on anything
     turn(span);

@@ -49,7 +49,7 @@ class SpherePile : public Stepper {
   std::int64_t first_, steps_;
   Real smallest_ = 0, largest_ = 0;  // radius
   bool followed_ = false;  // impacts at one instant followed one another, though they are simultaneous
-  bool too_fast_ = false, alone_ = false;
+  bool too_fast_ = false, unending_ = false, alone_ = false;
 };
 
 }  // namespace cylon::engine::pile

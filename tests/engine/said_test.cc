@@ -51,5 +51,52 @@ TEST(Said, WhereAPathIsNotTaken) {
     }
 }
 
+Model touching_model(const Material& material) {
+  Model model;
+  model.surface_count = 2;
+  model.materials.assign(4, material);
+  model.forces.gravity = {0, Real(-9.81), 0};
+  return model;
+}
+
+void add_shape(Model& model, const Shape& shape, const Vector3& p, const Vector3& v, bool locked = false) {
+  const Body body = make_body(1, Matrix3::Identity() / 20, locked);
+  model.bodies.push_back(body);
+  model.motions.push_back(make_motion(
+      body, p, Quaternion(Eigen::AngleAxis<Real>(Real(M_PI / 2), Vector3::UnitX())), v, Vector3::Zero()));
+  model.shapes.push_back(shape);
+  model.surfaces.push_back(0);
+}
+
+// Two capsules side by side have no face that could bound their distance; a box on a box has.
+TEST(Said, WhereASearchForSurfacesThatMeetEnds) {
+  const auto sliding = [](const Shape& shape, Real height) {
+    Model model = touching_model({0, 0});
+    add_shape(model, shape, Vector3::Zero(), Vector3::Zero(), true);
+    add_shape(model, shape, {0, height, 0}, {0, 0, Real(0.2)});
+    Options options = with("dop853", 5e-3);
+    options.path = "events";
+    return run(model, options, 40).remarks;
+  };
+  EXPECT_TRUE(says(sliding(Capsule{Real(0.2), Real(0.5)}, Real(0.4)), "ended before they had seen all"));
+  EXPECT_FALSE(says(sliding(Box{Vector3::Constant(Real(0.2))}, Real(0.4)), "ended before they had seen all"));
+}
+
+// A blow runs back along a row of balls that touch, one ball in each round of impacts: 64 rounds are made.
+TEST(Said, WhereRoundsOfImpactsEnd) {
+  const auto row = [](int count) {
+    Model model = touching_model({1, 0});
+    model.forces.gravity.setZero();
+    for (int i = 0; i < count; ++i)
+      add_shape(model, Sphere{Real(0.5)}, {static_cast<Real>(i), 0, 0}, Vector3::Zero());
+    add_shape(model, Sphere{Real(0.5)}, {static_cast<Real>(count) + Real(0.001), 0, 0}, {-1, 0, 0});
+    Options options = with("auto", 1e-2);
+    options.path = "stepping";
+    return run(model, options, 2).remarks;
+  };
+  EXPECT_TRUE(says(row(100), "did not come to an end"));
+  EXPECT_FALSE(says(row(20), "did not come to an end"));
+}
+
 }  // namespace
 }  // namespace cylon::engine

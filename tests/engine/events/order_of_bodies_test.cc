@@ -103,8 +103,14 @@ struct Compared {
 void compare(const Pair& pair, double end, Compared& compared) {
   Trial one(pair.model, 0.005), two(swapped(pair.model), 0.005);
   one.until(end), two.until(end);
-  const bool kept = one.stepper.remarks().empty();
-  EXPECT_EQ(kept, two.stepper.remarks().empty()) << pair.text;
+  const auto keeps = [](const Trial& run) {  // where a search ended, nothing may have been there
+    const std::vector<std::string> remarks = run.stepper.remarks();
+    return std::all_of(remarks.begin(), remarks.end(), [](const std::string& remark) {
+      return remark.find("ended before they had seen all") != std::string::npos;
+    });
+  };
+  const bool kept = keeps(one);
+  EXPECT_EQ(kept, keeps(two)) << pair.text;
   if (kept) {
     EXPECT_EQ(one.impacts.size(), two.impacts.size()) << pair.text;
   }
