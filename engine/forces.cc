@@ -168,6 +168,39 @@ Rates rates(const Water& w, const std::vector<Body>& bodies) {
   return {0, std::max(w.drag * mobility, w.mode == WaterMode::step ? Real(1) : Real(0))};
 }
 
+// Sums over the forces on each body.
+class Sums {
+ public:
+  explicit Sums(const std::vector<Body>& bodies) : bodies_(bodies), rates_(bodies.size()) {}
+
+  void add(const Spring& s) {
+    const Real shared = s.body != fixed_world && s.to != fixed_world ? Real(2) : Real(1);
+    add(s.body, s.anchor, shared * s.stiffness, shared * s.damping);
+    add(s.to, s.to_anchor, shared * s.stiffness, shared * s.damping);
+  }
+  void add(const Drag& d) { rates_[at(d.body)].damping += rates(d, bodies_).damping; }
+  void add(const Thrust&) {}
+  void add(const Drive&) {}
+  void add(const Attraction&) {}
+  void add(const Water& w) {
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+      if (!bodies_[i].locked) rates_[i].damping += rates(w, bodies_).damping;
+  }
+  const std::vector<Rates>& all() const { return rates_; }
+
+ private:
+  void add(int body, const Vector3& anchor, Real stiffness, Real damping) {
+    if (body == fixed_world || bodies_[at(body)].locked) return;
+    const Real mobility =
+        bodies_[at(body)].inverse_mass + anchor.squaredNorm() * largest_inverse_moment(bodies_[at(body)]);
+    rates_[at(body)].square += stiffness * mobility;
+    rates_[at(body)].damping += damping * mobility;
+  }
+
+  const std::vector<Body>& bodies_;
+  std::vector<Rates> rates_;
+};
+
 }  // namespace
 
 void apply(const Forces& forces, Time time, const std::vector<Body>& bodies, std::size_t count,
@@ -197,6 +230,16 @@ StepLimit longest_step(const Forces& forces, const std::vector<Body>& bodies) {
     if (step < limit.step) limit = {step, force.one};
   });
   return limit;
+}
+
+//   h = 2/(sqrt(c^2 + 4 k) + c)
+Real steady_step(const Forces& forces, const std::vector<Body>& bodies) {
+  Sums sums(bodies);
+  each_force(forces, [&](const auto& force) { sums.add(force); });
+  Real least = std::numeric_limits<Real>::infinity();
+  for (const Rates& r : sums.all())
+    least = std::min(least, 2 / (std::sqrt(r.damping * r.damping + 4 * r.square) + r.damping));
+  return least;
 }
 
 }  // namespace cylon::engine

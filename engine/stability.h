@@ -19,4 +19,11 @@ struct StepLimit {
 /// may be.
 StepLimit longest_step(const Forces&, const std::vector<Body>&);
 
+/// A step in which explicit integration of all the forces together is stable and does not overshoot [s]: for each
+/// body, with the sums over its forces of stiffness and damping per mass, k and c (a spring between two bodies
+/// counts twice, levers count by the least moment of inertia),
+///   h^2 k + h c <= 1.
+/// By Gershgorin's bound on the eigenvalues.  Infinite where no force says so.
+Real steady_step(const Forces&, const std::vector<Body>&);
+
 }  // namespace cylon::engine

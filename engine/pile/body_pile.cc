@@ -11,6 +11,8 @@ namespace cylon::engine::pile {
 namespace {
 
 constexpr int most_parts = 16, separations = 4;
+// Of a step, for stiff forces; what needs more is told as unstable.
+constexpr int most_stiff_parts = 1024;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -30,6 +32,7 @@ BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings, st
       still_(model_.bodies.size(), 0),
       steps_(first),
       limit_(longest_step(model_.forces, model_.bodies)),
+      stiff_parts_(parts_for(model_, dt)),
       struck_(model_.bodies.size(), 0),
       other_forces_(!model.forces.only_gravity()),
       isolated_(isolated(model)),
@@ -60,6 +63,12 @@ std::vector<std::string> BodyPile::remarks() const {
     std::ostringstream text;
     text << "contacts of many bodies were solved by sweeps: in the last step they were off by " << swept_to_
          << " m/s, in the worst by " << swept_worst_ << " m/s";
+    remarks.push_back(text.str());
+  }
+  if (stiff_parts_ > 1) {
+    std::ostringstream text;
+    text << "each step goes in " << stiff_parts_ << " parts: " << limit_.reason
+         << " is too stiff for longer ones";
     remarks.push_back(text.str());
   }
   if (unstable_) {
@@ -212,6 +221,13 @@ void BodyPile::drift(Real h) {
   }
 }
 
+// Steps up to twice the steady one are stable for one force by itself, and are left as they are.
+int BodyPile::parts_for(const Model& model, Time dt) {
+  const Real steps = static_cast<Real>(dt) / steady_step(model.forces, model.bodies);
+  if (!(steps > 2 * (1 + 64 * std::numeric_limits<Real>::epsilon()))) return 1;
+  return static_cast<int>(std::min(std::ceil(steps), static_cast<Real>(most_stiff_parts)));
+}
+
 int BodyPile::parts_of_step() const {
   if (found_.smallest() == 0) return 1;
   Real fastest = 0;
@@ -225,6 +241,7 @@ void BodyPile::step() {
   swept_to_ = 0;
   int parts = parts_of_step();
   if (parts > most_parts) parts = most_parts, too_fast_ = true;
+  parts = std::max(parts, stiff_parts_);
   for (int k = 0; k < parts; ++k)
     advance_part(static_cast<Time>(steps_) * dt_ + k * dt_ / parts, dt_ / parts);
   std::stable_sort(impacts_.begin(), impacts_.end(),

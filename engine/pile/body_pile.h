@@ -30,6 +30,7 @@ class BodyPile : public Stepper {
  private:
   static constexpr int awake = -1;  // of rest_
   int parts_of_step() const;
+  static int parts_for(const Model&, Time dt);
   void advance_part(Time now, Time span);
   void divide(Real span);
   bool bounces(const Group&, Real span) const;
@@ -94,6 +95,7 @@ class BodyPile : public Stepper {
   std::int64_t steps_;
   double residual_ = 0;
   StepLimit limit_;
+  int stiff_parts_ = 1;       // of each step, for forces that are unstable in longer ones
   std::vector<char> struck_;  // bodies that a bounce changes in this part of a step
   bool unstable_ = false;     // some part was longer than the limit
   bool together_ = false;     // bounces that share a body were solved at once, though impacts are sequential
