@@ -199,6 +199,15 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
     }
     if (!again) break;
   }
+  // Rocking that no restitution keeps up: what a blow elsewhere lifts by less than the rounding of the gap stays.
+  const bool blow =
+      std::any_of(outcome.approach.begin(), outcome.approach.end(), [](Real u) { return u > 0; });
+  for (std::size_t i = 0; blow && i < touches.size(); ++i) {
+    const Real u = rate_now(touches[i]);
+    const Real low = 16 * ulp * gap_scale(candidates_[touching[i].held.candidate], model, motion);
+    touching[i].returns =
+        touches[i].restitution == 0 && outcome.approach[i] == 0 && u > 0 && u * u < 2 * pulls[i] * low;
+  }
   if (!outcome.exact) ++inexact_;
   if (!outcome.ended) ++unending_;
 
@@ -366,7 +375,7 @@ ContactForces EventStepper::find_holds(const std::vector<Spot>& touching, Real s
   which.clear();
   for (std::size_t i = 0; i < touching.size(); ++i) {
     TouchPoint touch = touching[i].touch.pair >= 0 ? touching[i].touch : TouchPoint{};
-    if (gap_rate(touch, bodies, motion) > slow) continue;
+    if (gap_rate(touch, bodies, motion) > slow && !touching[i].returns) continue;
     // velocities have changed since the touch was measured
     touch = touch_of(touching[i].held, motion);
     touches.push_back(touch);

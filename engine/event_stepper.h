@@ -74,7 +74,7 @@ class EventStepper final : public Stepper, private Holder {
   struct Spot {
     TouchPoint touch;
     HeldPoint held;
-    bool struck = false;
+    bool returns = false;  ///< It was lifted by less than rounding, and comes back.
   };
 
   void hold(Time, const std::vector<Body>&, const Motion*, const Kinematics*, Load*) override;

@@ -214,14 +214,14 @@ const std::vector<Odd> all = {
     {"groove_smooth", 5e6, "", {{0, What::velocity, 2, 1, 1e-12}, {0, What::position, 2, 2, 1e-12}}},
     {"groove_steep", 6e6},
     {"groove_shallow", 5e6},
-    // One rail is struck before the other: the ball swings about it for 0.3 s.
+    // One rail is struck before the other: the ball swings about it for 0.3 s, or rocks from one to the other.
     {"two_rails",
      6e6,
      "",
      {{2, What::velocity, 2, rolls(0.5 * (rail_height - 0.2) / 0.6, 0.5, 1), 1e-5},
       {2, What::position, 1, rail_height, 1e-10}}},
     {"two_rails_smooth", 5e6, "", {{2, What::velocity, 2, 1, 1e-12}}},
-    {"two_rails_off_centre", 1e8, not_followed, {{2, What::position, 1, rail_height, 1e-6}}},
+    {"two_rails_off_centre", 5e6, "", {{2, What::position, 1, rail_height, 1e-10}}},
     {"five_balls_weak_spring", 3e8, "late", {{0, What::position, 1, 0.5, 1e-6}}},
     {"five_balls", 3e8, "late", {{0, What::position, 1, 0.5, 1e-6}}},
     {"hull_on_box", 1.5e7, "", {{1, What::velocity, 1, 0, 1e-9}}},
