@@ -119,6 +119,7 @@ endfunction()
 # The test reads what every target has declared by the end of CMakeLists.txt.
 function(layering_test)
   declare(lint_scope KIND tool PLACES tests/lint_scope.cc PRIVATE clang)  # tests/lint.py loads it into clang-tidy
+  declare(fault KIND tool PLACES tests/hostile/fault.cc)                  # tests/hostile/faults.py compiles it
   cmake_language(EVAL CODE "cmake_language(DEFER DIRECTORY ${PROJECT_SOURCE_DIR} CALL write_declared)")
   add_test(NAME layering COMMAND ${PROJECT_SOURCE_DIR}/tests/layering_test.py ${PROJECT_BINARY_DIR}/layers.json)
   set_tests_properties(layering PROPERTIES LABELS layering)

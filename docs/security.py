@@ -25,6 +25,7 @@ ROWS = [
 CAMPAIGNS = [
     ("libFuzzer", "tests/fuzz/campaign.py", "--rounds 0"),
     ("killed at a random moment and resumed", "tests/hostile/kills.py CYLON", "--kills 0"),
+    ("one call of the system failed, then resumed", "tests/hostile/faults.py CYLON", "--trials 0"),
 ]
 
 
@@ -53,7 +54,10 @@ def rows_of_campaigns(cylon):
         words = command.replace("CYLON", cylon).split()
         shown = command.replace("CYLON", "build/release/cylon")
         for part, count in said_last([ROOT / words[0], *words[1:], *ask.split()])["parts"].items():
-            yield f"| {what}: {part} | {count['tried']} | {count['failed']} | | `{shown} {part}` |", count["failed"]
+            if count.get("calls") == 0:  # it makes none
+                continue
+            known = f"of {count['calls']} calls" if "calls" in count else ""
+            yield f"| {what}: {part} | {count['tried']} | {count['failed']} | {known} | `{shown} {part}` |", count["failed"]
 
 
 def main():

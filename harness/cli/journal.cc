@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 // Of the worker's command, and of the content of each word of it that is a file.
 std::string worker_hash(const std::vector<std::string>& command) {
   static std::map<std::vector<std::string>, std::string> known;
-  const auto [found, fresh] = known.try_emplace(command);
-  if (fresh) {
+  auto found = known.find(command);
+  if (found == known.end()) {
     core::ContentHash content;
     for (const std::string& word : command) {
       content.add(word);
@@ -28,7 +28,7 @@ std::string worker_hash(const std::vector<std::string>& command) {
       std::ifstream in(word, std::ios::binary);
       content.add(std::string(std::istreambuf_iterator<char>(in), {}));
     }
-    found->second = content.hex();
+    found = known.emplace(command, content.hex()).first;  // kept only when it is whole
   }
   return found->second;
 }

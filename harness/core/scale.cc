@@ -302,9 +302,10 @@ RequiredMotion::RequiredMotion(Truth truth, double until) : truth_(std::move(tru
 const Trajectory& RequiredMotion::path(double until) const {
   const std::scoped_lock lock(mutex_);
   const double end = std::min(until, until_);
-  const auto [place, is_new] = paths_.try_emplace(end);
-  if (is_new) place->second = sampled(truth_, end, times_of_range(end));
-  return place->second;
+  auto known = paths_.find(end);
+  if (known == paths_.end())  // kept only when it is whole
+    known = paths_.emplace(end, sampled(truth_, end, times_of_range(end))).first;
+  return known->second;
 }
 
 bool anything_fixed(const Scene& scene) {

@@ -69,12 +69,22 @@ Child::Child(const std::vector<std::string>& command, std::size_t memory_bytes, 
     : command_(command), memory_bytes_(memory_bytes) {
   const std::scoped_lock lock(births());
   const Spawned child = spawn(command, memory_bytes, mark_, kept);
-  owned_.emplace(child.pid);
   pid_ = child.pid, in_ = child.in, out_ = child.out, err_ = child.err;
+  try {
+    owned_.emplace(pid_);
+  } catch (...) {  // no memory
+    end_group();
+    close_fd(in_), close_fd(out_), close_fd(err_);
+    throw;
+  }
 }
 
 Child::~Child() {
-  kill();
+  try {
+    kill();
+  } catch (const std::exception&) {  // no memory to look for its descendants
+    end_group();
+  }
   close_fd(in_), close_fd(out_), close_fd(err_);
 }
 
@@ -129,6 +139,7 @@ void Child::poll_once(int timeout_ms) {
 void Child::write_some() {
   const ssize_t n = ::write(in_, unsent_.data() + sent_, unsent_.size() - sent_);
   if (n < 0 && (errno == EAGAIN || errno == EINTR)) return;
+  if (n < 0 && errno != EPIPE) throw std::system_error(errno, std::generic_category(), "write to the worker");
   // It closed its stdin: what it says, or how it ends, is the news.
   sent_ = n < 0 ? unsent_.size() : sent_ + static_cast<std::size_t>(n);
   if (sent_ == unsent_.size()) unsent_.clear(), unsent_.shrink_to_fit(), sent_ = 0;
@@ -211,12 +222,19 @@ std::string Child::finish(double seconds) {
 void Child::kill() {
   if (pid_ < 0) return;
   Family(pid_, mark_).kill();
+  end_group();
+  Family::reap_orphans();
+  drain_errors();
+}
+
+void Child::end_group() {
+  if (pid_ < 0) return;
+  ::kill(pid_, SIGKILL);
+  ::kill(-pid_, SIGKILL);
   owned_.reset();
   while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
   }
   pid_ = -1;
-  Family::reap_orphans();
-  drain_errors();
 }
 
 // Not getrusage's, which begins with what the process that forked it had resident.

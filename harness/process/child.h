@@ -73,6 +73,7 @@ class Child {
 
  private:
   using Clock = std::chrono::steady_clock;
+  void end_group();  // without any memory; it itself is reaped
   void check_limits();
   void poll_once(int timeout_ms);
   void write_some();

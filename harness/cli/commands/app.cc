@@ -15,10 +15,12 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <sstream>
+#include <string_view>
 #include <utility>
 
 namespace cylon::cli {
@@ -113,7 +115,18 @@ void show(const core::InputError& error) {
       reports::escaped(line, [](char32_t c) { return c == U'\t' || reports::is_printable(c); }), margin);
 }
 
-int main(int argc, char** argv) {
+namespace {
+
+// The standard library's folders and threads let no exception out, so that lack of memory in them ends here.  What
+// is kept by then can be resumed; workers die with this process.
+[[noreturn]] void fail_at_once() {
+  constexpr std::string_view text = "internal error: out of memory, or an exception that nothing may catch\n";
+  [[maybe_unused]] const ssize_t told = ::write(STDERR_FILENO, text.data(), text.size());
+  ::_exit(harness_failure);
+}
+
+int run_command_line(int argc, char** argv) {
+  std::set_terminate(fail_at_once);
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);  // a file at its limit is a write that fails
   CLI::App app{"Cylon: run the same scenes on several physics engines and compare them with exact solutions.",
@@ -154,7 +167,15 @@ int main(int argc, char** argv) {
   } catch (const process::Interrupted&) {
     std::cerr << "interrupted\n";
     return interrupted;
-  } catch (const std::exception& error) {
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run_command_line(argc, argv);
+  } catch (const std::exception& error) {  // no memory, also before there is a command
     std::cerr << "internal error: " << plain(error.what()) << '\n';
     return harness_failure;
   }

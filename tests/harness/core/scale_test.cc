@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <new>
 #include <numbers>
 #include <stdexcept>
 
@@ -147,6 +148,21 @@ TEST(Scale, NeedsTheTruthThatIsFollowed) {
   Claim claim = claim_of(Quantity::position);
   claim.follows = "fall";
   EXPECT_THROW(scale(claim, thrown({0, 0, 0}, {0, 0, 0}), T), std::logic_error);
+}
+
+// A path that could not be made, for lack of memory, stayed empty, and later claims were judged by it.
+TEST(Scale, TakesNoMotionThatWasGivenUpHalfWay) {
+  const Scene scene = thrown({0, 0, 0}, {1, 2, 3});
+  Truth truth = fall(scene);
+  int calls = 0;
+  truth.state = [whole = truth.state, &calls](double t) {
+    if (++calls == 100) throw std::bad_alloc();
+    return whole(t);
+  };
+  const RequiredMotion motion(truth, T);
+  EXPECT_THROW(motion.path(1.5), std::bad_alloc);
+  EXPECT_EQ(motion.path(1.5).size(), RequiredMotion(fall(scene), T).path(1.5).size());
+  EXPECT_GT(motion.path(1.5).size(), 200u);
 }
 
 }  // namespace
