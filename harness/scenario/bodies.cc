@@ -53,7 +53,7 @@ core::Matrix3 read_inertia(const Table& table) {
           fmt::format(
               "inertia: nine numbers must be symmetric, but {} against {}, {} against {}, {} against {}",
               v[1], v[3], v[2], v[6], v[5], v[7]));
-    inertia = (inertia + inertia.transpose()).eval() / 2;
+    inertia -= skew / 2;  // a sum may be too large, and the half of a number may be none
   }
   const double least = core::principal_axes(inertia).moments.minCoeff();
   if (!(least > 0))

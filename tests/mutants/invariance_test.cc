@@ -125,6 +125,12 @@ core::Recording restated(const core::Recording& recording, const Description& d,
       if (c.impulse) *c.impulse *= d.factor("kg m/s");
       if (c.friction) c.friction = d.factor("kg m/s") * (d.words.turn * *c.friction);
     }
+  if (result.reactions)
+    for (core::Reaction& r : *result.reactions) {
+      r.point = d.factor("m") * (d.words.turn * r.point + d.words.move);
+      r.impulse = d.factor("kg m/s") * (d.words.turn * r.impulse);
+      r.moment = d.factor("kg m^2/s") * (d.words.turn * r.moment);
+    }
   return result;
 }
 
