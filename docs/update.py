@@ -55,7 +55,9 @@ def matrix(cylon, suite="conformance"):
     for scenario in dict.fromkeys(v["scenario"] for v in verdicts):
         cells = []
         for engine in engines:
-            worst = min((v for v in verdicts if v["scenario"] == scenario and v["engine"] == engine), key=digits)
+            rows = [v for v in verdicts if v["scenario"] == scenario and v["engine"] == engine]
+            # A claim without an answer is a refusal only where none has one.
+            worst = min([v for v in rows if v["status"] != "unsupported"] or rows, key=digits)
             measured = worst["status"] in ("pass", "low-quality", "fail")
             cells.append(MARKS.get(worst["status"], worst["status"]) +
                          (f" {min(99, max(-99, digits(worst))):+.1f}" if measured else ""))

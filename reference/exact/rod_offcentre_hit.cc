@@ -112,6 +112,8 @@ Course solve(const core::Scene& scene, double horizon) {
   return course;
 }
 
+constexpr int most_looks = 100000;  // half a second
+
 // No second contact: right after the first the gap opens at the rate u and bends by at most k, so that it is
 // open for u/k; from then on it shrinks no faster than `fastest`.
 void check_once(const core::Scene& scene, const Course& course, double horizon) {
@@ -131,7 +133,10 @@ void check_once(const core::Scene& scene, const Course& course, double horizon) 
              bend = spin * (2 * drift + 2 * spin * far) + fastest * fastest / pair.radius;
   const Wide opening = course.events[0].speed;
   if (!(opening > 0)) refuse(name, "with restitution 0 the two may stay in touch");
+  int looks = 0;
   for (Wide t = start + opening / bend; t < horizon;) {
+    if (++looks > most_looks)
+      refuse(name, "whether the two touch again before the horizon takes too long to see");
     const WideState at_s = sphere_track.at(t), at_b = box_track.at(t);
     const WideVector p = at_b.orientation.conjugate() * WideVector(at_s.position - at_b.position);
     const Wide gap = (p - pair.nearest(p)).norm() - pair.radius;

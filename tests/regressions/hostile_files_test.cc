@@ -56,6 +56,13 @@ std::vector<Hostile> table() {
       {"a table with 31000 dots", head + ball + "[" + dots + "]\n", "bad.toml:6:67: a key is nested"},
       {"arrays in arrays", head + "x = " + std::string(100'000, '[') + "\n",
        "bad.toml:3:37: values are nested"},
+      {"a rod that a fast ball sets spinning",
+       head +
+           "[[body]]\nname = \"s\"\nmass = 1\nposition = [-1.3, 0.6, 0]\nvelocity = [3e5, 0, 0]\n"
+           "shape = { type = \"sphere\", radius = 0.2 }\n"
+           "[[body]]\nname = \"rod\"\nmass = 2\nshape = { type = \"box\", half_extents = [0.1, 1, 0.1] }\n" +
+           material + follows("rod_offcentre_hit"),
+       "whether the two touch again before the horizon takes too long to see"},
       {"an unknown key of a megabyte", head + std::string(1 << 20, 'k') + " = 1\n",
        "bad.toml:3:1: unknown key 'kkk"},
       {"deep JSON as a schema", recorded, "bad.toml:7:", "{\"schema\": " + deep + "}"},
