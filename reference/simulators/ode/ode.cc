@@ -88,7 +88,7 @@ struct Touch {
   core::Contact contact;
   Vector3 normal = Vector3::Zero();  // ODE's, into the joint's first body
   bool turned = false;               // whether the contact's first body is the joint's second
-  bool on_first = true;  // whether that body is one that moves: else the force is read at the second
+  bool on_first = true;  // whether ODE's first geom has a body, to which the feedback then belongs
   dJointFeedback feedback{};
 };
 
@@ -338,12 +338,12 @@ void Ode::collide(dGeomID a, dGeomID b) {
   }
 }
 
-// The force along the normal and across it, over the step.  A joint whose first body is the world is turned round by ODE:
-// its feedback stands in the second place.
+// The force along the normal and across it, over the step.  A joint whose first body is the world is turned round
+// by ODE: the first place of its feedback is that of the one body that it has.
 void Ode::note_contacts() {
   contacts_.clear();
   for (Touch& touch : touches_) {
-    const dReal* f = touch.on_first ? touch.feedback.f1 : touch.feedback.f2;
+    const dReal* f = touch.feedback.f1;
     const double sign = touch.on_first ? 1 : -1;
     const Vector3 on_first = sign * dt_ * Vector3(f[0], f[1], f[2]);
     const double impulse = touch.normal.dot(on_first);
