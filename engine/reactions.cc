@@ -3,6 +3,7 @@
 #include "engine/changing_masses.h"
 #include "engine/constraint.h"
 #include "engine/joint.h"
+#include "engine/loaded.h"
 
 namespace cylon::engine {
 
@@ -17,35 +18,19 @@ bool told(const Model& model, const Contact& contact) {
   return contact.impulse && (contact.friction || !rough);
 }
 
-// Forces on all bodies but those of joints, and what they act on.
-struct Loaded {
-  std::vector<Body> bodies;
-  std::vector<Kinematics> kinematics;
-  std::vector<Load> loads;
-};
-
-Loaded loaded(const Model& model, const Snapshot& now, const std::vector<Contact>& contacts, Time dt) {
-  Loaded result{model.bodies, {}, std::vector<Load>(model.bodies.size())};
-  ChangingMasses masses(model.bodies);
-  masses.set(now.time, result.bodies);
-  const std::vector<Motion>& motions = *now.motions;
-  for (std::size_t i = 0; i < motions.size(); ++i)
-    result.kinematics.push_back({motions[i].orientation.toRotationMatrix(),
-                                 velocity(result.bodies[i], motions[i]),
-                                 angular_velocity(result.bodies[i], motions[i])});
-  apply(model.forces, now.time, result.bodies, motions.size(), motions.data(), result.kinematics.data(),
-        result.loads.data());
-  const auto press = [&](int body, const Vector3& point, const Vector3& force) {
+// Each contact as the constant force that has its impulse over dt.
+void press(const std::vector<Contact>& contacts, Time dt, const std::vector<Motion>& motions,
+           std::vector<Load>& loads) {
+  const auto push = [&](int body, const Vector3& point, const Vector3& force) {
     if (body == fixed_world) return;
-    result.loads[at(body)].force += force;
-    result.loads[at(body)].torque += (point - motions[at(body)].position).cross(force);
+    loads[at(body)].force += force;
+    loads[at(body)].torque += (point - motions[at(body)].position).cross(force);
   };
   for (const Contact& c : contacts) {
     const Vector3 impulse = *c.impulse * c.normal + c.friction.value_or(Vector3::Zero());
-    press(c.body, c.point, impulse / static_cast<Real>(dt));
-    press(c.other, c.point, -impulse / static_cast<Real>(dt));
+    push(c.body, c.point, impulse / static_cast<Real>(dt));
+    push(c.other, c.point, -impulse / static_cast<Real>(dt));
   }
-  return result;
 }
 
 }  // namespace
@@ -57,17 +42,21 @@ std::optional<std::vector<Reaction>> reactions(const Model& model, const Snapsho
   const auto moves = [&](int body) { return body != fixed_world && !model.bodies[at(body)].locked; };
   std::vector<Reaction> result(model.joints.size());
   const Time dt = end.time - start.time;
+  const ChangingMasses masses(model.bodies);
+  std::vector<Body> bodies = model.bodies;
   for (const Snapshot& now : {start, end}) {
-    Loaded all = loaded(model, now, contacts, dt);
+    masses.set(now.time, bodies);
+    Loaded all = loaded(model.forces, now.time, bodies, *now.motions);
+    press(contacts, dt, *now.motions, all.loads);
     const Motion* motions = now.motions->data();
     Rows rows;
     std::vector<std::size_t> first;  // row of each joint
     for (const Joint& joint : model.joints) {
       first.push_back(rows.rows.size());
-      if (moves(joint.body) || moves(joint.to)) add_rows(joint, all.bodies, motions, rows.rows);
+      if (moves(joint.body) || moves(joint.to)) add_rows(joint, bodies, motions, rows.rows);
     }
     first.push_back(rows.rows.size());
-    rows.constrain_accelerations(all.bodies, motions, all.kinematics.data(), all.loads.data());
+    rows.constrain_accelerations(bodies, motions, all.kinematics.data(), all.loads.data());
     for (std::size_t j = 0; j < model.joints.size(); ++j) {
       const Joint& joint = model.joints[j];
       const Motion& body = motions[at(joint.body)];

@@ -2,6 +2,7 @@
 
 #include "engine/islands/joined_plan.h"
 #include "engine/islands/unions.h"
+#include "engine/loaded.h"
 
 #include <algorithm>
 #include <cassert>
@@ -210,12 +211,7 @@ void World::find_accelerations() {
   const std::size_t n = motions_.size();
   accelerations_.assign(n, 0);
   if (model_->forces.only_gravity()) return;
-  std::vector<Kinematics> kinematics(n);
-  std::vector<Load> loads(n);
-  for (std::size_t i = 0; i < n; ++i)
-    kinematics[i] = {motions_[i].orientation.toRotationMatrix(), velocity(bodies()[i], motions_[i]),
-                     angular_velocity(bodies()[i], motions_[i])};
-  apply(model_->forces, time(), bodies(), n, motions_.data(), kinematics.data(), loads.data());
+  const std::vector<Load> loads = loaded(model_->forces, time(), bodies(), motions_).loads;
   for (std::size_t i = 0; i < n; ++i)
     accelerations_[i] = (bodies()[i].inverse_mass * loads[i].force - model_->forces.gravity).norm();
 }

@@ -2,7 +2,8 @@
 """Hostile scenario files through `cylon validate`: tests/hostile/corpus.py CYLON [WORD…].
 
 Of each: exit code 0 or 2, a place in the file where it is refused, an error of at most 4000 bytes, at most 1 GB
-resident, and an end within 10 s of CPU time, twice what it takes alone on the machine.  The last line is JSON: tried, failed, the most CPU seconds and MB."""
+resident, and an end within 10 s of CPU time, twice what any takes on a quiet machine.  The last line is JSON: tried, failed,
+the most CPU seconds and MB."""
 import json
 import math
 import os

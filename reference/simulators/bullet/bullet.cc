@@ -234,8 +234,7 @@ class Run {
 
   // What the joints of rigid bodies did; Bullet's torque is about the centre of mass of the joint's first body.
   // Sleepers tell what they did when awake, so nothing is told of them; nor of multibodies, as after a step of
-  // links that turn btMultiBodyJointFeedback does not hold the force that moved them: it misses m dv/dt by
-  // 2.0 N in hinge_tilted (weight 13 N) and by 23 N in double_pendulum_rods (weight 10 N).
+  // links that turn btMultiBodyJointFeedback does not hold the force that moved them.
   std::optional<std::vector<core::Reaction>> reactions() const {
     if (joints_.size() < scene_.joints.size()) return std::nullopt;
     std::vector<core::Reaction> reactions;
