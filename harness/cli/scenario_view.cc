@@ -21,6 +21,7 @@ Json scenario_facts(const scenario::Scenario& scenario) {
                       {"at_least", claim.at_least ? Json(*claim.at_least) : Json()},
                       {"absolute", claim.tolerance.absolute},
                       {"relative", claim.tolerance.relative},
+                      {"level", claim.tolerance.level},
                       {"tolerance_reason", claim.tolerance.reason}});
   return {{"name", scenario.name},       {"title", scenario.title},
           {"story", scenario.story},     {"tags", scenario.tags},

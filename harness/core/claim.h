@@ -20,7 +20,8 @@ namespace cylon::core {
 /// An integrator of order p is held to the constant of the highest order q <= p that has one: C_q dt^q T, and
 /// order q. One that chooses its own steps (dt is then only the grid) is held to the last constant by its
 /// value alone. Rounding is 64 eps sqrt(n) S (S = 1 for angles), eps of the engine's precision, n = T/dt;
-/// where an error comes that low, the slope means nothing and the value alone decides. Without a reason there
+/// where an error comes that low, the slope means nothing and the value alone decides. Where `level` is set, the
+/// bound is the distance that chance exceeds with that probability (equipartition.h).  Without a reason there
 /// is no tolerance.
 struct Tolerance {
   double absolute = 0;  ///< In the observable's unit.
@@ -29,6 +30,7 @@ struct Tolerance {
   double constant = 0;  ///< C_p of every order [unit / s^(p+1)]; 0: see constants.
   std::string reason;
   std::map<int, double> constants = {};  ///< By order [unit / s^(p+1)].
+  double level = 0;                      ///< The part of right engines that fail; 0: no test of chance.
 };
 
 /// How a recording becomes one number.
@@ -61,6 +63,13 @@ struct Claim {
   /// Without a truth: the motion that its scale is taken from, where another claim of the scenario knows it.
   std::shared_ptr<const RequiredMotion> motion;
 };
+
+/// Whether the claim says how far a motion is from the required one.  Others say that something happens, that forces are
+/// told right, or that a motion is like most.
+inline bool measures_motion(const Claim& claim) {
+  const Quantity quantity = claim.observable.quantity;
+  return !claim.at_least && !of_last_step(quantity) && !of_chance(quantity);
+}
 
 /// Throws std::logic_error where a claim follows a truth that is not there: it is never measured against
 /// anything else.

@@ -1,5 +1,6 @@
 #include "harness/core/measure.h"
 
+#include "harness/core/equipartition.h"
 #include "harness/core/event_find.h"
 #include "harness/core/event_rows.h"
 #include "harness/core/force_balance.h"
@@ -200,6 +201,15 @@ void measure_order_of_integrator(const Claim& claim, const Scene& scene,
   if (!meaningless && !(order >= p - 0.1)) result.broken = true;
 }
 
+// A test has a level and no quality: what is beyond its bound has failed.
+void measure_chance(const Claim& claim, const Scene& scene, Measured& result) {
+  const double chance = chance_of_share(claim.observable, scene, result.value);
+  result.broken = !(result.value <= result.allowed);
+  result.detail =
+      fmt::format("expected {:.4g}; chance alone goes as far in {:.2g} of all runs, the level is {:g}",
+                  expected_share(claim.observable, scene), chance, claim.tolerance.level);
+}
+
 // Of `at_least`, after a sample that is `apart` from the start.  NaN where a state is.
 double still_missing(double before, double at_least, double apart) {
   if (std::isnan(apart)) return apart;
@@ -239,7 +249,10 @@ Series deviation(const Claim& claim, const Scene& scene, const Recording& record
   const Chosen chosen(claim, recording.dt, recording.steps.empty() ? 0 : recording.steps.back());
   Values start, want, got;
   double missing = claim.at_least.value_or(0);
-  if (!claim.truth) evaluate(claim.observable, scene, initial_state(scene), start);
+  if (of_chance(claim.observable.quantity))
+    start = {{expected_share(claim.observable, scene), 0, 0, 0}};
+  else if (!claim.truth)
+    evaluate(claim.observable, scene, initial_state(scene), start);
   OneSided one_way(claim.reduction, start);
   for (std::size_t i = 0; i < recording.states.size(); ++i) {
     if (!chosen(recording.steps[i])) continue;
@@ -288,6 +301,7 @@ Reading read(const Claim& claim, const Scene& scene, const Recording& recording,
   if (claim.observable.quantity != Quantity::event) result.series = deviation(claim, scene, recording);
   if (runs_needed(claim) > 1) result.largest = largest_value(claim, scene, duration);
   result.allowed = tolerance.absolute;
+  if (tolerance.level > 0) result.allowed = allowed_share(claim.observable, scene, tolerance.level);
   if (tolerance.relative > 0) result.allowed += tolerance.relative * scale(claim, scene, duration);
   return result;
 }
@@ -312,6 +326,7 @@ Measured measure(const Claim& claim, const Scene& scene, std::span<const Recordi
     result.detail = fmt::format(
         "changed by {}{}, required {}", with_unit(*claim.at_least - result.value, unit(claim.observable)),
         result.value > 0 ? "" : " or more", with_unit(*claim.at_least, unit(claim.observable)));
+  if (of_chance(claim.observable.quantity)) measure_chance(claim, scene, result);
   const int runs = runs_needed(claim);
   if (runs > 1 && std::isfinite(result.value))
     measure_order_of_integrator(claim, scene, recordings.first(static_cast<std::size_t>(runs)), duration,

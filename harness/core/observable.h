@@ -21,6 +21,7 @@ enum class Quantity {
   angular_momentum,   ///< Total, or of one body, about `about` [kg m^2/s].
   energy,             ///< Kinetic plus potential of the scene's forces [J].
   kinetic_energy,     ///< Total, or of one body [J].
+  energy_share,       ///< How a gas shares its kinetic energy: equipartition.h.
   normal_gap,         ///< min(0, gap) of each touching pair: 0 while apart, minus the depth inside [m].
   joint_gap,          ///< Distance between the two anchors of each joint, less its length [m].
   angular_joint_gap,  ///< Angle by which each joint's bodies are turned as it forbids [rad].
@@ -33,6 +34,9 @@ enum class Quantity {
 constexpr bool of_last_step(Quantity quantity) {
   return quantity == Quantity::momentum_balance || quantity == Quantity::angular_momentum_balance;
 }
+
+/// Whether statistical mechanics expects a value of it, and how far chance takes it from there.
+constexpr bool of_chance(Quantity quantity) { return quantity == Quantity::energy_share; }
 
 enum class Component { all, x, y, z, horizontal };
 

@@ -1,5 +1,6 @@
 #include "harness/core/observable_rows.h"
 
+#include "harness/core/equipartition.h"
 #include "harness/core/event_signal.h"
 #include "harness/core/force_balance.h"
 #include "harness/core/force_law.h"
@@ -237,6 +238,10 @@ double energy_error(const Observable&, const Scene& scene, const State& state, c
   return total;
 }
 
+void share_of_energy(const Observable& q, const Scene& scene, const State& state, Values& values) {
+  values.push_back(scalar(energy_share(q, scene, state)));
+}
+
 // ---- Gaps ---------------------------------------------------------------------------------------
 
 bool only_spheres_collide(const Scene& scene) {
@@ -342,6 +347,8 @@ constexpr std::array rows = {
                   energy_error},
     ObservableRow{Quantity::kinetic_energy, "kinetic_energy", "J", always_defined, kinetic_energy, norms,
                   largest, nullptr, kinetic_energy_error},
+    ObservableRow{Quantity::energy_share, "energy_share", "", energy_share_undefined, share_of_energy, norms,
+                  largest, nullptr, no_error},
     ObservableRow{Quantity::normal_gap, "normal_gap", "m", normal_gap_undefined, normal_gap, overlap_distance,
                   largest_of<depth>, nullptr, error_of_state<&StateError::position>},
     ObservableRow{Quantity::joint_gap, "joint_gap", "m", joint_gap_undefined, joint_gap, norms, largest,

@@ -201,6 +201,7 @@ std::vector<Term> terms_of(const Claim& claim, const Scene& scene, const Traject
     case Quantity::normal_gap:
     case Quantity::joint_gap:
     case Quantity::angular_joint_gap:
+    case Quantity::energy_share:
     case Quantity::momentum_balance:
     case Quantity::angular_momentum_balance:
     case Quantity::event:
@@ -252,6 +253,7 @@ double at_rest(const Claim& claim, const Scene& scene, double duration, double g
       return m * speed / duration;
     case Quantity::angular_momentum_balance:
       return m * speed / duration * d;
+    case Quantity::energy_share:
     case Quantity::event:
       return 1;
   }
@@ -322,7 +324,7 @@ double scale(const Claim& claim, const Scene& scene, double duration) {
   if (quantity == Quantity::event) return scale_of_event(claim, scene, duration);
   const double rest = at_rest(claim, scene, duration, norm_of_gravity(scene));
   if (quantity == Quantity::normal_gap || quantity == Quantity::joint_gap ||
-      quantity == Quantity::angular_joint_gap || of_last_step(quantity))
+      quantity == Quantity::angular_joint_gap || of_last_step(quantity) || of_chance(quantity))
     return rest;
   const Trajectory path = motion_of(claim, scene, duration);
   if (quantity == Quantity::orientation || quantity == Quantity::axis) {

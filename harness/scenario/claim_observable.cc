@@ -80,11 +80,11 @@ void refuse(const Table& t, std::initializer_list<const char*> keys, bool when, 
 }
 
 Observable read_observable(const Table& t, const Draft& draft) {
-  if (t.has("follows") + t.has("conserves") + t.has("changes") != 1)
+  if (t.has("follows") + t.has("conserves") + t.has("changes") + t.has("expects") != 1)
     t.fail(
         "[[claim]] needs exactly one of 'follows' (with 'observable'), 'conserves', 'changes' (with "
-        "'at_least')");
-  for (const char* named : {"conserves", "changes"})
+        "'at_least'), 'expects'");
+  for (const char* named : {"conserves", "changes", "expects"})
     if (t.has(named) && t.has("observable"))
       t.fail("observable", fmt::format("observable: '{}' names it already", named));
   if (t.has("changes") != t.has("at_least"))
@@ -94,7 +94,11 @@ Observable read_observable(const Table& t, const Draft& draft) {
   refuse(t, {"measure"}, t.has("changes"), "does not go with 'changes', of which the largest change counts");
   if (t.has("follows") && !t.has("observable"))
     t.fail("follows", "a claim that follows a truth needs 'observable'");
-  const char* key = t.has("conserves") ? "conserves" : t.has("changes") ? "changes" : "observable";
+  refuse(t, {"measure", "sample"}, t.has("expects"), "does not go with 'expects', which looks at the end");
+  const char* key = t.has("conserves") ? "conserves"
+                    : t.has("changes") ? "changes"
+                    : t.has("expects") ? "expects"
+                                       : "observable";
   Observable q;
   q.quantity = quantity_of(t, key);
   const bool event = q.quantity == Quantity::event;
@@ -102,7 +106,10 @@ Observable read_observable(const Table& t, const Draft& draft) {
     t.fail(key, fmt::format("{}: an event has no value at the start; use 'follows'", key));
   if (core::of_last_step(q.quantity) && !t.has("conserves"))
     t.fail(key, fmt::format("{}: {} belongs to 'conserves'", key, core::name(q.quantity)));
-  refuse(t, {"component"}, !is_vector(q.quantity),
+  if (core::of_chance(q.quantity) != t.has("expects"))
+    t.fail(key, fmt::format("{}: {} {} to 'expects'", key, core::name(q.quantity),
+                            t.has("expects") ? "does not belong" : "belongs"));
+  refuse(t, {"component"}, !is_vector(q.quantity) && !core::of_chance(q.quantity),
          fmt::format("belongs to vectors, and {} is none", core::name(q.quantity)));
   refuse(t, {"about"}, q.quantity != Quantity::angular_momentum && !event,
          "belongs to angular_momentum and to event = \"apsis\"");
@@ -136,6 +143,7 @@ std::string label_of(const Table& t, const core::Claim& claim) {
   const Observable& q = claim.observable;
   std::string label(core::name(q.quantity));
   label += claim.at_least                                 ? " changes"
+           : core::of_chance(q.quantity)                  ? " as expected"
            : claim.reduction == core::Reduction::increase ? " never rises"
            : claim.reduction == core::Reduction::decrease ? " never falls"
            : claim.follows.empty()                        ? " conserved"

@@ -1,5 +1,6 @@
 #include "harness/scenario/claim_tolerance.h"
 
+#include "harness/core/equipartition.h"
 #include "harness/core/scale.h"
 #include "harness/scenario/claim_observable.h"
 
@@ -12,9 +13,24 @@ namespace cylon::scenario {
 using core::Claim;
 using core::Reduction;
 
+namespace {
+
+// A level that no value can miss tests nothing.
+void require_power(const Table& t, const Claim& claim, const core::Scene& scene) {
+  const double expected = core::expected_share(claim.observable, scene);
+  const double farthest = std::max(expected, 1 - expected);
+  if (!(core::allowed_share(claim.observable, scene, claim.tolerance.level) < farthest))
+    t.fail("level",
+           fmt::format("level = {}, but with so few bodies no value is that unlikely; valid: {:.2g} or more",
+                       claim.tolerance.level, 2 * core::chance_of_share(claim.observable, scene, farthest)));
+}
+
+}  // namespace
+
 core::Tolerance read_tolerance(const Table& t, const Claim& claim) {
   core::Tolerance result{t.number("absolute"), t.number("relative"), t.boolean("order"),
-                         t.number("constant"), t.text("reason"),     {}};
+                         t.number("constant"), t.text("reason"),     {},
+                         t.number("level")};
   if (const auto constants = t.table("constants"))
     for (int p = 1; p <= highest_order; ++p)
       if (constants->has(std::to_string(p))) result.constants[p] = constants->number(std::to_string(p));
@@ -29,7 +45,12 @@ core::Tolerance read_tolerance(const Table& t, const Claim& claim) {
     t.fail("order", "order = true sets the bound C dt^p T; absolute and relative do not go with it");
   if (result.order && claim.reduction == Reduction::order)
     t.fail("order", "order = true checks the order already; measure = \"order\" takes absolute");
-  if (!result.order && !t.has("absolute") && !t.has("relative"))
+  if (core::of_chance(claim.observable.quantity) != t.has("level"))
+    t.fail(t.has("level") ? "level: belongs to 'expects'" : "tolerance of 'expects' needs 'level'");
+  if (t.has("level") && (result.order || t.has("absolute") || t.has("relative")))
+    t.fail("level",
+           "level sets the bound by the law of chance; absolute, relative and order do not go with it");
+  if (!result.order && !t.has("absolute") && !t.has("relative") && !t.has("level"))
     t.fail("tolerance needs 'absolute', 'relative', or 'order' with 'constant'");
   if (result.order && (claim.at_least || core::one_sided(claim.reduction)))
     t.fail("order",
@@ -51,6 +72,7 @@ core::Tolerance read_tolerance(const Table& t, const Claim& claim) {
 
 void check_tolerance(const Table& t, Claim& claim, const core::Scene& scene, double duration) {
   const Table tolerance = *t.table("tolerance");
+  if (claim.tolerance.level > 0) require_power(tolerance, claim, scene);
   if (!claim.truth) return;
   const double size = claim.tolerance.relative > 0 ? core::scale(claim, scene, duration) : 0;
   claim.truth_error =

@@ -34,6 +34,7 @@ Claim parse_claim(const Table& t, const Draft& draft, double duration, double st
   claim.observable = read_observable(t, draft);
   claim.reduction = reduction_of(t);
   if (t.has("changes")) claim.at_least = t.number("at_least"), claim.reduction = Reduction::end;
+  if (t.has("expects")) claim.reduction = Reduction::end;
   if (claim.at_least && is_angle(claim.observable.quantity) && !(*claim.at_least < std::numbers::pi))
     t.fail("at_least", fmt::format("at_least = {}, but an angle between two directions is at most pi; "
                                    "valid: less than pi",
@@ -88,6 +89,7 @@ std::string lacks(const core::Truth& truth, Quantity quantity, bool only_points)
       return orientation;
     case Quantity::angular_velocity:
       return spin;
+    case Quantity::energy_share:
     case Quantity::momentum_balance:
     case Quantity::angular_momentum_balance:
       return "";  // no truth is followed there

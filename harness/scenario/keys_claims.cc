@@ -36,6 +36,8 @@ const Spec* tolerance_spec() {
                not_negative),
           plain("order", boolean,
                 "The bound is C dt^p T, with p the integrator's order, which is checked too."),
+          real("level", "", "Of `expects`: the part of right engines that may fail, 1e-6 or so.",
+               {.low = 1e-300, .high = 0.5}),
           real("constant", "unit/s^(p+1)", "C of that bound, whatever the order.", positive),
           nested("constants", table, constants_spec,
                  "C of that bound by order: { 1 = 4.9, 4 = 0.2 }; an integrator is held to the highest up to "
@@ -84,16 +86,21 @@ const Spec* claim_spec() {
       .keys = {
           nested("follows", text_or_table, follows_spec,
                  "The truth: an exact solution by name, \"certified\" (any smooth scene), or recorded data "
-                 "beside the scenario. Either this or `conserves` or `changes`."),
+                 "beside the scenario. Either this or `conserves` or `changes` or `expects`."),
           word("conserves", "The observable that keeps its initial value.", words(core::Quantity::event)),
           word("changes",
                "The observable that must differ from its initial value by `at_least`, at some time.",
                words(core::Quantity::event)),
           real("at_least", "", "Of `changes`, in the observable's unit.", positive),
+          word("expects",
+               "The observable of which statistical mechanics expects a value, once the motion has mixed: "
+               "energy_share.",
+               words(core::Quantity::event)),
           word("observable", "With `follows`: what is compared.", words(core::Quantity::event)),
           absent("all bodies: the worst counts, momenta and energies are totals",
                  word("body", "Name of the body.")),
-          absent("the whole vector", word("component", "Of a vector.", {"x", "y", "z", "horizontal"})),
+          absent("the whole vector",
+                 word("component", "Of a vector, or of an `energy_share`.", {"x", "y", "z", "horizontal"})),
           absent("the origin", arrow("about", "m", "Reference point of `angular_momentum` and of an apsis.")),
           absent("the duration", seconds("until", Kind::until,
                                          "End of the claim. \"horizon\", with `follows = \"certified\"`: "
@@ -107,9 +114,9 @@ const Spec* claim_spec() {
           absent("1", integer("index", "Of the event, counted per pair or body.", {.low = 0, .high = 1e9})),
           absent("time",
                  word("quantity", "Of the event: which of its numbers.", words(core::EventQuantity::count))),
-          required(
-              nested("tolerance", table, tolerance_spec,
-                     "How well it must hold, and why: `absolute`, `relative` or their sum, or `order`."))}};
+          required(nested("tolerance", table, tolerance_spec,
+                          "How well it must hold, and why: `absolute`, `relative` or their sum, or `order`, "
+                          "or `level`."))}};
   return &spec;
 }
 

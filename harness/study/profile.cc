@@ -76,9 +76,9 @@ ClaimProfile profile_of(const Claim& claim, const Scenario& scenario, std::span<
   const core::Reading reading = core::read(claim, scenario.scene, recording, scenario.duration);
   result.error =
       core::measure(claim, scenario.scene, recordings.first(needed), scenario.duration, reading).value;
-  result.floor = floor_of(claim, scenario, recording);
-  if (recordings.size() < 2 || is_event(claim) || claim.at_least ||
-      core::of_last_step(claim.observable.quantity) ||
+  result.floor =
+      core::of_chance(claim.observable.quantity) ? reading.allowed : floor_of(claim, scenario, recording);
+  if (recordings.size() < 2 || is_event(claim) || !core::measures_motion(claim) ||
       core::controls_its_error(recording.engine, recording.terms))
     return result;
   const double coarse = largest(reading.series);

@@ -127,9 +127,8 @@ double tolerance_of(const std::string& text) {
 
 bool theory_speaks_of(const Claim& claim, double until) {
   const auto known = [&](double t) { return t <= until; };
-  return claim.observable.quantity != core::Quantity::event &&
-         !core::of_last_step(claim.observable.quantity) && claim.reduction <= core::Reduction::end &&
-         !claim.at_least &&
+  return claim.observable.quantity != core::Quantity::event && core::measures_motion(claim) &&
+         claim.reduction <= core::Reduction::end &&
          !(claim.truth && !claim.truth->times.empty() && std::ranges::none_of(claim.truth->times, known));
 }
 

@@ -50,8 +50,7 @@ Yardstick::Yardstick(const scenario::Scenario& scenario, std::int64_t samples,
   std::set<Quantity> constant;
   std::set<std::string> truths;
   for (const Claim& claim : scenario.claims) {
-    // They say that something happens, or that forces are told right, and not how far off the motion is.
-    if (claim.at_least || core::of_last_step(claim.observable.quantity)) continue;
+    if (!core::measures_motion(claim)) continue;
     if (claim.observable.quantity == Quantity::event) {
       ask_event(claim);
       continue;

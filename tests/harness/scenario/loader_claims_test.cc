@@ -152,6 +152,41 @@ TEST(Claims, OneSidedMeasuresAreOfNumbers) {
         << wrong;
 }
 
+TEST(Claims, ExpectationsHaveALevel) {
+  std::string gas =
+      "duration = 1\nstep = 0.01\n[[cloud]]\nname = \"ball\"\nmass = 1\ncount = 20\nlow = [-0.9, -0.9, "
+      "-0.9]\n"
+      "high = [0.9, 0.9, 0.9]\nspeed = 1\nshape = { type = \"sphere\", radius = 0.05 }\n"
+      "[[material]]\nbetween = [\"*\", \"*\"]\nrestitution = 1\nfriction = 0\n";
+  for (const char* n : {"[1, 0, 0]", "[-1, 0, 0]", "[0, 1, 0]", "[0, -1, 0]", "[0, 0, 1]", "[0, 0, -1]"})
+    gas += fmt::format("[[plane]]\nname = \"wall {}\"\nnormal = {}\noffset = -1\n", n, n);
+  const auto claim = [&](const std::string& keys, const std::string& tolerance) {
+    return gas + "[[claim]]\n" + keys + "\ntolerance = { " + tolerance + ", reason = \"r\" }\n";
+  };
+  const std::string share = "expects = \"energy_share\"", level = "level = 1e-4";
+  const auto s = parse(claim(share + "\ncomponent = \"y\"\nuntil = 0.5", level), "gas.toml");
+  EXPECT_EQ(s.claims[0].label, "energy_share as expected, y, until 0.5");
+  EXPECT_EQ(s.claims[0].reduction, core::Reduction::end);
+  EXPECT_EQ(core::scale(s.claims[0], s.scene, s.duration), 1);
+  const std::pair<std::string, std::string> wrong[] = {
+      {claim(share, "absolute = 0.1"), "needs 'level'"},
+      {claim(share, level + ", absolute = 0.1"), "does not go with"},
+      {claim("conserves = \"energy\"", level), "belongs to 'expects'"},
+      {claim("conserves = \"energy_share\"", level), "belongs to 'expects'"},
+      {claim("changes = \"energy_share\"\nat_least = 0.1", level), "belongs to 'expects'"},
+      {claim("expects = \"energy\"", level), "does not belong"},
+      {claim(share + "\nmeasure = \"max\"", level), "looks at the end"},
+      {claim(share + "\nsample = \"step\"", level), "looks at the end"},
+      {claim(share + "\nobservable = \"energy\"", level), "names it already"},
+      {claim(share, "level = 1e-18"), "no value is that unlikely"},
+      {claim(share, "level = 0.6"), "level"},
+      {head + "[[claim]]\n" + share + "\ntolerance = { " + level + ", reason = \"r\" }\n", "no sphere"}};
+  for (const auto& [text, why] : wrong) {
+    const std::string said = error_of(text);
+    EXPECT_NE(said.find(why), std::string::npos) << why << ": " << said;
+  }
+}
+
 TEST(Claims, TheoryStatesARate) {
   const auto s =
       parse(head + "[theory]\nrate = 3\nuntil = 0.4\nforces = \"jumping\"\nreason = \"r\"\n", "t.toml");

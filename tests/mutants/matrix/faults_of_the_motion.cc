@@ -30,6 +30,11 @@ const core::Plane* struck_by(const Moment& m, std::size_t body, const BodyState&
   return nullptr;
 }
 
+// A change of velocity that weight alone does not make.
+bool deflected(const Moment& m, std::size_t i, const BodyState& now) {
+  return (now.velocity - m.before[i].velocity).norm() > 20 * m.dt && now.velocity.norm() > 0;
+}
+
 // After each blow by a plane.
 Mask at_blows(const std::function<bool(const Moment&, std::size_t, const core::Plane&, BodyState&)>& change) {
   return each([change](const Moment& m, std::size_t i, BodyState& s) {
@@ -133,6 +138,28 @@ std::vector<MaskedRow> faults_of_the_motion() {
              return true;
            }
          return false;
+       })},
+      {"blows favour one axis", "the speed stays", "gas_mixture", "energy_share as expected, x",
+       each([](const Moment& m, std::size_t i, BodyState& s) {
+         if (!deflected(m, i, s)) return false;
+         const double speed = s.velocity.norm();
+         s.velocity.x() *= 1.5;
+         s.velocity *= speed / s.velocity.norm();
+         return true;
+       })},
+      {"thermostat of a crowd", "those that were struck in a step get the same energy, all keep their sum",
+       "gas_mixture", "energy_share as expected", tampers([](const Moment& m, State& state) {
+         double sum = 0;
+         std::vector<std::size_t> struck;
+         for (std::size_t i = 0; i < state.size(); ++i)
+           if (deflected(m, i, state[i])) {
+             struck.push_back(i);
+             sum += m.scene.bodies[i].mass * state[i].velocity.squaredNorm();
+           }
+         for (const std::size_t i : struck)
+           state[i].velocity *= std::sqrt(sum / static_cast<double>(struck.size()) / m.scene.bodies[i].mass) /
+                                state[i].velocity.norm();
+         return struck.size() > 1;
        })},
       {"leaks 1e-9 a step", "of every speed", "spring_zero", "theory: energy conserved",
        each([](const Moment&, std::size_t, BodyState& s) {

@@ -49,6 +49,7 @@ const std::vector<SceneRow>& scene_rows() {
       {"rough_edge", "scenarios/box_edge_rough.toml"},
       {"break_shot", "scenarios/break_shot.toml"},
       {"room", "scenarios/seed_bouncing_balls.toml"},
+      {"gas_mixture", "scenarios/gas_mixture.toml"},
       {"locked_post", "scenarios/locked_post.toml"},
       {"fast_ball", "scenarios/fast_ball.toml"},
       {"cradle", "scenarios/newtons_cradle.toml"},
