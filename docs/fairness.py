@@ -211,6 +211,9 @@ def row_blocks(engine, worst):
         blocks[row.replace("/path=", "-")] = "\n".join(
             [f"Better ({len(better)}): {', '.join(better) or 'none'}.", "",
              f"Worse ({len(worse)}): {', '.join(worse) or 'none'}."])
+    _, beaten = change(worst[f"{engine}/path=as-shipped"], worst[f"{engine}/path=as-expert"])
+    blocks[f"{engine}-as-expert"] += (f"\n\nWorse than the engine as shipped ({len(beaten)}), where our rule can still learn: "
+                                      f"{', '.join(beaten) or 'none'}.")
     return blocks
 
 

@@ -22,7 +22,7 @@ begin, end = "<!-- begin: steps -->", "<!-- end: steps -->"
 pages = [
     (root / "docs" / "speed-against-accuracy.md",
      ["in-house", "bullet", "bullet/path=as-expert", "bullet-float", "bullet-multibody", "ode", "ode/path=as-expert"]),
-    (root / "README.md", ["bullet", "ode"]),
+    (root / "README.md", ["bullet", "bullet/path=as-expert", "ode", "ode/path=as-expert"]),
 ]
 
 

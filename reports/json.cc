@@ -114,6 +114,7 @@ Verdict from_row(const Json& json, const std::string& place) {
   v.settings = row.pairs("settings");
   v.unforceable = row.strings("unforceable");
   v.integrator = row.string("integrator");
+  if (json.contains("closed_form")) v.closed_form = row.boolean("closed_form");
   v.dt = row.real("dt");
   v.dt_text = row.string("dt_text");
   v.sampling = row.string("sampling");
@@ -185,6 +186,7 @@ Json row(const Verdict& v) {
           {"settings", std::move(settings)},
           {"unforceable", Json(v.unforceable)},
           {"integrator", v.integrator},
+          {"closed_form", v.closed_form},
           {"dt", number(v.dt)},
           {"dt_text", v.dt_text},
           {"sampling", v.sampling},

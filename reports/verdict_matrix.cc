@@ -74,6 +74,7 @@ void join(Cell& cell, const Verdict& v) {
   if (cell.empty || cell.worst == Status::unsupported || worse) cell.worst = v.status;
   if (is_measured(v.status)) cell.digits = std::min(cell.digits, results::digits(v.measured, v.allowed));
   cell.differs |= !v.as_expected();
+  cell.closed_form |= v.closed_form;
   cell.empty = false;
 }
 
@@ -134,6 +135,7 @@ std::string cell_text(const Cell& cell, const ConsoleOptions& options) {
   if (cell.empty) return "";
   std::string text(glyph(cell.worst, options));
   if (is_measured(cell.worst)) text += fmt::format(" {:+.1f}", cell.digits);
+  if (cell.closed_form) text += " =";
   if (!cell.passed_by.empty()) text += " avoidable";
   return cell.differs ? text + " !" : text;
 }
@@ -208,7 +210,7 @@ std::string refusals(const Matrix& matrix, const ConsoleOptions& options) {
 
 std::string legend(const Matrix& matrix, const ConsoleOptions& options) {
   std::set<Status> present;
-  bool differs = false, measured = false, avoidable = false;
+  bool differs = false, measured = false, avoidable = false, closed_form = false;
   for (const auto& row : matrix.cells) {
     for (const Cell& cell : row) {
       if (cell.empty) continue;
@@ -216,6 +218,7 @@ std::string legend(const Matrix& matrix, const ConsoleOptions& options) {
       differs |= cell.differs;
       measured |= is_measured(cell.worst);
       avoidable |= !cell.passed_by.empty();
+      closed_form |= cell.closed_form;
     }
   }
   std::string out;
@@ -231,6 +234,7 @@ std::string legend(const Matrix& matrix, const ConsoleOptions& options) {
   if (avoidable) add("avoidable:", "refused, though another engine passes");
   if (measured)
     add("+1.0:", "log10(allowed / measured) of the worst claim: + is better than allowed, - is worse");
+  if (closed_form) add("=:", "no steps: the engine has the motion in closed form");
   if (differs) add("!", "differs from expected.toml");
   return out.empty() ? "" : out + "\n";
 }

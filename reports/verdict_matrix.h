@@ -13,8 +13,9 @@ namespace cylon::reports {
 struct Cell {
   /// By pass < low-quality < fail < non-finite < timeout < crash < protocol; unsupported only where all claims are.
   results::Status worst = results::Status::pass;
-  double digits = 99;    ///< Least over the measured claims.
-  bool differs = false;  ///< Some claim is not as expected.
+  double digits = 99;        ///< Least over the measured claims.
+  bool differs = false;      ///< Some claim is not as expected.
+  bool closed_form = false;  ///< The engine took no steps.
   bool empty = true;
   std::vector<std::string>
       passed_by;  ///< Of a refusal: the columns that pass the same row, so that it is avoidable.
@@ -29,7 +30,7 @@ struct Matrix {
 
 Matrix fold(const std::vector<results::Verdict>&);
 
-/// A cell as text: "✓ +3.2", "✗ -1.0 !", "– avoidable"; "" for an empty one.
+/// A cell as text: "✓ +3.2", "✗ -1.0 !", "✓ +12.1 =", "– avoidable"; "" for an empty one.
 std::string cell_text(const Cell&, const ConsoleOptions&);
 
 /// The matrix as text; where the terminal is too narrow for all engines, in blocks of columns.

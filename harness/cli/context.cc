@@ -54,6 +54,11 @@ Context make_context() {
   return context;
 }
 
+scenario::Expectations expectations(const Context& context) {
+  const fs::path file = context.scenarios / "expected.toml";
+  return fs::exists(file) ? scenario::Expectations::load(file) : scenario::Expectations();
+}
+
 std::vector<fs::path> scenario_files(const Context& context) {
   std::vector<fs::path> files;
   const auto add = [&](const fs::path& folder) {

@@ -3,6 +3,7 @@
 
 #include "harness/core/input_error.h"
 #include "harness/process/engines.h"
+#include "harness/scenario/expected.h"
 #include "harness/scenario/scenario.h"
 
 #include <filesystem>
@@ -36,6 +37,9 @@ struct Context {
 
 /// From the place of this executable (build/<preset>/cylon), CYLON_SCENARIOS and CYLON_WORKERS.
 Context make_context();
+
+/// expected.toml of the folder; without one, every verdict is expected to pass.
+scenario::Expectations expectations(const Context&);
 
 /// Every scenario file of the folder and of its subfolder extremes/, by name.
 std::vector<std::filesystem::path> scenario_files(const Context&);

@@ -89,6 +89,8 @@ std::vector<StepCell> step_cells(const TradeTable& table) {
       reach.point = coarsest_point(table, series, error);
       reach.coarsest_tried = reach.point == std::size_t{0};
       if (!reach.point) reach.why = why_not_reached(table, series, error);
+      if (!reach.point && runs(series) && !series.cause.empty())
+        reach.why += fmt::format("; cause: {}", series.cause);
       cell.reach.push_back(std::move(reach));
     }
     cells.push_back(std::move(cell));

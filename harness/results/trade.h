@@ -51,6 +51,7 @@ struct TradeSeries {
   double floor_from = 0;                                    ///< The coarsest step at the floor [s].
   bool rounding = false;  ///< The floor is as low as rounding, or as the truth's own error.
   std::string reason;     ///< Why there is no point at all; empty: there are.
+  std::string cause;      ///< The known cause of its errors (docs/causes.md); empty: none.
   std::vector<TradePoint> points;
 };
 

@@ -31,9 +31,10 @@ struct Verdict {
   std::string version, precision, path, gyroscopic, integrator;
   std::vector<std::pair<std::string, std::string>> settings;
   std::vector<std::string> unforceable;
-  double dt = 0;         ///< [s]
-  std::string dt_text;   ///< As given: "1/60" or "0.001".
-  std::string sampling;  ///< "every step" or "every 0.1 s".
+  bool closed_form = false;  ///< The engine takes no steps: `dt` is the grid of the samples alone.
+  double dt = 0;             ///< [s]
+  std::string dt_text;       ///< As given: "1/60" or "0.001".
+  std::string sampling;      ///< "every step" or "every 0.1 s".
   std::string claim, observable, unit;
   double measured = std::numeric_limits<double>::quiet_NaN();
   std::optional<std::int64_t> first_bad_step;  ///< Of a non-finite run.
@@ -57,7 +58,8 @@ struct Verdict {
   std::string reproduce;  ///< The command that gives this row again.
 
   /// Whether the status is the expected one; where a size is known, whether the result is neither far worse
-  /// nor far better: measured within [expected_size / expected_within, expected_size expected_within].
+  /// nor far better: measured within [expected_size / expected_within, expected_size expected_within].  A
+  /// factor of more than ten, the width of low-quality, could hide a change of status, which then counts too.
   bool as_expected() const;
 };
 

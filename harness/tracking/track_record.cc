@@ -145,8 +145,7 @@ class Recorder {
         anchors_(pinned_engines(store, options.store)) {
     limits_.run_seconds = options.measured.timeout;
     limits_.memory_bytes = static_cast<std::size_t>(options.measured.memory * 1073741824.0);
-    const fs::path expected = context.scenarios / "expected.toml";
-    if (fs::exists(expected)) expectations_ = scenario::Expectations::load(expected);
+    expectations_ = cli::expectations(context);
   }
 
   void record(const std::vector<study::Cell>& cells) {

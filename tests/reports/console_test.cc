@@ -76,6 +76,16 @@ TEST(Matrix, EveryStatusHasItsSignAndItsMeaning) {
   }
 }
 
+TEST(Matrix, SaysWhereAnEngineTakesNoSteps) {
+  Verdict v = make("ball", "in-house", Status::pass);
+  EXPECT_EQ(legend(fold({v}), plain).find("closed form"), std::string::npos);
+  v.closed_form = true;
+  const Matrix matrix = fold({v, make("ball", "bullet", Status::pass)});
+  EXPECT_TRUE(cell_text(matrix.cells[0][0], plain).ends_with(" =")) << cell_text(matrix.cells[0][0], plain);
+  EXPECT_FALSE(cell_text(matrix.cells[0][1], plain).ends_with("="));
+  EXPECT_NE(legend(matrix, plain).find("=: no steps"), std::string::npos);
+}
+
 TEST(Matrix, MarksCellsThatDiffer) {
   Verdict v = make("top", "bullet", Status::pass);
   v.expected = Status::fail;  // an unexpected pass differs too

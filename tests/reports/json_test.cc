@@ -52,6 +52,7 @@ Verdict random_verdict(std::mt19937& random) {
   if (random() % 2) v.expected_size = random_number(random);
   v.expected_within = random_number(random);
   v.version_listed = random() % 2;
+  v.closed_form = random() % 2;
   v.body_steps = static_cast<std::int64_t>(std::uint64_t{random()} << 31 | random());
   return v;
 }
@@ -74,6 +75,7 @@ void expect_same(const Verdict& a, const Verdict& b) {
   EXPECT_EQ(a.expected_size, b.expected_size);
   EXPECT_EQ(a.expected_within, b.expected_within);
   EXPECT_EQ(a.version_listed, b.version_listed);
+  EXPECT_EQ(a.closed_form, b.closed_form);
   EXPECT_EQ(a.body_steps, b.body_steps);
 }
 

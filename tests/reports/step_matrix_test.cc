@@ -67,6 +67,15 @@ TEST(StepMatrix, TheCoarsestStepThatServesAndTheNextFinerOneToo) {
   }
 }
 
+TEST(StepMatrix, NamesTheCauseWhereNoStepServes) {
+  TradeSeries known = stepped("ode", {0.06, 0.03, 0.015, 0.0071}, 1);
+  known.cause = "gyroscopic_term";
+  const std::string text = steps_text({table_of({known})}, plain);
+  EXPECT_TRUE(contains(text, "; cause: gyroscopic_term")) << text;
+  const auto cells = results::step_cells(table_of({known}));
+  EXPECT_FALSE(contains(cells[0].reach[0].why, "cause")) << "reached";
+}
+
 TEST(StepMatrix, SaysWhyNoStepServes) {
   const double nan = std::nan("");
   TradeSeries floor = stepped("bullet-float", {0.01, 0.0021, 0.0004, 0.0004}, 2);

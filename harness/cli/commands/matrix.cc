@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 #include <set>
 
@@ -52,8 +53,18 @@ std::vector<study::Setting> settings_of(const Options& options, const scenario::
   return wanted.integrators.empty() ? usual_ones(std::move(settings)) : settings;
 }
 
+// What docs/causes.md has on the motion of this engine in this scene.
+std::string cause_of(const scenario::Expectations& expectations, const std::string& scenario,
+                     const std::string& engine) {
+  const auto row = std::ranges::find_if(expectations.rows(), [&](const scenario::Expectations::Row& r) {
+    return r.scenario == scenario && r.engine == engine && r.claim.find(" follows ") != std::string::npos;
+  });
+  return row == expectations.rows().end() ? "" : row->cause;
+}
+
 results::TradeTable sweep_of(const Context& context, const Options& options,
-                             const scenario::Scenario& scenario, TradeJournal& journal) {
+                             const scenario::Expectations& expectations, const scenario::Scenario& scenario,
+                             TradeJournal& journal) {
   const auto rows = with_workers(context, options.workers);
   study::SweepOptions how;
   how.tolerances.assign(results::reach_errors.begin(), results::reach_errors.end());
@@ -62,7 +73,11 @@ results::TradeTable sweep_of(const Context& context, const Options& options,
   how.rounds = options.rounds;
   how.limits.run_seconds = options.timeout;
   const Sweep plan{scenario, rows, study::ladder_down_to(scenario, options.finest), how, options.observable};
-  return sweep(context, plan, journal, [&] { return settings_of(options, scenario, rows); });
+  results::TradeTable table =
+      sweep(context, plan, journal, [&] { return settings_of(options, scenario, rows); });
+  for (results::TradeSeries& series : table.series)
+    series.cause = cause_of(expectations, table.scenario, series.engine);
+  return table;
 }
 
 int matrix(const Context& context, const Options& options) {
@@ -71,8 +86,9 @@ int matrix(const Context& context, const Options& options) {
   if (at > 0 && at < options.finest)
     throw core::InputError(
         fmt::format("--at: {:g} s is below --finest, {:g} s: no such step is tried", at, options.finest));
+  const scenario::Expectations expected = expectations(context);
   const auto each = [&](const scenario::Scenario& scenario, TradeJournal& journal) {
-    return sweep_of(context, options, scenario, journal);
+    return sweep_of(context, options, expected, scenario, journal);
   };
   return sweep_each(context, {options.patterns, ".cylon/matrix.jsonl", options.resume}, each,
                     [&](const Selection& selection, const std::vector<results::TradeTable>& tables) {

@@ -66,9 +66,7 @@ int run(const Context& context, const RunOptions& options) {
   require_writable(files);
   if (!options.plots.empty() && !fs::is_directory(options.plots))
     throw core::InputError(fmt::format("--plots {}: no such folder", options.plots));
-  const fs::path expected = context.scenarios / "expected.toml";
-  const auto expectations =
-      fs::exists(expected) ? scenario::Expectations::load(expected) : scenario::Expectations();
+  const scenario::Expectations expectations = cli::expectations(context);
 
   Journal journal(".cylon/journal.jsonl");
   const Journal::Content last = options.resume || options.rerun_failed ? journal.read() : Journal::Content();

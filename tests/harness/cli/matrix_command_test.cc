@@ -47,6 +47,12 @@ TEST_F(MatrixCommand, LeavesOutTheInHouseEngineByOneFlag) {
   EXPECT_TRUE(contains(ran.out, "Digits: -log10")) << ran.out;
 }
 
+TEST_F(MatrixCommand, NamesTheCauseWhereAnErrorIsNotReached) {
+  const Ran ran = cylon("matrix free_symmetric_top --engine bullet --finest 0.01 --rounds 0");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_TRUE(contains(ran.out, "; cause: ")) << ran.out;
+}
+
 // `cylon advise` ended with 1 where `cylon trade` ended with 4.
 TEST_F(MatrixCommand, NoEngineThatRunsTheSceneIsExitCode4) {
   for (const char* command : {"trade", "advise", "matrix"})

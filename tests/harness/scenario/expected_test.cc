@@ -171,6 +171,10 @@ TEST(Expected, SizesAreComparedAndNotStatusesAlone) {
   EXPECT_FALSE(as_expected(std::numeric_limits<double>::quiet_NaN(), Status::non_finite));
   v.expected_size = 9;  // at a border of two statuses the size decides
   EXPECT_TRUE(as_expected(11, Status::fail));
+  v.expected_within = 1e9;
+  EXPECT_TRUE(as_expected(1e7, Status::fail)) << "anything may come of it";
+  EXPECT_FALSE(as_expected(9, Status::low_quality)) << "but no better verdict";
+  EXPECT_FALSE(as_expected(1e-3, Status::pass)) << "nor a pass";
   v.expected_size = 0.9;
   EXPECT_TRUE(as_expected(1e-9, Status::pass)) << "both are a pass";
   v.expected_size.reset();

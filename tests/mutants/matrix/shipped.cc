@@ -56,6 +56,12 @@ bool ShippedRun::passes() const {
                      [](const ShippedFinding& f) { return f.status == results::Status::pass; });
 }
 
+bool ShippedRun::accused() const {
+  return std::any_of(findings.begin(), findings.end(), [](const ShippedFinding& f) {
+    return f.status != results::Status::pass && f.status != results::Status::unsupported;
+  });
+}
+
 results::Status status_of(const core::Measured& m) {
   return m.unanswered ? results::Status::unsupported
          : m.broken   ? results::Status::fail

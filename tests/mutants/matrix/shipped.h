@@ -28,6 +28,8 @@ struct ShippedRun {
   core::Recording recording;             ///< At the nominal step.
   std::vector<ShippedFinding> findings;  ///< One per claim.
   bool passes() const;
+  /// Whether some claim finds it wrong.  One that cannot be answered finds nothing.
+  bool accused() const;
 };
 
 /// Of what one run makes of a claim, as a cell of `cylon run` has it.

@@ -69,6 +69,7 @@ constexpr Row rows[] = {
     {"rel: spring pair", "scenarios/two_body_spring.toml"},
     {"rel: oblique", "scenarios/two_sphere_oblique.toml"},
     {"rel: rod", "scenarios/rod_offcentre_hit.toml"},
+    {"rel: cubes", "scenarios/seed_cubes.toml"},
     {"rel: break shot", "scenarios/break_shot.toml", "repetition"},
 };
 

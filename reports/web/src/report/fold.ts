@@ -16,6 +16,7 @@ export interface Cell extends CellName {
   worst: Status;
   digits: number | null; // the least of the measured claims; null: none is
   differs: boolean;
+  closedForm: boolean; // the engine took no steps
   passedBy: string[]; // of a refusal: the columns that pass the same row, so that it is avoidable
 }
 
@@ -71,6 +72,7 @@ function join(cell: Cell, verdict: Verdict): void {
     cell.digits = cell.digits === null ? won : Math.min(cell.digits, won);
   }
   cell.differs ||= differs(verdict);
+  cell.closedForm ||= verdict.closed_form ?? false;
   cell.verdicts.push(verdict);
 }
 
@@ -96,7 +98,7 @@ export function fold(verdicts: Verdict[]): Matrix {
     const row = (cells[scenarios.index(v.scenario, v.dt_text)] ??= []);
     const j = engines.index(v.engine, v.integrator || (integrators.get(v.engine) ?? ''));
     const { scenario, engine, integrator, dt_text: dt, status: worst } = v;
-    row[j] ??= { scenario, engine, integrator, dt, verdicts: [], worst, digits: null, differs: false, passedBy: [] };
+    row[j] ??= { scenario, engine, integrator, dt, verdicts: [], worst, digits: null, differs: false, closedForm: false, passedBy: [] };
     join(row[j], v);
   }
   const columns = engines

@@ -83,6 +83,9 @@ function Legend({ rows }: { rows: Row[] }) {
         <span class="number">+1.0</span> log10(allowed / measured) of the worst claim: + is better than
         allowed, − is worse;{' '}
       </span>
+      {rows.some((row) => row.cells.some((cell) => cell?.closedForm)) ? (
+        <span>= no steps: the engine has the motion in closed form; </span>
+      ) : null}
       <span>
         <Differs /> differs from expected.toml
       </span>

@@ -17,6 +17,7 @@ function CellLink({ cell, row, column }: { cell: Cell; row: number; column: numb
   const won = isMeasured(cell.worst) && cell.digits !== null ? ` ${digitsText(cell.digits)}` : '';
   const name = visible(`${cell.scenario}, ${cell.engine}`);
   const avoidable = cell.passedBy.length > 0 ? ' avoidable' : '';
+  const closed = cell.closedForm ? ' =' : '';
   return (
     <a
       href={link(cellAddress(cell))}
@@ -24,9 +25,9 @@ function CellLink({ cell, row, column }: { cell: Cell; row: number; column: numb
       tabIndex={-1}
       data-row={row}
       data-column={column}
-      aria-label={`${name}: ${spoken(cell.worst, cell.digits, cell.differs)}${avoidable}`}
+      aria-label={`${name}: ${spoken(cell.worst, cell.digits, cell.differs)}${cell.closedForm ? ', closed form' : ''}${avoidable}`}
     >
-      {glyph + won + avoidable}
+      {glyph + won + closed + avoidable}
       {cell.differs ? <Differs /> : null}
     </a>
   );
