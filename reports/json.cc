@@ -114,7 +114,7 @@ Verdict from_row(const Json& json, const std::string& place) {
   v.settings = row.pairs("settings");
   v.unforceable = row.strings("unforceable");
   v.integrator = row.string("integrator");
-  if (json.contains("closed_form")) v.closed_form = row.boolean("closed_form");
+  v.closed_form = row.boolean("closed_form");
   v.dt = row.real("dt");
   v.dt_text = row.string("dt_text");
   v.sampling = row.string("sampling");

@@ -77,7 +77,7 @@ class Conformance : public testing::Test {
 };
 
 TEST_F(Conformance, EveryVerdictIsAsExpected) {
-  ASSERT_EQ(cells_.cells.size(), 96u) << "eight scenes on twelve engines";
+  ASSERT_EQ(cells_.cells.size(), 112u) << "eight scenes on fourteen engines";
   for (const Verdict& row : rows_) {
     EXPECT_TRUE(row.as_expected()) << place(row);
     EXPECT_TRUE(row.version_listed) << place(row);

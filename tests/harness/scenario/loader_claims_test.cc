@@ -170,7 +170,7 @@ TEST(Claims, ExpectationsHaveALevel) {
   EXPECT_EQ(core::scale(s.claims[0], s.scene, s.duration), 1);
   const std::pair<std::string, std::string> wrong[] = {
       {claim(share, "absolute = 0.1"), "needs 'level'"},
-      {claim(share, level + ", absolute = 0.1"), "does not go with"},
+      {claim(share, level + ", absolute = 0.1"), "do not go with"},
       {claim("conserves = \"energy\"", level), "belongs to 'expects'"},
       {claim("conserves = \"energy_share\"", level), "belongs to 'expects'"},
       {claim("changes = \"energy_share\"\nat_least = 0.1", level), "belongs to 'expects'"},

@@ -72,7 +72,7 @@ function join(cell: Cell, verdict: Verdict): void {
     cell.digits = cell.digits === null ? won : Math.min(cell.digits, won);
   }
   cell.differs ||= differs(verdict);
-  cell.closedForm ||= verdict.closed_form ?? false;
+  cell.closedForm ||= verdict.closed_form;
   cell.verdicts.push(verdict);
 }
 

@@ -39,7 +39,7 @@ export interface Verdict {
   detail: string;
   stderr: string; // its end
   version_listed: boolean;
-  closed_form?: boolean; // the engine takes no steps
+  closed_form: boolean; // the engine takes no steps
   tolerance_scale: number;
   spread: number | null;
   cpu_seconds: number;

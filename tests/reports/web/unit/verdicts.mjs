@@ -31,6 +31,7 @@ export function verdict(change = {}) {
     detail: '',
     stderr: '',
     version_listed: true,
+    closed_form: false,
     tolerance_scale: 1,
     spread: null,
     cpu_seconds: 0.003,
