@@ -43,7 +43,7 @@ endfunction()
 # cylon-worker-<build>.  The target `cylon` builds the workers of those that are not LATER; `engines` builds every worker.
 add_custom_target(engines)
 function(simulator build)
-  cmake_parse_arguments(ARG "LATER" "ADAPTER;USES;LINKS;KIND" "" ${ARGN})
+  cmake_parse_arguments(ARG "LATER" "ADAPTER;KIND" "USES;LINKS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS reference/simulators/${ARG_ADAPTER}/*.cc)
   string(REPLACE "-" "_" library sim_${build})
   add_library(${library} STATIC ${sources})

@@ -24,6 +24,7 @@ struct Row {
   const char* name;
   core::Force force;
   std::function<Wrenches(const core::Scene&)> by_hand;
+  std::function<void(core::Scene&)> prepare = [](core::Scene&) {};
 };
 
 const Vector3 anchor(0.21, -0.13, 0.34), to_anchor(-0.17, 0.28, 0.09), pin(0.8, -1.4, 0.5);
@@ -57,7 +58,138 @@ core::Matrix3 inertia_of(const core::Body& body) {
   return core::world_inertia(body, body.initial.orientation);
 }
 
+// ---- Water, by summing columns -----------------------------------------------------------------------
+
+const Vector3 fall(3.3, -8.1, 4.6);
+const core::Water sea = {.level = -0.2, .wave = 0.3, .speed = 2.1, .buoyancy = 21.0, .drag = 3.7};
+
+// What is below the sea's surface at t = 0 of a body that fills, over each point (x, z) of body axes, the
+// column from -top(x, z) to top(x, z); x and z within `reach`.
+Wrench below_sea(const core::BodyState& s, const Vector3& reach, std::function<double(double, double)> top) {
+  const double height = sea.level + sea.wave * std::sin(s.position.x());
+  const Vector3 up = s.orientation.conjugate() * Vector3::UnitY();  // body axes
+  constexpr int n = 1500;
+  const double dx = 2 * reach.x() / n, dz = 2 * reach.z() / n;
+  double volume = 0, whole = 0;
+  Vector3 moment = Vector3::Zero();
+  for (int i = 0; i < n; ++i)
+    for (int k = 0; k < n; ++k) {
+      const double x = -reach.x() + (i + 0.5) * dx, z = -reach.z() + (k + 0.5) * dz, h = top(x, z);
+      // up . (x, y, z) <= height - position.y
+      const double cut = (height - s.position.y() - up.x() * x - up.z() * z) / up.y();
+      const double low = up.y() > 0 ? -h : std::max(cut, -h), high = up.y() > 0 ? std::min(cut, h) : h;
+      whole += 2 * h * dx * dz;
+      if (high <= low) continue;
+      const double v = (high - low) * dx * dz;
+      volume += v, moment += v * Vector3(x, (low + high) / 2, z);
+    }
+  if (volume == 0) return {};
+  const Vector3 lift = -sea.buoyancy * volume * fall;
+  return {lift - sea.drag * volume / whole * s.velocity, (s.orientation * (moment / volume)).cross(lift)};
+}
+
+Wrenches in_sea(const core::Scene& scene, const std::function<Wrench(const core::BodyState&)>& one) {
+  Wrenches result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    result[i] = one(scene.bodies[i].initial);
+    result[i].force += scene.bodies[i].mass * fall;
+  }
+  return result;
+}
+
+// All three at the surface, where `shape` is cut.
+std::function<void(core::Scene&)> afloat(const core::Shape& shape) {
+  return [shape](core::Scene& scene) {
+    const double depths[] = {0.11, -0.17, 0.05};
+    for (std::size_t i = 0; i < 3; ++i) {
+      scene.bodies[i].shape = shape;
+      Vector3& x = scene.bodies[i].initial.position;
+      x.y() = sea.level + sea.wave * std::sin(x.x()) - depths[i];
+    }
+    scene.forces.emplace_back(core::UniformGravity{fall});
+  };
+}
+
+const core::Box box = {{0.4, 0.3, 0.5}};
+
+// ---- A turning frame, by summing mass points -----------------------------------------------------------
+
+// A body whose principal moments are those of pairs of points on the principal axes: a point of mass m_k at
+// +-1 m on axis k gives  I_k = 2 (m_i + m_j).  Each point feels  -m (2 W x v + W x (W x r)).
+Wrenches turned(const core::Scene& scene) {
+  const Vector3 turn = scene.frame->angular_velocity;
+  Wrenches result;
+  for (std::size_t b = 0; b < 3; ++b) {
+    const core::Body& body = scene.bodies[b];
+    const core::BodyState& s = body.initial;
+    const core::PrincipalAxes axes = core::principal_axes(body.inertia);
+    const Vector3 points = (Vector3::Constant(axes.moments.sum() / 2) - axes.moments) / 2;  // [kg]
+    const auto fictitious = [&](double m, const Vector3& r, const Vector3& v) -> Vector3 {
+      return -m * (2 * turn.cross(v) + turn.cross(turn.cross(r)));
+    };
+    for (int k = 0; k < 3; ++k)
+      for (const double side : {-1.0, 1.0}) {
+        const Vector3 arm = s.orientation * (axes.rotation * (side * Vector3::Unit(k)));
+        const Vector3 f = fictitious(points[k], s.position + arm, velocity_at(s, arm));
+        result[b].force += f;
+        result[b].torque += arm.cross(f);
+      }
+    // The rest of the mass sits in the centre.
+    result[b].force += fictitious(body.mass - 2 * points.sum(), s.position, s.velocity);
+  }
+  return result;
+}
+
 const Row rows[] = {
+    {"turning frame", core::UniformGravity{Vector3::Zero()}, turned,
+     [](core::Scene& scene) {
+       scene.frame = core::Frame{{0.7, -0.4, 1.1}, {1.3, -0.8, 2.1}};
+     }},
+    {"moving frame", core::UniformGravity{fall},
+     [](const core::Scene& scene) { return in_sea(scene, [](const core::BodyState&) { return Wrench(); }); },
+     [](core::Scene& scene) {
+       scene.frame = core::Frame{{0.7, -0.4, 1.1}, Vector3::Zero()};
+     }},
+    {"water, spheres", sea,
+     [](const core::Scene& scene) {
+       const auto top = [](double x, double z) { return std::sqrt(std::max(0.0, 0.16 - x * x - z * z)); };
+       return in_sea(scene,
+                     [&](const core::BodyState& s) { return below_sea(s, Vector3::Constant(0.4), top); });
+     },
+     afloat(core::Sphere{0.4})},
+    {"water, boxes", sea,
+     [](const core::Scene& scene) {
+       return in_sea(scene, [](const core::BodyState& s) {
+         return below_sea(s, box.half_extents, [](double, double) { return box.half_extents.y(); });
+       });
+     },
+     afloat(box)},
+    {"water in steps",
+     core::Water{.level = 0.1, .wave = 0.5, .speed = 3, .buoyancy = 12, .drag = 1.6, .mode = "step"},
+     [](const core::Scene& scene) {
+       Wrenches result;
+       for (std::size_t i = 0; i < 3; ++i) {
+         const core::BodyState& s = scene.bodies[i].initial;
+         const int column = static_cast<int>(4 * s.position.x() + 20),
+                   row = static_cast<int>(4 * s.position.z() + 20);
+         const double height = 0.1 + 0.25 * std::sin(column) + 0.25 * std::sin(column * row / 2.0);
+         if (s.position.y() > height) continue;
+         result[i].force = Vector3(0, 12, 0) - 1.6 * s.velocity;
+         result[i].torque = -inertia_of(scene.bodies[i]) * s.angular_velocity;
+       }
+       return result;
+     },
+     [](core::Scene& scene) {
+       scene.bodies[0].initial.position.y() = -1.5, scene.bodies[1].initial.position.y() = 1.5;
+     }},
+    {"rocket", core::Thrust{.body = 0, .mass_rate = -0.3, .exhaust_velocity = push},
+     [](const core::Scene& scene) {
+       return on_a(scene.bodies[0].initial.orientation * (-0.3 * push), Vector3::Zero());
+     }},
+    {"accretion", core::Thrust{.body = 0, .mass_rate = 0.7, .exchanged_velocity = push},
+     [](const core::Scene& scene) {
+       return on_a(0.7 * (push - scene.bodies[0].initial.velocity), Vector3::Zero());
+     }},
     {"gravity", core::UniformGravity{{3.3, -8.1, 4.6}},
      [](const core::Scene& scene) {
        Wrenches result;
@@ -102,6 +234,7 @@ TEST_P(Forces, InitialAccelerationsAgreeWithHandCalculation) {
   for (const Row& row : rows) {
     core::Scene scene = three_bodies(51);
     scene.forces = {row.force};
+    row.prepare(scene);
     const core::State before = core::initial_state(scene), after = last(subject().choice(), scene, h, 1);
     const Wrenches wrenches = row.by_hand(scene);
     double error = 0, size = 0, turning_error = 0, turning_size = 0;

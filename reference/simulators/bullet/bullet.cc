@@ -1,9 +1,10 @@
 // Bullet behind the Simulator interface.  Compiled twice: double (BT_USE_DOUBLE_PRECISION) and float.
 #include "harness/core/simulator.h"
 #include "harness/core/surfaces.h"
+#include "reference/applied/forces.h"
 #include "reference/simulators/bullet/bullet_bodies.h"
 #include "reference/simulators/bullet/bullet_border.h"
-#include "reference/simulators/bullet/bullet_forces.h"
+#include "reference/simulators/bullet/bullet_joints.h"
 #include "reference/simulators/bullet/bullet_knobs.h"
 #include "reference/simulators/bullet/bullet_multibody.h"
 #include "reference/simulators/bullet/bullet_settings.h"
@@ -64,38 +65,6 @@ btScalar restitution(const btCollisionObject* a, const btCollisionObject* b) {
 }
 btScalar friction(const btCollisionObject* a, const btCollisionObject* b) {
   return to_bullet(contact(a, b).friction);
-}
-
-// ---- Joints -----------------------------------------------------------------------------------------
-
-// A joint at a point of the world, x along its axis, seen from a body.
-btTransform frame_in(const btRigidBody& body, const core::Joint& joint) {
-  const auto turn = core::turn_between(core::Vector3::UnitX(), joint.axis);
-  return body.getWorldTransform().inverse() * to_bullet(turn, joint.point);
-}
-
-std::unique_ptr<btTypedConstraint> make_joint(const core::Joint& joint, btRigidBody& a, btRigidBody* b) {
-  const btVector3 point = to_bullet(joint.point), axis = to_bullet(joint.axis);
-  const auto local = [&](const btRigidBody& body) { return body.getWorldTransform().invXform(point); };
-  const auto local_axis = [&](const btRigidBody& body) {
-    return body.getWorldTransform().getBasis().transpose() * axis;
-  };
-  switch (joint.type) {
-    case core::JointType::ball:
-      if (b) return std::make_unique<btPoint2PointConstraint>(a, *b, local(a), local(*b));
-      return std::make_unique<btPoint2PointConstraint>(a, local(a));
-    case core::JointType::hinge:
-      if (b)
-        return std::make_unique<btHingeConstraint>(a, *b, local(a), local(*b), local_axis(a), local_axis(*b));
-      return std::make_unique<btHingeConstraint>(a, local(a), local_axis(a));
-    case core::JointType::fixed: {
-      btRigidBody& other = b ? *b : btTypedConstraint::getFixedBody();
-      return std::make_unique<btFixedConstraint>(a, other, frame_in(a, joint), frame_in(other, joint));
-    }
-    case core::JointType::distance:
-      break;
-  }
-  return nullptr;
 }
 
 // ---- The world ----------------------------------------------------------------------------------------
@@ -168,7 +137,7 @@ class Run {
       : scene_(std::move(scene)),
         jointed_(core::jointed_pairs(scene_)),
         dt_(dt),
-        applied_(has_applied_forces(scene_)),
+        forces_(scene_),
         surfaces_(scene_),
         dispatcher_(&config_),
         solver_(make_solver(settings)) {
@@ -181,7 +150,7 @@ class Run {
                                                          &config_);
     }
     if (!jointed_.pairs.empty()) world_->getPairCache()->setOverlapFilterCallback(&jointed_);
-    world_->setGravity(to_bullet(gravity(scene_)));
+    world_->setGravity(to_bullet(applied::gravity(scene_)));
     world_->setApplySpeculativeContactRestitution(settings.on("speculative-restitution"));
     apply(settings, config_);
     apply(settings, world_->getSolverInfo());
@@ -192,11 +161,12 @@ class Run {
   }
 
   void step() {
-    if (applied_) {
+    if (forces_.any()) {
       read(state_);
-      applied_forces(scene_, state_, static_cast<double>(steps_) * dt_, wrenches_);
+      const std::vector<applied::Wrench>& wrenches = forces_.at(static_cast<double>(steps_) * dt_, state_);
       for (std::size_t i = 0; i < bodies_.size(); ++i)
-        bodies_[i]->push(wrenches_[i].force, wrenches_[i].torque);
+        bodies_[i]->push(wrenches[i].force, wrenches[i].torque);
+      for (const std::size_t i : forces_.changing()) bodies_[i]->set_mass(forces_.mass(i));
     }
     world_->stepSimulation(to_bullet(dt_), 0);
     ++steps_;
@@ -239,6 +209,7 @@ class Run {
     if (joints_.size() < scene_.joints.size()) return std::nullopt;
     std::vector<core::Reaction> reactions;
     for (std::size_t j = 0; j < joints_.size(); ++j) {
+      if (!joints_[j]) continue;
       const btTypedConstraint& joint = *joints_[j];
       if (!moves(joint.getRigidBodyA()) && !moves(joint.getRigidBodyB())) continue;
       const btJointFeedback& told = *joint.getJointFeedback();
@@ -292,10 +263,13 @@ class Run {
   }
 
   void add_joint(const core::Joint& joint) {
-    btRigidBody& a = *bodies_[static_cast<std::size_t>(joint.body)]->rigid();
-    btRigidBody* const b =
-        joint.to == core::world ? nullptr : bodies_[static_cast<std::size_t>(joint.to)]->rigid();
-    joints_.push_back(make_joint(joint, a, b));
+    const auto rigid = [&](int i) {
+      return i == core::world ? nullptr : bodies_[static_cast<std::size_t>(i)]->rigid();
+    };
+    btRigidBody &a = *rigid(joint.body), *const b = rigid(joint.to);
+    joints_.emplace_back();
+    if (a.isStaticObject() && (!b || b->isStaticObject())) return;  // both ends are locked
+    joints_.back() = make_joint(joint, a, b);
     joints_.back()->setJointFeedback(&feedback_.emplace_back());
     world_->addConstraint(joints_.back().get());
   }
@@ -303,10 +277,9 @@ class Run {
   core::Scene scene_;
   JointedPairs jointed_;
   double dt_;
-  bool applied_;
+  applied::Forces forces_;
   std::int64_t steps_ = 0;
   core::State state_;
-  std::vector<Wrench> wrenches_;
 
   Surfaces surfaces_;
   Shapes shapes_;
@@ -315,22 +288,13 @@ class Run {
   btDbvtBroadphase broadphase_;
   Solver solver_;
   std::vector<std::unique_ptr<BulletBody>> planes_, bodies_;
-  std::deque<btJointFeedback> feedback_;  // of joints_, which point at it
-  std::vector<std::unique_ptr<btTypedConstraint>> joints_;
+  std::deque<btJointFeedback> feedback_;                       // of joints_, which point at it
+  std::vector<std::unique_ptr<btTypedConstraint>> joints_;     // of the scene's; null between locked ends
   std::vector<std::unique_ptr<btMultiBodyConstraint>> loops_;  // of multibodies
   std::unique_ptr<btDiscreteDynamicsWorld> world_;
 };
 
 // ---- What it cannot do --------------------------------------------------------------------------------
-
-std::optional<std::string> unsupported_joint(const core::Scene& scene, const core::Joint& joint) {
-  if (joint.type == core::JointType::distance) return "Bullet has no rigid distance joint.";
-  const auto locked = [&](int body) {
-    return body == core::world || scene.bodies[static_cast<std::size_t>(body)].locked;
-  };
-  if (locked(joint.body) && locked(joint.to)) return "The joint connects two bodies that cannot move.";
-  return std::nullopt;
-}
 
 // What the paths look at.
 BulletKind bullet_kind(const core::Scene& scene) {
@@ -339,7 +303,8 @@ BulletKind bullet_kind(const core::Scene& scene) {
     return std::holds_alternative<core::Drag>(f) || std::holds_alternative<core::UniformGravity>(f);
   };
   const bool hung = !untreelike(scene) && all_hung(scene);
-  kind.tree = !kind.touches && hung && std::ranges::all_of(scene.forces, is_smooth);
+  kind.tree =
+      !kind.touches && hung && !applied::turns(scene.frame) && std::ranges::all_of(scene.forces, is_smooth);
   kind.loops = !untreelike(scene) && has_loops(scene);
   kind.swept = std::ranges::any_of(scene.bodies, [](const core::Body& body) {
     return !body.locked && body.collide &&
@@ -364,14 +329,12 @@ class Bullet final : public core::Simulator {
   const core::Engine& engine() const override { return engine_; }
 
   std::optional<std::string> unsupported(const core::Scene& scene, const core::Setup& setup) const override {
-    if (scene.frame) return "Bullet has no moving frame of reference.";
-    for (const core::Force& force : scene.forces)
-      if (auto reason = inexpressible(force)) return reason;
+    if (auto reason = applied::unmapped(scene)) return reason;
     for (const core::Body& body : scene.bodies)
       if (auto reason = body.collide ? untouchable(body.shape) : std::nullopt)
         return fmt::format("Body '{}': {}", body.name, *reason);
     for (const core::Joint& joint : scene.joints)
-      if (auto reason = unsupported_joint(scene, joint)) return reason;
+      if (auto reason = simulators::unsupported(joint)) return reason;
     if (!Surfaces(scene).complete()) return "A pair that may touch has no material.";
     if (setup.path == "multibody")
       if (auto reason = untreelike(scene)) return reason;

@@ -13,7 +13,9 @@ class Rigid final : public BulletBody {
  public:
   Rigid(const core::Body& body, const Placing& placing, const BulletSettings& settings,
         btDiscreteDynamicsWorld& world)
-      : principal_(placing.principal.rotation), body_(info(body, placing)) {
+      : principal_(placing.principal.rotation),
+        moments_(to_bullet(placing.principal.moments)),
+        body_(info(body, placing)) {
     prepare(body_, placing, settings);
     body_.setFlags(gyroscopic_flag(settings.gyroscopic));
     // The motion threshold is below the radius at which a sphere could skip what it touches.
@@ -43,6 +45,9 @@ class Rigid final : public BulletBody {
     body_.applyTorque(to_bullet(torque));
   }
 
+  // Gravity acts on the new mass as well.
+  void set_mass(double mass) override { body_.setMassProps(to_bullet(mass), moments_); }
+
   btRigidBody* rigid() override { return &body_; }
 
  private:
@@ -62,6 +67,7 @@ class Rigid final : public BulletBody {
   }
 
   core::Quaternion principal_;
+  btVector3 moments_;
   btRigidBody body_;
 };
 

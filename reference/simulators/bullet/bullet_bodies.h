@@ -24,6 +24,9 @@ class BulletBody {
   /// For the next step: force through the centre of mass [N] and torque about it [N m], world axes.
   virtual void push(const core::Vector3& force, const core::Vector3& torque) = 0;
 
+  /// From the next step on [kg]; the inertia stays.
+  virtual void set_mass(double mass) = 0;
+
   /// For joints; nothing for a multibody.
   virtual btRigidBody* rigid() { return nullptr; }
 };

@@ -94,6 +94,14 @@ class TreeBody {
     }
   }
 
+  // The articulated inertias of each step are made of these.
+  void set_mass(int link, double mass) {
+    if (link < 0)
+      multibody_.setBaseMass(to_bullet(mass));
+    else
+      multibody_.getLink(link).m_mass = to_bullet(mass);
+  }
+
   btMultiBody& multibody() { return multibody_; }
 
  private:
@@ -191,6 +199,7 @@ class Link final : public BulletBody {
   void push(const core::Vector3& force, const core::Vector3& torque) override {
     tree_->push(link_, force, torque);
   }
+  void set_mass(double mass) override { tree_->set_mass(link_, mass); }
 
  private:
   std::shared_ptr<TreeBody> tree_;
@@ -307,7 +316,10 @@ std::optional<std::string> untreelike(const core::Scene& scene) {
     return std::ranges::any_of(tree.loops,
                                [&](int j) { return scene.joints[at(j)].type == core::JointType::hinge; });
   });
-  if (hinge_closes) return "btMultiBody has no hinge that closes a loop; it has ball and fixed constraints.";
+  if (hinge_closes)
+    return "btMultiBody has no hinge constraint that closes a loop (BulletDynamics/Featherstone/, ball, "
+           "fixed and "
+           "slider), and this adapter makes none of two balls.";
   return std::nullopt;
 }
 

@@ -1,6 +1,7 @@
 #include "reference/simulators/bullet/bullet_settings.h"
 
 #include "harness/core/input_error.h"
+#include "reference/applied/forces.h"
 #include "reference/simulators/bullet/bullet_knobs.h"
 #include "reference/simulators/bullet/bullet_limits.h"
 #include "reference/simulators/bullet/bullet_rules.h"
@@ -110,8 +111,7 @@ std::vector<core::Setting> of_the_scene() {
       {"stepSimulation", "(dt, 0)", "(dt, 1, 1/60)", "exactly one step of dt, for every dt"},
       {"combined restitution and friction", "of the pair", "product of the bodies'",
        "the scene gives the values of the pair"},
-      {"springs, drag, drive, thrust, attraction", "force of the state before the step", "none",
-       "Bullet has no such forces; they are constant during the step"},
+      {applied::applied_forces, applied::as_applied, "none", applied::why_applied},
   };
 }
 

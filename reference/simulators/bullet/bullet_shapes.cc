@@ -2,6 +2,7 @@
 
 #include "harness/core/overloaded.h"
 #include "harness/core/polyhedron.h"
+#include "reference/applied/parts.h"
 #include "reference/simulators/bullet/bullet_border.h"
 
 #include <btBulletCollisionCommon.h>
@@ -68,17 +69,6 @@ core::Vector3 centre_of(const core::Primitive& primitive) {
   return cone ? core::Vector3(0, cone->length / 4, 0) : core::Vector3::Zero();
 }
 
-std::vector<core::Part> parts_of(const core::Shape& shape) {
-  return std::visit(
-      [](const auto& s) -> std::vector<core::Part> {
-        if constexpr (std::is_same_v<std::decay_t<decltype(s)>, core::Compound>)
-          return s.parts;
-        else
-          return {core::Part{s, 0, core::Vector3::Zero(), core::Quaternion::Identity()}};
-      },
-      shape);
-}
-
 // A part in Bullet's frame.
 struct Placed {
   core::Primitive shape;
@@ -96,7 +86,7 @@ struct Placed {
 std::vector<Placed> placed(const core::Shape& shape, const core::Quaternion& rotation) {
   std::vector<Placed> result;
   const core::Quaternion body_to_frame = rotation.conjugate();
-  for (const core::Part& part : parts_of(shape)) {
+  for (const core::Part& part : applied::parts_of(shape)) {
     const core::Quaternion turn = body_to_frame * part.orientation;
     Placed one{part.shape, turn, body_to_frame * part.position + turn * centre_of(part.shape)};
     if (auto* hull = std::get_if<core::Hull>(&one.shape)) {
@@ -136,10 +126,13 @@ struct InnerRadius {
 }  // namespace
 
 std::optional<std::string> untouchable(const core::Shape& shape) {
-  for (const core::Part& part : parts_of(shape)) {
-    if (std::holds_alternative<core::Disc>(part.shape)) return "Bullet has no disc without thickness.";
+  for (const core::Part& part : applied::parts_of(shape)) {
+    if (std::holds_alternative<core::Disc>(part.shape))
+      return "Bullet has no shape of a disc without thickness "
+             "(BulletCollision/BroadphaseCollision/btBroadphaseProxy.h:27).";
     if (std::holds_alternative<core::Mesh>(part.shape))
-      return "Moving meshes need another collision algorithm of Bullet, which is not supported; use a hull.";
+      return "This adapter maps no moving mesh: it needs btGImpactMeshShape and its algorithm "
+             "(BulletCollision/Gimpact/btGImpactShape.h:850); use a hull.";
   }
   return std::nullopt;
 }

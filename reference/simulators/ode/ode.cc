@@ -2,11 +2,13 @@
 // Sees the simulator interface and ODE's headers; never a scenario, a claim or another adapter.
 #include "harness/core/simulator.h"
 #include "harness/core/surfaces.h"
-#include "reference/simulators/ode/ode_forces.h"
+#include "reference/applied/forces.h"
 #include "reference/simulators/ode/ode_limits.h"
 #include "reference/simulators/ode/ode_settings.h"
 #include "reference/simulators/ode/ode_shapes.h"
+#include "reference/simulators/ode/ode_slip.h"
 #include "reference/simulators/ode/ode_springs.h"
+#include "reference/simulators/ode/ode_world.h"
 
 #include <fmt/format.h>
 #include <ode/ode.h>
@@ -15,6 +17,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <stdexcept>
 #include <unordered_map>
 #include <utility>
@@ -38,40 +41,6 @@ static_assert(sizeof(dReal) == sizeof(double), "this adapter states double preci
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // ---- The world -----------------------------------------------------------------------------------
-
-// Global state of the library, from the first simulator to the end of the program.
-struct Library {
-  Library() { dInitODE2(0); }
-  ~Library() { dCloseODE(); }
-  Library(const Library&) = delete;
-  Library& operator=(const Library&) = delete;
-
-  static void enter() {
-    static const Library library;
-    dAllocateODEDataForThread(
-        static_cast<unsigned>(dAllocateMaskAll));  // once per thread; later calls cost nothing
-  }
-};
-
-// Owns what ODE allocates for one world.
-struct World {
-  dWorldID id = dWorldCreate();
-  dSpaceID space = dHashSpaceCreate(nullptr);
-  dJointGroupID contacts = dJointGroupCreate(0);
-  dThreadingImplementationID threading = dThreadingAllocateSelfThreadedImplementation();
-
-  World() {
-    dWorldSetStepThreadingImplementation(id, dThreadingImplementationGetFunctions(threading), threading);
-  }
-  ~World() {
-    dJointGroupDestroy(contacts);
-    dSpaceDestroy(space);
-    dWorldDestroy(id);
-    dThreadingFreeImplementation(threading);
-  }
-  World(const World&) = delete;
-  World& operator=(const World&) = delete;
-};
 
 // Whom a geom belongs to: a body of the scene, or one of its planes.
 struct Owner {
@@ -115,6 +84,7 @@ class Ode final : public core::Simulator {
  private:
   void add_body(const Body&);
   void add_joint(std::size_t);
+  void apply_forces();
   void collide(dGeomID, dGeomID);
   void note_contacts();
   void note_reactions();
@@ -126,10 +96,11 @@ class Ode final : public core::Simulator {
   Scene scene_;
   double dt_ = 0;
   std::int64_t steps_ = 0;
+  State state_;  // before the step
   std::unique_ptr<World> world_;
-  std::vector<dBodyID> bodies_;               // nullptr for a locked body
-  std::vector<const core::Force*> explicit_;  // forces of scene_ that are no joints
-  std::deque<Owner> owners_;                  // geoms point at them
+  std::vector<dBodyID> bodies_;            // nullptr for a locked body
+  std::optional<applied::Forces> forces_;  // of scene_, those that are no joints
+  std::deque<Owner> owners_;               // geoms point at them
   std::unordered_map<std::uint64_t, Surface> surfaces_;
   std::vector<std::array<int, 2>> jointed_;  // pairs of bodies
   bool keep_ = false;                        // feedback of the contacts of the next step
@@ -170,9 +141,7 @@ Terms Ode::load(const Scene& scene, const Setup& setup) {
   dWorldSetContactSurfaceLayer(world_->id, settings_.surface_layer);
   dWorldSetContactMaxCorrectingVel(world_->id, dInfinity);
 
-  Vector3 gravity = Vector3::Zero();
-  for (const core::Force& force : scene_.forces)
-    if (const auto* uniform = std::get_if<core::UniformGravity>(&force)) gravity += uniform->acceleration;
+  const Vector3 gravity = applied::gravity(scene_);
   dWorldSetGravity(world_->id, gravity.x(), gravity.y(), gravity.z());
 
   for (const Body& body : scene_.bodies) add_body(body);
@@ -184,16 +153,15 @@ Terms Ode::load(const Scene& scene, const Setup& setup) {
         &owners_.back());
   }
   for (std::size_t j = 0; j < scene_.joints.size(); ++j) add_joint(j);
-  explicit_.clear();
-  for (const core::Force& force : scene_.forces) {
-    const auto* spring = std::get_if<core::Spring>(&force);
-    const bool joint =
-        spring && (settings_.all_springs || (settings_.stiff_springs && ode_stiff(*spring, scene_, dt_)));
-    if (joint)
-      ode_add_spring(world_->id, *spring, scene_, bodies_, dt_);
-    else
-      explicit_.push_back(&force);
+  std::vector<std::size_t> soft_joints;
+  for (std::size_t k = 0; k < scene_.forces.size(); ++k) {
+    const auto* spring = std::get_if<core::Spring>(&scene_.forces[k]);
+    if (!spring) continue;
+    if (!settings_.all_springs && !(settings_.stiff_springs && ode_stiff(*spring, scene_, dt_))) continue;
+    ode_add_spring(world_->id, *spring, scene_, bodies_, dt_);
+    soft_joints.push_back(k);
   }
+  forces_.emplace(scene_, soft_joints);
 
   return ode_terms(settings_);
 }
@@ -263,9 +231,27 @@ void Ode::add_joint(std::size_t index) {
 
 // ---- A step --------------------------------------------------------------------------------------
 
+// ODE holds a force over the step and then clears it.
+void Ode::apply_forces() {
+  if (!forces_->any()) return;
+  read(state_);
+  const std::vector<applied::Wrench>& wrenches = forces_->at(static_cast<double>(steps_) * dt_, state_);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (!bodies_[i]) continue;
+    const Vector3 &f = wrenches[i].force, &t = wrenches[i].torque;
+    dBodyAddForce(bodies_[i], f.x(), f.y(), f.z());
+    dBodyAddTorque(bodies_[i], t.x(), t.y(), t.z());
+  }
+  for (const std::size_t i : forces_->changing()) {
+    dMass mass;
+    dBodyGetMass(bodies_[i], &mass);
+    mass.mass = forces_->mass(i);
+    dBodySetMass(bodies_[i], &mass);
+  }
+}
+
 void Ode::step() {
-  const double t = static_cast<double>(steps_) * dt_;
-  for (const core::Force* force : explicit_) ode_apply(*force, scene_, bodies_, t);
+  apply_forces();
   dSpaceCollide(world_->space, this,
                 [](void* me, dGeomID a, dGeomID b) { static_cast<Ode*>(me)->collide(a, b); });
   const int done = settings_.quick ? dWorldQuickStep(world_->id, dt_) : dWorldStep(world_->id, dt_);
@@ -273,27 +259,6 @@ void Ode::step() {
   if (keep_) note_contacts(), note_reactions();
   dJointGroupEmpty(world_->contacts);
   ++steps_;
-}
-
-// Velocity of a body's point at a place of the world [m/s]; what has no body rests.
-Vector3 velocity_at(dBodyID body, const dVector3& place) {
-  if (!body) return Vector3::Zero();
-  dVector3 v;
-  dBodyGetPointVel(body, place[0], place[1], place[2], v);
-  return {v[0], v[1], v[2]};
-}
-
-// The first friction direction of a contact: t = s/|s| with the slip s = v - (v.n) n of the first body's
-// point against the second's; ODE's own where |s| is too small to have a direction.
-void turn_along_slip(dContact& contact, dBodyID first, dBodyID second) {
-  constexpr double least_slip = 1e-9;  // [m/s]
-  const Vector3 normal(contact.geom.normal[0], contact.geom.normal[1], contact.geom.normal[2]);
-  const Vector3 v = velocity_at(first, contact.geom.pos) - velocity_at(second, contact.geom.pos);
-  const Vector3 slip = v - v.dot(normal) * normal;
-  contact.surface.mode &= ~dContactFDir1;
-  if (!(slip.norm() > least_slip)) return;
-  contact.surface.mode |= dContactFDir1;
-  for (int k = 0; k < 3; ++k) contact.fdir1[k] = slip[k] / slip.norm();
 }
 
 void Ode::collide(dGeomID a, dGeomID b) {
@@ -319,7 +284,7 @@ void Ode::collide(dGeomID a, dGeomID b) {
   contact.surface.bounce_vel = settings_.bounce_velocity;
   for (int i = 0; i < n; ++i) {
     contact.geom = found[at(i)];
-    if (settings_.along_slip) turn_along_slip(contact, first, second);
+    if (settings_.along_slip) ode_turn_along_slip(contact, first, second);
     dJointID joint = dJointCreateContact(world_->id, world_->contacts, &contact);
     dJointAttach(joint, first, second);
     if (!keep_) continue;
@@ -387,8 +352,17 @@ const Surface& Ode::surface(const Owner& a, const Owner& b) {
 }
 
 void Ode::read(State& out) const {
+  const auto vector = [](const dReal* v) { return Vector3(v[0], v[1], v[2]); };
   out.resize(bodies_.size());
-  for (std::size_t i = 0; i < bodies_.size(); ++i) out[i] = ode_state(scene_.bodies[i], bodies_[i]);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const BodyState& start = scene_.bodies[i].initial;
+    dBodyID b = bodies_[i];
+    out[i] = {start.position, start.orientation, Vector3::Zero(), Vector3::Zero()};
+    if (!b) continue;  // locked
+    const dReal* q = dBodyGetQuaternion(b);
+    out[i] = {vector(dBodyGetPosition(b)), core::Quaternion(q[0], q[1], q[2], q[3]),
+              vector(dBodyGetLinearVel(b)), vector(dBodyGetAngularVel(b))};
+  }
 }
 
 }  // namespace

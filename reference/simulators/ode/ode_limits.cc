@@ -1,6 +1,7 @@
 #include "reference/simulators/ode/ode_limits.h"
 
 #include "harness/core/overloaded.h"
+#include "reference/applied/forces.h"
 
 #include <fmt/format.h>
 
@@ -15,25 +16,31 @@ using Reason = std::optional<std::string>;
 
 const core::Body& body(const Scene& scene, int i) { return scene.bodies[static_cast<std::size_t>(i)]; }
 
-// What a shape is that ODE has no primitive for; nullptr where it has one.
+// Why a shape cannot collide; nullptr where it can.  Classes of geoms: ode/collision.h:877.
 const char* missing(const core::Shape& shape) {
+  using What = const char*;
   return std::visit(
-      Overloaded{[](const core::Cone&) { return "a cone"; },
-                 [](const core::Rod&) { return "a rod, which has no thickness"; },
-                 [](const core::Disc&) { return "a disc, which has no thickness"; },
-                 [](const core::Hull&) { return "a hull that is given without faces"; },
-                 [](const core::Mesh&) { return "a mesh as a solid (only as a surface)"; },
-                 [](const core::Compound& compound) -> const char* {
+      Overloaded{[](const core::Cone&) -> What { return "ODE has no cone (ode/collision.h:877)"; },
+                 [](const core::Rod&) -> What {
+                   return "ODE has no solid without thickness, such as a rod (ode/collision.h:877)";
+                 },
+                 [](const core::Disc&) -> What {
+                   return "ODE has no solid without thickness, such as a disc (ode/collision.h:877)";
+                 },
+                 [](const core::Hull&) -> What {
+                   return "this adapter maps no hull, for which dCreateConvex would need the faces "
+                          "(ode/collision.h:965)";
+                 },
+                 [](const core::Mesh&) -> What {
+                   return "ODE collides a mesh as a surface, not as a solid (ode/collision_trimesh.h:253)";
+                 },
+                 [](const core::Compound& compound) -> What {
                    for (const core::Part& part : compound.parts)
-                     if (const char* what = std::visit([](const auto& s) { return missing(s); }, part.shape))
+                     if (What what = std::visit([](const auto& s) { return missing(s); }, part.shape))
                        return what;
                    return nullptr;
                  },
-                 [](const std::monostate&) -> const char* { return nullptr; },
-                 [](const core::Sphere&) -> const char* { return nullptr; },
-                 [](const core::Box&) -> const char* { return nullptr; },
-                 [](const core::Capsule&) -> const char* { return nullptr; },
-                 [](const core::Cylinder&) -> const char* { return nullptr; }},
+                 [](const auto&) -> What { return nullptr; }},
       shape);
 }
 
@@ -49,19 +56,11 @@ Reason against(const core::Body& body) {
   return {};
 }
 
-Reason against(const Scene& scene, const core::Force& force) {
-  if (const auto* thrust = std::get_if<core::Thrust>(&force); thrust && thrust->mass_rate != 0)
-    return fmt::format("ODE does not support a body of changing mass, such as '{}'.",
-                       body(scene, thrust->body).name);
-  if (std::holds_alternative<core::Water>(force)) return "ODE has no water.";
-  return {};
-}
-
 Reason against(const Scene& scene, const core::Pair& pair) {
   for (const int i : {pair.body, pair.other}) {
     if (i == core::world) continue;
     if (const char* what = missing(body(scene, i).shape))
-      return fmt::format("ODE cannot collide {}; body '{}' is one.", what, body(scene, i).name);
+      return fmt::format("Body '{}': {}.", body(scene, i).name, what);
   }
   if (core::material_of(scene, pair)) return {};
   const std::string& other = pair.plane >= 0 ? scene.planes[static_cast<std::size_t>(pair.plane)].name
@@ -73,11 +72,9 @@ Reason against(const Scene& scene, const core::Pair& pair) {
 }  // namespace
 
 Reason ode_limit(const Scene& scene) {
-  if (scene.frame) return "ODE's world is an inertial frame; the scene is given in a moving one.";
   for (const core::Body& one : scene.bodies)
     if (Reason reason = against(one)) return reason;
-  for (const core::Force& force : scene.forces)
-    if (Reason reason = against(scene, force)) return reason;
+  if (Reason reason = applied::unmapped(scene)) return reason;
   for (const core::Pair& pair : core::touching_pairs(scene))
     if (Reason reason = against(scene, pair)) return reason;
   return {};

@@ -1,5 +1,6 @@
 #include "reference/simulators/ode/ode_settings.h"
 
+#include "reference/applied/forces.h"
 #include "reference/simulators/ode/ode_options.h"
 
 #include <fmt/format.h>
@@ -81,6 +82,7 @@ std::vector<Row> rows(const OdeSettings& run) {
        text(run.contacts),
        caller,
        "two box faces share at most eight contact points"},
+      {{}, applied::applied_forces, applied::as_applied, "none", applied::why_applied},
       {{}, "broad_phase", "dHashSpace", caller, "one space for all shapes"},
       {{},
        "threading",

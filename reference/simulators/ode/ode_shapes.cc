@@ -1,6 +1,7 @@
 #include "reference/simulators/ode/ode_shapes.h"
 
 #include "harness/core/overloaded.h"
+#include "reference/applied/parts.h"
 
 #include <ode/ode.h>
 
@@ -60,13 +61,6 @@ void place(const Geom& geom, const core::Body& body, dBodyID id, const Vector3& 
   }
 }
 
-std::vector<core::Part> parts_of(const core::Shape& shape) {
-  const auto alone = [](const auto& primitive) {
-    return std::vector{core::Part{primitive, 0, Vector3::Zero(), Quaternion::Identity()}};
-  };
-  return std::visit(Overloaded{[](const core::Compound& compound) { return compound.parts; }, alone}, shape);
-}
-
 void add(dSpaceID space, const core::Part& part, const core::Body& body, dBodyID id, void* owner) {
   const Geom geom = make(space, part.shape);
   if (!geom.id) return;
@@ -96,7 +90,7 @@ bool ode_stacked(const core::Scene& scene) {
     core::Body body = scene.bodies[i];
     if (body.locked || !body.collide) continue;
     owners[i] = i;
-    for (core::Part& part : parts_of(body.shape)) {
+    for (core::Part& part : applied::parts_of(body.shape)) {
       part.shape = grown(part.shape, factor);
       add(space, part, body, nullptr, &owners[i]);
     }
@@ -113,7 +107,7 @@ bool ode_stacked(const core::Scene& scene) {
 }
 
 void ode_add_shape(dSpaceID space, const core::Body& body, dBodyID id, void* owner) {
-  for (const core::Part& part : parts_of(body.shape)) add(space, part, body, id, owner);
+  for (const core::Part& part : applied::parts_of(body.shape)) add(space, part, body, id, owner);
 }
 
 }  // namespace cylon::simulators

@@ -1,0 +1,173 @@
+// The submerged part of a solid: against the whole of it, against the same solid upside down, and by columns.
+#include "reference/applied/immersion.h"
+
+#include "harness/core/solid.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace cylon::applied {
+namespace {
+
+using core::Quaternion;
+using core::Vector3;
+
+// A wedge-shaped notch makes it not convex.
+const core::Mesh notched = {{{0, 0, 0},
+                             {3, 0, 0},
+                             {3, 2, 0},
+                             {1.5, 0.6, 0},
+                             {0, 2, 0},
+                             {0, 0, 1},
+                             {3, 0, 1},
+                             {3, 2, 1},
+                             {1.5, 0.6, 1},
+                             {0, 2, 1}},
+                            {{0, 3, 1},
+                             {1, 3, 2},
+                             {0, 4, 3},
+                             {5, 6, 8},
+                             {6, 7, 8},
+                             {5, 8, 9},
+                             {0, 1, 6},
+                             {0, 6, 5},
+                             {1, 2, 7},
+                             {1, 7, 6},
+                             {2, 3, 8},
+                             {2, 8, 7},
+                             {3, 4, 9},
+                             {3, 9, 8},
+                             {4, 0, 5},
+                             {4, 5, 9}}};
+const core::Hull hull = {
+    {{0.3, 0.1, -0.4}, {-0.5, 0.2, 0.1}, {0.1, 0.7, 0.2}, {0.2, -0.6, 0.3}, {-0.1, 0.1, 0.8}}};
+
+struct Row {
+  const char* name;
+  core::Shape shape;
+};
+const Row rows[] = {
+    {"sphere", core::Sphere{0.45}},
+    {"box", core::Box{{0.4, 0.3, 0.7}}},
+    {"hull", hull},
+    {"notched mesh", notched},
+    {"compound",
+     core::Compound{
+         {{core::Box{{0.2, 0.4, 0.3}}, 1, {0.5, 0.1, -0.2}, Quaternion(0.8, 0.1, -0.5, 0.3).normalized()},
+          {core::Sphere{0.3}, 2, {-0.7, -0.3, 0.4}, Quaternion(1, 2, 3, 4).normalized()},
+          {notched, 1, {0, 2, 0}, Quaternion(0.2, 0.7, 0.4, -0.1).normalized()}}}},
+};
+
+const Vector3 place(0.7, -1.3, 2.1);
+const Quaternion turn = Quaternion(0.5, -0.3, 0.8, 0.2).normalized();
+
+// Whole: volume and centre of the solid itself.
+TEST(Immersion, DeepDownIsTheWhole) {
+  for (const Row& row : rows) {
+    const Immersion solid(row.shape);
+    double volume = 0;
+    Vector3 centre = Vector3::Zero();
+    const auto add = [&](const core::Primitive& p, const Vector3& at, const Quaternion& q) {
+      core::Solid s{};
+      if (const auto* ball = std::get_if<core::Sphere>(&p))
+        s.volume = 4 * M_PI / 3 * std::pow(ball->radius, 3);
+      if (const auto* box = std::get_if<core::Box>(&p)) s.volume = 8 * box->half_extents.prod();
+      if (const auto* of = std::get_if<core::Hull>(&p))
+        s = core::solid(of->vertices, core::convex_hull(of->vertices));
+      if (const auto* of = std::get_if<core::Mesh>(&p)) s = core::solid(of->vertices, of->faces);
+      volume += s.volume, centre += s.volume * (at + q * s.centre);
+    };
+    std::visit(
+        [&](const auto& s) {
+          if constexpr (std::is_same_v<std::decay_t<decltype(s)>, core::Compound>)
+            for (const core::Part& part : s.parts) add(part.shape, part.position, part.orientation);
+          else
+            add(s, Vector3::Zero(), Quaternion::Identity());
+        },
+        row.shape);
+    const Submerged all = solid.below(50, place, turn);
+    EXPECT_NEAR(solid.whole(), volume, 1e-14 * volume) << row.name;
+    EXPECT_NEAR(all.volume, volume, 1e-12 * volume) << row.name;
+    EXPECT_LE((all.centroid - (place + turn * (centre / volume))).norm(), 1e-12) << row.name;
+    EXPECT_EQ(solid.below(-50, place, turn).volume, 0) << row.name;
+  }
+}
+
+// What is below and, upside down, what was above make the whole; and dV/dh, the area of the cut, is never
+// negative.
+TEST(Immersion, BelowAndAboveMakeTheWhole) {
+  const Quaternion over(Eigen::AngleAxisd(M_PI, Vector3::UnitX()));
+  for (const Row& row : rows) {
+    const Immersion solid(row.shape);
+    const Submerged all = solid.below(50, place, turn);
+    double before = 0;
+    int cut = 0;
+    for (double height = -5; height < 3; height += 0.13) {
+      const Submerged below = solid.below(height, place, turn);
+      const Submerged above = solid.below(-height, over * place, over * turn);
+      EXPECT_NEAR(below.volume + above.volume, all.volume, 1e-12 * all.volume) << row.name << " " << height;
+      EXPECT_LE((below.volume * below.centroid + above.volume * (over.conjugate() * above.centroid) -
+                 all.volume * all.centroid)
+                    .norm(),
+                1e-12 * all.volume * 10)
+          << row.name << " " << height;
+      EXPECT_GE(below.volume, before - 1e-12) << row.name;
+      before = below.volume;
+      cut += below.volume > 0 && above.volume > 0 ? 1 : 0;
+    }
+    EXPECT_GE(cut, 5) << row.name;
+  }
+}
+
+// A tilted box, column by column; half of it is not what a box that lies flat has.
+TEST(Immersion, BoxAgreesWithColumns) {
+  const core::Box box{{0.4, 0.3, 0.7}};
+  const Immersion solid(box);
+  const double height = place.y() + 0.15;
+  const Vector3 up = turn.conjugate() * Vector3::UnitY();
+  constexpr int n = 1000;
+  double volume = 0;
+  Vector3 moment = Vector3::Zero();
+  for (int i = 0; i < n; ++i)
+    for (int k = 0; k < n; ++k) {
+      const double x = 0.4 * ((2 * i + 1.0) / n - 1), z = 0.7 * ((2 * k + 1.0) / n - 1);
+      const double cut = std::clamp((0.15 - up.x() * x - up.z() * z) / up.y(), -0.3, 0.3);
+      const double low = up.y() > 0 ? -0.3 : cut, high = up.y() > 0 ? cut : 0.3;
+      const double v = (high - low) * 0.8 * 1.4 / n / n;
+      volume += v, moment += v * Vector3(x, (low + high) / 2, z);
+    }
+  const Submerged part = solid.below(height, place, turn);
+  EXPECT_NEAR(part.volume, volume, 1e-6);
+  EXPECT_LE((part.centroid - (place + turn * (moment / volume))).norm(), 1e-6);
+  EXPECT_GT(std::abs(solid.below(height, place, Quaternion::Identity()).volume - part.volume), 1e-2);
+}
+
+TEST(Immersion, RefusesShapesWithoutAFormula) {
+  const struct {
+    core::Shape shape;
+    const char* reason;
+  } refused[] = {
+      {core::Capsule{0.2, 0.5}, "a capsule"},
+      {core::Cylinder{0.2, 0.5}, "a cylinder"},
+      {core::Cone{0.2, 0.5}, "a cone"},
+      {core::Rod{0.4}, "no volume"},
+      {core::Disc{0.4}, "no volume"},
+      {core::Hull{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}}, "no volume"},
+      {core::Mesh{notched.vertices, {{0, 3, 1}}}, "not closed"},
+      {core::Compound{{{core::Sphere{0.2}, 1, {}, Quaternion::Identity()},
+                       {core::Cone{0.1, 0.2}, 1, {}, Quaternion::Identity()}}},
+       "a cone"},
+  };
+  for (const auto& row : refused) {
+    const auto reason = Immersion::unmapped(row.shape);
+    ASSERT_TRUE(reason) << row.reason;
+    EXPECT_NE(reason->find(row.reason), std::string::npos) << *reason;
+  }
+  for (const Row& row : rows) EXPECT_FALSE(Immersion::unmapped(row.shape)) << row.name;
+  EXPECT_FALSE(Immersion::unmapped(core::Shape()));
+  EXPECT_EQ(Immersion(core::Shape()).below(9, place, turn).volume, 0);
+}
+
+}  // namespace
+}  // namespace cylon::applied
