@@ -7,7 +7,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <set>
+#include <string_view>
 
 namespace cylon::study {
 namespace {
@@ -26,17 +28,32 @@ bool springs(const core::Scene& scene) {
 
 bool always(const core::Scene&) { return true; }
 
+bool holds(const core::Scene& scene) { return !scene.joints.empty() || touches(scene); }
+
 // What makes a variant of its own where it can matter.
 struct Trial {
   const char* name;
   bool (*matters)(const core::Scene&);
 };
-// Options, in every value that is not the engine's own.
+// Options that are words, in every value that is not the engine's own.  ODE's stepper is none of them: the row
+// ode-quick is its other value.
 constexpr Trial trial_options[] = {{"gyro", turns},
                                    {"rotation", turns},
                                    {"solver", touches},
                                    {"friction-direction", touches},
                                    {"springs", springs}};
+// Options that are numbers: one value each, of those rows that take it.  The values are those of Bullet's path
+// as-expert; 200 sweeps for both engines that sweep.
+struct NumberTrial {
+  const char *name, *value;
+  std::initializer_list<std::string_view> rows;
+  bool (*matters)(const core::Scene&);
+};
+const NumberTrial trial_numbers[] = {
+    {"ccd", "0.9", {"bullet"}, touches},
+    {"plane-queries", "3", {"bullet", "bullet-multibody"}, touches},
+    {"breaking-threshold", "0.1", {"bullet", "bullet-multibody"}, touches},
+    {"iterations", "200", {"bullet", "bullet-multibody", "ode-quick"}, holds}};
 // Paths that an engine's first row does not take by itself.
 constexpr Trial trial_paths[] = {{"stepping", touches}, {"as-expert", always}};
 
@@ -51,6 +68,9 @@ std::vector<std::string> variants(const std::string& id, const core::Engine& eng
         if (value != option.engine_default)
           ids.push_back(with_option(id, fmt::format("{}={}", option.name, value)));
     }
+  for (const NumberTrial& trial : trial_numbers)
+    if (std::ranges::find(trial.rows, id) != trial.rows.end() && trial.matters(scene))
+      ids.push_back(with_option(id, fmt::format("{}={}", trial.name, trial.value)));
   for (const Trial& trial : trial_paths)
     for (std::size_t i = 1; i < engine.paths.size(); ++i)
       if (first_row && engine.paths[i].name == trial.name && trial.matters(scene))
