@@ -6,8 +6,12 @@
 Each engine runs each scene 1000 steps: twice in one process, in a new process, in a process that has run another scene
 before, without the processor's newer instructions (GLIBC_TUNABLES), and, with --other, by the workers of another build.
 The load message of `cylon simulate` is recorded once and sent again.  A cell says in how many scenes all states had the
-bits of the first run, of those that the engine takes.
+bits of the first run, of those that the engine takes, and names the others.
+
+The column of threads is of an engine that has them: build/release/bits and bits-f32 run generated piles and fields of free
+bodies on 1, 2 and 4 threads, and the cell counts those whose last states have one hash.
 """
+import collections
 import argparse
 import json
 import os
@@ -26,6 +30,8 @@ SCENES = ["projectile", "heavy_top", "dzhanibekov", "spring_orbit", "double_pend
 STEPS = 1000
 MASK = "glibc.cpu.hwcaps=-AVX512F,-AVX2,-AVX,-FMA,-FMA4,-BMI2,-ERMS,-SSE4_2"
 COLUMNS = ["same process", "new process", "after another scene", "older processor", "other build"]
+# Engines with threads: the tool that runs their models on 1, 2 and 4.
+THREADS = {"cylon-worker-in-house": "bits", "cylon-worker-in-house-f32": "bits-f32"}
 
 
 class Worker:
@@ -113,15 +119,14 @@ def engines():
 
 
 def compare(folder, other, worker, loads):
-    """For each column: (scenes with the same bits, scenes compared)."""
+    """For each column: whether each scene that was compared had the same bits."""
     command = [str(folder / worker)]
-    same = {column: [0, 0] for column in COLUMNS}
+    same = {column: {} for column in COLUMNS}
 
-    def count(column, states, first):
-        same[column][0] += states == first
-        same[column][1] += 1
+    for i, (scene, load) in enumerate(zip(SCENES, loads)):
+        def count(column, states, first):
+            same[column][scene] = states == first
 
-    for i, load in enumerate(loads):
         with Worker(command) as one:
             first = one.states(load)
             if first is None:
@@ -140,14 +145,32 @@ def compare(folder, other, worker, loads):
     return same
 
 
+def threads(folder, worker):
+    """Models of one hash on every number of threads."""
+    if worker not in THREADS:
+        return "one thread"
+    hashes = collections.defaultdict(set)
+    for line in subprocess.run([folder / THREADS[worker]], check=True, capture_output=True, text=True).stdout.splitlines():
+        model, _, bits = line.split()
+        hashes[model].add(bits)
+    return cell({model: len(bits) == 1 for model, bits in hashes.items()})
+
+
+def cell(same):
+    """ "10 of 12, not projectile, gas"; "–" where nothing was compared."""
+    others = [f"`{name}`" for name, equal in same.items() if not equal]
+    return (f"{len(same) - len(others)} of {len(same)}" + (f", not {', '.join(others)}" if others else "")) if same else "–"
+
+
 def table(cylon, other):
     with tempfile.TemporaryDirectory() as folder:
         loads = [load_message(cylon, scene, pathlib.Path(folder)) for scene in SCENES]
     columns = COLUMNS if other else COLUMNS[:-1]
-    lines = ["| engine | " + " | ".join(columns) + " |", "|---|" + "---|" * len(columns)]
+    lines = ["| engine | " + " | ".join(columns) + " | 1, 2 and 4 threads |", "|---|" + "---|" * (len(columns) + 1)]
+    folder = pathlib.Path(cylon).resolve().parent
     for name, worker, path in engines():
-        rows = compare(pathlib.Path(cylon).resolve().parent, other, worker, [{**load, "path": path} for load in loads])
-        cells = [f"{rows[c][0]} of {rows[c][1]}" if rows[c][1] else "–" for c in columns]
+        rows = compare(folder, other, worker, [{**load, "path": path} for load in loads])
+        cells = [cell(rows[c]) for c in columns] + [threads(folder, worker)]
         lines.append(f"| {name} | " + " | ".join(cells) + " |")
         print(lines[-1], file=sys.stderr, flush=True)
     return "\n".join(lines)
