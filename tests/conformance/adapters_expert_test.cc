@@ -220,6 +220,12 @@ TEST(Expert, BulletsRuleLooksAtTheSceneAlone) {
   const auto of = [](const core::Scene& scene) { return terms("bullet/path=as-expert", scene); };
   EXPECT_EQ(of(thrown()).integrator, "runge-kutta-4");
   EXPECT_EQ(of(hinged()).order, 4);
+  core::Scene in_frame = thrown();
+  in_frame.frame = core::Frame{{0.7, -0.4, 1.1}, Vector3::Zero()};
+  EXPECT_EQ(of(in_frame).integrator, "runge-kutta-4");
+  in_frame.frame->angular_velocity = {0.2, 0.5, -0.1};  // its forces are constant during a step
+  EXPECT_EQ(of(in_frame).integrator, "semi-implicit-euler");
+  EXPECT_EQ(terms("bullet-multibody/integrator=runge-kutta-4", in_frame).order, 1);
   EXPECT_EQ(of(on_spring(50, 0, 0.7, 0.05)).integrator, "semi-implicit-euler");
   EXPECT_EQ(set_to(of(sliding(0, 0.3)), "m_numIterations"), "200");
   EXPECT_EQ(set_to(of(sliding(0, 0.3)), "m_erp2"), "");

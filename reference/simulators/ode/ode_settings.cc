@@ -82,7 +82,7 @@ std::vector<Row> rows(const OdeSettings& run) {
        text(run.contacts),
        caller,
        "two box faces share at most eight contact points"},
-      {{}, applied::applied_forces, applied::as_applied, "none", applied::why_applied},
+      {{}, applied::applied_forces, applied::as_applied, caller, applied::why_applied},
       {{}, "broad_phase", "dHashSpace", caller, "one space for all shapes"},
       {{},
        "threading",

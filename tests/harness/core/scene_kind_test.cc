@@ -50,6 +50,11 @@ TEST(SceneKind, SeesOtherForcesAndWideMasses) {
   scene.forces.emplace_back(Drag{0, 1, 0, 0});
   EXPECT_TRUE(scene_kind(scene).applied);
   EXPECT_TRUE(scene_kind(scene).wide());
+  scene = court();
+  scene.frame = Frame{{0.7, -0.4, 1.1}, Vector3::Zero()};
+  EXPECT_FALSE(scene_kind(scene).applied) << "a frame that only moves has no forces";
+  scene.frame->angular_velocity.z() = 0.3;
+  EXPECT_TRUE(scene_kind(scene).applied);
 }
 
 }  // namespace
