@@ -10,6 +10,7 @@
 #include <array>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace cylon::reports {
@@ -108,13 +109,20 @@ void end_line(std::string& out) {
 }  // namespace
 
 Matrix fold(const std::vector<Verdict>& verdicts) {
-  // An engine that could not take a scene names no integrator: the row is its first one's.
+  // An engine may choose its integrator by the scene; only one that ran a scene by several has several columns.
+  // One that could not take a scene names no integrator: the row is its first one's.
   std::map<std::string, std::string> first;
-  for (const Verdict& v : verdicts)
-    if (!v.integrator.empty()) first.emplace(v.engine, v.integrator);
-  const auto integrator = [&](const Verdict& v) {
-    const auto found = first.find(v.engine);
-    return v.integrator.empty() && found != first.end() ? found->second : v.integrator;
+  std::map<std::tuple<std::string, std::string, std::string>, std::string> one;
+  std::set<std::string> several;
+  for (const Verdict& v : verdicts) {
+    if (v.integrator.empty()) continue;
+    first.emplace(v.engine, v.integrator);
+    if (one.emplace(std::tuple(v.engine, v.scenario, v.dt_text), v.integrator).first->second != v.integrator)
+      several.insert(v.engine);
+  }
+  const auto integrator = [&](const Verdict& v) -> std::string {
+    if (!several.contains(v.engine)) return "";
+    return v.integrator.empty() ? first.at(v.engine) : v.integrator;
   };
 
   Labels scenarios, engines;

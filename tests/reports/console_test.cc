@@ -104,6 +104,15 @@ TEST(Matrix, SeveralStepsAndIntegratorsGetRowsAndColumnsOfTheirOwn) {
   EXPECT_TRUE(matrix.cells[1][1].empty);
 }
 
+// As bullet/path=as-expert does: its matrix had two columns with holes.
+TEST(Matrix, AnIntegratorChosenBySceneIsNoColumn) {
+  Verdict top = make("top", "bullet", Status::pass), ball = make("ball", "bullet", Status::pass);
+  top.integrator = "runge-kutta-4", ball.integrator = "semi-implicit-euler";
+  const Matrix matrix = fold({top, ball});
+  EXPECT_EQ(matrix.engines, std::vector<std::string>{"bullet"});
+  EXPECT_FALSE(matrix.cells[0][0].empty || matrix.cells[1][0].empty);
+}
+
 // It cannot name the integrator that it would have run.
 TEST(Matrix, UnsupportedSceneAddsNoColumn) {
   Verdict v = make("rocket", "bullet", Status::unsupported);

@@ -81,22 +81,30 @@ function markAvoidable(row: Row, columns: Column[]): void {
   for (const cell of row.cells) if (cell?.worst === 'unsupported') cell.passedBy = passing;
 }
 
-/** Where a run without an integrator stands, as one that the engine could not express: with the engine's first
- * integrator. */
-function firstIntegrators(verdicts: Verdict[]): Map<string, string> {
-  const out = new Map<string, string>();
-  for (const v of verdicts) if (v.integrator !== '' && !out.has(v.engine)) out.set(v.engine, v.integrator);
-  return out;
+/** The integrator of a verdict's column. An engine may choose it by the scene: only one that ran a scene by several has
+ * several columns. A run without one, as the engine could not express the scene, stands with the engine's first. */
+function columnIntegrators(verdicts: Verdict[]): (v: Verdict) => string {
+  const first = new Map<string, string>();
+  const one = new Map<string, string>();
+  const several = new Set<string>();
+  for (const v of verdicts) {
+    if (v.integrator === '') continue;
+    if (!first.has(v.engine)) first.set(v.engine, v.integrator);
+    const cell = [v.engine, v.scenario, v.dt_text].join(separator);
+    if (!one.has(cell)) one.set(cell, v.integrator);
+    if (one.get(cell) !== v.integrator) several.add(v.engine);
+  }
+  return (v) => (several.has(v.engine) ? v.integrator || (first.get(v.engine) ?? '') : '');
 }
 
 export function fold(verdicts: Verdict[]): Matrix {
   const scenarios = new Labels();
   const engines = new Labels();
-  const integrators = firstIntegrators(verdicts);
+  const integratorOf = columnIntegrators(verdicts);
   const cells: (Cell | undefined)[][] = [];
   for (const v of verdicts) {
     const row = (cells[scenarios.index(v.scenario, v.dt_text)] ??= []);
-    const j = engines.index(v.engine, v.integrator || (integrators.get(v.engine) ?? ''));
+    const j = engines.index(v.engine, integratorOf(v));
     const { scenario, engine, integrator, dt_text: dt, status: worst } = v;
     row[j] ??= { scenario, engine, integrator, dt, verdicts: [], worst, digits: null, differs: false, closedForm: false, passedBy: [] };
     join(row[j], v);
