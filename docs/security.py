@@ -23,10 +23,13 @@ ROWS = [
 ]
 # With the words that only ask for the counts.
 CAMPAIGNS = [
-    ("libFuzzer", "tests/fuzz/campaign.py", "--rounds 0"),
-    ("killed at a random moment and resumed", "tests/hostile/kills.py CYLON", "--kills 0"),
-    ("one call of the system failed, then resumed", "tests/hostile/faults.py CYLON", "--trials 0"),
+    ("libFuzzer", "tests/fuzz/campaign.py PART", "--rounds 0"),
+    ("accepted by the reader, asked of every other part", "tests/fuzz/accepted.py", "--scenes 0"),
+    ("killed at a random moment and resumed", "tests/hostile/kills.py CYLON PART", "--kills 0"),
+    ("one call of the system failed, then resumed", "tests/hostile/faults.py CYLON PART", "--trials 0"),
 ]
+# What else a part may tell.
+KNOWN = {"calls": "of {calls} calls", "places": "at {places} places", "accepted": "{accepted} accepted"}
 
 
 def said_last(command):
@@ -51,13 +54,13 @@ def rows_of_scripts(cylon):
 def rows_of_campaigns(cylon):
     """A row for each part of each campaign, and how much of it is open."""
     for what, command, ask in CAMPAIGNS:
-        words = command.replace("CYLON", cylon).split()
-        shown = command.replace("CYLON", "build/release/cylon")
+        words = command.replace(" PART", "").replace("CYLON", cylon).split()
         for part, count in said_last([ROOT / words[0], *words[1:], *ask.split()])["parts"].items():
             if count.get("calls") == 0:  # it makes none
                 continue
-            known = f"of {count['calls']} calls" if "calls" in count else ""
-            yield f"| {what}: {part} | {count['tried']} | {count['failed']} | {known} | `{shown} {part}` |", count["failed"]
+            known = [text.format(**count) for key, text in KNOWN.items() if key in count]
+            shown = command.replace("CYLON", "build/release/cylon").replace("PART", part)
+            yield f"| {what}: {part} | {count['tried']} | {count['failed']} | {' '.join(known)} | `{shown}` |", count["failed"]
 
 
 def main():

@@ -68,6 +68,9 @@ std::string flags() {
 #ifdef __SANITIZE_ADDRESS__
   add("address-sanitizer");
 #endif
+#ifdef __SANITIZE_THREAD__
+  add("thread-sanitizer");
+#endif
   return found;
 #endif
 }

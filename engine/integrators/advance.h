@@ -153,7 +153,7 @@ struct Steps {
 };
 
 // Not under a sanitizer, whose checks, written out in every integrator, take a compiler minutes.
-#ifdef __SANITIZE_ADDRESS__
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define CYLON_FLATTEN
 #else
 #define CYLON_FLATTEN [[gnu::flatten]]

@@ -7,7 +7,23 @@
 #include <cstddef>
 #include <memory>
 
+#ifdef __SANITIZE_THREAD__
+#include <sanitizer/tsan_interface.h>
+#endif
+
 namespace cylon::engine::pile {
+
+/// What a thread did before tell() has happened for one that has called hear(), for ThreadSanitizer alone: oneTBB's
+/// library, which sees to it, is not compiled with it.
+struct Order {
+#ifdef __SANITIZE_THREAD__
+  void tell() { __tsan_release(this); }
+  void hear() { __tsan_acquire(this); }
+#else
+  void tell() {}
+  void hear() {}
+#endif
+};
 
 /// Runs parts of work that touch nothing in common: their order, and so the number of threads, cannot matter.
 class Threads {
@@ -24,11 +40,16 @@ class Threads {
       for (std::size_t i = 0; i < parts; ++i) part(i);
       return;
     }
+    Order begin, end;
+    begin.tell();
     arena_->execute([&] {
       tbb::parallel_for(tbb::blocked_range<std::size_t>(0, parts, grain), [&](const auto& range) {
+        begin.hear();
         for (std::size_t i = range.begin(); i != range.end(); ++i) part(i);
+        end.tell();
       });
     });
+    end.hear();
   }
 
  private:

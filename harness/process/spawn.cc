@@ -21,10 +21,11 @@ namespace {
 
 constexpr int pipe_bytes = 1 << 20;  // room for some frames while the parent is elsewhere
 
-#if defined(__SANITIZE_ADDRESS__)  // gcc
+// Sanitizers map terabytes.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)  // gcc
 constexpr bool limit_data = false;
 #elif defined(__has_feature)  // clang
-constexpr bool limit_data = !__has_feature(address_sanitizer);
+constexpr bool limit_data = !__has_feature(address_sanitizer) && !__has_feature(thread_sanitizer);
 #else
 constexpr bool limit_data = true;
 #endif

@@ -157,10 +157,12 @@ void read_bodies(const Table& root, Draft& draft) {
     refuse_too_many(table, draft, count);
     add_group(table, lattice(table, read_template(table, draft, count)), draft);
   }
-  for (const Table& table : root.tables("cloud")) {
-    const auto count = static_cast<double>(table.whole("count"));
-    refuse_too_many(table, draft, count);
-    add_group(table, cloud(table, read_template(table, draft, count), draft), draft);
+  const std::vector<Table> clouds = root.tables("cloud");
+  for (std::size_t i = 0; i < clouds.size(); ++i) {
+    const auto count = static_cast<double>(clouds[i].whole("count"));
+    refuse_too_many(clouds[i], draft, count);
+    const core::Body pattern = read_template(clouds[i], draft, count);
+    add_group(clouds[i], cloud(clouds[i], pattern, draft, std::span(clouds).first(i)), draft);
   }
   if (draft.scene.bodies.empty()) root.fail("the scene has no body; add a [[body]]");
 }

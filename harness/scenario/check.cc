@@ -166,39 +166,49 @@ struct Checker {
     }
   }
 
+  using Keys = std::vector<const Key*>;
+
+  static void add(const std::vector<Key>& keys, Keys& all) {
+    for (const Key& key : keys) all.push_back(&key);
+  }
+
   // The common keys and those of the variant that the tag's value selects.
-  std::vector<Key> keys_of(const toml::table& t, const Spec& spec) const {
-    std::vector<Key> keys = spec.keys;
+  Keys keys_of(const toml::table& t, const Spec& spec) const {
+    Keys keys;
+    add(spec.keys, keys);
     if (spec.tag.empty()) return keys;
     const toml::node* tag = t.get(spec.tag);
     if (!tag) fail(t.source(), fmt::format("{} needs '{}'", spec.label, spec.tag));
     if (!tag->is_string()) wrong_type({.name = spec.tag}, *tag);
     const std::string& word = tag->as_string()->get();
-    std::vector<std::string> names;
-    for (const auto& variant : spec.variants) {
-      names.push_back(variant.name);
-      if (variant.name == word) {
-        keys.insert(keys.end(), variant.keys.begin(), variant.keys.end());
-        return keys;
-      }
+    const auto variant = std::ranges::find(spec.variants, word, &Spec::Variant::name);
+    if (variant == spec.variants.end()) {
+      std::vector<std::string> names;
+      for (const Spec::Variant& one : spec.variants) names.push_back(one.name);
+      unknown_word(spec.tag, word, names, tag->source());
     }
-    unknown_word(spec.tag, word, names, tag->source());
+    add(variant->keys, keys);
+    return keys;
+  }
+
+  [[noreturn]] void unknown_key(const toml::key& name, const Spec& spec, const Keys& keys) const {
+    std::vector<std::string> names;
+    for (const Key* key : keys) names.push_back(key->name);
+    fail(name.source(), fmt::format("unknown key '{}' in {}{}; valid: {}", name.str(), spec.label,
+                                    core::did_you_mean(name.str(), names), fmt::join(names, ", ")));
   }
 
   void table(const toml::table& t, const Spec& spec) const {
-    const std::vector<Key> keys = keys_of(t, spec);
-    std::vector<std::string> names;
-    for (const Key& key : keys) names.push_back(key.name);
+    const Keys keys = keys_of(t, spec);
     for (auto&& [name, node] : t) {
-      const auto known = std::ranges::find(names, std::string(name.str()));
-      if (known == names.end())
-        fail(name.source(), fmt::format("unknown key '{}' in {}{}; valid: {}", name.str(), spec.label,
-                                        core::did_you_mean(name.str(), names), fmt::join(names, ", ")));
-      value(keys[static_cast<std::size_t>(known - names.begin())], node);
+      const auto known =
+          std::ranges::find(keys, name.str(), [](const Key* key) { return std::string_view(key->name); });
+      if (known == keys.end()) unknown_key(name, spec, keys);
+      value(**known, node);
     }
-    for (const Key& key : keys)
-      if (key.required && !t.contains(key.name))
-        fail(t.source(), fmt::format("{} needs '{}'", spec.label, key.name));
+    for (const Key* key : keys)
+      if (key->required && !t.contains(key->name))
+        fail(t.source(), fmt::format("{} needs '{}'", spec.label, key->name));
   }
 };
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -65,9 +66,11 @@ core::Quaternion read_orientation(const Table&, std::string_view key);
 /// Divides by the norm unless that is 1 to rounding: what was made a unit vector once stays as it is.
 void make_unit(core::Vector3&);
 
-/// Bodies of a [[lattice]] and of a [[cloud]]: copies of the template at their places.
+/// Bodies of a [[lattice]] and of a [[cloud]]: copies of the template at their places.  `earlier`: the clouds
+/// before this one in the file.
 std::vector<core::Body> lattice(const Table&, const core::Body& pattern);
-std::vector<core::Body> cloud(const Table&, const core::Body& pattern, Draft& others);
+std::vector<core::Body> cloud(const Table&, const core::Body& pattern, Draft& others,
+                              std::span<const Table> earlier);
 
 /// "[x, y, z]" with all digits that matter.
 std::string written(const core::Vector3&);

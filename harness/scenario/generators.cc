@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace cylon::scenario {
 namespace {
@@ -85,6 +86,22 @@ class Places {
   std::size_t& looked_at_;
 };
 
+// Clouds of one box whose seeds differ are different; the default makes them differ.
+std::uint64_t seed_of(const Table& cloud, std::size_t number) {
+  return static_cast<std::uint64_t>(cloud.whole("seed", static_cast<std::int64_t>(number)));
+}
+
+// Why a cloud finds no place, where an earlier one has drawn the same.  One with `speed` draws directions in between.
+std::string same_draws(const Table& table, std::span<const Table> earlier) {
+  for (std::size_t i = 0; i < earlier.size(); ++i)
+    if (seed_of(earlier[i], i) == seed_of(table, earlier.size()) && earlier[i].number("speed") == 0 &&
+        earlier[i].vector("low") == table.vector("low") && earlier[i].vector("high") == table.vector("high"))
+      return fmt::format(
+          "; seed = {} is that of '{}' too, so that both draw the same places: give it another seed",
+          seed_of(table, earlier.size()), earlier[i].text("name"));
+  return "";
+}
+
 std::string indexed(const std::string& name, std::size_t i) { return fmt::format("{}[{}]", name, i); }
 
 }  // namespace
@@ -104,7 +121,8 @@ std::vector<core::Body> lattice(const Table& table, const core::Body& pattern) {
   return bodies;
 }
 
-std::vector<core::Body> cloud(const Table& table, const core::Body& pattern, Draft& others) {
+std::vector<core::Body> cloud(const Table& table, const core::Body& pattern, Draft& others,
+                              std::span<const Table> earlier) {
   if (table.has("position")) table.fail("position", "position: a cloud lies between 'low' and 'high'");
   const Vector3 low = table.vector("low"), high = table.vector("high");
   if (!(low.array() <= high.array()).all())
@@ -115,7 +133,7 @@ std::vector<core::Body> cloud(const Table& table, const core::Body& pattern, Dra
   const auto count = static_cast<std::size_t>(table.whole("count"));
   const double speed = table.number("speed");
   if (pattern.locked && speed > 0) table.fail("speed", "speed: a locked body does not move");
-  Random random(static_cast<std::uint64_t>(table.whole("seed")));
+  Random random(seed_of(table, earlier.size()));
   Places places(others.scene, radius, others.neighbours);
   std::vector<core::Body> bodies;
   while (bodies.size() < count) {
@@ -132,8 +150,8 @@ std::vector<core::Body> cloud(const Table& table, const core::Body& pattern, Dra
         table.fail(
             "count",
             fmt::format("count = {}: only {} of radius {} m found a place that overlaps nothing; take fewer "
-                        "or a larger box",
-                        count, bodies.size(), radius));
+                        "or a larger box{}",
+                        count, bodies.size(), radius, same_draws(table, earlier)));
     }
     places.add(place);
     core::Body body = pattern;

@@ -89,8 +89,9 @@ const Spec* cloud_spec() {
                   required(arrow("high", "m", "Greatest corner for the centres.")),
                   absent("0", real("speed", "m/s", "Of each body in a random direction, added to `velocity`.",
                                    not_negative)),
-                  absent("0", integer("seed", "The same seed gives the same cloud on every machine.",
-                                      {.low = 0, .high = 9007199254740992.0}))}};
+                  absent("the number of clouds before it",
+                         integer("seed", "The same seed gives the same cloud on every machine.",
+                                 {.low = 0, .high = 9007199254740992.0}))}};
   return &spec;
 }
 

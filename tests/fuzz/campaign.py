@@ -4,7 +4,7 @@
     tests/fuzz/campaign.py [--build build/fuzz] [--seconds 60] [--rounds N] [--executions N] [--minutes N] [TARGET…]
 
 Each round gives every target that many seconds on one core; it goes on until the rounds are done, the executions of all
-rounds that ever were are as many as asked for, or the minutes are over.  Counts are kept in build/campaigns/fuzz.json;
+rounds that ever were are as many as asked for, or the minutes are over.  Counts are kept in tests/hostile/counts/fuzz.json;
 what a target has learned in BUILD/campaign/TARGET/; bytes that it did not take (crash, more than 10 s, more than 1 GB) in
 BUILD/campaign/findings/, until it takes them.  The last line is JSON: executions so far and open findings, together and
 of each target; --rounds 0 gives it alone.  Exit codes: 0 no open finding, 1 open findings, 2 a target is not built."""
@@ -67,7 +67,7 @@ def turn(name, build, seconds, counted):
     executed = EXECUTED.search(said)
     executions = int(executed[1]) if executed else 0
     found = int(ran.returncode != 0)
-    counted.add(name, executions=executions, seconds=time.monotonic() - start, findings=found)
+    counted.add(name, executions=executions)
     print(f"{name}: {executions} executions, {executions / (time.monotonic() - start):.0f} a second"
           + (", a finding" if found else ""), flush=True)
     if found:

@@ -1,14 +1,14 @@
-"""What a campaign has tried so far: kept in build/campaigns/NAME.json, so that it goes on where it was stopped, and so
-that docs/security.py can tell."""
+"""What a campaign has tried so far: kept in tests/hostile/counts/NAME.json, which is committed, so that it goes on where it
+was stopped, on any machine, and so that docs/security.py can tell."""
 import json
 import os
 import pathlib
 
-FOLDER = pathlib.Path(__file__).resolve().parents[2] / "build/campaigns"
+FOLDER = pathlib.Path(__file__).resolve().parent / "counts"
 
 
 class Counted:
-    """Numbers by part and key, written whole after every change; without a name they are not kept."""
+    """Numbers and words by part and key, written whole after every change; without a name they are not kept."""
 
     def __init__(self, name=None):
         self.file = FOLDER / f"{name}.json" if name else None
@@ -18,15 +18,22 @@ class Counted:
         return self.parts.get(part, {}).get(key, 0)
 
     def add(self, part, **numbers):
-        row = self.parts.setdefault(part, {})
-        for key, number in numbers.items():
-            row[key] = round(row.get(key, 0) + number, 3)
+        self.set(part, **{key: self.get(part, key) + number for key, number in numbers.items()})
+
+    def set(self, part, **values):
+        self.parts.setdefault(part, {}).update(values)
         if not self.file:
             return
-        FOLDER.mkdir(parents=True, exist_ok=True)
+        FOLDER.mkdir(exist_ok=True)
         draft = self.file.with_suffix(".draft")
-        draft.write_text(json.dumps(self.parts, indent=1, sort_keys=True) + "\n")
+        draft.write_text(written(self.parts))
         os.replace(draft, self.file)
 
     def total(self, key):
         return sum(row.get(key, 0) for row in self.parts.values())
+
+
+def written(parts):
+    """JSON, one part a line, in the order of their names."""
+    lines = (f" {json.dumps(name)}: {json.dumps(row, sort_keys=True)}" for name, row in sorted(parts.items()))
+    return "{\n" + ",\n".join(lines) + "\n}\n"

@@ -1,12 +1,18 @@
-// A library that LD_PRELOAD puts before the C library: it lets the n-th call of one kind fail, once, as the system
-// would.  tests/hostile/faults.py compiles it.
+// A library that LD_PRELOAD puts before the C library: it lets one call of one kind fail, once, as the system would.
+// tests/hostile/faults.py compiles it.
 //
-//     CYLON_FAULT=kind:n:log   kind is one of the names below; `log` gets "failed" when the call has failed, or with
-//                              n = 0, when main() has returned, how many calls there were
+//     CYLON_FAULT=kind:n:place:log   kind is one of the names below.  The n-th call fails or, where place is not 0, the
+//                                    first from the n-th on that comes from this place; `log` then gets "failed".
+//     CYLON_FAULT=kind:0:0:log       None fails; `log` gets how many calls there were when main() has returned
+//     CYLON_FAULT=kind:0:1:log       and a line for each place: the place, its calls, number of the first and of the last.
+//
+// Calls come from the same place where they have the same chain of callers.  A place is a hash of the return addresses,
+// each relative to the module that it lies in, and so the same in every run of the same program.
 //
 // It counts from the start of main() on, and only in the process that it was loaded into: what that process forks has
 // another id, and what it executes does not inherit the two variables.
 #include <dlfcn.h>
+#include <execinfo.h>
 #include <fcntl.h>
 #include <pthread.h>
 #include <spawn.h>
@@ -16,8 +22,12 @@
 #include <sys/uio.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
+#include <cinttypes>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -29,6 +39,7 @@ constexpr const char* names[kinds] = {"malloc", "fork", "pipe", "thread", "write
 
 Kind asked = kinds;
 long at = 0;
+std::uint64_t wanted_place = 0;
 char log_file[4096];
 pid_t owner = 0;
 std::atomic<bool> counting = false;
@@ -41,10 +52,68 @@ void tell(const char* text) {
   ::syscall(SYS_close, fd);
 }
 
+constexpr int most_callers = 256;
+__attribute__((tls_model("initial-exec"))) thread_local bool looking = false;  // backtrace() may allocate
+
+// Of the call that is being made; 0 where this library made it itself.
+std::uint64_t place_of_call() {
+  if (looking) return 0;
+  looking = true;
+  std::array<void*, most_callers> callers;
+  const int depth = ::backtrace(callers.data(), most_callers);
+  std::uint64_t hash = 0;
+  for (int i = 0; i < depth; ++i) {
+    dl_find_object module;
+    const auto address = reinterpret_cast<std::uintptr_t>(callers[i]);
+    if (::_dl_find_object(callers[i], &module) != 0) continue;
+    hash = (hash ^ (address - reinterpret_cast<std::uintptr_t>(module.dlfo_map_start))) * 0x9e3779b97f4a7c15u;
+    hash ^= hash >> 32;
+  }
+  looking = false;
+  return std::max<std::uint64_t>(hash, 2);  // 0 and 1 have a meaning of their own
+}
+
+// Calls by place: a table with open addressing, which is larger than any program needs.
+struct Place {
+  std::atomic<std::uint64_t> hash;
+  std::atomic<long> calls, first, last;
+};
+std::array<Place, 1 << 18> places;
+
+void count_at(std::uint64_t hash, long number) {
+  for (std::size_t i = hash % places.size(), tried = 0; tried < places.size();
+       i = (i + 1) % places.size(), ++tried) {
+    std::uint64_t taken = 0;
+    if (!places[i].hash.compare_exchange_strong(taken, hash) && taken != hash) continue;
+    if (++places[i].calls == 1) places[i].first = number;
+    places[i].last = number;
+    return;
+  }
+  tell("the table of places is full\n");
+}
+
+void tell_places() {
+  for (const Place& place : places) {
+    if (place.hash == 0) continue;
+    std::array<char, 100> line;
+    std::snprintf(line.data(), line.size(), "\n%016" PRIx64 " %ld %ld %ld", place.hash.load(),
+                  place.calls.load(), place.first.load(), place.last.load());
+    tell(line.data());
+  }
+}
+
 // Whether this call is the one.
 bool fails(Kind kind) {
-  if (kind != asked || !counting.load(std::memory_order_relaxed)) return false;
-  if (++calls != at || ::syscall(SYS_getpid) != owner) return false;
+  if (kind != asked || !counting.load(std::memory_order_relaxed) || looking) return false;
+  const long number = ++calls;
+  if (at == 0 ? wanted_place == 0 : number < at) return false;
+  if (wanted_place == 0 && number != at) return false;
+  if (wanted_place != 0) {
+    const std::uint64_t place = place_of_call();
+    if (at == 0) count_at(place, number);
+    if (at == 0 || place != wanted_place) return false;
+  }
+  if (::syscall(SYS_getpid) != owner || !counting.exchange(false)) return false;
   tell("failed");
   return true;
 }
@@ -73,16 +142,18 @@ int counted_main(int argc, char** argv, char** environment) {
   counting = false;
   char text[32];
   std::snprintf(text, sizeof text, "%ld", calls.load());
-  if (asked != kinds && at == 0) tell(text);
+  if (asked != kinds && at == 0) tell(text), tell_places();
   return code;
 }
 
 __attribute__((constructor)) void configure() {
   const char* text = std::getenv("CYLON_FAULT");
   char kind[16] = "";
-  if (text && std::sscanf(text, "%15[^:]:%ld:%4095s", kind, &at, log_file) == 3)
+  if (text && std::sscanf(text, "%15[^:]:%ld:%" SCNx64 ":%4095s", kind, &at, &wanted_place, log_file) == 4)
     for (int i = 0; i < kinds; ++i)
       if (std::strcmp(kind, names[i]) == 0) asked = static_cast<Kind>(i);
+  void* first = nullptr;
+  ::backtrace(&first, 1);  // loads what it needs
   owner = ::getpid();
   ::unsetenv("CYLON_FAULT");
   ::unsetenv("LD_PRELOAD");

@@ -4,14 +4,18 @@
     tests/hostile/faults.py CYLON [--trials N] [--sample N] [--seed S] [run/malloc|trade/fork|…]
 
 Kinds of calls: malloc, fork, pipe, thread, write, sync, rename (fault.cc, which is loaded before the C library and counts in
-the harness's process alone).  Of every command and kind each call fails once, in a run of its own.  That run must end by
-itself with an exit code 0, 1, 2 or 5.  With 0 and 1 its output must be that of an undisturbed run.  With 2 and 5 it must say
-why, and the command that goes on, undisturbed, must give that output.  No draft of a file may be left.
+the harness's process alone).  Of every command and kind each call fails once, in a run of its own; allocations, which are
+many, by their place, the chain of callers: of each place the first, and of every fourth that has several the last too.  The
+run must end by itself with an exit code 0, 1, 2 or 5.  With 0 and 1 its output must be that of an undisturbed run.  With 2
+and 5 it must say why, and the command that goes on, undisturbed, must give that output.  No draft of a file may be left.
 
-Calls are tried in an order that spreads over the whole run.  Counts are kept in build/campaigns/faults.json, and a later call
-goes on where the last one stopped; --trials limits the trials of this call, --sample makes N trials of each and keeps no count.
+Calls are tried in an order that spreads over the whole run.  Counts are kept in counts/faults.json, and a later call goes on
+where the last one stopped, with places from the start where the program is another; --trials limits the trials of this
+call, --sample makes N trials of each and keeps no count.
 The last line is JSON: tried (runs in which a call failed), failed, the same of each part, with the number of its calls."""
 import argparse
+import bisect
+import hashlib
 import json
 import math
 import os
@@ -27,6 +31,8 @@ from kills import COMMANDS
 HERE = pathlib.Path(__file__).resolve().parent
 KINDS = ["malloc", "fork", "pipe", "thread", "write", "sync", "rename"]
 SECONDS = 600  # after which a run hangs
+BY_PLACE = "malloc"
+ANY, LIST = "0", "1"  # in the word of fault.cc for a place
 # Calls whose failure once was a crash, or the timeout of an engine; a sample tries them first.
 FOUND = {"run/malloc": (929, 4830), "run/write": (6, 8), "trade/write": (1,), "trade/malloc": (7584,)}
 
@@ -38,13 +44,20 @@ def compile_library(folder):
     return library
 
 
-def started(command, words, here, library=None, kind="", n=0):
+def program_of(cylon):
+    """Changes with the code of the program, and with it the places of calls."""
+    code = subprocess.run(["objcopy", "-O", "binary", "--only-section=.text", cylon, "/dev/stdout"], capture_output=True,
+                          check=True).stdout
+    return hashlib.sha256(code).hexdigest()[:12]
+
+
+def started(command, words, here, library=None, kind="", n=0, place=ANY):
     """Exit code (None where it hangs), stderr, and what the library tells."""
     log = here.parent / (here.name + ".log")
     log.unlink(missing_ok=True)
     environment = dict(os.environ)
     if library:
-        environment |= {"LD_PRELOAD": str(library), "CYLON_FAULT": f"{kind}:{n}:{log}"}
+        environment |= {"LD_PRELOAD": str(library), "CYLON_FAULT": f"{kind}:{n}:{place}:{log}"}
     try:
         ran = subprocess.run([command.cylon, *words], cwd=here, env=environment, stdin=subprocess.DEVNULL,
                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, timeout=SECONDS, check=False)
@@ -79,9 +92,9 @@ def judged(code, said, kind, facts, expected):
     return f"exit code {code}, but another output: {changed} after {said[:200]!r}" if changed else ""
 
 
-def trial(command, here, library, kind, n, expected):
-    """What is wrong with a run whose n-th call fails, or "", or None where there is no such call."""
-    code, said, told = started(command, command.first, here, library, kind, n)
+def trial(command, here, library, kind, call, expected):
+    """What is wrong with a run in which this call (number, place) fails, or "", or None where there is no such call."""
+    code, said, told = started(command, command.first, here, library, kind, *call)
     if told != "failed":
         return None
     if why := judged(code, said, kind, lambda: command.facts(here), expected):
@@ -107,10 +120,25 @@ def order(calls):
     return lambda k: 1 + (k * stride) % calls if k < calls else k + 1
 
 
-class Part:
-    """A command and a kind of call."""
+def by_place(lines):
+    """Which call of each place fails, from "place calls first last" of each: key, number from which on, place.  Numbers
+    differ a little from run to run."""
+    for place, count, first, last in map(str.split, lines):
+        for key, number in [(place, first)] + [(place + "+", last)] * (int(count) > 1 and int(place, 16) % 4 == 0):
+            yield key, max(1, int(int(number) * 0.98) - 200), place
 
-    def __init__(self, name, cylon, folder, library):
+
+def by_number(count):
+    """Every call, in an order whose every first part is spread over all."""
+    number = order(count)
+    for k in range(count):
+        yield f"{k:09}", number(k), ANY
+
+
+class Part:
+    """A command, a kind of call, and which calls fail: key, number, place."""
+
+    def __init__(self, name, cylon, folder, library, sampled):
         self.name, self.library = name, library
         command, self.kind = name.split("/")
         self.folder = folder / command
@@ -124,22 +152,45 @@ class Part:
         self.here.mkdir()
         whole = self.here / "whole"
         whole.mkdir()
-        code, said, told = started(self.command, self.command.first, whole, library, self.kind)
+        by_places = self.kind == BY_PLACE and not sampled
+        code, said, told = started(self.command, self.command.first, whole, library, self.kind, 0, LIST if by_places else ANY)
         if code not in (0, 1):
             sys.exit(f"{name}: exit code {code} undisturbed: {said[:300]!r}")
-        self.calls, self.expected = int(told), (code, self.command.facts(whole))
+        self.expected = code, self.command.facts(whole)
+        count, *lines = told.splitlines()
+        self.calls = int(count)
+        self.size = {"places": len(lines)} if by_places else {"calls": self.calls}
+        self.plan = sorted(by_place(lines) if by_places else by_number(self.calls))
 
-    def fails(self, n):
+    def after(self, key):
+        """The next call of the plan, or None."""
+        at = bisect.bisect([call[0] for call in self.plan], key)
+        return self.plan[at] if at < len(self.plan) else None
+
+    def sampled(self, seed, trial):
+        """A call that once was a finding, then any."""
+        found = FOUND.get(self.name, ())
+        chosen = random.Random(f"{seed} {self.name} {trial}").randint(1, max(1, self.calls))
+        return "", found[trial] if trial < len(found) else chosen, ANY
+
+    def fails(self, call):
         with tempfile.TemporaryDirectory(dir=self.here) as here:
-            return trial(self.command, pathlib.Path(here), self.library, self.kind, n, self.expected)
+            return trial(self.command, pathlib.Path(here), self.library, self.kind, call[1:], self.expected)
 
 
 def control(cylon, folder, library):
-    """What must be found: a call that fails, a crash, a hang, silence, another output."""
-    (folder / "control").mkdir()
+    """What must be found: a call that fails, by its number and by its place, a crash, a hang, silence, another output."""
     run = COMMANDS["run"](cylon, folder)
-    code, said, told = started(run, run.first, folder / "control", library, "fork", 1)
-    return all([code == 5, b"fork" in said, told == "failed", judged(-6, b"x", "fork", list, (0, [])),
+
+    def of_run(name, *fault):
+        (folder / name).mkdir()
+        return started(run, run.first, folder / name, library, *fault)
+
+    code, said, told = of_run("numbered", "fork", 1)
+    _, *places = of_run("listed", "fork", 0, LIST)[2].splitlines()
+    by_its_place = of_run("placed", "fork", 1, places[0].split()[0])[2]
+    return all([code == 5, b"fork" in said, told == "failed", by_its_place == "failed",
+                judged(-6, b"x", "fork", list, (0, [])),
                 judged(None, b"", "fork", list, (0, [])), judged(5, b"", "fork", list, (0, [])),
                 judged(0, b"", "fork", lambda: [1], (0, [])), not judged(0, b"", "fork", lambda: [1], (0, [1]))])
 
@@ -162,24 +213,23 @@ def main():
         library = compile_library(folder) if left else None
         if left and not control(cylon, folder, library):
             sys.exit("the control was not found: what fails would not be seen")
-        parts = {}
+        program, parts = program_of(cylon), {}
+        for name in names:
+            if left and name.endswith(BY_PLACE) and counted.parts.get(name, {}).get("program") != program:
+                counted.set(name, program=program, tried=0, failed=0, trials=0, done=0, last="")
         while left > 0 and (open_parts := [name for name in names if not counted.get(name, "done")]):
             for name in open_parts:  # in turns, so that a campaign that is stopped has asked all alike
-                part = parts.get(name) or parts.setdefault(name, Part(name, cylon, folder, library))
-                trials = counted.get(name, "trials")
-                n = order(part.calls)(trials)
-                found = FOUND.get(name, ())
-                if options.sample:
-                    chosen = random.Random(f"{options.seed} {name} {trials}").randint(1, max(1, part.calls))
-                    n = found[trials] if trials < len(found) else chosen
-                bad = part.fails(n)
-                done = bad is None and trials >= part.calls
-                if options.sample:
-                    done = trials + 1 >= options.sample + len(found)
-                counted.add(name, trials=1, tried=int(bad is not None), failed=int(bool(bad)),
-                            calls=part.calls - counted.get(name, "calls"), done=int(done))
+                if name not in parts:
+                    parts[name] = Part(name, cylon, folder, library, bool(options.sample))
+                part, trials = parts[name], counted.get(name, "trials")
+                last = counted.get(name, "last") or ""
+                call = part.sampled(options.seed, trials) if options.sample else part.after(last)
+                bad = part.fails(call) if call else None
+                done = trials + 1 >= options.sample + len(FOUND.get(name, ())) if options.sample else not call
+                counted.add(name, trials=int(bool(call)), tried=int(bad is not None), failed=int(bool(bad)))
+                counted.set(name, done=int(done), last=call[0] if call else last, **part.size)
                 if bad:
-                    print(f"{name} {n}: {bad}", flush=True)
+                    print(f"{name} {call[1:]}: {bad}", flush=True)
                 left -= 1
                 if left <= 0:
                     break

@@ -5,7 +5,7 @@
 
 A trial of run, trade or record is killed (SIGKILL) one to three times and resumed each time; one of import is repeated.
 In the end its output must be that of a command that nobody killed, times left out, and no whole line of a journal may be
-lost on the way.  Trial n is a function of seed and n.  Counts are kept in build/campaigns/kills.json, and a later call goes
+lost on the way.  Trial n is a function of seed and n.  Counts are kept in counts/kills.json, and a later call goes
 on with new trials until each command was killed as often as asked for; --sample makes N trials of each and keeps no count.
 The last line is JSON: tried (kills that met a living command), failed (trials), the same of each command."""
 import argparse
@@ -20,7 +20,25 @@ import time
 
 from counted import Counted
 
-SELECTION = ["projectile", "two_sphere_head_on", "--engine", "in-house", "--engine", "ode"]
+# Two scenes, as small as scenes can be: what is looked at is what is kept, not what moves.
+SCENE = """duration = 0.2
+step = 0.01
+gravity = [0, -9.81, 0]
+[[body]]
+name = "stone"
+mass = {mass}
+position = [0.3, 2, 0.1]
+velocity = [1, 0.5, -0.2]
+[[claim]]
+conserves = "energy"
+tolerance = {{ absolute = 1, reason = "of 35 J" }}
+[[claim]]
+follows = "projectile"
+observable = "position"
+tolerance = {{ absolute = 0.1, reason = "of 0.4 m" }}
+"""
+MASSES = {"light.toml": 1.5, "heavy.toml": 2.5}
+ENGINES = ["--engine", "in-house", "--engine", "ode"]
 SAMPLES = ("exact", "error")  # kinds of samples that are the same on every run
 
 
@@ -29,14 +47,21 @@ class Command:
 
     def __init__(self, cylon, folder):
         self.cylon, self.folder = cylon, folder
+        for name, mass in MASSES.items():
+            (folder / name).write_text(SCENE.format(mass=mass))
+        self.first, self.again = self.lines([str(folder / name) for name in MASSES])
 
     def start(self, words, here):
         return subprocess.Popen([self.cylon, *words], cwd=here, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                                 stderr=subprocess.PIPE, text=True)
 
+    def whole(self, here):
+        """Runs it, and nobody kills it."""
+        self.start(self.first, here).communicate()
+
     def words(self, here):
-        """Of the next call in this folder."""
-        return self.first if not self.begun(here) else self.again
+        """Of the next call in this folder; None where there is nothing left to do."""
+        return self.again if self.kept(here) else self.first
 
     def prepare(self):
         """What all trials need."""
@@ -56,11 +81,9 @@ def journal_lines(file):
 
 class Run(Command):
     journal = ".cylon/journal.jsonl"
-    first = ["run", *SELECTION, "--json", "out.json"]
-    again = ["run", "--resume", "--json", "out.json"]
 
-    def begun(self, here):
-        return bool(self.kept(here))
+    def lines(self, scenes):
+        return ["run", *scenes, *ENGINES, "--json", "out.json"], ["run", "--resume", "--json", "out.json"]
 
     def kept(self, here):
         return journal_lines(here / self.journal)
@@ -76,16 +99,19 @@ class Run(Command):
 
 class Trade(Run):
     journal = ".cylon/trade.jsonl"
-    first = ["trade", *SELECTION[1:], "--steps", "3", "--rounds", "0", "--json", "out.json"]
-    again = [*first, "--resume"]
+
+    def lines(self, scenes):
+        first = ["trade", scenes[0], *ENGINES, "--steps", "3", "--rounds", "0", "--json", "out.json"]
+        return first, [*first, "--resume"]
 
     def facts(self, here):
         return json.loads((here / "out.json").read_text())["tables"]
 
 
 class Record(Command):
-    first = ["track", "record", *SELECTION, "--repetitions", "0", "--store", "h.db"]
-    again = ["track", "record", "--resume", "--store", "h.db"]
+    def lines(self, scenes):
+        return (["track", "record", *scenes, *ENGINES, "--repetitions", "0", "--store", "h.db"],
+                ["track", "record", "--resume", "--store", "h.db"])
 
     def exported(self, here):
         """The lines of the store's export; none where there is no store yet."""
@@ -93,14 +119,9 @@ class Record(Command):
                              text=True, check=False)
         return [json.loads(line) for line in ran.stdout.splitlines()]
 
-    def begun(self, here):
-        return any("run" in line for line in self.exported(here))
-
-    def complete(self, here):
-        return any(line["run"]["complete"] for line in self.exported(here) if "run" in line)
-
     def words(self, here):
-        return None if self.complete(here) else super().words(here)
+        runs = [line["run"] for line in self.exported(here) if "run" in line]
+        return None if any(run["complete"] for run in runs) else self.again if runs else self.first
 
     def facts(self, here):
         checked = subprocess.run([self.cylon, "track", "check", "--store", "h.db"], cwd=here, capture_output=True,
@@ -121,15 +142,15 @@ class Import(Record):
 
     runs = 400
 
-    def __init__(self, cylon, folder):
-        super().__init__(cylon, folder)
-        self.first = self.again = ["track", "import", str(folder / "many.jsonl"), "--store", "h.db"]
+    def lines(self, scenes):
+        line = ["track", "import", str(self.folder / "many.jsonl"), "--store", "h.db"]
+        return line, line
 
     def prepare(self):
         """A history of some hundred runs, so that there is time to be killed in."""
         here = self.folder / "history"
         here.mkdir()
-        self.start(Record.first, here).wait()
+        Record(self.cylon, self.folder).whole(here)
         head, *rest = [json.dumps(line) for line in self.exported(here)]
         lines = [head, *(line for line in rest if '"cell": {"hash"' in line and '"result"' not in line)]
         of_run = [line for line in rest if line not in lines]
@@ -138,11 +159,8 @@ class Import(Record):
             lines += [line.replace(uid, f"{n:08x}{uid[8:]}") for line in of_run]
         (self.folder / "many.jsonl").write_text("\n".join(lines) + "\n")
 
-    def begun(self, here):
-        return False
-
-    def complete(self, here):
-        return False
+    def words(self, here):
+        return self.first
 
     def lost(self, here, _before):
         runs = sum("run" in line for line in self.exported(here))
@@ -183,10 +201,10 @@ def control(cylon):
         here = pathlib.Path(name)
         os.environ["CYLON_KEY"] = str(here / "key")
         run, stored = Run(cylon, here), Import(cylon, here)
-        run.start(run.first, here).communicate()
+        run.whole(here)
         whole, facts = run.kept(here), run.facts(here)
         (here / Run.journal).write_bytes(b"\n".join(whole[:-1]) + b"\n")
-        stored.start(Record.first, here).communicate()
+        Record(cylon, here).whole(here)
         with tempfile.TemporaryDirectory(dir=here) as other:
             another = trial(run, pathlib.Path(other), random.Random(1), 0.01, facts[1:])[0]
         return bool(run.lost(here, whole) and stored.lost(here, None) and another)
@@ -202,7 +220,7 @@ def campaign(name, cylon, seed, wanted, add):
         whole = folder / "whole"
         whole.mkdir()
         start = time.monotonic()
-        command.start(command.first, whole).communicate()
+        command.whole(whole)
         seconds, expected = time.monotonic() - start, command.facts(whole)
         while (number := wanted()) is not None:
             with tempfile.TemporaryDirectory(dir=folder) as here:

@@ -1,4 +1,4 @@
-// Reads a scenario as the program does, and holds what is taken against the worker's reader.
+// Reads a scenario as the program does, and asks every other part whether it takes what was read.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace cylon::fuzz {
 
-/// Throws Broken where a refusal has no place, or where a worker reads another scene than was read.
+/// Throws Broken where a refusal has no place, or where a part does not take the scene.
 void read_scenario(std::string_view text, const std::string& file_name);
 
 }  // namespace cylon::fuzz

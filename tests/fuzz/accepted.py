@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+"""Asks every part that gets a scene whether it takes what the reader accepts, over random scenes (targets/random_scene.h).
+
+    cmake/build.py release accepted
+    tests/fuzz/accepted.py build/release/accepted [--scenes 100000] [--minutes N]
+
+Scene n is a function of n and of the shipped scenes.  Counts are kept in tests/hostile/counts/accepted.json, and a later call
+goes on with new scenes until as many were tried as asked for.  A scene is a finding if a part refuses it, or if a unit of
+scenes crashes or takes too long.  The last line is JSON: tried, failed, the same of each part; --scenes 0 gives it alone."""
+import argparse
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "hostile"))
+from counted import Counted  # noqa: E402
+
+UNIT = 250  # scenes of one process
+SECONDS = 600  # that a unit may take; most take ten
+PART = "random scenes"
+
+
+def unit(program, first):
+    """Accepted and failed of one unit; what was said of those that failed."""
+    try:
+        ran = subprocess.run([program, str(first), str(UNIT)], capture_output=True, timeout=SECONDS, check=False,
+                             env={**os.environ, "CYLON_CACHE": "off"})
+    except subprocess.TimeoutExpired:
+        return 0, 1, f"scenes from {first} on do not end within {SECONDS} s"
+    said = ran.stdout.decode("utf8", "replace")
+    if ran.returncode:
+        return 0, 1, f"scenes from {first} on: exit code {ran.returncode}: {ran.stderr[-300:]!r}"
+    *findings, numbers = said.splitlines()
+    _, accepted, failed = map(int, numbers.split())
+    return accepted, failed, "\n".join(findings)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program", nargs="?", default="build/release/accepted")
+    parser.add_argument("--scenes", type=int, default=100000)
+    parser.add_argument("--minutes", type=float, default=1e9)
+    options = parser.parse_args()
+    counted = Counted("accepted")
+    end = time.monotonic() + 60 * options.minutes
+    while counted.get(PART, "tried") < options.scenes and time.monotonic() < end:
+        accepted, failed, said = unit(options.program, counted.get(PART, "tried"))
+        counted.add(PART, tried=UNIT, accepted=accepted, failed=failed)
+        if said:
+            print(said, flush=True)
+    failed = counted.total("failed")
+    print(json.dumps({"tried": counted.total("tried"), "failed": failed, "parts": counted.parts}))
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
