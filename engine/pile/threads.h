@@ -8,7 +8,10 @@
 #include <memory>
 
 #ifdef __SANITIZE_THREAD__
-#include <sanitizer/tsan_interface.h>
+extern "C" {
+void __tsan_acquire(void*);  // of ThreadSanitizer's library
+void __tsan_release(void*);
+}
 #endif
 
 namespace cylon::engine::pile {

@@ -100,14 +100,14 @@ core::Body read_body(const Table& table, Draft& draft) {
   return body;
 }
 
-// Points of hulls and meshes.
+// Points of hulls and meshes, and what counts for as many.
 std::size_t points_of(const core::Shape& shape) {
   return std::visit(
       []<class Kind>(const Kind& kind) -> std::size_t {
         if constexpr (requires { kind.vertices.size(); }) {
           return kind.vertices.size();
         } else if constexpr (std::is_same_v<Kind, core::Compound>) {
-          std::size_t sum = 0;
+          std::size_t sum = budget::points_of_part * kind.parts.size();
           for (const core::Part& part : kind.parts)
             std::visit(
                 [&](const auto& of_part) {

@@ -25,8 +25,26 @@ const core::Truth& ExactTruths::at(const Table& t, const Claim& claim, double ho
   auto& located = events_[{claim.follows, horizon,
                            fmt::format("{} {} {} {}", core::name(q.event), q.to.value_or(-1),
                                        written(q.about), q.body.value_or(-1))}];
-  if (!located) located = core::with_events(q, scene_, *known, horizon, step_);
+  if (!located) located = with_events(t, q, *known, horizon);
   return *located;
+}
+
+// Counts the states in which events are searched.
+core::Truth ExactTruths::with_events(const Table& t, const Observable& q, const core::Truth& truth,
+                                     double horizon) {
+  core::Truth counted = truth;
+  counted.state = [&](double time) {
+    looks_ += scene_.bodies.size();
+    if (looks_ > budget::truth_looks)
+      t.fail("follows",
+             fmt::format("follows = '{}': to find its events takes too long; end the claim sooner with "
+                         "'until', or make fewer claims of events",
+                         t.text("follows")));
+    return truth.state(time);
+  };
+  core::Truth located = core::with_events(q, scene_, counted, horizon, step_);
+  located.state = truth.state;
+  return located;
 }
 
 core::Truth ExactTruths::make(const Table& t, const std::string& name, double horizon) const {

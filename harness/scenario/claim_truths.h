@@ -23,9 +23,11 @@ class ExactTruths {
 
  private:
   core::Truth make(const Table&, const std::string& name, double horizon) const;
+  core::Truth with_events(const Table&, const core::Observable&, const core::Truth&, double horizon);
 
   const core::Scene& scene_;
   double step_;
+  std::size_t looks_ = 0;  // states of a body in which events were searched so far
   std::map<std::pair<std::string, double>, std::optional<core::Truth>> truths_;
   std::map<std::tuple<std::string, double, std::string>, std::optional<core::Truth>>
       events_;  ///< By what is asked.

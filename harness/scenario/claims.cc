@@ -11,7 +11,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -101,26 +103,56 @@ std::string lacks(const core::Truth& truth, Quantity quantity, bool only_points)
   return "";
 }
 
-core::Truth recorded_truth(const Table& t, Draft& draft, const std::string& name) {
-  const std::string text = draft.read(t, "file");
-  try {
-    return parse_truth(text, name, draft.scene);
-  } catch (const core::InputError& error) {
-    t.fail("file", error.what());
-  }
-}
+// The truths of one scenario, each made once; what they all keep is limited.
+class Truths {
+ public:
+  Truths(Draft& draft, double step) : draft_(draft), exact_(draft.scene, step) {}
 
-void follow(const Table& t, Draft& draft, ExactTruths& exact, Claim& claim, double duration) {
+  core::Truth recorded(const Table& t, const std::string& name) {
+    const std::string text = draft_.read(t, "file");  // every use counts in the scenario's hash
+    auto& known = recorded_[name];
+    try {
+      if (!known) known = parse_truth(text, name, draft_.scene);
+    } catch (const core::InputError& error) {
+      t.fail("file", error.what());
+    }
+    keep(t, "file", *known);
+    return *known;
+  }
+
+  core::Truth exact(const Table& t, const Claim& claim, double horizon) {
+    const core::Truth& known = exact_.at(t, claim, horizon);
+    keep(t, "follows", known);
+    return known;
+  }
+
+ private:
+  void keep(const Table& t, std::string_view key, const core::Truth& truth) {
+    entries_ += truth.events.size() + truth.times.size();
+    if (entries_ > budget::truth_entries)
+      t.fail(key, fmt::format(
+                      "{}: the truths of all claims together have more than {} events and times; end claims "
+                      "sooner with 'until', or make fewer",
+                      key, budget::truth_entries));
+  }
+
+  Draft& draft_;
+  ExactTruths exact_;
+  std::map<std::string, std::optional<core::Truth>> recorded_;
+  std::size_t entries_ = 0;  // events and times
+};
+
+void follow(const Table& t, const Draft& draft, Truths& truths, Claim& claim, double duration) {
   const double horizon = std::min(claim.until, duration);
   if (const auto recorded = t.table("follows")) {
-    claim.truth = recorded_truth(*recorded, draft, claim.follows);
+    claim.truth = truths.recorded(*recorded, claim.follows);
     const bool only_points = std::ranges::all_of(draft.point, [](bool p) { return p; });
     if (const std::string key = lacks(*claim.truth, claim.observable.quantity, only_points); !key.empty())
       t.fail("observable", fmt::format("observable: '{}' of a body needs '{}', which the file {} lacks",
                                        core::name(claim.observable.quantity), key, claim.follows));
     cut(t, *claim.truth, horizon);
   } else {
-    claim.truth = exact.at(t, claim, horizon);
+    claim.truth = truths.exact(t, claim, horizon);
   }
   require_event(t, claim, horizon);
 }
@@ -128,7 +160,7 @@ void follow(const Table& t, Draft& draft, ExactTruths& exact, Claim& claim, doub
 }  // namespace
 
 ReadClaims read_claims(const Table& root, Draft& draft, double duration, double step) {
-  ExactTruths exact(draft.scene, step);
+  Truths truths(draft, step);
   ReadClaims result;
   for (const Table& t : root.tables("claim")) {
     if (result.claims.size() == budget::claims)
@@ -142,7 +174,7 @@ ReadClaims read_claims(const Table& root, Draft& draft, double duration, double 
     if (certified) {
       result.certified.push_back({result.claims.size(), t});
     } else {
-      if (!claim.follows.empty()) follow(t, draft, exact, claim, duration);
+      if (!claim.follows.empty()) follow(t, draft, truths, claim, duration);
       check_tolerance(t, claim, draft.scene, duration);
     }
     result.claims.push_back(std::move(claim));

@@ -29,9 +29,7 @@ std::vector<std::string> resolve(const Table& t, const Draft& draft, const std::
       names.push_back(draft.scene.bodies[static_cast<std::size_t>(body)].name);
     return names;
   }
-  if (draft.has_body(name) ||
-      std::ranges::find(draft.scene.planes, name, &core::Plane::name) != draft.scene.planes.end())
-    return {name};
+  if (draft.has_body(name) || draft.planes.contains(name)) return {name};
   std::vector<std::string> names;
   for (const core::Plane& plane : draft.scene.planes) names.push_back(plane.name);
   for (const auto& [group, bodies] : draft.groups) names.push_back(group);
@@ -94,11 +92,10 @@ void refuse_overlapping_spheres(Draft& draft) {
 }  // namespace
 
 void read_planes(const Table& root, Draft& draft) {
-  std::set<std::string> names;
   for (const Table& t : root.tables("plane")) {
     auto plane = read_element<core::Plane>(t, draft);
     if (plane.name == "*") t.fail("name", "name: \"*\" stands for all names in a material");
-    if (!names.insert(plane.name).second)
+    if (!draft.planes.insert(plane.name).second)
       t.fail("name", fmt::format("name '{}' is taken by another plane", plane.name));
     const double norm = plane.normal.norm();
     if (!(std::abs(norm - 1) <= 1e-9))
@@ -111,10 +108,9 @@ void read_planes(const Table& root, Draft& draft) {
 }
 
 void read_materials(const Table& root, Draft& draft) {
-  std::set<std::string> planes, named;
-  for (const core::Plane& plane : draft.scene.planes) planes.insert(plane.name);
+  std::set<std::string> named;
   for (std::size_t i = 0; i < draft.scene.bodies.size(); ++i)
-    if (planes.contains(draft.scene.bodies[i].name))
+    if (draft.planes.contains(draft.scene.bodies[i].name))
       draft.origin[i].fail("name", fmt::format("name '{}' is taken by a plane", draft.scene.bodies[i].name));
   std::set<std::pair<std::string, std::string>> stated;
   for (const Table& t : root.tables("material")) {
@@ -152,12 +148,12 @@ void read_materials(const Table& root, Draft& draft) {
 void refuse_overlaps(Draft& draft) {
   refuse_overlapping_spheres(draft);
   const core::Scene& scene = draft.scene;
-  const core::State state = core::initial_state(scene);
   const double looks =
       static_cast<double>(scene.bodies.size() + draft.points) * static_cast<double>(scene.planes.size());
   if (looks > static_cast<double>(budget::gaps))
     draft.origin.back().fail(fmt::format(
         "bodies, their points and {} planes are too many to look for overlaps", scene.planes.size()));
+  const core::State state = core::initial_state(scene);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     if (!scene.bodies[i].collide || scene.bodies[i].locked) continue;
     for (std::size_t p = 0; p < scene.planes.size(); ++p) {

@@ -31,9 +31,10 @@ int Draft::body(const Table& table, std::string_view key) const {
 
 void Draft::add_points(const Table& table, double more) {
   if (static_cast<double>(points) + more > static_cast<double>(budget::points))
-    table.fail(table.has("shape") ? "shape" : "",
-               fmt::format("shape: the hulls and meshes of all bodies have more than {} points together",
-                           budget::points));
+    table.fail(
+        table.has("shape") ? "shape" : "",
+        fmt::format("shape: the hulls, meshes and parts of all bodies have more than {} points together",
+                    budget::points));
   points += static_cast<std::size_t>(more);
 }
 

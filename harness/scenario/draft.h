@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,6 +21,7 @@ struct Draft {
   core::Scene scene;
   std::vector<Table> origin;                       ///< One per body: where it was written.
   std::vector<bool> point;                         ///< One per body: no shape and no inertia.
+  std::set<std::string> planes;                    ///< Their names.
   std::map<std::string, std::vector<int>> groups;  ///< Bodies of each generator, by its name.
   std::filesystem::path folder;                    ///< Files are named relative to it.
   core::ContentHash content;

@@ -11,8 +11,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <memory>
+#include <optional>
 #include <stdexcept>
+#include <tuple>
+#include <unordered_map>
 
 namespace cylon::scenario {
 namespace {
@@ -87,16 +91,37 @@ std::vector<double> read_times(const Reader& reader, const Json& root) {
   return times;
 }
 
-// Index of the scene's body that an id of the file means.
-std::size_t find_body(const Reader& reader, const core::Scene& scene, const std::string& id,
-                      std::size_t ids) {
-  if (scene.bodies.size() == 1 && ids == 1) return 0;
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    if (scene.bodies[i].name == id) return i;
-    names.push_back(scene.bodies[i].name);
+// Indices by name of the scene's bodies or planes.
+class Names {
+ public:
+  explicit Names(const auto& elements) {
+    for (const auto& element : elements) {
+      index_.emplace(element.name, static_cast<int>(names_.size()));
+      names_.push_back(element.name);
+    }
   }
-  reader.fail(fmt::format("body '{}' is not in the scene{}", id, core::did_you_mean(id, names)));
+
+  std::size_t size() const { return names_.size(); }
+  std::optional<int> find(const std::string& name) const {
+    const auto found = index_.find(name);
+    return found == index_.end() ? std::nullopt : std::optional(found->second);
+  }
+  std::string did_you_mean(const std::string& name) const { return core::did_you_mean(name, names_); }
+
+ private:
+  std::vector<std::string> names_;
+  std::unordered_map<std::string, int> index_;
+};
+
+struct SceneNames {
+  Names bodies, planes;
+};
+
+// Index of the scene's body that an id of the file means.
+std::size_t find_body(const Reader& reader, const Names& bodies, const std::string& id, std::size_t ids) {
+  if (bodies.size() == 1 && ids == 1) return 0;
+  if (const auto found = bodies.find(id)) return static_cast<std::size_t>(*found);
+  reader.fail(fmt::format("body '{}' is not in the scene{}", id, bodies.did_you_mean(id)));
 }
 
 void read_body(const Reader& reader, const Json& rows, const std::string& where, std::size_t body,
@@ -124,37 +149,30 @@ void read_body(const Reader& reader, const Json& rows, const std::string& where,
 }
 
 // Index of the body or plane that a word of an event names.
-int find_named(const Reader& reader, const core::Scene& scene, const Json& word, bool plane,
-               const std::string& where) {
+int find_named(const Reader& reader, const Names& names, const Json& word, const std::string& where) {
   if (!word.is_string()) reader.fail(where + " must name a body");
   const std::string name = word.get<std::string>();
-  std::vector<std::string> names;
-  if (plane)
-    for (const core::Plane& p : scene.planes) names.push_back(p.name);
-  else
-    for (const core::Body& b : scene.bodies) names.push_back(b.name);
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end())
-    reader.fail(fmt::format("{} = '{}' is not in the scene{}", where, name, core::did_you_mean(name, names)));
-  return static_cast<int>(found - names.begin());
+  if (const auto found = names.find(name)) return *found;
+  reader.fail(fmt::format("{} = '{}' is not in the scene{}", where, name, names.did_you_mean(name)));
 }
 
-core::Event read_event(const Reader& reader, const Json& row, const core::Scene& scene) {
+core::Event read_event(const Reader& reader, const Json& row, const SceneNames& names) {
   const auto types = core::event_types();
   const Json& kind = reader.member(row, "kind", "each of 'events'");
   const auto type = std::find_if(types.begin(), types.end(),
                                  [&](const core::EventType& one) { return kind == std::string(one.name); });
   if (type == types.end()) {
-    std::vector<std::string> names;
-    for (const core::EventType& one : types) names.emplace_back(one.name);
-    reader.fail(fmt::format("events: kind = {}, valid: {}", input::shown(kind), fmt::join(names, ", ")));
+    std::vector<std::string> valid;
+    for (const core::EventType& one : types) valid.emplace_back(one.name);
+    reader.fail(fmt::format("events: kind = {}, valid: {}", input::shown(kind), fmt::join(valid, ", ")));
   }
   core::Event event;
   event.kind = type->kind;
   event.pair.body =
-      find_named(reader, scene, reader.member(row, "body", "each of 'events'"), false, "events.body");
-  if (row.contains("to")) event.pair.other = find_named(reader, scene, row["to"], false, "events.to");
-  if (row.contains("plane")) event.pair.plane = find_named(reader, scene, row["plane"], true, "events.plane");
+      find_named(reader, names.bodies, reader.member(row, "body", "each of 'events'"), "events.body");
+  if (row.contains("to")) event.pair.other = find_named(reader, names.bodies, row["to"], "events.to");
+  if (row.contains("plane"))
+    event.pair.plane = find_named(reader, names.planes, row["plane"], "events.plane");
   event.time = reader.number(reader.member(row, "time", "each of 'events'"), "events.time");
   const auto optional = [&](const char* key) {
     return row.contains(key) ? reader.number(row[key], fmt::format("events.{}", key)) : std::nan("");
@@ -165,22 +183,22 @@ core::Event read_event(const Reader& reader, const Json& row, const core::Scene&
 }
 
 // Counted per kind and pair, in order of time.
-std::vector<core::Event> read_events(const Reader& reader, const Json& root, const core::Scene& scene) {
+std::vector<core::Event> read_events(const Reader& reader, const Json& root, const SceneNames& names) {
   std::vector<core::Event> events;
   if (!root.contains("events")) return events;
   if (!root["events"].is_array()) reader.fail("'events' must be an array");
   if (root["events"].size() > budget::data_events)
     reader.fail(fmt::format("'events' has {} rows, but at most {} are read", root["events"].size(),
                             budget::data_events));
+  std::map<std::tuple<core::EventKind, int, int, int>, int> counts;
   for (const Json& row : root["events"]) {
     if (!row.contains("kind") && row.contains("t"))
       continue;  // a note in words of its own, {"type": …, "t": …}
-    core::Event event = read_event(reader, row, scene);
+    core::Event event = read_event(reader, row, names);
     if (!events.empty() && event.time < events.back().time)
       reader.fail(fmt::format("events: time = {} comes after {}", event.time, events.back().time));
-    event.index = core::event_type(event.kind).first_index;
-    for (const core::Event& earlier : events)
-      if (earlier.kind == event.kind && earlier.pair == event.pair) ++event.index;
+    int& count = counts[{event.kind, event.pair.body, event.pair.other, event.pair.plane}];
+    event.index = core::event_type(event.kind).first_index + count++;
     events.push_back(event);
   }
   return events;
@@ -207,7 +225,11 @@ core::Truth parse_truth(std::string_view json, const std::string& file, const co
   const Json& schema = reader.member(root, "schema", "the file");
   if (schema != "truth/1") reader.fail(fmt::format("schema = {}, valid: \"truth/1\"", input::shown(schema)));
 
+  const SceneNames names{Names(scene.bodies), Names(scene.planes)};
   auto times = std::make_shared<std::vector<double>>(read_times(reader, root));
+  if (times->size() * scene.bodies.size() > budget::data_states)
+    reader.fail(fmt::format("'t' has {} times, and the scene {} bodies, but at most {} states are kept",
+                            times->size(), scene.bodies.size(), budget::data_states));
   auto states = std::make_shared<std::vector<core::State>>(times->size(), core::initial_state(scene));
   const Json& bodies = reader.member(root, "bodies", "the file");
   const Json& trajectory = reader.member(root, "trajectory", "the file");
@@ -218,7 +240,8 @@ core::Truth parse_truth(std::string_view json, const std::string& file, const co
     const Json& id = reader.member(entry, "id", "each of 'bodies'");
     if (!id.is_string()) reader.fail("each 'id' must be a string");
     const std::string name = id.get<std::string>();
-    const std::size_t body = find_body(reader, scene, name, bodies.size());
+    const std::size_t body = find_body(reader, names.bodies, name, bodies.size());
+    if (known[body]) reader.fail(fmt::format("'bodies' has {} twice", input::shown(id)));
     read_body(reader, reader.member(trajectory, name.c_str(), "trajectory"), "trajectory." + name, body,
               *states, truth);
     known[body] = true;
@@ -237,7 +260,7 @@ core::Truth parse_truth(std::string_view json, const std::string& file, const co
   if (!root.contains("events")) truth.events_until = 0;
   truth.error = error_of(*states, difference);
   truth.source = "recorded: " + file;
-  truth.events = read_events(reader, root, scene);
+  truth.events = read_events(reader, root, names);
   truth.error.time = difference + 0x1p-53 * truth.horizon;
   truth.state = [times, states](double t) {
     const auto next = std::lower_bound(times->begin(), times->end(), t - 1e-9 * (1 + std::abs(t)));

@@ -118,6 +118,23 @@ rec("col_scalar", json.dumps(dict(G, trajectory={"A": {"position": 7}}))); rec("
 rec("event_noobj_to", json.dumps(dict(G, events=[{"kind": "bounce", "body": "A", "to": [], "time": 1}])))
 rec("dup_bodies", json.dumps(dict(G, bodies=[{"id": "A"}] * 3)))
 rec("agree_deep", json.dumps(dict(G, agreement={"max_abs_diff": [[[]]]}))); rec("agree_neg", json.dumps(dict(G, agreement={"max_abs_diff": -1e308})))
+# Limits multiplied: what one claim, one body, one plane may ask, many times.
+BALL = 'gravity=[0,-9.81,0]\n[[body]]\nname="A"\nmass=1\nposition=[0,1,0]\nshape={type="sphere",radius=0.5}\n[[plane]]\nname="p"\n[[material]]\nbetween=["A","p"]\nrestitution=1\nfriction=0\n'
+def follows(truth, what, until): return f'[[claim]]\nfollows="{truth}"\n{what}\nuntil={until}\ntolerance={{absolute=1,reason="x"}}\n'
+t("truths_many", 'duration=100000\nstep=0.001\n' + BALL + "".join(follows("bouncing_sphere", 'observable="position"', 99 * (i + 1)) for i in range(999)))
+t("truths_many_events", 'duration=100000\nstep=0.001\n' + BALL + "".join(follows("bouncing_sphere", f'observable="event"\nevent="bounce"\nindex={i+1}\nquantity="time"', 100000) for i in range(999)))
+t("truths_many_searches", 'duration=100000\nstep=0.001\n[[body]]\nname="S"\nlocked=true\n[[body]]\nname="A"\nmass=1\nposition=[1,0,0]\nvelocity=[0,1.1,0]\n[[attraction]]\nbody="A"\nto="S"\nstrength=1\n' + "".join(follows("kepler", f'observable="event"\nevent="apsis"\nto="S"\nindex={i+1}\nquantity="time"', 1000 + i) for i in range(999)))
+t("planes_x_materials", HEAD + "".join(f'[[plane]]\nname="p{i}"\noffset=-{i+9}\n' for i in range(100000)) + "".join(f'[[body]]\nname="b{i}"\nmass=1\nposition=[{3*i},0,0]\nshape={{type="sphere",radius=1}}\n' for i in range(400)) + "".join(f'[[material]]\nbetween=["b{i}","p{99999-j}"]\nrestitution=0\nfriction=0\n' for i in range(400) for j in range(245)) + MAT + CLAIM)
+t("lattice_compound", HEAD + '[[lattice]]\nname="g"\ncount=[100,100,100]\nspacing=[9,9,9]\nshape={type="compound",parts=[' + ",".join(f'{{type="sphere",radius=1,mass=1,position=[{3*i},0,0]}}' for i in range(2000)) + "]}\n" + MAT + CLAIM)
+REC = '[[claim]]\nfollows={file="data/%s.json"}\nobservable="position"\nuntil=%g\ntolerance={absolute=1,reason="x"}\n'
+LOCKED = '[[lattice]]\nname="g"\nlocked=true\ncount=[100,100,20]\nspacing=[3,3,3]\n'
+MANY = dict(G, t=[i * 1e-5 for i in range(100000)], trajectory={"A": {"position": [[0, 0, 0]] * 100000}})
+rec("many_times", json.dumps(MANY)); rec("many_ids", json.dumps(dict(MANY, bodies=[{"id": "A"}] * 100000)))
+rec("many_names", json.dumps(dict(G, events=[{"kind": "bounce", "body": "A", "to": "g[199999]", "time": i * 1e-6} for i in range(20000)])))
+t("rec_many_claims", HEAD + BODY + "".join(REC % ("many_times", 0.01 * (i + 1)) for i in range(99)))
+t("rec_many_states", HEAD + BODY + LOCKED + REC % ("many_times", 1))
+t("rec_many_ids_two", HEAD + BODY + '[[body]]\nname="B"\nlocked=true\n' + REC % ("many_ids", 1))
+t("rec_many_names_bodies", HEAD + BODY + LOCKED + REC % ("many_names", 1))
 for f, n in (("/proc/self/pagemap", "pagemap"), ("/etc/passwd", "passwd"), ("loop1", "loop"), ("/dev/zero", "zero"), ("/proc/kmsg", "kmsg")):
     t("recf_" + n, HEAD + BODY + f'[[claim]]\nfollows={{file="{f}"}}\nobservable="position"\ntolerance={{absolute=1,reason="x"}}\n')
 t("nul_inside", HEAD.encode() + b"\0" + BODY.encode()); t("utf16", HEAD.encode("utf-16")); t("invalid_utf8", HEAD.encode() + b'title="\xff"\n'); t("bom", b"\xef\xbb\xbf" + (HEAD + BODY + CLAIM).encode()); t("crlf", (HEAD + BODY + CLAIM).replace("\n", "\r\n"))

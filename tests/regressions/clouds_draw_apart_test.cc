@@ -46,7 +46,7 @@ TEST(CloudsDrawApart, ASharedSeedIsNamedWhereNoPlaceIsFound) {
     }
   };
   const std::string said = refusal("seed = 0\n");
-  EXPECT_NE(said.find("clouds.toml:12:9: count = 1"), std::string::npos) << said;
+  EXPECT_NE(said.find("clouds.toml:13:9: count = 1"), std::string::npos) << said;
   EXPECT_NE(said.find("seed = 0 is that of 'a' too"), std::string::npos) << said;
   EXPECT_EQ(refusal(""), "");
 }
