@@ -120,15 +120,14 @@ std::vector<EventStepper::Spot> EventStepper::spots(Real ahead) {
 
 // Whether a touch is on what is no surface, as the locked shapes beside it cover it.
 bool EventStepper::inside_surface(const TouchPoint& touch) const {
-  const std::vector<Body>& bodies = system_.model().bodies;
+  if (touch.other == fixed_world) return false;
   const Motion* motion = motions();
-  const auto covered = [&](int locked, int body, Real side) {
-    if (locked == fixed_world || !bodies[index(locked)].locked) return false;
-    const Vector3 on_locked = touch.position - side * touch.gap / 2 * touch.normal;
-    return seams_.covers(locked, on_locked, side * touch.normal, motion[index(body)].position);
+  const auto covered = [&](int on, int body, Real side) {
+    const Vector3 on_surface = touch.position - side * touch.gap / 2 * touch.normal;
+    return seams_.covers(on, 0, motion[index(on)], on_surface, side * touch.normal,
+                         motion[index(body)].position);
   };
-  return covered(touch.other, touch.body, 1) ||
-         (touch.other != fixed_world && covered(touch.body, touch.other, -1));
+  return covered(touch.other, touch.body, 1) || covered(touch.body, touch.other, -1);
 }
 
 // Impacts of this instant, then which contacts last.

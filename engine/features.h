@@ -41,6 +41,8 @@ enum class Feature : unsigned {
   box,
   capsule,
   hull,
+  frustum,
+  compound,
   pairs_apart,  ///< Pairs of bodies that do not touch each other.
   // The frame, and what would have to know that it turns.
   turning_frame,
@@ -77,7 +79,8 @@ inline constexpr std::array feature_names = {
     FeatureName{Feature::drive, "drives"},
     FeatureName{Feature::attraction, "bodies that attract each other"},
     FeatureName{Feature::water, "water"},
-    FeatureName{Feature::unknown_displacement, "the volume of a capsule below a water surface"},
+    FeatureName{Feature::unknown_displacement,
+                "the volume of a capsule, a cylinder or a cone below a water surface"},
     FeatureName{Feature::joint_together, "joints at a point"},
     FeatureName{Feature::joint_at_length, "joints at a length"},
     FeatureName{Feature::joint_about_axis, "joints about an axis"},
@@ -89,6 +92,8 @@ inline constexpr std::array feature_names = {
     FeatureName{Feature::box, "boxes that touch"},
     FeatureName{Feature::capsule, "capsules that touch"},
     FeatureName{Feature::hull, "hulls that touch"},
+    FeatureName{Feature::frustum, "cylinders and cones that touch"},
+    FeatureName{Feature::compound, "compounds that touch"},
     FeatureName{Feature::pairs_apart, "pairs of bodies that do not touch each other"},
     FeatureName{Feature::turning_frame, "a rotating frame"},
     FeatureName{Feature::contact_in_turning_frame, "contacts in a rotating frame"},

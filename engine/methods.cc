@@ -18,6 +18,7 @@ constexpr Features all_joints = {Feature::joint_together, Feature::joint_at_leng
 constexpr Features all_contacts = {
     Feature::contact, Feature::lasting_contact, Feature::friction, Feature::sphere,
     Feature::box,     Feature::capsule,         Feature::hull,     Feature::pairs_apart};
+constexpr Features shapes_in_steps = {Feature::frustum, Feature::compound};
 constexpr Features rigid_bodies = {Feature::locked_body, Feature::spin, Feature::changing_mass};
 
 struct Row {
@@ -47,7 +48,7 @@ constexpr std::array rows = {
     Row{Method::sphere_steps,
         {Feature::locked_body, Feature::spin, Feature::contact, Feature::lasting_contact, Feature::friction,
          Feature::sphere, Feature::late_start, Feature::every_stage, Feature::path_stepping}},
-    Row{Method::body_steps, rigid_bodies | all_forces | all_joints | all_contacts |
+    Row{Method::body_steps, rigid_bodies | all_forces | all_joints | all_contacts | shapes_in_steps |
                                 Features{Feature::late_start, Feature::every_stage, Feature::path_stepping}},
 };
 
@@ -86,6 +87,12 @@ void add_shape(const Sphere&, Features& features) { features.add(Feature::sphere
 void add_shape(const Box&, Features& features) { features.add(Feature::box); }
 void add_shape(const Capsule&, Features& features) { features.add(Feature::capsule); }
 void add_shape(const Hull&, Features& features) { features.add(Feature::hull); }
+void add_shape(const Frustum&, Features& features) { features.add(Feature::frustum); }
+void add_shape(const Compound& compound, Features& features) {
+  features.add(Feature::compound);
+  for (const ShapePart& part : compound.parts)
+    std::visit([&](const auto& shape) { add_shape(shape, features); }, part.shape);
+}
 
 bool may_touch(const Model& model, std::size_t body) {
   return !model.surfaces.empty() && model.surfaces[body] != no_surface;

@@ -31,8 +31,26 @@ struct Hull {
   std::vector<std::array<int, 4>> edges;  ///< From vertex, to vertex, face on its left, face on its right.
 };
 
+/// The convex hull of two discs across y: a cylinder, or a cone where one of them is a point.
+struct Frustum {
+  Real low_radius = 0, high_radius = 0;  ///< [m], >= 0, one of them > 0.
+  Real low = 0, high = 0;                ///< y of the discs [m], low < high.
+};
+
+/// Convex shapes rigidly joined; they may overlap.
+struct ShapePart;
+struct Compound {
+  std::vector<ShapePart> parts;
+};
+
 /// monostate: nothing can touch it.
-using Shape = std::variant<std::monostate, Sphere, Box, Capsule, Hull>;
+using Shape = std::variant<std::monostate, Sphere, Box, Capsule, Hull, Frustum, Compound>;
+
+struct ShapePart {
+  Shape shape;                             ///< No compound.
+  Vector3 position = Vector3::Zero();      ///< Of its reference point, axes of the body [m].
+  Matrix3 rotation = Matrix3::Identity();  ///< Part to body.
+};
 
 /// A half-space, solid where normal . x < offset.
 struct Plane {

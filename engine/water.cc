@@ -1,4 +1,5 @@
 #include "engine/forces.h"
+#include "engine/geometry/pose.h"
 
 #include <algorithm>
 #include <array>
@@ -103,6 +104,20 @@ Submerged below(const Hull& hull, const Vector3& position, const Matrix3& rotati
   return cut.result(whole.result(0).volume);
 }
 
+// The sum over the parts:  centroid = sum V_k c_k / sum V_k.
+Submerged below(const Compound& compound, const Vector3& position, const Matrix3& rotation, Real height) {
+  Submerged all{0, 0, position};
+  Vector3 moment = Vector3::Zero();
+  for (const ShapePart& part : compound.parts) {
+    const Pose at = placed({position, rotation}, part);
+    const Submerged one = submerged(part.shape, at.position, at.rotation, height);
+    all.volume += one.volume, all.whole += one.whole;
+    moment += one.volume * one.centroid;
+  }
+  if (all.volume > 0) all.centroid = moment / all.volume;
+  return all;
+}
+
 }  // namespace
 
 Real Water::surface(Time time, const Vector3& point) const {
@@ -125,6 +140,9 @@ Submerged submerged(const Shape& shape, const Vector3& position, const Matrix3& 
 }
 
 bool displaces(const Shape& shape) {
+  if (const auto* compound = std::get_if<Compound>(&shape))
+    return std::all_of(compound->parts.begin(), compound->parts.end(),
+                       [](const ShapePart& part) { return displaces(part.shape); });
   return std::visit(
       []<class S>(const S& s) {
         return std::is_same_v<S, std::monostate> || requires { below(s, Vector3(), Matrix3(), Real()); };

@@ -1,7 +1,6 @@
 #include "engine/contact/seams.h"
 
 #include "engine/geometry/broad_phase.h"
-#include "engine/geometry/core.h"
 #include "engine/geometry/separation.h"
 
 #include <algorithm>
@@ -33,51 +32,86 @@ Real distance(const Shape& shape, const Pose& pose, const Vector3& x) {
 
 // max n.(y - x) over the shape.
 Real beyond(const Shape& shape, const Pose& pose, const Vector3& n, const Vector3& x) {
-  const Core core(shape);
-  const Vector3 far = core.vertices[core.support(pose.rotation.transpose() * n)];
-  return n.dot(pose.position + pose.rotation * far - x) + core.radius;
+  const Vector3 far = farthest(shape, pose.rotation.transpose() * n);
+  return n.dot(pose.position + pose.rotation * far - x);
 }
+
+// Nearer to the plane across n than this part of that, the other point is in it.
+constexpr Real across_part = Real(1e-3);
 
 }  // namespace
 
-Seams::Seams(const Model& model)
-    : shapes_(model.shapes), motions_(model.motions), beside_(model.bodies.size()) {
-  const auto is_obstacle = [&](std::size_t i) {
-    return model.bodies[i].locked && i < model.surfaces.size() && model.surfaces[i] != no_surface &&
-           !std::holds_alternative<std::monostate>(shapes_[i]);
+Seams::Seams(const Model& model) : first_(model.bodies.size(), -1) {
+  const auto touches = [&](std::size_t i) {
+    return i < model.surfaces.size() && model.surfaces[i] != no_surface &&
+           !std::holds_alternative<std::monostate>(model.shapes[i]);
   };
-  for (std::size_t i = 0; i < shapes_.size(); ++i)
-    if (is_obstacle(i)) size_ = std::max(size_, bounding_radius(shapes_[i]));
+  const auto add = [&](std::size_t i, const Pose& at) {
+    first_[i] = static_cast<int>(pieces_.size());
+    each_part(model.shapes[i], at, [&](int, const Shape& part, const Pose& there) {
+      pieces_.push_back({part, there, {}});
+    });
+  };
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+    locked_.push_back(model.bodies[i].locked);
+    if (!touches(i)) continue;
+    const bool compound = std::holds_alternative<Compound>(model.shapes[i]);
+    if (locked_[i] || compound) size_ = std::max(size_, bounding_radius(model.shapes[i]));
+    if (locked_[i]) add(i, pose(model.motions[i]));
+  }
+  find_neighbours(0);
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+    if (locked_[i] || !touches(i) || !std::holds_alternative<Compound>(model.shapes[i])) continue;
+    const std::size_t first = pieces_.size();
+    add(i, {});
+    find_neighbours(first);
+  }
+}
+
+// Of the pieces from `first` on.  O(n^2) in them, of which few meet.
+void Seams::find_neighbours(std::size_t first) {
   const Vector3 near = Vector3::Constant(near_part * size_);
   std::vector<Bounds> boxes;
-  for (std::size_t i = 0; i < shapes_.size(); ++i) {
-    boxes.push_back(bounds(is_obstacle(i) ? shapes_[i] : Shape(), pose(motions_[i])));
+  for (std::size_t i = first; i < pieces_.size(); ++i) {
+    boxes.push_back(bounds(pieces_[i].shape, pieces_[i].at));
     boxes.back() = {boxes.back().low - near, boxes.back().high + near};
   }
   BroadPhase broad_phase;
   for (const auto& [one, other] : broad_phase.pairs(boxes)) {
-    const auto a = static_cast<std::size_t>(one), b = static_cast<std::size_t>(other);
-    if (separation(shapes_[a], pose(motions_[a]), shapes_[b], pose(motions_[b])).gap > near_part * size_)
-      continue;
-    beside_[a].push_back(other);
-    beside_[b].push_back(one);
+    Piece& a = pieces_[first + static_cast<std::size_t>(one)];
+    Piece& b = pieces_[first + static_cast<std::size_t>(other)];
+    if (separation(a.shape, a.at, b.shape, b.at).gap > near_part * size_) continue;
+    a.beside.push_back(static_cast<int>(first) + other);
+    b.beside.push_back(static_cast<int>(first) + one);
   }
 }
 
-bool Seams::covers(int other, const Vector3& x, const Vector3& n, const Vector3& centre) const {
-  const auto i = static_cast<std::size_t>(other);
-  if (beside_[i].empty()) return false;
+bool Seams::covers(int body, int part, const Motion& now, const Vector3& x, const Vector3& n,
+                   const Vector3& centre) const {
+  const int first = first_[static_cast<std::size_t>(body)];
+  if (first < 0) return false;
+  const Piece& piece = pieces_[static_cast<std::size_t>(first + part)];
+  if (piece.beside.empty()) return false;
+  if (locked_[static_cast<std::size_t>(body)] != 0) return covers(piece, x, n, centre);
+  const Quaternion back = now.orientation.conjugate();
+  return covers(piece, back * (x - now.position), back * n, back * (centre - now.position));
+}
+
+bool Seams::covers(const Piece& piece, const Vector3& x, const Vector3& n, const Vector3& centre) const {
   const Real near = near_part * size_;
   Vector3 aside = centre - x;
   aside -= n.dot(aside) * n;
   const Real length = aside.norm();
-  const Vector3 x_2 =
-      length > near ? nearest(shapes_[i], pose(motions_[i]), x + (aside_part * size_ / length) * aside) : x;
-  return std::any_of(beside_[i].begin(), beside_[i].end(), [&](int beside) {
-    const auto t = static_cast<std::size_t>(beside);
-    const Pose at = pose(motions_[t]);
-    return distance(shapes_[t], at, x) <= near && distance(shapes_[t], at, x_2) <= near &&
-           beyond(shapes_[t], at, n, x) > aside_part * size_;
+  Vector3 x_2 = x;
+  if (length > near) {
+    const Vector3 there = nearest(piece.shape, piece.at, x + (aside_part * size_ / length) * aside);
+    // Beside an edge or a corner the piece falls away from the plane across n.
+    if (n.dot(there - x) > -across_part * aside_part * size_) x_2 = there;
+  }
+  return std::any_of(piece.beside.begin(), piece.beside.end(), [&](int beside) {
+    const Piece& t = pieces_[static_cast<std::size_t>(beside)];
+    return distance(t.shape, t.at, x) <= near && distance(t.shape, t.at, x_2) <= near &&
+           beyond(t.shape, t.at, n, x) > aside_part * size_;
   });
 }
 

@@ -1,6 +1,8 @@
-// Surfaces made of several locked shapes: where they meet, the edges and faces inside are no surface.
+// Surfaces made of several shapes that keep their places, of locked bodies or of the parts of a compound: where they
+// meet, the edges and faces inside are no surface.
 #pragma once
 
+#include "engine/geometry/pose.h"
 #include "engine/model.h"
 
 #include <vector>
@@ -9,22 +11,30 @@ namespace cylon::engine {
 
 class Seams {
  public:
-  /// O(n^2) in the locked bodies that touch something, of which few meet.
+  /// All parts of locked bodies that touch something make one surface, and those of each other compound one.
   explicit Seams(const Model&);
 
-  /// Whether a contact on the surface of `other`, at x with the unit normal n out of it, is inside the surface
-  /// that it makes with another locked shape T.  It is where T reaches beyond the plane through x across n,
-  /// and holds x, or the point of `other` a little nearer to `centre`, a point of the body that touches:
-  /// beside a wall a floor is free towards the body, and the wall is; a face that another covers is not.
-  bool covers(int other, const Vector3& x, const Vector3& n, const Vector3& centre) const;
+  /// Whether a contact on a part of a body (each_part()) that is here now, at x with the unit normal n out of it, is
+  /// inside the surface that the part makes with another one, T.  It is where T reaches beyond the plane through x
+  /// across n, and holds x and the point of the part a little nearer to `centre`, a point of what touches, if that is
+  /// in the plane too: beside a wall a floor is free towards that, and the wall is; a face that another covers is not.
+  bool covers(int body, int part, const Motion& now, const Vector3& x, const Vector3& n,
+              const Vector3& centre) const;
 
  private:
-  const Shape& shape(int body) const { return shapes_[static_cast<std::size_t>(body)]; }
+  struct Piece {
+    Shape shape;
+    Pose at;                  // world axes of a locked body, else body axes
+    std::vector<int> beside;  // pieces of the same surface that it touches
+  };
 
-  std::vector<Shape> shapes_;
-  std::vector<Motion> motions_;
-  std::vector<std::vector<int>> beside_;  // per body: the locked ones that a locked one touches
-  Real size_ = 0;                         // of the shapes [m]
+  void find_neighbours(std::size_t first);
+  bool covers(const Piece&, const Vector3& x, const Vector3& n, const Vector3& centre) const;
+
+  std::vector<Piece> pieces_;
+  std::vector<int> first_;    // of a body in pieces_; -1: it makes no surface with others
+  std::vector<char> locked_;  // bodies
+  Real size_ = 0;             // of the shapes [m]
 };
 
 }  // namespace cylon::engine

@@ -230,6 +230,16 @@ Hull make_hull(const std::vector<Vector3>& points) {
   throw std::invalid_argument("hull: points are too nearly in a plane, in a line or the same");
 }
 
+Hull make_triangle(const std::array<Vector3, 3>& corners) {
+  Hull hull;
+  hull.vertices.assign(corners.begin(), corners.end());
+  const Vector3 n = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
+  hull.faces = {{0, 1, 2}, {0, 2, 1}};
+  hull.normals = {n, -n};
+  hull.edges = {{0, 1, 0, 1}, {1, 2, 0, 1}, {2, 0, 0, 1}};
+  return hull;
+}
+
 bool is_convex(const std::vector<Vector3>& vertices, const std::vector<std::array<int, 3>>& triangles) {
   std::map<std::pair<int, int>, int> times;
   Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;

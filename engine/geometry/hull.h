@@ -14,6 +14,9 @@ namespace cylon::engine {
 /// points in a plane.  Flat means: within 64 eps times the size.
 Hull make_hull(const std::vector<Vector3>& points);
 
+/// A triangle as a hull without thickness, with a face on either side.  Requires corners that are not in a line.
+Hull make_triangle(const std::array<Vector3, 3>& corners);
+
 /// Whether a closed triangle mesh is convex, so that its hull is the mesh: every edge has two triangles, of
 /// opposite sense, and no vertex lies outside the plane of any triangle.  That the centre of mass is inside
 /// is not enough (seed section 12; errata 37).

@@ -2,6 +2,7 @@
 
 #include "engine/geometry/clip.h"
 #include "engine/geometry/closed_forms.h"
+#include "engine/geometry/facetted.h"
 #include "engine/geometry/pair_table.h"
 #include "engine/geometry/reduce.h"
 #include "engine/geometry/touch.h"
@@ -57,6 +58,17 @@ Reference reference_face(const Couple& couple, const Touch& t, Real margin) {
   return b.gap > a.gap + Real(0.05) * std::max(margin, Real(0)) + 64 * eps * couple.size ? b : a;
 }
 
+// Whether the incident shape has no face that looks at the reference, as a triangle that stands across it: then only its
+// nearest corners touch.
+bool stands_across(const Couple& couple, const Reference& face) {
+  const Core& incident = face.on_a ? couple.b : couple.a;
+  const Vector3 n = face.on_a ? Vector3(couple.turn.transpose() * face.normal) : Vector3(-face.normal);
+  const auto looks = [&](int i) { return n.dot(incident.normals[i]) > Real(0.1); };
+  for (int i = 0; i < incident.face_count; ++i)
+    if (looks(i)) return false;
+  return incident.face_count > 0;
+}
+
 std::uint32_t single_feature(const Touch& t) {
   const auto number = [](int i) { return static_cast<std::uint32_t>(i + 1) & 0x7fffU; };
   return 0x80000000U | number(t.feature_a) << 16U | number(t.feature_b);
@@ -79,16 +91,43 @@ Manifold polytopes(const Shape& body, const Pose& pose, const Shape& other, cons
     const Vector3 up = face.on_a ? Vector3(-face.normal) : face.normal;  // out of the reference
     const Real below = face.on_a ? couple.b.radius : couple.a.radius;    // of the incident, under its core
     const std::uint32_t flip = face.on_a ? 0U : 0x80000000U;
+    const Real most = stands_across(couple, face) ? std::min(margin, t.gap - radii + slack) : margin;
     for (int k = 0; k < patch.count; ++k) {
       const Corner& corner = patch.corners[static_cast<std::size_t>(k)];
       const Real gap = corner.gap - radii;
-      if (gap < margin) reduction.add({world(corner.x - up * (below + gap / 2)), gap, corner.feature ^ flip});
+      if (gap < most) reduction.add({world(corner.x - up * (below + gap / 2)), gap, corner.feature ^ flip});
     }
     const Manifold result = reduction.result();
     if (result.count > 0) return result;
   }
   const Vector3 a = t.a - couple.a.radius * t.normal, b = t.b + couple.b.radius * t.normal;
   return one_point({t.gap - radii, pose.rotation * t.normal, world(a), world(b)}, margin, single_feature(t));
+}
+
+// Points nearer to each other than `same` are one: their middle where they are as deep, else the deepest.
+Manifold without_twins(Manifold manifold, Real same) {
+  const auto at = [&](int i) -> ContactPoint& { return manifold.points[static_cast<std::size_t>(i)]; };
+  for (int i = 0; i < manifold.count; ++i)
+    for (int k = i + 1; k < manifold.count;) {
+      ContactPoint &p = at(i), &q = at(k);
+      if ((p.position - q.position).norm() > same) {
+        ++k;
+        continue;
+      }
+      if (std::abs(p.gap - q.gap) <= Real(1e-6) * same)
+        p.position = (p.position + q.position) / 2, p.gap = std::min(p.gap, q.gap);
+      else if (q.gap < p.gap)
+        p = q;
+      q = at(--manifold.count);
+    }
+  return manifold;
+}
+
+Manifold round_polytopes(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose,
+                         Real margin) {
+  const Facetted facetted(body, pose, other, other_pose);
+  return without_twins(polytopes(facetted.body(), pose, facetted.other(), other_pose, margin),
+                       facetted.same());
 }
 
 using Row = Manifold (*)(const Shape&, const Pose&, const Shape&, const Pose&, Real);
@@ -101,13 +140,16 @@ Manifold closed(const Shape& body, const Pose& pose, const Shape& other, const P
 
 // A sphere touches in one point.
 template <class S>
-constexpr bool one_point_only = std::is_same_v<S, std::monostate> || std::is_same_v<S, Sphere>;
+constexpr bool one_point_only = std::is_same_v<S, std::monostate> || std::is_same_v<S, Sphere> ||
+                                std::is_same_v<S, Compound>;  // whose points manifolds() finds
 
 constexpr auto table = pair_table([]<class A, class B>() -> Row {
   if constexpr (one_point_only<A> || one_point_only<B>)
     return from_separation;
   else if constexpr (requires(const A& a, const B& b, const Pose& p) { closed_manifold(a, p, b, p, Real()); })
     return closed<A, B>;
+  else if constexpr (std::is_same_v<A, Frustum> || std::is_same_v<B, Frustum>)
+    return round_polytopes;
   else
     return polytopes;
 });
@@ -128,20 +170,110 @@ Manifold manifold(const Shape& body, const Pose& pose, const Shape& other, const
   return table[body.index()][other.index()](body, pose, other, other_pose, margin);
 }
 
+namespace {
+
+// Eight points of each disc, of which one is the lowest there is:  n across the axis points up.
+void add_discs(const Frustum& s, const Pose& pose, const Plane& plane, Real margin, Reduction& reduction) {
+  const Vector3 n = pose.rotation.transpose() * plane.normal;
+  const Real across = std::hypot(n.x(), n.z());
+  const Vector3 down = across > 0 ? Vector3(-n.x() / across, 0, -n.z() / across) : Vector3(Vector3::UnitX());
+  const Vector3 side = Vector3::UnitY().cross(down);
+  const Real height = plane.normal.dot(pose.position) - plane.offset, half = std::sqrt(Real(0.5));
+  const std::array<std::array<Real, 2>, 8> circle = {
+      {{1, 0}, {half, half}, {0, 1}, {-half, half}, {-1, 0}, {-half, -half}, {0, -1}, {half, -half}}};
+  std::uint32_t feature = 0;
+  for (const auto& [radius, y] : {std::pair(s.low_radius, s.low), std::pair(s.high_radius, s.high)})
+    for (std::size_t k = 0; k < (radius > 0 ? circle.size() : 1); ++k, ++feature) {
+      const Vector3 x = radius * (circle[k][0] * down + circle[k][1] * side) + y * Vector3::UnitY();
+      const Real gap = height + n.dot(x);
+      if (gap < margin)
+        reduction.add({pose.position + pose.rotation * x - gap / 2 * plane.normal, gap, feature});
+    }
+}
+
 // gap = n.x - offset - r for every vertex of the core.
-Manifold manifold(const Shape& body, const Pose& pose, const Plane& plane, Real margin) {
-  if (body.index() == 0) return none();
+void add_vertices(const Shape& body, const Pose& pose, const Plane& plane, Real margin,
+                  Reduction& reduction) {
   const Core core(body);
   const Vector3 n = pose.rotation.transpose() * plane.normal;
   const Real height = plane.normal.dot(pose.position) - plane.offset - core.radius;
-  Reduction reduction(plane.normal);
   for (int i = 0; i < core.vertex_count; ++i) {
     const Real gap = height + n.dot(core.vertices[i]);
     if (!(gap < margin)) continue;
     const Vector3 x = pose.position + pose.rotation * core.vertices[i];
     reduction.add({x - (core.radius + gap / 2) * plane.normal, gap, static_cast<std::uint32_t>(i)});
   }
+}
+
+// Of the parts numbered `part` and `other`; those of the first parts keep their numbers.
+std::uint32_t with_parts(std::uint32_t feature, int part, int other) {
+  return feature ^
+         (static_cast<std::uint32_t>(part) * 0x9e3779b1U + static_cast<std::uint32_t>(other) * 0x85ebca77U);
+}
+
+}  // namespace
+
+Manifold manifold(const Shape& body, const Pose& pose, const Plane& plane, Real margin) {
+  if (body.index() == 0) return none();
+  Reduction reduction(plane.normal);
+  each_part(body, pose, [&](int part, const Shape& shape, const Pose& at) {
+    Reduction of_part(plane.normal);
+    if (const auto* frustum = std::get_if<Frustum>(&shape))
+      add_discs(*frustum, at, plane, margin, of_part);
+    else
+      add_vertices(shape, at, plane, margin, of_part);
+    const Manifold found = of_part.result();
+    for (int k = 0; k < found.count; ++k) {
+      ContactPoint point = found.points[static_cast<std::size_t>(k)];
+      point.feature = with_parts(point.feature, part, 0);
+      reduction.add(point);
+    }
+  });
   return reduction.result();
+}
+
+void manifolds(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose, Real margin,
+               std::vector<PartManifold>& found) {
+  found.clear();
+  const bool simple = !std::holds_alternative<Compound>(body) && !std::holds_alternative<Compound>(other);
+  each_part(body, pose, [&](int part, const Shape& shape, const Pose& at) {
+    const Bounds box = simple ? Bounds() : bounds(shape, at);
+    each_part(other, other_pose, [&](int other_part, const Shape& other_shape, const Pose& other_at) {
+      if (!simple) {
+        const Bounds other_box = bounds(other_shape, other_at);
+        if ((box.low.array() > other_box.high.array() + margin).any() ||
+            (other_box.low.array() > box.high.array() + margin).any())
+          return;
+      }
+      const Manifold one = manifold(shape, at, other_shape, other_at, margin);
+      if (one.count == 0) return;
+      found.push_back({part, other_part, one});
+      for (int k = 0; k < one.count; ++k) {
+        std::uint32_t& feature = found.back().manifold.points[static_cast<std::size_t>(k)].feature;
+        feature = with_parts(feature, part, other_part);
+      }
+    });
+  });
+}
+
+void join_faces(std::vector<PartManifold>& found) {
+  constexpr Real flush = eps < Real(1e-10) ? Real(1e-9) : Real(1e-4);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    Reduction joined(found[i].manifold.normal);
+    const auto add = [&](const Manifold& one) {
+      for (int k = 0; k < one.count; ++k) joined.add(one.points[static_cast<std::size_t>(k)]);
+    };
+    add(found[i].manifold);
+    for (std::size_t k = i + 1; k < found.size();) {
+      if ((found[k].manifold.normal - found[i].manifold.normal).norm() > flush) {
+        ++k;
+        continue;
+      }
+      add(found[k].manifold);
+      found.erase(found.begin() + static_cast<std::ptrdiff_t>(k));
+    }
+    found[i].manifold = joined.result();
+  }
 }
 
 }  // namespace cylon::engine

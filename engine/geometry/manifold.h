@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 namespace cylon::engine {
 
@@ -27,8 +28,22 @@ struct Manifold {
 /// An edge that crosses an edge gives one point; where a face is within a tenth of the margin of being the
 /// separating plane, it is taken in its place (so boxes that rest on one another do not lose corners to
 /// rounding).
+/// Of two convex shapes, or of any with a plane.
 Manifold manifold(const Shape& body, const Pose&, const Shape& other, const Pose& other_pose, Real margin);
 Manifold manifold(const Shape& body, const Pose&, const Plane& other, Real margin);
+
+/// Of a part of `body` with one of `other`; numbers of parts as in each_part().
+struct PartManifold {
+  int part = 0, other_part = 0;
+  Manifold manifold;
+};
+
+/// Of all pairs of convex parts of two shapes that touch.
+void manifolds(const Shape& body, const Pose&, const Shape& other, const Pose& other_pose, Real margin,
+               std::vector<PartManifold>&);
+
+/// Makes one manifold of those with the same normal: faces of several parts in one plane are one face.
+void join_faces(std::vector<PartManifold>&);
 
 /// The point of a separation, where its gap < margin.
 Manifold one_point(const Separation&, Real margin, std::uint32_t feature = 0);

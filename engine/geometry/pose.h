@@ -16,6 +16,20 @@ struct Pose {
 
 inline Pose pose(const Motion& motion) { return {motion.position, motion.orientation.toRotationMatrix()}; }
 
+/// Where a part of a compound is.
+inline Pose placed(const Pose& body, const ShapePart& part) {
+  return {body.position + body.rotation * part.position, body.rotation * part.rotation};
+}
+
+/// visit(index, shape, pose) for each convex part of a shape: itself, or those of a compound.
+template <class Visit>
+void each_part(const Shape& shape, const Pose& pose, Visit&& visit) {
+  const auto* compound = std::get_if<Compound>(&shape);
+  if (compound == nullptr) return visit(0, shape, pose);
+  for (std::size_t i = 0; i < compound->parts.size(); ++i)
+    visit(static_cast<int>(i), compound->parts[i].shape, placed(pose, compound->parts[i]));
+}
+
 /// An axis-aligned box, world axes [m].  Empty where low > high.
 struct Bounds {
   Vector3 low, high;
@@ -35,6 +49,12 @@ struct RoundedBox {
 };
 /// The shape as one; nothing where it is none.
 std::optional<RoundedBox> rounded_box(const Shape&);
+
+/// The point of a shape farthest along a direction, body axes [m]; the reference point of monostate.
+Vector3 farthest(const Shape&, const Vector3& direction);
+
+/// Whether a surface of the shape is curved, so that what it touches moves along it as it turns.
+bool is_round(const Shape&);
 
 /// The least axis-aligned box that holds the shape.  Empty (low = inf, high = -inf) for monostate.
 Bounds bounds(const Shape&, const Pose&);

@@ -1,6 +1,7 @@
 #include "engine/geometry/separation.h"
 
 #include "engine/geometry/closed_forms.h"
+#include "engine/geometry/facetted.h"
 #include "engine/geometry/pair_table.h"
 #include "engine/geometry/touch.h"
 
@@ -39,17 +40,39 @@ concept HasClosedForm = requires(const A& a, const B& b, const Pose& pose) {
   closed_form(a, pose, b, pose);
 };
 
+Separation general_round(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose) {
+  const Facetted facetted(body, pose, other, other_pose);
+  return general(facetted.body(), pose, facetted.other(), other_pose);
+}
+
+// The least of all pairs of parts.
+Separation of_parts(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose) {
+  Separation least = nothing(body, pose, other, other_pose);
+  each_part(body, pose, [&](int, const Shape& part, const Pose& at) {
+    each_part(other, other_pose, [&](int, const Shape& other_part, const Pose& other_at) {
+      const Separation s = separation(part, at, other_part, other_at);
+      if (s.gap < least.gap) least = s;
+    });
+  });
+  return least;
+}
+
+template <class A, class B, class S>
+constexpr bool either = std::is_same_v<A, S> || std::is_same_v<B, S>;
+
 constexpr auto table = pair_table([]<class A, class B>() -> Row {
   if constexpr (std::is_same_v<A, std::monostate> || std::is_same_v<B, std::monostate>)
     return nothing;
+  else if constexpr (either<A, B, Compound>)
+    return of_parts;
   else if constexpr (HasClosedForm<A, B>)
     return closed<A, B>;
   else if constexpr (HasClosedForm<B, A>)
     return swapped<closed<B, A>>;
-  else if constexpr (index_of<A>() <= index_of<B>())
-    return general;
+  else if constexpr (either<A, B, Frustum>)
+    return index_of<A>() <= index_of<B>() ? general_round : swapped<general_round>;
   else
-    return swapped<general>;
+    return index_of<A>() <= index_of<B>() ? general : swapped<general>;
 });
 
 }  // namespace
@@ -58,14 +81,13 @@ Separation separation(const Shape& body, const Pose& pose, const Shape& other, c
   return table[body.index()][other.index()](body, pose, other, other_pose);
 }
 
-// gap = min_x n.x - offset - r, over the core's vertices.
+// gap = min_x n.x - offset, over the shape.
 Separation separation(const Shape& body, const Pose& pose, const Plane& plane) {
   if (body.index() == 0) return nothing(body, pose, body, pose);
-  const Core core(body);
   const Vector3 n = pose.rotation.transpose() * plane.normal;
-  const Vector3 lowest = pose.rotation * core.vertices[core.support(-n)];
-  const Real gap = plane.normal.dot(pose.position) - plane.offset + plane.normal.dot(lowest) - core.radius;
-  const Vector3 point = pose.position + lowest - core.radius * plane.normal;
+  const Vector3 lowest = pose.rotation * farthest(body, -n);
+  const Real gap = plane.normal.dot(pose.position) - plane.offset + plane.normal.dot(lowest);
+  const Vector3 point = pose.position + lowest;
   return {gap, plane.normal, point, point - gap * plane.normal};
 }
 

@@ -22,6 +22,15 @@ struct Radius {
     for (const Vector3& vertex : hull.vertices) most = std::max(most, vertex.squaredNorm());
     return std::sqrt(most);
   }
+  Real operator()(const Frustum& s) const {
+    return std::max(std::hypot(s.low_radius, s.low), std::hypot(s.high_radius, s.high));
+  }
+  Real operator()(const Compound& compound) const {
+    Real most = 0;
+    for (const ShapePart& part : compound.parts)
+      most = std::max(most, part.position.norm() + std::visit(*this, part.shape));
+    return most;
+  }
 };
 
 struct HalfWidth {
@@ -40,6 +49,44 @@ struct HalfWidth {
       least = std::min(least, depth / 2);
     }
     return least;
+  }
+  // Across the discs, across the axis, and across the side, whose outward normal is (h, r_low - r_high)/s.
+  Real operator()(const Frustum& s) const {
+    const Real h = s.high - s.low, slope = s.low_radius - s.high_radius;
+    const auto behind = [&](Real r, Real y) { return r * h - slope * y; };
+    const Real side = s.low_radius * h + slope * s.low +
+                      std::max(behind(s.low_radius, s.low), behind(s.high_radius, s.high));
+    return std::min({h / 2, std::max(s.low_radius, s.high_radius), side / (2 * std::hypot(h, slope))});
+  }
+  Real operator()(const Compound& compound) const {
+    Real least = 0;
+    for (const ShapePart& part : compound.parts) {
+      const Real half = std::visit(*this, part.shape);
+      if (half > 0) least = least > 0 ? std::min(least, half) : half;
+    }
+    return least;
+  }
+};
+
+struct Farthest {
+  const Vector3& d;
+
+  Vector3 operator()(const Frustum& s) const {
+    const Real across = std::hypot(d.x(), d.z());
+    const Vector3 out = across > 0 ? Vector3(d.x() / across, 0, d.z() / across) : Vector3(Vector3::UnitX());
+    const bool high = s.high_radius * across + s.high * d.y() > s.low_radius * across + s.low * d.y();
+    return high ? Vector3(s.high_radius * out + s.high * Vector3::UnitY())
+                : Vector3(s.low_radius * out + s.low * Vector3::UnitY());
+  }
+  Vector3 operator()(const Compound& compound) const {
+    Vector3 best = Vector3::Zero();
+    Real most = -infinity;
+    for (const ShapePart& part : compound.parts) {
+      const Vector3 own = part.rotation.transpose() * d;
+      const Vector3 x = part.position + part.rotation * farthest(part.shape, own);
+      if (d.dot(x) > most) best = x, most = d.dot(x);
+    }
+    return best;
   }
 };
 
@@ -64,6 +111,22 @@ struct Extent {
     }
     return {box.low + pose.position, box.high + pose.position};
   }
+  Bounds operator()(const Frustum& s) const {
+    Bounds box;
+    for (int k = 0; k < 3; ++k) {
+      const Vector3 d = pose.rotation.row(k);
+      box.low[k] = d.dot(Farthest{-d}(s)), box.high[k] = d.dot(Farthest{d}(s));
+    }
+    return {box.low + pose.position, box.high + pose.position};
+  }
+  Bounds operator()(const Compound& compound) const {
+    Bounds box = (*this)(std::monostate{});
+    for (const ShapePart& part : compound.parts) {
+      const Bounds one = bounds(part.shape, placed(pose, part));
+      box.low = box.low.cwiseMin(one.low), box.high = box.high.cwiseMax(one.high);
+    }
+    return box;
+  }
 };
 
 struct Rounded {
@@ -74,7 +137,10 @@ struct Rounded {
   Result operator()(const Capsule& capsule) const {
     return RoundedBox{{0, capsule.half_length, 0}, capsule.radius};
   }
-  Result operator()(const Hull&) const { return std::nullopt; }
+  template <class Other>
+  Result operator()(const Other&) const {
+    return std::nullopt;
+  }
 };
 
 // Corner i of a box: its bit k says on which side it is along axis k.
@@ -132,6 +198,9 @@ struct Polytope {
     core.face_count = static_cast<int>(hull.faces.size());
     core.size = Radius{}(hull);
   }
+  // No polytopes: engine/geometry/facetted.h, and the parts one by one.
+  void operator()(const Frustum&) const { assert(false && "a frustum has no core"); }
+  void operator()(const Compound&) const { assert(false && "a compound has no core"); }
 };
 
 }  // namespace
@@ -139,6 +208,21 @@ struct Polytope {
 Real bounding_radius(const Shape& shape) { return std::visit(Radius{}, shape); }
 
 Real half_width(const Shape& shape) { return std::visit(HalfWidth{}, shape); }
+
+Vector3 farthest(const Shape& shape, const Vector3& direction) {
+  if (const auto* frustum = std::get_if<Frustum>(&shape)) return Farthest{direction}(*frustum);
+  if (const auto* compound = std::get_if<Compound>(&shape)) return Farthest{direction}(*compound);
+  const Core core(shape);
+  return core.vertices[core.support(direction)] + core.radius * direction.normalized();
+}
+
+bool is_round(const Shape& shape) {
+  if (const auto* compound = std::get_if<Compound>(&shape))
+    return std::any_of(compound->parts.begin(), compound->parts.end(),
+                       [](const ShapePart& part) { return is_round(part.shape); });
+  return std::holds_alternative<Sphere>(shape) || std::holds_alternative<Capsule>(shape) ||
+         std::holds_alternative<Frustum>(shape);
+}
 
 Bounds bounds(const Shape& shape, const Pose& pose) { return std::visit(Extent{pose}, shape); }
 

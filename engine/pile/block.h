@@ -27,6 +27,7 @@ struct Block {
   int b = fixed_world;
   Vector3 arm = Vector3::Zero(), to_arm = Vector3::Zero();  ///< From the reference points, world axes [m].
   Vector3 normal = Vector3::UnitY();                        ///< From b to a.
+  Vector3 own_normal = Vector3::UnitY();                    ///< The same in a's axes, of two bodies.
   Matrix3 space = Matrix3::Identity();
   Real friction = 0, target = 0;
   Vector3 impulse = Vector3::Zero();

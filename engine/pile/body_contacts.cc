@@ -19,22 +19,27 @@ constexpr Real still = Real(1) / 4096, spare_margin = Real(1) / 64, skin = Real(
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-// Leaves out points between two others: they hold nothing that the two do not, and where edges of faces lie
-// on each other rounding decides whether there are any.
+// Leaves out points between two others, and all but one of those in one place: they hold nothing that the others do
+// not, and where edges of faces lie on each other rounding decides whether there are any.
 void leave_out_between(Manifold& manifold, Real size) {
-  const auto between = [&](const Vector3& p, const Vector3& from, const Vector3& to) {
-    const Vector3 way = to - from;
-    const Real along = way.dot(p - from);
-    return along >= 0 && along <= way.squaredNorm() && way.cross(p - from).norm() <= size * way.norm();
+  const auto at = [&](int i) -> const Vector3& { return manifold.points[index(i)].position; };
+  const auto is_spare = [&](int k) {
+    const Vector3& p = at(k);
+    for (int i = 0; i < manifold.count; ++i) {
+      if (i == k) continue;
+      if ((p - at(i)).norm() <= size) return true;
+      for (int j = i + 1; j < manifold.count; ++j) {
+        const Vector3 way = at(j) - at(i);
+        const Real along = way.dot(p - at(i));
+        if (j != k && along > 0 && along < way.squaredNorm() &&
+            way.cross(p - at(i)).norm() <= size * way.norm())
+          return true;
+      }
+    }
+    return false;
   };
   for (int k = 0; k < manifold.count;) {
-    bool spare = false;
-    for (int i = 0; i < manifold.count && !spare; ++i)
-      for (int j = i + 1; j < manifold.count && !spare; ++j)
-        spare = i != k && j != k &&
-                between(manifold.points[index(k)].position, manifold.points[index(i)].position,
-                        manifold.points[index(j)].position);
-    if (spare)
+    if (is_spare(k))
       std::move(manifold.points.begin() + k + 1, manifold.points.begin() + manifold.count--,
                 manifold.points.begin() + k);
     else
@@ -56,7 +61,7 @@ Quaternion orientation_of(int body, const std::vector<Motion>& motions) {
 BodyContacts::BodyContacts(const Model& model) : model_(model), seams_(model) {
   for (const Shape& shape : model.shapes) {
     radius_.push_back(bounding_radius(shape));
-    round_.push_back(std::holds_alternative<Sphere>(shape) || std::holds_alternative<Capsule>(shape));
+    round_.push_back(is_round(shape));
     const Real half = half_width(shape);
     if (half > 0) smallest_ = smallest_ > 0 ? std::min(smallest_, half) : half;
   }
@@ -108,15 +113,11 @@ BodyContacts::Found BodyContacts::now(const std::vector<Motion>& motions, int a,
   const Motion& m = motions[index(a)];
   const Quaternion back = m.orientation.conjugate();
   if (b != fixed_world)
-    return {a,
-            b,
-            plane,
-            back * motions[index(b)].orientation,
-            back * (motions[index(b)].position - m.position),
-            Vector3::Zero(),
-            0};
+    return {
+        a, b, plane, back * motions[index(b)].orientation, back * (motions[index(b)].position - m.position),
+        0};
   const Plane& p = model_.planes[index(plane)];
-  return {a, b, plane, back, {p.normal.dot(m.position) - p.offset, 0, 0}, Vector3::Zero(), 0};
+  return {a, b, plane, back, {p.normal.dot(m.position) - p.offset, 0, 0}, 0};
 }
 
 // Whether what was found before holds for `margin` now: with contacts, where the two have hardly moved against
@@ -133,7 +134,7 @@ bool BodyContacts::holds(const Found& before, const Found& now, Real margin, boo
   return way <= before.margin - margin && (!any || (!round && way <= still * radius));
 }
 
-// The same contacts again: their points are fixed to the bodies, the normal to a.
+// The same contacts again: their points are fixed to the bodies, the normals to a.
 void BodyContacts::keep(const std::vector<Motion>& motions, const Found& found, std::size_t from,
                         std::size_t to, std::vector<Block>& blocks) {
   if (from == to) return;
@@ -141,11 +142,10 @@ void BodyContacts::keep(const std::vector<Motion>& motions, const Found& found, 
   const bool two = found.b != fixed_world;
   const Matrix3 turn_b =
       two ? rotation_matrix(motions[index(found.b)].orientation) : Matrix3(Matrix3::Identity());
-  const Vector3 normal = two ? Vector3(turn_a * found.normal) : old_[from].normal;
   for (std::size_t k = from; k < to; ++k) {
     blocks.push_back(old_[k]);
     Block& block = blocks.back();
-    block.normal = normal;
+    if (two) block.normal = turn_a * block.own_normal;
     block.arm = turn_a * block.anchor;
     if (two) block.to_arm = turn_b * block.to_anchor;
     block.impact = false, block.target = 0;
@@ -178,57 +178,79 @@ void BodyContacts::touch(const std::vector<Motion>& motions, int a, int b, int p
     where.margin = margin;
     found_.push_back(where);
   }
-  const Pose pose_a = pose(motions[index(a)]);
-  const Shape& shape = model_.shapes[index(a)];
-  Manifold found = b == fixed_world
-                       ? manifold(shape, pose_a, model_.planes[index(plane)], margin)
-                       : manifold(shape, pose_a, model_.shapes[index(b)], pose(motions[index(b)]), margin);
-  leave_out_between(found, spare_distance * radius_[index(a)]);
-  if (persistent_) found_.back().normal = motions[index(a)].orientation.conjugate() * found.normal;
+  find_points(motions, a, b, plane, margin);
   const Material& material =
       model_.material(model_.surfaces[index(a)],
                       b == fixed_world ? model_.plane_surfaces[index(plane)] : model_.surfaces[index(b)]);
-  for (int k = 0; k < found.count; ++k) {
-    const ContactPoint& contact = found.points[index(k)];
-    if (inside_surface(motions, a, b, found.normal, contact)) continue;
-    Block block;
-    block.a = a, block.b = b, block.plane = plane;
-    block.normal = found.normal, block.gap = contact.gap, block.feature = contact.feature;
-    block.friction = material.friction, block.restitution = material.restitution;
-    block.arm = contact.position - motions[index(a)].position;
-    block.anchor = motions[index(a)].orientation.conjugate() * block.arm;
-    block.to_anchor = contact.position;
-    if (b != fixed_world) {
-      block.to_arm = contact.position - motions[index(b)].position;
-      block.to_anchor = motions[index(b)].orientation.conjugate() * block.to_arm;
+  const Quaternion back = motions[index(a)].orientation.conjugate();
+  for (const PartManifold& found : points_) {
+    const Vector3& normal = found.manifold.normal;
+    const Vector3 own_normal = back * normal;
+    for (int k = 0; k < found.manifold.count; ++k) {
+      const ContactPoint& contact = found.manifold.points[index(k)];
+      Block block;
+      block.a = a, block.b = b, block.plane = plane;
+      block.normal = normal, block.own_normal = own_normal;
+      block.gap = contact.gap, block.feature = contact.feature;
+      block.friction = material.friction, block.restitution = material.restitution;
+      block.arm = contact.position - motions[index(a)].position;
+      block.anchor = back * block.arm;
+      block.to_anchor = contact.position;
+      if (b != fixed_world) {
+        block.to_arm = contact.position - motions[index(b)].position;
+        block.to_anchor = motions[index(b)].orientation.conjugate() * block.to_arm;
+      }
+      // The same feature, or else the nearest point: corners that coincide take turns in naming a place.
+      const Block* same = nullptr;
+      Real nearest = radius_[index(a)] / 16;
+      for (std::size_t m = next; m < old.size() && same_pair(old[m]); ++m) {
+        if (old[m].kind != Block::Kind::contact) break;
+        const Real distance =
+            old[m].feature == block.feature ? Real(-1) : (old[m].anchor - block.anchor).norm();
+        if (distance < nearest) same = &old[m], nearest = distance;
+      }
+      if (same) {
+        const Real along = block.normal.dot(same->impulse);
+        block.impulse = same->impulse + (std::max(along, Real(0)) - along) * block.normal;
+      }
+      blocks.push_back(block);
     }
-    // The same feature, or else the nearest point: corners that coincide take turns in naming a place.
-    const Block* same = nullptr;
-    Real nearest = radius_[index(a)] / 16;
-    for (std::size_t m = next; m < old.size() && same_pair(old[m]); ++m) {
-      if (old[m].kind != Block::Kind::contact) break;
-      const Real distance =
-          old[m].feature == block.feature ? Real(-1) : (old[m].anchor - block.anchor).norm();
-      if (distance < nearest) same = &old[m], nearest = distance;
-    }
-    if (same) {
-      const Real along = block.normal.dot(same->impulse);
-      block.impulse = same->impulse + (std::max(along, Real(0)) - along) * block.normal;
-    }
-    blocks.push_back(block);
   }
 }
 
-// Whether a contact is on what is no surface, as the locked shapes beside it cover it.
-bool BodyContacts::inside_surface(const std::vector<Motion>& motions, int a, int b, const Vector3& n,
-                                  const ContactPoint& contact) const {
-  if (b == fixed_world) return false;
-  const auto covered = [&](int locked, int body, Real side) {
-    return model_.bodies[index(locked)].locked &&
-           seams_.covers(locked, contact.position - side * contact.gap / 2 * n, side * n,
-                         motions[index(body)].position);
+// Fills points_ with where two bodies touch, or one and a plane.
+void BodyContacts::find_points(const std::vector<Motion>& motions, int a, int b, int plane, Real margin) {
+  const Shape& shape = model_.shapes[index(a)];
+  const Pose at = pose(motions[index(a)]);
+  if (b == fixed_world) {
+    points_.assign(1, {0, 0, manifold(shape, at, model_.planes[index(plane)], margin)});
+  } else {
+    manifolds(shape, at, model_.shapes[index(b)], pose(motions[index(b)]), margin, points_);
+    for (PartManifold& found : points_) leave_out_inside(motions, a, b, found);
+    join_faces(points_);
+  }
+  for (PartManifold& found : points_) leave_out_between(found.manifold, spare_distance * radius_[index(a)]);
+}
+
+// Leaves out points on what is no surface, as shapes beside it cover it.
+void BodyContacts::leave_out_inside(const std::vector<Motion>& motions, int a, int b,
+                                    PartManifold& found) const {
+  Manifold& m = found.manifold;
+  const auto centre = [&](int body, int part) -> Vector3 {
+    const Motion& motion = motions[index(body)];
+    const auto* compound = std::get_if<Compound>(&model_.shapes[index(body)]);
+    if (compound == nullptr) return motion.position;
+    return motion.position + motion.orientation * compound->parts[index(part)].position;
   };
-  return covered(b, a, 1) || covered(a, b, -1);
+  const Vector3 centre_a = centre(a, found.part), centre_b = centre(b, found.other_part);
+  const auto covered = [&](int on, int part, const Vector3& from, const ContactPoint& contact, Real side) {
+    return seams_.covers(on, part, motions[index(on)], contact.position - side * contact.gap / 2 * m.normal,
+                         side * m.normal, from);
+  };
+  const auto end = std::remove_if(m.points.begin(), m.points.begin() + m.count, [&](const ContactPoint& p) {
+    return covered(b, found.other_part, centre_a, p, 1) || covered(a, found.part, centre_b, p, -1);
+  });
+  m.count = static_cast<int>(end - m.points.begin());
 }
 
 // A block for the place of each joint, and one for its turn where it is not free.

@@ -29,8 +29,7 @@ class BodyContacts {
     int a, b, plane;
     Quaternion turn;
     Vector3 shift;
-    Vector3 normal;  // of the contacts, a's axes
-    Real margin;     // within which they were looked for
+    Real margin;  // within which they were looked for
   };
 
   void find_near(const std::vector<Motion>&);
@@ -39,7 +38,8 @@ class BodyContacts {
   bool holds(const Found& before, const Found& now, Real margin, bool any) const;
   void touch(const std::vector<Motion>&, int a, int b, int plane, Real margin, std::vector<Block>&);
   void keep(const std::vector<Motion>&, const Found&, std::size_t from, std::size_t to, std::vector<Block>&);
-  bool inside_surface(const std::vector<Motion>&, int a, int b, const Vector3& n, const ContactPoint&) const;
+  void find_points(const std::vector<Motion>&, int a, int b, int plane, Real margin);
+  void leave_out_inside(const std::vector<Motion>&, int a, int b, PartManifold&) const;
   void add_joints(const std::vector<Motion>&, const std::vector<Block>& old, std::vector<Block>&) const;
 
   const Model& model_;
@@ -55,6 +55,7 @@ class BodyContacts {
   std::vector<std::pair<int, int>> pairs_;  // that may meet now
   bool persistent_ = false;                 // contacts are kept while the bodies hardly move
   std::vector<Found> found_, old_found_;    // per pair, in the order of the blocks
+  std::vector<PartManifold> points_;        // of the pair that is looked at
   std::vector<Block> old_;
   std::size_t next_ = 0, next_found_ = 0;  // of the pair that is looked at, in old_ and old_found_
 };

@@ -81,8 +81,7 @@ bool BodyPile::rests(const Group& group) const {
 
 bool BodyPile::is_on_edge(int body, const Group& group) const {
   const Shape& shape = model_.shapes[index(body)];
-  const bool round = std::holds_alternative<Sphere>(shape) || std::holds_alternative<Capsule>(shape);
-  return !round && !model_.bodies[index(body)].locked &&
+  return !is_round(shape) && !model_.bodies[index(body)].locked &&
          stands_on_a_line(body, group, blocks_, bounding_radius(shape));
 }
 

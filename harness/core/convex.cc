@@ -352,21 +352,31 @@ Nearest nearest(const Placed& first, const Placed& second) {
 }
 
 std::vector<Part> convex_parts(const Shape& shape) {
-  if (const auto* compound = std::get_if<Compound>(&shape)) {
-    for (const Part& part : compound->parts)
-      if (std::holds_alternative<Mesh>(part.shape)) return {};
-    return compound->parts;
-  }
-  Part whole;
-  const bool convex = std::visit(
+  std::vector<Part> parts;
+  const auto add = [&](const Primitive& primitive, const Part& place) {
+    const auto* mesh = std::get_if<Mesh>(&primitive);
+    Part part = place;
+    if (mesh == nullptr) {
+      part.shape = primitive;
+      if (!std::holds_alternative<std::monostate>(primitive)) parts.push_back(part);
+      return;
+    }
+    for (const auto& face : mesh->faces) {
+      Hull triangle;
+      for (const int k : face) triangle.vertices.push_back(mesh->vertices[static_cast<std::size_t>(k)]);
+      part.shape = triangle;
+      parts.push_back(part);
+    }
+  };
+  std::visit(
       [&](const auto& s) {
-        using S = std::decay_t<decltype(s)>;
-        if constexpr (!std::is_same_v<S, Compound>) whole.shape = s;
-        return !std::is_same_v<S, Mesh> && !std::is_same_v<S, Compound>;
+        if constexpr (std::is_same_v<std::decay_t<decltype(s)>, Compound>)
+          for (const Part& part : s.parts) add(part.shape, part);
+        else
+          add(s, Part());
       },
       shape);
-  if (!convex) return {};
-  return {whole};
+  return parts;
 }
 
 Vector3 farthest_point(const Shape& shape, const Vector3& d) {

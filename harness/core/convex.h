@@ -29,7 +29,7 @@ struct Nearest {
 /// and rods; for cylinders, cones and discs inside others to 1e-6.
 Nearest nearest(const Placed&, const Placed&);
 
-/// The convex parts of a shape in body axes; nothing where there are none: no shape, or a mesh.
+/// The convex parts of a shape in body axes, of a mesh its triangles, whose inside is empty; nothing without a shape.
 std::vector<Part> convex_parts(const Shape&);
 
 /// A point of a convex shape, or of a compound, that lies farthest along d, in the shape's own axes; of equally

@@ -45,8 +45,7 @@ std::optional<std::string> gap_undefined(const Scene& scene, const Pair& pair) {
   if (pair.plane >= 0) return std::nullopt;
   for (const int index : {pair.body, pair.other})
     if (convex_parts(body_of(scene, index).shape).empty())
-      return "the gap between '" + body_of(scene, index).name +
-             "' and another body is computed for convex shapes and compounds of them only";
+      return "body '" + body_of(scene, index).name + "' has no shape, and so no gap to another body";
   return std::nullopt;
 }
 

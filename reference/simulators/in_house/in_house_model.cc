@@ -74,7 +74,7 @@ std::optional<std::string> add(const core::Water& w, const Scene& scene, Model& 
   water.buoyancy = real(w.buoyancy), water.drag = real(w.drag);
   water.mode = w.mode == "step" ? engine::WaterMode::step : engine::WaterMode::volume;
   for (std::size_t i = 0; water.mode == engine::WaterMode::volume && i < scene.bodies.size(); ++i) {
-    auto shape = in_house_shape(scene.bodies[i].shape);
+    auto shape = in_house_shape(scene.bodies[i].shape, scene.bodies[i].locked);
     if (const Missing* what = std::get_if<Missing>(&shape)) {
       if (!scene.bodies[i].locked)
         return fmt::format("body '{}' is {}, whose submerged volume the engine cannot compute",
@@ -171,7 +171,7 @@ std::optional<std::string> add_contacts(const Scene& scene, Model& model) {
     model.surfaces.push_back(collides ? surfaces.of_body[i] : engine::no_surface);
     model.shapes.emplace_back();
     if (!collides) continue;
-    auto shape = in_house_shape(body.shape);
+    auto shape = in_house_shape(body.shape, body.locked);
     if (const Missing* what = std::get_if<Missing>(&shape))
       return fmt::format("body '{}' may touch, but is {}, for which the engine has no collision shape",
                          body.name, *what);

@@ -20,7 +20,11 @@ constexpr Real allowed = Real(0.1);  // of the least width
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-Real width(const engine::Shape& shape) { return 2 * engine::half_width(shape); }
+// A surface or a line has none that anything could be deep in.
+Real width(const engine::Shape& shape) {
+  const Real width = 2 * engine::half_width(shape);
+  return width > 0 ? width : std::numeric_limits<Real>::infinity();
+}
 
 // Bodies whose bounding balls meet, from a sweep along x; all of them with every plane.
 std::vector<core::Pair> pairs_of_any_shapes(const Model& model) {

@@ -9,9 +9,10 @@
 
 namespace cylon::simulators {
 
-using Missing = std::string;  ///< What the engine has no shape for: "a cone", "a mesh that is not convex".
+using Missing = std::string;  ///< What the engine has no shape for: "a disc", "a mesh that is not convex".
 
-/// The shape, or what is missing.  A mesh that is convex is its hull; a rod is a capsule without thickness.
-std::variant<engine::Shape, Missing> in_house_shape(const core::Shape&);
+/// The shape, or what is missing.  A mesh that is convex is its hull, another one the triangles of its surface, which
+/// a body has that never moves; a rod is a capsule without thickness.
+std::variant<engine::Shape, Missing> in_house_shape(const core::Shape&, bool locked);
 
 }  // namespace cylon::simulators

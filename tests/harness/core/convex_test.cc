@@ -214,13 +214,35 @@ TEST(GapRate, IsTheSlopeOfTheGap) {
   EXPECT_GE(close, 96) << "of 100; where another corner or face takes over, there is no slope";
 }
 
-TEST(GapUndefined, OfMeshesAlone) {
+TEST(GapUndefined, WithoutAShapeAlone) {
   Random random{std::mt19937_64(5)};
   const Scene boxes = scene_of(Box{{0.3, 0.5, 0.2}}, Cylinder{0.3, 0.8}, random, 1);
   EXPECT_FALSE(gap_undefined(boxes, {0, 1, -1}));
-  const Scene mesh = scene_of(Box{{0.3, 0.5, 0.2}}, Mesh{}, random, 1);
-  EXPECT_TRUE(gap_undefined(mesh, {0, 1, -1}));
-  EXPECT_FALSE(gap_undefined(mesh, {0, world, 0}));
+  const Scene point = scene_of(Box{{0.3, 0.5, 0.2}}, std::monostate{}, random, 1);
+  EXPECT_TRUE(gap_undefined(point, {0, 1, -1}));
+  EXPECT_FALSE(gap_undefined(point, {0, world, 0}));
+}
+
+// A cube as twelve triangles, alone and as a part: outside it is as far as the box, and as deep where less than
+// half of the other is inside.
+TEST(Gap, OfAMeshIsThatOfItsTriangles) {
+  Mesh cube;
+  for (int i = 0; i < 8; ++i)
+    cube.vertices.emplace_back(i & 1 ? 0.5 : -0.5, i & 2 ? 0.5 : -0.5, i & 4 ? 0.5 : -0.5);
+  cube.faces = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}, {0, 1, 5}, {0, 5, 4},
+                {2, 6, 7}, {2, 7, 3}, {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}};
+  Random random{std::mt19937_64(8)};
+  int outside = 0;
+  for (const double far : {0.75, 0.9, 1.2, 3.0})
+    for (const Shape& surface :
+         {Shape(cube), Shape(Compound{{{cube, 1, Vector3::Zero(), Quaternion::Identity()}}})}) {
+      Scene scene = scene_of(Sphere{0.3}, Box{{0.5, 0.5, 0.5}}, random, far);
+      const double solid = gap(scene, {0, 1, -1}, initial_state(scene));
+      scene.bodies[1].shape = surface;
+      EXPECT_NEAR(gap(scene, {0, 1, -1}, initial_state(scene)), solid, 1e-9) << far;
+      outside += solid > 0;
+    }
+  EXPECT_GT(outside, 2);
 }
 
 TEST(FarthestPoint, IsWhereTheSupportIs) {

@@ -1,0 +1,162 @@
+#include "engine/geometry/facetted.h"
+
+#include "engine/geometry/touch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cylon::engine {
+namespace {
+
+constexpr Real eps = std::numeric_limits<Real>::epsilon();
+constexpr Real pi = Real(3.14159265358979323846);
+constexpr int corners = 16, most_rounds = 12;
+
+// Half the angle of a tangent facet: (its angle)^2/2 is rounding.
+constexpr Real half_facet = eps < Real(1e-10) ? Real(1e-7) : Real(1e-3);
+
+Real angle_between(Real a, Real b) { return std::abs(std::remainder(a - b, 2 * pi)); }
+
+// The polytope of a frustum, in storage that is used again.
+class Round {
+ public:
+  Round(const Frustum& frustum, Shape& storage) : frustum_(frustum) {
+    if (!std::holds_alternative<Hull>(storage)) storage = Hull();
+    hull_ = &std::get<Hull>(storage);
+    for (int k = 0; k < corners; ++k) corners_[k] = {2 * pi * static_cast<Real>(k) / corners, 0};
+    count_ = corners;
+    fill();
+  }
+
+  // Facets towards a normal, and towards a point beside the surface (own axes); whether any is new.
+  bool look(const Vector3& normal, const Vector3& point) {
+    bool any = std::hypot(normal.x(), normal.z()) > eps && add(std::atan2(normal.z(), normal.x()));
+    const Real part =
+        std::clamp((point.y() - frustum_.low) / (frustum_.high - frustum_.low), Real(0), Real(1));
+    const Real radius = frustum_.low_radius + part * (frustum_.high_radius - frustum_.low_radius);
+    if (std::hypot(point.x(), point.z()) > Real(0.9) * radius) any |= add(std::atan2(point.z(), point.x()));
+    if (any) fill();
+    return any;
+  }
+
+  Real width() const { return 2 * half_facet * std::max(frustum_.low_radius, frustum_.high_radius); }
+
+ private:
+  struct Corner {
+    Real angle = 0;
+    int facet = 0;  // the number of the tangent facet that it is an end of, from 1
+  };
+
+  // Corners of the inscribed polygon, and facets found before, give way.
+  bool add(Real angle) {
+    for (int k = 0; k < facets_; ++k)
+      if (angle_between(angle, facet_angles_[k]) < half_facet / 2) return false;
+    if (facets_ == static_cast<int>(facet_angles_.size())) return false;
+    int kept = 0;
+    for (int k = 0; k < count_; ++k) {
+      const Corner& corner = corners_[k];
+      const Real middle = corner.facet > 0 ? facet_angles_[corner.facet - 1] : corner.angle;
+      if (angle_between(angle, middle) > 4 * half_facet) corners_[kept++] = corner;
+    }
+    count_ = kept;
+    facet_angles_[facets_++] = angle;
+    for (const Real side : {-half_facet, half_facet}) corners_[count_++] = {angle + side, facets_};
+    return true;
+  }
+
+  static Real turned(Real angle) { return angle < 0 ? angle + 2 * pi : angle; }
+
+  void fill() {
+    std::sort(corners_.begin(), corners_.begin() + count_,
+              [](const Corner& a, const Corner& b) { return turned(a.angle) < turned(b.angle); });
+    const int n = count_;
+    const bool low_disc = frustum_.low_radius > 0, high_disc = frustum_.high_radius > 0;
+    const int lows = low_disc ? n : 1, highs = high_disc ? n : 1;
+    const auto low = [&](int k) { return low_disc ? k % n : 0; };
+    const auto high = [&](int k) { return lows + (high_disc ? k % n : 0); };
+    Hull& h = *hull_;
+    h.vertices.resize(static_cast<std::size_t>(lows + highs));
+    for (int k = 0; k < n; ++k) {
+      const Corner& corner = corners_[k];
+      const Real reach = corner.facet > 0 ? 1 / std::cos(half_facet) : Real(1);
+      const Vector3 out(reach * std::cos(corner.angle), 0, reach * std::sin(corner.angle));
+      h.vertices[at(low(k))] = frustum_.low_radius * out + frustum_.low * Vector3::UnitY();
+      h.vertices[at(high(k))] = frustum_.high_radius * out + frustum_.high * Vector3::UnitY();
+    }
+    // Sides first, counter-clockwise from outside: up at k, back down at k + 1.
+    h.faces.resize(static_cast<std::size_t>(n + low_disc + high_disc)), h.normals.resize(h.faces.size());
+    h.edges.clear();
+    const int low_face = n, high_face = n + low_disc;
+    const Real height = frustum_.high - frustum_.low;
+    for (int k = 0; k < n; ++k) {
+      std::vector<int>& face = h.faces[at(k)];
+      face.clear();
+      face.push_back(low(k)), face.push_back(high(k));
+      if (high_disc) face.push_back(high(k + 1));
+      if (low_disc) face.push_back(low(k + 1));
+      h.normals[at(k)] = side_normal(corners_[k], corners_[(k + 1) % n], height);
+      h.edges.push_back({low(k), high(k), k, (k + n - 1) % n});
+      if (low_disc) h.edges.push_back({low(k), low(k + 1), low_face, k});
+      if (high_disc) h.edges.push_back({high(k), high(k + 1), k, high_face});
+    }
+    const auto disc = [&](int index, bool up) {
+      std::vector<int>& face = h.faces[at(index)];
+      face.clear();
+      for (int k = 0; k < n; ++k) face.push_back(up ? high(n - 1 - k) : low(k));
+      h.normals[at(index)] = up ? Vector3::UnitY() : Vector3(-Vector3::UnitY());
+    };
+    if (low_disc) disc(low_face, false);
+    if (high_disc) disc(high_face, true);
+  }
+
+  Vector3 side_normal(const Corner& from, const Corner& to, Real height) const {
+    if (from.facet > 0 && from.facet == to.facet) return slope(facet_angles_[from.facet - 1], 1, height);
+    // Across the chord, which is `reach` from the axis where the circle is 1.
+    const auto place = [](const Corner& c) {
+      const Real reach = c.facet > 0 ? 1 / std::cos(half_facet) : Real(1);
+      return Vector3(reach * std::cos(c.angle), 0, reach * std::sin(c.angle));
+    };
+    const Vector3 p = place(from), q = place(to), out = Vector3::UnitY().cross(q - p).normalized();
+    return slope(std::atan2(out.z(), out.x()), out.dot(p), height);
+  }
+
+  Vector3 slope(Real angle, Real reach, Real height) const {
+    return Vector3(height * std::cos(angle), reach * (frustum_.low_radius - frustum_.high_radius),
+                   height * std::sin(angle))
+        .normalized();
+  }
+
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+  const Frustum& frustum_;
+  Hull* hull_ = nullptr;
+  std::array<Corner, corners + 4 * most_rounds> corners_;
+  int count_ = 0;
+  std::array<Real, 2 * most_rounds> facet_angles_{};
+  int facets_ = 0;
+};
+
+}  // namespace
+
+Facetted::Facetted(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose)
+    : shapes_{&body, &other} {
+  thread_local std::array<Shape, 2> storage;
+  std::optional<Round> a, b;
+  if (const auto* frustum = std::get_if<Frustum>(&body))
+    a.emplace(*frustum, storage[0]), shapes_[0] = &storage[0];
+  if (const auto* frustum = std::get_if<Frustum>(&other))
+    b.emplace(*frustum, storage[1]), shapes_[1] = &storage[1];
+  for (const auto* round : {&a, &b})
+    if (*round) same_ = std::max(same_, 4 * (*round)->width());
+  if (!a && !b) return;
+  for (int round = 0; round < most_rounds; ++round) {
+    const Couple couple(*shapes_[0], pose, *shapes_[1], other_pose);
+    const Touch t = touch(couple);
+    bool any = a && a->look(-t.normal, t.b);
+    if (b) any |= b->look(couple.turn.transpose() * t.normal, couple.turn.transpose() * (t.a - couple.shift));
+    if (!any) return;
+  }
+}
+
+}  // namespace cylon::engine

@@ -1,0 +1,30 @@
+// A frustum as a polytope that is exact where it touches another shape.
+#pragma once
+
+#include "engine/geometry/pose.h"
+
+#include <array>
+
+namespace cylon::engine {
+
+/// A polytope between a frustum and the one inscribed with 16 corners: where the other shape is nearest, or deepest
+/// inside, it has a facet tangent to the side of the frustum, 2e-7 of the radius wide (float: 2e-3).  There the normal
+/// is exact, and the depth to 5e-15 of the radius (float: 5e-7).  The facets are found by asking touch() until the
+/// place stays: the normal of a body of revolution is in the plane of its axis and the place.
+/// Any other convex shape is itself.
+class Facetted {
+ public:
+  /// Keeps its shapes in storage of the thread: lives for one query, one at a time.
+  Facetted(const Shape& body, const Pose&, const Shape& other, const Pose& other_pose);
+
+  const Shape& body() const { return *shapes_[0]; }
+  const Shape& other() const { return *shapes_[1]; }
+  /// Points nearer to each other than this are one [m].
+  Real same() const { return same_; }
+
+ private:
+  std::array<const Shape*, 2> shapes_;
+  Real same_ = 0;
+};
+
+}  // namespace cylon::engine
