@@ -40,6 +40,10 @@ class Round {
     return any;
   }
 
+  // The most that the polygon with all its corners is inside the circle.
+  Real sagitta() const {
+    return (1 - std::cos(pi / corners)) * std::max(frustum_.low_radius, frustum_.high_radius);
+  }
   Real width() const { return 2 * half_facet * std::max(frustum_.low_radius, frustum_.high_radius); }
 
  private:
@@ -139,7 +143,7 @@ class Round {
 
 }  // namespace
 
-Facetted::Facetted(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose)
+Facetted::Facetted(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose, Real far)
     : shapes_{&body, &other} {
   thread_local std::array<Shape, 2> storage;
   std::optional<Round> a, b;
@@ -147,12 +151,13 @@ Facetted::Facetted(const Shape& body, const Pose& pose, const Shape& other, cons
     a.emplace(*frustum, storage[0]), shapes_[0] = &storage[0];
   if (const auto* frustum = std::get_if<Frustum>(&other))
     b.emplace(*frustum, storage[1]), shapes_[1] = &storage[1];
-  for (const auto* round : {&a, &b})
-    if (*round) same_ = std::max(same_, 4 * (*round)->width());
   if (!a && !b) return;
+  for (const auto* round : {&a, &b})
+    if (*round) same_ = std::max(same_, 4 * (*round)->width()), far += (*round)->sagitta();
   for (int round = 0; round < most_rounds; ++round) {
     const Couple couple(*shapes_[0], pose, *shapes_[1], other_pose);
     const Touch t = touch(couple);
+    if (t.gap - couple.a.radius - couple.b.radius > far) return;
     bool any = a && a->look(-t.normal, t.b);
     if (b) any |= b->look(couple.turn.transpose() * t.normal, couple.turn.transpose() * (t.a - couple.shift));
     if (!any) return;

@@ -4,6 +4,7 @@
 #include "engine/geometry/pose.h"
 
 #include <array>
+#include <limits>
 
 namespace cylon::engine {
 
@@ -14,8 +15,10 @@ namespace cylon::engine {
 /// Any other convex shape is itself.
 class Facetted {
  public:
-  /// Keeps its shapes in storage of the thread: lives for one query, one at a time.
-  Facetted(const Shape& body, const Pose&, const Shape& other, const Pose& other_pose);
+  /// Keeps its shapes in storage of the thread: lives for one query, one at a time.  Two that are farther apart than
+  /// `far` [m] stay as they are found.
+  Facetted(const Shape& body, const Pose&, const Shape& other, const Pose& other_pose,
+           Real far = std::numeric_limits<Real>::infinity());
 
   const Shape& body() const { return *shapes_[0]; }
   const Shape& other() const { return *shapes_[1]; }

@@ -125,7 +125,7 @@ Manifold without_twins(Manifold manifold, Real same) {
 
 Manifold round_polytopes(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose,
                          Real margin) {
-  const Facetted facetted(body, pose, other, other_pose);
+  const Facetted facetted(body, pose, other, other_pose, margin);
   return without_twins(polytopes(facetted.body(), pose, facetted.other(), other_pose, margin),
                        facetted.same());
 }

@@ -77,6 +77,23 @@ TEST_P(Shapes, HaveSizesOfTheScene) {
   }
 }
 
+// The in-house engine turns back within the step in which a gap closes.
+class InHouseShapes : public EveryEngine {};
+INSTANTIATE_TEST_SUITE_P(Adapters, InHouseShapes,
+                         testing::Values(Subject{.id = "in-house/path=stepping"},
+                                         Subject{.id = "in-house-float/path=stepping", .single = true}),
+                         test_name);
+
+TEST_P(InHouseShapes, HaveSizesOfTheScene) {
+  constexpr double speed = 1, dt = 1e-3;
+  for (const Row& row : rows)
+    for (unsigned seed = 91; seed <= 93; ++seed) {
+      const double gap = gap_when_hit(subject(), row.shape, seed, speed, dt);
+      expect_within(fmt::format("{} {} when hit, {}: |gap|", row.name, seed, subject().id), std::abs(gap),
+                    speed * dt + 64 * subject().unit());
+    }
+}
+
 // A ball flies at a corner of a locked box along its diagonal: nothing is nearer than the corner itself.
 TEST_P(Shapes, CornersAreSharp) {
   constexpr double speed = 1, dt = 1e-3, radius = 0.15;
@@ -100,6 +117,35 @@ TEST_P(Shapes, CornersAreSharp) {
   const double slack = 64 * subject().unit();
   expect_within(fmt::format("corner when hit, {}: gap", subject().id), gap, slack);
   expect_within(fmt::format("corner when hit, {}: depth", subject().id), -gap, speed * dt + slack);
+}
+
+// A ball flies into the dent of a locked mesh, off its middle: it is hit where the harness sees the nearest triangle.
+TEST_P(Shapes, LockedMeshesAreTheirTriangles) {
+  constexpr double speed = 1, dt = 1e-3, radius = 0.12;
+  const core::Mesh dented = {{{-1, -1, -1}, {2, -1, -1}, {-1, 2, -1}, {-1, -1, 2}, {-0.4, -0.4, -0.4}},
+                             {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 4}, {2, 3, 4}, {3, 1, 4}}};
+  core::Scene scene = three_bodies(97);
+  scene.bodies.resize(2);
+  core::Body &wall = scene.bodies[0], &ball = scene.bodies[1];
+  wall.locked = wall.collide = ball.collide = true;
+  wall.shape = dented, ball.shape = core::Sphere{radius};
+  wall.initial.velocity = wall.initial.angular_velocity = ball.initial.angular_velocity = Vector3::Zero();
+  const core::Quaternion& turn = wall.initial.orientation;
+  const Vector3 out = turn * Vector3(1, 1, 1).normalized();
+  ball.initial.position =
+      wall.initial.position + turn * Vector3(-0.35, -0.3, -0.38) + (0.9 + 0.37 * dt) * out;
+  ball.initial.velocity = -speed * out;
+  scene.materials = {{{"*", "*"}, 1, 0}};
+  const core::Pair pair = {0, 1, -1};
+  const core::Recording run = play(subject().choice(), scene, dt, 1200);
+  std::size_t hit = 1;
+  while (hit < run.states.size() && (run.states[hit][1].velocity + speed * out).norm() < 1e-3 * speed) ++hit;
+  ASSERT_LT(hit, run.states.size()) << "never hit";
+  const double gap = core::gap(scene, pair, run.states[hit - 1]);
+  const double slack = 64 * subject().unit();
+  expect_within(fmt::format("mesh when hit, {}: gap", subject().id), gap, slack);
+  expect_within(fmt::format("mesh when hit, {}: depth", subject().id), -gap, speed * dt + slack);
+  EXPECT_GT((run.states[hit - 1][1].position - ball.initial.position).norm(), 0.3) << "hit too early";
 }
 
 }  // namespace

@@ -63,6 +63,10 @@ core::Compound compound_of(const core::Primitive& shape) {
 const core::Mesh tetrahedron = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                                 {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
 
+// The same with a face pushed in.
+const core::Mesh dented = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.2, 0.2, 0.2}},
+                           {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 4}, {2, 3, 4}, {3, 1, 4}}};
+
 struct Refusal {
   const char* engine;
   const char* reason;  // a part of it
@@ -98,8 +102,11 @@ std::vector<Refusal> refusals() {
        with(resting(), [](core::Scene& s) { s.bodies[0].initial.position.x() = 1e7; })},
       {"in-house", "'floor' is 1e+16 m from the origin, where double precision knows distances to 1 m",
        with(resting(), [](core::Scene& s) { s.planes[0].offset = -1e16; })},
-      {"in-house", "body 'a' may touch, but is a cone", resting(core::Cone{0.1, 0.3})},
-      {"in-house-float", "body 'a' may touch, but is a compound", resting(compound_of(core::Sphere{0.1}))},
+      {"in-house", "body 'a' may touch, but is a disc", resting(core::Disc{0.3})},
+      {"in-house-float", "body 'a' may touch, but is a compound with a disc",
+       resting(compound_of(core::Disc{0.1}))},
+      {"in-house", "a moving mesh that is not convex", resting(dented)},
+      {"in-house/path=events", "cylinders and cones that touch", resting(core::Cylinder{0.1, 0.3})},
       {"in-house", "'a' and 'floor' may touch, but the scene has no material", unstated},
       {"in-house", "'a' and 'wall' may touch, but the scene has no material", half_stated},
 

@@ -331,7 +331,7 @@ class Bullet final : public core::Simulator {
   std::optional<std::string> unsupported(const core::Scene& scene, const core::Setup& setup) const override {
     if (auto reason = applied::unmapped(scene)) return reason;
     for (const core::Body& body : scene.bodies)
-      if (auto reason = body.collide ? untouchable(body.shape) : std::nullopt)
+      if (auto reason = body.collide ? untouchable(body.shape, body.locked) : std::nullopt)
         return fmt::format("Body '{}': {}", body.name, *reason);
     for (const core::Joint& joint : scene.joints)
       if (auto reason = simulators::unsupported(joint)) return reason;

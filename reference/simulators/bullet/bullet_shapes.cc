@@ -23,6 +23,24 @@ Shape* add(Shapes& shapes, Arguments... arguments) {
   return raw;
 }
 
+// A surface of triangles, for bodies that never move.
+struct Triangles {
+  explicit Triangles(const core::Mesh& mesh) {
+    for (const auto& face : mesh.faces) {
+      const auto corner = [&](std::size_t k) {
+        return to_bullet(mesh.vertices[static_cast<std::size_t>(face[k])]);
+      };
+      all.addTriangle(corner(0), corner(1), corner(2));
+    }
+  }
+  btTriangleMesh all;
+};
+
+class Surface final : private Triangles, public btBvhTriangleMeshShape {
+ public:
+  explicit Surface(const core::Mesh& mesh) : Triangles(mesh), btBvhTriangleMeshShape(&all, true) {}
+};
+
 struct Make {
   Shapes& shapes;
   std::optional<double> margin;
@@ -60,7 +78,12 @@ struct Make {
     return with_margin(hull);
   }
   btCollisionShape* operator()(const core::Disc&) const { return (*this)(std::monostate()); }
-  btCollisionShape* operator()(const core::Mesh&) const { return (*this)(std::monostate()); }
+  btCollisionShape* operator()(const core::Mesh& s) const {
+    auto surface = std::make_unique<Surface>(s);
+    Surface* const raw = surface.get();
+    shapes.push_back(std::move(surface));
+    return with_margin(raw);
+  }
 };
 
 // Bullet's cone is centred half-way up, ours a quarter of the way up, at its centre of mass.
@@ -82,17 +105,21 @@ struct Placed {
   }
 };
 
-// In a frame that is turned by `rotation` (frame to body axes).  A hull is turned in its vertices.
+// In a frame that is turned by `rotation` (frame to body axes).  Hulls and meshes are turned in their vertices.
 std::vector<Placed> placed(const core::Shape& shape, const core::Quaternion& rotation) {
   std::vector<Placed> result;
   const core::Quaternion body_to_frame = rotation.conjugate();
   for (const core::Part& part : applied::parts_of(shape)) {
     const core::Quaternion turn = body_to_frame * part.orientation;
     Placed one{part.shape, turn, body_to_frame * part.position + turn * centre_of(part.shape)};
-    if (auto* hull = std::get_if<core::Hull>(&one.shape)) {
-      for (core::Vector3& v : hull->vertices) v = turn * v + one.shift;
-      one.turn = core::Quaternion::Identity(), one.shift.setZero();
-    }
+    std::visit(
+        [&](auto& s) {
+          if constexpr (requires { s.vertices; }) {
+            for (core::Vector3& v : s.vertices) v = turn * v + one.shift;
+            one.turn = core::Quaternion::Identity(), one.shift.setZero();
+          }
+        },
+        one.shape);
     result.push_back(std::move(one));
   }
   return result;
@@ -125,7 +152,8 @@ struct InnerRadius {
 
 }  // namespace
 
-std::optional<std::string> untouchable(const core::Shape& shape) {
+std::optional<std::string> untouchable(const core::Shape& shape, bool locked) {
+  if (locked && std::holds_alternative<core::Mesh>(shape)) return std::nullopt;
   for (const core::Part& part : applied::parts_of(shape)) {
     if (std::holds_alternative<core::Disc>(part.shape))
       return "Bullet has no shape of a disc without thickness "

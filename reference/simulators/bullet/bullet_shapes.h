@@ -15,12 +15,12 @@ namespace cylon::simulators {
 /// Owns shapes; a compound refers to its children.
 using Shapes = std::vector<std::unique_ptr<btCollisionShape>>;
 
-/// Why a shape cannot touch anything in Bullet, or nothing.
-std::optional<std::string> untouchable(const core::Shape&);
+/// Why a shape, of a body that is locked or not, cannot touch anything in Bullet, or nothing.
+std::optional<std::string> untouchable(const core::Shape&, bool locked);
 
 /// The shape in a frame that is turned by `rotation` (frame to body axes) from the body's.  `margin` [m] of
 /// all but spheres and capsules; absent: Bullet's own, at most 0.04 m.
-/// Requires untouchable(shape) to be empty; what nothing can touch becomes an empty shape.
+/// Requires untouchable(shape, locked) to be empty; what nothing can touch becomes an empty shape.
 btCollisionShape* make_shape(const core::Shape&, const core::Quaternion& rotation,
                              std::optional<double> margin, Shapes&);
 

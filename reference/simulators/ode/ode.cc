@@ -187,7 +187,7 @@ void Ode::add_body(const Body& body) {
   }
   owners_.push_back({static_cast<int>(bodies_.size()), -1});
   bodies_.push_back(id);
-  if (body.collide) ode_add_shape(world_->space, body, id, &owners_.back());
+  if (body.collide) ode_add_shape(world_->space, world_->surfaces, body, id, &owners_.back());
 }
 
 // The moving body comes first: ODE reverses a joint whose first body is the world.

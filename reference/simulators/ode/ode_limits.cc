@@ -16,8 +16,8 @@ using Reason = std::optional<std::string>;
 
 const core::Body& body(const Scene& scene, int i) { return scene.bodies[static_cast<std::size_t>(i)]; }
 
-// Why a shape cannot collide; nullptr where it can.  Classes of geoms: ode/collision.h:877.
-const char* missing(const core::Shape& shape) {
+// Why a shape, of a body that is locked or not, cannot collide; nullptr where it can.  Classes of geoms: ode/collision.h:877.
+const char* missing(const core::Shape& shape, bool locked) {
   using What = const char*;
   return std::visit(
       Overloaded{[](const core::Cone&) -> What { return "ODE has no cone (ode/collision.h:877)"; },
@@ -31,12 +31,14 @@ const char* missing(const core::Shape& shape) {
                    return "this adapter maps no hull, for which dCreateConvex would need the faces "
                           "(ode/collision.h:965)";
                  },
-                 [](const core::Mesh&) -> What {
+                 [&](const core::Mesh&) -> What {
+                   if (locked) return nullptr;
                    return "ODE collides a mesh as a surface, not as a solid (ode/collision_trimesh.h:253)";
                  },
-                 [](const core::Compound& compound) -> What {
+                 [&](const core::Compound& compound) -> What {
                    for (const core::Part& part : compound.parts)
-                     if (What what = std::visit([](const auto& s) { return missing(s); }, part.shape))
+                     if (What what =
+                             std::visit([&](const auto& s) { return missing(s, locked); }, part.shape))
                        return what;
                    return nullptr;
                  },
@@ -59,7 +61,7 @@ Reason against(const core::Body& body) {
 Reason against(const Scene& scene, const core::Pair& pair) {
   for (const int i : {pair.body, pair.other}) {
     if (i == core::world) continue;
-    if (const char* what = missing(body(scene, i).shape))
+    if (const char* what = missing(body(scene, i).shape, body(scene, i).locked))
       return fmt::format("Body '{}': {}.", body(scene, i).name, what);
   }
   if (core::material_of(scene, pair)) return {};

@@ -24,7 +24,7 @@ struct Geom {
   Quaternion turn = Quaternion::Identity();
 };
 
-Geom make(dSpaceID space, const core::Primitive& shape) {
+Geom make(dSpaceID space, OdeSurfaces& surfaces, const core::Primitive& shape) {
   return std::visit(
       Overloaded{[&](const core::Sphere& s) { return Geom{dCreateSphere(space, s.radius)}; },
                  [&](const core::Box& s) {
@@ -41,7 +41,7 @@ Geom make(dSpaceID space, const core::Primitive& shape) {
                  // ode_limit refuses these.
                  [](const core::Cone&) { return Geom{}; }, [](const core::Rod&) { return Geom{}; },
                  [](const core::Disc&) { return Geom{}; }, [](const core::Hull&) { return Geom{}; },
-                 [](const core::Mesh&) { return Geom{}; }},
+                 [&](const core::Mesh& s) { return Geom{surfaces.make(space, s)}; }},
       shape);
 }
 
@@ -61,8 +61,9 @@ void place(const Geom& geom, const core::Body& body, dBodyID id, const Vector3& 
   }
 }
 
-void add(dSpaceID space, const core::Part& part, const core::Body& body, dBodyID id, void* owner) {
-  const Geom geom = make(space, part.shape);
+void add(dSpaceID space, OdeSurfaces& surfaces, const core::Part& part, const core::Body& body, dBodyID id,
+         void* owner) {
+  const Geom geom = make(space, surfaces, part.shape);
   if (!geom.id) return;
   dGeomSetData(geom.id, owner);
   place(geom, body, id, part.position, part.orientation);
@@ -84,6 +85,7 @@ core::Primitive grown(core::Primitive shape, double factor) {
 
 bool ode_stacked(const core::Scene& scene) {
   constexpr double factor = 1 + 1e-6;
+  OdeSurfaces surfaces;
   dSpaceID space = dHashSpaceCreate(nullptr);
   std::vector<std::size_t> owners(scene.bodies.size());  // geoms point at them
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -92,7 +94,7 @@ bool ode_stacked(const core::Scene& scene) {
     owners[i] = i;
     for (core::Part& part : applied::parts_of(body.shape)) {
       part.shape = grown(part.shape, factor);
-      add(space, part, body, nullptr, &owners[i]);
+      add(space, surfaces, part, body, nullptr, &owners[i]);
     }
   }
   bool found = false;
@@ -106,8 +108,24 @@ bool ode_stacked(const core::Scene& scene) {
   return found;
 }
 
-void ode_add_shape(dSpaceID space, const core::Body& body, dBodyID id, void* owner) {
-  for (const core::Part& part : applied::parts_of(body.shape)) add(space, part, body, id, owner);
+void ode_add_shape(dSpaceID space, OdeSurfaces& surfaces, const core::Body& body, dBodyID id, void* owner) {
+  for (const core::Part& part : applied::parts_of(body.shape)) add(space, surfaces, part, body, id, owner);
+}
+
+OdeSurfaces::~OdeSurfaces() {
+  for (const Triangles& one : all_) dGeomTriMeshDataDestroy(one.id);
+}
+
+dGeomID OdeSurfaces::make(dSpaceID space, const core::Mesh& mesh) {
+  Triangles& one = all_.emplace_back();
+  for (const Vector3& v : mesh.vertices) one.corners.insert(one.corners.end(), v.begin(), v.end());
+  for (const auto& face : mesh.faces)
+    for (const int k : face) one.indices.push_back(static_cast<dTriIndex>(k));
+  one.id = dGeomTriMeshDataCreate();
+  dGeomTriMeshDataBuildDouble(one.id, one.corners.data(), 3 * sizeof(double),
+                              static_cast<int>(mesh.vertices.size()), one.indices.data(),
+                              static_cast<int>(one.indices.size()), 3 * sizeof(dTriIndex));
+  return dCreateTriMesh(space, one.id, nullptr, nullptr, nullptr);
 }
 
 }  // namespace cylon::simulators

@@ -1,6 +1,8 @@
 // What ODE allocates: the library's global state, and one world.  Included by the adapter's own sources only.
 #pragma once
 
+#include "reference/simulators/ode/ode_shapes.h"
+
 #include <ode/ode.h>
 
 namespace cylon::simulators {
@@ -21,6 +23,7 @@ struct Library {
 
 /// Owns what ODE allocates for one world.
 struct World {
+  OdeSurfaces surfaces;  // goes last
   dWorldID id = dWorldCreate();
   dSpaceID space = dHashSpaceCreate(nullptr);
   dJointGroupID contacts = dJointGroupCreate(0);

@@ -1,5 +1,6 @@
 // Cylinders, cones, compounds and surfaces of triangles in fixed steps, against closed forms.
 #include "engine/geometry/hull.h"
+#include "engine/geometry/separation.h"
 #include "engine/methods.h"
 #include "tests/engine/pile/pile_fixtures.h"
 
@@ -249,6 +250,46 @@ TEST(PileShapes, IsolatedCompoundsKeepMomenta) {
   EXPECT_NEAR((angular_momentum(end) - angular_momentum(model.motions)).norm(), 0, Real(1e-11));
   EXPECT_LE(mechanical_energy(model, end), mechanical_energy(model, model.motions) + 1e-12);
   EXPECT_GT(velocity(model.bodies[1], end[1]).x(), Real(0.3));  // they have met
+}
+
+// Forty bodies of all kinds into a box of triangles: more than 32, so that contacts are kept.
+TEST(PileShapes, MixedShapesSettle) {
+  const auto part = [](const Shape& shape, const Vector3& at) {
+    return ShapePart{shape, at, Matrix3::Identity()};
+  };
+  const Shape kinds[] = {
+      Frustum{Real(0.2), Real(0.2), Real(-0.25), Real(0.25)},
+      Frustum{Real(0.3), 0, Real(-0.1), Real(0.3)},
+      Box{{Real(0.2), Real(0.15), Real(0.3)}},
+      Compound{{part(Box{{Real(0.3), Real(0.1), Real(0.1)}}, {Real(0.1), Real(-0.1), 0}),
+                part(Box{{Real(0.1), Real(0.2), Real(0.1)}}, {Real(-0.1), Real(0.2), 0})}},
+      Compound{{part(Sphere{Real(0.15)}, {0, Real(0.25), 0}), part(Sphere{Real(0.15)}, {0, Real(-0.25), 0}),
+                part(Frustum{Real(0.06), Real(0.06), Real(-0.25), Real(0.25)}, Vector3::Zero())}},
+      Sphere{Real(0.2)}};
+  Model model = incline(0, Real(0.5), Floor::triangles);
+  for (const Vector3& n : {Vector3(1, 0, 0), Vector3(-1, 0, 0), Vector3(0, 0, 1), Vector3(0, 0, -1)})
+    model.planes.push_back({n, Real(-1.2)}), model.plane_surfaces.push_back(0);
+  for (int i = 0; i < 40; ++i)
+    add_body(
+        model, make_body(1, Matrix3::Identity() * Real(0.02)), kinds[i % 6],
+        {Real(-0.7) + Real(0.7) * static_cast<Real>(i % 3), Real(0.5) + Real(0.75) * static_cast<Real>(i / 9),
+         Real(-0.7) + Real(0.7) * static_cast<Real>(i / 3 % 3)},
+        Vector3::Zero(), {Real(0.1), Real(0.2), 0},
+        Quaternion(Eigen::AngleAxis<Real>(Real(0.3) * static_cast<Real>(i), Vector3(1, 2, 3).normalized())));
+  const auto end = after(*make_pile(model, 1. / 60), 240);
+  Real fastest = 0, deepest = 0;
+  for (std::size_t i = 1; i < end.size(); ++i) {
+    if (i < 41) fastest = std::max(fastest, velocity(model.bodies[i], end[i]).norm());
+    EXPECT_GT(end[i].position.y(), Real(0.05)) << i;  // none has fallen through
+    for (std::size_t k = 0; k < i; ++k)
+      deepest =
+          std::max(deepest, -separation(model.shapes[i], pose(end[i]), model.shapes[k], pose(end[k])).gap);
+  }
+  EXPECT_LT(fastest, Real(0.3));
+  EXPECT_LT(deepest, Real(0.01));
+  RecordProperty("fastest", std::to_string(fastest));
+  RecordProperty("deepest", std::to_string(deepest));
+  EXPECT_LT(mechanical_energy(model, end), mechanical_energy(model, model.motions));
 }
 
 TEST(PileShapes, OnlyStepsClaimThem) {

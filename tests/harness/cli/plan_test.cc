@@ -146,10 +146,10 @@ TEST_F(CommandLine, TruthGivesReasonWhenItCannotCertify) {
       {ball + "[[body]]\nname = 'b'\nmass = 1\nposition = [2, 0, 0]\n[[attraction]]\nbody = 'a'\nto = 'b'\n"
               "strength = 4\n",
        "", 1, "non-finite"},
-      {ball + "collide = true\nshape = { type = 'cone', radius = 0.1, length = 0.2 }\n[[plane]]\nname = "
+      {ball + "collide = true\nshape = { type = 'disc', radius = 0.1 }\n[[plane]]\nname = "
               "'floor'\n"
               "normal = [1, 0, 0]\n[[material]]\nbetween = ['*', '*']\nrestitution = 0\nfriction = 0\n",
-       "", 2, "unsupported: body 'a' may touch, but is a cone"},
+       "", 2, "unsupported: body 'a' may touch, but is a disc"},
   };
   for (const auto& c : cases) {
     write("mine.toml", head + c.text);
