@@ -232,28 +232,37 @@ Manifold manifold(const Shape& body, const Pose& pose, const Plane& plane, Real 
   return reduction.result();
 }
 
-void manifolds(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose, Real margin,
+void manifolds(const Shape& body, const PartBoxes& boxes, const Pose& pose, const Shape& other,
+               const PartBoxes& other_boxes, const Pose& other_pose, Real margin,
                std::vector<PartManifold>& found) {
   found.clear();
-  const bool simple = !std::holds_alternative<Compound>(body) && !std::holds_alternative<Compound>(other);
-  each_part(body, pose, [&](int part, const Shape& shape, const Pose& at) {
-    const Bounds box = simple ? Bounds() : bounds(shape, at);
-    each_part(other, other_pose, [&](int other_part, const Shape& other_shape, const Pose& other_at) {
-      if (!simple) {
-        const Bounds other_box = bounds(other_shape, other_at);
-        if ((box.low.array() > other_box.high.array() + margin).any() ||
-            (other_box.low.array() > box.high.array() + margin).any())
-          return;
+  const auto* parts = std::get_if<Compound>(&body);
+  const auto* other_parts = std::get_if<Compound>(&other);
+  if (parts == nullptr && other_parts == nullptr) {
+    const Manifold one = manifold(body, pose, other, other_pose, margin);
+    if (one.count > 0) found.push_back({0, 0, one});
+    return;
+  }
+  const auto part_of = [](const Compound* all, int i) { return &all->parts[static_cast<std::size_t>(i)]; };
+  std::vector<int> near, other_near;
+  boxes.near(seen_from(pose, other_pose, other_boxes.all(), margin), near);
+  for (const int i : near) {
+    other_boxes.near(seen_from(other_pose, pose, boxes.of(i), margin), other_near);
+    for (const int k : other_near) {
+      const Shape& one = parts == nullptr ? body : part_of(parts, i)->shape;
+      const Shape& two = other_parts == nullptr ? other : part_of(other_parts, k)->shape;
+      PartManifold m{
+          i, k,
+          manifold(one, parts == nullptr ? pose : placed(pose, *part_of(parts, i)), two,
+                   other_parts == nullptr ? other_pose : placed(other_pose, *part_of(other_parts, k)),
+                   margin)};
+      for (int p = 0; p < m.manifold.count; ++p) {
+        std::uint32_t& feature = m.manifold.points[static_cast<std::size_t>(p)].feature;
+        feature = with_parts(feature, i, k);
       }
-      const Manifold one = manifold(shape, at, other_shape, other_at, margin);
-      if (one.count == 0) return;
-      found.push_back({part, other_part, one});
-      for (int k = 0; k < one.count; ++k) {
-        std::uint32_t& feature = found.back().manifold.points[static_cast<std::size_t>(k)].feature;
-        feature = with_parts(feature, part, other_part);
-      }
-    });
-  });
+      if (m.manifold.count > 0) found.push_back(m);
+    }
+  }
 }
 
 void join_faces(std::vector<PartManifold>& found) {

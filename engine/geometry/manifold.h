@@ -1,6 +1,7 @@
 // All the places where two shapes touch, or soon may.
 #pragma once
 
+#include "engine/geometry/part_boxes.h"
 #include "engine/geometry/separation.h"
 
 #include <array>
@@ -39,8 +40,8 @@ struct PartManifold {
 };
 
 /// Of all pairs of convex parts of two shapes that touch.
-void manifolds(const Shape& body, const Pose&, const Shape& other, const Pose& other_pose, Real margin,
-               std::vector<PartManifold>&);
+void manifolds(const Shape& body, const PartBoxes&, const Pose&, const Shape& other,
+               const PartBoxes& other_boxes, const Pose& other_pose, Real margin, std::vector<PartManifold>&);
 
 /// Makes one manifold of those with the same normal: faces of several parts in one plane are one face.
 void join_faces(std::vector<PartManifold>&);

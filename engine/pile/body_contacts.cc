@@ -62,6 +62,7 @@ BodyContacts::BodyContacts(const Model& model) : model_(model), seams_(model) {
   for (const Shape& shape : model.shapes) {
     radius_.push_back(bounding_radius(shape));
     round_.push_back(is_round(shape));
+    boxes_.emplace_back(shape);
     const Real half = half_width(shape);
     if (half > 0) smallest_ = smallest_ > 0 ? std::min(smallest_, half) : half;
   }
@@ -225,7 +226,8 @@ void BodyContacts::find_points(const std::vector<Motion>& motions, int a, int b,
   if (b == fixed_world) {
     points_.assign(1, {0, 0, manifold(shape, at, model_.planes[index(plane)], margin)});
   } else {
-    manifolds(shape, at, model_.shapes[index(b)], pose(motions[index(b)]), margin, points_);
+    manifolds(shape, boxes_[index(a)], at, model_.shapes[index(b)], boxes_[index(b)], pose(motions[index(b)]),
+              margin, points_);
     for (PartManifold& found : points_) leave_out_inside(motions, a, b, found);
     join_faces(points_);
   }

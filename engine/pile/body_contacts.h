@@ -47,6 +47,7 @@ class BodyContacts {
   Real smallest_ = 0;
   std::vector<Real> radius_, margin_;
   std::vector<char> round_;
+  std::vector<PartBoxes> boxes_;
   std::vector<Bounds> bounds_;
   BroadPhase broad_phase_;
   std::vector<Vector3> places_;             // where the bodies were when near_ was found

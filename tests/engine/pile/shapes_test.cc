@@ -1,5 +1,6 @@
 // Cylinders, cones, compounds and surfaces of triangles in fixed steps, against closed forms.
 #include "engine/geometry/hull.h"
+#include "engine/geometry/part_boxes.h"
 #include "engine/geometry/separation.h"
 #include "engine/methods.h"
 #include "tests/engine/pile/pile_fixtures.h"
@@ -290,6 +291,31 @@ TEST(PileShapes, MixedShapesSettle) {
   RecordProperty("fastest", std::to_string(fastest));
   RecordProperty("deepest", std::to_string(deepest));
   EXPECT_LT(mechanical_energy(model, end), mechanical_energy(model, model.motions));
+}
+
+// The parts near a box are those that every part is asked for, whatever their order.
+TEST(PileShapes, PartBoxesFindTheParts) {
+  const Shape surface = triangles();
+  const PartBoxes boxes(surface);
+  const int count = static_cast<int>(std::get<Compound>(surface).parts.size());
+  std::vector<int> found;
+  int some = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Vector3 at(Real(0.1) * static_cast<Real>(i * 37 % 140) - 7,
+                     Real(0.1) * static_cast<Real>(i % 3 - 1),
+                     Real(0.1) * static_cast<Real>(i * 53 % 140) - 7);
+    const Vector3 half(Real(0.3), Real(0.15), Real(0.05) * static_cast<Real>(i % 20));
+    const Bounds box = {at - half, at + half};
+    boxes.near(box, found);
+    std::vector<int> all;
+    for (int k = 0; k < count; ++k)
+      if ((boxes.of(k).low.array() <= box.high.array()).all() &&
+          (box.low.array() <= boxes.of(k).high.array()).all())
+        all.push_back(k);
+    EXPECT_EQ(found, all) << i;
+    some += !found.empty();
+  }
+  EXPECT_GT(some, 50);
 }
 
 TEST(PileShapes, OnlyStepsClaimThem) {

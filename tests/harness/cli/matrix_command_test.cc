@@ -72,7 +72,7 @@ TEST_F(MatrixCommand, ForceShowsTheVerdictOfARefusedScene) {
       << first();
   EXPECT_TRUE(contains(first()["reproduce"], "--force"));
   // What an engine has no words for stays refused.
-  cylon("run cylinder_of_7mm --engine in-house --json v.json --force");
+  cylon("run double_pendulum --engine bullet --json v.json --force");
   EXPECT_EQ(first()["status"], "unsupported");
 }
 
