@@ -266,6 +266,7 @@ void manifolds(const Shape& body, const PartBoxes& boxes, const Pose& pose, cons
 }
 
 void join_faces(std::vector<PartManifold>& found) {
+  if (found.size() < 2) return;
   constexpr Real flush = eps < Real(1e-10) ? Real(1e-9) : Real(1e-4);
   for (std::size_t i = 0; i < found.size(); ++i) {
     Reduction joined(found[i].manifold.normal);
