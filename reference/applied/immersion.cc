@@ -64,7 +64,7 @@ const std::vector<core::Triangle> box_faces = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, 
 std::vector<Vector3> corners(const core::Box& box) {
   std::vector<Vector3> result;
   for (int i = 0; i < 8; ++i)
-    result.push_back(box.half_extents.cwiseProduct(Vector3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
+    result.emplace_back(box.half_extents.cwiseProduct(Vector3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
   return result;
 }
 
