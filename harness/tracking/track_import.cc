@@ -19,6 +19,8 @@ namespace {
 
 using store::Imported;
 
+constexpr std::size_t most_bytes = std::size_t{512} << 20;  ///< Of all files of one call.
+
 struct Options {
   std::string store, revision, label;
   std::vector<std::string> files;
@@ -43,8 +45,11 @@ Imported import(store::Store& store, const std::string& text, const std::string&
 
 int import(const Options& options) {
   std::vector<std::pair<std::string, std::string>> texts;  // all read before the store is touched
-  for (const std::string& file : options.files)
-    texts.emplace_back(file == "-" ? "stdin" : file, read_whole(file));
+  std::size_t left = most_bytes;
+  for (const std::string& file : options.files) {
+    texts.emplace_back(file == "-" ? "stdin" : file, read_whole(file, left));
+    left -= texts.back().second.size();
+  }
   store::Store store = store::Store::open(options.store, store::Mode::write);
   store.set_author(store::Author::import);
   Imported all;
