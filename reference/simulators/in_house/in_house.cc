@@ -173,6 +173,7 @@ class InHouse final : public core::Simulator {
 
   std::vector<std::string> remarks() const override {
     std::vector<std::string> remarks = world_->remarks();
+    if (overlap_) remarks.insert(remarks.begin(), *overlap_);
     if (forced_) remarks.insert(remarks.begin(), "runs by force; else refused: " + *forced_);
     return remarks;
   }
@@ -209,8 +210,7 @@ class InHouse final : public core::Simulator {
   static Reason doubt(const core::Scene& scene, const InHouseModel& translated, engine::Options options) {
     if (translated.lost) return translated.lost;
     options.force = false;
-    if (Reason reason = told(engine::unsupported(translated.model, options, names_of(scene)))) return reason;
-    return deep_overlap(scene, translated.model);
+    return told(engine::unsupported(translated.model, options, names_of(scene)));
   }
 
   static Reason told(const std::string& reason) { return reason.empty() ? Reason() : Reason(reason); }
@@ -227,6 +227,7 @@ class InHouse final : public core::Simulator {
   }
 
   core::Terms start(const core::Scene& scene, InHouseModel translated, const engine::Options& options) {
+    overlap_ = deep_overlap(scene, translated.model);
     forced_ = options.force ? doubt(scene, translated, options) : Reason();
     world_.emplace(std::move(translated.model), options, names_of(scene));
     frame_ = scene.frame ? scene.frame->angular_velocity : core::Vector3(core::Vector3::Zero());
@@ -264,6 +265,7 @@ class InHouse final : public core::Simulator {
   std::optional<engine::World> world_;
   core::Vector3 frame_ = core::Vector3::Zero();  // how fast the scene's frame turns
   Reason forced_;                                // why the run would be refused if nobody forced it
+  Reason overlap_;  // what the run leaves undefined, which is no reason to refuse it
 };
 
 }  // namespace

@@ -103,13 +103,6 @@ bool moves_apart(const core::Scene& scene, const std::vector<core::State>& a,
   return false;
 }
 
-const std::vector<Undecided>& undecided() {
-  static const std::vector<Undecided> rows = {
-      {"crowd_of_boxes", false, "no force acts, and how far overlapping bodies come apart no law says"},
-  };
-  return rows;
-}
-
 bool dynamic(const scenario::Scenario& scenario, const std::optional<ShippedRun>& in_house) {
   bool known = in_house.has_value();
   if (in_house && moves(scenario.scene, in_house->recording.states)) return true;
@@ -119,8 +112,6 @@ bool dynamic(const scenario::Scenario& scenario, const std::optional<ShippedRun>
     if (moves(scenario.scene, states_of(*claim.truth, std::min(claim.until, scenario.duration)))) return true;
   }
   if (known) return false;
-  for (const Undecided& row : undecided())
-    if (scenario.name == row.scenario) return row.dynamic;
   throw std::logic_error(scenario.name + ": neither a truth nor the in-house engine says whether it moves");
 }
 

@@ -45,16 +45,8 @@ bool moves(const core::Scene&, const std::vector<core::State>&);
 /// Whether two simulators ever put some body a tenth of its size, or 0.1 rad, apart.
 bool moves_apart(const core::Scene&, const std::vector<core::State>&, const std::vector<core::State>&);
 
-/// Whether the truths of the scenario, or the in-house engine's run, move.  Where there is neither, what
-/// `undecided()` says.
+/// Whether the truths of the scenario, or the in-house engine's run, move.  Throws std::logic_error where there is
+/// neither.
 bool dynamic(const scenario::Scenario&, const std::optional<ShippedRun>& in_house);
-
-/// A scene that the in-house engine refuses and that has no truth.
-struct Undecided {
-  const char* scenario;
-  bool dynamic;
-  const char* reason;
-};
-const std::vector<Undecided>& undecided();
 
 }  // namespace cylon::mutants
