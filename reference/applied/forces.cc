@@ -147,10 +147,7 @@ std::optional<std::string> unmapped(const core::Scene& scene) {
   if (std::ranges::none_of(scene.forces, floats)) return std::nullopt;
   for (const core::Body& body : scene.bodies)
     if (auto what = body.locked ? std::nullopt : Immersion::unmapped(body.shape))
-      return fmt::format(
-          "This adapter maps water around spheres, boxes, hulls, closed meshes and compounds of them; body "
-          "'{}': {}.",
-          body.name, *what);
+      return fmt::format("Body '{}' in water: {}.", body.name, *what);
   return std::nullopt;
 }
 

@@ -64,7 +64,8 @@ const std::vector<core::Triangle> box_faces = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, 
 std::vector<Vector3> corners(const core::Box& box) {
   std::vector<Vector3> result;
   for (int i = 0; i < 8; ++i)
-    result.emplace_back(box.half_extents.cwiseProduct(Vector3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
+    result.emplace_back(
+        box.half_extents.cwiseProduct(Vector3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
   return result;
 }
 
@@ -81,11 +82,8 @@ std::optional<std::string> unmapped_part(const core::Primitive& shape) {
   using Reason = std::optional<std::string>;
   return std::visit(
       core::Overloaded{
-          [](const core::Capsule&) -> Reason { return "a capsule"; },
-          [](const core::Cylinder&) -> Reason { return "a cylinder"; },
-          [](const core::Cone&) -> Reason { return "a cone"; },
-          [](const core::Rod&) -> Reason { return "a rod, which has no volume"; },
-          [](const core::Disc&) -> Reason { return "a disc, which has no volume"; },
+          [](const core::Rod&) -> Reason { return "a rod has no volume"; },
+          [](const core::Disc&) -> Reason { return "a disc has no volume"; },
           [](const core::Hull& s) { return complaint([&] { core::convex_hull(s.vertices); }); },
           [](const core::Mesh& s) { return complaint([&] { core::solid(s.vertices, s.faces); }); },
           [](const auto&) -> Reason { return std::nullopt; }},
@@ -107,13 +105,19 @@ Immersion::Immersion(const core::Shape& shape) {
       for (Vector3& v : vertices) v = part.position + part.orientation * v;
       parts_.emplace_back(Faces{std::move(vertices), std::move(triangles)});
     };
-    std::visit(core::Overloaded{[&](const core::Sphere& s) {
-                                  parts_.emplace_back(Ball{s.radius, part.position});
-                                },
-                                [&](const core::Box& s) { add(corners(s), box_faces); },
-                                [&](const core::Hull& s) { add(s.vertices, core::convex_hull(s.vertices)); },
-                                [&](const core::Mesh& s) { add(s.vertices, s.faces); }, none},
-               part.shape);
+    const auto about = [&](const auto& s) {
+      parts_.emplace_back(Round{revolved(s), part.position, part.orientation * Vector3::UnitY()});
+    };
+    std::visit(
+        core::Overloaded{[&](const core::Capsule& s) { about(s); },
+                         [&](const core::Cylinder& s) { about(s); }, [&](const core::Cone& s) { about(s); },
+                         [&](const core::Sphere& s) {
+                           parts_.emplace_back(Ball{s.radius, part.position});
+                         },
+                         [&](const core::Box& s) { add(corners(s), box_faces); },
+                         [&](const core::Hull& s) { add(s.vertices, core::convex_hull(s.vertices)); },
+                         [&](const core::Mesh& s) { add(s.vertices, s.faces); }, none},
+        part.shape);
   }
   whole_ = below(2 * core::bounding_radius(shape), Vector3::Zero(), core::Quaternion::Identity()).volume;
 }
@@ -133,7 +137,14 @@ Submerged Immersion::below(double height, const Vector3& position,
       add_tetrahedra(sum, apex, Kept({corner(0), corner(1), corner(2)}, surface));
     }
   };
-  for (const auto& part : parts_) std::visit(core::Overloaded{ball, faces}, part);
+  const auto round = [&](const Round& r) {
+    const Vector3 centre = orientation * r.centre, axis = orientation * r.axis;
+    for (const Revolved& piece : r.pieces) {
+      const RevolvedBelow part = applied::below(piece, axis, surface - centre.y());
+      sum.volume += part.volume, sum.moment += part.moment + part.volume * centre;
+    }
+  };
+  for (const auto& part : parts_) std::visit(core::Overloaded{ball, faces, round}, part);
   if (!(sum.volume > 0)) return {};
   return {sum.volume, position + sum.moment / sum.volume};
 }

@@ -3,6 +3,7 @@
 
 #include "harness/core/polyhedron.h"
 #include "harness/core/scene.h"
+#include "reference/applied/revolved.h"
 
 #include <optional>
 #include <string>
@@ -19,7 +20,7 @@ struct Submerged {
 /// A solid made ready to be cut.  A point has no volume.
 class Immersion {
  public:
-  /// Why there is no volume for a shape here, or nothing: the shape in words, "a capsule".
+  /// Why a shape has no volume, or nothing: "a rod has no volume".
   static std::optional<std::string> unmapped(const core::Shape&);
 
   /// Requires that unmapped(shape) says nothing.
@@ -40,7 +41,12 @@ class Immersion {
     std::vector<core::Triangle> triangles;
   };
 
-  std::vector<std::variant<Ball, Faces>> parts_;
+  struct Round {
+    std::vector<Revolved> pieces;
+    core::Vector3 centre, axis;  // body axes
+  };
+
+  std::vector<std::variant<Ball, Faces, Round>> parts_;
   double whole_ = 0;
 };
 

@@ -110,10 +110,9 @@ std::vector<Refusal> refusals() {
       {"in-house", "'a' and 'floor' may touch, but the scene has no material", unstated},
       {"in-house", "'a' and 'wall' may touch, but the scene has no material", half_stated},
 
-      {"bullet", "This adapter maps water around spheres, boxes, hulls, closed meshes",
-       in_water(core::Capsule{0.1, 0.3})},
-      {"bullet-multibody", "body 'b': a cylinder.", in_water(core::Cylinder{0.1, 0.3})},
-      {"bullet-float", "body 'b': a cone.", in_water(compound_of(core::Cone{0.1, 0.3}))},
+      {"bullet", "Body 'b' in water: a rod has no volume.", in_water(core::Rod{0.3})},
+      {"bullet-multibody", "Body 'b' in water: a disc has no volume.", in_water(core::Disc{0.3})},
+      {"bullet-float", "Body 'b' in water: a disc", in_water(compound_of(core::Disc{0.3}))},
       {"bullet", "Body 'a': Bullet has no shape of a disc without thickness", resting(core::Disc{0.2})},
       {"bullet-float", "Body 'a': Bullet has no shape of a disc", resting(compound_of(core::Disc{0.2}))},
       {"bullet", "Body 'a': This adapter maps no moving mesh: it needs btGImpactMeshShape",
@@ -135,8 +134,8 @@ std::vector<Refusal> refusals() {
       {"bullet/integrator=runge-kutta-4", "btRigidBody has semi-implicit Euler alone", resting()},
       {"ode/path=as-expert,iterations=50", "option iterations belongs to dWorldQuickStep", resting()},
 
-      {"ode", "body 'b': a rod, which has no volume.", in_water(core::Rod{0.3})},
-      {"ode-quick", "body 'b': a capsule.", in_water(core::Capsule{0.1, 0.3})},
+      {"ode", "Body 'b' in water: a rod has no volume.", in_water(core::Rod{0.3})},
+      {"ode-quick", "Body 'b' in water: a disc has no volume.", in_water(core::Disc{0.3})},
       {"ode", "ODE needs a mass above zero; 'a' has 0 kg.",
        with(three_bodies(85), [](core::Scene& s) { s.bodies[0].mass = 0; })},
       {"ode", "ODE needs principal moments above zero; 'b' has one of 0 kg m^2.",
@@ -195,7 +194,7 @@ TEST(Unsupported, IgnoresIrrelevantFeatures) {
     EXPECT_TRUE(last(subject.choice(), both_locked, 1e-3, 5)[2].position.allFinite()) << subject.id;
 
   const core::Scene sunken = with(in_water(core::Sphere{0.2}), [](core::Scene& s) {
-    s.bodies[1].shape = core::Capsule{0.1, 0.3};  // cannot move, whatever the water does
+    s.bodies[1].shape = core::Rod{0.3};  // cannot move, whatever the water does
     s.bodies[1].locked = true;
     s.bodies[1].initial.velocity = s.bodies[1].initial.angular_velocity = Vector3::Zero();
   });

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
+#include <utility>
 
 namespace cylon::applied {
 namespace {
@@ -52,6 +54,9 @@ const Row rows[] = {
     {"box", core::Box{{0.4, 0.3, 0.7}}},
     {"hull", hull},
     {"notched mesh", notched},
+    {"capsule", core::Capsule{0.3, 0.8}},
+    {"cylinder", core::Cylinder{0.4, 0.9}},
+    {"cone", core::Cone{0.5, 1.1}},
     {"compound",
      core::Compound{
          {{core::Box{{0.2, 0.4, 0.3}}, 1, {0.5, 0.1, -0.2}, Quaternion(0.8, 0.1, -0.5, 0.3).normalized()},
@@ -72,6 +77,12 @@ TEST(Immersion, DeepDownIsTheWhole) {
       core::Solid s{};
       if (const auto* ball = std::get_if<core::Sphere>(&p))
         s.volume = 4 * M_PI / 3 * std::pow(ball->radius, 3);
+      if (const auto* c = std::get_if<core::Capsule>(&p))
+        s.volume = M_PI * c->radius * c->radius * (c->length + 4 * c->radius / 3);
+      if (const auto* c = std::get_if<core::Cylinder>(&p))
+        s.volume = M_PI * c->radius * c->radius * c->length;
+      if (const auto* c = std::get_if<core::Cone>(&p))
+        s.volume = M_PI / 3 * c->radius * c->radius * c->length;
       if (const auto* box = std::get_if<core::Box>(&p)) s.volume = 8 * box->half_extents.prod();
       if (const auto* of = std::get_if<core::Hull>(&p))
         s = core::solid(of->vertices, core::convex_hull(of->vertices));
@@ -120,27 +131,71 @@ TEST(Immersion, BelowAndAboveMakeTheWhole) {
   }
 }
 
-// A tilted box, column by column; half of it is not what a box that lies flat has.
-TEST(Immersion, BoxAgreesWithColumns) {
-  const core::Box box{{0.4, 0.3, 0.7}};
-  const Immersion solid(box);
-  const double height = place.y() + 0.15;
+// Column by column along body y, tilted; half of it is not what the shape has that stands upright.
+TEST(Immersion, TiltedShapesAgreeWithColumns) {
+  struct Columns {
+    const char* name;
+    core::Shape shape;
+    double width, depth;                                    // half, along x and z
+    std::function<std::pair<double, double>(double)> ends;  // of a column at a distance from the axis
+    std::function<bool(double)> has;
+  };
+  const auto always = [](double) { return true; };
+  const Columns columns[] = {
+      {"box", core::Box{{0.4, 0.3, 0.7}}, 0.4, 0.7, [](double) { return std::pair(-0.3, 0.3); }, always},
+      {"cylinder", core::Cylinder{0.4, 0.9}, 0.4, 0.4, [](double) { return std::pair(-0.45, 0.45); },
+       [](double r) { return r < 0.4; }},
+      {"capsule", core::Capsule{0.3, 0.8}, 0.3, 0.3,
+       [](double r) {
+         const double h = 0.4 + std::sqrt(0.09 - r * r);
+         return std::pair(-h, h);
+       },
+       [](double r) { return r < 0.3; }},
+      {"cone", core::Cone{0.5, 1.1}, 0.5, 0.5,
+       [](double r) { return std::pair(-0.275, 0.825 - 1.1 * r / 0.5); }, [](double r) { return r < 0.5; }},
+  };
   const Vector3 up = turn.conjugate() * Vector3::UnitY();
-  constexpr int n = 1000;
-  double volume = 0;
-  Vector3 moment = Vector3::Zero();
-  for (int i = 0; i < n; ++i)
-    for (int k = 0; k < n; ++k) {
-      const double x = 0.4 * ((2 * i + 1.0) / n - 1), z = 0.7 * ((2 * k + 1.0) / n - 1);
-      const double cut = std::clamp((0.15 - up.x() * x - up.z() * z) / up.y(), -0.3, 0.3);
-      const double low = up.y() > 0 ? -0.3 : cut, high = up.y() > 0 ? cut : 0.3;
-      const double v = (high - low) * 0.8 * 1.4 / n / n;
-      volume += v, moment += v * Vector3(x, (low + high) / 2, z);
-    }
-  const Submerged part = solid.below(height, place, turn);
-  EXPECT_NEAR(part.volume, volume, 1e-6);
-  EXPECT_LE((part.centroid - (place + turn * (moment / volume))).norm(), 1e-6);
-  EXPECT_GT(std::abs(solid.below(height, place, Quaternion::Identity()).volume - part.volume), 1e-2);
+  for (const Columns& row : columns) {
+    const Immersion solid(row.shape);
+    constexpr int n = 2000;
+    double volume = 0;
+    Vector3 moment = Vector3::Zero();
+    for (int i = 0; i < n; ++i)
+      for (int k = 0; k < n; ++k) {
+        const double x = row.width * ((2 * i + 1.0) / n - 1), z = row.depth * ((2 * k + 1.0) / n - 1);
+        const double r = std::hypot(x, z);
+        if (!row.has(r)) continue;
+        const auto [bottom, top] = row.ends(r);
+        const double cut = std::clamp((0.15 - up.x() * x - up.z() * z) / up.y(), bottom, top);
+        const double low = up.y() > 0 ? bottom : cut, high = up.y() > 0 ? cut : top;
+        const double v = (high - low) * 4 * row.width * row.depth / n / n;
+        volume += v, moment += v * Vector3(x, (low + high) / 2, z);
+      }
+    const double height = place.y() + 0.15;
+    const Submerged part = solid.below(height, place, turn);
+    EXPECT_NEAR(part.volume, volume, 5e-5 * volume) << row.name;  // of columns at the rim
+    EXPECT_LE((part.centroid - (place + turn * (moment / volume))).norm(), 5e-5) << row.name;
+    EXPECT_GT(std::abs(solid.below(height, place, Quaternion::Identity()).volume - part.volume), 1e-3)
+        << row.name;
+  }
+}
+
+// Lying and standing, where the cut has a formula.
+TEST(Immersion, RoundShapesAgreeWithFormulas) {
+  const double r = 0.4, l = 0.9, d = 0.13;  // below the axis by -d
+  const Quaternion lying(Eigen::AngleAxisd(M_PI / 2, Vector3(1, 0, 2).normalized()));
+  const double segment = r * r * (M_PI / 2 + std::asin(d / r)) + d * std::sqrt(r * r - d * d);
+  EXPECT_NEAR(Immersion(core::Cylinder{r, l}).below(d, Vector3::Zero(), lying).volume, l * segment, 1e-13);
+  const double cap = M_PI * (r + d) * (r + d) * (2 * r - d) / 3;
+  EXPECT_NEAR(Immersion(core::Capsule{r, l}).below(d, Vector3::Zero(), lying).volume, l * segment + cap,
+              1e-13);
+  const Immersion cone(core::Cone{r, l});
+  const double tip = (0.75 * l - d) / l;  // what is dry of it, similar to the whole
+  const double whole = M_PI / 3 * r * r * l;
+  EXPECT_NEAR(cone.below(d, Vector3::Zero(), Quaternion::Identity()).volume, whole * (1 - tip * tip * tip),
+              1e-14);
+  const Quaternion over(Eigen::AngleAxisd(M_PI, Vector3::UnitX()));
+  EXPECT_NEAR(cone.below(-d, Vector3::Zero(), over).volume, whole * tip * tip * tip, 1e-14);
 }
 
 TEST(Immersion, RefusesShapesWithoutAFormula) {
@@ -148,16 +203,13 @@ TEST(Immersion, RefusesShapesWithoutAFormula) {
     core::Shape shape;
     const char* reason;
   } refused[] = {
-      {core::Capsule{0.2, 0.5}, "a capsule"},
-      {core::Cylinder{0.2, 0.5}, "a cylinder"},
-      {core::Cone{0.2, 0.5}, "a cone"},
       {core::Rod{0.4}, "no volume"},
       {core::Disc{0.4}, "no volume"},
       {core::Hull{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}}, "no volume"},
       {core::Mesh{notched.vertices, {{0, 3, 1}}}, "not closed"},
       {core::Compound{{{core::Sphere{0.2}, 1, {}, Quaternion::Identity()},
-                       {core::Cone{0.1, 0.2}, 1, {}, Quaternion::Identity()}}},
-       "a cone"},
+                       {core::Rod{0.2}, 1, {}, Quaternion::Identity()}}},
+       "a rod"},
   };
   for (const auto& row : refused) {
     const auto reason = Immersion::unmapped(row.shape);
