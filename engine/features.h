@@ -43,7 +43,8 @@ enum class Feature : unsigned {
   hull,
   frustum,
   compound,
-  pairs_apart,  ///< Pairs of bodies that do not touch each other.
+  compound_beside_bodies,  ///< Not only planes.
+  pairs_apart,             ///< Pairs of bodies that do not touch each other.
   // The frame, and what would have to know that it turns.
   turning_frame,
   contact_in_turning_frame,
@@ -93,6 +94,7 @@ inline constexpr std::array feature_names = {
     FeatureName{Feature::hull, "hulls that touch"},
     FeatureName{Feature::frustum, "cylinders and cones that touch"},
     FeatureName{Feature::compound, "compounds that touch"},
+    FeatureName{Feature::compound_beside_bodies, "compounds that touch other bodies"},
     FeatureName{Feature::pairs_apart, "pairs of bodies that do not touch each other"},
     FeatureName{Feature::turning_frame, "a rotating frame"},
     FeatureName{Feature::contact_in_turning_frame, "contacts in a rotating frame"},

@@ -16,9 +16,10 @@ constexpr Features all_forces = {Feature::spring,     Feature::damped_spring, Fe
 constexpr Features all_joints = {Feature::joint_together, Feature::joint_at_length, Feature::joint_about_axis,
                                  Feature::joint_never};
 constexpr Features all_contacts = {
-    Feature::contact, Feature::lasting_contact, Feature::friction, Feature::sphere,
-    Feature::box,     Feature::capsule,         Feature::hull,     Feature::pairs_apart};
-constexpr Features shapes_in_steps = {Feature::frustum, Feature::compound};
+    Feature::contact,    Feature::lasting_contact, Feature::friction, Feature::sphere,
+    Feature::box,        Feature::capsule,         Feature::hull,     Feature::compound,
+    Feature::pairs_apart};
+constexpr Features shapes_in_steps = {Feature::frustum, Feature::compound_beside_bodies};
 constexpr Features rigid_bodies = {Feature::locked_body, Feature::spin, Feature::changing_mass};
 
 struct Row {
@@ -139,8 +140,13 @@ Features of_contacts(const Model& model) {
   Features all = {Feature::contact};
   if (model.frame) all.add(Feature::contact_in_turning_frame);
   if (!model.apart.empty()) all.add(Feature::pairs_apart);
-  for (std::size_t i = 0; i < model.bodies.size(); ++i)
-    if (may_touch(model, i)) std::visit([&](const auto& shape) { add_shape(shape, all); }, model.shapes[i]);
+  std::size_t touching = 0;
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+    if (!may_touch(model, i)) continue;
+    ++touching;
+    std::visit([&](const auto& shape) { add_shape(shape, all); }, model.shapes[i]);
+  }
+  if (touching > 1 && all.has(Feature::compound)) all.add(Feature::compound_beside_bodies);
   for (const Material& material : model.materials)
     if (material.friction > 0) all.add(Feature::friction);
   return all;

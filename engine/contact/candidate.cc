@@ -1,18 +1,44 @@
 #include "engine/contact/candidate.h"
 
 #include "engine/geometry/core.h"
+#include "engine/geometry/hull.h"
 #include "engine/geometry/manifold.h"
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 namespace cylon::engine {
 
 namespace {
 
+using Balls = std::vector<std::pair<Vector3, Real>>;
+
 // Balls whose hull is the shape: what can touch a plane.
-std::vector<std::pair<Vector3, Real>> corners(const Shape& shape) {
-  std::vector<std::pair<Vector3, Real>> result;
+Balls corners(const Shape& shape);
+
+// Of points the corners of their hull; where a part is rounded all that its parts have.
+Balls corners(const Compound& compound) {
+  Balls balls;
+  for (const ShapePart& part : compound.parts)
+    for (const auto& [centre, radius] : corners(part.shape))
+      balls.emplace_back(part.position + part.rotation * centre, radius);
+  if (std::any_of(balls.begin(), balls.end(), [](const auto& ball) { return ball.second > 0; })) return balls;
+  std::vector<Vector3> points;
+  for (const auto& ball : balls) points.push_back(ball.first);
+  try {
+    points = make_hull(points).vertices;
+  } catch (const std::invalid_argument&) {  // in a plane
+    return balls;
+  }
+  balls.clear();
+  for (const Vector3& point : points) balls.emplace_back(point, 0);
+  return balls;
+}
+
+Balls corners(const Shape& shape) {
+  if (const auto* compound = std::get_if<Compound>(&shape)) return corners(*compound);
+  Balls result;
   if (const auto box = rounded_box(shape)) {
     const auto ends = [&](int axis) {
       const Real half = box->half_extents[axis];

@@ -324,6 +324,12 @@ TEST(PileShapes, OnlyStepsClaimThem) {
   for (const Method method : {Method::events, Method::ballistic, Method::sphere_steps})
     EXPECT_NE(missing(method, model).find("cylinders"), std::string::npos) << missing(method, model);
   EXPECT_EQ(missing(Method::body_steps, model), "");
+  // Of compounds only those that touch nothing but planes are followed event by event.
+  model.shapes[0] = Compound{{{Sphere{Real(0.3)}, {1, 0, 0}, Matrix3::Identity()}}};
+  EXPECT_EQ(missing(Method::events, model), "");
+  add_ball(model, 1, 1, {4, 2, 0});
+  EXPECT_EQ(missing(Method::events, model), "compounds that touch other bodies");
+  EXPECT_EQ(missing(Method::body_steps, model), "");
 }
 
 }  // namespace
