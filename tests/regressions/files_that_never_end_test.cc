@@ -16,7 +16,7 @@ TEST_F(FilesThatNeverEnd, AreRefused) {
                                                        {".", ".: cannot be read"}};
   for (const auto& [file, why] : files)
     for (const std::string& command : {"report " + std::string(file) + " --html r.html",
-                                      "track import " + std::string(file) + " --store s.db"}) {
+                                       "track import " + std::string(file) + " --store s.db"}) {
       const Ran ran = cylon(command);
       EXPECT_EQ(ran.code, 2) << command;
       EXPECT_NE(ran.err.find(why), std::string::npos) << command << ": " << ran.err;
