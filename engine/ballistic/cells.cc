@@ -24,6 +24,12 @@ Real median_radius(const std::vector<Flight>& flights, const std::vector<char>& 
   return *middle;
 }
 
+// The whole part of x, or what of 0 … last is nearest; of what is no number: 0.
+int within(Real x, int last) {
+  if (!(x > 0)) return 0;
+  return x < static_cast<Real>(last) ? static_cast<int>(x) : last;
+}
+
 }  // namespace
 
 void Cells::choose_size(const std::vector<Flight>& flights, const std::vector<char>& collides, Time t) {
@@ -46,16 +52,16 @@ void Cells::choose_size(const std::vector<Flight>& flights, const std::vector<ch
     ++number;
   }
   count_ = {1, 1, 1};
-  size_ = 1;
-  if (number < too_few) {
-    low_.setZero();
-    return;
-  }
   const Vector3 extent = high - low_;
   const Real least = 2 * margin * radius;
   const Vector3 filled = extent.cwiseMax(std::max(least, extent.maxCoeff() / most_cells));
   size_ = std::max(least, std::cbrt(filled.prod() / static_cast<Real>(number)));
   size_ = std::max(size_, extent.maxCoeff() / most_cells);
+  if (number < too_few || !std::isfinite(size_)) {
+    low_.setZero();
+    size_ = 1;
+    return;
+  }
   if (!(size_ > 0)) size_ = 1;
   for (std::size_t k = 0; k < 3; ++k)
     count_[k] = static_cast<int>(std::floor(extent[static_cast<int>(k)] / size_)) + 1;
@@ -75,10 +81,7 @@ void Cells::build(const std::vector<Flight>& flights, const std::vector<char>& c
   for (std::size_t i = 0; i < flights.size(); ++i) {
     if (!held_[i]) continue;
     const Vector3 p = (flights[i].position_at(t) - low_) / size_;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Real last = static_cast<Real>(count_[k] - 1);
-      cells_[i][k] = static_cast<int>(std::clamp(std::floor(p[static_cast<int>(k)]), Real(0), last));
-    }
+    for (std::size_t k = 0; k < 3; ++k) cells_[i][k] = within(p[static_cast<int>(k)], count_[k] - 1);
     put(i);
   }
 }

@@ -10,9 +10,11 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <set>
 #include <system_error>
 
@@ -35,22 +37,35 @@ fs::path followed(const std::string& path) {
   return error ? fs::path(path) : target;
 }
 
-// An empty file beside the target that nobody had a chance to name before, so that no link leads elsewhere.
-fs::path draft_beside(const fs::path& target, const std::string& path) {
-  std::string name = target.string() + ".XXXXXX.partial";
-  const int fd = ::mkostemps(name.data(), 8, O_CLOEXEC);
-  if (fd < 0)
-    throw core::InputError(
-        fmt::format("{}: cannot be written: {}", path, std::generic_category().message(errno)));
-  // As any new file; where the target is there, as that.
-  struct stat before = {};
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  const mode_t mode = ::stat(target.c_str(), &before) == 0 ? before.st_mode & 07777u : 0666u & ~mask;
-  [[maybe_unused]] const int changed = ::fchmod(fd, mode);
-  ::close(fd);
-  return name;
-}
+// An empty file beside the target that nobody had a chance to name before, so that no link leads elsewhere; it goes
+// unless it has taken the target's place.
+class DraftFile {
+ public:
+  DraftFile(const fs::path& target, const std::string& path)
+      : target_(target), name_(target.string() + ".XXXXXX.partial") {
+    const int fd = ::mkostemps(name_.data(), 8, O_CLOEXEC);
+    if (fd < 0)
+      throw core::InputError(
+          fmt::format("{}: cannot be written: {}", path, std::generic_category().message(errno)));
+    // As any new file; where the target is there, as that.
+    struct stat before = {};
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    const mode_t mode = ::stat(target_.c_str(), &before) == 0 ? before.st_mode & 07777u : 0666u & ~mask;
+    [[maybe_unused]] const int changed = ::fchmod(fd, mode);
+    ::close(fd);
+  }
+  ~DraftFile() { ::unlink(name_.c_str()); }
+  DraftFile(const DraftFile&) = delete;
+  DraftFile& operator=(const DraftFile&) = delete;
+
+  const std::string& name() const { return name_; }
+  bool takes_its_place() const { return ::rename(name_.c_str(), target_.c_str()) == 0; }
+
+ private:
+  fs::path target_;
+  std::string name_;
+};
 
 }  // namespace
 
@@ -85,23 +100,13 @@ void write_whole(const std::string& path, std::string_view text) {
 void write_whole(const std::string& path, const std::function<void(std::ostream&)>& write) {
   if (path == "-") return write(std::cout);
   require_writable(path);
-  const bool special = is_special(path);
-  const fs::path target = followed(path);
-  const fs::path partial = special ? fs::path(path) : draft_beside(target, path);
-  std::ofstream out(partial, std::ios::binary);
-  std::error_code error;
-  try {
-    write(out);
-  } catch (...) {
-    if (!special) fs::remove(partial, error);
-    throw;
-  }
+  std::optional<DraftFile> draft;
+  if (!is_special(path)) draft.emplace(followed(path), path);
+  std::ofstream out(draft ? draft->name() : path, std::ios::binary);
+  write(out);
   out.close();
-  if (out && !special) fs::rename(partial, target, error);
-  if (!out || error) {
-    if (!special) fs::remove(partial, error);
+  if (!out || (draft && !draft->takes_its_place()))
     throw core::InputError(fmt::format("{}: cannot be written", path));
-  }
 }
 
 }  // namespace cylon::cli

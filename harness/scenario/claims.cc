@@ -142,7 +142,16 @@ class Truths {
   std::size_t entries_ = 0;  // events and times
 };
 
-void follow(const Table& t, const Draft& draft, Truths& truths, Claim& claim, double duration) {
+// Recorded states are compared where the nominal step comes by.
+void require_steps_at(const Table& t, const std::vector<double>& times, double step) {
+  for (const double time : times) try {
+      if (time > 0) core::whole_steps(time, step);
+    } catch (const std::invalid_argument& error) {
+      t.fail("follows", fmt::format("follows: a time of the recorded data: {}", error.what()));
+    }
+}
+
+void follow(const Table& t, const Draft& draft, Truths& truths, Claim& claim, double duration, double step) {
   const double horizon = std::min(claim.until, duration);
   if (const auto recorded = t.table("follows")) {
     claim.truth = truths.recorded(*recorded, claim.follows);
@@ -151,6 +160,7 @@ void follow(const Table& t, const Draft& draft, Truths& truths, Claim& claim, do
       t.fail("observable", fmt::format("observable: '{}' of a body needs '{}', which the file {} lacks",
                                        core::name(claim.observable.quantity), key, claim.follows));
     cut(t, *claim.truth, horizon);
+    if (claim.observable.quantity != Quantity::event) require_steps_at(t, claim.truth->times, step);
   } else {
     claim.truth = truths.exact(t, claim, horizon);
   }
@@ -174,7 +184,7 @@ ReadClaims read_claims(const Table& root, Draft& draft, double duration, double 
     if (certified) {
       result.certified.push_back({result.claims.size(), t});
     } else {
-      if (!claim.follows.empty()) follow(t, draft, truths, claim, duration);
+      if (!claim.follows.empty()) follow(t, draft, truths, claim, duration, step);
       check_tolerance(t, claim, draft.scene, duration);
     }
     result.claims.push_back(std::move(claim));

@@ -1,5 +1,5 @@
 // Random scenes, each asked of every part that gets what the reader accepts: accepted FROM COUNT.  Prints what is refused,
-// and in the end "tried accepted failed".  tests/fuzz/accepted.py calls it.
+// and in the end "tried accepted failed"; with COUNT 0 the scene alone.  tests/fuzz/accepted.py calls it.
 #include "harness/core/input_error.h"
 #include "harness/core/simulator.h"
 #include "harness/scenario/scenario.h"
@@ -55,6 +55,7 @@ int main(int argc, char** argv) {
   const auto shipped = shipped_scenes(cylon::source_dir);
   const std::uint64_t first = std::strtoull(argv[1], nullptr, 10),
                       count = std::strtoull(argv[2], nullptr, 10);
+  if (count == 0) std::printf("%s", random_scene(shipped, first).text.c_str());
   std::uint64_t all = 0, failed = 0;
   for (std::uint64_t n = first; n < first + count; ++n) {
     const SceneFile scene = random_scene(shipped, n);

@@ -6,7 +6,8 @@
 
 Scene n is a function of n and of the shipped scenes.  Counts are kept in tests/hostile/counts/accepted.json, and a later call
 goes on with new scenes until as many were tried as asked for.  A scene is a finding if a part refuses it, or if a unit of
-scenes crashes or takes too long.  The last line is JSON: tried, failed, the same of each part; --scenes 0 gives it alone."""
+scenes crashes or takes too long; later calls ask it again until it is none.  The last line is JSON: tried, failed (units with
+findings), the same of each part; --scenes 0 gives it without new scenes."""
 import argparse
 import json
 import os
@@ -24,18 +25,16 @@ PART = "random scenes"
 
 
 def unit(program, first):
-    """Accepted and failed of one unit; what was said of those that failed."""
+    """How many scenes of a unit were accepted, and what was said of those that failed, or ""."""
     try:
         ran = subprocess.run([program, str(first), str(UNIT)], capture_output=True, timeout=SECONDS, check=False,
                              env={**os.environ, "CYLON_CACHE": "off"})
     except subprocess.TimeoutExpired:
-        return 0, 1, f"scenes from {first} on do not end within {SECONDS} s"
-    said = ran.stdout.decode("utf8", "replace")
+        return 0, f"scenes from {first} on do not end within {SECONDS} s"
     if ran.returncode:
-        return 0, 1, f"scenes from {first} on: exit code {ran.returncode}: {ran.stderr[-300:]!r}"
-    *findings, numbers = said.splitlines()
-    _, accepted, failed = map(int, numbers.split())
-    return accepted, failed, "\n".join(findings)
+        return 0, f"scenes from {first} on: exit code {ran.returncode}: {ran.stderr[-300:]!r}"
+    *findings, numbers = ran.stdout.decode("utf8", "replace").splitlines()
+    return int(numbers.split()[1]), "\n".join(findings)
 
 
 def main():
@@ -45,12 +44,22 @@ def main():
     parser.add_argument("--minutes", type=float, default=1e9)
     options = parser.parse_args()
     counted = Counted("accepted")
-    end = time.monotonic() + 60 * options.minutes
-    while counted.get(PART, "tried") < options.scenes and time.monotonic() < end:
-        accepted, failed, said = unit(options.program, counted.get(PART, "tried"))
-        counted.add(PART, tried=UNIT, accepted=accepted, failed=failed)
+
+    def ask(first):
+        """Notes the unit as open where it has a finding."""
+        accepted, said = unit(options.program, first)
+        still = [other for other in counted.get(PART, "open") or [] if other != first]
+        counted.set(PART, open=still + [first] * bool(said), failed=len(still) + bool(said))
         if said:
             print(said, flush=True)
+        return accepted
+
+    for first in counted.get(PART, "open") or []:
+        ask(first)
+    end = time.monotonic() + 60 * options.minutes
+    while counted.get(PART, "tried") < options.scenes and time.monotonic() < end:
+        accepted = ask(counted.get(PART, "tried"))
+        counted.add(PART, tried=UNIT, accepted=accepted)
     failed = counted.total("failed")
     print(json.dumps({"tried": counted.total("tried"), "failed": failed, "parts": counted.parts}))
     return 1 if failed else 0

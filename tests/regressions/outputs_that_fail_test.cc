@@ -22,6 +22,18 @@ TEST_F(OutputsThatFail, AFullDiskIsAnError) {
   }
 }
 
+// Names that cannot be looked up were internal errors.
+TEST_F(OutputsThatFail, ANameThatIsNoneIsRefused) {
+  shell("ln -s loop loop");
+  for (const std::string& name : {std::string(5000, 'n'), std::string("loop/file")})
+    for (const char* command : {"run projectile --engine in-house --json ",
+                                "run projectile --engine in-house --plots ", "trade projectile --json "}) {
+      const Ran ran = cylon(command + name);
+      EXPECT_EQ(ran.code, 2) << command << ran.err;
+      EXPECT_TRUE(ran.err.starts_with("error: ")) << command << ran.err;
+    }
+}
+
 TEST_F(OutputsThatFail, AJournalThatCannotBeWrittenIsTold) {
   // 1 block of 512 bytes: the first line fits, the cell's does not.
   const Ran ran = shell("ulimit -f 1; exec cylon run projectile --engine in-house >/dev/null");

@@ -24,6 +24,7 @@ TEST(ThreadSanitizer, SeesARace) {
     other.join();
     std::exit(count > 2 ? 1 : 0);
   };
+  GTEST_FLAG_SET(death_test_style, "threadsafe");  // in a process of its own
   EXPECT_EXIT(race(), testing::ExitedWithCode(66), "data race");
 #else
   GTEST_SKIP() << "not compiled with ThreadSanitizer: ./test threads";

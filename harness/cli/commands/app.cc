@@ -125,6 +125,12 @@ namespace {
   ::_exit(harness_failure);
 }
 
+// Whether a path that somebody gave cannot be looked up.
+bool is_of_a_name(const std::error_code& code) {
+  return code == std::errc::filename_too_long || code == std::errc::too_many_symbolic_link_levels ||
+         code == std::errc::permission_denied;
+}
+
 int run_command_line(int argc, char** argv) {
   std::set_terminate(fail_at_once);
   std::signal(SIGPIPE, SIG_IGN);
@@ -163,6 +169,11 @@ int run_command_line(int argc, char** argv) {
     return bad_input;
   } catch (const core::InputError& error) {
     show(error);
+    return bad_input;
+  } catch (const std::filesystem::filesystem_error& error) {
+    if (!is_of_a_name(error.code())) throw;
+    std::cerr << "error: " << plain(fmt::format("{}: {}", error.path1().string(), error.code().message()))
+              << '\n';
     return bad_input;
   } catch (const process::Interrupted&) {
     std::cerr << "interrupted\n";

@@ -173,7 +173,7 @@ TEST(IsolationAlone, FloodsOfEventsAndStatesAreRefused) {
   const core::Scene scene = two_bodies();
   RunRequest request = request_of(scene, 100, 10);
   request.watch = {{0, 1, -1}};
-  const RunOutcome outcome = run(scripted("event_flood"), request, {60, 60, std::size_t{1} << 30});
+  const RunOutcome outcome = run(scripted("event_flood"), request, {300, 300, std::size_t{1} << 30});
   EXPECT_EQ(results::name(outcome.status), "protocol");
   EXPECT_EQ(outcome.reason, "more than 1000000 events");
   EXPECT_THROW(run(scripted("good"), request_of(scene, 9'000'000'000'000'000, 1), limits), core::InputError);
