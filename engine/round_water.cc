@@ -41,11 +41,14 @@ Real squared_radius(const RoundPiece& piece, Real y) {
   return std::max(Real(0), piece.a + y * (piece.b + y * piece.c));
 }
 
-// Where the surface cuts the axis and the rims:  q^2 = r^2 with q = (depth - y up)/across.
+// Where the surface cuts the axis and the rims:  q^2 = r^2 with q = (depth - y up)/across.  In the discriminant
+// depth^2 up^2 drops out, which would leave rounding where the axis is nearly upright:
+//   (depth up + s^2 b/2)^2 - (up^2 - s^2 c)(depth^2 - s^2 a) = s^2 (up^2 a + depth up b + depth^2 c + s^2 (b^2/4 - a c))
 std::array<Real, 2> rims(const RoundPiece& p, Real depth, Real up, Real across) {
   const Real s2 = across * across;
   const Real a = up * up - s2 * p.c, half_b = -depth * up - s2 * p.b / 2, c = depth * depth - s2 * p.a;
-  const Real root = std::sqrt(std::max(Real(0), half_b * half_b - a * c));
+  const Real inside = up * up * p.a + depth * (up * p.b + depth * p.c) + s2 * (p.b * p.b / 4 - p.a * p.c);
+  const Real root = across * std::sqrt(std::max(Real(0), inside));
   const Real q = -(half_b + std::copysign(root, half_b));
   return {q / a, c / q};
 }

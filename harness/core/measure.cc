@@ -294,15 +294,19 @@ int runs_needed(const Claim& claim) {
   return claim.tolerance.order || claim.reduction == Reduction::order ? 3 : 1;
 }
 
+double allowed(const Claim& claim, const Scene& scene, double duration) {
+  const Tolerance& tolerance = claim.tolerance;
+  if (tolerance.level > 0) return allowed_share(claim.observable, scene, tolerance.level);
+  return tolerance.absolute +
+         (tolerance.relative > 0 ? tolerance.relative * scale(claim, scene, duration) : 0);
+}
+
 Reading read(const Claim& claim, const Scene& scene, const Recording& recording, double duration) {
   require_truth(claim);
-  const Tolerance& tolerance = claim.tolerance;
   Reading result;
   if (claim.observable.quantity != Quantity::event) result.series = deviation(claim, scene, recording);
   if (runs_needed(claim) > 1) result.largest = largest_value(claim, scene, duration);
-  result.allowed = tolerance.absolute;
-  if (tolerance.level > 0) result.allowed = allowed_share(claim.observable, scene, tolerance.level);
-  if (tolerance.relative > 0) result.allowed += tolerance.relative * scale(claim, scene, duration);
+  result.allowed = allowed(claim, scene, duration);
   return result;
 }
 

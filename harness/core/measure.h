@@ -34,6 +34,10 @@ struct Reading {
   double largest = 0;  ///< largest_value(), where an order needs it.
   double allowed = 0;  ///< absolute + relative x scale; the bound that an order sets is not in it.
 };
+
+/// absolute + relative x scale, or what the level of a test of chance allows; not the bound that an order sets.
+double allowed(const Claim&, const Scene&, double duration);
+
 Reading read(const Claim&, const Scene&, const Recording&, double duration);
 
 struct Measured {

@@ -50,11 +50,13 @@ Amplitude Elliptic::at(Wide u) const {
 }
 
 Wide Elliptic::first(Wide phi) const {
+  if (!std::isfinite(phi)) return std::numeric_limits<Wide>::quiet_NaN();  // Boost's series would not end
   const auto [half_turns, s, c] = fold(phi);
   return 2 * half_turns * quarter_ + s * boost::math::ellint_rf(c * c, c * c + m1_ * s * s, Wide(1));
 }
 
 Wide Elliptic::third(Wide n1, Wide phi) const {
+  if (!std::isfinite(phi)) return std::numeric_limits<Wide>::quiet_NaN();
   const auto [half_turns, s, c] = fold(phi);
   return (half_turns == 0 ? 0 : 2 * half_turns * third_folded(n1, 1, 0)) + third_folded(n1, s, c);
 }

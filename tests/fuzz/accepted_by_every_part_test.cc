@@ -47,6 +47,9 @@ TEST(AcceptedByEveryPart, IsWhatTheReaderAccepts) {
     } catch (const core::InputError& error) {
       EXPECT_GT(error.line, 0u) << one.file << ", scene " << n << ": " << error.what();
       continue;
+    } catch (const std::exception& error) {
+      ADD_FAILURE() << one.file << ", scene " << n << ": " << error.what() << "\n" << one.text;
+      continue;
     }
     ++accepted;
     EXPECT_EQ(objection(*scenario), "") << one.file << ", scene " << n << "\n" << one.text;

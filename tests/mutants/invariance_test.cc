@@ -1,6 +1,5 @@
 // A verdict is of the motion, and not of how it is described: a scene, its truth and a recording of it that
 // are moved, turned, set going or measured in other units together are judged as before.
-#include "harness/core/equipartition.h"
 #include "harness/core/event_find.h"
 #include "harness/core/event_rows.h"
 #include "harness/core/measure.h"
@@ -235,11 +234,7 @@ TEST_P(Tolerances, AreAtMostATenthOfTheirScale) {
   const auto run = run_shipped(scenario, correct_subjects().front());
   for (Claim claim : scenario.claims) {
     if (claim.tolerance.order || claim.reduction == core::Reduction::order) continue;  // by theory
-    double allowed = claim.tolerance.absolute;
-    if (claim.tolerance.relative > 0)
-      allowed += claim.tolerance.relative * core::scale(claim, scenario.scene, scenario.duration);
-    if (claim.tolerance.level > 0)
-      allowed = core::allowed_share(claim.observable, scenario.scene, claim.tolerance.level);
+    const double allowed = core::allowed(claim, scenario.scene, scenario.duration);
     if (claim.follows.empty() && !claim.motion && run) claim.motion = recorded(run->recording);
     double scale = core::scale(claim, scenario.scene, scenario.duration);
     if (claim.reduction == core::Reduction::mean_square) scale *= scale / 10;

@@ -58,7 +58,7 @@ TEST(SpinWithoutInertia, IsRejectedWithBodyName) {
   core::Body needle;
   needle.name = "needle";
   needle.mass = 1;
-  needle.inertia = core::Vector3(1e-12, 1, 1).asDiagonal();
+  needle.inertia = core::Vector3(1e-14, 1, 1).asDiagonal();
   needle.initial.angular_velocity = {0.5, 1.5, 0.3};
   scene.bodies = {needle};
   RunRequest request;

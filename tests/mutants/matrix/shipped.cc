@@ -103,7 +103,16 @@ bool moves_apart(const core::Scene& scene, const std::vector<core::State>& a,
   return false;
 }
 
+const std::vector<Undecided>& undecided() {
+  static const std::vector<Undecided> rows = {
+      {"crowd_of_boxes", "no force acts, and how far overlapping bodies come apart no law says"},
+  };
+  return rows;
+}
+
 bool dynamic(const scenario::Scenario& scenario, const std::optional<ShippedRun>& in_house) {
+  for (const Undecided& row : undecided())
+    if (scenario.name == row.scenario) return false;
   bool known = in_house.has_value();
   if (in_house && moves(scenario.scene, in_house->recording.states)) return true;
   for (const core::Claim& claim : scenario.claims) {

@@ -45,7 +45,14 @@ bool moves(const core::Scene&, const std::vector<core::State>&);
 /// Whether two simulators ever put some body a tenth of its size, or 0.1 rad, apart.
 bool moves_apart(const core::Scene&, const std::vector<core::State>&, const std::vector<core::State>&);
 
-/// Whether the truths of the scenario, or the in-house engine's run, move.  Throws std::logic_error where there is
+/// A scene of which no law says whether anything moves.
+struct Undecided {
+  const char* scenario;
+  const char* reason;
+};
+const std::vector<Undecided>& undecided();
+
+/// Whether the truths of the scenario, or the in-house engine's run, move; what is undecided does not.  Throws std::logic_error where there is
 /// neither.
 bool dynamic(const scenario::Scenario&, const std::optional<ShippedRun>& in_house);
 

@@ -85,15 +85,15 @@ test('dragging a body pulls it in every lane, until it is let go', async (t) => 
 });
 
 test('an engine that cannot says why in its place, and the page says when the server has gone', async (t) => {
-  const { stop, url } = await view(t, 'water_step_force', '--engine', 'in-house', '--engine', 'ode');
+  const { stop, url } = await view(t, 'spherical_pendulum', '--engine', 'in-house', '--engine', 'bullet');
   const page = await open(url, { scheme: 'dark' });
-  await until(page, 'the reason', async () => (await page.locator('.lane').nth(1).innerText()).includes('ODE has no water.'));
+  await until(page, 'the reason', async () => (await page.locator('.lane').nth(1).innerText()).includes('Bullet has no joint that keeps a distance'));
   assert.match(await page.locator('.readout tbody tr').nth(1).innerText(), /–/); // and no numbers
   await until(page, 'time to pass', async () => (await clock(page)) > 0);
   await stop();
   await page.getByText(/No connection to the server/).waitFor();
   // Another server at the same place has other secrets, and the page says what to do.
-  await view(t, 'water_step_force', '--port', new URL(url).port);
+  await view(t, 'spherical_pendulum', '--port', new URL(url).port);
   await page.getByText(/reload the page/).waitFor();
   assert.deepEqual(await accessibilityFaults(page), []);
 });

@@ -38,6 +38,7 @@ class Seed final : public core::Simulator {
   std::optional<std::string> unsupported(const core::Scene& scene, const core::Setup&) const override {
     if (scene.frame && !scene.frame->angular_velocity.isZero(0)) return "a turning frame";
     if (const auto reason = missing_force(scene)) return reason;
+    if (scene.bodies.size() > 64) return "a crowd: it looks at every pair in every step";
     return missing_contact(scene);
   }
 
