@@ -1,6 +1,5 @@
 #include "engine/forces.h"
 #include "engine/geometry/pose.h"
-#include "engine/round_water.h"
 
 #include <algorithm>
 #include <array>
@@ -103,20 +102,6 @@ Submerged below(const Hull& hull, const Vector3& position, const Matrix3& rotati
     whole.face(face.size(), [&](std::size_t i) { return corner(face, i); });
   }
   return cut.result(whole.result(0).volume);
-}
-
-// A barrel between two half balls.
-Submerged below(const Capsule& s, const Vector3& position, const Matrix3& rotation, Real height) {
-  const Real r = s.radius, h = s.half_length, r2 = r * r;
-  return submerged(
-      {{-h - r, -h, r2 - h * h, -2 * h, -1}, {-h, h, r2, 0, 0}, {h, h + r, r2 - h * h, 2 * h, -1}}, position,
-      rotation, height);
-}
-
-// (r_0 + k y)^2.
-Submerged below(const Frustum& s, const Vector3& position, const Matrix3& rotation, Real height) {
-  const Real k = (s.high_radius - s.low_radius) / (s.high - s.low), r_0 = s.low_radius - k * s.low;
-  return submerged({{s.low, s.high, r_0 * r_0, 2 * r_0 * k, k * k}}, position, rotation, height);
 }
 
 // The sum over the parts:  centroid = sum V_k c_k / sum V_k.

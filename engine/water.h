@@ -71,9 +71,8 @@ struct Submerged {
   Vector3 centroid = Vector3::Zero();  ///< World [m].
 };
 
-/// Sphere: cap.  Box and hull: the polyhedron cut by the plane.  Capsule, cylinder, cone: engine/round_water.h.  All to
-/// rounding or nearly so.  Compound: the sum of its parts.  A point displaces nothing, and for what displaces() denies there is no
-/// formula.
+/// Sphere: cap.  Box and hull: the polyhedron cut by the plane.  Both exact.  Compound: the sum of its parts.  A point displaces nothing, and
+/// for what displaces() denies there is no formula.
 Submerged submerged(const Shape&, const Vector3& position, const Matrix3& rotation, Real height);
 /// Whether submerged() knows the shape.
 bool displaces(const Shape&);
