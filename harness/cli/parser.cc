@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 namespace cylon::cli {
@@ -24,6 +25,14 @@ void add_names(const CLI::App& command, std::vector<std::string>& names) {
     for (const std::string& name : option->get_snames()) add("-" + name);
   }
 }
+
+// An empty word is a variable of a script that is not set: as a file it would be none, as a pattern all.
+const CLI::Validator not_empty(
+    [](std::string& word) { return word.empty() ? std::string("an empty word") : std::string(); }, "");
+
+template <class Value>
+constexpr bool holds_words =
+    std::is_same_v<Value, std::string> || std::is_same_v<Value, std::vector<std::string>>;
 
 }  // namespace
 
@@ -56,7 +65,9 @@ Option Option::excludes(const Option& other) const { return Option(*option_->exc
 
 template <class Value>
 Option App::add_option(const std::string& names, Value& value, const std::string& meaning) {
-  return Option(*app_->add_option(names, value, meaning));
+  CLI::Option& option = *app_->add_option(names, value, meaning);
+  if constexpr (holds_words<Value>) option.check(not_empty);
+  return Option(option);
 }
 template Option App::add_option(const std::string&, std::string&, const std::string&);
 template Option App::add_option(const std::string&, int&, const std::string&);

@@ -43,24 +43,7 @@ bool of_all(const Observable& q) { return !q.body && q.component == Component::a
 
 // k of the n numbers.
 int numbers_of(const Observable& q, const Scene& scene) {
-  const int axes = q.component == Component::all ? 3 : q.component == Component::horizontal ? 2 : 1;
-  return axes * (q.body ? 1 : bodies_that_move(scene));
-}
-
-Vector3 along(const Vector3& v, Component component) {
-  switch (component) {
-    case Component::all:
-      return v;
-    case Component::x:
-      return {v.x(), 0, 0};
-    case Component::y:
-      return {0, v.y(), 0};
-    case Component::z:
-      return {0, 0, v.z()};
-    case Component::horizontal:
-      return {v.x(), 0, v.z()};
-  }
-  return v;
+  return static_cast<int>(axes(q.component).size()) * (q.body ? 1 : bodies_that_move(scene));
 }
 
 // The law of the share of k of n numbers.
@@ -114,7 +97,7 @@ double energy_share(const Observable& q, const Scene& scene, const State& state)
     total += twice;
     shares.push_back(twice);
     if (!q.body || static_cast<std::size_t>(*q.body) == i)
-      part += scene.bodies[i].mass * along(state[i].velocity, q.component).squaredNorm();
+      part += scene.bodies[i].mass * only(state[i].velocity, q.component).squaredNorm();
   }
   if (!std::isfinite(total)) return std::numeric_limits<double>::quiet_NaN();
   if (!(total > 0)) return of_all(q) ? 1 : 0;

@@ -2,11 +2,37 @@
 
 #include "harness/core/observable_rows.h"
 
+#include <array>
 #include <cmath>
 
 namespace cylon::core {
 
 std::string_view name(Quantity quantity) { return observable_row(quantity).name; }
+
+std::span<const int> axes(Component component) {
+  static constexpr std::array<int, 3> each = {0, 1, 2};
+  static constexpr std::array<int, 2> level = {0, 2};
+  const std::span<const int> all = each;
+  switch (component) {
+    case Component::all:
+      return all;
+    case Component::x:
+      return all.subspan(0, 1);
+    case Component::y:
+      return all.subspan(1, 1);
+    case Component::z:
+      return all.subspan(2, 1);
+    case Component::horizontal:
+      return level;
+  }
+  return all;
+}
+
+Vector3 only(const Vector3& v, Component component) {
+  Vector3 kept = Vector3::Zero();
+  for (const int axis : axes(component)) kept[axis] = v[axis];
+  return kept;
+}
 
 std::string_view unit(const Observable& q) {
   if (q.quantity == Quantity::event) return unit(q.event_quantity);

@@ -5,6 +5,7 @@
 #include "harness/core/scene.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,11 @@ constexpr bool of_last_step(Quantity quantity) {
 constexpr bool of_chance(Quantity quantity) { return quantity == Quantity::energy_share; }
 
 enum class Component { all, x, y, z, horizontal };
+
+/// The axes that are meant: 0, 1, 2.
+std::span<const int> axes(Component);
+/// v without the components that are not meant.
+Vector3 only(const Vector3& v, Component);
 
 struct Observable {
   Quantity quantity = Quantity::position;

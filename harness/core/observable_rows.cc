@@ -20,19 +20,10 @@ namespace {
 using Entry = Eigen::Vector4d;
 
 Entry vector(const Vector3& v, Component component) {
-  switch (component) {
-    case Component::all:
-      return {v.x(), v.y(), v.z(), 0};
-    case Component::x:
-      return {v.x(), 0, 0, 0};
-    case Component::y:
-      return {v.y(), 0, 0, 0};
-    case Component::z:
-      return {v.z(), 0, 0, 0};
-    case Component::horizontal:
-      return {v.x(), v.z(), 0, 0};
-  }
-  return {};
+  Entry entry = Entry::Zero();
+  Eigen::Index next = 0;
+  for (const int axis : axes(component)) entry[next++] = v[axis];
+  return entry;
 }
 
 Entry scalar(double x) { return {x, 0, 0, 0}; }

@@ -106,22 +106,6 @@ void each_body(const Observable& q, const Scene& scene, Use use) {
       use(scene.bodies[i], i);
 }
 
-Vector3 only(const Vector3& v, Component component) {
-  switch (component) {
-    case Component::all:
-      return v;
-    case Component::x:
-      return {v.x(), 0, 0};
-    case Component::y:
-      return {0, v.y(), 0};
-    case Component::z:
-      return {0, 0, v.z()};
-    case Component::horizontal:
-      return {v.x(), 0, v.z()};
-  }
-  return v;
-}
-
 // Where a component is conserved, it is compared with the motion in all of them.
 template <Vector3 BodyState::*what>
 std::vector<Term> of_each_body(const Claim& claim, const Scene& scene, const Trajectory& path,

@@ -53,6 +53,8 @@ TEST_F(CommandLine, ExitCodesAndMessages) {
       {"simulate projectile --at 0.0005", 2, "the nearest is 0.001 s (or use --nearest)"},
       {"simulate projectile --every 0.0015", 2, "--every 0.0015: is not a multiple"},
       {"simulate projectile --at 9", 2, "must lie in [0, 0.8] s"},
+      {"run ''", 2, "patterns: an empty word"},
+      {"run projectile --json ''", 2, "--json: an empty word"},
       {"simulate projectile --integrator rk5", 2, "did you mean 'rk4'?"},
   };
   for (const Case& c : cases) {

@@ -31,6 +31,7 @@ test('report', async () => {
 test('speed', async () => {
   run(folder, ['trade', 'heavy_top', '--engine', 'in-house', '--engine', 'bullet', '--engine', 'ode', '--work', '65536', '--html', 't.html']);
   const page = await open(`file://${folder}/t.html`, { width: 1340, height: 1000 });
+  await page.getByRole('link', { name: 'Speed against accuracy' }).click();
   await page.waitForTimeout(1000);
   await page.screenshot({ path: join(pictures, 'report-speed.png') });
 });
