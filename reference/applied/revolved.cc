@@ -23,13 +23,22 @@ void quadrature(double low, double high, const Use& use) {
   }
 }
 
-// Real roots of a + b s + c s^2, none where there are none.
-std::vector<double> roots(double a, double b, double c) {
-  if (c == 0) return b == 0 ? std::vector<double>() : std::vector{-a / b};
-  const double discriminant = b * b - 4 * a * c;
-  if (discriminant < 0) return {};
-  const double q = -(b + std::copysign(std::sqrt(discriminant), b)) / 2;
-  return q == 0 ? std::vector{0.0} : std::vector{q / c, a / q};
+// Where the surface cuts the rims of the circles at s:  (height - s rise)^2 = across^2 radius(s)^2, that is a + 2 b s + c s^2 = 0
+//   a = across^2 c0 - height^2,  b = across^2 c1/2 + height rise,  c = across^2 c2 - rise^2
+// In b^2 - a c the terms height^2 rise^2 cancel, and rounding would be left of the rest where the axis is nearly upright:
+//   b^2 - a c = across^2 (rise^2 c0 + height rise c1 + height^2 c2 + across^2 (c1^2/4 - c0 c2))
+std::vector<double> rims(const Revolved& solid, double height, double rise, double across) {
+  const double across2 = across * across;
+  const double a = solid.c0 * across2 - height * height, b = solid.c1 * across2 / 2 + height * rise,
+               c = solid.c2 * across2 - rise * rise;
+  const double inside = rise * (rise * solid.c0 + height * solid.c1) + height * height * solid.c2 +
+                        across2 * (solid.c1 * solid.c1 / 4 - solid.c0 * solid.c2);
+  if (inside < 0) return {};
+  const double q = -(b + std::copysign(across * std::sqrt(inside), b));
+  std::vector<double> roots;
+  if (c != 0) roots.push_back(q / c);
+  if (q != 0) roots.push_back(a / q);
+  return roots;
 }
 
 }  // namespace
@@ -56,10 +65,8 @@ std::vector<Revolved> revolved(const core::Cone& s) {
 RevolvedBelow below(const Revolved& solid, const Vector3& axis, double height) {
   const double rise = axis.y(), across = std::hypot(axis.x(), axis.z());
   const Vector3 steepest = across > 0 ? Vector3((Vector3::UnitY() - rise * axis) / across) : Vector3::Zero();
-  const double across2 = across * across;
   // Between these the circles are whole, cut or dry throughout.
-  std::vector<double> ends = roots(solid.c0 * across2 - height * height,
-                                   solid.c1 * across2 + 2 * height * rise, solid.c2 * across2 - rise * rise);
+  std::vector<double> ends = rims(solid, height, rise, across);
   if (rise != 0) ends.push_back(height / rise);
   for (double& end : ends) end = std::clamp(end, solid.low, solid.high);
   ends.insert(ends.end(), {solid.low, solid.high});

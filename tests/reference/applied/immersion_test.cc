@@ -131,6 +131,28 @@ TEST(Immersion, BelowAndAboveMakeTheWhole) {
   }
 }
 
+// Any tilt, nearly upright too, where the surface cuts the mantle alone.  At s* = height/rise on the axis:
+//   cylinder  pi r^2 (l/2 + s*),   capsule  2/3 pi r^3 more,   cone  the whole less the tip, which is with k = r/l
+//   pi k^2 D^3 / (3 (cos^2 t - k^2 sin^2 t)^(3/2)),   D the distance of its tip from the surface, t the tilt
+TEST(Immersion, SolidsOfRevolutionNearlyUpright) {
+  const double r = 0.4, l = 0.9, k = r / l;
+  for (double tilt = 0.2; tilt > 1e-13; tilt /= 7)
+    for (const double height : {-0.12, 0.0, 0.07}) {
+      const Quaternion lean(Eigen::AngleAxisd(tilt, Vector3(0.6, 0, 0.8)));
+      const auto volume = [&](const core::Shape& shape) {
+        return Immersion(shape).below(height, Vector3::Zero(), lean).volume;
+      };
+      const double rise = std::cos(tilt), side = std::sin(tilt), cut = M_PI * r * r * (l / 2 + height / rise);
+      EXPECT_NEAR(volume(core::Cylinder{r, l}), cut, 1e-14) << tilt << " " << height;
+      EXPECT_NEAR(volume(core::Capsule{r, l}), cut + 2 * M_PI / 3 * r * r * r, 1e-14)
+          << tilt << " " << height;
+      const double distance = 0.75 * l * rise - height;
+      const double tip =
+          M_PI * k * k * std::pow(distance, 3) / (3 * std::pow(rise * rise - k * k * side * side, 1.5));
+      EXPECT_NEAR(volume(core::Cone{r, l}), M_PI / 3 * r * r * l - tip, 1e-14) << tilt << " " << height;
+    }
+}
+
 // Column by column along body y, tilted; half of it is not what the shape has that stands upright.
 TEST(Immersion, TiltedShapesAgreeWithColumns) {
   struct Columns {
