@@ -35,7 +35,7 @@ class Progress:
             return
         self.shown = now
         passed = now - self.start
-        left = f", {minutes(passed * (total - done) / done)} left" if done >= 10 or passed > 10 else ""
+        left = f", {minutes(passed * (total - done) / done)} left" if done >= 10 or done and passed > 10 else ""
         line = f"Building {self.folder}: {done} of {total}{left}"
         print(f"\r{line:<{self.width}}" if terminal else line, end="" if terminal else "\n", file=sys.stderr, flush=True)
         self.width = len(line)
