@@ -1,6 +1,7 @@
 #include "harness/cli/line_file.h"
 
 #include "harness/cli/command_line.h"
+#include "harness/cli/patience.h"
 #include "harness/core/input_error.h"
 #include "harness/input/json.h"
 #include "harness/seal/seal.h"
@@ -80,7 +81,8 @@ void LineFile::open(bool append) {
   fs::create_directories(file_.parent_path(), ignored);
   fd_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0666);
   if (fd_ < 0) return give_up(errno);
-  if (::flock(fd_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+  // Where the file system has no locks there is none to wait for.
+  if (!locks_in_a_moment([&] { return ::flock(fd_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK; }))
     throw core::InputError(
         fmt::format("{}: another cylon is at work in this folder; wait for its end, or use another folder",
                     file_.string()));

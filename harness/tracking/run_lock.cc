@@ -1,5 +1,6 @@
 #include "harness/tracking/run_lock.h"
 
+#include "harness/cli/patience.h"
 #include "harness/core/input_error.h"
 
 #include <fcntl.h>
@@ -22,12 +23,18 @@ void RunLock::hold(std::int64_t id) {
   byte.l_whence = SEEK_SET;
   byte.l_start = (off_t{1} << 61) + id;
   byte.l_len = 1;
-  if (fd_ >= 0 && ::fcntl(fd_, F_OFD_SETLK, &byte) == 0) return;
-  if (errno == EAGAIN || errno == EACCES)
+  int why = fd_ < 0 ? errno : 0;
+  if (fd_ >= 0)
+    cli::locks_in_a_moment([&] {
+      why = ::fcntl(fd_, F_OFD_SETLK, &byte) == 0 ? 0 : errno;
+      return why != EAGAIN && why != EACCES;
+    });
+  if (why == 0) return;
+  if (fd_ >= 0 && (why == EAGAIN || why == EACCES))
     throw core::InputError(store_.string(), 0, 0,
                            fmt::format("another cylon is recording run {}; wait for its end", id));
   throw core::InputError(store_.string(), 0, 0,
-                         fmt::format("cannot be locked: {}", std::generic_category().message(errno)));
+                         fmt::format("cannot be locked: {}", std::generic_category().message(why)));
 }
 
 }  // namespace cylon::tracking

@@ -47,11 +47,23 @@ TEST_F(OutputsThatFail, AJournalThatCannotBeWrittenIsTold) {
   EXPECT_NE(blocked.err.find("what follows cannot be resumed"), std::string::npos) << blocked.err;
 }
 
+// A child that a killed run was about to start has the journal's lock for an instant more.
+TEST_F(OutputsThatFail, AJournalIsFreeAnInstantAfterTheRun) {
+  const Ran ran = shell(
+      "mkdir -p .cylon; (exec 9> .cylon/journal.jsonl; flock 9; touch held; sleep 0.3) & "
+      "while [ ! -e held ]; do sleep 0.02; done; cylon run projectile --engine in-house; code=$?; wait; exit "
+      "$code");
+  EXPECT_EQ(ran.code, 0) << ran.out << ran.err;
+}
+
 TEST_F(OutputsThatFail, TwoRunsInOneFolderDoNotShareAJournal) {
-  write("engine.sh", "touch started; sleep 1\nexec " + std::string(binary_dir) + "/cylon-worker-in-house\n");
+  write("engine.sh", "touch started; while [ -e hang ]; do sleep 0.02; done\nexec " +
+                         std::string(binary_dir) + "/cylon-worker-in-house\n");
+  write("hang", "");
   const Ran ran = shell(
       "cylon run projectile --worker 'slow=sh engine.sh' --engine slow > first.txt 2>&1 & "
-      "while [ ! -e started ]; do sleep 0.02; done; cylon run projectile --engine in-house; code=$?; wait; "
+      "while [ ! -e started ]; do sleep 0.02; done; cylon run projectile --engine in-house; code=$?; rm "
+      "hang; wait; "
       "exit $code");
   EXPECT_EQ(ran.code, 2) << ran.out << ran.err;
   EXPECT_NE(ran.err.find("another cylon is at work in this folder"), std::string::npos) << ran.err;
