@@ -78,9 +78,11 @@ inline Vector3 velocity(const Body& body, const Motion& motion) {
 }
 
 /// I^-1 x in world axes.  R I_0^-1 R^T x; seed eq. 72, which its program leaves out (errata 42).
-inline Vector3 inverse_inertia_times(const Body& body, const Quaternion& orientation, const Vector3& x) {
-  const Matrix3 r = orientation.toRotationMatrix();
+inline Vector3 inverse_inertia_times(const Body& body, const Matrix3& r, const Vector3& x) {
   return r * (body.inverse_inertia * (r.transpose() * x));
+}
+inline Vector3 inverse_inertia_times(const Body& body, const Quaternion& orientation, const Vector3& x) {
+  return inverse_inertia_times(body, orientation.toRotationMatrix(), x);
 }
 
 /// w = R I_0^-1 R^T L, world axes; seed eq. 60, 72.  0 when locked.

@@ -44,11 +44,19 @@ void push(const Row& row, const std::vector<Body>& bodies, Motion* motion) {
 
 // Fills the spins and factors A = J M^-1 J^T.
 void Rows::measure(const std::vector<Body>& bodies, const Motion* motion) {
+  // The rows of a joint follow one another, so that the rotation of the row before mostly serves the next too.
+  struct Turned {
+    int body = fixed_world;
+    Matrix3 rotation;
+  };
+  const auto spin = [&](Turned& turned, int body, const Vector3& lever) {
+    if (turned.body != body) turned = {body, motion[at(body)].orientation.toRotationMatrix()};
+    return inverse_inertia_times(bodies[at(body)], turned.rotation, lever);
+  };
+  Turned first, second;
   for (Row& row : rows) {
-    row.spin = inverse_inertia_times(bodies[at(row.body)], motion[at(row.body)].orientation, row.lever);
-    if (row.to != fixed_world) {
-      row.to_spin = inverse_inertia_times(bodies[at(row.to)], motion[at(row.to)].orientation, row.to_lever);
-    }
+    row.spin = spin(first, row.body, row.lever);
+    if (row.to != fixed_world) row.to_spin = spin(second, row.to, row.to_lever);
   }
   // What is locked moves by no multiplier and couples nothing.
   const auto end = [&](int body) {
