@@ -124,7 +124,7 @@ bool EventStepper::inside_surface(const TouchPoint& touch) const {
   const Motion* motion = motions();
   const auto covered = [&](int on, int body, Real side) {
     const Vector3 on_surface = touch.position - side * touch.gap / 2 * touch.normal;
-    return seams_.covers(on, 0, motion[index(on)], on_surface, side * touch.normal,
+    return seams_.covers(on, 0, body, motion[index(on)], on_surface, side * touch.normal,
                          motion[index(body)].position);
   };
   return covered(touch.other, touch.body, 1) || covered(touch.body, touch.other, -1);

@@ -45,6 +45,7 @@ enum class Feature : unsigned {
   compound,
   compound_beside_bodies,  ///< Not only planes.
   pairs_apart,             ///< Pairs of bodies that do not touch each other.
+  collision_filters,       ///< Groups and masks.
   // The frame, and what would have to know that it turns.
   turning_frame,
   contact_in_turning_frame,
@@ -97,6 +98,7 @@ inline constexpr std::array feature_names = {
     FeatureName{Feature::compound, "compounds that touch"},
     FeatureName{Feature::compound_beside_bodies, "compounds that touch other bodies"},
     FeatureName{Feature::pairs_apart, "pairs of bodies that do not touch each other"},
+    FeatureName{Feature::collision_filters, "collision groups"},
     FeatureName{Feature::turning_frame, "a rotating frame"},
     FeatureName{Feature::contact_in_turning_frame, "contacts in a rotating frame"},
     FeatureName{Feature::world_joint_in_turning_frame, "joints to the world in a rotating frame"},

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 namespace cylon::engine {
 
@@ -16,9 +17,9 @@ constexpr Features all_forces = {Feature::spring,     Feature::damped_spring, Fe
 constexpr Features all_joints = {Feature::joint_together, Feature::joint_at_length, Feature::joint_about_axis,
                                  Feature::joint_never};
 constexpr Features all_contacts = {
-    Feature::contact,    Feature::lasting_contact, Feature::friction, Feature::sphere,
-    Feature::box,        Feature::capsule,         Feature::hull,     Feature::compound,
-    Feature::pairs_apart};
+    Feature::contact,     Feature::lasting_contact,  Feature::friction, Feature::sphere,
+    Feature::box,         Feature::capsule,          Feature::hull,     Feature::compound,
+    Feature::pairs_apart, Feature::collision_filters};
 constexpr Features shapes_in_steps = {Feature::frustum, Feature::compound_beside_bodies};
 constexpr Features rigid_bodies = {Feature::locked_body, Feature::spin, Feature::changing_mass};
 
@@ -41,14 +42,15 @@ constexpr std::array rows = {
                                      Feature::every_stage}},
     Row{Method::ballistic,
         {Feature::locked_body, Feature::spin, Feature::contact, Feature::friction, Feature::sphere,
-         Feature::late_start}},
+         Feature::collision_filters, Feature::late_start}},
     Row{Method::events,
         rigid_bodies | all_forces | all_joints | all_contacts |
             Features{Feature::pinned_body, Feature::one_axis_body, Feature::chosen_integrator,
                      Feature::account, Feature::late_start, Feature::every_stage, Feature::path_events}},
     Row{Method::sphere_steps,
         {Feature::locked_body, Feature::spin, Feature::contact, Feature::lasting_contact, Feature::friction,
-         Feature::sphere, Feature::late_start, Feature::every_stage, Feature::path_stepping}},
+         Feature::sphere, Feature::collision_filters, Feature::late_start, Feature::every_stage,
+         Feature::path_stepping}},
     Row{Method::body_steps, rigid_bodies | all_forces | all_joints | all_contacts | shapes_in_steps |
                                 Features{Feature::late_start, Feature::every_stage, Feature::path_stepping}},
 };
@@ -140,6 +142,7 @@ Features of_contacts(const Model& model) {
   Features all = {Feature::contact};
   if (model.frame) all.add(Feature::contact_in_turning_frame);
   if (!model.apart.empty()) all.add(Feature::pairs_apart);
+  if (!model.filters.empty()) all.add(Feature::collision_filters);
   std::size_t touching = 0;
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {
     if (!may_touch(model, i)) continue;
@@ -179,13 +182,25 @@ Features required(const Model& model, const Options& options) {
 std::string missing(Method method, const Model& model) { return names(required(model) - supports(method)); }
 
 bool can_touch(const Model& model) {
-  std::size_t moving = 0, all = 0;
+  struct Members {
+    std::size_t moving = 0, all = 0, planes = 0;
+  };
+  std::map<Filter, Members> kinds;
+  const auto filter = [](const std::vector<Filter>& list, std::size_t i) {
+    return list.empty() ? Filter{} : list[i];
+  };
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {
     if (!may_touch(model, i)) continue;
-    ++all;
-    moving += !model.bodies[i].locked;
+    Members& members = kinds[filter(model.filters, i)];
+    ++members.all;
+    members.moving += !model.bodies[i].locked;
   }
-  return moving > 0 && (all > 1 || !model.planes.empty());
+  for (std::size_t k = 0; k < model.planes.size(); ++k) ++kinds[filter(model.plane_filters, k)].planes;
+  for (const auto& [a, ours] : kinds)
+    for (const auto& [b, theirs] : kinds)
+      if (ours.moving > 0 && may_meet(a, b) && (theirs.all > (a == b ? 1u : 0u) || theirs.planes > 0))
+        return true;
+  return false;
 }
 
 }  // namespace cylon::engine

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -63,6 +64,17 @@ inline constexpr int no_surface = -1;
 /// Two bodies, the lower first.
 using BodyPair = std::array<int, 2>;
 
+/// Groups of a body or a plane, and those that it touches, as bits.
+struct Filter {
+  std::uint32_t groups = 1, mask = ~std::uint32_t{0};
+  friend auto operator<=>(const Filter&, const Filter&) = default;
+};
+
+/// Two things touch only if the mask of each has a group of the other.
+constexpr bool may_meet(const Filter& a, const Filter& b) {
+  return (a.groups & b.mask) != 0 && (b.groups & a.mask) != 0;
+}
+
 struct Model {
   std::vector<Body> bodies;
   std::vector<Motion> motions;  ///< At t = 0, one per body.
@@ -78,13 +90,23 @@ struct Model {
   int surface_count = 0;
   std::vector<BodyPair>
       apart;  ///< Ascending: pairs that do not touch each other, such as jointed neighbours.
+  std::vector<Filter> filters, plane_filters;  ///< One per body and one per plane, or both empty: all touch.
   Impacts impacts = Impacts::sequential;
 
   std::optional<RotatingFrame> frame;
 
-  /// Whether two bodies may touch each other, as far as `apart` says.
+  /// Whether two bodies may touch each other, as far as `apart` and the filters say.
   bool may_touch(int a, int b) const {
-    return !std::binary_search(apart.begin(), apart.end(), BodyPair{std::min(a, b), std::max(a, b)});
+    if (!filters.empty() &&
+        !may_meet(filters[static_cast<std::size_t>(a)], filters[static_cast<std::size_t>(b)]))
+      return false;
+    return apart.empty() ||
+           !std::binary_search(apart.begin(), apart.end(), BodyPair{std::min(a, b), std::max(a, b)});
+  }
+  /// The same of a body and a plane.
+  bool may_touch_plane(int body, int plane) const {
+    return filters.empty() ||
+           may_meet(filters[static_cast<std::size_t>(body)], plane_filters[static_cast<std::size_t>(plane)]);
   }
 
   const Material& material(int surface, int other) const {

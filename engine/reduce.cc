@@ -157,7 +157,8 @@ void order(Reduced& reduced) {
     for (std::size_t i = 0; i < bodies.size(); ++i) sorted[i] = list[at(bodies[i])];
     list = std::move(sorted);
   };
-  sort(m.bodies), sort(m.motions), sort(m.shapes), sort(m.surfaces), sort(reduced.readings);
+  sort(m.bodies), sort(m.motions), sort(m.shapes), sort(m.surfaces), sort(m.filters);
+  sort(reduced.readings);
   const Numbering numbering(std::move(bodies));
   for (Joint& joint : m.joints) joint.body = numbering(joint.body), joint.to = numbering(joint.to);
   each_force_list(m.forces, [&](auto& list) {

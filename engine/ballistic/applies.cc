@@ -51,11 +51,15 @@ Symmetry symmetry(const Body& body) {
 
 bool meets_friction(const Model& model, std::size_t i) {
   const int own = surface(model, i);
-  for (const int other : model.plane_surfaces)
-    if (other != no_surface && model.material(own, other).friction > 0) return true;
+  for (std::size_t k = 0; k < model.planes.size(); ++k)
+    if (const int other = model.plane_surfaces[k];
+        other != no_surface && model.material(own, other).friction > 0 &&
+        model.may_touch_plane(static_cast<int>(i), static_cast<int>(k)))
+      return true;
   for (std::size_t k = 0; k < model.bodies.size(); ++k)
-    if (const int other = surface(model, k);
-        k != i && other != no_surface && model.material(own, other).friction > 0)
+    if (const int other = surface(model, k); k != i && other != no_surface &&
+                                             model.material(own, other).friction > 0 &&
+                                             model.may_touch(static_cast<int>(i), static_cast<int>(k)))
       return true;
   return false;
 }

@@ -42,7 +42,7 @@ void Course::gather_plane(std::size_t body, std::size_t k) {
 }
 
 void Course::gather_pair(std::size_t body, std::size_t other) {
-  if (other == body || !collides_[other]) return;
+  if (other == body || !collides_[other] || !may_touch(body, other)) return;
   const int place = place_in_cluster_[other];
   if (place != nothing && place < place_in_cluster_[body]) return;  // it has gathered this pair
   const Vector3 p = flights_[other].position_at(now_), d = flights_[body].position - p;
@@ -63,7 +63,7 @@ void Course::gather_pair(std::size_t body, std::size_t other) {
 
 void Course::gather(std::size_t body) {
   for (std::size_t k = 0; k < model_.planes.size(); ++k)
-    if (model_.plane_surfaces[k] != no_surface) gather_plane(body, k);
+    if (may_touch_plane(body, k)) gather_plane(body, k);
   if (cells_.holds(body)) {
     for (const int other : cells_.near(cells_.cell(body), 0, -1, 1))
       gather_pair(body, static_cast<std::size_t>(other));

@@ -43,7 +43,7 @@ void Course::settle_at_start() {
   for (std::size_t i = 0; i < flights_.size(); ++i) {
     if (!collides_[i] || model_.bodies[i].locked) continue;
     for (std::size_t k = 0; k < model_.planes.size(); ++k) {
-      if (model_.plane_surfaces[k] == no_surface) continue;
+      if (!may_touch_plane(i, k)) continue;
       const Plane& plane = model_.planes[k];
       const Real distance = gap(flights_[i], plane), touch = touching(flights_[i], plane);
       if (distance < -16 * touch) hand_over("body " + std::to_string(i) + " is inside a plane at the start");

@@ -81,6 +81,13 @@ class Course final : public Ballistic {
   void hand_over(const std::string& reason);
   void read_at(Time, std::vector<Motion>&) const;
 
+  bool may_touch(std::size_t a, std::size_t b) const {
+    return model_.filters.empty() || may_meet(model_.filters[a], model_.filters[b]);
+  }
+  bool may_touch_plane(std::size_t body, std::size_t plane) const {
+    return model_.plane_surfaces[plane] != no_surface &&
+           model_.may_touch_plane(static_cast<int>(body), static_cast<int>(plane));
+  }
   Time shortest() const;
   const Material& material(std::size_t a, std::size_t b) const {
     return model_.material(surfaces_[a], surfaces_[b]);

@@ -20,7 +20,7 @@ void Course::consider(std::size_t body, Time time, int partner, unsigned changes
 void Course::consider(std::size_t body, std::size_t other) {
   if (other == body) return;
   const Flight &a = flights_[std::min(body, other)], &b = flights_[std::max(body, other)];
-  if (a.radius + b.radius == 0) return;  // points meet nowhere
+  if (a.radius + b.radius == 0 || !may_touch(body, other)) return;  // points meet nowhere
   const Meeting meeting = contact(a, b);
   if (starting_ && meeting.overlap) hand_over("spheres overlap at the start");
   if (meeting.time == forever) return;
@@ -29,7 +29,7 @@ void Course::consider(std::size_t body, std::size_t other) {
 
 // For the same as consider(body, other), a crowd at a time.
 void Course::join_crowd(std::size_t body, std::size_t other) {
-  if (other == body) return;
+  if (other == body || !may_touch(body, other)) return;
   if (!weightless_ && flights_[body].acceleration != flights_[other].acceleration) {
     consider(body, other);
     return;
@@ -55,7 +55,7 @@ void Course::foresee(std::size_t body) {
   const Flight& flight = flights_[body];
   next_[body] = {forever, nothing, 0};
   for (std::size_t k = 0; k < model_.planes.size(); ++k) {
-    if (model_.plane_surfaces[k] == no_surface || flight.support == static_cast<int>(k)) continue;
+    if (!may_touch_plane(body, k) || flight.support == static_cast<int>(k)) continue;
     const Time after = static_cast<Time>(contact(flight, model_.planes[k]));
     if (after < forever) consider(body, flight.since + after, first_plane - static_cast<int>(k), 0);
   }

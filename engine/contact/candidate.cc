@@ -136,6 +136,7 @@ std::vector<Candidate> find_candidates(const Model& model, const std::vector<std
     const std::size_t i = bodies[m];
     if (!touchable(i)) continue;
     for (std::size_t p = 0; p < model.planes.size() && !model.bodies[i].locked; ++p) {
+      if (!model.may_touch_plane(static_cast<int>(i), static_cast<int>(p))) continue;
       for (const auto& [centre, radius] : corners(model.shapes[i])) {
         Candidate c;
         c.body = static_cast<int>(i);

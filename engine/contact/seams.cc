@@ -41,7 +41,7 @@ constexpr Real across_part = Real(1e-3);
 
 }  // namespace
 
-Seams::Seams(const Model& model) : first_(model.bodies.size(), -1) {
+Seams::Seams(const Model& model) : model_(model), first_(model.bodies.size(), -1) {
   const auto touches = [&](std::size_t i) {
     return i < model.surfaces.size() && model.surfaces[i] != no_surface &&
            !std::holds_alternative<std::monostate>(model.shapes[i]);
@@ -49,7 +49,7 @@ Seams::Seams(const Model& model) : first_(model.bodies.size(), -1) {
   const auto add = [&](std::size_t i, const Pose& at) {
     first_[i] = static_cast<int>(pieces_.size());
     each_part(model.shapes[i], at, [&](int, const Shape& part, const Pose& there) {
-      pieces_.push_back({part, there, {}});
+      pieces_.push_back({static_cast<int>(i), part, there, {}});
     });
   };
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {
@@ -86,18 +86,19 @@ void Seams::find_neighbours(std::size_t first) {
   }
 }
 
-bool Seams::covers(int body, int part, const Motion& now, const Vector3& x, const Vector3& n,
+bool Seams::covers(int body, int part, int by, const Motion& now, const Vector3& x, const Vector3& n,
                    const Vector3& centre) const {
   const int first = first_[static_cast<std::size_t>(body)];
   if (first < 0) return false;
   const Piece& piece = pieces_[static_cast<std::size_t>(first + part)];
   if (piece.beside.empty()) return false;
-  if (locked_[static_cast<std::size_t>(body)] != 0) return covers(piece, x, n, centre);
+  if (locked_[static_cast<std::size_t>(body)] != 0) return covers(piece, by, x, n, centre);
   const Quaternion back = now.orientation.conjugate();
-  return covers(piece, back * (x - now.position), back * n, back * (centre - now.position));
+  return covers(piece, by, back * (x - now.position), back * n, back * (centre - now.position));
 }
 
-bool Seams::covers(const Piece& piece, const Vector3& x, const Vector3& n, const Vector3& centre) const {
+bool Seams::covers(const Piece& piece, int by, const Vector3& x, const Vector3& n,
+                   const Vector3& centre) const {
   const Real near = near_part * size_;
   Vector3 aside = centre - x;
   aside -= n.dot(aside) * n;
@@ -110,8 +111,8 @@ bool Seams::covers(const Piece& piece, const Vector3& x, const Vector3& n, const
   }
   return std::any_of(piece.beside.begin(), piece.beside.end(), [&](int beside) {
     const Piece& t = pieces_[static_cast<std::size_t>(beside)];
-    return distance(t.shape, t.at, x) <= near && distance(t.shape, t.at, x_2) <= near &&
-           beyond(t.shape, t.at, n, x) > aside_part * size_;
+    return model_.may_touch(by, t.body) && distance(t.shape, t.at, x) <= near &&
+           distance(t.shape, t.at, x_2) <= near && beyond(t.shape, t.at, n, x) > aside_part * size_;
   });
 }
 

@@ -98,7 +98,7 @@ Range Interactions::range(int body, const Body& now, const Motion& motion, Real 
 bool Interactions::may_meet(std::size_t a, std::size_t b, const std::vector<Range>& ranges) const {
   for (const int i : touching_[a])
     for (const int k : touching_[b])
-      if (overlap(ranges[at(i)], ranges[at(k)])) return true;
+      if (model_.may_touch(i, k) && overlap(ranges[at(i)], ranges[at(k)])) return true;
   return false;
 }
 
@@ -126,9 +126,11 @@ std::vector<std::vector<std::size_t>> Interactions::groups(const std::vector<Ran
   return groups;
 }
 
-bool Interactions::reaches(int body, const Plane& plane) const {
+bool Interactions::reaches_plane(int body, int k) const {
+  if (!model_.may_touch_plane(body, k)) return false;
   const std::optional<Ball>& bound = bounds_[at(body)];
   if (!bound) return true;
+  const Plane& plane = model_.planes[at(k)];
   return plane.normal.dot(bound->centre) - plane.offset <=
          bound->radius + bounding_radius(model_.shapes[at(body)]);
 }
@@ -185,7 +187,7 @@ Part Interactions::part(const std::vector<std::size_t>& which, const std::vector
     if (has_surface(model_, body)) open.push_back(body);
   const auto any_open = [&](auto reached) { return std::any_of(open.begin(), open.end(), reached); };
   for (std::size_t p = 0; p < model_.planes.size(); ++p)
-    if (any_open([&](int body) { return reaches(body, model_.planes[p]); }))
+    if (any_open([&](int body) { return reaches_plane(body, static_cast<int>(p)); }))
       part.planes.push_back(static_cast<int>(p));
   for (const int locked : obstacles_)
     if (any_open([&](int body) { return reaches(body, locked); })) touched.push_back(locked);
@@ -197,7 +199,7 @@ Part Interactions::part(const std::vector<std::size_t>& which, const std::vector
     const auto any_of = [](const std::vector<int>& list, auto what) {
       return std::any_of(list.begin(), list.end(), what);
     };
-    if (any_of(part.planes, [&](int p) { return reaches(body, model_.planes[at(p)]); }) ||
+    if (any_of(part.planes, [&](int p) { return reaches_plane(body, p); }) ||
         any_of(obstacles, [&](int locked) { return reaches(body, locked); }) ||
         any_of(open, [&](int other) { return other != body && may_touch(body, other); }))
       touched.push_back(body);
@@ -216,6 +218,10 @@ Part Interactions::part(const std::vector<std::size_t>& which, const std::vector
   model.planes = picked(model_.planes, part.planes);
   model.plane_surfaces = picked(model_.plane_surfaces, part.planes);
   number_surfaces(model_, model);
+  if (!touched.empty() && !model_.filters.empty()) {
+    model.filters = picked(model_.filters, part.bodies);
+    model.plane_filters = picked(model_.plane_filters, part.planes);
+  }
   const auto here = [&](int body) {
     return std::binary_search(part.bodies.begin(), part.bodies.end(), body) &&
            std::binary_search(touched.begin(), touched.end(), body);

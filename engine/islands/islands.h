@@ -74,7 +74,7 @@ class Interactions {
   Part flight(const std::vector<std::size_t>& clusters, const std::vector<Motion>&) const;
 
  private:
-  bool reaches(int body, const Plane&) const;
+  bool reaches_plane(int body, int plane) const;
   bool reaches(int body, int locked) const;
   bool may_touch(int, int) const;
 

@@ -245,12 +245,13 @@ void BodyContacts::leave_out_inside(const std::vector<Motion>& motions, int a, i
     return motion.position + motion.orientation * compound->parts[index(part)].position;
   };
   const Vector3 centre_a = centre(a, found.part), centre_b = centre(b, found.other_part);
-  const auto covered = [&](int on, int part, const Vector3& from, const ContactPoint& contact, Real side) {
-    return seams_.covers(on, part, motions[index(on)], contact.position - side * contact.gap / 2 * m.normal,
-                         side * m.normal, from);
+  const auto covered = [&](int on, int part, int by, const Vector3& from, const ContactPoint& contact,
+                           Real side) {
+    return seams_.covers(on, part, by, motions[index(on)],
+                         contact.position - side * contact.gap / 2 * m.normal, side * m.normal, from);
   };
   const auto end = std::remove_if(m.points.begin(), m.points.begin() + m.count, [&](const ContactPoint& p) {
-    return covered(b, found.other_part, centre_a, p, 1) || covered(a, found.part, centre_b, p, -1);
+    return covered(b, found.other_part, a, centre_a, p, 1) || covered(a, found.part, b, centre_b, p, -1);
   });
   m.count = static_cast<int>(end - m.points.begin());
 }
@@ -299,7 +300,7 @@ void BodyContacts::find(const std::vector<Motion>& motions, const std::vector<Mo
     if (model_.surfaces[index(i)] == no_surface || model_.bodies[index(i)].locked) continue;
     for (int k = 0; k < static_cast<int>(model_.planes.size()); ++k) {
       const Plane& plane = model_.planes[index(k)];
-      if (model_.plane_surfaces[index(k)] == no_surface) continue;
+      if (model_.plane_surfaces[index(k)] == no_surface || !model_.may_touch_plane(i, k)) continue;
       if (plane.normal.dot(motions[index(i)].position) - plane.offset > radius_[index(i)] + margin_[index(i)])
         continue;
       touch(motions, i, fixed_world, k, margin_[index(i)], blocks);

@@ -1,5 +1,6 @@
 #include "engine/pile/sphere_contacts.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -72,6 +73,16 @@ void SphereContacts::find(const Spheres& spheres, Time span, Real gravity) {
     approaching_.insert(approaching_.end(), block.approaching.begin(), block.approaching.end());
 }
 
+// Keeps, in their order, those of the spheres found that sphere i may touch; their number.
+int SphereContacts::leave_out_filtered(const Spheres& spheres, int i, int* found, int count) const {
+  if (spheres.filter.empty()) return count;
+  const Filter& own = spheres.filter[static_cast<std::size_t>(i)];
+  int* const end = std::remove_if(found, found + count, [&](int other) {
+    return !may_meet(own, spheres.filter[static_cast<std::size_t>(other)]);
+  });
+  return static_cast<int>(end - found);
+}
+
 void SphereContacts::find_pairs(const Spheres& spheres, Block& block) {
   std::swap(block.start, block.old_start), std::swap(block.other, block.old_other);
   block.old_base = block.base;
@@ -83,12 +94,15 @@ void SphereContacts::find_pairs(const Spheres& spheres, Block& block) {
     if (reach < 0) continue;
     const std::size_t room = found + static_cast<std::size_t>(grid_.most()) + model_.planes.size();
     if (block.other.size() < room) block.other.resize(2 * room);
-    found += static_cast<std::size_t>(grid_.near(i, p, reach, block.other.data() + found));
+    int* const first = block.other.data() + found;
+    found += static_cast<std::size_t>(leave_out_filtered(spheres, i, first, grid_.near(i, p, reach, first)));
     for (std::size_t k = 0; k < model_.planes.size(); ++k) {
       const Real* plane = planes_.data() + 4 * k;
       block.other[found] = spheres.count + static_cast<int>(k);
       found += plane[0] * p[0] + plane[1] * p[1] + plane[2] * p[2] - plane[3] < reach &&
-               model_.plane_surfaces[k] != no_surface;
+               model_.plane_surfaces[k] != no_surface &&
+               (spheres.filter.empty() ||
+                may_meet(spheres.filter[static_cast<std::size_t>(i)], model_.plane_filters[k]));
     }
   }
   block.start.back() = static_cast<int>(found);

@@ -78,6 +78,7 @@ class SphereContacts {
   };
 
   void find_pairs(const Spheres&, Block&);
+  int leave_out_filtered(const Spheres&, int i, int* found, int count) const;
   void pack(const Spheres&, Block&);
   void pack_border(const Spheres&);
   template <class Batch>

@@ -56,6 +56,7 @@ Spheres::Spheres(const Model& model, int spare) : count(static_cast<int>(model.b
   inverse_radius.assign(n, 0);
   free_spin.assign(n, Vector3::Zero());
   surface = model.surfaces;
+  filter = model.filters;
   id.resize(n);
   for (int i = 0; i < count; ++i) {
     const auto k = static_cast<std::size_t>(i);
@@ -101,6 +102,7 @@ void Spheres::reorder(const std::vector<int>& order) {
   take(inverse_radius, order, 1);
   take(free_spin, order, 1);
   take(surface, order, 1);
+  if (!filter.empty()) take(filter, order, 1);
   take(id, order, 1);
 }
 

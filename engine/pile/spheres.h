@@ -23,7 +23,8 @@ struct Spheres {
   std::vector<Real> inverse_radius;
   std::vector<Vector3> free_spin;  ///< Angular velocity of points, which nothing turns [rad/s].
   std::vector<int> surface;
-  std::vector<int> id;  ///< Index in the model.
+  std::vector<Filter> filter;  ///< Empty: all touch.
+  std::vector<int> id;         ///< Index in the model.
 
   Spheres(const Model&, int spare);
 

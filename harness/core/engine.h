@@ -51,6 +51,7 @@ struct Engine {
   std::string default_path_rule;        ///< How the default path follows from the Scene, in words.
   std::vector<Integrator> integrators;  ///< The first is the default.
   std::vector<Option> options;
+  std::vector<std::string> knows = {};  ///< Words of core::later_parts, which engines may not know.
 
   /// The integrator of that name; null where the engine lists none.
   const Integrator* integrator(std::string_view called) const {

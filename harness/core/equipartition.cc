@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <boost/math/special_functions/beta.hpp>
+#include "harness/core/collision_filter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,6 +75,7 @@ std::optional<std::string> energy_share_undefined(const Observable& q, const Sce
     if (!body.locked && !is_ball(body))
       return fmt::format("body '{}' is no sphere that collides: only of a gas of spheres is it known",
                          body.name);
+  if (states_filters(scene)) return "collision groups may keep bodies from each other or from the walls";
   if (bodies_that_move(scene) < 2) return "chance needs two bodies that meet";
   if (q.body && scene.bodies[static_cast<std::size_t>(*q.body)].locked) return "a locked body has no share";
   for (const Material& m : scene.materials)

@@ -71,7 +71,8 @@ constexpr void for_each_field(T& element, Visit&& visit) {
 template <class Value>
 inline constexpr bool is_word =
     std::is_integral_v<Value> || std::is_enum_v<Value> || std::is_same_v<Value, std::string> ||
-    std::is_same_v<Value, std::string[2]> || std::is_same_v<Value, std::vector<std::array<std::int32_t, 3>>>;
+    std::is_same_v<Value, std::string[2]> || std::is_same_v<Value, std::vector<std::string>> ||
+    std::is_same_v<Value, std::vector<std::array<std::int32_t, 3>>>;
 
 /// The words of an enumeration, in its order.
 template <class Enum>

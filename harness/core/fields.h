@@ -31,6 +31,11 @@ struct Words<Impacts> {
 
 namespace field_tables {
 inline constexpr About on_body{.required = true, .meaning = "Name of the body on which it acts."};
+inline constexpr About groups{.meaning = "Names of the groups in which it is.", .absent = "[\"default\"]"};
+inline constexpr About mask{.meaning =
+                                "Names of the groups that it touches. Two things touch only if the mask "
+                                "of each names a group of the other.",
+                            .absent = "all groups"};
 }  // namespace field_tables
 
 template <>
@@ -83,8 +88,14 @@ struct Element<Body> {
       Field{"locked", &Body::locked, {.meaning = "The body never moves, whatever acts on it."}},
       Field{"collide",
             &Body::collide,
-            {.meaning = "The body takes part in contacts, except with bodies that a joint ties to it.",
+            {.meaning =
+                 "The body takes part in contacts, except with bodies that a joint ties to it. `false` is "
+                 "the empty mask.",
              .absent = "true if it has a shape"}},
+      Field{"collision_groups", &Body::collision_groups, field_tables::groups,
+            [](const Body& b) { return b.collide; }},
+      Field{"collision_mask", &Body::collision_mask, field_tables::mask,
+            [](const Body& b) { return b.collide; }},
       Field{"color", &Body::color, {.meaning = "For viewers: \"#rrggbb\"."}}};
 };
 
@@ -290,7 +301,9 @@ struct Element<Plane> {
       Field{"normal", &Plane::normal, {.in = Expressed::world_vector, .meaning = "Unit vector, world axes."}},
       Field{"offset",
             &Plane::offset,
-            {.unit = "m", .meaning = "Of the surface from the origin along `normal`."}}};
+            {.unit = "m", .meaning = "Of the surface from the origin along `normal`."}},
+      Field{"collision_groups", &Plane::collision_groups, field_tables::groups},
+      Field{"collision_mask", &Plane::collision_mask, field_tables::mask}};
 };
 template <>
 struct Element<Material> {

@@ -1,5 +1,6 @@
 #include "harness/core/near_pairs.h"
 
+#include "harness/core/collision_filter.h"
 #include "harness/core/surfaces.h"
 
 #include <algorithm>
@@ -82,14 +83,10 @@ std::optional<double> ball_radius(const Shape& shape) {
 std::vector<Pair> near_pairs(const Scene& scene, const State& state) {
   const auto all = balls(scene, state);
   if (!all || all->empty()) return touching_pairs(scene);
-  const auto locked = [&](int body) { return scene.bodies[static_cast<std::size_t>(body)].locked; };
   std::vector<Pair> pairs;
-  const auto jointed = jointed_pairs(scene);
-  const auto tied = [&](int a, int b) {
-    return std::binary_search(jointed.begin(), jointed.end(), std::array{std::min(a, b), std::max(a, b)});
-  };
+  const ContactRules may_touch(scene);
   const auto add = [&](int a, int b) {
-    if (!(locked(a) && locked(b)) && !tied(a, b)) pairs.push_back({std::min(a, b), std::max(a, b), -1});
+    if (may_touch.bodies(a, b)) pairs.push_back({std::min(a, b), std::max(a, b), -1});
   };
   const double limit = large(*all);
   double widest = 0;
@@ -108,8 +105,8 @@ std::vector<Pair> near_pairs(const Scene& scene, const State& state) {
   std::sort(small.begin(), small.end());
   for_each_neighbour(small, add);
   for (const Ball& ball : *all)
-    for (int p = 0; !locked(ball.body) && p < static_cast<int>(scene.planes.size()); ++p)
-      pairs.push_back({ball.body, world, p});
+    for (int p = 0; p < static_cast<int>(scene.planes.size()); ++p)
+      if (may_touch.body_and_plane(ball.body, p)) pairs.push_back({ball.body, world, p});
   const auto place = [](const Pair& pair) { return std::array{pair.body, pair.plane, pair.other}; };
   std::sort(pairs.begin(), pairs.end(), [&](const Pair& a, const Pair& b) { return place(a) < place(b); });
   return pairs;

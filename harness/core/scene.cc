@@ -1,5 +1,6 @@
 #include "harness/core/scene.h"
 
+#include "harness/core/collision_filter.h"
 #include "harness/core/surfaces.h"
 
 #include <Eigen/Eigenvalues>
@@ -25,10 +26,6 @@ int match(const Material& material, const std::string& a, const std::string& b) 
   return std::max(both(0, 1), both(1, 0));
 }
 
-bool is_jointed(const std::vector<std::array<int, 2>>& jointed, int a, int b) {
-  return std::binary_search(jointed.begin(), jointed.end(), std::array{std::min(a, b), std::max(a, b)});
-}
-
 }  // namespace
 
 State initial_state(const Scene& scene) {
@@ -42,13 +39,12 @@ bool any_touching_pair(const Scene& scene, const std::function<bool(const Pair&)
   std::vector<int> solid;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i)
     if (collides(scene.bodies[i])) solid.push_back(static_cast<int>(i));
-  const auto locked = [&](int i) { return scene.bodies[static_cast<std::size_t>(i)].locked; };
-  const auto jointed = jointed_pairs(scene);
+  const ContactRules may_touch(scene);
   for (auto a = solid.begin(); a != solid.end(); ++a) {
     for (auto b = std::next(a); b != solid.end(); ++b)
-      if (!(locked(*a) && locked(*b)) && !is_jointed(jointed, *a, *b) && found({*a, *b, -1})) return true;
-    for (int p = 0; !locked(*a) && p < static_cast<int>(scene.planes.size()); ++p)
-      if (found({*a, world, p})) return true;
+      if (may_touch.bodies(*a, *b) && found({*a, *b, -1})) return true;
+    for (int p = 0; p < static_cast<int>(scene.planes.size()); ++p)
+      if (may_touch.body_and_plane(*a, p) && found({*a, world, p})) return true;
   }
   return false;
 }
@@ -64,16 +60,14 @@ std::vector<Pair> touching_pairs(const Scene& scene) {
 
 std::vector<Pair> touching_pairs(const Scene& scene, int body) {
   std::vector<Pair> pairs;
-  const Body& own = scene.bodies[static_cast<std::size_t>(body)];
-  if (!collides(own)) return pairs;
-  const auto jointed = jointed_pairs(scene);
+  if (!collides(scene.bodies[static_cast<std::size_t>(body)])) return pairs;
+  const ContactRules may_touch(scene);
   for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) {
-    const Body& other = scene.bodies[static_cast<std::size_t>(i)];
-    if (i != body && collides(other) && !(own.locked && other.locked) && !is_jointed(jointed, i, body))
+    if (i != body && collides(scene.bodies[static_cast<std::size_t>(i)]) && may_touch.bodies(i, body))
       pairs.push_back({std::min(i, body), std::max(i, body), -1});
   }
-  for (int p = 0; !own.locked && p < static_cast<int>(scene.planes.size()); ++p)
-    pairs.push_back({body, world, p});
+  for (int p = 0; p < static_cast<int>(scene.planes.size()); ++p)
+    if (may_touch.body_and_plane(body, p)) pairs.push_back({body, world, p});
   return pairs;
 }
 

@@ -40,8 +40,10 @@ struct Body {
   BodyState initial;
   Shape shape;
   bool locked = false;   ///< Does not move, whatever acts on it.
-  bool collide = false;  ///< Takes part in contacts; needs a shape.
-  std::string color;     ///< For viewers, "#rrggbb" or empty.
+  bool collide = false;  ///< Takes part in contacts; needs a shape.  False: in no group, with an empty mask.
+  std::vector<std::string> collision_groups;  ///< In which it is; empty: in "default" (collision_filter.h).
+  std::vector<std::string> collision_mask;    ///< Those that it touches; empty: all.
+  std::string color;                          ///< For viewers, "#rrggbb" or empty.
 };
 
 /// F = m a on every body.
@@ -123,8 +125,9 @@ struct Joint {
 /// Solid where normal . x < offset.
 struct Plane {
   std::string name;
-  Vector3 normal = Vector3::UnitY();  ///< Unit.
-  double offset = 0;                  ///< [m]
+  Vector3 normal = Vector3::UnitY();                          ///< Unit.
+  double offset = 0;                                          ///< [m]
+  std::vector<std::string> collision_groups, collision_mask;  ///< As those of a body.
 };
 
 /// Physics of a *pair* of surfaces; what an engine multiplies or averages to get there is its adapter's
@@ -171,7 +174,7 @@ struct Pair {
 State initial_state(const Scene&);
 
 /// Every pair that may touch: colliding bodies of which at least one moves and that no joint ties, and
-/// colliding bodies with planes; bodies first by index, then planes.
+/// colliding bodies with planes, less what groups and masks keep apart; bodies first by index, then planes.
 std::vector<Pair> touching_pairs(const Scene&);
 
 /// Those of touching_pairs that `body` is in, in the same order; O(bodies).

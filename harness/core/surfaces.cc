@@ -1,5 +1,7 @@
 #include "harness/core/surfaces.h"
 
+#include "harness/core/collision_filter.h"
+
 #include <algorithm>
 #include <map>
 #include <string>
@@ -106,23 +108,30 @@ Surfaces surfaces(const Scene& scene) {
 
 std::optional<Pair> pair_without_material(const Scene& scene) {
   const Surfaces classes = surfaces(scene);
-  const auto at = [](const std::vector<int>& list, std::size_t i) {
-    return static_cast<std::size_t>(list[i]);
+  const CollisionFilters filters(scene);
+  struct Members {
+    int moving = 0, all = 0, planes = 0;
   };
-  std::vector<int> moving(static_cast<std::size_t>(classes.count)), all = moving, planes = moving;
+  using Kind = std::pair<int, CollisionFilter>;  // what materials and what masks tell apart
+  std::map<Kind, Members> kinds;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     if (!collides(scene.bodies[i])) continue;
-    ++all[at(classes.of_body, i)];
-    if (!scene.bodies[i].locked) ++moving[at(classes.of_body, i)];
+    Members& members = kinds[{classes.of_body[i], filters.of_body[i]}];
+    ++members.all;
+    if (!scene.bodies[i].locked) ++members.moving;
   }
-  for (std::size_t i = 0; i < scene.planes.size(); ++i) ++planes[at(classes.of_plane, i)];
-  bool missing = false;
-  for (int a = 0; a < classes.count; ++a)
-    for (int b = 0; b < classes.count; ++b) {
-      if (moving[static_cast<std::size_t>(a)] == 0 || classes.material(a, b) >= 0) continue;
-      const int others = all[static_cast<std::size_t>(b)] - (a == b ? 1 : 0);
-      missing = missing || others > 0 || planes[static_cast<std::size_t>(b)] > 0;
-    }
+  for (std::size_t i = 0; i < scene.planes.size(); ++i)
+    ++kinds[{classes.of_plane[i], filters.of_plane[i]}].planes;
+  const auto lacks = [&](const auto& a, const auto& b) {
+    const auto& [class_a, filter_a] = a.first;
+    const auto& [class_b, filter_b] = b.first;
+    if (a.second.moving == 0 || classes.material(class_a, class_b) >= 0 || !may_meet(filter_a, filter_b))
+      return false;
+    return b.second.all > (&a == &b ? 1 : 0) || b.second.planes > 0;
+  };
+  const bool missing = std::any_of(kinds.begin(), kinds.end(), [&](const auto& a) {
+    return std::any_of(kinds.begin(), kinds.end(), [&](const auto& b) { return lacks(a, b); });
+  });
   if (!missing) return std::nullopt;
   std::optional<Pair> found;
   any_touching_pair(scene, [&](const Pair& pair) {

@@ -19,8 +19,8 @@ class ElementWriter {
   using Json = nlohmann::json;
   explicit ElementWriter(const core::Scene& scene) : scene_(scene) {}
 
-  /// An object with every member.  Absent are: a body that is the world, an optional value and a shape that
-  /// are not there.  Throws std::invalid_argument where a body is the world and must not be.
+  /// An object with every member.  Absent are: a body that is the world, an optional value, a list of names and
+  /// a shape that are not there.  Throws std::invalid_argument where a body is the world and must not be.
   template <class T>
   Json operator()(const T& element) const {
     Json row = Json::object();
@@ -43,6 +43,8 @@ class ElementWriter {
               fmt::format("{}: '{}' must be a body", core::Element<T>::name, field.key));
       } else if constexpr (std::is_same_v<Value, std::optional<core::Vector3>>) {
         if (value) row[field.key] = json(*value);
+      } else if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
+        if (!value.empty()) row[field.key] = value;
       } else if constexpr (std::is_same_v<Value, core::Shape>) {
         if (!std::holds_alternative<std::monostate>(value)) row[field.key] = json(value);
       } else {
@@ -129,6 +131,8 @@ class ElementReader {
           value = read_shape<core::Shape>(*shape, fields.place_of(key));
       } else if constexpr (std::is_same_v<Value, std::optional<core::Vector3>>) {
         if (fields.find(key)) value = fields.vector(key);
+      } else if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
+        if (fields.find(key)) read_names(fields, key, value);
       } else if constexpr (std::is_same_v<Value, std::vector<std::array<std::int32_t, 3>>>) {
         read_faces(fields, key, element, value);
       } else {
@@ -178,6 +182,13 @@ class ElementReader {
       (*this)(fields, parts.emplace_back());
       fields.finish();
     });
+  }
+  static void read_names(Fields& f, const char* key, std::vector<std::string>& names) {
+    f.each(key, [&](const nlohmann::json& name, const std::string& place) {
+      if (!name.is_string()) throw MalformedMessage(place + ": expected a name");
+      names.push_back(name.get<std::string>());
+    });
+    if (names.empty()) f.fail(key, "expected one name at least");
   }
   template <class Mesh>
   static void read_faces(Fields&, const char* key, const Mesh&,

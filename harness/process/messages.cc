@@ -108,6 +108,7 @@ json hello_json(const Hello& hello) {
                        {"values", o.values},
                        {"engine_default", o.engine_default},
                        {"meaning", o.meaning}});
+  result["knows"] = engine.knows;
   return result;
 }
 
@@ -138,6 +139,7 @@ Hello hello_from_json(const json& value) {
     engine.options.push_back(
         {text(o, "name"), texts_if(o, "values"), text_if(o, "engine_default"), text_if(o, "meaning")});
   });
+  engine.knows = texts_if(f, "knows");
   f.finish();
   return hello;
 }

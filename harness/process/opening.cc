@@ -1,6 +1,7 @@
 #include "harness/process/opening.h"
 
 #include "harness/core/input_error.h"
+#include "harness/core/later_parts.h"
 #include "harness/process/json_fields.h"
 
 #include <fmt/format.h>
@@ -74,6 +75,8 @@ core::Terms open_scene(Conversation& worker, const EngineChoice& choice, const c
                        const core::Setup& asked, const core::Engine& engine, double seconds) {
   const core::Setup setup = merged(choice, asked);
   require_adaptive(engine, choice.id, setup);
+  if (const auto reason = core::not_known(engine, scene))
+    throw Failure(results::Status::unsupported, *reason);
   worker.ask(load_request(scene, setup), seconds);
   const json answer = worker.next_line();
   if (const auto reason = text_of(answer, "unsupported"))

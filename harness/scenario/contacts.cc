@@ -3,6 +3,7 @@
 #include "harness/scenario/read_element.h"
 #include "harness/scenario/sphere_grid.h"
 
+#include "harness/core/collision_filter.h"
 #include "harness/core/observable.h"
 #include "harness/core/surfaces.h"
 
@@ -47,7 +48,7 @@ void require_materials(const Draft& draft) {
                                               : scene.bodies[static_cast<std::size_t>(pair->other)].name;
   draft.origin[body].fail(
       fmt::format("'{0}' and '{1}' may touch, but no [[material]] says how; add between = [\"{0}\", "
-                  "\"{1}\"], or collide = false",
+                  "\"{1}\"], collide = false or collision_mask",
                   scene.bodies[body].name, other));
 }
 
@@ -56,6 +57,7 @@ double size_of(const Vector3& p) { return std::max(1.0, p.cwiseAbs().maxCoeff())
 void refuse_overlapping_spheres(Draft& draft) {
   const auto& bodies = draft.scene.bodies;
   SphereGrid locked, free;
+  const core::CollisionFilters filters(draft.scene);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const auto* sphere = std::get_if<core::Sphere>(&bodies[i].shape);
     if (!sphere || !bodies[i].collide) continue;
@@ -64,6 +66,7 @@ void refuse_overlapping_spheres(Draft& draft) {
       return sphere->radius + radius - (bodies[i].initial.position - that.initial.position).norm();
     };
     const auto meets = [&](int other, const Vector3&, double radius) {
+      if (!may_meet(filters.of_body[i], filters.of_body[static_cast<std::size_t>(other)])) return false;
       const double size = std::min(size_of(bodies[i].initial.position),
                                    size_of(bodies[static_cast<std::size_t>(other)].initial.position));
       return overlap(other, radius) > overlap_allowed * size;
@@ -79,7 +82,7 @@ void refuse_overlapping_spheres(Draft& draft) {
       draft.origin[i].fail(
           "position",
           fmt::format("'{}' and '{}' overlap by {} m at the start; valid: {} m apart or more, "
-                      "or collide = false",
+                      "collide = false or collision_mask",
                       that.name, bodies[i].name, overlap(other, radius), sphere->radius + radius));
     }
     if (draft.neighbours > budget::neighbours)
@@ -154,9 +157,11 @@ void refuse_overlaps(Draft& draft) {
     draft.origin.back().fail(fmt::format(
         "bodies, their points and {} planes are too many to look for overlaps", scene.planes.size()));
   const core::State state = core::initial_state(scene);
+  const core::CollisionFilters filters(scene);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     if (!scene.bodies[i].collide || scene.bodies[i].locked) continue;
     for (std::size_t p = 0; p < scene.planes.size(); ++p) {
+      if (!may_meet(filters.of_body[i], filters.of_plane[p])) continue;
       const double gap = core::gap(scene, {static_cast<int>(i), core::world, static_cast<int>(p)}, state);
       if (gap < -overlap_allowed * size_of(scene.bodies[i].initial.position))
         draft.origin[i].fail(

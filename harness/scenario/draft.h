@@ -55,6 +55,9 @@ void read_joints(const Table& root, Draft&);
 void read_planes(const Table& root, Draft&);
 void read_materials(const Table& root, Draft&);
 
+/// What each body and plane read so far, and no other, states of collision groups makes sense.
+void check_collision_groups(const Table& root, const Draft&);
+
 /// Every body read so far, and no other: fails where two spheres, or a body and a plane, overlap by more than
 /// 1e-9 m.
 void refuse_overlaps(Draft&);

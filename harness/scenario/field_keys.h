@@ -35,6 +35,8 @@ constexpr Kind kind_of() {
     return Kind::triangles;
   else if constexpr (is(type_identity<std::string[2]>{}))
     return Kind::pair;
+  else if constexpr (is(type_identity<std::vector<std::string>>{}))
+    return Kind::texts;
   else if constexpr (is(type_identity<std::vector<core::Part>>{}))
     return Kind::tables;
   else if constexpr (is(type_identity<core::Shape>{}, type_identity<core::Primitive>{}))
@@ -73,6 +75,7 @@ std::vector<Key> keys_of() {
     } else {
       const bool is_optional = std::is_same_v<Value, std::optional<core::Vector3>> ||
                                std::is_same_v<Value, core::Shape> ||
+                               std::is_same_v<Value, std::vector<std::string>> ||
                                (std::is_same_v<Value, int> && !about.required) || !about.pin.empty();
       Key key{.name = std::string(field.key),
               .kind = kind_of<Value>(),

@@ -46,6 +46,8 @@ T read_element(const Table& table, const Draft& draft) {
     } else if constexpr (std::is_same_v<Value, std::string[2]>) {
       const std::vector<std::string> pair = table.texts(key);
       value[0] = pair[0], value[1] = pair[1];
+    } else if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
+      value = table.texts(key);
     } else if constexpr (std::is_enum_v<Value>) {
       const auto& words = core::Words<Value>::list;
       value = table.choice(key, {words.begin(), words.end()}, value);

@@ -70,6 +70,7 @@ Scenario read(std::string_view text, const std::string& file_name) {
   read_bodies(root, draft);
   read_forces(root, draft);
   read_joints(root, draft);
+  check_collision_groups(root, draft);
   read_materials(root, draft);
   refuse_overlaps(draft);
   ReadClaims claims = read_claims(root, draft, scenario.duration, scenario.step);

@@ -38,6 +38,8 @@ class Writer {
         append(lines(value));
       } else if constexpr (std::is_same_v<Value, core::Primitive>) {
         append(lines_of_shape(value));  // beside the keys of the part
+      } else if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
+        if (!value.empty()) append({fmt::format("{} = {}", field.key, list(value, toml_text))});
       } else if (const std::string text = written(value); !text.empty()) {
         result.push_back(fmt::format("{} = {}", core::key_of(element, field), text));
       }

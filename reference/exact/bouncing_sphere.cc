@@ -5,7 +5,7 @@
 //     apex n: t_n + u_n/G, height u_n^2/(2G);  from t_1 + (2 U/G) e/(1 - e) on the sphere rests
 //
 // Along the plane the motion is uniform, or falls where the plane is inclined.  Domain: spheres that start
-// outside, gravity into the plane, no friction, steady spins, too far apart sideways to meet.
+// outside, gravity into the plane, no friction, steady spins, too far apart sideways to meet or in groups that do not.
 #include "reference/exact/domain.h"
 #include "reference/exact/flight.h"
 #include "reference/exact/solutions.h"
@@ -80,8 +80,7 @@ struct Sphere {
   }
 };
 
-void list_events(const Bounces& b, int body, double horizon, std::vector<core::Event>& events) {
-  const core::Pair pair = {body, core::world, 0};
+void list_events(const Bounces& b, const core::Pair& pair, double horizon, std::vector<core::Event>& events) {
   const auto apex = [&](int index, Wide start, Wide low, Wide u) {
     const Wide t = start + u / b.pull;
     if (t > horizon) return;
@@ -143,27 +142,45 @@ void check_apart(const core::Scene& scene, const core::Vector3& normal, int i, i
   }
 }
 
+// The one plane that a sphere touches.
+int plane_of(const core::Scene& scene, const core::ContactRules& may_touch, int body) {
+  if (scene.planes.empty()) refuse(name, "the scene must have one plane, or one for each body");
+  int found = -1;
+  for (int p = 0; p < static_cast<int>(scene.planes.size()); ++p) {
+    if (!may_touch.body_and_plane(body, p)) continue;
+    if (found >= 0) refuse(name, named(scene, body) + " touches more than one plane");
+    found = p;
+  }
+  if (found < 0) check_meets(name, scene, may_touch, {body, core::world, 0});
+  return found;
+}
+
 }  // namespace
 
 core::Truth bouncing_sphere(const core::Scene& scene, double horizon) {
   check_bodies(name, scene, horizon);
   check_forces(name, scene, {"gravity"});
   check_no_joints(name, scene);
-  if (scene.planes.size() != 1) refuse(name, "the scene must have one plane");
-  const core::Plane& plane = scene.planes.front();
-  const WideVector normal = widen(plane.normal).normalized();
   const core::Vector3 g = gravity(scene);
-  const Wide pull = -normal.dot(widen(g));
-  if (!(pull > 0)) refuse(name, "gravity does not point into plane '" + plane.name + "'");
-
+  const core::ContactRules may_touch(scene);
   core::Truth truth;
   std::vector<Sphere> spheres;
   for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) {
     const core::Body& body = scene.bodies[static_cast<std::size_t>(i)];
     const double r = colliding_radius(name, scene, i);
     check_steady_spin(name, scene, i);
-    for (int j = 0; j < i; ++j) check_apart(scene, plane.normal, j, i, horizon);
-    const auto material = core::material_of(scene, {i, core::world, 0});
+    const core::Pair pair = {i, core::world, plane_of(scene, may_touch, i)};
+    const core::Plane& plane = scene.planes[static_cast<std::size_t>(pair.plane)];
+    const WideVector normal = widen(plane.normal).normalized();
+    const Wide pull = -normal.dot(widen(g));
+    if (!(pull > 0)) refuse(name, "gravity does not point into plane '" + plane.name + "'");
+    for (int j = 0; j < i; ++j) {
+      if (!may_touch.bodies(j, i)) continue;
+      if (plane_of(scene, may_touch, j) != pair.plane)
+        refuse(name, named(scene, j) + " may touch " + named(scene, i) + ", which bounces on another plane");
+      check_apart(scene, plane.normal, j, i, horizon);
+    }
+    const auto material = core::material_of(scene, pair);
     if (!material) refuse(name, "no material is given for " + named(scene, i) + " and the plane");
     if (material->friction != 0) refuse(name, "friction of " + named(scene, i) + " is not zero");
     Wide gap = normal.dot(widen(body.initial.position)) - Wide(plane.offset) - Wide(r);
@@ -172,7 +189,7 @@ core::Truth bouncing_sphere(const core::Scene& scene, double horizon) {
     Flight along(body.initial, g);
     along.acceleration += pull * normal;
     spheres.push_back({along, normal, Bounces(pull, gap, normal.dot(along.velocity), material->restitution)});
-    list_events(spheres.back().bounces, i, horizon, truth.events);
+    list_events(spheres.back().bounces, pair, horizon, truth.events);
     if (material->restitution > 0)  // its bounces have no end
       truth.events_until = std::min(truth.events_until, static_cast<double>(spheres.back().bounces.rest));
     const core::StateError e = bound(spheres.back().bounces, body, plane, r, g, horizon);

@@ -137,6 +137,7 @@ void check_box(const core::Scene& scene) {
   if (!std::holds_alternative<core::Box>(body.shape) || !body.collide) {
     refuse(name, named(scene, 0) + " is not a box that collides");
   }
+  check_meets(name, scene, core::ContactRules(scene), {0, core::world, 0});
   check_smooth(name, scene, {0, core::world, 0});
   const Section section(scene);
   if (!(section.normal().dot(widen(gravity(scene))) < 0))

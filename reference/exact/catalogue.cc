@@ -14,9 +14,9 @@ std::span<const Solution> catalogue() {
       Solution{"block_sticks", sliding_block, "the same as sliding_block"},
       Solution{"block_stops", sliding_block, "the same as sliding_block"},
       Solution{"block_uphill", sliding_block, "the same as sliding_block"},
-      Solution{
-          "bouncing_sphere", bouncing_sphere,
-          "smooth spheres bouncing on one plane that gravity points into, too far apart sideways to meet"},
+      Solution{"bouncing_sphere", bouncing_sphere,
+               "smooth spheres bouncing on one plane that gravity points into, or each on the one that its "
+               "group touches, which do not meet"},
       Solution{"box_drop_edge", box_drop_edge,
                "a smooth box that falls on an edge parallel to the plane, up to its second contact"},
       Solution{"constant_spin", projectile, "the same as projectile"},

@@ -25,6 +25,12 @@ ForceName name_of(const core::Force& force) {
       force);
 }
 
+// The plane or the second body of a pair.
+std::string named_other(const core::Scene& scene, const core::Pair& pair) {
+  return pair.plane >= 0 ? "plane '" + scene.planes.at(static_cast<std::size_t>(pair.plane)).name + "'"
+                         : named(scene, pair.other);
+}
+
 }  // namespace
 
 void refuse(std::string_view solution, const std::string& condition) {
@@ -51,11 +57,7 @@ void check_no_contacts(std::string_view solution, const core::Scene& scene) {
   std::optional<core::Pair> first;
   core::any_touching_pair(scene, [&](const core::Pair& pair) { return first = pair, true; });
   if (!first) return;
-  const core::Pair& pair = *first;
-  const std::string other = pair.plane >= 0
-                                ? "plane '" + scene.planes.at(static_cast<std::size_t>(pair.plane)).name + "'"
-                                : named(scene, pair.other);
-  refuse(solution, named(scene, pair.body) + " may touch " + other);
+  refuse(solution, named(scene, first->body) + " may touch " + named_other(scene, *first));
 }
 
 void check_no_joints(std::string_view solution, const core::Scene& scene) {
@@ -115,12 +117,18 @@ double colliding_radius(std::string_view solution, const core::Scene& scene, int
   return sphere->radius;
 }
 
+void check_meets(std::string_view solution, const core::Scene& scene, const core::ContactRules& may_touch,
+                 const core::Pair& pair) {
+  const bool meets = pair.plane >= 0 ? may_touch.body_and_plane(pair.body, pair.plane)
+                                     : may_touch.bodies(pair.body, pair.other);
+  if (!meets)
+    refuse(solution, "collision groups keep " + named(scene, pair.body) + " and " + named_other(scene, pair) +
+                         " apart");
+}
+
 void check_smooth(std::string_view solution, const core::Scene& scene, const core::Pair& pair) {
   const auto material = core::material_of(scene, pair);
-  const std::string both =
-      named(scene, pair.body) + " and " +
-      (pair.plane >= 0 ? "plane '" + scene.planes.at(static_cast<std::size_t>(pair.plane)).name + "'"
-                       : named(scene, pair.other));
+  const std::string both = named(scene, pair.body) + " and " + named_other(scene, pair);
   if (!material) refuse(solution, "no material is given for " + both);
   if (material->friction != 0) refuse(solution, "friction of " + both + " is not zero");
 }

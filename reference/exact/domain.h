@@ -2,6 +2,7 @@
 // the body or force, and the condition that failed.
 #pragma once
 
+#include "harness/core/collision_filter.h"
 #include "harness/core/scene.h"
 #include "harness/core/truth.h"
 
@@ -39,6 +40,9 @@ void check_steady_spin(std::string_view solution, const core::Scene&, int body);
 
 /// The body is a sphere that collides.  Its radius [m].
 double colliding_radius(std::string_view solution, const core::Scene&, int body);
+
+/// Groups and masks let the pair touch.
+void check_meets(std::string_view solution, const core::Scene&, const core::ContactRules&, const core::Pair&);
 
 /// The pair has a material, and no friction.
 void check_smooth(std::string_view solution, const core::Scene&, const core::Pair&);

@@ -166,6 +166,7 @@ core::Truth rod_offcentre_hit(const core::Scene& scene, double horizon) {
     }
   }
   if (boxes != 1) refuse(name, "the scene must have one sphere and one box");
+  check_meets(name, scene, core::ContactRules(scene), {0, 1, -1});
   check_smooth(name, scene, {0, 1, -1});
   const Pairing pair(scene);
   check_steady_spin(name, scene, pair.sphere);

@@ -203,7 +203,9 @@ core::Truth rough_sphere(const core::Scene& scene, double horizon) {
   if (scene.planes[0].normal.dot(gravity(scene)) > 0) {
     refuse(name, "gravity points out of plane '" + scene.planes[0].name + "'");
   }
+  const core::ContactRules may_touch(scene);
   const int count = static_cast<int>(scene.bodies.size());
+  for (int i = 0; i < count; ++i) check_meets(name, scene, may_touch, {i, core::world, 0});
   const Wide tilt = check_level(scene);
   Wide gap = 0, slip = 0;
   for (int i = 0; i < count; ++i) gap = std::max(gap, check_sphere(scene, i));
@@ -217,6 +219,7 @@ core::Truth rough_sphere(const core::Scene& scene, double horizon) {
   const Course course = solve(scene);
   for (int i = 0; i < count; ++i) {
     for (int j = 0; j < i; ++j) {
+      if (!may_touch.bodies(j, i)) continue;
       const double reach = colliding_radius(name, scene, i) + colliding_radius(name, scene, j);
       check_apart(name, scene, course, j, i, reach, horizon);
     }

@@ -135,9 +135,11 @@ core::Truth sliding_block(const core::Scene& scene, double horizon) {
   check_forces(name, scene, {"gravity"});
   check_no_joints(name, scene);
   if (scene.planes.size() != 1) refuse(name, "the scene must have one plane");
+  const core::ContactRules may_touch(scene);
   const int count = static_cast<int>(scene.bodies.size());
   Remainder left_out = {0, 0};
   for (int i = 0; i < count; ++i) {
+    check_meets(name, scene, may_touch, {i, core::world, 0});
     const Remainder r = check_block(scene, i);
     left_out = {std::max(left_out.aside, r.aside), std::max(left_out.gap, r.gap)};
   }
@@ -147,6 +149,7 @@ core::Truth sliding_block(const core::Scene& scene, double horizon) {
   };
   for (int i = 0; i < count; ++i) {
     for (int j = 0; j < i; ++j) {
+      if (!may_touch.bodies(j, i)) continue;
       check_apart(name, scene, course(scene), j, i, radius(i) + radius(j), horizon);
     }
   }

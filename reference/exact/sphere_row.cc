@@ -1,11 +1,12 @@
 // Smooth spheres in rows: centres on parallel lines, velocities that differ along the lines alone, so that
 // every impact is central and nothing leaves its line.  Along a line, V the centre's velocity of a pair:
 //
-//     impact of neighbours   x_b - x_a = r_a + r_b while w = u_b - u_a < 0
+//     impact of a pair       x_b - x_a = r_a + r_b while w = u_b - u_a < 0
 //     w' = -e w,   u_a' = V - m_b w'/(m_a + m_b),   u_b' = V + m_a w'/(m_a + m_b)
 //
 // one after another, earliest first; spheres that touch hand a blow on pair by pair (impacts "sequential").
-// Gravity moves all alike.  Domain: spheres, no plane, no friction, steady spins; a list of impacts that ends
+// Gravity moves all alike.  Spheres whose groups keep them apart go through each other; all other pairs keep
+// their order.  Domain: spheres, no plane, no friction, steady spins; a list of impacts that ends
 // before the horizon, whose order no rounding decides.
 #include "reference/exact/domain.h"
 #include "reference/exact/flight.h"
@@ -101,7 +102,7 @@ class Row {
   Row(const core::Scene& scene, const WideVector& d, const std::vector<int>& bodies) : scene_(scene), d_(d) {
     for (int i : bodies) balls_.push_back(ball(scene, d, i));
     for (Ball& b : balls_) go(b);
-    hits_.resize(balls_.size());
+    find_pairs();
   }
 
   void run(Wide horizon, Rows& rows) {
@@ -118,15 +119,30 @@ class Row {
  private:
   struct Next {
     Wide time;
-    std::size_t pair;  // of the balls `pair` and `pair` + 1
+    std::size_t pair;
   };
+  struct Couple {
+    std::size_t low, high;  // of balls_, in the order along the line
+    int hits = 0;
+  };
+
+  // Neighbours, between which all others are held; where groups keep pairs apart, every pair that meets.
+  void find_pairs() {
+    const core::ContactRules may_touch(scene_);
+    const bool filtered = core::states_filters(scene_);
+    for (std::size_t low = 0; low < balls_.size(); ++low) {
+      const std::size_t end = filtered ? balls_.size() : std::min(low + 2, balls_.size());
+      for (std::size_t high = low + 1; high < end; ++high)
+        if (may_touch.bodies(balls_[low].body, balls_[high].body)) couples_.push_back({low, high});
+    }
+  }
 
   Next next() const {
     Next first = {std::numeric_limits<Wide>::infinity(), 0};
     Wide fastest = 0;
     for (const Ball& b : balls_) fastest = std::max(fastest, std::abs(b.u));
-    for (std::size_t k = 0; k + 1 < balls_.size(); ++k) {
-      const Ball &a = balls_[k], &b = balls_[k + 1];
+    for (std::size_t k = 0; k < couples_.size(); ++k) {
+      const Ball &a = balls_[couples_[k].low], &b = balls_[couples_[k].high];
       const Wide closing = a.u - b.u, gap = b.at(now_) - a.at(now_) - (a.radius + b.radius);
       if (closing <= slowest * fastest) continue;
       const Wide time = now_ + std::max<Wide>(0, gap) / closing;
@@ -136,7 +152,7 @@ class Row {
   }
 
   void strike(std::size_t k, Rows& rows) {
-    Ball &a = balls_[k], &b = balls_[k + 1];
+    Ball &a = balls_[couples_[k].low], &b = balls_[couples_[k].high];
     const core::Pair pair = {std::min(a.body, b.body), std::max(a.body, b.body), -1};
     const auto material = core::material_of(scene_, pair);
     const Wide e = material ? material->restitution : 0, sum = a.mass + b.mass;
@@ -152,7 +168,7 @@ class Row {
     if (after == 0) return;
     rows.course.events.push_back({.kind = core::EventKind::bounce,
                                   .pair = pair,
-                                  .index = ++hits_[k],
+                                  .index = ++couples_[k].hits,
                                   .time = static_cast<double>(now_),
                                   .speed = static_cast<double>(after),
                                   .height = 0});
@@ -170,7 +186,7 @@ class Row {
   const core::Scene& scene_;
   const WideVector d_;
   std::vector<Ball> balls_;
-  std::vector<int> hits_;
+  std::vector<Couple> couples_;
   Wide now_ = 0;
 };
 
@@ -223,9 +239,11 @@ void add_spread(const core::Scene& scene, const Rows& rows, double horizon, core
 }
 
 void check_starts_apart(const core::Scene& scene, const WideVector& d) {
+  const core::ContactRules may_touch(scene);
   const int count = static_cast<int>(scene.bodies.size());
   for (int j = 0; j < count; ++j) {
     for (int i = 0; i < j; ++i) {
+      if (!may_touch.bodies(i, j)) continue;
       const core::Vector3 apart =
           scene.bodies[index_of(j)].initial.position - scene.bodies[index_of(i)].initial.position;
       const double both = reach(scene, i, j);

@@ -72,6 +72,7 @@ core::Truth sphere_two_walls(const core::Scene& scene, double horizon) {
   const core::Plane &left = scene.planes[0], &right = scene.planes[1];
   if (!(left.normal + right.normal).isZero(0)) refuse(name, "the planes do not face each other");
   if (left.normal.dot(gravity(scene)) != 0) refuse(name, "gravity acts across the walls");
+  const core::ContactRules may_touch(scene);
   const int count = static_cast<int>(scene.bodies.size());
   for (int i = 0; i < count; ++i) {
     const double r = colliding_radius(name, scene, i);
@@ -80,6 +81,7 @@ core::Truth sphere_two_walls(const core::Scene& scene, double horizon) {
     const core::Vector3& p = scene.bodies[static_cast<std::size_t>(i)].initial.position;
     for (int k : {0, 1}) {
       const core::Plane& plane = scene.planes[static_cast<std::size_t>(k)];
+      check_meets(name, scene, may_touch, {i, core::world, k});
       check_smooth(name, scene, {i, core::world, k});
       if (plane.normal.dot(p) - plane.offset - r < -1e-12 * r) {
         refuse(name, named(scene, i) + " starts inside plane '" + plane.name + "'");
@@ -96,6 +98,7 @@ core::Truth sphere_two_walls(const core::Scene& scene, double horizon) {
   const Course course = solve(scene);
   for (int i = 0; i < count; ++i) {
     for (int j = 0; j < i; ++j) {
+      if (!may_touch.bodies(j, i)) continue;
       const double reach = colliding_radius(name, scene, i) + colliding_radius(name, scene, j);
       check_apart(name, scene, course, j, i, reach, horizon);
     }

@@ -72,6 +72,7 @@ core::Truth two_sphere_oblique(const core::Scene& scene, double horizon) {
   const Wide radii = Wide(colliding_radius(name, scene, 0)) + Wide(colliding_radius(name, scene, 1));
   for (int i : {0, 1}) check_steady_spin(name, scene, i);
   const core::Pair pair = {0, 1, -1};
+  check_meets(name, scene, core::ContactRules(scene), pair);
   const auto material = core::material_of(scene, pair);
   if (!material) refuse(name, "no material is given for the two bodies");
   if (material->friction != 0) refuse(name, "the spheres must be smooth; friction is not zero");

@@ -31,6 +31,7 @@ void add(Model& whole, const Model& part) {
   append(whole.motions, part.motions);
   append(whole.shapes, part.shapes);
   append(whole.surfaces, part.surfaces);
+  append(whole.filters, part.filters);
   for (Joint joint : part.joints) shift(joint.body), shift(joint.to), whole.joints.push_back(joint);
   for (Spring s : part.forces.springs) shift(s.body), shift(s.to), whole.forces.springs.push_back(s);
   for (Drag d : part.forces.drags) shift(d.body), whole.forces.drags.push_back(d);
@@ -164,6 +165,11 @@ TEST(Islands, RandomPartsMoveBitForBitAsAlone) {
       m->planes = one.model.planes, m->plane_surfaces = one.model.plane_surfaces;
       m->materials = one.model.materials, m->surface_count = one.model.surface_count;
       if (one.model.surface_count == 0) std::fill(m->surfaces.begin(), m->surfaces.end(), no_surface);
+      if (one.model.filters.empty())
+        m->filters.clear();
+      else
+        m->filters.resize(m->bodies.size());
+      m->plane_filters = one.model.plane_filters;
     }
     if (one.surface == Surface::near) continue;
     const auto locks = [](const Model& m) {

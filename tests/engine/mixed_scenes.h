@@ -163,6 +163,21 @@ inline void add_joints(Dice& dice, Model& m, std::string& text) {
 
 }  // namespace mixed
 
+namespace mixed {
+
+// Two groups, any of which may be in a mask, also none.
+inline void add_filters(Dice& dice, Model& m, std::string& text) {
+  const auto filter = [&] {
+    return Filter{static_cast<std::uint32_t>(1 + dice.below(3)), static_cast<std::uint32_t>(dice.below(4))};
+  };
+  for (std::size_t i = 0; i < m.bodies.size(); ++i) m.filters.push_back(filter());
+  for (std::size_t i = 0; i < m.planes.size(); ++i) m.plane_filters.push_back(filter());
+  text += " filters";
+  for (const Filter& f : m.filters) text += ' ' + std::to_string(f.groups) + std::to_string(f.mask);
+}
+
+}  // namespace mixed
+
 inline MixedScene mixed_scene(std::uint32_t number) {
   Dice dice(number);
   MixedScene scene;
@@ -199,6 +214,8 @@ inline MixedScene mixed_scene(std::uint32_t number) {
     for (std::size_t i = 1; alone && i < n; ++i) m.surfaces[i] = no_surface;
     if (!far && !alone) m.materials[0].friction = 0;
     scene.text += far ? " far plane" : " plane";
+    // Not of bodies that attract each other: what nothing keeps apart comes as near as it likes.
+    if (m.forces.attractions.empty() && dice.one_in(3)) mixed::add_filters(dice, m, scene.text);
   }
   return scene;
 }

@@ -1,4 +1,5 @@
 // Bullet behind the Simulator interface.  Compiled twice: double (BT_USE_DOUBLE_PRECISION) and float.
+#include "harness/core/collision_filter.h"
 #include "harness/core/simulator.h"
 #include "harness/core/surfaces.h"
 #include "reference/applied/forces.h"
@@ -33,23 +34,26 @@
 namespace cylon::simulators {
 namespace {
 
-// ---- Jointed neighbours do not touch each other ----------------------------------------------------
+// ---- What does not touch each other ----------------------------------------------------------------
 
-// Bullet's own rule by groups and masks, without pairs that a joint ties.
-struct JointedPairs final : btOverlapFilterCallback {
-  explicit JointedPairs(std::vector<std::array<int, 2>> jointed) : pairs(std::move(jointed)) {}
+// Bullet's own rule by groups and masks, which are those of the scene, without pairs that a joint ties and pairs that
+// are both static.  (Bullet's default leaves the latter out by groups of its own.)
+struct ContactPairs final : btOverlapFilterCallback {
+  explicit ContactPairs(std::vector<std::array<int, 2>> jointed) : pairs(std::move(jointed)) {}
 
   bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override {
     const int one = owner(*a), other = owner(*b);
     return (a->m_collisionFilterGroup & b->m_collisionFilterMask) != 0 &&
            (b->m_collisionFilterGroup & a->m_collisionFilterMask) != 0 &&
+           !(object(*a).isStaticObject() && object(*b).isStaticObject()) &&
            !std::binary_search(pairs.begin(), pairs.end(),
                                std::array{std::min(one, other), std::max(one, other)});
   }
 
   // The body's index; of a plane below zero.
-  static int owner(const btBroadphaseProxy& proxy) {
-    return static_cast<const btCollisionObject*>(proxy.m_clientObject)->getUserIndex2();
+  static int owner(const btBroadphaseProxy& proxy) { return object(proxy).getUserIndex2(); }
+  static const btCollisionObject& object(const btBroadphaseProxy& proxy) {
+    return *static_cast<const btCollisionObject*>(proxy.m_clientObject);
   }
 
   std::vector<std::array<int, 2>> pairs;
@@ -135,7 +139,8 @@ class Run {
  public:
   Run(core::Scene scene, const BulletSettings& settings, double dt)
       : scene_(std::move(scene)),
-        jointed_(core::jointed_pairs(scene_)),
+        filters_(scene_),
+        pairs_(core::jointed_pairs(scene_)),
         dt_(dt),
         forces_(scene_),
         surfaces_(scene_),
@@ -149,7 +154,7 @@ class Run {
       world_ = std::make_unique<btDiscreteDynamicsWorld>(&dispatcher_, &broadphase_, solver_.solver.get(),
                                                          &config_);
     }
-    if (!jointed_.pairs.empty()) world_->getPairCache()->setOverlapFilterCallback(&jointed_);
+    world_->getPairCache()->setOverlapFilterCallback(&pairs_);
     world_->setGravity(to_bullet(applied::gravity(scene_)));
     world_->setApplySpeculativeContactRestitution(settings.on("speculative-restitution"));
     apply(settings, config_);
@@ -236,8 +241,12 @@ class Run {
   void add_plane(std::size_t p, const BulletSettings& settings) {
     core::Body ground;
     ground.locked = ground.collide = true;
-    const Placing placing{make_shape(scene_.planes[p], shapes_), core::principal_axes(ground.inertia),
-                          &surfaces_, surfaces_.of_plane(p), -1 - static_cast<int>(p)};
+    const Placing placing{make_shape(scene_.planes[p], shapes_),
+                          core::principal_axes(ground.inertia),
+                          &surfaces_,
+                          surfaces_.of_plane(p),
+                          -1 - static_cast<int>(p),
+                          filters_.of_plane[p]};
     planes_.push_back(make_rigid(ground, placing, settings, *world_));
   }
 
@@ -249,7 +258,7 @@ class Run {
       const core::Shape bare;
       placings.push_back(
           {make_shape(body.collide ? body.shape : bare, principal.rotation, margin(settings), shapes_),
-           principal, &surfaces_, surfaces_.of_body(i), static_cast<int>(i)});
+           principal, &surfaces_, surfaces_.of_body(i), static_cast<int>(i), filters_.of_body[i]});
     }
     bodies_.resize(scene_.bodies.size());
     for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
@@ -275,7 +284,8 @@ class Run {
   }
 
   core::Scene scene_;
-  JointedPairs jointed_;
+  core::CollisionFilters filters_;
+  ContactPairs pairs_;
   double dt_;
   applied::Forces forces_;
   std::int64_t steps_ = 0;
@@ -335,7 +345,7 @@ class Bullet final : public core::Simulator {
         return fmt::format("Body '{}': {}", body.name, *reason);
     for (const core::Joint& joint : scene.joints)
       if (auto reason = simulators::unsupported(joint)) return reason;
-    if (!Surfaces(scene).complete()) return "A pair that may touch has no material.";
+    if (core::pair_without_material(scene)) return "A pair that may touch has no material.";
     if (setup.path == "multibody")
       if (auto reason = untreelike(scene)) return reason;
     return bullet_settings(engine_, setup, bullet_kind(scene)).refused;

@@ -29,7 +29,7 @@ class Rigid final : public BulletBody {
       body_.setAngularVelocity(to_bullet(body.initial.angular_velocity));
     }
     if (body.collide)
-      world.addRigidBody(&body_);
+      world.addRigidBody(&body_, collision_group(placing), collision_mask(placing));
     else
       world.addRigidBody(&body_, 0, 0);
   }
@@ -82,6 +82,10 @@ void prepare(btCollisionObject& object, const Placing& placing, const BulletSett
   const double threshold = settings.number.at("contact-threshold");
   if (threshold < no_limit) object.setContactProcessingThreshold(to_bullet(threshold));
 }
+
+// Bits that Bullet keeps in an int.
+int collision_group(const Placing& placing) { return static_cast<int>(placing.filter.groups); }
+int collision_mask(const Placing& placing) { return static_cast<int>(placing.filter.mask); }
 
 std::unique_ptr<BulletBody> make_rigid(const core::Body& body, const Placing& placing,
                                        const BulletSettings& settings, btDiscreteDynamicsWorld& world) {

@@ -1,6 +1,7 @@
 // One moving thing of a Bullet world behind one interface: a btRigidBody or a link of a btMultiBody.
 #pragma once
 
+#include "harness/core/collision_filter.h"
 #include "harness/core/scene.h"
 #include "reference/simulators/bullet/bullet_settings.h"
 #include "reference/simulators/bullet/bullet_surfaces.h"
@@ -38,11 +39,16 @@ struct Placing {
   const Surfaces* surfaces = nullptr;
   int surface = 0;
   int owner = 0;  ///< The body's index; of plane p: -1 - p.
+  core::CollisionFilter filter = {};
 };
 
 /// Adds a btRigidBody to the world, static when the body is locked.
 std::unique_ptr<BulletBody> make_rigid(const core::Body&, const Placing&, const BulletSettings&,
                                        btDiscreteDynamicsWorld&);
+
+/// Bullet's group and mask of what may touch something.
+int collision_group(const Placing&);
+int collision_mask(const Placing&);
 
 /// Gives a collision object its surface, its contact threshold and a wakeful life.
 void prepare(btCollisionObject&, const Placing&, const BulletSettings&);

@@ -179,7 +179,7 @@ class TreeBody {
     else
       multibody_.getLink(link).m_collider = &collider;
     if (touches)
-      world.addCollisionObject(&collider, btBroadphaseProxy::DefaultFilter, btBroadphaseProxy::AllFilter);
+      world.addCollisionObject(&collider, collision_group(placing), collision_mask(placing));
     else
       world.addCollisionObject(&collider, 0, 0);
   }

@@ -59,7 +59,6 @@ Surfaces::Surfaces(const core::Scene& scene) {
       if (!may_touch(members[a], members[b], a == b)) continue;
       const std::optional<core::Material> m = material(scene, members[a], members[b]);
       if (m) table_[a * classes_ + b] = {m->restitution, m->friction, true};
-      complete_ = complete_ && m;
     }
 }
 

@@ -22,9 +22,6 @@ class Surfaces {
   int of_plane(std::size_t plane) const { return plane_class_[plane]; }
   const Contact& between(int a, int b) const { return table_[index(a, b)]; }
 
-  /// Whether every pair that may touch has a material.
-  bool complete() const { return complete_; }
-
  private:
   std::size_t index(int a, int b) const {
     return static_cast<std::size_t>(a) * classes_ + static_cast<std::size_t>(b);
@@ -33,7 +30,6 @@ class Surfaces {
   std::size_t classes_ = 1;
   std::vector<int> body_class_, plane_class_;
   std::vector<Contact> table_;
-  bool complete_ = true;
 };
 
 }  // namespace cylon::simulators

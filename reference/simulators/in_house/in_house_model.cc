@@ -1,5 +1,6 @@
 #include "reference/simulators/in_house/in_house_model.h"
 
+#include "harness/core/collision_filter.h"
 #include "harness/core/held_joint.h"
 #include "harness/core/overloaded.h"
 #include "harness/core/surfaces.h"
@@ -7,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <variant>
 
 namespace cylon::simulators {
@@ -188,6 +191,13 @@ std::optional<std::string> add_contacts(const Scene& scene, Model& model) {
     model.materials.back() = {real(material.restitution), real(material.friction)};
   }
   for (const auto& [a, b] : core::jointed_pairs(scene)) model.apart.push_back({a, b});
+  if (const core::CollisionFilters filters(scene); filters.stated) {
+    const auto engine_filter = [](const core::CollisionFilter& f) {
+      return engine::Filter{f.groups, f.mask};
+    };
+    std::ranges::transform(filters.of_body, std::back_inserter(model.filters), engine_filter);
+    std::ranges::transform(filters.of_plane, std::back_inserter(model.plane_filters), engine_filter);
+  }
   constexpr engine::Impacts rules[] = {engine::Impacts::sequential, engine::Impacts::simultaneous};
   model.impacts = rules[static_cast<std::size_t>(scene.impacts)];
   return std::nullopt;

@@ -1,7 +1,7 @@
 // The adapter of ODE (Open Dynamics Engine), double precision: a Scene in, motion out.
 // Sees the simulator interface and ODE's headers; never a scenario, a claim or another adapter.
+#include "harness/core/collision_filter.h"
 #include "harness/core/simulator.h"
-#include "harness/core/surfaces.h"
 #include "reference/applied/forces.h"
 #include "reference/simulators/ode/ode_limits.h"
 #include "reference/simulators/ode/ode_settings.h"
@@ -85,6 +85,7 @@ class Ode final : public core::Simulator {
   void add_body(const Body&);
   void add_joint(std::size_t);
   void apply_forces();
+  bool may_touch(const Owner&, const Owner&) const;
   void collide(dGeomID, dGeomID);
   void note_contacts();
   void note_reactions();
@@ -102,9 +103,9 @@ class Ode final : public core::Simulator {
   std::optional<applied::Forces> forces_;  // of scene_, those that are no joints
   std::deque<Owner> owners_;               // geoms point at them
   std::unordered_map<std::uint64_t, Surface> surfaces_;
-  std::vector<std::array<int, 2>> jointed_;  // pairs of bodies
-  bool keep_ = false;                        // feedback of the contacts of the next step
-  std::deque<Touch> touches_;                // while it is kept; joints point at the feedback
+  std::optional<core::ContactRules> may_touch_;
+  bool keep_ = false;          // feedback of the contacts of the next step
+  std::deque<Touch> touches_;  // while it is kept; joints point at the feedback
   std::vector<core::Contact> contacts_;
   std::deque<Held> held_;  // joints of the scene; they point at the feedback
   std::vector<core::Reaction> reactions_;
@@ -130,7 +131,7 @@ Terms Ode::load(const Scene& scene, const Setup& setup) {
   if (settings_.quick) dRandSetSeed(0);
 
   scene_ = scene, dt_ = setup.dt, steps_ = 0;
-  jointed_ = core::jointed_pairs(scene_);
+  may_touch_.emplace(scene_);
   bodies_.clear(), owners_.clear(), surfaces_.clear(), held_.clear();
   world_ = std::make_unique<World>();
   dWorldSetERP(world_->id, settings_.erp);
@@ -261,13 +262,19 @@ void Ode::step() {
   ++steps_;
 }
 
+// Neighbours on a joint do not, and groups and masks decide.  ODE's own category and collide bits ask for one of the
+// two masks where the scene's rule asks for both (collision_kernel.cpp, collideAABBs), so they stay as they are.
+bool Ode::may_touch(const Owner& a, const Owner& b) const {
+  if (a.plane >= 0) return may_touch_->body_and_plane(b.body, a.plane);
+  if (b.plane >= 0) return may_touch_->body_and_plane(a.body, b.plane);
+  return may_touch_->bodies(a.body, b.body);
+}
+
 void Ode::collide(dGeomID a, dGeomID b) {
   dBodyID first = dGeomGetBody(a), second = dGeomGetBody(b);
   if (first == second) return;  // both fixed, or two parts of one body
   const Owner &owner = *static_cast<Owner*>(dGeomGetData(a)), &other = *static_cast<Owner*>(dGeomGetData(b));
-  if (std::binary_search(jointed_.begin(), jointed_.end(),
-                         std::array{std::min(owner.body, other.body), std::max(owner.body, other.body)}))
-    return;  // neighbours on a joint do not touch each other
+  if (!may_touch(owner, other)) return;
   std::array<dContactGeom, ode_most_contacts> found;
   const int n = dCollide(a, b, settings_.contacts, found.data(), sizeof(dContactGeom));
   if (n == 0) return;

@@ -257,7 +257,8 @@ core::Engine ode_engine(std::string version) {
             "they hold")},
       "always 'step'",
       {{integrator_name, 1, "linear momentum"}},
-      {}};
+      {},
+      {"collision_filters"}};
   for (const OdeOption& option : ode_options())
     engine.options.push_back({option.name, option.words, option.engine_default, option.meaning});
   return engine;

@@ -26,8 +26,12 @@ Scene scene_of(const Field& field, int count, std::mt19937& random) {
   Scene scene;
   scene.planes = {{.name = "floor", .normal = Vector3(0.2, 0.9, -0.1).normalized(), .offset = 0.3},
                   {.name = "wall", .normal = {1, 0, 0}, .offset = -0.2}};
+  const std::vector<std::vector<std::string>> lists = {{}, {"x"}, {"default"}, {"default", "x"}};
+  scene.planes[1].collision_mask = lists[static_cast<std::size_t>(count) % 4];
   for (int i = 0; i < count; ++i) {
     Body body;
+    if (i % 7 == 0) body.collision_groups = lists[static_cast<std::size_t>(i / 7) % 4];
+    if (i % 5 == 0) body.collision_mask = lists[static_cast<std::size_t>(i / 5) % 4];
     body.name = std::to_string(i);
     body.shape = Sphere{field.smallest * std::pow(field.largest / field.smallest, any(0, 1))};
     body.collide = random() % 9 != 0;

@@ -44,6 +44,17 @@ void expect_same_as_pair_by_pair(const Scene& scene) {
   EXPECT_EQ(pair_without_material(scene), first);
 }
 
+// Half of the scenes: groups "x" and "default" in any mixture, masks that may be empty of what there is.
+void draw_groups(Scene& scene, std::mt19937& random) {
+  if (random() % 2 == 0) return;
+  const std::vector<std::vector<std::string>> lists = {{}, {"x"}, {"default"}, {"default", "x"}, {"nobody"}};
+  const auto draw = [&](auto& thing) {
+    thing.collision_groups = lists[random() % 4], thing.collision_mask = lists[random() % 5];
+  };
+  for (Body& body : scene.bodies) draw(body);
+  for (Plane& plane : scene.planes) draw(plane);
+}
+
 // Random tables of materials over a few names, "*" among them, often with the same pair twice.
 TEST(Surfaces, AgreeWithMaterialOf) {
   std::mt19937 random(20260101);
@@ -56,6 +67,7 @@ TEST(Surfaces, AgreeWithMaterialOf) {
       scene.bodies.back().collide = random() % 5 != 0;
     }
     scene.planes = {{.name = "floor"}, {.name = "wall"}};
+    draw_groups(scene, random);
     for (std::size_t i = random() % 9; i > 0; --i)
       scene.materials.push_back(row(names[random() % 7], names[random() % 7],
                                     0.125 * static_cast<double>(random() % 3),

@@ -69,7 +69,7 @@ CYLON_FIELDS(Mesh, a, b)
 CYLON_FIELDS(Part, a, b, c, d)
 CYLON_FIELDS(Compound, a)
 CYLON_FIELDS(BodyState, a, b, c, d)
-CYLON_FIELDS(Body, a, b, c, d, e, f, g, h)
+CYLON_FIELDS(Body, a, b, c, d, e, f, g, h, i, j)
 CYLON_FIELDS(UniformGravity, a)
 CYLON_FIELDS(Spring, a, b, c, d, e, f, g)
 CYLON_FIELDS(Drag, a, b, c, d)
@@ -78,7 +78,7 @@ CYLON_FIELDS(Drive, a, b, c)
 CYLON_FIELDS(Attraction, a, b, c)
 CYLON_FIELDS(Water, a, b, c, d, e, f)
 CYLON_FIELDS(Joint, a, b, c, d, e, f)
-CYLON_FIELDS(Plane, a, b, c)
+CYLON_FIELDS(Plane, a, b, c, d, e)
 CYLON_FIELDS(Frame, a, b)
 void put(Bytes& out, const Material& value) {
   const auto& [between, restitution, friction] = value;
@@ -184,6 +184,8 @@ class Dice {
       body.initial = {vector(), quaternion(), vector(), vector()};
       body.shape = shape(i);
       body.locked = flag(), body.collide = flag();
+      if (flag()) body.collision_groups = {"wheels", "an odd \"name\""};
+      if (flag()) body.collision_mask = {"default"};
       body.color = flag() ? "#12ab9f" : "";
       scene.bodies.push_back(body);
     }
@@ -201,7 +203,7 @@ class Dice {
         Water{number(), number(), number(), number(), number(), flag() ? "step" : "volume"});
     for (const JointType type : {JointType::ball, JointType::hinge, JointType::distance, JointType::fixed})
       scene.joints.push_back({type, body(), flag() ? world : body(), vector(), vector(), number()});
-    scene.planes = {{"floor", vector(), number()}, {"wall", vector(), number()}};
+    scene.planes = {{"floor", vector(), number()}, {"wall", vector(), number(), {"walls"}, {"wheels"}}};
     scene.materials = {{{"body1", "floor"}, number(), number()}, {{"*", "*"}, number(), number()}};
     if (flag()) scene.frame = Frame{vector(), vector()};
     scene.impacts = flag() ? Impacts::simultaneous : Impacts::sequential;
@@ -238,6 +240,7 @@ TEST(SceneJson, DefaultsAreWrittenOut) {
        {"spring", "drag", "thrust", "drive", "attraction", "water", "joint", "plane", "material"})
     EXPECT_EQ(text.at(key), json::array()) << key;
   EXPECT_TRUE(scene_from_json(text).forces.empty());
+  for (const char* key : {"collision_groups", "collision_mask"}) EXPECT_FALSE(text["body"][0].contains(key));
 }
 
 // The message when `edit` has been at the JSON of a sound scene.
@@ -256,6 +259,10 @@ TEST(SceneJson, ErrorsNameTheKey) {
   EXPECT_EQ(complaint([](json&) {}), "accepted");
   EXPECT_EQ(complaint([](json& s) { s.erase("gravity"); }), "gravity: missing");
   EXPECT_EQ(complaint([](json& s) { s["gravty"] = 1; }), "gravty: unknown key");
+  EXPECT_EQ(complaint([](json& s) { s["plane"][0]["collision_groups"] = {1}; }),
+            "plane[0].collision_groups[0]: expected a name");
+  EXPECT_EQ(complaint([](json& s) { s["plane"][0]["collision_mask"] = json::array(); }),
+            "plane[0].collision_mask: expected one name at least");
   EXPECT_EQ(complaint([](json& s) { s["body"][3]["mass"] = "1 kg"; }), "body[3].mass: expected a number");
   EXPECT_EQ(complaint([](json& s) { s["body"][3]["mass"] = nullptr; }), "body[3].mass: expected a number");
   EXPECT_EQ(complaint([](json& s) { s["body"][2]["masss"] = 1; }), "body[2].masss: unknown key");

@@ -1,5 +1,7 @@
 #include "tests/mutants/matrix/decorator.h"
 
+#include "harness/core/collision_filter.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -65,6 +67,30 @@ Mask joints(core::JointType from, core::JointType to) {
     for (core::Joint& joint : s.joints)
       if (joint.type == from) joint.type = to;
   });
+}
+
+// Who touches whom by another rule: each thing in a group of its own, with a mask of those that it meets.  `may_meet`
+// gets the filters of two things, bodies before planes and in the order of the scene.
+Mask groups_by(bool (*may_meet)(const core::CollisionFilter&, const core::CollisionFilter&)) {
+  return scene([may_meet](Scene& s) {
+    const core::CollisionFilters filters(s);
+    if (!filters.stated) return;
+    std::vector<core::CollisionFilter> all = filters.of_body;
+    all.insert(all.end(), filters.of_plane.begin(), filters.of_plane.end());
+    const auto state = [&](auto& thing, std::size_t i) {
+      thing.collision_groups = {"thing " + std::to_string(i)};
+      thing.collision_mask = {"nothing"};
+      for (std::size_t k = 0; k < all.size(); ++k)
+        if (k != i && (k < i ? may_meet(all[k], all[i]) : may_meet(all[i], all[k])))
+          thing.collision_mask.push_back("thing " + std::to_string(k));
+    };
+    for (std::size_t i = 0; i < s.bodies.size(); ++i) state(s.bodies[i], i);
+    for (std::size_t p = 0; p < s.planes.size(); ++p) state(s.planes[p], s.bodies.size() + p);
+  });
+}
+
+bool first_admits(const core::CollisionFilter& a, const core::CollisionFilter& b) {
+  return (a.mask & b.groups) != 0;
 }
 
 Mask claims_to_be(const char* integrator, std::function<void(Terms&)> lie) {
@@ -269,6 +295,19 @@ std::vector<MaskedRow> faults_of_the_scene() {
        every_body([](Body& b) { b.inertia *= 1.01; })},
       {"inertia off by 1e-6", "of one moment", "hammer", "theory: orientation follows",
        every_body([](Body& b) { b.inertia(0, 0) *= 1 + 1e-6; })},
+      {"collision groups ignored", "everything touches everything", "groups", "position follows",
+       groups_by([](const auto&, const auto&) { return true; })},
+      {"collision groups of planes ignored", "bodies alone have filters", "groups_planes", "position follows",
+       scene([](Scene& s) {
+         for (core::Plane& plane : s.planes) plane.collision_groups.clear(), plane.collision_mask.clear();
+         for (Body& body : s.bodies) body.collision_mask.clear();
+       })},
+      {"collision masks by or", "one of the two masks is enough", "groups", "position follows",
+       groups_by([](const auto& a, const auto& b) { return first_admits(a, b) || first_admits(b, a); })},
+      {"collision mask of the first", "that of the second is not asked", "groups", "position follows",
+       groups_by([](const auto& a, const auto& b) { return first_admits(a, b); })},
+      {"collision mask of the second", "that of the first is not asked", "groups", "position follows",
+       groups_by([](const auto& a, const auto& b) { return first_admits(b, a); })},
       {"locked bodies are heavy", "and no more than that", "locked_post", "position", every_body([](Body& b) {
          if (b.locked) b.locked = false, b.mass = 1e4, b.inertia = 1e4 * Matrix3::Identity();
        })},

@@ -53,6 +53,8 @@ const std::vector<SceneRow>& scene_rows() {
       {"locked_post", "scenarios/locked_post.toml"},
       {"fast_ball", "scenarios/fast_ball.toml"},
       {"cradle", "scenarios/newtons_cradle.toml"},
+      {"groups", "scenarios/collision_groups.toml"},
+      {"groups_planes", "scenarios/collision_groups_planes.toml"},
   };
   return rows;
 }

@@ -56,6 +56,11 @@ const std::vector<Table> tables = {
        }},
       {"does not collide", [](S& s) { s.bodies[0].collide = false; }},
       {"no material", [](S& s) { s.materials.pop_back(); }},
+      {"and plane 'right' apart",
+       [](S& s) {
+         s.bodies[0].collision_groups = {"ghosts"};
+         s.planes[1].collision_mask = {"default"};
+       }},
       {"friction of", [](S& s) { s.materials[0].friction = 0.1; }},
       {"starts inside plane 'left'", [](S& s) { s.bodies[0].initial.position -= 9 * s.planes[0].normal; }},
       {"has no room",

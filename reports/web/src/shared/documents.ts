@@ -90,11 +90,13 @@ export interface Scene {
     shape?: Shape; // absent: a point, or a bare rigid body
     locked: boolean;
     collide: boolean;
+    collision_groups?: string[]; // absent: in "default"
+    collision_mask?: string[]; // absent: all groups
     color: string; // "#rrggbb" or ""
   }[];
   joint: { type: 'ball' | 'hinge' | 'distance' | 'fixed'; body: string; to?: string; point?: Vector; axis?: Vector; length?: number }[];
   spring: { body: string; anchor: Vector; to?: string; to_anchor?: Vector; pin?: Vector; stiffness: number; rest_length: number; damping: number }[];
-  plane: { name: string; normal: Vector; offset: number }[];
+  plane: { name: string; normal: Vector; offset: number; collision_groups?: string[]; collision_mask?: string[] }[];
   water: { level: number; wave: number; speed: number; buoyancy: number; drag: number; mode: 'volume' | 'step' }[];
   [other: string]: unknown;
 }
