@@ -1,17 +1,27 @@
 #!/usr/bin/env bash
 # Installs what cmake/packages.txt and reference/simulators/engines.txt list and this machine lacks; says clearly what it cannot do.
-#   cmake/install_packages.sh        what the program needs
-#   cmake/install_packages.sh tests  and what only the tests need
-#   cmake/install_packages.sh fuzz   and what only ./test fuzz needs
+#   cmake/install_packages.sh          what the program needs
+#   cmake/install_packages.sh engines  and the optional engines
+#   cmake/install_packages.sh tests    and the optional engines, and what only the tests need
+#   cmake/install_packages.sh fuzz     and what only ./test fuzz needs
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-engines() { awk '!/^#/ && $8 && !seen[$7]++ { print "header:" $8, $7 }' reference/simulators/engines.txt; }
+# Of an optional engine: who asks for it.
+engines() {
+  awk '!/^#/ && $8 && !seen[$7]++ { print "header:" $8, $7, $4 == "optional" ? "engines" : "" }' reference/simulators/engines.txt
+}
 
-missing=() missing_for_tests=()
+# Without the first list nothing works; without the second something is left out.
+missing=() missing_of_choice=()
 while read -r probe package only; do
-  [ -z "$only" ] || [ "$only" = "${1:-}" ] || continue
-  declare -n list=missing${only:+_for_tests}
+  if [ -z "$only" ]; then
+    declare -n list=missing
+  elif [ "$only" = "${1:-}" ] || [ "$only for ${1:-}" = "engines for tests" ]; then
+    declare -n list=missing_of_choice
+  else
+    continue
+  fi
   case "$probe" in
     '#'* | '') continue ;;
     file:*) compgen -G "${probe#file:}" >/dev/null || list+=("$package") ;;
@@ -19,19 +29,21 @@ while read -r probe package only; do
     header:*) compgen -G "/usr/include/${probe#header:}" >/dev/null || compgen -G "/usr/include/*-linux-gnu/${probe#header:}" >/dev/null || list+=("$package") ;;
   esac
 done < <(cat cmake/packages.txt && engines)
-[ ${#missing[@]} -eq 0 ] && [ ${#missing_for_tests[@]} -eq 0 ] && exit 0
+[ ${#missing[@]} -eq 0 ] && [ ${#missing_of_choice[@]} -eq 0 ] && exit 0
 
-echo "Installing these Debian packages, which takes a few minutes: ${missing[*]} ${missing_for_tests[*]}" >&2
+echo "Installing these Debian packages, which takes a few minutes: ${missing[*]} ${missing_of_choice[*]}" >&2
 sudo=""
+# What is left out is no reason to stop.
+give_up() { echo "$1" >&2; [ ${#missing[@]} -eq 0 ] && exit 0 || exit 2; }
 if [ "$(id -u)" -ne 0 ]; then
-  command -v sudo >/dev/null || { echo "Not root and no sudo: please install these Debian packages and try again." >&2; exit 2; }
+  command -v sudo >/dev/null || give_up "Not root and no sudo: please install these Debian packages and try again."
   sudo="sudo"
 fi
-command -v apt-get >/dev/null || { echo "No apt-get here: please install the counterparts of these Debian 12 packages and try again." >&2; exit 2; }
+command -v apt-get >/dev/null || give_up "No apt-get here: please install the counterparts of these Debian 12 packages and try again."
 export DEBIAN_FRONTEND=noninteractive
 $sudo apt-get update -qq >&2
 install() { $sudo apt-get install -y -qq --no-install-recommends "$@" >&2 </dev/null; }
 [ ${#missing[@]} -eq 0 ] || install "${missing[@]}" ||
   { echo "apt-get could not install: ${missing[*]}" >&2; exit 2; }
-[ ${#missing_for_tests[@]} -eq 0 ] || install "${missing_for_tests[@]}" ||
-  echo "apt-get could not install: ${missing_for_tests[*]}; the tests that need them are skipped" >&2
+[ ${#missing_of_choice[@]} -eq 0 ] || install "${missing_of_choice[@]}" ||
+  echo "apt-get could not install: ${missing_of_choice[*]}; what needs them is left out" >&2

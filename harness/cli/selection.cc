@@ -51,7 +51,8 @@ scenario::Suite find_suite(const Context& context, const std::vector<EngineRow>&
                                        fmt::join(names, ", ")));
   scenario::Suite all;
   all.scenarios = {"*"};
-  for (const EngineRow& row : rows) all.engines.push_back(row.id);
+  for (const EngineRow& row : rows)
+    if (!row.optional()) all.engines.push_back(row.id);
   return all;
 }
 

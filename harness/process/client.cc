@@ -226,7 +226,7 @@ RunOutcome run(const EngineChoice& choice, const RunRequest& request, const Limi
   std::optional<Conversation> worker;
   std::string death;
   attempt(outcome, [&] {
-    worker.emplace(choice.row.command, limits.memory_bytes);
+    worker.emplace(command_of(choice.row), limits.memory_bytes);
     const Hello hello = introduce(*worker, limits.hello_seconds);
     outcome.engine = hello.engine;
     outcome.terms = open_scene(*worker, choice, scene, request.setup, hello.engine, limits.run_seconds);
@@ -259,7 +259,7 @@ RunOutcome run(const EngineChoice& choice, const RunRequest& request, const Limi
 }
 
 core::Engine describe(const EngineChoice& choice, const Limits& limits) try {
-  Conversation worker(choice.row.command, limits.memory_bytes);
+  Conversation worker(command_of(choice.row), limits.memory_bytes);
   core::Engine engine = introduce(worker, limits.hello_seconds).engine;
   worker.finish(limits.quit_seconds);
   return engine;

@@ -9,7 +9,8 @@ namespace cylon::process {
 
 struct BuiltEngine {
   const char *id, *build, *path;
-  bool compared;  ///< By commands that compare engines, when none is named.
+  bool compared;           ///< By commands that compare engines, when none is named.
+  const char* brought_by;  ///< Command that installs and builds it where it is missing; "": always built.
 };
 
 std::span<const BuiltEngine> engine_table();

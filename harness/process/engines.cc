@@ -22,7 +22,19 @@ std::vector<EngineRow> default_engines(const std::filesystem::path& worker_dir) 
   // Absolute, so that a worker is never looked up in PATH.
   const std::filesystem::path folder = std::filesystem::absolute(worker_dir);
   for (const BuiltEngine& e : engine_table())
-    rows.push_back({e.id, {(folder / fmt::format("cylon-worker-{}", e.build)).string()}, e.path});
+    rows.push_back(
+        {e.id, {(folder / fmt::format("cylon-worker-{}", e.build)).string()}, e.path, e.brought_by});
+  return rows;
+}
+
+std::optional<std::string> missing(const EngineRow& row) {
+  std::error_code ignored;
+  if (!row.optional() || std::filesystem::exists(row.command.front(), ignored)) return std::nullopt;
+  return fmt::format("{} is not here; `{}` installs and builds it", row.id, row.brought_by);
+}
+
+std::vector<EngineRow> usual(std::vector<EngineRow> rows) {
+  std::erase_if(rows, [](const EngineRow& row) { return row.optional(); });
   return rows;
 }
 

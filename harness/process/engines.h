@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,9 +15,20 @@ struct EngineRow {
   std::string id;                    ///< "bullet-multibody"
   std::vector<std::string> command;  ///< Worker and its arguments; looked up in PATH unless it has a slash.
   std::string path;                  ///< Of the engine; "": the engine's own rule.
+  std::string brought_by = {};       ///< Of an optional engine: the command that installs and builds it.
+
+  /// It may be missing, and takes part only where it is named.
+  bool optional() const { return !brought_by.empty(); }
 };
 
-/// The engines that are built with Cylon.
+/// Why an optional engine cannot run: that it is not here, and the command that brings it; nothing where its worker is
+/// there, and of all other engines.
+std::optional<std::string> missing(const EngineRow&);
+
+/// The rows that take part where none is named: all but the optional ones.
+std::vector<EngineRow> usual(std::vector<EngineRow>);
+
+/// The engines that are built with Cylon, and the optional ones, whether they are here or not.
 std::vector<EngineRow> default_engines(const std::filesystem::path& worker_dir);
 
 /// One engine with a variant, as a user asks for it.

@@ -38,7 +38,7 @@ auto speaking(Task task) try {
 LiveRun::LiveRun(EngineChoice choice, Limits limits)
     : choice_(std::move(choice)),
       limits_(limits),
-      worker_(choice_.row.command, limits_.memory_bytes),
+      worker_(command_of(choice_.row), limits_.memory_bytes),
       hello_(speaking([&] { return introduce(worker_, limits_.hello_seconds); })) {}
 
 void LiveRun::load(const core::Scene& scene, const core::Setup& setup) {

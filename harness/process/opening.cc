@@ -61,6 +61,11 @@ void require_ok(const json& answer, const char* what) {
   if (ok == answer.end() || *ok != what) broken(fmt::format("expected {{\"ok\":\"{}\"}}", what));
 }
 
+const std::vector<std::string>& command_of(const EngineRow& row) {
+  if (const auto reason = missing(row)) throw Failure(results::Status::unsupported, *reason);
+  return row.command;
+}
+
 Hello introduce(Conversation& worker, double seconds) {
   worker.ask({{"cmd", "hello"}, {"protocol", protocol_version}}, seconds);
   const json answer = worker.next_line();

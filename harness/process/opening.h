@@ -9,8 +9,12 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace cylon::process {
+
+/// The command of a worker.  Throws Failure(unsupported) where an optional engine is not here.
+const std::vector<std::string>& command_of(const EngineRow&);
 
 /// Says hello under a deadline [s].  Throws Failure where the worker is unsupported or refuses.
 Hello introduce(Conversation&, double seconds);

@@ -18,6 +18,10 @@ results::Verdict open_row(const Cell& cell, const std::string& claim,
   row.expected_size = expected.size;
   row.expected_within = expected.within;
   row.expected_reason = expected.reason;
+  if (const auto reason = process::missing(cell.engine.row)) {
+    row.expected = results::Status::unsupported, row.expected_size.reset();
+    row.expected_reason = *reason;
+  }
   return row;
 }
 

@@ -108,7 +108,8 @@ std::vector<Setting> settings(const scenario::Scenario& scenario, std::span<cons
       if (is_glob(word) && scenario::glob_match(word, row.id)) ids.emplace_back(row.id, false);
   }
   if (request.engines.empty())
-    for (const process::EngineRow& row : rows) ids.emplace_back(row.id, false);
+    for (const process::EngineRow& row : rows)
+      if (!row.optional()) ids.emplace_back(row.id, false);
 
   std::vector<Setting> result;
   std::vector<std::string> integrators;

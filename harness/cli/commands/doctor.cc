@@ -38,7 +38,11 @@ Command add_doctor(App&, const Context& context) {
       expectations = scenario::Expectations::load(context.scenarios / "expected.toml");
       return std::string("valid");
     });
-    for (const process::EngineRow& row : context.engines)
+    for (const process::EngineRow& row : context.engines) {
+      if (const auto reason = process::missing(row)) {
+        std::cout << plain(fmt::format("-     engine {}: {}\n", row.id, *reason));
+        continue;
+      }
       check("engine " + row.id, [&] {
         const core::Engine engine = process::describe(process::parse_engine(row.id, context.engines), {});
         const bool listed = expectations && expectations->version_listed(engine.name, engine.version);
@@ -46,6 +50,7 @@ Command add_doctor(App&, const Context& context) {
             "{} {}, {}{}", engine.name, engine.version, engine.precision,
             listed ? "" : " (expected.toml has no row for this version, so verdicts may differ)");
       });
+    }
     std::cout << (sound ? "Everything needed is installed.\n"
                         : "Something is missing; see FAIL above. ./run builds what this checkout needs.\n");
     return sound ? ok : harness_failure;

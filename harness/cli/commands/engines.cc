@@ -21,7 +21,7 @@ using nlohmann::ordered_json;
 
 struct Options {
   std::vector<std::string> globs, workers;
-  bool json = false, names = false, fingerprint = false;
+  bool json = false, names = false, here = false, fingerprint = false;
 };
 
 ordered_json row(const process::EngineRow& row, const core::Engine& engine) {
@@ -46,6 +46,7 @@ ordered_json row(const process::EngineRow& row, const core::Engine& engine) {
                      {"engine_default", o.engine_default},
                      {"meaning", o.meaning}});
   return {{"id", row.id},
+          {"here", true},
           {"engine", engine.name},
           {"version", engine.version},
           {"precision", engine.precision},
@@ -94,6 +95,11 @@ std::string text(const process::EngineRow& row, const core::Engine& engine,
   return out + '\n';
 }
 
+// An optional engine that is not here: what brings it.
+ordered_json absent(const process::EngineRow& row) {
+  return {{"id", row.id}, {"here", false}, {"brought_by", row.brought_by}};
+}
+
 int engines(const Context& context, const Options& options) {
   int found = 0, broken = 0;
   ordered_json rows = ordered_json::array();
@@ -107,10 +113,21 @@ int engines(const Context& context, const Options& options) {
       std::cout << engine.id << '\n';
       continue;
     }
+    if (process::missing(engine)) {
+      if (options.json)
+        rows.push_back(absent(engine));
+      else
+        std::cout << plain(fmt::format("{}: not here: `{}` installs and builds it\n{}", engine.id,
+                                       engine.brought_by, options.here ? "" : "\n"));
+      continue;
+    }
     try {
       const core::Engine description = process::describe(process::parse_engine(engine.id, table), {});
       if (options.json)
         rows.push_back(row(engine, description));
+      else if (options.here)
+        std::cout << plain(fmt::format("{}: here: {} {}, {} precision\n", engine.id, description.name,
+                                       description.version, description.precision));
       else
         std::cout << plain(text(engine, description, table));
     } catch (const process::Failure& failure) {
@@ -134,6 +151,8 @@ int engines(const Context& context, const Options& options) {
 Command add_engines(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   app.add_option("globs", options->globs, "List only these engines")->type_name("GLOB");
+  app.add_flag("--here", options->here,
+               "A line each: whether the engine is here, and the command that brings it where it is not");
   app.add_flag("--json", options->json, "As JSON");
   app.add_flag("--fingerprint", options->fingerprint,
                "Measure what each engine does, with a dozen small scenes: integrator, order, gyroscopic "

@@ -39,9 +39,9 @@ int fingerprint(const std::vector<process::EngineRow>& engines, const std::vecto
                 bool json) {
   std::vector<process::EngineChoice> choices;
   for (const process::EngineRow& row : engines)
-    if (asked.empty() || std::any_of(asked.begin(), asked.end(), [&](const std::string& glob) {
-          return scenario::glob_match(glob, row.id);
-        }))
+    if ((asked.empty() && !row.optional()) ||
+        std::any_of(asked.begin(), asked.end(),
+                    [&](const std::string& glob) { return scenario::glob_match(glob, row.id); }))
       choices.push_back(process::parse_engine(row.id, engines));
   for (const std::string& id : asked)  // variants, and names that are none: an error with the nearest
     if (std::none_of(choices.begin(), choices.end(), [&](const process::EngineChoice& choice) {

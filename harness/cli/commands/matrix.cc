@@ -47,8 +47,10 @@ std::vector<study::Setting> usual_ones(std::vector<study::Setting> all) {
 std::vector<study::Setting> settings_of(const Options& options, const scenario::Scenario& scenario,
                                         const std::vector<process::EngineRow>& rows) {
   study::SettingsRequest wanted = options.wanted;
-  if (wanted.engines.empty()) wanted.engines = {"*"};  // every row, without the variants that `trade` adds
-  std::vector<study::Setting> settings = study::settings(scenario, rows, wanted);
+  const bool named = !wanted.engines.empty();
+  if (!named) wanted.engines = {"*"};  // every usual row, without the variants that `trade` adds
+  std::vector<study::Setting> settings =
+      study::settings(scenario, named ? rows : process::usual(rows), wanted);
   if (options.others) std::erase_if(settings, [](const auto& s) { return is_in_house(s.engine.id); });
   return wanted.integrators.empty() ? usual_ones(std::move(settings)) : settings;
 }

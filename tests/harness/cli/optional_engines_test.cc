@@ -1,0 +1,107 @@
+// An optional engine that is not here: said by each command, with what brings it, and never a failure.  The folder of
+// workers is one of links to all others, so it is the same where the engine is installed.
+#include "tests/harness/cli/fixture.h"
+#include "tests/paths.h"
+
+#include "harness/process/engine_table.h"
+#include "harness/process/engines.h"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+namespace cylon::cli {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+class OptionalEngines : public CommandLine {
+ protected:
+  void SetUp() override {
+    CommandLine::SetUp();
+    fs::create_directory(folder / "workers");
+    for (const process::BuiltEngine& one : process::engine_table()) {
+      const std::string worker = std::string("cylon-worker-") + one.build;
+      const bool linked = fs::is_symlink(folder / "workers" / worker);
+      if (!*one.brought_by && !linked)
+        fs::create_symlink(fs::path(binary_dir) / worker, folder / "workers" / worker);
+    }
+  }
+
+  Ran cylon(const std::string& arguments) const {
+    return shell("export CYLON_WORKERS=\"$PWD/workers\"; exec cylon " + arguments);
+  }
+};
+
+constexpr const char* sentence = "mujoco is not here; `./run engines` installs and builds it";
+
+TEST_F(OptionalEngines, AreListedWithWhatBringsThem) {
+  const Ran here = cylon("engines --here");
+  EXPECT_EQ(here.code, 0) << here.err;
+  EXPECT_NE(here.out.find("mujoco: not here: `./run engines` installs and builds it\n"), std::string::npos)
+      << here.out;
+  EXPECT_NE(here.out.find("ode: here: ode 0.16"), std::string::npos) << here.out;
+
+  const Ran all = cylon("engines --json");
+  EXPECT_EQ(all.code, 0) << all.err;
+  for (const json& row : json::parse(all.out)) {
+    EXPECT_EQ(row.at("here"), row.at("id") != "mujoco") << row;
+    EXPECT_EQ(row.contains("brought_by"), row.at("id") == "mujoco") << row;
+  }
+  EXPECT_EQ(cylon("engines mujoco").code, 0);
+}
+
+TEST_F(OptionalEngines, AreUnsupportedWhereTheyAreNamed) {
+  const Ran ran = cylon("run projectile --engine in-house --engine mujoco --json rows.json");
+  EXPECT_EQ(ran.code, 0) << ran.out << ran.err;
+  EXPECT_NE(ran.out.find("4 as expected (4 unsupported), 0 differ"), std::string::npos) << ran.out;
+  int rows = 0;
+  const json written = json::parse(read("rows.json"));
+  for (const json& row : written.at("verdicts")) {
+    if (row.at("engine") != "mujoco") continue;
+    ++rows;
+    EXPECT_EQ(row.at("status"), "unsupported");
+    EXPECT_EQ(row.at("detail"), sentence);
+  }
+  EXPECT_EQ(rows, 4);
+}
+
+TEST_F(OptionalEngines, AreNoFailureOfTheMachine) {
+  const Ran ran = cylon("doctor");
+  EXPECT_EQ(ran.code, 0) << ran.out << ran.err;
+  EXPECT_NE(ran.out.find(sentence), std::string::npos) << ran.out;
+  EXPECT_EQ(ran.out.find("FAIL"), std::string::npos) << ran.out;
+}
+
+// One engine asked for one thing cannot do it: that is told as for any worker that cannot be had.
+TEST_F(OptionalEngines, CannotBeSimulated) {
+  const Ran ran = cylon("simulate projectile --engine mujoco");
+  EXPECT_EQ(ran.code, 5);
+  EXPECT_NE(ran.err.find(sentence), std::string::npos) << ran.err;
+}
+
+// Commands that take all engines where none is named take the others.
+TEST_F(OptionalEngines, TakePartOnlyWhereTheyAreNamed) {
+  for (const char* command : {"matrix projectile --rounds 1 --finest 0.01", "advise projectile --rounds 1"}) {
+    const Ran ran = cylon(command);
+    EXPECT_EQ(ran.code, 0) << command << ran.err;
+    EXPECT_EQ(ran.out.find("mujoco"), std::string::npos) << command << ran.out;
+    EXPECT_NE(ran.out.find("ode"), std::string::npos) << command << ran.out;
+  }
+}
+
+TEST(OptionalEnginesTable, HasRowsThatSayWhatBringsThem) {
+  int optional = 0;
+  for (const process::EngineRow& row : process::default_engines("/no/such/folder")) {
+    optional += row.optional();
+    EXPECT_EQ(process::missing(row).has_value(), row.optional())
+        << row.id << ": others are the build's failure";
+  }
+  EXPECT_GT(optional, 0);
+  for (const process::EngineRow& row : process::usual(process::default_engines("/no/such/folder")))
+    EXPECT_FALSE(row.optional()) << row.id;
+}
+
+}  // namespace
+}  // namespace cylon::cli
