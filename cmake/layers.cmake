@@ -108,6 +108,19 @@ function(test_suite name)
                        PROPERTIES LABELS ${name})
 endfunction()
 
+# adapter_tests(build library USES libraries…): the tests of an optional engine's adapter alone, which see its headers and
+# those of the engine (named as in reference/simulators/engines.txt); where the engine is not here, there are none.
+function(adapter_tests build library)
+  cmake_parse_arguments(ARG "" "" "USES" ${ARGN})
+  set(folder tests/reference/simulators/${build})
+  if(TARGET sim_${build})
+    test_suite(${build} FOLDER ${folder} USES sim_${build} ${ARG_USES})
+  else()
+    declare(${build}_tests KIND tests PLACES ${folder}/ PRIVATE sim_${build} ${ARG_USES} test_paths GTest::gtest_main)
+  endif()
+  declare(${build}_tests KIND tests PLACES ${folder}/ PRIVATE ${library})
+endfunction()
+
 # tool(name SOURCE file USES libraries…): an executable that a script builds when it needs it.
 function(tool name)
   cmake_parse_arguments(ARG "" "SOURCE" "USES" ${ARGN})

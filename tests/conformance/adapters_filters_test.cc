@@ -34,7 +34,7 @@ const Rule rules[] = {
 };
 
 // A ball or box that flies at another, which may be locked, or at a plane.
-core::Scene flying_at(const core::Shape& shape, bool locked, bool plane) {
+core::Scene flying_at(const core::Shape& shape, bool locked, bool plane, double restitution) {
   core::Scene scene = three_bodies(41);
   scene.bodies.resize(plane ? 1 : 2);
   const Vector3 way = Vector3(0.3, -0.8, 0.5).normalized();
@@ -49,7 +49,7 @@ core::Scene flying_at(const core::Shape& shape, bool locked, bool plane) {
     other.velocity = other.angular_velocity = Vector3::Zero();
     scene.bodies[1].locked = locked;
   }
-  scene.materials = {{{"*", "*"}, 0.5, 0.2}};
+  scene.materials = {{{"*", "*"}, restitution, 0.2}};
   scene.forces.emplace_back(core::UniformGravity{{0.1, -0.4, 0.2}});
   return scene;
 }
@@ -57,7 +57,7 @@ core::Scene flying_at(const core::Shape& shape, bool locked, bool plane) {
 TEST_P(Filters, DecideWhoTouches) {
   for (const core::Shape& shape : {core::Shape(core::Sphere{0.2}), core::Shape(core::Box{{0.2, 0.15, 0.1}})})
     for (const int kind : {0, 1, 2}) {  // two that move, one locked, a plane
-      const core::Scene scene = flying_at(shape, kind == 1, kind == 2);
+      const core::Scene scene = flying_at(shape, kind == 1, kind == 2, pair_restitution());
       core::Scene bare = scene;
       for (core::Body& body : bare.bodies) body.collide = false;
       const core::State free = last(choice(), bare, 1. / 512, 400);
@@ -88,7 +88,7 @@ TEST_P(Filters, HoldInMechanisms) {
   scene.bodies[0].initial.position = {0, 0, 0}, scene.bodies[1].initial.position = {1, 0.1, 0};
   scene.bodies[2].initial.position = {-1.5, 0, 0.05}, scene.bodies[2].initial.velocity = {4, 0, 0};
   scene.joints = {{.body = 1, .to = 0, .point = {0.5, 0.2, 0.1}}};
-  scene.materials = {{{"*", "*"}, 0.5, 0}};
+  scene.materials = {{{"*", "*"}, pair_restitution(), 0}};
   scene.bodies[0].collision_groups = {"near"}, scene.bodies[1].collision_groups = {"far"};
   scene.bodies[2].collision_mask = {"near", "far", "default"};
   const core::State both = last(choice(), scene, 1. / 512, 250);
@@ -106,7 +106,7 @@ TEST_P(Filters, HoldInMechanisms) {
 
 // The last of the groups that there may be is one as the others are.
 TEST_P(Filters, KnowEveryGroup) {
-  core::Scene scene = flying_at(core::Sphere{0.2}, false, false);
+  core::Scene scene = flying_at(core::Sphere{0.2}, false, false, pair_restitution());
   const std::string highest = "g" + std::to_string(core::most_groups - 1);
   for (std::size_t i = 1; i < core::most_groups; ++i)
     scene.bodies[1].collision_groups.push_back("g" + std::to_string(i));

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 namespace cylon::conformance {
 
@@ -30,6 +31,7 @@ struct Subject {
   bool reduced = false;    ///< Joints by reduced coordinates: no gap by construction.
   bool iterative = false;  ///< Joints by sweeps that stop before they have converged.
   int start_units = 8;     ///< Roundings, in units, of a state on its way in and out.
+  bool bounces = true;     ///< Has a coefficient of restitution.
 
   /// Unit roundoff: half the distance between 1 and the next number.
   double unit() const { return single ? 0x1p-24 : 0x1p-53; }
@@ -50,7 +52,16 @@ inline const Subject subjects[] = {
     {.id = "ode"},
     {.id = "ode-quick", .iterative = true},
     {.id = "in-house-float/integrator=rk4", .single = true, .order = 4, .start_units = 32},
+    {.id = "mujoco", .reduced = true, .bounces = false},
 };
+
+/// Those whose engine is here: an optional one may not be.
+inline std::vector<Subject> subjects_here() {
+  std::vector<Subject> here;
+  for (const Subject& subject : subjects)
+    if (!process::missing(subject.choice().row)) here.push_back(subject);
+  return here;
+}
 
 inline void PrintTo(const Subject& subject, std::ostream* out) { *out << subject.id; }
 
@@ -63,7 +74,12 @@ inline std::string test_name(const testing::TestParamInfo<Subject>& info) {
 
 class EveryEngine : public testing::TestWithParam<Subject> {
  protected:
+  // An optional engine is tested where it is.
+  void SetUp() override {
+    if (const auto reason = process::missing(subject().choice().row)) GTEST_SKIP() << *reason;
+  }
   const Subject& subject() const { return GetParam(); }
+  double pair_restitution() const { return subject().bounces ? 0.5 : 0; }
 };
 
 /// A run of `steps` steps, every `every`-th kept; whatever keeps it from its end fails the test.

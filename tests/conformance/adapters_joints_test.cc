@@ -108,7 +108,7 @@ TEST_P(Joints, ALockedBodyHolds) {
 // Balls that reach into each other's: with a joint between them that is no contact.
 TEST_P(Joints, NeighboursDoNotTouch) {
   core::Scene scene = pendulum(31, 2);
-  scene.materials = {{{"*", "*"}, 0.5, 0.3}};
+  scene.materials = {{{"*", "*"}, pair_restitution(), 0.3}};
   core::Scene solid = scene;
   for (core::Body& body : solid.bodies) body.shape = core::Sphere{0.4}, body.collide = true;
   const core::State bare = play(subject().choice(), scene, 0.002, 100).states.back();
@@ -122,7 +122,7 @@ TEST_P(Joints, NeighboursDoNotTouch) {
 // Without the joint between them the same balls push each other apart.
 TEST_P(Joints, OthersDoTouch) {
   core::Scene scene = pendulum(31, 2);
-  scene.materials = {{{"*", "*"}, 0.5, 0.3}};
+  scene.materials = {{{"*", "*"}, pair_restitution(), 0.3}};
   scene.joints.pop_back();
   scene.bodies[1].initial.position = scene.bodies[0].initial.position + Vector3(0.9, 0, 0);
   scene.bodies[1].initial.velocity = scene.bodies[0].initial.velocity + Vector3(-6, 0, 0);

@@ -3,12 +3,22 @@
 #include "tests/conformance/adapters_fixture.h"
 
 #include <cmath>
+#include <string_view>
 
 namespace cylon::conformance {
 namespace {
 
 class Loops : public EveryEngine {};
-INSTANTIATE_TEST_SUITE_P(Adapters, Loops, testing::ValuesIn(subjects), test_name);
+
+// MuJoCo closes loops by springs.  Their time is its own, 0.02 s, whatever the step, or two steps where less is asked for:
+// then the error falls with the step as that of the others does.
+std::vector<Subject> with_stiff_loops() {
+  std::vector<Subject> all(std::begin(subjects), std::end(subjects));
+  for (Subject& subject : all)
+    if (std::string_view(subject.id) == "mujoco") subject.id = "mujoco/solref-time=1e-9";
+  return all;
+}
+INSTANTIATE_TEST_SUITE_P(Adapters, Loops, testing::ValuesIn(with_stiff_loops()), test_name);
 
 core::Joint ball(int body, int to, const Vector3& point) {
   core::Joint joint;

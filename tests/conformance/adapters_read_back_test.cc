@@ -65,7 +65,7 @@ TEST_P(ReadBack, CollidingBodies) {
   core::Scene scene = three_bodies(15);
   for (core::Body& body : scene.bodies) body.shape = core::Sphere{0.05}, body.collide = true;
   scene.planes = {{"floor", Vector3(1, 2, -3).normalized(), -100}};
-  scene.materials = {{{"*", "*"}, 0.5, 0}};
+  scene.materials = {{{"*", "*"}, pair_restitution(), 0}};
   expect_within(fmt::format("read back of colliding bodies, {}", subject().id), start_error(subject(), scene),
                 subject().start_units * subject().unit());
 }

@@ -1,4 +1,4 @@
-// The numbers of Bullet and ODE, digit by digit, against their published schemes written out here: what an
+// The numbers of Bullet, ODE and MuJoCo, digit by digit, against their published schemes written out here: what an
 // adapter passes on wrongly shows at once, however small, and not only once it exceeds the engine's own error.
 #include "tests/conformance/adapters_fixture.h"
 
@@ -12,7 +12,7 @@ namespace {
 class Schemes : public EveryEngine {};
 INSTANTIATE_TEST_SUITE_P(Adapters, Schemes,
                          testing::Values(subjects[1], subjects[2], subjects[3], subjects[4], subjects[5],
-                                         subjects[6]),
+                                         subjects[6], subjects[8]),
                          test_name);
 
 // ---- Forces ---------------------------------------------------------------------------------------
@@ -95,7 +95,7 @@ Vector3 of_bullet(const core::Matrix3& inertia, const Vector3& w, double dt) {
   return w - jacobian.inverse() * (dt * w.cross(inertia * w));
 }
 
-// I (w' - w) + dt w x I w = 0, of btMultiBody.
+// I (w' - w) + dt w x I w = 0, of btMultiBody and of MuJoCo's Euler.
 Vector3 of_multibody(const core::Matrix3& inertia, const Vector3& w, double dt) {
   return w - dt * inertia.inverse() * w.cross(inertia * w);
 }
@@ -106,7 +106,7 @@ Vector3 of_ode(const core::Matrix3& inertia, const Vector3& w, double dt) {
 }
 
 Turn turn_of(std::string_view id) {
-  if (id.starts_with("bullet-multibody")) return of_multibody;
+  if (id.starts_with("bullet-multibody") || id == "mujoco") return of_multibody;
   return id.starts_with("bullet") ? of_bullet : of_ode;
 }
 
