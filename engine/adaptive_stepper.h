@@ -6,6 +6,7 @@
 #include "engine/system_stepper.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <limits>
@@ -89,6 +90,7 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
   struct Turn {
     Time time;
     std::size_t which;
+    Real side;  // the least number of the sign that its value has after
   };
 
   Time reached() const { return turn_ ? turn_->time : integrator_.end(); }
@@ -105,13 +107,15 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
       };
       for (std::size_t k = 0; k < system_.switch_count(); ++k) {
         Real low = 0, low_value = value(k, 0);
-        if (k == last_turn_ && begin == last_turn_time_) low_value = 0;  // it has just been here
+        if (last_turn_ && k == last_turn_->which && begin == last_turn_->time)
+          low_value = last_turn_->side;  // it has just been at zero, and went there
         for (int i = 1; i <= looks; ++i) {
           const Real high = static_cast<Real>(i) / looks, high_value = value(k, high);
           if ((low_value < 0 && high_value > 0) || (low_value > 0 && high_value < 0)) {
             const Real part = root([&](Real x) { return value(k, x); }, low, low_value, high, high_value);
             const Time t = begin + static_cast<Time>(part) * span;
-            if (!first || t < first->time) first = Turn{t, k};
+            const Real side = std::copysign(std::numeric_limits<Real>::min(), high_value);
+            if (!first || t < first->time) first = Turn{t, k, side};
             break;
           }
           low = high, low_value = high_value;
@@ -132,7 +136,7 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
       } else {
         system_.flip(turn.which);
       }
-      last_turn_ = turn.which, last_turn_time_ = turn.time;
+      last_turn_ = turn;
       integrator_.start(system_, turn.time, y_.data(), true);
     }
   }
@@ -141,8 +145,8 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
   bool going_ = true, watching_ = false;
   std::optional<Turn> turn_;  // the next, within the last step of the integrator
   int flips_ = 0;
-  std::size_t last_turn_ = 0;
-  Time last_turn_time_ = -1, slides_at_ = 0;
+  std::optional<Turn> last_turn_;
+  Time slides_at_ = 0;
 };
 
 }  // namespace cylon::engine

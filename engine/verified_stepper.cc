@@ -20,6 +20,9 @@ Real angle(const Quaternion& a, const Quaternion& b) {
   return 4 * std::asin(std::min(Real(1), std::min(minus, plus) / 2));
 }
 
+// The larger; not a number where one of them is not, which std::max() would lose.
+Real worse(Real a, Real b) { return b > a || std::isnan(b) ? b : a; }
+
 Real share(Real difference, Real scale) { return difference == 0 ? 0 : difference / scale; }
 
 }  // namespace
@@ -76,15 +79,16 @@ Real VerifiedStepper::parted() {
     length_ = std::max(length_, a.position.norm());
     speed_ = std::max(speed_, v_a.norm());
     turn_ = std::max(turn_, w_a.norm());
-    position = std::max(position, (a.position - b.position).norm());
-    turn = std::max(turn, angle(a.orientation, b.orientation));
-    speed = std::max(speed, (v_a - v_b).norm());
-    spin = std::max(spin, (w_a - w_b).norm());
+    position = worse(position, (a.position - b.position).norm());
+    turn = worse(turn, angle(a.orientation, b.orientation));
+    speed = worse(speed, (v_a - v_b).norm());
+    spin = worse(spin, (w_a - w_b).norm());
   }
   // What hardly moves is measured by what would take it across its own size in the time so far.
   const Real span = static_cast<Real>(static_cast<Time>(steps_) * dt_);
-  const Real error = std::max({share(position, length_), turn, share(speed, std::max(speed_, length_ / span)),
-                               share(spin, std::max(turn_, 1 / span))});
+  Real error = worse(share(position, length_), turn);
+  error = worse(error, share(speed, std::max(speed_, length_ / span)));
+  error = worse(error, share(spin, std::max(turn_, 1 / span)));
   return std::isfinite(error) ? error : std::numeric_limits<Real>::infinity();
 }
 
