@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -27,7 +26,7 @@ concept Switching = requires(S& s, const S& c, Time t, const Real* y) {
 };
 
 /// Where no step meets the tolerance any more (a collision of attracting points) the motion ends: all later
-/// states are not a number, and a remark says when.
+/// states are not a number, and a diagnostic says when.
 template <System S, class Read>
 class AdaptiveStepper final : public SystemStepper<S, Read> {
   using Base = SystemStepper<S, Read>;
@@ -52,7 +51,8 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
       if (turn_) {
         take_turn();
       } else {
-        going_ = integrator_.step(system_, integrator_.end() + farthest * dt_) == Ending::done;
+        ending_ = integrator_.step(system_, integrator_.end() + farthest * dt_);
+        going_ = ending_ == Ending::done;
         if (going_ && watching_) turn_ = first_turn();
       }
     }
@@ -62,30 +62,25 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
       std::fill_n(y_.begin(), system_.size(), std::numeric_limits<Real>::quiet_NaN());
   }
 
-  std::vector<std::string> remarks() const override {
-    std::vector<std::string> remarks;
-    char text[160];
-    if (!going_) {
-      std::snprintf(text, sizeof text,
-                    "integration stopped at t = %.17g s: no step is small enough for the tolerance",
-                    integrator_.end());
-      remarks.emplace_back(text);
-    }
-    if (slides_at_ > 0) {
-      std::snprintf(
-          text, sizeof text,
-          "from t = %.6g s on a force switches on and off too often: its switching times are not located",
-          slides_at_);
-      remarks.emplace_back(text);
-    }
-    return remarks;
+  std::vector<Diagnostic> diagnostics() const override {
+    DiagnosticLog log;
+    if (ending_ != Ending::done)
+      log.note(DiagnosticKind::integration_ended, integrator_.end(), {}, {},
+               ending_ == Ending::non_finite ? "a rate is not a number"
+                                             : "no step is small enough for the tolerance");
+    if (slides_at_ > 0) log.note(DiagnosticKind::switches_not_located, slides_at_, most_flips);
+    std::vector<Diagnostic> all = log.all();
+    for (Diagnostic& d : Base::diagnostics()) all.push_back(std::move(d));
+    return all;
   }
 
  private:
   static constexpr Time farthest = 1e6;  // steps of dt that one step of the integrator may span
-  static constexpr int looks = 8;        // for a change of sign within a step of the integrator
-  static constexpr int most_flips =
-      200;  // in a step of dt; more is a force that pushes its switch back at once
+  // Places within a step of the integrator at which a change of sign is looked for.  A switch that goes and comes back
+  // between two of them is none.
+  static constexpr int looks = 8;
+  // In a step of dt; more is a force that pushes its switch back at once.
+  static constexpr int most_flips = 200;
 
   struct Turn {
     Time time;
@@ -142,6 +137,7 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
   }
 
   Dop853<S> integrator_;
+  Ending ending_ = Ending::done;
   bool going_ = true, watching_ = false;
   std::optional<Turn> turn_;  // the next, within the last step of the integrator
   int flips_ = 0;

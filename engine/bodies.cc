@@ -91,6 +91,7 @@ void Bodies::find_kinematics(const Motion* motion) {
 
 // The forces, and of bodies with one axis only what turns them about it.
 void Bodies::find_loads(Time t, const Motion* motion, Real* powers) {
+  now_ = t;
   apply(model_.forces, t, model_.bodies, count_, motion, kinematics_.data(), loads_.data(), powers);
   for (std::size_t i = 0; i < count_; ++i) {
     if (!model_.bodies[i].one_axis) continue;
@@ -220,6 +221,7 @@ void Bodies::kick(Time t, Real h, Real* y) {
         continue;
       }
       // Not a number rather than a kick that stopped on its way.
+      log_.note(DiagnosticKind::series_not_ended, t, parts);
       for (std::size_t i = 0; i < count_; ++i)
         motion[i].momentum.setConstant(std::numeric_limits<Real>::quiet_NaN());
     }
@@ -345,20 +347,14 @@ void Bodies::drift(Real h, Real* y) {
     rows_.push(change_, h, model_.bodies, start_.data());
   }
   // What the rounding of the iteration leaves is closed by project().
-  const auto is_open = [](const Row& row) { return !(std::abs(row.offset) <= 1000 * row.rounding); };
-  if (!closed && std::any_of(reached.rows.begin(), reached.rows.end(), is_open)) ++open_drifts_;
+  if (const Real open = closed ? Real(0) : reached.opening(); open != 0)
+    log_.note(DiagnosticKind::drift_open, now_, most, static_cast<double>(open));
   if (!reads_velocities_) return;  // else the kick must find momenta that the joints allow
   set_masses(y);
   Motion* motion = open(y);
   gather(motion);
   rows_.project_velocities(model_.bodies, motion);
   close(motion, y);
-}
-
-std::vector<std::string> Bodies::remarks() const {
-  if (open_drifts_ == 0) return {};
-  return {std::to_string(open_drifts_) +
-          " parts of steps ended with joints that the iteration did not close (SHAKE): the step is too long"};
 }
 
 // Those of the instant of y: the stages of an integrator end elsewhere.
@@ -383,12 +379,15 @@ void Bodies::project(Motion* motion) {
   if (holder_) return holder_->project(model_.bodies, motion);
   if (!constrained()) return;
   constexpr int sweeps = 4;  // of Newton's method: each leaves the square of a drift that is small already
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
+  bool closed = false;
+  for (int sweep = 0; sweep < sweeps && !closed; ++sweep) {
     gather(motion);
-    if (rows_.closed()) break;
-    rows_.project_positions(model_.bodies, motion);
+    closed = rows_.closed();
+    if (!closed) rows_.project_positions(model_.bodies, motion);
   }
   gather(motion);
+  if (const Real open = closed ? Real(0) : rows_.opening(); open != 0)
+    log_.note(DiagnosticKind::joints_open, now_, sweeps, static_cast<double>(open));
   rows_.project_velocities(model_.bodies, motion);
 }
 

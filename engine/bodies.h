@@ -3,6 +3,7 @@
 
 #include "engine/changing_masses.h"
 #include "engine/constraint.h"
+#include "engine/diagnostic.h"
 #include "engine/model.h"
 #include "engine/system.h"
 
@@ -49,7 +50,7 @@ class Bodies {
   void scales(const Real* y, Real* scale);
 
   /// What a user must know of the steps so far.
-  std::vector<std::string> remarks() const;
+  std::vector<Diagnostic> diagnostics() const { return log_.all(); }
 
   /// Whether joints are kept as constraints.
   bool constrained() const { return !model_.joints.empty(); }
@@ -110,7 +111,8 @@ class Bodies {
   Real pull_ = 0;                           // The largest |F|/m that joints have had to take up [m/s^2].
   Rows rows_;
   Holder* holder_ = nullptr;
-  long open_drifts_ = 0;  // after which joints were not closed
+  DiagnosticLog log_;
+  Time now_ = 0;  // of the last forces [s]
 };
 
 static_assert(System<Bodies>);

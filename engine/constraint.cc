@@ -122,6 +122,16 @@ bool Rows::closed() const {
                      [](const Row& row) { return std::abs(row.offset) <= row.rounding; });
 }
 
+Real Rows::opening() const {
+  Real widest = 0;
+  for (const Row& row : rows) {
+    const Real c = std::abs(row.offset);
+    if (std::isnan(c)) return c;
+    if (c > 1000 * row.rounding) widest = std::max(widest, c);
+  }
+  return widest;
+}
+
 void Rows::project_positions(const std::vector<Body>& bodies, Motion* motion) {
   measure(bodies, motion);
   for (Row& row : rows) row.residual = row.offset;

@@ -43,6 +43,10 @@ class Rows {
   /// Whether every |c| is below its rounding.
   bool closed() const;
 
+  /// The largest |c| that is more than 1000 times its rounding, which is no rounding any more, or not a number; 0:
+  /// there is none.
+  Real opening() const;
+
   /// c -> 0 to first order, by the shortest way in the metric of the masses: p += lambda n/m, R turned by
   /// I^-1 s lambda.
   void project_positions(const std::vector<Body>&, Motion*);

@@ -54,6 +54,8 @@ double carlson_rj(double x, double y, double z, double p) {
   return scale * series / (a * std::sqrt(a)) + 6 * sum;
 }
 
+// The mean of 1 and 1e-20, the least that there is, takes 9 rounds: the first log2(ln 1e20) bring the two together, from
+// there each squares the difference.  `most` is 16.
 Jacobi::Jacobi(double complement) : complement_(std::clamp(complement, 1e-40, 1.0)) {
   double a = 1, b = std::sqrt(complement_);
   while (true) {

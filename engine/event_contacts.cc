@@ -3,6 +3,7 @@
 #include "engine/event_stepper.h"
 
 #include "engine/contact/response.h"
+#include "engine/geometry/manifold.h"
 #include "engine/geometry/pose.h"
 
 #include <algorithm>
@@ -105,7 +106,8 @@ std::vector<EventStepper::Spot> EventStepper::spots(Real ahead) {
       continue;
     }
     found.clear();
-    touches_of(c, model, motion, holds(i) ? held_margin * margin : margin, found);
+    if (touches_of(c, model, motion, holds(i) ? held_margin * margin : margin, found))
+      log_.note(DiagnosticKind::points_left_out, now_, Manifold::capacity);
     const Motion &a = motion[index(c.body)], &b = motion[index(c.other)];
     for (const TouchPoint& touch : found) {
       if (inside_surface(touch)) continue;
@@ -132,6 +134,7 @@ bool EventStepper::inside_surface(const TouchPoint& touch) const {
 
 // Impacts of this instant, then which contacts last.
 void EventStepper::resolve(Time now) {
+  now_ = now;
   resting_ = false;
   fresh_ = instant_ = true;
   system_.set_masses(y_.data());
@@ -179,6 +182,7 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
   copy(y_, before_);
   const std::vector<Row> joints = joint_rows(motion);
   ImpactOutcome outcome;
+  // Every pass but the last takes the restitution of one more point: there are no more passes than this.
   for (std::size_t pass = 0; pass <= touches.size(); ++pass) {
     copy(before_, y_);
     outcome = strike(touches, model.impacts, joints, bodies, motion);
@@ -207,8 +211,9 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
     touching[i].returns =
         touches[i].restitution == 0 && outcome.approach[i] == 0 && u > 0 && u * u < 2 * pulls[i] * low;
   }
-  if (!outcome.exact) ++inexact_;
-  if (!outcome.ended) ++unending_;
+  if (!outcome.exact)
+    log_.note(DiagnosticKind::impacts_inexact, now, {}, static_cast<double>(outcome.violation));
+  if (!outcome.ended) log_.note(DiagnosticKind::impacts_unending, now, most_impact_rounds);
 
   for (std::size_t i = 0; keep_ && i < touches.size(); ++i) tell(touching[i], outcome.impulse[i]);
 
@@ -299,8 +304,9 @@ void EventStepper::hold_spots(Time now, const std::vector<Spot>& touching) {
   ContactForces support = find_holds(touching, slow, which);
   if (!support.exact) {  // jams: see loosen()
     for (const std::size_t i : which) restless_[touching[i].held.candidate] = 1;
-    if (loosen()) support = find_holds(touching, slow, which);
-    if (!support.exact) ++inexact_;
+    if (loosen(now)) support = find_holds(touching, slow, which);
+    if (!support.exact)
+      log_.note(DiagnosticKind::forces_inexact, now, {}, static_cast<double>(support.violation));
   }
   held_.clear();
   for (std::size_t i = 0; i < which.size(); ++i) {
@@ -317,7 +323,7 @@ void EventStepper::hold_spots(Time now, const std::vector<Spot>& touching) {
 
 // Friction that grows without bound wedges what slips: it stops at once, or, where no impulse within the
 // cones stops it, does not rub for the rest of the step.
-void EventStepper::wedge() {
+void EventStepper::wedge(Time now) {
   Motion* motion = motions();
   touches_.clear();
   for (const HeldPoint& h : held_) {
@@ -325,16 +331,16 @@ void EventStepper::wedge() {
     if (h.holding.grip == Grip::slides) restless_[h.candidate] = 1;
   }
   if (stop_slip(touches_, joint_rows(motion), system_.model().bodies, motion))
-    ++wedged_;
+    log_.note(DiagnosticKind::wedged, now);
   else
-    loosen();
+    loosen(now);
 }
 
 // Leaves out the friction of what changes without end, else of all; false where none was left.  Without
 // friction there is always one motion, and a contact that does not rub gives no energy; a law that has no
 // solution (Painleve's, where friction presses what it brakes) or infinitely many changes of its mind is
-// left for the rest of a step only, and said in the remarks.
-bool EventStepper::loosen() {
+// left for the rest of a step only, and told.
+bool EventStepper::loosen(Time now) {
   bool any = false;
   for (const bool all : {false, true}) {
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
@@ -344,7 +350,7 @@ bool EventStepper::loosen() {
     }
     if (any) break;
   }
-  if (any) ++loosened_;
+  if (any) log_.note(DiagnosticKind::frictionless, now);
   return any;
 }
 

@@ -51,8 +51,9 @@ Real EventStepper::room_of(const HeldPoint& held, const Motion* motion) const {
   return room_on(*held.facets, model.shapes[a], pose(motion[a]), model.shapes[b], pose(motion[b]));
 }
 
-void EventStepper::hold(Time, const std::vector<Body>& bodies, const Motion* motion,
+void EventStepper::hold(Time t, const std::vector<Body>& bodies, const Motion* motion,
                         const Kinematics* kinematics, Load* loads) {
+  now_ = t;
   touches_.clear();
   holdings_.clear();
   for (const HeldPoint& h : held_) {
@@ -118,11 +119,14 @@ void EventStepper::project(const std::vector<Body>& bodies, Motion* motion) {
     }
     return closed;
   };
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    if (gather(false)) break;
-    rows_.project_positions(bodies, motion);
+  bool closed = false;
+  for (int sweep = 0; sweep < sweeps && !closed; ++sweep) {
+    closed = gather(false);
+    if (!closed) rows_.project_positions(bodies, motion);
   }
   gather(true);
+  if (const Real open = closed ? Real(0) : rows_.opening(); open != 0)
+    log_.note(DiagnosticKind::contacts_open, now_, sweeps, static_cast<double>(open));
   rows_.project_velocities(bodies, motion);
 
   for (std::size_t i = 0; i < system_.count(); ++i) {

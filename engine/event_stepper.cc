@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace cylon::engine {
 
@@ -168,26 +167,26 @@ void EventStepper::step() {
       if (event) resolve(now);
       note_held();
       const Time to = stride_ < end - now ? now + stride_ : end;
-      stride(now, to - now);
+      log_.note(DiagnosticKind::crawled, now, {}, static_cast<double>(stride(now, to - now)));
       resolve(to);
       stride_ *= 2;
       marked_ = now = to;
-      ++strides, ++crawls_;
+      ++strides;
       continue;
     }
     if (!event) {
       ++pieces;
-      if (pieces >= hurried_pieces && pieces % hurried_every == 0) hurry();
+      if (pieces >= hurried_pieces && pieces % hurried_every == 0) hurry(now);
       idle_ = 0;
       crawled = after < no_time * dt_ ? crawled + 1 : 0;
       if (crawled < crawl_limit || held_.empty()) continue;
-      wedge();
+      wedge(now);
     }
     crawled = 0;
     ++events;
     idle_ = after > no_time * dt_ ? 0 : idle_ + 1;
-    if (events == event_limit / 2) finish_plastically();
-    if (idle_ >= idle_limit() && loosen()) idle_ = 0;
+    if (events == event_limit / 2) finish_plastically(now);
+    if (idle_ >= idle_limit() && loosen(now)) idle_ = 0;
     note_held();
     resolve(now);
   }
@@ -200,11 +199,16 @@ void EventStepper::step() {
 
 // The rest of a step whose events are not followed.
 void EventStepper::give_up(Time now, Time end) {
-  if (crowded_++ == 0) crowded_since_ = now;
   note_held();
   const Time part = (end - now) / last_strides;
-  for (int k = 0; k < last_strides; ++k) stride(now + k * part, part), close_gaps();
+  Real worst = 0;
+  for (int k = 0; k < last_strides; ++k) {
+    worst = std::max(worst, stride(now + k * part, part));
+    close_gaps();
+  }
   lost_ = true;
+  log_.note(DiagnosticKind::not_located, now, {}, static_cast<double>(worst),
+            std::to_string(last_strides) + " parts");
 }
 
 // Of a linear system of three rows a point and three to six a joint.
@@ -225,6 +229,7 @@ Time EventStepper::go_on(Time from, Time span, bool& event) {
   turn_slips();
   const bool watches = !held_.empty() && idle_ < idle_limit();
   ContactForces before;
+  if (!watches && !held_.empty()) log_.note(DiagnosticKind::changes_not_searched, from);
   if (watches) before = support(from, start_.data());
   const Time went = piece(from, span);
   const Real width = static_cast<Real>(went);
@@ -263,7 +268,7 @@ Time EventStepper::piece(Time from, Time span) {
       return controlled_.end() == from + span ? span : controlled_.end() - from;
     }
     // Forces jump in here: a fixed step gets over it, the longer the more of them come in a row.
-    ++failed_;
+    log_.note(DiagnosticKind::interval_missed, from);
     copy(start_, y_);
     fresh_ = by_rows_ = true;
     span = std::min(span, std::ldexp(least_part * dt_, rough_++));
@@ -288,7 +293,7 @@ void EventStepper::part(Time from, Real s) {
     if (probe_.step(scaled_, from + span) != Ending::done) break;
   }
   if (probe_.end() < from + span) {
-    ++failed_;
+    log_.note(DiagnosticKind::interval_missed, from);
     return fixed_step(from, span);
   }
   std::copy_n(probe_.state(), system_.size(), y_.begin());
@@ -296,10 +301,10 @@ void EventStepper::part(Time from, Real s) {
 }
 
 // So slow a slip turns that the pieces would not come to an end: it turns later.
-void EventStepper::hurry() {
+void EventStepper::hurry(Time now) {
   if (held_.empty() || haste_ >= most_haste) return;
   haste_ *= 4, slow_slip_ *= 4;
-  late_slip_ = std::max(late_slip_, slow_slip_);
+  log_.note(DiagnosticKind::slip_turned_late, now, {}, static_cast<double>(slow_slip_));
   fresh_ = true;
 }
 
@@ -320,8 +325,8 @@ bool EventStepper::at_rest(Time t) {
 int EventStepper::idle_limit() const { return 3 * static_cast<int>(held_.size()) + 3; }
 
 // Of a step that does not come to its end the rest is without bounces and friction.
-void EventStepper::finish_plastically() {
-  ++plastic_steps_;
+void EventStepper::finish_plastically(Time now) {
+  log_.note(DiagnosticKind::plastic, now, event_limit / 2);
   plastic_ = true;
   std::fill(loose_.begin(), loose_.end(), char{1});
 }
@@ -334,60 +339,10 @@ void EventStepper::copy(const std::vector<Real>& from, std::vector<Real>& to) co
   std::copy_n(from.begin(), system_.size(), to.begin());
 }
 
-std::vector<std::string> EventStepper::remarks() const {
-  std::vector<std::string> result;
-  if (inexact_ > 0) {
-    result.push_back(std::to_string(inexact_) + " contact problems were solved iteratively, not to rounding");
-  }
-  if (failed_ > 0)
-    result.push_back(std::to_string(failed_) + " integration intervals did not reach the tolerance");
-  if (unwatched_ > 0) {
-    std::ostringstream text;
-    text << unwatched_
-         << " searches for surfaces that meet ended before they had seen all: surfaces may have been up to "
-         << unseen_ << " m inside each other unseen";
-    result.push_back(text.str());
-  }
-  if (unending_ > 0) {
-    result.push_back(
-        std::to_string(unending_) +
-        " impacts of several pairs did not come to an end one after another: they ended at once, "
-        "without restitution");
-  }
-  if (loosened_ > 0) {
-    result.push_back("at " + std::to_string(loosened_) +
-                     " instants Coulomb friction had no solution, or stick and slip alternated too often: "
-                     "these contacts had no friction for the rest of the step");
-  }
-  if (wedged_ > 0) {
-    result.push_back("at " + std::to_string(wedged_) +
-                     " instants friction grew without bound: an impulse stopped the slip");
-  }
-  if (crawls_ > 0) {
-    result.push_back(
-        "at " + std::to_string(crawls_) +
-        " instants contacts stuck and slipped in turn without end: an impulse within the friction "
-        "cones took them over a short time");
-  }
-  if (late_slip_ > 0) {
-    std::ostringstream text;
-    text << "friction turned slips slower than " << late_slip_
-         << " m/s late: velocities after such a slip are right to about that";
-    result.push_back(text.str());
-  }
-  if (plastic_steps_ > 0) {
-    result.push_back(std::to_string(plastic_steps_) + " steps had more than " +
-                     std::to_string(event_limit / 2) +
-                     " events: for the rest of these steps, contacts had no restitution and no friction");
-  }
-  if (crowded_ > 0) {
-    std::ostringstream text;
-    text << "from t = " << crowded_since_ << " s on, " << crowded_
-         << " steps had more events than are followed: the rest of these steps went in " << last_strides
-         << " parts of first order, without location of events";
-    result.push_back(text.str());
-  }
-  return result;
+std::vector<Diagnostic> EventStepper::diagnostics() const {
+  std::vector<Diagnostic> all = log_.all();
+  for (Diagnostic& d : system_.diagnostics()) all.push_back(std::move(d));
+  return all;
 }
 
 }  // namespace cylon::engine

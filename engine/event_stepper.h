@@ -61,9 +61,9 @@ class EventStepper final : public Stepper, private Holder {
   void read(std::vector<Motion>&) const override;
   const std::vector<Impact>& impacts() const override { return impacts_; }
   const Real* works() const override { return account_ ? system_.works(y_.data()) : nullptr; }
-  std::vector<std::string> remarks() const override;
+  std::vector<Diagnostic> diagnostics() const override;
   std::int64_t operations() const override;
-  bool gave_up() const override { return crowded_ > 0; }
+  bool gave_up() const override { return log_.has(DiagnosticKind::not_located); }
 
   /// What is held now.
   const std::vector<HeldPoint>& held() const { return held_; }
@@ -91,10 +91,10 @@ class EventStepper final : public Stepper, private Holder {
   std::optional<Real> change_time(Time from, Real span, const ContactForces& before);
   void resolve(Time now);
   std::vector<Spot> spots(Real ahead = 0);
-  void stride(Time from, Time span);
+  Real stride(Time from, Time span);
   void close_gaps();
   bool crawls(Time now);
-  void hurry();
+  void hurry(Time now);
   void give_up(Time now, Time end);
   static std::int64_t cube(std::size_t points, std::size_t joints);
   void strike_spots(Time now, std::vector<Spot>&);
@@ -102,9 +102,9 @@ class EventStepper final : public Stepper, private Holder {
   ContactForces find_holds(const std::vector<Spot>&, Real slow, std::vector<std::size_t>& which);
   bool inside_surface(const TouchPoint&) const;
   bool nothing_moves(const ContactForces&) const;
-  bool loosen();
-  void finish_plastically();
-  void wedge();
+  bool loosen(Time now);
+  void finish_plastically(Time now);
+  void wedge(Time now);
   void tell(const Spot&, const Vector3& impulse);
   void note_held();
   std::vector<ContactForce> held_forces(Time now);
@@ -144,7 +144,6 @@ class EventStepper final : public Stepper, private Holder {
   std::vector<Impact> impacts_;
   Real slow_slip_ = 0;          // slip slower than this does not turn as fast as it should [m/s]
   Real haste_ = 1;              // slow_slip_ in units of the least that it may be
-  Real late_slip_ = 0;          // the largest slow_slip_ so far that was not the least [m/s]
   Real rest_speed_ = 0;         // what sticks on all points and is slower than this does not move [m/s]
   Real left_slip_ = 0;          // slip that the last event left over [m/s]
   int idle_ = 0;                // events in a row that took no time
@@ -160,12 +159,10 @@ class EventStepper final : public Stepper, private Holder {
   std::vector<char> loose_;     // per candidate: without friction for the rest of this step
   std::vector<char> restless_;  // per candidate: what changed in the idle changes
   bool resting_ = false;        // nothing moves, and no force depends on time
-  long inexact_ = 0, failed_ = 0, crowded_ = 0, plastic_steps_ = 0, loosened_ = 0, wedged_ = 0, crawls_ = 0,
-       unwatched_ = 0, unending_ = 0;
-  Real unseen_ = 0;         // how deep surfaces may have been in each other where the search ended [m]
-  Time crowded_since_ = 0;  // [s]
-  std::int64_t work_ = 0;   // operations beside those of integrators and passage
-  std::int64_t allowed_;    // operations that may be spent by now
+  DiagnosticLog log_;
+  Time now_ = 0;           // of the last contact forces [s]
+  std::int64_t work_ = 0;  // operations beside those of integrators and passage
+  std::int64_t allowed_;   // operations that may be spent by now
   std::vector<TouchPoint> touches_;
   std::vector<Holding> holdings_;
   Rows rows_;

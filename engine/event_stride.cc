@@ -18,8 +18,8 @@ constexpr int most_rounds = 200;
 //   u+ = u* + A P,   u_n+ >= max(-e u_n-, -g/h),   Coulomb's law for P_t and u_t+,
 // and the bodies go on freely with those.  Slip that its friction can end within h ends.  Of first order, and
 // of bounded work whatever the contacts do.  J. J. Moreau, Unilateral contact and dry friction in finite
-// freedom dynamics (1988), sections 10-12.
-void EventStepper::stride(Time from, Time span) {
+// freedom dynamics (1988), sections 10-12.  Returns how far the velocities at contacts are from that [m/s].
+Real EventStepper::stride(Time from, Time span) {
   const std::vector<Body>& bodies = system_.model().bodies;
   const Real h = static_cast<Real>(span);
   Motion* motion = motions();
@@ -32,6 +32,7 @@ void EventStepper::stride(Time from, Time span) {
     const bool bounces = !plastic_ && u < -rest_speed_ && touch.gap + h * u < 0;
     least.push_back(bounces ? -touch.restitution * u : -std::max(touch.gap, Real(0)) / h);
   }
+  Real off = 0;
   system_.set_holder(nullptr);
   system_.kick(from, h, y_.data());
   if (!touches.empty()) {
@@ -43,7 +44,9 @@ void EventStepper::stride(Time from, Time span) {
     VectorX offset = response.offset(free);
     for (std::size_t i = 0; i < least.size(); ++i) offset[3 * static_cast<Eigen::Index>(i)] -= least[i];
     const CoulombProblem problem = coulomb_problem(response, touches, std::move(offset));
-    const VectorX impulses = response.multipliers(free, relaxed_force(problem, most_rounds));
+    const VectorX relaxed = relaxed_force(problem, most_rounds);
+    off = violation(problem, relaxed);
+    const VectorX impulses = response.multipliers(free, relaxed);
     apply_impulses(response.rows(), impulses, bodies, motion);
     for (std::size_t i = 0; keep_ && i < touches.size(); ++i) {
       Vector3 impulse = Vector3::Zero();
@@ -58,6 +61,7 @@ void EventStepper::stride(Time from, Time span) {
   system_.drift(h, y_.data());
   resting_ = false;
   fresh_ = instant_ = true;
+  return off;
 }
 
 // What the strides left of surfaces inside each other, and of joints apart.

@@ -18,7 +18,8 @@ constexpr Real ulp = std::numeric_limits<Real>::epsilon();
 constexpr Real change_ulps = 8192;
 // Places at which the passage sees surfaces meet and the integrator itself does not.
 constexpr int most_grazes = 8;
-// Flights down to 2^-30 of a piece are found where the passage sees only that surfaces meet.
+// Flights down to 2^-30 of a piece are found where the passage sees only that surfaces meet.  One that is shorter is
+// none: its pair meets where the flight would begin, 1e-9 of the piece early.
 constexpr int most_halvings = 30;
 // Where slip ends, what is left of it across its direction counts as none below this many ulps of its
 // speed...
@@ -162,7 +163,7 @@ std::optional<Real> EventStepper::meeting_time(const Candidate& c, bool held, Ti
     low = bracket->closed;
     g_low = g_closed;
   }
-  if (unseen > 0) ++unwatched_, unseen_ = std::max(unseen_, unseen);
+  if (unseen > 0) log_.note(DiagnosticKind::meeting_not_searched, from, {}, static_cast<double>(unseen));
   if (!ends_inside || span < passage_.span()) return std::nullopt;
   return meeting(low, g_low, passage_.span(), g_end);
 }

@@ -56,7 +56,9 @@ void rotate(Matrix& a, Matrix& axes, Eigen::Index p, Eigen::Index q) {
 template <class Matrix>
 void diagonalise(Matrix& a, Matrix& axes) {
   using Number = typename Matrix::Scalar;
-  constexpr int most_sweeps = 32;  // quadratic convergence: five are enough for 3 x 3, nine for 64 x 64
+  // Sweeps with turns of at most pi/4 converge (G. Forsythe, P. Henrici, Trans. AMS 94 (1960) 1), in the end
+  // quadratically: five are enough for 3 x 3, nine for 64 x 64, so that only what is no number takes 32.
+  constexpr int most_sweeps = 32;
   const Eigen::Index n = a.rows();
   Number scale = 0;
   for (Eigen::Index q = 0; q < n; ++q)

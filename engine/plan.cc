@@ -221,6 +221,24 @@ class Stages {
 
 }  // namespace
 
+const char* name_of(Path path) {
+  switch (path) {
+    case Path::exact:
+    case Path::modes:
+    case Path::ballistic:
+      return "closed form";
+    case Path::free:
+    case Path::points:
+    case Path::bodies:
+      return "integration";
+    case Path::events:
+      return "events";
+    case Path::stepping:
+      return "fixed steps with impulses";
+  }
+  return "";
+}
+
 const char* const path_rule =
     "For each part of a scene that moves by itself. events: impacts and contact changes are located in time; "
     "used if at most 8 moving bodies can touch "

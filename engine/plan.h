@@ -40,6 +40,9 @@ enum class Path {
   stepping    ///< Contacts by impulses over fixed steps.
 };
 
+/// In words: "closed form", "integration", "events", "fixed steps with impulses".
+const char* name_of(Path);
+
 /// One thing that an engine can do, and whether this model needs it.
 struct Stage {
   std::string name;

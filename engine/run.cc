@@ -12,6 +12,15 @@ namespace cylon::engine {
 
 namespace {
 
+// "events by dop853", "closed form".
+IslandName island_of(const Plan& plan) {
+  IslandName island;
+  island.method = name_of(plan.path);
+  if (plan.integrator) island.method += " by " + std::string(plan.integrator->name);
+  island.order = plan.path == Path::stepping || plan.integrator ? plan.order : 0;
+  return island;
+}
+
 Features late(std::int64_t first) { return first > 0 ? Features{Feature::late_start} : Features{}; }
 
 }  // namespace
@@ -21,6 +30,7 @@ Run::Run(std::shared_ptr<const Model> model, const Options& options, std::int64_
       options_(options),
       plan_(make_plan(*model_, options_, late(first))),
       start_(static_cast<Time>(first) * options.dt),
+      now_(island_of(plan_)),
       motions_(model_->motions),
       steps_(first),
       stepped_(plan_.path == Path::stepping) {
@@ -81,25 +91,28 @@ void Run::hand_over() {
   stepper_ = make_stepper(model, options_, plan, start);
   stepper_->keep_contacts(keep_contacts_);
   stepped_ = plan.path == Path::stepping;
-  remarks_.push_back("closed form until t = " + std::to_string(start) + " s, then " +
-                     (by_events ? "by events: " : "in fixed first-order steps: ") + from.reason);
+  log_.note(DiagnosticKind::handed_over, start, {}, {},
+            (by_events ? "by events: " : "in fixed first-order steps: ") + from.reason);
+  now_ = island_of(plan);
   if (!by_events) impacts_.clear();  // the whole step again
 }
 
-std::vector<std::string> Run::remarks() const {
-  std::vector<std::string> all = remarks_;
+std::vector<Diagnostic> Run::diagnostics() const {
+  DiagnosticLog log = log_;
   if (!options_.path.empty() && !can_touch(*model_))
-    all.push_back("path " + options_.path + " was asked for, but nothing can touch: it is not taken");
+    log.note(DiagnosticKind::path_not_taken, start_, {}, {}, options_.path);
   if (plan_.path == Path::stepping && options_.integrator == "auto") {
-    std::ostringstream text;
-    text << "path stepping: fixed steps of order " << plan_.order << " in dt = " << options_.dt << " s; ";
+    std::ostringstream how;
+    how << "fixed steps of order " << plan_.order << " in dt = " << options_.dt << " s";
     if (options_.tolerance > 0)
-      text << "the tolerance " << options_.tolerance << " that was asked for is not kept";
+      log.note(DiagnosticKind::tolerance_not_kept, start_, static_cast<double>(options_.tolerance), {},
+               how.str());
     else
-      text << "the error is not controlled";
-    all.push_back(text.str());
+      log.note(DiagnosticKind::error_not_controlled, start_, {}, {}, how.str());
   }
-  for (std::string& remark : stepper_->remarks()) all.push_back(std::move(remark));
+  std::vector<Diagnostic> all = log.all();
+  for (Diagnostic& d : stepper_->diagnostics()) all.push_back(std::move(d));
+  for (Diagnostic& d : all) d.island = now_;
   return all;
 }
 

@@ -42,7 +42,8 @@ class Run {
   void keep_contacts(bool keep) { stepper_->keep_contacts(keep_contacts_ = keep); }
   const std::vector<Contact>& contacts() const { return stepper_->contacts(); }
   const Real* works() const { return stepper_->works(); }
-  std::vector<std::string> remarks() const;
+  /// What a user must know of the run so far; its island has a method and an order, and no bodies yet.
+  std::vector<Diagnostic> diagnostics() const;
   /// Work done so far (Stepper::operations()).
   std::int64_t operations() const { return spent_ + stepper_->operations(); }
 
@@ -56,7 +57,8 @@ class Run {
   Time start_;  // [s]
   std::unique_ptr<Stepper> stepper_;
   Ballistic* ballistic_ = nullptr;  // stepper_, while it is one
-  std::vector<std::string> remarks_;
+  DiagnosticLog log_;
+  IslandName now_;  // how it moves now
   std::vector<Motion> motions_;
   std::vector<Impact> impacts_;
   std::int64_t steps_, spent_ = 0;  // spent_: operations of the stepper before a handover

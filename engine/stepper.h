@@ -2,10 +2,10 @@
 #pragma once
 
 #include "engine/body.h"
+#include "engine/diagnostic.h"
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace cylon::engine {
@@ -72,8 +72,9 @@ class Stepper {
   /// Whether a part of the run so far went in a way that no smaller tolerance makes better.
   virtual bool gave_up() const { return false; }
 
-  /// What a user must know of the run so far: a tolerance that could not be kept, and why.  Empty: nothing.
-  virtual std::vector<std::string> remarks() const { return {}; }
+  /// What a user must know of the run so far: a tolerance that could not be kept, a cap that was hit.  Empty:
+  /// nothing.
+  virtual std::vector<Diagnostic> diagnostics() const { return {}; }
 
  protected:
   bool keep_ = false;

@@ -5,7 +5,6 @@
 #include "engine/system.h"
 
 #include <cstdint>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -20,9 +19,9 @@ class SystemStepper : public Stepper {
       : system_(std::move(system)), y_(std::move(initial)), dt_(dt), steps_(first), read_(std::move(read)) {}
 
   void read(std::vector<Motion>& motions) const final { read_(system_, y_.data(), motions); }
-  std::vector<std::string> remarks() const override {
-    if constexpr (requires { system_.remarks(); })
-      return system_.remarks();
+  std::vector<Diagnostic> diagnostics() const override {
+    if constexpr (requires { system_.diagnostics(); })
+      return system_.diagnostics();
     else
       return {};
   }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <utility>
 
@@ -55,6 +54,7 @@ void VerifiedStepper::step() {
     const bool struck = !coarse_->impacts().empty() || !fine_->impacts().empty();
     if (error <= bound_ || (struck && !waiting_)) {
       waiting_ = error > bound_;
+      last_ = error;
       return;
     }
     if (tolerance_ <= least || missed_at_ >= 0 || fine_->gave_up()) {
@@ -102,19 +102,17 @@ void VerifiedStepper::tighten() {
   for (std::int64_t i = 0; i < steps_; ++i) fine_->step();
 }
 
-std::vector<std::string> VerifiedStepper::remarks() const {
-  std::vector<std::string> remarks = fine_->remarks();
-  if (missed_at_ >= 0) {
-    char text[256];
-    std::snprintf(
-        text, sizeof text,
-        "auto: from sample %lld on the tolerance %.1e is not reached: solutions at the two finest local "
-        "tolerances differ by up to %.1e of the scales of the motion (chaos or ill-conditioning)",
-        static_cast<long long>(first_) + missed_at_, static_cast<double>(bound_),
-        static_cast<double>(worst_));
-    remarks.emplace_back(text);
-  }
-  return remarks;
+std::vector<Diagnostic> VerifiedStepper::diagnostics() const {
+  const auto at = [this](std::int64_t step) { return static_cast<Time>(first_ + step) * dt_; };
+  DiagnosticLog log;
+  const auto bound = static_cast<double>(bound_);
+  if (missed_at_ >= 0)
+    log.note(DiagnosticKind::tolerance_missed, at(missed_at_), bound, static_cast<double>(worst_));
+  else if (waiting_)
+    log.note(DiagnosticKind::last_not_compared, at(steps_), bound, static_cast<double>(last_));
+  std::vector<Diagnostic> all = log.all();
+  for (Diagnostic& d : fine_->diagnostics()) all.push_back(std::move(d));
+  return all;
 }
 
 }  // namespace cylon::engine

@@ -15,9 +15,9 @@ using MakeRun = std::function<std::unique_ptr<Stepper>(Real local_tolerance)>;
 /// Runs at a local tolerance and, beside it, at a tenth of that.  Where their samples part by more than
 /// `bound` of the motion's scales, both tolerances fall to a tenth and the finer run starts again from its
 /// start, up to the same sample.  A sample is the finer run's, and is given out once both agree on it; at the
-/// end of what the number type can resolve, or where both runs gave up (Stepper::gave_up()), it is given out all the same, and a remark says how far they part.
+/// end of what the number type can resolve, or where both runs gave up (Stepper::gave_up()), it is given out all the same, and a diagnostic says how far they part.
 /// A sample within a step of an impact may part by as much as the impact changes it; it is compared again one
-/// step later.
+/// step later.  Of the last sample of a run a diagnostic says so.
 class VerifiedStepper final : public Stepper {
  public:
   /// `first`: the step at which the runs start.
@@ -32,7 +32,7 @@ class VerifiedStepper final : public Stepper {
   }
   const std::vector<Contact>& contacts() const override { return fine_->contacts(); }
   const Real* works() const override { return fine_->works(); }
-  std::vector<std::string> remarks() const override;
+  std::vector<Diagnostic> diagnostics() const override;
   std::int64_t operations() const override { return spent_ + coarse_->operations() + fine_->operations(); }
   bool gave_up() const override { return fine_->gave_up(); }
 
@@ -51,7 +51,7 @@ class VerifiedStepper final : public Stepper {
   Real length_ = 0, speed_ = 0,
        turn_ = 0;  // the motion's scales so far, locked bodies included [m, m/s, rad/s]
   std::int64_t first_, steps_ = 0, missed_at_ = -1;  // steps since the start
-  Real worst_ = 0;
+  Real worst_ = 0, last_ = 0;
   std::int64_t spent_ = 0;  // operations of runs that were given up
   bool waiting_ = false;    // for a sample away from an impact
 };

@@ -6,26 +6,19 @@
 
 #include <algorithm>
 #include <cassert>
-#include <sstream>
 #include <utility>
 
 namespace cylon::engine {
 
 namespace {
 
-constexpr std::size_t most_named = 6, most_remarks = 8, most_ended = 32;
+constexpr std::size_t most_notes = 8, most_ended = 32;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 Model with(Model model, const Options& options) {
   if (options.constraints) model.reduce_joints = false;
   return model;
-}
-
-std::string shown(Time t) {
-  std::ostringstream text;
-  text << t;
-  return text.str();
 }
 
 bool is_finite(const Motion& m) {
@@ -66,12 +59,15 @@ void World::divide() {
   interactions_.emplace(*model_, options_.dt);
   const std::size_t n = interactions_->clusters().size();
   if (n == 0) return;  // nothing moves
-  if (interactions_->too_many())
-    note("more than " + std::to_string(islands::Interactions::most_watched) +
-         " bodies may touch others: where they may be is not looked at, and they are one part");
   motions_ = before_ = model_->motions;
   for (std::size_t i = 0; i < motions_.size(); ++i)
     if (!model_->bodies[i].locked) movable_.push_back(i);
+  if (interactions_->too_many()) {
+    std::size_t touching = 0;
+    for (const std::size_t c : interactions_->open()) touching += interactions_->touching(c).size();
+    note(DiagnosticKind::not_divided, 0, interactions_->open(), islands::Interactions::most_watched,
+         static_cast<double>(touching));
+  }
   island_of_.resize(n);
   ranges_.resize(model_->bodies.size());
   std::vector<std::size_t> all(n), flying;
@@ -114,9 +110,7 @@ void World::add_island(std::vector<std::size_t> clusters, const std::vector<Moti
           unsupported(first > 0 ? interactions_->part(clusters, model_->motions).model : part.model, options);
       !why.empty()) {
     options.path = "stepping";
-    if (first > 0)
-      note("from t = " + shown(static_cast<Time>(first) * options_.dt) + " s on in fixed steps, since " +
-           why);
+    if (first > 0) note(DiagnosticKind::not_followed, first, clusters, {}, {}, why);
   }
   options.force = options.force || first > 0;
   for (const std::size_t c : clusters) island_of_[c] = islands_.size();
@@ -291,8 +285,7 @@ bool World::merge() {
         jumped_[c] = 1;
       }
     }
-    note("from t = " + shown(static_cast<Time>(first) * options_.dt) +
-         " s on these may meet and are one part: " + named(island));
+    note(DiagnosticKind::merged, first, island.clusters);
   }
   drop_empty();
   return true;
@@ -315,7 +308,7 @@ bool World::part() {
     for (const std::size_t c : islands_[k].clusters) leave(c);
     for (auto& group : groups) {
       add_island(std::move(group), motions_, steps_);
-      note("from t = " + shown(time()) + " s on a part of its own: " + named(islands_.back()));
+      note(DiagnosticKind::parted, steps_, islands_.back().clusters);
     }
   }
   if (islands_.size() == before) return false;
@@ -367,34 +360,63 @@ void World::set_plan() {
   plan_ = islands::joined_plan(plans);
 }
 
-void World::note(const std::string& what) {
-  if (notes_.size() < most_remarks)
-    notes_.push_back(what);
-  else
+// Of the islands themselves: when they change.
+void World::note(DiagnosticKind kind, std::int64_t first, const std::vector<std::size_t>& clusters,
+                 std::optional<double> limit, std::optional<double> reached, const std::string& cause) {
+  if (notes_.size() == most_notes) {
     ++more_notes_;
+    return;
+  }
+  Diagnostic& note = notes_.emplace_back();
+  note.kind = kind;
+  note.since = static_cast<Time>(first) * options_.dt;
+  note.limit = limit, note.reached = reached, note.cause = cause;
+  set_bodies(clusters, note.island);
+  note.island.whole =
+      note.island.whole && kind == DiagnosticKind::not_divided;  // else who they are is the point
 }
 
-// What the run of an island had to say, once for the same words.
+// What the run of an island had to say, once for the same kind and bodies.
 void World::note_end(const Island& island) {
-  for (const std::string& remark : island.run->remarks()) {
-    const std::string text = named(island) + ": " + remark;
-    if (!said_.insert(text).second) continue;
-    if (ended_.size() < most_ended)
-      ended_.push_back("until t = " + shown(time()) + " s " + text);
+  for (Diagnostic& d : island.run->diagnostics()) {
+    set_bodies(island, d.island);
+    d.until = time();
+    const auto same =
+        std::find_if(ended_.begin(), ended_.end(), [&](const Diagnostic& e) { return same_matter(d, e); });
+    if (same != ended_.end())
+      add(d, *same);
+    else if (ended_.size() < most_ended)
+      ended_.push_back(std::move(d));
     else
       ++more_ended_;
   }
 }
 
+// The moving bodies of clusters.
+void World::set_bodies(const std::vector<std::size_t>& clusters, IslandName& island) const {
+  island.bodies.clear();
+  island.count = 0;
+  for (const std::size_t c : clusters)
+    for (const int body : interactions_->clusters()[c].bodies)
+      if (island.count++ < IslandName::most_named) island.bodies.push_back(body);
+  island.whole = island.count == movable_.size();
+}
+
+void World::set_bodies(const Island& island, IslandName& name) const {
+  if (!is_whole(island)) return set_bodies(island.clusters, name);
+  name.bodies.clear();
+  name.count = 0;
+  for (std::size_t i = 0; i < model_->bodies.size(); ++i)
+    if (!model_->bodies[i].locked && name.count++ < IslandName::most_named)
+      name.bodies.push_back(static_cast<int>(i));
+  name.whole = true;
+}
+
 // The moving bodies of an island.
 std::string World::named(const Island& island) const {
-  std::string text;
-  std::size_t count = 0;
-  for (const std::size_t c : island.clusters)
-    for (const int body : interactions_->clusters()[c].bodies)
-      if (count++ < most_named) text += (text.empty() ? "" : ", ") + names_(Thing::body, body);
-  if (count > most_named) text += " and " + std::to_string(count - most_named) + " more";
-  return text;
+  IslandName name;
+  if (!is_whole(island)) set_bodies(island, name);
+  return names_of(name, names_);
 }
 
 std::int64_t World::operations() const {
@@ -403,14 +425,22 @@ std::int64_t World::operations() const {
   return sum;
 }
 
-std::vector<std::string> World::remarks() const {
-  std::vector<std::string> all = notes_;
-  if (more_notes_ > 0) all.push_back(std::to_string(more_notes_) + " more such changes of parts");
+std::vector<Diagnostic> World::diagnostics() const {
+  std::vector<Diagnostic> all = notes_;
   all.insert(all.end(), ended_.begin(), ended_.end());
-  if (more_ended_ > 0) all.push_back(std::to_string(more_ended_) + " more remarks of parts that have ended");
   for (const Island& island : islands_)
-    for (const std::string& remark : island.run->remarks())
-      all.push_back(islands_.size() > 1 ? named(island) + ": " + remark : remark);
+    for (Diagnostic& d : island.run->diagnostics()) {
+      set_bodies(island, d.island);
+      all.push_back(std::move(d));
+    }
+  std::size_t left_out = more_notes_ + more_ended_;
+  if (all.size() + (left_out > 0) > most_diagnostics) {
+    left_out += all.size() - (most_diagnostics - 1);
+    all.resize(most_diagnostics - 1);
+  }
+  if (left_out == 0) return all;
+  Diagnostic more{.kind = DiagnosticKind::more, .count = static_cast<std::int64_t>(left_out)};
+  all.push_back(std::move(more));
   return all;
 }
 

@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 
 namespace cylon::engine {
@@ -23,7 +22,7 @@ class World {
  public:
   /// Starts at t = 0.  Requires unsupported(model, options) to be empty, options.dt > 0, one motion and one
   /// shape per body.
-  /// `names`: what bodies are called in the plan and in remarks.
+  /// `names`: what bodies are called in the plan and in sentences.
   World(Model, const Options&, Names names = numbered);
   World(const World&) = delete;
   World& operator=(const World&) = delete;
@@ -71,8 +70,13 @@ class World {
   /// Work done so far by the islands that there are (Stepper::operations()).
   std::int64_t operations() const;
 
-  /// What a user must know of the run so far.
-  std::vector<std::string> remarks() const;
+  /// What a user must know of the run so far, of each island and of those that have ended; at most
+  /// most_diagnostics, of which the last then says how many more there are.
+  std::vector<Diagnostic> diagnostics() const;
+  static constexpr std::size_t most_diagnostics = 100;
+
+  /// The same in words.
+  std::vector<std::string> remarks() const { return sentences(diagnostics(), names_); }
 
  private:
   struct Island {
@@ -106,8 +110,12 @@ class World {
   void drop_empty();
 
   void set_plan();
-  void note(const std::string& what);
+  void note(DiagnosticKind, std::int64_t first, const std::vector<std::size_t>& clusters,
+            std::optional<double> limit = {}, std::optional<double> reached = {},
+            const std::string& cause = {});
   void note_end(const Island&);
+  void set_bodies(const std::vector<std::size_t>& clusters, IslandName&) const;
+  void set_bodies(const Island&, IslandName&) const;
   std::string named(const Island&) const;
 
   std::shared_ptr<const Model> model_;
@@ -118,13 +126,12 @@ class World {
   Plan plan_;
   std::optional<islands::Interactions> interactions_;
   std::vector<Island> islands_;
-  std::vector<std::size_t> island_of_;  // per cluster
-  std::vector<islands::Range> ranges_;  // per body
-  std::vector<Real> accelerations_;     // per body, beside gravity [m/s^2]
-  std::vector<std::size_t> looked_;     // clusters whose ranges are new
-  std::vector<char> jumped_;            // per cluster: it left its range within the step
-  std::vector<std::string> notes_, ended_;
-  std::set<std::string> said_;  // of parts that have ended
+  std::vector<std::size_t> island_of_;     // per cluster
+  std::vector<islands::Range> ranges_;     // per body
+  std::vector<Real> accelerations_;        // per body, beside gravity [m/s^2]
+  std::vector<std::size_t> looked_;        // clusters whose ranges are new
+  std::vector<char> jumped_;               // per cluster: it left its range within the step
+  std::vector<Diagnostic> notes_, ended_;  // of the division into islands; of those that have ended
   std::size_t more_notes_ = 0, more_ended_ = 0;
   std::vector<Motion> motions_, before_;
   std::vector<std::size_t> movable_;  // bodies that are not locked

@@ -62,6 +62,7 @@ std::string run_facts(const Verdict& v, const ConsoleOptions& options) {
   add_line(out, "gyroscopic", v.gyroscopic, options);
   add_line(out, "settings", list(v.settings), options);
   for (const std::string& sentence : v.unforceable) add_line(out, "known limit", sentence, options);
+  for (const told::Diagnostic& d : v.diagnostics) add_line(out, "diagnostic", in_words(d), options);
   add_line(out, "sampling", v.sampling, options);
   if (v.body_steps > 0)
     out += fmt::format("  cost: {:.3g} s of CPU, {} body steps, {:.0f} ns each\n", v.cpu_seconds,

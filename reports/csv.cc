@@ -27,13 +27,13 @@ bool starts_formula(std::string_view text) {
                      [&](std::string_view start) { return text.starts_with(start); });
 }
 
-// "name=value; …" of an object, "item; …" of an array.
+// "name=value; …" of an object, "item; …" of an array; of diagnostics their kinds.
 std::string joined(const Json& json) {
   std::string out;
   for (const auto& [key, value] : json.items()) {
     if (!out.empty()) out += "; ";
     if (json.is_object()) out += key + "=";
-    out += value.get<std::string>();
+    out += (value.is_object() ? value.at("kind") : value).get<std::string>();
   }
   return out;
 }

@@ -99,6 +99,42 @@ struct Row {
   }
 };
 
+std::optional<double> real_if(const Row& row, const char* key) {
+  return row.at(key).is_null() ? std::nullopt : std::optional(row.real(key));
+}
+
+told::Diagnostic diagnostic_from(const Json& json, const std::string& place) {
+  if (!json.is_object()) throw core::InputError(place + ": must be an object");
+  const Row row{json, place};
+  told::Diagnostic d;
+  d.kind = row.string("kind");
+  d.bodies = row.strings("bodies");
+  const std::int64_t bodies = row.integer("body_count"), order = row.integer("order");
+  if (bodies < static_cast<std::int64_t>(d.bodies.size()))
+    row.refuse("body_count", "is less than the bodies that are named");
+  if (order < 0 || order > 1000) row.refuse("order", "must lie in [0, 1000]");
+  d.body_count = static_cast<std::size_t>(bodies), d.order = static_cast<int>(order);
+  d.method = row.string("method");
+  d.since = row.real("since");
+  d.until = real_if(row, "until");
+  d.count = row.integer("count");
+  if (d.count < 1) row.refuse("count", "must be at least 1");
+  d.limit = real_if(row, "limit"), d.limit_unit = row.string("limit_unit");
+  d.reached = real_if(row, "reached"), d.unit = row.string("unit");
+  d.text = row.string("text");
+  return d;
+}
+
+std::vector<told::Diagnostic> diagnostics_from(const Row& row) {
+  std::vector<told::Diagnostic> list;
+  const Json& value = row.at("diagnostics");
+  if (!value.is_array())
+    row.refuse("diagnostics", fmt::format("must be an array, not {}", value.type_name()));
+  for (const Json& item : value)
+    list.push_back(diagnostic_from(item, fmt::format("{}: diagnostic {}", row.place, list.size() + 1)));
+  return list;
+}
+
 Verdict from_row(const Json& json, const std::string& place) {
   if (!json.is_object()) throw core::InputError(place + ": a verdict must be an object");
   const Row row{json, place};
@@ -135,6 +171,7 @@ Verdict from_row(const Json& json, const std::string& place) {
   v.expected_reason = row.string("expected_reason");
   v.tolerance_reason = row.string("reason");
   v.detail = row.string("detail");
+  v.diagnostics = diagnostics_from(row);
   v.complaints = row.string("stderr");
   v.reproduce = row.string("reproduce");
   v.cpu_seconds = row.real("cpu_seconds");
@@ -172,7 +209,28 @@ Json parse(std::string_view document, const std::string& file, unsigned first_li
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
+Json diagnostic_json(const told::Diagnostic& d) {
+  const auto maybe = [](const std::optional<double>& value) {
+    return value ? number(*value) : Json(nullptr);
+  };
+  return {{"kind", d.kind},
+          {"bodies", Json(d.bodies)},
+          {"body_count", d.body_count},
+          {"method", d.method},
+          {"order", d.order},
+          {"since", number(d.since)},
+          {"until", maybe(d.until)},
+          {"count", d.count},
+          {"limit", maybe(d.limit)},
+          {"limit_unit", d.limit_unit},
+          {"reached", maybe(d.reached)},
+          {"unit", d.unit},
+          {"text", d.text}};
+}
+
 Json row(const Verdict& v) {
+  Json diagnostics = Json::array();
+  for (const told::Diagnostic& d : v.diagnostics) diagnostics.push_back(diagnostic_json(d));
   Json settings = Json::object();
   for (const auto& [name, value] : v.settings) settings[name] = value;
   return {{"scenario", v.scenario},
@@ -207,6 +265,7 @@ Json row(const Verdict& v) {
           {"expected_reason", v.expected_reason},
           {"reason", v.tolerance_reason},
           {"detail", v.detail},
+          {"diagnostics", std::move(diagnostics)},
           {"stderr", v.complaints},
           {"reproduce", v.reproduce},
           {"cpu_seconds", number(v.cpu_seconds)},

@@ -24,6 +24,8 @@ struct RunReport {
 /// Null where the number is not finite.
 nlohmann::ordered_json number(double);
 
+nlohmann::ordered_json diagnostic_json(const told::Diagnostic&);
+
 /// One row: every named field in a fixed order, present in every row.  Numbers that are not finite are null.
 nlohmann::ordered_json row(const results::Verdict&);
 nlohmann::ordered_json provenance_json(const Provenance&);

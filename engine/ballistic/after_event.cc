@@ -135,10 +135,4 @@ void Course::hand_over(const std::string& reason) {
   handover_->reason = reason;
 }
 
-std::vector<std::string> Course::remarks() const {
-  if (!handover_) return {};
-  return {"event-by-event motion ended at t = " + std::to_string(handover_->time) +
-          " s: " + handover_->reason};
-}
-
 }  // namespace cylon::engine::ballistic

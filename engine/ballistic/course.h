@@ -18,7 +18,6 @@ class Course final : public Ballistic {
   void step() override;
   void read(std::vector<Motion>&) const override;
   const std::vector<Impact>& impacts() const override { return impacts_; }
-  std::vector<std::string> remarks() const override;
   const std::optional<Handover>& handover() const override { return handover_; }
 
  private:

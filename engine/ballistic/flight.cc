@@ -26,7 +26,7 @@ Time stride(const Spin& spin) {
 
 // dq/ds = (w + s alpha) q / 2 as a power series in s, which converges for every s:
 //   (k + 1) q_{k+1} = (w q_k + alpha q_{k-1}) / 2
-// Over a stride the terms fall faster than 0.75^k / k!.
+// Over a stride the terms fall faster than 0.75^k / k!, which is below rounding for k = 15: the 40 are never made.
 Quaternion turned_evenly(const Quaternion& start, const Spin& spin, Real s) {
   const auto pure = [](const Vector3& v) { return Quaternion(0, v.x(), v.y(), v.z()); };
   const Quaternion w = pure(s / 2 * spin.w), alpha = pure(s * s / 2 * spin.alpha);

@@ -195,7 +195,7 @@ Real core_radius(const Shape& shape) {
   return box ? box->radius : Core(shape).radius;
 }
 
-void touches_of(const Candidate& c, const Model& model, const Motion* motion, Real margin,
+bool touches_of(const Candidate& c, const Model& model, const Motion* motion, Real margin,
                 std::vector<TouchPoint>& touches) {
   const Motion &a = motion[index(c.body)], &b = motion[index(c.other)];
   const Manifold found =
@@ -216,6 +216,7 @@ void touches_of(const Candidate& c, const Model& model, const Motion* motion, Re
     touch.path = matter_velocity(model.bodies[index(c.body)], a, point.position);
     touches.push_back(touch);
   }
+  return found.thinned;
 }
 
 Real gap_scale(const Candidate& c, const Model& model, const Motion* motion) {

@@ -36,8 +36,8 @@ TouchPoint touch_at(const Candidate&, const Model&, const Motion*);
 /// Gap of any candidate [m].
 Real gap_of(const Candidate&, const Model&, const Motion*);
 
-/// The points of a general pair nearer than margin.
-void touches_of(const Candidate&, const Model&, const Motion*, Real margin, std::vector<TouchPoint>&);
+/// Adds the points of a general pair nearer than margin; whether there were more than a manifold holds.
+bool touches_of(const Candidate&, const Model&, const Motion*, Real margin, std::vector<TouchPoint>&);
 
 /// What a shape is rounded by, about a point, a segment or a polytope [m].
 Real core_radius(const Shape&);

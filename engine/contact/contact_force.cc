@@ -176,6 +176,7 @@ ContactForces find_contact_forces(std::span<const TouchPoint> touches, std::span
   if (solution.exact) stick_where_still(a.problem, solution);
   ContactForces support = report(a, touches, solution.hold, solution.force);
   support.exact = solution.exact;
+  support.violation = solution.violation;
   // What an even sharing would leave outside a cone is remembered as it was found.
   a.problem.start.resize(0);
   if (!solution.exact || obeys(a.problem, solution.hold, held_force(a.problem, solution.hold)))

@@ -452,6 +452,7 @@ CoulombSolution solve(const CoulombProblem& p) {
   CoulombSolution solution = solve_scaled(scaled);
   solution.force = s.cwiseProduct(solution.force);
   solution.rate = p.response * solution.force + p.offset;
+  if (!solution.exact) solution.violation = violation(p, solution.force);
   return solution;
 }
 

@@ -46,7 +46,8 @@ struct CoulombSolution {
   VectorX force;           ///< f; of all that obey the law and that differ only by redundancy, an even one.
   VectorX rate;            ///< u
   std::vector<Hold> hold;  ///< What was found.
-  bool exact = false;      ///< Obeys the law to rounding; otherwise as near as the iteration came.
+  bool exact = false;      ///< Obeys the law to rounding; otherwise as near as the iteration came:
+  Real violation = 0;      ///< violation() of the force where it is not exact.
 };
 
 /// The force for holds that are decided: u = 0 where it sticks, u_n = 0 and f_t = -mu f_n d where it slides;
@@ -68,5 +69,12 @@ VectorX relaxed_force(const CoulombProblem&, int rounds);
 
 /// Whether the force obeys the law for these holds, to rounding.
 bool obeys(const CoulombProblem&, const std::vector<Hold>&, const VectorX& force);
+
+/// How far a force is from the law, in units of u: the largest over the points of
+///   |f - P(f - r (u + mu |u_t| n))|/r,   r = 1/max A_ii,   P the nearest point of the cone |f_t| <= mu f_n,
+/// which is zero where the law is obeyed and nowhere else.  G. De Saxce, Z.-Q. Feng, Math. Comput. Modelling 28 (1998)
+/// 225.  Of a point whose slip is given f_t = -mu f_n d is required in place of Coulomb's law.  Infinite where it is
+/// not a number.
+Real violation(const CoulombProblem&, const VectorX& force);
 
 }  // namespace cylon::engine

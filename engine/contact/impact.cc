@@ -10,7 +10,6 @@ namespace cylon::engine {
 namespace {
 
 constexpr Real ulp = std::numeric_limits<Real>::epsilon();
-constexpr int most_rounds = 200;
 
 // Energy made by P: P.u- + P.A P/2.
 Real energy_made(const MatrixX& a, const VectorX& before, const VectorX& p) {
@@ -75,6 +74,7 @@ ImpactOutcome strike_at_once(std::span<const TouchPoint> touches, std::span<cons
   if (memory && solution.exact) *memory = solution.hold;
   VectorX impulse = solution.force;
   outcome.exact = solution.exact;
+  outcome.violation = solution.violation;
   outcome.rounds = 1;
   const Real terms = impulse.cwiseAbs().dot(before.cwiseAbs() + (response.matrix() * impulse).cwiseAbs());
   if (bounces && energy_made(response.matrix(), before, impulse) > 64 * ulp * terms) {
@@ -83,6 +83,7 @@ ImpactOutcome strike_at_once(std::span<const TouchPoint> touches, std::span<cons
     without.guess.clear();
     const CoulombSolution plastic = solve(without);
     outcome.exact = outcome.exact && plastic.exact;
+    outcome.violation = std::max(outcome.violation, plastic.violation);
     const VectorX difference = impulse - plastic.force;
     impulse =
         plastic.force + harmless_part(response.matrix(), before, plastic.force, difference) * difference;
@@ -139,11 +140,12 @@ ImpactOutcome strike(std::span<const TouchPoint> touches, Impacts impacts, std::
       outcome.approach[members[g]] = std::max(outcome.approach[members[g]], part.approach[g]);
     }
     outcome.exact = outcome.exact && part.exact;
+    outcome.violation = std::max(outcome.violation, part.violation);
     ++outcome.rounds;
   };
 
   std::vector<std::size_t> members;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < most_impact_rounds; ++round) {
     bool any = false;
     for (std::size_t p = 0; p < pairs.size(); ++p) {
       members.clear();

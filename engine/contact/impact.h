@@ -23,7 +23,8 @@ struct ImpactOutcome {
   std::vector<Vector3> impulse;  ///< On `body` of each point, sum over the instant, world axes [N s].
   std::vector<Real> approach;  ///< Of each point: the largest -u_n that it was struck with [m/s]; 0 if never.
   int rounds = 0;              ///< Groups that were solved.
-  bool exact = true;           ///< Every group obeys the law to rounding.
+  bool exact = true;           ///< Every group obeys the law to rounding; else
+  Real violation = 0;          ///< by how much the worst does not [m/s].
   bool ended = true;           ///< Sequential: nothing approached before the rounds were over.
 };
 
@@ -41,8 +42,11 @@ ImpactOutcome strike_at_once(std::span<const TouchPoint>, std::span<const Row> j
 /// forces without bound in no time.  It gives no energy: P.u- + P.A P/2 = -P.A P/2.
 bool stop_slip(std::span<const TouchPoint>, std::span<const Row> joints, const std::vector<Body>&, Motion*);
 
+/// Of strike(), in its sequential order, over the pairs.
+inline constexpr int most_impact_rounds = 200;
+
 /// The points of one instant.  Simultaneous: all at once.  Sequential: pair by pair in the order of their
-/// numbers, again and again until nothing approaches faster than rounding; after 200 rounds over the pairs,
+/// numbers, again and again until nothing approaches faster than rounding; after most_impact_rounds over the pairs,
 /// all at once and plastic, so that it ends.
 ImpactOutcome strike(std::span<const TouchPoint>, Impacts, std::span<const Row> joints,
                      const std::vector<Body>&, Motion*);

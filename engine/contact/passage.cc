@@ -216,7 +216,7 @@ bool Passage::stays_above(const Leg& carrier, const Shape& shape, const Leg& vis
   // So many parts that what is not known of each is half the depth.
   const Real whole = span_ * span_ * span_ * span_ / 384 * fourth;
   const Real wanted = std::ceil(std::sqrt(std::sqrt(2 * whole / depth)));
-  constexpr int most_parts = 16;
+  constexpr int most_parts = 16;  // where more are wanted the bound says nothing, and the search goes on
   if (!(wanted <= most_parts)) return false;
   const int parts = std::max(1, static_cast<int>(wanted));
   const Real n = static_cast<Real>(parts), width = span_ / n, curved = whole / (n * n * n * n);

@@ -5,7 +5,9 @@
 namespace cylon::engine {
 namespace {
 
-constexpr int most_corners = 120;  // a cut adds at most one corner: 120 + 120 fit
+// A cut adds at most one corner: 120 + 120 fit.  Of a face with more every second one counts, or third …, which
+// the patch tells.
+constexpr int most_corners = 120;
 
 // A core in a's axes.
 struct View {
@@ -106,6 +108,7 @@ void clip(const Couple& couple, bool on_a, int face, Patch& patch) {
   }
 
   patch.count = count;
+  patch.thinned = ring.step > 1 || sides.step > 1;
   for (int k = 0; k < count; ++k) {
     const Running& p = buffers[now][static_cast<std::size_t>(k)];
     patch.corners[static_cast<std::size_t>(k)] = {p.x, n.dot(p.x - origin), p.feature};

@@ -17,6 +17,7 @@ struct Corner {
 struct Patch {
   std::array<Corner, 256> corners;  // not initialised
   int count = 0;
+  bool thinned = false;  ///< A face had more corners than are looked at.
 };
 
 /// The incident core's face that looks at the reference face most (the whole segment or point where it has

@@ -11,7 +11,7 @@ namespace {
 
 constexpr Real eps = std::numeric_limits<Real>::epsilon();
 constexpr Real pi = Real(3.14159265358979323846);
-constexpr int corners = 16, most_rounds = 12;
+constexpr int corners = 16, most_rounds = Facetted::most_rounds;
 
 // Half the angle of a tangent facet: (its angle)^2/2 is rounding.
 constexpr Real half_facet = eps < Real(1e-10) ? Real(1e-7) : Real(1e-3);
@@ -31,6 +31,7 @@ class Round {
 
   // Facets towards a normal, and towards a point beside the surface (own axes); whether any is new.
   bool look(const Vector3& normal, const Vector3& point) {
+    moved_ = 0;
     bool any = std::hypot(normal.x(), normal.z()) > eps && add(std::atan2(normal.z(), normal.x()));
     const Real part =
         std::clamp((point.y() - frustum_.low) / (frustum_.high - frustum_.low), Real(0), Real(1));
@@ -44,6 +45,10 @@ class Round {
   Real sagitta() const {
     return (1 - std::cos(pi / corners)) * std::max(frustum_.low_radius, frustum_.high_radius);
   }
+  // How deep a polygon is inside the circle that has its nearest facet by the last move aside.
+  Real last_miss() const {
+    return (1 - std::cos(moved_)) * std::max(frustum_.low_radius, frustum_.high_radius);
+  }
   Real width() const { return 2 * half_facet * std::max(frustum_.low_radius, frustum_.high_radius); }
 
  private:
@@ -54,9 +59,12 @@ class Round {
 
   // Corners of the inscribed polygon, and facets found before, give way.
   bool add(Real angle) {
-    for (int k = 0; k < facets_; ++k)
-      if (angle_between(angle, facet_angles_[k]) < half_facet / 2) return false;
-    if (facets_ == static_cast<int>(facet_angles_.size())) return false;
+    Real nearest = pi / corners;
+    for (int k = 0; k < facets_; ++k) nearest = std::min(nearest, angle_between(angle, facet_angles_[k]));
+    if (nearest < half_facet / 2) return false;
+    if (facets_ == static_cast<int>(facet_angles_.size()))
+      return false;  // two a round: there is room for all
+    moved_ = std::max(moved_, nearest);
     int kept = 0;
     for (int k = 0; k < count_; ++k) {
       const Corner& corner = corners_[k];
@@ -139,6 +147,7 @@ class Round {
   int count_ = 0;
   std::array<Real, 2 * most_rounds> facet_angles_{};
   int facets_ = 0;
+  Real moved_ = 0;  // in the last look(), from the nearest facet there was
 };
 
 }  // namespace
@@ -162,6 +171,8 @@ Facetted::Facetted(const Shape& body, const Pose& pose, const Shape& other, cons
     if (b) any |= b->look(couple.turn.transpose() * t.normal, couple.turn.transpose() * (t.a - couple.shift));
     if (!any) return;
   }
+  for (const auto* round : {&a, &b})
+    if (*round) unsettled_ = std::max(unsettled_, (*round)->last_miss());
 }
 
 }  // namespace cylon::engine

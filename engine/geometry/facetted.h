@@ -25,9 +25,15 @@ class Facetted {
   /// Points nearer to each other than this are one [m].
   Real same() const { return same_; }
 
+  static constexpr int most_rounds = 12;
+  /// About how far the gap is off as the place still moved after the last of most_rounds, by the angle d that it moved
+  /// last:  r (1 - cos d) [m].  0: it stayed.  An estimate: of 20000 random pairs, compared with 200 rounds, 3876 did
+  /// not stay, and the gap was off by up to 1.35 times this, of one by 4.4 times.
+  Real unsettled() const { return unsettled_; }
+
  private:
   std::array<const Shape*, 2> shapes_;
-  Real same_ = 0;
+  Real same_ = 0, unsettled_ = 0;
 };
 
 }  // namespace cylon::engine

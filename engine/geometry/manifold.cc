@@ -97,7 +97,8 @@ Manifold polytopes(const Shape& body, const Pose& pose, const Shape& other, cons
       const Real gap = corner.gap - radii;
       if (gap < most) reduction.add({world(corner.x - up * (below + gap / 2)), gap, corner.feature ^ flip});
     }
-    const Manifold result = reduction.result();
+    Manifold result = reduction.result();
+    result.thinned = result.thinned || patch.thinned;
     if (result.count > 0) return result;
   }
   const Vector3 a = t.a - couple.a.radius * t.normal, b = t.b + couple.b.radius * t.normal;
@@ -126,8 +127,10 @@ Manifold without_twins(Manifold manifold, Real same) {
 Manifold round_polytopes(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose,
                          Real margin) {
   const Facetted facetted(body, pose, other, other_pose, margin);
-  return without_twins(polytopes(facetted.body(), pose, facetted.other(), other_pose, margin),
-                       facetted.same());
+  Manifold result =
+      without_twins(polytopes(facetted.body(), pose, facetted.other(), other_pose, margin), facetted.same());
+  result.unsettled = facetted.unsettled();
+  return result;
 }
 
 using Row = Manifold (*)(const Shape&, const Pose&, const Shape&, const Pose&, Real);
@@ -216,6 +219,7 @@ std::uint32_t with_parts(std::uint32_t feature, int part, int other) {
 Manifold manifold(const Shape& body, const Pose& pose, const Plane& plane, Real margin) {
   if (body.index() == 0) return none();
   Reduction reduction(plane.normal);
+  bool thinned = false;
   each_part(body, pose, [&](int part, const Shape& shape, const Pose& at) {
     Reduction of_part(plane.normal);
     if (const auto* frustum = std::get_if<Frustum>(&shape))
@@ -223,13 +227,16 @@ Manifold manifold(const Shape& body, const Pose& pose, const Plane& plane, Real 
     else
       add_vertices(shape, at, plane, margin, of_part);
     const Manifold found = of_part.result();
+    thinned = thinned || found.thinned;
     for (int k = 0; k < found.count; ++k) {
       ContactPoint point = found.points[static_cast<std::size_t>(k)];
       point.feature = with_parts(point.feature, part, 0);
       reduction.add(point);
     }
   });
-  return reduction.result();
+  Manifold result = reduction.result();
+  result.thinned = result.thinned || thinned;
+  return result;
 }
 
 void manifolds(const Shape& body, const PartBoxes& boxes, const Pose& pose, const Shape& other,
@@ -270,7 +277,11 @@ void join_faces(std::vector<PartManifold>& found) {
   constexpr Real flush = eps < Real(1e-10) ? Real(1e-9) : Real(1e-4);
   for (std::size_t i = 0; i < found.size(); ++i) {
     Reduction joined(found[i].manifold.normal);
+    bool thinned = false;
+    Real unsettled = 0;
     const auto add = [&](const Manifold& one) {
+      thinned = thinned || one.thinned;
+      unsettled = std::max(unsettled, one.unsettled);
       for (int k = 0; k < one.count; ++k) joined.add(one.points[static_cast<std::size_t>(k)]);
     };
     add(found[i].manifold);
@@ -283,6 +294,8 @@ void join_faces(std::vector<PartManifold>& found) {
       found.erase(found.begin() + static_cast<std::ptrdiff_t>(k));
     }
     found[i].manifold = joined.result();
+    found[i].manifold.thinned = found[i].manifold.thinned || thinned;
+    found[i].manifold.unsettled = unsettled;
   }
 }
 

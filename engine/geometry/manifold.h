@@ -22,6 +22,9 @@ struct Manifold {
   Vector3 normal;  ///< Unit, world axes, from `other` to `body`.
   int count = 0;
   std::array<ContactPoint, capacity> points;
+  bool thinned = false;  ///< There were more points than fit.
+  Real unsettled =
+      0;  ///< About how far gaps are off at a round body whose place was not found (Facetted) [m].
 };
 
 /// The points with gap < margin [m], where faces meet faces the corners of the common area; at least one

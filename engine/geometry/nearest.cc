@@ -115,6 +115,9 @@ Nearest nearest(const Couple& couple) {
 
   Simplex s = point(vertex(couple.shift));
   const Real rounding = 4 * eps * couple.size;
+  // Each step takes a simplex nearer than the last, so none comes twice and the steps end by themselves; where that takes
+  // more than these, the plane between the points that were found is not clear of both shapes, which touch() sees: it
+  // asks the axes then.
   const int most_steps = 64 + couple.a.vertex_count + couple.b.vertex_count;
   for (int step = 0; step < most_steps; ++step) {
     if (s.v.squaredNorm() <= rounding * rounding) return {};

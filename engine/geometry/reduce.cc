@@ -51,6 +51,7 @@ Manifold Reduction::result() const {
   std::sort(held.begin(), held.end(), [](const Held& a, const Held& b) { return a.order < b.order; });
   Manifold result;
   result.normal = all_.normal;
+  result.thinned = true;
   for (std::size_t k = 0; k < held.size(); ++k)
     if (k == 0 || held[k].order != held[k - 1].order)
       result.points[static_cast<std::size_t>(result.count++)] = held[k].point;

@@ -9,24 +9,6 @@ namespace {
 
 constexpr std::size_t most_listed = 8;  // islands, and reasons of one stage
 
-const char* name_of(Path path) {
-  switch (path) {
-    case Path::exact:
-    case Path::modes:
-    case Path::ballistic:
-      return "closed form";
-    case Path::free:
-    case Path::points:
-    case Path::bodies:
-      return "integration";
-    case Path::events:
-      return "events";
-    case Path::stepping:
-      return "fixed steps with impulses";
-  }
-  return "";
-}
-
 // A closed form has no order: its error is rounding.
 int order_of(const Plan& plan) { return plan.order > 0 ? plan.order : std::numeric_limits<int>::max(); }
 

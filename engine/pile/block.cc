@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cmath>
 
 namespace cylon::engine::pile {
 namespace {
@@ -71,6 +72,25 @@ void relax(Block& block, std::vector<Mover>& movers) {
     push(block, change, movers);
     block.impulse += change;
   }
+}
+
+// The change of relax(), its parts along and across the normal each from the velocity now, as a velocity.
+Real unmet(const Block& block, const std::vector<Mover>& movers) {
+  const Vector3 u = relative_velocity(block, movers);
+  if (block.kind != Block::Kind::contact) return (block.space * u).norm();
+  const Vector3& n = block.normal;
+  const Real u_n = n.dot(u), j_n = n.dot(block.impulse);
+  if (!(block.mass > 0)) return 0;
+  const Real normal = std::max(j_n + block.mass * (block.target - u_n), Real(0));
+  const Vector3 across = block.impulse - j_n * n, u_t = u - u_n * n;
+  const Real limit = block.friction * normal, slips = slip_mass(block.block_mass);
+  Real along = u_t.norm();
+  if (const Vector3 sticks = across - block.block_mass * u_t; sticks.norm() > limit) {
+    Vector3 t = across - slips * u_t;
+    if (limit < t.norm()) t *= limit / t.norm();
+    along = slips > 0 ? (t - across).norm() / slips : Real(0);
+  }
+  return std::hypot((normal - j_n) / block.mass, along);
 }
 
 }  // namespace cylon::engine::pile

@@ -74,4 +74,8 @@ void set_effective_mass(Block&, const std::vector<Mover>&);
 /// One sweep of projected Gauss-Seidel over one block: ends its own error, keeps J in the cone.
 void relax(Block&, std::vector<Mover>&);
 
+/// By how much another sweep would change the block's velocity, K dJ with dJ the change of the impulse [m/s,
+/// align: rad/s]: zero where its laws hold.  Requires set_effective_mass().
+Real unmet(const Block&, const std::vector<Mover>&);
+
 }  // namespace cylon::engine::pile

@@ -1,5 +1,6 @@
 #include "engine/pile/body_contacts.h"
 
+#include "engine/geometry/facetted.h"
 #include "engine/geometry/manifold.h"
 #include "engine/joint.h"
 
@@ -231,6 +232,12 @@ void BodyContacts::find_points(const std::vector<Motion>& motions, int a, int b,
     for (PartManifold& found : points_) leave_out_inside(motions, a, b, found);
     join_faces(points_);
   }
+  for (const PartManifold& found : points_) {
+    if (found.manifold.thinned) log_.note(DiagnosticKind::points_left_out, now_, Manifold::capacity);
+    if (found.manifold.unsettled > 0)
+      log_.note(DiagnosticKind::facets_unsettled, now_, Facetted::most_rounds,
+                static_cast<double>(found.manifold.unsettled));
+  }
   for (PartManifold& found : points_) leave_out_between(found.manifold, spare_distance * radius_[index(a)]);
 }
 
@@ -283,8 +290,9 @@ void BodyContacts::add_joints(const std::vector<Motion>& motions, const std::vec
   }
 }
 
-void BodyContacts::find(const std::vector<Motion>& motions, const std::vector<Mover>& movers, Time span,
-                        std::vector<Block>& blocks) {
+void BodyContacts::find(const std::vector<Motion>& motions, const std::vector<Mover>& movers, Time now,
+                        Time span, std::vector<Block>& blocks) {
+  now_ = now;
   const Real h = static_cast<Real>(span), fall = model_.forces.gravity.norm() * h * h;
   for (std::size_t i = 0; i < motions.size(); ++i)
     margin_[i] = (movers[i].v.norm() + radius_[i] * movers[i].w.norm()) * h + fall + radius_[i] / 256;

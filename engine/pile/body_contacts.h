@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/contact/seams.h"
+#include "engine/diagnostic.h"
 #include "engine/geometry/broad_phase.h"
 #include "engine/geometry/manifold.h"
 #include "engine/pile/block.h"
@@ -17,7 +18,11 @@ class BodyContacts {
 
   /// Fills `blocks` with the contacts that can matter within `span` [s], each with the impulse that the same
   /// point had in `blocks` before, and with the joints.
-  void find(const std::vector<Motion>&, const std::vector<Mover>&, Time span, std::vector<Block>& blocks);
+  void find(const std::vector<Motion>&, const std::vector<Mover>&, Time now, Time span,
+            std::vector<Block>& blocks);
+
+  /// What find() could not do as it should so far.
+  const DiagnosticLog& log() const { return log_; }
 
   /// The least half-width of any shape [m]; 0: there is none.
   Real smallest() const { return smallest_; }
@@ -58,6 +63,8 @@ class BodyContacts {
   std::vector<Found> found_, old_found_;    // per pair, in the order of the blocks
   std::vector<PartManifold> points_;        // of the pair that is looked at
   std::vector<Block> old_;
+  DiagnosticLog log_;
+  Time now_ = 0;                           // of find() [s]
   std::size_t next_ = 0, next_found_ = 0;  // of the pair that is looked at, in old_ and old_found_
 };
 

@@ -1,16 +1,16 @@
 #include "engine/pile/body_pile.h"
 
+#include "engine/constraint.h"
 #include "engine/free_rotation.h"
 #include "engine/joint.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace cylon::engine::pile {
 namespace {
 
-constexpr int most_parts = 16, separations = 4;
+constexpr int most_parts = 16, close_rounds = 16;
 // Of a step, for stiff forces; what needs more is told as unstable.
 constexpr int most_stiff_parts = 1024;
 
@@ -42,45 +42,18 @@ BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings, st
                  return body != fixed_world && !model_.bodies[index(body)].locked;
                });
       })) {
-  masses_.set(static_cast<Time>(first) * dt, model_.bodies);
+  const Time start = static_cast<Time>(first) * dt;
+  masses_.set(start, model_.bodies);
+  if (stiff_parts_ > 1) log_.note(DiagnosticKind::stiff, start, stiff_parts_, {}, limit_.reason);
   set_kinematics();
   for (std::size_t i = 0; i < movers_.size(); ++i)
     still_[i] = movers_[i].v.isZero(0) && movers_[i].w.isZero(0);
 }
 
-std::vector<std::string> BodyPile::remarks() const {
-  std::vector<std::string> remarks;
-  if (too_fast_)
-    remarks.emplace_back(
-        "bodies moved farther than half the smallest half-width in a sixteenth of a step: they may have "
-        "passed through each other");
-  if (unsolved_) {
-    std::ostringstream text;
-    text << "contact and joint equations were solved only to " << residual_ << " m/s";
-    remarks.push_back(text.str());
-  }
-  if (swept_worst_ > 0) {
-    std::ostringstream text;
-    text << "contacts of many bodies were solved by sweeps: in the last step they were off by " << swept_to_
-         << " m/s, in the worst by " << swept_worst_ << " m/s";
-    remarks.push_back(text.str());
-  }
-  if (stiff_parts_ > 1) {
-    std::ostringstream text;
-    text << "each step goes in " << stiff_parts_ << " parts: " << limit_.reason
-         << " is too stiff for longer ones";
-    remarks.push_back(text.str());
-  }
-  if (unstable_) {
-    std::ostringstream text;
-    text << "steps longer than " << limit_.step << " s are unstable where " << limit_.reason
-         << " acts in full: the motion may grow without limit";
-    remarks.push_back(text.str());
-  }
-  if (together_)
-    remarks.emplace_back(
-        "impacts = sequential was not kept: bounces of one body in one step were solved at once");
-  return remarks;
+std::vector<Diagnostic> BodyPile::diagnostics() const {
+  std::vector<Diagnostic> all = log_.all();
+  for (Diagnostic& d : found_.log().all()) all.push_back(std::move(d));
+  return all;
 }
 
 void BodyPile::set_kinematics() {
@@ -146,15 +119,16 @@ void BodyPile::note_impact(std::size_t k, Time now, Real gap, Real approach) {
   if (!impacts_.empty() && k > 0 && blocks_[k - 1].impact && blocks_[k - 1].a == block.a &&
       blocks_[k - 1].b == block.b && blocks_[k - 1].plane == block.plane)
     return;
-  if (block.restitution > 0) note_bounce(block);
+  if (block.restitution > 0) note_bounce(block, now);
   impacts_.push_back({now + static_cast<Time>(gap > 0 ? gap / approach : 0), block.a, block.b, block.plane,
                       approach, block.restitution * approach});
 }
 
-void BodyPile::note_bounce(const Block& block) {
+void BodyPile::note_bounce(const Block& block, Time now) {
   for (const int body : {block.a, block.b}) {
     if (body == fixed_world || model_.bodies[index(body)].locked) continue;
-    together_ = together_ || (struck_[index(body)] && model_.impacts == Impacts::sequential);
+    if (struck_[index(body)] && model_.impacts == Impacts::sequential)
+      log_.note(DiagnosticKind::solved_at_once, now);
     struck_[index(body)] = 1;
   }
 }
@@ -238,20 +212,24 @@ int BodyPile::parts_of_step() const {
 
 void BodyPile::step() {
   impacts_.clear(), contacts_.clear();
-  swept_to_ = 0;
+  swept_to_ = 0, swept_times_ = 0;
+  const Time now = static_cast<Time>(steps_) * dt_;
   int parts = parts_of_step();
-  if (parts > most_parts) parts = most_parts, too_fast_ = true;
+  if (parts > most_parts) {
+    parts = most_parts;
+    log_.note(DiagnosticKind::too_fast, now, most_parts);
+  }
   parts = std::max(parts, stiff_parts_);
   for (int k = 0; k < parts; ++k)
     advance_part(static_cast<Time>(steps_) * dt_ + k * dt_ / parts, dt_ / parts);
   std::stable_sort(impacts_.begin(), impacts_.end(),
                    [](const Impact& a, const Impact& b) { return a.time < b.time; });
-  swept_worst_ = std::max(swept_worst_, swept_to_);
+  if (swept_to_ > 0) log_.note(DiagnosticKind::contacts_swept, now, swept_times_, swept_to_);
   ++steps_;
 }
 
 void BodyPile::advance_part(Time now, Time span) {
-  found_.find(motions_, movers_, span, blocks_);
+  found_.find(motions_, movers_, now, span, blocks_);
   if (isolated_) islands_.find(blocks_);
   if (keep_) pressed_.assign(blocks_.size(), Vector3::Zero());
   divide(static_cast<Real>(span));
@@ -259,7 +237,7 @@ void BodyPile::advance_part(Time now, Time span) {
     const bool direct = static_cast<int>(blocks_.size()) <= settings_.direct_points;
     pass(now, span, direct);
     if (keep_) note_pressed();
-    correct_positions(direct);
+    correct_positions(now, direct);
     return;
   }
   corrected_ = groups_.size();
@@ -284,7 +262,7 @@ void BodyPile::advance_part(Time now, Time span) {
     for (const int k : group.blocks)
       if (keep_) pressed_[index(k)] = blocks_[index(k)].impulse;
   if (keep_) note_pressed();
-  correct_groups();
+  correct_groups(now);
   lay_to_rest(static_cast<Real>(span));
 }
 
@@ -299,25 +277,39 @@ void BodyPile::pass(Time now, Time span, bool direct) {
   const int parts = direct ? 1 : settings_.substeps;
   if (!direct) colour();
   for (int k = 0; k < parts; ++k) substep(now + k * span / parts, span / parts, direct);
+  if (!direct) swept_times_ = std::max(swept_times_, parts);
 }
 
-void BodyPile::correct_positions(bool direct) {
+// How far the blocks that are swept are from their laws, before the bodies move.
+void BodyPile::measure_sweep() {
+  for (const Block& block : blocks_)
+    if (takes(block)) swept_to_ = std::max(swept_to_, static_cast<double>(unmet(block, movers_)));
+}
+
+void BodyPile::note_overlaps(Time now) {
+  if (overlaps_.residual() > 0)
+    log_.note(DiagnosticKind::overlaps_unsolved, now, {}, static_cast<double>(overlaps_.residual()));
+}
+
+void BodyPile::correct_positions(Time now, bool direct) {
   set_kinematics();
   if (isolated_) islands_.note(motions_), before_ = motions_;
   const bool moved = overlaps_.displace(model_.bodies, blocks_, movers_, settings_.slop * found_.smallest(),
                                         settings_.relaxation, direct, motions_);
-  close_joints();
+  note_overlaps(now);
+  close_joints(now);
   if (isolated_ && (moved || !model_.joints.empty())) islands_.restore(before_, motions_);
   set_kinematics();
 }
 
-void BodyPile::correct_groups() {
+void BodyPile::correct_groups(Time now) {
   if (!groups_.empty() || !swept_.blocks.empty()) set_kinematics();
   const auto correct = [&](const Group& group, bool direct) {
     lists_.gather(group, blocks_, model_.bodies, movers_, motions_);
     if (!overlaps_.displace(lists_.bodies, lists_.blocks, lists_.movers, settings_.slop * found_.smallest(),
                             settings_.relaxation, direct, lists_.motions))
       return false;
+    note_overlaps(now);
     for (std::size_t i = 0; i < group.bodies.size(); ++i)
       if (!model_.bodies[index(group.bodies[i])].locked) motions_[index(group.bodies[i])] = lists_.motions[i];
     return true;
@@ -325,14 +317,14 @@ void BodyPile::correct_groups() {
   displaced_.resize(corrected_);
   for (std::size_t k = 0; k < corrected_; ++k) displaced_[k] = correct(groups_[k], true);
   if (!swept_.blocks.empty()) correct(swept_, false);
-  close_joints();
+  close_joints(now);
   set_kinematics();
 }
 
 // One by one where there are too many blocks for one solution.
-void BodyPile::solve_directly() {
+void BodyPile::solve_directly(Time now) {
   const auto note = [&](bool solved) {
-    unsolved_ |= !solved;
+    if (!solved) log_.note(DiagnosticKind::contacts_unsolved, now, {}, direct_.residual());
     residual_ = std::max(residual_, direct_.residual());
   };
   if (!divided_) {
@@ -350,7 +342,8 @@ void BodyPile::solve_directly() {
 }
 
 void BodyPile::substep(Time now, Time h, bool direct) {
-  unstable_ = unstable_ || static_cast<Real>(h) > limit_.step;
+  if (static_cast<Real>(h) > limit_.step)
+    log_.note(DiagnosticKind::unstable, now, static_cast<double>(limit_.step), {}, limit_.reason);
   masses_.set(now, model_.bodies);  // a pass before this one may have left those of its end
   set_kinematics();
   if (isolated_) meet_halfway(blocks_, motions_);
@@ -358,11 +351,12 @@ void BodyPile::substep(Time now, Time h, bool direct) {
   kick(now, static_cast<Real>(h));
   if (isolated_) islands_.note(motions_);
   if (direct) {
-    solve_directly();
+    solve_directly(now);
   } else {
     for (Block& block : blocks_) set_effective_mass(block, movers_);
     sweep(true);
     sweep(false);
+    measure_sweep();
   }
   carry_impulses();
   for (std::size_t i = 0; keep_ && i < blocks_.size(); ++i)
@@ -384,9 +378,9 @@ void BodyPile::note_pressed() {
 }
 
 // The drift of joints goes by moving and turning bodies without their velocities, all of it.
-void BodyPile::close_joints() {
+void BodyPile::close_joints(Time now) {
   if (model_.joints.empty()) return;
-  for (int round = 0; round < 4 * separations; ++round) {
+  for (int round = 0; round < close_rounds; ++round) {
     std::size_t k = 0;
     while (k < blocks_.size() && blocks_[k].kind == Block::Kind::contact) ++k;
     for (const Joint& joint : model_.joints)
@@ -415,6 +409,10 @@ void BodyPile::close_joints() {
         if (block.b != fixed_world) move(block.b, block.to_arm, -shift);
       }
   }
+  Rows rows;
+  for (const Joint& joint : model_.joints) add_rows(joint, model_.bodies, motions_.data(), rows.rows);
+  if (const Real open = rows.opening(); open != 0)
+    log_.note(DiagnosticKind::joints_drifted, now, close_rounds, static_cast<double>(open));
 }
 
 }  // namespace cylon::engine::pile

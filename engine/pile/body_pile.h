@@ -22,7 +22,7 @@ class BodyPile : public Stepper {
   void step() override;
   void read(std::vector<Motion>& motions) const override { motions = motions_; }
   const std::vector<Impact>& impacts() const override { return impacts_; }
-  std::vector<std::string> remarks() const override;
+  std::vector<Diagnostic> diagnostics() const override;
 
   /// Largest violation of the contact and joint laws that a direct solution has left [m/s].
   double residual() const { return residual_; }
@@ -43,21 +43,23 @@ class BodyPile : public Stepper {
   void meet(const Group&, Time now, Real h);
   void note_impact(std::size_t block, Time now, Real gap, Real approach);
   void pass(Time now, Time span, bool direct);
+  void measure_sweep();
   void substep(Time now, Time h, bool direct);
-  void solve_directly();
+  void solve_directly(Time now);
   bool takes(std::size_t body) const { return taken_.empty() || taken_[body] != 0; }
   bool takes(const Block&) const;
   void note_pressed();
-  void note_bounce(const Block&);
+  void note_bounce(const Block&, Time now);
   void set_kinematics();
   void kick(Time now, Real h);
   void set_targets(Time now, Real h);
   void sweep(bool warm);
   void carry_impulses();
   void drift(Real h);
-  void correct_positions(bool direct);
-  void correct_groups();
-  void close_joints();
+  void correct_positions(Time now, bool direct);
+  void correct_groups(Time now);
+  void close_joints(Time now);
+  void note_overlaps(Time now);
   void colour();
 
   Model model_;
@@ -97,10 +99,10 @@ class BodyPile : public Stepper {
   StepLimit limit_;
   int stiff_parts_ = 1;       // of each step, for forces that are unstable in longer ones
   std::vector<char> struck_;  // bodies that a bounce changes in this part of a step
-  bool unstable_ = false;     // some part was longer than the limit
-  bool together_ = false;     // bounces that share a body were solved at once, though impacts are sequential
-  double swept_to_ = 0, swept_worst_ = 0;  // largest change of a velocity in the last sweep of a step [m/s]
-  bool too_fast_ = false, unsolved_ = false, other_forces_ = false, isolated_ = false;
+  double swept_to_ = 0;  // largest change of a velocity that the last sweep of a step left, or made [m/s]
+  int swept_times_ = 0;  // sweeps over the contacts in that step
+  DiagnosticLog log_;
+  bool other_forces_ = false, isolated_ = false;
   bool paired_ = false;  // a force acts between two bodies that move
 };
 

@@ -128,6 +128,7 @@ void BodyPile::move_crowds(Time now, Time span) {
     crowd_.advance(group, step, model_.bodies, movers_, blocks_, motions_, keep_ ? &pressed_ : nullptr);
     if (!may_be_exact || !(crowd_.residual() > fall / 1024)) {
       swept_to_ = std::max(swept_to_, static_cast<double>(crowd_.residual()));
+      swept_times_ = std::max(swept_times_, 2 * parts);
       return false;
     }
     impacts_.resize(impacts);

@@ -14,6 +14,7 @@ bool Overlaps::displace(const std::vector<Body>& bodies, const std::vector<Block
                         const std::vector<Mover>& movers, Real slop, Real share, bool direct,
                         std::vector<Motion>& motions) {
   bool any = false;
+  residual_ = 0;
   blocks_ = blocks;
   for (Block& block : blocks_) {
     block.impulse.setZero();
@@ -27,12 +28,14 @@ bool Overlaps::displace(const std::vector<Body>& bodies, const std::vector<Block
   movers_ = movers;
   for (Mover& mover : movers_) mover.v.setZero(), mover.w.setZero();
   if (direct) {
-    direct_.solve(blocks_, bodies, movers_);
+    if (!direct_.solve(blocks_, bodies, movers_)) residual_ = static_cast<Real>(direct_.residual());
   } else {
     for (Block& block : blocks_) set_effective_mass(block, movers_);
     for (int sweep = 0; sweep < sweeps; ++sweep)
       for (Block& block : blocks_) relax(block, movers_);
+    for (const Block& block : blocks_) residual_ = std::max(residual_, unmet(block, movers_));
   }
+  if (residual_ <= negligible * slop) residual_ = 0;
   for (std::size_t i = 0; i < motions.size(); ++i) {
     motions[i].position += movers_[i].v;
     if (!movers_[i].w.isZero(0)) motions[i].orientation = turned(motions[i].orientation, movers_[i].w);

@@ -20,10 +20,15 @@ class Overlaps {
   bool displace(const std::vector<Body>&, const std::vector<Block>&, const std::vector<Mover>&, Real slop,
                 Real share, bool direct, std::vector<Motion>&);
 
+  /// How far the last displacement is from the one that is wanted, where that is more than a thousandth of
+  /// the slop [m]; else 0.
+  Real residual() const { return residual_; }
+
  private:
   std::vector<Block> blocks_;
   std::vector<Mover> movers_;
   Direct direct_;
+  Real residual_ = 0;
 };
 
 }  // namespace cylon::engine::pile

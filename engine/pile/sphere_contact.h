@@ -129,6 +129,41 @@ template <class Batch>
   a.store(velocities, c.a);
 }
 
+/// By how much solve() would change the velocity of each contact [m/s].
+[[gnu::always_inline]] inline Lanes unmet_of(const Lanes3& change, const Lanes3& n, Lanes mass,
+                                             Lanes tangent_mass) {
+  const Lanes zero{}, along = dot(n, change);
+  const Lanes3 across = change - along * n;
+  const Lanes normal = mass > zero ? along / mass : zero;
+  const Lanes slip = tangent_mass > zero ? root(dot(across, across)) / tangent_mass : zero;
+  return root(normal * normal + slip * slip);
+}
+
+/// Of the last part of a step, after the bodies have moved: `gap` is that before.
+[[gnu::always_inline]] inline Lanes unmet(const PairBatch& batch, const Real* velocities, const Real* places,
+                                          Lanes inverse_h) {
+  PairBatch c = batch;
+  Movers a, b;
+  Places at, bt;
+  a.load(velocities, c.a), b.load(velocities, c.b);
+  at.load(places, c.a), bt.load(places, c.b);
+  const Lanes gap =
+      dot(c.normal, at.p - bt.p) - (at.radius + bt.radius) - dot(c.normal, a.v - b.v) / inverse_h;
+  const Lanes3 u = a.v - b.v - cross(a.s + b.s, c.normal);
+  return unmet_of(impulse_change(c, u, gap, inverse_h), c.normal, c.mass, c.tangent_mass);
+}
+
+[[gnu::always_inline]] inline Lanes unmet(const PlaneBatch& batch, const Real* velocities, const Real* places,
+                                          Lanes inverse_h) {
+  PlaneBatch c = batch;
+  Movers a;
+  Places at;
+  a.load(velocities, c.a), at.load(places, c.a);
+  const Lanes gap = dot(c.normal, at.p) - c.offset - at.radius - dot(c.normal, a.v) / inverse_h;
+  const Lanes3 u = a.v - cross(a.s, c.normal);
+  return unmet_of(impulse_change(c, u, gap, inverse_h), c.normal, c.mass, c.tangent_mass);
+}
+
 /// Moves overlapping bodies apart by a share of what exceeds `slop`, the lighter one farther; the common
 /// centre of mass stays, velocities too.
 [[gnu::always_inline]] inline void separate(const PairBatch& c, const Real* velocities, Real* places,

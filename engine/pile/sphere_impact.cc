@@ -8,12 +8,6 @@
 #include <utility>
 
 namespace cylon::engine::pile {
-namespace {
-
-constexpr int most_sweeps = 64;
-
-}  // namespace
-
 Real time_of_contact(const Vector3& d, const Vector3& v, Real reach) {
   // (v.v) t^2 + 2 (d.v) t + c = 0, c = d.d - reach^2 in the form that does not cancel
   const Real b = d.dot(v), length = d.norm(), c = (length - reach) * (length + reach);
@@ -121,7 +115,7 @@ bool SphereImpacts::resolve(const std::vector<Approaching>& pairs, Spheres& sphe
     const auto [a, b] = bodies(pair);
     since_[a] = since_[b] = 0;
   }
-  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+  for (int sweep = 0; sweep < most_impact_sweeps; ++sweep) {
     // What touches already meets at once, one after another.
     bool any = false, later = false;
     for (std::size_t k = 0; k < pairs.size(); ++k) {

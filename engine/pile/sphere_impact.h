@@ -14,6 +14,9 @@ struct Approaching {
   Material material;
 };
 
+/// Of SphereImpacts::resolve().
+inline constexpr int most_impact_sweeps = 64;
+
 class SphereImpacts {
  public:
   explicit SphereImpacts(const Model&);
@@ -21,7 +24,7 @@ class SphereImpacts {
   /// Newton's restitution and Coulomb's friction at the instant of contact, for all pairs that meet within
   /// `span` of now; velocities are those before the forces of the step.
   ///   u_n' = -e u_n,  |J_t| <= friction J_n;  p += t (v - v'), so that p + v' h is on the broken path.
-  /// Repeated until nothing approaches, at most 64 times: one impact can make another (Newton's cradle), or
+  /// Repeated until nothing approaches, at most most_impact_sweeps times: one impact can make another (Newton's cradle), or
   /// unmake it (a ball in a corner), so each body meets others in the order of time.
   /// Adds the contacts to `contacts` where it is not null.  Says whether nothing approached at the end.
   bool resolve(const std::vector<Approaching>&, Spheres&, Time now, Time span, std::vector<Impact>&,

@@ -15,7 +15,7 @@ class SpherePile : public Stepper {
   void step() override;
   void read(std::vector<Motion>& motions) const override { spheres_.read(model_.bodies, motions); }
   const std::vector<Impact>& impacts() const override { return impacts_; }
-  std::vector<std::string> remarks() const override;
+  std::vector<Diagnostic> diagnostics() const override;
 
   /// Pairs within reach of each other in the last step.
   std::size_t pairs() const { return found_.pairs(); }
@@ -31,6 +31,7 @@ class SpherePile : public Stepper {
   void add_pressed();
   void note_pressed();
   void note_order();
+  Real unmet() const;
 
   Model model_;
   Time dt_;
@@ -48,8 +49,9 @@ class SpherePile : public Stepper {
       pressed_;  // per row of impulses, over the parts of the step [N s]; while contacts are kept
   std::int64_t first_, steps_;
   Real smallest_ = 0, largest_ = 0;  // radius
-  bool followed_ = false;  // impacts at one instant followed one another, though they are simultaneous
-  bool too_fast_ = false, unending_ = false, alone_ = false;
+  DiagnosticLog log_;
+  Time part_ = 0;  // of the last part of a step [s]
+  bool alone_ = false;
 };
 
 }  // namespace cylon::engine::pile

@@ -4,6 +4,7 @@
 #include "harness/core/engine.h"
 #include "harness/core/event.h"
 #include "harness/core/scene.h"
+#include "harness/told/diagnostic.h"
 
 #include <cstdint>
 #include <optional>
@@ -33,7 +34,8 @@ struct Recording {
   Terms terms;                       ///< With what settings.
   double cpu_seconds = 0;            ///< Thread CPU time of the steps alone.
   std::vector<std::string> remarks;  ///< What the engine says that a user must know of the run.
-  std::string complaints;            ///< The end of what the engine wrote to stderr.
+  std::vector<told::Diagnostic> diagnostics;  ///< The same as data, from engines that tell it so.
+  std::string complaints;                     ///< The end of what the engine wrote to stderr.
 
   double time(std::size_t sample) const { return static_cast<double>(steps[sample]) * dt; }
 };

@@ -4,6 +4,7 @@
 
 #include "harness/core/engine.h"
 #include "harness/core/scene.h"
+#include "harness/told/diagnostic.h"
 
 #include <cstdint>
 #include <memory>
@@ -48,6 +49,9 @@ class Simulator {
   /// What a user must know of the run so far, a sentence each: a tolerance that could not be kept, and the
   /// best that was reached.  Empty: nothing.
   virtual std::vector<std::string> remarks() const { return {}; }
+
+  /// The same as data; each has a sentence of remarks() as its text.
+  virtual std::vector<told::Diagnostic> diagnostics() const { return {}; }
 
   /// Whether contacts() and reactions() will be asked for after the next step; some engines must know before
   /// it.  Changes nothing in the motion.

@@ -13,7 +13,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 namespace cylon::process {
@@ -179,6 +181,22 @@ class Recorder {
     recording_.cpu_seconds = 1e-9 * done.step_ns;
     times_ = {1e-9 * done.load_ns, 1e-9 * done.step_ns};
     recording_.remarks = done.remarks;
+    require_known(done.diagnostics);
+    recording_.diagnostics = done.diagnostics;
+  }
+
+  // Whatever names a body names one of the scene.
+  void require_known(const std::vector<told::Diagnostic>& diagnostics) const {
+    std::set<std::string_view> names;
+    for (const core::Body& body : scene_.bodies) names.insert(body.name);
+    for (const told::Diagnostic& d : diagnostics) {
+      if (d.body_count > scene_.bodies.size())
+        broken(fmt::format("a diagnostic of {} bodies, but the scene has {}", d.body_count,
+                           scene_.bodies.size()));
+      for (const std::string& name : d.bodies)
+        if (!names.contains(name))
+          broken(fmt::format("a diagnostic of body '{}', which the scene lacks", name));
+    }
   }
 
   const core::Scene& scene_;

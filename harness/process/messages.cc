@@ -208,20 +208,71 @@ core::Terms terms_from_json(const json& value) {
 
 // ---- done ---------------------------------------------------------------------------------------
 
+namespace {
+
+json diagnostic_json(const told::Diagnostic& d) {
+  json row = {{"kind", d.kind},   {"bodies", d.bodies}, {"body_count", d.body_count}, {"method", d.method},
+              {"order", d.order}, {"since", d.since},   {"count", d.count},           {"text", d.text}};
+  const auto quantity = [&](const char* key, const std::optional<double>& value) {
+    if (value) row[key] = std::isfinite(*value) ? json(*value) : json(nullptr);
+  };
+  quantity("until", d.until), quantity("limit", d.limit), quantity("reached", d.reached);
+  if (!d.limit_unit.empty()) row["limit_unit"] = d.limit_unit;
+  if (!d.unit.empty()) row["unit"] = d.unit;
+  return row;
+}
+
+// A number that may be absent or null.
+std::optional<double> number_if(Fields& f, const char* key) {
+  const json* value = f.find(key);
+  return value && !value->is_null() ? std::optional(f.number(key)) : std::nullopt;
+}
+
+told::Diagnostic diagnostic_from(Fields& f) {
+  told::Diagnostic d;
+  d.kind = text(f, "kind");
+  if (d.kind.empty()) f.fail("kind", "must not be empty");
+  d.bodies = texts_if(f, "bodies");
+  const std::int64_t bodies =
+      f.find("body_count") ? f.integer("body_count") : static_cast<std::int64_t>(d.bodies.size());
+  if (bodies < static_cast<std::int64_t>(d.bodies.size()))
+    f.fail("body_count", "less than the bodies that are named");
+  d.body_count = static_cast<std::size_t>(bodies);
+  d.method = text_if(f, "method");
+  d.order = f.find("order") ? f.index("order") : 0;
+  if (d.order < 0) f.fail("order", "must not be negative");
+  d.since = f.find("since") ? f.number("since") : 0;
+  if (!(d.since >= 0)) f.fail("since", "must not be negative");
+  d.until = number_if(f, "until");
+  if (d.until && !(*d.until >= d.since)) f.fail("until", "before `since`");
+  d.count = f.find("count") ? f.integer("count") : 1;
+  if (d.count < 1) f.fail("count", "must be at least 1");
+  d.limit = number_if(f, "limit"), d.limit_unit = text_if(f, "limit_unit");
+  d.reached = number_if(f, "reached"), d.unit = text_if(f, "unit");
+  d.text = text(f, "text");
+  return d;
+}
+
+}  // namespace
+
 json done_json(const Done& done) {
+  json diagnostics = json::array();
+  for (const told::Diagnostic& d : done.diagnostics) diagnostics.push_back(diagnostic_json(d));
   return {{"ok", "run"},
           {"steps", done.steps},
           {"frames", done.frames},
           {"step_ns", done.step_ns},
           {"load_ns", done.load_ns},
-          {"remarks", done.remarks}};
+          {"remarks", done.remarks},
+          {"diagnostics", std::move(diagnostics)}};
 }
 
 Done done_from_json(const json& value) {
   Fields f(value, "");
   f.at("ok");
-  const Done done{f.integer("steps"), f.integer("frames"), f.number("step_ns"),
-                  f.find("load_ns") ? f.number("load_ns") : 0, texts_if(f, "remarks")};
+  Done done{f.integer("steps"), f.integer("frames"), f.number("step_ns"),
+            f.find("load_ns") ? f.number("load_ns") : 0, texts_if(f, "remarks")};
+  each_if(f, "diagnostics", [&](Fields& row) { done.diagnostics.push_back(diagnostic_from(row)); });
   if (!(done.step_ns >= 0)) f.fail("step_ns", "must not be negative");
   if (!(done.load_ns >= 0)) f.fail("load_ns", "must not be negative");
   f.finish();

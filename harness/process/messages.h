@@ -3,6 +3,7 @@
 
 #include "harness/core/engine.h"
 #include "harness/core/event.h"
+#include "harness/told/diagnostic.h"
 
 #include <nlohmann/json.hpp>
 
@@ -34,7 +35,8 @@ struct Done {
   std::int64_t steps = 0, frames = 0;
   double step_ns = 0;  ///< Thread CPU time of all steps together, recording and watching left out [ns].
   double load_ns = 0;  ///< Thread CPU time of the load before it; 0: the worker does not tell [ns].
-  std::vector<std::string> remarks;
+  std::vector<std::string> remarks = {};
+  std::vector<told::Diagnostic> diagnostics = {};
 };
 nlohmann::json done_json(const Done&);
 Done done_from_json(const nlohmann::json&);

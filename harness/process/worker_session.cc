@@ -115,6 +115,7 @@ void WorkerSession::run(const Run& run) {
   }
   done.step_ns = timer.total_ns();
   done.remarks = simulator_.remarks();
+  done.diagnostics = simulator_.diagnostics();
   pipes_.write(done_json(done));
 }
 

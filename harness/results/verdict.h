@@ -1,6 +1,8 @@
 // Numbers in, judgement out.  Knows no scene, no engine, no physics.
 #pragma once
 
+#include "harness/told/diagnostic.h"
+
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -45,9 +47,10 @@ struct Verdict {
   double truth_error = 0;
   Status status = Status::fail;
   std::string tolerance_reason;
-  std::string detail;              ///< Why unsupported, how it crashed, what went wrong.
-  std::string complaints;          ///< The end of the engine's stderr.
-  Status expected = Status::pass;  ///< What expected.toml says; pass where it says nothing.
+  std::string detail;                         ///< Why unsupported, how it crashed, what went wrong.
+  std::vector<told::Diagnostic> diagnostics;  ///< What the engine says, as data, of how the run went.
+  std::string complaints;                     ///< The end of the engine's stderr.
+  Status expected = Status::pass;             ///< What expected.toml says; pass where it says nothing.
   std::optional<double>
       expected_size;           ///< What was measured when the cause was found; absent: the status says all.
   double expected_within = 1;  ///< Factor by which `measured` may differ from it.

@@ -76,6 +76,7 @@ void judge(Verdict& row, const Claim& claim, const Cell& cell, std::span<const c
   row.first_bad_step = first_bad_step;
   row.detail = measured.detail;
   for (const std::string& remark : recordings.front().remarks) add_detail(row, remark);
+  row.diagnostics = recordings.front().diagnostics;
   row.status = results::judge(measured.value, row.allowed);
   const bool nothing_passes = cell.tolerance_scale == 0;  // a residual of zero neither
   if ((measured.broken || nothing_passes) && row.status != results::Status::non_finite)

@@ -247,6 +247,8 @@ DONE = {
     "steps_that_wrap": {"steps": 2**64 - 1},
     "remarks_of_megabytes": {"remarks": ["R" * 1000] * 15000},
     "hostile_remarks": {"remarks": [HOSTILE]},
+    "hostile_diagnostics": {"diagnostics": [{"kind": HOSTILE, "method": HOSTILE, "unit": HOSTILE, "text": HOSTILE}]},
+    "diagnostic_of_nobody": {"diagnostics": [{"kind": "k", "text": "t", "bodies": [HOSTILE]}]},
 }
 OTHERS = ["out_of_order", "twice_each", "none_but_the_last", "beyond_the_end", "done_twice", "garbage_behind",
           "protocol_0", "protocol_as_text", "hostile_names", "huge_order", "starts_elsewhere", "stays"]

@@ -47,6 +47,18 @@ Verdict random_verdict(std::mt19937& random) {
   v.settings = {{"z " + random_text(random), random_text(random)}, {"a", random_text(random)}};
   v.unforceable = {random_text(random), random_text(random)};
   if (random() % 2) v.first_bad_step = static_cast<std::int64_t>(random());
+  for (auto n = random() % 3; n > 0; --n) {
+    told::Diagnostic& d = v.diagnostics.emplace_back();
+    for (std::string* text : {&d.kind, &d.method, &d.limit_unit, &d.unit, &d.text})
+      *text = random_text(random);
+    d.bodies = {random_text(random), random_text(random)};
+    d.body_count = 2 + random() % 5;
+    d.order = static_cast<int>(random() % 9);
+    d.since = random_number(random);
+    d.count = 1 + static_cast<std::int64_t>(random());
+    for (std::optional<double>* number : {&d.until, &d.limit, &d.reached})
+      if (random() % 2) *number = random_number(random);
+  }
   v.status = static_cast<Status>(random() % 8);
   v.expected = static_cast<Status>(random() % 8);
   if (random() % 2) v.expected_size = random_number(random);
@@ -69,6 +81,7 @@ void expect_same(const Verdict& a, const Verdict& b) {
     EXPECT_EQ(std::bit_cast<std::uint64_t>(a.*member), std::bit_cast<std::uint64_t>(b.*member));
   EXPECT_EQ(a.settings, b.settings);
   EXPECT_EQ(a.unforceable, b.unforceable);
+  EXPECT_EQ(a.diagnostics, b.diagnostics);
   EXPECT_EQ(a.first_bad_step, b.first_bad_step);
   EXPECT_EQ(a.status, b.status);
   EXPECT_EQ(a.expected, b.expected);
@@ -175,6 +188,34 @@ TEST(Json, MalformedDocumentsAreRefusedWithThePlace) {
   }
 }
 
+TEST(Json, MalformedDiagnosticsAreRefusedWithThePlace) {
+  Verdict verdict;
+  verdict.diagnostics.emplace_back().kind = "tolerance-missed";
+  const auto good = nlohmann::json::parse(to_json_line(verdict));
+  const auto refused = [&](const nlohmann::json& diagnostic) {
+    nlohmann::json row = good;
+    row["diagnostics"][0] = diagnostic;
+    return refusal(nlohmann::json{{"schema", 1}, {"verdicts", nlohmann::json::array({row})}}.dump());
+  };
+  const nlohmann::json one = good["diagnostics"][0];
+  EXPECT_EQ(refused(one), "accepted");
+  EXPECT_NE(refused(3).find("verdict 1: diagnostic 1"), std::string::npos);
+  for (const auto& [key, value] : one.items()) {
+    nlohmann::json without = one, wrong = one;
+    without.erase(key);
+    wrong[key] = value.is_number() || value.is_null() ? nlohmann::json("x") : nlohmann::json(1);
+    for (const auto& bad : {without, wrong})
+      EXPECT_NE(refused(bad).find("diagnostic 1: \"" + key + "\""), std::string::npos) << key << refused(bad);
+  }
+  const std::pair<const char*, nlohmann::json> out_of_range[] = {
+      {"count", 0}, {"order", -1}, {"order", 4000000000}, {"body_count", -1}, {"bodies", {"a", 3}}};
+  for (const auto& [key, value] : out_of_range) {
+    nlohmann::json bad = one;
+    bad[key] = value;
+    EXPECT_NE(refused(bad).find(std::string("\"") + key), std::string::npos) << key << refused(bad);
+  }
+}
+
 // ---- CSV ----------------------------------------------------------------------------------------
 
 // RFC 4180 by its grammar: fields, quoted or not, CRLF.
@@ -228,9 +269,11 @@ TEST(Csv, KeepsCommasQuotesAndLineEnds) {
   Verdict v;
   v.detail = "a \"b\", c\r\nd\ne";
   v.settings = {{"erp", "0.2"}, {"gyro", "implicit"}};
+  for (const char* kind : {"stiff", "more"}) v.diagnostics.emplace_back().kind = kind;
   const auto lines = parse_csv(to_csv({v}));
   EXPECT_EQ(lines[1][column(lines[0], "detail")], v.detail);
   EXPECT_EQ(lines[1][column(lines[0], "settings")], "erp=0.2; gyro=implicit");
+  EXPECT_EQ(lines[1][column(lines[0], "diagnostics")], "stiff; more");
   EXPECT_EQ(lines[1][column(lines[0], "measured")], "");
 }
 

@@ -7,6 +7,7 @@
 #include "harness/core/input_error.h"
 #include "harness/process/client.h"
 #include "harness/scenario/input.h"
+#include "reports/json.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -38,15 +39,15 @@ std::string table(const std::vector<core::Stage>& plan, bool colour) {
   return text;
 }
 
-ordered_json to_json(const std::string& scenario, const std::string& engine, const core::Terms& terms) {
+ordered_json to_json(const std::string& scenario, const std::string& engine, const core::Terms& terms,
+                     const core::Recording& start) {
+  ordered_json diagnostics = ordered_json::array();
+  for (const told::Diagnostic& d : start.diagnostics) diagnostics.push_back(reports::diagnostic_json(d));
   ordered_json stages = ordered_json::array();
   for (const core::Stage& stage : terms.plan)
     stages.push_back({{"name", stage.name}, {"in", stage.in}, {"reason", stage.reason}});
-  return {{"scenario", scenario},
-          {"engine", engine},
-          {"path", terms.path},
-          {"integrator", terms.integrator},
-          {"plan", stages}};
+  return {{"scenario", scenario},           {"engine", engine}, {"path", terms.path},
+          {"integrator", terms.integrator}, {"plan", stages},   {"diagnostics", diagnostics}};
 }
 
 int plan(const Context& context, const Options& options) {
@@ -62,13 +63,15 @@ int plan(const Context& context, const Options& options) {
   if (terms.plan.empty())
     throw core::InputError(fmt::format("engine '{}' reports no plan of its stages", engine.id));
   if (options.json) {
-    std::cout << to_json(scenario.name, engine.id, terms).dump(2, ' ', true) << '\n';
+    std::cout << to_json(scenario.name, engine.id, terms, *outcome.recording).dump(2, ' ', true) << '\n';
     return ok;
   }
   const std::string path = terms.path.empty() ? "" : ", path " + terms.path;
   std::cout << plain(fmt::format("{} on {}{}, integrator {}\n", scenario.name, engine.id, path,
                                  terms.integrator))
             << table(terms.plan, context.colour);
+  for (const told::Diagnostic& d : outcome.recording->diagnostics)
+    std::cout << plain(fmt::format("  {}\n", plain_line(d.text)));
   return ok;
 }
 

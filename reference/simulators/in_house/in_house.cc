@@ -173,10 +173,17 @@ class InHouse final : public core::Simulator {
   }
 
   std::vector<std::string> remarks() const override {
-    std::vector<std::string> remarks = world_->remarks();
-    if (overlap_) remarks.insert(remarks.begin(), *overlap_);
-    if (forced_) remarks.insert(remarks.begin(), "runs by force; else refused: " + *forced_);
-    return remarks;
+    std::vector<std::string> texts;
+    for (told::Diagnostic& d : diagnostics()) texts.push_back(std::move(d.text));
+    return texts;
+  }
+
+  std::vector<told::Diagnostic> diagnostics() const override {
+    std::vector<told::Diagnostic> all;
+    for (const std::optional<engine::Diagnostic>* before : {&forced_, &overlap_})
+      if (*before) all.push_back(told(**before));
+    for (const engine::Diagnostic& d : world_->diagnostics()) all.push_back(told(d));
+    return all;
   }
 
   void keep_contacts(bool keep) override { world_->keep_contacts(keep); }
@@ -214,6 +221,21 @@ class InHouse final : public core::Simulator {
     return told(engine::unsupported(translated.model, options, names_of(scene)));
   }
 
+  told::Diagnostic told(const engine::Diagnostic& d) const {
+    const engine::DiagnosticRow& row = engine::row(d.kind);
+    told::Diagnostic result;
+    result.kind = row.name;
+    for (const int body : d.island.bodies) result.bodies.push_back(names_[static_cast<std::size_t>(body)]);
+    result.body_count = d.island.count;
+    result.method = d.island.method, result.order = d.island.order;
+    result.since = static_cast<double>(d.since), result.count = d.count;
+    if (d.until) result.until = static_cast<double>(*d.until);
+    result.limit = d.limit, result.limit_unit = row.limit_unit;
+    result.reached = d.reached, result.unit = row.unit;
+    result.text = sentence(d, names_in_words_);
+    return result;
+  }
+
   static Reason told(const std::string& reason) { return reason.empty() ? Reason() : Reason(reason); }
 
   static engine::Names names_of(const core::Scene& scene) {
@@ -229,8 +251,13 @@ class InHouse final : public core::Simulator {
 
   core::Terms start(const core::Scene& scene, InHouseModel translated, const engine::Options& options) {
     overlap_ = deep_overlap(scene, translated.model);
-    forced_ = options.force ? doubt(scene, translated, options) : Reason();
-    world_.emplace(std::move(translated.model), options, names_of(scene));
+    forced_.reset();
+    if (const Reason doubtful = options.force ? doubt(scene, translated, options) : Reason())
+      forced_ = engine::Diagnostic{.kind = engine::DiagnosticKind::forced, .cause = *doubtful};
+    names_.clear();
+    for (const core::Body& body : scene.bodies) names_.push_back(body.name);
+    names_in_words_ = names_of(scene);
+    world_.emplace(std::move(translated.model), options, names_in_words_);
     frame_ = scene.frame ? scene.frame->angular_velocity : core::Vector3(core::Vector3::Zero());
     return terms(world_->plan(), options);
   }
@@ -265,8 +292,11 @@ class InHouse final : public core::Simulator {
 
   std::optional<engine::World> world_;
   core::Vector3 frame_ = core::Vector3::Zero();  // how fast the scene's frame turns
-  Reason forced_;                                // why the run would be refused if nobody forced it
-  Reason overlap_;  // what the run leaves undefined, which is no reason to refuse it
+  std::optional<engine::Diagnostic> forced_;     // why the run would be refused if nobody forced it
+  std::optional<engine::Diagnostic>
+      overlap_;                     // what the run leaves undefined, which is no reason to refuse it
+  std::vector<std::string> names_;  // of the bodies
+  engine::Names names_in_words_;
 };
 
 }  // namespace

@@ -58,7 +58,7 @@ std::vector<core::Pair> pairs_of(const core::Scene& scene, const Model& model) {
 
 }  // namespace
 
-std::optional<std::string> deep_overlap(const core::Scene& scene, const Model& model) {
+std::optional<engine::Diagnostic> deep_overlap(const core::Scene& scene, const Model& model) {
   for (const core::Pair& pair : pairs_of(scene, model)) {
     const std::size_t a = index(pair.body);
     const bool plane = pair.plane >= 0;
@@ -78,10 +78,13 @@ std::optional<std::string> deep_overlap(const core::Scene& scene, const Model& m
     if (!(-between.gap > allowed * thinner)) continue;
     const std::string& other =
         plane ? scene.planes[index(pair.plane)].name : scene.bodies[index(pair.other)].name;
-    return fmt::format(
-        "'{}' and '{}' overlap by {:.3g} m at the start, more than a tenth of the width of the "
-        "thinner one, {:.3g} m: which way they would come apart is not defined",
-        scene.bodies[a].name, other, -between.gap, thinner);
+    engine::Diagnostic found{.kind = engine::DiagnosticKind::deep_overlap};
+    found.cause = fmt::format("'{}' and '{}'", scene.bodies[a].name, other);
+    found.limit = static_cast<double>(allowed * thinner), found.reached = static_cast<double>(-between.gap);
+    found.island.bodies.push_back(pair.body);
+    if (!plane) found.island.bodies.push_back(pair.other);
+    found.island.count = found.island.bodies.size();
+    return found;
   }
   return std::nullopt;
 }

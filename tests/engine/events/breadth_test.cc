@@ -117,7 +117,7 @@ void check(const Scene& scene) {
     ASSERT_LE((j - j_n * n).norm(), mu * j_n + 1e-11) << scene.name << " at " << run.time;
   }
   EXPECT_GE(run.impacts.size(), scene.least_impacts) << scene.name;
-  for (const std::string& remark : run.stepper.remarks()) {
+  for (const std::string& remark : sentences(run.stepper.diagnostics())) {
     const bool searched = remark.find("ended before they had seen all") != std::string::npos;
     EXPECT_TRUE(searched || (!scene.remark.empty() && remark.find(scene.remark) != std::string::npos))
         << scene.name << ": " << remark;

@@ -39,7 +39,7 @@ TEST(EventExact, PendulumStrikesWall) {
         k *= e;
         time += swing * std::comp_ellint_1(k);
       }
-      EXPECT_TRUE(run.stepper.remarks().empty());
+      EXPECT_TRUE(sentences(run.stepper.diagnostics()).empty());
     }
   }
 }
@@ -100,7 +100,7 @@ TEST(EventExact, SpinningBallSlidesObliquelyThenRolls) {
       ASSERT_LT((run.spin(0) - w).norm(), 1e-11) << c.mu << " at " << run.time;
       ASSERT_LT((run.motion(0).position - at).norm(), 1e-12) << c.mu << " at " << run.time;
     }
-    EXPECT_TRUE(run.stepper.remarks().empty());
+    EXPECT_TRUE(sentences(run.stepper.diagnostics()).empty());
   }
 }
 
@@ -198,7 +198,8 @@ TEST(EventExact, BouncesOnARoughInclineEndInRestOrSliding) {
     const std::string name = std::to_string(c.height) + " " + std::to_string(c.friction);
     EXPECT_NEAR(run.motion(0).position.dot(normal), half.y(), 1e-14) << name;
     EXPECT_LT(run.motion(0).orientation.angularDistance(model.motions[0].orientation), 1e-12) << name;
-    EXPECT_TRUE(run.stepper.remarks().empty()) << name << ": " << run.stepper.remarks()[0];
+    EXPECT_TRUE(sentences(run.stepper.diagnostics()).empty())
+        << name << ": " << sentences(run.stepper.diagnostics())[0];
     if (c.does == Case::rests) {
       EXPECT_EQ(run.motion(0).position, first.position) << name;
       EXPECT_EQ(run.motion(0).orientation.coeffs(), first.orientation.coeffs()) << name;

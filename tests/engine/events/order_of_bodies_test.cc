@@ -104,7 +104,7 @@ void compare(const Pair& pair, double end, Compared& compared) {
   Trial one(pair.model, 0.005), two(swapped(pair.model), 0.005);
   one.until(end), two.until(end);
   const auto keeps = [](const Trial& run) {  // where a search ended, nothing may have been there
-    const std::vector<std::string> remarks = run.stepper.remarks();
+    const std::vector<std::string> remarks = sentences(run.stepper.diagnostics());
     return std::all_of(remarks.begin(), remarks.end(), [](const std::string& remark) {
       return remark.find("ended before they had seen all") != std::string::npos;
     });

@@ -41,7 +41,7 @@ TEST(EventRest, ReportsJammedRod) {
     Trial run(model, 0.01);
     const Real start = run.energy();
     run.until(1);
-    EXPECT_EQ(!run.stepper.remarks().empty(), c.jams) << c.mu << ' ' << c.speed;
+    EXPECT_EQ(!sentences(run.stepper.diagnostics()).empty(), c.jams) << c.mu << ' ' << c.speed;
     EXPECT_LT(run.energy(), start);
     EXPECT_NEAR(run.motion(0).position.y(), half.x(), 1e-12) << c.mu << ' ' << c.speed;  // it lies
     EXPECT_LT(run.velocity(0).norm(), 1e-12);

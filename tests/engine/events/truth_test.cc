@@ -85,7 +85,7 @@ TEST(EventTruth, BlockOnIncline) {
       if (c.s == 0) {
         EXPECT_TRUE(moved.isZero(0)) << c.name;
       }
-      EXPECT_TRUE(run.stepper.remarks().empty()) << run.stepper.remarks()[0];
+      EXPECT_TRUE(sentences(run.stepper.diagnostics()).empty()) << sentences(run.stepper.diagnostics())[0];
     }
   }
 }

@@ -71,7 +71,7 @@ TEST(EventTurning, SlipPassesThroughSmallSpeeds) {
       EXPECT_LT((u - slip).norm(), bound) << friction << ' ' << aside;
       EXPECT_LT((run.velocity(0) - v).norm(), bound) << friction << ' ' << aside;
       EXPECT_EQ(run.stepper.held().at(0).holding.grip, rolls ? Grip::sticks : Grip::slides);
-      EXPECT_TRUE(run.stepper.remarks().empty()) << run.stepper.remarks()[0];
+      EXPECT_TRUE(sentences(run.stepper.diagnostics()).empty()) << sentences(run.stepper.diagnostics())[0];
     }
   }
 }

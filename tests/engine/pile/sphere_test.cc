@@ -233,7 +233,7 @@ TEST(PileSphere, FastBallsMeet) {
   add_ball(model, 1, Real(0.1), Vector3(Real(0.3), Real(0.05), 0));
   const auto stepper = make_pile(model, 0.25);
   EXPECT_LT(after(*stepper, 2)[0].momentum.x(), 10);
-  EXPECT_FALSE(stepper->remarks().empty());
+  EXPECT_FALSE(stepper->diagnostics().empty());
 }
 
 }  // namespace

@@ -89,6 +89,31 @@ TEST_F(CommandLine, RemarksAppearInRows) {
     EXPECT_NE(row.at("detail").get<std::string>().find("tolerance 0 was not reached"), std::string::npos);
 }
 
+// What an engine says of its run as data: in words with `plan` and `run -v`, whole in JSON.
+TEST_F(CommandLine, DiagnosticsAreShown) {
+  const std::string stepped = " bouncing_sphere --engine in-house/path=stepping";
+  const std::string said =
+      "path stepping: fixed steps of order 1 in dt = 0.001 s; the error is not controlled";
+  EXPECT_NE(cylon("plan" + stepped).out.find("\n  " + said + "\n"), std::string::npos);
+  const Ran ran = cylon("run -v" + stepped);
+  EXPECT_NE(
+      ran.out.find("  diagnostic: error-not-controlled: " + said + " [fixed steps with impulses, order 1]\n"),
+      std::string::npos)
+      << ran.out;
+  const json planned = json::parse(cylon("plan --json" + stepped).out);
+  EXPECT_EQ(planned.at("diagnostics").at(0).at("kind"), "error-not-controlled");
+  const json verdicts = json::parse(cylon("run --json -" + stepped).out).at("verdicts");
+  ASSERT_FALSE(verdicts.empty());
+  for (const json& row : verdicts) {
+    const json& first = row.at("diagnostics").at(0);
+    EXPECT_EQ(first.at("kind"), "error-not-controlled");
+    EXPECT_EQ(first.at("bodies"), json::array({"ball"}));
+    EXPECT_EQ(first.at("method"), "fixed steps with impulses");
+    EXPECT_EQ(first.at("text"), said);
+    EXPECT_TRUE(first.at("limit").is_null());
+  }
+}
+
 // The in-house engine behind the same door: its plan, its model option, and a tolerance that it takes.
 TEST_F(CommandLine, InHousePlansAndTakesATolerance) {
   const auto stage = [](const json& plan, const std::string& name) {

@@ -176,6 +176,10 @@ def run(bodies, dt, request):
         done["frames"] += 1
     if MODE == "adaptive":
         done["remarks"] = [f"tolerance {tolerance:g} was not reached: 0.5 was"]
+    if MODE.startswith("diagnoses"):
+        one = {"kind": "slow", "text": "it was slow", "bodies": [bodies[1]["name"]]}
+        done["diagnostics"] = [{**one, **{"diagnoses_nobody": {"bodies": ["nobody"]},
+                                          "diagnoses_too_many": {"body_count": len(bodies) + 1}}.get(MODE, {})}]
     if MODE == "boasts":
         done["step_ns"] = 5e9
     if MODE == "hides":  # what the steps cost

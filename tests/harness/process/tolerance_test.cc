@@ -1,5 +1,6 @@
 // Tolerances, plans and remarks travel through the protocol; workers that are older than these keys do not
 // notice them.
+#include "harness/process/json_fields.h"
 #include "harness/process/messages.h"
 #include "tests/harness/process/fixture.h"
 
@@ -75,6 +76,72 @@ TEST(Remarks, ArriveWithEndOfRun) {
   EXPECT_THROW(done_from_json(message), std::runtime_error);
 }
 
+told::Diagnostic missed() {
+  return {.kind = "tolerance-missed",
+          .bodies = {"ball"},
+          .body_count = 1,
+          .method = "events by dop853",
+          .order = 8,
+          .since = 0.25,
+          .until = 0.75,
+          .count = 3,
+          .limit = 1e-10,
+          .limit_unit = "1",
+          .reached = 3e-9,
+          .unit = "1",
+          .text = "3e-9 was reached"};
+}
+
+TEST(Diagnostics, ArriveWithEndOfRun) {
+  Done done{7, 2, 5.0, 3.0};
+  told::Diagnostic bare;  // what a worker must tell at least
+  bare.kind = "slow", bare.text = "it was slow";
+  done.diagnostics = {missed(), bare};
+  json message = done_json(done);
+  EXPECT_EQ(done_from_json(message).diagnostics, done.diagnostics);
+  message["diagnostics"][1] = {{"kind", "slow"}, {"text", "it was slow"}, {"reached", nullptr}};
+  EXPECT_EQ(done_from_json(message).diagnostics, done.diagnostics);
+  message.erase("diagnostics");  // an older worker
+  EXPECT_TRUE(done_from_json(message).diagnostics.empty());
+}
+
+TEST(Diagnostics, AreRefusedWhereMalformed) {
+  Done done{7, 2, 5.0, 3.0};
+  done.diagnostics = {missed()};
+  const json good = done_json(done);
+  const std::pair<const char*, json> wrong[] = {{"kind", ""},
+                                                {"kind", 1},
+                                                {"bodies", "ball"},
+                                                {"bodies", json::array({1})},
+                                                {"body_count", 0},
+                                                {"body_count", 1.5},
+                                                {"method", 2},
+                                                {"order", -1},
+                                                {"since", -0.1},
+                                                {"since", "0"},
+                                                {"until", 0.1},
+                                                {"count", 0},
+                                                {"limit", "1e-10"},
+                                                {"reached", json::array()},
+                                                {"unit", 1},
+                                                {"text", nullptr},
+                                                {"text", std::string(5000, 'x')},
+                                                {"strange", 1}};
+  for (const auto& [key, value] : wrong) {
+    json bad = good;
+    bad["diagnostics"][0][key] = value;
+    EXPECT_THROW(done_from_json(bad), MalformedMessage) << key << value;
+  }
+  for (const char* key : {"kind", "text"}) {
+    json bad = good;
+    bad["diagnostics"][0].erase(key);
+    EXPECT_THROW(done_from_json(bad), MalformedMessage) << key;
+  }
+  json many = good;
+  many["diagnostics"] = std::vector<json>(1001, good["diagnostics"][0]);
+  EXPECT_THROW(done_from_json(many), MalformedMessage);
+}
+
 TEST(Tolerance, ReachesTheWorkerAndItsRemarksTheRecording) {
   const core::Scene scene = two_bodies();
   RunRequest request = request_of(scene, 10);
@@ -84,6 +151,22 @@ TEST(Tolerance, ReachesTheWorkerAndItsRemarksTheRecording) {
   ASSERT_EQ(outcome.status, results::Status::pass) << outcome.reason;
   EXPECT_EQ(outcome.recording->remarks, std::vector<std::string>{"tolerance 0.25 was not reached: 0.5 was"});
   EXPECT_EQ(outcome.terms.plan.size(), 2u);
+}
+
+// Whatever a diagnostic names is in the scene.
+TEST(Diagnostics, ReachTheRecordingOrAreRefused) {
+  const core::Scene scene = two_bodies();
+  const RunOutcome outcome = run(scripted("diagnoses"), request_of(scene, 10));
+  ASSERT_EQ(outcome.status, results::Status::pass) << outcome.reason;
+  ASSERT_EQ(outcome.recording->diagnostics.size(), 1u);
+  const told::Diagnostic& told = outcome.recording->diagnostics[0];
+  EXPECT_EQ(told.kind, "slow");
+  EXPECT_EQ(told.bodies, std::vector<std::string>{scene.bodies[1].name});
+  for (const char* mode : {"diagnoses_nobody", "diagnoses_too_many"}) {
+    const RunOutcome refused = run(scripted(mode), request_of(scene, 10));
+    EXPECT_EQ(refused.status, results::Status::protocol) << mode;
+    EXPECT_NE(refused.reason.find("a diagnostic of"), std::string::npos) << refused.reason;
+  }
 }
 
 TEST(Tolerance, IsRejectedWithoutErrorControl) {

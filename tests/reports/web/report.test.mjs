@@ -225,6 +225,17 @@ tolerance = { relative = 1e-3, reason = ${JSON.stringify(markup)} }
   assert.deepEqual(page.faults, []);
 });
 
+test('what an engine says of its run stands in the cell, hostile or not', async () => {
+  run(folder, ['run', 'bouncing_sphere', '--engine', 'in-house/path=stepping', '--html', 'said.html']);
+  const page = await open(url('said.html'));
+  await page.locator('table.matrix .cell').nth(0).click();
+  await page.locator('#diagnostics-heading').waitFor();
+  const row = await page.getByRole('region', { name: 'Diagnostics of this run' }).innerText();
+  for (const part of ['error-not-controlled', 'ball', 'fixed steps with impulses, order 1', 'the error is not controlled'])
+    assert.ok(row.includes(part), part);
+  assert.deepEqual(page.faults, []);
+});
+
 for (const scheme of ['light', 'dark'])
   test(`axe-core finds no serious fault, ${scheme}`, async () => {
     const page = await open(url('r.html'), { scheme });

@@ -7,6 +7,23 @@ export type Quaternion = [number, number, number, number]; // (w, x, y, z), acti
 export type Status =
   'pass' | 'low-quality' | 'fail' | 'unsupported' | 'crash' | 'timeout' | 'non-finite' | 'protocol';
 
+/** What an engine says of how a part of the scene went; one matter each. */
+export interface Diagnostic {
+  kind: string;
+  bodies: string[]; // the first of the part's
+  body_count: number;
+  method: string;
+  order: number; // 0: none
+  since: number | null; // [s]
+  until: number | null; // [s]
+  count: number;
+  limit: number | null; // what was asked for, or the cap that was hit
+  limit_unit: string;
+  reached: number | null; // the worst that came of it
+  unit: string;
+  text: string;
+}
+
 /** A row of `cylon run --json`.  A null number was not finite. */
 export interface Verdict {
   scenario: string;
@@ -37,6 +54,7 @@ export interface Verdict {
   expected_reason: string;
   reason: string; // the tolerance's
   detail: string;
+  diagnostics: Diagnostic[];
   stderr: string; // its end
   version_listed: boolean;
   closed_form: boolean; // the engine takes no steps

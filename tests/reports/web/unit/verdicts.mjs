@@ -29,6 +29,7 @@ export function verdict(change = {}) {
     expected_reason: '',
     reason: 'convention',
     detail: '',
+    diagnostics: [],
     stderr: '',
     version_listed: true,
     closed_form: false,

@@ -12,7 +12,7 @@ import { visible } from '../visible';
 import { Claims, claimRows } from './claims';
 import { Command } from './copy';
 import { Motion } from './motion';
-import { Output, Run, Settings } from './settings';
+import { Diagnostics, Output, Run, Settings } from './settings';
 import { entryOf, useTrace } from './use_trace';
 
 const noCurves: ErrorCurve[] = [];
@@ -169,6 +169,7 @@ export function CellPage({ index, matrix, cell, view }: CellPageProps) {
         <Run verdicts={cell.verdicts} view={view} />
         <Settings verdicts={cell.verdicts} />
       </div>
+      <Diagnostics verdicts={cell.verdicts} />
       <Output verdicts={cell.verdicts} />
     </article>
   );

@@ -1,6 +1,6 @@
 // How the engine was set for this run: forced settings, and known limits.
-import type { ScenarioView, Verdict } from '../../shared/documents';
-import { duration, short } from '../numbers';
+import type { Diagnostic, ScenarioView, Verdict } from '../../shared/documents';
+import { duration, short, withUnit } from '../numbers';
 import { Foreign, ForeignLines } from '../text';
 import { visible } from '../visible';
 
@@ -76,6 +76,67 @@ export function Settings({ verdicts }: { verdicts: Verdict[] }) {
           <li key={text}>{visible(text)}</li>
         ))}
       </ul>
+    </section>
+  );
+}
+
+const none = '–';
+
+function quantity(value: number | null, unit: string): string {
+  return value === null ? none : withUnit(value, unit === '1' ? '' : unit);
+}
+
+function part(d: Diagnostic): string {
+  const more = d.body_count - d.bodies.length;
+  const named = d.bodies.join(', ') + (more > 0 ? ` and ${more} more` : '');
+  return d.body_count === 0 ? 'the scene' : named;
+}
+
+const columns: [string, (d: Diagnostic) => string][] = [
+  ['part', part],
+  ['method', (d) => d.method + (d.order > 0 ? `, order ${d.order}` : '') || none],
+  ['since', (d) => quantity(d.since, 's')],
+  ['until', (d) => (d.until === null ? 'the end' : quantity(d.until, 's'))],
+  ['times', (d) => `${d.count}`],
+  ['asked, or cap', (d) => quantity(d.limit, d.limit_unit)],
+  ['reached', (d) => quantity(d.reached, d.unit)],
+  ['in words', (d) => d.text],
+];
+
+/** What the engine says of its run: tolerances that were not kept, caps that were hit, per part of the scene. */
+export function Diagnostics({ verdicts }: { verdicts: Verdict[] }) {
+  // A cell is one run: all claims have the same.
+  const rows = verdicts.find((v) => v.diagnostics.length > 0)?.diagnostics ?? [];
+  if (rows.length === 0) return null;
+  return (
+    <section aria-labelledby="diagnostics-heading">
+      <h3 id="diagnostics-heading">What the engine says of this run</h3>
+      <div class="scroll" tabIndex={0} role="region" aria-label="Diagnostics of this run">
+        <table>
+          <thead>
+            <tr>
+              <th scope="col">kind</th>
+              {columns.map(([head]) => (
+                <th key={head} scope="col">
+                  {head}
+                </th>
+              ))}
+            </tr>
+          </thead>
+          <tbody>
+            {rows.map((d, i) => (
+              <tr key={i}>
+                <th scope="row">{visible(d.kind)}</th>
+                {columns.map(([head, of]) => (
+                  <td key={head}>
+                    <Foreign text={of(d)} />
+                  </td>
+                ))}
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
     </section>
   );
 }

@@ -1,0 +1,219 @@
+#include "engine/diagnostic.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace cylon::engine {
+
+using K = DiagnosticKind;
+
+const std::array<DiagnosticRow, static_cast<std::size_t>(DiagnosticKind::count)> diagnostic_rows = {{
+    {K::forced, "forced", "", "", "runs by force; else refused: {cause}"},
+    {K::deep_overlap, "deep-overlap", "m", "m",
+     "{cause} overlap by {reached} m at the start, more than {limit} m, a tenth of the width of the thinner "
+     "one: "
+     "which way they would come apart is not defined"},
+    {K::not_divided, "not-divided", "bodies", "bodies",
+     "more than {limit} bodies ({reached}) may touch others: where they may be is not looked at, and they "
+     "are "
+     "one part"},
+    {K::merged, "merged", "", "", "from t = {since} s on these may meet and are one part"},
+    {K::parted, "parted", "", "", "from t = {since} s on a part of its own"},
+    {K::not_followed, "not-followed", "", "", "from t = {since} s on in fixed steps, since {cause}"},
+    {K::handed_over, "handed-over", "", "", "closed form until t = {since} s, then {cause}"},
+    {K::path_not_taken, "path-not-taken", "", "",
+     "path {cause} was asked for, but nothing can touch: it is not taken"},
+    {K::tolerance_not_kept, "tolerance-not-kept", "1", "",
+     "path stepping: {cause}; the tolerance {limit} that was asked for is not kept"},
+    {K::error_not_controlled, "error-not-controlled", "", "",
+     "path stepping: {cause}; the error is not controlled"},
+    {K::tolerance_missed, "tolerance-missed", "1", "1",
+     "auto: from t = {since} s on the tolerance {limit} is not reached: solutions at the two finest local "
+     "tolerances differ by up to {reached} of the scales of the motion (chaos or ill-conditioning)"},
+    {K::last_not_compared, "last-not-compared", "1", "1",
+     "auto: the sample at t = {since} s lies within a step of an impact: solutions at the two finest local "
+     "tolerances differ by {reached} of the scales of the motion there, beside the tolerance {limit}"},
+    {K::integration_ended, "integration-ended", "", "", "integration stopped at t = {since} s: {cause}"},
+    {K::switches_not_located, "switches-not-located", "switches", "",
+     "from t = {since} s on a force switches on and off too often (more than {limit} times in a step): its "
+     "switching times are not located"},
+    {K::series_not_ended, "series-not-ended", "parts", "",
+     "from t = {since} s on {count} parts of steps were too long for forces that depend on velocities, even "
+     "in "
+     "{limit} parts: the motion is not a number"},
+    {K::drift_open, "drift-open", "rounds", "m, rad",
+     "{count} parts of steps, from t = {since} s on, ended with joints that the iteration did not close in "
+     "{limit} "
+     "rounds (SHAKE), by up to {reached} m or rad: the step is too long"},
+    {K::joints_open, "joints-open", "rounds", "m, rad",
+     "at {count} instants from t = {since} s on joints were not closed in {limit} rounds: they stayed open "
+     "by up "
+     "to {reached} m or rad"},
+    {K::contacts_open, "contacts-open", "rounds", "m, rad",
+     "at {count} instants from t = {since} s on persistent contacts and joints were not closed in {limit} "
+     "rounds: "
+     "they stayed open by up to {reached} m or rad"},
+    {K::forces_inexact, "forces-inexact", "", "m/s²",
+     "{count} contact problems, from t = {since} s on, were solved iteratively, not to rounding: "
+     "accelerations at "
+     "contacts are off by up to {reached} m/s²"},
+    {K::impacts_inexact, "impacts-inexact", "", "m/s",
+     "{count} impacts, from t = {since} s on, were solved iteratively, not to rounding: velocities at "
+     "contacts "
+     "are off by up to {reached} m/s"},
+    {K::interval_missed, "interval-missed", "", "",
+     "{count} integration intervals, from t = {since} s on, did not reach the tolerance"},
+    {K::meeting_not_searched, "meeting-not-searched", "", "m",
+     "{count} searches for surfaces that meet ended before they had seen all, from t = {since} s on: "
+     "surfaces may "
+     "have been up to {reached} m inside each other unseen"},
+    {K::changes_not_searched, "changes-not-searched", "", "",
+     "{count} times, from t = {since} s on, contacts changed at one instant more often than they can: the "
+     "piece "
+     "after it was not searched for changes of contacts"},
+    {K::impacts_unending, "impacts-unending", "rounds", "",
+     "{count} impacts of several pairs, from t = {since} s on, did not come to an end one after another in "
+     "{limit} "
+     "rounds: they ended at once, without restitution"},
+    {K::frictionless, "frictionless", "", "",
+     "at {count} instants, from t = {since} s on, Coulomb friction had no solution, or stick and slip "
+     "alternated "
+     "too often: these contacts had no friction for the rest of the step"},
+    {K::wedged, "wedged", "", "",
+     "at {count} instants, from t = {since} s on, friction grew without bound: an impulse stopped the slip"},
+    {K::crawled, "crawled", "", "m/s",
+     "at {count} instants, from t = {since} s on, contacts stuck and slipped in turn without end: an impulse "
+     "within the friction cones took them over a short time, to {reached} m/s of the law"},
+    {K::slip_turned_late, "slip-turned-late", "", "m/s",
+     "from t = {since} s on friction turned slips slower than {reached} m/s late: velocities after such a "
+     "slip are "
+     "right to about that"},
+    {K::plastic, "plastic", "events", "",
+     "{count} steps, from t = {since} s on, had more than {limit} events: for the rest of these steps, "
+     "contacts had "
+     "no restitution and no friction"},
+    {K::not_located, "not-located", "", "m/s",
+     "from t = {since} s on, {count} steps had more events than are followed: the rest of these steps went "
+     "in "
+     "{cause} of first order, without location of events, and obeyed the contact laws to {reached} m/s"},
+    {K::too_fast, "too-fast", "parts", "",
+     "in {count} steps, from t = {since} s on, bodies moved farther than half the smallest half-width in "
+     "1/{limit} "
+     "of a step: they may have passed through each other"},
+    {K::contacts_unsolved, "contacts-unsolved", "", "m/s",
+     "contact and joint equations were solved only to {reached} m/s: {count} times, from t = {since} s on"},
+    {K::contacts_swept, "contacts-swept", "sweeps", "m/s",
+     "contacts of many bodies were solved by sweeps, up to {limit} in a step: {count} steps, from t = "
+     "{since} s on, ended "
+     "off the contact laws by up to {reached} m/s"},
+    {K::overlaps_unsolved, "overlaps-unsolved", "", "m",
+     "{count} displacements that remove overlaps, from t = {since} s on, were solved only to {reached} m"},
+    {K::joints_drifted, "joints-drifted", "rounds", "m, rad",
+     "after {count} steps, from t = {since} s on, joints were not closed in {limit} rounds: they stayed open "
+     "by up "
+     "to {reached} m or rad"},
+    {K::stiff, "stiff", "parts", "", "each step goes in {limit} parts: {cause} is too stiff for longer ones"},
+    {K::unstable, "unstable", "s", "",
+     "steps longer than {limit} s are unstable where {cause} acts in full: the motion may grow without "
+     "limit"},
+    {K::solved_at_once, "solved-at-once", "", "",
+     "impacts = sequential was not kept in {count} parts of steps, from t = {since} s on: bounces of one "
+     "body in "
+     "one step were solved at once"},
+    {K::solved_in_turn, "solved-in-turn", "", "",
+     "impacts = simultaneous was not kept in {count} steps, from t = {since} s on: impacts of one body at "
+     "one "
+     "instant followed one another"},
+    {K::approaching, "approaching", "rounds", "",
+     "impacts of spheres within a part of a step did not come to an end in {limit} rounds, {count} times "
+     "from t = "
+     "{since} s on: what still approached met in the next part, as a contact"},
+    {K::facets_unsettled, "facets-unsettled", "rounds", "m",
+     "at {count} contacts of round bodies, from t = {since} s on, the place of the touch still moved after "
+     "{limit} "
+     "rounds: its gap is off by about {reached} m"},
+    {K::points_left_out, "points-left-out", "points", "",
+     "{count} contacts, from t = {since} s on, had more than {limit} points, of which the deepest and the "
+     "outermost "
+     "stayed: the face that carries may be narrower than it is"},
+    {K::more, "more", "", "", "{count} more diagnostics are not listed"},
+}};
+
+namespace {
+
+std::string shown(double x, int digits) {
+  std::ostringstream text;
+  text.precision(digits);
+  if (std::abs(x) < 1e9 && x == std::floor(x))
+    text << static_cast<std::int64_t>(x);
+  else
+    text << x;
+  return text.str();
+}
+
+void replace(std::string& text, std::string_view what, const std::string& by) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+    text.replace(at, what.size(), by);
+}
+
+}  // namespace
+
+std::string names_of(const IslandName& island, const Names& names) {
+  std::string text;
+  for (const int body : island.bodies) text += (text.empty() ? "" : ", ") + names(Thing::body, body);
+  if (island.count > island.bodies.size())
+    text += " and " + std::to_string(island.count - island.bodies.size()) + " more";
+  return text;
+}
+
+std::string sentence(const Diagnostic& d, const Names& names) {
+  std::string text(row(d.kind).text);
+  replace(text, "{since}", shown(static_cast<double>(d.since), 6));
+  replace(text, "{count}", std::to_string(d.count));
+  replace(text, "{limit}", shown(d.limit.value_or(0), 4));
+  replace(text, "{reached}", shown(d.reached.value_or(0), 4));
+  replace(text, "{cause}", d.cause);  // last: nothing in it is replaced
+  if (!d.island.whole) text = names_of(d.island, names) + ": " + text;
+  if (d.until) text = "until t = " + shown(static_cast<double>(*d.until), 6) + " s " + text;
+  return text;
+}
+
+std::vector<std::string> sentences(const std::vector<Diagnostic>& all, const Names& names) {
+  std::vector<std::string> texts;
+  for (const Diagnostic& d : all) texts.push_back(sentence(d, names));
+  return texts;
+}
+
+bool same_matter(const Diagnostic& a, const Diagnostic& b) {
+  return a.kind == b.kind && a.cause == b.cause && a.island.count == b.island.count &&
+         a.island.bodies == b.island.bodies;
+}
+
+void add(const Diagnostic& more, Diagnostic& to) {
+  to.since = std::min(to.since, more.since);
+  to.count += more.count;
+  if (more.limit) to.limit = more.limit;
+  if (more.reached) to.reached = std::max(*more.reached, to.reached.value_or(0));
+  if (!more.cause.empty()) to.cause = more.cause;
+  if (more.until) to.until = more.until;
+}
+
+void DiagnosticLog::note(DiagnosticKind kind, Time now, std::optional<double> limit,
+                         std::optional<double> reached, const std::string& cause) {
+  const Diagnostic one{.kind = kind, .since = now, .limit = limit, .reached = reached, .cause = cause};
+  const auto at = std::lower_bound(noted_.begin(), noted_.end(), kind,
+                                   [](const Diagnostic& d, DiagnosticKind k) { return d.kind < k; });
+  if (at != noted_.end() && at->kind == kind)
+    add(one, *at);
+  else
+    noted_.insert(at, one);
+}
+
+bool DiagnosticLog::has(DiagnosticKind kind) const {
+  return std::any_of(noted_.begin(), noted_.end(), [&](const Diagnostic& d) { return d.kind == kind; });
+}
+
+std::vector<Diagnostic> DiagnosticLog::all() const { return noted_; }
+
+}  // namespace cylon::engine

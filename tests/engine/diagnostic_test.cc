@@ -1,0 +1,296 @@
+// Every kind of diagnostic: provoked by a scene, with its time, its numbers and its island; and a scene beside it that
+// does not provoke it.
+#include "engine/diagnostic.h"
+
+#include "engine/verified_stepper.h"
+#include "tests/engine/diagnostic_scenes.h"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+
+namespace cylon::engine {
+namespace {
+
+using Diagnostics = std::vector<Diagnostic>;
+using K = DiagnosticKind;
+
+Diagnostics said(const Model& model, const Options& options, int steps) {
+  EXPECT_EQ(unsupported(model, options), "");
+  World world(model, options);
+  for (int i = 0; i < steps; ++i) world.step();
+  return world.diagnostics();
+}
+
+Diagnostics said(const Model& model, Time dt, int steps) { return said(model, with("auto", dt), steps); }
+
+Diagnostics said_by_events(const Model& model, Time dt, int steps, const char* integrator = "dop853",
+                           Real tolerance = Real(1e-13)) {
+  EventStepper stepper(model, *find_integrator(integrator), dt, tolerance);
+  for (int i = 0; i < steps; ++i) stepper.step();
+  return stepper.diagnostics();
+}
+
+// A run whose two tolerances see an impact on different sides of the last sample: of step 3 of 3.
+class Bouncing final : public Stepper {
+ public:
+  explicit Bouncing(Real tolerance) : late_(tolerance < Real(5e-12)) {}
+  void step() override {
+    if (++steps_ == 3) impacts_.push_back({0.03, 0});
+  }
+  void read(std::vector<Motion>& motions) const override {
+    const Real speed = steps_ == 3 && late_ ? Real(1) : Real(-1);
+    motions.assign(1, make_motion(body(), {1, 2, 3}, Quaternion::Identity(), {speed, 0, 0}, Vector3::Zero()));
+  }
+  const std::vector<Impact>& impacts() const override { return impacts_; }
+  static Body body() { return make_body(1, Matrix3::Identity()); }
+
+ private:
+  bool late_;
+  int steps_ = 0;
+  std::vector<Impact> impacts_;
+};
+
+Diagnostics of_impact_at_the_end() {
+  VerifiedStepper stepper([](Real tolerance) { return std::make_unique<Bouncing>(tolerance); }, Real(1e-10),
+                          0.01, {Bouncing::body()});
+  for (int i = 0; i < 3; ++i) stepper.step();
+  return stepper.diagnostics();
+}
+
+struct Provoked {
+  K kind;
+  double end;  ///< Of the run [s].
+  std::function<Diagnostics()> by;
+};
+
+const std::vector<Provoked> provoked = {
+    {K::not_divided, 0.001, [] { return said(many_balls(), 0.001, 1); }},
+    {K::merged, 3.5,
+     [] {
+       return said(two_boxes(13, 4, {0, 0}, true), 0.005, 700);
+     }},
+    {K::parted, 5,
+     [] {
+       return said(two_boxes(Real(1.2), 6, {1, 0}, false), 0.005, 1000);
+     }},
+    {K::not_followed, 2, [] { return said(unlike_balls(), 0.005, 400); }},
+    {K::handed_over, 0.03, [] { return said(overlapping_balls(), 0.01, 3); }},
+    {K::path_not_taken, 0.02, [] { return said(free_top(), on("stepping", 0.01), 2); }},
+    {K::tolerance_not_kept, 0.02,
+     [] { return said(boxes_on_floor(1, 1), on("stepping", 0.01, Real(1e-6)), 2); }},
+    {K::error_not_controlled, 0.02, [] { return said(boxes_on_floor(1, 1), on("stepping", 0.01), 2); }},
+    {K::tolerance_missed, 5,
+     [] {
+       Options options = with("auto", 0.1);
+       options.tolerance = Real(1e-17);
+       return said(forced_bodies(), options, 50);
+     }},
+    {K::last_not_compared, 0.03, of_impact_at_the_end},
+    {K::integration_ended, 4, [] { return said(falling_together(), with("dop853", 0.1), 40); }},
+    {K::switches_not_located, 30, [] { return said(at_the_surface(Real(0.01)), with("dop853", 10), 3); }},
+    {K::series_not_ended, 1,
+     [] { return said(with_drag(free_top(), Real(1e9)), with("velocity-verlet", 1), 1); }},
+    {K::drift_open, 1, [] { return said(on_rod(30), with("velocity-verlet", 1), 1); }},
+    {K::joints_open, 2, [] { return said(as_constraints(linked_bodies(true)), with("rk4", 1), 2); }},
+    {K::contacts_open, 0.02, [] { return said(sliding_capsules(), by_events("dop853", 5e-3), 4); }},
+    {K::impacts_inexact, 0.8,
+     [] {
+       return said_by_events(tetrahedron_on_box({2, 1, -1}, Impacts::sequential), 0.002, 400);
+     }},
+    {K::interval_missed, 0.6, [] { return said_by_events(thrown_rod(68), 0.01, 60); }},
+    {K::meeting_not_searched, 0.02, [] { return said(sliding_capsules(), by_events("dop853", 5e-3), 4); }},
+    {K::changes_not_searched, 0.6, [] { return said_by_events(thrown_rod(121), 0.01, 60); }},
+    {K::impacts_unending, 0.01, [] { return said_by_events(row_of_balls(230), 0.01, 1); }},
+    {K::frictionless, 1, [] { return said_by_events(jamming_rod(), 0.01, 100); }},
+    {K::crawled, 0.6, [] { return said_by_events(thrown_rod(65), 0.01, 60); }},
+    {K::slip_turned_late, 0.6, [] { return said_by_events(thrown_rod(86), 0.01, 60); }},
+    {K::plastic, 10,
+     [] {
+       Model model = floor({1, 0});
+       ball(model, {0, Real(0.50001), 0});
+       return said_by_events(model, 10, 1);
+     }},
+    {K::not_located, 0.02, [] { return said(sliding_capsules(), by_events("dop853", 5e-3), 4); }},
+    {K::too_fast, 0.02,
+     [] {
+       Model model = floor({0, 0});
+       box(model, {0, 5, 0}, {3000, 0, 0});
+       return said(model, on("stepping", 0.01), 2);
+     }},
+    {K::contacts_unsolved, 1, [] { return said(random_pile(0), forced(on("stepping", 0.01)), 100); }},
+    {K::contacts_swept, 0.03, [] { return said(boxes_on_floor(200, 1), on("stepping", 0.01), 3); }},
+    {K::overlaps_unsolved, 1, [] { return said(random_pile(1), forced(on("stepping", 0.01)), 100); }},
+    {K::joints_drifted, 1, [] { return said(chain_of_boxes(8), on("stepping", 0.02), 50); }},
+    {K::stiff, 0.02, [] { return said(with_drag(ball_over_plane(5, 0), 210), on("stepping", 0.01), 2); }},
+    {K::unstable, 0.02,
+     [] { return said(with_drag(ball_over_plane(5, 0), Real(7e8)), on("stepping", 0.01), 2); }},
+    {K::solved_at_once, 0.6, [] { return said(struck_twice(), on("stepping", 0.01), 60); }},
+    {K::solved_in_turn, 0.02, [] { return said(at_once(row_of_balls(3)), on("stepping", 0.01), 2); }},
+    {K::approaching, 0.02, [] { return said(row_of_balls(100), on("stepping", 0.01), 2); }},
+    {K::facets_unsettled, 1, [] { return said(random_pile(2), forced(on("stepping", 0.01)), 100); }},
+    {K::points_left_out, 0.02,
+     [] {
+       return said(prism(12, {0, Real(0.5), 0}), on("stepping", 0.01), 2);
+     }},
+    {K::more, 0.02, [] { return said(boxes_on_floor(120, 30), on("stepping", 0.01), 2); }},
+};
+
+// What no scene here provokes, and why.
+const std::map<K, const char*> others = {
+    {K::forced, "made by the adapter: tests/conformance/diagnostics_test.cc"},
+    {K::deep_overlap, "made by the adapter: tests/conformance/diagnostics_test.cc"},
+    {K::forces_inexact,
+     "where the search for contact forces fails, friction is left out and it is made again; without friction "
+     "there is "
+     "always a solution, which no scene known misses"},
+    {K::wedged,
+     "200 pieces in a row that take no time: after each 64 a stride goes over them, and no rod of 2000 "
+     "wedges itself "
+     "so soon again"},
+};
+
+TEST(Diagnostics, EveryKindIsProvokedOrHasAReason) {
+  std::set<K> all;
+  for (const Provoked& c : provoked) EXPECT_TRUE(all.insert(c.kind).second) << row(c.kind).name;
+  for (const auto& [kind, why] : others) EXPECT_TRUE(all.insert(kind).second) << row(kind).name << why;
+  EXPECT_EQ(all.size(), static_cast<std::size_t>(K::count));
+}
+
+class Provokes : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(Provokes, IsSaidWithItsTimeAndNumbers) {
+  const Provoked& c = provoked[GetParam()];
+  const DiagnosticRow& its = row(c.kind);
+  const Diagnostics all = c.by();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Diagnostic& d) { return d.kind == c.kind; });
+  ASSERT_NE(found, all.end());
+  EXPECT_GE(found->since, 0);
+  EXPECT_LE(found->since, c.end * (1 + 1e-12));
+  EXPECT_GE(found->count, 1);
+  EXPECT_EQ(found->limit.has_value(), !its.limit_unit.empty());
+  EXPECT_EQ(found->reached.has_value(), !its.unit.empty());
+  if (found->reached) {
+    EXPECT_GE(*found->reached, 0);
+    EXPECT_TRUE(*found->reached > 0 || c.kind == K::not_located);  // steps without contacts obey their laws
+  }
+  EXPECT_EQ(sentence(*found).find('{'), std::string::npos) << sentence(*found);
+}
+
+INSTANTIATE_TEST_SUITE_P(Diagnostics, Provokes, testing::Range<std::size_t>(0, provoked.size()),
+                         [](const auto& row_of) {
+                           std::string name(row(provoked[row_of.param].kind).name);
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+// The rows stand in the order of the kinds, each with a name of its own; a sentence has the numbers that the row has
+// units for.
+TEST(Diagnostics, TableIsWhole) {
+  std::set<std::string_view> names;
+  for (std::size_t k = 0; k < diagnostic_rows.size(); ++k) {
+    const DiagnosticRow& r = diagnostic_rows[k];
+    EXPECT_EQ(static_cast<std::size_t>(r.kind), k);
+    EXPECT_TRUE(names.insert(r.name).second) << r.name;
+    EXPECT_EQ(r.text.find("{limit}") != std::string_view::npos, !r.limit_unit.empty()) << r.name;
+    EXPECT_EQ(r.text.find("{reached}") != std::string_view::npos, !r.unit.empty()) << r.name;
+  }
+}
+
+// What keeps its tolerance and hits no cap says nothing.
+TEST(Diagnostics, NothingIsSaidWhereAllIsKept) {
+  Model rolling = floor({Real(0.5), Real(0.4)});
+  ball(rolling, {0, Real(0.5), 0}, {3, 0, 1});
+  Model sliding = floor({0, Real(0.2)});
+  box(sliding, {0, Real(0.5), 0}, {3, 0, 0});
+  for (const Model& model :
+       {free_top(), heavy_top(), coupled_bodies(), forced_bodies(), ball_over_plane(Real(0.5), Real(0.7)),
+        rolling, sliding, linked_bodies(false), as_constraints(linked_bodies(true))})
+    for (const Diagnostic& d : said(model, 0.01, 30)) ADD_FAILURE() << sentence(d);
+}
+
+// Two islands, of which one misses its tolerance: two points that fall together, beside a spring that does not care.
+TEST(Diagnostics, NamesTheIslandAndSinceWhen) {
+  Model model = falling_together();
+  for (const Real x : {Real(7), Real(9)})
+    add_body(model, make_body(Real(0.7), Matrix3::Zero()), {x, Real(0.4), 0}, {0, 0, 0}, {0, Real(0.3), 0},
+             {0, 0, 0});
+  model.forces.springs.push_back({.body = 2, .to = 3, .stiffness = 3, .rest_length = Real(1.5)});
+  const auto name = [](Thing, int i) { return std::string(1, static_cast<char>('a' + i)); };
+  Options options = with("auto", 0.1);
+  options.tolerance = Real(1e-9);
+  World world(model, options, name);
+  ASSERT_EQ(world.island_count(), 2u);
+  for (int i = 0; i < 22; ++i) world.step();
+  EXPECT_TRUE(world.diagnostics().empty());
+  for (int i = 0; i < 8; ++i) world.step();
+  std::set<K> kinds;
+  for (const Diagnostic& d : world.diagnostics()) {
+    kinds.insert(d.kind);
+    EXPECT_EQ(d.island.bodies, (std::vector<int>{0, 1}));
+    EXPECT_EQ(d.island.count, 2u);
+    EXPECT_FALSE(d.island.whole);
+    EXPECT_EQ(d.island.method, "integration by dop853");
+    EXPECT_EQ(d.island.order, 8);
+    EXPECT_EQ(sentence(d, name).substr(0, 6), "a, b: ");
+    if (d.kind == K::integration_ended) {
+      EXPECT_NEAR(static_cast<double>(d.since), meet_at, 1e-6);
+    }
+    if (d.kind == K::tolerance_missed) {
+      EXPECT_NEAR(static_cast<double>(d.since), 2.3, 1e-12);  // the first sample after it
+      EXPECT_EQ(d.limit, static_cast<double>(options.tolerance));
+    }
+  }
+  EXPECT_EQ(kinds, (std::set<K>{K::tolerance_missed, K::integration_ended}));
+}
+
+// An island that ends says until when, once for each matter.
+TEST(Diagnostics, OfAnIslandThatEndedSayUntilWhen) {
+  const Diagnostics all = said(two_boxes(Real(1.2), 6, {1, 0}, false), 0.005, 1000);
+  int ended = 0;
+  for (const Diagnostic& d : all) {
+    if (!d.until) continue;
+    ended += d.kind == K::error_not_controlled;
+    EXPECT_LE(d.since, *d.until);
+    EXPECT_EQ(d.island.method, "fixed steps with impulses");
+    EXPECT_EQ(d.island.order, 1);
+    EXPECT_EQ(sentence(d).rfind("until t = ", 0), 0u);
+  }
+  EXPECT_EQ(ended, 1);
+}
+
+TEST(Diagnostics, OfManyIslandsAreCounted) {
+  const Diagnostics all = said(boxes_on_floor(120, 30), on("stepping", 0.01), 2);
+  EXPECT_EQ(all.size(), World::most_diagnostics);
+  EXPECT_EQ(all.back().kind, K::more);
+  EXPECT_EQ(static_cast<std::size_t>(all.back().count) + all.size() - 1, 120u);
+}
+
+TEST(DiagnosticLog, KeepsTheFirstTimeTheWorstAndTheCount) {
+  DiagnosticLog log;
+  EXPECT_FALSE(log.has(K::too_fast));
+  log.note(K::too_fast, 0.5, 16);
+  log.note(K::contacts_unsolved, 0.25, {}, 1e-3);
+  log.note(K::contacts_unsolved, 0.75, {}, 3e-3);
+  log.note(K::contacts_unsolved, 1, {}, 2e-3);
+  const Diagnostics all = log.all();
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].kind, K::too_fast);
+  EXPECT_EQ(all[1].since, 0.25);
+  EXPECT_EQ(all[1].count, 3);
+  EXPECT_EQ(all[1].reached, 3e-3);
+  EXPECT_TRUE(log.has(K::too_fast));
+}
+
+// Names that look like places for numbers stay as they are.
+TEST(Sentence, ReplacesNothingInNames) {
+  Diagnostic d{.kind = K::not_followed, .since = 0.5, .cause = "'{since}' is {count}"};
+  d.island.whole = false, d.island.bodies = {4}, d.island.count = 9;
+  EXPECT_EQ(sentence(d, [](Thing, int) { return std::string("'{reached}'"); }),
+            "'{reached}' and 8 more: from t = 0.5 s on in fixed steps, since '{since}' is {count}");
+}
+
+}  // namespace
+}  // namespace cylon::engine
