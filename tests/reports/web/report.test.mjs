@@ -226,7 +226,7 @@ tolerance = { relative = 1e-3, reason = ${JSON.stringify(markup)} }
 });
 
 test('what an engine says of its run stands in the cell, hostile or not', async () => {
-  run(folder, ['run', 'bouncing_sphere', '--engine', 'in-house/path=stepping', '--html', 'said.html']);
+  run(folder, ['run', 'bouncing_sphere', '--engine', 'in-house/path=stepping', '--html', 'said.html'], 1);
   const page = await open(url('said.html'));
   await page.locator('table.matrix .cell').nth(0).click();
   await page.locator('#diagnostics-heading').waitFor();
