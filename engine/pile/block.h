@@ -31,6 +31,7 @@ struct Block {
   Matrix3 space = Matrix3::Identity();
   Real friction = 0, target = 0;
   Vector3 impulse = Vector3::Zero();
+  Vector3 before = Vector3::Zero();  ///< u before the forces of the step, of a direct solution.
 
   Real gap = 0;               ///< When the contact was found [m].
   Vector3 anchor, to_anchor;  ///< The point, body axes; world axes where b is the world.

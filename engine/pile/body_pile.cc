@@ -103,9 +103,11 @@ void BodyPile::set_targets(Time now, Real h) {
   std::fill(struck_.begin(), struck_.end(), char{0});
   for (std::size_t k = 0; k < blocks_.size(); ++k) {
     Block& block = blocks_[k];
-    if (block.kind != Block::Kind::contact || !takes(block)) continue;
+    if (!takes(block)) continue;
+    block.before = relative_velocity(block, movers_);
+    if (block.kind != Block::Kind::contact) continue;
     const Real gap = block.gap + block.normal.dot(offset(block, motions_));
-    const Real u = block.normal.dot(relative_velocity(block, movers_));
+    const Real u = block.normal.dot(block.before);
     const bool meets = u < 0 && gap + u * h <= 0;
     block.target = meets && block.restitution > 0 ? -block.restitution * u : -std::max(gap, Real(0)) / h;
     block.impact = meets && -u > slow;

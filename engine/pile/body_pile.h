@@ -3,8 +3,8 @@
 
 #include "engine/changing_masses.h"
 #include "engine/pile/body_contacts.h"
+#include "engine/pile/bounce.h"
 #include "engine/pile/crowd.h"
-#include "engine/pile/direct.h"
 #include "engine/pile/groups.h"
 #include "engine/pile/islands.h"
 #include "engine/pile/overlap.h"
@@ -72,7 +72,7 @@ class BodyPile : public Stepper {
   BodyContacts found_;
   std::vector<Block> blocks_;
   std::vector<std::vector<std::pair<std::size_t, std::size_t>>> colours_;  // runs of blocks of one pair
-  Direct direct_;
+  Bounce direct_;
   Overlaps overlaps_;
   Islands islands_;
   bool divided_ = false;       // solved group by group:
