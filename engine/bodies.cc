@@ -408,7 +408,7 @@ void Bodies::scales(const Real* y, Real* scale) {
   // nothing.
   // So do other forces than gravity; what moves at more than the rounding of their speed is measured by
   // itself.
-  Real at_rest = model_.joints.empty() ? 0 : std::sqrt(model_.forces.gravity.norm() * length_);
+  Real at_rest = model_.joints.empty() ? 0 : std::sqrt(model_.strongest_gravity() * length_);
   const Real shaken = std::sqrt(std::numeric_limits<Real>::epsilon() * pull_ * length_);
   if (at_rest == 0 && speed_ > 0 && speed_ < shaken) at_rest = std::sqrt(pull_ * length_);
   const Real speed = std::max(speed_, at_rest);

@@ -5,6 +5,7 @@
 #include "engine/vector.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace cylon::engine {
@@ -26,6 +27,7 @@ struct Body {
   bool one_axis = false;             ///< and that only about `axis`,
   Vector3 axis = Vector3::Zero();    ///< body axes, unit.
   bool turns = true;  ///< false: without spin, and nothing ever turns it; its orientation is left alone.
+  std::optional<Vector3> gravity;  ///< In place of that of all [m/s^2].
 };
 
 /// The state of one body: 13 Reals without gaps.

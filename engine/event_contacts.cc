@@ -47,9 +47,7 @@ Real surface_speed(const Body& body, const Motion& m, Real size) {
 }
 
 // How far two surfaces may approach each other within `ahead`, twice.
-Real reach_of(Real ahead, Real closing, const Model& model) {
-  return 2 * ahead * (closing + ahead * model.forces.gravity.norm());
-}
+Real reach_of(Real ahead, Real closing, Real gravity) { return 2 * ahead * (closing + ahead * gravity); }
 
 // Whether the balls that hold two bodies are farther apart than `margin`.
 bool are_apart(const Candidate& c, const Motion* motion, Real margin) {
@@ -72,7 +70,7 @@ Real EventStepper::widest_margin(const Motion* motion, Real ahead) const {
     outermost = std::max(outermost, motion[i].position.norm() + reaches_[i]);
     if (ahead > 0) fastest = std::max(fastest, surface_speed(model.bodies[i], motion[i], reaches_[i]));
   }
-  return held_margin * (2 * touch_ulps * ulp * outermost + reach_of(ahead, 2 * fastest, model));
+  return held_margin * (2 * touch_ulps * ulp * outermost + reach_of(ahead, 2 * fastest, gravity_));
 }
 
 // All points that touch now, or may within `ahead`.
@@ -83,8 +81,9 @@ std::vector<EventStepper::Spot> EventStepper::spots(Real ahead) {
     const auto speed = [&](int body, Real size) {
       return surface_speed(model.bodies[index(body)], motions()[index(body)], size);
     };
-    return reach_of(
-        ahead, speed(c.body, c.reach) + (c.other == fixed_world ? 0 : speed(c.other, c.other_reach)), model);
+    return reach_of(ahead,
+                    speed(c.body, c.reach) + (c.other == fixed_world ? 0 : speed(c.other, c.other_reach)),
+                    gravity_);
   };
   const Motion* motion = motions();
   std::vector<Spot> result;

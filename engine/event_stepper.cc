@@ -57,7 +57,7 @@ std::vector<std::size_t> numbers(const std::vector<Reading>& readings) {
 
 Real least_speed(const Model& model, Real reach, Time dt) {
   const Real h = static_cast<Real>(dt);
-  return std::max(model.forces.gravity.norm() * h, reach / 100 / h);
+  return std::max(model.strongest_gravity() * h, reach / 100 / h);
 }
 
 }  // namespace
@@ -102,6 +102,7 @@ EventStepper::EventStepper(Reduced reduced, const Integrator& integrator, Time d
       candidates_(find_candidates(system_.model(), numbers(readings_))),
       neighbours_(candidates_, system_.model().bodies),
       seams_(system_.model()),
+      gravity_(system_.model().strongest_gravity()),
       account_(account),
       adaptive_(integrator.kind == Kind::adaptive),
       splits_(integrator.kind == Kind::splitting),

@@ -130,6 +130,7 @@ class EventStepper final : public Stepper, private Holder {
   std::vector<Real> reaches_;  // of the shapes [m]
   Real outermost_ = 0;         // of the locked bodies, with their shapes, from the origin [m]
   Seams seams_;
+  Real gravity_;  // the strongest [m/s^2]
   bool account_, adaptive_, splits_;
   Time dt_, start_time_;
   std::int64_t steps_ = 0;

@@ -16,6 +16,7 @@ enum class Feature : unsigned {
   locked_body,
   spin,  ///< A body has angular momentum at t = 0.
   changing_mass,
+  own_gravity,    ///< In place of that of all.
   pinned_body,    ///< In reduced coordinates: only turns, about a pivot;
   one_axis_body,  ///< only about an axis.
   // Forces, at least one per kind (engine/forces.h).
@@ -71,6 +72,7 @@ inline constexpr std::array feature_names = {
     FeatureName{Feature::locked_body, "locked bodies"},
     FeatureName{Feature::spin, "spinning bodies"},
     FeatureName{Feature::changing_mass, "changing masses"},
+    FeatureName{Feature::own_gravity, "bodies with a gravity of their own"},
     FeatureName{Feature::pinned_body, "bodies pinned at a point"},
     FeatureName{Feature::one_axis_body, "bodies held on an axis"},
     FeatureName{Feature::spring, "springs"},

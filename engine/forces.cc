@@ -213,8 +213,9 @@ void apply(const Forces& forces, Time time, const std::vector<Body>& bodies, std
   const bool weight = !forces.gravity.isZero(0);
   for (std::size_t i = 0; i < count; ++i) {
     load[i] = {};
-    if (weight && !bodies[i].locked) {
-      scene.push(static_cast<int>(i), scene.centre(i), bodies[i].mass * forces.gravity);
+    if ((weight || bodies[i].gravity) && !bodies[i].locked) {
+      scene.push(static_cast<int>(i), scene.centre(i),
+                 bodies[i].mass * bodies[i].gravity.value_or(forces.gravity));
     }
   }
   account();

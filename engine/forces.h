@@ -177,7 +177,8 @@ struct Attraction {
 
 /// All forces of a model; F = sum F_i, torque = sum r_i x F_i (seed eq. 17, 57, 58; errata 4).
 struct Forces {
-  Vector3 gravity = Vector3::Zero();  ///< F = m g on every body [m/s^2]; seed eq. 18 (errata 3).
+  Vector3 gravity =
+      Vector3::Zero();  ///< F = m g on every body without its own [m/s^2]; seed eq. 18 (errata 3).
   std::vector<Spring> springs;
   std::vector<Drag> drags;
   std::vector<Thrust> thrusts;

@@ -22,7 +22,7 @@ class FreeStepper final : public Stepper {
   std::vector<Body> bodies_;
   std::vector<Motion> start_;
   std::vector<FreeRotation> rotations_;
-  Vector3 gravity_;
+  std::vector<Vector3> gravity_;  // one per body
   Time dt_;
   std::int64_t steps_ = 0;
 };

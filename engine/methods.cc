@@ -21,7 +21,8 @@ constexpr Features all_contacts = {
     Feature::box,         Feature::capsule,          Feature::hull,     Feature::compound,
     Feature::pairs_apart, Feature::collision_filters};
 constexpr Features shapes_in_steps = {Feature::frustum, Feature::compound_beside_bodies};
-constexpr Features rigid_bodies = {Feature::locked_body, Feature::spin, Feature::changing_mass};
+constexpr Features rigid_bodies = {Feature::locked_body, Feature::spin, Feature::changing_mass,
+                                   Feature::own_gravity};
 
 struct Row {
   Method method;
@@ -29,28 +30,30 @@ struct Row {
 };
 
 constexpr std::array rows = {
-    Row{Method::exact, {Feature::locked_body, Feature::spin, Feature::late_start}},
+    Row{Method::exact, {Feature::locked_body, Feature::spin, Feature::own_gravity, Feature::late_start}},
     Row{Method::free, {Feature::spin, Feature::chosen_integrator, Feature::late_start}},
-    Row{Method::modes, {Feature::locked_body, Feature::spring, Feature::drive}},
+    Row{Method::modes, {Feature::locked_body, Feature::spring, Feature::drive, Feature::own_gravity}},
     Row{Method::points,
-        {Feature::locked_body, Feature::spring, Feature::drive, Feature::attraction,
+        {Feature::locked_body, Feature::spring, Feature::drive, Feature::attraction, Feature::own_gravity,
          Feature::chosen_integrator, Feature::late_start}},
-    Row{Method::top, {Feature::spin, Feature::pinned_body, Feature::chosen_integrator, Feature::late_start}},
+    Row{Method::top,
+        {Feature::spin, Feature::pinned_body, Feature::own_gravity, Feature::chosen_integrator,
+         Feature::late_start}},
     Row{Method::bodies, rigid_bodies | all_forces | all_joints |
                             Features{Feature::pinned_body, Feature::one_axis_body, Feature::turning_frame,
                                      Feature::chosen_integrator, Feature::account, Feature::late_start,
                                      Feature::every_stage}},
     Row{Method::ballistic,
         {Feature::locked_body, Feature::spin, Feature::contact, Feature::friction, Feature::sphere,
-         Feature::collision_filters, Feature::late_start}},
+         Feature::collision_filters, Feature::own_gravity, Feature::late_start}},
     Row{Method::events,
         rigid_bodies | all_forces | all_joints | all_contacts |
             Features{Feature::pinned_body, Feature::one_axis_body, Feature::chosen_integrator,
                      Feature::account, Feature::late_start, Feature::every_stage, Feature::path_events}},
     Row{Method::sphere_steps,
         {Feature::locked_body, Feature::spin, Feature::contact, Feature::lasting_contact, Feature::friction,
-         Feature::sphere, Feature::collision_filters, Feature::late_start, Feature::every_stage,
-         Feature::path_stepping}},
+         Feature::sphere, Feature::collision_filters, Feature::own_gravity, Feature::late_start,
+         Feature::every_stage, Feature::path_stepping}},
     Row{Method::body_steps, rigid_bodies | all_forces | all_joints | all_contacts | shapes_in_steps |
                                 Features{Feature::late_start, Feature::every_stage, Feature::path_stepping}},
 };
@@ -108,6 +111,7 @@ Features of_bodies(const Model& model) {
     if (body.locked) all.add(Feature::locked_body);
     if (!model.motions[i].angular_momentum.isZero(0)) all.add(Feature::spin);
     if (body.mass_rate != 0) all.add(Feature::changing_mass);
+    if (body.gravity && !body.locked) all.add(Feature::own_gravity);
     if (body.pinned) all.add(Feature::pinned_body);
     if (body.one_axis) all.add(Feature::one_axis_body);
   }

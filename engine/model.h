@@ -109,6 +109,22 @@ struct Model {
            may_meet(filters[static_cast<std::size_t>(body)], plane_filters[static_cast<std::size_t>(plane)]);
   }
 
+  /// What makes a body fall [m/s^2]: its own gravity, else that of all.
+  const Vector3& gravity_of(std::size_t body) const {
+    return bodies[body].gravity ? *bodies[body].gravity : forces.gravity;
+  }
+  /// Bound on what makes any body fall [m/s^2]; O(bodies).
+  Real strongest_gravity() const {
+    Real most = forces.gravity.norm();
+    for (const Body& body : bodies)
+      if (body.gravity && !body.locked) most = std::max(most, body.gravity->norm());
+    return most;
+  }
+  /// Whether a body that can move has a gravity of its own.
+  bool has_own_gravity() const {
+    return std::any_of(bodies.begin(), bodies.end(), [](const Body& b) { return b.gravity && !b.locked; });
+  }
+
   const Material& material(int surface, int other) const {
     const auto row = static_cast<std::size_t>(surface) * static_cast<std::size_t>(surface_count);
     return materials[row + static_cast<std::size_t>(other)];

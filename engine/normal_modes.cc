@@ -113,8 +113,9 @@ class Builder {
   int line() const {
     for (int axis = 0; axis < 3; ++axis) {
       const auto along = [&](auto v) { return v[axis] = 0, v.isZero(0); };
-      bool all = along(Vector3(model_.forces.gravity));
-      for (const std::size_t body : group_.bodies) all = all && along(Vector3(model_.motions[body].momentum));
+      bool all = true;
+      for (const std::size_t body : group_.bodies)
+        all = all && along(Vector3(model_.gravity_of(body))) && along(Vector3(model_.motions[body].momentum));
       for (const Tie& tie : ties_) all = all && along(Vector3d(tie.apart));
       for (const Drive& d : drives_) all = all && along(Vector3(d.force));
       if (all) return axis;
@@ -188,7 +189,8 @@ class Builder {
     group_.pushes =
         shares([&](Index i) { return Vector3d(model_.motions[body(i)].momentum.cast<double>()); });
     std::vector<Vector3d> force;
-    for (Index i = 0; i < size(); ++i) force.emplace_back(mass(i) * model_.forces.gravity.cast<double>());
+    for (Index i = 0; i < size(); ++i)
+      force.emplace_back(mass(i) * model_.gravity_of(body(i)).cast<double>());
     for (const Tie& tie : ties_) {
       const Vector3d pull = pull_of(tie);
       if (row(tie.from) >= 0) force[at(row(tie.from))] += pull;

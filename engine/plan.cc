@@ -119,7 +119,9 @@ class Stages {
     const bool contact = can_touch(model_);
     freedom();
     rotation();
-    add("gravity", !model_.forces.gravity.isZero(0), "uniform gravity acts", "no uniform gravity");
+    const bool own = model_.has_own_gravity();
+    add("gravity", own || !model_.forces.gravity.isZero(0),
+        own ? "bodies have a gravity of their own" : "uniform gravity acts", "no uniform gravity");
     each_force_list(model_.forces,
                     [&]<class Kind>(const std::vector<Kind>& list) { count(Kind::stage, list.size()); });
     add("variable mass", any(model_.bodies, [](const Body& b) { return b.mass_rate != 0; }),

@@ -32,6 +32,8 @@ class Points : public PointsSize<N> {
  public:
   /// Requires not_points(model) to be empty, and N bodies where N > 0.
   explicit Points(const Model& model) : gravity_(model.forces.gravity) {
+    own_ = model.has_own_gravity();
+    for (std::size_t i = 0; own_ && i < model.bodies.size(); ++i) own_gravity_.push_back(model.gravity_of(i));
     const auto pin = [&](int body) { return body == fixed_world || model.bodies[at(body)].locked; };
     const auto place = [&](int body, const Vector3& anchor) {
       return body == fixed_world ? anchor : model.motions[at(body)].position;
@@ -152,7 +154,9 @@ class Points : public PointsSize<N> {
   // k += h F(t, p)
   void push(Time t, Real h, const Real* y, Real* k) {
     const std::size_t n = count();
-    if (weight_) {
+    if (own_) {
+      for (std::size_t i = 0; i < n; ++i) add(h * mass_[i] * own_gravity_[i], k, n, i);
+    } else if (weight_) {
       for (int c = 0; c < 3; ++c) {
         const Real g = h * gravity_[c];
         for (std::size_t i = 0; i < n; ++i) k[static_cast<std::size_t>(c) * n + i] += g * mass_[i];
@@ -180,8 +184,9 @@ class Points : public PointsSize<N> {
   }
 
   Vector3 gravity_;
-  bool weight_ = false;
-  Real length_ = 0, speed_ = 0;  // the largest that scales() has seen
+  bool weight_ = false, own_ = false;
+  std::vector<Vector3> own_gravity_;  // one per body, where one has its own
+  Real length_ = 0, speed_ = 0;       // the largest that scales() has seen
   std::vector<Real> mass_, inverse_mass_;
   std::vector<Pin> pins_;
   std::vector<Link> links_;

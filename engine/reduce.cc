@@ -59,6 +59,7 @@ Body pinned_body(const Body& body, const Matrix3& inertia, const Vector3& centre
   pinned.inverse_mass = 0;
   pinned.centre = centre;
   pinned.mass_rate = body.mass_rate;
+  pinned.gravity = body.gravity;
   pinned.pinned = true;
   return pinned;
 }

@@ -171,8 +171,7 @@ std::string numbered(Thing thing, int index) {
 
 std::string unresolved(const Model& model, Path path, const Names& names) {
   std::string reason = Places(model, names).coarse();
-  const bool presses =
-      !model.forces.only_gravity() || !model.forces.gravity.isZero(0) || !model.joints.empty();
+  const bool presses = !model.forces.only_gravity() || model.strongest_gravity() > 0 || !model.joints.empty();
   const bool by_events = path == Path::events || path == Path::ballistic;
   if (reason.empty() && by_events && presses) reason = touching_masses(model, names);
   // A pile's impulses go from body to body, by the mass of each alone: the ratio is in no sum.

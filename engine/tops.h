@@ -41,7 +41,7 @@ class Top {
     const Vector3 axis = frame_ * Vector3::UnitZ();
     inverse_ = body_.inverse_moments[1];
     spin_ = (body_.inverse_moments[s] - inverse_) * (start_.orientation * axis).dot(start_.angular_momentum);
-    pull_ = body_.centre.dot(axis) * body_.mass * model.forces.gravity;
+    pull_ = body_.centre.dot(axis) * body_.mass * model.gravity_of(0);
   }
 
   std::size_t size() const { return fixed_size; }

@@ -207,7 +207,7 @@ void World::find_accelerations() {
   if (model_->forces.only_gravity()) return;
   const std::vector<Load> loads = loaded(model_->forces, time(), bodies(), motions_).loads;
   for (std::size_t i = 0; i < n; ++i)
-    accelerations_[i] = (bodies()[i].inverse_mass * loads[i].force - model_->forces.gravity).norm();
+    accelerations_[i] = (bodies()[i].inverse_mass * loads[i].force - model_->gravity_of(i)).norm();
 }
 
 void World::look(std::size_t cluster) {

@@ -46,7 +46,7 @@ void Course::take(std::size_t body, const Side& side, Real speed) {
 
 void Course::fly(std::size_t body) {
   flights_[body].support = in_flight;
-  flights_[body].acceleration = model_.forces.gravity;
+  flights_[body].acceleration = model_.gravity_of(body);
   turnings_[body].torque.setZero();
 }
 
@@ -59,8 +59,8 @@ void Course::rest_on(std::size_t body, std::size_t k, bool slips) {
   flight.position -= gap(flight, plane) * plane.normal;
   flight.support = static_cast<int>(k);
   ++flight.changes;
-  const Supported motion = on_plane(side(body), model_.bodies[body].mass, plane.normal, model_.forces.gravity,
-                                    plane_material(body, k).friction, slips);
+  const Supported motion = on_plane(side(body), model_.bodies[body].mass, plane.normal,
+                                    model_.gravity_of(body), plane_material(body, k).friction, slips);
   flight.acceleration = motion.acceleration;
   turning.torque = motion.torque;
   slip_ends_[body] = now_ + motion.slip_ends;
@@ -121,8 +121,9 @@ void Course::note_lasting() {
     contact.point = flight.position_at(end) - flight.radius * n;
     if (flight.since <= begin) {
       const Real mass_dt = model_.bodies[i].mass * static_cast<Real>(dt_);
-      contact.impulse = -mass_dt * model_.forces.gravity.dot(n);
-      contact.friction = mass_dt * (flight.acceleration - model_.forces.gravity) - *contact.impulse * n;
+      const Vector3& g = model_.gravity_of(i);
+      contact.impulse = -mass_dt * g.dot(n);
+      contact.friction = mass_dt * (flight.acceleration - g) - *contact.impulse * n;
     }
     contacts_.push_back(contact);
   }

@@ -6,7 +6,7 @@
 namespace cylon::engine::ballistic {
 
 Course::Course(const Model& model, Time dt)
-    : model_(model), dt_(dt), weightless_(model.forces.gravity.isZero(0)), queue_(model.bodies.size()) {
+    : model_(model), dt_(dt), weightless_(!(model.strongest_gravity() > 0)), queue_(model.bodies.size()) {
   const std::size_t n = model.bodies.size();
   surfaces_.resize(n);
   collides_.resize(n);
@@ -26,7 +26,7 @@ Course::Course(const Model& model, Time dt)
     collides_[i] = surfaces_[i] != no_surface;
     flights_[i].position = motion.position;
     flights_[i].velocity = velocity(body, motion);
-    flights_[i].acceleration = body.locked ? Vector3(Vector3::Zero()) : model.forces.gravity;
+    flights_[i].acceleration = body.locked ? Vector3(Vector3::Zero()) : model.gravity_of(i);
     if (collides_[i]) flights_[i].radius = std::get<Sphere>(model.shapes[i]).radius;
     turnings_[i].orientation = motion.orientation;
     turnings_[i].angular_momentum = body.locked ? Vector3(Vector3::Zero()) : motion.angular_momentum;
@@ -49,7 +49,8 @@ void Course::settle_at_start() {
       if (distance < -16 * touch) hand_over("body " + std::to_string(i) + " is inside a plane at the start");
       const Vector3& v = flights_[i].velocity;
       const bool lies = distance <= touch && rounded(plane.normal.dot(v), size(v)) == 0;
-      const bool pressed = plane.normal.dot(model_.forces.gravity) < -rounding * size(model_.forces.gravity);
+      const Vector3& g = model_.gravity_of(i);
+      const bool pressed = plane.normal.dot(g) < -rounding * size(g);
       if (lies && pressed && flights_[i].support == in_flight) rest_on(i, k, true);
     }
   }

@@ -88,7 +88,7 @@ Interactions::Interactions(const Model& model, Time dt)
 Range Interactions::range(int body, const Body& now, const Motion& motion, Real acceleration,
                           Real part) const {
   const Real t = part * static_cast<Real>(span_), shape = bounding_radius(model_.shapes[at(body)]);
-  const Real g = model_.forces.gravity.norm();
+  const Real g = model_.gravity_of(at(body)).norm();
   const Real travel = std::max(t * (velocity(now, motion).norm() + t / 2 * (g + acceleration)), shape);
   const std::optional<Ball>& bound = bounds_[at(body)];
   if (bound && bound->radius <= travel) return {*bound, shape, true};

@@ -59,7 +59,8 @@ Quaternion orientation_of(int body, const std::vector<Motion>& motions) {
   return body == fixed_world ? Quaternion(Quaternion::Identity()) : motions[index(body)].orientation;
 }
 
-BodyContacts::BodyContacts(const Model& model) : model_(model), seams_(model) {
+BodyContacts::BodyContacts(const Model& model)
+    : model_(model), seams_(model), gravity_(model.strongest_gravity()) {
   for (const Shape& shape : model.shapes) {
     radius_.push_back(bounding_radius(shape));
     round_.push_back(is_round(shape));
@@ -293,7 +294,7 @@ void BodyContacts::add_joints(const std::vector<Motion>& motions, const std::vec
 void BodyContacts::find(const std::vector<Motion>& motions, const std::vector<Mover>& movers, Time now,
                         Time span, std::vector<Block>& blocks) {
   now_ = now;
-  const Real h = static_cast<Real>(span), fall = model_.forces.gravity.norm() * h * h;
+  const Real h = static_cast<Real>(span), fall = gravity_ * h * h;
   for (std::size_t i = 0; i < motions.size(); ++i)
     margin_[i] = (movers[i].v.norm() + radius_[i] * movers[i].w.norm()) * h + fall + radius_[i] / 256;
   std::swap(blocks, old_), std::swap(found_, old_found_);

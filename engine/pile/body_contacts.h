@@ -49,6 +49,7 @@ class BodyContacts {
 
   const Model& model_;
   Seams seams_;
+  Real gravity_;  // the strongest [m/s^2]
   Real smallest_ = 0;
   std::vector<Real> radius_, margin_;
   std::vector<char> round_;

@@ -34,7 +34,8 @@ BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings, st
       limit_(longest_step(model_.forces, model_.bodies)),
       stiff_parts_(parts_for(model_, dt)),
       struck_(model_.bodies.size(), 0),
-      other_forces_(!model.forces.only_gravity()),
+      gravity_(model.strongest_gravity()),
+      other_forces_(!model.forces.only_gravity() || model.has_own_gravity()),
       isolated_(isolated(model)),
       paired_(any_force(model_.forces, [this](const auto& force) {
         const std::optional<Acted> bodies = force.acts_on();
@@ -99,7 +100,7 @@ void BodyPile::kick(Time now, Real h) {
 // Newton's restitution against the velocity before the forces of the step; a gap may close, but not more.
 //   u_n >= -e u_n(before) where the points meet within h;  else u_n >= -max(gap, 0)/h
 void BodyPile::set_targets(Time now, Real h) {
-  const Real slow = 4 * model_.forces.gravity.norm() * h + std::numeric_limits<Real>::min();
+  const Real slow = 4 * gravity_ * h + std::numeric_limits<Real>::min();
   std::fill(struck_.begin(), struck_.end(), char{0});
   for (std::size_t k = 0; k < blocks_.size(); ++k) {
     Block& block = blocks_[k];

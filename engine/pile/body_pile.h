@@ -102,6 +102,7 @@ class BodyPile : public Stepper {
   double swept_to_ = 0;  // largest change of a velocity that the last sweep of a step left, or made [m/s]
   int swept_times_ = 0;  // sweeps over the contacts in that step
   DiagnosticLog log_;
+  Real gravity_ = 0;  // the strongest [m/s^2]
   bool other_forces_ = false, isolated_ = false;
   bool paired_ = false;  // a force acts between two bodies that move
 };

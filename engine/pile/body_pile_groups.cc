@@ -61,7 +61,7 @@ bool BodyPile::is_crowd(const Group& group) const {
 // Whether a pair with restitution meets within two steps, faster than what gravity gives in one: a crowd does
 // not bounce, and brakes what would cross in the next step.
 bool BodyPile::bounces(const Group& group, Real span) const {
-  const Real fall = model_.forces.gravity.norm() * span;
+  const Real fall = gravity_ * span;
   return std::any_of(group.blocks.begin(), group.blocks.end(), [&](int k) {
     const Block& block = blocks_[index(k)];
     const Real u = block.normal.dot(relative_velocity(block, movers_));
@@ -89,7 +89,7 @@ bool BodyPile::is_on_edge(int body, const Group& group) const {
 // that turns back hardly moves only once.
 void BodyPile::lay_to_rest(Real span) {
   constexpr Real part = std::max(Real(1) / (1 << 20), 16 * std::numeric_limits<Real>::epsilon());
-  const Real speed = part * model_.forces.gravity.norm() * span;
+  const Real speed = part * gravity_ * span;
   const auto look = [&](const Group& group) {
     const auto was_still = [&](int body) { return model_.bodies[index(body)].locked || still_[index(body)]; };
     const bool now = is_crowd(group) && is_slow(group, speed);
@@ -112,7 +112,7 @@ void BodyPile::lay_to_rest(Real span) {
 // By sweeps; where a group is at rest and they do not hold it, it is left to the direct solution, whose
 // impulses sweeps then keep.
 void BodyPile::move_crowds(Time now, Time span) {
-  const Real h = static_cast<Real>(span), fall = model_.forces.gravity.norm() * h;
+  const Real h = static_cast<Real>(span), fall = gravity_ * h;
   const int parts = (7 * settings_.substeps + 9) / 10;  // two sweeps each
   const Crowd::Step step = {model_.forces.gravity, h, parts, settings_.slop * found_.smallest() / 2};
   std::erase_if(crowds_, [&](Group& group) {
@@ -151,7 +151,7 @@ bool BodyPile::is_slow(const Group& group, Real speed) const {
 
 // Which blocks meet within the step, for bounces and events: as set_targets.
 void BodyPile::meet(const Group& group, Time now, Real h) {
-  const Real slow = 4 * model_.forces.gravity.norm() * h + std::numeric_limits<Real>::min();
+  const Real slow = 4 * gravity_ * h + std::numeric_limits<Real>::min();
   for (const int k : group.blocks) {
     Block& block = blocks_[index(k)];
     const Real u = block.normal.dot(relative_velocity(block, movers_));

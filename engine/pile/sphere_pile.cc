@@ -28,7 +28,8 @@ SpherePile::SpherePile(const Model& model, Time dt, const PileSettings& settings
       impacts_found_(model),
       first_(first),
       steps_(first),
-      alone_(isolated(model)) {
+      alone_(isolated(model)),
+      gravity_(model.strongest_gravity()) {
   for (int i = 0; i < spheres_.count; ++i) {
     const Real r = spheres_.p(i)[3];
     if (r > 0) smallest_ = smallest_ > 0 ? std::min(smallest_, r) : r;
@@ -43,7 +44,7 @@ std::vector<Diagnostic> SpherePile::diagnostics() const {
   Real fastest = 0;
   for (int i = 0; i < spheres_.count; ++i)
     for (int c = 0; c < 3; ++c) fastest = std::max(fastest, std::abs(spheres_.v(i)[c]));
-  fastest += model_.forces.gravity.norm() * static_cast<Real>(dt_);
+  fastest += gravity_ * static_cast<Real>(dt_);
   if (const Real off = unmet(); off > 1024 * std::numeric_limits<Real>::epsilon() * fastest)
     log.note(DiagnosticKind::contacts_swept, static_cast<Time>(steps_ - 1) * dt_, settings_.substeps,
              static_cast<double>(off));
@@ -78,7 +79,9 @@ void SpherePile::set_kick() {
   for (int i = 0; i < spheres_.count; ++i)
     for (int c = 0; c < 3; ++c)
       spheres_.kick[static_cast<std::size_t>(velocity_stride * i + c)] =
-          spheres_.v(i)[3] > 0 ? model_.forces.gravity[c] : 0;
+          spheres_.v(i)[3] > 0
+              ? model_.gravity_of(static_cast<std::size_t>(spheres_.id[static_cast<std::size_t>(i)]))[c]
+              : 0;
 }
 
 // So many that no body moves farther than half the smallest radius in a part.
@@ -113,7 +116,7 @@ void SpherePile::advance_part(Time now, Time span) {
   const int n = settings_.substeps;
   const Time h = span / n;
   part_ = h;
-  found_.find(spheres_, span, model_.forces.gravity.norm());
+  found_.find(spheres_, span, gravity_);
   if (!impacts_found_.resolve(found_.approaching(), spheres_, now, span, impacts_,
                               keep_ ? &contacts_ : nullptr))
     log_.note(DiagnosticKind::approaching, now, most_impact_sweeps);

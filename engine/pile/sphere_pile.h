@@ -52,6 +52,7 @@ class SpherePile : public Stepper {
   DiagnosticLog log_;
   Time part_ = 0;  // of the last part of a step [s]
   bool alone_ = false;
+  Real gravity_ = 0;  // the strongest [m/s^2]
 };
 
 }  // namespace cylon::engine::pile

@@ -11,7 +11,7 @@
 
 namespace cylon::core {
 
-// Up: against uniform gravity, or +y where there is none.  Pole of a body: up where gravity acts, else the
+// Up of a body: against its gravity, or +y where it has none.  Pole of a body: up where gravity acts on it, else the
 // body's angular momentum about its centre at t = 0.  Axis: the body's symmetry axis (symmetry_axis).
 enum class EventKind {
   bounce,      ///< A pair approaches, touches and separates.

@@ -66,8 +66,8 @@ struct EventQuantityRow {
 };
 const EventQuantityRow& event_row(EventQuantity);
 
-/// Towards the sky: against uniform gravity, or +y where there is none.
-Vector3 event_up(const Scene&);
+/// Towards the sky of a body: against its gravity, or +y where it has none.
+Vector3 event_up(const Scene&, const Body&);
 
 /// See event.h; zero where the body has none.
 Vector3 event_pole(const Scene&, const Body&);

@@ -3,13 +3,6 @@
 namespace cylon::core {
 namespace {
 
-Vector3 gravity(const Scene& scene) {
-  Vector3 sum = Vector3::Zero();
-  for (const Force& force : scene.forces)
-    if (const auto* uniform = std::get_if<UniformGravity>(&force)) sum += uniform->acceleration;
-  return sum;
-}
-
 EventSubject subject_of(const Observable& q, const Scene& scene, const Pair& pair) {
   const auto body = static_cast<std::size_t>(pair.body);
   const Vector3 pole = event_pole(scene, scene.bodies[body]);
@@ -20,7 +13,7 @@ EventSubject subject_of(const Observable& q, const Scene& scene, const Pair& pai
           .pair = pair,
           .body = body,
           .about = q.about,
-          .up = event_up(scene),
+          .up = event_up(scene, scene.bodies[body]),
           .pole = pole,
           .first = first,
           .second = pole.cross(first),
@@ -29,13 +22,13 @@ EventSubject subject_of(const Observable& q, const Scene& scene, const Pair& pai
 
 }  // namespace
 
-Vector3 event_up(const Scene& scene) {
-  const Vector3 g = gravity(scene);
+Vector3 event_up(const Scene& scene, const Body& body) {
+  const Vector3 g = gravity_of(scene, body);
   return g.isZero(0) ? Vector3::UnitY() : Vector3(-g.normalized());
 }
 
 Vector3 event_pole(const Scene& scene, const Body& body) {
-  if (!gravity(scene).isZero(0)) return event_up(scene);
+  if (!gravity_of(scene, body).isZero(0)) return event_up(scene, body);
   const BodyState& s = body.initial;
   const Vector3 spin = world_inertia(body, s.orientation) * s.angular_velocity;
   return spin.isZero(0) ? spin : Vector3(spin.normalized());

@@ -68,6 +68,16 @@ struct Element<Body> {
             &Body::name,
             {.required = true, .meaning = "Unique; forces, joints, materials and claims refer to it."}},
       Field{"initial", &Body::initial, {}},
+      Field{"gravity",
+            &Body::gravity,
+            {.unit = "m/s^2",
+             .in = Expressed::world_vector,
+             .start_rank = 2,
+             .meaning =
+                 "Acceleration of this body in place of the scene's `gravity`, world axes. Zero switches it "
+                 "off. Not of a locked body.",
+             .absent = "that of the scene"},
+            [](const Body& b) { return !b.locked; }},
       Field{"mass",
             &Body::mass,
             {.unit = "kg",
@@ -106,13 +116,14 @@ template <>
 struct Element<UniformGravity> {
   static constexpr std::string_view name = "gravity";
   static constexpr std::string_view meaning = "Gravity, the same everywhere.";
-  static constexpr std::tuple fields{Field{"gravity",
-                                           &UniformGravity::acceleration,
-                                           {.unit = "m/s^2",
-                                            .in = Expressed::world_vector,
-                                            .start_rank = 2,
-                                            .meaning = "Acceleration of every body.",
-                                            .absent = "none"}}};
+  static constexpr std::tuple fields{
+      Field{"gravity",
+            &UniformGravity::acceleration,
+            {.unit = "m/s^2",
+             .in = Expressed::world_vector,
+             .start_rank = 2,
+             .meaning = "Acceleration of every body that states none of its own.",
+             .absent = "none"}}};
 };
 template <>
 struct Element<Spring> {

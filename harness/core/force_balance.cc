@@ -14,13 +14,6 @@ bool asked(const Observable& q, const Scene& scene, std::size_t i) {
   return !scene.bodies[i].locked && (!q.body || static_cast<std::size_t>(*q.body) == i);
 }
 
-Vector3 gravity(const Scene& scene) {
-  Vector3 g = Vector3::Zero();
-  for (const Force& force : scene.forces)
-    if (const auto* uniform = std::get_if<UniformGravity>(&force)) g += uniform->acceleration;
-  return g;
-}
-
 Vector3 spin(const Body& body, const BodyState& s) {
   return world_inertia(body, s.orientation) * s.angular_velocity;
 }
@@ -80,11 +73,12 @@ double force_imbalance(const Observable& q, const Scene& scene, const Recording&
     throw std::logic_error("a balance needs the states of the last two steps");
   const State &before = recording.states[n - 2], &now = recording.states[n - 1];
   const bool turns = q.quantity == Quantity::angular_momentum_balance;
-  const Vector3 g = gravity(scene);
+  const Vector3 of_all = gravity(scene);
 
   std::vector<Vector3> missing(now.size(), Vector3::Zero());  // impulse [N s] or its moment [N m s]
   for (std::size_t i = 0; i < now.size(); ++i) {
     const Body& body = scene.bodies[i];
+    const Vector3 g = body.gravity.value_or(of_all);
     missing[i] = turns ? Vector3(spin(body, now[i]) - spin(body, before[i]))
                        : Vector3(body.mass * (now[i].velocity - before[i].velocity - recording.dt * g));
   }

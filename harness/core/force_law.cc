@@ -114,11 +114,11 @@ double error(const F&, const Scene&, const State&, const StateError&) {
   return 0;
 }
 
-// U = -m g.x of each body that can move.
+// U = -m g.x of each body that can move and has no gravity of its own.
 double energy(const UniformGravity& gravity, const Scene& scene, const State& state, double (*size)(double)) {
   double total = 0;
   for (std::size_t i = 0; i < state.size(); ++i)
-    if (!scene.bodies[i].locked)
+    if (!scene.bodies[i].locked && !scene.bodies[i].gravity)
       total += size(-scene.bodies[i].mass * gravity.acceleration.dot(state[i].position));
   return total;
 }
@@ -127,7 +127,16 @@ double energy(const UniformGravity& gravity, const Scene& scene, const State& st
 double error(const UniformGravity& gravity, const Scene& scene, const State& state, const StateError& e) {
   double total = 0;
   for (std::size_t i = 0; i < state.size(); ++i)
-    total += scene.bodies[i].mass * gravity.acceleration.norm() * e.position;
+    if (!scene.bodies[i].gravity) total += scene.bodies[i].mass * gravity.acceleration.norm() * e.position;
+  return total;
+}
+
+// The same of bodies with their own.
+double own_gravity_error(const Scene& scene, const State& state, const StateError& e) {
+  double total = 0;
+  for (std::size_t i = 0; i < state.size(); ++i)
+    if (const Body& body = scene.bodies[i]; body.gravity)
+      total += body.mass * body.gravity->norm() * e.position;
   return total;
 }
 
@@ -197,8 +206,16 @@ double squared(const Attraction& a, const Scene& scene, double length) {
 
 }  // namespace
 
-Broken broken_by(const Force& force) {
-  return std::visit([](const auto& f) { return broken(f); }, force);
+std::vector<Broken> broken_by(const Scene& scene) {
+  std::vector<Broken> all;
+  for (const Force& force : scene.forces)
+    all.push_back(std::visit([](const auto& f) { return broken(f); }, force));
+  for (const Body& body : scene.bodies)
+    if (body.gravity && !body.locked) {
+      all.push_back(broken(UniformGravity{*body.gravity}));
+      if (all.back().momentum) break;
+    }
+  return all;
 }
 
 double squared_speed(const Force& force, const Scene& scene, double length) {
@@ -209,8 +226,25 @@ double potential(const Force& force, const Scene& scene, const State& state, dou
   return std::visit([&](const auto& f) { return energy(f, scene, state, size); }, force);
 }
 
-double potential_error(const Force& force, const Scene& scene, const State& state, const StateError& e) {
-  return std::visit([&](const auto& f) { return error(f, scene, state, e); }, force);
+double own_gravity_potential(const Scene& scene, const State& state, double (*size)(double)) {
+  double total = 0;
+  for (std::size_t i = 0; i < state.size(); ++i)
+    if (const Body& body = scene.bodies[i]; body.gravity && !body.locked)
+      total += size(-body.mass * body.gravity->dot(state[i].position));
+  return total;
+}
+
+double potential_total(const Scene& scene, const State& state, double (*size)(double)) {
+  double total = own_gravity_potential(scene, state, size);
+  for (const Force& force : scene.forces) total += potential(force, scene, state, size);
+  return total;
+}
+
+double potential_error_total(const Scene& scene, const State& state, const StateError& e) {
+  double total = own_gravity_error(scene, state, e);
+  for (const Force& force : scene.forces)
+    total += std::visit([&](const auto& f) { return error(f, scene, state, e); }, force);
+  return total;
 }
 
 }  // namespace cylon::core

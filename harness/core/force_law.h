@@ -5,6 +5,8 @@
 #include "harness/core/scene.h"
 #include "harness/core/truth.h"
 
+#include <vector>
+
 namespace cylon::core {
 
 /// Why a law or a symmetry of mechanics does not hold where a force acts, in words; null where it holds.
@@ -22,14 +24,24 @@ struct Broken {
   const char* superposition = unstated;  ///< It is affine in places and velocities of centres.
 };
 
-Broken broken_by(const Force&);
+/// One entry for each force of the scene, in their order, and one for gravities that bodies have of their own.
+std::vector<Broken> broken_by(const Scene&);
 
-/// Sum of size(U_k) over the terms of the force's potential energy [J]; 0 for a force without a potential.
+/// Sum of size(U_k) over the terms of the force's potential energy [J]; 0 for a force without a potential.  Gravity's
+/// is that of bodies without one of their own.
 double potential(
     const Force&, const Scene&, const State&, double (*size)(double) = [](double u) { return u; });
 
-/// First-order bound on the error of the potential energy that an error of the state makes [J].
-double potential_error(const Force&, const Scene&, const State&, const StateError&);
+/// The same of the gravities that bodies have of their own.
+double own_gravity_potential(
+    const Scene&, const State&, double (*size)(double) = [](double u) { return u; });
+
+/// Of all forces of the scene, and of gravities that bodies have of their own.
+double potential_total(
+    const Scene&, const State&, double (*size)(double) = [](double u) { return u; });
+
+/// First-order bound on the error of potential_total that an error of the state makes [J].
+double potential_error_total(const Scene&, const State&, const StateError&);
 
 /// v^2 that the force alone gives over a length, roughly [m^2/s^2]; 0 where it has no scale of its own.
 double squared_speed(const Force&, const Scene&, double length);

@@ -20,6 +20,7 @@ struct LaterPart {
 
 inline constexpr std::array later_parts = {
     LaterPart{"collision_filters", "collision groups and masks", states_filters},
+    LaterPart{"body_gravity", "bodies with gravities of their own", states_own_gravity},
 };
 
 /// Why the engine may not get the scene: the first part of it that it does not say it knows.

@@ -197,12 +197,6 @@ double kinetic_total(const Scene& scene, const State& state) {
   return total;
 }
 
-double potential_total(const Scene& scene, const State& state, double (*size)(double)) {
-  double total = 0;
-  for (const Force& force : scene.forces) total += potential(force, scene, state, size);
-  return total;
-}
-
 void kinetic_energy(const Observable& q, const Scene& scene, const State& state, Values& values) {
   values.push_back(scalar(sum(q, scene, state, kinetic)));
 }
@@ -218,15 +212,12 @@ double kinetic_energy_error(const Observable& q, const Scene& scene, const State
 }
 
 void energy(const Observable&, const Scene& scene, const State& state, Values& values) {
-  values.push_back(
-      scalar(kinetic_total(scene, state) + potential_total(scene, state, [](double x) { return x; })));
+  values.push_back(scalar(kinetic_total(scene, state) + potential_total(scene, state)));
 }
 
 // |dE| <= |dT| + sum |dU|
 double energy_error(const Observable&, const Scene& scene, const State& state, const StateError& e) {
-  double total = kinetic_energy_error({}, scene, state, e);
-  for (const Force& force : scene.forces) total += potential_error(force, scene, state, e);
-  return total;
+  return kinetic_energy_error({}, scene, state, e) + potential_error_total(scene, state, e);
 }
 
 void share_of_energy(const Observable& q, const Scene& scene, const State& state, Values& values) {

@@ -161,6 +161,9 @@ std::vector<Term> energies(const Claim& claim, const Scene& scene, const Traject
   for (const Force& force : scene.forces)
     terms.push_back(term(path, !std::holds_alternative<UniformGravity>(force),
                          [&](const State& s) { return scalar(potential(force, scene, s)); }));
+  if (states_own_gravity(scene))
+    terms.push_back(
+        term(path, false, [&](const State& s) { return scalar(own_gravity_potential(scene, s)); }));
   return terms;
 }
 
@@ -195,13 +198,6 @@ std::vector<Term> terms_of(const Claim& claim, const Scene& scene, const Traject
 }
 
 // ---- Where nothing moves ------------------------------------------------------------------------
-
-double norm_of_gravity(const Scene& scene) {
-  double g = 0;
-  for (const Force& force : scene.forces)
-    if (const auto* gravity = std::get_if<UniformGravity>(&force)) g += gravity->acceleration.norm();
-  return g;
-}
 
 // Without gravity: what takes a body over its own size, or around a radian, within the duration.
 double at_rest(const Claim& claim, const Scene& scene, double duration, double g) {
@@ -272,9 +268,9 @@ double scale_of_event(const Claim& claim, const Scene& scene, double duration) {
   const double value = largest_of_events(claim);
   if (q.event != EventKind::turn || q.event_quantity != EventQuantity::height) return value > 0 ? value : 1;
   double most = 0;
-  const Vector3 up = event_up(scene);
   const Trajectory path = motion_of(claim, scene, duration);
-  each_body(q, scene, [&](const Body&, std::size_t i) {
+  each_body(q, scene, [&](const Body& body, std::size_t i) {
+    const Vector3 up = event_up(scene, body);
     most =
         worst(range(term(path, false, [&](const State& s) { return scalar(up.dot(s[i].position)); })), most);
   });
@@ -295,8 +291,8 @@ const Trajectory& RequiredMotion::path(double until) const {
 }
 
 bool anything_fixed(const Scene& scene) {
-  const auto holds = [](const Force& force) { return broken_by(force).boost != nullptr; };
-  return scene.frame || !scene.planes.empty() || std::ranges::any_of(scene.forces, holds) ||
+  const auto holds = [](const Broken& broken) { return broken.boost != nullptr; };
+  return scene.frame || !scene.planes.empty() || std::ranges::any_of(broken_by(scene), holds) ||
          std::ranges::any_of(scene.bodies, &Body::locked) ||
          std::ranges::any_of(scene.joints, [](const Joint& joint) { return joint.to == world; });
 }
@@ -306,7 +302,7 @@ double scale(const Claim& claim, const Scene& scene, double duration) {
   if (claim.at_least) return *claim.at_least;
   const Quantity quantity = claim.observable.quantity;
   if (quantity == Quantity::event) return scale_of_event(claim, scene, duration);
-  const double rest = at_rest(claim, scene, duration, norm_of_gravity(scene));
+  const double rest = at_rest(claim, scene, duration, strongest_gravity(scene));
   if (quantity == Quantity::normal_gap || quantity == Quantity::joint_gap ||
       quantity == Quantity::angular_joint_gap || of_last_step(quantity) || of_chance(quantity))
     return rest;

@@ -28,6 +28,28 @@ int match(const Material& material, const std::string& a, const std::string& b) 
 
 }  // namespace
 
+Vector3 gravity(const Scene& scene) {
+  Vector3 sum = Vector3::Zero();
+  for (const Force& force : scene.forces)
+    if (const auto* uniform = std::get_if<UniformGravity>(&force)) sum += uniform->acceleration;
+  return sum;
+}
+
+Vector3 gravity_of(const Scene& scene, const Body& body) {
+  return body.gravity ? *body.gravity : gravity(scene);
+}
+
+bool states_own_gravity(const Scene& scene) {
+  return std::ranges::any_of(scene.bodies, [](const Body& body) { return body.gravity.has_value(); });
+}
+
+double strongest_gravity(const Scene& scene) {
+  double most = gravity(scene).norm();
+  for (const Body& body : scene.bodies)
+    if (body.gravity && !body.locked) most = std::max(most, body.gravity->norm());
+  return most;
+}
+
 State initial_state(const Scene& scene) {
   State state;
   state.reserve(scene.bodies.size());

@@ -38,6 +38,7 @@ struct Body {
   double mass = 1;                        ///< [kg], > 0.
   Matrix3 inertia = Matrix3::Identity();  ///< About the centre of mass, body axes [kg m^2].
   BodyState initial;
+  std::optional<Vector3> gravity;  ///< In place of the scene's uniform gravity [m/s^2].
   Shape shape;
   bool locked = false;   ///< Does not move, whatever acts on it.
   bool collide = false;  ///< Takes part in contacts; needs a shape.  False: in no group, with an empty mask.
@@ -46,7 +47,7 @@ struct Body {
   std::string color;                          ///< For viewers, "#rrggbb" or empty.
 };
 
-/// F = m a on every body.
+/// F = m a on every body that states no gravity of its own.
 struct UniformGravity {
   Vector3 acceleration = {0, -9.81, 0};  ///< [m/s^2]
 };
@@ -169,6 +170,18 @@ struct Pair {
   int plane = -1;
   friend bool operator==(const Pair&, const Pair&) = default;
 };
+
+/// Sum of the uniform gravities [m/s^2].  What falls may have its own: see gravity_of.
+Vector3 gravity(const Scene&);
+
+/// What makes a body of the scene fall: its own gravity, else that of the scene [m/s^2].
+Vector3 gravity_of(const Scene&, const Body&);
+
+/// Whether a body states a gravity of its own.
+bool states_own_gravity(const Scene&);
+
+/// Bound on what makes any body fall that can move [m/s^2].
+double strongest_gravity(const Scene&);
 
 /// The motion at t = 0, in the order of Scene::bodies.
 State initial_state(const Scene&);

@@ -94,6 +94,9 @@ core::Body read_body(const Table& table, Draft& draft) {
   for (const char* key : {"velocity", "angular_velocity"})
     if (body.locked && !table.vector(key).isZero(0))
       table.fail(key, fmt::format("{}: a locked body does not move", key));
+  if (body.locked && body.gravity) table.fail("gravity", "gravity: a locked body does not fall");
+  if (body.gravity && !std::isfinite(body.mass * body.gravity->dot(body.initial.position)))
+    table.fail("gravity", "gravity: the body has no finite energy at the start: a number is too large");
   body.collide = table.boolean("collide", has_shape);
   if (body.collide && !has_shape) table.fail("collide", "collide = true, but the body has no shape");
   check_color(table, body.color);

@@ -32,6 +32,10 @@ class Larger {
       using Value = std::remove_cvref_t<decltype(value)>;
       if constexpr (std::is_same_v<Value, core::BodyState>) {
         scale(value);
+      } else if constexpr (std::is_same_v<Value, std::optional<core::Vector3>>) {
+        if (field.about.start_rank != rank_ || !value) return;
+        changed_ |= !value->isZero(0);
+        *value *= factor_;
       } else if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, core::Vector3>) {
         if (field.about.start_rank != rank_) return;
         const Value was = value;

@@ -14,8 +14,7 @@ struct Part {
 
 std::vector<core::Quantity> conserved(const core::Scene& scene) {
   Part whole;
-  for (const core::Force& force : scene.forces) {
-    const core::Broken broken = core::broken_by(force);
+  for (const core::Broken& broken : core::broken_by(scene)) {
     whole.conservative &= !broken.energy, whole.internal &= !broken.momentum;
   }
   for (const core::Joint& joint : scene.joints) whole.internal &= joint.to != core::world;

@@ -13,8 +13,8 @@ using core::Scene;
 using core::State;
 
 Reason broken(const Scene& scene, const char* core::Broken::*law) {
-  for (const core::Force& f : scene.forces)
-    if (const char* why = core::broken_by(f).*law) return why;
+  for (const core::Broken& one : core::broken_by(scene))
+    if (const char* why = one.*law) return why;
   return {};
 }
 

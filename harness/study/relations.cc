@@ -180,6 +180,8 @@ double free_fall(const Subject& s, const Runner& run) {
   const Vector3 g = s.scales.speed / duration * along;
   Scene scene = s.scene;
   scene.forces.emplace_back(core::UniformGravity{g});
+  for (Body& b : scene.bodies)
+    if (b.gravity) *b.gravity += g;
   return worst(s, again(s, run, scene), [&](State plain, double t) {
     for (BodyState& b : plain) b.position += t * t / 2 * g, b.velocity += t * g;
     return plain;

@@ -13,7 +13,8 @@ Scales scales(const core::Scene& scene, double duration) {
   Vector3 centre = Vector3::Zero();
   for (const core::Body& b : scene.bodies)
     centre += b.initial.position / static_cast<double>(scene.bodies.size());
-  double length = 0, first = 0, turning = 0, gravity = 0;
+  double length = 0, first = 0, turning = 0;
+  const double gravity = core::strongest_gravity(scene);
   const auto reach = [&](const Vector3& p) { length = std::max(length, (p - centre).norm()); };
   for (const core::Body& b : scene.bodies) {
     reach(b.initial.position);
@@ -27,7 +28,6 @@ Scales scales(const core::Scene& scene, double duration) {
   for (const core::Joint& j : scene.joints)
     if (!core::kind_of(j.type).joins_centres() || j.to == core::world) reach(j.point);
   for (const core::Force& f : scene.forces) {
-    if (const auto* g = std::get_if<core::UniformGravity>(&f)) gravity += g->acceleration.norm();
     if (const auto* k = std::get_if<core::Spring>(&f)) {
       length = std::max(length, k->rest_length);
       if (k->to == core::world) reach(k->to_anchor);

@@ -115,7 +115,8 @@ struct Law {
     const double height = water.level + water.wave * std::sin(s.position.x() - water.speed * t);
     const Submerged part = immersions[body]->below(height, s.position, s.orientation);
     if (!(part.volume > 0)) return;
-    push(static_cast<int>(body), part.centroid - s.position, -water.buoyancy * part.volume * gravity(scene));
+    push(static_cast<int>(body), part.centroid - s.position,
+         -water.buoyancy * part.volume * core::gravity(scene));
     wrenches[body].force -= water.drag * part.volume / immersions[body]->whole() * s.velocity;
   }
 
@@ -149,13 +150,6 @@ std::optional<std::string> unmapped(const core::Scene& scene) {
     if (auto what = body.locked ? std::nullopt : Immersion::unmapped(body.shape))
       return fmt::format("Body '{}' in water: {}.", body.name, *what);
   return std::nullopt;
-}
-
-Vector3 gravity(const core::Scene& scene) {
-  Vector3 sum = Vector3::Zero();
-  for (const core::Force& force : scene.forces)
-    if (const auto* g = std::get_if<core::UniformGravity>(&force)) sum += g->acceleration;
-  return sum;
 }
 
 bool turns(const std::optional<core::Frame>& frame) { return frame && !frame->angular_velocity.isZero(0); }

@@ -20,9 +20,6 @@ struct Wrench {
 /// Why an adapter maps not all forces of a scene, or nothing.
 std::optional<std::string> unmapped(const core::Scene&);
 
-/// Sum of the uniform gravity of a scene [m/s^2], which engines have.
-core::Vector3 gravity(const core::Scene&);
-
 /// Whether the frame of a scene turns; one that only moves changes nothing (Galilei).
 bool turns(const std::optional<core::Frame>&);
 

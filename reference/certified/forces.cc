@@ -39,7 +39,8 @@ void add(const Builder& b, const core::Spring& s, std::vector<Motion>& motions) 
 
 void add(const Builder& b, const core::UniformGravity& g, std::vector<Motion>& motions) {
   for (std::size_t i = 0; i < motions.size(); ++i)
-    motions[i].force = motions[i].force + b.bodies[i].mass * b.vector(g.acceleration);
+    if (!b.scene.bodies[i].gravity)
+      motions[i].force = motions[i].force + b.bodies[i].mass * b.vector(g.acceleration);
 }
 
 void add(const Builder& b, const core::Drag& drag, std::vector<Motion>& motions) {
@@ -85,6 +86,9 @@ void add(const Builder&, const core::Water&, std::vector<Motion>&) {
 void add_forces(const Builder& b, std::vector<Motion>& motions) {
   for (const core::Force& force : b.scene.forces)
     std::visit([&](const auto& f) { add(b, f, motions); }, force);
+  for (std::size_t i = 0; i < motions.size(); ++i)
+    if (const auto& own = b.scene.bodies[i].gravity)
+      motions[i].force = motions[i].force + b.bodies[i].mass * b.vector(*own);
 }
 
 }  // namespace cylon::certified

@@ -20,7 +20,7 @@ struct Drop {
   WideVector fall, surroundings;  // g, u
   Wide rate;                      // mu/m0
 
-  Drop(const core::Scene& scene, std::size_t index) : fall(widen(gravity(scene))) {
+  Drop(const core::Scene& scene, std::size_t index) : fall(widen(gravity(scene, index))) {
     const core::Body& body = scene.bodies[index];
     const core::Thrust thrust = thrust_of(scene, index);
     start = {widen(body.initial.position), widen(body.initial.velocity), WideVector::Zero(),

@@ -160,8 +160,9 @@ int plane_of(const core::Scene& scene, const core::ContactRules& may_touch, int 
 core::Truth bouncing_sphere(const core::Scene& scene, double horizon) {
   check_bodies(name, scene, horizon);
   check_forces(name, scene, {"gravity"});
+  check_falls_alike(name, scene);
   check_no_joints(name, scene);
-  const core::Vector3 g = gravity(scene);
+  const core::Vector3 g = common_gravity(scene);
   const core::ContactRules may_touch(scene);
   core::Truth truth;
   std::vector<Sphere> spheres;

@@ -36,7 +36,7 @@ class Section {
     const core::Body& body = scene.bodies[0];
     normal_ = widen(scene.planes[0].normal).normalized();
     offset_ = scene.planes[0].offset;
-    gravity_ = widen(gravity(scene));
+    gravity_ = widen(common_gravity(scene));
     const WideMatrix axes = widen(body.initial.orientation).toRotationMatrix();
     const WideVector half = widen(std::get<core::Box>(body.shape).half_extents);
     axis = 0;
@@ -105,7 +105,7 @@ Fall solve(const core::Scene& scene, double horizon) {
                  .velocity = widen(start.velocity),
                  .angular_velocity = section.edge.dot(widen(start.angular_velocity)) * section.edge,
                  .orientation = widen(start.orientation)};
-  const WideVector g = widen(gravity(scene));
+  const WideVector g = widen(common_gravity(scene));
   Fall fall;
   Track track;
   track.add(0, uniform_motion(s, g, WideVector::Zero()));
@@ -140,7 +140,7 @@ void check_box(const core::Scene& scene) {
   check_meets(name, scene, core::ContactRules(scene), {0, core::world, 0});
   check_smooth(name, scene, {0, core::world, 0});
   const Section section(scene);
-  if (!(section.normal().dot(widen(gravity(scene))) < 0))
+  if (!(section.normal().dot(widen(common_gravity(scene))) < 0))
     refuse(name, "gravity does not point into the plane");
   if (std::abs(section.edge.dot(section.normal())) > 1e-14L) refuse(name, "no edge is parallel to the plane");
   const WideVector w = widen(body.initial.angular_velocity);
@@ -166,6 +166,7 @@ void check_box(const core::Scene& scene) {
 core::Truth box_drop_edge(const core::Scene& scene, double horizon) {
   check_bodies(name, scene, horizon);
   check_forces(name, scene, {"gravity"});
+  check_falls_alike(name, scene);
   check_no_joints(name, scene);
   check_box(scene);
   const Fall fall = solve(scene, horizon);

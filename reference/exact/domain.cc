@@ -72,6 +72,10 @@ void check_forces(std::string_view solution, const core::Scene& scene,
     refuse(solution, std::string("a force that it does not know: ") + std::string(f.kind) +
                          (f.body == core::world ? "" : " on " + named(scene, f.body)));
   }
+  if (std::ranges::find(kinds, core::Element<core::UniformGravity>::name) != kinds.end()) return;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    if (scene.bodies[i].gravity && !scene.bodies[i].gravity->isZero(0))
+      refuse(solution, named(scene, static_cast<int>(i)) + " has a gravity of its own");
 }
 
 void check_no_rest_length(std::string_view solution, const core::Scene& scene) {
@@ -133,12 +137,28 @@ void check_smooth(std::string_view solution, const core::Scene& scene, const cor
   if (material->friction != 0) refuse(solution, "friction of " + both + " is not zero");
 }
 
-core::Vector3 gravity(const core::Scene& scene) {
-  core::Vector3 sum = core::Vector3::Zero();
-  for (const core::Force& force : scene.forces) {
-    if (const auto* g = std::get_if<core::UniformGravity>(&force)) sum += g->acceleration;
-  }
-  return sum;
+core::Vector3 gravity(const core::Scene& scene, std::size_t body) {
+  return core::gravity_of(scene, scene.bodies.at(body));
+}
+
+core::Vector3 common_gravity(const core::Scene& scene) {
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    if (!scene.bodies[i].locked) return gravity(scene, i);
+  return core::gravity(scene);
+}
+
+void check_all_fall(std::string_view solution, const core::Scene& scene) {
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    if (gravity(scene, i).isZero(0.0))
+      refuse(solution, scene.bodies[i].gravity ? named(scene, static_cast<int>(i)) + " has no gravity"
+                                               : std::string("the scene has no gravity"));
+}
+
+void check_falls_alike(std::string_view solution, const core::Scene& scene) {
+  const core::Vector3 all = common_gravity(scene);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    if (!scene.bodies[i].locked && gravity(scene, i) != all)
+      refuse(solution, named(scene, static_cast<int>(i)) + " has another gravity than the others");
 }
 
 }  // namespace cylon::exact

@@ -25,7 +25,8 @@ void check_no_contacts(std::string_view solution, const core::Scene&);
 
 void check_no_joints(std::string_view solution, const core::Scene&);
 
-/// No force but those of the given kinds, in the words of a scenario file: "gravity", "spring", "drag", ….
+/// No force but those of the given kinds, in the words of a scenario file: "gravity", "spring", "drag", ….  Where
+/// gravity is none of them, bodies have none of their own either.
 void check_forces(std::string_view solution, const core::Scene&,
                   std::initializer_list<std::string_view> kinds);
 
@@ -47,7 +48,16 @@ void check_meets(std::string_view solution, const core::Scene&, const core::Cont
 /// The pair has a material, and no friction.
 void check_smooth(std::string_view solution, const core::Scene&, const core::Pair&);
 
-/// Sum of the uniform gravities [m/s^2].
-core::Vector3 gravity(const core::Scene&);
+/// What makes the body fall [m/s^2].
+core::Vector3 gravity(const core::Scene&, std::size_t body);
+
+/// What makes all bodies fall alike [m/s^2]; those that are locked do not count.  check_falls_alike says whether.
+core::Vector3 common_gravity(const core::Scene&);
+
+/// Gravity acts on every body.
+void check_all_fall(std::string_view solution, const core::Scene&);
+
+/// No body that can move has a gravity that differs from that of another.
+void check_falls_alike(std::string_view solution, const core::Scene&);
 
 }  // namespace cylon::exact

@@ -122,20 +122,20 @@ void check_free_rotation(std::string_view solution, const core::Scene& scene, st
   if (!(core::principal_axes(body.inertia).moments.minCoeff() > 0)) {
     refuse(solution, of + " has a moment of inertia that is not positive");
   }
-  if (AsymmetricTop(body, gravity(scene)).on_separatrix()) {
+  if (AsymmetricTop(body, gravity(scene, index)).on_separatrix()) {
     refuse(solution, of + " is on the separatrix, |L|^2 = 2 E I2: it flips once, for ever");
   }
 }
 
 std::function<WideState(Wide)> free_rotation(const core::Scene& scene, std::size_t index) {
-  return [top = AsymmetricTop(scene.bodies[index], gravity(scene))](Wide t) { return top.at(t); };
+  return [top = AsymmetricTop(scene.bodies[index], gravity(scene, index))](Wide t) { return top.at(t); };
 }
 
 namespace {
 
 std::function<core::State(double)> solve_scene(const core::Scene& scene) {
   std::vector<AsymmetricTop> tops;
-  for (const core::Body& body : scene.bodies) tops.emplace_back(body, gravity(scene));
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) tops.emplace_back(scene.bodies[i], gravity(scene, i));
   return together(std::move(tops));
 }
 

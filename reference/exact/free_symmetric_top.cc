@@ -38,7 +38,7 @@ struct SymmetricTop {
 
 std::function<core::State(double)> solve(const core::Scene& scene) {
   std::vector<SymmetricTop> tops;
-  for (const core::Body& body : scene.bodies) tops.emplace_back(body, gravity(scene));
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) tops.emplace_back(scene.bodies[i], gravity(scene, i));
   return together(std::move(tops));
 }
 

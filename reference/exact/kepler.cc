@@ -113,7 +113,7 @@ Pair pair_of(const core::Scene& scene) {
 class TwoBodies {
  public:
   explicit TwoBodies(const core::Scene& scene)
-      : pair_(pair_of(scene)), gravity_(widen(gravity(scene))), conic_(make(scene, pair_)) {
+      : pair_(pair_of(scene)), gravity_(widen(common_gravity(scene))), conic_(make(scene, pair_)) {
     const core::Body &a = scene.bodies[pair_.a], &b = scene.bodies[pair_.b];
     const Wide total = Wide(a.mass) + Wide(b.mass);
     share_a_ = a.locked ? 0 : b.locked ? 1 : b.mass / total;
@@ -174,7 +174,7 @@ void check_pair(const core::Scene& scene) {
   const Pair pair = pair_of(scene);
   const core::Body &a = scene.bodies[pair.a], &b = scene.bodies[pair.b];
   if (a.locked && b.locked) refuse(name, "both bodies are locked");
-  if ((a.locked || b.locked) && !gravity(scene).isZero(0.0)) {
+  if ((a.locked || b.locked) && !common_gravity(scene).isZero(0.0)) {
     refuse(name, "the scene has gravity and a locked body");
   }
   if (!(pair.force->strength > 0)) refuse(name, "the attraction has no strength");
@@ -199,6 +199,7 @@ core::Truth kepler(const core::Scene& scene, double horizon) {
   for (core::Body& body : unlocked.bodies) body.locked = false;
   check_bodies(name, unlocked, horizon);
   check_forces(name, scene, {"gravity", "attraction"});
+  check_falls_alike(name, scene);
   check_no_joints(name, scene);
   check_no_contacts(name, scene);
   check_pair(scene);

@@ -20,7 +20,7 @@ LinearMotion::LinearMotion(const core::Scene& scene, std::size_t index)
     : spin_(scene, index),
       centre_(WideVector::Zero()),
       velocity_(widen(scene.bodies[index].initial.velocity)),
-      pushes_{{widen(gravity(scene)), 0}} {
+      pushes_{{widen(gravity(scene, index)), 0}} {
   const Wide mass = scene.bodies[index].mass;
   const auto here = [index](int body) { return body == static_cast<int>(index); };
   for (const core::Force& force : scene.forces) {

@@ -40,7 +40,8 @@ class Pendulum {
     pivot_ = widen(hinge.point);
     rate_ = axis_.dot(widen(body.initial.angular_velocity));
     const auto across = [this](const WideVector& v) -> WideVector { return v - axis_.dot(v) * axis_; };
-    const WideVector arm = across(arm_), fall = across(widen(gravity(scene))), n = start_.conjugate() * axis_;
+    const WideVector arm = across(arm_), fall = across(widen(gravity(scene, index))),
+                     n = start_.conjugate() * axis_;
     const Wide moment = n.dot(body.inertia.cast<Wide>() * n) + Wide(body.mass) * arm.squaredNorm();
     frequency_ = std::sqrt(Wide(body.mass) * fall.norm() * arm.norm() / moment);
     if (frequency_ == 0) return;

@@ -189,7 +189,7 @@ core::Truth truth_of(std::string_view solution, const core::Scene& scene, const 
                      double horizon, std::string source) {
   Course course = solve(scene);
   const Difference size = size_of(course, horizon);
-  const Wide fast = size.velocity + gravity(scene).norm() * horizon;  // what there is to jump
+  const Wide fast = size.velocity + core::strongest_gravity(scene) * horizon;  // what there is to jump
   core::Truth truth;
   add(truth.error, 8 * eps, size);
   for (const double sign : {1.0, -1.0}) {

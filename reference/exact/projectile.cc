@@ -10,7 +10,8 @@ namespace {
 
 std::function<core::State(double)> solve(const core::Scene& scene) {
   std::vector<Flight> flights;
-  for (const core::Body& body : scene.bodies) flights.emplace_back(body.initial, gravity(scene));
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    flights.emplace_back(scene.bodies[i].initial, gravity(scene, i));
   return together(std::move(flights));
 }
 

@@ -20,7 +20,7 @@ struct Rocket {
   WideVector fall, push;  // g, F/m0
   Wide rate;              // mu/m0
 
-  Rocket(const core::Scene& scene, std::size_t index) : fall(widen(gravity(scene))) {
+  Rocket(const core::Scene& scene, std::size_t index) : fall(widen(gravity(scene, index))) {
     const core::Body& body = scene.bodies[index];
     const core::Thrust thrust = thrust_of(scene, index);
     start = {widen(body.initial.position), widen(body.initial.velocity), WideVector::Zero(),

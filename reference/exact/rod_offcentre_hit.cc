@@ -78,7 +78,7 @@ Motion steady(const core::BodyState& s, const WideVector& g) {
 
 Course solve(const core::Scene& scene, double horizon) {
   const Pairing pair(scene);
-  const WideVector g = widen(gravity(scene));
+  const WideVector g = widen(common_gravity(scene));
   Course course;
   course.tracks.resize(2);
   for (std::size_t i : {0u, 1u}) course.tracks[i].add(0, steady(scene.bodies[i].initial, g));
@@ -150,6 +150,7 @@ void check_once(const core::Scene& scene, const Course& course, double horizon) 
 core::Truth rod_offcentre_hit(const core::Scene& scene, double horizon) {
   check_bodies(name, scene, horizon);
   check_forces(name, scene, {"gravity"});
+  check_falls_alike(name, scene);
   check_no_joints(name, scene);
   if (scene.bodies.size() != 2) refuse(name, "the scene must have two bodies");
   if (!scene.planes.empty()) refuse(name, "the scene has plane '" + scene.planes[0].name + "'");

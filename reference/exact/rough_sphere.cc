@@ -34,7 +34,7 @@ class Run {
     if (material) restitution_ = material->restitution, friction_ = material->friction;
     radius_ = std::get<core::Sphere>(body.shape).radius;
     ratio_ = Wide(body.inertia.trace()) / 3 / (Wide(body.mass) * radius_ * radius_);
-    gravity_ = widen(gravity(scene));
+    gravity_ = widen(common_gravity(scene));
     normal_ = widen(scene.planes[0].normal).normalized();
     load_ = std::max<Wide>(0, -normal_.dot(gravity_));
     along_ = gravity_ + load_ * normal_;
@@ -185,7 +185,7 @@ Wide check_sphere(const core::Scene& scene, int i) {
 
 // Gravity along a plane that is level but for a rounding [m/s^2].
 Wide check_level(const core::Scene& scene) {
-  const WideVector g = widen(gravity(scene)), n = widen(scene.planes[0].normal).normalized();
+  const WideVector g = widen(common_gravity(scene)), n = widen(scene.planes[0].normal).normalized();
   const Wide along = (g - n.dot(g) * n).norm();
   if (along > 1e-14L * g.norm() && along < 1e-6L * g.norm()) {
     refuse(name, "plane '" + scene.planes[0].name + "' is neither level nor a slope");
@@ -198,9 +198,10 @@ Wide check_level(const core::Scene& scene) {
 core::Truth rough_sphere(const core::Scene& scene, double horizon) {
   check_bodies(name, scene, horizon);
   check_forces(name, scene, {"gravity"});
+  check_falls_alike(name, scene);
   check_no_joints(name, scene);
   if (scene.planes.size() != 1) refuse(name, "the scene must have one plane");
-  if (scene.planes[0].normal.dot(gravity(scene)) > 0) {
+  if (scene.planes[0].normal.dot(common_gravity(scene)) > 0) {
     refuse(name, "gravity points out of plane '" + scene.planes[0].name + "'");
   }
   const core::ContactRules may_touch(scene);

@@ -23,7 +23,7 @@ struct Airplane {
   Wide rate;
 
   Airplane(const core::Scene& scene, std::size_t index)
-      : flight(scene.bodies[index].initial, gravity(scene)), rate(flight.angular_velocity.norm()) {
+      : flight(scene.bodies[index].initial, gravity(scene, index)), rate(flight.angular_velocity.norm()) {
     WideVector push = WideVector::Zero();
     for (const core::Force& force : scene.forces) {
       const auto* thrust = std::get_if<core::Thrust>(&force);

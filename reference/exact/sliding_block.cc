@@ -27,7 +27,7 @@ struct Slope {
   WideVector gravity_along;  // g_t
 
   Slope(const core::Scene& scene, int i) {
-    const WideVector g = widen(gravity(scene)), v = widen(scene.bodies[index_of(i)].initial.velocity);
+    const WideVector g = widen(common_gravity(scene)), v = widen(scene.bodies[index_of(i)].initial.velocity);
     normal = widen(scene.planes[0].normal).normalized();
     load = -normal.dot(g);
     gravity_along = g + load * normal;
@@ -133,6 +133,7 @@ Remainder check_block(const core::Scene& scene, int i) {
 core::Truth sliding_block(const core::Scene& scene, double horizon) {
   check_bodies(name, scene, horizon);
   check_forces(name, scene, {"gravity"});
+  check_falls_alike(name, scene);
   check_no_joints(name, scene);
   if (scene.planes.size() != 1) refuse(name, "the scene must have one plane");
   const core::ContactRules may_touch(scene);

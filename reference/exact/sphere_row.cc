@@ -90,7 +90,7 @@ std::vector<std::vector<int>> rows_of(const core::Scene& scene, const WideVector
 
 Ball ball(const core::Scene& scene, const WideVector& d, int i) {
   const core::Body& body = scene.bodies[index_of(i)];
-  Flight across(body.initial, gravity(scene));
+  Flight across(body.initial, common_gravity(scene));
   const Wide x = d.dot(across.position), u = d.dot(across.velocity);
   across.position -= x * d;
   across.velocity -= u * d;
@@ -275,6 +275,7 @@ void check_sequential(const core::Scene& scene, const std::vector<Impact>& impac
 core::Truth sphere_row(const core::Scene& scene, double horizon) {
   check_bodies(name, scene, horizon);
   check_forces(name, scene, {"gravity"});
+  check_falls_alike(name, scene);
   check_no_joints(name, scene);
   if (!scene.planes.empty()) refuse(name, "the scene has plane '" + scene.planes[0].name + "'");
   for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) {

@@ -24,7 +24,7 @@ Track to_and_fro(const core::Scene& scene, int index, Wide horizon, std::vector<
   const Wide r = colliding_radius(name, scene, index);
   const WideVector normal = widen(scene.planes[0].normal).normalized();
   const std::array<Wide, 2> wall = {Wide(scene.planes[0].offset) + r, -Wide(scene.planes[1].offset) - r};
-  Flight along(body.initial, gravity(scene));
+  Flight along(body.initial, common_gravity(scene));
   Wide x = std::clamp(normal.dot(along.position), wall[0], wall[1]), u = normal.dot(along.velocity), t = 0;
   along.position -= normal.dot(along.position) * normal;
   along.velocity -= u * normal;
@@ -67,11 +67,12 @@ Track to_and_fro(const core::Scene& scene, int index, Wide horizon, std::vector<
 core::Truth sphere_two_walls(const core::Scene& scene, double horizon) {
   check_bodies(name, scene, horizon);
   check_forces(name, scene, {"gravity"});
+  check_falls_alike(name, scene);
   check_no_joints(name, scene);
   if (scene.planes.size() != 2) refuse(name, "the scene must have two planes");
   const core::Plane &left = scene.planes[0], &right = scene.planes[1];
   if (!(left.normal + right.normal).isZero(0)) refuse(name, "the planes do not face each other");
-  if (left.normal.dot(gravity(scene)) != 0) refuse(name, "gravity acts across the walls");
+  if (left.normal.dot(common_gravity(scene)) != 0) refuse(name, "gravity acts across the walls");
   const core::ContactRules may_touch(scene);
   const int count = static_cast<int>(scene.bodies.size());
   for (int i = 0; i < count; ++i) {

@@ -74,7 +74,7 @@ class Chain {
   explicit Chain(const core::Scene& scene) : modes_(scene), line_(line_of(scene)) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) spins_.emplace_back(scene, i);
     start_ = core::initial_state(scene);
-    fall_ = gravity(scene);
+    fall_ = common_gravity(scene);
     for (int axis = 0; axis < 3; ++axis) coordinates_[axis] = coordinate(scene, axis);
   }
 
@@ -257,7 +257,7 @@ void check_line(const core::Scene& scene) {
         refuse(name, named(scene, static_cast<int>(i)) + " moves across the chain");
       }
     }
-    if (!free && gravity(scene)[axis] != 0) refuse(name, "gravity acts across the chain");
+    if (!free && common_gravity(scene)[axis] != 0) refuse(name, "gravity acts across the chain");
   }
 }
 
@@ -266,6 +266,7 @@ void check_line(const core::Scene& scene) {
 core::Truth spring_chain(const core::Scene& scene, double horizon) {
   check_bodies(name, scene, horizon);
   check_forces(name, scene, {"gravity", "spring"});
+  check_falls_alike(name, scene);
   check_no_joints(name, scene);
   check_no_contacts(name, scene);
   for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) check_steady_spin(name, scene, i);

@@ -190,10 +190,11 @@ void check_orbits(const core::Scene& scene) {
 core::Truth spring_orbit(const core::Scene& scene, double horizon) {
   check_bodies(name, scene, horizon);
   check_forces(name, scene, {"gravity", "spring"});
+  check_falls_alike(name, scene);
   check_springs(name, scene);
   check_no_joints(name, scene);
   check_no_contacts(name, scene);
-  if (!gravity(scene).isZero(0.0)) refuse(name, "the scene has gravity");
+  if (!common_gravity(scene).isZero(0.0)) refuse(name, "the scene has gravity");
   for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) check_steady_spin(name, scene, i);
   check_orbits(scene);
   return {.state = solve(scene),

@@ -19,7 +19,7 @@ struct Harmonic {
       : flight(scene.bodies[index].initial, core::Vector3::Zero()) {
     const Wide mass = scene.bodies[index].mass;
     Wide stiffness = 0;
-    WideVector pull = mass * widen(gravity(scene));
+    WideVector pull = mass * widen(gravity(scene, index));
     for (const core::Force& force : scene.forces) {
       const auto* spring = std::get_if<core::Spring>(&force);
       if (!spring || spring->body != static_cast<int>(index)) continue;

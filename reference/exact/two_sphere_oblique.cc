@@ -66,6 +66,7 @@ struct Smooth {
 core::Truth two_sphere_oblique(const core::Scene& scene, double horizon) {
   check_bodies(name, scene, horizon);
   check_forces(name, scene, {"gravity"});
+  check_falls_alike(name, scene);
   check_no_joints(name, scene);
   if (scene.bodies.size() != 2) refuse(name, "the scene must have two bodies");
   if (!scene.planes.empty()) refuse(name, "the scene has a plane, '" + scene.planes.front().name + "'");
@@ -82,7 +83,7 @@ core::Truth two_sphere_oblique(const core::Scene& scene, double horizon) {
   const double contact = static_cast<double>(radii);
   if (distance < contact * (1 - 1e-12)) refuse(name, "the spheres overlap at the start");
 
-  const core::Vector3 g = gravity(scene);
+  const core::Vector3 g = common_gravity(scene);
   const Collision hit = collide(scene, radii, material->restitution);
   core::Truth truth;
   truth.state = together(

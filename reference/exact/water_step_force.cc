@@ -57,7 +57,7 @@ class Cork {
     const Wide i = cell(body.initial.position.x()), j = cell(body.initial.position.z());
     phase_ = i;
     level_ = Wide(water_.level) + Wide(water_.wave) / 2 * std::sin(i * j / 2);
-    fall_ = gravity(scene).y();
+    fall_ = common_gravity(scene).y();
     lift_ = Wide(water_.buoyancy) / body.mass, drag_ = Wide(water_.drag) / body.mass;
     Height here = {start_.position.y(), body.initial.velocity.y()};
     Wide t = 0;
@@ -143,7 +143,7 @@ void check_corks(const core::Scene& scene, double horizon) {
     if (water->mode != "step") refuse(name, "the water is not of mode 'step'");
   }
   if (waters == 0) refuse(name, "the scene has no water");
-  const core::Vector3 g = gravity(scene);
+  const core::Vector3 g = common_gravity(scene);
   if (g.x() != 0 || g.z() != 0) refuse(name, "gravity is not vertical");
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const core::BodyState& s = scene.bodies[i].initial;
@@ -163,6 +163,7 @@ void check_corks(const core::Scene& scene, double horizon) {
 core::Truth water_step_force(const core::Scene& scene, double horizon) {
   check_bodies(name, scene, horizon);
   check_forces(name, scene, {"gravity", "water"});
+  check_falls_alike(name, scene);
   check_no_joints(name, scene);
   check_no_contacts(name, scene);
   check_corks(scene, horizon);

@@ -217,6 +217,11 @@ inline MixedScene mixed_scene(std::uint32_t number) {
     // Not of bodies that attract each other: what nothing keeps apart comes as near as it likes.
     if (m.forces.attractions.empty() && dice.one_in(3)) mixed::add_filters(dice, m, scene.text);
   }
+  if (dice.one_in(4)) {
+    const std::size_t i = dice.below(n);
+    m.bodies[i].gravity = dice.one_in(3) ? Vector3(Vector3::Zero()) : Vector3(dice.vector(9));
+    scene.text += " own gravity" + std::to_string(i);
+  }
   return scene;
 }
 

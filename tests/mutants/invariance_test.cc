@@ -99,7 +99,7 @@ Claim restated(const Claim& claim, const Description& d, const Vector3& up) {
 
 Scenario restated(const Scenario& scenario, const Description& d) {
   Scenario result = scenario;
-  const Vector3 up = core::event_up(scenario.scene);
+  const Vector3 up = core::event_up(scenario.scene, scenario.scene.bodies.front());
   result.scene = d.words(scenario.scene);
   for (core::Body& body : result.scene.bodies) body.initial.velocity += d.boost;
   for (core::Force& force : result.scene.forces)
@@ -173,7 +173,8 @@ class Descriptions : public testing::TestWithParam<std::filesystem::path> {};
 
 void expect_same_verdicts(const Scenario& scenario, const ShippedRun& run, const Description& d) {
   const Scenario other = restated(scenario, d);
-  const core::Recording recording = restated(run.recording, d, core::event_up(scenario.scene));
+  const core::Recording recording =
+      restated(run.recording, d, core::event_up(scenario.scene, scenario.scene.bodies.front()));
   for (std::size_t i = 0; i < scenario.claims.size(); ++i) {
     const Claim& claim = other.claims[i];
     if (core::runs_needed(claim) > 1) continue;  // one recording is at hand

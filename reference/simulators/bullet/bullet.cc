@@ -142,6 +142,7 @@ class Run {
         filters_(scene_),
         pairs_(core::jointed_pairs(scene_)),
         dt_(dt),
+        of_all_(core::gravity(scene_)),
         forces_(scene_),
         surfaces_(scene_),
         dispatcher_(&config_),
@@ -155,7 +156,7 @@ class Run {
                                                          &config_);
     }
     world_->getPairCache()->setOverlapFilterCallback(&pairs_);
-    world_->setGravity(to_bullet(applied::gravity(scene_)));
+    world_->setGravity(to_bullet(core::gravity(scene_)));
     world_->setApplySpeculativeContactRestitution(settings.on("speculative-restitution"));
     apply(settings, config_);
     apply(settings, world_->getSolverInfo());
@@ -173,6 +174,8 @@ class Run {
         bodies_[i]->push(wrenches[i].force, wrenches[i].torque);
       for (const std::size_t i : forces_.changing()) bodies_[i]->set_mass(forces_.mass(i));
     }
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+      if (const auto& own = scene_.bodies[i].gravity) bodies_[i]->fall(*own - of_all_);
     world_->stepSimulation(to_bullet(dt_), 0);
     ++steps_;
   }
@@ -287,6 +290,7 @@ class Run {
   core::CollisionFilters filters_;
   ContactPairs pairs_;
   double dt_;
+  core::Vector3 of_all_;  // gravity of bodies without their own [m/s^2]
   applied::Forces forces_;
   std::int64_t steps_ = 0;
   core::State state_;

@@ -18,6 +18,10 @@ class Rigid final : public BulletBody {
         body_(info(body, placing)) {
     prepare(body_, placing, settings);
     body_.setFlags(gyroscopic_flag(settings.gyroscopic));
+    if (body.gravity) {  // the world's is for those without
+      body_.setFlags(body_.getFlags() | BT_DISABLE_WORLD_GRAVITY);
+      body_.setGravity(to_bullet(*body.gravity));
+    }
     // The motion threshold is below the radius at which a sphere could skip what it touches.
     const double sphere = swept_radius(body.shape, placing.principal.rotation);
     if (settings.on("ccd") && !body.locked && sphere > 0) {

@@ -28,6 +28,10 @@ class BulletBody {
   /// From the next step on [kg]; the inertia stays.
   virtual void set_mass(double mass) = 0;
 
+  /// For the next step, after set_mass: what gravity of its own adds to the world's, where the object has none of
+  /// its own [m/s^2].
+  virtual void fall(const core::Vector3&) {}
+
   /// For joints; nothing for a multibody.
   virtual btRigidBody* rigid() { return nullptr; }
 };

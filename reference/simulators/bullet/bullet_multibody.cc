@@ -102,6 +102,13 @@ class TreeBody {
       multibody_.getLink(link).m_mass = to_bullet(mass);
   }
 
+  // btMultiBodyDynamicsWorld adds m g of the world to the base and to each link, and knows no other gravity.
+  void fall(int link, const core::Vector3& more) {
+    const btScalar mass = link < 0 ? multibody_.getBaseMass() : multibody_.getLinkMass(link);
+    const btVector3 force = mass * to_bullet(more);
+    link < 0 ? multibody_.addBaseForce(force) : multibody_.addLinkForce(link, force);
+  }
+
   btMultiBody& multibody() { return multibody_; }
 
  private:
@@ -200,6 +207,7 @@ class Link final : public BulletBody {
     tree_->push(link_, force, torque);
   }
   void set_mass(double mass) override { tree_->set_mass(link_, mass); }
+  void fall(const core::Vector3& more) override { tree_->fall(link_, more); }
 
  private:
   std::shared_ptr<TreeBody> tree_;

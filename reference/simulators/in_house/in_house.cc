@@ -57,7 +57,7 @@ core::Engine describe() {
   for (const engine::Integrator& row : engine::integrators())
     engine.integrators.push_back(
         {std::string(row.name), row.order, std::string(row.conserves), row.kind == engine::Kind::adaptive});
-  engine.knows = {"collision_filters"};
+  engine.knows = {"collision_filters", "body_gravity"};
   engine.options.push_back({"model",
                             {"planned", "full"},
                             "planned",

@@ -38,6 +38,7 @@ void add_bodies(const Scene& scene, Model& model) {
   for (const core::Body& body : scene.bodies) {
     model.bodies.push_back(
         engine::make_body(real(body.mass), engine::Matrix3(body.inertia.cast<Real>()), body.locked));
+    if (body.gravity) model.bodies.back().gravity = real(*body.gravity);
     const core::BodyState& s = body.initial;
     model.motions.push_back(engine::make_motion(model.bodies.back(), real(s.position), real(s.orientation),
                                                 real(s.velocity), real(s.angular_velocity)));

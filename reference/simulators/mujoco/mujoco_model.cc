@@ -81,7 +81,7 @@ class Writer {
     put("<size njmax=\"{}\" nconmax=\"{}\" nstack=\"{}\"/>\n", std::max(1, static_cast<int>(memory.rows)),
         std::max(1, static_cast<int>(contacts_.points)), static_cast<int>(memory.numbers));
     put("<option timestep=\"{}\" gravity=\"{}\" integrator=\"{}\" collision=\"{}\"", text(dt_),
-        text(applied::gravity(scene_)),
+        text(core::gravity(scene_)),
         settings_.integrator == "rk4"     ? "RK4"
         : settings_.integrator == "euler" ? "Euler"
                                           : "implicit",

@@ -85,6 +85,7 @@ class Ode final : public core::Simulator {
   void add_body(const Body&);
   void add_joint(std::size_t);
   void apply_forces();
+  void apply_own_gravity();
   bool may_touch(const Owner&, const Owner&) const;
   void collide(dGeomID, dGeomID);
   void note_contacts();
@@ -142,7 +143,7 @@ Terms Ode::load(const Scene& scene, const Setup& setup) {
   dWorldSetContactSurfaceLayer(world_->id, settings_.surface_layer);
   dWorldSetContactMaxCorrectingVel(world_->id, dInfinity);
 
-  const Vector3 gravity = applied::gravity(scene_);
+  const Vector3 gravity = core::gravity(scene_);
   dWorldSetGravity(world_->id, gravity.x(), gravity.y(), gravity.z());
 
   for (const Body& body : scene_.bodies) add_body(body);
@@ -179,6 +180,7 @@ void Ode::add_body(const Body& body) {
     dBodySetAutoDisableFlag(id, 0);
     dBodySetGyroscopicMode(id, settings_.gyro ? 1 : 0);
     dBodySetFiniteRotationMode(id, settings_.finite_rotation ? 1 : 0);
+    dBodySetGravityMode(id, body.gravity ? 0 : 1);  // its own is a force: apply_own_gravity
     const BodyState& s = body.initial;
     dBodySetPosition(id, s.position.x(), s.position.y(), s.position.z());
     const dQuaternion q = {s.orientation.w(), s.orientation.x(), s.orientation.y(), s.orientation.z()};
@@ -251,8 +253,20 @@ void Ode::apply_forces() {
   }
 }
 
+// m g of the step's mass, as ODE adds the world's.
+void Ode::apply_own_gravity() {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const auto& own = scene_.bodies[i].gravity;
+    if (!own || !bodies_[i]) continue;
+    dMass mass;
+    dBodyGetMass(bodies_[i], &mass);
+    dBodyAddForce(bodies_[i], mass.mass * own->x(), mass.mass * own->y(), mass.mass * own->z());
+  }
+}
+
 void Ode::step() {
   apply_forces();
+  apply_own_gravity();
   dSpaceCollide(world_->space, this,
                 [](void* me, dGeomID a, dGeomID b) { static_cast<Ode*>(me)->collide(a, b); });
   const int done = settings_.quick ? dWorldQuickStep(world_->id, dt_) : dWorldStep(world_->id, dt_);

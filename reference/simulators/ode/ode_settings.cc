@@ -258,7 +258,7 @@ core::Engine ode_engine(std::string version) {
       "always 'step'",
       {{integrator_name, 1, "linear momentum"}},
       {},
-      {"collision_filters"}};
+      {"collision_filters", "body_gravity"}};
   for (const OdeOption& option : ode_options())
     engine.options.push_back({option.name, option.words, option.engine_default, option.meaning});
   return engine;

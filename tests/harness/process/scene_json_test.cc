@@ -69,7 +69,7 @@ CYLON_FIELDS(Mesh, a, b)
 CYLON_FIELDS(Part, a, b, c, d)
 CYLON_FIELDS(Compound, a)
 CYLON_FIELDS(BodyState, a, b, c, d)
-CYLON_FIELDS(Body, a, b, c, d, e, f, g, h, i, j)
+CYLON_FIELDS(Body, a, b, c, d, e, f, g, h, i, j, k)
 CYLON_FIELDS(UniformGravity, a)
 CYLON_FIELDS(Spring, a, b, c, d, e, f, g)
 CYLON_FIELDS(Drag, a, b, c, d)
@@ -184,6 +184,7 @@ class Dice {
       body.initial = {vector(), quaternion(), vector(), vector()};
       body.shape = shape(i);
       body.locked = flag(), body.collide = flag();
+      if (flag()) body.gravity = vector();
       if (flag()) body.collision_groups = {"wheels", "an odd \"name\""};
       if (flag()) body.collision_mask = {"default"};
       body.color = flag() ? "#12ab9f" : "";

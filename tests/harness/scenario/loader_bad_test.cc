@@ -103,6 +103,15 @@ std::vector<Bad> bad() {
       {"collide_bare", ball + "collide = true\n", "bad.toml:6:11: collide = true, but the body has no shape"},
       {"locked_number", ball + "locked = 1\n", "bad.toml:6:10: locked must be true or false, not an integer"},
       {"color", ball + "color = \"red\"\n", "color = 'red', valid: \"#rrggbb\""},
+      // Gravity of a body
+      {"own_gravity_number", ball + "gravity = 9.81\n",
+       "bad.toml:6:11: gravity must be three numbers [x, y, z]"},
+      {"own_gravity_nan", ball + "gravity = [0, nan, 0]\n",
+       "bad.toml:6:15: gravity = nan, but must be finite"},
+      {"own_gravity_locked", ball + "locked = true\ngravity = [0, 0, 0]\n",
+       "bad.toml:7:11: gravity: a locked body does not fall"},
+      {"own_gravity_huge", ball + "position = [0, 1e300, 0]\ngravity = [0, -1e300, 0]\n",
+       "bad.toml:7:11: gravity: the body has no finite energy at the start"},
       // Collision groups
       {"groups_text", sphere + "collision_groups = \"a\"\n",
        "bad.toml:8:20: collision_groups must be an array of strings, not a string"},

@@ -47,6 +47,7 @@ core::Scene everything() {
                   core::Water{-20, 0.1, 0.2, 1000, 3, "volume"}};
   scene.planes = {{"floor", Vector3(0.6, 0.8, 0), -30, {"ground", "an odd \"name\""}, {"tools"}}};
   scene.bodies[2].collide = true;
+  scene.bodies[2].gravity = Vector3(0.1, 0, -3.5), scene.bodies[3].gravity = Vector3::Zero();
   scene.bodies[2].collision_groups = {"tools"}, scene.bodies[2].collision_mask = {"ground", "tools"};
   scene.materials = {{{"*", "*"}, 0.25, 0.5}, {{"hull", "floor"}, 0.125, 0}};
   scene.impacts = core::Impacts::simultaneous;

@@ -295,6 +295,22 @@ std::vector<MaskedRow> faults_of_the_scene() {
        every_body([](Body& b) { b.inertia *= 1.01; })},
       {"inertia off by 1e-6", "of one moment", "hammer", "theory: orientation follows",
        every_body([](Body& b) { b.inertia(0, 0) *= 1 + 1e-6; })},
+      {"own gravity ignored", "all fall alike", "own_gravity", "position follows",
+       every_body([](Body& b) { b.gravity.reset(); })},
+      {"own gravity added", "to the scene's, in place of which it stands", "own_gravity", "position follows",
+       scene([](Scene& s) {
+         const Vector3 of_all = core::gravity(s);
+         for (Body& b : s.bodies)
+           if (b.gravity) *b.gravity += of_all;
+       })},
+      {"own gravity only switches off", "zero is known, other values are not", "own_gravity",
+       "position follows", every_body([](Body& b) {
+         if (b.gravity && !b.gravity->isZero(0)) b.gravity.reset();
+       })},
+      {"own gravity zero is none", "as if the key were absent", "own_gravity", "position follows",
+       every_body([](Body& b) {
+         if (b.gravity && b.gravity->isZero(0)) b.gravity.reset();
+       })},
       {"collision groups ignored", "everything touches everything", "groups", "position follows",
        groups_by([](const auto&, const auto&) { return true; })},
       {"collision groups of planes ignored", "bodies alone have filters", "groups_planes", "position follows",

@@ -53,6 +53,7 @@ const std::vector<SceneRow>& scene_rows() {
       {"locked_post", "scenarios/locked_post.toml"},
       {"fast_ball", "scenarios/fast_ball.toml"},
       {"cradle", "scenarios/newtons_cradle.toml"},
+      {"own_gravity", "scenarios/own_gravity.toml"},
       {"groups", "scenarios/collision_groups.toml"},
       {"groups_planes", "scenarios/collision_groups_planes.toml"},
   };

@@ -107,6 +107,7 @@ export interface Scene {
     angular_velocity: Vector;
     shape?: Shape; // absent: a point, or a bare rigid body
     locked: boolean;
+    gravity?: Vector; // absent: that of the scene [m/s^2]
     collide: boolean;
     collision_groups?: string[]; // absent: in "default"
     collision_mask?: string[]; // absent: all groups

@@ -16,7 +16,8 @@ export class Reach {
   constructor(scene: Scene, duration: number) {
     this.bounds = sceneBounds(scene);
     const fastest = Math.max(0, ...scene.body.map((body) => length(body.velocity)).filter(Number.isFinite));
-    const flight = fastest * duration + (length(scene.gravity) * duration ** 2) / 2;
+    const gravity = Math.max(length(scene.gravity), ...scene.body.map((body) => length(body.gravity ?? [0, 0, 0])));
+    const flight = fastest * duration + (gravity * duration ** 2) / 2;
     this.limit = Math.max(farthest * length(subtract(this.bounds.max, this.bounds.min)), 10 * flight);
     this.radius = scene.body.map((body) => shapeRadius(drawnShape(body)));
   }
