@@ -2,11 +2,11 @@
 // Sees the simulator interface and MuJoCo's headers; never a scenario, a claim or another adapter.
 #include "harness/core/simulator.h"
 #include "reference/applied/forces.h"
+#include "reference/applied/forest.h"
 #include "reference/simulators/mujoco/mujoco_contacts.h"
 #include "reference/simulators/mujoco/mujoco_limits.h"
 #include "reference/simulators/mujoco/mujoco_model.h"
 #include "reference/simulators/mujoco/mujoco_settings.h"
-#include "reference/simulators/mujoco/mujoco_tree.h"
 #include "reference/simulators/mujoco/mujoco_world.h"
 
 #include <fmt/format.h>
@@ -39,7 +39,7 @@ void store(const Vector3& v, mjtNum* out) { std::copy(v.begin(), v.end(), out); 
 
 // What the paths and the terms look at.  A body turns freely where it has no fixed axis and spins, or is pulled at a
 // point beside its centre, or by a torque.
-MujocoKind mujoco_kind(const Scene& scene, const MujocoForest& forest, bool rubs) {
+MujocoKind mujoco_kind(const Scene& scene, const applied::Forest& forest, bool rubs) {
   MujocoKind kind{core::scene_kind(scene)};
   kind.rubs = rubs;
   kind.loops = !forest.loops.empty();
@@ -49,7 +49,7 @@ MujocoKind mujoco_kind(const Scene& scene, const MujocoForest& forest, bool rubs
     if (const auto* thrust = std::get_if<core::Thrust>(&force)) kind.changes |= thrust->mass_rate != 0;
     kind.turns |= std::holds_alternative<core::Water>(force);
   }
-  for (const MujocoNode& node : forest.nodes) {
+  for (const applied::Node& node : forest.nodes) {
     if (scene.bodies[at(node.body)].locked) continue;
     const bool spins = !scene.bodies[at(node.body)].initial.angular_velocity.isZero(0);
     const bool fixed_axis = node.joint >= 0 && scene.joints[at(node.joint)].type != core::JointType::ball;
@@ -92,8 +92,8 @@ class Mujoco final : public core::Simulator {
     bool free = false;
   };
 
-  void place_bodies(const MujocoForest&);
-  void set_speeds(const MujocoForest&);
+  void place_bodies(const applied::Forest&);
+  void set_speeds(const applied::Forest&);
   void set_masses();
   void apply_forces();
   void see_warnings();
@@ -123,7 +123,7 @@ thread_local Mujoco* Mujoco::running_ = nullptr;
 // ---- Loading ----------------------------------------------------------------------------------------
 
 core::Terms Mujoco::load(const Scene& scene, const Setup& setup) {
-  const MujocoForest forest = mujoco_forest(scene);
+  const applied::Forest forest = applied::forest_of(scene);
   const MujocoContacts contacts = mujoco_contacts(scene);
   const MujocoKind kind = mujoco_kind(scene, forest, contacts.rubs);
   settings_ = mujoco_settings(engine_, setup, kind);
@@ -136,7 +136,7 @@ core::Terms Mujoco::load(const Scene& scene, const Setup& setup) {
   return mujoco_terms(settings_, kind);
 }
 
-void Mujoco::place_bodies(const MujocoForest& forest) {
+void Mujoco::place_bodies(const applied::Forest& forest) {
   const mjModel& m = *world_.model;
   places_.assign(scene_.bodies.size(), {});
   owners_.assign(at(m.nbody), core::world);
@@ -158,11 +158,11 @@ void Mujoco::place_bodies(const MujocoForest& forest) {
 
 // A free body: v of the world, w of the body; a ball joint: w against the parent, in body axes; a hinge: that along
 // its axis.
-void Mujoco::set_speeds(const MujocoForest& forest) {
+void Mujoco::set_speeds(const applied::Forest& forest) {
   for (std::size_t i = 0; i < places_.size(); ++i) {
     if (places_[i].speed < 0) continue;
     const BodyState& start = scene_.bodies[i].initial;
-    const MujocoNode& node = forest.nodes[i];
+    const applied::Node& node = forest.nodes[i];
     mjtNum* const speed = world_.data->qvel + places_[i].speed;
     Vector3 spin = start.angular_velocity;
     if (node.parent != core::world) spin -= scene_.bodies[at(node.parent)].initial.angular_velocity;

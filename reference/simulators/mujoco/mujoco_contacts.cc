@@ -3,8 +3,8 @@
 #include "harness/core/collision_filter.h"
 #include "harness/core/overloaded.h"
 #include "harness/core/surfaces.h"
+#include "reference/applied/forest.h"
 #include "reference/applied/parts.h"
-#include "reference/simulators/mujoco/mujoco_tree.h"
 
 #include <algorithm>
 #include <variant>
@@ -77,7 +77,7 @@ MujocoContacts mujoco_contacts(const core::Scene& scene) {
 }
 
 MujocoMemory mujoco_memory(const core::Scene& scene, std::int64_t points) {
-  const auto loops = static_cast<double>(mujoco_forest(scene).loops.size());
+  const auto loops = static_cast<double>(applied::forest_of(scene).loops.size());
   const auto bodies = static_cast<double>(scene.bodies.size()) + 1;
   double freedoms = 0;
   for (const core::Body& body : scene.bodies) freedoms += body.locked ? 0 : 6;

@@ -3,9 +3,9 @@
 #include "harness/core/overloaded.h"
 #include "harness/core/surfaces.h"
 #include "reference/applied/forces.h"
+#include "reference/applied/forest.h"
 #include "reference/applied/parts.h"
 #include "reference/simulators/mujoco/mujoco_contacts.h"
-#include "reference/simulators/mujoco/mujoco_tree.h"
 
 #include <fmt/format.h>
 
@@ -115,8 +115,8 @@ Reason against_contacts(const Scene& scene) {
 Reason against_size(const Scene& scene) {
   if (scene.bodies.size() > most_bodies)
     return fmt::format("MuJoCo has at most {} bodies; the scene has {}.", most_bodies, scene.bodies.size());
-  const MujocoForest forest = mujoco_forest(scene);
-  for (const MujocoNode& node : forest.nodes)
+  const applied::Forest forest = applied::forest_of(scene);
+  for (const applied::Node& node : forest.nodes)
     if (node.depth > deepest)
       return fmt::format(
           "MuJoCo's reader of XML takes at most {} bodies that hang from each other; '{}' is deeper.",

@@ -5,6 +5,7 @@
 #include "reference/applied/forces.h"
 #include "reference/applied/parts.h"
 #include "reference/simulators/mujoco/mujoco_limits.h"
+#include "reference/simulators/mujoco/mujoco_options.h"
 
 #include <fmt/format.h>
 
@@ -44,7 +45,7 @@ std::string plane_name(int plane) { return fmt::format("p{}", plane); }
 
 class Writer {
  public:
-  Writer(const core::Scene& scene, const MujocoForest& forest, const MujocoContacts& contacts,
+  Writer(const core::Scene& scene, const applied::Forest& forest, const MujocoContacts& contacts,
          const MujocoSettings& settings, double dt)
       : scene_(scene), forest_(forest), contacts_(contacts), settings_(settings), dt_(dt) {}
 
@@ -92,10 +93,10 @@ class Writer {
     put("/></option>\n");
   }
 
-  void write_attributes(MujocoPlace place) {
-    for (const MujocoOption& option : mujoco_options())
+  void write_attributes(int place) {
+    for (const applied::Option& option : mujoco_options().rows())
       if (option.place == place)
-        put(" {}=\"{}\"", option.setting, mujoco_text(option, settings_.at(option.name)));
+        put(" {}=\"{}\"", option.setting, applied::text(option, settings_.at(option.name)));
   }
 
   // The softness of contacts, listed or not, and of constraints.
@@ -131,7 +132,7 @@ class Writer {
 
   // In the frame of its parent; the joints are at zero where the scene starts.
   void write_moving(int i) {
-    const MujocoNode& node = forest_.nodes[at(i)];
+    const applied::Node& node = forest_.nodes[at(i)];
     const core::Body& one = body(i);
     Vector3 position = one.initial.position;
     Quaternion orientation = one.initial.orientation;
@@ -297,7 +298,7 @@ class Writer {
   std::string weld(const core::Joint& joint) const { return fmt::format("<weld {}/>\n", bodies(joint)); }
 
   const core::Scene& scene_;
-  const MujocoForest& forest_;
+  const applied::Forest& forest_;
   const MujocoContacts& contacts_;
   const MujocoSettings& settings_;
   double dt_;
@@ -308,8 +309,8 @@ class Writer {
 
 std::string mujoco_body_name(int i) { return fmt::format("b{}", i); }
 
-std::string mujoco_xml(const core::Scene& scene, const MujocoForest& forest, const MujocoContacts& contacts,
-                       const MujocoSettings& settings, double dt) {
+std::string mujoco_xml(const core::Scene& scene, const applied::Forest& forest,
+                       const MujocoContacts& contacts, const MujocoSettings& settings, double dt) {
   return Writer(scene, forest, contacts, settings, dt).xml();
 }
 

@@ -1,10 +1,8 @@
 #include "reference/simulators/mujoco/mujoco_settings.h"
 
 #include "reference/applied/forces.h"
+#include "reference/simulators/mujoco/mujoco_options.h"
 
-#include <fmt/format.h>
-
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -12,7 +10,6 @@ namespace cylon::simulators {
 namespace {
 
 using core::Setting;
-constexpr const char* asked_for = "asked for by the run";
 
 // ---- What holds on every path ---------------------------------------------------------------------
 
@@ -66,51 +63,20 @@ std::vector<std::string> unforceable() {
 bool is_smooth(const MujocoKind& kind) { return !kind.touches && !kind.loops; }
 bool rubs(const MujocoKind& kind) { return kind.rubs; }
 
-// One setting of a path where a scene is of a kind; "integrator" is one here.
-struct Rule {
-  const char *path, *option, *value;
-  bool (*holds)(const MujocoKind&);
-  const char *where, *reason;
+constexpr applied::RuleFor<MujocoKind> rules[] = {
+    {{"as-expert", "integrator", "rk4", "where nothing can touch and no joint closes a loop",
+      "of order 4, or 2 where a body turns freely"},
+     is_smooth},
+    {{"as-expert", "cone", "elliptic", "where a pair has friction",
+      "friction is then the same in all directions"},
+     rubs},
+    {{"as-expert", "noslip-iterations", "10", "where a pair has friction", "what sticks must not creep"},
+     rubs},
 };
-
-constexpr Rule rules[] = {
-    {"as-expert", "integrator", "rk4", is_smooth, "where nothing can touch and no joint closes a loop",
-     "of order 4, or 2 where a body turns freely"},
-    {"as-expert", "cone", "elliptic", rubs, "where a pair has friction",
-     "friction is then the same in all directions"},
-    {"as-expert", "noslip-iterations", "10", rubs, "where a pair has friction", "what sticks must not creep"},
-};
-
-void set(MujocoSettings& run, const std::string& option, const std::string& value) {
-  if (option == "integrator")
-    run.integrator = value;
-  else
-    mujoco_set(run.values, option, value);
-}
-
-// A setting as reports show it.
-Setting setting(const MujocoSettings& run, const std::string& option, const std::string& reason) {
-  if (option == "integrator") return {"integrator", run.integrator, "euler", reason};
-  const MujocoOption& one = mujoco_option(option);
-  return {one.setting, mujoco_text(one, run.at(option)), mujoco_text(one, one.engine_default), reason};
-}
 
 core::Path path(const char* name, std::string summary) {
-  core::Path result{name, std::move(summary), of_the_scene(), unforceable()};
-  for (const Rule& rule : rules) {
-    if (std::string_view(rule.path) != name) continue;
-    MujocoSettings there;
-    set(there, rule.option, rule.value);
-    result.settings.push_back(setting(there, rule.option, fmt::format("{}: {}", rule.where, rule.reason)));
-  }
-  return result;
-}
-
-template <class Named>
-std::vector<std::string> names(const std::vector<Named>& all) {
-  std::vector<std::string> result;
-  for (const Named& one : all) result.push_back(one.name);
-  return result;
+  return applied::path(name, std::move(summary), mujoco_as_shipped(), mujoco_options(), applied::all(rules),
+                       of_the_scene(), unforceable());
 }
 
 // Of the global error on this scene.
@@ -135,37 +101,22 @@ core::Engine mujoco_engine(std::string version) {
         "nothing in particular; order 2 where a body turns freely, 1 with contacts or a mass that changes"}},
       {}};
   engine.knows = {"collision_filters"};
-  for (const MujocoOption& one : mujoco_options())
-    engine.options.push_back({one.name, one.words, mujoco_text(one, one.engine_default), one.meaning});
+  engine.options = mujoco_options().offered();
   return engine;
 }
 
+MujocoSettings mujoco_as_shipped() { return {"as-shipped", "euler", mujoco_options().defaults(), {}}; }
+
 MujocoSettings mujoco_settings(const core::Engine& engine, const core::Setup& setup, const MujocoKind& kind) {
-  if (!setup.path.empty()) mujoco_require("path", setup.path, names(engine.paths));
-  if (!setup.integrator.empty()) mujoco_require("integrator", setup.integrator, names(engine.integrators));
-  MujocoSettings run;
-  if (!setup.path.empty()) run.path = setup.path;
-  for (const Rule& rule : rules)
-    if (rule.path == run.path && rule.holds(kind)) {
-      set(run, rule.option, rule.value);
-      run.reasons[rule.option] = rule.reason;
-    }
-  if (!setup.integrator.empty()) {
-    run.integrator = setup.integrator;
-    run.reasons["integrator"] = asked_for;
-  }
-  for (const auto& [name, value] : setup.options) {
-    mujoco_set(run.values, name, value);
-    run.reasons[name] = asked_for;
-  }
-  return run;
+  return applied::chosen(mujoco_as_shipped(), mujoco_options(), engine, setup, applied::holding(rules, kind));
 }
 
 core::Terms mujoco_terms(const MujocoSettings& run, const MujocoKind& kind) {
   core::Terms terms{run.path,         run.integrator,
                     order(run, kind), run.integrator == "implicit" ? "implicit" : "explicit",
                     of_the_scene(),   unforceable()};
-  for (const auto& [option, reason] : run.reasons) terms.settings.push_back(setting(run, option, reason));
+  for (const auto& [option, reason] : run.reasons)
+    terms.settings.push_back(applied::shown(run, mujoco_as_shipped(), mujoco_options(), option, reason));
   return terms;
 }
 

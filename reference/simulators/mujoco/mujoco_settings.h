@@ -3,10 +3,8 @@
 
 #include "harness/core/engine.h"
 #include "harness/core/scene_kind.h"
-#include "reference/simulators/mujoco/mujoco_options.h"
+#include "reference/applied/settings.h"
 
-#include <map>
-#include <optional>
 #include <string>
 
 namespace cylon::simulators {
@@ -19,17 +17,11 @@ struct MujocoKind : core::SceneKind {
   bool changes = false;  ///< The mass of some body changes.
 };
 
-/// One run's settings of MuJoCo.
-struct MujocoSettings {
-  std::string path = "as-shipped";   ///< or "as-expert".
-  std::string integrator = "euler";  ///< "euler", "implicit" or "rk4".
-  MujocoValues values = mujoco_defaults();
+/// One run's settings of MuJoCo: "euler", "implicit" or "rk4" on a path.
+using MujocoSettings = applied::Settings;
 
-  /// Why an option or the integrator is as it is, where a path or the run sets it.
-  std::map<std::string, std::string> reasons;
-
-  double at(std::string_view option) const { return values.find(option)->second; }
-};
+/// Every setting as MuJoCo has it by itself.
+MujocoSettings mujoco_as_shipped();
 
 /// What MuJoCo says of itself.
 core::Engine mujoco_engine(std::string version);

@@ -1,6 +1,7 @@
 // What MuJoCo has after its compiler is what the scene says: masses, inertia, places, shapes, joints, options, each
 // read from the model and compared with the scene to rounding.
 #include "reference/simulators/mujoco/mujoco_model.h"
+#include "reference/simulators/mujoco/mujoco_options.h"
 #include "reference/simulators/mujoco/mujoco_world.h"
 #include "tests/reference/exact/random_scenes.h"
 
@@ -19,8 +20,9 @@ using core::Vector3;
 
 constexpr double unit = 0x1p-53;
 
-MujocoWorld compiled(const Scene& scene, const MujocoSettings& settings = {}, double dt = 1e-3) {
-  return mujoco_compile(mujoco_xml(scene, mujoco_forest(scene), mujoco_contacts(scene), settings, dt));
+MujocoWorld compiled(const Scene& scene, const MujocoSettings& settings = mujoco_as_shipped(),
+                     double dt = 1e-3) {
+  return mujoco_compile(mujoco_xml(scene, applied::forest_of(scene), mujoco_contacts(scene), settings, dt));
 }
 
 int id_of(const MujocoWorld& world, int body) {
@@ -223,11 +225,11 @@ TEST(MujocoModel, HasTheOptionsOfTheRun) {
   const MujocoWorld plain = compiled(scene);
   for (const OptionRow& row : option_rows) {
     EXPECT_FALSE(row.is_set(*plain.model)) << row.option;
-    MujocoSettings settings;
-    mujoco_set(settings.values, row.option, row.value);
+    MujocoSettings settings = mujoco_as_shipped();
+    mujoco_options().set(settings.values, row.option, row.value);
     EXPECT_TRUE(row.is_set(*compiled(scene, settings).model)) << row.option;
   }
-  EXPECT_EQ(std::size(option_rows), mujoco_options().size()) << "each option has a row";
+  EXPECT_EQ(std::size(option_rows), mujoco_options().rows().size()) << "each option has a row";
 
   mjOption own;
   mj_defaultOption(&own);
@@ -257,7 +259,7 @@ TEST(MujocoModel, HasStepGravityAndIntegrator) {
   scene.forces = {core::UniformGravity{{1.1, -2.3, 0.7}}, core::UniformGravity{{0.1, 0.2, 0.3}}};
   for (const auto& [name, code] :
        {std::pair{"euler", mjINT_EULER}, {"rk4", mjINT_RK4}, {"implicit", mjINT_IMPLICIT}}) {
-    MujocoSettings settings;
+    MujocoSettings settings = mujoco_as_shipped();
     settings.integrator = name;
     const MujocoWorld world = compiled(scene, settings, 1.0 / 3);
     EXPECT_EQ(world.model->opt.integrator, code);

@@ -1,8 +1,8 @@
-#include "reference/simulators/mujoco/mujoco_tree.h"
+#include "reference/applied/forest.h"
 
 #include <deque>
 
-namespace cylon::simulators {
+namespace cylon::applied {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -19,7 +19,7 @@ class Grow {
     used_.resize(scene.joints.size());
   }
 
-  MujocoForest forest() {
+  Forest forest() {
     for (std::size_t j = 0; j < scene_.joints.size(); ++j) {
       const core::Joint& joint = scene_.joints[j];
       if (!is_tree_joint(joint) || moves(joint.body) == moves(joint.to)) continue;
@@ -44,7 +44,7 @@ class Grow {
   static bool is_tree_joint(const core::Joint& joint) { return !core::kind_of(joint.type).joins_centres(); }
 
   void hang(int body, int joint, int parent) {
-    MujocoNode& node = forest_.nodes[at(body)];
+    Node& node = forest_.nodes[at(body)];
     node.joint = joint, node.parent = parent;
     if (parent == core::world)
       forest_.roots.push_back(body);
@@ -67,7 +67,7 @@ class Grow {
   }
 
   const core::Scene& scene_;
-  MujocoForest forest_;
+  Forest forest_;
   std::vector<std::vector<int>> joints_of_;
   std::vector<bool> found_, used_;
   std::deque<int> edge_;
@@ -75,6 +75,6 @@ class Grow {
 
 }  // namespace
 
-MujocoForest mujoco_forest(const core::Scene& scene) { return Grow(scene).forest(); }
+Forest forest_of(const core::Scene& scene) { return Grow(scene).forest(); }
 
-}  // namespace cylon::simulators
+}  // namespace cylon::applied
