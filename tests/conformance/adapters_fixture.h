@@ -26,12 +26,14 @@ inline const process::Limits limits = {60, 120, std::size_t{4} << 30};
 /// An engine under test, and what may be expected of its arithmetic and of its integrator.
 struct Subject {
   const char* id;
-  bool single = false;     ///< State in single precision.
-  int order = 1;           ///< Of the integrator in smooth motion.
-  bool reduced = false;    ///< Joints by reduced coordinates: no gap by construction.
-  bool iterative = false;  ///< Joints by sweeps that stop before they have converged.
-  int start_units = 8;     ///< Roundings, in units, of a state on its way in and out.
-  bool bounces = true;     ///< Has a coefficient of restitution.
+  bool single = false;      ///< State in single precision.
+  int order = 1;            ///< Of the integrator in smooth motion.
+  bool reduced = false;     ///< Joints by reduced coordinates: no gap by construction.
+  bool iterative = false;   ///< Joints by sweeps that stop before they have converged.
+  int start_units = 8;      ///< Roundings, in units, of a state on its way in and out.
+  bool bounces = true;      ///< Has a coefficient of restitution.
+  bool touches = true;      ///< Has contacts at all.
+  int order_of_masses = 0;  ///< Of the integrator where a mass changes; 0: the same.
 
   /// Unit roundoff: half the distance between 1 and the next number.
   double unit() const { return single ? 0x1p-24 : 0x1p-53; }
@@ -53,6 +55,7 @@ inline const Subject subjects[] = {
     {.id = "ode-quick", .iterative = true},
     {.id = "in-house-float/integrator=rk4", .single = true, .order = 4, .start_units = 32},
     {.id = "mujoco", .reduced = true, .bounces = false},
+    {.id = "simbody", .order = 4, .reduced = true, .bounces = false, .touches = false, .order_of_masses = 1},
 };
 
 /// Those whose engine is here: an optional one may not be.

@@ -107,6 +107,7 @@ TEST_P(Joints, ALockedBodyHolds) {
 
 // Balls that reach into each other's: with a joint between them that is no contact.
 TEST_P(Joints, NeighboursDoNotTouch) {
+  if (!subject().touches) GTEST_SKIP() << "it has no contacts that a scene could state";
   core::Scene scene = pendulum(31, 2);
   scene.materials = {{{"*", "*"}, pair_restitution(), 0.3}};
   core::Scene solid = scene;
@@ -121,6 +122,7 @@ TEST_P(Joints, NeighboursDoNotTouch) {
 
 // Without the joint between them the same balls push each other apart.
 TEST_P(Joints, OthersDoTouch) {
+  if (!subject().touches) GTEST_SKIP() << "it has no contacts that a scene could state";
   core::Scene scene = pendulum(31, 2);
   scene.materials = {{{"*", "*"}, pair_restitution(), 0.3}};
   scene.joints.pop_back();

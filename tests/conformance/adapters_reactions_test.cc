@@ -75,6 +75,7 @@ TEST_P(Reactions, HoldWeldedBeams) {
 // A ball at rest on two locked boxes that lean towards it, named before it or after.  ODE's adapter read the force
 // of a contact whose first body is locked where ODE does not write it, and told none.
 TEST_P(Reactions, OfLockedBodiesBearWhatLiesOnThem) {
+  if (!subject().touches) GTEST_SKIP() << "it has no contacts that a scene could state";
   const double lean = 0.5, radius = 0.3, thick = 0.2;
   for (const bool first : {false, true}) {
     core::Scene scene;

@@ -62,6 +62,7 @@ TEST_P(ReadBack, BodiesOnJoints) {
 
 // Colliding bodies get a shape, turned into the engine's own axes; the state must not notice.
 TEST_P(ReadBack, CollidingBodies) {
+  if (!subject().touches) GTEST_SKIP() << "it has no contacts that a scene could state";
   core::Scene scene = three_bodies(15);
   for (core::Body& body : scene.bodies) body.shape = core::Sphere{0.05}, body.collide = true;
   scene.planes = {{"floor", Vector3(1, 2, -3).normalized(), -100}};

@@ -66,6 +66,13 @@ const Mistake mistakes[] = {
     {"ode/springs=stif", {"'stif'", "did you mean 'stiff'?"}},
     {"ode/contact-erp=2", {"contact-erp = '2'", "[0, 1]"}},
     {"ode-quick/iterations=0", {"iterations = '0'"}},
+    {"simbody/integrator=runge-kutta-fehlberg", {"did you mean 'runge-kutta-feldberg'?"}},
+    {"simbody/path=as-shiped", {"path 'as-shiped'", "did you mean 'as-shipped'?"}},
+    {"simbody/acuracy=1", {"option 'acuracy'", "did you mean 'accuracy'?"}},
+    {"simbody/accuracy=0", {"accuracy = '0'", "(0, 1]"}},
+    {"simbody/constraint-tolerance=nan", {"constraint-tolerance = 'nan'", "finite number"}},
+    {"simbody/project=always", {"'always'", "where-needed, every-step"}},
+    {"simbody/interpolation=disable", {"option interpolation does nothing with runge-kutta-merson"}},
     {"mujoco/path=as-shiped", {"path 'as-shiped'", "did you mean 'as-shipped'?"}},
     {"mujoco/integrator=rk5", {"integrator 'rk5'", "did you mean 'rk4'?"}},
     {"mujoco/cone=eliptic", {"value of option cone 'eliptic'", "did you mean 'elliptic'?"}},
@@ -130,6 +137,7 @@ TEST(Setup, EverythingOfferedIsTaken) {
         if (engine.name == "bullet") choice.path = "rigid";  // which has every word, and multibody fewer
         choice.options[option.name] = value;
         if (option.name == "speculative-restitution") choice.options["ccd"] = "0.9";
+        if (option.name == "interpolation") choice.integrator = "verlet-adaptive";  // of error control alone
         takes(choice, option.name + "=" + value);
       }
   }

@@ -1,5 +1,6 @@
-// Numbers of an earlier, independent measurement of Bullet, ODE and MuJoCo are reproduced, from the adapters, the exact
-// solutions and the measures of this repository: tests/data/published/engines_s1_s8.json and mujoco_s1_s11.json.
+// Numbers of an earlier, independent measurement of Bullet, ODE, MuJoCo and Simbody are reproduced, from the adapters, the exact
+// solutions and the measures of this repository: tests/data/published/engines_s1_s8.json, mujoco_s1_s11.json and
+// simbody_s1_s8.json.
 //
 // A row that says `why` differs from what was printed.  `printed_of` names the setting or the sampling whose
 // digits were printed in its place: the test asserts that those digits come out, and that the row's own still
@@ -39,6 +40,7 @@ void PrintTo(const Number& n, std::ostream* out) {
 
 constexpr const char* of_all = "engines_s1_s8.json";
 constexpr const char* of_mujoco = "mujoco_s1_s11.json";
+constexpr const char* of_simbody = "simbody_s1_s8.json";
 
 std::vector<Number> published(const std::string& name) {
   std::ifstream file(source("tests/data/published/" + name));
@@ -132,11 +134,13 @@ TEST(PublishedNumbers, FewAreNotReproduced) {
   };
   expect(of_all, 75, 2);
   expect(of_mujoco, 30, 6);
+  expect(of_simbody, 16, 0);
 }
 
 std::string number_name(const testing::TestParamInfo<Number>& number) { return number.param.name; }
 INSTANTIATE_TEST_SUITE_P(EnginesOnS1ToS8, Published, testing::ValuesIn(published(of_all)), number_name);
 INSTANTIATE_TEST_SUITE_P(MujocoOnS1ToS11, Published, testing::ValuesIn(published(of_mujoco)), number_name);
+INSTANTIATE_TEST_SUITE_P(SimbodyOnS1ToS8, Published, testing::ValuesIn(published(of_simbody)), number_name);
 
 }  // namespace
 }  // namespace cylon::conformance

@@ -1,0 +1,73 @@
+#include "reference/simulators/simbody/simbody_limits.h"
+
+#include "reference/applied/forces.h"
+
+#include <fmt/format.h>
+
+namespace cylon::simulators {
+namespace {
+
+using core::Scene;
+using Reason = std::optional<std::string>;
+
+constexpr double rounding = 1e-12;  // of A + B >= C, relative
+
+const std::string& name_of(const Scene& scene, int body) {
+  return scene.bodies[static_cast<std::size_t>(body)].name;
+}
+
+Reason against(const core::Body& body) {
+  if (body.locked) return {};
+  if (!(body.mass > 0))
+    return fmt::format("Simbody needs a mass above zero of what moves; '{}' has {} kg.", body.name,
+                       body.mass);
+  const core::Vector3 moments = core::principal_axes(body.inertia).moments;
+  if (!(moments.minCoeff() > 0))
+    return fmt::format("Simbody needs principal moments above zero of what moves; '{}' has one of {} kg m^2.",
+                       body.name, moments.minCoeff());
+  // SimTKcommon/internal/MassProperties.h:542
+  if (2 * moments.maxCoeff() > moments.sum() + rounding * moments.maxCoeff())
+    return fmt::format("Simbody needs principal moments A + B >= C; '{}' has {}, {} and {} kg m^2.",
+                       body.name, moments[0], moments[1], moments[2]);
+  return {};
+}
+
+// A contact of Simbody is a force of penetration, by Hertz or an elastic foundation: it needs a stiffness, which no
+// scene states and Simbody has no value for (simbody/internal/ContactSurface.h:91).
+Reason against_contacts(const Scene& scene) {
+  Reason reason;
+  core::any_touching_pair(scene, [&](const core::Pair& pair) {
+    const std::string& other = pair.plane >= 0 ? scene.planes[static_cast<std::size_t>(pair.plane)].name
+                                               : name_of(scene, pair.other);
+    reason = fmt::format(
+        "'{}' and '{}' may touch, and a contact of Simbody is compliant: it needs a stiffness and a "
+        "dissipation, "
+        "which the scene does not state and for which Simbody has no value "
+        "(simbody/internal/ContactSurface.h:91).",
+        name_of(scene, pair.body), other);
+    return true;
+  });
+  return reason;
+}
+
+Reason against_joints(const Scene& scene) {
+  for (const core::Joint& joint : scene.joints)
+    if (core::kind_of(joint.type).has_length() && !(joint.length > 0))
+      return fmt::format(
+          "Simbody's rod has a length above zero (simbody/internal/Constraint_Rod.h:46); that of '{}' is {} "
+          "m.",
+          name_of(scene, joint.body), joint.length);
+  return {};
+}
+
+}  // namespace
+
+Reason simbody_limit(const Scene& scene) {
+  for (const core::Body& one : scene.bodies)
+    if (Reason reason = against(one)) return reason;
+  if (Reason reason = applied::unmapped(scene)) return reason;
+  if (Reason reason = against_joints(scene)) return reason;
+  return against_contacts(scene);
+}
+
+}  // namespace cylon::simulators
