@@ -175,8 +175,12 @@ Manifold manifold(const Shape& body, const Pose& pose, const Shape& other, const
 
 namespace {
 
-// Eight points of each disc, of which one is the lowest there is:  n across the axis points up.
-void add_discs(const Frustum& s, const Pose& pose, const Plane& plane, Real margin, Reduction& reduction) {
+// Eight points of each disc, of which one is the lowest there is:  n across the axis points up.  The point x of a rim
+// round c, which stays on the rim while the body turns, sinks by
+//   -n.(move + turn x (c - p) + turn' x (x - c)),  turn' the part of the turn across the axis.
+// Taken as a point of the body, one ahead of the lowest would brake a body that rolls fast.
+void add_discs(const Frustum& s, const Pose& pose, const Plane& plane, Real margin, const Travel* travel,
+               const Vector3& origin, Reduction& reduction) {
   const Vector3 n = pose.rotation.transpose() * plane.normal;
   const Real across = std::hypot(n.x(), n.z());
   const Vector3 down = across > 0 ? Vector3(-n.x() / across, 0, -n.z() / across) : Vector3(Vector3::UnitX());
@@ -187,10 +191,17 @@ void add_discs(const Frustum& s, const Pose& pose, const Plane& plane, Real marg
   std::uint32_t feature = 0;
   for (const auto& [radius, y] : {std::pair(s.low_radius, s.low), std::pair(s.high_radius, s.high)})
     for (std::size_t k = 0; k < (radius > 0 ? circle.size() : 1); ++k, ++feature) {
-      const Vector3 x = radius * (circle[k][0] * down + circle[k][1] * side) + y * Vector3::UnitY();
+      const Vector3 out = radius * (circle[k][0] * down + circle[k][1] * side);
+      const Vector3 x = out + y * Vector3::UnitY();
       const Real gap = height + n.dot(x);
-      if (gap < margin)
-        reduction.add({pose.position + pose.rotation * x - gap / 2 * plane.normal, gap, feature});
+      if (!(gap < margin)) continue;
+      if (k > 0 && travel != nullptr && gap > travel->spare + radius / 256) {
+        const Vector3 axis = pose.rotation.col(1), across_axis = travel->turn - travel->turn.dot(axis) * axis;
+        const Vector3 way = travel->move + travel->turn.cross(pose.position + y * axis - origin) +
+                            across_axis.cross(pose.rotation * out);
+        if (gap + plane.normal.dot(way) > travel->spare + radius / 256) continue;
+      }
+      reduction.add({pose.position + pose.rotation * x - gap / 2 * plane.normal, gap, feature});
     }
 }
 
@@ -216,14 +227,15 @@ std::uint32_t with_parts(std::uint32_t feature, int part, int other) {
 
 }  // namespace
 
-Manifold manifold(const Shape& body, const Pose& pose, const Plane& plane, Real margin) {
+Manifold manifold(const Shape& body, const Pose& pose, const Plane& plane, Real margin,
+                  const Travel* travel) {
   if (body.index() == 0) return none();
   Reduction reduction(plane.normal);
   bool thinned = false;
   each_part(body, pose, [&](int part, const Shape& shape, const Pose& at) {
     Reduction of_part(plane.normal);
     if (const auto* frustum = std::get_if<Frustum>(&shape))
-      add_discs(*frustum, at, plane, margin, of_part);
+      add_discs(*frustum, at, plane, margin, travel, pose.position, of_part);
     else
       add_vertices(shape, at, plane, margin, of_part);
     const Manifold found = of_part.result();

@@ -16,6 +16,14 @@ struct ContactPoint {
   std::uint32_t feature = 0;  ///< The same place keeps its number from step to step: for warm starts.
 };
 
+/// How a shape moves in the step to come.  Its turn about an axis of revolution moves no point of its surface out of
+/// the surface: of a rim that is not its lowest, only points that the rest of the motion may bring to a plane count.
+struct Travel {
+  Vector3 move = Vector3::Zero();  ///< Of the origin of the pose [m].
+  Vector3 turn = Vector3::Zero();  ///< [rad]
+  Real spare = 0;                  ///< Beyond both [m].
+};
+
 struct Manifold {
   static constexpr int capacity = 8;
 
@@ -34,7 +42,9 @@ struct Manifold {
 /// rounding).
 /// Of two convex shapes, or of any with a plane.
 Manifold manifold(const Shape& body, const Pose&, const Shape& other, const Pose& other_pose, Real margin);
-Manifold manifold(const Shape& body, const Pose&, const Plane& other, Real margin);
+/// With a Travel, of a rim the lowest point, and those that come within its `spare` and a 256th of the rim's radius.
+Manifold manifold(const Shape& body, const Pose&, const Plane& other, Real margin,
+                  const Travel* travel = nullptr);
 
 /// Of a part of `body` with one of `other`; numbers of parts as in each_part().
 struct PartManifold {

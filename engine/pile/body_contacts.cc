@@ -71,6 +71,7 @@ BodyContacts::BodyContacts(const Model& model)
   persistent_ = static_cast<std::size_t>(std::count_if(model.bodies.begin(), model.bodies.end(),
                                                        [](const Body& b) { return !b.locked; })) > few_bodies;
   margin_.resize(model.bodies.size());
+  travel_.resize(model.bodies.size());
   bounds_.resize(model.bodies.size());
 }
 
@@ -226,7 +227,7 @@ void BodyContacts::find_points(const std::vector<Motion>& motions, int a, int b,
   const Shape& shape = model_.shapes[index(a)];
   const Pose at = pose(motions[index(a)]);
   if (b == fixed_world) {
-    points_.assign(1, {0, 0, manifold(shape, at, model_.planes[index(plane)], margin)});
+    points_.assign(1, {0, 0, manifold(shape, at, model_.planes[index(plane)], margin, &travel_[index(a)])});
   } else {
     manifolds(shape, boxes_[index(a)], at, model_.shapes[index(b)], boxes_[index(b)], pose(motions[index(b)]),
               margin, points_);
@@ -295,8 +296,10 @@ void BodyContacts::find(const std::vector<Motion>& motions, const std::vector<Mo
                         Time span, std::vector<Block>& blocks) {
   now_ = now;
   const Real h = static_cast<Real>(span), fall = gravity_ * h * h;
-  for (std::size_t i = 0; i < motions.size(); ++i)
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    travel_[i] = {h * movers[i].v, h * movers[i].w, fall};
     margin_[i] = (movers[i].v.norm() + radius_[i] * movers[i].w.norm()) * h + fall + radius_[i] / 256;
+  }
   std::swap(blocks, old_), std::swap(found_, old_found_);
   blocks.clear(), found_.clear();
   next_ = next_found_ = 0;

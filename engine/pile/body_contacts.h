@@ -52,6 +52,7 @@ class BodyContacts {
   Real gravity_;  // the strongest [m/s^2]
   Real smallest_ = 0;
   std::vector<Real> radius_, margin_;
+  std::vector<Travel> travel_;  // in the step, per body
   std::vector<char> round_;
   std::vector<PartBoxes> boxes_;
   std::vector<Bounds> bounds_;
