@@ -80,7 +80,7 @@ TEST(OwnGravity, BalancesMomentum) {
   State before = initial_state(scene), now = before;
   for (std::size_t i = 0; i < 3; ++i) now[i].velocity += 0.01 * gravity_of(scene, scene.bodies[i]);
   run.states = {before, now};
-  run.reactions = std::vector<Reaction>{{0, {}, {}, {}}};
+  run.reactions = std::vector<Reaction>{{.joint = 0}};
   EXPECT_NEAR(force_imbalance({.quantity = Quantity::momentum_balance}, scene, run), 0, 1e-13);
   scene.bodies[1].gravity.reset();
   EXPECT_GT(force_imbalance({.quantity = Quantity::momentum_balance}, scene, run), 1);

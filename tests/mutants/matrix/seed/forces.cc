@@ -26,9 +26,10 @@ End end_of(const std::vector<Body>& bodies, int index, const Vector3& anchor, co
 // Errata 38: the constructor sets m = 1 and 1/m from its argument.
 double weight_mass(const Body& body, Faults faulty) { return faulty(38) ? 1 : body.m; }
 
-void gravity(const core::UniformGravity& g, std::vector<Body>& bodies, Faults faulty) {
+void gravity(const core::Scene& scene, std::vector<Body>& bodies, Faults faulty) {
   const double factor = faulty(3) ? 9.8 / 9.81 : 1;
-  for (Body& body : bodies) body.F += weight_mass(body, faulty) * factor * g.acceleration;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    bodies[i].F += weight_mass(bodies[i], faulty) * factor * core::gravity_of(scene, scene.bodies[i]);
 }
 
 // kappa (|d| - L) d/|d|, eq. 19, and damping along d.
@@ -97,8 +98,9 @@ void water(const core::Water& w, std::vector<Body>& bodies, const Instant& now, 
 
 void apply_forces(const core::Scene& scene, std::vector<Body>& bodies, const Instant& now, Faults faulty) {
   for (Body& body : bodies) body.F.setZero(), body.tau.setZero();
+  gravity(scene, bodies, faulty);
   for (const core::Force& force : scene.forces)
-    std::visit(core::Overloaded{[&](const core::UniformGravity& g) { gravity(g, bodies, faulty); },
+    std::visit(core::Overloaded{[](const core::UniformGravity&) {},
                                 [&](const core::Spring& s) { spring(s, bodies, now, faulty); },
                                 [&](const core::Drag& d) { drag(d, bodies, now, faulty); },
                                 [&](const core::Thrust& t) { thrust(t, bodies, faulty); },
