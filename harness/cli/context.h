@@ -13,7 +13,7 @@
 
 namespace cylon::cli {
 
-/// The exit codes; where several apply, the first of 2, 130, 5, 1, 3, 4.
+/// The exit codes; where several apply, the first of 2, 130, 5, 1, 6, 3, 4.
 enum Exit {
   ok = 0,
   differs = 1,
@@ -21,6 +21,7 @@ enum Exit {
   inconclusive = 3,
   nothing_selected = 4,
   harness_failure = 5,
+  incomplete = 6,
   interrupted = 130
 };
 

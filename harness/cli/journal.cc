@@ -15,16 +15,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of the worker's command, and of the content of each word of it that is a file.
-std::string worker_hash(const std::vector<std::string>& command) {
+// What a cell is asked beside its scenario's claims, as the command's options say it.
+std::string asked_of(const study::Cell& cell) {
+  std::string asked = cell.exam == study::Exam::relations ? " --metamorphic"
+                      : cell.exam == study::Exam::theory  ? " --theory"
+                                                          : "";
+  if (cell.tolerance_scale != 1) asked += fmt::format(" --tolerance-scale {}", cell.tolerance_scale);
+  if (cell.copies > 0) asked += fmt::format(" --spread {}", cell.copies);
+  if (cell.force) asked += " --force";
+  return asked;
+}
+
+}  // namespace
+
+std::string content_of(const std::vector<std::string>& command) {
   static std::map<std::vector<std::string>, std::string> known;
   auto found = known.find(command);
   if (found == known.end()) {
     core::ContentHash content;
     for (const std::string& word : command) {
-      content.add(word);
+      content.add(std::string_view("\0", 1));  // between words
       std::error_code ignored;
-      if (!fs::is_regular_file(word, ignored)) continue;
+      if (!fs::is_regular_file(word, ignored)) {
+        content.add(word);
+        continue;
+      }
       std::ifstream in(word, std::ios::binary);
       content.add(std::string(std::istreambuf_iterator<char>(in), {}));
     }
@@ -32,8 +47,6 @@ std::string worker_hash(const std::vector<std::string>& command) {
   }
   return found->second;
 }
-
-}  // namespace
 
 nlohmann::json to_json(const Request& r) {
   return {{"patterns", r.patterns},       {"engines", r.engines}, {"steps", r.steps},
@@ -57,21 +70,22 @@ Request request_from(const nlohmann::json& j) {
 }
 
 std::string cell_key(const study::Cell& cell, const std::string& expectations_hash) {
-  return fmt::format("{}/{}/{}/{}", cell_name(cell), cell.scenario->hash,
-                     worker_hash(cell.engine.row.command), expectations_hash);
+  return fmt::format("{}/{}/{}/{}", cell_name(cell), cell.scenario->hash, content_of(cell.engine.row.command),
+                     expectations_hash);
 }
 
 std::string cell_name(const study::Cell& cell) {
-  std::string asked = cell.exam == study::Exam::relations ? " --metamorphic"
-                      : cell.exam == study::Exam::theory  ? " --theory"
-                                                          : "";
-  if (cell.tolerance_scale != 1) asked += fmt::format(" --tolerance-scale {}", cell.tolerance_scale);
-  if (cell.copies > 0) asked += fmt::format(" --spread {}", cell.copies);
-  if (cell.force) asked += " --force";
-  return fmt::format("{} {} {}{}", cell.scenario->file, cell.engine.id, cell.dt_text, asked);
+  return fmt::format("{} {} {}{}", cell.scenario->name, cell.engine.id, cell.dt_text, asked_of(cell));
+}
+
+std::vector<Unit> units_of(const std::vector<study::Cell>& cells, const std::string& expectations_hash) {
+  std::vector<Unit> units;
+  for (const study::Cell& cell : cells) units.push_back({cell_key(cell, expectations_hash), cell_name(cell)});
+  return units;
 }
 
 void Journal::Content::take(const nlohmann::json& row) {
+  if (row.contains("part")) return;
   if (row.contains("request")) {
     request = request_from(row.at("request"));
     return;
@@ -96,16 +110,17 @@ Journal::Content Journal::read() const {
   return content;
 }
 
-void Journal::open(const Request& request, bool append) {
+void Journal::open(const Request& request, const Part& part, bool append) {
   file_.open(append);
   file_.add({{"request", to_json(request)}});
+  file_.add(to_json(part));
 }
 
 void Journal::add(const std::string& key, const study::Cell& cell,
-                  const std::vector<results::Verdict>& verdicts) {
+                  const std::vector<results::Verdict>& verdicts, double seconds) {
   nlohmann::json lines = nlohmann::json::array();
   for (const results::Verdict& verdict : verdicts) lines.push_back(reports::to_json_line(verdict));
-  file_.add({{"key", key}, {"cell", cell_name(cell)}, {"verdicts", lines}});
+  file_.add({{"key", key}, {"cell", cell_name(cell)}, {"verdicts", lines}, {"seconds", seconds}});
 }
 
 }  // namespace cylon::cli

@@ -1,9 +1,11 @@
 // What a run has finished, cell by cell, so that it can be resumed after an interruption and its
-// differing cells run again.  A JSON line with what was asked for, then one per cell, in .cylon/journal.jsonl
-// of the working folder, sealed: a journal names programs to run, so that of somebody else is not read.
+// differing cells run again.  A JSON line with what was asked for, one with the part of the work that the file
+// holds, then one per cell, in .cylon/journal.jsonl of the working folder, sealed: a journal names programs to
+// run, so that of somebody else is not read.
 #pragma once
 
 #include "harness/cli/line_file.h"
+#include "harness/cli/part.h"
 #include "harness/cli/selection.h"
 #include "harness/study/cell.h"
 
@@ -19,12 +21,18 @@
 
 namespace cylon::cli {
 
-/// What must be equal for a stored cell to stand for a new one: the scenario's and expected.toml's content,
-/// the engine's id and its worker's content, and the step.
+/// Of the words of a command, those that are files by their content alone: where they lie decides nothing.
+std::string content_of(const std::vector<std::string>& command);
+
+/// What must be equal for a stored cell to stand for a new one, on this machine or on another: the scenario's
+/// and expected.toml's content, the engine's id and its worker's content, and the step; no path.
 std::string cell_key(const study::Cell&, const std::string& expectations_hash);
 
 /// Scenario, engine and step as the user names them: the same cell, whatever its files hold by now.
 std::string cell_name(const study::Cell&);
+
+/// The units of a run, cell by cell.
+std::vector<Unit> units_of(const std::vector<study::Cell>&, const std::string& expectations_hash);
 
 /// What was asked for, so that it can be asked for again; throws nlohmann::json's exceptions where it is
 /// none.
@@ -49,10 +57,13 @@ class Journal {
   Content read() const;
 
   /// Starts afresh, or goes on after what is there.  Throws core::InputError where another run has it open.
-  void open(const Request&, bool append);
+  void open(const Request&, const Part&, bool append);
 
-  /// Adds a finished cell; where it cannot be written, stderr says so.
-  void add(const std::string& key, const study::Cell&, const std::vector<results::Verdict>&);
+  /// Adds a finished cell and how long it took [s]; where it cannot be written, stderr says so.
+  void add(const std::string& key, const study::Cell&, const std::vector<results::Verdict>&, double seconds);
+
+  /// Whether all of it could be written so far.
+  bool is_open() const { return file_.is_open(); }
 
  private:
   LineFile file_;

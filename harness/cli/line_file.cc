@@ -2,6 +2,7 @@
 
 #include "harness/cli/command_line.h"
 #include "harness/cli/patience.h"
+#include "harness/cli/read_whole.h"
 #include "harness/core/input_error.h"
 #include "harness/input/json.h"
 #include "harness/seal/seal.h"
@@ -16,6 +17,7 @@
 #include <cerrno>
 #include <fstream>
 #include <iostream>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -30,6 +32,21 @@ using nlohmann::json;
 constexpr std::uintmax_t largest_journal = std::uintmax_t{1} << 30;  // [bytes]
 
 std::string text_of(const json& value) { return value.dump(-1, ' ', true, json::error_handler_t::replace); }
+
+// Calls take(object) for each line; how many are none, or are refused by an exception.
+template <class Take>
+std::size_t each_line(std::istream& in, const Take& take) {
+  std::size_t strange = 0;
+  for (std::string line; std::getline(in, line);) {
+    if (line.empty()) continue;
+    try {
+      take(input::parse_json(line));
+    } catch (const std::exception&) {
+      ++strange;
+    }
+  }
+  return strange;
+}
 
 bool write_all(int fd, std::string_view bytes) {
   while (!bytes.empty()) {
@@ -50,7 +67,7 @@ LineFile::~LineFile() {
 // The folder belongs to it: a journal that was copied from another folder is not this one's.
 std::string LineFile::purpose() const {
   std::error_code ignored;
-  return "journal " + fs::weakly_canonical(fs::absolute(file_, ignored), ignored).string();
+  return "journal " + fs::weakly_canonical(fs::absolute(place_, ignored), ignored).string();
 }
 
 std::size_t LineFile::read(const std::function<void(const json&)>& take) const {
@@ -59,21 +76,21 @@ std::size_t LineFile::read(const std::function<void(const json&)>& take) const {
   if (const auto size = fs::file_size(file_, error); !error && size > largest_journal)
     throw core::InputError(fmt::format("{}: {} bytes, but at most 1 GiB are read", file_.string(), size));
   const std::string place = purpose();
-  std::size_t strange = 0;
   std::ifstream in(file_, std::ios::binary);
-  for (std::string line; std::getline(in, line);) {
-    if (line.empty()) continue;
-    try {
-      json object = input::parse_json(line);
-      const std::string mac = object.at("seal").get<std::string>();
-      object.erase("seal");
-      if (!seal::holds(mac, place, text_of(object))) throw input::BadJson(0, "the seal does not hold");
-      take(object);
-    } catch (const std::exception&) {
-      ++strange;
-    }
-  }
-  return strange;
+  return each_line(in, [&](json&& object) {
+    const std::string mac = object.at("seal").get<std::string>();
+    object.erase("seal");
+    if (!seal::holds(mac, place, text_of(object))) throw input::BadJson(0, "the seal does not hold");
+    take(object);
+  });
+}
+
+std::size_t LineFile::read_of_others(const fs::path& file, const std::function<void(const json&)>& take) {
+  std::istringstream in(read_whole(file.string(), largest_journal));
+  return each_line(in, [&](json&& object) {
+    object.erase("seal");
+    take(object);
+  });
 }
 
 void LineFile::open(bool append) {
@@ -101,7 +118,10 @@ void LineFile::add(const json& object) {
   if (fd_ < 0) return;
   json sealed = object;
   sealed["seal"] = seal::seal(purpose(), text_of(object));
-  if (!write_all(fd_, text_of(sealed) + '\n')) give_up(errno);
+  // A pipe or a file system that cannot synchronise has done what it can.
+  if (!write_all(fd_, text_of(sealed) + '\n') ||
+      (::fdatasync(fd_) != 0 && errno != EINVAL && errno != ENOSYS))
+    give_up(errno);
 }
 
 void LineFile::give_up(int error) {

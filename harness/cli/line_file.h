@@ -12,7 +12,10 @@ namespace cylon::cli {
 
 class LineFile {
  public:
-  explicit LineFile(std::filesystem::path file) : file_(std::move(file)) {}
+  explicit LineFile(std::filesystem::path file) : LineFile(file, file) {}
+  /// A file that is to be renamed to `place` once it is whole.
+  LineFile(std::filesystem::path file, std::filesystem::path place)
+      : file_(std::move(file)), place_(std::move(place)) {}
   ~LineFile();
   LineFile(const LineFile&) = delete;
   LineFile& operator=(const LineFile&) = delete;
@@ -22,18 +25,26 @@ class LineFile {
   /// that line is left out, too.
   std::size_t read(const std::function<void(const nlohmann::json&)>& take) const;
 
+  /// The same of a file that anybody may have written anywhere: their word is taken for it.  Throws
+  /// core::InputError where it cannot be read.
+  static std::size_t read_of_others(const std::filesystem::path&,
+                                    const std::function<void(const nlohmann::json&)>& take);
+
   /// Opens it to write, afresh or after what is there, and locks it until the end.  Throws core::InputError
   /// where another program has it locked.  Where it cannot be written, stderr says so and add() does nothing.
   void open(bool append);
 
-  /// Appends a line.  Where that fails (a full disk), stderr says so once.
+  /// Appends a line, on the disk when it returns.  Where that fails (a full disk), stderr says so once.
   void add(const nlohmann::json& object);
+
+  /// Whether all of it could be written so far.
+  bool is_open() const { return fd_ >= 0; }
 
  private:
   void give_up(int error);
   std::string purpose() const;
 
-  std::filesystem::path file_;
+  std::filesystem::path file_, place_;
   int fd_ = -1;
 };
 

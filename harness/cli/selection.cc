@@ -236,7 +236,7 @@ study::Exam exam_of(const Request& request) {
 
 }  // namespace
 
-Selection select(const Context& context, const Request& request) {
+Selection select_unprepared(const Context& context, const Request& request) {
   const std::vector<EngineRow> rows = with_workers(context, request.workers);
   const std::vector<Pattern> patterns = parse_patterns(request.patterns);
   Selection selection;
@@ -260,10 +260,21 @@ Selection select(const Context& context, const Request& request) {
                                    command_for(context, given, engine, text) + unusual(request),
                                    exam_of(request), request.tolerance_scale, request.copies, request.force});
     }
-    if (!used) continue;
-    scenario::prepare(*scenario);
-    selection.scenarios.push_back(std::move(scenario));
+    if (used) selection.scenarios.push_back(std::move(scenario));
   }
+  return selection;
+}
+
+void prepare(Selection& selection) {
+  std::set<const scenario::Scenario*> used;
+  for (const study::Cell& cell : selection.cells) used.insert(cell.scenario);
+  std::erase_if(selection.scenarios, [&](const auto& scenario) { return !used.contains(scenario.get()); });
+  for (const auto& scenario : selection.scenarios) scenario::prepare(*scenario);
+}
+
+Selection select(const Context& context, const Request& request) {
+  Selection selection = select_unprepared(context, request);
+  prepare(selection);
   return selection;
 }
 

@@ -36,7 +36,13 @@ struct Selection {
 };
 
 /// Throws core::InputError for an unknown suite, scenario, engine or integrator, with the nearest name, and
-/// for a step that is none; a glob that matches nothing selects nothing.
+/// for a step that is none; a glob that matches nothing selects nothing.  The scenarios are prepared.
 Selection select(const Context&, const Request&);
+
+/// The same before truths are solved: for those who leave some of the cells to others.
+Selection select_unprepared(const Context&, const Request&);
+
+/// Prepares the scenarios of the cells that are left, and drops the others.
+void prepare(Selection&);
 
 }  // namespace cylon::cli

@@ -16,6 +16,8 @@ class ContentHash {
     for (const char c : bytes) value_ = (value_ ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
   }
 
+  std::uint64_t value() const { return value_; }
+
   /// 16 hex digits.
   std::string hex() const { return fmt::format("{:016x}", value_); }
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <exception>
 #include <mutex>
 #include <utility>
@@ -82,10 +83,12 @@ Matrix run(const std::vector<Cell>& cells, const Pool& pool, const scenario::Exp
   };
   const auto work = [&] {
     for (std::size_t i = 0; !stop && (i = next++) < cells.size();) {
+      const auto start = std::chrono::steady_clock::now();
       if (!run_cell(i)) continue;
+      const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
       const std::scoped_lock lock(reporting);
       try {
-        if (done && !of_done) done(i, matrix.rows[i]);
+        if (done && !of_done) done(i, matrix.rows[i], seconds.count());
       } catch (...) {  // it cannot be kept, nor can the next
         of_done = std::current_exception();
         stop = true;

@@ -22,9 +22,9 @@ struct Matrix {
   bool interrupted = false;
 };
 
-/// Called, one cell at a time, in the order in which cells end; index into the cells.  Not called for a cell
-/// in which the harness failed, so that it is run again.
-using CellDone = std::function<void(std::size_t index, const std::vector<results::Verdict>&)>;
+/// Called, one cell at a time, in the order in which cells end: index into the cells, its rows, and how long it
+/// took by the clock [s].  Not called for a cell in which the harness failed, so that it is run again.
+using CellDone = std::function<void(std::size_t index, const std::vector<results::Verdict>&, double seconds)>;
 
 /// Runs all cells; rows[i] are those of cells[i], the same for any number of workers.  Nothing that happens
 /// inside a cell ends the others: whatever is thrown there becomes that cell's rows.  After an interruption

@@ -130,7 +130,7 @@ TEST(Impostors, EachIsDetectedAndTheRunContinues) {
   add(engine("ode"));
 
   std::size_t reported = 0;
-  const auto rows = study::run(cells, {2, within(3)}, {}, [&](std::size_t, const std::vector<Verdict>&) {
+  const auto rows = study::run(cells, {2, within(3)}, {}, [&](std::size_t, const std::vector<Verdict>&, double) {
                       ++reported;
                     }).rows;
   ASSERT_EQ(rows.size(), cells.size());

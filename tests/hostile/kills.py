@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Kills commands at random moments and lets them go on.
 
-    tests/hostile/kills.py CYLON [--kills 1000] [--sample N] [--seed S] [run|trade|record|import …]
+    tests/hostile/kills.py CYLON [--kills 1000] [--sample N] [--seed S] [run|shards|trade|record|import …]
 
-A trial of run, trade or record is killed (SIGKILL) one to three times and resumed each time; one of import is repeated.
+A trial of run, shards, trade or record is killed (SIGKILL) one to three times and resumed each time; one of import is
+repeated.  Shards are three parts of a run and their merge, one after the other.
 In the end its output must be that of a command that nobody killed, times left out, and no whole line of a journal may be
 lost on the way.  Trial n is a function of seed and n.  Counts are kept in counts/kills.json, and a later call goes
 on with new trials until each command was killed as often as asked for; --sample makes N trials of each and keeps no count.
@@ -13,6 +14,7 @@ import json
 import os
 import pathlib
 import random
+import signal
 import subprocess
 import sys
 import tempfile
@@ -97,6 +99,36 @@ class Run(Command):
         return [{k: v for k, v in row.items() if k not in ("cpu_seconds", "reproduce")} for row in rows]
 
 
+class Shards(Run):
+    """Three shards and their union; what is killed is whichever is at work."""
+
+    def lines(self, scenes):
+        run = " ".join(["run", *scenes, *ENGINES, "--resume", "--shard"])
+        parts = [f"{self.cylon} {run} {k}/3" for k in (1, 2, 3)]
+        line = "; ".join([*parts, f"exec {self.cylon} merge .cylon/journal-?-of-3.jsonl --json out.json"])
+        return line, line
+
+    def start(self, words, here):
+        child = subprocess.Popen(["sh", "-c", words], cwd=here, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                 stderr=subprocess.PIPE, text=True, start_new_session=True)
+        child.kill = lambda: self.kill(child)
+        return child
+
+    @staticmethod
+    def kill(child):
+        try:
+            os.killpg(child.pid, signal.SIGKILL)
+        except ProcessLookupError:
+            pass  # it has ended
+
+    def kept(self, here):
+        return [line for file in sorted(here.glob(".cylon/journal-?-of-3.jsonl")) for line in journal_lines(file)]
+
+    def lost(self, here, before):
+        now = set(self.kept(here))
+        return "" if all(line in now for line in before) else "a line of a shard is lost"
+
+
 class Trade(Run):
     journal = ".cylon/trade.jsonl"
 
@@ -167,7 +199,7 @@ class Import(Record):
         return "" if runs in (0, self.runs) else f"{runs} of {self.runs} runs were imported"
 
 
-COMMANDS = {"run": Run, "trade": Trade, "record": Record, "import": Import}
+COMMANDS = {"run": Run, "shards": Shards, "trade": Trade, "record": Record, "import": Import}
 
 
 def trial(command, here, rng, seconds, expected):

@@ -34,6 +34,7 @@ const std::vector<App::Row> commands = {
     {"simulate", "Run one engine on one scenario and print its states as CSV", add_simulate},
     {"truth", "Print the certified solution of a scenario, with its error bound", add_truth},
     {"run", "Run scenarios on engines and check every claim", add_run},
+    {"merge", "Join the parts of a run, sweep or search that was done in shards", add_merge},
     {"report", "Build an HTML report from run, trade and track output", add_report},
     {"matrix", "Print the coarsest step of each engine that meets an error, and its cost", add_matrix},
     {"trade", "Measure error and CPU time of each engine, integrator and step", add_trade},
@@ -152,7 +153,8 @@ int run_command_line(int argc, char** argv) {
       "and of the engine");
   app.footer(
       "Exit codes: 0 all as expected, 1 a verdict differs or a regression is confirmed, 2 bad input, 3 "
-      "undecided (with --strict), 4 nothing selected, 5 internal failure, 130 interrupted.");
+      "undecided (with --strict), 4 nothing selected, 5 internal failure, 6 cells are missing (merge), 130 "
+      "interrupted.");
   Context context = make_context();
   context.command_line = shell_command(std::vector<std::string>(argv, argv + argc));
   Command chosen;

@@ -18,6 +18,7 @@ Command add_plan(App&, const Context&);
 Command add_simulate(App&, const Context&);
 Command add_truth(App&, const Context&);
 Command add_run(App&, const Context&);
+Command add_merge(App&, const Context&);
 Command add_report(App&, const Context&);
 Command add_trade(App&, const Context&);
 Command add_matrix(App&, const Context&);

@@ -1,24 +1,26 @@
 // cylon limits
 #include "harness/cli/command_line.h"
 #include "harness/cli/commands/app.h"
+#include "harness/cli/commands/limits_journal.h"
 #include "harness/cli/commands/limits_report.h"
+#include "harness/cli/journal.h"
 #include "harness/cli/options.h"
 #include "harness/cli/output.h"
 #include "harness/cli/workers.h"
 #include "harness/process/engine_table.h"
 #include "harness/scenario/glob.h"
 #include "harness/study/limits_step.h"
+#include "harness/study/parallel.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
+#include <chrono>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <mutex>
-#include <thread>
 
 namespace cylon::cli {
 namespace {
@@ -26,8 +28,10 @@ namespace {
 struct Options {
   std::vector<std::string> words, engines, integrators, workers;
   std::string json, csv;
+  ShardOptions shard;
   int jobs = 0;
   double timeout = 60;
+  bool resume = false;
 };
 
 // One search: a family, or a scenario's step; on one engine and integrator.
@@ -173,25 +177,33 @@ LimitRow search(const Task& task, const process::Limits& limits) {
   }
 }
 
+// The scenes of families are built by this program, so that its content is theirs.
+Unit unit_of(const Task& task) {
+  study::Cell cell;  // for the engine's part of its key alone
+  const scenario::Scenario none;
+  cell.scenario = task.scenario ? task.scenario : &none;
+  cell.engine = task.engine;
+  const std::string name = fmt::format("{} {} {}", task.family ? task.family->name : task.scenario->name,
+                                       task.engine.id, task.integrator);
+  return {name + "/" + cell_key(cell, content_of({"/proc/self/exe"})), name};
+}
+
 // In order, whatever the number of threads; the first error of all is thrown.
-std::vector<LimitRow> search_all(const std::vector<Task>& tasks, int jobs, const process::Limits& limits) {
+std::vector<LimitRow> search_all(const std::vector<Task>& tasks, const std::vector<Unit>& units, int jobs,
+                                 const process::Limits& limits, LimitsJournal& journal) {
   std::vector<LimitRow> rows(tasks.size());
-  std::atomic<std::size_t> next = 0;
-  std::exception_ptr error;
   std::mutex guard;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < tasks.size(); i = next++) try {
-        rows[i] = search(tasks[i], limits);
-      } catch (...) {
-        const std::scoped_lock lock(guard);
-        if (!error) error = std::current_exception();
-        next = tasks.size();
-      }
-  };
-  std::vector<std::jthread> threads;
-  for (int i = 0; i < jobs; ++i) threads.emplace_back(work);
-  threads.clear();
-  if (error) std::rethrow_exception(error);
+  study::in_parallel(tasks.size(), jobs, [&](std::size_t i) {
+    if (const auto known = journal.find(units[i])) {
+      rows[i] = *known;
+      return;
+    }
+    const auto start = std::chrono::steady_clock::now();
+    rows[i] = search(tasks[i], limits);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    const std::scoped_lock lock(guard);
+    journal.add(units[i], rows[i], seconds.count());
+  });
   return rows;
 }
 
@@ -216,12 +228,23 @@ int limits(const Context& context, const Options& options) {
     std::cerr << "nothing selected; see `cylon engines --names`\n";
     return nothing_selected;
   }
-  const auto rows = search_all(tasks, worker_count(options.jobs), {.run_seconds = options.timeout});
+  const std::optional<Shard> shard = shard_asked(options.shard);
+  Part part{"limits", shard ? shard->index : 1, shard ? shard->count : 1, {}};
+  std::ranges::transform(tasks, std::back_inserter(part.units), unit_of);
+  const std::vector<bool> own = own_units(shard, part);
+  std::vector<Unit> units = part.units;
+  keep(own, tasks), keep(own, units);
+  LimitsJournal journal(journal_file("limits", shard), part, options.resume);
+  if (shard && !journal.is_open())
+    throw core::InputError("a shard is its journal, and there is none: nothing was run");
+  if (options.resume) std::cerr << fmt::format("resumed: {} searches are done already\n", journal.known());
+  const auto rows =
+      search_all(tasks, units, worker_count(options.jobs), {.run_seconds = options.timeout}, journal);
   if (!options.json.empty()) write_whole(options.json, limits_json(rows));
   if (!options.csv.empty()) write_whole(options.csv, limits_csv(rows));
   if (std::find(files.begin(), files.end(), "-") == files.end())
     std::cout << plain(limits_text(rows, context.width));
-  return ok;
+  return shard && !journal.is_open() ? harness_failure : ok;
 }
 
 std::string family_list() {
@@ -249,6 +272,10 @@ Command add_limits(App& app, const Context& context) {
   add_integrators_option(app, options->integrators, "each engine's default");
   app.add_option("--json", options->json, "Write the rows as JSON; - is stdout")->type_name("FILE");
   app.add_option("--csv", options->csv, "Write the rows as CSV; - is stdout")->type_name("FILE");
+  add_shard_options(app, options->shard, "searches");
+  app.add_flag("--resume", options->resume,
+               "Continue an interrupted search in this folder (.cylon/limits.jsonl): what is found is not "
+               "searched again");
   add_jobs_option(app, options->jobs, "Number of searches to run at the same time; default: all processors");
   add_timeout_option(app, options->timeout);
   add_worker_option(app, options->workers);

@@ -10,6 +10,7 @@
 #include "reports/step_matrix.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iostream>
@@ -24,6 +25,7 @@ struct Options {
   std::string observable, json, html, at;
   int rounds = 3, jobs = 0;
   double finest = 1e-4, timeout = 60;
+  ShardOptions shard;
   bool resume = false, others = false;
 };
 
@@ -82,6 +84,13 @@ results::TradeTable sweep_of(const Context& context, const Options& options,
   return table;
 }
 
+// Of the options those that decide which runs are made.
+std::vector<std::string> asked(const Options& o) {
+  return {fmt::format("{} {} {}", fmt::join(o.wanted.engines, ","), fmt::join(o.wanted.integrators, ","),
+                      o.others),
+          fmt::format("{} {} {}", o.finest, o.rounds, o.observable)};
+}
+
 int matrix(const Context& context, const Options& options) {
   require_writable(std::vector<std::string>{options.json, options.html});
   const double at = options.at.empty() ? 0 : scenario::parse_step(options.at);
@@ -92,8 +101,8 @@ int matrix(const Context& context, const Options& options) {
   const auto each = [&](const scenario::Scenario& scenario, TradeJournal& journal) {
     return sweep_of(context, options, expected, scenario, journal);
   };
-  return sweep_each(context, {options.patterns, ".cylon/matrix.jsonl", options.resume}, each,
-                    [&](const Selection& selection, const std::vector<results::TradeTable>& tables) {
+  return sweep_each(context, {"matrix", options.patterns, asked(options), options.shard, options.resume},
+                    each, [&](const Selection& selection, const std::vector<results::TradeTable>& tables) {
                       const reports::ConsoleOptions style{
                           .width = context.width, .utf8 = context.utf8, .colour = context.colour};
                       if (options.json != "-" && options.html != "-")
@@ -141,6 +150,7 @@ Command add_matrix(App& app, const Context& context) {
       ->type_name("FILE");
   app.add_option("--html", options->html, "Write the matrix and the plots as one HTML file; - is stdout")
       ->type_name("FILE");
+  add_shard_options(app, options->shard, "scenarios");
   app.add_flag(
       "--resume", options->resume,
       "Continue an interrupted sweep in this folder (.cylon/matrix.jsonl): finished runs are not repeated");

@@ -30,23 +30,6 @@ namespace {
 namespace fs = std::filesystem;
 using results::Verdict;
 
-bool as_expected(const std::vector<Verdict>& rows) {
-  return std::all_of(rows.begin(), rows.end(), [](const Verdict& row) { return row.as_expected(); });
-}
-
-int exit_code(const std::vector<Verdict>& rows, bool published_differs) {
-  // A worker that could not be had, or that broke where nobody expected it, is the harness's failure; the
-  // engine's own misbehaviour is a verdict that differs.
-  const auto broken = [](const Verdict& row) {
-    const bool absent = row.status == results::Status::unsupported && row.version.empty();
-    return !row.as_expected() &&
-           (absent || row.status == results::Status::crash || row.status == results::Status::protocol ||
-            row.status == results::Status::timeout);
-  };
-  if (std::any_of(rows.begin(), rows.end(), broken)) return harness_failure;
-  return published_differs || !as_expected(rows) ? differs : ok;
-}
-
 // Only scenes with a table [theory] can be asked by theory.
 void leave_out_without_theory(Selection& selection) {
   std::set<std::string> without;
@@ -68,7 +51,10 @@ int run(const Context& context, const RunOptions& options) {
     throw core::InputError(fmt::format("--plots {}: no such folder", options.plots));
   const scenario::Expectations expectations = cli::expectations(context);
 
-  Journal journal(".cylon/journal.jsonl");
+  const std::optional<Shard> shard = shard_asked(options.shard);
+  if (shard && options.rerun_failed)
+    throw core::InputError(fmt::format("--rerun-failed: not of a shard ({})", shard->said_by));
+  Journal journal(journal_file("run", shard));
   const Journal::Content last = options.resume || options.rerun_failed ? journal.read() : Journal::Content();
   if (options.rerun_failed && !last.request) {
     std::cerr << "nothing to run again: this folder has no earlier run\n";
@@ -76,15 +62,13 @@ int run(const Context& context, const RunOptions& options) {
   }
   if (last.strange > 0)
     std::cerr << fmt::format(
-        "{} lines of .cylon/journal.jsonl are cut off, or were not written by you in this folder; they are "
-        "not "
-        "used\n",
-        last.strange);
+        "{} lines of {} are cut off, or were not written by you in this folder; they are not used\n",
+        last.strange, journal_file("run", shard).string());
   if (options.resume && !last.request && last.strange > 0 && options.request == Request())
     throw core::InputError("--resume: this folder has no run of yours; say what to run");
   // With nothing said but --resume or --rerun-failed, what the last run was asked for.
   const Request request = last.request && options.request == Request() ? *last.request : options.request;
-  Selection selection = select(context, request);
+  Selection selection = select_unprepared(context, request);
   if (request.theory) leave_out_without_theory(selection);
   if (selection.cells.empty()) {
     std::cerr << "nothing selected; see `cylon list --names` and `cylon engines --names`\n";
@@ -98,13 +82,19 @@ int run(const Context& context, const RunOptions& options) {
       return nothing_selected;
     }
   }
+  const Part part{"run", shard ? shard->index : 1, shard ? shard->count : 1,
+                  units_of(selection.cells, expectations.hash())};
+  keep(own_units(shard, part), selection.cells);
+  prepare(selection);
   for (study::Cell& cell : selection.cells) {
     study::sampling(*cell.scenario, cell.dt);  // refuse a bad step before any run
     cell.reproduce += unusual_limits(options);
   }
   Traces traces;
   if (options.wants_traces()) traces.watch(selection.cells);
-  journal.open(request, options.resume);
+  journal.open(request, part, options.resume);
+  if (shard && !journal.is_open())
+    throw core::InputError("a shard is its journal, and there is none: nothing was run");
   const process::Interruptible until_told;
   study::Matrix matrix = run_cells(context, options, expectations, last, journal, selection.cells);
   std::vector<Verdict> rows;
@@ -116,7 +106,7 @@ int run(const Context& context, const RunOptions& options) {
     print_charts(traces, {.width = context.width, .utf8 = context.utf8, .colour = context.colour});
   if (!quiet) print(context, options, rows, selection.cells.size());
   bool published_differs = false;
-  if (!selection.suite.published.empty()) {
+  if (!selection.suite.published.empty() && !shard) {  // a part of the rows reproduces no table
     const Reproduction reproduction = reproduce(selection.suite, rows);
     published_differs = !reproduction.complete;
     if (!quiet) std::cout << reproduction.text;
@@ -134,7 +124,7 @@ int run(const Context& context, const RunOptions& options) {
                  "folder\n";
   if (!matrix.refused.empty()) return bad_input;
   if (matrix.interrupted) return interrupted;
-  if (!matrix.failed.empty()) return harness_failure;
+  if (!matrix.failed.empty() || (shard && !journal.is_open())) return harness_failure;
   return exit_code(rows, published_differs);
 }
 

@@ -65,11 +65,11 @@ study::Matrix run_cells(const Context& context, const RunOptions& options,
   const study::Pool pool{.workers = worker_count(options.jobs),
                          .limits = {.run_seconds = options.timeout,
                                     .memory_bytes = static_cast<std::size_t>(options.memory * 1073741824.0)}};
-  study::Matrix fresh =
-      study::run(to_run, pool, expectations, [&](std::size_t i, const std::vector<Verdict>& verdicts) {
-        journal.add(keys[todo[i]], to_run[i], verdicts);
-        progress.done(to_run[i], verdicts);
-      });
+  study::Matrix fresh = study::run(to_run, pool, expectations,
+                                   [&](std::size_t i, const std::vector<Verdict>& verdicts, double seconds) {
+                                     journal.add(keys[todo[i]], to_run[i], verdicts, seconds);
+                                     progress.done(to_run[i], verdicts);
+                                   });
   progress.clear();
   for (std::size_t i = 0; i < todo.size(); ++i) rows[todo[i]] = std::move(fresh.rows[i]);
   fresh.rows = std::move(rows);

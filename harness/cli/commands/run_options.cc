@@ -59,6 +59,7 @@ void add_options(App& app, const std::shared_ptr<RunOptions>& options) {
   add_jobs_option(app, options->jobs, "Number of cells to run at the same time; default: all processors");
   add_timeout_option(app, options->timeout);
   add_memory_option(app, options->memory);
+  add_shard_options(app, options->shard, "cells");
   const Option rerun =
       app.add_flag("--rerun-failed", options->rerun_failed,
                    "Run only the cells that differed in the last run in this folder (.cylon/journal.jsonl)");

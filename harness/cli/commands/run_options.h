@@ -3,6 +3,7 @@
 
 #include "harness/cli/options.h"
 #include "harness/cli/selection.h"
+#include "harness/cli/shard.h"
 #include "harness/cli/traces.h"
 
 #include <memory>
@@ -14,6 +15,7 @@ struct RunOptions {
   Request request;
   std::string json, junit, csv, html, traces, plots;
   Trajectories trajectories = Trajectories::all;
+  ShardOptions shard;
   int jobs = 0;
   double timeout = 60, memory = 4;
   bool rerun_failed = false, resume = false, verbose = false, charts = false;

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -17,6 +18,19 @@ namespace cylon::cli {
 
 namespace fs = std::filesystem;
 using results::Verdict;
+
+int exit_code(const std::vector<Verdict>& rows, bool published_differs) {
+  // A worker that could not be had, or that broke where nobody expected it, is the harness's failure; the
+  // engine's own misbehaviour is a verdict that differs.
+  const auto broken = [](const Verdict& row) {
+    const bool absent = row.status == results::Status::unsupported && row.version.empty();
+    return !row.as_expected() &&
+           (absent || row.status == results::Status::crash || row.status == results::Status::protocol ||
+            row.status == results::Status::timeout);
+  };
+  if (std::any_of(rows.begin(), rows.end(), broken)) return harness_failure;
+  return published_differs || !std::ranges::all_of(rows, &Verdict::as_expected) ? differs : ok;
+}
 
 void print(const Context& context, const RunOptions& options, const std::vector<Verdict>& rows,
            std::size_t cells) {

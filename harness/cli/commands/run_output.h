@@ -13,6 +13,10 @@
 
 namespace cylon::cli {
 
+/// ok; differs where a row is not as expected, or numbers that somebody published do not come out;
+/// harness_failure where a worker could not be had.
+int exit_code(const std::vector<results::Verdict>&, bool published_differs);
+
 /// The matrix; before it every claim where that was asked for, or where there is one cell.
 void print(const Context&, const RunOptions&, const std::vector<results::Verdict>&, std::size_t cells);
 

@@ -11,6 +11,7 @@
 #include "reports/trade_report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -26,6 +27,7 @@ struct Options {
   std::string observable, json, csv, svg, html;
   int rungs = 12, rounds = 3, jobs = 0;
   double work = 1 << 18, timeout = 60, target = 0;
+  ShardOptions shard;
   bool resume = false, verbose = false;
 };
 
@@ -63,6 +65,14 @@ results::TradeTable sweep_of(const Context& context, const Options& options,
   return table;
 }
 
+// Of the options those that decide which runs are made.
+std::vector<std::string> asked(const Options& o) {
+  return {
+      fmt::format("{} {} {}", fmt::join(o.wanted.engines, ","), fmt::join(o.wanted.integrators, ","),
+                  fmt::join(o.steps, ",")),
+      fmt::format("{} {} {} {} {}", fmt::join(o.tolerances, ","), o.rungs, o.work, o.rounds, o.observable)};
+}
+
 // FILE.svg, or FILE-scenario.svg where there are several.
 std::string svg_name(const std::string& given, const std::string& scenario, bool several) {
   if (!several || given == "-") return given;
@@ -84,7 +94,7 @@ int trade(const Context& context, const Options& options) {
     first = false;
     return table;
   };
-  return sweep_each(context, {options.patterns, ".cylon/trade.jsonl", options.resume}, each,
+  return sweep_each(context, {"trade", options.patterns, asked(options), options.shard, options.resume}, each,
                     [&](const Selection& selection, const std::vector<results::TradeTable>& tables) {
                       write_tables(context, selection, tables, "Cylon: speed against accuracy", options.json,
                                    options.html);
@@ -150,6 +160,7 @@ Command add_trade(App& app, const Context& context) {
       ->type_name("FILE");
   app.add_option("--html", options->html, "Write the plots and tables as one HTML file; - is stdout")
       ->type_name("FILE");
+  add_shard_options(app, options->shard, "scenarios");
   app.add_flag(
       "--resume", options->resume,
       "Continue an interrupted sweep in this folder (.cylon/trade.jsonl): finished runs are not repeated");

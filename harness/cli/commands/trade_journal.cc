@@ -49,15 +49,20 @@ study::Ran from_json(const json& j) {
 
 }  // namespace
 
-TradeJournal::TradeJournal(const std::filesystem::path& file, bool resume) : file_(file) {
+TradeJournal::TradeJournal(const std::filesystem::path& file, const Part& part, bool resume) : file_(file) {
   if (resume)
     file_.read([&](const json& row) {
       if (row.contains("ran"))
         runs_[row.at("key")] = from_json(row.at("ran"));
-      else
+      else if (row.contains("load"))
         times_[row.at("key")] = {row.at("load"), row.at("step")};
     });
   file_.open(resume);
+  file_.add(to_json(part));
+}
+
+void TradeJournal::finish(const Unit& unit, double seconds) {
+  file_.add({{"key", unit.key}, {"cell", unit.name}, {"seconds", seconds}});
 }
 
 void TradeJournal::turn_to(const scenario::Scenario& scenario, std::int64_t samples) {

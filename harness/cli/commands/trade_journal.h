@@ -3,6 +3,7 @@
 #pragma once
 
 #include "harness/cli/line_file.h"
+#include "harness/cli/part.h"
 #include "harness/study/sweep.h"
 
 #include <filesystem>
@@ -15,10 +16,16 @@ class TradeJournal final : public study::Memory {
  public:
   /// Starts afresh, or reads what is there and goes on after it; a line cut off by a crash is left out.
   /// Throws core::InputError where another sweep has the file open.
-  TradeJournal(const std::filesystem::path& file, bool resume);
+  TradeJournal(const std::filesystem::path& file, const Part&, bool resume);
 
   /// The scenario whose runs follow, and how many common times they are looked at.
   void turn_to(const scenario::Scenario& scenario, std::int64_t samples);
+
+  /// A scenario of which nothing is left to do, and how long that took now [s].
+  void finish(const Unit&, double seconds);
+
+  /// Whether all of it could be written so far.
+  bool is_open() const { return file_.is_open(); }
 
   /// How many runs and timings the file held.
   std::size_t known() const { return runs_.size() + times_.size(); }

@@ -3,14 +3,17 @@
 #include "harness/cli/output.h"
 #include "harness/cli/provenance_now.h"
 #include "harness/cli/scenario_view.h"
+#include "harness/core/input_error.h"
 #include "harness/process/interruption.h"
 #include "harness/study/self_reference.h"
 #include "reports/html.h"
 #include "reports/trade_report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include <chrono>
 #include <iostream>
 
 namespace cylon::cli {
@@ -38,6 +41,12 @@ class Progress {
   std::string scenario_;
   int runs_ = 0, timings_ = 0;
 };
+
+// One scenario under all settings: its times are compared with each other, so that one machine measures them.
+Unit unit_of(const SweepRequest& request, const scenario::Scenario& scenario) {
+  return {fmt::format("{}/{}/{}", scenario.name, scenario.hash, fmt::join(request.asked, "/")),
+          scenario.name};
+}
 
 }  // namespace
 
@@ -69,21 +78,37 @@ int sweep_each(const Context& context, const SweepRequest& request,
                const std::function<void(const Selection&, const std::vector<results::TradeTable>&)>& done) {
   Request wanted;
   wanted.patterns = request.patterns;
-  const Selection selection = select(context, wanted);
+  Selection selection = select_unprepared(context, wanted);
   if (selection.scenarios.empty()) {
     std::cerr << "nothing selected; see `cylon list --names`\n";
     return nothing_selected;
   }
-  TradeJournal journal(request.journal, request.resume);
+  const std::optional<Shard> shard = shard_asked(request.shard);
+  Part part{request.command, shard ? shard->index : 1, shard ? shard->count : 1, {}};
+  for (const auto& scenario : selection.scenarios) part.units.push_back(unit_of(request, *scenario));
+  const std::vector<bool> own = own_units(shard, part);
+  std::vector<Unit> units = part.units;
+  keep(own, units), keep(own, selection.scenarios);
+  TradeJournal journal(journal_file(request.command, shard), part, request.resume);
+  if (shard && !journal.is_open())
+    throw core::InputError("a shard is its journal, and there is none: nothing was run");
   if (request.resume) std::cerr << fmt::format("resumed: {} runs are done already\n", journal.known());
   std::vector<results::TradeTable> tables;
   const process::Interruptible until_told;
   bool whole = true;
   try {
-    for (const auto& scenario : selection.scenarios) tables.push_back(each(*scenario, journal));
+    for (std::size_t i = 0; i < units.size(); ++i) {
+      const auto start = std::chrono::steady_clock::now();
+      scenario::prepare(*selection.scenarios[i]);
+      tables.push_back(each(*selection.scenarios[i], journal));
+      const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+      journal.finish(units[i], seconds.count());
+    }
   } catch (const process::Interrupted&) {
     whole = false;
   }
+  if (whole && shard && !journal.is_open()) return harness_failure;
+  if (whole && shard && tables.empty()) return ok;
   if (whole || !tables.empty()) done(selection, tables);
   if (!whole) {
     std::cerr << "interrupted: what is written holds the scenarios that are done; repeat the command with "

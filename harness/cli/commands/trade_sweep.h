@@ -28,8 +28,10 @@ results::TradeTable sweep(const Context&, const Sweep&, TradeJournal&,
                           const std::function<std::vector<study::Setting>()>& settings);
 
 struct SweepRequest {
+  std::string command;                ///< "trade" or "matrix".
   std::vector<std::string> patterns;  ///< Of scenarios.
-  std::string journal;                ///< The file that --resume reads.
+  std::vector<std::string> asked;     ///< What else decides the results: engines, steps, tolerances, ….
+  ShardOptions shard;
   bool resume = false;
 };
 

@@ -1,0 +1,49 @@
+// What a journal is to hold: all units of a question, and the part of them that one process does.
+#pragma once
+
+#include "harness/cli/shard.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cylon::cli {
+
+/// The commands whose work can be shared out, each with the name of its journal.
+struct Question {
+  const char* command;
+  const char* journal;
+};
+inline constexpr Question questions[] = {
+    {"run", "journal"}, {"trade", "trade"}, {"matrix", "matrix"}, {"limits", "limits"}};
+
+/// "run" → .cylon/journal.jsonl; of a shard .cylon/journal-2-of-8.jsonl.  Relative to the working folder.
+std::filesystem::path journal_file(const std::string& command, const std::optional<Shard>& = {});
+
+/// The line of a journal that says what it is.
+struct Part {
+  std::string command;  ///< One of `questions`.
+  std::size_t index = 1, count = 1;
+  std::vector<Unit> units;  ///< All of them, also those of other parts.
+};
+
+nlohmann::json to_json(const Part&);
+
+/// Throws std::exception for what is none.
+Part part_from(const nlohmann::json&);
+
+/// Which units are the shard's; all where there is none.  Says on stderr how many that is.  Throws
+/// core::InputError where the shard is by time and this folder's journal of the command has no durations.
+std::vector<bool> own_units(const std::optional<Shard>&, const Part&);
+
+/// Leaves of a list with one entry per unit what is the shard's.
+template <class Entry>
+void keep(const std::vector<bool>& own, std::vector<Entry>& list) {
+  std::size_t i = 0;
+  std::erase_if(list, [&](const Entry&) { return !own[i++]; });
+}
+
+}  // namespace cylon::cli

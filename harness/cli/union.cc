@@ -1,0 +1,161 @@
+#include "harness/cli/union.h"
+
+#include "harness/cli/line_file.h"
+#include "harness/core/input_error.h"
+#include "harness/input/json.h"
+#include "reports/json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace cylon::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+struct File {
+  fs::path path;
+  std::optional<Part> part;
+  std::vector<std::pair<std::string, json>> lines;  // by key, in the order of the file
+  std::size_t strange = 0;
+};
+
+// Throws std::exception for a line that holds no result.
+void require_result(const json& line) {
+  if (line.contains("cell")) static_cast<void>(line.at("cell").get_ref<const std::string&>());
+  if (!line.contains("verdicts")) return;
+  for (const json& verdict : line.at("verdicts").get_ref<const json::array_t&>())
+    static_cast<void>(reports::from_json_line(verdict.get_ref<const std::string&>()));
+}
+
+File read(const fs::path& path) {
+  File file{path, {}, {}, 0};
+  file.strange = LineFile::read_of_others(path, [&](const json& line) {
+    if (line.contains("part"))
+      file.part = part_from(line);
+    else if (!line.contains("request")) {
+      require_result(line);
+      file.lines.emplace_back(line.at("key").get<std::string>(), line);
+    }
+  });
+  if (!file.part)
+    throw core::InputError(
+        fmt::format("{}: no journal that can be merged; `cylon run`, `trade`, `matrix` and `limits` write "
+                    "them into .cylon",
+                    path.string()));
+  if (file.part->command == "run")
+    file.strange +=
+        std::erase_if(file.lines, [](const auto& line) { return !line.second.contains("verdicts"); });
+  return file;
+}
+
+// What must come out again: all but times.  Verdicts are kept as text, so that their digits stay.
+json without_times(json line) {
+  for (const char* time : {"seconds", "load", "step"}) line.erase(time);
+  if (line.contains("ran")) line["ran"].erase("cpu");
+  if (line.contains("verdicts"))
+    for (json& verdict : line["verdicts"]) {
+      verdict = input::parse_json(verdict.get<std::string>());
+      verdict.erase("cpu_seconds");
+    }
+  return line;
+}
+
+std::string contradiction(const File& a, const json& first, const File& b, const json& second) {
+  const json left = without_times(first), right = without_times(second);
+  const json patch = json::diff(left, right);
+  if (patch.empty()) return "";
+  const std::string place = patch[0].at("path");
+  const auto shown = [&](const json& whole) {
+    const json::json_pointer at(place);
+    return whole.contains(at) ? whole.at(at).dump(-1, ' ', true, json::error_handler_t::replace)
+                              : std::string("nothing");
+  };
+  const std::string name = first.value("cell", first.at("key").get<std::string>());
+  return fmt::format("{}: {} is {} in {} and {} in {}", name, place, shown(left), a.path.string(),
+                     shown(right), b.path.string());
+}
+
+// Why two journals are not of one question.
+void require_same(const File& a, const File& b) {
+  if (a.part->command != b.part->command)
+    throw core::InputError(fmt::format("{} is of `cylon {}`, {} of `cylon {}`", a.path.string(),
+                                       a.part->command, b.path.string(), b.part->command));
+  if (a.part->units == b.part->units) return;
+  const auto by_name = [](const Part& part) {
+    std::map<std::string, std::string> keys;
+    for (const Unit& unit : part.units) keys[unit.name] = unit.key;
+    return keys;
+  };
+  const auto left = by_name(*a.part), right = by_name(*b.part);
+  for (const auto& [name, key] : left) {
+    const auto found = right.find(name);
+    if (found == right.end())
+      throw core::InputError(fmt::format("{} asks for '{}', {} does not: they are not parts of one question",
+                                         a.path.string(), name, b.path.string()));
+    if (found->second != key)
+      throw core::InputError(
+          fmt::format("'{}' is another scenario, engine or list of expectations in {} than in {}: {} and {}",
+                      name, a.path.string(), b.path.string(), key, found->second));
+  }
+  if (left.size() < right.size()) return require_same(b, a);
+  throw core::InputError(
+      fmt::format("{} and {} ask for the same cells in another order", a.path.string(), b.path.string()));
+}
+
+}  // namespace
+
+Union unite(std::span<const fs::path> paths) {
+  std::vector<File> files;
+  Union all;
+  std::map<std::string, std::size_t> source;  // of each line
+  for (const fs::path& path : paths) {
+    files.push_back(read(path));
+    require_same(files.front(), files.back());
+    all.strange += files.back().strange;
+  }
+  for (std::size_t f = 0; f < files.size(); ++f)
+    for (const auto& [key, line] : files[f].lines) {
+      const auto [there, is_new] = all.lines.emplace(key, line);
+      if (is_new) {
+        source[key] = f;
+        continue;
+      }
+      std::string why = contradiction(files[source[key]], there->second, files[f], line);
+      if (!why.empty()) all.contradictions.push_back(std::move(why));
+    }
+  all.part = *files.front().part;
+  all.part.index = all.part.count = 1;
+  std::ranges::copy_if(all.part.units, std::back_inserter(all.missing),
+                       [&](const Unit& unit) { return !all.lines.contains(unit.key); });
+  return all;
+}
+
+void write(const Union& all, const fs::path& place) {
+  LineFile lock(place);
+  lock.open(true);  // nobody runs here meanwhile
+  const fs::path fresh = place.string() + ".merging";
+  {
+    LineFile file(fresh, place);
+    file.open(false);
+    file.add(to_json(all.part));
+    std::set<std::string> written;
+    const auto add = [&](const std::string& key, const json& line) {
+      if (written.insert(key).second) file.add(line);
+    };
+    for (const Unit& unit : all.part.units)
+      if (const auto found = all.lines.find(unit.key); found != all.lines.end()) add(unit.key, found->second);
+    for (const auto& [key, line] : all.lines) add(key, line);
+    if (!lock.is_open() || !file.is_open())
+      throw core::InputError(fmt::format("{}: cannot be written", place.string()));
+  }
+  std::error_code error;
+  fs::rename(fresh, place, error);
+  if (error) throw core::InputError(fmt::format("{}: {}", place.string(), error.message()));
+}
+
+}  // namespace cylon::cli

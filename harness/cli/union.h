@@ -1,0 +1,36 @@
+// The union of journals: what several processes did of one question, each its part, as one journal.
+#pragma once
+
+#include "harness/cli/part.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace cylon::cli {
+
+/// Of any journals of one question in any order, also of some again, and of unions: the same.
+struct Union {
+  Part part;                                    ///< The whole: 1 of 1.
+  std::map<std::string, nlohmann::json> lines;  ///< By key, each as the first file has it.
+  std::vector<Unit> missing;                    ///< In the order of the units.
+  /// Where two files disagree on what does not depend on time: "heavy_top bullet 1/60: /verdicts/0/measured is 2
+  /// in a.jsonl and 3 in b.jsonl".  The same input must give the same bits, so that each is a finding.
+  std::vector<std::string> contradictions;
+  std::size_t strange = 0;  ///< Lines that a crash has cut off.
+};
+
+/// Throws core::InputError for a file that is no journal, and for journals that ask something else: another
+/// command, or cells with another content.
+Union unite(std::span<const std::filesystem::path>);
+
+/// Writes it whole or not at all, as this user's own journal of the place.  Throws core::InputError where it
+/// cannot be written, or another program has it open.
+void write(const Union&, const std::filesystem::path&);
+
+}  // namespace cylon::cli
