@@ -1,5 +1,6 @@
 #include "harness/cli/context.h"
 
+#include "harness/cli/folders.h"
 #include "harness/core/input_error.h"
 
 #include <fmt/format.h>
@@ -37,11 +38,13 @@ Context make_context() {
   std::error_code ignored;
   const fs::path executable = fs::read_symlink("/proc/self/exe", ignored);
   const std::string scenarios = environment("CYLON_SCENARIOS"), workers = environment("CYLON_WORKERS");
-  context.scenarios =
-      scenarios.empty() ? executable.parent_path() / ".." / ".." / "scenarios" : fs::path(scenarios);
-  context.scenarios = context.scenarios.lexically_normal();
-  context.workers = workers.empty() ? executable.parent_path() : fs::path(workers);
+  const Folders own = folders_of(executable);
+  context.scenarios = (scenarios.empty() ? own.scenarios : fs::path(scenarios)).lexically_normal();
+  context.workers = workers.empty() ? own.workers : fs::path(workers);
   context.engines = process::default_engines(context.workers);
+  for (process::EngineRow& row : context.engines)  // ./run is a script of the sources
+    if (own.installed && row.optional())
+      row.brought_by = fmt::format("apt-get install ./cylon-{}_*.deb", row.id);
   std::setlocale(LC_CTYPE, "");
   // The C locale of a bare container says ASCII though every terminal of today shows UTF-8; only a locale
   // that somebody chose is believed.

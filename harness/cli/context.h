@@ -36,7 +36,7 @@ struct Context {
   int width = 100;        ///< Of the terminal [columns].
 };
 
-/// From the place of this executable (build/<preset>/cylon), CYLON_SCENARIOS and CYLON_WORKERS.
+/// From the place of this executable (folders.h), CYLON_SCENARIOS and CYLON_WORKERS.
 Context make_context();
 
 /// expected.toml of the folder; without one, every verdict is expected to pass.

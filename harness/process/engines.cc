@@ -30,7 +30,7 @@ std::vector<EngineRow> default_engines(const std::filesystem::path& worker_dir) 
 std::optional<std::string> missing(const EngineRow& row) {
   std::error_code ignored;
   if (!row.optional() || std::filesystem::exists(row.command.front(), ignored)) return std::nullopt;
-  return fmt::format("{} is not here; `{}` installs and builds it", row.id, row.brought_by);
+  return fmt::format("{} is not here; `{}` brings it", row.id, row.brought_by);
 }
 
 std::vector<EngineRow> usual(std::vector<EngineRow> rows) {

@@ -15,7 +15,7 @@ struct EngineRow {
   std::string id;                    ///< "bullet-multibody"
   std::vector<std::string> command;  ///< Worker and its arguments; looked up in PATH unless it has a slash.
   std::string path;                  ///< Of the engine; "": the engine's own rule.
-  std::string brought_by = {};       ///< Of an optional engine: the command that installs and builds it.
+  std::string brought_by = {};  ///< Of an optional engine: the command that brings it where it is missing.
 
   /// It may be missing, and takes part only where it is named.
   bool optional() const { return !brought_by.empty(); }

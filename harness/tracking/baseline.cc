@@ -1,6 +1,7 @@
 #include "harness/tracking/baseline.h"
 
 #include "harness/cli/command_line.h"
+#include "harness/cli/folders.h"
 #include "harness/core/input_error.h"
 #include "harness/process/child.h"
 
@@ -24,13 +25,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* worker_prefix = "cylon-worker-";
-
-bool has_workers(const fs::path& folder) {
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder, ignored))
-    if (entry.path().filename().string().starts_with(worker_prefix)) return true;
-  return false;
-}
 
 /// Runs a command with its output added to a file; whether it succeeded.  Throws process::Interrupted.
 bool run_logged(const std::vector<std::string>& command, const fs::path& log) {
@@ -89,15 +83,19 @@ study::Side side_of_folder(const std::string& name, const fs::path& folder) {
 
 std::optional<fs::path> worker_folder(const std::string& word) {
   std::error_code ignored;
-  if (fs::is_regular_file(word, ignored)) return fs::absolute(word).parent_path();
+  if (fs::is_regular_file(word, ignored)) return folders_of(fs::absolute(word)).workers;
   if (!fs::is_directory(word, ignored)) return std::nullopt;
-  if (!has_workers(word))
-    throw core::InputError(fmt::format("--baseline {}: there is no cylon-worker-* in this folder", word));
-  return fs::path(word);
+  const fs::path workers = workers_below(word);
+  if (workers.empty())
+    throw core::InputError(
+        fmt::format("--baseline {}: there is no cylon-worker-* in this folder or its libexec/cylon", word));
+  return workers;
 }
 
 std::optional<std::string> revision_of(const Context& context, const std::string& word) {
   if (word.empty() || word.starts_with('-')) return std::nullopt;
+  // An installation may lie inside a repository of somebody else, whose revisions are not ours to build.
+  if (!fs::exists(sources(context) / "CMakePresets.json")) return std::nullopt;
   const std::string sha = first_line_of(
       {"git", "-C", sources(context).string(), "rev-parse", "--verify", "--quiet", word + "^{commit}"});
   return sha.empty() ? std::nullopt : std::optional(sha);

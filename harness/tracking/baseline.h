@@ -16,7 +16,8 @@ namespace cylon::tracking {
 /// The workers of a folder, under the ids of Cylon's own engines.
 study::Side side_of_folder(const std::string& name, const std::filesystem::path& folder);
 
-/// The folder that a user means by a build folder or a binary in one; nothing where the word is neither.
+/// The folder of workers that a user means by a build folder, the prefix of an installation or a binary in either;
+/// nothing where the word is none of these.
 /// Throws core::InputError for a folder without workers.
 std::optional<std::filesystem::path> worker_folder(const std::string& word);
 

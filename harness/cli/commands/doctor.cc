@@ -51,8 +51,9 @@ Command add_doctor(App&, const Context& context) {
             listed ? "" : " (expected.toml has no row for this version, so verdicts may differ)");
       });
     }
-    std::cout << (sound ? "Everything needed is installed.\n"
-                        : "Something is missing; see FAIL above. ./run builds what this checkout needs.\n");
+    std::cout
+        << (sound ? "Everything needed is installed.\n"
+                  : "Something is missing; see FAIL above. In a checkout, ./run builds what is needed.\n");
     return sound ? ok : harness_failure;
   };
 }

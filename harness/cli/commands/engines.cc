@@ -117,8 +117,8 @@ int engines(const Context& context, const Options& options) {
       if (options.json)
         rows.push_back(absent(engine));
       else
-        std::cout << plain(fmt::format("{}: not here: `{}` installs and builds it\n{}", engine.id,
-                                       engine.brought_by, options.here ? "" : "\n"));
+        std::cout << plain(fmt::format("{}: not here: `{}` brings it\n{}", engine.id, engine.brought_by,
+                                       options.here ? "" : "\n"));
       continue;
     }
     try {

@@ -34,13 +34,12 @@ class OptionalEngines : public CommandLine {
   }
 };
 
-constexpr const char* sentence = "mujoco is not here; `./run engines` installs and builds it";
+constexpr const char* sentence = "mujoco is not here; `./run engines` brings it";
 
 TEST_F(OptionalEngines, AreListedWithWhatBringsThem) {
   const Ran here = cylon("engines --here");
   EXPECT_EQ(here.code, 0) << here.err;
-  EXPECT_NE(here.out.find("mujoco: not here: `./run engines` installs and builds it\n"), std::string::npos)
-      << here.out;
+  EXPECT_NE(here.out.find("mujoco: not here: `./run engines` brings it\n"), std::string::npos) << here.out;
   EXPECT_NE(here.out.find("ode: here: ode 0.16"), std::string::npos) << here.out;
 
   const Ran all = cylon("engines --json");
