@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <iostream>
+#include <map>
+#include <memory>
 
 namespace cylon::cli {
 namespace {
@@ -20,7 +22,7 @@ Arguments arguments(const Words& row) {
   if (!row.commands.empty()) return {"", fmt::format("{}", fmt::join(row.commands, " "))};
   if (command == "engines") return {"engines --names", ""};
   if (command == "completion") return {"", "bash zsh fish"};
-  if (command == "new" || command == "doctor") return {"", ""};
+  if (command == "new" || command == "doctor" || command == "merge") return {"", ""};  // files at most
   return {"list --names", ""};
 }
 
@@ -51,14 +53,46 @@ complete -F _cylon cylon
                      names, cases);
 }
 
+// Lies in $fpath as _cylon, where the first line registers it, or is sourced, where `compdef` does.
+std::string zsh(const std::vector<Words>& words) {
+  std::string names, cases;
+  for (const Words& row : words) {
+    const auto [query, fixed] = arguments(row);
+    names += row.command + ' ';
+    cases +=
+        fmt::format("      {}) candidates=({} {} {}) ;;\n", row.command, fmt::join(row.options, " "), fixed,
+                    query.empty() ? "" : fmt::format("${{(f)\"$($cylon {} 2>/dev/null)\"}}", query));
+  }
+  return fmt::format(R"sh(#compdef cylon
+compdef _cylon cylon
+_cylon() {{
+  local cylon=$words[1]
+  local -a candidates
+  if (( CURRENT == 2 )); then
+    candidates=({}--help --version)
+  elif [[ $words[CURRENT-1] == --engine ]]; then
+    candidates=(${{(f)"$($cylon engines --names 2>/dev/null)"}})
+  else
+    case $words[2] in
+{}    esac
+    _files
+  fi
+  compadd -a candidates
+}}
+[[ $funcstack[1] == _cylon ]] && _cylon "$@"
+)sh",
+                     names, cases);
+}
+
 std::string fish(const std::vector<Words>& words) {
   std::string text;
   for (const Words& row : words) {
     text += fmt::format("complete -c cylon -n __fish_use_subcommand -f -a {}\n", row.command);
     for (const std::string& option : row.options)
-      text += fmt::format("complete -c cylon -n '__fish_seen_subcommand_from {}' {} {}\n", row.command,
-                          option.starts_with("--") ? "-l" : "-s",
-                          option.substr(option.starts_with("--") ? 2 : 1));
+      text +=
+          fmt::format("complete -c cylon -n '__fish_seen_subcommand_from {}' {} {}{}\n", row.command,
+                      option.starts_with("--") ? "-l" : "-s", option.substr(option.starts_with("--") ? 2 : 1),
+                      option == "--engine" ? " -x -a '(cylon engines --names 2>/dev/null)'" : "");
     const auto [query, fixed] = arguments(row);
     const std::string values = query.empty() ? fixed : fmt::format("(cylon {} 2>/dev/null)", query);
     if (!values.empty())
@@ -75,9 +109,9 @@ Command add_completion(App& app, const Context&) {
   app.add_option("shell", *shell, "bash, zsh or fish")->required()->check(one_of({"bash", "zsh", "fish"}));
   app.footer("bash: source <(cylon completion bash)");
   return [shell, app] {
-    const std::vector<Words> words = app.parent().words();
-    if (*shell == "zsh") std::cout << "autoload -U +X bashcompinit && bashcompinit\n";
-    std::cout << (*shell == "fish" ? fish(words) : bash(words));
+    static const std::map<std::string, std::string (*)(const std::vector<Words>&)> scripts = {
+        {"bash", bash}, {"zsh", zsh}, {"fish", fish}};
+    std::cout << scripts.at(*shell)(app.parent().words());
     return ok;
   };
 }

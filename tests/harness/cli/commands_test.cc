@@ -216,16 +216,6 @@ TEST_F(CommandLine, ResumesInterruptedRun) {
   EXPECT_NE(on.out.find(" verdicts: "), std::string::npos);
 }
 
-TEST_F(CommandLine, CompletionScriptCompletes) {
-  const Ran ran = shell(
-      "cylon completion bash > c.sh && bash -n c.sh && . ./c.sh && COMP_WORDS=(cylon run dzh) COMP_CWORD=2 "
-      "&& _cylon && "
-      "echo ${COMPREPLY[@]} && COMP_WORDS=(cylon run --engine od) COMP_CWORD=3 && _cylon && echo "
-      "${COMPREPLY[@]}");
-  EXPECT_EQ(ran.code, 0) << ran.err;
-  EXPECT_EQ(ran.out, "dzhanibekov\node ode-quick\n");
-}
-
 TEST_F(CommandLine, ANewScenarioRuns) {
   EXPECT_EQ(cylon("new mine").code, 0);
   EXPECT_EQ(cylon("run mine.toml --engine in-house").code, 0);
