@@ -50,6 +50,18 @@ const std::vector<App::Row> commands = {
     {"completion", "Print the completion script of a shell", add_completion},
 };
 
+// Commands inherit the footer with the exit codes; this is the program's alone.
+constexpr const char* environment =
+    "Environment:\n"
+    "  CYLON_SCENARIOS             Folder of scenarios, with suites/ and expected.toml. Default: the one "
+    "that comes with cylon\n"
+    "  CYLON_WORKERS               Folder of cylon-worker-*. Default: those that come with cylon\n"
+    "  CYLON_CACHE                 Folder of certified solutions; off: none. Default: $XDG_CACHE_HOME/cylon, "
+    "else ~/.cache/cylon\n"
+    "  CYLON_KEY                   File of your key, which seals what is kept. Default: "
+    "$XDG_CONFIG_HOME/cylon/key, else "
+    "~/.config/cylon/key";
+
 // Its options, and its commands where it has any.
 std::vector<std::string> words_of(const CLI::App& app) {
   std::vector<std::string> names;
@@ -159,6 +171,7 @@ int run_command_line(int argc, char** argv) {
   context.command_line = shell_command(std::vector<std::string>(argv, argv + argc));
   Command chosen;
   App(app).add_commands(commands, context, [&chosen](Command command) { chosen = std::move(command); });
+  app.footer(app.get_footer() + "\n\n" + environment);
   try {
     if (argc > 1) refuse_unknown_command(argv[1]);
     app.parse(argc, argv);
