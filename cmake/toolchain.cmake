@@ -17,6 +17,9 @@ option(CYLON_FUZZ "libFuzzer's programs and its counters in all code; needs clan
 set(CYLON_MARCH "x86-64-v3" CACHE STRING "-march of every target")
 
 add_compile_options(-march=${CYLON_MARCH} -ffp-contract=off)
+if(CYLON_MARCH MATCHES "^x86-64-v[234]$")
+  add_link_options(-Wl,-z,${CYLON_MARCH})  # an older processor is refused by the loader, not killed by its first AVX2
+endif()
 if(CYLON_SANITIZE)
   add_compile_options(-fsanitize=${CYLON_SANITIZE} -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${CYLON_SANITIZE})
@@ -42,7 +45,7 @@ target_compile_options(warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion 
 
 # What a report says of its build.
 add_compile_definitions(CYLON_VERSION="${PROJECT_VERSION}")
-execute_process(COMMAND git describe --always --dirty WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
+execute_process(COMMAND git describe --always --abbrev=12 --dirty WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
                 OUTPUT_VARIABLE revision OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
 set_source_files_properties(reports/provenance.cc PROPERTIES COMPILE_DEFINITIONS
   "CYLON_REVISION=\"${revision}\";CYLON_FLAGS=\"${CMAKE_BUILD_TYPE} -march=${CYLON_MARCH} -ffp-contract=off\"")
