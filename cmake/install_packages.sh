@@ -2,7 +2,8 @@
 # Installs what cmake/packages.txt and reference/simulators/engines.txt list and this machine lacks; says clearly what it cannot do.
 #   cmake/install_packages.sh          what the program needs
 #   cmake/install_packages.sh engines  and the optional engines
-#   cmake/install_packages.sh tests    and the optional engines, and what only the tests need
+#   cmake/install_packages.sh package  and what makes Debian packages
+#   cmake/install_packages.sh tests    and the optional engines, what makes packages, and what only the tests need
 #   cmake/install_packages.sh fuzz     and what only ./test fuzz needs
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -17,7 +18,7 @@ missing=() missing_of_choice=()
 while read -r probe package only; do
   if [ -z "$only" ]; then
     declare -n list=missing
-  elif [ "$only" = "${1:-}" ] || [ "$only for ${1:-}" = "engines for tests" ]; then
+  elif [ "$only" = "${1:-}" ] || [[ "$only for ${1:-}" =~ ^(engines|package)" for tests"$ ]]; then
     declare -n list=missing_of_choice
   else
     continue

@@ -169,6 +169,16 @@ function(web_tests)
   set_tests_properties(web_bundle_is_current PROPERTIES LABELS web)
 endfunction()
 
+# What is installed and packed, and used where nothing else is (tests/package/).
+function(package_tests)
+  foreach(script installed packages bare_root reproducible)
+    add_test(NAME package/${script} COMMAND ${PROJECT_SOURCE_DIR}/tests/package/${script}.sh ${PROJECT_BINARY_DIR})
+    set_tests_properties(package/${script} PROPERTIES LABELS package SKIP_RETURN_CODE 77 COST ${long_test})
+  endforeach()
+  # These take minutes: a Debian from its mirrors, and two builds.
+  set_tests_properties(package/bare_root package/reproducible PROPERTIES LABELS "package;slow" TIMEOUT 7200)
+endfunction()
+
 # bench(name USES libraries…): `benches` builds them all, `all` builds none.
 add_custom_target(benches)
 function(bench name)
