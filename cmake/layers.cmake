@@ -122,6 +122,20 @@ function(adapter_tests build library)
   declare(${build}_tests KIND tests PLACES ${folder}/ PRIVATE ${library})
 endfunction()
 
+# javascript_tests(folder): its *_test.mjs in node, where that is; they leave out engines whose packages are not.
+function(javascript_tests folder)
+  find_program(node_program node)
+  if(NOT node_program)
+    return()
+  endif()
+  file(GLOB tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*_test.mjs)
+  foreach(test IN LISTS tests)
+    cmake_path(GET test STEM name)
+    add_test(NAME javascript/${name} COMMAND ${node_program} --test ${test})
+    set_tests_properties(javascript/${name} PROPERTIES LABELS javascript)
+  endforeach()
+endfunction()
+
 # tool(name SOURCE file USES libraries…): an executable that a script builds when it needs it.
 function(tool name)
   cmake_parse_arguments(ARG "" "SOURCE" "USES" ${ARGN})

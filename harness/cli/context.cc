@@ -2,6 +2,7 @@
 
 #include "harness/cli/folders.h"
 #include "harness/core/input_error.h"
+#include "harness/process/engine_table.h"
 
 #include <fmt/format.h>
 
@@ -42,9 +43,11 @@ Context make_context() {
   context.scenarios = (scenarios.empty() ? own.scenarios : fs::path(scenarios)).lexically_normal();
   context.workers = workers.empty() ? own.workers : fs::path(workers);
   context.engines = process::default_engines(context.workers);
-  for (process::EngineRow& row : context.engines)  // ./run is a script of the sources
-    if (own.installed && row.optional())
-      row.brought_by = fmt::format("apt-get install ./cylon-{}_*.deb", row.id);
+  if (own.installed)  // ./run is a script of the sources
+    for (std::size_t i = 0; const process::BuiltEngine& built : process::engine_table())
+      if (process::EngineRow& row = context.engines[i++]; row.optional())
+        row.brought_by = built.packaged ? fmt::format("apt-get install ./cylon-{}_*.deb", row.id)
+                                        : "cd SOURCES && ./run engines";
   std::setlocale(LC_CTYPE, "");
   // The C locale of a bare container says ASCII though every terminal of today shows UTF-8; only a locale
   // that somebody chose is believed.

@@ -44,6 +44,7 @@ CYLON_SCENARIOS=$scratch/mine says thrown list --names
 # An optional engine that is not installed is said to come by its package, and a repository around the prefix is no baseline.
 rm -f "$prefix/libexec/cylon/cylon-worker-mujoco"
 says './cylon-mujoco_*.deb' engines mujoco
+says 'cd SOURCES && ./run engines' engines jolt  # of scripts there is no package
 git init -q "$scratch" && git -C "$scratch" -c user.name=a -c user.email=a@b commit -q --allow-empty -m first
 says 'no git revision' track gate projectile --engine ode --baseline HEAD --no-time
 says 'same binary' track gate projectile --engine ode --baseline "$prefix" --no-time

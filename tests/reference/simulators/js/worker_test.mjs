@@ -1,0 +1,161 @@
+// The worker of engines in JavaScript against requests that are not what the protocol says, long runs and states that are
+// not finite; of each engine that is here.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
+import {test} from 'node:test';
+import {body, engines, load, root, run, scene, talk} from './conversation.mjs';
+
+const spring = {body: 'a', anchor: [0, 0, 0], pin: [0, 0, 0], stiffness: 3, rest_length: 0, damping: 0};
+const without = (object, key) => Object.fromEntries(Object.entries(object).filter(([k]) => k !== key));
+
+// A line, and what its answer says.
+const garbage = [
+  ['', /no JSON on the line/],
+  ['garbage', /no JSON on the line/],
+  ['{"cmd":"load"', /no JSON on the line/],
+  ['null', /cmd: expected hello, load, run, quit/],
+  ['[1,2]', /cmd: expected/],
+  ['{"cmd":"dance"}', /cmd: expected/],
+  ['{"cmd":"__proto__"}', /cmd: expected/],
+  [{cmd: 'hello'}, /^protocol: expected a value/],
+  [without(load(), 'dt'), /^dt: expected a value/],
+  [load({dt: 0}), /^dt: expected a finite number above 0/],
+  [load({dt: -1e-3}), /^dt: expected a finite number above 0/],
+  [load({dt: null}), /^dt: expected a finite number above 0/],
+  [JSON.stringify(load()).replace('"dt":0.001', '"dt":1e999'), /^dt: expected a finite number above 0/],
+  [JSON.stringify(load()).replace('"dt":0.001', '"dt":NaN'), /no JSON on the line/],
+  [load({dt: '1e-3'}), /^dt: expected/],
+  [load({speed: 1}), /^speed: unknown key/],
+  [load({options: {gyro: 1}}), /^options.gyro: expected a string/],
+  [load({options: []}), /^options: expected an object/],
+  [load({tolerance: -1}), /^tolerance: expected a finite number above 0/],
+  [load({scene: 7}), /^scene: expected an object/],
+  [load({scene: without(scene(), 'drag')}), /^scene.drag: expected a value/],
+  [load({scene: scene({magnet: []})}), /^scene.magnet: unknown key/],
+  [load({scene: scene({body: [body({mass: null})]})}), /^scene.body\[0\].mass: expected a finite number/],
+  [JSON.stringify(load()).replace('"mass":1.7', '"mass":1e999'), /^scene.body\[0\].mass: expected a finite number/],
+  [load({scene: scene({body: [body({position: [1, 2]})]})}), /^scene.body\[0\].position: expected 3 finite numbers/],
+  [load({scene: scene({body: [body(), body()]})}), /^scene.body\[1\].name: .*two bodies are named 'a'/],
+  [load({scene: scene({body: [body({shape: {type: 'blob'}})]})}), /^scene.body\[0\].shape.type: expected sphere/],
+  [load({scene: scene({body: [body({shape: {type: 'sphere', radius: 1, edge: 2}})]})}), /^scene.body\[0\].shape.edge: unknown key/],
+  [load({scene: scene({spring: [{...spring, body: 'b'}]})}), /^scene.spring\[0\].body: expected a body; none is named 'b'/],
+  [run(), /^cmd: each run needs a load before it/],
+  [run({steps: -1}), /^steps: expected a whole number from 0/],
+  [run({steps: 1.5}), /^steps: expected a whole number from 0/],
+  [run({every: 0}), /^every: expected a whole number from 1/],
+  [run({at: [3, 3]}), /^at: expected ascending steps in 1..steps/],
+  [run({at: [11]}), /^at: expected ascending steps in 1..steps/],
+  [run({watch: [{body: 0, other: -1, plane: 0}]}), /^watch: expected an empty list/],
+  [run({continue: true}), /^continue: unknown key/],
+];
+
+// Settings that cannot be, and what is said of them.
+const impossible = [
+  [{path: 'plane'}, /no path 'plane', did you mean 'plain'\? \(valid: plain, as-shipped\)/],
+  [{integrator: 'semi-implicit-eular'}, /no integrator .*did you mean 'semi-implicit-euler'/],
+  [{options: {sleping: 'off'}}, /no option 'sleping', did you mean 'sleeping'/],
+  [{options: {sleeping: 'no'}}, /no value of option sleeping 'no'.*valid: off, on/],
+  [{options: {constructor: '1'}}, /no option 'constructor'/],
+  [{tolerance: 1e-6}, /^tolerance: .* has no integrator that takes one/],
+];
+
+for (const engine of engines) {
+  test(`${engine} names what is wrong with a request, and goes on`, () => {
+    const told = talk(engine, [...garbage.map(([line]) => line), load(), run({steps: 1}), {cmd: 'quit'}]);
+    assert.equal(told.code, 0, told.stderr);
+    garbage.forEach(([line, says], i) => assert.match(told.messages[i].error, says, JSON.stringify(line)));
+    assert.deepEqual(told.messages.slice(garbage.length).map((m) => m.ok ?? Object.keys(m)[0]), ['load', 'frame', 'frame', 'run']);
+  });
+
+  test(`${engine} refuses settings that cannot be`, () => {
+    const {messages} = talk(engine, impossible.map(([members]) => load(members)));
+    impossible.forEach(([, says], i) => assert.match(messages[i].error, says));
+  });
+
+  test(`${engine} takes each option within its range, and refuses what is outside`, () => {
+    const [hello] = talk(engine, [{cmd: 'hello', protocol: 1}]).messages;
+    const numbers = hello.options.filter((option) => option.values.length === 0);
+    for (const {name, engine_default} of numbers) {
+      const [taken, , ...refused] = talk(engine, [engine_default, 'nan', 'inf', '1e999', '-1', '', '0x10', 'two']
+        .map((value) => load({options: {[name]: value}}))).messages;
+      assert.equal(taken.ok, 'load', `${name}=${engine_default}`);
+      for (const {error} of refused) assert.match(error, new RegExp(`option ${name} = '.*' is not a (whole |finite )number`));
+    }
+  });
+
+  test(`${engine} sends the states of a long run, in frames as the protocol has them`, () => {
+    const steps = 20011, every = 7, at = [1, 2, 3, 500, 501, 20010];
+    const {code, messages} = talk(engine, [load({scene: scene({spring: [spring]})}), run({steps, every, at})]);
+    assert.equal(code, 0);
+    const [answer, start, ...frames] = messages, done = frames.pop();
+    assert.equal(answer.ok, 'load');
+    assert.deepEqual([start.frame.first, start.frame.states.length], [0, 1]);
+    assert.equal(done.ok, 'run');
+    assert.equal(done.frames, frames.length);
+    const sent = frames.flatMap(({frame}) => frame.states.map((_, i) => frame.first + i * frame.stride));
+    const wanted = Array.from({length: steps}, (_, i) => i + 1).filter((s) => s % every === 0 || at.includes(s) || s === steps);
+    assert.deepEqual(sent, wanted);
+    for (const {frame} of frames) {
+      assert.ok(frame.size <= 262144);
+      for (const state of frame.states) {
+        assert.equal(state.length, 13);
+        assert.ok(Math.abs(Math.hypot(...state.slice(3, 7)) - 1) < 1e-5);
+      }
+    }
+    assert.ok(done.step_ns > 0 && done.load_ns > 0);
+  });
+
+  test(`${engine} gives the same bits after other scenes, and in another process`, () => {
+    const tumble = [load(), run({steps: 300, every: 300})];
+    const states = (told) => told.messages.filter((m) => m.frame && m.frame.first > 0).map((m) => m.frame.states[0]);
+    const [first] = states(talk(engine, tumble));
+    const other = [load({scene: scene({gravity: [0, 0, 0], spring: [spring]})}), run()];
+    const after = states(talk(engine, [...tumble, ...other, ...tumble])).at(-1);
+    assert.deepEqual(after, first);
+  });
+
+  // Two bodies at one place attract each other without bound.
+  test(`${engine} shows states that are not finite as they are, and goes on`, () => {
+    const pair = scene({body: [body(), body({name: 'b'})], attraction: [{body: 'a', to: 'b', strength: 1}]});
+    const {code, messages} = talk(engine, [load({scene: pair}), run(), load(), run()]);
+    assert.equal(code, 0);
+    const [wild, tame] = messages.filter((m) => m.ok === 'run').map((done) => messages[messages.indexOf(done) - 1].frame.states);
+    for (const state of wild) assert.ok([0, 1, 2, 7, 8, 9, 13, 14, 15].every((k) => !Number.isFinite(state[k])), `${state}`);
+    for (const state of tame) assert.ok(state.every(Number.isFinite), `${state}`);
+  });
+
+  test(`${engine} ends where its input ends, also within a line`, () => {
+    assert.equal(talk(engine, []).code, 0);
+    assert.equal(talk(engine, [load()]).code, 0);
+  });
+
+  test(`${engine} says whose costs its costs are`, () => {
+    const [hello, answer] = talk(engine, [{cmd: 'hello', protocol: 1}, load()]).messages;
+    assert.match(hello.version, /^\S+ \((WebAssembly|JavaScript) in Node \d+\.\d+\.\d+\)$/);
+    const build = answer.settings.find((row) => row.name === 'build');
+    assert.match(build.reason, /costs/);
+    assert.ok(hello.version.includes(build.value));
+  });
+}
+
+// A folder with the sources and without the packages.
+test('rapier tells what it holds a motion to', {skip: !engines.includes('rapier')}, () => {
+  const fast = body({velocity: [0, 500, 0]}), spinning = body({name: 'b', angular_velocity: [0, 0, 90], inertia: [1, 0, 0, 0, 1, 0, 0, 0, 1]});
+  const {remarks} = talk('rapier', [load({scene: scene({body: [fast, spinning]}), dt: 0.01}), run()]).messages.at(-1);
+  assert.deepEqual(remarks, [
+    "'a', step 1: Rapier holds speeds to 400 m/s, and it is there.",
+    "'b', step 1: Rapier holds angular speeds to 78.5398 rad/s, a quarter of pi in a step, and it is there."]);
+  assert.deepEqual(talk('rapier', [load(), run()]).messages.at(-1).remarks, []);
+});
+
+test('a package that is missing is no failure', () => {
+  const bare = fs.mkdtempSync(path.join(os.tmpdir(), 'cylon-js-'));
+  const sources = path.join(root, 'reference/simulators/js');
+  for (const file of fs.readdirSync(sources).filter((name) => name.endsWith('.mjs') || name === 'package.json'))
+    fs.copyFileSync(path.join(sources, file), path.join(bare, file));
+  const {messages} = talk('jolt', [{cmd: 'hello', protocol: 1}], bare);
+  fs.rmSync(bare, {recursive: true});
+  assert.match(messages[0].unsupported, /`\.\/run engines` installs it/);
+});
