@@ -1,6 +1,7 @@
 #include "reports/step_matrix.h"
 
 #include "reports/text.h"
+#include "reports/trade_report.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -124,7 +125,7 @@ std::string steps_text(const std::vector<TradeTable>& tables, const ConsoleOptio
   if (bound) out += options.utf8 ? "≥: no coarser step was tried.\n" : ">=: no coarser step was tried.\n";
   if (closed) out += "no steps: the engine has the motion in closed form; a step says nothing of it.\n";
   if (tolerance) out += "tol: the integrator chooses its steps; this is the loosest tolerance that serves.\n";
-  return out;
+  return out + costs_of_another_build(tables, options);
 }
 
 std::string digits_text(const std::vector<TradeTable>& tables, double dt, const ConsoleOptions& options) {

@@ -1,4 +1,5 @@
 // Common parts of the three renderings of a work–precision table: names, order texts, the plot.
+#include "reports/text.h"
 #include "reports/trade_report.h"
 
 #include <fmt/format.h>
@@ -36,6 +37,21 @@ std::string trade_label(const TradeTable& table, const TradeSeries& series) {
                        series.integrator);
   return same == 1 || series.integrator.empty() ? series.engine
                                                 : fmt::format("{} {}", series.engine, series.integrator);
+}
+
+std::string costs_of_another_build(const std::vector<TradeTable>& tables, const ConsoleOptions& options) {
+  std::map<std::string, std::string> builds;
+  for (const TradeTable& table : tables)
+    for (const TradeSeries& series : table.series) {
+      const std::size_t open = series.version.find(" (");
+      if (open == std::string::npos || !series.version.ends_with(')')) continue;
+      builds[engine_family(series.engine)] =
+          series.version.substr(open + 2, series.version.size() - open - 3);
+    }
+  std::string text;
+  for (const auto& [engine, build] : builds)
+    text += shown(fmt::format("{}: costs of {}, not of native code.", engine, build), options) + '\n';
+  return text;
 }
 
 const TradePoint* cheapest(const TradeTable& table, const TradeSeries& series, double error) {

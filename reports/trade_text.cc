@@ -96,6 +96,7 @@ std::string trade_text(const TradeTable& table, const ConsoleOptions& options, b
   out +=
       "\n"
       "p: order that the engine declares. @: CPU seconds per simulated second to reach this error.\n";
+  out += costs_of_another_build({table}, options);
 
   std::vector<std::pair<const TradeSeries*, const TradePoint*>> front;
   for (const TradeSeries& series : table.series)

@@ -1,5 +1,6 @@
 // Which step of a sweep counts, what is said where none does, and how the matrix shows it.
 #include "reports/step_matrix.h"
+#include "reports/trade_report.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -44,6 +45,17 @@ TradeTable table_of(std::vector<TradeSeries> series) {
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
+}
+
+// A cost in WebAssembly is not to be taken for that of the native library.
+TEST(StepMatrix, SaysWhatBuildItsCostsAreOf) {
+  TradeTable t = table_of({stepped("jolt/slop=0", {0.006, 0.003}, 1), stepped("bullet", {0.006, 0.003}, 1)});
+  t.series[0].version = "1.1.0 (WebAssembly in Node 20.20.2)", t.series[1].version = "3.24";
+  const std::string note = "\njolt: costs of WebAssembly in Node 20.20.2, not of native code.\n";
+  for (const std::string& text : {steps_text({t}, plain), trade_text(t, plain, false)}) {
+    EXPECT_TRUE(contains(text, note)) << text;
+    EXPECT_FALSE(contains(text, "bullet: costs")) << text;
+  }
 }
 
 TEST(StepMatrix, TheCoarsestStepThatServesAndTheNextFinerOneToo) {
