@@ -30,7 +30,7 @@ double top_error(const Subject& subject, const char* solution, unsigned seed, st
 // At dt = 0.5 ms a first-order integrator is within T w^2 dt of the truth, with w < 7 rad/s: 1.2e-2 rad; a
 // wrong convention is off by a radian.  And the error falls with dt as the integrator's order says, so it
 // is the integrator's and not the adapter's; until rounding, of which 1000 steps gather two units each at
-// most.
+// most (Subject::drift).
 void expect_true_rotation(const Subject& subject, const char* solution) {
   for (unsigned seed = 21; seed <= 24; ++seed) {
     const double fine = top_error(subject, solution, seed, 1000),
@@ -38,7 +38,7 @@ void expect_true_rotation(const Subject& subject, const char* solution) {
     const std::string what = fmt::format("{} {}, {}", solution, seed, subject.id);
     expect_within(what, fine, 1.2e-2);
     expect_within(what + ", ten times finer", fine,
-                  1.25 * coarse / std::pow(10, subject.order) + 2000 * subject.unit());
+                  1.25 * coarse / std::pow(10, subject.order) + 1000 * subject.drift * subject.unit());
   }
 }
 
@@ -49,7 +49,7 @@ TEST_P(Conventions, FreeAsymmetricTopIsExact) { expect_true_rotation(subject(), 
 // Each test asserts that
 // the transformed scene has the transformed motion.  Every integrator here keeps these
 // symmetries, so what remains is rounding, amplified by the motion itself: 8 units a step (measured 2026-11:
-// up to 5).
+// up to 5), or four times Subject::drift.
 
 constexpr double dt = 0.002;
 constexpr std::int64_t steps = 250;
@@ -64,7 +64,9 @@ core::Scene tied(unsigned seed) {
   return scene;
 }
 
-double rounding(const Subject& subject) { return 8 * static_cast<double>(steps) * subject.unit(); }
+double rounding(const Subject& subject) {
+  return 4 * subject.drift * static_cast<double>(steps) * subject.unit();
+}
 
 core::State run(const Subject& subject, const core::Scene& scene) {
   return last(subject.choice(), scene, dt, steps);

@@ -232,6 +232,8 @@ const Row rows[] = {
 TEST_P(Forces, InitialAccelerationsAgreeWithHandCalculation) {
   const double h = subject().single ? 3e-4 : 1e-6;
   for (const Row& row : rows) {
+    const auto* water = std::get_if<core::Water>(&row.force);
+    if (water && water->mode != "step" && !subject().archimedes) continue;
     core::Scene scene = three_bodies(51);
     scene.forces = {row.force};
     row.prepare(scene);

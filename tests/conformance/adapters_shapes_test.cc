@@ -14,9 +14,11 @@ struct Row {
   core::Shape shape;
   bool ode = true;     // whether ODE has it
   bool mujoco = true;  // whether MuJoCo has it
+  bool js = true;      // whether Jolt and Rapier have it
 
   bool of(const Subject& subject) const {
     const std::string_view id = subject.id;
+    if (id.starts_with("jolt") || id.starts_with("rapier")) return js;
     return id.starts_with("ode") ? ode : id.starts_with("mujoco") ? mujoco : true;
   }
 };
@@ -36,15 +38,22 @@ const Row rows[] = {
     {"cylinder", core::Cylinder{0.17, 0.43}},
     {"compound", hammer},
     {"cone", core::Cone{0.19, 0.61}, false, false},
-    {"rod", core::Rod{0.57}, false, false},
+    {"rod", core::Rod{0.57}, false, false, false},
     {"hull", wedge, false},
 };
 
+// Jolt and Rapier turn a body back in the step that would close the gap; here only once it is closed.
+std::vector<Subject> where_contacts_begin_at_the_touch() {
+  std::vector<Subject> all = subjects_but({"in-house", "in-house-float", "simbody"});
+  for (Subject& subject : all) {
+    if (std::string_view(subject.id) == "jolt") subject.id = "jolt/speculative-distance=0,pair-cache=off";
+    if (std::string_view(subject.id) == "rapier") subject.id = "rapier/prediction=0";
+  }
+  return all;
+}
+
 class Shapes : public EveryEngine {};
-INSTANTIATE_TEST_SUITE_P(Adapters, Shapes,
-                         testing::Values(subjects[1], subjects[2], subjects[3], subjects[4], subjects[5],
-                                         subjects[6], subjects[8]),
-                         test_name);
+INSTANTIATE_TEST_SUITE_P(Adapters, Shapes, testing::ValuesIn(where_contacts_begin_at_the_touch()), test_name);
 
 // The gap of the last state with the first velocity: in (-u dt, 0] when the shapes are where they should be.
 double gap_when_hit(const Subject& subject, const core::Shape& shape, unsigned seed, double speed,

@@ -83,6 +83,14 @@ core::Scene crowd(int bodies) {
   return scene;
 }
 
+// Spheres that may touch each other.
+core::Scene gas(int bodies) {
+  core::Scene scene = crowd(bodies);
+  for (core::Body& body : scene.bodies) body.shape = core::Sphere{0.1}, body.collide = true;
+  scene.materials = {{{"*", "*"}, 0, 0}};
+  return scene;
+}
+
 const core::Mesh tetrahedron = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                                 {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
 
@@ -205,6 +213,23 @@ std::vector<Refusal> refusals() {
       {"simbody", "Simbody's rod has a length above zero",
        with(jointed(core::JointType::distance, 0, 1), [](core::Scene& s) { s.joints[0].length = 0; })},
       {"simbody", "Body 'b' in water: a rod has no volume.", in_water(core::Rod{0.3})},
+      {"jolt", "'a' may touch 'floor', but the scene has no material", unstated},
+      {"rapier", "'a' may touch 'wall', but the scene has no material", half_stated},
+      {"jolt", "Jolt has no solid without thickness, such as a disc", soft(core::Disc{0.3})},
+      {"jolt", "Jolt has no solid without thickness, such as a rod", soft(compound_of(core::Rod{0.3}))},
+      {"jolt", "Jolt collides a mesh only where it does not move", soft(tetrahedron)},
+      {"jolt", "Jolt makes no shape of it", soft(core::Hull{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}})},
+      {"jolt", "Jolt needs a mass above zero that float precision holds; 'a' has 1e-46 kg.",
+       with(three_bodies(85), [](core::Scene& s) { s.bodies[0].mass = 1e-46; })},
+      {"jolt", "Jolt's allocator in this build has room for 20000 contact manifolds", gas(4000)},
+      {"jolt", "needs the submerged part of a shape", in_water(core::Sphere{0.3})},
+      {"rapier", "gives Rapier no solid without thickness, such as a disc", soft(core::Disc{0.3})},
+      {"rapier", "Rapier collides a mesh as a surface", soft(tetrahedron)},
+      {"rapier", "Rapier has no rigid joint of type distance", jointed(core::JointType::distance, 0, 1)},
+      {"rapier",
+       "Rapier needs principal moments above zero that float precision holds; 'b' has one of 0 kg m^2.",
+       with(three_bodies(86),
+            [](core::Scene& s) { s.bodies[1].inertia = Vector3(0.2, 0, 0.2).asDiagonal(); })},
       {"ode", "'a' may touch 'floor', but the scene has no material", unstated},
       {"ode", "'a' may touch 'wall', but the scene has no material", half_stated},
   };

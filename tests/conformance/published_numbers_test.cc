@@ -1,6 +1,6 @@
-// Numbers of an earlier, independent measurement of Bullet, ODE, MuJoCo and Simbody are reproduced, from the adapters, the exact
-// solutions and the measures of this repository: tests/data/published/engines_s1_s8.json, mujoco_s1_s11.json and
-// simbody_s1_s8.json.
+// Numbers of an earlier, independent measurement of Bullet, ODE, MuJoCo, Simbody and engines in WebAssembly are
+// reproduced, from the adapters, the exact solutions and the measures of this repository:
+// tests/data/published/{engines_s1_s8, mujoco_s1_s11, simbody_s1_s8, wasm_s1_s12}.json.
 //
 // A row that says `why` differs from what was printed.  `printed_of` names the setting or the sampling whose
 // digits were printed in its place: the test asserts that those digits come out, and that the row's own still
@@ -17,19 +17,24 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <ostream>
 #include <vector>
 
 namespace cylon::conformance {
 namespace {
 
+using core::Vector3;
 using nlohmann::json;
 
 struct Number {
   std::string scenario, observable, body, reduction;
-  double sample = 0;  // [s]; 0: every step
+  bool along_x = false;  // that component alone
+  double sample = 0;     // [s]; 0: every step
   std::string engine, dt, stated, why;
-  std::string printed_engine;  // of `printed_of`, or the row's own
+  std::map<std::string, Vector3> start;  // of bodies, in place of the scenario's [m]
+  double duration = 0;                   // [s]; 0: the scenario's
+  std::string printed_engine;            // of `printed_of`, or the row's own
   double printed_sample = 0;
   bool not_reproduced = false;
   std::string name;  // of the test
@@ -41,6 +46,7 @@ void PrintTo(const Number& n, std::ostream* out) {
 constexpr const char* of_all = "engines_s1_s8.json";
 constexpr const char* of_mujoco = "mujoco_s1_s11.json";
 constexpr const char* of_simbody = "simbody_s1_s8.json";
+constexpr const char* of_wasm = "wasm_s1_s12.json";
 
 std::vector<Number> published(const std::string& name) {
   std::ifstream file(source("tests/data/published/" + name));
@@ -52,12 +58,16 @@ std::vector<Number> published(const std::string& name) {
                .observable = table.at("observable"),
                .body = table.value("body", ""),
                .reduction = table.at("measure"),
+               .along_x = table.value("component", "") == "x",
                .sample = table.at("sample"),
                .engine = row.at("engine"),
                .dt = row.at("dt"),
                .stated = row.at("stated"),
                .why = row.value("why", ""),
                .not_reproduced = row.value("not_reproduced", false)};
+      const json start = table.value("start", json::object());
+      for (const auto& [body, at] : start.items()) n.start[body] = Vector3(at.at(0), at.at(1), at.at(2));
+      n.duration = table.value("duration", 0.0);
       const json printed = row.value("printed_of", json::object());
       n.printed_engine = printed.value("engine", n.engine);
       n.printed_sample = printed.value("sample", n.sample);
@@ -94,7 +104,11 @@ core::Claim claim_of(const scenario::Scenario& scenario, const Number& n, double
 
 double measured(const Number& n, const std::string& engine_id, double sample) {
   scenario::Scenario scenario = shipped(n.scenario);
+  if (n.duration > 0) scenario.duration = n.duration;
+  for (core::Body& body : scenario.scene.bodies)
+    if (n.start.contains(body.name)) body.initial.position = n.start.at(body.name);
   core::Claim claim = claim_of(scenario, n, sample);
+  if (n.along_x) claim.observable.component = core::Component::x;
   for (std::size_t i = 0; i < scenario.scene.bodies.size(); ++i)
     if (scenario.scene.bodies[i].name == n.body) claim.observable.body = static_cast<int>(i);
   scenario.claims = {claim};
@@ -135,12 +149,14 @@ TEST(PublishedNumbers, FewAreNotReproduced) {
   expect(of_all, 75, 2);
   expect(of_mujoco, 30, 6);
   expect(of_simbody, 16, 0);
+  expect(of_wasm, 94, 2);
 }
 
 std::string number_name(const testing::TestParamInfo<Number>& number) { return number.param.name; }
 INSTANTIATE_TEST_SUITE_P(EnginesOnS1ToS8, Published, testing::ValuesIn(published(of_all)), number_name);
 INSTANTIATE_TEST_SUITE_P(MujocoOnS1ToS11, Published, testing::ValuesIn(published(of_mujoco)), number_name);
 INSTANTIATE_TEST_SUITE_P(SimbodyOnS1ToS8, Published, testing::ValuesIn(published(of_simbody)), number_name);
+INSTANTIATE_TEST_SUITE_P(WasmOnS1ToS12, Published, testing::ValuesIn(published(of_wasm)), number_name);
 
 }  // namespace
 }  // namespace cylon::conformance
