@@ -64,7 +64,8 @@ TEST(Pool, RowsAreThoseOfOneThread) {
   const std::vector<Cell> cells = cells_of(mixed());
   const auto statuses = [&](int threads) {
     std::size_t told = 0;
-    const Matrix matrix = run(cells, {threads, limits}, {}, [&](std::size_t, const auto&) { ++told; });
+    const Matrix matrix =
+        run(cells, {threads, limits}, {}, [&](std::size_t, const auto&, double) { ++told; });
     EXPECT_EQ(told, cells.size());
     std::vector<std::string> result;
     for (const auto& rows : matrix.rows)
@@ -80,7 +81,7 @@ TEST(Pool, IsInterrupted) {
   const std::vector<Cell> cells =
       cells_of({built("in-house"), process::scripted("loop_in_run"), process::scripted("loop_in_load"),
                 process::scripted("loop_in_hello"), process::scripted("good")});
-  const Matrix matrix = run(cells, {workers, limits}, {}, [&](std::size_t, const auto&) {
+  const Matrix matrix = run(cells, {workers, limits}, {}, [&](std::size_t, const auto&, double) {
     process::interrupted() = true;  // the loops run, or have not begun
   });
   process::interrupted() = false;
@@ -92,7 +93,7 @@ TEST(Pool, IsInterrupted) {
 TEST(Pool, EndsByWhatItsReporterThrows) {
   int told = 0;
   EXPECT_THROW(run(cells_of(mixed()), {workers, limits}, {},
-                   [&](std::size_t, const auto&) {
+                   [&](std::size_t, const auto&, double) {
                      if (++told == 3) throw core::InputError("the disk is full");
                    }),
                core::InputError);
