@@ -72,6 +72,7 @@ Option App::add_option(const std::string& names, Value& value, const std::string
 template Option App::add_option(const std::string&, std::string&, const std::string&);
 template Option App::add_option(const std::string&, int&, const std::string&);
 template Option App::add_option(const std::string&, double&, const std::string&);
+template Option App::add_option(const std::string&, std::uint64_t&, const std::string&);
 template Option App::add_option(const std::string&, std::optional<std::int64_t>&, const std::string&);
 template Option App::add_option(const std::string&, std::vector<std::string>&, const std::string&);
 template Option App::add_option(const std::string&, std::vector<double>&, const std::string&);

@@ -1,0 +1,222 @@
+#include "harness/hunt/generator.h"
+
+#include "harness/core/solid.h"
+#include "harness/hunt/dice.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace cylon::hunt {
+namespace {
+
+using core::Body;
+using core::Scene;
+using core::Shape;
+using core::Vector3;
+
+const Vector3 up = Vector3::UnitY();
+
+// ---- Parts ------------------------------------------------------------------------------------------
+
+Shape some_shape(Dice& dice) {
+  const double r = dice.between(0.1, 0.4);
+  switch (dice.below(5)) {
+    case 0:
+      return core::Capsule{r / 2, r};
+    case 1:
+      return core::Cylinder{r / 2, r};
+    case 2:
+      return core::Sphere{r};
+    default:
+      return core::Box{{r, dice.between(0.1, 0.4), dice.between(0.1, 0.4)}};
+  }
+}
+
+// At rest at a place, with the mass properties of its shape.
+Body& add_body(Scene& scene, const Shape& shape, double mass, const Vector3& place) {
+  Body body;
+  body.name = fmt::format("b{}", scene.bodies.size() + 1);
+  body.mass = mass, body.shape = shape;
+  body.inertia = core::mass_properties(shape, mass).inertia;
+  body.initial.position = place;
+  return scene.bodies.emplace_back(body);
+}
+
+// 1 : 1 mostly, now and then up to 1 : 1000.
+double some_mass(Dice& dice) {
+  const double mass = dice.between(0.5, 3);
+  return dice.one_in(6) ? mass * dice.of(std::array{0.01, 0.1, 10.0, 100.0, 1000.0}) : mass;
+}
+
+void set_moving(Dice& dice, Body& body, double speed, double spin) {
+  body.initial.orientation = dice.turn();
+  body.initial.velocity = dice.vector(speed);
+  body.initial.angular_velocity = dice.vector(spin);
+}
+
+void maybe_gravity(Dice& dice, Scene& scene) {
+  if (dice.one_in(4)) return;
+  scene.forces.emplace_back(core::UniformGravity{dice.one_in(4) ? dice.vector(10) : Vector3(0, -9.81, 0)});
+}
+
+// ---- Families -----------------------------------------------------------------------------------------
+
+void flight(Dice& dice, Scene& scene) {
+  maybe_gravity(dice, scene);
+  const std::size_t count = 1 + dice.below(3);
+  for (std::size_t i = 0; i < count; ++i)
+    set_moving(dice, add_body(scene, some_shape(dice), some_mass(dice), dice.vector(3)), 4,
+               dice.one_in(3) ? 40 : 6);
+  if (dice.one_in(3)) scene.forces.emplace_back(core::Drag{0, dice.between(0, 1), dice.between(0, 0.05), 0});
+  if (dice.one_in(4)) scene.forces.emplace_back(core::Drive{0, dice.vector(5), dice.between(1, 10)});
+  if (dice.one_in(4)) {
+    core::Thrust thrust;
+    thrust.force = dice.vector(5);
+    scene.forces.emplace_back(thrust);
+  }
+  if (count > 1 && dice.one_in(3)) scene.forces.emplace_back(core::Attraction{0, 1, dice.between(0.1, 3)});
+}
+
+void springs(Dice& dice, Scene& scene) {
+  maybe_gravity(dice, scene);
+  const std::size_t count = 1 + dice.below(4);
+  for (std::size_t i = 0; i < count; ++i) {
+    Body& body =
+        add_body(scene, some_shape(dice), some_mass(dice), Vector3(1.5 * static_cast<double>(i), 0, 0));
+    set_moving(dice, body, 1, 4);
+    core::Spring spring;
+    spring.body = static_cast<int>(i);
+    if (dice.one_in(2)) spring.anchor = dice.vector(0.2);
+    if (i > 0 && !dice.one_in(4)) {
+      spring.to = static_cast<int>(i) - 1;
+    } else {
+      spring.to_anchor = body.initial.position + dice.vector(1);
+    }
+    spring.stiffness = dice.between(5, 60) * body.mass;
+    if (dice.one_in(2)) spring.rest_length = dice.between(0.2, 1.5);
+    if (dice.one_in(3)) spring.damping = dice.between(0.1, 2) * body.mass;
+    scene.forces.emplace_back(spring);
+  }
+}
+
+// A tree of bodies at rest, each with a joint to an earlier one or to the world half a link before it.
+void mechanism(Dice& dice, Scene& scene) {
+  maybe_gravity(dice, scene);
+  const std::size_t count = 1 + dice.below(4);
+  const bool floats = count > 1 && dice.one_in(3);
+  for (std::size_t i = 0; i < count; ++i) {
+    const int parent = i == 0 ? core::world : static_cast<int>(dice.one_in(3) ? dice.below(i) : i - 1);
+    const Vector3 from = parent == core::world
+                             ? Vector3::Zero().eval()
+                             : scene.bodies[static_cast<std::size_t>(parent)].initial.position;
+    Body& body = add_body(scene, some_shape(dice), some_mass(dice), from + dice.direction());
+    body.initial.orientation = dice.turn();
+    if (i == 0 && floats) {
+      body.initial.velocity = dice.vector(1);
+      continue;
+    }
+    if (floats) body.initial.velocity = scene.bodies[0].initial.velocity;
+    core::Joint joint;
+    joint.type = core::joint_kinds[dice.below(core::joint_kinds.size())].type;
+    joint.body = static_cast<int>(i), joint.to = parent;
+    joint.point = (from + body.initial.position) / 2;
+    joint.axis = dice.direction();
+    if (core::kind_of(joint.type).has_length())
+      joint.length = (body.initial.position - (parent == core::world ? joint.point : from)).norm();
+    if (joint.type == core::JointType::fixed && parent == core::world && count == 1)
+      joint.type = core::JointType::hinge;  // else nothing moves
+    scene.joints.push_back(joint);
+  }
+}
+
+void add_material(Dice& dice, Scene& scene) {
+  core::Material all;
+  all.between[0] = all.between[1] = "*";
+  all.restitution = dice.of(std::array{0.0, 0.0, 0.3, 0.5, 0.9, 1.0});
+  all.friction = dice.of(std::array{0.0, 0.2, 0.5, 1.0});
+  scene.materials.push_back(all);
+}
+
+void add_floor(Dice& dice, Scene& scene) {
+  core::Plane floor;
+  floor.name = "floor";
+  if (dice.one_in(4)) floor.normal = (up + 0.3 * dice.direction()).normalized();
+  scene.planes.push_back(floor);
+}
+
+// Bodies that fly at each other, or onto a plane.  Cells 1.5 m apart keep them from overlapping.
+void collisions(Dice& dice, Scene& scene, const Shape (*shape)(Dice&)) {
+  add_material(dice, scene);
+  const bool falls = !dice.one_in(3);
+  if (falls) scene.forces.emplace_back(core::UniformGravity{{0, -9.81, 0}}), add_floor(dice, scene);
+  const std::size_t count = 1 + dice.below(4) + (falls ? 0 : 1);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double x = static_cast<double>(i % 2), z = static_cast<double>(i / 2);
+    Body& body = add_body(scene, shape(dice), some_mass(dice),
+                          Vector3(1.5 * x, 1.5 + dice.between(-0.2, 0.2), 1.5 * z));
+    set_moving(dice, body, 1, 5);
+    body.collide = true;
+    if (count > 1) body.initial.velocity += Vector3(1.5 - 3 * x, 0, 1.5 - 3 * z);
+  }
+}
+
+void spheres(Dice& dice, Scene& scene) {
+  collisions(dice, scene, [](Dice& d) -> const Shape { return core::Sphere{d.between(0.1, 0.4)}; });
+}
+
+void solids(Dice& dice, Scene& scene) {
+  collisions(dice, scene, [](Dice& d) -> const Shape { return some_shape(d); });
+}
+
+// Boxes that stand on a floor, also on each other; with luck one slides.
+void standing(Dice& dice, Scene& scene) {
+  add_material(dice, scene);
+  scene.materials[0].friction = dice.of(std::array{0.2, 0.5, 1.0});
+  scene.forces.emplace_back(core::UniformGravity{{0, -9.81, 0}});
+  core::Plane floor;
+  floor.name = "floor";
+  scene.planes.push_back(floor);
+  const std::size_t count = 1 + dice.below(4);
+  double height = 0, x = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const core::Box box{{dice.between(0.2, 0.5), dice.between(0.1, 0.4), dice.between(0.2, 0.5)}};
+    if (i > 0 && dice.one_in(3)) height = 0, x += 2;
+    Body& body = add_body(scene, box, some_mass(dice), Vector3(x, height + box.half_extents.y(), 0));
+    body.collide = true;
+    height += 2 * box.half_extents.y();
+    if (count == 1 && dice.one_in(2))
+      body.initial.velocity = Vector3(dice.between(0.5, 3), 0, dice.between(-1, 1));
+  }
+}
+
+constexpr std::array all = {
+    Family{"flight", "free bodies, with drag, drives, thrust and attraction", 3, flight},
+    Family{"springs", "chains of springs", 3, springs},
+    Family{"mechanism", "trees of joints", 4, mechanism},
+    Family{"spheres", "spheres that collide", 3, spheres},
+    Family{"solids", "solids that collide", 3, solids},
+    Family{"standing", "boxes that stand, lie on each other or slide", 3, standing},
+};
+
+}  // namespace
+
+std::span<const Family> families() { return all; }
+
+Generated generate(std::uint64_t seed, std::uint64_t n) {
+  Dice dice(seed, n);
+  const int sum =
+      std::accumulate(all.begin(), all.end(), 0, [](int s, const Family& f) { return s + f.weight; });
+  auto pick = static_cast<int>(dice.below(static_cast<std::size_t>(sum)));
+  const Family* family = all.data();
+  while (pick >= family->weight) pick -= (family++)->weight;
+  Generated made{{}, family->name};
+  family->make(dice, made.trial.scene);
+  made.trial.step = dice.of(std::array{0.02, 0.01, 0.01, 0.005});
+  made.trial.steps = dice.of(std::array<std::int64_t, 3>{40, 60, 100});
+  return made;
+}
+
+}  // namespace cylon::hunt

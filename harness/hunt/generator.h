@@ -1,0 +1,33 @@
+// Random scenes that are valid by construction: bodies do not overlap, joints are closed, numbers have three
+// digits.  Seed and number are the scene's name.
+#pragma once
+
+#include "harness/hunt/trial.h"
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace cylon::hunt {
+
+class Dice;
+
+/// A kind of scene.
+struct Family {
+  std::string_view name;  ///< "mechanism"
+  std::string_view says;  ///< What it makes, one clause.
+  int weight;             ///< How often, among the sum of all.
+  void (*make)(Dice&, core::Scene&);
+};
+
+std::span<const Family> families();
+
+struct Generated {
+  Trial trial;
+  std::string_view family;
+};
+
+/// Scene n of a seed.
+Generated generate(std::uint64_t seed, std::uint64_t n);
+
+}  // namespace cylon::hunt

@@ -1,0 +1,233 @@
+#include "harness/hunt/shrink.h"
+
+#include "harness/core/fields.h"
+#include "harness/core/solid.h"
+#include "harness/hunt/dice.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+namespace cylon::hunt {
+namespace {
+
+using core::Body;
+using core::Scene;
+using core::Vector3;
+
+// ---- Fewer parts ----------------------------------------------------------------------------------------
+
+// Whether an element refers to a body; else its references move down past it.
+template <class Element>
+bool refers(Element& element, int gone) {
+  bool found = false;
+  core::for_each_field(element, [&]<class Value>(const auto&, Value& value) {
+    if constexpr (std::is_same_v<std::remove_const_t<Value>, int>) {
+      found = found || value == gone;
+      if (value > gone) --value;
+    }
+  });
+  return found;
+}
+
+Scene without_body(Scene scene, std::size_t i) {
+  const auto gone = static_cast<int>(i);
+  const std::string name = scene.bodies[i].name;
+  std::erase_if(scene.forces, [&](core::Force& force) {
+    return std::visit([&](auto& kind) { return refers(kind, gone); }, force);
+  });
+  std::erase_if(scene.joints, [&](core::Joint& joint) { return refers(joint, gone); });
+  std::erase_if(scene.materials,
+                [&](const core::Material& m) { return m.between[0] == name || m.between[1] == name; });
+  scene.bodies.erase(scene.bodies.begin() + static_cast<std::ptrdiff_t>(i));
+  return scene;
+}
+
+template <class List>
+List without(List list, std::size_t i) {
+  list.erase(list.begin() + static_cast<std::ptrdiff_t>(i));
+  return list;
+}
+
+// ---- Simpler parts ------------------------------------------------------------------------------------------
+
+// Those with fewer parameters first.
+std::vector<core::Shape> simpler(const core::Shape& shape) {
+  const double r = rounded(core::bounding_radius(shape), 1);
+  std::vector<core::Shape> list;
+  if (!std::holds_alternative<core::Sphere>(shape) && r > 0) list.emplace_back(core::Sphere{r});
+  const auto* box = std::get_if<core::Box>(&shape);
+  const auto cube = [&](double half) { list.emplace_back(core::Box{Vector3::Constant(half)}); };
+  if (!box && !std::holds_alternative<core::Sphere>(shape)) cube(r / 2);
+  if (box && box->half_extents != Vector3::Constant(box->half_extents.x()))
+    for (int c = 0; c < 3; ++c) cube(box->half_extents[c]);
+  return list;
+}
+
+// Of one element: no turn, no shape, and each number by zero, one, and fewer digits.
+class Numbers {
+ public:
+  /// Calls visit(x) for each number that may be a simpler one, x a reference into the trial.
+  template <class Visit>
+  static void each(Trial& trial, const Visit& visit) {
+    core::for_each_element(trial.scene, [&](auto& element) { of(element, visit); });
+  }
+
+ private:
+  template <class Element, class Visit>
+  static void of(Element& element, const Visit& visit) {
+    core::for_each_field(element, [&]<class Value>(const auto& field, Value& value) {
+      if (field.applies && !field.applies(element)) return;
+      if constexpr (std::is_same_v<Value, double>) {
+        visit(value);
+      } else if constexpr (std::is_same_v<Value, Vector3>) {
+        for (int c = 0; c < 3; ++c) visit(value[c]);
+      } else if constexpr (std::is_same_v<Value, core::BodyState>) {
+        for (Vector3* v : {&value.position, &value.velocity, &value.angular_velocity})
+          for (int c = 0; c < 3; ++c) visit((*v)[c]);
+      }
+    });
+  }
+};
+
+class Shrinking {
+ public:
+  Shrinking(Trial trial, const Faulty& faulty) : trial_(std::move(trial)), faulty_(faulty) {}
+
+  Trial least() {
+    while (round()) {
+    }
+    return std::move(trial_);
+  }
+  int asked() const { return asked_; }
+
+ private:
+  bool take(Trial candidate) {
+    ++asked_;
+    if (!faulty_(candidate)) return false;
+    trial_ = std::move(candidate);
+    return true;
+  }
+  bool take(Scene scene) { return take(Trial{std::move(scene), trial_.step, trial_.steps}); }
+
+  // From the largest edits to the smallest; whether any of them was taken.
+  bool round() {
+    bool any = shorter();
+    any |= fewer(
+        [](Scene & s) -> auto& { return s.bodies; },
+        [](const Scene& s, std::size_t i) { return without_body(s, i); });
+    any |= fewer_of(&Scene::joints);
+    any |= fewer_of(&Scene::forces);
+    any |= fewer_of(&Scene::planes);
+    any |= fewer_of(&Scene::materials);
+    any |= plainer_bodies();
+    any |= rounder_numbers();
+    return any;
+  }
+
+  bool shorter() {
+    bool any = false;
+    while (trial_.steps > 1 && take(Trial{trial_.scene, trial_.step, trial_.steps / 2})) any = true;
+    for (const double step : {0.1, 0.01, 0.001})
+      if (trial_.step < step && take(Trial{trial_.scene, step, trial_.steps})) any = true;
+    return any;
+  }
+
+  template <class List, class Without>
+  bool fewer(const List& list, const Without& removed) {
+    bool any = false;
+    for (std::size_t i = list(trial_.scene).size(); i-- > 0;)
+      if (i < list(trial_.scene).size()) any |= take(removed(trial_.scene, i));
+    return any;
+  }
+
+  template <class Element>
+  bool fewer_of(std::vector<Element> Scene::*member) {
+    return fewer(
+        [=](Scene & s) -> auto& { return s.*member; },
+        [=](Scene s, std::size_t i) {
+          s.*member = without(s.*member, i);
+          return s;
+        });
+  }
+
+  bool plainer_bodies() {
+    bool any = false;
+    for (std::size_t i = 0; i < trial_.scene.bodies.size(); ++i) {
+      for (const core::Shape& shape : simpler(trial_.scene.bodies[i].shape)) {
+        Scene scene = trial_.scene;
+        Body& body = scene.bodies[i];
+        body.shape = shape, body.inertia = core::mass_properties(shape, body.mass).inertia;
+        if (take(std::move(scene))) {
+          any = true;
+          break;
+        }
+      }
+      const auto edit = [&](auto change) {
+        Scene scene = trial_.scene;
+        if (change(scene.bodies[i])) any |= take(std::move(scene));
+      };
+      edit([](Body& b) {
+        return !b.initial.orientation.vec().isZero(0) && (b.initial.orientation.setIdentity(), true);
+      });
+      edit([](Body& b) { return b.collide && (b.collide = false, true); });
+      // Another mass keeps the inertia of the shape.
+      edit([](Body& b) {
+        if (b.mass == 1) return false;
+        b.inertia /= b.mass, b.mass = 1;
+        return true;
+      });
+      edit([](Body& b) {
+        const core::Matrix3 plain = core::mass_properties(b.shape, b.mass).inertia;
+        return b.inertia != plain && (b.inertia = plain, true);
+      });
+    }
+    return any;
+  }
+
+  bool rounder_numbers() {
+    bool any = false;
+    std::size_t count = 0;
+    Numbers::each(trial_, [&](double&) { ++count; });
+    for (std::size_t i = 0; i < count; ++i) {
+      double now = 0;
+      at(trial_, i, [&](double& x) { now = x; });
+      for (const double simple : {0.0, 1.0, std::copysign(1.0, now), rounded(now, 1), rounded(now, 2)}) {
+        if (simple == now) break;
+        Trial candidate = trial_;
+        at(candidate, i, [&](double& x) { x = simple; });
+        if (take(std::move(candidate))) {
+          any = true;
+          break;
+        }
+      }
+    }
+    return any;
+  }
+
+  template <class Use>
+  static void at(Trial& trial, std::size_t which, const Use& use) {
+    std::size_t i = 0;
+    Numbers::each(trial, [&](double& x) {
+      if (i++ == which) use(x);
+    });
+  }
+
+  Trial trial_;
+  const Faulty& faulty_;
+  int asked_ = 0;
+};
+
+}  // namespace
+
+Trial shrink(Trial trial, const Faulty& faulty, int* asked) {
+  Shrinking shrinking(std::move(trial), faulty);
+  Trial least = shrinking.least();
+  if (asked) *asked = shrinking.asked();
+  return least;
+}
+
+}  // namespace cylon::hunt

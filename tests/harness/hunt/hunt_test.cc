@@ -1,0 +1,252 @@
+// The hunt: scenes that are valid by construction, oracles that accuse no right engine, a shrinker that keeps the
+// fault, and cards.
+#include "harness/hunt/hunt.h"
+
+#include "harness/core/input_error.h"
+#include "harness/hunt/dice.h"
+#include "harness/hunt/shrink.h"
+#include "harness/process/engine_table.h"
+#include "harness/scenario/scenario.h"
+#include "harness/scenario/writer.h"
+#include "tests/paths.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <set>
+
+namespace cylon::hunt {
+namespace {
+
+process::EngineChoice engine(const std::string& id) {
+  return process::parse_engine(id, process::default_engines(binary_dir));
+}
+
+// ---- Scenes -----------------------------------------------------------------------------------------------
+
+TEST(HuntedScenes, AreAcceptedByTheReader) {
+  std::map<std::string_view, int> seen;
+  for (std::uint64_t n = 0; n < 1500; ++n) {
+    const Generated made = generate(3, n);
+    ++seen[made.family];
+    const std::string text = to_toml(made.trial, "");
+    ASSERT_NO_THROW(static_cast<void>(scenario::parse(text, "hunted.toml"))) << n << '\n' << text;
+  }
+  for (const Family& family : families()) EXPECT_GT(seen[family.name], 100) << family.name;
+}
+
+// Bodies that touch begin apart from each other, or lie on what is below them.
+TEST(HuntedScenes, BeginWithoutOverlap) {
+  for (std::uint64_t n = 0; n < 400; ++n) {
+    const Generated made = generate(4, n);
+    for (const core::Pair& pair : core::touching_pairs(made.trial.scene)) {
+      if (pair.plane >= 0) continue;
+      const auto &a = made.trial.scene.bodies[static_cast<std::size_t>(pair.body)],
+                 &b = made.trial.scene.bodies[static_cast<std::size_t>(pair.other)];
+      if (made.family == "standing")
+        EXPECT_GT((a.initial.position - b.initial.position).norm(), 0.2) << n;
+      else
+        EXPECT_GT((a.initial.position - b.initial.position).norm(), 1.4) << n;
+    }
+  }
+}
+
+TEST(HuntedScenes, AreFunctionsOfSeedAndNumber) {
+  const auto text = [](std::uint64_t seed, std::uint64_t n) { return to_toml(generate(seed, n).trial, ""); };
+  EXPECT_EQ(text(1, 5), text(1, 5));
+  std::set<std::string> different;
+  for (std::uint64_t seed = 0; seed < 10; ++seed)
+    for (std::uint64_t n = 0; n < 10; ++n) different.insert(text(seed, n));
+  EXPECT_EQ(different.size(), 100u);
+}
+
+// mt19937_64 is in the standard to the last bit, and so are these.
+TEST(HuntedScenes, AreTheSameOnEveryMachine) {
+  Dice dice(1, 0);
+  std::vector<double> numbers;
+  for (int i = 0; i < 4; ++i) numbers.push_back(dice.between(-1, 1));
+  Dice again(1, 0);
+  for (const double x : numbers) {
+    EXPECT_EQ(again.between(-1, 1), x);
+    EXPECT_EQ(rounded(x, 3), x);
+  }
+  EXPECT_EQ(rounded(0.0123456, 3), 0.0123);
+  EXPECT_EQ(rounded(-98765, 1), -100000);
+  EXPECT_EQ(rounded(0, 2), 0);
+}
+
+// ---- Oracles ----------------------------------------------------------------------------------------------
+
+TEST(Hunt, AccusesNoRightEngine) {
+  const auto hits = search({11, 0, 120}, engine("in-house"), {.run_seconds = 20}, 2, {});
+  for (const Hit& hit : hits)
+    ADD_FAILURE() << "scene " << hit.number << " (" << hit.family << "): " << hit.broken[0];
+}
+
+TEST(Hunt, FindsTheSameForAnyNumberOfJobs) {
+  const auto found = [](int jobs) {
+    std::string text;
+    for (const Hit& hit : search({1, 15, 15}, engine("ode"), {.run_seconds = 20}, jobs, {})) {
+      text += std::to_string(hit.number);
+      for (const std::string& name : hit.broken) text += " " + name;
+      text += '\n';
+    }
+    return text;
+  };
+  const std::string one = found(1);
+  EXPECT_FALSE(one.empty());
+  EXPECT_EQ(found(3), one);
+}
+
+Trial sliding_box() {
+  Trial trial;
+  core::Body box;
+  box.name = "b1", box.shape = core::Box{{0.3, 0.2, 0.25}}, box.mass = 2, box.collide = true;
+  box.inertia = core::Vector3(0.0683, 0.102, 0.0867).asDiagonal();
+  box.initial.position = {0, 0.2, 0}, box.initial.velocity = {1.5, 0, 0.9};
+  trial.scene.bodies = {box};
+  trial.scene.forces = {core::UniformGravity{{0, -9.81, 0}}};
+  trial.scene.planes = {core::Plane{"floor", {0, 1, 0}, 0, {}, {}}};
+  core::Material all;
+  all.between[0] = all.between[1] = "*", all.friction = 0.3;
+  trial.scene.materials = {all};
+  trial.step = 0.005, trial.steps = 60;
+  return trial;
+}
+
+// Rotation about an axis that is none of inertia's, without the gyroscopic term: angular momentum turns with the body.
+TEST(Hunt, FindsTheGyroscopicTermThatBulletLeavesOut) {
+  Trial trial;
+  core::Body body;
+  body.name = "b1", body.mass = 1, body.shape = core::Box{{0.1, 0.3, 0.2}};
+  body.inertia = core::Vector3(0.0433, 0.0167, 0.0333).asDiagonal();
+  body.initial.angular_velocity = {1, 6, 2};
+  trial.scene.bodies = {body};
+  std::set<std::string> broken;
+  for (const Fault& fault : examine(trial, engine("bullet/gyro=none"), {})) broken.insert(fault.oracle);
+  EXPECT_TRUE(broken.contains("angular momentum"));
+  EXPECT_TRUE(examine(trial, engine("in-house"), {}).empty());
+}
+
+TEST(Hunt, LeavesWhatAnEngineRefuses) {
+  Trial trial = sliding_box();
+  trial.scene.bodies[0].shape = core::Disc{0.2};
+  trial.scene.frame = core::Frame{{}, {0, 1, 0}};
+  EXPECT_TRUE(examine(trial, engine("ode"), {}).empty());
+}
+
+// Truncation falls with the step and is no fault, however large: a first-order engine on a fast spring.
+TEST(Hunt, TakesTruncationForNoFault) {
+  Trial trial;
+  core::Body body;
+  body.name = "b1", body.mass = 1, body.shape = core::Sphere{0.2};
+  body.inertia = 0.016 * core::Matrix3::Identity();
+  body.initial.position = {1, 0.3, 0}, body.initial.velocity = {0, 1, 0.4};
+  trial.scene.bodies = {body};
+  trial.scene.forces = {core::Spring{0, {0, 0, 0}, core::world, {0, 0, 0}, 100, 0.4, 0}};
+  trial.step = 0.01, trial.steps = 100;
+  for (const char* id :
+       {"bullet", "ode", "in-house/integrator=lie-trotter", "in-house/integrator=explicit-euler"})
+    for (const Fault& fault : examine(trial, engine(id), {})) ADD_FAILURE() << id << ": " << fault.oracle;
+}
+
+TEST(Hunt, KnowsASensitiveMotion) {
+  EXPECT_LT(sensitivity(sliding_box(), engine("in-house"), {}), 100);
+  // A ball onto the edge of another: a millionth becomes anything.
+  Trial trial;
+  for (int i = 0; i < 3; ++i) {
+    core::Body ball;
+    ball.name = "b" + std::to_string(i + 1), ball.shape = core::Sphere{0.02}, ball.collide = true;
+    ball.inertia = 0.00016 * core::Matrix3::Identity();
+    ball.initial.position = {i == 2 ? -1.0 : 0.0, i == 2 ? 0.0 : 0.021 - 0.042 * i, 0};
+    if (i == 2) ball.initial.velocity = {4, 0, 0};
+    trial.scene.bodies.push_back(ball);
+  }
+  core::Material all;
+  all.between[0] = all.between[1] = "*", all.restitution = 1;
+  trial.scene.materials = {all};
+  trial.step = 0.01, trial.steps = 60;
+  EXPECT_GT(sensitivity(trial, engine("in-house"), {}), 100);
+}
+
+// ---- Shrinking and cards ------------------------------------------------------------------------------------
+
+TEST(Shrink, KeepsTheFaultAndNothingElse) {
+  // The fault: a body heavier than 2 kg, and gravity.
+  const auto faulty = [](const Trial& trial) {
+    return core::gravity(trial.scene).norm() > 0.5 &&
+           std::ranges::any_of(trial.scene.bodies, [](const core::Body& b) { return b.mass > 2; });
+  };
+  int tried = 0;
+  for (std::uint64_t n = 0; n < 300 && tried < 20; ++n) {
+    const Trial trial = generate(9, n).trial;
+    if (!faulty(trial)) continue;
+    ++tried;
+    const Trial least = shrink(trial, faulty);
+    EXPECT_TRUE(faulty(least));
+    EXPECT_EQ(least.scene.bodies.size(), 1u);
+    EXPECT_EQ(least.scene.forces.size(), 1u);
+    EXPECT_TRUE(least.scene.joints.empty() && least.scene.planes.empty() && least.scene.materials.empty());
+    EXPECT_EQ(least.steps, 1);
+    EXPECT_TRUE(least.scene.bodies[0].initial.velocity.isZero(0));
+    EXPECT_TRUE(std::holds_alternative<core::Sphere>(least.scene.bodies[0].shape));
+    EXPECT_EQ(to_toml(shrink(least, faulty), ""), to_toml(least, ""));  // nothing is left to do
+  }
+  EXPECT_EQ(tried, 20);
+}
+
+bool accepted(const Trial& trial) {
+  try {
+    static_cast<void>(scenario::parse(to_toml(trial, ""), "shrunk.toml"));
+  } catch (const core::InputError&) {
+    return false;
+  }
+  return true;
+}
+
+TEST(Shrink, ReferencesFollowTheirBodies) {
+  // The fault: a spring between the heaviest bodies.
+  for (std::uint64_t n = 0; n < 200; ++n) {
+    const Generated made = generate(6, n);
+    if (made.family != "springs" || made.trial.scene.bodies.size() < 4) continue;
+    const auto faulty = [](const Trial& trial) {
+      for (const core::Force& force : trial.scene.forces)
+        if (const auto* s = std::get_if<core::Spring>(&force); s && s->to != core::world && s->stiffness > 10)
+          return accepted(trial);
+      return false;
+    };
+    if (!faulty(made.trial)) continue;
+    const Trial least = shrink(made.trial, faulty);
+    EXPECT_EQ(least.scene.bodies.size(), 2u) << n;
+    EXPECT_EQ(least.scene.forces.size(), 1u) << n;
+  }
+}
+
+TEST(Cards, AreScenariosWhoseClaimFails) {
+  const process::EngineChoice ode = engine("ode");
+  const auto hits = search({1, 15, 15}, ode, {.run_seconds = 20}, 2, {});
+  const auto made = cards(1, hits, ode, {engine("in-house")}, {.run_seconds = 20}, 2, {});
+  ASSERT_FALSE(made.empty());
+  for (const Card& card : made) {
+    const std::string text = scenario_toml(card);
+    const scenario::Scenario scenario = scenario::parse(text, "card.toml");
+    EXPECT_LE(scenario.scene.bodies.size(), 3u) << text;
+    const std::string file = testing::TempDir() + "/" + card.file_stem() + ".toml";
+    std::ofstream(file) << text;
+    const Kept kept = read_card(file);
+    EXPECT_EQ(kept.engine, "ode");
+    EXPECT_EQ(kept.oracle, card.fault.oracle);
+    EXPECT_EQ(kept.trial.steps, card.trial.steps);
+    EXPECT_FALSE(examine(kept.trial, ode, {}, kept.oracle).empty());
+    EXPECT_FALSE(examine(card.trial, ode, {}, card.fault.oracle).empty());
+    ASSERT_EQ(card.opinions.size(), 1u);
+    EXPECT_FALSE(card.opinions[0].faulty) << text;
+    for (const char* part : {"What should happen", "in-house", "```toml", "cylon run "})
+      EXPECT_NE(markdown(card).find(part), std::string::npos) << part;
+  }
+}
+
+}  // namespace
+}  // namespace cylon::hunt
