@@ -160,8 +160,8 @@ class Recorder {
     for (std::size_t i = 0; i < todo.size(); ++i)
       todo[i].seen = [&outcomes, i](const process::RunOutcome& outcome, auto) { outcomes[i] = outcome; };
     std::size_t finished = 0;
-    const study::Matrix matrix =
-        study::run(todo, {options_.jobs, limits_}, expectations_, [&](std::size_t i, const auto& rows, double) {
+    const study::Matrix matrix = study::run(
+        todo, {options_.jobs, limits_}, expectations_, [&](std::size_t i, const auto& rows, double) {
           add(todo[i], outcomes[i], rows);
           outcomes[i] = {};
           if (options_.verbose)

@@ -130,9 +130,10 @@ TEST(Impostors, EachIsDetectedAndTheRunContinues) {
   add(engine("ode"));
 
   std::size_t reported = 0;
-  const auto rows = study::run(cells, {2, within(3)}, {}, [&](std::size_t, const std::vector<Verdict>&, double) {
-                      ++reported;
-                    }).rows;
+  const auto rows =
+      study::run(cells, {2, within(3)}, {}, [&](std::size_t, const std::vector<Verdict>&, double) {
+        ++reported;
+      }).rows;
   ASSERT_EQ(rows.size(), cells.size());
   EXPECT_EQ(reported, cells.size());
   for (const std::size_t good : {std::size_t{0}, cells.size() - 1})

@@ -70,7 +70,8 @@ int merge(const Context& context, const Options& options) {
                     command));
   const std::filesystem::path place = journal_file(command);
   write(all, place);
-  if (all.strange > 0) std::cerr << fmt::format("{} lines are cut off or no results; they are not used\n", all.strange);
+  if (all.strange > 0)
+    std::cerr << fmt::format("{} lines are cut off or no results; they are not used\n", all.strange);
   const std::size_t count = all.part.units.size();
   std::cerr << fmt::format("{} of {} are there; the union is {}{}\n", count - all.missing.size(), count,
                            place.string(),
