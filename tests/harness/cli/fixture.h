@@ -52,7 +52,8 @@ class CommandLine : public testing::Test {
   /// says.
   Ran shell(const std::string& line, const std::function<bool()>& interrupt_when = {}) const {
     const std::string script = "cd '" + folder.string() +
-                               "' || exit 99; export CYLON_KEY=\"$PWD/.key\" PATH='" +
+                               "' || exit 99; unset GTEST_SHARD_INDEX TEST_SHARD_INDEX SLURM_ARRAY_TASK_ID; "
+                               "export CYLON_KEY=\"$PWD/.key\" PATH='" +
                                std::string(binary_dir) + "':\"$PATH\"; " + line;
     const std::string out = (folder / ".out").string(), err = (folder / ".err").string();
     posix_spawn_file_actions_t actions;
