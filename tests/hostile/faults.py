@@ -206,7 +206,8 @@ def main():
     counted = Counted(None if options.sample else "faults")
     cylon = os.path.abspath(options.cylon)
     left = options.trials if options.trials is not None else math.inf
-    names = options.parts or [f"{command}/{kind}" for command in COMMANDS for kind in KINDS]
+    commands = [command for command in COMMANDS if command != "shards"]  # those are several processes
+    names = options.parts or [f"{command}/{kind}" for command in commands for kind in KINDS]
     with tempfile.TemporaryDirectory(prefix="cylon-faults-") as folder_name:
         folder = pathlib.Path(folder_name)
         os.environ["CYLON_KEY"] = str(folder / "key")

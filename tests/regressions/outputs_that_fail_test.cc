@@ -96,7 +96,7 @@ TEST_F(OutputsThatFail, AnInterruptedRunReportsWhatIsDone) {
       "out.json",
       [&] {
         const std::string journal = read(".cylon/journal.jsonl");
-        return std::count(journal.begin(), journal.end(), '\n') >= 2;
+        return std::count(journal.begin(), journal.end(), '\n') >= 3;
       });
   EXPECT_EQ(ran.code, 130) << ran.err;
   const auto verdicts = nlohmann::json::parse(read("out.json")).at("verdicts");

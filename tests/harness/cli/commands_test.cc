@@ -196,9 +196,9 @@ TEST_F(CommandLine, RerunFailedAndResumeRememberTheRequest) {
 }
 
 TEST_F(CommandLine, ResumesInterruptedRun) {
-  const auto one_cell_is_done = [&] {  // two lines: what was asked for, and the cell
+  const auto one_cell_is_done = [&] {  // three lines: what was asked for, of which part, and the cell
     const std::string journal = read(".cylon/journal.jsonl");
-    return std::count(journal.begin(), journal.end(), '\n') >= 2;
+    return std::count(journal.begin(), journal.end(), '\n') >= 3;
   };
   // The second cell's engine hangs as long as a file stands there, so that the signal always finds the run
   // going.
