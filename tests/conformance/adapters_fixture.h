@@ -71,6 +71,7 @@ inline const Subject subjects[] = {
      .archimedes = false,
      .any_pair = false,
      .drift = 64},
+    {.id = "mujoco3", .reduced = true, .bounces = false, .tells = false, .archimedes = false},
 };
 
 /// All but those of these engines.

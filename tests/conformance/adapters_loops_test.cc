@@ -14,8 +14,10 @@ class Loops : public EveryEngine {};
 // then the error falls with the step as that of the others does.
 std::vector<Subject> with_stiff_loops() {
   std::vector<Subject> all(std::begin(subjects), std::end(subjects));
-  for (Subject& subject : all)
+  for (Subject& subject : all) {
     if (std::string_view(subject.id) == "mujoco") subject.id = "mujoco/solref-time=1e-9";
+    if (std::string_view(subject.id) == "mujoco3") subject.id = "mujoco3/solref-time=1e-9";
+  }
   return all;
 }
 INSTANTIATE_TEST_SUITE_P(Adapters, Loops, testing::ValuesIn(with_stiff_loops()), test_name);

@@ -118,7 +118,7 @@ Vector3 of_jolt(const core::Matrix3& inertia, const Vector3& w, double dt) {
 
 Turn turn_of(std::string_view id) {
   if (id == "jolt" || id == "rapier") return of_jolt;
-  if (id.starts_with("bullet-multibody") || id == "mujoco") return of_multibody;
+  if (id.starts_with("bullet-multibody") || id.starts_with("mujoco")) return of_multibody;
   return id.starts_with("bullet") ? of_bullet : of_ode;
 }
 

@@ -151,6 +151,14 @@ class Contacts {
     return this.by_kinds.get(`${this.kind_of.get(a)}|${this.kind_of.get(b)}`);
   }
 
+  /** Pairs of things that may touch. */
+  *meeting() {
+    const all = this.things;
+    for (let i = 0; i < all.length; ++i)
+      for (let j = i + 1; j < all.length; ++j)
+        if (!(all[i].still && all[j].still) && !this.tied.has(this.key(all[i].id, all[j].id)) && this.meet(all[i], all[j])) yield [all[i], all[j]];
+  }
+
   /** Pairs of things, one of which can move, that may not touch though both have shapes. */
   *kept_apart() {
     const all = this.things;

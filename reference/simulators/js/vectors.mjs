@@ -11,7 +11,7 @@ export const is_zero = (a) => a[0] === 0 && a[1] === 0 && a[2] === 0;
 /** q v q*:  v + 2 w (u x v) + 2 u x (u x v)  with u the vector part of the unit quaternion q. */
 export function rotate(q, v) {
   const u = [q[1], q[2], q[3]], t = scale(2, cross(u, v));
-  return add(add(v, scale(q[0], t)), cross(u, t));
+  return add(v, add(scale(q[0], t), cross(u, t)));
 }
 export const conjugate = (q) => [q[0], -q[1], -q[2], -q[3]];
 export const multiply = (a, b) => [

@@ -124,11 +124,12 @@ class Session {
     const scene = prepare(request.scene);
     require_masses(this.about, scene);
     this.scene = scene, this.dt = request.dt;
+    chosen.values.integrator = chosen.integrator;
     this.world = this.engine.load(scene, request.dt, chosen.values);
     this.forces = new Forces(scene);
     this.load_ns = cpu_ns() - before;
     say({
-      ok: 'load', path: chosen.path, integrator: chosen.integrator, order: 1, gyroscopic: this.about.gyroscopic(chosen.values),
+      ok: 'load', path: chosen.path, integrator: chosen.integrator, order: this.world.order ?? 1, gyroscopic: this.about.gyroscopic(chosen.values),
       settings: [...settings_of(this.about, chosen), ...force_settings(this.forces.any)], unforceable: this.about.unforceable,
     });
     const start = new Frame(scene.bodies.length);
