@@ -3,6 +3,7 @@
 #   cmake/package/pack.sh BUILD FOLDER
 set -euo pipefail
 build=$(realpath "${1:?the build folder}") folder=$(realpath -m "${2:?a folder}")
+umask 022  # CPack makes the folders of a package with the umask that it finds
 mkdir -p "$folder"
 cpack --config "$build/CPackConfig.cmake" -B "$folder" >"$folder/log" 2>&1 || { cat "$folder/log" >&2; exit 1; }
 rm -r "$folder/_CPack_Packages"
