@@ -72,6 +72,13 @@ inline const Subject subjects[] = {
      .any_pair = false,
      .drift = 64},
     {.id = "mujoco3", .reduced = true, .bounces = false, .tells = false, .archimedes = false},
+    {.id = "physx",
+     .single = true,
+     .iterative = true,
+     .tells = false,
+     .archimedes = false,
+     .any_pair = false,
+     .drift = 8},
 };
 
 /// All but those of these engines.

@@ -154,7 +154,7 @@ TEST(PublishedNumbers, FewAreNotReproduced) {
   expect(of_all, 75, 2);
   expect(of_mujoco, 30, 6);
   expect(of_simbody, 16, 0);
-  expect(of_wasm, 117, 6);
+  expect(of_wasm, 211, 20);
 }
 
 std::string number_name(const testing::TestParamInfo<Number>& number) { return number.param.name; }

@@ -32,6 +32,10 @@ const none = [0, 0, 0];
 /** Lists of a scene whose elements are forces; each is a method of Forces. */
 export const laws = ['spring', 'drag', 'thrust', 'drive', 'attraction', 'water'];
 
+/** Whether anything of a scene is to be applied before a step. */
+export const has_forces = (scene) =>
+  turns(scene.frame) || laws.some((law) => scene[law].length > 0) || scene.bodies.some((body) => body.gravity);
+
 export class Forces {
   /** Of a scene as scene.mjs prepares it. */
   constructor(scene) {
@@ -43,7 +47,7 @@ export class Forces {
     /** Bodies whose mass changes. */
     this.changing = scene.bodies.map((b) => b.index).filter((i) => this.rates[i] !== 0);
     /** Whether anything is to be applied before a step. */
-    this.any = turns(scene.frame) || laws.some((law) => scene[law].length > 0) || scene.bodies.some((body) => body.gravity);
+    this.any = has_forces(scene);
   }
 
   /** A wrench per body, of the states {position, orientation, velocity, spin} at t [s].  Throws where a mass is used up. */
