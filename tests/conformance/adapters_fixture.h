@@ -40,6 +40,7 @@ struct Subject {
   bool archimedes = true;   ///< Knows the submerged part of a shape.
   bool any_pair = true;     ///< Has a restitution for each pair, whatever those of the others.
   double drift = 2;         ///< Roundings, in units, that a step adds at most.
+  double least_turn = 0;    ///< Corrections of a joint by smaller turns are not made [rad].
 
   /// Unit roundoff: half the distance between 1 and the next number.
   double unit() const { return single ? 0x1p-24 : 0x1p-53; }
@@ -72,6 +73,12 @@ inline const Subject subjects[] = {
      .any_pair = false,
      .drift = 64},
     {.id = "mujoco3", .reduced = true, .bounces = false, .tells = false, .archimedes = false},
+    {.id = "crashcat",
+     .iterative = true,
+     .tells = false,
+     .archimedes = false,
+     .drift = 8,
+     .least_turn = 1e-6},
     {.id = "physx",
      .single = true,
      .iterative = true,

@@ -99,6 +99,7 @@ const Table tables[] = {
 class Materials : public EveryEngine {
  protected:
   bool bullet() const { return std::string_view(subject().id).starts_with("bullet"); }
+  bool crashcat() const { return std::string_view(subject().id).starts_with("crashcat"); }
   bool ode() const { return std::string_view(subject().id).starts_with("ode"); }
 
   // The engine without its push out of penetration, a share erp of the depth in each step.
@@ -125,7 +126,9 @@ class Materials : public EveryEngine {
   //   Bullet may stop a body at the surface, before it is through, at gap/dt, and the gap is rounded at 40 m.
   double accuracy(double e) const {
     const double softness = ode() ? 1.1 * 1e-10 * 2.9 * (1 + e) / dt : 0;
-    const double stopping = bullet() && e == 0 ? subject().unit() * 40 / dt / approach_speed : 0;
+    // A contact without bounce lets a body come to the plane: gap/dt, with the rounding of a gap of metres.
+    const double stopping =
+        (bullet() || crashcat()) && e == 0 ? subject().unit() * 40 / dt / approach_speed : 0;
     return 32 * subject().unit() + softness + stopping;
   }
 };

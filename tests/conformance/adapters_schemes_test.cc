@@ -110,14 +110,14 @@ Vector3 of_ode(const core::Matrix3& inertia, const Vector3& w, double dt) {
   return (inertia - dt * cross(inertia * w)).inverse() * (inertia * w);
 }
 
-// L' = L - dt w x L, given the length of L: of Jolt and PhysX, and of Rapier in each substep.
+// L' = L - dt w x L, given the length of L: of Jolt, PhysX and crashcat, and of Rapier in each substep.
 Vector3 of_jolt(const core::Matrix3& inertia, const Vector3& w, double dt) {
   const Vector3 before = inertia * w, after = before - dt * w.cross(before);
   return inertia.inverse() * (after * (before.norm() / after.norm()));
 }
 
 Turn turn_of(std::string_view id) {
-  if (id == "jolt" || id == "rapier" || id == "physx") return of_jolt;
+  if (id == "jolt" || id == "rapier" || id == "physx" || id == "crashcat") return of_jolt;
   if (id.starts_with("bullet-multibody") || id.starts_with("mujoco")) return of_multibody;
   return id.starts_with("bullet") ? of_bullet : of_ode;
 }
