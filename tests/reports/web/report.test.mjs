@@ -84,13 +84,13 @@ test('a query that is none says where, and hides nothing', async () => {
 
 test('the keyboard alone finds a failing cell, opens it and comes back', async () => {
   const page = await open(url('r.html'));
+  await page.locator('.filter input').first().waitFor(); // the page unpacks after it has loaded: before, keys go nowhere
   await page.keyboard.press('/');
   await page.keyboard.type('dzhanibekov');
   await page.waitForFunction(() => document.querySelectorAll('table.matrix tbody tr').length === 1);
-  for (let i = 0; i < 30; ++i) {
-    await page.keyboard.press('Tab');
-    if (await page.evaluate(() => document.activeElement?.matches('table.matrix .cell'))) break;
-  }
+  const onCell = () => page.evaluate(() => Boolean(document.activeElement?.matches('table.matrix .cell')));
+  for (let i = 0; i < 30 && !(await onCell()); ++i) await page.keyboard.press('Tab');
+  assert.ok(await onCell(), 'Tab reaches a cell');
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('Enter');
   await page.locator('#cell-heading').waitFor();

@@ -1,5 +1,5 @@
 // What the reader looks at, kept in the address after "#", so that a link shows the same.
-import { useEffect, useState } from 'preact/hooks';
+import { useLayoutEffect, useState } from 'preact/hooks';
 
 import type { CellName } from './fold';
 
@@ -50,7 +50,8 @@ export function go(change: Address, push = false): void {
 
 export function useAddress(): Address {
   const [value, set] = useState(current);
-  useEffect(() => {
+  // Before the reader can do anything: what changes ahead of a painted frame is heard as well.
+  useLayoutEffect(() => {
     listeners.add(set);
     set(current);
     return () => void listeners.delete(set);
