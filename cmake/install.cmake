@@ -2,8 +2,10 @@
 #   PREFIX/bin/cylon                 the program, which finds the rest by its own place
 #   PREFIX/libexec/cylon/            a worker of each engine
 #   PREFIX/share/cylon/              scenarios, suites, expected verdicts, the scenario format as JSON Schema
+#   PREFIX/lib/, PREFIX/include/cylon/   libraries, CMake package and headers (cmake/library.cmake)
 #   PREFIX/share/{man,bash-completion,zsh,fish}/, PREFIX/share/doc/cylon/
-# A component is a Debian package (cmake/package.cmake): cylon, and cylon-ENGINE for each optional engine.
+# A component is a Debian package (cmake/package.cmake): cylon, cylon-ENGINE for each optional engine, and
+# libcylon-dev.
 set(written ${PROJECT_BINARY_DIR}/written)
 add_custom_command(
   OUTPUT ${written}/stamp
@@ -13,7 +15,7 @@ add_custom_command(
   COMMENT "Writing man pages, completion scripts and schema" VERBATIM)
 add_custom_target(written_files DEPENDS ${written}/stamp)
 add_custom_target(installable DEPENDS written_files)
-add_dependencies(installable cylon engines)
+add_dependencies(installable cylon engines library)
 add_dependencies(tests installable)
 
 install(TARGETS cylon RUNTIME DESTINATION bin COMPONENT cylon)

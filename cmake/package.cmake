@@ -1,6 +1,7 @@
 # Debian packages: cpack, or ./run package, writes them to build/PRESET/packages.
 #   cylon           the program, the engines that every build has, the scenarios
 #   cylon-ENGINE    the worker of an optional engine, so that cylon itself does not need the engine's library
+#   libcylon-dev    headers, static libraries and the CMake package, for engines outside the tree
 # The same sources give the same bytes (tests/package/reproducible.sh): every time in a package is that of the last commit,
 # or SOURCE_DATE_EPOCH where somebody says another.
 set(debian ${PROJECT_BINARY_DIR}/debian)
@@ -103,5 +104,14 @@ Without this package cylon says of ${id} that it is not here."
     FIELDS DEPENDS "cylon (= ${PROJECT_VERSION}-1)")
   install(FILES cmake/package/copyright DESTINATION share/doc/${package} COMPONENT ${package}-debian EXCLUDE_FROM_ALL)
 endforeach()
+
+debian_package(libcylon-dev ABOUT "judge of physics engines: library
+Headers, static libraries and a CMake package for engines: a worker out of a
+class in C++ or a table of functions in C, and EXPECT_CONFORMS for the tests
+of an engine with GoogleTest."
+  FIELDS SECTION libdevel
+         DEPENDS "cylon (= ${PROJECT_VERSION}-1), libeigen3-dev, libfmt-dev, libflint-arb-dev, libflint-dev, libsodium-dev, libtinyobjloader-dev, libtomlplusplus-dev"
+         RECOMMENDS "cmake, g++, libgtest-dev")
+install(FILES cmake/package/copyright DESTINATION share/doc/libcylon-dev COMPONENT libcylon-dev-debian EXCLUDE_FROM_ALL)
 
 include(CPack)

@@ -20,7 +20,7 @@ SOURCES = {".h", ".hpp", ".cc", ".cpp", ".inc"}
 # What is no library: the standard library's headers, and those of POSIX and Linux.
 STANDARD = re.compile(r"[a-z_0-9]+$")
 SYSTEM = re.compile(r"(arpa|linux|net|netinet|sys)/|(dirent|dlfcn|execinfo|fcntl|ifaddrs|immintrin|langinfo|malloc|poll|pthread|sched|signal|spawn|"
-                    r"stdlib|time|unistd)\.h$")
+                    r"stddef|stdint|stdlib|time|unistd)\.h$")
 
 # Nothing depends on these but each other: one suite may take another's helper, as far as it knows what the helper includes.
 LEAVES = {"tests", "tool", "bench"}

@@ -20,6 +20,7 @@ for package in "${packages[@]}"; do
   depends=$(dpkg-deb -f "$package" Depends)
   case $(dpkg-deb -f "$package" Package) in
     cylon) [[ $depends == *libbullet* && $depends == *libode* && ! $depends =~ mujoco|simbody ]] ;;
+    libcylon-dev) [[ $depends == *"cylon (= $(dpkg-deb -f "$package" Version))"* && $depends == *libeigen3-dev* ]] ;;
     cylon-*) [[ $depends == *"cylon (= $(dpkg-deb -f "$package" Version))"* && $depends =~ lib(mujoco|simbody) ]] ;;
   esac || fail "$package depends on: $depends"
 done
