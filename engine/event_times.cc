@@ -207,13 +207,13 @@ std::optional<Real> EventStepper::change_time(Time from, Real span, const Contac
   }
   // Points that leave their facets: others touch there.
   const Motion *begin = system_.motions(start_.data()), *end = system_.motions(end_.data());
-  for (std::size_t i = 0; i < held_.size(); ++i) {
-    if (!held_[i].facets) continue;
-    const Real room = room_of(held_[i], begin), left = room_of(held_[i], end);
+  for (const auto& held : held_) {
+    if (!held.facets) continue;
+    const Real room = room_of(held, begin), left = room_of(held, end);
     if (!(room > 0 && left < 0)) continue;
     const auto room_after = [&](Real s) {
       part(from, s);
-      return room_of(held_[i], motions());
+      return room_of(held, motions());
     };
     const Real t = root(room_after, Real(0), room, span, left);
     if (first && t >= *first) continue;

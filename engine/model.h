@@ -67,6 +67,7 @@ using BodyPair = std::array<int, 2>;
 /// Groups of a body or a plane, and those that it touches, as bits.
 struct Filter {
   std::uint32_t groups = 1, mask = ~std::uint32_t{0};
+  // NOLINTNEXTLINE(modernize-use-nullptr): the literal that the compiler compares with
   friend auto operator<=>(const Filter&, const Filter&) = default;
 };
 

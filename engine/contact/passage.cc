@@ -234,7 +234,7 @@ bool Passage::stays_above(const Leg& carrier, const Shape& shape, const Leg& vis
       };
       if (held && rests(ends[0]) && rests(ends[static_cast<std::size_t>(parts)])) continue;
       for (int i = 0; i < parts; ++i) {
-        const End &from = ends[static_cast<std::size_t>(i)], &to = ends[static_cast<std::size_t>(i + 1)];
+        const End &from = ends[static_cast<std::size_t>(i)], &to = ends[static_cast<std::size_t>(i) + 1];
         const Real g = height(to, face, x);
         if (!(std::min(f, g) - curved > -depth)) return false;
         const Real bent = std::min(f + width / 3 * rate(from, face, x), g - width / 3 * rate(to, face, x));

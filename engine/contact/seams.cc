@@ -90,7 +90,7 @@ bool Seams::covers(int body, int part, int by, const Motion& now, const Vector3&
                    const Vector3& centre) const {
   const int first = first_[static_cast<std::size_t>(body)];
   if (first < 0) return false;
-  const Piece& piece = pieces_[static_cast<std::size_t>(first + part)];
+  const Piece& piece = pieces_[static_cast<std::size_t>(first) + static_cast<std::size_t>(part)];
   if (piece.beside.empty()) return false;
   if (locked_[static_cast<std::size_t>(body)] != 0) return covers(piece, by, x, n, centre);
   const Quaternion back = now.orientation.conjugate();

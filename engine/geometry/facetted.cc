@@ -24,7 +24,7 @@ class Round {
   Round(const Frustum& frustum, Shape& storage) : frustum_(frustum) {
     if (!std::holds_alternative<Hull>(storage)) storage = Hull();
     hull_ = &std::get<Hull>(storage);
-    for (int k = 0; k < corners; ++k) corners_[k] = {2 * pi * static_cast<Real>(k) / corners, 0};
+    for (int k = 0; k < corners; ++k) corners_[at(k)] = {2 * pi * static_cast<Real>(k) / corners, 0};
     count_ = corners;
     fill();
   }
@@ -60,20 +60,20 @@ class Round {
   // Corners of the inscribed polygon, and facets found before, give way.
   bool add(Real angle) {
     Real nearest = pi / corners;
-    for (int k = 0; k < facets_; ++k) nearest = std::min(nearest, angle_between(angle, facet_angles_[k]));
+    for (int k = 0; k < facets_; ++k) nearest = std::min(nearest, angle_between(angle, facet_angles_[at(k)]));
     if (nearest < half_facet / 2) return false;
     if (facets_ == static_cast<int>(facet_angles_.size()))
       return false;  // two a round: there is room for all
     moved_ = std::max(moved_, nearest);
     int kept = 0;
     for (int k = 0; k < count_; ++k) {
-      const Corner& corner = corners_[k];
-      const Real middle = corner.facet > 0 ? facet_angles_[corner.facet - 1] : corner.angle;
-      if (angle_between(angle, middle) > 4 * half_facet) corners_[kept++] = corner;
+      const Corner& corner = corners_[at(k)];
+      const Real middle = corner.facet > 0 ? facet_angles_[at(corner.facet - 1)] : corner.angle;
+      if (angle_between(angle, middle) > 4 * half_facet) corners_[at(kept++)] = corner;
     }
     count_ = kept;
-    facet_angles_[facets_++] = angle;
-    for (const Real side : {-half_facet, half_facet}) corners_[count_++] = {angle + side, facets_};
+    facet_angles_[at(facets_++)] = angle;
+    for (const Real side : {-half_facet, half_facet}) corners_[at(count_++)] = {angle + side, facets_};
     return true;
   }
 
@@ -88,16 +88,16 @@ class Round {
     const auto low = [&](int k) { return low_disc ? k % n : 0; };
     const auto high = [&](int k) { return lows + (high_disc ? k % n : 0); };
     Hull& h = *hull_;
-    h.vertices.resize(static_cast<std::size_t>(lows + highs));
+    h.vertices.resize(at(lows + highs));
     for (int k = 0; k < n; ++k) {
-      const Corner& corner = corners_[k];
+      const Corner& corner = corners_[at(k)];
       const Real reach = corner.facet > 0 ? 1 / std::cos(half_facet) : Real(1);
       const Vector3 out(reach * std::cos(corner.angle), 0, reach * std::sin(corner.angle));
       h.vertices[at(low(k))] = frustum_.low_radius * out + frustum_.low * Vector3::UnitY();
       h.vertices[at(high(k))] = frustum_.high_radius * out + frustum_.high * Vector3::UnitY();
     }
     // Sides first, counter-clockwise from outside: up at k, back down at k + 1.
-    h.faces.resize(static_cast<std::size_t>(n + low_disc + high_disc)), h.normals.resize(h.faces.size());
+    h.faces.resize(at(n + low_disc + high_disc)), h.normals.resize(h.faces.size());
     h.edges.clear();
     const int low_face = n, high_face = n + low_disc;
     const Real height = frustum_.high - frustum_.low;
@@ -107,7 +107,7 @@ class Round {
       face.push_back(low(k)), face.push_back(high(k));
       if (high_disc) face.push_back(high(k + 1));
       if (low_disc) face.push_back(low(k + 1));
-      h.normals[at(k)] = side_normal(corners_[k], corners_[(k + 1) % n], height);
+      h.normals[at(k)] = side_normal(corners_[at(k)], corners_[at((k + 1) % n)], height);
       h.edges.push_back({low(k), high(k), k, (k + n - 1) % n});
       if (low_disc) h.edges.push_back({low(k), low(k + 1), low_face, k});
       if (high_disc) h.edges.push_back({high(k), high(k + 1), k, high_face});
@@ -123,7 +123,7 @@ class Round {
   }
 
   Vector3 side_normal(const Corner& from, const Corner& to, Real height) const {
-    if (from.facet > 0 && from.facet == to.facet) return slope(facet_angles_[from.facet - 1], 1, height);
+    if (from.facet > 0 && from.facet == to.facet) return slope(facet_angles_[at(from.facet - 1)], 1, height);
     // Across the chord, which is `reach` from the axis where the circle is 1.
     const auto place = [](const Corner& c) {
       const Real reach = c.facet > 0 ? 1 / std::cos(half_facet) : Real(1);
@@ -143,9 +143,9 @@ class Round {
 
   const Frustum& frustum_;
   Hull* hull_ = nullptr;
-  std::array<Corner, corners + 4 * most_rounds> corners_;
+  std::array<Corner, std::size_t{corners} + std::size_t{4} * most_rounds> corners_;
   int count_ = 0;
-  std::array<Real, 2 * most_rounds> facet_angles_{};
+  std::array<Real, std::size_t{2} * most_rounds> facet_angles_{};
   int facets_ = 0;
   Real moved_ = 0;  // in the last look(), from the nearest facet there was
 };

@@ -12,7 +12,7 @@ namespace cylon::cli {
 
 class LineFile {
  public:
-  explicit LineFile(std::filesystem::path file) : LineFile(file, file) {}
+  explicit LineFile(const std::filesystem::path& file) : LineFile(file, file) {}
   /// A file that is to be renamed to `place` once it is whole.
   LineFile(std::filesystem::path file, std::filesystem::path place)
       : file_(std::move(file)), place_(std::move(place)) {}

@@ -19,11 +19,16 @@ namespace {
 constexpr int longest_silence = 5000;  // of a named pipe into which nobody writes yet [ms]
 
 /// A descriptor that closes with its owner.
-struct Input {
-  int fd;
+class Input {
+ public:
+  explicit Input(int opened) : fd(opened) {}
+  Input(const Input&) = delete;
+  Input& operator=(const Input&) = delete;
   ~Input() {
     if (fd > STDIN_FILENO) ::close(fd);
   }
+
+  const int fd;
 };
 
 }  // namespace
@@ -33,7 +38,7 @@ std::string read_whole(const std::string& path, std::size_t most) {
   const auto refuse = [&](const std::string& why) {
     return core::InputError(fmt::format("{}: {}", path, why));
   };
-  const Input in{path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)};
+  const Input in(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   struct stat status = {};
   if (in.fd < 0 || ::fstat(in.fd, &status) != 0) throw refuse("cannot be read");
   std::string text;

@@ -28,6 +28,7 @@ inline constexpr std::size_t most_filters = 256;
 struct CollisionFilter {
   std::uint32_t groups = 1;  ///< Bit 0 is "default".
   std::uint32_t mask = ~std::uint32_t{0};
+  // NOLINTNEXTLINE(modernize-use-nullptr): the literal that the compiler compares with
   friend auto operator<=>(const CollisionFilter&, const CollisionFilter&) = default;
 };
 

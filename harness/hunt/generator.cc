@@ -154,7 +154,8 @@ void collisions(Dice& dice, Scene& scene, const Shape (*shape)(Dice&)) {
   if (falls) scene.forces.emplace_back(core::UniformGravity{{0, -9.81, 0}}), add_floor(dice, scene);
   const std::size_t count = 1 + dice.below(4) + (falls ? 0 : 1);
   for (std::size_t i = 0; i < count; ++i) {
-    const double x = static_cast<double>(i % 2), z = static_cast<double>(i / 2);
+    const std::size_t column = i % 2, row = i / 2;
+    const double x = static_cast<double>(column), z = static_cast<double>(row);
     Body& body = add_body(scene, shape(dice), some_mass(dice),
                           Vector3(1.5 * x, 1.5 + dice.between(-0.2, 0.2), 1.5 * z));
     set_moving(dice, body, 1, 5);

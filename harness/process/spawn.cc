@@ -25,6 +25,7 @@ constexpr int pipe_bytes = 1 << 20;  // room for some frames while the parent is
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)  // gcc
 constexpr bool limit_data = false;
 #elif defined(__has_feature)  // clang
+// NOLINTNEXTLINE(misc-redundant-expression): the same only where neither is on
 constexpr bool limit_data = !__has_feature(address_sanitizer) && !__has_feature(thread_sanitizer);
 #else
 constexpr bool limit_data = true;

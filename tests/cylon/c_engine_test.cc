@@ -81,10 +81,10 @@ void collide(Scene& scene, const core::Shape& shape) {
 }
 
 const Scene springs = with([](Scene& s) {
-  s.forces.push_back(core::Spring{.to = 1, .stiffness = 12, .rest_length = 2, .damping = 0.3});
+  s.forces.emplace_back(core::Spring{.to = 1, .stiffness = 12, .rest_length = 2, .damping = 0.3});
 });
 const Scene anchored = with([](Scene& s) {
-  s.forces.push_back(core::Spring{.anchor = {0, 0.1, 0}, .stiffness = 12});
+  s.forces.emplace_back(core::Spring{.anchor = {0, 0.1, 0}, .stiffness = 12});
 });
 const Scene rod =
     with([](Scene& s) { s.joints = {{.type = core::JointType::distance, .body = 0, .to = 1, .length = 3}}; });
@@ -106,21 +106,21 @@ const Refusal refusals[] = {
     {"a spring", springs, CYLON_ROTATION | CYLON_JOINTS, "the engine does not take springs"},
     {"a spring beside the centre", anchored, CYLON_SPRINGS, "the engine does not take rotation"},
     {"both", anchored, CYLON_SPRINGS | CYLON_ROTATION, nullptr},
-    {"spin", spinning, everything & ~CYLON_ROTATION, "the engine does not take rotation"},
+    {"spin", spinning, everything & ~std::uint32_t{CYLON_ROTATION}, "the engine does not take rotation"},
     {"spin of a locked body", with([](Scene& s) { s = spinning, s.bodies[1].locked = true; }), 0, nullptr},
     {"a rod between centres", rod, CYLON_JOINTS, nullptr},
     {"a hinge", hinge, CYLON_JOINTS, "the engine does not take rotation"},
     {"joints", hinge, CYLON_ROTATION, "the engine does not take joints"},
-    {"contacts", boxes, everything & ~CYLON_CONTACTS, "the engine does not take contacts"},
-    {"drag", with([](Scene& s) { s.forces.push_back(core::Drag{.linear = 1}); }), 0,
+    {"contacts", boxes, everything & ~std::uint32_t{CYLON_CONTACTS}, "the engine does not take contacts"},
+    {"drag", with([](Scene& s) { s.forces.emplace_back(core::Drag{.linear = 1}); }), 0,
      "the engine does not take drag"},
-    {"a drive", with([](Scene& s) { s.forces.push_back(core::Drive{}); }), 0,
+    {"a drive", with([](Scene& s) { s.forces.emplace_back(core::Drive{}); }), 0,
      "the engine does not take drives"},
-    {"attraction", with([](Scene& s) { s.forces.push_back(core::Attraction{.to = 1}); }), 0,
+    {"attraction", with([](Scene& s) { s.forces.emplace_back(core::Attraction{.to = 1}); }), 0,
      "the engine does not take attractions"},
-    {"thrust", with([](Scene& s) { s.forces.push_back(core::Thrust{}); }), everything,
+    {"thrust", with([](Scene& s) { s.forces.emplace_back(core::Thrust{}); }), everything,
      "cylon/engine.h has no thrust"},
-    {"water", with([](Scene& s) { s.forces.push_back(core::Water{}); }), everything,
+    {"water", with([](Scene& s) { s.forces.emplace_back(core::Water{}); }), everything,
      "cylon/engine.h has no water"},
     {"a frame", with([](Scene& s) { s.frame = core::Frame{}; }), everything,
      "cylon/engine.h has no frame that is not inertial"},
@@ -186,15 +186,15 @@ TEST(CEngine, HandsOverForcesAndJoints) {
   const cylon_engine engine = table(of);
   CEngine simulator(engine);
   const Scene scene = with([](Scene& s) {
-    s.forces.push_back(core::Spring{.body = 1,
-                                    .anchor = {1, 2, 3},
-                                    .to_anchor = {4, 5, 6},
-                                    .stiffness = 7,
-                                    .rest_length = 8,
-                                    .damping = 9});
-    s.forces.push_back(core::Drag{.body = 1, .linear = 2, .angular = 3, .momentum = 4});
-    s.forces.push_back(core::Drive{.body = 1, .force = {1, 2, 4}, .frequency = 5});
-    s.forces.push_back(core::Attraction{.body = 0, .to = 1, .strength = 6});
+    s.forces.emplace_back(core::Spring{.body = 1,
+                                       .anchor = {1, 2, 3},
+                                       .to_anchor = {4, 5, 6},
+                                       .stiffness = 7,
+                                       .rest_length = 8,
+                                       .damping = 9});
+    s.forces.emplace_back(core::Drag{.body = 1, .linear = 2, .angular = 3, .momentum = 4});
+    s.forces.emplace_back(core::Drive{.body = 1, .force = {1, 2, 4}, .frequency = 5});
+    s.forces.emplace_back(core::Attraction{.body = 0, .to = 1, .strength = 6});
     s.joints = hinge.joints;
   });
   ASSERT_FALSE(simulator.load_if_supported(scene, {.dt = 0.01}).unsupported);
