@@ -37,7 +37,9 @@ int running(const std::string& mode) {
   DIR* proc = opendir("/proc");
   while (const dirent* entry = readdir(proc)) {
     std::ifstream file(std::string("/proc/") + entry->d_name + "/cmdline");
-    const std::string line{std::istreambuf_iterator<char>(file), {}};
+    std::ostringstream read;
+    read << file.rdbuf();  // of a process that ends meanwhile nothing; an iterator would throw
+    const std::string line = read.str();
     if (line.find("scripted_worker.py") != std::string::npos && line.ends_with('\0' + mode + '\0')) ++count;
   }
   closedir(proc);
