@@ -25,6 +25,9 @@ export function run(folder, args, code = 0) {
   return ran;
 }
 
+/** How long a page may take for anything [ms]: a machine may be busy, and no test is about speed. */
+export const patience = 180_000;
+
 let browser;
 after(async () => browser?.close());
 
@@ -37,6 +40,7 @@ export async function open(url, { width = 1280, height = 900, scheme = 'light', 
   });
   const place = await browser.newContext({ viewport: { width, height }, colorScheme: scheme, ...context });
   const page = await place.newPage();
+  page.setDefaultTimeout(patience);
   page.faults = [];
   page.on('pageerror', (error) => page.faults.push(`error: ${error.message}`));
   page.on('console', (message) => message.type() === 'error' && page.faults.push(`console: ${message.text()}`));

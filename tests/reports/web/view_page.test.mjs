@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import test from 'node:test';
-import { accessibilityFaults, open, scratch } from './browser.mjs';
+import { accessibilityFaults, open, patience, scratch } from './browser.mjs';
 import { view as start } from './viewer.mjs';
 
 const folder = scratch();
@@ -17,7 +17,7 @@ const total = async (page, lane, name) => {
 };
 const until = (page, what, condition) =>
   assert.doesNotReject(async () => {
-    for (let i = 0; i < 100; ++i, await page.waitForTimeout(100)) if (await condition()) return;
+    for (let i = 0; i < patience / 100; ++i, await page.waitForTimeout(100)) if (await condition()) return;
     throw new Error(`waited in vain: ${what}`);
   });
 
