@@ -42,6 +42,7 @@ const std::vector<App::Row> commands = {
     {"advise", "Find the cheapest setting of each engine that meets a tolerance", add_advise},
     {"limits", "Find the limits of each engine and integrator by bisection", add_limits},
     {"hunt", "Look for faults of an engine in random scenes, and shrink each", add_hunt},
+    {"predict", "Hold engines against measured motions, with intervals", add_predict},
     {"selfcheck", "Compare published numbers of other suites with results of the same scenes here",
      add_selfcheck},
     {"track", "Record the history of accuracy and speed, and compare builds", tracking::add_track},

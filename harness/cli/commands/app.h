@@ -26,6 +26,7 @@ Command add_diff(App&, const Context&);
 Command add_advise(App&, const Context&);
 Command add_limits(App&, const Context&);
 Command add_hunt(App&, const Context&);
+Command add_predict(App&, const Context&);
 Command add_selfcheck(App&, const Context&);
 Command add_view(App&, const Context&);
 Command add_new(App&, const Context&);

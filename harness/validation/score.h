@@ -1,0 +1,81 @@
+// How well an engine foretells a measured motion: each run is started from its first frame and compared with the rest of
+// it.  Validation, as against verification: a model of a real thing is judged here, with its parameters, and never an engine
+// alone.
+#pragma once
+
+#include "harness/study/runner.h"
+#include "harness/tracking/statistics/outcome.h"
+#include "reference/measured/experiment.h"
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace cylon::validation {
+
+inline constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
+/// What one run says.
+struct RunScore {
+  std::string run;
+  std::string failure;          ///< Why there is no prediction; the rest is not known then.
+  double distance = not_known;  ///< Between predicted and measured centre in the last frame [m].
+  double angle = not_known;  ///< Of the turn between predicted and measured orientation there, 0 … pi [rad].
+  bool same_side = false;    ///< The body axis, of six, that is nearest to up there is the measured one.
+  double impact =
+      not_known;  ///< Predicted less measured time of the first touch; not known where one has none [s].
+  double covered =
+      not_known;  ///< Share of measured coordinates of later frames inside the band; not known without one.
+};
+
+struct Band {
+  /// Predictions from starts and materials that differ by their stated uncertainty.  The range of n - 1 of them holds the n-th
+  /// with probability (n - 2)/n, whatever their distribution, as each order is as likely: 39 give 95 %.  0: no band.
+  int members = 39;
+  std::uint64_t seed = 1;
+};
+
+/// What n members' range holds of one more of their kind: (n - 1)/(n + 1).
+double level(int members);
+
+/// One run on one engine.
+RunScore score(const measured::Experiment&, std::size_t run, const study::Runner&, const Band&);
+
+/// A number over all runs, with the interval that holds it in 95 of 100 such experiments.
+struct Estimate {
+  double value = not_known;
+  statistics::Interval interval;
+  std::size_t runs = 0;  ///< That it is of.
+};
+
+/// What is said where an interval is held against a range.
+enum class Answer { inside, outside, undecided };
+Answer answer(const statistics::Interval&, double low, double high);
+const char* name(Answer);  ///< "yes", "no", "undecided".
+
+struct Summary {
+  std::size_t runs = 0, failed = 0;
+  std::string first_failure;
+  Estimate distance;                ///< Median [m].
+  Estimate angle;                   ///< Median [rad].
+  Estimate same_side;               ///< Share.
+  Estimate impact;                  ///< Median of the absolute value [s].
+  Estimate covered;                 ///< Mean share; frames of a run hang together, and runs do not.
+  Answer band = Answer::undecided;  ///< Whether the share covered is 90 to 98 %.
+};
+
+Summary summary(const std::vector<RunScore>&);
+
+/// Which of two engines foretells the rest nearer, by the exact sign test over the runs that both predict.
+struct Nearer {
+  std::size_t one = 0, other = 0;  ///< Runs in which it is nearer.
+  double p = 1;                    ///< Adjusted by Holm over all comparisons of a report.
+  /// inside: the first engine is nearer; outside: the other one; undecided: p > 0.05.
+  Answer answer = Answer::undecided;
+};
+
+/// The first engine against each later one.
+std::vector<Nearer> nearer(const std::vector<std::vector<RunScore>>& engines);
+
+}  // namespace cylon::validation
