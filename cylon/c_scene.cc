@@ -1,5 +1,6 @@
 #include "cylon/c_scene.h"
 
+#include "harness/core/joint_coordinates.h"
 #include "harness/core/overloaded.h"
 
 #include <fmt/format.h>
@@ -18,7 +19,7 @@ static_assert(static_cast<int>(core::JointType::ball) == CYLON_BALL);
 static_assert(static_cast<int>(core::JointType::hinge) == CYLON_HINGE);
 static_assert(static_cast<int>(core::JointType::distance) == CYLON_DISTANCE);
 static_assert(static_cast<int>(core::JointType::fixed) == CYLON_FIXED);
-static_assert(core::joint_kinds.size() == 4);
+static_assert(core::joint_kinds.size() == 9);  // of the others engine.h says nothing: other_joint
 static_assert(core::world == CYLON_WORLD);
 
 constexpr std::size_t most_pairs = 1'000'000;  // 40 MB
@@ -47,12 +48,20 @@ bool may_turn(const Scene& scene) {
          std::ranges::any_of(scene.joints, beside) || may_touch(scene);
 }
 
+bool other_joint(const Scene& scene) {
+  return std::ranges::any_of(
+      scene.joints, [](const core::Joint& joint) { return static_cast<int>(joint.type) > CYLON_FIXED; });
+}
+bool along_joint(const Scene& scene) { return std::ranges::any_of(scene.joints, core::acted_on); }
+
 struct Part {
   std::uint32_t flag;  // 0: no structure has it
   const char* what;
   bool (*is_in)(const Scene&);
 };
 const Part parts[] = {
+    {0, "joints other than ball, hinge, distance and fixed", other_joint},
+    {0, "forces, limits or friction of joints", along_joint},
     {CYLON_CONTACTS, "contacts", may_touch},
     {CYLON_SPRINGS, "springs", has<core::Spring>},
     {CYLON_DRAGS, "drag", has<core::Drag>},

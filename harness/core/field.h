@@ -4,8 +4,11 @@
 
 #include "harness/core/range.h"
 
+#include <Eigen/Core>
+
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -29,7 +32,9 @@ struct About {
   Expressed in = Expressed::plain;
   Range range = {};
   bool required = false;  ///< Files must state it; of a body reference also: it is not the world.
-  bool tunable = false;   ///< The viewer may change it while the scene runs.
+  bool later =
+      false;  ///< Workers get it only where it is not what a new element has: older ones do not know it.
+  bool tunable = false;  ///< The viewer may change it while the scene runs.
   /// Members of one rank > 0, larger by one factor, give the same phenomenon from another start and keep
   /// joints and contacts closed.  Lower ranks are tried first.
   int start_rank = 0;
@@ -73,6 +78,12 @@ inline constexpr bool is_word =
     std::is_integral_v<Value> || std::is_enum_v<Value> || std::is_same_v<Value, std::string> ||
     std::is_same_v<Value, std::string[2]> || std::is_same_v<Value, std::vector<std::string>> ||
     std::is_same_v<Value, std::vector<std::array<std::int32_t, 3>>>;
+
+/// What workers get only where there is one.
+template <class Value>
+inline constexpr bool may_be_absent =
+    std::is_same_v<Value, std::optional<Eigen::Vector3d>> || std::is_same_v<Value, std::optional<double>> ||
+    std::is_same_v<Value, std::vector<double>> || std::is_same_v<Value, std::vector<std::string>>;
 
 /// The words of an enumeration, in its order.
 template <class Enum>

@@ -23,6 +23,10 @@ struct Words<JointType> {
   }();
 };
 template <>
+struct Words<Ordinal> {
+  static constexpr std::array<std::string_view, 2> list = {"first", "second"};
+};
+template <>
 struct Words<Impacts> {
   static constexpr std::array<std::string_view, 2> list = {"sequential", "simultaneous"};
 };
@@ -273,12 +277,90 @@ struct Element<Water> {
 
 // ---- Joints, surfaces, the frame ------------------------------------------------------------------
 
+namespace field_tables {
+/// Units along a displacement and along an angle.
+struct AlongDisplacement {
+  static constexpr std::string_view value = "m", force = "N", stiffness = "N/m", damping = "N s/m",
+                                    quadratic = "N s^2/m^2";
+};
+struct AlongAngle {
+  static constexpr std::string_view value = "rad", force = "N m", stiffness = "N m/rad",
+                                    damping = "N m s/rad", quadratic = "N m s^2/rad^2";
+};
+
+template <class Units>
+constexpr auto coordinate() {
+  using C = JointCoordinate;
+  return std::tuple{
+      Field{"which", &C::which, {.meaning = "Of a joint that has two such coordinates: which."}},
+      Field{"start",
+            &C::start,
+            {.unit = Units::value,
+             .meaning = "Value of the coordinate at t = 0; limits and targets are in these terms."}},
+      Field{"lower", &C::lower, {.unit = Units::value, .meaning = "Lower limit.", .absent = "no limit"}},
+      Field{"upper", &C::upper, {.unit = Units::value, .meaning = "Upper limit.", .absent = "no limit"}},
+      Field{"restitution",
+            &C::restitution,
+            {.range = unit_interval, .meaning = "Coefficient of restitution at the limits."}},
+      Field{"force", &C::force, {.unit = Units::force, .meaning = "Constant, along the coordinate."}},
+      Field{"stiffness",
+            &C::stiffness,
+            {.unit = Units::stiffness,
+             .range = not_negative,
+             .meaning = "Force per distance from the target."}},
+      Field{
+          "damping",
+          &C::damping,
+          {.unit = Units::damping, .range = not_negative, .meaning = "Of the rate less that of the target."}},
+      Field{"quadratic_damping",
+            &C::quadratic_damping,
+            {.unit = Units::quadratic, .range = not_negative, .meaning = "c of the force -c q' |q'|."}},
+      Field{"friction",
+            &C::friction,
+            {.unit = Units::force,
+             .range = not_negative,
+             .meaning = "Largest force of dry friction, static and kinetic."}},
+      Field{"target", &C::target, {.unit = Units::value, .meaning = "Where the spring is without force."}},
+      Field{"target_amplitude",
+            &C::target_amplitude,
+            {.unit = Units::value, .meaning = "The target moves: + amplitude cos(frequency t + phase)."}},
+      Field{"target_frequency",
+            &C::target_frequency,
+            {.unit = "rad/s", .range = not_negative, .meaning = "Angular frequency of the target."}},
+      Field{"target_phase", &C::target_phase, {.unit = "rad", .meaning = "Phase of the target at t = 0."}},
+      Field{"target_times",
+            &C::target_times,
+            {.unit = "s", .meaning = "Ascending times of `target_values`.", .absent = "no table"}},
+      Field{"target_values",
+            &C::target_values,
+            {.unit = Units::value,
+             .meaning = "A table in place of the above: linear between its times, constant outside.",
+             .absent = "no table"}}};
+}
+}  // namespace field_tables
+
+template <>
+struct Element<JointDisplacement> {
+  static constexpr std::string_view name = "displacement";
+  static constexpr std::string_view meaning = "What acts along a displacement that the joint leaves free.";
+  static constexpr std::tuple fields = field_tables::coordinate<field_tables::AlongDisplacement>();
+};
+template <>
+struct Element<JointAngle> {
+  static constexpr std::string_view name = "angle";
+  static constexpr std::string_view meaning = "What acts along an angle that the joint leaves free.";
+  static constexpr std::tuple fields = field_tables::coordinate<field_tables::AlongAngle>();
+};
+
 template <>
 struct Element<Joint> {
   static constexpr std::string_view name = "joint";
   static constexpr std::string_view meaning = "A joint between a body and another, or the world.";
   static constexpr std::tuple fields{
       Field{"type", &Joint::type, {.required = true, .meaning = "Kind of joint."}},
+      Field{"name",
+            &Joint::name,
+            {.later = true, .meaning = "Unique among joints; claims refer to it.", .absent = "none"}},
       Field{"body", &Joint::body, field_tables::on_body},
       Field{"to", &Joint::to, {.meaning = "Name of the other body.", .absent = "the world"}},
       Field{"point",
@@ -289,19 +371,43 @@ struct Element<Joint> {
              .meaning = "World coordinates at t = 0. Not of a distance joint of two bodies, which connects "
                         "their centres."},
             [](const Joint& j) { return !kind_of(j.type).joins_centres() || j.to == world; }},
-      Field{"axis",
-            &Joint::axis,
-            {.in = Expressed::world_vector,
-             .required = true,
-             .meaning = "Of a joint about an axis, world axes at t = 0, any length but zero."},
-            [](const Joint& j) { return kind_of(j.type).has_axis(); }},
+      Field{
+          "axis",
+          &Joint::axis,
+          {.in = Expressed::world_vector,
+           .required = true,
+           .meaning = "Of a joint about or along an axis, or in the plane square to it; world axes at t = 0, "
+                      "any length but zero."},
+          [](const Joint& j) { return kind_of(j.type).has_axis(); }},
+      Field{
+          "axis_2",
+          &Joint::axis_2,
+          {.in = Expressed::world_vector,
+           .required = true,
+           .meaning = "Square to `axis`: the second axis of a universal joint, fixed in `body`, or the first "
+                      "displacement of a planar joint, fixed in `to`."},
+          [](const Joint& j) { return kind_of(j.type).has_second_axis(); }},
       Field{"length",
             &Joint::length,
             {.unit = "m",
              .range = positive,
              .meaning = "Of a distance joint, between its two ends.",
              .absent = "the distance at t = 0"},
-            [](const Joint& j) { return kind_of(j.type).has_length(); }}};
+            [](const Joint& j) { return kind_of(j.type).has_length(); }},
+      Field{"pitch",
+            &Joint::pitch,
+            {.unit = "m/rad",
+             .required = true,
+             .later = true,
+             .meaning = "Of a screw: displacement per angle, not 0; < 0 is left-handed."},
+            [](const Joint& j) { return kind_of(j.type).screws; }},
+      Field{"displacement",
+            &Joint::displacements,
+            {.meaning = "What acts along a free displacement."},
+            [](const Joint& j) { return kind_of(j.type).displacements() > 0; }},
+      Field{"angle", &Joint::angles, {.meaning = "What acts along a free angle."}, [](const Joint& j) {
+              return kind_of(j.type).angles() > 0;
+            }}};
 };
 template <>
 struct Element<Plane> {

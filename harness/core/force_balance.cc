@@ -1,5 +1,6 @@
 #include "harness/core/force_balance.h"
 
+#include "harness/core/joint_coordinates.h"
 #include "harness/core/worst.h"
 
 #include <algorithm>
@@ -39,6 +40,8 @@ std::optional<std::string> balance_undefined(const Observable& q, const Scene& s
   for (const Force& force : scene.forces)
     if (!std::holds_alternative<UniformGravity>(force))
       return "a force other than gravity, contacts and joints acts in the scene";
+  if (any_coordinate(scene, [](const JointCoordinate&) { return true; }))
+    return "something acts along a coordinate of a joint";
   if (q.body && scene.bodies[static_cast<std::size_t>(*q.body)].locked) return "the body is locked";
   const Asked of{q, scene};
   const auto concerns = [&](const auto& between) { return of.any(between); };

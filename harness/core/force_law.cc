@@ -1,6 +1,7 @@
 #include "harness/core/force_law.h"
 
 #include "harness/core/anchor.h"
+#include "harness/core/joint_coordinates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +38,23 @@ Broken broken(const Spring& s) {
           .free_fall = pinned,
           .restatement = holds,
           .superposition = linear ? holds : "a spring has a length, a damper or an arm"};
+}
+
+Broken broken(const JointCoordinate& c) {
+  const bool loses = c.damping != 0 || c.quadratic_damping != 0 || c.friction != 0;
+  const bool plastic = has_limit(c) && c.restitution < 1;
+  const char* energy = loses             ? "a joint is damped or has friction"
+                       : plastic         ? "the limits of a joint lose energy"
+                       : target_moves(c) ? "a target of a joint moves"
+                                         : holds;
+  return {.energy = energy,
+          .momentum = holds,
+          .reversal = energy,
+          .any_instant = target_moves(c) ? "a target of a joint moves" : holds,
+          .boost = holds,
+          .free_fall = holds,
+          .restatement = holds,
+          .superposition = "something acts along a joint"};
 }
 
 Broken broken(const Drag&) {
@@ -215,6 +233,8 @@ std::vector<Broken> broken_by(const Scene& scene) {
       all.push_back(broken(UniformGravity{*body.gravity}));
       if (all.back().momentum) break;
     }
+  for (const Joint& joint : scene.joints)
+    for_each_coordinate(joint, [&](const JointCoordinate& c) { all.push_back(broken(c)); });
   return all;
 }
 
@@ -237,6 +257,8 @@ double own_gravity_potential(const Scene& scene, const State& state, double (*si
 double potential_total(const Scene& scene, const State& state, double (*size)(double)) {
   double total = own_gravity_potential(scene, state, size);
   for (const Force& force : scene.forces) total += potential(force, scene, state, size);
+  for (const Joint& joint : scene.joints)
+    if (acted_on(joint)) total += joint_potential(held_joint(scene, joint), state, size);
   return total;
 }
 
@@ -244,6 +266,8 @@ double potential_error_total(const Scene& scene, const State& state, const State
   double total = own_gravity_error(scene, state, e);
   for (const Force& force : scene.forces)
     total += std::visit([&](const auto& f) { return error(f, scene, state, e); }, force);
+  for (const Joint& joint : scene.joints)
+    if (acted_on(joint)) total += joint_potential_error(held_joint(scene, joint), state, e);
   return total;
 }
 

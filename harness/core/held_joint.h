@@ -4,6 +4,7 @@
 
 #include "harness/core/scene.h"
 
+#include <string>
 #include <vector>
 
 namespace cylon::core {
@@ -19,10 +20,18 @@ struct HeldJoint {
   Vector3 to_axis = Vector3::UnitY();        ///< Axes of `to`, or of the world.
   Quaternion turn = Quaternion::Identity();  ///< At t = 0: axes of `body` in those of `to`.
   double length = 0;                         ///< [m]
+  Vector3 axis_2 = Vector3::UnitX();         ///< Axes of `body`.
+  Vector3 to_axis_2 = Vector3::UnitX();      ///< Axes of `to`, or of the world.
+  double pitch = 0;                          ///< [m/rad]
+  std::string name = {};
+  std::vector<JointDisplacement> displacements = {};  ///< As the scene states them.
+  std::vector<JointAngle> angles = {};
 };
 
 /// The scene's joints as they hold its initial state.
 std::vector<HeldJoint> held_joints(const Scene&);
+/// One of them.
+HeldJoint held_joint(const Scene&, const Joint&);
 
 /// J v = d.v_a + s_a.w_a - d.v_b - s_b.w_b = 0, and the gap that it changes.
 struct JointRow {
@@ -32,23 +41,25 @@ struct JointRow {
   double scale;                      ///< Of the numbers whose difference the gap is.
 };
 
-/// Adds the rows of a joint: what its place keeps, then what its turn does.
+/// Adds the rows of a joint: what its place keeps, then what its turn does, then that it screws.
 void add_rows(const HeldJoint&, const State&, std::vector<JointRow>&);
 
-/// How far a joint of the scene is open [m]: distance of the two points, or what it is off its length by.
+/// How far a joint of the scene is open [m]: distance of the two points, what it is off its length by, or of the one
+/// point from the line or the plane that the other carries; of a screw also what its displacement is off by.
 double open_by(const Scene&, const Joint&, const State&);
 
 /// How far the bodies of a joint of the scene are turned against each other as it forbids [rad]: the angle
-/// between its axis in the one and in the other, or that of their relative turn since t = 0; 0 for a joint
-/// that lets
-/// them turn freely.
+/// between its axis in the one and in the other, what its two axes are off a right angle by, or that of their relative
+/// turn since t = 0; 0 for a joint that lets them turn freely.
 double turned_by(const Scene&, const Joint&, const State&);
 
-/// The part of v, the velocity of the one point relative to the other, that a joint forbids; the points are
-/// `apart`.
-Vector3 forbidden_velocity(JointPlace, const Vector3& apart, const Vector3& v);
+/// How two bodies move against each other at a joint.
+struct RelativeMotion {
+  Vector3 velocity = Vector3::Zero();  ///< Of the point on `body` less that of the point on `to` [m/s].
+  Vector3 spin = Vector3::Zero();      ///< [rad/s]
+};
 
-/// The part of w, the angular velocity of the one body relative to the other, that a joint forbids.
-Vector3 forbidden_spin(JointTurn, const Vector3& axis, const Vector3& w);
+/// The part of a motion at t = 0 that a joint forbids; `apart` [m] from the point on `to` to that on `body`.
+RelativeMotion forbidden(const Joint&, const Vector3& apart, const RelativeMotion&);
 
 }  // namespace cylon::core

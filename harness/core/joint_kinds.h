@@ -9,19 +9,22 @@
 
 namespace cylon::core {
 
-enum class JointType { ball, hinge, distance, fixed };
+enum class JointType { ball, hinge, distance, fixed, slider, cylindrical, planar, universal, screw };
 
-/// What a joint keeps of the two points that it joins.
+/// What a joint keeps of the two points that it joins; d is from the point on `to` to that on `body`.
 enum class JointPlace {
-  together,  ///< They coincide.
-  at_length  ///< Their distance is `length`.  The points are centres of mass, or one is a point of the world.
+  together,   ///< They coincide.
+  at_length,  ///< Their distance is `length`.  The points are centres of mass, or one is a point of the world.
+  along_axis,  ///< d is parallel to `axis`.
+  in_plane     ///< d is square to `axis`.
 };
 
 /// How the two bodies of a joint may turn against each other.
 enum class JointTurn {
   freely,
   about_axis,  ///< Only about `axis`, which is fixed in both.
-  never
+  never,
+  about_two_axes  ///< About `axis`, fixed in `to`, and `axis_2`, fixed in `body`; the two stay square.
 };
 
 struct JointKind {
@@ -29,13 +32,25 @@ struct JointKind {
   std::string_view name;  ///< In files and between processes.
   JointPlace place;
   JointTurn turn;
+  bool screws = false;  ///< The one displacement is `pitch` times the one angle.
 
-  constexpr bool has_axis() const { return turns_about_axis(); }
+  constexpr bool has_axis() const {
+    return turns_about_axis() || turn == JointTurn::about_two_axes || place == JointPlace::along_axis;
+  }
+  constexpr bool has_second_axis() const {
+    return turn == JointTurn::about_two_axes || place == JointPlace::in_plane;
+  }
   /// Joins the centres of mass, or one and a point of the world; else both bodies at one point.
   constexpr bool joins_centres() const { return place == JointPlace::at_length; }
   constexpr bool has_length() const { return place == JointPlace::at_length; }
   /// The one rotation that is left is about the axis.
   constexpr bool turns_about_axis() const { return turn == JointTurn::about_axis; }
+
+  /// How many displacements and angles are free and have a name (joint_coordinates.h).
+  constexpr int displacements() const {
+    return place == JointPlace::in_plane ? 2 : place == JointPlace::along_axis && !screws ? 1 : 0;
+  }
+  constexpr int angles() const { return turn == JointTurn::about_two_axes ? 2 : turns_about_axis() ? 1 : 0; }
 };
 
 inline constexpr std::array joint_kinds = {
@@ -43,6 +58,11 @@ inline constexpr std::array joint_kinds = {
     JointKind{JointType::hinge, "hinge", JointPlace::together, JointTurn::about_axis},
     JointKind{JointType::distance, "distance", JointPlace::at_length, JointTurn::freely},
     JointKind{JointType::fixed, "fixed", JointPlace::together, JointTurn::never},
+    JointKind{JointType::slider, "slider", JointPlace::along_axis, JointTurn::never},
+    JointKind{JointType::cylindrical, "cylindrical", JointPlace::along_axis, JointTurn::about_axis},
+    JointKind{JointType::planar, "planar", JointPlace::in_plane, JointTurn::about_axis},
+    JointKind{JointType::universal, "universal", JointPlace::together, JointTurn::about_two_axes},
+    JointKind{JointType::screw, "screw", JointPlace::along_axis, JointTurn::about_axis, true},
 };
 static_assert([] {
   for (std::size_t i = 0; i < joint_kinds.size(); ++i)

@@ -4,7 +4,9 @@
 
 #include "harness/core/collision_filter.h"
 #include "harness/core/engine.h"
+#include "harness/core/joint_coordinates.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -18,9 +20,28 @@ struct LaterPart {
   bool (*is_in)(const Scene&);
 };
 
+template <JointType type>
+bool has_joint(const Scene& scene) {
+  return std::ranges::any_of(scene.joints, [](const Joint& joint) { return joint.type == type; });
+}
+template <bool (*predicate)(const JointCoordinate&)>
+bool has_coordinate(const Scene& scene) {
+  return any_coordinate(scene, predicate);
+}
+inline bool has_friction(const JointCoordinate& c) { return c.friction != 0; }
+
 inline constexpr std::array later_parts = {
     LaterPart{"collision_filters", "collision groups and masks", states_filters},
     LaterPart{"body_gravity", "bodies with gravities of their own", states_own_gravity},
+    LaterPart{"slider_joints", "sliders", has_joint<JointType::slider>},
+    LaterPart{"cylindrical_joints", "cylindrical joints", has_joint<JointType::cylindrical>},
+    LaterPart{"planar_joints", "planar joints", has_joint<JointType::planar>},
+    LaterPart{"universal_joints", "universal joints", has_joint<JointType::universal>},
+    LaterPart{"screw_joints", "screws", has_joint<JointType::screw>},
+    LaterPart{"joint_forces", "springs, dampers or motors of joints", has_coordinate<has_force>},
+    LaterPart{"joint_targets", "targets of joints that move", has_coordinate<target_moves>},
+    LaterPart{"joint_limits", "limits of joints", has_coordinate<has_limit>},
+    LaterPart{"joint_friction", "dry friction in joints", has_coordinate<has_friction>},
 };
 
 /// Why the engine may not get the scene: the first part of it that it does not say it knows.

@@ -13,20 +13,24 @@
 namespace cylon::core {
 
 enum class Quantity {
-  position,           ///< Of each body [m].
-  velocity,           ///< Of each body [m/s].
-  orientation,        ///< Of each body; distance 4 asin(|q - q'|/2) after the sign fix, in [0, pi] [rad].
-  axis,               ///< Symmetry axis of each body in world axes; distance is the angle [rad].
-  angular_velocity,   ///< Of each body, world axes [rad/s].
-  linear_momentum,    ///< Total, or of one body [kg m/s].
-  angular_momentum,   ///< Total, or of one body, about `about` [kg m^2/s].
-  energy,             ///< Kinetic plus potential of the scene's forces [J].
-  kinetic_energy,     ///< Total, or of one body [J].
-  energy_share,       ///< How a gas shares its kinetic energy: equipartition.h.
-  normal_gap,         ///< min(0, gap) of each touching pair: 0 while apart, minus the depth inside [m].
-  joint_gap,          ///< Distance between the two anchors of each joint, less its length [m].
-  angular_joint_gap,  ///< Angle by which each joint's bodies are turned as it forbids [rad].
-  momentum_balance,   ///< Of each body over the last step: force_balance.h [N].
+  position,            ///< Of each body [m].
+  velocity,            ///< Of each body [m/s].
+  orientation,         ///< Of each body; distance 4 asin(|q - q'|/2) after the sign fix, in [0, pi] [rad].
+  axis,                ///< Symmetry axis of each body in world axes; distance is the angle [rad].
+  angular_velocity,    ///< Of each body, world axes [rad/s].
+  linear_momentum,     ///< Total, or of one body [kg m/s].
+  angular_momentum,    ///< Total, or of one body, about `about` [kg m^2/s].
+  energy,              ///< Kinetic plus potential of the scene's forces [J].
+  kinetic_energy,      ///< Total, or of one body [J].
+  energy_share,        ///< How a gas shares its kinetic energy: equipartition.h.
+  normal_gap,          ///< min(0, gap) of each touching pair: 0 while apart, minus the depth inside [m].
+  joint_gap,           ///< Distance between the two anchors of each joint, less its length [m].
+  angular_joint_gap,   ///< Angle by which each joint's bodies are turned as it forbids [rad].
+  joint_displacement,  ///< Of each joint that leaves one free: joint_coordinates.h [m].
+  joint_displacement_rate,   ///< [m/s]
+  joint_angle,               ///< The same [rad]; distance in [0, pi].
+  joint_angle_rate,          ///< [rad/s]
+  momentum_balance,          ///< Of each body over the last step: force_balance.h [N].
   angular_momentum_balance,  ///< The same of its spin [N m].
   event                      ///< A number of one event: event.h.
 };
@@ -34,6 +38,11 @@ enum class Quantity {
 /// Whether it is one of the two balances, which are of a run's last step and not of a state.
 constexpr bool of_last_step(Quantity quantity) {
   return quantity == Quantity::momentum_balance || quantity == Quantity::angular_momentum_balance;
+}
+
+/// Whether it is a coordinate of joints or its rate.
+constexpr bool of_joints(Quantity quantity) {
+  return quantity >= Quantity::joint_displacement && quantity <= Quantity::joint_angle_rate;
 }
 
 /// Whether statistical mechanics expects a value of it, and how far chance takes it from there.
@@ -52,6 +61,8 @@ struct Observable {
   Component component = Component::all;  ///< Of vectors; horizontal drops y.
   Vector3 about = Vector3::Zero();       ///< Angular momentum and apsides [m].
   std::optional<int> to;                 ///< Apsides: the other body, in place of `about`.
+  std::optional<int> joint;        ///< Coordinates of joints: absent: all that have one; the worst counts.
+  Ordinal which = Ordinal::first;  ///< Of two coordinates of a joint.
   EventKind event = EventKind::bounce;
   int index = 1;
   EventQuantity event_quantity = EventQuantity::time;

@@ -5,6 +5,7 @@
 #include "harness/core/force_balance.h"
 #include "harness/core/force_law.h"
 #include "harness/core/held_joint.h"
+#include "harness/core/joint_observables.h"
 #include "harness/core/near_pairs.h"
 #include "harness/core/solid.h"
 #include "harness/core/surfaces.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace cylon::core {
 namespace {
@@ -65,6 +67,11 @@ double rotation_angle(const Entry& a, const Entry& b) {
 double axis_angle(const Entry& a, const Entry& b) {
   const double chord = (a - b).norm();
   return std::isnan(chord) ? chord : 2 * std::asin(std::min(1.0, chord / 2));
+}
+
+// Of two angles about one axis, up to whole turns.
+double turn_between_angles(const Entry& a, const Entry& b) {
+  return std::abs(std::remainder(a.x() - b.x(), 2 * std::numbers::pi));
 }
 
 template <double (*apart)(const Entry&, const Entry&)>
@@ -337,6 +344,14 @@ constexpr std::array rows = {
                   nullptr, joint_gap_error},
     ObservableRow{Quantity::angular_joint_gap, "angular_joint_gap", "rad", angular_joint_gap_undefined,
                   angular_joint_gap, norms, no_magnitude, nullptr, angular_joint_gap_error},
+    ObservableRow{Quantity::joint_displacement, "joint_displacement", "m", joint_value_undefined,
+                  joint_values, norms, largest, nullptr, joint_value_error},
+    ObservableRow{Quantity::joint_displacement_rate, "joint_displacement_rate", "m/s", joint_value_undefined,
+                  joint_values, norms, largest, nullptr, joint_value_error},
+    ObservableRow{Quantity::joint_angle, "joint_angle", "rad", joint_value_undefined, joint_values,
+                  worst_of<turn_between_angles>, no_magnitude, nullptr, joint_value_error},
+    ObservableRow{Quantity::joint_angle_rate, "joint_angle_rate", "rad/s", joint_value_undefined,
+                  joint_values, norms, largest, nullptr, joint_value_error},
     ObservableRow{Quantity::momentum_balance, "momentum_balance", "N", balance_undefined, no_values, norms,
                   largest, nullptr, no_error},
     ObservableRow{Quantity::angular_momentum_balance, "angular_momentum_balance", "N m", balance_undefined,

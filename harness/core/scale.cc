@@ -2,6 +2,7 @@
 
 #include "harness/core/event_rows.h"
 #include "harness/core/force_law.h"
+#include "harness/core/joint_coordinates.h"
 #include "harness/core/observable_rows.h"
 #include "harness/core/size.h"
 #include "harness/core/worst.h"
@@ -164,6 +165,25 @@ std::vector<Term> energies(const Claim& claim, const Scene& scene, const Traject
   if (states_own_gravity(scene))
     terms.push_back(
         term(path, false, [&](const State& s) { return scalar(own_gravity_potential(scene, s)); }));
+  for (const Joint& joint : scene.joints)
+    if (acted_on(joint))
+      terms.push_back(term(path, true, [&, held = held_joint(scene, joint)](const State& s) {
+        return scalar(joint_potential(held, s));
+      }));
+  return terms;
+}
+
+std::vector<Term> of_each_joint(const Claim& claim, const Scene& scene, const Trajectory& path) {
+  Values values;
+  evaluate(claim.observable, scene, path.front().state, values);
+  std::vector<Term> terms;
+  for (std::size_t j = 0; j < values.size(); ++j)
+    terms.push_back(
+        term(path, claim.observable.quantity != Quantity::joint_displacement, [&, j](const State& s) {
+          Values now;
+          evaluate(claim.observable, scene, s, now);
+          return scalar(now[j].x());
+        }));
   return terms;
 }
 
@@ -188,11 +208,16 @@ std::vector<Term> terms_of(const Claim& claim, const Scene& scene, const Traject
     case Quantity::normal_gap:
     case Quantity::joint_gap:
     case Quantity::angular_joint_gap:
+    case Quantity::joint_angle:
     case Quantity::energy_share:
     case Quantity::momentum_balance:
     case Quantity::angular_momentum_balance:
     case Quantity::event:
       return {};
+    case Quantity::joint_displacement:
+    case Quantity::joint_displacement_rate:
+    case Quantity::joint_angle_rate:
+      return of_each_joint(claim, scene, path);
   }
   return {};
 }
@@ -210,14 +235,18 @@ double at_rest(const Claim& claim, const Scene& scene, double duration, double g
   const double speed = g > 0 ? g * duration : d / duration;
   switch (claim.observable.quantity) {
     case Quantity::position:
+    case Quantity::joint_displacement:
       return d;
     case Quantity::velocity:
+    case Quantity::joint_displacement_rate:
       return speed;
     case Quantity::orientation:
     case Quantity::axis:
     case Quantity::angular_joint_gap:
+    case Quantity::joint_angle:
       return 1;
     case Quantity::angular_velocity:
+    case Quantity::joint_angle_rate:
       return 1 / duration;
     case Quantity::linear_momentum:
       return m * speed;
@@ -307,7 +336,7 @@ double scale(const Claim& claim, const Scene& scene, double duration) {
       quantity == Quantity::angular_joint_gap || of_last_step(quantity) || of_chance(quantity))
     return rest;
   const Trajectory path = motion_of(claim, scene, duration);
-  if (quantity == Quantity::orientation || quantity == Quantity::axis) {
+  if (quantity == Quantity::orientation || quantity == Quantity::axis || quantity == Quantity::joint_angle) {
     const double turned = range_of_angles(claim, scene, path);
     return turned > steady ? turned : rest;
   }

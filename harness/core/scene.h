@@ -113,6 +113,34 @@ struct Water {
 /// Closed on purpose: an adapter that misses a force does not compile.
 using Force = std::variant<UniformGravity, Spring, Drag, Thrust, Drive, Attraction, Water>;
 
+/// Which of two free coordinates of one kind.
+enum class Ordinal { first, second };
+
+/// What acts along one free coordinate q of a joint (joint_coordinates.h).  The generalised force
+///   Q = force - stiffness (q - target(t)) - damping (q' - target'(t)) - quadratic_damping q' |q'|
+/// acts on `body` along q, and its opposite on `to`: a spring, a damper, a motor or a servo.  Beside it: limits,
+/// at which q' is reversed by `restitution`, and dry friction up to |Q| = `friction`, static = kinetic.
+/// Units are those of a displacement; of an angle rad in place of m, and N m in place of N.
+struct JointCoordinate {
+  Ordinal which = Ordinal::first;
+  double start = 0;                    ///< q at t = 0 [m].
+  std::optional<double> lower, upper;  ///< Of q [m]; absent: no limit.
+  double restitution = 0;              ///< Of the limits, [0, 1].
+  double force = 0;                    ///< [N]
+  double stiffness = 0;                ///< [N/m], >= 0.
+  double damping = 0;                  ///< [N s/m], >= 0.
+  double quadratic_damping = 0;        ///< [N s^2/m^2], >= 0.
+  double friction = 0;                 ///< [N], >= 0.
+  /// target(t) = target + target_amplitude cos(target_frequency t + target_phase)
+  double target = 0, target_amplitude = 0;  ///< [m]
+  double target_frequency = 0;              ///< [rad/s]
+  double target_phase = 0;                  ///< [rad]
+  std::vector<double> target_times;         ///< [s]; in place of the above: linear between these,
+  std::vector<double> target_values;        ///< [m]; constant before the first and after the last.
+};
+struct JointDisplacement : JointCoordinate {};
+struct JointAngle : JointCoordinate {};
+
 struct Joint {
   JointType type = JointType::ball;
   int body = 0;
@@ -121,6 +149,12 @@ struct Joint {
       Vector3::Zero();  ///< World coordinates at t = 0 [m]; unused by JointPlace::at_length of two bodies.
   Vector3 axis = Vector3::UnitY();  ///< World axes at t = 0, unit; JointKind::has_axis.
   double length = 0;                ///< [m]; JointKind::has_length.
+  std::string name = {};            ///< For claims; empty: none.
+  std::optional<Vector3> axis_2 =
+      {};            ///< World axes at t = 0, unit, square to `axis`; JointKind::has_second_axis.
+  double pitch = 0;  ///< Displacement by angle [m/rad], not 0; JointKind::screws.
+  std::vector<JointDisplacement> displacements = {};  ///< Of the free ones those on which something acts.
+  std::vector<JointAngle> angles = {};                ///< The same.
 };
 
 /// Solid where normal . x < offset.

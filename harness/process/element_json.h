@@ -41,13 +41,17 @@ class ElementWriter {
         else if (field.about.required)
           throw std::invalid_argument(
               fmt::format("{}: '{}' must be a body", core::Element<T>::name, field.key));
-      } else if constexpr (std::is_same_v<Value, std::optional<core::Vector3>>) {
+      } else if constexpr (requires { value.has_value(); }) {
         if (value) row[field.key] = json(*value);
-      } else if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
-        if (!value.empty()) row[field.key] = value;
+      } else if constexpr (core::may_be_absent<Value> ||
+                           std::is_same_v<Value, std::vector<core::JointDisplacement>> ||
+                           std::is_same_v<Value, std::vector<core::JointAngle>>) {
+        if (!value.empty()) row[field.key] = json(value);
       } else if constexpr (std::is_same_v<Value, core::Shape>) {
         if (!std::holds_alternative<std::monostate>(value)) row[field.key] = json(value);
       } else {
+        if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, std::string>)
+          if (field.about.later && value == T{}.*field.member) return;
         row[core::key_of(element, field)] = json(value);
       }
     });
@@ -65,11 +69,13 @@ class ElementWriter {
       for (int column = 0; column < 3; ++column) rows.push_back(m(row, column));
     return rows;
   }
-  Json json(core::JointType type) const {
-    return core::Words<core::JointType>::list[static_cast<std::size_t>(type)];
-  }
+  template <class Enum>
+  requires std::is_enum_v<Enum> Json json(Enum value)
+  const { return core::Words<Enum>::list[static_cast<std::size_t>(value)]; }
   Json json(const std::array<std::int32_t, 3>& face) const { return face; }
   Json json(const core::Part& part) const { return (*this)(part); }
+  Json json(const core::JointDisplacement& coordinate) const { return (*this)(coordinate); }
+  Json json(const core::JointAngle& coordinate) const { return (*this)(coordinate); }
   template <class T>
   Json json(const std::vector<T>& values) const {
     Json rows = Json::array();
@@ -131,11 +137,19 @@ class ElementReader {
           value = read_shape<core::Shape>(*shape, fields.place_of(key));
       } else if constexpr (std::is_same_v<Value, std::optional<core::Vector3>>) {
         if (fields.find(key)) value = fields.vector(key);
+      } else if constexpr (std::is_same_v<Value, std::optional<double>>) {
+        if (fields.find(key)) value = fields.number(key);
+      } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
+        if (fields.find(key)) value = fields.numbers(key);
+      } else if constexpr (std::is_same_v<Value, std::vector<core::JointDisplacement>> ||
+                           std::is_same_v<Value, std::vector<core::JointAngle>>) {
+        if (fields.find(key)) read_elements(fields, key, value);
       } else if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
         if (fields.find(key)) read_names(fields, key, value);
       } else if constexpr (std::is_same_v<Value, std::vector<std::array<std::int32_t, 3>>>) {
         read_faces(fields, key, element, value);
       } else {
+        if (field.about.later && !fields.find(key)) return;
         read(fields, key, value);
       }
     });
@@ -158,8 +172,10 @@ class ElementReader {
     const std::vector<double> rows = f.numbers(key, 9);
     for (int i = 0; i < 9; ++i) value(i / 3, i % 3) = rows[static_cast<std::size_t>(i)];
   }
-  void read(Fields& f, const char* key, core::JointType& value) const {
-    value = static_cast<core::JointType>(word(f, key, core::Words<core::JointType>::list));
+  template <class Enum>
+  requires std::is_enum_v<Enum>
+  void read(Fields& f, const char* key, Enum& value) const {
+    value = static_cast<Enum>(word(f, key, core::Words<Enum>::list));
   }
   void read(Fields& f, const char* key, std::string (&pair)[2]) const {
     const nlohmann::json& names = f.at(key);
@@ -177,9 +193,13 @@ class ElementReader {
     });
   }
   void read(Fields& f, const char* key, std::vector<core::Part>& parts) const {
+    read_elements(f, key, parts);
+  }
+  template <class T>
+  void read_elements(Fields& f, const char* key, std::vector<T>& elements) const {
     f.each(key, [&](const nlohmann::json& row, const std::string& place) {
       Fields fields(row, place);
-      (*this)(fields, parts.emplace_back());
+      (*this)(fields, elements.emplace_back());
       fields.finish();
     });
   }

@@ -1,7 +1,5 @@
 #include "harness/process/joint_hold.h"
 
-#include "harness/core/anchor.h"
-
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -97,24 +95,6 @@ class System {
 };
 
 }  // namespace
-
-core::Joint joint_at(const HeldJoint& held, const core::State& state) {
-  // The world's end, or the end on `to`, is the one that does not move with the body's own errors.
-  const Vector3 point = core::anchor(state, held.to, held.to_anchor);
-  const core::JointKind& kind = core::kind_of(held.type);
-  core::Joint joint;
-  joint.type = held.type;
-  joint.body = held.body;
-  joint.to = held.to;
-  joint.point = point;
-  if (kind.has_axis()) {
-    const auto to = static_cast<std::size_t>(held.to);
-    joint.axis = held.to == core::world ? held.to_axis : (state[to].orientation * held.to_axis).normalized();
-  }
-  joint.length =
-      kind.has_length() ? (core::anchor(state, held.body, held.anchor) - point).norm() : held.length;
-  return joint;
-}
 
 void fit(const core::Scene& scene, const std::vector<HeldJoint>& joints, core::State& state) {
   for (int step = 0; step < newton_steps && !joints.empty(); ++step) {

@@ -8,9 +8,6 @@
 
 namespace cylon::process {
 
-/// The joint of a scene that holds `state` as `held` does: its point and its axis as they are now.
-core::Joint joint_at(const core::HeldJoint&, const core::State&);
-
 /// Takes gaps away, by the shortest way in the metric of the masses; at most ten Newton steps, each of which
 /// leaves the square of what was left.  Then fit_velocities.
 void fit(const core::Scene&, const std::vector<core::HeldJoint>&, core::State&);

@@ -94,6 +94,11 @@ std::vector<double> Fields::numbers(const char* key, std::size_t count) {
   return process::numbers(at(key), count, place_of(key));
 }
 
+std::vector<double> Fields::numbers(const char* key) {
+  const nlohmann::json& array = at(key);
+  return process::numbers(array, array.size(), place_of(key));
+}
+
 core::Vector3 Fields::vector(const char* key) {
   const std::vector<double> v = numbers(key, 3);
   return {v[0], v[1], v[2]};

@@ -42,6 +42,7 @@ class Fields {
   core::Vector3 vector(const char* key);         ///< [x, y, z]
   core::Quaternion quaternion(const char* key);  ///< [w, x, y, z], taken as it is: not normalised.
   std::vector<double> numbers(const char* key, std::size_t count);
+  std::vector<double> numbers(const char* key);  ///< As many as there are.
 
   /// Calls `row(value, place)` for each element of an array; the key must be there.
   void each(const char* key, const std::function<void(const nlohmann::json&, const std::string&)>& row);

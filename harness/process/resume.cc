@@ -1,5 +1,7 @@
 #include "harness/process/resume.h"
 
+#include "harness/core/joint_coordinates.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -12,6 +14,8 @@ std::optional<std::string> not_resumable(const core::Scene& scene) {
     if (const auto* water = std::get_if<core::Water>(&force); water && water->wave != 0 && water->speed != 0)
       return "the water's waves depend on the time, and a scene can only start at t = 0";
   }
+  if (core::any_coordinate(scene, core::target_moves))
+    return "a target of a joint depends on the time, and a scene can only start at t = 0";
   return std::nullopt;
 }
 
@@ -30,7 +34,7 @@ core::Scene resumed(const core::Scene& given, const std::vector<core::HeldJoint>
   fit(scene, joints, state);
   for (std::size_t i = 0; i < state.size(); ++i) scene.bodies[i].initial = state[i];
   scene.joints.clear();
-  for (const core::HeldJoint& joint : joints) scene.joints.push_back(joint_at(joint, state));
+  for (const core::HeldJoint& joint : joints) scene.joints.push_back(core::joint_at(joint, state));
   return scene;
 }
 

@@ -141,6 +141,8 @@ struct Checker {
         return numbers(key, node, {4});
       case Kind::moments:
         return numbers(key, node, {3, 9});
+      case Kind::numbers:
+        return numbers(key, node, {});
       case Kind::points:
         return array(key, node, {}, [&](const toml::node& point) { numbers(key, point, {3}); });
       case Kind::triangles:

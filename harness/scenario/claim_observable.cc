@@ -1,6 +1,7 @@
 #include "harness/scenario/claim_observable.h"
 
 #include "harness/core/event_find.h"
+#include "harness/core/fields.h"
 #include "harness/scenario/key_rows.h"
 
 #include <fmt/format.h>
@@ -41,6 +42,19 @@ Quantity quantity_of(const Table& t, std::string_view key) {
   t.fail(key, fmt::format("{} = '{}' is unknown", key, t.text(key)));
 }
 
+int joint_of(const Table& t, const Draft& draft) {
+  const std::string name = t.text("joint");
+  const std::vector<core::Joint>& joints = draft.scene.joints;
+  const auto found = std::ranges::find(joints, name, &core::Joint::name);
+  if (found != joints.end()) return static_cast<int>(found - joints.begin());
+  std::vector<std::string> names;
+  for (const core::Joint& joint : joints)
+    if (!joint.name.empty()) names.push_back(joint.name);
+  t.fail("joint",
+         fmt::format("no joint is named '{}'{}; named are: {}", name, core::did_you_mean(name, names),
+                     names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+}
+
 // Which event, and which of its numbers.
 void read_event(const Table& t, const Draft& draft, Observable& q) {
   q.event = t.choice("event", event_kinds, core::EventKind::bounce);
@@ -71,7 +85,8 @@ void read_event(const Table& t, const Draft& draft, Observable& q) {
 }  // namespace
 
 bool is_angle(Quantity q) {
-  return q == Quantity::orientation || q == Quantity::axis || q == Quantity::angular_joint_gap;
+  return q == Quantity::orientation || q == Quantity::axis || q == Quantity::angular_joint_gap ||
+         q == Quantity::joint_angle;
 }
 
 void refuse(const Table& t, std::initializer_list<const char*> keys, bool when, std::string_view why) {
@@ -118,6 +133,11 @@ Observable read_observable(const Table& t, const Draft& draft) {
          "does not go with energy, which is the scene's; use kinetic_energy");
   if (event && !t.has("event")) t.fail("observable", "observable = \"event\" needs 'event'");
 
+  refuse(t, {"joint", "which"}, !core::of_joints(q.quantity), "belongs to coordinates of joints");
+  refuse(t, {"body"}, core::of_joints(q.quantity), "does not go with a coordinate of joints; use 'joint'");
+  if (t.has("joint")) q.joint = joint_of(t, draft);
+  const auto& ordinals = core::Words<core::Ordinal>::list;
+  q.which = t.choice("which", {ordinals.begin(), ordinals.end()}, core::Ordinal::first);
   if (t.has("body")) q.body = draft.body(t, "body");
   q.component = t.choice("component", components, core::Component::all);
   q.about = t.vector("about");
@@ -153,6 +173,8 @@ std::string label_of(const Table& t, const core::Claim& claim) {
                          core::of_all(q.event_quantity) ? "" : fmt::format(" {}", q.index),
                          core::name(q.event_quantity));
   if (t.has("body")) label += ", " + t.text("body");
+  if (t.has("joint")) label += ", " + t.text("joint");
+  if (q.which == core::Ordinal::second) label += ", second";
   if (t.has("to")) label += ", to " + t.text("to");
   if (q.component != core::Component::all) label += ", " + t.text("component");
   if (t.has("about")) label += fmt::format(", about {} {} {}", q.about.x(), q.about.y(), q.about.z());

@@ -88,7 +88,12 @@ std::string lacks(const core::Truth& truth, Quantity quantity, bool only_points)
     case Quantity::normal_gap:
     case Quantity::joint_gap:
     case Quantity::angular_joint_gap:
+    case Quantity::joint_displacement:
+    case Quantity::joint_angle:
       return orientation;
+    case Quantity::joint_displacement_rate:
+    case Quantity::joint_angle_rate:
+      return !velocity.empty() ? velocity : !spin.empty() ? spin : orientation;
     case Quantity::angular_velocity:
       return spin;
     case Quantity::energy_share:

@@ -19,7 +19,7 @@ constexpr Kind kind_of() {
     return (std::is_same_v<Value, Types> || ...);
   };
   using std::type_identity;
-  if constexpr (is(type_identity<double>{}))
+  if constexpr (is(type_identity<double>{}, type_identity<std::optional<double>>{}))
     return Kind::number;
   else if constexpr (is(type_identity<bool>{}))
     return Kind::boolean;
@@ -29,6 +29,8 @@ constexpr Kind kind_of() {
     return Kind::quaternion;
   else if constexpr (is(type_identity<core::Matrix3>{}))
     return Kind::moments;
+  else if constexpr (is(type_identity<std::vector<double>>{}))
+    return Kind::numbers;
   else if constexpr (is(type_identity<Points>{}))
     return Kind::points;
   else if constexpr (is(type_identity<Triangles>{}))
@@ -37,12 +39,15 @@ constexpr Kind kind_of() {
     return Kind::pair;
   else if constexpr (is(type_identity<std::vector<std::string>>{}))
     return Kind::texts;
-  else if constexpr (is(type_identity<std::vector<core::Part>>{}))
+  else if constexpr (is(type_identity<std::vector<core::Part>>{},
+                        type_identity<std::vector<core::JointDisplacement>>{},
+                        type_identity<std::vector<core::JointAngle>>{}))
     return Kind::tables;
   else if constexpr (is(type_identity<core::Shape>{}, type_identity<core::Primitive>{}))
     return Kind::table;
   else {
-    static_assert(is(type_identity<int>{}, type_identity<std::string>{}, type_identity<core::JointType>{}),
+    static_assert(is(type_identity<int>{}, type_identity<std::string>{}, type_identity<core::JointType>{},
+                     type_identity<core::Ordinal>{}),
                   "say what a member of this type looks like in a file");
     return Kind::text;
   }
@@ -59,6 +64,8 @@ std::string initial_text(const Value& value) {
     return fmt::format("[{}, {}, {}, {}]", value.w(), value.x(), value.y(), value.z());
   else if constexpr (std::is_same_v<Value, std::string>)
     return value;
+  else if constexpr (std::is_enum_v<Value>)
+    return std::string(core::Words<Value>::list[static_cast<std::size_t>(value)]);
   else
     return {};
 }
@@ -73,9 +80,8 @@ std::vector<Key> keys_of() {
     if constexpr (std::is_same_v<Value, core::BodyState>) {
       for (Key& key : keys_of<core::BodyState>()) keys.push_back(std::move(key));
     } else {
-      const bool is_optional = std::is_same_v<Value, std::optional<core::Vector3>> ||
+      const bool is_optional = about.later || core::may_be_absent<Value> ||
                                std::is_same_v<Value, core::Shape> ||
-                               std::is_same_v<Value, std::vector<std::string>> ||
                                (std::is_same_v<Value, int> && !about.required) || !about.pin.empty();
       Key key{.name = std::string(field.key),
               .kind = kind_of<Value>(),

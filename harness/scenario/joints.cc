@@ -1,10 +1,12 @@
 // Joints, and initial velocities that they allow.
-#include "harness/core/held_joint.h"
+#include "harness/core/joint_coordinates.h"
 #include "harness/scenario/read_element.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
+#include <set>
+#include <string>
 
 namespace cylon::scenario {
 namespace {
@@ -30,10 +32,11 @@ void check_velocity(const Table& t, Draft& draft, const core::Joint& joint, cons
                     const Vector3& end) {
   core::BodyState& s = draft.scene.bodies[static_cast<std::size_t>(joint.body)].initial;
   const Table& origin = draft.origin[static_cast<std::size_t>(joint.body)];
-  const core::JointKind& kind = core::kind_of(joint.type);
-  const Vector3 excess = core::forbidden_velocity(
-      kind.place, end - from,
-      velocity_at(draft.scene, joint.body, from) - velocity_at(draft.scene, joint.to, end));
+  const core::RelativeMotion motion{
+      velocity_at(draft.scene, joint.body, from) - velocity_at(draft.scene, joint.to, end),
+      s.angular_velocity - spin_of(draft.scene, joint.to)};
+  const core::RelativeMotion forbidden = core::forbidden(joint, from - end, motion);
+  const Vector3& excess = forbidden.velocity;
   const double speeds = s.velocity.norm() + s.angular_velocity.norm() * (from - s.position).norm() +
                         velocity_at(draft.scene, joint.to, end).norm();
   const Vector3 consistent = s.velocity - excess;
@@ -44,13 +47,62 @@ void check_velocity(const Table& t, Draft& draft, const core::Joint& joint, cons
   // Digits that were not typed: the joint of one body with the world decides them.
   if (joint.to == core::world && excess.norm() > 1e-12 * speeds) s.velocity = consistent;
 
-  const Vector3 turning = s.angular_velocity - spin_of(draft.scene, joint.to);
-  const Vector3 twist = core::forbidden_spin(kind.turn, joint.axis, turning);
+  const Vector3& twist = forbidden.spin;
   if (twist.norm() > typed * (s.angular_velocity.norm() + spin_of(draft.scene, joint.to).norm()))
     origin.fail("angular_velocity",
                 fmt::format("angular_velocity = {} breaks the {} joint of '{}' by {} rad/s; consistent: {}",
                             written(s.angular_velocity), t.text("type"), t.text("body"), twist.norm(),
                             written(s.angular_velocity - twist)));
+}
+
+void refuse(const Table& t, std::initializer_list<const char*> keys, bool when, const char* why) {
+  for (const char* key : keys)
+    if (when && t.has(key)) t.fail(key, fmt::format("{} {}", key, why));
+}
+
+// Of `target_times` and `target_values`.
+void check_table(const Table& t, const core::JointCoordinate& c) {
+  if (t.has("target_times") != t.has("target_values"))
+    t.fail(t.has("target_times") ? "target_times" : "target_values",
+           "target_times and target_values belong together");
+  if (!t.has("target_times")) return;
+  if (c.target_times.size() < 2 || c.target_times.size() != c.target_values.size())
+    t.fail("target_values", fmt::format("{} target_values for {} target_times: two at least, and as many",
+                                        c.target_values.size(), c.target_times.size()));
+  for (std::size_t k = 1; k < c.target_times.size(); ++k)
+    if (!(c.target_times[k - 1] < c.target_times[k]))
+      t.fail("target_times", fmt::format("target_times[{}] = {}: must be later than {}", k, c.target_times[k],
+                                         c.target_times[k - 1]));
+}
+
+// A coordinate must be one that the joint leaves free, said once, and every key must do something.
+template <class Coordinate>
+void check_coordinates(const Table& t, const std::vector<Coordinate>& coordinates, int count) {
+  const std::vector<Table> tables = t.tables(core::Element<Coordinate>::name);
+  std::set<core::Ordinal> seen;
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    const Table& table = tables[i];
+    const core::JointCoordinate& c = coordinates[i];
+    if (c.which == core::Ordinal::second && count < 2)
+      table.fail("which", fmt::format("which = \"second\", but a {} joint has one {}", t.text("type"),
+                                      core::Element<Coordinate>::name));
+    if (!seen.insert(c.which).second)
+      table.fail("which", fmt::format("the {} {} is stated twice",
+                                      core::Words<core::Ordinal>::list[static_cast<std::size_t>(c.which)],
+                                      core::Element<Coordinate>::name));
+    const double lower = c.lower.value_or(-HUGE_VAL), upper = c.upper.value_or(HUGE_VAL);
+    if (!(lower < upper)) table.fail("upper", fmt::format("upper = {}: must be > lower = {}", upper, lower));
+    if (!(lower <= c.start && c.start <= upper))
+      table.fail("start", fmt::format("start = {}: outside of the limits {} and {}", c.start, lower, upper));
+    refuse(table, {"restitution"}, !core::has_limit(c), "belongs to 'lower' and 'upper'");
+    refuse(
+        table,
+        {"target", "target_amplitude", "target_frequency", "target_phase", "target_times", "target_values"},
+        c.stiffness == 0 && c.damping == 0, "belongs to 'stiffness' and 'damping'");
+    refuse(table, {"target", "target_amplitude", "target_frequency", "target_phase"},
+           table.has("target_times"), "does not go with 'target_times'");
+    check_table(table, c);
+  }
 }
 
 core::Joint read_joint(const Table& t, Draft& draft) {
@@ -66,6 +118,18 @@ core::Joint read_joint(const Table& t, Draft& draft) {
     if (!(joint.axis.cwiseAbs().maxCoeff() > 0)) t.fail("axis", "axis = [0, 0, 0] has no direction");
     make_unit(joint.axis);
   }
+  if (kind.has_second_axis()) {
+    Vector3& second = *joint.axis_2;
+    if (!(second.cwiseAbs().maxCoeff() > 0)) t.fail("axis_2", "axis_2 = [0, 0, 0] has no direction");
+    make_unit(second);
+    if (std::abs(second.dot(joint.axis)) > typed)
+      t.fail("axis_2", fmt::format("axis_2 = {} is not square to axis = {}", written(t.vector("axis_2")),
+                                   written(t.vector("axis"))));
+    second = (second - second.dot(joint.axis) * joint.axis).normalized();
+  }
+  if (kind.screws && joint.pitch == 0) t.fail("pitch", "pitch = 0: a screw without pitch is a hinge");
+  check_coordinates(t, joint.displacements, kind.displacements());
+  check_coordinates(t, joint.angles, kind.angles());
 
   const auto& bodies = draft.scene.bodies;
   Vector3 from = joint.point, end = joint.point;
@@ -85,7 +149,13 @@ core::Joint read_joint(const Table& t, Draft& draft) {
 }  // namespace
 
 void read_joints(const Table& root, Draft& draft) {
-  for (const Table& t : root.tables("joint")) draft.scene.joints.push_back(read_joint(t, draft));
+  std::set<std::string> names;
+  for (const Table& t : root.tables("joint")) {
+    draft.scene.joints.push_back(read_joint(t, draft));
+    const std::string& name = draft.scene.joints.back().name;
+    if (!name.empty() && !names.insert(name).second)
+      t.fail("name", fmt::format("two joints are named '{}'", name));
+  }
 }
 
 }  // namespace cylon::scenario

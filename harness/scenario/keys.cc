@@ -89,6 +89,8 @@ std::string_view form_of(Kind kind) {
       return "four numbers [w, x, y, z]";
     case moments:
       return "three principal moments or nine numbers";
+    case numbers:
+      return "an array of numbers";
     case points:
       return "an array of points [[x, y, z], …]";
     case triangles:

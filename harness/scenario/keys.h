@@ -20,6 +20,7 @@ enum class Kind {
   counts,      ///< [3, 3, 1], whole numbers
   quaternion,  ///< [w, x, y, z]
   moments,     ///< Three numbers, or nine.
+  numbers,     ///< [0, 0.5, …]
   points,      ///< [[x, y, z], …]
   triangles,   ///< [[0, 1, 2], …]
   texts,       ///< ["…", …]

@@ -1,5 +1,6 @@
 // Keys of claims and their tolerances.
 #include "harness/core/claim.h"
+#include "harness/core/fields.h"
 #include "harness/core/observable.h"
 #include "harness/scenario/key_rows.h"
 
@@ -99,6 +100,11 @@ const Spec* claim_spec() {
           word("observable", "With `follows`: what is compared.", words(core::Quantity::event)),
           absent("all bodies: the worst counts, momenta and energies are totals",
                  word("body", "Name of the body.")),
+          absent("all joints that have one: the worst counts",
+                 word("joint", "Name of a joint, of whose coordinate it is.")),
+          absent("first",
+                 word("which", "Of a joint with two such coordinates.",
+                      {core::Words<core::Ordinal>::list.begin(), core::Words<core::Ordinal>::list.end()})),
           absent("the whole vector",
                  word("component", "Of a vector, or of an `energy_share`.", {"x", "y", "z", "horizontal"})),
           absent("the origin", arrow("about", "m", "Reference point of `angular_momentum` and of an apsis.")),

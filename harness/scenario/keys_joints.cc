@@ -3,11 +3,31 @@
 #include "harness/scenario/key_rows.h"
 
 namespace cylon::scenario {
+namespace {
+
+template <class Coordinate>
+const Spec* coordinate_spec() {
+  static const Spec spec{.label = fmt::format("[[joint.{}]]", core::Element<Coordinate>::name),
+                         .keys = keys_of<Coordinate>()};
+  return &spec;
+}
+
+std::vector<Key> joint_keys() {
+  std::vector<Key> keys = keys_of<core::Joint>();
+  for (Key& key : keys) {
+    if (key.name == core::Element<core::JointDisplacement>::name)
+      key.spec = coordinate_spec<core::JointDisplacement>;
+    if (key.name == core::Element<core::JointAngle>::name) key.spec = coordinate_spec<core::JointAngle>;
+  }
+  return keys;
+}
+
+}  // namespace
 
 const Spec* joint_spec() {
   static const Spec spec = [] {
     constexpr auto& types = core::Words<core::JointType>::list;
-    const std::vector<Key> all = keys_of<core::Joint>();
+    const std::vector<Key> all = joint_keys();
     Spec result{.label = "[[joint]]", .tag = "type"};
     for (std::size_t type = 0; type < types.size(); ++type) {
       const core::Joint with_world{.type = static_cast<core::JointType>(type)};

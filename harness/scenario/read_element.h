@@ -17,6 +17,18 @@ inline std::vector<core::Vector3> read_points(const Table& table, std::string_vi
   return points;
 }
 
+template <class T>
+T read_element(const Table& table, const Draft& draft);
+
+/// All tables of one kind inside another.
+template <class T>
+std::vector<T> read_elements(const Table& table, const Draft& draft) {
+  std::vector<T> elements;
+  for (const Table& inside : table.tables(core::Element<T>::name))
+    elements.push_back(read_element<T>(inside, draft));
+  return elements;
+}
+
 /// The element with the members that the file states, others as a new T has them.  Beside this are read: an
 /// inertia, a shape, the parts of a compound and the faces of a mesh, of which other keys decide too.
 template <class T>
@@ -37,6 +49,14 @@ T read_element(const Table& table, const Draft& draft) {
       value = table.vector(key, value);
     } else if constexpr (std::is_same_v<Value, std::optional<core::Vector3>>) {
       if (table.has(key)) value = table.vector(key);
+    } else if constexpr (std::is_same_v<Value, std::optional<double>>) {
+      if (table.has(key)) value = table.number(key);
+    } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
+      value = table.numbers(key);
+    } else if constexpr (std::is_same_v<Value, std::vector<core::JointDisplacement>>) {
+      value = read_elements<core::JointDisplacement>(table, draft);
+    } else if constexpr (std::is_same_v<Value, std::vector<core::JointAngle>>) {
+      value = read_elements<core::JointAngle>(table, draft);
     } else if constexpr (std::is_same_v<Value, core::Quaternion>) {
       value = read_orientation(table, key);
     } else if constexpr (std::is_same_v<Value, core::BodyState>) {

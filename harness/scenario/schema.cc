@@ -55,6 +55,8 @@ Json value_schema(const Key& key) {
       return array_of(number, 4);
     case Kind::moments:
       return {{"anyOf", {array_of(number, 3), array_of(number, 9)}}};
+    case Kind::numbers:
+      return array_of(number);
     case Kind::points:
       return array_of(array_of(number, 3));
     case Kind::triangles:

@@ -40,6 +40,10 @@ class Writer {
         append(lines_of_shape(value));  // beside the keys of the part
       } else if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
         if (!value.empty()) append({fmt::format("{} = {}", field.key, list(value, toml_text))});
+      } else if constexpr (std::is_same_v<Value, std::vector<double>> ||
+                           std::is_same_v<Value, std::vector<core::JointDisplacement>> ||
+                           std::is_same_v<Value, std::vector<core::JointAngle>>) {
+        if (!value.empty()) append({fmt::format("{} = {}", field.key, written(value))});
       } else if (const std::string text = written(value); !text.empty()) {
         result.push_back(fmt::format("{} = {}", core::key_of(element, field), text));
       }
@@ -81,9 +85,14 @@ class Writer {
     if (!(core::principal_axes(inertia).moments.minCoeff() > 0)) return "";
     return list(inertia.reshaped<Eigen::RowMajor>(), toml_number);
   }
-  std::string written(core::JointType type) const {
-    return toml_text(core::Words<core::JointType>::list[static_cast<std::size_t>(type)]);
+  template <class Enum>
+  requires std::is_enum_v<Enum> std::string written(Enum value)
+  const { return toml_text(core::Words<Enum>::list[static_cast<std::size_t>(value)]); }
+  std::string written(const std::optional<double>& x) const { return x ? written(*x) : ""; }
+  std::string written(const core::JointDisplacement& coordinate) const {
+    return in_braces(lines(coordinate));
   }
+  std::string written(const core::JointAngle& coordinate) const { return in_braces(lines(coordinate)); }
   std::string written(const std::array<std::int32_t, 3>& face) const {
     return fmt::format("[{}]", fmt::join(face, ", "));
   }

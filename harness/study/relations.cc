@@ -2,6 +2,7 @@
 
 #include "harness/core/fields.h"
 #include "harness/core/force_law.h"
+#include "harness/core/joint_coordinates.h"
 #include "harness/study/relations_composed.h"
 #include "harness/study/restate.h"
 
@@ -77,16 +78,10 @@ double restated(const Subject& s, const Runner& run, const Restatement& change) 
                [&](const State& plain, double) { return change(plain); });
 }
 
-// The scene from another state on.  A joint's point goes where its first body takes it; the world's stays.
+// The scene from another state on.
 Scene from(Scene scene, const State& start) {
-  for (core::Joint& j : scene.joints) {
-    if (j.to == core::world) continue;
-    const BodyState &a = scene.bodies[static_cast<std::size_t>(j.body)].initial,
-                    &b = start[static_cast<std::size_t>(j.body)];
-    const core::Quaternion turn = b.orientation * a.orientation.conjugate();
-    j.point = b.position + turn * (j.point - a.position);
-    j.axis = turn * j.axis;
-  }
+  const std::vector<core::HeldJoint> held = core::held_joints(scene);
+  for (std::size_t j = 0; j < held.size(); ++j) scene.joints[j] = core::joint_at(held[j], start);
   for (std::size_t i = 0; i < start.size(); ++i) scene.bodies[i].initial = start[i];
   return scene;
 }

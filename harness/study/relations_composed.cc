@@ -1,6 +1,7 @@
 #include "harness/study/relations_composed.h"
 
 #include "harness/core/fields.h"
+#include "harness/core/joint_coordinates.h"
 #include "harness/core/size.h"
 #include "harness/study/restate.h"
 
@@ -320,13 +321,27 @@ Reason none_between(const Scene& scene) {
   return {};
 }
 
+// A joint told from its second body: every coordinate counts the other way.  A planar joint's displacements are those of
+// axes in one body, and it stays as it is.
+void look_from_other_body(Joint& j) {
+  const core::JointKind& kind = core::kind_of(j.type);
+  if (kind.place == core::JointPlace::in_plane) return;
+  std::swap(j.body, j.to);
+  core::for_each_coordinate(j, [](core::JointCoordinate& c) { core::reverse(c); });
+  if (kind.turn != core::JointTurn::about_two_axes) return;
+  // (R(h, a) R(u, b))^T = R(u, -b) R(h, -a)
+  std::swap(j.axis, *j.axis_2);
+  for (core::JointAngle& c : j.angles)
+    c.which = c.which == core::Ordinal::first ? core::Ordinal::second : core::Ordinal::first;
+}
+
 double other_points(const Subject& s, const Runner& run) {
   Scene scene = s.scene;
   for (Force& f : scene.forces)
     if (auto* k = std::get_if<core::Spring>(&f); k && k->to != core::world)
       std::swap(k->body, k->to), std::swap(k->anchor, k->to_anchor);
   for (Joint& j : scene.joints) {
-    if (j.to != core::world) std::swap(j.body, j.to);
+    if (j.to != core::world) look_from_other_body(j);
     const core::JointTurn turn = core::kind_of(j.type).turn;
     if (turn == core::JointTurn::about_axis) j.point += 0.37 * s.scales.length * j.axis;
     if (turn == core::JointTurn::never) j.point += 0.37 * s.scales.length * along;

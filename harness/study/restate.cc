@@ -1,6 +1,7 @@
 #include "harness/study/restate.h"
 
 #include "harness/core/fields.h"
+#include "harness/core/joint_coordinates.h"
 
 #include <cmath>
 #include <type_traits>
@@ -34,6 +35,7 @@ class Rule {
     // normal' . x' = length (normal . x + normal' . move)
     if constexpr (std::is_same_v<T, core::Plane>) of.offset += Vector3(c_.turn * of.normal).dot(c_.move);
     core::for_each_field(of, [&](const auto& field, auto& value) { member(of, field.about, value); });
+    if constexpr (std::is_same_v<T, core::Joint>) mirror(of);
     if constexpr (std::is_same_v<T, core::Mesh>)
       if (c_.own.determinant() < 0)
         for (auto& face : of.faces) std::swap(face[1], face[2]);  // counter-clockwise from outside again
@@ -54,10 +56,12 @@ class Rule {
       value *= factor(about);
     } else if constexpr (std::is_same_v<Value, Vector3>) {
       value = factor(about) * coordinates(of, about.in, value);
-    } else if constexpr (std::is_same_v<Value, std::optional<Vector3>>) {
+    } else if constexpr (std::is_same_v<Value, std::optional<Vector3>> ||
+                         std::is_same_v<Value, std::optional<double>>) {
       if (value) member(of, about, *value);
-    } else if constexpr (std::is_same_v<Value, std::vector<Vector3>>) {
-      for (Vector3& v : value) member(of, about, v);
+    } else if constexpr (std::is_same_v<Value, std::vector<Vector3>> ||
+                         std::is_same_v<Value, std::vector<double>>) {
+      for (auto& v : value) member(of, about, v);
     } else if constexpr (std::is_same_v<Value, Matrix3>) {
       const Matrix3 turned = factor(about) * (c_.own * value * c_.own.transpose());
       value = (turned + turned.transpose()) / 2;
@@ -74,11 +78,23 @@ class Rule {
             if constexpr (!std::is_same_v<Kind, std::monostate>) element(kind);
           },
           value);
-    } else if constexpr (std::is_same_v<Value, std::vector<core::Part>>) {
-      for (core::Part& part : value) element(part);
+    } else if constexpr (std::is_same_v<Value, std::vector<core::Part>> ||
+                         std::is_same_v<Value, std::vector<core::JointDisplacement>> ||
+                         std::is_same_v<Value, std::vector<core::JointAngle>>) {
+      for (auto& inside : value) element(inside);
     } else {
       static_assert(core::is_word<Value>, "say how a value of this type is restated");
     }
+  }
+
+  // A mirror keeps axes as vectors, about which turns then go the other way; so does what the product of two axes points
+  // along.
+  void mirror(core::Joint& joint) const {
+    if (c_.turn.determinant() > 0) return;
+    joint.pitch = -joint.pitch;
+    for (core::JointAngle& angle : joint.angles) core::reverse(angle);
+    for (core::JointDisplacement& displacement : joint.displacements)
+      if (displacement.which == core::Ordinal::second) core::reverse(displacement);
   }
 
   template <class T>

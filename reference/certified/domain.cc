@@ -1,5 +1,6 @@
 // Scenes that the equations of this folder do not cover.
 #include "harness/core/fields.h"
+#include "harness/core/joint_coordinates.h"
 #include "reference/certified/builder.h"
 
 #include <fmt/format.h>
@@ -43,6 +44,18 @@ void check_bodies(const core::Force& any_force) {
       any_force);
 }
 
+void check_joints(const core::Scene& scene) {
+  for (const core::Joint& joint : scene.joints) {
+    const core::JointKind& kind = core::kind_of(joint.type);
+    if (kind.place == core::JointPlace::along_axis || kind.place == core::JointPlace::in_plane ||
+        kind.turn == core::JointTurn::about_two_axes)
+      refuse(fmt::format("{} has a {} joint, whose equations are not here", name_of(scene, joint.body),
+                         kind.name));
+    if (core::acted_on(joint))
+      refuse(fmt::format("something acts along the joint of {}", name_of(scene, joint.body)));
+  }
+}
+
 void check_masses(const core::Scene& scene, double horizon) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     double rate = 0;
@@ -72,6 +85,7 @@ void check_domain(const core::Scene& scene, double horizon, Blows blows) {
   if (scene.bodies.empty()) refuse("there is no body");
   if (blows == Blows::refused) check_contacts(scene);
   check_masses(scene, horizon);
+  check_joints(scene);
   const bool turning = scene.frame && !scene.frame->angular_velocity.isZero(0);
   for (const core::Force& force : scene.forces) {
     if (std::holds_alternative<core::Water>(force)) refuse("water has a surface, which is no smooth law");

@@ -124,7 +124,11 @@ struct Rows {
         return together(joint);
       case core::JointPlace::at_length:
         return at_length(joint);
+      case core::JointPlace::along_axis:
+      case core::JointPlace::in_plane:
+        break;
     }
+    throw std::logic_error("certified: a joint that check_domain refuses");
   }
 
   void add_turn(const core::Joint& joint, core::JointTurn turn) {
@@ -135,7 +139,10 @@ struct Rows {
         return about_axis(joint);
       case core::JointTurn::never:
         return never(joint);
+      case core::JointTurn::about_two_axes:
+        break;
     }
+    throw std::logic_error("certified: a joint that check_domain refuses");
   }
 };
 

@@ -1,6 +1,7 @@
 #include "reference/exact/domain.h"
 
 #include "harness/core/fields.h"
+#include "harness/core/joint_coordinates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,6 +73,9 @@ void check_forces(std::string_view solution, const core::Scene& scene,
     refuse(solution, std::string("a force that it does not know: ") + std::string(f.kind) +
                          (f.body == core::world ? "" : " on " + named(scene, f.body)));
   }
+  for (const core::Joint& joint : scene.joints)
+    if (core::acted_on(joint))
+      refuse(solution, "something acts along the joint of " + named(scene, joint.body));
   if (std::ranges::find(kinds, core::Element<core::UniformGravity>::name) != kinds.end()) return;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i)
     if (scene.bodies[i].gravity && !scene.bodies[i].gravity->isZero(0))

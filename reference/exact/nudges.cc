@@ -31,8 +31,14 @@ class Nudges {
       number(value);
     } else if constexpr (std::is_same_v<Value, core::Vector3>) {
       for (double& x : value) number(x);
-    } else if constexpr (std::is_same_v<Value, std::optional<core::Vector3>>) {
+    } else if constexpr (std::is_same_v<Value, std::optional<core::Vector3>> ||
+                         std::is_same_v<Value, std::optional<double>>) {
       if (value) member(of, *value);
+    } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
+      for (double& x : value) number(x);
+    } else if constexpr (std::is_same_v<Value, std::vector<core::JointDisplacement>> ||
+                         std::is_same_v<Value, std::vector<core::JointAngle>>) {
+      for (auto& coordinate : value) nudge(coordinate);
     } else if constexpr (std::is_same_v<Value, core::Quaternion>) {
       for (double& x : value.coeffs()) number(x);
     } else if constexpr (std::is_same_v<Value, core::Matrix3>) {

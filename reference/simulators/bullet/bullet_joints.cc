@@ -40,6 +40,11 @@ std::unique_ptr<btTypedConstraint> make_joint(const core::Joint& joint, btRigidB
       return std::make_unique<btFixedConstraint>(a, other, frame_in(a, joint), frame_in(other, joint));
     }
     case core::JointType::distance:
+    case core::JointType::slider:
+    case core::JointType::cylindrical:
+    case core::JointType::planar:
+    case core::JointType::universal:
+    case core::JointType::screw:
       break;
   }
   return nullptr;

@@ -152,6 +152,11 @@ class TreeBody {
         multibody_.setupFixed(link(i), mass, moments, parent_link, turn, to_point, to_centre);
         return;
       case core::JointType::distance:
+      case core::JointType::slider:
+      case core::JointType::cylindrical:
+      case core::JointType::planar:
+      case core::JointType::universal:
+      case core::JointType::screw:
         throw std::logic_error("the multibody path was asked for a joint that it refuses");
     }
   }
@@ -240,6 +245,11 @@ std::unique_ptr<btMultiBodyConstraint> closing(const core::Joint& joint, btMulti
       return std::make_unique<btMultiBodyFixedConstraint>(&body, a.link, world, in_a, in_b, turn_a, turn_b);
     case core::JointType::hinge:
     case core::JointType::distance:
+    case core::JointType::slider:
+    case core::JointType::cylindrical:
+    case core::JointType::planar:
+    case core::JointType::universal:
+    case core::JointType::screw:
       break;
   }
   throw std::logic_error("the multibody path was asked to close a loop by a joint that it refuses");

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <stdexcept>
 #include <variant>
 
 namespace cylon::simulators {
@@ -128,6 +129,9 @@ engine::Joint::Place place_of(core::JointPlace place) {
       break;
     case core::JointPlace::at_length:
       return engine::Joint::Place::at_length;
+    case core::JointPlace::along_axis:
+    case core::JointPlace::in_plane:
+      throw std::logic_error("the in-house engine was asked for a joint that it does not say it knows");
   }
   return engine::Joint::Place::together;
 }
@@ -140,6 +144,8 @@ engine::Joint::Turn turn_of(core::JointTurn turn) {
       return engine::Joint::Turn::about_axis;
     case core::JointTurn::never:
       return engine::Joint::Turn::never;
+    case core::JointTurn::about_two_axes:
+      throw std::logic_error("the in-house engine was asked for a joint that it does not say it knows");
   }
   return engine::Joint::Turn::freely;
 }

@@ -229,7 +229,14 @@ void Ode::add_joint(std::size_t index) {
     case JointType::fixed:
       dJointSetFixed(attach(dJointCreateFixed(world_->id, nullptr)));
       return;
+    case JointType::slider:
+    case JointType::cylindrical:
+    case JointType::planar:
+    case JointType::universal:
+    case JointType::screw:
+      break;
   }
+  throw std::logic_error("ODE was asked for a joint that it does not say it knows");
 }
 
 // ---- A step --------------------------------------------------------------------------------------
