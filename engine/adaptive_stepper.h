@@ -41,6 +41,7 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
       watching_ = system_.switch_count() > 0;
       if (watching_) system_.watch(start, y_.data());
     }
+    start_piece(start);
     integrator_.start(system_, start, y_.data());
   }
 
@@ -51,7 +52,8 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
       if (turn_) {
         take_turn();
       } else {
-        ending_ = integrator_.step(system_, integrator_.end() + farthest * dt_);
+        if (integrator_.end() >= kink_) cross_kink();
+        ending_ = integrator_.step(system_, std::min(integrator_.end() + farthest * dt_, kink_));
         going_ = ending_ == Ending::done;
         if (going_ && watching_) turn_ = first_turn();
       }
@@ -87,6 +89,21 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
     std::size_t which;
     Real side;  // the least number of the sign that its value has after
   };
+
+  void start_piece(Time t) {
+    if constexpr (Kinked<S>) {
+      kink_ = system_.next_kink(t);
+      system_.start_piece(t);
+    }
+  }
+
+  // Samples of the last step, its end included, have been given out.
+  void cross_kink() {
+    std::copy_n(integrator_.state(), system_.size(), y_.begin());
+    system_.project(y_.data());
+    start_piece(integrator_.end());
+    integrator_.start(system_, integrator_.end(), y_.data(), integrator_.next_step());
+  }
 
   Time reached() const { return turn_ ? turn_->time : integrator_.end(); }
 
@@ -139,7 +156,8 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
   Dop853<S> integrator_;
   Ending ending_ = Ending::done;
   bool going_ = true, watching_ = false;
-  std::optional<Turn> turn_;  // the next, within the last step of the integrator
+  Time kink_ = std::numeric_limits<Time>::infinity();  // the next
+  std::optional<Turn> turn_;                           // the next, within the last step of the integrator
   int flips_ = 0;
   std::optional<Turn> last_turn_;
   Time slides_at_ = 0;

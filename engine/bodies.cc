@@ -16,7 +16,11 @@ Bodies::Bodies(Model model, bool account)
     : model_(std::move(model)), account_(account), masses_(model_.bodies) {
   const std::size_t n = model_.bodies.size();
   count_ = movable_end(model_.bodies);
-  extras_ = (account_ ? model_.forces.count() : 0) + (masses_.any() ? 1 : 0);
+  model_.forces.start_turns();
+  for (std::size_t k = 0; k < model_.forces.coordinate_laws.size(); ++k)
+    if (model_.forces.coordinate_laws[k].counts_turns()) turning_.push_back(k);
+  angles_ = account_ ? model_.forces.count() : 0;
+  extras_ = angles_ + turning_.size() + (masses_.any() ? 1 : 0);
   kinematics_.resize(n);
   loads_.resize(n);
   first_.resize(n);
@@ -25,6 +29,8 @@ Bodies::Bodies(Model model, bool account)
   opened_ = upright_ = start_ = probe_ = model_.motions;
   powers_.resize(model_.forces.count());
   reads_velocities_ = model_.forces.read_velocities();
+  affine_ = std::ranges::none_of(model_.forces.coordinate_laws,
+                                 [](const CoordinateLaw& law) { return law.quadratic_damping != 0; });
   int rows = 0;
   for (const Joint& joint : model_.joints) rows += row_count(joint.type);
   rows_.rows.reserve(static_cast<std::size_t>(rows));
@@ -71,6 +77,9 @@ std::vector<Real> Bodies::initial(Time start) const {
   std::vector<Real> y(extras_ + motion_size * model_.bodies.size(), 0);
   if (masses_.any()) y[extras_ - 1] = static_cast<Real>(start);
   std::copy(model_.motions.begin(), model_.motions.end(), motions(y.data()));
+  for (std::size_t k = 0; k < turning_.size(); ++k)
+    y[angles_ + k] = model_.forces.coordinate_laws[turning_[k]].at.origin;
+  count_turns(y.data());
   return y;
 }
 
@@ -89,7 +98,7 @@ void Bodies::find_kinematics(const Motion* motion) {
   }
 }
 
-// The forces, and of bodies with one axis only what turns them about it.
+// The forces, and of bodies with one axis or a guide only what moves them.
 void Bodies::find_loads(Time t, const Motion* motion, Real* powers) {
   now_ = t;
   apply(model_.forces, t, model_.bodies, count_, motion, kinematics_.data(), loads_.data(), powers);
@@ -98,10 +107,13 @@ void Bodies::find_loads(Time t, const Motion* motion, Real* powers) {
     const Vector3 axis = kinematics_[i].rotation * model_.bodies[i].axis;
     loads_[i].torque = axis.dot(loads_[i].torque) * axis;
   }
+  for (std::size_t i = 0; i < count_; ++i)
+    if (model_.bodies[i].guide) loads_[i].force = *model_.bodies[i].guide * loads_[i].force;
 }
 
 void Bodies::load(Time t, const Real* y) {
   const Motion* motion = upright(y, false);
+  set_turns(y);
   masses_.set(t, model_.bodies);
   find_kinematics(motion);
   find_loads(t, motion, nullptr);
@@ -138,8 +150,12 @@ void Bodies::close(const Motion* motion, Real* y) {
 void Bodies::rates(Time t, const Real* y, Real* rate) {
   const Motion* motion = upright(y, holder_ || constrained());
   masses_.set(t, model_.bodies);
+  set_turns(y);
   find_kinematics(motion);
   find_loads(t, motion, account_ ? rate : nullptr);
+  for (std::size_t k = 0; k < turning_.size(); ++k)
+    rate[angles_ + k] = rate_of(row_of(model_.forces.coordinate_laws[turning_[k]].at, model_.bodies, motion),
+                                kinematics_.data());
   if (masses_.any()) rate[extras_ - 1] = 1;
   rate += extras_;
   if (holder_) {
@@ -182,10 +198,12 @@ void Bodies::rates(Time t, const Real* y, Real* rate) {
 // the exact flow; without forces that read velocities the first term is all.  With joints f is what they
 // leave of the forces, P f:  the momenta that drag reads then never leave the joints.  (Forces that read none
 // may push against them; the drift takes that back.)  Strong drag takes the flow in parts, each so short that
-// the series ends: twice as many until it does.
+// the series ends: twice as many until it does.  Forces that are not affine are taken as they are at the start,
+// which is of first order: only the strides of EventStepper, of first order too, take them so.
 void Bodies::kick(Time t, Real h, Real* y) {
   Motion* motion = open(y);
   masses_.set(t, model_.bodies);
+  set_turns(y);
   find_kinematics(motion);
   find_loads(t, motion, account_ ? powers_.data() : nullptr);
   const auto account = [&] {
@@ -196,7 +214,7 @@ void Bodies::kick(Time t, Real h, Real* y) {
   if (holder_) {
     holder_->hold(t, model_.bodies, motion, kinematics_.data(), loads_.data());
     add_momenta(h, loads_, motion);
-  } else if (!reads_velocities_) {
+  } else if (!reads_velocities_ || !affine_) {
     add_momenta(h, loads_, motion);
   } else {
     if (constrained()) {
@@ -321,10 +339,20 @@ void Bodies::turn_frame(Real h, Motion* motion) {
   }
 }
 
+// The turns made meanwhile are known by their mean rate, to less than half of one.
+//
 // With joints: SHAKE.  The momenta get impulses along the constraints at the start such that the drift ends
 // on them,  c(q(h)) = 0;  Newton's method with the matrix of the start.  J.-P. Ryckaert, G. Ciccotti, H.
 // Berendsen, J. Comput. Phys. 23 (1977) 327; H. Andersen, J. Comput. Phys. 52 (1983) 24 (RATTLE).
 void Bodies::drift(Real h, Real* y) {
+  const std::vector<Real> before = turn_rates(y);
+  move(h, y);
+  const std::vector<Real> after = turn_rates(y);
+  for (std::size_t k = 0; k < turning_.size(); ++k) y[angles_ + k] += h * (before[k] + after[k]) / 2;
+  count_turns(y);
+}
+
+void Bodies::move(Real h, Real* y) {
   if (!constrained() || holder_ || h == 0) return free_drift(h, y);
   constexpr int most = 60;
   std::copy_n(motions(y), count_, start_.data());
@@ -367,6 +395,7 @@ void Bodies::project(Real* y) {
   Motion* motion = open(y);
   project(motion);
   close(motion, y);
+  count_turns(y);
 }
 
 void Bodies::project(Motion* motion) {
@@ -414,7 +443,7 @@ void Bodies::scales(const Real* y, Real* scale) {
   const Real speed = std::max(speed_, at_rest);
   const Real turn = std::max(turn_, length_ > 0 ? at_rest / length_ : 0);
   const auto or_one = [](Real x) { return x > 0 ? x : Real(1); };
-  std::fill_n(scale, extras_, Real(1e30));  // works and the clock are not controlled
+  std::fill_n(scale, extras_, Real(1e30));  // works, turns and the clock are not controlled
   scale += extras_;
   for (std::size_t i = 0; i < count_; ++i, scale += motion_size) {
     const Body& body = model_.bodies[i];

@@ -24,8 +24,8 @@ class Holder {
   virtual void project(const std::vector<Body>&, Motion*) = 0;
 };
 
-/// y = the work done by each force where it is accounted, then the clock where a mass changes, then one Motion
-/// per body.  Locked bodies after the last one that can move are in no equation: size() leaves them out.
+/// y = the work done by each force where it is accounted, then the angle of each joint of which the turns count
+/// (CoordinateLaw::counts_turns()), then the clock where a mass changes, then one Motion per body.  Locked bodies after the last one that can move are in no equation: size() leaves them out.
 ///   dp/dt = v - W x p,  dK/dt = F - W x K,  dq/dt = (w - W) q/2,  dL/dt = torque - W x L
 /// (seed eq. 57-60, 72; W the angular velocity of the frame: momenta are those of the inertial frame in the
 /// axes of the rotating one, which holds all fictitious forces), the forces of joints and contacts included.
@@ -46,6 +46,10 @@ class Bodies {
   void project(Real* y);
   /// The masses at the instant of a state, which velocities of its momenta need.
   void set_masses(const Real* y);
+  /// The first time after t at which a force is not smooth; infinite: none.
+  Time next_kink(Time t) const { return model_.forces.next_kink(t); }
+  /// Forces are those of the smooth piece of time that begins at t, until the next call.
+  void start_piece(Time t) { model_.forces.start_piece(t); }
   /// For error control: the largest size so far of each component's kind over all bodies.
   void scales(const Real* y, Real* scale);
 
@@ -82,9 +86,13 @@ class Bodies {
  private:
   void project(Motion*);
   void find_kinematics(const Motion*);
+  void set_turns(const Real* y);
+  std::vector<Real> turn_rates(const Real* y);
+  void count_turns(Real* y) const;
   void find_loads(Time, const Motion*, Real* powers);
   void add_momenta(Real factor, const std::vector<Load>&, Motion*) const;
   bool kick_by_series(Time t, Real h, Motion*);
+  void move(Real h, Real* y);
   void free_drift(Real h, Real* y);
   void gather(const Motion*);
   Motion* open(Real* y);
@@ -98,8 +106,10 @@ class Bodies {
 
   Model model_;
   std::vector<Switch> switches_;
-  bool account_ = false, reads_velocities_ = false;
+  bool account_ = false, reads_velocities_ = false, affine_ = true;
   std::size_t count_ = 0, extras_ = 0;  // extras_: Reals of y before the motions
+  std::vector<std::size_t> turning_;    // the coordinate laws that count turns
+  std::size_t angles_ = 0;              // where their angles begin in y
   ChangingMasses masses_;
   std::vector<Kinematics> kinematics_;
   std::vector<Motion> opened_, upright_, start_, probe_;  // of all bodies, those of locked ones for ever

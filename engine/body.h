@@ -11,7 +11,8 @@
 namespace cylon::engine {
 
 /// Constants of a rigid body.  Made by make_body, which keeps the inverses in step.  Its reference point is
-/// its centre of mass; of a body that is pinned to the world (engine/reduce.h) it is the pivot.
+/// its centre of mass; of a body that is pinned to the world (engine/reduce.h) it is the pivot, and of one that
+/// slides and turns on an axis a point of that.
 struct Body {
   Real mass = 1;                          ///< [kg], > 0.
   Matrix3 inertia = Matrix3::Identity();  ///< About the reference point, body axes [kg m^2].
@@ -26,6 +27,8 @@ struct Body {
   bool pinned = false;               ///< Its reference point stays where it is; it only turns,
   bool one_axis = false;             ///< and that only about `axis`,
   Vector3 axis = Vector3::Zero();    ///< body axes, unit.
+  std::optional<Matrix3>
+      guide;          ///< A projection, world axes: its reference point only moves within its image.
   bool turns = true;  ///< false: without spin, and nothing ever turns it; its orientation is left alone.
   std::optional<Vector3> gravity;  ///< In place of that of all [m/s^2].
 };

@@ -95,10 +95,16 @@ std::vector<EventStepper::Spot> EventStepper::spots(Real ahead) {
   work_ += 2 * static_cast<std::int64_t>(near.size());
   for (const std::size_t i : near) {
     const Candidate& c = candidates_[i];
-    const Real margin = touch_margin(c, motion) + reach(c);
-    if (are_apart(c, motion, held_margin * margin)) continue;
     Spot spot;
     spot.held.candidate = i;
+    if (is_of_joint(c)) {
+      spot.touch = touch_of(spot.held, motion);
+      const Real ahead_of = ahead * std::abs(gap_rate(spot.touch, model.bodies, motion));
+      if (spot.touch.gap <= touch_margin(c, motion) + 2 * ahead_of) result.push_back(spot);
+      continue;
+    }
+    const Real margin = touch_margin(c, motion) + reach(c);
+    if (are_apart(c, motion, held_margin * margin)) continue;
     if (c.kind != Candidate::Kind::general) {
       spot.touch = touch_of(spot.held, motion);
       if (spot.touch.gap <= margin && !inside_surface(spot.touch)) result.push_back(spot);
@@ -160,26 +166,17 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
 
   system_.load(now, y_.data());
   std::vector<TouchPoint> touches;
-  std::vector<Real> pulls;  // -g'' of the loads alone
   for (const Spot& spot : touching) {
-    TouchPoint touch = spot.touch;
-    if (plastic_) touch.restitution = 0;
-    touches.push_back(touch);
-    std::vector<Row> rows;
-    append_rows(touch, bodies, motion, rows);
-    const auto side = [&](int body, const Vector3& spin) {
-      const std::size_t i = index(body);
-      const Vector3 gyroscopic = system_.kinematics()[i].angular_velocity.cross(motion[i].angular_momentum);
-      const Vector3 force = accelerating(bodies[i], system_.kinematics()[i], system_.loads()[i]);
-      return bodies[i].inverse_mass * rows[0].direction.dot(force) +
-             spin.dot(system_.loads()[i].torque - gyroscopic);
-    };
-    Real parting = touch.curvature + side(touch.body, rows[0].spin);
-    if (touch.other != fixed_world) parting -= side(touch.other, rows[0].to_spin);
-    pulls.push_back(-parting);
+    touches.push_back(spot.touch);
+    if (plastic_) touches.back().restitution = 0;
   }
-  copy(y_, before_);
   const std::vector<Row> joints = joint_rows(motion);
+  // -g'' without the contacts
+  std::vector<Real> pulls =
+      free_partings(touches, joints,
+                    {bodies, motion, system_.kinematics().data(), system_.loads().data(), system_.count()});
+  for (Real& pull : pulls) pull = -pull;
+  copy(y_, before_);
   ImpactOutcome outcome;
   // Every pass but the last takes the restitution of one more point: there are no more passes than this.
   for (std::size_t pass = 0; pass <= touches.size(); ++pass) {
@@ -226,6 +223,8 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
     }
     const TouchPoint& touch = touches[fastest];
     if (outcome.approach[fastest] <= std::max(rest_speed_, speed_rounding(touch, bodies, motion))) continue;
+    struck_ = true;
+    if (touch.row) continue;
     Impact impact;
     impact.time = now;
     impact.body = given(touch.body);
@@ -240,6 +239,7 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
 // What pressed, and by what impulse [N s] on the first body.
 void EventStepper::tell(const Spot& spot, const Vector3& impulse) {
   const TouchPoint& touch = spot.touch;
+  if (touch.row) return;
   const Real pressed = touch.normal.dot(impulse);
   if (!(pressed > 0)) return;
   contacts_.push_back({given(touch.body), given(touch.other), candidates_[spot.held.candidate].plane,
@@ -250,6 +250,7 @@ void EventStepper::tell(const Spot& spot, const Vector3& impulse) {
 void EventStepper::note_held() {
   if (!keep_) return;
   for (const HeldPoint& held : held_) {
+    if (is_of_joint(candidates_[held.candidate])) continue;
     const TouchPoint touch = touch_of(held, motions());
     contacts_.push_back({given(touch.body), given(touch.other), candidates_[held.candidate].plane,
                          touch.position, touch.normal});
@@ -271,6 +272,7 @@ void EventStepper::note_lasting(Time now, const std::vector<ContactForce>& begun
   const std::vector<ContactForce> lasting = held_forces(now);
   const bool known = !lasting.empty() && begun.size() == lasting.size();
   for (std::size_t i = 0; i < held_.size(); ++i) {
+    if (is_of_joint(candidates_[held_[i].candidate])) continue;
     const TouchPoint touch = touch_of(held_[i], motions());
     Contact contact{given(touch.body), given(touch.other), candidates_[held_[i].candidate].plane,
                     touch.position, touch.normal};

@@ -40,7 +40,7 @@ TouchPoint EventStepper::touch_of(const HeldPoint& held, const Motion* motion) c
   } else {
     touch = touch_at(c, model, motion);
   }
-  if (loose_[held.candidate]) touch.friction = 0;
+  if (loose_[held.candidate]) touch.friction = touch.bound = 0;
   return touch;
 }
 
@@ -111,11 +111,15 @@ void EventStepper::project(const std::vector<Body>& bodies, Motion* motion) {
       const TouchPoint touch = touch_of(h, motion);
       three.clear();
       append_rows(touch, bodies, motion, three);
-      three[0].offset = touch.gap;
-      three[0].rounding = 16 * ulp * gap_scale(candidates_[h.candidate], system_.model(), motion);
-      closed = closed && std::abs(touch.gap) <= three[0].rounding;
-      const std::size_t count = speeds && h.holding.grip == Grip::sticks ? 3 : 1;
-      rows_.rows.insert(rows_.rows.end(), three.begin(), three.begin() + static_cast<std::ptrdiff_t>(count));
+      const auto first = static_cast<std::size_t>(touch.axis);
+      three[first].offset = touch.gap;
+      three[first].rounding = 16 * ulp * gap_scale(candidates_[h.candidate], system_.model(), motion);
+      closed = closed && std::abs(touch.gap) <= three[first].rounding;
+      // Of a coordinate the one row that it has: dry friction holds a rate where it sticks, and no place.
+      const bool sticks = speeds && h.holding.grip == Grip::sticks;
+      const std::ptrdiff_t from = touch.axis;
+      const std::ptrdiff_t to = from > 0 && !sticks ? from : touch.row ? from + 1 : sticks ? 3 : 1;
+      rows_.rows.insert(rows_.rows.end(), three.begin() + from, three.begin() + to);
     }
     return closed;
   };

@@ -127,6 +127,8 @@ EventStepper::EventStepper(Reduced reduced, const Integrator& integrator, Time d
   reaches_.resize(readings_.size(), 0);
   for (std::size_t i = system_.count(); i < readings_.size(); ++i)
     outermost_ = std::max(outermost_, motions()[i].position.norm() + reaches_[i]);
+  system_.start_piece(start);
+  kink_ = system_.next_kink(start);
   system_.project(y_.data());
   resolve(start);
   impacts_.clear();
@@ -136,6 +138,7 @@ void EventStepper::step() {
   Time now = std::max(start_time_, static_cast<Time>(steps_) * dt_);
   const Time end = static_cast<Time>(steps_ + 1) * dt_;
   impacts_.clear(), contacts_.clear();
+  struck_ = false;
   ++steps_;
   if (resting_) {
     if (keep_) note_lasting(end, held_forces(end));
@@ -224,8 +227,27 @@ std::int64_t EventStepper::operations() const {
          passage_.looks() * (2 + bodies);
 }
 
+// How far forces are smooth, and no angle that is limited turns by more than a part of a turn.
+Time EventStepper::smooth_span(Time from, Time span) {
+  const Time sliver = no_time * dt_;
+  if (from + sliver >= kink_) {
+    system_.start_piece(from + sliver);
+    kink_ = system_.next_kink(from + sliver);
+    fresh_ = true;
+  }
+  span = std::min(span, kink_ - from);
+  const Model& model = system_.model();
+  for (const CoordinateLaw& law : model.forces.coordinate_laws) {
+    if (!law.is_limited() || law.at.kind != Coordinate::Kind::angle) continue;
+    const Real rate = speed_of(row_of(law.at, model.bodies, motions()), model.bodies, motions());
+    if (std::abs(rate) * static_cast<Real>(span) > 1) span = static_cast<Time>(1 / std::abs(rate));
+  }
+  return span;
+}
+
 // Goes on from y_ to the first event or to the end of a smooth piece; says how far.
 Time EventStepper::go_on(Time from, Time span, bool& event) {
+  span = smooth_span(from, span);
   copy(y_, start_);
   turn_slips();
   const bool watches = !held_.empty() && idle_ < idle_limit();

@@ -60,6 +60,7 @@ class EventStepper final : public Stepper, private Holder {
   void step() override;
   void read(std::vector<Motion>&) const override;
   const std::vector<Impact>& impacts() const override { return impacts_; }
+  bool struck() const override { return struck_; }
   const Real* works() const override { return account_ ? system_.works(y_.data()) : nullptr; }
   std::vector<Diagnostic> diagnostics() const override;
   std::int64_t operations() const override;
@@ -87,6 +88,8 @@ class EventStepper final : public Stepper, private Holder {
   bool at_rest(Time);
   void turn_slips();
   std::optional<Real> contact_time(Time from, Real span);
+  std::optional<Real> limit_time(const Candidate&, Time from, Real span);
+  Time smooth_span(Time from, Time span);
   std::optional<Real> meeting_time(const Candidate&, bool held, Time from, Real span, const Motion* end);
   std::optional<Real> change_time(Time from, Real span, const ContactForces& before);
   void resolve(Time now);
@@ -143,6 +146,8 @@ class EventStepper final : public Stepper, private Holder {
   std::vector<HeldPoint> held_;
   std::vector<Motion> scratch_;
   std::vector<Impact> impacts_;
+  bool struck_ = false;         // velocities jumped in the last step
+  Time kink_ = 0;               // of the forces, the next [s]
   Real slow_slip_ = 0;          // slip slower than this does not turn as fast as it should [m/s]
   Real haste_ = 1;              // slow_slip_ in units of the least that it may be
   Real rest_speed_ = 0;         // what sticks on all points and is slower than this does not move [m/s]

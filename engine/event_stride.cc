@@ -40,10 +40,11 @@ Real EventStepper::stride(Time from, Time span) {
     const Response response(touches, joints, bodies, motion);
     VectorX free(static_cast<Eigen::Index>(response.rows().size()));
     for (Eigen::Index i = 0; i < free.size(); ++i)
-      free[i] = row_speed(response.rows()[static_cast<std::size_t>(i)], bodies, motion);
+      free[i] = speed_of(response.rows()[static_cast<std::size_t>(i)], bodies, motion);
     VectorX offset = response.offset(free);
     for (std::size_t i = 0; i < least.size(); ++i) offset[3 * static_cast<Eigen::Index>(i)] -= least[i];
-    const CoulombProblem problem = coulomb_problem(response, touches, std::move(offset));
+    CoulombProblem problem = coulomb_problem(response, touches, std::move(offset));
+    for (Real& bound : problem.bound) bound *= h;
     const VectorX relaxed = relaxed_force(problem, most_rounds);
     off = violation(problem, relaxed);
     const VectorX impulses = response.multipliers(free, relaxed);
@@ -70,7 +71,7 @@ void EventStepper::close_gaps() {
   Motion* motion = motions();
   rows_.rows = joint_rows(motion);
   for (const Spot& spot : spots()) {
-    if (spot.touch.gap > 0) continue;
+    if (spot.touch.gap > 0 || spot.touch.axis > 0) continue;
     std::vector<Row> three;
     append_rows(spot.touch, bodies, motion, three);
     three[0].offset = spot.touch.gap;

@@ -18,6 +18,8 @@ constexpr Real ulp = std::numeric_limits<Real>::epsilon();
 constexpr Real change_ulps = 8192;
 // Places at which the passage sees surfaces meet and the integrator itself does not.
 constexpr int most_grazes = 8;
+// Places within a piece at which a coordinate's limit is looked at.
+constexpr int limit_looks = 8;
 // Flights down to 2^-30 of a piece are found where the passage sees only that surfaces meet.  One that is shorter is
 // none: its pair meets where the flight would begin, 1e-9 of the piece early.
 constexpr int most_halvings = 30;
@@ -82,12 +84,71 @@ std::optional<Real> EventStepper::contact_time(Time from, Real span) {
   std::optional<Real> first;
   for (const std::size_t i : neighbours_.near(begin, widest_margin(begin, 0), away)) {
     const bool held = holds(i);
+    if (is_of_joint(candidates_[i])) {
+      if (held || candidates_[i].kind == Candidate::Kind::dry) continue;
+      if (const auto hit = limit_time(candidates_[i], from, first.value_or(span))) first = hit;
+      continue;
+    }
     if (held ? candidates_[i].kind != Candidate::Kind::general : passage_.stays_apart(candidates_[i]))
       continue;
     const auto hit = meeting_time(candidates_[i], held, from, first.value_or(span), end);
     if (hit && *hit <= first.value_or(span)) first = hit;
   }
   return first;
+}
+
+// The first time within the piece at which a coordinate comes to a limit from which it is apart; a coordinate at
+// its limit has left it, by less than the margin of rounding, if it goes away.
+std::optional<Real> EventStepper::limit_time(const Candidate& c, Time from, Real span) {
+  const Model& model = system_.model();
+  const Real least = touch_margin(c, system_.motions(start_.data())) / 4;
+  const auto gap_after = [&](Real s) {
+    part(from, s);
+    return gap_of(c, model, motions());
+  };
+  const auto rate_after = [&](Real s) {
+    part(from, s);
+    return gap_rate(touch_at(c, model, motions()), model.bodies, motions());
+  };
+  const auto seen_after = [&](Real s) {
+    if (s >= passage_.span()) return gap_of(c, model, system_.motions(end_.data()));
+    passage_.at(s, scratch_);
+    return gap_of(c, model, scratch_.data());
+  };
+  Real low = 0, g_low = gap_of(c, model, system_.motions(start_.data()));
+  if (g_low < least &&
+      rate_after(0) < -speed_rounding(touch_at(c, model, motions()), model.bodies, motions()))
+    return instant_ ? std::nullopt : std::optional<Real>(0);
+  Real before = low, g_before = g_low;  // the look before the last
+  for (int i = 1; i <= limit_looks; ++i) {
+    const Real high = i == limit_looks ? span : span * static_cast<Real>(i) / limit_looks;
+    const Real g_high = seen_after(high);
+    // Down and up again between three looks: where the rate is zero.
+    const bool dips = g_before > g_low && g_low < g_high && g_low > 0 && i > 1;
+    Real closed = high, g_closed = g_high;
+    if (dips && !(g_high < -least)) {
+      const Real u_low = rate_after(before), u_high = rate_after(high);
+      if (u_low < 0 && u_high > 0) {
+        closed = root(rate_after, before, u_low, high, u_high);
+        g_closed = gap_after(closed);
+        if (g_closed < -least) low = before, g_low = g_before;
+      }
+    }
+    if (g_closed < -least) {
+      Real open = low, g_open = low > 0 ? gap_after(low) : g_low;
+      const Real g_exact = gap_after(closed);
+      if (g_exact < 0 && g_open > 0) return root(gap_after, open, g_open, closed, g_exact);
+      if (g_exact < -least) {  // it leaves the limit and returns within the first look
+        const Real u_open = rate_after(open), u_closed = rate_after(closed);
+        if (!(u_open > 0 && u_closed < 0)) return open;
+        const Real top = root(rate_after, open, u_open, closed, u_closed), g_top = gap_after(top);
+        return g_top > 0 ? root(gap_after, top, g_top, closed, g_exact) : top;
+      }
+    }
+    before = low, g_before = g_low;
+    low = high, g_low = g_high;
+  }
+  return std::nullopt;
 }
 
 // Surfaces that are inside each other although they ought not to be (they began so, or a piece was not

@@ -19,6 +19,7 @@ enum class Feature : unsigned {
   own_gravity,    ///< In place of that of all.
   pinned_body,    ///< In reduced coordinates: only turns, about a pivot;
   one_axis_body,  ///< only about an axis.
+  guided_body,    ///< Only moves along a line or in a plane.
   // Forces, at least one per kind (engine/forces.h).
   spring,
   damped_spring,
@@ -28,12 +29,20 @@ enum class Feature : unsigned {
   drive,
   attraction,
   water,
+  joint_law,             ///< A spring, a damper, a motor or a servo on a coordinate of a joint.
+  quadratic_damping,     ///< A force that is not affine in the momenta.
   unknown_displacement,  ///< A body under water of a shape whose submerged volume has no formula.
   // Joints.
   joint_together,
   joint_at_length,
+  joint_along_axis,
+  joint_in_plane,
   joint_about_axis,
+  joint_about_two_axes,
   joint_never,
+  joint_couples,   ///< A screw.
+  joint_limit,     ///< A coordinate of a joint has an end.
+  joint_friction,  ///< Dry friction on a coordinate of a joint.
   // Contacts, and the shapes of bodies that may touch something.
   contact,
   lasting_contact,  ///< One that free flight and a plane under a body do not express.
@@ -75,6 +84,7 @@ inline constexpr std::array feature_names = {
     FeatureName{Feature::own_gravity, "bodies with a gravity of their own"},
     FeatureName{Feature::pinned_body, "bodies pinned at a point"},
     FeatureName{Feature::one_axis_body, "bodies held on an axis"},
+    FeatureName{Feature::guided_body, "bodies held on a line or in a plane"},
     FeatureName{Feature::spring, "springs"},
     FeatureName{Feature::damped_spring, "damped springs"},
     FeatureName{Feature::off_centre_spring, "springs that pull off centre"},
@@ -83,12 +93,20 @@ inline constexpr std::array feature_names = {
     FeatureName{Feature::drive, "drives"},
     FeatureName{Feature::attraction, "bodies that attract each other"},
     FeatureName{Feature::water, "water"},
+    FeatureName{Feature::joint_law, "springs, dampers and motors in joints"},
+    FeatureName{Feature::quadratic_damping, "quadratic damping in joints"},
     FeatureName{Feature::unknown_displacement,
                 "the volume of a capsule, a cylinder or a cone below a water surface"},
     FeatureName{Feature::joint_together, "joints at a point"},
     FeatureName{Feature::joint_at_length, "joints at a length"},
+    FeatureName{Feature::joint_along_axis, "joints along an axis"},
+    FeatureName{Feature::joint_in_plane, "joints in a plane"},
     FeatureName{Feature::joint_about_axis, "joints about an axis"},
+    FeatureName{Feature::joint_about_two_axes, "joints about two axes"},
     FeatureName{Feature::joint_never, "joints that keep the orientation"},
+    FeatureName{Feature::joint_couples, "screws"},
+    FeatureName{Feature::joint_limit, "limits of joints"},
+    FeatureName{Feature::joint_friction, "dry friction in joints"},
     FeatureName{Feature::contact, "contacts"},
     FeatureName{Feature::lasting_contact, "contacts that persist"},
     FeatureName{Feature::friction, "friction"},

@@ -30,13 +30,21 @@ struct Scene {
     twist(body, arm.cross(force));
     power += force.dot(kinematics[at(body)].velocity);
   }
+  // A force and its torque about the reference point.
+  void wrench(int body, const Vector3& force, const Vector3& torque) {
+    if (body == fixed_world || bodies[at(body)].locked) return;
+    load[at(body)].force += force;
+    twist(body, torque);
+    power += force.dot(kinematics[at(body)].velocity);
+  }
   void twist(int body, const Vector3& torque) {
     load[at(body)].torque += torque;
     power += torque.dot(kinematics[at(body)].angular_velocity);
   }
   // The centre of mass from the reference point, world axes.
   Vector3 centre(std::size_t i) const {
-    return bodies[i].pinned ? Vector3(kinematics[i].rotation * bodies[i].centre) : Vector3(Vector3::Zero());
+    return bodies[i].pinned || bodies[i].guide ? Vector3(kinematics[i].rotation * bodies[i].centre)
+                                               : Vector3(Vector3::Zero());
   }
 };
 
@@ -139,6 +147,18 @@ void apply(const Water& water, Scene& scene) {
   }
 }
 
+void apply(const CoordinateLaw& law, Scene& scene) {
+  const JointEnd a = end_of(law.at.body, law.at.anchor, scene.motion, scene.kinematics);
+  const JointEnd b = end_of(law.at.to, law.at.to_anchor, scene.motion, scene.kinematics);
+  const Row row = row_of(law.at, a, b);
+  const Real rate = rate_of(row, scene.kinematics);
+  const Target::Now target = law.target.at(scene.time);
+  const Real force = law.force - law.stiffness * (row.offset - target.value) -
+                     law.damping * (rate - target.rate) - law.quadratic_damping * rate * std::abs(rate);
+  scene.wrench(row.body, force * row.direction, force * row.lever);
+  scene.wrench(row.to, -force * row.direction, -force * row.to_lever);
+}
+
 // ---- How fast a force alone can make bodies react -------------------------------------------------------
 
 struct Rates {
@@ -168,6 +188,20 @@ Rates rates(const Water& w, const std::vector<Body>& bodies) {
   return {0, std::max(w.drag * mobility, w.mode == WaterMode::step ? Real(1) : Real(0))};
 }
 
+// No more than what the other joints of the bodies let the coordinate move: the axis of an angle is known in one
+// of them.
+Rates rates(const CoordinateLaw& law, const std::vector<Body>& bodies) {
+  const Coordinate& q = law.at;
+  const auto end = [&](int body, bool carries) -> Real {
+    if (body == fixed_world) return 0;
+    const Body& b = bodies[at(body)];
+    if (q.kind == Coordinate::Kind::displacement) return b.inverse_mass;
+    return carries ? q.axis.dot(b.inverse_inertia * q.axis) : b.inverse_moments.minCoeff();
+  };
+  const Real mobility = end(q.body, q.on_body) + end(q.to, !q.on_body);
+  return {law.stiffness * mobility, law.damping * mobility};
+}
+
 // Sums over the forces on each body.
 class Sums {
  public:
@@ -185,6 +219,20 @@ class Sums {
   void add(const Water& w) {
     for (std::size_t i = 0; i < bodies_.size(); ++i)
       if (!bodies_[i].locked) rates_[i].damping += rates(w, bodies_).damping;
+  }
+  void add(const CoordinateLaw& law) {
+    const bool shared = law.at.body != fixed_world && law.at.to != fixed_world;
+    const Real stiffness = (shared ? 2 : 1) * law.stiffness, damping = (shared ? 2 : 1) * law.damping;
+    if (law.at.kind == Coordinate::Kind::displacement) {
+      add(law.at.body, law.at.anchor, stiffness, damping);
+      add(law.at.to, law.at.to_anchor, stiffness, damping);
+      return;
+    }
+    for (const int body : {law.at.body, law.at.to}) {
+      if (body == fixed_world || bodies_[at(body)].locked) continue;
+      rates_[at(body)].square += stiffness * largest_inverse_moment(bodies_[at(body)]);
+      rates_[at(body)].damping += damping * largest_inverse_moment(bodies_[at(body)]);
+    }
   }
   const std::vector<Rates>& all() const { return rates_; }
 
@@ -220,6 +268,28 @@ void apply(const Forces& forces, Time time, const std::vector<Body>& bodies, std
   }
   account();
   each_force(forces, [&](const auto& force) { apply(force, scene), account(); });
+}
+
+Time Forces::next_kink(Time t) const {
+  Time next = std::numeric_limits<Time>::infinity();
+  for (const CoordinateLaw& law : coordinate_laws) next = std::min(next, law.target.next_kink(t));
+  return next;
+}
+
+void Forces::start_turns() {
+  for (CoordinateLaw& law : coordinate_laws) law.at.near = law.at.origin;
+}
+
+void Forces::follow_turns(const std::vector<Body>& bodies, const Motion* motion, Real h) {
+  for (CoordinateLaw& law : coordinate_laws) {
+    if (!law.counts_turns()) continue;
+    law.at.near += h * speed_of(row_of(law.at, bodies, motion), bodies, motion);
+    law.at.near = row_of(law.at, bodies, motion).offset;
+  }
+}
+
+void Forces::start_piece(Time t) {
+  for (CoordinateLaw& law : coordinate_laws) law.target.start_piece(t);
 }
 
 //   h = (sqrt(c^2 + 4 k/m) - c)/(k/m) = 4/(sqrt(c^2 + 4 k/m) + c),  c here per mass

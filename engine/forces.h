@@ -4,11 +4,11 @@
 #pragma once
 
 #include "engine/body.h"
+#include "engine/coordinate_law.h"
 #include "engine/features.h"
 #include "engine/numbering.h"
 #include "engine/water.h"
 
-#include <array>
 #include <concepts>
 #include <optional>
 #include <tuple>
@@ -16,28 +16,17 @@
 
 namespace cylon::engine {
 
-/// The two ends of a force between two places.
-struct Ends {
-  int body = 0;
-  Vector3 anchor = Vector3::Zero();  ///< Body axes, from the reference point [m].
-  int to = fixed_world;
-  Vector3 to_anchor = Vector3::Zero();  ///< Axes of `to`; world coordinates where `to` is the world [m].
-  Real rest_length = 0;                 ///< [m]
-};
-
-/// The body that a force acts on, and the second if there is one; else the world.
-using Acted = std::array<int, 2>;
-
 /// What else than its law must be known of a kind of force.
 template <class F>
 concept ForceKind = requires(F force, Features& features, std::vector<char>& turns, int body,
                              const Vector3& arm, const Numbering& part) {
-  { F::stage } -> std::convertible_to<const char*>;    // its row in a plan
-  { F::one } -> std::convertible_to<const char*>;      // "a spring"
-  { F::feature } -> std::convertible_to<Feature>;      // of its own
-  {force.add_features(features)};                      // all that it asks of a method, F::feature included
-  { force.reads_velocities() } -> std::same_as<bool>;  // affine in the momenta where it does
-  { force.reads_time() } -> std::same_as<bool>;        // other than by the motion
+  { F::stage } -> std::convertible_to<const char*>;  // its row in a plan
+  { F::one } -> std::convertible_to<const char*>;    // "a spring"
+  { F::feature } -> std::convertible_to<Feature>;    // of its own
+  {force.add_features(features)};                    // all that it asks of a method, F::feature included
+  // Affine in the momenta where it does, but for Feature::quadratic_damping.
+  { force.reads_velocities() } -> std::same_as<bool>;
+  { force.reads_time() } -> std::same_as<bool>;  // other than by the motion
   // Its law is the same in a turning frame, for inertial velocities.
   { force.holds_in_turning_frame() } -> std::same_as<bool>;
   force.mark_turned(turns);                                   // sets what it may turn from rest
@@ -185,17 +174,28 @@ struct Forces {
   std::vector<Drive> drives;
   std::vector<Attraction> attractions;
   std::vector<Water> waters;
+  std::vector<CoordinateLaw> coordinate_laws;
 
   /// Gravity, then one per row above, in that order.
   std::size_t count() const;
   bool only_gravity() const { return count() == 1; }
-  /// Whether any of them reads a velocity; all such are affine in the momenta.
+  /// Whether any of them reads a velocity; all such are affine in the momenta, but for quadratic damping.
   bool read_velocities() const;
+
+  /// The first time after t at which a force is not smooth as a function of the time; infinite: none [s].
+  Time next_kink(Time t) const;
+  /// The angles of joints are what they are at the start.
+  void start_turns();
+  /// The angles of joints by now, h [s] after they were last followed.
+  void follow_turns(const std::vector<Body>&, const Motion*, Real h);
+  /// From now on forces are those after the last kink up to t, at whatever time.
+  void start_piece(Time t);
 };
 
 /// The lists of Forces: all of them, in the order in which forces are applied and their works are accounted.
-inline constexpr std::tuple force_lists = {&Forces::springs, &Forces::drags,       &Forces::thrusts,
-                                           &Forces::drives,  &Forces::attractions, &Forces::waters};
+inline constexpr std::tuple force_lists = {&Forces::springs,        &Forces::drags,       &Forces::thrusts,
+                                           &Forces::drives,         &Forces::attractions, &Forces::waters,
+                                           &Forces::coordinate_laws};
 
 /// Calls visit(list) for each list.
 template <class AnyForces, class Visit>

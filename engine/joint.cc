@@ -1,31 +1,17 @@
 #include "engine/joint.h"
 
+#include "engine/coordinate.h"
+
+#include <array>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace cylon::engine {
 
 namespace {
 
-// One end of a joint: the arm to its anchor, where that is, how it moves, and the part of its acceleration
-// that the spin makes,  a = a_0 + alpha x r + w x (w x r).
-struct End {
-  Vector3 arm = Vector3::Zero(), place, velocity = Vector3::Zero(), centripetal = Vector3::Zero();
-  Vector3 angular_velocity = Vector3::Zero();
-  Quaternion orientation = Quaternion::Identity();
-};
-
-End end_of(int body, const Vector3& anchor, const std::vector<Body>& bodies, const Motion* motion) {
-  if (body == fixed_world) return {.place = anchor};
-  const auto i = static_cast<std::size_t>(body);
-  End end;
-  end.orientation = motion[i].orientation;
-  end.arm = end.orientation * anchor;
-  end.place = motion[i].position + end.arm;
-  end.angular_velocity = angular_velocity(bodies[i], motion[i]);
-  end.velocity = velocity(bodies[i], motion[i]) + end.angular_velocity.cross(end.arm);
-  end.centripetal = end.angular_velocity.cross(end.angular_velocity.cross(end.arm));
-  return end;
-}
+using End = JointEnd;
 
 constexpr Real ulp = std::numeric_limits<Real>::epsilon();
 
@@ -34,6 +20,12 @@ Row row_of(const Joint& joint) {
   row.body = joint.body;
   row.to = joint.to;
   return row;
+}
+
+// Two unit vectors square to an axis.
+std::array<Vector3, 2> across(const Vector3& axis) {
+  const Vector3 first = axis.unitOrthogonal();
+  return {first, axis.cross(first)};
 }
 
 // c = x_a - x_b,  x = p + R r_0
@@ -50,22 +42,49 @@ void add_together(const Joint& joint, const End& a, const End& b, std::vector<Ro
   }
 }
 
-// c = u.h_a for two u of body b square to its axis, h_a the axis on a.
+// c = u.d,  d = x_a - x_b,  u carried by b
+void add_square_to(const Vector3& local, const Joint& joint, const End& a, const End& b,
+                   std::vector<Row>& rows) {
+  Row row = row_of(joint);
+  set_row_along(b.orientation * local, a, b, row);
+  rows.push_back(row);
+}
+
+// c = u.h,  h carried by a, u by b:
 //   s = h x u,  c' = s.(w_a - w_b),  bias = s'.(w_a - w_b),  s' = (w_a x h) x u + h x (w_b x u)
+void add_square(const Vector3& h, const Vector3& u, const Joint& joint, const End& a, const End& b,
+                std::vector<Row>& rows) {
+  Row row = row_of(joint);
+  const Vector3 change = a.angular_velocity.cross(h).cross(u) + h.cross(b.angular_velocity.cross(u));
+  set_row_about(h.cross(u), change, a, b, row);
+  row.offset = u.dot(h);
+  row.rounding = 4 * ulp;
+  rows.push_back(row);
+}
+
+// The axis of a is square to two directions that are square to the axis of b.
 void add_about_axis(const Joint& joint, const End& a, const End& b, std::vector<Row>& rows) {
-  const Vector3 h = a.orientation * joint.axis;
-  const Vector3 first = joint.to_axis.unitOrthogonal(), second = joint.to_axis.cross(first);
-  const Vector3 w = a.angular_velocity - b.angular_velocity;
-  for (const Vector3& local : {first, second}) {
-    const Vector3 u = b.orientation * local;
-    Row row = row_of(joint);
-    row.lever = row.to_lever = h.cross(u);
-    const Vector3 change = a.angular_velocity.cross(h).cross(u) + h.cross(b.angular_velocity.cross(u));
-    row.bias = change.dot(w);
-    row.offset = u.dot(h);
-    row.rounding = 4 * ulp;
-    rows.push_back(row);
-  }
+  for (const Vector3& local : across(joint.to_axis))
+    add_square(a.orientation * joint.axis, b.orientation * local, joint, a, b, rows);
+}
+
+// c = h.d - pitch angle,  the angle that of its turns for which c is nearest to zero; on the joint, where
+// d is along h,  c' = h.(v_a - v_b) - pitch h.(w_a - w_b)  with v at the anchors.
+void add_coupling(const Joint& joint, const End& a, const End& b, std::vector<Row>& rows) {
+  const Vector3 h = b.orientation * joint.to_axis, change = b.angular_velocity.cross(h);
+  Row row = row_of(joint), turn = row;
+  set_row_along(h, a, b, row);
+  set_row_about(h, change, a, b, turn);
+  row.lever -= joint.pitch * turn.lever;
+  row.to_lever -= joint.pitch * turn.to_lever;
+  row.bias -= joint.pitch * turn.bias;
+  // R_b^T R_a R_rel^T = (cos(angle/2), sin(angle/2) to_axis)
+  const Quaternion turned = b.orientation.conjugate() * a.orientation * joint.relative.conjugate();
+  const Real angle = 2 * std::atan2(turned.vec().dot(joint.to_axis), turned.w());
+  const Real along = row.offset / joint.pitch;
+  row.offset = joint.pitch * std::remainder(along - angle, 2 * std::numbers::pi_v<Real>);
+  row.rounding += 8 * ulp * std::abs(joint.pitch) * (1 + std::abs(along));
+  rows.push_back(row);
 }
 
 // c = the rotation vector of R_a (R_b R_rel)^T,  c' = w_a - w_b  where c is small
@@ -100,8 +119,9 @@ void add_at_length(const Joint& joint, const End& a, const End& b, std::vector<R
 }  // namespace
 
 int row_count(Joint::Type type) {
-  constexpr int of_place[] = {3, 1}, of_turn[] = {0, 2, 3};  // in the order of the enumerations
-  return of_place[static_cast<std::size_t>(type.place)] + of_turn[static_cast<std::size_t>(type.turn)];
+  constexpr int of_place[] = {3, 1, 2, 1}, of_turn[] = {0, 2, 1, 3};  // in the order of the enumerations
+  return of_place[static_cast<std::size_t>(type.place)] + of_turn[static_cast<std::size_t>(type.turn)] +
+         (type.couples ? 1 : 0);
 }
 
 void add_rows(const Joint& joint, const std::vector<Body>& bodies, const Motion* motion,
@@ -115,6 +135,12 @@ void add_rows(const Joint& joint, const std::vector<Body>& bodies, const Motion*
     case Joint::Place::at_length:
       add_at_length(joint, a, b, rows);
       break;
+    case Joint::Place::along_axis:
+      for (const Vector3& local : across(joint.to_axis)) add_square_to(local, joint, a, b, rows);
+      break;
+    case Joint::Place::in_plane:
+      add_square_to(joint.to_axis, joint, a, b, rows);
+      break;
   }
   switch (joint.type.turn) {
     case Joint::Turn::freely:
@@ -122,19 +148,31 @@ void add_rows(const Joint& joint, const std::vector<Body>& bodies, const Motion*
     case Joint::Turn::about_axis:
       add_about_axis(joint, a, b, rows);
       break;
+    case Joint::Turn::about_two_axes:
+      add_square(a.orientation * joint.axis, b.orientation * joint.to_axis, joint, a, b, rows);
+      break;
     case Joint::Turn::never:
       add_no_turn(joint, a, b, rows);
       break;
   }
+  if (joint.type.couples) add_coupling(joint, a, b, rows);
 }
 
-Misfit misfit_of_place(const Joint& joint, const Vector3& apart) {
+Misfit misfit_of_place(const Joint& joint, const Vector3& apart, const Quaternion& to) {
   switch (joint.type.place) {
     case Joint::Place::together:
       break;
     case Joint::Place::at_length: {
       const Vector3 n = apart.normalized();
       return {apart - joint.length * n, n * n.transpose()};
+    }
+    case Joint::Place::along_axis: {
+      const Vector3 n = to * joint.to_axis;
+      return {apart - n.dot(apart) * n, Matrix3::Identity() - n * n.transpose()};
+    }
+    case Joint::Place::in_plane: {
+      const Vector3 n = to * joint.to_axis;
+      return {n.dot(apart) * n, n * n.transpose()};
     }
   }
   return {.error = apart};
@@ -147,6 +185,11 @@ Misfit misfit_of_turn(const Joint& joint, const Quaternion& body, const Quaterni
     case Joint::Turn::about_axis: {
       const Vector3 axis = body * joint.axis;
       return {(to * joint.to_axis).cross(axis), Matrix3::Identity() - axis * axis.transpose()};
+    }
+    case Joint::Turn::about_two_axes: {
+      const Vector3 axis = body * joint.axis, to_axis = to * joint.to_axis;
+      const Vector3 n = axis.cross(to_axis).normalized();
+      return {axis.dot(to_axis) * n, n * n.transpose()};
     }
     case Joint::Turn::never:
       break;

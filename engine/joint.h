@@ -10,12 +10,12 @@ namespace cylon::engine {
 int row_count(Joint::Type);
 
 /// What a joint is off by, and the space of what it forbids (a projection): of its place, with `apart` [m]
-/// from the anchor on `to` to that on `body`, or of its turn, a rotation vector.
+/// from the anchor on `to` to that on `body`, or of its turn, a rotation vector.  Not of what couples.
 struct Misfit {
   Vector3 error = Vector3::Zero();
   Matrix3 space = Matrix3::Identity();
 };
-Misfit misfit_of_place(const Joint&, const Vector3& apart);
+Misfit misfit_of_place(const Joint&, const Vector3& apart, const Quaternion& to);
 Misfit misfit_of_turn(const Joint&, const Quaternion& body, const Quaternion& to);
 
 /// Adds the rows of a joint.  Solving c'' = 0 for their forces turns the mechanism into an ordinary

@@ -13,8 +13,10 @@ namespace {
 // All that one row names; a new feature is in none of them.
 constexpr Features all_forces = {Feature::spring,     Feature::damped_spring, Feature::off_centre_spring,
                                  Feature::drag,       Feature::thrust,        Feature::drive,
-                                 Feature::attraction, Feature::water};
-constexpr Features all_joints = {Feature::joint_together, Feature::joint_at_length, Feature::joint_about_axis,
+                                 Feature::attraction, Feature::water,         Feature::joint_law};
+constexpr Features all_joints = {Feature::joint_together,   Feature::joint_at_length,
+                                 Feature::joint_along_axis, Feature::joint_in_plane,
+                                 Feature::joint_about_axis, Feature::joint_about_two_axes,
                                  Feature::joint_never};
 constexpr Features all_contacts = {
     Feature::contact,     Feature::lasting_contact,  Feature::friction, Feature::sphere,
@@ -40,16 +42,18 @@ constexpr std::array rows = {
         {Feature::spin, Feature::pinned_body, Feature::own_gravity, Feature::chosen_integrator,
          Feature::late_start}},
     Row{Method::bodies, rigid_bodies | all_forces | all_joints |
-                            Features{Feature::pinned_body, Feature::one_axis_body, Feature::turning_frame,
+                            Features{Feature::joint_couples, Feature::quadratic_damping, Feature::pinned_body,
+                                     Feature::one_axis_body, Feature::guided_body, Feature::turning_frame,
                                      Feature::chosen_integrator, Feature::account, Feature::late_start,
                                      Feature::every_stage}},
     Row{Method::ballistic,
         {Feature::locked_body, Feature::spin, Feature::contact, Feature::friction, Feature::sphere,
          Feature::collision_filters, Feature::own_gravity, Feature::late_start}},
-    Row{Method::events,
-        rigid_bodies | all_forces | all_joints | all_contacts |
-            Features{Feature::pinned_body, Feature::one_axis_body, Feature::chosen_integrator,
-                     Feature::account, Feature::late_start, Feature::every_stage, Feature::path_events}},
+    Row{Method::events, rigid_bodies | all_forces | all_joints | all_contacts |
+                            Features{Feature::joint_couples, Feature::quadratic_damping, Feature::joint_limit,
+                                     Feature::joint_friction, Feature::pinned_body, Feature::one_axis_body,
+                                     Feature::guided_body, Feature::chosen_integrator, Feature::account,
+                                     Feature::late_start, Feature::every_stage, Feature::path_events}},
     Row{Method::sphere_steps,
         {Feature::locked_body, Feature::spin, Feature::contact, Feature::lasting_contact, Feature::friction,
          Feature::sphere, Feature::collision_filters, Feature::own_gravity, Feature::late_start,
@@ -74,6 +78,12 @@ void add_joint(Joint::Type type, Features& features) {
     case Joint::Place::at_length:
       features.add(Feature::joint_at_length);
       break;
+    case Joint::Place::along_axis:
+      features.add(Feature::joint_along_axis);
+      break;
+    case Joint::Place::in_plane:
+      features.add(Feature::joint_in_plane);
+      break;
   }
   switch (type.turn) {
     case Joint::Turn::freely:
@@ -81,10 +91,14 @@ void add_joint(Joint::Type type, Features& features) {
     case Joint::Turn::about_axis:
       features.add(Feature::joint_about_axis);
       break;
+    case Joint::Turn::about_two_axes:
+      features.add(Feature::joint_about_two_axes);
+      break;
     case Joint::Turn::never:
       features.add(Feature::joint_never);
       break;
   }
+  if (type.couples) features.add(Feature::joint_couples);
 }
 
 // The feature of a shape that may touch; a shape without one does not compile.
@@ -114,6 +128,7 @@ Features of_bodies(const Model& model) {
     if (body.gravity && !body.locked) all.add(Feature::own_gravity);
     if (body.pinned) all.add(Feature::pinned_body);
     if (body.one_axis) all.add(Feature::one_axis_body);
+    if (body.guide) all.add(Feature::guided_body);
   }
   return all;
 }

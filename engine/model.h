@@ -14,21 +14,25 @@
 namespace cylon::engine {
 
 /// Holds two bodies together, or one to the world.  Anchors and axes in body axes; world coordinates where
-/// `to` is the world.
+/// `to` is the world.  What acts on the coordinates that a joint leaves free is a force (CoordinateLaw).
 struct Joint {
   enum class Place {
-    together,  ///< The anchors coincide.
-    at_length  ///< The anchors keep the distance `length`.
+    together,    ///< The anchors coincide.
+    at_length,   ///< The anchors keep the distance `length`.
+    along_axis,  ///< The anchor on `body` stays on the line of `to_axis` through the anchor on `to`.
+    in_plane     ///< It stays in the plane square to `to_axis` there.
   };
   enum class Turn {
     freely,
-    about_axis,  ///< The axes coincide.
-    never        ///< The bodies do not turn against each other.
+    about_axis,      ///< The axes coincide.
+    about_two_axes,  ///< The axes stay square to each other.
+    never            ///< The bodies do not turn against each other.
   };
   /// What a joint keeps; every kind of joint is a place and a turn.
   struct Type {
     Place place = Place::together;
     Turn turn = Turn::freely;
+    bool couples = false;  ///< along_axis and about_axis: the displacement is `pitch` times the angle.
     friend bool operator==(const Type&, const Type&) = default;
   };
   Type type;
@@ -36,10 +40,11 @@ struct Joint {
   Vector3 anchor = Vector3::Zero();  ///< [m]
   int to = fixed_world;
   Vector3 to_anchor = Vector3::Zero();           ///< [m]
-  Vector3 axis = Vector3::UnitY();               ///< Of about_axis: unit.
-  Vector3 to_axis = Vector3::UnitY();            ///< Of about_axis: unit.
-  Quaternion relative = Quaternion::Identity();  ///< Of never: body to `to`, R_to^T R_body.
+  Vector3 axis = Vector3::UnitY();               ///< Of axes: unit.
+  Vector3 to_axis = Vector3::UnitY();            ///< Of axes, along_axis and in_plane: unit.
+  Quaternion relative = Quaternion::Identity();  ///< R_to^T R_body: of never always, of couples at angle 0.
   Real length = 0;                               ///< Of at_length: [m], > 0.
+  Real pitch = 0;                                ///< Of couples: [m/rad], not 0.
 };
 
 /// Physics of a pair of surfaces.

@@ -262,6 +262,11 @@ std::string unsupported(const Model& given, const Options& options, const Names&
     return std::string(integrator->name) +
            " cannot integrate joints: only compositions of RATTLE steps keep the constraints";
   }
+  if (integrator && integrator->kind == Kind::splitting && required(model).has(Feature::quadratic_damping)) {
+    return std::string(integrator->name) +
+           " cannot integrate quadratic damping: its kicks are exact for forces that are affine in the "
+           "momenta";
+  }
   const std::optional<Path> path = path_of(model, options);
   if (!path) return no_path(model, options);
   return options.force ? "" : unresolved(model, *path, names);

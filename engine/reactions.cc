@@ -39,6 +39,8 @@ std::optional<std::vector<Reaction>> reactions(const Model& model, const Snapsho
                                                const std::vector<Contact>& contacts) {
   for (const Contact& contact : contacts)
     if (!told(model, contact)) return std::nullopt;
+  for (const CoordinateLaw& law : model.forces.coordinate_laws)
+    if (law.is_limited() || law.friction > 0 || law.counts_turns()) return std::nullopt;
   const auto moves = [&](int body) { return body != fixed_world && !model.bodies[at(body)].locked; };
   std::vector<Reaction> result(model.joints.size());
   const Time dt = end.time - start.time;

@@ -30,7 +30,8 @@ struct Snapshot {
 
 /// Of each joint of a body that moves, from `start` to `end`.  Where joints hold the same twice (a closed
 /// loop of hinges), which of them bears what is open: those after take the least.  Nothing where a contact
-/// of the step does not tell its impulse.
+/// of the step does not tell its impulse, and where joints have limits or dry friction, which do not, or a spring
+/// of which the turns count, which two states do not tell.
 std::optional<std::vector<Reaction>> reactions(const Model&, const Snapshot& start, const Snapshot& end,
                                                const std::vector<Contact>& contacts);
 

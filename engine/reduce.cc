@@ -13,22 +13,22 @@ namespace {
 
 std::size_t at(int body) { return static_cast<std::size_t>(body); }
 
+// A joint to the world as the body sees it: its anchor and axis in body axes, and where they are held.
+struct Fastening {
+  Vector3 anchor, axis, place, to_axis;
+};
+
 // What a joint to the world may keep so that the body's own motion has coordinates without it.
 struct Reducible {
   Joint::Type type;
   const char* motion;  // that is left
+  bool (*pin)(Reduced&, int body, const Fastening&);
+  bool alone;  // not beside other joints, which would see a mass that is not the same in all directions
 };
-constexpr Joint::Type about_point{Joint::Place::together, Joint::Turn::freely},
-    about_axis{Joint::Place::together, Joint::Turn::about_axis},
-    on_rod{Joint::Place::at_length, Joint::Turn::freely};
-constexpr std::array reducible = {Reducible{about_point, "turns about a point"},
-                                  Reducible{about_axis, "turns about an axis"},
-                                  Reducible{on_rod, "keeps its distance from a point"}};
 
-const Reducible* find_reducible(Joint::Type type) {
-  const auto* row = std::ranges::find(reducible, type, &Reducible::type);
-  return row == reducible.end() ? nullptr : row;
-}
+const Reducible* find_reducible(Joint::Type type);
+
+constexpr Joint::Type on_rod{Joint::Place::at_length, Joint::Turn::freely};
 
 bool floats(const Model& model) {
   return std::any_of(model.forces.waters.begin(), model.forces.waters.end(),
@@ -97,10 +97,12 @@ void fasten(const Model& model, Joint& joint) {
   if (locked(joint.to)) {
     joint.to_anchor = place(joint.to, joint.to_anchor);
     joint.to_axis = model.motions[at(joint.to)].orientation * joint.to_axis;
+    joint.relative = model.motions[at(joint.to)].orientation * joint.relative;
     joint.to = fixed_world;
   } else if (joint.to != fixed_world) {
     joint.anchor = place(joint.body, joint.anchor);
     joint.axis = model.motions[at(joint.body)].orientation * joint.axis;
+    joint.relative = model.motions[at(joint.body)].orientation * joint.relative.conjugate();
     std::swap(joint.body, joint.to);
     std::swap(joint.anchor, joint.to_anchor);
     std::swap(joint.axis, joint.to_axis);
@@ -108,40 +110,117 @@ void fasten(const Model& model, Joint& joint) {
   }
 }
 
-// Requires find_reducible(joint.type).
-bool pin(Reduced& reduced, const Joint& joint) {
+// Moves the reference point of a body to where a joint holds it; about that
+//   L = L + r x K;  the pivot itself rests.
+void move_reference(Reduced& reduced, int i, const Vector3& shift, const Vector3& place) {
   Model& model = reduced.model;
-  const int i = joint.to == fixed_world ? joint.body : joint.to;
-  const bool first = i == joint.body;
-  Body& body = model.bodies[at(i)];
   Motion& motion = model.motions[at(i)];
-  const Vector3 anchor = first ? joint.anchor : joint.to_anchor;
-  const Vector3 place = first ? joint.to_anchor : joint.anchor;
-  if (body.locked || body.pinned) return false;
-
-  Vector3 shift = anchor;  // the new reference point from the old, body axes
-  if (joint.type == on_rod) {
-    if (!anchor.isZero(0) || !is_point(model, i)) return false;
-    // A rod without mass from the pivot to the point: c = R^T (p - x),  I = m (|c|^2 1 - c c^T).
-    const Vector3 c = motion.orientation.conjugate() * (motion.position - place);
-    reduced.readings[at(i)] = {i, true, true, motion.orientation, body.inertia};
-    body = pinned_body(body, shifted(Matrix3::Zero(), body.mass, c), c);
-    shift = -c;
-  } else {
-    const Matrix3 inertia = shifted(body.inertia, body.mass, -anchor);
-    reduced.readings[at(i)] = {i, true, false, {}, body.inertia};
-    body = joint.type == about_axis
-               ? one_axis_body(body, inertia, -anchor, first ? joint.axis : joint.to_axis)
-               : pinned_body(body, inertia, -anchor);
-  }
   shift_anchors(model, i, shift);
-
-  // L about the pivot = L + r x K;  the pivot itself rests.
-  const Vector3 r = motion.orientation * body.centre;
+  const Vector3 r = motion.orientation * model.bodies[at(i)].centre;
   motion.angular_momentum += r.cross(motion.momentum);
   motion.momentum.setZero();
   motion.position = place;
+}
+
+bool pin_at_point(Reduced& reduced, int i, const Fastening& f) {
+  Body& body = reduced.model.bodies[at(i)];
+  reduced.readings[at(i)] = {.body = i, .pinned = true, .inertia = body.inertia};
+  body = pinned_body(body, shifted(body.inertia, body.mass, -f.anchor), -f.anchor);
+  move_reference(reduced, i, f.anchor, f.place);
   return true;
+}
+
+bool pin_on_axis(Reduced& reduced, int i, const Fastening& f) {
+  Body& body = reduced.model.bodies[at(i)];
+  reduced.readings[at(i)] = {.body = i, .pinned = true, .inertia = body.inertia};
+  body = one_axis_body(body, shifted(body.inertia, body.mass, -f.anchor), -f.anchor, f.axis);
+  move_reference(reduced, i, f.anchor, f.place);
+  return true;
+}
+
+// A rod without mass from the pivot to the point: c = R^T (p - x),  I = m (|c|^2 1 - c c^T).
+bool put_on_rod(Reduced& reduced, int i, const Fastening& f) {
+  Body& body = reduced.model.bodies[at(i)];
+  const Motion& motion = reduced.model.motions[at(i)];
+  if (!f.anchor.isZero(0) || !is_point(reduced.model, i)) return false;
+  const Vector3 c = motion.orientation.conjugate() * (motion.position - f.place);
+  reduced.readings[at(i)] = {i, true, true, motion.orientation, body.inertia};
+  body = pinned_body(body, shifted(Matrix3::Zero(), body.mass, c), c);
+  move_reference(reduced, i, -c, f.place);
+  return true;
+}
+
+// Only moves along an axis:  K = a a^T K.
+bool put_on_line(Reduced& reduced, int i, const Fastening& f) {
+  Body& body = reduced.model.bodies[at(i)];
+  Motion& motion = reduced.model.motions[at(i)];
+  body.guide = f.to_axis * f.to_axis.transpose();
+  body.inverse_inertia.setZero(), body.inverse_moments.setZero();
+  motion.momentum = *body.guide * motion.momentum;
+  motion.angular_momentum.setZero();
+  return true;
+}
+
+// Moves along an axis and turns about it.  With the reference point on the axis and c from there to the centre,
+//   v = s' a,  w = t' a,  T = m s'^2/2 + (a.I_p a) t'^2/2:  both motions are independent, as a.(a x c) = 0.
+bool put_on_shaft(Reduced& reduced, int i, const Fastening& f) {
+  Body& body = reduced.model.bodies[at(i)];
+  Motion& motion = reduced.model.motions[at(i)];
+  const Vector3 momentum = motion.momentum, place = motion.position + motion.orientation * f.anchor;
+  const Real inverse_mass = body.inverse_mass;
+  pin_on_axis(reduced, i, {f.anchor, f.axis, place, f.to_axis});
+  body.pinned = false;
+  body.inverse_mass = inverse_mass;
+  body.guide = f.to_axis * f.to_axis.transpose();
+  motion.momentum = *body.guide * momentum;
+  return true;
+}
+
+// Moves in a plane and turns about its normal n through the centre of mass.
+bool put_in_plane(Reduced& reduced, int i, const Fastening& f) {
+  Body& body = reduced.model.bodies[at(i)];
+  Motion& motion = reduced.model.motions[at(i)];
+  const Real inverse_mass = body.inverse_mass;
+  reduced.readings[at(i)] = {.body = i, .pinned = true, .inertia = body.inertia};
+  body = one_axis_body(body, body.inertia, Vector3::Zero(), f.axis);
+  body.pinned = false;
+  body.inverse_mass = inverse_mass;
+  body.guide = Matrix3::Identity() - f.to_axis * f.to_axis.transpose();
+  motion.momentum = *body.guide * motion.momentum;
+  return true;
+}
+
+constexpr Joint::Type about_axis{Joint::Place::together, Joint::Turn::about_axis},
+    on_line{Joint::Place::along_axis, Joint::Turn::never},
+    on_shaft{Joint::Place::along_axis, Joint::Turn::about_axis},
+    in_plane{Joint::Place::in_plane, Joint::Turn::about_axis};
+constexpr std::array reducible = {
+    Reducible{{Joint::Place::together, Joint::Turn::freely}, "turns about a point", pin_at_point, false},
+    Reducible{about_axis, "turns about an axis", pin_on_axis, false},
+    Reducible{on_rod, "keeps its distance from a point", put_on_rod, false},
+    Reducible{on_line, "moves along an axis", put_on_line, true},
+    Reducible{on_shaft, "moves along an axis and turns about it", put_on_shaft, true},
+    Reducible{in_plane, "moves in a plane", put_in_plane, true}};
+
+const Reducible* find_reducible(Joint::Type type) {
+  const auto* row = std::ranges::find(reducible, type, &Reducible::type);
+  return row == reducible.end() ? nullptr : row;
+}
+
+bool is_alone(const Model& model, int body) {
+  return std::ranges::count_if(model.joints,
+                               [&](const Joint& j) { return j.body == body || j.to == body; }) == 1;
+}
+
+bool pin(Reduced& reduced, const Joint& joint, const Reducible& form) {
+  const Model& model = reduced.model;
+  const bool first = joint.to == fixed_world;
+  const int i = first ? joint.body : joint.to;
+  const Body& body = model.bodies[at(i)];
+  if (body.locked || body.pinned || body.guide || (form.alone && !is_alone(model, i))) return false;
+  const Fastening f = first ? Fastening{joint.anchor, joint.axis, joint.to_anchor, joint.to_axis}
+                            : Fastening{joint.to_anchor, joint.to_axis, joint.anchor, joint.axis};
+  return form.pin(reduced, i, f);
 }
 
 // The same bodies, those that can move first.
@@ -182,7 +261,7 @@ void reduce_joints(Reduced& reduced) {
     const bool touches = i != fixed_world && !m.surfaces.empty() && m.surfaces[at(i)] != no_surface;
     const Reducible* form = find_reducible(joint.type);
     if (to_world && form && !touches && !floats(m) && !m.frame && m.bodies[at(i)].mass_rate == 0 &&
-        pin(reduced, joint)) {
+        pin(reduced, joint, *form)) {
       reduced.pinned.push_back("body " + std::to_string(i) + " " + form->motion);
       m.joints.erase(m.joints.begin() + static_cast<std::ptrdiff_t>(k));
     } else {
@@ -193,12 +272,12 @@ void reduce_joints(Reduced& reduced) {
 
 Motion read(const Body& body, const Reading& reading, const Motion& motion) {
   if (!reading.pinned) return motion;
-  // p = x + R c,  K = m w x R c,  L_spin = R I R^T w
+  // p = x + R c,  K = K_x + m w x R c,  L_spin = R I R^T w;  K_x = 0 where the reference point rests
   const Matrix3 r = motion.orientation.toRotationMatrix();
   const Vector3 arm = r * body.centre, w = angular_velocity(body, motion);
   Motion out;
   out.position = motion.position + arm;
-  out.momentum = body.mass * w.cross(arm);
+  out.momentum = motion.momentum + body.mass * w.cross(arm);
   out.orientation = motion.orientation;
   out.angular_momentum = r * (reading.inertia * (r.transpose() * w));
   if (reading.keeps_orientation) {

@@ -173,7 +173,7 @@ std::string unresolved(const Model& model, Path path, const Names& names) {
   std::string reason = Places(model, names).coarse();
   const bool presses = !model.forces.only_gravity() || model.strongest_gravity() > 0 || !model.joints.empty();
   const bool by_events = path == Path::events || path == Path::ballistic;
-  if (reason.empty() && by_events && presses) reason = touching_masses(model, names);
+  if (reason.empty() && by_events && presses && can_touch(model)) reason = touching_masses(model, names);
   // A pile's impulses go from body to body, by the mass of each alone: the ratio is in no sum.
   if (reason.empty() && path != Path::stepping) reason = jointed_masses(model, names);
   return reason;

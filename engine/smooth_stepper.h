@@ -20,19 +20,38 @@ class SmoothStepper final : public SystemStepper<S, Read> {
       : Base(std::move(system), std::move(initial), dt, std::move(read), first),
         advance_(integrator, system_.size()) {}
 
+  /// A step that goes over a kink of the forces is made in parts.
   void step() override {
-    advance_(system_, static_cast<Time>(steps_) * dt_, dt_, y_.data());
+    if constexpr (Kinked<S>) {
+      const Time begin = static_cast<Time>(steps_) * dt_, end = begin + dt_, sliver = no_part * dt_;
+      Time now = begin;
+      system_.start_piece(now + sliver);
+      for (Time kink; (kink = system_.next_kink(now + sliver)) < end - sliver; now = kink) {
+        advance_(system_, now, kink - now, y_.data());
+        system_.start_piece(kink + sliver);
+      }
+      advance_(system_, now, now == begin ? dt_ : end - now, y_.data());
+    } else {
+      advance_(system_, static_cast<Time>(steps_) * dt_, dt_, y_.data());
+    }
     ++steps_;
   }
   /// The same motion as n single steps, to rounding: where a splitting's step ends with the part that the
   /// next begins with, the two are made as one, which rounds once in place of twice.  With joints, and by
   /// Runge-Kutta, the same bits if no force reads the time, which is t + i dt here and (n + i) dt there.
   void advance(std::int64_t n) override {
+    if constexpr (Kinked<S>) {
+      const Time begin = (static_cast<Time>(steps_) + no_part) * dt_;
+      if (system_.next_kink(begin) < static_cast<Time>(steps_ + n) * dt_) return Base::advance(n);
+      system_.start_piece(begin);
+    }
     advance_.run(system_, static_cast<Time>(steps_) * dt_, dt_, y_.data(), static_cast<std::size_t>(n));
     steps_ += n;
   }
 
  private:
+  static constexpr Time no_part = 1e-9;  // of a step: a kink so near to its end is there
+
   Advance<S> advance_;
 };
 

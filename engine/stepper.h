@@ -55,6 +55,9 @@ class Stepper {
     return none;
   }
 
+  /// Whether velocities jumped in the last step.
+  virtual bool struck() const { return !impacts().empty(); }
+
   /// Whether contacts() is wanted of the steps to come; the motion is the same.
   virtual void keep_contacts(bool keep) { keep_ = keep; }
 

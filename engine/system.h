@@ -21,4 +21,11 @@ concept System = requires(S& s, const S& c, Time t, Real h, const Real* from, Re
   s.project(y);     // back to where exact motion lives: unit quaternions, closed joints; once per step
 };
 
+/// Whether forces of a System are smooth in time by pieces only: no step of an integrator may go over a kink.
+template <class S>
+concept Kinked = requires(S& s, const S& c, Time t) {
+  { c.next_kink(t) } -> std::convertible_to<Time>;
+  s.start_piece(t);
+};
+
 }  // namespace cylon::engine

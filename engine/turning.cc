@@ -23,8 +23,8 @@ bool a_touch_turns(const Model& model, std::size_t body) {
 std::vector<char> bodies_that_turn(const Model& model) {
   std::vector<char> turns(model.bodies.size());
   for (std::size_t i = 0; i < turns.size(); ++i) {
-    turns[i] = model.bodies[i].pinned || a_touch_turns(model, i) || model.frame.has_value() ||
-               !model.motions[i].angular_momentum.isZero(0);
+    turns[i] = model.bodies[i].pinned || model.bodies[i].one_axis || a_touch_turns(model, i) ||
+               model.frame.has_value() || !model.motions[i].angular_momentum.isZero(0);
   }
   each_force(model.forces, [&](const auto& force) { force.mark_turned(turns); });
   const auto held_at = [&](int body, const Vector3& anchor) {
@@ -36,7 +36,8 @@ std::vector<char> bodies_that_turn(const Model& model) {
     held_at(j.to, twists ? Vector3(Vector3::Ones()) : j.to_anchor);
   }
   for (std::size_t i = 0; i < turns.size(); ++i) {
-    if (model.bodies[i].locked) turns[i] = 0;
+    const Body& body = model.bodies[i];
+    if (body.locked || (body.guide && !body.one_axis)) turns[i] = 0;
   }
   return turns;
 }

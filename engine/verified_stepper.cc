@@ -51,7 +51,7 @@ void VerifiedStepper::step() {
   ++steps_;
   for (;;) {
     const Real error = parted();
-    const bool struck = !coarse_->impacts().empty() || !fine_->impacts().empty();
+    const bool struck = coarse_->struck() || fine_->struck();
     if (error <= bound_ || (struck && !waiting_)) {
       waiting_ = error > bound_;
       last_ = error;

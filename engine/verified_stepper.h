@@ -26,6 +26,7 @@ class VerifiedStepper final : public Stepper {
   void step() override;
   void read(std::vector<Motion>& motions) const override { fine_->read(motions); }
   const std::vector<Impact>& impacts() const override { return fine_->impacts(); }
+  bool struck() const override { return fine_->struck(); }
   void keep_contacts(bool keep) override {
     Stepper::keep_contacts(keep);
     fine_->keep_contacts(keep);

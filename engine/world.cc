@@ -27,8 +27,11 @@ bool is_finite(const Motion& m) {
 }
 
 // Whether there is nothing to part: everything runs on purpose, or every body moves by itself in one run.
+// A part that begins anew does not know how many turns an angle has made.
 bool one_by_nature(const Model& model, const Options& options) {
   if (options.full || options.account) return true;
+  const auto counts_turns = [](const CoordinateLaw& law) { return law.counts_turns(); };
+  if (can_touch(model) && std::ranges::any_of(model.forces.coordinate_laws, counts_turns)) return true;
   if (!model.joints.empty() || !model.forces.only_gravity() || can_touch(model) || model.frame ||
       std::any_of(model.bodies.begin(), model.bodies.end(),
                   [](const Body& b) { return b.locked || b.mass_rate != 0; }))

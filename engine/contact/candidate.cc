@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <stdexcept>
 
 namespace cylon::engine {
@@ -119,6 +120,44 @@ TouchPoint round_touch(const Candidate& c, const Model& model, const Motion* mot
   return touch;
 }
 
+// A coordinate at a limit, g = q - lower or upper - q, or with dry friction.
+TouchPoint joint_touch(const Candidate& c, const Model& model, const Motion* motion) {
+  const CoordinateLaw& law = model.forces.coordinate_laws[index(c.law)];
+  TouchPoint touch;
+  touch.normal = Vector3::UnitX();
+  touch.row = row_of(law.at, model.bodies, motion);
+  if (c.kind == Candidate::Kind::dry) {
+    touch.axis = 1;
+    touch.bound = law.friction;
+    return touch;
+  }
+  touch.restitution = law.restitution;
+  touch.gap = touch.row->offset - law.lower;
+  if (c.kind == Candidate::Kind::lower) return touch;
+  touch.gap = law.upper - touch.row->offset;
+  Row& row = *touch.row;
+  row.direction = -row.direction, row.lever = -row.lever, row.to_lever = -row.to_lever, row.bias = -row.bias;
+  return touch;
+}
+
+void add_joints(const Model& model, int pair, std::vector<Candidate>& candidates) {
+  for (std::size_t k = 0; k < model.forces.coordinate_laws.size(); ++k) {
+    const CoordinateLaw& law = model.forces.coordinate_laws[k];
+    const auto add = [&](Candidate::Kind kind) {
+      Candidate c;
+      c.kind = kind;
+      c.body = law.at.body, c.other = law.at.to;
+      c.law = static_cast<int>(k);
+      c.pair = pair++;
+      c.material = {law.restitution, kind == Candidate::Kind::dry ? law.friction : 0};
+      candidates.push_back(c);
+    };
+    if (law.has_lower()) add(Candidate::Kind::lower);
+    if (law.has_upper()) add(Candidate::Kind::upper);
+    if (law.friction > 0) add(Candidate::Kind::dry);
+  }
+}
+
 }  // namespace
 
 std::vector<Candidate> find_candidates(const Model& model, const std::vector<std::size_t>& given) {
@@ -169,15 +208,18 @@ std::vector<Candidate> find_candidates(const Model& model, const std::vector<std
       result.push_back(c);
     }
   }
+  add_joints(model, pair, result);
   return result;
 }
 
 TouchPoint touch_at(const Candidate& c, const Model& model, const Motion* motion) {
-  TouchPoint touch =
-      c.kind == Candidate::Kind::corner ? corner_touch(c, model, motion) : round_touch(c, model, motion);
+  TouchPoint touch = is_of_joint(c)                      ? joint_touch(c, model, motion)
+                     : c.kind == Candidate::Kind::corner ? corner_touch(c, model, motion)
+                                                         : round_touch(c, model, motion);
   touch.body = c.body;
   touch.other = c.other;
   touch.pair = c.pair;
+  if (is_of_joint(c)) return touch;
   touch.restitution = c.material.restitution;
   touch.friction = c.material.friction;
   return touch;
@@ -220,6 +262,10 @@ bool touches_of(const Candidate& c, const Model& model, const Motion* motion, Re
 }
 
 Real gap_scale(const Candidate& c, const Model& model, const Motion* motion) {
+  if (is_of_joint(c)) {
+    const Row row = row_of(model.forces.coordinate_laws[index(c.law)].at, model.bodies, motion);
+    return std::abs(row.offset) + row.rounding / (4 * std::numeric_limits<Real>::epsilon());
+  }
   Real scale = motion[index(c.body)].position.norm() + c.reach;
   if (c.other != fixed_world) return scale + motion[index(c.other)].position.norm() + c.other_reach;
   return scale + std::abs(model.planes[index(c.plane)].offset);

@@ -31,6 +31,7 @@ Real free_acceleration(const Row& row, const Instant& now) {
 
 // The part of du/dt that the velocities alone make: w_a x (x' - v_a) - w_b x (x' - v_b).
 Vector3 drift_of_slip(const TouchPoint& touch, const Instant& now) {
+  if (touch.row) return Vector3::Zero();  // its row has a bias
   const auto side = [&](int body) -> Vector3 {
     const std::size_t i = index(body);
     if (!rotates(now.bodies[i])) return Vector3::Zero();
@@ -86,7 +87,7 @@ ContactForces report(const Assembly& a, std::span<const TouchPoint> touches, con
     p.holding.slip = a.frames[i].col(1) * holds[i].slip.x() + a.frames[i].col(2) * holds[i].slip.y();
     p.force = a.frames[i] * force.segment<3>(n);
     p.normal = force[n];
-    p.reserve = touches[i].friction * force[n] - force.segment<2>(n + 1).norm();
+    p.reserve = touches[i].bound + touches[i].friction * force[n] - force.segment<2>(n + 1).norm();
     p.slip_speed = a.slips[i].dot(p.holding.slip);
     p.parting = rate[n];
     support.points.push_back(p);
@@ -110,7 +111,8 @@ void stick_where_still(const CoulombProblem& problem, CoulombSolution& solution)
   std::vector<Hold> holds = solution.hold;
   bool any = false;
   for (std::size_t i = 0; i < holds.size(); ++i) {
-    if (holds[i].grip != Grip::slides || holds[i].given || !(problem.friction[i] > 0)) continue;
+    if (holds[i].grip != Grip::slides || holds[i].given) continue;
+    if (!(problem.friction[i] > 0 || problem.bound_of(i) > 0)) continue;
     Hold still = holds[i];
     still.grip = Grip::sticks;
     std::swap(still, holds[i]);
@@ -166,9 +168,10 @@ ContactForces find_contact_forces(std::span<const TouchPoint> touches, std::span
   for (std::size_t i = 0; i < guess.size(); ++i) {
     a.problem.guess.push_back(a.problem.hold[i]);
     if (a.problem.hold[i].given) continue;
-    a.problem.guess.back().grip = touches[i].friction > 0 && guess[i].grip != Grip::parts ? Grip::sticks
-                                  : guess[i].grip == Grip::parts                          ? Grip::parts
-                                                                                          : Grip::slides;
+    const bool dry = touches[i].bound > 0, parts = guess[i].grip == Grip::parts && !dry;
+    a.problem.guess.back().grip = (touches[i].friction > 0 || dry) && !parts ? Grip::sticks
+                                  : parts                                    ? Grip::parts
+                                                                             : Grip::slides;
   }
   start_from(a.problem, a.frames, guess);
   a.problem.most_sweeps = 200;
@@ -192,7 +195,7 @@ ContactForces held_contact_forces(std::span<const TouchPoint> touches, std::span
   std::vector<Hold> holds(touches.size());
   for (std::size_t i = 0; i < touches.size(); ++i) {
     holds[i].grip = holdings[i].grip;
-    if (holds[i].grip != Grip::slides || touches[i].friction == 0) continue;
+    if (holds[i].grip != Grip::slides || (touches[i].friction == 0 && touches[i].bound == 0)) continue;
     // d = w/|w|,  w = u - s d_0 + sqrt(s^2 + slow^2) d_0,  s = u.d_0
     const Vector3& d_0 = holdings[i].slip;
     const Real s = a.slips[i].dot(d_0);
@@ -213,6 +216,15 @@ ContactForces held_contact_forces(std::span<const TouchPoint> touches, std::span
   for (std::size_t i = 0; i < touches.size(); ++i)
     support.points[i].slip_speed = a.slips[i].dot(holdings[i].slip);
   return support;
+}
+
+std::vector<Real> free_partings(std::span<const TouchPoint> touches, std::span<const Row> joints,
+                                const Instant& now) {
+  const Assembly a = assemble(touches, joints, now);
+  std::vector<Real> result;
+  for (std::size_t i = 0; i < touches.size(); ++i)
+    result.push_back(a.problem.offset[3 * static_cast<Eigen::Index>(i)]);
+  return result;
 }
 
 bool balanced(const ContactForces& support, const Instant& now) {

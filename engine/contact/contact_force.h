@@ -27,7 +27,7 @@ struct ContactForce {
   Holding holding;
   Vector3 force = Vector3::Zero();  ///< On `body`, world axes [N].
   Real normal = 0;                  ///< N [N]; < 0: it ought to part.
-  Real reserve = 0;                 ///< mu N - |T| where it sticks [N]; < 0: it ought to slip.
+  Real reserve = 0;                 ///< b + mu N - |T| where it sticks [N]; < 0: it ought to slip.
   Real slip_speed = 0;              ///< u.d where it slides [m/s]; < 0: it ought to stick or to turn round.
   Real parting = 0;                 ///< g'' with all forces [m/s^2].
 };
@@ -63,6 +63,9 @@ ContactForces find_contact_forces(std::span<const TouchPoint>, std::span<const R
 /// the rate at which friction turns slip grows with 1/|u|, and so does the work to follow it.
 ContactForces held_contact_forces(std::span<const TouchPoint>, std::span<const Holding>,
                                   std::span<const Row> joints, const Instant&, Real slow);
+
+/// g'' of each point under the loads and the joints alone [m/s^2].
+std::vector<Real> free_partings(std::span<const TouchPoint>, std::span<const Row> joints, const Instant&);
 
 /// Whether loads and support leave every body that can move without force and torque, to rounding.
 bool balanced(const ContactForces&, const Instant&);

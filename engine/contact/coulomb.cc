@@ -14,6 +14,12 @@ constexpr Real ulp = std::numeric_limits<Real>::epsilon();
 
 Eigen::Index at(std::size_t point) { return 3 * static_cast<Eigen::Index>(point); }
 
+bool is_dry(const CoulombProblem& p, std::size_t i) { return p.bound_of(i) > 0; }
+bool is_rough(const CoulombProblem& p, std::size_t i) { return p.friction[i] > 0 || is_dry(p, i); }
+Real edge_of(const CoulombProblem& p, std::size_t i, Real normal) {
+  return p.bound_of(i) + p.friction[i] * normal;
+}
+
 // A pivot below this part of the largest follows from the others: 1e-11 in double, 1e-5 in float, which is
 // rounding times the condition of a well-posed contact (redundant ones stay at rounding itself).
 Real dependent() { return std::pow(ulp, Real(0.7)); }
@@ -69,14 +75,28 @@ VectorX least_norm(const CoulombProblem& p, const std::vector<Hold>& hold, const
                    const VectorX& start = {}, bool* unique = nullptr) {
   const Eigen::Index size = p.offset.size();
   Eigen::Index unknowns = 0;
-  for (const Hold& h : hold) unknowns += h.grip == Grip::sticks ? 3 : h.grip == Grip::slides ? 1 : 0;
+  for (std::size_t i = 0; i < hold.size(); ++i)
+    unknowns += hold[i].grip == Grip::sticks   ? (is_dry(p, i) ? 1 : 3)
+                : hold[i].grip == Grip::slides ? (is_dry(p, i) ? 0 : 1)
+                                               : 0;
   VectorX force = VectorX::Zero(size);
   if (unique) *unique = unknowns == 0;
-  if (unknowns == 0) return force;
+  if (unknowns == 0) {
+    for (std::size_t i = 0; i < hold.size(); ++i)
+      if (is_dry(p, i)) force.segment<2>(at(i) + 1) = -p.bound[i] * hold[i].slip;
+    return force;
+  }
   MatrixX basis = MatrixX::Zero(size, unknowns), equations = MatrixX::Zero(unknowns, size);
   Eigen::Index column = 0;
   for (std::size_t i = 0; i < hold.size(); ++i) {
     if (hold[i].grip == Grip::parts) continue;
+    if (is_dry(p, i)) {
+      if (hold[i].grip != Grip::sticks) continue;
+      basis(at(i) + 1, column) = 1;
+      equations(column, at(i) + 1) = 1;
+      ++column;
+      continue;
+    }
     basis(at(i), column) = 1;
     equations(column, at(i)) = 1;
     if (hold[i].grip == Grip::slides) {
@@ -97,6 +117,8 @@ VectorX least_norm(const CoulombProblem& p, const std::vector<Hold>& hold, const
     if (hold[i].grip == Grip::slides)
       from.segment<2>(at(i) + 1) = -p.friction[i] * from[at(i)] * hold[i].slip;
   }
+  for (std::size_t i = 0; i < hold.size(); ++i)
+    if (is_dry(p, i) && hold[i].grip == Grip::slides) from.segment<2>(at(i) + 1) = -p.bound[i] * hold[i].slip;
   const MatrixX system = equations * p.response * basis;
   const VectorX wanted = -(equations * (p.offset + p.response * from));
   const LeastNorm decomposition(system, dependent());
@@ -117,7 +139,7 @@ bool polish(const CoulombProblem& p, std::vector<Hold>& hold, VectorX& f) {
   const Eigen::Index size = p.offset.size();
   bool sought = false;
   for (std::size_t i = 0; i < hold.size(); ++i) {
-    sought = sought || (hold[i].grip == Grip::slides && !hold[i].given && p.friction[i] > 0);
+    sought = sought || (hold[i].grip == Grip::slides && !hold[i].given && is_rough(p, i));
   }
   if (!sought) return true;
   for (int iteration = 0; iteration < 20; ++iteration) {
@@ -141,14 +163,15 @@ bool polish(const CoulombProblem& p, std::vector<Hold>& hold, VectorX& f) {
       }
       const Vector2 slip = u.segment<2>(n + 1);
       const Real speed = slip.norm();
-      if (!h.given && p.friction[i] > 0) {
+      const Real edge = edge_of(p, i, f[n]);
+      if (!h.given && is_rough(p, i)) {
         if (!(speed > 0)) return false;
         h.slip = slip / speed;
         const Eigen::Matrix<Real, 2, 2> turn =
             (Eigen::Matrix<Real, 2, 2>::Identity() - h.slip * h.slip.transpose()) / speed;
-        jacobian.middleRows<2>(n + 1) = p.friction[i] * f[n] * turn * p.response.middleRows<2>(n + 1);
+        jacobian.middleRows<2>(n + 1) = edge * turn * p.response.middleRows<2>(n + 1);
       }
-      residual.segment<2>(n + 1) = f.segment<2>(n + 1) + p.friction[i] * f[n] * h.slip;
+      residual.segment<2>(n + 1) = f.segment<2>(n + 1) + edge * h.slip;
       jacobian.block<2, 1>(n + 1, n) += p.friction[i] * h.slip;
       jacobian.block<2, 2>(n + 1, n + 1) += Eigen::Matrix<Real, 2, 2>::Identity();
     }
@@ -198,7 +221,9 @@ bool sweep(const CoulombProblem& p, int sweeps, VectorX& f, std::vector<Hold>& h
       const Matrix3 a = p.response.block<3, 3>(at(i), at(i));
       const Vector3 old = f.segment<3>(at(i));
       const Vector3 q = p.response.middleRows<3>(at(i)) * f - a * old + p.offset.segment<3>(at(i));
-      const PointForce now = solve_point(a, q, p.friction[i], hold[i].given ? p.hold[i] : Hold{});
+      const Hold start = hold[i].given ? p.hold[i] : Hold{};
+      const PointForce now = is_dry(p, i) ? solve_dry(a(1, 1), q[1], p.bound[i], start)
+                                          : solve_point(a, q, p.friction[i], start);
       f.segment<3>(at(i)) = now.force;
       hold[i] = now.hold;
       change = std::max(change, (now.force - old).norm());
@@ -217,13 +242,14 @@ std::vector<Hold> read_holds(const CoulombProblem& p, const VectorX& f, Real nea
   for (std::size_t i = 0; i < hold.size(); ++i) {
     hold[i].given = p.hold[i].given;
     const Real f_n = f[at(i)];
-    const bool presses = press_when_in_doubt ? u[at(i)] <= nearly * u_scale : f_n > nearly * f_scale;
+    const bool presses =
+        is_dry(p, i) || (press_when_in_doubt ? u[at(i)] <= nearly * u_scale : f_n > nearly * f_scale);
     if (!presses) {
       hold[i].grip = Grip::parts;
     } else if (hold[i].given) {
       hold[i].grip = Grip::slides;
       hold[i].slip = p.hold[i].slip;
-    } else if (p.friction[i] == 0) {
+    } else if (!is_rough(p, i)) {
       hold[i].grip = Grip::slides;
     } else {
       const Vector2 slip = u.segment<2>(at(i) + 1);
@@ -252,6 +278,10 @@ bool share_within_cones(const CoulombProblem& p, const std::vector<Hold>& hold, 
     for (std::size_t i = 0; i < hold.size(); ++i) {
       // Onto |f_t| <= m f_n:  (f_n + m |f_t|)/(1 + m^2) times (1, m) on its edge, or its tip.
       const Real m = inner * p.friction[i], size = f.segment<2>(at(i) + 1).norm();
+      if (is_dry(p, i)) {
+        if (size > inner * p.bound[i]) f.segment<2>(at(i) + 1) *= inner * p.bound[i] / size;
+        continue;
+      }
       if (hold[i].grip != Grip::sticks || size <= m * f[at(i)]) continue;
       const Real along = std::max<Real>(0, (f[at(i)] + m * size) / (1 + m * m));
       f[at(i)] = along;
@@ -285,7 +315,7 @@ CoulombSolution solve_scaled(const CoulombProblem& p) {
   CoulombSolution solution;
   solution.hold = p.hold;
   for (std::size_t i = 0; i < p.hold.size(); ++i) {
-    if (!p.hold[i].given) solution.hold[i] = Hold{p.friction[i] > 0 ? Grip::sticks : Grip::slides};
+    if (!p.hold[i].given) solution.hold[i] = Hold{is_rough(p, i) ? Grip::sticks : Grip::slides};
   }
   // First guess: all that touches holds.
   std::vector<Hold> hold = solution.hold;
@@ -302,7 +332,7 @@ CoulombSolution solve_scaled(const CoulombProblem& p) {
     VectorX force = f;
     for (std::size_t i = 0; i < loose.size(); ++i) {
       const Vector2 pull = f.segment<2>(at(i) + 1);
-      const bool beyond = pull.norm() > p.friction[i] * f[at(i)];
+      const bool beyond = pull.norm() > edge_of(p, i, f[at(i)]);
       if (loose[i].grip != Grip::sticks || !(all || beyond) || !(pull.norm() > 0)) continue;
       loose[i].grip = Grip::slides;
       loose[i].slip = -direction(pull);
@@ -373,10 +403,10 @@ VectorX relaxed_force(const CoulombProblem& p, int rounds) {
     for (std::size_t i = 0; i < p.friction.size(); ++i) {
       const Eigen::Index n = at(i);
       const Matrix3 a = p.response.block<3, 3>(n, n);
-      if (!(a(0, 0) > 0)) continue;
+      if (!(a(0, 0) > 0) && !is_dry(p, i)) continue;
       const Vector3 old = f.segment<3>(n);
-      f[n] = std::max<Real>(0, old[0] - (p.response.row(n).dot(f) + p.offset[n]) / a(0, 0));
-      const Real stiff = std::max(a(1, 1), a(2, 2)), edge = p.friction[i] * f[n];
+      if (a(0, 0) > 0) f[n] = std::max<Real>(0, old[0] - (p.response.row(n).dot(f) + p.offset[n]) / a(0, 0));
+      const Real stiff = std::max(a(1, 1), a(2, 2)), edge = edge_of(p, i, f[n]);
       const Vector2 u = p.response.middleRows<2>(n + 1) * f + p.offset.segment<2>(n + 1);
       const Vector2 held = stiff > 0 ? Vector2(old.tail<2>() - u / stiff) : Vector2(Vector2::Zero());
       const Real size = held.norm();
@@ -397,11 +427,11 @@ bool obeys(const CoulombProblem& p, const std::vector<Hold>& hold, const VectorX
     const Real f_small = r.force[static_cast<Eigen::Index>(i)],
                u_small = r.rate[static_cast<Eigen::Index>(i)];
     const Vector2 f_t = f.segment<2>(at(i) + 1), u_t = u.segment<2>(at(i) + 1);
-    const Real edge = p.friction[i] * f_n;
+    const Real edge = edge_of(p, i, f_n);
     if (f_n < -f_small || u_n < -u_small) return false;
     switch (hold[i].grip) {
       case Grip::parts:
-        if (f.segment<3>(at(i)).norm() > f_small) return false;
+        if (is_dry(p, i) || f.segment<3>(at(i)).norm() > f_small) return false;
         break;
       case Grip::sticks:
         if (std::abs(u_n) > u_small || u_t.norm() > u_small || f_t.norm() > edge + f_small) return false;
@@ -411,7 +441,7 @@ bool obeys(const CoulombProblem& p, const std::vector<Hold>& hold, const VectorX
           return false;
         }
         const bool against = (u_t - u_t.norm() * hold[i].slip).norm() <= 2 * u_small;
-        if (!hold[i].given && p.friction[i] > 0 && !against) return false;
+        if (!hold[i].given && is_rough(p, i) && !against) return false;
         break;
       }
     }
@@ -424,6 +454,7 @@ CoulombSolution solve(const CoulombProblem& p) {
   CoulombProblem scaled = p;
   scaled.response = s.asDiagonal() * p.response * s.asDiagonal();
   scaled.offset = s.cwiseProduct(p.offset);
+  for (std::size_t i = 0; i < p.bound.size(); ++i) scaled.bound[i] /= s[at(i)];
   scaled.start.resize(0);
   if (!p.guess.empty()) {
     CoulombSolution guessed;

@@ -4,7 +4,8 @@
 // Each point has three coordinates: normal n, and tangents s, t.  With u = A f + q, A symmetric and positive
 // semidefinite, Coulomb's law in the cone (not a pyramid) reads, point by point,
 //   f_n >= 0,  u_n >= 0,  f_n u_n = 0,
-//   |f_t| <= mu f_n,  and  f_t = -mu f_n u_t/|u_t|  where u_t does not vanish.
+//   |f_t| <= b + mu f_n,  and  f_t = -(b + mu f_n) u_t/|u_t|  where u_t does not vanish.
+// b is zero but for dry friction that nothing presses (in a joint), which has b alone, and u_t along s alone.
 // Signorini's and Coulomb's conditions as in J. J. Moreau, Unilateral contact and dry friction in finite
 // freedom dynamics (1988), section 6-9.
 #pragma once
@@ -12,6 +13,7 @@
 #include "engine/contact/least_norm.h"
 #include "engine/vector.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace cylon::engine {
@@ -20,7 +22,7 @@ using Vector2 = Eigen::Matrix<Real, 2, 1>;
 
 enum class Grip {
   parts,   ///< No force.
-  slides,  ///< f_t = -mu f_n d, d the unit direction of slip.
+  slides,  ///< f_t = -(b + mu f_n) d, d the unit direction of slip.
   sticks   ///< u_t = 0.
 };
 
@@ -35,11 +37,14 @@ struct CoulombProblem {
   MatrixX response;            ///< A, 3 k x 3 k.
   VectorX offset;              ///< q, 3 k.
   std::vector<Real> friction;  ///< mu, k.
+  std::vector<Real> bound;     ///< b, k or none.
   std::vector<int> pair;       ///< k; points of one pair share redundant forces evenly.
   std::vector<Hold> hold;      ///< k; only the holds that are given count.
   std::vector<Hold> guess;     ///< k or none: tried before anything else.
   int most_sweeps = 4000;      ///< Rounds of the iteration, the last resort.
   VectorX start;               ///< 3 k or none: held_force() departs from it as little as it can.
+
+  Real bound_of(std::size_t i) const { return bound.empty() ? Real(0) : bound[i]; }
 };
 
 struct CoulombSolution {

@@ -2,6 +2,7 @@
 
 #include "engine/root.h"
 
+#include <cmath>
 #include <numbers>
 
 namespace cylon::engine {
@@ -107,6 +108,18 @@ PointForce solve_point(const Matrix3& a, const Vector3& q, Real mu, const Hold& 
     result.force = frictionless;
     result.hold.slip = first;
   }
+  return result;
+}
+
+PointForce solve_dry(Real response, Real offset, Real bound, const Hold& hold) {
+  PointForce result;
+  result.hold = hold;
+  const Real wanted = response > 0 ? -offset / response : Real(0);
+  if (!hold.given) {
+    result.hold.grip = std::abs(wanted) <= bound ? Grip::sticks : Grip::slides;
+    result.hold.slip = Vector2(wanted > 0 ? -1 : 1, 0);
+  }
+  result.force = Vector3(0, result.hold.grip == Grip::sticks ? wanted : -bound * result.hold.slip.x(), 0);
   return result;
 }
 

@@ -21,4 +21,7 @@ struct PointForce {
 /// and of several the one that takes most energy, least f.q + f.A f/2.
 PointForce solve_point(const Matrix3& response, const Vector3& offset, Real friction, const Hold& hold);
 
+/// The same of dry friction that nothing presses, along s alone:  u = A f + q,  |f| <= bound.
+PointForce solve_dry(Real response, Real offset, Real bound, const Hold& hold);
+
 }  // namespace cylon::engine

@@ -31,13 +31,22 @@ VectorX speeds(const Response& response, const std::vector<Body>& bodies, const 
   const std::vector<Row>& rows = response.rows();
   VectorX speed = VectorX::Zero(static_cast<Eigen::Index>(rows.size()));
   for (Eigen::Index i = 0; i < response.contact_rows(); ++i)
-    speed[i] = row_speed(rows[static_cast<std::size_t>(i)], bodies, motion);
+    speed[i] = speed_of(rows[static_cast<std::size_t>(i)], bodies, motion);
   return speed;
 }
 
 }  // namespace
 
 Real speed_rounding(const TouchPoint& touch, const std::vector<Body>& bodies, const Motion* motion) {
+  if (touch.row) {
+    const auto terms = [&](int body, const Vector3& lever) {
+      return touch.row->direction.norm() * velocity(bodies[index(body)], motion[index(body)]).norm() +
+             lever.norm() * angular_velocity(bodies[index(body)], motion[index(body)]).norm();
+    };
+    return 32 * ulp *
+           (terms(touch.body, touch.row->lever) +
+            (touch.other != fixed_world ? terms(touch.other, touch.row->to_lever) : Real(0)));
+  }
   const auto size = [&](int body) {
     const Body& b = bodies[index(body)];
     const Motion& m = motion[index(body)];
@@ -69,6 +78,7 @@ ImpactOutcome strike_at_once(std::span<const TouchPoint> touches, std::span<cons
     bounces = bounces || touches[i].restitution > 0;
   }
   CoulombProblem problem = coulomb_problem(response, touches, wanted);
+  problem.bound.assign(touches.size(), 0);  // a force that is bounded has no impulse
   if (memory) problem.guess = *memory;
   const CoulombSolution solution = solve(problem);
   if (memory && solution.exact) *memory = solution.hold;
@@ -103,8 +113,11 @@ bool stop_slip(std::span<const TouchPoint> touches, std::span<const Row> joints,
                const std::vector<Body>& bodies, Motion* motion) {
   const Response response(touches, joints, bodies, motion);
   const VectorX free = speeds(response, bodies, motion);
-  const CoulombProblem problem = coulomb_problem(response, touches, response.offset(free));
-  const std::vector<Hold> holds(touches.size());  // all stick
+  CoulombProblem problem = coulomb_problem(response, touches, response.offset(free));
+  problem.bound.assign(touches.size(), 0);
+  std::vector<Hold> holds(touches.size());  // all points stick
+  for (std::size_t i = 0; i < touches.size(); ++i)
+    if (touches[i].row) holds[i].grip = Grip::slides;
   const VectorX impulse = held_force(problem, holds);
   if (!obeys(problem, holds, impulse)) return false;
   apply_impulses(response.rows(), response.multipliers(free, impulse), bodies, motion);

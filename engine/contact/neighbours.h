@@ -14,7 +14,7 @@ class Neighbours {
   /// Keeps a reference to the candidates.
   Neighbours(const std::vector<Candidate>&, const std::vector<Body>&);
 
-  /// Numbers of candidates, ascending: those with a plane, and the pairs whose bounding balls may come nearer
+  /// Numbers of candidates, ascending: those with a plane and those of joints, and the pairs whose bounding balls may come nearer
   /// than `margin` [m] while each body i is at most away(i, place) [m] from any place.  Valid until the next
   /// call.
   template <class Away>

@@ -44,6 +44,14 @@ Matrix3 contact_frame(const Vector3& normal) {
 
 void append_rows(const TouchPoint& touch, const std::vector<Body>& bodies, const Motion* motion,
                  std::vector<Row>& rows) {
+  if (touch.row) {
+    Row none;
+    none.body = touch.body;
+    none.to = touch.other;
+    for (int axis = 0; axis < 3; ++axis) rows.push_back(axis == touch.axis ? *touch.row : none);
+    fill_spins(rows[rows.size() - 3 + static_cast<std::size_t>(touch.axis)], bodies, motion);
+    return;
+  }
   const Matrix3 frame = contact_frame(touch.normal);
   const Vector3 arm = touch.position - motion[index(touch.body)].position;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
@@ -100,19 +108,6 @@ VectorX Response::multipliers(const VectorX& free, const VectorX& contact_force)
   return lambda;
 }
 
-Real row_speed(const Row& row, const std::vector<Body>& bodies, const Motion* motion) {
-  const auto side = [&](int body, const Vector3& lever) {
-    const Body& b = bodies[index(body)];
-    const Motion& m = motion[index(body)];
-    Real u = row.direction.dot(velocity(b, m));
-    if (rotates(b)) u += lever.dot(angular_velocity(b, m));
-    return u;
-  };
-  Real u = side(row.body, row.lever);
-  if (row.to != fixed_world) u -= side(row.to, row.to_lever);
-  return u;
-}
-
 void apply_impulses(std::span<const Row> rows, const VectorX& lambda, const std::vector<Body>& bodies,
                     Motion* motion) {
   const auto give = [&](int body, const Vector3& direction, const Vector3& lever) {
@@ -137,6 +132,7 @@ CoulombProblem coulomb_problem(const Response& response, std::span<const TouchPo
   problem.offset = std::move(offset);
   for (const TouchPoint& touch : touches) {
     problem.friction.push_back(touch.friction);
+    problem.bound.push_back(touch.bound);
     problem.pair.push_back(touch.pair);
     problem.hold.emplace_back();
   }

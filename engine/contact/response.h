@@ -13,7 +13,8 @@ namespace cylon::engine {
 /// Columns n, s, t: right-handed, unit.
 Matrix3 contact_frame(const Vector3& normal);
 
-/// Rows n, s, t of the point: directions, levers about the reference points and the spins they cause.
+/// Rows n, s, t of the point: directions, levers about the reference points and the spins they cause; of a
+/// coordinate its row and two that are zero.
 void append_rows(const TouchPoint&, const std::vector<Body>&, const Motion*, std::vector<Row>&);
 
 /// Rows of contacts, three per point, and of joints after them.  Joints pull and push as they must, so they
@@ -41,9 +42,6 @@ class Response {
   MatrixX joint_inverse_;  // G_jj^+
   MatrixX cross_;          // G_cj
 };
-
-/// c' of a row.  n.(v_a - v_b) + s_a.w_a - s_b.w_b
-Real row_speed(const Row&, const std::vector<Body>&, const Motion*);
 
 /// Momenta change by lambda times each row.  K_a += lambda n, L_a += lambda s_a, and the opposite on `to`.
 void apply_impulses(std::span<const Row>, const VectorX& lambda, const std::vector<Body>&, Motion*);

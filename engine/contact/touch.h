@@ -1,14 +1,19 @@
 // A point where surfaces touch, and how it moves.  Knows nothing of shapes, forces or time.
 #pragma once
 
+#include "engine/constraint.h"
 #include "engine/model.h"
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace cylon::engine {
 
 /// A point of contact of `body` with `other`, or with the world.
+///
+/// Or a coordinate of a joint at its limit, or with dry friction: then `row` has its rate, the vectors here have axes
+/// of their own, the normal is x, and the rate stands along x at a limit, along y where it is friction's.
 struct TouchPoint {
   int body = 0;
   int other = fixed_world;
@@ -16,11 +21,14 @@ struct TouchPoint {
   Vector3 normal = Vector3::UnitY();   ///< n, unit, from `other` to `body`.
   Real restitution = 0;                ///< Newton's, [0, 1].
   Real friction = 0;                   ///< Coulomb's, >= 0.
-  int pair = 0;                        ///< Points with the same number act at once.
-  Real gap = 0;                        ///< g [m]; negative inside.
-  Vector3 path = Vector3::Zero();      ///< dx/dt of the point itself, which need not be that of matter [m/s].
-  Vector3 turning = Vector3::Zero();   ///< dn/dt [1/s].
-  Real curvature = 0;                  ///< The part of d^2g/dt^2 that the velocities alone make [m/s^2].
+  Real bound = 0;                     ///< The largest force of friction beside friction times the normal one.
+  int pair = 0;                       ///< Points with the same number act at once.
+  Real gap = 0;                       ///< g [m]; negative inside.
+  Vector3 path = Vector3::Zero();     ///< dx/dt of the point itself, which need not be that of matter [m/s].
+  Vector3 turning = Vector3::Zero();  ///< dn/dt [1/s].
+  Real curvature = 0;                 ///< The part of d^2g/dt^2 that the velocities alone make [m/s^2].
+  std::optional<Row> row;             ///< Of a coordinate.
+  int axis = 0;                       ///< Along which it stands.
 };
 
 inline std::size_t index(int body) { return static_cast<std::size_t>(body); }
@@ -38,9 +46,10 @@ inline Vector3 matter_velocity(const Body& body, const Motion& motion, const Vec
   return rotates(body) ? Vector3(v + angular_velocity(body, motion).cross(point - motion.position)) : v;
 }
 
-/// Velocity of the matter of `body` against that of `other` at the point [m/s].
+/// Velocity of the matter of `body` against that of `other` at the point [m/s]; of a coordinate its rate.
 inline Vector3 relative_velocity(const TouchPoint& touch, const std::vector<Body>& bodies,
                                  const Motion* motion) {
+  if (touch.row) return speed_of(*touch.row, bodies, motion) * Vector3::Unit(touch.axis);
   const std::size_t a = index(touch.body);
   Vector3 u = matter_velocity(bodies[a], motion[a], touch.position);
   if (touch.other != fixed_world) {

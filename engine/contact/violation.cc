@@ -17,7 +17,10 @@ Real violation(const CoulombProblem& p, const VectorX& f) {
     const Vector3 now = f.segment<3>(at), rate = u.segment<3>(at);
     const bool given = i < p.hold.size() && p.hold[i].given;
     Vector3 wanted = now - rate / stiff;
-    if (given || mu == 0) {
+    if (const Real bound = p.bound_of(i); bound > 0) {  // onto |f_t| <= bound
+      const Vector2 across = given ? Vector2(-bound * p.hold[i].slip) : Vector2(wanted.tail<2>());
+      wanted << 0, across * std::min(Real(1), bound / std::max(across.norm(), bound));
+    } else if (given || mu == 0) {
       const Real normal = std::max(Real(0), wanted[0]);
       const Vector2 across = given ? Vector2(-mu * normal * p.hold[i].slip) : Vector2(Vector2::Zero());
       wanted << normal, across;

@@ -265,6 +265,13 @@ void BodyContacts::leave_out_inside(const std::vector<Motion>& motions, int a, i
   m.count = static_cast<int>(end - m.points.begin());
 }
 
+void place_hold(const Joint& joint, Block& block, const std::vector<Motion>& motions) {
+  const bool slides =
+      joint.type.place == Joint::Place::along_axis || joint.type.place == Joint::Place::in_plane;
+  if (slides && block.b != fixed_world)
+    block.to_arm = motions[index(block.a)].position + block.arm - motions[index(block.b)].position;
+}
+
 // A block for the place of each joint, and one for its turn where it is not free.
 void BodyContacts::add_joints(const std::vector<Motion>& motions, const std::vector<Block>& old,
                               std::vector<Block>& blocks) const {
@@ -282,7 +289,8 @@ void BodyContacts::add_joints(const std::vector<Motion>& motions, const std::vec
     block.arm = point(joint.anchor, joint.body, motions) - motions[index(joint.body)].position;
     if (joint.to != fixed_world)
       block.to_arm = point(joint.to_anchor, joint.to, motions) - motions[index(joint.to)].position;
-    block.space = misfit_of_place(joint, offset(block, motions)).space;
+    place_hold(joint, block, motions);
+    block.space = misfit_of_place(joint, offset(block, motions), orientation_of(joint.to, motions)).space;
     add(block);
     if (joint.type.turn == Joint::Turn::freely) continue;
     block.kind = Block::Kind::align;

@@ -73,6 +73,9 @@ class BodyContacts {
 /// Body to world; the identity for the world.
 Quaternion orientation_of(int body, const std::vector<Motion>&);
 
+/// The arm on `to` of a joint along an axis or in a plane: it pushes on the point where that on `body` is.
+void place_hold(const Joint&, Block&, const std::vector<Motion>&);
+
 /// The gap of a contact, or the distance from one point to the other of a part of a joint, now.
 Vector3 offset(const Block&, const std::vector<Motion>&);
 

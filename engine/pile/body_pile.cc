@@ -45,6 +45,7 @@ BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings, st
       })) {
   const Time start = static_cast<Time>(first) * dt;
   masses_.set(start, model_.bodies);
+  model_.forces.start_turns();
   if (stiff_parts_ > 1) log_.note(DiagnosticKind::stiff, start, stiff_parts_, {}, limit_.reason);
   set_kinematics();
   for (std::size_t i = 0; i < movers_.size(); ++i)
@@ -366,6 +367,7 @@ void BodyPile::substep(Time now, Time h, bool direct) {
     if (takes(blocks_[i])) pressed_[i] += blocks_[i].impulse;
   if (isolated_) islands_.limit_energy(motions_), set_kinematics();
   drift(static_cast<Real>(h));
+  model_.forces.follow_turns(model_.bodies, motions_.data(), static_cast<Real>(h));
 }
 
 // Bodies where they are by now, normals as they were found.
@@ -395,9 +397,10 @@ void BodyPile::close_joints(Time now) {
         if (!align) {
           block.arm = q_a * block.anchor;
           if (block.b != fixed_world) block.to_arm = q_b * block.to_anchor;
+          place_hold(joint, block, motions_);
         }
         const Misfit misfit =
-            align ? misfit_of_turn(joint, q_a, q_b) : misfit_of_place(joint, offset(block, motions_));
+            align ? misfit_of_turn(joint, q_a, q_b) : misfit_of_place(joint, offset(block, motions_), q_b);
         block.space = misfit.space;
         set_effective_mass(block, movers_);
         const Vector3 shift = -(block.block_mass * misfit.error);

@@ -38,6 +38,14 @@ Held held(Type type, bool to_world) {
   }
   j.axis = q_a.conjugate() * axis, j.to_axis = q_b.conjugate() * axis;
   j.relative = q_b.conjugate() * q_a;
+  const Vector3 second = axis.unitOrthogonal(), third = axis.cross(second);
+  if (type.turn == Joint::Turn::about_two_axes) j.axis = q_a.conjugate() * second;
+  if (type.place == Joint::Place::along_axis) h.model.motions[0].position += 0.3 * axis;
+  if (type.place == Joint::Place::in_plane) h.model.motions[0].position += 0.3 * second - 0.2 * third;
+  if (type.couples) {
+    j.pitch = -0.15;
+    j.relative = exponential(Vector3(2 * j.to_axis)) * j.relative;  // it has turned by 0.3/-0.15 = -2
+  }
   if (type == joint_types::distance) {
     h.model.motions[0].position += Vector3(0.2, -0.4, 0.3);
     j.length = Vector3(0.2, -0.4, 0.3).norm();
@@ -91,18 +99,22 @@ TEST_P(EveryJoint, RowsAreTheDerivativesOfTheirOffsets) {
     EXPECT_NEAR((after[k].offset - before[k].offset) / (2 * e),
                 rate(r.body, r.direction, r.lever) - rate(r.to, r.direction, r.to_lever), 3e-6)
         << k;
-    if (type == joint_types::fixed && k >= 3)
-      continue;  // zero where both spin alike, which is where it is solved
+    const bool of_turn = static_cast<int>(k) >= row_count({type.place, Joint::Turn::freely});
+    if (type.turn == Joint::Turn::never && of_turn)
+      continue;                            // zero where both spin alike, which is where it is solved
+    if (type.couples && k >= 4) continue;  // the same where the spin is about the axis
     EXPECT_NEAR((after[k].offset - 2 * now[k].offset + before[k].offset) / (e * e),
                 r.bias + turning(r.body, r.lever) - turning(r.to, r.to_lever), 3e-6)
         << k;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Types, EveryJoint,
-                         testing::Combine(testing::Values(joint_types::ball, joint_types::hinge,
-                                                          joint_types::distance, joint_types::fixed),
-                                          testing::Bool()));
+INSTANTIATE_TEST_SUITE_P(
+    Types, EveryJoint,
+    testing::Combine(testing::Values(joint_types::ball, joint_types::hinge, joint_types::distance,
+                                     joint_types::fixed, joint_types::slider, joint_types::cylindrical,
+                                     joint_types::planar, joint_types::universal, joint_types::screw),
+                     testing::Bool()));
 
 // ---- In motion -------------------------------------------------------------------------------------
 

@@ -57,7 +57,9 @@ core::Engine describe() {
   for (const engine::Integrator& row : engine::integrators())
     engine.integrators.push_back(
         {std::string(row.name), row.order, std::string(row.conserves), row.kind == engine::Kind::adaptive});
-  engine.knows = {"collision_filters", "body_gravity"};
+  engine.knows = {"collision_filters", "body_gravity",     "slider_joints", "cylindrical_joints",
+                  "planar_joints",     "universal_joints", "screw_joints",  "joint_forces",
+                  "joint_targets",     "joint_limits",     "joint_friction"};
   engine.options.push_back({"model",
                             {"planned", "full"},
                             "planned",

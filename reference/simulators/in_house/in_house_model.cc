@@ -1,9 +1,9 @@
 #include "reference/simulators/in_house/in_house_model.h"
 
 #include "harness/core/collision_filter.h"
-#include "harness/core/held_joint.h"
 #include "harness/core/overloaded.h"
 #include "harness/core/surfaces.h"
+#include "reference/simulators/in_house/in_house_joints.h"
 #include "reference/simulators/in_house/in_house_shapes.h"
 
 #include <fmt/format.h>
@@ -121,48 +121,6 @@ std::optional<std::string> add_forces(const Scene& scene, Model& model) {
   return missing;
 }
 
-// ---- Joints --------------------------------------------------------------------------------------
-
-engine::Joint::Place place_of(core::JointPlace place) {
-  switch (place) {
-    case core::JointPlace::together:
-      break;
-    case core::JointPlace::at_length:
-      return engine::Joint::Place::at_length;
-    case core::JointPlace::along_axis:
-    case core::JointPlace::in_plane:
-      throw std::logic_error("the in-house engine was asked for a joint that it does not say it knows");
-  }
-  return engine::Joint::Place::together;
-}
-
-engine::Joint::Turn turn_of(core::JointTurn turn) {
-  switch (turn) {
-    case core::JointTurn::freely:
-      break;
-    case core::JointTurn::about_axis:
-      return engine::Joint::Turn::about_axis;
-    case core::JointTurn::never:
-      return engine::Joint::Turn::never;
-    case core::JointTurn::about_two_axes:
-      throw std::logic_error("the in-house engine was asked for a joint that it does not say it knows");
-  }
-  return engine::Joint::Turn::freely;
-}
-
-engine::Joint joint_of(const core::HeldJoint& held) {
-  const core::JointKind& kind = core::kind_of(held.type);
-  return {.type = {place_of(kind.place), turn_of(kind.turn)},
-          .body = held.body,
-          .anchor = real(held.anchor),
-          .to = held.to,
-          .to_anchor = real(held.to_anchor),
-          .axis = real(held.axis),
-          .to_axis = real(held.to_axis),
-          .relative = real(held.turn),
-          .length = real(held.length)};
-}
-
 // ---- Contacts ------------------------------------------------------------------------------------
 
 std::string name_of_other(const Scene& scene, const core::Pair& pair) {
@@ -219,7 +177,7 @@ InHouseModel in_house_model(const Scene& scene) {
   result.lost = lost_turn(scene, model);
   result.missing = add_forces(scene, model);
   if (result.missing) return result;
-  for (const core::HeldJoint& joint : core::held_joints(scene)) model.joints.push_back(joint_of(joint));
+  add_joints(scene, model);
   result.missing = add_contacts(scene, model);
   // A frame that only moves changes nothing (Galilei); in one that turns, v + W x p and w + W are the
   // inertial ones.
