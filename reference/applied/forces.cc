@@ -155,7 +155,10 @@ std::optional<std::string> unmapped(const core::Scene& scene) {
 bool turns(const std::optional<core::Frame>& frame) { return frame && !frame->angular_velocity.isZero(0); }
 
 Forces::Forces(core::Scene scene, const std::vector<std::size_t>& joints)
-    : scene_(std::move(scene)), rate_(scene_.bodies.size(), 0.0), immersions_(scene_.bodies.size()) {
+    : scene_(std::move(scene)),
+      rate_(scene_.bodies.size(), 0.0),
+      immersions_(scene_.bodies.size()),
+      joints_(scene_) {
   for (std::size_t k = joints.size(); k-- > 0;)
     scene_.forces.erase(scene_.forces.begin() + static_cast<std::ptrdiff_t>(joints[k]));
   const bool water = std::ranges::any_of(scene_.forces, floats);
@@ -170,7 +173,7 @@ Forces::Forces(core::Scene scene, const std::vector<std::size_t>& joints)
   }
   for (std::size_t i = 0; i < rate_.size(); ++i)
     if (rate_[i] != 0) changing_.push_back(i);
-  any_ |= turns(scene_.frame);
+  any_ |= turns(scene_.frame) || joints_.any();
 }
 
 const std::vector<Wrench>& Forces::at(double t, const core::State& state) {
@@ -184,6 +187,7 @@ const std::vector<Wrench>& Forces::at(double t, const core::State& state) {
   const Law law{scene_, state, immersions_, t, wrenches_};
   for (const core::Force& force : scene_.forces) std::visit(law, force);
   if (turns(scene_.frame)) law(*scene_.frame);
+  joints_.add(t, state, wrenches_);
   return wrenches_;
 }
 

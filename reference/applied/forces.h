@@ -1,21 +1,16 @@
 // The laws of a scene that a reference engine does not have, as forces of the state before a step: springs, drag,
-// thrust, changing mass, drive, attraction, water, and a frame of reference that turns.
+// thrust, changing mass, drive, attraction, water, what acts along joints, and a frame of reference that turns.
 #pragma once
 
 #include "harness/core/scene.h"
 #include "reference/applied/immersion.h"
+#include "reference/applied/joint_forces.h"
 
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace cylon::applied {
-
-/// On one body: force through the centre of mass [N] and torque about it [N m], world axes.
-struct Wrench {
-  core::Vector3 force = core::Vector3::Zero();
-  core::Vector3 torque = core::Vector3::Zero();
-};
 
 /// Why an adapter maps not all forces of a scene, or nothing.
 std::optional<std::string> unmapped(const core::Scene&);
@@ -25,7 +20,7 @@ bool turns(const std::optional<core::Frame>&);
 
 /// The same for tables of settings: what is applied, and how.
 inline constexpr const char* applied_forces =
-    "springs, drag, thrust, drive, attraction, water, forces of a turning frame";
+    "springs, drag, thrust, drive, attraction, water, forces along joints, forces of a turning frame";
 inline constexpr const char* as_applied = "force of the state before the step";
 inline constexpr const char* why_applied =
     "the engine has no such forces; they are constant during the step, and so is a mass that changes";
@@ -54,6 +49,7 @@ class Forces {
   std::vector<double> start_, rate_;
   std::vector<std::size_t> changing_;
   std::vector<std::optional<Immersion>> immersions_;
+  JointForces joints_;
   std::vector<Wrench> wrenches_;
   bool any_ = false;
 };

@@ -59,6 +59,15 @@ void add_contacts(const Builder&, const std::vector<Motion>&, std::vector<Contac
 /// Adds every force of the scene to the motions.
 void add_forces(const Builder&, std::vector<Motion>&);
 
+/// A state variable beside those of the bodies.
+struct Extra {
+  Expr rate;
+};
+
+/// Adds what acts along the coordinates of joints.  What that needs of states is made here, in the order of `extras`.
+void add_joint_forces(const Builder&, std::vector<Motion>&, std::vector<Extra>& extras,
+                      std::vector<Ball>& initial);
+
 /// One scalar equation sum_k linear_k . v'_k + angular_k . spin'_k + rest = 0, and the same sum over v and
 /// spin for the rate of what is kept.
 struct Row {

@@ -44,15 +44,21 @@ void check_bodies(const core::Force& any_force) {
       any_force);
 }
 
+// What acts along a joint and is no smooth law.
 void check_joints(const core::Scene& scene) {
   for (const core::Joint& joint : scene.joints) {
-    const core::JointKind& kind = core::kind_of(joint.type);
-    if (kind.place == core::JointPlace::along_axis || kind.place == core::JointPlace::in_plane ||
-        kind.turn == core::JointTurn::about_two_axes)
-      refuse(fmt::format("{} has a {} joint, whose equations are not here", name_of(scene, joint.body),
-                         kind.name));
-    if (core::acted_on(joint))
-      refuse(fmt::format("something acts along the joint of {}", name_of(scene, joint.body)));
+    const auto refuse_joint = [&](const char* what) {
+      refuse(fmt::format("the {} joint of {} has {}", core::kind_of(joint.type).name,
+                         name_of(scene, joint.body), what));
+    };
+    if (core::kind_of(joint.type).has_second_axis() && !joint.axis_2) refuse_joint("no second axis");
+    core::for_each_coordinate(joint, [&](const core::JointCoordinate& c) {
+      if (core::has_limit(c)) refuse_joint("limits, and a blow is not smooth");
+      if (c.friction != 0) refuse_joint("dry friction, which is not smooth");
+      if (c.quadratic_damping != 0)
+        refuse_joint("quadratic damping, which is not smooth where the rate is 0");
+      if (!c.target_times.empty()) refuse_joint("a target between the times of a table, which has kinks");
+    });
   }
 }
 

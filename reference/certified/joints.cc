@@ -71,6 +71,60 @@ struct Rows {
     rows.push_back(row);
   }
 
+  // A direction n of the world at the start, fixed in `to`, keeps its component of d = x_body - x_to, the points:
+  //   (n . d)'' = n'' . d + 2 n' . d' + n . d'',   n'' = R (w' x n_b + w x (w x n_b)),   d'' as in together().
+  Row carried(const core::Joint& joint, const Vector& at_start) {
+    const Vector point = b.vector(joint.point);
+    const End a = end(joint.body, 1), to = end(joint.to, -1);
+    const Vector fixed = fixed_in(to, at_start), n = to.at ? to.at->rotation * fixed : at_start;
+    Vector d = b.zero(), rate = b.zero();
+    Row row{{}, b.exact(0)};
+    for (const End& e : {a, to}) {
+      const Vector arm = fixed_in(e, e.start ? point - e.start->position : point);
+      const Vector place = e.at ? e.at->position + e.at->rotation * arm : point;
+      d = e.sign > 0 ? d + place : d - place;
+      if (!moves(e)) continue;
+      const Vector velocity = e.at->velocity + e.at->rotation * cross(e.at->spin, arm);
+      rate = e.sign > 0 ? rate + velocity : rate - velocity;
+      const Vector along = transposed(e.at->rotation) * n;
+      row.parts.push_back({e.body, b.exact(e.sign) * n, b.exact(e.sign) * cross(arm, along)});
+      row.rest = signed_sum(row.rest, e.sign, dot(along, cross(e.at->spin, cross(e.at->spin, arm))));
+    }
+    if (!moves(to)) return row;
+    const Vector here = transposed(to.at->rotation) * d, spin = to.at->spin;
+    row.parts.back().angular = row.parts.back().angular + cross(fixed, here);
+    row.rest = row.rest + dot(here, cross(spin, cross(spin, fixed))) +
+               b.exact(2) * dot(to.at->rotation * cross(spin, fixed), rate);
+    return row;
+  }
+
+  // Two unit vectors across an axis.
+  std::array<Vector, 2> across(const core::Vector3& axis) const {
+    int least = 0;
+    axis.cwiseAbs().minCoeff(&least);
+    Vector unit = b.zero();
+    unit[static_cast<std::size_t>(least)] = b.exact(1);
+    const Vector first = cross(b.vector(axis), unit);
+    return {first, cross(b.vector(axis), first)};
+  }
+
+  void along_axis(const core::Joint& joint) {
+    for (const Vector& n : across(joint.axis)) rows.push_back(carried(joint, n));
+  }
+
+  // n . d - pitch (angle about n):  the angle's second derivative is n . (w_body' - w_to'), as n is fixed in both.
+  void screw(const core::Joint& joint) {
+    const Vector axis = b.vector(joint.axis);
+    Row row = carried(joint, axis);
+    for (const End& e : {end(joint.body, 1), end(joint.to, -1)}) {
+      if (!moves(e)) continue;
+      const Vector turn = b.exact(-e.sign) * (b.number(joint.pitch) * fixed_in(e, axis));
+      for (Row::Part& part : row.parts)
+        if (part.body == e.body) part.angular = part.angular + turn;
+    }
+    rows.push_back(row);
+  }
+
   // d . d keeps its value: (d . d)''/2 = d' . d' + d . d''.
   void at_length(const core::Joint& joint) {
     const End from = end(joint.body, 1), to = end(joint.to, -1);
@@ -84,14 +138,7 @@ struct Rows {
 
   // Two directions perpendicular to the axis, the first from the unit vector that lies least along it.
   void about_axis(const core::Joint& joint) {
-    const Vector axis = b.vector(joint.axis);
-    int least = 0;
-    joint.axis.cwiseAbs().minCoeff(&least);
-    Vector unit = b.zero();
-    unit[static_cast<std::size_t>(least)] = b.exact(1);
-    const Vector across = cross(axis, unit);
-    perpendicular(joint, axis, across);
-    perpendicular(joint, axis, cross(axis, across));
+    for (const Vector& n : across(joint.axis)) perpendicular(joint, b.vector(joint.axis), n);
   }
 
   void never(const core::Joint& joint) {
@@ -116,6 +163,7 @@ struct Rows {
     const Frozen* pinned = pinned_by(index);
     if (!pinned) add_place(joint, kind.place);
     if (!pinned || !pinned->one_axis) add_turn(joint, kind.turn);
+    if (kind.screws) screw(joint);
   }
 
   void add_place(const core::Joint& joint, core::JointPlace place) {
@@ -125,10 +173,10 @@ struct Rows {
       case core::JointPlace::at_length:
         return at_length(joint);
       case core::JointPlace::along_axis:
+        return along_axis(joint);
       case core::JointPlace::in_plane:
-        break;
+        return rows.push_back(carried(joint, b.vector(joint.axis)));
     }
-    throw std::logic_error("certified: a joint that check_domain refuses");
   }
 
   void add_turn(const core::Joint& joint, core::JointTurn turn) {
@@ -140,9 +188,8 @@ struct Rows {
       case core::JointTurn::never:
         return never(joint);
       case core::JointTurn::about_two_axes:
-        break;
+        return perpendicular(joint, b.vector(*joint.axis_2), b.vector(joint.axis));
     }
-    throw std::logic_error("certified: a joint that check_domain refuses");
   }
 };
 

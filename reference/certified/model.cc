@@ -239,6 +239,8 @@ Model make_model(const Scene& scene, double horizon, slong bits, const Numbers& 
   if (std::ranges::all_of(b.bodies, &Frozen::locked)) refuse("no body moves");
   std::vector<Motion> motions = moving(b, model.initial);
   add_forces(b, motions);
+  std::vector<Extra> extras;
+  add_joint_forces(b, motions, extras, model.initial);
   accelerate(b, motions);
 
   std::vector<Vector> linear, angular;
@@ -255,6 +257,7 @@ Model make_model(const Scene& scene, double horizon, slong bits, const Numbers& 
     model.bodies.push_back(
         {nodes(m.position), nodes(m.velocity), nodes(m.orientation), nodes(m.rotation * m.spin)});
   }
+  for (const Extra& extra : extras) model.graph.rates.push_back(extra.rate.node);
   if (blows == Blows::described) add_contacts(b, motions, model.contacts);
   return model;
 }

@@ -4,6 +4,7 @@
 #include "reference/applied/forces.h"
 #include "reference/applied/forest.h"
 #include "reference/simulators/mujoco/mujoco_contacts.h"
+#include "reference/simulators/mujoco/mujoco_joints.h"
 #include "reference/simulators/mujoco/mujoco_limits.h"
 #include "reference/simulators/mujoco/mujoco_model.h"
 #include "reference/simulators/mujoco/mujoco_settings.h"
@@ -52,7 +53,9 @@ MujocoKind mujoco_kind(const Scene& scene, const applied::Forest& forest, bool r
   for (const applied::Node& node : forest.nodes) {
     if (scene.bodies[at(node.body)].locked) continue;
     const bool spins = !scene.bodies[at(node.body)].initial.angular_velocity.isZero(0);
-    const bool fixed_axis = node.joint >= 0 && scene.joints[at(node.joint)].type != core::JointType::ball;
+    const bool fixed_axis =
+        node.joint >= 0 && core::kind_of(scene.joints[at(node.joint)].type).turn != core::JointTurn::freely &&
+        core::kind_of(scene.joints[at(node.joint)].type).turn != core::JointTurn::about_two_axes;
     kind.turns |= node.joint < 0 ? spins || !node.children.empty() : !fixed_axis;
   }
   kind.turns |= applied::turns(scene.frame);
@@ -156,8 +159,8 @@ void Mujoco::place_bodies(const applied::Forest& forest) {
   }
 }
 
-// A free body: v of the world, w of the body; a ball joint: w against the parent, in body axes; a hinge: that along
-// its axis.
+// A free body: v of the world, w of the body; a ball joint: w against the parent, in body axes; others: the rate of
+// each coordinate.
 void Mujoco::set_speeds(const applied::Forest& forest) {
   for (std::size_t i = 0; i < places_.size(); ++i) {
     if (places_[i].speed < 0) continue;
@@ -169,10 +172,13 @@ void Mujoco::set_speeds(const applied::Forest& forest) {
     if (places_[i].free) {
       store(start.velocity, speed);
       store(start.orientation.conjugate() * spin, speed + 3);
-    } else if (scene_.joints[at(node.joint)].type == core::JointType::hinge) {
-      *speed = scene_.joints[at(node.joint)].axis.dot(spin);
-    } else {
+    } else if (scene_.joints[at(node.joint)].type == core::JointType::ball) {
       store(start.orientation.conjugate() * spin, speed);
+    } else {
+      const core::Joint& joint = scene_.joints[at(node.joint)];
+      mjtNum* next = speed;
+      for (const MujocoAxis& one : mujoco_axes(scene_, joint, joint.body != static_cast<int>(i)))
+        *next++ = one.rate;
     }
   }
 }

@@ -1,5 +1,6 @@
 #include "reference/simulators/mujoco/mujoco_limits.h"
 
+#include "harness/core/joint_coordinates.h"
 #include "harness/core/overloaded.h"
 #include "harness/core/surfaces.h"
 #include "reference/applied/forces.h"
@@ -112,6 +113,40 @@ Reason against_contacts(const Scene& scene) {
   return reason;
 }
 
+// Limits and friction are MuJoCo's soft constraints; a tree has them, loops are closed by points.
+Reason against_joints(const Scene& scene) {
+  const applied::Forest forest = applied::forest_of(scene);
+  for (std::size_t j = 0; j < scene.joints.size(); ++j) {
+    const core::Joint& joint = scene.joints[j];
+    const std::string& name = body(scene, joint.body).name;
+    bool bounces = false;
+    core::for_each_coordinate(
+        joint, [&](const core::JointCoordinate& c) { bounces |= core::has_limit(c) && c.restitution > 0; });
+    if (bounces)
+      return fmt::format(
+          "The joint of '{}' bounces from its limits, and MuJoCo has no coefficient of restitution: its "
+          "limits are damped springs (doc/modeling.rst:1357).",
+          name);
+    const bool loop = std::ranges::find(forest.loops, j) != forest.loops.end();
+    const bool later = joint.type > core::JointType::fixed;
+    bool acts = false;
+    core::for_each_coordinate(
+        joint, [&](const core::JointCoordinate& c) { acts |= core::has_limit(c) || c.friction != 0; });
+    if (loop && (later || acts))
+      return fmt::format(
+          "The {} joint of '{}' closes a loop, which this adapter closes by balls, hinges and fixed joints "
+          "without limits and friction.",
+          core::kind_of(joint.type).name, name);
+    // Its displacements are of axes that `to` carries: MuJoCo's are of the parent.
+    if (joint.type == core::JointType::planar && core::acted_on(joint) &&
+        forest.nodes[static_cast<std::size_t>(joint.body)].joint != static_cast<int>(j))
+      return fmt::format(
+          "The planar joint of '{}' hangs '{}' from it, and MuJoCo's displacements are of the parent's axes.",
+          name, body(scene, joint.to).name);
+  }
+  return {};
+}
+
 Reason against_size(const Scene& scene) {
   if (scene.bodies.size() > most_bodies)
     return fmt::format("MuJoCo has at most {} bodies; the scene has {}.", most_bodies, scene.bodies.size());
@@ -137,6 +172,7 @@ Reason mujoco_limit(const Scene& scene) {
   for (const core::Body& one : scene.bodies)
     if (Reason reason = against(one)) return reason;
   if (Reason reason = applied::unmapped(scene)) return reason;
+  if (Reason reason = against_joints(scene)) return reason;
   if (Reason reason = against_contacts(scene)) return reason;
   return against_size(scene);
 }

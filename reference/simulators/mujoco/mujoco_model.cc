@@ -4,6 +4,7 @@
 #include "harness/core/surfaces.h"
 #include "reference/applied/forces.h"
 #include "reference/applied/parts.h"
+#include "reference/simulators/mujoco/mujoco_joints.h"
 #include "reference/simulators/mujoco/mujoco_limits.h"
 #include "reference/simulators/mujoco/mujoco_options.h"
 
@@ -149,7 +150,7 @@ class Writer {
     if (node.joint < 0)
       put("<freejoint/>\n");
     else
-      write_joint(one, scene_.joints[at(node.joint)]);
+      write_joint(one, scene_.joints[at(node.joint)], scene_.joints[at(node.joint)].body != i);
     write_geoms(i);
     write_ends(i);
     for (const int child : node.children) write_moving(child);
@@ -157,12 +158,25 @@ class Writer {
   }
 
   // A fixed joint is none: the body is part of its parent.
-  void write_joint(const core::Body& one, const core::Joint& joint) {
+  void write_joint(const core::Body& one, const core::Joint& joint, bool reversed) {
     const Quaternion back = one.initial.orientation.conjugate();
     const std::string point = text(Vector3(back * (joint.point - one.initial.position)));
     if (joint.type == core::JointType::ball) put("<joint type=\"ball\" pos=\"{}\"/>\n", point);
-    if (joint.type == core::JointType::hinge)
-      put("<joint type=\"hinge\" pos=\"{}\" axis=\"{}\"/>\n", point, text(Vector3(back * joint.axis)));
+    if (joint.type == core::JointType::ball || joint.type == core::JointType::fixed) return;
+    for (const MujocoAxis& coordinate : mujoco_axes(scene_, joint, reversed))
+      put("<joint type=\"{}\" pos=\"{}\" axis=\"{}\"{}/>\n", coordinate.slides ? "slide" : "hinge", point,
+          text(Vector3(back * coordinate.axis)), stops(coordinate.acts));
+  }
+
+  // A limit on one side alone has the other beyond every coordinate that MuJoCo takes.
+  static std::string stops(const core::JointCoordinate& c) {
+    constexpr double far = 1e10;  // mjMAXVAL
+    std::string words;
+    if (core::has_limit(c))
+      words += fmt::format(" limited=\"true\" range=\"{} {}\"", text(c.lower ? *c.lower - c.start : -far),
+                           text(c.upper ? *c.upper - c.start : far));
+    if (c.friction != 0) words += fmt::format(" frictionloss=\"{}\"", text(c.friction));
+    return words;
   }
 
   // ---- Shapes ---------------------------------------------------------------------------------------

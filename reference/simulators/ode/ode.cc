@@ -8,6 +8,7 @@
 #include "reference/simulators/ode/ode_shapes.h"
 #include "reference/simulators/ode/ode_slip.h"
 #include "reference/simulators/ode/ode_springs.h"
+#include "reference/simulators/ode/ode_stops.h"
 #include "reference/simulators/ode/ode_world.h"
 
 #include <fmt/format.h>
@@ -214,6 +215,7 @@ void Ode::add_joint(std::size_t index) {
       dJointID id = attach(dJointCreateHinge(world_->id, nullptr));
       dJointSetHingeAnchor(id, p.x(), p.y(), p.z());
       dJointSetHingeAxis(id, joint.axis.x(), joint.axis.y(), joint.axis.z());
+      ode_limit_hinge(id, joint, a == nullptr);
       return;
     }
     case JointType::distance: {
@@ -229,10 +231,28 @@ void Ode::add_joint(std::size_t index) {
     case JointType::fixed:
       dJointSetFixed(attach(dJointCreateFixed(world_->id, nullptr)));
       return;
-    case JointType::slider:
-    case JointType::cylindrical:
+    case JointType::slider: {
+      dJointID id = attach(dJointCreateSlider(world_->id, nullptr));
+      dJointSetSliderAxis(id, joint.axis.x(), joint.axis.y(), joint.axis.z());
+      ode_limit_slider(id, joint, a == nullptr);
+      return;
+    }
+    case JointType::cylindrical: {
+      dJointID id = attach(dJointCreatePiston(world_->id, nullptr));
+      dJointSetPistonAnchor(id, p.x(), p.y(), p.z());
+      dJointSetPistonAxis(id, joint.axis.x(), joint.axis.y(), joint.axis.z());
+      return;
+    }
+    case JointType::universal: {  // ODE's first axis is fixed in its first body
+      dJointID id = attach(dJointCreateUniversal(world_->id, nullptr));
+      const Vector3 &of_to = joint.axis, &of_body = *joint.axis_2;
+      const Vector3 &first = a ? of_body : of_to, &second = a ? of_to : of_body;
+      dJointSetUniversalAnchor(id, p.x(), p.y(), p.z());
+      dJointSetUniversalAxis1(id, first.x(), first.y(), first.z());
+      dJointSetUniversalAxis2(id, second.x(), second.y(), second.z());
+      return;
+    }
     case JointType::planar:
-    case JointType::universal:
     case JointType::screw:
       break;
   }

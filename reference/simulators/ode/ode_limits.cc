@@ -1,10 +1,13 @@
 #include "reference/simulators/ode/ode_limits.h"
 
+#include "harness/core/joint_coordinates.h"
 #include "harness/core/overloaded.h"
 #include "reference/applied/forces.h"
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <numbers>
 #include <variant>
 
 namespace cylon::simulators {
@@ -71,9 +74,30 @@ Reason against(const Scene& scene, const core::Pair& pair) {
                      body(scene, pair.body).name, other);
 }
 
+Reason against(const Scene& scene, const core::Joint& joint) {
+  const bool one = joint.type == core::JointType::hinge || joint.type == core::JointType::slider;
+  Reason reason;
+  core::for_each_coordinate(joint, [&](const core::JointCoordinate& c) {
+    if (!one && (core::has_limit(c) || c.friction != 0))
+      reason = fmt::format(
+          "This adapter maps limits and friction of hinges and sliders; the {} joint of '{}' has some.",
+          core::kind_of(joint.type).name, body(scene, joint.body).name);
+  });
+  for (const core::JointAngle& c : joint.angles)
+    for (const auto& stop : {c.lower, c.upper})
+      if (stop && !(std::abs(*stop - c.start) < std::numbers::pi))
+        reason = fmt::format(
+            "ODE's stops of an angle lie within half a turn (ode/src/joints/joint.cpp, "
+            "dxJointLimitMotor::set); the joint of '{}' has one at {} rad from its start.",
+            body(scene, joint.body).name, *stop - c.start);
+  return reason;
+}
+
 }  // namespace
 
 Reason ode_limit(const Scene& scene) {
+  for (const core::Joint& joint : scene.joints)
+    if (Reason reason = against(scene, joint)) return reason;
   for (const core::Body& one : scene.bodies)
     if (Reason reason = against(one)) return reason;
   if (Reason reason = applied::unmapped(scene)) return reason;

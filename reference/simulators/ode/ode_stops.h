@@ -1,0 +1,15 @@
+// Limits and dry friction of a joint's coordinate, as ODE has them: stops with a restitution, and a motor at rest
+// with a largest force (ode/common.h, D_ALL_PARAM_NAMES).
+#pragma once
+
+#include "harness/core/scene.h"
+
+#include <ode/common.h>
+
+namespace cylon::simulators {
+
+/// `reversed`: ODE's first body is the joint's `to`, and its coordinate counts the other way.
+void ode_limit_hinge(dJointID, const core::Joint&, bool reversed);
+void ode_limit_slider(dJointID, const core::Joint&, bool reversed);
+
+}  // namespace cylon::simulators
