@@ -1,0 +1,164 @@
+#include "harness/core/input_error.h"
+#include "harness/core/joint_coordinates.h"
+#include "harness/imports/steps.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <span>
+
+namespace cylon::imports {
+namespace {
+
+using core::JointType;
+using foreign::Freedom;
+using foreign::Joint;
+using foreign::Model;
+
+constexpr double square = 1e-9;  // how far from a right angle, or from parallel, axes may be [rad]
+
+bool at_right_angles(const Freedom& a, const Freedom& b) { return std::abs(a.axis.dot(b.axis)) < square; }
+
+bool acts(const Freedom& f) {
+  return f.lower || f.upper || f.stiffness != 0 || f.damping != 0 || f.friction != 0 || f.force != 0;
+}
+
+using Freedoms = std::vector<Freedom>;
+
+bool parallel(const Freedom& a, const Freedom& b) { return a.axis.cross(b.axis).norm() < square; }
+
+// Three hinges at right angles leave every turn, but for those that they cannot pass (the middle one at 90 degrees).
+bool leaves_every_turn(std::span<const Freedom> f) {
+  return at_right_angles(f[0], f[1]) && at_right_angles(f[1], f[2]) && std::ranges::none_of(f, acts);
+}
+
+bool leaves_every_place(std::span<const Freedom> f) {
+  return std::abs(f[0].axis.cross(f[1].axis).dot(f[2].axis)) > square && std::ranges::none_of(f, acts);
+}
+
+// Which joint of a scene leaves the same motions, and which of them gives it its axes.
+struct Row {
+  std::string_view motions;       ///< From `to` to `body`.
+  std::optional<JointType> type;  ///< None: the bodies are free of each other.
+  int axis = -1, axis_2 = -1;     ///< Of which freedom; -1: none.
+  bool (*fits)(const Freedoms&) = nullptr;
+};
+
+constexpr auto square_axes = [](const Freedoms& f) { return at_right_angles(f[0], f[1]); };
+constexpr auto one_line = [](const Freedoms& f) { return parallel(f[0], f[1]); };
+// The hinge turns in the plane of the sliders, which come first: their axes are fixed in `to`.
+constexpr auto one_plane = [](const Freedoms& f) {
+  return at_right_angles(f[0], f[1]) && at_right_angles(f[0], f[2]) && at_right_angles(f[1], f[2]);
+};
+constexpr auto every_turn = [](const Freedoms& f) { return leaves_every_turn(f); };
+constexpr auto every_motion = [](const Freedoms& f) {
+  const std::span all(f);
+  return leaves_every_place(all.first(3)) && (f[3].kind == "ball" || leaves_every_turn(all.last(3)));
+};
+
+constexpr std::array rows = {
+    Row{"", JointType::fixed},
+    Row{"ball", JointType::ball},
+    Row{"turn", JointType::hinge, 0},
+    Row{"slide", JointType::slider, 0},
+    Row{"screw", JointType::screw, 0},
+    Row{"slide turn", JointType::cylindrical, 0, -1, one_line},
+    Row{"turn slide", JointType::cylindrical, 0, -1, one_line},
+    Row{"turn turn", JointType::universal, 0, 1, square_axes},
+    Row{"slide slide turn", JointType::planar, 2, 0, one_plane},
+    Row{"turn turn turn", JointType::ball, -1, -1, every_turn},
+    Row{"slide slide slide ball", std::nullopt, -1, -1, every_motion},
+    Row{"slide slide slide turn turn turn", std::nullopt, -1, -1, every_motion},
+};
+
+std::string motions_of(const Joint& joint) {
+  std::vector<std::string> words;
+  for (const Freedom& freedom : joint.freedoms) words.push_back(freedom.kind);
+  return fmt::format("{}", fmt::join(words, " "));
+}
+
+// What acts along a freedom, on the coordinate that the scene counts along `axis`.
+template <class Coordinate>
+void add_coordinate(const Freedom& f, core::Ordinal which, const core::Vector3& axis,
+                    std::vector<Coordinate>& to) {
+  if (!acts(f)) return;
+  Coordinate& c = to.emplace_back();
+  c.which = which;
+  c.start = f.start, c.lower = f.lower, c.upper = f.upper;
+  c.stiffness = f.stiffness, c.target = f.stiffness != 0 ? f.rest : 0;
+  c.damping = f.damping, c.friction = f.friction, c.force = f.force;
+  if (f.axis.dot(axis) < 0) core::reverse(c);
+}
+
+void add_coordinates(const Joint& from, core::Joint& joint) {
+  const core::Vector3 second = joint.axis_2.value_or(core::Vector3::Zero());
+  const core::Vector3 slides[] = {joint.type == JointType::planar ? second : joint.axis,
+                                  joint.axis.cross(second)};
+  const core::Vector3 turns[] = {joint.axis, second};
+  int slide = 0, turn = 0;
+  constexpr core::Ordinal ordinals[] = {core::Ordinal::first, core::Ordinal::second};
+  for (const Freedom& f : from.freedoms) {
+    if (f.kind == "slide")
+      add_coordinate(f, ordinals[slide], slides[slide], joint.displacements), ++slide;
+    else if (f.kind != "ball")
+      add_coordinate(f, ordinals[turn], turns[turn], joint.angles), ++turn;
+  }
+}
+
+// A spring or a damper of a scene gives no energy.
+void lose_what_feeds(const Joint& joint, Model& model) {
+  for (const Freedom& f : joint.freedoms) {
+    if (f.stiffness < 0)
+      model.losses.push_back({"joint_spring", joint.place, fmt::format("{}", f.stiffness)});
+    if (f.damping < 0) model.losses.push_back({"joint_damping", joint.place, fmt::format("{}", f.damping)});
+  }
+}
+
+}  // namespace
+
+void check_limits(Model& model, const std::string& file) {
+  for (Joint& joint : model.joints) {
+    for (const Freedom& f : joint.freedoms)
+      if (f.lower && f.upper && *f.lower > *f.upper)
+        throw core::InputError(joint.place.file.empty() ? file : joint.place.file,
+                               static_cast<unsigned>(std::max(joint.place.line, 0)), 0,
+                               fmt::format("{}: its limits are {} and {}: the lower must be < the upper",
+                                           joint.place.element, *f.lower, *f.upper));
+    std::erase_if(joint.freedoms,
+                  [](const Freedom& f) { return f.lower && f.lower == f.upper && *f.lower == f.start; });
+  }
+}
+
+std::vector<core::Joint> joints_of(Model& model) {
+  std::vector<core::Joint> joints;
+  const std::vector<Joint> all = model.joints;
+  std::set<std::string> taken;
+  for (const Joint& joint : all) {
+    const std::string motions = motions_of(joint);
+    const auto row = std::ranges::find_if(
+        rows, [&](const Row& r) { return r.motions == motions && (!r.fits || r.fits(joint.freedoms)); });
+    if (row == rows.end()) {
+      model.losses.push_back({"joint_kind", joint.place, motions});
+      continue;
+    }
+    lose_what_feeds(joint, model);
+    if (!row->type) continue;
+    core::Joint& result = joints.emplace_back();
+    result.type = *row->type;
+    result.body = joint.body, result.to = joint.to, result.point = joint.point;
+    if (!joint.name.empty() && taken.insert(legal_name(joint.name)).second)
+      result.name = legal_name(joint.name);
+    if (row->axis >= 0) result.axis = joint.freedoms[static_cast<std::size_t>(row->axis)].axis;
+    if (row->axis_2 >= 0) result.axis_2 = joint.freedoms[static_cast<std::size_t>(row->axis_2)].axis;
+    if (motions == "screw") result.pitch = joint.freedoms.front().pitch;
+    add_coordinates(joint, result);
+  }
+  return joints;
+}
+
+}  // namespace cylon::imports

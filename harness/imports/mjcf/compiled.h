@@ -1,0 +1,67 @@
+// A compiled model of MuJoCo as cylon-import-mjcf prints it: arrays by the names of mjModel, whatever release wrote them.
+#pragma once
+
+#include "harness/imports/model/model.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace cylon::imports {
+
+// The numbers of MuJoCo's enumerations, which no release has changed (mujoco/mjmodel.h).
+enum class MjGeom { plane, hfield, sphere, capsule, ellipsoid, cylinder, box, mesh, sdf };
+enum class MjJoint { free, ball, slide, hinge };
+enum class MjEquality { connect, weld, joint, tendon };
+enum class MjTransmission { joint, joint_in_parent, slider_crank, tendon, site, body };
+
+class Compiled {
+ public:
+  explicit Compiled(const nlohmann::json& json) : json_(json) {}
+
+  std::string library() const { return json_.at("library").get<std::string>(); }
+  int version() const { return json_.at("version").get<int>(); }
+  /// Of mjModel: "nbody"; 0 where the release has no such size.
+  int size(const char* name) const { return json_.at("sizes").value(name, 0); }
+  double option(const char* name) const { return json_.at("option").at(name).get<double>(); }
+  foreign::Vector3 gravity() const { return vector(json_.at("option").at("gravity"), 0); }
+  bool disabled(const char* what) const;
+
+  /// Entry of an array; `otherwise` where the release has no such array.
+  double number(const char* array, int i, double otherwise = 0) const;
+  int integer(const char* array, int i, int otherwise = 0) const;
+  std::size_t length(const char* array) const;  ///< 0 where there is none.
+  foreign::Vector3 vector(const char* array, int row) const {
+    return vector(json_.at("arrays").at(array), row);
+  }
+  foreign::Quaternion quaternion(const char* array, int row) const {
+    return quaternion(json_.at("arrays").at(array), row);
+  }
+  /// The same of mjData at the start; `started`: how many numbers.
+  double start(const char* array, int i) const { return json_.at("start").at(array).at(at(i)).get<double>(); }
+  std::size_t started(const char* array) const { return json_.at("start").at(array).size(); }
+  foreign::Vector3 start_vector(const char* array, int row) const {
+    return vector(json_.at("start").at(array), row);
+  }
+  foreign::Quaternion start_quaternion(const char* array, int row) const {
+    return quaternion(json_.at("start").at(array), row);
+  }
+
+  /// "" where it has none.
+  std::string name(const char* kind, int i) const;
+  /// "geom 'foot'", "geom 3" where it has no name.
+  foreign::Place place(const char* kind, int i) const;
+  /// How many of a kind it has.
+  int count(const char* kind) const;
+
+ private:
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  static foreign::Vector3 vector(const nlohmann::json& numbers, int row);
+  static foreign::Quaternion quaternion(const nlohmann::json& numbers, int row);
+
+  const nlohmann::json& json_;
+};
+
+}  // namespace cylon::imports

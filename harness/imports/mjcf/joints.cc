@@ -1,0 +1,168 @@
+// Joints of the compiled tree, and the equality constraints that are joints.
+#include "harness/imports/mjcf/mjcf.h"
+
+#include <cmath>
+
+namespace cylon::imports {
+namespace {
+
+using foreign::Freedom;
+using foreign::Joint;
+using foreign::Vector3;
+
+// The nearest body up the tree that is not just a frame of the world; MuJoCo takes what hangs on the world without a
+// joint for the world.
+int end_of(const Compiled& m, int body) { return m.integer("body_weldid", body) == 0 ? -1 : body; }
+
+double polynomial_sum(const Compiled& m, const char* array, int row, int rows) {
+  double sum = 0;
+  if (const std::size_t all = m.length(array); all > 0) {
+    const int columns = static_cast<int>(all) / rows;
+    for (int k = 0; k < columns; ++k) sum += std::abs(m.number(array, columns * row + k));
+  }
+  return sum;
+}
+
+// Q = -k (q - rest) - c q' and what the actuators add.
+Freedom freedom_of(const Compiled& m, int joint, const Drive& drive, foreign::Model& model) {
+  const auto kind = static_cast<MjJoint>(m.integer("jnt_type", joint));
+  const int position = m.integer("jnt_qposadr", joint), motion = m.integer("jnt_dofadr", joint);
+  Freedom f;
+  f.kind = kind == MjJoint::slide ? "slide" : "turn";
+  f.axis = m.start_vector("xaxis", joint).normalized();
+  f.start = m.start("qpos", position);
+  if (m.integer("jnt_limited", joint) != 0 && !m.disabled("limit") && !m.disabled("constraint")) {
+    f.lower = m.number("jnt_range", 2 * joint);
+    f.upper = m.number("jnt_range", 2 * joint + 1);
+  }
+  const double spring = m.disabled("spring") ? 0 : m.number("jnt_stiffness", joint);
+  const double rest = m.number("qpos_spring", position);
+  f.stiffness = spring + drive.stiffness;
+  f.force = drive.force;
+  if (f.stiffness != 0) f.rest = spring * rest / f.stiffness;
+  f.damping = (m.disabled("damper") ? 0 : m.number("dof_damping", motion)) + drive.damping;
+  if (!m.disabled("frictionloss") && !m.disabled("constraint"))
+    f.friction = m.number("dof_frictionloss", motion);
+  const auto lose = [&](const char* what, const char* detail) {
+    model.losses.push_back({what, m.place("joint", joint), detail});
+  };
+  if (polynomial_sum(m, "jnt_stiffnesspoly", joint, m.size("njnt")) != 0) lose("joint_spring", "not linear");
+  if (polynomial_sum(m, "dof_dampingpoly", motion, m.size("nv")) != 0) lose("joint_damping", "not linear");
+  return f;
+}
+
+// Damping of the six coordinates of a free body: of the velocity of the body's frame and of its spin.
+void add_free_joint(const Compiled& m, int joint, foreign::Model& model) {
+  const int motion = m.integer("jnt_dofadr", joint);
+  const double damping = m.disabled("damper") ? 0 : m.number("dof_damping", motion);
+  if (damping == 0) return;
+  const int body = m.integer("jnt_bodyid", joint);
+  if (!m.vector("body_ipos", body).isZero(0)) {
+    model.losses.push_back({"free_drag", m.place("joint", joint), "its frame is not at the centre of mass"});
+    return;
+  }
+  model.bodies[static_cast<std::size_t>(body)].linear_drag = damping;
+  model.bodies[static_cast<std::size_t>(body)].angular_drag = damping;
+}
+
+void lose_of_ball(const Compiled& m, int joint, int to, foreign::Model& model) {
+  const auto lose = [&](const char* what) {
+    model.losses.push_back({what, m.place("joint", joint), "a ball joint"});
+  };
+  const int motion = m.integer("jnt_dofadr", joint);
+  if (m.integer("jnt_limited", joint) != 0 && !m.disabled("limit")) lose("joint_limit");
+  if (m.number("jnt_stiffness", joint) != 0 && !m.disabled("spring")) lose("joint_spring");
+  if (m.number("dof_frictionloss", motion) != 0 && !m.disabled("frictionloss")) lose("joint_friction");
+  const double damping = m.disabled("damper") ? 0 : m.number("dof_damping", motion);
+  if (damping == 0) return;
+  if (to >= 0) return lose("joint_damping");
+  model.bodies[static_cast<std::size_t>(m.integer("jnt_bodyid", joint))].angular_drag = damping;
+}
+
+void add_equality(const Compiled& m, int i, foreign::Model& model) {
+  const auto lose = [&](const char* detail) {
+    model.losses.push_back({"equality", m.place("equality", i), detail});
+  };
+  if (m.integer("eq_active", i, m.integer("eq_active0", i)) == 0) return;
+  const auto kind = static_cast<MjEquality>(m.integer("eq_type", i));
+  if (kind != MjEquality::connect && kind != MjEquality::weld)
+    return lose("between joints, tendons or flexes");
+  constexpr int of_body = 1;  // mjOBJ_BODY
+  if (m.integer("eq_objtype", i, of_body) != of_body) return lose("between sites");
+  const int body = m.integer("eq_obj1id", i), to = m.integer("eq_obj2id", i);
+  const int columns = static_cast<int>(m.length("eq_data")) / m.size("neq");
+  const auto datum = [&](int k) {
+    return Vector3(m.number("eq_data", columns * i + k), m.number("eq_data", columns * i + k + 1),
+                   m.number("eq_data", columns * i + k + 2));
+  };
+  const foreign::Pose first = {m.start_vector("xpos", body), m.start_quaternion("xquat", body)};
+  const foreign::Pose second = {m.start_vector("xpos", to), m.start_quaternion("xquat", to)};
+  // The first three numbers are the anchor on the first body, the next three that on the second; of a weld the other way
+  // about, and then the relative orientation.
+  Joint joint;
+  joint.place = m.place("equality", i);
+  joint.name = m.name("equality", i);
+  joint.body = body, joint.to = end_of(m, to);
+  constexpr double closed = 1e-6;  // [m], [rad]: what the compiler leaves of a loop that closes
+  if (kind == MjEquality::connect) {
+    joint.point = first.position + first.turn * datum(0);
+    if ((second.position + second.turn * datum(3) - joint.point).norm() > closed)
+      return lose("its points are apart at the start");
+    joint.freedoms = {{.kind = "ball"}};
+  } else {
+    const foreign::Pose relative = first.inverse() * second;
+    const int k = columns * i + 6;
+    const foreign::Quaternion asked(m.number("eq_data", k), m.number("eq_data", k + 1),
+                                    m.number("eq_data", k + 2), m.number("eq_data", k + 3));
+    if (relative.turn.angularDistance(asked.normalized()) > closed ||
+        (first.position + first.turn * datum(3) - second.position - second.turn * datum(0)).norm() > closed)
+      return lose("its bodies are not as it holds them at the start");
+    joint.point = second.position;
+  }
+  if (end_of(m, body) < 0) {
+    if (joint.to < 0) return;  // of the world with itself
+    joint.body = joint.to, joint.to = -1;
+  }
+  model.joints.push_back(joint);
+}
+
+}  // namespace
+
+void add_joints(const Compiled& m, foreign::Model& model) {
+  const std::vector<Drive> drives = drives_of(m, model);
+  for (int body = 1; body < m.size("nbody"); ++body) {
+    if (m.integer("body_weldid", body) == 0) continue;  // of the world
+    Joint joint;
+    joint.place = m.place("body", body);
+    joint.body = body;
+    joint.to = end_of(m, m.integer("body_parentid", body));
+    const int first = m.integer("body_jntadr", body), count = m.integer("body_jntnum", body);
+    joint.one_body = count == 0;
+    joint.point = m.start_vector("xipos", body);
+    bool is_free = false;
+    for (int j = first; j < first + count; ++j) {
+      const auto kind = static_cast<MjJoint>(m.integer("jnt_type", j));
+      if (j == first) joint.place = m.place("joint", j), joint.name = m.name("joint", j);
+      if (kind == MjJoint::free) {
+        is_free = true;
+        add_free_joint(m, j, model);
+      } else if (kind == MjJoint::ball) {
+        joint.freedoms.push_back({.kind = "ball"});
+        joint.point = m.start_vector("xanchor", j);
+        lose_of_ball(m, j, joint.to, model);
+      } else {
+        joint.freedoms.push_back(freedom_of(m, j, drives[static_cast<std::size_t>(j)], model));
+        if (j > first && kind == MjJoint::hinge && joint.freedoms.front().kind == "turn" &&
+            (m.start_vector("xanchor", j) - joint.point).norm() > 1e-9)
+          model.losses.push_back(
+              {"joint_kind", m.place("joint", j), "hinges of one body about axes that do not meet"});
+        if (kind == MjJoint::hinge || j == first) joint.point = m.start_vector("xanchor", j);
+      }
+    }
+    if (!is_free) model.joints.push_back(joint);
+  }
+  if (m.disabled("equality") || m.disabled("constraint")) return;
+  for (int i = 0; i < m.size("neq"); ++i) add_equality(m, i, model);
+}
+
+}  // namespace cylon::imports

@@ -1,0 +1,85 @@
+#include "harness/imports/mjcf/mjcf.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace cylon::imports {
+namespace {
+
+using foreign::Loss;
+using foreign::Place;
+
+// A kind of element that a model has, whatever it says.
+struct Presence {
+  const char* kind;
+  const char* what;
+};
+constexpr Presence presences[] = {
+    {"site", "presentation"}, {"camera", "presentation"}, {"light", "presentation"},
+    {"skin", "presentation"}, {"sensor", "sensor"},       {"key", "keyframe"},
+    {"flex", "soft_body"},    {"plugin", "plugin_force"},
+};
+
+bool acts(const Compiled& m, int tendon) {
+  return m.number("tendon_stiffness", tendon) != 0 || m.number("tendon_damping", tendon) != 0 ||
+         m.number("tendon_frictionloss", tendon) != 0 || m.integer("tendon_limited", tendon) != 0 ||
+         m.number("tendon_armature", tendon) != 0;
+}
+
+}  // namespace
+
+foreign::Model model_of_mjcf(const Compiled& m) {
+  foreign::Model model;
+  model.library = m.library();
+  model.step = m.option("timestep");
+  model.gravity = m.disabled("gravity") ? foreign::Vector3::Zero() : m.gravity();
+  model.bodies = bodies_of(m, model);
+  add_joints(m, model);
+  add_surfaces(m, model);
+  add_losses(m, model);
+  return model;
+}
+
+// A frame at the inertial centre of each body; the world, body 0, is a locked one.
+std::vector<foreign::Body> bodies_of(const Compiled& m, foreign::Model& model) {
+  std::vector<foreign::Body> bodies;
+  for (int i = 0; i < m.size("nbody"); ++i) {
+    foreign::Body& body = bodies.emplace_back();
+    body.place = m.place("body", i);
+    body.name = m.name("body", i);
+    if (body.name.empty()) body.name = fmt::format("body {}", i);
+    body.locked = m.integer("body_weldid", i) == 0;
+    body.mass = m.number("body_mass", i);
+    // I = R diag(moments) R^T, from the principal axes to the body's.
+    const foreign::Matrix3 r = m.quaternion("body_iquat", i).toRotationMatrix();
+    body.inertia = r * m.vector("body_inertia", i).asDiagonal() * r.transpose();
+    body.inertia = (body.inertia + body.inertia.transpose()).eval() / 2;
+    body.pose = {m.start_vector("xipos", i), m.start_quaternion("xquat", i)};
+    body.spin = m.start_vector("velocities", 2 * i);
+    body.velocity = m.start_vector("velocities", 2 * i + 1);
+    if (const double share = m.number("body_gravcomp", i); share != 0 && !body.locked)
+      body.gravity = (1 - share) * model.gravity;
+    if (m.integer("body_mocapid", i, -1) >= 0) model.losses.push_back({"mocap", body.place, ""});
+  }
+  return bodies;
+}
+
+void add_losses(const Compiled& m, foreign::Model& model) {
+  const auto lose = [&](const char* what, Place place, std::string detail = "") {
+    model.losses.push_back({what, std::move(place), std::move(detail)});
+  };
+  for (const auto& [kind, what] : presences)
+    for (int i = 0; i < m.count(kind); ++i) lose(what, m.place(kind, i), kind);
+  for (int i = 0; i < m.size("ntendon"); ++i)
+    lose(acts(m, i) ? "tendon_force" : "tendon", m.place("tendon", i));
+  if (m.option("density") != 0 || m.option("viscosity") != 0)
+    lose("fluid", {"option", "", 0},
+         fmt::format("density {}, viscosity {}", m.option("density"), m.option("viscosity")));
+  if (m.size("njnt") + m.size("neq") + m.size("ngeom") > 0) lose("soft_constraints", {"model", "", 0});
+  for (int i = 0; i < m.size("nv"); ++i)
+    if (const double inertia = m.number("dof_armature", i); inertia != 0)
+      lose("armature", m.place("joint", m.integer("dof_jntid", i)), fmt::format("{}", inertia));
+}
+
+}  // namespace cylon::imports

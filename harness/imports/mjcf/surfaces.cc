@@ -1,0 +1,163 @@
+// Geoms: which touch which, and with what friction (MuJoCo's engine_collision_driver.c, mj_contactParam).
+#include "harness/imports/mjcf/mjcf.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace cylon::imports {
+namespace {
+
+using foreign::Solid;
+using foreign::Vector3;
+
+// All that decides whom a geom touches and how; `body` only where <exclude> names it.
+struct Surface {
+  int type = 0, affinity = 0, dimension = 3, priority = 0, body = -1;
+  double friction = 1;
+  auto operator<=>(const Surface&) const = default;
+};
+
+using Pairs = std::set<std::pair<int, int>>;
+
+// Bodies that <exclude> keeps apart; its signature is (body1 << 16) + body2, with 1 added to both before MuJoCo 3.
+Pairs excluded(const Compiled& m) {
+  Pairs pairs;
+  const int base = m.version() < 300 ? 1 : 0;
+  for (int i = 0; i < static_cast<int>(m.length("exclude_signature")); ++i) {
+    const int signature = m.integer("exclude_signature", i);
+    const int a = (signature >> 16) - base, b = (signature & 0xffff) - base;
+    pairs.insert({m.integer("body_weldid", a), m.integer("body_weldid", b)});
+  }
+  return pairs;
+}
+
+bool touch(const Surface& a, const Surface& b, const Pairs& apart) {
+  if (apart.contains({a.body, b.body}) || apart.contains({b.body, a.body})) return false;
+  return (a.type & b.affinity) != 0 || (b.type & a.affinity) != 0;
+}
+
+foreign::Meeting meeting_of(int i, const Surface& a, int j, const Surface& b) {
+  const Surface& first = a.priority >= b.priority ? a : b;
+  const Surface& second = a.priority >= b.priority ? b : a;
+  const bool equal = a.priority == b.priority;
+  const int dimension = equal ? std::max(a.dimension, b.dimension) : first.dimension;
+  const double friction = equal ? std::max(first.friction, second.friction) : first.friction;
+  return {i, j, dimension == 1 ? 0 : friction, 0};
+}
+
+// The vertices that MuJoCo collides with: of the hull where it has one.
+std::vector<Vector3> vertices_of(const Compiled& m, int mesh) {
+  const int first = m.integer("mesh_vertadr", mesh), count = m.integer("mesh_vertnum", mesh);
+  const int graph = m.integer("mesh_graphadr", mesh, -1);
+  std::vector<Vector3> vertices;
+  if (graph < 0) {
+    for (int i = 0; i < count; ++i) vertices.push_back(m.vector("mesh_vert", first + i));
+    return vertices;
+  }
+  // numvert, numface, vert_edgeadr[numvert], vert_globalid[numvert], …
+  const int hull = m.integer("mesh_graph", graph);
+  for (int i = 0; i < hull; ++i)
+    vertices.push_back(m.vector("mesh_vert", first + m.integer("mesh_graph", graph + 2 + hull + i)));
+  return vertices;
+}
+
+Solid solid_of(const Compiled& m, int geom) {
+  const auto kind = static_cast<MjGeom>(m.integer("geom_type", geom));
+  const Vector3 size = m.vector("geom_size", geom);
+  Solid solid;
+  solid.place = m.place("geom", geom);
+  if (m.name("geom", geom).empty())
+    solid.place.element += fmt::format(" of body '{}'", m.name("body", m.integer("geom_bodyid", geom)));
+  solid.size = size;
+  switch (kind) {
+    case MjGeom::plane:
+      solid.kind = "plane";
+      break;
+    case MjGeom::sphere:
+      solid.kind = "sphere";
+      break;
+    case MjGeom::box:
+      solid.kind = "box";
+      break;
+    case MjGeom::capsule:
+    case MjGeom::cylinder:
+      solid.kind = kind == MjGeom::capsule ? "capsule" : "cylinder";
+      solid.size = {size.x(), 2 * size.y(), 0};
+      break;
+    case MjGeom::ellipsoid:
+      solid.kind = size.x() == size.y() && size.y() == size.z() ? "sphere" : "ellipsoid";
+      break;
+    case MjGeom::mesh:
+      solid.kind = "hull";
+      solid.vertices = vertices_of(m, m.integer("geom_dataid", geom));
+      break;
+    case MjGeom::hfield:
+      solid.kind = "heightfield";
+      break;
+    default:
+      solid.kind = "signed distance";
+      break;
+  }
+  // From the frame of the body to its centre of mass.
+  const int body = m.integer("geom_bodyid", geom);
+  solid.pose = {m.vector("geom_pos", geom) - m.vector("body_ipos", body), m.quaternion("geom_quat", geom)};
+  return solid;
+}
+
+void lose_of_geom(const Compiled& m, int geom, const Surface& surface, foreign::Model& model) {
+  const auto lose = [&](const char* what, std::string detail = "") {
+    model.losses.push_back({what, m.place("geom", geom), std::move(detail)});
+  };
+  if (surface.dimension > 3) lose("torsional_friction", fmt::format("condim {}", surface.dimension));
+  if (const double margin = m.number("geom_margin", geom) - m.number("geom_gap", geom); margin != 0)
+    lose("contact_margin", fmt::format("{} m", margin));
+  if (m.length("geom_adhesion") > 0 && m.number("geom_adhesion", geom) != 0) lose("contact_pair", "adhesion");
+  if (const auto all = m.length("geom_surfacevel"); all > 0) {
+    const int columns = static_cast<int>(all) / m.size("ngeom");
+    for (int k = 0; k < columns; ++k)
+      if (m.number("geom_surfacevel", columns * geom + k) != 0) return lose("surface_velocity");
+  }
+}
+
+}  // namespace
+
+void add_surfaces(const Compiled& m, foreign::Model& model) {
+  const Pairs apart = excluded(m);
+  std::set<int> named;
+  for (const auto& [a, b] : apart) named.insert(a), named.insert(b);
+  for (int i = 0; i < m.size("npair"); ++i) model.losses.push_back({"contact_pair", m.place("pair", i), ""});
+
+  std::map<Surface, int> numbers;
+  if (m.disabled("contact") || m.disabled("constraint")) return;
+  for (int geom = 0; geom < m.size("ngeom"); ++geom) {
+    Surface s{.type = m.integer("geom_contype", geom),
+              .affinity = m.integer("geom_conaffinity", geom),
+              .dimension = m.integer("geom_condim", geom),
+              .priority = m.integer("geom_priority", geom),
+              .friction = m.number("geom_friction", 3 * geom)};
+    if (s.type == 0 && s.affinity == 0) {
+      model.losses.push_back({"visual", m.place("geom", geom), ""});
+      continue;
+    }
+    const int body = m.integer("geom_bodyid", geom), whole = m.integer("body_weldid", body);
+    if (named.contains(whole)) s.body = whole;
+    lose_of_geom(m, geom, s, model);
+    Solid solid = solid_of(m, geom);
+    solid.surface = numbers.try_emplace(s, static_cast<int>(numbers.size())).first->second;
+    model.bodies[static_cast<std::size_t>(body)].solids.push_back(std::move(solid));
+  }
+  constexpr std::size_t most = 1000;
+  if (numbers.size() > most) {
+    model.losses.push_back(
+        {"too_large", {"geom", "", 0}, fmt::format("{} kinds of surface", numbers.size())});
+    return;
+  }
+  for (const auto& [a, i] : numbers)
+    for (const auto& [b, j] : numbers)
+      if (i <= j && touch(a, b, apart)) model.meetings.push_back(meeting_of(i, a, j, b));
+}
+
+}  // namespace cylon::imports

@@ -1,0 +1,129 @@
+#!/usr/bin/env node
+// cylon-import-mujoco3 FILE [KEYFRAME]: what main.cc prints, of MuJoCo 3 in WebAssembly, which reads newer files.
+import fs from 'node:fs';
+import path from 'node:path';
+import {createRequire} from 'node:module';
+import {pathToFileURL} from 'node:url';
+
+// The npm packages of the engines in JavaScript are those of this program too.
+const require = createRequire(new URL('../../simulators/js/package.json', import.meta.url));
+const {default: load_mujoco} = await import(pathToFileURL(require.resolve('@mujoco/mujoco')));
+
+const needed = /^(body_|jnt_|dof_|geom_|mesh_|pair_|exclude_|eq_|tendon_|actuator_|qpos|key_)/;
+const large = /_user$|^geom_rgba$|^geom_aabb$|^body_bvh|^mesh_(normal|texcoord|face|poly|bvh|oct|extrema|path|scale)/;
+const kinds = {
+  body: 'nbody', jnt: 'njnt', geom: 'ngeom', mesh: 'nmesh', pair: 'npair', eq: 'neq', tendon: 'ntendon',
+  actuator: 'nactuator', sensor: 'nsensor', site: 'nsite', cam: 'ncam', light: 'nlight', key: 'nkey', skin: 'nskin',
+  flex: 'nflex', plugin: 'nplugin',
+};
+const words = {jnt: 'joint', eq: 'equality', cam: 'camera'};
+const bits = ['constraint', 'equality', 'frictionloss', 'limit', 'contact', 'passive', 'spring', 'damper', 'gravity', 'filterparent', 'actuation'];
+
+class Refused extends Error {}
+
+/** The machine's files are not MuJoCo's in WebAssembly: those that a message misses are copied, and it tries again. */
+function compile(M, file) {
+  const copy = (name) => {
+    M.FS.mkdirTree(path.dirname(name));
+    M.FS.writeFile(name, fs.readFileSync(name));
+  };
+  const whole = path.resolve(file);
+  for (const beside of fs.readdirSync(path.dirname(whole), {withFileTypes: true}))
+    if (beside.isFile() && /\.(xml|mjcf|stl|obj|msh|png|bin|txt)$/i.test(beside.name)) copy(path.join(path.dirname(whole), beside.name));
+  copy(whole);
+  for (const tried = new Set();;) try {
+    return M.MjModel.from_xml_path(whole);
+  } catch (error) {
+    const message = error.message ?? String(M.getExceptionMessage ? M.getExceptionMessage(error) : error);
+    const missing = [...message.matchAll(/'([^']+)'|\[([^\]]+)\]/g)].map((m) => path.resolve(path.dirname(whole), m[1] ?? m[2]))
+      .find((name) => !tried.has(name) && fs.existsSync(name) && fs.statSync(name).isFile());
+    if (!missing) throw new Refused(message);
+    tried.add(missing);
+    copy(missing);
+  }
+}
+
+// Arrays of bytes have no view in these bindings; their elements have, but for two: there a range stands for its flag.
+const has_range = (ranges, i) => ranges[2 * i] !== 0 || ranges[2 * i + 1] !== 0;
+const flags = {
+  jnt_limited: ['njnt', (m, i) => m.jnt(i).limited], jnt_actfrclimited: ['njnt', (m, i) => has_range(m.jnt_actfrcrange, i)],
+  actuator_forcelimited: ['nactuator', (m, i) => m.actuator(i).forcelimited], eq_active0: ['neq', (m, i) => m.eq(i).active0],
+  tendon_limited: ['ntendon', (m, i) => has_range(m.tendon_range, i)],
+};
+function array_of(model, name) {
+  try {
+    return model[name];
+  } catch {
+    return null;
+  }
+}
+
+const list = (numbers) => Array.from(numbers, Number);
+
+function names_of(model) {
+  const bytes = model.names, text = typeof bytes === 'string' ? Buffer.from(bytes, 'latin1') : Buffer.from(bytes);
+  const name_at = (at) => text.toString('utf8', at, text.indexOf(0, at));
+  return Object.fromEntries(Object.entries(kinds).map(([kind, size]) => {
+    const starts = model[`name_${kind}adr`] ?? [];
+    return [words[kind] ?? kind, Array.from({length: model[size] ?? 0}, (_, i) => name_at(Number(starts[i])))];
+  }));
+}
+
+function told(M, model, data) {
+  const arrays = {}, sizes = {};
+  for (const name of Object.getOwnPropertyNames(Object.getPrototypeOf(model))) {
+    if (/^n[a-z]/.test(name) && typeof model[name] === 'number') sizes[name] = model[name];
+    if (!needed.test(name) || large.test(name)) continue;
+    const array = array_of(model, name);
+    if (ArrayBuffer.isView(array)) arrays[name] = list(array);
+  }
+  for (const [name, [size, of]] of Object.entries(flags))
+    arrays[name] = Array.from({length: model[size] ?? 0}, (_, i) => Number(of(model, i)));
+  const {opt} = model;
+  const disabled = bits.filter((name) => {
+    const bit = M.mjtDisableBit[`mjDSBL_${name.toUpperCase()}`];
+    return bit && (opt.disableflags & bit.value) !== 0;
+  });
+  if (disabled.includes('passive')) disabled.push('spring', 'damper');
+  const velocities = [];
+  const room = new M.DoubleBuffer(6);
+  for (let i = 0; i < model.nbody; ++i) {
+    M.mj_objectVelocity(model, data, M.mjtObj.mjOBJ_BODY.value, i, room, 0);
+    velocities.push(...list(room.GetView()));
+  }
+  const start = {velocities};
+  for (const name of ['qpos', 'ctrl', 'act', 'xpos', 'xquat', 'xipos', 'xanchor', 'xaxis']) start[name] = list(data[name]);
+  return {
+    library: `MuJoCo ${M.mj_versionString()}`, version: M.mj_version(), sizes, names: names_of(model), arrays,
+    option: {timestep: opt.timestep, gravity: list(opt.gravity), density: opt.density, viscosity: opt.viscosity, disabled}, start,
+  };
+}
+
+async function main([file, key]) {
+  if (!file) throw new Refused('usage: cylon-import-mujoco3 FILE [KEYFRAME]');
+  const M = await load_mujoco({print: console.error, printErr: console.error});
+  const model = compile(M, file), data = new M.MjData(model);
+  if (key !== undefined) {
+    const number = names_of(model).key.indexOf(key);
+    if (number < 0) throw new Refused(`no keyframe is called '${key}'`);
+    M.mj_resetDataKeyframe(model, data, number);
+  }
+  M.mj_kinematics(model, data);
+  M.mj_comPos(model, data);
+  M.mj_comVel(model, data);
+  return JSON.stringify(told(M, model, data));
+}
+
+let code = 0;
+try {
+  const text = Buffer.from(await main(process.argv.slice(2)));
+  for (let at = 0; at < text.length;) try {
+    at += fs.writeSync(1, text, at);
+  } catch (error) {
+    if (error.code !== 'EAGAIN') throw error;
+  }
+} catch (error) {
+  console.error(error instanceof Refused ? error.message : `MuJoCo: ${error.message ?? error}`);
+  code = 2;
+}
+process.exit(code);

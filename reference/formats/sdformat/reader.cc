@@ -1,0 +1,253 @@
+#include "reference/formats/sdformat/reader.h"
+
+#include "reference/formats/resources/resources.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string_view>
+#include <utility>
+
+namespace cylon::formats {
+namespace {
+
+using foreign::Place;
+using foreign::Pose;
+using foreign::Vector3;
+
+Vector3 vector(const ignition::math::Vector3d& v) { return {v.X(), v.Y(), v.Z()}; }
+Pose pose(const ignition::math::Pose3d& p) {
+  return {vector(p.Pos()),
+          foreign::Quaternion(p.Rot().W(), p.Rot().X(), p.Rot().Y(), p.Rot().Z()).normalized()};
+}
+
+// "file:line: message" of each, one a line.
+std::string text_of(const sdf::Errors& errors) {
+  std::string text;
+  for (const sdf::Error& error : errors) {
+    if (!text.empty()) text += '\n';
+    if (error.LineNumber()) text += "line " + std::to_string(*error.LineNumber()) + ": ";
+    text += error.Message();
+  }
+  return text;
+}
+
+void require(const sdf::Errors& errors) {
+  if (!errors.empty()) throw Refused(text_of(errors));
+}
+
+Pose resolved(const sdf::SemanticPose& semantic) {
+  ignition::math::Pose3d result;
+  require(semantic.Resolve(result));
+  return pose(result);
+}
+
+// Systems of gz-sim and plugins of Gazebo that push bodies without a command: by a medium, or to hold a target.
+constexpr std::array moving_plugins = {
+    "buoyancy", "hydrodynamics", "wind",        "lift-drag",   "liftdrag",   "lift_drag", "controller",
+    "conveyor", "lighter",       "environment", "multicopter", "trajectory", "thruster",  "track",
+    "mecanum",  "magnetic",      "attract",     "apply_force", "applylink",  "detachable"};
+
+bool moves_bodies(std::string name) {
+  std::ranges::transform(name, name.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::ranges::any_of(moving_plugins,
+                             [&](const char* word) { return name.find(word) != std::string::npos; });
+}
+
+}  // namespace
+
+SdfReader::SdfReader(std::string file, std::vector<std::string> roots)
+    : file_(std::move(file)), roots_(std::move(roots)) {}
+
+void SdfReader::lose(const char* what, Place where, std::string detail) {
+  model_.losses.push_back({what, std::move(where), std::move(detail)});
+}
+
+Place SdfReader::place(const char* kind, const std::string& name, const sdf::ElementPtr& element) const {
+  Place result{std::string(kind) + " '" + name + "'", "", 0};
+  if (!element) return result;
+  if (element->LineNumber()) result.line = *element->LineNumber();
+  // What an <include> brought stands in another file.
+  std::error_code ignored;
+  if (!element->FilePath().empty() && !std::filesystem::equivalent(element->FilePath(), file_, ignored))
+    result.file = element->FilePath();
+  return result;
+}
+
+foreign::Model SdfReader::read() {
+  sdf::ParserConfig config;
+  config.SetFindCallback([this](const std::string& uri) -> std::string {
+    try {
+      return resolve(uri, file_, roots_);
+    } catch (const Refused&) {  // a folder of a model, or nothing: the library says so
+      for (const std::string& root : roots_)
+        if (const auto folder = std::filesystem::path(root) /
+                                uri.substr(uri.find("://") == std::string::npos ? 0 : uri.find("://") + 3);
+            std::filesystem::is_directory(folder))
+          return folder.string();
+      return "";
+    }
+  });
+  sdf::Root root;
+  require(root.Load(file_, config));
+  model_.library = "libsdformat " SDF_VERSION_FULL;
+  if (root.WorldCount() > 0) {
+    for (std::uint64_t i = 1; i < root.WorldCount(); ++i)
+      lose("custom", place("world", root.WorldByIndex(i)->Name(), root.WorldByIndex(i)->Element()),
+           "a second world");
+    read_world(*root.WorldByIndex(0));
+  } else if (root.Model()) {
+    lose("assumed", place("model", root.Model()->Name(), root.Model()->Element()), "gravity 9.81 m/s^2");
+    read_model(*root.Model(), pose(root.Model()->RawPose()), root.Model()->Name(), root.Model()->Static(), 0);
+  } else {
+    throw Refused("it holds neither a world nor a model");
+  }
+  add_meetings();
+  return std::move(model_);
+}
+
+void SdfReader::read_world(const sdf::World& world) {
+  model_.gravity = vector(world.Gravity());
+  if (const sdf::Physics* physics = world.PhysicsDefault()) model_.step = physics->MaxStepSize();
+  for (std::uint64_t i = 0; i < world.ActorCount(); ++i)
+    lose("actor", place("actor", world.ActorByIndex(i)->Name(), world.ActorByIndex(i)->Element()));
+  for (std::uint64_t i = 0; i < world.LightCount(); ++i)
+    lose("presentation", place("light", world.LightByIndex(i)->Name(), world.LightByIndex(i)->Element()),
+         "light");
+  read_plugins(world.Element());
+  for (std::uint64_t i = 0; i < world.ModelCount(); ++i) {
+    const sdf::Model& model = *world.ModelByIndex(i);
+    read_model(model, resolved(model.SemanticPose()), model.Name(), model.Static(), static_cast<int>(i));
+  }
+}
+
+void SdfReader::read_plugins(const sdf::ElementPtr& element) {
+  if (!element || !element->HasElement("plugin")) return;
+  for (sdf::ElementPtr plugin = element->GetElement("plugin"); plugin;
+       plugin = plugin->GetNextElement("plugin")) {
+    const auto name = plugin->Get<std::string>("name"), library = plugin->Get<std::string>("filename");
+    lose(moves_bodies(name + " " + library) ? "plugin_force" : "plugin", place("plugin", name, plugin));
+  }
+}
+
+// Links of a model touch each other only where it says so; nested models belong to the outermost.
+void SdfReader::read_model(const sdf::Model& model, const Pose& frame, const std::string& scope, bool locked,
+                           int number) {
+  if (model.SelfCollide()) number = -1;
+  read_plugins(model.Element());
+  for (std::uint64_t i = 0; i < model.LinkCount(); ++i)
+    read_link(model, *model.LinkByIndex(i), frame, scope, locked, number);
+  for (std::uint64_t i = 0; i < model.ModelCount(); ++i) {
+    const sdf::Model& inner = *model.ModelByIndex(i);
+    read_model(inner, frame * resolved(inner.SemanticPose()), scope + "::" + inner.Name(),
+               locked || inner.Static(), number);
+  }
+  for (std::uint64_t i = 0; i < model.JointCount(); ++i) read_joint(*model.JointByIndex(i), frame, scope);
+}
+
+void SdfReader::read_link(const sdf::Model&, const sdf::Link& link, const Pose& frame,
+                          const std::string& scope, bool locked, int number) {
+  const std::string name = scope + "::" + link.Name();
+  bodies_[name] = static_cast<int>(model_.bodies.size());
+  foreign::Body& body = model_.bodies.emplace_back();
+  body.name = name;
+  body.place = place("link", name, link.Element());
+  body.locked = locked;
+  const ignition::math::Inertiald& inertial = link.Inertial();
+  const Pose centre{vector(inertial.Pose().Pos()), foreign::Quaternion::Identity()};
+  body.mass = inertial.MassMatrix().Mass();
+  const ignition::math::Matrix3d moi = inertial.Moi();  // about the centre of mass, axes of the link
+  for (std::size_t r = 0; r < 3; ++r)
+    for (std::size_t c = 0; c < 3; ++c) body.inertia(static_cast<int>(r), static_cast<int>(c)) = moi(r, c);
+  body.pose = frame * resolved(link.SemanticPose()) * centre;
+  const sdf::ElementPtr element = link.Element();
+  if (element && !element->Get<bool>("gravity", true).first) body.gravity = Vector3::Zero();
+  if (element && element->Get<bool>("kinematic", false).first)
+    lose("mocap", body.place, "kinematic"), body.locked = true;
+  if (element && element->HasElement("velocity_decay") && !locked) {
+    const sdf::ElementPtr decay = element->GetElement("velocity_decay");
+    if (decay->Get<double>("linear", 0).first != 0 || decay->Get<double>("angular", 0).first != 0)
+      lose("free_drag", body.place, "velocity_decay");
+  }
+  for (std::uint64_t i = 0; i < link.SensorCount(); ++i)
+    lose("sensor", place("sensor", link.SensorByIndex(i)->Name(), link.SensorByIndex(i)->Element()));
+  if (link.VisualCount() > 0) lose("visual", body.place);
+  for (std::uint64_t i = 0; i < link.LightCount(); ++i)
+    lose("presentation", place("light", link.LightByIndex(i)->Name(), link.LightByIndex(i)->Element()),
+         "light");
+  for (std::uint64_t i = 0; i < link.CollisionCount(); ++i)
+    read_collision(*link.CollisionByIndex(i), name, centre, number, body);
+}
+
+int SdfReader::body_of(const std::string& scope, const std::string& name, const Place& at) const {
+  if (name == "world") return -1;
+  const auto found = bodies_.find(scope + "::" + name);
+  if (found == bodies_.end()) throw Refused(at.element + ": there is no link '" + name + "'");
+  return found->second;
+}
+
+void SdfReader::read_joint(const sdf::Joint& from, const Pose& frame, const std::string& scope) {
+  foreign::Joint joint;
+  joint.name = scope + "::" + from.Name();
+  joint.place = place("joint", joint.name, from.Element());
+  std::string parent, child;
+  require(from.ResolveParentLink(parent));
+  require(from.ResolveChildLink(child));
+  joint.body = body_of(scope, child, joint.place), joint.to = body_of(scope, parent, joint.place);
+  ignition::math::Pose3d at;
+  require(from.SemanticPose().Resolve(at, "__model__"));
+  joint.point = (frame * pose(at)).position;
+  switch (from.Type()) {
+    case sdf::JointType::FIXED:
+      break;
+    case sdf::JointType::BALL:
+      joint.freedoms = {{.kind = "ball"}};
+      break;
+    case sdf::JointType::REVOLUTE:
+    case sdf::JointType::CONTINUOUS:
+      joint.freedoms = {{.kind = "turn"}};
+      break;
+    case sdf::JointType::PRISMATIC:
+      joint.freedoms = {{.kind = "slide"}};
+      break;
+    case sdf::JointType::UNIVERSAL:
+    case sdf::JointType::REVOLUTE2:
+      joint.freedoms = {{.kind = "turn"}, {.kind = "turn"}};
+      break;
+    case sdf::JointType::SCREW:
+      lose("joint_kind", joint.place, "screw: releases and engines read thread_pitch in different units");
+      break;
+    default:
+      lose("joint_kind", joint.place, "gearbox");
+      break;
+  }
+  for (std::size_t i = 0; i < joint.freedoms.size(); ++i)
+    if (const sdf::JointAxis* axis = from.Axis(static_cast<unsigned>(i));
+        axis && joint.freedoms[i].kind != "ball") {
+      const std::string kind = joint.freedoms[i].kind;
+      joint.freedoms[i] = freedom_of(*axis, frame, joint.place);
+      joint.freedoms[i].kind = kind;
+      if (from.Type() == sdf::JointType::CONTINUOUS)
+        joint.freedoms[i].lower = joint.freedoms[i].upper = std::nullopt;
+    }
+  for (std::uint64_t i = 0; i < from.SensorCount(); ++i)
+    lose("sensor", place("sensor", from.SensorByIndex(i)->Name(), from.SensorByIndex(i)->Element()));
+  model_.joints.push_back(std::move(joint));
+}
+
+foreign::Freedom SdfReader::freedom_of(const sdf::JointAxis& axis, const Pose& frame, const Place& at) {
+  foreign::Freedom freedom;
+  ignition::math::Vector3d xyz;
+  require(axis.ResolveXyz(xyz, "__model__"));
+  freedom.axis = (frame.turn * vector(xyz)).normalized();
+  constexpr double none = 1e15;  // what stands for "no limit" is 1e16, or infinity
+  if (axis.Lower() > -none) freedom.lower = axis.Lower();
+  if (axis.Upper() < none) freedom.upper = axis.Upper();
+  freedom.stiffness = axis.SpringStiffness(), freedom.rest = axis.SpringReference();
+  freedom.damping = axis.Damping(), freedom.friction = axis.Friction();
+  if (axis.Effort() > 0 && axis.Effort() < none) lose("effort", at);
+  return freedom;
+}
+
+}  // namespace cylon::formats

@@ -1,0 +1,51 @@
+// A world or a model of SDFormat, as libsdformat reads it, as a foreign model.
+#pragma once
+
+#include "harness/imports/model/model.h"
+
+#include <sdf/sdf.hh>
+
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace cylon::formats {
+
+class SdfReader {
+ public:
+  SdfReader(std::string file, std::vector<std::string> roots);
+
+  /// Throws Refused with all errors of the library, each with file and line.
+  foreign::Model read();
+
+ private:
+  /// All that decides whom a surface touches and how: the model, where its links do not touch each other (-1: they do).
+  using Surface = std::tuple<int, int, double, double>;  // model, bits, friction, restitution
+
+  void read_world(const sdf::World&);
+  void read_model(const sdf::Model&, const foreign::Pose& frame, const std::string& scope, bool locked,
+                  int number);
+  void read_link(const sdf::Model&, const sdf::Link&, const foreign::Pose& frame, const std::string& scope,
+                 bool locked, int number);
+  void read_collision(const sdf::Collision&, const std::string& link, const foreign::Pose& centre, int number,
+                      foreign::Body&);
+  void read_shape(const sdf::Collision&, foreign::Solid&);
+  Surface surface_of(const sdf::Collision&, int number, const foreign::Place&);
+  void read_joint(const sdf::Joint&, const foreign::Pose& frame, const std::string& scope);
+  foreign::Freedom freedom_of(const sdf::JointAxis&, const foreign::Pose& frame, const foreign::Place&);
+  void read_plugins(const sdf::ElementPtr&);
+  void add_meetings();
+  int body_of(const std::string& scope, const std::string& name, const foreign::Place&) const;
+
+  void lose(const char* what, foreign::Place, std::string detail = "");
+  foreign::Place place(const char* kind, const std::string& name, const sdf::ElementPtr&) const;
+
+  std::string file_;
+  std::vector<std::string> roots_;
+  std::map<std::string, int> bodies_;  // by scoped name
+  std::map<Surface, int> surfaces_;
+  foreign::Model model_;
+};
+
+}  // namespace cylon::formats

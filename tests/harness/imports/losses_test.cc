@@ -1,0 +1,48 @@
+// The table of what a scene cannot say.
+#include "harness/imports/losses.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <stdexcept>
+
+namespace cylon::imports {
+namespace {
+
+TEST(Losses, HaveOneRowEachWithAReason) {
+  std::set<std::string_view> words;
+  for (const LossKind& kind : loss_kinds()) {
+    EXPECT_TRUE(words.insert(kind.what).second) << kind.what;
+    EXPECT_FALSE(kind.why.empty()) << kind.what;
+    EXPECT_EQ(&loss_kind(kind.what), &kind);
+  }
+}
+
+TEST(Losses, RefuseAWordThatIsNoneAndSayTheNearest) {
+  try {
+    loss_kind("armatur");
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_EQ(std::string(error.what()), "'armatur' is no kind of loss, did you mean 'armature'?");
+  }
+}
+
+TEST(Losses, NameFileLineAndElement) {
+  EXPECT_EQ(text_of({"sensor", {"sensor 'imu'", "part.sdf", 12}, ""}, "whole.sdf"),
+            "part.sdf:12: sensor 'imu': sensor: a sensor moves nothing");
+  EXPECT_EQ(text_of({"armature", {"joint 'hip'", "", 0}, "0.3"}, "robot.xml"),
+            "robot.xml: joint 'hip': armature (0.3): a scene has no inertia of a rotor on a joint");
+}
+
+TEST(Losses, JoinThoseOfOneKindAndDetail) {
+  const std::vector<foreign::Loss> losses = {{"sensor", {"sensor 'a'", "", 3}, ""},
+                                             {"armature", {"joint 'b'", "", 0}, "2"},
+                                             {"sensor", {"sensor 'c'", "", 5}, ""}};
+  EXPECT_EQ(
+      texts_of(losses, "f"),
+      (std::vector<std::string>{"f:3: sensor 'a' and 1 more: sensor: a sensor moves nothing",
+                                "f: joint 'b': armature (2): a scene has no inertia of a rotor on a joint"}));
+}
+
+}  // namespace
+}  // namespace cylon::imports
