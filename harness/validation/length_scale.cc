@@ -26,7 +26,8 @@ const core::Plane& plane_of(const Experiment& e) {
 
 // Half the thickness of the body below its centre, along the plane's normal.
 double below(const Experiment& e, const BodyState& s) {
-  return core::support(e.model.scene.bodies[e.body].shape, s.orientation.conjugate() * -plane_of(e).normal);
+  return core::support(e.model.scene.bodies[e.bodies[0]].shape,
+                       s.orientation.conjugate() * -plane_of(e).normal);
 }
 
 double height(const Experiment& e, const BodyState& s) {
@@ -37,7 +38,7 @@ double height(const Experiment& e, const BodyState& s) {
 // h = a + b t + c t^2, by least squares: -2 c / g.
 std::optional<double> flight(const Experiment& e, const measured::Run& run, double g, double clearance) {
   std::size_t n = 0;
-  while (n < run.states.size() && gap(e, run.states[n]) > clearance) ++n;
+  while (n < run.states.size() && gap(e, run.states[n][0]) > clearance) ++n;
   if (n < least_flight) return std::nullopt;
   const auto rows = static_cast<Eigen::Index>(n);
   Eigen::MatrixX3d powers(rows, 3);
@@ -45,18 +46,18 @@ std::optional<double> flight(const Experiment& e, const measured::Run& run, doub
   for (Eigen::Index i = 0; i < rows; ++i) {
     const double t = static_cast<double>(i) / e.rate;
     powers.row(i) << 1, t, t * t;
-    heights[i] = height(e, run.states[static_cast<std::size_t>(i)]);
+    heights[i] = height(e, run.states[static_cast<std::size_t>(i)][0]);
   }
   const Eigen::VectorXd fit = powers.colPivHouseholderQr().solve(heights);
   return -2 * fit[2] / g;
 }
 
 std::optional<double> rest(const Experiment& e, const measured::Run& run) {
-  const BodyState& last = run.states.back();
+  const BodyState& last = run.states.back()[0];
   const auto frames = static_cast<std::size_t>(std::ceil(0.1 * e.rate));
   if (run.states.size() <= frames) return std::nullopt;
   for (std::size_t i = run.states.size() - frames; i < run.states.size(); ++i)
-    if ((run.states[i].position - last.position).norm() > 1e-3) return std::nullopt;
+    if ((run.states[i][0].position - last.position).norm() > 1e-3) return std::nullopt;
   return height(e, last) / below(e, last);
 }
 
@@ -70,7 +71,7 @@ double gap(const Experiment& e, const BodyState& s) { return height(e, s) - belo
 
 LengthScale length_scale(const Experiment& e, double clearance) {
   const core::Scene& scene = e.model.scene;
-  const double g = -plane_of(e).normal.dot(core::gravity_of(scene, scene.bodies[e.body]));
+  const double g = -plane_of(e).normal.dot(core::gravity_of(scene, scene.bodies[e.bodies[0]]));
   if (!(g > 0)) throw core::InputError(fmt::format("{}: nothing falls onto the plane", e.model.file));
   std::vector<double> flights, rests;
   for (const measured::Run& run : e.runs) {

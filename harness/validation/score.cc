@@ -1,58 +1,27 @@
 #include "harness/validation/score.h"
 
-#include "harness/core/recording.h"
 #include "harness/tracking/statistics/bootstrap.h"
 #include "harness/tracking/statistics/holm.h"
 #include "harness/tracking/statistics/proportion.h"
 #include "harness/validation/length_scale.h"
+#include "harness/validation/normal.h"
+#include "harness/validation/path.h"
+#include "reference/measured/coordinates.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
-#include <random>
 
 namespace cylon::validation {
 namespace {
 
-using core::BodyState, core::Quaternion, core::Scene, core::Vector3, measured::Experiment;
+using core::BodyState, core::Scene, core::State, core::Vector3, measured::Experiment;
+using measured::measured_of, measured::moved, measured::started;
 
-// Normal numbers that are the same on every machine: Box and Muller (1958), from 53 bits each.
-class Normal {
- public:
-  Normal(std::uint64_t seed, std::uint64_t run, std::uint64_t member) {
-    std::seed_seq words{seed >> 32, seed & 0xffffffff, run, member};
-    bits_.seed(words);
-  }
-  double operator()(double deviation) {
-    const double radius = std::sqrt(-2 * std::log1p(-unit())), turn = 2 * std::numbers::pi * unit();
-    return deviation * radius * std::cos(turn);
-  }
-  Vector3 vector(double deviation) {
-    const double x = (*this)(deviation), y = (*this)(deviation), z = (*this)(deviation);
-    return {x, y, z};
-  }
-
- private:
-  double unit() { return static_cast<double>(bits_() >> 11) * 0x1p-53; }  // [0, 1)
-  std::mt19937_64 bits_;
-};
-
-Scene started(const Experiment& e, const BodyState& start) {
-  Scene scene = e.model.scene;
-  scene.bodies[e.body].initial = start;
-  return scene;
-}
-
-Scene varied(const Experiment& e, const BodyState& start, Normal& normal) {
-  Scene scene = started(e, start);
-  BodyState& s = scene.bodies[e.body].initial;
-  s.position += normal.vector(e.start.position);
-  const Vector3 turn = normal.vector(e.start.orientation);
-  if (const double angle = turn.norm(); angle > 0)
-    s.orientation = (Eigen::AngleAxisd(angle, turn / angle) * s.orientation).normalized();
-  s.velocity += normal.vector(e.start.velocity);
-  s.angular_velocity += normal.vector(e.start.angular_velocity);
+Scene varied(const Experiment& e, const State& start, Normal& normal) {
+  Eigen::VectorXd drawn(e.start.cols());
+  for (double& one : drawn) one = normal(1);
+  Scene scene = started(e, moved(e, start, e.start * drawn));
   for (core::Material& m : scene.materials) {
     m.friction = std::max(0.0, m.friction + normal(e.material.friction));
     m.restitution = std::clamp(m.restitution + normal(e.material.restitution), 0.0, 1.0);
@@ -60,30 +29,36 @@ Scene varied(const Experiment& e, const BodyState& start, Normal& normal) {
   return scene;
 }
 
-// The body's states at the frames of a run.
-std::vector<BodyState> predicted(const Experiment& e, const Scene& scene, std::size_t frames,
-                                 const study::Runner& runner) {
-  const std::int64_t every = core::whole_steps(1 / e.rate, e.model.step);
-  const auto last = static_cast<std::int64_t>(frames) - 1;
-  const core::Recording r = runner(scene, e.model.step, last * every, every);
-  std::vector<BodyState> states;
-  for (std::size_t i = 0; i < r.states.size(); ++i)
-    if (r.steps[i] % every == 0) states.push_back(r.states[i][e.body]);
-  return states;
-}
-
 // Where the gap first comes below 5 mm, a straight line between frames: what gives in an impact, and what lengths are off,
 // is less.
-std::optional<double> first_touch(const Experiment& e, const std::vector<BodyState>& states) {
+std::optional<double> first_touch(const Experiment& e, const std::vector<State>& states) {
   constexpr double touching = 0.005;  // [m]
-  double before = gap(e, states.front()) - touching;
+  double before = gap(e, states.front()[0]) - touching;
   if (before <= 0) return std::nullopt;
   for (std::size_t i = 1; i < states.size(); ++i) {
-    const double now = gap(e, states[i]) - touching;
+    const double now = gap(e, states[i][0]) - touching;
     if (now <= 0) return (static_cast<double>(i) - now / (now - before)) / e.rate;
     before = now;
   }
   return std::nullopt;
+}
+
+// Kinetic energy, and potential energy above the height at which the centre lies on the plane [J].
+double energy(const Experiment& e, const BodyState& s) {
+  const core::Body& body = e.model.scene.bodies[e.bodies[0]];
+  const core::Plane& plane = e.model.scene.planes[0];
+  const double height = plane.normal.dot(s.position) - plane.offset,
+               g = core::gravity_of(e.model.scene, body).norm();
+  return body.mass * (s.velocity.squaredNorm() / 2 + g * height) +
+         s.angular_velocity.dot(core::world_inertia(body, s.orientation) * s.angular_velocity) / 2;
+}
+
+// Share of the energy that is gone 0.1 s after the first touch.
+std::optional<double> loss(const Experiment& e, const std::vector<State>& states) {
+  const auto touch = first_touch(e, states);
+  const auto frame = static_cast<std::size_t>(std::ceil((touch.value_or(0) + 0.1) * e.rate));
+  if (!touch || frame >= states.size()) return std::nullopt;
+  return 1 - energy(e, states[frame][0]) / energy(e, states[0][0]);
 }
 
 // The body axis of six that is nearest to up, as ±1, ±2, ±3.
@@ -94,25 +69,19 @@ int side(const BodyState& s) {
   return static_cast<int>(axis + 1) * (up[axis] > 0 ? 1 : -1);
 }
 
-double share_inside(const std::vector<std::vector<BodyState>>& members, const std::vector<BodyState>& states,
+double share_inside(const std::vector<std::vector<State>>& members, const std::vector<State>& states,
                     Normal& noise, double deviation) {
   std::size_t inside = 0, all = 0;
   for (std::size_t i = 1; i < states.size(); ++i) {
     Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity()), high = -low;
     for (const auto& member : members) {
-      const Vector3 seen = member[i].position + noise.vector(deviation);
+      const Vector3 seen = member[i][0].position + noise.vector(deviation);
       low = low.cwiseMin(seen), high = high.cwiseMax(seen);
     }
     for (int k = 0; k < 3; ++k, ++all)
-      inside += low[k] <= states[i].position[k] && states[i].position[k] <= high[k];
+      inside += low[k] <= states[i][0].position[k] && states[i][0].position[k] <= high[k];
   }
   return static_cast<double>(inside) / static_cast<double>(all);
-}
-
-bool finite(const std::vector<BodyState>& states) {
-  return std::ranges::all_of(states, [](const BodyState& s) {
-    return s.position.allFinite() && s.orientation.coeffs().allFinite();
-  });
 }
 
 }  // namespace
@@ -120,7 +89,7 @@ bool finite(const std::vector<BodyState>& states) {
 double level(int members) { return static_cast<double>(members - 1) / (members + 1); }
 
 RunScore score(const Experiment& e, std::size_t run, const study::Runner& runner, const Band& band) {
-  const std::vector<BodyState>& states = e.runs[run].states;
+  const std::vector<State>& states = e.runs[run].states;
   RunScore found{.run = e.runs[run].name, .failure = {}};
   try {
     const auto path = predicted(e, started(e, states.front()), states.size(), runner);
@@ -128,12 +97,14 @@ RunScore score(const Experiment& e, std::size_t run, const study::Runner& runner
       found.failure = "the prediction is not finite";
       return found;
     }
-    found.distance = (path.back().position - states.back().position).norm();
-    found.angle = path.back().orientation.angularDistance(states.back().orientation);
-    found.same_side = side(path.back()) == side(states.back());
+    found.distance = (path.back()[0].position - states.back()[0].position).norm();
+    found.angle = path.back()[0].orientation.angularDistance(states.back()[0].orientation);
+    found.same_side = side(path.back()[0]) == side(states.back()[0]);
     const auto there = first_touch(e, path), here = first_touch(e, states);
     if (there && here) found.impact = *there - *here;
-    std::vector<std::vector<BodyState>> members;
+    const auto lost_there = loss(e, path), lost_here = loss(e, states);
+    if (lost_there && lost_here) found.loss = *lost_there - *lost_here;
+    std::vector<std::vector<State>> members;
     for (int m = 0; m < band.members; ++m) {
       Normal normal(band.seed, run, static_cast<std::uint64_t>(m));
       members.push_back(predicted(e, varied(e, states.front(), normal), states.size(), runner));
@@ -164,7 +135,7 @@ const char* name(Answer answer) {
 
 Summary summary(const std::vector<RunScore>& runs) {
   Summary all{.runs = runs.size(), .first_failure = {}};
-  std::vector<double> distance, angle, impact, covered;
+  std::vector<double> distance, angle, impact, loss, covered;
   std::size_t same = 0;
   for (const RunScore& run : runs) {
     if (!run.failure.empty()) {
@@ -173,13 +144,14 @@ Summary summary(const std::vector<RunScore>& runs) {
     }
     distance.push_back(run.distance), angle.push_back(run.angle), same += run.same_side;
     if (std::isfinite(run.impact)) impact.push_back(std::abs(run.impact));
+    if (std::isfinite(run.loss)) loss.push_back(run.loss);
     if (std::isfinite(run.covered)) covered.push_back(run.covered);
   }
   const auto estimate = [](const std::vector<double>& values, auto of) {
     return Estimate{of(values), statistics::bootstrap(values, of, 0.025, 1), values.size()};
   };
   all.distance = estimate(distance, statistics::median), all.angle = estimate(angle, statistics::median);
-  all.impact = estimate(impact, statistics::median);
+  all.impact = estimate(impact, statistics::median), all.loss = estimate(loss, statistics::median);
   all.covered = {statistics::mean(covered), statistics::share_interval(covered, 0.025), covered.size()};
   if (!distance.empty())
     all.same_side = {static_cast<double>(same) / static_cast<double>(distance.size()),

@@ -1,12 +1,16 @@
 #include "reference/measured/experiment.h"
 
+#include "harness/core/content_hash.h"
 #include "harness/core/recording.h"
 #include "harness/scenario/input.h"
-#include "harness/scenario/key_rows.h"
 #include "harness/scenario/reader.h"
+#include "reference/measured/coordinates.h"
+#include "reference/measured/experiment_keys.h"
 #include "reference/measured/table.h"
 
 #include <fmt/format.h>
+
+#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <array>
@@ -14,77 +18,12 @@
 #include <map>
 #include <numbers>
 #include <stdexcept>
+#include <tuple>
 
 namespace cylon::measured {
 namespace {
 
 using core::Quaternion, core::Vector3;
-using scenario::Key, scenario::Kind, scenario::Spec;
-
-const Spec* column_spec() {
-  static const Spec spec{
-      .label = "[columns]",
-      .keys = {
-          required(scenario::word("run", "Column whose value tells the runs apart.")),
-          scenario::word("frame", "Column that counts the frames of a run, one by one; absent: not checked."),
-          required(scenario::plain("position", Kind::texts, "Three columns: of the centre of mass.")),
-          required(scenario::plain("orientation", Kind::texts, "Four columns: w, x, y, z of body to world.")),
-          required(scenario::plain("velocity", Kind::texts, "Three columns: of the centre of mass.")),
-          required(scenario::plain("angular_velocity", Kind::texts, "Three columns."))}};
-  return &spec;
-}
-
-const Spec* unit_spec() {
-  static const Spec spec{
-      .label = "[units]",
-      .keys = {
-          absent("\"m\"",
-                 scenario::word("length", "Of positions; velocities are this a second.", {"m", "cm", "mm"})),
-          absent("\"rad\"", scenario::word("angle", "Angular velocities are this a second.", {"rad", "deg"})),
-          absent("\"y\"", scenario::word("up", "The axis of the data that points up.", {"y", "z"})),
-          absent("\"world\"", scenario::word("angular_velocity", "Its axes.", {"world", "body"}))}};
-  return &spec;
-}
-
-const Spec* uncertainty_spec() {
-  static const Spec spec{
-      .label = "[uncertainty]",
-      .keys = {
-          absent("0", scenario::real("noise", "m", "Of each coordinate of a measured position.",
-                                     core::not_negative)),
-          absent("0",
-                 scenario::real("position", "m", "Of each coordinate of the start.", core::not_negative)),
-          absent("0", scenario::real("orientation", "rad", "Of a small turn of the start about each axis.",
-                                     core::not_negative)),
-          absent("0",
-                 scenario::real("velocity", "m/s", "Of each coordinate of the start.", core::not_negative)),
-          absent("0", scenario::real("angular_velocity", "rad/s", "Of each coordinate of the start.",
-                                     core::not_negative)),
-          absent("0", scenario::real("friction", "", "Of every friction of the scene.", core::not_negative)),
-          absent("0", scenario::real("restitution", "", "Of every restitution of the scene.",
-                                     core::not_negative))}};
-  return &spec;
-}
-
-const Spec& experiment_keys() {
-  static const Spec spec{
-      .label = "an experiment",
-      .keys = {
-          required(scenario::word("title", "One line.")),
-          required(scenario::word("source", "Who measured it, and where it was published.")),
-          required(scenario::word("licence", "Of the data.")),
-          scenario::word("instrument", "What it was measured with."),
-          scenario::plain("known", Kind::texts, "What is known to be wrong with the data."),
-          required(
-              scenario::word("data", "The table: CSV with a head line, plain or gzip; beside this file.")),
-          required(scenario::word("model", "The scene, a scenario file without claims; beside this file.")),
-          required(scenario::word("body", "The body of the scene that was measured.")),
-          required(scenario::real("rate", "1/s", "Frames a second.", core::positive)),
-          required(nested("columns", Kind::table, column_spec, "Which columns hold what.")),
-          nested("units", Kind::table, unit_spec, "Units and axes of the data."),
-          nested("uncertainty", Kind::table, uncertainty_spec, "Standard deviations.")}};
-  return spec;
-}
 
 std::vector<std::size_t> columns_of(const scenario::Table& names, const char* key, std::size_t count,
                                     const Table& table) {
@@ -103,12 +42,16 @@ std::vector<std::size_t> columns_of(const scenario::Table& names, const char* ke
 
 // How a row of the table becomes a state.
 struct Conversion {
-  std::vector<std::size_t> position, orientation, velocity, angular_velocity;
+  const Experiment* experiment;
+  std::vector<std::size_t> position = {}, orientation = {}, velocity = {}, angular_velocity = {};  // free
+  std::vector<std::size_t> angles = {}, rates = {};                                                // chain
   double length = 1, angle = 1;            // to metres, to radians
   Quaternion up = Quaternion::Identity();  // from the axes of the data to y up
   bool body_axes = false;
+  double zero = 0;
 
-  core::BodyState state(const std::vector<double>& row) const {
+  core::State state(const std::vector<double>& row) const {
+    if (experiment->coordinates == Coordinates::chain) return chain(row);
     const auto vector = [&](const std::vector<std::size_t>& at) {
       return Vector3(row[at[0]], row[at[1]], row[at[2]]);
     };
@@ -116,37 +59,66 @@ struct Conversion {
         Quaternion(row[orientation[0]], row[orientation[1]], row[orientation[2]], row[orientation[3]])
             .normalized();
     const Vector3 spin = angle * vector(angular_velocity);
-    return {.position = up * (length * vector(position)),
-            .orientation = up * turn,
-            .velocity = up * (length * vector(velocity)),
-            .angular_velocity = up * (body_axes ? Vector3(turn * spin) : spin)};
+    return {{.position = up * (length * vector(position)),
+             .orientation = up * turn,
+             .velocity = up * (length * vector(velocity)),
+             .angular_velocity = up * (body_axes ? Vector3(turn * spin) : spin)}};
+  }
+
+  core::State chain(const std::vector<double>& row) const {
+    const auto numbers = [&](const std::vector<std::size_t>& at, double less) {
+      Eigen::VectorXd all(static_cast<Eigen::Index>(at.size()));
+      for (std::size_t i = 0; i < at.size(); ++i)
+        all[static_cast<Eigen::Index>(i)] = angle * (row[at[i]] - less);
+      return all;
+    };
+    return chain_state(experiment->model.scene, experiment->bodies, numbers(angles, zero), numbers(rates, 0));
   }
 
   double norm(const std::vector<double>& row) const {
+    if (orientation.empty()) return 1;
     double sum = 0;
     for (const std::size_t i : orientation) sum += row[i] * row[i];
     return std::sqrt(sum);
   }
 };
 
-Conversion conversion(const scenario::Table& root, const scenario::Table& names, const Table& table) {
-  Conversion made{columns_of(names, "position", 3, table), columns_of(names, "orientation", 4, table),
-                  columns_of(names, "velocity", 3, table), columns_of(names, "angular_velocity", 3, table)};
+Conversion conversion(const Experiment& e, const scenario::Table& root, const scenario::Table& names,
+                      const Table& table) {
+  Conversion made{&e};
+  const bool chain = e.coordinates == Coordinates::chain;
+  using Columns = std::vector<std::size_t> Conversion::*;
+  const std::tuple<const char*, Columns, std::size_t, bool> rows[] = {
+      {"position", &Conversion::position, 3, false},
+      {"orientation", &Conversion::orientation, 4, false},
+      {"velocity", &Conversion::velocity, 3, false},
+      {"angular_velocity", &Conversion::angular_velocity, 3, false},
+      {"angles", &Conversion::angles, e.bodies.size(), true},
+      {"rates", &Conversion::rates, e.bodies.size(), true}};
+  for (const auto& [key, columns, count, of_chain] : rows) {
+    if (of_chain == chain)
+      made.*columns = columns_of(names, key, count, table);
+    else if (names.has(key))
+      names.fail(key, fmt::format("{} is of {}", key,
+                                  chain ? "a free body, not of a chain" : "a chain (bodies = […])"));
+  }
   const auto units = root.table("units");
   if (!units) return made;
   made.length = std::array{1.0, 0.01, 0.001}.at(units->choice("length", {"m", "cm", "mm"}, std::size_t{0}));
   made.angle =
       std::array{1.0, std::numbers::pi / 180}.at(units->choice("angle", {"rad", "deg"}, std::size_t{0}));
   made.body_axes = units->text("angular_velocity", "world") == "body";
+  made.zero = units->number("zero");
   if (units->text("up", "y") == "z")
     made.up = Quaternion(std::numbers::sqrt2 / 2, -std::numbers::sqrt2 / 2, 0, 0);  // (x, y, z) -> (x, z, -y)
   return made;
 }
 
 std::vector<Run> runs(const Table& table, const Conversion& row, std::size_t run,
-                      std::optional<std::size_t> frame) {
+                      std::optional<std::size_t> frame, std::size_t every) {
   std::vector<Run> all;
   std::map<double, bool> seen;
+  std::size_t in_run = 0;
   double before = std::nan(""), count = 0;
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const std::vector<double>& values = table.rows[i];
@@ -158,6 +130,7 @@ std::vector<Run> runs(const Table& table, const Conversion& row, std::size_t run
         throw refuse(fmt::format("run {} goes on after another one began", values[run]));
       all.push_back({fmt::format("{}", values[run]), {}});
       if (frame) count = values[*frame];
+      in_run = 0;
     }
     before = values[run];
     if (frame && values[*frame] != count)
@@ -166,7 +139,7 @@ std::vector<Run> runs(const Table& table, const Conversion& row, std::size_t run
     ++count;
     if (!(std::abs(row.norm(values) - 1) <= 1e-3))
       throw refuse(fmt::format("the quaternion has the length {:.6g}, not 1", row.norm(values)));
-    all.back().states.push_back(row.state(values));
+    if (in_run++ % every == 0) all.back().states.push_back(row.state(values));
   }
   for (const Run& one : all)
     if (one.states.size() < 2)
@@ -174,14 +147,90 @@ std::vector<Run> runs(const Table& table, const Conversion& row, std::size_t run
   return all;
 }
 
-std::size_t body_of(const scenario::Table& root, const core::Scene& scene) {
-  const std::string name = root.text("body");
+std::size_t body_of(const scenario::Table& root, const char* key, const std::string& name,
+                    const core::Scene& scene) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     if (scene.bodies[i].name == name) return i;
     names.push_back(scene.bodies[i].name);
   }
-  root.fail("body", fmt::format("the scene has no body '{}'{}", name, core::did_you_mean(name, names)));
+  root.fail(key, fmt::format("the scene has no body '{}'{}", name, core::did_you_mean(name, names)));
+}
+
+void read_bodies(const scenario::Table& root, Experiment& e) {
+  if (root.has("body") == root.has("bodies")) root.fail("either body or bodies says what was measured");
+  if (root.has("body")) {
+    e.bodies = {body_of(root, "body", root.text("body"), e.model.scene)};
+    return;
+  }
+  for (const std::string& name : root.texts("bodies"))
+    e.bodies.push_back(body_of(root, "bodies", name, e.model.scene));
+  if (e.bodies.empty()) root.fail("bodies", "a chain has one body or more");
+  if (const std::string why = no_chain(e.model.scene, e.bodies); !why.empty())
+    root.fail("bodies", fmt::format("no chain of hinges with parallel axes: {}", why));
+  e.coordinates = Coordinates::chain;
+}
+
+std::vector<std::string> coordinate_names(const Experiment& e) {
+  std::vector<std::string> names;
+  if (e.coordinates == Coordinates::chain) {
+    for (const char* what : {"angle", "rate"})
+      for (std::size_t i = 1; i <= e.bodies.size(); ++i) names.push_back(fmt::format("{} {}", what, i));
+    return names;
+  }
+  for (const char* what : {"position", "orientation", "velocity", "angular_velocity"})
+    for (const char* axis : {"x", "y", "z"}) names.push_back(fmt::format("{} {}", what, axis));
+  return names;
+}
+
+// L of the covariance: deviations on the diagonal times the Cholesky factor of the correlations.
+Eigen::MatrixXd start_factor(const Experiment& e, const scenario::Table& sd) {
+  const std::vector<std::string> names = coordinate_names(e);
+  const auto n = static_cast<Eigen::Index>(names.size());
+  Eigen::VectorXd deviation(n);
+  Eigen::MatrixXd correlation = Eigen::MatrixXd::Identity(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const std::string& name = names[static_cast<std::size_t>(i)];
+    deviation[i] = sd.number(name.substr(0, name.find(' ')));
+  }
+  for (const scenario::Table& row : sd.tables("correlation")) {
+    const std::vector<std::string> pair = row.texts("between");
+    Eigen::Index at[2];
+    for (int k = 0; k < 2; ++k) {
+      const auto found = std::ranges::find(names, pair[static_cast<std::size_t>(k)]);
+      if (found == names.end())
+        row.fail("between", fmt::format("no coordinate '{}'{}", pair[static_cast<std::size_t>(k)],
+                                        core::did_you_mean(pair[static_cast<std::size_t>(k)], names)));
+      at[k] = found - names.begin();
+    }
+    if (at[0] == at[1]) row.fail("between", "a coordinate with itself");
+    correlation(at[0], at[1]) = correlation(at[1], at[0]) = row.number("value");
+  }
+  const Eigen::LLT<Eigen::MatrixXd> root(correlation);
+  if (root.info() != Eigen::Success)
+    sd.fail("correlation", "no errors have these correlations: not positive definite");
+  return deviation.asDiagonal() * Eigen::MatrixXd(root.matrixL());
+}
+
+Parameter parameter(const scenario::Table& row, const Experiment& e) {
+  Parameter p{row.text("name"),  row.text("kind"),    row.text("body"),
+              row.number("low"), row.number("start"), row.number("high")};
+  if (row.has("body")) {
+    const std::size_t body = body_of(row, "body", p.body, e.model.scene);
+    if (std::ranges::find(e.bodies, body) == e.bodies.end())
+      row.fail("body", fmt::format("'{}' was not measured", p.body));
+  }
+  if (!(p.low < p.high)) row.fail("high", fmt::format("{} is not above low = {}", p.high, p.low));
+  if (!(p.low <= p.start && p.start <= p.high))
+    row.fail("start", fmt::format("{} is outside [{}, {}]", p.start, p.low, p.high));
+  const auto kind = std::ranges::find(parameter_kinds(), p.kind, &ParameterKind::name);
+  if (p.low < kind->least)
+    row.fail("low", fmt::format("{} is below {:g}, the least of {}", p.low, kind->least, p.kind));
+  if (p.high > kind->most)
+    row.fail("high", fmt::format("{} is above {:g}, the most of {}", p.high, kind->most, p.kind));
+  for (const Parameter& other : e.parameters)
+    if (other.name == p.name) row.fail("name", fmt::format("two parameters are named '{}'", p.name));
+  return p;
 }
 
 }  // namespace
@@ -193,7 +242,8 @@ std::size_t Experiment::longest() const {
 }
 
 Experiment read(const std::filesystem::path& path) {
-  const scenario::Document document(scenario::read_file(path), path.string(), experiment_keys());
+  const std::string text = scenario::read_file(path);
+  const scenario::Document document(text, path.string(), experiment_keys());
   const scenario::Table root = document.root(), names = *root.table("columns");
   Experiment made{.file = path.string(),
                   .title = root.text("title"),
@@ -202,21 +252,30 @@ Experiment read(const std::filesystem::path& path) {
                   .instrument = root.text("instrument"),
                   .known = root.texts("known"),
                   .model = scenario::read(path.parent_path() / root.text("model")),
-                  .rate = root.number("rate"),
+                  .rate = root.number("rate") / static_cast<double>(root.whole("every", 1)),
                   .runs = {}};
-  made.body = body_of(root, made.model.scene);
+  read_bodies(root, made);
   try {
     core::whole_steps(1 / made.rate, made.model.step);
   } catch (const std::invalid_argument& error) {
     root.fail("rate", fmt::format("a frame is no whole number of the scene's steps: {}", error.what()));
   }
+  made.start = Eigen::MatrixXd::Zero(coordinates(made), coordinates(made));
   if (const auto sd = root.table("uncertainty")) {
-    made.noise = sd->number("noise");
-    made.start = {sd->number("position"), sd->number("orientation"), sd->number("velocity"),
-                  sd->number("angular_velocity")};
+    made.noise = sd->number("noise"), made.angle_noise = sd->number("angle_noise");
+    made.start = start_factor(made, *sd);
     made.material = {sd->number("friction"), sd->number("restitution")};
   }
+  if (const auto fit = root.table("fit")) {
+    made.fit.horizon = fit->number("horizon");
+    if (fit->has("degrees")) made.fit.degrees = fit->number("degrees");
+    if (!(made.fit.horizon * made.rate >= 2)) fit->fail("horizon", "a window has three frames or more");
+  }
+  for (const scenario::Table& row : root.tables("parameter")) made.parameters.push_back(parameter(row, made));
   const Table table = read_table(path.parent_path() / root.text("data"));
+  core::ContentHash content;
+  for (const std::string& part : {text, table.hash, made.model.hash}) content.add(part);
+  made.hash = content.hex();
   const auto one = [&](const char* key) {
     try {
       return table.column(names.text(key));
@@ -226,7 +285,8 @@ Experiment read(const std::filesystem::path& path) {
   };
   std::optional<std::size_t> frame;
   if (names.has("frame")) frame = one("frame");
-  made.runs = runs(table, conversion(root, names, table), one("run"), frame);
+  made.runs = runs(table, conversion(made, root, names, table), one("run"), frame,
+                   static_cast<std::size_t>(root.whole("every", 1)));
   return made;
 }
 

@@ -1,5 +1,6 @@
 #include "reference/measured/table.h"
 
+#include "harness/core/content_hash.h"
 #include "harness/core/input_error.h"
 
 #include <fmt/format.h>
@@ -66,7 +67,9 @@ std::size_t Table::column(const std::string& name) const {
 
 Table read_table(const std::filesystem::path& path) {
   const std::string text = unpacked(path);
-  Table table{path.string(), {}, {}};
+  core::ContentHash content;
+  content.add(text);
+  Table table{path.string(), content.hex(), {}, {}};
   const auto refuse = [&](std::size_t line, const std::string& why) {
     return core::InputError(fmt::format("{}:{}: {}", table.file, line, why));
   };

@@ -13,6 +13,7 @@ inline constexpr std::size_t largest_table = std::size_t{256} << 20;
 
 struct Table {
   std::string file;
+  std::string hash;  ///< Of its text, unpacked.
   std::vector<std::string> head;
   std::vector<std::vector<double>> rows;  ///< Each as wide as the head, finite; row i stands in line i + 2.
 

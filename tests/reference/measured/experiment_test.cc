@@ -71,8 +71,8 @@ TEST_F(Experiments, KeepRunsInTheOrderOfTheTable) {
   EXPECT_EQ(e.runs[0].name, "7");
   EXPECT_EQ(e.runs[1].name, "2");
   EXPECT_EQ(e.longest(), 2u);
-  EXPECT_EQ(e.runs[0].states[1].position, core::Vector3(101, 201, 301));
-  EXPECT_EQ(e.runs[0].states[0].angular_velocity, core::Vector3(90, 180, -90));
+  EXPECT_EQ(e.runs[0].states[1][0].position, core::Vector3(101, 201, 301));
+  EXPECT_EQ(e.runs[0].states[0][0].angular_velocity, core::Vector3(90, 180, -90));
 }
 
 // By hand: millimetres, degrees, z up, spin in body axes.  The quaternion (0.6, 0.8, 0, 0) turns by an angle with cosine
@@ -83,7 +83,7 @@ TEST_F(Experiments, ConvertUnitsAndAxes) {
                   "[units]\nlength = \"mm\"\nangle = \"deg\"\nup = \"z\"\nangular_velocity = \"body\"\n"
                   "[uncertainty]\nnoise = 0.001\nfriction = 0.03\n",
               two_runs);
-  const core::BodyState& s = e.runs[0].states[0];
+  const core::BodyState& s = e.runs[0].states[0][0];
   const auto near = [](const core::Vector3& a, const core::Vector3& b) { return (a - b).norm() < 1e-14; };
   EXPECT_TRUE(near(s.position, {0.1, 0.3, -0.2}));
   EXPECT_TRUE(near(s.velocity, {0.01, 0.03, -0.02}));
@@ -93,7 +93,58 @@ TEST_F(Experiments, ConvertUnitsAndAxes) {
   EXPECT_TRUE(near(s.orientation * core::Vector3::UnitY(), {0, 0.96, 0.28}));
   EXPECT_EQ(e.noise, 0.001);
   EXPECT_EQ(e.material.friction, 0.03);
-  EXPECT_EQ(e.start.position, 0);
+  EXPECT_TRUE(e.start.isZero(0));
+}
+
+TEST_F(Experiments, ReadWhatIsFittedAndCorrelatedErrors) {
+  const Experiment e =
+      read_it(about + columns +
+                  "[uncertainty]\nposition = 0.2\nvelocity = 0.5\nangle_noise = 0.01\n"
+                  "[[uncertainty.correlation]]\nbetween = [\"velocity y\", \"position x\"]\nvalue = 0.6\n"
+                  "[fit]\nhorizon = 0.05\ndegrees = 4\n"
+                  "[[parameter]]\nname = \"mu\"\nkind = \"friction\"\nlow = 0.1\nstart = 0.2\nhigh = 0.3\n"
+                  "[[parameter]]\nname = \"J\"\nkind = \"inertia\"\nbody = \"cube\"\nlow = 0.5\nstart = "
+                  "1\nhigh = 2\n",
+              two_runs);
+  const Eigen::MatrixXd covariance = e.start * e.start.transpose();
+  EXPECT_NEAR(covariance(0, 0), 0.04, 1e-16);
+  EXPECT_NEAR(covariance(7, 7), 0.25, 1e-16);
+  EXPECT_NEAR(covariance(0, 7), 0.6 * 0.2 * 0.5, 1e-16);
+  EXPECT_EQ(covariance(0, 6), 0);
+  EXPECT_EQ(covariance(3, 3), 0);
+  EXPECT_EQ(e.fit.horizon, 0.05);
+  EXPECT_EQ(e.fit.degrees, 4);
+  ASSERT_EQ(e.parameters.size(), 2u);
+  EXPECT_EQ(e.parameters[0].name, "mu");
+  EXPECT_EQ(e.parameters[1].body, "cube");
+  EXPECT_NE(e.hash, read_it(about + columns, two_runs).hash);
+}
+
+// Two arms that hang down in the scene, seen at every second frame, in degrees from the horizontal.
+TEST_F(Experiments, ReadAChain) {
+  put("arms.toml",
+      "duration = 1.0\nstep = 0.01\n[[body]]\nname = \"a\"\nmass = 1\nposition = [0, -1, 0]\n"
+      "[[body]]\nname = \"b\"\nmass = 1\nposition = [0, -3, 0]\n"
+      "[[joint]]\ntype = \"hinge\"\nbody = \"a\"\npoint = [0, 0, 0]\naxis = [0, 0, 1]\n"
+      "[[joint]]\ntype = \"hinge\"\nbody = \"b\"\nto = \"a\"\npoint = [0, -2, 0]\naxis = [0, 0, 1]\n");
+  const Experiment e = read_it(
+      "title = \"t\"\nsource = \"s\"\nlicence = \"l\"\ndata = \"t.csv\"\nmodel = \"arms.toml\"\nbodies = "
+      "[\"a\", "
+      "\"b\"]\nrate = 100\nevery = 2\n[columns]\nrun = \"n\"\nangles = [\"p\", \"q\"]\nrates = [\"u\", "
+      "\"v\"]\n"
+      "[units]\nangle = \"deg\"\nzero = -90\n[uncertainty]\nangle = 0.1\nrate = 0.3\n",
+      "n,p,q,u,v\n1,-90,0,0,90\n1,7,7,7,7\n1,0,-90,90,0\n2,-90,-90,0,0\n2,7,7,7,7\n2,-90,-90,0,0\n");
+  EXPECT_EQ(e.coordinates, Coordinates::chain);
+  EXPECT_EQ(e.rate, 50);
+  ASSERT_EQ(e.runs[0].states.size(), 2u);
+  const auto near = [](const core::Vector3& a, const core::Vector3& b) { return (a - b).norm() < 1e-14; };
+  EXPECT_TRUE(near(e.runs[0].states[0][1].position, {1, -2, 0}));
+  EXPECT_TRUE(near(e.runs[0].states[0][1].velocity, {0, std::numbers::pi / 2, 0}));
+  EXPECT_TRUE(near(e.runs[0].states[1][1].position, {2, -1, 0}));
+  EXPECT_TRUE(near(e.runs[0].states[1][0].velocity, {0, std::numbers::pi / 2, 0}));
+  EXPECT_EQ(e.start.rows(), 4);
+  EXPECT_EQ(e.start(1, 1), 0.1);
+  EXPECT_EQ(e.start(2, 2), 0.3);
 }
 
 TEST_F(Experiments, ReadGzip) {
@@ -116,6 +167,15 @@ TEST_F(Experiments, RefuseWhatCannotBe) {
   const auto with = [&](std::string text, const std::string& from, const std::string& to) {
     text.replace(text.find(from), from.size(), to);
     return text;
+  };
+  const auto uncertain = [](const std::string& one, const std::string& other, const std::string& value) {
+    return "[uncertainty]\nposition = 0.1\n[[uncertainty.correlation]]\nbetween = [\"" + one + "\", \"" +
+           other + "\"]\nvalue = " + value + "\n";
+  };
+  const auto parameter = [](const std::string& kind, const std::string& low, const std::string& start,
+                            const std::string& high) {
+    return "[[parameter]]\nname = \"p\"\nkind = \"" + kind + "\"\nlow = " + low + "\nstart = " + start +
+           "\nhigh = " + high + "\n";
   };
   const struct {
     const char* what;
@@ -143,6 +203,33 @@ TEST_F(Experiments, RefuseWhatCannotBe) {
        head + row + next + with(row, "7,3", "8,0") + with(row, "7,3", "7,5"), "t.csv:5: run 7 goes on"},
       {"a column twice", about + columns, with(head, "x,y", "x,x") + row + next, "t.csv:1: column 3"},
       {"no rows", about + columns, head, "no rows"},
+      {"columns of a chain", about + columns + "angles = [\"x\"]\n", head + row + next,
+       "angles is of a chain"},
+      {"bodies of no hinge", with(about, "body = \"cube\"", "bodies = [\"cube\"]") + columns,
+       head + row + next, "'cube' is the body of no hinge"},
+      {"neither body nor bodies", with(about, "body = \"cube\"\n", "") + columns, head + row + next,
+       "either body or bodies"},
+      {"a coordinate that is none", about + columns + uncertain("position x", "velocity q", "0.5"),
+       head + row + next, "no coordinate 'velocity q', did you mean 'velocity x'"},
+      {"a coordinate with itself", about + columns + uncertain("position x", "position x", "0.5"),
+       head + row + next, "a coordinate with itself"},
+      {"a correlation above 1", about + columns + uncertain("position x", "velocity x", "1.5"),
+       head + row + next, "not positive definite"},
+      {"a kind that is none", about + columns + parameter("frictoin", "0", "0.1", "1"), head + row + next,
+       "frictoin"},
+      {"an empty range", about + columns + parameter("friction", "0.2", "0.2", "0.2"), head + row + next,
+       "0.2 is not above low = 0.2"},
+      {"a start outside", about + columns + parameter("friction", "0.2", "0.1", "0.3"), head + row + next,
+       "0.1 is outside [0.2, 0.3]"},
+      {"a restitution above 1", about + columns + parameter("restitution", "0", "0.1", "1.2"),
+       head + row + next, "1.2 is above 1, the most of restitution"},
+      {"no inertia", about + columns + parameter("inertia", "0", "0.1", "1.2"), head + row + next,
+       "the least of inertia"},
+      {"one name twice",
+       about + columns + parameter("friction", "0", "0.1", "1") + parameter("friction", "0", "0.1", "1"),
+       head + row + next, "two parameters are named 'p'"},
+      {"too short a window", about + columns + "[fit]\nhorizon = 0.019\n", head + row + next,
+       "three frames or more"},
   };
   for (const auto& [what, description, table, says] : cases) {
     const std::string said = why(description, table);
