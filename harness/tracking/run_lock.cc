@@ -16,7 +16,11 @@ RunLock::~RunLock() {
   if (fd_ >= 0) ::close(fd_);
 }
 
-void RunLock::hold(std::int64_t id) {
+void RunLock::hold(store::Store& store, std::int64_t id) {
+  const core::InputError held(store_, 0, 0,
+                              fmt::format("another cylon is recording run {}; wait for its end", id));
+  if (!store.hold(id)) throw held;
+  if (store::Store::is_on_server(store_)) return;
   fd_ = ::open(store_.c_str(), O_RDWR | O_CLOEXEC);
   struct flock byte = {};
   byte.l_type = F_WRLCK;
@@ -30,10 +34,8 @@ void RunLock::hold(std::int64_t id) {
       return why != EAGAIN && why != EACCES;
     });
   if (why == 0) return;
-  if (fd_ >= 0 && (why == EAGAIN || why == EACCES))
-    throw core::InputError(store_.string(), 0, 0,
-                           fmt::format("another cylon is recording run {}; wait for its end", id));
-  throw core::InputError(store_.string(), 0, 0,
+  if (fd_ >= 0 && (why == EAGAIN || why == EACCES)) throw held;
+  throw core::InputError(store_, 0, 0,
                          fmt::format("cannot be locked: {}", std::generic_category().message(why)));
 }
 

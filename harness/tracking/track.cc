@@ -31,7 +31,9 @@ const std::vector<App::Row> subcommands = {
 
 void add_store_option(App& app, std::string& file) {
   file = default_store;
-  app.add_option("--store", file, "History file")->type_name("FILE")->capture_default_str();
+  app.add_option("--store", file, "History: a file, or postgresql://USER@HOST/DATABASE")
+      ->type_name("FILE|ADDRESS")
+      ->capture_default_str();
 }
 
 store::RunInfo find_run(const store::Store& store, const std::string& word) {

@@ -258,7 +258,7 @@ int record(const Context& context, Options options) {
     run = new_run(context, options, build);
     run.id = store->begin_run(run);
   }
-  lock.hold(run.id);
+  lock.hold(*store, run.id);
   Recorder recorder(context, options, *store, run.id);
   const process::Interruptible until_told;
   try {

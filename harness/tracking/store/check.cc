@@ -42,16 +42,7 @@ void require_digests(Database& database, const char* sql, const std::vector<Row>
 
 std::vector<std::string> Store::check() const {
   std::vector<std::string> findings;
-  {
-    Query row = database_->query("PRAGMA integrity_check");
-    while (row.step())
-      if (const std::string said = row.text(); said != "ok") findings.push_back("the pages: " + clean(said));
-  }
-  {
-    Query row = database_->query("PRAGMA foreign_key_check");
-    while (row.step())
-      findings.push_back(fmt::format("table {}: a row has a dangling reference", clean(row.text())));
-  }
+  for (const std::string& found : database_->damage(true)) findings.push_back(clean(found));
   if (!findings.empty()) return findings;    // what is read of damaged pages means nothing
   std::map<std::string, std::string> names;  // which hold the step as it was given
   {

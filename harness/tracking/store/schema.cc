@@ -104,7 +104,7 @@ CREATE INDEX verdict_by_run ON verdict (run, cell);
 
 CREATE TABLE anchor (
   name   TEXT NOT NULL PRIMARY KEY,
-  binary TEXT NOT NULL,
+  "binary" TEXT NOT NULL,
   build  TEXT NOT NULL,
   date   TEXT NOT NULL,
   note   TEXT NOT NULL,
@@ -140,29 +140,31 @@ constexpr const char* scripts_of_today[] = {tables, seals};
 std::span<const char* const> migrations() { return scripts_of_today; }
 
 std::int64_t require_ours(Database& database, std::span<const char* const> scripts) {
-  const std::int64_t mark = database.number("PRAGMA application_id");
-  const std::int64_t version = database.number("PRAGMA user_version");
-  const bool empty = database.number("SELECT count(*) FROM sqlite_schema") == 0;
-  if (mark == 0 && version == 0 && empty) return 0;
-  if (mark != application_id)
+  const std::optional<std::int64_t> version = database.schema();
+  if (!version)
     database.fail("is a database, but not a store of Cylon; it was not changed: name another with --store");
   const auto newest = static_cast<std::int64_t>(scripts.size());
-  if (version > newest)
+  if (*version > newest)
     database.fail(
         fmt::format("was written by a newer Cylon (schema {}, this one reads up to {}); it was not changed: "
                     "use that Cylon, or name another with --store",
-                    version, newest));
-  return version;
+                    *version, newest));
+  return *version;
+}
+
+void require_today(Database& database) {
+  const std::int64_t version = require_ours(database);
+  if (version == 0) database.fail("is empty; `cylon track record` creates a store");
+  if (version < static_cast<std::int64_t>(migrations().size()))
+    database.fail("was written by an older Cylon; any command that writes to it brings it up to date");
 }
 
 void migrate(Database& database, std::span<const char* const> scripts) {
   Transaction transaction(database);
   const std::int64_t version = require_ours(database, scripts);  // another may have been first
   for (std::size_t i = static_cast<std::size_t>(version); i < scripts.size(); ++i)
-    database.script(scripts[i]);
-  database.script(
-      fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", application_id, scripts.size())
-          .c_str());
+    database.script(database.in_dialect(scripts[i]));
+  database.set_schema(static_cast<std::int64_t>(scripts.size()));
   transaction.commit();
 }
 

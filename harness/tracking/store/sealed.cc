@@ -57,7 +57,10 @@ void write_seal(Database& database, const Sealed& row, Author author) {
   if (mac.empty())
     database.query("DELETE FROM seal WHERE kind = ? AND id = ?").bind(row.kind, row.id).run();
   else
-    database.query("INSERT OR REPLACE INTO seal (kind, id, mac) VALUES (?, ?, ?)")
+    database
+        .query(
+            "INSERT INTO seal (kind, id, mac) VALUES (?, ?, ?) ON CONFLICT (kind, id) DO UPDATE SET mac = "
+            "excluded.mac")
         .bind(row.kind, row.id, mac)
         .run();
 }

@@ -1,85 +1,18 @@
 #include "harness/tracking/store/store.h"
 
-#include "harness/core/input_error.h"
 #include "harness/tracking/store/database.h"
-#include "harness/tracking/store/schema.h"
+#include "harness/tracking/store/postgres.h"
 #include "harness/tracking/store/sealed.h"
+#include "harness/tracking/store/sqlite.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <system_error>
 #include <utility>
 
 namespace cylon::store {
 namespace {
-
-namespace fs = std::filesystem;
-
-[[noreturn]] void refuse(const fs::path& file, const std::string& why) {
-  throw core::InputError(file.string(), 0, 0, why);
-}
-
-// A log with something in it beside the file: then the file alone is not the whole store.
-bool has_log(const fs::path& file) {
-  std::error_code error;
-  const auto size = fs::file_size(file.string() + "-wal", error);
-  return !error && size > 0;
-}
-
-// "file:/a%3Fb?immutable=1": a file that nothing changes needs no lock and no log beside it.
-std::string immutable(const fs::path& file) {
-  std::string uri = "file:";
-  for (const char c : fs::absolute(file).string())
-    uri += c == '%' || c == '?' || c == '#' ? fmt::format("%{:02X}", static_cast<unsigned>(c))
-                                            : std::string(1, c);
-  return uri + "?immutable=1";
-}
-
-// SQLite takes what is missing of the last page for zeros.
-void require_whole(Database& database, const fs::path& file) {
-  const auto pages = static_cast<std::uintmax_t>(database.number("PRAGMA page_count"));
-  const auto page = static_cast<std::uintmax_t>(database.number("PRAGMA page_size"));
-  std::error_code error;
-  if (const auto size = fs::file_size(file, error); !error && !has_log(file) && size < pages * page)
-    database.fail(SQLITE_CORRUPT, fmt::format("{} bytes of {}", size, pages * page));
-}
-
-std::unique_ptr<Database> open_to_read(const fs::path& file) {
-  std::error_code ignored;
-  if (!fs::exists(file, ignored)) refuse(file, "no such store; `cylon track record` creates one");
-  const fs::path folder = fs::absolute(file).parent_path();
-  const bool frozen = access(folder.c_str(), W_OK) != 0 && !has_log(file);
-  auto database = frozen ? std::make_unique<Database>(file, immutable(file), SQLITE_OPEN_READONLY)
-                         : std::make_unique<Database>(file, file.string(), SQLITE_OPEN_READONLY);
-  const std::int64_t version = require_ours(*database);
-  if (version == 0) refuse(file, "is empty; `cylon track record` creates a store");
-  if (version < static_cast<std::int64_t>(migrations().size()))
-    refuse(file, "was written by an older Cylon; any command that writes to it brings it up to date");
-  require_whole(*database, file);
-  return database;
-}
-
-std::unique_ptr<Database> open_to_write(const fs::path& file) {
-  if (std::error_code error; !file.parent_path().empty() && !fs::exists(file, error)) {
-    fs::create_directories(file.parent_path(), error);
-    if (error)
-      refuse(file,
-             fmt::format("its folder cannot be made ({}); name another file with --store", error.message()));
-  }
-  auto database = std::make_unique<Database>(file, file.string(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
-  const std::int64_t version = require_ours(*database);
-  if (version > 0) require_whole(*database, file);
-  database->accept();
-  if (Query mode = database->query("PRAGMA journal_mode = WAL"); !mode.step() || mode.text() != "wal")
-    refuse(file,
-           "cannot be written ahead of (is it on a network folder?); name one on a local disk with --store");
-  database->script("PRAGMA synchronous = FULL");
-  if (version < static_cast<std::int64_t>(migrations().size())) migrate(*database);
-  return database;
-}
 
 std::int64_t id_of(Database& database, const Cell& c) {
   database
@@ -149,15 +82,17 @@ std::int64_t place(Database& database, const RunInfo& run) {
 
 std::int64_t insert(Database& database, RunInfo r) {
   r.revision_order = place(database, r);
-  database
-      .query(
-          "INSERT INTO run (uid, label, revision, revision_order, date, machine, os, compiler, flags, build, "
-          "command_line, request, note, complete, digest) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
-          "?)")
-      .bind(r.uid, r.label, r.revision, r.revision_order, r.date, r.machine, r.os, r.compiler, r.flags,
-            r.build, r.command_line, r.request, r.note, std::int64_t{r.complete}, digest(r))
-      .run();
-  return database.last_id();
+  Query row = database.query(
+      "INSERT INTO run (uid, label, revision, revision_order, date, machine, os, compiler, flags, build, "
+      "command_line, request, note, complete, digest) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+      "?) RETURNING id");
+  row.bind(r.uid, r.label, r.revision, r.revision_order, r.date, r.machine, r.os, r.compiler, r.flags,
+           r.build, r.command_line, r.request, r.note, std::int64_t{r.complete}, digest(r))
+      .step();
+  const std::int64_t id = row.integer();
+  while (row.step()) {  // an INSERT is done when its last row is read
+  }
+  return id;
 }
 
 RunInfo cleaned(RunInfo r) {
@@ -174,16 +109,20 @@ Store::Store(Store&&) noexcept = default;
 Store& Store::operator=(Store&&) noexcept = default;
 Store::~Store() = default;
 
-Store Store::open(const fs::path& file, Mode mode) {
-  std::error_code ignored;
-  if (fs::is_directory(file, ignored)) refuse(file, "is a folder; name a file with --store");
-  return Store(mode == Mode::read ? open_to_read(file) : open_to_write(file));
+Store Store::open(const std::string& place, Mode mode) {
+  const bool read = mode == Mode::read;
+  if (is_address(place)) return Store(read ? open_postgres_to_read(place) : open_postgres_to_write(place));
+  return Store(read ? open_sqlite_to_read(place) : open_sqlite_to_write(place));
 }
+
+bool Store::is_on_server(const std::string& place) { return is_address(place); }
+
+bool Store::hold(std::int64_t run) { return database_->hold(run); }
 
 std::int64_t Store::begin_run(const RunInfo& given) {
   Transaction transaction(*database_);
-  if (Query pages = database_->query("PRAGMA quick_check(1)"); pages.step())
-    if (const std::string said = pages.text(); said != "ok") database_->fail(SQLITE_CORRUPT, said);
+  if (const std::vector<std::string> found = database_->damage(false); !found.empty())
+    database_->fail_as_damaged(found.front());
   RunInfo run = cleaned(given);
   run.complete = false;
   std::int64_t id = 0, ordinal = 0;
@@ -248,9 +187,10 @@ void Store::pin(const Anchor& given, Author author) {
                     clean(given.date), clean(given.note),   clean(given.run)};
   database_
       ->query(
-          "INSERT OR REPLACE INTO anchor (name, binary, build, date, note, run, digest) VALUES (?, ?, ?, ?, "
-          "?, "
-          "?, ?)")
+          "INSERT INTO anchor (name, \"binary\", build, date, note, run, digest) VALUES (?, ?, ?, ?, ?, ?, "
+          "?) "
+          "ON CONFLICT (name) DO UPDATE SET \"binary\" = excluded.\"binary\", build = excluded.build, date = "
+          "excluded.date, note = excluded.note, run = excluded.run, digest = excluded.digest")
       .bind(a.name, a.binary, a.build, a.date, a.note, a.run, digest(a))
       .run();
   write_seal(*database_, sealed(a), author);
@@ -263,9 +203,10 @@ void Store::set(const ChangePoint& given, Author author) {
                          clean(given.note)};
   database_
       ->query(
-          "INSERT OR REPLACE INTO change_point (series, revision, state, date, note, digest) VALUES (?, ?, "
-          "?, "
-          "?, ?, ?)")
+          "INSERT INTO change_point (series, revision, state, date, note, digest) VALUES (?, ?, ?, ?, ?, ?) "
+          "ON "
+          "CONFLICT (series, revision) DO UPDATE SET state = excluded.state, date = excluded.date, note = "
+          "excluded.note, digest = excluded.digest")
       .bind(p.series, p.revision, p.state, p.date, p.note, digest(p))
       .run();
   write_seal(*database_, sealed(p), author);

@@ -1,5 +1,5 @@
-// The history of accuracy and speed: one SQLite file with every verdict and every raw sample of every
-// recorded run.  docs/tracking-store.md has the tables and what is guaranteed.
+// The history of accuracy and speed: one SQLite file, or a schema on a PostgreSQL server, with every verdict and every
+// raw sample of every recorded run.  docs/tracking-store.md has the tables and what is guaranteed.
 #pragma once
 
 #include "harness/tracking/store/model.h"
@@ -36,7 +36,9 @@ struct Seals {
 /// another writer for 10 s, or the disk is full.  What was stored before stays as it was.
 class Store {
  public:
-  static Store open(const std::filesystem::path& file, Mode);
+  /// `place` is a file, or the address of a database: postgresql://USER@HOST/DATABASE.
+  static Store open(const std::string& place, Mode);
+  static bool is_on_server(const std::string& place);
   Store(const Store&) = delete;
   Store& operator=(const Store&) = delete;
   Store(Store&&) noexcept;
@@ -59,6 +61,9 @@ class Store {
   void in_one_transaction(const std::function<void()>& work);
   /// Whose results add() is given from now on: the user's at first.
   void set_author(Author author) { author_ = author; }
+  /// Keeps other processes from recording this run as long as the store is open; false: one does.  Of a file always
+  /// true, whose bytes are locked (tracking/run_lock.h).
+  bool hold(std::int64_t run);
   /// A run from another store, with its uid; false where it is here already.  `id` is then its id here.
   bool import_run(const RunInfo&, std::int64_t& id);
 

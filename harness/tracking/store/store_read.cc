@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <map>
 #include <tuple>
 #include <unordered_map>
@@ -53,7 +54,7 @@ Metric read_metric(Query& row) {
 template <class Map>
 auto& known(const Database& database, Map& map, std::int64_t id) {
   const auto found = map.find(id);
-  if (found == map.end()) database.fail(SQLITE_CORRUPT, "a row has a dangling reference");
+  if (found == map.end()) database.fail_as_damaged("a row has a dangling reference");
   return found->second;
 }
 
@@ -157,20 +158,22 @@ std::vector<RunInfo> Store::runs() const {
 }
 
 std::optional<RunInfo> Store::find_run(const std::string& word) const {
-  const auto latest = [&](const char* sql, const std::string& value) -> std::optional<RunInfo> {
+  const auto latest = [&](const char* sql, const auto& value) -> std::optional<RunInfo> {
     Query row = database_->query(sql);
     if (!row.bind(value).step()) return std::nullopt;
     return read_run(row);
   };
   std::optional<RunInfo> found;
   if (word.size() >= 8 && word.find_first_not_of("0123456789abcdef") == std::string::npos)
-    found = latest("SELECT " RUN_COLUMNS " FROM run WHERE uid GLOB ? || '*' ORDER BY id DESC LIMIT 1", word);
+    found = latest("SELECT " RUN_COLUMNS " FROM run WHERE uid LIKE ? || '%' ORDER BY id DESC LIMIT 1", word);
   if (!found)
     found = latest("SELECT " RUN_COLUMNS " FROM run WHERE label = ? ORDER BY id DESC LIMIT 1", word);
   if (!found)
     found = latest("SELECT " RUN_COLUMNS " FROM run WHERE revision = ? ORDER BY id DESC LIMIT 1", word);
-  if (!found && !word.empty() && word.find_first_not_of("0123456789") == std::string::npos)
-    found = latest("SELECT " RUN_COLUMNS " FROM run WHERE id = CAST(? AS INTEGER)", word);
+  std::int64_t id = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), id);
+  if (!found && error == std::errc() && end == word.data() + word.size())
+    found = latest("SELECT " RUN_COLUMNS " FROM run WHERE id = ?", id);
   return found;
 }
 
@@ -258,7 +261,7 @@ std::string Store::stored_digest(std::int64_t run, const std::string& cell_hash)
 
 std::vector<Anchor> Store::anchors() const {
   std::vector<Anchor> all;
-  Query row = database_->query("SELECT name, binary, build, date, note, run FROM anchor ORDER BY name");
+  Query row = database_->query("SELECT name, \"binary\", build, date, note, run FROM anchor ORDER BY name");
   while (row.step()) {
     Anchor a;
     for (std::string* text : {&a.name, &a.binary, &a.build, &a.date, &a.note, &a.run}) *text = row.text();

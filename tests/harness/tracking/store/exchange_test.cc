@@ -4,7 +4,7 @@
 #include "harness/tracking/store/google_benchmark.h"
 #include "harness/tracking/store/json_lines.h"
 #include "harness/tracking/store/samples_csv.h"
-#include "tests/harness/tracking/store/fixture.h"
+#include "tests/harness/tracking/store/places.h"
 
 #include <fmt/format.h>
 
@@ -36,12 +36,13 @@ void fill(Store& store) {
   store.set({"abc/cpu_seconds", "v0", "detected", "2024-05-02T00:00:00Z", ""});
 }
 
-class Exchange : public Folder {
+class Exchange : public AnyPlace {
  protected:
-  Store fresh(const std::string& name) const { return Store::open(folder / name, Mode::write); }
+  Store fresh(const std::string& name) const { return Store::open(AnyPlace::fresh(name), Mode::write); }
 };
+IN_ALL_PLACES(Exchange);
 
-TEST_F(Exchange, OfJsonLinesIsTheSameBytesAgain) {
+TEST_P(Exchange, OfJsonLinesIsTheSameBytesAgain) {
   Store first = fresh("a"), second = fresh("b");
   fill(first);
   const std::string lines = text_of(first, write_json_lines);
@@ -52,7 +53,17 @@ TEST_F(Exchange, OfJsonLinesIsTheSameBytesAgain) {
   EXPECT_TRUE(second.check().empty());
 }
 
-TEST_F(Exchange, RepeatedImportAddsNothing) {
+// A history moves between a file and a server without loss.
+TEST_P(Exchange, IsTheSameFromAFileAndFromAServer) {
+  Store any = fresh("a"), local = Store::open(folder / "file.db", Mode::write);
+  fill(local);
+  const std::string lines = text_of(local, write_json_lines);
+  read_json_lines(any, lines, "file.jsonl");
+  EXPECT_EQ(text_of(any, write_json_lines), lines);
+  EXPECT_EQ(text_of(any, write_samples_csv), text_of(local, write_samples_csv));
+}
+
+TEST_P(Exchange, RepeatedImportAddsNothing) {
   Store store = fresh("a");
   fill(store);
   const std::string lines = text_of(store, write_json_lines);
@@ -63,7 +74,7 @@ TEST_F(Exchange, RepeatedImportAddsNothing) {
 }
 
 // What two machines recorded of two revisions becomes one history.
-TEST_F(Exchange, MergesTheHistoriesOfSeveralMachines) {
+TEST_P(Exchange, MergesTheHistoriesOfSeveralMachines) {
   Store here = fresh("a"), there = fresh("b");
   const auto record = [](Store& store, const char* revision, std::int64_t order, double seconds) {
     RunInfo r = run(revision);
@@ -80,7 +91,7 @@ TEST_F(Exchange, MergesTheHistoriesOfSeveralMachines) {
   EXPECT_EQ(values, (std::vector<double>{0.1, 0.2, 0.3}));
 }
 
-TEST_F(Exchange, KeepsTheLaterStateOfAChangePoint) {
+TEST_P(Exchange, KeepsTheLaterStateOfAChangePoint) {
   Store here = fresh("a"), there = fresh("b");
   here.set({"s/t", "r2", "ignored", "2024-05-03T00:00:00Z", "later"});
   here.set({"s/t", "r3", "detected", "2024-05-01T00:00:00Z", "earlier"});
@@ -91,7 +102,7 @@ TEST_F(Exchange, KeepsTheLaterStateOfAChangePoint) {
   EXPECT_EQ(here.change_points().at(1).state, "fixed");
 }
 
-TEST_F(Exchange, OfCsvKeepsEverySample) {
+TEST_P(Exchange, OfCsvKeepsEverySample) {
   Store first = fresh("a"), second = fresh("b");
   fill(first);
   const std::string csv = text_of(first, write_samples_csv);
@@ -103,7 +114,7 @@ TEST_F(Exchange, OfCsvKeepsEverySample) {
   EXPECT_EQ(again.runs + again.results, 0u);
 }
 
-TEST_F(Exchange, TakesCsvThatIsWrittenByHand) {
+TEST_P(Exchange, TakesCsvThatIsWrittenByHand) {
   Store store = fresh("a");
   const char* csv =
       "engine,scenario,revision,metric,kind,unit,repetition,value\n"
@@ -130,7 +141,7 @@ constexpr const char* benchmark = R"({
      "error_occurred": true, "error_message": "no worker", "real_time": 0, "cpu_time": 0, "time_unit": "ms"}
   ]})";
 
-TEST_F(Exchange, TakesGoogleBenchmarksAndGivesThemBack) {
+TEST_P(Exchange, TakesGoogleBenchmarksAndGivesThemBack) {
   Store store = fresh("a");
   RunInfo given = run("r9");
   given.date = given.machine = "";
@@ -188,7 +199,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
-TEST_F(Exchange, RefusesMalformedJsonLinesWhole) {
+TEST_P(Exchange, RefusesMalformedJsonLinesWhole) {
   Store other = fresh("b"), store = fresh("a");
   const std::int64_t id = other.begin_run(run("r1"));
   other.add(id, result("tumbling", 0.0125, {1}));
@@ -223,7 +234,7 @@ TEST_F(Exchange, RefusesMalformedJsonLinesWhole) {
       [&](const std::string& text) { read_json_lines(store, text, "x.jsonl"); });
 }
 
-TEST_F(Exchange, RefusesMalformedCsvWhole) {
+TEST_P(Exchange, RefusesMalformedCsvWhole) {
   Store store = fresh("a");
   fill(store);
   const std::string head = "revision,scenario,engine,metric,kind,repetition,value\n",
@@ -243,7 +254,7 @@ TEST_F(Exchange, RefusesMalformedCsvWhole) {
       [&](const std::string& text) { read_samples_csv(store, text, "x.csv"); });
 }
 
-TEST_F(Exchange, RefusesMalformedBenchmarksWhole) {
+TEST_P(Exchange, RefusesMalformedBenchmarksWhole) {
   Store store = fresh("a");
   fill(store);
   expect_refused(

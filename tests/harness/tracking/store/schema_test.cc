@@ -1,6 +1,7 @@
 // Older files are migrated to the current schema, completely or not at all.
 #include "harness/tracking/store/schema.h"
 #include "harness/core/input_error.h"
+#include "harness/tracking/store/sqlite.h"
 #include "tests/harness/tracking/store/fixture.h"
 
 namespace cylon::store {
@@ -17,7 +18,7 @@ TEST_F(Schemas, MigrateFromAnyEarlierVersion) {
   const std::vector<const char*> scripts = {first, second, third};
   for (std::size_t begun = 1; begun <= scripts.size(); ++begun) {
     const auto path = folder / std::to_string(begun);
-    Database database(path, path.string(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+    SqliteDatabase database(path, path.string(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
     migrate(database, std::span(scripts).first(begun));
     EXPECT_EQ(database.number("PRAGMA user_version"), static_cast<std::int64_t>(begun));
     migrate(database, scripts);
@@ -30,7 +31,7 @@ TEST_F(Schemas, MigrateFromAnyEarlierVersion) {
 
 TEST_F(Schemas, FailedMigrationChangesNothing) {
   const std::vector<const char*> good = {first, second}, bad = {first, second, third, broken};
-  Database database(file, file.string(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+  SqliteDatabase database(file, file.string(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
   migrate(database, good);
   EXPECT_THROW(migrate(database, bad), core::InputError);
   EXPECT_EQ(require_ours(database, good), 2);
@@ -39,7 +40,7 @@ TEST_F(Schemas, FailedMigrationChangesNothing) {
 
 TEST_F(Schemas, RejectNewerVersion) {
   const std::vector<const char*> scripts = {first, second, third};
-  Database database(file, file.string(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+  SqliteDatabase database(file, file.string(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
   migrate(database, scripts);
   EXPECT_THROW(migrate(database, std::span(scripts).first(2)), core::InputError);
   EXPECT_EQ(require_ours(database, scripts), 3);

@@ -2,28 +2,30 @@
 #include "harness/tracking/store/store.h"
 
 #include "harness/core/input_error.h"
-#include "tests/harness/tracking/store/fixture.h"
+#include "tests/harness/tracking/store/places.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace cylon::store {
 namespace {
 
-using Stores = Folder;
+class Stores : public AnyPlace {};
+IN_ALL_PLACES(Stores);
 
-TEST_F(Stores, GiveBackWhatWasAddedInTheNextProcessToo) {
+TEST_P(Stores, GiveBackWhatWasAddedInTheNextProcessToo) {
   const Result given = result("tumbling", 0.0125, {3.5e-4, 3.25e-4});
   std::int64_t id = 0;
   {
-    Store store = Store::open(file, Mode::write);
+    Store store = Store::open(place, Mode::write);
     id = store.begin_run(run("r1"));
     store.add(id, given);
     store.finish_run(id);
   }
-  const Store store = Store::open(file, Mode::read);
+  const Store store = Store::open(place, Mode::read);
   const std::vector<RunInfo> runs = store.runs();
   ASSERT_EQ(runs.size(), 1u);
   EXPECT_EQ(runs[0].revision, "r1");
@@ -40,8 +42,8 @@ TEST_F(Stores, GiveBackWhatWasAddedInTheNextProcessToo) {
   EXPECT_TRUE(store.check().empty());
 }
 
-TEST_F(Stores, OrderASeriesByRevisionThenByRecording) {
-  Store store = Store::open(file, Mode::write);
+TEST_P(Stores, OrderASeriesByRevisionThenByRecording) {
+  Store store = Store::open(place, Mode::write);
   const auto record = [&](const char* revision, std::optional<std::int64_t> order, double seconds) {
     RunInfo r = run(revision);
     r.revision_order = order;
@@ -71,8 +73,8 @@ TEST_F(Stores, OrderASeriesByRevisionThenByRecording) {
   EXPECT_TRUE(store.series("nothing*", "*").empty());
 }
 
-TEST_F(Stores, KeepRepetitionsAndNaN) {
-  Store store = Store::open(file, Mode::write);
+TEST_P(Stores, KeepRepetitionsAndNaN) {
+  Store store = Store::open(place, Mode::write);
   const std::int64_t id = store.begin_run(run("r1"));
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   store.add(id, result("tumbling", 0.0125, {0.5, nan, inf, 1e-308, -0.0}));
@@ -107,8 +109,8 @@ TEST(Cells, AreIdentifiedByContent) {
   EXPECT_NE(cell_hash(moved), hash);
 }
 
-TEST_F(Stores, IgnoreRepeatedCell) {
-  Store store = Store::open(file, Mode::write);
+TEST_P(Stores, IgnoreRepeatedCell) {
+  Store store = Store::open(place, Mode::write);
   const std::int64_t id = store.begin_run(run("r1"));
   const Result first = result("tumbling", 0.0125, {1});
   store.add(id, first);
@@ -117,8 +119,8 @@ TEST_F(Stores, IgnoreRepeatedCell) {
   EXPECT_EQ(digest(store.results(id)[0]), digest(first));
 }
 
-TEST_F(Stores, FailedTransactionChangesNothing) {
-  Store store = Store::open(file, Mode::write);
+TEST_P(Stores, FailedTransactionChangesNothing) {
+  Store store = Store::open(place, Mode::write);
   EXPECT_THROW(store.in_one_transaction([&] {
     store.add(store.begin_run(run("r1")), result("tumbling", 0.0125, {1}));
     throw core::InputError("no further");
@@ -128,8 +130,8 @@ TEST_F(Stores, FailedTransactionChangesNothing) {
   EXPECT_TRUE(store.cells().empty());
 }
 
-TEST_F(Stores, GiveEqualRunsDifferentIds) {
-  Store store = Store::open(file, Mode::write);
+TEST_P(Stores, GiveEqualRunsDifferentIds) {
+  Store store = Store::open(place, Mode::write);
   store.begin_run(run("r1"));
   store.begin_run(run("r1"));
   const std::vector<RunInfo> runs = store.runs();
@@ -137,8 +139,8 @@ TEST_F(Stores, GiveEqualRunsDifferentIds) {
   EXPECT_NE(runs[0].uid, runs[1].uid);
 }
 
-TEST_F(Stores, FindRunByNumberLabelOrRevision) {
-  Store store = Store::open(file, Mode::write);
+TEST_P(Stores, FindRunByNumberLabelOrRevision) {
+  Store store = Store::open(place, Mode::write);
   RunInfo labelled = run("r1");
   labelled.label = "before";
   const std::int64_t first = store.begin_run(labelled);
@@ -153,8 +155,64 @@ TEST_F(Stores, FindRunByNumberLabelOrRevision) {
   EXPECT_FALSE(store.find_run("never").has_value());
 }
 
-TEST_F(Stores, KeepAnchorsAndChangePointsAndLetThemBeSetAnew) {
-  Store store = Store::open(file, Mode::write);
+// * ? [a-z] [^…] match as SQLite's GLOB does, and nothing else is special.
+TEST_P(Stores, SelectCellsByGlob) {
+  Store store = Store::open(place, Mode::write);
+  const std::int64_t id = store.begin_run(run("r1"));
+  for (const char* scenario :
+       {"top_1", "top_2", "top_10", "a.b", "aXb", "a\\b", "a]b", "a[b", "a^b", "(a|b)", "Top_1", "ä"})
+    store.add(id, result(scenario, 0.0125, {1}));
+  const std::pair<const char*, std::size_t> rows[] = {
+      {"*", 12},        {"top_*", 3},     {"top_?/*", 2},        {"a.b/*", 1},    {"a?b/*", 6},
+      {"a[.X]b/*", 2},  {"a[^.X]b/*", 4}, {"a[]]b/*", 1},        {"a[^]]b/*", 5}, {"a\\b/*", 1},
+      {"a[\\]b/*", 1},  {"a[[]b/*", 1},   {"(a|b)/*", 1},        {"top", 0},      {"[a-t]op_1/*", 1},
+      {"?/*", 1},       {"a[b", 0},       {"*[0-9]/bullet*", 4}, {"a^b/*", 1},    {"top+_1/*", 0},
+      {"top_1{0}/*", 0}};
+  for (const auto& [glob, count] : rows) EXPECT_EQ(store.cells(glob).size(), count) << glob;
+}
+
+// Byte by byte, whatever language a server speaks.
+TEST_P(Stores, OrderTextsByBytes) {
+  Store store = Store::open(place, Mode::write);
+  const std::int64_t id = store.begin_run(run("r1"));
+  for (const char* scenario : {"b", "B", "a", "A", "ä", "_", "Z", "z", "a b", "ab"})
+    store.add(id, result(scenario, 0.0125, {1}));
+  std::vector<std::string> names;
+  for (const Cell& cell : store.cells()) names.push_back(cell.name());
+  EXPECT_EQ(names.size(), 10u);
+  EXPECT_TRUE(std::ranges::is_sorted(names));
+}
+
+TEST_P(Stores, AreReadWhileAnotherWrites) {
+  Store writer = Store::open(place, Mode::write);
+  const std::int64_t id = writer.begin_run(run("r1"));
+  const Store reader = Store::open(place, Mode::read);
+  EXPECT_EQ(reader.runs().size(), 1u);
+  writer.add(id, result("tumbling", 0.0125, {1}));
+  EXPECT_EQ(reader.results(id).size(), 1u);
+}
+
+TEST_P(Stores, ThatAreReadAreNotWritten) {
+  EXPECT_THROW(Store::open(place, Mode::read), core::InputError);  // there is none yet
+  Store::open(place, Mode::write).begin_run(run("r1"));
+  Store store = Store::open(place, Mode::read);
+  EXPECT_THROW(store.begin_run(run("r2")), core::InputError);
+  EXPECT_EQ(store.runs().size(), 1u);
+}
+
+TEST_P(Stores, OfANewerSchemaAreRefused) {
+  Store::open(place, Mode::write).begin_run(run("r1"));
+  raw(on_server() ? "UPDATE store SET schema = 98" : "PRAGMA user_version = 98");
+  for (const Mode mode : {Mode::read, Mode::write}) try {
+      Store::open(place, mode);
+      ADD_FAILURE();
+    } catch (const core::InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("newer Cylon (schema 98"), std::string::npos) << error.what();
+    }
+}
+
+TEST_P(Stores, KeepAnchorsAndChangePointsAndLetThemBeSetAnew) {
+  Store store = Store::open(place, Mode::write);
   store.pin({"v1", "bin/cylon", "aa", "2024-05-01T00:00:00Z", "first", ""});
   store.pin({"v1", "bin/cylon-2", "bb", "2024-05-02T00:00:00Z", "again", ""});
   ASSERT_EQ(store.anchors().size(), 1u);
@@ -166,8 +224,8 @@ TEST_F(Stores, KeepAnchorsAndChangePointsAndLetThemBeSetAnew) {
   EXPECT_THROW(store.set({"s/cpu_seconds", "r2", "forgotten", "", ""}), core::InputError);
 }
 
-TEST_F(Stores, EscapeInvalidBytesOfEngines) {
-  Store store = Store::open(file, Mode::write);
+TEST_P(Stores, EscapeInvalidBytesOfEngines) {
+  Store store = Store::open(place, Mode::write);
   const std::int64_t id = store.begin_run(run("r1"));
   Result given = result("tumbling", 0.0125, {1});
   given.judgements[0].detail = "\x1b[2J\xff" + std::string("a\0b", 3);
