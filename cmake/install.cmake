@@ -1,6 +1,6 @@
 # cmake --install: the layout that harness/cli/folders.h looks for, of the target `installable`.
 #   PREFIX/bin/cylon                 the program, which finds the rest by its own place
-#   PREFIX/libexec/cylon/            a worker of each engine
+#   PREFIX/libexec/cylon/            a worker of each engine, an importer of each format
 #   PREFIX/share/cylon/              scenarios, suites, expected verdicts, the scenario format as JSON Schema
 #   PREFIX/lib/, PREFIX/include/cylon/   libraries, CMake package and headers (cmake/library.cmake)
 #   PREFIX/share/{man,bash-completion,zsh,fish}/, PREFIX/share/doc/cylon/
@@ -23,7 +23,7 @@ get_property(workers TARGET engines PROPERTY MANUALLY_ADDED_DEPENDENCIES)
 set(optional_packages "")
 foreach(worker IN LISTS workers)
   set(component cylon)
-  string(REPLACE cylon-worker- "" build ${worker})
+  string(REGEX REPLACE "^cylon-(worker-)?" "" build ${worker})  # importers too: cylon-import-mjcf
   if(NOT build IN_LIST engine_builds)
     set(component cylon-${build})
     list(APPEND optional_packages ${component})

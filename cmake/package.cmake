@@ -1,5 +1,6 @@
 # Debian packages: cpack, or ./run package, writes them to build/PRESET/packages.
 #   cylon           the program, the engines that every build has, the scenarios
+#   cylon-import-FORMAT  the importer of a format of others, for the same reason
 #   cylon-ENGINE    the worker of an optional engine, so that cylon itself does not need the engine's library
 #   libcylon-dev    headers, static libraries and the CMake package, for engines outside the tree
 # The same sources give the same bytes (tests/package/reproducible.sh): every time in a package is that of the last commit,
@@ -97,6 +98,16 @@ install(FILES ${written}/completion/zsh DESTINATION share/zsh/vendor-completions
 
 foreach(package IN LISTS optional_packages)
   string(REPLACE cylon- "" id ${package})
+  if(id MATCHES "^import-(.*)")
+    debian_package(${package} ABOUT "judge of physics engines: importer of ${CMAKE_MATCH_1}
+Lets cylon read scenes in this format, by the format's own library, in a
+process of its own.
+.
+Without this package cylon says of such files that it cannot read them."
+      FIELDS DEPENDS "cylon (= ${PROJECT_VERSION}-1)")
+    install(FILES cmake/package/copyright DESTINATION share/doc/${package} COMPONENT ${package}-debian EXCLUDE_FROM_ALL)
+    continue()
+  endif()
   debian_package(${package} ABOUT "judge of physics engines: worker of ${id}
 Adds the engine ${id} to cylon, which runs it as a process of its own.
 .

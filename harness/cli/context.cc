@@ -3,6 +3,7 @@
 #include "harness/cli/folders.h"
 #include "harness/core/input_error.h"
 #include "harness/process/engine_table.h"
+#include "harness/scenario/foreign.h"
 
 #include <fmt/format.h>
 
@@ -84,7 +85,9 @@ std::vector<fs::path> scenario_files(const Context& context) {
   return files;
 }
 
-bool is_path(const std::string& word) { return word.ends_with(".toml"); }
+bool is_path(const std::string& word) {
+  return word.ends_with(".toml") || !scenario::foreign_format(word).empty();
+}
 
 core::InputError unknown_scenario(const Context& context, const std::string& name) {
   std::vector<std::string> names;

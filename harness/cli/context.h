@@ -48,7 +48,8 @@ std::vector<std::filesystem::path> scenario_files(const Context&);
 /// That of a name, or nothing.
 std::optional<std::filesystem::path> own_scenario(const Context&, const std::string& name);
 
-/// Whether a word names a file (it ends in .toml) rather than a scenario of the folder.
+/// Whether a word names a file (it ends in .toml, or is one that `cylon import` takes) rather than a scenario of the
+/// folder.
 bool is_path(const std::string& word);
 
 /// "no scenario 'x' in …, did you mean 'y'?"

@@ -120,7 +120,8 @@ void mechanism(Dice& dice, Scene& scene) {
     }
     if (floats) body.initial.velocity = scene.bodies[0].initial.velocity;
     core::Joint joint;
-    joint.type = core::joint_kinds[dice.below(core::joint_kinds.size())].type;
+    constexpr std::size_t kinds = 4;  // ball, hinge, distance, fixed: what every engine is asked about
+    joint.type = core::joint_kinds[dice.below(kinds)].type;
     joint.body = static_cast<int>(i), joint.to = parent;
     joint.point = (from + body.initial.position) / 2;
     joint.axis = dice.direction();

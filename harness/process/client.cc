@@ -8,6 +8,7 @@
 #include "harness/process/opening.h"
 #include "harness/process/read_back.h"
 #include "harness/process/run_messages.h"
+#include "harness/process/session.h"
 
 #include <fmt/format.h>
 
@@ -223,6 +224,34 @@ Repetition repeat(Conversation& worker, const EngineChoice& choice, const RunReq
   return recorder.times();
 }
 
+/// The request's run in a worker that said hello; the outcome gets what is known of it on the way.
+core::Recording recorded(Conversation& worker, const EngineChoice& choice, const RunRequest& request,
+                         const Run& wanted, const Hello& hello, const Limits& limits, RunOutcome& outcome) {
+  const core::Scene& scene = *request.scene;
+  outcome.engine = hello.engine;
+  outcome.terms = open_scene(worker, choice, scene, request.setup, hello.engine, limits.run_seconds);
+  core::State start = read_start(worker, scene.bodies.size());
+  if (const auto difference = read_back_difference(scene, start, hello.engine.precision))
+    throw Failure(results::Status::fail, "initial state read back differs: " + *difference);
+  Recorder recorder(scene, wanted, hello, request.setup.dt, std::move(start));
+  core::Recording recording = recorder.record(worker);
+  outcome.peak_bytes = worker.peak_bytes();
+  return recording;
+}
+
+/// Writes on a recording who made it.
+void sign(RunOutcome& outcome) {
+  if (!outcome.recording) return;
+  core::Recording& recording = *outcome.recording;
+  recording.engine.name = outcome.engine.name;
+  recording.engine.version = outcome.engine.version;
+  recording.engine.precision = outcome.engine.precision;
+  if (const auto* ran = outcome.engine.integrator(outcome.terms.integrator))
+    recording.engine.integrators = {*ran};
+  recording.terms = outcome.terms;
+  recording.complaints = outcome.stderr_tail;
+}
+
 /// Does `task`, turning its failures into the outcome's status and reason.
 template <class Task>
 void attempt(RunOutcome& outcome, Task task) try {
@@ -237,23 +266,22 @@ void attempt(RunOutcome& outcome, Task task) try {
 
 }  // namespace
 
+struct Session::Worker {
+  explicit Worker(const EngineChoice& choice, const Limits& limits)
+      : conversation(command_of(choice.row), limits.memory_bytes) {}
+  Conversation conversation;
+  Hello hello;
+};
+
 RunOutcome run(const EngineChoice& choice, const RunRequest& request, const Limits& limits) {
   const Run wanted = requested(request);
-  const core::Scene& scene = *request.scene;
   RunOutcome outcome;
   std::optional<Conversation> worker;
   std::string death;
   attempt(outcome, [&] {
     worker.emplace(command_of(choice.row), limits.memory_bytes);
     const Hello hello = introduce(*worker, limits.hello_seconds);
-    outcome.engine = hello.engine;
-    outcome.terms = open_scene(*worker, choice, scene, request.setup, hello.engine, limits.run_seconds);
-    core::State start = read_start(*worker, scene.bodies.size());
-    if (const auto difference = read_back_difference(scene, start, hello.engine.precision))
-      throw Failure(results::Status::fail, "initial state read back differs: " + *difference);
-    Recorder recorder(scene, wanted, hello, request.setup.dt, std::move(start));
-    core::Recording recording = recorder.record(*worker);
-    outcome.peak_bytes = worker->peak_bytes();
+    core::Recording recording = recorded(*worker, choice, request, wanted, hello, limits, outcome);
     for (int i = 0; i < request.repetitions; ++i)
       outcome.repetitions.push_back(repeat(*worker, choice, request, hello, limits));
     outcome.recording = std::move(recording);
@@ -263,16 +291,39 @@ RunOutcome run(const EngineChoice& choice, const RunRequest& request, const Limi
   worker->kill();
   outcome.stderr_tail = worker->complaints();
   if (!death.empty()) outcome.stderr_tail += fmt::format("killed by {} after the run\n", death);
-  if (outcome.recording) {
-    core::Recording& recording = *outcome.recording;
-    recording.engine.name = outcome.engine.name;
-    recording.engine.version = outcome.engine.version;
-    recording.engine.precision = outcome.engine.precision;
-    if (const auto* ran = outcome.engine.integrator(outcome.terms.integrator))
-      recording.engine.integrators = {*ran};
-    recording.terms = outcome.terms;
-    recording.complaints = outcome.stderr_tail;
+  sign(outcome);
+  return outcome;
+}
+
+Session::Session(EngineChoice choice, const Limits& limits) : choice_(std::move(choice)), limits_(limits) {}
+
+Session::~Session() {
+  if (worker_) worker_->conversation.kill();
+}
+
+RunOutcome Session::run(const RunRequest& request) {
+  const Run wanted = requested(request);
+  if (request.repetitions != 0) throw std::invalid_argument("a session repeats no run");
+  RunOutcome outcome;
+  try {
+    attempt(outcome, [&] {
+      if (!worker_) {
+        worker_ = std::make_unique<Worker>(choice_, limits_);
+        worker_->hello = introduce(worker_->conversation, limits_.hello_seconds);
+      }
+      outcome.recording =
+          recorded(worker_->conversation, choice_, request, wanted, worker_->hello, limits_, outcome);
+    });
+  } catch (...) {  // an impossible setup, or an interruption
+    worker_.reset();
+    throw;
   }
+  if (!outcome.recording && worker_) {
+    worker_->conversation.kill();
+    outcome.stderr_tail = worker_->conversation.complaints();
+    worker_.reset();
+  }
+  sign(outcome);
   return outcome;
 }
 

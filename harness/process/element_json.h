@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string>
 #include <unordered_map>
 
@@ -51,11 +52,17 @@ class ElementWriter {
         if (!std::holds_alternative<std::monostate>(value)) row[field.key] = json(value);
       } else {
         if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, std::string>)
-          if (field.about.later && value == T{}.*field.member) return;
+          if (field.about.later && is_new(value, T{}.*field.member)) return;
         row[core::key_of(element, field)] = json(value);
       }
     });
   }
+
+  // To the bit: -0 is not 0.
+  static bool is_new(double value, double initial) {
+    return value == initial && std::signbit(value) == std::signbit(initial);
+  }
+  static bool is_new(const std::string& value, const std::string& initial) { return value == initial; }
 
   Json json(double value) const { return value; }
   Json json(bool value) const { return value; }

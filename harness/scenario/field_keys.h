@@ -81,6 +81,8 @@ std::vector<Key> keys_of() {
       for (Key& key : keys_of<core::BodyState>()) keys.push_back(std::move(key));
     } else {
       const bool is_optional = about.later || core::may_be_absent<Value> ||
+                               std::is_same_v<Value, std::vector<core::JointDisplacement>> ||
+                               std::is_same_v<Value, std::vector<core::JointAngle>> ||
                                std::is_same_v<Value, core::Shape> ||
                                (std::is_same_v<Value, int> && !about.required) || !about.pin.empty();
       Key key{.name = std::string(field.key),

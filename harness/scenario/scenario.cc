@@ -4,6 +4,7 @@
 #include "harness/scenario/budget.h"
 #include "harness/scenario/claims.h"
 #include "harness/scenario/draft.h"
+#include "harness/scenario/foreign.h"
 #include "harness/scenario/key_rows.h"
 #include "harness/scenario/read_element.h"
 
@@ -85,7 +86,26 @@ Scenario read(std::string_view text, const std::string& file_name) {
 
 }  // namespace
 
-Scenario read(const std::filesystem::path& path) { return read(read_file(path), path.string()); }
+std::function<std::string(const std::filesystem::path&)>& foreign_reader() {
+  static std::function<std::string(const std::filesystem::path&)> reader;
+  return reader;
+}
+
+Scenario read(const std::filesystem::path& path) {
+  if (foreign_format(path).empty()) return read(read_file(path), path.string());
+  if (!foreign_reader())
+    throw core::InputError(path.string(), 0, 0,
+                           "this program reads only scenario files (.toml); `cylon import` makes one");
+  const std::string text = foreign_reader()(path);
+  try {
+    return read(text, path.string());
+  } catch (const core::InputError& error) {  // its lines are those of a text that nobody has
+    std::string_view what = error.what();
+    const std::string place = fmt::format("{}:{}:{}: ", path.string(), error.line, error.column);
+    if (what.starts_with(place)) what.remove_prefix(place.size());
+    throw core::InputError(path.string(), 0, 0, fmt::format("as a scenario: {}", what));
+  }
+}
 
 void prepare(Scenario& scenario) {
   if (!scenario.unsolved) return;

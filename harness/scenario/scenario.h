@@ -5,6 +5,7 @@
 #include "harness/core/scene.h"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -46,10 +47,14 @@ struct Scenario {
   std::shared_ptr<const CertifiedClaims> unsolved = nullptr;  ///< Claims without their truth: see prepare().
 };
 
-/// Reads a scenario file.  Throws core::InputError "file:line:column: …" for all that cannot be: a file that
+/// Reads a scenario file, or one of another format by foreign_reader().  Throws core::InputError "file:line:column: …" for all that cannot be: a file that
 /// is missing, a folder, empty or over 16 MB; bad TOML; unknown keys, with the nearest valid one; impossible
 /// values, with the valid range.  Claims that follow the certified truth do not have it yet.
 Scenario read(const std::filesystem::path&);
+
+/// What makes a scenario's text of a file in another format: harness/imports sets it at the start of a program; without
+/// it such files are refused.
+std::function<std::string(const std::filesystem::path&)>& foreign_reader();
 
 /// Solves the certified truths and checks the tolerances of the claims that follow them.  Throws
 /// core::InputError at the claim.  Does nothing where all claims have their truths.  Scenarios that are

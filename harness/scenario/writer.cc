@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <type_traits>
 #include <vector>
 
@@ -89,10 +90,8 @@ class Writer {
   requires std::is_enum_v<Enum> std::string written(Enum value)
   const { return toml_text(core::Words<Enum>::list[static_cast<std::size_t>(value)]); }
   std::string written(const std::optional<double>& x) const { return x ? written(*x) : ""; }
-  std::string written(const core::JointDisplacement& coordinate) const {
-    return in_braces(lines(coordinate));
-  }
-  std::string written(const core::JointAngle& coordinate) const { return in_braces(lines(coordinate)); }
+  std::string written(const core::JointDisplacement& coordinate) const { return of_coordinate(coordinate); }
+  std::string written(const core::JointAngle& coordinate) const { return of_coordinate(coordinate); }
   std::string written(const std::array<std::int32_t, 3>& face) const {
     return fmt::format("[{}]", fmt::join(face, ", "));
   }
@@ -104,6 +103,16 @@ class Writer {
   template <class T>
   std::string written(const std::vector<T>& values) const {
     return list(values, [&](const T& value) { return written(value); });
+  }
+
+  // Without what an absent key means: the reader refuses keys that do nothing.
+  template <class Coordinate>
+  std::string of_coordinate(const Coordinate& coordinate) const {
+    Lines stated = lines(coordinate);
+    const Lines plain = lines(Coordinate{});
+    std::erase_if(stated,
+                  [&](const std::string& line) { return std::ranges::find(plain, line) != plain.end(); });
+    return in_braces(stated);
   }
 
   static std::string in_braces(const Lines& inside) { return fmt::format("{{{}}}", fmt::join(inside, ", ")); }

@@ -92,6 +92,6 @@ asks() { # text, arguments of find_package…
   says "$1" "find_package(cylon ${*:2})"
 }
 asks 'requested version "9.9"' 9.9
-asks "no component 'oracle'" 0.2 COMPONENTS oracle
+asks "no component 'oracle'" 0.3 COMPONENTS oracle
 "$sources/tests/package/interface.py" "$prefix" || fail "the interface"
 echo "The library was used from $PWD."

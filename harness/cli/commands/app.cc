@@ -1,6 +1,7 @@
 #include "harness/cli/commands/app.h"
 
 #include "harness/cli/command_line.h"
+#include "harness/imports/imports.h"
 #include "harness/process/interruption.h"
 #include "harness/process/sandbox.h"
 #include "harness/tracking/track.h"
@@ -24,6 +25,7 @@
 #include <utility>
 
 namespace cylon::cli {
+
 namespace {
 
 const std::vector<App::Row> commands = {
@@ -43,10 +45,12 @@ const std::vector<App::Row> commands = {
     {"limits", "Find the limits of each engine and integrator by bisection", add_limits},
     {"hunt", "Look for faults of an engine in random scenes, and shrink each", add_hunt},
     {"predict", "Hold engines against measured motions, with intervals", add_predict},
+    {"fit", "Fit a model's parameters to measured motions, with intervals", add_fit},
     {"selfcheck", "Compare published numbers of other suites with results of the same scenes here",
      add_selfcheck},
     {"track", "Record the history of accuracy and speed, and compare builds", tracking::add_track},
     {"view", "Show a scenario live in the browser, with controls", add_view},
+    {"import", "Make a scenario of an MJCF, SDFormat or URDF file", add_import},
     {"new", "Write a commented template of a scenario", add_new},
     {"doctor", "Check that everything Cylon needs is installed and works", add_doctor},
     {"completion", "Print the completion script of a shell", add_completion},
@@ -170,6 +174,7 @@ int run_command_line(int argc, char** argv) {
       "undecided (with --strict), 4 nothing selected, 5 internal failure, 6 cells are missing (merge), 130 "
       "interrupted.");
   Context context = make_context();
+  imports::serve_scenarios(context.workers);
   context.command_line = shell_command(std::vector<std::string>(argv, argv + argc));
   Command chosen;
   App(app).add_commands(commands, context, [&chosen](Command command) { chosen = std::move(command); });

@@ -27,9 +27,11 @@ Command add_advise(App&, const Context&);
 Command add_limits(App&, const Context&);
 Command add_hunt(App&, const Context&);
 Command add_predict(App&, const Context&);
+Command add_fit(App&, const Context&);
 Command add_selfcheck(App&, const Context&);
 Command add_view(App&, const Context&);
 Command add_new(App&, const Context&);
+Command add_import(App&, const Context&);
 Command add_doctor(App&, const Context&);
 Command add_completion(App&, const Context&);
 

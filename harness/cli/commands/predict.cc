@@ -1,15 +1,15 @@
 // cylon predict
 #include "harness/cli/command_line.h"
 #include "harness/cli/commands/app.h"
+#include "harness/cli/commands/estimates.h"
 #include "harness/cli/options.h"
 #include "harness/cli/output.h"
 #include "harness/cli/workers.h"
 #include "harness/core/input_error.h"
-#include "harness/core/recording.h"
 #include "harness/process/engine_table.h"
 #include "harness/process/interruption.h"
-#include "harness/scenario/input.h"
 #include "harness/study/parallel.h"
+#include "harness/study/session_runner.h"
 #include "harness/validation/length_scale.h"
 #include "harness/validation/score.h"
 
@@ -20,8 +20,7 @@
 #include <iostream>
 #include <memory>
 #include <mutex>
-#include <numbers>
-#include <stdexcept>
+#include <numeric>
 
 namespace cylon::cli {
 namespace {
@@ -31,41 +30,11 @@ using validation::Estimate, validation::RunScore, validation::Summary;
 
 struct Options {
   std::string experiment, json, step;
-  std::vector<std::string> engines, workers;
+  std::vector<std::string> engines, workers, values;
   validation::Band band;
   int jobs = 0;
   double timeout = 60;
 };
-
-constexpr double degrees = 180 / std::numbers::pi;
-
-// "12.3 mm [10.1, 14.0]"
-std::string shown(const Estimate& e, double scale, const char* unit, int digits = 1) {
-  if (!std::isfinite(e.value)) return "not known";
-  const std::string value = fmt::format("{:.{}f}{}", e.value * scale, digits, unit);
-  if (!std::isfinite(e.interval.low)) return value;
-  return fmt::format("{} [{:.{}f}, {:.{}f}]", value, e.interval.low * scale, digits, e.interval.high * scale,
-                     digits);
-}
-
-ordered_json number(double x) { return std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr); }
-
-ordered_json to_json(const Estimate& e) {
-  return {{"value", number(e.value)},
-          {"low", number(e.interval.low)},
-          {"high", number(e.interval.high)},
-          {"runs", e.runs}};
-}
-
-ordered_json to_json(const RunScore& r) {
-  return {{"run", r.run},
-          {"failure", r.failure},
-          {"distance", number(r.distance)},
-          {"angle", number(r.angle)},
-          {"same_side", r.same_side},
-          {"impact", number(r.impact)},
-          {"covered", number(r.covered)}};
-}
 
 std::vector<RunScore> scores(const Context& context, const Options& options, const measured::Experiment& e,
                              const process::EngineChoice& engine) {
@@ -83,22 +52,7 @@ std::vector<RunScore> scores(const Context& context, const Options& options, con
   return all;
 }
 
-std::string told(const std::string& engine, const Summary& s, int members) {
-  std::string out = fmt::format("{}\n", engine);
-  if (s.failed > 0)
-    out += fmt::format("  failed              {} of {} runs: {}\n", s.failed, s.runs, s.first_failure);
-  if (s.failed == s.runs) return out;
-  out += fmt::format("  rest, distance      {}\n", shown(s.distance, 1000, " mm"));
-  out += fmt::format("  rest, angle         {}\n", shown(s.angle, degrees, " deg"));
-  out += fmt::format("  same side up        {}\n", shown(s.same_side, 100, " %"));
-  out += fmt::format("  first touch, off by {}  ({} runs)\n", shown(s.impact, 1000, " ms", 2), s.impact.runs);
-  if (members > 0)
-    out += fmt::format("  inside the {:.0f} % band  {}; 90 to 98 %: {}\n", 100 * validation::level(members),
-                       shown(s.covered, 100, " %"), validation::name(s.band));
-  return out;
-}
-
-std::string told(const char* what, const Estimate& scale, const char* unit) {
+std::string told_length(const char* what, const Estimate& scale, const char* unit) {
   if (scale.runs < 2) return fmt::format("  {:<22} not known ({} runs)\n", what, scale.runs);
   const auto answer = validation::answer({1, 1}, scale.interval.low, scale.interval.high);
   return fmt::format("  {:<22} {:.4f} [{:.4f}, {:.4f}] of {} ({} runs){}\n", what, scale.value,
@@ -106,30 +60,58 @@ std::string told(const char* what, const Estimate& scale, const char* unit) {
                      answer == validation::Answer::inside ? "" : ": 1 is outside the interval");
 }
 
+// How long each engine foretells the angles of a chain.
+int predict_chain(const Options& options, const measured::Experiment& e,
+                  const std::vector<process::EngineChoice>& engines) {
+  std::cout << fmt::format(
+      "Predictions from the first frame, steps of {:.6g} s; medians over runs, with 95 % intervals:\n",
+      e.model.step);
+  const process::Interruptible until_told;
+  std::vector<std::size_t> runs(e.runs.size());
+  std::iota(runs.begin(), runs.end(), 0);
+  ordered_json told_engines = ordered_json::array();
+  for (const process::EngineChoice& engine : engines) {
+    const auto each = validation::horizons(
+        e, runs, study::session_runner(engine, {.run_seconds = options.timeout}), worker_count(options.jobs));
+    const validation::HorizonSummary s = validation::summary(each);
+    std::cout << plain(engine.id + "\n" + told(s)) << std::flush;
+    ordered_json told_engine = to_json(s), told_runs = ordered_json::array();
+    for (const validation::Horizon& h : each) told_runs.push_back(to_json(h));
+    told_engine["engine"] = engine.id, told_engine["each"] = told_runs;
+    told_engines.push_back(told_engine);
+  }
+  if (!options.json.empty())
+    write_whole(options.json, ordered_json{{"format", "cylon-prediction/1"},
+                                           {"title", e.title},
+                                           {"source", e.source},
+                                           {"licence", e.licence},
+                                           {"known", e.known},
+                                           {"model", e.model.hash},
+                                           {"step", e.model.step},
+                                           {"engines", told_engines}}
+                                      .dump(1, ' ', true) +
+                                  "\n");
+  return ok;
+}
+
 int predict(const Context& context, const Options& options) {
   require_writable(options.json);
   measured::Experiment e = measured::read(options.experiment);
-  if (!options.step.empty()) {
-    e.model.step = scenario::parse_step(options.step);
-    try {
-      core::whole_steps(1 / e.rate, e.model.step);
-    } catch (const std::invalid_argument& error) {
-      throw core::InputError(
-          fmt::format("--dt {}: a frame is no whole number of steps: {}", options.step, error.what()));
-    }
-  }
+  set_step(e, options.step);
+  e = set_values(e, options.values);
   const auto rows = with_workers(context, options.workers);
   const std::vector<std::string> ids =
       options.engines.empty() ? process::compared_engines() : options.engines;
   std::vector<process::EngineChoice> engines;
   for (const std::string& id : ids) engines.push_back(process::parse_engine(id, rows));
 
-  const validation::LengthScale lengths = validation::length_scale(e);
   std::cout << plain(fmt::format("{}: {} runs\n", e.title, e.runs.size()));
   for (const std::string& known : e.known) std::cout << plain(fmt::format("  known: {}\n", known));
+  if (e.coordinates == measured::Coordinates::chain) return predict_chain(options, e, engines);
+  const validation::LengthScale lengths = validation::length_scale(e);
   std::cout << "Lengths of the data, measured/true, with 95 % intervals:\n"
-            << told("from free flight", lengths.flight, "the fall")
-            << told("from heights at rest", lengths.rest, "the height");
+            << told_length("from free flight", lengths.flight, "the fall")
+            << told_length("from heights at rest", lengths.rest, "the height");
   std::cout << fmt::format(
       "Predictions from the first frame, steps of {} s; medians over runs, with 95 % intervals:\n",
       options.step.empty() ? e.model.step_text : options.step);
@@ -139,19 +121,12 @@ int predict(const Context& context, const Options& options) {
   for (const process::EngineChoice& engine : engines) {
     all.push_back(scores(context, options, e, engine));
     const Summary s = validation::summary(all.back());
-    std::cout << plain(told(engine.id, s, options.band.members)) << std::flush;
+    std::cout << plain(engine.id + "\n" + told(s, options.band.members)) << std::flush;
     ordered_json runs = ordered_json::array();
     for (const RunScore& r : all.back()) runs.push_back(to_json(r));
-    told_engines.push_back({{"engine", engine.id},
-                            {"runs", s.runs},
-                            {"failed", s.failed},
-                            {"distance", to_json(s.distance)},
-                            {"angle", to_json(s.angle)},
-                            {"same_side", to_json(s.same_side)},
-                            {"impact", to_json(s.impact)},
-                            {"covered", to_json(s.covered)},
-                            {"band", validation::name(s.band)},
-                            {"each", runs}});
+    ordered_json told_engine = to_json(s);
+    told_engine["engine"] = engine.id, told_engine["each"] = runs;
+    told_engines.push_back(told_engine);
   }
   const auto pairs = validation::nearer(all);
   ordered_json compared = ordered_json::array();
@@ -198,6 +173,10 @@ Command add_predict(App& app, const Context& context) {
       ->required();
   add_engines_option(app, options->engines, "those of the published tables");
   add_step_option(app, options->step);
+  app.add_option("--set", options->values,
+                 "Parameter of the file with a value, as cylon fit found it; may be given again")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
   app.add_option(
          "--members", options->band.members,
          "Predictions of the band of each run, from uncertain starts and materials; 39 make 95 %, 0 none")

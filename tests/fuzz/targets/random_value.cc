@@ -81,6 +81,8 @@ std::string random_value(const Key& key, const Names& names, Random& random) {
       return random.below(2) ? "[0.6, 0, 0.8, 0]" : "[0.5, -0.5, 0.5, 0.5]";
     case Kind::moments:
       return random.below(2) ? "[1, 1.5, 2]" : point();
+    case Kind::numbers:
+      return key.name == "target_times" ? "[0, 0.25, 1.5]" : list(3, real);
     case Kind::points:
       return list(4 + random.below(5), point);
     case Kind::triangles:

@@ -19,6 +19,8 @@ void for_each_element(auto visit) {
   visit.template operator()<BodyState>();
   visit.template operator()<Body>();
   visit.template operator()<Joint>();
+  visit.template operator()<JointDisplacement>();
+  visit.template operator()<JointAngle>();
   visit.template operator()<Plane>();
   visit.template operator()<Material>();
   visit.template operator()<Frame>();

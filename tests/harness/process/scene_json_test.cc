@@ -77,7 +77,9 @@ CYLON_FIELDS(Thrust, a, b, c, d, e)
 CYLON_FIELDS(Drive, a, b, c)
 CYLON_FIELDS(Attraction, a, b, c)
 CYLON_FIELDS(Water, a, b, c, d, e, f)
-CYLON_FIELDS(Joint, a, b, c, d, e, f)
+CYLON_FIELDS(JointDisplacement, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p)
+CYLON_FIELDS(JointAngle, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p)
+CYLON_FIELDS(Joint, a, b, c, d, e, f, g, h, i, j, k)
 CYLON_FIELDS(Plane, a, b, c, d, e)
 CYLON_FIELDS(Frame, a, b)
 void put(Bytes& out, const Material& value) {
@@ -202,8 +204,37 @@ class Dice {
     scene.forces.emplace_back(Attraction{body(), body(), number()});
     scene.forces.emplace_back(
         Water{number(), number(), number(), number(), number(), flag() ? "step" : "volume"});
-    for (const JointType type : {JointType::ball, JointType::hinge, JointType::distance, JointType::fixed})
-      scene.joints.push_back({type, body(), flag() ? world : body(), vector(), vector(), number()});
+    const auto coordinate = [&] {
+      JointCoordinate c{flag() ? Ordinal::first : Ordinal::second,
+                        number(),
+                        {},
+                        {},
+                        number(),
+                        number(),
+                        number(),
+                        number(),
+                        number(),
+                        number(),
+                        number(),
+                        number(),
+                        number(),
+                        number(),
+                        {},
+                        {}};
+      if (flag()) c.lower = number();
+      if (flag()) c.upper = number();
+      if (flag()) c.target_times = {number(), number()}, c.target_values = {number(), number()};
+      return c;
+    };
+    for (const JointKind& kind : joint_kinds) {
+      scene.joints.push_back({kind.type, body(), flag() ? world : body(), vector(), vector(), number()});
+      Joint& joint = scene.joints.back();
+      if (flag()) joint.name = "elbow";
+      if (kind.has_second_axis()) joint.axis_2 = vector();
+      if (kind.screws) joint.pitch = number();
+      if (flag()) joint.displacements = {{coordinate()}, {coordinate()}};
+      if (flag()) joint.angles = {{coordinate()}};
+    }
     scene.planes = {{"floor", vector(), number()}, {"wall", vector(), number(), {"walls"}, {"wheels"}}};
     scene.materials = {{{"body1", "floor"}, number(), number()}, {{"*", "*"}, number(), number()}};
     if (flag()) scene.frame = Frame{vector(), vector()};

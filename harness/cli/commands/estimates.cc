@@ -1,0 +1,149 @@
+#include "harness/cli/commands/estimates.h"
+
+#include "harness/core/input_error.h"
+#include "harness/core/recording.h"
+#include "harness/scenario/input.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace cylon::cli {
+
+using nlohmann::ordered_json;
+using validation::Estimate, validation::RunScore, validation::Summary;
+
+constexpr double degrees = 180 / std::numbers::pi;
+
+std::string shown(const Estimate& e, double scale, const char* unit, int digits) {
+  if (!std::isfinite(e.value)) return "not known";
+  const std::string value = fmt::format("{:.{}f}{}", e.value * scale, digits, unit);
+  if (!std::isfinite(e.interval.low)) return value;
+  return fmt::format("{} [{:.{}f}, {:.{}f}]", value, e.interval.low * scale, digits, e.interval.high * scale,
+                     digits);
+}
+
+ordered_json number(double x) { return std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr); }
+
+ordered_json to_json(const Estimate& e) {
+  return {{"value", number(e.value)},
+          {"low", number(e.interval.low)},
+          {"high", number(e.interval.high)},
+          {"runs", e.runs}};
+}
+
+ordered_json to_json(const RunScore& r) {
+  return {{"run", r.run},
+          {"failure", r.failure},
+          {"distance", number(r.distance)},
+          {"angle", number(r.angle)},
+          {"same_side", r.same_side},
+          {"impact", number(r.impact)},
+          {"loss", number(r.loss)},
+          {"covered", number(r.covered)}};
+}
+
+ordered_json to_json(const Summary& s) {
+  return {{"runs", s.runs},
+          {"failed", s.failed},
+          {"distance", to_json(s.distance)},
+          {"angle", to_json(s.angle)},
+          {"same_side", to_json(s.same_side)},
+          {"impact", to_json(s.impact)},
+          {"loss", to_json(s.loss)},
+          {"covered", to_json(s.covered)},
+          {"band", validation::name(s.band)}};
+}
+
+std::string told(const Summary& s, int members) {
+  std::string out;
+  if (s.failed > 0)
+    out += fmt::format("  failed              {} of {} runs: {}\n", s.failed, s.runs, s.first_failure);
+  if (s.failed == s.runs) return out;
+  out += fmt::format("  rest, distance      {}\n", shown(s.distance, 1000, " mm"));
+  out += fmt::format("  rest, angle         {}\n", shown(s.angle, degrees, " deg"));
+  out += fmt::format("  same side up        {}\n", shown(s.same_side, 100, " %"));
+  out += fmt::format("  first touch, off by {}  ({} runs)\n", shown(s.impact, 1000, " ms", 2), s.impact.runs);
+  out += fmt::format("  energy lost, off by {}  ({} runs)\n", shown(s.loss, 100, " % of it", 1), s.loss.runs);
+  if (members > 0)
+    out += fmt::format("  inside the {:.0f} % band  {}; 90 to 98 %: {}\n", 100 * validation::level(members),
+                       shown(s.covered, 100, " %"), validation::name(s.band));
+  return out;
+}
+
+ordered_json to_json(const validation::Horizon& h) {
+  return {{"run", h.run},
+          {"failure", h.failure},
+          {"held", number(h.held)},
+          {"to_the_end", std::isinf(h.held)},
+          {"expected", number(h.expected)},
+          {"exponent", number(h.exponent)}};
+}
+
+ordered_json to_json(const validation::HorizonSummary& s) {
+  return {{"runs", s.runs},
+          {"failed", s.failed},
+          {"to_the_end", s.to_the_end},
+          {"held", to_json(s.held)},
+          {"expected", to_json(s.expected)},
+          {"exponent", to_json(s.exponent)}};
+}
+
+std::string told(const validation::HorizonSummary& s) {
+  const auto time = [](const Estimate& e) {
+    const auto one = [](double t) {
+      return std::isfinite(t) ? fmt::format("{:.3g}", t) : std::string("the end");
+    };
+    if (std::isnan(e.value)) return std::string("not known");
+    return fmt::format("{} s [{}, {}]", one(e.value), one(e.interval.low), one(e.interval.high));
+  };
+  std::string out;
+  if (s.failed > 0)
+    out += fmt::format("  failed              {} of {} runs: {}\n", s.failed, s.runs, s.first_failure);
+  if (s.failed == s.runs) return out;
+  out += fmt::format("  within 0.1 rad for  {}  ({} of {} runs to the end)\n", time(s.held), s.to_the_end,
+                     s.runs - s.failed);
+  out += fmt::format("  by the start alone  {}\n", time(s.expected));
+  out += fmt::format("  exponent            {}\n", shown(s.exponent, 1, " 1/s", 2));
+  return out;
+}
+
+void set_step(measured::Experiment& e, const std::string& step) {
+  if (step.empty()) return;
+  e.model.step = scenario::parse_step(step);
+  try {
+    core::whole_steps(1 / e.rate, e.model.step);
+  } catch (const std::invalid_argument& error) {
+    throw core::InputError(
+        fmt::format("--dt {}: a frame is no whole number of steps: {}", step, error.what()));
+  }
+}
+
+measured::Experiment set_values(const measured::Experiment& e, const std::vector<std::string>& values) {
+  std::vector<measured::Parameter> parameters;
+  std::vector<double> numbers;
+  std::vector<std::string> names;
+  for (const measured::Parameter& p : e.parameters) names.push_back(p.name);
+  for (const std::string& word : values) {
+    const std::size_t at = std::min(word.find('='), word.size());
+    const auto found = std::ranges::find(e.parameters, word.substr(0, at), &measured::Parameter::name);
+    if (found == e.parameters.end())
+      throw core::InputError(fmt::format("--set {}: {} has no parameter '{}'{}", word, e.file,
+                                         word.substr(0, at), core::did_you_mean(word.substr(0, at), names)));
+    double value = std::nan("");
+    const char* end = word.data() + word.size();
+    if (at == word.size() || std::from_chars(word.data() + at + 1, end, value).ptr != end ||
+        !(found->low <= value && value <= found->high))
+      throw core::InputError(
+          fmt::format("--set {}: a number in [{:g}, {:g}] must follow '='", word, found->low, found->high));
+    parameters.push_back(*found), numbers.push_back(value);
+  }
+  return measured::with_values(e, parameters, numbers);
+}
+
+}  // namespace cylon::cli
