@@ -182,7 +182,7 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
   for (std::size_t pass = 0; pass <= touches.size(); ++pass) {
     copy(before_, y_);
     outcome = strike(touches, model.impacts, joints, bodies, motion);
-    work_ += outcome.rounds * cube(touches.size(), joints.size());
+    work_ += outcome.rounds * solution(touches.size());
     bool again = false;
     for (std::size_t i = 0; i < touches.size(); ++i) {
       const Real u = rate_now(touches[i]);
@@ -400,7 +400,7 @@ ContactForces EventStepper::find_holds(const std::vector<Spot>& touching, Real s
   if (touches.empty()) return {};
   if (held_.empty()) guess.clear();
   const Instant instant{bodies, motion, system_.kinematics().data(), system_.loads().data(), system_.count()};
-  work_ += 4 * cube(touches.size(), 0);
+  work_ += 4 * solution(touches.size());
   return find_contact_forces(touches, joint_rows(motion), instant, std::max(slow, left_slip_), guess);
 }
 

@@ -61,7 +61,7 @@ void EventStepper::hold(Time t, const std::vector<Body>& bodies, const Motion* m
     holdings_.push_back(h.holding);
   }
   const std::vector<Row> joints = joint_rows(motion);
-  work_ += cube(touches_.size(), joints.size());
+  work_ += solution(touches_.size());
   add_forces(
       held_contact_forces(touches_, holdings_, joints, {bodies, motion, kinematics, loads}, slow_slip_),
       loads, system_.count());
@@ -78,7 +78,7 @@ ContactForces EventStepper::support(Time t, const Real* y) {
   }
   const Instant now{system_.model().bodies, motion, system_.kinematics().data(), system_.loads().data(),
                     system_.count()};
-  work_ += cube(touches_.size(), system_.model().joints.size());
+  work_ += solution(touches_.size());
   return held_contact_forces(touches_, holdings_, joint_rows(motion), now, slow_slip_);
 }
 

@@ -1,6 +1,7 @@
 #include "engine/event_stepper.h"
 
 #include "engine/geometry/pose.h"
+#include "engine/joint.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,6 +56,12 @@ std::vector<std::size_t> numbers(const std::vector<Reading>& readings) {
   return bodies;
 }
 
+std::size_t rows_of(const std::vector<Joint>& joints) {
+  int rows = 0;
+  for (const Joint& joint : joints) rows += row_count(joint.type);
+  return static_cast<std::size_t>(rows);
+}
+
 Real least_speed(const Model& model, Real reach, Time dt) {
   const Real h = static_cast<Real>(dt);
   return std::max(model.strongest_gravity() * h, reach / 100 / h);
@@ -103,6 +110,7 @@ EventStepper::EventStepper(Reduced reduced, const Integrator& integrator, Time d
       neighbours_(candidates_, system_.model().bodies),
       seams_(system_.model()),
       gravity_(system_.model().strongest_gravity()),
+      joint_rows_(rows_of(system_.model().joints)),
       account_(account),
       adaptive_(integrator.kind == Kind::adaptive),
       splits_(integrator.kind == Kind::splitting),
@@ -148,8 +156,7 @@ void EventStepper::step() {
   std::fill(restless_.begin(), restless_.end(), char{0});
   plastic_ = false;
   idle_ = rough_ = 0;
-  allowed_ += step_operations * (3 * static_cast<std::int64_t>(system_.count()) +
-                                 cube(held_.size(), system_.model().joints.size()));
+  allowed_ += step_operations * (3 * static_cast<std::int64_t>(system_.count()) + solution(held_.size()));
   rounds_ = 0, marked_ = now, stride_ = first_stride * dt_;
   if (lost_ && (operations() <= allowed_ || steps_ % resumed_steps == 0)) {
     lost_ = false;
@@ -215,9 +222,9 @@ void EventStepper::give_up(Time now, Time end) {
             std::to_string(last_strides) + " parts");
 }
 
-// Of a linear system of three rows a point and three to six a joint.
-std::int64_t EventStepper::cube(std::size_t points, std::size_t joints) {
-  const auto rows = static_cast<std::int64_t>(3 * points + 4 * joints);
+// Operations of a linear system of three rows a point and those of the joints.
+std::int64_t EventStepper::solution(std::size_t points) const {
+  const auto rows = static_cast<std::int64_t>(3 * points + joint_rows_);
   return 20 + rows * rows * rows / 10;
 }
 

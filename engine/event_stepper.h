@@ -99,7 +99,7 @@ class EventStepper final : public Stepper, private Holder {
   bool crawls(Time now);
   void hurry(Time now);
   void give_up(Time now, Time end);
-  static std::int64_t cube(std::size_t points, std::size_t joints);
+  std::int64_t solution(std::size_t points) const;
   void strike_spots(Time now, std::vector<Spot>&);
   void hold_spots(Time now, const std::vector<Spot>&);
   ContactForces find_holds(const std::vector<Spot>&, Real slow, std::vector<std::size_t>& which);
@@ -133,7 +133,8 @@ class EventStepper final : public Stepper, private Holder {
   std::vector<Real> reaches_;  // of the shapes [m]
   Real outermost_ = 0;         // of the locked bodies, with their shapes, from the origin [m]
   Seams seams_;
-  Real gravity_;  // the strongest [m/s^2]
+  Real gravity_;            // the strongest [m/s^2]
+  std::size_t joint_rows_;  // of all joints
   bool account_, adaptive_, splits_;
   Time dt_, start_time_;
   std::int64_t steps_ = 0;

@@ -55,7 +55,7 @@ Real EventStepper::stride(Time from, Time span) {
         impulse += impulses[static_cast<Eigen::Index>(k)] * response.rows()[k].direction;
       tell(spots[i], impulse);
     }
-    work_ += cube(touches.size(), joints.size());
+    work_ += solution(touches.size());
   }
   held_.clear();
   system_.set_holder(this);  // joints are closed by close_gaps()
