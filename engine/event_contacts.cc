@@ -21,9 +21,6 @@ constexpr bool wide = sizeof(Real) == 8;
 // double, which at 1 m/s is 3e-12 s.
 constexpr Real touch_ulps = wide ? 4096 : 64;
 
-// Slower than this, in ulps of the speeds around, is not moving.
-constexpr Real slow_ulps = wide ? 1024 : 64;
-
 // Slip slower than this part of what gravity gives in a step is turned by friction less than it should be,
 // and where it ends it counts as none.  A slip of 0.7 m/s that turns round on an incline through any least
 // speed from 1e-1 to 1e-17 m/s is then off by 5e-11 m/s at most (EventTurning; 1e-5 in place of
@@ -160,7 +157,8 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
   Motion* motion = motions();
   const auto rate_now = [&](const TouchPoint& t) { return gap_rate(t, bodies, motion); };
   const bool approaching = std::any_of(touching.begin(), touching.end(), [&](const Spot& s) {
-    return rate_now(s.touch) < -std::max(rest_speed_, speed_rounding(s.touch, bodies, motion));
+    return rate_now(s.touch) <
+           -std::max(rest_speed(s.held.candidate), speed_rounding(s.touch, bodies, motion));
   });
   if (!approaching) return;
 
@@ -222,7 +220,8 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
       if (outcome.approach[j] > outcome.approach[fastest]) fastest = j;
     }
     const TouchPoint& touch = touches[fastest];
-    if (outcome.approach[fastest] <= std::max(rest_speed_, speed_rounding(touch, bodies, motion))) continue;
+    const Real rest = rest_speed(touching[fastest].held.candidate);
+    if (outcome.approach[fastest] <= std::max(rest, speed_rounding(touch, bodies, motion))) continue;
     struck_ = true;
     if (touch.row) continue;
     Impact impact;
@@ -297,9 +296,16 @@ void EventStepper::hold_spots(Time now, const std::vector<Spot>& touching) {
     push = std::max(push, bodies[i].inverse_mass * system_.loads()[i].force.norm());
   }
   for (const Spot& s : touching) speed = std::max(speed, relative_velocity(s.touch, bodies, motion).norm());
-  const Real slow = slow_ulps * ulp * (speed + push * static_cast<Real>(dt_));
+  note_pulls(touching);
+  std::vector<Real> slow;
+  for (const Spot& s : touching) {
+    const Real h = static_cast<Real>(dt_);
+    slow.push_back(s.touch.row ? speed_rounding(s.touch, bodies, motion) +
+                                     slow_ulps * ulp * pulls_[s.held.candidate] * h
+                               : slow_ulps * ulp * (speed + push * h));
+  }
   slow_slip_ = turning_part * haste_ * push * static_cast<Real>(dt_);
-  rest_speed_ = Real(0.25) * slow_ulps * ulp * push * static_cast<Real>(dt_);
+  rest_speed_ = rest_ulps * ulp * push * static_cast<Real>(dt_);
 
   std::vector<std::size_t> which;
   ContactForces support = find_holds(touching, slow, which);
@@ -314,6 +320,7 @@ void EventStepper::hold_spots(Time now, const std::vector<Spot>& touching) {
     if (support.points[i].holding.grip == Grip::parts) continue;
     HeldPoint held = touching[which[i]].held;
     held.holding = support.points[i].holding;
+    held.slow = std::max(slow[which[i]], left_slip(held.candidate));
     held_.push_back(held);
   }
   if (held_.empty()) return;
@@ -370,22 +377,24 @@ bool EventStepper::nothing_moves(const ContactForces& support) const {
 }
 
 // How the points are held that do not part, and which they are.
-ContactForces EventStepper::find_holds(const std::vector<Spot>& touching, Real slow,
+ContactForces EventStepper::find_holds(const std::vector<Spot>& touching, const std::vector<Real>& slow,
                                        std::vector<std::size_t>& which) {
   const std::vector<Body>& bodies = system_.model().bodies;
   const Motion* motion = motions();
   std::vector<TouchPoint> touches;
   std::vector<Holding> guess;
   std::vector<Vector3> places;  // of what was held
+  std::vector<Real> still;      // of the touches
   for (const HeldPoint& held : held_) places.push_back(touch_of(held, motion).position);
   which.clear();
   for (std::size_t i = 0; i < touching.size(); ++i) {
     TouchPoint touch = touching[i].touch.pair >= 0 ? touching[i].touch : TouchPoint{};
-    if (gap_rate(touch, bodies, motion) > slow && !touching[i].returns) continue;
+    if (gap_rate(touch, bodies, motion) > slow[i] && !touching[i].returns) continue;
     // velocities have changed since the touch was measured
     touch = touch_of(touching[i].held, motion);
     touches.push_back(touch);
     which.push_back(i);
+    still.push_back(std::max(slow[i], left_slip(touching[i].held.candidate)));
     // As it was held before: a point of the same candidate, of several the nearest.
     Holding before{Grip::parts};
     Real nearest = std::numeric_limits<Real>::infinity();
@@ -401,7 +410,20 @@ ContactForces EventStepper::find_holds(const std::vector<Spot>& touching, Real s
   if (held_.empty()) guess.clear();
   const Instant instant{bodies, motion, system_.kinematics().data(), system_.loads().data(), system_.count()};
   work_ += 4 * solution(touches.size());
-  return find_contact_forces(touches, joint_rows(motion), instant, std::max(slow, left_slip_), guess);
+  return find_contact_forces(touches, joint_rows(motion), instant, still, guess);
+}
+
+// Slip that the last event left over at a candidate.  Of surfaces all points of a body may end together; the rate of
+// a coordinate has a unit of its own.
+Real EventStepper::left_slip(std::size_t candidate) const {
+  const bool alone = is_of_joint(candidates_[candidate]) || is_of_joint(candidates_[ended_]);
+  return !alone || candidate == ended_ ? left_slip_ : Real(0);
+}
+
+// Slower than this does not approach [m/s; a coordinate: its unit/s].
+Real EventStepper::rest_speed(std::size_t candidate) const {
+  if (!is_of_joint(candidates_[candidate])) return rest_speed_;
+  return rest_ulps * ulp * pulls_[candidate] * static_cast<Real>(dt_);
 }
 
 }  // namespace cylon::engine

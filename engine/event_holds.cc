@@ -64,7 +64,7 @@ void EventStepper::hold(Time t, const std::vector<Body>& bodies, const Motion* m
   work_ += solution(touches_.size());
   add_forces(
       held_contact_forces(touches_, holdings_, joints, {bodies, motion, kinematics, loads}, slow_slip_),
-      loads, system_.count());
+      bodies, loads, system_.count());
 }
 
 ContactForces EventStepper::support(Time t, const Real* y) {
@@ -82,12 +82,13 @@ ContactForces EventStepper::support(Time t, const Real* y) {
   return held_contact_forces(touches_, holdings_, joint_rows(motion), now, slow_slip_);
 }
 
-// The directions that slip has now.
+// The directions that slip of surfaces has now; that of a coordinate has no other until it ends.
 void EventStepper::turn_slips() {
   const std::vector<Body>& bodies = system_.model().bodies;
   const Motion* motion = motions();
   for (HeldPoint& h : held_) {
-    if (h.holding.grip != Grip::slides || h.holding.slip.isZero(0)) continue;
+    if (h.holding.grip != Grip::slides || h.holding.slip.isZero(0) || is_of_joint(candidates_[h.candidate]))
+      continue;
     const TouchPoint touch = touch_of(h, motion);
     Vector3 u = relative_velocity(touch, bodies, motion);
     u -= touch.normal.dot(u) * touch.normal;
@@ -132,21 +133,59 @@ void EventStepper::project(const std::vector<Body>& bodies, Motion* motion) {
   if (const Real open = closed ? Real(0) : rows_.opening(); open != 0)
     log_.note(DiagnosticKind::contacts_open, now_, sweeps, static_cast<double>(open));
   rows_.project_velocities(bodies, motion);
+  stop_what_rests(motion);
+}
 
+// What is held on all its points and moves by no more than rounding does not move.
+void EventStepper::stop_what_rests(Motion* motion) const {
   for (std::size_t i = 0; i < system_.count(); ++i) {
-    bool sticks = false, slides = false;
+    const Body& body = system_.model().bodies[i];
+    bool sticks = false, slides = false, of_joint = false;
     Real reach = 0;
     for (const HeldPoint& h : held_) {
       const Candidate& c = candidates_[h.candidate];
       if (index(c.body) != i && (c.other == fixed_world || index(c.other) != i)) continue;
-      (h.holding.grip == Grip::sticks ? sticks : slides) = true;
+      const bool limit = is_of_joint(c) && c.kind != Candidate::Kind::dry;  // keeps the rate that it stops
+      (limit || h.holding.grip == Grip::sticks ? sticks : slides) = true;
+      of_joint = of_joint || is_of_joint(c);
       reach = std::max({reach, c.reach, c.other_reach});
     }
     if (!sticks || slides) continue;
     Motion& m = motion[i];
-    if (velocity(bodies[i], m).norm() + reach * angular_velocity(bodies[i], m).norm() > rest_speed_) continue;
+    if (of_joint) reach = std::max(reach, gyration(body));
+    if (velocity(body, m).norm() + reach * angular_velocity(body, m).norm() >
+        (of_joint ? stills_[i] : rest_speed_))
+      continue;
     m.momentum.setZero();
     m.angular_momentum.setZero();
+  }
+}
+
+// What acts on the coordinates that touch, and on the bodies that they hold; loads without contact forces.
+void EventStepper::note_pulls(const std::vector<Spot>& touching) {
+  const std::vector<Body>& bodies = system_.model().bodies;
+  const Motion* motion = motions();
+  const Instant now{bodies, motion, system_.kinematics().data(), system_.loads().data(), system_.count()};
+  std::fill(stills_.begin(), stills_.end(), Real(0));
+  for (const Spot& spot : touching) {
+    if (!spot.touch.row) continue;
+    const Row& row = *spot.touch.row;
+    const Real bound = spot.touch.bound;
+    pulls_[spot.held.candidate] = pull_of(spot.touch, now);
+    const auto hold = [&](int body, const Vector3& lever) {
+      if (body == fixed_world || index(body) >= system_.count()) return;
+      const Body& b = bodies[index(body)];
+      const Load& load = system_.loads()[index(body)];
+      const auto turned = [&](const Vector3& torque) -> Real {
+        return rotates(b) ? inverse_inertia_times(b, motion[index(body)].orientation, torque).norm()
+                          : Real(0);
+      };
+      const Real pull = b.inverse_mass * (load.force.norm() + bound * row.direction.norm()) +
+                        gyration(b) * (turned(load.torque) + bound * turned(lever));
+      stills_[index(body)] = std::max(stills_[index(body)], rest_ulps * ulp * pull * static_cast<Real>(dt_));
+    };
+    hold(row.body, row.lever);
+    hold(row.to, row.to_lever);
   }
 }
 

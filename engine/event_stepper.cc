@@ -130,6 +130,8 @@ EventStepper::EventStepper(Reduced reduced, const Integrator& integrator, Time d
       probe_(system_.size(), tolerance),
       loose_(candidates_.size(), 0),
       restless_(candidates_.size(), 0),
+      pulls_(candidates_.size(), 0),
+      stills_(system_.count(), 0),
       allowed_(first_operations) {
   for (const Shape& shape : system_.model().shapes) reaches_.push_back(bounding_radius(shape));
   reaches_.resize(readings_.size(), 0);

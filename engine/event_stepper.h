@@ -25,6 +25,7 @@ struct HeldPoint {
   std::size_t candidate = 0;
   Holding holding;
   std::optional<FacetPair> facets;
+  Real slow = 0;  ///< Slip that was slower counted as none [m/s; a coordinate: its unit/s].
 };
 
 /// Bodies with scales of error control that nothing at rest makes zero: lengths at least the reach of the
@@ -70,6 +71,8 @@ class EventStepper final : public Stepper, private Holder {
   const std::vector<HeldPoint>& held() const { return held_; }
 
  private:
+  // Slower than this, in ulps of the speeds around, is not moving; and of what forces give in a step, at rest.
+  static constexpr Real slow_ulps = sizeof(Real) == 8 ? 1024 : 64, rest_ulps = slow_ulps / 4;
   static constexpr Time no_time = 1e-9;  ///< An event after less than this part of a step took no time.
 
   struct Spot {
@@ -102,7 +105,12 @@ class EventStepper final : public Stepper, private Holder {
   std::int64_t solution(std::size_t points) const;
   void strike_spots(Time now, std::vector<Spot>&);
   void hold_spots(Time now, const std::vector<Spot>&);
-  ContactForces find_holds(const std::vector<Spot>&, Real slow, std::vector<std::size_t>& which);
+  ContactForces find_holds(const std::vector<Spot>&, const std::vector<Real>& slow,
+                           std::vector<std::size_t>& which);
+  Real left_slip(std::size_t candidate) const;
+  Real rest_speed(std::size_t candidate) const;
+  void note_pulls(const std::vector<Spot>&);
+  void stop_what_rests(Motion*) const;
   bool inside_surface(const TouchPoint&) const;
   bool nothing_moves(const ContactForces&) const;
   bool loosen(Time now);
@@ -152,7 +160,8 @@ class EventStepper final : public Stepper, private Holder {
   Real slow_slip_ = 0;          // slip slower than this does not turn as fast as it should [m/s]
   Real haste_ = 1;              // slow_slip_ in units of the least that it may be
   Real rest_speed_ = 0;         // what sticks on all points and is slower than this does not move [m/s]
-  Real left_slip_ = 0;          // slip that the last event left over [m/s]
+  Real left_slip_ = 0;          // slip that the last event left over [m/s; a coordinate: its unit/s],
+  std::size_t ended_ = 0;       // and of which candidate it was
   int idle_ = 0;                // events in a row that took no time
   int rough_ = 0;               // pieces in a row that error control could not take
   bool fresh_ = true;           // the state or what is held has changed since controlled_'s last step
@@ -165,6 +174,8 @@ class EventStepper final : public Stepper, private Holder {
   bool plastic_ = false;        // for the rest of this step
   std::vector<char> loose_;     // per candidate: without friction for the rest of this step
   std::vector<char> restless_;  // per candidate: what changed in the idle changes
+  std::vector<Real> pulls_;     // per candidate that is a coordinate: pull_of() when it touched last
+  std::vector<Real> stills_;    // per body that a coordinate holds: slower than this it does not move [m/s]
   bool resting_ = false;        // nothing moves, and no force depends on time
   DiagnosticLog log_;
   Time now_ = 0;           // of the last contact forces [s]

@@ -23,7 +23,7 @@ constexpr int limit_looks = 8;
 // Flights down to 2^-30 of a piece are found where the passage sees only that surfaces meet.  One that is shorter is
 // none: its pair meets where the flight would begin, 1e-9 of the piece early.
 constexpr int most_halvings = 30;
-// Where slip ends, what is left of it across its direction counts as none below this many ulps of its
+// Where slip of surfaces ends, what is left of it across its direction counts as none below this many ulps of its
 // speed...
 constexpr Real left_ulps = 1e4;
 // ... and this many times the slip that is turned less than it should be: going on there, in a direction that
@@ -255,7 +255,11 @@ std::optional<Real> EventStepper::change_time(Time from, Real span, const Contac
     if (t <= static_cast<Real>(no_time * dt_)) restless_[held_[i].candidate] = 1;
     if (first && t >= *first) return;
     first = t;
-    left_slip_ = what == What::slip ? std::max(left_ulps * ulp * speed, left_slow * slow_slip_) : Real(0);
+    left_slip_ = 0, ended_ = held_[i].candidate;
+    if (what != What::slip) return;
+    const bool turns = !is_of_joint(candidates_[ended_]);
+    const Real own = std::max(std::abs(before.points[i].slip_speed), std::abs(after.points[i].slip_speed));
+    left_slip_ = turns ? std::max(left_ulps * ulp * speed, left_slow * slow_slip_) : left_ulps * ulp * own;
   };
   const Real least = change_ulps * ulp * force;
   for (std::size_t i = 0; i < held_.size(); ++i) {
@@ -264,7 +268,10 @@ std::optional<Real> EventStepper::change_time(Time from, Real span, const Contac
     if (held_[i].holding.grip == Grip::sticks) look(i, What::reserve, 2 * least);
     if (held_[i].holding.grip == Grip::slides && rough)
       look(i, What::slip,
-           before.points[i].slip_speed > 0 ? 0 : std::max(rest_speed_, 2 * left_slow * slow_slip_));
+           before.points[i].slip_speed > 0 ? 0
+           : is_of_joint(candidates_[held_[i].candidate])
+               ? 2 * held_[i].slow
+               : std::max(rest_speed_, 2 * left_slow * slow_slip_));
   }
   // Points that leave their facets: others touch there.
   const Motion *begin = system_.motions(start_.data()), *end = system_.motions(end_.data());

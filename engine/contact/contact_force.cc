@@ -29,6 +29,16 @@ Real free_acceleration(const Row& row, const Instant& now) {
   return sum;
 }
 
+// |n| |F|/m + |I^-1 s| |T| of both ends of a row.
+Real pulled(const Row& row, const Instant& now) {
+  const auto side = [&](int body, const Vector3& spin) {
+    const std::size_t i = index(body);
+    return now.bodies[i].inverse_mass * row.direction.norm() * now.loads[i].force.norm() +
+           spin.norm() * now.loads[i].torque.norm();
+  };
+  return side(row.body, row.spin) + (row.to != fixed_world ? side(row.to, row.to_spin) : Real(0));
+}
+
 // The part of du/dt that the velocities alone make: w_a x (x' - v_a) - w_b x (x' - v_b).
 Vector3 drift_of_slip(const TouchPoint& touch, const Instant& now) {
   if (touch.row) return Vector3::Zero();  // its row has a bias
@@ -90,6 +100,8 @@ ContactForces report(const Assembly& a, std::span<const TouchPoint> touches, con
     p.reserve = touches[i].bound + touches[i].friction * force[n] - force.segment<2>(n + 1).norm();
     p.slip_speed = a.slips[i].dot(p.holding.slip);
     p.parting = rate[n];
+    p.of_joint = touches[i].row.has_value();
+    p.bound = touches[i].bound;
     support.points.push_back(p);
   }
   return support;
@@ -129,7 +141,30 @@ struct Sums {
   std::vector<char> touched;
 };
 
-Sums sum_forces(const ContactForces& support, const Load* loads, std::size_t count) {
+// Where a coordinate of a joint holds a body, its dry friction is a size of forces, and what is rounding of a force is
+// rounding of a torque too: joints carry the one by the other.
+void add_sizes_of_joints(const ContactForces& support, std::span<const Body> bodies, Sums& sums) {
+  const auto add = [&](int body, const Vector3& force, const Vector3& torque) {
+    const std::size_t i = index(body);
+    if (i >= sums.sizes.size()) return;
+    Load& size = sums.sizes[i];
+    size.force += force.cwiseAbs(), size.torque += torque.cwiseAbs();
+    const Real radius = rotates(bodies[i]) ? gyration(bodies[i]) : Real(0), largest = size.force.maxCoeff();
+    if (!(radius > 0)) return;
+    size.force.array() += size.torque.maxCoeff() / radius;
+    size.torque.array() += radius * largest;
+  };
+  for (std::size_t i = 0; i < support.points.size(); ++i) {
+    if (!support.points[i].of_joint) continue;
+    const Real bound = support.points[i].bound;
+    const Row& row = support.rows[3 * i + (bound > 0 ? 1 : 0)];
+    add(row.body, bound * row.direction, bound * row.lever);
+    if (row.to != fixed_world) add(row.to, bound * row.direction, bound * row.to_lever);
+  }
+}
+
+Sums sum_forces(const ContactForces& support, std::span<const Body> bodies, const Load* loads,
+                std::size_t count) {
   Sums sums{{loads, loads + count}, std::vector<Load>(count), std::vector<char>(count, 0)};
   for (std::size_t i = 0; i < count; ++i) {
     sums.sizes[i].force = loads[i].force.cwiseAbs();
@@ -150,17 +185,19 @@ Sums sum_forces(const ContactForces& support, const Load* loads, std::size_t cou
     add(row.body, l * row.direction, l * row.lever);
     if (row.to != fixed_world) add(row.to, -l * row.direction, -l * row.to_lever);
   }
+  add_sizes_of_joints(support, bodies, sums);
   return sums;
 }
 
 }  // namespace
 
 ContactForces find_contact_forces(std::span<const TouchPoint> touches, std::span<const Row> joints,
-                                  const Instant& now, Real slow, std::span<const Holding> guess) {
+                                  const Instant& now, std::span<const Real> slow,
+                                  std::span<const Holding> guess) {
   Assembly a = assemble(touches, joints, now);
   for (std::size_t i = 0; i < touches.size(); ++i) {
     Hold& hold = a.problem.hold[i];
-    if (!(a.slips[i].norm() > slow)) continue;
+    if (!(a.slips[i].norm() > slow[i])) continue;
     hold.given = true;
     hold.grip = Grip::slides;
     hold.slip = tangent(a.frames[i], a.slips[i]).normalized();
@@ -196,6 +233,10 @@ ContactForces held_contact_forces(std::span<const TouchPoint> touches, std::span
   for (std::size_t i = 0; i < touches.size(); ++i) {
     holds[i].grip = holdings[i].grip;
     if (holds[i].grip != Grip::slides || (touches[i].friction == 0 && touches[i].bound == 0)) continue;
+    if (touches[i].row) {
+      holds[i].slip = tangent(a.frames[i], holdings[i].slip);
+      continue;
+    }
     // d = w/|w|,  w = u - s d_0 + sqrt(s^2 + slow^2) d_0,  s = u.d_0
     const Vector3& d_0 = holdings[i].slip;
     const Real s = a.slips[i].dot(d_0);
@@ -218,6 +259,13 @@ ContactForces held_contact_forces(std::span<const TouchPoint> touches, std::span
   return support;
 }
 
+Real pull_of(const TouchPoint& coordinate, const Instant& now) {
+  const Response response({&coordinate, 1}, {}, now.bodies, now.motion);
+  const auto at = static_cast<std::size_t>(coordinate.axis);
+  const auto own = static_cast<Eigen::Index>(at);
+  return pulled(response.rows()[at], now) + coordinate.bound * response.matrix()(own, own);
+}
+
 std::vector<Real> free_partings(std::span<const TouchPoint> touches, std::span<const Row> joints,
                                 const Instant& now) {
   const Assembly a = assemble(touches, joints, now);
@@ -228,7 +276,7 @@ std::vector<Real> free_partings(std::span<const TouchPoint> touches, std::span<c
 }
 
 bool balanced(const ContactForces& support, const Instant& now) {
-  const Sums sums = sum_forces(support, now.loads, now.count);
+  const Sums sums = sum_forces(support, now.bodies, now.loads, now.count);
   const auto vanishes = [](const Vector3& sum, const Vector3& size) {
     return sum.cwiseAbs().maxCoeff() <= 1024 * ulp * size.maxCoeff();
   };
@@ -240,8 +288,8 @@ bool balanced(const ContactForces& support, const Instant& now) {
   return true;
 }
 
-void add_forces(const ContactForces& support, Load* loads, std::size_t count) {
-  const Sums sums = sum_forces(support, loads, count);
+void add_forces(const ContactForces& support, std::span<const Body> bodies, Load* loads, std::size_t count) {
+  const Sums sums = sum_forces(support, bodies, loads, count);
   const auto cleared = [](const Vector3& sum, const Vector3& size) {
     const Real rounding = 64 * ulp * size.maxCoeff();
     return Vector3(sum.unaryExpr([rounding](Real x) { return std::abs(x) <= rounding ? Real(0) : x; }));

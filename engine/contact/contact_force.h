@@ -30,6 +30,8 @@ struct ContactForce {
   Real reserve = 0;                 ///< b + mu N - |T| where it sticks [N]; < 0: it ought to slip.
   Real slip_speed = 0;              ///< u.d where it slides [m/s]; < 0: it ought to stick or to turn round.
   Real parting = 0;                 ///< g'' with all forces [m/s^2].
+  bool of_joint = false;            ///< It is a coordinate of a joint,
+  Real bound = 0;                   ///< with dry friction of at most this.
 };
 
 struct ContactForces {
@@ -49,29 +51,40 @@ struct Instant {
   std::size_t count;  ///< The bodies after so many are locked.
 };
 
-/// Decides how every point is held.  Points that move slower than `slow` [m/s] across the surface count as
-/// not slipping.  `guess`, one per point or none: how they were held before, which is kept if it still obeys.
+/// What the acceleration of a coordinate of a joint is made of at most, from the loads and its own dry friction:
+///   |n| |F_a|/m_a + |I_a^-1 s_a| |T_a|,  the same of b,  and b A   [unit of the coordinate/s^2].
+/// What is small beside it, times a time, is no rate of the coordinate.
+Real pull_of(const TouchPoint& coordinate, const Instant&);
+
+/// Decides how every point is held.  `slow`, one per point: those that move slower across the surface [m/s; a
+/// coordinate: its unit/s] count as not slipping.  `guess`, one per point or none: how they were held before, which is kept if it still obeys.
 /// The shares of the result are such that held_contact_forces() finds the same forces.
 ContactForces find_contact_forces(std::span<const TouchPoint>, std::span<const Row> joints, const Instant&,
-                                  Real slow, std::span<const Holding> guess = {});
+                                  std::span<const Real> slow, std::span<const Holding> guess = {});
 
 /// The forces when that is decided: smooth functions of the state.  A sliding point that has come to move
 /// backwards keeps its force, so that slip goes through zero smoothly and its end can be found.  `slow` > 0
 /// [m/s]: slip u slower than that turns the force less than it should,
 ///   d = w/|w|,  w = u_p + sqrt(s^2 + slow^2) d_0,  s = u.d_0,  u_p = u - s d_0,  d_0 the slip of the
 ///   holding:
-/// the rate at which friction turns slip grows with 1/|u|, and so does the work to follow it.
+/// the rate at which friction turns slip grows with 1/|u|, and so does the work to follow it.  A coordinate has one
+/// direction each way, d = d_0, which nothing turns.
 ContactForces held_contact_forces(std::span<const TouchPoint>, std::span<const Holding>,
                                   std::span<const Row> joints, const Instant&, Real slow);
 
 /// g'' of each point under the loads and the joints alone [m/s^2].
 std::vector<Real> free_partings(std::span<const TouchPoint>, std::span<const Row> joints, const Instant&);
 
+/// The largest radius of gyration [m].
+inline Real gyration(const Body& body) {
+  return body.mass > 0 ? std::sqrt(body.inertia.diagonal().maxCoeff() / body.mass) : Real(0);
+}
+
 /// Whether loads and support leave every body that can move without force and torque, to rounding.
 bool balanced(const ContactForces&, const Instant&);
 
 /// Adds the forces to the loads of the first `count` bodies; what is left of a sum that cancels to rounding is made exactly zero, so that
 /// what rests stays.
-void add_forces(const ContactForces&, Load*, std::size_t count);
+void add_forces(const ContactForces&, std::span<const Body>, Load*, std::size_t count);
 
 }  // namespace cylon::engine

@@ -39,9 +39,12 @@ VectorX speeds(const Response& response, const std::vector<Body>& bodies, const 
 
 Real speed_rounding(const TouchPoint& touch, const std::vector<Body>& bodies, const Motion* motion) {
   if (touch.row) {
+    // Of w = I^-1 L by all of L: a body with one axis has parts of L that turn nothing.
     const auto terms = [&](int body, const Vector3& lever) {
-      return touch.row->direction.norm() * velocity(bodies[index(body)], motion[index(body)]).norm() +
-             lever.norm() * angular_velocity(bodies[index(body)], motion[index(body)]).norm();
+      const Body& b = bodies[index(body)];
+      const Motion& m = motion[index(body)];
+      const Real spin = rotates(b) ? b.inverse_inertia.norm() * m.angular_momentum.norm() : Real(0);
+      return touch.row->direction.norm() * velocity(b, m).norm() + lever.norm() * spin;
     };
     return 32 * ulp *
            (terms(touch.body, touch.row->lever) +

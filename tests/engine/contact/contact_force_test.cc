@@ -21,7 +21,7 @@ ContactForces forces_of(const Model& model) {
   return find_contact_forces(
       touches, {},
       {system.model().bodies, motion, system.kinematics().data(), system.loads().data(), system.count()},
-      1e-12);
+      std::vector<Real>(touches.size(), 1e-12));
 }
 
 Model box_on_slope(Real theta, Real mu, const Vector3& half, Real heading,
