@@ -158,7 +158,8 @@ TEST(Law, OfServos) {
   }
 }
 
-// A servo at a kink: a fixed scheme keeps its order over it.
+// A servo at a kink: a fixed scheme keeps its order over it.  In place and speed together: the error of the place alone
+// passes through zero near 220 steps.
 TEST(Law, KeepsTheOrderOverKinks) {
   Model model = slider(0.3);
   CoordinateLaw law;
@@ -167,10 +168,10 @@ TEST(Law, KeepsTheOrderOverKinks) {
   law.target.times = {0.1, 0.333, 0.75};
   law.target.values = {0.1, 0.5, -0.4};
   model.forces.coordinate_laws.push_back(law);
-  const Real exact = position(run(model, "rk8", 1, 2000).motions);
-  const Real coarse = position(run(model, "rk4", 1, 64).motions) - exact,
-             fine = position(run(model, "rk4", 1, 512).motions) - exact;
-  EXPECT_GT(std::log2(std::abs(coarse / fine)) / 3, 3.65);
+  const auto exact = run(model, "rk8", 1, 4000).motions;
+  const Real coarse = distance(run(model, "rk4", 1, 64).motions, exact),
+             fine = distance(run(model, "rk4", 1, 512).motions, exact);
+  EXPECT_NEAR(std::log2(coarse / fine) / 3, 4, 0.05);
 }
 
 // Springs on both angles of a universal joint keep the energy, with angles from the axes alone.
@@ -182,6 +183,8 @@ TEST(Law, KeepsTheEnergyOnAUniversalJoint) {
     law.stiffness = second ? 1.5 : 2.2;
     s.model.forces.coordinate_laws.push_back(law);
   }
+  for (Motion& m : s.model.motions)
+    m.momentum *= 2, m.angular_momentum *= 2;  // so that springs take some of it
   const Matrix3 zero =
       (s.model.motions[1].orientation.conjugate() * s.model.motions[0].orientation).toRotationMatrix();
   const Vector3 first = s.joint().to_axis, other = zero * s.joint().axis;
@@ -200,7 +203,7 @@ TEST(Law, KeepsTheEnergyOnAUniversalJoint) {
     ASSERT_NEAR(kinetic_energy(world.bodies(), world.motions()) + potential(world.motions()), whole, 1e-9);
     most = std::max(most, potential(world.motions()));
   });
-  EXPECT_GT(most, 0.04);
+  EXPECT_GT(most, 0.1);
 }
 
 // What a law works is what the energy gains.
