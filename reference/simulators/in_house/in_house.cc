@@ -47,7 +47,7 @@ std::vector<core::Path> paths() {
 core::Engine describe() {
   core::Engine engine;
   engine.name = "in-house";
-  engine.version = "0.2";
+  engine.version = CYLON_VERSION;
   engine.precision = is_float ? "float" : "double";
   engine.paths = paths();
   engine.default_path_rule = engine::path_rule;
