@@ -230,6 +230,12 @@ Parameter parameter(const scenario::Table& row, const Experiment& e) {
     row.fail("high", fmt::format("{} is above {:g}, the most of {}", p.high, kind->most, p.kind));
   for (const Parameter& other : e.parameters)
     if (other.name == p.name) row.fail("name", fmt::format("two parameters are named '{}'", p.name));
+  try {
+    Experiment tried = e;
+    kind->apply(tried, p, p.start);
+  } catch (const core::InputError& error) {
+    row.fail("kind", error.what());
+  }
   return p;
 }
 

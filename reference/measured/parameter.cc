@@ -1,6 +1,9 @@
 #include "reference/measured/parameter.h"
 
+#include "harness/core/input_error.h"
 #include "reference/measured/experiment.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cassert>
@@ -35,27 +38,50 @@ void mass(Experiment& e, const Parameter& p, double value) {
   each_body(e, p, [&](core::Body& body, std::size_t) { body.mass *= value; });
 }
 
+core::Joint* joint_of(core::Scene& scene, std::size_t body) {
+  const auto found = std::ranges::find(scene.joints, static_cast<int>(body), &core::Joint::body);
+  return found == scene.joints.end() ? nullptr : &*found;
+}
+
+// The bodies that a parameter of hinges is of, each with its own.
+template <class Change>
+void each_hinge(Experiment& e, const Parameter& p, const Change& change) {
+  each_body(e, p, [&](core::Body& body, std::size_t i) {
+    core::Joint* joint = joint_of(e.model.scene, i);
+    if (!joint) throw core::InputError(fmt::format("{}: '{}' has no hinge", p.kind, body.name));
+    change(body, *joint);
+  });
+}
+
 // The joint's point is the scene's; the centre moves along the line from there.
 void centre(Experiment& e, const Parameter& p, double value) {
-  each_body(e, p, [&](core::Body& body, std::size_t i) {
-    for (const core::Joint& joint : e.model.scene.joints)
-      if (joint.body == static_cast<int>(i))
-        body.initial.position = joint.point + value * (body.initial.position - joint.point);
+  each_hinge(e, p, [&](core::Body& body, const core::Joint& joint) {
+    body.initial.position = joint.point + value * (body.initial.position - joint.point);
   });
 }
 
 // The line from a body's joint to the next one of the chain; what hangs from there goes with it.
 void arm(Experiment& e, const Parameter& p, double value) {
   core::Scene& scene = e.model.scene;
+  if (e.bodies.size() < 2 || scene.bodies[e.bodies.back()].name == p.body)
+    throw core::InputError(
+        fmt::format("{}: no other hinge follows that of '{}'", p.kind, scene.bodies[e.bodies.back()].name));
   for (std::size_t i = 0; i + 1 < e.bodies.size(); ++i) {
     if (!p.body.empty() && scene.bodies[e.bodies[i]].name != p.body) continue;
-    const auto joint_of = [&](std::size_t k) -> core::Joint& {
-      return *std::ranges::find(scene.joints, static_cast<int>(e.bodies[k]), &core::Joint::body);
-    };
-    const core::Vector3 by = (value - 1) * (joint_of(i + 1).point - joint_of(i).point);
+    const core::Vector3 by =
+        (value - 1) * (joint_of(scene, e.bodies[i + 1])->point - joint_of(scene, e.bodies[i])->point);
     for (std::size_t k = i + 1; k < e.bodies.size(); ++k)
-      joint_of(k).point += by, scene.bodies[e.bodies[k]].initial.position += by;
+      joint_of(scene, e.bodies[k])->point += by, scene.bodies[e.bodies[k]].initial.position += by;
   }
+}
+
+// A loss along the angle of a hinge, which nothing may act along yet.
+template <double core::JointCoordinate::*loss>
+void hinge(Experiment& e, const Parameter& p, double value) {
+  each_hinge(e, p, [&](core::Body&, core::Joint& joint) {
+    if (joint.angles.empty()) joint.angles.emplace_back();
+    joint.angles.front().*loss = value;
+  });
 }
 
 void gravity(Experiment& e, const Parameter&, double value) {
@@ -86,6 +112,12 @@ const std::vector<ParameterKind>& parameter_kinds() {
        centre},
       {"arm", "of a chain: factor of the distance from a body's joint to the next one's", above_zero,
        any_size, arm},
+      {"hinge_damping", "viscous loss of a body's hinge, c of the torque -c q' [N m s/rad]", 0, any_size,
+       hinge<&core::JointCoordinate::damping>},
+      {"hinge_quadratic_damping", "quadratic loss of a body's hinge, c of -c q' |q'| [N m s^2/rad^2]", 0,
+       any_size, hinge<&core::JointCoordinate::quadratic_damping>},
+      {"hinge_friction", "Coulomb's loss of a body's hinge, the greatest torque of dry friction [N m]", 0,
+       any_size, hinge<&core::JointCoordinate::friction>},
       {"gravity", "factor of the scene's uniform gravity", above_zero, any_size, gravity},
       {"length", "measured over true length, about the origin of the data", above_zero, any_size, length}};
   return rows;

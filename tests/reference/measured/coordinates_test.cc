@@ -142,6 +142,28 @@ TEST(Parameters, ChangeWhatTheySay) {
   EXPECT_NEAR(distance(with("arm", "", 2), 1, 2), 2 * distance(was, 1, 2), 1e-15);
 }
 
+TEST(Parameters, LossesAreOfTheHingeOfTheirBody) {
+  Experiment e = chain();
+  e.model.scene.joints[1].angles = {{{.lower = -2, .damping = 0.3, .friction = 0.4}}};
+  const std::vector<Parameter> three = {{"c", "hinge_damping", "arm1", 0, 1, 3},
+                                        {"d", "hinge_quadratic_damping", "", 0, 1, 3},
+                                        {"f", "hinge_friction", "arm2", 0, 1, 3}};
+  const Scene scene = with_values(e, three, std::vector<double>{0.7, 0.02, 0.05}).model.scene;
+  struct Row {
+    double damping, quadratic, friction;
+  };
+  const Row rows[] = {{0, 0.02, 0}, {0.7, 0.02, 0.4}, {0, 0.02, 0.05}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    ASSERT_EQ(scene.joints[i].angles.size(), 1u);
+    const core::JointAngle& q = scene.joints[i].angles[0];
+    EXPECT_EQ(q.damping, rows[i].damping);
+    EXPECT_EQ(q.quadratic_damping, rows[i].quadratic);
+    EXPECT_EQ(q.friction, rows[i].friction);
+  }
+  EXPECT_EQ(scene.joints[1].angles[0].lower, -2);  // what else acts there stays
+  EXPECT_TRUE(with_values(e, {}, {}).model.scene.joints[0].angles.empty());
+}
+
 TEST(Parameters, LengthIsOfTheDataAndOfTheirErrors) {
   Experiment e;
   e.bodies = {0};

@@ -228,6 +228,10 @@ TEST_F(Experiments, RefuseWhatCannotBe) {
       {"one name twice",
        about + columns + parameter("friction", "0", "0.1", "1") + parameter("friction", "0", "0.1", "1"),
        head + row + next, "two parameters are named 'p'"},
+      {"a loss of a hinge that is not there", about + columns + parameter("hinge_damping", "0", "0.1", "1"),
+       head + row + next, "hinge_damping: 'cube' has no hinge"},
+      {"an arm that ends nowhere", about + columns + parameter("arm", "0.5", "1", "2"), head + row + next,
+       "arm: no other hinge follows that of 'cube'"},
       {"too short a window", about + columns + "[fit]\nhorizon = 0.019\n", head + row + next,
        "three frames or more"},
   };
