@@ -12,4 +12,7 @@ namespace cylon::validation {
 /// are of one size to one run, and do not depend on the order of the table.
 std::vector<std::size_t> parts_of(const measured::Experiment&, std::size_t parts);
 
+/// The experiment with so many of its runs: the first in the order of those hashes, as the table has them.
+measured::Experiment with_runs(const measured::Experiment&, std::size_t count);
+
 }  // namespace cylon::validation

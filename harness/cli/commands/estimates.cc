@@ -51,6 +51,7 @@ ordered_json to_json(const RunScore& r) {
 ordered_json to_json(const Summary& s) {
   return {{"runs", s.runs},
           {"failed", s.failed},
+          {"first_failure", s.first_failure},
           {"distance", to_json(s.distance)},
           {"angle", to_json(s.angle)},
           {"same_side", to_json(s.same_side)},
@@ -88,6 +89,7 @@ ordered_json to_json(const validation::Horizon& h) {
 ordered_json to_json(const validation::HorizonSummary& s) {
   return {{"runs", s.runs},
           {"failed", s.failed},
+          {"first_failure", s.first_failure},
           {"to_the_end", s.to_the_end},
           {"held", to_json(s.held)},
           {"expected", to_json(s.expected)},

@@ -36,7 +36,7 @@ using validation::Likelihood;
 struct Options {
   std::string experiment, json, step, on = "first";
   std::vector<std::string> engines, workers, parameters;
-  int jobs = 0, folds = 0;
+  int jobs = 0, folds = 0, runs = 0;
   bool resume = false;
   double timeout = 60;
 };
@@ -62,6 +62,13 @@ std::vector<Fold> folds(const Options& options, const measured::Experiment& e) {
   for (std::size_t k = 0; k < static_cast<std::size_t>(options.folds); ++k)
     all.push_back(fold([&](std::size_t p) { return p == k; }));
   return all;
+}
+
+std::size_t runs_of(const Options& options, const measured::Experiment& e) {
+  const auto count = static_cast<std::size_t>(options.runs);
+  if (count > e.runs.size())
+    throw core::InputError(fmt::format("--runs {}: {} has {} runs", count, e.file, e.runs.size()));
+  return count;
 }
 
 std::vector<measured::Parameter> wanted(const Options& options, const measured::Experiment& e) {
@@ -162,6 +169,8 @@ int fit(const Context& context, const Options& options) {
   require_writable(options.json);
   measured::Experiment e = measured::read(options.experiment);
   set_step(e, options.step);
+  const std::size_t measured_runs = e.runs.size();
+  if (options.runs > 0) e = validation::with_runs(e, runs_of(options, e));
   const auto parameters = wanted(options, e);
   const auto rows = with_workers(context, options.workers);
   const std::vector<Fold> parts = folds(options, e);
@@ -173,7 +182,8 @@ int fit(const Context& context, const Options& options) {
   const process::Interruptible until_told;
   FitJournal journal(".cylon/fit.jsonl", options.resume);
   if (options.resume) std::cerr << fmt::format("resumed: {} evaluations are done already\n", journal.known());
-  std::cout << plain(fmt::format("{}: {} runs, windows of {:g} s\n", e.title, e.runs.size(), e.fit.horizon));
+  std::cout << plain(fmt::format("{}: {} of {} runs, windows of {:g} s\n", e.title, e.runs.size(),
+                                 measured_runs, e.fit.horizon));
   for (std::size_t k = 0; k < parts.size(); ++k)
     std::cout << plain(fmt::format("  part {}: judged on {} runs: {}\n", k + 1, parts[k].by.size(),
                                    fmt::join(names_of(e, parts[k].by), " ")));
@@ -208,6 +218,8 @@ int fit(const Context& context, const Options& options) {
                                            {"licence", e.licence},
                                            {"known", e.known},
                                            {"experiment", e.hash},
+                                           {"runs", e.runs.size()},
+                                           {"measured_runs", measured_runs},
                                            {"step", e.model.step},
                                            {"horizon", e.fit.horizon},
                                            {"degrees", number(e.fit.degrees)},
@@ -241,6 +253,10 @@ Command add_fit(App& app, const Context& context) {
       ->type_name("K")
       ->check(in_range(2, 1000))
       ->excludes(on);
+  app.add_option("--runs", options->runs,
+                 "Only so many runs, the first by the hashes of their names; default: all")
+      ->type_name("N")
+      ->check(in_range(2, 1'000'000));
   add_step_option(app, options->step);
   app.add_flag("--resume", options->resume,
                "Go on after an interruption: what .cylon/fit.jsonl has is not evaluated again");

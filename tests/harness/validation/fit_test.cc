@@ -8,9 +8,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
+#include <string>
 
 namespace cylon::validation {
 namespace {
@@ -162,6 +165,29 @@ TEST(Split, DealsRunsByTheirNames) {
   auto back = parts_of(e, 2);
   std::reverse(back.begin(), back.end());
   EXPECT_EQ(part, back);
+}
+
+// Which runs are taken does not depend on the order of the table, halves of them stay halves, and more runs hold the fewer.
+TEST(Split, TakesTheFirstRunsByTheirNames) {
+  Experiment e = ball_world::throws(11, 1);
+  const auto names = [](const Experiment& of) {
+    std::set<std::string> all;
+    for (const measured::Run& run : of.runs) all.insert(run.name);
+    return all;
+  };
+  const Experiment six = with_runs(e, 6), four = with_runs(e, 4);
+  const auto of_six = names(six), of_four = names(four);
+  EXPECT_EQ(six.runs.size(), 6u);
+  EXPECT_EQ(four.runs.size(), 4u);
+  EXPECT_TRUE(std::includes(of_six.begin(), of_six.end(), of_four.begin(), of_four.end()));
+  const auto all_parts = parts_of(e, 2), parts = parts_of(six, 2);
+  for (std::size_t i = 0; i < six.runs.size(); ++i) {
+    const auto at = std::ranges::find(e.runs, six.runs[i].name, &measured::Run::name) - e.runs.begin();
+    EXPECT_EQ(parts[i], all_parts[static_cast<std::size_t>(at)]);
+  }
+  std::reverse(e.runs.begin(), e.runs.end());
+  EXPECT_EQ(names(with_runs(e, 6)), of_six);
+  EXPECT_EQ(with_runs(e, 100).runs.size(), 11u);
 }
 
 }  // namespace
