@@ -23,6 +23,10 @@ constexpr std::array kinds = {
              "a scene has one start, that of the model itself; --keyframe takes another"},
     LossKind{"actuator", left_out, "it exerts no force until it is commanded"},
     LossKind{"tendon", left_out, "it has no force of its own"},
+    LossKind{"tendon_limit", left_out, "a scene has no tendons; this one pulls only at an end of its range"},
+    LossKind{"small_armature", left_out,
+             "a scene has no inertia of a rotor between two bodies; this is at most a tenth of what the "
+             "joint moves"},
     LossKind{"plugin", left_out, "a scene has no plugins; this one is not known to move bodies by itself"},
     LossKind{"mocap", left_out, "the body stays where it is: nothing in a scene leads it"},
     LossKind{"effort", left_out, "limits of effort and speed bound a drive, and nothing drives the joint"},
@@ -40,7 +44,9 @@ constexpr std::array kinds = {
     LossKind{"joined_contact", left_out, "bodies that a joint ties do not touch each other in a scene"},
     LossKind{"name", left_out, "names of a scene are unique and have no quotes, commas, * and ?"},
     // ---- Would move otherwise ----------------------------------------------------------------------------
-    LossKind{"armature", refused, "a scene has no inertia of a rotor on a joint"},
+    LossKind{"armature", refused,
+             "a scene has no inertia of a rotor between two bodies, and this is more than a tenth of what "
+             "the joint moves"},
     LossKind{"actuator_force", refused, "it acts without a command, and a scene has no such force"},
     LossKind{"actuator_state", refused, "a scene has no actuator with a state of its own"},
     LossKind{"tendon_force", refused, "a scene has no tendons"},

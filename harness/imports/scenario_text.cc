@@ -36,6 +36,47 @@ bool moves(const core::Scene& scene) {
   return std::ranges::any_of(scene.bodies, [](const core::Body& body) { return !body.locked; });
 }
 
+bool is_held(const core::Scene& scene, int body) {
+  return body == core::world || scene.bodies[static_cast<std::size_t>(body)].locked;
+}
+
+// Whether anything but gravity pushes the bodies as a whole.
+bool is_pushed(const core::Scene& scene) {
+  const auto from_outside = [&](const core::Pair& pair) {
+    return pair.plane >= 0 || is_held(scene, pair.body) || is_held(scene, pair.other);
+  };
+  return core::any_touching_pair(scene, from_outside) ||
+         std::ranges::any_of(
+             scene.joints,
+             [&](const core::Joint& j) { return is_held(scene, j.body) || is_held(scene, j.to); }) ||
+         std::ranges::any_of(scene.forces, [](const core::Force& f) {
+           return !std::holds_alternative<core::UniformGravity>(f);
+         });
+}
+
+// The components of momentum along which nothing pulls.
+std::string momentum_of(const core::Scene& scene) {
+  std::string text;
+  if (is_pushed(scene)) return text;
+  const char* const names[] = {"x", "y", "z"};
+  for (int c = 0; c < 3; ++c)
+    if (std::ranges::all_of(scene.bodies, [&](const core::Body& b) {
+          return b.locked || core::gravity_of(scene, b)[c] == 0;
+        }))
+      text += fmt::format(R"(
+[[claim]]
+conserves  = "linear_momentum"
+component  = "{}"
+tolerance  = {{ relative = 1e-4, reason = "convention: a ten-thousandth" }}
+)",
+                          names[c]);
+  return text;
+}
+
+bool keeps_a_direction(const core::Joint& joint) {
+  return core::kind_of(joint.type).turn != core::JointTurn::freely;
+}
+
 std::string claims_of(const core::Scene& scene) {
   std::string text;
   if (!scene.joints.empty()) {
@@ -48,6 +89,13 @@ tolerance  = {{ absolute = {}, reason = "convention: a thousandth of the largest
 )",
                         scenario::toml_number(size / 1000), size);
   }
+  if (std::ranges::any_of(scene.joints, keeps_a_direction))
+    text += R"(
+[[claim]]
+conserves  = "angular_joint_gap"
+sample     = "step"
+tolerance  = { absolute = 0.001, reason = "convention: a thousandth of a radian" }
+)";
   if (!moves(scene)) return text;
   const bool touches = core::any_touching_pair(scene, [](const core::Pair&) { return true; });
   const bool loses = touches || drags(scene);
@@ -57,7 +105,7 @@ conserves  = "energy"{}
 tolerance  = {{ relative = 0.01, reason = "convention: a hundredth" }}
 )",
                       loses ? "\nmeasure    = \"increase\"" : "");
-  return text;
+  return text + momentum_of(scene);
 }
 
 // A step that divides the duration, which is a whole number of steps and at least what was asked for.

@@ -28,6 +28,8 @@ class Compiled {
   double option(const char* name) const { return json_.at("option").at(name).get<double>(); }
   foreign::Vector3 gravity() const { return vector(json_.at("option").at("gravity"), 0); }
   bool disabled(const char* what) const;
+  /// Pictures that the file names and that are not there; nothing in a scene follows from them.
+  std::vector<std::string> absent() const { return json_.value("absent", std::vector<std::string>()); }
 
   /// Entry of an array; `otherwise` where the release has no such array.
   double number(const char* array, int i, double otherwise = 0) const;

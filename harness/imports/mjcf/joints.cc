@@ -1,6 +1,8 @@
 // Joints of the compiled tree, and the equality constraints that are joints.
 #include "harness/imports/mjcf/mjcf.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace cylon::imports {
@@ -79,6 +81,25 @@ void lose_of_ball(const Compiled& m, int joint, int to, foreign::Model& model) {
   model.bodies[static_cast<std::size_t>(m.integer("jnt_bodyid", joint))].angular_drag = damping;
 }
 
+// Inertia of rotors, which MuJoCo adds to the joint's own: q'^2 armature / 2.  Of a body that turns about an axis of the
+// world it is that of an inertia which is the same about all axes: w = q' n, and the others do no work.  Elsewhere a
+// scene has none.
+void add_armature(const Compiled& m, int joint, bool about_world, foreign::Model& model) {
+  constexpr double small = 0.1;  // of the inertia that the joint moves in the pose of the model
+  const auto kind = static_cast<MjJoint>(m.integer("jnt_type", joint));
+  const int count = kind == MjJoint::free ? 6 : kind == MjJoint::ball ? 3 : 1;
+  for (int i = m.integer("jnt_dofadr", joint), end = i + count; i < end; ++i) {
+    const double inertia = m.number("dof_armature", i), whole = m.number("dof_M0", i);
+    if (inertia == 0) continue;
+    if (about_world && kind == MjJoint::hinge)
+      model.bodies[static_cast<std::size_t>(m.integer("jnt_bodyid", joint))].inertia +=
+          inertia * foreign::Matrix3::Identity();
+    else
+      model.losses.push_back({inertia <= small * whole ? "small_armature" : "armature",
+                              m.place("joint", joint), fmt::format("{} of {:.3g}", inertia, whole)});
+  }
+}
+
 void add_equality(const Compiled& m, int i, foreign::Model& model) {
   const auto lose = [&](const char* detail) {
     model.losses.push_back({"equality", m.place("equality", i), detail});
@@ -143,6 +164,7 @@ void add_joints(const Compiled& m, foreign::Model& model) {
     for (int j = first; j < first + count; ++j) {
       const auto kind = static_cast<MjJoint>(m.integer("jnt_type", j));
       if (j == first) joint.place = m.place("joint", j), joint.name = m.name("joint", j);
+      add_armature(m, j, count == 1 && joint.to < 0, model);
       if (kind == MjJoint::free) {
         is_free = true;
         add_free_joint(m, j, model);

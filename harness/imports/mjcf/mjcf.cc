@@ -21,10 +21,11 @@ constexpr Presence presences[] = {
     {"flex", "soft_body"},    {"plugin", "plugin_force"},
 };
 
-bool acts(const Compiled& m, int tendon) {
-  return m.number("tendon_stiffness", tendon) != 0 || m.number("tendon_damping", tendon) != 0 ||
-         m.number("tendon_frictionloss", tendon) != 0 || m.integer("tendon_limited", tendon) != 0 ||
-         m.number("tendon_armature", tendon) != 0;
+// What a tendon does by itself, as a kind of loss.
+const char* role_of(const Compiled& m, int tendon) {
+  for (const char* force : {"tendon_stiffness", "tendon_damping", "tendon_frictionloss", "tendon_armature"})
+    if (m.number(force, tendon) != 0) return "tendon_force";
+  return m.integer("tendon_limited", tendon) != 0 ? "tendon_limit" : "tendon";
 }
 
 }  // namespace
@@ -71,15 +72,13 @@ void add_losses(const Compiled& m, foreign::Model& model) {
   };
   for (const auto& [kind, what] : presences)
     for (int i = 0; i < m.count(kind); ++i) lose(what, m.place(kind, i), kind);
-  for (int i = 0; i < m.size("ntendon"); ++i)
-    lose(acts(m, i) ? "tendon_force" : "tendon", m.place("tendon", i));
+  for (int i = 0; i < m.size("ntendon"); ++i) lose(role_of(m, i), m.place("tendon", i));
+  for (const std::string& picture : m.absent())
+    lose("presentation", {fmt::format("picture '{}'", picture), "", 0}, "it is not there");
   if (m.option("density") != 0 || m.option("viscosity") != 0)
     lose("fluid", {"option", "", 0},
          fmt::format("density {}, viscosity {}", m.option("density"), m.option("viscosity")));
   if (m.size("njnt") + m.size("neq") + m.size("ngeom") > 0) lose("soft_constraints", {"model", "", 0});
-  for (int i = 0; i < m.size("nv"); ++i)
-    if (const double inertia = m.number("dof_armature", i); inertia != 0)
-      lose("armature", m.place("joint", m.integer("dof_jntid", i)), fmt::format("{}", inertia));
 }
 
 }  // namespace cylon::imports

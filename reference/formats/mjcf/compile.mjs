@@ -21,8 +21,14 @@ const bits = ['constraint', 'equality', 'frictionloss', 'limit', 'contact', 'pas
 
 class Refused extends Error {}
 
-/** The machine's files are not MuJoCo's in WebAssembly: those that a message misses are copied, and it tries again. */
-function compile(M, file) {
+// A white pixel.  Nothing in a scene follows from a picture: this stands for those that are not there.
+const white = Buffer.from('iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGP4//8/AAX+Av4N70a4AAAAAElFTkSuQmCC', 'base64');
+
+/**
+ * The machine's files are not MuJoCo's in WebAssembly: those that a message misses are copied, and it tries again.
+ * `absent`: names of pictures that no file of the machine is.
+ */
+function compile(M, file, absent) {
   const copy = (name) => {
     M.FS.mkdirTree(path.dirname(name));
     M.FS.writeFile(name, fs.readFileSync(name));
@@ -35,11 +41,20 @@ function compile(M, file) {
     return M.MjModel.from_xml_path(whole);
   } catch (error) {
     const message = error.message ?? String(M.getExceptionMessage ? M.getExceptionMessage(error) : error);
-    const missing = [...message.matchAll(/'([^']+)'|\[([^\]]+)\]/g)].map((m) => path.resolve(path.dirname(whole), m[1] ?? m[2]))
-      .find((name) => !tried.has(name) && fs.existsSync(name) && fs.statSync(name).isFile());
-    if (!missing) throw new Refused(message);
-    tried.add(missing);
-    copy(missing);
+    const named = [...message.matchAll(/'([^']+)'|\[([^\]]+)\]/g)].map((m) => path.resolve(path.dirname(whole), m[1] ?? m[2]))
+      .filter((name) => !tried.has(name));
+    const here = named.find((name) => fs.existsSync(name) && fs.statSync(name).isFile());
+    const picture = message.includes('Error opening file') && named.find((name) => /\.png$/i.test(name));
+    if (!here && !picture)
+      throw new Refused(absent.length ? `${message} (and '${absent.join("', '")}' is not there)` : message);
+    tried.add(here ?? picture);
+    if (here) {
+      copy(here);
+    } else {
+      absent.push(path.relative(path.dirname(whole), picture));
+      M.FS.mkdirTree(path.dirname(picture));
+      M.FS.writeFile(picture, white);
+    }
   }
 }
 
@@ -102,7 +117,8 @@ function told(M, model, data) {
 async function main([file, key]) {
   if (!file) throw new Refused('usage: cylon-import-mujoco3 FILE [KEYFRAME]');
   const M = await load_mujoco({print: console.error, printErr: console.error});
-  const model = compile(M, file), data = new M.MjData(model);
+  const absent = [];
+  const model = compile(M, file, absent), data = new M.MjData(model);
   if (key !== undefined) {
     const number = names_of(model).key.indexOf(key);
     if (number < 0) throw new Refused(`no keyframe is called '${key}'`);
@@ -111,7 +127,7 @@ async function main([file, key]) {
   M.mj_kinematics(model, data);
   M.mj_comPos(model, data);
   M.mj_comVel(model, data);
-  return JSON.stringify(told(M, model, data));
+  return JSON.stringify({...told(M, model, data), absent});
 }
 
 let code = 0;

@@ -45,12 +45,30 @@ class Reader {
          {"robot '" + urdf->getName() + "'", "", 0},
          "gravity 9.81 m/s^2, friction 1, no restitution, no contact of its links with each other"});
     add_links(urdf->getRoot());
+    hold_root();
     return std::move(model_);
   }
 
  private:
   void lose(const char* what, const std::string& element, std::string detail = "") {
     model_.losses.push_back({what, {element, "", 0}, std::move(detail)});
+  }
+
+  // A root without mass, and without a link of mass that is fixed to it, is a base that does not move: no force moves it
+  // in any other reading.
+  void hold_root() {
+    std::vector<bool> one(model_.bodies.size());
+    one[0] = true;
+    double mass = model_.bodies[0].mass;
+    for (const foreign::Joint& joint : model_.joints)  // parents come first
+      if (joint.freedoms.empty() && one[static_cast<std::size_t>(joint.to)]) {
+        one[static_cast<std::size_t>(joint.body)] = true;
+        mass += model_.bodies[static_cast<std::size_t>(joint.body)].mass;
+      }
+    foreign::Body& root = model_.bodies[0];
+    if (mass > 0 || root.locked) return;
+    root.locked = true;
+    lose("assumed", root.place.element, "a root without mass does not move");
   }
 
   // Parents before children, so that a link's place follows from its parent's; no recursion, however long the chain.

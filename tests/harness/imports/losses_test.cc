@@ -30,18 +30,17 @@ TEST(Losses, RefuseAWordThatIsNoneAndSayTheNearest) {
 TEST(Losses, NameFileLineAndElement) {
   EXPECT_EQ(text_of({"sensor", {"sensor 'imu'", "part.sdf", 12}, ""}, "whole.sdf"),
             "part.sdf:12: sensor 'imu': sensor: a sensor moves nothing");
-  EXPECT_EQ(text_of({"armature", {"joint 'hip'", "", 0}, "0.3"}, "robot.xml"),
-            "robot.xml: joint 'hip': armature (0.3): a scene has no inertia of a rotor on a joint");
+  EXPECT_EQ(text_of({"mimic", {"joint 'hip'", "", 0}, "joint 'knee'"}, "robot.xml"),
+            "robot.xml: joint 'hip': mimic (joint 'knee'): a scene couples no joints");
 }
 
 TEST(Losses, JoinThoseOfOneKindAndDetail) {
   const std::vector<foreign::Loss> losses = {{"sensor", {"sensor 'a'", "", 3}, ""},
-                                             {"armature", {"joint 'b'", "", 0}, "2"},
+                                             {"mimic", {"joint 'b'", "", 0}, "2"},
                                              {"sensor", {"sensor 'c'", "", 5}, ""}};
-  EXPECT_EQ(
-      texts_of(losses, "f"),
-      (std::vector<std::string>{"f:3: sensor 'a' and 1 more: sensor: a sensor moves nothing",
-                                "f: joint 'b': armature (2): a scene has no inertia of a rotor on a joint"}));
+  EXPECT_EQ(texts_of(losses, "f"),
+            (std::vector<std::string>{"f:3: sensor 'a' and 1 more: sensor: a sensor moves nothing",
+                                      "f: joint 'b': mimic (2): a scene couples no joints"}));
 }
 
 }  // namespace
