@@ -51,6 +51,7 @@ const std::vector<App::Row> commands = {
     {"track", "Record the history of accuracy and speed, and compare builds", tracking::add_track},
     {"view", "Show a scenario live in the browser, with controls", add_view},
     {"import", "Make a scenario of an MJCF, SDFormat or URDF file", add_import},
+    {"export", "Write a scenario as an MJCF or SDFormat file", add_export},
     {"new", "Write a commented template of a scenario", add_new},
     {"doctor", "Check that everything Cylon needs is installed and works", add_doctor},
     {"completion", "Print the completion script of a shell", add_completion},

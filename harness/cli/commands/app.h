@@ -32,6 +32,7 @@ Command add_selfcheck(App&, const Context&);
 Command add_view(App&, const Context&);
 Command add_new(App&, const Context&);
 Command add_import(App&, const Context&);
+Command add_export(App&, const Context&);
 Command add_doctor(App&, const Context&);
 Command add_completion(App&, const Context&);
 
