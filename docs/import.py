@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-"""Imports every scene of a corpus, runs what can be said, and writes the tables of docs/import.md.
+"""Imports every scene of a corpus, runs what can be said for one second on every engine, and writes the tables of
+docs/import.md, all from this one run.
 
-    docs/import.py CORPUS [--cylon build/release/cylon] [--engine ID …]
+    docs/import.py CORPUS [--cylon build/release/cylon] [--engine ID …] [--no-runs] [--keep FOLDER]
+    docs/import.py --of FOLDER/results.jsonl
 
-CORPUS is a folder of folders, one per project, or $CYLON_CORPUS; nothing of it is part of this repository.  Without
---engine nothing runs and the table of runs stays as it is.
+CORPUS is a folder of folders, one per project, or $CYLON_CORPUS; nothing of it is part of this repository.  --keep
+leaves the scenarios and a file `results.jsonl`, one line a file, in a folder; --of writes the tables of such a file anew.
 """
 import argparse
 import collections
@@ -20,6 +22,11 @@ import tempfile
 root = pathlib.Path(__file__).resolve().parent.parent
 page = root / "docs/import.md"
 FORMATS = {".xml": "MJCF", ".mjcf": "MJCF", ".sdf": "SDFormat", ".world": "SDFormat", ".urdf": "URDF"}
+ENGINES = ["in-house", "bullet", "bullet-multibody", "ode", "mujoco", "simbody"]
+PATIENCE = 20  # [s] of one run on one engine
+
+# From the best to the worst; a scene counts by the worst of its claims.
+OUTCOMES = ["pass", "low-quality", "fail", "non-finite", "timeout", "crash", "protocol", "no report"]
 
 
 def scenes(corpus):
@@ -31,47 +38,70 @@ def scenes(corpus):
                 yield file
 
 
+# What a library says of a file that it refuses, and the row of the table.
+SAYINGS = [
+    (r" is not there|Unable to find uri|Cannot open file|could not open|Error opening file|is no file of this machine",
+     "a file that it names is missing"),
+    (r"plugin .* not found", "a plugin of MuJoCo that its build for Node does not have"),
+    (r"Schema violation|no longer supported", "another version of the format than the library's"),
+    (r"it moves, but its mass", "a body without inertia"),
+    (r"its inertia:", "an inertia that no body has"),
+    (r"its limits are", "limits the wrong way"),
+]
+
+
 def why(message):
     """The kinds of loss for which a file is refused, or who refuses it."""
     # "FILE:LINE: ELEMENT: KIND (DETAIL): REASON"
-    kinds = sorted(set(re.findall(r"^  .*?: (?:option: |model: |contacts: )?([a-z_]+)(?: \(|:)", message, re.MULTILINE)))
     if "a scene cannot say what this file says" in message:
-        return [f"`{kind}`" for kind in kinds]
-    if "as a scenario:" in message:
+        kinds = re.findall(r"^  .*?: (?:option: |model: |contacts: )?([a-z_]+)(?: \(|:)", message, re.MULTILINE)
+        return [f"`{kind}`" for kind in sorted(set(kinds))]
+    if "as a scenario:" in message or ".toml:" in message:
         return ["the reader of scenarios"]
-    for words, reason in ((" is not there", "a file that it names is missing"), ("Unable to find uri", "a file that it names is missing"),
-                          ("Cannot open file", "a file that it names is missing"), ("could not open", "a file that it names is missing"),
-                          ("Schema violation", "a newer format than the library's"), ("it moves, but its mass", "a body without inertia"),
-                          ("its inertia:", "an inertia that no body has"), ("its limits are", "limits the wrong way")):
-        if words in message:
-            return [reason]
-    return ["the format's own library"]
+    return next(([reason] for saying, reason in SAYINGS if re.search(saying, message)), ["the format's own library"])
 
 
-def imported(cylon, file, out):
+def called(command, patience, folder=None):
     try:
-        done = subprocess.run([cylon, "import", file, "-o", out], capture_output=True, text=True, errors="replace", timeout=120)
+        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, errors="replace", timeout=patience)
     except subprocess.TimeoutExpired:
-        return 5, "no answer in 120 s"
-    return done.returncode, done.stderr
+        return 5, "", f"no answer in {patience} s"
+    return done.returncode, done.stdout, done.stderr
 
 
-def verdicts(cylon, scene, engines):
-    """engine -> its worst status of the claims, each run of one second."""
-    command = [cylon, "run", scene, "--json", "-", *(word for engine in engines for word in ("--engine", engine))]
+def outcome(rows):
+    """One engine's worst claim, or why it refuses the scene; a claim that nobody can judge there does not count."""
+    judged = [row["status"] for row in rows if row["status"] != "unsupported"]
+    if not judged:
+        return "refused", min(row["detail"] for row in rows)
+    return max(judged, key=lambda status: OUTCOMES.index(status) if status in OUTCOMES else len(OUTCOMES)), ""
+
+
+def runs(cylon, scene, engines):
+    """engine -> (outcome, reason)."""
+    if "[[claim]]" not in pathlib.Path(scene).read_text(encoding="utf-8"):
+        return {engine: ("nothing moves", "") for engine in engines}
+    command = [cylon, "run", scene, "--jobs", "1", "--timeout", str(PATIENCE), "--trajectories", "none", "--json", "-",
+               *(word for engine in engines for word in ("--engine", engine))]
+    with tempfile.TemporaryDirectory() as own:  # one cylon at a time keeps its journal in a folder
+        _, out, error = called(command, 2 * PATIENCE * len(engines) + 60, own)
     try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=600)
-        rows = json.loads(done.stdout)["verdicts"]
-    except (subprocess.TimeoutExpired, json.JSONDecodeError, KeyError):
-        return {engine: "no report" for engine in engines}
-    worst = {}
-    order = ["pass", "low-quality", "unsupported", "fail", "non-finite", "timeout", "crash", "protocol"]
-    for row in rows:
-        status = row["status"]
-        before = worst.get(row["engine"], "pass")
-        rank = lambda word: order.index(word) if word in order else len(order)
-        worst[row["engine"]] = max(before, status, key=rank)
-    return worst
+        rows = json.loads(out)["verdicts"]
+    except (json.JSONDecodeError, KeyError):
+        return {engine: ("no report", error.strip()[-300:]) for engine in engines}
+    found = {engine: [row for row in rows if row["engine"] == engine] for engine in engines}
+    return {engine: outcome(mine) if mine else ("no report", "") for engine, mine in found.items()}
+
+
+def followed(cylon, file, scene, engines):
+    """What becomes of one file, from the import to the engines."""
+    code, _, message = called([cylon, "import", file, "-o", scene], 120)
+    if code != 0:
+        return {"code": code, "message": message, "runs": {}}
+    valid, _, complaint = called([cylon, "validate", scene], 120)
+    if valid != 0:
+        return {"code": 5, "message": f"what was imported is not valid: {complaint}", "runs": {}}
+    return {"code": 0, "message": message, "runs": runs(cylon, scene, engines) if engines else {}}
 
 
 def table(header, rows):
@@ -85,47 +115,106 @@ def replace(text, name, block):
     return pattern.sub(lambda m: m[1] + block + "\n" + m[2], text)
 
 
+def what_became(results):
+    counts = collections.defaultdict(collections.Counter)
+    for result in results:
+        word = {0: "imported", 2: "refused"}.get(result["code"], "failed")
+        counts[result["project"], result["format"]].update(["files", word])
+    rows = [(project, kind, c["files"], c["imported"], c["refused"], c["failed"]) for (project, kind), c in sorted(counts.items())]
+    total = [sum(row[i] for row in rows) for i in range(2, 6)]
+    return table(["project", "format", "files", "imported", "refused", "neither"], [*rows, ("all", "", *total)])
+
+
+def why_refused(results):
+    formats = sorted(set(FORMATS.values()))
+    counts = {kind: collections.Counter() for kind in formats}
+    for result in results:
+        if result["code"] == 2:
+            counts[result["format"]].update(why(result["message"]))
+    total = sum(counts.values(), collections.Counter())
+    return table(["refused for", *formats], [(reason, *(counts[kind][reason] for kind in formats)) for reason, _ in total.most_common()])
+
+
+def left_out(results):
+    """How many imported files lose something of each kind."""
+    kinds = collections.Counter()
+    for result in results:
+        if result["code"] == 0:
+            found = re.findall(r"^left out: .*?: (?:option: |model: |contacts: )?([a-z_]+)(?: \(|:)", result["message"], re.MULTILINE)
+            kinds.update(set(found))
+    return table(["left out", "imported files"], [(f"`{kind}`", count) for kind, count in kinds.most_common()])
+
+
+def what_ran(results, engines):
+    counts = {engine: collections.Counter(r["runs"][engine][0] for r in results if r["runs"]) for engine in engines}
+    shown = [word for word in OUTCOMES if any(c[word] for c in counts.values())]
+    others = sorted({word for c in counts.values() for word in c} - set(OUTCOMES) - {"refused"})
+    rows = [(f"`{e}`", sum(c.values()), sum(c[w] for w in ("pass", "low-quality", "fail")), c["refused"], *(c[w] for w in shown + others))
+            for e, c in counts.items()]
+    return table(["engine", "scenes", "ran", "refused", *shown, *others], rows)
+
+
+def why_not_run(results, engines):
+    """The reasons without the names and numbers that they state."""
+    reasons = collections.Counter()
+    for result in results:
+        for engine in engines:
+            word, reason = result["runs"].get(engine, ("", ""))
+            if word == "refused":
+                reasons[engine, re.sub(r"(?<!\w)'[^']*'|\d+(\.\d+)?(e[-+]\d+)?", "…", reason).replace("|", r"\|")] += 1
+    ordered = sorted(reasons.items(), key=lambda row: (engines.index(row[0][0]), -row[1], row[0][1]))
+    return table(["engine", "refuses because", "scenes"], [(f"`{e}`", reason, count) for (e, reason), count in ordered])
+
+
+def all_of(corpus, engines, options):
+    """What becomes of every file of the corpus."""
+    with tempfile.TemporaryDirectory() as temporary, concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        folder = (options.keep or pathlib.Path(temporary)).absolute()
+        folder.mkdir(parents=True, exist_ok=True)
+        files = list(scenes(corpus))
+        work = [(file, folder / f"scene_{i}.toml") for i, file in enumerate(files)]
+        results = []
+        for file, result in zip(files, pool.map(lambda one: followed(options.cylon, *one, engines), work)):
+            place = file.relative_to(corpus)
+            result |= {"file": str(place), "project": place.parts[0], "format": FORMATS[file.suffix]}
+            results.append(result)
+            if result["code"] not in (0, 2):
+                print(f"{file}: exit code {result['code']}: {result['message'].strip()[-300:]}", file=sys.stderr)
+        if options.keep:
+            (folder / "results.jsonl").write_text("".join(json.dumps(r) + "\n" for r in results), encoding="utf-8")
+    return results
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("corpus", nargs="?", default=os.environ.get("CYLON_CORPUS"))
-    parser.add_argument("--cylon", default=root / "build/release/cylon")
+    parser.add_argument("--cylon", type=lambda word: pathlib.Path(word).absolute(), default=root / "build/release/cylon")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
-    parser.add_argument("--engine", action="append", default=[])
+    parser.add_argument("--engine", action="append", help=f"default: {', '.join(ENGINES)}")
+    parser.add_argument("--no-runs", action="store_true", help="import only; the tables of runs stay as they are")
+    parser.add_argument("--of", type=pathlib.Path, help="write the tables of an earlier run's results.jsonl")
+    parser.add_argument("--keep", type=pathlib.Path, help="folder for the scenarios and results.jsonl")
     options = parser.parse_args()
-    if not options.corpus or not pathlib.Path(options.corpus).is_dir():
+    engines = [] if options.no_runs else options.engine or ENGINES
+    if options.of:
+        results = [json.loads(line) for line in options.of.read_text(encoding="utf-8").splitlines()]
+    elif options.corpus and pathlib.Path(options.corpus).is_dir():
+        results = all_of(pathlib.Path(options.corpus).absolute(), engines, options)
+    else:
         print("no corpus here: name its folder, or set CYLON_CORPUS", file=sys.stderr)
         return 77
-    corpus = pathlib.Path(options.corpus)
-    counts = collections.defaultdict(collections.Counter)
-    reasons = collections.Counter()
-    runs = collections.defaultdict(collections.Counter)
-    with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        work = [(file, os.path.join(folder, f"scene_{i}.toml")) for i, file in enumerate(scenes(corpus))]
-        for (file, out), (code, message) in zip(work, pool.map(lambda one: imported(options.cylon, *one), work)):
-            key = (file.relative_to(corpus).parts[0], FORMATS[file.suffix])
-            counts[key]["files"] += 1
-            counts[key]["imported" if code == 0 else "refused" if code == 2 else "failed"] += 1
-            if code == 2:
-                reasons.update(why(message))
-            elif code != 0:
-                print(f"{file}: exit code {code}: {message.strip()[-300:]}", file=sys.stderr)
-            elif options.engine:
-                for engine, status in verdicts(options.cylon, out, options.engine).items():
-                    runs[engine][status] += 1
     text = page.read_text(encoding="utf-8")
-    rows = [(project, kind, c["files"], c["imported"], c["refused"], c["failed"]) for (project, kind), c in sorted(counts.items())]
-    total = [sum(row[i] for row in rows) for i in range(2, 6)]
-    text = replace(text, "corpus", table(["project", "format", "files", "imported", "refused", "neither"], [*rows, ("all", "", *total)]))
-    text = replace(text, "reasons", table(["refused for", "files"], reasons.most_common()))
-    if runs:
-        statuses = sorted({status for counter in runs.values() for status in counter})
-        text = replace(text, "runs", table(["engine", *statuses], [(e, *(c[s] for s in statuses)) for e, c in runs.items()]))
-    page.write_text(text, encoding="utf-8")
+    text = replace(text, "corpus", what_became(results))
+    text = replace(text, "reasons", why_refused(results))
+    text = replace(text, "losses", left_out(results))
+    if engines:
+        text = replace(text, "runs", what_ran(results, engines))
+        text = replace(text, "unable", why_not_run(results, engines))
     kinds = subprocess.run([options.cylon, "import", "--kinds"], capture_output=True, text=True)
     if kinds.returncode == 0:
         rows = [re.match(r"(\S+)\s+(left out|refused)\s+(.*)", line).groups() for line in kinds.stdout.splitlines()]
-        page.write_text(replace(page.read_text(encoding="utf-8"), "kinds", table(["kind", "becomes", "why"],
-                        [(f"`{k}`", d, w.replace("*", r"\*")) for k, d, w in rows])), encoding="utf-8")
+        text = replace(text, "kinds", table(["kind", "becomes", "why"], [(f"`{k}`", d, w.replace("*", r"\*")) for k, d, w in rows]))
+    page.write_text(text, encoding="utf-8")
     return 0
 
 
