@@ -43,10 +43,10 @@ Pose resolved(const sdf::SemanticPose& semantic) {
 }
 
 // Systems of gz-sim and plugins of Gazebo that push bodies without a command: by a medium, or to hold a target.
-constexpr std::array moving_plugins = {
-    "buoyancy", "hydrodynamics", "wind",        "lift-drag",   "liftdrag",   "lift_drag", "controller",
-    "conveyor", "lighter",       "multicopter", "trajectory", "thruster",  "track",
-    "mecanum",  "magnetic",      "attract",     "apply_force", "applylink",  "detachable"};
+constexpr std::array moving_plugins = {"buoyancy",   "hydrodynamics", "wind",      "lift-drag", "liftdrag",
+                                       "lift_drag",  "controller",    "conveyor",  "lighter",   "multicopter",
+                                       "trajectory", "thruster",      "track",     "mecanum",   "magnetic",
+                                       "attract",    "apply_force",   "applylink", "detachable"};
 
 bool moves_bodies(std::string name) {
   std::ranges::transform(name, name.begin(),
