@@ -2,6 +2,33 @@
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS reference/simulators/engines.txt)
 file(STRINGS reference/simulators/engines.txt rows REGEX "^[^#]")
 
+# border(build ADAPTER name LIBRARY name LINKS libraries HEADERS folders): the adapter's folder border/ as a shared library,
+# which alone includes the engine's headers, and shows plain numbers.  It is for an engine that Debian builds in another way
+# than this program is built: for x86-64, where Eigen's types have another alignment, with assertions, where types of the
+# engine have other members, or in C++17.  A static library would not do: of a template that both sides instantiate, the
+# linker keeps one.  So the border is a library of its own, compiled as Debian compiles the engine, and what links it
+# shows it none of its own functions of Eigen.
+function(border build)
+  cmake_parse_arguments(ARG "" "ADAPTER;LIBRARY" "LINKS;HEADERS" ${ARGN})
+  set(folder reference/simulators/${ARG_ADAPTER}/border)
+  file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cc)
+  set(border border_${build})
+  add_library(${border} SHARED ${sources})
+  set_target_properties(${border} PROPERTIES OUTPUT_NAME cylon-border-${build} LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}
+                        CXX_STANDARD 17)
+  target_compile_options(${border} PRIVATE -march=x86-64 -UNDEBUG $<$<CONFIG:Release>:-O2>)
+  target_include_directories(${border} PUBLIC ${PROJECT_SOURCE_DIR})
+  target_include_directories(${border} SYSTEM PRIVATE ${ARG_HEADERS})
+  target_link_libraries(${border} PRIVATE ${ARG_LINKS} Eigen3::Eigen warnings)
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/own_eigen.map CONTENT "{ local: *Eigen*; };\n")
+  target_link_options(${border} INTERFACE -Wl,--version-script=${PROJECT_BINARY_DIR}/own_eigen.map)
+  declare_border(${build} ${ARG_ADAPTER} ${ARG_LIBRARY})
+endfunction()
+
+function(declare_border build adapter library)
+  declare(border_${build} KIND layer PLACES reference/simulators/${adapter}/border/ PRIVATE ${library} Eigen3::Eigen)
+endfunction()
+
 set(known_builds "")
 set(engine_builds "")  # those that every build of Cylon has
 set(engine_rows "")
@@ -72,7 +99,20 @@ foreach(row IN LISTS rows)
       endif()
       message(STATUS "${id} is not here: ${brought_by} installs ${package} and builds it")
       file(REMOVE ${PROJECT_BINARY_DIR}/cylon-worker-${build})  # of an earlier build, without its library
+      if(EXISTS ${PROJECT_SOURCE_DIR}/reference/simulators/${adapter}/border)
+        declare_border(${build} ${adapter} ${library})
+        set(library border_${build})
+      endif()
       declare(sim_${build} KIND simulator PLACES reference/simulators/${adapter}/ PUBLIC core PRIVATE ${library} applied)
+      continue()
+    endif()
+    if(EXISTS ${PROJECT_SOURCE_DIR}/reference/simulators/${adapter}/border)
+      # Siconos's own headers include each other without their folders.
+      file(GLOB inner LIST_DIRECTORIES true ${found_headers}/${folder}/*)
+      list(FILTER inner INCLUDE REGEX "/siconos/(kernel|numerics)$")
+      border(${build} ADAPTER ${adapter} LIBRARY ${library} LINKS ${found_libraries}
+             HEADERS ${found_headers} ${found_headers}/${folder} ${inner})
+      simulator(${build} ADAPTER ${adapter} USES border_${build} applied LINKS border_${build} applied KIND numbers ${later})
       continue()
     endif()
     simulator(${build} ADAPTER ${adapter} USES ${library} applied LINKS ${found_libraries} applied KIND numbers ${later})

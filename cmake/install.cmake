@@ -1,6 +1,6 @@
 # cmake --install: the layout that harness/cli/folders.h looks for, of the target `installable`.
 #   PREFIX/bin/cylon                 the program, which finds the rest by its own place
-#   PREFIX/libexec/cylon/            a worker of each engine, an importer of each format
+#   PREFIX/libexec/cylon/            a worker of each engine (and its border, where it has one), an importer of each format
 #   PREFIX/share/cylon/              scenarios, suites, expected verdicts, the scenario format as JSON Schema
 #   PREFIX/lib/, PREFIX/include/cylon/   libraries, CMake package and headers (cmake/library.cmake)
 #   PREFIX/share/{man,bash-completion,zsh,fish}/, PREFIX/share/doc/cylon/
@@ -29,6 +29,10 @@ foreach(worker IN LISTS workers)
     list(APPEND optional_packages ${component})
   endif()
   install(TARGETS ${worker} RUNTIME DESTINATION libexec/cylon COMPONENT ${component})
+  if(TARGET border_${build})
+    set_target_properties(${worker} PROPERTIES INSTALL_RPATH $ORIGIN)
+    install(TARGETS border_${build} LIBRARY DESTINATION libexec/cylon COMPONENT ${component})
+  endif()
 endforeach()
 
 install(DIRECTORY scenarios DESTINATION share/cylon COMPONENT cylon)

@@ -11,6 +11,7 @@ namespace {
 
 class Conventions : public EveryEngine {};
 INSTANTIATE_TEST_SUITE_P(Adapters, Conventions, testing::ValuesIn(subjects), test_name);
+INSTANTIATE_TEST_SUITE_P(Dart, Conventions, testing::Values(dart), test_name);
 
 // ---- Against exact rotation ------------------------------------------------------------------------
 

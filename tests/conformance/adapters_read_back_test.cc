@@ -6,6 +6,7 @@ namespace {
 
 class ReadBack : public EveryEngine {};
 INSTANTIATE_TEST_SUITE_P(Adapters, ReadBack, testing::ValuesIn(subjects), test_name);
+INSTANTIATE_TEST_SUITE_P(Dart, ReadBack, testing::Values(dart), test_name);
 
 // Position, velocity and angular velocity relative to their own size, orientation absolutely, of the worst
 // body.

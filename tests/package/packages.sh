@@ -19,9 +19,9 @@ lintian --fail-on error,warning --allow-root "${packages[@]}" || fail "lintian s
 for package in "${packages[@]}"; do
   depends=$(dpkg-deb -f "$package" Depends)
   case $(dpkg-deb -f "$package" Package) in
-    cylon) [[ $depends == *libbullet* && $depends == *libode* && ! $depends =~ mujoco|simbody|sdformat|urdfdom ]] ;;
+    cylon) [[ $depends == *libbullet* && $depends == *libode* && ! $depends =~ mujoco|simbody|dart|siconos|sdformat|urdfdom ]] ;;
     libcylon-dev) [[ $depends == *"cylon (= $(dpkg-deb -f "$package" Version))"* && $depends == *libeigen3-dev* ]] ;;
-    cylon-*) [[ $depends == *"cylon (= $(dpkg-deb -f "$package" Version))"* && $depends =~ lib(mujoco|simbody|sdformat|urdfdom) ]] ;;
+    cylon-*) [[ $depends == *"cylon (= $(dpkg-deb -f "$package" Version))"* && $depends =~ lib(mujoco|simbody|dart|siconos|sdformat|urdfdom) ]] ;;
   esac || fail "$package depends on: $depends"
 done
 [[ $(dpkg-deb -c "$scratch"/cylon_*.deb) == *usr/share/man/man1/cylon-run.1.gz* ]] || fail "no man pages, or not compressed"

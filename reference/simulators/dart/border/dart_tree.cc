@@ -1,0 +1,168 @@
+// Bodies, joints and shapes as DART has them.
+#include "reference/simulators/dart/border/dart_parts.h"
+
+#include <dart/collision/CollisionFilter.hpp>
+#include <dart/collision/CollisionGroup.hpp>
+#include <dart/collision/dart/DARTCollisionDetector.hpp>
+#include <dart/constraint/BallJointConstraint.hpp>
+#include <dart/constraint/ConstraintSolver.hpp>
+#include <dart/constraint/WeldJointConstraint.hpp>
+#include <dart/dynamics/BallJoint.hpp>
+#include <dart/dynamics/BoxShape.hpp>
+#include <dart/dynamics/FreeJoint.hpp>
+#include <dart/dynamics/RevoluteJoint.hpp>
+#include <dart/dynamics/Skeleton.hpp>
+#include <dart/dynamics/SphereShape.hpp>
+#include <dart/dynamics/WeldJoint.hpp>
+
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace cylon::simulators::dart_border {
+namespace {
+
+namespace dynamics = dart::dynamics;
+using dynamics::BodyNode;
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+// Asks the caller which shapes meet, in place of DART's rule for neighbours in a skeleton.
+class Filter : public dart::collision::CollisionFilter {
+ public:
+  Filter(World::Meets meets, const std::unordered_map<const dynamics::ShapeFrame*, int>& shapes)
+      : meets_(std::move(meets)), shapes_(shapes) {}
+
+  bool ignoresCollision(const dart::collision::CollisionObject* a,
+                        const dart::collision::CollisionObject* b) const override {
+    return !meets_(shapes_.at(a->getShapeFrame()), shapes_.at(b->getShapeFrame()));
+  }
+
+ private:
+  World::Meets meets_;
+  const std::unordered_map<const dynamics::ShapeFrame*, int>& shapes_;
+};
+
+// A joint whose frame has the axes of the world where the scene starts, and the place of the joint.
+template <class Joint>
+typename Joint::Properties at_start(const Isometry3d& parent, const Isometry3d& body, const Vector& point) {
+  Isometry3d place = Isometry3d::Identity();
+  place.translation() = to_dart(point);
+  typename Joint::Properties properties;
+  properties.mT_ParentBodyToJoint = parent.inverse() * place;
+  properties.mT_ChildBodyToJoint = body.inverse() * place;
+  return properties;
+}
+
+template <class Joint>
+std::pair<Joint*, BodyNode*> make(const dynamics::SkeletonPtr& skeleton, BodyNode* parent,
+                                  const typename Joint::Properties& joint, const BodyNode::Properties& body) {
+  typename Joint::Properties named = joint;
+  named.mName = "joint of " + body.mName;
+  return skeleton->createJointAndBodyNodePair<Joint>(parent, named, body);
+}
+
+// DART gives each of equal names another one, with a message.
+BodyNode::Properties properties(const Body& body, std::size_t index) {
+  const auto& i = body.inertia;
+  Eigen::Matrix3d moment;
+  moment << i[0], i[1], i[2], i[3], i[4], i[5], i[6], i[7], i[8];
+  BodyNode::AspectProperties one("body" + std::to_string(index));
+  one.mInertia = dynamics::Inertia(body.mass, Vector3d::Zero(), moment);
+  one.mGravityMode = body.falls;
+  return BodyNode::Properties(one);
+}
+
+}  // namespace
+
+void World::Parts::hang(const std::vector<Body>& bodies, std::size_t i) {
+  if (nodes[i]) return;
+  const Body& body = bodies[i];
+  const Isometry3d pose = to_dart(body.start.orientation, body.start.position);
+  BodyNode* parent = nullptr;
+  Isometry3d parent_pose = Isometry3d::Identity();
+  if (body.parent >= 0) {
+    const std::size_t above = static_cast<std::size_t>(body.parent);
+    hang(bodies, above);
+    parent = nodes[above];
+    parent_pose = to_dart(bodies[above].start.orientation, bodies[above].start.position);
+  } else {
+    skeletons.push_back(dynamics::Skeleton::create("skeleton" + std::to_string(skeletons.size())));
+    skeletons.back()->setMobile(body.moves);
+  }
+  const dynamics::SkeletonPtr skeleton = parent ? parent->getSkeleton() : skeletons.back();
+  switch (body.hang) {
+    case Hang::freely: {
+      const auto [joint, node] = make<dynamics::FreeJoint>(skeleton, parent, {}, properties(body, i));
+      joint->setTransform(pose);
+      // Its six speeds are those of the body in body axes, rotation first.
+      Eigen::Vector6d speeds;
+      speeds << pose.linear().transpose() * to_dart(body.start.spin),
+          pose.linear().transpose() * to_dart(body.start.velocity);
+      joint->setVelocities(speeds);
+      nodes[i] = node;
+      break;
+    }
+    case Hang::by_ball: {
+      const auto [joint, node] = make<dynamics::BallJoint>(
+          skeleton, parent, at_start<dynamics::BallJoint>(parent_pose, pose, body.point),
+          properties(body, i));
+      joint->setVelocities(to_dart(body.turn_rate));
+      nodes[i] = node;
+      break;
+    }
+    case Hang::by_hinge: {
+      auto hinge = at_start<dynamics::RevoluteJoint>(parent_pose, pose, body.point);
+      hinge.mAxis = to_dart(body.axis);
+      const auto [joint, node] = make<dynamics::RevoluteJoint>(skeleton, parent, hinge, properties(body, i));
+      joint->setVelocity(0, to_dart(body.axis).dot(to_dart(body.turn_rate)));
+      nodes[i] = node;
+      break;
+    }
+    case Hang::fixed:
+      nodes[i] = make<dynamics::WeldJoint>(skeleton, parent,
+                                           at_start<dynamics::WeldJoint>(parent_pose, pose, body.point),
+                                           properties(body, i))
+                     .second;
+      break;
+  }
+}
+
+void World::Parts::put_on(const Shape& shape) {
+  dynamics::ShapePtr one;
+  if (shape.sphere)
+    one = std::make_shared<dynamics::SphereShape>(shape.size[0]);
+  else
+    one = std::make_shared<dynamics::BoxShape>(to_dart(shape.size));
+  dynamics::ShapeNode* node =
+      nodes[static_cast<std::size_t>(shape.body)]
+          ->createShapeNodeWith<dynamics::CollisionAspect, dynamics::DynamicsAspect>(one);
+  node->setRelativeTransform(to_dart(shape.orientation, shape.position));
+  node->getDynamicsAspect()->setRestitutionCoeff(shape.restitution);
+  node->getDynamicsAspect()->setFrictionCoeff(shape.friction);
+  shapes.emplace(node, static_cast<int>(shapes.size()));
+}
+
+void World::Parts::close(const Loop& loop) {
+  using namespace dart::constraint;
+  BodyNode* first = nodes[static_cast<std::size_t>(loop.body)];
+  BodyNode* second = loop.to < 0 ? nullptr : nodes[static_cast<std::size_t>(loop.to)];
+  std::shared_ptr<DynamicJointConstraint> made;
+  if (loop.turns)
+    made = second ? std::make_shared<BallJointConstraint>(first, second, to_dart(loop.point))
+                  : std::make_shared<BallJointConstraint>(first, to_dart(loop.point));
+  else
+    made = second ? std::make_shared<WeldJointConstraint>(first, second)
+                  : std::make_shared<WeldJointConstraint>(first);
+  world->getConstraintSolver()->addConstraint(made);
+}
+
+void World::Parts::enter(Meets meets) {
+  dart::constraint::ConstraintSolver* solver = world->getConstraintSolver();
+  solver->setCollisionDetector(dart::collision::DARTCollisionDetector::create());
+  solver->getCollisionOption().maxNumContacts = std::numeric_limits<std::size_t>::max();
+  solver->getCollisionOption().collisionFilter = std::make_shared<Filter>(std::move(meets), shapes);
+  for (const dynamics::SkeletonPtr& skeleton : skeletons) world->addSkeleton(skeleton);
+}
+
+}  // namespace cylon::simulators::dart_border

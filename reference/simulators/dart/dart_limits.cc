@@ -1,0 +1,143 @@
+#include "reference/simulators/dart/dart_limits.h"
+
+#include "harness/core/surfaces.h"
+#include "reference/applied/forces.h"
+#include "reference/applied/forest.h"
+#include "reference/applied/parts.h"
+
+#include <fmt/format.h>
+
+namespace cylon::simulators {
+namespace {
+
+using core::JointType;
+using core::Scene;
+using Reason = std::optional<std::string>;
+
+// Both of dart/constraint/ContactConstraint.cpp:50 and :51; up to it a coefficient counts as zero.
+constexpr double least_coefficient = 1e-3;
+// Two spheres whose centres are nearer have no normal (collision/dart/DARTCollide.cpp:52 and :1342: 1e-6 m^2).
+constexpr double nearest_centres = 1e-3;
+
+const core::Body& body(const Scene& scene, int i) { return scene.bodies[static_cast<std::size_t>(i)]; }
+
+Reason against(const core::Body& body) {
+  if (body.locked) return {};
+  if (!(body.mass > 0))
+    return fmt::format("DART needs a mass above zero of what moves; '{}' has {} kg.", body.name, body.mass);
+  const core::Vector3 moments = core::principal_axes(body.inertia).moments;
+  if (!(moments.minCoeff() > 0))
+    return fmt::format("DART needs principal moments above zero of what moves; '{}' has one of {} kg m^2.",
+                       body.name, moments.minCoeff());
+  return {};
+}
+
+// ---- Joints -------------------------------------------------------------------------------------------
+
+// What hangs a body from another, and what closes a loop; a kind that stands in neither is not known here.
+bool hangs(JointType type) {
+  return type == JointType::ball || type == JointType::hinge || type == JointType::fixed;
+}
+bool closes(JointType type) { return type == JointType::ball || type == JointType::fixed; }
+
+Reason against_joints(const Scene& scene) {
+  const auto moves = [&](int i) { return i != core::world && !body(scene, i).locked; };
+  for (const core::Joint& joint : scene.joints) {
+    if (!moves(joint.body) && !moves(joint.to)) continue;  // holds nothing
+    const core::JointKind& kind = core::kind_of(joint.type);
+    if (kind.has_length())
+      return fmt::format(
+          "DART has no constraint that keeps a distance, such as that of '{}' (dart/constraint/).",
+          body(scene, joint.body).name);
+    if (!hangs(joint.type))
+      return fmt::format("This adapter gives DART no joint of type {}, such as that of '{}'.", kind.name,
+                         body(scene, joint.body).name);
+  }
+  for (const std::size_t j : applied::forest_of(scene).loops) {
+    const core::Joint& joint = scene.joints[j];
+    if (!closes(joint.type))
+      return fmt::format(
+          "The {} of '{}' closes a loop, for which DART has a ball and a weld alone (dart/constraint/).",
+          core::kind_of(joint.type).name, body(scene, joint.body).name);
+  }
+  return {};
+}
+
+// ---- Contacts -----------------------------------------------------------------------------------------
+
+bool collided(const core::Primitive& shape) {
+  return std::holds_alternative<core::Sphere>(shape) || std::holds_alternative<core::Box>(shape);
+}
+
+Reason against_shapes(const core::Body& body) {
+  for (const core::Part& part : applied::parts_of(body.shape))
+    if (!collided(part.shape))
+      return fmt::format(
+          "Body '{}': DART's own detector collides spheres and boxes alone "
+          "(collision/dart/DARTCollisionDetector.cpp:228).",
+          body.name);
+  return {};
+}
+
+double largest_radius(const core::Body& body) {
+  double radius = 0;
+  for (const core::Part& part : applied::parts_of(body.shape))
+    if (const auto* sphere = std::get_if<core::Sphere>(&part.shape))
+      radius = std::max(radius, sphere->radius);
+  return radius;
+}
+
+Reason against(const Scene& scene, const core::Pair& pair, const core::Material& material) {
+  const core::Body& one = body(scene, pair.body);
+  const std::string& other = pair.plane >= 0 ? scene.planes[static_cast<std::size_t>(pair.plane)].name
+                                             : body(scene, pair.other).name;
+  if (Reason reason = against_shapes(one)) return reason;
+  const auto counts_as_zero = [](double x) { return x > 0 && x <= least_coefficient; };
+  for (const auto& [what, value] :
+       {std::pair{"restitution", material.restitution}, std::pair{"friction", material.friction}})
+    if (counts_as_zero(value))
+      return fmt::format(
+          "DART takes a {} of at most {} for none (constraint/ContactConstraint.cpp:50); that of '{}' and "
+          "'{}' is {}.",
+          what, least_coefficient, one.name, other, value);
+  if (pair.plane >= 0) return {};
+  if (Reason reason = against_shapes(body(scene, pair.other))) return reason;
+  const double radius = largest_radius(one), radius_of_other = largest_radius(body(scene, pair.other));
+  if (radius > 0 && radius_of_other > 0 && radius + radius_of_other <= nearest_centres)
+    return fmt::format(
+        "DART has no contact of two spheres whose centres are within {} m "
+        "(collision/dart/DARTCollide.cpp:1342), which is all of a contact of '{}' and '{}'.",
+        nearest_centres, one.name, other);
+  return {};
+}
+
+Reason against_contacts(const Scene& scene) {
+  if (const auto pair = core::pair_without_material(scene)) {
+    const std::string& other = pair->plane >= 0 ? scene.planes[static_cast<std::size_t>(pair->plane)].name
+                                                : body(scene, pair->other).name;
+    return fmt::format("'{}' may touch '{}', but the scene has no material for them.",
+                       body(scene, pair->body).name, other);
+  }
+  const core::Surfaces surfaces = core::surfaces(scene);
+  Reason reason;
+  core::any_touching_pair(scene, [&](const core::Pair& pair) {
+    const int other = pair.plane >= 0 ? surfaces.of_plane[static_cast<std::size_t>(pair.plane)]
+                                      : surfaces.of_body[static_cast<std::size_t>(pair.other)];
+    const int row = surfaces.material(surfaces.of_body[static_cast<std::size_t>(pair.body)], other);
+    reason = against(scene, pair, scene.materials[static_cast<std::size_t>(row)]);
+    return reason.has_value();
+  });
+  return reason;
+}
+
+}  // namespace
+
+Reason dart_limit(const Scene& scene) {
+  for (const core::Body& one : scene.bodies)
+    if (Reason reason = against(one)) return reason;
+  if (Reason reason = applied::unmapped(scene)) return reason;
+  if (Reason reason = against_joints(scene)) return reason;
+  return against_contacts(scene);
+}
+
+}  // namespace cylon::simulators

@@ -1,0 +1,151 @@
+#include "reference/simulators/dart/dart_scene.h"
+
+#include "reference/applied/parts.h"
+
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+namespace cylon::simulators {
+namespace {
+
+using core::JointType;
+using core::Scene;
+using dart_border::Hang;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+dart_border::Turn turn(const core::Quaternion& q) { return {q.w(), q.x(), q.y(), q.z()}; }
+
+Hang hang_of(const core::Joint& joint) {
+  switch (joint.type) {
+    case JointType::ball:
+      return Hang::by_ball;
+    case JointType::hinge:
+      return Hang::by_hinge;
+    case JointType::fixed:
+      return Hang::fixed;
+    default:
+      throw std::logic_error("dart_limit lets this joint through");
+  }
+}
+
+}  // namespace
+
+std::vector<dart_border::Body> dart_bodies(const Scene& scene, const applied::Forest& forest) {
+  std::vector<dart_border::Body> all;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const core::Body& body = scene.bodies[i];
+    const core::BodyState& start = body.initial;
+    dart_border::Body one;
+    one.start = {to_dart(start.position), turn(start.orientation), to_dart(start.velocity),
+                 to_dart(start.angular_velocity)};
+    one.moves = !body.locked;
+    one.falls = !body.gravity;  // its own is a force
+    if (body.locked) {
+      // Weightless in every sense: nothing asks for the mass of what does not move.
+      one.inertia = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+      one.hang = Hang::fixed, one.point = one.start.position;
+      all.push_back(one);
+      continue;
+    }
+    one.mass = body.mass;
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < 3; ++c) one.inertia[at(3 * r + c)] = body.inertia(r, c);
+    const applied::Node& node = forest.nodes[i];
+    if (node.joint >= 0) {
+      const core::Joint& joint = scene.joints[at(node.joint)];
+      core::Vector3 spin = start.angular_velocity;
+      if (node.parent != core::world) spin -= scene.bodies[at(node.parent)].initial.angular_velocity;
+      one.hang = hang_of(joint), one.parent = node.parent;
+      one.point = to_dart(joint.point), one.axis = to_dart(joint.axis), one.turn_rate = to_dart(spin);
+    }
+    all.push_back(one);
+  }
+  for (const core::Plane& plane : scene.planes) {
+    dart_border::Body one;
+    one.inertia = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    one.moves = false, one.hang = Hang::fixed;
+    one.start.position = one.point = to_dart(plane.offset * plane.normal);
+    one.start.orientation = turn(core::turn_between(core::Vector3::UnitY(), plane.normal));
+    all.push_back(one);
+  }
+  return all;
+}
+
+std::vector<dart_border::Loop> dart_loops(const Scene& scene, const applied::Forest& forest) {
+  const auto moves = [&](int body) { return body != core::world && !scene.bodies[at(body)].locked; };
+  std::vector<dart_border::Loop> all;
+  for (const std::size_t j : forest.loops) {
+    const core::Joint& joint = scene.joints[j];
+    dart_border::Loop loop;
+    loop.turns = joint.type == JointType::ball;
+    loop.body = moves(joint.body) ? joint.body : joint.to;
+    loop.to = moves(joint.body) && moves(joint.to) ? joint.to : -1;
+    loop.point = to_dart(joint.point);
+    all.push_back(loop);
+  }
+  return all;
+}
+
+// ---- Surfaces -----------------------------------------------------------------------------------------
+
+DartSurfaces::DartSurfaces(const Scene& scene) : rules_(scene), kinds_(core::surfaces(scene)) {
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const core::Body& body = scene.bodies[i];
+    if (!core::collides(body)) continue;
+    for (const core::Part& part : applied::parts_of(body.shape)) {
+      dart_border::Shape shape;
+      shape.body = static_cast<int>(i);
+      shape.position = to_dart(part.position), shape.orientation = turn(part.orientation);
+      if (const auto* sphere = std::get_if<core::Sphere>(&part.shape)) {
+        shape.size[0] = sphere->radius;
+      } else if (const auto* box = std::get_if<core::Box>(&part.shape)) {
+        shape.sphere = false, shape.size = to_dart(2 * box->half_extents);
+      } else {
+        continue;  // of a body that meets nothing
+      }
+      add(scene, {shape.body, -1, -1}, shape, kinds_.of_body[i]);
+    }
+  }
+  for (std::size_t i = 0; i < scene.planes.size(); ++i) {
+    dart_border::Shape shape;
+    shape.body = static_cast<int>(scene.bodies.size() + i);
+    shape.sphere = false;
+    shape.size = {2 * dart_plane_reach, dart_plane_depth, 2 * dart_plane_reach};
+    shape.position = {0, -dart_plane_depth / 2, 0};
+    add(scene, {core::world, static_cast<int>(i), -1}, shape, kinds_.of_plane[i]);
+  }
+}
+
+// The square root in each: DART multiplies restitutions, and takes the smaller friction.
+void DartSurfaces::add(const Scene& scene, const DartSurface& surface, const dart_border::Shape& shape,
+                       int kind) {
+  std::set<int> rows;
+  for (int other = 0; other < kinds_.count; ++other) rows.insert(kinds_.material(kind, other));
+  for (const int row : rows) {
+    if (row < 0) continue;
+    const core::Material& material = scene.materials[at(row)];
+    shapes_.push_back(shape);
+    shapes_.back().restitution = std::sqrt(material.restitution);
+    shapes_.back().friction = material.friction;
+    surfaces_.push_back(surface);
+    surfaces_.back().material = row;
+  }
+}
+
+int DartSurfaces::kind_of(const DartSurface& one) const {
+  return one.plane >= 0 ? kinds_.of_plane[at(one.plane)] : kinds_.of_body[at(one.body)];
+}
+
+bool DartSurfaces::meet(int shape, int other) const {
+  const DartSurface &a = of(shape), &b = of(other);
+  if (a.material != b.material || (a.plane >= 0 && b.plane >= 0)) return false;
+  if (a.plane < 0 && a.body == b.body) return false;  // two parts of one body
+  if (kinds_.material(kind_of(a), kind_of(b)) != a.material) return false;
+  if (a.plane >= 0) return rules_.body_and_plane(b.body, a.plane);
+  if (b.plane >= 0) return rules_.body_and_plane(a.body, b.plane);
+  return rules_.bodies(a.body, b.body);
+}
+
+}  // namespace cylon::simulators
