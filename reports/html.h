@@ -29,6 +29,8 @@ inline constexpr std::array sections = {
             [](const auto& json) { return json.contains("cells") && json.contains("candidate"); }},
     Section{"histories", "cylon track history --json",
             [](const auto& json) { return json.contains("series"); }},
+    Section{"hunts", "cylon hunt --json",
+            [](const auto& json) { return json.contains("format") && json["format"] == "cylon-hunt/1"; }},
 };
 
 /// What a report shows.

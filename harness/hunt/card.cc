@@ -1,67 +1,83 @@
 #include "harness/hunt/card.h"
 
 #include "harness/core/content_hash.h"
-#include "harness/core/fields.h"
 #include "harness/core/input_error.h"
+#include "harness/hunt/scene_parts.h"
 #include "harness/scenario/scenario.h"
 #include "harness/scenario/writer.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
-#include <set>
+#include <utility>
 
 namespace cylon::hunt {
 namespace {
 
-// The kinds of parts of a scene, by the names that files have for them.
-std::set<std::string> parts(const core::Scene& scene) {
-  std::set<std::string> names;
-  for (const core::Body& body : scene.bodies) {
-    if (body.locked) names.insert("locked body");
-    std::visit(
-        [&]<class Shape>(const Shape&) {
-          if constexpr (!std::is_same_v<Shape, std::monostate>) names.emplace(core::Element<Shape>::name);
-        },
-        body.shape);
-  }
-  for (const core::Force& force : scene.forces)
-    std::visit([&]<class Kind>(const Kind&) { names.emplace(core::Element<Kind>::name); }, force);
-  for (const core::Joint& joint : scene.joints) names.emplace(core::kind_of(joint.type).name);
-  if (!scene.planes.empty()) names.insert("plane");
-  if (scene.frame) names.insert("frame");
-  for (const core::Material& material : scene.materials) {
-    if (material.friction > 0) names.insert("friction");
-    if (material.restitution > 0) names.insert("restitution");
-  }
-  return names;
-}
-
 std::string number(double x) { return fmt::format("{:.3g}", x); }
 
-std::string command(const Card& card, const std::string& file) {
-  return fmt::format("cylon run {} --engine {}{}", file, card.engine,
-                     card.fault.oracle.starts_with("relation ") ? " --metamorphic" : "");
+std::string in_unit(const Fault& fault) {
+  return fault.unit == "1" || fault.unit.empty() ? "of the scale" : fault.unit;
 }
 
-// "0.12 J at 0.01 s, 0.13 J at 0.005 s, 0.13 J at 0.0025 s"
-std::string measured(const Card& card) {
-  if (!card.fault.detail.empty() || card.fault.unit.empty()) return card.fault.detail;
-  std::vector<std::string> values;
-  for (std::size_t i = 0; i < halvings; ++i)
-    values.push_back(fmt::format("{} {} at {} s", number(card.fault.measured[i]),
-                                 card.fault.unit == "1" ? "of the scale" : card.fault.unit,
-                                 card.trial.step / static_cast<double>(1 << i)));
-  return fmt::format("{}", fmt::join(values, ", "));
+double number_of(const std::string& file, const std::string& tag, const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc())
+    throw core::InputError(fmt::format("{}: tag \"{}{}\": not a number", file, tag, text));
+  return value;
 }
 
 }  // namespace
 
+std::string command(const Card& card, const std::string& file) {
+  if (card.fault.oracle.starts_with("relation "))
+    return fmt::format("cylon run {} --engine {} --metamorphic", file, card.engine);
+  if (card.fault.claim.empty()) return fmt::format("cylon hunt --replay . --engine {}", card.engine);
+  return fmt::format("cylon run {} --engine {}", file, card.engine);
+}
+
+std::string measured(const Card& card) {
+  if (!card.fault.detail.empty() || card.fault.steps == 0) return card.fault.detail;
+  std::vector<std::string> values;
+  for (std::size_t i = 0; i < card.fault.steps; ++i)
+    values.push_back(fmt::format("{} {} at {} s", number(card.fault.measured[i]), in_unit(card.fault),
+                                 card.trial.step / static_cast<double>(1 << i)));
+  return fmt::format("{}", fmt::join(values, ", "));
+}
+
+std::string reason(const Fault& fault) {
+  if (fault.by_time)
+    return "A run was stopped by the clock. A faster machine, or a longer --timeout, may see no fault.";
+  if (!fault.detail.empty()) return "It depends on no tolerance.";
+  switch (fault.kind) {
+    case Kind::every_step:
+      return "The error does not fall with the step, so that it is no truncation.";
+    case Kind::own_promise:
+      return "The engine states the order of its scheme, or a bound of its error. The error falls more "
+             "slowly than "
+             "that, or is larger.";
+    case Kind::coarse_step:
+      return "The fault is of the coarse step alone: half the step shows none. It falls faster than the "
+             "error of a "
+             "scheme of the stated order can, and the step resolves every rate of the scene, so that it is "
+             "neither "
+             "truncation nor an unstable scheme, but a limit that the engine sets on a step.";
+    case Kind::fine_step:
+      return "The fault is of fine steps: it comes when the step is halved, which truncation does not.";
+  }
+  return "";
+}
+
 std::string signature(const Fault& fault, const core::Scene& scene) {
-  return fmt::format("{}: {} {}, {}", fault.oracle, scene.bodies.size(),
-                     scene.bodies.size() == 1 ? "body" : "bodies", fmt::join(parts(scene), ", "));
+  return fmt::format("{}{}: {} {}, {}", fault.oracle,
+                     fault.kind == Kind::every_step ? "" : fmt::format(" {}", name(fault.kind)),
+                     scene.bodies.size(), scene.bodies.size() == 1 ? "body" : "bodies",
+                     fmt::join(parts(scene), ", "));
 }
 
 std::string Card::file_stem() const {
@@ -73,50 +89,74 @@ std::string Card::file_stem() const {
   return stem;
 }
 
+std::vector<std::filesystem::path> card_files(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error))
+    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  if (error) throw core::InputError(fmt::format("cards in {}: {}", folder.string(), error.message()));
+  std::ranges::sort(files);
+  return files;
+}
+
 Kept read_card(const std::string& file) {
   const scenario::Scenario scenario = scenario::read(file);
   Kept kept;
-  std::string measured;
+  std::string measured, kind;
   const std::pair<std::string_view, std::string*> facts[] = {
-      {"engine: ", &kept.engine}, {"oracle: ", &kept.oracle}, {"measured: ", &measured}};
+      {"engine: ", &kept.engine}, {"oracle: ", &kept.oracle}, {"kind: ", &kind}, {"measured: ", &measured}};
   for (const std::string& tag : scenario.tags)
     for (const auto& [key, value] : facts)
       if (tag.starts_with(key)) *value = tag.substr(key.size());
   for (const auto& [key, value] : facts)
     if (value->empty())
       throw core::InputError(fmt::format("{}: no card of `cylon hunt`: it has no tag \"{}…\"", file, key));
-  const auto [end, error] =
-      std::from_chars(measured.data(), measured.data() + measured.size(), kept.measured);
-  if (error != std::errc())
-    throw core::InputError(fmt::format("{}: tag \"measured: {}\": not a number", file, measured));
+  kept.measured = number_of(file, "measured: ", measured);
+  const std::optional<Kind> known = kind_from(kind);
+  if (!known) throw core::InputError(fmt::format("{}: tag \"kind: {}\": no kind of fault", file, kind));
+  kept.kind = *known;
   kept.trial = {scenario.scene, scenario.step, std::llround(scenario.duration / scenario.step)};
   return kept;
 }
 
+std::string_view name(Replayed::What what) {
+  constexpr std::array<std::string_view, 4> names = {"fixed", "still there", "changed", "refused"};
+  return names[static_cast<std::size_t>(what)];
+}
+
+Replayed replay(const Kept& card, const process::EngineChoice& engine, const process::Limits& limits) {
+  const std::vector<Fault> faults = examine(card.trial, engine, limits, {card.oracle, card.kind});
+  if (faults.empty())
+    return {refuses(card.trial, engine, limits) ? Replayed::What::refused : Replayed::What::fixed};
+  const double now = faults[0].measured[0], ratio = now / card.measured;
+  // A fault without a number, such as a crash, is the same fault.
+  const bool same = (ratio > 1 / 1.1 && ratio < 1.1) || !(card.measured > 0) || std::isnan(card.measured);
+  return {same ? Replayed::What::still_there : Replayed::What::changed, now, faults[0].allowed,
+          faults[0].unit};
+}
+
 std::string scenario_toml(const Card& card) {
   const std::string head = fmt::format(
-      "# {} breaks this: {}.\n# Measured: {}; allowed: {} {}.\n# Found in scene {} of seed {} ({}).\n"
-      "tags = [\"hunted\", {}, {}, {}]\n",
-      card.engine, card.fault.says, measured(card), number(card.fault.allowed), card.fault.unit, card.number,
-      card.seed, card.family, scenario::toml_text("engine: " + card.engine),
+      "# {} breaks this: {}.\n# Measured: {}; allowed: {} {}.\n# Found in scene {} of {} ({}).\n"
+      "tags = [\"hunted\", {}, {}, {}, {}]\n",
+      card.engine, card.fault.says, measured(card), number(card.fault.allowed), in_unit(card.fault),
+      card.number, card.source, card.family, scenario::toml_text("engine: " + card.engine),
       scenario::toml_text("oracle: " + card.fault.oracle),
+      scenario::toml_text(fmt::format("kind: {}", name(card.fault.kind))),
       scenario::toml_text(fmt::format("measured: {}", card.fault.measured[0])));
   return head + to_toml(card.trial, card.fault.claim);
 }
 
-std::string markdown(const Card& card) {
+std::string markdown(const Card& card, const std::string& after) {
   const std::string file = card.file_stem() + ".toml";
   std::string text = fmt::format("# {}: {}\n\n", card.engine, card.signature);
   text += fmt::format("**What should happen:** {}.\n\n", card.fault.says);
   text += fmt::format("**What happens** in {} {}: {}.", card.engine, card.version, measured(card));
-  if (card.fault.detail.empty())
-    text += fmt::format(" Allowed: {} {}; ten times that counts as a fault.", number(card.fault.allowed),
-                        card.fault.unit == "1" ? "of the scale" : card.fault.unit);
-  text += "\n\n";
-  text += fmt::format(
-      "The error does not fall with the step, so that it is no truncation. Seen in {} scenes of the hunt; "
-      "this is the least.\n\n",
-      card.hits);
+  if (card.fault.detail.empty() && card.fault.kind != Kind::own_promise)
+    text += fmt::format(" Allowed: {} {} ({}); ten times that counts as a fault.", number(card.fault.allowed),
+                        in_unit(card.fault), card.fault.why);
+  text += fmt::format("\n\n{} Seen in {} of the hunt's scenes; this is the least.\n\n", reason(card.fault),
+                      card.hits);
   if (!card.opinions.empty()) {
     text += "| engine | the same scene |\n|---|---|\n";
     for (const Opinion& o : card.opinions)
@@ -126,6 +166,7 @@ std::string markdown(const Card& card) {
                                      : "no fault");
     text += '\n';
   }
+  text += after;
   text += fmt::format("```sh\n{}\n```\n\n```toml\n{}```\n", command(card, file), scenario_toml(card));
   return text;
 }

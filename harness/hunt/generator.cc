@@ -64,7 +64,15 @@ void maybe_gravity(Dice& dice, Scene& scene) {
 
 // ---- Families -----------------------------------------------------------------------------------------
 
+// What turns by up to radians in a step: of a ball no torque turns the axis.
+void fast_ball(Dice& dice, Scene& scene) {
+  maybe_gravity(dice, scene);
+  set_moving(dice, add_body(scene, core::Sphere{dice.between(0.1, 0.4)}, some_mass(dice), dice.vector(3)), 4,
+             150);
+}
+
 void flight(Dice& dice, Scene& scene) {
+  if (dice.one_in(8)) return fast_ball(dice, scene);
   maybe_gravity(dice, scene);
   const std::size_t count = 1 + dice.below(3);
   for (std::size_t i = 0; i < count; ++i)
@@ -194,6 +202,35 @@ void standing(Dice& dice, Scene& scene) {
   }
 }
 
+// Equal cubes in a tower.
+void tower(Dice& dice, Scene& scene) {
+  scene.materials.push_back(core::Material{{"*", "*"}, 0, dice.of(std::array{0.5, 1.0})});
+  scene.forces.emplace_back(core::UniformGravity{{0, -9.81, 0}});
+  core::Plane floor;
+  floor.name = "floor";
+  scene.planes.push_back(floor);
+  const std::size_t count = 3 + dice.below(8);
+  const double half = dice.between(0.2, 0.5), mass = dice.between(0.5, 3);
+  for (std::size_t i = 0; i < count; ++i)
+    add_body(scene, core::Box{Vector3::Constant(half)}, mass,
+             Vector3(0, (2 * static_cast<double>(i) + 1) * half, 0))
+        .collide = true;
+}
+
+// Equal balls in a row that touch each other, and one that hits them; all on one line, without gravity.
+void cradle(Dice& dice, Scene& scene) {
+  scene.materials.push_back(core::Material{{"*", "*"}, dice.of(std::array{0.0, 0.5, 1.0}), 0});
+  const std::size_t count = 2 + dice.below(4);
+  const double radius = dice.of(std::array{0.125, 0.25, 0.5}), mass = dice.between(0.5, 3);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double gap = i == 0 ? 0.5 : 0;
+    Body& ball =
+        add_body(scene, core::Sphere{radius}, mass, Vector3(2 * radius * static_cast<double>(i) - gap, 0, 0));
+    ball.collide = true;
+    if (i == 0) ball.initial.velocity = Vector3(dice.between(1, 4), 0, 0);
+  }
+}
+
 constexpr std::array all = {
     Family{"flight", "free bodies, with drag, drives, thrust and attraction", 3, flight},
     Family{"springs", "chains of springs", 3, springs},
@@ -201,6 +238,8 @@ constexpr std::array all = {
     Family{"spheres", "spheres that collide", 3, spheres},
     Family{"solids", "solids that collide", 3, solids},
     Family{"standing", "boxes that stand, lie on each other or slide", 3, standing},
+    Family{"tower", "equal cubes on each other", 1, tower},
+    Family{"cradle", "balls in a row that touch, and one that hits them", 1, cradle},
 };
 
 }  // namespace
@@ -214,10 +253,11 @@ Generated generate(std::uint64_t seed, std::uint64_t n) {
   auto pick = static_cast<int>(dice.below(static_cast<std::size_t>(sum)));
   const Family* family = all.data();
   while (pick >= family->weight) pick -= (family++)->weight;
-  Generated made{{}, family->name};
+  Generated made{{}, std::string(family->name)};
   family->make(dice, made.trial.scene);
   made.trial.step = dice.of(std::array{0.02, 0.01, 0.01, 0.005});
   made.trial.steps = dice.of(std::array<std::int64_t, 3>{40, 60, 100});
+  if (made.family == "flight" && dice.one_in(8)) made.trial.steps = 1000;  // what is slow to show
   return made;
 }
 

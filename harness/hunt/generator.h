@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace cylon::hunt {
@@ -24,7 +25,7 @@ std::span<const Family> families();
 
 struct Generated {
   Trial trial;
-  std::string_view family;
+  std::string family;
 };
 
 /// Scene n of a seed.

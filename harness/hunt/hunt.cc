@@ -1,5 +1,6 @@
 #include "harness/hunt/hunt.h"
 
+#include "harness/hunt/scene_parts.h"
 #include "harness/hunt/shrink.h"
 #include "harness/study/parallel.h"
 
@@ -9,101 +10,184 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
+#include <tuple>
 #include <utility>
 
 namespace cylon::hunt {
 namespace {
 
 using process::EngineChoice;
-using process::Limits;
 
-std::optional<Fault> fault_of(const Trial& trial, const EngineChoice& engine, const Limits& limits,
-                              const std::string& oracle) {
-  std::vector<Fault> faults = examine(trial, engine, limits, oracle);
+std::optional<Fault> fault_of(const Trial& trial, const EngineChoice& engine, const process::Limits& limits,
+                              const Broken& broken) {
+  std::vector<Fault> faults = examine(trial, engine, limits, {broken.oracle, broken.kind});
   if (faults.empty()) return std::nullopt;
   return std::move(faults.front());
 }
 
-Card card_of(std::uint64_t seed, const Hit& hit, const std::string& oracle, const EngineChoice& engine,
-             const Limits& limits) {
-  Card card;
-  card.engine = engine.id, card.family = hit.family, card.seed = seed, card.number = hit.number;
-  card.trial = shrink(generate(seed, hit.number).trial, [&](const Trial& trial) {
-    return fault_of(trial, engine, limits, oracle).has_value();
-  });
-  if (auto fault = fault_of(card.trial, engine, limits, oracle)) card.fault = std::move(*fault);
-  card.signature = signature(card.fault, card.trial.scene);
-  card.version = process::describe(engine, limits).version;
-  return card;
+// Hits that may be of one fault.
+struct Group {
+  std::string name;  // "energy at every step in spheres"
+  Broken broken;
+  std::vector<const Hit*> hits;  // fewest bodies first
+};
+
+std::vector<Group> groups_of(const Source& source, const std::vector<Hit>& hits) {
+  std::map<std::tuple<std::string, Kind, std::string>, Group> groups;
+  for (const Hit& hit : hits)
+    for (const Broken& broken : hit.broken) {
+      Group& group = groups[{broken.oracle, broken.kind, hit.family}];
+      group.name = fmt::format("{} {} in {}", broken.oracle, name(broken.kind), hit.family);
+      group.broken = broken;
+      group.hits.push_back(&hit);
+    }
+  std::vector<Group> list;
+  const auto size = [&](const Hit* hit) { return source.scene(hit->number).trial.scene.bodies.size(); };
+  for (auto& [key, group] : groups) {
+    std::ranges::stable_sort(group.hits, {}, size);
+    list.push_back(std::move(group));
+  }
+  return list;
 }
 
-Opinion opinion_of(const EngineChoice& engine, const Card& card, const Limits& limits) {
-  Opinion opinion{engine.id, false, false};
-  process::RunRequest request;
-  request.scene = &card.trial.scene, request.setup.dt = card.trial.step, request.steps = 1;
-  if (process::run(engine, request, limits).status == results::Status::unsupported) {
-    opinion.refuses = true;
-    return opinion;
+class Shrinkery {
+ public:
+  Shrinkery(const Source& source, const Quarry& quarry,
+            const std::function<void(const std::string&)>& progress)
+      : source_(source),
+        quarry_(quarry),
+        progress_(progress),
+        version_(process::describe(quarry.engine, quarry.limits).version) {}
+
+  // A card for the first hit, and for the first of those that lack a part of its least scene, and so on.
+  std::vector<Card> cards_of(Group group) {
+    std::vector<Card> cards;
+    while (!group.hits.empty()) {
+      const Hit& first = *group.hits.front();
+      Card card = card_of(first, group);
+      const std::set<std::string> needs = parts_without_shapes(card.trial.scene);
+      const std::size_t before = group.hits.size();
+      std::erase_if(group.hits, [&](const Hit* hit) {
+        const std::set<std::string> has = parts_without_shapes(source_.scene(hit->number).trial.scene);
+        return hit == &first || std::ranges::includes(has, needs);
+      });
+      card.hits = before - group.hits.size();
+      say(fmt::format("{}: {}", group.name, card.signature));
+      cards.push_back(std::move(card));
+    }
+    return cards;
   }
-  opinion.faulty = fault_of(card.trial, engine, limits, card.fault.oracle).has_value();
-  return opinion;
+
+ private:
+  Card card_of(const Hit& hit, const Group& group) {
+    Card card;
+    card.engine = quarry_.engine.id, card.version = version_;
+    card.family = hit.family, card.source = source_.name(), card.number = hit.number;
+    card.trial = least_of(hit, group);
+    if (auto fault = fault_of(card.trial, quarry_.engine, quarry_.limits, group.broken))
+      card.fault = std::move(*fault);
+    else  // by the clock, once
+      card.fault.oracle = group.broken.oracle, card.fault.detail = "not seen again",
+      card.fault.by_time = group.broken.by_time;
+    card.signature = signature(card.fault, card.trial.scene);
+    return card;
+  }
+
+  Trial least_of(const Hit& hit, const Group& group) {
+    const std::string key = fmt::format("{} #{}", group.name, hit.number);
+    {
+      const std::scoped_lock lock(guard_);
+      if (quarry_.memory)
+        if (auto known = quarry_.memory->least(key)) return std::move(*known);
+    }
+    int asked = 0;
+    Trial least = shrink(source_.scene(hit.number).trial, [&](const Trial& trial) {
+      if (++asked % 20 == 0)
+        say(fmt::format("{}: {} tries, {} bodies", group.name, asked, trial.scene.bodies.size()));
+      return fault_of(trial, quarry_.engine, quarry_.limits, group.broken).has_value();
+    });
+    const std::scoped_lock lock(guard_);
+    if (quarry_.memory) quarry_.memory->note(key, least);
+    return least;
+  }
+
+  void say(const std::string& line) {
+    const std::scoped_lock lock(guard_);
+    if (progress_) progress_(line);
+  }
+
+  const Source& source_;
+  const Quarry& quarry_;
+  const std::function<void(const std::string&)>& progress_;
+  std::string version_;
+  std::mutex guard_;
+};
+
+Opinion opinion_of(const EngineChoice& engine, const Card& card, const process::Limits& limits) {
+  if (refuses(card.trial, engine, limits)) return {engine.id, true, false};
+  const Broken broken{card.fault.oracle, card.fault.kind};
+  return {engine.id, false, fault_of(card.trial, engine, limits, broken).has_value()};
 }
 
 }  // namespace
 
-std::vector<Hit> search(const Range& range, const EngineChoice& engine, const Limits& limits, int jobs,
-                        const std::function<void(const Hit&)>& done) {
-  std::vector<Hit> all(range.count);
+Found search(const Source& source, std::uint64_t first, const Quarry& quarry,
+             const std::function<bool(std::uint64_t)>& more) {
+  Found found;
   std::mutex guard;
-  study::in_parallel(range.count, jobs, [&](std::size_t i) {
-    Hit hit{range.first + i, "", {}};
-    const Generated made = generate(range.seed, hit.number);
-    hit.family = made.family;
-    for (const Fault& fault : examine(made.trial, engine, limits)) hit.broken.push_back(fault.oracle);
+  std::uint64_t begun = 0;
+  // The next scene, and what is known of it.  Numbers are handed out in their order, so that what is done has no gaps.
+  const auto next = [&]() -> std::optional<std::pair<std::uint64_t, std::optional<Hit>>> {
     const std::scoped_lock lock(guard);
-    all[i] = std::move(hit);
-    if (done) done(all[i]);
+    if (!more(begun)) return std::nullopt;
+    const std::uint64_t number = first + begun++;
+    return std::pair{number, quarry.memory ? quarry.memory->asked(number) : std::nullopt};
+  };
+  const auto done = [&](Hit hit, bool fresh) {
+    const std::scoped_lock lock(guard);
+    if (fresh && quarry.memory) quarry.memory->note(hit);
+    if (!hit.broken.empty()) found.hits.push_back(std::move(hit));
+  };
+  const auto jobs = static_cast<std::size_t>(std::max(1, quarry.jobs));
+  study::in_parallel(jobs, quarry.jobs, [&](std::size_t) {
+    while (auto one = next()) {
+      if (one->second) {
+        done(std::move(*one->second), false);
+        continue;
+      }
+      const Generated made = source.scene(one->first);
+      Hit hit{one->first, made.family, {}};
+      for (const Fault& fault : examine(made.trial, quarry.engine, quarry.limits))
+        hit.broken.push_back({fault.oracle, fault.kind, fault.by_time});
+      done(std::move(hit), true);
+    }
   });
-  std::erase_if(all, [](const Hit& hit) { return hit.broken.empty(); });
-  return all;
+  std::ranges::sort(found.hits, {}, &Hit::number);
+  found.scenes = begun;
+  return found;
 }
 
-std::vector<Card> cards(std::uint64_t seed, const std::vector<Hit>& hits, const EngineChoice& engine,
-                        const std::vector<EngineChoice>& others, const Limits& limits, int jobs,
+std::vector<Card> cards(const Source& source, const std::vector<Hit>& hits, const Quarry& quarry,
+                        const std::vector<EngineChoice>& others,
                         const std::function<void(const std::string&)>& progress) {
-  struct Group {
-    const Hit* least = nullptr;
-    std::size_t hits = 0;
-  };
-  std::map<std::pair<std::string, std::string>, Group> groups;  // by oracle and family
-  const auto size = [&](const Hit& hit) { return generate(seed, hit.number).trial.scene.bodies.size(); };
-  for (const Hit& hit : hits)
-    for (const std::string& oracle : hit.broken) {
-      Group& group = groups[{oracle, hit.family}];
-      ++group.hits;
-      if (!group.least || size(hit) < size(*group.least)) group.least = &hit;
-    }
-  const std::vector<std::pair<std::pair<std::string, std::string>, Group>> list(groups.begin(), groups.end());
-  std::vector<Card> made(list.size());
-  std::mutex guard;
-  study::in_parallel(list.size(), jobs, [&](std::size_t i) {
-    const auto& [key, group] = list[i];
-    Card card = card_of(seed, *group.least, key.first, engine, limits);
-    card.hits = group.hits;
-    const std::scoped_lock lock(guard);
-    if (progress) progress(fmt::format("{} in {}: {}", key.first, key.second, card.signature));
-    made[i] = std::move(card);
-  });
+  const std::vector<Group> groups = groups_of(source, hits);
+  if (groups.empty()) return {};
+  Shrinkery shrinkery(source, quarry, progress);
+  std::vector<std::vector<Card>> made(groups.size());
+  study::in_parallel(groups.size(), quarry.jobs,
+                     [&](std::size_t i) { made[i] = shrinkery.cards_of(groups[i]); });
   std::vector<Card> kept;
-  for (Card& card : made) {
-    const auto same = std::ranges::find(kept, card.signature, &Card::signature);
-    if (same == kept.end())
-      kept.push_back(std::move(card));
-    else
-      same->hits += card.hits;
-  }
+  for (std::vector<Card>& of_group : made)
+    for (Card& card : of_group) {
+      const auto same = std::ranges::find(kept, card.signature, &Card::signature);
+      if (same == kept.end())
+        kept.push_back(std::move(card));
+      else
+        same->hits += card.hits;
+    }
   for (Card& card : kept)
-    for (const EngineChoice& other : others) card.opinions.push_back(opinion_of(other, card, limits));
+    for (const EngineChoice& other : others) card.opinions.push_back(opinion_of(other, card, quarry.limits));
   return kept;
 }
 

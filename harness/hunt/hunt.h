@@ -1,37 +1,67 @@
-// Looks for faults of an engine by itself: random scenes, oracles, shrinking, cards.
+// Looks for faults of an engine by itself: scenes, oracles, shrinking, cards.
 #pragma once
 
 #include "harness/hunt/card.h"
-#include "harness/hunt/generator.h"
+#include "harness/hunt/source.h"
 
 #include <cstdint>
 #include <functional>
-#include <set>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace cylon::hunt {
 
-/// A scene with the oracles that it broke, in their order.
+/// An oracle that a scene broke, and how.
+struct Broken {
+  std::string oracle;
+  Kind kind = Kind::every_step;
+  bool by_time = false;  ///< A run was stopped by the clock.
+  friend bool operator==(const Broken&, const Broken&) = default;
+};
+
+/// A scene that was asked, with what it broke, in the order of the oracles.
 struct Hit {
   std::uint64_t number = 0;
   std::string family;
-  std::vector<std::string> broken;
+  std::vector<Broken> broken;
 };
 
-struct Range {
-  std::uint64_t seed = 1, first = 0, count = 0;
+/// What an earlier hunt for the same found out, and where to note what this one does.  Calls come one at a time.
+class Memory {
+ public:
+  virtual ~Memory() = default;
+  virtual std::optional<Hit> asked(std::uint64_t number) = 0;
+  virtual void note(const Hit&) = 0;
+  /// The least scene of a group, by its name.
+  virtual std::optional<Trial> least(const std::string& group) = 0;
+  virtual void note(const std::string& group, const Trial& least) = 0;
 };
 
-/// Asks scenes [first, first + count) of a seed, `jobs` at one time; hits in the order of numbers, the same for any
-/// number of jobs.  `done` is called after each scene, one at a time.  Throws what process::run throws.
-std::vector<Hit> search(const Range&, const process::EngineChoice&, const process::Limits&, int jobs,
-                        const std::function<void(const Hit&)>& done);
+/// Who is hunted, and how.
+struct Quarry {
+  process::EngineChoice engine;
+  process::Limits limits;
+  int jobs = 1;
+  Memory* memory = nullptr;  ///< May be none.
+};
 
-/// One card for each fault: of each oracle and family the hit with the fewest bodies is shrunk, and cards with one
-/// signature are one.  `others` are asked what they make of the least scene.  `progress` gets a line at a time.
-std::vector<Card> cards(std::uint64_t seed, const std::vector<Hit>&, const process::EngineChoice&,
-                        const std::vector<process::EngineChoice>& others, const process::Limits&, int jobs,
+struct Found {
+  std::vector<Hit> hits;     ///< Scenes with a fault, by their numbers.
+  std::uint64_t scenes = 0;  ///< All of first, first + 1, …, first + scenes - 1 were asked.
+};
+
+/// Asks scenes from `first` on as long as more(n) says so, n being how many were begun; which is asked before each, one
+/// at a time.  The same hits for any number of jobs.  Throws what process::run throws.
+Found search(const Source&, std::uint64_t first, const Quarry&,
+             const std::function<bool(std::uint64_t)>& more);
+
+/// One card for each fault.  Hits are grouped by oracle, kind and family; of each group the one with the fewest bodies is
+/// shrunk.  Hits that lack a part of its least scene have another fault, and are a group of their own, and so on.
+/// Cards of one signature are one.  `others` are asked what they make of the least scene.  `progress` gets a line at
+/// a time.
+std::vector<Card> cards(const Source&, const std::vector<Hit>&, const Quarry&,
+                        const std::vector<process::EngineChoice>& others,
                         const std::function<void(const std::string&)>& progress);
 
 }  // namespace cylon::hunt

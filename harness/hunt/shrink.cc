@@ -3,6 +3,7 @@
 #include "harness/core/fields.h"
 #include "harness/core/solid.h"
 #include "harness/hunt/dice.h"
+#include "harness/hunt/scene_parts.h"
 
 #include <algorithm>
 #include <array>
@@ -19,32 +20,6 @@ using core::Scene;
 using core::Vector3;
 
 // ---- Fewer parts ----------------------------------------------------------------------------------------
-
-// Whether an element refers to a body; else its references move down past it.
-template <class Element>
-bool refers(Element& element, int gone) {
-  bool found = false;
-  core::for_each_field(element, [&]<class Value>(const auto&, Value& value) {
-    if constexpr (std::is_same_v<std::remove_const_t<Value>, int>) {
-      found = found || value == gone;
-      if (value > gone) --value;
-    }
-  });
-  return found;
-}
-
-Scene without_body(Scene scene, std::size_t i) {
-  const auto gone = static_cast<int>(i);
-  const std::string name = scene.bodies[i].name;
-  std::erase_if(scene.forces, [&](core::Force& force) {
-    return std::visit([&](auto& kind) { return refers(kind, gone); }, force);
-  });
-  std::erase_if(scene.joints, [&](core::Joint& joint) { return refers(joint, gone); });
-  std::erase_if(scene.materials,
-                [&](const core::Material& m) { return m.between[0] == name || m.between[1] == name; });
-  scene.bodies.erase(scene.bodies.begin() + static_cast<std::ptrdiff_t>(i));
-  return scene;
-}
 
 template <class List>
 List without(List list, std::size_t i) {

@@ -13,6 +13,7 @@ namespace cylon::tracking {
 cli::Command add_track(cli::App&, const cli::Context&);
 
 cli::Command add_track_record(cli::App&, const cli::Context&);
+cli::Command add_track_cards(cli::App&, const cli::Context&);
 cli::Command add_track_list(cli::App&, const cli::Context&);
 cli::Command add_track_compare(cli::App&, const cli::Context&);
 cli::Command add_track_gate(cli::App&, const cli::Context&);

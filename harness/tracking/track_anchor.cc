@@ -38,9 +38,8 @@ int pin(const Context& context, const Options& options) {
         fmt::format("--engine {}: an anchor is an engine without a variant", options.engine));
   if (store::Store::is_on_server(options.store))
     throw core::InputError(
-        "track anchor: an anchor's binary is copied beside the store, and beside a server there is no "
-        "folder; keep "
-        "anchors in a file (--store FILE)");
+        "track pin: an anchor's binary is copied beside the store, and beside a server there is no folder; "
+        "keep anchors in a file (--store FILE)");
   store::Store store = store::Store::open(options.store, store::Mode::write);
   const fs::path relative =
       fs::path("anchors") / (options.name + "-" + fs::path(row.command.front()).filename().string());

@@ -2,9 +2,9 @@
 #include "harness/cli/command_line.h"
 #include "harness/cli/journal.h"
 #include "harness/cli/options.h"
-#include "harness/cli/provenance_now.h"
 #include "harness/cli/selection.h"
 #include "harness/tracking/run_lock.h"
+#include "harness/tracking/run_words.h"
 #include "harness/tracking/track.h"
 #include "harness/tracking/track_anchor.h"
 #include "harness/tracking/track_result.h"
@@ -16,7 +16,6 @@
 #include "harness/study/cell_pool.h"
 #include "harness/study/instructions.h"
 #include "harness/study/side.h"
-#include "reports/provenance.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -48,8 +47,8 @@ struct Measured {
 struct Options {
   Request request;
   Measured measured;
-  std::string store, label, revision, note;
-  std::optional<std::int64_t> order;
+  RunWords words;
+  std::string store;
   int jobs = 1;
   bool resume = false, verbose = false;
 };
@@ -74,24 +73,6 @@ std::string build_of(const std::vector<study::Cell>& cells) {
   core::ContentHash content;
   for (const auto& [engine, hash] : hashes) content.add(fmt::format("{}={};", engine, hash));
   return content.hex();
-}
-
-store::RunInfo new_run(const Context& context, const Options& options, const std::string& build) {
-  const reports::Provenance here = reports::build_and_machine();
-  store::RunInfo run;
-  run.label = options.label;
-  run.revision = options.revision.empty() ? here.revision : options.revision;
-  run.revision_order = options.order;
-  run.date = now();
-  run.machine = here.machine;
-  run.os = here.os;
-  run.compiler = here.compiler;
-  run.flags = here.flags;
-  run.build = build;
-  run.command_line = context.command_line;
-  run.request = to_json(options.request, options.measured).dump(-1, ' ', true);
-  run.note = options.note;
-  return run;
 }
 
 // The last run that did not reach its end.
@@ -255,7 +236,9 @@ int record(const Context& context, Options options) {
                     run.date));
   if (!store) {
     store.emplace(Store::open(options.store, store::Mode::write));
-    run = new_run(context, options, build);
+    run = run_here(context, options.words);
+    run.build = build;
+    run.request = to_json(options.request, options.measured).dump(-1, ' ', true);
     run.id = store->begin_run(run);
   }
   lock.hold(*store, run.id);
@@ -288,15 +271,7 @@ Command add_track_record(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   Measured& measured = options->measured;
   add_selection_options(app, options->request);
-  app.add_option("--revision", options->revision,
-                 "Revision under test. Default: the revision of this program")
-      ->type_name("TEXT");
-  app.add_option("--order", options->order,
-                 "Position of the revision in the history, ascending, for example from `git rev-list "
-                 "--count`. Default: after all others")
-      ->type_name("N");
-  app.add_option("--label", options->label, "A name for this run")->type_name("TEXT");
-  app.add_option("--note", options->note, "A remark")->type_name("TEXT");
+  add_run_options(app, options->words);
   app.add_option("--repetitions", measured.repetitions,
                  "Number of timings of each cell, each in a new process; 0: no timing")
       ->type_name("K")

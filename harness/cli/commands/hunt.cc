@@ -2,11 +2,16 @@
 #include "harness/hunt/hunt.h"
 #include "harness/cli/command_line.h"
 #include "harness/cli/commands/app.h"
+#include "harness/cli/commands/hunt_cards.h"
+#include "harness/cli/commands/hunt_journal.h"
 #include "harness/cli/options.h"
 #include "harness/cli/output.h"
+#include "harness/cli/part.h"
+#include "harness/cli/patterns.h"
 #include "harness/cli/workers.h"
 #include "harness/core/input_error.h"
 #include "harness/process/interruption.h"
+#include "harness/study/parallel.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -14,9 +19,10 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
+#include <iterator>
 #include <memory>
+#include <mutex>
 
 namespace cylon::cli {
 namespace {
@@ -24,52 +30,134 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Options {
-  std::vector<std::string> engines, workers;
-  std::string cards = "cards", replay;
+  std::vector<std::string> engines, workers, scenes;
+  std::string cards = "cards", replay, json;
   std::uint64_t seed = 1, first = 0;
   int count = 0, jobs = 0;
   double minutes = 0, timeout = 20;
+  bool resume = false;
+  ShardOptions shard;
 };
 
-constexpr std::uint64_t unit = 32;  // scenes between two looks at the clock
-
-struct Searched {
-  std::vector<hunt::Hit> hits;
-  std::uint64_t scenes = 0;
+// Scenes of one engine that are one unit of work: few, so that parts are equal.
+constexpr std::uint64_t unit_size = 16;
+struct Task {
+  std::size_t engine;
+  std::uint64_t begin, end;
 };
 
-Searched search(const Context& context, const Options& options, const process::EngineChoice& engine,
-                const process::Limits& limits) {
-  Searched all;
-  const auto start = std::chrono::steady_clock::now();
-  const auto seconds = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  };
-  const auto count = static_cast<std::uint64_t>(options.count);
-  while (options.count > 0 ? all.scenes < count : seconds() < 60 * options.minutes) {
-    const std::uint64_t more = options.count > 0 ? std::min(unit, count - all.scenes) : unit;
-    const auto hits = hunt::search({options.seed, options.first + all.scenes, more}, engine, limits,
-                                   worker_count(options.jobs), {});
-    all.hits.insert(all.hits.end(), hits.begin(), hits.end());
-    all.scenes += more;
-    if (context.progress)
-      std::cerr << fmt::format("\r{}: {} scenes, {} with a fault, {:.0f} s\x1b[K", engine.id, all.scenes,
-                               all.hits.size(), seconds())
-                << std::flush;
+// The scenarios that the patterns take, as far as they can be started from; what is left out is said.
+std::vector<hunt::Base> bases(const Context& context, const std::vector<std::string>& words) {
+  const std::vector<Pattern> patterns = parse_patterns(words);
+  std::vector<fs::path> files;
+  for (const Pattern& pattern : patterns)
+    if (is_path(pattern.scenario))
+      files.emplace_back(pattern.scenario);
+    else if (!is_glob(pattern.scenario))
+      static_cast<void>(find_scenario(context, pattern.scenario));  // throws for an unknown one
+  for (const fs::path& file : scenario_files(context))
+    if (may_be_taken(patterns, file.stem().string())) files.push_back(file);
+  std::vector<hunt::Base> found;
+  for (const fs::path& file : files) {
+    hunt::Start start = hunt::start_from(scenario::read(file));
+    if (start.base)
+      found.push_back(std::move(*start.base));
+    else
+      std::cerr << fmt::format("left out: {}: {}\n", plain_line(file.stem().string()), start.left_out);
   }
-  if (context.progress) std::cerr << "\r\x1b[K" << std::flush;
-  return all;
+  return found;
+}
+
+// Who is hunted, in which scenes.
+struct Chase {
+  const Context& context;
+  const Options& options;
+  const hunt::Source& source;
+  std::vector<process::EngineChoice> engines;
+  HuntJournal& journal;
+
+  hunt::Quarry quarry(std::size_t engine, int jobs) const {
+    return {engines[engine],
+            {.run_seconds = options.timeout},
+            jobs,
+            &journal.of(question_of(engines[engine], source, options.timeout))};
+  }
+  int jobs() const { return worker_count(context, options.jobs); }
+  void progress(const std::string& text) const {
+    if (context.progress) std::cerr << fmt::format("\r{}\x1b[K", text) << std::flush;
+  }
+};
+
+// As long as the time lasts.
+hunt::Found search_for(const Chase& chase, std::size_t engine, double seconds) {
+  const auto start = std::chrono::steady_clock::now();
+  hunt::Found found =
+      hunt::search(chase.source, chase.options.first, chase.quarry(engine, chase.jobs()), [&](auto begun) {
+        const std::chrono::duration<double> past = std::chrono::steady_clock::now() - start;
+        if (begun % 8 == 0)
+          chase.progress(
+              fmt::format("{}: {} scenes, {:.0f} s", chase.engines[engine].id, begun, past.count()));
+        return past.count() < seconds;
+      });
+  chase.progress("");
+  return found;
+}
+
+std::vector<Task> tasks_of(const Options& options, std::size_t engines) {
+  std::vector<Task> tasks;
+  const std::uint64_t end = options.first + static_cast<std::uint64_t>(options.count);
+  for (std::size_t engine = 0; engine < engines; ++engine)
+    for (std::uint64_t begin = options.first; begin < end; begin += unit_size)
+      tasks.push_back({engine, begin, std::min(begin + unit_size, end)});
+  return tasks;
+}
+
+// So many scenes, or this process's part of them; by engine.
+std::vector<hunt::Found> search_part(const Chase& chase, const std::optional<Shard>& shard) {
+  std::vector<Task> tasks = tasks_of(chase.options, chase.engines.size());
+  Part part{"hunt", shard ? shard->index : 1, shard ? shard->count : 1, {}};
+  std::vector<std::string> questions;
+  for (const process::EngineChoice& engine : chase.engines)
+    questions.push_back(question_of(engine, chase.source, chase.options.timeout));
+  for (const Task& task : tasks) {
+    const std::string scenes = fmt::format("scenes {} to {}", task.begin, task.end - 1);
+    part.units.push_back(
+        {questions[task.engine] + " " + scenes,
+         fmt::format("{} {} {}", chase.engines[task.engine].id, chase.source.name(), scenes)});
+  }
+  const std::vector<bool> own = own_units(shard, part, chase.options.resume);
+  std::vector<Unit> units = part.units;
+  keep(own, tasks), keep(own, units);
+  chase.journal.add(part);
+  if (shard && !chase.journal.is_open())
+    throw core::InputError("a shard is its journal, and there is none: nothing was run");
+
+  std::vector<hunt::Found> found(chase.engines.size());
+  std::mutex guard;
+  std::uint64_t scenes = 0;
+  const auto search = [&](std::size_t i) {
+    const auto start = std::chrono::steady_clock::now();
+    const Task& task = tasks[i];
+    hunt::Found part_found = hunt::search(chase.source, task.begin, chase.quarry(task.engine, 1),
+                                          [&](auto begun) { return begun < task.end - task.begin; });
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    chase.journal.done(units[i], seconds.count());
+    const std::scoped_lock lock(guard);
+    hunt::Found& all = found[task.engine];
+    all.scenes += part_found.scenes;
+    std::ranges::move(part_found.hits, std::back_inserter(all.hits));
+    chase.progress(fmt::format("{}: {} scenes", chase.engines[task.engine].id, scenes += part_found.scenes));
+  };
+  study::in_parallel(tasks.size(), chase.jobs(), search, next_of(shard, tasks.size()));
+  for (hunt::Found& one : found) std::ranges::sort(one.hits, {}, &hunt::Hit::number);
+  chase.progress("");
+  return found;
 }
 
 // Every card of the folder, by name: whether its engine, or those that are asked for, still has the fault.
 int replay(const Context& context, const Options& options) {
   const auto rows = with_workers(context, options.workers);
-  std::vector<fs::path> files;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(options.replay, error))
-    if (entry.path().extension() == ".toml") files.push_back(entry.path());
-  if (error) throw core::InputError(fmt::format("--replay {}: {}", options.replay, error.message()));
-  std::ranges::sort(files);
+  const std::vector<fs::path> files = hunt::card_files(options.replay);
   if (files.empty()) {
     std::cerr << "nothing selected: no card in " << plain(options.replay) << '\n';
     return nothing_selected;
@@ -82,20 +170,48 @@ int replay(const Context& context, const Options& options) {
     const std::vector<std::string> engines =
         options.engines.empty() ? std::vector{card.engine} : options.engines;
     for (const std::string& id : engines) {
-      const process::EngineChoice engine = process::parse_engine(id, rows);
-      const auto faults = hunt::examine(card.trial, engine, limits, card.oracle);
-      const double ratio = faults.empty() ? 0 : faults[0].measured[0] / card.measured;
-      const bool same = ratio > 1 / 1.1 && ratio < 1.1;
-      any = any || !faults.empty();
-      std::cout << plain(fmt::format(
-          "{:<60} {:<24} {}\n", file.stem().string(), id,
-          faults.empty() ? std::string("fixed")
-          : same || card.measured == 0
-              ? std::string("still there")
-              : fmt::format("changed: {:.3g}, was {:.3g}", faults[0].measured[0], card.measured)));
+      const hunt::Replayed now = hunt::replay(card, process::parse_engine(id, rows), limits);
+      using enum hunt::Replayed::What;
+      any = any || now.what == still_there || now.what == changed;
+      std::string said(hunt::name(now.what));
+      if (now.what == changed) said += fmt::format(": {:.3g}, was {:.3g}", now.measured, card.measured);
+      std::cout << plain(fmt::format("{:<60} {:<24} {}\n", file.stem().string(), id, said));
     }
   }
   return any ? differs : ok;
+}
+
+// A finding that depends on how fast this machine is.
+std::string marked(const hunt::Card& card) {
+  return card.fault.by_time ? card.signature + " [by timeout]" : card.signature;
+}
+
+int make_cards(const Chase& chase, const std::vector<hunt::Found>& found,
+               const std::vector<process::EngineChoice>& others) {
+  const Options& options = chase.options;
+  const auto say = [&](const std::string& line) {
+    if (chase.context.progress) std::cerr << plain_line(line) << '\n';
+  };
+  std::vector<WrittenCard> all;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const process::EngineChoice& engine = chase.engines[i];
+    std::cout << plain(fmt::format("{}: {} of {} scenes ({}, from {}) with a fault\n", engine.id,
+                                   found[i].hits.size(), found[i].scenes, chase.source.name(), options.first))
+              << std::flush;
+    std::vector<process::EngineChoice> rest = others;
+    std::erase_if(rest, [&](const auto& other) { return other.row.id == engine.row.id; });
+    const hunt::Quarry quarry = chase.quarry(i, chase.jobs());
+    for (hunt::Card& card : hunt::cards(chase.source, found[i].hits, quarry, rest, say)) {
+      WrittenCard written{card, hunt::write_program(card, engine, quarry.limits)};
+      write_card(options.cards, written);
+      std::cout << plain(fmt::format("  {:<60} {:>6} scenes  {}.md\n", marked(card), card.hits,
+                                     (fs::path(options.cards) / card.file_stem()).string()))
+                << std::flush;
+      all.push_back(std::move(written));
+    }
+  }
+  if (!options.json.empty()) write_whole(options.json, document(all).dump(1) + '\n');
+  return all.empty() ? ok : differs;
 }
 
 int hunt_all(const Context& context, const Options& options) {
@@ -104,36 +220,44 @@ int hunt_all(const Context& context, const Options& options) {
   if ((options.count > 0) == (options.minutes > 0))
     throw core::InputError("give either --count N or --minutes N");
   const auto rows = with_workers(context, options.workers);
-  std::error_code error;
-  fs::create_directories(options.cards, error);
-  if (error) throw core::InputError(fmt::format("--cards {}: {}", options.cards, error.message()));
-  const process::Limits limits{.run_seconds = options.timeout};
-  std::vector<process::EngineChoice> others;
+  std::vector<process::EngineChoice> engines, others;
+  for (const std::string& id : options.engines) engines.push_back(process::parse_engine(id, rows));
   for (const process::EngineRow& row : rows)
     if (!row.optional()) others.push_back(process::parse_engine(row.id, rows));
-  const process::Interruptible until_told;
-  bool any = false;
-  for (const std::string& id : options.engines) {
-    const process::EngineChoice engine = process::parse_engine(id, rows);
-    const Searched found = search(context, options, engine, limits);
-    std::cout << fmt::format("{}: {} of {} scenes (seed {}, from {}) with a fault\n", id, found.hits.size(),
-                             found.scenes, options.seed, options.first);
-    std::vector<process::EngineChoice> rest;
-    for (const process::EngineChoice& other : others)
-      if (other.row.id != engine.row.id) rest.push_back(other);
-    const auto cards = hunt::cards(options.seed, found.hits, engine, rest, limits, worker_count(options.jobs),
-                                   [&](const std::string& line) {
-                                     if (context.progress) std::cerr << plain_line(line) << '\n';
-                                   });
-    for (const hunt::Card& card : cards) {
-      any = true;
-      const std::string stem = (fs::path(options.cards) / card.file_stem()).string();
-      write_whole(stem + ".toml", hunt::scenario_toml(card));
-      write_whole(stem + ".md", hunt::markdown(card));
-      std::cout << plain(fmt::format("  {:<60} {:>6} scenes  {}.md\n", card.signature, card.hits, stem));
+  hunt::Source source(options.seed);
+  if (!options.scenes.empty()) {
+    std::vector<hunt::Base> from = bases(context, options.scenes);
+    if (from.empty()) {
+      std::cerr << "nothing selected: no scenario to start from; see `cylon list --names`\n";
+      return nothing_selected;
     }
+    source = hunt::Source(options.seed, std::move(from));
   }
-  return any ? differs : ok;
+  const std::optional<Shard> shard = shard_asked(options.shard, context.farm);
+  if (shard && options.count == 0)
+    throw core::InputError(
+        fmt::format("--minutes: how many scenes that is depends on the machine, so that it has no parts "
+                    "({}); give --count N",
+                    shard->said_by));
+  std::error_code error;
+  if (!shard) fs::create_directories(options.cards, error);
+  if (error) throw core::InputError(fmt::format("--cards {}: {}", options.cards, error.message()));
+  HuntJournal journal(journal_file("hunt", shard), options.resume);
+  const Chase chase{context, options, source, engines, journal};
+  const process::Interruptible until_told;
+  try {
+    std::vector<hunt::Found> found;
+    if (options.count > 0)
+      found = search_part(chase, shard);
+    else
+      for (std::size_t i = 0; i < engines.size(); ++i)
+        found.push_back(search_for(chase, i, 60 * options.minutes));
+    if (shard) return journal.is_open() ? ok : harness_failure;  // cards are made of all parts
+    return make_cards(chase, found, others);
+  } catch (const process::Interrupted&) {
+    std::cerr << "interrupted; continue with the same command and --resume in this folder\n";
+    return interrupted;
+  }
 }
 
 }  // namespace
@@ -150,17 +274,30 @@ Command add_hunt(App& app, const Context& context) {
   app.add_option("--seed", options->seed, "Of the random scenes: the same seed gives the same scenes")
       ->type_name("S")
       ->capture_default_str();
+  app.add_option(
+         "--scenes", options->scenes,
+         "Start from these scenarios (globs over the shipped ones, or files) and change them, in place of "
+         "random scenes")
+      ->type_name("GLOB");
   app.add_option("--first", options->first, "Number of the first scene")
       ->type_name("N")
       ->capture_default_str();
-  app.add_option("--cards", options->cards, "Folder for the cards: a scenario file and a page for each fault")
+  app.add_option("--cards", options->cards,
+                 "Folder for the cards: a scenario, a page, a picture and a program for each fault")
       ->type_name("FOLDER")
       ->capture_default_str();
   app.add_option(
          "--replay", options->replay,
          "Look for nothing; say of each card in the folder whether its fault is fixed, still there or "
-         "changed, in its engine or in those of --engine")
+         "changed, or its scene refused, in its engine or in those of --engine")
       ->type_name("FOLDER");
+  app.add_flag("--resume", options->resume,
+               "Continue an interrupted hunt of this folder: scenes that were asked, and cards that were "
+               "shrunk, are not "
+               "done again");
+  app.add_option("--json", options->json, "Write all cards as a document, which `cylon report` shows")
+      ->type_name("FILE");
+  add_shard_options(app, options->shard, "units of 16 scenes");
   add_jobs_option(app, options->jobs, "Number of scenes to run at the same time; default: all processors");
   add_timeout_option(app, options->timeout);
   add_worker_option(app, options->workers);

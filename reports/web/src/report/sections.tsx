@@ -2,6 +2,7 @@
 import type { ComponentType } from 'preact';
 
 import type { Index } from '../shared/documents';
+import { FaultsSection } from './faults/faults_section';
 import { HistorySection } from './history/history_section';
 import { PerformanceSection } from './performance/performance_section';
 import { ProvenanceSection } from './provenance';
@@ -42,6 +43,12 @@ export const sections: Section[] = [
     label: 'History',
     view: HistorySection,
     size: (index) => sum(index.histories.map((h) => h.series)),
+  },
+  {
+    id: 'faults',
+    label: 'Faults',
+    view: FaultsSection,
+    size: (index) => sum(index.hunts.map((h) => h.cards)),
   },
   { id: 'provenance', label: 'Provenance', view: ProvenanceSection, size: () => null },
 ];

@@ -155,7 +155,7 @@ export interface TraceEntry {
   block: number;
 }
 
-/** Documents of other commands, where the report was given them: trade, compare and track history, --json. */
+/** Documents of other commands, where the report was given them: trade, compare, track history and hunt, --json. */
 export interface Index {
   kind: 'report';
   title: string;
@@ -167,6 +167,7 @@ export interface Index {
   trades: Trade[];
   comparisons: Comparisons[];
   histories: History[];
+  hunts: Hunt[];
 }
 
 // ---- Traces: a block of their own each ---------------------------------------------------------------------
@@ -310,5 +311,31 @@ export interface History {
     points: { run: number; revision: string; date: string; version: string; value?: number | null; text?: string }[];
     changes: { id: string; index: number; run: number; revision: string; outcome: string; state: string; note: string; found: string; sentence: string; ratio?: number; p?: number }[];
     [other: string]: unknown;
+  }[];
+}
+
+export interface Hunt {
+  format: 'cylon-hunt/1';
+  cards: {
+    name: string;
+    engine: string;
+    version: string;
+    signature: string; // "energy: 1 body, gravity, hinge"
+    oracle: string;
+    kind: string; // at which steps
+    says: string; // what must hold
+    reason: string; // why it is no truncation
+    detail: string; // what an engine that did not end said; "": errors are measured
+    by_time: boolean;
+    measured: { dt: number; error: number | null }[];
+    allowed: number;
+    unit: string;
+    hits: number;
+    found_in: string;
+    opinions: { engine: string; says: string }[];
+    scenario: string; // TOML
+    command: string;
+    no_program: string;
+    program?: { file: string; text: string; command: string; prints: number; unit: string };
   }[];
 }

@@ -46,6 +46,14 @@ TEST_F(ServerStore, KeepsAHistory) {
   EXPECT_EQ(read("b.jsonl"), read("a.jsonl"));
 }
 
+// A kept binary lies beside its store, and a server has no such place.
+TEST_F(ServerStore, KeepsNoEngines) {
+  const cli::Ran pinned = track("pin v1");
+  EXPECT_EQ(pinned.code, 2);
+  EXPECT_NE(pinned.err.find("anchors in a file (--store FILE)"), std::string::npos) << pinned.err;
+  EXPECT_TRUE(Store::open(place, Mode::read).anchors().empty());
+}
+
 // One recorder of a run at a time: a second that resumes it is refused while the first is alive.
 TEST_F(ServerStore, HoldsARunThatIsRecorded) {
   Store first = Store::open(place, Mode::write), second = Store::open(place, Mode::write);

@@ -1,0 +1,85 @@
+// What an error does when the step is halved says whether it is truncation, which is no fault.
+//
+//   at every step     e > 10 allowed at dt, dt/2, … dt/16, and what is left of it by a halving is more than 3/4, of the
+//                     last one 9/10; an error of first order falls to a half.
+//   own promise       Where the motion is smooth and no more sensitive than most_sensitive.  A scheme that states the order p > 1 errs
+//                     by C dt^p: a fault falls by less than 2^-(p - 1/2) three times, while it is small against the
+//                     motion.  One that bounds its error by a tolerance errs by no more than
+//                     promised = 10 tolerance (what the motion makes of it), and is held to ten times that.
+//   coarse step alone e > 10 allowed at dt, within allowed at dt/2 and dt/4, and less than 2^-(p + 4) of it at dt/2:
+//                     no scheme of order p falls so fast.  Of smooth motions whose rates the step resolves: an unstable
+//                     scheme does the same, and its remedy is a smaller step.
+//   fine steps alone  Where bodies touch: e > 10 allowed at dt/8 and dt/16, and not at dt.  Truncation does not rise.
+#pragma once
+
+#include "harness/hunt/trial.h"
+#include "harness/study/theory.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace cylon::hunt {
+
+/// How many steps are asked, each half of the one before.
+inline constexpr std::size_t halvings = 5;
+
+enum class Kind { every_step, own_promise, coarse_step, fine_step };
+
+/// "at every step", "more than the engine's own promise", "at the coarse step alone", "at fine steps alone".
+std::string_view name(Kind);
+std::optional<Kind> kind_from(std::string_view);
+
+/// What is known beforehand of an error's course.
+struct Expected {
+  study::Promise promise;
+  bool smooth = false;    ///< Nothing touches: the promise holds.
+  bool resolved = false;  ///< The step resolves all rates of the scene.
+  double rounding =
+      0;  ///< Below this part of the scale nothing is said of orders: 1e-7, in single precision 1e-4.
+};
+
+/// Whether dt resolves springs, dampers, spins and drives: no stable scheme needs less, and no turn is ambiguous.
+bool resolved(const Trial&);
+
+class Course {
+ public:
+  Course(const Expected& expected, double relative) : expected_(expected), relative_(relative) {}
+
+  /// What came of the next step.  A `measured` that is no number is a fault whatever the step.
+  void add(double measured, double allowed, double truth_error);
+
+  /// Whether further steps may still show a fault.
+  bool open() const { return every_step_ || own_promise_ || coarse_step_; }
+
+  /// The fault, once it is not open to change: after `halvings` steps, or when open() is false.
+  std::optional<Kind> fault() const;
+
+  const std::array<double, halvings>& measured() const { return measured_; }
+  double allowed() const { return allowed_; }
+  std::size_t count() const { return count_; }
+
+  /// Whether errors at all steps, of which the first is no fault, rise to one.
+  static bool rises(const std::array<double, halvings>& measured, double allowed);
+
+  /// Of the scale, the least of the errors so far; and what an integrator that bounds its error is held to, where the
+  /// motion makes nothing of an error.
+  double least_part() const;
+  static double held_to(const study::Promise&);
+
+ private:
+  double left() const { return measured_[count_ - 1] / measured_[count_ - 2]; }
+  bool keeps_every_step() const;
+  bool keeps_own_promise(double truth_error) const;
+  bool keeps_coarse_step() const;
+
+  Expected expected_;
+  double relative_;
+  std::array<double, halvings> measured_ = {};
+  double allowed_ = 0;
+  std::size_t count_ = 0;
+  bool every_step_ = true, own_promise_ = true, coarse_step_ = true;
+};
+
+}  // namespace cylon::hunt

@@ -1,0 +1,102 @@
+// What an error does under halvings of the step: faults are told from truncation, and one kind from another.
+#include "harness/hunt/course.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace cylon::hunt {
+namespace {
+
+constexpr double relative = 1e-3, scale = 3, allowed = relative * scale;
+
+// The fault of an error e(k) at dt/2^k, asked as an examination does.
+std::optional<Kind> fault(const Expected& expected, const std::function<double(int)>& e) {
+  Course course(expected, relative);
+  for (int k = 0; k < static_cast<int>(halvings) && course.open(); ++k) course.add(e(k), allowed, 0);
+  return course.fault();
+}
+
+Expected of_order(int order) { return {{order, false, 0, false}, true, true, 1e-7}; }
+
+std::function<double(int)> falling(double first, double power) {
+  return [=](int k) { return first * std::exp2(-power * k); };
+}
+
+TEST(Course, TakesTruncationForNoFault) {
+  for (const int order : {1, 2, 4})
+    for (const double first : {1e-6, 0.04, 0.5, 2.0})
+      EXPECT_FALSE(fault(of_order(order), falling(first, order))) << order << ' ' << first;
+  // Nor an error of first order that cannot grow beyond its scale at the coarse steps.
+  EXPECT_FALSE(fault(of_order(1), [](int k) { return std::min(scale, 12 * std::exp2(-k)); }));
+}
+
+TEST(Course, FindsWhatStays) {
+  EXPECT_EQ(fault(of_order(1), falling(0.2, 0)), Kind::every_step);
+  EXPECT_EQ(fault(of_order(4), falling(0.2, -0.1)), Kind::every_step);
+  EXPECT_FALSE(fault(of_order(1), falling(9 * allowed, 0)));  // less than ten times what is allowed
+  EXPECT_EQ(fault(of_order(1), [](int) { return std::numeric_limits<double>::quiet_NaN(); }),
+            Kind::every_step);
+}
+
+TEST(Course, HoldsASchemeToItsOrder) {
+  EXPECT_EQ(fault(of_order(4), falling(0.01, 1)), Kind::own_promise);
+  EXPECT_EQ(fault(of_order(2), falling(0.01, 1)), Kind::own_promise);
+  EXPECT_FALSE(fault(of_order(2), falling(0.01, 1.7)));
+  EXPECT_FALSE(fault(of_order(4), falling(1e-7, 1)));  // rounding
+  Expected contact = of_order(4);
+  contact.smooth = false;
+  EXPECT_FALSE(fault(contact, falling(0.01, 1)));
+}
+
+TEST(Course, HoldsAnIntegratorToItsTolerance) {
+  const Expected expected{{5, true, 1e-10, false}, true, true, 1e-7};
+  EXPECT_EQ(fault(expected, falling(1e-6, 0)), Kind::own_promise);
+  EXPECT_FALSE(fault(expected, falling(1e-8, 0)));
+}
+
+// A limit that the engine sets on a step: the error is there, and half the step has none.
+TEST(Course, TellsAFaultOfTheCoarseStep) {
+  const auto clamp = [](int k) { return k == 0 ? 0.5 : 1e-12; };
+  EXPECT_EQ(fault(of_order(1), clamp), Kind::coarse_step);
+  EXPECT_FALSE(fault(of_order(1), falling(0.5, 3)));
+  Expected stiff = of_order(1);
+  stiff.resolved = false;
+  EXPECT_FALSE(fault(stiff, clamp));
+  EXPECT_FALSE(fault(of_order(1), [](int k) { return k == 0 ? 1e6 : 1e-12; }));  // an unstable scheme
+  EXPECT_FALSE(fault(of_order(1), [](int k) { return k == 0 ? 0.5 : k == 1 ? 1e-6 : 0.4; }));
+}
+
+TEST(Course, KindsHaveNames) {
+  for (const Kind kind : {Kind::every_step, Kind::own_promise, Kind::coarse_step})
+    EXPECT_EQ(kind_from(name(kind)), kind);
+  EXPECT_FALSE(kind_from("sometimes"));
+}
+
+Trial turning(const core::Vector3& moments, double spin, double step) {
+  Trial trial;
+  core::Body body;
+  body.name = "b1", body.inertia = moments.asDiagonal();
+  body.initial.angular_velocity = {0, spin, 0};
+  trial.scene.bodies = {body};
+  trial.step = step;
+  return trial;
+}
+
+TEST(Resolved, KnowsTheRatesOfAScene) {
+  EXPECT_TRUE(resolved(turning({1, 1, 1}, 250, 0.01)));   // a ball by 2.5 rad a step
+  EXPECT_FALSE(resolved(turning({1, 1, 1}, 350, 0.01)));  // more than half a turn
+  EXPECT_FALSE(resolved(turning({1, 2, 3}, 250, 0.01)));  // a gyroscopic torque
+  EXPECT_TRUE(resolved(turning({1, 2, 3}, 25, 0.01)));
+  Trial spring = turning({1, 1, 1}, 0, 0.01);
+  spring.scene.forces = {core::Spring{0, {0, 0, 0}, core::world, {0, 1, 0}, 300, 0, 0}};
+  EXPECT_TRUE(resolved(spring));
+  std::get<core::Spring>(spring.scene.forces[0]).stiffness = 3000;
+  EXPECT_FALSE(resolved(spring));
+  spring.scene.forces = {core::Water{}};
+  EXPECT_FALSE(resolved(spring));
+}
+
+}  // namespace
+}  // namespace cylon::hunt

@@ -1,0 +1,210 @@
+// Programs against engines' own APIs: each is compiled and run, and prints what Cylon measures.
+#include "harness/hunt/program/program.h"
+
+#include "harness/core/solid.h"
+#include "harness/hunt/hunt.h"
+#include "harness/hunt/oracle.h"
+#include "harness/process/engine_table.h"
+#include "harness/scenario/scenario.h"
+#include "harness/study/cell.h"
+#include "tests/paths.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+namespace cylon::hunt {
+namespace {
+
+namespace fs = std::filesystem;
+using core::Vector3;
+
+process::EngineChoice engine(const std::string& id) {
+  return process::parse_engine(id, process::default_engines(binary_dir));
+}
+
+// ---- Scenes of general values -----------------------------------------------------------------------------
+
+void add(Trial& trial, const core::Shape& shape, double mass, const Vector3& at, const Vector3& v,
+         const Vector3& w, bool touches) {
+  core::Body body;
+  body.name = fmt::format("b{}", trial.scene.bodies.size() + 1);
+  body.shape = shape, body.mass = mass, body.collide = touches;
+  body.inertia = core::mass_properties(shape, mass).inertia;
+  body.initial = {at, core::Quaternion(0.8, 0.36, 0.48, 0), v, w};
+  trial.scene.bodies.push_back(body);
+}
+
+Trial over_floor(Trial trial, double restitution, double friction) {
+  trial.scene.planes = {core::Plane{"floor", Vector3(0.1, 1, 0.05).normalized(), -0.2, {}, {}}};
+  trial.scene.materials = {core::Material{{"*", "*"}, restitution, friction}};
+  trial.scene.forces.emplace_back(core::UniformGravity{{0.2, -9.7, 0.1}});
+  return trial;
+}
+
+Trial spinning_box() {
+  Trial trial{{}, 0.01, 60};
+  add(trial, core::Box{{0.1, 0.3, 0.2}}, 1.3, {0.2, 0.1, 0}, {0.3, 1, -0.2}, {1, 6, 2}, false);
+  return trial;
+}
+
+Trial springs() {
+  Trial trial{{}, 0.01, 80};
+  add(trial, core::Box{{0.1, 0.3, 0.2}}, 1.3, {0.2, 0.1, 0}, {0.3, 1, -0.2}, {1, 2, 0.5}, false);
+  add(trial, core::Sphere{0.25}, 2.1, {1.4, 0.3, 0.2}, {0, 0.4, 0.1}, {0.3, 0, 1}, false);
+  trial.scene.forces = {core::UniformGravity{{0.1, -9.7, 0.3}},
+                        core::Spring{0, {0.05, 0.1, 0.02}, core::world, {0.1, 1.2, 0.3}, 45, 0.4, 0},
+                        core::Spring{1, {0, 0.1, 0}, 0, {0.1, 0, 0}, 60, 0, 0}, core::Attraction{0, 1, 0.7}};
+  return trial;
+}
+
+Trial damped_springs() {
+  Trial trial = springs();
+  std::get<core::Spring>(trial.scene.forces[1]).damping = 1.5;
+  trial.scene.forces.emplace_back(core::Drag{1, 0.4, 0.02, 0.3});
+  core::Thrust thrust;
+  thrust.force = {0.5, 0.2, -1};
+  trial.scene.forces.emplace_back(thrust);
+  trial.scene.forces.emplace_back(core::Drive{1, {1, 2, 0.5}, 3});
+  return trial;
+}
+
+Trial pendulum() {
+  Trial trial{{}, 0.01, 60};
+  add(trial, core::Box{{0.1, 0.3, 0.2}}, 1.3, {0.2, 0.1, 0}, {0, 0, 0}, {0, 0, 0}, false);
+  add(trial, core::Sphere{0.25}, 2.1, {1.1, 0.3, 0.2}, {0, 0, 0}, {0, 0, 0}, false);
+  trial.scene.forces = {core::UniformGravity{{0.1, -9.7, 0.3}}};
+  trial.scene.joints = {
+      core::Joint{core::JointType::hinge, 0, core::world, {0, 0.5, 0.1}, Vector3(0.6, 0, 0.8), 0},
+      core::Joint{core::JointType::ball, 1, 0, {0.7, 0.2, 0.1}, Vector3::UnitY(), 0}};
+  return trial;
+}
+
+Trial falling_balls() {
+  Trial trial{{}, 0.01, 60};
+  add(trial, core::Sphere{0.2}, 1.3, {0, 0.5, 0}, {0.5, 0, 0.2}, {1, 2, 3}, true);
+  add(trial, core::Sphere{0.25}, 2.1, {0.9, 0.6, 0.1}, {-1, 0.4, 0.1}, {0.3, 0, 1}, true);
+  return over_floor(trial, 0.5, 0.3);
+}
+
+Trial falling_box() {
+  Trial trial{{}, 0.01, 60};
+  add(trial, core::Box{{0.1, 0.3, 0.2}}, 1.3, {0, 0.6, 0}, {0.5, 0, 0.2}, {1, 2, 3}, true);
+  return over_floor(trial, 0, 0.4);
+}
+
+struct Case {
+  const char* engine;
+  const char* oracle;
+  Trial (*scene)();
+};
+
+const Case cases[] = {
+    {"ode", "angular momentum", spinning_box},
+    {"ode/path=as-shipped", "turn", spinning_box},
+    {"ode", "energy", springs},
+    {"ode", "place", damped_springs},
+    {"ode", "joint gap", pendulum},
+    {"ode", "energy from nowhere", falling_balls},
+    {"ode/path=quick", "penetration", falling_box},
+    {"ode", "relation rotation", falling_box},
+    {"bullet/gyro=none", "angular momentum", spinning_box},
+    {"bullet", "energy", springs},
+    {"bullet", "place", damped_springs},
+    {"bullet", "joint gap", pendulum},
+    {"bullet/path=as-shipped", "penetration", falling_balls},
+    {"bullet", "relation translation", falling_box},
+    {"rapier", "energy", springs},
+    {"rapier", "penetration", falling_balls},
+    {"rapier", "joint gap", pendulum},
+};
+
+// What Cylon measures, as the first number of a fault.
+Card measured_by_cylon(const Case& c) {
+  Card card;
+  card.engine = c.engine, card.trial = c.scene(), card.fault.oracle = c.oracle, card.fault.says = "a test";
+  card.signature = signature(card.fault, card.trial.scene);
+  const auto oracle = std::ranges::find(oracles(), c.oracle, &Oracle::name);
+  if (oracle == oracles().end()) return card;  // of a relation
+  card.fault.claim =
+      fmt::format("[[claim]]\n{}\ntolerance = {{ relative = 1e-3, reason = \"a test\" }}\n", oracle->claim);
+  const scenario::Scenario scenario = scenario::parse(to_toml(card.trial, card.fault.claim), "test.toml");
+  study::Cell cell;
+  cell.scenario = &scenario, cell.engine = engine(c.engine), cell.dt = card.trial.step, cell.dt_text = "test";
+  card.fault.measured[0] = study::run(cell, {}, {}).at(0).measured;
+  return card;
+}
+
+std::string output_of(const std::string& command) {
+  std::string out;
+  FILE* pipe = popen(command.c_str(), "r");
+  std::array<char, 256> part{};
+  while (std::fgets(part.data(), part.size(), pipe)) out += part.data();
+  EXPECT_EQ(pclose(pipe), 0) << command;
+  return out;
+}
+
+std::string name_of(const testing::TestParamInfo<Case>& info) {
+  std::string name = fmt::format("{}_{}_{}", info.index, info.param.engine, info.param.oracle);
+  std::ranges::replace_if(
+      name, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+  return name;
+}
+
+class ProgramOf : public testing::TestWithParam<Case> {};
+TEST_P(ProgramOf, PrintsWhatCylonMeasures) {
+  const Case& c = GetParam();
+  const process::EngineChoice subject = engine(c.engine);
+  if (process::missing(subject.row)) GTEST_SKIP() << *process::missing(subject.row);
+  const Card card = measured_by_cylon(c);
+  const Written written = write_program(card, subject, {});
+  ASSERT_TRUE(written.program) << written.none;
+  const Program& program = *written.program;
+  EXPECT_GT(program.prints, 1e-6);  // a number to agree with
+  const fs::path folder = fs::path(testing::TempDir()) / fmt::format("program-{}", card.file_stem());
+  fs::create_directories(folder);
+  std::ofstream(folder / program.file) << program.text;
+  const fs::path modules = fs::path(source_dir) / "reference/simulators/js/node_modules";
+  if (program.file.ends_with(".mjs") && !fs::exists(folder / "node_modules"))
+    fs::create_directory_symlink(modules, folder / "node_modules");
+  const std::string out = output_of(fmt::format("cd {} && {}", folder.string(), program.command));
+  EXPECT_NEAR(std::strtod(out.c_str(), nullptr), program.prints, 1e-6 * program.prints)
+      << out << program.text;
+  EXPECT_TRUE(out.ends_with(program.unit + "\n")) << out;
+  fs::remove_all(folder);
+}
+INSTANTIATE_TEST_SUITE_P(All, ProgramOf, testing::ValuesIn(cases), name_of);
+
+// What has no row is told, and gets no program that shows something else.
+TEST(ProgramOf, SaysWhatItCannotExpress) {
+  const auto why = [](const std::string& id, const std::string& oracle,
+                      const std::function<void(Trial&)>& change) {
+    Card card;
+    card.engine = id, card.trial = falling_box(), card.fault.oracle = oracle;
+    change(card.trial);
+    const Written written = write_program(card, engine(id), {});
+    EXPECT_FALSE(written.program);
+    return written.none;
+  };
+  const auto nothing = [](Trial&) {};
+  EXPECT_EQ(why("in-house", "energy", nothing), "no table of texts for the API of in-house");
+  EXPECT_EQ(why("ode", "statics", nothing), "the oracle 'statics' takes more than a few lines");
+  EXPECT_EQ(why("ode", "rest",
+                [](Trial& t) {
+                  t.scene.bodies[0].shape = core::Capsule{0.1, 0.2};
+                }),
+            "no line for the shape capsule");
+  EXPECT_EQ(why("ode", "rest", [](Trial& t) { t.scene.bodies[0].locked = true; }), "a body is locked");
+  EXPECT_EQ(why("bullet/solver=nncg", "rest", nothing), "no line for the setting constraint solver = nncg");
+  EXPECT_EQ(why("ode/path=as-expert", "rest", nothing),
+            "no line for the setting contact_mode = dContactApprox1 | dContactBounce | dContactFDir1");
+}
+
+}  // namespace
+}  // namespace cylon::hunt
