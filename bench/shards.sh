@@ -1,34 +1,45 @@
 #!/usr/bin/env bash
-# What shards cost: the same cells by one process of two workers, and by eight shards of one worker each, two at a time,
-# with the merge that joins them; in turns.
+# What it costs to share work out: the same cells by one process of two workers; by eight shards of one worker each, two
+# at a time, with the merge that joins them; and by a farm of two ranks of MPI of one worker each; in turns.  Of each the
+# wall time, which says something on an idle machine alone, and the CPU time of all its processes.
 #
-#     bench/shards.sh [CYLON [ROUNDS [PATTERNS…]]]
+#     bench/shards.sh [CYLON [ROUNDS [STEPS [PATTERNS…]]]]
 set -euo pipefail
 cylon=$(realpath "${1:-build/release/cylon}")
-rounds=${2:-5}
-shift $(($# < 2 ? $# : 2))
+rounds=${2:-5} count=${3:-40}
+shift $(($# < 3 ? $# : 3))
 [ $# -gt 0 ] || set -- '*'
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 
-steps=$(for n in $(seq 1 40); do echo "--dt 1/$((40 * n))"; done)
-# Cells of which a step does not fit the duration are refused, by both.
+steps=$(for n in $(seq 1 "$count"); do echo "--dt 1/$((40 * n))"; done)
+# Cells of which a step does not fit the duration are refused, by all.
 one() { "$cylon" run "$@" $steps -j2 --json one.json >/dev/null 2>one.err || [ $? -le 2 ]; }
 shards() {
   seq 1 8 | xargs -P 2 -I K sh -c '"$@" --shard K/8 -j1 >/dev/null 2>K.err || [ $? -le 2 ]' sh "$cylon" run "$@" $steps
   "$cylon" merge .cylon/journal-*-of-8.jsonl --json all.json >/dev/null 2>merge.err || [ $? -eq 1 ]
 }
-seconds() {
+farm() {
+  mpirun --oversubscribe -n 2 "$cylon" farm run "$@" $steps -j1 --json farm.json >/dev/null 2>farm.err || [ $? -le 2 ]
+}
+measured() { # wall and CPU seconds of a function
   local start=$EPOCHREALTIME
-  "$@"
+  (
+    "$@"
+    times | awk 'NR == 2 { split($1, u, /[ms]/); split($2, s, /[ms]/); printf "%.2f ", 60 * (u[1] + s[1]) + u[2] + s[2] }'
+  )
   awk "BEGIN { printf \"%.2f\", $EPOCHREALTIME - $start }"
 }
+ratio() { awk "BEGIN { printf \"%.3f\", $1 / $2 }"; }
 
 one "$@"
 echo "cells: $(python3 -c 'import json; print(len({(v["scenario"], v["engine"], v["dt_text"]) for v in json.load(open("one.json"))["verdicts"]}))')"
 for round in $(seq "$rounds"); do
-  a=$(seconds one "$@")
-  b=$(seconds shards "$@")
-  echo "round $round: one process $a s, eight shards $b s, ratio $(awk "BEGIN { printf \"%.3f\", $b / $a }")"
+  read -r cpu_one wall_one < <(measured one "$@"; echo)
+  for way in shards farm; do
+    read -r cpu wall < <(measured "$way" "$@"; echo)
+    echo "round $round, $way: CPU $cpu s of $cpu_one s, ratio $(ratio "$cpu" "$cpu_one"); wall $wall s of $wall_one s, ratio $(ratio "$wall" "$wall_one")"
+  done
 done

@@ -175,6 +175,12 @@ function(hostile_test script)
   set_tests_properties(hostile/${script} PROPERTIES LABELS hostile COST ${long_test})
 endfunction()
 
+# launcher_test(launcher): shards that GNU parallel or Slurm starts on this machine.
+function(launcher_test launcher)
+  add_test(NAME launcher/${launcher} COMMAND ${PROJECT_SOURCE_DIR}/tests/harness/cli/launchers.sh ${launcher} $<TARGET_FILE:cylon>)
+  set_tests_properties(launcher/${launcher} PROPERTIES LABELS harness SKIP_RETURN_CODE 77)
+endfunction()
+
 # The pages in a real browser, and whether the committed bundle is that of their sources.
 function(web_tests)
   add_test(NAME web COMMAND ${PROJECT_SOURCE_DIR}/tests/reports/web/run.sh ${PROJECT_BINARY_DIR})

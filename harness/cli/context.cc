@@ -30,7 +30,7 @@ int terminal_width() {
   winsize size{};
   if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col >= 40) return size.ws_col;
   const int columns = std::atoi(environment("COLUMNS").c_str());
-  return columns >= 40 ? columns : isatty(STDOUT_FILENO) ? 80 : 160;
+  return columns >= 40 ? columns : isatty(STDOUT_FILENO) ? 80 : width_without_terminal;
 }
 
 }  // namespace

@@ -25,6 +25,11 @@ enum Exit {
   interrupted = 130
 };
 
+class Farm;
+
+/// Of what is written to a file or a pipe [columns].
+inline constexpr int width_without_terminal = 160;
+
 struct Context {
   std::filesystem::path scenarios;          ///< The folder with *.toml, expected.toml and suites/.
   std::filesystem::path workers;            ///< The folder with the worker executables.
@@ -34,6 +39,7 @@ struct Context {
   bool colour = false;    ///< On stdout: a terminal, and NO_COLOR is not set.
   bool progress = false;  ///< On stderr: a terminal, and CI is not set.
   int width = 100;        ///< Of the terminal [columns].
+  Farm* farm = nullptr;   ///< Where `cylon farm` shares the command out.
 };
 
 /// From the place of this executable (folders.h), CYLON_SCENARIOS and CYLON_WORKERS.

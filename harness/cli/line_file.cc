@@ -114,14 +114,19 @@ void LineFile::open(bool append) {
   if (last != '\n' && !write_all(fd_, "\n")) give_up(errno);  // ends a line that a crash has cut off
 }
 
-void LineFile::add(const json& object) {
+void LineFile::add(const json& object, Disk disk) {
   if (fd_ < 0) return;
   json sealed = object;
   sealed["seal"] = seal::seal(purpose(), text_of(object));
-  // A pipe or a file system that cannot synchronise has done what it can.
-  if (!write_all(fd_, text_of(sealed) + '\n') ||
-      (::fdatasync(fd_) != 0 && errno != EINVAL && errno != ENOSYS))
+  if (!write_all(fd_, text_of(sealed) + '\n'))
     give_up(errno);
+  else if (disk == Disk::now)
+    synchronise();
+}
+
+// A pipe or a file system that cannot synchronise has done what it can.
+void LineFile::synchronise() {
+  if (fd_ >= 0 && ::fdatasync(fd_) != 0 && errno != EINVAL && errno != ENOSYS) give_up(errno);
 }
 
 void LineFile::give_up(int error) {

@@ -34,8 +34,12 @@ class LineFile {
   /// where another program has it locked.  Where it cannot be written, stderr says so and add() does nothing.
   void open(bool append);
 
-  /// Appends a line, on the disk when it returns.  Where that fails (a full disk), stderr says so once.
-  void add(const nlohmann::json& object);
+  enum class Disk { now, later };
+
+  /// Appends a line, on the disk when it returns, or once synchronise() has.  Where that fails (a full disk), stderr says
+  /// so once.
+  void add(const nlohmann::json& object, Disk = Disk::now);
+  void synchronise();
 
   /// Whether all of it could be written so far.
   bool is_open() const { return fd_ >= 0; }

@@ -1,5 +1,6 @@
 #include "harness/cli/options.h"
 
+#include "harness/cli/farm.h"
 #include "harness/cli/workers.h"
 
 #include <fmt/format.h>
@@ -59,6 +60,10 @@ Option add_jobs_option(App& app, int& jobs, const std::string& meaning) {
 
 int worker_count(int jobs) {
   return jobs > 0 ? jobs : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
+
+int worker_count(const Context& context, int jobs) {
+  return jobs > 0 || !context.farm ? worker_count(jobs) : static_cast<int>(context.farm->cores());
 }
 
 void add_timeout_option(App& app, double& timeout) {

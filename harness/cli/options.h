@@ -25,8 +25,9 @@ void add_step_option(App&, std::string& step);
 /// -j; `meaning` says what runs at one time.
 Option add_jobs_option(App&, int& jobs, const std::string& meaning);
 
-/// The number given, or where none is (0) all processors.
+/// The number given, or where none is (0) all processors; in a farm this rank's.
 int worker_count(int jobs);
+int worker_count(const Context&, int jobs);
 
 /// --timeout [s] and --memory [GiB] of each run.
 void add_timeout_option(App&, double& timeout);

@@ -87,6 +87,11 @@ Option App::add_flag(const std::string& names, bool& value, const std::string& m
   return Option(*app_->add_flag(names, value, meaning));
 }
 
+void App::take_rest(std::vector<std::string>& words) {
+  app_->prefix_command();
+  app_->final_callback([&words, app = app_] { words = app->remaining(); });
+}
+
 void App::footer(const std::string& text) { app_->footer(text); }
 
 void App::add_commands(const std::vector<Row>& rows, const Context& context,

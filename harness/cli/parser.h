@@ -59,6 +59,8 @@ class App {
                     const std::function<void(const std::string&)>& take, const std::string& meaning);
   Option add_flag(const std::string& names, bool& value, const std::string& meaning);
   void footer(const std::string& text);
+  /// All words after the command's name, options too, as they stand.
+  void take_rest(std::vector<std::string>& words);
 
   struct Row {
     const char* name;

@@ -1,5 +1,6 @@
 #include "harness/cli/shard.h"
 
+#include "harness/cli/farm.h"
 #include "harness/core/content_hash.h"
 #include "harness/core/input_error.h"
 
@@ -104,14 +105,9 @@ std::vector<double> durations_of(std::span<const Unit> units, const Durations& k
 
 std::vector<bool> by_time(const Shard& shard, std::span<const Unit> units, const Durations& known) {
   const std::vector<double> seconds = durations_of(units, known);
-  std::vector<std::size_t> order(units.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
-    return seconds[a] != seconds[b] ? seconds[a] > seconds[b] : units[a].key < units[b].key;
-  });
   std::vector<double> load(shard.count, 0.0);
   std::vector<bool> mine(units.size());
-  for (const std::size_t i : order) {
+  for (const std::size_t i : longest_first(units, known)) {
     const auto least = std::ranges::min_element(load);
     *least += seconds[i];
     mine[i] = static_cast<std::size_t>(least - load.begin()) + 1 == shard.index;
@@ -121,7 +117,17 @@ std::vector<bool> by_time(const Shard& shard, std::span<const Unit> units, const
 
 }  // namespace
 
-std::string Shard::label() const { return fmt::format("{}-of-{}", index, count); }
+std::string Shard::label() const { return fmt::format("{}{}-of-{}", farm ? "rank-" : "", index, count); }
+
+std::vector<std::size_t> longest_first(std::span<const Unit> units, const Durations& known) {
+  const std::vector<double> seconds = durations_of(units, known);
+  std::vector<std::size_t> order(units.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
+    return seconds[a] != seconds[b] ? seconds[a] > seconds[b] : units[a].key < units[b].key;
+  });
+  return order;
+}
 
 void add_shard_options(App& app, ShardOptions& options, const std::string& units) {
   app.add_option(
@@ -141,7 +147,10 @@ void add_shard_options(App& app, ShardOptions& options, const std::string& units
       ->default_str("hash");
 }
 
-std::optional<Shard> shard_asked(const ShardOptions& options) {
+std::optional<Shard> shard_asked(const ShardOptions& options, Farm* farm) {
+  if (farm && (!options.shard.empty() || options.by_time))
+    throw core::InputError("--shard, --shard-by: a farm hands out the work itself");
+  if (farm) return farm->shard();
   std::optional<Shard> shard;
   if (options.shard.empty()) {
     shard = shard_of_environment();

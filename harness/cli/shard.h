@@ -15,21 +15,24 @@
 
 namespace cylon::cli {
 
-/// What is done, or not, as a whole: a cell of `run`, a scenario of `trade` and `matrix`, a search of
-/// `limits`.
+class Farm;
+
+/// What is done, or not, as a whole: a cell of `run`, a scenario of `trade` and `matrix`, a search of `limits`, some
+/// scenes of `hunt`.
 struct Unit {
   std::string key;   ///< Of all that decides its result.
   std::string name;  ///< As the user names it.
   friend bool operator==(const Unit&, const Unit&) = default;
 };
 
-/// One of several equal parts.
+/// One of several equal parts, or what a rank of a farm gets, unit by unit.
 struct Shard {
   std::size_t index = 1, count = 1;  ///< 1 <= index <= count.
   bool by_time = false;              ///< Parts of equal durations; else of equal chances.
   std::string said_by;               ///< "--shard", or the variable of the environment.
+  Farm* farm = nullptr;              ///< That hands out the units; then index - 1 is the rank.
 
-  /// "2-of-8"
+  /// "2-of-8", "rank-2-of-8"
   std::string label() const;
 };
 
@@ -37,25 +40,29 @@ struct Shard {
 struct ShardOptions {
   std::string shard;
   bool by_time = false;
+  friend bool operator==(const ShardOptions&, const ShardOptions&) = default;
 };
 
 /// `units` says what is shared out: "cells".
 void add_shard_options(App&, ShardOptions&, const std::string& units);
 
-/// The shard that the option asks for.  Without it, that of GTEST_SHARD_INDEX, TEST_SHARD_INDEX (Bazel) or
+/// A farm's where there is one, else the shard that the option asks for.  Without it, that of GTEST_SHARD_INDEX, TEST_SHARD_INDEX (Bazel) or
 /// SLURM_ARRAY_TASK_ID with the variables beside them, where one of them is set; a file that tells the test
 /// runner so is touched.  Nothing: all the work is this process's.  Throws core::InputError for what is no
-/// shard, for variables that contradict each other, and for a job array with gaps.
-std::optional<Shard> shard_asked(const ShardOptions&);
+/// shard, for variables that contradict each other, for a job array with gaps, and for --shard in a farm.
+std::optional<Shard> shard_asked(const ShardOptions&, Farm* = nullptr);
 
 /// Seconds that units took before, by name.
 using Durations = std::map<std::string, double>;
 
+/// The order in which units that are handed out one by one end first: the longest first (Graham 1969: at most 4/3 of
+/// the best); a unit of unknown duration counts as the mean of the known.
+std::vector<std::size_t> longest_first(std::span<const Unit>, const Durations&);
+
 /// Whether each unit is this shard's.  Every unit belongs to exactly one of the `count` shards, and which does
 /// not depend on the order of the units.
 ///
-/// By hash: FNV-1a of the key, modulo count.  By time: the longest first, each to the shard that has least
-/// (Graham 1969: at most 4/3 of the best partition); a unit of unknown duration counts as the mean of the known.
+/// By hash: FNV-1a of the key, modulo count.  By time: the longest first, each to the shard that has least.
 std::vector<bool> part_of(const Shard&, std::span<const Unit>, const Durations&);
 
 }  // namespace cylon::cli

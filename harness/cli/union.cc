@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <set>
 #include <utility>
 
@@ -32,9 +33,12 @@ void require_result(const json& line) {
     static_cast<void>(reports::from_json_line(verdict.get_ref<const std::string&>()));
 }
 
-File read(const fs::path& path) {
+// What reads a file line by line, and says how many lines are strange.
+using Reader = std::size_t (*)(const fs::path&, const std::function<void(const json&)>&);
+
+File read(const fs::path& path, Reader reader) {
   File file{path, {}, {}, 0};
-  file.strange = LineFile::read_of_others(path, [&](const json& line) {
+  file.strange = reader(path, [&](const json& line) {
     if (line.contains("part"))
       file.part = part_from(line);
     else if (!line.contains("request")) {
@@ -42,12 +46,7 @@ File read(const fs::path& path) {
       file.lines.emplace_back(line.at("key").get<std::string>(), line);
     }
   });
-  if (!file.part)
-    throw core::InputError(
-        fmt::format("{}: no journal that can be merged; `cylon run`, `trade`, `matrix` and `limits` write "
-                    "them into .cylon",
-                    path.string()));
-  if (file.part->command == "run")
+  if (file.part && file.part->command == "run")
     file.strange +=
         std::erase_if(file.lines, [](const auto& line) { return !line.second.contains("verdicts"); });
   return file;
@@ -55,7 +54,8 @@ File read(const fs::path& path) {
 
 // What must come out again: all but times.  Verdicts are kept as text, so that their digits stay.
 json without_times(json line) {
-  for (const char* time : {"seconds", "load", "step"}) line.erase(time);
+  // An advice is chosen by cost, so that all of it follows from times.
+  for (const char* time : {"seconds", "load", "step", "advice"}) line.erase(time);
   if (line.contains("ran")) line["ran"].erase("cpu");
   if (line.contains("verdicts"))
     for (json& verdict : line["verdicts"]) {
@@ -109,16 +109,13 @@ void require_same(const File& a, const File& b) {
 
 }  // namespace
 
-Union unite(std::span<const fs::path> paths) {
-  std::vector<File> files;
+namespace {
+
+Union union_of(const std::vector<File>& files, Part part) {
   Union all;
   std::map<std::string, std::size_t> source;  // of each line
-  for (const fs::path& path : paths) {
-    files.push_back(read(path));
-    require_same(files.front(), files.back());
-    all.strange += files.back().strange;
-  }
-  for (std::size_t f = 0; f < files.size(); ++f)
+  for (std::size_t f = 0; f < files.size(); ++f) {
+    all.strange += files[f].strange;
     for (const auto& [key, line] : files[f].lines) {
       const auto [there, is_new] = all.lines.emplace(key, line);
       if (is_new) {
@@ -128,11 +125,35 @@ Union unite(std::span<const fs::path> paths) {
       std::string why = contradiction(files[source[key]], there->second, files[f], line);
       if (!why.empty()) all.contradictions.push_back(std::move(why));
     }
-  all.part = *files.front().part;
+  }
+  all.part = std::move(part);
   all.part.index = all.part.count = 1;
   std::ranges::copy_if(all.part.units, std::back_inserter(all.missing),
                        [&](const Unit& unit) { return !all.lines.contains(unit.key); });
   return all;
+}
+
+}  // namespace
+
+Union unite(std::span<const fs::path> paths) {
+  std::vector<File> files;
+  for (const fs::path& path : paths) {
+    files.push_back(read(path, LineFile::read_of_others));
+    if (!files.back().part)
+      throw core::InputError(fmt::format("{}: no journal that can be merged; {} write them into .cylon",
+                                         path.string(), sharing_commands()));
+    require_same(files.front(), files.back());
+  }
+  return union_of(files, *files.front().part);
+}
+
+Union unite_own(const Part& part, std::span<const fs::path> paths) {
+  std::vector<File> files;
+  for (const fs::path& path : paths)
+    files.push_back(read(path, [](const fs::path& file, const std::function<void(const json&)>& take) {
+      return LineFile(file).read(take);
+    }));
+  return union_of(files, part);
 }
 
 void write(const Union& all, const fs::path& place) {
@@ -142,14 +163,15 @@ void write(const Union& all, const fs::path& place) {
   {
     LineFile file(fresh, place);
     file.open(false);
-    file.add(to_json(all.part));
+    file.add(to_json(all.part), LineFile::Disk::later);
     std::set<std::string> written;
     const auto add = [&](const std::string& key, const json& line) {
-      if (written.insert(key).second) file.add(line);
+      if (written.insert(key).second) file.add(line, LineFile::Disk::later);
     };
     for (const Unit& unit : all.part.units)
       if (const auto found = all.lines.find(unit.key); found != all.lines.end()) add(unit.key, found->second);
     for (const auto& [key, line] : all.lines) add(key, line);
+    file.synchronise();
     if (!lock.is_open() || !file.is_open())
       throw core::InputError(fmt::format("{}: cannot be written", place.string()));
   }

@@ -29,6 +29,10 @@ struct Union {
 /// command, or cells with another content.
 Union unite(std::span<const std::filesystem::path>);
 
+/// The same of this user's own journals in this folder, whatever they asked, as the union of `part`: a line is used for what
+/// its key says.  Lines that this user did not write here are left out and counted as strange.
+Union unite_own(const Part&, std::span<const std::filesystem::path>);
+
 /// Writes it whole or not at all, as this user's own journal of the place.  Throws core::InputError where it
 /// cannot be written, or another program has it open.
 void write(const Union&, const std::filesystem::path&);

@@ -2,7 +2,6 @@
 
 #include "harness/core/input_error.h"
 #include "harness/study/metamorphic.h"
-#include "harness/study/parallel.h"
 #include "harness/study/row.h"
 #include "harness/study/theory.h"
 
@@ -59,7 +58,7 @@ Matrix run(const std::vector<Cell>& cells, const Pool& pool, const scenario::Exp
   Matrix matrix;
   matrix.rows.resize(cells.size());
   std::vector<std::string> refused(cells.size()), failed(cells.size());
-  std::atomic<std::size_t> next = 0;
+  const Next next = pool.next ? pool.next : in_order(cells.size());
   std::atomic<bool> stop = false;
   std::exception_ptr of_done;
   std::mutex reporting;
@@ -82,7 +81,10 @@ Matrix run(const std::vector<Cell>& cells, const Pool& pool, const scenario::Exp
     return true;
   };
   const auto work = [&] {
-    for (std::size_t i = 0; !stop && (i = next++) < cells.size();) {
+    while (!stop) {
+      const std::optional<std::size_t> given = next();
+      if (!given) return;
+      const std::size_t i = *given;
       const auto start = std::chrono::steady_clock::now();
       if (!run_cell(i)) continue;
       const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "harness/study/cell.h"
+#include "harness/study/parallel.h"
 
 #include <functional>
 #include <string>
@@ -12,6 +13,7 @@ namespace cylon::study {
 struct Pool {
   int workers = 1;  ///< Cells that run at one time.
   process::Limits limits;
+  Next next = {};  ///< Which cells are run here, in which order; empty: all, as they stand.
 };
 
 /// What came of the cells.  The two lists read "scenario on engine: why", in the order of the cells.
@@ -26,7 +28,7 @@ struct Matrix {
 /// took by the clock [s].  Not called for a cell in which the harness failed, so that it is run again.
 using CellDone = std::function<void(std::size_t index, const std::vector<results::Verdict>&, double seconds)>;
 
-/// Runs all cells; rows[i] are those of cells[i], the same for any number of workers.  Nothing that happens
+/// Runs the cells; rows[i] are those of cells[i], the same for any number of workers.  Nothing that happens
 /// inside a cell ends the others: whatever is thrown there becomes that cell's rows.  After an interruption
 /// no further cell starts, and it returns as soon as the children are gone. What `done` throws ends the run,
 /// and is thrown once the cells under way have ended.

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Kills commands at random moments and lets them go on.
 
-    tests/hostile/kills.py CYLON [--kills 1000] [--sample N] [--seed S] [run|shards|trade|record|import …]
+    tests/hostile/kills.py CYLON [--kills 1000] [--sample N] [--seed S] [run|shards|farm|trade|record|import …]
 
 A trial of run, shards, trade or record is killed (SIGKILL) one to three times and resumed each time; one of import is
-repeated.  Shards are three parts of a run and their merge, one after the other.
+repeated.  Shards are three parts of a run and their merge, one after the other.  A farm is two ranks of MPI, of which one is killed;
+where MPI is not here there is none.
 In the end its output must be that of a command that nobody killed, times left out, and no whole line of a journal may be
 lost on the way.  Trial n is a function of seed and n.  Counts are kept in counts/kills.json, and a later call goes
 on with new trials until each command was killed as often as asked for; --sample makes N trials of each and keeps no count.
@@ -14,6 +15,7 @@ import json
 import os
 import pathlib
 import random
+import shutil
 import signal
 import subprocess
 import sys
@@ -129,6 +131,51 @@ class Shards(Run):
         return "" if all(line in now for line in before) else "a line of a shard is lost"
 
 
+class Farm(Run):
+    """Two ranks, of which one is killed, or mpirun itself; the next start has another number of ranks."""
+
+    ranks = 2
+
+    def lines(self, scenes):
+        line = ["run", *scenes, *ENGINES, "--resume", "--json", "out.json"]
+        return line, line
+
+    def start(self, words, here):
+        self.ranks = 5 - self.ranks
+        child = subprocess.Popen(["mpirun", "--oversubscribe", "-n", str(self.ranks), self.cylon, "farm", *words], cwd=here,
+                                 stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+                                 env={**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"})
+        child.kill = lambda: self.kill(child)
+        return child
+
+    @staticmethod
+    def kill(child):
+        children = pathlib.Path(f"/proc/{child.pid}/task/{child.pid}/children")
+        try:
+            ranks = [int(word) for word in children.read_text().split()]
+            os.kill(ranks[-1] if ranks else child.pid, signal.SIGKILL)
+        except (FileNotFoundError, ProcessLookupError):
+            pass  # it has ended
+
+    def kept(self, here):
+        """Cells with all that they hold, the time too, so that one that is done again counts as lost.  A line moves from a
+        rank's journal to that of the folder, where it has another seal."""
+        kept = set()
+        for file in here.glob(".cylon/journal*.jsonl"):
+            for line in journal_lines(file):
+                row = json.loads(line)
+                row.pop("seal")
+                if "cell" in row:
+                    kept.add(json.dumps(row, sort_keys=True))
+        return kept
+
+    def lost(self, here, before):
+        now = self.kept(here)
+        if len({json.loads(row)["key"] for row in now}) < len(now):
+            return "a cell was done twice"
+        return "" if before <= now else "a cell of a rank is lost"
+
+
 class Trade(Run):
     journal = ".cylon/trade.jsonl"
 
@@ -199,7 +246,14 @@ class Import(Record):
         return "" if runs in (0, self.runs) else f"{runs} of {self.runs} runs were imported"
 
 
-COMMANDS = {"run": Run, "shards": Shards, "trade": Trade, "record": Record, "import": Import}
+COMMANDS = {"run": Run, "shards": Shards, "farm": Farm, "trade": Trade, "record": Record, "import": Import}
+
+
+def are_here(cylon):
+    """The commands; a farm only where MPI is."""
+    farm = shutil.which("mpirun") and pathlib.Path(cylon).resolve().with_name("libcylon-mpi.so").exists()
+    return [name for name in COMMANDS if name != "farm" or farm]
+
 
 
 def trial(command, here, rng, seconds, expected):
@@ -281,7 +335,7 @@ def main():
         sys.exit("the control was not found: what is lost would not be seen")
     # In turns of fifty kills, so that a campaign that is stopped has asked all commands alike.
     for kills in range(50, options.kills + 50, 50):
-        for name in options.commands or COMMANDS:
+        for name in options.commands or are_here(options.cylon):
             if wanted(name, kills) is not None:
                 campaign(name, os.path.abspath(options.cylon), options.seed, lambda: wanted(name, kills), counted.add)
     failed = counted.total("failed")

@@ -28,7 +28,8 @@ struct Options {
   study::AdviseOptions how;
   int jobs = 0;
   double work = 1 << 20, timeout = 60;
-  bool no_features = false, verify = false;
+  ShardOptions shard;
+  bool no_features = false, verify = false, resume = false;
 };
 
 std::vector<results::Pick> chosen(const results::Advice& advice) {
@@ -52,14 +53,18 @@ int run(const Context& context, Options options) {
   require_writable(options.json);
   options.how.limits.run_seconds = options.timeout;
   options.how.most = static_cast<std::int64_t>(options.work);
-  options.how.workers = worker_count(options.jobs);
+  options.how.workers = worker_count(context, options.jobs);
   const auto rows = with_workers(context, options.workers);
   if (options.verify)
     return verify_advice(context, {.wanted = options.wanted,
                                    .how = options.how,
                                    .rows = rows,
                                    .only = options.file,
-                                   .observable = options.observable});
+                                   .observable = options.observable,
+                                   .shard = options.shard,
+                                   .resume = options.resume});
+  if (context.farm || options.resume || !(options.shard == ShardOptions()))
+    throw core::InputError("--shard, --resume and cylon farm are of `cylon advise --verify` alone");
   if (options.file.empty()) throw core::InputError("a scenario is missing: cylon advise FILE --tolerance X");
   const scenario::Scenario scenario = scenario::load(find_scenario(context, options.file));
   const auto starts = study::starts(scenario, study::check_variations(), study::search_samples(scenario),
@@ -127,6 +132,11 @@ Command add_advise(App& app, const Context& context) {
   app.add_flag("--verify", options->verify,
                "Check the advice on twenty scenarios, or on FILE: run it from new initial states and compare "
                "its cost with the best of a full sweep. Takes minutes");
+  add_shard_options(app, options->shard, "scenarios of --verify");
+  app.add_flag(
+      "--resume", options->resume,
+      "Continue an interrupted --verify in this folder (.cylon/advise.jsonl): finished scenarios are not "
+      "repeated");
   add_worker_option(app, options->workers);
   app.footer(
       "The search uses the order of each integrator. Each result is checked from other initial states\n"

@@ -1,18 +1,28 @@
 // cylon advise --verify
 #include "harness/cli/commands/advise_verify.h"
 
+#include "harness/cli/farm.h"
+#include "harness/cli/journal.h"
+#include "harness/cli/line_file.h"
+#include "harness/cli/part.h"
 #include "harness/core/worst.h"
 #include "harness/study/ladder.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <iostream>
+#include <map>
+#include <memory>
 
 namespace cylon::cli {
 namespace {
 
+using nlohmann::json;
 using study::Setting;
 using study::Start;
 
@@ -42,9 +52,17 @@ double worst_error(const std::vector<Start>& starts, const Setting& setting, std
   return worst;
 }
 
-struct Tally {
+// What came of one scenario, as the journal keeps it.
+struct Answer {
+  std::string lines;
   int advised = 0, held = 0, dear = 0;
 };
+
+json to_json(const Answer& a) {
+  return {{"lines", a.lines}, {"advised", a.advised}, {"held", a.held}, {"dear", a.dear}};
+}
+
+Answer answer_from(const json& j) { return {j.at("lines"), j.at("advised"), j.at("held"), j.at("dear")}; }
 
 results::Pick pick_of(const results::TradeSeries& series, const results::TradePoint& point, std::size_t by) {
   results::Pick pick;
@@ -75,8 +93,8 @@ std::optional<results::Pick> best_of_sweep(const results::TradeTable& table, con
   return std::nullopt;
 }
 
-void verify(const Context& context, const Verification& ask, const std::string& name, Tally& tally) {
-  const scenario::Scenario scenario = scenario::load(find_scenario(context, name));
+Answer verify(const Verification& ask, const scenario::Scenario& scenario) {
+  Answer tally;
   const double target = ask.how.tolerance;
   const auto bodies = static_cast<std::int64_t>(scenario.scene.bodies.size());
   const std::int64_t samples = study::search_samples(scenario);
@@ -86,7 +104,7 @@ void verify(const Context& context, const Verification& ask, const std::string& 
                                   ask.rows, ask.how.limits);
   const auto fresh =
       study::starts(scenario, unseen, ladder.samples, ask.observable, ask.rows, ask.how.limits);
-  if (seen.empty()) return;
+  if (seen.empty()) return tally;
   std::vector<Setting> settings = study::settings(scenario, ask.rows, ask.wanted);
   const auto advice = study::advise(seen, settings, ask.how, {});
 
@@ -112,12 +130,11 @@ void verify(const Context& context, const Verification& ask, const std::string& 
     std::optional<results::Pick> best = best_of_sweep(
         table, one.engine, one.pick ? target : target / study::margin, fresh, settings, ask.how.limits);
     if (!one.pick) {
-      std::cout << fmt::format("{:<24} {:<22} {}\n", scenario.name, one.engine,
-                               best       ? fmt::format("MISSED: {} {} at {} serves", best->engine,
-                                                        best->integrator, best->at)
-                               : one.best ? fmt::format("not reachable, best {:.1e}", one.best->error)
-                                          : "cannot run it")
-                << std::flush;
+      tally.lines += fmt::format(
+          "{:<24} {:<22} {}\n", scenario.name, one.engine,
+          best       ? fmt::format("MISSED: {} {} at {} serves", best->engine, best->integrator, best->at)
+          : one.best ? fmt::format("not reachable, best {:.1e}", one.best->error)
+                     : "cannot run it");
       if (best) ++tally.advised, ++tally.dear;
       continue;
     }
@@ -131,31 +148,81 @@ void verify(const Context& context, const Verification& ask, const std::string& 
     const double ratio = best ? pick.cost / best->cost : 0;
     tally.held += error <= target;
     tally.dear += ratio > allowed_cost;
-    std::cout
-        << fmt::format(
-               "{:<24} {:<22} {} {} at {}: error {:.1e} from {} new initial states {}; {:.1e} s/s, {}\n",
-               scenario.name, one.engine, pick.engine, pick.integrator, pick.at, error, fresh.size() - 1,
-               error <= target ? "holds" : "FAILS", pick.cost,
-               best ? fmt::format("{:.2f} of the sweep's best ({} {} at {}){}", ratio, best->engine,
-                                  best->integrator, best->at, ratio > allowed_cost ? " DEAR" : "")
-                    : "no setting of the sweep meets the tolerance")
-        << std::flush;
+    tally.lines +=
+        fmt::format("{:<24} {:<22} {} {} at {}: error {:.1e} from {} new initial states {}; {:.1e} s/s, {}\n",
+                    scenario.name, one.engine, pick.engine, pick.integrator, pick.at, error, fresh.size() - 1,
+                    error <= target ? "holds" : "FAILS", pick.cost,
+                    best ? fmt::format("{:.2f} of the sweep's best ({} {} at {}){}", ratio, best->engine,
+                                       best->integrator, best->at, ratio > allowed_cost ? " DEAR" : "")
+                         : "no setting of the sweep meets the tolerance");
   }
+  return tally;
+}
+
+// All that decides the answer but its times.
+Unit unit_of(const Verification& ask, const scenario::Scenario& scenario) {
+  std::string engines;
+  for (const process::EngineRow& row : ask.rows) engines += row.id + " " + content_of(row.command) + " ";
+  return {fmt::format("{}/{}/{} {} {} {} {} {} {}/{}", scenario.name, scenario.hash, ask.how.tolerance,
+                      ask.how.budget, ask.how.most, ask.how.rounds, ask.observable,
+                      fmt::join(ask.wanted.engines, ","), fmt::join(ask.wanted.integrators, ","), engines),
+          scenario.name};
+}
+
+std::map<std::string, Answer> answers_in(const LineFile& file) {
+  std::map<std::string, Answer> known;
+  file.read([&](const json& line) {
+    if (line.contains("advice")) known[line.at("key")] = answer_from(line.at("advice"));
+  });
+  return known;
 }
 
 }  // namespace
 
 int verify_advice(const Context& context, const Verification& ask) {
-  Tally tally;
-  if (!ask.only.empty()) {
-    verify(context, ask, ask.only, tally);
-  } else {
-    for (const char* name : twenty) verify(context, ask, name, tally);
+  if (context.farm) context.farm->require_own_cores("`cylon advise --verify` measures times");
+  const std::optional<Shard> shard = shard_asked(ask.shard, context.farm);
+  std::vector<std::unique_ptr<scenario::Scenario>> scenarios;
+  const auto add = [&](const std::string& name) {
+    scenarios.push_back(std::make_unique<scenario::Scenario>(scenario::load(find_scenario(context, name))));
+  };
+  if (ask.only.empty())
+    for (const char* name : twenty) add(name);
+  else
+    add(ask.only);
+  Part part{"advise", shard ? shard->index : 1, shard ? shard->count : 1, {}};
+  for (const auto& scenario : scenarios) part.units.push_back(unit_of(ask, *scenario));
+  const std::vector<bool> own = own_units(shard, part, ask.resume);
+  std::vector<Unit> units = part.units;
+  keep(own, units), keep(own, scenarios);
+  LineFile journal(journal_file("advise", shard));
+  const std::map<std::string, Answer> known =
+      ask.resume ? answers_in(journal) : std::map<std::string, Answer>();
+  journal.open(ask.resume);
+  journal.add(to_json(part));
+  if (shard && !journal.is_open())
+    throw core::InputError("a shard is its journal, and there is none: nothing was run");
+
+  Answer all;
+  const study::Next next = next_of(shard, units.size());
+  while (const auto i = next()) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto found = known.find(units[*i].key);
+    const Answer answer = found != known.end() ? found->second : verify(ask, *scenarios[*i]);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    if (found == known.end())
+      journal.add({{"key", units[*i].key},
+                   {"cell", units[*i].name},
+                   {"advice", to_json(answer)},
+                   {"seconds", seconds.count()}});
+    std::cout << answer.lines << std::flush;
+    all.advised += answer.advised, all.held += answer.held, all.dear += answer.dear;
   }
   std::cout << fmt::format(
-      "{} results: {} hold from new initial states, {} cost more than {} times the best found\n",
-      tally.advised, tally.held, tally.dear, allowed_cost);
-  return tally.held == tally.advised && tally.dear == 0 ? ok : differs;
+      "{} results: {} hold from new initial states, {} cost more than {} times the best found\n", all.advised,
+      all.held, all.dear, allowed_cost);
+  if (shard && !journal.is_open()) return harness_failure;
+  return (shard && shard->farm) || (all.held == all.advised && all.dear == 0) ? ok : differs;
 }
 
 }  // namespace cylon::cli

@@ -37,6 +37,7 @@ const std::vector<App::Row> commands = {
     {"truth", "Print the certified solution of a scenario, with its error bound", add_truth},
     {"run", "Run scenarios on engines and check every claim", add_run},
     {"merge", "Join the parts of a run, sweep or search that was done in shards", add_merge},
+    {"farm", "Share a run, sweep or search out over the ranks of an MPI job", add_farm},
     {"report", "Build an HTML report from run, trade and track output", add_report},
     {"matrix", "Print the coarsest step of each engine that meets an error, and its cost", add_matrix},
     {"trade", "Measure error and CPU time of each engine, integrator and step", add_trade},
@@ -89,7 +90,7 @@ void refuse_unknown_command(const std::string& word) {
 }
 
 // What the library says of a command line that it cannot take, with the nearest option.
-int refuse(const CLI::App& app, const CLI::ParseError& error) {
+std::string complaint_of(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App* deepest = &app;
   std::string name = "cylon";
   while (!deepest->get_subcommands().empty()) {
@@ -103,8 +104,7 @@ int refuse(const CLI::App& app, const CLI::ParseError& error) {
     message = fmt::format("{}: unexpected '{}'{}", name, extra.front(),
                           core::did_you_mean(word, words_of(command)));
   }
-  std::cerr << fmt::format("error: {}\n`{} --help` shows the valid options\n", plain(message), name);
-  return bad_input;
+  return fmt::format("{}\n`{} --help` shows the valid options", plain(message), name);
 }
 
 // A full disk or a closed pipe shows in the stream alone, and what was cut must not look whole.
@@ -187,8 +187,7 @@ int run_command_line(int argc, char** argv) {
   } catch (const CLI::Success& success) {
     return with_whole_output(app.exit(success));  // --help and --version
   } catch (const CLI::ParseError& error) {
-    if (argc > 1) return refuse(app, error);
-    std::cerr << app.help();
+    std::cerr << (argc > 1 ? fmt::format("error: {}\n", complaint_of(app, error)) : app.help());
     return bad_input;
   } catch (const core::InputError& error) {
     show(error);
@@ -205,6 +204,20 @@ int run_command_line(int argc, char** argv) {
 }
 
 }  // namespace
+
+int run_words(const Context& context, const std::vector<std::string>& words) {
+  CLI::App app{"", "cylon"};
+  Command chosen;
+  App(app).add_commands(commands, context, [&chosen](Command command) { chosen = std::move(command); });
+  try {
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // the library takes them from the end
+  } catch (const CLI::Success& success) {
+    return app.exit(success);  // --help
+  } catch (const CLI::ParseError& error) {
+    throw core::InputError(complaint_of(app, error));
+  }
+  return chosen();
+}
 
 int main(int argc, char** argv) {
   try {

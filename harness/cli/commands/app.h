@@ -19,6 +19,7 @@ Command add_simulate(App&, const Context&);
 Command add_truth(App&, const Context&);
 Command add_run(App&, const Context&);
 Command add_merge(App&, const Context&);
+Command add_farm(App&, const Context&);
 Command add_report(App&, const Context&);
 Command add_trade(App&, const Context&);
 Command add_matrix(App&, const Context&);
@@ -38,6 +39,9 @@ Command add_completion(App&, const Context&);
 
 /// Writes the message, the offending line where there is one, and a caret under the column to stderr.
 void show(const core::InputError&);
+
+/// Runs a command line without the program's name; what is wrong with it is thrown as core::InputError.
+int run_words(const Context&, const std::vector<std::string>& words);
 
 /// The whole program, errors turned into messages on stderr and exit codes.
 int main(int argc, char** argv);

@@ -190,20 +190,24 @@ Unit unit_of(const Task& task) {
 
 // In order, whatever the number of threads; the first error of all is thrown.
 std::vector<LimitRow> search_all(const std::vector<Task>& tasks, const std::vector<Unit>& units, int jobs,
-                                 const process::Limits& limits, LimitsJournal& journal) {
+                                 const process::Limits& limits, LimitsJournal& journal,
+                                 const study::Next& next) {
   std::vector<LimitRow> rows(tasks.size());
   std::mutex guard;
-  study::in_parallel(tasks.size(), jobs, [&](std::size_t i) {
-    if (const auto known = journal.find(units[i])) {
-      rows[i] = *known;
-      return;
-    }
-    const auto start = std::chrono::steady_clock::now();
-    rows[i] = search(tasks[i], limits);
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    const std::scoped_lock lock(guard);
-    journal.add(units[i], rows[i], seconds.count());
-  });
+  study::in_parallel(
+      tasks.size(), jobs,
+      [&](std::size_t i) {
+        if (const auto known = journal.find(units[i])) {
+          rows[i] = *known;
+          return;
+        }
+        const auto start = std::chrono::steady_clock::now();
+        rows[i] = search(tasks[i], limits);
+        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+        const std::scoped_lock lock(guard);
+        journal.add(units[i], rows[i], seconds.count());
+      },
+      next);
   return rows;
 }
 
@@ -228,18 +232,20 @@ int limits(const Context& context, const Options& options) {
     std::cerr << "nothing selected; see `cylon engines --names`\n";
     return nothing_selected;
   }
-  const std::optional<Shard> shard = shard_asked(options.shard);
+  const std::optional<Shard> shard = shard_asked(options.shard, context.farm);
   Part part{"limits", shard ? shard->index : 1, shard ? shard->count : 1, {}};
   std::ranges::transform(tasks, std::back_inserter(part.units), unit_of);
-  const std::vector<bool> own = own_units(shard, part);
+  const std::vector<bool> own = own_units(shard, part, options.resume);
   std::vector<Unit> units = part.units;
   keep(own, tasks), keep(own, units);
   LimitsJournal journal(journal_file("limits", shard), part, options.resume);
   if (shard && !journal.is_open())
     throw core::InputError("a shard is its journal, and there is none: nothing was run");
-  if (options.resume) std::cerr << fmt::format("resumed: {} searches are done already\n", journal.known());
-  const auto rows =
-      search_all(tasks, units, worker_count(options.jobs), {.run_seconds = options.timeout}, journal);
+  if (options.resume && !(shard && shard->farm))
+    std::cerr << fmt::format("resumed: {} searches are done already\n", journal.known());
+  const auto rows = search_all(tasks, units, worker_count(context, options.jobs),
+                               {.run_seconds = options.timeout}, journal, next_of(shard, units.size()));
+  if (shard && shard->farm) return journal.is_open() ? ok : harness_failure;  // the leader writes the rows
   if (!options.json.empty()) write_whole(options.json, limits_json(rows));
   if (!options.csv.empty()) write_whole(options.csv, limits_csv(rows));
   if (std::find(files.begin(), files.end(), "-") == files.end())

@@ -73,7 +73,7 @@ results::TradeTable sweep_of(const Context& context, const Options& options,
   study::SweepOptions how;
   how.tolerances.assign(results::reach_errors.begin(), results::reach_errors.end());
   how.reach = how.tolerances;
-  how.workers = worker_count(options.jobs);
+  how.workers = worker_count(context, options.jobs);
   how.rounds = options.rounds;
   how.limits.run_seconds = options.timeout;
   const Sweep plan{scenario, rows, study::ladder_down_to(scenario, options.finest), how, options.observable};
@@ -101,16 +101,18 @@ int matrix(const Context& context, const Options& options) {
   const auto each = [&](const scenario::Scenario& scenario, TradeJournal& journal) {
     return sweep_of(context, options, expected, scenario, journal);
   };
-  return sweep_each(context, {"matrix", options.patterns, asked(options), options.shard, options.resume},
-                    each, [&](const Selection& selection, const std::vector<results::TradeTable>& tables) {
-                      const reports::ConsoleOptions style{
-                          .width = context.width, .utf8 = context.utf8, .colour = context.colour};
-                      if (options.json != "-" && options.html != "-")
-                        std::cout << (at > 0 ? reports::digits_text(tables, at, style)
-                                             : reports::steps_text(tables, style));
-                      write_tables(context, selection, tables, "Cylon: which step an engine needs",
-                                   options.json, options.html);
-                    });
+  return sweep_each(
+      context,
+      {"matrix", options.patterns, asked(options), options.shard, options.resume, options.rounds > 0}, each,
+      [&](const Selection& selection, const std::vector<results::TradeTable>& tables) {
+        const reports::ConsoleOptions style{
+            .width = context.width, .utf8 = context.utf8, .colour = context.colour};
+        if (options.json != "-" && options.html != "-")
+          std::cout << (at > 0 ? reports::digits_text(tables, at, style)
+                               : reports::steps_text(tables, style));
+        write_tables(context, selection, tables, "Cylon: which step an engine needs", options.json,
+                     options.html);
+      });
 }
 
 }  // namespace

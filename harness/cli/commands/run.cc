@@ -30,6 +30,16 @@ namespace {
 namespace fs = std::filesystem;
 using results::Verdict;
 
+// Motions are seen by the process that runs them; a farm's leader gets verdicts.
+void refuse_in_farm(const Context& context, const RunOptions& options) {
+  if (context.farm &&
+      (options.charts || !options.html.empty() || !options.traces.empty() || !options.plots.empty()))
+    throw core::InputError(
+        "--html, --traces, --plots and --charts: a farm keeps verdicts and no motions; write --json, and "
+        "`cylon report` "
+        "makes the page of it");
+}
+
 // Only scenes with a table [theory] can be asked by theory.
 void leave_out_without_theory(Selection& selection) {
   std::set<std::string> without;
@@ -43,7 +53,16 @@ void leave_out_without_theory(Selection& selection) {
                              fmt::join(without, ", "));
 }
 
+// What a rank has to say: what its journal does not.
+int of_a_rank(const study::Matrix& matrix, const Journal& journal) {
+  for (const auto& list : {matrix.refused, matrix.failed})
+    for (const std::string& line : list) std::cerr << "error: " << plain(line) << '\n';
+  if (matrix.interrupted) return interrupted;
+  return !journal.is_open() ? harness_failure : matrix.refused.empty() ? ok : bad_input;
+}
+
 int run(const Context& context, const RunOptions& options) {
+  refuse_in_farm(context, options);
   const std::vector<std::string> files = {options.json, options.junit, options.csv, options.html,
                                           options.traces};
   require_writable(files);
@@ -51,11 +70,12 @@ int run(const Context& context, const RunOptions& options) {
     throw core::InputError(fmt::format("--plots {}: no such folder", options.plots));
   const scenario::Expectations expectations = cli::expectations(context);
 
-  const std::optional<Shard> shard = shard_asked(options.shard);
+  const std::optional<Shard> shard = shard_asked(options.shard, context.farm);
   if (shard && options.rerun_failed)
     throw core::InputError(fmt::format("--rerun-failed: not of a shard ({})", shard->said_by));
   Journal journal(journal_file("run", shard));
-  const Journal::Content last = options.resume || options.rerun_failed ? journal.read() : Journal::Content();
+  const bool looks_back = (options.resume && !context.farm) || options.rerun_failed;
+  const Journal::Content last = looks_back ? journal.read() : Journal::Content();
   if (options.rerun_failed && !last.request) {
     std::cerr << "nothing to run again: this folder has no earlier run\n";
     return nothing_selected;
@@ -84,7 +104,7 @@ int run(const Context& context, const RunOptions& options) {
   }
   const Part part{"run", shard ? shard->index : 1, shard ? shard->count : 1,
                   units_of(selection.cells, expectations.hash())};
-  keep(own_units(shard, part), selection.cells);
+  keep(own_units(shard, part, options.resume), selection.cells);
   prepare(selection);
   for (study::Cell& cell : selection.cells) {
     study::sampling(*cell.scenario, cell.dt);  // refuse a bad step before any run
@@ -96,7 +116,8 @@ int run(const Context& context, const RunOptions& options) {
   if (shard && !journal.is_open())
     throw core::InputError("a shard is its journal, and there is none: nothing was run");
   const process::Interruptible until_told;
-  study::Matrix matrix = run_cells(context, options, expectations, last, journal, selection.cells);
+  study::Matrix matrix = run_cells(context, options, expectations, last, journal, selection.cells, shard);
+  if (shard && shard->farm) return of_a_rank(matrix, journal);
   std::vector<Verdict> rows;
   for (auto& cell : matrix.rows) std::move(cell.begin(), cell.end(), std::back_inserter(rows));
 

@@ -42,14 +42,16 @@ class Progress {
 
 study::Matrix run_cells(const Context& context, const RunOptions& options,
                         const scenario::Expectations& expectations, const Journal::Content& last,
-                        Journal& journal, const std::vector<study::Cell>& cells) {
+                        Journal& journal, const std::vector<study::Cell>& cells,
+                        const std::optional<Shard>& shard) {
+  const bool resume = options.resume && !(shard && shard->farm);  // a farm hands out only what is to be done
   std::vector<std::vector<Verdict>> rows(cells.size());
   std::vector<std::string> keys;
   std::vector<std::size_t> todo;
   std::vector<study::Cell> to_run;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     keys.push_back(cell_key(cells[i], expectations.hash()));
-    const auto found = options.resume ? last.cells.find(keys[i]) : last.cells.end();
+    const auto found = resume ? last.cells.find(keys[i]) : last.cells.end();
     if (found != last.cells.end()) {
       rows[i] = found->second;
     } else {
@@ -57,14 +59,15 @@ study::Matrix run_cells(const Context& context, const RunOptions& options,
       to_run.push_back(cells[i]);
     }
   }
-  if (options.resume)
+  if (resume)
     std::cerr << fmt::format("resumed: {} of {} cells are done already\n", cells.size() - todo.size(),
                              cells.size());
 
   Progress progress(context.progress, to_run.size());
-  const study::Pool pool{.workers = worker_count(options.jobs),
+  const study::Pool pool{.workers = worker_count(context, options.jobs),
                          .limits = {.run_seconds = options.timeout,
-                                    .memory_bytes = static_cast<std::size_t>(options.memory * 1073741824.0)}};
+                                    .memory_bytes = static_cast<std::size_t>(options.memory * 1073741824.0)},
+                         .next = next_of(shard, to_run.size())};
   study::Matrix fresh = study::run(to_run, pool, expectations,
                                    [&](std::size_t i, const std::vector<Verdict>& verdicts, double seconds) {
                                      journal.add(keys[todo[i]], to_run[i], verdicts, seconds);

@@ -45,11 +45,11 @@ study::Ladder ladder_for(const Options& options, const scenario::Scenario& scena
   return study::ladder(scenario, steps);
 }
 
-study::SweepOptions sweep_options(const Options& options) {
+study::SweepOptions sweep_options(const Context& context, const Options& options) {
   study::SweepOptions sweep;
   sweep.tolerances = options.tolerances;
   std::sort(sweep.tolerances.rbegin(), sweep.tolerances.rend());
-  sweep.workers = worker_count(options.jobs);
+  sweep.workers = worker_count(context, options.jobs);
   sweep.rounds = options.rounds;
   sweep.limits.run_seconds = options.timeout;
   return sweep;
@@ -58,7 +58,8 @@ study::SweepOptions sweep_options(const Options& options) {
 results::TradeTable sweep_of(const Context& context, const Options& options,
                              const scenario::Scenario& scenario, TradeJournal& journal) {
   const auto rows = with_workers(context, options.workers);
-  const Sweep plan{scenario, rows, ladder_for(options, scenario), sweep_options(options), options.observable};
+  const Sweep plan{scenario, rows, ladder_for(options, scenario), sweep_options(context, options),
+                   options.observable};
   results::TradeTable table =
       sweep(context, plan, journal, [&] { return study::settings(scenario, rows, options.wanted); });
   table.target = options.target;
@@ -94,17 +95,17 @@ int trade(const Context& context, const Options& options) {
     first = false;
     return table;
   };
-  return sweep_each(context, {"trade", options.patterns, asked(options), options.shard, options.resume}, each,
-                    [&](const Selection& selection, const std::vector<results::TradeTable>& tables) {
-                      write_tables(context, selection, tables, "Cylon: speed against accuracy", options.json,
-                                   options.html);
-                      if (!options.csv.empty()) write_whole(options.csv, reports::trade_csv(tables));
-                      if (options.svg.empty()) return;
-                      for (const results::TradeTable& table : tables)
-                        if (!table.measures.empty())
-                          write_whole(svg_name(options.svg, table.scenario, tables.size() > 1),
-                                      reports::to_svg(reports::trade_plot(table)));
-                    });
+  return sweep_each(
+      context, {"trade", options.patterns, asked(options), options.shard, options.resume, options.rounds > 0},
+      each, [&](const Selection& selection, const std::vector<results::TradeTable>& tables) {
+        write_tables(context, selection, tables, "Cylon: speed against accuracy", options.json, options.html);
+        if (!options.csv.empty()) write_whole(options.csv, reports::trade_csv(tables));
+        if (options.svg.empty()) return;
+        for (const results::TradeTable& table : tables)
+          if (!table.measures.empty())
+            write_whole(svg_name(options.svg, table.scenario, tables.size() > 1),
+                        reports::to_svg(reports::trade_plot(table)));
+      });
 }
 
 }  // namespace

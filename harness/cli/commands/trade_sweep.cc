@@ -1,5 +1,6 @@
 #include "harness/cli/commands/trade_sweep.h"
 
+#include "harness/cli/farm.h"
 #include "harness/cli/output.h"
 #include "harness/cli/provenance_now.h"
 #include "harness/cli/scenario_view.h"
@@ -83,31 +84,36 @@ int sweep_each(const Context& context, const SweepRequest& request,
     std::cerr << "nothing selected; see `cylon list --names`\n";
     return nothing_selected;
   }
-  const std::optional<Shard> shard = shard_asked(request.shard);
+  if (context.farm && request.timed)
+    context.farm->require_own_cores(fmt::format("`cylon {}` measures times", request.command));
+  const std::optional<Shard> shard = shard_asked(request.shard, context.farm);
   Part part{request.command, shard ? shard->index : 1, shard ? shard->count : 1, {}};
   for (const auto& scenario : selection.scenarios) part.units.push_back(unit_of(request, *scenario));
-  const std::vector<bool> own = own_units(shard, part);
+  const std::vector<bool> own = own_units(shard, part, request.resume);
   std::vector<Unit> units = part.units;
   keep(own, units), keep(own, selection.scenarios);
   TradeJournal journal(journal_file(request.command, shard), part, request.resume);
   if (shard && !journal.is_open())
     throw core::InputError("a shard is its journal, and there is none: nothing was run");
-  if (request.resume) std::cerr << fmt::format("resumed: {} runs are done already\n", journal.known());
+  if (request.resume && !(shard && shard->farm))
+    std::cerr << fmt::format("resumed: {} runs are done already\n", journal.known());
   std::vector<results::TradeTable> tables;
   const process::Interruptible until_told;
   bool whole = true;
   try {
-    for (std::size_t i = 0; i < units.size(); ++i) {
+    const study::Next next = next_of(shard, units.size());
+    while (const auto i = next()) {
       const auto start = std::chrono::steady_clock::now();
-      scenario::prepare(*selection.scenarios[i]);
-      tables.push_back(each(*selection.scenarios[i], journal));
+      scenario::prepare(*selection.scenarios[*i]);
+      tables.push_back(each(*selection.scenarios[*i], journal));
       const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-      journal.finish(units[i], seconds.count());
+      journal.finish(units[*i], seconds.count());
     }
   } catch (const process::Interrupted&) {
     whole = false;
   }
   if (whole && shard && !journal.is_open()) return harness_failure;
+  if (shard && shard->farm) return whole ? ok : interrupted;  // the leader writes the tables
   if (whole && shard && tables.empty()) return ok;
   if (whole || !tables.empty()) done(selection, tables);
   if (!whole) {

@@ -32,7 +32,7 @@ struct SweepRequest {
   std::vector<std::string> patterns;  ///< Of scenarios.
   std::vector<std::string> asked;     ///< What else decides the results: engines, steps, tolerances, ….
   ShardOptions shard;
-  bool resume = false;
+  bool resume = false, timed = true;
 };
 
 /// Sweeps each scenario that is selected by `each`, and gives all tables to `done`.  ok; nothing_selected

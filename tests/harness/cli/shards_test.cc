@@ -2,6 +2,7 @@
 #include "harness/cli/part.h"
 #include "harness/core/input_error.h"
 #include "tests/harness/cli/fixture.h"
+#include "tests/harness/cli/without_times.h"
 
 #include <nlohmann/json.hpp>
 
@@ -167,16 +168,6 @@ class Merge : public CommandLine {
           shell("mkdir -p m" + std::to_string(k) + "; cd m" + std::to_string(k) + "; exec cylon " + line);
       EXPECT_TRUE(ran.code == 0 || ran.code == 1) << line << ran.err;
     }
-  }
-  static std::string without_times(std::string text) {
-    std::string kept;
-    for (std::istringstream lines(std::move(text)); std::getline(lines, text);) {
-      if (text.starts_with("\"provenance\"")) continue;
-      const auto at = text.find("\"cpu_seconds\"");
-      kept += at == std::string::npos ? text : text.substr(0, at) + text.substr(text.find(',', at));
-      kept += '\n';
-    }
-    return kept;
   }
 };
 
