@@ -53,7 +53,8 @@ bool another_start(Dice& dice, Trial& trial) {
 // A stiffness, a drag, a friction, …: none of it, less, or more.
 bool another_law(Dice& dice, Trial& trial) {
   std::size_t count = 0;
-  const auto tunable = [](const core::About& about) { return about.tunable; };
+  // Lengths stay: a spring whose ends meet has no direction, unless it has no length.
+  const auto tunable = [](const core::About& about) { return about.tunable && about.unit != "m"; };
   each_number(trial.scene, [&](const core::About& about, auto&) { count += tunable(about); });
   if (count == 0) return false;
   std::size_t pick = dice.below(count);

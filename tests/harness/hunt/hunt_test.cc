@@ -37,14 +37,14 @@ std::function<bool(std::uint64_t)> scenes(std::uint64_t count) {
 // ---- Scenes -----------------------------------------------------------------------------------------------
 
 TEST(HuntedScenes, AreAcceptedByTheReader) {
-  std::map<std::string_view, int> seen;
+  std::map<std::string, int, std::less<>> seen;
   for (std::uint64_t n = 0; n < 1500; ++n) {
     const Generated made = generate(3, n);
     ++seen[made.family];
     const std::string text = to_toml(made.trial, "");
     ASSERT_NO_THROW(static_cast<void>(scenario::parse(text, "hunted.toml"))) << n << '\n' << text;
   }
-  for (const Family& family : families()) EXPECT_GT(seen[family.name], 100) << family.name;
+  for (const Family& family : families()) EXPECT_GT(seen[std::string(family.name)], 50) << family.name;
 }
 
 // Bodies that touch begin apart from each other, or lie on what is below them.
@@ -55,10 +55,15 @@ TEST(HuntedScenes, BeginWithoutOverlap) {
       if (pair.plane >= 0) continue;
       const auto &a = made.trial.scene.bodies[static_cast<std::size_t>(pair.body)],
                  &b = made.trial.scene.bodies[static_cast<std::size_t>(pair.other)];
+      const double apart = (a.initial.position - b.initial.position).norm();
       if (made.family == "standing")
-        EXPECT_GT((a.initial.position - b.initial.position).norm(), 0.2) << n;
+        EXPECT_GT(apart, 0.2) << n;
+      else if (made.family == "tower")
+        EXPECT_GT(apart, 2 * std::get<core::Box>(a.shape).half_extents.y() - 1e-9) << n;
+      else if (made.family == "cradle")
+        EXPECT_GE(apart, 2 * std::get<core::Sphere>(a.shape).radius) << n;
       else
-        EXPECT_GT((a.initial.position - b.initial.position).norm(), 1.4) << n;
+        EXPECT_GT(apart, 1.4) << n;
     }
   }
 }
