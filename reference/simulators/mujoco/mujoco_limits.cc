@@ -4,6 +4,7 @@
 #include "harness/core/overloaded.h"
 #include "harness/core/surfaces.h"
 #include "reference/applied/forces.h"
+#include "reference/applied/materials.h"
 #include "reference/applied/forest.h"
 #include "reference/applied/parts.h"
 #include "reference/simulators/mujoco/mujoco_contacts.h"
@@ -93,12 +94,7 @@ Reason against(const Scene& scene, const core::Pair& pair, const core::Material&
 }
 
 Reason against_contacts(const Scene& scene) {
-  if (const auto pair = core::pair_without_material(scene)) {
-    const std::string& other = pair->plane >= 0 ? scene.planes[static_cast<std::size_t>(pair->plane)].name
-                                                : body(scene, pair->other).name;
-    return fmt::format("'{}' may touch '{}', but the scene has no material for them.",
-                       body(scene, pair->body).name, other);
-  }
+  if (Reason reason = applied::without_material(scene)) return reason;
   const core::Surfaces surfaces = core::surfaces(scene);
   const auto class_of = [&](const core::Pair& pair) {
     return pair.plane >= 0 ? surfaces.of_plane[static_cast<std::size_t>(pair.plane)]

@@ -3,6 +3,7 @@
 #include "harness/core/joint_coordinates.h"
 #include "harness/core/overloaded.h"
 #include "reference/applied/forces.h"
+#include "reference/applied/materials.h"
 
 #include <fmt/format.h>
 
@@ -68,10 +69,7 @@ Reason against(const Scene& scene, const core::Pair& pair) {
       return fmt::format("Body '{}': {}.", body(scene, i).name, what);
   }
   if (core::material_of(scene, pair)) return {};
-  const std::string& other = pair.plane >= 0 ? scene.planes[static_cast<std::size_t>(pair.plane)].name
-                                             : body(scene, pair.other).name;
-  return fmt::format("'{}' may touch '{}', but the scene has no material for them.",
-                     body(scene, pair.body).name, other);
+  return applied::no_material(scene, pair);
 }
 
 Reason against(const Scene& scene, const core::Joint& joint) {

@@ -2,6 +2,7 @@
 
 #include "harness/core/surfaces.h"
 #include "reference/applied/forces.h"
+#include "reference/applied/materials.h"
 
 #include <fmt/format.h>
 
@@ -51,12 +52,7 @@ Reason against_shape(const core::Body& body) {
 }
 
 Reason against_contacts(const Scene& scene) {
-  if (const auto pair = core::pair_without_material(scene)) {
-    const std::string& other = pair->plane >= 0 ? scene.planes[static_cast<std::size_t>(pair->plane)].name
-                                                : body(scene, pair->other).name;
-    return fmt::format("'{}' may touch '{}', but the scene has no material for them.",
-                       body(scene, pair->body).name, other);
-  }
+  if (Reason reason = applied::without_material(scene)) return reason;
   Reason reason;
   core::any_touching_pair(scene, [&](const core::Pair& pair) {
     reason = against_shape(body(scene, pair.body));
