@@ -1,4 +1,5 @@
 // `cylon track` with a history on a PostgreSQL server, and what it says where there is none.
+#include "harness/core/input_error.h"
 #include "harness/tracking/store/postgres.h"
 #include "tests/harness/cli/fixture.h"
 #include "tests/harness/tracking/store/places.h"
@@ -51,7 +52,7 @@ TEST_F(ServerStore, KeepsNoEngines) {
   const cli::Ran pinned = track("pin v1");
   EXPECT_EQ(pinned.code, 2);
   EXPECT_NE(pinned.err.find("anchors in a file (--store FILE)"), std::string::npos) << pinned.err;
-  EXPECT_TRUE(Store::open(place, Mode::read).anchors().empty());
+  EXPECT_THROW(Store::open(place, Mode::read), core::InputError);  // nothing was begun
 }
 
 // One recorder of a run at a time: a second that resumes it is refused while the first is alive.
