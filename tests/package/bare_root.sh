@@ -23,5 +23,6 @@ url=$(apt-get download --print-uris base-files 2>/dev/null | sed -n "s/^'\([^']*
 
 "$here/../../cmake/package/pack.sh" "$build" "$scratch/packages"
 cp "$here/use.sh" "$scratch"
+for model in arm.xml world.sdf arm.urdf; do cp "$here/../data/imports/$model" "$scratch/model.${model##*.}"; done
 mmdebstrap --quiet --variant=minbase --format=null "$release" /dev/null "$sources" \
   --customize-hook="'$here/in_bare_root.sh' '$scratch'"' "$1"'

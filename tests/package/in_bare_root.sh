@@ -10,7 +10,7 @@ as_user() { inside su user -c "cd ~ && $*"; }
 for program in cc c++ gcc g++ clang cmake python3; do
   if inside sh -c "command -v $program" >/dev/null; then fail "there is a $program in the bare root"; fi
 done
-mkdir "$root/packages" && cp "$folder"/packages/*.deb "$folder/use.sh" "$root/packages"
+mkdir "$root/packages" && cp "$folder"/packages/*.deb "$folder/use.sh" "$folder"/model.* "$root/packages"
 core=$(cd "$folder/packages" && ls cylon_*.deb)
 install man-db
 begin=$SECONDS
@@ -22,10 +22,20 @@ as_user bash /packages/use.sh /usr
 echo "used as a user: $((SECONDS - begin)) s"
 as_user cylon engines --here | grep -F 'mujoco: not here: `apt-get install ./cylon-mujoco_*.deb` brings it' || fail "mujoco is here without its package"
 
+imports() { # a model of that ending, which becomes a scenario
+  as_user "cylon import /packages/model.$1 -o model.toml && cylon validate model.toml" >"$folder/import.log" 2>&1 ||
+    { cat "$folder/import.log" >&2; fail "no scenario of a .$1 file"; }
+}
+
 for package in "$folder"/packages/cylon-*.deb; do
   [ -e "$package" ] || continue
   id=$(basename "$package") id=${id#cylon-} id=${id%%_*}
   install "/packages/$(basename "$package")"
+  case $id in
+    import-mjcf) imports xml; continue ;;
+    import-sdformat) imports sdf; continue ;;
+    import-urdf) imports urdf; continue ;;
+  esac
   as_user cylon engines --here | grep "^$id: here: " || fail "$id is not here with its package"
   states=$(as_user cylon simulate projectile --engine "$id" | wc -l) || fail "$id does not run"
   [ "$states" -gt 2 ] || fail "$id gives $states lines"
