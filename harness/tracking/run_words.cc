@@ -6,8 +6,7 @@
 namespace cylon::tracking {
 
 void add_run_options(cli::App& app, RunWords& words) {
-  app.add_option("--revision", words.revision,
-                 "Revision under test. Default: the revision of this program")
+  app.add_option("--revision", words.revision, "Revision under test. Default: the revision of this program")
       ->type_name("TEXT");
   app.add_option("--order", words.order,
                  "Position of the revision in the history, ascending, for example from `git rev-list "

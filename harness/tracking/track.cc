@@ -15,7 +15,8 @@ namespace {
 const std::vector<App::Row> subcommands = {
     {"record", "Run scenarios on engines and add verdicts, errors, hashes, times and memory to the history",
      add_track_record},
-    {"cards", "Replay cards of `cylon hunt`, and add what became of each fault to the history", add_track_cards},
+    {"cards", "Replay cards of `cylon hunt`, and add what became of each fault to the history",
+     add_track_cards},
     {"compare", "Compare the speed and accuracy of two builds, with statistical tests", add_track_compare},
     {"gate", "Compare two builds for continuous integration: fail on a confirmed regression", add_track_gate},
     {"list", "List the runs of the history, or the values of one run", add_track_list},

@@ -323,7 +323,7 @@ def main():
     parser.add_argument("--sample", type=int)
     parser.add_argument("--seed", type=int, default=20261123)
     parser.add_argument("commands", nargs="*")
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
     counted = Counted(None if options.sample else "kills")
 
     def wanted(name, kills):

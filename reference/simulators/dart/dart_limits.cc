@@ -2,8 +2,8 @@
 
 #include "harness/core/surfaces.h"
 #include "reference/applied/forces.h"
-#include "reference/applied/materials.h"
 #include "reference/applied/forest.h"
+#include "reference/applied/materials.h"
 #include "reference/applied/parts.h"
 
 #include <fmt/format.h>

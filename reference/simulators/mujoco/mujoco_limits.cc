@@ -4,8 +4,8 @@
 #include "harness/core/overloaded.h"
 #include "harness/core/surfaces.h"
 #include "reference/applied/forces.h"
-#include "reference/applied/materials.h"
 #include "reference/applied/forest.h"
+#include "reference/applied/materials.h"
 #include "reference/applied/parts.h"
 #include "reference/simulators/mujoco/mujoco_contacts.h"
 
