@@ -40,7 +40,7 @@ struct Options {
 };
 
 // Scenes of one engine that are one unit of work: few, so that parts are equal.
-constexpr std::uint64_t unit_size = 16;
+constexpr std::uint64_t unit_size = 8;
 struct Task {
   std::size_t engine;
   std::uint64_t begin, end;
@@ -297,7 +297,7 @@ Command add_hunt(App& app, const Context& context) {
                "done again");
   app.add_option("--json", options->json, "Write all cards as a document, which `cylon report` shows")
       ->type_name("FILE");
-  add_shard_options(app, options->shard, "units of 16 scenes");
+  add_shard_options(app, options->shard, "units of 8 scenes");
   add_jobs_option(app, options->jobs, "Number of scenes to run at the same time; default: all processors");
   add_timeout_option(app, options->timeout);
   add_worker_option(app, options->workers);

@@ -124,7 +124,7 @@ TEST_F(FarmOfRanks, SharesSweepsAndSearches) {
        "0",
        0},
       {"limits", "'spring' turn --engine bullet --engine ode", 0},
-      {"hunt", "--engine in-house --engine bullet/gyro=none --scenes free_symmetric_top --count 2", 1}};
+      {"hunt", "--engine in-house --engine ode --scenes projectile --count 9", 0}};
   for (const auto& [command, asked, code] : rows) {
     shell("rm -rf .cylon one; mkdir one");
     const std::string line = std::string(command) + " " + asked;
