@@ -28,7 +28,8 @@ measured() { # wall and CPU seconds of a function
   local start=$EPOCHREALTIME
   (
     "$@"
-    times | awk 'NR == 2 { split($1, u, /[ms]/); split($2, s, /[ms]/); printf "%.2f ", 60 * (u[1] + s[1]) + u[2] + s[2] }'
+    times >times # not in a pipe, which would count its own children
+    awk 'NR == 2 { split($1, u, /[ms]/); split($2, s, /[ms]/); printf "%.2f ", 60 * (u[1] + s[1]) + u[2] + s[2] }' times
   )
   awk "BEGIN { printf \"%.2f\", $EPOCHREALTIME - $start }"
 }

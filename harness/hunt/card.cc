@@ -74,10 +74,11 @@ std::string reason(const Fault& fault) {
 }
 
 std::string signature(const Fault& fault, const core::Scene& scene) {
-  return fmt::format("{}{}: {} {}, {}", fault.oracle,
-                     fault.kind == Kind::every_step ? "" : fmt::format(" {}", name(fault.kind)),
-                     scene.bodies.size(), scene.bodies.size() == 1 ? "body" : "bodies",
-                     fmt::join(parts(scene), ", "));
+  std::string text = fmt::format("{}{}: {} {}", fault.oracle,
+                                 fault.kind == Kind::every_step ? "" : fmt::format(" {}", name(fault.kind)),
+                                 scene.bodies.size(), scene.bodies.size() == 1 ? "body" : "bodies");
+  for (const std::string& part : parts(scene)) text += ", " + part;
+  return text;
 }
 
 std::string Card::file_stem() const {
