@@ -1,57 +1,16 @@
 // Springs, dampers, motors and servos on the coordinates of joints, against closed forms and independent
 // integrations of the reduced equations.
-#include "tests/engine/joint_scenes.h"
+#include "tests/engine/rail_and_wheel.h"
 
 #include <numbers>
 
 namespace cylon::engine {
 namespace {
 
-constexpr Real mass = 1.3;
-const Vector3 axis = Vector3(0.3, -0.5, 0.8).normalized(), start = {0.2, 0.4, -0.3};
+constexpr Real mass = rail_mass;
+const Vector3& axis = rail_axis;
 
-Coordinate along_axis() {
-  Coordinate q;
-  q.to_anchor = start;
-  q.axis = axis;
-  return q;
-}
-
-// A body on a line through the world.
-Model slider(Real speed) {
-  Model model;
-  add_body(model, make_body(mass, general_inertia(0.05, 0.07, 0.1)), start, {0.5, 1.1, -0.6}, speed * axis,
-           {0, 0, 0});
-  model.joints.push_back({.type = joint_types::slider,
-                          .body = 0,
-                          .to_anchor = start,
-                          .to_axis = axis,
-                          .relative = model.motions[0].orientation});
-  return model;
-}
-
-// A body that turns about a line through the world and its own centre of mass; its moment about that.
-struct Wheel {
-  Model model;
-  Real inertia;
-  Coordinate angle;
-};
-Wheel wheel(Real speed) {
-  Wheel w;
-  const Vector3 turn = {0.5, 1.1, -0.6};
-  add_body(w.model, make_body(mass, general_inertia(0.05, 0.07, 0.1)), start, turn, {0, 0, 0}, speed * axis);
-  const Vector3 own = exponential(turn).conjugate() * axis;
-  w.inertia = own.dot(w.model.bodies[0].inertia * own);
-  w.model.joints.push_back(
-      {.type = joint_types::hinge, .body = 0, .to_anchor = start, .axis = own, .to_axis = axis});
-  w.angle.kind = Coordinate::Kind::angle;
-  w.angle.axis = axis;
-  w.angle.zero = axis.unitOrthogonal();
-  w.angle.mark = exponential(turn).conjugate() * w.angle.zero;
-  return w;
-}
-
-Real position(const std::vector<Motion>& motions) { return axis.dot(motions[0].position - start); }
+Real position(const std::vector<Motion>& motions) { return along_rail(motions); }
 Real spin(const Outcome& end) { return axis.dot(angular_velocity(end.bodies[0], end.motions[0])); }
 
 const std::vector<std::pair<const char*, bool>> forms = {
@@ -64,10 +23,10 @@ Options form(const std::pair<const char*, bool>& f, Time dt) {
 
 // m q'' = -k (q - r) - c q' + F + m g.a:  q = q_e + e^(-d t) (A cos(w t) + B sin(w t)).
 TEST(Law, OfASliderOnADampedSpring) {
-  Model model = slider(0.7);
+  Model model = body_on_rail(0.7);
   model.forces.gravity = {0.2, -9.81, 0.4};
   CoordinateLaw law;
-  law.at = along_axis();
+  law.at = along_rail();
   law.at.origin = 0.15;  // q = 0.15 at the start
   law.stiffness = 40, law.damping = 0.9, law.force = 1.1, law.target.value = 0.25;
   model.forces.coordinate_laws.push_back(law);
@@ -82,7 +41,7 @@ TEST(Law, OfASliderOnADampedSpring) {
 
 // I q'' = -k q, over many turns: q = W/w sin(w t).  The angle of an orientation alone would turn round at pi.
 TEST(Law, CountsTurns) {
-  Wheel w = wheel(40);
+  Wheel w = wheel_that_turns(40);
   CoordinateLaw law;
   law.at = w.angle;
   law.stiffness = 0.3;
@@ -97,7 +56,7 @@ TEST(Law, CountsTurns) {
 
 // A flywheel with all three losses: I w' = -c w - c2 w|w| + T.
 TEST(Law, OfAWheelWithQuadraticLoss) {
-  Wheel w = wheel(-9);
+  Wheel w = wheel_that_turns(-9);
   CoordinateLaw law;
   law.at = w.angle;
   law.damping = 0.03, law.quadratic_damping = 0.02, law.force = 0.4;
@@ -122,9 +81,9 @@ TEST(Law, OfAWheelWithQuadraticLoss) {
 // A servo that follows a harmonic, and one that follows a table with kinks, which an integrator must not step over.
 TEST(Law, OfServos) {
   for (const bool table : {false, true}) {
-    Model model = slider(0.3);
+    Model model = body_on_rail(0.3);
     CoordinateLaw law;
-    law.at = along_axis();
+    law.at = along_rail();
     law.stiffness = 60, law.damping = 1.4;
     if (table) {
       law.target.times = {0.1, 0.333, 0.75, 1.201};
@@ -161,9 +120,9 @@ TEST(Law, OfServos) {
 // A servo at a kink: a fixed scheme keeps its order over it.  In place and speed together: the error of the place alone
 // passes through zero near 220 steps.
 TEST(Law, KeepsTheOrderOverKinks) {
-  Model model = slider(0.3);
+  Model model = body_on_rail(0.3);
   CoordinateLaw law;
-  law.at = along_axis();
+  law.at = along_rail();
   law.stiffness = 60, law.damping = 1.4;
   law.target.times = {0.1, 0.333, 0.75};
   law.target.values = {0.1, 0.5, -0.4};

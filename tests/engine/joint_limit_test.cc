@@ -1,58 +1,37 @@
 // Limits and dry friction of joints, as events: against closed forms, and at rest.
-#include "tests/engine/joint_scenes.h"
+#include "tests/engine/rail_and_wheel.h"
 
 #include <numbers>
 
 namespace cylon::engine {
 namespace {
 
-constexpr Real mass = 1.3;
-const Vector3 axis = Vector3(0.3, -0.5, 0.8).normalized(), start = {0.2, 0.4, -0.3};
+constexpr Real mass = rail_mass;
+const Vector3& axis = rail_axis;
 
 CoordinateLaw law_of_slider() {
   CoordinateLaw law;
-  law.at.to_anchor = start;
-  law.at.axis = axis;
+  law.at = along_rail();
   return law;
 }
 
-// A body on a line through the world; `pull` along the line [m/s^2].
+// `pull` along the line [m/s^2].
 Model slider(Real speed, Real pull, const CoordinateLaw& law) {
-  Model model;
-  add_body(model, make_body(mass, general_inertia(0.05, 0.07, 0.1)), start, {0.5, 1.1, -0.6}, speed * axis,
-           {0, 0, 0});
-  model.joints.push_back({.type = joint_types::slider,
-                          .body = 0,
-                          .to_anchor = start,
-                          .to_axis = axis,
-                          .relative = model.motions[0].orientation});
+  Model model = body_on_rail(speed);
   model.forces.gravity = pull * axis + 3 * axis.unitOrthogonal();
   model.forces.coordinate_laws.push_back(law);
   return model;
 }
 
-struct Wheel {
-  Model model;
-  Real inertia;
-};
-// A body that turns about a line through the world and its centre of mass.
 Wheel wheel(Real speed, CoordinateLaw law) {
-  Wheel w;
-  const Vector3 turn = {0.5, 1.1, -0.6};
-  add_body(w.model, make_body(mass, general_inertia(0.05, 0.07, 0.1)), start, turn, {0, 0, 0}, speed * axis);
-  const Vector3 own = exponential(turn).conjugate() * axis;
-  w.inertia = own.dot(w.model.bodies[0].inertia * own);
-  w.model.joints.push_back(
-      {.type = joint_types::hinge, .body = 0, .to_anchor = start, .axis = own, .to_axis = axis});
-  law.at.kind = Coordinate::Kind::angle;
-  law.at.axis = axis;
-  law.at.zero = axis.unitOrthogonal();
-  law.at.mark = exponential(turn).conjugate() * law.at.zero;
+  Wheel w = wheel_that_turns(speed);
+  w.angle.origin = law.at.origin;
+  law.at = w.angle;
   w.model.forces.coordinate_laws.push_back(law);
   return w;
 }
 
-Real position(const std::vector<Motion>& motions) { return axis.dot(motions[0].position - start); }
+Real position(const std::vector<Motion>& motions) { return along_rail(motions); }
 Real speed(const World& world) { return axis.dot(velocity(world.bodies()[0], world.motions()[0])); }
 Real spin(const World& world) { return axis.dot(angular_velocity(world.bodies()[0], world.motions()[0])); }
 
@@ -244,14 +223,17 @@ TEST(Friction, OfOneAngleLeavesTheOther) {
   const Vector3 second = axis.unitOrthogonal(), turn = {0.5, 1.1, -0.6};
   const Real w = 1.7;
   Model model;
-  add_body(model, make_body(mass, general_inertia(0.05, 0.07, 0.1)), start, turn, {0, 0, 0}, w * second);
+  add_body(model, make_body(mass, general_inertia(0.05, 0.07, 0.1)), rail_start, turn, {0, 0, 0}, w * second);
   CoordinateLaw law;
   law.at.kind = Coordinate::Kind::angle;
   law.at.axis = axis, law.at.zero = second;
   law.at.mark = exponential(turn).conjugate() * second;
   law.friction = 5;
-  model.joints.push_back(
-      {.type = joint_types::universal, .body = 0, .to_anchor = start, .axis = law.at.mark, .to_axis = axis});
+  model.joints.push_back({.type = joint_types::universal,
+                          .body = 0,
+                          .to_anchor = rail_start,
+                          .axis = law.at.mark,
+                          .to_axis = axis});
   model.forces.coordinate_laws.push_back(law);
   for (const bool constraints : both_forms)
     for (const char* integrator : {"auto", "rk8"})
