@@ -76,6 +76,11 @@ class Bodies {
   /// Every force follows the state by itself again.
   void unwatch();
 
+  /// Coordinates of joints that are angles are near those that y counts.
+  void set_turns(const Real* y);
+  /// The most that a limited angle turns from one state to another [rad].
+  Real most_turned(const Real* from, const Real* to) const;
+
   /// Who adds the forces of joints and contacts; null: the joints alone.
   void set_holder(Holder* holder) { holder_ = holder; }
   /// Forces without those of joints and contacts, and the kinematics that they were computed from.
@@ -86,7 +91,6 @@ class Bodies {
  private:
   void project(Motion*);
   void find_kinematics(const Motion*);
-  void set_turns(const Real* y);
   std::vector<Real> turn_rates(const Real* y);
   void count_turns(Real* y) const;
   void find_loads(Time, const Motion*, Real* powers);

@@ -1,12 +1,23 @@
 // The angles of joints of which the turns count, as part of the state of Bodies: an orientation does not tell them.
 #include "engine/bodies.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace cylon::engine {
 
 // The angles of y are what the coordinates of the model are near to.
 void Bodies::set_turns(const Real* y) {
   for (std::size_t k = 0; k < turning_.size(); ++k)
     model_.forces.coordinate_laws[turning_[k]].at.near = y[angles_ + k];
+}
+
+Real Bodies::most_turned(const Real* from, const Real* to) const {
+  Real most = 0;
+  for (std::size_t k = 0; k < turning_.size(); ++k)
+    if (model_.forces.coordinate_laws[turning_[k]].is_limited())
+      most = std::max(most, std::abs(to[angles_ + k] - from[angles_ + k]));
+  return most;
 }
 
 // The rates of the angles that are counted.

@@ -56,6 +56,10 @@ struct CoordinateLaw {
   bool has_lower() const { return lower > -std::numeric_limits<Real>::infinity(); }
   bool has_upper() const { return upper < std::numeric_limits<Real>::infinity(); }
   bool is_limited() const { return has_lower() || has_upper(); }
+  /// Whether Q is anything at all, beside friction and limits.
+  bool has_smooth_force() const {
+    return stiffness != 0 || damping != 0 || quadratic_damping != 0 || force != 0;
+  }
   /// Whether it matters how many turns the coordinate has made.
   bool counts_turns() const { return at.kind == Coordinate::Kind::angle && (stiffness != 0 || is_limited()); }
 

@@ -55,8 +55,18 @@ bool are_apart(const Candidate& c, const Motion* motion, Real margin) {
 
 }  // namespace
 
+// What the rounding of a gap is relative to [m, rad].  Of a coordinate along an axis at least the length that error
+// control measures places by: beside the origin of the world places are not exact.
+Real EventStepper::scale_of(const Candidate& c, const Motion* motion) const {
+  const Model& model = system_.model();
+  const Real scale = gap_scale(c, model, motion);
+  const bool place =
+      is_of_joint(c) && model.forces.coordinate_laws[index(c.law)].at.kind == Coordinate::Kind::displacement;
+  return place ? std::max(scale, scaled_.length()) : scale;
+}
+
 Real EventStepper::touch_margin(const Candidate& c, const Motion* motion) const {
-  return touch_ulps * ulp * gap_scale(c, system_.model(), motion);
+  return touch_ulps * ulp * scale_of(c, motion);
 }
 
 // The largest distance within which spots() looks at a pair.
@@ -201,7 +211,7 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
       std::any_of(outcome.approach.begin(), outcome.approach.end(), [](Real u) { return u > 0; });
   for (std::size_t i = 0; blow && i < touches.size(); ++i) {
     const Real u = rate_now(touches[i]);
-    const Real low = 16 * ulp * gap_scale(candidates_[touching[i].held.candidate], model, motion);
+    const Real low = 16 * ulp * scale_of(candidates_[touching[i].held.candidate], motion);
     touching[i].returns =
         touches[i].restitution == 0 && outcome.approach[i] == 0 && u > 0 && u * u < 2 * pulls[i] * low;
   }

@@ -114,7 +114,7 @@ void EventStepper::project(const std::vector<Body>& bodies, Motion* motion) {
       append_rows(touch, bodies, motion, three);
       const auto first = static_cast<std::size_t>(touch.axis);
       three[first].offset = touch.gap;
-      three[first].rounding = 16 * ulp * gap_scale(candidates_[h.candidate], system_.model(), motion);
+      three[first].rounding = 16 * ulp * scale_of(candidates_[h.candidate], motion);
       closed = closed && std::abs(touch.gap) <= three[first].rounding;
       // Of a coordinate the one row that it has: dry friction holds a rate where it sticks, and no place.
       const bool sticks = speeds && h.holding.grip == Grip::sticks;

@@ -263,7 +263,13 @@ Time EventStepper::go_on(Time from, Time span, bool& event) {
   ContactForces before;
   if (!watches && !held_.empty()) log_.note(DiagnosticKind::changes_not_searched, from);
   if (watches) before = support(from, start_.data());
-  const Time went = piece(from, span);
+  Time went = piece(from, span);
+  // The rate at the start bounds no turn of what speeds up.
+  while (system_.most_turned(start_.data(), y_.data()) > most_turn && went > no_time * dt_) {
+    copy(start_, y_);
+    fresh_ = true;
+    went = piece(from, went / 2);
+  }
   const Real width = static_cast<Real>(went);
   copy(y_, end_);
   passage_.set(system_.model().bodies, system_.count(), system_.motions(start_.data()), motions(), width);
@@ -278,9 +284,11 @@ Time EventStepper::go_on(Time from, Time span, bool& event) {
     left_slip_ = 0;
     instant_ = false;
     copy(end_, y_);
+    system_.set_turns(y_.data());
     return went;
   }
   part(from, *first);
+  system_.set_turns(y_.data());
   return std::min(went, static_cast<Time>(*first));
 }
 

@@ -40,6 +40,8 @@ class ScaledBodies {
   void project(Real* y) { bodies_.project(y); }
   void set_masses(const Real* y) { bodies_.set_masses(y); }
   void scales(const Real* y, Real* scale) const;
+  /// The least length that errors of places are measured by [m].
+  Real length() const { return least_length_; }
 
  private:
   Bodies& bodies_;
@@ -73,6 +75,7 @@ class EventStepper final : public Stepper, private Holder {
  private:
   // Slower than this, in ulps of the speeds around, is not moving; and of what forces give in a step, at rest.
   static constexpr Real slow_ulps = sizeof(Real) == 8 ? 1024 : 64, rest_ulps = slow_ulps / 4;
+  static constexpr Real most_turn = 2;   ///< Of a limited angle in a piece [rad]: less than half a turn.
   static constexpr Time no_time = 1e-9;  ///< An event after less than this part of a step took no time.
 
   struct Spot {
@@ -129,6 +132,7 @@ class EventStepper final : public Stepper, private Holder {
   TouchPoint touch_of(const HeldPoint&, const Motion*) const;
   ContactForces support(Time, const Real* y);
   std::vector<Row> joint_rows(const Motion*) const;
+  Real scale_of(const Candidate&, const Motion*) const;
   Real touch_margin(const Candidate&, const Motion*) const;
   Real room_of(const HeldPoint&, const Motion*) const;
   bool only_held_touches(const Candidate&, const Motion* begin, const Motion* end);

@@ -102,19 +102,24 @@ std::optional<Real> EventStepper::contact_time(Time from, Real span) {
 std::optional<Real> EventStepper::limit_time(const Candidate& c, Time from, Real span) {
   const Model& model = system_.model();
   const Real least = touch_margin(c, system_.motions(start_.data())) / 4;
+  // An angle turns by less than half a turn in a piece: all of it is near both ends.
   const auto gap_after = [&](Real s) {
     part(from, s);
+    system_.set_turns(y_.data());
     return gap_of(c, model, motions());
   };
   const auto rate_after = [&](Real s) {
     part(from, s);
+    system_.set_turns(y_.data());
     return gap_rate(touch_at(c, model, motions()), model.bodies, motions());
   };
   const auto seen_after = [&](Real s) {
+    system_.set_turns(end_.data());
     if (s >= passage_.span()) return gap_of(c, model, system_.motions(end_.data()));
     passage_.at(s, scratch_);
     return gap_of(c, model, scratch_.data());
   };
+  system_.set_turns(start_.data());
   Real low = 0, g_low = gap_of(c, model, system_.motions(start_.data()));
   if (g_low < least &&
       rate_after(0) < -speed_rounding(touch_at(c, model, motions()), model.bodies, motions()))

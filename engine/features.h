@@ -123,7 +123,8 @@ inline constexpr std::array feature_names = {
     FeatureName{Feature::contact_in_turning_frame, "contacts in a rotating frame"},
     FeatureName{Feature::world_joint_in_turning_frame, "joints to the world in a rotating frame"},
     FeatureName{Feature::force_in_turning_frame,
-                "drag, water or a spring damped against the world in a rotating frame"},
+                "drag, water, a spring damped against the world or a force along a joint to the world in a "
+                "rotating frame"},
     FeatureName{Feature::chosen_integrator, "a chosen integrator"},
     FeatureName{Feature::account, "the work of each force"},
     FeatureName{Feature::late_start, "a start at another time than 0"},

@@ -109,6 +109,15 @@ std::string no_path(const Model& model, const Options& options) {
 
 bool is_closed(Path path) { return path == Path::exact || path == Path::modes || path == Path::ballistic; }
 
+// How many of a list act as forces: limits and dry friction of a joint have stages of their own.
+template <class Kind>
+std::size_t acting(const std::vector<Kind>& list) {
+  if constexpr (std::is_same_v<Kind, CoordinateLaw>)
+    return static_cast<std::size_t>(std::ranges::count_if(list, &CoordinateLaw::has_smooth_force));
+  else
+    return list.size();
+}
+
 // The stages of a model, a line each.
 class Stages {
  public:
@@ -123,12 +132,17 @@ class Stages {
     add("gravity", own || !model_.forces.gravity.isZero(0),
         own ? "bodies have a gravity of their own" : "uniform gravity acts", "no uniform gravity");
     each_force_list(model_.forces,
-                    [&]<class Kind>(const std::vector<Kind>& list) { count(Kind::stage, list.size()); });
+                    [&]<class Kind>(const std::vector<Kind>& list) { count(Kind::stage, acting(list)); });
     add("variable mass", any(model_.bodies, [](const Body& b) { return b.mass_rate != 0; }),
         "a body gains or loses mass", "all masses are constant");
     add("turning frame", model_.frame.has_value(), "the scene is given in a rotating frame",
         "the frame is inertial");
     joints();
+    const std::vector<CoordinateLaw>& laws = model_.forces.coordinate_laws;
+    add("limits of joints", any(laws, [](const CoordinateLaw& law) { return law.is_limited(); }),
+        "a coordinate of a joint has a limit", "no joint has a limit");
+    add("dry friction in joints", any(laws, [](const CoordinateLaw& law) { return law.friction != 0; }),
+        "a coordinate of a joint has dry friction", "no joint has dry friction");
     add("broad phase", broad(), "many bodies can touch: a grid finds the pairs",
         contact ? "few bodies can touch" : nothing);
     add("detection", contact || options_.full, contact ? "surfaces can touch" : "option model = full",

@@ -123,7 +123,9 @@ std::vector<Refusal> refusals() {
             [](core::Scene& s) {
               s.frame = core::Frame{{0, 0, 0}, {0.1, 0.2, 0}};
             })},
-      {"in-house", "not modelled: drag, water or a spring damped against the world in a rotating frame",
+      {"in-house",
+       "not modelled: drag, water, a spring damped against the world or a force along a joint to the world "
+       "in a rotating frame",
        with(pushed(core::Drag{0, 1, 0, 0}),
             [](core::Scene& s) {
               s.frame = core::Frame{{0, 0, 0}, {0.1, 0.2, 0}};

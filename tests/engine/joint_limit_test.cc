@@ -134,6 +134,48 @@ TEST(Limit, PlasticStopHoldsUntilItIsPulledAway) {
 }
 
 // A wheel between stops more than a turn apart: the angle is that of all its turns.
+// Height over the stop at the origin, thrown upwards at v:  flights of 2 v/g, each at e times the speed before.
+// The margin of a gap was a part of its distance from the origin, which is nothing here, and the blows never ended.
+TEST(Limit, AtTheOriginOfTheWorldKeepsItsRestitution) {
+  const Real g = 9.81;
+  for (const Real e : {Real(1), Real(0.9), Real(0.5)})
+    for (const bool constraints : both_forms) {
+      Model model;
+      add_body(model, make_body(mass, general_inertia(0.05, 0.07, 0.1)), {0, 0, 0}, {0, 0, 0}, {0, 1, 0},
+               {0, 0, 0});
+      model.joints.push_back({.type = joint_types::slider, .body = 0, .to_axis = Vector3::UnitY()});
+      CoordinateLaw law;
+      law.at.axis = Vector3::UnitY(), law.lower = 0, law.upper = 0.5, law.restitution = e;
+      model.forces.gravity = {0, -g, 0};
+      model.forces.coordinate_laws.push_back(law);
+      const Outcome end = run(model, form(constraints, 0.01), 200, [&](const World& world) {
+        Real t = static_cast<Real>(world.time()), v = 1;
+        for (; t > 2 * v / g && v > 1e-6; v *= e) t -= 2 * v / g;
+        const Real height = v > 1e-6 ? v * t - g * t * t / 2 : 0;
+        ASSERT_NEAR(world.motions()[0].position.y(), height, 1e-10) << e << ' ' << world.time();
+      });
+      EXPECT_TRUE(end.remarks.empty()) << end.remarks.front();
+    }
+}
+
+// From rest under a constant torque, in steps in which it turns by several radians: the stop at u is met after
+// sqrt(2 u/a) at sqrt(2 u a), and again after 2 e w/a.  The rate at the start, which is 0, was all that bounded a piece.
+TEST(Limit, OfAnAngleThatSpeedsUpWithinAStepIsMet) {
+  constexpr Real a = 1600, e = 0.5, dt = 0.1;
+  for (const char* integrator : {"auto", "rk8", "rk4"})
+    for (const bool constraints : both_forms)
+      for (const Real upper : {2, 4, 7, 7.9}) {
+        CoordinateLaw law;
+        law.upper = upper, law.restitution = e;
+        law.force = a * wheel(0, law).inertia;
+        const Outcome end = run(wheel(0, law).model, form(constraints, dt, integrator), 1);
+        Real t = dt - std::sqrt(2 * upper / a), w = std::sqrt(2 * upper * a);
+        for (w *= e; t > 2 * w / a; w *= e) t -= 2 * w / a;
+        EXPECT_NEAR(axis.dot(angular_velocity(end.bodies[0], end.motions[0])), a * t - w, 1e-6 * a)
+            << integrator << ' ' << upper << ' ' << constraints;
+      }
+}
+
 TEST(Limit, OfAnAngleCountsTurns) {
   CoordinateLaw law;
   law.lower = -1, law.upper = 9, law.restitution = 0.8;

@@ -3,6 +3,7 @@
 
 #include "tests/engine/fixtures.h"
 #include "tests/engine/joint_types.h"
+#include "tests/engine/rail_and_wheel.h"
 
 #include <functional>
 #include <map>
@@ -42,12 +43,15 @@ const std::vector<const char*> optional_stages = {"rotation",
                                                   "drive",
                                                   "attraction",
                                                   "water",
+                                                  "springs, dampers and motors in joints",
                                                   "variable mass",
                                                   "turning frame",
                                                   "reduced coordinates",
                                                   "joint constraints",
                                                   "broad phase",
                                                   "detection",
+                                                  "limits of joints",
+                                                  "dry friction in joints",
                                                   "impacts",
                                                   "friction",
                                                   "contact solving",
@@ -156,6 +160,16 @@ std::vector<Case> cases() {
        },
        Path::events,
        {"rotation", "gravity", "springs", "detection", "impacts", "contact solving", "event location"}},
+      {"body on a rail with a stop and dry friction",
+       [] {
+         Model m = body_on_rail(1);
+         CoordinateLaw law;
+         law.at = along_rail(), law.upper = 1, law.friction = 0.2;
+         m.forces.coordinate_laws.push_back(law);
+         return m;
+       },
+       Path::events,
+       {"reduced coordinates", "limits of joints", "dry friction in joints", "event location"}},
       {"many boxes on a plane",
        [] {
          Model m;
