@@ -1,6 +1,7 @@
 #include "reference/simulators/in_house/in_house_joints.h"
 
 #include "harness/core/held_joint.h"
+#include "reference/simulators/in_house/in_house_real.h"
 
 #include <utility>
 
@@ -12,13 +13,6 @@ using core::Ordinal;
 using engine::Coordinate;
 using engine::Joint;
 using engine::Real;
-
-Real real(double x) { return static_cast<Real>(x); }
-engine::Vector3 real(const core::Vector3& v) { return v.cast<Real>(); }
-// In float the rounded components are no unit quaternion any more.
-engine::Quaternion real(const core::Quaternion& q) {
-  return engine::renormalised(engine::Quaternion(q.cast<Real>()));
-}
 
 Joint::Place place_of(core::JointPlace place) {
   switch (place) {

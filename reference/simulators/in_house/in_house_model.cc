@@ -4,6 +4,7 @@
 #include "harness/core/overloaded.h"
 #include "harness/core/surfaces.h"
 #include "reference/simulators/in_house/in_house_joints.h"
+#include "reference/simulators/in_house/in_house_real.h"
 #include "reference/simulators/in_house/in_house_shapes.h"
 
 #include <fmt/format.h>
@@ -20,13 +21,6 @@ using core::Overloaded;
 using core::Scene;
 using engine::Model;
 using engine::Real;
-
-Real real(double x) { return static_cast<Real>(x); }
-engine::Vector3 real(const core::Vector3& v) { return v.cast<Real>(); }
-// In float the rounded components are no unit quaternion any more.
-engine::Quaternion real(const core::Quaternion& q) {
-  return engine::renormalised(engine::Quaternion(q.cast<Real>()));
-}
 
 const core::Body& body_of(const Scene& scene, int index) {
   return scene.bodies[static_cast<std::size_t>(index)];
