@@ -66,7 +66,8 @@ std::vector<Setting> of_the_scene() {
        "Lemke's method, and nonsmooth Gauss-Seidel (NSGS) on the exact cone"},
       {"openblas_set_num_threads", "1", "the processors of the machine",
        "its threads wait for each other over matrices of a few rows"},
-      {applied::applied_forces, applied::as_applied, "none", applied::why_applied},
+      {"springs, drag, thrust, drive, attraction, water, forces of a turning frame",
+       "force of the state that (1 - theta) of the step leads to", "none", applied::why_applied},
   };
 }
 
@@ -131,7 +132,7 @@ core::Engine siconos_engine(std::string version) {
       {path("as-shipped", "every setting as Siconos has it by itself"),
        path("as-expert", "one rule for all scenes; its settings say where they hold")},
       "always 'as-shipped'",
-      {{midpoint, 2, "linear momentum; theta = 1/2; order 1 with contacts or forces beside gravity"},
+      {{midpoint, 2, "linear momentum; theta = 1/2; order 1 with contacts or forces that read velocities"},
        {implicit, 1, "linear momentum; theta = 1"}},
       siconos_options().offered()};
   engine.knows = {"collision_filters", "body_gravity"};

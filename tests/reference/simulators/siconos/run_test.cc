@@ -60,6 +60,32 @@ TEST(SiconosRun, FallsAsItsThetaSays) {
   EXPECT_LE((late - g / 128).norm(), 1e-13);
 }
 
+// Springs at a centre of mass and off it.  The midpoint rule has order 2 here too, and both schemes keep the energy of a
+// spring within a part of (w dt): it grew without bound where forces were those of the state before the step.
+TEST(SiconosRun, OscillatesAsItsThetaSays) {
+  core::Scene scene = tumbling();
+  scene.forces = {core::Spring{0, {0.1, 0.2, -0.1}, core::world, {0.5, 1.5, 0.2}, 40, 0.3, 0}};
+  for (const auto& [integrator, order] :
+       {std::pair{"moreau-jean", 2}, std::pair{"moreau-jean-implicit", 1}}) {
+    const auto at = [&](double dt) {
+      return after(scene, {.dt = dt, .path = "as-expert", .integrator = integrator}, 1)[0].position;
+    };
+    const Vector3 coarse = at(1. / 128), middle = at(1. / 256), fine = at(1. / 512);
+    EXPECT_NEAR(std::log2((coarse - middle).norm() / (middle - fine).norm()), order, 0.15) << integrator;
+  }
+  core::Scene spring = tumbling();
+  core::Body& body = spring.bodies[0];
+  body.initial.angular_velocity.setZero(), body.initial.velocity.setZero();
+  body.initial.position = {1, 0, 0};
+  const double rate = std::sqrt(40 / body.mass), dt = 0.1 / rate;
+  spring.forces = {core::Spring{0, Vector3::Zero(), core::world, Vector3::Zero(), 40, 0, 0}};
+  for (const char* integrator : {"moreau-jean", "moreau-jean-implicit"}) {
+    const core::BodyState end = after(spring, {.dt = dt, .integrator = integrator}, 2000 * dt)[0];
+    const double energy = body.mass * end.velocity.squaredNorm() / 2 + 20 * end.position.squaredNorm();
+    EXPECT_NEAR(energy, 20, 20 * 0.06) << integrator;  // w dt/2 of theta = 1, at any time
+  }
+}
+
 core::Scene on_the_floor(double friction) {
   core::Scene scene;
   scene.bodies.resize(3);
