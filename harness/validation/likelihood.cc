@@ -1,6 +1,7 @@
 #include "harness/validation/likelihood.h"
 
 #include "harness/core/input_error.h"
+#include "harness/core/joint_coordinates.h"
 #include "harness/study/parallel.h"
 #include "harness/validation/path.h"
 #include "reference/measured/coordinates.h"
@@ -24,6 +25,12 @@ void require_laws_of_no_time(const Experiment& e) {
       throw core::InputError(fmt::format(
           "{}: a drive, a thrust or water changes with time, and windows of a run begin at different times",
           e.model.file));
+  for (const core::Joint& joint : e.model.scene.joints)
+    core::for_each_coordinate(joint, [&](const core::JointCoordinate& c) {
+      if (core::target_moves(c))
+        throw core::InputError(fmt::format(
+            "{}: the target of a joint moves, and windows of a run begin at different times", e.model.file));
+    });
 }
 
 study::RunFailed not_finite() {

@@ -99,10 +99,10 @@ ordered_json to_json(const validation::HorizonSummary& s) {
 std::string told(const validation::HorizonSummary& s) {
   const auto time = [](const Estimate& e) {
     const auto one = [](double t) {
-      return std::isfinite(t) ? fmt::format("{:.3g}", t) : std::string("the end");
+      return std::isfinite(t) ? fmt::format("{:.3g} s", t) : std::string("the end");
     };
     if (std::isnan(e.value)) return std::string("not known");
-    return fmt::format("{} s [{}, {}]", one(e.value), one(e.interval.low), one(e.interval.high));
+    return fmt::format("{} [{}, {}]", one(e.value), one(e.interval.low), one(e.interval.high));
   };
   std::string out;
   if (s.failed > 0)
@@ -137,6 +137,8 @@ measured::Experiment set_values(const measured::Experiment& e, const std::vector
     if (found == e.parameters.end())
       throw core::InputError(fmt::format("--set {}: {} has no parameter '{}'{}", word, e.file,
                                          word.substr(0, at), core::did_you_mean(word.substr(0, at), names)));
+    if (std::ranges::find(parameters, found->name, &measured::Parameter::name) != parameters.end())
+      throw core::InputError(fmt::format("--set {}: '{}' twice", word, found->name));
     double value = std::nan("");
     const char* end = word.data() + word.size();
     if (at == word.size() || std::from_chars(word.data() + at + 1, end, value).ptr != end ||

@@ -25,6 +25,7 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 namespace cylon::cli {
@@ -119,9 +120,13 @@ FitRow fitted(const Context& context, const Options& options, const measured::Ex
   const int jobs = worker_count(options.jobs);
   const study::Runner runner = study::session_runner(engine, {.run_seconds = options.timeout});
   FitRow row;
+  bool is_fitted = false;
   row.engine = engine.id, row.fitted_on = names_of(e, fold.on), row.judged_on = names_of(e, fold.by);
   try {
     Likelihood likelihood(e, parameters, fold.on, runner, jobs);
+    row.left_over = likelihood.left_over();
+    std::optional<Likelihood> judge;  // made first: what it refuses is known before hours of fitting
+    if (!fold.by.empty()) judge.emplace(e, parameters, fold.by, runner, jobs);
     validation::Memory memory = journal.memory(key_of(options, e, engine, parameters, fold));
     std::size_t evaluations = 0;
     memory.found = [&, write = memory.found](const validation::Evaluation& one) {
@@ -133,10 +138,10 @@ FitRow fitted(const Context& context, const Options& options, const measured::Ex
     };
     row.fit = validation::fit(likelihood, memory);
     if (context.progress) std::cerr << "\r\x1b[K" << std::flush;
-    if (fold.by.empty()) return row;
-    Likelihood judge(e, parameters, fold.by, runner, jobs);
-    judge.renew(row.fit.values);
-    row.deviances = judge.deviances(row.fit.values);
+    if (!judge) return row;
+    is_fitted = true;
+    judge->renew(row.fit.values);
+    row.deviances = judge->deviances(row.fit.values);
     const measured::Experiment after = measured::with_values(e, parameters, row.fit.values);
     if (e.coordinates == measured::Coordinates::free) {
       row.before = rest_scores(e, fold.by, runner, jobs),
@@ -146,7 +151,7 @@ FitRow fitted(const Context& context, const Options& options, const measured::Ex
       row.horizon_after = validation::horizons(after, fold.by, runner, jobs);
     }
   } catch (const study::RunFailed& failed) {
-    row.failure = failed.outcome.reason;
+    (is_fitted ? row.judge_failure : row.failure) = failed.outcome.reason;
   }
   return row;
 }

@@ -62,6 +62,9 @@ std::string told(const FitRow& row, const std::vector<measured::Parameter>& para
       f.settled ? "settled"
                 : "NOT settled: the last round still moved a parameter by more than a tenth of its error,",
       f.rounds, f.evaluations, f.predictions, f.windows);
+  if (row.left_over > 0)
+    out += fmt::format("  {} frames at the ends of runs make no window\n", row.left_over);
+  if (!row.judge_failure.empty()) out += fmt::format("  not judged: {}\n", row.judge_failure);
   return out;
 }
 
@@ -93,7 +96,8 @@ ordered_json to_json(const FitRow& row, const std::vector<measured::Parameter>& 
   j["misfit_p"] = misfit_tail(f);
   j["windows"] = f.windows, j["rounds"] = f.rounds, j["settled"] = f.settled;
   j["evaluations"] = f.evaluations;
-  j["judged_deviances"] = numbers(row.deviances);
+  j["frames_left_over"] = row.left_over;
+  j["judged_deviances"] = numbers(row.deviances), j["judge_failure"] = row.judge_failure;
   return j;
 }
 

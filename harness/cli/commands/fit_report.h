@@ -18,6 +18,8 @@ struct FitRow {
   std::vector<std::string> fitted_on;  ///< Names of runs.
   validation::Fit fit;
   std::vector<std::string> judged_on;  ///< Names of runs that the likelihood was taken of; may be empty.
+  std::string judge_failure;           ///< Why they could not be judged; the fit is known all the same.
+  std::size_t left_over = 0;           ///< Frames at the ends of runs that make no window.
   std::vector<double> deviances;       ///< Of those, with the fitted parameters.
   /// Of the judging runs, with the model's own parameters and the fitted ones: of a free body, or of a chain.
   std::vector<validation::RunScore> before, after;

@@ -64,7 +64,9 @@ std::string told_length(const char* what, const Estimate& scale, const char* uni
 int predict_chain(const Options& options, const measured::Experiment& e,
                   const std::vector<process::EngineChoice>& engines) {
   std::cout << fmt::format(
-      "Predictions from the first frame, steps of {:.6g} s; medians over runs, with 95 % intervals:\n",
+      "Predictions from the first frame, steps of {:.6g} s; medians over runs, with 95 % intervals (a chain "
+      "has no "
+      "band: --members and --seed say nothing):\n",
       e.model.step);
   const process::Interruptible until_told;
   std::vector<std::size_t> runs(e.runs.size());
@@ -88,6 +90,7 @@ int predict_chain(const Options& options, const measured::Experiment& e,
                                            {"known", e.known},
                                            {"model", e.model.hash},
                                            {"step", e.model.step},
+                                           {"set", options.values},
                                            {"engines", told_engines}}
                                       .dump(1, ' ', true) +
                                   "\n");
@@ -107,6 +110,7 @@ int predict(const Context& context, const Options& options) {
 
   std::cout << plain(fmt::format("{}: {} runs\n", e.title, e.runs.size()));
   for (const std::string& known : e.known) std::cout << plain(fmt::format("  known: {}\n", known));
+  for (const std::string& value : options.values) std::cout << plain(fmt::format("  set: {}\n", value));
   if (e.coordinates == measured::Coordinates::chain) return predict_chain(options, e, engines);
   const validation::LengthScale lengths = validation::length_scale(e);
   std::cout << "Lengths of the data, measured/true, with 95 % intervals:\n"
@@ -154,6 +158,7 @@ int predict(const Context& context, const Options& options) {
                      {"known", e.known},
                      {"model", e.model.hash},
                      {"step", e.model.step},
+                     {"set", options.values},
                      {"members", options.band.members},
                      {"seed", options.band.seed},
                      {"lengths", {{"flight", to_json(lengths.flight)}, {"rest", to_json(lengths.rest)}}},

@@ -75,6 +75,7 @@ TEST(Fit, IsTheSameForAnyNumberOfJobsAndGoesOnWhereItWas) {
   EXPECT_EQ(resumed.values, first.values);
   EXPECT_EQ(kept.size(), evaluations);
   EXPECT_LT(resumed.predictions, first.predictions);
+  EXPECT_GE(asked, evaluations + half);
 }
 
 // Mass and inertia act as their ratio alone, as nothing but the table and gravity pushes the ball.
@@ -135,6 +136,11 @@ TEST(Fit, TellsWhyAWindowHasNoPrediction) {
   none = e, none.fit.horizon = 7;
   EXPECT_THROW(Likelihood(none, e.parameters, all_runs(e), ball_world::world(), 1), core::InputError);
   none = e, none.model.scene.forces.emplace_back(core::Drive{});
+  EXPECT_THROW(Likelihood(none, e.parameters, all_runs(e), ball_world::world(), 1), core::InputError);
+  core::Joint servo;
+  servo.type = core::JointType::hinge;
+  servo.angles.push_back({{.stiffness = 3, .target_amplitude = 0.2, .target_frequency = 4}});
+  none = e, none.model.scene.joints = {servo};
   EXPECT_THROW(Likelihood(none, e.parameters, all_runs(e), ball_world::world(), 1), core::InputError);
 }
 
