@@ -102,11 +102,12 @@ std::optional<Real> EventStepper::contact_time(Time from, Real span) {
 std::optional<Real> EventStepper::limit_time(const Candidate& c, Time from, Real span) {
   const Model& model = system_.model();
   const Real least = touch_margin(c, system_.motions(start_.data())) / 4;
+  Real level = 0;  // the gap is counted from so deep
   // An angle turns by less than half a turn in a piece: all of it is near both ends.
   const auto gap_after = [&](Real s) {
     part(from, s);
     system_.set_turns(y_.data());
-    return gap_of(c, model, motions());
+    return gap_of(c, model, motions()) + level;
   };
   const auto rate_after = [&](Real s) {
     part(from, s);
@@ -115,15 +116,19 @@ std::optional<Real> EventStepper::limit_time(const Candidate& c, Time from, Real
   };
   const auto seen_after = [&](Real s) {
     system_.set_turns(end_.data());
-    if (s >= passage_.span()) return gap_of(c, model, system_.motions(end_.data()));
+    if (s >= passage_.span()) return gap_of(c, model, system_.motions(end_.data())) + level;
     passage_.at(s, scratch_);
-    return gap_of(c, model, scratch_.data());
+    return gap_of(c, model, scratch_.data()) + level;
   };
   system_.set_turns(start_.data());
   Real low = 0, g_low = gap_of(c, model, system_.motions(start_.data()));
   if (g_low < least &&
-      rate_after(0) < -speed_rounding(touch_at(c, model, motions()), model.bodies, motions()))
-    return instant_ ? std::nullopt : std::optional<Real>(0);
+      rate_after(0) < -speed_rounding(touch_at(c, model, motions()), model.bodies, motions())) {
+    if (!instant_) return Real(0);
+    // Lest what has just been resolved be resolved again: where it is deeper by the margin.
+    level = 2 * least - g_low;
+    g_low += level;
+  }
   Real before = low, g_before = g_low;  // the look before the last
   for (int i = 1; i <= limit_looks; ++i) {
     const Real high = i == limit_looks ? span : span * static_cast<Real>(i) / limit_looks;
@@ -142,9 +147,11 @@ std::optional<Real> EventStepper::limit_time(const Candidate& c, Time from, Real
     if (g_closed < -least) {
       Real open = low, g_open = low > 0 ? gap_after(low) : g_low;
       const Real g_exact = gap_after(closed);
-      if (g_exact < 0 && g_open > 0) return root(gap_after, open, g_open, closed, g_exact);
+      // Who leaves the limit has it behind him, however the gap is rounded: the next time is sought beyond the top.
+      const Real u_open = g_open < least ? rate_after(open) : Real(0);
+      if (g_exact < 0 && g_open > 0 && !(u_open > 0)) return root(gap_after, open, g_open, closed, g_exact);
       if (g_exact < -least) {  // it leaves the limit and returns within the first look
-        const Real u_open = rate_after(open), u_closed = rate_after(closed);
+        const Real u_closed = rate_after(closed);
         if (!(u_open > 0 && u_closed < 0)) return open;
         const Real top = root(rate_after, open, u_open, closed, u_closed), g_top = gap_after(top);
         return g_top > 0 ? root(gap_after, top, g_top, closed, g_exact) : top;

@@ -133,9 +133,9 @@ TEST(Limit, PlasticStopHoldsUntilItIsPulledAway) {
   }
 }
 
-// A wheel between stops more than a turn apart: the angle is that of all its turns.
 // Height over the stop at the origin, thrown upwards at v:  flights of 2 v/g, each at e times the speed before.
-// The margin of a gap was a part of its distance from the origin, which is nothing here, and the blows never ended.
+// The margin of a gap was a part of its distance from the origin, which is nothing here, and the blows never ended;
+// and a gap that rounding left a little above 0 after a blow was a blow again at once.
 TEST(Limit, AtTheOriginOfTheWorldKeepsItsRestitution) {
   const Real g = 9.81;
   for (const Real e : {Real(1), Real(0.9), Real(0.5)})
@@ -162,20 +162,23 @@ TEST(Limit, AtTheOriginOfTheWorldKeepsItsRestitution) {
 // sqrt(2 u/a) at sqrt(2 u a), and again after 2 e w/a.  The rate at the start, which is 0, was all that bounded a piece.
 TEST(Limit, OfAnAngleThatSpeedsUpWithinAStepIsMet) {
   constexpr Real a = 1600, e = 0.5, dt = 0.1;
-  for (const char* integrator : {"auto", "rk8", "rk4"})
+  // Classical Runge-Kutta is off by percents in pieces of up to 2 rad; a missed stop would be off by (1 + e) w, above 100.
+  for (const auto& [integrator, tolerance] :
+       {std::pair{"auto", 1e-6 * a}, std::pair{"rk8", 1e-6 * a}, std::pair{"rk4", Real(4)}})
     for (const bool constraints : both_forms)
-      for (const Real upper : {2, 4, 7, 7.9}) {
+      for (const Real upper : {Real(1.5), Real(4), Real(7), Real(7.9)}) {
         CoordinateLaw law;
         law.upper = upper, law.restitution = e;
         law.force = a * wheel(0, law).inertia;
         const Outcome end = run(wheel(0, law).model, form(constraints, dt, integrator), 1);
         Real t = dt - std::sqrt(2 * upper / a), w = std::sqrt(2 * upper * a);
         for (w *= e; t > 2 * w / a; w *= e) t -= 2 * w / a;
-        EXPECT_NEAR(axis.dot(angular_velocity(end.bodies[0], end.motions[0])), a * t - w, 1e-6 * a)
+        EXPECT_NEAR(axis.dot(angular_velocity(end.bodies[0], end.motions[0])), a * t - w, tolerance)
             << integrator << ' ' << upper << ' ' << constraints;
       }
 }
 
+// A wheel between stops more than a turn apart: the angle is that of all its turns.
 TEST(Limit, OfAnAngleCountsTurns) {
   CoordinateLaw law;
   law.lower = -1, law.upper = 9, law.restitution = 0.8;

@@ -169,7 +169,7 @@ std::vector<Case> cases() {
          return m;
        },
        Path::events,
-       {"reduced coordinates", "limits of joints", "dry friction in joints", "event location"}},
+       {"rotation", "reduced coordinates", "limits of joints", "dry friction in joints", "event location"}},
       {"many boxes on a plane",
        [] {
          Model m;
