@@ -18,6 +18,17 @@ void count_failure(int info, Simulation* /*simulation*/) {
   if (info != 0 && failures) ++*failures;
 }
 
+// Moreau-Jean weighs the forces at the end of a step by theta and those at its begin, which Siconos remembers from the
+// step before, by 1 - theta.  What is pushed is the force of the whole step: it is the one at its begin as well.
+class PushedBody final : public NewtonEulerDS {
+ public:
+  using NewtonEulerDS::NewtonEulerDS;
+  void remember_forces(double time) {
+    computeForces(time, _q, _twist);
+    _forcesMemory.getSiconosVectorMutable(0) = *_wrench;
+  }
+};
+
 }  // namespace
 
 struct World::Parts {
@@ -33,7 +44,7 @@ struct World::Parts {
 
   std::shared_ptr<NonSmoothDynamicalSystem> system =
       std::make_shared<NonSmoothDynamicalSystem>(0, std::numeric_limits<double>::max());
-  std::vector<std::shared_ptr<NewtonEulerDS>> bodies;
+  std::vector<std::shared_ptr<PushedBody>> bodies;
   std::vector<std::shared_ptr<SiconosVector>> forces, torques;
   std::vector<Touch> touches;
   std::shared_ptr<TimeStepping> stepping;
@@ -68,7 +79,7 @@ void World::Parts::add(const Body& body) {
   const auto inertia = std::make_shared<SimpleMatrix>(3U, 3U);
   for (unsigned r = 0; r < 3; ++r)
     for (unsigned c = 0; c < 3; ++c) inertia->setValue(r, c, body.inertia[3 * r + c]);
-  bodies.push_back(std::make_shared<NewtonEulerDS>(place, speed, body.mass, inertia));
+  bodies.push_back(std::make_shared<PushedBody>(place, speed, body.mass, inertia));
   forces.push_back(std::make_shared<SiconosVector>(3U)),
       torques.push_back(std::make_shared<SiconosVector>(3U));
   bodies.back()->setFExtPtr(forces.back());
@@ -122,6 +133,9 @@ void World::push(std::size_t body, const Vector& force, const Vector& torque) {
 void World::set_mass(std::size_t body, double mass) { parts_->bodies[body]->setScalarMass(mass); }
 
 void World::step() {
+  // The first step remembers what it begins with by itself.
+  for (const auto& body : parts_->bodies)
+    if (body->forcesMemory().nbVectorsInMemory() > 0) body->remember_forces(parts_->stepping->startingTime());
   failures = &parts_->complaints.of_solver;
   parts_->stepping->computeOneStep();
   failures = nullptr;
