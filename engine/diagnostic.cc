@@ -14,6 +14,9 @@ const std::array<DiagnosticRow, static_cast<std::size_t>(DiagnosticKind::count)>
      "{cause} overlap by {reached} m at the start, more than {limit} m, a tenth of the width of the thinner "
      "one: "
      "which way they would come apart is not defined"},
+    {K::jointed_overlap, "jointed-overlap", "m", "m",
+     "{cause} overlap by {reached} m at the start, more than {limit} m, a tenth of the width of the thinner "
+     "one, and joints hold them to each other: they do not touch"},
     {K::not_divided, "not-divided", "bodies", "bodies",
      "more than {limit} bodies ({reached}) may touch others: where they may be is not looked at, and they "
      "are "

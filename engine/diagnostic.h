@@ -17,6 +17,7 @@ namespace cylon::engine {
 enum class DiagnosticKind {
   forced,
   deep_overlap,
+  jointed_overlap,
   not_divided,
   merged,
   parted,

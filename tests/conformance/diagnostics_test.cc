@@ -76,6 +76,26 @@ TEST(InHouseDiagnostics, TellADeepOverlapAndItsDepth) {
   EXPECT_EQ(found->unit, "m");
 }
 
+// Two arms that hang on one pin of a third body and overlap there: contact would press where joints hold, and joints
+// opened by kilometres.
+TEST(InHouseDiagnostics, TellAnOverlapOfJointedBodies) {
+  core::Scene scene = on_floor({ball("left", 0), ball("right", 0.7), ball("base", 5)});
+  for (core::Body& body : scene.bodies) body.initial.position.y() = 9;
+  for (int i = 0; i < 2; ++i)
+    scene.joints.push_back({.type = core::JointType::hinge,
+                            .body = i,
+                            .to = 2,
+                            .point = {0.35, 9, 0},
+                            .axis = Vector3::UnitZ(),
+                            .name = i == 0 ? "left pin" : "right pin"});
+  const auto all = diagnostics("in-house", scene);
+  const told::Diagnostic* found = find(all, "jointed-overlap");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->bodies, (std::vector<std::string>{"left", "right"}));
+  EXPECT_NEAR(found->reached.value(), 0.3, 1e-12);
+  for (const told::Diagnostic& d : all) EXPECT_NE(d.kind, "deep-overlap");
+}
+
 // Refused, since the light ball could have to carry the heavy one; forced, it runs and says so.
 TEST(InHouseDiagnostics, TellAForcedRun) {
   const core::Scene scene = on_floor({ball("light", 0), ball("heavy", 1.5, 1e18)});

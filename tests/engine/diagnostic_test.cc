@@ -141,6 +141,7 @@ const std::vector<Provoked> provoked = {
 const std::map<K, const char*> others = {
     {K::forced, "made by the adapter: tests/conformance/diagnostics_test.cc"},
     {K::deep_overlap, "made by the adapter: tests/conformance/diagnostics_test.cc"},
+    {K::jointed_overlap, "made by the adapter: tests/conformance/diagnostics_test.cc"},
     {K::forces_inexact,
      "where the search for contact forces fails, friction is left out and it is made again; without friction "
      "there is "

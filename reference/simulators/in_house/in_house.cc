@@ -182,8 +182,8 @@ class InHouse final : public core::Simulator {
 
   std::vector<told::Diagnostic> diagnostics() const override {
     std::vector<told::Diagnostic> all;
-    for (const std::optional<engine::Diagnostic>* before : {&forced_, &overlap_})
-      if (*before) all.push_back(told(**before));
+    if (forced_) all.push_back(told(*forced_));
+    for (const engine::Diagnostic& d : overlaps_) all.push_back(told(d));
     for (const engine::Diagnostic& d : world_->diagnostics()) all.push_back(told(d));
     return all;
   }
@@ -252,7 +252,7 @@ class InHouse final : public core::Simulator {
   }
 
   core::Terms start(const core::Scene& scene, InHouseModel translated, const engine::Options& options) {
-    overlap_ = deep_overlap(scene, translated.model);
+    overlaps_ = settle_deep_overlaps(scene, translated.model);
     forced_.reset();
     if (const Reason doubtful = options.force ? doubt(scene, translated, options) : Reason())
       forced_ = engine::Diagnostic{.kind = engine::DiagnosticKind::forced, .cause = *doubtful};
@@ -295,8 +295,8 @@ class InHouse final : public core::Simulator {
   std::optional<engine::World> world_;
   core::Vector3 frame_ = core::Vector3::Zero();  // how fast the scene's frame turns
   std::optional<engine::Diagnostic> forced_;     // why the run would be refused if nobody forced it
-  std::optional<engine::Diagnostic>
-      overlap_;                     // what the run leaves undefined, which is no reason to refuse it
+  std::vector<engine::Diagnostic>
+      overlaps_;                    // what the run leaves undefined, which is no reason to refuse it
   std::vector<std::string> names_;  // of the bodies
   engine::Names names_in_words_;
 };

@@ -2,6 +2,7 @@
 
 #include "engine/geometry/pose.h"
 #include "engine/geometry/separation.h"
+#include "engine/islands/unions.h"
 #include "harness/core/near_pairs.h"
 
 #include <fmt/format.h>
@@ -56,13 +57,19 @@ std::vector<core::Pair> pairs_of(const core::Scene& scene, const Model& model) {
   return core::near_pairs(scene, core::initial_state(scene));
 }
 
-}  // namespace
+struct DeepOverlap {
+  core::Pair pair;
+  Real depth = 0, limit = 0;
+};
 
-std::optional<engine::Diagnostic> deep_overlap(const core::Scene& scene, const Model& model) {
+// Of pairs that may touch and of which one moves.
+std::vector<DeepOverlap> deep_overlaps(const core::Scene& scene, const Model& model) {
+  std::vector<DeepOverlap> all;
   for (const core::Pair& pair : pairs_of(scene, model)) {
     const std::size_t a = index(pair.body);
     const bool plane = pair.plane >= 0;
-    if (!plane && !model.may_touch(pair.body, pair.other)) continue;
+    if (plane ? !model.may_touch_plane(pair.body, pair.plane) : !model.may_touch(pair.body, pair.other))
+      continue;
     if (model.bodies[a].locked && (plane || model.bodies[index(pair.other)].locked)) continue;
     Real thinner = width(model.shapes[a]);
     engine::Separation between;
@@ -75,18 +82,48 @@ std::optional<engine::Diagnostic> deep_overlap(const core::Scene& scene, const M
       if ((model.motions[a].position - model.motions[b].position).norm() > reach) continue;
       between = separation(model.shapes[a], pose(model.motions[a]), model.shapes[b], pose(model.motions[b]));
     }
-    if (!(-between.gap > allowed * thinner)) continue;
-    const std::string& other =
-        plane ? scene.planes[index(pair.plane)].name : scene.bodies[index(pair.other)].name;
-    engine::Diagnostic found{.kind = engine::DiagnosticKind::deep_overlap};
-    found.cause = fmt::format("'{}' and '{}'", scene.bodies[a].name, other);
-    found.limit = static_cast<double>(allowed * thinner), found.reached = static_cast<double>(-between.gap);
-    found.island.bodies.push_back(pair.body);
-    if (!plane) found.island.bodies.push_back(pair.other);
-    found.island.count = found.island.bodies.size();
-    return found;
+    if (-between.gap > allowed * thinner) all.push_back({pair, -between.gap, allowed * thinner});
   }
-  return std::nullopt;
+  return all;
+}
+
+// The first of some pairs, and how many more there are.
+engine::Diagnostic told(const std::vector<DeepOverlap>& overlaps, engine::DiagnosticKind kind,
+                        const core::Scene& scene) {
+  const DeepOverlap& first = overlaps.front();
+  const core::Pair& pair = first.pair;
+  const bool plane = pair.plane >= 0;
+  const std::string& other =
+      plane ? scene.planes[index(pair.plane)].name : scene.bodies[index(pair.other)].name;
+  engine::Diagnostic told{.kind = kind};
+  told.cause = fmt::format("'{}' and '{}'", scene.bodies[index(pair.body)].name, other);
+  if (overlaps.size() > 1) told.cause += fmt::format(" (and {} more)", overlaps.size() - 1);
+  told.limit = static_cast<double>(first.limit), told.reached = static_cast<double>(first.depth);
+  told.island.bodies.push_back(pair.body);
+  if (!plane) told.island.bodies.push_back(pair.other);
+  told.island.count = told.island.bodies.size();
+  return told;
+}
+
+}  // namespace
+
+std::vector<engine::Diagnostic> settle_deep_overlaps(const core::Scene& scene, Model& model) {
+  engine::islands::Unions trees(model.bodies.size());
+  const auto moves = [&](int body) { return body != core::world && !model.bodies[index(body)].locked; };
+  for (const core::Joint& joint : scene.joints)
+    if (moves(joint.body) && moves(joint.to)) trees.join(index(joint.body), index(joint.to));
+  std::vector<DeepOverlap> jointed, free;
+  for (const DeepOverlap& overlap : deep_overlaps(scene, model)) {
+    const core::Pair& pair = overlap.pair;
+    const bool one_tree = pair.plane < 0 && trees.find(index(pair.body)) == trees.find(index(pair.other));
+    (one_tree ? jointed : free).push_back(overlap);
+  }
+  for (const DeepOverlap& overlap : jointed) model.apart.push_back({overlap.pair.body, overlap.pair.other});
+  std::ranges::sort(model.apart);
+  std::vector<engine::Diagnostic> all;
+  if (!free.empty()) all.push_back(told(free, engine::DiagnosticKind::deep_overlap, scene));
+  if (!jointed.empty()) all.push_back(told(jointed, engine::DiagnosticKind::jointed_overlap, scene));
+  return all;
 }
 
 }  // namespace cylon::simulators

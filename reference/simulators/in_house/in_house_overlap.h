@@ -5,13 +5,14 @@
 #include "engine/model.h"
 #include "harness/core/scene.h"
 
-#include <optional>
+#include <vector>
 
 namespace cylon::simulators {
 
-/// The first pair that may touch, at least one of which moves, and that overlaps at t = 0 deeper than a tenth
-/// of the least width of the thinner one; or nothing.  How such bodies would come apart is no
-/// question of mechanics; shallower overlaps are taken away, or stay.  Requires the model of the scene.
-std::optional<engine::Diagnostic> deep_overlap(const core::Scene&, const engine::Model&);
+/// Pairs that may touch, at least one of which moves, and that overlap at t = 0 deeper than a tenth of the least width of
+/// the thinner one.  How such bodies would come apart is no question of mechanics; shallower overlaps are taken away,
+/// or stay.  Two that joints hold to each other, if through other bodies, are parts that pass through each other as
+/// jointed neighbours do: the model is told that they do not touch.  Requires the model of the scene.
+std::vector<engine::Diagnostic> settle_deep_overlaps(const core::Scene&, engine::Model&);
 
 }  // namespace cylon::simulators
