@@ -59,7 +59,7 @@ bool any_coordinate(const Scene& scene, Predicate predicate) {
 
 /// Sum of size(U) over the springs with a target at rest and the constant forces of a joint [J]:
 ///   U = stiffness (q - target)^2 / 2 - force q.
-/// An angle is that of joint_angle() + start: a spring that is turned by more than half a turn has another.
+/// An angle is that of joint_angle() + start; of more turns: turns.h.
 double joint_potential(
     const HeldJoint&, const State&, double (*size)(double) = [](double u) { return u; });
 

@@ -5,6 +5,7 @@
 #include "harness/core/event_rows.h"
 #include "harness/core/force_balance.h"
 #include "harness/core/scale.h"
+#include "harness/core/turns.h"
 #include "harness/core/worst.h"
 
 #include <fmt/format.h>
@@ -254,11 +255,14 @@ Series deviation(const Claim& claim, const Scene& scene, const Recording& record
   else if (!claim.truth)
     evaluate(claim.observable, scene, initial_state(scene), start);
   OneSided one_way(claim.reduction, start);
+  AlongMotion truth(claim.observable, scene), motion(claim.observable, scene);
   for (std::size_t i = 0; i < recording.states.size(); ++i) {
-    if (!chosen(recording.steps[i])) continue;
+    const bool looked_at = chosen(recording.steps[i]);
+    if (!looked_at && !motion.counts()) continue;
     const double t = recording.time(i);
-    if (claim.truth) evaluate(claim.observable, scene, claim.truth->state(t), want);
-    evaluate(claim.observable, scene, recording.states[i], got);
+    motion.evaluate(t, recording.states[i], got);
+    if (claim.truth) truth.evaluate(t, claim.truth->state(t), want);
+    if (!looked_at) continue;
     series.time.push_back(t);
     const double apart = one_sided(claim.reduction)
                              ? one_way(got)
@@ -324,6 +328,11 @@ Measured measure(const Claim& claim, const Scene& scene, std::span<const Recordi
       result.value = std::numeric_limits<double>::quiet_NaN();
       return result;
     }
+  }
+  if (const auto what = untold_turns(claim.observable, scene, recordings.front())) {
+    result.unanswered = true, result.detail = *what;
+    result.value = std::numeric_limits<double>::quiet_NaN();
+    return result;
   }
   result.value = reduce(claim.reduction, first.series);
   if (claim.at_least)

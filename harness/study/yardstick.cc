@@ -4,6 +4,7 @@
 #include "harness/core/input_error.h"
 #include "harness/core/measure.h"
 #include "harness/core/scale.h"
+#include "harness/core/turns.h"
 #include "harness/core/worst.h"
 
 #include <fmt/format.h>
@@ -109,31 +110,34 @@ void Yardstick::ask(Claim claim, const std::vector<core::State>* states, double 
   // A joint's gap at the start is rounding and no size: in m.
   q.scale = size > 0 && claim.observable.quantity != Quantity::joint_gap ? size : 1;
   const bool follows = claim.truth.has_value();
-  q.measure = measure_named(std::string(core::name(claim.observable.quantity)),
-                            std::string(core::unit(claim.observable)), follows ? claim.follows : "its start");
-  results::TradeMeasure& measure = measures_[q.measure];
-  measure.scale = std::max(measure.scale, q.scale);
-  measure.resolution = std::max(measure.resolution, resolution / q.scale);
   q.in_trajectory = follows && is_motion(claim.observable.quantity);
 
   const double end = std::min(claim.until, scenario_->duration) * (1 + 1e-12);
   core::Values values;
+  core::AlongMotion motion(claim.observable, scene);
   for (std::int64_t k = 0; k <= samples_; ++k) {
     const double t = scenario_->duration * static_cast<double>(k) / static_cast<double>(samples_);
     if (t > end) break;
     if (!follows || states) {
-      if (states) core::evaluate(claim.observable, scene, (*states)[static_cast<std::size_t>(k)], values);
+      if (states) motion.evaluate(t, (*states)[static_cast<std::size_t>(k)], values);
     } else {
       const auto& times = claim.truth->times;  // known at these alone
       const auto near = std::find_if(times.begin(), times.end(), [&](double known) {
         return std::abs(known - t) <= 1e-9 * scenario_->duration;
       });
       if (near == times.end()) continue;
-      core::evaluate(claim.observable, scene, claim.truth->state(*near), values);
+      motion.evaluate(*near, claim.truth->state(*near), values);
     }
     q.at.push_back(k);
     if (follows) q.want.push_back(values);
   }
+  if (motion.lost()) return;  // the samples of the truth are too far apart to count its turns
+  if (motion.counts()) every_step_ = true;
+  q.measure = measure_named(std::string(core::name(claim.observable.quantity)),
+                            std::string(core::unit(claim.observable)), follows ? claim.follows : "its start");
+  results::TradeMeasure& measure = measures_[q.measure];
+  measure.scale = std::max(measure.scale, q.scale);
+  measure.resolution = std::max(measure.resolution, resolution / q.scale);
   if (!follows) {
     core::evaluate(claim.observable, scene, core::initial_state(scene), values);
     q.want = {values};
@@ -216,11 +220,13 @@ process::RunRequest Yardstick::request(std::int64_t steps) const {
 double Yardstick::worst_deviation(const Question& q, const core::Recording& recording) const {
   const std::int64_t stride = recording.steps.back() / samples_;
   core::Values got;
+  core::AlongMotion motion(q.claim.observable, scenario_->scene);
   double worst = 0;
   std::size_t i = 0;
   for (std::size_t k = 0; k < q.at.size(); ++k) {
-    while (recording.steps[i] < q.at[k] * stride) ++i;
-    core::evaluate(q.claim.observable, scenario_->scene, recording.states[i], got);
+    for (; recording.steps[i] < q.at[k] * stride; ++i)
+      if (motion.counts()) motion.evaluate(recording.time(i), recording.states[i], got);
+    motion.evaluate(recording.time(i), recording.states[i], got);
     worst = core::worst(core::distance(q.claim.observable, got, q.claim.truth ? q.want[k] : q.want.front()),
                         worst);
   }
