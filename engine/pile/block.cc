@@ -14,6 +14,12 @@ Matrix3 skew(const Vector3& r) {
   return m;
 }
 
+// What J_n becomes for the velocity u_n along the normal.
+Real along_normal(const Block& block, Real j, Real u) {
+  if (block.kind == Block::Kind::rub) return std::clamp(j - block.mass * u, -block.limit, block.limit);
+  return std::max(j + block.mass * (block.target - u), Real(0));
+}
+
 // Of a body that slips friction is against u; steps by the block's mass, which turns u, would end along that.
 // ab/(a + b) of the two eigenvalues across the normal: no more than the lesser.
 Real slip_mass(const Matrix3& block_mass) {
@@ -28,7 +34,7 @@ void set_effective_mass(Block& block, const std::vector<Mover>& movers) {
   const auto add = [&](int body, const Vector3& arm) {
     if (body == fixed_world) return;
     const Mover& m = movers[static_cast<std::size_t>(body)];
-    if (block.kind == Block::Kind::align) {
+    if (block.angular) {
       k += m.inverse_inertia;
       return;
     }
@@ -37,9 +43,10 @@ void set_effective_mass(Block& block, const std::vector<Mover>& movers) {
   };
   add(block.a, block.arm), add(block.b, block.to_arm);
   Matrix3 space = block.space;
-  if (block.kind == Block::Kind::contact) {
+  if (block.kind != Block::Kind::hold) {
     const Real along = block.normal.dot(k * block.normal);
     block.mass = along > 0 ? 1 / along : 0;
+    if (block.is_along_normal()) return;
     space = Matrix3::Identity() - block.normal * block.normal.transpose();
   }
   // The complement gets a weight of the size of K, so that the inverse is as well conditioned as K is.
@@ -50,10 +57,15 @@ void set_effective_mass(Block& block, const std::vector<Mover>& movers) {
 
 void relax(Block& block, std::vector<Mover>& movers) {
   const Vector3 before = block.impulse;
-  if (block.kind == Block::Kind::contact) {
+  if (block.is_along_normal()) {
+    const Vector3& n = block.normal;
+    const Real j = n.dot(before), to = along_normal(block, j, n.dot(relative_velocity(block, movers)));
+    push(block, (to - j) * n, movers);
+    block.impulse = to * n;
+  } else if (block.kind == Block::Kind::contact) {
     const Vector3& n = block.normal;
     const Real u_n = n.dot(relative_velocity(block, movers)), j_n = n.dot(before);
-    const Real normal = std::max(j_n + block.mass * (block.target - u_n), Real(0));
+    const Real normal = along_normal(block, j_n, u_n);
     push(block, (normal - j_n) * n, movers);
     const Vector3 across = before - j_n * n;
     Vector3 u = relative_velocity(block, movers);
@@ -77,11 +89,12 @@ void relax(Block& block, std::vector<Mover>& movers) {
 // The change of relax(), its parts along and across the normal each from the velocity now, as a velocity.
 Real unmet(const Block& block, const std::vector<Mover>& movers) {
   const Vector3 u = relative_velocity(block, movers);
-  if (block.kind != Block::Kind::contact) return (block.space * u).norm();
+  if (block.kind == Block::Kind::hold) return (block.space * u).norm();
   const Vector3& n = block.normal;
   const Real u_n = n.dot(u), j_n = n.dot(block.impulse);
   if (!(block.mass > 0)) return 0;
-  const Real normal = std::max(j_n + block.mass * (block.target - u_n), Real(0));
+  const Real normal = along_normal(block, j_n, u_n);
+  if (block.is_along_normal()) return std::abs(normal - j_n) / block.mass;
   const Vector3 across = block.impulse - j_n * n, u_t = u - u_n * n;
   const Real limit = block.friction * normal, slips = slip_mass(block.block_mass);
   Real along = u_t.norm();

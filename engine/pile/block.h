@@ -1,5 +1,5 @@
-// Constraints between bodies of any shape: one block of up to three rows for each contact point or part of a
-// joint, all solved alike.
+// Constraints between bodies of any shape: one block of up to three rows for each contact point, part of a joint, limit
+// or dry friction in one, all solved alike.
 #pragma once
 
 #include "engine/model.h"
@@ -16,40 +16,50 @@ struct Mover {
   Matrix3 inverse_inertia = Matrix3::Zero();  ///< World axes.
 };
 
-/// With u the velocity of a's point against b's (align: the angular velocity of a against b's) and J the
-/// impulse (align: angular impulse) on a, -J on b:
-///   contact     u_n >= target, J_n >= 0, complementary; |J_t| <= friction J_n against u_t  (Coulomb)
-///   hold, align space u = 0, J in the image of `space`, a projection
+/// With u the velocity of a's point against b's (angular: the angular velocity of a against b's) and J the
+/// impulse (angular: angular impulse) on a, -J on b:
+///   contact  u_n >= target, J_n >= 0, complementary; |J_t| <= friction J_n against u_t  (Coulomb)
+///   hold     space u = 0, J in the image of `space`, a projection
+///   stop     u_n >= target, J_n >= 0, complementary; J_t = 0
+///   rub      |J_n| <= limit, against u_n;  J_t = 0
 struct Block {
-  enum class Kind { contact, hold, align };
+  enum class Kind { contact, hold, stop, rub };
   Kind kind = Kind::contact;
+  bool angular = false;
   int a = 0;
   int b = fixed_world;
   Vector3 arm = Vector3::Zero(), to_arm = Vector3::Zero();  ///< From the reference points, world axes [m].
-  Vector3 normal = Vector3::UnitY();                        ///< From b to a.
+  Vector3 normal = Vector3::UnitY();                        ///< From b to a; of a joint the axis.
   Vector3 own_normal = Vector3::UnitY();                    ///< The same in a's axes, of two bodies.
   Matrix3 space = Matrix3::Identity();
-  Real friction = 0, target = 0;
+  Real friction = 0, target = 0;  ///< Of rub: a force [N, N m].
+  Real limit = 0;                 ///< Of rub, in this part of the step [N s, N m s].
   Vector3 impulse = Vector3::Zero();
   Vector3 before = Vector3::Zero();  ///< u before the forces of the step, of a direct solution.
 
-  Real gap = 0;               ///< When the contact was found [m].
+  Real gap = 0;               ///< When the contact was found [m]; of a stop now [m, rad].
   Vector3 anchor, to_anchor;  ///< The point, body axes; world axes where b is the world.
   Real restitution = 0;
-  int plane = -1;  ///< Index of the plane that b is.
+  int plane = -1;      ///< Index of the plane that b is.
+  int law = -1;        ///< Of stop and rub: index of the coordinate law.
+  bool upper = false;  ///< Of a stop: which one.
   std::uint32_t feature = 0;
   bool impact = false;  ///< Meets within this part of the step.
 
   Real mass = 0;       ///< Along the normal.
   Matrix3 block_mass;  ///< In `space`; contact: across the normal.
+
+  bool is_along_normal() const { return kind == Kind::stop || kind == Kind::rub; }
+  /// Whether it presses and never pulls.
+  bool is_one_sided() const { return kind == Kind::contact || kind == Kind::stop; }
 };
 
 inline Vector3 relative_velocity(const Block& block, const std::vector<Mover>& movers) {
   const Mover& a = movers[static_cast<std::size_t>(block.a)];
-  Vector3 u = block.kind == Block::Kind::align ? a.w : Vector3(a.v + a.w.cross(block.arm));
+  Vector3 u = block.angular ? a.w : Vector3(a.v + a.w.cross(block.arm));
   if (block.b != fixed_world) {
     const Mover& b = movers[static_cast<std::size_t>(block.b)];
-    u -= block.kind == Block::Kind::align ? b.w : Vector3(b.v + b.w.cross(block.to_arm));
+    u -= block.angular ? b.w : Vector3(b.v + b.w.cross(block.to_arm));
   }
   return u;
 }
@@ -57,7 +67,7 @@ inline Vector3 relative_velocity(const Block& block, const std::vector<Mover>& m
 inline void push(const Block& block, const Vector3& impulse, std::vector<Mover>& movers) {
   const auto one = [&](int body, const Vector3& arm, const Vector3& j) {
     Mover& m = movers[static_cast<std::size_t>(body)];
-    if (block.kind == Block::Kind::align) {
+    if (block.angular) {
       m.w += m.inverse_inertia * j;
     } else {
       m.v += m.inverse_mass * j;

@@ -265,6 +265,26 @@ void BodyContacts::leave_out_inside(const std::vector<Motion>& motions, int a, i
   m.count = static_cast<int>(end - m.points.begin());
 }
 
+namespace {
+
+// q' = n.u  with n the axis; the arms of a displacement end at one point, that of `body`, as its row's do.
+Block block_along(const CoordinateLaw& law, const std::vector<Body>& bodies,
+                  const std::vector<Motion>& motions) {
+  const Coordinate& at = law.at;
+  const Row row = row_of(at, bodies, motions.data());
+  Block block;
+  block.a = at.body, block.b = at.to;
+  block.angular = at.kind == Coordinate::Kind::angle;
+  block.normal = block.angular ? row.lever : row.direction;
+  if (block.angular) return block;
+  block.arm = point(at.anchor, at.body, motions) - motions[index(at.body)].position;
+  if (at.to != fixed_world)
+    block.to_arm = motions[index(at.body)].position + block.arm - motions[index(at.to)].position;
+  return block;
+}
+
+}  // namespace
+
 void place_hold(const Joint& joint, Block& block, const std::vector<Motion>& motions) {
   const bool slides =
       joint.type.place == Joint::Place::along_axis || joint.type.place == Joint::Place::in_plane;
@@ -272,7 +292,8 @@ void place_hold(const Joint& joint, Block& block, const std::vector<Motion>& mot
     block.to_arm = motions[index(block.a)].position + block.arm - motions[index(block.b)].position;
 }
 
-// A block for the place of each joint, and one for its turn where it is not free.
+// A block for the place of each joint, and one for its turn where it is not free; then those of laws on coordinates of
+// joints: dry friction, and each limit.
 void BodyContacts::add_joints(const std::vector<Motion>& motions, const std::vector<Block>& old,
                               std::vector<Block>& blocks) const {
   std::size_t next = 0;
@@ -293,10 +314,29 @@ void BodyContacts::add_joints(const std::vector<Motion>& motions, const std::vec
     block.space = misfit_of_place(joint, offset(block, motions), orientation_of(joint.to, motions)).space;
     add(block);
     if (joint.type.turn == Joint::Turn::freely) continue;
-    block.kind = Block::Kind::align;
+    block.angular = true;
     block.space =
         misfit_of_turn(joint, orientation_of(joint.body, motions), orientation_of(joint.to, motions)).space;
     add(block);
+  }
+  for (std::size_t i = 0; i < model_.forces.coordinate_laws.size(); ++i) {
+    const CoordinateLaw& law = model_.forces.coordinate_laws[i];
+    if (law.friction == 0 && !law.is_limited()) continue;
+    const auto add_along = [&](Block block) {
+      block.impulse = next < old.size() ? Vector3(block.normal.dot(old[next++].impulse) * block.normal)
+                                        : Vector3(Vector3::Zero());
+      blocks.push_back(block);
+    };
+    Block block = block_along(law, model_.bodies, motions);
+    block.law = static_cast<int>(i);
+    if (law.friction != 0) {
+      block.kind = Block::Kind::rub, block.friction = law.friction;
+      add_along(block);
+    }
+    block.kind = Block::Kind::stop, block.friction = 0, block.restitution = law.restitution;
+    if (law.has_lower()) add_along(block);
+    block.upper = true, block.normal = -block.normal;
+    if (law.has_upper()) add_along(block);
   }
 }
 

@@ -107,14 +107,29 @@ void BodyPile::set_targets(Time now, Real h) {
     Block& block = blocks_[k];
     if (!takes(block)) continue;
     block.before = relative_velocity(block, movers_);
-    if (block.kind != Block::Kind::contact) continue;
-    const Real gap = block.gap + block.normal.dot(offset(block, motions_));
+    block.limit = block.friction * h;
+    if (!block.is_one_sided()) continue;
+    const bool stop = block.kind == Block::Kind::stop;
+    const Real gap = stop ? gap_of_stop(block) : block.gap + block.normal.dot(offset(block, motions_));
     const Real u = block.normal.dot(block.before);
     const bool meets = u < 0 && gap + u * h <= 0;
     block.target = meets && block.restitution > 0 ? -block.restitution * u : -std::max(gap, Real(0)) / h;
-    block.impact = meets && -u > slow;
+    block.impact = !stop && meets && -u > slow;
     if (block.impact) note_impact(k, now, gap, -u);
   }
+}
+
+// How far the coordinate is from the limit now, negative beyond [m, rad].
+Real BodyPile::gap_of_stop(const Block& block) const {
+  const CoordinateLaw& law = model_.forces.coordinate_laws[index(block.law)];
+  const Real q = row_of(law.at, model_.bodies, motions_.data()).offset;
+  return block.upper ? law.upper - q : q - law.lower;
+}
+
+// Before overlaps are removed: where the step has left coordinates.
+void BodyPile::look_at_stops() {
+  for (Block& block : blocks_)
+    if (block.kind == Block::Kind::stop) block.gap = gap_of_stop(block);
 }
 
 // Points of one pair are one impact.
@@ -174,7 +189,7 @@ void BodyPile::carry_impulses() {
     if (!takes(block)) continue;
     const auto one = [&](int body, const Vector3& arm, const Vector3& j) {
       Motion& motion = motions_[index(body)];
-      if (block.kind == Block::Kind::align) {
+      if (block.angular) {
         motion.angular_momentum += j;
         return;
       }
@@ -297,6 +312,7 @@ void BodyPile::note_overlaps(Time now) {
 
 void BodyPile::correct_positions(Time now, bool direct) {
   set_kinematics();
+  look_at_stops();
   if (isolated_) islands_.note(motions_), before_ = motions_;
   const bool moved = overlaps_.displace(model_.bodies, blocks_, movers_, settings_.slop * found_.smallest(),
                                         settings_.relaxation, direct, motions_);
@@ -308,6 +324,7 @@ void BodyPile::correct_positions(Time now, bool direct) {
 
 void BodyPile::correct_groups(Time now) {
   if (!groups_.empty() || !swept_.blocks.empty()) set_kinematics();
+  look_at_stops();
   const auto correct = [&](const Group& group, bool direct) {
     lists_.gather(group, blocks_, model_.bodies, movers_, motions_);
     if (!overlaps_.displace(lists_.bodies, lists_.blocks, lists_.movers, settings_.slop * found_.smallest(),
@@ -391,7 +408,7 @@ void BodyPile::close_joints(Time now) {
     for (const Joint& joint : model_.joints)
       for (bool more = true; more && k < blocks_.size(); ++k) {
         Block& block = blocks_[k];
-        const bool align = block.kind == Block::Kind::align;
+        const bool align = block.angular;
         more = !align && joint.type.turn != Joint::Turn::freely;
         const Quaternion q_a = orientation_of(block.a, motions_), q_b = orientation_of(block.b, motions_);
         if (!align) {

@@ -41,6 +41,8 @@ class BodyPile : public Stepper {
   bool is_slow(const Group&, Real speed) const;
   bool is_on_edge(int body, const Group&) const;
   void meet(const Group&, Time now, Real h);
+  Real gap_of_stop(const Block&) const;
+  void look_at_stops();
   void note_impact(std::size_t block, Time now, Real gap, Real approach);
   void pass(Time now, Time span, bool direct);
   void measure_sweep();

@@ -62,7 +62,7 @@ Real greatest_share(Real a, Real b, Real c) {
 }
 
 bool Bounce::solve(std::vector<Block>& blocks, const std::vector<Body>& bodies, std::vector<Mover>& movers) {
-  const auto bounces = [](const Block& b) { return b.kind == Block::Kind::contact && b.target > 0; };
+  const auto bounces = [](const Block& b) { return b.is_one_sided() && b.target > 0; };
   const bool any = std::any_of(blocks.begin(), blocks.end(), bounces);
   const std::vector<Mover> start = any ? movers : std::vector<Mover>();
   bool solved = direct_.solve(blocks, bodies, movers);

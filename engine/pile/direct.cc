@@ -107,7 +107,7 @@ void Direct::set_up(std::vector<Block>& blocks, const std::vector<Body>& bodies,
     row.target = static_cast<double>(block.target);
     // An angular row's mass is an inertia: that of the masses at the length of the bodies' own.
     double scale = 1;
-    if (block.kind == Block::Kind::align) {
+    if (block.angular) {
       const auto inertia = [&](int body) {
         return body == fixed_world ? 0. : static_cast<double>(bodies[index(body)].inertia.trace());
       };
@@ -125,7 +125,7 @@ void Direct::set_up(std::vector<Block>& blocks, const std::vector<Body>& bodies,
 
 Direct::V3 Direct::velocity(const Row& row, const Vector& v) const {
   V3 u = V3::Zero();
-  const bool align = row.block->kind == Block::Kind::align;
+  const bool align = row.block->angular;
   if (row.a >= 0)
     u += align ? V3(v.segment<3>(row.a + 3))
                : V3(v.segment<3>(row.a) + V3(v.segment<3>(row.a + 3)).cross(row.arm));
@@ -136,7 +136,7 @@ Direct::V3 Direct::velocity(const Row& row, const Vector& v) const {
 }
 
 void Direct::add_impulse(const Row& row, const V3& j, Vector& to) const {
-  const bool align = row.block->kind == Block::Kind::align;
+  const bool align = row.block->angular;
   if (row.a >= 0) {
     if (!align) to.segment<3>(row.a) += j;
     to.segment<3>(row.a + 3) += align ? j : V3(row.arm.cross(j));
@@ -152,7 +152,16 @@ void Direct::forces(const Vector& v, bool slopes, bool coupled) {
   for (Row& row : rows_) {
     const V3 u = velocity(row, v);
     const double d = row.stiffness;
-    if (row.block->kind != Block::Kind::contact) {
+    if (row.block->is_along_normal()) {
+      const double y_n = row.n.dot(row.lambda - d * u) + d * row.target;
+      const double most = row.block->kind == Block::Kind::rub ? static_cast<double>(row.block->limit)
+                                                              : std::numeric_limits<double>::infinity();
+      const double f_n = std::clamp(y_n, row.block->kind == Block::Kind::rub ? -most : 0., most);
+      row.f = f_n * row.n;
+      if (slopes) row.slope = f_n == y_n ? M3(d * row.n * row.n.transpose()) : M3(M3::Zero());
+      continue;
+    }
+    if (row.block->kind == Block::Kind::hold) {
       row.f = row.space * (row.lambda - d * u);
       if (slopes) row.slope = d * row.space;
       continue;
@@ -219,7 +228,7 @@ void Direct::minimise() {
           matrix_.at(6 * static_cast<int>(k) + i, 6 * static_cast<int>(k) + j) += masses_[k](i, j);
     for (const Row& row : rows_) {
       Eigen::Matrix<double, 3, 6> to_a = Eigen::Matrix<double, 3, 6>::Zero(), to_b = to_a;
-      if (row.block->kind == Block::Kind::align) {
+      if (row.block->angular) {
         to_a.rightCols<3>() = M3::Identity(), to_b.rightCols<3>() = -M3::Identity();
       } else {
         to_a << M3::Identity(), -skew(row.arm);
@@ -311,7 +320,7 @@ bool Direct::solve(std::vector<Block>& blocks, const std::vector<Body>& bodies, 
       const V3 u = velocity(row, v_);
       // the violation, as the velocity that it takes to end it
       residual_ = std::max(residual_, ((row.f - row.lambda) / row.stiffness).norm());
-      if (row.block->kind == Block::Kind::contact && row.f.dot(row.n) > 0)
+      if (row.block->is_one_sided() && row.f.dot(row.n) > 0)
         residual_ = std::max(residual_, row.target - row.n.dot(u));
     }
     if (!v_.allFinite()) residual_ = std::numeric_limits<double>::infinity();

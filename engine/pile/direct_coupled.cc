@@ -40,7 +40,7 @@ bool Direct::couple() {
       dense_.block<6, 6>(at, at) = masses_[k];
     }
     for (const Row& row : rows_) {
-      const bool align = row.block->kind == Block::Kind::align;
+      const bool align = row.block->angular;
       const Eigen::Matrix<double, 3, 6> a = jacobian(row.arm, align), b = -jacobian(row.to_arm, align);
       const auto add = [&](int to, const auto& j, int by, const auto& other) {
         if (to >= 0 && by >= 0) dense_.block<6, 6>(to, by) += j.transpose() * row.slope * other;

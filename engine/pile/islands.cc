@@ -37,7 +37,7 @@ bool isolated(const Model& model) {
 
 void meet_halfway(std::vector<Block>& blocks, const std::vector<Motion>& motions) {
   for (Block& block : blocks) {
-    if (block.kind == Block::Kind::align || block.b == fixed_world) continue;
+    if (block.angular || block.is_along_normal() || block.b == fixed_world) continue;
     const Motion &a = motions[index(block.a)], &b = motions[index(block.b)];
     const Vector3 point =
         (a.position + a.orientation * block.anchor + b.position + b.orientation * block.to_anchor) / 2;

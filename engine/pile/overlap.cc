@@ -1,11 +1,13 @@
 #include "engine/pile/overlap.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace cylon::engine::pile {
 namespace {
 
 constexpr int sweeps = 4;
+constexpr Real rounding = 64 * std::numeric_limits<Real>::epsilon();  // of a coordinate [m, rad]
 constexpr Real negligible = Real(1) / 1024;  // of the slop: overlaps tend to it and never reach it
 
 }  // namespace
@@ -18,6 +20,11 @@ bool Overlaps::displace(const std::vector<Body>& bodies, const std::vector<Block
   blocks_ = blocks;
   for (Block& block : blocks_) {
     block.impulse.setZero();
+    block.limit = 0;  // dry friction resists no displacement
+    if (block.kind == Block::Kind::stop) {
+      any |= block.gap < -rounding;
+      block.target = -block.gap;  // all of it: nothing else lies in a stop
+    }
     if (block.kind != Block::Kind::contact) continue;
     const Real depth = -(block.gap + block.normal.dot(offset(block, motions))) - slop;
     any |= depth > negligible * slop;

@@ -1,0 +1,142 @@
+// Limits and dry friction of joints in the stepping path, against events: every kind of joint and coordinate.
+#include "engine/pile/body_pile.h"
+#include "tests/engine/joint_scenes.h"
+#include "tests/engine/rail_and_wheel.h"
+
+namespace cylon::engine {
+namespace {
+
+// Can be stepped: a body might meet the plane, and never does.
+Model over_a_far_plane(Model model) {
+  for (Shape& shape : model.shapes) shape = Sphere{Real(0.1)};
+  model.planes.push_back({Vector3::UnitY(), -100});
+  make_touchable(model, 0);
+  return model;
+}
+
+std::vector<Motion> stepped(const Model& model, Time dt, Time duration, bool swept) {
+  PileSettings settings;
+  if (swept) settings.exact_points = settings.direct_points = 0;
+  pile::BodyPile pile(model, dt, settings);
+  for (std::int64_t n = std::lround(duration / dt); n > 0; --n) pile.step();
+  std::vector<Motion> end;
+  pile.read(end);
+  return end;
+}
+
+// The largest difference of places, turns and velocities.
+Real apart(const Model& model, const std::vector<Motion>& a, const std::vector<Motion>& b) {
+  Real worst = distance(a, b);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Body& body = model.bodies[i];
+    worst = std::max({worst, (velocity(body, a[i]) - velocity(body, b[i])).norm(),
+                      (angular_velocity(body, a[i]) - angular_velocity(body, b[i])).norm()});
+  }
+  return worst;
+}
+
+struct Coordinates {
+  const char* name;
+  Joint::Type type;
+  Coordinate (*at)(const JointScene&);
+};
+const Coordinates coordinates[] = {
+    {"slider", joint_types::slider, [](const JointScene& s) { return s.displacement(s.axis); }},
+    {"cylindrical, displacement", joint_types::cylindrical,
+     [](const JointScene& s) { return s.displacement(s.axis); }},
+    {"cylindrical, angle", joint_types::cylindrical, [](const JointScene& s) { return s.angle(); }},
+    {"planar, displacement", joint_types::planar,
+     [](const JointScene& s) { return s.displacement(s.second); }},
+    {"planar, angle", joint_types::planar, [](const JointScene& s) { return s.angle(); }},
+    {"universal, first", joint_types::universal, [](const JointScene& s) { return s.angle(); }},
+    {"universal, second", joint_types::universal, [](const JointScene& s) { return s.angle(true); }},
+};
+
+Real value(const Model& model, const Coordinate& at) {
+  return row_of(at, model.bodies, model.motions.data()).offset;
+}
+
+// Speeds and rates are of the order of 1 m/s, 3 rad/s and 10/s: where a blow comes a step late all differ by some ten of
+// it.
+TEST(JointLawsInSteps, ComeToWhatEventsSay) {
+  constexpr Time duration = 0.4;
+  for (const Coordinates& c : coordinates)
+    for (const bool to_world : {true, false})
+      for (const auto& [limited, rubs] : {std::pair{true, false}, {false, true}, {true, true}}) {
+        JointScene scene = joint_scene(c.type, to_world);
+        CoordinateLaw law;
+        law.at = c.at(scene);
+        const Real start = value(scene.model, law.at);
+        const bool angle = law.at.kind == Coordinate::Kind::angle;
+        law.stiffness = 2, law.target.value = start + Real(0.1);
+        if (limited)
+          law.lower = start - Real(0.15), law.upper = start + Real(0.2), law.restitution = Real(0.6);
+        if (rubs) law.friction = angle ? Real(0.06) : Real(0.8);
+        scene.model.forces.gravity = {1, -2, Real(0.5)};
+        scene.model.forces.coordinate_laws.push_back(law);
+        const Model model = over_a_far_plane(scene.model);
+        const Outcome truth = run(model, with("auto", 0.01), 40);
+        EXPECT_TRUE(truth.remarks.empty()) << c.name << ": " << truth.remarks.front();
+        for (const Time dt : {1. / 500, 1. / 4000}) {
+          const Real off = apart(model, truth.motions, stepped(model, dt, duration, false));
+          EXPECT_LE(off, 20 * static_cast<Real>(dt))
+              << c.name << (to_world ? ", world" : ", body") << (limited ? ", limits" : "")
+              << (rubs ? ", friction " : " ") << dt;
+        }
+      }
+}
+
+// On a stop, pressed: it rests there and does not creep; and dry friction holds what is pulled by less.
+TEST(JointLawsInSteps, RestWhereTheyHold) {
+  for (const bool swept : {false, true}) {
+    Model on_stop = body_on_rail(0), held = on_stop;
+    CoordinateLaw law;
+    law.at = along_rail();
+    law.friction = 3;
+    held.forces.gravity = 2 * rail_axis;
+    held.forces.coordinate_laws = {law};
+    law.friction = 0, law.lower = Real(-0.1), law.restitution = Real(0.4);
+    on_stop.forces.gravity = -9 * rail_axis;
+    on_stop.forces.coordinate_laws = {law};
+    const Real rounding = swept ? Real(1e-6) : Real(1e-12);
+    EXPECT_NEAR(along_rail(stepped(over_a_far_plane(held), 0.002, 2, swept)), 0, rounding);
+    EXPECT_NEAR(along_rail(stepped(over_a_far_plane(on_stop), 0.002, 2, swept)), law.lower, rounding);
+
+    // The same of an angle: on a stop that a torque presses it on, and held against a lesser torque.
+    Wheel wheel = wheel_that_turns(0);
+    CoordinateLaw turning;
+    turning.at = wheel.angle, turning.upper = Real(0.7), turning.restitution = Real(0.4), turning.force = 2;
+    Model pressed = wheel.model, stuck = wheel.model;
+    pressed.forces.coordinate_laws = {turning};
+    turning.upper = 9, turning.friction = 3;
+    stuck.forces.coordinate_laws = {turning};
+    const auto angle = [&](const std::vector<Motion>& motions) {
+      return row_of(wheel.angle, wheel.model.bodies, motions.data()).offset;
+    };
+    EXPECT_NEAR(angle(stepped(over_a_far_plane(stuck), 0.002, 2, swept)), 0, rounding);
+    EXPECT_NEAR(angle(stepped(over_a_far_plane(pressed), 0.002, 2, swept)), Real(0.7), rounding);
+  }
+}
+
+// Negative control: the laws matter in these scenes.
+TEST(JointLawsInSteps, MatterHere) {
+  for (const Coordinates& c : coordinates) {
+    JointScene scene = joint_scene(c.type, true);
+    const Model free = over_a_far_plane(scene.model);
+    CoordinateLaw law;
+    law.at = c.at(scene);
+    const Real start = value(scene.model, law.at);
+    law.lower = start - Real(0.1), law.upper = start + Real(0.1);
+    Model limited = free, rubbed = free;
+    limited.forces.coordinate_laws = {law};
+    CoordinateLaw rubs;
+    rubs.at = law.at, rubs.friction = Real(0.3);
+    rubbed.forces.coordinate_laws = {rubs};
+    const auto end = [](const Model& model) { return stepped(model, 0.002, 0.4, false); };
+    EXPECT_GT(apart(free, end(free), end(limited)), Real(0.2)) << c.name;
+    EXPECT_GT(apart(free, end(free), end(rubbed)), Real(0.02)) << c.name;
+  }
+}
+
+}  // namespace
+}  // namespace cylon::engine
