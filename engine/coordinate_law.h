@@ -52,6 +52,7 @@ struct CoordinateLaw {
   Real friction = 0;  ///< The largest force of dry friction [N, N m], >= 0.
   Real lower = -std::numeric_limits<Real>::infinity(), upper = std::numeric_limits<Real>::infinity();
   Real restitution = 0;  ///< Of the limits: Newton's, [0, 1].
+  bool held = false;     ///< Q is a matter of who solves constraints, and no force of apply().
 
   bool has_lower() const { return lower > -std::numeric_limits<Real>::infinity(); }
   bool has_upper() const { return upper < std::numeric_limits<Real>::infinity(); }

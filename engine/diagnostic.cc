@@ -116,6 +116,10 @@ const std::array<DiagnosticRow, static_cast<std::size_t>(DiagnosticKind::count)>
      "after {count} steps, from t = {since} s on, joints were not closed in {limit} rounds: they stayed open "
      "by up "
      "to {reached} m or rad"},
+    {K::joint_forces_implicit, "joint-forces-implicit", "forces", "",
+     "{limit} forces in joints are too stiff for steps this long: they are those at the end of each step, "
+     "which damps "
+     "what they would let oscillate"},
     {K::stiff, "stiff", "parts", "", "each step goes in {limit} parts: {cause} is too stiff for longer ones"},
     {K::unstable, "unstable", "s", "",
      "steps longer than {limit} s are unstable where {cause} acts in full: the motion may grow without "

@@ -51,6 +51,7 @@ enum class DiagnosticKind {
   contacts_swept,
   overlaps_unsolved,
   joints_drifted,
+  joint_forces_implicit,
   stiff,
   unstable,
   solved_at_once,

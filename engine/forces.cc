@@ -148,6 +148,7 @@ void apply(const Water& water, Scene& scene) {
 }
 
 void apply(const CoordinateLaw& law, Scene& scene) {
+  if (law.held) return;
   const JointEnd a = end_of(law.at.body, law.at.anchor, scene.motion, scene.kinematics);
   const JointEnd b = end_of(law.at.to, law.at.to_anchor, scene.motion, scene.kinematics);
   const Row row = row_of(law.at, a, b);
@@ -191,6 +192,7 @@ Rates rates(const Water& w, const std::vector<Body>& bodies) {
 // No more than what the other joints of the bodies let the coordinate move: the axis of an angle is known in one
 // of them.
 Rates rates(const CoordinateLaw& law, const std::vector<Body>& bodies) {
+  if (law.held) return {};
   const Coordinate& q = law.at;
   const auto end = [&](int body, bool carries) -> Real {
     if (body == fixed_world) return 0;
@@ -221,6 +223,7 @@ class Sums {
       if (!bodies_[i].locked) rates_[i].damping += rates(w, bodies_).damping;
   }
   void add(const CoordinateLaw& law) {
+    if (law.held) return;
     const bool shared = law.at.body != fixed_world && law.at.to != fixed_world;
     const Real stiffness = (shared ? 2 : 1) * law.stiffness, damping = (shared ? 2 : 1) * law.damping;
     if (law.at.kind == Coordinate::Kind::displacement) {

@@ -16,6 +16,10 @@ Matrix3 skew(const Vector3& r) {
 
 // What J_n becomes for the velocity u_n along the normal.
 Real along_normal(const Block& block, Real j, Real u) {
+  if (block.kind == Block::Kind::soft) {  // with u = u_free + j/mass
+    const Real yield = block.mass > 0 ? 1 / block.mass : 0;
+    return (block.push - block.drag * (u - j * yield)) / (1 + block.drag * yield);
+  }
   if (block.kind == Block::Kind::rub) return std::clamp(j - block.mass * u, -block.limit, block.limit);
   return std::max(j + block.mass * (block.target - u), Real(0));
 }

@@ -22,8 +22,9 @@ struct Mover {
 ///   hold     space u = 0, J in the image of `space`, a projection
 ///   stop     u_n >= target, J_n >= 0, complementary; J_t = 0
 ///   rub      |J_n| <= limit, against u_n;  J_t = 0
+///   soft     J_n = push - drag u_n;  J_t = 0
 struct Block {
-  enum class Kind { contact, hold, stop, rub };
+  enum class Kind { contact, hold, stop, rub, soft };
   Kind kind = Kind::contact;
   bool angular = false;
   int a = 0;
@@ -34,6 +35,7 @@ struct Block {
   Matrix3 space = Matrix3::Identity();
   Real friction = 0, target = 0;  ///< Of rub: a force [N, N m].
   Real limit = 0;                 ///< Of rub, in this part of the step [N s, N m s].
+  Real push = 0, drag = 0;        ///< Of soft, the same [N s, N m s; kg, kg m^2].
   Vector3 impulse = Vector3::Zero();
   Vector3 before = Vector3::Zero();  ///< u before the forces of the step, of a direct solution.
 
@@ -41,7 +43,7 @@ struct Block {
   Vector3 anchor, to_anchor;  ///< The point, body axes; world axes where b is the world.
   Real restitution = 0;
   int plane = -1;      ///< Index of the plane that b is.
-  int law = -1;        ///< Of stop and rub: index of the coordinate law.
+  int law = -1;        ///< Of stop, rub and soft: index of the coordinate law.
   bool upper = false;  ///< Of a stop: which one.
   std::uint32_t feature = 0;
   bool impact = false;  ///< Meets within this part of the step.
@@ -49,7 +51,7 @@ struct Block {
   Real mass = 0;       ///< Along the normal.
   Matrix3 block_mass;  ///< In `space`; contact: across the normal.
 
-  bool is_along_normal() const { return kind == Kind::stop || kind == Kind::rub; }
+  bool is_along_normal() const { return kind != Kind::contact && kind != Kind::hold; }
   /// Whether it presses and never pulls.
   bool is_one_sided() const { return kind == Kind::contact || kind == Kind::stop; }
 };

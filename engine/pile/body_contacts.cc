@@ -293,7 +293,7 @@ void place_hold(const Joint& joint, Block& block, const std::vector<Motion>& mot
 }
 
 // A block for the place of each joint, and one for its turn where it is not free; then those of laws on coordinates of
-// joints: dry friction, and each limit.
+// joints: a stiff force, dry friction, and each limit.
 void BodyContacts::add_joints(const std::vector<Motion>& motions, const std::vector<Block>& old,
                               std::vector<Block>& blocks) const {
   std::size_t next = 0;
@@ -321,7 +321,7 @@ void BodyContacts::add_joints(const std::vector<Motion>& motions, const std::vec
   }
   for (std::size_t i = 0; i < model_.forces.coordinate_laws.size(); ++i) {
     const CoordinateLaw& law = model_.forces.coordinate_laws[i];
-    if (law.friction == 0 && !law.is_limited()) continue;
+    if (law.friction == 0 && !law.is_limited() && !law.held) continue;
     const auto add_along = [&](Block block) {
       block.impulse = next < old.size() ? Vector3(block.normal.dot(old[next++].impulse) * block.normal)
                                         : Vector3(Vector3::Zero());
@@ -329,6 +329,10 @@ void BodyContacts::add_joints(const std::vector<Motion>& motions, const std::vec
     };
     Block block = block_along(law, model_.bodies, motions);
     block.law = static_cast<int>(i);
+    if (law.held) {
+      block.kind = Block::Kind::soft;
+      add_along(block);
+    }
     if (law.friction != 0) {
       block.kind = Block::Kind::rub, block.friction = law.friction;
       add_along(block);

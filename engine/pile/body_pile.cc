@@ -18,8 +18,19 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
+// Forces in joints that are not stable by themselves in a step are solved with the joints, whatever their stiffness.
+Model BodyPile::with_stiff_laws_held(Model model, Time dt) {
+  if (parts_for(model, dt) == 1) return model;
+  for (CoordinateLaw& law : model.forces.coordinate_laws) {
+    Forces alone;
+    alone.coordinate_laws = {law};
+    law.held = steady_step(alone, model.bodies) < static_cast<Real>(dt);
+  }
+  return model;
+}
+
 BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings, std::int64_t first)
-    : model_(model),
+    : model_(with_stiff_laws_held(model, dt)),
       masses_(model_.bodies),
       dt_(dt),
       settings_(settings),
@@ -46,6 +57,8 @@ BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings, st
   const Time start = static_cast<Time>(first) * dt;
   masses_.set(start, model_.bodies);
   model_.forces.start_turns();
+  if (const auto held = std::ranges::count_if(model_.forces.coordinate_laws, &CoordinateLaw::held))
+    log_.note(DiagnosticKind::joint_forces_implicit, start, static_cast<double>(held));
   if (stiff_parts_ > 1) log_.note(DiagnosticKind::stiff, start, stiff_parts_, {}, limit_.reason);
   set_kinematics();
   for (std::size_t i = 0; i < movers_.size(); ++i)
@@ -108,6 +121,7 @@ void BodyPile::set_targets(Time now, Real h) {
     if (!takes(block)) continue;
     block.before = relative_velocity(block, movers_);
     block.limit = block.friction * h;
+    if (block.kind == Block::Kind::soft) soften(block, now, h);
     if (!block.is_one_sided()) continue;
     const bool stop = block.kind == Block::Kind::stop;
     const Real gap = stop ? gap_of_stop(block) : block.gap + block.normal.dot(offset(block, motions_));
@@ -117,6 +131,16 @@ void BodyPile::set_targets(Time now, Real h) {
     block.impact = !stop && meets && -u > slow;
     if (block.impact) note_impact(k, now, gap, -u);
   }
+}
+
+// The law at the end of the part, with q there = q + h u:
+//   J = h Q = h (F - k (q - r) + c r') - (h c + h^2 k) u,  r the target at the end
+void BodyPile::soften(Block& block, Time now, Real h) const {
+  const CoordinateLaw& law = model_.forces.coordinate_laws[index(block.law)];
+  const Real q = row_of(law.at, model_.bodies, motions_.data()).offset;
+  const Target::Now target = law.target.at(now + static_cast<Time>(h));
+  block.push = h * (law.force - law.stiffness * (q - target.value) + law.damping * target.rate);
+  block.drag = h * (law.damping + h * law.stiffness);
 }
 
 // How far the coordinate is from the limit now, negative beyond [m, rad].

@@ -41,6 +41,8 @@ class BodyPile : public Stepper {
   bool is_slow(const Group&, Real speed) const;
   bool is_on_edge(int body, const Group&) const;
   void meet(const Group&, Time now, Real h);
+  static Model with_stiff_laws_held(Model, Time dt);
+  void soften(Block&, Time now, Real h) const;
   Real gap_of_stop(const Block&) const;
   void look_at_stops();
   void note_impact(std::size_t block, Time now, Real gap, Real approach);

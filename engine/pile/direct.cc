@@ -153,6 +153,12 @@ void Direct::forces(const Vector& v, bool slopes, bool coupled) {
     const V3 u = velocity(row, v);
     const double d = row.stiffness;
     if (row.block->is_along_normal()) {
+      if (row.block->kind == Block::Kind::soft) {
+        const auto drag = static_cast<double>(row.block->drag);
+        row.f = (static_cast<double>(row.block->push) - drag * row.n.dot(u)) * row.n;
+        if (slopes) row.slope = drag * row.n * row.n.transpose();
+        continue;
+      }
       const double y_n = row.n.dot(row.lambda - d * u) + d * row.target;
       const double most = row.block->kind == Block::Kind::rub ? static_cast<double>(row.block->limit)
                                                               : std::numeric_limits<double>::infinity();

@@ -20,7 +20,7 @@ bool Overlaps::displace(const std::vector<Body>& bodies, const std::vector<Block
   blocks_ = blocks;
   for (Block& block : blocks_) {
     block.impulse.setZero();
-    block.limit = 0;  // dry friction resists no displacement
+    block.limit = block.push = block.drag = 0;  // friction and springs resist no displacement
     if (block.kind == Block::Kind::stop) {
       any |= block.gap < -rounding;
       block.target = -block.gap;  // all of it: nothing else lies in a stop

@@ -236,6 +236,20 @@ inline Model with_drag(Model model, Real drag) {
   return model;
 }
 
+/// On a vertical rail to the world, with a damper along it.
+inline Model with_rail_and_damper(Model model, Real damping) {
+  model.joints.push_back({.type = joint_types::slider,
+                          .body = 0,
+                          .to_anchor = model.motions[0].position,
+                          .to_axis = Vector3::UnitY(),
+                          .relative = model.motions[0].orientation});
+  CoordinateLaw law;
+  law.at.to_anchor = model.motions[0].position, law.at.axis = Vector3::UnitY();
+  law.damping = damping;
+  model.forces.coordinate_laws.push_back(law);
+  return model;
+}
+
 inline Model as_constraints(Model model) {
   model.reduce_joints = false;
   return model;

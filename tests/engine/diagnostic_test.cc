@@ -123,6 +123,8 @@ const std::vector<Provoked> provoked = {
     {K::contacts_swept, 0.03, [] { return said(boxes_on_floor(200, 1), on("stepping", 0.01), 3); }},
     {K::overlaps_unsolved, 1, [] { return said(random_pile(1), forced(on("stepping", 0.01)), 100); }},
     {K::joints_drifted, 1, [] { return said(chain_of_boxes(8), on("stepping", 0.02), 50); }},
+    {K::joint_forces_implicit, 0.02,
+     [] { return said(with_rail_and_damper(ball_over_plane(5, 0), 1e4), on("stepping", 0.01), 2); }},
     {K::stiff, 0.02, [] { return said(with_drag(ball_over_plane(5, 0), 210), on("stepping", 0.01), 2); }},
     {K::unstable, 0.02,
      [] { return said(with_drag(ball_over_plane(5, 0), Real(7e8)), on("stepping", 0.01), 2); }},

@@ -118,6 +118,47 @@ TEST(JointLawsInSteps, RestWhereTheyHold) {
   }
 }
 
+// Forces that are unstable in a step taken by themselves: at once at what they balance, at any step, in as many steps.
+TEST(JointLawsInSteps, TakeStiffForcesImplicitly) {
+  for (const bool swept : {false, true})
+    for (const Real stiffness : {Real(1e5), Real(1e8)}) {
+      Model servo = body_on_rail(0), damper = servo;
+      CoordinateLaw law;
+      law.at = along_rail();
+      law.stiffness = stiffness, law.damping = std::sqrt(stiffness), law.force = 7;
+      law.target.value = Real(0.25);
+      servo.forces.coordinate_laws = {law};
+      const Real balance = law.target.value + law.force / law.stiffness;
+      EXPECT_NEAR(along_rail(stepped(over_a_far_plane(servo), 0.01, 3, swept)), balance, swept ? 1e-6 : 1e-9);
+
+      law.stiffness = 0, law.damping = stiffness;
+      damper.forces.coordinate_laws = {law};
+      const Model model = over_a_far_plane(damper);
+      const std::vector<Motion> end = stepped(model, 0.01, 1, swept);
+      EXPECT_NEAR(rail_axis.dot(velocity(model.bodies[0], end[0])) * stiffness, law.force, 1e-6);
+    }
+}
+
+// The same law by parts of a step and implicitly: they differ by the order of the step.
+TEST(JointLawsInSteps, TakeStiffForcesToFirstOrder) {
+  Wheel wheel = wheel_that_turns(3);
+  CoordinateLaw law;
+  law.at = wheel.angle;
+  law.stiffness = Real(0.5), law.target = harmonic(Real(0.2), Real(0.4), 3, 1);
+  law.damping = Real(1.5) * wheel.inertia / Real(0.01);  // of a step of 0.01 s
+  wheel.model.forces.coordinate_laws = {law};
+  const Model model = over_a_far_plane(wheel.model);
+  const Outcome truth = run(model, with("auto", 0.01), 100);
+  Real before = 0;
+  for (const Time dt : {0.1, 0.05, 0.025}) {
+    const Real off = distance(truth.motions, stepped(model, dt, 1, false));
+    if (before > 0) {
+      EXPECT_NEAR(std::log2(before / off), 1, 0.2) << dt;
+    }
+    before = off;
+  }
+}
+
 // Negative control: the laws matter in these scenes.
 TEST(JointLawsInSteps, MatterHere) {
   for (const Coordinates& c : coordinates) {
