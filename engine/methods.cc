@@ -58,9 +58,10 @@ constexpr std::array rows = {
         {Feature::locked_body, Feature::spin, Feature::contact, Feature::lasting_contact, Feature::friction,
          Feature::sphere, Feature::collision_filters, Feature::own_gravity, Feature::late_start,
          Feature::every_stage, Feature::path_stepping}},
-    Row{Method::body_steps, rigid_bodies | all_forces | all_joints | all_contacts | shapes_in_steps |
-                                Features{Feature::joint_limit, Feature::joint_friction, Feature::late_start,
-                                         Feature::every_stage, Feature::path_stepping}},
+    Row{Method::body_steps,
+        rigid_bodies | all_forces | all_joints | all_contacts | shapes_in_steps |
+            Features{Feature::joint_limit, Feature::joint_friction, Feature::quadratic_damping,
+                     Feature::late_start, Feature::every_stage, Feature::path_stepping}},
 };
 
 constexpr bool one_row_each() {

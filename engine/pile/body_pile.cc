@@ -16,16 +16,20 @@ constexpr int most_stiff_parts = 1024;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
+// Whether a force in a joint is not stable by itself in a step.
+bool is_stiff(CoordinateLaw law, const std::vector<Body>& bodies, Time dt) {
+  law.held = false;
+  Forces alone;
+  alone.coordinate_laws = {std::move(law)};
+  return steady_step(alone, bodies) < static_cast<Real>(dt);
+}
+
 }  // namespace
 
-// Forces in joints that are not stable by themselves in a step are solved with the joints, whatever their stiffness.
+// Forces in joints that are solved with the joints: what is not stable by itself in a step, or might not be.
 Model BodyPile::with_stiff_laws_held(Model model, Time dt) {
-  if (parts_for(model, dt) == 1) return model;
-  for (CoordinateLaw& law : model.forces.coordinate_laws) {
-    Forces alone;
-    alone.coordinate_laws = {law};
-    law.held = steady_step(alone, model.bodies) < static_cast<Real>(dt);
-  }
+  for (CoordinateLaw& law : model.forces.coordinate_laws)
+    law.held = law.quadratic_damping != 0 || is_stiff(law, model.bodies, dt);
   return model;
 }
 
@@ -57,8 +61,10 @@ BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings, st
   const Time start = static_cast<Time>(first) * dt;
   masses_.set(start, model_.bodies);
   model_.forces.start_turns();
-  if (const auto held = std::ranges::count_if(model_.forces.coordinate_laws, &CoordinateLaw::held))
-    log_.note(DiagnosticKind::joint_forces_implicit, start, static_cast<double>(held));
+  const auto stiff = std::ranges::count_if(model_.forces.coordinate_laws, [&](const CoordinateLaw& law) {
+    return is_stiff(law, model_.bodies, dt);
+  });
+  if (stiff > 0) log_.note(DiagnosticKind::joint_forces_implicit, start, static_cast<double>(stiff));
   if (stiff_parts_ > 1) log_.note(DiagnosticKind::stiff, start, stiff_parts_, {}, limit_.reason);
   set_kinematics();
   for (std::size_t i = 0; i < movers_.size(); ++i)
@@ -134,13 +140,14 @@ void BodyPile::set_targets(Time now, Real h) {
 }
 
 // The law at the end of the part, with q there = q + h u:
-//   J = h Q = h (F - k (q - r) + c r') - (h c + h^2 k) u,  r the target at the end
+//   J = h Q = h (F - k (q - r) + c r') - (h c + h c_2 |u_before| + h^2 k) u,  r the target at the end
 void BodyPile::soften(Block& block, Time now, Real h) const {
   const CoordinateLaw& law = model_.forces.coordinate_laws[index(block.law)];
   const Real q = row_of(law.at, model_.bodies, motions_.data()).offset;
   const Target::Now target = law.target.at(now + static_cast<Time>(h));
   block.push = h * (law.force - law.stiffness * (q - target.value) + law.damping * target.rate);
-  block.drag = h * (law.damping + h * law.stiffness);
+  const Real speed = std::abs(block.normal.dot(block.before));
+  block.drag = h * (law.damping + law.quadratic_damping * speed + h * law.stiffness);
 }
 
 // How far the coordinate is from the limit now, negative beyond [m, rad].

@@ -139,6 +139,28 @@ TEST(JointLawsInSteps, TakeStiffForcesImplicitly) {
     }
 }
 
+// dv/dt = -c_2 v |v|/m:  v = v_0/(1 + c_2 v_0 t/m), which v = v_before/(1 + c_2 v_before h/m) meets at any step; it never
+// turns round.
+TEST(JointLawsInSteps, DampBySpeedSquared) {
+  const Real v = 4, c = 3;
+  Model model = body_on_rail(v);
+  CoordinateLaw law;
+  law.at = along_rail(), law.quadratic_damping = c;
+  model.forces.coordinate_laws = {law};
+  model = over_a_far_plane(model);
+  const auto off = [&](Time dt) {
+    const std::vector<Motion> end = stepped(model, dt, 1, false);
+    return rail_axis.dot(velocity(model.bodies[0], end[0])) - v / (1 + c * v / rail_mass);
+  };
+  for (const Time dt : {0.1, 0.01}) EXPECT_NEAR(off(dt), 0, 1e-10) << dt;
+  law.quadratic_damping = Real(1e6);
+  model.forces.coordinate_laws = {law};
+  const std::vector<Motion> stopped = stepped(model, 0.1, 1, false);
+  const Real left = rail_axis.dot(velocity(model.bodies[0], stopped[0]));
+  EXPECT_GE(left, 0);
+  EXPECT_LE(left, Real(1e-4));
+}
+
 // The same law by parts of a step and implicitly: they differ by the order of the step.
 TEST(JointLawsInSteps, TakeStiffForcesToFirstOrder) {
   Wheel wheel = wheel_that_turns(3);
