@@ -70,8 +70,8 @@ Request request_from(const nlohmann::json& j) {
 }
 
 std::string cell_key(const study::Cell& cell, const std::string& expectations_hash) {
-  return fmt::format("{}/{}/{}/{}", cell_name(cell), cell.scenario->hash, content_of(cell.engine.row.command),
-                     expectations_hash);
+  return fmt::format("{}/{}/{}/{}/{}", cell_name(cell), cell.scenario->hash,
+                     content_of(cell.engine.row.command), content_of({"/proc/self/exe"}), expectations_hash);
 }
 
 std::string cell_name(const study::Cell& cell) {

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdint>
 #include <optional>
 #include <type_traits>
@@ -39,6 +40,18 @@ constexpr bool holds_words =
 Check in_range(int least, int most) { return checked(CLI::Range(least, most)); }
 Check in_range(double least, double most) { return checked(CLI::Range(least, most)); }
 Check one_of(std::vector<std::string> words) { return checked(CLI::IsMember(std::move(words))); }
+
+Check whole(std::uint64_t most) {
+  return checked({[most](std::string& text) {
+                    std::uint64_t value = 0;
+                    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+                    const bool all = error == std::errc() && end == text.data() + text.size();
+                    return all && value <= most
+                               ? std::string()
+                               : fmt::format("'{}' must be a whole number, at most {}", text, most);
+                  },
+                  ""});
+}
 
 Check positive(double most) {
   return checked({[most](std::string& text) {

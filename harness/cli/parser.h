@@ -2,6 +2,7 @@
 // Its headers hold objects with constructors, so that a source which sees them compiles the whole library.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -24,7 +25,8 @@ using Check = std::function<void(CLI::Option&)>;
 Check in_range(int least, int most);
 Check in_range(double least, double most);
 Check one_of(std::vector<std::string> words);
-Check positive(double most);  ///< A number > 0 and at most `most`, NaN refused.
+Check whole(std::uint64_t most);  ///< Digits alone, at most `most`: no sign, and nothing wraps.
+Check positive(double most);      ///< A number > 0 and at most `most`, NaN refused.
 
 /// An option or an argument; each word returns the option itself, so that they chain.
 class Option {

@@ -47,8 +47,9 @@ File read(const fs::path& path, Reader reader) {
     }
   });
   if (file.part && file.part->command == "run")
-    file.strange +=
-        std::erase_if(file.lines, [](const auto& line) { return !line.second.contains("verdicts"); });
+    file.strange += std::erase_if(file.lines, [](const auto& line) {
+      return !line.second.contains("verdicts") || line.second.at("verdicts").empty();
+    });
   return file;
 }
 
@@ -99,7 +100,8 @@ void require_same(const File& a, const File& b) {
                                          a.path.string(), name, b.path.string()));
     if (found->second != key)
       throw core::InputError(
-          fmt::format("'{}' is another scenario, engine or list of expectations in {} than in {}: {} and {}",
+          fmt::format("'{}' is another scenario, engine, build of cylon or list of expectations in {} than "
+                      "in {}: {} and {}",
                       name, a.path.string(), b.path.string(), key, found->second));
   }
   if (left.size() < right.size()) return require_same(b, a);

@@ -21,6 +21,7 @@
 #include <filesystem>
 #include <iostream>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <mutex>
 
@@ -273,6 +274,7 @@ Command add_hunt(App& app, const Context& context) {
       ->check(positive(1e5));
   app.add_option("--seed", options->seed, "Of the random scenes: the same seed gives the same scenes")
       ->type_name("S")
+      ->check(whole(std::numeric_limits<std::uint64_t>::max()))
       ->capture_default_str();
   app.add_option(
          "--scenes", options->scenes,
@@ -281,6 +283,7 @@ Command add_hunt(App& app, const Context& context) {
       ->type_name("GLOB");
   app.add_option("--first", options->first, "Number of the first scene")
       ->type_name("N")
+      ->check(whole(std::uint64_t{1} << 62))
       ->capture_default_str();
   app.add_option("--cards", options->cards,
                  "Folder for the cards: a scenario, a page, a picture and a program for each fault")

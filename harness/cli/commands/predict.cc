@@ -18,6 +18,7 @@
 
 #include <cmath>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <numeric>
@@ -188,7 +189,10 @@ Command add_predict(App& app, const Context& context) {
       ->type_name("N")
       ->check(in_range(0, 10'000))
       ->capture_default_str();
-  app.add_option("--seed", options->band.seed, "Of the band")->type_name("S")->capture_default_str();
+  app.add_option("--seed", options->band.seed, "Of the band")
+      ->type_name("S")
+      ->check(whole(std::numeric_limits<std::uint64_t>::max()))
+      ->capture_default_str();
   app.add_option("--json", options->json, "Write everything, run by run, to this file; - is stdout")
       ->type_name("FILE");
   add_jobs_option(app, options->jobs, "Number of runs to predict at the same time; default: all processors");

@@ -129,6 +129,13 @@ TEST_F(HuntCommand, RefusesWhatItCannotDo) {
   EXPECT_EQ(cylon("hunt --engine in-house").code, 2);
   EXPECT_EQ(cylon("hunt --engine in-house --count 1 --minutes 1").code, 2);
   EXPECT_EQ(cylon("hunt --count 1").code, 2);
+  // Numbers that wrapped: a search without end, and two seeds that were one.
+  for (const char* option : {"--first -5", "--first 18446744073709551614", "--first 1e3", "--seed -1",
+                             "--seed 99999999999999999999999", "--seed ''"}) {
+    const Ran ran = cylon("hunt --engine in-house --count 1 " + std::string(option));
+    EXPECT_EQ(ran.code, 2) << option;
+    EXPECT_NE(ran.err.find("must be a whole number"), std::string::npos) << option << ran.err;
+  }
   const Ran timed = cylon("hunt --engine in-house --minutes 1 --shard 1/2");
   EXPECT_EQ(timed.code, 2);
   EXPECT_NE(timed.err.find("depends on the machine"), std::string::npos) << timed.err;

@@ -267,8 +267,26 @@ TEST_F(Merge, RefusesWhatBelongsToSomethingElse) {
       "../projectile.toml; cd ../b; cylon run ../projectile.toml --engine in-house");
   const Ran ran = cylon("merge a/.cylon/*.jsonl b/.cylon/*.jsonl");
   EXPECT_EQ(ran.code, 2);
-  EXPECT_NE(ran.err.find("is another scenario, engine or list of expectations"), std::string::npos)
+  EXPECT_NE(ran.err.find("is another scenario, engine, build of cylon or list of expectations"),
+            std::string::npos)
       << ran.err;
+}
+
+// Who judged is part of the question: another build of cylon neither goes on with a journal nor joins it.
+TEST_F(Merge, RefusesWhatAnotherBuildJudged) {
+  shell("mkdir one two; cp \"$(command -v cylon)\" other; echo >> other");
+  const std::string places = "CYLON_WORKERS='" + std::string(binary_dir) + "' CYLON_SCENARIOS='" +
+                             std::string(source_dir) + "/scenarios" + "' ";
+  const std::string question = "run projectile:heavy_top --engine in-house --shard ";
+  const Ran mine = shell("cd one; exec cylon " + question + "1/2");
+  const Ran theirs = shell("cd two; " + places + "exec ../other " + question + "2/2");
+  ASSERT_EQ(mine.code, 0) << mine.err;
+  ASSERT_EQ(theirs.code, 0) << theirs.err;
+  const Ran merged = cylon("merge one/.cylon/*.jsonl two/.cylon/*.jsonl");
+  EXPECT_EQ(merged.code, 2) << merged.err;
+  cylon("run projectile --engine in-house");
+  const Ran again = shell(places + "exec ./other run projectile --engine in-house --resume");
+  EXPECT_NE(again.err.find("resumed: 0 of 1"), std::string::npos) << again.err;
 }
 
 // Whatever a stranger writes into a journal is left out and counted, or refused.
@@ -286,7 +304,8 @@ TEST_F(Merge, SurvivesHostileJournals) {
                                R"({"key": "a", "verdicts": [5]})",
                                R"({"key": "a", "verdicts": ["{}"]})",
                                R"({"key": "a", "verdicts": [")" + deep + R"("]})",
-                               R"({"key": "a", "cell": {}, "verdicts": []})"};
+                               R"({"key": "a", "cell": {}, "verdicts": []})",
+                               R"({"key": "a", "cell": "a", "verdicts": []})"};
   for (const std::string& line : lines) {
     write("hostile.jsonl", good + line + "\n");
     const Ran ran = cylon("merge hostile.jsonl");
