@@ -78,6 +78,7 @@ constexpr Candidate candidates[] = {
     {Path::ballistic, Method::ballistic, flies},
     {Path::events, Method::events, followed},
     {Path::stepping, Method::body_steps, has_contacts},
+    {Path::events, Method::events, has_contacts},  // of more bodies than are followed fast, rather than none
     {Path::exact, Method::exact, always},
     {Path::modes, Method::modes, oscillates},
     {Path::free, Method::free, many_fly},

@@ -147,6 +147,9 @@ bool put_on_rod(Reduced& reduced, int i, const Fastening& f) {
   reduced.readings[at(i)] = {i, true, true, motion.orientation, body.inertia};
   body = pinned_body(body, shifted(Matrix3::Zero(), body.mass, c), c);
   move_reference(reduced, i, -c, f.place);
+  // What turns from now on is the rod: the body does not, and nothing brakes its rotation.
+  for (Drag& drag : reduced.model.forces.drags)
+    if (drag.body == i) drag.angular = 0;
   return true;
 }
 

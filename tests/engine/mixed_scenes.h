@@ -123,14 +123,46 @@ inline void add_forces(Dice& dice, Model& m, std::string& text) {
   }
 }
 
+// A spring, damping, dry friction and limits, each of them or not, on a coordinate that the joint leaves free.
+inline void add_law(Dice& dice, Model& m, std::string& text) {
+  const Joint& joint = m.joints.back();
+  const bool turns =
+                 joint.type.turn == Joint::Turn::about_axis || joint.type.turn == Joint::Turn::about_two_axes,
+             slides =
+                 joint.type.place == Joint::Place::along_axis || joint.type.place == Joint::Place::in_plane;
+  if (!turns && !slides) return;
+  CoordinateLaw law;
+  law.at.kind = turns && (!slides || joint.type.couples || dice.one_in(2)) ? Coordinate::Kind::angle
+                                                                           : Coordinate::Kind::displacement;
+  const bool angle = law.at.kind == Coordinate::Kind::angle;
+  law.at.body = joint.body, law.at.anchor = joint.anchor;
+  law.at.to = joint.to, law.at.to_anchor = joint.to_anchor;
+  law.at.axis = joint.type.place == Joint::Place::in_plane && !angle ? Vector3(joint.to_axis.unitOrthogonal())
+                                                                     : joint.to_axis;
+  law.at.zero = joint.to_axis.unitOrthogonal();
+  law.at.mark = joint.relative.conjugate() * law.at.zero;
+  if (dice.one_in(2)) law.stiffness = dice.between(Real(0.2), 4), law.target.value = dice.between(-1, 1);
+  if (dice.one_in(2)) law.damping = dice.between(Real(0.01), Real(0.2));
+  if (dice.one_in(3)) law.friction = dice.between(Real(0.02), Real(0.6));
+  if (dice.one_in(2)) {
+    law.lower = dice.between(Real(-0.6), Real(-0.05)), law.upper = dice.between(Real(0.05), Real(0.6));
+    law.restitution = dice.one_in(3) ? 0 : dice.between(Real(0.2), 1);
+  }
+  text += angle ? " law on an angle" : " law on a displacement";
+  if (law.friction != 0) text += ", rubbing";
+  if (law.is_limited()) text += ", limited";
+  m.forces.coordinate_laws.push_back(law);
+}
+
 // Joints that the start satisfies: they close where the bodies are, and jointed scenes start at rest.
 inline void add_joints(Dice& dice, Model& m, std::string& text) {
   const std::size_t n = m.bodies.size(), count = 1 + dice.below(2);
   for (std::size_t k = 0; k < count && k < n; ++k) {
     const int body = static_cast<int>(k), to = k + 1 < n && dice.one_in(2) ? body + 1 : fixed_world;
-    constexpr Joint::Type types[] = {joint_types::ball, joint_types::hinge, joint_types::distance,
-                                     joint_types::fixed};
-    const std::size_t kind = dice.below(4);
+    constexpr Joint::Type types[] = {joint_types::ball,   joint_types::hinge,     joint_types::distance,
+                                     joint_types::fixed,  joint_types::slider,    joint_types::cylindrical,
+                                     joint_types::planar, joint_types::universal, joint_types::screw};
+    const std::size_t kind = dice.below(std::size(types));
     const Joint::Type type = types[kind];
     const auto turn = [&](int i) {
       return i == fixed_world ? Quaternion(Quaternion::Identity())
@@ -152,10 +184,14 @@ inline void add_joints(Dice& dice, Model& m, std::string& text) {
       const Vector3 axis = Vector3(dice.vector(1) + Vector3(0, 0, 2)).normalized();
       joint.axis = turn(body).conjugate() * axis;
       joint.to_axis = turn(to).conjugate() * axis;
+      if (type.turn == Joint::Turn::about_two_axes)
+        joint.axis = turn(body).conjugate() * axis.unitOrthogonal();
+      if (type.couples) joint.pitch = dice.between(Real(0.05), Real(0.3));
       joint.relative = turn(to).conjugate() * turn(body);
     }
     m.joints.push_back(joint);
     text += " joint" + std::to_string(kind) + (to == fixed_world ? "w" : "");
+    if (dice.one_in(2)) add_law(dice, m, text);
   }
   for (std::size_t i = 0; i < n; ++i)
     m.motions[i].momentum.setZero(), m.motions[i].angular_momentum.setZero();

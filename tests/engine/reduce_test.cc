@@ -138,6 +138,16 @@ TEST(Reduced, RodDoesNotRotatePoint) {
   EXPECT_NEAR((end.motions[0].position - m.joints[0].to_anchor).norm(), m.joints[0].length, 1e-14);
 }
 
+// What turns is the rod, not the body on it: drag on its rotation, or on its spin, changes nothing.
+TEST(Reduced, RodIsNotBrakedByAngularDrag) {
+  Model m = pinned_models()[2].model, braked = m;
+  braked.forces.drags.push_back({0, 0, Real(0.05), Real(0.4)});
+  EXPECT_EQ(reduce(braked).pinned.size(), 1u);
+  EXPECT_LT(distance(run(m, "rk8", 1, 100).motions, run(braked, "rk8", 1, 100).motions), 1e-14);
+  EXPECT_LT(distance(run(by_constraints(braked), "rk8", 1, 1000).motions, run(braked, "rk8", 1, 1000).motions),
+            1e-12);
+}
+
 // What must stay a constraint, each for its reason.
 TEST(Reduced, KeepsOtherBodies) {
   const Model base = heavy_top();
