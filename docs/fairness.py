@@ -89,8 +89,8 @@ SETTINGS = {
         ],
     },
 }
-RANK = {"pass": 2, "low-quality": 1, "fail": 0}
-MARK = {"pass": "✓", "low-quality": "~", "fail": "✗", "unsupported": "–", "non-finite": "∞"}
+RANK = {"pass": 3, "undecided": 2, "low-quality": 1, "fail": 0}
+MARK = {"pass": "✓", "undecided": "?", "low-quality": "~", "fail": "✗", "unsupported": "–", "non-finite": "∞"}
 
 
 SAMPLE = 12  # scenarios that --check runs again

@@ -26,7 +26,7 @@ ENGINES = ["in-house", "bullet", "bullet-multibody", "ode", "mujoco", "simbody"]
 PATIENCE = 20  # [s] of one run on one engine
 
 # From the best to the worst; a scene counts by the worst of its claims.
-OUTCOMES = ["pass", "low-quality", "fail", "non-finite", "timeout", "crash", "protocol", "no report"]
+OUTCOMES = ["pass", "undecided", "low-quality", "fail", "non-finite", "timeout", "crash", "protocol", "no report"]
 
 
 def scenes(corpus):
@@ -149,7 +149,7 @@ def what_ran(results, engines):
     counts = {engine: collections.Counter(r["runs"][engine][0] for r in results if r["runs"]) for engine in engines}
     shown = [word for word in OUTCOMES if any(c[word] for c in counts.values())]
     others = sorted({word for c in counts.values() for word in c} - set(OUTCOMES) - {"refused"})
-    rows = [(f"`{e}`", sum(c.values()), sum(c[w] for w in ("pass", "low-quality", "fail")), c["refused"], *(c[w] for w in shown + others))
+    rows = [(f"`{e}`", sum(c.values()), sum(c[w] for w in ("pass", "undecided", "low-quality", "fail")), c["refused"], *(c[w] for w in shown + others))
             for e, c in counts.items()]
     return table(["engine", "scenes", "ran", "refused", *shown, *others], rows)
 

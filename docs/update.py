@@ -44,7 +44,7 @@ def digits(verdict):
     return math.log10(verdict["allowed"] / verdict["measured"]) if verdict["allowed"] else -99.0
 
 
-MARKS = {"pass": "✓", "low-quality": "~", "fail": "✗", "unsupported": "–", "non-finite": "∞"}
+MARKS = {"pass": "✓", "undecided": "?", "low-quality": "~", "fail": "✗", "unsupported": "–", "non-finite": "∞"}
 
 
 def matrix(cylon, suite="conformance"):
@@ -58,7 +58,7 @@ def matrix(cylon, suite="conformance"):
             rows = [v for v in verdicts if v["scenario"] == scenario and v["engine"] == engine]
             # A claim without an answer is a refusal only where none has one.
             worst = min([v for v in rows if v["status"] != "unsupported"] or rows, key=digits)
-            measured = worst["status"] in ("pass", "low-quality", "fail")
+            measured = worst["status"] in ("pass", "undecided", "low-quality", "fail")
             cells.append(MARKS.get(worst["status"], worst["status"]) +
                          (f" {min(99, max(-99, digits(worst))):+.1f}" if measured else "") +
                          (" =" if any(v["closed_form"] for v in rows) else ""))

@@ -74,15 +74,12 @@ using Line = std::array<std::string, 6>;
 
 Line claim_line(const Verdict& v, const ConsoleOptions& options) {
   const bool measured = is_measured(v.status);
-  const auto with_unit = [&](double value) {
-    return fmt::format("{:.4g} {}", value, shown(v.unit, options));
-  };
   std::string status(results::name(v.status));
   if (!v.as_expected()) status += fmt::format(" (expected {}) !", expectation(v));
   const std::string& why = v.detail.empty() ? v.tolerance_reason : v.detail;
   return {shown(v.claim, options),
-          measured ? with_unit(v.measured) : "",
-          with_unit(v.allowed),
+          measured ? shown(measured_text(v), options) : "",
+          fmt::format("{:.4g} {}", v.allowed, shown(v.unit, options)),
           measured ? fmt::format("{:+.1f}", results::digits(v.measured, v.allowed)) : "",
           status,
           shown(head(why, 400), options)};
@@ -124,19 +121,23 @@ std::string group(const std::map<Status, int>& by_status, std::string_view words
 }  // namespace
 
 std::string summary(const std::vector<Verdict>& verdicts) {
-  int passed = 0;
+  int passed = 0, undecided = 0;
   std::map<Status, int> expected, differing;
   for (const Verdict& v : verdicts) {
     if (!v.as_expected())
       ++differing[v.status];
+    else if (v.status == Status::undecided)
+      ++undecided;
     else if (v.status == Status::pass)
       ++passed;
     else
       ++expected[v.status];
   }
   const bool one = differing.size() == 1 && differing.begin()->second == 1;
-  return fmt::format("{} verdict{}: {} pass, {}, {}\n", verdicts.size(), verdicts.size() == 1 ? "" : "s",
-                     passed, group(expected, "as expected"), group(differing, one ? "differs" : "differ"));
+  return fmt::format("{} verdict{}: {} pass, {}, {}{}\n", verdicts.size(), verdicts.size() == 1 ? "" : "s",
+                     passed, group(expected, "as expected"),
+                     undecided > 0 ? fmt::format("{} undecided, ", undecided) : "",
+                     group(differing, one ? "differs" : "differ"));
 }
 
 std::string unlisted(const std::vector<Verdict>& verdicts, const ConsoleOptions& options) {
@@ -206,6 +207,10 @@ std::string console_matrix(const std::vector<Verdict>& verdicts, const ConsoleOp
     out += "(without a matching row in expected.toml, pass is expected)\n";
   for (const Verdict& v : verdicts)
     if (differs(v)) out += difference(v, options);
+  const auto open = [&](const Verdict& v) { return v.status == Status::undecided && !differs(v); };
+  if (std::ranges::any_of(verdicts, open)) out += "\nUndecided:\n";
+  for (const Verdict& v : verdicts)
+    if (open(v)) out += difference(v, options);
 
   const std::string warnings = rescaled(verdicts) + unlisted(verdicts, options);
   if (!out.empty()) out += '\n';

@@ -19,6 +19,7 @@ constexpr std::array looks = {
     Look{"✓", "ok", 32},
     Look{"~", "~", 33},
     Look{"✗", "X", 31},
+    Look{"?", "?", 36},
     Look{"–", "-", 2},
     Look{"☠ crash", "crash", 35},
     Look{"⌛ timeout", "timeout", 35},

@@ -33,7 +33,8 @@ std::string joined(const Json& json) {
   for (const auto& [key, value] : json.items()) {
     if (!out.empty()) out += "; ";
     if (json.is_object()) out += key + "=";
-    out += (value.is_object() ? value.at("kind") : value).get<std::string>();
+    out += value.is_number_float() ? fmt::format("{:.17g}", value.get<double>())
+                                   : (value.is_object() ? value.at("kind") : value).get<std::string>();
   }
   return out;
 }

@@ -135,6 +135,18 @@ std::vector<told::Diagnostic> diagnostics_from(const Row& row) {
   return list;
 }
 
+// [low, high]; what is not finite was written as null.
+results::Bounds bounds(const Row& row, const char* key) {
+  const Json& value = row.at(key);
+  if (!value.is_array() || value.size() != 2) row.refuse(key, "must be null or [low, high]");
+  double ends[2];
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!value[i].is_number() && !value[i].is_null()) row.refuse(key, "must hold two numbers");
+    ends[i] = value[i].is_null() ? std::numeric_limits<double>::quiet_NaN() : value[i].get<double>();
+  }
+  return {ends[0], ends[1]};
+}
+
 Verdict from_row(const Json& json, const std::string& place) {
   if (!json.is_object()) throw core::InputError(place + ": a verdict must be an object");
   const Row row{json, place};
@@ -156,7 +168,9 @@ Verdict from_row(const Json& json, const std::string& place) {
   v.sampling = row.string("sampling");
   v.claim = row.string("claim");
   v.observable = row.string("observable");
+  if (json.contains("evidence")) v.evidence = row.string("evidence");
   v.measured = row.real("measured");
+  if (json.contains("interval") && !json["interval"].is_null()) v.interval = bounds(row, "interval");
   if (!row.at("first_bad_step").is_null()) v.first_bad_step = row.integer("first_bad_step");
   v.allowed = row.real("allowed");
   v.tolerance_scale = row.real("tolerance_scale");
@@ -250,7 +264,10 @@ Json row(const Verdict& v) {
           {"sampling", v.sampling},
           {"claim", v.claim},
           {"observable", v.observable},
+          {"evidence", v.evidence},
           {"measured", number(v.measured)},
+          {"interval",
+           v.interval ? Json::array({number(v.interval->low), number(v.interval->high)}) : Json(nullptr)},
           {"first_bad_step", v.first_bad_step ? Json(*v.first_bad_step) : Json(nullptr)},
           {"allowed", number(v.allowed)},
           {"tolerance_scale", number(v.tolerance_scale)},

@@ -7,11 +7,11 @@
 
 namespace cylon::reports {
 
-/// Whether measured and allowed say anything: pass, low-quality and fail.
-bool is_measured(results::Status);
-
 /// What was expected, in words: "fail", or "0.0123 within a factor of 3" where a size is known.
 std::string expectation(const results::Verdict&);
+
+/// "0.013 rad", and where an interval is known: "0.013 [0.008, 0.018] rad".
+std::string measured_text(const results::Verdict&);
 
 /// "fail (expected pass): measured 2.51 rad, allowed 0.001 rad, -3.4 digits; expected.toml: …".  Line ends
 /// and control characters of the verdict's own texts are escaped; long texts are cut.

@@ -28,6 +28,7 @@ struct Meaning {
 constexpr std::array meanings = {
     Meaning{Status::pass, "within tolerance"},
     Meaning{Status::unsupported, "the engine refuses the scene"},
+    Meaning{Status::undecided, "its uncertainty holds the tolerance"},
     Meaning{Status::low_quality, "within ten times the tolerance"},
     Meaning{Status::fail, "more than ten times the tolerance"},
     Meaning{Status::non_finite, "NaN or infinite"},

@@ -11,7 +11,7 @@ namespace cylon::reports {
 
 /// All claims of one scenario at one step by one engine and integrator.
 struct Cell {
-  /// By pass < low-quality < fail < non-finite < timeout < crash < protocol; unsupported only where all claims are.
+  /// By pass < undecided < low-quality < fail < non-finite < timeout < crash < protocol; unsupported only where all claims are.
   results::Status worst = results::Status::pass;
   double digits = 99;        ///< Least over the measured claims.
   bool differs = false;      ///< Some claim is not as expected.

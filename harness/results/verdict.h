@@ -13,14 +13,26 @@
 
 namespace cylon::results {
 
-enum class Status { pass, low_quality, fail, unsupported, crash, timeout, non_finite, protocol };
+/// undecided: what is known of the deviation, an interval, holds what is allowed.
+enum class Status { pass, low_quality, fail, undecided, unsupported, crash, timeout, non_finite, protocol };
 
-/// "pass", "low-quality", "fail", "unsupported", "crash", "timeout", "non-finite", "protocol".
+/// "pass", "low-quality", "fail", "undecided", "unsupported", "crash", "timeout", "non-finite", "protocol".
 std::string_view name(Status);
 std::optional<Status> status_from(std::string_view);
 
 /// pass: measured <= allowed; low-quality: within ten times; non-finite: NaN or infinite; else fail.
 Status judge(double measured, double allowed);
+
+/// A number that is known to lie between two.
+struct Bounds {
+  double low = 0, high = 0;
+};
+
+/// pass: all of it within what is allowed; fail: none of it; non-finite: NaN or infinite; else undecided.
+Status judge(const Bounds&, double allowed);
+
+/// Whether measured and allowed say anything: pass, low-quality, fail and undecided.
+bool is_measured(Status);
 
 /// log10(allowed / measured): digits won (> 0) or lost (< 0), within [-99, 99].
 double digits(double measured, double allowed);
@@ -38,7 +50,9 @@ struct Verdict {
   std::string dt_text;       ///< As given: "1/60" or "0.001".
   std::string sampling;      ///< "every step" or "every 0.1 s".
   std::string claim, observable, unit;
+  std::string evidence = "verified";  ///< What the claim's truth makes of it: core::evidence.
   double measured = std::numeric_limits<double>::quiet_NaN();
+  std::optional<Bounds> interval;              ///< Of `measured`, where its truth was measured: 95 %.
   std::optional<std::int64_t> first_bad_step;  ///< Of a non-finite run.
   double allowed = 0;
   double tolerance_scale = 1;    ///< By which `allowed` was multiplied; 1: a plain run.
@@ -63,6 +77,7 @@ struct Verdict {
   /// Whether the status is the expected one; where a size is known, whether the result is neither far worse
   /// nor far better: measured within [expected_size / expected_within, expected_size expected_within].  A
   /// factor of more than ten, the width of low-quality, could hide a change of status, which then counts too.
+  /// An undecided verdict contradicts none that is expected of a measured run.
   bool as_expected() const;
 };
 

@@ -180,7 +180,7 @@ def difference(first, second):
     return worst
 
 
-ORDER = ["pass", "low-quality", "fail", "non-finite", "unsupported", "timeout", "crash", "protocol"]
+ORDER = ["pass", "undecided", "low-quality", "fail", "non-finite", "unsupported", "timeout", "crash", "protocol"]
 
 
 def worse(status, plain):

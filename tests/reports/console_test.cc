@@ -62,6 +62,7 @@ TEST(Matrix, EveryStatusHasItsSignAndItsMeaning) {
       {Status::pass, {"✓ -2.0", "ok -2.0"}},
       {Status::low_quality, {"~ -2.0", "~ -2.0"}},
       {Status::fail, {"✗ -2.0", "X -2.0"}},
+      {Status::undecided, {"? -2.0", "? -2.0"}},
       {Status::unsupported, {"–", "-"}},
       {Status::crash, {"☠ crash", "crash"}},
       {Status::timeout, {"⌛ timeout", "timeout"}},
@@ -74,6 +75,23 @@ TEST(Matrix, EveryStatusHasItsSignAndItsMeaning) {
     EXPECT_FALSE(contains(draw(matrix, plain), "!"));
     EXPECT_FALSE(legend(matrix, plain).empty());
   }
+}
+
+// Counted by itself and shown, and no difference where a pass is expected.
+TEST(Console, UndecidedVerdictIsCountedAndShown) {
+  Verdict open = make("swing", "ode", Status::undecided, 0.02);
+  open.expected = Status::pass;
+  open.interval = results::Bounds{0.005, 0.035};
+  const std::vector<Verdict> verdicts = {make("swing", "bullet", Status::pass), open};
+  EXPECT_EQ(summary(verdicts), "2 verdicts: 1 pass, 0 as expected, 1 undecided, 0 differ\n");
+  EXPECT_EQ(summary({make("swing", "ode", Status::pass)}), "1 verdict: 1 pass, 0 as expected, 0 differ\n");
+  const std::string text = console_matrix(verdicts, plain);
+  EXPECT_TRUE(contains(text, "\nUndecided:\n")) << text;
+  EXPECT_TRUE(contains(text, "measured 0.02 [0.005, 0.035] J, allowed 0.01 J")) << text;
+  EXPECT_FALSE(contains(text, "Not as expected")) << text;
+  EXPECT_FALSE(contains(text, "(as expected)")) << text;
+  open.expected = Status::crash;
+  EXPECT_TRUE(contains(summary({open}), "1 differs (1 undecided)"));
 }
 
 TEST(Matrix, SaysWhereAnEngineTakesNoSteps) {
@@ -162,7 +180,7 @@ TEST(Matrix, FitsTerminalAndShowsAllEngines) {
     for (int scenario = 0; scenario < 4; ++scenario)
       verdicts.push_back(make("a_scenario_with_a_long_name_" + std::to_string(scenario) + "_日本語",
                               "engine-" + std::to_string(engine) + "/gyro=none",
-                              static_cast<Status>((engine + scenario) % 8)));
+                              static_cast<Status>((engine + scenario) % 9)));
   for (const int width : {40, 57, 80, 120, 1000}) {
     for (const bool utf8 : {true, false}) {
       const std::string text = draw(fold(verdicts), {.width = width, .utf8 = utf8, .colour = false});

@@ -120,9 +120,9 @@ Verdict make(Status status, Status expected) {
   return v;
 }
 
-const std::vector<Status> every_status = {Status::pass,        Status::low_quality, Status::fail,
-                                          Status::unsupported, Status::crash,       Status::timeout,
-                                          Status::non_finite,  Status::protocol};
+const std::vector<Status> every_status = {Status::pass,      Status::low_quality, Status::fail,
+                                          Status::undecided, Status::unsupported, Status::crash,
+                                          Status::timeout,   Status::non_finite,  Status::protocol};
 
 TEST(Junit, FailsExactlyWhereVerdictDiffers) {
   for (const Status status : every_status) {

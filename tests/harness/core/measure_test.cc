@@ -364,8 +364,19 @@ TEST(Judge, AcceptsValuesUpToTheBound) {
   EXPECT_EQ(judge(nan, 1.0), Status::non_finite);
   EXPECT_EQ(judge(std::numeric_limits<double>::infinity(), 1.0), Status::non_finite);
   EXPECT_EQ(judge(0, 0), Status::pass);
-  for (int i = 0; i < 8; ++i) EXPECT_EQ(status_from(name(static_cast<Status>(i))), static_cast<Status>(i));
+  for (int i = 0; i <= static_cast<int>(Status::protocol); ++i)
+    EXPECT_EQ(status_from(name(static_cast<Status>(i))), static_cast<Status>(i));
   EXPECT_FALSE(status_from("passed"));
+}
+
+TEST(Judge, DecidesNothingWhereAnIntervalHoldsTheBound) {
+  const auto of = [](double low, double high) { return judge(results::Bounds{low, high}, 1.0); };
+  EXPECT_EQ(of(0, 1.0), Status::pass);
+  EXPECT_EQ(of(0.9, std::nextafter(1.0, 2)), Status::undecided);
+  EXPECT_EQ(of(1.0, 50), Status::undecided);
+  EXPECT_EQ(of(std::nextafter(1.0, 2), 1.1), Status::fail) << "never low-quality";
+  EXPECT_EQ(of(0, std::numeric_limits<double>::infinity()), Status::non_finite);
+  EXPECT_EQ(of(nan, nan), Status::non_finite);
 }
 
 TEST(Steps, MustFillTheDuration) {

@@ -154,6 +154,20 @@ TEST(Expected, CounterfactualsCanBeRefuted) {
   EXPECT_NE(refutation(pass, first, other).find("no symptom"), std::string::npos);
 }
 
+// What is not known contradicts nothing that is said of a measured run; it is no pass either, nor what comes of a crash.
+TEST(Expected, UndecidedContradictsNothingThatIsMeasured) {
+  Verdict v;
+  for (const Status open : {Status::undecided, Status::pass})
+    for (int i = 0; i <= static_cast<int>(Status::protocol); ++i) {
+      v.status = open, v.expected = static_cast<Status>(i);
+      const bool same = v.expected == open;
+      EXPECT_EQ(v.as_expected(), same || (open == Status::undecided && results::is_measured(v.expected)))
+          << results::name(open) << ", expected " << results::name(v.expected);
+    }
+  v.status = Status::undecided, v.expected = Status::fail, v.expected_size = 30, v.measured = 0.1;
+  EXPECT_TRUE(v.as_expected());
+}
+
 // What is far worse or far better than its cause explains differs, whatever its status.
 TEST(Expected, SizesAreComparedAndNotStatusesAlone) {
   Verdict v;

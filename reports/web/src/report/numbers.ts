@@ -21,9 +21,19 @@ function trimmed(text: string): string {
   return text.includes('.') ? text.replace(/\.?0+$/, '') : text;
 }
 
-export function withUnit(value: number | null | undefined, unit: string, significant = 4): string {
-  const text = short(value, significant);
+export function withUnit(value: number | string | null | undefined, unit: string, significant = 4): string {
+  const text = typeof value === 'string' ? value : short(value, significant);
   return unit ? `${text} ${unit}` : text;
+}
+
+/** "0.013 rad", and where an interval is known: "0.013 [0.008, 0.018] rad". */
+export function withInterval(v: {
+  measured: number | null;
+  interval?: [number, number] | null;
+  unit: string;
+}): string {
+  if (!v.interval) return withUnit(v.measured, v.unit);
+  return withUnit(`${short(v.measured)} [${short(v.interval[0])}, ${short(v.interval[1])}]`, v.unit);
 }
 
 const prefixes: [number, string][] = [

@@ -5,13 +5,14 @@ import type { Status, Verdict } from '../shared/documents';
 export interface Look {
   glyph: string; // with the selector of text presentation where a font may have a picture
   meaning: string;
-  tone: 'pass' | 'unsupported' | 'low-quality' | 'fail' | 'broken';
+  tone: 'pass' | 'unsupported' | 'undecided' | 'low-quality' | 'fail' | 'broken';
 }
 
 /** From best to worst. */
 export const looks: Record<Status, Look> = {
   pass: { glyph: '\u2713', meaning: 'within tolerance', tone: 'pass' },
   unsupported: { glyph: '\u2013', meaning: 'the engine refuses the scene', tone: 'unsupported' },
+  undecided: { glyph: '?', meaning: 'its uncertainty holds the tolerance', tone: 'undecided' },
   'low-quality': { glyph: '~', meaning: 'within ten times the tolerance', tone: 'low-quality' },
   fail: { glyph: '\u2717', meaning: 'beyond that', tone: 'fail' },
   'non-finite': { glyph: '\u221e non-finite', meaning: 'NaN or infinite', tone: 'broken' },
@@ -27,7 +28,7 @@ export function severity(status: Status): number {
 }
 
 export function isMeasured(status: Status): boolean {
-  return status === 'pass' || status === 'low-quality' || status === 'fail';
+  return status === 'pass' || status === 'low-quality' || status === 'fail' || status === 'undecided';
 }
 
 /** log10(allowed / measured) in [-99, 99]: 99 for an error of nothing, -99 for one that is not finite. */

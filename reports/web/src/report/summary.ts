@@ -14,20 +14,22 @@ export interface Summary {
   total: number;
   differ: Verdict[];
   differText: string; // "2 differ (1 crash, 1 fail)"
-  expectedText: string; // "718 as expected (2 crash, 99 fail)"
+  expectedText: string; // "718 as expected (2 crash, 99 fail), 1 undecided"
   passText: string;
 }
 
 export function summary(verdicts: Verdict[]): Summary {
   const differ = verdicts.filter(differs);
-  const expected = verdicts.filter((v) => !differs(v) && v.status !== 'pass');
-  const passed = verdicts.length - differ.length - expected.length;
+  const undecided = verdicts.filter((v) => !differs(v) && v.status === 'undecided').length;
+  const expected = verdicts.filter((v) => !differs(v) && v.status !== 'pass' && v.status !== 'undecided');
+  const passed = verdicts.length - differ.length - expected.length - undecided;
   const named = (text: string, list: Verdict[]) => (list.length > 0 ? `${text} (${tally(list)})` : text);
   return {
     total: verdicts.length,
     differ,
     differText: named(`${differ.length} ${differ.length === 1 ? 'differs' : 'differ'}`, differ),
-    expectedText: named(`${expected.length} as expected`, expected),
+    expectedText:
+      named(`${expected.length} as expected`, expected) + (undecided > 0 ? `, ${undecided} undecided` : ''),
     passText: `${passed} pass`,
   };
 }

@@ -3,7 +3,7 @@ import { useMemo } from 'preact/hooks';
 
 import type { Verdict } from '../shared/documents';
 import { cellAddress, link } from './address';
-import { digitsText, withUnit } from './numbers';
+import { digitsText, withInterval, withUnit } from './numbers';
 import { digits, isMeasured } from './status';
 import { StatusMark } from './status_mark';
 import { Foreign } from './text';
@@ -23,7 +23,7 @@ export function measuredText(v: Verdict): string {
   if (!isMeasured(v.status))
     return v.first_bad_step === null ? '' : `not finite from step ${v.first_bad_step}`;
   const won = digitsText(digits(v.measured, v.allowed));
-  return `${withUnit(v.measured, v.unit)} of ${withUnit(v.allowed, v.unit)}, ${won} digits`;
+  return `${withInterval(v)} of ${withUnit(v.allowed, v.unit)}, ${won} digits`;
 }
 
 /** Claims of one run that failed as one: a crash is the same for all of them. */

@@ -5,7 +5,15 @@ export type Vector = [number, number, number];
 export type Quaternion = [number, number, number, number]; // (w, x, y, z), active, body to world
 
 export type Status =
-  'pass' | 'low-quality' | 'fail' | 'unsupported' | 'crash' | 'timeout' | 'non-finite' | 'protocol';
+  | 'pass'
+  | 'low-quality'
+  | 'fail'
+  | 'undecided'
+  | 'unsupported'
+  | 'crash'
+  | 'timeout'
+  | 'non-finite'
+  | 'protocol';
 
 /** What an engine says of how a part of the scene went; one matter each. */
 export interface Diagnostic {
@@ -41,7 +49,9 @@ export interface Verdict {
   sampling: string;
   claim: string;
   observable: string;
+  evidence?: string; // verified, validated; absent in older documents: verified
   measured: number | null;
+  interval?: [number, number] | null; // 95 %, where the truth was measured
   first_bad_step: number | null;
   allowed: number | null;
   unit: string;

@@ -9,9 +9,20 @@ const { fold, find, badness, supported } = await load('report/fold.ts');
 const { digits, statuses } = await load('report/status.ts');
 const { summary, warnings } = await load('report/summary.ts');
 const { changes } = await load('report/changes.ts');
+const { withInterval } = await load('report/numbers.ts');
 
 test('statuses go from best to worst', () => {
-  const order = ['pass', 'unsupported', 'low-quality', 'fail', 'non-finite', 'timeout', 'crash', 'protocol'];
+  const order = [
+    'pass',
+    'unsupported',
+    'undecided',
+    'low-quality',
+    'fail',
+    'non-finite',
+    'timeout',
+    'crash',
+    'protocol',
+  ];
   assert.deepEqual(statuses, order);
 });
 
@@ -99,6 +110,16 @@ test('rows that differ are the worst, then severity, then digits', () => {
     [...rows].sort(worse).map((r) => r.scenario),
     ['surprise', 'broken', 'strong', 'mild'],
   );
+});
+
+test('an undecided verdict is counted by itself, and differs from nothing that was measured', () => {
+  const open = { status: 'undecided', measured: 0.002, interval: [0.001, 0.003] };
+  const line = summary([verdict({}), verdict({ ...open, expected: 'pass', as_expected: true })]);
+  assert.equal(line.differText, '0 differ');
+  assert.equal(line.expectedText, '1 as expected (1 low-quality), 1 undecided');
+  assert.equal(line.passText, '0 pass');
+  assert.equal(withInterval(verdict(open)), '0.002 [0.001, 0.003] rad');
+  assert.equal(withInterval(verdict({ measured: 0.002 })), '0.002 rad');
 });
 
 test('the verdict line counts an unexpected pass as a difference', () => {

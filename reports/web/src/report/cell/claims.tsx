@@ -3,7 +3,7 @@ import { useMemo, useState } from 'preact/hooks';
 
 import type { ErrorCurve, ScenarioView, Verdict } from '../../shared/documents';
 import { Sample } from '../../shared/plot_marks';
-import { digitsText, short, withUnit } from '../numbers';
+import { digitsText, short, withInterval, withUnit } from '../numbers';
 import { compare, differs, digits, isMeasured } from '../status';
 import { Differs, StatusMark } from '../status_mark';
 import { Foreign } from '../text';
@@ -47,7 +47,8 @@ function Truth({ claim, verdict: v }: { claim: Claim | null; verdict: Verdict })
   const name = claim.follows === '' ? 'its initial value' : claim.follows;
   const source = claim.source ? `: ${claim.source}` : '';
   const until = untilText(claim);
-  return <>{visible(name + source) + (bound ? ` (${bound})` : '') + until}</>;
+  const kind = v.evidence === undefined ? '' : `, ${v.evidence}`;
+  return <>{visible(name + source) + (bound ? ` (${bound})` : '') + kind + until}</>;
 }
 
 function Violation({ curve, verdict }: { curve: ErrorCurve | null; verdict: Verdict }) {
@@ -112,7 +113,7 @@ function Line({ row, shown, toggle, reasons }: LineProps) {
           <StatusMark status={v.status} />
         </td>
         <th scope="rowgroup">{visible(v.claim)}</th>
-        <td class="number">{isMeasured(v.status) ? withUnit(v.measured, v.unit) : ''}</td>
+        <td class="number">{isMeasured(v.status) ? withInterval(v) : ''}</td>
         <td class="number">{v.allowed === null ? '' : withUnit(v.allowed, v.unit)}</td>
         <td class="number">{isMeasured(v.status) ? digitsText(digits(v.measured, v.allowed)) : ''}</td>
         <td class="number">

@@ -39,8 +39,8 @@ export function QueryHelp({ onPick }: { onPick: (query: string) => void }) {
       <p>
         Terms side by side must all hold; <code>or</code>, <code>not</code> and parentheses do as they
         say.{' '}
-        <code>ENGINE:STATUS</code> with pass (all claims), low-quality, fail, unsupported, crash, timeout,
-        non-finite, protocol (some claim), differs, expected, none (not run);{' '}
+        <code>ENGINE:STATUS</code> with pass (all claims), low-quality, fail, undecided, unsupported, crash,
+        timeout, non-finite, protocol (some claim), differs, expected, none (not run);{' '}
         <code>ENGINE:digits&lt;X</code>{' '}
         with &lt; &lt;= &gt; &gt;= =. An engine means all its columns, shown or not.
       </p>

@@ -39,6 +39,7 @@ const conditions = [
   'pass',
   'low-quality',
   'fail',
+  'undecided',
   'unsupported',
   'crash',
   'timeout',
