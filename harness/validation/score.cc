@@ -160,15 +160,14 @@ Summary summary(const std::vector<RunScore>& runs) {
   return all;
 }
 
-std::vector<Nearer> nearer(const std::vector<std::vector<RunScore>>& engines) {
-  std::vector<Nearer> all;
+std::vector<Better> better(const std::vector<std::vector<double>>& engines) {
+  std::vector<Better> all;
   std::vector<double> p;
   for (std::size_t j = 1; j < engines.size(); ++j) {
-    Nearer pair;
-    for (std::size_t i = 0; i < engines[0].size(); ++i) {
-      const RunScore &a = engines[0][i], &b = engines[j][i];
-      if (!a.failure.empty() || !b.failure.empty()) continue;
-      pair.one += a.distance < b.distance, pair.other += b.distance < a.distance;
+    Better pair;
+    for (std::size_t i = 0; i < std::min(engines[0].size(), engines[j].size()); ++i) {
+      const double a = engines[0][i], b = engines[j][i];
+      if (std::isfinite(a) && std::isfinite(b)) pair.one += a < b, pair.other += b < a;
     }
     p.push_back(statistics::sign_test(pair.one, pair.other));
     all.push_back(pair);
@@ -179,6 +178,15 @@ std::vector<Nearer> nearer(const std::vector<std::vector<RunScore>>& engines) {
     if (adjusted[j] <= 0.05) all[j].answer = all[j].one > all[j].other ? Answer::inside : Answer::outside;
   }
   return all;
+}
+
+std::vector<Better> nearer(const std::vector<std::vector<RunScore>>& engines) {
+  std::vector<std::vector<double>> distances;
+  for (const std::vector<RunScore>& runs : engines) {
+    std::vector<double>& of_runs = distances.emplace_back();
+    for (const RunScore& run : runs) of_runs.push_back(run.failure.empty() ? run.distance : not_known);
+  }
+  return better(distances);
 }
 
 }  // namespace cylon::validation

@@ -70,15 +70,18 @@ struct Summary {
 
 Summary summary(const std::vector<RunScore>&);
 
-/// Which of two engines foretells the rest nearer, by the exact sign test over the runs that both predict.
-struct Nearer {
-  std::size_t one = 0, other = 0;  ///< Runs in which it is nearer.
+/// Which of two engines does better, by the exact sign test over the runs that both have a number of.
+struct Better {
+  std::size_t one = 0, other = 0;  ///< Runs in which it does.
   double p = 1;                    ///< Adjusted by Holm over all comparisons of a report.
-  /// inside: the first engine is nearer; outside: the other one; undecided: p > 0.05.
+  /// inside: the first engine does better; outside: the other one; undecided: p > 0.05.
   Answer answer = Answer::undecided;
 };
 
-/// The first engine against each later one.
-std::vector<Nearer> nearer(const std::vector<std::vector<RunScore>>& engines);
+/// The first engine against each later one, by a number for each run of which less is better; not finite: there is none.
+std::vector<Better> better(const std::vector<std::vector<double>>& engines);
+
+/// The same by the distance at rest.
+std::vector<Better> nearer(const std::vector<std::vector<RunScore>>& engines);
 
 }  // namespace cylon::validation

@@ -130,20 +130,11 @@ ordered_json to_json(const Judged& all) {
 }
 
 std::vector<Likelier> likelier(const std::vector<Judged>& engines) {
-  std::vector<std::vector<validation::RunScore>> as_scores;
-  for (const Judged& engine : engines) {
-    std::vector<validation::RunScore> runs;
-    for (const double d : engine.deviances) {
-      validation::RunScore run;
-      run.distance = d;
-      if (!std::isfinite(d)) run.failure = "not judged";
-      runs.push_back(run);
-    }
-    as_scores.push_back(runs);
-  }
+  std::vector<std::vector<double>> deviances;
+  for (const Judged& engine : engines) deviances.push_back(engine.deviances);
   std::vector<Likelier> all;
-  if (as_scores.size() < 2) return all;
-  const auto pairs = validation::nearer(as_scores);
+  if (engines.size() < 2) return all;
+  const auto pairs = validation::better(deviances);
   for (std::size_t j = 0; j < pairs.size(); ++j)
     all.push_back({engines[0].engine, engines[j + 1].engine, pairs[j]});
   return all;

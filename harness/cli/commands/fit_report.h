@@ -43,7 +43,7 @@ nlohmann::ordered_json to_json(const Judged&);
 /// The first engine against each later one, by the likelihood of runs that neither was fitted on: exact sign test and Holm.
 struct Likelier {
   std::string one, other;
-  validation::Nearer by;  ///< `one` counts runs that are likelier under the first engine.
+  validation::Better by;  ///< `one` counts runs that are likelier under the first engine.
 };
 std::vector<Likelier> likelier(const std::vector<Judged>&);
 std::string told(const Likelier&);

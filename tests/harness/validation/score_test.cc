@@ -242,6 +242,19 @@ TEST(Nearness, IsDecidedByTheSignTestAndHolm) {
   EXPECT_TRUE(nearer({first}).empty());
 }
 
+// A run without a number says nothing, and neither do runs that an engine has no number of at all.
+TEST(Nearness, IsOfAnyNumberOfWhichLessIsBetter) {
+  const std::vector<double> first(20, -3.0), more(20, -2.5);
+  std::vector<double> few(20, not_known);
+  few[0] = few[1] = -7;
+  const auto pairs = better({first, more, few, {}});
+  ASSERT_EQ(pairs.size(), 3u);
+  EXPECT_EQ(pairs[0].answer, Answer::inside);
+  EXPECT_EQ(pairs[1].answer, Answer::undecided);
+  EXPECT_EQ(pairs[1].other, 2u);
+  EXPECT_EQ(pairs[2].one + pairs[2].other, 0u);
+}
+
 // Lengths that are made two percent short are found by both signs; lengths that are right are not accused.
 TEST(Lengths, AreFoundShortFromFlightAndFromRestSeparately) {
   for (const double scale : {1.0, 0.98}) {
