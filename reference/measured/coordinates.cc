@@ -22,12 +22,6 @@ Quaternion turned(const Vector3& by, const Quaternion& q) {
   return angle > 0 ? Quaternion(Eigen::AngleAxisd(angle, by / angle) * q).normalized() : q;
 }
 
-const core::Joint* joint_of(const Scene& scene, std::size_t body) {
-  for (const core::Joint& joint : scene.joints)
-    if (joint.body == static_cast<int>(body)) return &joint;
-  return nullptr;
-}
-
 const Vector3& axis_of(const Scene& scene, std::span<const std::size_t> bodies) {
   return joint_of(scene, bodies[0])->axis;
 }

@@ -3,6 +3,7 @@
 
 #include "reference/measured/experiment.h"
 
+#include <algorithm>
 #include <span>
 
 namespace cylon::measured {
@@ -34,6 +35,13 @@ core::State chain_state(const core::Scene&, std::span<const std::size_t> bodies,
 /// The angles about the first axis from where the scene has the bodies, each in (-pi, pi], and rates of such a state.
 Eigen::VectorXd chain_angles(const core::Scene&, std::span<const std::size_t> bodies, const core::State&);
 Eigen::VectorXd chain_rates(const core::Scene&, std::span<const std::size_t> bodies, const core::State&);
+
+/// The joint that holds a body to the one before it; null: none does.
+template <class AScene>  // const or not
+auto* joint_of(AScene& scene, std::size_t body) {
+  const auto found = std::ranges::find(scene.joints, static_cast<int>(body), &core::Joint::body);
+  return found == scene.joints.end() ? nullptr : &*found;
+}
 
 /// Why the bodies are no such chain; empty where they are one.
 std::string no_chain(const core::Scene&, std::span<const std::size_t> bodies);

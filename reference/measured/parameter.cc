@@ -1,6 +1,7 @@
 #include "reference/measured/parameter.h"
 
 #include "harness/core/input_error.h"
+#include "reference/measured/coordinates.h"
 #include "reference/measured/experiment.h"
 
 #include <fmt/format.h>
@@ -36,11 +37,6 @@ void inertia(Experiment& e, const Parameter& p, double value) {
 
 void mass(Experiment& e, const Parameter& p, double value) {
   each_body(e, p, [&](core::Body& body, std::size_t) { body.mass *= value; });
-}
-
-core::Joint* joint_of(core::Scene& scene, std::size_t body) {
-  const auto found = std::ranges::find(scene.joints, static_cast<int>(body), &core::Joint::body);
-  return found == scene.joints.end() ? nullptr : &*found;
 }
 
 // The bodies that a parameter of hinges is of, each with its own.
