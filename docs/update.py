@@ -111,6 +111,8 @@ def scenarios(cylon):
         truth = followed[0]["follows"] if followed else "–"
         worst = {}  # a bound in each unit
         for c in followed:
+            if c["truth_error"] is None:
+                continue  # of a measured motion: there is no bound
             unit = c["unit"]
             worst[unit] = max(worst.get(unit, 0), c["truth_error"])
         error = ", ".join(f"{bound:.0e} {unit}".strip() for unit, bound in worst.items()) or "–"

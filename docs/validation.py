@@ -28,7 +28,10 @@ pendulums = {
     "double": (["--runs", "12"], ["in-house"]),
     "triple": (["--runs", "8"], ["in-house"]),
 }
-tables = ["levels", "tosses", "cube fit", *pendulums, *(f"{arms} fit" for arms in pendulums)]
+# Predictions with values of a fit above them.
+fitted = {"single": ["--set", "inertia 1=1.181", "--set", "damping 1=1.665e-4"]}
+tables = ["levels", "tosses", "cube fit", "validation", *pendulums, *(f"{arms} fit" for arms in pendulums),
+          *(f"{arms} fitted" for arms in fitted)]
 
 
 def words_of(command, experiment, options, of=engines):
@@ -128,6 +131,17 @@ def judged_horizons(found):
     return horizons([(one["engine"], when, one[when]) for one in found["judged"] for when in ("before", "after") if when in one])
 
 
+def claims(verdicts):
+    """Claims against measured motions: what lies in which interval."""
+    rows = ["| scenario | claim | engine | deviation | allowed | verdict |", "|---" * 6 + "|"]
+    for v in verdicts:
+        if v["evidence"] == "validated":
+            low, high = v["interval"] or (None, None)
+            deviation = "" if v["measured"] is None else f"{with_interval(v['measured'], low, high, '{:.3g}')} {v['unit']}"
+            rows.append(f"| {v['scenario']} | {v['claim']} | {v['engine']} | {deviation} | {v['allowed']:.3g} {v['unit']} | {v['status']} |")
+    return "\n".join(rows)
+
+
 def judged(words, found):
     return f"{shown(words)}, one half of {found['runs']} of {found['measured_runs']} runs fitted, the other judging it:"
 
@@ -174,6 +188,9 @@ def main():
     if options.only in (None, "levels"):
         counts = dict.fromkeys(cases[:2], 1000) | dict.fromkeys(cases[2:], 100)
         put("levels", levels(str((root / options.levels).resolve()), state, counts))
+    if options.only in (None, "validation"):
+        done = subprocess.run([cylon, "run", "--suite", "validation", "--json", "-"], capture_output=True, text=True, cwd=state)
+        put("validation", "From `cylon run --suite validation --json -`:\n\n" + claims(json.loads(done.stdout)["verdicts"]))
     cubes = folder / "cube_tosses" / "tosses.toml"
     if options.only in (None, "tosses"):
         words = words_of("predict", cubes, ["--members", "0"])
@@ -187,6 +204,9 @@ def main():
         if options.only in (None, arms):
             words = words_of("predict", swings, [])
             put(arms, shown(words) + ":\n\n" + predicted_horizons(found_by(cylon, words, state)))
+        if arms in fitted and options.only in (None, f"{arms} fitted"):
+            words = words_of("predict", swings, fitted[arms])
+            put(f"{arms} fitted", shown(words) + ":\n\n" + predicted_horizons(found_by(cylon, words, state)))
         if options.only in (None, f"{arms} fit"):
             words = words_of("fit", swings, how, of)
             found = found_by(cylon, words, state)

@@ -78,7 +78,8 @@ std::vector<fs::path> scenario_files(const Context& context) {
   if (const std::error_code error = add(context.scenarios))
     throw core::InputError(
         fmt::format("{}: no scenarios here: {}", context.scenarios.string(), error.message()));
-  add(context.scenarios / "extremes");  // which may be absent
+  for (const char* folder : {"extremes", "validation"})
+    add(context.scenarios / folder);  // which may be absent
   std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
     return std::tuple(a.stem(), a) < std::tuple(b.stem(), b);
   });

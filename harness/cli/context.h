@@ -48,7 +48,7 @@ Context make_context();
 /// expected.toml of the folder; without one, every verdict is expected to pass.
 scenario::Expectations expectations(const Context&);
 
-/// Every scenario file of the folder and of its subfolder extremes/, by name.
+/// Every scenario file of the folder and of its subfolders extremes/ and validation/, by name.
 std::vector<std::filesystem::path> scenario_files(const Context&);
 
 /// That of a name, or nothing.

@@ -14,6 +14,7 @@ Json scenario_facts(const scenario::Scenario& scenario) {
     claims.push_back({{"label", claim.label},
                       {"observable", core::name(claim.observable.quantity)},
                       {"follows", claim.follows},
+                      {"evidence", core::evidence(claim)},
                       {"source", claim.truth ? claim.truth->source : ""},
                       {"truth_error", claim.truth_error},
                       {"unit", core::unit(claim)},

@@ -4,12 +4,15 @@
 #include "harness/core/observable.h"
 #include "harness/core/truth.h"
 
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace cylon::core {
 
@@ -44,6 +47,19 @@ enum class Reduction {
   decrease      ///< One-sided: the largest fall below its greatest one so far.
 };
 
+/// How uncertain a measured motion is, and a run from its measured start: independent normal errors, of which each pair has one a
+/// standard deviation up and down.
+struct Uncertainty {
+  std::vector<std::pair<Scene, Scene>> scenes;  ///< Of the start, and of what the surfaces are said to be.
+  std::function<std::vector<std::pair<State, State>>(double t)> measured;  ///< Of what was measured at t.
+};
+
+/// A measured motion as a truth: its error has no bound, so that Truth::error says nothing.
+struct MeasuredTruth {
+  Truth truth;
+  std::shared_ptr<const Uncertainty> uncertainty;
+};
+
 class RequiredMotion;  // scale.h
 
 struct Claim {
@@ -52,6 +68,8 @@ struct Claim {
   std::string follows;         ///< Name of the truth; empty: compared with the observable's initial value.
   std::optional<Truth> truth;  ///< What it follows, once that is known; cannot be measured before.
   double truth_error = 0;      ///< Its bound in the observable's unit.
+  std::shared_ptr<const Uncertainty>
+      uncertainty;  ///< Of a measured truth, which has no bound; null: it was not measured.
   /// Set: the claim is one-sided.  The observable must at some sample differ from its initial value by this
   /// much, and what is missing is measured: max(0, at_least - |Q(t) - Q(0)|), at the sample with the largest
   /// difference up to the first one at or after `until`.  Of all bodies the one that changes most counts.
@@ -64,11 +82,17 @@ struct Claim {
   std::shared_ptr<const RequiredMotion> motion;
 };
 
+/// Whether the claim is about a real thing: its truth was measured.
+inline bool validates(const Claim& claim) { return claim.uncertainty != nullptr; }
+
+/// "validated": model and engine against a measured motion; "verified": the engine against mathematics.
+inline std::string_view evidence(const Claim& claim) { return validates(claim) ? "validated" : "verified"; }
+
 /// Whether the claim says how far a motion is from the required one.  Others say that something happens, that forces are
-/// told right, or that a motion is like most.
+/// told right, that a motion is like most, or how far it is from a measured one.
 inline bool measures_motion(const Claim& claim) {
   const Quantity quantity = claim.observable.quantity;
-  return !claim.at_least && !of_last_step(quantity) && !of_chance(quantity);
+  return !claim.at_least && !of_last_step(quantity) && !of_chance(quantity) && !validates(claim);
 }
 
 /// Throws std::logic_error where a claim follows a truth that is not there: it is never measured against

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cylon::core {
@@ -42,6 +43,7 @@ Reading read(const Claim&, const Scene&, const Recording&, double duration);
 
 struct Measured {
   double value = 0;  ///< In the observable's unit (order: a number; rate: unit/s).
+  std::optional<std::pair<double, double>> interval;  ///< Of the value, at 95 %: uncertain.h.
   double allowed = 0;
   std::string detail;   ///< What the number alone does not say: a missing event, a lost order.
   bool broken = false;  ///< `detail` is a failure, whatever the number.

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 namespace cylon::scenario {
@@ -74,6 +75,10 @@ void check_tolerance(const Table& t, Claim& claim, const core::Scene& scene, dou
   const Table tolerance = *t.table("tolerance");
   if (claim.tolerance.level > 0) require_power(tolerance, claim, scene);
   if (!claim.truth) return;
+  if (core::validates(claim)) {  // it has no bound on its error, and needs none: undecided is an answer
+    claim.truth_error = std::numeric_limits<double>::quiet_NaN();
+    return;
+  }
   const double size = claim.tolerance.relative > 0 ? core::scale(claim, scene, duration) : 0;
   claim.truth_error =
       core::truth_error(claim.observable, scene, *claim.truth, std::min(claim.until, duration));

@@ -1,16 +1,20 @@
 #include "harness/scenario/claims.h"
 
 #include "harness/core/recording.h"
+#include "harness/core/uncertain.h"
 #include "harness/scenario/budget.h"
 #include "harness/scenario/certified_truth.h"
 #include "harness/scenario/claim_observable.h"
 #include "harness/scenario/claim_tolerance.h"
 #include "harness/scenario/claim_truths.h"
+#include "harness/scenario/measured_truth.h"
 #include "harness/scenario/recorded_truth.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -28,6 +32,16 @@ Reduction reduction_of(const Table& t) {
   for (int i = 0; i <= static_cast<int>(Reduction::decrease); ++i)
     if (core::name(static_cast<Reduction>(i)) == t.text("measure", "max")) return static_cast<Reduction>(i);
   t.fail("measure", "measure is unknown");
+}
+
+// "orbit.json"; "measured swings.toml, run 2".
+std::string name_of(const Table& data) {
+  if (data.has("file") == data.has("measured")) data.fail("follows: needs either 'file' or 'measured'");
+  if (data.has("run") != data.has("measured"))
+    data.fail(data.has("run") ? "run" : "measured", "follows: 'measured' and 'run' go together");
+  if (data.has("file")) return data.text("file");
+  return fmt::format("measured {}, run {}", std::filesystem::path(data.text("measured")).filename().string(),
+                     data.text("run"));
 }
 
 // Without its truth and its tolerance checked.
@@ -60,8 +74,8 @@ Claim parse_claim(const Table& t, const Draft& draft, double duration, double st
       t.fail("sample", fmt::format("sample: {}", error.what()));
     }
   }
-  if (const auto recorded = t.table("follows"))
-    claim.follows = recorded->text("file");
+  if (const auto data = t.table("follows"))
+    claim.follows = name_of(*data);
   else
     claim.follows = t.text("follows");
   claim.tolerance = read_tolerance(*t.table("tolerance"), claim);
@@ -125,6 +139,14 @@ class Truths {
     return *known;
   }
 
+  core::MeasuredTruth measured(const Table& t) {
+    auto& known = measured_[{t.text("measured"), t.text("run")}];
+    if (!measured_reader()) t.fail("measured", "measured: this program reads no measured motions");
+    if (!known) known = measured_reader()(t, draft_.folder, draft_.scene, draft_.content);
+    keep(t, "measured", known->truth);
+    return *known;
+  }
+
   core::Truth exact(const Table& t, const Claim& claim, double horizon) {
     const core::Truth& known = exact_.at(t, claim, horizon);
     keep(t, "follows", known);
@@ -144,6 +166,8 @@ class Truths {
   Draft& draft_;
   ExactTruths exact_;
   std::map<std::string, std::optional<core::Truth>> recorded_;
+  std::map<std::pair<std::string, std::string>, std::optional<core::MeasuredTruth>>
+      measured_;             // by file and run
   std::size_t entries_ = 0;  // events and times
 };
 
@@ -156,9 +180,38 @@ void require_steps_at(const Table& t, const std::vector<double>& times, double s
     }
 }
 
+// The frames that the claim's `sample` comes by.
+void sample_frames(const Table& t, Claim& claim) {
+  if (!claim.sample || *claim.sample == 0) return;
+  std::erase_if(claim.truth->times, [&](double time) {
+    return std::abs(std::remainder(time, *claim.sample)) > 1e-6 * *claim.sample;
+  });
+  if (claim.truth->times.empty()) t.fail("sample", "sample: no frame of the data comes by");
+}
+
+void follow_measured(const Table& t, Claim& claim, double horizon, double step) {
+  if (const std::string why = core::no_interval(claim); !why.empty())
+    t.fail(why.substr(0, why.find(':')), why);
+  if (claim.observable.quantity != Quantity::position && !claim.truth->knows_orientation)
+    t.fail("observable", fmt::format("observable: of '{}', {} states no noise",
+                                     core::name(claim.observable.quantity), claim.follows));
+  if (!(horizon <= claim.truth->horizon * (1 + 1e-9)))
+    t.fail("until", fmt::format("until: {} ends at {} s, and the claim at {} s", claim.follows,
+                                claim.truth->horizon, horizon));
+  cut(t, *claim.truth, horizon);
+  sample_frames(t, claim);
+  require_steps_at(t, claim.truth->times, step);
+}
+
 void follow(const Table& t, const Draft& draft, Truths& truths, Claim& claim, double duration, double step) {
   const double horizon = std::min(claim.until, duration);
-  if (const auto recorded = t.table("follows")) {
+  const auto recorded = t.table("follows");
+  if (recorded && recorded->has("measured")) {
+    const core::MeasuredTruth known = truths.measured(*recorded);
+    claim.truth = known.truth, claim.uncertainty = known.uncertainty;
+    return follow_measured(t, claim, horizon, step);
+  }
+  if (recorded) {
     claim.truth = truths.recorded(*recorded, claim.follows);
     const bool only_points = std::ranges::all_of(draft.point, [](bool p) { return p; });
     if (const std::string key = lacks(*claim.truth, claim.observable.quantity, only_points); !key.empty())

@@ -112,7 +112,7 @@ std::string_view form_of(Kind kind) {
     case tables:
       return "an array of tables";
     case text_or_table:
-      return "a name or a table { file = \"…\" }";
+      return "a name, or a table { file = \"…\" } or { measured = \"…\", run = \"…\" }";
   }
   return {};
 }

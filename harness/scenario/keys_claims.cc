@@ -14,7 +14,13 @@ using enum Kind;
 const Spec* follows_spec() {
   static const Spec spec{
       .label = "follows",
-      .keys = {required(word("file", "Recorded data in the format truth/1, beside the scenario."))}};
+      .keys = {
+          word("file", "Recorded data in the format truth/1, beside the scenario."),
+          word(
+              "measured",
+              "In its place a measured motion: the file that describes it (docs/measured.md), named from the "
+              "scenario's folder."),
+          word("run", "Of `measured`: which of its runs.")}};
   return &spec;
 }
 const Spec* constants_spec() {
@@ -85,9 +91,10 @@ const Spec* claim_spec() {
   static const Spec spec{
       .label = "[[claim]]",
       .keys = {
-          nested("follows", text_or_table, follows_spec,
-                 "The truth: an exact solution by name, \"certified\" (any smooth scene), or recorded data "
-                 "beside the scenario. Either this or `conserves` or `changes` or `expects`."),
+          nested(
+              "follows", text_or_table, follows_spec,
+              "The truth: an exact solution by name, \"certified\" (any smooth scene), recorded data, or a "
+              "measured motion. Either this or `conserves` or `changes` or `expects`."),
           word("conserves", "The observable that keeps its initial value.", words(core::Quantity::event)),
           word("changes",
                "The observable that must differ from its initial value by `at_least`, at some time.",

@@ -2,6 +2,7 @@
 
 #include "harness/core/event_find.h"
 #include "harness/core/input_error.h"
+#include "harness/core/uncertain.h"
 #include "harness/core/worst.h"
 #include "harness/study/row.h"
 #include "harness/study/spread.h"
@@ -11,9 +12,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <set>
 #include <tuple>
+#include <utility>
+#include <variant>
 
 namespace cylon::study {
 namespace {
@@ -59,6 +63,7 @@ Verdict blank(const Cell& cell, const Claim& claim, const Sampling& plan,
                                                                : plan.text;
   row.observable = core::name(claim.observable.quantity);
   row.unit = core::unit(claim);
+  row.evidence = core::evidence(claim);
   row.tolerance_scale = cell.tolerance_scale;
   row.truth_error = claim.truth_error;
   row.tolerance_reason = claim.tolerance.reason;
@@ -66,26 +71,27 @@ Verdict blank(const Cell& cell, const Claim& claim, const Sampling& plan,
   return row;
 }
 
-void judge(Verdict& row, const Claim& claim, const Cell& cell, std::span<const core::Recording> recordings,
-           const core::Reading& reading, std::optional<std::int64_t> first_bad_step) {
-  const Scenario& scenario = *cell.scenario;
-  const core::Measured measured =
-      core::measure(claim, scenario.scene, recordings, scenario.duration, reading);
+void judge(Verdict& row, const Claim& claim, const Cell& cell, const core::Measured& measured,
+           std::span<const core::Recording> recordings, std::optional<std::int64_t> first_bad_step) {
   row.measured = measured.value;
+  if (measured.interval) row.interval = results::Bounds{measured.interval->first, measured.interval->second};
   row.allowed = measured.allowed * cell.tolerance_scale;
   row.first_bad_step = first_bad_step;
   row.detail = measured.detail;
   for (const std::string& remark : recordings.front().remarks) add_detail(row, remark);
   row.diagnostics = recordings.front().diagnostics;
-  row.status = results::judge(measured.value, row.allowed);
+  row.status =
+      row.interval ? results::judge(*row.interval, row.allowed) : results::judge(measured.value, row.allowed);
   const bool nothing_passes = cell.tolerance_scale == 0;  // a residual of zero neither
-  if ((measured.broken || nothing_passes) && row.status != results::Status::non_finite)
+  if ((measured.broken && row.status != results::Status::non_finite) ||
+      (nothing_passes && row.status == results::Status::pass))
     row.status = results::Status::fail;
   if (measured.unanswered) row.status = results::Status::unsupported;
   // A run that broke within the claim's horizon proves nothing, whatever the claim reads of its states.
   if (!first_bad_step || static_cast<double>(*first_bad_step) * row.dt > claim.until) return;
   row.status = results::Status::non_finite;
   row.measured = std::numeric_limits<double>::quiet_NaN();
+  row.interval.reset();
 }
 
 // A run of the scene, which is the scenario's or a copy of it.
@@ -98,6 +104,48 @@ process::RunOutcome record(const Cell& cell, const core::Scene& scene, double dt
   request.steps = samples.steps, request.every = samples.every, request.at = samples.at,
   request.watch = samples.watch, request.contacts = samples.contacts;
   return process::run(cell.engine, request, limits);
+}
+
+// Runs whose start or surfaces are off as measured ones may be: once for all claims of one measured motion.
+class PushedRuns {
+ public:
+  PushedRuns(const Cell& cell, const Sampling& plan, const process::Limits& limits)
+      : cell_(cell), plan_(plan), limits_(limits) {}
+
+  // Of the claim's; the outcome of the first that did not reach its end.
+  std::variant<std::span<const core::Pushed>, process::RunOutcome> of(const Claim& claim) {
+    const core::Uncertainty* about = claim.uncertainty.get();
+    auto& runs = known_[about];
+    for (std::size_t i = runs.size(); i < about->scenes.size(); ++i) {
+      process::RunOutcome up = record(cell_, about->scenes[i].first, cell_.dt, plan_, limits_);
+      if (!up.recording) return up;
+      process::RunOutcome down = record(cell_, about->scenes[i].second, cell_.dt, plan_, limits_);
+      if (!down.recording) return down;
+      runs.emplace_back(std::move(*up.recording), std::move(*down.recording));
+    }
+    return std::span<const core::Pushed>(runs);
+  }
+
+ private:
+  const Cell& cell_;
+  const Sampling& plan_;
+  const process::Limits& limits_;
+  std::map<const core::Uncertainty*, std::vector<core::Pushed>> known_;
+};
+
+void judge_uncertain(Verdict& row, const Claim& claim, const Cell& cell, PushedRuns& pushed,
+                     std::span<const core::Recording> recordings,
+                     std::optional<std::int64_t> first_bad_step) {
+  const auto found = pushed.of(claim);
+  if (const auto* failed = std::get_if<process::RunOutcome>(&found)) {
+    row.status = failed->status;
+    row.detail =
+        fmt::format("from a start, or with surfaces, off by a standard deviation: {}", failed->reason);
+    return;
+  }
+  const core::Measured measured = core::measure_uncertain(claim, cell.scenario->scene, recordings.front(),
+                                                          std::get<std::span<const core::Pushed>>(found));
+  judge(row, claim, cell, measured, recordings, first_bad_step);
 }
 
 constexpr int usual_copies = 2;  // of a scenario that says it is chaotic
@@ -202,8 +250,16 @@ std::vector<Verdict> run(const Cell& cell, const process::Limits& limits,
     recordings.push_back(std::move(*outcome.recording));
   }
   const auto bad = core::first_bad_step(recordings.front());
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    judge(rows[i], scenario.claims[i], cell, recordings, readings[i], bad);
+  PushedRuns pushed(cell, plan, limits);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Claim& claim = scenario.claims[i];
+    if (core::validates(claim))
+      judge_uncertain(rows[i], claim, cell, pushed, recordings, bad);
+    else
+      judge(rows[i], claim, cell,
+            core::measure(claim, scenario.scene, recordings, scenario.duration, readings[i]), recordings,
+            bad);
+  }
   if (!bad) measure_spread(cell, plan, limits, recordings.front(), rows);
   return rows;
 }

@@ -13,7 +13,9 @@ std::optional<Reference> self_reference(const scenario::Scenario& scenario, std:
                                         const process::Limits& limits) {
   scenario::require_prepared(scenario);
   constexpr double tolerance = 1e-11;
-  const auto follows = [](const core::Claim& claim) { return claim.truth.has_value(); };
+  const auto follows = [](const core::Claim& claim) {
+    return claim.truth.has_value() && !core::validates(claim);
+  };
   const auto row =
       std::find_if(rows.begin(), rows.end(), [](const process::EngineRow& r) { return r.id == "in-house"; });
   if (row == rows.end() || touches(scenario.scene) ||

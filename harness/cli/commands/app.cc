@@ -2,6 +2,7 @@
 
 #include "harness/cli/command_line.h"
 #include "harness/imports/imports.h"
+#include "reference/measured/claim_truth.h"
 #include "harness/process/interruption.h"
 #include "harness/process/sandbox.h"
 #include "harness/tracking/track.h"
@@ -176,6 +177,7 @@ int run_command_line(int argc, char** argv) {
       "interrupted.");
   Context context = make_context();
   imports::serve_scenarios(context.workers);
+  measured::serve_scenarios();
   context.command_line = shell_command(std::vector<std::string>(argv, argv + argc));
   Command chosen;
   App(app).add_commands(commands, context, [&chosen](Command command) { chosen = std::move(command); });

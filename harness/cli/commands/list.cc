@@ -34,9 +34,10 @@ bool selected(const scenario::Scenario& scenario, const Options& options) {
 std::string truth_of(const scenario::Scenario& scenario) {
   for (const core::Claim& claim : scenario.claims)
     if (!claim.follows.empty())
-      return claim.truth ? fmt::format("{} to {:.0e} {}", claim.follows, claim.truth_error,
-                                       core::unit(claim.observable))
-                         : claim.follows;
+      return claim.truth && !core::validates(claim)
+                 ? fmt::format("{} to {:.0e} {}", claim.follows, claim.truth_error,
+                               core::unit(claim.observable))
+                 : claim.follows;
   return "no truth";
 }
 

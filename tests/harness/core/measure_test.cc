@@ -370,7 +370,7 @@ TEST(Judge, AcceptsValuesUpToTheBound) {
 }
 
 TEST(Judge, DecidesNothingWhereAnIntervalHoldsTheBound) {
-  const auto of = [](double low, double high) { return judge(results::Bounds{low, high}, 1.0); };
+  const auto of = [](double low, double high) { return judge(Bounds{low, high}, 1.0); };
   EXPECT_EQ(of(0, 1.0), Status::pass);
   EXPECT_EQ(of(0.9, std::nextafter(1.0, 2)), Status::undecided);
   EXPECT_EQ(of(1.0, 50), Status::undecided);
