@@ -1,102 +1,12 @@
 // Every reason for which an adapter refuses a scene, provoked once: an honest sentence instead of an
 // approximation.
-#include "tests/conformance/adapters_fixture.h"
+#include "tests/conformance/adapters_refused_scenes.h"
 #include "tests/paths.h"
 
 #include <functional>
 
 namespace cylon::conformance {
 namespace {
-
-// Body "a" over plane "floor" with a material, both able to touch; "b" touches nothing.
-core::Scene resting(const core::Shape& shape = core::Sphere{0.2}) {
-  core::Scene scene = three_bodies(81);
-  scene.bodies.pop_back();
-  scene.bodies[0].shape = shape;
-  scene.bodies[0].collide = true;
-  scene.planes = {{"floor", Vector3(1, 3, -2).normalized(), -50}};
-  scene.materials = {{{"a", "floor"}, 0.4, 0}};
-  return scene;
-}
-
-core::Scene jointed(core::JointType type, int body, int to) {
-  core::Scene scene = three_bodies(82);
-  for (core::Body& one : scene.bodies) one.initial.velocity = one.initial.angular_velocity = Vector3::Zero();
-  core::Joint joint;
-  joint.type = type;
-  joint.body = body, joint.to = to;
-  joint.point = {0.3, -0.4, 0.6};
-  joint.axis = Vector3(1, 2, 3).normalized();
-  joint.length = to < 0 ? (scene.bodies[static_cast<std::size_t>(body)].initial.position - joint.point).norm()
-                        : (scene.bodies[static_cast<std::size_t>(body)].initial.position -
-                           scene.bodies[static_cast<std::size_t>(to)].initial.position)
-                              .norm();
-  scene.joints = {joint};
-  return scene;
-}
-
-core::Scene pushed(const core::Force& force) {
-  core::Scene scene = three_bodies(83);
-  scene.forces = {force};
-  return scene;
-}
-
-// "a" and "c" are spheres, "b" is of another shape.
-core::Scene in_water(const core::Shape& shape) {
-  core::Scene scene = three_bodies(84);
-  for (core::Body& body : scene.bodies) body.shape = core::Sphere{0.2};
-  scene.bodies[1].shape = shape;
-  scene.forces = {core::UniformGravity{}, core::Water{.level = 1, .buoyancy = 1000}};
-  return scene;
-}
-
-template <class Change>
-core::Scene with(core::Scene scene, Change change) {
-  change(scene);
-  return scene;
-}
-
-core::Compound compound_of(const core::Primitive& shape) {
-  return {{core::Part{shape, 1, {0.1, 0.2, 0}, {1, 0, 0, 0}}}};
-}
-
-// The same scene where nothing bounces.
-core::Scene soft(const core::Shape& shape) {
-  return with(resting(shape), [](core::Scene& s) { s.materials[0].restitution = 0; });
-}
-
-// Bodies that hang from each other by ball joints, at rest.
-core::Scene chain(int links) {
-  core::Scene scene;
-  for (int i = 0; i < links; ++i) {
-    scene.bodies.emplace_back().name = fmt::format("link{}", i);
-    scene.bodies.back().initial.position = {i + 0.5, 0, 0};
-    scene.joints.push_back({core::JointType::ball, i, i - 1, {static_cast<double>(i), 0, 0}});
-  }
-  return scene;
-}
-
-// Bodies that touch nothing.
-core::Scene crowd(int bodies) {
-  core::Scene scene;
-  for (int i = 0; i < bodies; ++i) scene.bodies.emplace_back().name = fmt::format("one{}", i);
-  return scene;
-}
-
-// Spheres that may touch each other.
-core::Scene gas(int bodies) {
-  core::Scene scene = crowd(bodies);
-  for (core::Body& body : scene.bodies) body.shape = core::Sphere{0.1}, body.collide = true;
-  scene.materials = {{{"*", "*"}, 0, 0}};
-  return scene;
-}
-
-const core::Mesh tetrahedron = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-                                {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
-
-// The same with a face pushed in.
-const core::Mesh dented = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.2, 0.2, 0.2}},
-                           {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 4}, {2, 3, 4}, {3, 1, 4}}};
 
 struct Refusal {
   const char* engine;
@@ -169,17 +79,42 @@ std::vector<Refusal> refusals() {
 
       {"ode", "Body 'b' in water: a rod has no volume.", in_water(core::Rod{0.3})},
       {"ode-quick", "Body 'b' in water: a disc has no volume.", in_water(core::Disc{0.3})},
-      {"ode", "ODE needs a mass above zero; 'a' has 0 kg.",
+      {"ode", "ODE needs a mass above zero of what moves; 'a' has 0 kg.",
        with(three_bodies(85), [](core::Scene& s) { s.bodies[0].mass = 0; })},
-      {"ode", "ODE needs principal moments above zero; 'b' has one of 0 kg m^2.",
+      {"ode", "ODE needs principal moments above zero of what moves; 'b' has one of 0 kg m^2.",
        with(three_bodies(86),
             [](core::Scene& s) { s.bodies[1].inertia = Vector3(0.2, 0, 0.2).asDiagonal(); })},
+      {"ode", "limits and friction of hinges and sliders; the cylindrical joint of 'a' has some.",
+       jointed(core::JointType::cylindrical, 0, 1, {.upper = 0.5})},
+      {"ode-quick", "limits and friction of hinges and sliders; the universal joint of 'b' has some.",
+       jointed(core::JointType::universal, 1, core::world, {.friction = 0.3})},
+      {"ode",
+       "ODE's stops of an angle lie within half a turn (ode/src/joints/joint.cpp, dxJointLimitMotor::set); "
+       "the "
+       "joint of 'a' has one at 3.5 rad from its start.",
+       jointed(core::JointType::hinge, 0, core::world, {.start = -0.5, .upper = 3})},
+      {"ode-quick", "the joint of 'b' has one at -4 rad from its start.",
+       jointed(core::JointType::hinge, 1, 0, {.lower = -4})},
       {"ode", "Body 'a': ODE has no cone (ode/collision.h:877).", resting(core::Cone{0.1, 0.3})},
       {"ode", "ODE has no solid without thickness, such as a rod", resting(core::Rod{0.3})},
       {"ode", "ODE has no solid without thickness, such as a disc", resting(core::Disc{0.3})},
       {"ode", "this adapter maps no hull", resting(hull)},
       {"ode", "ODE collides a mesh as a surface, not as a solid", resting(tetrahedron)},
       {"ode-quick", "ODE has no cone", resting(compound_of(core::Cone{0.1, 0.3}))},
+      {"mujoco", "The joint of 'a' bounces from its limits, and MuJoCo has no coefficient of restitution",
+       jointed(core::JointType::slider, 0, core::world, {.lower = -0.3, .restitution = 0.2})},
+      {"mujoco", "The cylindrical joint of 'a' closes a loop, which this adapter closes by",
+       with(jointed(core::JointType::cylindrical, 0, core::world, {.force = 0.3}),
+            [](core::Scene& s) { s.joints.push_back(s.joints[0]); })},
+      {"mujoco", "The hinge joint of 'a' closes a loop, which this adapter closes by",
+       with(jointed(core::JointType::hinge, 0, core::world, {.friction = 0.3}),
+            [](core::Scene& s) { s.joints.push_back(s.joints[0]); })},
+      {"mujoco",
+       "The planar joint of 'b' hangs 'a' from it, and MuJoCo's displacements are of the parent's axes.",
+       with(jointed(core::JointType::planar, 1, 0, {.stiffness = 3}),
+            [](core::Scene& s) {
+              s.joints.push_back({.type = core::JointType::ball, .body = 1, .point = {1, 2, 3}});
+            })},
       {"mujoco", "'a' and 'floor' bounce by 0.4, and MuJoCo has no coefficient of restitution", resting()},
       {"mujoco", "'a' may touch 'floor', but the scene has no material", unstated},
       {"mujoco", "'a' may touch 'wall', but the scene has no material", half_stated},

@@ -2,6 +2,7 @@
 // Sees the simulator interface and the border to DART; never DART's headers, a scenario, a claim or another adapter.
 #include "harness/core/simulator.h"
 #include "reference/applied/forces.h"
+#include "reference/applied/masses.h"
 #include "reference/simulators/dart/dart_limits.h"
 #include "reference/simulators/dart/dart_scene.h"
 #include "reference/simulators/dart/dart_settings.h"
@@ -25,7 +26,7 @@ class Dart final : public core::Simulator {
   const core::Engine& engine() const override { return engine_; }
 
   std::optional<std::string> unsupported(const Scene& scene, const Setup& setup) const override {
-    if (!(setup.dt > 0)) return fmt::format("DART steps forward only; dt = {} s.", setup.dt);
+    if (auto reason = applied::without_step("DART", setup)) return reason;
     if (auto reason = dart_limit(scene)) return reason;
     dart_settings(engine_, setup, DartKind());  // throws where the setup is impossible
     return std::nullopt;

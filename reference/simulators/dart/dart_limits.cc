@@ -3,6 +3,7 @@
 #include "harness/core/surfaces.h"
 #include "reference/applied/forces.h"
 #include "reference/applied/forest.h"
+#include "reference/applied/masses.h"
 #include "reference/applied/materials.h"
 #include "reference/applied/parts.h"
 
@@ -21,17 +22,6 @@ constexpr double least_coefficient = 1e-3;
 constexpr double nearest_centres = 1e-3;
 
 const core::Body& body(const Scene& scene, int i) { return scene.bodies[static_cast<std::size_t>(i)]; }
-
-Reason against(const core::Body& body) {
-  if (body.locked) return {};
-  if (!(body.mass > 0))
-    return fmt::format("DART needs a mass above zero of what moves; '{}' has {} kg.", body.name, body.mass);
-  const core::Vector3 moments = core::principal_axes(body.inertia).moments;
-  if (!(moments.minCoeff() > 0))
-    return fmt::format("DART needs principal moments above zero of what moves; '{}' has one of {} kg m^2.",
-                       body.name, moments.minCoeff());
-  return {};
-}
 
 // ---- Joints -------------------------------------------------------------------------------------------
 
@@ -129,8 +119,7 @@ Reason against_contacts(const Scene& scene) {
 }  // namespace
 
 Reason dart_limit(const Scene& scene) {
-  for (const core::Body& one : scene.bodies)
-    if (Reason reason = against(one)) return reason;
+  if (Reason reason = applied::without_mass("DART", scene)) return reason;
   if (Reason reason = applied::unmapped(scene)) return reason;
   if (Reason reason = against_joints(scene)) return reason;
   return against_contacts(scene);

@@ -2,6 +2,7 @@
 // Sees the simulator interface and MuJoCo's headers; never a scenario, a claim or another adapter.
 #include "harness/core/simulator.h"
 #include "reference/applied/forces.h"
+#include "reference/applied/masses.h"
 #include "reference/applied/forest.h"
 #include "reference/simulators/mujoco/mujoco_contacts.h"
 #include "reference/simulators/mujoco/mujoco_joints.h"
@@ -74,7 +75,7 @@ class Mujoco final : public core::Simulator {
   const core::Engine& engine() const override { return engine_; }
 
   std::optional<std::string> unsupported(const Scene& scene, const Setup& setup) const override {
-    if (!(setup.dt > 0)) return fmt::format("MuJoCo steps forward only; dt = {} s.", setup.dt);
+    if (auto reason = applied::without_step("MuJoCo", setup)) return reason;
     if (auto reason = mujoco_limit(scene)) return reason;
     mujoco_settings(engine_, setup, MujocoKind());  // throws where the setup is impossible
     return std::nullopt;

@@ -5,6 +5,7 @@
 #include "harness/core/surfaces.h"
 #include "reference/applied/forces.h"
 #include "reference/applied/forest.h"
+#include "reference/applied/masses.h"
 #include "reference/applied/materials.h"
 #include "reference/applied/parts.h"
 #include "reference/simulators/mujoco/mujoco_contacts.h"
@@ -24,7 +25,6 @@ using Reason = std::optional<std::string>;
 
 constexpr double least = 1e-15;     // mjMINVAL, of a mass and a moment; mujoco/mjtnum.h:27
 constexpr double most = 1e10;       // mjMAXVAL, of a coordinate; mujoco/mjmodel.h:24
-constexpr double rounding = 1e-12;  // of A + B >= C, relative
 constexpr int most_bodies = 65534;  // a pair of bodies is one int; engine/engine_collision_driver.c:87
 constexpr int deepest = 90;         // elements within each other in XML: 100, less those around the bodies
 constexpr double largest_array = 2147483647.;      // a size is an int
@@ -69,9 +69,6 @@ Reason against(const core::Body& body) {
   if (!(moments.minCoeff() >= least))
     return fmt::format("MuJoCo needs principal moments of at least {:g} kg m^2; '{}' has one of {} kg m^2.",
                        least, body.name, moments.minCoeff());
-  if (2 * moments.maxCoeff() > moments.sum() + rounding * moments.maxCoeff())
-    return fmt::format("MuJoCo needs principal moments A + B >= C; '{}' has {}, {} and {} kg m^2.", body.name,
-                       moments[0], moments[1], moments[2]);
   return {};
 }
 
@@ -109,6 +106,13 @@ Reason against_contacts(const Scene& scene) {
   return reason;
 }
 
+// What closes a loop (mujoco_model.cc, write_loops); all kinds hang a body from another but the screw.
+bool closes(core::JointType type) {
+  using core::JointType;
+  return type == JointType::ball || type == JointType::hinge || type == JointType::distance ||
+         type == JointType::fixed;
+}
+
 // Limits and friction are MuJoCo's soft constraints; a tree has them, loops are closed by points.
 Reason against_joints(const Scene& scene) {
   const applied::Forest forest = applied::forest_of(scene);
@@ -124,11 +128,10 @@ Reason against_joints(const Scene& scene) {
           "limits are damped springs (doc/modeling.rst:1357).",
           name);
     const bool loop = std::ranges::find(forest.loops, j) != forest.loops.end();
-    const bool later = joint.type > core::JointType::fixed;
     bool acts = false;
     core::for_each_coordinate(
         joint, [&](const core::JointCoordinate& c) { acts |= core::has_limit(c) || c.friction != 0; });
-    if (loop && (later || acts))
+    if (loop && (!closes(joint.type) || acts))
       return fmt::format(
           "The {} joint of '{}' closes a loop, which this adapter closes by balls, hinges and fixed joints "
           "without limits and friction.",
@@ -167,6 +170,7 @@ Reason against_size(const Scene& scene) {
 Reason mujoco_limit(const Scene& scene) {
   for (const core::Body& one : scene.bodies)
     if (Reason reason = against(one)) return reason;
+  if (Reason reason = applied::without_triangle("MuJoCo", scene)) return reason;
   if (Reason reason = applied::unmapped(scene)) return reason;
   if (Reason reason = against_joints(scene)) return reason;
   if (Reason reason = against_contacts(scene)) return reason;

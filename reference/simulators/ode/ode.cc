@@ -3,6 +3,7 @@
 #include "harness/core/collision_filter.h"
 #include "harness/core/simulator.h"
 #include "reference/applied/forces.h"
+#include "reference/applied/masses.h"
 #include "reference/simulators/ode/ode_limits.h"
 #include "reference/simulators/ode/ode_settings.h"
 #include "reference/simulators/ode/ode_shapes.h"
@@ -122,7 +123,7 @@ OdeKind ode_kind(const Scene& scene, const Setup& setup) {
 }
 
 std::optional<std::string> Ode::unsupported(const Scene& scene, const Setup& setup) const {
-  if (!(setup.dt > 0)) return fmt::format("ODE steps forward only; dt = {} s.", setup.dt);
+  if (auto reason = applied::without_step("ODE", setup)) return reason;
   if (auto reason = ode_limit(scene)) return reason;
   return ode_settings(engine_, setup, ode_kind(scene, setup)).refused;
 }

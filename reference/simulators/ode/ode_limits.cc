@@ -3,6 +3,7 @@
 #include "harness/core/joint_coordinates.h"
 #include "harness/core/overloaded.h"
 #include "reference/applied/forces.h"
+#include "reference/applied/masses.h"
 #include "reference/applied/materials.h"
 
 #include <fmt/format.h>
@@ -50,18 +51,6 @@ const char* missing(const core::Shape& shape, bool locked) {
       shape);
 }
 
-// ODE aborts the process on a mass or an inertia that is not positive.
-Reason against(const core::Body& body) {
-  if (body.locked) return {};
-  if (!(body.mass > 0))
-    return fmt::format("ODE needs a mass above zero; '{}' has {} kg.", body.name, body.mass);
-  const double least = core::principal_axes(body.inertia).moments.minCoeff();
-  if (!(least > 0))
-    return fmt::format("ODE needs principal moments above zero; '{}' has one of {} kg m^2.", body.name,
-                       least);
-  return {};
-}
-
 Reason against(const Scene& scene, const core::Pair& pair) {
   for (const int i : {pair.body, pair.other}) {
     if (i == core::world) continue;
@@ -96,8 +85,8 @@ Reason against(const Scene& scene, const core::Joint& joint) {
 Reason ode_limit(const Scene& scene) {
   for (const core::Joint& joint : scene.joints)
     if (Reason reason = against(scene, joint)) return reason;
-  for (const core::Body& one : scene.bodies)
-    if (Reason reason = against(one)) return reason;
+  // ODE aborts the process on a mass or an inertia that is not positive.
+  if (Reason reason = applied::without_mass("ODE", scene)) return reason;
   if (Reason reason = applied::unmapped(scene)) return reason;
   for (const core::Pair& pair : core::touching_pairs(scene))
     if (Reason reason = against(scene, pair)) return reason;

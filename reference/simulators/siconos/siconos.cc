@@ -2,6 +2,7 @@
 // Sees the simulator interface and the border to Siconos; never Siconos's headers, a scenario, a claim or another adapter.
 #include "harness/core/simulator.h"
 #include "reference/applied/forces.h"
+#include "reference/applied/masses.h"
 #include "reference/simulators/siconos/siconos_limits.h"
 #include "reference/simulators/siconos/siconos_scene.h"
 #include "reference/simulators/siconos/siconos_settings.h"
@@ -34,7 +35,7 @@ class Siconos final : public core::Simulator {
   const core::Engine& engine() const override { return engine_; }
 
   std::optional<std::string> unsupported(const Scene& scene, const Setup& setup) const override {
-    if (!(setup.dt > 0)) return fmt::format("Siconos steps forward only; dt = {} s.", setup.dt);
+    if (auto reason = applied::without_step("Siconos", setup)) return reason;
     if (auto reason = siconos_limit(scene)) return reason;
     siconos_settings(engine_, setup, SiconosKind());  // throws where the setup is impossible
     return std::nullopt;

@@ -2,6 +2,7 @@
 
 #include "harness/core/surfaces.h"
 #include "reference/applied/forces.h"
+#include "reference/applied/masses.h"
 #include "reference/applied/materials.h"
 
 #include <fmt/format.h>
@@ -15,18 +16,6 @@ using core::Scene;
 using Reason = std::optional<std::string>;
 
 const core::Body& body(const Scene& scene, int i) { return scene.bodies[static_cast<std::size_t>(i)]; }
-
-Reason against(const core::Body& body) {
-  if (body.locked) return {};
-  if (!(body.mass > 0))
-    return fmt::format("Siconos needs a mass above zero of what moves; '{}' has {} kg.", body.name,
-                       body.mass);
-  const core::Vector3 moments = core::principal_axes(body.inertia).moments;
-  if (!(moments.minCoeff() > 0))
-    return fmt::format("Siconos needs principal moments above zero of what moves; '{}' has one of {} kg m^2.",
-                       body.name, moments.minCoeff());
-  return {};
-}
 
 // What holds nothing is no joint.
 Reason against_joints(const Scene& scene) {
@@ -65,8 +54,7 @@ Reason against_contacts(const Scene& scene) {
 }  // namespace
 
 Reason siconos_limit(const Scene& scene) {
-  for (const core::Body& one : scene.bodies)
-    if (Reason reason = against(one)) return reason;
+  if (Reason reason = applied::without_mass("Siconos", scene)) return reason;
   if (Reason reason = applied::unmapped(scene)) return reason;
   if (Reason reason = against_joints(scene)) return reason;
   return against_contacts(scene);

@@ -2,6 +2,7 @@
 // Sees the simulator interface and Simbody's headers; never a scenario, a claim or another adapter.
 #include "harness/core/simulator.h"
 #include "reference/applied/forces.h"
+#include "reference/applied/masses.h"
 #include "reference/simulators/simbody/simbody_limits.h"
 #include "reference/simulators/simbody/simbody_settings.h"
 #include "reference/simulators/simbody/simbody_world.h"
@@ -57,7 +58,7 @@ class Simbody final : public core::Simulator {
   const core::Engine& engine() const override { return engine_; }
 
   std::optional<std::string> unsupported(const Scene& scene, const Setup& setup) const override {
-    if (!(setup.dt > 0)) return fmt::format("Simbody steps forward only; dt = {} s.", setup.dt);
+    if (auto reason = applied::without_step("Simbody", setup)) return reason;
     if (auto reason = simbody_limit(scene)) return reason;
     simbody_settings(engine_, setup, SimbodyKind());  // throws where the setup is impossible
     return std::nullopt;

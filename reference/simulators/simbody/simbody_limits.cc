@@ -1,6 +1,7 @@
 #include "reference/simulators/simbody/simbody_limits.h"
 
 #include "reference/applied/forces.h"
+#include "reference/applied/masses.h"
 
 #include <fmt/format.h>
 
@@ -10,26 +11,8 @@ namespace {
 using core::Scene;
 using Reason = std::optional<std::string>;
 
-constexpr double rounding = 1e-12;  // of A + B >= C, relative
-
 const std::string& name_of(const Scene& scene, int body) {
   return scene.bodies[static_cast<std::size_t>(body)].name;
-}
-
-Reason against(const core::Body& body) {
-  if (body.locked) return {};
-  if (!(body.mass > 0))
-    return fmt::format("Simbody needs a mass above zero of what moves; '{}' has {} kg.", body.name,
-                       body.mass);
-  const core::Vector3 moments = core::principal_axes(body.inertia).moments;
-  if (!(moments.minCoeff() > 0))
-    return fmt::format("Simbody needs principal moments above zero of what moves; '{}' has one of {} kg m^2.",
-                       body.name, moments.minCoeff());
-  // SimTKcommon/internal/MassProperties.h:542
-  if (2 * moments.maxCoeff() > moments.sum() + rounding * moments.maxCoeff())
-    return fmt::format("Simbody needs principal moments A + B >= C; '{}' has {}, {} and {} kg m^2.",
-                       body.name, moments[0], moments[1], moments[2]);
-  return {};
 }
 
 // A contact of Simbody is a force of penetration, by Hertz or an elastic foundation: it needs a stiffness, which no
@@ -63,8 +46,9 @@ Reason against_joints(const Scene& scene) {
 }  // namespace
 
 Reason simbody_limit(const Scene& scene) {
-  for (const core::Body& one : scene.bodies)
-    if (Reason reason = against(one)) return reason;
+  if (Reason reason = applied::without_mass("Simbody", scene)) return reason;
+  // SimTKcommon/internal/MassProperties.h:542
+  if (Reason reason = applied::without_triangle("Simbody", scene)) return reason;
   if (Reason reason = applied::unmapped(scene)) return reason;
   if (Reason reason = against_joints(scene)) return reason;
   return against_contacts(scene);
