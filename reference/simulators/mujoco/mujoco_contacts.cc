@@ -1,6 +1,7 @@
 #include "reference/simulators/mujoco/mujoco_contacts.h"
 
 #include "harness/core/collision_filter.h"
+#include "harness/core/joint_coordinates.h"
 #include "harness/core/overloaded.h"
 #include "harness/core/surfaces.h"
 #include "reference/applied/forest.h"
@@ -81,8 +82,13 @@ MujocoMemory mujoco_memory(const core::Scene& scene, std::int64_t points) {
   const auto bodies = static_cast<double>(scene.bodies.size()) + 1;
   double freedoms = 0;
   for (const core::Body& body : scene.bodies) freedoms += body.locked ? 0 : 6;
+  double of_joints = 0;  // a row for each stop and each dry friction
+  for (const core::Joint& joint : scene.joints)
+    core::for_each_coordinate(joint, [&](const core::JointCoordinate& c) {
+      of_joints += (c.lower ? 1 : 0) + (c.upper ? 1 : 0) + (c.friction != 0 ? 1 : 0);
+    });
   MujocoMemory memory;
-  memory.rows = 4 * static_cast<double>(points) + 6 * loops;
+  memory.rows = 4 * static_cast<double>(points) + 6 * loops + of_joints;
   // efc_AR and its indices, efc_J and efc_JT and theirs: mujoco/mjxmacro.h:482
   memory.buffer = 12 * memory.rows * memory.rows + 24 * memory.rows * freedoms;
   // MuJoCo's own rule, user/user_model.cc:2578, and what the implicit scheme takes beside it, engine/engine_derivative.c:445.

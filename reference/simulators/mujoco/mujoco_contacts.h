@@ -30,7 +30,8 @@ struct MujocoContacts {
 MujocoContacts mujoco_contacts(const core::Scene&);
 
 /// What MuJoCo allocates for a scene with this room.  It grows with the square of the rows of constraints, 4 for a
-/// contact and at most 6 for a joint that closes a loop, and with the square of the degrees of freedom.
+/// contact, at most 6 for a joint that closes a loop and one for each stop and dry friction of a joint, and with the square
+/// of the degrees of freedom.
 struct MujocoMemory {
   double rows = 0;
   double buffer = 0;   ///< [bytes]
