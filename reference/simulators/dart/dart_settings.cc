@@ -102,8 +102,9 @@ std::vector<std::string> unforceable() {
       "A bounce slower than 0.1 m/s after it is none, one faster than 100 m/s is 100 m/s "
       "(constraint/ContactConstraint.cpp:52 and :53).",
       "Friction is a pyramid whose axes follow from the normal and the world's z, with mu times the normal "
-      "force "
-      "along each: up to sqrt(2) of Coulomb's in between (constraint/ContactConstraint.cpp, getInformation).",
+      "force along each: up to sqrt(2) of Coulomb's in between (constraint/ContactConstraint.cpp, "
+      "getInformation). That normal force is the one before friction acts, which may be another at a single "
+      "point (external/odelcpsolver/lcp.cpp, dSolveLCP).",
       "Restitution is Newton's, of all contacts of a step at once.",
       "A contact within 3e-12 m of another of the step is left out, whosever that is "
       "(collision/dart/DARTCollisionDetector.cpp:359).",
@@ -155,7 +156,7 @@ core::Engine dart_engine(std::string version) {
                       "always 'as-shipped'",
                       {{scheme, 1, "linear momentum"}},
                       dart_options().offered()};
-  engine.knows = {"collision_filters", "body_gravity"};
+  engine.knows = {"collision_filters", "body_gravity", "joint_forces", "joint_targets"};
   return engine;
 }
 

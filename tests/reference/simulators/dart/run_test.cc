@@ -1,5 +1,5 @@
-// What DART does in a run: one step a step, a force's sentence reaches the caller, what its solvers leave unsolved is told,
-// and so is a body past the edge of the box that stands for a plane.
+// What DART does in a run: one step a step, a force's sentence reaches the caller, contacts as they are told, what its
+// solvers leave unsolved, and a body past the edge of the box that stands for a plane.
 #include "harness/core/simulator.h"
 
 #include <gtest/gtest.h>
@@ -89,6 +89,54 @@ TEST(DartRun, TellsWhatItLeavesUnsolved) {
       << told;
   EXPECT_EQ(remarks(scene, {{"solver", "pgs"}, {"sweeps", "100000"}, {"sweep-change", "1e-4"}}, 5), "");
   EXPECT_EQ(remarks(scene, {{"solver", "dantzig-alone"}}, 5), "");
+}
+
+// The contacts that are told are all that acts beside gravity: what they give each body in a step is what its momentum
+// gains, and no more.  The friction of two bodies is within DART's pyramid.  That of a single point may not be: its bound
+// is of the normal forces before friction, which shifts them from one corner to another.
+TEST(DartRun, TellsContactsThatMakeTheMotion) {
+  core::Scene scene = on_the_floor(2.5);
+  scene.bodies[2].shape = core::Sphere{0.5};
+  for (std::size_t i = 0; i < 3; ++i) scene.bodies[i].mass = 0.7 + 0.4 * static_cast<double>(i);
+  const auto simulator = core::make_simulator();
+  const double dt = 1e-3;
+  simulator->load(scene, {.dt = dt});
+  core::State before, after;
+  simulator->read(before);
+  double rubbed = 0;
+  for (int step = 0; step < 5; ++step) {
+    simulator->step();
+    simulator->read(after);
+    std::vector<Vector3> gained(3, Vector3::Zero()), friction(4, Vector3::Zero());
+    std::vector<double> normal(4, 0.0);  // by who is above or below: the floor, -, b, c
+    bool floor = false, boxes = false, ball = false;
+    for (const core::Contact& contact : simulator->contacts()) {
+      const core::Pair& pair = contact.pair;
+      const Vector3 impulse = *contact.impulse * contact.normal + *contact.friction;
+      gained[static_cast<std::size_t>(pair.body)] += impulse;
+      if (pair.plane < 0) gained[static_cast<std::size_t>(pair.other)] -= impulse;
+      // The normal is towards the pair's body: up from the floor, and down from what lies on it.
+      EXPECT_NEAR(contact.normal.y(), pair.plane >= 0 ? 1 : -1, 1e-9);
+      EXPECT_TRUE(pair.plane >= 0 || pair.body < pair.other) << pair.body << pair.other;
+      EXPECT_LE(std::abs(contact.friction->dot(contact.normal)), 1e-12);
+      normal[static_cast<std::size_t>(pair.other + 1)] += *contact.impulse;
+      friction[static_cast<std::size_t>(pair.other + 1)] += *contact.friction;
+      floor |= pair.plane == 0 && pair.body == 0;
+      boxes |= pair.plane < 0 && pair.body == 0 && pair.other == 1;
+      ball |= pair.plane < 0 && pair.body == 1 && pair.other == 2;
+    }
+    EXPECT_TRUE(floor && boxes && ball) << "step " << step;
+    for (const std::size_t i : {0u, 2u, 3u})
+      EXPECT_LE(friction[i].norm(), std::sqrt(2) * 0.4 * normal[i] * (1 + 1e-9)) << "step " << step;
+    rubbed += friction[0].norm();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vector3 momentum = scene.bodies[i].mass * (after[i].velocity - before[i].velocity);
+      const Vector3 weight = scene.bodies[i].mass * dt * core::gravity(scene);
+      EXPECT_LE((momentum - weight - gained[i]).norm(), 1e-12) << "body " << i << ", step " << step;
+    }
+    before = after;
+  }
+  EXPECT_GT(rubbed, 1e-3);
 }
 
 TEST(DartRun, TellsWhoPassedTheEdgeOfAPlane) {
