@@ -25,6 +25,18 @@ function(border build)
   declare_border(${build} ${ARG_ADAPTER} ${ARG_LIBRARY})
 endfunction()
 
+# package_version(package result): the upstream version of an installed Debian package, for engines whose libraries and
+# headers state none; "of unknown version" where dpkg does not know the package.
+function(package_version package result)
+  set(version "")
+  execute_process(COMMAND dpkg-query -W -f=\${source:Upstream-Version} ${package} OUTPUT_VARIABLE version ERROR_QUIET)
+  string(REGEX REPLACE "[+~](dfsg|ds|repack).*$" "" version "${version}")
+  if(NOT version)
+    set(version "of unknown version")
+  endif()
+  set(${result} "${version}" PARENT_SCOPE)
+endfunction()
+
 function(declare_border build adapter library)
   declare(border_${build} KIND layer PLACES reference/simulators/${adapter}/border/ PRIVATE ${library} Eigen3::Eigen)
 endfunction()
@@ -113,6 +125,8 @@ foreach(row IN LISTS rows)
       border(${build} ADAPTER ${adapter} LIBRARY ${library} LINKS ${found_libraries}
              HEADERS ${found_headers} ${found_headers}/${folder} ${inner})
       simulator(${build} ADAPTER ${adapter} USES border_${build} applied LINKS border_${build} applied KIND numbers ${later})
+      package_version(${package} version)
+      target_compile_definitions(sim_${build} PRIVATE CYLON_PACKAGE_VERSION="${version}")
       continue()
     endif()
     simulator(${build} ADAPTER ${adapter} USES ${library} applied LINKS ${found_libraries} applied KIND numbers ${later})

@@ -51,7 +51,8 @@ class Siconos final : public core::Simulator {
   std::size_t index(std::size_t body) const { return static_cast<std::size_t>(translated_.index[body]); }
   void apply_forces();
 
-  core::Engine engine_ = siconos_engine("4.4.0");
+  // Siconos tells no version, and its CMake files name that of the next release.
+  core::Engine engine_ = siconos_engine(CYLON_PACKAGE_VERSION);
   Scene scene_;
   double dt_ = 0, theta_ = 0.5;
   std::int64_t steps_ = 0;
