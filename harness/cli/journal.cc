@@ -1,19 +1,15 @@
 #include "harness/cli/journal.h"
 
-#include "harness/core/content_hash.h"
+#include "harness/cli/content_of.h"
 #include "reports/json.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 namespace cylon::cli {
 namespace {
-
-namespace fs = std::filesystem;
 
 // What a cell is asked beside its scenario's claims, as the command's options say it.
 std::string asked_of(const study::Cell& cell) {
@@ -27,26 +23,6 @@ std::string asked_of(const study::Cell& cell) {
 }
 
 }  // namespace
-
-std::string content_of(const std::vector<std::string>& command) {
-  static std::map<std::vector<std::string>, std::string> known;
-  auto found = known.find(command);
-  if (found == known.end()) {
-    core::ContentHash content;
-    for (const std::string& word : command) {
-      content.add(std::string_view("\0", 1));  // between words
-      std::error_code ignored;
-      if (!fs::is_regular_file(word, ignored)) {
-        content.add(word);
-        continue;
-      }
-      std::ifstream in(word, std::ios::binary);
-      content.add(std::string(std::istreambuf_iterator<char>(in), {}));
-    }
-    found = known.emplace(command, content.hex()).first;  // kept only when it is whole
-  }
-  return found->second;
-}
 
 nlohmann::json to_json(const Request& r) {
   return {{"patterns", r.patterns},       {"engines", r.engines}, {"steps", r.steps},

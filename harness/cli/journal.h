@@ -21,11 +21,9 @@
 
 namespace cylon::cli {
 
-/// Of the words of a command, those that are files by their content alone: where they lie decides nothing.
-std::string content_of(const std::vector<std::string>& command);
-
 /// What must be equal for a stored cell to stand for a new one, on this machine or on another: the scenario's
-/// and expected.toml's content, the engine's id, the content of its worker and of this program, and the step; no path.
+/// and expected.toml's content, the engine's id, the content of its worker and of this program (content_of.h), and the
+/// step; no path.
 std::string cell_key(const study::Cell&, const std::string& expectations_hash);
 
 /// Scenario, engine and step as the user names them: the same cell, whatever its files hold by now.

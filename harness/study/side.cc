@@ -2,6 +2,7 @@
 
 #include "harness/process/child.h"
 #include "harness/seal/sha256.h"
+#include "harness/study/modules.h"
 
 #include <unistd.h>
 
@@ -80,6 +81,8 @@ std::string content_hash(const std::vector<std::string>& command) {
     }
     content += file_hash(word) + "\n";
     for (const fs::path& library : libraries(word)) content += file_hash(library) + "\n";
+    for (const fs::path& module : modules_beside(word))
+      content += module.filename().string() + " " + file_hash(module) + "\n";
   }
   return seal::sha256(content).substr(0, 16);
 }

@@ -19,8 +19,8 @@ struct Side {
 std::optional<process::EngineChoice> on(const Side&, const process::EngineChoice&);
 
 /// 16 hex digits of SHA-256 of all that decides what the worker does: the words of its command that are no
-/// files, and the content of those that are and of the shared libraries that `ldd` finds for the program.
-/// Where files lie does not count.
+/// files, and the content of those that are, of the shared libraries that `ldd` finds for the program and of the
+/// modules beside a script.  Where files lie does not count.
 std::string content_hash(const std::vector<std::string>& command);
 
 }  // namespace cylon::study

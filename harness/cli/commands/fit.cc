@@ -4,7 +4,7 @@
 #include "harness/cli/commands/estimates.h"
 #include "harness/cli/commands/fit_journal.h"
 #include "harness/cli/commands/fit_report.h"
-#include "harness/cli/journal.h"
+#include "harness/cli/content_of.h"
 #include "harness/cli/options.h"
 #include "harness/cli/output.h"
 #include "harness/cli/workers.h"

@@ -1,6 +1,6 @@
 #include "harness/cli/commands/hunt_journal.h"
 
-#include "harness/cli/journal.h"
+#include "harness/cli/content_of.h"
 #include "harness/scenario/scenario.h"
 
 #include <fmt/format.h>
