@@ -1,0 +1,91 @@
+// What the tests of joints' laws share: joints in general positions, and how many of their scenes each engine takes.
+#pragma once
+
+#include "harness/core/later_parts.h"
+#include "tests/conformance/adapters_fixture.h"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cylon::conformance {
+
+inline const Vector3 axis = Vector3(1, -2, 0.5).normalized();
+inline const Vector3 axis_2 = Vector3(0.3, 1, -0.2).cross(axis).normalized();
+inline const Vector3 point(0.2, -0.1, 0.4);
+
+inline core::Joint joint_of(core::JointType type, int body = 0, int to = core::world,
+                            const Vector3& at = point) {
+  core::Joint joint{.type = type, .body = body, .to = to, .point = at, .axis = axis};
+  if (core::kind_of(type).has_second_axis()) joint.axis_2 = axis_2;
+  if (core::kind_of(type).screws) joint.pitch = 0.15;
+  return joint;
+}
+
+/// Bodies at rest in general poses, no two alike; nothing acts.
+inline core::Scene at_rest(int count) {
+  core::Scene scene = three_bodies(29);
+  scene.bodies.resize(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    core::BodyState& start = scene.bodies[static_cast<std::size_t>(i)].initial;
+    start.position = point + Vector3(0.3, 0.2, -0.4) + i * Vector3(0.5, -0.3, 0.2);
+    start.velocity = start.angular_velocity = Vector3::Zero();
+  }
+  return scene;
+}
+
+/// How many scenes of each test an engine takes.  A refusal that is new, or gone, is a difference to this table.
+struct Taken {
+  std::string_view engine;
+  int machines = 0;   ///< Of 6 joints with springs, dampers and motors (adapters_joint_laws_test.cc).
+  int stops = 0;      ///< Of 16 limits: half of them bounce (adapters_joint_stops_test.cc).
+  int frictions = 0;  ///< Of 4 joints with dry friction (the same).
+};
+
+inline constexpr Taken taken[] = {
+    {"in-house", 6, 16, 4},
+    {"in-house-float", 6, 16, 4},
+    {"ode", 4, 16, 4},
+    {"ode-quick", 4, 16, 4},  // neither planar joints nor screws
+    {"mujoco", 5, 8, 4},      // no screws, and no coefficient of restitution
+    {"bullet", 1},
+    {"bullet-float", 1},
+    {"bullet-multibody", 1},
+    {"bullet-multibody-float", 1},
+    {"simbody", 1},
+    {"dart", 1},  // hinges alone
+    {"jolt"},
+    {"rapier"},
+    {"mujoco3"},
+    {"crashcat"},
+    {"physx"},  // nothing that acts along a joint
+};
+
+inline const Taken& taken_by(const Subject& subject) {
+  const std::string_view id = subject.id;
+  return *std::ranges::find(taken, id.substr(0, id.find('/')), &Taken::engine);
+}
+
+inline std::vector<Subject> subjects_with_dart() {
+  std::vector<Subject> all(std::begin(subjects), std::end(subjects));
+  all.push_back(dart);
+  return all;
+}
+
+/// Why an engine refuses a scene, as one that it does not know or in its adapter's words; nothing where it takes it.
+inline std::optional<std::string> refusal(const core::Engine& engine, const process::EngineChoice& choice,
+                                          const core::Scene& scene) {
+  if (auto reason = core::not_known(engine, scene)) return reason;
+  process::RunRequest request;
+  request.scene = &scene;
+  request.setup.dt = 1e-3;
+  request.steps = 1;
+  const process::RunOutcome outcome = process::run(choice, request, limits);
+  if (results::name(outcome.status) != "unsupported") return {};
+  return outcome.reason;
+}
+
+}  // namespace cylon::conformance

@@ -1,0 +1,178 @@
+// Limits of joints and dry friction in them, on every engine that says that it knows them, against closed forms.
+#include "harness/core/joint_coordinates.h"
+#include "tests/conformance/adapters_joint_cases.h"
+
+#include <cmath>
+
+namespace cylon::conformance {
+namespace {
+
+using core::JointType;
+
+class JointStops : public EveryEngine {};
+INSTANTIATE_TEST_SUITE_P(Adapters, JointStops, testing::ValuesIn(subjects_with_dart()), test_name);
+
+// ---- Scenes -------------------------------------------------------------------------------------------
+
+struct Stop {
+  JointType type;
+  bool to_a_body;  // that moves as freely; else to the world
+  bool upper;
+  double restitution;
+};
+
+std::string name_of(const Stop& stop) {
+  return fmt::format("{} to {}, {}, e = {}", core::kind_of(stop.type).name,
+                     stop.to_a_body ? "a body" : "the world", stop.upper ? "upper" : "lower",
+                     stop.restitution);
+}
+
+std::vector<Stop> stops() {
+  std::vector<Stop> all;
+  for (const JointType type : {JointType::slider, JointType::hinge})
+    for (const bool to_a_body : {false, true})
+      for (const bool upper : {false, true})
+        for (const double restitution : {0.0, 0.6}) all.push_back({type, to_a_body, upper, restitution});
+  return all;
+}
+
+// Bodies at rest whose centres of mass lie on the axis of the joint, which is a principal axis of both: what acts along the
+// joint turns nothing else, and the coordinate moves as  q'' = Q (1/m + 1/m')  or  Q (1/A + 1/A'),  without m', A' of the
+// world.
+core::Scene on_an_axis(JointType type, bool to_a_body) {
+  core::Scene scene = at_rest(to_a_body ? 2 : 1);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    core::Body& one = scene.bodies[i];
+    one.initial.position = point + (i == 0 ? 0.35 : -0.45) * axis;
+    one.initial.orientation = core::Quaternion::FromTwoVectors(Vector3::UnitX(), axis);
+    one.inertia = core::principal_axes(one.inertia).moments.asDiagonal();
+  }
+  scene.forces.clear();
+  scene.joints = {joint_of(type, 0, to_a_body ? 1 : core::world)};
+  return scene;
+}
+
+double inverse_inertia(const core::Scene& scene) {
+  double sum = 0;
+  for (const core::Body& one : scene.bodies)
+    sum += scene.joints[0].type == JointType::slider ? 1 / one.mass : 1 / one.inertia(0, 0);
+  return sum;
+}
+
+void act(core::Scene& scene, const core::JointCoordinate& coordinate) {
+  core::Joint& joint = scene.joints[0];
+  if (joint.type == JointType::slider)
+    joint.displacements = {{coordinate}};
+  else
+    joint.angles = {{coordinate}};
+}
+
+double along(const core::Scene& scene, const core::State& state) {
+  const core::HeldJoint joint = core::held_joint(scene, scene.joints[0]);
+  return joint.type == JointType::slider ? core::joint_displacement(joint, core::Ordinal::first, state)
+                                         : core::joint_angle(joint, core::Ordinal::first, state);
+}
+double rate(const core::Scene& scene, const core::State& state) {
+  const core::HeldJoint joint = core::held_joint(scene, scene.joints[0]);
+  return joint.type == JointType::slider ? core::joint_displacement_rate(joint, core::Ordinal::first, state)
+                                         : core::joint_angle_rate(joint, core::Ordinal::first, state);
+}
+
+// ---- Tolerances ---------------------------------------------------------------------------------------
+
+constexpr std::int64_t steps = 4000;
+
+bool locates_events(const Subject& subject) { return subject.order > 1; }
+
+// What a first-order engine with stops at the ends of its steps may be off by, after an impact at speed v between two
+// motions with the acceleration a, of which the second lasts s: late by up to dt it is v dt too far, and leaves at e v as
+// much too late; Euler's own error is dt/2 times the change of the velocity, v before and a s after.
+double on_the_grid(double e, double v, double a, double s, double dt) {
+  return dt * ((1 + e) * v + (v + a * s) / 2);
+}
+
+// MuJoCo's stops and dry frictions are soft: of the reference acceleration  -b v - k r  with b = 2/(dmax T), k = 1/(dmax T)^2,
+// T = 0.02 s (solref) and dmax = 0.95 they get the part d >= 0.9 (solimp; doc/computation.rst, "Solver parameters").
+bool is_soft(const Subject& subject) { return std::string_view(subject.id) == "mujoco"; }
+constexpr double soft_time = 0.95 * 0.02;
+// At rest under an acceleration a:  d k r = (1 - d) a.
+double soft_stop(double a) { return (1 - 0.9) / 0.9 * soft_time * soft_time * a; }
+// Slower than v = a/b a friction of a m is a damper of rate b: a way of v/b is left.
+double soft_friction(double a) { return a * soft_time * soft_time / 4; }
+
+// Two roundings of a coordinate below 1 in each step, and those of a joint.
+double rounding(const Subject& subject) {
+  return (2 * static_cast<double>(steps) + subject.joint_units) * subject.unit();
+}
+
+// ---- Tests ----------------------------------------------------------------------------------------------
+
+// With a = Q w of on_an_axis() and the way d to the stop, the coordinate is there after t = sqrt(2 d/a) with v = a t, and
+// at t + s  d - e v s + a s^2/2  where it bounces, and d where it does not.
+TEST_P(JointStops, GiveBackTheirPart) {
+  const core::Engine engine = process::describe(subject().choice(), limits);
+  int run = 0;
+  std::string refused;
+  for (const Stop& stop : stops()) {
+    core::Scene scene = on_an_axis(stop.type, stop.to_a_body);
+    constexpr double start = -0.1, way = 0.35, a = 7;
+    const double s =
+        stop.restitution > 0 ? 0.06 : 0.4;  // a soft stop has 20 of its time constants to come to rest
+    const double sign = stop.upper ? 1 : -1;
+    core::JointCoordinate acts{.start = start, .restitution = stop.restitution};
+    acts.force = sign * a / inverse_inertia(scene);
+    (stop.upper ? acts.upper : acts.lower) = start + sign * way;
+    act(scene, acts);
+    const std::string what = fmt::format("{}, {}", name_of(stop), subject().id);
+    if (const auto reason = refusal(engine, subject().choice(), scene)) {
+      refused += fmt::format("\n  {}: {}", name_of(stop), *reason);
+      continue;
+    }
+    ++run;
+    const double hit = std::sqrt(2 * way / a), v = a * hit, e = stop.restitution;
+    const double dt = (hit + s) / static_cast<double>(steps);
+    const double expected = e > 0 ? way - e * v * s + a * s * s / 2 : way;
+    const double found = along(scene, last(subject().choice(), scene, dt, steps));
+    double allowed = rounding(subject());
+    if (!locates_events(subject())) allowed += on_the_grid(e, v, a, s, dt);
+    if (is_soft(subject())) allowed += soft_stop(a);
+    expect_within(what, std::abs(sign * found - expected), allowed);
+  }
+  EXPECT_EQ(run, taken_by(subject()).stops) << "refused:" << refused;
+  if (run == 0) GTEST_SKIP() << "takes none of these scenes:" << refused;
+}
+
+// A coordinate that moves by itself at v is braked by a = Q w until it stands, and then stands: x = v^2/(2 a).
+TEST_P(JointStops, DryFrictionBrakesAndHolds) {
+  const core::Engine engine = process::describe(subject().choice(), limits);
+  int run = 0;
+  std::string refused;
+  for (const JointType type : {JointType::slider, JointType::hinge})
+    for (const bool to_a_body : {false, true}) {
+      core::Scene scene = on_an_axis(type, to_a_body);
+      constexpr double v = 1.3, a = 2.6;
+      act(scene, {.friction = a / inverse_inertia(scene)});
+      (type == JointType::slider ? scene.bodies[0].initial.velocity
+                                 : scene.bodies[0].initial.angular_velocity) = v * axis;
+      const std::string what = fmt::format("{} to {}, {}", core::kind_of(type).name,
+                                           to_a_body ? "a body" : "the world", subject().id);
+      if (const auto reason = refusal(engine, subject().choice(), scene)) {
+        refused += fmt::format("\n  {}: {}", what, *reason);
+        continue;
+      }
+      ++run;
+      const double dt = 2 * v / a / static_cast<double>(steps);
+      const core::State end = last(subject().choice(), scene, dt, steps);
+      double allowed = rounding(subject());
+      if (!locates_events(subject()))
+        allowed += v * dt / 2;  // Euler's v dt/2; the last step is exact or shorter
+      if (is_soft(subject())) allowed += soft_friction(a);
+      expect_within(what, std::abs(along(scene, end) - v * v / (2 * a)), allowed);
+      expect_within("stands, " + what, std::abs(rate(scene, end)), rounding(subject()));
+    }
+  EXPECT_EQ(run, taken_by(subject()).frictions) << "refused:" << refused;
+  if (run == 0) GTEST_SKIP() << "takes none of these scenes:" << refused;
+}
+
+}  // namespace
+}  // namespace cylon::conformance
