@@ -1,4 +1,4 @@
-// How long a chain's motion is foretold: the time until a predicted angle is off by a given amount, and what the uncertainty of the
+// The prediction horizon of a chain: the time until a predicted angle is off by a given amount, and what the uncertainty of the
 // start alone would make of it.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What an engine foretells of a measured motion, at its frames.
+// What an engine predicts of a measured motion, at its frames.
 #pragma once
 
 #include "harness/study/runner.h"

@@ -1,4 +1,4 @@
-// How well an engine foretells a measured motion: each run is started from its first frame and compared with the rest of
+// How well an engine predicts a measured motion: each run is started from its first frame and compared with the rest of
 // it.  Validation, as against verification: a model of a real thing is judged here, with its parameters, and never an engine
 // alone.
 #pragma once

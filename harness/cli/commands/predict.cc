@@ -61,7 +61,7 @@ std::string told_length(const char* what, const Estimate& scale, const char* uni
                      answer == validation::Answer::inside ? "" : ": 1 is outside the interval");
 }
 
-// How long each engine foretells the angles of a chain.
+// The prediction horizon of each engine for the angles of a chain.
 int predict_chain(const Options& options, const measured::Experiment& e,
                   const std::vector<process::EngineChoice>& engines) {
   std::cout << fmt::format(

@@ -1,4 +1,4 @@
-// How long a chain is foretold: a pendulum of small swings, of which the error can be written down.
+// The prediction horizon of a chain: a pendulum of small swings, of which the error can be written down.
 #include "harness/validation/horizon.h"
 
 #include "reference/measured/coordinates.h"

@@ -72,11 +72,11 @@ struct Contact {
   Vector point{}, normal{}, force{};  ///< World; the normal towards the first, the force on it [N].
 };
 
-/// What DART says to nobody who calls it: systems of a step that it did not solve as it was to.
+/// Solver failures since the start, one system of contacts and loops each.  DART's own calls do not report them.
 struct Unsolved {
-  std::int64_t given_up = 0;    ///< By Dantzig's method, for sweeps to solve.
-  std::int64_t left = 0;        ///< Without a solution by the last method; the step goes on with what it has.
-  std::int64_t not_finite = 0;  ///< Of these; DART then takes zero for all impulses.
+  std::int64_t given_up = 0;    ///< Dantzig's method failed, and sweeps took over.
+  std::int64_t left = 0;        ///< The last method failed too; the step uses its unconverged impulses.
+  std::int64_t not_finite = 0;  ///< Of these: impulses that were not finite, which DART sets to zero.
 };
 
 class World {

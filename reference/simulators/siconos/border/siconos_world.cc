@@ -12,7 +12,7 @@ extern "C" void openblas_set_num_threads(int) __attribute__((weak));
 namespace cylon::simulators::siconos_border {
 namespace {
 
-// Siconos asks a function without a place for whose it is.
+// The error callback of Siconos has no user data, so the counter of the world that is stepping stands here.
 thread_local std::int64_t* failures = nullptr;
 void count_failure(int info, Simulation* /*simulation*/) {
   if (info != 0 && failures) ++*failures;

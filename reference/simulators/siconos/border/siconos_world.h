@@ -55,9 +55,10 @@ struct Pressed {
   Vector across{};           ///< Of friction, on the contact's body, world axes [N s].
 };
 
-/// What Siconos prints and goes on: answers of a solver that failed, steps whose iteration did not end.
+/// Solver failures since the start.  Siconos prints a warning and uses the unconverged result.
 struct Complaints {
-  std::int64_t of_solver = 0, of_newton = 0;
+  std::int64_t of_solver = 0;  ///< The contact solver returned an error code.
+  std::int64_t of_newton = 0;  ///< Newton's iteration of a step reached its bound.
 };
 
 class World {
