@@ -25,7 +25,8 @@ class Holder {
 };
 
 /// y = the work done by each force where it is accounted, then the angle of each joint of which the turns count
-/// (CoordinateLaw::counts_turns()), then the clock where a mass changes, then one Motion per body.  Locked bodies after the last one that can move are in no equation: size() leaves them out.
+/// (CoordinateLaw::counts_turns()), then the clock where a mass changes, then one Motion per body.  Locked bodies after
+/// the last one that can move are in no equation: size() leaves them out.
 ///   dp/dt = v - W x p,  dK/dt = F - W x K,  dq/dt = (w - W) q/2,  dL/dt = torque - W x L
 /// (seed eq. 57-60, 72; W the angular velocity of the frame: momenta are those of the inertial frame in the
 /// axes of the rotating one, which holds all fictitious forces), the forces of joints and contacts included.

@@ -120,7 +120,7 @@ inline constexpr std::array feature_names = {
     FeatureName{Feature::pairs_apart, "pairs of bodies that do not touch each other"},
     FeatureName{Feature::collision_filters, "collision groups"},
     FeatureName{Feature::turning_frame, "a rotating frame"},
-    FeatureName{Feature::contact_in_turning_frame, "contacts in a rotating frame"},
+    FeatureName{Feature::contact_in_turning_frame, "contacts, limits or dry friction in a rotating frame"},
     FeatureName{Feature::world_joint_in_turning_frame, "joints to the world in a rotating frame"},
     FeatureName{Feature::force_in_turning_frame,
                 "drag, water, a spring damped against the world or a force along a joint to the world in a "

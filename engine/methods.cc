@@ -161,7 +161,6 @@ Features of_joints(const Model& model) {
 Features of_contacts(const Model& model) {
   if (!can_touch(model)) return {};
   Features all = {Feature::contact};
-  if (model.frame) all.add(Feature::contact_in_turning_frame);
   if (!model.apart.empty()) all.add(Feature::pairs_apart);
   if (!model.filters.empty()) all.add(Feature::collision_filters);
   std::size_t touching = 0;
@@ -183,6 +182,8 @@ Features supports(Method method) { return rows[static_cast<std::size_t>(method)]
 Features required(const Model& model) {
   Features all = of_bodies(model) | of_forces(model) | of_joints(model) | of_contacts(model);
   if (model.frame) all.add(Feature::turning_frame);
+  // Limits and dry friction of joints are contacts, too.
+  if (model.frame && all.has(Feature::contact)) all.add(Feature::contact_in_turning_frame);
   return all;
 }
 

@@ -23,7 +23,7 @@ std::vector<Refusal> refusals() {
                                       [](core::Scene& s) { s.joints.push_back(s.joints[0]); });
   const core::Hull hull = {tetrahedron.vertices};
   return {
-      {"in-house", "not modelled: contacts in a rotating frame",
+      {"in-house", "not modelled: contacts, limits or dry friction in a rotating frame",
        with(resting(),
             [](core::Scene& s) {
               s.frame = core::Frame{{0, 0, 0}, {0.1, 0.2, 0}};
