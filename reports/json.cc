@@ -168,9 +168,9 @@ Verdict from_row(const Json& json, const std::string& place) {
   v.sampling = row.string("sampling");
   v.claim = row.string("claim");
   v.observable = row.string("observable");
-  if (json.contains("evidence")) v.evidence = row.string("evidence");
+  v.evidence = row.string("evidence");
   v.measured = row.real("measured");
-  if (json.contains("interval") && !json["interval"].is_null()) v.interval = bounds(row, "interval");
+  if (!row.at("interval").is_null()) v.interval = bounds(row, "interval");
   if (!row.at("first_bad_step").is_null()) v.first_bad_step = row.integer("first_bad_step");
   v.allowed = row.real("allowed");
   v.tolerance_scale = row.real("tolerance_scale");

@@ -29,7 +29,7 @@ export function withUnit(value: number | string | null | undefined, unit: string
 /** "0.013 rad", and where an interval is known: "0.013 [0.008, 0.018] rad". */
 export function withInterval(v: {
   measured: number | null;
-  interval?: [number, number] | null;
+  interval: [number, number] | null;
   unit: string;
 }): string {
   if (!v.interval) return withUnit(v.measured, v.unit);

@@ -49,9 +49,9 @@ export interface Verdict {
   sampling: string;
   claim: string;
   observable: string;
-  evidence?: string; // verified, validated; absent in older documents: verified
+  evidence: string; // verified, validated
   measured: number | null;
-  interval?: [number, number] | null; // 95 %, where the truth was measured
+  interval: [number, number] | null; // 95 %, where the truth was measured
   first_bad_step: number | null;
   allowed: number | null;
   unit: string;

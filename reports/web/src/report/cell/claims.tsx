@@ -47,8 +47,7 @@ function Truth({ claim, verdict: v }: { claim: Claim | null; verdict: Verdict })
   const name = claim.follows === '' ? 'its initial value' : claim.follows;
   const source = claim.source ? `: ${claim.source}` : '';
   const until = untilText(claim);
-  const kind = v.evidence === undefined ? '' : `, ${v.evidence}`;
-  return <>{visible(name + source) + (bound ? ` (${bound})` : '') + kind + until}</>;
+  return <>{visible(name + source) + (bound ? ` (${bound})` : '') + `, ${v.evidence}` + until}</>;
 }
 
 function Violation({ curve, verdict }: { curve: ErrorCurve | null; verdict: Verdict }) {
