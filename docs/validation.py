@@ -92,6 +92,12 @@ def rests(found):
     return "\n".join(rows)
 
 
+def until(estimate):
+    """A time that is null where a prediction holds to the end."""
+    value, low, high = ("the end" if estimate[k] is None else f"{estimate[k]:.3f}" for k in ("value", "low", "high"))
+    return value if value == low == high else f"{value} [{low}, {high}]"
+
+
 def horizons(summaries):
     """Rows of (engine, before or after a fit, summary)."""
     fitted = any(when for _, when, _ in summaries)
@@ -101,7 +107,7 @@ def horizons(summaries):
         if s["failed"] == s["runs"]:
             rows.append(f"| {engine} |{f' {when} |' if fitted else ''} no prediction: {s['first_failure']} | | | |")
             continue
-        held, expected = (scaled(s[k], 1, "{:.3f}") if s[k]["value"] is not None else "the end" for k in ("held", "expected"))
+        held, expected = (until(s[k]) for k in ("held", "expected"))
         rows.append(f"| {engine} |{f' {when} |' if fitted else ''} {held} | {s['to_the_end']} of {s['runs'] - s['failed']} | {expected} | "
                     f"{scaled(s['exponent'], 1, '{:.2f}')} |")
     return "\n".join(rows)
