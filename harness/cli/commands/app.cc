@@ -2,10 +2,10 @@
 
 #include "harness/cli/command_line.h"
 #include "harness/imports/imports.h"
-#include "reference/measured/claim_truth.h"
 #include "harness/process/interruption.h"
 #include "harness/process/sandbox.h"
 #include "harness/tracking/track.h"
+#include "reference/measured/claim_truth.h"
 #include "reports/text.h"
 
 #include <fmt/format.h>
