@@ -4,7 +4,8 @@
     docs/update.py [--check] [--cylon build/release/cylon]
 
 BLOCKS says which page has which block.  A block stands between '<!-- name -->' and '<!-- /name -->'.
-Generated blocks contain verdicts and never times, so that they are the same on every run.
+Generated blocks contain verdicts and never times, so that they are the same on every run.  The table of all engines has
+times: it is written from stored measurements (docs/engine_table.py).
 Links and the paths of files in the text are checked too: each must exist.
 """
 import argparse
@@ -21,6 +22,7 @@ import tempfile
 import tomllib
 
 sys.dont_write_bytecode = True  # no __pycache__ beside the pages
+import engine_table
 import key_tables
 
 root = pathlib.Path(__file__).resolve().parent.parent
@@ -203,7 +205,7 @@ def key_block(make):
 
 # page -> its blocks, each with the function that makes it
 BLOCKS = {
-    "README.md": {"run": three_engines},
+    "README.md": {"run": three_engines, "engine-table": engine_table.block},
     "docs/tutorial.md": {"scene": tutorial_scene, "engines": tutorial_engines, "steps": tutorial_steps, "own": tutorial_own},
     "docs/results.md": {"matrix": matrix},
     "docs/causes.md": {"causes": causes},
@@ -254,7 +256,7 @@ def main():
     parser.add_argument("--check", action="store_true", help="change nothing; fail where a block is not current")
     parser.add_argument("--cylon", default="build/release/cylon", help="the program to ask")
     options = parser.parse_args()
-    wrong = [line for page in pages() for line in dead_links(page)]
+    wrong = [line for page in pages() for line in dead_links(page)] + list(engine_table.wrong())
     for page, blocks in BLOCKS.items():
         file = root / page
         old = new = file.read_text()

@@ -1,0 +1,213 @@
+#!/usr/bin/env python3
+"""The table of all engines in README.md: measures it, or writes it from what was measured.
+
+    docs/engine_table.py [--cylon build/release/cylon]
+
+measures, which takes an hour or more: `cylon matrix` on each scene of the suite conformance, in build/engine-table, where a
+call goes on that was interrupted.  The numbers of each scene go to docs/engine_table.json as soon as they are there.
+docs/update.py writes the table from these, names the scenes that were not measured, and checks that no engine is missing.
+"""
+import argparse
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tomllib
+
+root = pathlib.Path(__file__).resolve().parent.parent
+numbers = root / "docs" / "engine_table.json"
+
+# Title, engine as measured, and the engines of engines.txt for which the row stands.  Settings as an expert sets them, where
+# there is such a path, with the engine's default integrator; Bullet's expert path wants its own integrator on some scenes,
+# so its default path stands here.  A stand-in runs what the engine has no concept of, in a labelled way.
+families = [
+    ("in-house", "in-house", ["in-house", "in-house-float"]),
+    ("Bullet", "bullet", ["bullet", "bullet-float", "bullet-multibody", "bullet-multibody-float"]),
+    ("ODE", "ode/path=as-expert", ["ode", "ode-quick"]),
+    ("MuJoCo 2.2", "mujoco/path=as-expert", ["mujoco"]),
+    ("Simbody", "simbody/path=as-expert", ["simbody"]),
+    ("DART", "dart/path=as-expert", ["dart"]),
+    ("Siconos", "siconos/path=as-expert", ["siconos"]),
+    ("Jolt", "jolt", ["jolt"]),
+    ("Rapier", "rapier", ["rapier"]),
+    ("MuJoCo 3", "mujoco3", ["mujoco3"]),
+    ("Havok", "havok/path=stand-in", ["havok"]),
+    ("PhysX", "physx", ["physx"]),
+    ("crashcat", "crashcat", ["crashcat"]),
+    ("cannon-es", "cannon-es/path=stand-in", ["cannon-es"]),
+]
+errors = [1e-2, 1e-3]
+finest = 0.00025  # [s]
+options = [*(word for _, engine, _ in families for word in ("--engine", engine)),
+           "--finest", str(finest), "--rounds", "1", "--timeout", "600"]
+
+
+# ---- Measuring ------------------------------------------------------------------------------------------
+
+def reached(table, cell, times):
+    """Of one engine on one scene: the step that meets each error, with its cost; or why there is none."""
+    if cell["refusal"]:
+        return {"refused": cell["refusal"]}
+    series = table["series"][cell["series"]]
+    result = {"closed_form": series["closed_form"], "reach": [], "lost": sum(p["status"] == "timeout" for p in series["points"])}
+    for reach in cell["reach"]:
+        if reach["error"] not in errors:
+            continue
+        if reach["point"] is None:
+            result["reach"].append({"why": reach["why"]})
+            continue
+        point = series["points"][reach["point"]]
+        time = times.get((table["scenario"], series["engine"], series["integrator"], point["dt_text"], point["tolerance"]), {})
+        result["reach"].append({"step": point["dt"], "cost": time.get("cpu_seconds_per_second")})
+    return result
+
+
+def reduced(document):
+    """One scene: its engines by title, with the versions that ran."""
+    times = {(t["scenario"], t["engine"], t["integrator"], t["dt_text"], t["tolerance"]): t for t in document["times"]}
+    table = document["tables"][0]
+    result = {}
+    for title, engine, _ in families:
+        cell = next((c for c in table["cells"] if table["series"][c["series"]]["engine"] == engine), None)
+        if cell is None:
+            sys.exit(f"docs/engine_table.py: no cell of {engine} on {table['scenario']}")
+        result[title] = {"version": table["series"][cell["series"]]["version"], **reached(table, cell, times)}
+    return result
+
+
+def keep(scene, document, load):
+    """Adds the numbers of a scene to those that are there."""
+    data = json.loads(numbers.read_text()) if numbers.exists() else {"scenes": {}}
+    provenance = document["provenance"]
+    data["scenes"][scene] = {"machine": provenance["machine"], "date": provenance["date"][:10], "load": round(load),
+                             "options": " ".join(options), "engines": reduced(document)}
+    data["scenes"] = {name: data["scenes"][name] for name in suite() if name in data["scenes"]}
+    numbers.write_text(json.dumps(data, indent=1) + "\n")
+
+
+def suite():
+    return tomllib.loads((root / "scenarios/suites/conformance.toml").read_text())["scenarios"]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--cylon", default="build/release/cylon")
+    cylon = str((root / parser.parse_args().cylon).resolve())
+    folder = root / "build" / "engine-table"
+    folder.mkdir(parents=True, exist_ok=True)
+    for scene in suite():
+        load = os.getloadavg()[0]
+        if subprocess.run([cylon, "matrix", scene, *options, "--resume", "--json", "matrix.json"], cwd=folder).returncode != 0:
+            sys.exit("docs/engine_table.py: not finished; call it again to go on")
+        keep(scene, json.loads((folder / "matrix.json").read_text()), max(load, os.getloadavg()[0]))
+    print("now run docs/update.py")
+
+
+# ---- The table --------------------------------------------------------------------------------------------
+
+def milliseconds(seconds):
+    return f"{1e3 * seconds:.2g}"
+
+
+def one_error(reach):
+    if "why" in reach:
+        return "–"
+    cost = "" if reach["cost"] is None else f" ({milliseconds(reach['cost'])})"
+    return f"{milliseconds(reach['step'])} ms{cost}"
+
+
+def cell(scene):
+    if "refused" in scene:
+        return "refused"
+    if all("why" in reach for reach in scene["reach"]):
+        return "–"
+    if scene["closed_form"]:
+        return f"= ({milliseconds(scene['reach'][0]['cost'])})"
+    return "<br>".join(one_error(reach) for reach in scene["reach"])
+
+
+def step(scene, error):
+    """The step of a scene for the error of that index [s]; closed forms need none, and 0 is never."""
+    if "refused" in scene:
+        return 0
+    if scene["closed_form"]:
+        return float("inf")
+    return scene["reach"][error].get("step", 0)
+
+
+def best_at(title, engines):
+    """The scenes on which an engine has the best rank by its steps, at 1e-3 or else at 1e-2."""
+    others = [t for t in engines if t not in ("in-house", title)]
+    ranks = {}
+    for error in (1, 0):
+        for name, scene in engines[title]["scenes"].items():
+            own = step(scene, error)
+            if own > 0:
+                ranks.setdefault(1 + sum(step(engines[t]["scenes"][name], error) > own * 1.001 for t in others), []).append(name)
+        if ranks:
+            best = min(ranks)
+            return f"{ranks_in_words(best)}{'' if error else ' at 1e-2'}: {', '.join(ranks[best])}"
+    return "–"
+
+
+def ranks_in_words(rank):
+    return {1: "1st", 2: "2nd", 3: "3rd"}.get(rank, f"{rank}th")
+
+
+def step_cost(engine):
+    """Median over the scenes of the CPU time of a step at 1e-2 [s]."""
+    costs = sorted(reach["cost"] * reach["step"] for scene in engine["scenes"].values() if not scene.get("closed_form", True)
+                   for reach in scene["reach"][:1] if reach.get("cost"))
+    return costs[len(costs) // 2] if costs else None
+
+
+def block(_):
+    measured_scenes = json.loads(numbers.read_text())["scenes"]
+    engines = {title: {"scenes": {name: scene["engines"][title] for name, scene in measured_scenes.items()}}
+               for title, _, _ in families}
+    lines = ["| engine | best at | µs a step | " + " | ".join(measured_scenes) + " |", "|---" * (len(measured_scenes) + 3) + "|"]
+    for title, engine in engines.items():
+        cost = step_cost(engine)
+        label = " †" if any("Node" in scene["version"] for scene in engine["scenes"].values()) else ""
+        lines.append(f"| {title}{label} | {best_at(title, engines)} | {'–' if cost is None else f'{1e6 * cost:.2g}'} | " +
+                     " | ".join(cell(scene) for scene in engine["scenes"].values()) + " |")
+    left = [name for name in suite() if name not in measured_scenes]
+    if left:
+        lines += ["", f"Not measured yet: {', '.join(left)}; a call of `docs/engine_table.py` goes on."]
+    lost = sum(scene.get("lost", 0) for engine in engines.values() for scene in engine["scenes"].values())
+    if lost:
+        lines += ["", f"{lost} runs did not start or end in time; their steps count as not met."]
+    machines = sorted({scene["machine"] for scene in measured_scenes.values()})
+    dates = sorted({scene["date"] for scene in measured_scenes.values()})
+    load = max(scene["load"] for scene in measured_scenes.values())
+    lines += ["", f"Measured on {', '.join(machines)}, {', '.join(dates)}, by `docs/engine_table.py`, while the machine had a load average of "
+              f"up to {load}.\nCPU times depend on that by caches and clocks, steps only where a run was lost. For each scene it runs", "",
+              "```", *wrapped("cylon matrix SCENE " + " ".join(options)), "```"]
+    return "\n".join(lines)
+
+
+def wrapped(text, width=116):
+    lines = [""]
+    for word in text.split():
+        if len(lines[-1]) + len(word) > width:
+            lines[-1] += " \\"
+            lines.append("   ")
+        lines[-1] = f"{lines[-1]} {word}" if lines[-1] else word
+    return lines
+
+
+def wrong():
+    """What the measured numbers lack: sentences."""
+    rows = [line.split()[0] for line in (root / "reference/simulators/engines.txt").read_text().splitlines() if line[:1] not in "#"]
+    known = [engine for _, _, ids in families for engine in ids]
+    for engine in rows:
+        if engine not in known:
+            yield f"docs/engine_table.py: no row for {engine} of engines.txt"
+    for name, scene in json.loads(numbers.read_text())["scenes"].items():
+        if name not in suite() or scene["options"] != " ".join(options) or list(scene["engines"]) != [title for title, _, _ in families]:
+            yield f"docs/engine_table.json: {name} was measured by another command: run docs/engine_table.py"
+
+
+if __name__ == "__main__":
+    main()
