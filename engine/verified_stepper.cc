@@ -24,6 +24,13 @@ Real worse(Real a, Real b) { return b > a || std::isnan(b) ? b : a; }
 
 Real share(Real difference, Real scale) { return difference == 0 ? 0 : difference / scale; }
 
+// A run that ended has no numbers any more: no step was small enough for its tolerance, or a rate was none.
+bool ended(const Stepper& run) {
+  std::vector<Motion> motions;
+  run.read(motions);
+  return !std::ranges::all_of(motions, [](const Motion& m) { return m.position.allFinite(); });
+}
+
 }  // namespace
 
 VerifiedStepper::VerifiedStepper(MakeRun make, Real bound, Time dt, std::vector<Body> bodies,
@@ -50,19 +57,23 @@ void VerifiedStepper::step() {
   fine_->step();
   ++steps_;
   for (;;) {
-    const Real error = parted();
+    Real error = parted();
     const bool struck = coarse_->struck() || fine_->struck();
     if (error <= bound_ || (struck && !waiting_)) {
       waiting_ = error > bound_;
       last_ = error;
       return;
     }
-    if (tolerance_ <= least || missed_at_ >= 0 || fine_->gave_up()) {
+    const bool finest = tolerance_ <= least || missed_at_ >= 0 || fine_->gave_up();
+    if (finest || !tighten()) {
+      if (ended(*fine_) && !ended(*coarse_)) {
+        loosen();
+        error = parted();
+      }
       if (missed_at_ < 0) missed_at_ = steps_;
       worst_ = std::max(worst_, error);
       return;
     }
-    tighten();
   }
 }
 
@@ -92,14 +103,36 @@ Real VerifiedStepper::parted() {
   return std::isfinite(error) ? error : std::numeric_limits<Real>::infinity();
 }
 
-// The finer run becomes the coarser one; another starts from the start at a tenth of its tolerance.
-void VerifiedStepper::tighten() {
-  tolerance_ = std::max(tolerance_ / 10, least);
+// A run from the start up to the present sample.
+std::unique_ptr<Stepper> VerifiedStepper::replay(Real tolerance) const {
+  auto run = make_(tolerance);
+  run->keep_contacts(keep_);
+  for (std::int64_t i = 0; i < steps_; ++i) run->step();
+  return run;
+}
+
+// The finer run becomes the coarser one; another starts from the start at a tenth of its tolerance.  Where that one
+// ends before the sample, the two stay as they are.
+bool VerifiedStepper::tighten() {
+  const Real tolerance = std::max(tolerance_ / 10, least);
+  auto finer = replay(tolerance);
+  if (ended(*finer) && !ended(*fine_)) {
+    spent_ += finer->operations();
+    return false;
+  }
+  tolerance_ = tolerance;
   spent_ += coarse_->operations();
   coarse_ = std::move(fine_);
-  fine_ = make_(tolerance_);
-  fine_->keep_contacts(keep_);
-  for (std::int64_t i = 0; i < steps_; ++i) fine_->step();
+  fine_ = std::move(finer);
+  return true;
+}
+
+// The coarser run takes the place of the finer one, which ended, and one at ten times its tolerance its own.
+void VerifiedStepper::loosen() {
+  tolerance_ *= 10;
+  spent_ += fine_->operations();
+  fine_ = std::move(coarse_);
+  coarse_ = replay(10 * tolerance_);
 }
 
 std::vector<Diagnostic> VerifiedStepper::diagnostics() const {

@@ -16,6 +16,8 @@ using MakeRun = std::function<std::unique_ptr<Stepper>(Real local_tolerance)>;
 /// `bound` of the motion's scales, both tolerances fall to a tenth and the finer run starts again from its
 /// start, up to the same sample.  A sample is the finer run's, and is given out once both agree on it; at the
 /// end of what the number type can resolve, or where both runs gave up (Stepper::gave_up()), it is given out all the same, and a diagnostic says how far they part.
+/// So it is where a finer run ends before the sample, as it does where rounding leaves no step that is small enough:
+/// the two finest runs that go on are taken.
 /// A sample within a step of an impact may part by as much as the impact changes it; it is compared again one
 /// step later.  Of the last sample of a run a diagnostic says so.
 class VerifiedStepper final : public Stepper {
@@ -39,7 +41,9 @@ class VerifiedStepper final : public Stepper {
 
  private:
   Real parted();
-  void tighten();
+  std::unique_ptr<Stepper> replay(Real tolerance) const;
+  bool tighten();  // whether the finer run goes on
+  void loosen();
 
   MakeRun make_;
   Real bound_;
