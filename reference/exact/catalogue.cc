@@ -39,8 +39,13 @@ std::span<const Solution> catalogue() {
           "heavy_top", heavy_top,
           "bodies with two equal principal moments on ball joints to the world, the centre of mass on the "
           "symmetry axis, uniform gravity in any direction"},
+      Solution{"jointed_body", jointed_body,
+               "bodies each on a slider, hinge, screw, cylindrical or planar joint to the world whose "
+               "coordinates do not couple: springs, dampers, driven targets, or stops and dry friction"},
       Solution{"kepler", kepler,
                "two bodies that attract each other, free, falling together or one of them locked, any conic"},
+      Solution{"limited_pendulum", limited_pendulum,
+               "bodies on hinges to the world in gravity, each between two stops, elastic or not"},
       Solution{"newtons_cradle", sphere_row, "the same as sphere_row"},
       Solution{"newtons_cradle_gapped", sphere_row, "the same as sphere_row"},
       Solution{"physical_pendulum", physical_pendulum,

@@ -67,15 +67,20 @@ void check_no_joints(std::string_view solution, const core::Scene& scene) {
 
 void check_forces(std::string_view solution, const core::Scene& scene,
                   std::initializer_list<std::string_view> kinds) {
+  check_forces_beside_joints(solution, scene, kinds);
+  for (const core::Joint& joint : scene.joints)
+    if (core::acted_on(joint))
+      refuse(solution, "something acts along the joint of " + named(scene, joint.body));
+}
+
+void check_forces_beside_joints(std::string_view solution, const core::Scene& scene,
+                                std::initializer_list<std::string_view> kinds) {
   for (const core::Force& force : scene.forces) {
     const ForceName f = name_of(force);
     if (std::ranges::find(kinds, f.kind) != kinds.end()) continue;
     refuse(solution, std::string("a force that it does not know: ") + std::string(f.kind) +
                          (f.body == core::world ? "" : " on " + named(scene, f.body)));
   }
-  for (const core::Joint& joint : scene.joints)
-    if (core::acted_on(joint))
-      refuse(solution, "something acts along the joint of " + named(scene, joint.body));
   if (std::ranges::find(kinds, core::Element<core::UniformGravity>::name) != kinds.end()) return;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i)
     if (scene.bodies[i].gravity && !scene.bodies[i].gravity->isZero(0))

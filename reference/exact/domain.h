@@ -30,6 +30,10 @@ void check_no_joints(std::string_view solution, const core::Scene&);
 void check_forces(std::string_view solution, const core::Scene&,
                   std::initializer_list<std::string_view> kinds);
 
+/// The same, where something may act along joints.
+void check_forces_beside_joints(std::string_view solution, const core::Scene&,
+                                std::initializer_list<std::string_view> kinds);
+
 /// Every spring ties the centre of a body to the world without damping and every body has one at least.
 void check_springs(std::string_view solution, const core::Scene&);
 
