@@ -5,7 +5,8 @@ namespace cylon::mutants {
 
 std::vector<Subject> decorated_mutants() {
   std::vector<Subject> result;
-  for (const auto& rows : {faults_of_the_scene(), faults_of_the_reading(), faults_of_the_motion()})
+  for (const auto& rows :
+       {faults_of_the_scene(), faults_of_the_joints(), faults_of_the_reading(), faults_of_the_motion()})
     for (const MaskedRow& row : rows) {
       Subject subject;
       subject.name = row.name;

@@ -47,6 +47,7 @@ struct MaskedRow {
   Mask mask;
 };
 std::vector<MaskedRow> faults_of_the_scene();    ///< The engine is given another scene or another step.
+std::vector<MaskedRow> faults_of_the_joints();   ///< Of a scene: of its joints and what acts along them.
 std::vector<MaskedRow> faults_of_the_reading();  ///< The motion is right; what is handed out is not.
 std::vector<MaskedRow> faults_of_the_motion();   ///< The state is changed on the way.
 

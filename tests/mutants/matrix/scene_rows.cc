@@ -56,6 +56,12 @@ const std::vector<SceneRow>& scene_rows() {
       {"own_gravity", "scenarios/own_gravity.toml"},
       {"groups", "scenarios/collision_groups.toml"},
       {"groups_planes", "scenarios/collision_groups_planes.toml"},
+      {"rail_spring", "scenarios/rail_spring.toml"},
+      {"rail_stops", "scenarios/rail_stops.toml"},
+      {"rail_friction", "scenarios/rail_friction.toml"},
+      {"driven_cart", "scenarios/driven_cart.toml"},
+      {"screw", "scenarios/screw_falls.toml"},
+      {"cardan", "scenarios/cardan_pendulum.toml"},
   };
   return rows;
 }
