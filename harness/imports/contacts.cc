@@ -140,10 +140,24 @@ void add_materials(const std::vector<Thing>& things, const std::vector<Meets>& m
     }
 }
 
+// Bodies that a joint ties never touch each other in a scene.
+void lose_joined_contacts(const std::vector<Meets>& meets, Model& model) {
+  const auto touch = [&](const Body& a, const Body& b) {
+    return std::ranges::any_of(a.solids, [&](const Solid& x) {
+      return std::ranges::any_of(b.solids,
+                                 [&](const Solid& y) { return meets[at(x.surface)].contains(y.surface); });
+    });
+  };
+  for (const foreign::Joint& joint : model.joints)
+    if (joint.may_touch && joint.to >= 0 && touch(model.bodies[at(joint.body)], model.bodies[at(joint.to)]))
+      model.losses.push_back({"joined_contact", joint.place, ""});
+}
+
 }  // namespace
 
 void add_contacts(Model& model, core::Scene& scene) {
   const std::vector<Meets> meets = meets_of(model);
+  lose_joined_contacts(meets, model);
   std::vector<Thing> things;
   std::set<std::string> taken;
   for (const Body& body : model.bodies) taken.insert(body.name);

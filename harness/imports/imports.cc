@@ -30,6 +30,21 @@ foreign::Model model_of(const Format& format, const nlohmann::json& said, const 
   }
 }
 
+// An option that the file's format has no use for would be ignored.
+void refuse_other_options(const Format& format, const Options& options, const std::string& file) {
+  const struct {
+    const char *option, *formats;
+    bool is_given;
+  } rows[] = {{"--keyframe", "MJCF", !options.keyframe.empty()},
+              {"--fixed-base", "URDF", options.fixed_base},
+              {"--root", "SDFormat and URDF", !options.roots.empty()}};
+  for (const auto& row : rows)
+    if (row.is_given && std::string_view(row.formats).find(format.name) == std::string_view::npos)
+      throw core::InputError(
+          file, 0, 0,
+          fmt::format("{} is for {} files, and this is {}", row.option, row.formats, format.name));
+}
+
 // All that is refused in one error; what is left out, as texts.
 std::vector<std::string> judge(const foreign::Model& model, const Options& options, const std::string& file) {
   std::vector<foreign::Loss> refused, left_out;
@@ -57,6 +72,7 @@ Imported import_file(const fs::path& file, const Options& options, const fs::pat
     throw core::InputError(
         file.string(), 0, 0,
         "no format has this ending; known: .xml and .mjcf (MJCF), .sdf and .world (SDFormat), .urdf");
+  refuse_other_options(*format, options, file.string());
   const nlohmann::json said = read_by(*format, file, options, programs);
   foreign::Model model = model_of(*format, said, file);
   if (options.fixed_base && format->name == "URDF" && !model.bodies.empty())

@@ -42,7 +42,8 @@ constexpr std::array kinds = {
     // ---- What a scene assumes ----------------------------------------------------------------------------
     LossKind{"assumed", left_out, "the format does not say it"},
     LossKind{"joined_contact", left_out, "bodies that a joint ties do not touch each other in a scene"},
-    LossKind{"name", left_out, "names of a scene are unique and have no quotes, commas, * and ?"},
+    LossKind{"name", left_out,
+             "names of a scene are unique, are not 'world', and have no quotes, commas, * and ?"},
     // ---- Would move otherwise ----------------------------------------------------------------------------
     LossKind{"armature", refused,
              "a scene has no inertia of a rotor between two bodies, and this is more than a tenth of what "
@@ -59,6 +60,7 @@ constexpr std::array kinds = {
     LossKind{"joint_damping", refused,
              "a damper of a scene is linear, is on one coordinate, and takes energy"},
     LossKind{"joint_friction", refused, "a scene has dry friction along one coordinate"},
+    LossKind{"part_gravity", refused, "all parts of one body have the same gravity"},
     LossKind{"free_drag", refused, "drag of a scene acts at the centre of mass"},
     LossKind{"shape", refused, "a scene has no such surface"},
     LossKind{"surfaces", refused, "all surfaces of one body have one friction and touch the same others"},
@@ -71,6 +73,7 @@ constexpr std::array kinds = {
     LossKind{"plugin_force", refused, "a scene has no plugins, and this one moves bodies by itself"},
     LossKind{"actor", refused, "a scene has no bodies that follow a script"},
     LossKind{"surface_velocity", refused, "a scene has no surface that conveys"},
+    LossKind{"unread", refused, "the format knows it, and this import does not read it"},
     LossKind{"too_large", refused, "more than an import takes"},
 };
 

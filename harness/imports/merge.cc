@@ -45,12 +45,26 @@ Matrix3 of_point(double mass, const Vector3& d) {
   return mass * (d.squaredNorm() * Matrix3::Identity() - d * d.transpose());
 }
 
+// Gravity acts on the mass of each, and drag at the centre of mass: what no longer holds of the whole is lost.
+void lose_of_whole(const Body& whole, const Body& part, const Vector3& centre, Model& model) {
+  constexpr double rounding = 1e-12;  // of a centre that stays [m]
+  const Vector3 one = whole.gravity.value_or(model.gravity), other = part.gravity.value_or(model.gravity);
+  if (whole.mass > 0 && part.mass > 0 && one != other)
+    model.losses.push_back({"part_gravity", part.place, "a part of " + whole.place.element});
+  if ((whole.linear_drag != 0 && (centre - whole.pose.position).norm() > rounding) || part.linear_drag != 0 ||
+      part.angular_drag != 0)
+    model.losses.push_back({"free_drag", part.place, "a part of " + whole.place.element});
+}
+
 // The second body's mass and solids go to the first, which keeps its axes, its velocity and its name.
-void take_in(Body& whole, const Body& part) {
+void take_in(Body& whole, const Body& part, Model& model) {
   const Pose old = whole.pose;
   const double mass = whole.mass + part.mass;
   if (!whole.locked && mass > 0) {
-    const Vector3 centre = (whole.mass * old.position + part.mass * part.pose.position) / mass;
+    const Vector3 centre =
+        part.mass == 0 ? old.position : (whole.mass * old.position + part.mass * part.pose.position) / mass;
+    lose_of_whole(whole, part, centre, model);
+    if (whole.mass == 0) whole.gravity = part.gravity;
     const Matrix3 r = (old.turn.conjugate() * part.pose.turn).toRotationMatrix();
     Matrix3 inertia = whole.inertia + r * part.inertia * r.transpose();
     if (whole.mass > 0 && part.mass > 0) {
@@ -59,7 +73,7 @@ void take_in(Body& whole, const Body& part) {
     }
     whole.inertia = (inertia + inertia.transpose()).eval() / 2;
     whole.velocity += whole.spin.cross(centre - old.position);
-    whole.pose.position = whole.mass > 0 && part.mass == 0 ? old.position : centre;
+    whole.pose.position = centre;
   }
   whole.mass = mass;
   const Pose shift = whole.pose.inverse() * old;
@@ -93,7 +107,8 @@ void lock_frames(Model& model) {
 // Bodies that are one, and their joints, become one.
 void join(Model& model, Groups& groups) {
   for (int i = 0; i < static_cast<int>(model.bodies.size()); ++i)
-    if (const int first = groups.first(i); first != i) take_in(model.bodies[at(first)], model.bodies[at(i)]);
+    if (const int first = groups.first(i); first != i)
+      take_in(model.bodies[at(first)], model.bodies[at(i)], model);
   std::erase_if(model.joints, [&](const Joint& j) {
     return j.freedoms.empty() && j.to >= 0 && groups.first(j.body) == groups.first(j.to);
   });

@@ -26,7 +26,7 @@ std::string legal_name(std::string name) {
 }
 
 void name_bodies(foreign::Model& model) {
-  std::set<std::string> taken;
+  std::set<std::string> taken = {"world"};  // what is no body
   for (foreign::Body& body : model.bodies) {
     std::string name = legal_name(body.name);
     for (int i = 2; !taken.insert(name).second; ++i) name = fmt::format("{} ({})", legal_name(body.name), i);

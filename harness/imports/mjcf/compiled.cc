@@ -11,6 +11,43 @@ bool Compiled::disabled(const char* what) const {
   return std::find(list.begin(), list.end(), what) != list.end();
 }
 
+bool Compiled::disabled_group(int group) const {
+  constexpr int groups = 31;  // bits 0 to 30 of opt.disableactuator; no other group can be disabled
+  const int bits = json_.at("option").value("disabled_groups", 0);
+  return group >= 0 && group < groups && (bits >> group & 1) != 0;
+}
+
+std::optional<double> Compiled::friction_of_all() const {
+  const auto contact = override_of_contacts().find("friction");
+  if (contact == override_of_contacts().end()) return std::nullopt;
+  return contact->at(0).get<double>();
+}
+
+std::optional<double> Compiled::margin_of_all() const {
+  const auto contact = override_of_contacts().find("margin");
+  if (contact == override_of_contacts().end()) return std::nullopt;
+  return contact->get<double>();
+}
+
+bool Compiled::is_override_anisotropic() const {
+  const auto contact = override_of_contacts().find("friction");
+  return contact != override_of_contacts().end() && contact->at(0) != contact->at(1);
+}
+
+const nlohmann::json& Compiled::override_of_contacts() const {
+  static const nlohmann::json none = nlohmann::json::object();
+  const nlohmann::json& option = json_.at("option");
+  const auto found = option.find("contact_override");
+  return found == option.end() ? none : *found;
+}
+
+bool Compiled::any(const char* array, int row, int rows) const {
+  const int columns = rows > 0 ? static_cast<int>(length(array)) / rows : 0;
+  for (int k = 0; k < columns; ++k)
+    if (number(array, columns * row + k) != 0) return true;
+  return false;
+}
+
 double Compiled::number(const char* array, int i, double otherwise) const {
   const nlohmann::json& arrays = json_.at("arrays");
   const auto found = arrays.find(array);

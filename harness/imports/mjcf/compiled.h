@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,14 @@ class Compiled {
   double option(const char* name) const { return json_.at("option").at(name).get<double>(); }
   foreign::Vector3 gravity() const { return vector(json_.at("option").at("gravity"), 0); }
   bool disabled(const char* what) const;
+  /// Whether `actuatorgroupdisable` names this group of actuators.
+  bool disabled_group(int group) const;
+  /// The friction of every contact in place of that of its geoms, and their margin; nothing where the option
+  /// `override` is off.
+  std::optional<double> friction_of_all() const;
+  std::optional<double> margin_of_all() const;
+  /// Whether `override` gives the two tangents different frictions.
+  bool is_override_anisotropic() const;
   /// Pictures that the file names and that are not there; nothing in a scene follows from them.
   std::vector<std::string> absent() const { return json_.value("absent", std::vector<std::string>()); }
 
@@ -35,6 +44,8 @@ class Compiled {
   double number(const char* array, int i, double otherwise = 0) const;
   int integer(const char* array, int i, int otherwise = 0) const;
   std::size_t length(const char* array) const;  ///< 0 where there is none.
+  /// Whether a row of an array of `rows` rows has an entry that is not zero.
+  bool any(const char* array, int row, int rows) const;
   foreign::Vector3 vector(const char* array, int row) const {
     return vector(json_.at("arrays").at(array), row);
   }
@@ -59,6 +70,7 @@ class Compiled {
   int count(const char* kind) const;
 
  private:
+  const nlohmann::json& override_of_contacts() const;
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   static foreign::Vector3 vector(const nlohmann::json& numbers, int row);
   static foreign::Quaternion quaternion(const nlohmann::json& numbers, int row);

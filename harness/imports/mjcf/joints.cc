@@ -16,13 +16,12 @@ using foreign::Vector3;
 // joint for the world.
 int end_of(const Compiled& m, int body) { return m.integer("body_weldid", body) == 0 ? -1 : body; }
 
-double polynomial_sum(const Compiled& m, const char* array, int row, int rows) {
-  double sum = 0;
-  if (const std::size_t all = m.length(array); all > 0) {
-    const int columns = static_cast<int>(all) / rows;
-    for (int k = 0; k < columns; ++k) sum += std::abs(m.number(array, columns * row + k));
-  }
-  return sum;
+// Whether a spring or a damper of a joint is more than a number times a coordinate.
+bool has_curved_spring(const Compiled& m, int joint) {
+  return !m.disabled("spring") && m.any("jnt_stiffnesspoly", joint, m.size("njnt"));
+}
+bool has_curved_damper(const Compiled& m, int motion) {
+  return !m.disabled("damper") && m.any("dof_dampingpoly", motion, m.size("nv"));
 }
 
 // Q = -k (q - rest) - c q' and what the actuators add.
@@ -48,13 +47,29 @@ Freedom freedom_of(const Compiled& m, int joint, const Drive& drive, foreign::Mo
   const auto lose = [&](const char* what, const char* detail) {
     model.losses.push_back({what, m.place("joint", joint), detail});
   };
-  if (polynomial_sum(m, "jnt_stiffnesspoly", joint, m.size("njnt")) != 0) lose("joint_spring", "not linear");
-  if (polynomial_sum(m, "dof_dampingpoly", motion, m.size("nv")) != 0) lose("joint_damping", "not linear");
+  if (has_curved_spring(m, joint)) lose("joint_spring", "not linear");
+  if (has_curved_damper(m, motion)) lose("joint_damping", "not linear");
   return f;
+}
+
+// What a free or a ball joint has and a scene gives only to single coordinates.
+void lose_of_many(const Compiled& m, int joint, const char* detail, foreign::Model& model) {
+  const auto lose = [&](const char* what, const char* why) {
+    model.losses.push_back({what, m.place("joint", joint), why});
+  };
+  const int motion = m.integer("jnt_dofadr", joint);
+  const bool constrains = !m.disabled("constraint");
+  if (constrains && m.integer("jnt_limited", joint) != 0 && !m.disabled("limit")) lose("joint_limit", detail);
+  if (m.number("jnt_stiffness", joint) != 0 && !m.disabled("spring")) lose("joint_spring", detail);
+  if (constrains && m.number("dof_frictionloss", motion) != 0 && !m.disabled("frictionloss"))
+    lose("joint_friction", detail);
+  if (has_curved_spring(m, joint)) lose("joint_spring", "not linear");
+  if (has_curved_damper(m, motion)) lose("joint_damping", "not linear");
 }
 
 // Damping of the six coordinates of a free body: of the velocity of the body's frame and of its spin.
 void add_free_joint(const Compiled& m, int joint, foreign::Model& model) {
+  lose_of_many(m, joint, "a free joint", model);
   const int motion = m.integer("jnt_dofadr", joint);
   const double damping = m.disabled("damper") ? 0 : m.number("dof_damping", motion);
   if (damping == 0) return;
@@ -67,17 +82,12 @@ void add_free_joint(const Compiled& m, int joint, foreign::Model& model) {
   model.bodies[static_cast<std::size_t>(body)].angular_drag = damping;
 }
 
-void lose_of_ball(const Compiled& m, int joint, int to, foreign::Model& model) {
-  const auto lose = [&](const char* what) {
-    model.losses.push_back({what, m.place("joint", joint), "a ball joint"});
-  };
+void add_ball_joint(const Compiled& m, int joint, int to, foreign::Model& model) {
+  lose_of_many(m, joint, "a ball joint", model);
   const int motion = m.integer("jnt_dofadr", joint);
-  if (m.integer("jnt_limited", joint) != 0 && !m.disabled("limit")) lose("joint_limit");
-  if (m.number("jnt_stiffness", joint) != 0 && !m.disabled("spring")) lose("joint_spring");
-  if (m.number("dof_frictionloss", motion) != 0 && !m.disabled("frictionloss")) lose("joint_friction");
   const double damping = m.disabled("damper") ? 0 : m.number("dof_damping", motion);
   if (damping == 0) return;
-  if (to >= 0) return lose("joint_damping");
+  if (to >= 0) return model.losses.push_back({"joint_damping", m.place("joint", joint), "a ball joint"});
   model.bodies[static_cast<std::size_t>(m.integer("jnt_bodyid", joint))].angular_drag = damping;
 }
 
@@ -119,11 +129,12 @@ void add_equality(const Compiled& m, int i, foreign::Model& model) {
   const foreign::Pose first = {m.start_vector("xpos", body), m.start_quaternion("xquat", body)};
   const foreign::Pose second = {m.start_vector("xpos", to), m.start_quaternion("xquat", to)};
   // The first three numbers are the anchor on the first body, the next three that on the second; of a weld the other way
-  // about, and then the relative orientation.
+  // about, and then the relative orientation and the scale of its torque.
   Joint joint;
   joint.place = m.place("equality", i);
   joint.name = m.name("equality", i);
   joint.body = body, joint.to = end_of(m, to);
+  joint.may_touch = true;
   constexpr double closed = 1e-6;  // [m], [rad]: what the compiler leaves of a loop that closes
   if (kind == MjEquality::connect) {
     joint.point = first.position + first.turn * datum(0);
@@ -138,6 +149,8 @@ void add_equality(const Compiled& m, int i, foreign::Model& model) {
     if (relative.turn.angularDistance(asked.normalized()) > closed ||
         (first.position + first.turn * datum(3) - second.position - second.turn * datum(0)).norm() > closed)
       return lose("its bodies are not as it holds them at the start");
+    if (columns > 10 && m.number("eq_data", columns * i + 10) == 0)
+      return lose("its torque scale is 0, which leaves the bodies free to turn");
     joint.point = second.position;
   }
   if (end_of(m, body) < 0) {
@@ -159,6 +172,7 @@ void add_joints(const Compiled& m, foreign::Model& model) {
     joint.to = end_of(m, m.integer("body_parentid", body));
     const int first = m.integer("body_jntadr", body), count = m.integer("body_jntnum", body);
     joint.one_body = count == 0;
+    joint.may_touch = m.disabled("filterparent");
     joint.point = m.start_vector("xipos", body);
     bool is_free = false;
     for (int j = first; j < first + count; ++j) {
@@ -171,7 +185,7 @@ void add_joints(const Compiled& m, foreign::Model& model) {
       } else if (kind == MjJoint::ball) {
         joint.freedoms.push_back({.kind = "ball"});
         joint.point = m.start_vector("xanchor", j);
-        lose_of_ball(m, j, joint.to, model);
+        add_ball_joint(m, j, joint.to, model);
       } else {
         joint.freedoms.push_back(freedom_of(m, j, drives[static_cast<std::size_t>(j)], model));
         if (j > first && kind == MjJoint::hinge && joint.freedoms.front().kind == "turn" &&

@@ -23,9 +23,31 @@ constexpr Presence presences[] = {
 
 // What a tendon does by itself, as a kind of loss.
 const char* role_of(const Compiled& m, int tendon) {
-  for (const char* force : {"tendon_stiffness", "tendon_damping", "tendon_frictionloss", "tendon_armature"})
-    if (m.number(force, tendon) != 0) return "tendon_force";
+  for (const char* force : {"tendon_stiffness", "tendon_stiffnesspoly", "tendon_damping",
+                            "tendon_dampingpoly", "tendon_frictionloss", "tendon_armature"})
+    if (m.any(force, tendon, m.size("ntendon"))) return "tendon_force";
   return m.integer("tendon_limited", tendon) != 0 ? "tendon_limit" : "tendon";
+}
+
+// The share of gravity that is compensated at a body.  MuJoCo skips it with the other passive forces where there is
+// neither spring nor damper.  Along joints with actuatorgravcomp it is a force of their actuators, which there is none of
+// without any actuator, and which the joint's range of such forces cuts.
+double compensated(const Compiled& m, int body, foreign::Model& model) {
+  const double share = m.number("body_gravcomp", body);
+  if (share == 0 || (m.disabled("spring") && m.disabled("damper"))) return 0;
+  const bool acts = !m.disabled("actuation") && m.count("actuator") > 0;
+  bool any = false, all = true, is_cut = false;
+  for (int b = body; b > 0; b = m.integer("body_parentid", b))
+    for (int j = m.integer("body_jntadr", b), end = j + m.integer("body_jntnum", b); j < end; ++j) {
+      const bool actuated = m.integer("jnt_actgravcomp", j) != 0;
+      any = any || actuated, all = all && actuated;
+      is_cut = is_cut || (actuated && m.integer("jnt_actfrclimited", j) != 0);
+    }
+  if (!any || (acts && !is_cut)) return share;
+  if (!acts && all) return 0;
+  model.losses.push_back(
+      {"actuator_force", m.place("body", body), "gravity is compensated along some of its joints alone"});
+  return share;
 }
 
 }  // namespace
@@ -48,7 +70,7 @@ std::vector<foreign::Body> bodies_of(const Compiled& m, foreign::Model& model) {
   for (int i = 0; i < m.size("nbody"); ++i) {
     foreign::Body& body = bodies.emplace_back();
     body.place = m.place("body", i);
-    body.name = m.name("body", i);
+    body.name = i == 0 ? "ground" : m.name("body", i);  // a scene's "world" has no shape
     if (body.name.empty()) body.name = fmt::format("body {}", i);
     body.locked = m.integer("body_weldid", i) == 0;
     body.mass = m.number("body_mass", i);
@@ -59,8 +81,8 @@ std::vector<foreign::Body> bodies_of(const Compiled& m, foreign::Model& model) {
     body.pose = {m.start_vector("xipos", i), m.start_quaternion("xquat", i)};
     body.spin = m.start_vector("velocities", 2 * i);
     body.velocity = m.start_vector("velocities", 2 * i + 1);
-    if (const double share = m.number("body_gravcomp", i); share != 0 && !body.locked)
-      body.gravity = (1 - share) * model.gravity;
+    if (const double share = body.locked ? 0 : compensated(m, i, model); share != 0)
+      body.gravity = (1 - share) * model.gravity + foreign::Vector3::Zero();  // no -0
     if (m.integer("body_mocapid", i, -1) >= 0) model.losses.push_back({"mocap", body.place, ""});
   }
   return bodies;

@@ -13,7 +13,8 @@ namespace {
 using foreign::Solid;
 using foreign::Vector3;
 
-// All that decides whom a geom touches and how; `body` only where <exclude> names it.
+// All that decides whom a geom touches and how; `body` only where <exclude> names it.  That is the body itself and not
+// the one that it is welded to: of a base that is a part of the world, <exclude> leaves the floor as it is.
 struct Surface {
   int type = 0, affinity = 0, dimension = 3, priority = 0, body = -1;
   double friction = 1;
@@ -29,7 +30,7 @@ Pairs excluded(const Compiled& m) {
   for (int i = 0; i < static_cast<int>(m.length("exclude_signature")); ++i) {
     const int signature = m.integer("exclude_signature", i);
     const int a = (signature >> 16) - base, b = (signature & 0xffff) - base;
-    pairs.insert({m.integer("body_weldid", a), m.integer("body_weldid", b)});
+    pairs.insert({a, b});
   }
   return pairs;
 }
@@ -112,14 +113,13 @@ void lose_of_geom(const Compiled& m, int geom, const Surface& surface, foreign::
     model.losses.push_back({what, m.place("geom", geom), std::move(detail)});
   };
   if (surface.dimension > 3) lose("torsional_friction", fmt::format("condim {}", surface.dimension));
-  if (const double margin = m.number("geom_margin", geom) - m.number("geom_gap", geom); margin != 0)
+  if (const double margin =
+          m.margin_of_all().value_or(m.number("geom_margin", geom)) - m.number("geom_gap", geom);
+      margin != 0)
     lose("contact_margin", fmt::format("{} m", margin));
-  if (m.length("geom_adhesion") > 0 && m.number("geom_adhesion", geom) != 0) lose("contact_pair", "adhesion");
-  if (const auto all = m.length("geom_surfacevel"); all > 0) {
-    const int columns = static_cast<int>(all) / m.size("ngeom");
-    for (int k = 0; k < columns; ++k)
-      if (m.number("geom_surfacevel", columns * geom + k) != 0) return lose("surface_velocity");
-  }
+  if (m.is_override_anisotropic() && surface.dimension > 1) lose("anisotropic_friction", "o_friction");
+  if (m.number("geom_adhesion", geom) != 0) lose("contact_pair", "adhesion");
+  if (m.any("geom_surfacevel", geom, m.size("ngeom"))) lose("surface_velocity");
 }
 
 }  // namespace
@@ -137,13 +137,13 @@ void add_surfaces(const Compiled& m, foreign::Model& model) {
               .affinity = m.integer("geom_conaffinity", geom),
               .dimension = m.integer("geom_condim", geom),
               .priority = m.integer("geom_priority", geom),
-              .friction = m.number("geom_friction", 3 * geom)};
+              .friction = m.friction_of_all().value_or(m.number("geom_friction", 3 * geom))};
     if (s.type == 0 && s.affinity == 0) {
       model.losses.push_back({"visual", m.place("geom", geom), ""});
       continue;
     }
-    const int body = m.integer("geom_bodyid", geom), whole = m.integer("body_weldid", body);
-    if (named.contains(whole)) s.body = whole;
+    const int body = m.integer("geom_bodyid", geom);
+    if (named.contains(body)) s.body = body;
     lose_of_geom(m, geom, s, model);
     Solid solid = solid_of(m, geom);
     solid.surface = numbers.try_emplace(s, static_cast<int>(numbers.size())).first->second;

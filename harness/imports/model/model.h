@@ -78,7 +78,8 @@ struct Joint {
   int to = -1;                      ///< -1: the world.
   Vector3 point = Vector3::Zero();  ///< World, at the start.
   std::vector<Freedom> freedoms;
-  bool one_body = false;  ///< Of fixed joints: the format itself takes both for one rigid body.
+  bool one_body = false;   ///< Of fixed joints: the format itself takes both for one rigid body.
+  bool may_touch = false;  ///< In the format its two bodies touch each other where their surfaces do.
 };
 
 /// Two kinds of surface that touch.

@@ -17,7 +17,7 @@ const kinds = {
   flex: 'nflex', plugin: 'nplugin',
 };
 const words = {jnt: 'joint', eq: 'equality', cam: 'camera'};
-const bits = ['constraint', 'equality', 'frictionloss', 'limit', 'contact', 'passive', 'spring', 'damper', 'gravity', 'filterparent', 'actuation'];
+const bits = ['constraint', 'equality', 'frictionloss', 'limit', 'contact', 'passive', 'spring', 'damper', 'gravity', 'filterparent', 'actuation', 'clampctrl'];
 
 class Refused extends Error {}
 
@@ -62,7 +62,8 @@ function compile(M, file, absent) {
 const has_range = (ranges, i) => ranges[2 * i] !== 0 || ranges[2 * i + 1] !== 0;
 const flags = {
   jnt_limited: ['njnt', (m, i) => m.jnt(i).limited], jnt_actfrclimited: ['njnt', (m, i) => has_range(m.jnt_actfrcrange, i)],
-  actuator_forcelimited: ['nactuator', (m, i) => m.actuator(i).forcelimited], eq_active0: ['neq', (m, i) => m.eq(i).active0],
+  actuator_forcelimited: ['nactuator', (m, i) => m.actuator(i).forcelimited],
+  actuator_ctrllimited: ['nactuator', (m, i) => m.actuator(i).ctrllimited], actuator_actlimited: ['nactuator', (m, i) => m.actuator(i).actlimited], eq_active0: ['neq', (m, i) => m.eq(i).active0],
   tendon_limited: ['ntendon', (m, i) => has_range(m.tendon_range, i)],
 };
 function array_of(model, name) {
@@ -84,6 +85,28 @@ function names_of(model) {
   }));
 }
 
+/**
+ * Whether actuators, and not passive forces, compensate gravity along a joint (actuatorgravcomp): nothing in these
+ * bindings says so, but then the passive force of a body at rest lacks the compensation.  Gravity along each axis finds it
+ * in any pose.
+ */
+function actuated_gravcomp(M, model) {
+  const actuated = Array(model.njnt).fill(0);
+  if (model.ngravcomp === 0) return actuated;
+  const own = list(model.opt.gravity), flags = model.opt.disableflags, data = new M.MjData(model);
+  model.opt.disableflags = 0;
+  for (const axis of [[1, 0, 0], [0, 1, 0], [0, 0, 1]]) {
+    model.opt.gravity.set(axis);  // a view, which ends where memory grows
+    M.mj_forward(model, data);
+    const {qfrc_gravcomp: all, qfrc_passive: passive, qfrc_spring: spring} = data;
+    for (let i = 0; i < model.nv; ++i)
+      if (Math.abs(all[i]) > 1e-9 && Math.abs(passive[i] - spring[i]) < Math.abs(all[i]) / 2) actuated[model.dof_jntid[i]] = 1;
+  }
+  model.opt.gravity.set(own);
+  model.opt.disableflags = flags;
+  return actuated;
+}
+
 function told(M, model, data) {
   const arrays = {}, sizes = {};
   for (const name of Object.getOwnPropertyNames(Object.getPrototypeOf(model))) {
@@ -94,6 +117,7 @@ function told(M, model, data) {
   }
   for (const [name, [size, of]] of Object.entries(flags))
     arrays[name] = Array.from({length: model[size] ?? 0}, (_, i) => Number(of(model, i)));
+  arrays.jnt_actgravcomp = actuated_gravcomp(M, model);
   const {opt} = model;
   const disabled = bits.filter((name) => {
     const bit = M.mjtDisableBit[`mjDSBL_${name.toUpperCase()}`];
@@ -110,7 +134,8 @@ function told(M, model, data) {
   for (const name of ['qpos', 'ctrl', 'act', 'xpos', 'xquat', 'xipos', 'xanchor', 'xaxis']) start[name] = list(data[name]);
   return {
     library: `MuJoCo ${M.mj_versionString()}`, version: M.mj_version(), sizes, names: names_of(model), arrays,
-    option: {timestep: opt.timestep, gravity: list(opt.gravity), density: opt.density, viscosity: opt.viscosity, disabled}, start,
+    option: {timestep: opt.timestep, gravity: list(opt.gravity), density: opt.density, viscosity: opt.viscosity, disabled, disabled_groups: opt.disableactuator,
+      ...(opt.enableflags & M.mjtEnableBit.mjENBL_OVERRIDE.value ? {contact_override: {friction: list(opt.o_friction), margin: opt.o_margin}} : {})}, start,
   };
 }
 

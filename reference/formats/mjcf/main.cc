@@ -94,7 +94,8 @@ Json disabled(const mjModel* m) {
                                   {"damper", mjDSBL_PASSIVE},
                                   {"gravity", mjDSBL_GRAVITY},
                                   {"filterparent", mjDSBL_FILTERPARENT},
-                                  {"actuation", mjDSBL_ACTUATION}})
+                                  {"actuation", mjDSBL_ACTUATION},
+                                  {"clampctrl", mjDSBL_CLAMPCTRL}})
     if (m->opt.disableflags & bit) json.push_back(name);
   return json;
 }
@@ -127,7 +128,7 @@ int main(int argc, char** argv) {
     for (const mjtNum x : v) velocities.push_back(x);
   }
   const auto count = [](int n, std::size_t columns) { return static_cast<std::size_t>(n) * columns; };
-  const Json json = {
+  Json json = {
       {"library", "MuJoCo " + std::string(mj_versionString())},
       {"version", mj_version()},
       {"sizes", sizes_of(m)},
@@ -150,6 +151,8 @@ int main(int argc, char** argv) {
         {"xaxis", list(d->xaxis, count(m->njnt, 3))},
         {"velocities", velocities}}},
   };
+  if (m->opt.enableflags & mjENBL_OVERRIDE)  // of friction this release overrides none
+    json["option"]["contact_override"] = {{"margin", m->opt.o_margin}};
   const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   std::fwrite(text.data(), 1, text.size(), stdout);
   return std::fflush(stdout) == 0 ? 0 : fail("stdout cannot be written");

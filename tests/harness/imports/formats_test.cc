@@ -284,6 +284,25 @@ TEST(Strict, RefusesWhatIsLeftOutOtherwise) {
       << told;
 }
 
+// They were ignored.
+TEST(Options, OfAnotherFormatAreRefused) {
+  const Options keyframe{.keyframe = "home"}, fixed{.fixed_base = true}, root{.roots = {"/tmp"}};
+  struct Row {
+    const char* file;
+    Options options;
+    const char* says;
+  };
+  for (const Row& row : {Row{"arm.urdf", keyframe, "--keyframe is for MJCF files, and this is URDF"},
+                         {"world.sdf", keyframe, "--keyframe is for MJCF files, and this is SDFormat"},
+                         {"arm.xml", fixed, "--fixed-base is for URDF files, and this is MJCF"},
+                         {"world.sdf", fixed, "--fixed-base is for URDF files, and this is SDFormat"},
+                         {"arm.xml", root, "--root is for SDFormat and URDF files, and this is MJCF"}})
+    EXPECT_NE(refusal(data(row.file), row.options).find(row.says), std::string::npos) << row.says;
+  const fs::path file = data("arm.urdf");
+  REQUIRE_LIBRARY(file);
+  EXPECT_EQ(refusal(file, {.fixed_base = true, .roots = {"/tmp"}}), "none");
+}
+
 TEST(LeaveOut, TakesARefusalForALoss) {
   const fs::path file = data("lossy.xml");
   REQUIRE_LIBRARY(file);

@@ -230,12 +230,13 @@ TEST(AddContacts, GroupsSurfacesByWhomTheyTouch) {
 
 TEST(NameBodies, MakesThemLegalAndUnique) {
   Model model;
-  model.bodies = {body("a,b", 1), body("a_b", 1), body("", 1)};
+  model.bodies = {body("a,b", 1), body("a_b", 1), body("", 1), body("world", 1)};
   name_bodies(model);
   EXPECT_EQ(model.bodies[0].name, "a_b");
   EXPECT_EQ(model.bodies[1].name, "a_b (2)");
   EXPECT_EQ(model.bodies[2].name, "body");
-  EXPECT_EQ(model.losses.size(), 3u);
+  EXPECT_EQ(model.bodies[3].name, "world (2)");
+  EXPECT_EQ(model.losses.size(), 4u);
 }
 
 }  // namespace

@@ -1,0 +1,261 @@
+// Parts of MJCF that changed the motion without a word: each is read as MuJoCo 3.14 does (the numbers are of its
+// mj_forward), or refused.
+#include "tests/harness/imports/inline_model.h"
+
+#include "harness/core/collision_filter.h"
+
+#include <cmath>
+
+namespace cylon::imports {
+namespace {
+
+Outcome import_mjcf(const std::string& text, const Options& options = {}) {
+  return import_text("<mujoco>" + text + "</mujoco>", "xml", options);
+}
+
+int number_of(const core::Scene& scene, const std::string& name) {
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    if (scene.bodies[i].name == name) return static_cast<int>(i);
+  ADD_FAILURE() << "no body " << name;
+  return 0;
+}
+
+// <exclude> mapped bodies to those that they are welded to: a static base took the floor with it.
+TEST(MjcfExclude, OfAStaticBodyLeavesTheFloor) {
+  REQUIRE_IMPORT("xml");
+  const Outcome outcome = import_mjcf(R"(<worldbody><geom type="plane" size="0 0 1"/>
+    <body name="base" pos="0 0 0.1"><geom type="box" size=".1 .12 .13"/></body>
+    <body name="ball" pos="0 0 1"><freejoint/><geom type="sphere" size=".1"/></body>
+    <body name="other" pos="0 3 1"><freejoint/><geom type="sphere" size=".1"/></body></worldbody>
+    <contact><exclude body1="base" body2="ball"/></contact>)");
+  ASSERT_EQ(outcome.refusal, "");
+  const core::Scene& scene = outcome.scene();
+  const core::ContactRules rules(scene);
+  const int base = number_of(scene, "base"), ball = number_of(scene, "ball"),
+            other = number_of(scene, "other");
+  EXPECT_TRUE(rules.body_and_plane(ball, 0));
+  EXPECT_FALSE(rules.bodies(base, ball));
+  EXPECT_TRUE(rules.bodies(base, other));
+  EXPECT_TRUE(rules.bodies(ball, other));
+}
+
+TEST(MjcfExclude, OfAPartThatMovesIsRefused) {
+  REQUIRE_IMPORT("xml");
+  const Outcome outcome = import_mjcf(R"(<worldbody>
+    <body name="a" pos="0 0 1"><freejoint/><geom type="sphere" size=".1"/>
+      <body name="hand" pos="1 0 0"><geom name="palm" type="sphere" size=".12"/></body></body>
+    <body name="ball" pos="0 3 1"><freejoint/><geom type="sphere" size=".1"/></body></worldbody>
+    <contact><exclude body1="hand" body2="ball"/></contact>)");
+  EXPECT_TRUE(outcome.refuses("geom 'palm': surfaces")) << outcome.refusal << outcome.left_out;
+}
+
+// What was dropped, and is refused now.
+struct Silent {
+  const char *name, *text, *says;
+};
+class MjcfSilent : public testing::TestWithParam<Silent> {};
+
+TEST_P(MjcfSilent, LossIsRefused) {
+  REQUIRE_IMPORT("xml");
+  const Outcome outcome = import_mjcf(GetParam().text);
+  EXPECT_TRUE(outcome.refuses(GetParam().says)) << outcome.refusal << outcome.left_out;
+}
+
+#define BALL R"(<geom type="sphere" size=".1" mass="1"/></body></worldbody>)"
+#define HINGE                                                               \
+  R"(<worldbody><body name="a" pos="0 0 1"><joint name="j" axis="0 1 0"/>)" \
+  R"(<geom type="sphere" size=".1" mass="1" pos="0 0 -1"/></body></worldbody>)"
+
+INSTANTIATE_TEST_SUITE_P(
+    Parts, MjcfSilent,
+    testing::Values(
+        Silent{"FreeJointFriction", R"(<worldbody><body><joint name="j" type="free" frictionloss="3"/>)" BALL,
+               "joint 'j': joint_friction (a free joint)"},
+        Silent{"FreeJointSpring", R"(<worldbody><body><joint name="j" type="free" stiffness="30"/>)" BALL,
+               "joint 'j': joint_spring (a free joint)"},
+        Silent{"FreeJointCurvedDamper",
+               R"(<worldbody><body><joint name="j" type="free" damping="0 3"/>)" BALL,
+               "joint 'j': joint_damping (not linear)"},
+        Silent{"BallCurvedDamper", R"(<worldbody><body><joint name="j" type="ball" damping="0 3"/>)" BALL,
+               "joint 'j': joint_damping (not linear)"},
+        Silent{"FreeDragOfAWhole",
+               R"(<worldbody><body name="a"><joint type="free" damping="2"/><geom size=".1" mass="1"/>)"
+               R"(<body name="b" pos="1 0 0"><geom size=".1" mass="1"/></body></body></worldbody>)",
+               "body 'b': free_drag (a part of body 'a')"},
+        Silent{
+            "GravityOfAPart",
+            R"(<worldbody><body name="a"><freejoint/><geom size=".1" mass="1"/>)"
+            R"(<body name="b" pos="1 0 0" gravcomp="1"><geom size=".1" mass="1"/></body></body></worldbody>)",
+            "body 'b': part_gravity (a part of body 'a')"},
+        Silent{
+            "TendonCurvedSpring",
+            R"(<worldbody><body><joint name="j" type="slide" axis="0 0 1"/>)" BALL
+            R"(<tendon><fixed name="t" stiffness="0 5" springlength="0.3"><joint joint="j" coef="1"/></fixed></tendon>)",
+            "tendon 't': tendon_force"},
+        Silent{"MotorCurvedDamper", HINGE R"(<actuator><motor name="m" joint="j" damping="0 3"/></actuator>)",
+               "actuator 'm': joint_damping (not linear)"},
+        Silent{"ActivationRange",
+               HINGE R"(<actuator><intvelocity name="m" joint="j" kp="5" actrange="0.5 1"/></actuator>)",
+               "actuator 'm': actuator_state (its activation changes)"},
+        Silent{"AnisotropicOverride",
+               R"(<option o_friction="0.2 0.3 0.005 0.0001 0.0001"><flag override="enable"/></option>)"
+               R"(<worldbody><geom name="floor" type="plane" size="0 0 1"/><body><freejoint/>)" BALL,
+               "geom 'floor' and 1 more: anisotropic_friction (o_friction)"},
+        Silent{"WeldWithoutTorque",
+               R"(<worldbody><body name="a"><freejoint/><geom size=".1" mass="1"/></body>)"
+               R"(<body name="b" pos="1 0 0"><freejoint/><geom size=".1" mass="1"/></body></worldbody>)"
+               R"(<equality><weld name="w" body1="a" body2="b" torquescale="0"/></equality>)",
+               "equality 'w': equality (its torque scale is 0"}),
+    [](const auto& row) { return std::string(row.param.name); });
+
+// -k q - c q' + f along a joint.
+struct Acting {
+  const char *name, *text;
+  double force, stiffness, damping;
+};
+class MjcfActuator : public testing::TestWithParam<Acting> {};
+
+TEST_P(MjcfActuator, ActsAsInMuJoCo) {
+  REQUIRE_IMPORT("xml");
+  const Outcome outcome = import_mjcf(GetParam().text);
+  ASSERT_EQ(outcome.refusal, "");
+  const core::Joint& joint = outcome.scene().joints.at(0);
+  const auto sum = [&](auto number) {
+    double all = 0;
+    for (const auto& angle : joint.angles) all += number(angle);
+    return all;
+  };
+  EXPECT_EQ(sum([](const auto& c) { return c.force; }), GetParam().force);
+  EXPECT_EQ(sum([](const auto& c) { return c.stiffness; }), GetParam().stiffness);
+  EXPECT_EQ(sum([](const auto& c) { return c.damping; }), GetParam().damping);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Rules, MjcfActuator,
+    testing::Values(
+        Acting{"ControlIsClamped",
+               HINGE
+               R"(<actuator><motor joint="j" gear="5" ctrlrange="0.5 1" ctrllimited="true"/></actuator>)",
+               2.5, 0, 0},
+        Acting{"ControlIsNotClampedWithoutClampctrl",
+               R"(<option><flag clampctrl="disable"/></option>)" HINGE
+               R"(<actuator><motor joint="j" gear="5" ctrlrange="0.5 1" ctrllimited="true"/></actuator>)",
+               0, 0, 0},
+        Acting{"GroupIsDisabled",
+               R"(<option actuatorgroupdisable="2"/>)" HINGE
+               R"(<actuator><position joint="j" kp="50" group="2"/></actuator>)",
+               0, 0, 0},
+        Acting{"OtherGroupIsNotDisabled",
+               R"(<option actuatorgroupdisable="1"/>)" HINGE
+               R"(<actuator><position joint="j" kp="50" group="2"/></actuator>)",
+               0, 50, 0},
+        Acting{"DamperActsThroughTheGear",
+               HINGE R"(<actuator><motor joint="j" gear="2" damping="3"/></actuator>)", 0, 0, 12},
+        Acting{"DamperActsWithoutActuation",
+               R"(<option><flag actuation="disable"/></option>)" HINGE
+               R"(<actuator><motor joint="j" gear="2" damping="3"/></actuator>)",
+               0, 0, 12},
+        Acting{"DamperIsADamper",
+               R"(<option><flag damper="disable"/></option>)" HINGE
+               R"(<actuator><motor joint="j" gear="2" damping="3"/></actuator>)",
+               0, 0, 0}),
+    [](const auto& row) { return std::string(row.param.name); });
+
+// o_friction takes the place of all frictions, where the flag is on.
+TEST(MjcfOverride, GivesTheFrictionOfAllContacts) {
+  REQUIRE_IMPORT("xml");
+  for (const bool on : {true, false}) {
+    const Outcome outcome = import_mjcf(
+        std::string(R"(<option o_friction="0.2 0.2 0.005 0.0001 0.0001"><flag override=")") +
+        (on ? "enable" : "disable") +
+        R"("/></option><worldbody><geom type="plane" size="0 0 1" friction="0.9"/><body pos="0 0 .2"><freejoint/>)"
+        R"(<geom type="box" size=".1 .1 .1" friction="0.7"/></body></worldbody>)");
+    ASSERT_EQ(outcome.refusal, "");
+    EXPECT_EQ(core::material_of(outcome.scene(), {.body = 0, .plane = 0})->friction, on ? 0.2 : 0.9);
+  }
+}
+
+// Gravity of a body that a gravcomp of 1 holds is 0, and not -0; MuJoCo skips it with springs and dampers off.
+TEST(MjcfGravcomp, IsSkippedWithThePassiveForces) {
+  REQUIRE_IMPORT("xml");
+  const std::string body = R"(<worldbody><body name="a" gravcomp="1"><freejoint/>)" BALL;
+  const Outcome on = import_mjcf(body),
+                off = import_mjcf(R"(<option><flag spring="disable" damper="disable"/></option>)" + body);
+  ASSERT_TRUE(on.scene().bodies[0].gravity);
+  for (const double g : *on.scene().bodies[0].gravity) {
+    EXPECT_EQ(g, 0);
+    EXPECT_FALSE(std::signbit(g));
+  }
+  EXPECT_FALSE(off.scene().bodies[0].gravity);
+}
+
+// actuatorgravcomp leaves the compensation to the actuators: without any there is none.
+TEST(MjcfGravcomp, OfAnActuatorNeedsOne) {
+  REQUIRE_IMPORT("xml");
+  const std::string joint = R"(name="j" type="slide" axis="0 0 1" actuatorgravcomp="true")";
+  const auto model = [](const std::string& joints, const std::string& more) {
+    return R"(<worldbody><body name="a" gravcomp="0.5"><joint )" + joints + "/>" BALL + more;
+  };
+  const std::string motor = R"(<actuator><motor joint="j"/></actuator>)";
+  EXPECT_FALSE(import_mjcf(model(joint, "")).scene().bodies[0].gravity);
+  EXPECT_TRUE(import_mjcf(model(joint, motor)).scene().bodies[0].gravity);
+  EXPECT_FALSE(import_mjcf(R"(<option><flag actuation="disable"/></option>)" + model(joint, motor))
+                   .scene()
+                   .bodies[0]
+                   .gravity);
+  const Outcome some = import_mjcf(model(joint + R"(/><joint type="slide" axis="1 0 0")", ""));
+  EXPECT_TRUE(some.refuses("body 'a': actuator_force (gravity is compensated along some")) << some.refusal;
+}
+
+// Limits and dry friction are constraints: without these a ball joint has none.
+TEST(MjcfBall, HasNoLimitWithoutConstraints) {
+  REQUIRE_IMPORT("xml");
+  const std::string body =
+      R"(<worldbody><body><joint name="j" type="ball" range="0 30" limited="true" frictionloss="2"/>)" BALL;
+  EXPECT_EQ(import_mjcf(R"(<option><flag constraint="disable"/></option>)" + body).refusal, "");
+  const Outcome on = import_mjcf(body);
+  EXPECT_TRUE(on.refuses("joint 'j': joint_limit (a ball joint)")) << on.refusal;
+  EXPECT_TRUE(on.refuses("joint 'j': joint_friction (a ball joint)")) << on.refusal;
+}
+
+// MuJoCo lets the bodies of an equality touch, and those of a joint where filterparent is off.
+TEST(MjcfJoinedContact, IsTold) {
+  REQUIRE_IMPORT("xml");
+  const std::string loop = R"(<worldbody><body name="a"><freejoint/><geom type="box" size=".1 .1 .1"/></body>
+    <body name="b" pos="0.25 0 0"><freejoint/><geom type="box" size=".1 .1 .1" MASK/></body></worldbody>
+    <equality><connect name="c" body1="a" body2="b" anchor="0.125 0 0"/></equality>)";
+  const std::string tree = R"(<worldbody><body name="a"><freejoint/><geom type="box" size=".1 .1 .1"/>
+    <body name="b" pos="0.25 0 0"><joint name="c" axis="0 1 0"/><geom type="box" size=".1 .1 .1" MASK/></body>
+    </body></worldbody>)";
+  const std::string off = R"(<option><flag filterparent="disable"/></option>)";
+  const auto masked = [](std::string text, const std::string& mask) {
+    return text.replace(text.find("MASK"), 4, mask);
+  };
+  const std::string apart = R"(contype="2" conaffinity="2")";
+  struct Row {
+    std::string text;
+    bool told;
+  };
+  for (const Row& row : {Row{masked(loop, ""), true},
+                         {masked(loop, apart), false},
+                         {off + masked(tree, ""), true},
+                         {off + masked(tree, apart), false},
+                         {masked(tree, ""), false}}) {
+    const Outcome outcome = import_mjcf(row.text);
+    EXPECT_EQ(outcome.refusal, "");
+    EXPECT_EQ(outcome.leaves_out("'c': joined_contact"), row.told) << row.text << outcome.left_out;
+  }
+}
+
+// A scene has no body that is called "world": an export refused it.
+TEST(MjcfWorldbody, WithASurfaceIsCalledGround) {
+  REQUIRE_IMPORT("xml");
+  const Outcome outcome = import_mjcf(
+      R"(<worldbody><geom type="box" size="1 1 .1"/><body name="a" pos="0 0 1"><freejoint/>)" BALL);
+  EXPECT_TRUE(
+      outcome.scene().bodies.at(static_cast<std::size_t>(number_of(outcome.scene(), "ground"))).locked);
+  EXPECT_FALSE(outcome.leaves_out("name (")) << outcome.left_out;
+}
+
+}  // namespace
+}  // namespace cylon::imports
