@@ -1,11 +1,9 @@
 #include "reference/formats/sdformat/reader.h"
 
+#include "reference/formats/resources/plugins.h"
 #include "reference/formats/resources/resources.h"
 
-#include <algorithm>
-#include <array>
 #include <filesystem>
-#include <string_view>
 #include <utility>
 
 namespace cylon::formats {
@@ -40,19 +38,6 @@ Pose resolved(const sdf::SemanticPose& semantic) {
   ignition::math::Pose3d result;
   require(semantic.Resolve(result));
   return pose(result);
-}
-
-// Systems of gz-sim and plugins of Gazebo that push bodies without a command: by a medium, or to hold a target.
-constexpr std::array moving_plugins = {"buoyancy",   "hydrodynamics", "wind",      "lift-drag", "liftdrag",
-                                       "lift_drag",  "controller",    "conveyor",  "lighter",   "multicopter",
-                                       "trajectory", "thruster",      "track",     "mecanum",   "magnetic",
-                                       "attract",    "apply_force",   "applylink", "detachable"};
-
-bool moves_bodies(std::string name) {
-  std::ranges::transform(name, name.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return std::ranges::any_of(moving_plugins,
-                             [&](const char* word) { return name.find(word) != std::string::npos; });
 }
 
 }  // namespace
@@ -99,16 +84,19 @@ foreign::Model SdfReader::read() {
     read_world(*root.WorldByIndex(0));
   } else if (root.Model()) {
     lose("assumed", place("model", root.Model()->Name(), root.Model()->Element()), "gravity 9.81 m/s^2");
-    read_model(*root.Model(), pose(root.Model()->RawPose()), root.Model()->Name(), root.Model()->Static(), 0);
+    read_model(*root.Model(), resolved(root.Model()->SemanticPose()), root.Model()->Name(),
+               root.Model()->Static(), {});
   } else {
     throw Refused("it holds neither a world nor a model");
   }
+  check_elements(root.Element(), 1);
   add_meetings();
   return std::move(model_);
 }
 
 void SdfReader::read_world(const sdf::World& world) {
   model_.gravity = vector(world.Gravity());
+  windy_ = world.WindLinearVelocity() != ignition::math::Vector3d::Zero;
   if (const sdf::Physics* physics = world.PhysicsDefault()) model_.step = physics->MaxStepSize();
   for (std::uint64_t i = 0; i < world.ActorCount(); ++i)
     lose("actor", place("actor", world.ActorByIndex(i)->Name(), world.ActorByIndex(i)->Element()));
@@ -118,7 +106,8 @@ void SdfReader::read_world(const sdf::World& world) {
   read_plugins(world.Element());
   for (std::uint64_t i = 0; i < world.ModelCount(); ++i) {
     const sdf::Model& model = *world.ModelByIndex(i);
-    read_model(model, resolved(model.SemanticPose()), model.Name(), model.Static(), static_cast<int>(i));
+    read_model(model, resolved(model.SemanticPose()), model.Name(), model.Static(),
+               {.number = static_cast<int>(i)});
   }
 }
 
@@ -133,21 +122,21 @@ void SdfReader::read_plugins(const sdf::ElementPtr& element) {
 
 // Links of a model touch each other only where it says so; nested models belong to the outermost.
 void SdfReader::read_model(const sdf::Model& model, const Pose& frame, const std::string& scope, bool locked,
-                           int number) {
-  if (model.SelfCollide()) number = -1;
+                           Own own) {
+  own.self = own.self || model.SelfCollide();
   read_plugins(model.Element());
   for (std::uint64_t i = 0; i < model.LinkCount(); ++i)
-    read_link(model, *model.LinkByIndex(i), frame, scope, locked, number);
+    read_link(*model.LinkByIndex(i), frame, scope, locked, own);
   for (std::uint64_t i = 0; i < model.ModelCount(); ++i) {
     const sdf::Model& inner = *model.ModelByIndex(i);
     read_model(inner, frame * resolved(inner.SemanticPose()), scope + "::" + inner.Name(),
-               locked || inner.Static(), number);
+               locked || inner.Static(), own);
   }
   for (std::uint64_t i = 0; i < model.JointCount(); ++i) read_joint(*model.JointByIndex(i), frame, scope);
 }
 
-void SdfReader::read_link(const sdf::Model&, const sdf::Link& link, const Pose& frame,
-                          const std::string& scope, bool locked, int number) {
+void SdfReader::read_link(const sdf::Link& link, const Pose& frame, const std::string& scope, bool locked,
+                          Own own) {
   const std::string name = scope + "::" + link.Name();
   bodies_[name] = static_cast<int>(model_.bodies.size());
   foreign::Body& body = model_.bodies.emplace_back();
@@ -162,6 +151,7 @@ void SdfReader::read_link(const sdf::Model&, const sdf::Link& link, const Pose& 
     for (std::size_t c = 0; c < 3; ++c) body.inertia(static_cast<int>(r), static_cast<int>(c)) = moi(r, c);
   body.pose = frame * resolved(link.SemanticPose()) * centre;
   const sdf::ElementPtr element = link.Element();
+  own.self = own.self || (element && element->Get<bool>("self_collide", false).first);
   if (element && !element->Get<bool>("gravity", true).first) body.gravity = Vector3::Zero();
   if (element && element->Get<bool>("kinematic", false).first)
     lose("mocap", body.place, "kinematic"), body.locked = true;
@@ -177,7 +167,7 @@ void SdfReader::read_link(const sdf::Model&, const sdf::Link& link, const Pose& 
     lose("presentation", place("light", link.LightByIndex(i)->Name(), link.LightByIndex(i)->Element()),
          "light");
   for (std::uint64_t i = 0; i < link.CollisionCount(); ++i)
-    read_collision(*link.CollisionByIndex(i), name, centre, number, body);
+    read_collision(*link.CollisionByIndex(i), name, centre, own, body);
 }
 
 int SdfReader::body_of(const std::string& scope, const std::string& name, const Place& at) const {
@@ -197,7 +187,8 @@ void SdfReader::read_joint(const sdf::Joint& from, const Pose& frame, const std:
   joint.body = body_of(scope, child, joint.place), joint.to = body_of(scope, parent, joint.place);
   ignition::math::Pose3d at;
   require(from.SemanticPose().Resolve(at, "__model__"));
-  joint.point = (frame * pose(at)).position;
+  const Pose own = frame * pose(at);
+  joint.point = own.position;
   switch (from.Type()) {
     case sdf::JointType::FIXED:
       break;
@@ -222,6 +213,8 @@ void SdfReader::read_joint(const sdf::Joint& from, const Pose& frame, const std:
       lose("joint_kind", joint.place, "gearbox");
       break;
   }
+  // Without <axis> it is z of the joint's own frame.
+  for (foreign::Freedom& freedom : joint.freedoms) freedom.axis = own.turn * Vector3::UnitZ();
   for (std::size_t i = 0; i < joint.freedoms.size(); ++i)
     if (const sdf::JointAxis* axis = from.Axis(static_cast<unsigned>(i));
         axis && joint.freedoms[i].kind != "ball") {

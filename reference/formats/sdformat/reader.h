@@ -20,18 +20,24 @@ class SdfReader {
   foreign::Model read();
 
  private:
-  /// All that decides whom a surface touches and how: the model, where its links do not touch each other (-1: they do).
-  using Surface = std::tuple<int, int, double, double>;  // model, bits, friction, restitution
+  /// All that decides whom a surface touches and how: the outermost model, whether its link touches others of that model
+  /// too (`self`), and the rest.
+  using Surface = std::tuple<int, bool, int, double, double>;  // model, self, bits, friction, restitution
 
   void read_world(const sdf::World&);
-  void read_model(const sdf::Model&, const foreign::Pose& frame, const std::string& scope, bool locked,
-                  int number);
-  void read_link(const sdf::Model&, const sdf::Link&, const foreign::Pose& frame, const std::string& scope,
-                 bool locked, int number);
-  void read_collision(const sdf::Collision&, const std::string& link, const foreign::Pose& centre, int number,
+  /// Whose links touch which: the number of the outermost model, and whether they touch each other.
+  struct Own {
+    int number = 0;
+    bool self = false;
+  };
+  void read_model(const sdf::Model&, const foreign::Pose& frame, const std::string& scope, bool locked, Own);
+  void read_link(const sdf::Link&, const foreign::Pose& frame, const std::string& scope, bool locked, Own);
+  void read_collision(const sdf::Collision&, const std::string& link, const foreign::Pose& centre, Own,
                       foreign::Body&);
   void read_shape(const sdf::Collision&, foreign::Solid&);
-  Surface surface_of(const sdf::Collision&, int number, const foreign::Place&);
+  Surface surface_of(const sdf::Collision&, Own, const foreign::Place&);
+  /// What stands in the file and is not read above; `line`: of what is around it.
+  void check_elements(const sdf::ElementPtr&, int line);
   void read_joint(const sdf::Joint&, const foreign::Pose& frame, const std::string& scope);
   foreign::Freedom freedom_of(const sdf::JointAxis&, const foreign::Pose& frame, const foreign::Place&);
   void read_plugins(const sdf::ElementPtr&);
@@ -45,6 +51,7 @@ class SdfReader {
   std::vector<std::string> roots_;
   std::map<std::string, int> bodies_;  // by scoped name
   std::map<Surface, int> surfaces_;
+  bool windy_ = false;
   foreign::Model model_;
 };
 

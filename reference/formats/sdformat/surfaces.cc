@@ -30,7 +30,7 @@ double number(const sdf::ElementPtr& element, const char* name, double otherwise
 }  // namespace
 
 void SdfReader::read_collision(const sdf::Collision& collision, const std::string& link,
-                               const foreign::Pose& centre, int number, foreign::Body& body) {
+                               const foreign::Pose& centre, Own own, foreign::Body& body) {
   foreign::Solid solid;
   solid.place = place("collision", link + "::" + collision.Name(), collision.Element());
   ignition::math::Pose3d at;
@@ -42,7 +42,7 @@ void SdfReader::read_collision(const sdf::Collision& collision, const std::strin
                     foreign::Quaternion(at.Rot().W(), at.Rot().X(), at.Rot().Y(), at.Rot().Z()).normalized()};
   read_shape(collision, solid);
   if (solid.kind.empty()) return;
-  const Surface surface = surface_of(collision, number, solid.place);
+  const Surface surface = surface_of(collision, own, solid.place);
   solid.surface = surfaces_.try_emplace(surface, static_cast<int>(surfaces_.size())).first->second;
   body.solids.push_back(std::move(solid));
 }
@@ -88,8 +88,7 @@ void SdfReader::read_shape(const sdf::Collision& collision, foreign::Solid& soli
   }
 }
 
-SdfReader::Surface SdfReader::surface_of(const sdf::Collision& collision, int number_of_model,
-                                         const foreign::Place& at) {
+SdfReader::Surface SdfReader::surface_of(const sdf::Collision& collision, Own own, const foreign::Place& at) {
   const sdf::ElementPtr surface = below(collision.Element(), {"surface"});
   const sdf::ElementPtr ode = below(surface, {"friction", "ode"}),
                         bullet = below(surface, {"friction", "bullet"});
@@ -106,10 +105,14 @@ SdfReader::Surface SdfReader::surface_of(const sdf::Collision& collision, int nu
     lose("soft_surface", at);
   const double restitution = number(below(surface, {"bounce"}), "restitution_coefficient", 0);
   int bits = 0xffff;
-  if (const sdf::ElementPtr contact = below(surface, {"contact"});
-      contact && contact->HasElement("collide_bitmask"))
-    bits = static_cast<int>(contact->Get<unsigned>("collide_bitmask") & 0xffffu);
-  return {number_of_model, bits, friction, restitution};
+  if (const sdf::ElementPtr contact = below(surface, {"contact"})) {
+    // It is found by sensors, and no force acts on it; a bitmask overrides that.
+    if (contact->Get<bool>("collide_without_contact", false).first)
+      bits = 0, lose("sensor", at, "collide_without_contact");
+    if (contact->HasElement("collide_bitmask"))
+      bits = static_cast<int>(contact->Get<unsigned>("collide_bitmask") & 0xffffu);
+  }
+  return {own.number, own.self, bits, friction, restitution};
 }
 
 void SdfReader::add_meetings() {
@@ -117,9 +120,9 @@ void SdfReader::add_meetings() {
   if (surfaces_.size() > most) throw Refused("more than 2000 kinds of surface");
   for (const auto& [a, i] : surfaces_)
     for (const auto& [b, j] : surfaces_) {
-      const auto& [model_a, bits_a, friction_a, restitution_a] = a;
-      const auto& [model_b, bits_b, friction_b, restitution_b] = b;
-      const bool own = model_a >= 0 && model_a == model_b;
+      const auto& [model_a, self_a, bits_a, friction_a, restitution_a] = a;
+      const auto& [model_b, self_b, bits_b, friction_b, restitution_b] = b;
+      const bool own = model_a == model_b && !self_a && !self_b;
       if (i <= j && !own && (bits_a & bits_b) != 0)
         model_.meetings.push_back({i, j, std::min(friction_a, friction_b), restitution_a * restitution_b});
     }

@@ -1,0 +1,155 @@
+// Parts of SDFormat that changed the motion without a word: each is read, told or refused.
+#include "tests/harness/imports/inline_model.h"
+
+#include "harness/core/collision_filter.h"
+
+namespace cylon::imports {
+namespace {
+
+constexpr const char* half_pi = "1.5707963267948966";
+
+Outcome import_model(const std::string& text, const std::string& attributes = "") {
+  return import_text("<sdf version='1.9'>\n<model name='m' " + attributes + ">\n" + text + "</model></sdf>",
+                     "sdf");
+}
+Outcome import_world(const std::string& text) {
+  return import_text("<sdf version='1.9'>\n<world name='w'>\n" + text + "</world></sdf>", "sdf");
+}
+
+std::string link(const std::string& name, const std::string& more = "", double z = 1) {
+  return "<link name='" + name + "'><pose>0 0 " + std::to_string(z) +
+         " 0 0 0</pose><inertial><mass>2</mass></inertial>" + more + "</link>\n";
+}
+std::string ball(const std::string& contact = "") {
+  return "<collision name='c'><geometry><sphere><radius>.1</radius></sphere></geometry><surface><contact>" +
+         contact + "</contact></surface></collision>";
+}
+
+// A model that is the root of its file ignored placement_frame; in a world it did not.
+TEST(SdfRootModel, StandsByItsPlacementFrame) {
+  REQUIRE_IMPORT("sdf");
+  const std::string model = std::string("<model name='m' placement_frame='f'><pose>0.3 0 0 0 0 0</pose>") +
+                            "<frame name='f'><pose>0 0.2 0 " + half_pi + " 0 0</pose></frame>" + link("l") +
+                            "</model>";
+  const Outcome alone = import_text("<sdf version='1.9'>" + model + "</sdf>", "sdf"),
+                within = import_world(model);
+  ASSERT_EQ(alone.refusal, "");
+  ASSERT_EQ(within.refusal, "");
+  const core::State &a = alone.scene().bodies.at(0).initial, &b = within.scene().bodies.at(0).initial;
+  EXPECT_EQ(a.position, b.position);
+  EXPECT_EQ(a.orientation.coeffs(), b.orientation.coeffs());
+  EXPECT_GT((a.position - core::Vector3(0.3, 1, 0)).norm(), 0.1);  // where it stands by its own frame
+}
+
+// It was the world's z.
+TEST(SdfJoint, WithoutAnAxisTurnsAboutZOfItsOwnFrame) {
+  REQUIRE_IMPORT("sdf");
+  const Outcome outcome =
+      import_model(std::string("<link name='a'><pose>0 0 1 ") + half_pi +
+                   " 0 0</pose><inertial><mass>1</mass></inertial></link>"
+                   "<joint name='j' type='revolute'><parent>world</parent><child>a</child></joint>");
+  ASSERT_EQ(outcome.refusal, "");
+  // z of a frame that is rolled by a right angle is -y, which is z here.
+  EXPECT_LT((outcome.scene().joints.at(0).axis - core::Vector3(0, 0, 1)).norm(), 1e-15);
+}
+
+struct Silent {
+  const char* name;
+  std::string text;  // of a world
+  const char* says;
+  bool refused;
+};
+class SdfSilent : public testing::TestWithParam<Silent> {};
+
+TEST_P(SdfSilent, LossIsTold) {
+  REQUIRE_IMPORT("sdf");
+  const Outcome outcome = import_world(GetParam().text);
+  EXPECT_TRUE(GetParam().refused ? outcome.refuses(GetParam().says) : outcome.leaves_out(GetParam().says))
+      << outcome.refusal << '\n'
+      << outcome.left_out;
+}
+
+std::string model(const std::string& text) { return "<model name='m'>\n" + text + "</model>"; }
+std::string hinge(const std::string& axis, const std::string& more = "") {
+  return model(link("a") + "<joint name='j' type='revolute'><parent>world</parent><child>a</child><axis>" +
+               "<xyz>0 0 1</xyz>" + axis + "</axis>" + more + "</joint>");
+}
+const std::string wind = "<wind><linear_velocity>10 0 0</linear_velocity></wind>";
+
+INSTANTIATE_TEST_SUITE_P(
+    Elements, SdfSilent,
+    testing::Values(
+        Silent{"WindOnALink", wind + model(link("a", "<enable_wind>true</enable_wind>")),
+               "sdf:4: <enable_wind> of link 'a': wind", true},
+        Silent{"WindOnAModel", wind + model("<enable_wind>true</enable_wind>" + link("a")),
+               "sdf:4: <enable_wind> of model 'm': wind", true},
+        Silent{"State", model(link("a")) + "<state world_name='w'></state>",
+               "sdf:5: <state> of world 'w': keyframe", false},
+        Silent{"Mimic", hinge("<mimic joint='k'><multiplier>2</multiplier></mimic>"),
+               "<mimic> of axis: mimic", true},
+        Silent{"AddedMass",
+               model("<link name='a'><inertial><mass>1</mass><fluid_added_mass><xx>3</xx></fluid_added_mass>"
+                     "</inertial></link>"),
+               "<fluid_added_mass> of inertial: fluid", true},
+        Silent{"Motor", hinge("", "<physics><ode><max_force>3</max_force></ode></physics>"),
+               "<max_force> of ode: actuator_force", true},
+        Silent{"Solver", hinge("", "<physics><ode><cfm_damping>1</cfm_damping></ode></physics>"),
+               "<ode> of physics: solver", false},
+        Silent{"Unknown", model("<magic>3</magic>" + link("a")), "sdf:3: <magic> of model 'm': custom",
+               false},
+        Silent{"UnknownInAnAxis", hinge("<dynamics><frction>3</frction></dynamics>"),
+               "<frction> of dynamics: custom", false},
+        Silent{"Comma", hinge("<dynamics><damping>0,5</damping></dynamics>"),
+               "line 5: <damping>: '0,5' is no number", true},
+        Silent{"CommaInAVector", model("<pose>0 0 1,5 0 0 0</pose>" + link("a")),
+               "<pose>: '1,5' is no number", true},
+        Silent{"CategoryBits", model(link("a", ball("<category_bitmask>2</category_bitmask>"))),
+               "<category_bitmask> of contact: unread", true}),
+    [](const auto& row) { return std::string(row.param.name); });
+
+// Without wind, and without an enabled body, nothing is lost.
+TEST(SdfWind, IsNoLossWhereItMovesNothing) {
+  REQUIRE_IMPORT("sdf");
+  EXPECT_EQ(import_world(model(link("a", "<enable_wind>true</enable_wind>"))).refusal, "");
+  EXPECT_EQ(import_world(wind + model(link("a", "<enable_wind>false</enable_wind>"))).refusal, "");
+}
+
+int number_of(const core::Scene& scene, const std::string& name) {
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    if (scene.bodies[i].name == name) return static_cast<int>(i);
+  ADD_FAILURE() << "no body " << name;
+  return 0;
+}
+
+// Links of a model touch where one of them has self_collide.
+TEST(SdfSelfCollide, OfALinkCounts) {
+  REQUIRE_IMPORT("sdf");
+  const Outcome outcome = import_world(model(link("a", "<self_collide>true</self_collide>" + ball()) +
+                                             link("b", ball(), 2) + link("c", ball(), 3)));
+  ASSERT_EQ(outcome.refusal, "");
+  const core::Scene& scene = outcome.scene();
+  const int a = number_of(scene, "m::a"), b = number_of(scene, "m::b"), c = number_of(scene, "m::c");
+  const core::ContactRules rules(scene);
+  EXPECT_TRUE(rules.bodies(a, b));
+  EXPECT_TRUE(rules.bodies(a, c));
+  EXPECT_FALSE(rules.bodies(b, c));
+}
+
+// No force acts on such a surface; a bitmask overrides that.
+TEST(SdfCollideWithoutContact, TouchesNothing) {
+  REQUIRE_IMPORT("sdf");
+  for (const bool overridden : {false, true}) {
+    const std::string contact = std::string("<collide_without_contact>true</collide_without_contact>") +
+                                (overridden ? "<collide_bitmask>255</collide_bitmask>" : "");
+    const Outcome outcome = import_world("<model name='m'>" + link("a", ball(contact)) +
+                                         "</model><model name='n'>" + link("b", ball(), 2) + "</model>");
+    ASSERT_EQ(outcome.refusal, "");
+    const core::Scene& scene = outcome.scene();
+    const core::ContactRules rules(scene);
+    EXPECT_EQ(scene.bodies.at(0).collide && scene.bodies.at(1).collide && rules.bodies(0, 1), overridden);
+    EXPECT_TRUE(outcome.leaves_out("collide_without_contact")) << outcome.left_out;
+  }
+}
+
+}  // namespace
+}  // namespace cylon::imports
