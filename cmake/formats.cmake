@@ -44,7 +44,7 @@ function(importer format)
 endfunction()
 
 headers_of(sdformat "(sdf|ignition)/")
-headers_of(urdfdom  "urdf_")
+headers_of(urdfdom  "(urdf_|tinyxml[.]h|console_bridge/)")
 headers_of(assimp   assimp/)
 # What two of them share: files and meshes that models name.
 declare(resources KIND layer PLACES reference/formats/resources/ PUBLIC foreign PRIVATE assimp)
@@ -57,5 +57,5 @@ if(importer_node AND EXISTS ${PROJECT_SOURCE_DIR}/reference/simulators/js/node_m
 else()
   message(STATUS "cylon-import-mujoco3 is not here: ./run engines installs node and the npm package @mujoco/mujoco")
 endif()
-importer(urdf     LIBRARY urdfdom MODULES urdfdom assimp PACKAGE "liburdfdom-dev and libassimp-dev" RESOURCES USES foreign)
+importer(urdf     LIBRARY urdfdom MODULES urdfdom tinyxml assimp PACKAGE "liburdfdom-dev and libassimp-dev" RESOURCES USES foreign)
 importer(sdformat LIBRARY sdformat MODULES sdformat12 assimp PACKAGE "libsdformat-dev and libassimp-dev" RESOURCES USES foreign)

@@ -4,7 +4,9 @@
 // in 12.3 has no switch against either.
 #include "harness/imports/model/model_json.h"
 #include "reference/formats/resources/resources.h"
+#include "reference/formats/urdf/tags.h"
 
+#include <console_bridge/console.h>
 #include <urdf_model/model.h>
 #include <urdf_parser/urdf_parser.h>
 
@@ -31,14 +33,38 @@ Pose pose(const urdf::Pose& p) {
           Quaternion(p.rotation.w, p.rotation.x, p.rotation.y, p.rotation.z).normalized()};
 }
 
+// What urdfdom calls an error it leaves out and goes on: a link's inertia, and all that stands behind it in the link.
+class Errors : public console_bridge::OutputHandler {
+ public:
+  Errors() { console_bridge::useOutputHandler(this); }
+  ~Errors() override { console_bridge::restorePreviousOutputHandler(); }
+  Errors(const Errors&) = delete;
+  Errors& operator=(const Errors&) = delete;
+
+  void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
+    if (level < console_bridge::CONSOLE_BRIDGE_LOG_ERROR) return;
+    told_ += (told_.empty() ? "" : "; ") + text;
+  }
+  void refuse_any() const {
+    if (!told_.empty()) throw formats::Refused("urdfdom: " + told_);
+  }
+
+ private:
+  std::string told_;
+};
+
 class Reader {
  public:
   Reader(std::string file, std::vector<std::string> roots)
       : file_(std::move(file)), roots_(std::move(roots)) {}
 
   foreign::Model read() {
+    const Errors errors;
     const urdf::ModelInterfaceSharedPtr urdf = urdf::parseURDFFile(file_);
-    if (!urdf) throw formats::Refused("urdfdom refuses it (above)");
+    errors.refuse_any();
+    if (!urdf) throw formats::Refused("urdfdom refuses it");
+    tags_ = formats::tags_of(file_);
+    model_.losses = tags_.losses;
     model_.library = "urdfdom 3";
     model_.losses.push_back(
         {"assumed",
@@ -102,6 +128,10 @@ class Reader {
       const Matrix3 r = origin.turn.toRotationMatrix();
       body.inertia = r * own * r.transpose();
     }
+    if (const auto inertial = tags_.inertials.find(link.name);
+        !link.inertial && inertial != tags_.inertials.end())
+      throw formats::Refused("line " + std::to_string(inertial->second) + ": " + body.place.element +
+                             ": urdfdom does not read its inertial");
     body.pose = frame * centre;
     for (const urdf::CollisionSharedPtr& collision : link.collision_array)
       if (collision && collision->geometry) add_solid(link, *collision, centre, body);
@@ -147,7 +177,15 @@ class Reader {
     joint.place.element = "joint '" + from.name + "'";
     joint.body = numbers_.at(from.child_link_name), joint.to = numbers_.at(from.parent_link_name);
     joint.point = frame.position;
-    if (from.type == urdf::Joint::FLOATING) return;
+    if (from.mimic) lose("mimic", joint.place.element, "joint '" + from.mimic->joint_name + "'");
+    if (from.safety) lose("transmission", joint.place.element, "safety controller");
+    if (from.type == urdf::Joint::FLOATING) {
+      if (from.dynamics && from.dynamics->damping != 0)
+        lose("joint_damping", joint.place.element, "a floating joint");
+      if (from.dynamics && from.dynamics->friction != 0)
+        lose("joint_friction", joint.place.element, "a floating joint");
+      return;
+    }
     const Vector3 axis = frame.turn * vector(from.axis);
     if (from.type != urdf::Joint::FIXED && !(axis.norm() > 0))
       throw formats::Refused(joint.place.element + ": its axis has no direction");
@@ -178,14 +216,13 @@ class Reader {
     if (from.dynamics)
       for (foreign::Freedom& freedom : joint.freedoms)
         freedom.damping = from.dynamics->damping, freedom.friction = from.dynamics->friction;
-    if (from.mimic) lose("mimic", joint.place.element, "joint '" + from.mimic->joint_name + "'");
-    if (from.safety) lose("transmission", joint.place.element, "safety controller");
     model_.joints.push_back(std::move(joint));
   }
 
   std::string file_;
   std::vector<std::string> roots_;
   std::map<std::string, int> numbers_;
+  formats::Tags tags_;
   foreign::Model model_;
 };
 

@@ -1,0 +1,79 @@
+// Parts of URDF that changed the motion without a word: each is told or refused.
+#include "tests/harness/imports/inline_model.h"
+
+namespace cylon::imports {
+namespace {
+
+constexpr const char* inertia = R"(<inertia ixx="1" iyy="1.2" izz="1.4" ixy="0" ixz="0" iyz="0"/>)";
+
+std::string link(const std::string& name, const std::string& mass = "1", const std::string& more = "") {
+  return "<link name='" + name + "'><inertial><mass value='" + mass + "'/>" + inertia + "</inertial>" + more +
+         "</link>\n";
+}
+std::string joint(const std::string& type, const std::string& more = "") {
+  return "<joint name='j' type='" + type + "'><parent link='base'/><child link='l'/>" + more + "</joint>\n";
+}
+Outcome import_urdf(const std::string& text) {
+  return import_text("<robot name='r'>\n" + text + "</robot>", "urdf");
+}
+
+struct Silent {
+  const char* name;
+  std::string text, says;
+  bool refused;
+};
+class UrdfSilent : public testing::TestWithParam<Silent> {};
+
+TEST_P(UrdfSilent, LossIsTold) {
+  REQUIRE_IMPORT("urdf");
+  const Outcome outcome = import_urdf(GetParam().text);
+  EXPECT_TRUE(GetParam().refused ? outcome.refuses(GetParam().says) : outcome.leaves_out(GetParam().says))
+      << outcome.refusal << '\n'
+      << outcome.left_out;
+}
+
+const std::string two = link("base") + link("l", "2");
+const std::string hinge = two + joint("continuous");
+
+INSTANTIATE_TEST_SUITE_P(
+    Elements, UrdfSilent,
+    testing::Values(
+        // urdfdom left the inertia out and went on.
+        Silent{"MassWithAComma", link("base") + link("l", "1,5") + joint("fixed"),
+               "mass [1,5] is not a float", true},
+        Silent{"MassOfNan", link("base") + link("l", "nan") + joint("fixed"), "mass [nan] is not a float",
+               true},
+        Silent{"MassTooLarge", link("base") + link("l", "1e400") + joint("fixed"),
+               "mass [1e400] is not a float", true},
+        Silent{"FloatingMimic", two + joint("floating", "<mimic joint='j'/>"), "joint 'j': mimic", true},
+        Silent{"FloatingDamping", two + joint("floating", "<dynamics damping='2'/>"),
+               "joint 'j': joint_damping (a floating joint)", true},
+        Silent{"FloatingFriction", two + joint("floating", "<dynamics friction='2'/>"),
+               "joint 'j': joint_friction (a floating joint)", true},
+        Silent{"Transmission", hinge + "<transmission name='t'><type>simple</type></transmission>",
+               "urdf:5: transmission 't': transmission", false},
+        Silent{"Unknown", hinge + "<bogus/>", "urdf:5: <bogus>: custom (<bogus>)", false},
+        Silent{"UnknownInALink", link("base", "1", "<bogus/>"), "<bogus>: custom (<bogus> of link 'base')",
+               false},
+        Silent{"UnknownInAJoint", two + joint("continuous", "<bogus/>"),
+               "<bogus>: custom (<bogus> of joint 'j')", false},
+        Silent{"GazeboFriction", hinge + "<gazebo reference='l'><mu1>0.2</mu1></gazebo>",
+               "<mu1>: custom (<mu1> of gazebo of 'l')", false},
+        Silent{"GazeboSpring", hinge + "<gazebo reference='j'><springStiffness>4</springStiffness></gazebo>",
+               "<springStiffness>: unread (<springStiffness> of gazebo of 'j')", true},
+        Silent{"GazeboPlugin", hinge + "<gazebo><plugin name='p' filename='libwind.so'/></gazebo>",
+               "plugin 'p': plugin_force", true},
+        Silent{"GazeboOtherPlugin", hinge + "<gazebo><plugin name='p' filename='libimu.so'/></gazebo>",
+               "plugin 'p': plugin", false}),
+    [](const auto& row) { return std::string(row.param.name); });
+
+TEST(UrdfPlain, LosesOnlyWhatTheFormatDoesNotSay) {
+  REQUIRE_IMPORT("urdf");
+  const Outcome outcome = import_urdf(two + joint("continuous", "<axis xyz='0 0 1'/><origin xyz='0 0 1'/>"));
+  ASSERT_EQ(outcome.refusal, "");
+  EXPECT_EQ(outcome.left_out.find('\n'), outcome.left_out.size() - 1) << outcome.left_out;
+  EXPECT_TRUE(outcome.leaves_out("robot 'r': assumed"));
+}
+
+}  // namespace
+}  // namespace cylon::imports
