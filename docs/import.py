@@ -56,7 +56,7 @@ def why(message):
     if "a scene cannot say what this file says" in message:
         kinds = re.findall(r"^  .*?: (?:option: |model: |contacts: )?([a-z_]+)(?: \(|:)", message, re.MULTILINE)
         return [f"`{kind}`" for kind in sorted(set(kinds))]
-    if "as a scenario:" in message or ".toml:" in message:
+    if "as a scenario:" in message or "the imported scenario:" in message:
         return ["the reader of scenarios"]
     return next(([reason] for saying, reason in SAYINGS if re.search(saying, message)), ["the format's own library"])
 

@@ -44,7 +44,8 @@ Command add_import(App& app, const Context& context) {
   app.add_flag("--kinds", options->kinds, "Print what a scene cannot say, and what becomes of it");
   app.add_flag("--keep-axes", options->imports.keep_axes,
                "Leave all axes as they are; otherwise z up becomes y up");
-  app.add_option("--root", options->imports.roots, "Folder in which package:// and model:// are looked for")
+  app.add_option("--root", options->imports.roots,
+                 "Folder in which package:// and model:// of a URDF or an SDFormat file are looked for")
       ->type_name("FOLDER")
       ->allow_extra_args(false);
   app.add_option("--keyframe", options->imports.keyframe,
@@ -69,8 +70,8 @@ Command add_import(App& app, const Context& context) {
     require_writable(options->out);
     const imports::Imported imported = imports::import_file(options->file, options->imports, context.workers);
     for (const std::string& text : imported.left_out) std::cerr << plain(fmt::format("left out: {}\n", text));
-    scenario::parse(imported.toml,
-                    options->out == "-" ? options->file : options->out);  // what is written can be read
+    // What is written can be read; the lines of an error are not those of the file.
+    scenario::parse(imported.toml, options->file + ", the imported scenario");
     write_whole(options->out, imported.toml);
     return ok;
   };
