@@ -73,7 +73,7 @@ constexpr std::array kinds = {
     LossKind{"plugin_force", refused, "a scene has no plugins, and this one moves bodies by itself"},
     LossKind{"actor", refused, "a scene has no bodies that follow a script"},
     LossKind{"surface_velocity", refused, "a scene has no surface that conveys"},
-    LossKind{"unread", refused, "the format knows it, and this import does not read it"},
+    LossKind{"unread", refused, "it changes the motion, and this import does not read it"},
     LossKind{"too_large", refused, "more than an import takes"},
 };
 
