@@ -35,7 +35,7 @@ TEST(SdfRootModel, StandsByItsPlacementFrame) {
                 within = import_world(model);
   ASSERT_EQ(alone.refusal, "");
   ASSERT_EQ(within.refusal, "");
-  const core::State &a = alone.scene().bodies.at(0).initial, &b = within.scene().bodies.at(0).initial;
+  const core::BodyState &a = alone.scene().bodies.at(0).initial, &b = within.scene().bodies.at(0).initial;
   EXPECT_EQ(a.position, b.position);
   EXPECT_EQ(a.orientation.coeffs(), b.orientation.coeffs());
   EXPECT_GT((a.position - core::Vector3(0.3, 1, 0)).norm(), 0.1);  // where it stands by its own frame
