@@ -181,8 +181,9 @@ def block(_):
     machines = sorted({scene["machine"] for scene in measured_scenes.values()})
     dates = sorted({scene["date"] for scene in measured_scenes.values()})
     load = max(scene["load"] for scene in measured_scenes.values())
-    lines += ["", f"Measured on {', '.join(machines)}, {', '.join(dates)}, by `docs/engine_table.py`, while the machine had a load average of "
-              f"up to {load}.\nCPU times depend on that by caches and clocks, steps only where a run was lost. For each scene it runs", "",
+    lines += ["", f"Measured on {', '.join(machines)}, {', '.join(dates)}, while the machine had a load average of up to {load}.\nCPU times "
+              "depend on that by caches and clocks, steps only where a run was lost. For each scene, some engines in a call of\n"
+              "their own,", "",
               "```", *wrapped("cylon matrix SCENE " + " ".join(options)), "```"]
     return "\n".join(lines)
 

@@ -1,8 +1,8 @@
 #include "harness/cli/farm.h"
 
 #include "harness/cli/command_line.h"
-#include "harness/cli/context.h"
 #include "harness/cli/content_of.h"
+#include "harness/cli/context.h"
 #include "harness/cli/line_file.h"
 #include "harness/cli/union.h"
 #include "harness/core/content_hash.h"

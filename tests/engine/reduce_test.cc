@@ -144,8 +144,9 @@ TEST(Reduced, RodIsNotBrakedByAngularDrag) {
   braked.forces.drags.push_back({0, 0, Real(0.05), Real(0.4)});
   EXPECT_EQ(reduce(braked).pinned.size(), 1u);
   EXPECT_LT(distance(run(m, "rk8", 1, 100).motions, run(braked, "rk8", 1, 100).motions), 1e-14);
-  EXPECT_LT(distance(run(by_constraints(braked), "rk8", 1, 1000).motions, run(braked, "rk8", 1, 1000).motions),
-            1e-12);
+  EXPECT_LT(
+      distance(run(by_constraints(braked), "rk8", 1, 1000).motions, run(braked, "rk8", 1, 1000).motions),
+      1e-12);
 }
 
 // What must stay a constraint, each for its reason.

@@ -1,8 +1,8 @@
 // cylon advise --verify
 #include "harness/cli/commands/advise_verify.h"
 
-#include "harness/cli/farm.h"
 #include "harness/cli/content_of.h"
+#include "harness/cli/farm.h"
 #include "harness/cli/line_file.h"
 #include "harness/cli/part.h"
 #include "harness/core/worst.h"

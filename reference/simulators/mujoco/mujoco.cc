@@ -2,8 +2,8 @@
 // Sees the simulator interface and MuJoCo's headers; never a scenario, a claim or another adapter.
 #include "harness/core/simulator.h"
 #include "reference/applied/forces.h"
-#include "reference/applied/masses.h"
 #include "reference/applied/forest.h"
+#include "reference/applied/masses.h"
 #include "reference/simulators/mujoco/mujoco_contacts.h"
 #include "reference/simulators/mujoco/mujoco_joints.h"
 #include "reference/simulators/mujoco/mujoco_limits.h"
