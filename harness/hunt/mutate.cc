@@ -1,5 +1,6 @@
 #include "harness/hunt/mutate.h"
 
+#include "harness/core/collision_filter.h"
 #include "harness/core/fields.h"
 #include "harness/hunt/dice.h"
 #include "harness/hunt/scene_parts.h"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -91,12 +93,28 @@ bool another_mass(Dice& dice, Trial& trial) {
   return true;
 }
 
+// Whether something that may touch is in every group that a mask names, as the reader asks.
+bool masks_have_members(const Scene& scene) {
+  std::set<std::string> known, named;
+  const auto add = [&](const auto& thing) {
+    if (thing.collision_groups.empty()) known.insert(std::string(core::default_group));
+    known.insert(thing.collision_groups.begin(), thing.collision_groups.end());
+    named.insert(thing.collision_mask.begin(), thing.collision_mask.end());
+  };
+  for (const Body& body : scene.bodies)
+    if (body.collide) add(body);
+  for (const core::Plane& plane : scene.planes) add(plane);
+  return std::ranges::includes(known, named);
+}
+
 bool fewer_bodies(Dice& dice, Trial& trial) {
   const std::vector<Body>& bodies = trial.scene.bodies;
   const auto moving = std::ranges::count_if(bodies, [](const Body& body) { return !body.locked; });
   const std::size_t i = bodies.empty() ? 0 : dice.below(bodies.size());
   if (moving < 2 || bodies[i].locked) return false;
-  trial.scene = without_body(trial.scene, i);
+  Scene fewer = without_body(trial.scene, i);
+  if (!masks_have_members(fewer)) return false;
+  trial.scene = std::move(fewer);
   return true;
 }
 

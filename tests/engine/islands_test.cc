@@ -19,6 +19,8 @@ Model moved(Model model, const Vector3& by) {
     if (spring.to == fixed_world) spring.to_anchor += by;
     if (spring.body == fixed_world) spring.anchor += by;
   }
+  for (CoordinateLaw& law : model.forces.coordinate_laws)
+    if (law.at.to == fixed_world) law.at.to_anchor += by;
   return model;
 }
 
@@ -39,6 +41,8 @@ void add(Model& whole, const Model& part) {
   for (Drive d : part.forces.drives) shift(d.body), whole.forces.drives.push_back(d);
   for (Attraction a : part.forces.attractions)
     shift(a.body), shift(a.to), whole.forces.attractions.push_back(a);
+  for (CoordinateLaw law : part.forces.coordinate_laws)
+    shift(law.at.body), shift(law.at.to), whole.forces.coordinate_laws.push_back(law);
 }
 
 const Vector3 fall = {Real(0.1), Real(-9.81), Real(-0.2)};
