@@ -66,6 +66,11 @@ bool has_contacts(const Situation& s) { return s.required.has(Feature::contact);
 bool followed(const Situation& s) {
   return has_contacts(s) && (s.required.has(Feature::path_events) || few_touch(s.model));
 }
+// More bodies than are followed fast, and nothing but screws that steps do not have: slowly rather than not at all.
+bool only_screws_hinder(const Situation& s) {
+  const Features beyond = s.required - supports(Method::body_steps);
+  return has_contacts(s) && (beyond - Features{Feature::joint_couples}).empty();
+}
 bool flies(const Situation& s) { return has_contacts(s) && ballistic_applies(s.model); }
 bool oscillates(const Situation& s) { return normal_modes(s.model).why_not.empty(); }
 bool many_fly(const Situation& s) {
@@ -78,7 +83,7 @@ constexpr Candidate candidates[] = {
     {Path::ballistic, Method::ballistic, flies},
     {Path::events, Method::events, followed},
     {Path::stepping, Method::body_steps, has_contacts},
-    {Path::events, Method::events, has_contacts},  // of more bodies than are followed fast, rather than none
+    {Path::events, Method::events, only_screws_hinder},
     {Path::exact, Method::exact, always},
     {Path::modes, Method::modes, oscillates},
     {Path::free, Method::free, many_fly},
