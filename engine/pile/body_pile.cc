@@ -135,6 +135,7 @@ void BodyPile::set_targets(Time now, Real h) {
     const bool meets = u < 0 && gap + u * h <= 0;
     block.target = meets && block.restitution > 0 ? -block.restitution * u : -std::max(gap, Real(0)) / h;
     block.impact = !stop && meets && -u > slow;
+    if (stop && meets && block.restitution > 0) note_bounce(block, now);
     if (block.impact) note_impact(k, now, gap, -u);
   }
 }

@@ -179,6 +179,16 @@ TEST(JointLawsAlone, BesideContactsAgreeWithOde) {
   }
 }
 
+// A blow of a stop while the body that carries it rubs on a floor, in fixed steps and by events.  Steps see a blow late by
+// up to dt, which moves a body by v dt: of some ten blows at 2 m/s.
+TEST(JointLawsAlone, BesideFrictionAgreeInStepsAndByEvents) {
+  const scenario::Scenario scenario = mix("arm_on_sliding_base");
+  const core::State events = end_of(scenario, "in-house/path=events", 1000);
+  for (const std::int64_t per_second : {2000, 16'000})
+    EXPECT_LT(apart(end_of(scenario, "in-house/path=stepping", per_second), events),
+              10 * 2.0 / static_cast<double>(per_second));
+}
+
 // A screw, a universal joint, damping, a target that moves, drag and thrust: error control against 12 000 steps of order 4.
 TEST(JointLawsAlone, BesideForcesAgreeWithSmallSteps) {
   const scenario::Scenario scenario = mix("arm_on_screw");

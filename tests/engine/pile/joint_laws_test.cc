@@ -118,6 +118,47 @@ TEST(JointLawsInSteps, RestWhereTheyHold) {
   }
 }
 
+// Two bodies alone, with stops, friction and a stiff spring between them: nothing outside acts, so both momenta stay, and
+// none of the laws gives energy.
+TEST(JointLawsInSteps, KeepTheMomentaOfWhatIsAlone) {
+  for (const Coordinates& c : coordinates) {
+    JointScene scene = joint_scene(c.type, false);
+    CoordinateLaw law;
+    law.at = c.at(scene);
+    const Real start = value(scene.model, law.at);
+    law.lower = start - Real(0.1), law.upper = start + Real(0.1), law.restitution = Real(0.5);
+    law.friction = Real(0.05), law.damping = Real(50);
+    scene.model.forces.coordinate_laws = {law};
+    for (Shape& shape : scene.model.shapes) shape = std::monostate();
+    scene.model.surfaces.assign(2, no_surface);
+    const Model& model = scene.model;
+    const std::vector<Motion> end = stepped(model, 1. / 500, 1, false);
+    EXPECT_LT((momentum(end) - momentum(model.motions)).norm(), 1e-12) << c.name;
+    EXPECT_LT((angular_momentum(end) - angular_momentum(model.motions)).norm(), 1e-12) << c.name;
+    EXPECT_LE(kinetic_energy(model.bodies, end), kinetic_energy(model.bodies, model.motions)) << c.name;
+  }
+}
+
+// A servo that follows a table, on a body that loses mass: stiff, it is at the target, and soft, where events say.
+TEST(JointLawsInSteps, FollowATableWhileMassChanges) {
+  for (const Real stiffness : {Real(60), Real(1e6)}) {
+    Model model = body_on_rail(0);
+    CoordinateLaw law;
+    law.at = along_rail();
+    law.stiffness = stiffness, law.damping = 2 * std::sqrt(stiffness);
+    law.target.times = {0.1, 0.3, 0.6}, law.target.values = {0, Real(0.2), Real(-0.1)};
+    law.upper = Real(0.15), law.restitution = Real(0.3);
+    model.forces.coordinate_laws = {law};
+    model.forces.thrusts.push_back({.body = 0, .mass_rate = Real(-0.2)});
+    model.bodies[0].mass_rate = Real(-0.2);
+    model = over_a_far_plane(model);
+    const Outcome truth = run(model, with("auto", 0.01), 80);
+    for (const Time dt : {1. / 250, 1. / 2000})
+      EXPECT_LE(distance(truth.motions, stepped(model, dt, 0.8, false)), 4 * static_cast<Real>(dt))
+          << stiffness << ' ' << dt;
+  }
+}
+
 // Forces that are unstable in a step taken by themselves: at once at what they balance, at any step, in as many steps.
 TEST(JointLawsInSteps, TakeStiffForcesImplicitly) {
   for (const bool swept : {false, true})
