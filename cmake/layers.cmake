@@ -119,7 +119,7 @@ function(adapter_tests build library)
   else()
     declare(${build}_tests KIND tests PLACES ${folder}/ PRIVATE sim_${build} ${ARG_USES} test_paths GTest::gtest_main)
   endif()
-  declare(${build}_tests KIND tests PLACES ${folder}/ PRIVATE ${library})
+  declare(${build}_tests KIND tests PLACES ${folder}/ PRIVATE ${library} refusals)
 endfunction()
 
 # javascript_tests(folder): its *_test.mjs in node, where that is; they leave out engines whose packages are not.

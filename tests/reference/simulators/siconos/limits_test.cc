@@ -1,43 +1,10 @@
 // Each reason for which Siconos refuses a scene, and the scene beside it that it takes.
 #include "reference/simulators/siconos/siconos_limits.h"
 
-#include "harness/core/simulator.h"
-
-#include <gtest/gtest.h>
-
-#include <functional>
+#include "tests/reference/simulators/refusals.h"
 
 namespace cylon::simulators {
 namespace {
-
-using core::Scene;
-using core::Vector3;
-
-// Two spheres that may touch each other and a plane, and a third body; nothing that Siconos refuses.
-Scene taken() {
-  Scene scene;
-  scene.bodies.resize(3);
-  for (std::size_t i = 0; i < 3; ++i) {
-    scene.bodies[i].name = std::string(1, static_cast<char>('a' + i));
-    scene.bodies[i].inertia = Vector3(0.2, 0.3, 0.4).asDiagonal();
-    scene.bodies[i].initial.position = {0.3 * static_cast<double>(i), 2, -0.1};
-  }
-  for (std::size_t i = 0; i < 2; ++i)
-    scene.bodies[i].shape = core::Sphere{0.1}, scene.bodies[i].collide = true;
-  scene.planes = {{"floor", Vector3::UnitY(), 0, {}, {}}};
-  scene.materials = {{{"*", "*"}, 0.4, 0.3}};
-  return scene;
-}
-
-core::Joint joint(core::JointType type, int body, int to) {
-  core::Joint one{.type = type, .body = body, .to = to, .point = {0.1, 0.2, 0.3}};
-  return one;
-}
-
-struct Refusal {
-  const char* reason;
-  std::function<void(Scene&)> refused, taken;
-};
 
 const Refusal refusals[] = {
     {"Siconos needs a mass above zero of what moves; 'b' has 0 kg.", [](Scene& s) { s.bodies[1].mass = 0; },
@@ -77,26 +44,9 @@ const Refusal refusals[] = {
      [](Scene& s) { s.bodies[2].shape = core::Rod{0.3}; }},
 };
 
-TEST(SiconosLimits, AreEachASentenceAndNoWider) {
-  EXPECT_FALSE(siconos_limit(taken()));
-  for (const Refusal& refusal : refusals) {
-    Scene scene = taken();
-    refusal.refused(scene);
-    const auto reason = siconos_limit(scene);
-    ASSERT_TRUE(reason) << refusal.reason;
-    EXPECT_NE(reason->find(refusal.reason), std::string::npos) << *reason;
-    Scene other = taken();
-    refusal.taken(other);
-    const auto none = siconos_limit(other);
-    EXPECT_FALSE(none) << refusal.reason << "\n" << *none;
-  }
-}
+TEST(SiconosLimits, AreEachASentenceAndNoWider) { expect_each(siconos_limit, refusals); }
 
-TEST(SiconosLimits, NeedAStepForward) {
-  const auto simulator = core::make_simulator();
-  EXPECT_EQ(simulator->unsupported(taken(), {.dt = 0}), "Siconos steps forward only; dt = 0 s.");
-  EXPECT_FALSE(simulator->unsupported(taken(), {.dt = 1e-3}));
-}
+TEST(SiconosLimits, NeedAStepForward) { expect_a_step_forward("Siconos"); }
 
 }  // namespace
 }  // namespace cylon::simulators
