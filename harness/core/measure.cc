@@ -329,7 +329,7 @@ Measured measure(const Claim& claim, const Scene& scene, std::span<const Recordi
       return result;
     }
   }
-  if (const auto what = untold_turns(claim.observable, scene, recordings.front())) {
+  if (const auto what = untold_turns(claim, scene, recordings.front())) {
     result.unanswered = true, result.detail = *what;
     result.value = std::numeric_limits<double>::quiet_NaN();
     return result;

@@ -78,13 +78,14 @@ double AlongMotion::beyond(const State& state) const {
   return sum;
 }
 
-std::optional<std::string> untold_turns(const Observable& observable, const Scene& scene,
-                                        const Recording& recording) {
-  AlongMotion motion(observable, scene);
+std::optional<std::string> untold_turns(const Claim& claim, const Scene& scene, const Recording& recording) {
+  AlongMotion motion(claim.observable, scene), truth(claim.observable, scene);
   Values values;
-  for (std::size_t i = 0; motion.counts() && i < recording.states.size(); ++i)
+  for (std::size_t i = 0; motion.counts() && i < recording.states.size(); ++i) {
     motion.evaluate(recording.time(i), recording.states[i], values);
-  if (!motion.lost()) return std::nullopt;
+    if (claim.truth) truth.evaluate(recording.time(i), claim.truth->state(recording.time(i)), values);
+  }
+  if (!motion.lost() && !truth.lost()) return std::nullopt;
   return "an angle on which a spring or a force acts turns too far from one sample to the next to be counted";
 }
 

@@ -1,6 +1,7 @@
 // Whole turns of joints: what a state does not tell, and the states before it do.
 #pragma once
 
+#include "harness/core/claim.h"
 #include "harness/core/held_joint.h"
 #include "harness/core/observable.h"
 #include "harness/core/recording.h"
@@ -46,7 +47,8 @@ class AlongMotion {
   bool lost_ = false;
 };
 
-/// What of a recording cannot be told since angles turn too far from one of its states to the next; or nothing.
-std::optional<std::string> untold_turns(const Observable&, const Scene&, const Recording&);
+/// What of a recording, or of the claim's truth at its times, cannot be told since angles turn too far from one state to
+/// the next; or nothing.
+std::optional<std::string> untold_turns(const Claim&, const Scene&, const Recording&);
 
 }  // namespace cylon::core

@@ -101,6 +101,23 @@ TEST(Turns, AreLostWhereSamplesAreTooFarApart) {
   }
 }
 
+// Where the truth's turns are lost, an engine that does not move is not accused of numbers that are none.
+TEST(Turns, OfATruthMayBeLost) {
+  const Case c = cases().front();
+  const Scene scene = wheel(c.law, 0);
+  const Recording still = recording(
+      scene, 2.5, 8, [](double) { return 0.; }, [](double) { return 0.; });
+  Claim claim = energy(Reduction::max);
+  claim.truth.emplace();
+  claim.truth->state = [&](double t) {
+    State state = initial_state(scene);
+    state[0].orientation =
+        Quaternion(Eigen::AngleAxisd(c.angle(t), scene.joints[0].axis)) * state[0].orientation;
+    return state;
+  };
+  EXPECT_TRUE(measure(claim, scene, std::span(&still, 1), 20).unanswered);
+}
+
 // Between stops within half a turn, and of what has no potential, a state tells all.
 TEST(Turns, AreCountedWhereTheyMatter) {
   JointAngle damped, held;
