@@ -1,5 +1,6 @@
 # The few kinds of target: a layer, an engine build, a program, a test suite, a benchmark.
 include(GoogleTest)
+include(cmake/batches.cmake)
 include(cmake/declared.cmake)
 enable_testing()
 
@@ -81,18 +82,20 @@ const char* const cylon::binary_dir = "@PROJECT_BINARY_DIR@";
 ]] @ONLY)
 add_library(test_paths STATIC ${PROJECT_BINARY_DIR}/test_paths.cc)
 target_include_directories(test_paths PUBLIC ${PROJECT_SOURCE_DIR})
-declare(test_paths KIND layer PLACES tests/paths.h)
+declare(test_paths KIND layer PLACES tests/paths.h tests/temporary_folder.h)
 
 # ctest starts the tests of the greatest COST first, so that no long one runs alone at the end.
 set(long_test 100)
 
 # test_suite(name FOLDER folder USES libraries… SHARES files… AS_ONE fixtures…): one executable for every *_test.cc under a
 # folder (a suite inside another's folder is declared before it), and for files of another suite that hold of these
-# libraries too.  Each test is a process of its own; those of an AS_ONE fixture share one, for they judge one long run.
+# libraries too.  Each test is a process of its own; those of an AS_ONE fixture share one, for they judge one long run, or
+# share what takes longer than they do: engines that start, scenes with their truths.
 function(test_suite name)
   cmake_parse_arguments(ARG "" "FOLDER" "USES;SHARES;AS_ONE" ${ARGN})
   own_sources(sources ${ARG_FOLDER} *_test.cc)
-  add_executable(${name}_tests ${sources} ${ARG_SHARES})
+  in_batches(batches ${name} ${sources} ${ARG_SHARES})
+  add_executable(${name}_tests ${batches})
   target_include_directories(${name}_tests PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name}_tests PRIVATE ${ARG_USES} test_paths GTest::gtest_main warnings)
   declare(${name}_tests KIND tests PLACES ${ARG_FOLDER}/ PRIVATE ${ARG_USES} test_paths GTest::gtest_main)
@@ -102,7 +105,7 @@ function(test_suite name)
   foreach(fixture ${ARG_AS_ONE})
     string(APPEND alone ":${fixture}.*")
     add_test(NAME ${name}/${fixture} COMMAND ${name}_tests --gtest_brief=1 --gtest_filter=${fixture}.*)
-    set_tests_properties(${name}/${fixture} PROPERTIES LABELS ${name} COST ${long_test})
+    set_tests_properties(${name}/${fixture} PROPERTIES LABELS ${name} COST ${long_test} TIMEOUT 3600)
   endforeach()
   gtest_discover_tests(${name}_tests TEST_FILTER "*-${alone}" TEST_PREFIX "${name}/" DISCOVERY_TIMEOUT 60
                        PROPERTIES LABELS ${name})
@@ -142,6 +145,15 @@ function(tool name)
   add_executable(${name} EXCLUDE_FROM_ALL ${ARG_SOURCE})
   target_link_libraries(${name} PRIVATE ${ARG_USES} warnings)
   declare(${name} KIND tool PLACES ${ARG_SOURCE} PRIVATE ${ARG_USES})
+endfunction()
+
+# plugin(name file): a library with forces, as its author would compile it (cylon/force.h).
+function(plugin name source)
+  add_library(${name} MODULE ${source})
+  set_target_properties(${name} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name} PRIVATE warnings)
+  add_dependencies(tests ${name})
 endfunction()
 
 # The test reads what every target has declared by the end of CMakeLists.txt.

@@ -1,9 +1,9 @@
-# What find_package(cylon) gives: libcylon_{simulator,worker,judge}.a, the public headers, cylonConfig.cmake.
+# What find_package(cylon) gives: libcylon_{simulator,worker,judge,in_house}.a, the public headers, cylonConfig.cmake.
 #
 # Each archive is one object in which all but the public functions are local.  An engine's own flags (-ffast-math,
 # -march) then do not reach the judge through the templates that both instantiate, of which a linker keeps one; and no
 # other version of a library's header does.
-set(public_headers cylon/engine.h cylon/worker.h cylon/gtest.h harness/judge/conform.h harness/results/verdict.h
+set(public_headers cylon/engine.h cylon/force.h cylon/worker.h cylon/gtest.h harness/judge/conform.h harness/results/verdict.h
     harness/told/diagnostic.h harness/core/simulator.h harness/core/engine.h harness/core/scene.h
     harness/core/joint_kinds.h harness/core/shapes.h harness/core/field.h harness/core/range.h)
 
@@ -27,6 +27,7 @@ endfunction()
 
 archive(simulator WHOLE core told PARTS templates KEEPS "_ZNK?5cylon(4core|4told)")
 archive(worker    WHOLE worker    PARTS process core told results input templates KEEPS "_ZN5cylon6worker3run|cylon_worker_main$")
+archive(in_house  WHOLE sim_in_house engine PARTS core told templates KEEPS "_ZN5cylon4core14make_simulatorEv$")
 archive(judge     WHOLE judge told
         PARTS study process scenario results statistics seal input exact certified core templates
         KEEPS "_ZNK?5cylon(5judge|7results|4told)")
