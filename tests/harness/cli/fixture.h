@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/paths.h"
+#include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -29,13 +30,6 @@ struct Ran {
 
 class CommandLine : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (std::filesystem::temp_directory_path() / "cylon-cli-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    folder = name;
-  }
-  void TearDown() override { std::filesystem::remove_all(folder); }
-
   void write(const std::string& file, const std::string& text) const {
     std::ofstream(folder / file, std::ios::binary) << text;
   }
@@ -77,7 +71,8 @@ class CommandLine : public testing::Test {
 
   Ran cylon(const std::string& arguments) const { return shell("exec cylon " + arguments); }
 
-  std::filesystem::path folder;
+  const TemporaryFolder own_;
+  const std::filesystem::path folder = own_.path();
 };
 
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {

@@ -10,6 +10,7 @@
 #include "harness/imports/program.h"
 #include "tests/harness/exports/scenes.h"
 #include "tests/paths.h"
+#include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -36,8 +37,8 @@ struct Case {
 class RoundTrip : public testing::TestWithParam<Case> {
  protected:
   void SetUp() override {
-    const fs::path file =
-        fs::path(testing::TempDir()) / (std::string("round_trip_") + GetParam().name + GetParam().ending);
+    const TemporaryFolder folder;
+    const fs::path file = folder.path() / (std::string(GetParam().name) + GetParam().ending);
     const imports::Format& format = *imports::format_of(file);
     if (!fs::exists(imports::program_of(format, programs)))
       GTEST_SKIP() << format.program << " is not built: " << format.package;
@@ -47,7 +48,6 @@ class RoundTrip : public testing::TestWithParam<Case> {
     imports::Options options;
     if (!exported.notes.empty()) options.keyframe = "start";
     after_ = scenario::parse(imports::import_file(file, options, programs).toml, "after.toml");
-    fs::remove(file);
     for (std::size_t i = 0; i < after_.scene.bodies.size(); ++i)
       number_[plain(after_.scene.bodies[i].name)] = static_cast<int>(i);
   }

@@ -8,6 +8,7 @@
 #include "harness/imports/steps.h"
 #include "harness/scenario/scenario.h"
 #include "tests/paths.h"
+#include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -315,7 +316,7 @@ TEST(LeaveOut, TakesARefusalForALoss) {
 
 // Deeper than any stack of a parser that recurses, and larger than a model may be: an error, no crash and no hang.
 TEST(Hostile, FilesEndWithAnError) {
-  const fs::path folder = fs::path(testing::TempDir());
+  const TemporaryFolder folder;
   const auto nested = [](const char* open, const char* close, int depth) {
     std::string text;
     for (int i = 0; i < depth; ++i) text += open;
@@ -329,12 +330,11 @@ TEST(Hostile, FilesEndWithAnError) {
       {"bytes.sdf", std::string("\0\xff<sdf", 6)},
   };
   for (const auto& [name, text] : files) {
-    const fs::path file = folder / name;
+    const fs::path file = folder.path() / name;
     std::ofstream(file) << text;
     if (readable(file)) {
       EXPECT_NE(refusal(file), "none") << name;
     }
-    fs::remove(file);
   }
 }
 

@@ -6,6 +6,7 @@
 #include "harness/imports/program.h"
 #include "harness/scenario/scenario.h"
 #include "tests/paths.h"
+#include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -36,11 +37,8 @@ inline bool can_import(const std::string& ending) {
 }
 
 inline Outcome import_text(const std::string& text, const std::string& ending, const Options& options = {}) {
-  const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
-  std::string folder = std::string(test.test_suite_name()) + "." + test.name();
-  std::ranges::replace(folder, '/', '.');
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / folder / ("model." + ending);
-  std::filesystem::create_directories(file.parent_path());
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / ("model." + ending);
   std::ofstream(file) << text;
   Outcome outcome;
   try {
@@ -50,7 +48,6 @@ inline Outcome import_text(const std::string& text, const std::string& ending, c
   } catch (const core::InputError& error) {
     outcome.refusal = error.what();
   }
-  std::filesystem::remove_all(file.parent_path());
   return outcome;
 }
 

@@ -3,6 +3,7 @@
 #include "harness/process/sandbox.h"
 
 #include "tests/harness/process/fixture.h"
+#include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -24,9 +25,6 @@ class Sandbox : public testing::Test {
  protected:
   void SetUp() override {
     if (std::system("command -v bwrap >/dev/null") != 0) GTEST_SKIP() << "bubblewrap is not installed";
-    std::string name = (std::filesystem::temp_directory_path() / "cylon-sandbox-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    folder_ = name;
     std::ofstream(folder_ / "secret") << "x";
     ::setenv("SPY_FILE", (folder_ / "secret").c_str(), 1);
     socket_ = ::socket(AF_INET, SOCK_STREAM, 0);
@@ -41,12 +39,12 @@ class Sandbox : public testing::Test {
   }
   void TearDown() override {
     sandboxing() = false;
-    std::filesystem::remove_all(folder_);
     std::filesystem::remove("written_by_worker");
     if (socket_ >= 0) ::close(socket_);
   }
 
-  std::filesystem::path folder_;
+  const TemporaryFolder own_;
+  const std::filesystem::path& folder_ = own_.path();
   int socket_ = -1;
 };
 

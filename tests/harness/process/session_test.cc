@@ -4,11 +4,19 @@
 #include "harness/core/input_error.h"
 #include "harness/process/engine_table.h"
 #include "tests/paths.h"
+#include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace cylon::process {
@@ -70,6 +78,62 @@ TEST(Sessions, GoOnAfterARunThatDoesNotPass) {
   const RunOutcome again = in(session, scene);
   ASSERT_TRUE(first.recording && again.recording) << first.reason << again.reason;
   EXPECT_EQ(first.recording->states.back()[0].position, again.recording->states.back()[0].position);
+}
+
+// How often a worker was started, by a wrapper that notes it.
+TEST(KeptWorkers, ServeRunsOfTheirThreadAsLongAsTheyLive) {
+  const TemporaryFolder folder;
+  const std::string notes = folder.path() / "notes";
+  EngineChoice noted = engine("ode");
+  noted.row.command.insert(noted.row.command.begin(),
+                           {"sh", "-c", "echo >>" + notes + "; exec \"$@\"", "sh"});
+  const auto started = [&] {
+    std::ifstream file(notes);
+    return std::count(std::istreambuf_iterator<char>(file), {}, '\n');
+  };
+  const core::Scene scene = thrown(1);
+  const RunRequest request{.scene = &scene, .setup = {.dt = 0.002}, .steps = 300, .every = 100};
+  const auto end = [&] { return run(noted, request).recording.value().states.back()[0].position; };
+  const core::Vector3 alone = end();
+  EXPECT_EQ(started(), 1);
+  {
+    const KeptWorkers kept;
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(end(), alone);
+    EXPECT_EQ(started(), 2);
+    std::thread(end).join();  // not its thread
+    EXPECT_EQ(started(), 3);
+    RunRequest timed = request;
+    timed.repetitions = 1;
+    EXPECT_EQ(run(noted, timed).repetitions.size(), 1u);
+    EXPECT_EQ(started(), 4);
+    {
+      const KeptWorkers inner;
+      EXPECT_EQ(end(), alone);
+      EXPECT_EQ(started(), 5);
+    }
+    EXPECT_EQ(end(), alone);
+    EXPECT_EQ(started(), 5);
+  }
+  EXPECT_EQ(end(), alone);
+  EXPECT_EQ(started(), 6);
+}
+
+// A choice that was changed after its id was read had the worker, and the options, of the first one.
+TEST(KeptWorkers, TellChoicesOfOneIdApart) {
+  const core::Scene scene = thrown(1);
+  const RunRequest request{.scene = &scene, .setup = {.dt = 0.002}, .steps = 300, .every = 100};
+  const EngineChoice plain = engine("bullet");
+  EngineChoice other = plain;
+  other.options["gyro"] = "none";
+  const auto end = [&](const EngineChoice& choice) {
+    return run(choice, request).recording.value().states.back()[0].orientation.coeffs().eval();
+  };
+  const auto first = end(plain), second = end(other);
+  EXPECT_NE(first, second);
+  const KeptWorkers kept;
+  EXPECT_EQ(end(plain), first);
+  EXPECT_EQ(end(other), second);
+  EXPECT_EQ(end(plain), first);
 }
 
 TEST(Sessions, SayWhyThereIsNoWorkerAndRefuseRepetitions) {

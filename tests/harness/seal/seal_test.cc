@@ -1,6 +1,7 @@
 #include "harness/seal/seal.h"
 
 #include "harness/seal/sha256.h"
+#include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -23,22 +24,19 @@ TEST(Sha256, AgreesWithPublishedValues) {
 // By Python: hmac.new(bytes(range(1, 33)), b"which key is this", "sha256").hexdigest()[:8] +
 //            hmac.new(bytes(range(1, 33)), b"7:journalx = 1", "sha256").hexdigest()[:32]
 TEST(Seal, IsAnHmacUnderTheKey) {
-  std::string folder = (std::filesystem::temp_directory_path() / "cylon-seal-XXXXXX").string();
-  ASSERT_NE(::mkdtemp(folder.data()), nullptr);
-  const std::string file = folder + "/key";
+  const TemporaryFolder folder;
+  const std::string file = folder.path() / "key";
   std::string key;
   for (char c = 1; c <= 32; ++c) key += c;
   std::ofstream(file) << key;
   ASSERT_EQ(::chmod(file.c_str(), 0600), 0);
   ::setenv("CYLON_KEY", file.c_str(), 1);
   EXPECT_EQ(seal("journal", "x = 1"), "71c3e5cdda406f2a1a51ec881d4807203da6afff");
-  std::filesystem::remove_all(folder);
 }
 
 TEST(Seal, HoldsForItsTextAndPurposeUnderAPrivateKey) {
-  std::string folder = (std::filesystem::temp_directory_path() / "cylon-seal-XXXXXX").string();
-  ASSERT_NE(::mkdtemp(folder.data()), nullptr);
-  const std::string file = folder + "/inner/key";
+  const TemporaryFolder folder;
+  const std::string file = folder.path() / "inner/key";
   ::setenv("CYLON_KEY", file.c_str(), 1);
   const std::string mac = seal("journal /a", "x = 1");
   EXPECT_EQ(mac.size(), 40u);
@@ -55,19 +53,16 @@ TEST(Seal, HoldsForItsTextAndPurposeUnderAPrivateKey) {
   EXPECT_FALSE(holds(mac, "journal ", "/ax = 1"));
   EXPECT_FALSE(holds(mac.substr(1), "journal /a", "x = 1"));
   EXPECT_FALSE(holds("", "journal /a", "x = 1"));
-  std::filesystem::remove_all(folder);
 }
 
 TEST(Seal, AKeyThatOthersCanReadSealsNothing) {
-  std::string folder = (std::filesystem::temp_directory_path() / "cylon-seal-XXXXXX").string();
-  ASSERT_NE(::mkdtemp(folder.data()), nullptr);
-  const std::string file = folder + "/key";
+  const TemporaryFolder folder;
+  const std::string file = folder.path() / "key";
   std::ofstream(file) << std::string(32, 'k');
   ASSERT_EQ(::chmod(file.c_str(), 0644), 0);
   ::setenv("CYLON_KEY", file.c_str(), 1);
   EXPECT_EQ(seal("journal", "x"), "");
   EXPECT_FALSE(holds("", "journal", "x"));
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

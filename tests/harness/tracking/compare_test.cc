@@ -5,6 +5,7 @@
 #include "harness/scenario/scenario.h"
 #include "harness/study/paired_times.h"
 #include "tests/paths.h"
+#include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -217,12 +218,8 @@ TEST(SelfCheck, UnreliableEnvironmentGivesNoTimes) {
 class Sides : public testing::Test {
  protected:
   void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "cylon-sides-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    folder = name;
     scenario = scenario::load(std::string(source_dir) + "/scenarios/projectile.toml");
   }
-  void TearDown() override { fs::remove_all(folder); }
 
   /// A build folder whose in-house worker is another one of ours, or a script.
   Side side(const std::string& name, const std::string& worker) const {
@@ -247,7 +244,8 @@ class Sides : public testing::Test {
     return compare({cell}, before, after, options, {}).cells.at(0);
   }
 
-  fs::path folder;
+  const TemporaryFolder own_;
+  const fs::path folder = own_.path();
   scenario::Scenario scenario;
 };
 

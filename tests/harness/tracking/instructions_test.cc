@@ -3,6 +3,7 @@
 
 #include "harness/scenario/scenario.h"
 #include "tests/paths.h"
+#include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -72,9 +73,8 @@ TEST(Instructions, CountsRepeatAndScaleWithWork) {
 // A worker without symbols is counted whole; what is not a step still drops out.
 TEST(Instructions, CountsWholeWorkerWithoutSymbols) {
   if (find_counter().counter != Counter::callgrind) return;
-  const fs::path folder = fs::temp_directory_path() / "cylon-stripped-worker";
-  fs::create_directories(folder);
-  const fs::path bare = folder / "cylon-worker-in-house";
+  const TemporaryFolder folder;
+  const fs::path bare = folder.path() / "cylon-worker-in-house";
   ASSERT_EQ(
       std::system(
           ("strip -o " + bare.string() + " " + std::string(binary_dir) + "/cylon-worker-in-house").c_str()),
@@ -82,7 +82,6 @@ TEST(Instructions, CountsWholeWorkerWithoutSymbols) {
   process::EngineChoice stripped = engine("in-house/integrator=rk4");
   stripped.row.command = {bare.string()};
   const InstructionCount whole = count(stripped), steps = count(engine("in-house/integrator=rk4"), 150, 150);
-  fs::remove_all(folder);
   ASSERT_TRUE(whole.instructions && steps.instructions) << whole.remark << steps.remark;
   EXPECT_FALSE(whole.steps_alone);
   EXPECT_NE(whole.remark.find("all instructions of the worker"), std::string::npos) << whole.remark;

@@ -16,7 +16,6 @@ constexpr const char* record = "track record projectile --engine in-house --repe
 class TrackStore : public cli::CommandLine {
  protected:
   void SetUp() override {
-    cli::CommandLine::SetUp();
     ASSERT_EQ(cylon(record).code, 0);
     before_ = exported();
   }

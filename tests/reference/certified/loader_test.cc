@@ -3,6 +3,7 @@
 #include "harness/core/measure.h"
 #include "harness/core/scale.h"
 #include "harness/scenario/scenario.h"
+#include "tests/temporary_folder.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -20,16 +21,10 @@ namespace {
 class CertifiedClaims : public testing::Test {
  protected:
   void SetUp() override {
-    std::string name = (std::filesystem::temp_directory_path() / "cylon-cache-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    folder_ = name;
-    ::setenv("CYLON_CACHE", name.c_str(), 1);
+    ::setenv("CYLON_CACHE", own_.path().c_str(), 1);
   }
-  void TearDown() override {
-    ::unsetenv("CYLON_CACHE");
-    std::filesystem::remove_all(folder_);
-  }
-  std::filesystem::path folder_;
+  void TearDown() override { ::unsetenv("CYLON_CACHE"); }
+  const TemporaryFolder own_;
 };
 
 // Two bobs on rods, as chaotic as it gets; `duration` and a claim follow.
@@ -86,7 +81,7 @@ TEST_F(CertifiedClaims, HaveErrorBoundAtAnyTime) {
 
 // Reading a file integrates nothing; what it gives cannot be judged before it is prepared.
 TEST_F(CertifiedClaims, AreSolvedByPrepareAndNotByRead) {
-  const std::filesystem::path file = folder_ / "bobs.toml";
+  const std::filesystem::path file = own_.path() / "bobs.toml";
   std::ofstream(file) << bobs(1, thousandth);
   Scenario scenario = read(file);
   EXPECT_FALSE(scenario.claims.at(0).truth.has_value());
@@ -103,7 +98,7 @@ TEST_F(CertifiedClaims, AreSolvedByPrepareAndNotByRead) {
 
 // The place of the claim is known still when its truth is looked at.
 TEST_F(CertifiedClaims, ThatFailWhenTheyArePreparedSayWhere) {
-  const std::filesystem::path file = folder_ / "bobs.toml";
+  const std::filesystem::path file = own_.path() / "bobs.toml";
   std::ofstream(file) << bobs(60, thousandth);
   Scenario scenario = read(file);
   try {

@@ -2,6 +2,7 @@
 #include "reference/certified/truth.h"
 #include "reference/certified/cache.h"
 #include "reference/certified/solve.h"
+#include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -18,22 +19,17 @@ namespace fs = std::filesystem;
 class CertifiedTruth : public testing::Test {
  protected:
   void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "cylon-cache-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    folder_ = name;
-    ::setenv("CYLON_CACHE", name.c_str(), 1);
+    ::setenv("CYLON_CACHE", folder_.c_str(), 1);
   }
-  void TearDown() override {
-    ::unsetenv("CYLON_CACHE");
-    fs::remove_all(folder_);
-  }
+  void TearDown() override { ::unsetenv("CYLON_CACHE"); }
   std::vector<fs::path> files() const {
     std::vector<fs::path> found;
     if (fs::exists(folder_ / "certified"))
       for (const auto& entry : fs::directory_iterator(folder_ / "certified")) found.push_back(entry.path());
     return found;
   }
-  fs::path folder_;
+  const TemporaryFolder own_;
+  const fs::path& folder_ = own_.path();
 };
 
 core::Scene pendulum(double length = 0.8) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "harness/tracking/store/store.h"
+#include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -19,15 +20,11 @@ namespace cylon::store {
 class Folder : public testing::Test {
  protected:
   void SetUp() override {
-    std::string name = (std::filesystem::temp_directory_path() / "cylon-store-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    folder = name;
-    file = folder / "history.db";
     ::setenv("CYLON_KEY", (folder / "key").c_str(), 1);
   }
-  void TearDown() override { std::filesystem::remove_all(folder); }
 
-  std::filesystem::path folder, file;
+  const TemporaryFolder own_;
+  const std::filesystem::path folder = own_.path(), file = folder / "history.db";
 };
 
 inline std::string bytes_of(const std::filesystem::path& path) {

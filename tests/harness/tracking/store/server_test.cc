@@ -21,7 +21,6 @@ TEST(Addresses, AreShownWithoutPassword) {
 class ServerStore : public cli::CommandLine {
  protected:
   void SetUp() override {
-    CommandLine::SetUp();
     if (PostgresServer::only().is_missing())
       GTEST_SKIP() << "no PostgreSQL here: apt-get install postgresql libpq-dev";
     ASSERT_TRUE(PostgresServer::only().is_up());
