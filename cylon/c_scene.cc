@@ -71,6 +71,7 @@ const Part parts[] = {
     {CYLON_ROTATION, "rotation", may_turn},
     {0, "thrust", has<core::Thrust>},
     {0, "water", has<core::Water>},
+    {0, "forces of plug-ins", has<core::PluginForce>},
     {0, "frame that is not inertial", [](const Scene& scene) { return scene.frame.has_value(); }},
 };
 

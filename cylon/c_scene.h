@@ -41,7 +41,8 @@ class CScene {
   void add(const core::Thrust&) {}  // refused
   void add(const core::Drive&);
   void add(const core::Attraction&);
-  void add(const core::Water&) {}  // refused
+  void add(const core::Water&) {}        // refused
+  void add(const core::PluginForce&) {}  // refused
 };
 
 }  // namespace cylon::worker

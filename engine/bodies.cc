@@ -29,8 +29,11 @@ Bodies::Bodies(Model model, bool account)
   opened_ = upright_ = start_ = probe_ = model_.motions;
   powers_.resize(model_.forces.count());
   reads_velocities_ = model_.forces.read_velocities();
-  affine_ = std::ranges::none_of(model_.forces.coordinate_laws,
-                                 [](const CoordinateLaw& law) { return law.quadratic_damping != 0; });
+  affine_ = !any_force(model_.forces, [](const auto& force) {
+    Features asked;
+    force.add_features(asked);
+    return !(asked & not_affine).empty();
+  });
   int rows = 0;
   for (const Joint& joint : model_.joints) rows += row_count(joint.type);
   rows_.rows.reserve(static_cast<std::size_t>(rows));

@@ -3,7 +3,7 @@
 
 #include "engine/vector.h"
 
-#include <array>
+#include <vector>
 
 namespace cylon::engine {
 
@@ -16,7 +16,7 @@ struct Ends {
   Real rest_length = 0;                 ///< [m]
 };
 
-/// The body that a force acts on, and the second if there is one; else the world.
-using Acted = std::array<int, 2>;
+/// The bodies that a force acts on; the world may be among them.
+using Acted = std::vector<int>;
 
 }  // namespace cylon::engine

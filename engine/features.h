@@ -29,8 +29,11 @@ enum class Feature : unsigned {
   drive,
   attraction,
   water,
-  joint_law,             ///< A spring, a damper, a motor or a servo on a coordinate of a joint.
-  quadratic_damping,     ///< A force that is not affine in the momenta.
+  joint_law,                 ///< A spring, a damper, a motor or a servo on a coordinate of a joint.
+  quadratic_damping,         ///< One that is not affine in the momenta.
+  user_force,                ///< Its law is a plug-in's.
+  user_force_of_velocities,  ///< One that is not affine in the momenta.
+  frame_force,           ///< The frame of the scene turns or accelerates, and motions are those that it sees.
   unknown_displacement,  ///< A body under water of a shape whose submerged volume has no formula.
   // Joints.
   joint_together,
@@ -95,6 +98,9 @@ inline constexpr std::array feature_names = {
     FeatureName{Feature::water, "water"},
     FeatureName{Feature::joint_law, "springs, dampers and motors in joints"},
     FeatureName{Feature::quadratic_damping, "quadratic damping in joints"},
+    FeatureName{Feature::user_force, "forces of plug-ins"},
+    FeatureName{Feature::user_force_of_velocities, "forces of plug-ins that read velocities"},
+    FeatureName{Feature::frame_force, "a frame that turns or accelerates"},
     FeatureName{Feature::unknown_displacement,
                 "the volume of a capsule, a cylinder or a cone below a water surface"},
     FeatureName{Feature::joint_together, "joints at a point"},
@@ -154,6 +160,7 @@ class Features {
   constexpr std::size_t size() const { return static_cast<std::size_t>(std::popcount(bits_)); }
 
   friend constexpr Features operator|(Features a, Features b) { return Features(a.bits_ | b.bits_); }
+  friend constexpr Features operator&(Features a, Features b) { return Features(a.bits_ & b.bits_); }
   /// What is in `a` and not in `b`.
   friend constexpr Features operator-(Features a, Features b) { return Features(a.bits_ & ~b.bits_); }
   friend constexpr bool operator==(Features, Features) = default;

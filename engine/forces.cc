@@ -147,6 +147,36 @@ void apply(const Water& water, Scene& scene) {
   }
 }
 
+// Summed over a body: m its mass, c its centre from the reference point at r, J its second moments about that, w its
+// spin; with  A(v) = a + 2 W x v + W' x r + W x (W x r)  and  sum dm x (x.W) = (tr(J)/2 - J) W  over its arms x,
+//   F      = -m (A(v) + 2 W x (w x c) + W' x c + W x (W x c))
+//   torque = -m c x A(v) + (J W) x W + 2 (J W) x w - tr(J) W x w - J W'
+void apply(const FrameForce& frame, Scene& scene) {
+  const Real phase =
+      static_cast<Real>(std::fmod(static_cast<double>(frame.frequency) * scene.time, 2 * M_PI));
+  const Vector3 push = std::cos(phase) * frame.acceleration, &faster = frame.angular_acceleration;
+  const Vector3 turn = frame.angular_velocity + static_cast<Real>(scene.time) * faster;
+  const auto of_place = [&](const Vector3& r) {
+    return Vector3(faster.cross(r) + turn.cross(turn.cross(r)));
+  };
+  for (std::size_t i = 0; i < scene.count; ++i) {
+    const Body& body = scene.bodies[i];
+    if (body.locked) continue;
+    const Kinematics& k = scene.kinematics[i];
+    const Vector3 c = scene.centre(i), &spin = k.angular_velocity;
+    const Vector3 at_point = push + 2 * turn.cross(k.velocity) + of_place(scene.motion[i].position);
+    const Vector3 of_arm = 2 * turn.cross(spin.cross(c)) + of_place(c);
+    Vector3 torque = -body.mass * c.cross(at_point);
+    if (frame.turns()) {
+      const Matrix3 inertia = k.rotation * body.inertia * k.rotation.transpose();
+      const Vector3 along = inertia * turn;
+      torque +=
+          along.cross(turn) + 2 * along.cross(spin) - inertia.trace() * turn.cross(spin) - inertia * faster;
+    }
+    scene.wrench(static_cast<int>(i), -body.mass * (at_point + of_arm), torque);
+  }
+}
+
 void apply(const CoordinateLaw& law, Scene& scene) {
   if (law.held) return;
   const JointEnd a = end_of(law.at.body, law.at.anchor, scene.motion, scene.kinematics);
@@ -158,6 +188,25 @@ void apply(const CoordinateLaw& law, Scene& scene) {
                      law.damping * (rate - target.rate) - law.quadratic_damping * rate * std::abs(rate);
   scene.wrench(row.body, force * row.direction, force * row.lever);
   scene.wrench(row.to, -force * row.direction, -force * row.to_lever);
+}
+
+void apply(const UserForce& user, Scene& scene) {
+  if (!user.law) return;
+  std::vector<SeenBody> seen;
+  seen.reserve(user.bodies.size());
+  for (const int body : user.bodies) {
+    const std::size_t i = at(body);
+    const Kinematics& k = scene.kinematics[i];
+    const Vector3 arm = scene.centre(i);
+    seen.push_back({scene.bodies[i].mass, scene.motion[i].position + arm, scene.motion[i].orientation,
+                    k.velocity + k.angular_velocity.cross(arm), k.angular_velocity});
+  }
+  std::vector<Load> loads(user.bodies.size());
+  user.law->apply(scene.time, seen, loads);
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    const Vector3 arm = scene.centre(at(user.bodies[k]));
+    scene.wrench(user.bodies[k], loads[k].force, loads[k].torque + arm.cross(loads[k].force));
+  }
 }
 
 // ---- How fast a force alone can make bodies react -------------------------------------------------------
@@ -189,6 +238,13 @@ Rates rates(const Water& w, const std::vector<Body>& bodies) {
   return {0, std::max(w.drag * mobility, w.mode == WaterMode::step ? Real(1) : Real(0))};
 }
 
+// Not known: steps of a pile, which ask for this, do not take them.
+Rates rates(const UserForce&, const std::vector<Body>&) { return {}; }
+// What Coriolis turns in a time, 2 W, an explicit step must resolve as it must a decay.
+Rates rates(const FrameForce& frame, const std::vector<Body>&) {
+  return {0, 2 * frame.angular_velocity.norm()};
+}
+
 // No more than what the other joints of the bodies let the coordinate move: the axis of an angle is known in one
 // of them.
 Rates rates(const CoordinateLaw& law, const std::vector<Body>& bodies) {
@@ -218,6 +274,10 @@ class Sums {
   void add(const Thrust&) {}
   void add(const Drive&) {}
   void add(const Attraction&) {}
+  void add(const UserForce&) {}
+  void add(const FrameForce& frame) {
+    for (Rates& r : rates_) r.damping += rates(frame, bodies_).damping;
+  }
   void add(const Water& w) {
     for (std::size_t i = 0; i < bodies_.size(); ++i)
       if (!bodies_[i].locked) rates_[i].damping += rates(w, bodies_).damping;

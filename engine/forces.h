@@ -6,7 +6,9 @@
 #include "engine/body.h"
 #include "engine/coordinate_law.h"
 #include "engine/features.h"
+#include "engine/frame_force.h"
 #include "engine/numbering.h"
+#include "engine/user_force.h"
 #include "engine/water.h"
 
 #include <concepts>
@@ -24,7 +26,7 @@ concept ForceKind = requires(F force, Features& features, std::vector<char>& tur
   { F::one } -> std::convertible_to<const char*>;    // "a spring"
   { F::feature } -> std::convertible_to<Feature>;    // of its own
   {force.add_features(features)};                    // all that it asks of a method, F::feature included
-  // Affine in the momenta where it does, but for Feature::quadratic_damping.
+  // Affine in the momenta where it does, but for those of `not_affine`.
   { force.reads_velocities() } -> std::same_as<bool>;
   { force.reads_time() } -> std::same_as<bool>;  // other than by the motion
   // Its law is the same in a turning frame, for inertial velocities.
@@ -164,6 +166,9 @@ struct Attraction {
   void renumber(const Numbering& part) { body = part(body), to = part(to); }
 };
 
+/// What reads velocities in a way for which no kick is exact.
+inline constexpr Features not_affine = {Feature::quadratic_damping, Feature::user_force_of_velocities};
+
 /// All forces of a model; F = sum F_i, torque = sum r_i x F_i (seed eq. 17, 57, 58; errata 4).
 struct Forces {
   Vector3 gravity =
@@ -175,11 +180,13 @@ struct Forces {
   std::vector<Attraction> attractions;
   std::vector<Water> waters;
   std::vector<CoordinateLaw> coordinate_laws;
+  std::vector<UserForce> user_forces;
+  std::vector<FrameForce> frame_forces;  ///< At most one.
 
   /// Gravity, then one per row above, in that order.
   std::size_t count() const;
   bool only_gravity() const { return count() == 1; }
-  /// Whether any of them reads a velocity; all such are affine in the momenta, but for quadratic damping.
+  /// Whether any of them reads a velocity; all such are affine in the momenta, but for those of `not_affine`.
   bool read_velocities() const;
 
   /// The first time after t at which a force is not smooth as a function of the time; infinite: none [s].
@@ -193,9 +200,10 @@ struct Forces {
 };
 
 /// The lists of Forces: all of them, in the order in which forces are applied and their works are accounted.
-inline constexpr std::tuple force_lists = {&Forces::springs,        &Forces::drags,       &Forces::thrusts,
-                                           &Forces::drives,         &Forces::attractions, &Forces::waters,
-                                           &Forces::coordinate_laws};
+inline constexpr std::tuple force_lists = {
+    &Forces::springs,         &Forces::drags,       &Forces::thrusts,
+    &Forces::drives,          &Forces::attractions, &Forces::waters,
+    &Forces::coordinate_laws, &Forces::user_forces, &Forces::frame_forces};
 
 /// Calls visit(list) for each list.
 template <class AnyForces, class Visit>

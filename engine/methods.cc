@@ -13,7 +13,9 @@ namespace {
 // All that one row names; a new feature is in none of them.
 constexpr Features all_forces = {Feature::spring,     Feature::damped_spring, Feature::off_centre_spring,
                                  Feature::drag,       Feature::thrust,        Feature::drive,
-                                 Feature::attraction, Feature::water,         Feature::joint_law};
+                                 Feature::attraction, Feature::water,         Feature::joint_law,
+                                 Feature::frame_force};
+constexpr Features user_forces = {Feature::user_force, Feature::user_force_of_velocities};
 constexpr Features all_joints = {Feature::joint_together,   Feature::joint_at_length,
                                  Feature::joint_along_axis, Feature::joint_in_plane,
                                  Feature::joint_about_axis, Feature::joint_about_two_axes,
@@ -41,7 +43,7 @@ constexpr std::array rows = {
     Row{Method::top,
         {Feature::spin, Feature::pinned_body, Feature::own_gravity, Feature::chosen_integrator,
          Feature::late_start}},
-    Row{Method::bodies, rigid_bodies | all_forces | all_joints |
+    Row{Method::bodies, rigid_bodies | all_forces | user_forces | all_joints |
                             Features{Feature::joint_couples, Feature::quadratic_damping, Feature::pinned_body,
                                      Feature::one_axis_body, Feature::guided_body, Feature::turning_frame,
                                      Feature::chosen_integrator, Feature::account, Feature::late_start,
@@ -49,7 +51,7 @@ constexpr std::array rows = {
     Row{Method::ballistic,
         {Feature::locked_body, Feature::spin, Feature::contact, Feature::friction, Feature::sphere,
          Feature::collision_filters, Feature::own_gravity, Feature::late_start}},
-    Row{Method::events, rigid_bodies | all_forces | all_joints | all_contacts |
+    Row{Method::events, rigid_bodies | all_forces | user_forces | all_joints | all_contacts |
                             Features{Feature::joint_couples, Feature::quadratic_damping, Feature::joint_limit,
                                      Feature::joint_friction, Feature::pinned_body, Feature::one_axis_body,
                                      Feature::guided_body, Feature::chosen_integrator, Feature::account,

@@ -66,10 +66,12 @@ bool has_contacts(const Situation& s) { return s.required.has(Feature::contact);
 bool followed(const Situation& s) {
   return has_contacts(s) && (s.required.has(Feature::path_events) || few_touch(s.model));
 }
-// More bodies than are followed fast, and nothing but screws that steps do not have: slowly rather than not at all.
-bool only_screws_hinder(const Situation& s) {
+// More bodies than are followed fast, and nothing but these that steps do not have: slowly rather than not at all.
+bool only_smooth_parts_hinder(const Situation& s) {
   const Features beyond = s.required - supports(Method::body_steps);
-  return has_contacts(s) && (beyond - Features{Feature::joint_couples}).empty();
+  constexpr Features smooth = {Feature::joint_couples, Feature::user_force,
+                               Feature::user_force_of_velocities};
+  return has_contacts(s) && (beyond - smooth).empty();
 }
 bool flies(const Situation& s) { return has_contacts(s) && ballistic_applies(s.model); }
 bool oscillates(const Situation& s) { return normal_modes(s.model).why_not.empty(); }
@@ -83,7 +85,7 @@ constexpr Candidate candidates[] = {
     {Path::ballistic, Method::ballistic, flies},
     {Path::events, Method::events, followed},
     {Path::stepping, Method::body_steps, has_contacts},
-    {Path::events, Method::events, only_screws_hinder},
+    {Path::events, Method::events, only_smooth_parts_hinder},
     {Path::exact, Method::exact, always},
     {Path::modes, Method::modes, oscillates},
     {Path::free, Method::free, many_fly},
@@ -282,11 +284,10 @@ std::string unsupported(const Model& given, const Options& options, const Names&
     return std::string(integrator->name) +
            " cannot integrate joints: only compositions of RATTLE steps keep the constraints";
   }
-  if (integrator && integrator->kind == Kind::splitting && required(model).has(Feature::quadratic_damping)) {
-    return std::string(integrator->name) +
-           " cannot integrate quadratic damping: its kicks are exact for forces that are affine in the "
-           "momenta";
-  }
+  if (integrator && integrator->kind == Kind::splitting)
+    if (const Features beyond = required(model) & not_affine; !beyond.empty())
+      return std::string(integrator->name) + " cannot integrate " + engine::names(beyond) +
+             ": its kicks are exact for forces that are affine in the momenta";
   const std::optional<Path> path = path_of(model, options);
   if (!path) return no_path(model, options);
   return options.force ? "" : unresolved(model, *path, names);

@@ -45,6 +45,10 @@ bool is_point(const Model& model, int body) {
                       }) &&
          std::none_of(model.forces.thrusts.begin(), model.forces.thrusts.end(),
                       [&](const Thrust& t) { return t.body == body; }) &&
+         std::none_of(model.forces.frame_forces.begin(), model.forces.frame_forces.end(),
+                      [](const FrameForce& f) { return f.turns(); }) &&
+         std::none_of(model.forces.user_forces.begin(), model.forces.user_forces.end(),
+                      [&](const UserForce& f) { return f.acts_on(body); }) &&
          std::all_of(model.joints.begin(), model.joints.end(),
                      [&](const Joint& j) { return (j.body != body && j.to != body) || j.type == on_rod; });
 }

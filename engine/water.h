@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/body.h"
+#include "engine/ends.h"
 #include "engine/features.h"
 #include "engine/numbering.h"
 #include "engine/shape.h"
@@ -12,8 +13,6 @@
 #include <vector>
 
 namespace cylon::engine {
-
-struct Ends;
 
 /// How the lift follows from the depth.
 enum class WaterMode {
@@ -60,7 +59,7 @@ struct Water {
   }
   void shift_anchors(int, const Vector3&) {}
   std::optional<Ends> ends() const;
-  std::optional<std::array<int, 2>> acts_on() const { return std::nullopt; }
+  std::optional<Acted> acts_on() const { return std::nullopt; }
   void renumber(const Numbering& part);
 };
 

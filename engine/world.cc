@@ -1,8 +1,8 @@
 #include "engine/world.h"
 
+#include "engine/constraint.h"
 #include "engine/islands/joined_plan.h"
-#include "engine/islands/unions.h"
-#include "engine/loaded.h"
+#include "engine/joint.h"
 
 #include <algorithm>
 #include <cassert>
@@ -19,11 +19,6 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 Model with(Model model, const Options& options) {
   if (options.constraints) model.reduce_joints = false;
   return model;
-}
-
-bool is_finite(const Motion& m) {
-  return m.position.allFinite() && m.momentum.allFinite() && m.orientation.coeffs().allFinite() &&
-         m.angular_momentum.allFinite();
 }
 
 // Whether there is nothing to part: everything runs on purpose, or every body moves by itself in one run.
@@ -202,157 +197,62 @@ void World::sort_impacts() {
                    [](const Impact& a, const Impact& b) { return a.time < b.time; });
 }
 
-// ---- What may meet ----------------------------------------------------------------------------------
+// ---- Kicks -------------------------------------------------------------------------------------------
 
-void World::find_accelerations() {
-  const std::size_t n = motions_.size();
-  accelerations_.assign(n, 0);
-  if (model_->forces.only_gravity()) return;
-  const std::vector<Load> loads = loaded(model_->forces, time(), bodies(), motions_).loads;
-  for (std::size_t i = 0; i < n; ++i)
-    accelerations_[i] = (bodies()[i].inverse_mass * loads[i].force - model_->gravity_of(i)).norm();
+std::string World::no_kick() const {
+  if (options_.account) return "works are accounted since t = 0, and a kick does work of its own";
+  if (std::ranges::any_of(model_->forces.coordinate_laws,
+                          [](const CoordinateLaw& law) { return law.counts_turns(); }))
+    return "a run that begins anew does not know how many turns an angle has made";
+  return "";
 }
 
-void World::look(std::size_t cluster) {
-  for (const int body : interactions_->touching(cluster))
-    ranges_[at(body)] =
-        interactions_->range(body, bodies()[at(body)], motions_[at(body)], accelerations_[at(body)]);
-}
-
-// After a step.  Every `ahead` steps all ranges are made anew, and besides those of a cluster with a body
-// that will leave its own in the next step: what is looked at when depends on that cluster alone.
-void World::watch() {
-  const bool all = steps_ % islands::Interactions::ahead == 0;
-  if (all) find_accelerations();
-  looked_.clear();
-  jumped_.assign(interactions_->clusters().size(), 0);
-  for (const std::size_t c : interactions_->open()) {
-    bool leaves = all;
-    for (const int body : interactions_->touching(c)) {
-      const islands::Range& range = ranges_[at(body)];
-      if (range.for_ever) continue;
-      const Motion& motion = motions_[at(body)];
-      const Real way = (motion.position - range.ball.centre).norm();
-      const Real next = velocity(bodies()[at(body)], motion).norm() * static_cast<Real>(options_.dt);
-      leaves = leaves || way + next > range.ball.radius;
-      jumped_[c] = jumped_[c] || way > range.ball.radius;
-    }
-    if (!leaves) continue;
-    look(c);
-    looked_.push_back(c);
-  }
-  bool changed = false;
-  while (merge()) changed = true;
-  if (all) changed = part() || changed;
-  if (changed) set_plan();
-}
-
-// Islands of which two may meet become one.  What has left its range within the step may have met something
-// in it: that step is made again, after which its bodies may meet others.  Whether any became one.
-bool World::merge() {
-  const std::size_t n = interactions_->clusters().size();
-  islands::Unions unions(n);
-  for (const Island& island : islands_)
-    for (const std::size_t c : island.clusters)
-      if (!island.flies) unions.join(island.clusters.front(), c);
-  std::vector<std::size_t> met;
-  for (const std::size_t c : looked_)
-    for (const std::size_t other : interactions_->open())
-      if (unions.find(c) != unions.find(other) && interactions_->may_meet(c, other, ranges_))
-        unions.join(c, other), met.push_back(c);
-  if (met.empty()) return false;
-  looked_.clear();
-
-  std::vector<std::vector<std::size_t>> merged;  // clusters of the new islands
-  for (std::size_t root = 0; root < n; ++root) {
-    if (std::none_of(met.begin(), met.end(), [&](std::size_t c) { return unions.find(c) == root; })) continue;
-    merged.emplace_back();
-    for (std::size_t c = root; c < n; ++c)
-      if (unions.find(c) == root) merged.back().push_back(c);
-  }
-  for (std::vector<std::size_t>& clusters : merged) {
-    const bool again =
-        std::any_of(clusters.begin(), clusters.end(), [&](std::size_t c) { return jumped_[c] != 0; });
-    for (const std::size_t c : clusters) leave(c);
-    const std::int64_t first = again ? steps_ - 1 : steps_;
-    if (again) forget(clusters);
-    add_island(std::move(clusters), again ? before_ : motions_, first);
-    Island& island = islands_.back();
-    if (again) {
-      island.run->step();
-      take(island);
-      sort_impacts();
-      for (const std::size_t c : island.clusters) {
-        look(c);
-        looked_.push_back(c);
-        jumped_[c] = 1;
-      }
-    }
-    note(DiagnosticKind::merged, first, island.clusters);
-  }
+//   K += J,  L += I I^+ (angular impulse)  with I^+ the inverse where there is inertia
+void World::kick(int body, const Vector3& impulse, const Vector3& angular_impulse) {
+  const Body& kicked = bodies()[at(body)];
+  if (kicked.locked) return;
+  std::vector<Motion> now = motions();
+  Motion& motion = now[at(body)];
+  const Matrix3 r = motion.orientation.toRotationMatrix();
+  motion.momentum += impulse;
+  motion.angular_momentum +=
+      r * (kicked.inertia * (kicked.inverse_inertia * (r.transpose() * angular_impulse)));
+  Rows rows;
+  for (const Joint& joint : model_->joints) add_rows(joint, bodies(), now.data(), rows.rows);
+  if (!rows.rows.empty()) rows.project_velocities(bodies(), now.data());
+  if (whole()) return begin_anew(now);
+  motions_ = std::move(now);
+  const auto& clusters = interactions_->clusters();
+  const auto own = static_cast<std::size_t>(
+      std::ranges::find_if(
+          clusters, [&](const islands::Cluster& c) { return std::ranges::count(c.bodies, body) > 0; }) -
+      clusters.begin());
+  const Island& island = islands_[island_of_[own]];
+  std::vector<std::size_t> group = island.flies ? std::vector{own} : island.clusters;
+  for (const std::size_t c : group) leave(c);
+  looked_ = group;
+  add_island(std::move(group), motions_, steps_);
   drop_empty();
-  return true;
-}
-
-// An island in fixed steps of which parts cannot meet in twice the time ahead.
-bool World::part() {
-  const std::size_t before = islands_.size();
-  for (std::size_t k = 0; k < before; ++k) {
-    if (islands_[k].clusters.size() < 2 || !islands_[k].run->is_stepped()) continue;
-    const std::vector<Motion>& motions = islands_[k].run->motions();
-    if (!std::all_of(motions.begin(), motions.end(), [](const Motion& m) { return is_finite(m); })) continue;
-    std::vector<islands::Range> wide = ranges_;
-    for (const std::size_t c : islands_[k].clusters)
-      for (const int body : interactions_->touching(c))
-        wide[at(body)] =
-            interactions_->range(body, bodies()[at(body)], motions_[at(body)], accelerations_[at(body)], 2);
-    auto groups = interactions_->groups(wide, islands_[k].clusters);
-    if (groups.size() < 2) continue;
-    for (const std::size_t c : islands_[k].clusters) leave(c);
-    for (auto& group : groups) {
-      add_island(std::move(group), motions_, steps_);
-      note(DiagnosticKind::parted, steps_, islands_.back().clusters);
-    }
+  if (watches()) {
+    find_accelerations();
+    for (const std::size_t c : looked_) look(c);
+    jumped_.assign(clusters.size(), 0);
+    while (merge()) continue;
   }
-  if (islands_.size() == before) return false;
-  drop_empty();
-  return true;
+  set_plan();
 }
 
-// Takes a cluster out of its island, before it goes to another.
-void World::leave(std::size_t cluster) {
-  Island& island = islands_[island_of_[cluster]];
-  if (!island.run) return;
-  if (!island.flies) {
-    note_end(island);
-    island.run.reset();
-    return;
-  }
-  const int body = interactions_->clusters()[cluster].bodies.front();
-  island.left.resize(island.bodies.size(), 0);
-  for (std::size_t i = 0; i < island.bodies.size(); ++i) island.left[i] |= island.bodies[i] == body;
-  std::erase(island.clusters, cluster);
-  if (island.clusters.empty()) island.run.reset();
-}
-
-// What these clusters touched in the last step, which is made again.
-void World::forget(const std::vector<std::size_t>& clusters) {
-  std::vector<char> gone(motions_.size() + 1, 0);  // the last: the world
-  for (const std::size_t c : clusters)
-    for (const int body : interactions_->clusters()[c].bodies) gone[at(body)] = 1;
-  const auto touched = [&](const auto& touch) {
-    return gone[at(touch.body)] || (touch.other != fixed_world && gone[at(touch.other)]);
-  };
-  std::erase_if(impacts_, touched);
-  std::erase_if(contacts_, touched);
-}
-
-void World::drop_empty() {
-  std::erase_if(islands_, [](const Island& island) { return !island.run; });
-  std::sort(islands_.begin(), islands_.end(),
-            [](const Island& a, const Island& b) { return a.clusters.front() < b.clusters.front(); });
-  for (std::size_t k = 0; k < islands_.size(); ++k)
-    for (const std::size_t c : islands_[k].clusters) island_of_[c] = k;
+// The one island that is the whole model.
+void World::begin_anew(const std::vector<Motion>& motions) {
+  note_end(islands_.front());
+  Model model = *model_;
+  model.motions = motions;
+  Options options = options_;
+  options.force = true;  // whether the numbers are fine enough was decided at t = 0
+  islands_.front().run =
+      std::make_unique<Run>(std::make_shared<const Model>(std::move(model)), options, steps_);
+  islands_.front().run->keep_contacts(keep_contacts_);
+  set_plan();
 }
 
 // ---- What is said -----------------------------------------------------------------------------------

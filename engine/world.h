@@ -35,6 +35,14 @@ class World {
   /// impacts() are then those of the last.
   void advance(std::int64_t n);
 
+  /// An impulse [N s] at the centre of mass of a body and an angular impulse [N m s] beside it, world axes, between two steps:
+  /// momenta jump by these and by what joints answer, and islands of the body begin anew.  About an axis without inertia
+  /// nothing turns; a locked body takes none.  Requires no_kick() to be empty.
+  void kick(int body, const Vector3& impulse, const Vector3& angular_impulse);
+
+  /// Why no body may be kicked, or "".
+  std::string no_kick() const;
+
   Time time() const { return static_cast<Time>(steps_) * options_.dt; }
 
   /// Of all islands as they are now: what any of them needs, and path, integrator and order of the island
@@ -103,6 +111,7 @@ class World {
   void watch();
   void find_accelerations();
   void look(std::size_t cluster);
+  void begin_anew(const std::vector<Motion>&);
   bool merge();
   bool part();
   void leave(std::size_t cluster);

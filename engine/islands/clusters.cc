@@ -17,12 +17,12 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 bool moves(const Model& model, int body) { return body != fixed_world && !model.bodies[at(body)].locked; }
 
-// Calls visit(ends) for each joint, and visit(ends) for each force that does not act on every body.
+// Calls visit(bodies) for each joint, and for each force that does not act on every body.
 template <class Visit>
 void each_tie(const Model& model, Visit visit) {
   for (const Joint& joint : model.joints) visit(Acted{joint.body, joint.to});
   each_force(model.forces, [&](const auto& force) {
-    if (const auto ends = force.acts_on()) visit(*ends);
+    if (const auto acted = force.acts_on()) visit(*acted);
   });
 }
 
@@ -31,8 +31,13 @@ void each_tie(const Model& model, Visit visit) {
 std::vector<Cluster> find_clusters(const Model& model) {
   const std::size_t n = model.bodies.size();
   Unions unions(n);
-  each_tie(model, [&](const Acted& ends) {
-    if (moves(model, ends[0]) && moves(model, ends[1])) unions.join(at(ends[0]), at(ends[1]));
+  each_tie(model, [&](const Acted& tied) {
+    int first = fixed_world;
+    for (const int body : tied) {
+      if (!moves(model, body)) continue;
+      if (first != fixed_world) unions.join(at(first), at(body));
+      first = body;
+    }
   });
   std::vector<Cluster> clusters;
   std::vector<std::size_t> cluster_of(n);
@@ -43,16 +48,14 @@ std::vector<Cluster> find_clusters(const Model& model) {
     cluster_of[i] = root == i ? clusters.size() - 1 : cluster_of[root];
     clusters[cluster_of[i]].bodies.push_back(static_cast<int>(i));
   }
-  // The cluster on which something acts; it keeps the locked end.
-  const auto owner = [&](const Acted& ends) -> Cluster* {
-    for (const int side : {0, 1}) {
-      const int body = ends[at(side)], other = ends[at(1 - side)];
-      if (!moves(model, body)) continue;
-      Cluster& cluster = clusters[cluster_of[at(body)]];
-      if (other != fixed_world && !moves(model, other)) cluster.holders.push_back(other);
-      return &cluster;
-    }
-    return nullptr;
+  // The cluster on which something acts; it keeps the locked bodies.
+  const auto owner = [&](const Acted& tied) -> Cluster* {
+    const auto mover = std::ranges::find_if(tied, [&](int body) { return moves(model, body); });
+    if (mover == tied.end()) return nullptr;
+    Cluster& cluster = clusters[cluster_of[at(*mover)]];
+    for (const int body : tied)
+      if (body != fixed_world && !moves(model, body)) cluster.holders.push_back(body);
+    return &cluster;
   };
   for (std::size_t k = 0; k < model.joints.size(); ++k)
     if (Cluster* cluster = owner({model.joints[k].body, model.joints[k].to}))
@@ -60,10 +63,10 @@ std::vector<Cluster> find_clusters(const Model& model) {
   std::size_t kind = 0;
   each_force_list(model.forces, [&](const auto& list) {
     for (std::size_t k = 0; k < list.size(); ++k) {
-      const auto ends = list[k].acts_on();
-      if (!ends) {
+      const auto acted = list[k].acts_on();
+      if (!acted) {
         for (Cluster& cluster : clusters) cluster.forces[kind].push_back(static_cast<int>(k));
-      } else if (Cluster* cluster = owner(*ends)) {
+      } else if (Cluster* cluster = owner(*acted)) {
         cluster->forces[kind].push_back(static_cast<int>(k));
       }
     }

@@ -54,9 +54,9 @@ BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings, st
       isolated_(isolated(model)),
       paired_(any_force(model_.forces, [this](const auto& force) {
         const std::optional<Acted> bodies = force.acts_on();
-        return bodies && std::ranges::all_of(*bodies, [this](int body) {
-                 return body != fixed_world && !model_.bodies[index(body)].locked;
-               });
+        return bodies && std::ranges::count_if(*bodies, [this](int body) {
+                           return body != fixed_world && !model_.bodies[index(body)].locked;
+                         }) > 1;
       })) {
   const Time start = static_cast<Time>(first) * dt;
   masses_.set(start, model_.bodies);

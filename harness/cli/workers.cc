@@ -6,9 +6,12 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 #include <sstream>
+#include <system_error>
 
 namespace cylon::cli {
 namespace {
@@ -25,18 +28,42 @@ bool is_program(const std::string& word) {
 
 }  // namespace
 
-void add_worker_option(App& app, std::vector<std::string>& workers) {
-  app.add_option("--worker", workers,
+void add_brought_options(App& app, Brought& brought) {
+  app.add_option("--worker", brought.workers,
                  "Add an engine that speaks the worker protocol (docs/protocol.md), the words of its command "
                  "separated by spaces")
       ->type_name("NAME=COMMAND")
       ->allow_extra_args(false);
+  app.add_option("--plugin", brought.plugins,
+                 "Let scenarios use forces of your own: the shared library FILE, which they call NAME "
+                 "(docs/in-house.md). It is code that runs as you do")
+      ->type_name("NAME=FILE")
+      ->allow_extra_args(false);
 }
 
-std::vector<process::EngineRow> with_workers(const Context& context,
-                                             const std::vector<std::string>& workers) {
+void add_plugins(std::vector<process::EngineRow>& rows, const std::vector<std::string>& plugins) {
+  namespace fs = std::filesystem;
+  std::set<std::string> names;
+  for (const std::string& text : plugins) {
+    const std::size_t equals = std::min(text.find('='), text.size());
+    const std::string name = text.substr(0, equals), file = text.substr(std::min(equals + 1, text.size()));
+    if (name.empty() || file.empty())
+      throw core::InputError(fmt::format("--plugin '{}': must be NAME=FILE", text));
+    if (!names.insert(name).second)
+      throw core::InputError(fmt::format("--plugin '{}': '{}' is given twice", text, name));
+    std::error_code ignored;
+    if (!fs::is_regular_file(file, ignored))
+      throw core::InputError(fmt::format("--plugin '{}': there is no file '{}'", text, file));
+    // Absolute, so that it is never looked up in a path of libraries.
+    for (process::EngineRow& row : rows)
+      if (row.takes_plugins)
+        row.command.insert(row.command.end(), {"--plugin", name, fs::canonical(file).string()});
+  }
+}
+
+std::vector<process::EngineRow> with_brought(const Context& context, const Brought& brought) {
   std::vector<process::EngineRow> rows = context.engines;
-  for (const std::string& text : workers) {
+  for (const std::string& text : brought.workers) {
     const std::size_t equals = text.find('=');
     std::istringstream words(equals == std::string::npos ? "" : text.substr(equals + 1));
     process::EngineRow row;
@@ -51,6 +78,7 @@ std::vector<process::EngineRow> with_workers(const Context& context,
     std::erase_if(rows, [&](const process::EngineRow& other) { return other.id == row.id; });
     rows.push_back(row);
   }
+  add_plugins(rows, brought.plugins);
   return rows;
 }
 

@@ -70,6 +70,7 @@ Child::Child(const std::vector<std::string>& command, std::size_t memory_bytes, 
   const std::scoped_lock lock(births());
   const Spawned child = spawn(command, memory_bytes, mark_, kept);
   pid_ = child.pid, in_ = child.in, out_ = child.out, err_ = child.err;
+  next_count_ = Clock::now() + std::chrono::milliseconds(count_ms);
   try {
     owned_.emplace(pid_);
   } catch (...) {  // no memory

@@ -184,6 +184,7 @@ class Recorder {
     recording_.remarks = done.remarks;
     require_known(done.diagnostics);
     recording_.diagnostics = done.diagnostics;
+    recording_.works = done.works;
   }
 
   // Whatever names a body names one of the scene.
@@ -274,6 +275,8 @@ struct Session::Worker {
 };
 
 RunOutcome run(const EngineChoice& choice, const RunRequest& request, const Limits& limits) {
+  if (KeptWorkers* kept = KeptWorkers::here(); kept && request.repetitions == 0)
+    return kept->run(choice, request, limits);
   const Run wanted = requested(request);
   RunOutcome outcome;
   std::optional<Conversation> worker;
@@ -325,6 +328,21 @@ RunOutcome Session::run(const RunRequest& request) {
   }
   sign(outcome);
   return outcome;
+}
+
+namespace {
+thread_local KeptWorkers* innermost = nullptr;
+}  // namespace
+
+KeptWorkers::KeptWorkers() : outer_(innermost) { innermost = this; }
+KeptWorkers::~KeptWorkers() { innermost = outer_; }
+KeptWorkers* KeptWorkers::here() { return innermost; }
+
+RunOutcome KeptWorkers::run(const EngineChoice& choice, const RunRequest& request, const Limits& limits) {
+  // A choice may have been changed since its id was read.
+  std::string key = fmt::format("{}\n{}\n{}", choice.id, choice.path, choice.integrator);
+  for (const auto& [option, value] : choice.options) key += fmt::format("\n{}={}", option, value);
+  return sessions_.try_emplace(key, choice, limits).first->second.run(request);
 }
 
 core::Engine describe(const EngineChoice& choice, const Limits& limits) try {

@@ -51,7 +51,8 @@ class ElementWriter {
       } else if constexpr (std::is_same_v<Value, core::Shape>) {
         if (!std::holds_alternative<std::monostate>(value)) row[field.key] = json(value);
       } else {
-        if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, std::string>)
+        if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, std::string> ||
+                      std::is_same_v<Value, core::Vector3>)
           if (field.about.later && is_new(value, T{}.*field.member)) return;
         row[core::key_of(element, field)] = json(value);
       }
@@ -61,6 +62,9 @@ class ElementWriter {
   // To the bit: -0 is not 0.
   static bool is_new(double value, double initial) {
     return value == initial && std::signbit(value) == std::signbit(initial);
+  }
+  static bool is_new(const core::Vector3& value, const core::Vector3& initial) {
+    return is_new(value.x(), initial.x()) && is_new(value.y(), initial.y()) && is_new(value.z(), initial.z());
   }
   static bool is_new(const std::string& value, const std::string& initial) { return value == initial; }
 
@@ -80,6 +84,12 @@ class ElementWriter {
   requires std::is_enum_v<Enum> Json json(Enum value)
   const { return core::Words<Enum>::list[static_cast<std::size_t>(value)]; }
   Json json(const std::array<std::int32_t, 3>& face) const { return face; }
+  Json json(const std::vector<int>& bodies) const {
+    Json names = Json::array();
+    for (const int body : bodies) names.push_back(scene_.bodies.at(static_cast<std::size_t>(body)).name);
+    return names;
+  }
+  Json json(const core::NamedNumbers& numbers) const { return numbers; }
   Json json(const core::Part& part) const { return (*this)(part); }
   Json json(const core::JointDisplacement& coordinate) const { return (*this)(coordinate); }
   Json json(const core::JointAngle& coordinate) const { return (*this)(coordinate); }
@@ -163,8 +173,8 @@ class ElementReader {
   }
 
  private:
-  int index(Fields& fields, const char* key) const {
-    const std::string name = fields.text(key);
+  int index(Fields& fields, const char* key) const { return index(fields, key, fields.text(key)); }
+  int index(Fields& fields, const char* key, const std::string& name) const {
     const auto found = index_.find(name);
     if (found == index_.end()) fields.fail(key, fmt::format("no body is named '{}'", name));
     return found->second;
@@ -189,6 +199,19 @@ class ElementReader {
     if (!names.is_array() || names.size() != 2 || !names[0].is_string() || !names[1].is_string())
       f.fail(key, "expected two names");
     for (std::size_t i = 0; i < 2; ++i) pair[i] = names[i].get<std::string>();
+  }
+  void read(Fields& f, const char* key, std::vector<int>& bodies) const {
+    std::vector<std::string> names;
+    read_names(f, key, names);
+    for (const std::string& name : names) bodies.push_back(index(f, key, name));
+  }
+  void read(Fields& f, const char* key, core::NamedNumbers& values) const {
+    const nlohmann::json& object = f.at(key);
+    if (!object.is_object()) f.fail(key, "expected an object");
+    for (const auto& [name, value] : object.items()) {
+      if (!value.is_number()) f.fail(fmt::format("{}.{}", key, name), "expected a number");
+      values[name] = value.get<double>();
+    }
   }
   void read(Fields& f, const char* key, core::Primitive& value) const {
     value = read_shape<core::Primitive>(f.at(key), f.place_of(key));

@@ -22,8 +22,11 @@ std::vector<EngineRow> default_engines(const std::filesystem::path& worker_dir) 
   // Absolute, so that a worker is never looked up in PATH.
   const std::filesystem::path folder = std::filesystem::absolute(worker_dir);
   for (const BuiltEngine& e : engine_table())
-    rows.push_back(
-        {e.id, {(folder / fmt::format("cylon-worker-{}", e.build)).string()}, e.path, e.brought_by});
+    rows.push_back({e.id,
+                    {(folder / fmt::format("cylon-worker-{}", e.build)).string()},
+                    e.path,
+                    e.brought_by,
+                    e.takes_plugins});
   return rows;
 }
 

@@ -34,6 +34,16 @@ std::string read_proc(pid_t pid, const char* file) {
   return text;
 }
 
+// What the first read of a file gives: all of one as short as /proc/PID/stat.
+std::string beginning(int folder, const char* file) {
+  const int fd = ::openat(folder, file, O_RDONLY | O_CLOEXEC);
+  if (fd < 0) return "";
+  char piece[1024];
+  const ssize_t n = ::read(fd, piece, sizeof piece);
+  ::close(fd);
+  return {piece, static_cast<std::size_t>(std::max<ssize_t>(n, 0))};
+}
+
 // Whether the mark is one of the strings of an environment.
 bool bears(const std::string& all, const std::string& mark) {
   for (std::size_t at = 0; at < all.size(); at = all.find('\0', at) + 1) {
@@ -86,8 +96,8 @@ std::vector<Family::Relative> Family::processes() {
     Relative one;
     const std::string_view name = entry->d_name;
     if (std::from_chars(name.data(), name.data() + name.size(), one.pid).ec != std::errc()) continue;
-    // "12 (a name) S 1 12 …": the name may hold anything.
-    const std::string stat = read_proc(one.pid, "stat");
+    // "12 (a name) S 1 12 …": the name, of at most 64 bytes, may hold anything.
+    const std::string stat = beginning(::dirfd(proc), (std::string(name) + "/stat").c_str());
     const std::size_t behind = stat.rfind(')');
     char state = 0;
     if (behind == std::string::npos ||
@@ -160,6 +170,9 @@ void Family::kill() {
 }
 
 void Family::reap_orphans() {
+  // No look through all processes where no child at all has ended.
+  siginfo_t ended = {};
+  if (::waitid(P_ALL, 0, &ended, WEXITED | WNOHANG | WNOWAIT) != 0 || ended.si_pid == 0) return;
   const pid_t self = ::getpid();
   const std::scoped_lock lock(births());
   for (const Relative& one : processes())

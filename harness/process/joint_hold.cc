@@ -129,10 +129,13 @@ void fit_velocities(const core::Scene& scene, const std::vector<HeldJoint>& join
 }
 
 void kick(const core::Scene& scene, const std::vector<HeldJoint>& joints, core::State& state, int body,
-          const Vector3& impulse) {
+          const Vector3& impulse, const Vector3& angular_impulse) {
   const auto b = static_cast<std::size_t>(body);
   if (scene.bodies[b].locked) return;
   state[b].velocity += impulse / scene.bodies[b].mass;
+  if (!angular_impulse.isZero(0))
+    state[b].angular_velocity +=
+        mobility(scene.bodies[b], state[b].orientation).inverse_inertia * angular_impulse;
   fit_velocities(scene, joints, state);
 }
 

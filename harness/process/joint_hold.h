@@ -17,9 +17,9 @@ void fit(const core::Scene&, const std::vector<core::HeldJoint>&, core::State&);
 /// so that momentum changes by what the joints give, and the world's joints take what is missing.
 void fit_velocities(const core::Scene&, const std::vector<core::HeldJoint>&, core::State&);
 
-/// An impulse [N s], world axes, at the centre of mass of a body that is not locked: v += J/m, then the
-/// joints' answer.
+/// An impulse [N s] at the centre of mass of a body that is not locked, and an angular impulse [N m s] beside it, world
+/// axes: v += J/m, w += I^-1 L, then the joints' answer.  About an axis without inertia nothing turns.
 void kick(const core::Scene&, const std::vector<core::HeldJoint>&, core::State&, int body,
-          const core::Vector3& impulse);
+          const core::Vector3& impulse, const core::Vector3& angular_impulse = core::Vector3::Zero());
 
 }  // namespace cylon::process

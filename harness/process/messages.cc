@@ -258,13 +258,15 @@ told::Diagnostic diagnostic_from(Fields& f) {
 json done_json(const Done& done) {
   json diagnostics = json::array();
   for (const told::Diagnostic& d : done.diagnostics) diagnostics.push_back(diagnostic_json(d));
-  return {{"ok", "run"},
-          {"steps", done.steps},
-          {"frames", done.frames},
-          {"step_ns", done.step_ns},
-          {"load_ns", done.load_ns},
-          {"remarks", done.remarks},
-          {"diagnostics", std::move(diagnostics)}};
+  json line = {{"ok", "run"},
+               {"steps", done.steps},
+               {"frames", done.frames},
+               {"step_ns", done.step_ns},
+               {"load_ns", done.load_ns},
+               {"remarks", done.remarks},
+               {"diagnostics", std::move(diagnostics)}};
+  for (const core::Work& w : done.works) line["works"].push_back({{"force", w.force}, {"work", w.work}});
+  return line;
 }
 
 Done done_from_json(const json& value) {
@@ -273,6 +275,10 @@ Done done_from_json(const json& value) {
   Done done{f.integer("steps"), f.integer("frames"), f.number("step_ns"),
             f.find("load_ns") ? f.number("load_ns") : 0, texts_if(f, "remarks")};
   each_if(f, "diagnostics", [&](Fields& row) { done.diagnostics.push_back(diagnostic_from(row)); });
+  each_if(f, "works", [&](Fields& row) {
+    const double none = std::numeric_limits<double>::quiet_NaN();  // null stands for what is not finite
+    done.works.push_back({text(row, "force"), number_if(row, "work").value_or(none)});
+  });
   if (!(done.step_ns >= 0)) f.fail("step_ns", "must not be negative");
   if (!(done.load_ns >= 0)) f.fail("load_ns", "must not be negative");
   f.finish();

@@ -37,6 +37,7 @@ struct Done {
   double load_ns = 0;  ///< Thread CPU time of the load before it; 0: the worker does not tell [ns].
   std::vector<std::string> remarks = {};
   std::vector<told::Diagnostic> diagnostics = {};
+  std::vector<core::Work> works = {};
 };
 nlohmann::json done_json(const Done&);
 Done done_from_json(const nlohmann::json&);

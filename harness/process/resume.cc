@@ -13,6 +13,8 @@ std::optional<std::string> not_resumable(const core::Scene& scene) {
       return "a drive's force depends on the time, and a scene can only start at t = 0";
     if (const auto* water = std::get_if<core::Water>(&force); water && water->wave != 0 && water->speed != 0)
       return "the water's waves depend on the time, and a scene can only start at t = 0";
+    if (std::holds_alternative<core::PluginForce>(force))
+      return "a plug-in's force may depend on the time, and a scene can only start at t = 0";
   }
   if (core::any_coordinate(scene, core::target_moves))
     return "a target of a joint depends on the time, and a scene can only start at t = 0";

@@ -26,7 +26,7 @@ class Reader {
     core::for_each_force([&]<class Kind>() {
       if constexpr (std::is_same_v<Kind, core::UniformGravity>)
         gravity();
-      else
+      else if (!core::comes_later<Kind> || top_.find(core::Element<Kind>::name.data()))
         each<Kind>([&](Fields&, Kind& force) { scene_.forces.emplace_back(std::move(force)); });
     });
     each<core::Joint>([&](Fields&, core::Joint& joint) { scene_.joints.push_back(joint); });
@@ -80,7 +80,9 @@ json to_json(const Scene& scene) {
     for (const T& e : elements) array.push_back(element(e));
   };
   rows(scene.bodies);
-  core::for_each_force([&]<class Kind>() { out[core::Element<Kind>::name] = json::array(); });
+  core::for_each_force([&]<class Kind>() {
+    if (!core::comes_later<Kind>) out[core::Element<Kind>::name] = json::array();
+  });
   std::optional<Vector3> gravity;  // no sum with zero: -0 stays -0
   for (const core::Force& force : scene.forces)
     std::visit(

@@ -3,7 +3,9 @@
 
 #include "harness/process/client.h"
 
+#include <map>
 #include <memory>
+#include <string>
 
 namespace cylon::process {
 
@@ -25,6 +27,25 @@ class Session {
   EngineChoice choice_;
   Limits limits_;
   std::unique_ptr<Worker> worker_;
+};
+
+/// As long as one lives, run() on the thread that made it has one Session for each engine in place of one process for each
+/// run (where no repetitions are asked for).  For searches through thousands of short runs, which ask what they find again
+/// without it: an engine may carry something over from one run to the next.  They nest; the innermost counts.
+class KeptWorkers {
+ public:
+  KeptWorkers();
+  ~KeptWorkers();
+  KeptWorkers(const KeptWorkers&) = delete;
+  KeptWorkers& operator=(const KeptWorkers&) = delete;
+
+  /// Of this thread; may be none.
+  static KeptWorkers* here();
+  RunOutcome run(const EngineChoice&, const RunRequest&, const Limits&);
+
+ private:
+  std::map<std::string, Session> sessions_;  // by the engine and its variant
+  KeptWorkers* outer_;
 };
 
 }  // namespace cylon::process

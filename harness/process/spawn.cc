@@ -5,6 +5,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sched.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -12,7 +13,8 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
+#include <cstddef>
+#include <memory>
 #include <mutex>
 #include <system_error>
 
@@ -21,15 +23,15 @@ namespace {
 
 constexpr int pipe_bytes = 1 << 20;  // room for some frames while the parent is elsewhere
 
-// Sanitizers map terabytes.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)  // gcc
-constexpr bool limit_data = false;
+constexpr bool sanitized = true;
 #elif defined(__has_feature)  // clang
 // NOLINTNEXTLINE(misc-redundant-expression): the same only where neither is on
-constexpr bool limit_data = !__has_feature(address_sanitizer) && !__has_feature(thread_sanitizer);
+constexpr bool sanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
 #else
-constexpr bool limit_data = true;
+constexpr bool sanitized = false;
 #endif
+constexpr bool limit_data = !sanitized;  // sanitizers map terabytes
 
 /// A descriptor that closes with its owner.
 class Fd {
@@ -72,27 +74,65 @@ Pipe make_pipe() {
   return {above_stdio(std::move(read)), above_stdio(std::move(write))};
 }
 
-// Between fork and exec: async-signal-safe calls only.  Returns when exec failed.
-void become(char* const* argv, char* const* environment, int in, int out, int err, std::size_t memory_bytes,
-            int kept) {
+// What a child becomes.
+struct Fate {
+  char* const* argv;
+  char* const* environment;
+  int in, out, err, failed;  // `failed` gets the number of the error where exec fails
+  std::size_t memory_bytes;
+  int kept;
+};
+
+// Between clone and exec: async-signal-safe calls only.  Returns when exec failed.
+void become(const Fate& fate) {
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  for (const int number : {SIGPIPE, SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGCHLD, SIGXFSZ})
+    ::signal(number, SIG_DFL);
   sigset_t none;
   sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
-  for (const int number : {SIGPIPE, SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGCHLD, SIGXFSZ})
-    ::signal(number, SIG_DFL);
   const rlimit no_core = {0, 0};
   ::setrlimit(RLIMIT_CORE, &no_core);
-  if (limit_data && memory_bytes > 0) {
-    const rlimit data = {2 * memory_bytes, 2 * memory_bytes};
+  if (limit_data && fate.memory_bytes > 0) {
+    const rlimit data = {2 * fate.memory_bytes, 2 * fate.memory_bytes};
     ::setrlimit(RLIMIT_DATA, &data);
   }
-  if (::dup2(in, STDIN_FILENO) < 0 || ::dup2(out, STDOUT_FILENO) < 0 || ::dup2(err, STDERR_FILENO) < 0)
+  if (::dup2(fate.in, STDIN_FILENO) < 0 || ::dup2(fate.out, STDOUT_FILENO) < 0 ||
+      ::dup2(fate.err, STDERR_FILENO) < 0)
     return;
   ::close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);  // what libraries opened without the flag: sockets of a server
-  if (kept >= 0) ::fcntl(kept, F_SETFD, 0);
-  ::execvpe(argv[0], argv, environment);
+  if (fate.kept >= 0) ::fcntl(fate.kept, F_SETFD, 0);
+  ::execvpe(fate.argv[0], fate.argv, fate.environment);
+}
+
+int meet(void* fate) {
+  const auto& own = *static_cast<const Fate*>(fate);
+  become(own);
+  const int error = errno;
+  [[maybe_unused]] const ssize_t told = ::write(own.failed, &error, sizeof error);
+  ::_exit(127);
+}
+
+// A child that lives in this process's memory, on a stack of its own, until it executes; the calling thread waits for that.
+// fork() would copy the page tables of a harness that holds a large run's results: longer than a short run takes.  No signal
+// is handled meanwhile, as a handler would run in the child, too.  Sanitizers know nothing of such a child.
+pid_t child_of(Fate fate) {
+  if constexpr (sanitized) {
+    const pid_t pid = ::fork();
+    if (pid == 0) meet(&fate);
+    return pid;
+  }
+  constexpr std::size_t stack_bytes = std::size_t{1} << 18;  // execvpe() puts paths on it
+  const auto stack = std::make_unique_for_overwrite<std::byte[]>(stack_bytes);
+  sigset_t all, before;
+  sigfillset(&all);
+  ::pthread_sigmask(SIG_SETMASK, &all, &before);
+  const pid_t pid = ::clone(meet, stack.get() + stack_bytes, CLONE_VM | CLONE_VFORK | SIGCHLD, &fate);
+  const int error = errno;
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  errno = error;
+  return pid;
 }
 
 }  // namespace
@@ -118,15 +158,9 @@ Spawned spawn(const std::vector<std::string>& command, std::size_t memory_bytes,
   Pipe in = make_pipe(), out = make_pipe(), err = make_pipe(), failed = make_pipe();
   ::fcntl(out.read.get(), F_SETPIPE_SZ, pipe_bytes);
 
-  const pid_t pid = ::fork();
+  const pid_t pid = child_of({argv.data(), environment.data(), in.read.get(), out.write.get(),
+                              err.write.get(), failed.write.get(), memory_bytes, kept});
   if (pid < 0) throw std::system_error(errno, std::generic_category(), "fork");
-  if (pid == 0) {
-    become(argv.data(), environment.data(), in.read.get(), out.write.get(), err.write.get(), memory_bytes,
-           kept);
-    const int error = errno;
-    [[maybe_unused]] const ssize_t told = ::write(failed.write.get(), &error, sizeof error);
-    ::_exit(127);
-  }
   ::close(failed.write.release());
   // Closed by exec without a word, or the error number.
   int error = 0;

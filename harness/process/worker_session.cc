@@ -33,7 +33,12 @@ bool WorkerSession::obey(const json& request) {
       throw MalformedMessage(asked.resume ? "continue: there is no run to go on from"
                                           : "cmd: each run needs a load before it");
     loaded_ = false, going_ = true;
-    run(asked);
+    try {
+      run(asked);
+    } catch (const core::GaveUp& reason) {
+      going_ = false;
+      pipes_.write(json{{"error", reason.what()}});
+    }
     load_ns_ = 0;
   } else {
     throw MalformedMessage(fmt::format("cmd: unknown command '{}'", cmd));
@@ -54,7 +59,8 @@ void WorkerSession::load(const json& request) {
   pipes_.write(start.take());
 }
 
-// Impossible setups are the user's mistake and an answer; whatever else load() throws is a crash.
+// Impossible setups are the user's mistake and an answer, as is a start from which a run cannot go on; whatever else load()
+// throws is a crash.
 json WorkerSession::answer_to_load() try {
   const double before = thread_cpu_ns();
   const core::Loaded loaded = simulator_.load_if_supported(scene_, setup_);
@@ -62,6 +68,8 @@ json WorkerSession::answer_to_load() try {
   loaded_ = !loaded.unsupported;
   if (!loaded_) return {{"unsupported", *loaded.unsupported}};
   return terms_json(loaded.terms);
+} catch (const core::GaveUp& reason) {
+  return {{"unsupported", reason.what()}};
 } catch (const core::InputError& error) {
   return {{"error", error.what()}};
 } catch (const std::invalid_argument& error) {
@@ -116,6 +124,7 @@ void WorkerSession::run(const Run& run) {
   done.step_ns = timer.total_ns();
   done.remarks = simulator_.remarks();
   done.diagnostics = simulator_.diagnostics();
+  done.works = simulator_.works();
   pipes_.write(done_json(done));
 }
 

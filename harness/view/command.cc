@@ -79,7 +79,11 @@ Command play(Fields&) { return Play{}; }
 Command pause(Fields&) { return Pause{}; }
 Command step(Fields&) { return StepOnce{}; }
 Command reset(Fields&) { return Reset{}; }
-Command kick(Fields& f) { return Kick{f.index("body"), vector(f, "impulse")}; }
+Command kick(Fields& f) {
+  Kick result{f.index("body"), vector(f, "impulse")};
+  if (f.find("angular_impulse")) result.angular_impulse = vector(f, "angular_impulse");
+  return result;
+}
 Command release(Fields&) { return Release{}; }
 
 }  // namespace

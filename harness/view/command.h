@@ -34,7 +34,8 @@ struct Speed {
 };
 struct Kick {
   int body = 0;
-  core::Vector3 impulse = core::Vector3::Zero();  ///< At the centre of mass, world axes [N s].
+  core::Vector3 impulse = core::Vector3::Zero();          ///< At the centre of mass, world axes [N s].
+  core::Vector3 angular_impulse = core::Vector3::Zero();  ///< Beside it, world axes [N m s].
 };
 struct Pull {
   int body = 0;

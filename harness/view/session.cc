@@ -195,7 +195,7 @@ void Session::obey(const Kick& kick) {
   for (const auto& lane : lanes_) {
     if (!lane->running()) continue;
     core::State state = lane->state();
-    process::kick(lane->scene(), joints_, state, kick.body, kick.impulse);
+    process::kick(lane->scene(), joints_, state, kick.body, kick.impulse, kick.angular_impulse);
     begin_anew(*lane, std::move(state), lane->time());
   }
 }

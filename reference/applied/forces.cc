@@ -90,6 +90,8 @@ struct Law {
     push(attraction.to, Vector3::Zero(), -force);
   }
 
+  void operator()(const core::PluginForce&) const {}  // refused: unmapped()
+
   void operator()(const core::Water& water) const {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
       if (scene.bodies[i].locked) continue;
@@ -120,19 +122,23 @@ struct Law {
     wrenches[body].force -= water.drag * part.volume / immersions[body]->whole() * s.velocity;
   }
 
-  // In a frame that turns with W, an element dm at r feels  -dm (2 W x dr/dt + W x (W x r)).  Summed over a body
-  // with spin w, for which  sum dm a (a.W) = (tr(I)/2 - I) W  over its arms a:
-  //   F      = -m (2 W x v + W x (W x r))
-  //   torque = (I W) x W + 2 (I W) x w - tr(I) W x w
+  // In a frame that turns with W and whose origin has the acceleration a, an element dm at r feels
+  // -dm (a + 2 W x dr/dt + W' x r + W x (W x r)).  Summed over a body with spin w, for which
+  // sum dm x (x.W) = (tr(I)/2 - I) W  over its arms x:
+  //   F      = -m (a + 2 W x v + W' x r + W x (W x r))
+  //   torque = (I W) x W + 2 (I W) x w - tr(I) W x w - I W'
   void operator()(const core::Frame& frame) const {
-    const Vector3& turn = frame.angular_velocity;
+    const Vector3 turn = frame.angular_velocity_at(t), &faster = frame.angular_acceleration;
+    const Vector3 push = std::cos(frame.frequency * t) * frame.acceleration;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
       const core::BodyState& s = state[i];
       const core::Matrix3 inertia = this->inertia(i);
       const Vector3 along = inertia * turn, &spin = s.angular_velocity;
       wrenches[i].force -=
-          scene.bodies[i].mass * (2 * turn.cross(s.velocity) + turn.cross(turn.cross(s.position)));
-      wrenches[i].torque += along.cross(turn) + 2 * along.cross(spin) - inertia.trace() * turn.cross(spin);
+          scene.bodies[i].mass *
+          (push + 2 * turn.cross(s.velocity) + faster.cross(s.position) + turn.cross(turn.cross(s.position)));
+      wrenches[i].torque +=
+          along.cross(turn) + 2 * along.cross(spin) - inertia.trace() * turn.cross(spin) - inertia * faster;
     }
   }
 };
@@ -145,14 +151,13 @@ bool floats(const core::Force& force) {
 }  // namespace
 
 std::optional<std::string> unmapped(const core::Scene& scene) {
+  if (core::has_plugin_force(scene)) return "A plug-in's force acts, and the adapter loads no plug-ins.";
   if (std::ranges::none_of(scene.forces, floats)) return std::nullopt;
   for (const core::Body& body : scene.bodies)
     if (auto what = body.locked ? std::nullopt : Immersion::unmapped(body.shape))
       return fmt::format("Body '{}' in water: {}.", body.name, *what);
   return std::nullopt;
 }
-
-bool turns(const std::optional<core::Frame>& frame) { return frame && !frame->angular_velocity.isZero(0); }
 
 Forces::Forces(core::Scene scene, const std::vector<std::size_t>& joints)
     : scene_(std::move(scene)),
@@ -173,7 +178,7 @@ Forces::Forces(core::Scene scene, const std::vector<std::size_t>& joints)
   }
   for (std::size_t i = 0; i < rate_.size(); ++i)
     if (rate_[i] != 0) changing_.push_back(i);
-  any_ |= turns(scene_.frame) || joints_.any();
+  any_ |= core::has_fictitious_forces(scene_) || joints_.any();
 }
 
 const std::vector<Wrench>& Forces::at(double t, const core::State& state) {
@@ -186,7 +191,7 @@ const std::vector<Wrench>& Forces::at(double t, const core::State& state) {
   wrenches_.assign(scene_.bodies.size(), {});
   const Law law{scene_, state, immersions_, t, wrenches_};
   for (const core::Force& force : scene_.forces) std::visit(law, force);
-  if (turns(scene_.frame)) law(*scene_.frame);
+  if (core::has_fictitious_forces(scene_)) law(*scene_.frame);
   joints_.add(t, state, wrenches_);
   return wrenches_;
 }

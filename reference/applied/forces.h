@@ -1,5 +1,5 @@
 // The laws of a scene that a reference engine does not have, as forces of the state before a step: springs, drag,
-// thrust, changing mass, drive, attraction, water, what acts along joints, and a frame of reference that turns.
+// thrust, changing mass, drive, attraction, water, what acts along joints, and a frame of reference that turns or accelerates.
 #pragma once
 
 #include "harness/core/scene.h"
@@ -15,12 +15,10 @@ namespace cylon::applied {
 /// Why an adapter maps not all forces of a scene, or nothing.
 std::optional<std::string> unmapped(const core::Scene&);
 
-/// Whether the frame of a scene turns; one that only moves changes nothing (Galilei).
-bool turns(const std::optional<core::Frame>&);
-
 /// The same for tables of settings: what is applied, and how.
 inline constexpr const char* applied_forces =
-    "springs, drag, thrust, drive, attraction, water, forces along joints, forces of a turning frame";
+    "springs, drag, thrust, drive, attraction, water, forces along joints, forces of a frame that turns or "
+    "accelerates";
 inline constexpr const char* as_applied = "force of the state before the step";
 inline constexpr const char* why_applied =
     "the engine has no such forces; they are constant during the step, and so is a mass that changes";

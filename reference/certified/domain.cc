@@ -92,9 +92,11 @@ void check_domain(const core::Scene& scene, double horizon, Blows blows) {
   if (blows == Blows::refused) check_contacts(scene);
   check_masses(scene, horizon);
   check_joints(scene);
-  const bool turning = scene.frame && !scene.frame->angular_velocity.isZero(0);
+  const bool turning = scene.frame && scene.frame->turns();
   for (const core::Force& force : scene.forces) {
     if (std::holds_alternative<core::Water>(force)) refuse("water has a surface, which is no smooth law");
+    if (std::holds_alternative<core::PluginForce>(force))
+      refuse("the law of a plug-in is code, and no formula");
     if (const auto* thrust = std::get_if<core::Thrust>(&force)) check_thrust(scene, *thrust);
     if (const auto* drag = std::get_if<core::Drag>(&force); drag && drag->momentum != 0 && turning)
       refuse("a drag on the angular momentum is not defined in a turning frame");

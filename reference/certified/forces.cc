@@ -81,6 +81,10 @@ void add(const Builder&, const core::Water&, std::vector<Motion>&) {
   refuse("water has a surface, which is no smooth law");
 }
 
+void add(const Builder&, const core::PluginForce&, std::vector<Motion>&) {
+  refuse("the law of a plug-in is code, and no formula");
+}
+
 }  // namespace
 
 void add_forces(const Builder& b, std::vector<Motion>& motions) {

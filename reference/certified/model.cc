@@ -33,7 +33,7 @@ bool is_pulled_off_centre(const Scene& scene, int body) {
   });
 }
 
-bool has_turning_frame(const Scene& scene) { return scene.frame && !scene.frame->angular_velocity.isZero(0); }
+bool has_turning_frame(const Scene& scene) { return scene.frame && scene.frame->turns(); }
 
 bool turns(const Scene& scene, int body) {
   const core::BodyState& s = scene.bodies[static_cast<std::size_t>(body)].initial;
@@ -167,27 +167,49 @@ std::vector<Motion> moving(const Builder& b, std::vector<Ball>& initial) {
   return motions;
 }
 
-// Newton and Euler, in the scene's frame: with W the frame's angular velocity in body axes, w' = I^-1 (torque
-// - (w + W) x I (w + W)) + w x W and v' = F/m - 2 W x v - W x (W x p) in its own axes.
+// The frame's angular velocity  W = W_0 + W' t,  its change W' and the acceleration  a cos(f t)  of its origin.
+struct FrameMotion {
+  Vector turning, faster, push;
+};
+
+FrameMotion frame_motion(const Builder& b) {
+  FrameMotion f{b.zero(), b.zero(), b.zero()};
+  if (!b.scene.frame) return f;
+  const core::Frame& frame = *b.scene.frame;
+  f.turning = b.vector(frame.angular_velocity), f.faster = b.vector(frame.angular_acceleration);
+  if (!frame.angular_acceleration.isZero(0))
+    f.turning = f.turning + Expr{&b.graph, b.graph.time()} * f.faster;
+  f.push = b.vector(frame.acceleration);
+  if (frame.frequency != 0) f.push = Expr{&b.graph, b.graph.cosine(b.numbers(frame.frequency))} * f.push;
+  return f;
+}
+
+// Newton and Euler, in the scene's frame: with W and W' the frame's angular velocity and its change in body axes, w' =
+// I^-1 (torque - (w + W) x I (w + W)) + w x W - W' and v' = F/m - a - 2 W x v - W' x p - W x (W x p) in its own axes.
 void accelerate(const Builder& b, std::vector<Motion>& motions) {
-  const bool frame = has_turning_frame(b.scene);
-  const Vector w = frame ? b.vector(b.scene.frame->angular_velocity) : b.zero();
+  const bool frame = has_turning_frame(b.scene), pushes = core::has_fictitious_forces(b.scene);
+  const auto [w, faster, push] = frame_motion(b);
   for (std::size_t i = 0; i < motions.size(); ++i) {
     Motion& m = motions[i];
     const Frozen& f = b.bodies[i];
     if (f.locked) continue;
     if (f.pin >= 0) {  // about the pivot, I_p w' = torque + c x R^T F - w x I_p w
-      const Vector torque = m.torque + cross(f.arm, transposed(m.rotation) * m.force);
+      Vector force = m.force;
+      if (pushes) force = force - f.mass * push;
+      const Vector torque = m.torque + cross(f.arm, transposed(m.rotation) * force);
       m.turning = f.inverse * (torque - cross(m.spin, about_pivot(b, f) * m.spin));
       continue;
     }
     for (std::size_t k = 0; k < 3; ++k) m.acceleration[k] = m.force[k] / f.mass;
+    if (pushes) m.acceleration = m.acceleration - push;
     if (frame)
-      m.acceleration = m.acceleration - b.exact(2) * cross(w, m.velocity) - cross(w, cross(w, m.position));
+      m.acceleration = m.acceleration - b.exact(2) * cross(w, m.velocity) - cross(faster, m.position) -
+                       cross(w, cross(w, m.position));
     if (!f.turns) continue;
     const Vector body_frame = frame ? transposed(m.rotation) * w : b.zero();
     const Vector total = m.spin + body_frame;
     m.turning = f.inverse * (m.torque - cross(total, f.inertia * total)) + cross(m.spin, body_frame);
+    if (frame) m.turning = m.turning - transposed(m.rotation) * faster;
   }
 }
 

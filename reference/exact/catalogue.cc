@@ -3,6 +3,9 @@
 #include "reference/exact/solutions.h"
 
 #include <array>
+#include <optional>
+#include <variant>
+#include <vector>
 
 namespace cylon::exact {
 
@@ -90,6 +93,9 @@ std::span<const Solution> catalogue() {
           "bodies each on one undamped spring from the centre to a pin, no gravity, not aimed at the pin"},
       Solution{"spring_zero_length", spring_zero_length,
                "bodies each on undamped springs of no rest length from the centre to pins, gravity or none"},
+      Solution{"statics", statics,
+               "bodies at rest that hang straight down from the world on ball, hinge, universal and fixed "
+               "joints, in gravity"},
       Solution{"two_sphere_head_on", sphere_row, "the same as sphere_row"},
       Solution{"two_sphere_oblique", two_sphere_oblique,
                "two smooth spheres, free or falling together, at most one collision"},
@@ -98,6 +104,38 @@ std::span<const Solution> catalogue() {
                "gravity or none"},
   };
   return solutions;
+}
+
+namespace {
+
+// The scene as seen from an inertial frame in which -a adds to what makes bodies fall.
+std::optional<core::Scene> with_more_gravity(const core::Scene& scene) {
+  if (!scene.frame || scene.frame->turns() || scene.frame->frequency != 0 || !scene.frame->pushes())
+    return std::nullopt;
+  for (const core::Force& force : scene.forces)
+    if (std::holds_alternative<core::Water>(force)) return std::nullopt;  // lifts against the stated gravity
+  const core::Vector3 more = -scene.frame->acceleration;
+  core::Scene result = scene;
+  result.frame.reset();
+  result.forces.emplace_back(core::UniformGravity{more});
+  for (core::Body& body : result.bodies)
+    if (body.gravity) *body.gravity += more;
+  return result;
+}
+
+}  // namespace
+
+core::Truth solve(const Solution& solution, const core::Scene& scene, double horizon) {
+  const std::optional<core::Scene> inertial = with_more_gravity(scene);
+  if (!inertial) return solution.make(scene, horizon);
+  core::Truth truth = solution.make(*inertial, horizon);
+  // Up is against the gravity that the scene states: such events are found in the states.
+  std::erase_if(truth.events, [](const core::Event& e) {
+    return e.kind == core::EventKind::turn || e.kind == core::EventKind::nutation ||
+           e.kind == core::EventKind::precession;
+  });
+  truth.source += "; the acceleration of the frame is a gravity";
+  return truth;
 }
 
 }  // namespace cylon::exact

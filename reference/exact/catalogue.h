@@ -17,4 +17,8 @@ struct Solution {
 /// All solutions, by name.
 std::span<const Solution> catalogue();
 
+/// What a solution says of a scene.  A frame that does not turn and accelerates evenly is a gravity more, by which each
+/// solution serves it (the principle of equivalence).  Throws core::OutOfDomain.
+core::Truth solve(const Solution&, const core::Scene&, double horizon);
+
 }  // namespace cylon::exact

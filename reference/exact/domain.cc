@@ -45,9 +45,8 @@ std::string named(const core::Scene& scene, int body) {
 void check_bodies(std::string_view solution, const core::Scene& scene, double horizon) {
   if (!(horizon > 0) || !std::isfinite(horizon)) refuse(solution, "the horizon must be positive and finite");
   if (scene.bodies.empty()) refuse(solution, "the scene has no body");
-  if (scene.frame && !scene.frame->angular_velocity.isZero(0.0)) {
-    refuse(solution, "the scene is given in a rotating frame");
-  }
+  if (core::has_fictitious_forces(scene))
+    refuse(solution, "the scene is given in a frame that turns or accelerates");
   for (const core::Body& body : scene.bodies) {
     if (body.locked) refuse(solution, "body '" + body.name + "' is locked");
     if (!(body.mass > 0)) refuse(solution, "body '" + body.name + "' has no positive mass");

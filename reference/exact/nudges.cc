@@ -36,6 +36,8 @@ class Nudges {
       if (value) member(of, *value);
     } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
       for (double& x : value) number(x);
+    } else if constexpr (std::is_same_v<Value, core::NamedNumbers>) {
+      for (auto& [name, x] : value) number(x);
     } else if constexpr (std::is_same_v<Value, std::vector<core::JointDisplacement>> ||
                          std::is_same_v<Value, std::vector<core::JointAngle>>) {
       for (auto& coordinate : value) nudge(coordinate);

@@ -1,9 +1,9 @@
-// A scene given in a moving frame: the solution of the inertial scene, seen from the frame.  With W the
-// frame's angular velocity, R(t) = rot(W t), inertial quantities with a dash, the frame's origin at rest
-// (Galilei: its velocity changes nothing in a scene that nothing ties to the world):
+// A scene given in a moving frame: the solution of the inertial scene, seen from the frame.  With W(t) = W_0 + W' t
+// the frame's angular velocity, W' along W_0, so that R(t) = rot(W_0 t + W' t^2/2), inertial quantities with a dash, the
+// frame's origin at rest (Galilei: its velocity changes nothing in a scene that nothing ties to the world):
 //
-//     p = R^-1 p',  v = R^-1 v' - W x p,  q = R^-1 q',  w = R^-1 w' - W;   at t = 0  v' = v + W x p,  w' = w
-//     + W
+//     p = R^-1 p',  v = R^-1 v' - W x p,  q = R^-1 q',  w = R^-1 w' - W;   at t = 0  v' = v + W_0 x p,  w' = w
+//     + W_0
 //
 // A frame that does not turn needs none of this: every solution serves its scene as it stands.
 // Domain: scenes whose inertial form one of the solutions below serves; in a turning frame nothing that
@@ -12,6 +12,8 @@
 #include "reference/exact/rounding.h"
 #include "reference/exact/solutions.h"
 #include "reference/exact/wide.h"
+
+#include <limits>
 
 namespace cylon::exact {
 namespace {
@@ -24,35 +26,41 @@ constexpr Make turning[] = {projectile, free_symmetric_top, free_asymmetric_top,
 
 class Frame {
  public:
-  explicit Frame(const core::Scene& scene) : spin_(widen(scene.frame->angular_velocity)) {}
+  explicit Frame(const core::Scene& scene)
+      : start_(widen(scene.frame->angular_velocity)), faster_(widen(scene.frame->angular_acceleration)) {}
 
   core::Scene inertial(core::Scene scene) const {
     scene.frame.reset();
     for (core::Body& body : scene.bodies) {
       core::BodyState& s = body.initial;
-      s.velocity = (widen(s.velocity) + spin_.cross(widen(s.position))).cast<double>();
-      s.angular_velocity = (widen(s.angular_velocity) + spin_).cast<double>();
+      s.velocity = (widen(s.velocity) + start_.cross(widen(s.position))).cast<double>();
+      s.angular_velocity = (widen(s.angular_velocity) + start_).cast<double>();
     }
     return scene;
   }
 
   core::State seen(core::State state, double t) const {
-    const WideQuaternion back = turn_by(spin_, -Wide(t));
+    const Wide now(t);
+    const WideQuaternion back = turn_by(start_ + now / 2 * faster_, -now);
+    const WideVector spin = start_ + now * faster_;
     for (core::BodyState& s : state) {
       WideState w;
       w.position = back * widen(s.position);
-      w.velocity = back * widen(s.velocity) - spin_.cross(w.position);
+      w.velocity = back * widen(s.velocity) - spin.cross(w.position);
       w.orientation = back * widen(s.orientation);
-      w.angular_velocity = back * widen(s.angular_velocity) - spin_;
+      w.angular_velocity = back * widen(s.angular_velocity) - spin;
       s = narrow(w);
     }
     return state;
   }
 
-  double rate() const { return static_cast<double>(spin_.norm()); }
+  // The fastest up to the horizon.
+  double rate(double horizon) const {
+    return static_cast<double>(std::max(start_.norm(), (start_ + Wide(horizon) * faster_).norm()));
+  }
 
  private:
-  WideVector spin_;
+  WideVector start_, faster_;
 };
 
 // What stands still in the frame turns in space: no inertial solution has it.
@@ -106,15 +114,19 @@ core::Truth rotating_frame(const core::Scene& scene, double horizon) {
   if (!scene.frame) refuse(name, "the scene has no frame");
   if (!(horizon > 0) || !std::isfinite(horizon)) refuse(name, "the horizon must be positive and finite");
   if (scene.bodies.empty()) refuse(name, "the scene has no body");
-  if (scene.frame->angular_velocity.isZero(0.0)) {
-    refuse(name, "the frame does not turn: leave it out, its velocity changes nothing");
-  }
+  if (!scene.frame->turns())
+    refuse(name, "the frame does not turn: a velocity changes nothing, and an acceleration is a gravity");
+  if (!scene.frame->acceleration.isZero(0)) refuse(name, "the origin of the frame accelerates");
+  const core::Vector3 &turn = scene.frame->angular_velocity, &faster = scene.frame->angular_acceleration;
+  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();  // of numbers that a file states
+  if (turn.cross(faster).norm() > rounding * turn.norm() * faster.norm())
+    refuse(name, "the frame's angular acceleration is not along its angular velocity");
   check_nothing_fixed(scene);
   const Frame frame(scene);
   const core::Truth inertial = inertial_truth(frame.inertial(scene), horizon);
   core::StateError error = error_of_frame(scene, horizon);
   error.position += inertial.error.position;
-  error.velocity += inertial.error.velocity + frame.rate() * inertial.error.position;
+  error.velocity += inertial.error.velocity + frame.rate(horizon) * inertial.error.position;
   error.orientation += inertial.error.orientation;
   error.angular_velocity += inertial.error.angular_velocity;
   return {.state = solve(scene, horizon),

@@ -30,6 +30,7 @@ core::Truth kepler(const core::Scene&, double horizon);
 core::Truth limited_pendulum(const core::Scene&, double horizon);
 core::Truth physical_pendulum(const core::Scene&, double horizon);
 core::Truth spherical_pendulum(const core::Scene&, double horizon);
+core::Truth statics(const core::Scene&, double horizon);
 core::Truth spring_chain(const core::Scene&, double horizon);
 core::Truth rotating_frame(const core::Scene&, double horizon);
 core::Truth water_step_force(const core::Scene&, double horizon);

@@ -251,15 +251,15 @@ Experiment read(const std::filesystem::path& path) {
   const std::string text = scenario::read_file(path);
   const scenario::Document document(text, path.string(), experiment_keys());
   const scenario::Table root = document.root(), names = *root.table("columns");
-  Experiment made{.file = path.string(),
-                  .title = root.text("title"),
-                  .source = root.text("source"),
-                  .licence = root.text("licence"),
-                  .instrument = root.text("instrument"),
-                  .known = root.texts("known"),
-                  .model = scenario::read(path.parent_path() / root.text("model")),
-                  .rate = root.number("rate") / static_cast<double>(root.whole("every", 1)),
-                  .runs = {}};
+  Experiment made{{.file = path.string(),
+                   .title = root.text("title"),
+                   .source = root.text("source"),
+                   .licence = root.text("licence"),
+                   .instrument = root.text("instrument"),
+                   .known = root.texts("known"),
+                   .model = scenario::read(path.parent_path() / root.text("model")),
+                   .rate = root.number("rate") / static_cast<double>(root.whole("every", 1))},
+                  {}};
   read_bodies(root, made);
   try {
     core::whole_steps(1 / made.rate, made.model.step);

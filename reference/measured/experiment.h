@@ -42,7 +42,8 @@ struct FitPlan {
   double degrees = std::numeric_limits<double>::infinity();
 };
 
-struct Experiment {
+/// Everything of an experiment but its motions.
+struct Setup {
   std::string file;   ///< As given.
   std::string hash;   ///< Of this file, the table and the scene.
   std::string title;  ///< One line.
@@ -61,6 +62,9 @@ struct Experiment {
   double length = 1;  ///< What measured lengths were divided by to become these (parameter "length").
   std::vector<Parameter> parameters;  ///< What may be fitted.
   FitPlan fit;
+};
+
+struct Experiment : Setup {
   std::vector<Run> runs;
 
   std::size_t longest() const;  ///< Frames of the longest run.

@@ -4,6 +4,7 @@
 
 #include "harness/process/client.h"
 #include "harness/process/engines.h"
+#include "harness/process/session.h"
 #include "tests/paths.h"
 #include "tests/reference/exact/random_scenes.h"
 
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -121,7 +123,13 @@ inline std::string test_name(const testing::TestParamInfo<Subject>& info) {
   return name;
 }
 
+// The tests of a fixture keep one worker for each engine, as a process of Node starts for longer than a run takes.  That runs
+// in one worker are those of workers of their own is tested in tests/harness/process/session_test.cc.
 class EveryEngine : public testing::TestWithParam<Subject> {
+ public:
+  static void SetUpTestSuite() { kept_.emplace(); }
+  static void TearDownTestSuite() { kept_.reset(); }
+
  protected:
   // An optional engine is tested where it is.
   void SetUp() override {
@@ -129,6 +137,9 @@ class EveryEngine : public testing::TestWithParam<Subject> {
   }
   const Subject& subject() const { return GetParam(); }
   double pair_restitution() const { return subject().bounces ? 0.5 : 0; }
+
+ private:
+  static inline std::optional<process::KeptWorkers> kept_;
 };
 
 /// A run of `steps` steps, every `every`-th kept; whatever keeps it from its end fails the test.

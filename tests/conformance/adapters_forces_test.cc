@@ -65,7 +65,8 @@ const core::Water sea = {.level = -0.2, .wave = 0.3, .speed = 2.1, .buoyancy = 2
 
 // What is below the sea's surface at t = 0 of a body that fills, over each point (x, z) of body axes, the
 // column from -top(x, z) to top(x, z); x and z within `reach`.
-Wrench below_sea(const core::BodyState& s, const Vector3& reach, std::function<double(double, double)> top) {
+Wrench below_sea(const core::BodyState& s, const Vector3& reach,
+                 const std::function<double(double, double)>& top) {
   const double height = sea.level + sea.wave * std::sin(s.position.x());
   const Vector3 up = s.orientation.conjugate() * Vector3::UnitY();  // body axes
   constexpr int n = 1500;
@@ -115,9 +116,9 @@ const core::Box box = {{0.4, 0.3, 0.5}};
 // ---- A turning frame, by summing mass points -----------------------------------------------------------
 
 // A body whose principal moments are those of pairs of points on the principal axes: a point of mass m_k at
-// +-1 m on axis k gives  I_k = 2 (m_i + m_j).  Each point feels  -m (2 W x v + W x (W x r)).
+// +-1 m on axis k gives  I_k = 2 (m_i + m_j).  At t = 0 each point feels  -m (a + 2 W x v + W' x r + W x (W x r)).
 Wrenches turned(const core::Scene& scene) {
-  const Vector3 turn = scene.frame->angular_velocity;
+  const Vector3 turn = scene.frame->angular_velocity, faster = scene.frame->angular_acceleration;
   Wrenches result;
   for (std::size_t b = 0; b < 3; ++b) {
     const core::Body& body = scene.bodies[b];
@@ -125,7 +126,8 @@ Wrenches turned(const core::Scene& scene) {
     const core::PrincipalAxes axes = core::principal_axes(body.inertia);
     const Vector3 points = (Vector3::Constant(axes.moments.sum() / 2) - axes.moments) / 2;  // [kg]
     const auto fictitious = [&](double m, const Vector3& r, const Vector3& v) -> Vector3 {
-      return -m * (2 * turn.cross(v) + turn.cross(turn.cross(r)));
+      return -m *
+             (scene.frame->acceleration + 2 * turn.cross(v) + faster.cross(r) + turn.cross(turn.cross(r)));
     };
     for (int k = 0; k < 3; ++k)
       for (const double side : {-1.0, 1.0}) {
@@ -144,6 +146,14 @@ const Row rows[] = {
     {"turning frame", core::UniformGravity{Vector3::Zero()}, turned,
      [](core::Scene& scene) {
        scene.frame = core::Frame{{0.7, -0.4, 1.1}, {1.3, -0.8, 2.1}};
+     }},
+    {"uneven frame", core::UniformGravity{Vector3::Zero()}, turned,
+     [](core::Scene& scene) {
+       scene.frame = core::Frame{{0.7, -0.4, 1.1}, {1.3, -0.8, 2.1}, {2.7, 3.4, -1.9}, 2.3, {3.1, 1.8, -2.6}};
+     }},
+    {"accelerating frame", core::UniformGravity{Vector3::Zero()}, turned,
+     [](core::Scene& scene) {
+       scene.frame = core::Frame{{0.7, -0.4, 1.1}, Vector3::Zero(), {2.7, 3.4, -1.9}};
      }},
     {"moving frame", core::UniformGravity{fall},
      [](const core::Scene& scene) { return in_sea(scene, [](const core::BodyState&) { return Wrench(); }); },
@@ -275,6 +285,38 @@ TEST_P(Forces, DriveHasCorrectPhase) {
   const double coarse = error(80), fine = error(800);
   expect_within(fmt::format("drive, {}", subject().id), fine,
                 1.25 * coarse / std::pow(10, subject().order) + 800 * subject().unit());
+}
+
+// x = x_0 + v_0 t - a (1 - cos f t)/f^2 in a frame that shakes; and a frame that turns ever faster about the y axis,
+// angle  s = W t + W' t^2/2,  sees a body on which nothing acts turned back by it.
+TEST_P(Forces, AFrameShakesInPhaseAndTurnsEverFaster) {
+  const double f = 5.3, t = 0.8;
+  const auto shaken = [&](std::int64_t steps) {
+    core::Scene scene = three_bodies(55);
+    scene.forces.clear();
+    scene.frame = core::Frame{.acceleration = push, .frequency = f};
+    const core::BodyState& b = scene.bodies[1].initial;
+    const Vector3 exact = b.position + b.velocity * t - push * (1 - std::cos(f * t)) / (f * f);
+    return (last(subject().choice(), scene, t / static_cast<double>(steps), steps)[1].position - exact)
+        .norm();
+  };
+  const auto turned = [&](std::int64_t steps) {
+    core::Scene scene = three_bodies(56);
+    scene.forces.clear();
+    scene.frame = core::Frame{.angular_velocity = {0, 0.4, 0}, .angular_acceleration = {0, 1.1, 0}};
+    const core::BodyState& b = scene.bodies[1].initial;
+    const Vector3 inertial = b.position + (b.velocity + scene.frame->angular_velocity.cross(b.position)) * t;
+    const Vector3 exact = Eigen::AngleAxisd(-(0.4 * t + 1.1 * t * t / 2), Vector3::UnitY()) * inertial;
+    return (last(subject().choice(), scene, t / static_cast<double>(steps), steps)[1].position - exact)
+        .norm();
+  };
+  const auto compare = [&](const char* what, const auto& error) {
+    const double coarse = error(80), fine = error(800);
+    expect_within(fmt::format("{}, {}", what, subject().id), fine,
+                  1.25 * coarse / std::pow(10, subject().order) + 800 * subject().unit());
+  };
+  compare("a frame that shakes", shaken);
+  compare("a frame that turns ever faster", turned);
 }
 
 // Springs between bodies: forces are equal and opposite, so momentum stays to a hundred roundings; and on one

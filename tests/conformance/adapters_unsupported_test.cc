@@ -23,23 +23,6 @@ std::vector<Refusal> refusals() {
                                       [](core::Scene& s) { s.joints.push_back(s.joints[0]); });
   const core::Hull hull = {tetrahedron.vertices};
   return {
-      {"in-house", "not modelled: contacts, limits or dry friction in a rotating frame",
-       with(resting(),
-            [](core::Scene& s) {
-              s.frame = core::Frame{{0, 0, 0}, {0.1, 0.2, 0}};
-            })},
-      {"in-house", "not modelled: joints to the world in a rotating frame",
-       with(jointed(core::JointType::hinge, 0, core::world),
-            [](core::Scene& s) {
-              s.frame = core::Frame{{0, 0, 0}, {0.1, 0.2, 0}};
-            })},
-      {"in-house",
-       "not modelled: drag, water, a spring damped against the world or a force along a joint to the world "
-       "in a rotating frame",
-       with(pushed(core::Drag{0, 1, 0, 0}),
-            [](core::Scene& s) {
-              s.frame = core::Frame{{0, 0, 0}, {0.1, 0.2, 0}};
-            })},
       {"in-house/integrator=bm4", "bm4 cannot integrate joints", jointed(core::JointType::ball, 0, 1)},
       {"in-house-float", "'a' is 1e+07 m from the origin, where single precision knows distances to 0.134 m",
        with(resting(), [](core::Scene& s) { s.bodies[0].initial.position.x() = 1e7; })},

@@ -28,7 +28,9 @@ TEST_P(Mix, KeepsTheSymmetriesOfMechanics) {
   EXPECT_EQ(ran.code, 0) << ran.out << ran.err;
 }
 
-INSTANTIATE_TEST_SUITE_P(Features, Mix, testing::Values("every_force", "turning_frame", "compound_on_hinge"),
+INSTANTIATE_TEST_SUITE_P(Features, Mix,
+                         testing::Values("every_force", "turning_frame", "uneven_frame", "joints_in_a_frame",
+                                         "compound_on_hinge"),
                          [](const auto& mix) { return std::string(mix.param); });
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "harness/cli/commands/published.h"
 #include "harness/core/observable.h"
+#include "harness/process/session.h"
 #include "harness/scenario/input.h"
 
 #include <fmt/format.h>
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <ostream>
 #include <vector>
 
@@ -127,7 +129,15 @@ double measured(const Number& n, const std::string& engine_id, double sample) {
   return row.measured;
 }
 
-class Published : public testing::TestWithParam<Number> {};
+// One worker for each engine: a process of Node starts for longer than most runs take.
+class Published : public testing::TestWithParam<Number> {
+ public:
+  static void SetUpTestSuite() { kept_.emplace(); }
+  static void TearDownTestSuite() { kept_.reset(); }
+
+ private:
+  static inline std::optional<process::KeptWorkers> kept_;
+};
 
 TEST_P(Published, NumbersAreReproduced) {
   const Number& n = GetParam();

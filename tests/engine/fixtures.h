@@ -4,6 +4,7 @@
 #include "engine/integrators/integrator.h"
 #include "engine/world.h"
 #include "tests/engine/joint_types.h"
+#include "tests/engine/momenta.h"
 #include "tests/engine/same_bits.h"
 
 #include <gtest/gtest.h>
@@ -182,19 +183,6 @@ inline Real distance(const std::vector<Motion>& a, const std::vector<Motion>& b)
     if (!std::isfinite(worst)) return std::numeric_limits<Real>::infinity();
   }
   return worst;
-}
-
-inline Vector3 momentum(const std::vector<Motion>& motions) {
-  Vector3 sum = Vector3::Zero();
-  for (const Motion& m : motions) sum += m.momentum;
-  return sum;
-}
-
-/// About the world origin: sum p x K + L.
-inline Vector3 angular_momentum(const std::vector<Motion>& motions) {
-  Vector3 sum = Vector3::Zero();
-  for (const Motion& m : motions) sum += m.position.cross(m.momentum) + m.angular_momentum;
-  return sum;
 }
 
 /// v.K/2 + w.L/2 of all bodies [J]; seed eq. 84 with the tensor (errata 23).

@@ -72,6 +72,103 @@ TEST(Frame, JointsHoldInIt) {
   EXPECT_LT(joint_gap(end.motions, model.joints[0]), 1e-13);
 }
 
+// The motion of a model as the frame sees it, its own motion a force.
+Model with_force(Model model, const FrameForce& frame) {
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+    const Body& body = model.bodies[i];
+    const Motion& m = model.motions[i];
+    model.motions[i] = make_motion(body, m.position, m.orientation,
+                                   velocity(body, m) - frame.angular_velocity.cross(m.position),
+                                   angular_velocity(body, m) - frame.angular_velocity);
+  }
+  model.forces.frame_forces = {frame};
+  return model;
+}
+
+// Places and turns of two motions, momenta aside.
+Real apart(const std::vector<Motion>& a, const std::vector<Motion>& b) {
+  Real most = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    most = std::max(
+        {most, (a[i].position - b[i].position).norm(), a[i].orientation.angularDistance(b[i].orientation)});
+  return most;
+}
+
+// An inertial motion, seen from a frame that turns about W by  W t + W' t^2/2,  W' along W.
+std::vector<Motion> seen_turned(std::vector<Motion> motions, const Vector3& by) {
+  const Quaternion back = exponential(-by);
+  for (Motion& m : motions) m.position = back * m.position, m.orientation = back * m.orientation;
+  return motions;
+}
+
+// The same motions, whether the frame is a force or is turned back; in a frame that turns ever faster, too.
+TEST_P(Frame, AsAForceItIsTheSameMotion) {
+  for (const Real faster : {Real(0), Real(0.6)}) {
+    const Model model = coupled_bodies(0.3);
+    FrameForce frame;
+    frame.angular_velocity = turning, frame.angular_acceleration = faster * turning;
+    const auto exact = seen_turned(run(model, "rk8", 1, 2000).motions, (1 + faster / 2) * turning);
+    const auto error = [&](int n) {
+      return apart(run(with_force(model, frame), GetParam().name, 1, n).motions, exact);
+    };
+    const int order = GetParam().order;
+    if (order >= 6) {
+      EXPECT_LT(error(512), 1e-9);
+    } else {
+      const int n = order == 4 ? 128 : order == 2 ? 1024 : 16384;
+      EXPECT_NEAR(std::log2(error(n) / error(2 * n)), order, 0.1) << faster;
+    }
+    frame.angular_velocity *= 1.01;  // negative control
+    EXPECT_GT(apart(run(with_force(model, frame), "rk8", 1, 200).motions, exact), 1e-4);
+  }
+}
+
+// At rest in a frame that accelerates evenly where the weight and the frame's pull are in line with the rod: pinned
+// (in reduced coordinates) or held by a constraint; tan phi = a/g.
+TEST(Frame, APendulumHangsAskewInOneThatAccelerates) {
+  const Real g = 9.81, a = 2.5, length = 0.8;
+  const Vector3 along = Vector3(-a, -g, 0).normalized();
+  for (const bool reduced : {true, false}) {
+    Model model;
+    add_body(model, make_body(1.3, Vector3(0.2, 0.3, 0.4).asDiagonal()), length * along, {0, 0, 0}, {0, 0, 0},
+             {0, 0, 0});
+    model.reduce_joints = reduced;
+    model.forces.gravity = {0, -g, 0};
+    model.joints.push_back({.anchor = -length * along});
+    FrameForce frame;
+    frame.acceleration = {a, 0, 0};
+    model.forces.frame_forces = {frame};
+    EXPECT_LT((run(model, "rk8", 2, 400).motions[0].position - length * along).norm(), 1e-12) << reduced;
+    model.forces.frame_forces[0].acceleration *= 1.1;  // negative control
+    EXPECT_GT((run(model, "rk8", 2, 400).motions[0].position - length * along).norm(), 1e-3) << reduced;
+  }
+}
+
+// A conical pendulum at rest in the frame that turns with it:  cos phi = g/(W^2 l)  of a point on a rod; of a body, whose
+// moments about the vertical the frame twists:  (I_3 - I_1 - m l^2) W^2 cos phi = -m g l.
+TEST(Frame, AConicalPendulumRestsInTheFrameThatTurnsWithIt) {
+  const Real g = 9.81, w = 4.5, length = 0.8, mass = 1.3, across = 0.05, along_rod = 0.01;
+  const Real cosine = mass * g * length / ((mass * length * length + across - along_rod) * w * w);
+  const Real sine = std::sqrt(1 - cosine * cosine);
+  const Quaternion turned = exponential(std::atan2(sine, cosine) * Vector3::UnitZ());
+  for (const bool reduced : {true, false}) {
+    Model model;
+    add_body(model, make_body(mass, Vector3(across, along_rod, across).asDiagonal()),
+             turned * Vector3(0, -length, 0), {0, 0, 0}, {0, 0, 0}, {0, 0, 0});
+    model.motions[0].orientation = turned;
+    model.reduce_joints = reduced;
+    model.forces.gravity = {0, -g, 0};
+    model.joints.push_back({.anchor = {0, length, 0}});
+    FrameForce frame;
+    frame.angular_velocity = {0, w, 0};
+    model.forces.frame_forces = {frame};
+    const Vector3 at = model.motions[0].position;
+    EXPECT_LT((run(model, "rk8", 1, 400).motions[0].position - at).norm(), 1e-11) << reduced;
+    model.forces.frame_forces[0].angular_velocity *= 1.01;  // negative control
+    EXPECT_GT((run(model, "rk8", 1, 400).motions[0].position - at).norm(), 1e-3) << reduced;
+  }
+}
+
 // From rest in the frame: Coriolis and centrifugal acceleration,
 //   a = -2 W x v - W x (W x r) + F/m,  by a Runge-Kutta of its own in the frame's velocities.
 TEST(Frame, FeelsCoriolisAndCentrifugalForce) {

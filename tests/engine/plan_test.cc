@@ -46,6 +46,7 @@ const std::vector<const char*> optional_stages = {"rotation",
                                                   "springs, dampers and motors in joints",
                                                   "variable mass",
                                                   "turning frame",
+                                                  "forces of the frame",
                                                   "reduced coordinates",
                                                   "joint constraints",
                                                   "broad phase",
@@ -145,6 +146,14 @@ std::vector<Case> cases() {
              }); },
        Path::bodies,
        {"rotation", "turning frame"}},
+      {"frame that turns and accelerates",
+       [=] {
+         return added(free_top(), [](Model& m) {
+           m.forces.frame_forces = {{.acceleration = {1, 2, 3}, .angular_velocity = {0.1, 0.2, 0.3}}};
+         });
+       },
+       Path::bodies,
+       {"rotation", "forces of the frame"}},
       {"ball over a plane",
        [] { return ball_over_plane(0.5, 0.5); },
        Path::ballistic,

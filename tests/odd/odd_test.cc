@@ -112,6 +112,16 @@ const std::vector<Odd> all = {
      1e7,
      "",
      {{0, What::position, 0, rubbed.x(1), 1e-10}, {0, What::velocity, 0, rubbed.v(1), 1e-10}}},
+    // In frames that turn or accelerate.  A ball that rolls on what moves under it with a gets 2/7 a of it; a block stays
+    // while friction holds  m sqrt((W^2 r)^2 + (W' r)^2);  on a wire that turns, x'' = W^2 x.
+    {"ball_in_a_train",
+     1e7,
+     "",
+     {{0, What::position, 0, -5. / 7, 1e-10}, {0, What::velocity, 0, -10. / 7, 1e-10}}},
+    {"ball_in_a_train", 1e7, stepped, {{0, What::velocity, 0, -10. / 7, 1e-10}}, "stepping"},
+    {"block_on_a_turntable", 1e7, "", {{0, What::position, 0, 0.8, 1e-12}, {0, What::position, 2, 0, 1e-12}}},
+    {"block_on_a_turntable", 1e7, stepped, {{0, What::position, 0, 0.8, 1e-12}}, "stepping"},
+    {"bead_on_a_turning_wire", 1e7, "", {{0, What::position, 0, 0.3 * std::cosh(1.7), 1e-10}}},
     {"thrust_along_floor", 2e7, "", {{0, What::position, 0, (8 - 0.3 * (2 * g - 2)) / 2 * 2, 1e-10}}},
     {"thrust_too_weak", 5e3, "", {{0, What::position, 0, 0, 0}, {0, What::velocity, 0, 0, 0}}},
     {"slide_and_gather", 5e6, "", {{0, What::velocity, 0, gathers(0.5), 1e-10}}},

@@ -8,6 +8,7 @@
 
 #include "harness/core/input_error.h"
 #include "harness/core/measure.h"
+#include "harness/core/observable.h"
 #include "harness/core/recording.h"
 #include "harness/process/client.h"
 #include "harness/scenario/input.h"
@@ -26,7 +27,7 @@ namespace {
 
 struct Options {
   Asked asked;
-  std::string dt, out = "-";
+  std::string dt, out = "-", account;
   std::vector<double> at;
   double every = 0, timeout = 60;
   bool nearest = false;
@@ -98,6 +99,38 @@ double grid(const Options& options, const scenario::Scenario& scenario) {
   return dt;
 }
 
+// Where works and kinetic energy, both seen from the scene's frame, do not balance.
+void require_balance(const core::Scene& scene) {
+  for (const core::Force& force : scene.forces)
+    if (const auto* thrust = std::get_if<core::Thrust>(&force); thrust && thrust->mass_rate != 0)
+      throw core::InputError("--account: a mass changes, and what leaves takes kinetic energy with it");
+  if (scene.frame && scene.frame->turns())
+    throw core::InputError("--account: the frame turns, and works are those of the inertial frame");
+}
+
+double kinetic_energy(const core::Scene& scene, const core::State& state) {
+  core::Values values;
+  core::evaluate({.quantity = core::Quantity::kinetic_energy}, scene, state, values);
+  return values.front().x();
+}
+
+// The works since t = 0, and what of the kinetic energy they do not explain: the works of contacts, limits and dry friction,
+// joints that move, and the error of the motion.
+std::string balance_csv(const core::Scene& scene, const core::Recording& recording) {
+  std::string text = "entry,joules\n";
+  const auto row = [&](const std::string& entry, double joules) {
+    text += fmt::format("{},{:.17g}\n", reports::csv_field(entry), joules);
+  };
+  double sum = 0;
+  for (const core::Work& w : recording.works) row(w.force, w.work), sum += w.work;
+  const double gained =
+      kinetic_energy(scene, recording.states.back()) - kinetic_energy(scene, recording.states.front());
+  row("all forces", sum);
+  row("kinetic energy gained", gained);
+  row("gained without a force", gained - sum);
+  return text;
+}
+
 // What no law of motion gives, or "".
 std::string nonsense(const core::Recording& recording) {
   if (const auto bad = core::first_bad_step(recording))
@@ -114,7 +147,14 @@ std::string nonsense(const core::Recording& recording) {
 int simulate(const Context& context, const Options& options) {
   require_writable(options.out);
   const scenario::Scenario scenario = scenario::read(find_scenario(context, options.asked.file));
-  const process::EngineChoice engine = choose(context, options.asked);
+  process::EngineChoice engine = choose(context, options.asked);
+  if (!options.account.empty()) {
+    require_writable(options.account);
+    if (options.account == "-" && options.out == "-")
+      throw core::InputError("--account -: stdout has the states; give them another place by --out");
+    require_balance(scenario.scene);
+    engine.options["account"] = "yes";
+  }
   const double dt = grid(options, scenario);
   const bool own_grid = options.dt.empty() && dt != scenario.step;
 
@@ -142,6 +182,8 @@ int simulate(const Context& context, const Options& options) {
   const process::RunOutcome outcome = process::run(engine, request, {.run_seconds = options.timeout});
   if (outcome.recording) {
     write_whole(options.out, csv(scenario.scene, *outcome.recording, wanted));
+    if (!options.account.empty())
+      write_whole(options.account, balance_csv(scenario.scene, *outcome.recording));
     for (const std::string& remark : outcome.recording->remarks)
       std::cerr << plain(fmt::format("{}: {}\n", options.asked.engine, remark));
   }
@@ -172,6 +214,10 @@ Command add_simulate(App& app, const Context& context) {
   app.add_option("--out", options->out, "CSV file, written completely or not at all; - is stdout")
       ->type_name("FILE")
       ->capture_default_str();
+  app.add_option("--account", options->account,
+                 "Write the work of each force from start to end [J] as CSV, and the kinetic energy gained "
+                 "(in-house engine); - is stdout")
+      ->type_name("FILE");
   add_timeout_option(app, options->timeout);
   return [=, &context] { return simulate(context, *options); };
 }

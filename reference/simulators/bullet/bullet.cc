@@ -317,8 +317,8 @@ BulletKind bullet_kind(const core::Scene& scene) {
     return std::holds_alternative<core::Drag>(f) || std::holds_alternative<core::UniformGravity>(f);
   };
   const bool hung = !untreelike(scene) && all_hung(scene);
-  kind.tree =
-      !kind.touches && hung && !applied::turns(scene.frame) && std::ranges::all_of(scene.forces, is_smooth);
+  kind.tree = !kind.touches && hung && !core::has_fictitious_forces(scene) &&
+              std::ranges::all_of(scene.forces, is_smooth);
   kind.loops = !untreelike(scene) && has_loops(scene);
   kind.swept = std::ranges::any_of(scene.bodies, [](const core::Body& body) {
     return !body.locked && body.collide &&

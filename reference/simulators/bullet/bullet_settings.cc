@@ -216,7 +216,7 @@ core::Engine bullet_engine(std::string version, std::string precision) {
        "loops, "
        "applied forces or a free base that turns"},
   };
-  engine.knows = {"collision_filters", "body_gravity", "joint_forces", "joint_targets"};
+  engine.knows = {"collision_filters", "frame_acceleration", "body_gravity", "joint_forces", "joint_targets"};
   for (const Word& word : words)
     engine.options.push_back({word.option, word.of_rigid, word.of_rigid.front(), word.meaning});
   for (const Knob& k : knobs())

@@ -156,7 +156,7 @@ core::Engine dart_engine(std::string version) {
                       "always 'as-shipped'",
                       {{scheme, 1, "linear momentum"}},
                       dart_options().offered()};
-  engine.knows = {"collision_filters", "body_gravity", "joint_forces", "joint_targets"};
+  engine.knows = {"collision_filters", "frame_acceleration", "body_gravity", "joint_forces", "joint_targets"};
   return engine;
 }
 

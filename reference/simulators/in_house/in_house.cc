@@ -57,9 +57,10 @@ core::Engine describe() {
   for (const engine::Integrator& row : engine::integrators())
     engine.integrators.push_back(
         {std::string(row.name), row.order, std::string(row.conserves), row.kind == engine::Kind::adaptive});
-  engine.knows = {"collision_filters", "body_gravity",     "slider_joints", "cylindrical_joints",
-                  "planar_joints",     "universal_joints", "screw_joints",  "joint_forces",
-                  "joint_targets",     "joint_limits",     "joint_friction"};
+  engine.knows = {"collision_filters",  "frame_acceleration", "body_gravity",     "slider_joints",
+                  "cylindrical_joints", "planar_joints",      "universal_joints", "screw_joints",
+                  "joint_forces",       "joint_targets",      "joint_limits",     "joint_friction",
+                  "plugin_forces"};
   engine.options.push_back({"model",
                             {"planned", "full"},
                             "planned",
@@ -68,6 +69,8 @@ core::Engine describe() {
                             {"reduced", "constraints"},
                             "reduced",
                             "reduced: joints to the world leave coordinates out; constraints: all are kept"});
+  engine.options.push_back(
+      {"account", {"no", "yes"}, "no", "yes: integrate the work of each force beside the motion"});
   engine.options.push_back(
       {"sweeps", {}, "10", "path stepping: sweeps over the contacts in a step, 1 to 1000"});
   return engine;
@@ -114,6 +117,7 @@ engine::Options options_of(const core::Engine& engine, const core::Setup& setup)
     require(name, value, option->values);
     if (name == "model") options.full = value == "full";
     if (name == "joints") options.constraints = value == "constraints";
+    if (name == "account") options.account = value == "yes";
   }
   options.path = setup.path;
   if (!setup.integrator.empty()) options.integrator = setup.integrator;
@@ -132,21 +136,23 @@ class InHouse final : public core::Simulator {
     return description;
   }
 
+  void admit(const std::string& name, const std::string& file) override { plugins_.admit(name, file); }
+
   Reason unsupported(const core::Scene& scene, const core::Setup& setup) const override {
     const engine::Options options = options_of(engine(), setup);
-    const InHouseModel translated = in_house_model(scene);
+    const InHouseModel translated = in_house_model(scene, plugins_);
     Reason reason = missing(scene, translated, options);
     return reason || setup.force ? reason : doubt(scene, translated, options);
   }
 
   core::Terms load(const core::Scene& scene, const core::Setup& setup) override {
     const engine::Options options = options_of(engine(), setup);
-    return start(scene, in_house_model(scene), options);
+    return start(scene, in_house_model(scene, plugins_), options);
   }
 
   core::Loaded load_if_supported(const core::Scene& scene, const core::Setup& setup) override {
     const engine::Options options = options_of(engine(), setup);
-    InHouseModel translated = in_house_model(scene);
+    InHouseModel translated = in_house_model(scene, plugins_);
     Reason reason = missing(scene, translated, options);
     if (!reason && !setup.force) reason = doubt(scene, translated, options);
     if (reason) return {.unsupported = std::move(reason)};
@@ -158,6 +164,12 @@ class InHouse final : public core::Simulator {
   }
   void advance(std::int64_t n) override {
     slowed([&] { world_->advance(n); });
+  }
+
+  Reason kick(int body, const core::Vector3& impulse, const core::Vector3& angular_impulse) override {
+    if (std::string reason = world_->no_kick(); !reason.empty()) return reason;
+    world_->kick(body, impulse.cast<engine::Real>(), angular_impulse.cast<engine::Real>());
+    return std::nullopt;
   }
 
   void read(core::State& state) const override {
@@ -185,6 +197,14 @@ class InHouse final : public core::Simulator {
     if (forced_) all.push_back(told(*forced_));
     for (const engine::Diagnostic& d : overlaps_) all.push_back(told(d));
     for (const engine::Diagnostic& d : world_->diagnostics()) all.push_back(told(d));
+    return all;
+  }
+
+  std::vector<core::Work> works() const override {
+    const engine::Real* joules = world_->works();
+    std::vector<core::Work> all;
+    for (std::size_t i = 0; joules && i < forces_.size(); ++i)
+      all.push_back({forces_[i], static_cast<double>(joules[i])});
     return all;
   }
 
@@ -251,6 +271,20 @@ class InHouse final : public core::Simulator {
     };
   }
 
+  // In the order in which the engine accounts them.
+  std::vector<std::string> forces_in_words(const engine::Model& model) const {
+    std::vector<std::string> all = {"gravity"};
+    engine::each_force(model.forces, [&](const auto& force) {
+      std::vector<std::string> bodies;
+      if (const auto acted = force.acts_on())
+        for (const int body : *acted)
+          if (body != engine::fixed_world) bodies.push_back(names_in_words_(engine::Thing::body, body));
+      all.push_back(force.one);
+      if (!bodies.empty()) all.back() += fmt::format(" on {}", fmt::join(bodies, ", "));
+    });
+    return all;
+  }
+
   core::Terms start(const core::Scene& scene, InHouseModel translated, const engine::Options& options) {
     overlaps_ = settle_deep_overlaps(scene, translated.model);
     forced_.reset();
@@ -259,8 +293,9 @@ class InHouse final : public core::Simulator {
     names_.clear();
     for (const core::Body& body : scene.bodies) names_.push_back(body.name);
     names_in_words_ = names_of(scene);
+    forces_ = forces_in_words(translated.model);
+    frame_ = translated.model.frame ? scene.frame->angular_velocity : core::Vector3(core::Vector3::Zero());
     world_.emplace(std::move(translated.model), options, names_in_words_);
-    frame_ = scene.frame ? scene.frame->angular_velocity : core::Vector3(core::Vector3::Zero());
     return terms(world_->plan(), options);
   }
 
@@ -285,6 +320,7 @@ class InHouse final : public core::Simulator {
     if (options.sweeps > 0)
       terms.settings.push_back({"sweeps", fmt::format("{}", options.sweeps), "10", "asked for"});
     if (options.constraints) terms.settings.push_back({"joints", "constraints", "reduced", "asked for"});
+    if (options.account) terms.settings.push_back({"account", "yes", "no", "asked for"});
     if (options.full)
       terms.settings.push_back({"model", "full", "planned", "every stage runs, needed or not"});
     terms.unforceable = path.unforceable;
@@ -292,12 +328,14 @@ class InHouse final : public core::Simulator {
     return terms;
   }
 
+  Plugins plugins_;
   std::optional<engine::World> world_;
   core::Vector3 frame_ = core::Vector3::Zero();  // how fast the scene's frame turns
   std::optional<engine::Diagnostic> forced_;     // why the run would be refused if nobody forced it
   std::vector<engine::Diagnostic>
-      overlaps_;                    // what the run leaves undefined, which is no reason to refuse it
-  std::vector<std::string> names_;  // of the bodies
+      overlaps_;                     // what the run leaves undefined, which is no reason to refuse it
+  std::vector<std::string> names_;   // of the bodies
+  std::vector<std::string> forces_;  // in words
   engine::Names names_in_words_;
 };
 

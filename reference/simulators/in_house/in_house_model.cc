@@ -1,5 +1,6 @@
 #include "reference/simulators/in_house/in_house_model.h"
 
+#include "engine/methods.h"
 #include "harness/core/collision_filter.h"
 #include "harness/core/overloaded.h"
 #include "harness/core/surfaces.h"
@@ -86,7 +87,15 @@ std::optional<std::string> add(const core::Water& w, const Scene& scene, Model& 
   return std::nullopt;
 }
 
-std::optional<std::string> add_forces(const Scene& scene, Model& model) {
+std::optional<std::string> add(const core::PluginForce& f, const Scene& scene, const Plugins& plugins,
+                               Model& model) {
+  auto law = plugins.law(scene, f);
+  if (auto* reason = std::get_if<NoLaw>(&law)) return std::move(*reason);
+  model.forces.user_forces.push_back({f.bodies, std::get<0>(std::move(law))});
+  return std::nullopt;
+}
+
+std::optional<std::string> add_forces(const Scene& scene, const Plugins& plugins, Model& model) {
   std::optional<std::string> missing;
   engine::Forces& forces = model.forces;
   for (const core::Force& force : scene.forces) {
@@ -108,6 +117,9 @@ std::optional<std::string> add_forces(const Scene& scene, Model& model) {
                    },
                    [&](const core::Water& w) {
                      if (auto reason = add(w, scene, model)) missing = reason;
+                   },
+                   [&](const core::PluginForce& f) {
+                     if (auto reason = add(f, scene, plugins, model)) missing = reason;
                    },
                },
                force);
@@ -162,29 +174,44 @@ std::optional<std::string> add_contacts(const Scene& scene, Model& model) {
   return std::nullopt;
 }
 
+// A frame that only moves on changes nothing (Galilei).  In one that turns evenly, and to which nothing is fixed, the
+// motion is computed as from an inertial frame: v + W x p and w + W are the inertial velocities.  In all others it is as
+// the frame sees it, and the frame's motion is a force.
+void set_frame(const Scene& scene, Model& model) {
+  if (!core::has_fictitious_forces(scene)) return;
+  const core::Frame& frame = *scene.frame;
+  const engine::Vector3 w = real(frame.angular_velocity);
+  model.frame = engine::RotatingFrame{w};
+  constexpr engine::Features of_the_frame = {engine::Feature::contact_in_turning_frame,
+                                             engine::Feature::world_joint_in_turning_frame,
+                                             engine::Feature::force_in_turning_frame};
+  const bool fixed = !(engine::required(model) & of_the_frame).empty();
+  if (fixed || !frame.acceleration.isZero(0) || !frame.angular_acceleration.isZero(0)) {
+    model.frame.reset();
+    model.forces.frame_forces = {
+        {real(frame.acceleration), real(frame.frequency), w, real(frame.angular_acceleration)}};
+    return;
+  }
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+    const core::BodyState& s = scene.bodies[i].initial;
+    model.motions[i] =
+        engine::make_motion(model.bodies[i], real(s.position), real(s.orientation),
+                            real(s.velocity) + w.cross(real(s.position)), real(s.angular_velocity) + w);
+  }
+}
+
 }  // namespace
 
-InHouseModel in_house_model(const Scene& scene) {
+InHouseModel in_house_model(const Scene& scene, const Plugins& plugins) {
   InHouseModel result;
   Model& model = result.model;
   add_bodies(scene, model);
   result.lost = lost_turn(scene, model);
-  result.missing = add_forces(scene, model);
+  result.missing = add_forces(scene, plugins, model);
   if (result.missing) return result;
   add_joints(scene, model);
   result.missing = add_contacts(scene, model);
-  // A frame that only moves changes nothing (Galilei); in one that turns, v + W x p and w + W are the
-  // inertial ones.
-  if (scene.frame && !scene.frame->angular_velocity.isZero(0)) {
-    const engine::Vector3 w = real(scene.frame->angular_velocity);
-    model.frame = engine::RotatingFrame{w};
-    for (std::size_t i = 0; i < model.bodies.size(); ++i) {
-      const core::BodyState& s = scene.bodies[i].initial;
-      model.motions[i] =
-          engine::make_motion(model.bodies[i], real(s.position), real(s.orientation),
-                              real(s.velocity) + w.cross(real(s.position)), real(s.angular_velocity) + w);
-    }
-  }
+  set_frame(scene, model);
   return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include "engine/model.h"
 #include "harness/core/scene.h"
+#include "reference/simulators/in_house/in_house_plugins.h"
 
 #include <optional>
 #include <string>
@@ -17,6 +18,6 @@ struct InHouseModel {
 };
 
 /// O(bodies): which surface meets which is told by classes, never pair by pair.
-InHouseModel in_house_model(const core::Scene&);
+InHouseModel in_house_model(const core::Scene&, const Plugins& = {});
 
 }  // namespace cylon::simulators

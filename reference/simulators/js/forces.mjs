@@ -1,10 +1,14 @@
 // The laws of a scene that the engines do not have, as forces of the state before a step, constant during it: springs,
 // drag, thrust, changing mass, drive, attraction, water's constant lift, a gravity of a body's own, and a frame of
-// reference that turns.
+// reference that turns or accelerates.
 // The same laws as reference/applied/forces.cc, for engines in JavaScript.  Knows no engine.
 import {add, cross, dot, is_zero, norm, rotate, scale, sub, world_times} from './vectors.mjs';
 
-export const turns = (frame) => frame !== undefined && !is_zero(frame.angular_velocity);
+const none = [0, 0, 0];
+
+/** Whether a frame has fictitious forces. */
+export const pushes = (frame) => frame !== undefined &&
+  !['acceleration', 'angular_velocity', 'angular_acceleration'].every((key) => is_zero(frame[key] ?? none));
 
 /** Why not all forces of a scene can be applied, or nothing. */
 export function unmapped(scene) {
@@ -13,7 +17,7 @@ export function unmapped(scene) {
 }
 
 export const settings = (scene_has_any) => scene_has_any ? [{
-  name: 'springs, drag, thrust, drive, attraction, water, own gravity, forces of a turning frame', value: 'force of the state before the step',
+  name: 'springs, drag, thrust, drive, attraction, water, own gravity, forces of a frame that turns or accelerates', value: 'force of the state before the step',
   reason: 'the engine has no such forces; they are constant during the step, and so is a mass that changes',
 }] : [];
 
@@ -28,13 +32,12 @@ class Wrench {
   turn(torque) { this.torque = add(this.torque, torque); }
 }
 
-const none = [0, 0, 0];
 /** Lists of a scene whose elements are forces; each is a method of Forces. */
 export const laws = ['spring', 'drag', 'thrust', 'drive', 'attraction', 'water'];
 
 /** Whether anything of a scene is to be applied before a step. */
 export const has_forces = (scene) =>
-  turns(scene.frame) || laws.some((law) => scene[law].length > 0) || scene.bodies.some((body) => body.gravity);
+  pushes(scene.frame) || laws.some((law) => scene[law].length > 0) || scene.bodies.some((body) => body.gravity);
 
 export class Forces {
   /** Of a scene as scene.mjs prepares it. */
@@ -62,7 +65,7 @@ export class Forces {
       for (const one of this.scene[law]) this[law](one, t, states, wrenches);
     for (const {index, gravity} of this.scene.bodies)
       if (gravity) wrenches[index].push(none, scale(this.masses[index], gravity));
-    if (turns(this.scene.frame)) this.frame(this.scene.frame, states, wrenches);
+    if (pushes(this.scene.frame)) this.frame(this.scene.frame, t, states, wrenches);
     return wrenches;
   }
 
@@ -132,18 +135,21 @@ export class Forces {
     }
   }
 
-  // In a frame that turns with W, an element dm at r feels  -dm (2 W x dr/dt + W x (W x r)).  Summed over a body
-  // with spin w, for which  sum dm a (a.W) = (tr(I)/2 - I) W  over its arms a:
-  //   F      = -m (2 W x v + W x (W x r))
-  //   torque = (I W) x W + 2 (I W) x w - tr(I) W x w
-  frame(frame, states, wrenches) {
-    const turn = frame.angular_velocity;
+  // In a frame that turns with W and whose origin has the acceleration a, an element dm at r feels
+  // -dm (a + 2 W x dr/dt + W' x r + W x (W x r)).  Summed over a body with spin w, for which
+  // sum dm x (x.W) = (tr(I)/2 - I) W  over its arms x:
+  //   F      = -m (a + 2 W x v + W' x r + W x (W x r))
+  //   torque = (I W) x W + 2 (I W) x w - tr(I) W x w - I W'
+  frame(frame, t, states, wrenches) {
+    const faster = frame.angular_acceleration ?? none, turn = add(frame.angular_velocity ?? none, scale(t, faster));
+    const push = scale(Math.cos((frame.frequency ?? 0) * t), frame.acceleration ?? none);
     for (const {index: i, inertia} of this.scene.bodies) {
       const s = states[i], along = world_times(inertia, s.orientation, turn);
       const trace = inertia[0] + inertia[4] + inertia[8];
-      const inward = add(scale(2, cross(turn, s.velocity)), cross(turn, cross(turn, s.position)));
-      wrenches[i].push(none, scale(-this.masses[i], inward));
+      const inward = add(scale(2, cross(turn, s.velocity)), add(cross(faster, s.position), cross(turn, cross(turn, s.position))));
+      wrenches[i].push(none, scale(-this.masses[i], add(push, inward)));
       wrenches[i].turn(add(cross(along, turn), sub(scale(2, cross(along, s.spin)), scale(trace, cross(turn, s.spin)))));
+      wrenches[i].turn(scale(-1, world_times(inertia, s.orientation, faster)));
     }
   }
 

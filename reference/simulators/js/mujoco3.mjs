@@ -2,7 +2,7 @@
 // Knows nothing of the protocol.
 import load_mujoco from '@mujoco/mujoco';
 import {forest_of} from './forest.mjs';
-import {turns} from './forces.mjs';
+import {pushes} from './forces.mjs';
 import {body_name, model_of, require_expressible} from './mujoco3_model.mjs';
 import {Unsupported} from './scene.mjs';
 import {add, conjugate, cross, dot, is_zero, norm, rotate, sub} from './vectors.mjs';
@@ -83,6 +83,7 @@ function defaults(M) {
 // ---- A world ------------------------------------------------------------------------------------------
 
 const full = [1, 2], bad = [3, 4, 5];  // mjtWarning: no room for contacts, constraints; position, velocity, acceleration
+const free_joint = 0, slide_joint = 2;  // mjtJoint
 const at = (array, i, count = 3) => Array.from(array.subarray(i, i + count));
 const still = (body) => ({position: body.position, orientation: body.orientation, velocity: [0, 0, 0], spin: [0, 0, 0]});
 const lost = {position: [NaN, NaN, NaN], orientation: [NaN, NaN, NaN, NaN], velocity: [NaN, NaN, NaN], spin: [NaN, NaN, NaN]};
@@ -121,7 +122,7 @@ class World {
 
   order_of_rk4(forest) {
     const {scene} = this;
-    const forced = turns(scene.frame) || scene.bodies.some((b) => b.gravity) ||
+    const forced = pushes(scene.frame) || scene.bodies.some((b) => b.gravity) ||
       ['spring', 'drag', 'thrust', 'drive', 'attraction', 'water'].some((law) => scene[law].length > 0);
     if (forced || scene.contacts.rows.length > 0 || forest.loops.length > 0) return 1;
     const turning = scene.bodies.some((body, i) => {
@@ -152,6 +153,12 @@ class World {
   set_mass(i, mass) {
     const m = this.model, {id} = this.places[i], gained = mass - m.body_mass[id];
     m.body_mass[id] = mass;
+    // What a simple body resists (its axes are the principal ones) is not summed but taken from here: mj_crb in
+    // engine_core_smooth.c.
+    for (let k = m.body_jntadr[id]; k < m.body_jntadr[id] + m.body_jntnum[id]; ++k) {
+      const ways = {[free_joint]: 3, [slide_joint]: 1}[m.jnt_type[k]] ?? 0;
+      for (let way = 0; way < ways; ++way) m.dof_M0[m.jnt_dofadr[k] + way] += gained;
+    }
     for (let at_id = id; ; at_id = m.body_parentid[at_id]) {
       m.body_subtreemass[at_id] += gained;
       if (at_id === 0) return;

@@ -73,7 +73,7 @@ const scene = object({
   joint: list(object({type: text, body: text, 'to?': text, 'point?': vector, 'axis?': vector, 'length?': number})),
   plane: list(object({name: text, normal: vector, offset: number, ...filters})),
   material: list(object({between: list(text), restitution: number, friction: number})),
-  gravity: vector, 'frame?': object({velocity: vector, angular_velocity: vector}), impacts: text,
+  gravity: vector, 'frame?': object({velocity: vector, angular_velocity: vector, 'acceleration?': vector, 'frequency?': number, 'angular_acceleration?': vector}), impacts: text,
 });
 
 // ---- Requests -----------------------------------------------------------------------------------------

@@ -93,6 +93,6 @@ export function hello(about, version) {
     ({name: o.name, values: o.values ?? [], engine_default: text(o.engine_default), meaning: o.meaning}));
   return {
     ok: 'hello', protocol: 1, engine: about.name, version: `${version} (${runs_as(about)})`, precision: about.precision, events: false,
-    knows: ['collision_filters', 'body_gravity'], paths, default_path_rule: `always '${about.paths[0].name}'`, schemes: about.schemes, options,
+    knows: ['collision_filters', 'body_gravity', 'frame_acceleration'], paths, default_path_rule: `always '${about.paths[0].name}'`, schemes: about.schemes, options,
   };
 }

@@ -59,7 +59,7 @@ MujocoKind mujoco_kind(const Scene& scene, const applied::Forest& forest, bool r
         core::kind_of(scene.joints[at(node.joint)].type).turn != core::JointTurn::about_two_axes;
     kind.turns |= node.joint < 0 ? spins || !node.children.empty() : !fixed_axis;
   }
-  kind.turns |= applied::turns(scene.frame);
+  kind.turns |= core::has_fictitious_forces(scene);
   return kind;
 }
 
@@ -206,8 +206,15 @@ void Mujoco::set_masses() {
   const mjModel& m = *world_.model;
   for (const std::size_t i : forces_->changing()) {
     const double gained = forces_->mass(i) - m.body_mass[places_[i].body];
-    m.body_mass[places_[i].body] += gained;
-    for (int id = places_[i].body;; id = m.body_parentid[id]) {
+    const int body = places_[i].body;
+    m.body_mass[body] += gained;
+    // What a simple body resists (its axes are the principal ones) is not summed but taken from here: mj_crb in
+    // engine_core_smooth.c.
+    for (int k = m.body_jntadr[body], end = k + m.body_jntnum[body]; k < end; ++k) {
+      const int ways = m.jnt_type[k] == mjJNT_FREE ? 3 : m.jnt_type[k] == mjJNT_SLIDE ? 1 : 0;
+      for (int way = 0; way < ways; ++way) m.dof_M0[m.jnt_dofadr[k] + way] += gained;
+    }
+    for (int id = body;; id = m.body_parentid[id]) {
       m.body_subtreemass[id] += gained;
       if (id == 0) break;
     }
@@ -228,8 +235,8 @@ void Mujoco::apply_forces() try {
     }
     mjtNum speed[6];  // of rotation first
     mj_objectVelocity(m, d, mjOBJ_BODY, place.body, speed, 0);
-    state_[i] = {vector(d->xipos + 3 * place.body), quaternion(d->xquat + 4 * place.body), vector(speed + 3),
-                 vector(speed)};
+    state_[i] = {vector(d->xipos + 3 * std::ptrdiff_t{place.body}),
+                 quaternion(d->xquat + 4 * std::ptrdiff_t{place.body}), vector(speed + 3), vector(speed)};
     if (!place.free) continue;
     state_[i].velocity = vector(d->qvel + place.speed);
     state_[i].angular_velocity = state_[i].orientation * vector(d->qvel + place.speed + 3);
@@ -240,7 +247,8 @@ void Mujoco::apply_forces() try {
     const Vector3 &f = wrenches[i].force, &t = wrenches[i].torque;
     if (place.body == 0 || (f.isZero(0) && t.isZero(0))) continue;
     if (!place.free) {
-      mj_applyFT(m, d, f.data(), t.data(), d->xipos + 3 * place.body, place.body, d->qfrc_passive);
+      mj_applyFT(m, d, f.data(), t.data(), d->xipos + 3 * std::ptrdiff_t{place.body}, place.body,
+                 d->qfrc_passive);
       continue;
     }
     const Vector3 turning = state_[i].orientation.conjugate() * t;
@@ -304,8 +312,8 @@ void Mujoco::read_current(State& out) const {
     } else {
       mjtNum speed[6];  // of rotation first
       mj_objectVelocity(m, d, mjOBJ_BODY, place.body, speed, 0);
-      out[i] = {vector(d->xipos + 3 * place.body), quaternion(d->xquat + 4 * place.body), vector(speed + 3),
-                vector(speed)};
+      out[i] = {vector(d->xipos + 3 * std::ptrdiff_t{place.body}),
+                quaternion(d->xquat + 4 * std::ptrdiff_t{place.body}), vector(speed + 3), vector(speed)};
     }
   }
 }

@@ -66,7 +66,7 @@ std::vector<Setting> of_the_scene() {
        "Lemke's method, and nonsmooth Gauss-Seidel (NSGS) on the exact cone"},
       {"openblas_set_num_threads", "1", "the processors of the machine",
        "its threads wait for each other over matrices of a few rows"},
-      {"springs, drag, thrust, drive, attraction, water, forces of a turning frame",
+      {"springs, drag, thrust, drive, attraction, water, forces of a frame that turns or accelerates",
        "force of the state that (1 - theta) of the step leads to", "none", applied::why_applied},
   };
 }
@@ -135,7 +135,7 @@ core::Engine siconos_engine(std::string version) {
       {{midpoint, 2, "linear momentum; theta = 1/2; order 1 with contacts or forces that read velocities"},
        {implicit, 1, "linear momentum; theta = 1"}},
       siconos_options().offered()};
-  engine.knows = {"collision_filters", "body_gravity"};
+  engine.knows = {"collision_filters", "frame_acceleration", "body_gravity"};
   return engine;
 }
 

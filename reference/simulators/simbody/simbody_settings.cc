@@ -170,7 +170,7 @@ core::Engine simbody_engine(std::string version) {
                       simbody_options().offered()};
   for (const SimbodyIntegrator& one : integrators)
     engine.integrators.push_back({one.name, one.order, one.remark, one.adaptive});
-  engine.knows = {"collision_filters", "joint_forces", "joint_targets"};
+  engine.knows = {"collision_filters", "frame_acceleration", "joint_forces", "joint_targets"};
   return engine;
 }
 

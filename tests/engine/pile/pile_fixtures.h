@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/pile/pile.h"
+#include "tests/engine/momenta.h"
 
 #include <cmath>
 #include <limits>
@@ -51,19 +52,6 @@ inline std::vector<Motion> after(Stepper& stepper, int steps) {
   std::vector<Motion> motions;
   stepper.read(motions);
   return motions;
-}
-
-inline Vector3 momentum(const std::vector<Motion>& motions) {
-  Vector3 sum = Vector3::Zero();
-  for (const Motion& m : motions) sum += m.momentum;
-  return sum;
-}
-
-/// About the origin.
-inline Vector3 angular_momentum(const std::vector<Motion>& motions) {
-  Vector3 sum = Vector3::Zero();
-  for (const Motion& m : motions) sum += m.position.cross(m.momentum) + m.angular_momentum;
-  return sum;
 }
 
 /// Kinetic and potential energy [J].

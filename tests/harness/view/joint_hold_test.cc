@@ -63,6 +63,31 @@ TEST(JointHold, KickOfFreeBodyIsUnchanged) {
   EXPECT_EQ(state[0].velocity, scene.bodies[0].initial.velocity);
 }
 
+// L = I w jumps by the angular impulse, whatever the inertia, and the momentum by the impulse; nothing else changes.
+TEST(JointHold, SpinKickOfFreeBodyAddsItsAngularMomentum) {
+  core::Scene scene = hinged_pair();
+  scene.joints.clear();
+  scene.bodies[1].inertia << 0.5, 0.1, -0.05, 0.1, 0.7, 0.02, -0.05, 0.02, 1.0;
+  scene.bodies[1].initial.angular_velocity = {1.2, -0.7, 0.9};
+  scene.bodies[1].initial.orientation = Eigen::AngleAxisd(0.8, Vector3(0.6, -0.48, 0.64));
+  core::State state = core::initial_state(scene);
+  const auto spin = [&] {
+    return Vector3(core::world_inertia(scene.bodies[1], state[1].orientation) * state[1].angular_velocity);
+  };
+  const Vector3 impulse(0.3, -1.1, 0.7), angular(-0.4, 0.9, 0.2), before = momentum(scene, state),
+                                                                  was = spin();
+  process::kick(scene, {}, state, 1, impulse, angular);
+  EXPECT_LE((spin() - was - angular).norm(), 2e-15);
+  EXPECT_LE((momentum(scene, state) - before - impulse).norm(), 4e-16);
+  EXPECT_EQ(state[1].orientation.coeffs(), scene.bodies[1].initial.orientation.coeffs());
+  EXPECT_EQ(state[0].angular_velocity, scene.bodies[0].initial.angular_velocity);
+  // About an axis without inertia nothing turns.
+  scene.bodies[1].inertia = Vector3(0.4, 0, 0.4).asDiagonal();
+  state = core::initial_state(scene);
+  process::kick(scene, {}, state, 1, {0, 0, 0}, state[1].orientation * Vector3(0, 3, 0));
+  EXPECT_LE((state[1].angular_velocity - scene.bodies[1].initial.angular_velocity).norm(), 1e-14);
+}
+
 // The velocities fit to rounding, and the energy is least among those that do: what the joints add does no
 // work on any motion that they allow (Gauss).  For the two bodies joined to each other alone momentum is the
 // kick.
@@ -151,6 +176,7 @@ TEST(Resume, TimeDependentForcesCannotResume) {
                                                {core::Drive{0, {1, 0, 0}, 0}, false},
                                                {core::Water{0, 0.1, 2, 1000, 1, "volume"}, true},
                                                {core::Water{0, 0.1, 0, 1000, 1, "volume"}, false},
+                                               {core::PluginForce{.bodies = {0}}, true},
                                                {core::UniformGravity{}, false}};
   for (const auto& [force, refused] : rows) {
     scene.forces = {force};

@@ -5,6 +5,7 @@
 #include "harness/view/command.h"
 #include "harness/view/host.h"
 #include "tests/harness/view/fixture.h"
+#include "tests/temporary_folder.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -18,9 +19,8 @@ namespace fs = std::filesystem;
 
 class RecordingTest : public testing::Test {
  protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-  fs::path folder_ = fs::temp_directory_path() / ("cylon-recording-" + std::to_string(::getpid()));
+  const TemporaryFolder own_;
+  const fs::path& folder_ = own_.path();
 };
 
 // Kicked in mid-flight, recorded, loaded, run again: the same engine's motion to the last bit, and another

@@ -67,6 +67,8 @@ TEST(Session, RejectsInvalidCommands) {
       {R"({"do": "kick", "body": 0, "impulse": [0, 1]})", "impulse"},
       {R"({"do": "kick", "body": 0, "impulse": [0, 1, "x"]})", "impulse"},
       {R"({"do": "kick", "body": 0, "impulse": [0, 1, 1e300]})", "1e+300"},
+      {R"({"do": "kick", "body": 0, "impulse": [0, 1, 0], "angular_impulse": [0, 1]})", "angular_impulse"},
+      {R"({"do": "kick", "body": 0, "impulse": [0, 1, 0], "spin": [0, 1, 0]})", "spin"},
       {R"({"do": "pull", "body": 0, "anchor": [0, 0, 0], "pin": [0, 0, 0], "stiffness": 0})", "stiffness: 0"},
       {R"({"do": "pull", "body": 9, "anchor": [0, 0, 0], "pin": [0, 0, 0], "stiffness": 1})", "body 9"},
       {R"({"do": "lanes", "lanes": []})", "lanes"},
@@ -148,6 +150,27 @@ TEST(Session, KickAddsItsMomentum) {
     EXPECT_LE((momentum(scene, lane->state()) - Vector3(0.2, 0.4, 0.6) - Vector3(1.5, -0.25, 0.125)).norm(),
               2e-15)
         << lane->spec().engine;
+  }
+}
+
+// A ball that nothing turns keeps the spin that a kick gives it: L = I w jumps by the angular impulse, in every lane.
+TEST(Session, SpinKickAddsItsAngularMomentum) {
+  core::Scene scene = ball_on_floor(4, {0.1, 0.2, 0.3}, 0.5);
+  scene.forces.clear();
+  scene.bodies[0].initial.angular_velocity = {0.4, -0.2, 0.1};
+  Session session = session_of(scene, options("bullet"));
+  say(session, R"({"do": "lanes", "lanes": [{"engine": "bullet", "integrator": "", "dt_text": "0.01"},
+                                              {"engine": "in-house", "integrator": "rk4", "dt_text": "1/60"},
+                                              {"engine": "ode", "integrator": "", "dt_text": "0.01"}]})");
+  advance_to(session, 0.3);
+  say(session, R"({"do": "kick", "body": 0, "impulse": [0, 0, 0], "angular_impulse": [0.5, -0.25, 0.125]})");
+  advance_to(session, 0.6);
+  const core::Matrix3& inertia = scene.bodies[0].inertia;
+  for (const auto& lane : session.lanes()) {
+    ASSERT_TRUE(lane->running()) << lane->reason();
+    const Vector3 spin = inertia * (lane->state()[0].angular_velocity - Vector3(0.4, -0.2, 0.1));
+    EXPECT_LE((spin - Vector3(0.5, -0.25, 0.125)).norm(), 1e-14) << lane->spec().engine;
+    EXPECT_LE((momentum(scene, lane->state()) - Vector3(0.2, 0.4, 0.6)).norm(), 2e-15) << lane->spec().engine;
   }
 }
 

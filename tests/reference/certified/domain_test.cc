@@ -35,6 +35,8 @@ const Refusal refusals[] = {
      },
      "body 'ball' and plane 'floor' may touch, and no material"},
     {"water", [](core::Scene& s) { s.forces.emplace_back(core::Water{}); }, "water has a surface"},
+    {"plugin", [](core::Scene& s) { s.forces.emplace_back(core::PluginForce{.bodies = {0}}); },
+     "the law of a plug-in is code, and no formula"},
     {"no_body", [](core::Scene& s) { s.bodies.clear(); }, "there is no body"},
     {"locked", [](core::Scene& s) { s.bodies[0].locked = true; }, "no body moves"},
     {"burnt_out",

@@ -131,17 +131,20 @@ TEST(Domain, common_conditions) {
       expect_refused(name, with([](core::Scene& s) {
                        s.frame = core::Frame{{0, 0, 0}, {0, 1, 0}};
                      }),
-                     "rotating frame");
+                     "frame that turns or accelerates");
     }
-    const std::pair<const char*, core::Force> forces[] = {
-        {"drag on ", core::Drag{0, 1, 0, 0}},   {"thrust on ", core::Thrust{}},
-        {"drive on ", core::Drive{}},           {"spring on ", core::Spring{}},
-        {"attraction on ", core::Attraction{}}, {"water", core::Water{}}};
+    const std::pair<const char*, core::Force> forces[] = {{"drag on ", core::Drag{0, 1, 0, 0}},
+                                                          {"thrust on ", core::Thrust{}},
+                                                          {"drive on ", core::Drive{}},
+                                                          {"spring on ", core::Spring{}},
+                                                          {"attraction on ", core::Attraction{}},
+                                                          {"water", core::Water{}},
+                                                          {"plugin_force", core::PluginForce{.bodies = {0}}}};
     for (const auto& [reason, force] : forces) {
       if (serves(name, std::string(reason).substr(0, std::string(reason).find(' ')))) continue;
       core::Scene scene = good;
       scene.forces.push_back(force);
-      expect_refused(name, scene, reason + (reason == std::string("water") ? "" : body));
+      expect_refused(name, scene, reason + (std::string(reason).ends_with(' ') ? body : ""));
     }
     if (!serves(name, "joint"))
       expect_refused(name, with([](core::Scene& s) { s.joints.emplace_back(); }), "joint");

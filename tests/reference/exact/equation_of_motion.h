@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace cylon::exact {
 
@@ -28,16 +29,16 @@ class EquationOfMotion {
       const auto compare = [&](const core::Vector3& left, const core::Vector3& right, double scale) {
         if (scale > 0) worst = std::max(worst, (left - right).norm() / scale);
       };
-      const core::Vector3 v = s.velocity, w = s.angular_velocity + spin();
+      const core::Vector3 v = s.velocity, w = s.angular_velocity + spin(t);
       compare(change.position, v, std::max(v.norm(), s.position.norm() / second));
       const core::Quaternion half(0, w.x() / 2, w.y() / 2, w.z() / 2);
-      const core::Quaternion turned = core::Quaternion(0, spin().x() / 2, spin().y() / 2, spin().z() / 2);
+      const core::Quaternion turned = core::Quaternion(0, spin(t).x() / 2, spin(t).y() / 2, spin(t).z() / 2);
       const Eigen::Vector4d rate = (half * s.orientation).coeffs() - (turned * s.orientation).coeffs();
       worst = std::max(worst, (change.orientation - rate).norm() / std::max(rate.norm(), 1 / second));
 
       Load load = load_on(i, here, t);
       load.size = std::max(load.size, mass(i, t) * v.norm() / second);
-      load.turning_size = std::max(load.turning_size, angular(i, s).norm() / second);
+      load.turning_size = std::max(load.turning_size, angular(i, s, t).norm() / second);
       const core::Vector3 reaction = change.momentum - load.force, twist = change.spin - load.torque;
       worst = std::max(worst, joint_violation(i, s, reaction, twist, load));
     }
@@ -60,8 +61,12 @@ class EquationOfMotion {
     void twist(const core::Vector3& m) { torque += m, turning_size = std::max(turning_size, m.norm()); }
   };
 
-  core::Vector3 spin() const {
-    return scene_.frame ? scene_.frame->angular_velocity : core::Vector3(0, 0, 0);
+  // Of the frame.
+  core::Vector3 spin(double t) const {
+    return scene_.frame ? scene_.frame->angular_velocity_at(t) : core::Vector3(0, 0, 0);
+  }
+  core::Vector3 faster() const {
+    return scene_.frame ? scene_.frame->angular_acceleration : core::Vector3(0, 0, 0);
   }
 
   double mass(std::size_t i, double t) const {
@@ -74,8 +79,8 @@ class EquationOfMotion {
   }
 
   // I (w + W): of the inertial motion, in the frame's axes.
-  core::Vector3 angular(std::size_t i, const core::BodyState& s) const {
-    return core::world_inertia(scene_.bodies[i], s.orientation) * (s.angular_velocity + spin());
+  core::Vector3 angular(std::size_t i, const core::BodyState& s, double t) const {
+    return core::world_inertia(scene_.bodies[i], s.orientation) * (s.angular_velocity + spin(t));
   }
 
   Change derivatives(std::size_t i, double t, double h) const {
@@ -89,7 +94,7 @@ class EquationOfMotion {
         const core::BodyState s = truth_.state(time)[i];
         sum.position += weight * s.position;
         sum.momentum += weight * mass(i, time) * s.velocity;
-        sum.spin += weight * angular(i, s);
+        sum.spin += weight * angular(i, s, time);
         sum.orientation +=
             weight * (s.orientation.coeffs().dot(middle) < 0 ? -1 : 1) * s.orientation.coeffs();
       }
@@ -133,6 +138,7 @@ class EquationOfMotion {
                        const core::Vector3 d = state[other].position - s.position;
                        load.push(f.strength * m * mass(other, t) / std::pow(d.norm(), 3) * d);
                      },
+                     [](const core::PluginForce&) { throw std::logic_error("no truth has one"); },
                      [&](const core::Water& f) {
                        const auto cell = [](double x) { return std::trunc((x + 5) / 0.25); };
                        const double i = cell(s.position.x()), j = cell(s.position.z());
@@ -146,10 +152,11 @@ class EquationOfMotion {
                  },
                  force);
     }
-    // A turning frame: Coriolis and centrifugal forces; the axes turn under the angular momentum.
-    load.push(-2 * m * spin().cross(s.velocity));
-    load.push(-m * spin().cross(spin().cross(s.position)));
-    load.twist(-spin().cross(angular(index, s)));
+    // A turning frame: Coriolis, Euler's and centrifugal forces; the axes turn under the angular momentum.
+    load.push(-2 * m * spin(t).cross(s.velocity));
+    load.push(-m * faster().cross(s.position));
+    load.push(-m * spin(t).cross(spin(t).cross(s.position)));
+    load.twist(-spin(t).cross(angular(index, s, t)));
     return load;
   }
 

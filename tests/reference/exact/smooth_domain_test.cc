@@ -138,7 +138,20 @@ const Refusal refusals[] = {
     {"spring_chain", [](S& s, B&) { first<core::Spring>(s).stiffness = 0; }, "no stiffness"},
     {"spring_chain", [](S& s, B&) { s.bodies.push_back(s.bodies[0]); }, "in several pieces"},
     {"rotating_frame", [](S& s, B&) { s.frame.reset(); }, "has no frame"},
-    {"rotating_frame", [](S& s, B&) { s.frame->angular_velocity.setZero(); }, "does not turn"},
+    {"rotating_frame",
+     [](S& s, B&) {
+       s.frame->angular_velocity.setZero();
+       s.frame->angular_acceleration.setZero();
+     },
+     "does not turn"},
+    {"rotating_frame",
+     [](S& s, B&) {
+       s.frame->acceleration = {0.1, 0, 0};
+     },
+     "accelerates"},
+    {"rotating_frame",
+     [](S& s, B&) { s.frame->angular_acceleration += s.frame->angular_velocity.unitOrthogonal(); },
+     "not along its angular velocity"},
     {"rotating_frame", [](S& s, B&) { s.forces.emplace_back(core::Spring{}); },
      "is pinned to a turning frame"},
     {"rotating_frame", [](S& s, B&) { s.forces.emplace_back(core::UniformGravity{}); }, "gravity"},

@@ -77,6 +77,7 @@ TEST_P(SmoothLaws, flow) {
     }
     const core::State middle = whole.state(2.3);
     for (std::size_t i = 0; i < middle.size(); ++i) scene.bodies[i].initial = middle[i];
+    if (scene.frame) scene.frame->angular_velocity = scene.frame->angular_velocity_at(2.3);
     const core::Truth rest = make(GetParam(), scene, 4);
     for (double t : {0.0, 1.1, 3.7}) {
       const core::State a = whole.state(2.3 + t), b = rest.state(t);

@@ -203,6 +203,7 @@ class SmoothScenes {
     std::erase_if(s.forces,
                   [](const core::Force& f) { return !std::holds_alternative<core::Attraction>(f); });
     s.frame = core::Frame{vector(1), vector(1)};
+    s.frame->angular_acceleration = between(-0.5, 0.5) * s.frame->angular_velocity;
     return s;
   }
 

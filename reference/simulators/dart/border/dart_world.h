@@ -86,6 +86,8 @@ class World {
   World(const std::vector<Body>&, const std::vector<Shape>&, const std::vector<Loop>&, const Settings&,
         Meets);
   ~World();
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
 
   /// During the next step; world axes, the force through the centre of mass.
   void push(std::size_t body, const Vector& force, const Vector& torque);

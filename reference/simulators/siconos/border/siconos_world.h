@@ -65,6 +65,8 @@ class World {
  public:
   World(const std::vector<Body>&, const std::vector<Contact>&, const Settings&);
   ~World();
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
 
   /// During the next step: force through the centre of mass in world axes, torque about it in body axes.
   void push(std::size_t body, const Vector& force, const Vector& torque);
