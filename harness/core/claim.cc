@@ -1,6 +1,7 @@
 #include "harness/core/claim.h"
 
 #include "harness/core/event_rows.h"
+#include "harness/core/joint_force.h"
 #include "harness/core/observable_rows.h"
 
 #include <fmt/format.h>
@@ -48,7 +49,8 @@ std::string unit(const Claim& claim) {
   return base;
 }
 
-double truth_error(const Observable& q, const Scene& scene, const Truth& truth, double until) {
+double truth_error(const Observable& q, const Scene& scene, const Truth& truth, double until, double step) {
+  if (of_joint_forces(q.quantity)) return required_joint_forces(q, scene, truth, until, step).error;
   if (q.quantity == Quantity::event) return event_row(q.event_quantity).error(q, truth);
   const auto error_at = [&](double t) {
     return observable_row(q.quantity).error(q, scene, truth.state(t), truth.error);

@@ -113,7 +113,8 @@ constexpr bool one_sided(Reduction reduction) {
 std::string unit(const Claim&);
 
 /// Bound on a truth's error in the observable's own unit, from its bound on the state by the triangle
-/// inequality (first order), at the states that the truth takes over [0, until].
-double truth_error(const Observable&, const Scene&, const Truth&, double until);
+/// inequality (first order), at the states that the truth takes over [0, until]; of what is told of a last step, of
+/// the one of `step` [s] that ends at `until`.
+double truth_error(const Observable&, const Scene&, const Truth&, double until, double step);
 
 }  // namespace cylon::core

@@ -114,6 +114,12 @@ struct Contact {
       friction;  ///< On pair.body, across the normal, over the step, world axes [N s]; absent: not told.
 };
 
+/// What a force did since t = 0.
+struct Work {
+  std::string force;  ///< In words, with the bodies on which it acts: "a spring on 'a', 'b'".
+  double work = 0;    ///< On the bodies, of force and torque [J].
+};
+
 /// What a joint did to `Joint::body` during a step, world axes; to `Joint::to` the opposite, at the same point.
 struct Reaction {
   std::size_t joint = 0;              ///< Index in Scene::joints.

@@ -47,12 +47,16 @@ int numbers_of(const Observable& q, const Scene& scene) {
   return static_cast<int>(axes(q.component).size()) * (q.body ? 1 : bodies_that_move(scene));
 }
 
+// Doubles stay doubles: the law is asked for every body at every sample, and long doubles, which give the same digits but the
+// last two, take several times as long.
+constexpr boost::math::policies::policy<boost::math::policies::promote_double<false>> in_doubles;
+
 // The law of the share of k of n numbers.
 struct Law {
   double a, b;
   Law(int k, int n) : a(k / 2.0), b((n - k) / 2.0) {}
-  double below(double x) const { return boost::math::ibeta(a, b, std::clamp(x, 0.0, 1.0)); }
-  double above(double x) const { return boost::math::ibetac(a, b, std::clamp(x, 0.0, 1.0)); }
+  double below(double x) const { return boost::math::ibeta(a, b, std::clamp(x, 0.0, 1.0), in_doubles); }
+  double above(double x) const { return boost::math::ibetac(a, b, std::clamp(x, 0.0, 1.0), in_doubles); }
 };
 
 // D of shares of N bodies.
@@ -85,7 +89,7 @@ std::optional<std::string> energy_share_undefined(const Observable& q, const Sce
   for (const Force& force : scene.forces)
     if (!std::holds_alternative<UniformGravity>(force)) return "other forces than gravity act";
   if (!scene.joints.empty()) return "joints hold bodies";
-  if (scene.frame && !scene.frame->angular_velocity.isZero(0)) return "the frame turns";
+  if (has_fictitious_forces(scene)) return "the frame turns or accelerates";
   if (!is_closed(scene.planes)) return "the planes leave a way out";
   return std::nullopt;
 }

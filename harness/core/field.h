@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -46,7 +47,8 @@ struct About {
   std::array<std::string_view, 4> words = {};  ///< Values of a text; trailing empty ones do not count.
 };
 
-/// One member of an element.  An int is the index of a body, which files and workers call by its name.
+/// One member of an element.  An int is the index of a body, and several are those of bodies, which files and workers call
+/// by name.
 template <class Owner, class Member>
 struct Field {
   using Value = Member;
@@ -61,9 +63,14 @@ struct Field {
   When applies;  ///< To which elements the member belongs; null: to all.  Workers get it always.
 };
 
-/// The table of one element: `name`, as in files, and `fields`, in the order of files.
+/// The table of one element: `name`, as in files, and `fields`, in the order of files.  One with `later = true` workers get
+/// only where the scene has it: older ones do not know it (core/later_parts.h).
 template <class T>
 struct Element;
+template <class T>
+inline constexpr bool comes_later = requires {
+  Element<T>::later;
+};
 
 /// Calls visit(field, value) for each member in the order of the table.
 template <class T, class Visit>
@@ -77,7 +84,11 @@ template <class Value>
 inline constexpr bool is_word =
     std::is_integral_v<Value> || std::is_enum_v<Value> || std::is_same_v<Value, std::string> ||
     std::is_same_v<Value, std::string[2]> || std::is_same_v<Value, std::vector<std::string>> ||
+    std::is_same_v<Value, std::vector<int>> ||
     std::is_same_v<Value, std::vector<std::array<std::int32_t, 3>>>;
+
+/// Numbers that the user names, of units that nobody else knows.
+using NamedNumbers = std::map<std::string, double>;
 
 /// What workers get only where there is one.
 template <class Value>

@@ -275,6 +275,30 @@ struct Element<Water> {
              .words = {"volume", "step"}}}};
 };
 
+template <>
+struct Element<PluginForce> {
+  static constexpr std::string_view name = "plugin_force";
+  static constexpr std::string_view meaning =
+      "A force whose law is code of your own (docs/in-house.md#forces-of-your-own). A scene loads no code: "
+      "the "
+      "command line must let the plug-in take part by `--plugin NAME=FILE`.";
+  static constexpr bool later = true;
+  static constexpr std::tuple fields{
+      Field{"plugin",
+            &PluginForce::plugin,
+            {.required = true, .meaning = "Name of the plug-in, as in `--plugin NAME=FILE`."}},
+      Field{"law", &PluginForce::law, {.required = true, .meaning = "Which of the laws in it."}},
+      Field{"bodies",
+            &PluginForce::bodies,
+            {.required = true,
+             .meaning = "Names of the bodies on which it acts, each once, in the order that the law "
+                        "expects."}},
+      Field{"parameters",
+            &PluginForce::parameters,
+            {.meaning = "Numbers that the law takes, by name, in its own units: { k = 4.0 }.",
+             .absent = "those of the law"}}};
+};
+
 // ---- Joints, surfaces, the frame ------------------------------------------------------------------
 
 namespace field_tables {
@@ -450,17 +474,33 @@ struct Element<Frame> {
   static constexpr std::string_view name = "frame";
   static constexpr std::string_view meaning =
       "The frame in which the whole scene is given, as seen from an inertial frame: initial state, pins, "
-      "planes, "
-      "gravity and results are all expressed in it. A frame that turns has fictitious forces; a frame that "
-      "only "
-      "moves changes nothing.";
+      "planes, gravity and results are all expressed in it. A frame that turns or accelerates has fictitious "
+      "forces; a frame that only moves on changes nothing.";
   static constexpr std::tuple fields{
       Field{"velocity",
             &Frame::velocity,
             {.unit = "m/s", .in = Expressed::world_vector, .meaning = "Of its origin."}},
+      Field{"acceleration",
+            &Frame::acceleration,
+            {.unit = "m/s^2",
+             .in = Expressed::world_vector,
+             .later = true,
+             .meaning = "Of its origin, times cos(frequency t); in the axes of the frame."}},
+      Field{"frequency",
+            &Frame::frequency,
+            {.unit = "rad/s",
+             .range = not_negative,
+             .later = true,
+             .meaning = "Of the acceleration; 0: constant."}},
       Field{"angular_velocity",
             &Frame::angular_velocity,
-            {.unit = "rad/s", .in = Expressed::world_axial, .meaning = "About its origin."}}};
+            {.unit = "rad/s", .in = Expressed::world_axial, .meaning = "About its origin, at t = 0."}},
+      Field{"angular_acceleration",
+            &Frame::angular_acceleration,
+            {.unit = "rad/s^2",
+             .in = Expressed::world_axial,
+             .later = true,
+             .meaning = "Constant in the axes of the frame."}}};
 };
 
 // ---- Every alternative has a table --------------------------------------------------------------

@@ -115,13 +115,25 @@ Broken broken(const Water&) {
           .superposition = waves};
 }
 
+Broken broken(const PluginForce&) {
+  constexpr const char* unknown = "a plug-in's force acts, of which this is not known";
+  return {.energy = unknown,
+          .momentum = unknown,
+          .reversal = unknown,
+          .any_instant = unknown,
+          .boost = unknown,
+          .free_fall = unknown,
+          .restatement = unknown,
+          .superposition = unknown};
+}
+
 // ---- Potential energies ----------------------------------------------------------------------------
 
 // Their work is not part of a conserved energy.  A force that is neither listed here nor has its own two
 // functions below does not compile.
 template <class F>
-concept WithoutPotential =
-    std::same_as<F, Drag> || std::same_as<F, Thrust> || std::same_as<F, Drive> || std::same_as<F, Water>;
+concept WithoutPotential = std::same_as<F, Drag> || std::same_as<F, Thrust> || std::same_as<F, Drive> ||
+    std::same_as<F, Water> || std::same_as<F, PluginForce>;
 
 template <WithoutPotential F>
 double energy(const F&, const Scene&, const State&, double (*)(double)) {

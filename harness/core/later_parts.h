@@ -28,6 +28,10 @@ template <bool (*predicate)(const JointCoordinate&)>
 bool has_coordinate(const Scene& scene) {
   return any_coordinate(scene, predicate);
 }
+inline bool frame_changes(const Scene& scene) {
+  return scene.frame &&
+         (!scene.frame->acceleration.isZero(0) || !scene.frame->angular_acceleration.isZero(0));
+}
 inline bool has_friction(const JointCoordinate& c) { return c.friction != 0; }
 
 inline constexpr std::array later_parts = {
@@ -42,6 +46,8 @@ inline constexpr std::array later_parts = {
     LaterPart{"joint_targets", "targets of joints that move", has_coordinate<target_moves>},
     LaterPart{"joint_limits", "limits of joints", has_coordinate<has_limit>},
     LaterPart{"joint_friction", "dry friction in joints", has_coordinate<has_friction>},
+    LaterPart{"frame_acceleration", "a frame that accelerates or turns unevenly", frame_changes},
+    LaterPart{"plugin_forces", "forces of plug-ins", has_plugin_force},
 };
 
 /// Why the engine may not get the scene: the first part of it that it does not say it knows.

@@ -3,7 +3,7 @@
 #include "harness/core/equipartition.h"
 #include "harness/core/event_find.h"
 #include "harness/core/event_rows.h"
-#include "harness/core/force_balance.h"
+#include "harness/core/last_step.h"
 #include "harness/core/scale.h"
 #include "harness/core/turns.h"
 #include "harness/core/worst.h"
@@ -244,8 +244,7 @@ class OneSided {
 Series deviation(const Claim& claim, const Scene& scene, const Recording& recording) {
   require_truth(claim);
   if (of_last_step(claim.observable.quantity))
-    return {{recording.time(recording.steps.size() - 1)},
-            {force_imbalance(claim.observable, scene, recording)}};
+    return {{recording.time(recording.steps.size() - 1)}, {deviation_of_last_step(claim, scene, recording)}};
   Series series;
   const Chosen chosen(claim, recording.dt, recording.steps.empty() ? 0 : recording.steps.back());
   Values start, want, got;
@@ -323,7 +322,9 @@ Measured measure(const Claim& claim, const Scene& scene, std::span<const Recordi
     return result;
   }
   if (of_last_step(claim.observable.quantity)) {
-    if (const auto what = untold(claim.observable, scene, recordings.front())) {
+    auto what = untold_of_last_step(claim.observable, scene, recordings.front());
+    if (!what) what = too_short_a_step(claim, scene, recordings.front(), first.allowed);
+    if (what) {
       result.unanswered = true, result.detail = *what;
       result.value = std::numeric_limits<double>::quiet_NaN();
       return result;

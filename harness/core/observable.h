@@ -32,12 +32,20 @@ enum class Quantity {
   joint_angle_rate,          ///< [rad/s]
   momentum_balance,          ///< Of each body over the last step: force_balance.h [N].
   angular_momentum_balance,  ///< The same of its spin [N m].
+  joint_force,               ///< Of each joint on its body, mean over the last step: joint_force.h [N].
+  joint_torque,              ///< The same about the joint's point [N m].
   event                      ///< A number of one event: event.h.
 };
 
-/// Whether it is one of the two balances, which are of a run's last step and not of a state.
+/// Whether it is the force or the torque of joints.
+constexpr bool of_joint_forces(Quantity quantity) {
+  return quantity == Quantity::joint_force || quantity == Quantity::joint_torque;
+}
+
+/// Whether it is of a run's last step and not of a state: a balance, or what joints exert.
 constexpr bool of_last_step(Quantity quantity) {
-  return quantity == Quantity::momentum_balance || quantity == Quantity::angular_momentum_balance;
+  return quantity == Quantity::momentum_balance || quantity == Quantity::angular_momentum_balance ||
+         of_joint_forces(quantity);
 }
 
 /// Whether it is a coordinate of joints or its rate.
@@ -61,8 +69,8 @@ struct Observable {
   Component component = Component::all;  ///< Of vectors; horizontal drops y.
   Vector3 about = Vector3::Zero();       ///< Angular momentum and apsides [m].
   std::optional<int> to;                 ///< Apsides: the other body, in place of `about`.
-  std::optional<int> joint;        ///< Coordinates of joints: absent: all that have one; the worst counts.
-  Ordinal which = Ordinal::first;  ///< Of two coordinates of a joint.
+  std::optional<int> joint;              ///< Of joints: absent: all that have one; the worst counts.
+  Ordinal which = Ordinal::first;        ///< Of two coordinates of a joint.
   EventKind event = EventKind::bounce;
   int index = 1;
   EventQuantity event_quantity = EventQuantity::time;

@@ -5,7 +5,9 @@
 #include "harness/core/force_balance.h"
 #include "harness/core/force_law.h"
 #include "harness/core/held_joint.h"
+#include "harness/core/joint_force.h"
 #include "harness/core/joint_observables.h"
+#include "harness/core/loads.h"
 #include "harness/core/near_pairs.h"
 #include "harness/core/solid.h"
 #include "harness/core/surfaces.h"
@@ -117,6 +119,11 @@ double error_of_state(const Observable&, const Scene&, const State&, const State
 
 std::optional<std::string> always_defined(const Observable&, const Scene&) { return std::nullopt; }
 
+std::optional<std::string> energy_undefined(const Observable&, const Scene& scene) {
+  if (has_plugin_force(scene)) return "a plug-in's force acts, whose potential energy is not known";
+  return std::nullopt;
+}
+
 // ---- Motion of each body ------------------------------------------------------------------------
 
 template <Vector3 BodyState::*what>
@@ -151,8 +158,6 @@ std::optional<std::string> axis_undefined(const Observable& q, const Scene& scen
 Vector3 spin(const Body& body, const BodyState& s) {
   return s.orientation * (body.inertia * (s.orientation.conjugate() * s.angular_velocity));
 }
-
-double largest_moment(const Body& body) { return principal_axes(body.inertia).moments.maxCoeff(); }
 
 // |d(I w)| <= I |dw| + 2 I |w| dtheta, with I the largest principal moment.
 double spin_error(const Body& body, const BodyState& s, const StateError& e) {
@@ -305,7 +310,7 @@ double angular_joint_gap_error(const Observable&, const Scene&, const State&, co
   return 2 * e.orientation;
 }
 
-// ---- Events and balances are not of one state: event_rows.h, force_balance.h ------------------
+// ---- Not of one state: event_rows.h, force_balance.h, joint_force.h ---------------------------
 
 void no_values(const Observable&, const Scene&, const State&, Values&) {}
 
@@ -332,7 +337,7 @@ constexpr std::array rows = {
                   norms, largest, nullptr, linear_momentum_error},
     ObservableRow{Quantity::angular_momentum, "angular_momentum", "kg m^2/s", always_defined,
                   angular_momentum, norms, largest, nullptr, angular_momentum_error},
-    ObservableRow{Quantity::energy, "energy", "J", always_defined, energy, norms, largest, energy_scale,
+    ObservableRow{Quantity::energy, "energy", "J", energy_undefined, energy, norms, largest, energy_scale,
                   energy_error},
     ObservableRow{Quantity::kinetic_energy, "kinetic_energy", "J", always_defined, kinetic_energy, norms,
                   largest, nullptr, kinetic_energy_error},
@@ -356,6 +361,10 @@ constexpr std::array rows = {
                   largest, nullptr, no_error},
     ObservableRow{Quantity::angular_momentum_balance, "angular_momentum_balance", "N m", balance_undefined,
                   no_values, norms, largest, nullptr, no_error},
+    ObservableRow{Quantity::joint_force, "joint_force", "N", joint_force_undefined, no_values, norms, largest,
+                  nullptr, no_error},
+    ObservableRow{Quantity::joint_torque, "joint_torque", "N m", joint_force_undefined, no_values, norms,
+                  largest, nullptr, no_error},
     ObservableRow{Quantity::event, "event", "", event_undefined, no_values, norms, largest, nullptr,
                   no_error},
 };

@@ -35,7 +35,8 @@ struct Recording {
   double cpu_seconds = 0;            ///< Thread CPU time of the steps alone.
   std::vector<std::string> remarks;  ///< What the engine says that a user must know of the run.
   std::vector<told::Diagnostic> diagnostics;  ///< The same as data, from engines that tell it so.
-  std::string complaints;                     ///< The end of what the engine wrote to stderr.
+  std::vector<Work> works;  ///< Of each force over the whole run, where the engine accounts it.
+  std::string complaints;   ///< The end of what the engine wrote to stderr.
 
   double time(std::size_t sample) const { return static_cast<double>(steps[sample]) * dt; }
 };

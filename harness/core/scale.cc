@@ -3,6 +3,7 @@
 #include "harness/core/event_rows.h"
 #include "harness/core/force_law.h"
 #include "harness/core/joint_coordinates.h"
+#include "harness/core/joint_force.h"
 #include "harness/core/observable_rows.h"
 #include "harness/core/size.h"
 #include "harness/core/worst.h"
@@ -212,6 +213,8 @@ std::vector<Term> terms_of(const Claim& claim, const Scene& scene, const Traject
     case Quantity::energy_share:
     case Quantity::momentum_balance:
     case Quantity::angular_momentum_balance:
+    case Quantity::joint_force:
+    case Quantity::joint_torque:
     case Quantity::event:
       return {};
     case Quantity::joint_displacement:
@@ -259,8 +262,10 @@ double at_rest(const Claim& claim, const Scene& scene, double duration, double g
     case Quantity::joint_gap:
       return 2 * smallest;
     case Quantity::momentum_balance:
+    case Quantity::joint_force:
       return m * speed / duration;
     case Quantity::angular_momentum_balance:
+    case Quantity::joint_torque:
       return m * speed / duration * d;
     case Quantity::energy_share:
     case Quantity::event:
@@ -332,6 +337,12 @@ double scale(const Claim& claim, const Scene& scene, double duration) {
   const Quantity quantity = claim.observable.quantity;
   if (quantity == Quantity::event) return scale_of_event(claim, scene, duration);
   const double rest = at_rest(claim, scene, duration, strongest_gravity(scene));
+  if (of_joint_forces(quantity)) {
+    if (!claim.truth) return rest;
+    const double most =
+        largest_joint_force(claim.observable, scene, *claim.truth, std::min(claim.until, duration));
+    return most > steady * rest ? most : rest;
+  }
   if (quantity == Quantity::normal_gap || quantity == Quantity::joint_gap ||
       quantity == Quantity::angular_joint_gap || of_last_step(quantity) || of_chance(quantity))
     return rest;

@@ -22,6 +22,8 @@ namespace cylon::core {
 ///    size of the largest body, m its mass, T the duration, g gravity:  d, g T, m g T, m g d  and their like;
 ///    without gravity d/T in place of g T.
 ///
+/// Of forces and torques of joints it is the largest in the course of the motion, and 3 where that is nothing.
+///
 /// For angles, 3 gives a radian.  Of gaps the scale is the diameter of the smallest body, twice its size.  Of an
 /// event it is its value, of a height the range of heights.  Of a least change it is that change.  A range
 /// of less than a thousandth of what would stand in its place is none: the motion is steady.

@@ -35,8 +35,15 @@ Vector3 gravity(const Scene& scene) {
   return sum;
 }
 
+bool has_fictitious_forces(const Scene& scene) { return scene.frame && scene.frame->pushes(); }
+
 Vector3 gravity_of(const Scene& scene, const Body& body) {
   return body.gravity ? *body.gravity : gravity(scene);
+}
+
+bool has_plugin_force(const Scene& scene) {
+  return std::ranges::any_of(scene.forces,
+                             [](const Force& force) { return std::holds_alternative<PluginForce>(force); });
 }
 
 bool states_own_gravity(const Scene& scene) {

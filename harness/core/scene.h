@@ -10,6 +10,7 @@
 #include "harness/core/shapes.h"
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -110,8 +111,16 @@ struct Water {
   std::string mode = "volume";  ///< "volume" (Archimedes) or "step" (constant lift below the surface).
 };
 
+/// A law in code of the user's own (cylon/force.h).  Nothing is known of it but the bodies on which it acts.
+struct PluginForce {
+  std::string plugin;                        ///< The name under which the user lets the library be loaded.
+  std::string law;                           ///< Which of the laws in it.
+  std::vector<int> bodies;                   ///< In the order that the law expects; each once.
+  std::map<std::string, double> parameters;  ///< In the law's own units.
+};
+
 /// Closed on purpose: an adapter that misses a force does not compile.
-using Force = std::variant<UniformGravity, Spring, Drag, Thrust, Drive, Attraction, Water>;
+using Force = std::variant<UniformGravity, Spring, Drag, Thrust, Drive, Attraction, Water, PluginForce>;
 
 /// Which of two free coordinates of one kind.
 enum class Ordinal { first, second };
@@ -176,12 +185,22 @@ struct Material {
 /// The frame in which the whole scene is given, as seen from the inertial frame: initial state, pins, planes,
 /// gravity and the results are all expressed in it.  Its origin moves with `velocity` and it turns about that
 /// origin; the axes agree with the inertial ones at t = 0.  A turning frame has fictitious forces,
-///   F = -m (2 w x v + w x (w x r)),   torque = (I w_body) x w + …, the same law for each mass element;
-/// one that only moves has none (Galilei): gravity, springs and drag are those of the frame, and `velocity`
+///   F = -m (a + 2 w x v + w' x r + w x (w x r)),   the same law for each mass element;
+/// one that only moves on has none (Galilei): gravity, springs and drag are those of the frame, and `velocity`
 /// changes nothing in the results.
+///   a(t) = acceleration cos(frequency t),   w(t) = angular_velocity + angular_acceleration t
+/// Both in the axes of the frame.
 struct Frame {
-  Vector3 velocity = Vector3::Zero();          ///< [m/s]
-  Vector3 angular_velocity = Vector3::Zero();  ///< [rad/s]
+  Vector3 velocity = Vector3::Zero();              ///< [m/s]
+  Vector3 angular_velocity = Vector3::Zero();      ///< At t = 0 [rad/s].
+  Vector3 acceleration = Vector3::Zero();          ///< [m/s^2]
+  double frequency = 0;                            ///< [rad/s], >= 0.
+  Vector3 angular_acceleration = Vector3::Zero();  ///< [rad/s^2]
+
+  Vector3 angular_velocity_at(double t) const { return angular_velocity + t * angular_acceleration; }
+  bool turns() const { return !angular_velocity.isZero(0) || !angular_acceleration.isZero(0); }
+  /// Whether it has fictitious forces.
+  bool pushes() const { return turns() || !acceleration.isZero(0); }
 };
 
 /// How several impacts at one instant resolve.
@@ -208,8 +227,14 @@ struct Pair {
 /// Sum of the uniform gravities [m/s^2].  What falls may have its own: see gravity_of.
 Vector3 gravity(const Scene&);
 
+/// Whether the scene's frame has fictitious forces.
+bool has_fictitious_forces(const Scene&);
+
 /// What makes a body of the scene fall: its own gravity, else that of the scene [m/s^2].
 Vector3 gravity_of(const Scene&, const Body&);
+
+/// Whether a law in code of the user's own acts.
+bool has_plugin_force(const Scene&);
 
 /// Whether a body states a gravity of its own.
 bool states_own_gravity(const Scene&);

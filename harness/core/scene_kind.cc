@@ -24,7 +24,7 @@ SceneKind scene_kind(const Scene& scene) {
   });
   kind.applied = std::ranges::any_of(
       scene.forces, [](const Force& force) { return !std::holds_alternative<UniformGravity>(force); });
-  kind.applied |= scene.frame && !scene.frame->angular_velocity.isZero(0);  // fictitious forces
+  kind.applied |= has_fictitious_forces(scene);
   double lightest = std::numeric_limits<double>::infinity(), heaviest = 0;
   for (const Body& body : scene.bodies)
     if (!body.locked) lightest = std::min(lightest, body.mass), heaviest = std::max(heaviest, body.mass);

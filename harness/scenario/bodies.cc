@@ -134,13 +134,14 @@ core::Body read_template(const Table& table, Draft& draft, double copies) {
 
 bool is_point(const Table& table) { return !table.has("shape") && !table.has("inertia"); }
 
-void add_group(const Table& table, const std::vector<core::Body>& bodies, Draft& draft) {
+void add_group(const Table& table, std::vector<core::Body> bodies, Draft& draft) {
   const std::string name = table.text("name");
   auto [group, is_new] = draft.groups.try_emplace(name);
   if (!is_new) table.fail("name", fmt::format("name '{}' is taken by another generator", name));
-  for (const core::Body& body : bodies) {
+  draft.expect(bodies.size());
+  for (core::Body& body : bodies) {
     group->second.push_back(static_cast<int>(draft.scene.bodies.size()));
-    draft.add(body, table, is_point(table));
+    draft.add(std::move(body), table, is_point(table));
   }
 }
 

@@ -10,12 +10,13 @@
 namespace cylon::scenario::budget {
 
 inline constexpr std::size_t bodies = 1'000'000;
-inline constexpr std::size_t name = 200;                ///< Of a body [bytes].
-inline constexpr std::size_t points = 5'000'000;        ///< Of hulls and meshes, of all bodies together.
-inline constexpr std::size_t points_of_part = 10;       ///< What a part of a compound counts for.
-inline constexpr double hull_work = 4e8;                ///< Sum of the squares of the points of all hulls.
-inline constexpr std::size_t gaps = 50'000'000;         ///< Points times planes, looked at for overlaps.
-inline constexpr std::size_t neighbours = 32'000'000;   ///< Spheres and blocks of a grid.
+inline constexpr std::size_t name = 200;           ///< Of a body [bytes].
+inline constexpr std::size_t points = 5'000'000;   ///< Of hulls and meshes, of all bodies together.
+inline constexpr std::size_t points_of_part = 10;  ///< What a part of a compound counts for.
+inline constexpr double hull_work = 4e8;           ///< Sum of the squares of the points of all hulls.
+inline constexpr std::size_t gaps = 50'000'000;    ///< Points times planes, looked at for overlaps.
+// A plane of a million spheres looks at more than 16 million.
+inline constexpr std::size_t neighbours = 18'000'000;   ///< Spheres and blocks of a grid.
 inline constexpr std::size_t material_pairs = 100'000;  ///< Pairs that materials list.
 inline constexpr std::size_t material_names = 4'000;    ///< Bodies and planes that materials name.
 inline constexpr std::size_t claims = 1'000;

@@ -29,7 +29,7 @@ void solve(core::Claim& claim, const Table& t, const Scenario& scenario, Certifi
     claim.label = label_of(t, claim);
   }
   require_event(t, claim, horizon);
-  check_tolerance(t, claim, scene, scenario.duration);
+  check_tolerance(t, claim, scene, scenario.duration, scenario.step);
 }
 
 }  // namespace

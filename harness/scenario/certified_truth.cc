@@ -50,7 +50,7 @@ double predictable(const Table& t, const core::Claim& claim, const core::Scene& 
     const double allowed =
         cut.tolerance.absolute +
         (cut.tolerance.relative > 0 ? cut.tolerance.relative * core::scale(cut, scene, duration) : 0);
-    return core::truth_error(cut.observable, scene, off, time) <= allowed / 10;
+    return core::truth_error(cut.observable, scene, off, time, time) <= allowed / 10;  // never of a last step
   };
   constexpr int times = 200;
   int good = 0, bad = times + 1;  // both sides of the last time that holds

@@ -149,6 +149,11 @@ struct Checker {
         return array(key, node, {}, [&](const toml::node& triangle) { wholes(key, triangle); });
       case Kind::texts:
         return texts(key, node, {});
+      case Kind::named:
+        if (!node.is_table()) wrong_type(key, node);
+        for (auto&& [name, value] : *node.as_table())
+          number({.name = std::string(name.str()), .kind = Kind::number}, value);
+        return;
       case Kind::pair:
         return texts(key, node, {2});
       case Kind::step:

@@ -2,6 +2,7 @@
 
 #include "harness/core/event_find.h"
 #include "harness/core/fields.h"
+#include "harness/scenario/budget.h"
 #include "harness/scenario/key_rows.h"
 
 #include <fmt/format.h>
@@ -22,7 +23,7 @@ const std::vector<std::string> event_quantities = words(core::EventQuantity::cou
 
 bool is_vector(Quantity q) {
   return q == Quantity::position || q == Quantity::velocity || q == Quantity::angular_velocity ||
-         q == Quantity::linear_momentum || q == Quantity::angular_momentum;
+         q == Quantity::linear_momentum || q == Quantity::angular_momentum || core::of_joint_forces(q);
 }
 bool is_number(const Observable& q) {
   return q.quantity == Quantity::energy || q.quantity == Quantity::kinetic_energy ||
@@ -119,8 +120,10 @@ Observable read_observable(const Table& t, const Draft& draft) {
   const bool event = q.quantity == Quantity::event;
   if (event && !t.has("follows"))
     t.fail(key, fmt::format("{}: an event has no value at the start; use 'follows'", key));
-  if (core::of_last_step(q.quantity) && !t.has("conserves"))
-    t.fail(key, fmt::format("{}: {} belongs to 'conserves'", key, core::name(q.quantity)));
+  if (core::of_last_step(q.quantity)) {
+    const char* wants = core::of_joint_forces(q.quantity) ? "follows" : "conserves";
+    if (!t.has(wants)) t.fail(key, fmt::format("{}: {} belongs to '{}'", key, core::name(q.quantity), wants));
+  }
   if (core::of_chance(q.quantity) != t.has("expects"))
     t.fail(key, fmt::format("{}: {} {} to 'expects'", key, core::name(q.quantity),
                             t.has("expects") ? "does not belong" : "belongs"));
@@ -133,8 +136,13 @@ Observable read_observable(const Table& t, const Draft& draft) {
          "does not go with energy, which is the scene's; use kinetic_energy");
   if (event && !t.has("event")) t.fail("observable", "observable = \"event\" needs 'event'");
 
-  refuse(t, {"joint", "which"}, !core::of_joints(q.quantity), "belongs to coordinates of joints");
-  refuse(t, {"body"}, core::of_joints(q.quantity), "does not go with a coordinate of joints; use 'joint'");
+  const bool forces = core::of_joint_forces(q.quantity), joints = core::of_joints(q.quantity) || forces;
+  refuse(t, {"joint"}, !joints, "belongs to coordinates and forces of joints");
+  refuse(t, {"which"}, !core::of_joints(q.quantity), "belongs to coordinates of joints");
+  refuse(t, {"body"}, joints, "does not go with a quantity of joints; use 'joint'");
+  if (forces && draft.scene.bodies.size() > budget::bodies_of_truth)
+    t.fail(key, fmt::format("{}: {} serves scenes of at most {} bodies", key, core::name(q.quantity),
+                            budget::bodies_of_truth));
   if (t.has("joint")) q.joint = joint_of(t, draft);
   const auto& ordinals = core::Words<core::Ordinal>::list;
   q.which = t.choice("which", {ordinals.begin(), ordinals.end()}, core::Ordinal::first);

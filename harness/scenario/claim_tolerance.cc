@@ -44,6 +44,10 @@ core::Tolerance read_tolerance(const Table& t, const Claim& claim) {
     t.fail("constants", "constants = {}: say one for some order at least, { 1 = 4.9, 4 = 0.2 }");
   if (result.order && (t.has("absolute") || t.has("relative")))
     t.fail("order", "order = true sets the bound C dt^p T; absolute and relative do not go with it");
+  if (result.order && core::of_last_step(claim.observable.quantity))
+    t.fail("order",
+           fmt::format("order does not go with {}: an engine may tell the forces of one instant of the step",
+                       core::name(claim.observable.quantity)));
   if (result.order && claim.reduction == Reduction::order)
     t.fail("order", "order = true checks the order already; measure = \"order\" takes absolute");
   if (core::of_chance(claim.observable.quantity) != t.has("level"))
@@ -71,7 +75,7 @@ core::Tolerance read_tolerance(const Table& t, const Claim& claim) {
   return result;
 }
 
-void check_tolerance(const Table& t, Claim& claim, const core::Scene& scene, double duration) {
+void check_tolerance(const Table& t, Claim& claim, const core::Scene& scene, double duration, double step) {
   const Table tolerance = *t.table("tolerance");
   if (claim.tolerance.level > 0) require_power(tolerance, claim, scene);
   if (!claim.truth) return;
@@ -81,7 +85,7 @@ void check_tolerance(const Table& t, Claim& claim, const core::Scene& scene, dou
   }
   const double size = claim.tolerance.relative > 0 ? core::scale(claim, scene, duration) : 0;
   claim.truth_error =
-      core::truth_error(claim.observable, scene, *claim.truth, std::min(claim.until, duration));
+      core::truth_error(claim.observable, scene, *claim.truth, std::min(claim.until, duration), step);
   if (claim.tolerance.order || claim.reduction == Reduction::order)
     return;  // their bound depends on the run's integrator
   const double allowed = claim.tolerance.absolute + claim.tolerance.relative * size;

@@ -12,8 +12,8 @@ namespace cylon::scenario {
 core::Tolerance read_tolerance(const Table& tolerance, const core::Claim&);
 
 /// Sets the truth's error in the observable's unit.  Fails where that is more than a tenth of the
-/// tolerance.  The table is the claim's.
-void check_tolerance(const Table& claim, core::Claim&, const core::Scene&, double duration);
+/// tolerance, in a run at `step`.  The table is the claim's.
+void check_tolerance(const Table& claim, core::Claim&, const core::Scene&, double duration, double step);
 
 /// Gives the claims without a truth the motion of the one that is known for longest: their scales are taken
 /// from it.  To be called again when truths change.

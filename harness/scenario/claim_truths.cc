@@ -56,7 +56,7 @@ core::Truth ExactTruths::make(const Table& t, const std::string& name, double ho
     names.emplace_back(solution.name);
     if (solution.name != name) continue;
     try {
-      return solution.make(scene_, horizon);
+      return exact::solve(solution, scene_, horizon);
     } catch (const core::OutOfDomain& error) {
       t.fail("follows", fmt::format("follows = '{}' does not serve this scene: {} (it serves: {})", name,
                                     error.what(), solution.domain));

@@ -65,7 +65,8 @@ Claim parse_claim(const Table& t, const Draft& draft, double duration, double st
     t.fail("until", fmt::format("until = {}, but must be in (0, {}] s, the duration", claim.until, duration));
   refuse(t, {"sample", "measure"}, claim.observable.quantity == Quantity::event, "does not go with an event");
   refuse(t, {"until", "sample", "measure"}, core::of_last_step(claim.observable.quantity),
-         "does not go with a balance, which is that of the last step");
+         fmt::format("does not go with {}, which is that of the last step",
+                     core::name(claim.observable.quantity)));
   if (t.has("sample")) {
     claim.sample = t.is_text("sample") ? 0 : t.number("sample");
     try {
@@ -114,6 +115,9 @@ std::string lacks(const core::Truth& truth, Quantity quantity, bool only_points)
     case Quantity::momentum_balance:
     case Quantity::angular_momentum_balance:
       return "";  // no truth is followed there
+    case Quantity::joint_force:
+    case Quantity::joint_torque:
+      return "the motion between its times";
     case Quantity::angular_momentum:
     case Quantity::energy:
     case Quantity::kinetic_energy:
@@ -243,7 +247,7 @@ ReadClaims read_claims(const Table& root, Draft& draft, double duration, double 
       result.certified.push_back({result.claims.size(), t});
     } else {
       if (!claim.follows.empty()) follow(t, draft, truths, claim, duration, step);
-      check_tolerance(t, claim, draft.scene, duration);
+      check_tolerance(t, claim, draft.scene, duration, step);
     }
     result.claims.push_back(std::move(claim));
   }

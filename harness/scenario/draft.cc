@@ -4,24 +4,33 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace cylon::scenario {
 
-void Draft::add(const core::Body& body, const Table& table, bool is_point) {
+void Draft::expect(std::size_t more) {
+  const std::size_t bodies = scene.bodies.size() + more;
+  if (bodies <= scene.bodies.capacity()) return;
+  // At least twice what there was: else each of many small groups would move all bodies before it.
+  const std::size_t room = std::max(bodies, 2 * scene.bodies.capacity());
+  scene.bodies.reserve(room), origin.reserve(room), index_.reserve(room);
+}
+
+void Draft::add(core::Body body, const Table& table, bool is_point) {
   const auto [place, is_new] = index_.emplace(body.name, static_cast<int>(scene.bodies.size()));
   if (!is_new) table.fail("name", fmt::format("name '{}' is taken by another body", body.name));
   const core::BodyState& start = body.initial;
   if (!start.position.allFinite() || !start.velocity.allFinite() || !start.angular_velocity.allFinite())
     table.fail(fmt::format("'{}': its place or its velocity is not finite; take smaller numbers", body.name));
-  scene.bodies.push_back(body);
+  scene.bodies.push_back(std::move(body));
   origin.push_back(table);
   point.push_back(is_point);
 }
 
-int Draft::body(const Table& table, std::string_view key) const {
-  const std::string name = table.text(key);
+int Draft::body(const Table& table, std::string_view key, const std::string& name) const {
   if (const auto found = index_.find(name); found != index_.end()) return found->second;
   std::vector<std::string> names;
   for (const core::Body& body : scene.bodies) names.push_back(body.name);

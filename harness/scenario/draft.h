@@ -31,15 +31,18 @@ struct Draft {
   std::size_t neighbours = 0;  ///< Looked at for overlaps so far.
 
   /// Adds a body; fails at its `name` where that is taken, and where a number of it is not finite.
-  void add(const core::Body&, const Table&, bool is_point);
+  void add(core::Body, const Table&, bool is_point);
+  /// Makes room for so many bodies more.
+  void expect(std::size_t more);
 
   /// Whether a body has that name.
   bool has_body(const std::string& name) const { return index_.contains(name); }
   /// Fails where `more` points would be too many in all.
   void add_points(const Table&, double more);
 
-  /// Index of the body that the key names; fails with the nearest valid name.
-  int body(const Table&, std::string_view key) const;
+  /// Index of the body that the key names, or one of those that it names; fails with the nearest valid name.
+  int body(const Table& table, std::string_view key) const { return body(table, key, table.text(key)); }
+  int body(const Table&, std::string_view key, const std::string& name) const;
 
   /// The file that the key names, relative to the scenario; its bytes enter the hash.
   std::string read(const Table&, std::string_view key);

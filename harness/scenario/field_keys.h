@@ -37,8 +37,10 @@ constexpr Kind kind_of() {
     return Kind::triangles;
   else if constexpr (is(type_identity<std::string[2]>{}))
     return Kind::pair;
-  else if constexpr (is(type_identity<std::vector<std::string>>{}))
+  else if constexpr (is(type_identity<std::vector<std::string>>{}, type_identity<std::vector<int>>{}))
     return Kind::texts;
+  else if constexpr (is(type_identity<core::NamedNumbers>{}))
+    return Kind::named;
   else if constexpr (is(type_identity<std::vector<core::Part>>{},
                         type_identity<std::vector<core::JointDisplacement>>{},
                         type_identity<std::vector<core::JointAngle>>{}))

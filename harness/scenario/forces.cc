@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -50,6 +51,15 @@ void check(const Table& t, const Draft&, const core::Thrust&) {
   if (t.has("mass_rate") && exhaust == exchanged)
     t.fail("mass_rate",
            "mass_rate needs either 'exhaust_velocity' (body axes) or 'exchanged_velocity' (world axes)");
+}
+
+void check(const Table& t, const Draft& draft, const core::PluginForce& force) {
+  if (force.bodies.empty()) t.fail("bodies", "bodies = []: must name one body at least");
+  for (std::size_t i = 0; i < force.bodies.size(); ++i)
+    if (std::find(force.bodies.begin(), force.bodies.begin() + static_cast<std::ptrdiff_t>(i),
+                  force.bodies[i]) != force.bodies.begin() + static_cast<std::ptrdiff_t>(i))
+      t.fail("bodies", fmt::format("bodies: '{}' is named twice",
+                                   draft.scene.bodies[static_cast<std::size_t>(force.bodies[i])].name));
 }
 
 // What holds for every kind: two ends are two bodies, and the force is finite at the start.

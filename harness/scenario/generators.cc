@@ -110,6 +110,7 @@ std::vector<core::Body> lattice(const Table& table, const core::Body& pattern) {
   const std::vector<double> count = table.numbers("count");
   const Vector3 spacing = table.vector("spacing");
   std::vector<core::Body> bodies;
+  bodies.reserve(static_cast<std::size_t>(count[0] * count[1] * count[2]));
   for (int z = 0; z < static_cast<int>(count[2]); ++z)
     for (int y = 0; y < static_cast<int>(count[1]); ++y)
       for (int x = 0; x < static_cast<int>(count[0]); ++x) {
@@ -136,6 +137,7 @@ std::vector<core::Body> cloud(const Table& table, const core::Body& pattern, Dra
   Random random(seed_of(table, earlier.size()));
   Places places(others.scene, radius, others.neighbours);
   std::vector<core::Body> bodies;
+  bodies.reserve(count);
   while (bodies.size() < count) {
     constexpr int most_tries = 10'000;
     int tries = 0;

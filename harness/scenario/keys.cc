@@ -97,6 +97,8 @@ std::string_view form_of(Kind kind) {
       return "an array of triangles [[0, 1, 2], …]";
     case texts:
       return "an array of strings";
+    case named:
+      return "a table of numbers { k = 0.5, … }";
     case pair:
       return "two names [\"a\", \"b\"]";
     case step:
@@ -144,7 +146,7 @@ const Spec& scenario_keys() {
     const auto add = [&]<class T>(std::type_identity<T>, Kind kind, const Spec* (*of)()) {
       keys.push_back(
           nested(std::string(core::Element<T>::name), kind, of, std::string(core::Element<T>::meaning)));
-      keys.back().worker = kind == table ? "optional" : "always";
+      keys.back().worker = kind == table || core::comes_later<T> ? "optional" : "always";
     };
     add(std::type_identity<core::Body>{}, tables, body_spec);
     keys.push_back(nested(

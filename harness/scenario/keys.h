@@ -24,6 +24,7 @@ enum class Kind {
   points,      ///< [[x, y, z], …]
   triangles,   ///< [[0, 1, 2], …]
   texts,       ///< ["…", …]
+  named,       ///< { k = 0.5, … }
   pair,        ///< ["…", "…"]
   step,        ///< 0.001 or "1/60"
   steps,       ///< [0.001, "1/60"]

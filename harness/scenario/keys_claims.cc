@@ -108,7 +108,7 @@ const Spec* claim_spec() {
           absent("all bodies: the worst counts, momenta and energies are totals",
                  word("body", "Name of the body.")),
           absent("all joints that have one: the worst counts",
-                 word("joint", "Name of a joint, of whose coordinate it is.")),
+                 word("joint", "Name of a joint, of whose coordinate or force it is.")),
           absent("first",
                  word("which", "Of a joint with two such coordinates.",
                       {core::Words<core::Ordinal>::list.begin(), core::Words<core::Ordinal>::list.end()})),

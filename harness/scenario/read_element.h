@@ -45,6 +45,12 @@ T read_element(const Table& table, const Draft& draft) {
       value = table.text(key, value);
     } else if constexpr (std::is_same_v<Value, int>) {
       value = field.about.required || table.has(key) ? draft.body(table, key) : core::world;
+    } else if constexpr (std::is_same_v<Value, std::vector<int>>) {
+      for (const std::string& name : table.texts(key)) value.push_back(draft.body(table, key, name));
+    } else if constexpr (std::is_same_v<Value, core::NamedNumbers>) {
+      if (const auto inside = table.table(key))
+        for (auto&& [name, number] : inside->raw())
+          value[std::string(name.str())] = inside->number(name.str());
     } else if constexpr (std::is_same_v<Value, core::Vector3>) {
       value = table.vector(key, value);
     } else if constexpr (std::is_same_v<Value, std::optional<core::Vector3>>) {

@@ -63,6 +63,8 @@ Json value_schema(const Key& key) {
       return array_of(array_of(number_schema({.low = 0}, "integer"), 3));
     case Kind::texts:
       return array_of(text);
+    case Kind::named:
+      return {{"type", "object"}, {"additionalProperties", number}};
     case Kind::pair:
       return array_of(text, 2);
     case Kind::step:

@@ -1,17 +1,19 @@
 // Spheres by place: one grid for each power of two of the radius, with cells of two such lengths, so that
-// what may overlap a sphere of that size is in at most 27 cells of each grid.  Four cells in a row along x are
-// one block of a hash table without lists, so that a look costs few misses of the processor's cache.
+// what may overlap a sphere of that size is in at most 27 cells of each grid.  4 x 2 x 2 cells are one block of a
+// hash table without lists, so that a look costs few misses of the processor's cache.
 #pragma once
 
 #include "harness/core/scene.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -24,13 +26,13 @@ class SphereGrid {
     const int level = level_of(radius);
     levels_.insert(level);
     if (2 * (used_ + 1) > blocks_.size()) grow();
-    const double x = index(centre.x(), level);
-    const Key key = key_of(level, x, index(centre.y(), level), index(centre.z(), level));
-    Block& block = blocks_[slot(key)];
+    const Cell cell = {index(centre.x(), level), index(centre.y(), level), index(centre.z(), level)};
+    const Key key = key_of(level, cell);
+    Block& block = blocks_[slot(key, home(key))];
     if (block.free()) ++used_;
     block.key = key;
     balls_.push_back(
-        {id, centre, radius, std::exchange(block.heads[within(x)], static_cast<int>(balls_.size()))});
+        {id, centre, radius, std::exchange(block.heads[within(cell)], static_cast<int>(balls_.size()))});
   }
 
   /// The least id for which `meets(id, centre, radius)`, among those that may overlap a sphere; -1: none.
@@ -65,31 +67,66 @@ class SphereGrid {
             for (const int head : block.heads) look(head);
         continue;
       }
-      const double from = index(low.x(), level), to = index(high.x(), level);
-      for (double z = index(low.z(), level); z <= index(high.z(), level); ++z)
-        for (double y = index(low.y(), level); y <= index(high.y(), level); ++y)
-          for (double x = from; x <= to; x = 4 * std::floor(x / 4) + 4) {
-            const Block& block = blocks_[slot(key_of(level, x, y, z), &looked_at)];
-            if (block.free()) continue;
-            for (std::size_t i = within(x); i < 4 && 4 * block.key.x + static_cast<double>(i) <= to; ++i)
-              look(block.heads[i]);
-            if (found == 0) return 0;
+      const Cell from = {index(low.x(), level), index(low.y(), level), index(low.z(), level)},
+                 to = {index(high.x(), level), index(high.y(), level), index(high.z(), level)};
+      // A look at a place of the table waits for memory: many are asked for before the first is needed.
+      std::array<Place, 32> batch;
+      std::size_t waiting = 0;
+      const auto look_at_batch = [&] {
+        const std::span<Place> asked(batch.data(), std::exchange(waiting, 0));
+        for (Place& place : asked) {
+          place.at = slot(place.key, place.at, &place.probes);
+          each_cell(place.key, from, to, [&](std::size_t cell) {
+            if (const int head = blocks_[place.at].heads[cell]; head >= 0)
+              __builtin_prefetch(&balls_[static_cast<std::size_t>(head)]);
+          });
+        }
+        for (const Place& place : asked) {
+          if (found == 0) return;
+          looked_at += place.probes;
+          const Block& block = blocks_[place.at];
+          if (!block.free())
+            each_cell(place.key, from, to, [&](std::size_t cell) { look(block.heads[cell]); });
+        }
+      };
+      const Key first = key_of(level, from), last = key_of(level, to);
+      for (double z = first.z; z <= last.z; ++z)
+        for (double y = first.y; y <= last.y; ++y)
+          for (double x = first.x; x <= last.x; ++x) {
+            const Key key = {level, x, y, z};
+            batch[waiting] = {key, home(key)};
+            __builtin_prefetch(&blocks_[batch[waiting].at]);
+            if (++waiting == batch.size()) look_at_batch();
+            if (found == 0) return 0;  // what is looked at counts, and nothing else is done
           }
+      look_at_batch();
+      if (found == 0) return 0;
     }
     return found;
   }
 
  private:
+  // Whole numbers, which may be beyond an integer's range.
+  struct Cell {
+    double x, y, z;
+  };
   struct Key {
     int level;
-    double x, y, z;  // whole numbers, which may be beyond an integer's range; x counts blocks
+    double x, y, z;  // count blocks
     bool operator==(const Key&) const = default;
   };
+  static constexpr int in_x = 4, in_y = 2, in_z = 2;  // cells of a block
   struct Block {
     static constexpr int nobody = std::numeric_limits<int>::min();  // no level of a double
+    Block() { heads.fill(-1); }
     Key key = {nobody, 0, 0, 0};
-    int heads[4] = {-1, -1, -1, -1};  // of the cells' lists
+    std::array<int, std::size_t{in_x} * in_y * in_z> heads;  // of the cells' lists; -1: empty
     bool free() const { return key.level == nobody; }
+  };
+  struct Place {
+    Key key;
+    std::size_t at;  // in blocks_
+    std::size_t probes = 0;
   };
   struct Ball {
     int id;
@@ -104,11 +141,34 @@ class SphereGrid {
     return exponent;
   }
   static double index(double x, int level) { return std::floor(std::ldexp(x, -level - 1)) + 0.0; }
-  static Key key_of(int level, double x, double y, double z) { return {level, std::floor(x / 4), y, z}; }
-  static std::size_t within(double x) { return static_cast<std::size_t>(x - 4 * std::floor(x / 4)); }
+  static Key key_of(int level, const Cell& c) {
+    return {level, std::floor(c.x / in_x), std::floor(c.y / in_y), std::floor(c.z / in_z)};
+  }
+  // Of a cell in its block, from its place there.
+  static std::size_t within(int x, int y, int z) {
+    const auto i = static_cast<std::size_t>(x), j = static_cast<std::size_t>(y),
+               k = static_cast<std::size_t>(z);
+    return i + in_x * (j + in_y * k);
+  }
+  static std::size_t within(const Cell& c) {
+    const Key key = key_of(0, c);
+    const auto place = [](double cell, double block, int n) { return static_cast<int>(cell - n * block); };
+    return within(place(c.x, key.x, in_x), place(c.y, key.y, in_y), place(c.z, key.z, in_z));
+  }
+  // Calls visit(cell) for each cell of a block from one corner of a box to the other.
+  template <class Visit>
+  static void each_cell(const Key& block, const Cell& from, const Cell& to, const Visit& visit) {
+    const auto low = [](double f, double b, int n) { return static_cast<int>(std::max(f - n * b, 0.0)); };
+    const auto top = [](double t, double b, int n) { return static_cast<int>(std::min(t - n * b, n - 1.0)); };
+    const int x0 = low(from.x, block.x, in_x), x1 = top(to.x, block.x, in_x), y0 = low(from.y, block.y, in_y),
+              y1 = top(to.y, block.y, in_y), z0 = low(from.z, block.z, in_z), z1 = top(to.z, block.z, in_z);
+    for (int z = z0; z <= z1; ++z)
+      for (int y = y0; y <= y1; ++y)
+        for (int x = x0; x <= x1; ++x) visit(within(x, y, z));
+  }
 
-  // Where a block is, or is to be: the first free place from that of its hash on, each added to `looked_at`.
-  std::size_t slot(const Key& key, std::size_t* looked_at = nullptr) const {
+  // Where the search for a block begins.
+  std::size_t home(const Key& key) const {
     auto h = static_cast<std::uint64_t>(key.level);
     for (const double v : {key.x, key.y, key.z}) {
       // SplitMix64's mixing: small whole numbers differ in the highest bits of a double alone.
@@ -117,10 +177,12 @@ class SphereGrid {
       h = (h ^ (h >> 27)) * 0x94d049bb133111ebu;
       h ^= h >> 31;
     }
-    const std::size_t mask = blocks_.size() - 1;
-    std::size_t at = h & mask;
-    for (;; at = (at + 1) & mask) {
-      if (looked_at) ++*looked_at;
+    return h & (blocks_.size() - 1);
+  }
+  // Where a block is, or is to be: the first free place from `at`, its home, on, each added to `probes`.
+  std::size_t slot(const Key& key, std::size_t at, std::size_t* probes = nullptr) const {
+    for (;; at = (at + 1) & (blocks_.size() - 1)) {
+      if (probes) ++*probes;
       if (blocks_[at].free() || blocks_[at].key == key) return at;
     }
   }
@@ -128,7 +190,7 @@ class SphereGrid {
     std::vector<Block> old =
         std::exchange(blocks_, std::vector<Block>(std::max<std::size_t>(64, 2 * blocks_.size())));
     for (const Block& block : old)
-      if (!block.free()) blocks_[slot(block.key)] = block;
+      if (!block.free()) blocks_[slot(block.key, home(block.key))] = block;
   }
 
   std::set<int> levels_;

@@ -57,7 +57,7 @@ core::Truth truth_of(const core::Claim& claim, const core::Scene& scene, double 
     return std::move(solution.truth);
   }
   for (const exact::Solution& solution : exact::catalogue())
-    if (solution.name == claim.follows) return solution.make(scene, horizon);
+    if (solution.name == claim.follows) return exact::solve(solution, scene, horizon);
   throw core::OutOfDomain("recorded data is of one scene");
 }
 
@@ -68,7 +68,8 @@ void follow(core::Claim& claim, const Scenario& scenario) {
   claim.truth = claim.observable.quantity == core::Quantity::event
                     ? core::with_events(claim.observable, scenario.scene, truth, horizon, scenario.step)
                     : std::move(truth);
-  claim.truth_error = core::truth_error(claim.observable, scenario.scene, *claim.truth, horizon);
+  claim.truth_error =
+      core::truth_error(claim.observable, scenario.scene, *claim.truth, horizon, scenario.step);
 }
 
 }  // namespace

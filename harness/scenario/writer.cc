@@ -76,6 +76,15 @@ class Writer {
   std::string written(int body) const {
     return body == core::world ? "" : toml_text(scene_.bodies.at(static_cast<std::size_t>(body)).name);
   }
+  std::string written(const std::vector<int>& bodies) const {
+    return list(bodies, [this](int body) { return written(body); });
+  }
+  std::string written(const core::NamedNumbers& numbers) const {
+    Lines entries;
+    for (const auto& [name, value] : numbers)
+      entries.push_back(fmt::format("{} = {}", toml_text(name), toml_number(value)));
+    return in_braces(entries);
+  }
   std::string written(const core::Vector3& v) const { return list(v, toml_number); }
   std::string written(const std::optional<core::Vector3>& v) const { return v ? written(*v) : ""; }
   std::string written(const core::Quaternion& q) const {

@@ -1,8 +1,9 @@
 // hunted --list: the names of all mutants, and of the right simulators behind "--", one a line.
 // hunted NAME --seed S --first N --scenes N --seconds T --jobs J: looks for the mutant's fault as `cylon hunt` does, until a
 //   scene has one, and prints a line of JSON: how many scenes were asked and, where one has a fault, its number and the
-//   oracles that it breaks.  Exits 2 for an unknown name.
+//   oracles that it breaks and the simulator without its fault does not.  Exits 2 for an unknown name.
 // hunted --worker NAME: the mutant as a worker.
+#include "harness/hunt/examine.h"
 #include "harness/hunt/hunt.h"
 #include "harness/process/worker_loop.h"
 #include "tests/mutants/matrix/subject.h"
@@ -16,6 +17,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,35 +37,73 @@ int serve(const mutants::Subject& subject) {
   return process::serve(*subject.make(), STDIN_FILENO, out);
 }
 
-// Stops handing out scenes once one has a fault.
+process::EngineChoice choice_of(const mutants::Subject& subject) {
+  process::EngineChoice choice;
+  choice.id = subject.name;
+  choice.row = {subject.name, {"/proc/self/exe", "--worker", subject.name}, ""};
+  choice.integrator = subject.setup.integrator;
+  choice.options = subject.setup.options;
+  return choice;
+}
+
+// What the mutant is without its fault; nothing for a right simulator.
+std::optional<mutants::Subject> right_of(const mutants::Subject& subject) {
+  if (subject.fault.empty()) return std::nullopt;
+  const auto named = [&](const mutants::Subject& one) { return one.name == subject.name; };
+  const bool of_the_seed = std::ranges::any_of(mutants::seed_mutants(), named);
+  for (mutants::Subject& right : mutants::correct_subjects())
+    if (right.name == (of_the_seed ? "the seed's engine, put right" : "in-house, auto"))
+      return std::move(right);
+  return std::nullopt;
+}
+
+// Stops handing out scenes once one has a fault that the right simulator does not have there.
 class First final : public hunt::Memory {
  public:
+  First(const hunt::Source& source, const std::optional<mutants::Subject>& right,
+        const process::Limits& limits)
+      : source_(source), right_(right), limits_(limits) {}
+
   std::optional<hunt::Hit> asked(std::uint64_t) override { return std::nullopt; }
-  void note(const hunt::Hit& hit) override { found = found || !hit.broken.empty(); }
+  void note(const hunt::Hit& hit) override {
+    if (hit.broken.empty() || found) return;
+    hunt::Hit own = hit;
+    if (right_) {
+      const std::vector<hunt::Fault> also =
+          hunt::examine(source_.scene(hit.number).trial, choice_of(*right_), limits_);
+      std::erase_if(own.broken, [&](const hunt::Broken& broken) {
+        return std::ranges::any_of(also, [&](const hunt::Fault& f) { return f.oracle == broken.oracle; });
+      });
+    }
+    if (!own.broken.empty()) found = std::move(own);
+  }
   std::optional<hunt::Trial> least(const std::string&) override { return std::nullopt; }
   void note(const std::string&, const hunt::Trial&) override {}
-  bool found = false;
+  std::optional<hunt::Hit> found;
+
+ private:
+  const hunt::Source& source_;
+  const std::optional<mutants::Subject>& right_;
+  const process::Limits& limits_;
 };
 
 int hunt_for(const mutants::Subject& subject, std::map<std::string, double> asked) {
   hunt::Quarry quarry;
-  quarry.engine.id = subject.name;
-  quarry.engine.row = {subject.name, {"/proc/self/exe", "--worker", subject.name}, ""};
-  quarry.engine.integrator = subject.setup.integrator;
-  quarry.engine.options = subject.setup.options;
+  quarry.engine = choice_of(subject);
   quarry.limits.run_seconds = 20, quarry.jobs = static_cast<int>(asked["--jobs"]);
-  First first;
+  const hunt::Source source(static_cast<std::uint64_t>(asked["--seed"]));
+  const std::optional<mutants::Subject> right = right_of(subject);
+  First first(source, right, quarry.limits);
   quarry.memory = &first;
   const auto start = std::chrono::steady_clock::now();
   const auto more = [&](std::uint64_t begun) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return !first.found && static_cast<double>(begun) < asked["--scenes"] && seconds < asked["--seconds"];
   };
-  const hunt::Source source(static_cast<std::uint64_t>(asked["--seed"]));
   const hunt::Found found = hunt::search(source, static_cast<std::uint64_t>(asked["--first"]), quarry, more);
   nlohmann::ordered_json line = {{"name", subject.name}, {"scenes", found.scenes}};
-  if (!found.hits.empty()) {
-    const hunt::Hit& hit = found.hits.front();
+  if (first.found) {
+    const hunt::Hit& hit = *first.found;
     line["number"] = hit.number, line["family"] = hit.family;
     for (const hunt::Broken& broken : hit.broken)
       line["broken"].push_back(fmt::format("{} {}", broken.oracle, hunt::name(broken.kind)));

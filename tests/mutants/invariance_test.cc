@@ -118,16 +118,17 @@ core::Recording restated(const core::Recording& recording, const Description& d,
   for (std::size_t i = 0; i < recording.states.size(); ++i)
     result.states[i] = d(recording.states[i], recording.time(i));
   result.events = restated(recording.events, d, up);
+  const Vector3 drift = d.words.time * recording.time(recording.steps.size() - 1) * d.boost;
   if (result.contacts)
     for (core::Contact& c : *result.contacts) {
-      c.point = d.factor("m") * (d.words.turn * c.point + d.words.move);
+      c.point = d.factor("m") * (d.words.turn * c.point + d.words.move) + drift;
       c.normal = d.words.turn * c.normal;
       if (c.impulse) *c.impulse *= d.factor("kg m/s");
       if (c.friction) c.friction = d.factor("kg m/s") * (d.words.turn * *c.friction);
     }
   if (result.reactions)
     for (core::Reaction& r : *result.reactions) {
-      r.point = d.factor("m") * (d.words.turn * r.point + d.words.move);
+      r.point = d.factor("m") * (d.words.turn * r.point + d.words.move) + drift;
       r.impulse = d.factor("kg m/s") * (d.words.turn * r.impulse);
       r.moment = d.factor("kg m^2/s") * (d.words.turn * r.moment);
     }

@@ -42,7 +42,7 @@ double bound(const Scene& scene, const StateError& error) {
   Truth truth;
   truth.state = [&](double) { return initial_state(scene); };
   truth.error = error;
-  return truth_error(energy, scene, truth, 1);
+  return truth_error(energy, scene, truth, 1, 1);
 }
 
 // |E(x + dx) - E(x - dx)| / 2 where each body moves by e towards the other.

@@ -2,6 +2,7 @@
 #include "harness/core/input_error.h"
 #include "harness/scenario/scenario.h"
 #include "tests/paths.h"
+#include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -324,11 +325,11 @@ TEST(LoaderFiles, ErrorsGiveLineAndColumn) {
 }
 
 TEST(LoaderFiles, RejectsHugeFileWithoutReadingIt) {
-  const fs::path path = fs::path(testing::TempDir()) / "cylon_loader_garbage.toml";
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "garbage.toml";
   { std::ofstream(path) << "garbage"; }
   fs::resize_file(path, 100u << 20);
   const std::string message = load_refusal(path);
-  fs::remove(path);
   EXPECT_NE(message.find("104857600 bytes, but at most 16777216 (16 MB)"), std::string::npos) << message;
 }
 

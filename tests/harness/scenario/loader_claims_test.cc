@@ -8,6 +8,7 @@
 #include "harness/scenario/scenario.h"
 #include "harness/scenario/suite.h"
 #include "tests/paths.h"
+#include "tests/temporary_folder.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -113,8 +114,8 @@ TEST(Claims, CountsNeedAllEvents) {
 
 // A recording without velocities holds those of the start, which are no truth.
 TEST(Claims, RecordedDataMustHaveWhatIsClaimed) {
-  const fs::path folder = fs::path(testing::TempDir()) / "recorded";
-  fs::create_directories(folder);
+  const TemporaryFolder own;
+  const fs::path& folder = own.path();
   const std::string fall = R"("trajectory":{"body":{"position":[["0","1","0"],["3","0","1"]])";
   std::ofstream(folder / "positions.json")
       << R"({"schema":"truth/1","bodies":[{"id":"body"}],"t":["0","0.8"],)" << fall << "}}}";

@@ -32,7 +32,7 @@ std::map<std::string, std::string> worker_keys(const json& schema) {
 TEST(Schema, NamesTheKeysThatWorkersGet) {
   const json elements = json::parse(schema_json())["properties"];
   std::set<std::string> seen;  // "spring.pin"
-  for (const char* folder : {"/scenarios", "/tests/data/mixes"})
+  for (const char* folder : {"/scenarios", "/tests/data/mixes", "/docs/examples/force"})
     for (const auto& file : std::filesystem::directory_iterator(std::string(source_dir) + folder)) {
       if (file.path().extension() != ".toml" || file.path().stem() == "expected") continue;
       const json scene = process::to_json(read(file.path()).scene);

@@ -44,7 +44,9 @@ core::Scene everything() {
                   core::Thrust{.body = 3, .force = Vector3(0, 1, 0)},
                   core::Drive{3, {1, 0, 2}, 3.5},
                   core::Attraction{2, 3, 0.7},
-                  core::Water{-20, 0.1, 0.2, 1000, 3, "volume"}};
+                  core::Water{-20, 0.1, 0.2, 1000, 3, "volume"},
+                  core::PluginForce{"mine", "law \"7\"", {3, 1}, {{"k", 0.1}, {"an odd \"name\"", -3}}},
+                  core::PluginForce{"mine", "other", {0}, {}}};
   scene.planes = {{"floor", Vector3(0.6, 0.8, 0), -30, {"ground", "an odd \"name\""}, {"tools"}}};
   scene.bodies[2].collide = true;
   scene.bodies[2].gravity = Vector3(0.1, 0, -3.5), scene.bodies[3].gravity = Vector3::Zero();

@@ -51,6 +51,9 @@ class Masked final : public core::Simulator {
     if (mask_.reading) mask_.reading(moment(), state);
   }
 
+  std::vector<std::string> remarks() const override { return inner_->remarks(); }
+  std::vector<told::Diagnostic> diagnostics() const override { return inner_->diagnostics(); }
+
   void keep_contacts(bool keep) override { inner_->keep_contacts(keep); }
   std::vector<core::Contact> contacts() const override {
     std::vector<core::Contact> told = inner_->contacts();

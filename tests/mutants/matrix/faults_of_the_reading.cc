@@ -150,6 +150,18 @@ std::vector<MaskedRow> faults_of_the_reading() {
        reacting([](core::Reaction& r) { r.impulse *= 1.05; })},
       {"joint moments left out", "of what is welded the force alone is told", "welded_beams",
        "angular_momentum_balance", reacting([](core::Reaction& r) { r.moment.setZero(); })},
+      {"joint forces of the next joint", "those of each joint are told of another", "hanging_chain",
+       "joint_force follows statics, hook", reacting([](core::Reaction& r) { r.joint = (r.joint + 1) % 3; })},
+      {"joint forces and torques of the other body", "the opposite of each, as they are told",
+       "hanging_chain", "joint_force follows statics, between",
+       reacting([](core::Reaction& r) { r.impulse *= -1, r.moment *= -1; })},
+      {"joint torques about another point", "the force is told a centimetre aside", "welded_beams",
+       "joint_torque follows statics", reacting([](core::Reaction& r) { r.point.x() += 1e-2; })},
+      {"joint torques of the other body", "of what swings the torque alone has the other sign", "hinge_load",
+       "joint_torque follows physical_pendulum, hinge", reacting([](core::Reaction& r) { r.moment *= -1; })},
+      {"joint forces of a swing five percent off", "as they are told", "hinge_load",
+       "joint_force follows physical_pendulum, hinge",
+       reacting([](core::Reaction& r) { r.impulse *= 0.95; })},
       {"friction told backwards", "on the other body", "block_slides", "momentum_balance",
        telling([](core::Contact& c) {
          if (c.friction) *c.friction *= -1;

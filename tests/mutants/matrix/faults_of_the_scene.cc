@@ -354,6 +354,18 @@ std::vector<MaskedRow> faults_of_the_scene() {
        every<core::Water>([](auto& w) { w.level += 0.01; })},
       {"turning frame forgotten", "no Coriolis, no centrifugal term", "rotating_frame", "position follows",
        scene([](Scene& s) { s.frame.reset(); })},
+      {"Euler force forgotten", "of a frame that turns ever faster", "carousel_spins_up", "position follows",
+       scene([](Scene& s) {
+         if (s.frame) s.frame->angular_acceleration.setZero();
+       })},
+      {"train accelerates the wrong way", "the acceleration of the frame as a force", "braking_train",
+       "position follows", scene([](Scene& s) {
+         if (s.frame) s.frame->acceleration *= -1;
+       })},
+      {"shaking out of time", "the frame's acceleration is constant", "shaken_spring", "position follows",
+       scene([](Scene& s) {
+         if (s.frame) s.frame->frequency = 0;
+       })},
       {"soft joint", "a stiff spring in place of a ball joint", "heavy_top", "joint_gap", scene([](Scene& s) {
          for (const core::Joint& joint : s.joints) {
            const core::BodyState& b = s.bodies[static_cast<std::size_t>(joint.body)].initial;

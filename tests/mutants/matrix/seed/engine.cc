@@ -36,7 +36,7 @@ class Seed final : public core::Simulator {
   }
 
   std::optional<std::string> unsupported(const core::Scene& scene, const core::Setup&) const override {
-    if (scene.frame && !scene.frame->angular_velocity.isZero(0)) return "a turning frame";
+    if (core::has_fictitious_forces(scene)) return "a frame that turns or accelerates";
     if (const auto reason = missing_force(scene)) return reason;
     if (scene.bodies.size() > 64) return "a crowd: it looks at every pair in every step";
     return missing_contact(scene);
@@ -110,7 +110,7 @@ class Seed final : public core::Simulator {
     t_ += h / 2;
     update_masses(scene_, bodies_, t_);
     find_bearing();
-    kick(h);
+    give_impulse(h);
     bear(h);
     t_ += h / 2;
     update_masses(scene_, bodies_, t_);
@@ -132,7 +132,7 @@ class Seed final : public core::Simulator {
   }
 
   // Eq. 16, 64: K += F h, L += tau h, with the velocities of the middle of the push.
-  void kick(double h) {
+  void give_impulse(double h) {
     const std::vector<Body> start = bodies_;
     if (!faulty_(44)) velocities();  // errata 44: those of one step ago
     apply_forces(scene_, bodies_, instant(h), faulty_);

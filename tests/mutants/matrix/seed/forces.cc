@@ -109,7 +109,8 @@ void apply_forces(const core::Scene& scene, std::vector<Body>& bodies, const Ins
                                       std::cos(d.frequency * now.t) * d.force;
                                 },
                                 [&](const core::Attraction& a) { attraction(a, bodies); },
-                                [&](const core::Water& w) { water(w, bodies, now, faulty); }},
+                                [&](const core::Water& w) { water(w, bodies, now, faulty); },
+                                [](const core::PluginForce&) {}},  // missing_force()
                force);
   if (!faulty(22)) return;  // "sum F = 0", whatever acts from outside
   Vector3 sum = Vector3::Zero();
@@ -135,6 +136,7 @@ void heights_over_water(const core::Scene& scene, const std::vector<Body>& bodie
 }
 
 std::optional<std::string> missing_force(const core::Scene& scene) {
+  if (core::has_plugin_force(scene)) return "forces of plug-ins";
   for (const core::Force& force : scene.forces)
     if (const auto* w = std::get_if<core::Water>(&force); w && w->mode != "step")
       return "water by displaced volume";
