@@ -1,5 +1,6 @@
 #include "harness/hunt/course.h"
 
+#include "harness/core/joint_coordinates.h"
 #include "harness/core/overloaded.h"
 
 #include <algorithm>
@@ -47,6 +48,11 @@ bool Course::rises(const std::array<double, halvings>& measured, double allowed)
 double Course::least_part() const {
   return *std::min_element(measured_.begin(), measured_.begin() + static_cast<std::ptrdiff_t>(count_)) *
          relative_ / allowed_;
+}
+
+void Course::not_promised(int order) {
+  if (expected_.promise.adaptive || order < expected_.promise.order)
+    expected_.smooth = own_promise_ = coarse_step_ = false;
 }
 
 void Course::add(double measured, double allowed, double truth_error) {
@@ -133,18 +139,36 @@ void add(const core::Scene& scene, const core::Force& force, Rates& rates) {
                               [&](const core::Thrust& t) { rates.known = rates.known && t.mass_rate == 0; },
                               [&](const core::Drive& d) { rates.decays[at(d.body)] += d.frequency; },
                               [&](const core::Attraction&) { rates.known = false; },
-                              [&](const core::Water&) { rates.known = false; }},
+                              [&](const core::Water&) { rates.known = false; },
+                              [&](const core::PluginForce&) { rates.known = false; }},
              force);
+}
+
+// Joints carry up to the weight W of all that moves: a body that hangs by an arm r swings under it as a pendulum under the
+// tension W, at the square rate (W/r) (1/m + r^2/I).
+void add(const core::Scene& scene, const core::Joint& joint, Rates& rates) {
+  double weight = 0;
+  for (const Body& body : scene.bodies)
+    if (!body.locked) weight += body.mass * core::gravity_of(scene, body).norm();
+  for (const int end : {joint.body, joint.to}) {
+    if (end == core::world) continue;
+    const auto i = static_cast<std::size_t>(end);
+    const Body& body = scene.bodies[i];
+    const double arm = (joint.point - body.initial.position).norm();
+    if (arm > 0) rates.squares[i] += weight / arm * compliance(body, core::Vector3(arm, 0, 0));
+  }
 }
 
 }  // namespace
 
-bool resolved(const Trial& trial) {
+std::optional<bool> resolves(const Trial& trial) {
   const core::Scene& scene = trial.scene;
-  if (scene.frame) return false;
+  if (scene.frame) return std::nullopt;
   Rates rates{std::vector<double>(scene.bodies.size()), std::vector<double>(scene.bodies.size()), true};
   for (const core::Force& force : scene.forces) add(scene, force, rates);
-  if (!rates.known) return false;
+  for (const core::Joint& joint : scene.joints) add(scene, joint, rates);
+  const auto acts = [](const core::JointCoordinate&) { return true; };
+  if (!rates.known || core::any_coordinate(scene, acts)) return std::nullopt;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const Body& body = scene.bodies[i];
     if (body.locked) continue;

@@ -34,18 +34,23 @@ std::optional<Kind> kind_from(std::string_view);
 /// What is known beforehand of an error's course.
 struct Expected {
   study::Promise promise;
-  bool smooth = false;    ///< Nothing touches: the promise holds.
+  bool smooth = false;    ///< No velocity or force jumps: the promise holds.
   bool resolved = false;  ///< The step resolves all rates of the scene.
   double rounding =
       0;  ///< Below this part of the scale nothing is said of orders: 1e-7, in single precision 1e-4.
 };
 
-/// Whether dt resolves springs, dampers, spins and drives: no stable scheme needs less, and no turn is ambiguous.
-bool resolved(const Trial&);
+/// Whether dt resolves springs, dampers, spins, drives and what swings on joints: no stable scheme needs less, and no turn is
+/// ambiguous.  Nothing where the rates are not known.
+std::optional<bool> resolves(const Trial&);
 
 class Course {
  public:
   Course(const Expected& expected, double relative) : expected_(expected), relative_(relative) {}
+
+  /// The engine says that a part of a run moved by a method of that order: where it is less than what the engine promises, or
+  /// the promise is of a bounded error, neither the promise nor a fall that no order explains is held against it.
+  void not_promised(int order);
 
   /// What came of the next step.  A `measured` that is no number is a fault whatever the step.
   void add(double measured, double allowed, double truth_error);

@@ -44,7 +44,7 @@ std::optional<scenario::Scenario> scenario_of(const Trial& trial, const std::str
 struct Asked {
   Fault fault;
   Course course;
-  bool of_trajectories = false;  // or held to a promise: the motion must not be sensitive
+  bool of_trajectories = false;  // or of steps, or held to a promise: the motion must not be sensitive
   bool answers = true;           // until the engine tells nothing
 
   bool open() const { return answers && course.open(); }
@@ -59,6 +59,8 @@ struct Asked {
       return;
     }
     fault.by_time = fault.by_time || row.status == Status::timeout;
+    for (const told::Diagnostic& one : row.diagnostics)
+      if (one.order > 0) course.not_promised(one.order);
     if (std::isnan(row.measured) && fault.detail.empty())
       fault.detail = fmt::format("{}: {}", results::name(row.status), row.detail);
     note(row.measured, row.allowed, row.unit, row.truth_error);
@@ -95,6 +97,14 @@ class Examination {
   Asked asked(std::string_view oracle, std::string_view says, std::string_view why, double relative) const {
     return {{std::string(oracle), std::string(says), std::string(why)}, Course(expected_, relative)};
   }
+  Asked asked(const Oracle& oracle) const {
+    Expected expected = expected_;
+    expected.smooth = expected.smooth && !oracle.of_steps;
+    expected.resolved = expected.resolved && !oracle.one_sided;
+    Asked one = asked(oracle.name, oracle.says, oracle.why, oracle.relative);
+    one.course = Course(expected, oracle.relative);
+    return one;
+  }
 
   // What is a fault in the end.
   void close(Asked& asked) {
@@ -116,7 +126,7 @@ class Examination {
   }
 
   // Whether the run comes to its end; else that is the fault, unless the engine refuses the scene.  Numbers that
-  // end at a coarse step alone are an unstable scheme's, and no fault.
+  // end at a coarse step alone, or where no step asked for resolves the rates, are an unstable scheme's, and no fault.
   bool runs() {
     first_ = outcome_at(0);
     if (first_.status == Status::unsupported || first_.status == Status::fail) return false;
@@ -128,6 +138,9 @@ class Examination {
         expect(*first_.recording);
         return true;
       }
+      Trial finest = trial_;
+      finest.step = step(halvings - 1);
+      if (resolves(finest) == false) return false;
       for (std::size_t i = 1; i < halvings; ++i)
         if (const process::RunOutcome finer = outcome_at(i);
             finer.status != Status::pass || !core::first_bad_step(*finer.recording))
@@ -144,8 +157,8 @@ class Examination {
     study::Promise& promise = expected_.promise = study::promise_of(run.engine, run.terms);
     promise.adaptive = promise.adaptive || run.terms.closed_form;
     if (promise.each_step) promise.tolerance *= static_cast<double>(trial_.steps);
-    expected_.smooth = !may_touch(trial_.scene);
-    expected_.resolved = resolved(trial_);
+    expected_.smooth = is_smooth(trial_.scene);
+    expected_.resolved = resolves(trial_).value_or(false);
     expected_.rounding = run.engine.precision == "float" ? 1e-4 : 1e-7;
   }
 
@@ -161,8 +174,7 @@ class Examination {
   void ask_recordings() {
     std::vector<std::pair<const Oracle*, Asked>> open;
     for (const Oracle* oracle : defined_)
-      if (oracle->read)
-        open.emplace_back(oracle, asked(oracle->name, oracle->says, oracle->why, oracle->relative));
+      if (oracle->read) open.emplace_back(oracle, asked(*oracle));
     for (std::size_t i = 0;
          i < halvings && std::ranges::any_of(open, [](auto& o) { return o.second.open(); }); ++i) {
       process::RunOutcome outcome = i == 0 ? std::move(first_) : outcome_at(i);
@@ -240,8 +252,8 @@ class Examination {
     if (!scenario || rows.empty()) return;
     std::vector<Asked> all;
     for (const Oracle* oracle : rows) {
-      all.push_back(asked(oracle->name, oracle->says, oracle->why, oracle->relative));
-      all.back().of_trajectories = oracle->of_trajectories;
+      all.push_back(asked(*oracle));
+      all.back().of_trajectories = oracle->of_trajectories || oracle->of_steps;
       all.back().fault.claim = claim_of(*oracle);
     }
     for (std::size_t i = 0; i < halvings && std::ranges::any_of(all, &Asked::open); ++i) {

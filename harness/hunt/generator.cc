@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <string>
+#include <vector>
 
 namespace cylon::hunt {
 namespace {
@@ -23,12 +25,14 @@ const Vector3 up = Vector3::UnitY();
 
 Shape some_shape(Dice& dice) {
   const double r = dice.between(0.1, 0.4);
-  switch (dice.below(5)) {
+  switch (dice.below(6)) {
     case 0:
       return core::Capsule{r / 2, r};
     case 1:
       return core::Cylinder{r / 2, r};
     case 2:
+      return core::Cone{r / 2, r};
+    case 3:
       return core::Sphere{r};
     default:
       return core::Box{{r, dice.between(0.1, 0.4), dice.between(0.1, 0.4)}};
@@ -83,9 +87,25 @@ void flight(Dice& dice, Scene& scene) {
   if (dice.one_in(4)) {
     core::Thrust thrust;
     thrust.force = dice.vector(5);
+    if (dice.one_in(3)) {
+      thrust.mass_rate = dice.between(-0.04, 0.04) * scene.bodies[0].mass;  // 20 s at most
+      (dice.one_in(2) ? thrust.exhaust_velocity : thrust.exchanged_velocity) = dice.vector(3);
+    }
     scene.forces.emplace_back(thrust);
   }
+  if (dice.one_in(8)) scene.bodies.back().gravity = dice.vector(10);
   if (count > 1 && dice.one_in(3)) scene.forces.emplace_back(core::Attraction{0, 1, dice.between(0.1, 3)});
+}
+
+// Seen from a frame that turns or accelerates, mostly unevenly.
+void frames(Dice& dice, Scene& scene) {
+  flight(dice, scene);
+  core::Frame& frame = scene.frame.emplace();
+  frame.velocity = dice.vector(2);
+  if (!dice.one_in(4)) frame.angular_velocity = dice.vector(1.5);
+  if (dice.one_in(2)) frame.angular_acceleration = dice.vector(1);
+  if (dice.one_in(2)) frame.acceleration = dice.vector(4);
+  if (dice.one_in(2)) frame.frequency = dice.between(1, 8);
 }
 
 void springs(Dice& dice, Scene& scene) {
@@ -110,8 +130,37 @@ void springs(Dice& dice, Scene& scene) {
   }
 }
 
+// What acts along a free coordinate that has so much inertia [kg, kg m^2]: a spring, a damper, a motor, a servo; now and
+// then stops or dry friction.
+template <class Coordinate>
+Coordinate some_law(Dice& dice, double inertia) {
+  Coordinate c;
+  if (dice.one_in(8)) {
+    c.lower = dice.between(-0.6, -0.1), c.upper = dice.between(0.1, 0.6);
+    c.restitution = dice.of(std::array{0.0, 0.5, 1.0});
+  }
+  if (dice.one_in(8)) c.friction = dice.between(0.1, 1) * inertia;
+  if (dice.one_in(3)) c.force = dice.between(-3, 3) * inertia;
+  if (dice.one_in(3)) c.damping = dice.between(0.1, 2) * inertia;
+  if (!dice.one_in(3)) {
+    c.stiffness = dice.between(5, 60) * inertia;
+    c.target = dice.between(-0.3, 0.3);
+    if (dice.one_in(2)) c.target_amplitude = dice.between(0.1, 0.4), c.target_frequency = dice.between(1, 6);
+  }
+  return c;
+}
+
+void add_laws(Dice& dice, const Body& body, core::Joint& joint) {
+  const core::JointKind& kind = core::kind_of(joint.type);
+  const double arm = (joint.point - body.initial.position).norm();
+  if (kind.displacements() > 0 && dice.one_in(2))
+    joint.displacements.push_back(some_law<core::JointDisplacement>(dice, body.mass));
+  if (kind.angles() > 0 && dice.one_in(2))
+    joint.angles.push_back(some_law<core::JointAngle>(dice, body.mass * (arm * arm + 0.01)));
+}
+
 // A tree of bodies at rest, each with a joint to an earlier one or to the world half a link before it.
-void mechanism(Dice& dice, Scene& scene) {
+void tree(Dice& dice, Scene& scene, std::size_t kinds, bool laws) {
   maybe_gravity(dice, scene);
   const std::size_t count = 1 + dice.below(4);
   const bool floats = count > 1 && dice.one_in(3);
@@ -128,18 +177,28 @@ void mechanism(Dice& dice, Scene& scene) {
     }
     if (floats) body.initial.velocity = scene.bodies[0].initial.velocity;
     core::Joint joint;
-    constexpr std::size_t kinds = 4;  // ball, hinge, distance, fixed: what every engine is asked about
     joint.type = core::joint_kinds[dice.below(kinds)].type;
     joint.body = static_cast<int>(i), joint.to = parent;
     joint.point = (from + body.initial.position) / 2;
     joint.axis = dice.direction();
-    if (core::kind_of(joint.type).has_length())
+    const core::JointKind& kind = core::kind_of(joint.type);
+    if (kind.has_length())
       joint.length = (body.initial.position - (parent == core::world ? joint.point : from)).norm();
+    if (kind.has_second_axis()) joint.axis_2 = joint.axis.unitOrthogonal();
+    if (kind.screws) joint.pitch = (dice.one_in(2) ? 1 : -1) * dice.between(0.05, 0.3);
     if (joint.type == core::JointType::fixed && parent == core::world && count == 1)
       joint.type = core::JointType::hinge;  // else nothing moves
+    if (laws) add_laws(dice, body, joint);
     scene.joints.push_back(joint);
   }
 }
+
+void mechanism(Dice& dice, Scene& scene) {
+  constexpr std::size_t kinds = 4;  // ball, hinge, distance, fixed: what every engine is asked about
+  tree(dice, scene, kinds, false);
+}
+
+void machine(Dice& dice, Scene& scene) { tree(dice, scene, core::joint_kinds.size(), true); }
 
 void add_material(Dice& dice, Scene& scene) {
   core::Material all;
@@ -154,6 +213,22 @@ void add_floor(Dice& dice, Scene& scene) {
   floor.name = "floor";
   if (dice.one_in(4)) floor.normal = (up + 0.3 * dice.direction()).normalized();
   scene.planes.push_back(floor);
+}
+
+// Groups at random: some bodies pass through each other, and through the floor.  A mask names groups that are there.
+void filter(Dice& dice, Scene& scene) {
+  std::vector<std::string> there;
+  const auto each = [&](const auto& what) {
+    for (Body& body : scene.bodies) what(body.collision_groups, body.collision_mask);
+    for (core::Plane& plane : scene.planes) what(plane.collision_groups, plane.collision_mask);
+  };
+  each([&](auto& groups, auto&) {
+    there.emplace_back(dice.of(std::array<const char*, 3>{"one", "two", "default"}));
+    groups = {there.back()};
+  });
+  each([&](auto&, auto& mask) {
+    if (dice.one_in(2)) mask = {there[dice.below(there.size())]};
+  });
 }
 
 // Bodies that fly at each other, or onto a plane.  Cells 1.5 m apart keep them from overlapping.
@@ -171,6 +246,8 @@ void collisions(Dice& dice, Scene& scene, const Shape (*shape)(Dice&)) {
     body.collide = true;
     if (count > 1) body.initial.velocity += Vector3(1.5 - 3 * x, 0, 1.5 - 3 * z);
   }
+  if (dice.one_in(5)) filter(dice, scene);
+  if (dice.one_in(6)) scene.forces.emplace_back(core::Drag{0, dice.between(0, 1), dice.between(0, 0.05), 0});
 }
 
 void spheres(Dice& dice, Scene& scene) {
@@ -232,9 +309,13 @@ void cradle(Dice& dice, Scene& scene) {
 }
 
 constexpr std::array all = {
-    Family{"flight", "free bodies, with drag, drives, thrust and attraction", 3, flight},
+    Family{"flight", "free bodies, with drag, drives, thrust, mass that changes and attraction", 3, flight},
+    Family{"frames", "the same, seen from a frame that turns or accelerates", 2, frames},
     Family{"springs", "chains of springs", 3, springs},
     Family{"mechanism", "trees of joints", 4, mechanism},
+    Family{"machine",
+           "trees of all kinds of joints, with springs, dampers, motors, servos, stops and friction", 3,
+           machine},
     Family{"spheres", "spheres that collide", 3, spheres},
     Family{"solids", "solids that collide", 3, solids},
     Family{"standing", "boxes that stand, lie on each other or slide", 3, standing},

@@ -2,6 +2,7 @@
 
 #include "harness/hunt/scene_parts.h"
 #include "harness/hunt/shrink.h"
+#include "harness/process/session.h"
 #include "harness/study/parallel.h"
 
 #include <fmt/format.h>
@@ -102,11 +103,17 @@ class Shrinkery {
         if (auto known = quarry_.memory->least(key)) return std::move(*known);
     }
     int asked = 0;
-    Trial least = shrink(source_.scene(hit.number).trial, [&](const Trial& trial) {
+    const auto has_it = [&](const Trial& trial) {
       if (++asked % 20 == 0)
         say(fmt::format("{}: {} tries, {} bodies", group.name, asked, trial.scene.bodies.size()));
       return fault_of(trial, quarry_.engine, quarry_.limits, group.broken).has_value();
-    });
+    };
+    const Trial whole = source_.scene(hit.number).trial;
+    Trial least = [&] {
+      const process::KeptWorkers kept;
+      return shrink(whole, has_it);
+    }();
+    if (!has_it(least)) least = shrink(whole, has_it);  // it needs runs before it
     const std::scoped_lock lock(guard_);
     if (quarry_.memory) quarry_.memory->note(key, least);
     return least;
@@ -144,26 +151,37 @@ Found search(const Source& source, std::uint64_t first, const Quarry& quarry,
     const std::uint64_t number = first + begun++;
     return std::pair{number, quarry.memory ? quarry.memory->asked(number) : std::nullopt};
   };
-  const auto done = [&](Hit hit, bool fresh) {
+  const auto broken_by = [&](const Trial& trial) {
+    std::vector<Broken> broken;
+    for (const Fault& fault : examine(trial, quarry.engine, quarry.limits))
+      broken.push_back({fault.oracle, fault.kind, fault.by_time});
+    return broken;
+  };
+  const auto done = [&](Hit hit, bool fresh, bool after_others = false) {
     const std::scoped_lock lock(guard);
+    if (after_others) found.after_others.push_back(hit.number);
     if (fresh && quarry.memory) quarry.memory->note(hit);
     if (!hit.broken.empty()) found.hits.push_back(std::move(hit));
   };
   const auto jobs = static_cast<std::size_t>(std::max(1, quarry.jobs));
   study::in_parallel(jobs, quarry.jobs, [&](std::size_t) {
+    std::optional<process::KeptWorkers> kept;
     while (auto one = next()) {
       if (one->second) {
         done(std::move(*one->second), false);
         continue;
       }
       const Generated made = source.scene(one->first);
-      Hit hit{one->first, made.family, {}};
-      for (const Fault& fault : examine(made.trial, quarry.engine, quarry.limits))
-        hit.broken.push_back({fault.oracle, fault.kind, fault.by_time});
-      done(std::move(hit), true);
+      if (!kept) kept.emplace();
+      Hit hit{one->first, made.family, broken_by(made.trial)};
+      const bool suspected = !hit.broken.empty();
+      if (suspected) kept.reset(), hit.broken = broken_by(made.trial);
+      const bool after_others = suspected && hit.broken.empty();
+      done(std::move(hit), true, after_others);
     }
   });
   std::ranges::sort(found.hits, {}, &Hit::number);
+  std::ranges::sort(found.after_others);
   found.scenes = begun;
   return found;
 }
@@ -186,8 +204,10 @@ std::vector<Card> cards(const Source& source, const std::vector<Hit>& hits, cons
       else
         same->hits += card.hits;
     }
-  for (Card& card : kept)
-    for (const EngineChoice& other : others) card.opinions.push_back(opinion_of(other, card, quarry.limits));
+  for (const EngineChoice& other : others) {
+    const process::KeptWorkers workers;
+    for (Card& card : kept) card.opinions.push_back(opinion_of(other, card, quarry.limits));
+  }
   return kept;
 }
 

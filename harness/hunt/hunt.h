@@ -49,10 +49,14 @@ struct Quarry {
 struct Found {
   std::vector<Hit> hits;     ///< Scenes with a fault, by their numbers.
   std::uint64_t scenes = 0;  ///< All of first, first + 1, …, first + scenes - 1 were asked.
+  /// Scenes asked now that had a fault after others in one process, and none in processes of their own.
+  std::vector<std::uint64_t> after_others;
 };
 
 /// Asks scenes from `first` on as long as more(n) says so, n being how many were begun; which is asked before each, one
-/// at a time.  The same hits for any number of jobs.  Throws what process::run throws.
+/// at a time.  Scenes are run one after another in one process; a hit was seen again with a process for each of its runs.
+/// The same hits for any number of jobs, of an engine that carries nothing over from one scene to the next.  Throws what
+/// process::run throws.
 Found search(const Source&, std::uint64_t first, const Quarry&,
              const std::function<bool(std::uint64_t)>& more);
 

@@ -1,6 +1,8 @@
 #include "harness/hunt/oracle.h"
 
+#include "harness/core/force_balance.h"
 #include "harness/core/force_law.h"
+#include "harness/core/joint_coordinates.h"
 #include "harness/core/observable.h"
 #include "harness/core/size.h"
 #include "harness/hunt/recorded.h"
@@ -49,6 +51,7 @@ Reason loses_energy(const Scene& scene) {
 // Gravity, springs, attraction and drag give no energy; contacts and joints do not.
 Reason may_gain_energy(const Scene& scene) {
   if (scene.frame) return "the frame moves";
+  if (core::any_coordinate(scene, core::target_moves)) return "a servo does work";
   for (const core::Force& force : scene.forces)
     if (!std::holds_alternative<core::UniformGravity>(force) &&
         !std::holds_alternative<core::Spring>(force) && !std::holds_alternative<core::Attraction>(force) &&
@@ -139,6 +142,7 @@ Reason no_locked(const Scene& scene) {
 // Forces that are known beforehand, and whatever joints and contacts do, which is no work.
 Reason speed_without_bound(const Scene& scene) {
   if (scene.frame) return "the frame moves";
+  if (core::any_coordinate(scene, core::has_force)) return "a force along a joint has no bound";
   for (const core::Force& force : scene.forces) {
     const auto* thrust = std::get_if<core::Thrust>(&force);
     const bool bounded = std::holds_alternative<core::UniformGravity>(force) ||
@@ -158,6 +162,37 @@ Reason no_ball_that_falls(const Scene& scene) {
   return overlap_at_start(scene);
 }
 
+// A box whose lower face begins on a level plane, without spin, and whose weight stays over that face however it brakes:
+// the pressure's middle moves by mu h, h the height of the centre.
+Reason no_box_that_slides(const Scene& scene) {
+  if (scene.bodies.size() != 1 || scene.planes.size() != 1 || scene.frame || !scene.joints.empty() ||
+      !may_touch(scene) || scene.forces.size() != 1 ||
+      !std::holds_alternative<core::UniformGravity>(scene.forces[0]))
+    return "not one body, one plane and gravity";
+  const core::Body& body = scene.bodies[0];
+  const auto* box = std::get_if<core::Box>(&body.shape);
+  const core::Vector3 n = scene.planes[0].normal, v = body.initial.velocity,
+                      g = core::gravity_of(scene, body);
+  if (!box || !n.isApprox(core::Vector3::UnitY()) || !body.initial.orientation.vec().isZero(0))
+    return "not a box upright";
+  if (!(g.y() < 0) || g.cross(n).norm() > 1e-12 * g.norm()) return "gravity is not across the plane";
+  const core::Vector3 h = box->half_extents;
+  if (std::abs(body.initial.position.y() - h.y() - scene.planes[0].offset) > 1e-12 * h.y())
+    return "it does not begin on the plane";
+  if (!(v.norm() > 0) || v.y() != 0 || !body.initial.angular_velocity.isZero(0)) return "it does not slide";
+  const auto material = core::material_of(scene, {0, core::world, 0});
+  if (!material) return "no material";
+  if (material->friction * h.y() > 0.8 * std::min(h.x(), h.z())) return "it may tip";
+  return {};
+}
+
+// Forces of joints; of contacts they are told of an instant of the step.
+Reason no_balance(const Scene& scene) {
+  if (const Reason why = no_joints(scene)) return why;
+  if (may_touch(scene)) return "bodies touch";
+  return core::balance_undefined({.quantity = core::Quantity::momentum_balance}, scene);
+}
+
 constexpr std::string_view rounding_and_a_decade = "truncation is told by its course; ten times this is seen";
 
 constexpr std::array all = {
@@ -169,7 +204,8 @@ constexpr std::array all = {
            "conserves = \"energy\"\nsample = \"step\""},
     Oracle{"energy from nowhere", "the energy never rises: blows, friction, dampers and drag give none", 1e-3,
            "a step may end between a blow and its rebound", may_gain_energy_by_touch,
-           "conserves = \"energy\"\nmeasure = \"increase\"\nsample = \"step\""},
+           "conserves = \"energy\"\nmeasure = \"increase\"\nsample = \"step\"", nullptr, false, false, false,
+           true},
     Oracle{"penetration", "solids do not pass into each other", 5e-3,
            "engines leave a slop of some thousandths of a body, so that contacts stay", no_penetration,
            "conserves = \"normal_gap\"\nsample = \"step\""},
@@ -177,6 +213,12 @@ constexpr std::array all = {
            "conserves = \"joint_gap\"\nsample = \"step\""},
     Oracle{"joint axis", "what a joint does not let turn does not turn", 1e-3, rounding_and_a_decade, no_axes,
            "conserves = \"angular_joint_gap\"\nsample = \"step\""},
+    Oracle{"joint forces", "the forces of joints, as the engine tells them, moved the bodies", 1e-3,
+           "truncation is told by its course; an engine may tell the force of one instant", no_balance,
+           "conserves = \"momentum_balance\"", nullptr, false, false, true},
+    Oracle{"joint torques", "the torques of joints, as the engine tells them, turned the bodies", 1e-3,
+           "as of joint forces", no_balance, "conserves = \"angular_momentum_balance\"", nullptr, false,
+           false, true},
     Oracle{"rest", "what stands at rest stays there", 1e-3, "as of penetration, for a tenth of it creeps",
            not_at_rest, "conserves = \"position\"\nsample = \"step\""},
     Oracle{"statics",
@@ -195,6 +237,13 @@ constexpr std::array all = {
            no_ball_that_falls,
            {},
            read_rebound},
+    Oracle{"slide",
+           "a box that slides is braked by the coefficient of friction times its weight",
+           1e-3,
+           "truncation is told by its course; ten times this is seen",
+           no_box_that_slides,
+           {},
+           read_slide},
     Oracle{"locked", "what is locked does not move", 1e-6, "single precision", no_locked, {}, read_locked},
     Oracle{"speed",
            "no speed is above what the forces can give",
@@ -202,7 +251,11 @@ constexpr std::array all = {
            "the bound is that of the worst direction at every instant",
            speed_without_bound,
            {},
-           read_speed},
+           read_speed,
+           false,
+           false,
+           false,
+           true},
     Oracle{"place", "the places are those of the certified solution", 1e-3, rounding_and_a_decade, too_dear,
            "follows = \"certified\"\nobservable = \"position\"", nullptr, true},
     Oracle{"turn", "the turns are those of the certified solution", 1e-3, rounding_and_a_decade, too_dear,
@@ -215,6 +268,12 @@ std::span<const Oracle> oracles() { return all; }
 
 bool may_touch(const Scene& scene) {
   return core::any_touching_pair(scene, [](const core::Pair&) { return true; });
+}
+
+bool is_smooth(const Scene& scene) {
+  return !may_touch(scene) && !core::any_coordinate(scene, [](const core::JointCoordinate& c) {
+    return core::has_limit(c) || c.friction != 0 || !c.target_times.empty();
+  });
 }
 
 }  // namespace cylon::hunt

@@ -32,6 +32,10 @@ struct Oracle {
   std::optional<Reading> (*read)(const core::Scene&, const core::Recording&) = nullptr;
   bool of_trajectories = false;  ///< Compares trajectories: needs a motion that is not sensitive.
   bool of_contacts = false;      ///< Reads the contacts of the last step.
+  /// Of first order in the step itself: no promise of the engine's order speaks of it.
+  bool of_steps = false;
+  /// Nothing below a bound counts: where losses outweigh what truncation adds, it falls to 0 at once, as of no order.
+  bool one_sided = false;
 };
 
 /// Beside these the relations of mechanics (study/relations.h) are asked, and that runs end, with numbers.
@@ -39,5 +43,9 @@ std::span<const Oracle> oracles();
 
 /// Whether some pair of the scene may touch.
 bool may_touch(const core::Scene&);
+
+/// Whether the motion has no instant at which a velocity or a force jumps: nothing touches, no joint has stops or dry
+/// friction.
+bool is_smooth(const core::Scene&);
 
 }  // namespace cylon::hunt

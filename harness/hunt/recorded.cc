@@ -117,4 +117,20 @@ std::optional<Reading> read_statics(const core::Scene& scene, const core::Record
   return Reading{worst, weight, "N"};
 }
 
+std::optional<Reading> read_slide(const core::Scene& scene, const core::Recording& run) {
+  const core::BodyState& start = scene.bodies[0].initial;
+  const double mu = core::material_of(scene, {0, core::world, 0})->friction;
+  const double slowed = mu * core::gravity_of(scene, scene.bodies[0]).norm(), speed = start.velocity.norm();
+  const Vector3 along = start.velocity / speed;
+  const auto way = [&](double time) {
+    const double t = slowed * time < speed ? time : speed / slowed;
+    return speed * t - slowed * t * t / 2;
+  };
+  double farthest = 0;
+  for (std::size_t k = 0; k < run.states.size(); ++k)
+    farthest =
+        std::max(farthest, (run.states[k][0].position - start.position - way(run.time(k)) * along).norm());
+  return Reading{farthest, way(run.time(run.states.size() - 1)), "m"};
+}
+
 }  // namespace cylon::hunt

@@ -20,4 +20,8 @@ std::optional<Reading> read_statics(const core::Scene&, const core::Recording&);
 /// steps after the blow; nothing where the run ends before, or the next blow is nearer than that.
 std::optional<Reading> read_rebound(const core::Scene&, const core::Recording&);
 
+/// Of one box that begins to slide on one level plane, and cannot tip:  x(t) = v t - mu g t^2/2 along v, and rest from
+/// t = v/(mu g) on.  Its farthest place from that, of the way that it goes [m].
+std::optional<Reading> read_slide(const core::Scene&, const core::Recording&);
+
 }  // namespace cylon::hunt

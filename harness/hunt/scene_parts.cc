@@ -1,6 +1,7 @@
 #include "harness/hunt/scene_parts.h"
 
 #include "harness/core/fields.h"
+#include "harness/core/joint_coordinates.h"
 
 #include <algorithm>
 #include <type_traits>
@@ -13,11 +14,13 @@ namespace {
 template <class Element>
 bool refers(Element& element, int gone) {
   bool found = false;
+  const auto look_at = [&](int& body) {
+    found = found || body == gone;
+    if (body > gone) --body;
+  };
   core::for_each_field(element, [&]<class Value>(const auto&, Value& value) {
-    if constexpr (std::is_same_v<std::remove_const_t<Value>, int>) {
-      found = found || value == gone;
-      if (value > gone) --value;
-    }
+    if constexpr (std::is_same_v<Value, int>) look_at(value);
+    if constexpr (std::is_same_v<Value, std::vector<int>>) std::ranges::for_each(value, look_at);
   });
   return found;
 }
@@ -30,7 +33,14 @@ std::set<std::string> parts_without_shapes(const core::Scene& scene) {
     if (body.locked) names.insert("locked body");
   for (const core::Force& force : scene.forces)
     std::visit([&]<class Kind>(const Kind&) { names.emplace(core::Element<Kind>::name); }, force);
-  for (const core::Joint& joint : scene.joints) names.emplace(core::kind_of(joint.type).name);
+  for (const core::Joint& joint : scene.joints) {
+    names.emplace(core::kind_of(joint.type).name);
+    core::for_each_coordinate(joint, [&](const core::JointCoordinate& c) {
+      if (core::has_force(c)) names.insert(core::target_moves(c) ? "servo" : "force along a joint");
+      if (core::has_limit(c)) names.insert("stop");
+      if (c.friction != 0) names.insert("friction in a joint");
+    });
+  }
   if (!scene.planes.empty()) names.insert("plane");
   if (scene.frame) names.insert("frame");
   for (const core::Material& material : scene.materials) {

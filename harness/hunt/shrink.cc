@@ -95,6 +95,7 @@ class Shrinking {
         [](Scene & s) -> auto& { return s.bodies; },
         [](const Scene& s, std::size_t i) { return without_body(s, i); });
     any |= fewer_of(&Scene::joints);
+    any |= fewer_laws();
     any |= fewer_of(&Scene::forces);
     any |= fewer_of(&Scene::planes);
     any |= fewer_of(&Scene::materials);
@@ -127,6 +128,22 @@ class Shrinking {
           s.*member = without(s.*member, i);
           return s;
         });
+  }
+
+  // Of joints: what acts along a coordinate.
+  bool fewer_laws() {
+    bool any = false;
+    for (std::size_t j = trial_.scene.joints.size(); j-- > 0;) {
+      const auto each = [&](auto core::Joint::*laws) {
+        for (std::size_t i = (trial_.scene.joints[j].*laws).size(); i-- > 0;) {
+          Scene scene = trial_.scene;
+          scene.joints[j].*laws = without(scene.joints[j].*laws, i);
+          any |= take(std::move(scene));
+        }
+      };
+      each(&core::Joint::displacements), each(&core::Joint::angles);
+    }
+    return any;
   }
 
   bool plainer_bodies() {

@@ -18,7 +18,17 @@ namespace cylon::cli {
 using nlohmann::ordered_json;
 using validation::Estimate, validation::RunScore, validation::Summary;
 
+namespace {
+
 constexpr double degrees = 180 / std::numbers::pi;
+
+std::string told_band(const Estimate& covered, validation::Answer answer, int members) {
+  if (members == 0) return "";
+  return fmt::format("  inside the {:.0f} % band  {}; 90 to 98 %: {}\n", 100 * validation::level(members),
+                     shown(covered, 100, " %"), validation::name(answer));
+}
+
+}  // namespace
 
 std::string shown(const Estimate& e, double scale, const char* unit, int digits) {
   if (!std::isfinite(e.value)) return "not known";
@@ -71,10 +81,7 @@ std::string told(const Summary& s, int members) {
   out += fmt::format("  same side up        {}\n", shown(s.same_side, 100, " %"));
   out += fmt::format("  first touch, off by {}  ({} runs)\n", shown(s.impact, 1000, " ms", 2), s.impact.runs);
   out += fmt::format("  energy lost, off by {}  ({} runs)\n", shown(s.loss, 100, " % of it", 1), s.loss.runs);
-  if (members > 0)
-    out += fmt::format("  inside the {:.0f} % band  {}; 90 to 98 %: {}\n", 100 * validation::level(members),
-                       shown(s.covered, 100, " %"), validation::name(s.band));
-  return out;
+  return out + told_band(s.covered, s.band, members);
 }
 
 ordered_json to_json(const validation::Horizon& h) {
@@ -83,7 +90,8 @@ ordered_json to_json(const validation::Horizon& h) {
           {"held", number(h.held)},
           {"to_the_end", std::isinf(h.held)},
           {"expected", number(h.expected)},
-          {"exponent", number(h.exponent)}};
+          {"exponent", number(h.exponent)},
+          {"covered", number(h.covered)}};
 }
 
 ordered_json to_json(const validation::HorizonSummary& s) {
@@ -93,10 +101,12 @@ ordered_json to_json(const validation::HorizonSummary& s) {
           {"to_the_end", s.to_the_end},
           {"held", to_json(s.held)},
           {"expected", to_json(s.expected)},
-          {"exponent", to_json(s.exponent)}};
+          {"exponent", to_json(s.exponent)},
+          {"covered", to_json(s.covered)},
+          {"band", validation::name(s.band)}};
 }
 
-std::string told(const validation::HorizonSummary& s) {
+std::string told(const validation::HorizonSummary& s, int members) {
   const auto time = [](const Estimate& e) {
     const auto one = [](double t) {
       return std::isfinite(t) ? fmt::format("{:.3g} s", t) : std::string("the end");
@@ -112,7 +122,7 @@ std::string told(const validation::HorizonSummary& s) {
                      s.runs - s.failed);
   out += fmt::format("  by the start alone  {}\n", time(s.expected));
   out += fmt::format("  exponent            {}\n", shown(s.exponent, 1, " 1/s", 2));
-  return out;
+  return out + told_band(s.covered, s.band, members);
 }
 
 void set_step(measured::Experiment& e, const std::string& step) {

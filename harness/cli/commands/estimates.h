@@ -27,7 +27,7 @@ nlohmann::ordered_json to_json(const validation::HorizonSummary&);
 
 /// A line for each score; that of the band where it has members.
 std::string told(const validation::Summary&, int members);
-std::string told(const validation::HorizonSummary&);
+std::string told(const validation::HorizonSummary&, int members);
 
 /// --dt of an experiment's model; empty: its own.  Throws core::InputError where a frame is no whole number of steps.
 void set_step(measured::Experiment&, const std::string& step);

@@ -31,7 +31,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Options {
-  std::vector<std::string> engines, workers, scenes;
+  std::vector<std::string> engines, scenes;
+  Brought brought;
   std::string cards = "cards", replay, json;
   std::uint64_t seed = 1, first = 0;
   int count = 0, jobs = 0;
@@ -89,6 +90,15 @@ struct Chase {
   }
 };
 
+// Such an engine's rows depend on the order of scenes.
+void tell_carried_over(const hunt::Found& found, const std::string& engine) {
+  for (const std::uint64_t number : found.after_others)
+    std::cerr << fmt::format(
+        "{}: scene {} has a fault after other scenes in one process, and none in processes of its own: not "
+        "counted\n",
+        engine, number);
+}
+
 // As long as the time lasts.
 hunt::Found search_for(const Chase& chase, std::size_t engine, double seconds) {
   const auto start = std::chrono::steady_clock::now();
@@ -101,6 +111,7 @@ hunt::Found search_for(const Chase& chase, std::size_t engine, double seconds) {
         return past.count() < seconds;
       });
   chase.progress("");
+  tell_carried_over(found, chase.engines[engine].id);
   return found;
 }
 
@@ -147,17 +158,22 @@ std::vector<hunt::Found> search_part(const Chase& chase, const std::optional<Sha
     hunt::Found& all = found[task.engine];
     all.scenes += part_found.scenes;
     std::ranges::move(part_found.hits, std::back_inserter(all.hits));
+    std::ranges::move(part_found.after_others, std::back_inserter(all.after_others));
     chase.progress(fmt::format("{}: {} scenes", chase.engines[task.engine].id, scenes += part_found.scenes));
   };
   study::in_parallel(tasks.size(), chase.jobs(), search, next_of(shard, tasks.size()));
-  for (hunt::Found& one : found) std::ranges::sort(one.hits, {}, &hunt::Hit::number);
   chase.progress("");
+  for (std::size_t engine = 0; engine < found.size(); ++engine) {
+    std::ranges::sort(found[engine].hits, {}, &hunt::Hit::number);
+    std::ranges::sort(found[engine].after_others);
+    tell_carried_over(found[engine], chase.engines[engine].id);
+  }
   return found;
 }
 
 // Every card of the folder, by name: whether its engine, or those that are asked for, still has the fault.
 int replay(const Context& context, const Options& options) {
-  const auto rows = with_workers(context, options.workers);
+  const auto rows = with_brought(context, options.brought);
   const std::vector<fs::path> files = hunt::card_files(options.replay);
   if (files.empty()) {
     std::cerr << "nothing selected: no card in " << plain(options.replay) << '\n';
@@ -220,7 +236,7 @@ int hunt_all(const Context& context, const Options& options) {
   if (options.engines.empty()) throw core::InputError("--engine: no engine to look for faults of");
   if ((options.count > 0) == (options.minutes > 0))
     throw core::InputError("give either --count N or --minutes N");
-  const auto rows = with_workers(context, options.workers);
+  const auto rows = with_brought(context, options.brought);
   std::vector<process::EngineChoice> engines, others;
   for (const std::string& id : options.engines) engines.push_back(process::parse_engine(id, rows));
   for (const process::EngineRow& row : rows)
@@ -303,7 +319,7 @@ Command add_hunt(App& app, const Context& context) {
   add_shard_options(app, options->shard, "units of 8 scenes");
   add_jobs_option(app, options->jobs, "Number of scenes to run at the same time; default: all processors");
   add_timeout_option(app, options->timeout);
-  add_worker_option(app, options->workers);
+  add_brought_options(app, options->brought);
   app.footer(
       "Every fault is shrunk to the least scene that still has it. What it finds does not depend on the "
       "number\n"

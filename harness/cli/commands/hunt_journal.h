@@ -20,6 +20,8 @@ class HuntJournal {
   /// Starts afresh, or reads what is there and goes on after it; a line cut off by a crash is left out.  Throws
   /// core::InputError where another hunt has the file open.
   HuntJournal(const std::filesystem::path& file, bool resume);
+  HuntJournal(const HuntJournal&) = delete;
+  HuntJournal& operator=(const HuntJournal&) = delete;
 
   /// Whether all lines so far could be written.
   bool is_open() const { return file_.is_open(); }

@@ -1,6 +1,7 @@
 #include "harness/hunt/program/scene_text.h"
 
 #include "harness/core/fields.h"
+#include "harness/core/joint_coordinates.h"
 #include "harness/hunt/program/formulas.h"
 #include "harness/hunt/program/numbers.h"
 
@@ -120,6 +121,7 @@ class Saying : private Numbers {
   void joint(std::size_t j) {
     const core::Joint& joint = takes_[0].joints[j];
     const auto row = std::ranges::find(dialect_.joints, joint.type, &JointRow::type);
+    if (core::acted_on(joint)) throw None{"a force, a stop or friction acts along a joint"};
     if (row == dialect_.joints.end())
       throw None{fmt::format("no line for a joint of type {}", core::kind_of(joint.type).name)};
     const auto at = [](int body) { return static_cast<std::size_t>(body); };

@@ -68,6 +68,22 @@ TEST(Course, TellsAFaultOfTheCoarseStep) {
   EXPECT_FALSE(fault(of_order(1), [](int k) { return k == 0 ? 0.5 : k == 1 ? 1e-6 : 0.4; }));
 }
 
+// What the engine says that it does not promise is not held against it; what no step mends is.
+TEST(Course, HoldsNoPromiseThatTheEngineTakesBack) {
+  const auto told = [](const Expected& expected, int order, const std::function<double(int)>& e) {
+    Course course(expected, relative);
+    course.not_promised(order);
+    for (int k = 0; k < static_cast<int>(halvings) && course.open(); ++k) course.add(e(k), allowed, 0);
+    return course.fault();
+  };
+  EXPECT_FALSE(told(of_order(4), 1, falling(0.01, 1)));
+  EXPECT_EQ(told(of_order(4), 4, falling(0.01, 1)), Kind::own_promise);
+  const Expected bounded{{8, true, 1e-10, false}, true, true, 1e-7};
+  EXPECT_FALSE(told(bounded, 1, [](int k) { return k == 0 ? 0.5 : 1e-12; }));
+  EXPECT_FALSE(told(bounded, 8, falling(1e-6, 0)));  // it says that it missed its tolerance
+  EXPECT_EQ(told(of_order(4), 1, falling(0.2, 0)), Kind::every_step);
+}
+
 TEST(Course, KindsHaveNames) {
   for (const Kind kind : {Kind::every_step, Kind::own_promise, Kind::coarse_step})
     EXPECT_EQ(kind_from(name(kind)), kind);
@@ -85,17 +101,34 @@ Trial turning(const core::Vector3& moments, double spin, double step) {
 }
 
 TEST(Resolved, KnowsTheRatesOfAScene) {
-  EXPECT_TRUE(resolved(turning({1, 1, 1}, 250, 0.01)));   // a ball by 2.5 rad a step
-  EXPECT_FALSE(resolved(turning({1, 1, 1}, 350, 0.01)));  // more than half a turn
-  EXPECT_FALSE(resolved(turning({1, 2, 3}, 250, 0.01)));  // a gyroscopic torque
-  EXPECT_TRUE(resolved(turning({1, 2, 3}, 25, 0.01)));
+  EXPECT_EQ(resolves(turning({1, 1, 1}, 250, 0.01)), true);   // a ball by 2.5 rad a step
+  EXPECT_EQ(resolves(turning({1, 1, 1}, 350, 0.01)), false);  // more than half a turn
+  EXPECT_EQ(resolves(turning({1, 2, 3}, 250, 0.01)), false);  // a gyroscopic torque
+  EXPECT_EQ(resolves(turning({1, 2, 3}, 25, 0.01)), true);
   Trial spring = turning({1, 1, 1}, 0, 0.01);
   spring.scene.forces = {core::Spring{0, {0, 0, 0}, core::world, {0, 1, 0}, 300, 0, 0}};
-  EXPECT_TRUE(resolved(spring));
+  EXPECT_EQ(resolves(spring), true);
   std::get<core::Spring>(spring.scene.forces[0]).stiffness = 3000;
-  EXPECT_FALSE(resolved(spring));
+  EXPECT_EQ(resolves(spring), false);
   spring.scene.forces = {core::Water{}};
-  EXPECT_FALSE(resolved(spring));
+  EXPECT_EQ(resolves(spring), std::nullopt);
+
+  // A pendulum of 1 m: sqrt(9.81 (1 + 1)) = 4.4/s.  With 10 000 kg that hang on the same joint's other end it is 140 times
+  // that, which a step of a hundredth does not resolve.
+  Trial pendulum = turning({1, 1, 1}, 0, 0.01);
+  pendulum.scene.forces = {core::UniformGravity{{0, -9.81, 0}}};
+  core::Joint joint;
+  joint.body = 0, joint.point = {0, 1, 0};
+  pendulum.scene.joints = {joint};
+  EXPECT_EQ(resolves(pendulum), true);
+  core::Body heavy = pendulum.scene.bodies[0];
+  heavy.name = "b2", heavy.mass = 1e4, heavy.inertia *= 1e4, heavy.initial.position = {0, -2, 0};
+  pendulum.scene.bodies.push_back(heavy);
+  joint.body = 1, joint.to = 0, joint.point = {0, -1, 0};
+  pendulum.scene.joints.push_back(joint);
+  EXPECT_EQ(resolves(pendulum), false);
+  pendulum.step = 1e-4;
+  EXPECT_EQ(resolves(pendulum), true);
 }
 
 }  // namespace

@@ -4,12 +4,15 @@
 
 #include "harness/core/input_error.h"
 #include "harness/hunt/dice.h"
+#include "harness/hunt/oracle.h"
+#include "harness/hunt/recorded.h"
 #include "harness/hunt/sensitivity.h"
 #include "harness/hunt/shrink.h"
 #include "harness/process/engine_table.h"
 #include "harness/scenario/scenario.h"
 #include "harness/scenario/writer.h"
 #include "tests/paths.h"
+#include "tests/temporary_folder.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -159,6 +162,18 @@ TEST(Hunt, AsksNoSceneTwice) {
   EXPECT_EQ(notes.hits.size(), 8u);  // note() fails where a scene comes again
 }
 
+// Scenes are run one after another in one process: what an engine makes of a second one is no fault of the scene.
+TEST(Hunt, SeesHitsAgainInProcessesOfTheirOwn) {
+  Quarry once = quarry("in-house", 1);
+  once.engine.id = "once";
+  once.engine.row.command.insert(once.engine.row.command.begin(),
+                                 {"python3", std::string(source_dir) + "/tests/harness/hunt/once_worker.py"});
+  const Found found = search(Source(11), 0, once, scenes(1));
+  EXPECT_EQ(told(found), "1\n");
+  EXPECT_EQ(found.after_others, (std::vector<std::uint64_t>{0}));
+  EXPECT_TRUE(search(Source(11), 0, quarry("in-house", 1), scenes(1)).after_others.empty());
+}
+
 Trial sliding_box() {
   Trial trial;
   core::Body box;
@@ -189,6 +204,45 @@ TEST(Hunt, FindsTheGyroscopicTermThatBulletLeavesOut) {
   EXPECT_TRUE(examine(trial, engine("in-house"), {}).empty());
 }
 
+// A body that falls through the floor, which is not in its mask: in steps of 0.02 s it and its copy far away may meet, and the
+// in-house engine says that it moves them in steps of order 1 from then on.
+TEST(Hunt, HoldsNoPromiseThatTheEngineTakesBack) {
+  Trial trial;
+  core::Body body;
+  body.name = "b1", body.shape = core::Cylinder{0.0895, 0.179}, body.mass = 21.9, body.collide = true;
+  body.inertia = core::Vector3(0.10233, 0.087712, 0.10233).asDiagonal();
+  body.initial.position = {0, 1.385, 0}, body.initial.velocity = {0.343, -0.929, -0.797};
+  body.initial.orientation = core::Quaternion(-0.381, -0.152, -0.831, -0.377).normalized();
+  body.initial.angular_velocity = {-3.94, -2.09, 3.98};
+  body.collision_groups = body.collision_mask = {"one"};
+  trial.scene.bodies = {body};
+  core::Plane floor;
+  floor.name = "floor", floor.collision_groups = {"two"};
+  trial.scene.planes = {floor};
+  trial.scene.forces = {core::UniformGravity{{0, -9.81, 0}}};
+  trial.scene.materials = {core::Material{{"*", "*"}, 0.9, 1}};
+  trial.step = 0.02, trial.steps = 40;
+  for (const Fault& fault : examine(trial, engine("in-house"), {})) ADD_FAILURE() << fault.oracle;
+}
+
+TEST(Hunt, BrakesWhatSlidesByFriction) {
+  Trial trial = sliding_box();
+  trial.scene.materials[0].friction = 0.3;
+  EXPECT_TRUE(examine(trial, engine("in-house"), {}).empty());
+  // A motion with another coefficient, read in this scene.
+  const auto end = [&](double friction) {
+    Trial other = trial;
+    other.scene.materials[0].friction = friction;
+    process::RunRequest request;
+    request.scene = &other.scene, request.setup.dt = trial.step, request.steps = trial.steps;
+    return process::run(engine("in-house"), request).recording.value();
+  };
+  const Reading right = read_slide(trial.scene, end(0.3)).value(),
+                wrong = read_slide(trial.scene, end(0.31)).value();
+  EXPECT_LT(right.measured, 1e-6 * right.scale);
+  EXPECT_GT(wrong.measured, 1e-2 * wrong.scale);
+}
+
 TEST(Hunt, LeavesWhatAnEngineRefuses) {
   Trial trial = sliding_box();
   trial.scene.bodies[0].shape = core::Disc{0.2};
@@ -209,6 +263,20 @@ TEST(Hunt, TakesTruncationForNoFault) {
   for (const char* id :
        {"bullet", "ode", "in-house/integrator=lie-trotter", "in-house/integrator=explicit-euler"})
     for (const Fault& fault : examine(trial, engine(id), {})) ADD_FAILURE() << id << ": " << fault.oracle;
+}
+
+// A scheme of first order lets the energy of a spring swing; a damper takes more than that at half the step, where no rise is
+// left: no error of an order falls so fast, and none of it is the coarse step's fault.
+TEST(Hunt, TakesARiseThatADamperOutweighsForNoFault) {
+  Trial trial;
+  core::Body body;
+  body.name = "b1", body.shape = core::Sphere{0.4}, body.inertia = 0.064 * core::Matrix3::Identity();
+  trial.scene.bodies = {body};
+  trial.scene.forces = {core::Spring{0, {0, 0, 0}, core::world, {1, 0, 0}, 40, 0, 0.1}};
+  trial.step = 0.01, trial.steps = 40;
+  for (const char* id : {"bullet", "ode"})
+    for (const Fault& fault : examine(trial, engine(id), {}))
+      ADD_FAILURE() << id << ": " << fault.oracle << ' ' << name(fault.kind);
 }
 
 TEST(Hunt, KnowsASensitiveMotion) {
@@ -297,7 +365,8 @@ TEST(Cards, AreScenariosWhoseClaimFails) {
     const std::string text = scenario_toml(card);
     const scenario::Scenario scenario = scenario::parse(text, "card.toml");
     EXPECT_LE(scenario.scene.bodies.size(), 3u) << text;
-    const std::string file = testing::TempDir() + "/" + card.file_stem() + ".toml";
+    const TemporaryFolder folder;
+    const std::string file = folder.path() / (card.file_stem() + ".toml");
     std::ofstream(file) << text;
     const Kept kept = read_card(file);
     EXPECT_EQ(kept.engine, subject);

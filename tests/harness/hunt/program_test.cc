@@ -8,6 +8,7 @@
 #include "harness/scenario/scenario.h"
 #include "harness/study/cell.h"
 #include "tests/paths.h"
+#include "tests/temporary_folder.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -178,17 +179,16 @@ TEST_P(ProgramOf, PrintsWhatCylonMeasures) {
   const Program& program = *written.program;
   EXPECT_GT(program.prints, 2 * allowed(c, program, card.trial.steps));  // a number to agree with
   EXPECT_GT(program.prints, 1e-6);
-  const fs::path folder = fs::path(testing::TempDir()) / fmt::format("program-{}", card.file_stem());
-  fs::create_directories(folder);
+  const TemporaryFolder own;
+  const fs::path& folder = own.path();
   std::ofstream(folder / program.file) << program.text;
   const fs::path modules = fs::path(source_dir) / "reference/simulators/js/node_modules";
-  if (program.file.ends_with(".mjs") && !fs::exists(folder / "node_modules"))
+  if (program.file.ends_with(".mjs"))
     fs::create_directory_symlink(modules, folder / "node_modules");
   const std::string out = output_of(fmt::format("cd {} && {}", folder.string(), program.command));
   EXPECT_NEAR(std::strtod(out.c_str(), nullptr), program.prints, allowed(c, program, card.trial.steps))
       << out << program.text;
   EXPECT_TRUE(out.ends_with(program.unit + "\n")) << out;
-  fs::remove_all(folder);
 }
 INSTANTIATE_TEST_SUITE_P(All, ProgramOf, testing::ValuesIn(cases), name_of);
 
