@@ -2,6 +2,7 @@
 
 #include "reports/console.h"
 #include "reports/gzip.h"
+#include "reports/measured_tables.h"
 #include "reports/text.h"
 #include "reports/verdict_matrix.h"
 #include "reports/web_bundle.h"
@@ -95,7 +96,7 @@ std::string to_html(const HtmlReport& report) {
   page += web::style();
   page += fmt::format("</style>\n</head>\n<body>\n<div id=\"app\">\n<h1>{}</h1>\n", title);
   if (!verdicts.empty()) page += plain_matrix(verdicts, matrix);
-  page += "</div>\n" + block(0, packed) + blocks + "<script>";
+  page += measured_tables(report.documents) + "</div>\n" + block(0, packed) + blocks + "<script>";
   page += web::script();
   page += "</script>\n</body>\n</html>\n";
   return page;

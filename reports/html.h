@@ -31,6 +31,11 @@ inline constexpr std::array sections = {
             [](const auto& json) { return json.contains("series"); }},
     Section{"hunts", "cylon hunt --json",
             [](const auto& json) { return json.contains("format") && json["format"] == "cylon-hunt/1"; }},
+    Section{
+        "predictions", "cylon predict --json",
+        [](const auto& json) { return json.contains("format") && json["format"] == "cylon-prediction/1"; }},
+    Section{"fits", "cylon fit --json",
+            [](const auto& json) { return json.contains("format") && json["format"] == "cylon-fit/1"; }},
 };
 
 /// What a report shows.
@@ -48,7 +53,7 @@ struct HtmlReport {
 inline constexpr std::size_t trace_budget = std::size_t{12} << 20;
 
 /// The whole page.  Traces beyond the budget are left out and counted in the page.  The matrix of the
-/// verdicts stands in it as a plain table too, for a reader without script.  The same report gives the same
+/// verdicts and the scores of measured motions stand in it as plain tables too, for a reader without script.  The same report gives the same
 /// bytes.
 std::string to_html(const HtmlReport&);
 

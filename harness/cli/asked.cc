@@ -29,11 +29,11 @@ void add_asked(App& app, Asked& asked) {
   app.add_option("--model", asked.model,
                  "planned: only the stages that the scene needs; full: every stage (in-house engine)")
       ->type_name("NAME");
-  add_worker_option(app, asked.workers);
+  add_brought_options(app, asked.brought);
 }
 
 process::EngineChoice choose(const Context& context, const Asked& asked) {
-  process::EngineChoice engine = process::parse_engine(asked.engine, with_workers(context, asked.workers));
+  process::EngineChoice engine = process::parse_engine(asked.engine, with_brought(context, asked.brought));
   const auto state = [&](const char* option, const std::string& value, std::string& place) {
     if (value.empty()) return;
     if (!place.empty() && place != value)

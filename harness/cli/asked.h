@@ -1,6 +1,7 @@
 // One scenario and one engine as a user asks for them: what `simulate` and `plan` have in common.
 #pragma once
 
+#include "harness/cli/brought.h"
 #include "harness/cli/context.h"
 #include "harness/process/client.h"
 
@@ -14,10 +15,10 @@ namespace cylon::cli {
 struct Asked {
   std::string file, engine = "in-house", integrator, model;
   double tolerance = 0;  ///< 0: none given.
-  std::vector<std::string> workers;
+  Brought brought;
 };
 
-/// FILE, --engine, --integrator, --tolerance, --model and --worker.
+/// FILE, --engine, --integrator, --tolerance, --model, --worker and --plugin.
 void add_asked(App&, Asked&);
 
 /// The engine with integrator and model as options state them; throws core::InputError where the engine's

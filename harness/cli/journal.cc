@@ -25,10 +25,18 @@ std::string asked_of(const study::Cell& cell) {
 }  // namespace
 
 nlohmann::json to_json(const Request& r) {
-  return {{"patterns", r.patterns},       {"engines", r.engines}, {"steps", r.steps},
-          {"integrators", r.integrators}, {"workers", r.workers}, {"suite", r.suite},
-          {"metamorphic", r.metamorphic}, {"theory", r.theory},   {"tolerance_scale", r.tolerance_scale},
-          {"copies", r.copies},           {"force", r.force}};
+  return {{"patterns", r.patterns},
+          {"engines", r.engines},
+          {"steps", r.steps},
+          {"integrators", r.integrators},
+          {"workers", r.brought.workers},
+          {"plugins", r.brought.plugins},
+          {"suite", r.suite},
+          {"metamorphic", r.metamorphic},
+          {"theory", r.theory},
+          {"tolerance_scale", r.tolerance_scale},
+          {"copies", r.copies},
+          {"force", r.force}};
 }
 
 Request request_from(const nlohmann::json& j) {
@@ -36,7 +44,7 @@ Request request_from(const nlohmann::json& j) {
           j.at("engines"),
           j.at("steps"),
           j.at("integrators"),
-          j.at("workers"),
+          {j.at("workers"), j.value("plugins", std::vector<std::string>())},
           j.at("suite"),
           j.value("metamorphic", false),
           j.value("theory", false),

@@ -39,7 +39,7 @@ Request request_from(const nlohmann::json&);
 
 class Journal {
  public:
-  explicit Journal(std::filesystem::path file) : file_(std::move(file)) {}
+  explicit Journal(const std::filesystem::path& file) : file_(file) {}
 
   struct Content {
     std::optional<Request> request;                              ///< Absent: there was no run.

@@ -46,7 +46,7 @@ void add_selection_options(App& app, Request& request) {
                  "A suite of scenarios/suites/: its scenarios, engines, steps and published numbers. "
                  "Default: conformance")
       ->type_name("NAME");
-  add_worker_option(app, request.workers);
+  add_brought_options(app, request.brought);
 }
 
 void add_step_option(App& app, std::string& step) {

@@ -205,16 +205,18 @@ bool is_stranger(const Context& context, const scenario::Scenario& scenario) {
   return scenario::read(*own).hash != scenario.hash;
 }
 
-// `cylon run SCENARIO --engine ID --dt S`, with the worker of an engine that is not built in.
-std::string command_for(const Context& context, const std::string& given, const EngineChoice& engine,
-                        const std::string& step) {
+// `cylon run SCENARIO --engine ID --dt S`, with the worker of an engine that is not built in, and plug-ins.
+std::string command_for(const Context& context, const Request& request, const std::string& given,
+                        const EngineChoice& engine, const std::string& step) {
   std::vector<std::string> words = {"cylon", "run", given, "--engine", engine.id, "--dt", step};
   if (std::none_of(context.engines.begin(), context.engines.end(), [&](const EngineRow& own) {
-        return own.id == engine.row.id && own.command == engine.row.command;
+        return own.id == engine.row.id && (engine.row.takes_plugins || own.command == engine.row.command);
       })) {
     words.emplace_back("--worker");
     words.push_back(fmt::format("{}={}", engine.row.id, fmt::join(engine.row.command, " ")));
   }
+  if (engine.row.takes_plugins)
+    for (const std::string& plugin : request.brought.plugins) words.insert(words.end(), {"--plugin", plugin});
   return shell_command(words);
 }
 
@@ -237,7 +239,7 @@ study::Exam exam_of(const Request& request) {
 }  // namespace
 
 Selection select_unprepared(const Context& context, const Request& request) {
-  const std::vector<EngineRow> rows = with_workers(context, request.workers);
+  const std::vector<EngineRow> rows = with_brought(context, request.brought);
   const std::vector<Pattern> patterns = parse_patterns(request.patterns);
   Selection selection;
   selection.suite = find_suite(context, rows, request.suite);
@@ -257,7 +259,7 @@ Selection select_unprepared(const Context& context, const Request& request) {
       used = true;
       for (const auto& [text, dt] : steps.empty() ? nominal : steps)
         selection.cells.push_back({scenario.get(), engine, dt, text, known_as,
-                                   command_for(context, given, engine, text) + unusual(request),
+                                   command_for(context, request, given, engine, text) + unusual(request),
                                    exam_of(request), request.tolerance_scale, request.copies, request.force});
     }
     if (used) selection.scenarios.push_back(std::move(scenario));

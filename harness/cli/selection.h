@@ -1,6 +1,7 @@
 // From globs, suites and steps to a list of cells.
 #pragma once
 
+#include "harness/cli/brought.h"
 #include "harness/cli/context.h"
 #include "harness/scenario/suite.h"
 #include "harness/study/cell.h"
@@ -18,7 +19,7 @@ struct Request {
   std::vector<std::string> engines;  ///< Globs over the suite's engines and the registry, or ids of variants.
   std::vector<std::string> steps;    ///< None: the suite's, else each scenario's nominal step.
   std::vector<std::string> integrators;  ///< Globs over each engine's integrators. None: its default.
-  std::vector<std::string> workers;      ///< NAME=COMMAND, engines of the user's own.
+  Brought brought;                       ///< Engines and plug-ins of the user's own.
   std::string suite;                     ///< "": conformance.
   bool metamorphic = false;              ///< The relations of mechanics in place of the claims.
   bool theory = false;                   ///< The claims by theory in place of the scenario's own.

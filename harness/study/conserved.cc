@@ -19,7 +19,7 @@ std::vector<core::Quantity> conserved(const core::Scene& scene) {
   }
   for (const core::Joint& joint : scene.joints) whole.internal &= joint.to != core::world;
   for (const core::Body& body : scene.bodies) whole.internal &= !body.locked;
-  if (scene.frame && !scene.frame->angular_velocity.isZero(0)) whole = {false, false};
+  if (core::has_fictitious_forces(scene)) whole = {false, false};
   core::any_touching_pair(scene, [&](const core::Pair& pair) {
     const auto material = core::material_of(scene, pair);
     whole.conservative &= material && material->restitution == 1 && material->friction == 0;

@@ -41,7 +41,15 @@ std::vector<Verdict> relate(const Cell& cell, const process::Limits& limits,
   const scenario::Scenario& scenario = *cell.scenario;
   const std::int64_t steps = sampling(scenario, cell.dt).steps, every = stride(steps);
   process::RunOutcome last;
-  const Runner run = worker_runner(cell.engine, limits, &last);
+  // What the engine says of the runs of one relation.
+  std::vector<told::Diagnostic> told;
+  const Runner run = [&, engine = worker_runner(cell.engine, limits, &last)](
+                         const core::Scene& scene, double dt, std::int64_t count, std::int64_t stride_of) {
+    core::Recording recording = engine(scene, dt, count, stride_of);
+    for (const told::Diagnostic& one : recording.diagnostics)
+      if (std::ranges::find(told, one) == told.end()) told.push_back(one);
+    return recording;
+  };
 
   std::vector<const Relation*> asked;
   std::vector<Verdict> rows;
@@ -69,11 +77,14 @@ std::vector<Verdict> relate(const Cell& cell, const process::Limits& limits,
   for (Verdict& row : rows) sign(row, last.engine, last.terms, expectations);
   const Subject subject{scenario.scene, plain, every, scales(scenario.scene, scenario.duration),
                         horizon(scenario)};
+  const std::vector<told::Diagnostic> of_plain = plain.diagnostics;
   for (std::size_t i = 0; i < rows.size(); ++i) {
+    told = of_plain;
     try {
       rows[i].measured = asked[i]->deviation(subject, run);
       rows[i].cpu_seconds = plain.cpu_seconds;
       rows[i].complaints = last.stderr_tail;
+      rows[i].diagnostics = told;
       rows[i].status = results::judge(rows[i].measured, rows[i].allowed);
       rows[i].first_bad_step = core::first_bad_step(plain);
     } catch (const RunFailed& failed) {

@@ -1,6 +1,6 @@
 #include "harness/study/profile.h"
 
-#include "harness/core/force_balance.h"
+#include "harness/core/last_step.h"
 #include "harness/core/measure.h"
 #include "harness/core/scale.h"
 #include "harness/study/paired_times.h"
@@ -126,8 +126,8 @@ Profile profile(const Scenario& scenario, const process::EngineChoice& engine, d
   const bool chaotic = std::find(scenario.tags.begin(), scenario.tags.end(), "chaos") != scenario.tags.end();
   for (const Claim& claim : scenario.claims) {
     if (core::of_last_step(claim.observable.quantity) &&
-        core::untold(claim.observable, scenario.scene, recordings.front()))
-      continue;  // a balance without forces has no error
+        core::untold_of_last_step(claim.observable, scenario.scene, recordings.front()))
+      continue;  // forces that are not told have no error
     ClaimProfile row = profile_of(claim, scenario, recordings);
     if (chaotic) row.floor += chaos(claim, scenario, engine, plan, recordings.front(), limits);
     row.floor = reduced(row.floor, claim, row.error, scenario.duration);

@@ -22,7 +22,7 @@ Reason placed(const Scene& scene) { return broken(scene, &core::Broken::restatem
 
 Reason fixed_place(const Scene& scene) {
   if (const Reason why = placed(scene)) return why;
-  if (scene.frame && !scene.frame->angular_velocity.isZero()) return "the frame turns about its origin";
+  if (scene.frame && scene.frame->turns()) return "the frame turns about its origin";
   return {};
 }
 

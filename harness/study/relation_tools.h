@@ -34,6 +34,8 @@ template <class Element, class Visit>
 void each_body_index(Element& element, Visit&& visit) {
   core::for_each_field(element, [&]<class Value>(const auto&, Value& value) {
     if constexpr (std::is_same_v<std::remove_const_t<Value>, int>) visit(value);
+    if constexpr (std::is_same_v<std::remove_const_t<Value>, std::vector<int>>)
+      for (auto& body : value) visit(body);
   });
 }
 

@@ -44,6 +44,9 @@ class Rule {
   // Its numbers have two dimensions; see restate.h.
   static void element(core::Water&) {}
 
+  // Nobody knows its units: such scenes are not restated (core::Broken::restatement).
+  static void element(core::PluginForce&) {}
+
  private:
   double factor(const core::About& about) const {
     const core::Dimension d = core::dimension(about.unit);

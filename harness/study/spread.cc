@@ -1,7 +1,7 @@
 #include "harness/study/spread.h"
 
 #include "harness/core/event_find.h"
-#include "harness/core/force_balance.h"
+#include "harness/core/last_step.h"
 #include "harness/core/worst.h"
 
 #include <algorithm>
@@ -65,8 +65,7 @@ double spread(const core::Claim& claim, const core::Scene& scene, const core::Re
               const core::Recording& other) {
   if (claim.observable.quantity == core::Quantity::event) return event_spread(claim, scene, one, other);
   if (core::of_last_step(claim.observable.quantity))
-    return std::abs(core::force_imbalance(claim.observable, scene, one) -
-                    core::force_imbalance(claim.observable, scene, other));
+    return core::spread_of_last_step(claim.observable, scene, one, other);
   std::size_t last = 0;
   for (std::size_t i = 0; i < std::min(one.states.size(), other.states.size()); ++i)
     if (one.time(i) <= claim.until * (1 + 1e-12)) last = i;

@@ -62,7 +62,7 @@ std::string label(const TradeSeries& series) {
 Ran measure_run(const Setting& setting, const scenario::Scenario& scenario, const Yardstick& yardstick,
                 std::int64_t steps, double tolerance, const process::Limits& limits) {
   process::RunRequest request = yardstick.request(steps);
-  request.setup.integrator = setting.integrator.name;
+  request.setup.integrator = setting.integrator_asked();
   request.setup.tolerance = tolerance;
   const process::RunOutcome outcome = process::run(setting.engine, request, limits);
   Ran ran;

@@ -19,6 +19,11 @@ struct Setting {
   core::Integrator integrator;
   bool first_fixed = false;  ///< It is the engine's first integrator of fixed steps.
   bool asked = false;        ///< The user named it: what it cannot do is an error, not a row less.
+  bool by_itself =
+      false;  ///< It is what the engine takes where nothing is said: a path may then take another.
+
+  /// What is asked of the engine.
+  std::string integrator_asked() const { return by_itself ? std::string() : integrator.name; }
 };
 
 /// One finished run as it is remembered: the point without its times, and what the engine said of itself.

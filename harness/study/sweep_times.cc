@@ -27,7 +27,7 @@ void sweep_times(results::TradeTable& table, const scenario::Scenario& scenario,
         if (!time) {
           Timed timed{setting.engine, {}, point.steps};
           timed.setup.dt = point.dt, timed.setup.tolerance = point.tolerance;
-          timed.setup.integrator = setting.integrator.name;
+          timed.setup.integrator = setting.integrator_asked();
           const auto known = best.find({i, k});
           const double guess = known != best.end() ? known->second.step_seconds + known->second.load_seconds
                                                    : 1e-6 * static_cast<double>(point.steps * table.bodies);

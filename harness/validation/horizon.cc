@@ -2,7 +2,9 @@
 
 #include "harness/study/parallel.h"
 #include "harness/tracking/statistics/bootstrap.h"
+#include "harness/validation/curves.h"
 #include "harness/validation/path.h"
+#include "harness/validation/split.h"
 #include "reference/measured/coordinates.h"
 
 #include <Eigen/SVD>
@@ -86,6 +88,20 @@ Horizon horizon(const Experiment& e, std::size_t run, const study::Runner& runne
   return found;
 }
 
+Horizon horizon(const Experiment& e, std::size_t run, const study::Runner& runner, const Band& band,
+                const Fitted& fitted) {
+  const Experiment at = with_fit(with_run(e, run), fitted);
+  Horizon found = horizon(at, 0, runner);
+  if (band.members == 0 || !found.failure.empty()) return found;
+  try {
+    const std::vector<core::State>& states = at.runs[0].states;
+    found.covered = share_inside(range(e, run, runner, band, fitted), curves(at, states, states.front()));
+  } catch (const study::RunFailed& failed) {
+    found.failure = failed.outcome.reason;
+  }
+  return found;
+}
+
 std::vector<Horizon> horizons(const Experiment& e, std::span<const std::size_t> runs,
                               const study::Runner& runner, int jobs) {
   std::vector<Horizon> all(runs.size());
@@ -95,7 +111,7 @@ std::vector<Horizon> horizons(const Experiment& e, std::span<const std::size_t> 
 
 HorizonSummary summary(const std::vector<Horizon>& runs) {
   HorizonSummary all{.runs = runs.size(), .first_failure = {}};
-  std::vector<double> held, expected, exponent;
+  std::vector<double> held, expected, exponent, shares;
   for (const Horizon& run : runs) {
     if (!run.failure.empty()) {
       if (all.failed++ == 0) all.first_failure = run.failure;
@@ -103,12 +119,14 @@ HorizonSummary summary(const std::vector<Horizon>& runs) {
     }
     all.to_the_end += std::isinf(run.held);
     held.push_back(run.held), expected.push_back(run.expected), exponent.push_back(run.exponent);
+    shares.push_back(run.covered);
   }
   const auto estimate = [](const std::vector<double>& values) {
     return Estimate{statistics::median(values), statistics::bootstrap(values, statistics::median, 0.025, 1),
                     values.size()};
   };
   all.held = estimate(held), all.expected = estimate(expected), all.exponent = estimate(exponent);
+  all.covered = covered(shares), all.band = band_answer(all.covered);
   return all;
 }
 

@@ -22,6 +22,8 @@ struct Horizon {
       not_known;  ///< The median of it if the start's covariance were all that is wrong; infinite: later than the run [s].
   double exponent =
       not_known;  ///< Of the growth of errors of the start, over the run or until `expected` [1/s].
+  double covered =
+      not_known;  ///< Share of measured angles of later frames inside the band; not known without one.
 };
 
 /// The run from its first frame.  With d_i the change of the angles by the i-th column of the factor L of the start's covariance,
@@ -30,7 +32,11 @@ struct Horizon {
 /// value of the change of the angles by the angles of the start.
 Horizon horizon(const measured::Experiment&, std::size_t run, const study::Runner&, double bound = 0.1);
 
-/// Those of some runs, so many at one time.
+/// The run with the parameters of a fit, where there is one, and its band.
+Horizon horizon(const measured::Experiment&, std::size_t run, const study::Runner&, const Band&,
+                const Fitted&);
+
+/// Those of some runs without a band, so many at one time.
 std::vector<Horizon> horizons(const measured::Experiment&, std::span<const std::size_t> runs,
                               const study::Runner&, int jobs);
 
@@ -39,6 +45,8 @@ struct HorizonSummary {
   std::size_t runs = 0, failed = 0, to_the_end = 0;  ///< Those that hold to the end of the data.
   std::string first_failure;
   Estimate held, expected, exponent;
+  Estimate covered;                 ///< Mean share inside the band.
+  Answer band = Answer::undecided;  ///< Whether the share covered is 90 to 98 %.
 };
 
 HorizonSummary summary(const std::vector<Horizon>&);

@@ -21,10 +21,12 @@ using measured::Experiment, measured::Parameter;
 void require_laws_of_no_time(const Experiment& e) {
   for (const core::Force& force : e.model.scene.forces)
     if (std::holds_alternative<core::Drive>(force) || std::holds_alternative<core::Water>(force) ||
-        std::holds_alternative<core::Thrust>(force))
-      throw core::InputError(fmt::format(
-          "{}: a drive, a thrust or water changes with time, and windows of a run begin at different times",
-          e.model.file));
+        std::holds_alternative<core::Thrust>(force) || std::holds_alternative<core::PluginForce>(force))
+      throw core::InputError(
+          fmt::format("{}: a drive, a thrust, water or a plug-in changes with time, and windows of a run "
+                      "begin at different "
+                      "times",
+                      e.model.file));
   for (const core::Joint& joint : e.model.scene.joints)
     core::for_each_coordinate(joint, [&](const core::JointCoordinate& c) {
       if (core::target_moves(c))

@@ -8,7 +8,11 @@
 
 namespace cylon::validation {
 
-/// States of the measured bodies at `frames` frames from the scene's start on.  Throws what the runner does.
+/// States of all bodies at `frames` frames from the scene's start on.  Throws what the runner does.
+std::vector<core::State> whole_path(const measured::Experiment&, const core::Scene&, std::size_t frames,
+                                    const study::Runner&);
+
+/// The same of the measured bodies alone.
 std::vector<core::State> predicted(const measured::Experiment&, const core::Scene&, std::size_t frames,
                                    const study::Runner&);
 

@@ -3,31 +3,21 @@
 #include "harness/tracking/statistics/bootstrap.h"
 #include "harness/tracking/statistics/holm.h"
 #include "harness/tracking/statistics/proportion.h"
+#include "harness/validation/curves.h"
 #include "harness/validation/length_scale.h"
-#include "harness/validation/normal.h"
 #include "harness/validation/path.h"
+#include "harness/validation/split.h"
 #include "reference/measured/coordinates.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 namespace cylon::validation {
 namespace {
 
-using core::BodyState, core::Scene, core::State, core::Vector3, measured::Experiment;
-using measured::measured_of, measured::moved, measured::started;
-
-Scene varied(const Experiment& e, const State& start, Normal& normal) {
-  Eigen::VectorXd drawn(e.start.cols());
-  for (double& one : drawn) one = normal(1);
-  Scene scene = started(e, moved(e, start, e.start * drawn));
-  for (core::Material& m : scene.materials) {
-    m.friction = std::max(0.0, m.friction + normal(e.material.friction));
-    m.restitution = std::clamp(m.restitution + normal(e.material.restitution), 0.0, 1.0);
-  }
-  return scene;
-}
+using core::BodyState, core::State, core::Vector3, measured::Experiment;
 
 // Where the gap first comes below 5 mm, a straight line between frames: what gives in an impact, and what lengths are off,
 // is less.
@@ -61,62 +51,29 @@ std::optional<double> loss(const Experiment& e, const std::vector<State>& states
   return 1 - energy(e, states[frame][0]) / energy(e, states[0][0]);
 }
 
-// The body axis of six that is nearest to up, as ±1, ±2, ±3.
-int side(const BodyState& s) {
-  const Vector3 up = s.orientation.conjugate() * Vector3::UnitY();
-  Eigen::Index axis = 0;
-  up.cwiseAbs().maxCoeff(&axis);
-  return static_cast<int>(axis + 1) * (up[axis] > 0 ? 1 : -1);
-}
-
-double share_inside(const std::vector<std::vector<State>>& members, const std::vector<State>& states,
-                    Normal& noise, double deviation) {
-  std::size_t inside = 0, all = 0;
-  for (std::size_t i = 1; i < states.size(); ++i) {
-    Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    for (const auto& member : members) {
-      const Vector3 seen = member[i][0].position + noise.vector(deviation);
-      low = low.cwiseMin(seen), high = high.cwiseMax(seen);
-    }
-    for (int k = 0; k < 3; ++k, ++all)
-      inside += low[k] <= states[i][0].position[k] && states[i][0].position[k] <= high[k];
-  }
-  return static_cast<double>(inside) / static_cast<double>(all);
-}
-
 }  // namespace
 
-double level(int members) { return static_cast<double>(members - 1) / (members + 1); }
-
-RunScore score(const Experiment& e, std::size_t run, const study::Runner& runner, const Band& band) {
-  const std::vector<State>& states = e.runs[run].states;
-  RunScore found{.run = e.runs[run].name, .failure = {}};
+RunScore score(const Experiment& e, std::size_t run, const study::Runner& runner, const Band& band,
+               const Fitted& fitted) {
+  const Experiment at = with_fit(with_run(e, run), fitted);
+  const std::vector<State>& states = at.runs[0].states;
+  RunScore found{.run = at.runs[0].name, .failure = {}};
   try {
-    const auto path = predicted(e, started(e, states.front()), states.size(), runner);
+    const auto path = predicted(at, measured::started(at, states.front()), states.size(), runner);
     if (path.size() != states.size() || !finite(path)) {
       found.failure = "the prediction is not finite";
       return found;
     }
     found.distance = (path.back()[0].position - states.back()[0].position).norm();
     found.angle = path.back()[0].orientation.angularDistance(states.back()[0].orientation);
-    found.same_side = side(path.back()[0]) == side(states.back()[0]);
-    const auto there = first_touch(e, path), here = first_touch(e, states);
+    const Vector3 up = Vector3::UnitY();
+    found.same_side = axis_towards(path.back()[0], up) == axis_towards(states.back()[0], up);
+    const auto there = first_touch(at, path), here = first_touch(at, states);
     if (there && here) found.impact = *there - *here;
-    const auto lost_there = loss(e, path), lost_here = loss(e, states);
+    const auto lost_there = loss(at, path), lost_here = loss(at, states);
     if (lost_there && lost_here) found.loss = *lost_there - *lost_here;
-    std::vector<std::vector<State>> members;
-    for (int m = 0; m < band.members; ++m) {
-      Normal normal(band.seed, run, static_cast<std::uint64_t>(m));
-      members.push_back(predicted(e, varied(e, states.front(), normal), states.size(), runner));
-      if (members.back().size() != states.size() || !finite(members.back())) {
-        found.failure = "a prediction of the band is not finite";
-        return found;
-      }
-    }
-    if (band.members > 0) {
-      Normal noise(band.seed, run, static_cast<std::uint64_t>(band.members));
-      found.covered = share_inside(members, states, noise, e.noise);
-    }
+    if (band.members > 0)
+      found.covered = share_inside(range(e, run, runner, band, fitted), curves(at, states, states.front()));
   } catch (const study::RunFailed& failed) {
     found.failure = failed.outcome.reason;
   }
@@ -133,9 +90,17 @@ const char* name(Answer answer) {
   return answer == Answer::inside ? "yes" : answer == Answer::outside ? "no" : "undecided";
 }
 
+Estimate covered(const std::vector<double>& shares) {
+  std::vector<double> known;
+  std::ranges::copy_if(shares, std::back_inserter(known), [](double share) { return std::isfinite(share); });
+  return {statistics::mean(known), statistics::share_interval(known, 0.025), known.size()};
+}
+
+Answer band_answer(const Estimate& covered) { return answer(covered.interval, 0.90, 0.98); }
+
 Summary summary(const std::vector<RunScore>& runs) {
   Summary all{.runs = runs.size(), .first_failure = {}};
-  std::vector<double> distance, angle, impact, loss, covered;
+  std::vector<double> distance, angle, impact, loss, shares;
   std::size_t same = 0;
   for (const RunScore& run : runs) {
     if (!run.failure.empty()) {
@@ -145,18 +110,18 @@ Summary summary(const std::vector<RunScore>& runs) {
     distance.push_back(run.distance), angle.push_back(run.angle), same += run.same_side;
     if (std::isfinite(run.impact)) impact.push_back(std::abs(run.impact));
     if (std::isfinite(run.loss)) loss.push_back(run.loss);
-    if (std::isfinite(run.covered)) covered.push_back(run.covered);
+    shares.push_back(run.covered);
   }
   const auto estimate = [](const std::vector<double>& values, auto of) {
     return Estimate{of(values), statistics::bootstrap(values, of, 0.025, 1), values.size()};
   };
   all.distance = estimate(distance, statistics::median), all.angle = estimate(angle, statistics::median);
   all.impact = estimate(impact, statistics::median), all.loss = estimate(loss, statistics::median);
-  all.covered = {statistics::mean(covered), statistics::share_interval(covered, 0.025), covered.size()};
+  all.covered = covered(shares);
   if (!distance.empty())
     all.same_side = {static_cast<double>(same) / static_cast<double>(distance.size()),
                      statistics::proportion_interval(same, distance.size(), 0.025), distance.size()};
-  all.band = answer(all.covered.interval, 0.90, 0.98);
+  all.band = band_answer(all.covered);
   return all;
 }
 

@@ -5,9 +5,9 @@
 
 #include "harness/study/runner.h"
 #include "harness/tracking/statistics/outcome.h"
+#include "harness/validation/band.h"
 #include "reference/measured/experiment.h"
 
-#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -31,18 +31,9 @@ struct RunScore {
       not_known;  ///< Share of measured coordinates of later frames inside the band; not known without one.
 };
 
-struct Band {
-  /// Predictions from starts and materials that differ by their stated uncertainty.  The range of n - 1 of them holds the n-th
-  /// with probability (n - 2)/n, whatever their distribution, as each order is as likely: 39 give 95 %.  0: no band.
-  int members = 39;
-  std::uint64_t seed = 1;
-};
-
-/// What n members' range holds of one more of their kind: (n - 1)/(n + 1).
-double level(int members);
-
-/// One run on one engine.
-RunScore score(const measured::Experiment&, std::size_t run, const study::Runner&, const Band&);
+/// One run on one engine, with the parameters of a fit where there is one.
+RunScore score(const measured::Experiment&, std::size_t run, const study::Runner&, const Band&,
+               const Fitted& = {});
 
 /// A number over all runs, with the interval that holds it in 95 of 100 such experiments.
 struct Estimate {
@@ -56,6 +47,11 @@ enum class Answer { inside, outside, undecided };
 Answer answer(const statistics::Interval&, double low, double high);
 const char* name(Answer);  ///< "yes", "no", "undecided".
 
+/// Mean of shares inside the bands of runs, those that are finite; frames of a run hang together, and runs do not.
+Estimate covered(const std::vector<double>& shares);
+/// Whether that is 90 to 98 %.
+Answer band_answer(const Estimate& covered);
+
 struct Summary {
   std::size_t runs = 0, failed = 0;
   std::string first_failure;
@@ -64,7 +60,7 @@ struct Summary {
   Estimate same_side;               ///< Share.
   Estimate impact;                  ///< Median of the absolute value [s].
   Estimate loss;                    ///< Median, with its sign.
-  Estimate covered;                 ///< Mean share; frames of a run hang together, and runs do not.
+  Estimate covered;                 ///< Mean share inside the band.
   Answer band = Answer::undecided;  ///< Whether the share covered is 90 to 98 %.
 };
 

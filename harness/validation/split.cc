@@ -9,9 +9,6 @@
 
 namespace cylon::validation {
 
-namespace {
-
-// Runs in the order of the hashes of their names.
 std::vector<std::size_t> order_of(const measured::Experiment& e) {
   std::vector<std::tuple<std::uint64_t, std::string, std::size_t>> order;
   for (std::size_t i = 0; i < e.runs.size(); ++i) {
@@ -25,8 +22,6 @@ std::vector<std::size_t> order_of(const measured::Experiment& e) {
   return runs;
 }
 
-}  // namespace
-
 std::vector<std::size_t> parts_of(const measured::Experiment& e, std::size_t parts) {
   const std::vector<std::size_t> order = order_of(e);
   std::vector<std::size_t> part(e.runs.size());
@@ -34,12 +29,13 @@ std::vector<std::size_t> parts_of(const measured::Experiment& e, std::size_t par
   return part;
 }
 
+measured::Experiment with_run(const measured::Experiment& e, std::size_t run) { return {e, {e.runs[run]}}; }
+
 measured::Experiment with_runs(const measured::Experiment& e, std::size_t count) {
   std::vector<std::size_t> kept = order_of(e);
   kept.resize(std::min(count, kept.size()));
   std::ranges::sort(kept);
-  measured::Experiment made = e;
-  made.runs.clear();
+  measured::Experiment made{e, {}};
   for (const std::size_t i : kept) made.runs.push_back(e.runs[i]);
   return made;
 }

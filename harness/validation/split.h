@@ -12,6 +12,12 @@ namespace cylon::validation {
 /// are of one size to one run, and do not depend on the order of the table.
 std::vector<std::size_t> parts_of(const measured::Experiment&, std::size_t parts);
 
+/// The runs in the order of those hashes.
+std::vector<std::size_t> order_of(const measured::Experiment&);
+
+/// The experiment with one run alone.
+measured::Experiment with_run(const measured::Experiment&, std::size_t run);
+
 /// The experiment with so many of its runs: the first in the order of those hashes, as the table has them.
 measured::Experiment with_runs(const measured::Experiment&, std::size_t count);
 

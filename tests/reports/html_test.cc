@@ -81,6 +81,42 @@ TEST(Html, MatrixIsReadableWithoutScript) {
   EXPECT_NE(page.find("<th scope=\"row\">top</th><td>✓ +1.0</td><td>✗ -1.0 !</td>"), std::string::npos);
 }
 
+TEST(Html, ScoresOfMeasuredMotionsAreReadableWithoutScript) {
+  const auto estimate = [](double value) {
+    return json{{"value", value}, {"low", value / 2}, {"high", 2 * value}, {"runs", 7}};
+  };
+  HtmlReport report;
+  report.documents["predictions"] = {
+      {{"format", "cylon-prediction/1"},
+       {"title", hostile},
+       {"source", hostile},
+       {"licence", "MIT"},
+       {"coordinates", "free"},
+       {"engines", {{{"engine", "ode"}, {"distance", estimate(0.024)}, {"band", "undecided"}}}}},
+      {{"format", "cylon-prediction/1"},
+       {"title", "arms"},
+       {"coordinates", "chain"},
+       {"engines", {{{"engine", hostile}, {"held", {{"value", 0.5}, {"low", 0.25}, {"high", nullptr}}}}}}}};
+  report.documents["fits"] = {
+      {{"format", "cylon-fit/1"},
+       {"fits",
+        {{{"engine", "bullet"},
+          {"parameters", {{{"name", "friction"}, {"value", 0.2}, {"low", 0.1}, {"high", 0.3}}}}}}}}};
+  const std::string page = to_html(report);
+  EXPECT_NE(page.find("<th scope=\"row\">ode</th><td>24 [12, 48]</td>"), std::string::npos);
+  EXPECT_NE(page.find("<td>undecided</td>"), std::string::npos);
+  EXPECT_NE(page.find("<td>0.5 [0.25, the end]</td>"), std::string::npos);
+  EXPECT_NE(page.find("<td>friction</td><td>0.2 [0.1, 0.3]</td>"), std::string::npos);
+  EXPECT_EQ(page.find("alert(1)</script>"), std::string::npos);
+  // What is of another form than the commands write breaks no page.
+  for (const json& part : {json(3), json("x"), json::array({1, "y", nullptr}), json{{"a", 1}}, json()}) {
+    HtmlReport odd;
+    odd.documents["predictions"] = {{{"format", "cylon-prediction/1"}, {"title", part}, {"engines", part}}};
+    odd.documents["fits"] = {{{"format", "cylon-fit/1"}, {"fits", part}}};
+    EXPECT_NE(to_html(odd).find("<h2>"), std::string::npos) << part;
+  }
+}
+
 TEST(Html, CountsTracesBeyondSizeLimit) {
   HtmlReport report;
   const std::string large(trace_budget * 2 / 5, 'A');

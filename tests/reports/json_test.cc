@@ -188,7 +188,7 @@ TEST(Json, MalformedDocumentsAreRefusedWithThePlace) {
   EXPECT_NE(refusal("{\"schema\":1e999,\"verdicts\":[]}"), "accepted");
 
   // One member at a time made wrong or taken away: each must be missed, by name.
-  const auto good = nlohmann::json::parse(to_json_line({}));
+  const auto good = nlohmann::json::parse(to_json_line(results::Verdict{}));
   for (const auto& [key, value] : good.items()) {
     nlohmann::json without = good, wrong = good;
     without.erase(key);

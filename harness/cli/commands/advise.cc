@@ -23,7 +23,7 @@ namespace {
 
 struct Options {
   std::string file, observable, json;
-  std::vector<std::string> workers;
+  Brought brought;
   study::SettingsRequest wanted;
   study::AdviseOptions how;
   int jobs = 0;
@@ -54,7 +54,7 @@ int run(const Context& context, Options options) {
   options.how.limits.run_seconds = options.timeout;
   options.how.most = static_cast<std::int64_t>(options.work);
   options.how.workers = worker_count(context, options.jobs);
-  const auto rows = with_workers(context, options.workers);
+  const auto rows = with_brought(context, options.brought);
   if (options.verify)
     return verify_advice(context, {.wanted = options.wanted,
                                    .how = options.how,
@@ -137,7 +137,7 @@ Command add_advise(App& app, const Context& context) {
       "--resume", options->resume,
       "Continue an interrupted --verify in this folder (.cylon/advise.jsonl): finished scenarios are not "
       "repeated");
-  add_worker_option(app, options->workers);
+  add_brought_options(app, options->brought);
   app.footer(
       "The search uses the order of each integrator. Each result is checked from other initial states\n"
       "(velocities or gravity changed by up to 1.6 %). Exit code 1: no engine meets the tolerance in the "

@@ -34,7 +34,7 @@ struct Options {
   std::string file, a, b, dt, csv;
   double tolerance = 1e-3, timeout = 60;
   bool json = false;
-  std::vector<std::string> workers;
+  Brought brought;
 };
 
 constexpr double same_time = 1e-9;  // relative to the step, as everywhere
@@ -63,7 +63,7 @@ Side side(const Context& context, const Options& options, const scenario::Scenar
   }
   const std::size_t at = word.rfind('@');
   const std::string step = at == std::string::npos ? options.dt : word.substr(at + 1);
-  result.engine = process::parse_engine(word.substr(0, at), with_workers(context, options.workers));
+  result.engine = process::parse_engine(word.substr(0, at), with_brought(context, options.brought));
   result.dt = step.empty() ? scenario.step : scenario::parse_step(step);
   try {
     core::whole_steps(scenario.duration, result.dt);
@@ -314,7 +314,7 @@ Command add_diff(App& app, const Context& context) {
   app.add_option("--csv", options->csv, "Write the differences at every time as CSV; - is stdout")
       ->type_name("FILE");
   add_timeout_option(app, options->timeout);
-  add_worker_option(app, options->workers);
+  add_brought_options(app, options->brought);
   return [=, &context] { return diff(context, *options); };
 }
 

@@ -20,7 +20,8 @@ namespace {
 using nlohmann::ordered_json;
 
 struct Options {
-  std::vector<std::string> globs, workers;
+  std::vector<std::string> globs;
+  Brought brought;
   bool json = false, names = false, here = false, fingerprint = false;
 };
 
@@ -103,7 +104,7 @@ ordered_json absent(const process::EngineRow& row) {
 int engines(const Context& context, const Options& options) {
   int found = 0, broken = 0;
   ordered_json rows = ordered_json::array();
-  const auto table = with_workers(context, options.workers);
+  const auto table = with_brought(context, options.brought);
   if (options.fingerprint) return fingerprint(table, options.globs, options.json);
   for (const process::EngineRow& engine : table) {
     const auto matches = [&](const std::string& glob) { return scenario::glob_match(glob, engine.id); };
@@ -158,7 +159,7 @@ Command add_engines(App& app, const Context& context) {
                "Measure what each engine does, with a dozen small scenes: integrator, order, gyroscopic "
                "torque, restitution, friction, hidden limits. Accepts variants (bullet/gyro=none)");
   app.add_flag("--names", options->names, "Print the ids only");
-  add_worker_option(app, options->workers);
+  add_brought_options(app, options->brought);
   return [=, &context] { return engines(context, *options); };
 }
 

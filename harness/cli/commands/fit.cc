@@ -36,7 +36,8 @@ using validation::Likelihood;
 
 struct Options {
   std::string experiment, json, step, on = "first";
-  std::vector<std::string> engines, workers, parameters;
+  std::vector<std::string> engines, parameters;
+  Brought brought;
   int jobs = 0, folds = 0, runs = 0;
   bool resume = false;
   double timeout = 60;
@@ -172,12 +173,13 @@ Judged together(const std::string& engine, const measured::Experiment& e, const 
 
 int fit(const Context& context, const Options& options) {
   require_writable(options.json);
+  std::ostream& out = options.json == "-" ? std::cerr : std::cout;
   measured::Experiment e = measured::read(options.experiment);
   set_step(e, options.step);
   const std::size_t measured_runs = e.runs.size();
   if (options.runs > 0) e = validation::with_runs(e, runs_of(options, e));
   const auto parameters = wanted(options, e);
-  const auto rows = with_workers(context, options.workers);
+  const auto rows = with_brought(context, options.brought);
   const std::vector<Fold> parts = folds(options, e);
   const std::vector<std::string> ids =
       options.engines.empty() ? process::compared_engines() : options.engines;
@@ -187,14 +189,14 @@ int fit(const Context& context, const Options& options) {
   const process::Interruptible until_told;
   FitJournal journal(".cylon/fit.jsonl", options.resume);
   if (options.resume) std::cerr << fmt::format("resumed: {} evaluations are done already\n", journal.known());
-  std::cout << plain(fmt::format("{}: {} of {} runs, windows of {:g} s\n", e.title, e.runs.size(),
-                                 measured_runs, e.fit.horizon));
+  out << plain(fmt::format("{}: {} of {} runs, windows of {:g} s\n", e.title, e.runs.size(), measured_runs,
+                           e.fit.horizon));
   for (std::size_t k = 0; k < parts.size(); ++k)
-    std::cout << plain(fmt::format("  part {}: judged on {} runs: {}\n", k + 1, parts[k].by.size(),
-                                   fmt::join(names_of(e, parts[k].by), " ")));
-  std::cout << "Validation: parameters of greatest likelihood, with 95 % intervals: if the stated "
-               "uncertainties are right,\n"
-               "and from how much runs differ.\n";
+    out << plain(fmt::format("  part {}: judged on {} runs: {}\n", k + 1, parts[k].by.size(),
+                             fmt::join(names_of(e, parts[k].by), " ")));
+  out << "Validation: parameters of greatest likelihood, with 95 % intervals: if the stated "
+         "uncertainties are right,\n"
+         "and from how much runs differ.\n";
   std::vector<Judged> judged;
   ordered_json fits = ordered_json::array(), judgements = ordered_json::array(),
                compared = ordered_json::array();
@@ -204,16 +206,16 @@ int fit(const Context& context, const Options& options) {
     for (const Fold& fold : parts) {
       of_engine.push_back(fitted(context, options, e, engine, parameters, fold, journal));
       failed = failed || !of_engine.back().failure.empty();
-      std::cout << plain(told(of_engine.back(), parameters)) << std::flush;
+      out << plain(told(of_engine.back(), parameters)) << std::flush;
       fits.push_back(to_json(of_engine.back(), parameters));
     }
     if (parts[0].by.empty()) continue;
     judged.push_back(together(engine.id, e, of_engine, parts));
-    std::cout << plain(told(judged.back())) << std::flush;
+    out << plain(told(judged.back())) << std::flush;
     judgements.push_back(to_json(judged.back()));
   }
   for (const Likelier& pair : likelier(judged)) {
-    std::cout << plain(told(pair));
+    out << plain(told(pair));
     compared.push_back(to_json(pair));
   }
   if (!options.json.empty())
@@ -221,6 +223,7 @@ int fit(const Context& context, const Options& options) {
                                            {"title", e.title},
                                            {"source", e.source},
                                            {"licence", e.licence},
+                                           {"instrument", e.instrument},
                                            {"known", e.known},
                                            {"experiment", e.hash},
                                            {"runs", e.runs.size()},
@@ -231,7 +234,7 @@ int fit(const Context& context, const Options& options) {
                                            {"fits", fits},
                                            {"judged", judgements},
                                            {"likelier", compared}}
-                                      .dump(1, ' ', true) +
+                                      .dump(1, ' ', true, ordered_json::error_handler_t::replace) +
                                   "\n");
   return failed ? differs : ok;
 }
@@ -269,7 +272,7 @@ Command add_fit(App& app, const Context& context) {
   add_jobs_option(app, options->jobs,
                   "Number of windows to predict at the same time; default: all processors");
   add_timeout_option(app, options->timeout);
-  add_worker_option(app, options->workers);
+  add_brought_options(app, options->brought);
   app.footer(
       "Validation: a model is fitted, with its parameters on an engine, and every engine alike. The results "
       "do not\n"

@@ -36,6 +36,13 @@ ordered_json numbers(const std::vector<double>& all) {
   return list;
 }
 
+ordered_json rows_of(const Eigen::MatrixXd& matrix) {
+  ordered_json rows = ordered_json::array();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i)
+    rows.push_back(numbers({matrix.row(i).begin(), matrix.row(i).end()}));
+  return rows;
+}
+
 }  // namespace
 
 std::string told(const FitRow& row, const std::vector<measured::Parameter>& parameters) {
@@ -92,6 +99,7 @@ ordered_json to_json(const FitRow& row, const std::vector<measured::Parameter>& 
   for (const Combination& c : f.known.blind)
     blind.push_back({{"weights", c.weights}, {"error", number(c.error)}});
   j["parameters"] = rows, j["cannot_be_told_apart"] = blind;
+  j["covariance"] = rows_of(f.known.covariance);
   j["deviance"] = f.deviance, j["misfit"] = f.misfit, j["numbers"] = f.numbers,
   j["misfit_p"] = misfit_tail(f);
   j["windows"] = f.windows, j["rounds"] = f.rounds, j["settled"] = f.settled;
@@ -110,8 +118,8 @@ std::string told(const Judged& all) {
     out += fmt::format("  -2 log L            {:.6g} a run ({} runs)\n", statistics::mean(deviances),
                        deviances.size());
   if (!all.horizon_before.empty())
-    return out + "  before the fit\n" + told(validation::summary(all.horizon_before)) + "  after the fit\n" +
-           told(validation::summary(all.horizon_after));
+    return out + "  before the fit\n" + told(validation::summary(all.horizon_before), 0) +
+           "  after the fit\n" + told(validation::summary(all.horizon_after), 0);
   if (all.before.empty()) return out;
   out += "  before the fit\n" + told(validation::summary(all.before), 0);
   out += "  after the fit\n" + told(validation::summary(all.after), 0);

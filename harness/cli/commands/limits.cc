@@ -26,7 +26,8 @@ namespace cylon::cli {
 namespace {
 
 struct Options {
-  std::vector<std::string> words, engines, integrators, workers;
+  std::vector<std::string> words, engines, integrators;
+  Brought brought;
   std::string json, csv;
   ShardOptions shard;
   int jobs = 0;
@@ -79,7 +80,7 @@ Wanted wanted(const Context& context, const std::vector<std::string>& words) {
 
 // The engines asked for, each with each of its integrators that is asked for.
 std::vector<Task> entrants(const Context& context, const Options& options) {
-  const auto rows = with_workers(context, options.workers);
+  const auto rows = with_brought(context, options.brought);
   std::vector<std::string> ids;
   if (options.engines.empty()) ids = process::compared_engines();
   for (const std::string& word : options.engines) {
@@ -284,7 +285,7 @@ Command add_limits(App& app, const Context& context) {
                "searched again");
   add_jobs_option(app, options->jobs, "Number of searches to run at the same time; default: all processors");
   add_timeout_option(app, options->timeout);
-  add_worker_option(app, options->workers);
+  add_brought_options(app, options->brought);
   return [=, &context] { return limits(context, *options); };
 }
 

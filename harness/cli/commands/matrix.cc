@@ -20,7 +20,8 @@ namespace cylon::cli {
 namespace {
 
 struct Options {
-  std::vector<std::string> patterns, workers;
+  std::vector<std::string> patterns;
+  Brought brought;
   study::SettingsRequest wanted;
   std::string observable, json, html, at;
   int rounds = 3, jobs = 0;
@@ -34,13 +35,14 @@ bool is_in_house(const std::string& id) {
   return row == "in-house" || row == "in-house-float";
 }
 
-// Of each engine the integrator that it takes by itself; where that one controls its error, also the first of
-// fixed steps, for scenes that the engine steps through in any case.
+// Of each engine the integrator that it takes by itself, which an expert's path may choose by the scene; where that one
+// controls its error, also the first of fixed steps, for scenes that the engine steps through in any case.
 std::vector<study::Setting> usual_ones(std::vector<study::Setting> all) {
   std::vector<study::Setting> kept;
   std::set<std::string> seen;
   for (study::Setting& setting : all) {
     const bool first = seen.insert(setting.engine.id).second;
+    setting.by_itself = first && !setting.integrator.adaptive;
     if (first || setting.first_fixed) kept.push_back(std::move(setting));
   }
   return kept;
@@ -69,7 +71,7 @@ std::string cause_of(const scenario::Expectations& expectations, const std::stri
 results::TradeTable sweep_of(const Context& context, const Options& options,
                              const scenario::Expectations& expectations, const scenario::Scenario& scenario,
                              TradeJournal& journal) {
-  const auto rows = with_workers(context, options.workers);
+  const auto rows = with_brought(context, options.brought);
   study::SweepOptions how;
   how.tolerances.assign(results::reach_errors.begin(), results::reach_errors.end());
   how.reach = how.tolerances;
@@ -156,7 +158,7 @@ Command add_matrix(App& app, const Context& context) {
   app.add_flag(
       "--resume", options->resume,
       "Continue an interrupted sweep in this folder (.cylon/matrix.jsonl): finished runs are not repeated");
-  add_worker_option(app, options->workers);
+  add_brought_options(app, options->brought);
   app.footer(
       "Steps are halved from about 64 times the nominal one. Errors do not depend on times. Exit code 4: no\n"
       "engine ran anything.");

@@ -1,172 +1,261 @@
 // cylon predict
 #include "harness/cli/command_line.h"
 #include "harness/cli/commands/app.h"
+#include "harness/cli/commands/drawing_json.h"
 #include "harness/cli/commands/estimates.h"
+#include "harness/cli/commands/fitted_values.h"
 #include "harness/cli/options.h"
 #include "harness/cli/output.h"
+#include "harness/cli/read_whole.h"
 #include "harness/cli/workers.h"
 #include "harness/core/input_error.h"
+#include "harness/input/json.h"
 #include "harness/process/engine_table.h"
 #include "harness/process/interruption.h"
 #include "harness/study/parallel.h"
 #include "harness/study/session_runner.h"
 #include "harness/validation/length_scale.h"
 #include "harness/validation/score.h"
+#include "harness/validation/split.h"
+#include "reports/html.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <limits>
 #include <memory>
 #include <mutex>
-#include <numeric>
 
 namespace cylon::cli {
 namespace {
 
 using nlohmann::ordered_json;
-using validation::Estimate, validation::RunScore, validation::Summary;
+using validation::Estimate, validation::Horizon, validation::RunScore;
 
 struct Options {
-  std::string experiment, json, step;
-  std::vector<std::string> engines, workers, values;
+  std::string experiment, json, html, step, fit;
+  std::vector<std::string> engines, values;
+  Brought brought;
   validation::Band band;
-  int jobs = 0;
+  int jobs = 0, curves = 3;
   double timeout = 60;
 };
 
-std::vector<RunScore> scores(const Context& context, const Options& options, const measured::Experiment& e,
-                             const process::EngineChoice& engine) {
-  const study::Runner runner = study::worker_runner(engine, {.run_seconds = options.timeout});
-  std::vector<RunScore> all(e.runs.size());
+// What is told in words goes where no document goes.
+std::ostream& words(const Options& options) {
+  return options.json == "-" || options.html == "-" ? std::cerr : std::cout;
+}
+
+// What is predicted, and with what.
+struct Task {
+  measured::Experiment experiment;
+  std::vector<FoundFit> fits;  // none: the model's own values
+  std::vector<process::EngineChoice> engines;
+  std::vector<std::size_t> runs, drawn;  // by their places in the table
+};
+
+// Of a run with a fit that did not see it, where there are fits.
+template <class Score, class One>
+Score with_fit_of(const Task& task, const process::EngineChoice& engine, std::size_t run, const One& one) {
+  const std::string& name = task.experiment.runs[run].name;
+  if (task.fits.empty()) return one(validation::Fitted{});
+  const FoundFit* fit = unseen(task.fits, engine.id, name);
+  if (fit && fit->failure.empty()) return one(fit->fitted);
+  Score none;
+  none.run = name, none.failure = fit ? "no fit: " + fit->failure : "every fit of this engine saw the run";
+  return none;
+}
+
+template <class Score, class One>
+std::vector<Score> of_runs(const Context& context, const Options& options, const Task& task,
+                           const process::EngineChoice& engine, const std::vector<std::size_t>& runs,
+                           const One& one) {
+  const study::Runner runner = study::session_runner(engine, {.run_seconds = options.timeout});
+  std::vector<Score> all(runs.size());
   std::mutex guard;
   std::size_t done = 0;
-  study::in_parallel(e.runs.size(), worker_count(options.jobs), [&](std::size_t i) {
-    all[i] = validation::score(e, i, runner, options.band);
+  study::in_parallel(runs.size(), worker_count(options.jobs), [&](std::size_t i) {
+    all[i] = with_fit_of<Score>(task, engine, runs[i], [&](const validation::Fitted& fitted) {
+      return one(task.experiment, runs[i], runner, options.band, fitted);
+    });
     const std::scoped_lock lock(guard);
     if (++done; context.progress)
-      std::cerr << fmt::format("\r{}: {} of {} runs\x1b[K", engine.id, done, e.runs.size()) << std::flush;
+      std::cerr << fmt::format("\r{}: {} of {} runs\x1b[K", engine.id, done, runs.size()) << std::flush;
   });
   if (context.progress) std::cerr << "\r\x1b[K" << std::flush;
   return all;
 }
 
-std::string told_length(const char* what, const Estimate& scale, const char* unit) {
+std::string told_length(const char* what, const Estimate& scale, const std::string& means) {
   if (scale.runs < 2) return fmt::format("  {:<22} not known ({} runs)\n", what, scale.runs);
   const auto answer = validation::answer({1, 1}, scale.interval.low, scale.interval.high);
   return fmt::format("  {:<22} {:.4f} [{:.4f}, {:.4f}] of {} ({} runs){}\n", what, scale.value,
-                     scale.interval.low, scale.interval.high, unit, scale.runs,
+                     scale.interval.low, scale.interval.high, means, scale.runs,
                      answer == validation::Answer::inside ? "" : ": 1 is outside the interval");
 }
 
-// The prediction horizon of each engine for the angles of a chain.
-int predict_chain(const Options& options, const measured::Experiment& e,
-                  const std::vector<process::EngineChoice>& engines) {
-  std::cout << fmt::format(
-      "Predictions from the first frame, steps of {:.6g} s; medians over runs, with 95 % intervals (a chain "
-      "has no "
-      "band: --members and --seed say nothing):\n",
-      e.model.step);
-  const process::Interruptible until_told;
-  std::vector<std::size_t> runs(e.runs.size());
-  std::iota(runs.begin(), runs.end(), 0);
-  ordered_json told_engines = ordered_json::array();
-  for (const process::EngineChoice& engine : engines) {
-    const auto each = validation::horizons(
-        e, runs, study::session_runner(engine, {.run_seconds = options.timeout}), worker_count(options.jobs));
-    const validation::HorizonSummary s = validation::summary(each);
-    std::cout << plain(engine.id + "\n" + told(s)) << std::flush;
-    ordered_json told_engine = to_json(s), told_runs = ordered_json::array();
-    for (const validation::Horizon& h : each) told_runs.push_back(to_json(h));
-    told_engine["engine"] = engine.id, told_engine["each"] = told_runs;
-    told_engines.push_back(told_engine);
-  }
-  if (!options.json.empty())
-    write_whole(options.json, ordered_json{{"format", "cylon-prediction/1"},
-                                           {"title", e.title},
-                                           {"source", e.source},
-                                           {"licence", e.licence},
-                                           {"known", e.known},
-                                           {"model", e.model.hash},
-                                           {"step", e.model.step},
-                                           {"set", options.values},
-                                           {"engines", told_engines}}
-                                      .dump(1, ' ', true) +
-                                  "\n");
-  return ok;
+void tell_lengths(const Options& options, const measured::Experiment& e) {
+  const validation::LengthScale lengths = validation::length_scale(e);
+  words(options) << "Lengths of the data, measured/true, with 95 % intervals:\n"
+                 << told_length("from free flight", lengths.flight,
+                                fmt::format("the fall of {:.4g} m/s^2", lengths.gravity))
+                 << told_length(
+                        "from heights at rest", lengths.rest,
+                        fmt::format("the height; centres lie {} up", shown(lengths.height, 1000, " mm", 2)));
+  if (std::isfinite(lengths.tilt))
+    words(options) << fmt::format("  tilt at rest           {:.1f} mrad, root mean square\n",
+                                  1000 * lengths.tilt);
 }
 
-int predict(const Context& context, const Options& options) {
-  require_writable(options.json);
-  measured::Experiment e = measured::read(options.experiment);
-  set_step(e, options.step);
-  e = set_values(e, options.values);
-  const auto rows = with_workers(context, options.workers);
-  const std::vector<std::string> ids =
-      options.engines.empty() ? process::compared_engines() : options.engines;
-  std::vector<process::EngineChoice> engines;
-  for (const std::string& id : ids) engines.push_back(process::parse_engine(id, rows));
+template <class Score>
+ordered_json each(const std::vector<Score>& runs) {
+  ordered_json all = ordered_json::array();
+  for (const Score& run : runs) all.push_back(to_json(run));
+  return all;
+}
 
-  std::cout << plain(fmt::format("{}: {} runs\n", e.title, e.runs.size()));
-  for (const std::string& known : e.known) std::cout << plain(fmt::format("  known: {}\n", known));
-  for (const std::string& value : options.values) std::cout << plain(fmt::format("  set: {}\n", value));
-  if (e.coordinates == measured::Coordinates::chain) return predict_chain(options, e, engines);
-  const validation::LengthScale lengths = validation::length_scale(e);
-  std::cout << "Lengths of the data, measured/true, with 95 % intervals:\n"
-            << told_length("from free flight", lengths.flight, "the fall")
-            << told_length("from heights at rest", lengths.rest, "the height");
-  std::cout << fmt::format(
-      "Predictions from the first frame, steps of {} s; medians over runs, with 95 % intervals:\n",
-      options.step.empty() ? e.model.step_text : options.step);
-  const process::Interruptible until_told;
-  std::vector<std::vector<RunScore>> all;
-  ordered_json told_engines = ordered_json::array();
-  for (const process::EngineChoice& engine : engines) {
-    all.push_back(scores(context, options, e, engine));
-    const Summary s = validation::summary(all.back());
-    std::cout << plain(engine.id + "\n" + told(s, options.band.members)) << std::flush;
-    ordered_json runs = ordered_json::array();
-    for (const RunScore& r : all.back()) runs.push_back(to_json(r));
-    ordered_json told_engine = to_json(s);
-    told_engine["engine"] = engine.id, told_engine["each"] = runs;
-    told_engines.push_back(told_engine);
-  }
-  const auto pairs = validation::nearer(all);
+ordered_json drawn(const Context& context, const Options& options, const Task& task,
+                   const process::EngineChoice& engine) {
+  if (options.json.empty() && options.html.empty()) return ordered_json::array();
+  return each(of_runs<validation::Drawing>(context, options, task, engine, task.drawn, validation::drawing));
+}
+
+// The scores of an engine, printed; and as JSON.
+template <class Score>
+ordered_json told_engine(const Context& context, const Options& options, const Task& task,
+                         const process::EngineChoice& engine, const std::vector<Score>& scores) {
+  const auto summary = validation::summary(scores);
+  words(options) << plain(engine.id + "\n" + told(summary, options.band.members)) << std::flush;
+  ordered_json one = to_json(summary);
+  one["engine"] = engine.id, one["each"] = each(scores);
+  one["drawn"] = drawn(context, options, task, engine);
+  return one;
+}
+
+ordered_json told_nearer(const Options& options, const Task& task,
+                         const std::vector<std::vector<RunScore>>& all) {
   ordered_json compared = ordered_json::array();
+  const auto pairs = validation::nearer(all);
   for (std::size_t j = 0; j < pairs.size(); ++j) {
     const auto& [one, other, p, answer] = pairs[j];
-    const std::string& nearest = answer == validation::Answer::inside    ? engines[0].id
-                                 : answer == validation::Answer::outside ? engines[j + 1].id
-                                                                         : "undecided";
-    std::cout << plain(fmt::format("nearer at rest: {} in {} runs, {} in {}: {} (p = {:.2g}, Holm)\n",
-                                   engines[0].id, one, engines[j + 1].id, other, nearest, p));
-    compared.push_back({{"one", engines[0].id},
-                        {"other", engines[j + 1].id},
+    const std::string &first = task.engines[0].id, &second = task.engines[j + 1].id;
+    const std::string nearest = answer == validation::Answer::inside    ? first
+                                : answer == validation::Answer::outside ? second
+                                                                        : "undecided";
+    words(options) << plain(fmt::format("nearer at rest: {} in {} runs, {} in {}: {} (p = {:.2g}, Holm)\n",
+                                        first, one, second, other, nearest, p));
+    compared.push_back({{"one", first},
+                        {"other", second},
                         {"runs_of_one", one},
                         {"runs_of_other", other},
                         {"p", p},
                         {"nearer", nearest}});
   }
+  return compared;
+}
+
+ordered_json predicted(const Context& context, const Options& options, const Task& task) {
+  const measured::Experiment& e = task.experiment;
+  ordered_json document = {{"format", "cylon-prediction/1"},
+                           {"title", e.title},
+                           {"source", e.source},
+                           {"licence", e.licence},
+                           {"instrument", e.instrument},
+                           {"known", e.known},
+                           {"experiment", e.hash},
+                           {"model", e.model.hash},
+                           {"coordinates", e.coordinates == measured::Coordinates::free ? "free" : "chain"},
+                           {"step", e.model.step},
+                           {"rate", e.rate},
+                           {"measured_runs", e.runs.size()},
+                           {"set", options.values},
+                           {"fitted", !task.fits.empty()},
+                           {"members", options.band.members},
+                           {"seed", options.band.seed},
+                           {"drawn", measured_json(e, task.drawn)},
+                           {"engines", ordered_json::array()}};
+  if (e.coordinates == measured::Coordinates::chain) {
+    const auto one = [](const auto&... of) { return validation::horizon(of...); };
+    for (const process::EngineChoice& engine : task.engines)
+      document["engines"].push_back(told_engine(
+          context, options, task, engine, of_runs<Horizon>(context, options, task, engine, task.runs, one)));
+    return document;
+  }
+  std::vector<std::vector<RunScore>> all;
+  for (const process::EngineChoice& engine : task.engines) {
+    all.push_back(of_runs<RunScore>(context, options, task, engine, task.runs, validation::score));
+    document["engines"].push_back(told_engine(context, options, task, engine, all.back()));
+  }
+  document["lengths"] = lengths_json(e);
+  document["nearer"] = told_nearer(options, task, all);
+  return document;
+}
+
+Task task_of(const Context& context, const Options& options) {
+  Task task;
+  task.experiment = measured::read(options.experiment);
+  measured::Experiment& e = task.experiment;
+  set_step(e, options.step);
+  e = set_values(e, options.values);
+  if (!options.fit.empty()) task.fits = read_fits(options.fit, e, options.band.members > 0);
+  const auto rows = with_brought(context, options.brought);
+  const std::vector<std::string> ids = !options.engines.empty() ? options.engines
+                                       : task.fits.empty()      ? process::compared_engines()
+                                                                : engines_of(task.fits);
+  const std::vector<std::string> fitted = engines_of(task.fits);
+  for (const std::string& id : ids) {
+    task.engines.push_back(process::parse_engine(id, rows));
+    if (!task.fits.empty() && std::ranges::find(fitted, task.engines.back().id) == fitted.end())
+      throw core::InputError(fmt::format("{}: it has no fit of {}", options.fit, task.engines.back().id));
+  }
+  for (const std::size_t run : validation::order_of(e)) {
+    const std::string& name = e.runs[run].name;
+    if (!task.fits.empty() && std::ranges::none_of(task.engines, [&](const process::EngineChoice& engine) {
+          return unseen(task.fits, engine.id, name);
+        }))
+      continue;
+    task.runs.push_back(run);
+    if (task.drawn.size() < static_cast<std::size_t>(options.curves)) task.drawn.push_back(run);
+  }
+  if (task.runs.empty())
+    throw core::InputError(fmt::format("{}: its fits saw every run of {}: none is left to predict",
+                                       options.fit, options.experiment));
+  std::ranges::sort(task.runs);
+  return task;
+}
+
+void write_page(const Options& options, const measured::Experiment& e, const ordered_json& document) {
+  reports::HtmlReport report;
+  report.title = e.title;
+  report.documents["predictions"] = {document};
+  if (!options.fit.empty())
+    report.documents["fits"] = {
+        input::parse_json<ordered_json>(read_whole(options.fit, std::size_t{256} << 20))};
+  write_whole(options.html, reports::to_html(report));
+}
+
+int predict(const Context& context, const Options& options) {
+  require_writable(std::vector<std::string>{options.json, options.html});
+  const Task task = task_of(context, options);
+  const measured::Experiment& e = task.experiment;
+  words(options) << plain(fmt::format("{}: {} runs\n", e.title, e.runs.size()));
+  for (const std::string& known : e.known) words(options) << plain(fmt::format("  known: {}\n", known));
+  for (const std::string& value : options.values) words(options) << plain(fmt::format("  set: {}\n", value));
+  if (e.coordinates == measured::Coordinates::free) tell_lengths(options, e);
+  if (!task.fits.empty())
+    words(options) << plain(
+        fmt::format("Parameters of {}: {} runs that it did not see\n", options.fit, task.runs.size()));
+  words(options) << fmt::format(
+      "Predictions from the first frame, steps of {} s; medians over runs, with 95 % intervals:\n",
+      options.step.empty() ? e.model.step_text : options.step);
+  const process::Interruptible until_told;
+  const ordered_json document = predicted(context, options, task);
   if (!options.json.empty())
-    write_whole(
-        options.json,
-        ordered_json{{"format", "cylon-prediction/1"},
-                     {"title", e.title},
-                     {"source", e.source},
-                     {"licence", e.licence},
-                     {"known", e.known},
-                     {"model", e.model.hash},
-                     {"step", e.model.step},
-                     {"set", options.values},
-                     {"members", options.band.members},
-                     {"seed", options.band.seed},
-                     {"lengths", {{"flight", to_json(lengths.flight)}, {"rest", to_json(lengths.rest)}}},
-                     {"engines", told_engines},
-                     {"nearer", compared}}
-                .dump(1, ' ', true) +
-            "\n");
+    write_whole(options.json, document.dump(1, ' ', true, ordered_json::error_handler_t::replace) + '\n');
+  if (!options.html.empty()) write_page(options, e, document);
   return ok;
 }
 
@@ -177,15 +266,22 @@ Command add_predict(App& app, const Context& context) {
   app.add_option("experiment", options->experiment, "File that describes measured motions (docs/measured.md)")
       ->type_name("FILE")
       ->required();
-  add_engines_option(app, options->engines, "those of the published tables");
+  add_engines_option(app, options->engines, "those of the published tables, or of --fit");
   add_step_option(app, options->step);
-  app.add_option("--set", options->values,
-                 "Parameter of the file with a value, as cylon fit found it; may be given again")
-      ->type_name("NAME=VALUE")
-      ->allow_extra_args(false);
+  const Option set =
+      app.add_option("--set", options->values, "Parameter of the file with a value; may be given again")
+          ->type_name("NAME=VALUE")
+          ->allow_extra_args(false);
+  app.add_option(
+         "--fit", options->fit,
+         "File of cylon fit --json: predicts the runs that a fit did not see, with its parameters; the "
+         "band has their covariance")
+      ->type_name("FILE")
+      ->excludes(set);
   app.add_option(
          "--members", options->band.members,
-         "Predictions of the band of each run, from uncertain starts and materials; 39 make 95 %, 0 none")
+         "Predictions of the band of each run, from uncertain starts, materials and fitted parameters; "
+         "39 make 95 %, 0 none")
       ->type_name("N")
       ->check(in_range(0, 10'000))
       ->capture_default_str();
@@ -195,9 +291,16 @@ Command add_predict(App& app, const Context& context) {
       ->capture_default_str();
   app.add_option("--json", options->json, "Write everything, run by run, to this file; - is stdout")
       ->type_name("FILE");
+  app.add_option("--html", options->html, "Write the page of the data set as one HTML file; - is stdout")
+      ->type_name("FILE");
+  app.add_option("--curves", options->curves,
+                 "Runs whose curves --json and --html hold: the first by the hashes of their names")
+      ->type_name("N")
+      ->check(in_range(0, 1000))
+      ->capture_default_str();
   add_jobs_option(app, options->jobs, "Number of runs to predict at the same time; default: all processors");
   add_timeout_option(app, options->timeout);
-  add_worker_option(app, options->workers);
+  add_brought_options(app, options->brought);
   app.footer(
       "Validation: what is judged is the model with its parameters on an engine, never an engine alone. The "
       "results\n"

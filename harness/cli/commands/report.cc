@@ -132,9 +132,10 @@ int run(const Context& context, const Options& options) {
 
 Command add_report(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
-  app.add_option("files", options->files,
-                 "Files written by `run --json`, `run --traces`, `trade --json`, `track compare --json` and "
-                 "`track history --json`, in any order; - is stdin")
+  app.add_option(
+         "files", options->files,
+         "Files written by `run --json`, `run --traces`, `trade --json`, `track compare --json`, "
+         "`track history --json`, `hunt --json`, `predict --json` and `fit --json`, in any order; - is stdin")
       ->type_name("FILE")
       ->required();
   app.add_option("--html", options->html,

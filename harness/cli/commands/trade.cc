@@ -21,7 +21,8 @@ namespace cylon::cli {
 namespace {
 
 struct Options {
-  std::vector<std::string> patterns, steps, workers;
+  std::vector<std::string> patterns, steps;
+  Brought brought;
   study::SettingsRequest wanted;
   std::vector<double> tolerances;
   std::string observable, json, csv, svg, html;
@@ -57,7 +58,7 @@ study::SweepOptions sweep_options(const Context& context, const Options& options
 
 results::TradeTable sweep_of(const Context& context, const Options& options,
                              const scenario::Scenario& scenario, TradeJournal& journal) {
-  const auto rows = with_workers(context, options.workers);
+  const auto rows = with_brought(context, options.brought);
   const Sweep plan{scenario, rows, ladder_for(options, scenario), sweep_options(context, options),
                    options.observable};
   results::TradeTable table =
@@ -167,7 +168,7 @@ Command add_trade(App& app, const Context& context) {
       "Continue an interrupted sweep in this folder (.cylon/trade.jsonl): finished runs are not repeated");
   app.add_flag("-v,--verbose", options->verbose,
                "Print every point with all its errors and the point that dominates it");
-  add_worker_option(app, options->workers);
+  add_brought_options(app, options->brought);
   app.footer(
       "Cost is the CPU time of the worker's thread for all steps, without output, after a warm-up run. The\n"
       "shortest of several interleaved repetitions counts. Load time counts only for integrators with error\n"

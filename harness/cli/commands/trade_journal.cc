@@ -74,8 +74,8 @@ std::string TradeJournal::key(const study::Setting& setting, std::int64_t steps,
   study::Cell cell;
   cell.scenario = scenario_;
   cell.engine = setting.engine;
-  return fmt::format("{} {} {} steps, {} samples, tolerance {}", cell_key(cell, ""), setting.integrator.name,
-                     steps, samples_, tolerance);
+  return fmt::format("{} {} {} steps, {} samples, tolerance {}", cell_key(cell, ""),
+                     setting.integrator_asked(), steps, samples_, tolerance);
 }
 
 std::optional<study::Ran> TradeJournal::find(const study::Setting& setting, std::int64_t steps,

@@ -26,7 +26,8 @@ namespace {
 
 struct Options {
   std::string file, dt, integrator, record;
-  std::vector<std::string> engines, workers;
+  std::vector<std::string> engines;
+  Brought brought;
   int port = 0;
   bool no_open = false, paused = false;
   double speed = 1, seconds = 0;
@@ -50,7 +51,7 @@ void open_browser(const std::string& url) {
 std::unique_ptr<view::Session> make_session(const Context& context, const Options& options) {
   scenario::Scenario scenario = scenario::read(find_scenario(context, options.file));
   view::SessionOptions settings;
-  settings.rows = with_workers(context, options.workers);
+  settings.rows = with_brought(context, options.brought);
   settings.engines = view::available_engines(settings.rows, settings.limits);
   settings.playing = !options.paused;
   settings.speed = options.speed;
@@ -134,7 +135,7 @@ Command add_view(App& app, const Context& context) {
                  "end. FOLDER: save the frames that the page sends")
       ->type_name("FILE.toml|FOLDER");
   app.add_option("--for", options->seconds, "Stop after S seconds")->type_name("S")->check(positive(1e9));
-  add_worker_option(app, options->workers);
+  add_brought_options(app, options->brought);
   app.footer("Ctrl-C stops the viewer (exit code 0).  The page is served on 127.0.0.1 only.");
   return [=, &context] {
     if (options->engines.empty()) options->engines = {"in-house"};

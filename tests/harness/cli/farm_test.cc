@@ -80,7 +80,6 @@ bool mpi_is_here() {
 class FarmOfRanks : public CommandLine {
  protected:
   void SetUp() override {
-    CommandLine::SetUp();
     if (!mpi_is_here()) GTEST_SKIP() << "no MPI here: apt-get install libopenmpi-dev openmpi-bin";
   }
 

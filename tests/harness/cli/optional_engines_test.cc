@@ -19,7 +19,6 @@ namespace fs = std::filesystem;
 class OptionalEngines : public CommandLine {
  protected:
   void SetUp() override {
-    CommandLine::SetUp();
     fs::create_directory(folder / "workers");
     for (const process::BuiltEngine& one : process::engine_table()) {
       const std::string worker = std::string("cylon-worker-") + one.build;

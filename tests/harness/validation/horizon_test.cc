@@ -1,6 +1,7 @@
 // The prediction horizon of a chain: a pendulum of small swings, of which the error can be written down.
 #include "harness/validation/horizon.h"
 
+#include "harness/validation/normal.h"
 #include "reference/measured/coordinates.h"
 
 #include <gtest/gtest.h>
@@ -70,6 +71,57 @@ TEST(Horizons, AreWhatTheLawOfErrorsSays) {
   EXPECT_LT(0.6745 * deviation(h.expected - frame), 0.1);
   EXPECT_NEAR(h.exponent, std::log(std::cosh(rate * h.expected)) / h.expected, 1e-6);
   EXPECT_EQ(horizon(e, 0, inverted(e)).held, std::numeric_limits<double>::infinity());
+}
+
+// Of a right model nothing but the start is wrong, and the time that runs hold is the one that their starts' covariance says.
+TEST(Horizons, OfARightModelAreWhatTheStartsErrorsSay) {
+  Experiment e = upright();
+  const measured::Run clean = e.runs[0];
+  e.runs.clear();
+  for (std::uint64_t k = 0; k < 200; ++k) {
+    Normal normal(3, k, 0);
+    measured::Run seen = clean;
+    const double angle = normal(1e-3), speed = normal(2e-3);
+    seen.states[0] = measured::moved(e, clean.states[0], Eigen::Vector2d(angle, speed));
+    e.runs.push_back(seen);
+  }
+  std::vector<Horizon> all;
+  for (std::size_t i = 0; i < e.runs.size(); ++i) all.push_back(horizon(e, i, inverted(e)));
+  const HorizonSummary s = summary(all);
+  EXPECT_LE(s.held.interval.low, s.expected.value);
+  EXPECT_GE(s.held.interval.high, s.expected.value);
+  EXPECT_LT(s.held.interval.high - s.held.interval.low, 0.15);
+  // A model that is off by more than its starts are does not hold as long as they let expect.
+  all.clear();
+  for (std::size_t i = 0; i < e.runs.size(); ++i) all.push_back(horizon(e, i, inverted(e, 0.01)));
+  EXPECT_LT(summary(all).held.interval.high, s.expected.value);
+}
+
+// The band of a chain holds as many angles as it says of a right model, and too few of a wrong one.
+TEST(Horizons, HaveABandOfAngles) {
+  Experiment e = upright();
+  const measured::Run clean = e.runs[0];
+  e.runs.clear();
+  for (std::uint64_t k = 0; k < 200; ++k) {
+    Normal normal(5, k, 0);
+    measured::Run seen = clean;
+    for (core::State& state : seen.states)
+      state = measured::moved(e, state, Eigen::Vector2d(normal(e.angle_noise), 0));
+    const double angle = normal(1e-3), speed = normal(2e-3);
+    seen.states[0] = measured::moved(e, clean.states[0], Eigen::Vector2d(angle, speed));
+    e.runs.push_back(seen);
+  }
+  const auto band = [&](double pull) {
+    std::vector<Horizon> all;
+    for (std::size_t i = 0; i < e.runs.size(); ++i)
+      all.push_back(horizon(e, i, inverted(e, pull), {.members = 39}, {}));
+    return summary(all);
+  };
+  const HorizonSummary right = band(0);
+  EXPECT_LE(right.covered.interval.low, 0.95);
+  EXPECT_GE(right.covered.interval.high, 0.95);
+  EXPECT_NE(right.band, Answer::outside);
+  EXPECT_EQ(band(0.01).band, Answer::outside);
 }
 
 TEST(Horizons, CountRunsThatHoldToTheEndAsLongest) {

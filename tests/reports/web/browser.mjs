@@ -4,7 +4,7 @@ import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { after } from 'node:test';
+import { after, afterEach } from 'node:test';
 import assert from 'node:assert/strict';
 import { chromium } from 'playwright-core';
 
@@ -31,14 +31,23 @@ export const patience = 180_000;
 let browser;
 after(async () => browser?.close());
 
-/** A page in a context of its own.  `page.faults` gathers script errors, console errors, dialogs and every
- * request that is not for the page itself. */
+// A page that is left open would go on drawing, in software, beside the tests after it.
+const places = new Set();
+afterEach(async () => {
+  const open = [...places];
+  places.clear();
+  await Promise.all(open.map((place) => place.close()));
+});
+
+/** A page in a context of its own, open until the test ends.  `page.faults` gathers script errors, console errors, dialogs
+ * and every request that is not for the page itself. */
 export async function open(url, { width = 1280, height = 900, scheme = 'light', ...context } = {}) {
   browser ??= await chromium.launch({
     executablePath: process.env.CHROMIUM ?? spawnSync('sh', ['-c', 'command -v chromium'], { encoding: 'utf8' }).stdout.trim(),
     args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
   });
   const place = await browser.newContext({ viewport: { width, height }, colorScheme: scheme, ...context });
+  places.add(place);
   const page = await place.newPage();
   page.setDefaultTimeout(patience);
   page.faults = [];

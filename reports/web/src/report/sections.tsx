@@ -4,6 +4,8 @@ import type { ComponentType } from 'preact';
 import type { Index } from '../shared/documents';
 import { FaultsSection } from './faults/faults_section';
 import { HistorySection } from './history/history_section';
+import { dataSets } from './measured/data_sets';
+import { MeasuredSection } from './measured/measured_section';
 import { PerformanceSection } from './performance/performance_section';
 import { ProvenanceSection } from './provenance';
 import { StepsSection } from './steps/steps_section';
@@ -49,6 +51,12 @@ export const sections: Section[] = [
     label: 'Faults',
     view: FaultsSection,
     size: (index) => sum(index.hunts.map((h) => h.cards)),
+  },
+  {
+    id: 'measured',
+    label: 'Measured motions',
+    view: MeasuredSection,
+    size: (index) => dataSets(index).length,
   },
   { id: 'provenance', label: 'Provenance', view: ProvenanceSection, size: () => null },
 ];

@@ -1,5 +1,6 @@
 // What a report holds: the documents that Cylon's commands write, as they are, and traces of the runs.
 // The program packs them; nothing here is computed twice.
+import type { FitDocument, Prediction } from './measured_documents';
 
 export type Vector = [number, number, number];
 export type Quaternion = [number, number, number, number]; // (w, x, y, z), active, body to world
@@ -165,7 +166,8 @@ export interface TraceEntry {
   block: number;
 }
 
-/** Documents of other commands, where the report was given them: trade, compare, track history and hunt, --json. */
+/** Documents of other commands, where the report was given them: trade, compare, track history, hunt, predict and fit,
+ * --json. */
 export interface Index {
   kind: 'report';
   title: string;
@@ -178,6 +180,8 @@ export interface Index {
   comparisons: Comparisons[];
   histories: History[];
   hunts: Hunt[];
+  predictions: Prediction[];
+  fits: FitDocument[];
 }
 
 // ---- Traces: a block of their own each ---------------------------------------------------------------------

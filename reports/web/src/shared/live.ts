@@ -76,7 +76,7 @@ export type Command =
   | { do: 'step' } // one step of the first lane's dt, then pause
   | { do: 'reset' }
   | { do: 'speed'; value: number } // 0.01 … 100
-  | { do: 'kick'; body: number; impulse: Vector } // [N s] at the centre of mass, world axes, in every lane
+  | { do: 'kick'; body: number; impulse: Vector; angular_impulse?: Vector } // [N s] at the centre of mass, [N m s] beside it, world axes, in every lane
   | { do: 'pull'; body: number; anchor: Vector; pin: Vector; stiffness: number } // a spring from a point of the body (body axes) to a point of the world; again: moves the pin
   | { do: 'release' }
   | { do: 'lanes'; lanes: Lane[] } // engines, integrators, steps; the state is kept

@@ -7,7 +7,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import uPlot from 'uplot';
 
 import { aligned, type Curve, floorOf } from './plot_data';
-import { drawExtras } from './plot_draw';
+import { drawBands, drawExtras } from './plot_draw';
 import { lookOf } from './plot_marks';
 import type { TimeCursor } from './plot_cursor';
 import { color, onTheme } from './theme';
@@ -74,7 +74,7 @@ function decadeSplits(u: uPlot, _: number, least: number, greatest: number): num
 }
 
 /** A constant lies in the middle, not on the edge of an axis to 100. */
-function roomy(_: uPlot, least: number, greatest: number): uPlot.Range.MinMax {
+function roomy(least: number | null, greatest: number | null): uPlot.Range.MinMax {
   if (least == null || greatest == null) return [-1, 1];
   if (least === greatest) return [least - (Math.abs(least) || 1), least + (Math.abs(least) || 1)];
   return uPlot.rangeNum(least, greatest, 0.1, true);
@@ -84,6 +84,7 @@ function options(props: TimePlotProps, width: number): uPlot.Options {
   const { curves, cursor, log } = props;
   const levels = curves.flatMap((c) => (c.allowed != null && c.allowed > 0 ? [c.allowed] : []));
   const [from, to] = cursor.window ?? cursor.whole;
+  const edges = curves.flatMap(({ band }) => (band ? [...Array.from(band.low), ...Array.from(band.high)] : []));
   return {
     width,
     height: props.height ?? 260,
@@ -95,7 +96,10 @@ function options(props: TimePlotProps, width: number): uPlot.Options {
             distr: 3,
             range: (u, a, b) => decades(u, Math.min(a ?? 1, ...levels), Math.max(b ?? 1, ...levels)),
           }
-        : { range: roomy },
+        : {
+            range: (_: uPlot, a: number, b: number) =>
+              a == null ? roomy(a, b) : roomy(Math.min(a, ...edges), Math.max(b, ...edges)),
+          },
     },
     series: [
       {},
@@ -115,6 +119,7 @@ function options(props: TimePlotProps, width: number): uPlot.Options {
           if (key === 'x' && min != null && max != null) cursor.window = [min, max];
         },
       ],
+      drawAxes: [(u) => drawBands(u, curves)],
       draw: [(u) => drawExtras(u, curves, (allowed) => `allowed ${props.number(allowed)}`)],
     },
   };

@@ -7,6 +7,7 @@ export interface Curve {
   time: ArrayLike<number>; // [s], ascending; a time may come twice
   value: ArrayLike<number>;
   allowed?: number | null; // a level line
+  band?: { low: ArrayLike<number>; high: ArrayLike<number> } | null; // at the curve's times, shaded
   violation?: { time: number; value: number | null } | null; // first beyond it; a null value was not finite
 }
 

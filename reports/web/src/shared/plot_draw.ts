@@ -60,6 +60,28 @@ function violation(u: uPlot, curve: Curve, scale: number): void {
   u.ctx.stroke();
 }
 
+/** The shaded ranges around curves; before the curves are drawn. */
+export function drawBands(u: uPlot, curves: Curve[]): void {
+  const { left, top, width, height } = u.bbox;
+  u.ctx.save();
+  u.ctx.beginPath();
+  u.ctx.rect(left, top, width, height);
+  u.ctx.clip();
+  for (const { band, time, style } of curves) {
+    if (!band || time.length === 0) continue;
+    u.ctx.fillStyle = color(lookOf(style).color);
+    u.ctx.globalAlpha = 0.22;
+    u.ctx.beginPath();
+    for (let i = 0; i < time.length; ++i)
+      u.ctx.lineTo(u.valToPos(time[i]!, 'x', true), u.valToPos(band.high[i]!, 'y', true));
+    for (let i = time.length - 1; i >= 0; --i)
+      u.ctx.lineTo(u.valToPos(time[i]!, 'x', true), u.valToPos(band.low[i]!, 'y', true));
+    u.ctx.closePath();
+    u.ctx.fill();
+  }
+  u.ctx.restore();
+}
+
 /** Level lines that lie on one another are drawn once. */
 export function drawExtras(u: uPlot, curves: Curve[], levelText: (allowed: number) => string): void {
   const scale = devicePixelRatio;

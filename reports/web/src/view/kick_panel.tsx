@@ -7,19 +7,20 @@ import type { Viewer } from './viewer';
 const most = 9; // as many as there are digits
 
 export function KickPanel({ viewer, scene }: { viewer: Viewer; scene: Scene }) {
-  const number = (value: number, label: string, unit: string, set: (x: number) => void) => (
+  const number = (value: number, label: string, unit: string, set: (x: number) => void, least = 0.01) => (
     <label>
       {label}
       <input
         type="number"
         class="number"
-        min={0.01}
+        min={least}
         step="any"
         value={value}
         onChange={(event) => {
           const x = event.currentTarget.valueAsNumber;
-          if (x > 0 && Number.isFinite(x)) set(x);
-          event.currentTarget.value = String(x > 0 ? x : value);
+          const valid = (x > 0 || x === least) && Number.isFinite(x);
+          if (valid) set(x);
+          event.currentTarget.value = String(valid ? x : value);
           viewer.changed();
         }}
       />
@@ -31,6 +32,7 @@ export function KickPanel({ viewer, scene }: { viewer: Viewer; scene: Scene }) {
       <h2>Kick and pull</h2>
       <div class="choices">
         {number(viewer.kickSpeed, 'Kick by', 'm/s', (x) => (viewer.kickSpeed = x))}
+        {number(viewer.kickSpin, 'and spin by', 'rad/s', (x) => (viewer.kickSpin = x), 0)}
         {number(viewer.pullFrequency, 'Pull at', 'Hz', (x) => (viewer.pullFrequency = x))}
       </div>
       <ul class="kicks">

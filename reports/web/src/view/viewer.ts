@@ -7,7 +7,7 @@ import { Connection } from './connection';
 import { Film, wantsPictures } from './film';
 import { FrameRate } from './frame_rate';
 import { History } from './history';
-import { kick, pullStiffness } from './kick';
+import { kick, pullStiffness, spin } from './kick';
 import { LanePicture } from './lane_picture';
 import type { Hands, Shown } from './lane_picture';
 import type { Packet } from './packets';
@@ -36,6 +36,7 @@ export class Viewer {
     links: true,
   };
   kickSpeed = 1; // [m/s]
+  kickSpin = 0; // [rad/s]
   pullFrequency = 1; // [Hz]
   readonly history = new History();
   readonly scale = new ArrowScale();
@@ -237,9 +238,10 @@ export class Viewer {
   }
 
   kick(body: number, reverse: boolean): void {
-    const impulse =
-      this.session && kick(this.session.scene, body, reverse ? -this.kickSpeed : this.kickSpeed);
-    if (impulse) this.send({ do: 'kick', body, impulse });
+    const sign = reverse ? -1 : 1;
+    const impulse = this.session && kick(this.session.scene, body, sign * this.kickSpeed);
+    const angular = this.session && spin(this.session.scene, body, sign * this.kickSpin);
+    if (impulse) this.send({ do: 'kick', body, impulse, ...(angular && { angular_impulse: angular }) });
     else if (this.session && body < this.session.scene.body.length)
       this.tell(`${this.session.scene.body[body]!.name} cannot be kicked: it is locked`);
   }

@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import { load } from '../bundle_for_test.mjs';
 
 const { parametersOf, readValue, seen } = await load('view/parameters.ts');
-const { kick, pullStiffness } = await load('view/kick.ts');
+const { kick, pullStiffness, spin } = await load('view/kick.ts');
 const { Commands } = await load('view/commands.ts');
 const { History, digits, roomy } = await load('view/history.ts');
 const { TrailRecorder } = await load('view/trail_recorder.ts');
@@ -83,6 +83,10 @@ test('a kick changes the velocity by as much as it says, upwards, and back with 
   assert.deepEqual(kick(scene, 0, -1.5), impulse.map((x) => (x === 0 ? 0 : -x)));
   assert.equal(kick(scene, 1, 1), null); // locked
   assert.equal(kick(scene, 2, 1), null); // not there
+  // (0.1 + 0.2 + 0.3)/3 kg m^2
+  assert.ok(Math.abs(spin(scene, 0, 5)[2] - 1) < 1e-12 && spin(scene, 0, 5)[0] === 0);
+  assert.equal(spin(scene, 0, 0), null); // none
+  assert.equal(spin(scene, 1, 1), null); // locked
   // k = m (2 pi f)^2
   assert.ok(Math.abs(pullStiffness(3, 0.5) - 3 * Math.PI ** 2) < 1e-12);
 });

@@ -37,7 +37,7 @@ export interface Divergence {
 interface TimelineProps {
   cursor: TimeCursor;
   frames: ArrayLike<number>; // times of the stored frames [s]
-  divergence: Divergence | null;
+  divergence?: Divergence | null; // null: there is none; absent: nothing is compared
 }
 
 function Jump({ cursor, divergence }: { cursor: TimeCursor; divergence: Divergence | null }) {
@@ -107,7 +107,7 @@ export function Timeline({ cursor, frames, divergence }: TimelineProps) {
           </button>
         ) : null}
       </div>
-      <Jump cursor={cursor} divergence={divergence} />
+      {divergence === undefined ? null : <Jump cursor={cursor} divergence={divergence} />}
     </div>
   );
 }

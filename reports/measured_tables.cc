@@ -1,0 +1,128 @@
+#include "reports/measured_tables.h"
+
+#include "reports/xml.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <utility>
+
+namespace cylon::reports {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const Json& part(const Json& json, const char* key) {
+  static const Json none;
+  const auto found = json.is_object() ? json.find(key) : json.end();
+  return found == json.end() ? none : *found;
+}
+
+std::string text(const Json& json, const char* key) {
+  const Json& value = part(json, key);
+  return value.is_string() ? xml(value.get<std::string>()) : "?";
+}
+
+std::string number(const Json& value, double scale, int digits) {
+  return value.is_number() ? fmt::format("{:.{}g}", scale * value.get<double>(), digits) : "?";
+}
+
+std::string with_interval(const Json& value, const Json& low, const Json& high, double scale = 1,
+                          int digits = 4) {
+  if (!value.is_number()) return "not known";
+  const std::string shown = number(value, scale, digits);
+  if (!low.is_number()) return shown;
+  return fmt::format("{} [{}, {}]", shown, number(low, scale, digits), number(high, scale, digits));
+}
+
+// A time that is null where a prediction holds to the end of the data.
+std::string until(const Json& time) {
+  const auto one = [](const Json& t) { return t.is_number() ? number(t, 1, 3) : std::string("the end"); };
+  return fmt::format("{} [{}, {}]", one(part(time, "value")), one(part(time, "low")),
+                     one(part(time, "high")));
+}
+
+std::string estimate(const Json& of, double scale) {
+  return with_interval(part(of, "value"), part(of, "low"), part(of, "high"), scale, 3);
+}
+
+// A column of an engine's scores.
+struct Column {
+  const char *key, *head;
+  std::string (*cell)(const Json& score);
+};
+
+constexpr double degrees = 180 / std::numbers::pi;
+
+template <double scale>
+std::string scaled(const Json& score) {
+  return estimate(score, scale);
+}
+
+constexpr Column free_columns[] = {{"distance", "rest, distance [mm]", scaled<1000.0>},
+                                   {"angle", "rest, angle [deg]", scaled<degrees>},
+                                   {"same_side", "same side up [%]", scaled<100.0>},
+                                   {"impact", "first touch, off by [ms]", scaled<1000.0>},
+                                   {"loss", "energy lost, off by [%]", scaled<100.0>},
+                                   {"covered", "inside the band [%]", scaled<100.0>}};
+constexpr Column chain_columns[] = {{"held", "within 0.1 rad for [s]", until},
+                                    {"expected", "by the start alone [s]", until},
+                                    {"exponent", "exponent [1/s]", scaled<1.0>},
+                                    {"covered", "inside the band [%]", scaled<100.0>}};
+
+std::string head(const std::string& caption, std::span<const std::string> columns) {
+  std::string out = fmt::format("<table><caption>{}</caption><thead><tr>", caption);
+  for (const std::string& column : columns) out += fmt::format("<th scope=\"col\">{}</th>", column);
+  return out + "</tr></thead>\n<tbody>\n";
+}
+
+std::string scores(const Json& document) {
+  const bool chain = part(document, "coordinates") == "chain";
+  const std::span<const Column> columns =
+      chain ? std::span<const Column>(chain_columns) : std::span<const Column>(free_columns);
+  std::vector<std::string> heads = {"engine"};
+  for (const Column& column : columns) heads.emplace_back(column.head);
+  heads.emplace_back("90 to 98 %");
+  std::string out = head(part(document, "fitted") == true ? "Predicted, with fitted parameters"
+                                                          : "Predicted, with the model's own values",
+                         heads);
+  for (const Json& engine : part(document, "engines")) {
+    out += fmt::format("<tr><th scope=\"row\">{}</th>", text(engine, "engine"));
+    for (const Column& column : columns)
+      out += fmt::format("<td>{}</td>", column.cell(part(engine, column.key)));
+    out += fmt::format("<td>{}</td></tr>\n", text(engine, "band"));
+  }
+  return out + "</tbody></table>\n";
+}
+
+std::string parameters(const Json& document) {
+  const std::string heads[] = {"engine", "parameter", "value, if the uncertainties are right",
+                               "between runs"};
+  std::string out = head("Fitted", heads);
+  for (const Json& fit : part(document, "fits"))
+    for (const Json& p : part(fit, "parameters"))
+      out += fmt::format(
+          "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td></tr>\n", text(fit, "engine"),
+          text(p, "name"), with_interval(part(p, "value"), part(p, "low"), part(p, "high")),
+          with_interval(part(p, "value"), part(p, "low_between_runs"), part(p, "high_between_runs")));
+  return out + "</tbody></table>\n";
+}
+
+}  // namespace
+
+std::string measured_tables(const std::map<std::string, std::vector<Json>>& documents) {
+  std::string out;
+  using Table = std::string (*)(const Json&);
+  constexpr std::pair<const char*, Table> tables[] = {{"predictions", scores}, {"fits", parameters}};
+  for (const auto& [key, table] : tables)
+    if (const auto given = documents.find(key); given != documents.end())
+      for (const Json& document : given->second)
+        out += fmt::format("<h2>{}</h2>\n<p>{} Licence: {}</p>\n", text(document, "title"),
+                           text(document, "source"), text(document, "licence")) +
+               table(document);
+  return out;
+}
+
+}  // namespace cylon::reports

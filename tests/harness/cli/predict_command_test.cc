@@ -1,0 +1,197 @@
+// `cylon fit` and `cylon predict` on a small data set of its own: a pendulum of small swings, of which the motion can be written
+// down, seen with noise.
+#include "harness/validation/normal.h"
+#include "tests/harness/cli/fixture.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cylon::cli {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* model = R"(title = "A pendulum"
+story = "A small one."
+duration = 1.0
+step = "1/1000"
+gravity = [0, -9.81, 0]
+
+[[body]]
+name = "arm"
+mass = 0.5
+inertia = [2e-3, 2e-3, 2e-3]
+shape = { type = "box", half_extents = [0.01, 0.2, 0.01] }
+position = [0, -0.2, 0]
+collide = false
+
+[[joint]]
+type = "hinge"
+body = "arm"
+point = [0, 0, 0]
+axis = [0, 0, 1]
+)";
+
+constexpr const char* description = R"(title = "Swings of </script><b>an arm</b>"
+source = "made for a test"
+licence = "none"
+instrument = "a formula"
+known = ["it is <i>synthetic</i>"]
+data = "swings.csv"
+model = "pendulum.toml"
+bodies = ["arm"]
+rate = 100
+
+[columns]
+run = "run"
+angles = ["angle"]
+rates = ["rate"]
+
+[uncertainty]
+angle_noise = 0.0005
+angle = 0.0005
+rate = 0.005
+
+[fit]
+horizon = 0.4
+
+[[parameter]]
+name = "inertia"
+kind = "inertia"
+low = 0.3
+start = 1
+high = 5
+
+[[parameter]]
+name = "mass"
+kind = "mass"
+low = 0.3
+start = 1
+high = 3
+)";
+
+class PredictCommand : public CommandLine {
+ protected:
+  void SetUp() override {
+    write("pendulum.toml", model), write("swings.toml", description);
+    // Of an arm whose inertia is 1.3 times the model's: a'' = -(m g l/(I + m l^2)) a.
+    const double w = std::sqrt(0.5 * 9.81 * 0.2 / (1.3 * 2e-3 + 0.5 * 0.04));
+    std::string table = "run,angle,rate\n";
+    for (std::uint64_t run = 0; run < 6; ++run) {
+      validation::Normal normal(1, run, 0);
+      const double a = 0.05 + normal(0.01), b = normal(0.1);
+      for (int i = 0; i < 90; ++i) {
+        const double t = 0.01 * i;
+        table += fmt::format("{},{:.9g},{:.9g}\n", run,
+                             a * std::cos(w * t) + b / w * std::sin(w * t) + normal(0.0005),
+                             b * std::cos(w * t) - a * w * std::sin(w * t) + normal(0.005));
+      }
+    }
+    write("swings.csv", table);
+  }
+  json document(const std::string& file) const { return json::parse(read(file)); }
+};
+
+TEST_F(PredictCommand, TakesAFitToTheRunsThatItDidNotSee) {
+  const Ran fitted = cylon("fit swings.toml --engine ode --parameters inertia --json fit.json");
+  ASSERT_EQ(fitted.code, 0) << fitted.err;
+  const json fit = document("fit.json")["fits"][0];
+  EXPECT_NEAR(fit["parameters"][0]["value"].get<double>(), 1.3, 0.1);
+  EXPECT_NEAR(std::sqrt(fit["covariance"][0][0].get<double>()), fit["parameters"][0]["error"].get<double>(),
+              1e-12);
+
+  const Ran ran = cylon("predict swings.toml --fit fit.json --json p.json --html p.html --curves 2");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const json after = document("p.json"), &engine = after["engines"][0];
+  EXPECT_EQ(after["engines"].size(), 1u);
+  EXPECT_EQ(engine["engine"], "ode");
+  EXPECT_EQ(after["fitted"], true);
+  ASSERT_EQ(engine["each"].size(), fit["judged_on"].size());
+  std::set<std::string> predicted;
+  for (const json& run : engine["each"]) predicted.insert(run["run"].get<std::string>());
+  EXPECT_EQ(predicted, fit["judged_on"].get<std::set<std::string>>());
+  EXPECT_EQ(engine["drawn"].size(), 2u);
+  EXPECT_EQ(after["drawn"]["runs"][0]["run"], engine["drawn"][0]["run"]);
+  const auto inside = engine["covered"]["value"].get<double>();
+  EXPECT_GT(inside, 0.8);
+
+  // Before the fit an arm of another inertia is predicted, and its band is too narrow.
+  ASSERT_EQ(cylon("predict swings.toml --engine ode --json b.json").code, 0);
+  const json before = document("b.json");
+  EXPECT_EQ(before["fitted"], false);
+  EXPECT_LT(before["engines"][0]["covered"]["value"].get<double>(), inside - 0.2);
+  EXPECT_EQ(before["experiment"], after["experiment"]);
+
+  const std::string page = read("p.html");
+  EXPECT_EQ(page.find("<b>an arm"), std::string::npos);
+  EXPECT_NE(page.find("&lt;b&gt;an arm"), std::string::npos);
+  const Ran report = cylon("report p.json b.json fit.json --html all.html");
+  EXPECT_EQ(report.code, 0) << report.err;
+  EXPECT_NE(read("all.html").find("<th scope=\"row\">ode</th>"), std::string::npos);
+}
+
+TEST_F(PredictCommand, JudgesEachRunByTheFoldThatLeftItOut) {
+  ASSERT_EQ(cylon("fit swings.toml --engine ode --parameters inertia --folds 3 --json fit.json").code, 0);
+  ASSERT_EQ(cylon("predict swings.toml --fit fit.json --members 0 --json p.json").code, 0);
+  EXPECT_EQ(document("p.json")["engines"][0]["each"].size(), 6u);
+}
+
+// Data of the same form that no fit saw are predicted whole, even where runs have the same names.
+TEST_F(PredictCommand, TakesAFitToOtherData) {
+  ASSERT_EQ(cylon("fit swings.toml --engine ode --parameters inertia --on all --json fit.json").code, 0);
+  const Ran none = cylon("predict swings.toml --fit fit.json");
+  EXPECT_EQ(none.code, 2);
+  EXPECT_NE(none.err.find("saw every run"), std::string::npos) << none.err;
+  write("swings.csv", read("swings.csv") + "7,0.01,0\n7,0.0098,-0.03\n7,0.0093,-0.06\n");
+  ASSERT_EQ(cylon("predict swings.toml --fit fit.json --members 3 --json p.json").code, 0);
+  EXPECT_EQ(document("p.json")["engines"][0]["each"].size(), 7u);
+}
+
+TEST_F(PredictCommand, DocumentsGoToStdoutAlone) {
+  const Ran ran = cylon("predict swings.toml --engine ode --members 0 --json -");
+  ASSERT_EQ(ran.code, 0);
+  EXPECT_EQ(json::parse(ran.out)["format"], "cylon-prediction/1");
+  EXPECT_NE(ran.err.find("within 0.1 rad"), std::string::npos);
+}
+
+TEST_F(PredictCommand, RefusesFitsThatItCannotTake) {
+  const std::string good =
+      R"({"format":"cylon-fit/1","experiment":"x","fits":[{"engine":"ode","failure":"","fitted_on":[],
+    "parameters":[{"name":"inertia","value":1.3,"error":0.1}],"covariance":[[0.01]]}]})";
+  const auto said = [&](const std::string& text, const std::string& more = "") {
+    write("fit.json", text);
+    const Ran ran = cylon("predict swings.toml --fit fit.json --members 3 " + more);
+    EXPECT_EQ(ran.code, 2) << ran.out;
+    return ran.err;
+  };
+  write("fit.json", good);
+  ASSERT_EQ(cylon("predict swings.toml --fit fit.json --members 3").code, 0);
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"{", "not JSON"},
+      {"[]", "not a file of cylon fit"},
+      {replaced(good, "cylon-fit/1", "cylon-trade/1"), "not a file of cylon fit"},
+      {replaced(good, "\"inertia\"", "\"inerta\""), "did you mean 'inertia'"},
+      {replaced(good, "1.3", "9"), "outside [0.3, 5]"},
+      {replaced(good, "1.3", "\"1.3\""), "not as cylon fit --json writes it"},
+      {replaced(good, "0.1}", "null}"), "cannot tell apart 'inertia'"},
+      {replaced(good, "[[0.01]]", "[[0.01, 0]]"), "another size"},
+      {replaced(good, "[[0.01]]", "[[-0.01]]"), "negative eigenvalue"},
+      {replaced(good, ",\"covariance\":[[0.01]]", ""), "covariance"},
+      {replaced(good, "\"fits\":[{", "\"fits\":[],\"none\":[{"), "it has no fit"}};
+  for (const auto& [text, why] : cases)
+    EXPECT_NE(said(text).find(why), std::string::npos) << why << ": " << text;
+  EXPECT_NE(said(good, "--engine bullet").find("no fit of bullet"), std::string::npos);
+  EXPECT_NE(said(good, "--set inertia=1").find("--set"), std::string::npos);
+  // Without a band the covariance is not asked for.
+  write("fit.json", replaced(good, "0.1}", "null}"));
+  EXPECT_EQ(cylon("predict swings.toml --fit fit.json --members 0").code, 0);
+}
+
+}  // namespace
+}  // namespace cylon::cli
