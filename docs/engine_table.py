@@ -3,7 +3,7 @@
 
     docs/engine_table.py [--cylon build/release/cylon]
 
-measures, which takes an hour or more: `cylon matrix` on each scene of the suite conformance, in build/engine-table, where a
+measures, which takes half an hour to an hour: `cylon matrix` on each scene of the suite conformance, in build/engine-table, where a
 call goes on that was interrupted.  The numbers of each scene go to docs/engine_table.json as soon as they are there.
 docs/update.py writes the table from these, names the scenes that were not measured, and checks that no engine is missing.
 """
@@ -18,12 +18,11 @@ import tomllib
 root = pathlib.Path(__file__).resolve().parent.parent
 numbers = root / "docs" / "engine_table.json"
 
-# Title, engine as measured, and the engines of engines.txt for which the row stands.  Settings as an expert sets them, where
-# there is such a path, with the engine's default integrator; Bullet's expert path wants its own integrator on some scenes,
-# so its default path stands here.  A stand-in runs what the engine has no concept of, in a labelled way.
+# Title, engine as measured, and the engines of engines.txt for which the row stands.  Settings and integrator as an expert
+# sets them, where there is such a path, else the engine's default integrator.  A stand-in runs what the engine has no concept of, in a labelled way.
 families = [
     ("in-house", "in-house", ["in-house", "in-house-float"]),
-    ("Bullet", "bullet", ["bullet", "bullet-float", "bullet-multibody", "bullet-multibody-float"]),
+    ("Bullet", "bullet/path=as-expert", ["bullet", "bullet-float", "bullet-multibody", "bullet-multibody-float"]),
     ("ODE", "ode/path=as-expert", ["ode", "ode-quick"]),
     ("MuJoCo 2.2", "mujoco/path=as-expert", ["mujoco"]),
     ("Simbody", "simbody/path=as-expert", ["simbody"]),
@@ -182,8 +181,7 @@ def block(_):
     dates = sorted({scene["date"] for scene in measured_scenes.values()})
     load = max(scene["load"] for scene in measured_scenes.values())
     lines += ["", f"Measured on {', '.join(machines)}, {', '.join(dates)}, while the machine had a load average of up to {load}.\nCPU times "
-              "depend on that by caches and clocks, steps only where a run was lost. For each scene, some engines in a call of\n"
-              "their own,", "",
+              "depend on that by caches and clocks, steps only where a run was lost. `docs/engine_table.py` calls, for each scene,", "",
               "```", *wrapped("cylon matrix SCENE " + " ".join(options)), "```"]
     return "\n".join(lines)
 

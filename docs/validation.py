@@ -129,6 +129,21 @@ def predicted_rests(found):
     return "\n".join(rows)
 
 
+def lengths(found):
+    of, g = found["lengths"], found["lengths"]["gravity"]
+    rows = ["| sign | measured | true | measured over true | runs |", "|---" * 5 + "|",
+            f"| fall in free flight [m/s²] | {scaled(of['flight'], g, '{:.3f}')} | {g:.4g} | {scaled(of['flight'], 1, '{:.4f}')} | {of['flight']['runs']} |",
+            f"| height at rest [mm] | {scaled(of['height'], 1000, '{:.2f}')} | | {scaled(of['rest'], 1, '{:.4f}')} | {of['rest']['runs']} |"]
+    for side in sorted({run["side"] for run in of["each"]} - {0}):
+        runs = [run for run in of["each"] if run["side"] == side]
+        height, half = (sum(run[k] for run in runs) / len(runs) for k in ("height", "half"))
+        rows.append(f"| the same, side {'+' if side > 0 else '-'}{'xyz'[abs(side) - 1]} up [mm] | {1000 * height:.2f} | {1000 * half:.2f} | "
+                    f"{height / half:.4f} | {len(runs)} |")
+    if of["tilt"] is not None:
+        rows.append(f"| tilt at rest, root mean square [mrad] | {1000 * of['tilt']:.1f} | 0 | | {of['rest']['runs']} |")
+    return "\n".join(rows)
+
+
 def predicted_horizons(found):
     return horizons([(s["engine"], "", s) for s in found["engines"]])
 
@@ -201,6 +216,7 @@ def main():
     if options.only in (None, "tosses"):
         words = words_of("predict", cubes, ["--members", "0"])
         put("tosses", shown(words) + ":\n\n" + predicted_rests(found_by(cylon, words, state)))
+        put("lengths", "The same command on the lengths of the data:\n\n" + lengths(found_by(cylon, words, state)))
     if options.only in (None, "cube fit"):
         words = words_of("fit", cubes, ["--timeout", "600"], engines[:3])
         found = found_by(cylon, words, state)

@@ -98,7 +98,10 @@ void require_plain(const core::Scene& scene) {
   for (const core::Force& force : scene.forces)
     std::visit(
         [&]<class F>(const F& f) {
-          if constexpr (requires { f.body; })
+          if constexpr (requires { f.bodies; })
+            throw Unsayable{core::Element<F>::name, name_of(scene, f.bodies.front()), "",
+                            "it has no such force"};
+          else if constexpr (requires { f.body; })
             throw Unsayable{core::Element<F>::name, name_of(scene, f.body), "", "it has no such force"};
           else if constexpr (!std::is_same_v<F, core::UniformGravity>)
             throw Unsayable{core::Element<F>::name, "", "", "it has no such force"};

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 struct Options {
   std::string store, name, engine = "in-house", note;
-  std::vector<std::string> workers;
+  Brought brought;
 };
 
 // The binary is copied beside the store, as the next build would overwrite it.
@@ -32,7 +32,7 @@ int pin(const Context& context, const Options& options) {
   if (options.name.empty() || options.name.find_first_of("/*?[ =") != std::string::npos)
     throw core::InputError(fmt::format("'{}': the name of an anchor must not contain / * ? [ = or a space",
                                        plain(options.name)));
-  process::EngineRow row = process::parse_engine(options.engine, with_workers(context, options.workers)).row;
+  process::EngineRow row = process::parse_engine(options.engine, with_brought(context, options.brought)).row;
   if (row.id != options.engine)
     throw core::InputError(
         fmt::format("--engine {}: an anchor is an engine without a variant", options.engine));
@@ -118,7 +118,7 @@ Command add_track_pin(App& app, const Context& context) {
       ->type_name("ID")
       ->capture_default_str();
   app.add_option("--note", options->note, "Reason for this choice")->type_name("TEXT");
-  add_worker_option(app, options->workers);
+  add_brought_options(app, options->brought);
   add_store_option(app, options->store);
   app.footer(
       "Copies the worker beside the store. From then on `cylon track record` times each cell in turn with it "

@@ -30,7 +30,8 @@ using results::Status;
 struct Options {
   RunWords words;
   std::string folder, store;
-  std::vector<std::string> engines, workers;
+  std::vector<std::string> engines;
+  Brought brought;
   double timeout = 20;
 };
 
@@ -47,7 +48,7 @@ results::Verdict row_of(const hunt::Kept& card, const hunt::Replayed& now) {
 }
 
 int record(const Context& context, const Options& options) {
-  const auto rows = with_workers(context, options.workers);
+  const auto rows = with_brought(context, options.brought);
   const std::vector<fs::path> files = hunt::card_files(options.folder);
   if (files.empty()) {
     std::cerr << "nothing selected: no card in " << plain(options.folder) << '\n';
@@ -93,7 +94,7 @@ Command add_track_cards(App& app, const Context& context) {
   add_engines_option(app, options->engines, "each card's own");
   add_run_options(app, options->words);
   add_timeout_option(app, options->timeout);
-  add_worker_option(app, options->workers);
+  add_brought_options(app, options->brought);
   add_store_option(app, options->store);
   app.footer(
       "A card that is fixed is a verdict that passes, with the error 0; one that is still there, or changed, "

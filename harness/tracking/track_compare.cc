@@ -33,7 +33,8 @@ std::string command_for(const CompareRequest& asked, const study::Cell& cell) {
   option("--baseline", asked.baseline);
   option("--candidate", asked.candidate);
   for (const std::string& worker : asked.baseline_workers) option("--baseline-worker", worker);
-  for (const std::string& worker : asked.cells.workers) option("--worker", worker);
+  for (const std::string& worker : asked.cells.brought.workers) option("--worker", worker);
+  for (const std::string& plugin : asked.cells.brought.plugins) option("--plugin", plugin);
   words.insert(words.end(), {cell.known_as, "--engine", cell.engine.id, "--dt", cell.dt_text});
   return shell_command(words);
 }
@@ -65,7 +66,7 @@ std::vector<std::string> notes_of(const study::CompareOptions& options) {
 void add_workers(study::Side& side, const Context& context, const std::vector<std::string>& workers) {
   Context none = context;
   none.engines.clear();
-  for (const process::EngineRow& row : with_workers(none, workers)) {
+  for (const process::EngineRow& row : with_brought(none, {.workers = workers, .plugins = {}})) {
     std::erase_if(side.engines, [&](const process::EngineRow& other) { return other.id == row.id; });
     side.engines.push_back(row);
   }
@@ -82,6 +83,7 @@ Baseline baseline_of(const Context& context, const CompareRequest& asked,
   const std::string& word = asked.baseline;
   const auto live = [&](study::Side side) {
     add_workers(side, context, asked.baseline_workers);
+    add_plugins(side.engines, asked.cells.brought.plugins);
     return Baseline{std::move(side), std::nullopt};
   };
   if (word.empty()) return live({"the given workers", {}});
@@ -125,7 +127,8 @@ results::ComparisonReport report_of(const Context& context, const CompareRequest
   const study::CompareOptions options = options_of(asked);
   const study::Side candidate{asked.candidate.empty() ? "this build" : asked.candidate, context.engines};
   study::Side with_own = candidate;
-  add_workers(with_own, context, asked.cells.workers);
+  add_workers(with_own, context, asked.cells.brought.workers);
+  add_plugins(with_own.engines, asked.cells.brought.plugins);
   const Baseline baseline = baseline_of(context, asked, cells);
   if (baseline.run) return compare_with_stored(asked.store, *baseline.run, cells, with_own, options, show);
   results::ComparisonReport report = study::compare(cells, baseline.side, with_own, options, show);

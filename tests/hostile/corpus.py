@@ -63,6 +63,8 @@ t("cloud_dense", HEAD + '[[cloud]]\nname="c"\nmass=1\ncount=400000\nlow=[0,0,0]\
 t("cloud_full", HEAD + '[[cloud]]\nname="c"\nmass=1\ncount=1000000\nlow=[0,0,0]\nhigh=[200,200,200]\nshape={type="sphere",radius=0.45}\n' + MAT + CLAIM)
 t("clouds", HEAD + "".join(f'[[cloud]]\nname="c{i}"\nmass=1\ncount=9000\nseed={i}\nlow=[0,0,{30*i}]\nhigh=[30,30,{30*i+29}]\nshape={{type="sphere",radius=0.45}}\n' for i in range(60)) + MAT + CLAIM)
 t("cloud_x_lattice", HEAD + '[[lattice]]\nname="g"\nmass=1\ncount=[300,300,1]\nspacing=[3,3,3]\nshape={type="sphere",radius=1}\n[[cloud]]\nname="c"\nmass=1\ncount=20000\nlow=[0,0,100]\nhigh=[1000,1000,1000]\nshape={type="sphere",radius=0.1}\n' + MAT + CLAIM)
+# Spheres 60 m in radius, none of which finds a place among spheres of 0.45 m, one in each block of the grid.
+t("cloud_of_giants", HEAD + '[[lattice]]\nname="g"\nmass=1\ncount=[100,77,77]\nspacing=[4,2,2]\nshape={type="sphere",radius=0.45}\n[[cloud]]\nname="c"\nmass=1\ncount=10\nlow=[200,77,77]\nhigh=[201,78,78]\nshape={type="sphere",radius=60}\n' + MAT + CLAIM)
 t("cloud_inf_box", HEAD + '[[cloud]]\nname="c"\nmass=1\ncount=3\nlow=[-1e308,-1e308,-1e308]\nhigh=[1e308,1e308,1e308]\n' + CLAIM)
 t("cloud_speed_inf", HEAD + '[[cloud]]\nname="c"\nmass=1\ncount=3\nvelocity=[1.7e308,0,0]\nspeed=1.7e308\nlow=[0,0,0]\nhigh=[1,1,1]\n' + CLAIM)
 t("lattice_spacing_inf", HEAD + '[[lattice]]\nname="g"\nmass=1\ncount=[10,1,1]\nspacing=[1e308,0,0]\n' + CLAIM)

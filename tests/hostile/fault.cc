@@ -15,6 +15,7 @@
 #include <execinfo.h>
 #include <fcntl.h>
 #include <pthread.h>
+#include <sched.h>
 #include <spawn.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -208,6 +209,12 @@ pid_t fork() {
   FAIL(process, EAGAIN, -1)
   NEXT(fork);
   return real();
+}
+// As harness/process/spawn.cc calls it, without further arguments.
+int clone(int (*work)(void*), void* stack, int flags, void* argument, ...) {
+  FAIL(process, EAGAIN, -1)
+  NEXT(clone);
+  return real(work, stack, flags, argument);
 }
 int posix_spawn(pid_t* pid, const char* path, const posix_spawn_file_actions_t* actions,
                 const posix_spawnattr_t* attributes, char* const argv[], char* const environment[]) {

@@ -44,7 +44,7 @@ std::string word(const Key& key, const Names& names, Random& random) {
 std::string inline_table(const Spec& spec, const Names& names, Random& random) {
   std::string text = "{ ";
   for (const auto& [name, value] : random_table(spec, names, random))
-    text += (text.size() > 2 ? ", " : "") + name + " = " + value;
+    text.append(text.size() > 2 ? ", " : "").append(name).append(" = ").append(value);
   return text + " }";
 }
 
@@ -71,6 +71,8 @@ std::string random_value(const Key& key, const Names& names, Random& random) {
       return real();
     case Kind::whole:
       return small();
+    case Kind::named:
+      return "{ rate = " + real() + ", " + quoted(word(key, names, random)) + " = " + real() + " }";
     case Kind::boolean:
       return random.below(2) ? "true" : "false";
     case Kind::vector:

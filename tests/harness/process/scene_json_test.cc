@@ -77,11 +77,15 @@ CYLON_FIELDS(Thrust, a, b, c, d, e)
 CYLON_FIELDS(Drive, a, b, c)
 CYLON_FIELDS(Attraction, a, b, c)
 CYLON_FIELDS(Water, a, b, c, d, e, f)
+void put(Bytes& out, const NamedNumbers& values) {
+  for (const auto& [name, value] : values) put(out, name), put(out, value);
+}
+CYLON_FIELDS(PluginForce, a, b, c, d)
 CYLON_FIELDS(JointDisplacement, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p)
 CYLON_FIELDS(JointAngle, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p)
 CYLON_FIELDS(Joint, a, b, c, d, e, f, g, h, i, j, k)
 CYLON_FIELDS(Plane, a, b, c, d, e)
-CYLON_FIELDS(Frame, a, b)
+CYLON_FIELDS(Frame, a, b, c, d, e)
 void put(Bytes& out, const Material& value) {
   const auto& [between, restitution, friction] = value;
   each(out, between[0], between[1], restitution, friction);
@@ -204,6 +208,9 @@ class Dice {
     scene.forces.emplace_back(Attraction{body(), body(), number()});
     scene.forces.emplace_back(
         Water{number(), number(), number(), number(), number(), flag() ? "step" : "volume"});
+    if (flag())
+      scene.forces.emplace_back(PluginForce{
+          "mine", "an odd \"law\"", {body(), body()}, {{"k", number()}, {"an odd \"name\"", number()}}});
     const auto coordinate = [&] {
       JointCoordinate c{flag() ? Ordinal::first : Ordinal::second,
                         number(),
@@ -237,7 +244,7 @@ class Dice {
     }
     scene.planes = {{"floor", vector(), number()}, {"wall", vector(), number(), {"walls"}, {"wheels"}}};
     scene.materials = {{{"body1", "floor"}, number(), number()}, {{"*", "*"}, number(), number()}};
-    if (flag()) scene.frame = Frame{vector(), vector()};
+    if (flag()) scene.frame = Frame{vector(), vector(), vector(), number(), vector()};
     scene.impacts = flag() ? Impacts::simultaneous : Impacts::sequential;
     return scene;
   }
@@ -271,6 +278,7 @@ TEST(SceneJson, DefaultsAreWrittenOut) {
   for (const char* key :
        {"spring", "drag", "thrust", "drive", "attraction", "water", "joint", "plane", "material"})
     EXPECT_EQ(text.at(key), json::array()) << key;
+  EXPECT_FALSE(text.contains("plugin_force"));  // which older workers do not know
   EXPECT_TRUE(scene_from_json(text).forces.empty());
   for (const char* key : {"collision_groups", "collision_mask"}) EXPECT_FALSE(text["body"][0].contains(key));
 }
