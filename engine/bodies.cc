@@ -267,7 +267,7 @@ void Bodies::add_momenta(Real factor, const std::vector<Load>& loads, Motion* mo
 // The series of kick(), from the loads at its start; false where it has not ended.
 bool Bodies::kick_by_series(Time t, Real h, Motion* motion) {
   constexpr int terms = 12;
-  const Real tiny = std::numeric_limits<Real>::epsilon() / 4;
+  const Real tiny = epsilon / 4;
   const auto project = [&] {
     if (constrained()) rows_.project_loads(model_.bodies, loads_.data());
   };
@@ -441,7 +441,7 @@ void Bodies::scales(const Real* y, Real* scale) {
   // So do other forces than gravity; what moves at more than the rounding of their speed is measured by
   // itself.
   Real at_rest = model_.joints.empty() ? 0 : std::sqrt(model_.strongest_gravity() * length_);
-  const Real shaken = std::sqrt(std::numeric_limits<Real>::epsilon() * pull_ * length_);
+  const Real shaken = std::sqrt(epsilon * pull_ * length_);
   if (at_rest == 0 && speed_ > 0 && speed_ < shaken) at_rest = std::sqrt(pull_ * length_);
   const Real speed = std::max(speed_, at_rest);
   const Real turn = std::max(turn_, length_ > 0 ? at_rest / length_ : 0);
@@ -458,7 +458,7 @@ void Bodies::scales(const Real* y, Real* scale) {
     // Forces that pass through the centre turn a body by the rounding of their torque, eps m v sqrt(I/m):
     // such a spin is measured by what the same momentum at the body's radius of gyration would be.
     const Real orbital = speed * std::sqrt(body.mass * inertia);
-    if (spin < 1000 * std::numeric_limits<Real>::epsilon() * orbital) spin = orbital;
+    if (spin < 1000 * epsilon * orbital) spin = orbital;
     std::fill(scale + 10, scale + 13, or_one(spin));
   }
 }

@@ -13,7 +13,7 @@ namespace {
 // A moment below this part of the largest is none.  A turn about it comes from an angular momentum that is
 // rounded to epsilon L: at 1e-13 to 2e-3 of the fastest turn, and in single precision, where the rounding of a
 // turned tensor, 16 epsilon at most, is more, to 6e-2.
-constexpr Real no_moment = std::max(static_cast<Real>(1e-13), 16 * std::numeric_limits<Real>::epsilon());
+constexpr Real no_moment = std::max(static_cast<Real>(1e-13), 16 * epsilon);
 
 // R D R^T, symmetric to the bit; written out, so that every compiler sums in the same order.
 Matrix3 in_axes(const Matrix3& r, const Vector3& d) {

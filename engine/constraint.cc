@@ -9,30 +9,14 @@ namespace cylon::engine {
 namespace {
 
 // A pivot below this part of its diagonal is rounding: the row follows from the rows before it.
-constexpr Real dependent = 4096 * std::numeric_limits<Real>::epsilon();
-
-std::size_t at(int body) { return static_cast<std::size_t>(body); }
-
-// Entry of J M^-1 J^T: what a unit multiplier on one row does to the other.
-Real coupling(const Row& i, const Row& j, const std::vector<Body>& bodies) {
-  const auto through = [&](int body, const Vector3& lever, Real sign) {
-    Real sum = 0;
-    const Real w = bodies[at(body)].inverse_mass * i.direction.dot(j.direction);
-    if (body == j.body) sum += sign * (w + lever.dot(j.spin));
-    if (body == j.to) sum -= sign * (w + lever.dot(j.to_spin));
-    return sum;
-  };
-  Real sum = through(i.body, i.lever, 1);
-  if (i.to != fixed_world) sum += through(i.to, i.to_lever, -1);
-  return sum;
-}
+constexpr Real dependent = 4096 * epsilon;
 
 void push(const Row& row, int body, Real sign, const Vector3& lever, const std::vector<Body>& bodies,
           Motion* motion) {
-  const Body& b = bodies[at(body)];
+  const Body& b = bodies[index(body)];
   if (b.locked) return;
-  if (!b.pinned) motion[at(body)].momentum += sign * row.lambda * row.direction;
-  motion[at(body)].angular_momentum += sign * row.lambda * lever;
+  if (!b.pinned) motion[index(body)].momentum += sign * row.lambda * row.direction;
+  motion[index(body)].angular_momentum += sign * row.lambda * lever;
 }
 
 void push(const Row& row, const std::vector<Body>& bodies, Motion* motion) {
@@ -42,16 +26,29 @@ void push(const Row& row, const std::vector<Body>& bodies, Motion* motion) {
 
 }  // namespace
 
+Real coupling(const Row& i, const Row& j, const std::vector<Body>& bodies) {
+  const auto through = [&](int body, const Vector3& lever) {
+    Real sum = 0;
+    const Real w = bodies[index(body)].inverse_mass * i.direction.dot(j.direction);
+    if (body == j.body) sum += w + lever.dot(j.spin);
+    if (body == j.to) sum -= w + lever.dot(j.to_spin);
+    return sum;
+  };
+  Real sum = through(i.body, i.lever);
+  if (i.to != fixed_world) sum -= through(i.to, i.to_lever);
+  return sum;
+}
+
 // Fills the spins and factors A = J M^-1 J^T.
 void Rows::measure(const std::vector<Body>& bodies, const Motion* motion) {
   // The rows of a joint follow one another, so that the rotation of the row before mostly serves the next too.
   struct Turned {
     int body = fixed_world;
-    Matrix3 rotation;
+    Matrix3 rotation = Matrix3::Identity();
   };
   const auto spin = [&](Turned& turned, int body, const Vector3& lever) {
-    if (turned.body != body) turned = {body, motion[at(body)].orientation.toRotationMatrix()};
-    return inverse_inertia_times(bodies[at(body)], turned.rotation, lever);
+    if (turned.body != body) turned = {body, motion[index(body)].orientation.toRotationMatrix()};
+    return inverse_inertia_times(bodies[index(body)], turned.rotation, lever);
   };
   Turned first, second;
   for (Row& row : rows) {
@@ -60,7 +57,7 @@ void Rows::measure(const std::vector<Body>& bodies, const Motion* motion) {
   }
   // What is locked moves by no multiplier and couples nothing.
   const auto end = [&](int body) {
-    return body == fixed_world || bodies[at(body)].locked ? SparseFactor::none : body;
+    return body == fixed_world || bodies[index(body)].locked ? SparseFactor::none : body;
   };
   ends_.clear();
   for (const Row& row : rows) ends_.push_back({end(row.body), end(row.to)});
@@ -81,7 +78,7 @@ void Rows::constrain_accelerations(const std::vector<Body>& bodies, const Motion
   measure(bodies, motion);
   // a = (F - m' v)/m,  s.alpha = (I^-1 s).(torque - w x L)
   const auto acceleration = [&](int body, const Vector3& direction, const Vector3& spin) {
-    const std::size_t i = at(body);
+    const std::size_t i = index(body);
     const Vector3 gyroscopic = kinematics[i].angular_velocity.cross(motion[i].angular_momentum);
     const Vector3 force = accelerating(bodies[i], kinematics[i], load[i]);
     return bodies[i].inverse_mass * direction.dot(force) + spin.dot(load[i].torque - gyroscopic);
@@ -96,8 +93,8 @@ void Rows::constrain_accelerations(const std::vector<Body>& bodies, const Motion
 
 void Rows::project_loads(const std::vector<Body>& bodies, Load* load) {
   const auto change = [&](int body, const Vector3& direction, const Vector3& spin) {
-    const Load& l = load[at(body)];
-    return bodies[at(body)].inverse_mass * direction.dot(l.force) + spin.dot(l.torque);
+    const Load& l = load[index(body)];
+    return bodies[index(body)].inverse_mass * direction.dot(l.force) + spin.dot(l.torque);
   };
   for (Row& row : rows) {
     row.residual = change(row.body, row.direction, row.spin);
@@ -109,11 +106,11 @@ void Rows::project_loads(const std::vector<Body>& bodies, Load* load) {
 
 void Rows::add_forces(Load* load) const {
   for (const Row& row : rows) {
-    load[at(row.body)].force += row.lambda * row.direction;
-    load[at(row.body)].torque += row.lambda * row.lever;
+    load[index(row.body)].force += row.lambda * row.direction;
+    load[index(row.body)].torque += row.lambda * row.lever;
     if (row.to == fixed_world) continue;
-    load[at(row.to)].force -= row.lambda * row.direction;
-    load[at(row.to)].torque -= row.lambda * row.to_lever;
+    load[index(row.to)].force -= row.lambda * row.direction;
+    load[index(row.to)].torque -= row.lambda * row.to_lever;
   }
 }
 
@@ -137,8 +134,8 @@ void Rows::project_positions(const std::vector<Body>& bodies, Motion* motion) {
   for (Row& row : rows) row.residual = row.offset;
   solve();
   const auto move = [&](int body, const Vector3& direction, const Vector3& spin, Real lambda) {
-    Motion& m = motion[at(body)];
-    m.position += lambda * bodies[at(body)].inverse_mass * direction;
+    Motion& m = motion[index(body)];
+    m.position += lambda * bodies[index(body)].inverse_mass * direction;
     m.orientation = turned(m.orientation, lambda * spin);
   };
   for (const Row& row : rows) {
@@ -150,8 +147,8 @@ void Rows::project_positions(const std::vector<Body>& bodies, Motion* motion) {
 void Rows::project_velocities(const std::vector<Body>& bodies, Motion* motion) {
   measure(bodies, motion);
   const auto speed = [&](int body, const Vector3& direction, const Vector3& spin) {
-    return direction.dot(velocity(bodies[at(body)], motion[at(body)])) +
-           spin.dot(motion[at(body)].angular_momentum);
+    return direction.dot(velocity(bodies[index(body)], motion[index(body)])) +
+           spin.dot(motion[index(body)].angular_momentum);
   };
   for (Row& row : rows) {
     row.residual = speed(row.body, row.direction, row.spin);

@@ -30,6 +30,9 @@ struct Row {
   Real lambda = 0;                    ///< The multiplier found.
 };
 
+/// Entry of J M^-1 J^T: what a unit multiplier on one row does to the other [1/kg, 1/(kg m), 1/(kg m^2)].
+Real coupling(const Row&, const Row&, const std::vector<Body>&);
+
 /// Rows and the linear system (J M^-1 J^T) lambda = -residual that they share, sparse: for chains and trees the
 /// work is linear in the number of rows.  Rows that follow from others (two ball joints on one axis) get lambda =
 /// 0.  Arrays of motion, kinematics and loads have one entry per body.

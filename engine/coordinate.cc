@@ -6,12 +6,6 @@
 
 namespace cylon::engine {
 
-namespace {
-
-constexpr Real ulp = std::numeric_limits<Real>::epsilon();
-
-}  // namespace
-
 JointEnd end_of(int body, const Vector3& anchor, const std::vector<Body>& bodies, const Motion* motion) {
   JointEnd end;
   end.place = anchor;
@@ -52,7 +46,7 @@ void set_row_along(const Vector3& u, const JointEnd& a, const JointEnd& b, Row& 
   row.bias = u.dot(a.centripetal - b.centripetal) + 2 * turning.dot(a.velocity - b.velocity) +
              b.angular_velocity.cross(turning).dot(d);
   row.offset = u.dot(d);
-  row.rounding = 4 * ulp * (a.place.norm() + b.place.norm() + a.arm.norm() + b.arm.norm());
+  row.rounding = 4 * epsilon * (a.place.norm() + b.place.norm() + a.arm.norm() + b.arm.norm());
 }
 
 void set_row_about(const Vector3& h, const Vector3& change, const JointEnd& a, const JointEnd& b, Row& row) {
@@ -80,7 +74,7 @@ Row row_of(const Coordinate& q, const JointEnd& body, const JointEnd& to) {
   const Vector3 zero = carrier.rotation * q.zero, mark = other.rotation * q.mark;
   const Real angle = std::atan2(h.cross(zero).dot(mark), zero.dot(mark));
   row.offset = nearest_turn(q.origin + (q.on_body ? -angle : angle), q.near);
-  row.rounding = 8 * ulp * (1 + std::abs(row.offset));
+  row.rounding = 8 * epsilon * (1 + std::abs(row.offset));
   return row;
 }
 

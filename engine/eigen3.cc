@@ -16,9 +16,8 @@ namespace {
 using Numbers = std::array<Real, 3>;
 using Columns = std::array<Numbers, 3>;  // [column][row]
 
-constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
-constexpr Real same = 8 * epsilon;          // relative: the rounding of R D R^T
-constexpr Real tie = Real(0.000244140625);  // 2^-12: components nearer than this are equally great
+constexpr Real same_eigenvalue = 8 * epsilon;  // relative: the rounding of R D R^T
+constexpr Real tie = Real(0.000244140625);     // 2^-12: components nearer than this are equally great
 
 // The index of the greatest component, the first of those that are as great.
 std::size_t greatest(const Numbers& v) {
@@ -59,7 +58,7 @@ Real determinant(const Columns& v) {
          v[0][2] * (v[1][0] * v[2][1] - v[1][1] * v[2][0]);
 }
 
-bool equal(Real lesser, Real greater) { return greater - lesser <= same * std::abs(greater); }
+bool equal(Real lesser, Real greater) { return greater - lesser <= same_eigenvalue * std::abs(greater); }
 
 // Makes one of what only rounding tells apart, and gives the axes that convention asks for.
 void canonicalise(Numbers& moments, Columns& axes) {

@@ -14,22 +14,19 @@ namespace cylon::engine {
 
 namespace {
 
-constexpr Real ulp = std::numeric_limits<Real>::epsilon();
-constexpr bool wide = sizeof(Real) == 8;
-
 // Points nearer than this many ulps of the lengths around them touch, and at one instant: 3e-12 m at 3 m in
 // double, which at 1 m/s is 3e-12 s.
-constexpr Real touch_ulps = wide ? 4096 : 64;
+constexpr Real touch_ulps = is_double ? 4096 : 64;
 
 // Slip slower than this part of what gravity gives in a step is turned by friction less than it should be,
 // and where it ends it counts as none.  A slip of 0.7 m/s that turns round on an incline through any least
 // speed from 1e-1 to 1e-17 m/s is then off by 5e-11 m/s at most (EventTurning; 1e-5 in place of
 // 1e-8: 1.2e-7); the work grows as its logarithm.
-constexpr Real turning_part = wide ? Real(1e-8) : Real(1e-4);
+constexpr Real turning_part = is_double ? Real(1e-8) : Real(1e-4);
 
 // A bounce that would return within this part of a step is the end of a Zeno sequence: the contact rests.
 // What is cut off has the height a (1e-6 h)^2 / 8, 1e-18 m for a = g and h = 1 ms.
-constexpr Time zeno_return = wide ? 1e-6 : 1e-3;
+constexpr Time zeno_return = is_double ? 1e-6 : 1e-3;
 
 // Points of a general pair touch at any gap within the margin, so that what they fall is known to that only:
 // bounces lower than this part of it would go on without end.
@@ -66,7 +63,7 @@ Real EventStepper::scale_of(const Candidate& c, const Motion* motion) const {
 }
 
 Real EventStepper::touch_margin(const Candidate& c, const Motion* motion) const {
-  return touch_ulps * ulp * scale_of(c, motion);
+  return touch_ulps * epsilon * scale_of(c, motion);
 }
 
 // The largest distance within which spots() looks at a pair.
@@ -77,7 +74,7 @@ Real EventStepper::widest_margin(const Motion* motion, Real ahead) const {
     outermost = std::max(outermost, motion[i].position.norm() + reaches_[i]);
     if (ahead > 0) fastest = std::max(fastest, surface_speed(model.bodies[i], motion[i], reaches_[i]));
   }
-  return held_margin * (2 * touch_ulps * ulp * outermost + reach_of(ahead, 2 * fastest, gravity_));
+  return held_margin * (2 * touch_ulps * epsilon * outermost + reach_of(ahead, 2 * fastest, gravity_));
 }
 
 // All points that touch now, or may within `ahead`.
@@ -211,7 +208,7 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
       std::any_of(outcome.approach.begin(), outcome.approach.end(), [](Real u) { return u > 0; });
   for (std::size_t i = 0; blow && i < touches.size(); ++i) {
     const Real u = rate_now(touches[i]);
-    const Real low = 16 * ulp * scale_of(candidates_[touching[i].held.candidate], motion);
+    const Real low = 16 * epsilon * scale_of(candidates_[touching[i].held.candidate], motion);
     touching[i].returns =
         touches[i].restitution == 0 && outcome.approach[i] == 0 && u > 0 && u * u < 2 * pulls[i] * low;
   }
@@ -311,11 +308,11 @@ void EventStepper::hold_spots(Time now, const std::vector<Spot>& touching) {
   for (const Spot& s : touching) {
     const Real h = static_cast<Real>(dt_);
     slow.push_back(s.touch.row ? speed_rounding(s.touch, bodies, motion) +
-                                     slow_ulps * ulp * pulls_[s.held.candidate] * h
-                               : slow_ulps * ulp * (speed + push * h));
+                                     slow_ulps * epsilon * pulls_[s.held.candidate] * h
+                               : slow_ulps * epsilon * (speed + push * h));
   }
   slow_slip_ = turning_part * haste_ * push * static_cast<Real>(dt_);
-  rest_speed_ = rest_ulps * ulp * push * static_cast<Real>(dt_);
+  rest_speed_ = rest_ulps * epsilon * push * static_cast<Real>(dt_);
 
   std::vector<std::size_t> which;
   ContactForces support = find_holds(touching, slow, which);
@@ -433,7 +430,7 @@ Real EventStepper::left_slip(std::size_t candidate) const {
 // Slower than this does not approach [m/s; a coordinate: its unit/s].
 Real EventStepper::rest_speed(std::size_t candidate) const {
   if (!is_of_joint(candidates_[candidate])) return rest_speed_;
-  return rest_ulps * ulp * pulls_[candidate] * static_cast<Real>(dt_);
+  return rest_ulps * epsilon * pulls_[candidate] * static_cast<Real>(dt_);
 }
 
 }  // namespace cylon::engine

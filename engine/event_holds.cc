@@ -11,12 +11,6 @@
 
 namespace cylon::engine {
 
-namespace {
-
-constexpr Real ulp = std::numeric_limits<Real>::epsilon();
-
-}  // namespace
-
 std::vector<Row> EventStepper::joint_rows(const Motion* motion) const {
   std::vector<Row> rows;
   for (const Joint& joint : system_.model().joints) add_rows(joint, system_.model().bodies, motion, rows);
@@ -114,7 +108,7 @@ void EventStepper::project(const std::vector<Body>& bodies, Motion* motion) {
       append_rows(touch, bodies, motion, three);
       const auto first = static_cast<std::size_t>(touch.axis);
       three[first].offset = touch.gap;
-      three[first].rounding = 16 * ulp * scale_of(candidates_[h.candidate], motion);
+      three[first].rounding = 16 * epsilon * scale_of(candidates_[h.candidate], motion);
       closed = closed && std::abs(touch.gap) <= three[first].rounding;
       // Of a coordinate the one row that it has: dry friction holds a rate where it sticks, and no place.
       const bool sticks = speeds && h.holding.grip == Grip::sticks;
@@ -182,7 +176,8 @@ void EventStepper::note_pulls(const std::vector<Spot>& touching) {
       };
       const Real pull = b.inverse_mass * (load.force.norm() + bound * row.direction.norm()) +
                         gyration(b) * (turned(load.torque) + bound * turned(lever));
-      stills_[index(body)] = std::max(stills_[index(body)], rest_ulps * ulp * pull * static_cast<Real>(dt_));
+      stills_[index(body)] =
+          std::max(stills_[index(body)], rest_ulps * epsilon * pull * static_cast<Real>(dt_));
     };
     hold(row.body, row.lever);
     hold(row.to, row.to_lever);

@@ -32,7 +32,7 @@ constexpr Real most_haste = 1e5;
 constexpr int crawl_rounds = 64;
 constexpr Time crawl_part = 1e-5, first_stride = 1e-7;
 // Where error control fails: the first fixed step, in parts of a step.
-constexpr Time least_part = 1e-9;
+constexpr Time least_rest = 1e-9;
 // Steps of error control over a part of one that was accepted: one, as a rule.
 constexpr int most_parts = 20;
 
@@ -311,7 +311,7 @@ Time EventStepper::piece(Time from, Time span) {
     log_.note(DiagnosticKind::interval_missed, from);
     copy(start_, y_);
     fresh_ = by_rows_ = true;
-    span = std::min(span, std::ldexp(least_part * dt_, rough_++));
+    span = std::min(span, std::ldexp(least_rest * dt_, rough_++));
   }
   fixed_step(from, span);
   return span;

@@ -11,8 +11,6 @@ namespace cylon::engine {
 
 namespace {
 
-constexpr Real ulp = std::numeric_limits<Real>::epsilon();
-
 // A margin has changed its sign when it is this far on the other side, in ulps of its terms; more than the
 // rounding with which laws are judged, so that the change is then seen.
 constexpr Real change_ulps = 8192;
@@ -271,9 +269,10 @@ std::optional<Real> EventStepper::change_time(Time from, Real span, const Contac
     if (what != What::slip) return;
     const bool turns = !is_of_joint(candidates_[ended_]);
     const Real own = std::max(std::abs(before.points[i].slip_speed), std::abs(after.points[i].slip_speed));
-    left_slip_ = turns ? std::max(left_ulps * ulp * speed, left_slow * slow_slip_) : left_ulps * ulp * own;
+    left_slip_ =
+        turns ? std::max(left_ulps * epsilon * speed, left_slow * slow_slip_) : left_ulps * epsilon * own;
   };
-  const Real least = change_ulps * ulp * force;
+  const Real least = change_ulps * epsilon * force;
   for (std::size_t i = 0; i < held_.size(); ++i) {
     const bool rough = candidates_[held_[i].candidate].material.friction > 0 && !loose_[held_[i].candidate];
     look(i, What::presses, least);

@@ -10,8 +10,6 @@ namespace cylon::engine {
 
 namespace {
 
-std::size_t at(int body) { return static_cast<std::size_t>(body); }
-
 // The bodies as the forces see them, and where their pushes go.
 struct Scene {
   const std::vector<Body>& bodies;
@@ -25,21 +23,21 @@ struct Scene {
 
   // A force at an arm from the reference point.
   void push(int body, const Vector3& arm, const Vector3& force) {
-    if (body == fixed_world || bodies[at(body)].locked) return;
-    load[at(body)].force += force;
+    if (body == fixed_world || bodies[index(body)].locked) return;
+    load[index(body)].force += force;
     twist(body, arm.cross(force));
-    power += force.dot(kinematics[at(body)].velocity);
+    power += force.dot(kinematics[index(body)].velocity);
   }
   // A force and its torque about the reference point.
   void wrench(int body, const Vector3& force, const Vector3& torque) {
-    if (body == fixed_world || bodies[at(body)].locked) return;
-    load[at(body)].force += force;
+    if (body == fixed_world || bodies[index(body)].locked) return;
+    load[index(body)].force += force;
     twist(body, torque);
-    power += force.dot(kinematics[at(body)].velocity);
+    power += force.dot(kinematics[index(body)].velocity);
   }
   void twist(int body, const Vector3& torque) {
-    load[at(body)].torque += torque;
-    power += torque.dot(kinematics[at(body)].angular_velocity);
+    load[index(body)].torque += torque;
+    power += torque.dot(kinematics[index(body)].angular_velocity);
   }
   // The centre of mass from the reference point, world axes.
   Vector3 centre(std::size_t i) const {
@@ -56,7 +54,7 @@ struct End {
 
 End end_of(const Scene& scene, int body, const Vector3& anchor) {
   if (body == fixed_world) return {Vector3::Zero(), anchor, Vector3::Zero()};
-  const std::size_t i = at(body);
+  const std::size_t i = index(body);
   const Kinematics& k = scene.kinematics[i];
   if (anchor.isZero(0)) return {Vector3::Zero(), scene.motion[i].position, k.velocity};
   const Vector3 arm = k.rotation * anchor;
@@ -81,7 +79,7 @@ void apply(const Spring& spring, Scene& scene) {
 }
 
 void apply(const Drag& drag, Scene& scene) {
-  const std::size_t i = at(drag.body);
+  const std::size_t i = index(drag.body);
   const Kinematics& k = scene.kinematics[i];
   const Vector3 arm = scene.centre(i);
   if (drag.linear != 0) {
@@ -95,7 +93,7 @@ void apply(const Drag& drag, Scene& scene) {
 }
 
 void apply(const Thrust& thrust, Scene& scene) {
-  const std::size_t i = at(thrust.body);
+  const std::size_t i = index(thrust.body);
   const Kinematics& k = scene.kinematics[i];
   const Vector3 arm = scene.centre(i);
   Vector3 force = k.rotation * thrust.force;
@@ -111,11 +109,11 @@ void apply(const Thrust& thrust, Scene& scene) {
 void apply(const Drive& drive, Scene& scene) {
   const Real phase =
       static_cast<Real>(std::fmod(static_cast<double>(drive.frequency) * scene.time, 2 * M_PI));
-  scene.push(drive.body, scene.centre(at(drive.body)), drive.force * std::cos(phase));
+  scene.push(drive.body, scene.centre(index(drive.body)), drive.force * std::cos(phase));
 }
 
 void apply(const Attraction& pull, Scene& scene) {
-  const std::size_t a = at(pull.body), b = at(pull.to);
+  const std::size_t a = index(pull.body), b = index(pull.to);
   const Vector3 arm_a = scene.centre(a), arm_b = scene.centre(b);
   const Vector3 d = scene.motion[b].position + arm_b - scene.motion[a].position - arm_a;
   const Real distance = d.norm();
@@ -195,7 +193,7 @@ void apply(const UserForce& user, Scene& scene) {
   std::vector<SeenBody> seen;
   seen.reserve(user.bodies.size());
   for (const int body : user.bodies) {
-    const std::size_t i = at(body);
+    const std::size_t i = index(body);
     const Kinematics& k = scene.kinematics[i];
     const Vector3 arm = scene.centre(i);
     seen.push_back({scene.bodies[i].mass, scene.motion[i].position + arm, scene.motion[i].orientation,
@@ -204,7 +202,7 @@ void apply(const UserForce& user, Scene& scene) {
   std::vector<Load> loads(user.bodies.size());
   user.law->apply(scene.time, seen, loads);
   for (std::size_t k = 0; k < loads.size(); ++k) {
-    const Vector3 arm = scene.centre(at(user.bodies[k]));
+    const Vector3 arm = scene.centre(index(user.bodies[k]));
     scene.wrench(user.bodies[k], loads[k].force, loads[k].torque + arm.cross(loads[k].force));
   }
 }
@@ -217,7 +215,7 @@ struct Rates {
 };
 
 Real inverse_mass(const std::vector<Body>& bodies, int body) {
-  return body == fixed_world ? Real(0) : bodies[at(body)].inverse_mass;
+  return body == fixed_world ? Real(0) : bodies[index(body)].inverse_mass;
 }
 Real largest_inverse_moment(const Body& body) { return body.inverse_moments.maxCoeff(); }
 
@@ -226,7 +224,7 @@ Rates rates(const Spring& s, const std::vector<Body>& bodies) {
   return {s.stiffness * mobility, s.damping * mobility};
 }
 Rates rates(const Drag& d, const std::vector<Body>& bodies) {
-  const Body& body = bodies[at(d.body)];
+  const Body& body = bodies[index(d.body)];
   return {0, std::max({d.linear * body.inverse_mass, d.angular * largest_inverse_moment(body), d.momentum})};
 }
 Rates rates(const Thrust&, const std::vector<Body>&) { return {}; }      // no more than the mass changes
@@ -252,7 +250,7 @@ Rates rates(const CoordinateLaw& law, const std::vector<Body>& bodies) {
   const Coordinate& q = law.at;
   const auto end = [&](int body, bool carries) -> Real {
     if (body == fixed_world) return 0;
-    const Body& b = bodies[at(body)];
+    const Body& b = bodies[index(body)];
     if (q.kind == Coordinate::Kind::displacement) return b.inverse_mass;
     return carries ? q.axis.dot(b.inverse_inertia * q.axis) : b.inverse_moments.minCoeff();
   };
@@ -260,17 +258,17 @@ Rates rates(const CoordinateLaw& law, const std::vector<Body>& bodies) {
   return {law.stiffness * mobility, law.damping * mobility};
 }
 
-// Sums over the forces on each body.
-class Sums {
+// RateSums over the forces on each body.
+class RateSums {
  public:
-  explicit Sums(const std::vector<Body>& bodies) : bodies_(bodies), rates_(bodies.size()) {}
+  explicit RateSums(const std::vector<Body>& bodies) : bodies_(bodies), rates_(bodies.size()) {}
 
   void add(const Spring& s) {
     const Real shared = s.body != fixed_world && s.to != fixed_world ? Real(2) : Real(1);
     add(s.body, s.anchor, shared * s.stiffness, shared * s.damping);
     add(s.to, s.to_anchor, shared * s.stiffness, shared * s.damping);
   }
-  void add(const Drag& d) { rates_[at(d.body)].damping += rates(d, bodies_).damping; }
+  void add(const Drag& d) { rates_[index(d.body)].damping += rates(d, bodies_).damping; }
   void add(const Thrust&) {}
   void add(const Drive&) {}
   void add(const Attraction&) {}
@@ -292,20 +290,20 @@ class Sums {
       return;
     }
     for (const int body : {law.at.body, law.at.to}) {
-      if (body == fixed_world || bodies_[at(body)].locked) continue;
-      rates_[at(body)].square += stiffness * largest_inverse_moment(bodies_[at(body)]);
-      rates_[at(body)].damping += damping * largest_inverse_moment(bodies_[at(body)]);
+      if (body == fixed_world || bodies_[index(body)].locked) continue;
+      rates_[index(body)].square += stiffness * largest_inverse_moment(bodies_[index(body)]);
+      rates_[index(body)].damping += damping * largest_inverse_moment(bodies_[index(body)]);
     }
   }
   const std::vector<Rates>& all() const { return rates_; }
 
  private:
   void add(int body, const Vector3& anchor, Real stiffness, Real damping) {
-    if (body == fixed_world || bodies_[at(body)].locked) return;
-    const Real mobility =
-        bodies_[at(body)].inverse_mass + anchor.squaredNorm() * largest_inverse_moment(bodies_[at(body)]);
-    rates_[at(body)].square += stiffness * mobility;
-    rates_[at(body)].damping += damping * mobility;
+    if (body == fixed_world || bodies_[index(body)].locked) return;
+    const Real mobility = bodies_[index(body)].inverse_mass +
+                          anchor.squaredNorm() * largest_inverse_moment(bodies_[index(body)]);
+    rates_[index(body)].square += stiffness * mobility;
+    rates_[index(body)].damping += damping * mobility;
   }
 
   const std::vector<Body>& bodies_;
@@ -368,7 +366,7 @@ StepLimit longest_step(const Forces& forces, const std::vector<Body>& bodies) {
 
 //   h = 2/(sqrt(c^2 + 4 k) + c)
 Real steady_step(const Forces& forces, const std::vector<Body>& bodies) {
-  Sums sums(bodies);
+  RateSums sums(bodies);
   each_force(forces, [&](const auto& force) { sums.add(force); });
   Real least = std::numeric_limits<Real>::infinity();
   for (const Rates& r : sums.all())

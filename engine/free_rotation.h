@@ -63,9 +63,7 @@ Quaternion asymmetric_free_flow(const Body&, const Quaternion& orientation, cons
                                 Real h);
 
 /// Whether two inverse moments are the same but for the rounding of the axes that they were found with.
-inline bool same_moment(Real x, Real y) {
-  return std::abs(x - y) <= 8 * std::numeric_limits<Real>::epsilon() * std::abs(y);
-}
+inline bool same_moment(Real x, Real y) { return std::abs(x - y) <= 8 * epsilon * std::abs(y); }
 
 /// The orientation after a time h with constant angular momentum L (world axes): exact to rounding for every
 /// body and any h, made for short steps.  The drift of a splitting integrator.

@@ -17,9 +17,9 @@ namespace cylon::engine {
 /// of the greatest entry only, which is `scale`.
 template <class Number>
 bool negligible(Number between, Number p, Number q, Number scale) {
-  constexpr Number epsilon = std::numeric_limits<Number>::epsilon();
+  constexpr Number eps = std::numeric_limits<Number>::epsilon();
   const Number x = std::abs(between);
-  return x <= epsilon * std::sqrt(std::abs(p)) * std::sqrt(std::abs(q)) || x <= epsilon * epsilon * scale;
+  return x <= eps * std::sqrt(std::abs(p)) * std::sqrt(std::abs(q)) || x <= eps * eps * scale;
 }
 
 ///   theta = (a_qq - a_pp)/2a_pq,  t = sgn(theta)/(|theta| + sqrt(theta^2 + 1)),  c = 1/sqrt(t^2 + 1),

@@ -11,10 +11,6 @@ namespace cylon::engine {
 
 namespace {
 
-using End = JointEnd;
-
-constexpr Real ulp = std::numeric_limits<Real>::epsilon();
-
 Row row_of(const Joint& joint) {
   Row row;
   row.body = joint.body;
@@ -29,7 +25,7 @@ std::array<Vector3, 2> across(const Vector3& axis) {
 }
 
 // c = x_a - x_b,  x = p + R r_0
-void add_together(const Joint& joint, const End& a, const End& b, std::vector<Row>& rows) {
+void add_together(const Joint& joint, const JointEnd& a, const JointEnd& b, std::vector<Row>& rows) {
   for (int k = 0; k < 3; ++k) {
     Row row = row_of(joint);
     row.direction = Vector3::Unit(k);
@@ -37,13 +33,13 @@ void add_together(const Joint& joint, const End& a, const End& b, std::vector<Ro
     row.to_lever = b.arm.cross(row.direction);
     row.bias = a.centripetal[k] - b.centripetal[k];
     row.offset = a.place[k] - b.place[k];
-    row.rounding = 2 * ulp * (a.place.norm() + a.arm.norm() + b.arm.norm());
+    row.rounding = 2 * epsilon * (a.place.norm() + a.arm.norm() + b.arm.norm());
     rows.push_back(row);
   }
 }
 
 // c = u.d,  d = x_a - x_b,  u carried by b
-void add_square_to(const Vector3& local, const Joint& joint, const End& a, const End& b,
+void add_square_to(const Vector3& local, const Joint& joint, const JointEnd& a, const JointEnd& b,
                    std::vector<Row>& rows) {
   Row row = row_of(joint);
   set_row_along(b.orientation * local, a, b, row);
@@ -52,25 +48,25 @@ void add_square_to(const Vector3& local, const Joint& joint, const End& a, const
 
 // c = u.h,  h carried by a, u by b:
 //   s = h x u,  c' = s.(w_a - w_b),  bias = s'.(w_a - w_b),  s' = (w_a x h) x u + h x (w_b x u)
-void add_square(const Vector3& h, const Vector3& u, const Joint& joint, const End& a, const End& b,
+void add_square(const Vector3& h, const Vector3& u, const Joint& joint, const JointEnd& a, const JointEnd& b,
                 std::vector<Row>& rows) {
   Row row = row_of(joint);
   const Vector3 change = a.angular_velocity.cross(h).cross(u) + h.cross(b.angular_velocity.cross(u));
   set_row_about(h.cross(u), change, a, b, row);
   row.offset = u.dot(h);
-  row.rounding = 4 * ulp;
+  row.rounding = 4 * epsilon;
   rows.push_back(row);
 }
 
 // The axis of a is square to two directions that are square to the axis of b.
-void add_about_axis(const Joint& joint, const End& a, const End& b, std::vector<Row>& rows) {
+void add_about_axis(const Joint& joint, const JointEnd& a, const JointEnd& b, std::vector<Row>& rows) {
   for (const Vector3& local : across(joint.to_axis))
     add_square(a.orientation * joint.axis, b.orientation * local, joint, a, b, rows);
 }
 
 // c = h.d - pitch angle,  the angle that of its turns for which c is nearest to zero; on the joint, where
 // d is along h,  c' = h.(v_a - v_b) - pitch h.(w_a - w_b)  with v at the anchors.
-void add_coupling(const Joint& joint, const End& a, const End& b, std::vector<Row>& rows) {
+void add_coupling(const Joint& joint, const JointEnd& a, const JointEnd& b, std::vector<Row>& rows) {
   const Vector3 h = b.orientation * joint.to_axis, change = b.angular_velocity.cross(h);
   Row row = row_of(joint), turn = row;
   set_row_along(h, a, b, row);
@@ -83,25 +79,25 @@ void add_coupling(const Joint& joint, const End& a, const End& b, std::vector<Ro
   const Real angle = 2 * std::atan2(turned.vec().dot(joint.to_axis), turned.w());
   const Real along = row.offset / joint.pitch;
   row.offset = joint.pitch * std::remainder(along - angle, 2 * std::numbers::pi_v<Real>);
-  row.rounding += 8 * ulp * std::abs(joint.pitch) * (1 + std::abs(along));
+  row.rounding += 8 * epsilon * std::abs(joint.pitch) * (1 + std::abs(along));
   rows.push_back(row);
 }
 
 // c = the rotation vector of R_a (R_b R_rel)^T,  c' = w_a - w_b  where c is small
-void add_no_turn(const Joint& joint, const End& a, const End& b, std::vector<Row>& rows) {
+void add_no_turn(const Joint& joint, const JointEnd& a, const JointEnd& b, std::vector<Row>& rows) {
   Quaternion error = a.orientation * (b.orientation * joint.relative).conjugate();
   if (error.w() < 0) error.coeffs() = -error.coeffs();
   for (int k = 0; k < 3; ++k) {
     Row row = row_of(joint);
     row.lever = row.to_lever = Vector3::Unit(k);
     row.offset = 2 * error.vec()[k];
-    row.rounding = 4 * ulp;
+    row.rounding = 4 * epsilon;
     rows.push_back(row);
   }
 }
 
 // d = x_a - x_b, n = d/|d|:  c = |d| - length,  c'' = n.(a_a - a_b) + (|d'|^2 - (n.d')^2)/|d|
-void add_at_length(const Joint& joint, const End& a, const End& b, std::vector<Row>& rows) {
+void add_at_length(const Joint& joint, const JointEnd& a, const JointEnd& b, std::vector<Row>& rows) {
   const Vector3 d = a.place - b.place, v = a.velocity - b.velocity;
   const Real distance = d.norm();
   Row row = row_of(joint);
@@ -112,7 +108,7 @@ void add_at_length(const Joint& joint, const End& a, const End& b, std::vector<R
   row.bias = row.direction.dot(a.centripetal - b.centripetal);
   if (distance > 0) row.bias += (v.squaredNorm() - closing * closing) / distance;
   row.offset = distance - joint.length;
-  row.rounding = 2 * ulp * (a.place.norm() + b.place.norm() + joint.length);
+  row.rounding = 2 * epsilon * (a.place.norm() + b.place.norm() + joint.length);
   rows.push_back(row);
 }
 
@@ -126,8 +122,8 @@ int row_count(Joint::Type type) {
 
 void add_rows(const Joint& joint, const std::vector<Body>& bodies, const Motion* motion,
               std::vector<Row>& rows) {
-  const End a = end_of(joint.body, joint.anchor, bodies, motion);
-  const End b = end_of(joint.to, joint.to_anchor, bodies, motion);
+  const JointEnd a = end_of(joint.body, joint.anchor, bodies, motion);
+  const JointEnd b = end_of(joint.to, joint.to_anchor, bodies, motion);
   switch (joint.type.place) {
     case Joint::Place::together:
       add_together(joint, a, b, rows);

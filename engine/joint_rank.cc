@@ -42,7 +42,7 @@ std::optional<int> joint_rank(const Model& model) {
     add(rows[k].to, rows[k].to_lever, -1);
   }
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factored(matrix.rows(), matrix.cols());
-  factored.setThreshold(std::sqrt(static_cast<double>(std::numeric_limits<Real>::epsilon())));
+  factored.setThreshold(std::sqrt(static_cast<double>(epsilon)));
   return static_cast<int>(factored.compute(matrix).rank());
 }
 

@@ -28,42 +28,44 @@ constexpr Features shapes_in_steps = {Feature::frustum, Feature::compound_beside
 constexpr Features rigid_bodies = {Feature::locked_body, Feature::spin, Feature::changing_mass,
                                    Feature::own_gravity};
 
-struct Row {
+struct MethodRow {
   Method method;
   Features features;
 };
 
 constexpr std::array rows = {
-    Row{Method::exact, {Feature::locked_body, Feature::spin, Feature::own_gravity, Feature::late_start}},
-    Row{Method::free, {Feature::spin, Feature::chosen_integrator, Feature::late_start}},
-    Row{Method::modes, {Feature::locked_body, Feature::spring, Feature::drive, Feature::own_gravity}},
-    Row{Method::points,
-        {Feature::locked_body, Feature::spring, Feature::drive, Feature::attraction, Feature::own_gravity,
-         Feature::chosen_integrator, Feature::late_start}},
-    Row{Method::top,
-        {Feature::spin, Feature::pinned_body, Feature::own_gravity, Feature::chosen_integrator,
-         Feature::late_start}},
-    Row{Method::bodies, rigid_bodies | all_forces | user_forces | all_joints |
-                            Features{Feature::joint_couples, Feature::quadratic_damping, Feature::pinned_body,
-                                     Feature::one_axis_body, Feature::guided_body, Feature::turning_frame,
-                                     Feature::chosen_integrator, Feature::account, Feature::late_start,
-                                     Feature::every_stage}},
-    Row{Method::ballistic,
-        {Feature::locked_body, Feature::spin, Feature::contact, Feature::friction, Feature::sphere,
-         Feature::collision_filters, Feature::own_gravity, Feature::late_start}},
-    Row{Method::events, rigid_bodies | all_forces | user_forces | all_joints | all_contacts |
-                            Features{Feature::joint_couples, Feature::quadratic_damping, Feature::joint_limit,
-                                     Feature::joint_friction, Feature::pinned_body, Feature::one_axis_body,
-                                     Feature::guided_body, Feature::chosen_integrator, Feature::account,
-                                     Feature::late_start, Feature::every_stage, Feature::path_events}},
-    Row{Method::sphere_steps,
-        {Feature::locked_body, Feature::spin, Feature::contact, Feature::lasting_contact, Feature::friction,
-         Feature::sphere, Feature::collision_filters, Feature::own_gravity, Feature::late_start,
-         Feature::every_stage, Feature::path_stepping}},
-    Row{Method::body_steps,
-        rigid_bodies | all_forces | all_joints | all_contacts | shapes_in_steps |
-            Features{Feature::joint_limit, Feature::joint_friction, Feature::quadratic_damping,
-                     Feature::late_start, Feature::every_stage, Feature::path_stepping}},
+    MethodRow{Method::exact,
+              {Feature::locked_body, Feature::spin, Feature::own_gravity, Feature::late_start}},
+    MethodRow{Method::free, {Feature::spin, Feature::chosen_integrator, Feature::late_start}},
+    MethodRow{Method::modes, {Feature::locked_body, Feature::spring, Feature::drive, Feature::own_gravity}},
+    MethodRow{Method::points,
+              {Feature::locked_body, Feature::spring, Feature::drive, Feature::attraction,
+               Feature::own_gravity, Feature::chosen_integrator, Feature::late_start}},
+    MethodRow{Method::top,
+              {Feature::spin, Feature::pinned_body, Feature::own_gravity, Feature::chosen_integrator,
+               Feature::late_start}},
+    MethodRow{Method::bodies, rigid_bodies | all_forces | user_forces | all_joints |
+                                  Features{Feature::joint_couples, Feature::quadratic_damping,
+                                           Feature::pinned_body, Feature::one_axis_body, Feature::guided_body,
+                                           Feature::turning_frame, Feature::chosen_integrator,
+                                           Feature::account, Feature::late_start, Feature::every_stage}},
+    MethodRow{Method::ballistic,
+              {Feature::locked_body, Feature::spin, Feature::contact, Feature::friction, Feature::sphere,
+               Feature::collision_filters, Feature::own_gravity, Feature::late_start}},
+    MethodRow{Method::events,
+              rigid_bodies | all_forces | user_forces | all_joints | all_contacts |
+                  Features{Feature::joint_couples, Feature::quadratic_damping, Feature::joint_limit,
+                           Feature::joint_friction, Feature::pinned_body, Feature::one_axis_body,
+                           Feature::guided_body, Feature::chosen_integrator, Feature::account,
+                           Feature::late_start, Feature::every_stage, Feature::path_events}},
+    MethodRow{Method::sphere_steps,
+              {Feature::locked_body, Feature::spin, Feature::contact, Feature::lasting_contact,
+               Feature::friction, Feature::sphere, Feature::collision_filters, Feature::own_gravity,
+               Feature::late_start, Feature::every_stage, Feature::path_stepping}},
+    MethodRow{Method::body_steps,
+              rigid_bodies | all_forces | all_joints | all_contacts | shapes_in_steps |
+                  Features{Feature::joint_limit, Feature::joint_friction, Feature::quadratic_damping,
+                           Feature::late_start, Feature::every_stage, Feature::path_stepping}},
 };
 
 constexpr bool one_row_each() {

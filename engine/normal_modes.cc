@@ -17,8 +17,6 @@ using Eigen::Vector3d;
 
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-std::size_t at(int body) { return static_cast<std::size_t>(body); }
-
 // A spring between two places; `from` or `to` is none where that end does not move.
 struct Tie {
   std::size_t from = none, to = none;
@@ -29,9 +27,9 @@ struct Tie {
 std::vector<Tie> ties_of(const Model& model) {
   std::vector<Tie> ties;
   const auto end = [&](int body, const Vector3& anchor) {
-    const bool moves = body != fixed_world && !model.bodies[at(body)].locked;
-    const Vector3 place = body == fixed_world ? anchor : model.motions[at(body)].position;
-    return std::pair(moves ? at(body) : none, Vector3d(place.cast<double>()));
+    const bool moves = body != fixed_world && !model.bodies[index(body)].locked;
+    const Vector3 place = body == fixed_world ? anchor : model.motions[index(body)].position;
+    return std::pair(moves ? index(body) : none, Vector3d(place.cast<double>()));
   };
   for (const Spring& s : model.forces.springs) {
     const auto [from, start] = end(s.body, s.anchor);
@@ -70,8 +68,8 @@ std::vector<Group> groups_of(const Model& model) {
   }
   for (const Tie& tie : ties) groups[find(tie.from == none ? tie.to : tie.from)].ties.push_back(tie);
   for (const Drive& d : model.forces.drives) {
-    if (d.body != fixed_world && !model.bodies[at(d.body)].locked)
-      groups[find(at(d.body))].drives.push_back(d);
+    if (d.body != fixed_world && !model.bodies[index(d.body)].locked)
+      groups[find(index(d.body))].drives.push_back(d);
   }
   std::erase_if(groups, [](const Group& group) { return group.bodies.empty(); });
   return groups;
@@ -106,8 +104,8 @@ class Builder {
  private:
   Index size() const { return static_cast<Index>(group_.bodies.size()); }
   Index row(std::size_t body) const { return body == none ? -1 : rows_[body]; }
-  double mass(Index i) const { return static_cast<double>(model_.bodies[group_.bodies[at(i)]].mass); }
-  static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+  double mass(Index i) const { return static_cast<double>(model_.bodies[group_.bodies[index(i)]].mass); }
+  static std::size_t index(Index i) { return static_cast<std::size_t>(i); }
 
   // The axis along which everything lies, moves and is pushed; -1: there is none.
   int line() const {
@@ -185,7 +183,7 @@ class Builder {
 
   // At the start: momenta; weights and pulls; drives.
   void excite() {
-    const auto body = [&](Index i) { return group_.bodies[at(i)]; };
+    const auto body = [&](Index i) { return group_.bodies[index(i)]; };
     group_.pushes =
         shares([&](Index i) { return Vector3d(model_.motions[body(i)].momentum.cast<double>()); });
     std::vector<Vector3d> force;
@@ -193,10 +191,10 @@ class Builder {
       force.emplace_back(mass(i) * model_.gravity_of(body(i)).cast<double>());
     for (const Tie& tie : ties_) {
       const Vector3d pull = pull_of(tie);
-      if (row(tie.from) >= 0) force[at(row(tie.from))] += pull;
-      if (row(tie.to) >= 0) force[at(row(tie.to))] -= pull;
+      if (row(tie.from) >= 0) force[index(row(tie.from))] += pull;
+      if (row(tie.to) >= 0) force[index(row(tie.to))] -= pull;
     }
-    group_.forces.push_back({0, shares([&](Index i) { return force[at(i)]; })});
+    group_.forces.push_back({0, shares([&](Index i) { return force[index(i)]; })});
     for (const Drive& d : drives_) {
       const Index driven = row(static_cast<std::size_t>(d.body));
       const Vector3d f = d.force.cast<double>();

@@ -34,9 +34,9 @@ class Points : public PointsSize<N> {
   explicit Points(const Model& model) : gravity_(model.forces.gravity) {
     own_ = model.has_own_gravity();
     for (std::size_t i = 0; own_ && i < model.bodies.size(); ++i) own_gravity_.push_back(model.gravity_of(i));
-    const auto pin = [&](int body) { return body == fixed_world || model.bodies[at(body)].locked; };
+    const auto pin = [&](int body) { return body == fixed_world || model.bodies[index(body)].locked; };
     const auto place = [&](int body, const Vector3& anchor) {
-      return body == fixed_world ? anchor : model.motions[at(body)].position;
+      return body == fixed_world ? anchor : model.motions[index(body)].position;
     };
     for (const Body& body : model.bodies) {
       mass_.push_back(body.locked ? 0 : body.mass);
@@ -45,18 +45,18 @@ class Points : public PointsSize<N> {
     for (const Spring& s : model.forces.springs) {
       if (pin(s.body) && pin(s.to)) continue;
       if (pin(s.to))
-        pins_.push_back({at(s.body), place(s.to, s.to_anchor), s.stiffness, s.rest_length});
+        pins_.push_back({index(s.body), place(s.to, s.to_anchor), s.stiffness, s.rest_length});
       else if (pin(s.body))
-        pins_.push_back({at(s.to), place(s.body, s.anchor), s.stiffness, s.rest_length});
+        pins_.push_back({index(s.to), place(s.body, s.anchor), s.stiffness, s.rest_length});
       else
-        links_.push_back({at(s.body), at(s.to), s.stiffness, s.rest_length});
+        links_.push_back({index(s.body), index(s.to), s.stiffness, s.rest_length});
     }
     for (const Drive& d : model.forces.drives) {
       if (!pin(d.body)) drives_.push_back(d);
     }
     for (const Attraction& a : model.forces.attractions) {
-      const Real product = model.bodies[at(a.body)].mass * model.bodies[at(a.to)].mass;
-      pulls_.push_back({at(a.body), at(a.to), a.strength * product});
+      const Real product = model.bodies[index(a.body)].mass * model.bodies[index(a.to)].mass;
+      pulls_.push_back({index(a.body), index(a.to), a.strength * product});
     }
     weight_ = !gravity_.isZero(0);
   }
@@ -137,7 +137,6 @@ class Points : public PointsSize<N> {
     Real strength;  // G m_a m_b
   };
 
-  static std::size_t at(int body) { return static_cast<std::size_t>(body); }
   static Vector3 point(const Real* p, std::size_t n, std::size_t i) { return {p[i], p[n + i], p[2 * n + i]}; }
   static void add(const Vector3& f, Real* k, std::size_t n, std::size_t i) {
     k[i] += f.x(), k[n + i] += f.y(), k[2 * n + i] += f.z();
@@ -179,7 +178,8 @@ class Points : public PointsSize<N> {
       if (mass_[s.to] != 0) add(-f, k, n, s.to);
     }
     for (const Drive& d : drives_) {
-      add(h * static_cast<Real>(std::cos(static_cast<double>(d.frequency) * t)) * d.force, k, n, at(d.body));
+      add(h * static_cast<Real>(std::cos(static_cast<double>(d.frequency) * t)) * d.force, k, n,
+          index(d.body));
     }
   }
 

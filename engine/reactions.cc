@@ -9,12 +9,10 @@ namespace cylon::engine {
 
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 bool told(const Model& model, const Contact& contact) {
   const int other =
-      contact.plane >= 0 ? model.plane_surfaces[at(contact.plane)] : model.surfaces[at(contact.other)];
-  const bool rough = model.material(model.surfaces[at(contact.body)], other).friction > 0;
+      contact.plane >= 0 ? model.plane_surfaces[index(contact.plane)] : model.surfaces[index(contact.other)];
+  const bool rough = model.material(model.surfaces[index(contact.body)], other).friction > 0;
   return contact.impulse && (contact.friction || !rough);
 }
 
@@ -23,8 +21,8 @@ void press(const std::vector<Contact>& contacts, Time dt, const std::vector<Moti
            std::vector<Load>& loads) {
   const auto push = [&](int body, const Vector3& point, const Vector3& force) {
     if (body == fixed_world) return;
-    loads[at(body)].force += force;
-    loads[at(body)].torque += (point - motions[at(body)].position).cross(force);
+    loads[index(body)].force += force;
+    loads[index(body)].torque += (point - motions[index(body)].position).cross(force);
   };
   for (const Contact& c : contacts) {
     const Vector3 impulse = *c.impulse * c.normal + c.friction.value_or(Vector3::Zero());
@@ -41,7 +39,7 @@ std::optional<std::vector<Reaction>> reactions(const Model& model, const Snapsho
     if (!told(model, contact)) return std::nullopt;
   for (const CoordinateLaw& law : model.forces.coordinate_laws)
     if (law.is_limited() || law.friction > 0 || law.counts_turns()) return std::nullopt;
-  const auto moves = [&](int body) { return body != fixed_world && !model.bodies[at(body)].locked; };
+  const auto moves = [&](int body) { return body != fixed_world && !model.bodies[index(body)].locked; };
   std::vector<Reaction> result(model.joints.size());
   const Time dt = end.time - start.time;
   const ChangingMasses masses(model.bodies);
@@ -61,7 +59,7 @@ std::optional<std::vector<Reaction>> reactions(const Model& model, const Snapsho
     rows.constrain_accelerations(bodies, motions, all.kinematics.data(), all.loads.data());
     for (std::size_t j = 0; j < model.joints.size(); ++j) {
       const Joint& joint = model.joints[j];
-      const Motion& body = motions[at(joint.body)];
+      const Motion& body = motions[index(joint.body)];
       const Vector3 arm = body.orientation * joint.anchor;
       Reaction& reaction = result[j];
       reaction.joint = j, reaction.point = body.position + arm;

@@ -11,8 +11,6 @@ namespace cylon::engine {
 
 namespace {
 
-std::size_t at(int body) { return static_cast<std::size_t>(body); }
-
 // A joint to the world as the body sees it: its anchor and axis in body axes, and where they are held.
 struct Fastening {
   Vector3 anchor, axis, place, to_axis;
@@ -38,7 +36,7 @@ bool floats(const Model& model) {
 // Whether nothing but a force through the centre of mass ever acts on a body that does not spin.
 bool is_point(const Model& model, int body) {
   const auto off_centre = [&](int end, const Vector3& anchor) { return end == body && !anchor.isZero(0); };
-  return model.motions[at(body)].angular_momentum.isZero(0) &&
+  return model.motions[index(body)].angular_momentum.isZero(0) &&
          std::none_of(model.forces.springs.begin(), model.forces.springs.end(),
                       [&](const Spring& s) {
                         return off_centre(s.body, s.anchor) || off_centre(s.to, s.to_anchor);
@@ -93,20 +91,20 @@ void shift_anchors(Model& model, int body, const Vector3& shift) {
 
 // A locked body holds like the world: its end of a joint is a place of the world.
 void fasten(const Model& model, Joint& joint) {
-  const auto locked = [&](int body) { return body != fixed_world && model.bodies[at(body)].locked; };
+  const auto locked = [&](int body) { return body != fixed_world && model.bodies[index(body)].locked; };
   const auto place = [&](int body, const Vector3& anchor) -> Vector3 {
-    return model.motions[at(body)].position + model.motions[at(body)].orientation * anchor;
+    return model.motions[index(body)].position + model.motions[index(body)].orientation * anchor;
   };
   if (!find_reducible(joint.type) || locked(joint.to) == locked(joint.body)) return;
   if (locked(joint.to)) {
     joint.to_anchor = place(joint.to, joint.to_anchor);
-    joint.to_axis = model.motions[at(joint.to)].orientation * joint.to_axis;
-    joint.relative = model.motions[at(joint.to)].orientation * joint.relative;
+    joint.to_axis = model.motions[index(joint.to)].orientation * joint.to_axis;
+    joint.relative = model.motions[index(joint.to)].orientation * joint.relative;
     joint.to = fixed_world;
   } else if (joint.to != fixed_world) {
     joint.anchor = place(joint.body, joint.anchor);
-    joint.axis = model.motions[at(joint.body)].orientation * joint.axis;
-    joint.relative = model.motions[at(joint.body)].orientation * joint.relative.conjugate();
+    joint.axis = model.motions[index(joint.body)].orientation * joint.axis;
+    joint.relative = model.motions[index(joint.body)].orientation * joint.relative.conjugate();
     std::swap(joint.body, joint.to);
     std::swap(joint.anchor, joint.to_anchor);
     std::swap(joint.axis, joint.to_axis);
@@ -118,25 +116,25 @@ void fasten(const Model& model, Joint& joint) {
 //   L = L + r x K;  the pivot itself rests.
 void move_reference(Reduced& reduced, int i, const Vector3& shift, const Vector3& place) {
   Model& model = reduced.model;
-  Motion& motion = model.motions[at(i)];
+  Motion& motion = model.motions[index(i)];
   shift_anchors(model, i, shift);
-  const Vector3 r = motion.orientation * model.bodies[at(i)].centre;
+  const Vector3 r = motion.orientation * model.bodies[index(i)].centre;
   motion.angular_momentum += r.cross(motion.momentum);
   motion.momentum.setZero();
   motion.position = place;
 }
 
 bool pin_at_point(Reduced& reduced, int i, const Fastening& f) {
-  Body& body = reduced.model.bodies[at(i)];
-  reduced.readings[at(i)] = {.body = i, .pinned = true, .inertia = body.inertia};
+  Body& body = reduced.model.bodies[index(i)];
+  reduced.readings[index(i)] = {.body = i, .pinned = true, .inertia = body.inertia};
   body = pinned_body(body, shifted(body.inertia, body.mass, -f.anchor), -f.anchor);
   move_reference(reduced, i, f.anchor, f.place);
   return true;
 }
 
 bool pin_on_axis(Reduced& reduced, int i, const Fastening& f) {
-  Body& body = reduced.model.bodies[at(i)];
-  reduced.readings[at(i)] = {.body = i, .pinned = true, .inertia = body.inertia};
+  Body& body = reduced.model.bodies[index(i)];
+  reduced.readings[index(i)] = {.body = i, .pinned = true, .inertia = body.inertia};
   body = one_axis_body(body, shifted(body.inertia, body.mass, -f.anchor), -f.anchor, f.axis);
   move_reference(reduced, i, f.anchor, f.place);
   return true;
@@ -144,11 +142,11 @@ bool pin_on_axis(Reduced& reduced, int i, const Fastening& f) {
 
 // A rod without mass from the pivot to the point: c = R^T (p - x),  I = m (|c|^2 1 - c c^T).
 bool put_on_rod(Reduced& reduced, int i, const Fastening& f) {
-  Body& body = reduced.model.bodies[at(i)];
-  const Motion& motion = reduced.model.motions[at(i)];
+  Body& body = reduced.model.bodies[index(i)];
+  const Motion& motion = reduced.model.motions[index(i)];
   if (!f.anchor.isZero(0) || !is_point(reduced.model, i)) return false;
   const Vector3 c = motion.orientation.conjugate() * (motion.position - f.place);
-  reduced.readings[at(i)] = {i, true, true, motion.orientation, body.inertia};
+  reduced.readings[index(i)] = {i, true, true, motion.orientation, body.inertia};
   body = pinned_body(body, shifted(Matrix3::Zero(), body.mass, c), c);
   move_reference(reduced, i, -c, f.place);
   // What turns from now on is the rod: the body does not, and nothing brakes its rotation.
@@ -159,8 +157,8 @@ bool put_on_rod(Reduced& reduced, int i, const Fastening& f) {
 
 // Only moves along an axis:  K = a a^T K.
 bool put_on_line(Reduced& reduced, int i, const Fastening& f) {
-  Body& body = reduced.model.bodies[at(i)];
-  Motion& motion = reduced.model.motions[at(i)];
+  Body& body = reduced.model.bodies[index(i)];
+  Motion& motion = reduced.model.motions[index(i)];
   body.guide = f.to_axis * f.to_axis.transpose();
   body.inverse_inertia.setZero(), body.inverse_moments.setZero();
   motion.momentum = *body.guide * motion.momentum;
@@ -171,8 +169,8 @@ bool put_on_line(Reduced& reduced, int i, const Fastening& f) {
 // Moves along an axis and turns about it.  With the reference point on the axis and c from there to the centre,
 //   v = s' a,  w = t' a,  T = m s'^2/2 + (a.I_p a) t'^2/2:  both motions are independent, as a.(a x c) = 0.
 bool put_on_shaft(Reduced& reduced, int i, const Fastening& f) {
-  Body& body = reduced.model.bodies[at(i)];
-  Motion& motion = reduced.model.motions[at(i)];
+  Body& body = reduced.model.bodies[index(i)];
+  Motion& motion = reduced.model.motions[index(i)];
   const Vector3 momentum = motion.momentum, place = motion.position + motion.orientation * f.anchor;
   const Real inverse_mass = body.inverse_mass;
   pin_on_axis(reduced, i, {f.anchor, f.axis, place, f.to_axis});
@@ -185,10 +183,10 @@ bool put_on_shaft(Reduced& reduced, int i, const Fastening& f) {
 
 // Moves in a plane and turns about its normal n through the centre of mass.
 bool put_in_plane(Reduced& reduced, int i, const Fastening& f) {
-  Body& body = reduced.model.bodies[at(i)];
-  Motion& motion = reduced.model.motions[at(i)];
+  Body& body = reduced.model.bodies[index(i)];
+  Motion& motion = reduced.model.motions[index(i)];
   const Real inverse_mass = body.inverse_mass;
-  reduced.readings[at(i)] = {.body = i, .pinned = true, .inertia = body.inertia};
+  reduced.readings[index(i)] = {.body = i, .pinned = true, .inertia = body.inertia};
   body = one_axis_body(body, body.inertia, Vector3::Zero(), f.axis);
   body.pinned = false;
   body.inverse_mass = inverse_mass;
@@ -223,7 +221,7 @@ bool pin(Reduced& reduced, const Joint& joint, const Reducible& form) {
   const Model& model = reduced.model;
   const bool first = joint.to == fixed_world;
   const int i = first ? joint.body : joint.to;
-  const Body& body = model.bodies[at(i)];
+  const Body& body = model.bodies[index(i)];
   if (body.locked || body.pinned || body.guide || (form.alone && !is_alone(model, i))) return false;
   const Fastening f = first ? Fastening{joint.anchor, joint.axis, joint.to_anchor, joint.to_axis}
                             : Fastening{joint.to_anchor, joint.to_axis, joint.anchor, joint.axis};
@@ -233,7 +231,7 @@ bool pin(Reduced& reduced, const Joint& joint, const Reducible& form) {
 // The same bodies, those that can move first.
 void order(Reduced& reduced) {
   Model& m = reduced.model;
-  const auto moves = [&](int body) { return !m.bodies[at(body)].locked; };
+  const auto moves = [&](int body) { return !m.bodies[index(body)].locked; };
   std::vector<int> bodies(m.bodies.size());
   std::iota(bodies.begin(), bodies.end(), 0);
   if (std::is_partitioned(bodies.begin(), bodies.end(), moves)) return;
@@ -241,7 +239,7 @@ void order(Reduced& reduced) {
   const auto sort = [&](auto& list) {
     if (list.empty()) return;
     auto sorted = list;
-    for (std::size_t i = 0; i < bodies.size(); ++i) sorted[i] = list[at(bodies[i])];
+    for (std::size_t i = 0; i < bodies.size(); ++i) sorted[i] = list[index(bodies[i])];
     list = std::move(sorted);
   };
   sort(m.bodies), sort(m.motions), sort(m.shapes), sort(m.surfaces), sort(m.filters);
@@ -265,9 +263,9 @@ void reduce_joints(Reduced& reduced) {
     const Joint joint = m.joints[k];
     const int i = joint.to == fixed_world ? joint.body : joint.to;
     const bool to_world = (joint.to == fixed_world) != (joint.body == fixed_world);
-    const bool touches = i != fixed_world && !m.surfaces.empty() && m.surfaces[at(i)] != no_surface;
+    const bool touches = i != fixed_world && !m.surfaces.empty() && m.surfaces[index(i)] != no_surface;
     const Reducible* form = find_reducible(joint.type);
-    if (to_world && form && !touches && !floats(m) && !m.frame && m.bodies[at(i)].mass_rate == 0 &&
+    if (to_world && form && !touches && !floats(m) && !m.frame && m.bodies[index(i)].mass_rate == 0 &&
         pin(reduced, joint, *form)) {
       reduced.pinned.push_back("body " + std::to_string(i) + " " + form->motion);
       m.joints.erase(m.joints.begin() + static_cast<std::ptrdiff_t>(k));
@@ -310,7 +308,7 @@ void read(const std::vector<Body>& bodies, const std::vector<Reading>& readings,
   const std::size_t count = given.size() == readings.size() ? movable_end(bodies) : readings.size();
   given.resize(readings.size());
   for (std::size_t i = 0; i < count; ++i)
-    given[at(readings[i].body)] = read(bodies[i], readings[i], motions[i]);
+    given[index(readings[i].body)] = read(bodies[i], readings[i], motions[i]);
 }
 
 }  // namespace cylon::engine

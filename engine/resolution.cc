@@ -14,10 +14,7 @@ namespace cylon::engine {
 
 namespace {
 
-constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
 constexpr const char* precision = sizeof(Real) == 4 ? "single precision" : "double precision";
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 [[gnu::format(printf, 1, 2)]] std::string text(const char* format, ...) {
   char buffer[400];

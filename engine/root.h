@@ -14,7 +14,7 @@ namespace cylon::engine {
 /// halves the bracket and doubles the digits.  C. J. F. Ridders, IEEE Trans. Circuits Syst. 26 (1979) 979.
 template <class Function>
 Real root(Function&& f, Real low, Real f_low, Real high, Real f_high) {
-  const Real tolerance = std::numeric_limits<Real>::epsilon() * std::max(std::abs(low), std::abs(high));
+  const Real tolerance = epsilon * std::max(std::abs(low), std::abs(high));
   Real best = std::abs(f_low) < std::abs(f_high) ? low : high;
   if (f_low == 0 || f_high == 0) return best;
   // Each round at least halves the bracket, which begins no wider than twice its larger end: after 1 - log2(epsilon), 53

@@ -29,7 +29,7 @@ class Top {
     const int s = symmetry_axis(body);
     if (s < 0) return false;
     const Vector3 axis = body.principal_axes * Vector3::Unit(s);
-    return body.centre.cross(axis).norm() <= 8 * std::numeric_limits<Real>::epsilon() * body.centre.norm();
+    return body.centre.cross(axis).norm() <= 8 * epsilon * body.centre.norm();
   }
 
   /// Requires applies(model).
@@ -116,9 +116,7 @@ class Top {
   // Index of the principal axis about which two moments are the same; -1: none.
   static int symmetry_axis(const Body& body) {
     const Vector3& x = body.inverse_moments;
-    const auto same = [](Real a, Real b) {
-      return std::abs(a - b) <= 8 * std::numeric_limits<Real>::epsilon() * std::abs(b);
-    };
+    const auto same = [](Real a, Real b) { return std::abs(a - b) <= 8 * epsilon * std::abs(b); };
     return same(x[0], x[1]) ? 2 : same(x[2], x[1]) ? 0 : -1;
   }
 

@@ -7,6 +7,10 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <cstddef>
+#include <limits>
+#include <numbers>
+
 namespace cylon::engine {
 
 #ifdef CYLON_ENGINE_LONG
@@ -27,5 +31,16 @@ using Quaternion = Eigen::Quaternion<Real, Eigen::DontAlign>;  ///< Packs into a
 
 /// Index of the world where a body is asked for: the other end of a spring, a joint or a contact.
 inline constexpr int fixed_world = -1;
+
+/// The distance of 1 to the next Real: a rounded result is off by half of it, relative, at most.
+inline constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
+
+inline constexpr Real pi = std::numbers::pi_v<Real>;
+
+/// Whether a Real has the digits of double, for bounds that were measured in each of the two.
+inline constexpr bool is_double = sizeof(Real) == 8;
+
+/// The number of a body or a row, as containers want it.
+constexpr std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace cylon::engine

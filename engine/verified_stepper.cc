@@ -10,7 +10,7 @@ namespace cylon::engine {
 namespace {
 
 // Below this a local tolerance is rounding.
-constexpr Real least = std::numeric_limits<Real>::epsilon() / 2;
+constexpr Real least = epsilon / 2;
 constexpr Real first_share = Real(0.1);  // of the bound: errors of single steps add up
 
 // The angle between two orientations.

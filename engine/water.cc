@@ -12,8 +12,6 @@ namespace cylon::engine {
 
 namespace {
 
-constexpr Real pi = std::numbers::pi_v<Real>;
-
 // A cap of depth d of a sphere:  V = pi d^2 (3r - d)/3,  centroid (3/4) (2r - d)^2/(3r - d) below the centre.
 Submerged below(const Sphere& sphere, const Vector3& position, const Matrix3&, Real height) {
   const Real r = sphere.radius, d = std::clamp(height - (position.y() - r), Real(0), 2 * r);
@@ -70,13 +68,13 @@ class Cut {
   Vector3 moment_ = Vector3::Zero();
 };
 
-constexpr std::array<std::array<int, 4>, 6> box_faces = {
+constexpr std::array<std::array<int, 4>, 6> quads = {
     {{1, 3, 7, 5}, {0, 4, 6, 2}, {2, 6, 7, 3}, {0, 1, 5, 4}, {4, 5, 7, 6}, {0, 2, 3, 1}}};
 
 Submerged below(const Box& box, const Vector3& position, const Matrix3& rotation, Real height) {
   const Vector3& h = box.half_extents;
   Cut cut(Vector3(position.x(), height, position.z()));
-  for (const auto& face : box_faces) {
+  for (const auto& face : quads) {
     cut.face(4, [&](std::size_t i) -> Vector3 {
       const int corner = face[i];  // bit k: the upper side along axis k
       const Vector3 local((corner & 1) ? h.x() : -h.x(), (corner & 2) ? h.y() : -h.y(),

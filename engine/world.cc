@@ -14,8 +14,6 @@ namespace {
 
 constexpr std::size_t most_notes = 8, most_ended = 32;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 Model with(Model model, const Options& options) {
   if (options.constraints) model.reduce_joints = false;
   return model;
@@ -127,7 +125,7 @@ void World::add_island(std::vector<std::size_t> clusters, const std::vector<Moti
 std::vector<std::size_t> World::movable(const std::vector<int>& bodies) const {
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (!model_->bodies[at(bodies[i])].locked) places.push_back(i);
+    if (!model_->bodies[index(bodies[i])].locked) places.push_back(i);
   return places;
 }
 
@@ -180,11 +178,11 @@ void World::take(const Island& island) {
   }
   const std::vector<Motion>& motions = island.run->motions();
   for (const std::size_t i : island.movable)
-    if (island.left.empty() || !island.left[i]) motions_[at(island.bodies[i])] = motions[i];
+    if (island.left.empty() || !island.left[i]) motions_[index(island.bodies[i])] = motions[i];
   const auto numbered = [&](auto touch) {
-    touch.body = island.bodies[at(touch.body)];
-    if (touch.other != fixed_world) touch.other = island.bodies[at(touch.other)];
-    if (touch.plane >= 0) touch.plane = island.planes[at(touch.plane)];
+    touch.body = island.bodies[index(touch.body)];
+    if (touch.other != fixed_world) touch.other = island.bodies[index(touch.other)];
+    if (touch.plane >= 0) touch.plane = island.planes[index(touch.plane)];
     return touch;
   };
   for (const Impact& impact : island.run->impacts()) impacts_.push_back(numbered(impact));
@@ -209,10 +207,10 @@ std::string World::no_kick() const {
 
 //   K += J,  L += I I^+ (angular impulse)  with I^+ the inverse where there is inertia
 void World::kick(int body, const Vector3& impulse, const Vector3& angular_impulse) {
-  const Body& kicked = bodies()[at(body)];
+  const Body& kicked = bodies()[index(body)];
   if (kicked.locked) return;
   std::vector<Motion> now = motions();
-  Motion& motion = now[at(body)];
+  Motion& motion = now[index(body)];
   const Matrix3 r = motion.orientation.toRotationMatrix();
   motion.momentum += impulse;
   motion.angular_momentum +=

@@ -10,8 +10,6 @@ namespace cylon::engine {
 
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 bool is_finite(const Motion& m) {
   return m.position.allFinite() && m.momentum.allFinite() && m.orientation.coeffs().allFinite() &&
          m.angular_momentum.allFinite();
@@ -30,8 +28,8 @@ void World::find_accelerations() {
 
 void World::look(std::size_t cluster) {
   for (const int body : interactions_->touching(cluster))
-    ranges_[at(body)] =
-        interactions_->range(body, bodies()[at(body)], motions_[at(body)], accelerations_[at(body)]);
+    ranges_[index(body)] =
+        interactions_->range(body, bodies()[index(body)], motions_[index(body)], accelerations_[index(body)]);
 }
 
 // After a step.  Every `ahead` steps all ranges are made anew, and besides those of a cluster with a body
@@ -44,11 +42,11 @@ void World::watch() {
   for (const std::size_t c : interactions_->open()) {
     bool leaves = all;
     for (const int body : interactions_->touching(c)) {
-      const islands::Range& range = ranges_[at(body)];
+      const islands::Range& range = ranges_[index(body)];
       if (range.for_ever) continue;
-      const Motion& motion = motions_[at(body)];
+      const Motion& motion = motions_[index(body)];
       const Real way = (motion.position - range.ball.centre).norm();
-      const Real next = velocity(bodies()[at(body)], motion).norm() * static_cast<Real>(options_.dt);
+      const Real next = velocity(bodies()[index(body)], motion).norm() * static_cast<Real>(options_.dt);
       leaves = leaves || way + next > range.ball.radius;
       jumped_[c] = jumped_[c] || way > range.ball.radius;
     }
@@ -119,8 +117,8 @@ bool World::part() {
     std::vector<islands::Range> wide = ranges_;
     for (const std::size_t c : islands_[k].clusters)
       for (const int body : interactions_->touching(c))
-        wide[at(body)] =
-            interactions_->range(body, bodies()[at(body)], motions_[at(body)], accelerations_[at(body)], 2);
+        wide[index(body)] = interactions_->range(body, bodies()[index(body)], motions_[index(body)],
+                                                 accelerations_[index(body)], 2);
     auto groups = interactions_->groups(wide, islands_[k].clusters);
     if (groups.size() < 2) continue;
     for (const std::size_t c : islands_[k].clusters) leave(c);
@@ -154,9 +152,9 @@ void World::leave(std::size_t cluster) {
 void World::forget(const std::vector<std::size_t>& clusters) {
   std::vector<char> gone(motions_.size() + 1, 0);  // the last: the world
   for (const std::size_t c : clusters)
-    for (const int body : interactions_->clusters()[c].bodies) gone[at(body)] = 1;
+    for (const int body : interactions_->clusters()[c].bodies) gone[index(body)] = 1;
   const auto touched = [&](const auto& touch) {
-    return gone[at(touch.body)] || (touch.other != fixed_world && gone[at(touch.other)]);
+    return gone[index(touch.body)] || (touch.other != fixed_world && gone[index(touch.other)]);
   };
   std::erase_if(impacts_, touched);
   std::erase_if(contacts_, touched);

@@ -8,7 +8,7 @@ namespace cylon::engine::ballistic {
 namespace {
 
 // Of the positions that the times are found from: what passes between two of them is no time.
-constexpr Time ulp = static_cast<Time>(std::numeric_limits<Real>::epsilon());
+constexpr Time ulp = static_cast<Time>(epsilon);
 
 }  // namespace
 

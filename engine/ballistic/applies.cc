@@ -44,7 +44,7 @@ namespace ballistic {
 
 Symmetry symmetry(const Body& body) {
   const Vector3& m = body.inverse_moments;
-  const Real same = 8 * std::numeric_limits<Real>::epsilon() * m.maxCoeff();
+  const Real same = 8 * epsilon * m.maxCoeff();
   const bool lower = std::abs(m[0] - m[1]) <= same, upper = std::abs(m[1] - m[2]) <= same;
   return lower && upper ? Symmetry::sphere : lower || upper ? Symmetry::axis : Symmetry::none;
 }

@@ -39,7 +39,7 @@ bool strike_at_once(std::vector<Touch>& touches, std::vector<Side>& sides) {
     scale = std::max(scale, sides[static_cast<std::size_t>(a)].velocity.norm() +
                                 sides[static_cast<std::size_t>(b)].velocity.norm());
   }
-  const Real settled = 8 * std::numeric_limits<Real>::epsilon() * scale;
+  const Real settled = 8 * epsilon * scale;
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     Real moved = 0;
     for (Touch& c : touches)

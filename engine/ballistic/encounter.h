@@ -9,7 +9,7 @@
 namespace cylon::engine::ballistic {
 
 /// Part of a sum that may be rounding: some operations of half an ulp each.
-inline constexpr Real rounding = 8 * std::numeric_limits<Real>::epsilon();
+inline constexpr Real rounding = 8 * epsilon;
 
 inline Real size(const Vector3& v) { return v.lpNorm<1>(); }
 

@@ -37,7 +37,7 @@ Quaternion turned_evenly(const Quaternion& start, const Spin& spin, Real s) {
     before = term;
     term = next;
     sum += term.coeffs();
-    if (term.norm() + before.norm() < std::numeric_limits<Real>::epsilon() / 16) break;
+    if (term.norm() + before.norm() < epsilon / 16) break;
   }
   return renormalised(Quaternion(sum));
 }

@@ -74,10 +74,6 @@ Foot foot_of(const RoundedBox& box, const Vector3& x) {
   return foot;
 }
 
-Vector3 spin_of(const Body& body, const Motion& motion) {
-  return rotates(body) ? angular_velocity(body, motion) : Vector3(Vector3::Zero());
-}
-
 TouchPoint corner_touch(const Candidate& c, const Model& model, const Motion* motion) {
   const Plane& plane = model.planes[index(c.plane)];
   const Motion& m = motion[index(c.body)];
@@ -264,7 +260,7 @@ bool touches_of(const Candidate& c, const Model& model, const Motion* motion, Re
 Real gap_scale(const Candidate& c, const Model& model, const Motion* motion) {
   if (is_of_joint(c)) {
     const Row row = row_of(model.forces.coordinate_laws[index(c.law)].at, model.bodies, motion);
-    return std::abs(row.offset) + row.rounding / (4 * std::numeric_limits<Real>::epsilon());
+    return std::abs(row.offset) + row.rounding / (4 * epsilon);
   }
   Real scale = motion[index(c.body)].position.norm() + c.reach;
   if (c.other != fixed_world) return scale + motion[index(c.other)].position.norm() + c.other_reach;

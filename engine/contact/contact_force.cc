@@ -10,8 +10,6 @@ namespace cylon::engine {
 
 namespace {
 
-constexpr Real ulp = std::numeric_limits<Real>::epsilon();
-
 // c'' of a row under the loads alone.  a = (F - m' v)/m,  s.alpha = (I^-1 s).(torque - w x L)
 Real free_acceleration(const Row& row, const Instant& now) {
   const auto side = [&](int body, const Vector3& spin) {
@@ -278,7 +276,7 @@ std::vector<Real> free_partings(std::span<const TouchPoint> touches, std::span<c
 bool balanced(const ContactForces& support, const Instant& now) {
   const Sums sums = sum_forces(support, now.bodies, now.loads, now.count);
   const auto vanishes = [](const Vector3& sum, const Vector3& size) {
-    return sum.cwiseAbs().maxCoeff() <= 1024 * ulp * size.maxCoeff();
+    return sum.cwiseAbs().maxCoeff() <= 1024 * epsilon * size.maxCoeff();
   };
   for (std::size_t i = 0; i < now.count; ++i) {
     const Body& body = now.bodies[i];
@@ -291,7 +289,7 @@ bool balanced(const ContactForces& support, const Instant& now) {
 void add_forces(const ContactForces& support, std::span<const Body> bodies, Load* loads, std::size_t count) {
   const Sums sums = sum_forces(support, bodies, loads, count);
   const auto cleared = [](const Vector3& sum, const Vector3& size) {
-    const Real rounding = 64 * ulp * size.maxCoeff();
+    const Real rounding = 64 * epsilon * size.maxCoeff();
     return Vector3(sum.unaryExpr([rounding](Real x) { return std::abs(x) <= rounding ? Real(0) : x; }));
   };
   for (std::size_t i = 0; i < count; ++i) {

@@ -10,19 +10,17 @@ namespace cylon::engine {
 
 namespace {
 
-constexpr Real ulp = std::numeric_limits<Real>::epsilon();
-
 Eigen::Index at(std::size_t point) { return 3 * static_cast<Eigen::Index>(point); }
 
 bool is_dry(const CoulombProblem& p, std::size_t i) { return p.bound_of(i) > 0; }
 bool is_rough(const CoulombProblem& p, std::size_t i) { return p.friction[i] > 0 || is_dry(p, i); }
-Real edge_of(const CoulombProblem& p, std::size_t i, Real normal) {
+Real slip_edge(const CoulombProblem& p, std::size_t i, Real normal) {
   return p.bound_of(i) + p.friction[i] * normal;
 }
 
 // A pivot below this part of the largest follows from the others: 1e-11 in double, 1e-5 in float, which is
 // rounding times the condition of a well-posed contact (redundant ones stay at rounding itself).
-Real dependent() { return std::pow(ulp, Real(0.7)); }
+Real dependent_pivot() { return std::pow(epsilon, Real(0.7)); }
 
 // Friction below this, squared, shares forces as this does: a tangent must still count as one.
 constexpr Real least_rough = Real(1e-6);
@@ -35,7 +33,7 @@ struct Rounding {
 Rounding rounding(const CoulombProblem& p, const VectorX& f) {
   const std::size_t k = p.friction.size();
   Rounding r{VectorX::Zero(static_cast<Eigen::Index>(k)), VectorX::Zero(static_cast<Eigen::Index>(k))};
-  const Real scale = 512 * ulp;
+  const Real scale = 512 * epsilon;
   Real largest = 0;
   for (std::size_t i = 0; i < k; ++i) {
     const auto rows = p.response.middleRows<3>(at(i));
@@ -121,7 +119,7 @@ VectorX least_norm(const CoulombProblem& p, const std::vector<Hold>& hold, const
     if (is_dry(p, i) && hold[i].grip == Grip::slides) from.segment<2>(at(i) + 1) = -p.bound[i] * hold[i].slip;
   const MatrixX system = equations * p.response * basis;
   const VectorX wanted = -(equations * (p.offset + p.response * from));
-  const LeastNorm decomposition(system, dependent());
+  const LeastNorm decomposition(system, dependent_pivot());
   VectorX x = decomposition.solve(wanted);
   if (unique) *unique = decomposition.rank() == unknowns;
   x += decomposition.solve(VectorX(wanted - system * x));  // one refinement: rounding only is left
@@ -163,7 +161,7 @@ bool polish(const CoulombProblem& p, std::vector<Hold>& hold, VectorX& f) {
       }
       const Vector2 slip = u.segment<2>(n + 1);
       const Real speed = slip.norm();
-      const Real edge = edge_of(p, i, f[n]);
+      const Real edge = slip_edge(p, i, f[n]);
       if (!h.given && is_rough(p, i)) {
         if (!(speed > 0)) return false;
         h.slip = slip / speed;
@@ -175,9 +173,9 @@ bool polish(const CoulombProblem& p, std::vector<Hold>& hold, VectorX& f) {
       jacobian.block<2, 1>(n + 1, n) += p.friction[i] * h.slip;
       jacobian.block<2, 2>(n + 1, n + 1) += Eigen::Matrix<Real, 2, 2>::Identity();
     }
-    const VectorX change = LeastNorm(jacobian, dependent()).solve(residual);
+    const VectorX change = LeastNorm(jacobian, dependent_pivot()).solve(residual);
     f -= change;
-    if (!(change.norm() <= 16 * ulp * f.norm())) continue;
+    if (!(change.norm() <= 16 * epsilon * f.norm())) continue;
     return true;
   }
   return false;
@@ -228,7 +226,7 @@ bool sweep(const CoulombProblem& p, int sweeps, VectorX& f, std::vector<Hold>& h
       hold[i] = now.hold;
       change = std::max(change, (now.force - old).norm());
     }
-    if (change <= 4 * ulp * f.norm()) return true;
+    if (change <= 4 * epsilon * f.norm()) return true;
   }
   return false;
 }
@@ -332,7 +330,7 @@ CoulombSolution solve_scaled(const CoulombProblem& p) {
     VectorX force = f;
     for (std::size_t i = 0; i < loose.size(); ++i) {
       const Vector2 pull = f.segment<2>(at(i) + 1);
-      const bool beyond = pull.norm() > edge_of(p, i, f[at(i)]);
+      const bool beyond = pull.norm() > slip_edge(p, i, f[at(i)]);
       if (loose[i].grip != Grip::sticks || !(all || beyond) || !(pull.norm() > 0)) continue;
       loose[i].grip = Grip::slides;
       loose[i].slip = -direction(pull);
@@ -353,7 +351,7 @@ CoulombSolution solve_scaled(const CoulombProblem& p) {
   for (const int sweeps : {40, 200, 1000, 4000}) {
     if (sweeps > p.most_sweeps) break;
     const bool settled = sweep(p, sweeps, swept, solution.hold);
-    for (const Real nearly : {Real(1e-3), Real(1e-5), std::sqrt(ulp), std::pow(ulp, Real(0.75))}) {
+    for (const Real nearly : {Real(1e-3), Real(1e-5), std::sqrt(epsilon), std::pow(epsilon, Real(0.75))}) {
       for (const bool press : {true, false}) {
         solution.exact = try_holds(p, read_holds(p, swept, nearly, press), swept, solution);
         if (solution.exact) return solution;
@@ -406,14 +404,14 @@ VectorX relaxed_force(const CoulombProblem& p, int rounds) {
       if (!(a(0, 0) > 0) && !is_dry(p, i)) continue;
       const Vector3 old = f.segment<3>(n);
       if (a(0, 0) > 0) f[n] = std::max<Real>(0, old[0] - (p.response.row(n).dot(f) + p.offset[n]) / a(0, 0));
-      const Real stiff = std::max(a(1, 1), a(2, 2)), edge = edge_of(p, i, f[n]);
+      const Real stiff = std::max(a(1, 1), a(2, 2)), edge = slip_edge(p, i, f[n]);
       const Vector2 u = p.response.middleRows<2>(n + 1) * f + p.offset.segment<2>(n + 1);
       const Vector2 held = stiff > 0 ? Vector2(old.tail<2>() - u / stiff) : Vector2(Vector2::Zero());
       const Real size = held.norm();
       f.segment<2>(n + 1) = size > edge ? Vector2(held * (edge / size)) : held;
       change = std::max(change, (f.segment<3>(n) - old).norm());
     }
-    if (change <= 16 * ulp * f.norm()) break;
+    if (change <= 16 * epsilon * f.norm()) break;
   }
   return f;
 }
@@ -427,7 +425,7 @@ bool obeys(const CoulombProblem& p, const std::vector<Hold>& hold, const VectorX
     const Real f_small = r.force[static_cast<Eigen::Index>(i)],
                u_small = r.rate[static_cast<Eigen::Index>(i)];
     const Vector2 f_t = f.segment<2>(at(i) + 1), u_t = u.segment<2>(at(i) + 1);
-    const Real edge = edge_of(p, i, f_n);
+    const Real edge = slip_edge(p, i, f_n);
     if (f_n < -f_small || u_n < -u_small) return false;
     switch (hold[i].grip) {
       case Grip::parts:

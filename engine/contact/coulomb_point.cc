@@ -20,7 +20,7 @@ struct Sliding {
 
   Real normal(const Vector2& d) const {
     const Real stiff = a(0, 0) - mu * (a(0, 1) * d.x() + a(0, 2) * d.y());
-    return stiff > std::numeric_limits<Real>::epsilon() * a(0, 0) ? -q[0] / stiff : Real(-1);
+    return stiff > epsilon * a(0, 0) ? -q[0] / stiff : Real(-1);
   }
   Vector3 force(const Vector2& d) const { return normal(d) * Vector3(1, -mu * d.x(), -mu * d.y()); }
   Vector2 slip(const Vector2& d) const { return (a * force(d) + q).tail<2>(); }
@@ -57,7 +57,7 @@ PointForce solve_point(const Matrix3& a, const Vector3& q, Real mu, const Hold& 
 
   const VectorX wanted = -q;  // dynamic: gcc 12 misreads the bounds of fixed sizes here
   const Vector3 stick = LeastNorm(a).solve(wanted);
-  const bool stops = (a * stick + q).norm() <= 64 * std::numeric_limits<Real>::epsilon() * q.norm();
+  const bool stops = (a * stick + q).norm() <= 64 * epsilon * q.norm();
   if (stops && stick[0] >= 0 && stick.tail<2>().norm() <= mu * stick[0]) {
     result.force = stick;
     result.hold.grip = Grip::sticks;

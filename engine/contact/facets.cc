@@ -11,16 +11,13 @@ namespace cylon::engine {
 
 namespace {
 
-constexpr Real ulp = std::numeric_limits<Real>::epsilon();
-constexpr bool wide = sizeof(Real) == 8;
-
 // A point nearer than this part of the size to a vertex or an edge is on it: more than the margin within which
 // surfaces touch.
-constexpr Real same = (wide ? 16384 : 256) * ulp;
+constexpr Real same = (is_double ? 16384 : 256) * epsilon;
 // A point that has left its facet by this part of the size is on another one: so far that this is seen.
 constexpr Real slack = 64 * same;
 // Edges with a smaller sine between them count as parallel, and normals that differ by more are different.
-constexpr Real least_sine = wide ? Real(1e-6) : Real(1e-3);
+constexpr Real least_sine = is_double ? Real(1e-6) : Real(1e-3);
 
 // The face with this outward normal, or -1.
 int face_across(const Core& core, const Vector3& outward) {
@@ -60,10 +57,6 @@ Facet facet_at(const Core& core, const Vector3& x, const Vector3& outward) {
   return facet;
 }
 
-Vector3 spin_of(const Body& body, const Motion& motion) {
-  return rotates(body) ? angular_velocity(body, motion) : Vector3(Vector3::Zero());
-}
-
 // How far x is inside a face, body axes; without bound where there is none.
 Real room_on_face(const Core& core, int face, const Vector3& x) {
   Real room = std::numeric_limits<Real>::infinity();
@@ -99,8 +92,8 @@ Real room_beside(const Core& core, const Facet& facet, const Vector3& d) {
   return slack * core.size - beyond;
 }
 
-// The nearest points of two cores by their facets, and how the normal turns.
-struct Nearest {
+// The nearest_points points of two cores by their facets, and how the normal turns.
+struct NearestPoints {
   Vector3 a, b, n, turning;
   Real s = 0;             // n.(a - b)
   bool a_slides = false;  // along its edge
@@ -127,10 +120,10 @@ Vector3 turning_of_edges(const Vector3& e_a, const Vector3& w_a, const Vector3& 
   return (rate - n.dot(rate) * n) / c.dot(n);
 }
 
-Nearest on_edges(const FacetPair& p, const Carried& a, const Carried& b) {
+NearestPoints on_edges(const FacetPair& p, const Carried& a, const Carried& b) {
   const Vector3 e_a = a.turn * p.body.along, e_b = b.turn * p.other.along;
   const Vector3 from_a = a.place(p.body.at), d = from_a - b.place(p.other.at);
-  Nearest near;
+  NearestPoints near;
   const Vector3 c = e_a.cross(e_b);
   near.n = c.normalized() * (c.dot(a.turn * p.normal) < 0 ? -1 : 1);
   near.turning = turning_of_edges(e_a, a.w, e_b, b.w, near.n);
@@ -142,11 +135,11 @@ Nearest on_edges(const FacetPair& p, const Carried& a, const Carried& b) {
   return near;
 }
 
-Nearest on_round(const FacetPair& p, const Carried& a, const Carried& b) {
+NearestPoints on_round(const FacetPair& p, const Carried& a, const Carried& b) {
   const Vector3 e_a = a.turn * p.body.along, e_b = b.turn * p.other.along;
   const Vector3 from_a = a.place(p.body.at), from_b = b.place(p.other.at);
   const SegmentPoints where = nearest_on_segments(from_a, e_a, p.body.half, from_b, e_b, p.other.half);
-  Nearest near;
+  NearestPoints near;
   near.a_slides = std::abs(where.s) < p.body.half, near.b_slides = std::abs(where.t) < p.other.half;
   near.a = from_a + where.s * e_a, near.b = from_b + where.t * e_b;
   const Vector3 d = near.a - near.b;
@@ -167,11 +160,11 @@ Nearest on_round(const FacetPair& p, const Carried& a, const Carried& b) {
   return near;
 }
 
-Nearest nearest(const FacetPair& p, const Carried& a, const Carried& b) {
+NearestPoints nearest_points(const FacetPair& p, const Carried& a, const Carried& b) {
   if (p.law == FacetPair::Law::edges) return on_edges(p, a, b);
   if (p.law == FacetPair::Law::round) return on_round(p, a, b);
   const Vector3 x_a = a.place(p.body.at), x_b = b.place(p.other.at);
-  Nearest near;
+  NearestPoints near;
   if (p.law == FacetPair::Law::face_of_other) {
     near.n = b.turn * p.other_normal;
     near.turning = b.w.cross(near.n);
@@ -243,7 +236,7 @@ FacetPair facets_at(const Shape& body, const Pose& pose, const Shape& other, con
 void place_touch(const FacetPair& p, const Body& body, const Motion& motion, Real radius, const Body& other,
                  const Motion& other_motion, Real other_radius, TouchPoint& touch) {
   const Carried a{body, motion}, b{other, other_motion};
-  const Nearest near = nearest(p, a, b);
+  const NearestPoints near = nearest_points(p, a, b);
   touch.normal = near.n;
   touch.turning = near.turning;
   touch.gap = near.s - radius - other_radius;
@@ -278,11 +271,11 @@ bool only_facets_touch(const FacetPair& p, const Shape& body, const Shape& other
   const Body still = make_body(1, Matrix3::Identity(), true);  // only places are asked for
   struct End {
     Carried a, b;
-    Nearest near;
+    NearestPoints near;
   };
   const auto at = [&](const Motion& m, const Motion& o) -> End {
     const Carried first{still, m}, second{still, o};
-    return {first, second, nearest(p, first, second)};
+    return {first, second, nearest_points(p, first, second)};
   };
   const End first = at(start, other_start), last = at(end, other_end);
   // |n'|: that of the body with the face; two edges: 1/sin of the angle between them times that of both; round:

@@ -9,8 +9,6 @@ namespace cylon::engine {
 
 namespace {
 
-constexpr Real ulp = std::numeric_limits<Real>::epsilon();
-
 // Energy made by P: P.u- + P.A P/2.
 Real energy_made(const MatrixX& a, const VectorX& before, const VectorX& p) {
   return p.dot(before + a * p / 2);
@@ -46,7 +44,7 @@ Real speed_rounding(const TouchPoint& touch, const std::vector<Body>& bodies, co
       const Real spin = rotates(b) ? b.inverse_inertia.norm() * m.angular_momentum.norm() : Real(0);
       return touch.row->direction.norm() * velocity(b, m).norm() + lever.norm() * spin;
     };
-    return 32 * ulp *
+    return 32 * epsilon *
            (terms(touch.body, touch.row->lever) +
             (touch.other != fixed_world ? terms(touch.other, touch.row->to_lever) : Real(0)));
   }
@@ -59,7 +57,7 @@ Real speed_rounding(const TouchPoint& touch, const std::vector<Body>& bodies, co
   };
   Real sum = size(touch.body);
   if (touch.other != fixed_world) sum += size(touch.other);
-  return 32 * ulp * sum;
+  return 32 * epsilon * sum;
 }
 
 ImpactOutcome strike_at_once(std::span<const TouchPoint> touches, std::span<const Row> joints,
@@ -90,7 +88,7 @@ ImpactOutcome strike_at_once(std::span<const TouchPoint> touches, std::span<cons
   outcome.violation = solution.violation;
   outcome.rounds = 1;
   const Real terms = impulse.cwiseAbs().dot(before.cwiseAbs() + (response.matrix() * impulse).cwiseAbs());
-  if (bounces && energy_made(response.matrix(), before, impulse) > 64 * ulp * terms) {
+  if (bounces && energy_made(response.matrix(), before, impulse) > 64 * epsilon * terms) {
     CoulombProblem without = problem;
     without.offset = before;
     without.guess.clear();

@@ -291,7 +291,7 @@ std::optional<Bracket> first_closing(const Candidate& c, const Model& model, con
     if (narrow && p.g_a >= -margin && p.g_b < -margin) return Bracket{p.a, p.b};
     if (narrow && p.g_a < -margin && p.g_b < -margin) continue;
     const bool grazes = std::max(p.g_a, p.g_b) < v * w / 8;  // else it may pass, in a part of this one
-    if ((w <= span * least_part && grazes) || w < span * 64 * std::numeric_limits<Real>::epsilon()) {
+    if ((w <= span * least_part && grazes) || w < span * 64 * epsilon) {
       const Real by_rate = (v * w - p.g_a - p.g_b) / 2, by_change = b * w * w / 8 - std::min(p.g_a, p.g_b);
       unseen = std::max(unseen, smooth ? std::min(by_rate, by_change) : by_rate);
       continue;

@@ -18,20 +18,6 @@ void fill_spins(Row& row, const std::vector<Body>& bodies, const Motion* motion)
   if (row.to != fixed_world) row.to_spin = spin_from(row.to, row.to_lever, bodies, motion);
 }
 
-// Entry of J M^-1 J^T.
-Real coupling(const Row& i, const Row& j, const std::vector<Body>& bodies) {
-  const auto through = [&](int body, const Vector3& lever) {
-    Real sum = 0;
-    const Real w = bodies[index(body)].inverse_mass * i.direction.dot(j.direction);
-    if (body == j.body) sum += w + lever.dot(j.spin);
-    if (body == j.to) sum -= w + lever.dot(j.to_spin);
-    return sum;
-  };
-  Real sum = through(i.body, i.lever);
-  if (i.to != fixed_world) sum -= through(i.to, i.to_lever);
-  return sum;
-}
-
 }  // namespace
 
 Matrix3 contact_frame(const Vector3& normal) {

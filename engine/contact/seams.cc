@@ -17,7 +17,7 @@ constexpr Real near_part = sizeof(Real) == 8 ? Real(1e-9) : Real(1e-5);
 // How far from x the other point is, in parts of the size.
 constexpr Real aside_part = sizeof(Real) == 8 ? Real(1e-6) : Real(1e-3);
 
-Vector3 nearest(const Shape& shape, const Pose& pose, const Vector3& x) {
+Vector3 nearest_on(const Shape& shape, const Pose& pose, const Vector3& x) {
   Pose point = pose;
   point.position = x;
   const Separation s = separation(Shape(Sphere{0}), point, shape, pose);
@@ -105,7 +105,7 @@ bool Seams::covers(const Piece& piece, int by, const Vector3& x, const Vector3& 
   const Real length = aside.norm();
   Vector3 x_2 = x;
   if (length > near) {
-    const Vector3 there = nearest(piece.shape, piece.at, x + (aside_part * size_ / length) * aside);
+    const Vector3 there = nearest_on(piece.shape, piece.at, x + (aside_part * size_ / length) * aside);
     // Beside an edge or a corner the piece falls away from the plane across n.
     if (n.dot(there - x) > -across_part * aside_part * size_) x_2 = there;
   }

@@ -31,14 +31,15 @@ struct TouchPoint {
   int axis = 0;                       ///< Along which it stands.
 };
 
-inline std::size_t index(int body) { return static_cast<std::size_t>(body); }
-
 /// Whether an impulse changes the body's momentum: not where it is locked, or pinned (its reference point is
 /// a pivot; only its angular momentum about that changes).
 inline bool translates(const Body& body) { return !body.locked && body.inverse_mass > 0; }
 
 /// Whether an impulse turns the body.
 inline bool rotates(const Body& body) { return !body.locked && body.turns; }
+inline Vector3 spin_of(const Body& body, const Motion& motion) {
+  return rotates(body) ? angular_velocity(body, motion) : Vector3(Vector3::Zero());
+}
 
 /// Velocity of the body's matter at a point.  v + w x (x - p); errata 29.
 inline Vector3 matter_velocity(const Body& body, const Motion& motion, const Vector3& point) {

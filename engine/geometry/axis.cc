@@ -8,15 +8,13 @@
 namespace cylon::engine {
 namespace {
 
-constexpr Real eps = std::numeric_limits<Real>::epsilon();
-
 void ask_faces(const Couple& c, Axis& best) {
   for (int i = 0; i < c.a.face_count; ++i) {
     const Vector3 n = -c.a.normals[i];
     const Real gap = n.dot(c.a.vertices[c.a.faces[i][0]] - c.vertex_b(c.support_b(n)));
     if (best.kind == Axis::Kind::none || gap > best.gap) best = {gap, n, Axis::Kind::face_a, i, -1};
   }
-  const Real tie = best.kind == Axis::Kind::none ? 0 : 16 * eps * c.size;
+  const Real tie = best.kind == Axis::Kind::none ? 0 : 16 * epsilon * c.size;
   for (int j = 0; j < c.b.face_count; ++j) {
     const Vector3 n = c.turn * c.b.normals[j];
     const Real gap = n.dot(c.vertex_a(c.support_a(-n)) - c.vertex_b(c.b.faces[j][0]));
@@ -72,7 +70,7 @@ struct EdgeTest {
     const Vector3 d = a.from - b.from;
     if (sign == 0) sign = cross.dot(d) < 0 ? Real(-1) : Real(1);
     const Vector3 n = cross * (sign / length);
-    const Real tie = best.kind == Axis::Kind::edges ? 0 : 16 * eps * c.size;
+    const Real tie = best.kind == Axis::Kind::edges ? 0 : 16 * epsilon * c.size;
     const bool first = best.kind == Axis::Kind::none;
     if (!first && !(n.dot(d) > best.gap + tie)) return;
     const Real gap = c.between(n);
@@ -89,7 +87,7 @@ void ask_edges(const Couple& c, Real reach, Axis& best) {
     reach = std::max(reach, std::abs(best.gap));
   else
     reach = 2 * c.size;
-  reach += 16 * eps * c.size;
+  reach += 16 * epsilon * c.size;
   const Bounds box_a = around(c.a.vertex_count, at_a), box_b = around(c.b.vertex_count, at_b);
 
   std::array<Placed, 64> batch;

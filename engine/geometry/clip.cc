@@ -40,7 +40,7 @@ struct Ring {
   }
 };
 
-int facing(const View& view, const Vector3& direction) {
+int face_towards(const View& view, const Vector3& direction) {
   int best = -1;
   Real least = 2;
   for (int i = 0; i < view.core.face_count; ++i) {
@@ -69,14 +69,14 @@ void clip(const Couple& couple, bool on_a, int face, Patch& patch) {
 
   std::array<Running, 256> buffers[2];
   int count = 0, now = 0;
-  const Ring ring(incident, facing(incident, n_incident));
+  const Ring ring(incident, face_towards(incident, n_incident));
   for (int k = 0; k < ring.count(); ++k) {
     const auto id = static_cast<std::uint32_t>(ring.vertex(k)) & 0x7fffU;
     buffers[0][static_cast<std::size_t>(count++)] = {incident.vertex(ring.vertex(k)), id, feature(id, 0)};
   }
   const bool closed = count > 2;
 
-  constexpr Real eps = std::numeric_limits<Real>::epsilon();
+  constexpr Real eps = epsilon;
   const Ring sides(reference, face);
   const Vector3 origin = reference.vertex(sides.vertex(0));
   Vector3 from = origin;

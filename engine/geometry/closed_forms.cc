@@ -9,8 +9,6 @@
 namespace cylon::engine {
 namespace {
 
-constexpr Real eps = std::numeric_limits<Real>::epsilon();
-
 Vector3 any_across(const Vector3& x) {
   int least = 0;
   x.cwiseAbs().minCoeff(&least);
@@ -25,7 +23,7 @@ Separation between_points(const Vector3& a, Real radius_a, const Vector3& b, Rea
   const Vector3 d = a - b;
   const Real distance = d.norm();
   Separation result;
-  if (distance > 4 * eps * size) {
+  if (distance > 4 * epsilon * size) {
     result.normal = d / distance;
   } else {
     result.normal = across.normalized();

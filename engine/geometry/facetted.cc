@@ -9,12 +9,10 @@
 namespace cylon::engine {
 namespace {
 
-constexpr Real eps = std::numeric_limits<Real>::epsilon();
-constexpr Real pi = Real(3.14159265358979323846);
-constexpr int corners = 16, most_rounds = Facetted::most_rounds;
+constexpr int polygon_corners = 16;
 
 // Half the angle of a tangent facet: (its angle)^2/2 is rounding.
-constexpr Real half_facet = eps < Real(1e-10) ? Real(1e-7) : Real(1e-3);
+constexpr Real half_facet = epsilon < Real(1e-10) ? Real(1e-7) : Real(1e-3);
 
 Real angle_between(Real a, Real b) { return std::abs(std::remainder(a - b, 2 * pi)); }
 
@@ -24,15 +22,16 @@ class Round {
   Round(const Frustum& frustum, Shape& storage) : frustum_(frustum) {
     if (!std::holds_alternative<Hull>(storage)) storage = Hull();
     hull_ = &std::get<Hull>(storage);
-    for (int k = 0; k < corners; ++k) corners_[at(k)] = {2 * pi * static_cast<Real>(k) / corners, 0};
-    count_ = corners;
+    for (int k = 0; k < polygon_corners; ++k)
+      corners_[index(k)] = {2 * pi * static_cast<Real>(k) / polygon_corners, 0};
+    count_ = polygon_corners;
     fill();
   }
 
   // Facets towards a normal, and towards a point beside the surface (own axes); whether any is new.
   bool look(const Vector3& normal, const Vector3& point) {
     moved_ = 0;
-    bool any = std::hypot(normal.x(), normal.z()) > eps && add(std::atan2(normal.z(), normal.x()));
+    bool any = std::hypot(normal.x(), normal.z()) > epsilon && add(std::atan2(normal.z(), normal.x()));
     const Real part =
         std::clamp((point.y() - frustum_.low) / (frustum_.high - frustum_.low), Real(0), Real(1));
     const Real radius = frustum_.low_radius + part * (frustum_.high_radius - frustum_.low_radius);
@@ -43,7 +42,7 @@ class Round {
 
   // The most that the polygon with all its corners is inside the circle.
   Real sagitta() const {
-    return (1 - std::cos(pi / corners)) * std::max(frustum_.low_radius, frustum_.high_radius);
+    return (1 - std::cos(pi / polygon_corners)) * std::max(frustum_.low_radius, frustum_.high_radius);
   }
   // How deep a polygon is inside the circle that has its nearest facet by the last move aside.
   Real last_miss() const {
@@ -59,21 +58,22 @@ class Round {
 
   // Corners of the inscribed polygon, and facets found before, give way.
   bool add(Real angle) {
-    Real nearest = pi / corners;
-    for (int k = 0; k < facets_; ++k) nearest = std::min(nearest, angle_between(angle, facet_angles_[at(k)]));
+    Real nearest = pi / polygon_corners;
+    for (int k = 0; k < facets_; ++k)
+      nearest = std::min(nearest, angle_between(angle, facet_angles_[index(k)]));
     if (nearest < half_facet / 2) return false;
     if (facets_ == static_cast<int>(facet_angles_.size()))
       return false;  // two a round: there is room for all
     moved_ = std::max(moved_, nearest);
     int kept = 0;
     for (int k = 0; k < count_; ++k) {
-      const Corner& corner = corners_[at(k)];
-      const Real middle = corner.facet > 0 ? facet_angles_[at(corner.facet - 1)] : corner.angle;
-      if (angle_between(angle, middle) > 4 * half_facet) corners_[at(kept++)] = corner;
+      const Corner& corner = corners_[index(k)];
+      const Real middle = corner.facet > 0 ? facet_angles_[index(corner.facet - 1)] : corner.angle;
+      if (angle_between(angle, middle) > 4 * half_facet) corners_[index(kept++)] = corner;
     }
     count_ = kept;
-    facet_angles_[at(facets_++)] = angle;
-    for (const Real side : {-half_facet, half_facet}) corners_[at(count_++)] = {angle + side, facets_};
+    facet_angles_[index(facets_++)] = angle;
+    for (const Real side : {-half_facet, half_facet}) corners_[index(count_++)] = {angle + side, facets_};
     return true;
   }
 
@@ -88,42 +88,43 @@ class Round {
     const auto low = [&](int k) { return low_disc ? k % n : 0; };
     const auto high = [&](int k) { return lows + (high_disc ? k % n : 0); };
     Hull& h = *hull_;
-    h.vertices.resize(at(lows + highs));
+    h.vertices.resize(index(lows + highs));
     for (int k = 0; k < n; ++k) {
-      const Corner& corner = corners_[at(k)];
+      const Corner& corner = corners_[index(k)];
       const Real reach = corner.facet > 0 ? 1 / std::cos(half_facet) : Real(1);
       const Vector3 out(reach * std::cos(corner.angle), 0, reach * std::sin(corner.angle));
-      h.vertices[at(low(k))] = frustum_.low_radius * out + frustum_.low * Vector3::UnitY();
-      h.vertices[at(high(k))] = frustum_.high_radius * out + frustum_.high * Vector3::UnitY();
+      h.vertices[index(low(k))] = frustum_.low_radius * out + frustum_.low * Vector3::UnitY();
+      h.vertices[index(high(k))] = frustum_.high_radius * out + frustum_.high * Vector3::UnitY();
     }
     // Sides first, counter-clockwise from outside: up at k, back down at k + 1.
-    h.faces.resize(at(n + low_disc + high_disc)), h.normals.resize(h.faces.size());
+    h.faces.resize(index(n + low_disc + high_disc)), h.normals.resize(h.faces.size());
     h.edges.clear();
     const int low_face = n, high_face = n + low_disc;
     const Real height = frustum_.high - frustum_.low;
     for (int k = 0; k < n; ++k) {
-      std::vector<int>& face = h.faces[at(k)];
+      std::vector<int>& face = h.faces[index(k)];
       face.clear();
       face.push_back(low(k)), face.push_back(high(k));
       if (high_disc) face.push_back(high(k + 1));
       if (low_disc) face.push_back(low(k + 1));
-      h.normals[at(k)] = side_normal(corners_[at(k)], corners_[at((k + 1) % n)], height);
+      h.normals[index(k)] = side_normal(corners_[index(k)], corners_[index((k + 1) % n)], height);
       h.edges.push_back({low(k), high(k), k, (k + n - 1) % n});
       if (low_disc) h.edges.push_back({low(k), low(k + 1), low_face, k});
       if (high_disc) h.edges.push_back({high(k), high(k + 1), k, high_face});
     }
-    const auto disc = [&](int index, bool up) {
-      std::vector<int>& face = h.faces[at(index)];
+    const auto disc = [&](int face_index, bool up) {
+      std::vector<int>& face = h.faces[index(face_index)];
       face.clear();
       for (int k = 0; k < n; ++k) face.push_back(up ? high(n - 1 - k) : low(k));
-      h.normals[at(index)] = up ? Vector3::UnitY() : Vector3(-Vector3::UnitY());
+      h.normals[index(face_index)] = up ? Vector3::UnitY() : Vector3(-Vector3::UnitY());
     };
     if (low_disc) disc(low_face, false);
     if (high_disc) disc(high_face, true);
   }
 
   Vector3 side_normal(const Corner& from, const Corner& to, Real height) const {
-    if (from.facet > 0 && from.facet == to.facet) return slope(facet_angles_[at(from.facet - 1)], 1, height);
+    if (from.facet > 0 && from.facet == to.facet)
+      return slope(facet_angles_[index(from.facet - 1)], 1, height);
     // Across the chord, which is `reach` from the axis where the circle is 1.
     const auto place = [](const Corner& c) {
       const Real reach = c.facet > 0 ? 1 / std::cos(half_facet) : Real(1);
@@ -139,13 +140,11 @@ class Round {
         .normalized();
   }
 
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
   const Frustum& frustum_;
   Hull* hull_ = nullptr;
-  std::array<Corner, std::size_t{corners} + std::size_t{4} * most_rounds> corners_;
+  std::array<Corner, std::size_t{polygon_corners} + std::size_t{4} * Facetted::most_rounds> corners_;
   int count_ = 0;
-  std::array<Real, std::size_t{2} * most_rounds> facet_angles_{};
+  std::array<Real, std::size_t{2} * Facetted::most_rounds> facet_angles_{};
   int facets_ = 0;
   Real moved_ = 0;  // in the last look(), from the nearest facet there was
 };
@@ -163,7 +162,7 @@ Facetted::Facetted(const Shape& body, const Pose& pose, const Shape& other, cons
   if (!a && !b) return;
   for (const auto* round : {&a, &b})
     if (*round) same_ = std::max(same_, 4 * (*round)->width()), far += (*round)->sagitta();
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < Facetted::most_rounds; ++round) {
     const Couple couple(*shapes_[0], pose, *shapes_[1], other_pose);
     const Touch t = touch(couple);
     if (t.gap - couple.a.radius - couple.b.radius > far) return;

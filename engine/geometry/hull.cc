@@ -16,8 +16,8 @@ namespace {
 
 using Point = Eigen::Vector3d;
 using Face = std::vector<int>;
-constexpr double eps = std::numeric_limits<Real>::epsilon();
-constexpr double jog = 16 * eps, flat = 64 * eps;  // times the size
+constexpr double eps = epsilon;
+constexpr double jog = 16 * eps, flatness = 64 * eps;  // times the size
 
 struct Cloud {
   std::vector<Point> points;  // distinct
@@ -66,7 +66,7 @@ std::array<int, 4> spanning(const Cloud& cloud) {
   const Point n = u.cross(cloud[c] - cloud[a]);
   const auto height = [&](const Point& x) { return std::abs(n.dot(x - cloud[a])); };
   const int d = farthest(cloud, height);
-  if (n.norm() <= flat * cloud.size || height(cloud[d]) <= flat * cloud.size * n.norm())
+  if (n.norm() <= flatness * cloud.size || height(cloud[d]) <= flatness * cloud.size * n.norm())
     throw std::invalid_argument("hull: all points are in a plane");
   return {a, b, c, d};
 }
@@ -225,7 +225,7 @@ Hull make_hull(const std::vector<Vector3>& points) {
   const std::array<int, 4> first = spanning(cloud);
   const auto triangles = triangle_hull(jogged(cloud), first);
   // Wider tolerances for clouds whose points are in a plane but for noise above rounding.
-  for (double tolerance = flat; tolerance < std::sqrt(eps); tolerance *= 4)
+  for (double tolerance = flatness; tolerance < std::sqrt(eps); tolerance *= 4)
     if (const auto hull = hull_within(cloud, triangles, tolerance * cloud.size)) return *hull;
   throw std::invalid_argument("hull: points are too nearly in a plane, in a line or the same");
 }
@@ -253,7 +253,7 @@ bool is_convex(const std::vector<Vector3>& vertices, const std::vector<std::arra
   if (triangles.size() < 4) return false;
   for (const auto& [edge, count] : times)
     if (times.find({edge.second, edge.first}) == times.end()) return false;
-  const double tolerance = flat * (high - low).norm();
+  const double tolerance = flatness * (high - low).norm();
   for (const auto& t : triangles) {
     const auto at = [&](std::size_t k) {
       return Point(vertices[static_cast<std::size_t>(t[k])].cast<double>());

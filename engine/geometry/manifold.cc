@@ -12,9 +12,7 @@
 namespace cylon::engine {
 namespace {
 
-constexpr Real eps = std::numeric_limits<Real>::epsilon();
-
-Manifold none() {
+Manifold no_manifold() {
   Manifold result;
   result.normal = Vector3::UnitY();
   result.count = 0;
@@ -55,7 +53,7 @@ Reference reference_face(const Couple& couple, const Touch& t, Real margin) {
   b.face = facing(couple.b, couple.turn.transpose() * t.normal);
   if (b.face >= 0) b.normal = couple.turn * couple.b.normals[b.face], b.gap = couple.between(b.normal);
   // a is preferred by a little, so that rounding does not change the reference from step to step
-  return b.gap > a.gap + Real(0.05) * std::max(margin, Real(0)) + 64 * eps * couple.size ? b : a;
+  return b.gap > a.gap + Real(0.05) * std::max(margin, Real(0)) + 64 * epsilon * couple.size ? b : a;
 }
 
 // Whether the incident shape has no face that looks at the reference, as a triangle that stands across it: then only its
@@ -79,11 +77,11 @@ Manifold polytopes(const Shape& body, const Pose& pose, const Shape& other, cons
   const Couple couple(body, pose, other, other_pose);
   const Real radii = couple.a.radius + couple.b.radius;
   const Touch t = touch(couple);
-  if (!(t.gap - radii < margin)) return none();
+  if (!(t.gap - radii < margin)) return no_manifold();
 
   const auto world = [&](const Vector3& x) { return Vector3(pose.position + pose.rotation * x); };
   const Reference face = reference_face(couple, t, margin);
-  const Real slack = Real(0.1) * std::max(margin, Real(0)) + 16 * eps * couple.size;
+  const Real slack = Real(0.1) * std::max(margin, Real(0)) + 16 * epsilon * couple.size;
   if (face.face >= 0 && face.gap >= t.gap - slack) {
     Patch patch;
     clip(couple, face.on_a, face.face, patch);
@@ -133,11 +131,11 @@ Manifold round_polytopes(const Shape& body, const Pose& pose, const Shape& other
   return result;
 }
 
-using Row = Manifold (*)(const Shape&, const Pose&, const Shape&, const Pose&, Real);
+using ManifoldOf = Manifold (*)(const Shape&, const Pose&, const Shape&, const Pose&, Real);
 
 template <class A, class B>
-Manifold closed(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose,
-                Real margin) {
+Manifold closed_manifold(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose,
+                         Real margin) {
   return closed_manifold(std::get<A>(body), pose, std::get<B>(other), other_pose, margin);
 }
 
@@ -146,11 +144,11 @@ template <class S>
 constexpr bool one_point_only = std::is_same_v<S, std::monostate> || std::is_same_v<S, Sphere> ||
                                 std::is_same_v<S, Compound>;  // whose points manifolds() finds
 
-constexpr auto table = pair_table([]<class A, class B>() -> Row {
+constexpr auto manifold_table = pair_table([]<class A, class B>() -> ManifoldOf {
   if constexpr (one_point_only<A> || one_point_only<B>)
     return from_separation;
   else if constexpr (requires(const A& a, const B& b, const Pose& p) { closed_manifold(a, p, b, p, Real()); })
-    return closed<A, B>;
+    return closed_manifold<A, B>;
   else if constexpr (std::is_same_v<A, Frustum> || std::is_same_v<B, Frustum>)
     return round_polytopes;
   else
@@ -160,7 +158,7 @@ constexpr auto table = pair_table([]<class A, class B>() -> Row {
 }  // namespace
 
 Manifold one_point(const Separation& s, Real margin, std::uint32_t feature) {
-  if (!(s.gap < margin)) return none();
+  if (!(s.gap < margin)) return no_manifold();
   Manifold result;
   result.normal = s.normal;
   result.count = 1;
@@ -170,7 +168,7 @@ Manifold one_point(const Separation& s, Real margin, std::uint32_t feature) {
 
 Manifold manifold(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose,
                   Real margin) {
-  return table[body.index()][other.index()](body, pose, other, other_pose, margin);
+  return manifold_table[body.index()][other.index()](body, pose, other, other_pose, margin);
 }
 
 namespace {
@@ -229,7 +227,7 @@ std::uint32_t with_parts(std::uint32_t feature, int part, int other) {
 
 Manifold manifold(const Shape& body, const Pose& pose, const Plane& plane, Real margin,
                   const Travel* travel) {
-  if (body.index() == 0) return none();
+  if (body.index() == 0) return no_manifold();
   Reduction reduction(plane.normal);
   bool thinned = false;
   each_part(body, pose, [&](int part, const Shape& shape, const Pose& at) {
@@ -286,7 +284,7 @@ void manifolds(const Shape& body, const PartBoxes& boxes, const Pose& pose, cons
 
 void join_faces(std::vector<PartManifold>& found) {
   if (found.size() < 2) return;
-  constexpr Real flush = eps < Real(1e-10) ? Real(1e-9) : Real(1e-4);
+  constexpr Real flush = epsilon < Real(1e-10) ? Real(1e-9) : Real(1e-4);
   for (std::size_t i = 0; i < found.size(); ++i) {
     Reduction joined(found[i].manifold.normal);
     bool thinned = false;

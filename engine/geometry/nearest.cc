@@ -8,8 +8,6 @@
 namespace cylon::engine {
 namespace {
 
-constexpr Real eps = std::numeric_limits<Real>::epsilon();
-
 struct Vertex {
   Vector3 w;         // of the difference a - b
   int a = 0, b = 0;  // of which vertices
@@ -92,7 +90,7 @@ Simplex tetrahedron(const std::array<Vertex, 4>& x, Real size) {
     const Vertex &p = x[k], &q = x[(k + 1) % 4], &r = x[(k + 2) % 4], &opposite = x[(k + 3) % 4];
     const Vector3 n = (q.w - p.w).cross(r.w - p.w);
     const Real origin = -n.dot(p.w), height = n.dot(opposite.w - p.w);
-    const bool flat = std::abs(height) <= 16 * eps * size * n.norm();
+    const bool flat = std::abs(height) <= 16 * epsilon * size * n.norm();
     if (!flat && origin * height > 0) continue;
     const Simplex s = triangle(p, q, r);
     if (!outside || s.v.squaredNorm() < best.v.squaredNorm()) best = s;
@@ -114,7 +112,7 @@ Nearest nearest(const Couple& couple) {
   };
 
   Simplex s = point(vertex(couple.shift));
-  const Real rounding = 4 * eps * couple.size;
+  const Real rounding = 4 * epsilon * couple.size;
   // Each step takes a simplex nearer than the last, so none comes twice and the steps end by themselves; where that takes
   // more than these, the plane between the points that were found is not clear of both shapes, which touch() sees: it
   // asks the axes then.

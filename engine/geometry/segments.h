@@ -24,7 +24,7 @@ inline SegmentPoints nearest_on_segments(const Vector3& p, const Vector3& u, Rea
   const Vector3 d = q - p;
   const Vector3 across = w - u * u.dot(w);
   const Real sine2 = across.squaredNorm();
-  constexpr Real least = 8 * std::numeric_limits<Real>::epsilon();
+  constexpr Real least = 8 * epsilon;
   SegmentPoints result;
   if (sine2 <= least * least) {
     const Real middle = u.dot(d);

@@ -10,7 +10,7 @@
 namespace cylon::engine {
 namespace {
 
-using Row = Separation (*)(const Shape&, const Pose&, const Shape&, const Pose&);
+using SeparationOf = Separation (*)(const Shape&, const Pose&, const Shape&, const Pose&);
 
 Separation nothing(const Shape&, const Pose& pose, const Shape&, const Pose& other) {
   return {std::numeric_limits<Real>::infinity(), Vector3::UnitY(), pose.position, other.position};
@@ -24,14 +24,15 @@ Separation general(const Shape& body, const Pose& pose, const Shape& other, cons
           pose.position + pose.rotation * a, pose.position + pose.rotation * b};
 }
 
-template <Row row>
+template <SeparationOf row>
 Separation swapped(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose) {
   const Separation s = row(other, other_pose, body, pose);
   return {s.gap, -s.normal, s.other_point, s.point};
 }
 
 template <class A, class B>
-Separation closed(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose) {
+Separation closed_separation(const Shape& body, const Pose& pose, const Shape& other,
+                             const Pose& other_pose) {
   return closed_form(std::get<A>(body), pose, std::get<B>(other), other_pose);
 }
 
@@ -60,15 +61,15 @@ Separation of_parts(const Shape& body, const Pose& pose, const Shape& other, con
 template <class A, class B, class S>
 constexpr bool either = std::is_same_v<A, S> || std::is_same_v<B, S>;
 
-constexpr auto table = pair_table([]<class A, class B>() -> Row {
+constexpr auto separation_table = pair_table([]<class A, class B>() -> SeparationOf {
   if constexpr (std::is_same_v<A, std::monostate> || std::is_same_v<B, std::monostate>)
     return nothing;
   else if constexpr (either<A, B, Compound>)
     return of_parts;
   else if constexpr (HasClosedForm<A, B>)
-    return closed<A, B>;
+    return closed_separation<A, B>;
   else if constexpr (HasClosedForm<B, A>)
-    return swapped<closed<B, A>>;
+    return swapped<closed_separation<B, A>>;
   else if constexpr (either<A, B, Frustum>)
     return index_of<A>() <= index_of<B>() ? general_round : swapped<general_round>;
   else
@@ -78,7 +79,7 @@ constexpr auto table = pair_table([]<class A, class B>() -> Row {
 }  // namespace
 
 Separation separation(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose) {
-  return table[body.index()][other.index()](body, pose, other, other_pose);
+  return separation_table[body.index()][other.index()](body, pose, other, other_pose);
 }
 
 // gap = min_x n.x - offset, over the shape.

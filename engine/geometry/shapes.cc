@@ -48,7 +48,7 @@ struct HalfWidth {
       for (const Vector3& v : hull.vertices) depth = std::max(depth, n.dot(p - v));
       least = std::min(least, depth / 2), most = std::max(most, (q - p).norm());
     }
-    return least > 16 * std::numeric_limits<Real>::epsilon() * most ? least : 0;  // a triangle has none
+    return least > 16 * epsilon * most ? least : 0;  // a triangle has none
   }
   // Across the discs, across the axis, and across the side, whose outward normal is (h, r_low - r_high)/s.
   Real operator()(const Frustum& s) const {

@@ -11,8 +11,7 @@
 namespace cylon::engine {
 namespace {
 
-constexpr Real eps = std::numeric_limits<Real>::epsilon();
-constexpr Real near = eps < Real(1e-10) ? Real(1.5e-8) : Real(3.5e-4);  // sqrt(eps)
+constexpr Real near = epsilon < Real(1e-10) ? Real(1.5e-8) : Real(3.5e-4);  // sqrt(epsilon)
 
 // The middle of the deepest corners of what lies over the face; the deepest vertex itself where rounding
 // leaves nothing over it.
@@ -23,7 +22,7 @@ Vector3 deepest_over(const Couple& couple, const Axis& axis, bool& reached) {
   Real least = std::numeric_limits<Real>::infinity();
   for (int k = 0; k < patch.count; ++k)
     least = std::min(least, patch.corners[static_cast<std::size_t>(k)].gap);
-  const Real same = 64 * eps * couple.size;
+  const Real same = 64 * epsilon * couple.size;
   reached = least <= axis.gap + same;
   if (!reached)
     return on_a ? couple.vertex_b(couple.support_b(axis.normal))
@@ -74,7 +73,7 @@ Touch from_axis(const Couple& couple, const Axis& axis) {
     result.b = result.a - axis.gap * axis.normal;
   } else {
     place_on_edges(couple, axis.a, axis.b, result);
-    result.reached = (result.a - result.b).norm() <= std::abs(axis.gap) + 64 * eps * couple.size;
+    result.reached = (result.a - result.b).norm() <= std::abs(axis.gap) + 64 * epsilon * couple.size;
   }
   return result;
 }
@@ -89,7 +88,7 @@ Touch from_axis(const Couple& couple, const Axis& axis) {
 // corners), it is nearest()'s.
 Touch touch(const Couple& couple) {
   const Nearest apart = nearest(couple);
-  const Real rounding = eps * couple.size;
+  const Real rounding = epsilon * couple.size;
   const bool close = !(apart.distance > near * couple.size);
   if (close || couple.between(apart.normal) < apart.distance - 8 * rounding) {
     const Axis axis = widest_axis(couple, apart.distance + 16 * rounding);

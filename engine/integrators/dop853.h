@@ -39,9 +39,7 @@ class Dop853 {
   /// tolerance: relative to the scales, per step; at least epsilon/2, less counts as that; the compensated
   /// sums make that worth asking for.
   Dop853(std::size_t size, Real tolerance)
-      : n_(size),
-        tolerance_(std::max(tolerance, std::numeric_limits<Real>::epsilon() / 2)),
-        memory_((stages + 6 + 8) * size) {
+      : n_(size), tolerance_(std::max(tolerance, epsilon / 2)), memory_((stages + 6 + 8) * size) {
     Real* at = memory_.data();
     const auto take = [&](std::size_t vectors) { return std::exchange(at, at + vectors * n_); };
     k_ = take(stages);
@@ -246,7 +244,7 @@ class Dop853 {
     s.project(stage_);
     Real moved = 0;
     for (std::size_t i = 0; i < n_; ++i) moved = std::max(moved, std::abs(stage_[i] - next_[i]) / scale_[i]);
-    if (moved > 8 * std::numeric_limits<Real>::epsilon()) std::copy_n(stage_, n_, next_);
+    if (moved > 8 * epsilon) std::copy_n(stage_, n_, next_);
     std::swap(y_, next_);
     s.rates(t, y_, k(12));
     ++evaluations_, ++accepted_;

@@ -13,9 +13,7 @@ namespace {
 
 constexpr Real slack = Real(1.01);
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-bool moves(const Model& model, int body) { return body != fixed_world && !model.bodies[at(body)].locked; }
+bool moves(const Model& model, int body) { return body != fixed_world && !model.bodies[index(body)].locked; }
 
 // Calls visit(bodies) for each joint, and for each force that does not act on every body.
 template <class Visit>
@@ -35,7 +33,7 @@ std::vector<Cluster> find_clusters(const Model& model) {
     int first = fixed_world;
     for (const int body : tied) {
       if (!moves(model, body)) continue;
-      if (first != fixed_world) unions.join(at(first), at(body));
+      if (first != fixed_world) unions.join(index(first), index(body));
       first = body;
     }
   });
@@ -52,7 +50,7 @@ std::vector<Cluster> find_clusters(const Model& model) {
   const auto owner = [&](const Acted& tied) -> Cluster* {
     const auto mover = std::ranges::find_if(tied, [&](int body) { return moves(model, body); });
     if (mover == tied.end()) return nullptr;
-    Cluster& cluster = clusters[cluster_of[at(*mover)]];
+    Cluster& cluster = clusters[cluster_of[index(*mover)]];
     for (const int body : tied)
       if (body != fixed_world && !moves(model, body)) cluster.holders.push_back(body);
     return &cluster;
@@ -103,12 +101,11 @@ std::vector<std::optional<Ball>> find_bounds(const Model& model) {
       if (!moves(model, body)) return;
       const Real arm = anchor.norm() + joint.length;
       if (moves(model, to)) {
-        links[at(to)].push_back({body, arm + to_anchor.norm()});
+        links[index(to)].push_back({body, arm + to_anchor.norm()});
       } else {
-        const Vector3 place =
-            to == fixed_world
-                ? to_anchor
-                : Vector3(model.motions[at(to)].position + model.motions[at(to)].orientation * to_anchor);
+        const Vector3 place = to == fixed_world ? to_anchor
+                                                : Vector3(model.motions[index(to)].position +
+                                                          model.motions[index(to)].orientation * to_anchor);
         queue.push({arm, body, place});
       }
     };
@@ -118,11 +115,11 @@ std::vector<std::optional<Ball>> find_bounds(const Model& model) {
   while (!queue.empty()) {
     const Reached next = queue.top();
     queue.pop();
-    std::optional<Ball>& bound = bounds[at(next.body)];
+    std::optional<Ball>& bound = bounds[index(next.body)];
     if (bound) continue;
     bound = Ball{next.centre, slack * next.radius};
-    for (const Link& link : links[at(next.body)])
-      if (!bounds[at(link.to)]) queue.push({next.radius + link.length, link.to, next.centre});
+    for (const Link& link : links[index(next.body)])
+      if (!bounds[index(link.to)]) queue.push({next.radius + link.length, link.to, next.centre});
   }
   return bounds;
 }

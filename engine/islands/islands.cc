@@ -9,11 +9,9 @@ namespace cylon::engine::islands {
 
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 bool has_surface(const Model& model, int body) {
-  return !model.surfaces.empty() && model.surfaces[at(body)] != no_surface &&
-         !std::holds_alternative<std::monostate>(model.shapes[at(body)]);
+  return !model.surfaces.empty() && model.surfaces[index(body)] != no_surface &&
+         !std::holds_alternative<std::monostate>(model.shapes[index(body)]);
 }
 
 void sort_unique(std::vector<int>& list) {
@@ -39,7 +37,7 @@ std::vector<T> picked(const std::vector<T>& whole, const std::vector<int>& which
   std::vector<T> part;
   if (whole.empty()) return part;
   part.reserve(which.size());
-  for (const int i : which) part.push_back(whole[at(i)]);
+  for (const int i : which) part.push_back(whole[index(i)]);
   return part;
 }
 
@@ -74,7 +72,7 @@ Interactions::Interactions(const Model& model, Time dt)
       bounds_(find_bounds(model)),
       touching_(clusters_.size()) {
   for (int i = 0; i < static_cast<int>(model.bodies.size()); ++i)
-    if (model.bodies[at(i)].locked && has_surface(model, i)) obstacles_.push_back(i);
+    if (model.bodies[index(i)].locked && has_surface(model, i)) obstacles_.push_back(i);
   std::size_t bodies = 0;
   for (std::size_t c = 0; c < clusters_.size(); ++c) {
     for (const int body : clusters_[c].bodies)
@@ -87,10 +85,10 @@ Interactions::Interactions(const Model& model, Time dt)
 
 Range Interactions::range(int body, const Body& now, const Motion& motion, Real acceleration,
                           Real part) const {
-  const Real t = part * static_cast<Real>(span_), shape = bounding_radius(model_.shapes[at(body)]);
-  const Real g = model_.gravity_of(at(body)).norm();
+  const Real t = part * static_cast<Real>(span_), shape = bounding_radius(model_.shapes[index(body)]);
+  const Real g = model_.gravity_of(index(body)).norm();
   const Real travel = std::max(t * (velocity(now, motion).norm() + t / 2 * (g + acceleration)), shape);
-  const std::optional<Ball>& bound = bounds_[at(body)];
+  const std::optional<Ball>& bound = bounds_[index(body)];
   if (bound && bound->radius <= travel) return {*bound, shape, true};
   return {{motion.position, travel}, shape, false};
 }
@@ -98,7 +96,7 @@ Range Interactions::range(int body, const Body& now, const Motion& motion, Real 
 bool Interactions::may_meet(std::size_t a, std::size_t b, const std::vector<Range>& ranges) const {
   for (const int i : touching_[a])
     for (const int k : touching_[b])
-      if (model_.may_touch(i, k) && overlap(ranges[at(i)], ranges[at(k)])) return true;
+      if (model_.may_touch(i, k) && overlap(ranges[index(i)], ranges[index(k)])) return true;
   return false;
 }
 
@@ -128,35 +126,35 @@ std::vector<std::vector<std::size_t>> Interactions::groups(const std::vector<Ran
 
 bool Interactions::reaches_plane(int body, int k) const {
   if (!model_.may_touch_plane(body, k)) return false;
-  const std::optional<Ball>& bound = bounds_[at(body)];
+  const std::optional<Ball>& bound = bounds_[index(body)];
   if (!bound) return true;
-  const Plane& plane = model_.planes[at(k)];
+  const Plane& plane = model_.planes[index(k)];
   return plane.normal.dot(bound->centre) - plane.offset <=
-         bound->radius + bounding_radius(model_.shapes[at(body)]);
+         bound->radius + bounding_radius(model_.shapes[index(body)]);
 }
 
 bool Interactions::reaches(int body, int locked) const {
   if (!model_.may_touch(body, locked)) return false;
-  const std::optional<Ball>& bound = bounds_[at(body)];
+  const std::optional<Ball>& bound = bounds_[index(body)];
   if (!bound) return true;
-  const Real reach =
-      bound->radius + bounding_radius(model_.shapes[at(body)]) + bounding_radius(model_.shapes[at(locked)]);
-  return (bound->centre - model_.motions[at(locked)].position).norm() <= reach;
+  const Real reach = bound->radius + bounding_radius(model_.shapes[index(body)]) +
+                     bounding_radius(model_.shapes[index(locked)]);
+  return (bound->centre - model_.motions[index(locked)].position).norm() <= reach;
 }
 
 bool Interactions::may_touch(int a, int b) const {
   if (!model_.may_touch(a, b)) return false;
-  const std::optional<Ball>&one = bounds_[at(a)], &other = bounds_[at(b)];
+  const std::optional<Ball>&one = bounds_[index(a)], &other = bounds_[index(b)];
   if (!one || !other) return true;
-  return overlap({*one, bounding_radius(model_.shapes[at(a)]), true},
-                 {*other, bounding_radius(model_.shapes[at(b)]), true});
+  return overlap({*one, bounding_radius(model_.shapes[index(a)]), true},
+                 {*other, bounding_radius(model_.shapes[index(b)]), true});
 }
 
 bool Interactions::flies(std::size_t which) const {
   const Cluster& cluster = clusters_[which];
   const int body = cluster.bodies.front();
   if (cluster.bodies.size() > 1 || !cluster.joints.empty() || model_.frame ||
-      model_.bodies[at(body)].mass_rate != 0)
+      model_.bodies[index(body)].mass_rate != 0)
     return false;
   if (!std::all_of(cluster.forces.begin(), cluster.forces.end(),
                    [](const auto& list) { return list.empty(); }))

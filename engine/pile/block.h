@@ -15,6 +15,7 @@ struct Mover {
   Real inverse_mass = 0;
   Matrix3 inverse_inertia = Matrix3::Zero();  ///< World axes.
 };
+inline bool moves(const Mover& m) { return m.inverse_mass > 0 || !m.inverse_inertia.isZero(0); }
 
 /// With u the velocity of a's point against b's (angular: the angular velocity of a against b's) and J the
 /// impulse (angular: angular impulse) on a, -J on b:

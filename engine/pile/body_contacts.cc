@@ -18,8 +18,6 @@ constexpr Real spare_distance = Real(1e-6);  // of the bounding radius
 constexpr std::size_t few_bodies = 32;
 constexpr Real still = Real(1) / 4096, spare_margin = Real(1) / 64, skin = Real(1) / 8;
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 // Leaves out points between two others, and all but one of those in one place: they hold nothing that the others do
 // not, and where edges of faces lie on each other rounding decides whether there are any.
 void leave_out_between(Manifold& manifold, Real size) {

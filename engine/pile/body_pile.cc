@@ -10,11 +10,9 @@
 namespace cylon::engine::pile {
 namespace {
 
-constexpr int most_parts = 16, close_rounds = 16;
+constexpr int most_step_parts = 16, close_rounds = 16;
 // Of a step, for stiff forces; what needs more is told as unstable.
 constexpr int most_stiff_parts = 1024;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // Whether a force in a joint is not stable by itself in a step.
 bool is_stiff(CoordinateLaw law, const std::vector<Body>& bodies, Time dt) {
@@ -249,7 +247,7 @@ void BodyPile::drift(Real h) {
 // Steps up to twice the steady one are stable for one force by itself, and are left as they are.
 int BodyPile::parts_for(const Model& model, Time dt) {
   const Real steps = static_cast<Real>(dt) / steady_step(model.forces, model.bodies);
-  if (!(steps > 2 * (1 + 64 * std::numeric_limits<Real>::epsilon()))) return 1;
+  if (!(steps > 2 * (1 + 64 * epsilon))) return 1;
   return static_cast<int>(std::min(std::ceil(steps), static_cast<Real>(most_stiff_parts)));
 }
 
@@ -258,7 +256,7 @@ int BodyPile::parts_of_step() const {
   Real fastest = 0;
   for (const Mover& mover : movers_) fastest = std::max(fastest, mover.v.squaredNorm());
   const Real parts = std::ceil(2 * std::sqrt(fastest) * static_cast<Real>(dt_) / found_.smallest());
-  return static_cast<int>(std::min(std::max(parts, Real(1)), Real(most_parts + 1)));
+  return static_cast<int>(std::min(std::max(parts, Real(1)), Real(most_step_parts + 1)));
 }
 
 void BodyPile::step() {
@@ -266,9 +264,9 @@ void BodyPile::step() {
   swept_to_ = 0, swept_times_ = 0;
   const Time now = static_cast<Time>(steps_) * dt_;
   int parts = parts_of_step();
-  if (parts > most_parts) {
-    parts = most_parts;
-    log_.note(DiagnosticKind::too_fast, now, most_parts);
+  if (parts > most_step_parts) {
+    parts = most_step_parts;
+    log_.note(DiagnosticKind::too_fast, now, most_step_parts);
   }
   parts = std::max(parts, stiff_parts_);
   for (int k = 0; k < parts; ++k)

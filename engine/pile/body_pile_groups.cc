@@ -8,12 +8,6 @@
 #include <variant>
 
 namespace cylon::engine::pile {
-namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
 // More blocks than are always solved to rounding are solved group by group.  Bodies of different groups must
 // not act on each other, as groups move in parts of the step of their own; what keeps momenta in isolated
 // scenes takes all bodies in the same parts.
@@ -88,7 +82,7 @@ bool BodyPile::is_on_edge(int body, const Group& group) const {
 // Groups that hardly move before and after a step: what is left of their velocities is the solver's.  A body
 // that turns back hardly moves only once.
 void BodyPile::lay_to_rest(Real span) {
-  constexpr Real part = std::max(Real(1) / (1 << 20), 16 * std::numeric_limits<Real>::epsilon());
+  constexpr Real part = std::max(Real(1) / (1 << 20), 16 * epsilon);
   const Real speed = part * gravity_ * span;
   const auto look = [&](const Group& group) {
     const auto was_still = [&](int body) { return model_.bodies[index(body)].locked || still_[index(body)]; };

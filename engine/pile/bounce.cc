@@ -10,9 +10,7 @@ namespace cylon::engine::pile {
 namespace {
 
 // Of the work of all impulses by amount: what a direct solution leaves of it.
-constexpr Real rounding = 10000 * std::numeric_limits<Real>::epsilon();
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
+constexpr Real rounding_of_work = 10000 * epsilon;
 
 // What a solution gives each block, and each body.
 struct Solution {
@@ -73,7 +71,7 @@ bool Bounce::solve(std::vector<Block>& blocks, const std::vector<Body>& bodies, 
   std::vector<Group> gaining = find_groups(blocks, movers);
   std::erase_if(gaining, [&](const Group& group) {
     const Work w = work(group, blocks, full);
-    return !(w.sum > rounding * w.size);
+    return !(w.sum > rounding_of_work * w.size);
   });
   if (gaining.empty()) return solved;
 

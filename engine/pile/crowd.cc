@@ -8,10 +8,6 @@
 namespace cylon::engine::pile {
 namespace {
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-bool moves(const Mover& m) { return m.inverse_mass > 0 || !m.inverse_inertia.isZero(0); }
-
 // A contact that overlaps is a damped spring of the angular frequency `frequency`/h, implicit in time:
 //   dj = share (target - u_n)/K - bleed j,  target = rate (overlap - slop)
 // Without its damping the impulses that remove overlaps keep towers of boxes rocking.  E. Catto, Soft

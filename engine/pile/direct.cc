@@ -14,17 +14,13 @@ constexpr int most_rounds = 60, patience = 6, plain_rounds = 2, most_cuts = 20;
 // one: 67 where a pyramid under 300 times its boxes' mass is built up.  A round that is cut off before its
 // least value gives impulses that balance nothing, and the next one runs away from them.
 constexpr int most_newton_steps = 200;
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double double_epsilon = std::numeric_limits<double>::epsilon();
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-Eigen::Matrix3d skew(const Eigen::Vector3d& r) {
+Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& r) {
   Eigen::Matrix3d m;
   m << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
   return m;
 }
-
-bool moves(const Mover& m) { return m.inverse_mass > 0 || !m.inverse_inertia.isZero(0); }
 
 // The inverse of a matrix that may be singular: what it cannot move becomes very heavy.  Only a
 // preconditioner; the velocities are always those that the impulses give.
@@ -237,8 +233,8 @@ void Direct::minimise() {
       if (row.block->angular) {
         to_a.rightCols<3>() = M3::Identity(), to_b.rightCols<3>() = -M3::Identity();
       } else {
-        to_a << M3::Identity(), -skew(row.arm);
-        to_b << -M3::Identity(), skew(row.to_arm);
+        to_a << M3::Identity(), -cross_matrix(row.arm);
+        to_b << -M3::Identity(), cross_matrix(row.to_arm);
       }
       const auto add = [&](int at, const auto& j, int other, const auto& other_j) {
         if (at < 0 || other < 0 || other > at) return;
@@ -318,9 +314,8 @@ bool Direct::solve(std::vector<Block>& blocks, const std::vector<Body>& bodies, 
       const Eigen::Matrix<double, 6, 1> size = inverses_[k].cwiseAbs() * push_.segment<6>(at).cwiseAbs();
       fastest = std::max(fastest, size.maxCoeff());
     }
-    rounding_ = epsilon * fastest;
-    allowed =
-        256 * std::max(epsilon, static_cast<double>(std::numeric_limits<Real>::epsilon()) / 64) * fastest;
+    rounding_ = double_epsilon * fastest;
+    allowed = 256 * std::max(double_epsilon, static_cast<double>(epsilon) / 64) * fastest;
     residual_ = 0;
     for (const Row& row : rows_) {
       const V3 u = velocity(row, v_);

@@ -53,7 +53,6 @@ class Envelope {
   }
 
  private:
-  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
   double dot(int i, int j, int from, int to) const {
     if (to <= from) return 0;
     using Row = Eigen::Map<const Vector>;

@@ -5,13 +5,7 @@
 
 namespace cylon::engine::pile {
 
-namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-bool moves(const Mover& m) { return m.inverse_mass > 0 || !m.inverse_inertia.isZero(0); }
-
-}  // namespace
+namespace {}  // namespace
 
 std::vector<Group> find_groups(const std::vector<Block>& blocks, const std::vector<Mover>& movers) {
   std::vector<int> root(movers.size());

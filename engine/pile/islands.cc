@@ -9,8 +9,6 @@
 namespace cylon::engine::pile {
 namespace {
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 Eigen::Matrix3d in_world(const Matrix3& m, const Motion& motion) {
   const Eigen::Matrix3d r = motion.orientation.cast<double>().toRotationMatrix();
   return r * m.cast<double>() * r.transpose();
@@ -116,7 +114,7 @@ void Islands::turn(const Island& island, const Whole& w, const V3& change,
 
 // Until E is what was noted.  False where the rest has not so much.
 bool Islands::shorten(const Island& island, std::vector<Motion>& motions) const {
-  constexpr double rounding = 16 * static_cast<double>(std::numeric_limits<Real>::epsilon());
+  constexpr double rounding = 16 * static_cast<double>(epsilon);
   const Whole now = whole(island, motions);
   const double excess = now.energy - island.energy;
   if (!(excess > rounding * island.energy)) return true;

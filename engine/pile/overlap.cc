@@ -7,8 +7,8 @@ namespace cylon::engine::pile {
 namespace {
 
 constexpr int sweeps = 4;
-constexpr Real rounding = 64 * std::numeric_limits<Real>::epsilon();  // of a coordinate [m, rad]
-constexpr Real negligible = Real(1) / 1024;  // of the slop: overlaps tend to it and never reach it
+constexpr Real rounding_of_gap = 64 * epsilon;  // of a coordinate [m, rad]
+constexpr Real negligible = Real(1) / 1024;     // of the slop: overlaps tend to it and never reach it
 
 }  // namespace
 
@@ -22,7 +22,7 @@ bool Overlaps::displace(const std::vector<Body>& bodies, const std::vector<Block
     block.impulse.setZero();
     block.limit = block.push = block.drag = 0;  // friction and springs resist no displacement
     if (block.kind == Block::Kind::stop) {
-      any |= block.gap < -rounding;
+      any |= block.gap < -rounding_of_gap;
       block.target = -block.gap;  // all of it: nothing else lies in a stop
     }
     if (block.kind != Block::Kind::contact) continue;

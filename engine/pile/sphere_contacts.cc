@@ -8,8 +8,6 @@
 namespace cylon::engine::pile {
 namespace {
 
-using Row = Eigen::Map<const Vector3>;
-
 void set_lane(Lanes3& lanes, int lane, const Vector3& value) {
   lanes.x[lane] = value[0], lanes.y[lane] = value[1], lanes.z[lane] = value[2];
 }

@@ -57,7 +57,7 @@ SphereImpacts::Meeting SphereImpacts::meeting(const Approaching& pair, const Sph
   const bool falls = plane || (va[3] == 0) != (inverse_b == 0);
   if (!(t >= 0 && (t <= span || (falls && (t - span) * m.approach <= gravity_ * span * span)))) return {};
   // slower than the rounding of the velocities is rest
-  if (m.approach <= 16 * std::numeric_limits<Real>::epsilon() * (Row(va).norm() + v_b.norm())) return {};
+  if (m.approach <= 16 * epsilon * (Row(va).norm() + v_b.norm())) return {};
   if (va[3] + inverse_b <= 0) return {};
   m.time = t;
   return m;

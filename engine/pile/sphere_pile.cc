@@ -45,7 +45,7 @@ std::vector<Diagnostic> SpherePile::diagnostics() const {
   for (int i = 0; i < spheres_.count; ++i)
     for (int c = 0; c < 3; ++c) fastest = std::max(fastest, std::abs(spheres_.v(i)[c]));
   fastest += gravity_ * static_cast<Real>(dt_);
-  if (const Real off = unmet(); off > 1024 * std::numeric_limits<Real>::epsilon() * fastest)
+  if (const Real off = unmet(); off > 1024 * epsilon * fastest)
     log.note(DiagnosticKind::contacts_swept, static_cast<Time>(steps_ - 1) * dt_, settings_.substeps,
              static_cast<double>(off));
   return log.all();

@@ -42,7 +42,7 @@ bool only_spheres(const Model& model) {
                       std::holds_alternative<std::monostate>(model.shapes[i]);
     const Matrix3& k = body.inverse_inertia;
     const Real uneven = (k - k(0, 0) * Matrix3::Identity()).cwiseAbs().maxCoeff();
-    if (!ball || (!body.locked && uneven > 8 * std::numeric_limits<Real>::epsilon() * k(0, 0))) return false;
+    if (!ball || (!body.locked && uneven > 8 * epsilon * k(0, 0))) return false;
   }
   return true;
 }

@@ -14,6 +14,7 @@
 namespace {
 
 namespace fs = std::filesystem;
+using cylon::TemporaryFolder;
 using cylon::core::InputError;
 
 // The message of the refusal; "" where the text loads.
