@@ -120,7 +120,7 @@ const std::array<DiagnosticRow, static_cast<std::size_t>(DiagnosticKind::count)>
      "{limit} forces in joints are too stiff for steps this long: they are those at the end of each step, "
      "which damps "
      "what they would let oscillate"},
-    {K::stiff, "stiff", "parts", "", "each step goes in {limit} parts: {cause} is too stiff for longer ones"},
+    {K::stiff, "stiff", "parts", "", "steps go in up to {limit} parts: {cause} is too stiff for longer ones"},
     {K::unstable, "unstable", "s", "",
      "steps longer than {limit} s are unstable where {cause} acts in full: the motion may grow without "
      "limit"},

@@ -1,5 +1,6 @@
 #include "engine/forces.h"
 
+#include "engine/scratch.h"
 #include "engine/stability.h"
 
 #include <algorithm>
@@ -153,7 +154,7 @@ void apply(const FrameForce& frame, Scene& scene) {
   const Real phase =
       static_cast<Real>(std::fmod(static_cast<double>(frame.frequency) * scene.time, 2 * M_PI));
   const Vector3 push = std::cos(phase) * frame.acceleration, &faster = frame.angular_acceleration;
-  const Vector3 turn = frame.angular_velocity + static_cast<Real>(scene.time) * faster;
+  const Vector3 turn = frame.turning(scene.time);
   const auto of_place = [&](const Vector3& r) {
     return Vector3(faster.cross(r) + turn.cross(turn.cross(r)));
   };
@@ -190,20 +191,20 @@ void apply(const CoordinateLaw& law, Scene& scene) {
 
 void apply(const UserForce& user, Scene& scene) {
   if (!user.law) return;
-  std::vector<SeenBody> seen;
-  seen.reserve(user.bodies.size());
+  Scratch<SeenBody> seen;
+  Scratch<Load> loads;
   for (const int body : user.bodies) {
     const std::size_t i = index(body);
     const Kinematics& k = scene.kinematics[i];
     const Vector3 arm = scene.centre(i);
-    seen.push_back({scene.bodies[i].mass, scene.motion[i].position + arm, scene.motion[i].orientation,
-                    k.velocity + k.angular_velocity.cross(arm), k.angular_velocity});
+    seen->push_back({scene.bodies[i].mass, scene.motion[i].position + arm, scene.motion[i].orientation,
+                     k.velocity + k.angular_velocity.cross(arm), k.angular_velocity});
   }
-  std::vector<Load> loads(user.bodies.size());
-  user.law->apply(scene.time, seen, loads);
-  for (std::size_t k = 0; k < loads.size(); ++k) {
-    const Vector3 arm = scene.centre(index(user.bodies[k]));
-    scene.wrench(user.bodies[k], loads[k].force, loads[k].torque + arm.cross(loads[k].force));
+  loads->assign(user.bodies.size(), Load{});
+  user.law->apply(scene.time, *seen, *loads);
+  for (std::size_t k = 0; k < user.bodies.size(); ++k) {
+    const auto& [force, torque] = (*loads)[k];
+    scene.wrench(user.bodies[k], force, torque + scene.centre(index(user.bodies[k])).cross(force));
   }
 }
 
@@ -239,9 +240,7 @@ Rates rates(const Water& w, const std::vector<Body>& bodies) {
 // Not known: steps of a pile, which ask for this, do not take them.
 Rates rates(const UserForce&, const std::vector<Body>&) { return {}; }
 // What Coriolis turns in a time, 2 W, an explicit step must resolve as it must a decay.
-Rates rates(const FrameForce& frame, const std::vector<Body>&) {
-  return {0, 2 * frame.angular_velocity.norm()};
-}
+Rates rates(const FrameForce& frame, Time t) { return {0, 2 * frame.turning(t).norm()}; }
 
 // No more than what the other joints of the bodies let the coordinate move: the axis of an angle is known in one
 // of them.
@@ -258,10 +257,10 @@ Rates rates(const CoordinateLaw& law, const std::vector<Body>& bodies) {
   return {law.stiffness * mobility, law.damping * mobility};
 }
 
-// RateSums over the forces on each body.
+// Sums over the forces on each body.
 class RateSums {
  public:
-  explicit RateSums(const std::vector<Body>& bodies) : bodies_(bodies), rates_(bodies.size()) {}
+  RateSums(const std::vector<Body>& bodies, Time t) : bodies_(bodies), time_(t), rates_(bodies.size()) {}
 
   void add(const Spring& s) {
     const Real shared = s.body != fixed_world && s.to != fixed_world ? Real(2) : Real(1);
@@ -274,7 +273,7 @@ class RateSums {
   void add(const Attraction&) {}
   void add(const UserForce&) {}
   void add(const FrameForce& frame) {
-    for (Rates& r : rates_) r.damping += rates(frame, bodies_).damping;
+    for (Rates& r : rates_) r.damping += rates(frame, time_).damping;
   }
   void add(const Water& w) {
     for (std::size_t i = 0; i < bodies_.size(); ++i)
@@ -307,6 +306,7 @@ class RateSums {
   }
 
   const std::vector<Body>& bodies_;
+  Time time_;
   std::vector<Rates> rates_;
 };
 
@@ -354,10 +354,14 @@ void Forces::start_piece(Time t) {
 }
 
 //   h = (sqrt(c^2 + 4 k/m) - c)/(k/m) = 4/(sqrt(c^2 + 4 k/m) + c),  c here per mass
-StepLimit longest_step(const Forces& forces, const std::vector<Body>& bodies) {
+StepLimit longest_step(const Forces& forces, const std::vector<Body>& bodies, Time t) {
   StepLimit limit{std::numeric_limits<Real>::infinity(), ""};
   each_force(forces, [&](const auto& force) {
-    const Rates r = rates(force, bodies);
+    Rates r;
+    if constexpr (std::is_same_v<std::decay_t<decltype(force)>, FrameForce>)
+      r = rates(force, t);
+    else
+      r = rates(force, bodies);
     const Real step = 4 / (std::sqrt(r.damping * r.damping + 4 * r.square) + r.damping);
     if (step < limit.step) limit = {step, force.one};
   });
@@ -365,8 +369,8 @@ StepLimit longest_step(const Forces& forces, const std::vector<Body>& bodies) {
 }
 
 //   h = 2/(sqrt(c^2 + 4 k) + c)
-Real steady_step(const Forces& forces, const std::vector<Body>& bodies) {
-  RateSums sums(bodies);
+Real steady_step(const Forces& forces, const std::vector<Body>& bodies, Time t) {
+  RateSums sums(bodies, t);
   each_force(forces, [&](const auto& force) { sums.add(force); });
   Real least = std::numeric_limits<Real>::infinity();
   for (const Rates& r : sums.all())

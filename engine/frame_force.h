@@ -27,6 +27,7 @@ struct FrameForce {
   static constexpr const char* one = "the motion of the frame";
   static constexpr Feature feature = Feature::frame_force;
   void add_features(Features& features) const { features.add(feature); }
+  Vector3 turning(Time t) const { return angular_velocity + static_cast<Real>(t) * angular_acceleration; }
   bool turns() const { return !angular_velocity.isZero(0) || !angular_acceleration.isZero(0); }
   bool reads_velocities() const { return turns(); }
   bool reads_time() const { return frequency != 0 || !angular_acceleration.isZero(0); }

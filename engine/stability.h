@@ -17,13 +17,13 @@ struct StepLimit {
 /// (the eigenvalues of p'' = -(k p + c p')/m on the unit circle).  Other forces only shorten it: what is
 /// longer is unstable wherever that force acts in full (water: on a body that is submerged), what is shorter
 /// may be.
-StepLimit longest_step(const Forces&, const std::vector<Body>&);
+StepLimit longest_step(const Forces&, const std::vector<Body>&, Time);
 
 /// A step in which explicit integration of all the forces together is stable and does not overshoot [s]: for each
 /// body, with the sums over its forces of stiffness and damping per mass, k and c (a spring between two bodies
 /// counts twice, levers count by the least moment of inertia),
 ///   h^2 k + h c <= 1.
-/// By Gershgorin's bound on the eigenvalues.  Infinite where no force says so.
-Real steady_step(const Forces&, const std::vector<Body>&);
+/// By Gershgorin's bound on the eigenvalues.  Infinite where no force says so.  At a time: a frame may turn ever faster.
+Real steady_step(const Forces&, const std::vector<Body>&, Time);
 
 }  // namespace cylon::engine

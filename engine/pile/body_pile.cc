@@ -19,7 +19,7 @@ bool is_stiff(CoordinateLaw law, const std::vector<Body>& bodies, Time dt) {
   law.held = false;
   Forces alone;
   alone.coordinate_laws = {std::move(law)};
-  return steady_step(alone, bodies) < static_cast<Real>(dt);
+  return steady_step(alone, bodies, 0) < static_cast<Real>(dt);
 }
 
 }  // namespace
@@ -44,8 +44,6 @@ BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings, st
       rest_(model_.bodies.size(), awake),
       still_(model_.bodies.size(), 0),
       steps_(first),
-      limit_(longest_step(model_.forces, model_.bodies)),
-      stiff_parts_(parts_for(model_, dt)),
       struck_(model_.bodies.size(), 0),
       gravity_(model.strongest_gravity()),
       other_forces_(!model.forces.only_gravity() || model.has_own_gravity()),
@@ -63,7 +61,10 @@ BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings, st
     return is_stiff(law, model_.bodies, dt);
   });
   if (stiff > 0) log_.note(DiagnosticKind::joint_forces_implicit, start, static_cast<double>(stiff));
-  if (stiff_parts_ > 1) log_.note(DiagnosticKind::stiff, start, stiff_parts_, {}, limit_.reason);
+  changing_ = masses_.any() || std::ranges::any_of(model_.forces.frame_forces, [](const FrameForce& frame) {
+                return !frame.angular_acceleration.isZero(0);
+              });
+  find_limits(start);
   set_kinematics();
   for (std::size_t i = 0; i < movers_.size(); ++i)
     still_[i] = movers_[i].v.isZero(0) && movers_[i].w.isZero(0);
@@ -245,10 +246,19 @@ void BodyPile::drift(Real h) {
 }
 
 // Steps up to twice the steady one are stable for one force by itself, and are left as they are.
-int BodyPile::parts_for(const Model& model, Time dt) {
-  const Real steps = static_cast<Real>(dt) / steady_step(model.forces, model.bodies);
-  if (!(steps > 2 * (1 + 64 * epsilon))) return 1;
-  return static_cast<int>(std::min(std::ceil(steps), static_cast<Real>(most_stiff_parts)));
+void BodyPile::find_limits(Time now) {
+  // At the end of the step, where a body that burns is lightest and a frame that spins up fastest.
+  const Time then = changing_ ? now + dt_ : now;
+  masses_.set(then, model_.bodies);
+  limit_ = longest_step(model_.forces, model_.bodies, then);
+  const Real steps = static_cast<Real>(dt_) / steady_step(model_.forces, model_.bodies, then);
+  masses_.set(now, model_.bodies);
+  stiff_parts_ = 1;
+  if (!(steps > 2 * (1 + 64 * epsilon))) return;
+  stiff_parts_ = static_cast<int>(std::min(std::ceil(steps), static_cast<Real>(most_stiff_parts)));
+  if (stiff_parts_ <= most_told_) return;
+  most_told_ = stiff_parts_;
+  log_.note(DiagnosticKind::stiff, now, stiff_parts_, {}, limit_.reason);
 }
 
 int BodyPile::parts_of_step() const {
@@ -263,6 +273,7 @@ void BodyPile::step() {
   impacts_.clear(), contacts_.clear();
   swept_to_ = 0, swept_times_ = 0;
   const Time now = static_cast<Time>(steps_) * dt_;
+  if (changing_) find_limits(now);
   int parts = parts_of_step();
   if (parts > most_step_parts) {
     parts = most_step_parts;

@@ -30,7 +30,7 @@ class BodyPile : public Stepper {
  private:
   static constexpr int awake = -1;  // of rest_
   int parts_of_step() const;
-  static int parts_for(const Model&, Time dt);
+  void find_limits(Time now);
   void advance_part(Time now, Time span);
   void divide(Real span);
   bool bounces(const Group&, Real span) const;
@@ -101,6 +101,8 @@ class BodyPile : public Stepper {
   std::int64_t steps_;
   double residual_ = 0;
   StepLimit limit_;
+  int most_told_ = 1;         // of stiff_parts_
+  bool changing_ = false;     // what a step can bear changes in time
   int stiff_parts_ = 1;       // of each step, for forces that are unstable in longer ones
   std::vector<char> struck_;  // bodies that a bounce changes in this part of a step
   double swept_to_ = 0;  // largest change of a velocity that the last sweep of a step left, or made [m/s]

@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <map>
 #include <ostream>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -34,14 +35,39 @@ double step_of(const scenario::Scenario& scenario, const std::string& dt) {
   return dt.empty() ? scenario.step : scenario::parse_step(dt);
 }
 
-// The verdict on the one claim that the glob matches; a run is made once.
+// What is run for counterfactuals: one motion, and the claims that they are about.
+struct Run {
+  std::set<std::string> globs;
+  std::vector<Verdict> rows;
+};
+using Key = std::tuple<std::string, std::string, std::string, bool>;  // scenario, engine, step, relations
+
+bool of_relations(const std::string& claim) { return claim.starts_with("relation "); }
+
+std::map<Key, Run> planned_runs() {
+  std::map<Key, Run> runs;
+  for (const Cause& cause : expectations().causes())
+    for (const Counterfactual& c : cause.counterfactuals) {
+      runs[{c.scenario, c.engine, c.dt, of_relations(c.claim)}].globs.insert(c.claim);
+      runs[{c.other_scenario, c.other_engine, c.other_dt, of_relations(c.other_claim)}].globs.insert(
+          c.other_claim);
+    }
+  return runs;
+}
+
+// The verdict on the one claim that the glob matches; a run is made once, for all that is asked of it.
 Verdict verdict(const std::string& name, const std::string& engine_id, const std::string& dt,
                 const std::string& claim) {
-  static std::map<std::tuple<std::string, std::string, std::string, bool>, std::vector<Verdict>> runs;
-  const bool relation = claim.starts_with("relation ");
-  auto& rows = runs[{name, engine_id, dt, relation}];
+  static std::map<Key, Run> runs = planned_runs();
+  const bool relation = of_relations(claim);
+  auto& [globs, rows] = runs[{name, engine_id, dt, relation}];
   if (rows.empty()) {
-    const scenario::Scenario scenario = shipped(name);
+    scenario::Scenario scenario = shipped(name);
+    if (!relation)
+      std::erase_if(scenario.claims, [&](const core::Claim& one) {
+        return std::ranges::none_of(
+            globs, [&](const std::string& glob) { return scenario::glob_match(glob, one.label); });
+      });
     study::Cell cell{&scenario, engine(engine_id), step_of(scenario, dt),
                      dt.empty() ? scenario.step_text : dt};
     if (relation) cell.exam = study::Exam::relations;

@@ -1,6 +1,7 @@
 #include "reference/simulators/in_house/in_house_plugins.h"
 
 #include "cylon/force.h"
+#include "engine/scratch.h"
 #include "harness/core/input_error.h"
 #include "harness/core/simulator.h"
 
@@ -126,16 +127,17 @@ class PluginLaw final : public engine::UserLaw {
 
   void apply(engine::Time t, std::span<const engine::SeenBody> bodies,
              std::span<engine::Load> loads) const override {
-    std::vector<cylon_seen_body> now;
-    now.reserve(bodies.size());
+    engine::Scratch<cylon_seen_body> now;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       const engine::SeenBody& b = bodies[i];
-      now.push_back(seen(static_cast<double>(b.mass), bodies_[i].inertia, b.position.cast<double>(),
-                         b.orientation.cast<double>().normalized(), b.velocity.cast<double>(),
-                         b.angular_velocity.cast<double>()));
+      now->push_back(seen(static_cast<double>(b.mass), bodies_[i].inertia, b.position.cast<double>(),
+                          b.orientation.cast<double>().normalized(), b.velocity.cast<double>(),
+                          b.angular_velocity.cast<double>()));
     }
-    std::vector<cylon_load> found(bodies.size(), cylon_load{});
-    law_.apply(values_.data(), t, now.data(), now.size(), found.data());
+    engine::Scratch<cylon_load> scratch;
+    std::vector<cylon_load>& found = *scratch;
+    found.assign(bodies.size(), cylon_load{});
+    law_.apply(values_.data(), t, now->data(), now->size(), found.data());
     for (std::size_t i = 0; i < found.size(); ++i) {
       const core::Vector3 force(found[i].force), torque(found[i].torque);
       if (!force.allFinite() || !torque.allFinite())

@@ -82,6 +82,29 @@ TEST(StiffForces, DoNotExplodeInSteps) {
   }
 }
 
+// What a step can bear was asked at the start alone: a body that burns away to a hundredth of its mass on a spring, and a
+// frame that turns at 150 rad/s in the end, went on in whole steps without a word.
+TEST(StiffForces, AreSeenAsMassesBurnAndFramesSpinUp) {
+  const Real h = Real(0.01), mass = Real(0.7);
+  for (const bool burns : {false, true}) {
+    Model model = ball_over_plane(Real(5), 0);
+    model.bodies[0].mass_rate = burns ? -Real(0.99) * mass : Real(0);
+    Spring spring{.body = 0, .stiffness = 2 * mass / (h * h), .rest_length = Real(0.5)};
+    spring.to_anchor = model.motions[0].position - Real(0.51) * model.forces.gravity.normalized();
+    model.forces.springs.push_back(spring);
+    const Vector3 start = model.motions[0].position;
+    const Outcome ran = run(model, stepping(h), 99);
+    EXPECT_EQ(says(ran.remarks, "a spring is too stiff"), burns);
+    EXPECT_LT((ran.motions[0].position - start).norm(), 1);
+  }
+  for (const Real faster : {Real(5), Real(50)}) {
+    Model model = ball_over_plane(Real(5), 0);
+    model.forces.frame_forces.push_back({.angular_acceleration = Vector3(0, faster, 0)});
+    EXPECT_EQ(says(run(model, stepping(h), 300).remarks, "the motion of the frame is too stiff"),
+              faster > 10);
+  }
+}
+
 // A box that lies on two planes of a corner is struck by both at once; on one plane it is one impact.
 TEST(SteppingRemarks, SayWhenSequentialImpactsAreSolvedAtOnce) {
   for (const bool corner : {false, true}) {
