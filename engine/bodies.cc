@@ -271,22 +271,28 @@ bool Bodies::kick_by_series(Time t, Real h, Motion* motion) {
   const auto project = [&] {
     if (constrained()) rows_.project_loads(model_.bodies, loads_.data());
   };
+  // Forces and torques each against their own kind: in no unit is one of them small beside the other.  What is locked takes
+  // reactions, and moves by none.
+  const auto sizes = [&](const std::vector<Load>& loads) {
+    std::array<Real, 2> largest = {0, 0};
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (model_.bodies[i].locked) continue;
+      largest[0] = std::max(largest[0], loads[i].force.lpNorm<Eigen::Infinity>());
+      largest[1] = std::max(largest[1], loads[i].torque.lpNorm<Eigen::Infinity>());
+    }
+    return largest;
+  };
+  // Where joints take the whole of a load, what they leave is its rounding, of which no series ends.
+  std::array<Real, 2> whole = sizes(loads_);
+  for (Real& size : whole) size *= 64 * std::sqrt(epsilon);
   project();
   first_ = loads_;   // f(z)
   before_ = loads_;  // (h A)^k f
   std::copy_n(motion, count_, start_.data());
   std::copy_n(motion, count_, probe_.data());
   Real factor = h;
-  // Forces and torques each against their own kind: in no unit is one of them small beside the other.
-  const auto sizes = [](const std::vector<Load>& loads) {
-    std::array<Real, 2> largest = {0, 0};
-    for (const Load& l : loads) {
-      largest[0] = std::max(largest[0], l.force.lpNorm<Eigen::Infinity>());
-      largest[1] = std::max(largest[1], l.torque.lpNorm<Eigen::Infinity>());
-    }
-    return largest;
-  };
-  const std::array<Real, 2> whole = sizes(loads_);
+  for (std::size_t kind = 0; const Real left : sizes(loads_))
+    whole[kind] = std::max(whole[kind], left), ++kind;
   add_momenta(factor, before_, motion);
   for (int k = 1; k < terms; ++k) {
     factor /= static_cast<Real>(k + 1);

@@ -208,7 +208,9 @@ void add(const Diagnostic& more, Diagnostic& to) {
 
 void DiagnosticLog::note(DiagnosticKind kind, Time now, std::optional<double> limit,
                          std::optional<double> reached, const std::string& cause) {
-  const Diagnostic one{.kind = kind, .since = now, .limit = limit, .reached = reached, .cause = cause};
+  // A splitting of high order also goes back in time, in its first step to before the start.
+  const Diagnostic one{
+      .kind = kind, .since = std::max(now, Time(0)), .limit = limit, .reached = reached, .cause = cause};
   const auto at = std::lower_bound(noted_.begin(), noted_.end(), kind,
                                    [](const Diagnostic& d, DiagnosticKind k) { return d.kind < k; });
   if (at != noted_.end() && at->kind == kind)

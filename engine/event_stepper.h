@@ -131,6 +131,7 @@ class EventStepper final : public Stepper, private Holder {
   Real widest_margin(const Motion*, Real ahead) const;
   TouchPoint touch_of(const HeldPoint&, const Motion*) const;
   ContactForces support(Time, const Real* y);
+  ContactForces support_within(Time from, Real s);
   std::vector<Row> joint_rows(const Motion*) const;
   Real scale_of(const Candidate&, const Motion*) const;
   Real touch_margin(const Candidate&, const Motion*) const;

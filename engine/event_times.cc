@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace cylon::engine {
 
@@ -18,6 +19,12 @@ constexpr Real change_ulps = 8192;
 constexpr int most_grazes = 8;
 // Places within a piece at which a coordinate's limit is looked at.
 constexpr int limit_looks = 8;
+// A margin that stays above this part of its largest value, as a parabola through three looks has it, comes to no zero between
+// them...
+constexpr Real sure_margin = Real(0.5);
+// ... else it is looked at here too, as parts of the piece, and its least value is sought in so many steps.
+constexpr std::array<Real, 4> more_looks = {Real(0.0625), Real(0.25), Real(0.75), Real(0.9375)};
+constexpr int most_dip_looks = 12;
 // Flights down to 2^-30 of a piece are found where the passage sees only that surfaces meet.  One that is shorter is
 // none: its pair meets where the flight would begin, 1e-9 of the piece early.
 constexpr int most_halvings = 30;
@@ -239,9 +246,63 @@ std::optional<Real> EventStepper::meeting_time(const Candidate& c, bool held, Ti
   return meeting(low, g_low, passage_.span(), g_end);
 }
 
+// What holds within the piece, as the passage has the motion: near enough to see that a margin comes to zero.
+ContactForces EventStepper::support_within(Time from, Real s) {
+  passage_.at(s, scratch_);
+  copy(end_, y_);
+  std::copy_n(scratch_.begin(), system_.count(), system_.motions(y_.data()));
+  system_.set_turns(y_.data());
+  return support(from + static_cast<Time>(s), y_.data());
+}
+
+namespace {
+
+// The least value of the parabola through three looks at 0, 1/2 and 1.
+Real least_of_parabola(Real first, Real middle, Real last) {
+  const Real least = std::min({first, middle, last});
+  const Real bend = 2 * (first + last - 2 * middle), slope = 4 * middle - 3 * first - last;
+  if (!(bend > 0) || !(slope < 0 && -slope < 2 * bend)) return least;
+  return std::min(least, first - slope * slope / (4 * bend));
+}
+
+struct Look {
+  Real at = 0, value = 0;
+};
+
+// Where f is below zero between the outer two of three looks, of which the middle one is lowest: the places of golden
+// section, which end soon where f is far from zero.
+template <class Function>
+std::optional<Look> below_zero(Function&& f, Look low, Look middle, Look high) {
+  constexpr Real golden = Real(0.381966011250105);
+  for (int i = 0; i < most_dip_looks; ++i) {
+    const bool right = high.at - middle.at > middle.at - low.at;
+    const Real at = middle.at + golden * ((right ? high.at : low.at) - middle.at);
+    const Look next = {at, f(at)};
+    if (next.value < 0) return next;
+    if (next.value < middle.value)
+      (right ? low : high) = middle, middle = next;
+    else
+      (right ? high : low) = next;
+    // A fall as steep as on either side would not come to zero.
+    const Real fall = std::max(low.value, high.value) - middle.value;
+    if (fall < middle.value / 8) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 // The first time within the piece at which a held point would pull, slip or stop slipping.
 std::optional<Real> EventStepper::change_time(Time from, Real span, const ContactForces& before) {
   const ContactForces after = support(from + static_cast<Time>(span), end_.data());
+  // Both ends see nothing of what begins and ends within the piece.
+  std::vector<std::pair<Real, ContactForces>> inner;
+  inner.emplace_back(span / 2, support_within(from, span / 2));
+  const auto look_closely = [&] {
+    if (inner.size() > 1) return;
+    for (const Real part : more_looks) inner.emplace_back(part * span, support_within(from, part * span));
+    std::ranges::sort(inner, {}, [](const auto& one) { return one.first; });
+  };
   Real force = 0, speed = 0;
   for (std::size_t i = 0; i < held_.size(); ++i) {
     force = std::max({force, before.points[i].force.norm(), after.points[i].force.norm()});
@@ -256,12 +317,29 @@ std::optional<Real> EventStepper::change_time(Time from, Real span, const Contac
       return least + (what == What::presses ? p.normal : what == What::reserve ? p.reserve : p.slip_speed);
     };
     const Real m0 = margin(before), m1 = margin(after);
-    if (!(m1 < 0)) return;
     const auto margin_after = [&](Real s) {
       part(from, s);
       return margin(support(from + static_cast<Time>(s), y_.data()));
     };
-    const Real t = m0 > 0 ? root(margin_after, Real(0), m0, span, m1) : Real(0);
+    Look changed = {span, m1};
+    if (!(m1 < 0)) {
+      const Real middle = margin(inner[inner.size() / 2].second);
+      if (!(m0 > 0) || least_of_parabola(m0, middle, m1) > sure_margin * std::max({m0, middle, m1})) return;
+      look_closely();
+      std::vector<Look> looks = {{0, m0}};
+      for (const auto& [at, forces] : inner) looks.push_back({at, margin(forces)});
+      looks.push_back(changed);
+      const auto seen = [&](Real s) { return margin(support_within(from, s)); };
+      std::optional<Look> dip;
+      for (std::size_t k = 1; k + 1 < looks.size() && !dip; ++k) {
+        if (looks[k].value < 0)
+          dip = looks[k];
+        else if (looks[k].value < looks[k - 1].value && looks[k].value <= looks[k + 1].value)
+          dip = below_zero(seen, looks[k - 1], looks[k], looks[k + 1]);
+      }
+      if (!dip || !((changed = {dip->at, margin_after(dip->at)}).value < 0)) return;
+    }
+    const Real t = m0 > 0 ? root(margin_after, Real(0), m0, changed.at, changed.value) : Real(0);
     if (t <= static_cast<Real>(no_time * dt_)) restless_[held_[i].candidate] = 1;
     if (first && t >= *first) return;
     first = t;

@@ -117,7 +117,8 @@ struct Thrust {
   void add_features(Features& features) const { features.add(feature); }
   bool reads_velocities() const { return mass_rate != 0 && relative; }
   bool reads_time() const { return false; }
-  bool holds_in_turning_frame() const { return true; }
+  /// Not where the exchanged mass has a velocity of its own, as the frame sees it.
+  bool holds_in_turning_frame() const { return mass_rate == 0 || relative; }
   void mark_turned(std::vector<char>&) const {}
   void shift_anchors(int, const Vector3&) {}
   std::optional<Ends> ends() const { return std::nullopt; }

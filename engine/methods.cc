@@ -33,7 +33,7 @@ struct MethodRow {
   Features features;
 };
 
-constexpr std::array rows = {
+constexpr std::array methods = {
     MethodRow{Method::exact,
               {Feature::locked_body, Feature::spin, Feature::own_gravity, Feature::late_start}},
     MethodRow{Method::free, {Feature::spin, Feature::chosen_integrator, Feature::late_start}},
@@ -69,9 +69,9 @@ constexpr std::array rows = {
 };
 
 constexpr bool one_row_each() {
-  if (rows.size() != static_cast<std::size_t>(Method::count)) return false;
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    if (rows[i].method != static_cast<Method>(i)) return false;
+  if (methods.size() != static_cast<std::size_t>(Method::count)) return false;
+  for (std::size_t i = 0; i < methods.size(); ++i)
+    if (methods[i].method != static_cast<Method>(i)) return false;
   return true;
 }
 static_assert(one_row_each(), "every method has a row, in the order of the enumeration");
@@ -139,11 +139,26 @@ Features of_bodies(const Model& model) {
   return all;
 }
 
+// The world and what is locked stand still as the frame sees them: with W x r as an inertial frame does.
+bool stands_in_frame(const Model& model, int body) {
+  return body == fixed_world || model.bodies[index(body)].locked;
+}
+
+template <class Force>
+bool ties_to_frame(const Model& model, const Force& force) {
+  const std::optional<Acted> bodies = force.acts_on();
+  return bodies && std::ranges::any_of(*bodies, [&](int body) {
+           return body != fixed_world && model.bodies[index(body)].locked;
+         });
+}
+
 Features of_forces(const Model& model) {
   Features all;
   each_force(model.forces, [&](const auto& force) {
     force.add_features(all);
-    if (model.frame && !force.holds_in_turning_frame()) all.add(Feature::force_in_turning_frame);
+    if (model.frame &&
+        (!force.holds_in_turning_frame() || (force.reads_velocities() && ties_to_frame(model, force))))
+      all.add(Feature::force_in_turning_frame);
   });
   for (const Water& water : model.forces.waters)
     for (std::size_t i = 0; i < water.shapes.size(); ++i)
@@ -156,7 +171,7 @@ Features of_joints(const Model& model) {
   Features all;
   for (const Joint& joint : model.joints) {
     add_joint(joint.type, all);
-    if (model.frame && (joint.body == fixed_world || joint.to == fixed_world))
+    if (model.frame && (stands_in_frame(model, joint.body) || stands_in_frame(model, joint.to)))
       all.add(Feature::world_joint_in_turning_frame);
   }
   return all;
@@ -181,7 +196,7 @@ Features of_contacts(const Model& model) {
 
 }  // namespace
 
-Features supports(Method method) { return rows[static_cast<std::size_t>(method)].features; }
+Features supports(Method method) { return methods[static_cast<std::size_t>(method)].features; }
 
 Features required(const Model& model) {
   Features all = of_bodies(model) | of_forces(model) | of_joints(model) | of_contacts(model);

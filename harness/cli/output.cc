@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
@@ -16,7 +17,9 @@
 #include <iostream>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <system_error>
+#include <vector>
 
 namespace cylon::cli {
 
@@ -67,7 +70,31 @@ class DraftFile {
   std::string name_;
 };
 
+// The files that are there and that the command line names, as often as it does: in words of their own, and in parts of
+// words as `--worker name=python3 engine.py` has them.
+std::vector<fs::path>& named_files() {
+  static std::vector<fs::path> files;
+  return files;
+}
+
 }  // namespace
+
+void note_words(std::span<const std::string> words) {
+  for (const std::string& word : words) {
+    std::set<fs::path> of_word;
+    const auto note = [&](const std::string& path) {
+      std::error_code ignored;
+      if (!path.empty() && fs::is_regular_file(path, ignored)) of_word.insert(followed(path));
+    };
+    note(word);
+    std::string parts = word;
+    std::ranges::replace(parts, '=', ' ');
+    std::istringstream each(parts);
+    for (std::string part; each >> part;) note(part);
+    if (const std::size_t equals = word.find('='); equals != std::string::npos) note(word.substr(equals + 1));
+    named_files().insert(named_files().end(), of_word.begin(), of_word.end());
+  }
+}
 
 void require_writable(const std::string& path) {
   if (path.empty() || path == "-" || is_special(path)) return;
@@ -75,6 +102,8 @@ void require_writable(const std::string& path) {
     return core::InputError(fmt::format("{}: {}", path, why));
   };
   if (fs::is_directory(path)) throw refuse("is a directory, a file is needed");
+  if (std::ranges::count(named_files(), followed(path)) > 1)
+    throw refuse("is named twice on the command line: what is read there would be replaced");
   const fs::path folder = followed(path).parent_path();
   if (!fs::is_directory(folder)) throw refuse(fmt::format("the folder {} is not there", folder.string()));
   if (access(folder.c_str(), W_OK) != 0)

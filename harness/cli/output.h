@@ -17,8 +17,11 @@ void write_whole(const std::string& path, std::string_view text);
 /// The same for what is too large to be held in memory; nothing is left where `write` throws.
 void write_whole(const std::string& path, const std::function<void(std::ostream&)>& write);
 
+/// The words of the command line: a file that they name more than once is read by the command, so that it is not written.
+void note_words(std::span<const std::string> words);
+
 /// Throws core::InputError now where write_whole could not write later: a missing folder, a directory in the
-/// way.
+/// way, and for a file that the command line names twice.
 void require_writable(const std::string& path);
 
 /// The same for several files, of which no two may be one; an empty path is none.

@@ -1,5 +1,6 @@
 #include "harness/cli/workers.h"
 
+#include "harness/cli/command_line.h"
 #include "harness/core/input_error.h"
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <iostream>
 #include <set>
 #include <sstream>
 #include <system_error>
@@ -63,6 +65,7 @@ void add_plugins(std::vector<process::EngineRow>& rows, const std::vector<std::s
 
 std::vector<process::EngineRow> with_brought(const Context& context, const Brought& brought) {
   std::vector<process::EngineRow> rows = context.engines;
+  std::set<std::string> names;
   for (const std::string& text : brought.workers) {
     const std::size_t equals = text.find('=');
     std::istringstream words(equals == std::string::npos ? "" : text.substr(equals + 1));
@@ -75,7 +78,10 @@ std::vector<process::EngineRow> with_brought(const Context& context, const Broug
     if (!is_program(row.command.front()))
       throw core::InputError(
           fmt::format("--worker '{}': there is no program '{}'", text, row.command.front()));
-    std::erase_if(rows, [&](const process::EngineRow& other) { return other.id == row.id; });
+    if (!names.insert(row.id).second)
+      throw core::InputError(fmt::format("--worker '{}': '{}' is given twice", text, row.id));
+    if (std::erase_if(rows, [&](const process::EngineRow& other) { return other.id == row.id; }) > 0)
+      std::cerr << plain(fmt::format("--worker '{}' stands in for the engine '{}' of Cylon\n", text, row.id));
     rows.push_back(row);
   }
   add_plugins(rows, brought.plugins);

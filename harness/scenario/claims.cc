@@ -63,6 +63,8 @@ Claim parse_claim(const Table& t, const Draft& draft, double duration, double st
   if (t.has("until") && !horizon) claim.until = t.number("until");
   if (t.has("until") && !horizon && claim.until > duration)
     t.fail("until", fmt::format("until = {}, but must be in (0, {}] s, the duration", claim.until, duration));
+  if (t.has("until") && !horizon && claim.until < step * (1 - 1e-9))
+    t.fail("until", fmt::format("until = {}, but must be at least a step, {} s", claim.until, step));
   refuse(t, {"sample", "measure"}, claim.observable.quantity == Quantity::event, "does not go with an event");
   refuse(t, {"until", "sample", "measure"}, core::of_last_step(claim.observable.quantity),
          fmt::format("does not go with {}, which is that of the last step",
@@ -222,6 +224,12 @@ void follow(const Table& t, const Draft& draft, Truths& truths, Claim& claim, do
       t.fail("observable", fmt::format("observable: '{}' of a body needs '{}', which the file {} lacks",
                                        core::name(claim.observable.quantity), key, claim.follows));
     cut(t, *claim.truth, horizon);
+    if (claim.observable.quantity != Quantity::event &&
+        claim.truth->times.back() < horizon - step * (1 + 1e-9))
+      t.fail(t.has("until") ? "until" : "follows",
+             fmt::format("{}: {} ends at {} s, and the claim at {} s; end the claim there with 'until'",
+                         t.has("until") ? "until" : "follows", claim.follows, claim.truth->times.back(),
+                         horizon));
     if (claim.observable.quantity != Quantity::event) require_steps_at(t, claim.truth->times, step);
   } else {
     claim.truth = truths.exact(t, claim, horizon);

@@ -23,6 +23,13 @@ Vector3 velocity_at(const core::Scene& scene, int body, const Vector3& point) {
   return s.velocity + s.angular_velocity.cross(point - s.position);
 }
 
+// Of what velocity_at adds up, which may be the rounding of much more than it comes to.
+double speed_at(const core::Scene& scene, int body, const Vector3& point) {
+  if (body == core::world) return 0;
+  const core::BodyState& s = scene.bodies[static_cast<std::size_t>(body)].initial;
+  return s.velocity.norm() + s.angular_velocity.norm() * (point - s.position).norm();
+}
+
 Vector3 spin_of(const core::Scene& scene, int body) {
   return body == core::world ? Vector3::Zero()
                              : scene.bodies[static_cast<std::size_t>(body)].initial.angular_velocity;
@@ -37,8 +44,7 @@ void check_velocity(const Table& t, Draft& draft, const core::Joint& joint, cons
       s.angular_velocity - spin_of(draft.scene, joint.to)};
   const core::RelativeMotion forbidden = core::forbidden(joint, from - end, motion);
   const Vector3& excess = forbidden.velocity;
-  const double speeds = s.velocity.norm() + s.angular_velocity.norm() * (from - s.position).norm() +
-                        velocity_at(draft.scene, joint.to, end).norm();
+  const double speeds = speed_at(draft.scene, joint.body, from) + speed_at(draft.scene, joint.to, end);
   const Vector3 consistent = s.velocity - excess;
   if (excess.norm() > typed * speeds)
     origin.fail("velocity", fmt::format("velocity = {} breaks the {} joint of '{}' by {} m/s; consistent: {}",

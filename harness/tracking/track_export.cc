@@ -6,7 +6,11 @@
 #include "harness/tracking/store/json_lines.h"
 #include "harness/tracking/store/samples_csv.h"
 
+#include <fmt/format.h>
+
+#include <filesystem>
 #include <ostream>
+#include <system_error>
 
 namespace cylon::tracking {
 
@@ -20,6 +24,9 @@ struct Options {
 
 int write(const Options& options) {
   require_writable(options.target);
+  std::error_code ignored;
+  if (std::filesystem::equivalent(options.target, options.store, ignored))
+    throw core::InputError(fmt::format("{}: is the history itself; give another file", options.target));
   const bool one_run = options.format == "gbench";
   if (one_run == options.run.empty())
     throw core::InputError(one_run

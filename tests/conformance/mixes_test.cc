@@ -30,7 +30,7 @@ TEST_P(Mix, KeepsTheSymmetriesOfMechanics) {
 
 INSTANTIATE_TEST_SUITE_P(Features, Mix,
                          testing::Values("every_force", "turning_frame", "uneven_frame", "joints_in_a_frame",
-                                         "compound_on_hinge"),
+                                         "locked_in_a_frame", "compound_on_hinge"),
                          [](const auto& mix) { return std::string(mix.param); });
 
 }  // namespace

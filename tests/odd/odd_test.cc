@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <optional>
 #include <ostream>
 #include <set>
@@ -51,6 +52,40 @@ double rolls(double a, double r, double v) {
 double slides_to(double t) {
   const double a = 0.2 * 9.81, rest = std::min(t, 3 / a);
   return 0.2 + 3 * rest - a * rest * rest / 2;
+}
+
+// v' = 2 cos t - 1, which stops the carriage a little before t = 5 pi/3 and lets it go there.
+double slows_to_a_stop(double t) {
+  const double goes = 5 * std::numbers::pi / 3;
+  return 2 * (std::sin(t) - std::sin(goes)) - (t - goes);
+}
+
+// y'' = -1 - 1.05 cos t from where it is zero.
+double lifted(double t) {
+  const double lifts = std::acos(-1 / 1.05), late = t - lifts;
+  return 0.1 - late * late / 2 + 1.05 * (std::cos(t) - std::cos(lifts) + std::sin(lifts) * late);
+}
+
+// x'' = 1.05 cos(t - 1) - x -+ 1: forwards from where the pull exceeds the friction to where it rests, and backwards from
+// where the pull does so the other way; by RK4.
+double slipped(double end) {
+  const auto slide = [](double t, double x, double friction, double until) {
+    constexpr double h = 1e-5;
+    const auto rate = [friction](double at, double place) {
+      return 1.05 * std::cos(at - 1) - place - friction;
+    };
+    const double start = t;
+    for (double v = 0; t < until - h / 2 && (t < start + h || v * friction > 0); t += h) {
+      const double a1 = rate(t, x), v2 = v + h / 2 * a1, a2 = rate(t + h / 2, x + h / 2 * v),
+                   v3 = v + h / 2 * a2, a3 = rate(t + h / 2, x + h / 2 * v2), v4 = v + h * a3,
+                   a4 = rate(t + h, x + h * v3);
+      x += h / 6 * (v + 2 * v2 + 2 * v3 + v4), v += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+    }
+    return x;
+  };
+  const double x = slide(1 - std::acos(1 / 1.05), 0, 1, 2);
+  const double back = 1 + std::acos((x - 1) / 1.05);
+  return slide(back, x, -1, end);
 }
 
 constexpr const char* stepped = "not controlled";
@@ -261,6 +296,10 @@ const std::vector<Odd> all = {
     {"box_against_a_step", 0, stepped, {{0, What::velocity, 0, 0, 2.5}}, "stepping"},
     {"box_against_a_wall", 1e8, "", {{0, What::velocity, 0, -1.5, 1e-9}}},
     {"box_against_a_wall", 0, stepped, {{0, What::velocity, 0, -1.5, 1e-9}}, "stepping"},
+    // What begins and ends between two looks was not seen, and nothing was said: a stop, a slip, a flight.
+    {"stops_for_a_moment", 1e7, "", {{0, What::velocity, 0, slows_to_a_stop(6), 1e-7}}},
+    {"slips_for_a_moment", 1e7, "", {{0, What::position, 0, slipped(4), 1e-7}}},
+    {"lifts_for_a_moment", 1e7, "", {{0, What::position, 1, lifted(4), 1e-8}}},
     {"hinge_chain", 2e9, not_followed, {}, "events"},
     {"jointed_boxes", 1.5e8, not_followed, {{0, What::position, 1, 0.2, 1e-6}}, "events"},
     {"break_of_sixteen", 3e8, not_followed, {{0, What::position, 1, 0.0286, 1e-6}}, "events"},

@@ -1,6 +1,7 @@
 #include "harness/cli/commands/app.h"
 
 #include "harness/cli/command_line.h"
+#include "harness/cli/output.h"
 #include "harness/imports/imports.h"
 #include "harness/process/interruption.h"
 #include "harness/process/sandbox.h"
@@ -178,7 +179,9 @@ int run_command_line(int argc, char** argv) {
   Context context = make_context();
   imports::serve_scenarios(context.workers);
   measured::serve_scenarios();
-  context.command_line = shell_command(std::vector<std::string>(argv, argv + argc));
+  const std::vector<std::string> words(argv, argv + argc);
+  context.command_line = shell_command(words);
+  note_words(words);
   Command chosen;
   App(app).add_commands(commands, context, [&chosen](Command command) { chosen = std::move(command); });
   app.footer(app.get_footer() + "\n\n" + environment);

@@ -282,40 +282,53 @@ int hunt_all(const Context& context, const Options& options) {
 Command add_hunt(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   add_engines_option(app, options->engines, "none; of --replay each card's own");
-  app.add_option("--count", options->count, "Number of scenes")
-      ->type_name("N")
-      ->check(in_range(1, 1'000'000'000));
-  app.add_option("--minutes", options->minutes, "Time of the search of each engine; it ends at a scene's end")
-      ->type_name("N")
-      ->check(positive(1e5));
-  app.add_option("--seed", options->seed, "Of the random scenes: the same seed gives the same scenes")
-      ->type_name("S")
-      ->check(whole(std::numeric_limits<std::uint64_t>::max()))
-      ->capture_default_str();
-  app.add_option(
-         "--scenes", options->scenes,
-         "Start from these scenarios (globs over the shipped ones, or files) and change them, in place of "
-         "random scenes")
-      ->type_name("GLOB");
-  app.add_option("--first", options->first, "Number of the first scene")
-      ->type_name("N")
-      ->check(whole(std::uint64_t{1} << 62))
-      ->capture_default_str();
-  app.add_option("--cards", options->cards,
-                 "Folder for the cards: a scenario, a page, a picture and a program for each fault")
-      ->type_name("FOLDER")
-      ->capture_default_str();
+  const Option count = app.add_option("--count", options->count, "Number of scenes")
+                           ->type_name("N")
+                           ->check(in_range(1, 1'000'000'000));
+  const Option minutes = app.add_option("--minutes", options->minutes,
+                                        "Time of the search of each engine; it ends at a scene's end")
+                             ->type_name("N")
+                             ->check(positive(1e5));
+  const Option seed =
+      app.add_option("--seed", options->seed, "Of the random scenes: the same seed gives the same scenes")
+          ->type_name("S")
+          ->check(whole(std::numeric_limits<std::uint64_t>::max()))
+          ->capture_default_str();
+  const Option scenes = app.add_option("--scenes", options->scenes,
+                                       "Start from these scenarios (globs over the shipped ones, or files) "
+                                       "and change them, in place of "
+                                       "random scenes")
+                            ->type_name("GLOB");
+  const Option first = app.add_option("--first", options->first, "Number of the first scene")
+                           ->type_name("N")
+                           ->check(whole(std::uint64_t{1} << 62))
+                           ->capture_default_str();
+  const Option cards =
+      app.add_option("--cards", options->cards,
+                     "Folder for the cards: a scenario, a page, a picture and a program for each fault")
+          ->type_name("FOLDER")
+          ->capture_default_str();
+  const Option resume =
+      app.add_flag("--resume", options->resume,
+                   "Continue an interrupted hunt of this folder: scenes that were asked, and cards that were "
+                   "shrunk, are not "
+                   "done again");
+  const Option json =
+      app.add_option("--json", options->json, "Write all cards as a document, which `cylon report` shows")
+          ->type_name("FILE");
   app.add_option(
          "--replay", options->replay,
          "Look for nothing; say of each card in the folder whether its fault is fixed, still there or "
          "changed, or its scene refused, in its engine or in those of --engine")
-      ->type_name("FOLDER");
-  app.add_flag("--resume", options->resume,
-               "Continue an interrupted hunt of this folder: scenes that were asked, and cards that were "
-               "shrunk, are not "
-               "done again");
-  app.add_option("--json", options->json, "Write all cards as a document, which `cylon report` shows")
-      ->type_name("FILE");
+      ->type_name("FOLDER")
+      ->excludes(count)
+      ->excludes(minutes)
+      ->excludes(seed)
+      ->excludes(scenes)
+      ->excludes(first)
+      ->excludes(cards)
+      ->excludes(resume)
+      ->excludes(json);
   add_shard_options(app, options->shard, "units of 8 scenes");
   add_jobs_option(app, options->jobs, "Number of scenes to run at the same time; default: all processors");
   add_timeout_option(app, options->timeout);

@@ -61,6 +61,21 @@ int of_a_rank(const study::Matrix& matrix, const Journal& journal) {
   return !journal.is_open() ? harness_failure : matrix.refused.empty() ? ok : bad_input;
 }
 
+// Says which scenarios claim nothing; whether they are all.
+bool claims_nothing(const std::vector<study::Cell>& cells) {
+  std::set<std::string> silent;
+  bool any = false;
+  for (const study::Cell& cell : cells) {
+    if (cell.exam != study::Exam::claims || !cell.scenario->claims.empty())
+      any = true;
+    else
+      silent.insert(cell.scenario->name);
+  }
+  for (const std::string& name : silent)
+    std::cerr << plain(fmt::format("{} claims nothing: nothing of it is judged\n", name));
+  return !any;
+}
+
 int run(const Context& context, const RunOptions& options) {
   refuse_in_farm(context, options);
   const std::vector<std::string> files = {options.json, options.junit, options.csv, options.html,
@@ -106,6 +121,7 @@ int run(const Context& context, const RunOptions& options) {
                   units_of(selection.cells, expectations.hash())};
   keep(own_units(shard, part, options.resume), selection.cells);
   prepare(selection);
+  if (!shard && claims_nothing(selection.cells)) return nothing_selected;
   for (study::Cell& cell : selection.cells) {
     study::sampling(*cell.scenario, cell.dt);  // refuse a bad step before any run
     cell.reproduce += unusual_limits(options);

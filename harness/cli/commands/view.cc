@@ -3,6 +3,7 @@
 #include "harness/cli/command_line.h"
 #include "harness/cli/commands/app.h"
 #include "harness/cli/options.h"
+#include "harness/cli/output.h"
 #include "harness/cli/workers.h"
 
 #include "harness/core/input_error.h"
@@ -85,6 +86,7 @@ int view_scenario(const Context& context, const Options& options) {
   std::string name = options.record;
   for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   const bool file = name.ends_with(".toml");
+  if (file) require_writable(options.record);
   auto session = make_session(context, options);
   const process::Interruptible until_told;
   std::unique_ptr<view::Frames> frames;
