@@ -127,7 +127,8 @@ ordered_json drawn(const Context& context, const Options& options, const Task& t
 template <class Score>
 ordered_json told_engine(const Context& context, const Options& options, const Task& task,
                          const process::EngineChoice& engine, const std::vector<Score>& scores) {
-  const auto summary = validation::summary(scores);
+  auto summary = validation::summary(scores);
+  if (!validation::judged(options.band.members)) summary.band = validation::Answer::undecided;
   words(options) << plain(engine.id + "\n" + told(summary, options.band.members)) << std::flush;
   ordered_json one = to_json(summary);
   one["engine"] = engine.id, one["each"] = each(scores);
@@ -281,7 +282,7 @@ Command add_predict(App& app, const Context& context) {
   app.add_option(
          "--members", options->band.members,
          "Predictions of the band of each run, from uncertain starts, materials and fitted parameters; "
-         "39 make 95 %, 0 none")
+         "39 make 95 %, 0 none. Whether the band holds what it should is judged for 39 alone")
       ->type_name("N")
       ->check(in_range(0, 10'000))
       ->capture_default_str();
