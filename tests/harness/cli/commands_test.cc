@@ -92,6 +92,29 @@ TEST_F(CommandLine, OptionsTakeOneValueEach) {
   EXPECT_EQ(listed.out, "spring_pendulum\n") << listed.err;
 }
 
+// Each pair printed what one of the two asks for, or both into one stream, and exited with 0.
+TEST_F(CommandLine, OptionsWithoutEffectAreRefused) {
+  ASSERT_EQ(cylon("track record projectile --engine in-house").code, 0);
+  const struct {
+    const char* words;
+    const char* says;
+  } cases[] = {
+      {"engines --names --json", "--json excludes --names"},
+      {"engines --fingerprint --names ode", "--fingerprint excludes --names"},
+      {"engines --here --json", "--here excludes --json"},
+      {"list --names --json", "--json excludes --names"},
+      {"validate --schema projectile", "excludes"},
+      {"track list 1 --json", "excludes"},
+      {"diff projectile in-house bullet --json --csv -", "--csv -: stdout has the JSON of --json"},
+  };
+  for (const auto& c : cases) {
+    const Ran ran = cylon(c.words);
+    EXPECT_EQ(ran.code, 2) << c.words << '\n' << ran.out << ran.err;
+    EXPECT_EQ(ran.out, "") << c.words;
+    EXPECT_NE(ran.err.find(c.says), std::string::npos) << c.words << '\n' << ran.err;
+  }
+}
+
 TEST_F(CommandLine, BadInputKeepsOldReport) {
   const std::string good = shipped("projectile");
   const struct {
