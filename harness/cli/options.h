@@ -22,6 +22,13 @@ void add_selection_options(App&, Request&);
 /// --dt of one run; its default is the scenario's nominal step.
 void add_step_option(App&, std::string& step);
 
+/// --at: times to print, as words.
+Option add_times_option(App&, std::vector<std::string>& words);
+
+/// Seconds of such words: numbers separated by commas.  Throws core::InputError, which names the word that is
+/// none.
+std::vector<double> times_of_words(const std::vector<std::string>& words);
+
 /// -j; `meaning` says what runs at one time.
 Option add_jobs_option(App&, int& jobs, const std::string& meaning);
 

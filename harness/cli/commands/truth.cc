@@ -1,6 +1,7 @@
 // cylon truth
 #include "harness/cli/command_line.h"
 #include "harness/cli/commands/app.h"
+#include "harness/cli/options.h"
 #include "harness/cli/output.h"
 #include "reference/certified/solve.h"
 
@@ -22,7 +23,8 @@ using certified::Certificate;
 
 struct Options {
   std::string file, out;
-  std::vector<double> at;
+  std::vector<std::string> at_words;
+  std::vector<double> at;  // those of the words
   double every = 0, radius = 1e-20;
   int digits = 21, bits = 1024;
   bool conditioning = false;
@@ -188,9 +190,7 @@ Command add_truth(App& app, const Context& context) {
                  "Scenario file, or the name of a shipped scenario: smooth motion, or impacts of spheres")
       ->type_name("FILE")
       ->required();
-  const Option at = app.add_option("--at", options->at, "Times to print [s], separated by commas: 0,0.5,1")
-                        ->type_name("S")
-                        ->delimiter(',');
+  const Option at = add_times_option(app, options->at_words);
   app.add_option("--every", options->every,
                  "Print every S seconds. Default without --at: 33 evenly spaced times")
       ->type_name("S")
@@ -210,7 +210,10 @@ Command add_truth(App& app, const Context& context) {
   app.add_option("--out", options->out,
                  "JSON file in the format truth/1, for follows = { file = … }; - is stdout")
       ->type_name("FILE");
-  return [=, &context] { return truth(context, *options); };
+  return [=, &context] {
+    options->at = times_of_words(options->at_words);
+    return truth(context, *options);
+  };
 }
 
 }  // namespace cylon::cli

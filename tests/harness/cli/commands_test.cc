@@ -53,6 +53,8 @@ TEST_F(CommandLine, ExitCodesAndMessages) {
       {"simulate projectile --at 0.0005", 2, "the nearest is 0.001 s (or use --nearest)"},
       {"simulate projectile --every 0.0015", 2, "--every 0.0015: is not a multiple"},
       {"simulate projectile --at 9", 2, "must lie in [0, 0.8] s"},
+      {"simulate projectile --at x", 2, "--at x: 'x' must be a number of seconds"},
+      {"truth heavy_top --at 0,x", 2, "--at 0,x: 'x' must be a number of seconds"},
       {"run ''", 2, "patterns: an empty word"},
       {"run projectile --json ''", 2, "--json: an empty word"},
       {"simulate projectile --integrator rk5", 2, "did you mean 'rk4'?"},
@@ -90,6 +92,21 @@ TEST_F(CommandLine, OptionsTakeOneValueEach) {
     EXPECT_EQ(commands(arguments), expected) << arguments;
   const Ran listed = cylon("list --names --tag spring --tag chaos 'spring*'");
   EXPECT_EQ(listed.out, "spring_pendulum\n") << listed.err;
+}
+
+// An empty word among the times was taken for t = 0.
+TEST_F(CommandLine, EmptyTimesAreRefused) {
+  for (const std::string command : {"simulate projectile", "truth heavy_top"}) {
+    const Ran none = cylon(command + " --at ''");
+    EXPECT_EQ(none.code, 2) << none.out;
+    EXPECT_NE(none.err.find("--at: an empty word"), std::string::npos) << none.err;
+    for (const std::string times : {"0,,0.1", ",0.1", "0.1,", ","}) {
+      const Ran ran = cylon(command + " --at " + times);
+      EXPECT_EQ(ran.code, 2) << times << ran.out;
+      EXPECT_NE(ran.err.find("--at " + times + ": '' must be a number of seconds"), std::string::npos)
+          << ran.err;
+    }
+  }
 }
 
 // Each pair printed what one of the two asks for, or both into one stream, and exited with 0.
