@@ -205,7 +205,9 @@ Command add_simulate(App& app, const Context& context) {
   add_asked(app, options->asked);
   add_step_option(app, options->dt);
   const Option at = add_times_option(app, options->at_words);
-  app.add_option("--every", options->every, "Print every S seconds")
+  app.add_option("--every", options->every,
+                 "Print every S seconds, and the end of the scenario (of a run with --tolerance and without "
+                 "--dt: multiples of S alone)")
       ->type_name("S")
       ->excludes(at)
       ->check(positive(1e9));

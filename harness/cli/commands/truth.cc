@@ -30,7 +30,7 @@ struct Options {
   bool conditioning = false;
 };
 
-// Those asked for, ascending; 33 even ones where none are.
+// Those asked for, ascending, with the end after those of --every; 33 even ones where none are.
 std::vector<double> times_of(const Options& options, double duration) {
   std::vector<double> times = options.at;
   constexpr int even = 32, most = 100'000;
@@ -42,6 +42,7 @@ std::vector<double> times_of(const Options& options, double duration) {
       throw core::InputError(
           fmt::format("--every {}: makes {:g} times, at most {} are printed", options.every, count, most));
     for (int i = 0; i <= static_cast<int>(count); ++i) times.push_back(std::min(duration, i * options.every));
+    if (duration - times.back() > 1e-9 * duration) times.push_back(duration);
   }
   for (const double t : times)
     if (!(t >= 0 && t <= duration))
@@ -191,8 +192,9 @@ Command add_truth(App& app, const Context& context) {
       ->type_name("FILE")
       ->required();
   const Option at = add_times_option(app, options->at_words);
-  app.add_option("--every", options->every,
-                 "Print every S seconds. Default without --at: 33 evenly spaced times")
+  app.add_option(
+         "--every", options->every,
+         "Print every S seconds, and the end of the scenario. Default without --at: 33 evenly spaced times")
       ->type_name("S")
       ->excludes(at)
       ->check(positive(1e9));

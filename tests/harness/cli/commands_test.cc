@@ -109,6 +109,18 @@ TEST_F(CommandLine, EmptyTimesAreRefused) {
   }
 }
 
+// simulate printed the end of a scenario that is no multiple of S, truth did not.
+TEST_F(CommandLine, EveryEndsWithTheScenario) {
+  for (const std::string command : {"simulate projectile --engine in-house", "truth projectile"}) {
+    const Ran ran = cylon(command + " --every 0.3");  // 0.8 s long
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 5) << ran.out;  // head, 0, 0.3, 0.6, 0.8
+    EXPECT_NE(ran.out.find("\n0.8"), std::string::npos) << ran.out;
+    const Ran whole = cylon(command + " --every 0.1");
+    EXPECT_EQ(std::count(whole.out.begin(), whole.out.end(), '\n'), 10) << whole.out;
+  }
+}
+
 // Each pair printed what one of the two asks for, or both into one stream, and exited with 0.
 TEST_F(CommandLine, OptionsWithoutEffectAreRefused) {
   ASSERT_EQ(cylon("track record projectile --engine in-house").code, 0);
