@@ -203,6 +203,30 @@ TEST_F(CommandLine, SimulateFollowsTheParabola) {
   EXPECT_EQ(rows, 3);
 }
 
+// Claims of recorded truths and of events said "every N steps", the stride of other claims.
+TEST_F(CommandLine, RowsSayWhereTheirClaimsLook) {
+  ASSERT_EQ(cylon("truth projectile --every 0.1 --out d.json").code, 0);
+  write("mine.toml", shipped("projectile") +
+                         "\n[[claim]]\nfollows = { file = \"d.json\" }\nobservable = \"position\"\n"
+                         "tolerance = { absolute = 1e-9, reason = \"r\" }\n");
+  const Ran ran = cylon("run mine.toml bouncing_sphere --engine in-house --json -");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  int of_files = 0, of_events = 0;
+  for (const json& row : json::parse(ran.out).at("verdicts")) {
+    const std::string sampling = row.at("sampling");
+    if (row.at("claim") == "position follows d.json") {
+      ++of_files;
+      EXPECT_EQ(sampling, "the times of the file");
+    }
+    if (row.at("observable") == "event") {
+      ++of_events;
+      EXPECT_EQ(sampling, "every step");
+    }
+  }
+  EXPECT_EQ(of_files, 1);
+  EXPECT_GT(of_events, 0);
+}
+
 // The command beside a row, run as it stands in the same folder, gives the same number.
 TEST_F(CommandLine, CommandOfRowReproducesIt) {
   write("mine.toml", shipped("projectile"));
