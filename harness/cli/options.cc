@@ -14,9 +14,9 @@
 namespace cylon::cli {
 namespace {
 
-void add_list(App& app, const char* name, const char* type, std::vector<std::string>& words,
-              const char* meaning, const std::string& otherwise) {
-  app.add_option(name, words, fmt::format("{}. Repeatable. Default: {}", meaning, otherwise))
+Option add_list(App& app, const char* name, const char* type, std::vector<std::string>& words,
+                const char* meaning, const std::string& otherwise) {
+  return app.add_option(name, words, fmt::format("{}. Repeatable. Default: {}", meaning, otherwise))
       ->type_name(type)
       ->allow_extra_args(false);
 }
@@ -33,8 +33,8 @@ void add_integrators_option(App& app, std::vector<std::string>& integrators, con
            otherwise);
 }
 
-void add_steps_option(App& app, std::vector<std::string>& steps, const std::string& otherwise) {
-  add_list(app, "--dt", "S", steps, "Step [s], for example 0.001 or 1/60", otherwise);
+Option add_steps_option(App& app, std::vector<std::string>& steps, const std::string& otherwise) {
+  return add_list(app, "--dt", "S", steps, "Step [s], for example 0.001 or 1/60", otherwise);
 }
 
 void add_selection_options(App& app, Request& request) {

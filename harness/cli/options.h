@@ -14,7 +14,7 @@ namespace cylon::cli {
 /// taken where none is given.
 void add_engines_option(App&, std::vector<std::string>& engines, const std::string& otherwise);
 void add_integrators_option(App&, std::vector<std::string>& integrators, const std::string& otherwise);
-void add_steps_option(App&, std::vector<std::string>& steps, const std::string& otherwise);
+Option add_steps_option(App&, std::vector<std::string>& steps, const std::string& otherwise);
 
 /// Which cells: the patterns, the three above, --suite and --worker.
 void add_selection_options(App&, Request&);

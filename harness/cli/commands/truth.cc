@@ -21,12 +21,14 @@ using certified::Ball;
 using certified::BodyBalls;
 using certified::Certificate;
 
+constexpr int not_said = -1, usual_digits = 21;
+
 struct Options {
   std::string file, out;
   std::vector<std::string> at_words;
   std::vector<double> at;  // those of the words
   double every = 0, radius = 1e-20;
-  int digits = 21, bits = 1024;
+  int digits = not_said, bits = 1024;
   bool conditioning = false;
 };
 
@@ -156,7 +158,11 @@ std::string json(const core::Scene& scene, const std::string& name, const Option
   return text + "}\n}\n";
 }
 
-int truth(const Context& context, const Options& options) {
+int truth(const Context& context, Options options) {
+  if (options.conditioning && options.out.empty() && options.digits != not_said)
+    throw core::InputError(
+        "--digits: --conditioning prints none of these numbers; give --out, or leave it out");
+  if (options.digits == not_said) options.digits = usual_digits;
   if (!options.out.empty()) require_writable(options.out);
   const scenario::Scenario scenario = scenario::read(find_scenario(context, options.file));
   const std::vector<double> times = times_of(options, scenario.duration);
@@ -202,7 +208,7 @@ Command add_truth(App& app, const Context& context) {
       ->capture_default_str()
       ->check(in_range(1e-250, 1.0));
   app.add_option("--digits", options->digits, "Significant digits to print")
-      ->capture_default_str()
+      ->default_str(std::to_string(usual_digits))
       ->check(in_range(3, 300));
   app.add_option("--bits", options->bits, "Largest precision to try [bits]")
       ->capture_default_str()

@@ -134,6 +134,12 @@ TEST_F(CommandLine, OptionsWithoutEffectAreRefused) {
       {"list --names --json", "--json excludes --names"},
       {"validate --schema projectile", "excludes"},
       {"track list 1 --json", "excludes"},
+      {"trade projectile --dt 0.01 --steps 3", "excludes --dt"},
+      {"trade projectile --dt 0.01 --work 1000", "excludes --dt"},
+      {"predict swings.toml --curves 2", "--curves: nothing holds curves; give --json or --html"},
+      {"run projectile --trajectories none", "--trajectories: nothing holds trajectories; give --html"},
+      {"truth heavy_top --conditioning --digits 5", "--digits: --conditioning prints none of these"},
+      {"import world.sdf --kinds", "excludes"},
       {"diff projectile in-house bullet --json --csv -", "--csv -: stdout has the JSON of --json"},
   };
   for (const auto& c : cases) {
