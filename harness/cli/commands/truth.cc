@@ -204,7 +204,8 @@ Command add_truth(App& app, const Context& context) {
       ->type_name("S")
       ->excludes(at)
       ->check(positive(1e9));
-  app.add_option("--radius", options->radius, "Error bound to prove for every number, in its SI unit")
+  app.add_option("--radius", options->radius,
+                 "Error bound to prove for every number, in its SI unit; exit code 3 where it is not reached")
       ->capture_default_str()
       ->check(in_range(1e-250, 1.0));
   app.add_option("--digits", options->digits, "Significant digits to print")
