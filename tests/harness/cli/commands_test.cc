@@ -24,6 +24,7 @@ TEST_F(CommandLine, ExitCodesAndMessages) {
   const Case cases[] = {
       {"--version", 0, "cylon 0."},
       {"run --help", 0, "--rerun-failed"},
+      {"truth --help", 0, "a bound not reached (truth)"},
       {"", 2, "Subcommands"},
       {"rnu", 2, "unknown command 'rnu', did you mean 'run'?"},
       {"run --hlep", 2, "unexpected '--hlep', did you mean '--help'?"},
