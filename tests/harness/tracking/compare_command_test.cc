@@ -103,8 +103,7 @@ TEST_F(CompareCommand, GateThatComparesNothingIsNotGreen) {
   for (const char* words : {"heavy_top", "heavy_top --strict"}) {
     const Ran ran = cylon(gate + words);
     EXPECT_EQ(ran.code, 4) << words << ran.out << ran.err;
-    EXPECT_NE(ran.err.find("nothing compared: 1 of 1 cells skipped; heavy_top/in-house"),
-              std::string::npos)
+    EXPECT_NE(ran.err.find("nothing compared: 1 of 1 cells skipped; heavy_top/in-house"), std::string::npos)
         << ran.err;
     EXPECT_NE(ran.err.find("the stored run has no such cell"), std::string::npos) << ran.err;
   }
