@@ -81,7 +81,7 @@ def runs(cylon, scene, engines):
     """engine -> (outcome, reason)."""
     if "[[claim]]" not in pathlib.Path(scene).read_text(encoding="utf-8"):
         return {engine: ("nothing moves", "") for engine in engines}
-    command = [cylon, "run", scene, "--jobs", "1", "--timeout", str(PATIENCE), "--trajectories", "none", "--json", "-",
+    command = [cylon, "run", scene, "--jobs", "1", "--timeout", str(PATIENCE), "--json", "-",
                *(word for engine in engines for word in ("--engine", engine))]
     with tempfile.TemporaryDirectory() as own:  # one cylon at a time keeps its journal in a folder
         _, out, error = called(command, 2 * PATIENCE * len(engines) + 60, own)

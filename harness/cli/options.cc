@@ -2,18 +2,21 @@
 
 #include "harness/cli/farm.h"
 #include "harness/cli/workers.h"
+#include "harness/core/input_error.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <string_view>
 #include <thread>
 
 namespace cylon::cli {
 namespace {
 
-void add_list(App& app, const char* name, const char* type, std::vector<std::string>& words,
-              const char* meaning, const std::string& otherwise) {
-  app.add_option(name, words, fmt::format("{}. Repeatable. Default: {}", meaning, otherwise))
+Option add_list(App& app, const char* name, const char* type, std::vector<std::string>& words,
+                const char* meaning, const std::string& otherwise) {
+  return app.add_option(name, words, fmt::format("{}. Repeatable. Default: {}", meaning, otherwise))
       ->type_name(type)
       ->allow_extra_args(false);
 }
@@ -30,8 +33,8 @@ void add_integrators_option(App& app, std::vector<std::string>& integrators, con
            otherwise);
 }
 
-void add_steps_option(App& app, std::vector<std::string>& steps, const std::string& otherwise) {
-  add_list(app, "--dt", "S", steps, "Step [s], for example 0.001 or 1/60", otherwise);
+Option add_steps_option(App& app, std::vector<std::string>& steps, const std::string& otherwise) {
+  return add_list(app, "--dt", "S", steps, "Step [s], for example 0.001 or 1/60", otherwise);
 }
 
 void add_selection_options(App& app, Request& request) {
@@ -52,6 +55,25 @@ void add_selection_options(App& app, Request& request) {
 void add_step_option(App& app, std::string& step) {
   app.add_option("--dt", step, "Step [s], for example 0.001 or 1/60. Default: the scenario's nominal step")
       ->type_name("S");
+}
+
+Option add_times_option(App& app, std::vector<std::string>& words) {
+  return app.add_option("--at", words, "Times to print [s], separated by commas: 0,0.5,1")->type_name("S");
+}
+
+std::vector<double> times_of_words(const std::vector<std::string>& words) {
+  std::vector<double> times;
+  for (const std::string_view list : words)
+    for (std::size_t from = 0, comma = 0; comma != std::string_view::npos; from = comma + 1) {
+      comma = list.find(',', from);
+      const std::string_view word = list.substr(from, comma - from);
+      double time = 0;
+      const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), time);
+      if (error != std::errc() || end != word.data() + word.size())
+        throw core::InputError(fmt::format("--at {}: '{}' must be a number of seconds", list, word));
+      times.push_back(time);
+    }
+  return times;
 }
 
 Option add_jobs_option(App& app, int& jobs, const std::string& meaning) {

@@ -14,13 +14,20 @@ namespace cylon::cli {
 /// taken where none is given.
 void add_engines_option(App&, std::vector<std::string>& engines, const std::string& otherwise);
 void add_integrators_option(App&, std::vector<std::string>& integrators, const std::string& otherwise);
-void add_steps_option(App&, std::vector<std::string>& steps, const std::string& otherwise);
+Option add_steps_option(App&, std::vector<std::string>& steps, const std::string& otherwise);
 
 /// Which cells: the patterns, the three above, --suite and --worker.
 void add_selection_options(App&, Request&);
 
 /// --dt of one run; its default is the scenario's nominal step.
 void add_step_option(App&, std::string& step);
+
+/// --at: times to print, as words.
+Option add_times_option(App&, std::vector<std::string>& words);
+
+/// Seconds of such words: numbers separated by commas.  Throws core::InputError, which names the word that is
+/// none.
+std::vector<double> times_of_words(const std::vector<std::string>& words);
 
 /// -j; `meaning` says what runs at one time.
 Option add_jobs_option(App&, int& jobs, const std::string& meaning);

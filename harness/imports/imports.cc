@@ -21,9 +21,10 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_bodies = 20'000;
 
-foreign::Model model_of(const Format& format, const nlohmann::json& said, const fs::path& file) {
+foreign::Model model_of(const Format& format, const nlohmann::json& said, const Options& options,
+                        const fs::path& file) {
   try {
-    return format.name == "MJCF" ? model_of_mjcf(Compiled(said)) : foreign::from_json(said);
+    return format.name == "MJCF" ? model_of_mjcf(Compiled(said), options.keyframe) : foreign::from_json(said);
   } catch (const nlohmann::json::exception& error) {  // a NaN, or a release that is unlike the others
     throw core::InputError(file.string(), 0, 0,
                            fmt::format("{} says what is no model: {}", format.program, error.what()));
@@ -74,7 +75,7 @@ Imported import_file(const fs::path& file, const Options& options, const fs::pat
         "no format has this ending; known: .xml and .mjcf (MJCF), .sdf and .world (SDFormat), .urdf");
   refuse_other_options(*format, options, file.string());
   const nlohmann::json said = read_by(*format, file, options, programs);
-  foreign::Model model = model_of(*format, said, file);
+  foreign::Model model = model_of(*format, said, options, file);
   if (options.fixed_base && format->name == "URDF" && !model.bodies.empty())
     model.bodies.front().locked = true;
   if (model.bodies.size() > most_bodies)

@@ -20,7 +20,7 @@ constexpr std::array kinds = {
     LossKind{"visual", left_out, "a surface that touches nothing is not part of a scene"},
     LossKind{"sensor", left_out, "a sensor moves nothing"},
     LossKind{"keyframe", left_out,
-             "a scene has one start, that of the model itself; --keyframe takes another"},
+             "a scene has one start: the model's own, or by --keyframe that of one keyframe"},
     LossKind{"actuator", left_out, "it exerts no force until it is commanded"},
     LossKind{"tendon", left_out, "it has no force of its own"},
     LossKind{"tendon_limit", left_out, "a scene has no tendons; this one pulls only at an end of its range"},

@@ -19,6 +19,14 @@ enum class Finding {
   skipped,  ///< Nothing to compare; `reason` says why.
 };
 
+/// Why a cell was skipped, as far as it matters to a gate.
+enum class Skip {
+  none,
+  identical,    ///< Both builds are the same file: nothing can have changed, as good as compared.
+  unsupported,  ///< By the engine, in both builds.
+  missing,      ///< One side has no such cell, or it runs to the end on neither side.
+};
+
 /// "regressed", "inconclusive", "improved", "changed", "same", "skipped".
 std::string_view name(Finding);
 
@@ -47,6 +55,7 @@ struct Comparison {
   std::string scenario, scenario_hash, engine, dt_text;
   double dt = 0;  ///< [s]
   Finding finding = Finding::same;
+  Skip skip = Skip::none;
   std::string reason;  ///< Why it was skipped, or why it counts as regressed without a number.
   std::optional<ComparedTime> time;
   std::string untimed;  ///< Why there is no time where the cell was compared.

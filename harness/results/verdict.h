@@ -48,7 +48,7 @@ struct Verdict {
   bool closed_form = false;  ///< The engine takes no steps: `dt` is the grid of the samples alone.
   double dt = 0;             ///< [s]
   std::string dt_text;       ///< As given: "1/60" or "0.001".
-  std::string sampling;      ///< "every step" or "every 0.1 s".
+  std::string sampling;      ///< "every step", "every 0.1 s", "the times of the file", "the last step".
   std::string claim, observable, unit;
   std::string evidence = "verified";  ///< What the claim's truth makes of it: core::evidence.
   double measured = std::numeric_limits<double>::quiet_NaN();

@@ -14,6 +14,8 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
+#include <span>
 #include <stdexcept>
 #include <tuple>
 #include <unordered_map>
@@ -58,6 +60,19 @@ struct Reader {
     return result;
   }
 
+  // A key that is misspelt would be ignored, and with it what it says.
+  void only(const Json& object, const std::string& where, std::span<const char* const> read,
+            std::span<const char* const> told = {}) const {
+    if (!object.is_object()) return;  // whoever reads it says so
+    for (const auto& [key, value] : object.items()) {
+      const auto is_key = [&](const char* one) { return key == one; };
+      if (std::ranges::any_of(read, is_key) || std::ranges::any_of(told, is_key)) continue;
+      fail(fmt::format("unknown key '{}{}' = {}{}; valid: {}", where, key, input::shown(value),
+                       core::did_you_mean(key, std::vector<std::string>(read.begin(), read.end())),
+                       fmt::join(read, ", ")));
+    }
+  }
+
   // One column of a trajectory, a row of `width` numbers per time; empty where the file has none.
   std::vector<std::vector<double>> column(const Json& body, const char* key, std::size_t times,
                                           std::size_t width, const std::string& where) const {
@@ -70,6 +85,19 @@ struct Reader {
     return rows;
   }
 };
+
+// What is read, and what files say of themselves beside it.
+constexpr const char* root_read[] = {"schema", "t", "bodies", "trajectory", "events", "agreement"};
+constexpr const char* root_told[] = {
+    "name",     "source",       "note",        "set",      "kind",           "model",
+    "frame",    "params",       "methods",     "horizon",  "forces",         "system",
+    "rigorous", "conditioning", "constraints", "contacts", "characteristic", "bounces_so_far"};
+constexpr const char* agreement_read[] = {"max_abs_diff"};
+constexpr const char* agreement_told[] = {"digits"};
+constexpr const char* body_read[] = {"position", "velocity", "orientation", "angular_velocity"};
+constexpr const char* body_told[] = {"linear_momentum", "angular_momentum", "kinetic_energy", "mass"};
+constexpr const char* event_read[] = {"kind",  "body",   "to",       "plane", "time",
+                                      "speed", "height", "distance", "angle", "azimuth"};
 
 Json parsed(std::string_view text, const Reader& reader) {
   try {
@@ -127,6 +155,7 @@ std::size_t find_body(const Reader& reader, const Names& bodies, const std::stri
 void read_body(const Reader& reader, const Json& rows, const std::string& where, std::size_t body,
                std::vector<core::State>& states, core::Truth& truth) {
   const std::size_t n = states.size();
+  reader.only(rows, where + ".", body_read, body_told);
   const auto p = reader.column(rows, "position", n, 3, where),
              v = reader.column(rows, "velocity", n, 3, where);
   const auto q = reader.column(rows, "orientation", n, 4, where),
@@ -194,6 +223,7 @@ std::vector<core::Event> read_events(const Reader& reader, const Json& root, con
   for (const Json& row : root["events"]) {
     if (!row.contains("kind") && row.contains("t"))
       continue;  // a note in words of its own, {"type": …, "t": …}
+    reader.only(row, "events.", event_read);
     core::Event event = read_event(reader, row, names);
     if (!events.empty() && event.time < events.back().time)
       reader.fail(fmt::format("events: time = {} comes after {}", event.time, events.back().time));
@@ -202,6 +232,21 @@ std::vector<core::Event> read_events(const Reader& reader, const Json& root, con
     events.push_back(event);
   }
   return events;
+}
+
+// The bound on every component that the file states; 0 where it states none.
+double read_difference(const Reader& reader, const Json& root) {
+  if (!root.contains("agreement")) return 0;
+  const Json& agreement = root["agreement"];
+  if (!agreement.is_object())
+    reader.fail(fmt::format("agreement = {} must be an object", input::shown(agreement)));
+  reader.only(agreement, "agreement.", agreement_read, agreement_told);
+  if (!agreement.contains("max_abs_diff")) return 0;
+  const Json& bound = agreement["max_abs_diff"];
+  const double difference = reader.number(bound, "agreement.max_abs_diff");
+  if (difference < 0)
+    reader.fail(fmt::format("agreement.max_abs_diff = {} must be >= 0", input::shown(bound)));
+  return difference;
 }
 
 // Each component is off by at most `difference` plus double's rounding; a vector has three, a quaternion
@@ -224,6 +269,7 @@ core::Truth parse_truth(std::string_view json, const std::string& file, const co
   const Json root = parsed(json, reader);
   const Json& schema = reader.member(root, "schema", "the file");
   if (schema != "truth/1") reader.fail(fmt::format("schema = {}, valid: \"truth/1\"", input::shown(schema)));
+  reader.only(root, "", root_read, root_told);
 
   const SceneNames names{Names(scene.bodies), Names(scene.planes)};
   auto times = std::make_shared<std::vector<double>>(read_times(reader, root));
@@ -236,6 +282,7 @@ core::Truth parse_truth(std::string_view json, const std::string& file, const co
   if (!bodies.is_array()) reader.fail("'bodies' must be an array");
   core::Truth truth;
   std::vector<bool> known(scene.bodies.size(), false);
+  std::set<std::string> ids;
   for (const Json& entry : bodies) {
     const Json& id = reader.member(entry, "id", "each of 'bodies'");
     if (!id.is_string()) reader.fail("each 'id' must be a string");
@@ -245,16 +292,17 @@ core::Truth parse_truth(std::string_view json, const std::string& file, const co
     read_body(reader, reader.member(trajectory, name.c_str(), "trajectory"), "trajectory." + name, body,
               *states, truth);
     known[body] = true;
+    ids.insert(name);
   }
+  if (!trajectory.is_object()) reader.fail("'trajectory' must be an object");
+  for (const auto& [id, rows] : trajectory.items())
+    if (!ids.contains(id))
+      reader.fail(fmt::format("unknown key 'trajectory.{}': 'bodies' has no such id", id));
   for (std::size_t i = 0; i < known.size(); ++i)
     if (!known[i] && !scene.bodies[i].locked)
       reader.fail(fmt::format("has no trajectory of body '{}'", scene.bodies[i].name));
 
-  double difference = 0;
-  if (root.contains("agreement") && root["agreement"].is_object() &&
-      root["agreement"].contains("max_abs_diff"))
-    difference = std::abs(reader.number(root["agreement"]["max_abs_diff"], "agreement.max_abs_diff"));
-
+  const double difference = read_difference(reader, root);
   truth.times = *times;
   truth.horizon = times->back();
   if (!root.contains("events")) truth.events_until = 0;

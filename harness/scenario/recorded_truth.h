@@ -20,6 +20,7 @@ namespace cylon::scenario {
 ///                         pair; "speed", "height", "distance", "angle", "azimuth" where they are known
 ///     "agreement": {"max_abs_diff": …}     optional bound on every component, on top of double's rounding
 ///
+/// A key that is neither one of these nor a description (name, source, note, model, …) is refused.
 /// The truth is known at the times of the file alone, and state(t) throws std::invalid_argument at others.
 /// Bodies that the file leaves out must be locked.  Throws core::InputError, led by `file`.
 core::Truth parse_truth(std::string_view json, const std::string& file, const core::Scene&);

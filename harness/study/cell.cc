@@ -55,12 +55,20 @@ void add_detail(Verdict& row, const std::string& sentence) {
   row.detail += fmt::format("{}{}", row.detail.empty() ? "" : "; ", sentence);
 }
 
+constexpr const char* at_the_file = "the times of the file";
+
+// Where a claim looks: `sampling` below asks the run for these.
+std::string sampled(const Claim& claim, const Sampling& plan) {
+  if (claim.observable.quantity == core::Quantity::event) return "every step";
+  if (core::of_last_step(claim.observable.quantity)) return "the last step";
+  if (claim.truth && !claim.truth->times.empty()) return at_the_file;
+  return claim.sample && *claim.sample > 0 ? fmt::format("every {} s", *claim.sample) : plan.text;
+}
+
 Verdict blank(const Cell& cell, const Claim& claim, const Sampling& plan,
               const scenario::Expectations& expectations) {
   Verdict row = open_row(cell, claim.label, expectations);
-  row.sampling = core::of_last_step(claim.observable.quantity) ? "the last step"
-                 : claim.sample && *claim.sample > 0           ? fmt::format("every {} s", *claim.sample)
-                                                               : plan.text;
+  row.sampling = sampled(claim, plan);
   row.observable = core::name(claim.observable.quantity);
   row.unit = core::unit(claim);
   row.evidence = core::evidence(claim);
@@ -217,7 +225,9 @@ Sampling sampling(const Scenario& scenario, double dt) {
   }
   plan.every = every > 0 ? every : std::max<std::int64_t>(1, plan.steps);
   plan.at.assign(at.begin(), at.end());
-  plan.text = plan.every == 1 ? "every step" : fmt::format("every {} steps", plan.every);
+  plan.text = every == 0 && !at.empty()       ? at_the_file  // no claim asks for a stride
+              : plan.every == 1 || every == 0 ? "every step"
+                                              : fmt::format("every {} steps", plan.every);
   return plan;
 }
 

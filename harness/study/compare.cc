@@ -50,11 +50,13 @@ std::optional<ToTime> compare_exactly(const Cell& cell, Comparison& c, const Sid
     return std::nullopt;
   }
   if (!before || !after) {
+    c.skip = results::Skip::missing;
     end(c, Finding::skipped,
         fmt::format("{} has no worker for '{}'", after ? old_side.name : new_side.name, cell.engine.row.id));
     return std::nullopt;
   }
   if (content_hash(before->row.command) == content_hash(after->row.command)) {
+    c.skip = results::Skip::identical;
     end(c, Finding::skipped, "identical: the same binary and libraries on the same scenario");
     return std::nullopt;
   }
@@ -126,10 +128,10 @@ bool both_ran(Comparison& c, const Profile& baseline, const Profile& candidate) 
   if (before && after) return true;
   if (before) return end(c, Finding::regressed, "no longer runs: " + failure_of(candidate));
   if (after) return end(c, Finding::improved, "the baseline did not run: " + failure_of(baseline));
+  const bool unsupported = baseline.status == results::Status::unsupported;
+  c.skip = unsupported ? results::Skip::unsupported : results::Skip::missing;
   return end(c, Finding::skipped,
-             baseline.status == results::Status::unsupported
-                 ? failure_of(candidate)
-                 : "neither build runs: " + failure_of(candidate));
+             unsupported ? failure_of(candidate) : "neither build runs: " + failure_of(candidate));
 }
 
 void adjust(std::vector<Comparison>& cells, double alpha) {

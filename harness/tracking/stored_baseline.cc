@@ -39,7 +39,9 @@ bool ended(const std::string& status) {
 
 void compare_cell(const study::Cell& cell, const store::Result* stored, const study::Side& candidate,
                   const study::CompareOptions& options, Comparison& c) {
-  const auto skip = [&](const std::string& why) { c.finding = Finding::skipped, c.reason = why; };
+  const auto skip = [&](const std::string& why) {
+    c.finding = Finding::skipped, c.skip = results::Skip::missing, c.reason = why;
+  };
   if (!stored) return skip("the stored run has no such cell");
   if (stored->cell.scenario_hash != cell.scenario->hash)
     return skip(fmt::format("another version of the scenario: {} then, {} now", stored->cell.scenario_hash,

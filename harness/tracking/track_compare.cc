@@ -139,13 +139,22 @@ results::ComparisonReport report_of(const Context& context, const CompareRequest
 
 }  // namespace
 
+bool nothing_compared(const results::ComparisonReport& report) {
+  return std::ranges::all_of(report.cells, [](const results::Comparison& c) {
+    return c.skip == results::Skip::missing || c.skip == results::Skip::unsupported;
+  });
+}
+
 int exit_code(const results::ComparisonReport& report, bool strict) {
   const auto any = [&](results::Finding f) {
     return std::any_of(report.cells.begin(), report.cells.end(),
                        [&](const auto& c) { return c.finding == f; });
   };
   if (any(results::Finding::regressed)) return differs;
-  return strict && (!report.reliable || any(results::Finding::inconclusive)) ? inconclusive : ok;
+  if (nothing_compared(report)) return nothing_selected;
+  const bool missing = std::ranges::any_of(
+      report.cells, [](const results::Comparison& c) { return c.skip == results::Skip::missing; });
+  return strict && (!report.reliable || missing || any(results::Finding::inconclusive)) ? inconclusive : ok;
 }
 
 int compare(const Context& own, const CompareRequest& asked) {
@@ -179,6 +188,11 @@ int compare(const Context& own, const CompareRequest& asked) {
   if (!asked.json.empty()) write_whole(asked.json, reports::to_json(report));
   if (!asked.junit.empty()) write_whole(asked.junit, reports::to_junit(report));
   if (!asked.markdown.empty()) write_whole(asked.markdown, reports::to_markdown(report));
+  if (nothing_compared(report))
+    std::cerr << plain_line(fmt::format("nothing compared: {} of {} cells skipped; {}: {}",
+                                        report.cells.size(), report.cells.size(), report.cells.front().cell(),
+                                        report.cells.front().reason))
+              << '\n';
   return exit_code(report, asked.strict);
 }
 
@@ -212,7 +226,8 @@ void add_compare_options(App& app, CompareRequest& asked) {
   add_timeout_option(app, asked.timeout);
   app.add_flag("--no-time", asked.no_time, "Compare results only");
   app.add_flag("--strict", asked.strict,
-               "Exit with 3 if a cell is inconclusive or the environment is unreliable");
+               "Exit with 3 if a cell is inconclusive, or is in one build alone or runs in neither, or the "
+               "environment is unreliable");
   app.add_option("--json", asked.json, "Write the comparison as JSON; - is stdout")->type_name("FILE");
   app.add_option("--junit", asked.junit, "Write it as JUnit XML; - is stdout")->type_name("FILE");
   app.add_option("--markdown", asked.markdown, "Write a summary for a merge request; - is stdout")
@@ -229,7 +244,7 @@ Command add_track_compare(App& app, const Context& context) {
       "answers. Results: errors may rise by 10 % or the rounding floor, orders fall by 0.1.\n"
       "Exit codes: 0 no regression, 1 a regression is confirmed, 2 bad input, 3 inconclusive under --strict, "
       "4 nothing "
-      "selected, 5 harness failure.");
+      "selected or compared, 5 harness failure.");
   return [asked, &context] { return compare(context, *asked); };
 }
 

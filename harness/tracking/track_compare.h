@@ -27,8 +27,11 @@ void add_compare_options(cli::App&, CompareRequest&);
 /// The whole command: compares, prints, writes the reports; returns the exit code.
 int compare(const cli::Context&, const CompareRequest&);
 
-/// 1 where a cell regressed; 3 under `strict` where one is inconclusive or the environment is unreliable;
-/// else 0.
+/// Whether no cell was compared: each is missing on a side or unsupported.
+bool nothing_compared(const results::ComparisonReport&);
+
+/// 1 where a cell regressed; 4 where nothing was compared; 3 under `strict` where a cell is inconclusive or
+/// missing on a side, or the environment is unreliable; else 0.
 int exit_code(const results::ComparisonReport&, bool strict);
 
 }  // namespace cylon::tracking

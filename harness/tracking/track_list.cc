@@ -126,11 +126,13 @@ int list(const Options& options) {
 
 Command add_track_list(App& app, const Context&) {
   const auto options = std::make_shared<Options>();
-  app.add_option("run", options->run,
-                 "Run whose values are printed: its number, the first digits of its uid, its label or its "
-                 "revision. None: all runs")
-      ->type_name("RUN");
-  app.add_flag("--json", options->json, "Print the list of runs as JSON");
+  const Option run =
+      app.add_option(
+             "run", options->run,
+             "Run whose values are printed: its number, the first digits of its uid, its label or its "
+             "revision. None: all runs")
+          ->type_name("RUN");
+  app.add_flag("--json", options->json, "Print the list of runs as JSON")->excludes(run);
   add_store_option(app, options->file);
   return [options] { return list(*options); };
 }

@@ -61,6 +61,8 @@ study::RunFailed not_finite() {
 
 double level(int members) { return static_cast<double>(members - 1) / (members + 1); }
 
+bool judged(int members) { return members == Band{}.members; }
+
 Eigen::MatrixXd factor_of(const Eigen::MatrixXd& covariance) {
   if (covariance.rows() != covariance.cols() || !covariance.allFinite() ||
       !covariance.isApprox(covariance.transpose(), 1e-9))

@@ -23,6 +23,9 @@ struct Band {
 /// What n members' range holds of one more of their kind: (n - 1)/(n + 1).
 double level(int members);
 
+/// Whether a share of 90 to 98 % is what such a band should hold: that of the usual number of members, 95 %, alone.
+bool judged(int members);
+
 /// Parameters as a fit found them; none: the model's own values, which are exact but for what the experiment says of its surfaces.
 struct Fitted {
   std::vector<measured::Parameter> parameters;

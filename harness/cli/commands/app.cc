@@ -174,7 +174,8 @@ int run_command_line(int argc, char** argv) {
       "and of the engine");
   app.footer(
       "Exit codes: 0 all as expected, 1 a verdict differs or a regression is confirmed, 2 bad input, 3 "
-      "undecided (with --strict), 4 nothing selected, 5 internal failure, 6 cells are missing (merge), 130 "
+      "undecided (with --strict) or a bound not reached (truth), 4 nothing selected or compared, 5 internal "
+      "failure, 6 cells are missing (merge), 130 "
       "interrupted.");
   Context context = make_context();
   imports::serve_scenarios(context.workers);

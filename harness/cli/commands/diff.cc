@@ -261,6 +261,8 @@ std::string csv(const Found& found) {
 }
 
 int diff(const Context& context, const Options& options) try {
+  if (options.json && options.csv == "-")
+    throw core::InputError("--csv -: stdout has the JSON of --json; give the CSV a file");
   if (!options.csv.empty()) require_writable(options.csv);
   const scenario::Scenario scenario = scenario::read(find_scenario(context, options.file));
   const Side a = side(context, options, scenario, options.a), b = side(context, options, scenario, options.b);

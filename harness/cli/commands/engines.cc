@@ -152,13 +152,19 @@ int engines(const Context& context, const Options& options) {
 Command add_engines(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   app.add_option("globs", options->globs, "List only these engines")->type_name("GLOB");
-  app.add_flag("--here", options->here,
-               "A line each: whether the engine is here, and the command that brings it where it is not");
-  app.add_flag("--json", options->json, "As JSON");
-  app.add_flag("--fingerprint", options->fingerprint,
-               "Measure what each engine does, with a dozen small scenes: integrator, order, gyroscopic "
-               "torque, restitution, friction, hidden limits. Accepts variants (bullet/gyro=none)");
-  app.add_flag("--names", options->names, "Print the ids only");
+  const Option here =
+      app.add_flag("--here", options->here,
+                   "A line each: whether the engine is here, and the command that brings it where it is not");
+  const Option json = app.add_flag("--json", options->json, "As JSON")->excludes(here);
+  const Option fingerprint =
+      app.add_flag("--fingerprint", options->fingerprint,
+                   "Measure what each engine does, with a dozen small scenes: integrator, order, gyroscopic "
+                   "torque, restitution, friction, hidden limits. Accepts variants (bullet/gyro=none)")
+          ->excludes(here);
+  app.add_flag("--names", options->names, "Print the ids only")
+      ->excludes(here)
+      ->excludes(json)
+      ->excludes(fingerprint);
   add_brought_options(app, options->brought);
   return [=, &context] { return engines(context, *options); };
 }

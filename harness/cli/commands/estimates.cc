@@ -24,8 +24,12 @@ constexpr double degrees = 180 / std::numbers::pi;
 
 std::string told_band(const Estimate& covered, validation::Answer answer, int members) {
   if (members == 0) return "";
-  return fmt::format("  inside the {:.0f} % band  {}; 90 to 98 %: {}\n", 100 * validation::level(members),
-                     shown(covered, 100, " %"), validation::name(answer));
+  const std::string judgement =
+      validation::judged(members)
+          ? fmt::format("90 to 98 %: {}", validation::name(answer))
+          : fmt::format("not judged: 90 to 98 % is asked of {} members", validation::Band{}.members);
+  return fmt::format("  inside the {:.3g} % band  {}; {}\n", 100 * validation::level(members),
+                     shown(covered, 100, " %"), judgement);
 }
 
 }  // namespace

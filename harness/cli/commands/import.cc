@@ -30,8 +30,9 @@ Command add_import(App& app, const Context& context) {
     bool kinds = false;
   };
   const auto options = std::make_shared<Options>();
-  app.add_option("file", options->file, "FILE.xml or .mjcf (MJCF), .sdf or .world (SDFormat), .urdf")
-      ->type_name("FILE");
+  const Option file =
+      app.add_option("file", options->file, "FILE.xml or .mjcf (MJCF), .sdf or .world (SDFormat), .urdf")
+          ->type_name("FILE");
   app.add_option("-o,--out", options->out, "Scenario file to write; - is stdout")
       ->type_name("FILE")
       ->capture_default_str();
@@ -41,7 +42,8 @@ Command add_import(App& app, const Context& context) {
          "Leave out what would be refused, of this kind (see --kinds); the motion is then another one")
       ->type_name("KIND")
       ->allow_extra_args(false);
-  app.add_flag("--kinds", options->kinds, "Print what a scene cannot say, and what becomes of it");
+  app.add_flag("--kinds", options->kinds, "Print what a scene cannot say, and what becomes of it")
+      ->excludes(file);
   app.add_flag("--keep-axes", options->imports.keep_axes,
                "Leave all axes as they are; otherwise z up becomes y up");
   app.add_option("--root", options->imports.roots,

@@ -96,8 +96,8 @@ Command add_list(App& app, const Context& context) {
   app.add_option("globs", options->globs, "List only these scenarios")->type_name("GLOB");
   app.add_option("--tag", options->tags, "List only scenarios with this tag. Repeatable")
       ->allow_extra_args(false);
-  app.add_flag("--json", options->json, "Print JSON, with claims and tolerances");
-  app.add_flag("--names", options->names, "Names alone");
+  const Option json = app.add_flag("--json", options->json, "Print JSON, with claims and tolerances");
+  app.add_flag("--names", options->names, "Names alone")->excludes(json);
   return [=, &context] { return list(context, *options); };
 }
 

@@ -35,12 +35,14 @@ namespace {
 using nlohmann::ordered_json;
 using validation::Estimate, validation::Horizon, validation::RunScore;
 
+constexpr int not_said = -1, usual_curves = 3;
+
 struct Options {
   std::string experiment, json, html, step, fit;
   std::vector<std::string> engines, values;
   Brought brought;
   validation::Band band;
-  int jobs = 0, curves = 3;
+  int jobs = 0, curves = not_said;
   double timeout = 60;
 };
 
@@ -127,7 +129,8 @@ ordered_json drawn(const Context& context, const Options& options, const Task& t
 template <class Score>
 ordered_json told_engine(const Context& context, const Options& options, const Task& task,
                          const process::EngineChoice& engine, const std::vector<Score>& scores) {
-  const auto summary = validation::summary(scores);
+  auto summary = validation::summary(scores);
+  if (!validation::judged(options.band.members)) summary.band = validation::Answer::undecided;
   words(options) << plain(engine.id + "\n" + told(summary, options.band.members)) << std::flush;
   ordered_json one = to_json(summary);
   one["engine"] = engine.id, one["each"] = each(scores);
@@ -211,6 +214,7 @@ Task task_of(const Context& context, const Options& options) {
     if (!task.fits.empty() && std::ranges::find(fitted, task.engines.back().id) == fitted.end())
       throw core::InputError(fmt::format("{}: it has no fit of {}", options.fit, task.engines.back().id));
   }
+  const int curves = options.curves == not_said ? usual_curves : options.curves;
   for (const std::size_t run : validation::order_of(e)) {
     const std::string& name = e.runs[run].name;
     if (!task.fits.empty() && std::ranges::none_of(task.engines, [&](const process::EngineChoice& engine) {
@@ -218,7 +222,7 @@ Task task_of(const Context& context, const Options& options) {
         }))
       continue;
     task.runs.push_back(run);
-    if (task.drawn.size() < static_cast<std::size_t>(options.curves)) task.drawn.push_back(run);
+    if (task.drawn.size() < static_cast<std::size_t>(curves)) task.drawn.push_back(run);
   }
   if (task.runs.empty())
     throw core::InputError(fmt::format("{}: its fits saw every run of {}: none is left to predict",
@@ -239,6 +243,8 @@ void write_page(const Options& options, const measured::Experiment& e, const ord
 
 int predict(const Context& context, const Options& options) {
   require_writable(std::vector<std::string>{options.json, options.html});
+  if (options.curves != not_said && options.json.empty() && options.html.empty())
+    throw core::InputError("--curves: nothing holds curves; give --json or --html");
   const Task task = task_of(context, options);
   const measured::Experiment& e = task.experiment;
   words(options) << plain(fmt::format("{}: {} runs\n", e.title, e.runs.size()));
@@ -281,7 +287,7 @@ Command add_predict(App& app, const Context& context) {
   app.add_option(
          "--members", options->band.members,
          "Predictions of the band of each run, from uncertain starts, materials and fitted parameters; "
-         "39 make 95 %, 0 none")
+         "39 make 95 %, 0 none. Whether the band holds what it should is judged for 39 alone")
       ->type_name("N")
       ->check(in_range(0, 10'000))
       ->capture_default_str();
@@ -297,7 +303,7 @@ Command add_predict(App& app, const Context& context) {
                  "Runs whose curves --json and --html hold: the first by the hashes of their names")
       ->type_name("N")
       ->check(in_range(0, 1000))
-      ->capture_default_str();
+      ->default_str(std::to_string(usual_curves));
   add_jobs_option(app, options->jobs, "Number of runs to predict at the same time; default: all processors");
   add_timeout_option(app, options->timeout);
   add_brought_options(app, options->brought);

@@ -81,6 +81,8 @@ int run(const Context& context, const RunOptions& options) {
   const std::vector<std::string> files = {options.json, options.junit, options.csv, options.html,
                                           options.traces};
   require_writable(files);
+  if (options.trajectories != Trajectories::all && options.html.empty() && options.traces.empty())
+    throw core::InputError("--trajectories: nothing holds trajectories; give --html or --traces");
   if (!options.plots.empty() && !fs::is_directory(options.plots))
     throw core::InputError(fmt::format("--plots {}: no such folder", options.plots));
   const scenario::Expectations expectations = cli::expectations(context);

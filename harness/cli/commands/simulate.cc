@@ -28,7 +28,8 @@ namespace {
 struct Options {
   Asked asked;
   std::string dt, out = "-", account;
-  std::vector<double> at;
+  std::vector<std::string> at_words;
+  std::vector<double> at;  // those of the words
   double every = 0, timeout = 60;
   bool nearest = false;
 };
@@ -200,10 +201,10 @@ Command add_simulate(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   add_asked(app, options->asked);
   add_step_option(app, options->dt);
-  const Option at = app.add_option("--at", options->at, "Times to print [s], separated by commas: 0,0.5,1")
-                        ->type_name("S")
-                        ->delimiter(',');
-  app.add_option("--every", options->every, "Print every S seconds")
+  const Option at = add_times_option(app, options->at_words);
+  app.add_option("--every", options->every,
+                 "Print every S seconds, and the end of the scenario (of a run with --tolerance and without "
+                 "--dt: multiples of S alone)")
       ->type_name("S")
       ->excludes(at)
       ->check(positive(1e9));
@@ -216,7 +217,10 @@ Command add_simulate(App& app, const Context& context) {
                  "(in-house engine); - is stdout")
       ->type_name("FILE");
   add_timeout_option(app, options->timeout);
-  return [=, &context] { return simulate(context, *options); };
+  return [=, &context] {
+    options->at = times_of_words(options->at_words);
+    return simulate(context, *options);
+  };
 }
 
 }  // namespace cylon::cli

@@ -120,15 +120,18 @@ Command add_trade(App& app, const Context& context) {
       ->required();
   add_engines_option(app, options->wanted.engines, "all, with the variants that affect the scene");
   add_integrators_option(app, options->wanted.integrators, "all integrators of each engine");
-  add_steps_option(app, options->steps,
-                   "a series of steps, each half of the one before, from about 64 times the nominal step");
+  const Option steps = add_steps_option(
+      app, options->steps,
+      "a series of steps, each half of the one before, from about 64 times the nominal step");
   app.add_option("--steps", options->rungs, "Largest number of steps in the series")
       ->type_name("N")
+      ->excludes(steps)
       ->capture_default_str()
       ->check(in_range(1, 40));
   app.add_option("--work", options->work,
                  "Largest number of bodies times steps of one run; the series of steps ends there")
       ->type_name("N")
+      ->excludes(steps)
       ->capture_default_str()
       ->check(positive(1e12));
   app.add_option("--tolerance", options->tolerances,

@@ -1,6 +1,7 @@
 // cylon truth
 #include "harness/cli/command_line.h"
 #include "harness/cli/commands/app.h"
+#include "harness/cli/options.h"
 #include "harness/cli/output.h"
 #include "reference/certified/solve.h"
 
@@ -20,15 +21,18 @@ using certified::Ball;
 using certified::BodyBalls;
 using certified::Certificate;
 
+constexpr int not_said = -1, usual_digits = 21;
+
 struct Options {
   std::string file, out;
-  std::vector<double> at;
+  std::vector<std::string> at_words;
+  std::vector<double> at;  // those of the words
   double every = 0, radius = 1e-20;
-  int digits = 21, bits = 1024;
+  int digits = not_said, bits = 1024;
   bool conditioning = false;
 };
 
-// Those asked for, ascending; 33 even ones where none are.
+// Those asked for, ascending, with the end after those of --every; 33 even ones where none are.
 std::vector<double> times_of(const Options& options, double duration) {
   std::vector<double> times = options.at;
   constexpr int even = 32, most = 100'000;
@@ -40,6 +44,7 @@ std::vector<double> times_of(const Options& options, double duration) {
       throw core::InputError(
           fmt::format("--every {}: makes {:g} times, at most {} are printed", options.every, count, most));
     for (int i = 0; i <= static_cast<int>(count); ++i) times.push_back(std::min(duration, i * options.every));
+    if (duration - times.back() > 1e-9 * duration) times.push_back(duration);
   }
   for (const double t : times)
     if (!(t >= 0 && t <= duration))
@@ -153,7 +158,11 @@ std::string json(const core::Scene& scene, const std::string& name, const Option
   return text + "}\n}\n";
 }
 
-int truth(const Context& context, const Options& options) {
+int truth(const Context& context, Options options) {
+  if (options.conditioning && options.out.empty() && options.digits != not_said)
+    throw core::InputError(
+        "--digits: --conditioning prints none of these numbers; give --out, or leave it out");
+  if (options.digits == not_said) options.digits = usual_digits;
   if (!options.out.empty()) require_writable(options.out);
   const scenario::Scenario scenario = scenario::read(find_scenario(context, options.file));
   const std::vector<double> times = times_of(options, scenario.duration);
@@ -188,19 +197,19 @@ Command add_truth(App& app, const Context& context) {
                  "Scenario file, or the name of a shipped scenario: smooth motion, or impacts of spheres")
       ->type_name("FILE")
       ->required();
-  const Option at = app.add_option("--at", options->at, "Times to print [s], separated by commas: 0,0.5,1")
-                        ->type_name("S")
-                        ->delimiter(',');
-  app.add_option("--every", options->every,
-                 "Print every S seconds. Default without --at: 33 evenly spaced times")
+  const Option at = add_times_option(app, options->at_words);
+  app.add_option(
+         "--every", options->every,
+         "Print every S seconds, and the end of the scenario. Default without --at: 33 evenly spaced times")
       ->type_name("S")
       ->excludes(at)
       ->check(positive(1e9));
-  app.add_option("--radius", options->radius, "Error bound to prove for every number, in its SI unit")
+  app.add_option("--radius", options->radius,
+                 "Error bound to prove for every number, in its SI unit; exit code 3 where it is not reached")
       ->capture_default_str()
       ->check(in_range(1e-250, 1.0));
   app.add_option("--digits", options->digits, "Significant digits to print")
-      ->capture_default_str()
+      ->default_str(std::to_string(usual_digits))
       ->check(in_range(3, 300));
   app.add_option("--bits", options->bits, "Largest precision to try [bits]")
       ->capture_default_str()
@@ -210,7 +219,10 @@ Command add_truth(App& app, const Context& context) {
   app.add_option("--out", options->out,
                  "JSON file in the format truth/1, for follows = { file = … }; - is stdout")
       ->type_name("FILE");
-  return [=, &context] { return truth(context, *options); };
+  return [=, &context] {
+    options->at = times_of_words(options->at_words);
+    return truth(context, *options);
+  };
 }
 
 }  // namespace cylon::cli

@@ -16,10 +16,12 @@ Command add_validate(App& app, const Context& context) {
     bool schema = false;
   };
   const auto options = std::make_shared<Options>();
-  app.add_option("files", options->files,
-                 "Scenario files, or names of shipped scenarios. Default: all shipped scenarios")
-      ->type_name("FILE");
-  app.add_flag("--schema", options->schema, "Print the JSON Schema of the scenario format instead");
+  const Option files =
+      app.add_option("files", options->files,
+                     "Scenario files, or names of shipped scenarios. Default: all shipped scenarios")
+          ->type_name("FILE");
+  app.add_flag("--schema", options->schema, "Print the JSON Schema of the scenario format instead")
+      ->excludes(files);
   return [=, &context] {
     if (options->schema) {
       std::cout << scenario::schema_json();

@@ -52,7 +52,7 @@ double compensated(const Compiled& m, int body, foreign::Model& model) {
 
 }  // namespace
 
-foreign::Model model_of_mjcf(const Compiled& m) {
+foreign::Model model_of_mjcf(const Compiled& m, const std::string& keyframe) {
   foreign::Model model;
   model.library = m.library();
   model.step = m.option("timestep");
@@ -60,7 +60,7 @@ foreign::Model model_of_mjcf(const Compiled& m) {
   model.bodies = bodies_of(m, model);
   add_joints(m, model);
   add_surfaces(m, model);
-  add_losses(m, model);
+  add_losses(m, keyframe, model);
   return model;
 }
 
@@ -88,12 +88,16 @@ std::vector<foreign::Body> bodies_of(const Compiled& m, foreign::Model& model) {
   return bodies;
 }
 
-void add_losses(const Compiled& m, foreign::Model& model) {
+void add_losses(const Compiled& m, const std::string& keyframe, foreign::Model& model) {
   const auto lose = [&](const char* what, Place place, std::string detail = "") {
     model.losses.push_back({what, std::move(place), std::move(detail)});
   };
+  const auto is_used = [&](const std::string& what, const char* kind, int i) {
+    return what == "keyframe" && !keyframe.empty() && m.name(kind, i) == keyframe;
+  };
   for (const auto& [kind, what] : presences)
-    for (int i = 0; i < m.count(kind); ++i) lose(what, m.place(kind, i), kind);
+    for (int i = 0; i < m.count(kind); ++i)
+      if (!is_used(what, kind, i)) lose(what, m.place(kind, i), kind);
   for (int i = 0; i < m.size("ntendon"); ++i) lose(role_of(m, i), m.place("tendon", i));
   for (const std::string& picture : m.absent())
     lose("presentation", {fmt::format("picture '{}'", picture), "", 0}, "it is not there");

@@ -4,18 +4,20 @@
 
 #include "harness/imports/mjcf/compiled.h"
 
+#include <string>
 #include <vector>
 
 namespace cylon::imports {
 
-/// Throws an exception of the JSON library where it is no such model.
-foreign::Model model_of_mjcf(const Compiled&);
+/// The model, which starts from a keyframe or, "", from its own start.  Throws an exception of the JSON library
+/// where it is no such model.
+foreign::Model model_of_mjcf(const Compiled&, const std::string& keyframe = "");
 
 // The parts of that.
 std::vector<foreign::Body> bodies_of(const Compiled&, foreign::Model&);
 void add_joints(const Compiled&, foreign::Model&);
 void add_surfaces(const Compiled&, foreign::Model&);
-void add_losses(const Compiled&, foreign::Model&);
+void add_losses(const Compiled&, const std::string& keyframe, foreign::Model&);
 
 /// What the actuators exert on a joint coordinate q by themselves: Q = force - stiffness q - damping q'.
 struct Drive {

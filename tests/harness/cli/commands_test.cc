@@ -24,6 +24,7 @@ TEST_F(CommandLine, ExitCodesAndMessages) {
   const Case cases[] = {
       {"--version", 0, "cylon 0."},
       {"run --help", 0, "--rerun-failed"},
+      {"truth --help", 0, "a bound not reached (truth)"},
       {"", 2, "Subcommands"},
       {"rnu", 2, "unknown command 'rnu', did you mean 'run'?"},
       {"run --hlep", 2, "unexpected '--hlep', did you mean '--help'?"},
@@ -53,6 +54,8 @@ TEST_F(CommandLine, ExitCodesAndMessages) {
       {"simulate projectile --at 0.0005", 2, "the nearest is 0.001 s (or use --nearest)"},
       {"simulate projectile --every 0.0015", 2, "--every 0.0015: is not a multiple"},
       {"simulate projectile --at 9", 2, "must lie in [0, 0.8] s"},
+      {"simulate projectile --at x", 2, "--at x: 'x' must be a number of seconds"},
+      {"truth heavy_top --at 0,x", 2, "--at 0,x: 'x' must be a number of seconds"},
       {"run ''", 2, "patterns: an empty word"},
       {"run projectile --json ''", 2, "--json: an empty word"},
       {"simulate projectile --integrator rk5", 2, "did you mean 'rk4'?"},
@@ -90,6 +93,62 @@ TEST_F(CommandLine, OptionsTakeOneValueEach) {
     EXPECT_EQ(commands(arguments), expected) << arguments;
   const Ran listed = cylon("list --names --tag spring --tag chaos 'spring*'");
   EXPECT_EQ(listed.out, "spring_pendulum\n") << listed.err;
+}
+
+// An empty word among the times was taken for t = 0.
+TEST_F(CommandLine, EmptyTimesAreRefused) {
+  for (const std::string command : {"simulate projectile", "truth heavy_top"}) {
+    const Ran none = cylon(command + " --at ''");
+    EXPECT_EQ(none.code, 2) << none.out;
+    EXPECT_NE(none.err.find("--at: an empty word"), std::string::npos) << none.err;
+    for (const std::string times : {"0,,0.1", ",0.1", "0.1,", ","}) {
+      const Ran ran = cylon(command + " --at " + times);
+      EXPECT_EQ(ran.code, 2) << times << ran.out;
+      EXPECT_NE(ran.err.find("--at " + times + ": '' must be a number of seconds"), std::string::npos)
+          << ran.err;
+    }
+  }
+}
+
+// simulate printed the end of a scenario that is no multiple of S, truth did not.
+TEST_F(CommandLine, EveryEndsWithTheScenario) {
+  for (const std::string command : {"simulate projectile --engine in-house", "truth projectile"}) {
+    const Ran ran = cylon(command + " --every 0.3");  // 0.8 s long
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 5) << ran.out;  // head, 0, 0.3, 0.6, 0.8
+    EXPECT_NE(ran.out.find("\n0.8"), std::string::npos) << ran.out;
+    const Ran whole = cylon(command + " --every 0.1");
+    EXPECT_EQ(std::count(whole.out.begin(), whole.out.end(), '\n'), 10) << whole.out;
+  }
+}
+
+// Each pair printed what one of the two asks for, or both into one stream, and exited with 0.
+TEST_F(CommandLine, OptionsWithoutEffectAreRefused) {
+  ASSERT_EQ(cylon("track record projectile --engine in-house").code, 0);
+  const struct {
+    const char* words;
+    const char* says;
+  } cases[] = {
+      {"engines --names --json", "--json excludes --names"},
+      {"engines --fingerprint --names ode", "--fingerprint excludes --names"},
+      {"engines --here --json", "--here excludes --json"},
+      {"list --names --json", "--json excludes --names"},
+      {"validate --schema projectile", "excludes"},
+      {"track list 1 --json", "excludes"},
+      {"trade projectile --dt 0.01 --steps 3", "excludes --dt"},
+      {"trade projectile --dt 0.01 --work 1000", "excludes --dt"},
+      {"predict swings.toml --curves 2", "--curves: nothing holds curves; give --json or --html"},
+      {"run projectile --trajectories none", "--trajectories: nothing holds trajectories; give --html"},
+      {"truth heavy_top --conditioning --digits 5", "--digits: --conditioning prints none of these"},
+      {"import world.sdf --kinds", "excludes"},
+      {"diff projectile in-house bullet --json --csv -", "--csv -: stdout has the JSON of --json"},
+  };
+  for (const auto& c : cases) {
+    const Ran ran = cylon(c.words);
+    EXPECT_EQ(ran.code, 2) << c.words << '\n' << ran.out << ran.err;
+    EXPECT_EQ(ran.out, "") << c.words;
+    EXPECT_NE(ran.err.find(c.says), std::string::npos) << c.words << '\n' << ran.err;
+  }
 }
 
 TEST_F(CommandLine, BadInputKeepsOldReport) {
@@ -149,6 +208,30 @@ TEST_F(CommandLine, SimulateFollowsTheParabola) {
     EXPECT_NEAR(y, 1 + 4 * t - 0.5 * 9.81 * t * t, 1e-14);
   }
   EXPECT_EQ(rows, 3);
+}
+
+// Claims of recorded truths and of events said "every N steps", the stride of other claims.
+TEST_F(CommandLine, RowsSayWhereTheirClaimsLook) {
+  ASSERT_EQ(cylon("truth projectile --every 0.1 --out d.json").code, 0);
+  write("mine.toml", shipped("projectile") +
+                         "\n[[claim]]\nfollows = { file = \"d.json\" }\nobservable = \"position\"\n"
+                         "tolerance = { absolute = 1e-9, reason = \"r\" }\n");
+  const Ran ran = cylon("run mine.toml bouncing_sphere --engine in-house --json -");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  int of_files = 0, of_events = 0;
+  for (const json& row : json::parse(ran.out).at("verdicts")) {
+    const std::string sampling = row.at("sampling");
+    if (row.at("claim") == "position follows d.json") {
+      ++of_files;
+      EXPECT_EQ(sampling, "the times of the file");
+    }
+    if (row.at("observable") == "event") {
+      ++of_events;
+      EXPECT_EQ(sampling, "every step");
+    }
+  }
+  EXPECT_EQ(of_files, 1);
+  EXPECT_GT(of_events, 0);
 }
 
 // The command beside a row, run as it stands in the same folder, gives the same number.

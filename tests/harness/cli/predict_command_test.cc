@@ -160,6 +160,17 @@ TEST_F(PredictCommand, DocumentsGoToStdoutAlone) {
   EXPECT_NE(ran.err.find("within 0.1 rad"), std::string::npos);
 }
 
+// Of nine members a band of 80 % was held against 90 to 98 %.
+TEST_F(PredictCommand, JudgesNoBandOfAnotherLevel) {
+  const Ran few = cylon("predict swings.toml --engine ode --members 9 --json p.json");
+  ASSERT_EQ(few.code, 0) << few.err;
+  EXPECT_NE(few.out.find("inside the 80 % band"), std::string::npos) << few.out;
+  EXPECT_NE(few.out.find("not judged: 90 to 98 % is asked of 39 members"), std::string::npos) << few.out;
+  EXPECT_EQ(document("p.json")["engines"][0]["band"], "undecided");
+  const Ran usual = cylon("predict swings.toml --engine ode");
+  EXPECT_NE(usual.out.find("; 90 to 98 %: "), std::string::npos) << usual.out;
+}
+
 TEST_F(PredictCommand, RefusesFitsThatItCannotTake) {
   const std::string good =
       R"({"format":"cylon-fit/1","experiment":"x","fits":[{"engine":"ode","failure":"","fitted_on":[],

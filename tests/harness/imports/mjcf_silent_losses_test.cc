@@ -49,6 +49,20 @@ TEST(MjcfExclude, OfAPartThatMovesIsRefused) {
   EXPECT_TRUE(outcome.refuses("geom 'palm': surfaces")) << outcome.refusal << outcome.left_out;
 }
 
+// The keyframe that gave the start was told among the losses, and --strict refused the model for it.
+TEST(MjcfKeyframe, ThatGivesTheStartIsNoLoss) {
+  REQUIRE_IMPORT("xml");
+  const std::string ball = R"(<worldbody><body name="ball" pos="0 0 1"><freejoint/>
+    <geom type="sphere" size=".1"/></body></worldbody>)";
+  const std::string keys = R"(<keyframe><key name="start" qpos="0 0 2 1 0 0 0"/>
+    <key name="other" qpos="0 0 3 1 0 0 0"/></keyframe>)";
+  const Outcome own = import_mjcf(ball + keys), start = import_mjcf(ball + keys, {.keyframe = "start"});
+  ASSERT_EQ(own.refusal + start.refusal, "");
+  EXPECT_TRUE(own.leaves_out("key 'start'")) << own.left_out;
+  EXPECT_FALSE(start.leaves_out("key 'start'")) << start.left_out;
+  EXPECT_TRUE(start.leaves_out("key 'other'")) << start.left_out;
+}
+
 // What was dropped, and is refused now.
 struct Silent {
   const char *name, *text, *says;

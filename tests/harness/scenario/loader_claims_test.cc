@@ -264,6 +264,41 @@ TEST(Claims, BadRecordedData) {
       std::string::npos);
 }
 
+// A negative bound counted by its absolute value, and keys that were misspelt were ignored.
+TEST(Claims, RecordedDataHasNoUnknownKeysAndNoNegativeBound) {
+  const core::Scene scene = parse(head, "a.toml").scene;
+  const auto refusal = [&](const std::string& more, const std::string& columns = "") {
+    try {
+      scenario::parse_truth(
+          R"({"schema":"truth/1","bodies":[{"id":"body","mass":"1"}],"t":["0"],"name":"n",)" + more +
+              R"("trajectory":{"body":{"position":[["0","1","2"]])" + columns + "}}}",
+          "d.json", scene);
+      return std::string();
+    } catch (const core::InputError& error) {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_EQ(refusal(R"("agreement":{"max_abs_diff":"1e-9","digits":9},)"), "");
+  EXPECT_EQ(refusal(R"("agreement":{"max_abs_diff":0},"events":[{"type":"note","t":"0"}],)"), "");
+  EXPECT_EQ(refusal(R"("agreement":{"max_abs_diff":"-1e-9"},)"),
+            "d.json: agreement.max_abs_diff = \"-1e-9\" must be >= 0");
+  EXPECT_EQ(refusal(R"("agreement":1e-9,)"), "d.json: agreement = 1e-09 must be an object");
+  const struct {
+    std::string more, columns, says;
+  } cases[] = {
+      {R"("agrement":{},)", "",
+       "d.json: unknown key 'agrement' = an object of 0 keys, did you mean 'agreement'?"},
+      {R"("agreement":{"max_abs_dif":1},)", "",
+       "d.json: unknown key 'agreement.max_abs_dif' = 1, did you mean"},
+      {R"("events":[{"kind":"turn","body":"body","time":0,"sped":1}],)", "",
+       "d.json: unknown key 'events.sped' = 1, did you mean 'speed'?"},
+      {"", R"(,"velocty":[])", "d.json: unknown key 'trajectory.body.velocty' = an array of 0, did you mean"},
+      {"", R"(},"other":{)", "d.json: unknown key 'trajectory.other': 'bodies' has no such id"},
+  };
+  for (const auto& c : cases)
+    EXPECT_EQ(refusal(c.more, c.columns).find(c.says), 0u) << c.says << '\n' << refusal(c.more, c.columns);
+}
+
 TEST(Glob, StarsAndQuestionMarks) {
   EXPECT_TRUE(glob_match("*", ""));
   EXPECT_TRUE(glob_match("bullet*", "bullet-float"));

@@ -96,6 +96,22 @@ TEST_F(CompareCommand, ComparesResultsWithStoredRun) {
   EXPECT_NE(other.out.find("another version of the scenario"), std::string::npos) << other.out << other.err;
 }
 
+// A gate against a run that lacks its cells skipped them all and exited with 0, --strict or not.
+TEST_F(CompareCommand, GateThatComparesNothingIsNotGreen) {
+  ASSERT_EQ(cylon("track record projectile --engine in-house --label before").code, 0);
+  const std::string gate = "track gate --baseline run:before --engine in-house --instructions off ";
+  for (const char* words : {"heavy_top", "heavy_top --strict"}) {
+    const Ran ran = cylon(gate + words);
+    EXPECT_EQ(ran.code, 4) << words << ran.out << ran.err;
+    EXPECT_NE(ran.err.find("nothing compared: 1 of 1 cells skipped; heavy_top/in-house"), std::string::npos)
+        << ran.err;
+    EXPECT_NE(ran.err.find("the stored run has no such cell"), std::string::npos) << ran.err;
+  }
+  EXPECT_EQ(cylon(gate + "projectile heavy_top").code, 0);
+  EXPECT_EQ(cylon(gate + "projectile heavy_top --strict").code, 3);
+  EXPECT_EQ(cylon(gate + "projectile --strict").code, 0);
+}
+
 // A revision is built in a worktree by the preset `release` and the name of the worker alone, so that a
 // repository of a few lines will do: its revision v1 has the in-house worker, and not ODE's; v2 cannot be
 // built.
@@ -140,13 +156,37 @@ TEST(ExitCode, InconclusiveFailsOnlyWithStrict) {
     bool reliable, strict;
     int code;
   } cases[] = {{Finding::same, true, true, 0},          {Finding::improved, true, true, 0},
-               {Finding::changed, true, true, 0},       {Finding::skipped, true, true, 0},
+               {Finding::changed, true, true, 0},       {Finding::improved, false, true, 3},
                {Finding::inconclusive, true, false, 0}, {Finding::inconclusive, true, true, 3},
                {Finding::same, false, false, 0},        {Finding::same, false, true, 3},
                {Finding::regressed, true, false, 1},    {Finding::regressed, false, true, 1}};
   for (const auto& c : cases)
     EXPECT_EQ(exit_code(with(c.finding, c.reliable), c.strict), c.code)
         << results::name(c.finding) << c.reliable << c.strict;
+}
+
+// A gate whose cells were all skipped was green.
+TEST(ExitCode, NothingComparedIsNotGreen) {
+  using results::Skip;
+  const struct {
+    std::vector<Skip> cells;
+    int code, strict;
+  } cases[] = {{{Skip::identical}, 0, 0},
+               {{Skip::missing}, 4, 4},
+               {{Skip::unsupported, Skip::missing}, 4, 4},
+               {{Skip::unsupported, Skip::identical}, 0, 0},
+               {{Skip::missing, Skip::identical}, 0, 3},
+               {{Skip::missing, Skip::none}, 0, 3},
+               {{Skip::unsupported, Skip::none}, 0, 0}};
+  for (const auto& c : cases) {
+    results::ComparisonReport report;
+    for (const Skip skip : c.cells) {
+      results::Comparison& cell = report.cells.emplace_back();
+      cell.finding = skip == Skip::none ? Finding::same : Finding::skipped, cell.skip = skip;
+    }
+    EXPECT_EQ(exit_code(report, false), c.code) << &c - cases;
+    EXPECT_EQ(exit_code(report, true), c.strict) << &c - cases;
+  }
 }
 
 }  // namespace
