@@ -249,6 +249,7 @@ std::optional<Real> EventStepper::meeting_time(const Candidate& c, bool held, Ti
 // What holds within the piece, as the passage has the motion: near enough to see that a margin comes to zero.
 ContactForces EventStepper::support_within(Time from, Real s) {
   passage_.at(s, scratch_);
+  passage_.momenta_at(s, system_.model().bodies, scratch_);
   copy(end_, y_);
   std::copy_n(scratch_.begin(), system_.count(), system_.motions(y_.data()));
   system_.set_turns(y_.data());
@@ -321,23 +322,29 @@ std::optional<Real> EventStepper::change_time(Time from, Real span, const Contac
       part(from, s);
       return margin(support(from + static_cast<Time>(s), y_.data()));
     };
+    if (!(m0 > 0) && !(m1 < 0)) return;
     Look changed = {span, m1};
-    if (!(m1 < 0)) {
+    if (m0 > 0) {
       const Real middle = margin(inner[inner.size() / 2].second);
-      if (!(m0 > 0) || least_of_parabola(m0, middle, m1) > sure_margin * std::max({m0, middle, m1})) return;
+      if (least_of_parabola(m0, middle, m1) > sure_margin * std::max({m0, middle, m1})) return;
       look_closely();
       std::vector<Look> looks = {{0, m0}};
       for (const auto& [at, forces] : inner) looks.push_back({at, margin(forces)});
       looks.push_back(changed);
       const auto seen = [&](Real s) { return margin(support_within(from, s)); };
+      const auto below = std::ranges::find_if(looks, [](const Look& one) { return one.value < 0; });
       std::optional<Look> dip;
-      for (std::size_t k = 1; k + 1 < looks.size() && !dip; ++k) {
-        if (looks[k].value < 0)
-          dip = looks[k];
-        else if (looks[k].value < looks[k - 1].value && looks[k].value <= looks[k + 1].value)
-          dip = below_zero(seen, looks[k - 1], looks[k], looks[k + 1]);
+      for (auto k = looks.begin() + 1; k != below && k + 1 != looks.end() && !dip; ++k)
+        if (k->value < (k - 1)->value && k->value <= (k + 1)->value)
+          dip = below_zero(seen, *(k - 1), *k, *(k + 1));
+      // Below zero for good: the end has the exact margin.
+      const auto above = [](const Look& one) { return one.value > 0; };
+      if (!dip && below != looks.end() && std::any_of(below, looks.end(), above)) dip = *below;
+      if (dip) {
+        const Real exact = margin_after(dip->at);
+        if (exact < 0) changed = {dip->at, exact};
       }
-      if (!dip || !((changed = {dip->at, margin_after(dip->at)}).value < 0)) return;
+      if (!(changed.value < 0)) return;
     }
     const Real t = m0 > 0 ? root(margin_after, Real(0), m0, changed.at, changed.value) : Real(0);
     if (t <= static_cast<Real>(no_time * dt_)) restless_[held_[i].candidate] = 1;

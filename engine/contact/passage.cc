@@ -88,6 +88,29 @@ void Passage::at(Real s, std::vector<Motion>& motion) const {
   }
 }
 
+//   K(x) = (1 - x)(1 - 3x) K_0 + x(3x - 2) K_1 + 6x(1 - x) m (p_1 - p_0)/h:  the derivative of the cubic, in momenta;
+// of the turn the same, with the mean of the inertia at both ends.
+void Passage::momenta_at(Real s, const std::vector<Body>& bodies, std::vector<Motion>& motion) const {
+  if (!(span_ > 0)) return;
+  const Real x = s / span_, rest = 1 - x;
+  const Real first = rest * (rest - 2 * x), last = x * (x - 2 * rest), mean = 6 * x * rest / span_;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const Leg& leg = legs_[i];
+    const Body& body = bodies[i];
+    if (!leg.moves) continue;
+    if (!body.pinned)
+      motion[i].momentum =
+          first * leg.start.momentum + last * leg.end.momentum + mean * body.mass * (leg.p1 - leg.p0);
+    if (!body.turns) continue;
+    const auto carried = [&](const Motion& end) {
+      const Matrix3 r = end.orientation.toRotationMatrix();
+      return Vector3(r * (body.inertia * (r.transpose() * leg.turn)));
+    };
+    motion[i].angular_momentum = first * leg.start.angular_momentum + last * leg.end.angular_momentum +
+                                 mean / 2 * (carried(leg.start) + carried(leg.end));
+  }
+}
+
 Real Passage::speed_bound(const Candidate& c) const {
   const Leg& a = legs_[index(c.body)];
   Vector3 v0 = a.v0, v1 = a.v1, chord = a.p1 - a.p0;

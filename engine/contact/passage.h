@@ -19,6 +19,8 @@ class Passage {
   /// Positions, momenta and orientations after s, 0 <= s <= span; angular momenta are those of the nearer
   /// end.  Resizes; what has the size already has the motions of the locked bodies too.
   void at(Real s, std::vector<Motion>&) const;
+  /// Sets the momenta of what moves, which at() leaves as they are at the nearer end: so that p' = K/m.
+  void momenta_at(Real s, const std::vector<Body>&, std::vector<Motion>&) const;
 
   Real span() const { return span_; }
   /// How often at() was asked.

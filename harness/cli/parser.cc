@@ -100,6 +100,7 @@ template Option App::add_option(const std::string&, double&, const std::string&)
 template Option App::add_option(const std::string&, std::uint64_t&, const std::string&);
 template Option App::add_option(const std::string&, std::optional<std::int64_t>&, const std::string&);
 template Option App::add_option(const std::string&, std::vector<std::string>&, const std::string&);
+template Option App::add_option(const std::string&, std::vector<double>&, const std::string&);
 
 Option App::add_choice(const std::string& names, std::vector<std::string> words,
                        const std::function<void(const std::string&)>& take, const std::string& meaning) {

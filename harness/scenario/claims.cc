@@ -63,7 +63,7 @@ Claim parse_claim(const Table& t, const Draft& draft, double duration, double st
   if (t.has("until") && !horizon) claim.until = t.number("until");
   if (t.has("until") && !horizon && claim.until > duration)
     t.fail("until", fmt::format("until = {}, but must be in (0, {}] s, the duration", claim.until, duration));
-  if (t.has("until") && !horizon && claim.until < step * (1 - 1e-9))
+  if (t.has("until") && !horizon && !claim.at_least && claim.until < step * (1 - 1e-9))
     t.fail("until", fmt::format("until = {}, but must be at least a step, {} s", claim.until, step));
   refuse(t, {"sample", "measure"}, claim.observable.quantity == Quantity::event, "does not go with an event");
   refuse(t, {"until", "sample", "measure"}, core::of_last_step(claim.observable.quantity),

@@ -217,7 +217,8 @@ Sampling sampling(const Scenario& scenario, double dt) {
         !claim.sample        ? core::sampling_stride(scenario.scene.bodies.size(), plan.steps, dt, 0)
         : *claim.sample == 0 ? 1
                              : steps_of(scenario, *claim.sample, dt, "a claim's sampling");
-    if (static_cast<double>(stride) * dt > std::min(claim.until, scenario.duration) * (1 + 1e-9))
+    if (!claim.at_least &&
+        static_cast<double>(stride) * dt > std::min(claim.until, scenario.duration) * (1 + 1e-9))
       throw core::InputError(fmt::format(
           "{}: the claim '{}' ends at {} s, before the first step that it looks at, {} s", scenario.name,
           claim.label, std::min(claim.until, scenario.duration), static_cast<double>(stride) * dt));

@@ -258,6 +258,13 @@ inline MixedScene mixed_scene(std::uint32_t number) {
     m.bodies[i].gravity = dice.one_in(3) ? Vector3(Vector3::Zero()) : Vector3(dice.vector(9));
     scene.text += " own gravity" + std::to_string(i);
   }
+  // As the in-house simulator has it: where something is tied to the frame, the frame's motion is a force.
+  constexpr Features ties = {Feature::contact_in_turning_frame, Feature::world_joint_in_turning_frame,
+                             Feature::force_in_turning_frame};
+  if (m.frame && !(required(m) & ties).empty()) {
+    m.forces.frame_forces = {{.angular_velocity = m.frame->angular_velocity}};
+    m.frame.reset();
+  }
   return scene;
 }
 
