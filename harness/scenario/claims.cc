@@ -73,6 +73,9 @@ Claim parse_claim(const Table& t, const Draft& draft, double duration, double st
     claim.sample = t.is_text("sample") ? 0 : t.number("sample");
     try {
       if (*claim.sample > 0) core::whole_steps(*claim.sample, step);
+      if (*claim.sample > std::min(claim.until, duration) * (1 + 1e-9))
+        throw std::invalid_argument(fmt::format("{} s is beyond the end of the claim, {} s", *claim.sample,
+                                                std::min(claim.until, duration)));
     } catch (const std::invalid_argument& error) {
       t.fail("sample", fmt::format("sample: {}", error.what()));
     }

@@ -187,6 +187,18 @@ void measure_spread(const Cell& cell, const Sampling& plan, const process::Limit
                                   *row.spread, row.unit.empty() ? "" : " ", row.unit));
 }
 
+// Whole steps up to the end of a claim.
+std::int64_t steps_until(const Claim& claim, const Scenario& scenario, double dt) {
+  return static_cast<std::int64_t>(std::min(claim.until, scenario.duration) / dt * (1 + 1e-9));
+}
+
+// Whether no step of the run is looked at: it would pass with the start alone.
+bool sees_the_start_alone(const Claim& claim, const Scenario& scenario, double dt) {
+  return claim.observable.quantity != core::Quantity::event &&
+         !core::of_last_step(claim.observable.quantity) && !claim.at_least &&
+         (!claim.truth || claim.truth->times.empty()) && steps_until(claim, scenario, dt) == 0;
+}
+
 }  // namespace
 
 Sampling sampling(const Scenario& scenario, double dt) {
@@ -213,15 +225,13 @@ Sampling sampling(const Scenario& scenario, double dt) {
       continue;
     }
     if (claim.at_least) at.insert(std::min(plan.steps, core::last_step_of_change(claim, dt)));
-    const std::int64_t stride =
-        !claim.sample        ? core::sampling_stride(scenario.scene.bodies.size(), plan.steps, dt, 0)
-        : *claim.sample == 0 ? 1
-                             : steps_of(scenario, *claim.sample, dt, "a claim's sampling");
-    if (!claim.at_least &&
-        static_cast<double>(stride) * dt > std::min(claim.until, scenario.duration) * (1 + 1e-9))
-      throw core::InputError(fmt::format(
-          "{}: the claim '{}' ends at {} s, before the first step that it looks at, {} s", scenario.name,
-          claim.label, std::min(claim.until, scenario.duration), static_cast<double>(stride) * dt));
+    const auto last = std::max<std::int64_t>(1, steps_until(claim, scenario, dt));
+    std::int64_t stride = 1;
+    if (!claim.sample)
+      stride = core::sampling_stride(scenario.scene.bodies.size(), plan.steps, dt, 0);
+    else if (*claim.sample > 0)
+      stride = steps_of(scenario, *claim.sample, dt, "a claim's sampling");
+    stride = std::min(stride, last);  // not the start alone
     every = std::gcd(every, stride);
   }
   plan.every = every > 0 ? every : std::max<std::int64_t>(1, plan.steps);
@@ -275,6 +285,11 @@ std::vector<Verdict> run(const Cell& cell, const process::Limits& limits,
             core::measure(claim, scenario.scene, recordings, scenario.duration, readings[i]), recordings,
             bad);
   }
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (sees_the_start_alone(scenario.claims[i], scenario, cell.dt)) {
+      rows[i].status = results::Status::unsupported;
+      rows[i].detail = fmt::format("the claim ends at {} s, within the first step", scenario.claims[i].until);
+    }
   if (!bad) measure_spread(cell, plan, limits, recordings.front(), rows);
   return rows;
 }

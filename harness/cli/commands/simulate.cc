@@ -146,6 +146,8 @@ std::string nonsense(const core::Recording& recording) {
 }
 
 int simulate(const Context& context, const Options& options) {
+  if (options.account == "-" && options.out == "-")
+    throw core::InputError("--account -: stdout has the states; give them another place by --out");
   require_writable(std::vector<std::string>{options.out, options.account});
   const scenario::Scenario scenario = scenario::read(find_scenario(context, options.asked.file));
   process::EngineChoice engine = choose(context, options.asked);

@@ -135,8 +135,8 @@ TEST_F(CommandLine, OptionsWithoutEffectAreRefused) {
       {"list --names --json", "--json excludes --names"},
       {"validate --schema projectile", "excludes"},
       {"track list 1 --json", "excludes"},
-      {"trade projectile --dt 0.01 --steps 3", "excludes --dt"},
-      {"trade projectile --dt 0.01 --work 1000", "excludes --dt"},
+      {"trade projectile --dt 0.01 --steps 3", "--dt excludes --steps"},
+      {"trade projectile --dt 0.01 --work 1000", "--dt excludes --work"},
       {"predict swings.toml --curves 2", "--curves: nothing holds curves; give --json or --html"},
       {"run projectile --trajectories none", "--trajectories: nothing holds trajectories; give --html"},
       {"truth heavy_top --conditioning --digits 5", "--digits: --conditioning prints none of these"},
@@ -219,7 +219,8 @@ TEST_F(CommandLine, RowsSayWhereTheirClaimsLook) {
   const Ran ran = cylon("run mine.toml bouncing_sphere --engine in-house --json -");
   ASSERT_EQ(ran.code, 0) << ran.err;
   int of_files = 0, of_events = 0;
-  for (const json& row : json::parse(ran.out).at("verdicts")) {
+  const json report = json::parse(ran.out);
+  for (const json& row : report.at("verdicts")) {
     const std::string sampling = row.at("sampling");
     if (row.at("claim") == "position follows d.json") {
       ++of_files;

@@ -60,8 +60,8 @@ TEST_F(Inputs, AreRefusedWithTheOptionAndTheValue) {
       {"diff a.toml ode ode --tolerance nan", "'nan' must be a number from 0 to"},
       {"run a.toml " + mine + mine, "'mine' is given twice"},
       {"view a.toml --record none/x.toml --no-open --for 1", "the folder"},
-      {"hunt --replay . --json f.json", "--replay excludes"},
-      {"hunt --replay . --count 3", "--replay excludes"},
+      {"hunt --replay . --json f.json", "--json excludes --replay"},
+      {"hunt --replay . --count 3", "--count excludes --replay"},
   };
   for (const auto& [command, says] : rows) {
     const Ran ran = cylon(command);
@@ -100,6 +100,10 @@ TEST_F(Inputs, ClaimsThatCompareNothingAreRefused) {
   EXPECT_NE(ran.err.find("t.json ends at 1 s, and the claim at"), std::string::npos) << ran.err;
   ran = with(follows + "until = 1\n");
   EXPECT_EQ(ran.code, 0) << ran.err << ran.out;
+  with("conserves = \"energy\"\nuntil = 0.002\n");
+  ran = cylon("run c.toml --engine in-house --dt 1/100 -v");
+  EXPECT_EQ(ran.code, 1) << ran.out;
+  EXPECT_NE(ran.out.find("within the first step"), std::string::npos) << ran.out;
   ran = with("conserves = \"energy\"\nuntil = 1e-9\n");
   EXPECT_EQ(ran.code, 2) << ran.out;
   EXPECT_NE(ran.err.find("until = 1e-09, but must be at least a step"), std::string::npos) << ran.err;
