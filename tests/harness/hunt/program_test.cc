@@ -183,8 +183,7 @@ TEST_P(ProgramOf, PrintsWhatCylonMeasures) {
   const fs::path& folder = own.path();
   std::ofstream(folder / program.file) << program.text;
   const fs::path modules = fs::path(source_dir) / "reference/simulators/js/node_modules";
-  if (program.file.ends_with(".mjs"))
-    fs::create_directory_symlink(modules, folder / "node_modules");
+  if (program.file.ends_with(".mjs")) fs::create_directory_symlink(modules, folder / "node_modules");
   const std::string out = output_of(fmt::format("cd {} && {}", folder.string(), program.command));
   EXPECT_NEAR(std::strtod(out.c_str(), nullptr), program.prints, allowed(c, program, card.trial.steps))
       << out << program.text;

@@ -217,9 +217,7 @@ TEST(SelfCheck, UnreliableEnvironmentGivesNoTimes) {
 
 class Sides : public testing::Test {
  protected:
-  void SetUp() override {
-    scenario = scenario::load(std::string(source_dir) + "/scenarios/projectile.toml");
-  }
+  void SetUp() override { scenario = scenario::load(std::string(source_dir) + "/scenarios/projectile.toml"); }
 
   /// A build folder whose in-house worker is another one of ours, or a script.
   Side side(const std::string& name, const std::string& worker) const {

@@ -20,9 +20,7 @@ namespace {
 
 class CertifiedClaims : public testing::Test {
  protected:
-  void SetUp() override {
-    ::setenv("CYLON_CACHE", own_.path().c_str(), 1);
-  }
+  void SetUp() override { ::setenv("CYLON_CACHE", own_.path().c_str(), 1); }
   void TearDown() override { ::unsetenv("CYLON_CACHE"); }
   const TemporaryFolder own_;
 };

@@ -18,9 +18,7 @@ namespace fs = std::filesystem;
 
 class CertifiedTruth : public testing::Test {
  protected:
-  void SetUp() override {
-    ::setenv("CYLON_CACHE", folder_.c_str(), 1);
-  }
+  void SetUp() override { ::setenv("CYLON_CACHE", folder_.c_str(), 1); }
   void TearDown() override { ::unsetenv("CYLON_CACHE"); }
   std::vector<fs::path> files() const {
     std::vector<fs::path> found;

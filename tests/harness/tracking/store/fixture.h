@@ -19,9 +19,7 @@ namespace cylon::store {
 
 class Folder : public testing::Test {
  protected:
-  void SetUp() override {
-    ::setenv("CYLON_KEY", (folder / "key").c_str(), 1);
-  }
+  void SetUp() override { ::setenv("CYLON_KEY", (folder / "key").c_str(), 1); }
 
   const TemporaryFolder own_;
   const std::filesystem::path folder = own_.path(), file = folder / "history.db";
