@@ -65,7 +65,8 @@ struct Reader {
             std::span<const char* const> told = {}) const {
     if (!object.is_object()) return;  // whoever reads it says so
     for (const auto& [key, value] : object.items()) {
-      const auto is_key = [&](const char* one) { return key == one; };
+      const std::string& found = key;  // a binding is not captured
+      const auto is_key = [&](const char* one) { return found == one; };
       if (std::ranges::any_of(read, is_key) || std::ranges::any_of(told, is_key)) continue;
       fail(fmt::format("unknown key '{}{}' = {}{}; valid: {}", where, key, input::shown(value),
                        core::did_you_mean(key, std::vector<std::string>(read.begin(), read.end())),

@@ -60,13 +60,14 @@ Verdict verdict(const std::string& name, const std::string& engine_id, const std
                 const std::string& claim) {
   static std::map<Key, Run> runs = planned_runs();
   const bool relation = of_relations(claim);
-  auto& [globs, rows] = runs[{name, engine_id, dt, relation}];
+  Run& run = runs[{name, engine_id, dt, relation}];
+  std::vector<Verdict>& rows = run.rows;
   if (rows.empty()) {
     scenario::Scenario scenario = shipped(name);
     if (!relation)
       std::erase_if(scenario.claims, [&](const core::Claim& one) {
         return std::ranges::none_of(
-            globs, [&](const std::string& glob) { return scenario::glob_match(glob, one.label); });
+            run.globs, [&](const std::string& glob) { return scenario::glob_match(glob, one.label); });
       });
     study::Cell cell{&scenario, engine(engine_id), step_of(scenario, dt),
                      dt.empty() ? scenario.step_text : dt};

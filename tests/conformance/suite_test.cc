@@ -87,7 +87,7 @@ TEST_F(Conformance, EveryVerdictIsAsExpected) {
 // The catalogue beside it: all other scenes, on each engine by its fair defaults and in single precision.
 TEST(Catalogue, EveryVerdictIsAsExpected) {
   scenario::Suite catalogue = suite("catalogue");
-  catalogue.engines.push_back("in-house-float");
+  catalogue.engines.emplace_back("in-house-float");
   const Cells cells = cells_of(catalogue);
   ASSERT_GT(cells.cells.size(), 320u);
   for (const Verdict& row : run(cells, 2, scenario::Expectations::load(source("scenarios/expected.toml"))))

@@ -7,7 +7,6 @@
 namespace cylon::imports {
 namespace {
 
-using foreign::Loss;
 using foreign::Place;
 
 // A kind of element that a model has, whatever it says.

@@ -2,6 +2,7 @@
 #include "tests/harness/cli/fixture.h"
 #include "tests/paths.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -102,9 +103,10 @@ TEST_F(CommandLine, EmptyTimesAreRefused) {
     EXPECT_EQ(none.code, 2) << none.out;
     EXPECT_NE(none.err.find("--at: an empty word"), std::string::npos) << none.err;
     for (const std::string times : {"0,,0.1", ",0.1", "0.1,", ","}) {
-      const Ran ran = cylon(command + " --at " + times);
+      const Ran ran = cylon(fmt::format("{} --at {}", command, times));
       EXPECT_EQ(ran.code, 2) << times << ran.out;
-      EXPECT_NE(ran.err.find("--at " + times + ": '' must be a number of seconds"), std::string::npos)
+      EXPECT_NE(ran.err.find(fmt::format("--at {}: '' must be a number of seconds", times)),
+                std::string::npos)
           << ran.err;
     }
   }
