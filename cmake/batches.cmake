@@ -6,7 +6,8 @@ option(CYLON_BATCHES "Compile test files, and the engine's, in batches" ON)
 set(files_in_a_batch 8)
 
 # in_batches(out name own_names sources…): what to compile in place of the sources.  The files of a batch are of one folder, whose
-# fixtures they share; a file with options of its own is compiled alone.  OWN_NAMES: unnamed namespaces become a namespace for each file; "": they stay as they are.
+# fixtures they share; a file with options of its own is compiled alone.  OWN_NAMES: unnamed namespaces become a namespace for
+# each file; "": they stay as they are.
 function(in_batches out name own_names)
   set(made "")
   set(folders "")
