@@ -304,6 +304,18 @@ double allowed(const Claim& claim, const Scene& scene, double duration) {
          (tolerance.relative > 0 ? tolerance.relative * scale(claim, scene, duration) : 0);
 }
 
+double widest(const Claim& claim, const Scene& scene, double duration) {
+  const Tolerance& tolerance = claim.tolerance;
+  const bool known = claim.truth || claim.motion || claim.at_least;
+  if (!known || tolerance.order || claim.reduction == Reduction::order || tolerance.level > 0 ||
+      validates(claim))
+    return std::numeric_limits<double>::infinity();
+  double size = scale(claim, scene, duration);
+  if (claim.reduction == Reduction::mean_square) size *= size / 10;
+  if (claim.reduction == Reduction::rate) size /= std::min(claim.until, duration);
+  return size / 10;
+}
+
 Reading read(const Claim& claim, const Scene& scene, const Recording& recording, double duration) {
   require_truth(claim);
   Reading result;

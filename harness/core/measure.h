@@ -39,6 +39,11 @@ struct Reading {
 /// absolute + relative x scale, or what the level of a test of chance allows; not the bound that an order sets.
 double allowed(const Claim&, const Scene&, double duration);
 
+/// The largest bound that tells a motion from another: a tenth of the claim's scale [unit of the measured number]; of a mean of
+/// squares a tenth of the scale, squared, times ten, and of a rate a tenth of it over the time.  Infinite where the claim's bound is
+/// not a number of its own (an order, a level), its truth was measured, or no motion is known to take the scale from.
+double widest(const Claim&, const Scene&, double duration);
+
 Reading read(const Claim&, const Scene&, const Recording&, double duration);
 
 struct Measured {

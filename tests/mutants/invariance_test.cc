@@ -235,13 +235,9 @@ TEST_P(Tolerances, AreAtMostATenthOfTheirScale) {
   const Scenario scenario = scenario::load(GetParam());
   const auto run = run_shipped(scenario, correct_subjects().front());
   for (Claim claim : scenario.claims) {
-    if (claim.tolerance.order || claim.reduction == core::Reduction::order) continue;  // by theory
-    const double allowed = core::allowed(claim, scenario.scene, scenario.duration);
     if (claim.follows.empty() && !claim.motion && run) claim.motion = recorded(run->recording);
-    double scale = core::scale(claim, scenario.scene, scenario.duration);
-    if (claim.reduction == core::Reduction::mean_square) scale *= scale / 10;
-    if (claim.reduction == core::Reduction::rate) scale /= std::min(claim.until, scenario.duration);
-    EXPECT_LE(allowed, 0.1 * scale * (1 + 1e-6)) << claim.label << ": scale " << scale;
+    const double allowed = core::allowed(claim, scenario.scene, scenario.duration);
+    EXPECT_LE(allowed, core::widest(claim, scenario.scene, scenario.duration) * (1 + 1e-6)) << claim.label;
   }
 }
 INSTANTIATE_TEST_SUITE_P(All, Tolerances, testing::ValuesIn(shipped_scenarios()), name_of);

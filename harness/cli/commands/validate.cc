@@ -3,12 +3,31 @@
 #include "harness/cli/commands/app.h"
 
 #include "harness/core/input_error.h"
+#include "harness/core/measure.h"
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <iostream>
 
 namespace cylon::cli {
+namespace {
+
+// A bound as wide as the motion is met by an engine that does nothing.
+void warn_of_wide_bounds(const std::filesystem::path& file, const scenario::Scenario& scenario) {
+  for (const core::Claim& claim : scenario.claims) {
+    const double widest = core::widest(claim, scenario.scene, scenario.duration);
+    if (std::isinf(widest)) continue;
+    const double allowed = core::allowed(claim, scenario.scene, scenario.duration);
+    if (allowed > widest * (1 + 1e-6))
+      std::cerr << plain(fmt::format(
+          "{}: warning: '{}' allows {:.3g} {}, more than a tenth of the range of the motion; that is "
+          "{:.3g}\n",
+          file.string(), claim.label, allowed, core::unit(claim), widest));
+  }
+}
+
+}  // namespace
 
 Command add_validate(App& app, const Context& context) {
   struct Options {
@@ -38,6 +57,7 @@ Command add_validate(App& app, const Context& context) {
                                             : "; its certified truths take long to solve, so that their "
                                               "tolerances are checked when it runs"))
                 << std::endl;
+      warn_of_wide_bounds(file, scenario);
     };
     const auto attempt = [&](const auto& task) {
       try {

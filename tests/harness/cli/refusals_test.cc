@@ -94,5 +94,22 @@ TEST_F(Refusals, TheNeighboursOfImpossibleValuesLoad) {
   }
 }
 
+// A ball falls 4.9 m in a second; a tenth of that is the most that tells its fall from rest.
+TEST_F(Refusals, AToleranceAsWideAsTheMotionIsWarnedOf) {
+  const auto falls = [](const char* absolute) {
+    return body("position = [0, 9, 0]") +
+           "[[claim]]\nfollows = \"projectile\"\nobservable = \"position\"\ntolerance = { absolute = " +
+           absolute + ", reason = \"as it comes\" }\n";
+  };
+  write("wide.toml", falls("0.5"));
+  const Ran wide = cylon("validate wide.toml");
+  EXPECT_EQ(wide.code, 0) << wide.err;
+  EXPECT_NE(wide.err.find("allows 0.5 m, more than a tenth of the range of the motion; that is 0.49"),
+            std::string::npos)
+      << wide.err;
+  write("telling.toml", falls("0.48"));
+  EXPECT_EQ(cylon("validate telling.toml").err, "");
+}
+
 }  // namespace
 }  // namespace cylon::cli
