@@ -3,6 +3,7 @@
 #include "harness/core/event_watch.h"
 #include "harness/core/input_error.h"
 #include "harness/process/conversation.h"
+#include "harness/process/cpu_witness.h"
 #include "harness/process/json_fields.h"
 #include "harness/process/messages.h"
 #include "harness/process/opening.h"
@@ -50,33 +51,6 @@ Run requested(const RunRequest& request) {
         states, most_states));
   return run;
 }
-
-/// Holds the CPU time that a worker tells of its steps against what its processes used meanwhile: it cannot have
-/// been more.  Where next to nothing but steps was done, it cannot have been less than half of it either.
-class CpuWitness {
- public:
-  explicit CpuWitness(const Conversation& worker) : worker_(worker), before_(worker.cpu_seconds()) {}
-
-  void require_at_most_used(double told) const {
-    const double used = worker_.cpu_seconds() - before_;
-    if (!(told > used + slack)) return;
-    // A worker behind a shell, or with helpers: what its group used since it was started.
-    if (told > worker_.group_cpu_seconds() + slack)
-      broken(fmt::format(
-          "step_ns: {:.3g} s of CPU time for the steps, but its processes used {:.3g} s in all", told, used));
-  }
-  void require_half_of_used(double told) const {
-    const double used = worker_.cpu_seconds() - before_;
-    if (2 * told + slack < used)
-      broken(fmt::format("step_ns: {:.3g} s of CPU time for the steps, but its process used {:.3g} s", told,
-                         used));
-  }
-
- private:
-  static constexpr double slack = 0.05;  // ticks of the kernel, requests, one state [s]
-  const Conversation& worker_;
-  double before_;
-};
 
 /// Why an orientation of the state is none, or nothing: it would pass every claim that does not look at it.
 /// What is not finite is judged later.
@@ -212,17 +186,36 @@ class Recorder {
   std::int64_t last_ = 0, frames_ = 0;
 };
 
-/// One more run of the request's scene, of which nothing but its times is kept.
-Repetition repeat(Conversation& worker, const EngineChoice& choice, const RunRequest& request,
-                  const Hello& hello, const Limits& limits) {
+/// One more run of the request's scene, of that many steps, of which nothing but its times is kept.
+struct Repeated {
+  Repetition times;
+  StepsTold told;
+};
+Repeated repeat(Conversation& worker, const EngineChoice& choice, const RunRequest& request,
+                std::int64_t steps, const Hello& hello, const Limits& limits) {
   open_scene(worker, choice, *request.scene, request.setup, hello.engine, limits.run_seconds);
   core::State start = read_start(worker, request.scene->bodies.size());
-  Recorder recorder(*request.scene, {request.steps, std::max<std::int64_t>(1, request.steps), {}, {}}, hello,
+  Recorder recorder(*request.scene, {steps, std::max<std::int64_t>(1, steps), {}, {}}, hello,
                     request.setup.dt, std::move(start));
   const CpuWitness witness(worker);
   recorder.record(worker);
-  witness.require_half_of_used(recorder.times().step_seconds);
-  return recorder.times();
+  return {recorder.times(), {recorder.times().step_seconds, witness.used()}};
+}
+
+/// The request's repetitions, of a worker that hides none of its work.
+std::vector<Repetition> repetitions(Conversation& worker, const EngineChoice& choice,
+                                    const RunRequest& request, const Hello& hello, const Limits& limits) {
+  std::vector<Repetition> times;
+  std::vector<StepsTold> told;
+  const auto run = [&](std::int64_t steps) { return repeat(worker, choice, request, steps, hello, limits); };
+  for (int i = 0; i < request.repetitions; ++i) {
+    const Repeated one = run(request.steps);
+    times.push_back(one.times);
+    told.push_back(one.told);
+  }
+  require_no_hidden_work(worker, told, request.scene->bodies.size(), request.steps,
+                         [&](std::int64_t steps) { return run(steps).told; });
+  return times;
 }
 
 /// The request's run in a worker that said hello; the outcome gets what is known of it on the way.
@@ -285,8 +278,7 @@ RunOutcome run(const EngineChoice& choice, const RunRequest& request, const Limi
     worker.emplace(command_of(choice.row), limits.memory_bytes);
     const Hello hello = introduce(*worker, limits.hello_seconds);
     core::Recording recording = recorded(*worker, choice, request, wanted, hello, limits, outcome);
-    for (int i = 0; i < request.repetitions; ++i)
-      outcome.repetitions.push_back(repeat(*worker, choice, request, hello, limits));
+    outcome.repetitions = repetitions(*worker, choice, request, hello, limits);
     outcome.recording = std::move(recording);
     death = worker->finish(limits.quit_seconds);
   });

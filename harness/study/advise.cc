@@ -198,10 +198,12 @@ double error_from(const Start& start, const Setting& setting, std::int64_t steps
   return ran.point.errors.empty() ? std::nan("") : ran.point.errors[start.by];
 }
 
-void time_picks(const std::vector<Pick*>& picks, const core::Scene& scene,
-                const std::vector<Setting>& settings, double duration, int rounds,
-                const process::Limits& limits) {
+// Why a pick has no cost, by pick.
+std::map<const Pick*, std::string> time_picks(const std::vector<Pick*>& picks, const core::Scene& scene,
+                                              const std::vector<Setting>& settings, double duration,
+                                              int rounds, const process::Limits& limits) {
   std::vector<std::optional<process::Repetition>> best(picks.size());
+  std::map<const Pick*, std::string> failed;
   for (int round = 0; round < rounds; ++round)
     for (std::size_t i = 0; i < picks.size(); ++i) {
       const Setting setting = setting_of(*picks[i], settings);
@@ -211,11 +213,16 @@ void time_picks(const std::vector<Pick*>& picks, const core::Scene& scene,
       const double guess =
           best[i] ? best[i]->step_seconds + best[i]->load_seconds
                   : 1e-6 * static_cast<double>(picks[i]->steps) * static_cast<double>(scene.bodies.size());
-      const auto time = time_once(timed, scene, guess, limits);
-      if (!time) continue;
+      const TimedOnce once = time_once(timed, scene, guess, limits);
+      const auto& time = once.least;
+      if (!time) {
+        failed[picks[i]] = once.reason;
+        continue;
+      }
       best[i] = best[i] ? least(*best[i], *time) : *time;
       picks[i]->cost = cost(*best[i], setting.integrator.adaptive, duration);
     }
+  return failed;
 }
 
 std::vector<EngineAdvice> advise(const std::vector<Start>& starts, const std::vector<Setting>& settings,
@@ -260,8 +267,15 @@ std::vector<EngineAdvice> advise(const std::vector<Start>& starts, const std::ve
     if (advice[e].ten_times) timed.push_back(&*advice[e].ten_times);
   }
   const scenario::Scenario& scenario = *starts.front().scenario;
-  time_picks(timed, scenario.scene, settings, scenario.duration, options.rounds, options.limits);
+  const auto failed =
+      time_picks(timed, scenario.scene, settings, scenario.duration, options.rounds, options.limits);
   for (std::size_t e = 0; e < advice.size(); ++e) {
+    // What cannot be timed has no cost to be chosen by.
+    for (const Pick& pick : picks[e])
+      if (const auto found = failed.find(&pick); found != failed.end()) advice[e].reason = found->second;
+    if (advice[e].ten_times && failed.contains(&*advice[e].ten_times)) advice[e].ten_times.reset();
+    std::erase_if(picks[e], [&](const Pick& pick) { return failed.contains(&pick); });
+    if (picks[e].empty() && !advice[e].reason.empty()) advice[e].best.reset();
     std::stable_sort(picks[e].begin(), picks[e].end(),
                      [](const Pick& a, const Pick& b) { return a.cost < b.cost; });
     if (!picks[e].empty()) advice[e].pick = picks[e][0];

@@ -7,7 +7,9 @@
 #include "harness/study/sweep.h"
 
 #include <functional>
+#include <map>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace cylon::study {
@@ -49,8 +51,9 @@ Setting setting_of(const results::Pick&, const std::vector<Setting>& settings);
 /// The error of a pick from one start; NaN where the run fails.
 double error_from(const Start&, const Setting&, std::int64_t steps, double tolerance, const process::Limits&);
 
-/// The costs of picks, measured in turns: round r of each before round r + 1.
-void time_picks(const std::vector<results::Pick*>&, const core::Scene&, const std::vector<Setting>&,
-                double duration, int rounds, const process::Limits&);
+/// The costs of picks, measured in turns: round r of each before round r + 1.  Returns why a pick has none, by pick.
+std::map<const results::Pick*, std::string> time_picks(const std::vector<results::Pick*>&, const core::Scene&,
+                                                       const std::vector<Setting>&, double duration,
+                                                       int rounds, const process::Limits&);
 
 }  // namespace cylon::study

@@ -23,8 +23,8 @@ double cost(const process::Repetition& time, bool adaptive, double duration) {
   return (time.step_seconds + (adaptive ? time.load_seconds : 0)) / duration;
 }
 
-std::optional<process::Repetition> time_once(const Timed& timed, const core::Scene& scene, double guess,
-                                             const process::Limits& limits) {
+TimedOnce time_once(const Timed& timed, const core::Scene& scene, double guess,
+                    const process::Limits& limits) {
   constexpr double room = 0.02;  // [s]: some hundred ticks of the clock that a scheduler disturbs
   process::RunRequest request;
   request.scene = &scene;
@@ -33,8 +33,8 @@ std::optional<process::Repetition> time_once(const Timed& timed, const core::Sce
   request.every = std::max<std::int64_t>(1, timed.steps);
   request.repetitions = std::clamp(static_cast<int>(room / std::max(guess, 1e-6)), 2, 200);
   const process::RunOutcome outcome = process::run(timed.engine, request, limits);
-  if (outcome.repetitions.empty()) return std::nullopt;
-  return typical_least(outcome.repetitions);
+  if (outcome.repetitions.empty()) return {std::nullopt, outcome.status, outcome.reason};
+  return {typical_least(outcome.repetitions), results::Status::pass, ""};
 }
 
 }  // namespace cylon::study

@@ -131,8 +131,8 @@ std::vector<results::FeaturePrice> price_features(const Start& start, const std:
           if (time) best = best ? least(*best, *time) : *time;
         };
         for (int round = 0; round < rounds; ++round) {
-          improve(best_on, time_once(on, scenario.scene, guess, limits));
-          improve(best_off, time_once(off, feature.scene, guess, limits));
+          improve(best_on, time_once(on, scenario.scene, guess, limits).least);
+          improve(best_off, time_once(off, feature.scene, guess, limits).least);
         }
         if (best_on) price.with_cost = cost(*best_on, setting.integrator.adaptive, scenario.duration);
         if (best_off) price.without_cost = cost(*best_off, setting.integrator.adaptive, scenario.duration);

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace cylon::study {
 namespace {
@@ -78,15 +80,22 @@ std::vector<Verdict> relate(const Cell& cell, const process::Limits& limits,
   const Subject subject{scenario.scene, plain, every, scales(scenario.scene, scenario.duration),
                         horizon(scenario)};
   const std::vector<told::Diagnostic> of_plain = plain.diagnostics;
+  const std::optional<std::int64_t> bad = core::first_bad_step(plain);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     told = of_plain;
+    rows[i].first_bad_step = bad;
+    if (bad) {  // no scene can be told from such a state, and none needs be
+      rows[i].measured = std::numeric_limits<double>::quiet_NaN();
+      rows[i].cpu_seconds = plain.cpu_seconds;
+      rows[i].status = results::judge(rows[i].measured, rows[i].allowed);
+      continue;
+    }
     try {
       rows[i].measured = asked[i]->deviation(subject, run);
       rows[i].cpu_seconds = plain.cpu_seconds;
       rows[i].complaints = last.stderr_tail;
       rows[i].diagnostics = told;
       rows[i].status = results::judge(rows[i].measured, rows[i].allowed);
-      rows[i].first_bad_step = core::first_bad_step(plain);
     } catch (const RunFailed& failed) {
       fail(rows[i], failed.outcome);
       rows[i].detail = "in the transformed run: " + rows[i].detail;

@@ -132,9 +132,10 @@ std::vector<Setting> settings(const scenario::Scenario& scenario, std::span<cons
     try {
       const core::Engine engine = process::describe(choice);
       const bool first_row = seen.insert(choice.row.command).second;
-      for (const std::string& variant : request.engines.empty()
-                                            ? variants(id, engine, scenario.scene, first_row)
-                                            : std::vector<std::string>{id})
+      const bool with_variants =
+          request.engines.empty() || (request.searched && id.find('/') == std::string::npos);
+      for (const std::string& variant :
+           with_variants ? variants(id, engine, scenario.scene, first_row) : std::vector<std::string>{id})
         add(variant, engine, asked);
     } catch (const process::Failure&) {
       result.push_back({choice, {}, true, asked});  // its failure is a row

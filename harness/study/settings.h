@@ -13,6 +13,7 @@ struct SettingsRequest {
   std::vector<std::string> engines;      ///< Globs over the rows, or ids with variants; none: all, with those
                                          ///< variants that matter to the scene.
   std::vector<std::string> integrators;  ///< Globs over the integrators; none: all.
+  bool searched = false;  ///< Rows that are named without a variant stand for those variants too.
 };
 
 /// Engine by engine, variant by variant, integrator by integrator.  Where nothing is asked for: every row;

@@ -20,7 +20,7 @@ void sweep_times(results::TradeTable& table, const scenario::Scenario& scenario,
                });
       };
       for (std::size_t k = 0; k < table.series[i].points.size(); ++k) {
-        const results::TradePoint& point = table.series[i].points[k];
+        results::TradePoint& point = table.series[i].points[k];
         if (point.status != results::Status::pass || !wanted(k)) continue;
         const Setting& setting = settings[i];
         std::optional<process::Repetition> time = memory.find_time(setting, point, round);
@@ -31,8 +31,14 @@ void sweep_times(results::TradeTable& table, const scenario::Scenario& scenario,
           const auto known = best.find({i, k});
           const double guess = known != best.end() ? known->second.step_seconds + known->second.load_seconds
                                                    : 1e-6 * static_cast<double>(point.steps * table.bodies);
-          time = time_once(timed, scenario.scene, guess, options.limits);
-          if (!time) continue;
+          TimedOnce once = time_once(timed, scenario.scene, guess, options.limits);
+          if (!once.least) {
+            point.status = once.status, point.reason = std::move(once.reason);
+            point.errors.clear();
+            best.erase({i, k});
+            continue;
+          }
+          time = once.least;
           memory.keep_time(setting, point, round, *time);
         }
         const auto [place, fresh] = best.try_emplace({i, k}, *time);

@@ -3,6 +3,7 @@
 // that breaks within a claim's horizon now is non-finite for it, whatever the claim reads; a claim whose
 // horizon ends before is judged as ever.
 #include "harness/study/cell.h"
+#include "harness/study/metamorphic.h"
 #include "tests/paths.h"
 
 #include <gtest/gtest.h>
@@ -12,8 +13,8 @@
 namespace cylon::study {
 namespace {
 
-TEST(BrokenRun, FailsAllClaimsWithinHorizon) {
-  const scenario::Scenario scenario = scenario::parse(R"(
+scenario::Scenario drifting() {
+  return scenario::parse(R"(
 title    = "Nothing acts"
 story    = "A body drifts."
 duration = 1.0
@@ -32,15 +33,33 @@ conserves = "energy"
 until     = 0.5
 tolerance = { absolute = 1e-9, reason = "rounding" }
 )",
-                                                      "drifting.toml");
+                         "drifting.toml");
+}
+
+process::EngineChoice turns_to_nan() {
   const std::string script = std::string(source_dir) + "/tests/harness/process/scripted_worker.py";
-  const process::EngineChoice engine = {"mine", {"mine", {"python3", script, "nan"}, ""}, "", "", {}};
-  const auto rows = run({&scenario, engine, 0.01, "0.01"}, {60, 60, 0}, {});
+  return {"mine", {"mine", {"python3", script, "nan"}, ""}, "", "", {}};
+}
+
+TEST(BrokenRun, FailsAllClaimsWithinHorizon) {
+  const scenario::Scenario scenario = drifting();
+  const auto rows = run({&scenario, turns_to_nan(), 0.01, "0.01"}, {60, 60, 0}, {});
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_EQ(results::name(rows[0].status), "non-finite") << rows[0].claim;
   EXPECT_EQ(rows[0].first_bad_step, 51);
   EXPECT_TRUE(std::isnan(rows[0].measured));
   EXPECT_EQ(results::name(rows[1].status), "pass") << rows[1].claim;
+}
+
+// No scene begins with such a state: the reader of the worker refused the run back in time, and ended the whole hunt.
+TEST(BrokenRun, KeepsNoRelation) {
+  const scenario::Scenario scenario = drifting();
+  const auto rows = relate({&scenario, turns_to_nan(), 0.01, "0.01"}, {60, 60, 0}, {});
+  ASSERT_GE(rows.size(), 10u);
+  for (const results::Verdict& row : rows) {
+    EXPECT_EQ(results::name(row.status), "non-finite") << row.claim;
+    EXPECT_EQ(row.first_bad_step, 51) << row.claim;
+  }
 }
 
 }  // namespace

@@ -115,7 +115,10 @@ Command add_advise(App& app, const Context& context) {
                  "Available CPU seconds per simulated second; settings that need more are marked")
       ->type_name("S")
       ->check(positive(1e9));
-  add_engines_option(app, options->wanted.engines, "all");
+  options->wanted.searched = true;
+  add_engines_option(
+      app, options->wanted.engines,
+      "all; an engine without options stands for those of its settings that matter to the scene");
   add_integrators_option(app, options->wanted.integrators, "all integrators of each engine");
   app.add_option("--work", options->work, "Largest number of bodies times steps of one run")
       ->type_name("N")

@@ -58,7 +58,7 @@ TEST_F(MatrixCommand, NoEngineThatRunsTheSceneIsExitCode4) {
   for (const char* command : {"trade", "advise", "matrix"})
     EXPECT_EQ(cylon(std::string(command) + " spherical_pendulum --engine bullet --rounds 1").code, 4)
         << command;
-  EXPECT_EQ(cylon("advise projectile --engine bullet --tolerance 1e-9 --work 400").code, 1);
+  EXPECT_EQ(cylon("advise projectile --engine bullet/iterations=10 --tolerance 1e-9 --work 400").code, 1);
 }
 
 TEST_F(MatrixCommand, ForceShowsTheVerdictOfARefusedScene) {

@@ -97,7 +97,7 @@ TEST_F(Refusals, TheNeighboursOfImpossibleValuesLoad) {
 // A ball falls 4.9 m in a second; a tenth of that is the most that tells its fall from rest.
 TEST_F(Refusals, AToleranceAsWideAsTheMotionIsWarnedOf) {
   const auto falls = [](const char* absolute) {
-    return body("position = [0, 9, 0]") +
+    return "gravity = [0, -9.81, 0]\n" + body("position = [0, 9, 0]") +
            "[[claim]]\nfollows = \"projectile\"\nobservable = \"position\"\ntolerance = { absolute = " +
            absolute + ", reason = \"as it comes\" }\n";
   };

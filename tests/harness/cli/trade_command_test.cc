@@ -52,7 +52,7 @@ TEST_F(Trade, IgnoresJournalOfOtherContent) {
 
 TEST_F(Trade, FailedEngineGetsARow) {
   for (const auto& [mode, status] : std::vector<std::pair<std::string, std::string>>{
-           {"abort_in_run", "crash"}, {"nan", "non-finite"}, {"nonsense", "pass"}}) {
+           {"abort_in_run", "crash"}, {"nan", "non-finite"}, {"nonsense", "pass"}, {"shaves", "protocol"}}) {
     const Ran ran = cylon(
         "trade projectile --engine broken --engine ode --steps 2 --rounds 1 --json t.json " + broken(mode));
     EXPECT_EQ(ran.code, 0) << mode << ran.err;

@@ -135,6 +135,35 @@ TEST(IsolationAlone, TimesThatHideWorkAreRefused) {
   EXPECT_EQ(run(scripted("good"), request, limits).status, Status::pass);
 }
 
+// Runs of two milliseconds, of which a tenth is told: too short for the ticks of the kernel.
+TEST(IsolationAlone, ShortRunsThatHideWorkAreRefused) {
+  const core::Scene scene = two_bodies();
+  RunRequest request = request_of(scene, 100, 10);
+  request.repetitions = 5;
+  const RunOutcome outcome = run(scripted("shaves"), request, limits);
+  EXPECT_EQ(outcome.status, Status::protocol);
+  EXPECT_NE(outcome.reason.find("more than a run of one step uses"), std::string::npos) << outcome.reason;
+  EXPECT_EQ(run(scripted("good"), request, limits).status, Status::pass);
+}
+
+// The process that the harness starts is a shell, which does next to nothing.
+TEST(IsolationAlone, WorkHiddenBehindAShellIsRefused) {
+  const core::Scene scene = two_bodies();
+  RunRequest request = request_of(scene, 100, 10);
+  request.repetitions = 2;
+  const auto behind_shell = [](EngineChoice choice) {
+    std::string line;
+    for (const std::string& word : choice.row.command) line += "'" + word + "' ";
+    choice.row.command = {"sh", "-c", line + "; exit 0"};
+    return choice;
+  };
+  const RunOutcome outcome = run(behind_shell(scripted("hides")), request, limits);
+  EXPECT_EQ(outcome.status, Status::protocol);
+  EXPECT_NE(outcome.reason.find("but its processes used"), std::string::npos) << outcome.reason;
+  const RunOutcome good = run(behind_shell(scripted("good")), request, limits);
+  EXPECT_EQ(good.status, Status::pass) << good.reason;
+}
+
 TEST(IsolationAlone, NumbersThatAreNotFiniteAreAResult) {
   const core::Scene scene = two_bodies();
   const RunOutcome outcome = run(scripted("nan"), request_of(scene, 100, 10), limits);
