@@ -94,7 +94,7 @@ class ShardOfEnvironment : public testing::TestWithParam<Surroundings> {};
 TEST_P(ShardOfEnvironment, IsRead) {
   constexpr const char* all[] = {"GTEST_SHARD_INDEX",    "GTEST_TOTAL_SHARDS",   "TEST_SHARD_INDEX",
                                  "TEST_TOTAL_SHARDS",    "SLURM_ARRAY_TASK_ID",  "SLURM_ARRAY_TASK_COUNT",
-                                 "SLURM_ARRAY_TASK_MIN", "SLURM_ARRAY_TASK_STEP"};
+                                 "SLURM_ARRAY_TASK_MIN", "SLURM_ARRAY_TASK_MAX", "SLURM_ARRAY_TASK_STEP"};
   std::map<std::string, std::string> before;
   for (const char* name : all) {
     if (const char* value = std::getenv(name)) before[name] = value;
@@ -129,7 +129,36 @@ const Surroundings surroundings[] = {
     {{{"GTEST_SHARD_INDEX", "4"}, {"GTEST_TOTAL_SHARDS", "4"}}, "", "is no index of GTEST_TOTAL_SHARDS = 4"},
     {{{"GTEST_SHARD_INDEX", "x"}, {"GTEST_TOTAL_SHARDS", "4"}}, "", "not a whole number"},
     {{{"TEST_SHARD_INDEX", "2"}, {"TEST_TOTAL_SHARDS", "4"}}, "", "3/4"},
-    {{{"TEST_SHARD_INDEX", "2"}}, "", "all"},
+    // Half of what a runner sets: each of its processes would do all, and none would say so.
+    {{{"TEST_SHARD_INDEX", "2"}}, "", "TEST_SHARD_INDEX = '2', but TEST_TOTAL_SHARDS is not set"},
+    {{{"GTEST_SHARD_INDEX", "1"}}, "", "GTEST_SHARD_INDEX = '1', but GTEST_TOTAL_SHARDS is not set"},
+    {{{"GTEST_TOTAL_SHARDS", "4"}}, "", "GTEST_TOTAL_SHARDS = '4', but GTEST_SHARD_INDEX is not set"},
+    {{{"GTEST_TOTAL_SHARDS", "4"}}, "2/3", "2/3"},
+    {{{"TEST_TOTAL_SHARDS", "abc"}}, "", "TEST_TOTAL_SHARDS = 'abc', but TEST_SHARD_INDEX is not set"},
+    {{{"TEST_SHARD_INDEX", ""}, {"TEST_TOTAL_SHARDS", ""}}, "", "all"},
+    {{{"SLURM_ARRAY_TASK_ID", "3"}}, "", "SLURM_ARRAY_TASK_ID = '3', but SLURM_ARRAY_TASK_COUNT is not set"},
+    {{{"SLURM_ARRAY_TASK_COUNT", "3"}},
+     "",
+     "SLURM_ARRAY_TASK_COUNT = '3', but SLURM_ARRAY_TASK_ID is not set"},
+    {{{"SLURM_ARRAY_TASK_ID", "3"}, {"SLURM_ARRAY_TASK_MIN", "1"}, {"SLURM_ARRAY_TASK_MAX", "8"}}, "", "3/8"},
+    {{{"SLURM_ARRAY_TASK_ID", "6"},
+      {"SLURM_ARRAY_TASK_MIN", "2"},
+      {"SLURM_ARRAY_TASK_MAX", "9"},
+      {"SLURM_ARRAY_TASK_STEP", "2"}},
+     "",
+     "3/4"},
+    {{{"SLURM_ARRAY_TASK_ID", "9"}, {"SLURM_ARRAY_TASK_MIN", "1"}, {"SLURM_ARRAY_TASK_MAX", "8"}},
+     "",
+     "SLURM_ARRAY_TASK_ID = 9 is no index"},
+    {{{"SLURM_ARRAY_TASK_ID", "3"}, {"SLURM_ARRAY_TASK_MIN", "1"}, {"SLURM_ARRAY_TASK_MAX", "x"}},
+     "",
+     "SLURM_ARRAY_TASK_MAX = 'x': not a whole number"},
+    {{{"SLURM_ARRAY_TASK_ID", "1"},
+      {"SLURM_ARRAY_TASK_COUNT", "3"},
+      {"SLURM_ARRAY_TASK_MIN", "1"},
+      {"SLURM_ARRAY_TASK_MAX", "7"}},
+     "",
+     "has gaps"},
     {{{"SLURM_ARRAY_TASK_ID", "7"}, {"SLURM_ARRAY_TASK_COUNT", "4"}, {"SLURM_ARRAY_TASK_MIN", "5"}},
      "",
      "3/4"},
