@@ -57,7 +57,8 @@ class Journal {
   /// Starts afresh, or goes on after what is there.  Throws core::InputError where another run has it open.
   void open(const Request&, const Part&, bool append);
 
-  /// Adds a finished cell and how long it took [s]; where it cannot be written, stderr says so.
+  /// Adds a finished cell and how long it took [s]; where it cannot be written, stderr says so.  A cell without verdicts is
+  /// finished where there is nothing to judge.
   void add(const std::string& key, const study::Cell&, const std::vector<results::Verdict>&, double seconds);
 
   /// Whether all of it could be written so far.
