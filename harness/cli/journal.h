@@ -22,9 +22,12 @@
 namespace cylon::cli {
 
 /// What must be equal for a stored cell to stand for a new one, on this machine or on another: the scenario's
-/// and expected.toml's content, the engine's id, the content of its worker and of this program (content_of.h), and the
-/// step; no path.
+/// and expected.toml's content, the engine's id, the content of its worker with the version that it says (identity_of.h),
+/// the content of this program, and the step; no path.
 std::string cell_key(const study::Cell&, const std::string& expectations_hash);
+
+/// The same for those who know the engine by something else.
+std::string cell_key(const study::Cell&, const std::string& expectations_hash, const std::string& engine);
 
 /// Scenario, engine and step as the user names them: the same cell, whatever its files hold by now.
 std::string cell_name(const study::Cell&);

@@ -1,8 +1,8 @@
 // cylon advise --verify
 #include "harness/cli/commands/advise_verify.h"
 
-#include "harness/cli/content_of.h"
 #include "harness/cli/farm.h"
+#include "harness/cli/identity_of.h"
 #include "harness/cli/line_file.h"
 #include "harness/cli/part.h"
 #include "harness/core/worst.h"
@@ -162,7 +162,7 @@ Answer verify(const Verification& ask, const scenario::Scenario& scenario) {
 // All that decides the answer but its times.
 Unit unit_of(const Verification& ask, const scenario::Scenario& scenario) {
   std::string engines;
-  for (const process::EngineRow& row : ask.rows) engines += row.id + " " + content_of(row.command) + " ";
+  for (const process::EngineRow& row : ask.rows) engines += row.id + " " + identity_of(row) + " ";
   return {fmt::format("{}/{}/{} {} {} {} {} {} {}/{}", scenario.name, scenario.hash, ask.how.tolerance,
                       ask.how.budget, ask.how.most, ask.how.rounds, ask.observable,
                       fmt::join(ask.wanted.engines, ","), fmt::join(ask.wanted.integrators, ","), engines),
@@ -190,6 +190,7 @@ int verify_advice(const Context& context, const Verification& ask) {
     for (const char* name : twenty) add(name);
   else
     add(ask.only);
+  identify(ask.rows);
   Part part{"advise", shard ? shard->index : 1, shard ? shard->count : 1, {}};
   for (const auto& scenario : scenarios) part.units.push_back(unit_of(ask, *scenario));
   const std::vector<bool> own = own_units(shard, part, ask.resume);
