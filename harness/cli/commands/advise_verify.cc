@@ -5,6 +5,7 @@
 #include "harness/cli/identity_of.h"
 #include "harness/cli/line_file.h"
 #include "harness/cli/part.h"
+#include "harness/cli/timed_cores.h"
 #include "harness/core/worst.h"
 #include "harness/study/ladder.h"
 
@@ -18,6 +19,7 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <optional>
 
 namespace cylon::cli {
 namespace {
@@ -196,6 +198,9 @@ int verify_advice(const Context& context, const Verification& ask) {
   const std::vector<bool> own = own_units(shard, part, ask.resume);
   std::vector<Unit> units = part.units;
   keep(own, units), keep(own, scenarios);
+  std::optional<TimedCores> cores;
+  if (!context.farm && !units.empty())
+    cores.emplace(shard ? TimedCores::Taken::wait : TimedCores::Taken::warn);
   LineFile journal(journal_file("advise", shard));
   const std::map<std::string, Answer> known =
       ask.resume ? answers_in(journal) : std::map<std::string, Answer>();

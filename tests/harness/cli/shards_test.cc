@@ -379,6 +379,24 @@ TEST_F(Merge, JoinsSweepsAndSearches) {
   }
 }
 
+// Its answer follows from times, so that the union tells what the shard told; a hunt is in hunt_command_test.cc.
+TEST_F(Merge, JoinsVerifiedAdvice) {
+  const std::string asked =
+      "advise --verify projectile --engine ode --tolerance 1e-1 --work 20000 --rounds 1 -j 1 ";
+  std::vector<std::string> told;
+  for (const char* part : {"1", "2"}) {
+    const std::string place = "m" + std::string(part);  // no other cylon that measures times is waited for
+    const Ran ran = shell("mkdir " + place + "; cd " + place + "; TMPDIR=. exec cylon " + asked + "--shard " +
+                          part + "/2");
+    EXPECT_TRUE(ran.code == 0 || ran.code == 1) << ran.err;
+    if (ran.out.find("projectile") != std::string::npos) told.push_back(ran.out);
+  }
+  ASSERT_EQ(told.size(), 1u);
+  const Ran merged = cylon("merge m2/.cylon/*.jsonl m1/.cylon/*.jsonl");
+  EXPECT_EQ(merged.code, 0) << merged.err;
+  EXPECT_EQ(cylon(asked + "--resume").out, told.front());
+}
+
 TEST_F(Merge, MayFollowDurations) {
   const std::string command = "run " + std::string(cells);
   const Ran unknown = cylon(command + "--shard 1/2 --shard-by time");
