@@ -30,9 +30,7 @@ void wait_for(int fd) {
   }
 }
 
-constexpr const char* advice =
-    "give each process a core of its own (taskset, srun --cpu-bind=cores), or --rounds 0 and measure times "
-    "later";
+constexpr const char* advice = "give each process a core of its own (taskset, srun --cpu-bind=cores)";
 
 }  // namespace
 

@@ -114,15 +114,11 @@ Command add_merge(App& app, const Context& context) {
   app.add_option("--junit", options->junit, "Write the rows as JUnit XML; - is stdout")->type_name("FILE");
   app.add_option("--csv", options->csv, "Write the rows as CSV; - is stdout")->type_name("FILE");
   app.footer(
-      "The union is this folder's journal afterwards: the same command with --resume does what is missing "
-      "and\n"
-      "writes every report, as if one process had done all. Its rows are their authors' word; nothing that "
-      "a\n"
-      "file names is run. What this folder's journal held before is kept. Exit code 6: cells are missing, "
-      "all\n"
-      "of which are listed, whatever else there is; 1: a verdict or a published number differs, or two "
-      "files\n"
-      "answer one cell differently, times apart.");
+      "The union is this folder's journal afterwards, and what that held before is kept: the same command\n"
+      "with --resume does what is missing. Its rows are their authors' word; nothing that a file names is\n"
+      "run. Motions are not in it: `cylon report` joins the files of each shard's --traces.\n"
+      "Exit code 6: cells are missing, whatever else there is; all of them are listed. 1: a verdict or a\n"
+      "published number differs, or two files answer one cell differently, times apart.");
   return [=, &context] { return merge(context, *options); };
 }
 
