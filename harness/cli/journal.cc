@@ -1,6 +1,7 @@
 #include "harness/cli/journal.h"
 
 #include "harness/cli/content_of.h"
+#include "harness/cli/identity_of.h"
 #include "reports/json.h"
 
 #include <fmt/format.h>
@@ -54,8 +55,13 @@ Request request_from(const nlohmann::json& j) {
 }
 
 std::string cell_key(const study::Cell& cell, const std::string& expectations_hash) {
-  return fmt::format("{}/{}/{}/{}/{}", cell_name(cell), cell.scenario->hash,
-                     content_of(cell.engine.row.command), content_of({"/proc/self/exe"}), expectations_hash);
+  return cell_key(cell, expectations_hash, identity_of(cell.engine.row));
+}
+
+std::string cell_key(const study::Cell& cell, const std::string& expectations_hash,
+                     const std::string& engine) {
+  return fmt::format("{}/{}/{}/{}/{}", cell_name(cell), cell.scenario->hash, engine,
+                     content_of({"/proc/self/exe"}), expectations_hash);
 }
 
 std::string cell_name(const study::Cell& cell) {
@@ -63,6 +69,9 @@ std::string cell_name(const study::Cell& cell) {
 }
 
 std::vector<Unit> units_of(const std::vector<study::Cell>& cells, const std::string& expectations_hash) {
+  std::vector<process::EngineRow> engines;
+  for (const study::Cell& cell : cells) engines.push_back(cell.engine.row);
+  identify(engines);
   std::vector<Unit> units;
   for (const study::Cell& cell : cells) units.push_back({cell_key(cell, expectations_hash), cell_name(cell)});
   return units;
@@ -77,7 +86,6 @@ void Journal::Content::take(const nlohmann::json& row) {
   std::vector<results::Verdict> verdicts;
   for (const auto& verdict : row.at("verdicts"))
     verdicts.push_back(reports::from_json_line(verdict.get<std::string>()));
-  if (verdicts.empty()) return;
   const std::string cell = row.at("cell");
   if (std::all_of(verdicts.begin(), verdicts.end(),
                   [](const results::Verdict& v) { return v.as_expected(); })) {

@@ -22,9 +22,12 @@
 namespace cylon::cli {
 
 /// What must be equal for a stored cell to stand for a new one, on this machine or on another: the scenario's
-/// and expected.toml's content, the engine's id, the content of its worker and of this program (content_of.h), and the
-/// step; no path.
+/// and expected.toml's content, the engine's id, the content of its worker with the version that it says (identity_of.h),
+/// the content of this program, and the step; no path.
 std::string cell_key(const study::Cell&, const std::string& expectations_hash);
+
+/// The same for those who know the engine by something else.
+std::string cell_key(const study::Cell&, const std::string& expectations_hash, const std::string& engine);
 
 /// Scenario, engine and step as the user names them: the same cell, whatever its files hold by now.
 std::string cell_name(const study::Cell&);
@@ -57,7 +60,8 @@ class Journal {
   /// Starts afresh, or goes on after what is there.  Throws core::InputError where another run has it open.
   void open(const Request&, const Part&, bool append);
 
-  /// Adds a finished cell and how long it took [s]; where it cannot be written, stderr says so.
+  /// Adds a finished cell and how long it took [s]; where it cannot be written, stderr says so.  A cell without verdicts is
+  /// finished where there is nothing to judge.
   void add(const std::string& key, const study::Cell&, const std::vector<results::Verdict>&, double seconds);
 
   /// Whether all of it could be written so far.

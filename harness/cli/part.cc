@@ -11,6 +11,7 @@
 #include <iostream>
 #include <iterator>
 #include <stdexcept>
+#include <utility>
 
 namespace cylon::cli {
 namespace {
@@ -55,13 +56,14 @@ std::vector<std::filesystem::path> rank_journals(const std::string& command) {
 nlohmann::json to_json(const Part& part) {
   nlohmann::json units = nlohmann::json::array();
   for (const Unit& unit : part.units) units.push_back({unit.key, unit.name});
-  return {{"part", {{"command", part.command}, {"index", part.index}, {"count", part.count}}},
-          {"units", units}};
+  nlohmann::json head = {{"command", part.command}, {"index", part.index}, {"count", part.count}};
+  if (!part.suite.empty()) head["suite"] = part.suite;
+  return {{"part", std::move(head)}, {"units", std::move(units)}};
 }
 
 Part part_from(const nlohmann::json& json) {
   const nlohmann::json& head = json.at("part");
-  Part part{head.at("command"), head.at("index"), head.at("count"), {}};
+  Part part{head.at("command"), head.at("index"), head.at("count"), {}, head.value("suite", "")};
   if (std::ranges::none_of(questions, [&](const Question& q) { return part.command == q.command; }))
     throw std::invalid_argument("'" + part.command + "' is not divided into parts");
   for (const nlohmann::json& unit : json.at("units")) part.units.push_back({unit.at(0), unit.at(1)});

@@ -35,6 +35,8 @@ struct Part {
   std::string command;  ///< One of `questions`.
   std::size_t index = 1, count = 1;
   std::vector<Unit> units;  ///< All of them, also those of other parts.
+  std::string suite =
+      {};  ///< Of `run`, as it was asked for: its published numbers are held against the whole.
 };
 
 nlohmann::json to_json(const Part&);

@@ -34,28 +34,6 @@ std::vector<std::string> names_of(const std::vector<fs::path>& files) {
   return names;
 }
 
-// The suite of that name; a folder of scenarios without a suite `conformance` runs all it has on all engines.
-scenario::Suite find_suite(const Context& context, const std::vector<EngineRow>& rows,
-                           const std::string& asked) {
-  const std::string name = asked.empty() ? "conformance" : asked;
-  const fs::path folder = context.scenarios / "suites";
-  std::vector<std::string> names;
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder, ignored))
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-  std::sort(names.begin(), names.end());
-  if (contains(names, name)) return scenario::load_suite(folder / (name + ".toml"));
-  if (!asked.empty())
-    throw core::InputError(fmt::format("--suite '{}': no such suite in {}{} (suites: {})", name,
-                                       folder.string(), core::did_you_mean(name, names),
-                                       fmt::join(names, ", ")));
-  scenario::Suite all;
-  all.scenarios = {"*"};
-  for (const EngineRow& row : rows)
-    if (!row.optional()) all.engines.push_back(row.id);
-  return all;
-}
-
 // What is asked for, else what the suite lists, engines that the user adds, and variants that a pattern
 // spells out.
 std::vector<std::string> engine_ids(const Context& context, const std::vector<EngineRow>& rows,
@@ -237,6 +215,27 @@ study::Exam exam_of(const Request& request) {
 }
 
 }  // namespace
+
+scenario::Suite find_suite(const Context& context, const std::vector<EngineRow>& rows,
+                           const std::string& asked) {
+  const std::string name = asked.empty() ? "conformance" : asked;
+  const fs::path folder = context.scenarios / "suites";
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  if (contains(names, name)) return scenario::load_suite(folder / (name + ".toml"));
+  if (!asked.empty())
+    throw core::InputError(fmt::format("--suite '{}': no such suite in {}{} (suites: {})", name,
+                                       folder.string(), core::did_you_mean(name, names),
+                                       fmt::join(names, ", ")));
+  scenario::Suite all;
+  all.scenarios = {"*"};
+  for (const EngineRow& row : rows)
+    if (!row.optional()) all.engines.push_back(row.id);
+  return all;
+}
 
 Selection select_unprepared(const Context& context, const Request& request) {
   const std::vector<EngineRow> rows = with_brought(context, request.brought);

@@ -36,6 +36,10 @@ struct Selection {
   std::vector<study::Cell> cells;  ///< Scenario by scenario, engine by engine, step by step; none twice.
 };
 
+/// The suite of that name; of none `conformance`, or where that is not there one of all scenarios and engines.  Throws
+/// core::InputError for an unknown name.
+scenario::Suite find_suite(const Context&, const std::vector<process::EngineRow>&, const std::string& name);
+
 /// Throws core::InputError for an unknown suite, scenario, engine or integrator, with the nearest name, and
 /// for a step that is none; a glob that matches nothing selects nothing.  The scenarios are prepared.
 Selection select(const Context&, const Request&);

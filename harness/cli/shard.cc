@@ -12,21 +12,22 @@
 #include <cstdlib>
 #include <fstream>
 #include <numeric>
+#include <stdexcept>
 
 namespace cylon::cli {
 namespace {
 
 // The variables by which a runner tells a process its part.
 struct Runner {
-  const char *index, *count;  // of the part, and of all
-  const char *first, *step;   // of the indices; nullptr: 0 and 1
-  const char* told;           // a file that says that the parts are heeded; nullptr: there is none
+  const char *index, *count;        // of the part, and of all
+  const char *first, *last, *step;  // of the indices; nullptr: they count from 0 in steps of 1
+  const char* told;                 // a file that says that the parts are heeded; nullptr: there is none
 };
 constexpr Runner runners[] = {
-    {"GTEST_SHARD_INDEX", "GTEST_TOTAL_SHARDS", nullptr, nullptr, "GTEST_SHARD_STATUS_FILE"},
-    {"TEST_SHARD_INDEX", "TEST_TOTAL_SHARDS", nullptr, nullptr, "TEST_SHARD_STATUS_FILE"},
-    {"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT", "SLURM_ARRAY_TASK_MIN", "SLURM_ARRAY_TASK_STEP",
-     nullptr}};
+    {"GTEST_SHARD_INDEX", "GTEST_TOTAL_SHARDS", nullptr, nullptr, nullptr, "GTEST_SHARD_STATUS_FILE"},
+    {"TEST_SHARD_INDEX", "TEST_TOTAL_SHARDS", nullptr, nullptr, nullptr, "TEST_SHARD_STATUS_FILE"},
+    {"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT", "SLURM_ARRAY_TASK_MIN", "SLURM_ARRAY_TASK_MAX",
+     "SLURM_ARRAY_TASK_STEP", nullptr}};
 
 constexpr std::size_t most_shards = 1'000'000;
 
@@ -53,10 +54,37 @@ std::size_t number_in(const char* name, std::size_t otherwise) {
   return *number;
 }
 
+// How many parts a runner says that there are; 0 where it does not.  First and last index say it, too.
+std::size_t count_of(const Runner& runner, std::size_t first, std::size_t step) {
+  if (variable(runner.last).empty() || variable(runner.first).empty()) return number_in(runner.count, 0);
+  const std::size_t last = number_in(runner.last, 0);
+  const std::size_t all = step > 0 && last >= first ? (last - first) / step + 1 : 0;
+  const std::size_t count = number_in(runner.count, all);
+  if (count != all)
+    throw core::InputError(
+        fmt::format("{} = {}, but {} to {} in steps of {} are {}: the array has gaps; give --shard k/n",
+                    runner.count, count, first, last, step, all));
+  return count;
+}
+
+// As GoogleTest does, half of what is needed is taken for a mistake: the whole would be done by each of many.
+[[noreturn]] void refuse_half(const Runner& runner) {
+  for (const char* name : {runner.index, runner.count, runner.last, runner.first})
+    if (const std::string text = variable(name); !text.empty())
+      throw core::InputError(
+          fmt::format("{} = '{}', but {} is not set; set both, unset {}, or give --shard k/n", name, text,
+                      name == runner.index ? runner.count : runner.index, name));
+  throw std::logic_error("no variable of a runner is set");
+}
+
 std::optional<Shard> shard_of(const Runner& runner) {
-  if (variable(runner.index).empty() || variable(runner.count).empty()) return std::nullopt;
-  const std::size_t id = number_in(runner.index, 0), count = number_in(runner.count, 0);
+  const bool indexed = !variable(runner.index).empty(), counted = !variable(runner.count).empty();
+  const bool ranged = !variable(runner.first).empty() && !variable(runner.last).empty();
+  if (!indexed && !counted && !ranged) return std::nullopt;
+  if (!indexed || !(counted || ranged)) refuse_half(runner);
+  const std::size_t id = number_in(runner.index, 0);
   const std::size_t first = number_in(runner.first, 0), step = number_in(runner.step, 1);
+  const std::size_t count = count_of(runner, first, step);
   const bool regular = step > 0 && id >= first && (id - first) % step == 0 && (id - first) / step < count;
   if (!regular)
     throw core::InputError(fmt::format(

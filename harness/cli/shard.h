@@ -49,7 +49,8 @@ void add_shard_options(App&, ShardOptions&, const std::string& units);
 /// A farm's where there is one, else the shard that the option asks for.  Without it, that of GTEST_SHARD_INDEX, TEST_SHARD_INDEX (Bazel) or
 /// SLURM_ARRAY_TASK_ID with the variables beside them, where one of them is set; a file that tells the test
 /// runner so is touched.  Nothing: all the work is this process's.  Throws core::InputError for what is no
-/// shard, for variables that contradict each other, for a job array with gaps, and for --shard in a farm.
+/// shard, for half of a runner's variables and for those that contradict each other, for a job array with gaps, and
+/// for --shard in a farm.
 std::optional<Shard> shard_asked(const ShardOptions&, Farm* = nullptr);
 
 /// Seconds that units took before, by name.

@@ -3,12 +3,14 @@
 #include "harness/cli/line_file.h"
 #include "harness/core/input_error.h"
 #include "harness/input/json.h"
+#include "harness/process/last_words.h"
 #include "reports/json.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -47,27 +49,41 @@ File read(const fs::path& path, Reader reader) {
     }
   });
   if (file.part && file.part->command == "run")
-    file.strange += std::erase_if(file.lines, [](const auto& line) {
-      return !line.second.contains("verdicts") || line.second.at("verdicts").empty();
-    });
+    file.strange +=
+        std::erase_if(file.lines, [](const auto& line) { return !line.second.contains("verdicts"); });
   return file;
 }
 
-// What must come out again: all but times.  Verdicts are kept as text, so that their digits stay.
-json without_times(json line) {
+File read_own(const fs::path& path) {
+  return read(path, [](const fs::path& file, const std::function<void(const json&)>& take) {
+    return LineFile(file).read(take);
+  });
+}
+
+// In every text of it.
+void leave_out_last_words(json& value) {
+  if (value.is_string()) value = process::without_last_words(value.get<std::string>());
+  if (value.is_structured())
+    for (json& part : value) leave_out_last_words(part);
+}
+
+// What must come out again: all but times, what workers write to stderr (process ids, addresses), and the command for the
+// row, in which the user's path to the file stands.  Verdicts are kept as text, so that their digits stay.
+json reproducible(json line) {
   // An advice is chosen by cost, so that all of it follows from times.
   for (const char* time : {"seconds", "load", "step", "advice"}) line.erase(time);
   if (line.contains("ran")) line["ran"].erase("cpu");
   if (line.contains("verdicts"))
     for (json& verdict : line["verdicts"]) {
       verdict = input::parse_json(verdict.get<std::string>());
-      verdict.erase("cpu_seconds");
+      for (const char* other : {"cpu_seconds", "stderr", "reproduce"}) verdict.erase(other);
     }
+  leave_out_last_words(line);
   return line;
 }
 
 std::string contradiction(const File& a, const json& first, const File& b, const json& second) {
-  const json left = without_times(first), right = without_times(second);
+  const json left = reproducible(first), right = reproducible(second);
   const json patch = json::diff(left, right);
   if (patch.empty()) return "";
   const std::string place = patch[0].at("path");
@@ -86,6 +102,10 @@ void require_same(const File& a, const File& b) {
   if (a.part->command != b.part->command)
     throw core::InputError(fmt::format("{} is of `cylon {}`, {} of `cylon {}`", a.path.string(),
                                        a.part->command, b.path.string(), b.part->command));
+  if (a.part->suite != b.part->suite)
+    throw core::InputError(
+        fmt::format("{} is of the suite '{}', {} of '{}': they are not parts of one question",
+                    a.path.string(), a.part->suite, b.path.string(), b.part->suite));
   if (a.part->units == b.part->units) return;
   const auto by_name = [](const Part& part) {
     std::map<std::string, std::string> keys;
@@ -108,10 +128,6 @@ void require_same(const File& a, const File& b) {
   throw core::InputError(
       fmt::format("{} and {} ask for the same cells in another order", a.path.string(), b.path.string()));
 }
-
-}  // namespace
-
-namespace {
 
 Union union_of(const std::vector<File>& files, Part part) {
   Union all;
@@ -146,15 +162,18 @@ Union unite(std::span<const fs::path> paths) {
                                          path.string(), sharing_commands()));
     require_same(files.front(), files.back());
   }
-  return union_of(files, *files.front().part);
+  const Part part = *files.front().part;
+  const fs::path own = journal_file(part.command);
+  std::error_code ignored;
+  if (fs::exists(own, ignored) &&
+      std::ranges::none_of(paths, [&](const fs::path& path) { return fs::equivalent(path, own, ignored); }))
+    files.push_back(read_own(own));
+  return union_of(files, part);
 }
 
 Union unite_own(const Part& part, std::span<const fs::path> paths) {
   std::vector<File> files;
-  for (const fs::path& path : paths)
-    files.push_back(read(path, [](const fs::path& file, const std::function<void(const json&)>& take) {
-      return LineFile(file).read(take);
-    }));
+  std::ranges::transform(paths, std::back_inserter(files), read_own);
   return union_of(files, part);
 }
 

@@ -26,11 +26,12 @@ struct Union {
 };
 
 /// Throws core::InputError for a file that is no journal, and for journals that ask something else: another
-/// command, or cells with another content.
+/// command, suite, or cells with another content.  The lines of this user's own journal of the command in this folder are
+/// kept as well, as by unite_own().
 Union unite(std::span<const std::filesystem::path>);
 
 /// The same of this user's own journals in this folder, whatever they asked, as the union of `part`: a line is used for what
-/// its key says.  Lines that this user did not write here are left out and counted as strange.
+/// its key says.  Lines that this user did not write here are left out and counted as strange.  No other line is lost.
 Union unite_own(const Part&, std::span<const std::filesystem::path>);
 
 /// Writes it whole or not at all, as this user's own journal of the place.  Throws core::InputError where it

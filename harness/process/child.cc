@@ -195,6 +195,7 @@ void Child::drain_errors() {
   }
 }
 
+// without_last_words() knows these forms.
 Failure Child::ending() {
   if (!exited_within(goodbye_seconds))
     return {results::Status::protocol, "closed its output before the end and kept running"};

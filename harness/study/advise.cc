@@ -272,7 +272,7 @@ std::vector<EngineAdvice> advise(const std::vector<Start>& starts, const std::ve
   for (std::size_t e = 0; e < advice.size(); ++e) {
     // What cannot be timed has no cost to be chosen by.
     for (const Pick& pick : picks[e])
-      if (const auto found = failed.find(&pick); found != failed.end()) advice[e].reason = found->second;
+      if (const auto why = failed.find(&pick); why != failed.end()) advice[e].reason = why->second;
     if (advice[e].ten_times && failed.contains(&*advice[e].ten_times)) advice[e].ten_times.reset();
     std::erase_if(picks[e], [&](const Pick& pick) { return failed.contains(&pick); });
     if (picks[e].empty() && !advice[e].reason.empty()) advice[e].best.reset();

@@ -1,5 +1,6 @@
 // cylon track record
 #include "harness/cli/command_line.h"
+#include "harness/cli/content_of.h"
 #include "harness/cli/journal.h"
 #include "harness/cli/options.h"
 #include "harness/cli/selection.h"
@@ -87,7 +88,8 @@ store::RunInfo unfinished(const Store& store, const Options& options) {
 
 std::string asked_key(const study::Cell& cell, const std::string& expectations) {
   core::ContentHash content;
-  content.add(cell_key(cell, expectations));
+  content.add(
+      cell_key(cell, expectations, content_of(cell.engine.row.command)));  // build_of() knows the rest
   return content.hex();
 }
 

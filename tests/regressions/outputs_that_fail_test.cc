@@ -57,8 +57,10 @@ TEST_F(OutputsThatFail, AJournalIsFreeAnInstantAfterTheRun) {
 }
 
 TEST_F(OutputsThatFail, TwoRunsInOneFolderDoNotShareAJournal) {
-  write("engine.sh", "touch started; while [ -e hang ]; do sleep 0.02; done\nexec " +
-                         std::string(binary_dir) + "/cylon-worker-in-house\n");
+  // Its first start is asked for its version, before the journal is open.
+  write("engine.sh",
+        "[ ! -e asked ] || { touch started; while [ -e hang ]; do sleep 0.02; done; }\ntouch asked\nexec " +
+            std::string(binary_dir) + "/cylon-worker-in-house\n");
   write("hang", "");
   const Ran ran = shell(
       "cylon run projectile --worker 'slow=sh engine.sh' --engine slow > first.txt 2>&1 & "
@@ -88,8 +90,8 @@ TEST_F(OutputsThatFail, AJournalOfAnotherUserIsNotRead) {
 }
 
 TEST_F(OutputsThatFail, AnInterruptedRunReportsWhatIsDone) {
-  write("engine.sh",
-        "[ -e hang ] && exec sleep 100\nexec " + std::string(binary_dir) + "/cylon-worker-in-house\n");
+  write("engine.sh", "[ -e asked ] && [ -e hang ] && exec sleep 100\ntouch asked\nexec " +
+                         std::string(binary_dir) + "/cylon-worker-in-house\n");
   write("hang", "");
   const Ran ran = shell(
       "exec cylon run projectile -j 1 --worker 'slow=sh engine.sh' --engine in-house --engine slow --json "

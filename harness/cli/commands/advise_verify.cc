@@ -1,10 +1,11 @@
 // cylon advise --verify
 #include "harness/cli/commands/advise_verify.h"
 
-#include "harness/cli/content_of.h"
 #include "harness/cli/farm.h"
+#include "harness/cli/identity_of.h"
 #include "harness/cli/line_file.h"
 #include "harness/cli/part.h"
+#include "harness/cli/timed_cores.h"
 #include "harness/core/worst.h"
 #include "harness/study/ladder.h"
 
@@ -18,6 +19,7 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <optional>
 
 namespace cylon::cli {
 namespace {
@@ -162,7 +164,7 @@ Answer verify(const Verification& ask, const scenario::Scenario& scenario) {
 // All that decides the answer but its times.
 Unit unit_of(const Verification& ask, const scenario::Scenario& scenario) {
   std::string engines;
-  for (const process::EngineRow& row : ask.rows) engines += row.id + " " + content_of(row.command) + " ";
+  for (const process::EngineRow& row : ask.rows) engines += row.id + " " + identity_of(row) + " ";
   return {fmt::format("{}/{}/{} {} {} {} {} {} {}/{}", scenario.name, scenario.hash, ask.how.tolerance,
                       ask.how.budget, ask.how.most, ask.how.rounds, ask.observable,
                       fmt::join(ask.wanted.engines, ","), fmt::join(ask.wanted.integrators, ","), engines),
@@ -190,11 +192,15 @@ int verify_advice(const Context& context, const Verification& ask) {
     for (const char* name : twenty) add(name);
   else
     add(ask.only);
+  identify(ask.rows);
   Part part{"advise", shard ? shard->index : 1, shard ? shard->count : 1, {}};
   for (const auto& scenario : scenarios) part.units.push_back(unit_of(ask, *scenario));
   const std::vector<bool> own = own_units(shard, part, ask.resume);
   std::vector<Unit> units = part.units;
   keep(own, units), keep(own, scenarios);
+  std::optional<TimedCores> cores;
+  if (!context.farm && !units.empty())
+    cores.emplace(shard ? TimedCores::Taken::wait : TimedCores::Taken::warn);
   LineFile journal(journal_file("advise", shard));
   const std::map<std::string, Answer> known =
       ask.resume ? answers_in(journal) : std::map<std::string, Answer>();

@@ -4,7 +4,7 @@
 #include "harness/cli/commands/estimates.h"
 #include "harness/cli/commands/fit_journal.h"
 #include "harness/cli/commands/fit_report.h"
-#include "harness/cli/content_of.h"
+#include "harness/cli/identity_of.h"
 #include "harness/cli/options.h"
 #include "harness/cli/output.h"
 #include "harness/cli/workers.h"
@@ -109,8 +109,7 @@ std::vector<validation::RunScore> rest_scores(const measured::Experiment& e,
 // What of an engine's fit does not change by a repetition.
 std::string key_of(const Options& options, const measured::Experiment& e, const process::EngineChoice& engine,
                    const std::vector<measured::Parameter>& parameters, const Fold& fold) {
-  std::string key =
-      fmt::format("{} {} {} {}", e.hash, engine.id, content_of(engine.row.command), options.step);
+  std::string key = fmt::format("{} {} {} {}", e.hash, engine.id, identity_of(engine.row), options.step);
   for (const measured::Parameter& p : parameters) key += " " + p.name;
   return key + fmt::format(" on {}", fmt::join(names_of(e, fold.on), ","));
 }

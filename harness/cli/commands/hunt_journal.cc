@@ -1,6 +1,7 @@
 #include "harness/cli/commands/hunt_journal.h"
 
 #include "harness/cli/content_of.h"
+#include "harness/cli/identity_of.h"
 #include "harness/scenario/scenario.h"
 
 #include <fmt/format.h>
@@ -113,8 +114,8 @@ hunt::Memory& HuntJournal::of(const std::string& question) {
 }
 
 std::string question_of(const process::EngineChoice& engine, const hunt::Source& source, double timeout) {
-  return fmt::format("{} {} {} {} {}", engine.id, content_of(engine.row.command),
-                     content_of({"/proc/self/exe"}), source.name(), timeout);
+  return fmt::format("{} {} {} {} {}", engine.id, identity_of(engine.row), content_of({"/proc/self/exe"}),
+                     source.name(), timeout);
 }
 
 }  // namespace cylon::cli

@@ -4,6 +4,7 @@
 #include "harness/cli/commands/run_output.h"
 #include "harness/cli/output.h"
 #include "harness/cli/provenance_now.h"
+#include "harness/cli/selection.h"
 #include "harness/cli/union.h"
 #include "reports/csv.h"
 #include "reports/json.h"
@@ -26,14 +27,11 @@ struct Options {
   std::vector<std::string> reports() const { return {json, junit, csv}; }
 };
 
-constexpr std::size_t most_listed = 20;
-
+// All of them: a script may take them from here.
 void list(const std::string& what, const std::vector<std::string>& lines) {
   if (lines.empty()) return;
   std::cerr << what << '\n';
-  for (std::size_t i = 0; i < std::min(lines.size(), most_listed); ++i)
-    std::cerr << "  " << plain_line(lines[i]) << '\n';
-  if (lines.size() > most_listed) std::cerr << fmt::format("  and {} more\n", lines.size() - most_listed);
+  for (const std::string& line : lines) std::cerr << "  " << plain_line(line) << '\n';
 }
 
 std::vector<results::Verdict> verdicts_of(const Union& all) {
@@ -45,17 +43,30 @@ std::vector<results::Verdict> verdicts_of(const Union& all) {
   return rows;
 }
 
+std::vector<std::string> without_verdicts(const Union& all) {
+  std::vector<std::string> names;
+  for (const Unit& unit : all.part.units)
+    if (const auto found = all.lines.find(unit.key);
+        found != all.lines.end() && found->second.at("verdicts").empty())
+      names.push_back(unit.name);
+  return names;
+}
+
 // The reports of a run, from its rows alone.
-int report(const Context& context, const Options& options, const Union& all) {
+int report(const Context& context, const Options& options, const Union& all, const scenario::Suite& suite) {
   const std::vector<results::Verdict> rows = verdicts_of(all);
   reports::Provenance provenance = provenance_now(context);
   if (!rows.empty()) provenance.tolerance_scale = rows.front().tolerance_scale;
   const std::vector<std::string> files = options.reports();
-  if (std::ranges::find(files, "-") == files.end()) print(context, {}, rows, all.part.units.size());
+  const bool quiet = std::ranges::find(files, "-") != files.end();
+  if (!quiet) print(context, {}, rows, all.part.units.size());
+  // A part of the rows reproduces no table.
+  const bool published_differs = all.missing.empty() && print_published(suite, rows, quiet);
   if (!options.json.empty()) write_whole(options.json, reports::to_json(rows, provenance));
   if (!options.junit.empty()) write_whole(options.junit, reports::to_junit(rows));
   if (!options.csv.empty()) write_whole(options.csv, reports::to_csv(rows));
-  return exit_code(rows, false);
+  list("nothing is judged of:", without_verdicts(all));
+  return rows.empty() ? static_cast<int>(nothing_selected) : exit_code(rows, published_differs);
 }
 
 int merge(const Context& context, const Options& options) {
@@ -69,21 +80,25 @@ int merge(const Context& context, const Options& options) {
                     "{0} … --resume`",
                     command));
   const std::filesystem::path place = journal_file(command);
+  const scenario::Suite suite =
+      command == "run" ? find_suite(context, context.engines, all.part.suite) : scenario::Suite();
   write(all, place);
   if (all.strange > 0)
-    std::cerr << fmt::format("{} lines are cut off or no results; they are not used\n", all.strange);
+    std::cerr << fmt::format(
+        "{} lines are cut off, no results, or were not written by you in this folder; they are not used\n",
+        all.strange);
   const std::size_t count = all.part.units.size();
   std::cerr << fmt::format("{} of {} are there; the union is {}{}\n", count - all.missing.size(), count,
                            place.string(),
                            command == "run" ? "" : fmt::format(", for `cylon {} … --resume`", command));
-  const int code = command == "run" ? report(context, options, all) : static_cast<int>(ok);
+  const int code = command == "run" ? report(context, options, all, suite) : static_cast<int>(ok);
   std::vector<std::string> missing;
   for (const Unit& unit : all.missing) missing.push_back(unit.name);
   list("missing:", missing);
   list("the same input gave other results:", all.contradictions);
+  if (!all.missing.empty()) return incomplete;  // before all: whoever waits for the whole goes on waiting
   if (code == harness_failure) return code;
-  if (!all.contradictions.empty() || code == differs) return differs;
-  return all.missing.empty() ? code : incomplete;
+  return all.contradictions.empty() ? code : static_cast<int>(differs);
 }
 
 }  // namespace
@@ -99,12 +114,11 @@ Command add_merge(App& app, const Context& context) {
   app.add_option("--junit", options->junit, "Write the rows as JUnit XML; - is stdout")->type_name("FILE");
   app.add_option("--csv", options->csv, "Write the rows as CSV; - is stdout")->type_name("FILE");
   app.footer(
-      "The union is this folder's journal afterwards: the same command with --resume does what is missing "
-      "and\n"
-      "writes every report, as if one process had done all. Its rows are their authors' word; nothing that "
-      "a\n"
-      "file names is run. Exit code 6: cells are missing. A cell that two files answer differently, times\n"
-      "apart, is exit code 1.");
+      "The union is this folder's journal afterwards, and what that held before is kept: the same command\n"
+      "with --resume does what is missing. Its rows are their authors' word; nothing that a file names is\n"
+      "run. Motions are not in it: `cylon report` joins the files of each shard's --traces.\n"
+      "Exit code 6: cells are missing, whatever else there is; all of them are listed. 1: a verdict or a\n"
+      "published number differs, or two files answer one cell differently, times apart.");
   return [=, &context] { return merge(context, *options); };
 }
 

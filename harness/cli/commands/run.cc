@@ -1,7 +1,6 @@
 // cylon run
 #include "harness/cli/command_line.h"
 #include "harness/cli/commands/app.h"
-#include "harness/cli/commands/published.h"
 #include "harness/cli/commands/run_cells.h"
 #include "harness/cli/commands/run_options.h"
 #include "harness/cli/commands/run_output.h"
@@ -120,7 +119,7 @@ int run(const Context& context, const RunOptions& options) {
     }
   }
   const Part part{"run", shard ? shard->index : 1, shard ? shard->count : 1,
-                  units_of(selection.cells, expectations.hash())};
+                  units_of(selection.cells, expectations.hash()), request.suite};
   keep(own_units(shard, part, options.resume), selection.cells);
   prepare(selection);
   if (!shard && claims_nothing(selection.cells)) return nothing_selected;
@@ -144,12 +143,8 @@ int run(const Context& context, const RunOptions& options) {
   if (!quiet && options.charts)
     print_charts(traces, {.width = context.width, .utf8 = context.utf8, .colour = context.colour});
   if (!quiet) print(context, options, rows, selection.cells.size());
-  bool published_differs = false;
-  if (!selection.suite.published.empty() && !shard) {  // a part of the rows reproduces no table
-    const Reproduction reproduction = reproduce(selection.suite, rows);
-    published_differs = !reproduction.complete;
-    if (!quiet) std::cout << reproduction.text;
-  }
+  // A part of the rows reproduces no table.
+  const bool published_differs = !shard && print_published(selection.suite, rows, quiet);
   reports::Provenance provenance = provenance_now(context);
   provenance.tolerance_scale = request.tolerance_scale;
   if (!options.json.empty()) write_whole(options.json, reports::to_json(rows, provenance));

@@ -1,5 +1,6 @@
 #include "harness/cli/commands/run_output.h"
 
+#include "harness/cli/commands/published.h"
 #include "harness/cli/output.h"
 #include "harness/cli/scenario_view.h"
 #include "reports/error_plot.h"
@@ -37,6 +38,12 @@ void print(const Context& context, const RunOptions& options, const std::vector<
   const reports::ConsoleOptions style{.width = context.width, .utf8 = context.utf8, .colour = context.colour};
   if (options.verbose || cells == 1) std::cout << reports::console_details(rows, style) << '\n';
   std::cout << reports::console_matrix(rows, style);
+}
+
+bool print_published(const scenario::Suite& suite, const std::vector<Verdict>& rows, bool quiet) {
+  const Reproduction reproduction = reproduce(suite, rows);
+  if (!quiet) std::cout << reproduction.text;
+  return !reproduction.complete;
 }
 
 void write_report(const RunOptions& options, const Selection& selection, const Traces& traces,

@@ -20,6 +20,9 @@ int exit_code(const std::vector<results::Verdict>&, bool published_differs);
 /// The matrix; before it every claim where that was asked for, or where there is one cell.
 void print(const Context&, const RunOptions&, const std::vector<results::Verdict>&, std::size_t cells);
 
+/// Prints numbers that somebody published beside those of the rows, unless `quiet`; whether one does not come out.
+bool print_published(const scenario::Suite&, const std::vector<results::Verdict>&, bool quiet);
+
 /// Writes the page, and the traces for a later page, where they were asked for.
 void write_report(const RunOptions&, const Selection&, const Traces&, reports::RunReport);
 

@@ -4,6 +4,7 @@
 #include "harness/cli/output.h"
 #include "harness/cli/provenance_now.h"
 #include "harness/cli/scenario_view.h"
+#include "harness/cli/timed_cores.h"
 #include "harness/core/input_error.h"
 #include "harness/process/interruption.h"
 #include "harness/study/self_reference.h"
@@ -16,6 +17,7 @@
 
 #include <chrono>
 #include <iostream>
+#include <optional>
 
 namespace cylon::cli {
 namespace {
@@ -92,6 +94,9 @@ int sweep_each(const Context& context, const SweepRequest& request,
   const std::vector<bool> own = own_units(shard, part, request.resume);
   std::vector<Unit> units = part.units;
   keep(own, units), keep(own, selection.scenarios);
+  std::optional<TimedCores> cores;
+  if (request.timed && !context.farm && !units.empty())
+    cores.emplace(shard ? TimedCores::Taken::wait : TimedCores::Taken::warn);
   TradeJournal journal(journal_file(request.command, shard), part, request.resume);
   if (shard && !journal.is_open())
     throw core::InputError("a shard is its journal, and there is none: nothing was run");

@@ -287,9 +287,9 @@ TEST_F(CommandLine, ResumesInterruptedRun) {
     return std::count(journal.begin(), journal.end(), '\n') >= 3;
   };
   // The second cell's engine hangs as long as a file stands there, so that the signal always finds the run
-  // going.
-  write("engine.sh",
-        "[ -e hang ] && exec sleep 100\nexec " + std::string(binary_dir) + "/cylon-worker-in-house\n");
+  // going; not where it is asked for its version.
+  write("engine.sh", "[ -e asked ] && [ -e hang ] && exec sleep 100\ntouch asked\nexec " +
+                         std::string(binary_dir) + "/cylon-worker-in-house\n");
   write("hang", "");
   const Ran cut =
       shell("exec cylon run projectile -j 1 --worker 'slow=sh engine.sh' --engine in-house --engine slow",

@@ -46,7 +46,8 @@ class CommandLine : public testing::Test {
   /// says.
   Ran shell(const std::string& line, const std::function<bool()>& interrupt_when = {}) const {
     const std::string script = "cd '" + folder.string() +
-                               "' || exit 99; unset GTEST_SHARD_INDEX TEST_SHARD_INDEX SLURM_ARRAY_TASK_ID; "
+                               "' || exit 99; unset GTEST_SHARD_INDEX GTEST_TOTAL_SHARDS TEST_SHARD_INDEX "
+                               "TEST_TOTAL_SHARDS ${!SLURM_ARRAY_TASK_*}; "
                                "export CYLON_KEY=\"$PWD/.key\" PATH='" +
                                std::string(binary_dir) + "':\"$PATH\"; " + line;
     const std::string out = (folder / ".out").string(), err = (folder / ".err").string();

@@ -15,7 +15,7 @@ trap stop EXIT
 fail() { echo "FAILED: $*" >&2; exit 1; }
 need() { for program; do command -v "$program" >/dev/null || { echo "skipped: there is no $program here" >&2; exit 77; }; done; }
 export PATH="$(dirname "$cylon"):$PATH:/usr/sbin" CYLON_KEY=$scratch/key
-unset GTEST_SHARD_INDEX TEST_SHARD_INDEX SLURM_ARRAY_TASK_ID
+unset GTEST_SHARD_INDEX GTEST_TOTAL_SHARDS TEST_SHARD_INDEX TEST_TOTAL_SHARDS ${!SLURM_ARRAY_TASK_*}
 cd "$scratch"
 
 cells=(heavy_top:projectile:bouncing_sphere:spring_chain --engine in-house --engine ode)

@@ -11,6 +11,7 @@
 #include <map>
 #include <numeric>
 #include <random>
+#include <regex>
 
 namespace cylon::cli {
 namespace {
@@ -94,7 +95,7 @@ class ShardOfEnvironment : public testing::TestWithParam<Surroundings> {};
 TEST_P(ShardOfEnvironment, IsRead) {
   constexpr const char* all[] = {"GTEST_SHARD_INDEX",    "GTEST_TOTAL_SHARDS",   "TEST_SHARD_INDEX",
                                  "TEST_TOTAL_SHARDS",    "SLURM_ARRAY_TASK_ID",  "SLURM_ARRAY_TASK_COUNT",
-                                 "SLURM_ARRAY_TASK_MIN", "SLURM_ARRAY_TASK_STEP"};
+                                 "SLURM_ARRAY_TASK_MIN", "SLURM_ARRAY_TASK_MAX", "SLURM_ARRAY_TASK_STEP"};
   std::map<std::string, std::string> before;
   for (const char* name : all) {
     if (const char* value = std::getenv(name)) before[name] = value;
@@ -129,7 +130,36 @@ const Surroundings surroundings[] = {
     {{{"GTEST_SHARD_INDEX", "4"}, {"GTEST_TOTAL_SHARDS", "4"}}, "", "is no index of GTEST_TOTAL_SHARDS = 4"},
     {{{"GTEST_SHARD_INDEX", "x"}, {"GTEST_TOTAL_SHARDS", "4"}}, "", "not a whole number"},
     {{{"TEST_SHARD_INDEX", "2"}, {"TEST_TOTAL_SHARDS", "4"}}, "", "3/4"},
-    {{{"TEST_SHARD_INDEX", "2"}}, "", "all"},
+    // Half of what a runner sets: each of its processes would do all, and none would say so.
+    {{{"TEST_SHARD_INDEX", "2"}}, "", "TEST_SHARD_INDEX = '2', but TEST_TOTAL_SHARDS is not set"},
+    {{{"GTEST_SHARD_INDEX", "1"}}, "", "GTEST_SHARD_INDEX = '1', but GTEST_TOTAL_SHARDS is not set"},
+    {{{"GTEST_TOTAL_SHARDS", "4"}}, "", "GTEST_TOTAL_SHARDS = '4', but GTEST_SHARD_INDEX is not set"},
+    {{{"GTEST_TOTAL_SHARDS", "4"}}, "2/3", "2/3"},
+    {{{"TEST_TOTAL_SHARDS", "abc"}}, "", "TEST_TOTAL_SHARDS = 'abc', but TEST_SHARD_INDEX is not set"},
+    {{{"TEST_SHARD_INDEX", ""}, {"TEST_TOTAL_SHARDS", ""}}, "", "all"},
+    {{{"SLURM_ARRAY_TASK_ID", "3"}}, "", "SLURM_ARRAY_TASK_ID = '3', but SLURM_ARRAY_TASK_COUNT is not set"},
+    {{{"SLURM_ARRAY_TASK_COUNT", "3"}},
+     "",
+     "SLURM_ARRAY_TASK_COUNT = '3', but SLURM_ARRAY_TASK_ID is not set"},
+    {{{"SLURM_ARRAY_TASK_ID", "3"}, {"SLURM_ARRAY_TASK_MIN", "1"}, {"SLURM_ARRAY_TASK_MAX", "8"}}, "", "3/8"},
+    {{{"SLURM_ARRAY_TASK_ID", "6"},
+      {"SLURM_ARRAY_TASK_MIN", "2"},
+      {"SLURM_ARRAY_TASK_MAX", "9"},
+      {"SLURM_ARRAY_TASK_STEP", "2"}},
+     "",
+     "3/4"},
+    {{{"SLURM_ARRAY_TASK_ID", "9"}, {"SLURM_ARRAY_TASK_MIN", "1"}, {"SLURM_ARRAY_TASK_MAX", "8"}},
+     "",
+     "SLURM_ARRAY_TASK_ID = 9 is no index"},
+    {{{"SLURM_ARRAY_TASK_ID", "3"}, {"SLURM_ARRAY_TASK_MIN", "1"}, {"SLURM_ARRAY_TASK_MAX", "x"}},
+     "",
+     "SLURM_ARRAY_TASK_MAX = 'x': not a whole number"},
+    {{{"SLURM_ARRAY_TASK_ID", "1"},
+      {"SLURM_ARRAY_TASK_COUNT", "3"},
+      {"SLURM_ARRAY_TASK_MIN", "1"},
+      {"SLURM_ARRAY_TASK_MAX", "7"}},
+     "",
+     "has gaps"},
     {{{"SLURM_ARRAY_TASK_ID", "7"}, {"SLURM_ARRAY_TASK_COUNT", "4"}, {"SLURM_ARRAY_TASK_MIN", "5"}},
      "",
      "3/4"},
@@ -171,16 +201,23 @@ class Merge : public CommandLine {
   }
 };
 
+// JUnit XML without what differs each time.
+std::string untimed(const std::string& xml) {
+  return std::regex_replace(xml, std::regex(" time=\"[0-9.]*\""), "");
+}
+
 TEST_F(Merge, IsTheRunOfOneProcessByteForByte) {
   for (const std::string& asked : {std::string(), std::string("--metamorphic "), std::string("--theory ")}) {
-    shell("rm -rf .cylon m* *.json *.csv");
+    shell("rm -rf .cylon m* *.json *.xml");
     const std::string command = "run " + std::string(cells) + asked;
     const Ran one =
-        shell("mkdir one; cd one; exec cylon " + command + "--json ../one.json --csv ../one.csv -j1");
+        shell("mkdir one; cd one; exec cylon " + command + "--json ../one.json --junit ../one.xml -j1");
     run_shards(command + "-j2", 3);
-    const Ran all = cylon("merge m2/.cylon/*.jsonl m3/.cylon/*.jsonl m1/.cylon/*.jsonl --json all.json");
+    const Ran all =
+        cylon("merge m2/.cylon/*.jsonl m3/.cylon/*.jsonl m1/.cylon/*.jsonl --json all.json --junit all.xml");
     EXPECT_EQ(all.code, one.code) << all.err;
     EXPECT_EQ(without_times(read("all.json")), without_times(read("one.json")));
+    EXPECT_EQ(untimed(read("all.xml")), untimed(read("one.xml")));
     EXPECT_EQ(all.out, one.out);
     // The same from the command itself, which finds nothing left to do.
     const Ran again = cylon(command + "--resume --json again.json");
@@ -304,8 +341,7 @@ TEST_F(Merge, SurvivesHostileJournals) {
                                R"({"key": "a", "verdicts": [5]})",
                                R"({"key": "a", "verdicts": ["{}"]})",
                                R"({"key": "a", "verdicts": [")" + deep + R"("]})",
-                               R"({"key": "a", "cell": {}, "verdicts": []})",
-                               R"({"key": "a", "cell": "a", "verdicts": []})"};
+                               R"({"key": "a", "cell": {}, "verdicts": []})"};
   for (const std::string& line : lines) {
     write("hostile.jsonl", good + line + "\n");
     const Ran ran = cylon("merge hostile.jsonl");
@@ -341,6 +377,24 @@ TEST_F(Merge, JoinsSweepsAndSearches) {
     for (json* whole : {&one, &all}) whole->erase("provenance"), whole->erase("times");
     EXPECT_EQ(all, one) << command;
   }
+}
+
+// Its answer follows from times, so that the union tells what the shard told; a hunt is in hunt_command_test.cc.
+TEST_F(Merge, JoinsVerifiedAdvice) {
+  const std::string asked =
+      "advise --verify projectile --engine ode --tolerance 1e-1 --work 20000 --rounds 1 -j 1 ";
+  std::vector<std::string> told;
+  for (const char* part : {"1", "2"}) {
+    const std::string place = "m" + std::string(part);  // no other cylon that measures times is waited for
+    const Ran ran = shell("mkdir " + place + "; cd " + place + "; TMPDIR=. exec cylon " + asked + "--shard " +
+                          part + "/2");
+    EXPECT_TRUE(ran.code == 0 || ran.code == 1) << ran.err;
+    if (ran.out.find("projectile") != std::string::npos) told.push_back(ran.out);
+  }
+  ASSERT_EQ(told.size(), 1u);
+  const Ran merged = cylon("merge m2/.cylon/*.jsonl m1/.cylon/*.jsonl");
+  EXPECT_EQ(merged.code, 0) << merged.err;
+  EXPECT_EQ(cylon(asked + "--resume").out, told.front());
 }
 
 TEST_F(Merge, MayFollowDurations) {
