@@ -137,7 +137,7 @@ Headers, static libraries and a CMake package for engines: a worker out of a
 class in C++ or a table of functions in C, and EXPECT_CONFORMS for the tests
 of an engine with GoogleTest."
   FIELDS SECTION libdevel
-         DEPENDS "cylon (= ${PROJECT_VERSION}-1), libeigen3-dev, libfmt-dev, libflint-arb-dev, libflint-dev, libsodium-dev, libtinyobjloader-dev, libtomlplusplus-dev"
+         DEPENDS "cylon (= ${PROJECT_VERSION}-1), libeigen3-dev, libfmt-dev, libflint-arb-dev, libflint-dev, libsodium-dev, libtbb-dev, libtinyobjloader-dev, libtomlplusplus-dev"
          RECOMMENDS "cmake, g++, libgtest-dev")
 install(FILES cmake/package/copyright DESTINATION share/doc/libcylon-dev COMPONENT libcylon-dev-debian EXCLUDE_FROM_ALL)
 

@@ -21,7 +21,7 @@ for package in "${packages[@]}"; do
   depends=$(dpkg-deb -f "$package" Depends)
   case $(dpkg-deb -f "$package" Package) in
     cylon) [[ $depends == *libbullet* && $depends == *libode* && ! $depends =~ mujoco|simbody|dart|siconos|sdformat|urdfdom|mpi ]] ;;
-    libcylon-dev) [[ $depends == *"cylon (= $(dpkg-deb -f "$package" Version))"* && $depends == *libeigen3-dev* ]] ;;
+    libcylon-dev) [[ $depends == *"cylon (= $(dpkg-deb -f "$package" Version))"* && $depends == *libeigen3-dev* && $depends == *libtbb-dev* ]] ;;
     cylon-mpi) [[ $depends == *"cylon (= $(dpkg-deb -f "$package" Version))"* && $depends =~ lib(openmpi|mpich) && $(dpkg-deb -f "$package" Recommends) == openmpi-bin ]] ;;
     cylon-*) [[ $depends == *"cylon (= $(dpkg-deb -f "$package" Version))"* && $depends =~ lib(mujoco|simbody|dart|siconos|sdformat|urdfdom) ]] ;;
   esac || fail "$package depends on: $depends"
