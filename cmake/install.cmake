@@ -1,10 +1,11 @@
 # cmake --install: the layout that harness/cli/folders.h looks for, of the target `installable`.
 #   PREFIX/bin/cylon                 the program, which finds the rest by its own place
-#   PREFIX/libexec/cylon/            a worker of each engine (and its border, where it has one), an importer of each format
+#   PREFIX/libexec/cylon/            a worker of each engine (and its border, where it has one), an importer of each format,
+#                                    libcylon-mpi.so where MPI is
 #   PREFIX/share/cylon/              scenarios, suites, expected verdicts, the scenario format as JSON Schema
 #   PREFIX/lib/, PREFIX/include/cylon/   libraries, CMake package and headers (cmake/library.cmake)
 #   PREFIX/share/{man,bash-completion,zsh,fish}/, PREFIX/share/doc/cylon/
-# A component is a Debian package (cmake/package.cmake): cylon, cylon-ENGINE for each optional engine, and
+# A component is a Debian package (cmake/package.cmake): cylon, cylon-ENGINE for each optional engine, cylon-mpi, and
 # libcylon-dev.
 set(written ${PROJECT_BINARY_DIR}/written)
 add_custom_command(
@@ -34,6 +35,9 @@ foreach(worker IN LISTS workers)
     install(TARGETS border_${build} LIBRARY DESTINATION libexec/cylon COMPONENT ${component})
   endif()
 endforeach()
+if(TARGET cylon-mpi)
+  install(TARGETS cylon-mpi LIBRARY DESTINATION libexec/cylon COMPONENT cylon-mpi)
+endif()
 
 install(DIRECTORY scenarios DESTINATION share/cylon COMPONENT cylon)
 install(FILES ${written}/cylon/scenario.schema.json DESTINATION share/cylon COMPONENT cylon)

@@ -2,6 +2,7 @@
 #   cylon           the program, the engines that every build has, the scenarios
 #   cylon-import-FORMAT  the importer of a format of others, for the same reason
 #   cylon-ENGINE    the worker of an optional engine, so that cylon itself does not need the engine's library
+#   cylon-mpi       what `cylon farm` loads, so that cylon itself does not need MPI
 #   libcylon-dev    headers, static libraries and the CMake package, for engines outside the tree
 # The same sources give the same bytes (tests/package/reproducible.sh): every time in a package is that of the last commit,
 # or SOURCE_DATE_EPOCH where somebody says another.
@@ -81,7 +82,11 @@ function(debian_package name)
 endfunction()
 
 
-string(JOIN ", " suggested ${optional_packages} valgrind)
+set(mpi_package "")
+if(TARGET cylon-mpi)
+  set(mpi_package cylon-mpi)
+endif()
+string(JOIN ", " suggested ${optional_packages} ${mpi_package} valgrind)
 debian_package(cylon ABOUT "judge of physics engines
 Runs the same scenes on several engines and compares each with exact
 mechanics: trajectories, events, momentum, angular momentum and energy. Every
@@ -116,12 +121,23 @@ Without this package cylon says of ${id} that it is not here."
   install(FILES cmake/package/copyright DESTINATION share/doc/${package} COMPONENT ${package}-debian EXCLUDE_FROM_ALL)
 endforeach()
 
+if(mpi_package)
+  debian_package(cylon-mpi ABOUT "judge of physics engines: cylon farm
+Lets cylon share out the scenes of one question among the processes of an MPI
+job: mpirun cylon farm run.
+.
+Without this package cylon farm says that it needs MPI, and all other commands
+work."
+    FIELDS DEPENDS "cylon (= ${PROJECT_VERSION}-1)" RECOMMENDS openmpi-bin)
+  install(FILES cmake/package/copyright DESTINATION share/doc/cylon-mpi COMPONENT cylon-mpi-debian EXCLUDE_FROM_ALL)
+endif()
+
 debian_package(libcylon-dev ABOUT "judge of physics engines: library
 Headers, static libraries and a CMake package for engines: a worker out of a
 class in C++ or a table of functions in C, and EXPECT_CONFORMS for the tests
 of an engine with GoogleTest."
   FIELDS SECTION libdevel
-         DEPENDS "cylon (= ${PROJECT_VERSION}-1), libeigen3-dev, libfmt-dev, libflint-arb-dev, libflint-dev, libsodium-dev, libtinyobjloader-dev, libtomlplusplus-dev"
+         DEPENDS "cylon (= ${PROJECT_VERSION}-1), libeigen3-dev, libfmt-dev, libflint-arb-dev, libflint-dev, libsodium-dev, libtbb-dev, libtinyobjloader-dev, libtomlplusplus-dev"
          RECOMMENDS "cmake, g++, libgtest-dev")
 install(FILES cmake/package/copyright DESTINATION share/doc/libcylon-dev COMPONENT libcylon-dev-debian EXCLUDE_FROM_ALL)
 

@@ -22,7 +22,7 @@ url=$(apt-get download --print-uris base-files 2>/dev/null | sed -n "s/^'\([^']*
 /usr/lib/apt/apt-helper download-file "$url" "$scratch/probe" >/dev/null 2>&1 || skip "no mirror of Debian answers: $url"
 
 "$here/../../cmake/package/pack.sh" "$build" "$scratch/packages"
-cp "$here/use.sh" "$scratch"
+cp "$here"/{use,author}.sh "$here/../../docs/library.md" "$scratch"
 for model in arm.xml world.sdf arm.urdf; do cp "$here/../data/imports/$model" "$scratch/model.${model##*.}"; done
 mmdebstrap --quiet --variant=minbase --format=null "$release" /dev/null "$sources" \
   --customize-hook="'$here/in_bare_root.sh' '$scratch'"' "$1"'

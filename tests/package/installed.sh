@@ -41,6 +41,19 @@ says() { # text, words…: cylon prints the text, whatever its exit code
 # What says where things are overrides where they are installed.
 mkdir "$scratch/mine" && cp "$prefix/share/cylon/scenarios/projectile.toml" "$scratch/mine/thrown.toml"
 CYLON_SCENARIOS=$scratch/mine says thrown list --names
+# cylon farm, where the build has it: what it loads is installed beside the workers.
+if [ -e "$build/libcylon-mpi.so" ]; then
+  [ -e "$prefix/libexec/cylon/libcylon-mpi.so" ] || fail "cylon farm is built, and libcylon-mpi.so is not installed"
+  if command -v mpirun >/dev/null; then
+    # As root, and with more ranks than cores, Open MPI wants to be told.
+    mkdir "$scratch/farm"
+    (cd "$scratch/farm" && mpirun --allow-run-as-root --oversubscribe -n 2 "$prefix/bin/cylon" farm run projectile --engine in-house) \
+      >"$scratch/log" 2>&1 || fail "the installed cylon farm: $(cat "$scratch/log")"
+    grep -qF ', 0 differ' "$scratch/log" || fail "the installed cylon farm says: $(cat "$scratch/log")"
+  fi
+  rm "$prefix/libexec/cylon/libcylon-mpi.so"
+fi
+says 'apt-get install ./cylon-mpi_*.deb openmpi-bin' farm run projectile --engine in-house
 # An optional engine that is not installed is said to come by its package, and a repository around the prefix is no baseline.
 rm -f "$prefix/libexec/cylon/cylon-worker-mujoco"
 says './cylon-mujoco_*.deb' engines mujoco

@@ -36,6 +36,26 @@ run ctest --test-dir build --output-on-failure
 says '100% tests passed' 'the example'
 echo "The example, configured, built and tested: $((SECONDS - begin)) s"
 
+# From an empty folder to a red test, as the page says it.
+mkdir "$scratch/author"
+(cd "$scratch/author" && CMAKE_PREFIX_PATH=$prefix "$sources/tests/package/author.sh" "$sources/docs/library.md") || fail "the walk of an author"
+
+# An engine in C, in a project that knows no C++: linked by the C compiler, its test is cylon itself.
+mkdir "$scratch/c" && cp engine.c "$scratch/c"
+cat >"$scratch/c/CMakeLists.txt" <<'C'
+cmake_minimum_required(VERSION 3.25)
+project(my_engine LANGUAGES C)
+find_package(cylon 0.3 REQUIRED)
+enable_testing()
+add_executable(my-engine engine.c)
+target_link_libraries(my-engine PRIVATE cylon::worker)
+add_test(NAME projectile COMMAND cylon run projectile --worker mine=$<TARGET_FILE:my-engine> --engine mine)
+C
+run cmake -S "$scratch/c" -B "$scratch/c/build" -DCMAKE_PREFIX_PATH="$prefix"
+run cmake --build "$scratch/c/build"
+PATH=$prefix/bin:$PATH run ctest --test-dir "$scratch/c/build" --output-on-failure
+says '100% tests passed' 'the example in C alone'
+
 # The same workers in the program, beside the Python example of the protocol.
 for worker in build/my-engine build/my-engine-c "python3 $prefix/share/doc/cylon/examples/foreign_engine.py"; do
   run "$cylon" run projectile --worker "mine=$worker" --engine mine

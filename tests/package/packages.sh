@@ -20,10 +20,12 @@ lintian --fail-on error,warning --allow-root "${packages[@]}" || fail "lintian s
 for package in "${packages[@]}"; do
   depends=$(dpkg-deb -f "$package" Depends)
   case $(dpkg-deb -f "$package" Package) in
-    cylon) [[ $depends == *libbullet* && $depends == *libode* && ! $depends =~ mujoco|simbody|dart|siconos|sdformat|urdfdom ]] ;;
-    libcylon-dev) [[ $depends == *"cylon (= $(dpkg-deb -f "$package" Version))"* && $depends == *libeigen3-dev* ]] ;;
+    cylon) [[ $depends == *libbullet* && $depends == *libode* && ! $depends =~ mujoco|simbody|dart|siconos|sdformat|urdfdom|mpi ]] ;;
+    libcylon-dev) [[ $depends == *"cylon (= $(dpkg-deb -f "$package" Version))"* && $depends == *libeigen3-dev* && $depends == *libtbb-dev* ]] ;;
+    cylon-mpi) [[ $depends == *"cylon (= $(dpkg-deb -f "$package" Version))"* && $depends =~ lib(openmpi|mpich) && $(dpkg-deb -f "$package" Recommends) == openmpi-bin ]] ;;
     cylon-*) [[ $depends == *"cylon (= $(dpkg-deb -f "$package" Version))"* && $depends =~ lib(mujoco|simbody|dart|siconos|sdformat|urdfdom) ]] ;;
   esac || fail "$package depends on: $depends"
 done
+[ ! -e "$build/libcylon-mpi.so" ] || compgen -G "$scratch/cylon-mpi_*.deb" >/dev/null || fail "cylon farm is built, and there is no package of it"
 [[ $(dpkg-deb -c "$scratch"/cylon_*.deb) == *usr/share/man/man1/cylon-run.1.gz* ]] || fail "no man pages, or not compressed"
 echo "Clean: $(basename -a "${packages[@]}" | xargs)"

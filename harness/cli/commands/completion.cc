@@ -84,17 +84,22 @@ _cylon() {{
                      names, cases);
 }
 
+// Asks the program that is typed, as bash and zsh do.  Where there is none, a bare `cylon` would make fish print an error.
 std::string fish(const std::vector<Words>& words) {
-  std::string text;
+  std::string text = R"sh(function __cylon_says
+  set -l cylon (string match -r '^(?:.*/)?cylon$' -- (commandline -opc) | string replace -r '^~/' ~/)[1]
+  test -n "$cylon"; and type -q $cylon; and $cylon $argv 2>/dev/null
+end
+)sh";
   for (const Words& row : words) {
     text += fmt::format("complete -c cylon -n __fish_use_subcommand -f -a {}\n", row.command);
     for (const std::string& option : row.options)
       text +=
           fmt::format("complete -c cylon -n '__fish_seen_subcommand_from {}' {} {}{}\n", row.command,
                       option.starts_with("--") ? "-l" : "-s", option.substr(option.starts_with("--") ? 2 : 1),
-                      option == "--engine" ? " -x -a '(cylon engines --names 2>/dev/null)'" : "");
+                      option == "--engine" ? " -x -a '(__cylon_says engines --names)'" : "");
     const auto [query, fixed] = arguments(row);
-    const std::string values = query.empty() ? fixed : fmt::format("(cylon {} 2>/dev/null)", query);
+    const std::string values = query.empty() ? fixed : fmt::format("(__cylon_says {})", query);
     if (!values.empty())
       text +=
           fmt::format("complete -c cylon -n '__fish_seen_subcommand_from {}' -a '{}'\n", row.command, values);

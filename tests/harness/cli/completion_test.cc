@@ -65,6 +65,19 @@ TEST_P(Completion, OffersWhatTheProgramHas) {
   }
 }
 
+// A script that is installed outlives the program: the shell then offers options, and prints no error between the keys.
+TEST_P(Completion, IsSilentWithoutTheProgram) {
+  const std::string name = GetParam().name;
+  if (shell("command -v " + name).code != 0) GTEST_SKIP() << "there is no " << name << " here";
+  ASSERT_EQ(cylon("completion " + name + " >script").code, 0);
+  write("offers", GetParam().offers);
+  const std::string types =
+      "PATH=/usr/bin:/bin exec " + name + (name == "zsh" ? " -f" : "") + " ./offers absent/cylon run ";
+  const Ran scene = shell(types + "dzh"), option = shell(types + "--the");
+  EXPECT_EQ(scene.err + option.err, "");
+  EXPECT_TRUE(has_line(option.out, "--theory")) << option.out;
+}
+
 INSTANTIATE_TEST_SUITE_P(Shells, Completion, testing::ValuesIn(shells),
                          [](const auto& one) { return std::string(one.param.name); });
 

@@ -24,10 +24,10 @@ TEST_F(TimedCoresOfTwo, AreHeldWhileTimesAreMeasured) {
                          "/cylon-worker-in-house\n");
   const std::string asked =
       "cylon trade projectile --steps 2 --worker 'mine=sh engine.sh' --engine mine --shard 1/1 ";
-  const Ran errors = timed("touch $lock; " + asked + "--rounds 0; [ ! -e held ] || echo held");
-  EXPECT_EQ(errors.out.find("held"), std::string::npos) << errors.err;
-  const Ran times = timed(asked + "--rounds 1; [ ! -e held ] || echo held");
-  EXPECT_NE(times.out.find("held"), std::string::npos) << times.err;
+  const Ran errors = timed("touch $lock; " + asked + "--rounds 0; [ ! -e held ] || echo lock-is-taken");
+  EXPECT_EQ(errors.out.find("lock-is-taken"), std::string::npos) << errors.err;
+  const Ran times = timed(asked + "--rounds 1; [ ! -e held ] || echo lock-is-taken");
+  EXPECT_NE(times.out.find("lock-is-taken"), std::string::npos) << times.err;
   EXPECT_EQ(times.err.find("another cylon"), std::string::npos) << times.err;
 }
 
