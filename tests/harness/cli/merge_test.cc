@@ -108,8 +108,7 @@ TEST_F(MergeOfParts, HoldsPublishedNumbersAgainstTheWhole) {
   const Ran one = with_changed(asked + "--resume");
   EXPECT_EQ(one.code, all.code) << one.err;
   EXPECT_EQ(one.out, all.out);
-  write("suite.jsonl", replaced(read(".cylon/journal.jsonl"), R"("index":1,"suite":"simbenchmark")",
-                                R"("index":1,"suite":"../elsewhere")"));
+  shell(R"(sed 's|"suite":"simbenchmark"|"suite":"../elsewhere"|' .cylon/journal.jsonl > suite.jsonl)");
   const Ran unknown = cylon("merge suite.jsonl");
   EXPECT_EQ(unknown.code, 2);
   EXPECT_NE(unknown.err.find("no such suite"), std::string::npos) << unknown.err;

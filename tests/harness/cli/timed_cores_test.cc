@@ -19,9 +19,9 @@ class TimedCoresOfTwo : public CommandLine {
 };
 
 TEST_F(TimedCoresOfTwo, AreHeldWhileTimesAreMeasured) {
-  write("engine.sh", "flock --nonblock tmp/cylon-core-*-" + std::to_string(*own_cores().cores.begin()) +
-                         ".lock true || touch held\nexec " + std::string(binary_dir) +
-                         "/cylon-worker-in-house\n");
+  write("engine.sh", "flock --shared --nonblock tmp/cylon-core-*-" +
+                         std::to_string(*own_cores().cores.begin()) + ".lock true || touch held\nexec " +
+                         std::string(binary_dir) + "/cylon-worker-in-house\n");
   const std::string asked =
       "cylon trade projectile --steps 2 --worker 'mine=sh engine.sh' --engine mine --shard 1/1 ";
   const Ran errors = timed("touch $lock; " + asked + "--rounds 0; [ ! -e held ] || echo lock-is-taken");
