@@ -24,12 +24,6 @@ using results::Verdict;
 
 constexpr double most_sensitive = 100;  // beyond it oracles of trajectories are silent
 
-std::string claim_of(const Oracle& oracle) {
-  return fmt::format(
-      "[[claim]]\n{}\ntolerance = {{ relative = {}, reason = \"convention: ten times this is a fault\" }}\n",
-      oracle.claim, oracle.relative);
-}
-
 std::optional<scenario::Scenario> scenario_of(const Trial& trial, const std::string& claim) {
   try {
     scenario::Scenario scenario = scenario::parse(to_toml(trial, claim), "hunted.toml");

@@ -212,7 +212,7 @@ constexpr std::array all = {
     Oracle{"joint gap", "what a joint joins stays together", 1e-3, rounding_and_a_decade, no_joints,
            "conserves = \"joint_gap\"\nsample = \"step\""},
     Oracle{"joint axis", "what a joint does not let turn does not turn", 1e-3, rounding_and_a_decade, no_axes,
-           "conserves = \"angular_joint_gap\"\nsample = \"step\""},
+           "conserves = \"angular_joint_gap\"\nsample = \"step\"", nullptr, false, false, false, false, true},
     Oracle{"joint forces", "the forces of joints, as the engine tells them, moved the bodies", 1e-3,
            "truncation is told by its course; an engine may tell the force of one instant", no_balance,
            "conserves = \"momentum_balance\"", nullptr, false, false, true},
@@ -259,12 +259,19 @@ constexpr std::array all = {
     Oracle{"place", "the places are those of the certified solution", 1e-3, rounding_and_a_decade, too_dear,
            "follows = \"certified\"\nobservable = \"position\"", nullptr, true},
     Oracle{"turn", "the turns are those of the certified solution", 1e-3, rounding_and_a_decade, too_dear,
-           "follows = \"certified\"\nobservable = \"orientation\"", nullptr, true},
+           "follows = \"certified\"\nobservable = \"orientation\"", nullptr, true, false, false, false, true},
 };
 
 }  // namespace
 
 std::span<const Oracle> oracles() { return all; }
+
+std::string claim_of(const Oracle& oracle) {
+  if (oracle.claim.empty()) return {};
+  return fmt::format(
+      "[[claim]]\n{}\ntolerance = {{ {} = {}, reason = \"convention: ten times this is a fault\" }}\n",
+      oracle.claim, oracle.of_angle ? "absolute" : "relative", oracle.relative);
+}
 
 bool may_touch(const Scene& scene) {
   return core::any_touching_pair(scene, [](const core::Pair&) { return true; });

@@ -36,7 +36,11 @@ struct Oracle {
   bool of_steps = false;
   /// Nothing below a bound counts: where losses outweigh what truncation adds, it falls to 0 at once, as of no order.
   bool one_sided = false;
+  bool of_angle = false;  ///< Its scale is a radian.
 };
+
+/// The claim with its tolerance, as TOML; empty for an oracle that reads a recording itself.
+std::string claim_of(const Oracle&);
 
 /// Beside these the relations of mechanics (study/relations.h) are asked, and that runs end, with numbers.
 std::span<const Oracle> oracles();
