@@ -46,7 +46,8 @@ process::EngineChoice choose(const Context& context, const Asked& asked) {
 }
 
 int report_failure(const std::string& engine, const process::RunOutcome& outcome) {
-  std::cerr << plain(fmt::format("{}: {}: {}\n", engine, results::name(outcome.status), outcome.reason));
+  std::cerr << plain_line(fmt::format("{}: {}: {}", engine, results::name(outcome.status), outcome.reason))
+            << '\n';
   // An engine that is there and says that it cannot do this was asked for the wrong thing.
   return outcome.status == results::Status::unsupported && !outcome.engine.version.empty() ? bad_input
                                                                                            : harness_failure;

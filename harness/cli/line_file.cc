@@ -130,8 +130,9 @@ void LineFile::synchronise() {
 }
 
 void LineFile::give_up(int error) {
-  std::cerr << plain(fmt::format("warning: {} cannot be written ({}); what follows cannot be resumed\n",
-                                 file_.string(), std::generic_category().message(error)));
+  std::cerr << plain_line(fmt::format("warning: {} cannot be written ({}); what follows cannot be resumed",
+                                      file_.string(), std::generic_category().message(error)))
+            << '\n';
   if (fd_ >= 0) ::close(fd_);
   fd_ = -1;
 }

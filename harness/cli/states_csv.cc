@@ -1,5 +1,6 @@
 #include "harness/cli/states_csv.h"
 
+#include "harness/cli/read_whole.h"
 #include "harness/core/input_error.h"
 #include "reports/csv.h"
 
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <fstream>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
@@ -17,11 +17,12 @@ namespace cylon::cli {
 namespace {
 
 constexpr std::size_t columns = 15, numbers = columns - 2;
+constexpr std::size_t longest_shown = 80;  // of what is refused [characters]
 
 class Reader {
  public:
-  Reader(const std::string& file, const core::Scene& scene) : file_(file), scene_(scene), in_(file) {
-    if (!in_) throw core::InputError(fmt::format("{}: cannot be read", file));
+  Reader(std::string_view text, const std::string& file, const core::Scene& scene)
+      : file_(file), scene_(scene), rest_(text) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) index_.emplace(scene.bodies[i].name, i);
     for (std::size_t i = 0; i < scene.bodies.size(); ++i)  // as it is written, guarded against spreadsheets
       index_.emplace(reports::csv_field(scene.bodies[i].name), i);
@@ -43,8 +44,11 @@ class Reader {
 
   bool next() {
     ++number_;
-    if (!std::getline(in_, line_)) return false;
-    if (!line_.empty() && line_.back() == '\r') line_.pop_back();
+    if (rest_.empty()) return false;
+    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+    line_ = rest_.substr(0, end);
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    if (line_.ends_with('\r')) line_.remove_suffix(1);
     return true;
   }
 
@@ -52,7 +56,7 @@ class Reader {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size())
-      fail(fmt::format("column {}: '{}' is not a number", column + 1, text));
+      fail(fmt::format("column {}: '{}' is not a number", column + 1, text.substr(0, longest_shown)));
     return value;
   }
 
@@ -84,7 +88,8 @@ class Reader {
 
   std::size_t index(std::string_view name) const {
     const auto at = index_.find(std::string(name));
-    if (at == index_.end()) fail(fmt::format("column 2: the scene has no body '{}'", name));
+    if (at == index_.end())
+      fail(fmt::format("column 2: the scene has no body '{}'", name.substr(0, longest_shown)));
     return at->second;
   }
 
@@ -107,8 +112,7 @@ class Reader {
 
   std::string file_;
   const core::Scene& scene_;
-  std::ifstream in_;
-  std::string line_;
+  std::string_view rest_, line_;
   unsigned number_ = 0;
   core::Trajectory motion_;
   std::vector<bool> seen_;
@@ -118,7 +122,11 @@ class Reader {
 }  // namespace
 
 core::Trajectory read_states(const std::string& file, const core::Scene& scene) {
-  return Reader(file, scene).read();
+  return parse_states(read_whole(file, largest_states), file, scene);
+}
+
+core::Trajectory parse_states(std::string_view text, const std::string& file, const core::Scene& scene) {
+  return Reader(text, file, scene).read();
 }
 
 }  // namespace cylon::cli

@@ -81,7 +81,9 @@ std::vector<process::EngineRow> with_brought(const Context& context, const Broug
     if (!names.insert(row.id).second)
       throw core::InputError(fmt::format("--worker '{}': '{}' is given twice", text, row.id));
     if (std::erase_if(rows, [&](const process::EngineRow& other) { return other.id == row.id; }) > 0)
-      std::cerr << plain(fmt::format("--worker '{}' stands in for the engine '{}' of Cylon\n", text, row.id));
+      std::cerr << plain_line(
+                       fmt::format("--worker '{}' stands in for the engine '{}' of Cylon", text, row.id))
+                << '\n';
     rows.push_back(row);
   }
   add_plugins(rows, brought.plugins);

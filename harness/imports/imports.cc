@@ -12,7 +12,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace cylon::imports {
 namespace {
@@ -92,10 +91,10 @@ Imported import_file(const fs::path& file, const Options& options, const fs::pat
   return {scenario_text(model, scene, file, options.duration, left_out), left_out};
 }
 
-void serve_scenarios(const fs::path& programs) {
-  scenario::foreign_reader() = [programs](const fs::path& file) {
+void serve_scenarios(const fs::path& programs, const std::function<void(const std::string&)>& left_out) {
+  scenario::foreign_reader() = [programs, left_out](const fs::path& file) {
     const Imported imported = import_file(file, {}, programs);
-    for (const std::string& text : imported.left_out) std::fprintf(stderr, "left out: %s\n", text.c_str());
+    for (const std::string& text : imported.left_out) left_out(text);
     return imported.toml;
   };
 }

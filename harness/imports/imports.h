@@ -5,6 +5,7 @@
 #include "harness/imports/losses.h"
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,7 +25,7 @@ struct Options {
 
 struct Imported {
   std::string toml;                   ///< A scenario file.
-  std::vector<std::string> left_out;  ///< For people, one line each.
+  std::vector<std::string> left_out;  ///< For people; names in them may hold any characters.
 };
 
 /// Throws core::InputError where the library of the format is not here, refuses the file, crashes or takes too long, and
@@ -32,7 +33,9 @@ struct Imported {
 /// `programs`: the folder with cylon-import-*.
 Imported import_file(const std::filesystem::path&, const Options&, const std::filesystem::path& programs);
 
-/// From now on scenario::read takes such files too.  What is left out goes to stderr.
-void serve_scenarios(const std::filesystem::path& programs);
+/// From now on scenario::read takes such files too.  `left_out` gets what is left out, a text at a time, which may hold
+/// any characters that the file has.
+void serve_scenarios(const std::filesystem::path& programs,
+                     const std::function<void(const std::string&)>& left_out);
 
 }  // namespace cylon::imports

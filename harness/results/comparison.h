@@ -73,6 +73,7 @@ struct ComparisonReport {
   /// The baseline against itself, beside the first cell; absent where nothing was timed.
   std::optional<ComparedTime> self_check;
   bool reliable = true;  ///< False: the baseline seems to differ from itself, so that no time is believed.
+  bool interrupted = false;  ///< Cells that were not reached are skipped, or have no time.
   std::vector<Comparison> cells;
 };
 

@@ -1,5 +1,6 @@
 #include "harness/study/compare.h"
 
+#include "harness/process/interruption.h"
 #include "harness/study/paired_times.h"
 #include "harness/tracking/statistics/holm.h"
 
@@ -158,26 +159,47 @@ void conclude(results::ComparisonReport& report) {
   }
 }
 
+void leave_out(Comparison& c) {
+  if (c.untimed.empty()) c.untimed = "interrupted";
+  if (!c.metrics.empty()) return;
+  c.skip = results::Skip::missing;
+  end(c, Finding::skipped, "interrupted before it was compared");
+}
+
 results::ComparisonReport compare(const std::vector<Cell>& cells, const Side& baseline, const Side& candidate,
                                   const CompareOptions& options, const CompareProgress& progress) {
   results::ComparisonReport report{.baseline = baseline.name, .candidate = candidate.name};
   report.tau = options.rule.tau, report.alpha = options.rule.alpha, report.gate = options.gate;
+  // Of a cell; after an interruption of none any more.
+  const auto unless_interrupted = [&](Comparison& c, const auto& step) {
+    try {
+      if (!report.interrupted) return step();
+    } catch (const process::Interrupted&) {
+      report.interrupted = true;
+    }
+    leave_out(c);
+  };
   std::set<std::string> notes;
   std::vector<ToTime> jobs;
   for (const Cell& cell : cells) {
     Comparison& c = report.cells.emplace_back(open_comparison(cell));
-    if (progress) progress("results of " + c.cell());
-    auto job = compare_exactly(cell, c, baseline, candidate, options, notes);
-    if (!job) continue;
-    job->cell = report.cells.size() - 1;
-    jobs.push_back(std::move(*job));
+    unless_interrupted(c, [&] {
+      if (progress) progress("results of " + c.cell());
+      auto job = compare_exactly(cell, c, baseline, candidate, options, notes);
+      if (!job) return;
+      job->cell = report.cells.size() - 1;
+      jobs.push_back(std::move(*job));
+    });
   }
 
   statistics::PairedRule rule = options.rule;
   if (options.gate && !jobs.empty()) rule.alpha /= static_cast<double>(jobs.size());
-  for (const ToTime& job : jobs)
-    time_cell(job, options, rule, progress, report.cells[job.cell],
-              &job == &jobs.front() ? &report.self_check : nullptr);
+  for (const ToTime& job : jobs) {
+    Comparison& c = report.cells[job.cell];
+    unless_interrupted(c, [&] {
+      time_cell(job, options, rule, progress, c, &job == &jobs.front() ? &report.self_check : nullptr);
+    });
+  }
   if (options.gate) adjust(report.cells, options.rule.alpha);
   conclude(report);
   report.notes.assign(notes.begin(), notes.end());

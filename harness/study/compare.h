@@ -37,7 +37,8 @@ using CompareProgress = std::function<void(const std::string&)>;
 /// repeats bit for bit (profile.h), then the times, pair by pair in fresh processes.  Beside the first cell
 /// that is timed the baseline is timed against itself, its pairs between those of the cell; should the rule
 /// tell it from itself, no time of this run is believed.  A candidate that fails where the baseline does not
-/// has regressed. Throws what process::run throws.
+/// has regressed. After an interruption no further cell is compared and no further time taken; the report says so. Throws
+/// what else process::run throws.
 results::ComparisonReport compare(const std::vector<Cell>&, const Side& baseline, const Side& candidate,
                                   const CompareOptions&, const CompareProgress&);
 
@@ -47,6 +48,9 @@ results::Comparison open_comparison(const Cell&);
 /// Whether both builds ran to the end, so that there is something to compare; else the row says what is the
 /// matter.
 bool both_ran(results::Comparison&, const Profile& baseline, const Profile& candidate);
+
+/// What an interruption leaves of a row: its results without times where it has them, else a row that is skipped.
+void leave_out(results::Comparison&);
 
 /// Holm's adjustment over the cells that were timed, and the findings by it.
 void adjust(std::vector<results::Comparison>&, double alpha);

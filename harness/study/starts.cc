@@ -1,5 +1,6 @@
 #include "harness/study/starts.h"
 
+#include "harness/process/interruption.h"
 #include "harness/scenario/vary.h"
 #include "harness/study/self_reference.h"
 
@@ -13,6 +14,7 @@ std::vector<Start> starts(const scenario::Scenario& scenario, std::span<const do
                           std::span<const process::EngineRow> rows, const process::Limits& limits) {
   std::vector<Start> result;
   const auto add = [&](scenario::Scenario from) {
+    if (process::interrupted()) throw process::Interrupted();  // truths take seconds, and ask nobody
     Start start;
     start.scenario = std::make_unique<const scenario::Scenario>(std::move(from));
     start.yardstick = std::make_unique<const Yardstick>(

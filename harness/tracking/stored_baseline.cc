@@ -1,6 +1,7 @@
 #include "harness/tracking/stored_baseline.h"
 
 #include "harness/core/input_error.h"
+#include "harness/process/interruption.h"
 #include "harness/study/profile.h"
 #include "harness/tracking/store/store.h"
 #include "harness/tracking/track.h"
@@ -120,7 +121,12 @@ results::ComparisonReport compare_with_stored(const std::string& store_file, con
     Comparison& c = report.cells.emplace_back(study::open_comparison(cell));
     if (progress) progress("results of " + c.cell());
     c.untimed = "not against a stored run";
-    compare_cell(cell, result_of(results, cell), candidate, options, c);
+    try {
+      if (!report.interrupted) compare_cell(cell, result_of(results, cell), candidate, options, c);
+    } catch (const process::Interrupted&) {
+      report.interrupted = true;
+    }
+    if (report.interrupted) study::leave_out(c);
   }
   study::conclude(report);
   return report;

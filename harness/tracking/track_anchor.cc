@@ -85,10 +85,11 @@ std::vector<PinnedEngine> pinned_engines(const store::Store& store, const fs::pa
     if (engine.row.command.empty()) continue;
     std::string& program = engine.row.command.front();
     if (!store.is_own(anchor) || !is_inside(program)) {
-      std::cerr << plain(
-          fmt::format("anchor '{0}' was not pinned by you here, so its program is not run; pin your "
-                      "own: `cylon track pin {0}`\n",
-                      anchor.name));
+      std::cerr << plain_line(fmt::format(
+                       "anchor '{0}' was not pinned by you here, so its program is not run; pin your "
+                       "own: `cylon track pin {0}`",
+                       anchor.name))
+                << '\n';
       continue;
     }
     program = (store_file.parent_path() / program).string();

@@ -73,7 +73,8 @@ int record(const Context& context, const Options& options) {
         process::RunOutcome outcome;
         outcome.engine = process::describe(cell.engine, limits);
         store.add(run.id, result_of(cell, outcome, {row_of(card, now)}));
-        std::cout << plain(fmt::format("{:<60} {:<24} {}\n", scenario.name, id, hunt::name(now.what)))
+        std::cout << plain_line(fmt::format("{:<60} {:<24} {}", scenario.name, id, hunt::name(now.what)))
+                  << '\n'
                   << std::flush;
       }
     }

@@ -5,6 +5,7 @@
 #include "harness/cli/options.h"
 #include "harness/cli/output.h"
 #include "harness/cli/workers.h"
+#include "harness/process/interruption.h"
 #include "harness/study/compare.h"
 #include "harness/study/paired_times.h"
 #include "harness/tracking/baseline.h"
@@ -120,8 +121,10 @@ class Progress {
   bool on_;
 };
 
+/// `until_told` is made once there are two sides: a build of a revision ends by a signal.
 results::ComparisonReport report_of(const Context& context, const CompareRequest& asked,
-                                    const std::vector<study::Cell>& cells) {
+                                    const std::vector<study::Cell>& cells,
+                                    std::optional<process::Interruptible>& until_told) {
   const Progress progress(context.progress);
   const auto show = [&](const std::string& text) { progress(text); };
   const study::CompareOptions options = options_of(asked);
@@ -130,6 +133,7 @@ results::ComparisonReport report_of(const Context& context, const CompareRequest
   add_workers(with_own, context, asked.cells.brought.workers);
   add_plugins(with_own.engines, asked.cells.brought.plugins);
   const Baseline baseline = baseline_of(context, asked, cells);
+  until_told.emplace();
   if (baseline.run) return compare_with_stored(asked.store, *baseline.run, cells, with_own, options, show);
   results::ComparisonReport report = study::compare(cells, baseline.side, with_own, options, show);
   const std::vector<std::string> notes = notes_of(options);
@@ -181,13 +185,18 @@ int compare(const Context& own, const CompareRequest& asked) {
     study::sampling(*cell.scenario, cell.dt);  // refuse a bad step before any run
     cell.reproduce = command_for(asked, cell);
   }
-  const results::ComparisonReport report = report_of(context, asked, selection.cells);
+  std::optional<process::Interruptible> until_told;
+  const results::ComparisonReport report = report_of(context, asked, selection.cells, until_told);
   if (std::find(files.begin(), files.end(), "-") == files.end())
     std::cout << reports::console(report,
                                   {.width = context.width, .utf8 = context.utf8, .colour = context.colour});
   if (!asked.json.empty()) write_whole(asked.json, reports::to_json(report));
   if (!asked.junit.empty()) write_whole(asked.junit, reports::to_junit(report));
   if (!asked.markdown.empty()) write_whole(asked.markdown, reports::to_markdown(report));
+  if (report.interrupted) {
+    std::cerr << "interrupted: the reports hold what is compared; cells that were not reached are skipped\n";
+    return interrupted;
+  }
   if (nothing_compared(report))
     std::cerr << plain_line(fmt::format("nothing compared: {} of {} cells skipped; {}: {}",
                                         report.cells.size(), report.cells.size(), report.cells.front().cell(),
@@ -244,7 +253,7 @@ Command add_track_compare(App& app, const Context& context) {
       "answers. Results: errors may rise by 10 % or the rounding floor, orders fall by 0.1.\n"
       "Exit codes: 0 no regression, 1 a regression is confirmed, 2 bad input, 3 inconclusive under --strict, "
       "4 nothing "
-      "selected or compared, 5 harness failure.");
+      "selected or compared, 5 harness failure, 130 interrupted.");
   return [asked, &context] { return compare(context, *asked); };
 }
 

@@ -15,7 +15,7 @@ Command add_track_gate(App& app, const Context& context) {
       "(Holm). Improvements are reported and do not fail.\n"
       "Exit codes: 0 no regression, 1 a regression is confirmed, 2 bad input, 3 inconclusive under --strict, "
       "4 nothing "
-      "selected or compared, 5 harness failure.");
+      "selected or compared, 5 harness failure, 130 interrupted.");
   return [asked, &context] { return compare(context, *asked); };
 }
 

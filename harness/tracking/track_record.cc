@@ -148,17 +148,17 @@ class Recorder {
           add(todo[i], outcomes[i], rows);
           outcomes[i] = {};
           if (options_.verbose)
-            std::cout << fmt::format("stored {} on {} at {}\n", todo[i].scenario->name, todo[i].engine.id,
-                                     todo[i].dt_text)
-                      << std::flush;
+            std::cout << plain_line(fmt::format("stored {} on {} at {}", todo[i].scenario->name,
+                                                todo[i].engine.id, todo[i].dt_text))
+                      << std::endl;
           if (context_.progress)
-            std::cerr << fmt::format("\r[{}/{}] {} on {}\x1b[K", ++finished, todo.size(),
-                                     todo[i].scenario->name, todo[i].engine.id)
+            std::cerr << fmt::format("\r[{}/{}] {}\x1b[K", ++finished, todo.size(),
+                                     plain_line(todo[i].scenario->name + " on " + todo[i].engine.id))
                       << std::flush;
         });
     if (context_.progress) std::cerr << "\r\x1b[K" << std::flush;
     for (const auto& list : {matrix.refused, matrix.failed})
-      for (const std::string& line : list) std::cerr << "error: " << plain(line) << '\n';
+      for (const std::string& line : list) std::cerr << "error: " << plain_line(line) << '\n';
     if (matrix.interrupted) throw process::Interrupted();
     refused_ = !matrix.refused.empty();
     failed_ = !matrix.failed.empty();

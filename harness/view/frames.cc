@@ -2,10 +2,10 @@
 
 #include "harness/core/input_error.h"
 #include "harness/view/command.h"
+#include "harness/view/whole_file.h"
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <utility>
 
 namespace cylon::view {
@@ -31,10 +31,11 @@ void Frames::keep(std::int64_t n, std::string_view png) {
   if (!png.starts_with(png_signature)) throw BadCommand("the picture is not a PNG file");
   const std::lock_guard lock(mutex_);
   const std::filesystem::path path = folder_ / fmt::format("frame-{:06}.png", n);
-  std::ofstream file(path, std::ios::binary);
-  file.write(png.data(), static_cast<std::streamsize>(png.size()));
-  file.close();
-  if (!file) throw BadCommand(fmt::format("{}: cannot be written", path.string()));
+  try {
+    write_whole_file(path, png);
+  } catch (const core::InputError& error) {
+    throw BadCommand(error.what());
+  }
   ++count_;
 }
 

@@ -13,8 +13,8 @@ class Frames {
   /// Throws core::InputError where the folder cannot be made.
   explicit Frames(std::filesystem::path folder);
 
-  /// Keeps frame n, 0 <= n <= 999999, in place of an earlier one of that number.  Throws BadCommand unless
-  /// the bytes are a PNG's, or where it cannot be written.
+  /// Keeps frame n, 0 <= n <= 999999, in place of an earlier one of that number or of a link.  Throws BadCommand
+  /// unless the bytes are a PNG's, or where it cannot be written.
   void keep(std::int64_t n, std::string_view png);
 
   std::int64_t count() const;

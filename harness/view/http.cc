@@ -170,7 +170,7 @@ struct Listener::Parts {
       const bool broken = refusal.has_value();
       if (!refusal) refusal = rules.admit(head);
       if (refusal) {  // what follows may be the body that nobody reads
-        const bool last = broken || head.length > 0;
+        const bool last = broken || head.length > 0 || !parser.keep_alive();
         if (!co_await send(connection, *refusal, last) || last) co_return;
         continue;
       }

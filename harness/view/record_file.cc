@@ -4,12 +4,12 @@
 #include "harness/core/input_error.h"
 #include "harness/process/vector_json.h"
 #include "harness/scenario/writer.h"
+#include "harness/view/whole_file.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <fstream>
 #include <string>
 
 namespace cylon::view {
@@ -87,18 +87,18 @@ std::string scenario_text(const Recorder& recorder, const scenario::Scenario& fr
          claim("orientation", data, part, spec);
 }
 
-void write(const fs::path& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) throw core::InputError(fmt::format("{}: cannot be written", path.string()));
+// Also of a link that leads nowhere.
+bool is_there(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(fs::symlink_status(path, ignored));
 }
+
+fs::path data_of(fs::path scenario) { return scenario.replace_extension(".json"); }
 
 // The name itself, or with the first number that is free.
 fs::path free_name(const fs::path& file) {
   fs::path path = file;
-  std::error_code ignored;
-  for (int i = 2; fs::exists(path, ignored); ++i) {
+  for (int i = 2; is_there(path) || is_there(data_of(path)); ++i) {
     path = file;
     path.replace_filename(fmt::format("{}-{}.toml", file.stem().string(), i));
   }
@@ -109,13 +109,12 @@ fs::path free_name(const fs::path& file) {
 
 fs::path save_recording(const Recorder& recorder, const scenario::Scenario& from, const fs::path& file) {
   const fs::path path = free_name(file);
-  fs::path data = path;
-  data.replace_extension(".json");
-  write(data, motion(recorder).dump());
+  const fs::path data = data_of(path);
+  write_whole_file(data, motion(recorder).dump());
   try {
     const std::string text = scenario_text(recorder, from, data.filename().string());
     scenario::parse(text, path.string());
-    write(path, text);
+    write_whole_file(path, text);
   } catch (const core::InputError& error) {
     std::error_code ignored;
     fs::remove(data, ignored);

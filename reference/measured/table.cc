@@ -11,10 +11,13 @@
 #include <charconv>
 #include <cmath>
 #include <memory>
+#include <set>
 #include <string_view>
 
 namespace cylon::measured {
 namespace {
+
+constexpr std::size_t longest_shown = 40;  // of what is refused [characters]
 
 struct Close {
   void operator()(gzFile_s* file) const { gzclose_r(file); }
@@ -79,12 +82,16 @@ Table read_table(const std::filesystem::path& path) {
     std::string_view row = std::string_view(text).substr(at, end - at);
     at = end + 1, ++line;
     if (!row.empty() && row.back() == '\r') row.remove_suffix(1);
+    const auto wide = static_cast<std::size_t>(std::ranges::count(row, ',')) + 1;
+    if (wide > most_columns) throw refuse(line, fmt::format("{} columns, at most {}", wide, most_columns));
     const auto found = cells(row);
     if (line == 1) {
       table.head.assign(found.begin(), found.end());
-      for (std::size_t i = 0; i < table.head.size(); ++i)
-        if (table.head[i].empty() || std::ranges::count(table.head, table.head[i]) > 1)
-          throw refuse(1, fmt::format("column {} has no name of its own: '{}'", i + 1, table.head[i]));
+      std::set<std::string_view> names;
+      for (std::size_t i = 0; i < found.size(); ++i)
+        if (found[i].empty() || !names.insert(found[i]).second)
+          throw refuse(1, fmt::format("column {} has no name of its own: '{}'", i + 1,
+                                      found[i].substr(0, longest_shown)));
       continue;
     }
     if (found.size() != table.head.size())
@@ -95,8 +102,8 @@ Table read_table(const std::filesystem::path& path) {
       double x = std::nan("");
       const auto [stop, error] = std::from_chars(found[i].data(), found[i].data() + found[i].size(), x);
       if (error != std::errc() || stop != found[i].data() + found[i].size() || !std::isfinite(x))
-        throw refuse(line,
-                     fmt::format("{} = '{}' is no finite number", table.head[i], found[i].substr(0, 40)));
+        throw refuse(line, fmt::format("{} = '{}' is no finite number", table.head[i],
+                                       found[i].substr(0, longest_shown)));
       values.push_back(x);
     }
   }

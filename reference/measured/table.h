@@ -11,6 +11,9 @@ namespace cylon::measured {
 /// Tables larger than this, unpacked, are refused [bytes].
 inline constexpr std::size_t largest_table = std::size_t{256} << 20;
 
+/// Tables of more columns are refused; known data have at most a few dozen.
+inline constexpr std::size_t most_columns = 4096;
+
 struct Table {
   std::string file;
   std::string hash;  ///< Of its text, unpacked.

@@ -1,5 +1,5 @@
 // `track import /dev/zero` read until the memory was gone, and `report` and `track import` of a named pipe into which nobody
-// writes, or of a file under /proc that never comes, waited for ever.
+// writes, or of a file under /proc that never comes, waited for ever. So did `diff` of such a file as states.
 #include "tests/harness/cli/fixture.h"
 
 #include <string>
@@ -21,6 +21,27 @@ TEST_F(FilesThatNeverEnd, AreRefused) {
       EXPECT_EQ(ran.code, 2) << command;
       EXPECT_NE(ran.err.find(why), std::string::npos) << command << ": " << ran.err;
     }
+}
+
+TEST_F(FilesThatNeverEnd, AreRefusedAsStates) {
+  shell("mkfifo pipe.csv; ln -s /dev/zero zero.csv; mkdir folder.csv");
+  const std::pair<const char*, const char*> files[] = {
+      {"zero.csv", "zero.csv: more than 256 MB"},
+      {"pipe.csv", "pipe.csv: a pipe into which nobody writes"},
+      {"folder.csv", "folder.csv: cannot be read"}};
+  for (const auto& [file, why] : files) {
+    const Ran ran = cylon(std::string("diff projectile in-house ") + file);
+    EXPECT_EQ(ran.code, 2) << file << ran.err;
+    EXPECT_NE(ran.err.find(why), std::string::npos) << file << ran.err;
+  }
+  // What is refused is shown in part.
+  const Ran ran = shell(
+      "(echo time,body,px,py,pz,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz; head -c 1000000 /dev/zero | "
+      "tr '\\0' x; echo ,projectile,0,0,0,1,0,0,0,0,0,0,0,0,0) > long.csv; "
+      "exec cylon diff projectile in-house long.csv");
+  EXPECT_EQ(ran.code, 2) << ran.err.substr(0, 500);
+  EXPECT_NE(ran.err.find("long.csv:2:1: column 1: 'xxx"), std::string::npos) << ran.err.substr(0, 500);
+  EXPECT_LT(ran.err.size(), 1000u);
 }
 
 // Pipes with a writer are read to their end: stdin, /dev/stdin, a named pipe whose writer is slow.

@@ -58,6 +58,29 @@ TEST_F(MatrixGoesOn, WithoutProcessesAndIsResumed) {
   EXPECT_EQ(status_of("in-house"), "pass");
 }
 
+// The other commands that ask many runs said "internal error: pipe" and lost what they had; single ones said the same.
+TEST_F(MatrixGoesOn, WithoutProcessesInOtherCommands) {
+  for (const char* command : {"trade projectile --engine in-house --integrator rk4 --steps 3 --rounds 0",
+                              "limits spring --engine in-house", "hunt --engine in-house --count 2",
+                              "simulate projectile", "advise projectile --engine in-house"}) {
+    const Ran ran = shell(std::string("ulimit -n 10; exec cylon ") + command);
+    EXPECT_EQ(ran.code, 5) << command << ran.err;
+    EXPECT_NE(ran.err.find("the harness failed: pipe"), std::string::npos) << command << ran.err;
+    EXPECT_EQ(ran.err.find("internal error"), std::string::npos) << command << ran.err;
+  }
+  // A few descriptors more, and the engine can say what it is, though not search: the search is told, and done again.
+  for (int most = 11; most < 30; ++most) {
+    const std::string limit = "ulimit -n " + std::to_string(most);
+    const Ran ran = shell(limit + "; exec cylon limits spring --engine in-house --json l.json");
+    if (ran.code == 0) break;
+    EXPECT_EQ(ran.code, 5) << limit << ran.err;
+    EXPECT_TRUE(ran.err.starts_with("error: ")) << limit << ran.err;
+  }
+  const Ran again = cylon("limits spring --engine in-house --resume --json l.json");
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_EQ(json::parse(read("l.json")).at("limits").size(), 1u);
+}
+
 // Threads that the system refuses ended the program; fewer do the same work now.
 TEST_F(MatrixGoesOn, WithoutThreads) {
   const Ran ran = shell(

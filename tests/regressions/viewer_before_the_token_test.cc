@@ -11,6 +11,7 @@
 #include <sys/time.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -112,6 +113,16 @@ TEST(ViewerBeforeTheToken, SlowHeadsBlockNobody) {
       ask(listener.port(), "GET /a HTTP/1.1\r\nX-Word: friend\r\nConnection: close\r\n\r\n");
   EXPECT_TRUE(answer.starts_with("HTTP/1.1 200 ")) << answer;
   EXPECT_EQ(slow.back()->rest(), "");  // closed at its deadline, though it never ended
+}
+
+// A refusal to who asked to close held the connection until the time to ask again was over, 5 s.
+TEST(ViewerBeforeTheToken, ClosesAfterARefusal) {
+  const Listener listener(0, rules());
+  const auto start = std::chrono::steady_clock::now();
+  const std::string answer = ask(listener.port(), "GET /a HTTP/1.1\r\nConnection: close\r\n\r\n");
+  EXPECT_TRUE(answer.starts_with("HTTP/1.1 403 ")) << answer;
+  EXPECT_NE(answer.find("Connection: close"), std::string::npos) << answer;
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(3));
 }
 
 // One request behind another on one connection, and the second's head split anywhere.

@@ -1,6 +1,7 @@
 // cylon advise
 #include "harness/cli/commands/advise_verify.h"
 
+#include "harness/cli/command_line.h"
 #include "harness/cli/commands/app.h"
 #include "harness/cli/options.h"
 #include "harness/cli/output.h"
@@ -8,6 +9,7 @@
 #include "harness/cli/selection.h"
 #include "harness/cli/workers.h"
 #include "harness/core/input_error.h"
+#include "harness/process/interruption.h"
 #include "harness/study/advise.h"
 #include "harness/study/features.h"
 #include "harness/study/settings.h"
@@ -55,6 +57,9 @@ int run(const Context& context, Options options) {
   options.how.most = static_cast<std::int64_t>(options.work);
   options.how.workers = worker_count(context, options.jobs);
   const auto rows = with_brought(context, options.brought);
+  if (options.verify && !options.json.empty())
+    throw core::InputError(
+        "--json: of `cylon advise FILE`; --verify prints lines and keeps them for --resume");
   if (options.verify)
     return verify_advice(context, {.wanted = options.wanted,
                                    .how = options.how,
@@ -69,6 +74,7 @@ int run(const Context& context, Options options) {
   const scenario::Scenario scenario = scenario::load(find_scenario(context, options.file));
   const auto starts = study::starts(scenario, study::check_variations(), study::search_samples(scenario),
                                     options.observable, rows, options.how.limits);
+  const process::Interruptible until_told;
   results::Advice advice;
   advice.scenario = scenario.name, advice.duration = scenario.duration;
   advice.tolerance = options.how.tolerance, advice.budget = options.how.budget;
@@ -81,8 +87,8 @@ int run(const Context& context, Options options) {
     advice.engines = study::advise(starts, settings, options.how, [&](const study::Setting& setting) {
       ++searched;
       if (context.progress)
-        std::cerr << fmt::format("\r[{}/{}] {} {}\x1b[K", searched, settings.size(), setting.engine.id,
-                                 setting.integrator.name)
+        std::cerr << fmt::format("\r[{}/{}] {}\x1b[K", searched, settings.size(),
+                                 plain_line(setting.engine.id + " " + setting.integrator.name))
                   << std::flush;
     });
     if (!options.no_features)
@@ -131,7 +137,8 @@ Command add_advise(App& app, const Context& context) {
   app.add_flag("--no-features", options->no_features, "Do not measure the cost of each part of the scene");
   add_jobs_option(app, options->jobs, "Number of searches to run at the same time; default: all processors");
   add_timeout_option(app, options->timeout);
-  app.add_option("--json", options->json, "Write the advice as JSON; - is stdout")->type_name("FILE");
+  app.add_option("--json", options->json, "Write the advice as JSON; - is stdout. Not of --verify")
+      ->type_name("FILE");
   app.add_flag("--verify", options->verify,
                "Check the advice on twenty scenarios, or on FILE: run it from new initial states and compare "
                "its cost with the best of a full sweep. Takes minutes");

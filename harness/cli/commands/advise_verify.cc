@@ -7,6 +7,7 @@
 #include "harness/cli/part.h"
 #include "harness/cli/timed_cores.h"
 #include "harness/core/worst.h"
+#include "harness/process/interruption.h"
 #include "harness/study/ladder.h"
 
 #include <fmt/format.h>
@@ -209,24 +210,35 @@ int verify_advice(const Context& context, const Verification& ask) {
   if (shard && !journal.is_open())
     throw core::InputError("a shard is its journal, and there is none: nothing was run");
 
+  const process::Interruptible until_told;
   Answer all;
+  bool whole = true;
   const study::Next next = next_of(shard, units.size());
-  while (const auto i = next()) {
-    const auto start = std::chrono::steady_clock::now();
-    const auto found = known.find(units[*i].key);
-    const Answer answer = found != known.end() ? found->second : verify(ask, *scenarios[*i]);
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    if (found == known.end())
-      journal.add({{"key", units[*i].key},
-                   {"cell", units[*i].name},
-                   {"advice", to_json(answer)},
-                   {"seconds", seconds.count()}});
-    std::cout << answer.lines << std::flush;
-    all.advised += answer.advised, all.held += answer.held, all.dear += answer.dear;
-  }
+  while (const auto i = next()) try {
+      const auto start = std::chrono::steady_clock::now();
+      const auto found = known.find(units[*i].key);
+      const Answer answer = found != known.end() ? found->second : verify(ask, *scenarios[*i]);
+      const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+      if (found == known.end())
+        journal.add({{"key", units[*i].key},
+                     {"cell", units[*i].name},
+                     {"advice", to_json(answer)},
+                     {"seconds", seconds.count()}});
+      std::cout << answer.lines << std::flush;
+      all.advised += answer.advised, all.held += answer.held, all.dear += answer.dear;
+    } catch (const process::Interrupted&) {
+      whole = false;
+      break;
+    }
   std::cout << fmt::format(
       "{} results: {} hold from new initial states, {} cost more than {} times the best found\n", all.advised,
       all.held, all.dear, allowed_cost);
+  if (!whole) {
+    std::cerr
+        << "interrupted: these are the scenarios that are done; repeat the command with --resume in this "
+           "folder to continue\n";
+    return interrupted;
+  }
   if (shard && !journal.is_open()) return harness_failure;
   return (shard && shard->farm) || (all.held == all.advised && all.dear == 0) ? ok : differs;
 }

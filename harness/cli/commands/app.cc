@@ -24,6 +24,7 @@
 #include <iostream>
 #include <sstream>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace cylon::cli {
@@ -109,6 +110,13 @@ std::string complaint_of(const CLI::App& app, const CLI::ParseError& error) {
   return fmt::format("{}\n`{} --help` shows the valid options", plain(message), name);
 }
 
+// Lines after the first begin with spaces, so that none of a foreign name is taken for a message of its own.
+std::string indented(std::string text) {
+  for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; ++at)
+    if (!std::string_view(text).substr(at + 1).starts_with("  ")) text.insert(at + 1, "  ");
+  return text;
+}
+
 // A full disk or a closed pipe shows in the stream alone, and what was cut must not look whole.
 int with_whole_output(int code) {
   std::cout.flush();
@@ -120,7 +128,7 @@ int with_whole_output(int code) {
 }  // namespace
 
 void show(const core::InputError& error) {
-  std::cerr << "error: " << plain(error.what()) << '\n';
+  std::cerr << "error: " << indented(plain(error.what())) << '\n';
   if (error.line == 0) return;
   std::ifstream file(error.file);
   std::string line;
@@ -178,7 +186,8 @@ int run_command_line(int argc, char** argv) {
       "failure, 6 cells are missing (merge), 130 "
       "interrupted.");
   Context context = make_context();
-  imports::serve_scenarios(context.workers);
+  imports::serve_scenarios(
+      context.workers, [](const std::string& text) { std::cerr << plain_line("left out: " + text) << '\n'; });
   measured::serve_scenarios();
   const std::vector<std::string> words(argv, argv + argc);
   context.command_line = shell_command(words);
@@ -200,9 +209,12 @@ int run_command_line(int argc, char** argv) {
     return bad_input;
   } catch (const std::filesystem::filesystem_error& error) {
     if (!is_of_a_name(error.code())) throw;
-    std::cerr << "error: " << plain(fmt::format("{}: {}", error.path1().string(), error.code().message()))
-              << '\n';
+    std::cerr << "error: "
+              << plain_line(fmt::format("{}: {}", error.path1().string(), error.code().message())) << '\n';
     return bad_input;
+  } catch (const std::system_error& error) {  // no process, no thread, no descriptor
+    std::cerr << "error: the harness failed: " << plain_line(error.what()) << '\n';
+    return harness_failure;
   } catch (const process::Interrupted&) {
     std::cerr << "interrupted\n";
     return interrupted;
@@ -229,7 +241,7 @@ int main(int argc, char** argv) {
   try {
     return run_command_line(argc, argv);
   } catch (const std::exception& error) {  // no memory, also before there is a command
-    std::cerr << "internal error: " << plain(error.what()) << '\n';
+    std::cerr << "internal error: " << plain_line(error.what()) << '\n';
     return harness_failure;
   }
 }

@@ -10,6 +10,7 @@
 
 #include "harness/core/input_error.h"
 #include "harness/core/recording.h"
+#include "harness/process/interruption.h"
 #include "harness/scenario/input.h"
 #include "harness/study/divergence.h"
 #include "reports/json.h"
@@ -205,11 +206,11 @@ std::string table(const Context& context, const scenario::Scenario& scenario, co
 std::string heading(const scenario::Scenario& scenario, const Side& a, const Side& b, const Found& found) {
   const Curve* first = study::first_to_part(found.curves);
   if (!first)
-    return fmt::format("{}: {} and {} agree at all {} times\n", scenario.name, a.name, b.name,
+    return fmt::format("{}: {} and {} agree at all {} times", scenario.name, a.name, b.name,
                        found.times.size());
   const double t = found.times[*first->first], d = first->distance[*first->first];
   const int body = first->body[*first->first];
-  return fmt::format("{}: {} and {} differ from {:.9g} s on{}: {}{} by {:.3g} {}, {:.3g} {} allowed\n",
+  return fmt::format("{}: {} and {} differ from {:.9g} s on{}: {}{} by {:.3g} {}, {:.3g} {} allowed",
                      scenario.name, a.name, b.name, t, steps_at(a, b, t), core::name(first->quantity),
                      body < 0 ? " of all bodies" : fmt::format(" of '{}'", body_name(scenario.scene, body)),
                      d, first->unit, first->allowed, first->unit);
@@ -266,6 +267,7 @@ int diff(const Context& context, const Options& options) try {
   if (!options.csv.empty()) require_writable(options.csv);
   const scenario::Scenario scenario = scenario::read(find_scenario(context, options.file));
   const Side a = side(context, options, scenario, options.a), b = side(context, options, scenario, options.b);
+  const process::Interruptible until_told;
   const Found found = compare(options, scenario, a, b);
   if (!options.csv.empty()) write_whole(options.csv, csv(found));
   if (options.json) {
@@ -273,7 +275,7 @@ int diff(const Context& context, const Options& options) try {
         << to_json(scenario, options, found).dump(2, ' ', true, nlohmann::json::error_handler_t::replace)
         << '\n';
   } else if (options.csv != "-") {
-    std::cout << plain(heading(scenario, a, b, found)) << '\n' << table(context, scenario, found);
+    std::cout << plain_line(heading(scenario, a, b, found)) << "\n\n" << table(context, scenario, found);
     if (found.every > 1)
       std::cout << fmt::format(
           "\n"

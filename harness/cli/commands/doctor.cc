@@ -19,10 +19,10 @@ Command add_doctor(App&, const Context& context) {
     bool sound = true;
     const auto check = [&](const std::string& what, const std::function<std::string()>& test) {
       try {
-        std::cout << plain(fmt::format("ok    {}: {}\n", what, test()));
+        std::cout << plain_line(fmt::format("ok    {}: {}", what, test())) << '\n';
       } catch (const std::exception& error) {
         sound = false;
-        std::cout << plain(fmt::format("FAIL  {}: {}\n", what, error.what()));
+        std::cout << plain_line(fmt::format("FAIL  {}: {}", what, error.what())) << '\n';
       }
     };
     check("version", [] { return std::string("cylon " CYLON_VERSION); });
@@ -40,7 +40,7 @@ Command add_doctor(App&, const Context& context) {
     });
     for (const process::EngineRow& row : context.engines) {
       if (const auto reason = process::missing(row)) {
-        std::cout << plain(fmt::format("-     engine {}: {}\n", row.id, *reason));
+        std::cout << plain_line(fmt::format("-     engine {}: {}", row.id, *reason)) << '\n';
         continue;
       }
       check("engine " + row.id, [&] {

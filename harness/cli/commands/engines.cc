@@ -127,21 +127,23 @@ int engines(const Context& context, const Options& options) {
       if (options.json)
         rows.push_back(row(engine, description));
       else if (options.here)
-        std::cout << plain(fmt::format("{}: here: {} {}, {} precision\n", engine.id, description.name,
-                                       description.version, description.precision));
+        std::cout << plain_line(fmt::format("{}: here: {} {}, {} precision", engine.id, description.name,
+                                            description.version, description.precision))
+                  << '\n';
       else
         std::cout << plain(text(engine, description, table));
     } catch (const process::Failure& failure) {
       ++broken;
-      std::cerr << plain(fmt::format("{}: {}\n", engine.id, failure.what()));
+      std::cerr << plain_line(fmt::format("{}: {}", engine.id, failure.what())) << '\n';
     }
   }
   if (!found) {
     std::vector<std::string> ids;
     for (const process::EngineRow& engine : table) ids.push_back(engine.id);
-    std::cerr << plain(fmt::format("nothing selected: no engine matches '{}'{} (engines: {})\n",
-                                   fmt::join(options.globs, "', '"),
-                                   core::did_you_mean(options.globs.front(), ids), fmt::join(ids, ", ")));
+    std::cerr << plain_line(fmt::format("nothing selected: no engine matches '{}'{} (engines: {})",
+                                        fmt::join(options.globs, "', '"),
+                                        core::did_you_mean(options.globs.front(), ids), fmt::join(ids, ", ")))
+              << '\n';
   }
   if (options.json) std::cout << rows.dump(2, ' ', true) << '\n';
   return broken ? harness_failure : found ? ok : nothing_selected;

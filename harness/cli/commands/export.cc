@@ -37,7 +37,7 @@ Command add_export(App& app, const Context& context) {
     const std::filesystem::path file = find_scenario(context, options->file);
     const std::string text = scenario::foreign_format(file).empty() ? scenario::read_file(file) : "";
     const exports::Exported exported = exports::export_scenario(scenario::read(file), text, format);
-    for (const std::string& note : exported.notes) std::cerr << plain(note) << "\n";
+    for (const std::string& note : exported.notes) std::cerr << plain_line(note) << '\n';
     write_whole(options->out, exported.xml);
     return ok;
   };

@@ -74,17 +74,17 @@ int work(const Context& context, Farm& farm, const std::vector<std::string>& wor
     code = interrupted;
   } catch (const std::exception& error) {  // no memory, no disk
     std::cerr << fmt::format("internal error: {}: {}\n", farm.name(farm.shard().index - 1),
-                             plain(error.what()));
+                             plain_line(error.what()));
     farm.abort(harness_failure);
   }
   if (!farm.is_shared_out()) {  // all ranks end alike
     const std::string first = farm.leave(why);
-    if (farm.leads() && !first.empty()) std::cerr << "error: " << plain(first) << '\n';
+    if (farm.leads() && !first.empty()) std::cerr << "error: " << plain_line(first) << '\n';
     return code == ok ? bad_input : code;
   }
   if (why.empty() && (code == ok || code == bad_input)) return farm.finish(code);
   std::cerr << fmt::format("error: {}: {}\n", farm.name(farm.shard().index - 1),
-                           why.empty() ? fmt::format("ended with exit code {}", code) : plain(why));
+                           why.empty() ? fmt::format("ended with exit code {}", code) : plain_line(why));
   farm.abort(code);
 }
 

@@ -1,6 +1,7 @@
 #include "harness/cli/commands/fingerprint.h"
 
 #include "harness/cli/command_line.h"
+#include "harness/process/interruption.h"
 #include "harness/scenario/glob.h"
 #include "harness/study/probes.h"
 
@@ -48,16 +49,24 @@ int fingerprint(const std::vector<process::EngineRow>& engines, const std::vecto
           return scenario::glob_match(id, choice.id);
         }))
       choices.push_back(process::parse_engine(id, engines));
+  const process::Interruptible until_told;
   ordered_json rows = ordered_json::array();
-  for (const process::EngineChoice& choice : choices) {
-    const auto findings = study::find_out(study::worker_runner(choice, {}));
-    if (json)
-      rows.push_back(to_json(choice.id, findings));
-    else
-      std::cout << plain(text(choice.id, findings)) << std::flush;
+  bool whole = true;
+  try {
+    for (const process::EngineChoice& choice : choices) {
+      const auto findings = study::find_out(study::worker_runner(choice, {}));
+      if (json)
+        rows.push_back(to_json(choice.id, findings));
+      else
+        std::cout << plain(text(choice.id, findings)) << std::flush;
+    }
+  } catch (const process::Interrupted&) {
+    whole = false;
   }
   if (json) std::cout << rows.dump(2, ' ', true) << '\n';
-  return ok;
+  if (whole) return ok;
+  std::cerr << "interrupted: what is printed is of the engines that are done\n";
+  return interrupted;
 }
 
 }  // namespace cylon::cli

@@ -188,11 +188,13 @@ int fit(const Context& context, const Options& options) {
   const process::Interruptible until_told;
   FitJournal journal(".cylon/fit.jsonl", options.resume);
   if (options.resume) std::cerr << fmt::format("resumed: {} evaluations are done already\n", journal.known());
-  out << plain(fmt::format("{}: {} of {} runs, windows of {:g} s\n", e.title, e.runs.size(), measured_runs,
-                           e.fit.horizon));
+  out << plain_line(fmt::format("{}: {} of {} runs, windows of {:g} s", e.title, e.runs.size(), measured_runs,
+                                e.fit.horizon))
+      << '\n';
   for (std::size_t k = 0; k < parts.size(); ++k)
-    out << plain(fmt::format("  part {}: judged on {} runs: {}\n", k + 1, parts[k].by.size(),
-                             fmt::join(names_of(e, parts[k].by), " ")));
+    out << plain_line(fmt::format("  part {}: judged on {} runs: {}", k + 1, parts[k].by.size(),
+                                  fmt::join(names_of(e, parts[k].by), " ")))
+        << '\n';
   out << "Validation: parameters of greatest likelihood, with 95 % intervals: if the stated "
          "uncertainties are right,\n"
          "and from how much runs differ.\n";

@@ -24,6 +24,7 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <system_error>
 
 namespace cylon::cli {
 namespace {
@@ -176,7 +177,7 @@ int replay(const Context& context, const Options& options) {
   const auto rows = with_brought(context, options.brought);
   const std::vector<fs::path> files = hunt::card_files(options.replay);
   if (files.empty()) {
-    std::cerr << "nothing selected: no card in " << plain(options.replay) << '\n';
+    std::cerr << "nothing selected: no card in " << plain_line(options.replay) << '\n';
     return nothing_selected;
   }
   const process::Limits limits{.run_seconds = options.timeout};
@@ -192,7 +193,7 @@ int replay(const Context& context, const Options& options) {
       any = any || now.what == still_there || now.what == changed;
       std::string said(hunt::name(now.what));
       if (now.what == changed) said += fmt::format(": {:.3g}, was {:.3g}", now.measured, card.measured);
-      std::cout << plain(fmt::format("{:<60} {:<24} {}\n", file.stem().string(), id, said));
+      std::cout << plain_line(fmt::format("{:<60} {:<24} {}", file.stem().string(), id, said)) << '\n';
     }
   }
   return any ? differs : ok;
@@ -212,8 +213,10 @@ int make_cards(const Chase& chase, const std::vector<hunt::Found>& found,
   std::vector<WrittenCard> all;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const process::EngineChoice& engine = chase.engines[i];
-    std::cout << plain(fmt::format("{}: {} of {} scenes ({}, from {}) with a fault\n", engine.id,
-                                   found[i].hits.size(), found[i].scenes, chase.source.name(), options.first))
+    std::cout << plain_line(fmt::format("{}: {} of {} scenes ({}, from {}) with a fault", engine.id,
+                                        found[i].hits.size(), found[i].scenes, chase.source.name(),
+                                        options.first))
+              << '\n'
               << std::flush;
     std::vector<process::EngineChoice> rest = others;
     std::erase_if(rest, [&](const auto& other) { return other.row.id == engine.row.id; });
@@ -221,8 +224,9 @@ int make_cards(const Chase& chase, const std::vector<hunt::Found>& found,
     for (hunt::Card& card : hunt::cards(chase.source, found[i].hits, quarry, rest, say)) {
       WrittenCard written{card, hunt::write_program(card, engine, quarry.limits)};
       write_card(options.cards, written);
-      std::cout << plain(fmt::format("  {:<60} {:>6} scenes  {}.md\n", marked(card), card.hits,
-                                     (fs::path(options.cards) / card.file_stem()).string()))
+      std::cout << plain_line(fmt::format("  {:<60} {:>6} scenes  {}.md", marked(card), card.hits,
+                                          (fs::path(options.cards) / card.file_stem()).string()))
+                << '\n'
                 << std::flush;
       all.push_back(std::move(written));
     }
@@ -274,6 +278,15 @@ int hunt_all(const Context& context, const Options& options) {
   } catch (const process::Interrupted&) {
     std::cerr << "interrupted; continue with the same command and --resume in this folder\n";
     return interrupted;
+  } catch (const fs::filesystem_error&) {  // of a name that was given
+    throw;
+  } catch (const std::system_error& refused) {  // no process, no thread
+    if (shard && shard->farm) throw;
+    std::cerr << plain_line(fmt::format("error: the harness failed: {}; continue with the same command and "
+                                        "--resume in this folder",
+                                        refused.what()))
+              << '\n';
+    return harness_failure;
   }
 }
 

@@ -71,7 +71,8 @@ Command add_import(App& app, const Context& context) {
       }
     require_writable(options->out);
     const imports::Imported imported = imports::import_file(options->file, options->imports, context.workers);
-    for (const std::string& text : imported.left_out) std::cerr << plain(fmt::format("left out: {}\n", text));
+    for (const std::string& text : imported.left_out)
+      std::cerr << plain_line(fmt::format("left out: {}", text)) << '\n';
     // What is written can be read; the lines of an error are not those of the file.
     scenario::parse(imported.toml, options->file + ", the imported scenario");
     write_whole(options->out, imported.toml);

@@ -8,6 +8,7 @@
 #include "harness/cli/output.h"
 #include "harness/cli/workers.h"
 #include "harness/process/engine_table.h"
+#include "harness/process/interruption.h"
 #include "harness/scenario/glob.h"
 #include "harness/study/limits_step.h"
 #include "harness/study/parallel.h"
@@ -21,6 +22,9 @@
 #include <iterator>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <utility>
 
 namespace cylon::cli {
 namespace {
@@ -178,6 +182,12 @@ LimitRow search(const Task& task, const process::Limits& limits) {
   }
 }
 
+// "spring on ode", "step of projectile on ode".
+std::string name_of(const Task& task) {
+  return fmt::format("{} on {}", task.family ? task.family->name : "step of " + task.scenario->name,
+                     task.engine.id);
+}
+
 // The scenes of families are built by this program, whose content is part of the key.
 Unit unit_of(const Task& task) {
   study::Cell cell;  // for the engine's part of its key alone
@@ -189,27 +199,55 @@ Unit unit_of(const Task& task) {
   return {name + "/" + cell_key(cell, ""), name};
 }
 
-// In order, whatever the number of threads; the first error of all is thrown.
-std::vector<LimitRow> search_all(const std::vector<Task>& tasks, const std::vector<Unit>& units, int jobs,
-                                 const process::Limits& limits, LimitsJournal& journal,
-                                 const study::Next& next) {
-  std::vector<LimitRow> rows(tasks.size());
+// What came of the searches, in their order, whatever the number of threads.
+struct Searched {
+  std::vector<LimitRow> rows;       // of those that ended
+  std::vector<std::string> failed;  // those in which the harness itself failed: "spring on ode: why"
+  bool interrupted = false;
+};
+
+// Throws core::InputError, the first of all.
+Searched search_all(const std::vector<Task>& tasks, const std::vector<Unit>& units, int jobs,
+                    const process::Limits& limits, LimitsJournal& journal, const study::Next& next) {
+  std::vector<std::optional<LimitRow>> rows(tasks.size());
+  std::vector<std::string> failed(tasks.size());
   std::mutex guard;
-  study::in_parallel(
-      tasks.size(), jobs,
-      [&](std::size_t i) {
-        if (const auto known = journal.find(units[i])) {
-          rows[i] = *known;
-          return;
-        }
-        const auto start = std::chrono::steady_clock::now();
-        rows[i] = search(tasks[i], limits);
-        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-        const std::scoped_lock lock(guard);
-        journal.add(units[i], rows[i], seconds.count());
-      },
-      next);
-  return rows;
+  const auto search_one = [&](std::size_t i) {
+    if (const auto known = journal.find(units[i])) {
+      rows[i] = *known;
+      return;
+    }
+    const auto start = std::chrono::steady_clock::now();
+    LimitRow row = search(tasks[i], limits);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    const std::scoped_lock lock(guard);
+    journal.add(units[i], row, seconds.count());
+    rows[i] = std::move(row);
+  };
+  Searched all;
+  try {
+    study::in_parallel(
+        tasks.size(), jobs,
+        [&](std::size_t i) {
+          try {
+            search_one(i);
+          } catch (const process::Interrupted&) {
+            throw;
+          } catch (const core::InputError&) {
+            throw;
+          } catch (const std::exception& error) {  // no process, no memory
+            failed[i] = fmt::format("{}: the harness failed: {}", name_of(tasks[i]), error.what());
+          }
+        },
+        next);
+  } catch (const process::Interrupted&) {
+    all.interrupted = true;
+  }
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    if (rows[i]) all.rows.push_back(std::move(*rows[i]));
+    if (!failed[i].empty()) all.failed.push_back(std::move(failed[i]));
+  }
+  return all;
 }
 
 int limits(const Context& context, const Options& options) {
@@ -244,14 +282,24 @@ int limits(const Context& context, const Options& options) {
     throw core::InputError("a shard is its journal, and there is none: nothing was run");
   if (options.resume && !(shard && shard->farm))
     std::cerr << fmt::format("resumed: {} searches are done already\n", journal.known());
-  const auto rows = search_all(tasks, units, worker_count(context, options.jobs),
-                               {.run_seconds = options.timeout}, journal, next_of(shard, units.size()));
-  if (shard && shard->farm) return journal.is_open() ? ok : harness_failure;  // the leader writes the rows
-  if (!options.json.empty()) write_whole(options.json, limits_json(rows));
-  if (!options.csv.empty()) write_whole(options.csv, limits_csv(rows));
+  const process::Interruptible until_told;
+  const Searched found = search_all(tasks, units, worker_count(context, options.jobs),
+                                    {.run_seconds = options.timeout}, journal, next_of(shard, units.size()));
+  if (shard && shard->farm) {  // the leader writes the rows
+    if (!found.failed.empty()) throw std::runtime_error(found.failed.front());
+    return found.interrupted ? interrupted : journal.is_open() ? ok : harness_failure;
+  }
+  if (!options.json.empty()) write_whole(options.json, limits_json(found.rows));
+  if (!options.csv.empty()) write_whole(options.csv, limits_csv(found.rows));
   if (std::find(files.begin(), files.end(), "-") == files.end())
-    std::cout << plain(limits_text(rows, context.width));
-  return shard && !journal.is_open() ? harness_failure : ok;
+    std::cout << plain(limits_text(found.rows, context.width));
+  for (const std::string& line : found.failed) std::cerr << "error: " << plain_line(line) << '\n';
+  if (found.interrupted || !found.failed.empty())
+    std::cerr << (found.interrupted ? "interrupted: " : "")
+              << "what is written holds the searches that are done; repeat the command with --resume in this "
+                 "folder to continue\n";
+  if (found.interrupted) return interrupted;
+  return !found.failed.empty() || (shard && !journal.is_open()) ? harness_failure : ok;
 }
 
 std::string family_list() {

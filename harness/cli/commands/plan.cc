@@ -6,6 +6,7 @@
 
 #include "harness/core/input_error.h"
 #include "harness/process/client.h"
+#include "harness/process/interruption.h"
 #include "harness/scenario/input.h"
 #include "reports/json.h"
 
@@ -57,6 +58,7 @@ int plan(const Context& context, const Options& options) {
   request.scene = &scenario.scene;
   request.setup.dt = options.dt.empty() ? scenario.step : scenario::parse_step(options.dt);
   request.setup.tolerance = options.asked.tolerance;
+  const process::Interruptible until_told;
   const process::RunOutcome outcome = process::run(engine, request);
   if (outcome.status != results::Status::pass) return report_failure(options.asked.engine, outcome);
   const core::Terms& terms = outcome.terms;
@@ -67,11 +69,12 @@ int plan(const Context& context, const Options& options) {
     return ok;
   }
   const std::string path = terms.path.empty() ? "" : ", path " + terms.path;
-  std::cout << plain(fmt::format("{} on {}{}, integrator {}\n", scenario.name, engine.id, path,
-                                 terms.integrator))
+  std::cout << plain_line(
+                   fmt::format("{} on {}{}, integrator {}", scenario.name, engine.id, path, terms.integrator))
+            << '\n'
             << table(terms.plan, context.colour);
   for (const told::Diagnostic& d : outcome.recording->diagnostics)
-    std::cout << plain(fmt::format("  {}\n", plain_line(d.text)));
+    std::cout << plain_line(fmt::format("  {}", plain_line(d.text))) << '\n';
   return ok;
 }
 

@@ -148,8 +148,9 @@ ordered_json told_nearer(const Options& options, const Task& task,
     const std::string nearest = answer == validation::Answer::inside    ? first
                                 : answer == validation::Answer::outside ? second
                                                                         : "undecided";
-    words(options) << plain(fmt::format("nearer at rest: {} in {} runs, {} in {}: {} (p = {:.2g}, Holm)\n",
-                                        first, one, second, other, nearest, p));
+    words(options) << plain_line(fmt::format("nearer at rest: {} in {} runs, {} in {}: {} (p = {:.2g}, Holm)",
+                                             first, one, second, other, nearest, p))
+                   << '\n';
     compared.push_back({{"one", first},
                         {"other", second},
                         {"runs_of_one", one},
@@ -247,13 +248,16 @@ int predict(const Context& context, const Options& options) {
     throw core::InputError("--curves: nothing holds curves; give --json or --html");
   const Task task = task_of(context, options);
   const measured::Experiment& e = task.experiment;
-  words(options) << plain(fmt::format("{}: {} runs\n", e.title, e.runs.size()));
-  for (const std::string& known : e.known) words(options) << plain(fmt::format("  known: {}\n", known));
-  for (const std::string& value : options.values) words(options) << plain(fmt::format("  set: {}\n", value));
+  words(options) << plain_line(fmt::format("{}: {} runs", e.title, e.runs.size())) << '\n';
+  for (const std::string& known : e.known)
+    words(options) << plain_line(fmt::format("  known: {}", known)) << '\n';
+  for (const std::string& value : options.values)
+    words(options) << plain_line(fmt::format("  set: {}", value)) << '\n';
   if (e.coordinates == measured::Coordinates::free) tell_lengths(options, e);
   if (!task.fits.empty())
-    words(options) << plain(
-        fmt::format("Parameters of {}: {} runs that it did not see\n", options.fit, task.runs.size()));
+    words(options) << plain_line(fmt::format("Parameters of {}: {} runs that it did not see", options.fit,
+                                             task.runs.size()))
+                   << '\n';
   words(options) << fmt::format(
       "Predictions from the first frame, steps of {} s; medians over runs, with 95 % intervals:\n",
       options.step.empty() ? e.model.step_text : options.step);

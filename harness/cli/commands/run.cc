@@ -48,14 +48,15 @@ void leave_out_without_theory(Selection& selection) {
     return true;
   });
   if (!without.empty())
-    std::cerr << fmt::format("warning: --theory leaves out what has no table [theory]: {}\n",
-                             fmt::join(without, ", "));
+    std::cerr << plain_line(fmt::format("warning: --theory leaves out what has no table [theory]: {}",
+                                        fmt::join(without, ", ")))
+              << '\n';
 }
 
 // What a rank has to say: what its journal does not.
 int of_a_rank(const study::Matrix& matrix, const Journal& journal) {
   for (const auto& list : {matrix.refused, matrix.failed})
-    for (const std::string& line : list) std::cerr << "error: " << plain(line) << '\n';
+    for (const std::string& line : list) std::cerr << "error: " << plain_line(line) << '\n';
   if (matrix.interrupted) return interrupted;
   return !journal.is_open() ? harness_failure : matrix.refused.empty() ? ok : bad_input;
 }
@@ -71,7 +72,7 @@ bool claims_nothing(const std::vector<study::Cell>& cells) {
       silent.insert(cell.scenario->name);
   }
   for (const std::string& name : silent)
-    std::cerr << plain(fmt::format("{} claims nothing: nothing of it is judged\n", name));
+    std::cerr << plain_line(fmt::format("{} claims nothing: nothing of it is judged", name)) << '\n';
   return !any;
 }
 
@@ -152,7 +153,7 @@ int run(const Context& context, const RunOptions& options) {
   if (!options.csv.empty()) write_whole(options.csv, reports::to_csv(rows));
   write_report(options, selection, traces, {provenance, rows});
   for (const auto& list : {matrix.refused, matrix.failed})
-    for (const std::string& line : list) std::cerr << "error: " << plain(line) << '\n';
+    for (const std::string& line : list) std::cerr << "error: " << plain_line(line) << '\n';
   if (matrix.interrupted)
     std::cerr << "interrupted: the reports hold what is done; continue with `cylon run --resume` in this "
                  "folder\n";

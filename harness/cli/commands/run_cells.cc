@@ -1,5 +1,7 @@
 #include "harness/cli/commands/run_cells.h"
 
+#include "harness/cli/command_line.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,10 +24,11 @@ class Progress {
     if (!on_) return;
     clear();
     if (!std::ranges::all_of(rows, &Verdict::as_expected))
-      std::cerr << fmt::format("differs: {} on {} at {}\n", cell.scenario->name, cell.engine.id,
-                               cell.dt_text);
-    std::cerr << fmt::format("\r[{}/{}] {} on {}\x1b[K", finished_, total_, cell.scenario->name,
-                             cell.engine.id)
+      std::cerr << plain_line(fmt::format("differs: {} on {} at {}", cell.scenario->name, cell.engine.id,
+                                          cell.dt_text))
+                << '\n';
+    std::cerr << fmt::format("\r[{}/{}] {}\x1b[K", finished_, total_,
+                             plain_line(cell.scenario->name + " on " + cell.engine.id))
               << std::flush;
   }
 

@@ -6,6 +6,7 @@
 #include "harness/cli/commands/app.h"
 #include "harness/cli/options.h"
 #include "harness/cli/selection.h"
+#include "harness/process/interruption.h"
 #include "harness/scenario/glob.h"
 #include "harness/study/cell_pool.h"
 
@@ -22,12 +23,11 @@ using nlohmann::ordered_json;
 using study::Reproduction;
 
 // The published rows of a suite, which name an engine and a step each, against the suite's own cells.
-std::vector<Reproduction> of_suite(const Context& context, const std::string& name) {
-  Request request;
-  request.suite = name;
-  const Selection selection = select(context, request);
+std::vector<Reproduction> of_suite(const Selection& selection) {
   const study::Pool pool{.workers = worker_count(0), .limits = {}};
-  const auto cells = study::run(selection.cells, pool, {}, {}).rows;
+  const study::Matrix matrix = study::run(selection.cells, pool, {}, {});
+  if (matrix.interrupted) throw process::Interrupted();
+  const auto& cells = matrix.rows;
   std::vector<Reproduction> rows;
   for (const auto& published : selection.suite.published)
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -63,15 +63,20 @@ ordered_json to_json(const Reproduction& row) {
 }
 
 int selfcheck(const Context& context, bool json) {
-  std::vector<Reproduction> rows = of_suite(context, "simbenchmark");
+  Request request;
+  request.suite = "simbenchmark";
+  const Selection selection = select(context, request);
+  const process::Interruptible until_told;
+  std::vector<Reproduction> rows = of_suite(selection);
   try {
     const auto others = study::published_numbers([&](const std::string& id) {
       return study::worker_runner(process::parse_engine(id, context.engines), {});
     });
     rows.insert(rows.end(), others.begin(), others.end());
   } catch (const study::RunFailed& failed) {
-    std::cerr << plain(fmt::format("{} {}: {}\n", failed.outcome.engine.name,
-                                   results::name(failed.outcome.status), failed.outcome.reason));
+    std::cerr << plain_line(fmt::format("{} {}: {}", failed.outcome.engine.name,
+                                        results::name(failed.outcome.status), failed.outcome.reason))
+              << '\n';
     return harness_failure;
   }
   const auto count = [&](auto&& what) { return std::count_if(rows.begin(), rows.end(), what); };

@@ -11,6 +11,7 @@
 #include "harness/core/observable.h"
 #include "harness/core/recording.h"
 #include "harness/process/client.h"
+#include "harness/process/interruption.h"
 #include "harness/scenario/input.h"
 #include "reports/csv.h"
 
@@ -179,21 +180,23 @@ int simulate(const Context& context, const Options& options) {
     for (const std::int64_t step : wanted)
       if (step > 0) request.at.push_back(step);
   }
+  const process::Interruptible until_told;
   const process::RunOutcome outcome = process::run(engine, request, {.run_seconds = options.timeout});
   if (outcome.recording) {
     write_whole(options.out, csv(scenario.scene, *outcome.recording, wanted));
     if (!options.account.empty())
       write_whole(options.account, balance_csv(scenario.scene, *outcome.recording));
     for (const std::string& remark : outcome.recording->remarks)
-      std::cerr << plain(fmt::format("{}: {}\n", options.asked.engine, remark));
+      std::cerr << plain_line(fmt::format("{}: {}", options.asked.engine, remark)) << '\n';
   }
   if (!outcome.stderr_tail.empty())
     std::cerr << plain(outcome.stderr_tail) << (outcome.stderr_tail.ends_with('\n') ? "" : "\n");
   if (outcome.status != results::Status::pass) return report_failure(options.asked.engine, outcome);
   const std::string finding = nonsense(*outcome.recording);
   if (finding.empty()) return ok;
-  std::cerr << plain(
-      fmt::format("{}: {}; try a smaller step or another integrator\n", options.asked.engine, finding));
+  std::cerr << plain_line(fmt::format("{}: {}; try a smaller step or another integrator",
+                                      options.asked.engine, finding))
+            << '\n';
   return differs;
 }
 

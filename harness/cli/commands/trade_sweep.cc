@@ -1,5 +1,6 @@
 #include "harness/cli/commands/trade_sweep.h"
 
+#include "harness/cli/command_line.h"
 #include "harness/cli/farm.h"
 #include "harness/cli/output.h"
 #include "harness/cli/provenance_now.h"
@@ -16,6 +17,7 @@
 #include <nlohmann/json.hpp>
 
 #include <chrono>
+#include <exception>
 #include <iostream>
 #include <optional>
 
@@ -34,9 +36,10 @@ class Progress {
   void operator()(const study::Setting& setting, const results::TradePoint& point, bool timing) {
     ++(timing ? timings_ : runs_);
     if (on_)
-      std::cerr << fmt::format("\r{}: {} runs, {} timings; {} {} at {}\x1b[K", scenario_, runs_, timings_,
-                               setting.engine.id, setting.integrator.name, point.dt_text)
-                << std::flush;
+      std::cerr << '\r'
+                << plain_line(fmt::format("{}: {} runs, {} timings; {} {} at {}", scenario_, runs_, timings_,
+                                          setting.engine.id, setting.integrator.name, point.dt_text))
+                << "\x1b[K" << std::flush;
   }
 
  private:
@@ -103,28 +106,38 @@ int sweep_each(const Context& context, const SweepRequest& request,
   if (request.resume && !(shard && shard->farm))
     std::cerr << fmt::format("resumed: {} runs are done already\n", journal.known());
   std::vector<results::TradeTable> tables;
-  const process::Interruptible until_told;
+  std::vector<std::string> failed;                   // scenarios in which the harness itself failed
+  std::optional<process::Interruptible> until_told;  // not while there is nothing to tell
   bool whole = true;
-  try {
-    const study::Next next = next_of(shard, units.size());
-    while (const auto i = next()) {
+  const study::Next next = next_of(shard, units.size());
+  while (const auto i = next()) try {
       const auto start = std::chrono::steady_clock::now();
       scenario::prepare(*selection.scenarios[*i]);
+      if (!until_told) until_told.emplace();
       tables.push_back(each(*selection.scenarios[*i], journal));
       const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
       journal.finish(units[*i], seconds.count());
+    } catch (const process::Interrupted&) {
+      whole = false;
+      break;
+    } catch (const core::InputError&) {
+      throw;
+    } catch (const std::exception& error) {  // no process, no memory
+      if (shard && shard->farm) throw;
+      failed.push_back(
+          fmt::format("{}: the harness failed: {}", selection.scenarios[*i]->name, error.what()));
     }
-  } catch (const process::Interrupted&) {
-    whole = false;
-  }
   if (whole && shard && !journal.is_open()) return harness_failure;
   if (shard && shard->farm) return whole ? ok : interrupted;  // the leader writes the tables
-  if (whole && shard && tables.empty()) return ok;
-  if (whole || !tables.empty()) done(selection, tables);
-  if (!whole) {
-    std::cerr << "interrupted: what is written holds the scenarios that are done; repeat the command with "
-                 "--resume in this folder to continue\n";
-    return interrupted;
+  if (whole && shard && tables.empty() && failed.empty()) return ok;
+  if ((whole && failed.empty()) || !tables.empty()) done(selection, tables);
+  for (const std::string& line : failed) std::cerr << "error: " << plain_line(line) << '\n';
+  if (!whole || !failed.empty()) {
+    std::cerr
+        << (whole ? "" : "interrupted: ")
+        << "what is written holds the scenarios that are done; repeat the command with --resume in this "
+           "folder to continue\n";
+    return whole ? harness_failure : interrupted;
   }
   for (const results::TradeTable& table : tables)
     for (const results::TradeSeries& series : table.series)

@@ -35,8 +35,9 @@ struct SweepRequest {
   bool resume = false, timed = true;
 };
 
-/// Sweeps each scenario that is selected by `each`, and gives all tables to `done`.  ok; nothing_selected
-/// where there is no scenario, or no engine ran anything; interrupted, with `done` not called.
+/// Sweeps each scenario that is selected by `each`, and gives the tables of those that are done to `done`, unless there is
+/// none.  ok; nothing_selected where there is no scenario, or no engine ran anything; interrupted; harness_failure where a
+/// scenario could not be swept for want of processes or memory, which ends no other.
 int sweep_each(const Context&, const SweepRequest&,
                const std::function<results::TradeTable(const scenario::Scenario&, TradeJournal&)>& each,
                const std::function<void(const Selection&, const std::vector<results::TradeTable>&)>& done);

@@ -181,11 +181,12 @@ int truth(const Context& context, Options options) {
   else if (options.out.empty())
     std::cout << plain(table(scenario.scene, found, options.digits));
   if (!options.out.empty()) write_whole(options.out, json(scenario.scene, scenario.name, options, found));
-  std::cerr << impact_lines(scenario.scene, scenario.name, found, options.digits);
-  std::cerr << fmt::format("{}: radius {:.2g} proven, {} bits, {} steps\n", scenario.name, found.radius,
-                           found.bits, found.steps);
+  std::cerr << impact_lines(scenario.scene, plain_line(scenario.name), found, options.digits);
+  std::cerr << plain_line(fmt::format("{}: radius {:.2g} proven, {} bits, {} steps", scenario.name,
+                                      found.radius, found.bits, found.steps))
+            << '\n';
   if (found.reached) return ok;
-  std::cerr << fmt::format("{}: {}; try a larger --bits\n", scenario.name, found.reason);
+  std::cerr << plain_line(fmt::format("{}: {}; try a larger --bits", scenario.name, found.reason)) << '\n';
   return inconclusive;
 }
 

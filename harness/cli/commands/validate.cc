@@ -20,10 +20,12 @@ void warn_of_wide_bounds(const std::filesystem::path& file, const scenario::Scen
     if (std::isinf(widest)) continue;
     const double allowed = core::allowed(claim, scenario.scene, scenario.duration);
     if (allowed > widest * (1 + 1e-6))
-      std::cerr << plain(fmt::format(
-          "{}: warning: '{}' allows {:.3g} {}, more than a tenth of the range of the motion; that is "
-          "{:.3g}\n",
-          file.string(), claim.label, allowed, core::unit(claim), widest));
+      std::cerr
+          << plain_line(fmt::format(
+                 "{}: warning: '{}' allows {:.3g} {}, more than a tenth of the range of the motion; that is "
+                 "{:.3g}",
+                 file.string(), claim.label, allowed, core::unit(claim), widest))
+          << '\n';
   }
 }
 
@@ -50,12 +52,13 @@ Command add_validate(App& app, const Context& context) {
     const auto check = [&](const std::filesystem::path& file) {
       scenario::Scenario scenario = scenario::read(file);
       const bool solved = scenario::prepare_soon(scenario);
-      std::cout << plain(fmt::format("{}: ok: {} {}, {} {}{}", file.string(), scenario.scene.bodies.size(),
-                                     scenario.scene.bodies.size() == 1 ? "body" : "bodies",
-                                     scenario.claims.size(), scenario.claims.size() == 1 ? "claim" : "claims",
-                                     solved ? ""
-                                            : "; its certified truths take long to solve, so that their "
-                                              "tolerances are checked when it runs"))
+      std::cout << plain_line(
+                       fmt::format("{}: ok: {} {}, {} {}{}", file.string(), scenario.scene.bodies.size(),
+                                   scenario.scene.bodies.size() == 1 ? "body" : "bodies",
+                                   scenario.claims.size(), scenario.claims.size() == 1 ? "claim" : "claims",
+                                   solved ? ""
+                                          : "; its certified truths take long to solve, so that their "
+                                            "tolerances are checked when it runs"))
                 << std::endl;
       warn_of_wide_bounds(file, scenario);
     };

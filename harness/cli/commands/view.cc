@@ -79,7 +79,7 @@ std::string film(const std::filesystem::path& frames) {
                      shell_word(folder + ".mp4"));
 }
 
-void say(const std::string& line) { std::cout << plain(line) << std::endl; }
+void say(const std::string& line) { std::cout << plain_line(line) << std::endl; }
 
 int view_scenario(const Context& context, const Options& options) {
   using Clock = std::chrono::steady_clock;
@@ -94,7 +94,7 @@ int view_scenario(const Context& context, const Options& options) {
   view::Host host(std::move(session), file ? options.record : "", say);
   view::Server server(host, frames.get(), options.port);
   say(server.url());
-  for (const std::string& line : host.failures()) std::cerr << plain(line) << '\n';
+  for (const std::string& line : host.failures()) std::cerr << plain_line(line) << '\n';
   if (!options.no_open) open_browser(server.url());
   const Clock::time_point start = Clock::now();
   const auto over = [&] {

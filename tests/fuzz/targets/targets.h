@@ -34,6 +34,7 @@ void mesh(std::string_view);      ///< A Wavefront file of a scenario.
 void protocol(std::string_view);  ///< All that a worker writes.
 void report(std::string_view);    ///< A file of `cylon report`.
 void scene(std::string_view);     ///< A scenario; what is taken, a worker takes too.
+void states(std::string_view);    ///< States that `cylon diff` reads.
 void suite(std::string_view);     ///< A suite.
 void truth(std::string_view);     ///< Recorded data of a scenario.
 

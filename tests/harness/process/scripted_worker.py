@@ -53,6 +53,9 @@ def misbehave(at):
         os._exit(7)
     if MODE == f"loop_in_{at}":
         forever()
+    if MODE == f"says_and_loops_in_{at}":  # to whoever looks into the folder
+        open("at_work", "w").close()
+        forever()
     if MODE == f"ignore_terminate_in_{at}":
         signal.signal(signal.SIGTERM, signal.SIG_IGN)
         forever()

@@ -68,6 +68,17 @@ TEST_F(RecordingTest, ExistingFilesAreKept) {
                core::InputError);
 }
 
+// Neither through a link that leads nowhere, nor over the motion of another scenario.
+TEST_F(RecordingTest, LinksAndDataAreKept) {
+  Session session(scenario(ball_on_floor(2, {0.3, 0, 0}, 0.7)), options("ode"));
+  advance_to(session, 0.2);
+  fs::create_symlink("elsewhere", folder_ / "what.toml");
+  fs::create_symlink("elsewhere", folder_ / "what-2.json");
+  EXPECT_EQ(save_recording(session.recorder(), session.scenario(), folder_ / "what.toml"),
+            folder_ / "what-3.toml");
+  EXPECT_FALSE(fs::exists(folder_ / "elsewhere"));
+}
+
 // Memory is bounded: of a long run every other sample goes, again and again, and the end is always there.
 TEST_F(RecordingTest, LongRunIsThinned) {
   core::Scene scene;

@@ -260,5 +260,23 @@ TEST_F(ServerTest, StoresPngFramesOnly) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "frame-000002.png"));
 }
 
+// The names are known beforehand: a link that lies there is replaced, and what it leads to stays as it is.
+TEST_F(ServerTest, FramesFollowNoLinks) {
+  const std::string png("\x89PNG\r\n\x1a\n", 8);
+  std::ofstream(folder_ / "other") << "mine";
+  std::filesystem::create_symlink("other", folder_ / "frame-000003.png");
+  EXPECT_EQ(client().Post("/api/frame?n=3", token(), png, "image/png")->status, 200);
+  EXPECT_TRUE(
+      std::filesystem::is_regular_file(std::filesystem::symlink_status(folder_ / "frame-000003.png")));
+  std::stringstream kept;
+  kept << std::ifstream(folder_ / "other").rdbuf();
+  EXPECT_EQ(kept.str(), "mine");
+  // Where it cannot take the place, no draft stays.
+  std::filesystem::create_directory(folder_ / "frame-000004.png");
+  EXPECT_EQ(client().Post("/api/frame?n=4", token(), png, "image/png")->status, 400);
+  for (const auto& entry : std::filesystem::directory_iterator(folder_))
+    EXPECT_NE(entry.path().extension(), ".partial") << entry.path();
+}
+
 }  // namespace
 }  // namespace cylon::view

@@ -75,6 +75,22 @@ TEST_F(Experiments, KeepRunsInTheOrderOfTheTable) {
   EXPECT_EQ(e.runs[0].states[0][0].angular_velocity, core::Vector3(90, 180, -90));
 }
 
+// A million columns took hours: each name was looked for among all others.
+TEST_F(Experiments, RefuseTablesOfManyColumns) {
+  const auto wide = [](std::size_t count) {
+    std::string table;
+    for (std::size_t i = 1; i < count; ++i) table += "c" + std::to_string(i) + ",";
+    return table + "c\n1\n";
+  };
+  EXPECT_NE(why(about + columns, wide(1'000'000)).find("t.csv:1: 1000000 columns, at most 4096"),
+            std::string::npos);
+  EXPECT_NE(why(about + columns, wide(4096)).find("t.csv:2: 1 values, and 4096 columns"), std::string::npos);
+  EXPECT_NE(why(about + columns, head + std::string(5'000'000, ',')).find("t.csv:2: 5000001 columns"),
+            std::string::npos);
+  EXPECT_NE(why(about + columns, "a,b,a\n1,2,3\n").find("column 3 has no name of its own: 'a'"),
+            std::string::npos);
+}
+
 // By hand: millimetres, degrees, z up, spin in body axes.  The quaternion (0.6, 0.8, 0, 0) turns by an angle with cosine
 // -0.28 and sine 0.96 about x: body y goes to (0, -0.28, 0.96), z to (0, -0.96, -0.28).
 TEST_F(Experiments, ConvertUnitsAndAxes) {
