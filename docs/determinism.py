@@ -4,7 +4,8 @@
     docs/determinism.py [--cylon build/release/cylon] [--other build/dev] [--write]
 
 Each engine runs each scene 1000 steps: twice in one process, in a new process, in a process that has run another scene
-before, without the processor's newer instructions (GLIBC_TUNABLES), and, with --other, by the workers of another build.
+before, without the processor's newer instructions (GLIBC_TUNABLES), and, with --other, by the workers of another build (else
+that column stays as the page has it).
 The load message of `cylon simulate` is recorded once and sent again.  A cell says in how many scenes all states had the
 bits of the first run, of those that the engine takes, and names the others.
 
@@ -162,17 +163,26 @@ def cell(same):
     return (f"{len(same) - len(others)} of {len(same)}" + (f", not {', '.join(others)}" if others else "")) if same else "–"
 
 
+def measured_before(column):
+    """The cells of a column of the page, by engine."""
+    rows = [[part.strip() for part in line.strip("| \n").split(" | ")] for line in
+            re.search(r"<!-- determinism -->\n(.*?)<!-- /determinism -->", page.read_text(), re.S)[1].splitlines()]
+    return {row[0]: row[rows[0].index(column)] for row in rows[2:] if column in rows[0]}
+
+
 def table(cylon, other):
     with tempfile.TemporaryDirectory() as folder:
         loads = [load_message(cylon, scene, pathlib.Path(folder)) for scene in SCENES]
-    columns = COLUMNS if other else COLUMNS[:-1]
-    lines = ["| engine | " + " | ".join(columns) + " | 1, 2 and 4 threads |", "|---|" + "---|" * (len(columns) + 1)]
+    kept = {} if other else measured_before(COLUMNS[-1])
+    lines = ["| engine | " + " | ".join(COLUMNS) + " | 1, 2 and 4 threads |", "|---|" + "---|" * (len(COLUMNS) + 1)]
     folder = pathlib.Path(cylon).resolve().parent
     for name, worker, path in engines():
         if not (folder / worker).exists():  # an optional engine that is not here
             continue
         rows = compare(folder, other, worker, [{**load, "path": path} for load in loads])
-        cells = [cell(rows[c]) for c in columns] + [threads(folder, worker)]
+        cells = [cell(rows[c]) for c in COLUMNS] + [threads(folder, worker)]
+        if not other:
+            cells[-2] = kept.get(name, cells[-2])
         lines.append(f"| {name} | " + " | ".join(cells) + " |")
         print(lines[-1], file=sys.stderr, flush=True)
     return "\n".join(lines)

@@ -26,7 +26,7 @@ constexpr double most_sensitive = 100;  // beyond it oracles of trajectories are
 
 std::optional<scenario::Scenario> scenario_of(const Trial& trial, const std::string& claim) {
   try {
-    scenario::Scenario scenario = scenario::parse(to_toml(trial, claim), "hunted.toml");
+    scenario::Scenario scenario = scenario::read(to_toml(trial, claim), "hunted.toml");
     if (!scenario::prepare_soon(scenario)) return std::nullopt;
     return scenario;
   } catch (const core::InputError&) {

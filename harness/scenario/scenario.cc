@@ -43,6 +43,8 @@ std::optional<Theory> read_theory(const Table& root, double duration, double ste
   return theory;
 }
 
+}  // namespace
+
 Scenario read(std::string_view text, const std::string& file_name) {
   const std::filesystem::path path(file_name);
   const auto document = std::make_shared<const Document>(text, file_name, scenario_keys());
@@ -83,8 +85,6 @@ Scenario read(std::string_view text, const std::string& file_name) {
   scenario.hash = draft.content.hex();
   return scenario;
 }
-
-}  // namespace
 
 std::function<std::string(const std::filesystem::path&)>& foreign_reader() {
   static std::function<std::string(const std::filesystem::path&)> reader;

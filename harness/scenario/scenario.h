@@ -52,6 +52,9 @@ struct Scenario {
 /// values, with the valid range.  Claims that follow the certified truth do not have it yet.
 Scenario read(const std::filesystem::path&);
 
+/// read() from text; files that it names are looked for beside `file_name`.
+Scenario read(std::string_view text, const std::string& file_name);
+
 /// What makes a scenario's text of a file in another format: harness/imports sets it at the start of a program; without
 /// it such files are refused.
 std::function<std::string(const std::filesystem::path&)>& foreign_reader();
@@ -71,7 +74,7 @@ void require_prepared(const Scenario&);
 /// read() and prepare().
 Scenario load(const std::filesystem::path&);
 
-/// load() from text; files that it names are looked for beside `file_name`.
+/// load() from text.
 Scenario parse(std::string_view text, const std::string& file_name);
 
 /// JSON Schema (draft 2020-12) of a scenario file, from the same key tables that the reader uses.

@@ -108,7 +108,7 @@ TEST(HuntOracles, AreClaimsThatTheReaderTakes) {
       if (oracle.undefined_in(trial.scene)) continue;
       ++defined;
       try {
-        scenario::Scenario scenario = scenario::parse(to_toml(trial, claim_of(oracle)), "hunted.toml");
+        scenario::Scenario scenario = scenario::read(to_toml(trial, claim_of(oracle)), "hunted.toml");
         taken += scenario::prepare_soon(scenario);
       } catch (const core::InputError& error) {
         EXPECT_EQ(std::string(error.what()).find("tolerance"), std::string::npos)
