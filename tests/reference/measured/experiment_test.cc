@@ -217,7 +217,7 @@ TEST_F(Experiments, RefuseWhatCannotBe) {
       {"one frame", about + columns, head + row, "run 7 has fewer than two frames"},
       {"a run in two pieces", about + columns,
        head + row + next + with(row, "7,3", "8,0") + with(row, "7,3", "7,5"), "t.csv:5: run 7 goes on"},
-      {"a column twice", about + columns, with(head, "x,y", "x,x") + row + next, "t.csv:1: column 3"},
+      {"a column twice", about + columns, with(head, "x,y", "x,x") + row + next, "t.csv:1: column 4"},
       {"no rows", about + columns, head, "no rows"},
       {"columns of a chain", about + columns + "angles = [\"x\"]\n", head + row + next,
        "angles is of a chain"},
