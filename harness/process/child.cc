@@ -106,11 +106,11 @@ void Child::check_limits() {
   if (memory_bytes_ == 0) return;
   std::size_t size = resident(pid_);
   if (now >= next_count_) {  // all processes are looked through for its descendants
-    size = std::max(size, Family(pid_, mark_).resident());
+    size = std::max(size, Family(pid_, mark_).memory());
     next_count_ = Clock::now() + std::chrono::milliseconds(count_ms);
   }
   if (size > memory_bytes_)
-    throw Failure(results::Status::crash, fmt::format("memory limit: {} MiB resident, {} MiB allowed",
+    throw Failure(results::Status::crash, fmt::format("memory limit: {} MiB in use, {} MiB allowed",
                                                       size >> 20, memory_bytes_ >> 20));
 }
 

@@ -110,6 +110,11 @@ def misbehave(at):
                 hog = bytearray(b"x") * (80 << 20)
                 forever()
         forever()
+    if MODE == f"file_memory_in_{at}":  # resident in no process
+        hog = os.memfd_create("hog")
+        for _ in range(400):
+            os.write(hog, b"x" * (1 << 20))
+        forever()
     if MODE == f"spies_in_{at}":  # says what it can see and do
         import socket
         found = []
