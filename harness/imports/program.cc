@@ -85,7 +85,7 @@ nlohmann::json read_by(const Format& format, const fs::path& file, const Options
   std::string answer;
   try {
     process::Child child(alone ? process::sandboxed(command, *filter) : command, memory,
-                         alone ? filter->fd() : -1);
+                         alone ? filter->inherited() : process::Inherited{});
     child.set_deadline(patience, format.name == "MJCF" ? "compiling the model" : "reading the model");
     while (child.receive()) {
       answer += child.output();

@@ -1,7 +1,5 @@
 #include "harness/process/child.h"
 
-#include "harness/process/spawn.h"
-
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
@@ -65,10 +63,10 @@ std::string last_line(std::string_view text) {
 
 }  // namespace
 
-Child::Child(const std::vector<std::string>& command, std::size_t memory_bytes, int kept)
+Child::Child(const std::vector<std::string>& command, std::size_t memory_bytes, const Inherited& inherited)
     : command_(command), memory_bytes_(memory_bytes) {
   const std::scoped_lock lock(births());
-  const Spawned child = spawn(command, memory_bytes, mark_, kept);
+  const Spawned child = spawn(command, memory_bytes, mark_, inherited);
   pid_ = child.pid, in_ = child.in, out_ = child.out, err_ = child.err;
   next_count_ = Clock::now() + std::chrono::milliseconds(count_ms);
   try {

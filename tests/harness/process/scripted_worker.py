@@ -118,9 +118,14 @@ def misbehave(at):
     if MODE == f"spies_in_{at}":  # says what it can see and do
         import socket
         found = []
-        for path in (os.environ.get("SPY_FILE", ""), os.path.expanduser("~/.config/cylon/key")):
-            if path and os.path.exists(path):
+        for path in os.environ["SPY_FILES"].split(":"):
+            try:
+                open(path, "rb").read(1)
                 found.append(f"reads {path}")
+            except OSError:
+                pass
+        if "SPY_SECRET" in os.environ:
+            found.append("knows")
         for path in ("written_by_worker", "/usr/written_by_worker"):
             try:
                 open(path, "w").close()
