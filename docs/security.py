@@ -15,7 +15,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 ROWS = [
-    ("hostile scenario files", "tests/hostile/corpus.py"),
+    ("hostile scenarios and documents", "tests/hostile/corpus.py"),
     ("engines that misbehave, beside a healthy one", "tests/hostile/misdeeds.py"),
     ("the same in the sandbox", "tests/hostile/misdeeds.py --sandbox"),
     ("hostile texts through every output", "tests/hostile/texts.py"),

@@ -26,11 +26,15 @@ std::string gzip(std::string_view bytes) {
   constexpr int memory = 9;
   if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, gzip_window, memory, Z_DEFAULT_STRATEGY) != Z_OK)
     throw std::runtime_error("zlib cannot start");
-  std::string out(deflateBound(&stream, bytes.size()), '\0');
   stream.next_in = bytes_of(bytes), stream.avail_in = static_cast<uInt>(bytes.size());
-  stream.next_out = bytes_of(out), stream.avail_out = static_cast<uInt>(out.size());
-  const int result = deflate(&stream, Z_FINISH);
-  out.resize(stream.total_out);
+  std::string out;
+  int result = Z_OK;
+  while (result == Z_OK) {
+    std::array<char, 1 << 15> piece;
+    stream.next_out = reinterpret_cast<Bytef*>(piece.data()), stream.avail_out = piece.size();
+    result = deflate(&stream, Z_FINISH);
+    out.append(piece.data(), piece.size() - stream.avail_out);
+  }
   deflateEnd(&stream);
   if (result != Z_STREAM_END) throw std::runtime_error("zlib does not end");
   return out;

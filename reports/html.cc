@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <utility>
+
 namespace cylon::reports {
 namespace {
 
@@ -41,7 +43,7 @@ std::string plain_matrix(const std::vector<results::Verdict>& verdicts, const Ma
 
 }  // namespace
 
-std::string to_html(const HtmlReport& report) {
+std::string to_html(HtmlReport report) {
   const std::vector<results::Verdict> none;
   const std::vector<results::Verdict>& verdicts = report.results ? report.results->verdicts : none;
   const Matrix matrix = fold(verdicts);
@@ -71,19 +73,19 @@ std::string to_html(const HtmlReport& report) {
     omitted += fmt::format("{}{} more {} left out to limit the size of this file",
                            omitted.empty() ? "" : "; ", left_out, left_out == 1 ? "was" : "were");
 
-  Json index = {{"kind", "report"},
-                {"title", heading},
-                {"results", shown(report.results)},
-                {"scenarios", report.scenarios},
-                {"traces", entries},
-                {"omitted_traces", omitted},
-                {"baseline", shown(report.baseline)}};
-  for (const Section& section : sections) {
-    const auto given = report.documents.find(section.key);
-    index[section.key] = given == report.documents.end() ? Json::array() : Json(given->second);
-  }
-  const std::string packed =
-      base64(gzip(index.dump(-1, ' ', /*ensure_ascii=*/true, Json::error_handler_t::replace)));
+  Json index = {{"kind", "report"},     {"title", heading},  {"results", nullptr},
+                {"scenarios", nullptr}, {"traces", entries}, {"omitted_traces", omitted},
+                {"baseline", nullptr}};
+  for (const Section& section : sections) index[section.key] = Json::array();
+  // Moved in, because they may take much memory, and last, because an object that grows copies its values.
+  const std::string tables = measured_tables(report.documents);
+  index["results"] = shown(report.results);
+  index["scenarios"] = std::move(report.scenarios);
+  index["baseline"] = shown(report.baseline);
+  for (auto& [key, given] : report.documents) index[key] = std::move(given);
+  std::string text = index.dump(-1, ' ', /*ensure_ascii=*/true, Json::error_handler_t::replace);
+  index = nullptr;
+  const std::string packed = base64(gzip(std::exchange(text, {})));
   const std::string title = xml(heading);
 
   std::string page = fmt::format(
@@ -96,7 +98,7 @@ std::string to_html(const HtmlReport& report) {
   page += web::style();
   page += fmt::format("</style>\n</head>\n<body>\n<div id=\"app\">\n<h1>{}</h1>\n", title);
   if (!verdicts.empty()) page += plain_matrix(verdicts, matrix);
-  page += measured_tables(report.documents) + "</div>\n" + block(0, packed) + blocks + "<script>";
+  page += tables + "</div>\n" + block(0, packed) + blocks + "<script>";
   page += web::script();
   page += "</script>\n</body>\n</html>\n";
   return page;

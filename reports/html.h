@@ -55,6 +55,6 @@ inline constexpr std::size_t trace_budget = std::size_t{12} << 20;
 /// The whole page.  Traces beyond the budget are left out and counted in the page.  The matrix of the
 /// verdicts and the scores of measured motions stand in it as plain tables too, for a reader without script.  The same report gives the same
 /// bytes.
-std::string to_html(const HtmlReport&);
+std::string to_html(HtmlReport);
 
 }  // namespace cylon::reports

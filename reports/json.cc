@@ -315,7 +315,7 @@ RunReport read_json(std::string_view document, const std::string& file) {
   return read_document(parse(document, file, 1), file);
 }
 
-RunReport read_document(const Json& json, const std::string& file) {
+RunReport read_document(Json json, const std::string& file) {
   if (!json.is_object() || !json.contains("schema") || !json.contains("verdicts"))
     throw core::InputError(file, 0, 0, "not a report: it needs \"schema\" and \"verdicts\"");
   if (json["schema"] != schema)
@@ -326,10 +326,11 @@ RunReport read_document(const Json& json, const std::string& file) {
   RunReport report;
   if (json.contains("provenance"))
     report.provenance = provenance_from(json["provenance"], file + ": \"provenance\"");
-  report.verdicts.reserve(json["verdicts"].size());
-  for (const Json& item : json["verdicts"])
+  for (Json& item : json["verdicts"]) {
     report.verdicts.push_back(
         from_row(item, fmt::format("{}: verdict {}", file, report.verdicts.size() + 1)));
+    item = nullptr;  // its memory is that of the next row
+  }
   return report;
 }
 

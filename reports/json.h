@@ -40,7 +40,7 @@ std::string to_json(const std::vector<results::Verdict>&, const Provenance&);
 /// Reads such a document.  Keys that it does not know are passed over; what a provenance leaves out is empty.
 /// Throws core::InputError, with `file`, line and column or with the row and the key, for anything malformed.
 RunReport read_json(std::string_view document, const std::string& file);
-RunReport read_document(const nlohmann::ordered_json&, const std::string& file);
+RunReport read_document(nlohmann::ordered_json, const std::string& file);
 
 /// A line of a journal, without the line feed.
 std::string to_json_line(const results::Verdict&);

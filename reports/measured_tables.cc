@@ -1,5 +1,6 @@
 #include "reports/measured_tables.h"
 
+#include "reports/text.h"
 #include "reports/xml.h"
 
 #include <fmt/format.h>
@@ -20,9 +21,12 @@ const Json& part(const Json& json, const char* key) {
   return found == json.end() ? none : *found;
 }
 
+// The tables are for readers without script: the documents, which may be anybody's, are in the page whole.
+constexpr std::size_t most_rows = 1000, longest_text = 1000;
+
 std::string text(const Json& json, const char* key) {
   const Json& value = part(json, key);
-  return value.is_string() ? xml(value.get<std::string>()) : "?";
+  return value.is_string() ? xml(head(value.get_ref<const std::string&>(), longest_text)) : "?";
 }
 
 std::string number(const Json& value, double scale, int digits) {
@@ -72,7 +76,7 @@ constexpr Column chain_columns[] = {{"held", "within 0.1 rad for [s]", until},
                                     {"exponent", "exponent [1/s]", scaled<1.0>},
                                     {"covered", "inside the band [%]", scaled<100.0>}};
 
-std::string head(const std::string& caption, std::span<const std::string> columns) {
+std::string begin_table(const std::string& caption, std::span<const std::string> columns) {
   std::string out = fmt::format("<table><caption>{}</caption><thead><tr>", caption);
   for (const std::string& column : columns) out += fmt::format("<th scope=\"col\">{}</th>", column);
   return out + "</tr></thead>\n<tbody>\n";
@@ -85,10 +89,12 @@ std::string scores(const Json& document) {
   std::vector<std::string> heads = {"engine"};
   for (const Column& column : columns) heads.emplace_back(column.head);
   heads.emplace_back("90 to 98 %");
-  std::string out = head(part(document, "fitted") == true ? "Predicted, with fitted parameters"
-                                                          : "Predicted, with the model's own values",
-                         heads);
+  std::string out = begin_table(part(document, "fitted") == true ? "Predicted, with fitted parameters"
+                                                                 : "Predicted, with the model's own values",
+                                heads);
+  std::size_t rows = 0;
   for (const Json& engine : part(document, "engines")) {
+    if (++rows > most_rows) break;
     out += fmt::format("<tr><th scope=\"row\">{}</th>", text(engine, "engine"));
     for (const Column& column : columns)
       out += fmt::format("<td>{}</td>", column.cell(part(engine, column.key)));
@@ -100,13 +106,16 @@ std::string scores(const Json& document) {
 std::string parameters(const Json& document) {
   const std::string heads[] = {"engine", "parameter", "value, if the uncertainties are right",
                                "between runs"};
-  std::string out = head("Fitted", heads);
+  std::string out = begin_table("Fitted", heads);
+  std::size_t rows = 0;
   for (const Json& fit : part(document, "fits"))
-    for (const Json& p : part(fit, "parameters"))
+    for (const Json& p : part(fit, "parameters")) {
+      if (++rows > most_rows) break;
       out += fmt::format(
           "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td></tr>\n", text(fit, "engine"),
           text(p, "name"), with_interval(part(p, "value"), part(p, "low"), part(p, "high")),
           with_interval(part(p, "value"), part(p, "low_between_runs"), part(p, "high_between_runs")));
+    }
   return out + "</tbody></table>\n";
 }
 

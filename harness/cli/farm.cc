@@ -35,7 +35,8 @@ std::string random_word() {
 std::string word_in_folder() {
   std::string word;
   try {
-    LineFile::read_of_others(folder_file, [&](const nlohmann::json& line) { word = line.at("farm"); });
+    Room room;
+    LineFile::read_of_others(folder_file, room, [&](const nlohmann::json& line) { word = line.at("farm"); });
   } catch (const core::InputError&) {  // it is not there yet
   }
   return word;

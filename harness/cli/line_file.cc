@@ -14,10 +14,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <iostream>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -29,23 +29,21 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr std::uintmax_t largest_journal = std::uintmax_t{1} << 30;  // [bytes]
+constexpr std::uintmax_t largest_journal = std::uintmax_t{1} << 30;        // [bytes]
+constexpr std::size_t largest_journal_of_others = std::size_t{256} << 20;  // held whole [bytes]
 
 std::string text_of(const json& value) { return value.dump(-1, ' ', true, json::error_handler_t::replace); }
 
-// Calls take(object) for each line; how many are none, or are refused by an exception.
+// Calls take(object) for a line; how many are none, or are refused by an exception.
 template <class Take>
-std::size_t each_line(std::istream& in, const Take& take) {
-  std::size_t strange = 0;
-  for (std::string line; std::getline(in, line);) {
-    if (line.empty()) continue;
-    try {
-      take(input::parse_json(line));
-    } catch (const std::exception&) {
-      ++strange;
-    }
+std::size_t strange_line(std::string_view line, const Take& take) {
+  if (line.empty()) return 0;
+  try {
+    take(input::parse_json(line));
+    return 0;
+  } catch (const std::exception&) {
+    return 1;
   }
-  return strange;
 }
 
 bool write_all(int fd, std::string_view bytes) {
@@ -76,21 +74,38 @@ std::size_t LineFile::read(const std::function<void(const json&)>& take) const {
   if (const auto size = fs::file_size(file_, error); !error && size > largest_journal)
     throw core::InputError(fmt::format("{}: {} bytes, but at most 1 GiB are read", file_.string(), size));
   const std::string place = purpose();
-  std::ifstream in(file_, std::ios::binary);
-  return each_line(in, [&](json&& object) {
+  const auto take_own = [&](json&& object) {
     const std::string mac = object.at("seal").get<std::string>();
     object.erase("seal");
     if (!seal::holds(mac, place, text_of(object))) throw input::BadJson(0, "the seal does not hold");
     take(object);
-  });
+  };
+  std::ifstream in(file_, std::ios::binary);
+  std::size_t strange = 0;
+  for (std::string line; std::getline(in, line);) strange += strange_line(line, take_own);
+  return strange;
 }
 
-std::size_t LineFile::read_of_others(const fs::path& file, const std::function<void(const json&)>& take) {
-  std::istringstream in(read_whole(file.string(), largest_journal));
-  return each_line(in, [&](json&& object) {
+std::size_t LineFile::read_of_others(const fs::path& file, Room& room,
+                                     const std::function<void(const json&)>& take) {
+  const std::string text = read_whole(file.string(), largest_journal_of_others);
+  const std::size_t memory = input::memory_of(text);
+  if (memory > room.memory)
+    throw core::InputError(
+        fmt::format("{}: values that take {} MB of memory, but {} MB are left of {} MB for all files",
+                    file.string(), memory / 1'000'000, room.memory / 1'000'000, Room{}.memory / 1'000'000));
+  room.memory -= memory;
+  const auto take_any = [&](json&& object) {
     object.erase("seal");
     take(object);
-  });
+  };
+  std::size_t strange = 0;
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    strange += strange_line(rest.substr(0, end), take_any);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return strange;
 }
 
 void LineFile::open(bool append) {

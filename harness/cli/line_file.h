@@ -10,6 +10,11 @@
 
 namespace cylon::cli {
 
+/// What may still be read of files that anybody may have written.
+struct Room {
+  std::size_t memory = 600'000'000;  ///< Of values, as input::memory_of() counts it [bytes].
+};
+
 class LineFile {
  public:
   explicit LineFile(const std::filesystem::path& file) : LineFile(file, file) {}
@@ -26,8 +31,9 @@ class LineFile {
   std::size_t read(const std::function<void(const nlohmann::json&)>& take) const;
 
   /// The same of a file that anybody may have written anywhere: their word is taken for it.  Throws
-  /// core::InputError where it cannot be read.
-  static std::size_t read_of_others(const std::filesystem::path&,
+  /// core::InputError where it cannot be read, has more than 256 MB, or there is no room for what it holds, which is taken
+  /// from the room.
+  static std::size_t read_of_others(const std::filesystem::path&, Room&,
                                     const std::function<void(const nlohmann::json&)>& take);
 
   /// Opens it to write, afresh or after what is there, and locks it until the end.  Throws core::InputError

@@ -36,9 +36,9 @@ void require_result(const json& line) {
 }
 
 // What reads a file line by line, and says how many lines are strange.
-using Reader = std::size_t (*)(const fs::path&, const std::function<void(const json&)>&);
+using Reader = std::function<std::size_t(const fs::path&, const std::function<void(const json&)>&)>;
 
-File read(const fs::path& path, Reader reader) {
+File read(const fs::path& path, const Reader& reader) {
   File file{path, {}, {}, 0};
   file.strange = reader(path, [&](const json& line) {
     if (line.contains("part"))
@@ -129,13 +129,13 @@ void require_same(const File& a, const File& b) {
       fmt::format("{} and {} ask for the same cells in another order", a.path.string(), b.path.string()));
 }
 
-Union union_of(const std::vector<File>& files, Part part) {
+Union union_of(std::vector<File> files, Part part) {
   Union all;
   std::map<std::string, std::size_t> source;  // of each line
   for (std::size_t f = 0; f < files.size(); ++f) {
     all.strange += files[f].strange;
-    for (const auto& [key, line] : files[f].lines) {
-      const auto [there, is_new] = all.lines.emplace(key, line);
+    for (auto& [key, line] : files[f].lines) {
+      const auto [there, is_new] = all.lines.try_emplace(key, std::move(line));  // stays where it is not new
       if (is_new) {
         source[key] = f;
         continue;
@@ -155,8 +155,11 @@ Union union_of(const std::vector<File>& files, Part part) {
 
 Union unite(std::span<const fs::path> paths) {
   std::vector<File> files;
+  Room room;
   for (const fs::path& path : paths) {
-    files.push_back(read(path, LineFile::read_of_others));
+    files.push_back(read(path, [&](const fs::path& file, const auto& take) {
+      return LineFile::read_of_others(file, room, take);
+    }));
     if (!files.back().part)
       throw core::InputError(fmt::format("{}: no journal that can be merged; {} write them into .cylon",
                                          path.string(), sharing_commands()));
@@ -168,13 +171,13 @@ Union unite(std::span<const fs::path> paths) {
   if (fs::exists(own, ignored) &&
       std::ranges::none_of(paths, [&](const fs::path& path) { return fs::equivalent(path, own, ignored); }))
     files.push_back(read_own(own));
-  return union_of(files, part);
+  return union_of(std::move(files), part);
 }
 
 Union unite_own(const Part& part, std::span<const fs::path> paths) {
   std::vector<File> files;
   std::ranges::transform(paths, std::back_inserter(files), read_own);
-  return union_of(files, part);
+  return union_of(std::move(files), part);
 }
 
 void write(const Union& all, const fs::path& place) {

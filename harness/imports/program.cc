@@ -1,6 +1,7 @@
 #include "harness/imports/program.h"
 
 #include "harness/core/input_error.h"
+#include "harness/imports/xml_depth.h"
 #include "harness/input/json.h"
 #include "harness/process/child.h"
 #include "harness/process/sandbox.h"
@@ -70,7 +71,7 @@ fs::path program_of(const Format& format, const fs::path& programs) {
 
 nlohmann::json read_by(const Format& format, const fs::path& file, const Options& options,
                        const fs::path& programs) {
-  scenario::read_file(file);  // that it is there, a file, and not too large
+  require_shallow_xml(scenario::read_file(file), file.string());  // and it is a file, and not too large
   const auto fail = [&](const std::string& why) -> core::InputError {
     return core::InputError(file.string(), 0, 0, why);
   };
@@ -85,7 +86,7 @@ nlohmann::json read_by(const Format& format, const fs::path& file, const Options
   std::string answer;
   try {
     process::Child child(alone ? process::sandboxed(command, *filter) : command, memory,
-                         alone ? filter->fd() : -1);
+                         alone ? filter->inherited() : process::Inherited{});
     child.set_deadline(patience, format.name == "MJCF" ? "compiling the model" : "reading the model");
     while (child.receive()) {
       answer += child.output();

@@ -1,5 +1,6 @@
 // The one way in which JSON of strangers is parsed: of bounded depth, so that no later copy, comparison or
-// dump of it can exhaust the stack.  Knows no message and no file.
+// dump of it can exhaust the stack, and of bounded memory, which is up to thirty times the text's.  Knows no message and
+// no file.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -14,20 +15,27 @@ namespace cylon::input {
 /// Arrays and objects inside each other; the deepest that Cylon writes has ten.
 inline constexpr std::size_t deepest_json = 64;
 
+/// Memory of the values of one text, as memory_of() counts it [bytes]; a report of 10^5 verdicts takes six sevenths of it.
+inline constexpr std::size_t largest_json = 700'000'000;
+
 /// Text that is no JSON, or JSON that is refused; `byte` counts from 1, 0 where no place is known.
 struct BadJson : std::runtime_error {
   BadJson(std::size_t at, const std::string& why) : std::runtime_error(why), byte(at) {}
   std::size_t byte;
 };
 
-/// Throws BadJson where brackets outside strings are open more than `deepest_json` deep.
-void require_shallow(std::string_view text);
+/// Memory that the values of a text, or of all lines of a text, take when they are parsed [bytes], rather too much than too
+/// little.
+std::size_t memory_of(std::string_view text);
+
+/// Throws BadJson where brackets outside strings are open more than `deepest_json` deep, or memory_of(text) > `most`.
+void require_bounded(std::string_view text, std::size_t most = largest_json);
 
 /// The value that the text is.  Throws BadJson: "not JSON at byte 7", "a number beyond the range of a
-/// double", "nested more than 64 deep at byte 65".
+/// double", "nested more than 64 deep at byte 65", "values that take more than 700 MB of memory at byte 81".
 template <class Json = nlohmann::json>
 Json parse_json(std::string_view text) {
-  require_shallow(text);
+  require_bounded(text);
   try {
     return Json::parse(text);
   } catch (const typename Json::parse_error& error) {

@@ -1,7 +1,5 @@
 #include "harness/process/child.h"
 
-#include "harness/process/spawn.h"
-
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
@@ -65,10 +63,10 @@ std::string last_line(std::string_view text) {
 
 }  // namespace
 
-Child::Child(const std::vector<std::string>& command, std::size_t memory_bytes, int kept)
+Child::Child(const std::vector<std::string>& command, std::size_t memory_bytes, const Inherited& inherited)
     : command_(command), memory_bytes_(memory_bytes) {
   const std::scoped_lock lock(births());
-  const Spawned child = spawn(command, memory_bytes, mark_, kept);
+  const Spawned child = spawn(command, memory_bytes, mark_, inherited);
   pid_ = child.pid, in_ = child.in, out_ = child.out, err_ = child.err;
   next_count_ = Clock::now() + std::chrono::milliseconds(count_ms);
   try {
@@ -106,11 +104,11 @@ void Child::check_limits() {
   if (memory_bytes_ == 0) return;
   std::size_t size = resident(pid_);
   if (now >= next_count_) {  // all processes are looked through for its descendants
-    size = std::max(size, Family(pid_, mark_).resident());
+    size = std::max(size, Family(pid_, mark_).memory());
     next_count_ = Clock::now() + std::chrono::milliseconds(count_ms);
   }
   if (size > memory_bytes_)
-    throw Failure(results::Status::crash, fmt::format("memory limit: {} MiB resident, {} MiB allowed",
+    throw Failure(results::Status::crash, fmt::format("memory limit: {} MiB in use, {} MiB allowed",
                                                       size >> 20, memory_bytes_ >> 20));
 }
 

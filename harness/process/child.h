@@ -5,6 +5,7 @@
 #include "harness/process/failure.h"
 #include "harness/process/family.h"
 #include "harness/process/interruption.h"
+#include "harness/process/spawn.h"
 
 #include <sys/types.h>
 
@@ -23,9 +24,8 @@ class Child {
  public:
   /// `command` is looked up in PATH; `memory_bytes` limits the resident size of it and its descendants
   /// together, 0: no limit.
-  /// `kept`: a descriptor that it inherits beside its pipes; -1: none.
   /// Throws Failure(unsupported, "cannot start …") where exec fails.
-  Child(const std::vector<std::string>& command, std::size_t memory_bytes, int kept = -1);
+  Child(const std::vector<std::string>& command, std::size_t memory_bytes, const Inherited& = {});
   ~Child();
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;

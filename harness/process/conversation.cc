@@ -19,7 +19,8 @@ using nlohmann::json;
 
 Conversation::Conversation(const std::vector<std::string>& command, std::size_t memory_bytes)
     : filter_(sandboxing() ? std::make_unique<SandboxFilter>() : nullptr),
-      child_(filter_ ? sandboxed(command, *filter_) : command, memory_bytes, filter_ ? filter_->fd() : -1) {}
+      child_(filter_ ? sandboxed(command, *filter_) : command, memory_bytes,
+             filter_ ? filter_->inherited() : Inherited{}) {}
 
 void Conversation::ask(const json& command, double seconds) {
   child_.set_deadline(seconds, command.at("cmd").get<std::string>());

@@ -3,8 +3,11 @@
 #include <dirent.h>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <linux/magic.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <sys/stat.h>
+#include <sys/statfs.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,8 +16,11 @@
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
+#include <memory>
 #include <set>
 #include <string_view>
+#include <utility>
 
 namespace cylon::process {
 namespace {
@@ -59,7 +65,49 @@ std::size_t kibibytes(const std::string& text, std::string_view key) {
   return at == std::string::npos ? 0 : std::strtoull(text.c_str() + at + key.size(), nullptr, 10) << 10;
 }
 
-std::size_t own_share(pid_t pid) { return kibibytes(read_proc(pid, "smaps_rollup"), "\nPss:"); }
+// Memory of processes [bytes].
+struct Held {
+  std::size_t resident = 0, of_files = 0;  // of_files: the part of it that a file in memory may be
+  std::map<std::pair<dev_t, ino_t>, std::size_t> open;  // files in memory without a name, whole
+
+  // `alone`: it shares with no other.  The kernel counts the share of each in more time.
+  void add(pid_t pid, bool alone) {
+    const std::string text = read_proc(pid, alone ? "status" : "smaps_rollup");
+    resident += kibibytes(text, alone ? "\nVmRSS:" : "\nPss:");
+    of_files += kibibytes(text, alone ? "\nRssShmem:" : "\nPss_Shmem:");
+    add_open(pid);
+  }
+
+  // What is resident of an open file is counted once.
+  std::size_t bytes() const {
+    std::size_t files = 0;
+    for (const auto& [file, size] : open) files += size;
+    return resident + files - std::min(files, of_files);
+  }
+
+ private:
+  // Those of memfd_create, and those in a file system in memory whose name is gone: nobody but the process's family
+  // has them.
+  void add_open(pid_t pid) {
+    const std::unique_ptr<DIR, int (*)(DIR*)> folder(::opendir(fmt::format("/proc/{}/fd", pid).c_str()),
+                                                     ::closedir);
+    if (!folder) return;
+    const int here = ::dirfd(folder.get());
+    while (const dirent* entry = ::readdir(folder.get())) {
+      char name[4096];
+      const ssize_t length = ::readlinkat(here, entry->d_name, name, sizeof name);
+      if (length <= 0 || !std::string_view(name, static_cast<std::size_t>(length)).ends_with(" (deleted)"))
+        continue;
+      struct stat file = {};
+      struct statfs system = {};
+      if (::fstatat(here, entry->d_name, &file, 0) != 0 || !S_ISREG(file.st_mode) ||
+          ::statfs(fmt::format("/proc/{}/fd/{}", pid, entry->d_name).c_str(), &system) != 0 ||
+          (system.f_type != TMPFS_MAGIC && system.f_type != HUGETLBFS_MAGIC))
+        continue;
+      open[{file.st_dev, file.st_ino}] = static_cast<std::size_t>(file.st_blocks) * 512;
+    }
+  }
+};
 
 // Guarded by births().
 std::set<pid_t>& owned() {
@@ -138,17 +186,13 @@ std::vector<Family::Relative> Family::living() const {
   return result;
 }
 
-std::size_t Family::resident() const {
+std::size_t Family::memory() const {
   const std::vector<Relative> others = living();
-  if (others.empty()) {
-    std::size_t total = 0, pages = 0;
-    if (std::sscanf(read_proc(worker_, "statm").c_str(), "%zu %zu", &total, &pages) != 2) return 0;
-    return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
-  }
-  std::size_t sum = own_share(worker_);
+  Held held;
+  held.add(worker_, others.empty());
   for (const Relative& one : others)
-    if (!one.unknown) sum += own_share(one.pid);
-  return sum;
+    if (!one.unknown) held.add(one.pid, false);
+  return held.bytes();
 }
 
 void Family::kill() {

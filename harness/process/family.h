@@ -36,9 +36,9 @@ class Family {
  public:
   Family(pid_t worker, std::string mark) : worker_(worker), mark_(std::move(mark)) {}
 
-  /// Resident memory of the worker and its descendants together [bytes]; what several share counts once.
-  /// Looks through all processes of the machine.
-  std::size_t resident() const;
+  /// Memory of the worker and its descendants together [bytes]: what is resident, and the open files that are in memory
+  /// and have no name (memfd_create); what several share counts once.  Looks through all processes of the machine.
+  std::size_t memory() const;
 
   /// SIGKILL to the worker, its group and all descendants, again until none is left, and reaps them;
   /// the worker itself is the caller's to reap.  An orphan that shows no environment is waited for, because

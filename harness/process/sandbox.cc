@@ -13,10 +13,15 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstddef>
 #include <filesystem>
+#include <initializer_list>
+#include <iterator>
+#include <map>
 #include <set>
+#include <string_view>
 #include <system_error>
 
 namespace cylon::process {
@@ -100,8 +105,48 @@ std::vector<sock_filter> filter() {
 std::vector<sock_filter> filter() { return {}; }
 #endif
 
-void show(std::vector<std::string>& words, const fs::path& folder) {
-  words.insert(words.end(), {"--ro-bind-try", folder.string(), folder.string()});
+constexpr const char* scratch_bytes =
+    "67108864";  // of /tmp and /dev/shm: memory that no process has resident
+
+// All that engines and the interpreters of some need, and no place for a password.
+bool is_needed(std::string_view variable) {
+  constexpr std::string_view needed[] = {"PATH",
+                                         "HOME",
+                                         "LANG",
+                                         "LANGUAGE",
+                                         "TZ",
+                                         "LD_LIBRARY_PATH",
+                                         "PYTHONPATH",
+                                         "PYTHONHOME",
+                                         "NODE_PATH",
+                                         "NODE_OPTIONS",
+                                         "OMP_NUM_THREADS",
+                                         "ASAN_OPTIONS",
+                                         "LSAN_OPTIONS",
+                                         "TSAN_OPTIONS",
+                                         "UBSAN_OPTIONS"};
+  return variable.starts_with("LC_") || std::ranges::find(needed, variable) != std::end(needed);
+}
+
+bool is_inside(const fs::path& path, const fs::path& folder) {
+  return std::ranges::mismatch(folder, path).in1 == folder.end();
+}
+
+// Where what is hidden would be seen below the folders that are shown, and whether it is a folder.
+std::map<fs::path, bool> masks(const std::set<fs::path>& shown) {
+  std::map<fs::path, bool> places;
+  std::error_code error;
+  for (const fs::path& hidden : hidden_in_sandboxes())
+    for (const fs::path& folder : shown)
+      if (const fs::path real = fs::canonical(folder, error); !error && is_inside(hidden, real))
+        places[hidden == real ? folder : folder / hidden.lexically_relative(real)] =
+            fs::is_directory(hidden, error);
+  std::erase_if(places, [&](const auto& inner) {
+    return std::ranges::any_of(places, [&](const auto& outer) {
+      return inner.first != outer.first && is_inside(inner.first, outer.first);
+    });
+  });
+  return places;
 }
 
 }  // namespace
@@ -109,6 +154,11 @@ void show(std::vector<std::string>& words, const fs::path& folder) {
 std::atomic<bool>& sandboxing() {
   static std::atomic<bool> on{false};
   return on;
+}
+
+std::vector<fs::path>& hidden_in_sandboxes() {
+  static std::vector<fs::path> places;
+  return places;
 }
 
 SandboxFilter::SandboxFilter() {
@@ -121,6 +171,8 @@ SandboxFilter::SandboxFilter() {
     throw std::system_error(errno, std::generic_category(), "memfd");
 }
 
+Inherited SandboxFilter::inherited() const { return {fd_, is_needed}; }
+
 SandboxFilter::~SandboxFilter() {
   if (fd_ >= 0) ::close(fd_);
 }
@@ -129,29 +181,31 @@ std::vector<std::string> sandboxed(const std::vector<std::string>& command, cons
   std::vector<std::string> words = {
       "bwrap",  "--unshare-all", "--die-with-parent", "--new-session", "--cap-drop", "ALL", "--dev", "/dev",
       "--proc", "/proc"};
-  for (const char* folder : {"/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/etc/ld.so.cache",
-                             "/etc/alternatives", "/nix/store"})
-    show(words, folder);
-  words.insert(words.end(), {"--tmpfs", "/tmp"});
+  const auto add = [&words](std::initializer_list<std::string> more) { words.insert(words.end(), more); };
+  const auto show = [&](const fs::path& folder) { add({"--ro-bind-try", folder, folder}); };
+  std::set<fs::path> folders = {
+      "/usr",      "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/etc/ld.so.cache", "/etc/alternatives",
+      "/nix/store"};
+  for (const fs::path& folder : folders) show(folder);
+  for (const char* scratch : {"/tmp", "/dev/shm"}) add({"--size", scratch_bytes, "--tmpfs", scratch});
   std::error_code error;
   const fs::path here = fs::current_path();
-  std::set<fs::path> folders = {here};
+  std::set<fs::path> own = {here};
   for (const std::string& word : command)
     if (const fs::path file = fs::weakly_canonical(fs::absolute(word), error);
         !error && fs::is_regular_file(file, error))
-      folders.insert(file.parent_path()), folders.insert(fs::absolute(word).lexically_normal().parent_path());
-  for (const fs::path& folder : folders)  // parents before what is in them
-    if (folder != "/") show(words, folder);
-  // The user's key is never there, even where the working folder is the home folder.
-  for (const auto& [variable, below] :
-       {std::pair("XDG_CONFIG_HOME", "cylon"), std::pair("HOME", ".config/cylon")})
-    if (const char* value = std::getenv(variable); value && *value)
-      if (const fs::path keys = fs::path(value) / below; fs::is_directory(keys, error))
-        for (const fs::path& folder : folders)
-          if (keys.lexically_relative(folder).native().substr(0, 2) != "..")
-            words.insert(words.end(), {"--tmpfs", keys.string()});
-  words.insert(words.end(), {"--chdir", here.string()});
-  if (calls.fd() >= 0) words.insert(words.end(), {"--seccomp", fmt::format("{}", calls.fd())});
+      own.insert(file.parent_path()), own.insert(fs::absolute(word).lexically_normal().parent_path());
+  for (const fs::path& folder : own)  // parents before what is in them
+    if (folder != "/") show(folder);
+  folders.merge(own);
+  for (const auto& [place, is_folder] : masks(folders))
+    if (is_folder)
+      add({"--size", "4096", "--tmpfs", place, "--remount-ro", place});
+    else
+      add({"--ro-bind", "/dev/null", place});
+  // What bubblewrap makes of its own is memory, too.
+  add({"--remount-ro", "/dev", "--remount-ro", "/", "--chdir", here});
+  if (calls.fd() >= 0) add({"--seccomp", fmt::format("{}", calls.fd())});
   words.emplace_back("--");
   words.insert(words.end(), command.begin(), command.end());
   return words;
@@ -160,7 +214,7 @@ std::vector<std::string> sandboxed(const std::vector<std::string>& command, cons
 void require_sandbox() {
   try {
     const SandboxFilter calls;
-    Child probe(sandboxed({"true"}, calls), 0, calls.fd());
+    Child probe(sandboxed({"true"}, calls), 0, calls.inherited());
     probe.set_deadline(10, "sandbox");
     while (probe.receive()) {
     }

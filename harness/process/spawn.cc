@@ -138,7 +138,7 @@ pid_t child_of(Fate fate) {
 }  // namespace
 
 Spawned spawn(const std::vector<std::string>& command, std::size_t memory_bytes, const std::string& mark,
-              int kept) {
+              const Inherited& inherited) {
   if (command.empty()) throw Failure(results::Status::unsupported, "cannot start: the command is empty");
   static std::once_flag once;
   std::call_once(once, [] {
@@ -152,14 +152,17 @@ Spawned spawn(const std::vector<std::string>& command, std::size_t memory_bytes,
     argv.push_back(const_cast<char*>(word.c_str()));  // NOLINT(*-const-cast): POSIX says exec reads only
   argv.push_back(nullptr);
   std::vector<char*> environment;
-  for (char** word = environ; *word; ++word) environment.push_back(*word);
+  for (char** word = environ; *word; ++word)
+    if (const std::string_view text = *word;
+        !inherited.variable || inherited.variable(text.substr(0, text.find('='))))
+      environment.push_back(*word);
   environment.push_back(const_cast<char*>(mark.c_str()));  // NOLINT(*-const-cast)
   environment.push_back(nullptr);
   Pipe in = make_pipe(), out = make_pipe(), err = make_pipe(), failed = make_pipe();
   ::fcntl(out.read.get(), F_SETPIPE_SZ, pipe_bytes);
 
   const pid_t pid = child_of({argv.data(), environment.data(), in.read.get(), out.write.get(),
-                              err.write.get(), failed.write.get(), memory_bytes, kept});
+                              err.write.get(), failed.write.get(), memory_bytes, inherited.descriptor});
   if (pid < 0) throw std::system_error(errno, std::generic_category(), "fork");
   ::close(failed.write.release());
   // Closed by exec without a word, or the error number.

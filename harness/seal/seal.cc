@@ -30,13 +30,24 @@ std::string mac_of(const std::string& key, std::string_view message) {
   return digits.data();
 }
 
+// The path in an environment variable; empty where it has none.
+fs::path named(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value ? value : "";
+}
+
+// Folders of this program alone, the first of which holds the key where $CYLON_KEY is not set.
+std::vector<fs::path> key_folders() {
+  std::vector<fs::path> folders;
+  if (const fs::path config = named("XDG_CONFIG_HOME"); !config.empty()) folders.push_back(config / "cylon");
+  if (const fs::path home = named("HOME"); !home.empty()) folders.push_back(home / ".config" / "cylon");
+  return folders;
+}
+
 fs::path key_file() {
-  if (const char* file = std::getenv("CYLON_KEY"); file && *file) return file;
-  if (const char* folder = std::getenv("XDG_CONFIG_HOME"); folder && *folder)
-    return fs::path(folder) / "cylon" / "key";
-  if (const char* home = std::getenv("HOME"); home && *home)
-    return fs::path(home) / ".config" / "cylon" / "key";
-  return {};
+  if (fs::path file = named("CYLON_KEY"); !file.empty()) return file;
+  const std::vector<fs::path> folders = key_folders();
+  return folders.empty() ? fs::path() : folders.front() / "key";
 }
 
 // "" where the file is no key: missing, of another size or owner, or open to others.
@@ -118,6 +129,17 @@ bool holds(std::string_view mac, std::string_view purpose, std::string_view text
   // Compared without a hint, by the time it takes, of how much was right.
   return !right.empty() && mac.size() == right.size() &&
          sodium_memcmp(mac.data(), right.data(), right.size()) == 0;
+}
+
+std::vector<fs::path> secret_places() {
+  static_cast<void>(key());
+  std::vector<fs::path> places = key_folders(), there;
+  if (const fs::path file = named("CYLON_KEY"); !file.empty()) places.push_back(file);
+  for (const fs::path& place : places) {
+    std::error_code absent;
+    if (const fs::path real = fs::canonical(place, absent); !absent) there.push_back(real);
+  }
+  return there;
 }
 
 }  // namespace cylon::seal

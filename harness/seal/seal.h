@@ -3,8 +3,10 @@
 // cryptography is libsodium's.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace cylon::seal {
 
@@ -21,5 +23,9 @@ bool is_own(std::string_view mac);
 
 /// Whether `mac` is the seal of the text; never where there is no key.
 bool holds(std::string_view mac, std::string_view purpose, std::string_view text);
+
+/// What no program but Cylon needs to read, of what is there, without symbolic links: the file of $CYLON_KEY and the folders
+/// that hold a key where that is not set.  The key is made first, so that none comes to be later.
+std::vector<std::filesystem::path> secret_places();
 
 }  // namespace cylon::seal

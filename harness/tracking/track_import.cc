@@ -19,7 +19,8 @@ namespace {
 
 using store::Imported;
 
-constexpr std::size_t most_bytes = std::size_t{512} << 20;  ///< Of all files of one call.
+constexpr std::size_t most_bytes = std::size_t{512} << 20;    ///< Of all files of one call.
+constexpr std::size_t most_at_once = std::size_t{128} << 20;  ///< Of one whose values are held all at once.
 
 struct Options {
   std::string store, revision, label;
@@ -32,6 +33,10 @@ Imported import(store::Store& store, const std::string& text, const std::string&
   const std::size_t start = text.find_first_not_of(" \t\r\n");
   const std::string_view head = start == std::string::npos ? "" : std::string_view(text).substr(start);
   if (head.starts_with("{\"cylon_history\"")) return store::read_json_lines(store, text, name);
+  if (text.size() > most_at_once)
+    throw core::InputError(
+        fmt::format("{}: more than {} MB; only JSON Lines of `cylon track export` may have more", name,
+                    most_at_once >> 20));
   if (!head.starts_with('{')) return store::read_samples_csv(store, text, name);
   const reports::Provenance build = reports::build_and_machine();
   store::RunInfo run;

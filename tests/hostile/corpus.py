@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Hostile scenario files through `cylon validate`: tests/hostile/corpus.py CYLON [WORD…].
+"""Hostile files, scenarios through `cylon validate` and others through what reads them: tests/hostile/corpus.py CYLON [WORD…].
 
 Of each: exit code 0 or 2, a place in the file where it is refused, an error of at most 4000 bytes, at most 1 GB
 resident, and an end within 10 s of CPU time, twice what any takes on a quiet machine.  The last line is JSON: tried, failed,
@@ -107,6 +107,8 @@ rec("deep_num", '{"schema":"truth/1","t":[0],"bodies":[{"id":"A"}],"trajectory":
 rec("deep_kind", '{"schema":"truth/1","t":[0],"bodies":[{"id":"A"}],"trajectory":{"A":{"position":[[0,0,0]]}},"events":[{"kind":' + deep + '}]}')
 rec("deep_unused", '{"schema":"truth/1","zz":' + deep + ',"t":[0],"bodies":[{"id":"A"}],"trajectory":{"A":{"position":[[0,0,0]]}}}')
 rec("deep_obj", '{"schema":' + '{"a":' * 2000000 + '1' + '}' * 2000000 + '}')
+rec("many_objects", '{"schema":"truth/1","zz":[' + "{}," * 5000000 + "0]}")
+rec("many_numbers", '{"schema":"truth/1","t":[' + "0," * 8000000 + "0]}")
 rec("badutf8", b'{"schema":"\xff\xfe"}')
 rec("surrogate", '{"schema":"\\ud800"}')
 rec("events_1e5", json.dumps(dict(G, events=[{"kind": "bounce", "body": "A", "time": i * 1e-6} for i in range(60000)])))
@@ -142,9 +144,23 @@ for f, n in (("/proc/self/pagemap", "pagemap"), ("/etc/passwd", "passwd"), ("loo
 t("nul_inside", HEAD.encode() + b"\0" + BODY.encode()); t("utf16", HEAD.encode("utf-16")); t("invalid_utf8", HEAD.encode() + b'title="\xff"\n'); t("bom", b"\xef\xbb\xbf" + (HEAD + BODY + CLAIM).encode()); t("crlf", (HEAD + BODY + CLAIM).replace("\n", "\r\n"))
 t("neg_zero", HEAD + 'gravity=[-0.0,-0.0,-0.0]\n' + BODY + CLAIM); t("empty", ""); t("only_comment", "# x"); t("only_nul", b"\0"); t("one_bracket", "["); t("unicode_name", HEAD + '[[body]]\nname="名前😀"\nmass=1\n' + CLAIM); t("rtl_name", HEAD + '[[body]]\nname="\u202eA"\nmass=1\n' + CLAIM)
 t("c1_name", HEAD + '[[body]]\nname="\\u009b31mA"\nmass=1\n' + CLAIM); t("uni_crlf_key", HEAD + '"a\\nb\\u001b[31m" = 1\n' + BODY)
-
+# Documents for other commands: what they read before and behind 66 MB of empty objects, which are 2.5 GB of values.
+EMPTY = ("{}," * 22000000)[:-1]
+PART = '{"part":{"command":"run","count":1,"index":1},"units":[["a","b"]]}\n'
+DOCUMENTS = {
+    "report_list": ("report DOCUMENT --html o.html", "[", "]"),
+    "report_of_verdicts": ("report DOCUMENT", '{"schema":1,"verdicts":[', "]}"),
+    "report_of_fits": ("report DOCUMENT --html o.html", '{"format":"cylon-fit/1","fits":[', '],"a":1,"b":2}'),
+    "report_of_scenarios": ("report DOCUMENT --html o.html", '{"format":"cylon-scenario/1","name":"a","x":[', "]}"),
+    "report_baseline": ("report verdicts.json --html o.html --baseline DOCUMENT", '{"schema":1,"verdicts":[', "]}"),
+    "merge_one_line": ("merge DOCUMENT", PART + '{"key":"a","verdicts":[],"x":[', "]}\n"),
+    "import_benchmarks": ("track import DOCUMENT", '{"context":{},"benchmarks":[', "]}"),
+    "import_history": ("track import DOCUMENT", '{"cylon_history":1}\n{"cell":[', "]}\n"),
+}
+FILES["verdicts.json"] = b'{"schema":1,"verdicts":[]}'
 
 PLACE = re.compile(r"^error: [^\n]*?:\d+:\d+: ")
+FILE = re.compile(r"^error: DOCUMENT:")
 MOST_SECONDS, MOST_MB, MOST_BYTES = 10, 1000, 4000
 
 
@@ -171,20 +187,26 @@ def limits():
 
 def faults(cylon, folder, name):
     """What is wrong, and the CPU seconds and MB that it took."""
-    (folder / f"{name}.toml").write_bytes(SCENES[name])
+    file, command, place = f"{name}.toml", f"validate {name}.toml", PLACE
+    if name in SCENES:
+        (folder / file).write_bytes(SCENES[name])
+    else:
+        command, before, behind = DOCUMENTS[name]
+        file, place = "DOCUMENT", FILE
+        (folder / file).write_text(before + EMPTY + behind)
     with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
-        child = subprocess.Popen([cylon, "validate", f"{name}.toml"], cwd=folder, stdin=subprocess.DEVNULL, stdout=out,
-                                 stderr=err, preexec_fn=limits, env={**os.environ, "CYLON_CACHE": "off"})
+        child = subprocess.Popen([cylon, *command.split()], cwd=folder, stdin=subprocess.DEVNULL, stdout=out,
+                                 stderr=err, preexec_fn=limits, env={**os.environ, "CYLON_CACHE": "off", "CYLON_KEY": f"{folder}/key"})
         _, status, used = os.wait4(child.pid, 0)
         child.returncode = os.waitstatus_to_exitcode(status)
         err.seek(0)
         said = err.read().decode("utf8", "replace")
-    (folder / f"{name}.toml").unlink()
+    (folder / file).unlink()
     seconds, megabytes = used.ru_utime + used.ru_stime, used.ru_maxrss / 1024
     bad = []
     if child.returncode not in (0, 2):
         bad.append(f"exit code {child.returncode}: {said[:200]!r}")
-    if child.returncode == 2 and not PLACE.match(said):
+    if child.returncode == 2 and not place.match(said):
         bad.append(f"no place: {said[:200]!r}")
     if len(said) > MOST_BYTES:
         bad.append(f"{len(said)} bytes of error")
@@ -200,7 +222,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix="cylon-corpus-") as name:
         folder = pathlib.Path(name)
         prepare(folder)
-        for scene in SCENES:
+        for scene in [*SCENES, *DOCUMENTS]:
             if words and not any(word in scene for word in words):
                 continue
             bad, *used = faults(cylon, folder, scene)

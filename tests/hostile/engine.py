@@ -7,6 +7,7 @@ import os
 import signal
 import struct
 import sys
+import tempfile
 import time
 
 MIB = 1 << 20
@@ -124,6 +125,20 @@ def eat_fast():
         held[-1].write(b"\1" * (1 << 30))
 
 
+def eat_in_files(make):
+    held = []  # descriptors of 2 GiB, whose pages are resident in no process
+    for _ in range(32):
+        held.append(make())
+        os.write(held[-1], b"\1" * (64 * MIB))
+    spin()
+
+
+def nameless_file():
+    fd, name = tempfile.mkstemp(dir="/dev/shm")
+    os.unlink(name)
+    return fd
+
+
 def eat_in_family():
     def share():
         hog = bytearray(b"x") * (180 * MIB)
@@ -208,6 +223,8 @@ AT = {
     "memory": (("load", "run"), eat),
     "memory_at_once": (("load",), eat_fast),
     "memory_of_a_family": (("load",), eat_in_family),
+    "memory_in_memfd": (("load", "run"), lambda: eat_in_files(lambda: os.memfd_create("hog"))),
+    "memory_in_nameless_files": (("run",), lambda: eat_in_files(nameless_file)),
     "stops": (("run",), lambda: os.kill(os.getpid(), signal.SIGSTOP)),
     "stops_its_group": (("run",), lambda: os.kill(0, signal.SIGSTOP)),
     "closes_stdin": (("load",), lambda: os.close(0)),

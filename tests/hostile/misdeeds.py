@@ -128,12 +128,13 @@ def attempt(cylon, misdeed, options, seconds):
         bad = [f"left behind: {line[:100]}" for line in end_children()]
         if ran.returncode not in (0, 1, 2, 5):
             bad.append(f"exit code {ran.returncode}: {ran.stderr[-200:]!r}")
-        healthy = []
+        healthy, wild = [], []
         try:
             rows = json.loads((pathlib.Path(folder) / "o.json").read_text())["verdicts"]
             xml.dom.minidom.parse(folder + "/o.xml")
             healthy = [row for row in rows if row["engine"] == "in-house"]
-            if not any(row["engine"] == "wild" for row in rows):
+            wild = [row for row in rows if row["engine"] == "wild"]
+            if not wild:
                 bad.append("the wild engine has no row")
             size = sum((pathlib.Path(folder) / file).stat().st_size for file in ("o.json", "o.xml", "o.csv"))
             if size > 1 << 20:
@@ -144,6 +145,8 @@ def attempt(cylon, misdeed, options, seconds):
             bad.append(f"reports: {error!r} {ran.stderr[-200:]!r}")
         if (pathlib.Path(folder) / "forged").exists():
             bad.append("a forged journal was obeyed")
+        if misdeed.startswith("memory") and any(row["status"] == "timeout" for row in wild):
+            raise TimeIsUp("its memory was not limited")
         if not any(row["status"] == "pass" for row in healthy):
             bad.append("the healthy engine did not pass: " + "; ".join(f"{r['status']} {r['reason']}"[:200] for r in healthy))
             if len(bad) == 1 and any(row["status"] == "timeout" for row in healthy):

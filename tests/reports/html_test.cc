@@ -129,5 +129,18 @@ TEST(Html, CountsTracesBeyondSizeLimit) {
   EXPECT_LT(page.size(), 15u << 20);
 }
 
+// The name of a fit stood beside each of its parameters: their numbers multiplied.
+TEST(Html, PlainTablesOfManyRowsAreCut) {
+  HtmlReport report;
+  report.documents["fits"] = {
+      {{"format", "cylon-fit/1"},
+       {"fits",
+        {{{"engine", std::string(100'000, 'e')}, {"parameters", std::vector<json>(5000, json::object())}}}}}};
+  const std::string page = to_html(report);
+  EXPECT_EQ(count(page, "<tr><th scope=\"row\">"), 1000u);
+  EXPECT_LT(page.size(), 10u << 20);
+  EXPECT_EQ(index_of(page)["fits"][0]["fits"][0]["parameters"].size(), 5000u);
+}
+
 }  // namespace
 }  // namespace cylon::reports

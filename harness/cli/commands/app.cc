@@ -5,6 +5,7 @@
 #include "harness/imports/imports.h"
 #include "harness/process/interruption.h"
 #include "harness/process/sandbox.h"
+#include "harness/seal/seal.h"
 #include "harness/tracking/track.h"
 #include "reference/measured/claim_truth.h"
 #include "reports/text.h"
@@ -175,6 +176,7 @@ int run_command_line(int argc, char** argv) {
       "--sandbox",
       [] {
         process::require_sandbox();
+        process::hidden_in_sandboxes() = seal::secret_places();
         process::sandboxing() = true;
       },
       "Run engines in a sandbox (bubblewrap): no network, no files but read-only ones of the system, of this "

@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t longest_file = std::size_t{256} << 20;  // [bytes]
+constexpr std::size_t longest_file = std::size_t{64} << 20;  // [bytes]
 
 const measured::Parameter& parameter_of(const measured::Experiment& e, const std::string& file,
                                         const std::string& name) {

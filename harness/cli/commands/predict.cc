@@ -238,8 +238,8 @@ void write_page(const Options& options, const measured::Experiment& e, const ord
   report.documents["predictions"] = {document};
   if (!options.fit.empty())
     report.documents["fits"] = {
-        input::parse_json<ordered_json>(read_whole(options.fit, std::size_t{256} << 20))};
-  write_whole(options.html, reports::to_html(report));
+        input::parse_json<ordered_json>(read_whole(options.fit, std::size_t{64} << 20))};
+  write_whole(options.html, reports::to_html(std::move(report)));
 }
 
 int predict(const Context& context, const Options& options) {

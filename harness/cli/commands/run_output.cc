@@ -54,13 +54,13 @@ void write_report(const RunOptions& options, const Selection& selection, const T
   report.traces =
       traces.chosen(selection.cells, results.verdicts, options.trajectories, report.omitted_traces);
   report.results = std::move(results);
-  if (!options.html.empty()) write_whole(options.html, reports::to_html(report));
-  if (options.traces.empty()) return;
-  write_whole(options.traces, [&](std::ostream& out) {
-    for (const auto& scenario : report.scenarios)
-      out << scenario.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) << '\n';
-    for (const reports::PackedTrace& trace : report.traces) out << reports::to_json_line(trace);
-  });
+  if (!options.traces.empty())
+    write_whole(options.traces, [&](std::ostream& out) {
+      for (const auto& scenario : report.scenarios)
+        out << scenario.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) << '\n';
+      for (const reports::PackedTrace& trace : report.traces) out << reports::to_json_line(trace);
+    });
+  if (!options.html.empty()) write_whole(options.html, reports::to_html(std::move(report)));
 }
 
 void print_charts(const Traces& traces, const reports::ConsoleOptions& style) {

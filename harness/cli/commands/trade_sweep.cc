@@ -157,7 +157,7 @@ void write_tables(const Context& context, const Selection& selection,
   report.title = title;
   report.documents["trades"] = {document};
   for (const auto& scenario : selection.scenarios) report.scenarios.push_back(scenario_view(*scenario));
-  write_whole(html, reports::to_html(report));
+  write_whole(html, reports::to_html(std::move(report)));
 }
 
 }  // namespace cylon::cli

@@ -43,6 +43,40 @@ TEST(Json, BracketsInsideStringsDoNotCount) {
   EXPECT_EQ(parse_json(flat + "]").size(), 1001u);
 }
 
+// What lists of a million take in memory, measured as they grew; an object of one name takes the most for a byte of text.
+TEST(Json, MemoryIsCountedBeforeItIsTaken) {
+  struct Unit {
+    const char* text;
+    std::size_t bytes;  // of json in memory
+  };
+  for (const auto& [unit, bytes] :
+       {Unit{"0", 16}, Unit{"[]", 48}, Unit{"{}", 80}, Unit{R"("")", 64}, Unit{R"({"":0})", 176},
+        Unit{R"({"0123456789abcdef":"0123456789abcdef"})", 288}}) {
+    std::string list = "[";
+    for (int i = 0; i < 1000; ++i) list.append(i == 0 ? "" : ",").append(unit);
+    const std::size_t counted = memory_of(list + "]");
+    EXPECT_GE(counted, 1000 * bytes) << unit;
+    EXPECT_LE(counted, 2000 * bytes) << unit;
+  }
+  // Each line is a text of its own, and what is in a text is none of it.
+  EXPECT_EQ(memory_of("[1]\n[2]\n") + memory_of("1"), memory_of("[1]") + memory_of("[2]"));
+  EXPECT_EQ(memory_of(R"("[{:,\"[")"), memory_of(R"("abcdefg")"));
+}
+
+TEST(Json, MemoryIsBounded) {
+  const std::string list = "[[],[],[]]";
+  EXPECT_NO_THROW(require_bounded(list, memory_of(list)));
+  try {
+    require_bounded(list, memory_of(list) - 1);
+    ADD_FAILURE() << "taken";
+  } catch (const BadJson& error) {
+    EXPECT_EQ(error.byte, 8u);  // the last list
+  }
+  std::string objects = "[{}";
+  for (int i = 0; i < 7'000'000; ++i) objects += ",{}";
+  EXPECT_EQ(refusal(objects + "]").substr(0, 52), "values that take more than 700 MB of memory at byte ");
+}
+
 TEST(Json, ShowsStrangersValuesInBounds) {
   EXPECT_EQ(shown(parse_json("1.5")), "1.5");
   EXPECT_EQ(shown(parse_json("null")), "null");

@@ -76,6 +76,7 @@ constexpr Misdeed misdeeds[] = {
     {"stray_in_run", Status::crash, "exited 3 before done"},
     {"regroups_in_run", Status::timeout, "'run' did not end within 2 s"},
     {"family_memory_in_load", Status::crash, "memory limit"},
+    {"file_memory_in_load", Status::crash, "memory limit"},
     {"loop_in_hello", Status::timeout, "'hello' did not end within 2 s"},
     {"loop_in_load", Status::timeout, "'load' did not end within 2 s"},
     {"loop_in_run", Status::timeout, "'run' did not end within 2 s"},

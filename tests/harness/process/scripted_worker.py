@@ -110,12 +110,22 @@ def misbehave(at):
                 hog = bytearray(b"x") * (80 << 20)
                 forever()
         forever()
+    if MODE == f"file_memory_in_{at}":  # resident in no process
+        hog = os.memfd_create("hog")
+        for _ in range(400):
+            os.write(hog, b"x" * (1 << 20))
+        forever()
     if MODE == f"spies_in_{at}":  # says what it can see and do
         import socket
         found = []
-        for path in (os.environ.get("SPY_FILE", ""), os.path.expanduser("~/.config/cylon/key")):
-            if path and os.path.exists(path):
+        for path in os.environ["SPY_FILES"].split(":"):
+            try:
+                open(path, "rb").read(1)
                 found.append(f"reads {path}")
+            except OSError:
+                pass
+        if "SPY_SECRET" in os.environ:
+            found.append("knows")
         for path in ("written_by_worker", "/usr/written_by_worker"):
             try:
                 open(path, "w").close()

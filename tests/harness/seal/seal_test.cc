@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
 namespace cylon::seal {
 namespace {
@@ -53,6 +54,23 @@ TEST(Seal, HoldsForItsTextAndPurposeUnderAPrivateKey) {
   EXPECT_FALSE(holds(mac, "journal ", "/ax = 1"));
   EXPECT_FALSE(holds(mac.substr(1), "journal /a", "x = 1"));
   EXPECT_FALSE(holds("", "journal /a", "x = 1"));
+}
+
+TEST(Seal, NamesItsPlacesWithoutLinks) {
+  const TemporaryFolder folder;
+  const std::filesystem::path real = std::filesystem::canonical(folder.path()) / "home",
+                              link = real.parent_path() / "link";
+  std::filesystem::create_directories(real);
+  std::filesystem::create_symlink(real, link);
+  ::setenv("HOME", link.c_str(), 1);
+  ::unsetenv("XDG_CONFIG_HOME");
+  ::unsetenv("CYLON_KEY");
+  const std::vector<std::filesystem::path> by_default = {real / ".config/cylon"};
+  EXPECT_EQ(secret_places(), by_default);  // made by asking
+  EXPECT_TRUE(std::filesystem::is_regular_file(real / ".config/cylon/key"));
+  ::setenv("CYLON_KEY", (link / "mine").c_str(), 1);
+  const std::vector<std::filesystem::path> both = {real / ".config/cylon", real / "mine"};
+  EXPECT_EQ(secret_places(), both);
 }
 
 TEST(Seal, AKeyThatOthersCanReadSealsNothing) {
