@@ -73,7 +73,13 @@ class Worker:
                     return frames, message
 
     def states(self, load):
-        """The bytes of all states of a run, or None where the engine refuses the scene."""
+        """The bytes of all states of a run, or None where the engine refuses the scene, or its worker ends."""
+        try:
+            return self.run(load)
+        except (EOFError, BrokenPipeError):
+            return None
+
+    def run(self, load):
         _, answer = self.ask(load)
         if answer.get("ok") != "load":
             return None
