@@ -13,10 +13,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
-#include <filesystem>
 #include <fstream>
 #include <limits>
-#include <sstream>
 #include <system_error>
 
 namespace cylon::process {
@@ -254,27 +252,7 @@ double Child::cpu_seconds() const {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-// Fields of /proc/PID/stat, counted from 1: 5 the group, 14 to 17 utime, stime, cutime, cstime.
-double Child::group_cpu_seconds() const {
-  std::error_code gone;
-  double ticks = 0;
-  for (const auto& entry : std::filesystem::directory_iterator("/proc", gone)) {
-    const std::string name = entry.path().filename();
-    if (name.find_first_not_of("0123456789") != std::string::npos) continue;
-    std::ifstream file(entry.path() / "stat");
-    std::string text;
-    std::getline(file, text);
-    std::istringstream rest(
-        text.substr(std::min(text.size(), text.rfind(')') + 1)));  // the name may hold spaces
-    std::string word;
-    pid_t group = 0;
-    for (int field = 3; field <= 17 && rest >> word; ++field) {
-      if (field == 5) group = static_cast<pid_t>(std::atol(word.c_str()));
-      if (field >= 14 && group == pid_) ticks += std::atof(word.c_str());
-    }
-  }
-  return ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
-}
+double Child::family_cpu_seconds() const { return Family(pid_, mark_).cpu_seconds(); }
 
 std::string Child::complaints() const {
   if (errors_.size() <= errors_reported) return errors_;

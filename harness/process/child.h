@@ -64,9 +64,8 @@ class Child {
   /// CPU time of the process itself so far, all its threads [s]; NaN where it is gone.
   double cpu_seconds() const;
 
-  /// The same of its whole group, with what ended in it and was waited for, in ticks of the kernel (10 ms)
-  /// [s].
-  double group_cpu_seconds() const;
+  /// The same of its whole family (family.h), in ticks of the kernel.
+  double family_cpu_seconds() const;
 
   /// The last bytes that it wrote to stderr, at most 4 KiB, from the start of a line where possible.
   std::string complaints() const;

@@ -39,7 +39,7 @@ class Conversation {
   void kill() { child_.kill(); }
   std::size_t peak_bytes() const { return child_.peak_bytes(); }
   double cpu_seconds() const { return child_.cpu_seconds(); }
-  double group_cpu_seconds() const { return child_.group_cpu_seconds(); }
+  double family_cpu_seconds() const { return child_.family_cpu_seconds(); }
   std::string complaints() const { return child_.complaints(); }
 
  private:

@@ -24,12 +24,12 @@ constexpr int requests_asked = 10, most_runs = 200;
 double beside(const StepsTold& run) { return run.used - run.told; }
 
 // Of the process that the harness started and all that it started in turn.
-void ask_group(const Conversation& worker, std::int64_t steps,
-               const std::function<StepsTold(std::int64_t)>& again) {
+void ask_family(const Conversation& worker, std::int64_t steps,
+                const std::function<StepsTold(std::int64_t)>& again) {
   constexpr int between = 10;  // looks into /proc, which cost a run each
-  const double start = worker.group_cpu_seconds();
+  const double start = worker.family_cpu_seconds();
   double used = 0, told = 0;
-  for (int runs = 0; runs < most_runs && used < enough; used = worker.group_cpu_seconds() - start)
+  for (int runs = 0; runs < most_runs && used < enough; used = worker.family_cpu_seconds() - start)
     for (int i = 0; i < between; ++i, ++runs) told += again(steps).told;
   if (2 * told + of_ticks < used)
     broken(fmt::format("step_ns: {:.3g} s of CPU time for the steps, but its processes used {:.3g} s", told,
@@ -45,8 +45,8 @@ double CpuWitness::used() const { return worker_.cpu_seconds() - before_; }
 void CpuWitness::require_at_most_used(double told) const {
   const double own = used();
   if (!(told > own + of_ticks)) return;
-  // A worker behind a shell, or with helpers: what its group used since it was started.
-  if (told > worker_.group_cpu_seconds() + of_ticks)
+  // A worker behind a shell, or with helpers: what its family used since it was started.
+  if (told > worker_.family_cpu_seconds() + of_ticks)
     broken(fmt::format("step_ns: {:.3g} s of CPU time for the steps, but its processes used {:.3g} s in all",
                        told, own));
 }
@@ -56,7 +56,7 @@ void require_no_hidden_work(const Conversation& worker, const std::vector<StepsT
                             const std::function<StepsTold(std::int64_t)>& again) {
   if (runs.empty() || steps < 2) return;
   const auto least = std::ranges::min_element(runs, {}, beside);
-  if (least->told > least->used) return ask_group(worker, steps, again);
+  if (least->told > least->used) return ask_family(worker, steps, again);
   const double allowed = least->told + clock_of_step * static_cast<double>(steps) + of_clocks;
   if (beside(*least) <= allowed) return;
   const double dearest = dearest_request + dearest_body * static_cast<double>(bodies);

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <atomic>
 #include <charconv>
+#include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -109,6 +110,19 @@ struct Held {
   }
 };
 
+// Fields of /proc/PID/stat, counted from 1: 14 to 17 utime, stime, cutime, cstime.
+std::uint64_t ticks_of(pid_t pid) {
+  const std::string text = read_proc(pid, "stat");
+  const std::size_t behind = text.rfind(')');  // the name may hold anything
+  std::uint64_t user = 0, system = 0, user_below = 0, system_below = 0;
+  if (behind == std::string::npos ||
+      std::sscanf(text.c_str() + behind + 1,
+                  " %*c %*d %*d %*d %*d %*d %*u %*u %*u %*u %*u %" SCNu64 " %" SCNu64 " %" SCNu64 " %" SCNu64,
+                  &user, &system, &user_below, &system_below) != 4)
+    return 0;
+  return user + system + user_below + system_below;
+}
+
 // Guarded by births().
 std::set<pid_t>& owned() {
   static std::set<pid_t> pids;
@@ -193,6 +207,13 @@ std::size_t Family::memory() const {
   for (const Relative& one : others)
     if (!one.unknown) held.add(one.pid, false);
   return held.bytes();
+}
+
+double Family::cpu_seconds() const {
+  std::uint64_t ticks = ticks_of(worker_);
+  for (const Relative& one : living())
+    if (!one.unknown) ticks += ticks_of(one.pid);
+  return static_cast<double>(ticks) / static_cast<double>(::sysconf(_SC_CLK_TCK));
 }
 
 void Family::kill() {

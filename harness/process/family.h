@@ -40,6 +40,10 @@ class Family {
   /// and have no name (memfd_create); what several share counts once.  Looks through all processes of the machine.
   std::size_t memory() const;
 
+  /// CPU time of the worker and its descendants together, with what ended below them and was waited for, in ticks of the kernel
+  /// (10 ms) [s].
+  double cpu_seconds() const;
+
   /// SIGKILL to the worker, its group and all descendants, again until none is left, and reaps them;
   /// the worker itself is the caller's to reap.  An orphan that shows no environment is waited for, because
   /// a program that is just starting shows none either; after a thousand looks it is killed.  A

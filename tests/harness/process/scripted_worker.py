@@ -199,6 +199,11 @@ def run(bodies, dt, request):
         until = time.process_time() + 0.2
         while time.process_time() < until:
             pass
+    if MODE == "works":
+        done["step_ns"] = 2e8
+        until = time.process_time() + 0.2
+        while time.process_time() < until:
+            pass
     if MODE == "shaves":  # each step takes 20 us, of which one is told
         until = time.process_time() + 20e-6 * steps
         while time.process_time() < until:
