@@ -186,8 +186,9 @@ def control(cylon, folder, library):
         (folder / name).mkdir()
         return started(run, run.first, folder / name, library, *fault)
 
-    code, said, told = of_run("numbered", "fork", 1)
-    _, *places = of_run("listed", "fork", 0, LIST)[2].splitlines()
+    calls, *places = of_run("listed", "fork", 0, LIST)[2].splitlines()
+    # The last is a cell's; the first ask engines for their versions, which need not answer.
+    code, said, told = of_run("numbered", "fork", int(calls))
     by_its_place = of_run("placed", "fork", 1, places[0].split()[0])[2]
     return all([code == 5, b"fork" in said, told == "failed", by_its_place == "failed",
                 judged(-6, b"x", "fork", list, (0, [])),
