@@ -24,6 +24,14 @@ const Json& part(const Json& json, const char* key) {
 // The tables are for readers without script: the documents, which may be anybody's, are in the page whole.
 constexpr std::size_t most_rows = 1000, longest_text = 1000;
 
+// After `rows` rows that there are to show.
+std::string end_table(std::size_t rows) {
+  const bool cut = rows > most_rows;
+  return fmt::format(
+      "</tbody></table>\n{}",
+      cut ? fmt::format("<p>The first {} rows; the document has the others.</p>\n", most_rows) : "");
+}
+
 std::string text(const Json& json, const char* key) {
   const Json& value = part(json, key);
   return value.is_string() ? xml(head(value.get_ref<const std::string&>(), longest_text)) : "?";
@@ -100,7 +108,7 @@ std::string scores(const Json& document) {
       out += fmt::format("<td>{}</td>", column.cell(part(engine, column.key)));
     out += fmt::format("<td>{}</td></tr>\n", text(engine, "band"));
   }
-  return out + "</tbody></table>\n";
+  return out + end_table(rows);
 }
 
 std::string parameters(const Json& document) {
@@ -116,7 +124,7 @@ std::string parameters(const Json& document) {
           text(p, "name"), with_interval(part(p, "value"), part(p, "low"), part(p, "high")),
           with_interval(part(p, "value"), part(p, "low_between_runs"), part(p, "high_between_runs")));
     }
-  return out + "</tbody></table>\n";
+  return out + end_table(rows);
 }
 
 }  // namespace

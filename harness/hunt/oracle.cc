@@ -7,6 +7,8 @@
 #include "harness/core/size.h"
 #include "harness/hunt/recorded.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

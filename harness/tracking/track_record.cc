@@ -32,7 +32,6 @@ using namespace cli;  // commands are written in the words of the command line
 
 namespace {
 
-namespace fs = std::filesystem;
 using results::Verdict;
 using store::Kind;
 using store::Store;

@@ -4,6 +4,7 @@
 #include "tests/harness/cli/fixture.h"
 #include "tests/harness/cli/without_times.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -34,7 +35,7 @@ Durations some_durations(std::size_t count) {
 }
 
 TEST(Shards, GiveEachUnitToOne) {
-  for (const std::size_t count : {1, 2, 3, 7, 40})
+  for (const std::size_t count : {1U, 2U, 3U, 7U, 40U})
     for (const bool by_time : {false, true}) {
       const std::vector<Unit> units = some_units(200);
       std::vector<int> owners(units.size());
@@ -71,7 +72,7 @@ TEST(Shards, ByTimeAreOfEqualDurations) {
   for (std::size_t i = 0; i < units.size(); ++i) known[units[i].name] = 1 + static_cast<double>(i * i % 41);
   double total = 0, longest = 0;
   for (const auto& [name, seconds] : known) total += seconds, longest = std::max(longest, seconds);
-  for (const std::size_t count : {2, 3, 8, 50}) {
+  for (const std::size_t count : {2U, 3U, 8U, 50U}) {
     const double best = std::max(total / static_cast<double>(count), longest);
     double most = 0;
     for (std::size_t index = 1; index <= count; ++index) {
@@ -386,8 +387,8 @@ TEST_F(Merge, JoinsVerifiedAdvice) {
   std::vector<std::string> told;
   for (const char* part : {"1", "2"}) {
     const std::string place = "m" + std::string(part);  // no other cylon that measures times is waited for
-    const Ran ran = shell("mkdir " + place + "; cd " + place + "; TMPDIR=. exec cylon " + asked + "--shard " +
-                          part + "/2");
+    const Ran ran =
+        shell(fmt::format("mkdir {0}; cd {0}; TMPDIR=. exec cylon {1}--shard {2}/2", place, asked, part));
     EXPECT_TRUE(ran.code == 0 || ran.code == 1) << ran.err;
     if (ran.out.find("projectile") != std::string::npos) told.push_back(ran.out);
   }

@@ -165,7 +165,7 @@ TEST_F(Experiments, ReadAChain) {
 
 TEST_F(Experiments, ReadGzip) {
   put("e.toml", about + columns);
-  const gzFile file = gzopen((folder_ / "t.csv").c_str(), "wb");
+  gzFile file = gzopen((folder_ / "t.csv").c_str(), "wb");
   gzwrite(file, two_runs.data(), static_cast<unsigned>(two_runs.size()));
   gzclose(file);
   EXPECT_EQ(read(folder_ / "e.toml").runs.size(), 2u);
