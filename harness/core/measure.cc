@@ -310,10 +310,9 @@ double widest(const Claim& claim, const Scene& scene, double duration) {
   if (!known || tolerance.order || claim.reduction == Reduction::order || tolerance.level > 0 ||
       validates(claim))
     return std::numeric_limits<double>::infinity();
-  double size = scale(claim, scene, duration);
-  if (claim.reduction == Reduction::mean_square) size *= size / 10;
-  if (claim.reduction == Reduction::rate) size /= std::min(claim.until, duration);
-  return size / 10;
+  const double tenth = scale(claim, scene, duration) / 10;
+  if (claim.reduction == Reduction::mean_square) return tenth * tenth;
+  return claim.reduction == Reduction::rate ? tenth / std::min(claim.until, duration) : tenth;
 }
 
 Reading read(const Claim& claim, const Scene& scene, const Recording& recording, double duration) {

@@ -40,7 +40,7 @@ struct Reading {
 double allowed(const Claim&, const Scene&, double duration);
 
 /// The largest bound that tells a motion from another: a tenth of the claim's scale [unit of the measured number]; of a mean of
-/// squares a tenth of the scale, squared, times ten, and of a rate a tenth of it over the time.  Infinite where the claim's bound is
+/// squares the square of that, and of a rate that over the time.  Infinite where the claim's bound is
 /// not a number of its own (an order, a level), its truth was measured, or no motion is known to take the scale from.
 double widest(const Claim&, const Scene&, double duration);
 

@@ -64,7 +64,7 @@ class Child {
   /// CPU time of the process itself so far, all its threads [s]; NaN where it is gone.
   double cpu_seconds() const;
 
-  /// The same of its whole family (family.h), in ticks of the kernel.
+  /// The same of its whole family (family.h).
   double family_cpu_seconds() const;
 
   /// The last bytes that it wrote to stderr, at most 4 KiB, from the start of a line where possible.

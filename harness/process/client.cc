@@ -192,12 +192,12 @@ struct Repeated {
   StepsTold told;
 };
 Repeated repeat(Conversation& worker, const EngineChoice& choice, const RunRequest& request,
-                std::int64_t steps, const Hello& hello, const Limits& limits) {
+                std::int64_t steps, const Hello& hello, const Limits& limits, Asked asked) {
   open_scene(worker, choice, *request.scene, request.setup, hello.engine, limits.run_seconds);
   core::State start = read_start(worker, request.scene->bodies.size());
   Recorder recorder(*request.scene, {steps, std::max<std::int64_t>(1, steps), {}, {}}, hello,
                     request.setup.dt, std::move(start));
-  const CpuWitness witness(worker);
+  const CpuWitness witness(worker, asked);
   recorder.record(worker);
   return {recorder.times(), {recorder.times().step_seconds, witness.used()}};
 }
@@ -207,14 +207,16 @@ std::vector<Repetition> repetitions(Conversation& worker, const EngineChoice& ch
                                     const RunRequest& request, const Hello& hello, const Limits& limits) {
   std::vector<Repetition> times;
   std::vector<StepsTold> told;
-  const auto run = [&](std::int64_t steps) { return repeat(worker, choice, request, steps, hello, limits); };
+  const auto run = [&](std::int64_t steps, Asked asked) {
+    return repeat(worker, choice, request, steps, hello, limits, asked);
+  };
   for (int i = 0; i < request.repetitions; ++i) {
-    const Repeated one = run(request.steps);
+    const Repeated one = run(request.steps, Asked::process);
     times.push_back(one.times);
     told.push_back(one.told);
   }
-  require_no_hidden_work(worker, told, request.scene->bodies.size(), request.steps,
-                         [&](std::int64_t steps) { return run(steps).told; });
+  require_no_hidden_work(told, request.scene->bodies.size(), request.steps,
+                         [&](std::int64_t steps, Asked asked) { return run(steps, asked).told; });
   return times;
 }
 

@@ -17,6 +17,7 @@
 #include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <map>
 #include <memory>
 #include <set>
@@ -110,17 +111,21 @@ struct Held {
   }
 };
 
-// Fields of /proc/PID/stat, counted from 1: 14 to 17 utime, stime, cutime, cstime.
-std::uint64_t ticks_of(pid_t pid) {
+// CPU time of a process by its clock, and of its children that ended and were waited for in ticks of the kernel (10 ms) [s].  Fields of
+// /proc/PID/stat, counted from 1: 16 cutime, 17 cstime.
+double cpu_seconds_of(pid_t pid) {
+  clockid_t clock = 0;
+  timespec time = {};
+  if (clock_getcpuclockid(pid, &clock) != 0 || clock_gettime(clock, &time) != 0) return 0;
   const std::string text = read_proc(pid, "stat");
   const std::size_t behind = text.rfind(')');  // the name may hold anything
-  std::uint64_t user = 0, system = 0, user_below = 0, system_below = 0;
-  if (behind == std::string::npos ||
-      std::sscanf(text.c_str() + behind + 1,
-                  " %*c %*d %*d %*d %*d %*d %*u %*u %*u %*u %*u %" SCNu64 " %" SCNu64 " %" SCNu64 " %" SCNu64,
-                  &user, &system, &user_below, &system_below) != 4)
-    return 0;
-  return user + system + user_below + system_below;
+  std::uint64_t user_below = 0, system_below = 0;
+  if (behind != std::string::npos)
+    std::sscanf(text.c_str() + behind + 1,
+                " %*c %*d %*d %*d %*d %*d %*u %*u %*u %*u %*u %*u %*u %" SCNu64 " %" SCNu64, &user_below,
+                &system_below);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec) +
+         static_cast<double>(user_below + system_below) / static_cast<double>(::sysconf(_SC_CLK_TCK));
 }
 
 // Guarded by births().
@@ -210,10 +215,10 @@ std::size_t Family::memory() const {
 }
 
 double Family::cpu_seconds() const {
-  std::uint64_t ticks = ticks_of(worker_);
+  double sum = cpu_seconds_of(worker_);
   for (const Relative& one : living())
-    if (!one.unknown) ticks += ticks_of(one.pid);
-  return static_cast<double>(ticks) / static_cast<double>(::sysconf(_SC_CLK_TCK));
+    if (!one.unknown) sum += cpu_seconds_of(one.pid);
+  return sum;
 }
 
 void Family::kill() {

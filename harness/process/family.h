@@ -40,8 +40,7 @@ class Family {
   /// and have no name (memfd_create); what several share counts once.  Looks through all processes of the machine.
   std::size_t memory() const;
 
-  /// CPU time of the worker and its descendants together, with what ended below them and was waited for, in ticks of the kernel
-  /// (10 ms) [s].
+  /// CPU time of the worker and its descendants together [s]; of what ended below them and was waited for in ticks of the kernel (10 ms).
   double cpu_seconds() const;
 
   /// SIGKILL to the worker, its group and all descendants, again until none is left, and reaps them;

@@ -126,13 +126,15 @@ std::vector<results::FeaturePrice> price_features(const Start& start, const std:
         off.engine = feature.engine;
         std::optional<process::Repetition> best_on, best_off;
         const double guess = pick.cost * scenario.duration;
-        const auto improve = [](std::optional<process::Repetition>& best,
-                                const std::optional<process::Repetition>& time) {
-          if (time) best = best ? least(*best, *time) : *time;
+        const auto improve = [&](std::optional<process::Repetition>& best, const TimedOnce& once) {
+          if (once.least)
+            best = best ? least(*best, *once.least) : *once.least;
+          else
+            price.reason = once.reason;
         };
         for (int round = 0; round < rounds; ++round) {
-          improve(best_on, time_once(on, scenario.scene, guess, limits).least);
-          improve(best_off, time_once(off, feature.scene, guess, limits).least);
+          improve(best_on, time_once(on, scenario.scene, guess, limits));
+          improve(best_off, time_once(off, feature.scene, guess, limits));
         }
         if (best_on) price.with_cost = cost(*best_on, setting.integrator.adaptive, scenario.duration);
         if (best_off) price.without_cost = cost(*best_off, setting.integrator.adaptive, scenario.duration);

@@ -130,7 +130,7 @@ TEST(IsolationAlone, TimesThatHideWorkAreRefused) {
   request.repetitions = 1;
   const RunOutcome outcome = run(scripted("hides"), request, limits);
   EXPECT_EQ(outcome.status, Status::protocol);
-  EXPECT_NE(outcome.reason.find("step_ns: 0.0001 s of CPU time for the steps, but its process used"),
+  EXPECT_NE(outcome.reason.find("step_ns: 0.0001 s of CPU time for the steps, but its processes used"),
             std::string::npos)
       << outcome.reason;
   EXPECT_EQ(run(scripted("good"), request, limits).status, Status::pass);

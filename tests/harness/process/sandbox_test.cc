@@ -96,6 +96,10 @@ TEST_F(Sandbox, BelievesTheTimesOfWhoTellsThemRight) {
   const RunOutcome outcome = run(scripted("works"), request, limits);
   EXPECT_EQ(outcome.status, results::Status::pass) << outcome.reason;
   EXPECT_EQ(run(scripted("hides"), request, limits).status, results::Status::protocol);
+  // Runs that are shorter than the requests for them.
+  request.repetitions = 50;
+  const RunOutcome brief = run(scripted("good"), request, limits);
+  EXPECT_EQ(brief.status, results::Status::pass) << brief.reason;
 }
 
 TEST_F(Sandbox, HidesAKeyBesideTheEngine) {
