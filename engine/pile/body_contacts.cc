@@ -96,17 +96,23 @@ void BodyContacts::find_near(const std::vector<Motion>& motions) {
   }
 }
 
-// Bodies whose bounding balls, each with its margin, meet; in ascending order.
+// Bodies whose bounding balls and boxes, each with its margin, meet; in ascending order.
 void BodyContacts::find_pairs(const std::vector<Motion>& motions) {
   const auto reach = [&](int i) { return radius_[index(i)] + margin_[index(i)]; };
   bool holds = places_.size() == motions.size();
   for (int i = 0; holds && i < static_cast<int>(motions.size()); ++i)
     holds = (motions[index(i)].position - places_[index(i)]).norm() + reach(i) <= room_[index(i)];
   if (!holds) find_near(motions);
+  for (std::size_t i = 0; i < motions.size(); ++i)
+    bounds_[i] = seen_from(Pose(), pose(motions[i]), boxes_[i].all(), margin_[i]);
+  const auto meet = [](const Bounds& a, const Bounds& b) {
+    return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
+  };
   pairs_.clear();
   for (const auto& [a, b] : near_) {
     const Real far = reach(a) + reach(b);
-    if ((motions[index(a)].position - motions[index(b)].position).squaredNorm() <= far * far)
+    if ((motions[index(a)].position - motions[index(b)].position).squaredNorm() <= far * far &&
+        meet(bounds_[index(a)], bounds_[index(b)]))
       pairs_.emplace_back(a, b);
   }
 }

@@ -88,7 +88,8 @@ class BodyPile : public Stepper {
   std::vector<char> still_, displaced_;  // per body: it hardly moved after the last step; per group
   Group swept_;                          // these by sweeps with joints and all forces, as one
   Crowd crowd_;
-  std::vector<Motion> kept_;  // of a group before it is swept, and its impulses
+  std::vector<char> may_be_exact_;  // of each crowd
+  std::vector<Motion> kept_;        // of those before they are swept, and their impulses
   std::vector<Vector3> kept_impulses_;
   GroupLists lists_;
   std::vector<char> taken_;  // bodies that a pass advances; empty: all

@@ -109,31 +109,41 @@ void BodyPile::move_crowds(Time now, Time span) {
   const Real h = static_cast<Real>(span), fall = gravity_ * h;
   const int parts = (7 * settings_.substeps + 9) / 10;  // two sweeps each
   const Crowd::Step step = {model_.forces.gravity, h, parts, settings_.slop * found_.smallest() / 2};
-  std::erase_if(crowds_, [&](Group& group) {
-    const bool may_be_exact =
-        static_cast<int>(group.blocks.size()) <= settings_.direct_points && is_slow(group, fall / 1024);
-    if (may_be_exact) {
-      kept_.clear(), kept_impulses_.clear();
-      for (const int body : group.bodies) kept_.push_back(motions_[index(body)]);
-      for (const int k : group.blocks) kept_impulses_.push_back(blocks_[index(k)].impulse);
+  kept_.clear(), kept_impulses_.clear(), may_be_exact_.clear();
+  for (const Group& group : crowds_) {
+    may_be_exact_.push_back(static_cast<int>(group.blocks.size()) <= settings_.direct_points &&
+                            is_slow(group, fall / 1024));
+    if (!may_be_exact_.back()) continue;
+    for (const int body : group.bodies) kept_.push_back(motions_[index(body)]);
+    for (const int k : group.blocks) kept_impulses_.push_back(blocks_[index(k)].impulse);
+  }
+  crowd_.advance(crowds_, step, model_.bodies, movers_, blocks_, motions_, keep_ ? &pressed_ : nullptr);
+  std::size_t motion = 0, impulse = 0, kept = 0;
+  for (std::size_t g = 0; g < crowds_.size(); ++g) {
+    Group& group = crowds_[g];
+    const bool is_kept = may_be_exact_[g] != 0;
+    const Real residual = crowd_.residual(g);
+    const bool leaves = is_kept && residual > fall / 1024;
+    if (leaves) {
+      for (std::size_t i = 0; i < group.bodies.size(); ++i)
+        motions_[index(group.bodies[i])] = kept_[motion + i];
+      for (std::size_t i = 0; i < group.blocks.size(); ++i) {
+        blocks_[index(group.blocks[i])].impulse = kept_impulses_[impulse + i];
+        if (keep_) pressed_[index(group.blocks[i])].setZero();
+      }
     }
-    const std::size_t impacts = impacts_.size();
+    if (is_kept) motion += group.bodies.size(), impulse += group.blocks.size();
+    if (leaves) {
+      groups_.push_back(std::move(group));
+      continue;
+    }
     meet(group, now, h);
-    crowd_.advance(group, step, model_.bodies, movers_, blocks_, motions_, keep_ ? &pressed_ : nullptr);
-    if (!may_be_exact || !(crowd_.residual() > fall / 1024)) {
-      swept_to_ = std::max(swept_to_, static_cast<double>(crowd_.residual()));
-      swept_times_ = std::max(swept_times_, 2 * parts);
-      return false;
-    }
-    impacts_.resize(impacts);
-    for (std::size_t i = 0; i < group.bodies.size(); ++i) motions_[index(group.bodies[i])] = kept_[i];
-    for (std::size_t i = 0; i < group.blocks.size(); ++i) {
-      blocks_[index(group.blocks[i])].impulse = kept_impulses_[i];
-      if (keep_) pressed_[index(group.blocks[i])].setZero();
-    }
-    groups_.push_back(std::move(group));
-    return true;
-  });
+    swept_to_ = std::max(swept_to_, static_cast<double>(residual));
+    swept_times_ = std::max(swept_times_, 2 * parts);
+    if (kept != g) crowds_[kept] = std::move(group);
+    ++kept;
+  }
+  crowds_.resize(kept);
 }
 
 bool BodyPile::is_slow(const Group& group, Real speed) const {

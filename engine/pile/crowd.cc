@@ -1,5 +1,7 @@
 #include "engine/pile/crowd.h"
 
+#include "engine/pile/lanes.h"
+#include "engine/pile/quad.h"
 #include "engine/rotation.h"
 
 #include <algorithm>
@@ -22,223 +24,314 @@ Stiffness stiffness(Real h) {
   return {frequency / (h * a), b / (1 + b), 1 / (1 + b)};
 }
 
-// K d = d/m + (I^-1 (r x d)) x r
-Quad response(const QuadMatrix& inverse_inertia, Real inverse_mass, const Quad& arm, const Quad& d) {
-  return inverse_mass * d + cross(inverse_inertia * cross(arm, d), arm);
+[[gnu::always_inline]] inline Lanes size(Lanes x) { return larger(x, -x); }
+[[gnu::always_inline]] inline Lanes inverse(Lanes x) {
+  const Lanes one = spread(1), none = {};
+  return x > none ? one / (x > none ? x : one) : none;
 }
+
+void set(Lanes3& lanes, int lane, const Vector3& v) {
+  lanes.x[lane] = v.x(), lanes.y[lane] = v.y(), lanes.z[lane] = v.z();
+}
+Vector3 at(const Lanes3& lanes, int lane) { return {lanes.x[lane], lanes.y[lane], lanes.z[lane]}; }
+
+void copy(const Vector3& v, Real* row) { row[0] = v.x(), row[1] = v.y(), row[2] = v.z(), row[3] = 0; }
+Vector3 vector_of(const Real* row) { return {row[0], row[1], row[2]}; }
+Quad& quad_at(Real* row) { return *reinterpret_cast<Quad*>(row); }
 
 }  // namespace
 
-void Crowd::take(const Group& group, const Step& step, const std::vector<Body>& bodies,
-                 const std::vector<Mover>& movers, const std::vector<Block>& blocks,
-                 const std::vector<Motion>& motions) {
+// One body of each pair of a batch.
+struct Crowd::Side {
+  Lanes3 v, w;
+  Lanes inverse_mass, xx, yy, zz, xy, xz, yz;
+
+  // I^-1 t
+  [[gnu::always_inline]] Lanes3 turn(const Lanes3& t) const {
+    return {xx * t.x + xy * t.y + xz * t.z, xy * t.x + yy * t.y + yz * t.z, xz * t.x + yz * t.y + zz * t.z};
+  }
+  // K d = d/m + (I^-1 (r x d)) x r
+  [[gnu::always_inline]] Lanes3 response(const Lanes3& arm, const Lanes3& d) const {
+    return inverse_mass * d + cross(turn(cross(arm, d)), arm);
+  }
+  [[gnu::always_inline]] void add(const Lanes3& force, const Lanes3& torque) {
+    v = v + inverse_mass * force, w = w + turn(torque);
+  }
+  [[gnu::always_inline]] void take_away(const Lanes3& force, const Lanes3& torque) {
+    v = v - inverse_mass * force, w = w - turn(torque);
+  }
+};
+
+[[gnu::always_inline]] inline Crowd::Side Crowd::side(const int* members) const {
+  const Member& m = members_.front();
+  Side s;
+  Lanes none;
+  load(m.v, members, stride, s.v.x, s.v.y, s.v.z, none);
+  load(m.w, members, stride, s.w.x, s.w.y, s.w.z, none);
+  load(m.diagonal, members, stride, s.xx, s.yy, s.zz, s.inverse_mass);
+  load(m.beside, members, stride, s.xy, s.xz, s.yz, none);
+  return s;
+}
+
+// What does not move gets back the zeros that it had.
+[[gnu::always_inline]] inline void Crowd::put(const int* members, const Side& s) {
+  store(members_.front().v, members, stride, s.v.x, s.v.y, s.v.z, Lanes{});
+  store(members_.front().w, members, stride, s.w.x, s.w.y, s.w.z, Lanes{});
+}
+
+void Crowd::take_bodies(const std::vector<Group>& groups, const std::vector<Body>& bodies,
+                        const std::vector<Mover>& movers) {
   place_.resize(bodies.size());
   body_.clear(), members_.clear(), spins_.clear();
-  for (const int body : group.bodies) {
-    const Mover& m = movers[index(body)];
-    place_[index(body)] = -1;
-    if (!moves(m)) continue;
-    place_[index(body)] = static_cast<int>(members_.size());
-    body_.push_back(body);
-    members_.push_back({quad(m.v), quad(m.w), Quad{}, Quad{}, quads(m.inverse_inertia), m.inverse_mass});
-    spins_.push_back(m.w);
-  }
-  const Real share = 1 / static_cast<Real>(step.parts);
-  pairs_.clear(), spots_.clear(), block_.clear();
-  for (std::size_t from = 0, to = 0; from < group.blocks.size(); from = to) {
-    const Block& first = blocks[index(group.blocks[from])];
-    const auto same = [&](const Block& b) {
-      return b.a == first.a && b.b == first.b && b.plane == first.plane && b.normal == first.normal;
-    };
-    while (to < group.blocks.size() && same(blocks[index(group.blocks[to])])) ++to;
-    add_pair(group, from, to, share, blocks, motions);
-  }
-}
-
-void Crowd::add_pair(const Group& group, std::size_t from, std::size_t to, Real share,
-                     const std::vector<Block>& blocks, const std::vector<Motion>& motions) {
-  const Block& first = blocks[index(group.blocks[from])];
-  const int a = place_[index(first.a)], b = first.b == fixed_world ? -1 : place_[index(first.b)];
-  const bool turned = a < 0;
-  Pair pair;
-  pair.a = turned ? b : a, pair.b = turned ? -1 : b;
-  pair.first = spots_.size(), pair.count = static_cast<int>(to - from);
-  pair.sign = turned ? Real(-1) : Real(1);
-  const Vector3 n = pair.sign * first.normal;
-  int least = 0;
-  n.cwiseAbs().minCoeff(&least);
-  const Vector3 t1 = n.cross(Vector3::Unit(least)).normalized(), t2 = n.cross(t1);
-  pair.n = quad(n), pair.t1 = quad(t1), pair.t2 = quad(t2);
-  pair.friction = first.friction;
-  const Matrix3 r_a = rotation_matrix(motions[index(first.a)].orientation);
-  const Matrix3 r_b = first.b == fixed_world ? Matrix3(Matrix3::Identity())
-                                             : rotation_matrix(motions[index(first.b)].orientation);
-  for (std::size_t k = from; k < to; ++k) {
-    const Block& block = blocks[index(group.blocks[k])];
-    Spot spot;
-    const Vector3 arm = r_a * block.anchor, to_arm = r_b * block.to_anchor;
-    const Vector3 to_centre =
-        first.b == fixed_world ? Vector3(Vector3::Zero()) : motions[index(first.b)].position;
-    spot.gap = block.gap + first.normal.dot((motions[index(first.a)].position - to_centre) + (arm - to_arm));
-    spot.arm = quad(turned ? to_arm : arm);
-    spot.to_arm = quad(turned ? arm : to_arm);
-    const Vector3 j = pair.sign * share * block.impulse;
-    spot.normal = std::max(n.dot(j), Real(0));
-    spot.across_1 = t1.dot(j), spot.across_2 = t2.dot(j);
-    spots_.push_back(spot);
-    block_.push_back(index(group.blocks[k]));
-  }
-  set_masses(pair);
-  pairs_.push_back(pair);
-}
-
-void Crowd::set_masses(const Pair& pair) {
-  const Member& a = members_[index(pair.a)];
-  for (std::size_t k = pair.first; k < pair.first + index(pair.count); ++k) {
-    Spot& spot = spots_[k];
-    const auto k_times = [&](const Quad& d) {
-      Quad u = response(a.inverse_inertia, a.inverse_mass, spot.arm, d);
-      if (pair.b >= 0) {
-        const Member& b = members_[index(pair.b)];
-        u += response(b.inverse_inertia, b.inverse_mass, spot.to_arm, d);
-      }
-      return u;
-    };
-    const Real along = dot(pair.n, k_times(pair.n));
-    spot.mass = along > 0 ? 1 / along : 0;
-    const Quad one = k_times(pair.t1), two = k_times(pair.t2);
-    const Real k_11 = dot(pair.t1, one), k_12 = dot(pair.t1, two), k_22 = dot(pair.t2, two);
-    const Real determinant = k_11 * k_22 - k_12 * k_12;
-    const Real inverse = determinant > 0 ? 1 / determinant : 0;
-    spot.mass_11 = inverse * k_22, spot.mass_12 = -inverse * k_12, spot.mass_22 = inverse * k_11;
-    const Real largest = std::max(k_11, k_22) + std::abs(k_12);
-    spot.slip_mass = largest > 0 ? 1 / largest : 0;
-  }
+  for (const Group& group : groups)
+    for (const int body : group.bodies) {
+      const Mover& m = movers[index(body)];
+      place_[index(body)] = -1;
+      if (!moves(m)) continue;
+      place_[index(body)] = static_cast<int>(members_.size());
+      body_.push_back(body), spins_.push_back(m.w);
+      Member& member = members_.emplace_back();
+      const Matrix3& i = m.inverse_inertia;
+      copy(m.v, member.v), copy(m.w, member.w);
+      copy(i.diagonal(), member.diagonal), copy({i(0, 1), i(0, 2), i(1, 2)}, member.beside);
+      member.diagonal[3] = m.inverse_mass;
+    }
+  members_.emplace_back();  // what does not move
 }
 
 // From the top down along gravity, what holds the others last: a sweep then carries all the weight of a stack to
 // the ground.
-void Crowd::order(const Vector3& gravity, const std::vector<Motion>& motions) {
-  for (Pair& pair : pairs_)
-    pair.depth = gravity.dot(motions[index(body_[index(pair.a)])].position + vector(spots_[pair.first].arm));
+void Crowd::take_pairs(const std::vector<Group>& groups, const Vector3& gravity,
+                       const std::vector<Block>& blocks, const std::vector<Motion>& motions) {
+  const int ground = static_cast<int>(members_.size()) - 1;
+  pairs_.clear();
+  for (int g = 0; g < static_cast<int>(groups.size()); ++g) {
+    const std::vector<int>& mine = groups[index(g)].blocks;
+    for (std::size_t from = 0, to = 0; from < mine.size(); from = to) {
+      const Block& first = blocks[index(mine[from])];
+      const auto same = [&](const Block& b) {
+        return b.a == first.a && b.b == first.b && b.plane == first.plane && b.normal == first.normal;
+      };
+      while (to < mine.size() && same(blocks[index(mine[to])])) ++to;
+      const int a = place_[index(first.a)], b = first.b == fixed_world ? -1 : place_[index(first.b)];
+      const bool turned = a < 0;
+      const Vector3 point = motions[index(first.a)].position + first.arm;
+      pairs_.push_back(
+          {g, turned ? b : a, turned || b < 0 ? ground : b, from, to, turned, gravity.dot(point)});
+    }
+  }
   std::stable_sort(pairs_.begin(), pairs_.end(),
                    [](const Pair& one, const Pair& other) { return one.depth < other.depth; });
 }
 
-namespace {
-
-// What an impulse does to a member, held by value while a pair is swept.
-struct Moving {
-  Quad v, w;
-};
-
-template <class Member>
-[[gnu::always_inline]] inline void apply(Moving& x, const Member& m, const Quad& arm, const Quad& j) {
-  x.v += m.inverse_mass * j;
-  x.w += m.inverse_inertia * cross(arm, j);
+// Each pair joins the first batch with room after all those that have one of its bodies.
+void Crowd::schedule() {
+  const int ground = static_cast<int>(members_.size()) - 1;
+  last_.assign(members_.size(), -1);
+  open_.assign(1, 0);  // of a batch: itself, or one after it that has room
+  batches_.clear(), batch_.clear(), lane_.clear();
+  const auto find_open = [&](int k) {
+    while (open_[index(k)] != k) k = open_[index(k)] = open_[index(open_[index(k)])];
+    return k;
+  };
+  for (const Pair& pair : pairs_) {
+    const int k = find_open(std::max(last_[index(pair.a)], last_[index(pair.b)]) + 1);
+    if (k == static_cast<int>(batches_.size())) {
+      Batch& batch = batches_.emplace_back();
+      std::fill_n(batch.a, lane_count, ground), std::fill_n(batch.b, lane_count, ground);
+      open_.push_back(k + 1);
+    }
+    Batch& batch = batches_[index(k)];
+    const int lane = batch.filled++;
+    batch.a[lane] = pair.a, batch.b[lane] = pair.b, batch.group[lane] = pair.group;
+    batch.count = std::max(batch.count, static_cast<int>(pair.to - pair.from));
+    if (batch.filled == lane_count) open_[index(k)] = k + 1;
+    last_[index(pair.a)] = k;
+    if (pair.b != ground) last_[index(pair.b)] = k;
+    batch_.push_back(k), lane_.push_back(lane);
+  }
 }
 
-}  // namespace
+void Crowd::fill(const std::vector<Group>& groups, Real share, const std::vector<Block>& blocks,
+                 const std::vector<Motion>& motions) {
+  std::size_t count = 0;
+  for (Batch& batch : batches_) batch.first = count, count += index(batch.count);
+  spots_.assign(count, Spot{});
+  block_.assign(count * lane_count, -1);
+  for (std::size_t p = 0; p < pairs_.size(); ++p) {
+    const Pair& pair = pairs_[p];
+    Batch& batch = batches_[index(batch_[p])];
+    const int lane = lane_[p];
+    const std::vector<int>& mine = groups[index(pair.group)].blocks;
+    const Block& first = blocks[index(mine[pair.from])];
+    const Real sign = pair.turned ? Real(-1) : Real(1);
+    const Vector3 n = sign * first.normal;
+    int least = 0;
+    n.cwiseAbs().minCoeff(&least);
+    const Vector3 t1 = n.cross(Vector3::Unit(least)).normalized(), t2 = n.cross(t1);
+    set(batch.n, lane, n), set(batch.t1, lane, t1), set(batch.t2, lane, t2);
+    batch.sign[lane] = sign, batch.friction[lane] = first.friction;
+    const bool two = first.b != fixed_world;
+    for (std::size_t k = pair.from; k < pair.to; ++k) {
+      const Block& block = blocks[index(mine[k])];
+      const std::size_t at = batch.first + (k - pair.from);
+      Spot& spot = spots_[at];
+      block_[at * lane_count + index(lane)] = mine[k];
+      const Vector3 to = two ? Vector3(motions[index(first.b)].position + block.to_arm) : block.to_anchor;
+      spot.first_gap[lane] = spot.gap[lane] =
+          block.gap + first.normal.dot(motions[index(first.a)].position + block.arm - to);
+      set(spot.arm, lane, pair.turned ? block.to_arm : block.arm);
+      if (two) set(spot.to_arm, lane, pair.turned ? block.arm : block.to_arm);
+      const Vector3 j = sign * share * block.impulse;
+      spot.normal[lane] = std::max(n.dot(j), Real(0));
+      spot.across_1[lane] = t1.dot(j), spot.across_2[lane] = t2.dot(j);
+    }
+  }
+  for (const Batch& batch : batches_) set_masses(batch);
+}
+
+void Crowd::set_masses(const Batch& batch) {
+  const Side a = side(batch.a), b = side(batch.b);
+  for (std::size_t k = batch.first; k < batch.first + index(batch.count); ++k) {
+    Spot& spot = spots_[k];
+    Lanes used;
+    for (int lane = 0; lane < lane_count; ++lane)
+      used[lane] = block_[k * lane_count + index(lane)] < 0 ? Real(0) : Real(1);
+    const auto k_times = [&](const Lanes3& d) {
+      return a.response(spot.arm, d) + b.response(spot.to_arm, d);
+    };
+    spot.yield = used * dot(batch.n, k_times(batch.n));
+    spot.mass = inverse(spot.yield);
+    const Lanes3 one = k_times(batch.t1), two = k_times(batch.t2);
+    const Lanes k_11 = used * dot(batch.t1, one), k_12 = used * dot(batch.t1, two),
+                k_22 = used * dot(batch.t2, two);
+    const Lanes over = inverse(k_11 * k_22 - k_12 * k_12);
+    spot.mass_11 = over * k_22, spot.mass_12 = -over * k_12, spot.mass_22 = over * k_11;
+    spot.slip_mass = inverse(larger(k_11, k_22) + size(k_12));
+  }
+}
 
 // The impulses of the part before.
-void Crowd::push(const Pair& pair) {
-  Quad force = {}, torque = {}, to_torque = {};
-  for (std::size_t k = pair.first; k < pair.first + index(pair.count); ++k) {
+void Crowd::push(const Batch& batch) {
+  Lanes3 force = {}, torque = {}, to_torque = {};
+  for (std::size_t k = batch.first; k < batch.first + index(batch.count); ++k) {
     const Spot& spot = spots_[k];
-    const Quad j = spot.normal * pair.n + spot.across_1 * pair.t1 + spot.across_2 * pair.t2;
-    force += j, torque += cross(spot.arm, j), to_torque += cross(spot.to_arm, j);
+    const Lanes3 j = spot.normal * batch.n + spot.across_1 * batch.t1 + spot.across_2 * batch.t2;
+    force = force + j, torque = torque + cross(spot.arm, j), to_torque = to_torque + cross(spot.to_arm, j);
   }
-  Member& a = members_[index(pair.a)];
-  a.v += a.inverse_mass * force, a.w += a.inverse_inertia * torque;
-  if (pair.b < 0) return;
-  Member& b = members_[index(pair.b)];
-  b.v -= b.inverse_mass * force, b.w -= b.inverse_inertia * to_torque;
+  Side a = side(batch.a), b = side(batch.b);
+  a.add(force, torque), b.take_away(force, to_torque);
+  put(batch.a, a), put(batch.b, b);
 }
 
-template <bool two>
-Real Crowd::sweep(const Pair& pair, const Sweep& how) {
-  Member& a = members_[index(pair.a)];
-  Member* b = two ? &members_[index(pair.b)] : nullptr;
-  Moving at_a = {a.v, a.w}, at_b = two ? Moving{b->v, b->w} : Moving{Quad{}, Quad{}};
-  Quad moved = a.moved;
-  if constexpr (two) moved -= b->moved;
+template <bool relaxes>
+void Crowd::sweep(const Batch& batch, const Sweep& how, Lanes* worst) {
+  Side a = side(batch.a), b = side(batch.b);
+  const Lanes none = {};
+  Lanes3 moved = {}, turned = {}, to_turned = {};
+  if constexpr (relaxes) {
+    Lanes3 to_moved = {};
+    Lanes fourth;
+    const Member& m = members_.front();
+    load(m.moved, batch.a, stride, moved.x, moved.y, moved.z, fourth);
+    load(m.moved, batch.b, stride, to_moved.x, to_moved.y, to_moved.z, fourth);
+    load(m.turned, batch.a, stride, turned.x, turned.y, turned.z, fourth);
+    load(m.turned, batch.b, stride, to_turned.x, to_turned.y, to_turned.z, fourth);
+    moved = moved - to_moved;
+  }
   const auto velocity = [&](const Spot& spot) {
-    Quad u = at_a.v + cross(at_a.w, spot.arm);
-    if constexpr (two) u -= at_b.v + cross(at_b.w, spot.to_arm);
-    return u;
+    return (a.v + cross(a.w, spot.arm)) - (b.v + cross(b.w, spot.to_arm));
   };
-  const auto give = [&](const Spot& spot, const Quad& j) {
-    apply(at_a, a, spot.arm, j);
-    if constexpr (two) apply(at_b, *b, spot.to_arm, -j);
+  const auto give = [&](const Spot& spot, const Lanes3& j) {
+    a.add(j, cross(spot.arm, j)), b.take_away(j, cross(spot.to_arm, j));
   };
-  Real worst = 0;
-  for (std::size_t k = pair.first; k < pair.first + index(pair.count); ++k) {
+  for (std::size_t k = batch.first; k < batch.first + index(batch.count); ++k) {
     Spot& spot = spots_[k];
-    Quad way = moved + cross(a.turned, spot.arm);
-    if constexpr (two) way -= cross(b->turned, spot.to_arm);
-    const Real s = spot.gap + dot(pair.n, way);
-    const bool soft = !how.relaxes && s <= 0;
-    const Real target = s > 0  ? -s * how.inverse_h
-                        : soft ? how.rate * std::max(-s - how.slop, Real(0))
-                               : Real(0);
-    const Real u_n = dot(pair.n, velocity(spot));
-    const Real step =
-        soft ? how.stiff * spot.mass * (target - u_n) - how.bleed * spot.normal : spot.mass * (target - u_n);
-    const Real normal = std::max(spot.normal + step, Real(0));
-    const Real change = normal - spot.normal;
-    if (change != 0) {
-      spot.normal = normal;
-      give(spot, change * pair.n);
+    if constexpr (relaxes)
+      spot.gap =
+          spot.first_gap + dot(batch.n, moved + cross(turned, spot.arm) - cross(to_turned, spot.to_arm));
+    const Lanes s = spot.gap, before = spot.normal;
+    const Lanes3 n_u = velocity(spot);
+    const Lanes u_n = dot(batch.n, n_u);
+    Lanes step;
+    if constexpr (relaxes) {
+      step = spot.mass * ((s > none ? -s * spread(how.inverse_h) : none) - u_n);
+    } else {
+      const Lanes target =
+          s > none ? -s * spread(how.inverse_h) : spread(how.rate) * larger(-s - spread(how.slop), none);
+      step = (s > none ? spread(1) : spread(how.stiff)) * spot.mass * (target - u_n) -
+             (s > none ? none : spread(how.bleed)) * before;
     }
-    const Real limit = pair.friction * normal;
-    if (limit == 0 && spot.across_1 == 0 && spot.across_2 == 0) {
-      worst = std::max(worst, std::abs(change) / spot.mass);
-      continue;
+    const Lanes normal = larger(before + step, none), change = normal - before;
+    spot.normal = normal;
+    give(spot, change * batch.n);
+
+    const Lanes limit = batch.friction * normal, squared_limit = limit * limit;
+    const Lanes3 u = velocity(spot);
+    const Lanes u_1 = dot(batch.t1, u), u_2 = dot(batch.t2, u);
+    Lanes across_1 = spot.across_1 - (spot.mass_11 * u_1 + spot.mass_12 * u_2);
+    Lanes across_2 = spot.across_2 - (spot.mass_12 * u_1 + spot.mass_22 * u_2);
+    const auto slips = across_1 * across_1 + across_2 * across_2 > squared_limit;
+    if (signs(slips) != 0) {
+      // Against u: steps by the inverse of K would end along that times u.
+      const Lanes slip_1 = spot.across_1 - spot.slip_mass * u_1,
+                  slip_2 = spot.across_2 - spot.slip_mass * u_2;
+      const Lanes square = larger(slip_1 * slip_1 + slip_2 * slip_2, squared_limit);
+      const Lanes shorter = limit / root(square > none ? square : spread(1));
+      across_1 = slips ? shorter * slip_1 : across_1, across_2 = slips ? shorter * slip_2 : across_2;
     }
-    const Quad u = velocity(spot);
-    const Real u_1 = dot(pair.t1, u), u_2 = dot(pair.t2, u);
-    Real across_1 = spot.across_1 - (spot.mass_11 * u_1 + spot.mass_12 * u_2);
-    Real across_2 = spot.across_2 - (spot.mass_12 * u_1 + spot.mass_22 * u_2);
-    if (across_1 * across_1 + across_2 * across_2 > limit * limit) {
-      // It slips, against u: steps by the inverse of K would end along that times u.
-      across_1 = spot.across_1 - spot.slip_mass * u_1, across_2 = spot.across_2 - spot.slip_mass * u_2;
-      const Real square = std::max(across_1 * across_1 + across_2 * across_2, limit * limit);
-      const Real shorter = square > 0 ? limit / std::sqrt(square) : Real(0);
-      across_1 *= shorter, across_2 *= shorter;
-    }
-    const Real d_1 = across_1 - spot.across_1, d_2 = across_2 - spot.across_2;
+    const Lanes d_1 = across_1 - spot.across_1, d_2 = across_2 - spot.across_2;
     spot.across_1 = across_1, spot.across_2 = across_2;
-    give(spot, d_1 * pair.t1 + d_2 * pair.t2);
-    if (how.measures) worst = std::max(worst, (std::abs(change) + std::abs(d_1) + std::abs(d_2)) / spot.mass);
+    give(spot, d_1 * batch.t1 + d_2 * batch.t2);
+    if (worst) *worst = larger(*worst, (size(change) + size(d_1) + size(d_2)) * spot.yield);
   }
-  a.v = at_a.v, a.w = at_a.w;
-  if constexpr (two) b->v = at_b.v, b->w = at_b.w;
-  return worst;
+  put(batch.a, a), put(batch.b, b);
 }
 
-void Crowd::advance(const Group& group, const Step& step, const std::vector<Body>& bodies,
+template <class Use>
+void Crowd::for_each_impulse(Use use) const {
+  for (const Batch& batch : batches_)
+    for (std::size_t k = batch.first; k < batch.first + index(batch.count); ++k) {
+      const Spot& spot = spots_[k];
+      const Lanes3 j =
+          batch.sign * (spot.normal * batch.n + spot.across_1 * batch.t1 + spot.across_2 * batch.t2);
+      for (int lane = 0; lane < batch.filled; ++lane)
+        if (const int block = block_[k * lane_count + index(lane)]; block >= 0)
+          use(index(block), at(j, lane));
+    }
+}
+
+void Crowd::advance(const std::vector<Group>& groups, const Step& step, const std::vector<Body>& bodies,
                     const std::vector<Mover>& movers, std::vector<Block>& blocks,
                     std::vector<Motion>& motions, std::vector<Vector3>* pressed) {
-  take(group, step, bodies, movers, blocks, motions);
-  order(step.gravity, motions);
+  take_bodies(groups, bodies, movers);
+  take_pairs(groups, step.gravity, blocks, motions);
+  schedule();
+  fill(groups, 1 / static_cast<Real>(step.parts), blocks, motions);
   const Real h = step.span / static_cast<Real>(step.parts);
   const Stiffness stiff = stiffness(h);
   const Quad fall = quad(h * step.gravity);
-  residual_ = 0;
-  const auto sweep_all = [&](const Sweep& how) {
-    for (Pair& pair : pairs_) {
-      const Real worst = pair.b >= 0 ? sweep<true>(pair, how) : sweep<false>(pair, how);
-      if (how.measures) residual_ = std::max(residual_, worst);
-    }
-  };
+  const Sweep how = {1 / h, stiff.rate, step.slop, stiff.share, stiff.bleed};
+  residuals_.assign(groups.size(), 0);
   for (int part = 0; part < step.parts; ++part) {
     for (Member& m : members_)
-      if (m.inverse_mass > 0) m.v += fall;
-    for (const Pair& pair : pairs_) push(pair);
-    sweep_all({1 / h, stiff.rate, step.slop, stiff.share, stiff.bleed, false, false});
-    for (Member& m : members_) m.moved += h * m.v, m.turned += h * m.w;
-    sweep_all({1 / h, 0, 0, 1, 0, true, part + 1 == step.parts});
-    if (pressed) add_to(*pressed);
+      if (m.diagonal[3] > 0) quad_at(m.v) += fall;
+    for (const Batch& batch : batches_) push(batch);
+    for (const Batch& batch : batches_) sweep<false>(batch, how, nullptr);
+    for (Member& m : members_) quad_at(m.moved) += h * quad_at(m.v), quad_at(m.turned) += h * quad_at(m.w);
+    for (const Batch& batch : batches_) {
+      if (part + 1 < step.parts) {
+        sweep<true>(batch, how, nullptr);
+        continue;
+      }
+      Lanes worst = {};
+      sweep<true>(batch, how, &worst);
+      for (int lane = 0; lane < batch.filled; ++lane) {
+        Real& residual = residuals_[index(batch.group[lane])];
+        residual = std::max(residual, worst[lane]);
+      }
+    }
+    if (pressed) for_each_impulse([&](std::size_t block, const Vector3& j) { (*pressed)[block] += j; });
   }
   give(step, bodies, blocks, motions);
 }
@@ -246,32 +339,20 @@ void Crowd::advance(const Group& group, const Step& step, const std::vector<Body
 // K = m v;  L += I (w - w_start) with I at the start: the sum of what the impulses gave.
 void Crowd::give(const Step& step, const std::vector<Body>& bodies, std::vector<Block>& blocks,
                  std::vector<Motion>& motions) const {
-  for (std::size_t i = 0; i < members_.size(); ++i) {
+  for (std::size_t i = 0; i < body_.size(); ++i) {
     const Member& m = members_[i];
     const Body& body = bodies[index(body_[i])];
     Motion& motion = motions[index(body_[i])];
     const Matrix3 r = rotation_matrix(motion.orientation);
-    if (m.inverse_mass > 0) motion.momentum = body.mass * vector(m.v);
-    motion.angular_momentum += r * (body.inertia * (r.transpose() * (vector(m.w) - spins_[i])));
-    motion.position += vector(m.moved);
-    const Vector3 turned = vector(m.turned);
+    if (m.diagonal[3] > 0) motion.momentum = body.mass * vector_of(m.v);
+    motion.angular_momentum += r * (body.inertia * (r.transpose() * (vector_of(m.w) - spins_[i])));
+    motion.position += vector_of(m.moved);
+    const Vector3 turned = vector_of(m.turned);
     if (!turned.isZero(0)) motion.orientation = engine::turned(motion.orientation, turned);
   }
-  for (const Pair& pair : pairs_)
-    for (std::size_t k = pair.first; k < pair.first + index(pair.count); ++k)
-      blocks[block_[k]].impulse = static_cast<Real>(step.parts) * impulse(pair, k);
-}
-
-// On the block's first body, of the last part [N s].
-Vector3 Crowd::impulse(const Pair& pair, std::size_t k) const {
-  const Spot& spot = spots_[k];
-  return pair.sign * vector(spot.normal * pair.n + spot.across_1 * pair.t1 + spot.across_2 * pair.t2);
-}
-
-void Crowd::add_to(std::vector<Vector3>& pressed) const {
-  for (const Pair& pair : pairs_)
-    for (std::size_t k = pair.first; k < pair.first + index(pair.count); ++k)
-      pressed[block_[k]] += impulse(pair, k);
+  for_each_impulse([&](std::size_t block, const Vector3& j) {
+    blocks[block].impulse = static_cast<Real>(step.parts) * j;
+  });
 }
 
 }  // namespace cylon::engine::pile

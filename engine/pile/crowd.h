@@ -1,9 +1,9 @@
 // The fast solution of many contacts: sweeps of projected Gauss-Seidel in small parts of a step.
 #pragma once
 
+#include "engine/lanes.h"
 #include "engine/pile/block.h"
 #include "engine/pile/groups.h"
-#include "engine/pile/quad.h"
 
 #include <vector>
 
@@ -15,6 +15,9 @@ namespace cylon::engine::pile {
 /// with s the gap where the bodies are by now, s = gap + n.(dx_a - dx_b + dt_a x r_a - dt_b x r_b).  Nothing
 /// bounces.  E. Catto, Solver2D, 2024 ("TGS" with relaxation); M. Macklin et al., Small
 /// steps in physics simulation, SCA 2019.
+///
+/// Pairs that share no body that moves are swept side by side, in lanes.  Of two that share one the upper comes
+/// first, as it would if pairs were swept one by one: how many lanes there are changes no bit.
 class Crowd {
  public:
   struct Step {
@@ -24,64 +27,81 @@ class Crowd {
     Real slop;  ///< Overlap that is left alone [m].
   };
 
-  /// Advances the bodies of a group without joints, on which nothing but gravity and its contacts acts.  In:
-  /// blocks as found, with the impulses of the step before, movers as of the motions.  Out: motions, and impulses
-  /// as if all parts were as the last; `pressed`, per block, grows by the impulses of all
+  /// Advances the bodies of groups without joints, on which nothing but gravity and their contacts acts; each as it
+  /// would be alone.  In: blocks where they are now, with the impulses of the step before, movers as of the motions.
+  /// Out: motions, and impulses as if all parts were as the last; `pressed`, per block, grows by the impulses of all
   /// parts [N s] (null: not wanted).
-  void advance(const Group&, const Step&, const std::vector<Body>&, const std::vector<Mover>&,
+  void advance(const std::vector<Group>&, const Step&, const std::vector<Body>&, const std::vector<Mover>&,
                std::vector<Block>&, std::vector<Motion>&, std::vector<Vector3>* pressed);
 
-  /// The largest change of a contact's velocity in the last sweep of advance(): how far it is from the
-  /// solution [m/s].
-  Real residual() const { return residual_; }
+  /// The largest change of a velocity in a contact of a group in the last sweep of advance(): how far it is from
+  /// the solution [m/s].
+  Real residual(std::size_t group) const { return residuals_[group]; }
 
  private:
-  struct Member {
-    Quad v, w, moved, turned;  // the last two since the start of the step
-    QuadMatrix inverse_inertia;
-    Real inverse_mass;
+  // Rows of four, which lanes read: v; w; the diagonal of the inverse inertia and the inverse mass; its xy, xz, yz;
+  // how far the body has moved and turned since the start of the step.
+  struct alignas(32) Member {
+    Real v[4], w[4], diagonal[4], beside[4], moved[4], turned[4];
+  };
+  static constexpr std::ptrdiff_t stride = sizeof(Member) / sizeof(Real);
+  struct Side;
+
+  // Contacts of two bodies along one normal, blocks `from` to `to` of a group.
+  struct Pair {
+    int group;
+    int a, b;  // places in members_; the last is what does not move
+    std::size_t from, to;
+    bool turned;  // a is the second body of its blocks
+    Real depth;
   };
   struct Spot {
-    Quad arm = {}, to_arm = {};
-    Real gap = 0, mass = 0;                       // the inverse of K along the normal
-    Real mass_11 = 0, mass_12 = 0, mass_22 = 0;   // and across it
-    Real slip_mass = 0;                           // no more than the least of that
-    Real normal = 0, across_1 = 0, across_2 = 0;  // impulses [N s]
+    Lanes3 arm, to_arm;
+    Lanes first_gap, gap;              // at the start of the step, and by now
+    Lanes mass, yield;                 // the inverse of K along the normal, and K there
+    Lanes mass_11, mass_12, mass_22;   // and across it
+    Lanes slip_mass;                   // no more than the least of that
+    Lanes normal, across_1, across_2;  // impulses [N s]
   };
-  struct Pair {
-    int a, b;  // places in members_; b < 0: what does not move
-    std::size_t first;
-    int count;
-    Quad n, t1, t2;  // towards a
-    Real sign;       // of the impulse on a in the block's own order
-    Real friction, depth;
+  struct Batch {
+    int a[lane_count], b[lane_count], group[lane_count];
+    Lanes3 n, t1, t2;  // towards a
+    Lanes sign;        // of the impulse on a in the block's own order
+    Lanes friction;
+    std::size_t first;  // of its spots
+    int count, filled;  // spots, lanes
   };
   struct Sweep {
     Real inverse_h, rate, slop, stiff, bleed;
-    bool relaxes, measures;
   };
 
-  void take(const Group&, const Step&, const std::vector<Body>&, const std::vector<Mover>&,
-            const std::vector<Block>&, const std::vector<Motion>&);
-  void add_pair(const Group&, std::size_t from, std::size_t to, Real share, const std::vector<Block>&,
-                const std::vector<Motion>&);
-  void order(const Vector3& gravity, const std::vector<Motion>&);
-  void set_masses(const Pair&);
-  void push(const Pair&);
-  template <bool two>
-  Real sweep(const Pair&, const Sweep&);
+  void take_bodies(const std::vector<Group>&, const std::vector<Body>&, const std::vector<Mover>&);
+  void take_pairs(const std::vector<Group>&, const Vector3& gravity, const std::vector<Block>&,
+                  const std::vector<Motion>&);
+  void schedule();
+  void fill(const std::vector<Group>&, Real share, const std::vector<Block>&, const std::vector<Motion>&);
+  void set_masses(const Batch&);
+  Side side(const int* members) const;
+  void put(const int* members, const Side&);
+  void push(const Batch&);
+  template <bool relaxes>
+  void sweep(const Batch&, const Sweep&, Lanes* worst);
   void give(const Step&, const std::vector<Body>&, std::vector<Block>&, std::vector<Motion>&) const;
-  Vector3 impulse(const Pair&, std::size_t spot) const;
-  void add_to(std::vector<Vector3>& pressed) const;
+  template <class Use>
+  void for_each_impulse(Use use) const;  // use(block, impulse)
 
-  std::vector<int> place_;  // of all bodies; -1: not a member that moves
+  std::vector<int> place_;  // of all bodies
   std::vector<int> body_;   // of a member
   std::vector<Member> members_;
   std::vector<Vector3> spins_;  // of members at the start
-  std::vector<Pair> pairs_;
+  std::vector<Pair> pairs_;     // from the top down
+  std::vector<int> batch_;      // of each pair
+  std::vector<int> lane_;       // and its place there
+  std::vector<int> last_, open_;
+  std::vector<Batch> batches_;
   std::vector<Spot> spots_;
-  std::vector<std::size_t> block_;  // of each spot
-  Real residual_ = 0;
+  std::vector<int> block_;       // of each lane of each spot; -1: none
+  std::vector<Real> residuals_;  // of each group
 };
 
 }  // namespace cylon::engine::pile

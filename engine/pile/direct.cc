@@ -67,7 +67,7 @@ void Direct::set_up(std::vector<Block>& blocks, const std::vector<Body>& bodies,
   order(blocks, movers);
   const auto count = static_cast<Eigen::Index>(6 * bodies_.size());
   free_.resize(count), v_.resize(count), gradient_.resize(count), way_.resize(count), push_.resize(count);
-  masses_.assign(bodies_.size(), Eigen::Matrix<double, 6, 6>::Zero());
+  masses_.assign(bodies_.size(), M6::Zero());
   inverses_ = loose_ = masses_;
   centre_ = free_;
   double mass = 0;
@@ -101,6 +101,7 @@ void Direct::set_up(std::vector<Block>& blocks, const std::vector<Body>& bodies,
     row.space = block.space.cast<double>();
     row.lambda = block.impulse.cast<double>(), row.best = row.before = row.change = V3::Zero();
     row.target = static_cast<double>(block.target);
+    row.turn = -cross_matrix(row.arm), row.to_turn = -cross_matrix(row.to_arm);
     // An angular row's mass is an inertia: that of the masses at the length of the bodies' own.
     double scale = 1;
     if (block.angular) {
@@ -178,14 +179,15 @@ void Direct::forces(const Vector& v, bool slopes, bool coupled) {
     row.f = normal * n + (slips ? V3(row.limit / length * y_t) : y_t);
     if (!slopes) continue;
     const M3 nn = n * n.transpose();
-    row.slope = M3::Zero();
+    row.slope = M3::Zero(), row.skew = false;
     if (y_n > 0) row.slope += d * nn;
     if (!slips)
       row.slope += d * (M3::Identity() - nn);
     else if (row.limit > 0)
       row.slope += d * row.limit / length * (M3::Identity() - nn - y_t * y_t.transpose() / (length * length));
     if (coupled && slips && normal > 0)
-      row.slope += d * static_cast<double>(row.block->friction) / length * y_t * n.transpose();
+      row.slope += d * static_cast<double>(row.block->friction) / length * y_t * n.transpose(),
+          row.skew = true;
   }
 }
 
@@ -209,6 +211,34 @@ void Direct::fill_gradient() {
   }
 }
 
+// J_i^T slope J_k of two of its bodies, J = (1  turn); angular J = (0  1).
+Direct::M6 Direct::part(const Row& row, const M3& turn, const M3& other) {
+  M6 sum = M6::Zero();
+  if (row.block->angular) {
+    sum.bottomRightCorner<3, 3>() = row.slope;
+    return sum;
+  }
+  const M3 turned = turn.transpose() * row.slope;
+  sum << row.slope, row.slope * other, turned, turned * other;
+  return sum;
+}
+
+// M - J^T df/dV, of symmetric slopes.
+void Direct::factor() {
+  matrix_.clear();
+  const auto add_part = [&](int at, int other, const M6& sum) {
+    if (other > at) return;
+    for (int r = 0; r < 6; ++r)
+      for (int c = 0; c < 6 && other + c <= at + r; ++c) matrix_.at(at + r, other + c) += sum(r, c);
+  };
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    const int at = 6 * static_cast<int>(k);
+    add_part(at, at, masses_[k]);
+  }
+  add_slopes(add_part);
+  matrix_.factor();
+}
+
 // The slope of the function along `way` at v; leaves its gradient there.
 double Direct::slope_along(const Vector& way) {
   forces(v_, false);
@@ -223,29 +253,7 @@ void Direct::minimise() {
   for (int step = 0; step < most_newton_steps; ++step) {
     forces(v_, true);
     fill_gradient();
-    matrix_.clear();
-    for (std::size_t k = 0; k < bodies_.size(); ++k)
-      for (int i = 0; i < 6; ++i)
-        for (int j = 0; j <= i; ++j)
-          matrix_.at(6 * static_cast<int>(k) + i, 6 * static_cast<int>(k) + j) += masses_[k](i, j);
-    for (const Row& row : rows_) {
-      Eigen::Matrix<double, 3, 6> to_a = Eigen::Matrix<double, 3, 6>::Zero(), to_b = to_a;
-      if (row.block->angular) {
-        to_a.rightCols<3>() = M3::Identity(), to_b.rightCols<3>() = -M3::Identity();
-      } else {
-        to_a << M3::Identity(), -cross_matrix(row.arm);
-        to_b << -M3::Identity(), cross_matrix(row.to_arm);
-      }
-      const auto add = [&](int at, const auto& j, int other, const auto& other_j) {
-        if (at < 0 || other < 0 || other > at) return;
-        const Eigen::Matrix<double, 6, 6> part = j.transpose() * row.slope * other_j;
-        for (int r = 0; r < 6; ++r)
-          for (int c = 0; c < 6 && other + c <= at + r; ++c) matrix_.at(at + r, other + c) += part(r, c);
-      };
-      add(row.a, to_a, row.a, to_a), add(row.b, to_b, row.b, to_b);
-      add(row.a, to_a, row.b, to_b), add(row.b, to_b, row.a, to_a);
-    }
-    matrix_.factor();
+    factor();
     way_ = -gradient_;
     matrix_.solve(way_);
     start_ = v_;

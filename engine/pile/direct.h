@@ -34,14 +34,17 @@ class Direct {
   using Vector = Eigen::VectorXd;
   using V3 = Eigen::Vector3d;
   using M3 = Eigen::Matrix3d;
+  using M6 = Eigen::Matrix<double, 6, 6>;
   struct Row {
     Block* block;
     int a, b;  // where their six velocities begin, or -1
     V3 arm, to_arm, n, lambda, best, f;
     V3 before, change;  // of the round before: its f, and f - lambda
     M3 space;
+    M3 turn, to_turn;  // u = v_a + turn w_a - (v_b + to_turn w_b)
     double stiffness, limit, start_limit, target;
-    M3 slope;  // -df/du
+    M3 slope;           // -df/du
+    bool skew = false;  // the slope is not symmetric
   };
 
   void set_up(std::vector<Block>&, const std::vector<Body>&, const std::vector<Mover>&);
@@ -50,6 +53,11 @@ class Direct {
   void forces(const Vector& v, bool slopes, bool coupled = false);
   void fill_gradient();  // M (V - c) - J^T f
   double slope_along(const Vector& way);
+  static M6 part(const Row&, const M3& turn, const M3& other);
+  // add(at, other, part of -J^T df/dV there), for each two bodies of each row that move.
+  template <class Add>
+  void add_slopes(Add add) const;
+  void factor();
   bool couple();
   void take(bool extrapolated);
   void add_impulse(const Row&, const V3&, Vector&) const;
@@ -59,12 +67,24 @@ class Direct {
   std::vector<int> place_;  // of each body's six velocities
   std::vector<int> bodies_;
   std::vector<Row> rows_;
-  std::vector<Eigen::Matrix<double, 6, 6>> masses_, inverses_, loose_;
+  std::vector<M6> masses_, inverses_, loose_;
   Envelope matrix_;
   Eigen::MatrixXd dense_;
   Vector start_, free_, centre_, v_, gradient_, way_, push_;
   double residual_ = 0;
   double rounding_ = 0;  // of a velocity that impulses give [m/s]
 };
+
+template <class Add>
+void Direct::add_slopes(Add add) const {
+  for (const Row& row : rows_) {
+    if (row.slope.isZero(0)) continue;
+    if (row.a >= 0) add(row.a, row.a, part(row, row.turn, row.turn));
+    if (row.b >= 0) add(row.b, row.b, part(row, row.to_turn, row.to_turn));
+    if (row.a < 0 || row.b < 0) continue;
+    add(row.a, row.b, M6(-part(row, row.turn, row.to_turn)));
+    add(row.b, row.a, M6(-part(row, row.to_turn, row.turn)));
+  }
+}
 
 }  // namespace cylon::engine::pile

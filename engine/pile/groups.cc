@@ -5,8 +5,6 @@
 
 namespace cylon::engine::pile {
 
-namespace {}  // namespace
-
 std::vector<Group> find_groups(const std::vector<Block>& blocks, const std::vector<Mover>& movers) {
   std::vector<int> root(movers.size());
   std::iota(root.begin(), root.end(), 0);
@@ -22,18 +20,30 @@ std::vector<Group> find_groups(const std::vector<Block>& blocks, const std::vect
   }
   std::vector<Group> groups;
   std::vector<int> group_of(movers.size(), -1);
+  std::vector<char> touches(movers.size(), 0),
+      holds(movers.size(), 0);  // a moving body; a group, what is locked
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     const int mover = is_moving(blocks[k].a) ? blocks[k].a : blocks[k].b;
     if (!is_moving(mover)) continue;
     int& group = group_of[index(find(mover))];
     if (group < 0) group = static_cast<int>(groups.size()), groups.emplace_back();
     groups[index(group)].blocks.push_back(static_cast<int>(k));
-    for (const int body : {blocks[k].a, blocks[k].b})
-      if (body != fixed_world) groups[index(group)].bodies.push_back(body);
+    for (const int body : {blocks[k].a, blocks[k].b}) {
+      if (is_moving(body)) {
+        touches[index(body)] = 1;
+      } else if (body != fixed_world) {
+        groups[index(group)].bodies.push_back(body), holds[index(group)] = 1;
+      }
+    }
   }
-  for (Group& group : groups) {
-    std::sort(group.bodies.begin(), group.bodies.end());
-    group.bodies.erase(std::unique(group.bodies.begin(), group.bodies.end()), group.bodies.end());
+  for (std::size_t i = 0; i < movers.size(); ++i)
+    if (touches[i])
+      groups[index(group_of[index(find(static_cast<int>(i)))])].bodies.push_back(static_cast<int>(i));
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (!holds[g]) continue;  // in order already
+    std::vector<int>& bodies = groups[g].bodies;
+    std::sort(bodies.begin(), bodies.end());
+    bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
   }
   return groups;
 }
