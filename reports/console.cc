@@ -65,8 +65,10 @@ std::string run_facts(const Verdict& v, const ConsoleOptions& options) {
   for (const told::Diagnostic& d : v.diagnostics) add_line(out, "diagnostic", in_words(d), options);
   add_line(out, "sampling", v.sampling, options);
   if (v.body_steps > 0)
-    out += fmt::format("  cost: {:.3g} s of CPU, {} body steps, {:.0f} ns each\n", v.cpu_seconds,
-                       v.body_steps, v.cpu_seconds / static_cast<double>(v.body_steps) * 1e9);
+    out +=
+        fmt::format("  cost: {:.3g} s of CPU, {} body steps, {:.0f} ns each{}\n", v.cpu_seconds, v.body_steps,
+                    v.cpu_seconds / static_cast<double>(v.body_steps) * 1e9,
+                    v.cpu_verified ? "" : "; not verified: the CPU time of the process does not confirm it");
   return out;
 }
 
