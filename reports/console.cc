@@ -201,22 +201,26 @@ std::string console_matrix(const std::vector<Verdict>& verdicts, const ConsoleOp
   std::string out = draw(matrix, options);
   if (!out.empty()) out += '\n';
   out += legend(matrix, options);
+  return out + (out.empty() ? "" : "\n") + console_summary(verdicts, options);
+}
 
+std::string console_summary(const std::vector<Verdict>& verdicts, const ConsoleOptions& options) {
+  std::string out;
   const auto differs = [](const Verdict& v) { return !v.as_expected(); };
-  if (std::any_of(verdicts.begin(), verdicts.end(), differs)) out += "\nNot as expected:\n";
+  if (std::any_of(verdicts.begin(), verdicts.end(), differs)) out += "Not as expected:\n";
   const auto unforeseen = [&](const Verdict& v) { return differs(v) && v.expected_reason.empty(); };
   if (std::any_of(verdicts.begin(), verdicts.end(), unforeseen))
     out += "(without a matching row in expected.toml, pass is expected)\n";
   for (const Verdict& v : verdicts)
     if (differs(v)) out += difference(v, options);
   const auto open = [&](const Verdict& v) { return v.status == Status::undecided && !differs(v); };
-  if (std::ranges::any_of(verdicts, open)) out += "\nUndecided:\n";
+  if (std::ranges::any_of(verdicts, open)) out += out.empty() ? "Undecided:\n" : "\nUndecided:\n";
   for (const Verdict& v : verdicts)
     if (open(v)) out += difference(v, options);
 
   const std::string warnings = rescaled(verdicts) + unlisted(verdicts, options);
   if (!out.empty()) out += '\n';
-  return out + warnings + refusals(matrix, options) + summary(verdicts);
+  return out + warnings + refusals(fold(verdicts), options) + summary(verdicts);
 }
 
 }  // namespace cylon::reports

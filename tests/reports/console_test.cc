@@ -260,6 +260,15 @@ TEST(Console, SaysWhichCostIsNotVerified) {
   EXPECT_TRUE(contains(console_details({v}, plain), "300 ns each\n"));
 }
 
+TEST(Console, SummaryHasNoMatrix) {
+  const std::vector<Verdict> verdicts = {make("top", "bullet", Status::pass),
+                                         make("top", "ode", Status::fail)};
+  const std::string text = console_summary(verdicts, plain), whole = console_matrix(verdicts, plain);
+  EXPECT_TRUE(whole.ends_with("\n" + text));
+  EXPECT_FALSE(contains(text, "✓"));
+  EXPECT_TRUE(text.ends_with("0 differ\n")) << text;
+}
+
 TEST(Console, EscapesControlSequences) {
   const std::vector<std::string> hostile = {"\x1b[2J\x1b]0;owned\x07",
                                             "\x9b"
